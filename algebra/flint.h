@@ -1,0 +1,54 @@
+// The one place that includes FLINT and Arb: FLINT 2.9 with Arb 2.23 beside it (Debian 12), or FLINT 3,
+// which contains Arb. Internal to algebra/: no public header includes this file.
+#pragma once
+
+#include <gmp.h>  // before any FLINT header
+
+#include <flint/flint.h>
+
+#include <flint/fmpq.h>
+#include <flint/fmpq_poly.h>
+#include <flint/fmpz.h>
+#include <flint/fmpz_poly.h>
+#include <flint/fmpz_vec.h>
+#include <flint/nmod_poly.h>
+#include <flint/ulong_extras.h>
+
+#if __FLINT_RELEASE >= 30000
+#include <flint/arb.h>
+#include <flint/arf.h>
+#else
+#include <arb.h>
+#include <arf.h>
+#endif
+
+#include "rational.h"
+
+namespace exsect {
+
+/// Owner of one fmpz.
+struct FlintInteger {
+  fmpz_t value;
+  FlintInteger() { fmpz_init(value); }
+  ~FlintInteger() { fmpz_clear(value); }
+  FlintInteger(const FlintInteger&) = delete;
+  FlintInteger& operator=(const FlintInteger&) = delete;
+};
+
+/// Owner of one fmpq.
+struct FlintRational {
+  fmpq_t value;
+  FlintRational() { fmpq_init(value); }
+  explicit FlintRational(const Rational& q) : FlintRational() { fmpq_set_mpq(value, q.backend().data()); }
+  ~FlintRational() { fmpq_clear(value); }
+  FlintRational(const FlintRational&) = delete;
+  FlintRational& operator=(const FlintRational&) = delete;
+
+  Rational to_rational() const {
+    Rational result;
+    fmpq_get_mpq(result.backend().data(), value);
+    return result;
+  }
+};
+
+}  // namespace exsect

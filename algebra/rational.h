@@ -1,0 +1,37 @@
+// Exact numbers at the interface: GMP integers and rationals through Boost.Multiprecision.
+#pragma once
+
+#include <boost/multiprecision/gmp.hpp>
+
+namespace exsect {
+
+/// Expression templates are off: `auto` then means a number.
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+
+/// Invariant: lower <= upper. Whether the ends belong to it is said where it is used.
+struct RationalInterval {
+  Rational lower;
+  Rational upper;
+
+  Rational width() const { return upper - lower; }
+  Rational midpoint() const { return (lower + upper) / 2; }
+};
+
+/// -1, 0, +1.
+int sign(const Rational& q);
+
+/// The double nearest to q (ties to even); infinite beyond the range of doubles.
+double to_double(const Rational& q);
+
+/// The rational that the finite double x is, exactly. Throws std::invalid_argument for NaN and infinities.
+Rational from_double(double x);
+
+/// The rational of least denominator in the open interval (a,b); requires a < b, else std::invalid_argument.
+Rational simplest_between(const Rational& a, const Rational& b);
+
+/// 2^exponent, any sign of the exponent.
+Rational power_of_two(long exponent);
+
+}  // namespace exsect

@@ -1,0 +1,36 @@
+# Compile options every target of exsect shares. Contraction is off so that a
+# proved floating-point error bound means the same on every machine.
+add_library(exsect_options INTERFACE)
+target_compile_options(exsect_options INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(EXSECT_WERROR)
+  target_compile_options(exsect_options INTERFACE -Werror)
+endif()
+if(EXSECT_SANITIZE)
+  target_compile_options(exsect_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                                                  -fno-omit-frame-pointer)
+  target_link_options(exsect_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# exsect_layer(<name> HEADERS <public headers> DEPENDS <targets> PRIVATE_DEPENDS <targets>)
+# builds the library of one layer from the sources beside it. Each public header
+# gets a one-line forwarding header that only this layer's target exports, so an
+# include against the direction of the layers does not compile.
+function(exsect_layer name)
+  cmake_parse_arguments(LAYER "" "" "HEADERS;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  set(target exsect_${name})
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  add_library(${target} ${sources})
+  add_library(exsect::${name} ALIAS ${target})
+  set(forward "${CMAKE_CURRENT_BINARY_DIR}/include")
+  foreach(header IN LISTS LAYER_HEADERS)
+    file(CONFIGURE OUTPUT "${forward}/exsect/${name}/${header}"
+         CONTENT "#include \"${CMAKE_CURRENT_SOURCE_DIR}/${header}\"\n" @ONLY)
+  endforeach()
+  target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${forward}>"
+                                              "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target} PUBLIC ${LAYER_DEPENDS} PRIVATE ${LAYER_PRIVATE_DEPENDS}
+                                                                  $<BUILD_INTERFACE:exsect_options>)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
+                                             SOVERSION ${PROJECT_VERSION_MAJOR} POSITION_INDEPENDENT_CODE ON)
+endfunction()

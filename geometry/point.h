@@ -1,0 +1,21 @@
+// Points and vectors of space with rational coordinates.
+#pragma once
+
+#include <array>
+
+#include <exsect/algebra/rational.h>
+
+namespace exsect {
+
+/// Point or vector, coordinates x, y, z.
+using Point = std::array<Rational, 3>;
+
+Point operator+(const Point& a, const Point& b);
+Point operator-(const Point& a, const Point& b);
+Point operator*(const Rational& c, const Point& a);
+Rational dot(const Point& a, const Point& b);
+Point cross(const Point& a, const Point& b);
+Rational determinant(const Point& a, const Point& b, const Point& c);
+bool is_zero(const Point& a);
+
+}  // namespace exsect

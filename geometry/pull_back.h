@@ -1,0 +1,49 @@
+// The plane and the quadratic cylinder of a parameter line, pulled back to the second patch.
+#pragma once
+
+#include <exsect/algebra/bivariate_polynomial.h>
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/parameter_line.h>
+
+namespace exsect {
+
+/// An affine form on space: form(P) = normal . P + constant.
+struct AffineForm {
+  Point normal;
+  Rational constant;
+
+  Rational operator()(const Point& p) const { return dot(normal, p) + constant; }
+};
+
+/// form(y(r,s)), bidegree at most (2,2).
+BivariatePolynomial pull_back(const AffineForm& form, const BezierPatch& y);
+
+/// The forms of a conic parameter line c(t) (method, section 1): plane = 0 spans the line's plane, and
+/// e0 : e1 : e2 = 1 : t : t^2 on the line, up to the common factor N. So the cylinder is e0 e2 - e1^2 = 0 and
+/// t = e1/e0. For a polynomial patch e0 is the constant N, e1 = w1, e2 = w2.
+struct LineForms {
+  AffineForm plane;
+  AffineForm e0;
+  AffineForm e1;
+  AffineForm e2;
+};
+
+/// Orthogonal cylinder of the method: e0 = N = n.n, e1 = (a2 x n).(P - a0), e2 = (n x a1).(P - a0), n = a1 x a2.
+/// Throws std::domain_error unless shape(line) is conic.
+LineForms orthogonal_forms(const ParameterLine& line);
+/// Cylinder along the axis k where |n_k| is largest: e0 = n_k, e1 = ((P - a0) x a2)_k, e2 = (a1 x (P - a0))_k. The
+/// same conic on the plane with numbers half as long: the form used for solving. Throws as above.
+LineForms axis_forms(const ParameterLine& line);
+
+/// P, U, L, M: pull-backs of plane, e0, e1, e2. The cylinder pulls back to Z = U M - L^2.
+struct PullBack {
+  BivariatePolynomial plane;  // P
+  BivariatePolynomial u;      // U
+  BivariatePolynomial l;      // L
+  BivariatePolynomial m;      // M
+
+  BivariatePolynomial cylinder() const { return u * m - l * l; }
+};
+PullBack pull_back(const LineForms& forms, const BezierPatch& y);
+
+}  // namespace exsect

@@ -1,0 +1,45 @@
+// Certified intersection points of a parameter line with a patch.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <exsect/algebra/triangular_point.h>
+#include <exsect/solver/parameter.h>
+
+namespace exsect {
+
+/// One exact solution (u,v,r,s) of x(u,v) = y(r,s) in [0,1]^4 on a parameter line. Its closed box holds the point;
+/// `refined_to` gives any width. Which of the eight sides of the two parameter squares it lies on is exact.
+class CertifiedPoint {
+ public:
+  /// How the point is represented: refines boxes to any width.
+  class Source {
+   public:
+    virtual ~Source() = default;
+    /// A closed box of width at most `width` in every parameter that contains the point.
+    virtual ParameterBox box(const Rational& width) const = 0;
+  };
+
+  CertifiedPoint(std::shared_ptr<const Source> source, const Rational& width, std::vector<Side> sides,
+                 int multiplicity, int branch);
+
+  const ParameterBox& box() const { return box_; }
+  CertifiedPoint refined_to(const Rational& width) const;
+  /// The sides this point lies on, exactly; in the order u=0, u=1, v=0, ..., s=1.
+  const std::vector<Side>& sides() const { return sides_; }
+  bool on(Side side) const;
+  /// Multiplicity of the point's root in the eliminant; 1 means a transversal crossing of line and patch.
+  int multiplicity() const { return multiplicity_; }
+  /// 1 or 2, the branch r_1, r_2 of (9.16) it lies on; 0 where the branches are not defined.
+  int branch() const { return branch_; }
+
+ private:
+  std::shared_ptr<const Source> source_;
+  ParameterBox box_;
+  std::vector<Side> sides_;
+  int multiplicity_;
+  int branch_;
+};
+
+}  // namespace exsect

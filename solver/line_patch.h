@@ -1,0 +1,55 @@
+// A parameter line of one patch against the other patch: eliminant, feasible intervals, certified points.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <exsect/algebra/real_algebraic.h>
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/parameter_line.h>
+#include <exsect/geometry/pull_back.h>
+#include <exsect/solver/certified_point.h>
+#include <exsect/solver/feasible_intervals.h>
+
+namespace exsect {
+
+/// A closed interval of the line's parameter with algebraic ends (from == to: a single parameter).
+struct AlgebraicInterval {
+  RealAlgebraic from;
+  RealAlgebraic to;
+};
+
+/// The line `fixed = value` (value in [0,1], else std::invalid_argument) of the patch that owns the parameter,
+/// against the other patch.
+struct LineQuery {
+  Parameter fixed;
+  Rational value;
+};
+
+/// The points alone: what the sweep asks for. `points` are all isolated solutions in [0,1]^4, ascending in the
+/// eliminated parameter; `on_patch` the parts of the line that lie on the other patch.
+struct LinePoints {
+  std::vector<CertifiedPoint> points;
+  std::vector<AlgebraicInterval> on_patch;
+  /// Empty, or the reason why the list is not complete (never a silent omission).
+  std::optional<std::string> incomplete;
+};
+LinePoints line_points(const BezierPatch& x, const BezierPatch& y, const LineQuery& query);
+
+/// Everything about one line, as shown by `exsect line`.
+struct LineIntersection {
+  LineQuery query;
+  LineShape shape;
+  AffineForm plane;                  // conic: the line's plane; straight: the first of two orthogonal planes
+  std::optional<AffineForm> second;  // straight or folded: the second plane
+  std::optional<LineForms> forms;    // conic: the orthogonal cylinder
+  PullBack pullback;                 // on the other patch (empty for a point)
+  Parameter eliminant_variable;      // s for a line of x, v for a line of y
+  Polynomial eliminant;              // degree 16; 8 for a straight line; primitive, positive leading coefficient
+  std::vector<FeasibleBranch> feasible;
+  LinePoints solution;
+};
+LineIntersection intersect_line(const BezierPatch& x, const BezierPatch& y, const LineQuery& query);
+
+}  // namespace exsect
