@@ -1,0 +1,29 @@
+// The main entry: the exact, complete, certified intersection of two patches.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/result.h>
+
+namespace exsect {
+
+struct IntersectOptions {
+  /// Turning points with respect to these parameters become nodes.
+  std::vector<Parameter> turning = {Parameter::u, Parameter::v, Parameter::r, Parameter::s};
+  /// Bound of the distance between each polyline and its true arc, relative to the size of the model (the largest
+  /// extent of the common bounding box of both patches); > 0, else std::invalid_argument.
+  double tolerance = 1e-6;
+  /// Work cap; when it is exceeded the result is incomplete.
+  std::optional<double> max_seconds;
+  /// Called now and then with a fraction in [0,1] and the name of the step.
+  std::function<void(double, const char*)> progress;
+};
+
+/// Every point of x(u,v) = y(r,s) in [0,1]^4 (method, section 8). Safe to call from several threads. Throws
+/// std::invalid_argument for options out of range.
+IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options = {});
+
+}  // namespace exsect

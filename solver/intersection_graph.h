@@ -1,0 +1,80 @@
+// The intersection graph: nodes, arcs, components.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <exsect/solver/parameter.h>
+
+namespace exsect {
+
+enum class NodeKind { boundary, turning, corner, touch, crossing, cusp, end_of_overlap };
+
+/// A certified point of the intersection. Its closed box holds exactly one point with the stated properties.
+struct Node {
+  int id;
+  std::vector<NodeKind> kinds;
+  std::vector<Side> on;         // sides of the parameter squares it lies on, exactly
+  std::vector<Parameter> wrt;   // parameters with respect to which it is a turning point
+  ParameterBox box;
+  std::array<double, 4> approx;  // (u,v,r,s), inside the box up to rounding
+  std::array<double, 3> point;   // approximate point of space
+};
+
+/// Parameters (u,v,r,s) and the point of space.
+struct PolylineVertex {
+  std::array<double, 4> parameters;
+  std::array<double, 3> point;
+};
+
+enum class ArcPlace { interior, patch_boundary };
+enum class Contact { transversal, tangential };
+
+/// A piece of the intersection curve between two nodes, with no node inside. Every point of the true arc is within
+/// `error_bound` (in space) of the polyline and every point of the polyline within it of the true arc.
+struct Arc {
+  int id;
+  int component;
+  int from;  // node ids
+  int to;
+  ArcPlace place;
+  Contact contact;
+  std::vector<PolylineVertex> polyline;  // from `from` to `to`
+  double error_bound;
+};
+
+/// open: a simple path; closed: a simple loop; branched: anything with a node of degree above two.
+enum class ComponentShape { open, closed, branched };
+
+struct Component {
+  int id;
+  ComponentShape shape;
+  std::vector<int> arcs;  // open and closed: in order along the curve
+};
+
+/// A region where the two patches lie on one surface: its closed chains of boundary arcs on both squares.
+struct Overlap {
+  int id;
+  std::vector<std::vector<Arc>> chains;
+};
+
+/// Invariant: every arc end names a node; exchanging the patches gives the same graph up to renaming.
+struct IntersectionGraph {
+  std::vector<Node> nodes;
+  std::vector<Arc> arcs;
+  std::vector<Component> components;
+  std::vector<int> isolated_points;  // node ids
+  std::vector<Overlap> overlaps;
+
+  int count(ComponentShape shape) const;
+  /// Nodes that are turning points with respect to p, over all components.
+  int turning_points(Parameter p) const;
+  int boundary_points() const;
+};
+
+const char* name(NodeKind kind);
+const char* name(ArcPlace place);
+const char* name(Contact contact);
+const char* name(ComponentShape shape);
+
+}  // namespace exsect
