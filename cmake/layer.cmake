@@ -23,8 +23,8 @@ function(exsect_layer name)
   add_library(exsect::${name} ALIAS ${target})
   set(forward "${CMAKE_CURRENT_BINARY_DIR}/include")
   foreach(header IN LISTS LAYER_HEADERS)
-    file(CONFIGURE OUTPUT "${forward}/exsect/${name}/${header}"
-         CONTENT "#include \"${CMAKE_CURRENT_SOURCE_DIR}/${header}\"\n" @ONLY)
+    file(RELATIVE_PATH path "${forward}/exsect/${name}" "${CMAKE_CURRENT_SOURCE_DIR}/${header}")
+    file(CONFIGURE OUTPUT "${forward}/exsect/${name}/${header}" CONTENT "#include \"${path}\"\n" @ONLY)
   endforeach()
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${forward}>"
                                               "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
