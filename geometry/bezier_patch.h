@@ -1,18 +1,18 @@
 // Bézier patches of bidegree (2,2) with exact rational control nets.
 #pragma once
 
+#include <exsect/geometry/point.h>
+
 #include <array>
 #include <vector>
-
-#include <exsect/geometry/point.h>
 
 namespace exsect {
 
 /// Control points of a patch of bidegree (2,2): row index = first parameter, column index = second.
 using ControlNet = std::array<std::array<Point, 3>, 3>;
 
-/// x(u,v) = sum_ij B_i^2(u) B_j^2(v) X[i][j] over (u,v) in [0,1]^2. Any net is legal: degeneracy is a question
-/// you can ask, not an error. Immutable.
+/// x(u,v) = sum_ij B_i^2(u) B_j^2(v) X[i][j] over (u,v) in [0,1]^2. Any net is legal: degeneracy is a
+/// question you can ask, not an error. Immutable.
 class BezierPatch {
  public:
   explicit BezierPatch(const ControlNet& net) : net_(net) {}
@@ -38,9 +38,10 @@ class BezierPatch {
   BezierPatch reversed_first() const;
   /// x(u, 1-v).
   BezierPatch reversed_second() const;
-  /// The piece over [u0,u1] x [v0,v1], reparametrised affinely to [0,1]^2 (blossoming; any rationals are legal,
-  /// so it also extrapolates).
-  BezierPatch restricted_to(const Rational& u0, const Rational& u1, const Rational& v0, const Rational& v1) const;
+  /// The piece over [u0,u1] x [v0,v1], reparametrised affinely to [0,1]^2 (blossoming; any rationals are
+  /// legal, so it also extrapolates).
+  BezierPatch restricted_to(const Rational& u0, const Rational& u1, const Rational& v0,
+                            const Rational& v1) const;
 
   friend bool operator==(const BezierPatch& a, const BezierPatch& b) = default;
 

@@ -1,9 +1,9 @@
 // Parameter lines of a patch as curves p(t) = a0 + a1 t + a2 t^2, and their shapes.
 #pragma once
 
-#include <array>
-
 #include <exsect/geometry/bezier_patch.h>
+
+#include <array>
 
 namespace exsect {
 
@@ -14,8 +14,8 @@ struct ParameterLine {
   Point operator()(const Rational& t) const;
 };
 
-/// conic: a1 x a2 != 0. straight: a line segment run through monotonically on [0,1]. folded: a line segment whose
-/// point turns back at a parameter inside (0,1). point: a1 = a2 = 0.
+/// conic: a1 x a2 != 0. straight: a line segment run through monotonically on [0,1]. folded: a line segment
+/// whose point turns back at a parameter inside (0,1). point: a1 = a2 = 0.
 enum class LineShape { conic, straight, folded, point };
 
 /// The line x(u0, .) with parameter v. Any rational u0.

@@ -1,9 +1,9 @@
 // Points and vectors of space with rational coordinates.
 #pragma once
 
-#include <array>
-
 #include <exsect/algebra/rational.h>
+
+#include <array>
 
 namespace exsect {
 

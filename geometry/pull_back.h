@@ -28,11 +28,11 @@ struct LineForms {
   AffineForm e2;
 };
 
-/// Orthogonal cylinder of the method: e0 = N = n.n, e1 = (a2 x n).(P - a0), e2 = (n x a1).(P - a0), n = a1 x a2.
-/// Throws std::domain_error unless shape(line) is conic.
+/// Orthogonal cylinder of the method: e0 = N = n.n, e1 = (a2 x n).(P - a0), e2 = (n x a1).(P - a0), n = a1 x
+/// a2. Throws std::domain_error unless shape(line) is conic.
 LineForms orthogonal_forms(const ParameterLine& line);
-/// Cylinder along the axis k where |n_k| is largest: e0 = n_k, e1 = ((P - a0) x a2)_k, e2 = (a1 x (P - a0))_k. The
-/// same conic on the plane with numbers half as long: the form used for solving. Throws as above.
+/// Cylinder along the axis k where |n_k| is largest: e0 = n_k, e1 = ((P - a0) x a2)_k, e2 = (a1 x (P -
+/// a0))_k. The same conic on the plane with numbers half as long: the form used for solving. Throws as above.
 LineForms axis_forms(const ParameterLine& line);
 
 /// P, U, L, M: pull-backs of plane, e0, e1, e2. The cylinder pulls back to Z = U M - L^2.

@@ -1,0 +1,21 @@
+#include "point.h"
+
+namespace exsect {
+
+Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+
+Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+Point operator*(const Rational& c, const Point& a) { return {c * a[0], c * a[1], c * a[2]}; }
+
+Rational dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Rational determinant(const Point& a, const Point& b, const Point& c) { return dot(a, cross(b, c)); }
+
+bool is_zero(const Point& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }
+
+}  // namespace exsect
