@@ -2,10 +2,7 @@
 // which contains Arb. Internal to algebra/: no public header includes this file.
 #pragma once
 
-#include <gmp.h>  // before any FLINT header
-
 #include <flint/flint.h>
-
 #include <flint/fmpq.h>
 #include <flint/fmpq_poly.h>
 #include <flint/fmpz.h>
@@ -13,6 +10,7 @@
 #include <flint/fmpz_vec.h>
 #include <flint/nmod_poly.h>
 #include <flint/ulong_extras.h>
+#include <gmp.h>  // before any FLINT header
 
 #if __FLINT_RELEASE >= 30000
 #include <flint/arb.h>
@@ -30,9 +28,16 @@ namespace exsect {
 struct FlintInteger {
   fmpz_t value;
   FlintInteger() { fmpz_init(value); }
+  explicit FlintInteger(const Integer& n) : FlintInteger() { fmpz_set_mpz(value, n.backend().data()); }
   ~FlintInteger() { fmpz_clear(value); }
   FlintInteger(const FlintInteger&) = delete;
   FlintInteger& operator=(const FlintInteger&) = delete;
+
+  Integer to_integer() const {
+    Integer result;
+    fmpz_get_mpz(result.backend().data(), value);
+    return result;
+  }
 };
 
 /// Owner of one fmpq.

@@ -1,11 +1,12 @@
 // Polynomials in one variable over Q.
 #pragma once
 
+#include <exsect/algebra/rational.h>
+
+#include <initializer_list>
 #include <memory>
 #include <utility>
 #include <vector>
-
-#include <exsect/algebra/rational.h>
 
 namespace exsect {
 
@@ -18,6 +19,9 @@ class Polynomial {
   Polynomial(int constant);              // NOLINT
   /// Coefficients, constant term first; trailing zeros allowed.
   explicit Polynomial(const std::vector<Rational>& coefficients);
+  /// Polynomial{1, 0, 3} is 1 + 3 t^2.
+  Polynomial(std::initializer_list<Rational> coefficients)
+      : Polynomial(std::vector<Rational>(coefficients)) {}
   Polynomial(const Polynomial&);
   Polynomial(Polynomial&&) noexcept;
   Polynomial& operator=(const Polynomial&);
@@ -75,6 +79,8 @@ Division divide(const Polynomial& a, const Polynomial& b);
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
 /// Monic greatest common divisor; gcd(0,0) = 0.
 Polynomial gcd(const Polynomial& a, const Polynomial& b);
+/// No complex root of f is multiple (true for nonzero constants). Throws std::domain_error for f = 0.
+bool is_squarefree(const Polynomial& f);
 /// f divided by gcd(f, f'), primitive with the sign of f; every complex root of f exactly once.
 /// Throws std::domain_error for f = 0.
 Polynomial squarefree_part(const Polynomial& f);
@@ -84,8 +90,9 @@ struct PolynomialPower {
   int multiplicity;
 };
 
-/// Squarefree factorisation (Yun): pairwise coprime squarefree primitive non-constant factors of multiplicities
-/// 1, 2, ..., whose product of powers is f up to a rational constant. Throws std::domain_error for f = 0.
+/// Squarefree factorisation (Yun): pairwise coprime squarefree primitive non-constant factors of
+/// multiplicities 1, 2, ..., whose product of powers is f up to a rational constant. Throws std::domain_error
+/// for f = 0.
 std::vector<PolynomialPower> squarefree_factors(const Polynomial& f);
 /// Irreducible factors over Q with multiplicities; primitive, up to a rational constant. Throws for f = 0.
 std::vector<PolynomialPower> irreducible_factors(const Polynomial& f);

@@ -1,0 +1,298 @@
+#include "polynomial.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "flint_polynomial.h"
+
+namespace exsect {
+namespace {
+
+constexpr mp_limb_t test_primes[] = {9223372036854775783ULL, 4611686018427387847ULL, 2305843009213693951ULL};
+
+struct FlintModularPolynomial {
+  nmod_poly_t value;
+
+  explicit FlintModularPolynomial(mp_limb_t prime) { nmod_poly_init(value, prime); }
+  ~FlintModularPolynomial() { nmod_poly_clear(value); }
+  FlintModularPolynomial(const FlintModularPolynomial&) = delete;
+  FlintModularPolynomial& operator=(const FlintModularPolynomial&) = delete;
+};
+
+/// True proves f squarefree: if p does not divide the leading coefficient, deg gcd(f, f') over Q is at most
+/// the degree of the gcd modulo p. False proves nothing.
+bool squarefree_modulo_prime(const fmpz_poly_t f) {
+  for (const mp_limb_t p : test_primes) {
+    if (fmpz_fdiv_ui(fmpz_poly_lead(f), p) == 0) continue;
+    FlintModularPolynomial reduced(p), derivative(p), common(p);
+    fmpz_poly_get_nmod_poly(reduced.value, f);
+    nmod_poly_derivative(derivative.value, reduced.value);
+    nmod_poly_gcd(common.value, reduced.value, derivative.value);
+    return nmod_poly_length(common.value) == 1;
+  }
+  return false;
+}
+
+/// p^n f(t) for t = p / 2^k: Horner's rule with shifts.
+void evaluate_dyadic(fmpz_t sum, const fmpz_poly_t f, const fmpz_t p, ulong k) {
+  const slong n = f->length - 1;
+  fmpz_set(sum, f->coeffs + n);
+  FlintInteger shifted;
+  for (slong i = n - 1; i >= 0; --i) {
+    fmpz_mul(sum, sum, p);
+    if (fmpz_is_zero(f->coeffs + i)) continue;
+    fmpz_mul_2exp(shifted.value, f->coeffs + i, static_cast<ulong>(n - i) * k);
+    fmpz_add(sum, sum, shifted.value);
+  }
+}
+
+/// q^n f(p/q).
+void evaluate_homogeneous(fmpz_t sum, const fmpz_poly_t f, const fmpz_t p, const fmpz_t q) {
+  const slong n = f->length - 1;
+  fmpz_set(sum, f->coeffs + n);
+  FlintInteger power;
+  fmpz_one(power.value);
+  for (slong i = n - 1; i >= 0; --i) {
+    fmpz_mul(sum, sum, p);
+    fmpz_mul(power.value, power.value, q);
+    fmpz_addmul(sum, f->coeffs + i, power.value);
+  }
+}
+
+void require_nonzero(const Polynomial& f, const char* what) {
+  if (f.is_zero()) throw std::domain_error(std::string(what) + ": the polynomial is zero");
+}
+
+std::vector<PolynomialPower> to_powers(const fmpz_poly_factor_t factorisation) {
+  std::vector<PolynomialPower> result;
+  for (slong i = 0; i < factorisation->num; ++i)
+    result.push_back({to_polynomial(factorisation->p + i), static_cast<int>(factorisation->exp[i])});
+  std::stable_sort(result.begin(), result.end(), [](const PolynomialPower& a, const PolynomialPower& b) {
+    return a.multiplicity < b.multiplicity;
+  });
+  return result;
+}
+
+struct FlintFactorisation {
+  fmpz_poly_factor_t value;
+
+  FlintFactorisation() { fmpz_poly_factor_init(value); }
+  ~FlintFactorisation() { fmpz_poly_factor_clear(value); }
+  FlintFactorisation(const FlintFactorisation&) = delete;
+  FlintFactorisation& operator=(const FlintFactorisation&) = delete;
+};
+
+}  // namespace
+
+Polynomial::Polynomial() : rep_(std::make_unique<Rep>()) {}
+
+Polynomial::Polynomial(const Rational& constant) : Polynomial() {
+  fmpq_poly_set_fmpq(rep_->value, FlintRational(constant).value);
+}
+
+Polynomial::Polynomial(int constant) : Polynomial() { fmpq_poly_set_si(rep_->value, constant); }
+
+Polynomial::Polynomial(const std::vector<Rational>& coefficients) : Polynomial() {
+  const auto length = static_cast<slong>(coefficients.size());
+  fmpq_poly_struct* f = rep_->value;
+  fmpq_poly_fit_length(f, length);
+  // Over the least common denominator the fractions, reduced each, are reduced together.
+  FlintInteger part;
+  for (const Rational& c : coefficients) {
+    fmpz_set_mpz(part.value, mpq_denref(c.backend().data()));
+    fmpz_lcm(f->den, f->den, part.value);
+  }
+  for (slong i = 0; i < length; ++i) {
+    const Rational& c = coefficients[static_cast<std::size_t>(i)];
+    fmpz_set_mpz(f->coeffs + i, mpq_numref(c.backend().data()));
+    if (fmpz_is_one(f->den)) continue;
+    fmpz_set_mpz(part.value, mpq_denref(c.backend().data()));
+    fmpz_divexact(part.value, f->den, part.value);
+    fmpz_mul(f->coeffs + i, f->coeffs + i, part.value);
+  }
+  _fmpq_poly_set_length(f, length);
+  _fmpq_poly_normalise(f);
+}
+
+Polynomial::Polynomial(const Polynomial& other) : rep_(std::make_unique<Rep>(*other.rep_)) {}
+Polynomial::Polynomial(Polynomial&&) noexcept = default;
+Polynomial& Polynomial::operator=(const Polynomial& other) {
+  if (!rep_)
+    rep_ = std::make_unique<Rep>(*other.rep_);
+  else
+    *rep_ = *other.rep_;
+  return *this;
+}
+Polynomial& Polynomial::operator=(Polynomial&&) noexcept = default;
+Polynomial::~Polynomial() = default;
+
+Polynomial Polynomial::variable() {
+  Polynomial result;
+  fmpq_poly_set_coeff_si(result.rep_->value, 1, 1);
+  return result;
+}
+
+int Polynomial::degree() const { return static_cast<int>(fmpq_poly_degree(rep_->value)); }
+
+Rational Polynomial::coefficient(int i) const {
+  if (i < 0 || i > degree()) return 0;
+  FlintRational c;
+  fmpq_poly_get_coeff_fmpq(c.value, rep_->value, i);
+  return c.to_rational();
+}
+
+Rational Polynomial::leading_coefficient() const { return coefficient(degree()); }
+
+std::vector<Rational> Polynomial::coefficients() const {
+  std::vector<Rational> result;
+  result.reserve(static_cast<std::size_t>(degree() + 1));
+  for (int i = 0; i <= degree(); ++i) result.push_back(coefficient(i));
+  return result;
+}
+
+Rational Polynomial::operator()(const Rational& t) const {
+  FlintRational result;
+  fmpq_poly_evaluate_fmpq(result.value, rep_->value, FlintRational(t).value);
+  return result.to_rational();
+}
+
+int Polynomial::sign_at(const Rational& t) const {
+  if (is_zero()) return 0;
+  const NumeratorView f(*this);
+  if (t == 0 || degree() == 0) return fmpz_sgn(f.get()->coeffs);
+  const FlintRational point(t);
+  const fmpz* p = fmpq_numref(point.value);
+  const fmpz* q = fmpq_denref(point.value);
+  FlintInteger sum;
+  const auto k = static_cast<ulong>(fmpz_val2(q));
+  if (fmpz_bits(q) == k + 1)
+    evaluate_dyadic(sum.value, f.get(), p, k);
+  else
+    evaluate_homogeneous(sum.value, f.get(), p, q);
+  return fmpz_sgn(sum.value);
+}
+
+Polynomial Polynomial::compose(const Polynomial& inner) const {
+  Polynomial result;
+  fmpq_poly_compose(result.rep_->value, rep_->value, inner.rep_->value);
+  return result;
+}
+
+Polynomial Polynomial::derivative() const {
+  Polynomial result;
+  fmpq_poly_derivative(result.rep_->value, rep_->value);
+  return result;
+}
+
+Polynomial Polynomial::reversed(int n) const {
+  if (n < degree()) throw std::invalid_argument("Polynomial::reversed: n is below the degree");
+  Polynomial result;
+  fmpq_poly_reverse(result.rep_->value, rep_->value, n + 1);
+  return result;
+}
+
+Polynomial Polynomial::primitive() const {
+  FlintPolynomial numerator;
+  fmpz_poly_set(numerator.value, NumeratorView(*this).get());
+  make_primitive(numerator.value);
+  return to_polynomial(numerator.value);
+}
+
+Polynomial& Polynomial::operator+=(const Polynomial& other) {
+  fmpq_poly_add(rep_->value, rep_->value, other.rep_->value);
+  return *this;
+}
+
+Polynomial& Polynomial::operator-=(const Polynomial& other) {
+  fmpq_poly_sub(rep_->value, rep_->value, other.rep_->value);
+  return *this;
+}
+
+Polynomial& Polynomial::operator*=(const Polynomial& other) { return *this = *this * other; }
+
+Polynomial Polynomial::operator-() const {
+  Polynomial result;
+  fmpq_poly_neg(result.rep_->value, rep_->value);
+  return result;
+}
+
+Polynomial operator+(const Polynomial& a, const Polynomial& b) {
+  Polynomial result;
+  fmpq_poly_add(result.rep_->value, a.rep_->value, b.rep_->value);
+  return result;
+}
+
+Polynomial operator-(const Polynomial& a, const Polynomial& b) {
+  Polynomial result;
+  fmpq_poly_sub(result.rep_->value, a.rep_->value, b.rep_->value);
+  return result;
+}
+
+Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+  Polynomial result;
+  fmpq_poly_mul(result.rep_->value, a.rep_->value, b.rep_->value);
+  return result;
+}
+
+bool operator==(const Polynomial& a, const Polynomial& b) {
+  return fmpq_poly_equal(a.rep_->value, b.rep_->value) != 0;
+}
+
+Division divide(const Polynomial& a, const Polynomial& b) {
+  if (b.is_zero()) throw std::domain_error("divide: the divisor is the zero polynomial");
+  Division result;
+  fmpq_poly_divrem(result.quotient.rep().value, result.remainder.rep().value, a.rep().value, b.rep().value);
+  return result;
+}
+
+Polynomial exact_quotient(const Polynomial& a, const Polynomial& b) {
+  Division division = divide(a, b);
+  if (!division.remainder.is_zero()) throw std::domain_error("exact_quotient: the divisor does not divide");
+  return division.quotient;
+}
+
+Polynomial gcd(const Polynomial& a, const Polynomial& b) {
+  Polynomial result;
+  fmpq_poly_gcd(result.rep().value, a.rep().value, b.rep().value);
+  return result;
+}
+
+bool is_squarefree(const Polynomial& f) {
+  require_nonzero(f, "is_squarefree");
+  if (f.degree() <= 1) return true;
+  const NumeratorView numerator(f);
+  return squarefree_modulo_prime(numerator.get()) || fmpz_poly_is_squarefree(numerator.get()) != 0;
+}
+
+Polynomial squarefree_part(const Polynomial& f) {
+  require_nonzero(f, "squarefree_part");
+  FlintPolynomial part;
+  fmpz_poly_set(part.value, NumeratorView(f).get());
+  make_primitive(part.value);
+  if (f.degree() > 1 && !squarefree_modulo_prime(part.value)) {
+    FlintPolynomial common;
+    fmpz_poly_derivative(common.value, part.value);
+    // The gcd of a primitive polynomial is primitive, its leading coefficient positive: the quotient is
+    // primitive and keeps the sign.
+    fmpz_poly_gcd(common.value, part.value, common.value);
+    fmpz_poly_div(part.value, part.value, common.value);
+  }
+  return to_polynomial(part.value);
+}
+
+std::vector<PolynomialPower> squarefree_factors(const Polynomial& f) {
+  require_nonzero(f, "squarefree_factors");
+  FlintFactorisation factorisation;
+  fmpz_poly_factor_squarefree(factorisation.value, NumeratorView(f).get());
+  return to_powers(factorisation.value);
+}
+
+std::vector<PolynomialPower> irreducible_factors(const Polynomial& f) {
+  require_nonzero(f, "irreducible_factors");
+  FlintFactorisation factorisation;
+  fmpz_poly_factor(factorisation.value, NumeratorView(f).get());
+  return to_powers(factorisation.value);
+}
+
+}  // namespace exsect

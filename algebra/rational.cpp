@@ -1,0 +1,83 @@
+#include "rational.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+
+namespace exsect {
+namespace {
+
+Integer floor_quotient(const Integer& a, const Integer& b) {
+  Integer result;
+  mpz_fdiv_q(result.backend().data(), a.backend().data(), b.backend().data());
+  return result;
+}
+
+long bit_length(const Integer& n) { return static_cast<long>(mpz_sizeinbase(n.backend().data(), 2)); }
+
+/// 0 <= a < b. The continued fraction of the answer is the common beginning of those of a and b.
+Rational simplest_between_positive(const Rational& a, const Rational& b) {
+  const Integer whole = floor_quotient(numerator(a), denominator(a));
+  if (Rational(whole + 1) < b) return whole + 1;
+  // a and b lie in [whole, whole + 1]; b may be the upper end.
+  const Rational low = a - whole;
+  const Rational high = b - whole;
+  if (low == 0) return whole + Rational(1, floor_quotient(denominator(high), numerator(high)) + 1);
+  return whole + 1 / simplest_between_positive(1 / high, 1 / low);
+}
+
+}  // namespace
+
+int sign(const Rational& q) { return q.sign(); }
+
+double to_double(const Rational& q) {
+  if (q == 0) return 0;
+  Integer n = abs(numerator(q));
+  const Integer& d = denominator(q);
+  // n/d has its leading bit at 2^(top-1) or 2^top; 2^shift is the last place of 55 or 56 bits of it, or a
+  // quarter of the last place of a subnormal number.
+  const long top = bit_length(n) - bit_length(d);
+  if (top > 1100) return q.sign() * std::numeric_limits<double>::infinity();
+  const long shift = std::max(top - 55, -1074L - 2);
+  Integer scaled_d = d;
+  if (shift < 0)
+    n <<= static_cast<unsigned long>(-shift);
+  else
+    scaled_d <<= static_cast<unsigned long>(shift);
+  const Integer quotient = floor_quotient(n, scaled_d);
+  Integer mantissa = quotient;
+  // Sticky bit: a nonzero remainder keeps a tie from looking exact.
+  if (mantissa * scaled_d != n) mantissa |= 1;
+  // The mantissa is below 2^57; round to 53 bits (fewer for subnormals), ties to even, in integers.
+  const auto bits = static_cast<unsigned long long>(mantissa);
+  const long excess = std::max(bit_length(mantissa) - 53, -1074 - shift);
+  const unsigned long long unit = 1ULL << excess;
+  const unsigned long long rest = bits & (unit - 1);
+  unsigned long long rounded = bits >> excess;
+  if (2 * rest > unit || (2 * rest == unit && (rounded & 1) != 0)) ++rounded;
+  return q.sign() * std::ldexp(static_cast<double>(rounded), static_cast<int>(shift + excess));
+}
+
+Rational from_double(double x) {
+  if (!std::isfinite(x)) throw std::invalid_argument("from_double: the number is not finite");
+  Rational result;
+  mpq_set_d(result.backend().data(), x);
+  return result;
+}
+
+Rational simplest_between(const Rational& a, const Rational& b) {
+  if (a >= b) throw std::invalid_argument("simplest_between: a < b is required");
+  if (a < 0 && b > 0) return 0;
+  if (b <= 0) return -simplest_between(-b, -a);
+  return simplest_between_positive(a, b);
+}
+
+Rational power_of_two(long exponent) {
+  Integer power = 1;
+  power <<= static_cast<unsigned long>(std::labs(exponent));
+  return exponent < 0 ? Rational(1, power) : Rational(power);
+}
+
+}  // namespace exsect
