@@ -12,9 +12,10 @@ if(EXSECT_SANITIZE)
 endif()
 
 # exsect_layer(<name> HEADERS <public headers> DEPENDS <targets> PRIVATE_DEPENDS <targets>)
-# builds the library of one layer from the sources beside it. Each public header
-# gets a one-line forwarding header that only this layer's target exports, so an
-# include against the direction of the layers does not compile.
+# builds and installs the library of one layer from the sources beside it. Each
+# public header gets a one-line forwarding header that only this layer's target
+# exports, so an include against the direction of the layers does not compile;
+# the headers themselves are what is installed.
 function(exsect_layer name)
   cmake_parse_arguments(LAYER "" "" "HEADERS;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   set(target exsect_${name})
@@ -25,6 +26,7 @@ function(exsect_layer name)
   endif()
   add_library(${target} ${sources})
   add_library(exsect::${name} ALIAS ${target})
+
   set(forward "${CMAKE_CURRENT_BINARY_DIR}/include")
   foreach(header IN LISTS LAYER_HEADERS)
     file(RELATIVE_PATH path "${forward}/exsect/${name}" "${CMAKE_CURRENT_SOURCE_DIR}/${header}")
@@ -35,6 +37,13 @@ function(exsect_layer name)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${LAYER_DEPENDS} PRIVATE ${LAYER_PRIVATE_DEPENDS}
                                                                   $<BUILD_INTERFACE:exsect_options>)
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
-                                             SOVERSION ${PROJECT_VERSION_MAJOR} POSITION_INDEPENDENT_CODE ON)
+  # Before 1.0 every minor version may change the binary interface.
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    POSITION_INDEPENDENT_CODE ON EXSECT_HEADERS "${LAYER_HEADERS}")
+
+  if(EXSECT_INSTALL)
+    install(TARGETS ${target} EXPORT exsectTargets)
+    install(FILES ${LAYER_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/exsect/${name})
+  endif()
 endfunction()
