@@ -1,9 +1,9 @@
 // The Bernstein basis on [0,1] and de Casteljau subdivision, exact.
 #pragma once
 
-#include <vector>
-
 #include <exsect/algebra/polynomial.h>
+
+#include <vector>
 
 namespace exsect {
 
