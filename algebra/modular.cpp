@@ -180,4 +180,52 @@ std::vector<Integer> chinese_remainder(const std::vector<std::uint64_t>& primes,
   return result;
 }
 
+namespace {
+
+/// Points beyond degree + 1 for the first prime.
+constexpr std::size_t spare_points = 8;
+/// The nodes are consecutive and start here, far from zero: at small integers structured input often makes an
+/// expression undefined for every prime.
+constexpr std::int64_t first_node = 0x2f61c3e8d9a75b4;
+
+/// Interpolated coefficients, or nothing if a value is undefined.
+std::vector<Residue> interpolated(const PrimeField& field, std::size_t points, const ModularValues& values) {
+  const Residue first = field.residue(first_node);
+  const std::vector<ResidueFraction> fractions = values(field, first, points);
+  std::vector<Residue> coefficients;
+  std::vector<Residue> inverses;
+  for (const auto& [numerator, denominator] : fractions) {
+    if (denominator == 0) return {};
+    coefficients.push_back(numerator);
+    inverses.push_back(denominator);
+  }
+  invert_all(field, inverses);
+  for (std::size_t i = 0; i < points; ++i) coefficients[i] = field.multiply(coefficients[i], inverses[i]);
+  return interpolate(field, first, std::move(coefficients));
+}
+
+}  // namespace
+
+std::vector<Integer> interpolate_integer_polynomial(std::size_t degree, std::size_t bits,
+                                                    const ModularValues& values) {
+  std::vector<std::uint64_t> primes;
+  std::vector<std::vector<std::uint64_t>> residues;
+  Integer product = 1;
+  for (std::uint64_t p = prime_field_limit; msb(product) < bits + 1;) {
+    p = prime_below(p);
+    const PrimeField field(p);
+    auto coefficients = interpolated(field, degree + 1 + (primes.empty() ? spare_points : 0), values);
+    if (coefficients.empty()) continue;
+    for (std::size_t i = degree + 1; i < coefficients.size(); ++i)
+      if (coefficients[i] != 0)
+        throw std::logic_error("interpolate_integer_polynomial: the values exceed the stated degree");
+    coefficients.resize(degree + 1);
+    for (auto& c : coefficients) c = field.representative(c);
+    primes.push_back(p);
+    residues.push_back(std::move(coefficients));
+    product *= p;
+  }
+  return chinese_remainder(primes, residues);
+}
+
 }  // namespace exsect

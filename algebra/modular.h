@@ -5,6 +5,7 @@
 #include <exsect/algebra/rational.h>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -79,5 +80,23 @@ std::vector<Residue> interpolate(const PrimeField& field, Residue first, std::ve
 /// equal lengths. Throws std::invalid_argument for an empty list, wrong shape or equal primes.
 std::vector<Integer> chinese_remainder(const std::vector<std::uint64_t>& primes,
                                        const std::vector<std::vector<std::uint64_t>>& residues);
+
+/// A value numerator/denominator; undefined where the denominator is zero.
+struct ResidueFraction {
+  Residue numerator;
+  Residue denominator;
+};
+
+/// Values of one integer polynomial modulo a prime at first, first + 1, ..., first + count - 1.
+using ModularValues =
+    std::function<std::vector<ResidueFraction>(const PrimeField& field, Residue first, std::size_t count)>;
+
+/// The coefficients, constant term first, of the integer polynomial of degree at most `degree` whose
+/// coefficients are less than 2^bits in modulus. The bound is the caller's proof: primes are used until their
+/// product exceeds 2^(bits+1). A prime at which a value is undefined is left out (so the values must be
+/// defined for all but finitely many primes). For the first prime some more values are asked for:
+/// std::logic_error if they do not belong to a polynomial of the stated degree.
+std::vector<Integer> interpolate_integer_polynomial(std::size_t degree, std::size_t bits,
+                                                    const ModularValues& values);
 
 }  // namespace exsect

@@ -1,14 +1,16 @@
 // Sturm sequences: the classical count of distinct real roots.
 #pragma once
 
-#include <vector>
-
 #include <exsect/algebra/polynomial.h>
+
+#include <vector>
 
 namespace exsect {
 
-/// f, f', and the negated remainders, each up to a positive factor. Counts *distinct* real roots of f, which need
-/// not be squarefree. Zeros in a list of signs are skipped, never counted as a change.
+/// f, f', and the negated remainders, all divided by the last of them, gcd(f, f'), and each primitive: so the
+/// first is the squarefree part of f and the last a nonzero constant, and the sequence counts at multiple
+/// roots too. Counts *distinct* real roots of f, which need not be squarefree. Zeros in a list of signs are
+/// skipped, never counted as a change.
 class SturmSequence {
  public:
   /// Throws std::domain_error for f = 0.

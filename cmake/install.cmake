@@ -14,6 +14,7 @@ install(EXPORT exsectTargets NAMESPACE exsect:: DESTINATION "${package_dir}")
 # Relative, so that an installed tree can be moved.
 set(pkgconfig_dir "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 file(RELATIVE_PATH EXSECT_PC_PREFIX "/${pkgconfig_dir}" "/")
+string(REGEX REPLACE "/$" "" EXSECT_PC_PREFIX "${EXSECT_PC_PREFIX}")
 
 # Static libraries do not carry their own dependencies: the link line names them.
 set(EXSECT_PC_LIBS "-lgmp")

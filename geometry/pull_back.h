@@ -4,16 +4,9 @@
 #include <exsect/algebra/bivariate_polynomial.h>
 #include <exsect/geometry/bezier_patch.h>
 #include <exsect/geometry/parameter_line.h>
+#include <exsect/geometry/plane.h>
 
 namespace exsect {
-
-/// An affine form on space: form(P) = normal . P + constant.
-struct AffineForm {
-  Point normal;
-  Rational constant;
-
-  Rational operator()(const Point& p) const { return dot(normal, p) + constant; }
-};
 
 /// form(y(r,s)), bidegree at most (2,2).
 BivariatePolynomial pull_back(const AffineForm& form, const BezierPatch& y);
@@ -21,12 +14,17 @@ BivariatePolynomial pull_back(const AffineForm& form, const BezierPatch& y);
 /// The forms of a conic parameter line c(t) (method, section 1): plane = 0 spans the line's plane, and
 /// e0 : e1 : e2 = 1 : t : t^2 on the line, up to the common factor N. So the cylinder is e0 e2 - e1^2 = 0 and
 /// t = e1/e0. For a polynomial patch e0 is the constant N, e1 = w1, e2 = w2.
-struct LineForms {
-  AffineForm plane;
-  AffineForm e0;
-  AffineForm e1;
-  AffineForm e2;
+template <class Ring>
+struct LineFormsOver {
+  AffineFormOver<Ring> plane;
+  AffineFormOver<Ring> e0;
+  AffineFormOver<Ring> e1;
+  AffineFormOver<Ring> e2;
+
+  friend bool operator==(const LineFormsOver&, const LineFormsOver&) = default;
 };
+
+using LineForms = LineFormsOver<Rational>;
 
 /// Orthogonal cylinder of the method: e0 = N = n.n, e1 = (a2 x n).(P - a0), e2 = (n x a1).(P - a0), n = a1 x
 /// a2. Throws std::domain_error unless shape(line) is conic.

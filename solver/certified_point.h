@@ -1,16 +1,17 @@
 // Certified intersection points of a parameter line with a patch.
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include <exsect/algebra/triangular_point.h>
 #include <exsect/solver/parameter.h>
 
+#include <memory>
+#include <vector>
+
 namespace exsect {
 
-/// One exact solution (u,v,r,s) of x(u,v) = y(r,s) in [0,1]^4 on a parameter line. Its closed box holds the point;
-/// `refined_to` gives any width. Which of the eight sides of the two parameter squares it lies on is exact.
+/// One exact solution (u,v,r,s) of x(u,v) = y(r,s) in [0,1]^4 on a parameter line. Its closed box holds the
+/// point; `refined_to` gives any width. Which of the eight sides of the two parameter squares it lies on is
+/// exact.
 class CertifiedPoint {
  public:
   /// How the point is represented: refines boxes to any width.
@@ -29,9 +30,11 @@ class CertifiedPoint {
   /// The sides this point lies on, exactly; in the order u=0, u=1, v=0, ..., s=1.
   const std::vector<Side>& sides() const { return sides_; }
   bool on(Side side) const;
-  /// Multiplicity of the point's root in the eliminant; 1 means a transversal crossing of line and patch.
+  /// 1: line and patch cross transversally here. Otherwise the multiplicity (at least 2) of the point's root
+  /// in the eliminant, or 0 where the eliminant vanishes identically.
   int multiplicity() const { return multiplicity_; }
-  /// 1 or 2, the branch r_1, r_2 of (9.16) it lies on; 0 where the branches are not defined.
+  /// 1 or 2, the branch r_1, r_2 of (9.16) it lies on (the sign of 2 A r + B; always 1 if A vanishes
+  /// identically); 0 where both branches meet or none is defined.
   int branch() const { return branch_; }
 
  private:

@@ -1,10 +1,10 @@
 // The intersection graph: nodes, arcs, components.
 #pragma once
 
+#include <exsect/solver/parameter.h>
+
 #include <array>
 #include <vector>
-
-#include <exsect/solver/parameter.h>
 
 namespace exsect {
 
@@ -14,8 +14,8 @@ enum class NodeKind { boundary, turning, corner, touch, crossing, cusp, end_of_o
 struct Node {
   int id;
   std::vector<NodeKind> kinds;
-  std::vector<Side> on;         // sides of the parameter squares it lies on, exactly
-  std::vector<Parameter> wrt;   // parameters with respect to which it is a turning point
+  std::vector<Side> on;        // sides of the parameter squares it lies on, exactly
+  std::vector<Parameter> wrt;  // parameters with respect to which it is a turning point
   ParameterBox box;
   std::array<double, 4> approx;  // (u,v,r,s), inside the box up to rounding
   std::array<double, 3> point;   // approximate point of space
@@ -30,8 +30,8 @@ struct PolylineVertex {
 enum class ArcPlace { interior, patch_boundary };
 enum class Contact { transversal, tangential };
 
-/// A piece of the intersection curve between two nodes, with no node inside. Every point of the true arc is within
-/// `error_bound` (in space) of the polyline and every point of the polyline within it of the true arc.
+/// A piece of the intersection curve between two nodes, with no node inside. Every point of the true arc is
+/// within `error_bound` (in space) of the polyline and every point of the polyline within it of the true arc.
 struct Arc {
   int id;
   int component;

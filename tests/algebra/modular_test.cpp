@@ -233,3 +233,44 @@ TEST_CASE("chinese_remainder refuses wrong shapes", "[modular]") {
   CHECK(chinese_remainder({3, 5}, {{}, {}}).empty());
   CHECK(chinese_remainder({3, 5}, {{2}, {3}}) == std::vector<Integer>{-7});
 }
+
+namespace {
+
+ModularValues values_of(const std::vector<Integer>& coefficients) {
+  return [&coefficients](const PrimeField& field, Residue first, std::size_t count) {
+    std::vector<Residue> f;
+    for (const auto& c : coefficients) f.push_back(field.residue(c));
+    std::vector<ResidueFraction> result;
+    for (std::size_t i = 0; i < count; ++i, first = field.add(first, field.one()))
+      result.push_back(
+          {field.multiply(evaluate(field, f, first), field.add(first, first)), field.add(first, first)});
+    return result;
+  };
+}
+
+}  // namespace
+
+TEST_CASE("interpolate_integer_polynomial recovers coefficients just below the bound", "[modular]") {
+  for (const unsigned bits : {1U, 10U, 58U, 59U, 117U, 118U, 1000U}) {
+    INFO("bits " << bits);
+    const Integer largest = (Integer(1) << bits) - 1;
+    const std::vector<Integer> f = {largest, -largest, 0, 1, -largest, largest};
+    CHECK(interpolate_integer_polynomial(5, bits, values_of(f)) == f);
+    auto with_zeros = f;
+    with_zeros.resize(8, Integer(0));
+    CHECK(interpolate_integer_polynomial(7, bits, values_of(f)) == with_zeros);
+    CHECK_THROWS_AS(interpolate_integer_polynomial(4, bits, values_of(f)), std::logic_error);
+  }
+}
+
+TEST_CASE("interpolate_integer_polynomial leaves out primes where a value is undefined", "[modular]") {
+  const std::vector<Integer> f = {3, -4, (Integer(1) << 199) + 1};
+  const auto values = values_of(f);
+  int calls = 0;
+  const auto sometimes = [&](const PrimeField& field, Residue first, std::size_t count) {
+    auto result = values(field, first, count);
+    if (calls++ % 2 == 0) result.back() = {1, 0};
+    return result;
+  };
+  CHECK(interpolate_integer_polynomial(2, 200, sometimes) == f);
+}

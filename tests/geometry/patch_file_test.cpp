@@ -97,7 +97,7 @@ TEST_CASE("the decimal point of the locale in force does not matter", "[patch_fi
   std::setlocale(LC_NUMERIC, before.c_str());
 }
 
-TEST_CASE("lower degrees are elevated exactly", "[patch_file]") {
+TEST_CASE("patches of lower degree are read and elevated", "[patch_file]") {
   const PatchFile file = parse_patches(file_with(R"("patches": [{"name": "x", "degree": [2, 1],
                    "points": [[[0,0,0],[0,1,0]], [["1/2",0,1],["1/2",1,2]], [[1,0,0],[1,1,0]]]}])"),
                                        "f");

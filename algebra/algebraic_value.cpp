@@ -1,0 +1,76 @@
+#include "algebraic_value.h"
+
+#include <utility>
+#include <vector>
+
+#include "fixed_point_interval.h"
+#include "resultant.h"
+
+namespace exsect {
+namespace {
+
+/// The polynomial of degree below the number of nodes 0, 1, 2, ... with the given values there (Newton).
+Polynomial interpolated(std::vector<Rational> values) {
+  const std::size_t n = values.size();
+  for (std::size_t k = 1; k < n; ++k)
+    for (std::size_t i = n - 1; i >= k; --i) values[i] = (values[i] - values[i - 1]) / static_cast<int>(k);
+  Polynomial result;
+  for (std::size_t i = n; i-- > 0;)
+    result = result * (Polynomial::variable() - Polynomial(static_cast<int>(i))) + Polynomial(values[i]);
+  return result;
+}
+
+/// The irreducible factor of the polynomial of s that vanishes at s.
+Polynomial minimal_polynomial(const RealAlgebraic& s) {
+  if (s.is_rational()) return Polynomial::variable() - Polynomial(s.rational());
+  for (const PolynomialPower& power : irreducible_factors(s.polynomial()))
+    if (sign_at(power.factor, s) == 0) return power.factor;
+  return s.polynomial();
+}
+
+/// A nonzero polynomial in T with the root h(p): Res_s(m, Res_r(g, h - T)) over the minimal polynomial m of
+/// s. It is not zero: m is irreducible, so the leading coefficient of g vanishes at no conjugate of s, and
+/// the resultant is up to a nonzero constant the product of h(p') - T over all conjugate points p'.
+Polynomial annihilator(const BivariatePolynomial& h, const TriangularPoint& p) {
+  const Polynomial m = minimal_polynomial(p.s());
+  const int degree = m.degree() * p.g().degree_r();
+  std::vector<Rational> values;
+  for (int t = 0; t <= degree; ++t) {
+    const BivariatePolynomial difference = h - BivariatePolynomial::constant(t);
+    if (difference.is_zero()) {
+      values.emplace_back(0);
+      continue;
+    }
+    values.push_back(resultant(m, resultant_r(p.g(), difference)));
+  }
+  return interpolated(std::move(values));
+}
+
+}  // namespace
+
+RationalInterval enclosure_at(const BivariatePolynomial& h, const TriangularPoint& p, const Rational& width) {
+  TriangularPoint point = p;
+  for (long bits = bits_below(width) + 8;; bits *= 2) {
+    point = point.refined_to(power_of_two(-bits));
+    const RationalInterval value = enclose(h, FixedPointInterval(point.r_interval(), bits),
+                                           FixedPointInterval(point.s().interval(), bits))
+                                       .interval();
+    if (value.width() <= width) return value;
+  }
+}
+
+RealAlgebraic value_at(const BivariatePolynomial& h, const TriangularPoint& p) {
+  const Polynomial f = annihilator(h, p);
+  std::vector<RealAlgebraic> roots;
+  Rational width = power_of_two(-20);
+  do {
+    const RationalInterval value = enclosure_at(h, p, width);
+    roots = real_roots(f, value.lower, value.upper);
+    width *= power_of_two(-20);
+  } while (roots.size() != 1);
+  const Polynomial m = minimal_polynomial(roots.front());
+  if (m.degree() == 1) return RealAlgebraic(-m.coefficient(0) / m.coefficient(1));
+  return roots.front();
+}
+
+}  // namespace exsect

@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# Installs what is missing from Debian's packages, builds, and runs:
+#   ./setup.sh run    build, then intersect the patches of examples/chapter9-first.json
+#   ./setup.sh test   build with all tests, then run them
+#   ./setup.sh asan   the same under AddressSanitizer and UndefinedBehaviorSanitizer
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+packages=(cmake ninja-build g++ catch2 libboost-dev libcli11-dev libflint-dev libfmt-dev libgmp-dev libmpfr-dev
+          nlohmann-json3-dev)
+packages_if_known=(libflint-arb-dev)  # from version 3 FLINT contains Arb
+test_packages=(pkg-config)
+test_packages_if_known=(clang-format-14)
+
+die() {
+  echo "setup.sh: $*" >&2
+  exit 1
+}
+
+# Those of the given packages that are not installed.
+missing() {
+  local package
+  for package in "$@"; do
+    if [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) != installed ]]; then
+      echo "$package"
+    fi
+  done
+}
+
+# Those of the given packages that this release has.
+known() {
+  local package
+  for package in "$@"; do
+    if [[ -n $(apt-cache madison "$package" 2>/dev/null) ]]; then
+      echo "$package"
+    fi
+  done
+}
+
+# Installs all of `packages` and, where the release has them, of `packages_if_known`.
+install_packages() {
+  local required optional
+  command -v apt-get >/dev/null || die "no apt-get here; install cmake, ninja, g++, Boost, CLI11, FLINT, fmt, GMP," \
+    "MPFR, nlohmann-json and Catch2, then: cmake --preset release && cmake --build --preset release"
+  mapfile -t required < <(missing "${packages[@]}")
+  mapfile -t optional < <(missing "${packages_if_known[@]}")
+  if ((EUID != 0)); then
+    ((${#required[@]} == 0)) || die "missing packages; as root: apt-get install ${required[*]}"
+    return
+  fi
+  if ((${#required[@]} > 0)); then
+    apt-get update -qq
+  fi
+  mapfile -t optional < <(known "${optional[@]}")
+  if ((${#required[@]} + ${#optional[@]} > 0)); then
+    echo "Installing ${required[*]} ${optional[*]}"
+    DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "${required[@]}" "${optional[@]}" \
+      >/dev/null
+  fi
+}
+
+# build PRESET CMAKE-BUILD-ARGUMENTS...
+build() {
+  local preset=$1
+  shift
+  cmake --preset "$preset" >/dev/null
+  cmake --build --preset "$preset" "$@"
+}
+
+case "${1:-}" in
+  run)
+    install_packages
+    build release --target exsect
+    echo
+    build/release/cli/exsect intersect examples/chapter9-first.json --svg build/chapter9-first.svg
+    echo "Picture: build/chapter9-first.svg"
+    ;;
+  test | asan)
+    packages+=("${test_packages[@]}")
+    packages_if_known+=("${test_packages_if_known[@]}")
+    install_packages
+    preset=${1/test/release}
+    build "$preset"
+    ctest --preset "$preset"
+    ;;
+  *)
+    sed -n '2,5s/^# \{0,1\}//p' setup.sh >&2
+    exit 2
+    ;;
+esac

@@ -1,0 +1,118 @@
+#include "critical_values.h"
+
+#include <exsect/solver/turning_eliminant.h>
+
+#include <algorithm>
+
+namespace exsect {
+
+namespace {
+
+TurningEliminant eliminant_along(const BezierPatch& x, const BezierPatch& y, Parameter sweep) {
+  switch (sweep) {
+    case Parameter::u:
+      return turning_eliminant(x, y);
+    case Parameter::v:
+      return turning_eliminant(x.exchanged(), y);
+    case Parameter::r:
+      return turning_eliminant(y, x);
+    case Parameter::s:
+      break;
+  }
+  return turning_eliminant(y.exchanged(), x);
+}
+
+std::vector<TurningValue> roots_with_multiplicities(const Polynomial& e) {
+  std::vector<TurningValue> result;
+  const std::vector<PolynomialPower> factors =
+      is_squarefree(e) ? std::vector<PolynomialPower>{{e, 1}} : squarefree_factors(e);
+  for (const auto& [factor, multiplicity] : factors) {
+    for (RealAlgebraic& root : real_roots(factor, 0, 1)) {
+      result.push_back({std::move(root), multiplicity});
+    }
+  }
+  std::sort(result.begin(), result.end(),
+            [](const TurningValue& a, const TurningValue& b) { return a.value < b.value; });
+  return result;
+}
+
+/// A closed interval that holds critical values; `turning` is the index of the one turning value in it, or
+/// -1.
+struct Event {
+  RationalInterval interval;
+  int turning;
+};
+
+/// Sorts and merges overlapping events; false if two turning values would be merged.
+bool merge_events(std::vector<Event>& events) {
+  std::sort(events.begin(), events.end(),
+            [](const Event& a, const Event& b) { return a.interval.lower < b.interval.lower; });
+  std::vector<Event> merged;
+  for (const Event& event : events) {
+    if (merged.empty() || merged.back().interval.upper < event.interval.lower) {
+      merged.push_back(event);
+      continue;
+    }
+    Event& last = merged.back();
+    if (last.turning >= 0 && event.turning >= 0) {
+      return false;
+    }
+    last.interval.upper = std::max(last.interval.upper, event.interval.upper);
+    last.turning = std::max(last.turning, event.turning);
+  }
+  events = std::move(merged);
+  return true;
+}
+
+std::vector<Event> events_within(TurningValues& turning, const std::vector<CertifiedPoint>& boundary,
+                                 const Rational& width) {
+  std::vector<Event> events;
+  for (std::size_t i = 0; i < turning.values.size(); ++i) {
+    turning.values[i].value = turning.values[i].value.refined_to(width);
+    events.push_back({turning.values[i].value.interval(), static_cast<int>(i)});
+  }
+  for (const CertifiedPoint& point : boundary) {
+    events.push_back({point.refined_to(width).box()[index(turning.sweep)], -1});
+  }
+  return events;
+}
+
+}  // namespace
+
+SweepChoice choose_sweep(const BezierPatch& x, const BezierPatch& y) {
+  SweepChoice choice;
+  for (const Parameter sweep : all_parameters) {
+    TurningEliminant eliminant = eliminant_along(x, y, sweep);
+    if (eliminant.polynomial) {
+      choice.turning = TurningValues{sweep, roots_with_multiplicities(*eliminant.polynomial)};
+      return choice;
+    }
+    choice.why += (choice.why.empty() ? "" : "; ") + std::string("sweep along ") + name(sweep) + ": " +
+                  eliminant.degenerate;
+  }
+  return choice;
+}
+
+std::vector<Rational> sweep_samples(TurningValues& turning, const std::vector<CertifiedPoint>& boundary) {
+  Rational width = power_of_two(-50);
+  std::vector<Event> events = events_within(turning, boundary, width);
+  while (!merge_events(events)) {
+    width *= width;
+    events = events_within(turning, boundary, width);
+  }
+  std::vector<Rational> samples;
+  Rational left = 0;
+  for (const Event& event : events) {
+    const Rational right = std::min<Rational>(event.interval.lower, 1);
+    if (left < right) {
+      samples.push_back(simplest_between(left, right));
+    }
+    left = std::max<Rational>(event.interval.upper, left);
+  }
+  if (left < 1) {
+    samples.push_back(simplest_between(left, 1));
+  }
+  return samples;
+}
+
+}  // namespace exsect

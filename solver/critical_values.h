@@ -1,0 +1,39 @@
+// Critical values of a sweep parameter and rational samples between them.
+#pragma once
+
+#include <exsect/algebra/real_algebraic.h>
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/certified_point.h>
+
+#include <vector>
+
+namespace exsect {
+
+/// One root of the turning eliminant in [0,1], with its multiplicity there.
+struct TurningValue {
+  RealAlgebraic value;
+  int multiplicity;
+};
+
+/// The turning eliminant of a sweep along one of the four parameters.
+struct TurningValues {
+  Parameter sweep;
+  std::vector<TurningValue> values;  // ascending, distinct
+};
+
+/// Roots in [0,1] of the turning eliminant E of the sweep along u; where E is not defined for this pair, of
+/// the sweep along v, r or s. Every closed component of the intersection has at least two of them as extreme
+/// values of the sweep parameter. Empty optional if none of the four is defined; `why` then says why.
+struct SweepChoice {
+  std::optional<TurningValues> turning;
+  std::string why;
+};
+SweepChoice choose_sweep(const BezierPatch& x, const BezierPatch& y);
+
+/// Rational samples in (0,1), ascending, one strictly between any two neighbouring critical values: the
+/// turning values and the boundary points' values of the sweep parameter. Boundary values that overlap each
+/// other or a turning value within 2^-50 need no sample between them; two turning values always get one. Also
+/// refines the turning values so far that their intervals contain no sample and are disjoint.
+std::vector<Rational> sweep_samples(TurningValues& turning, const std::vector<CertifiedPoint>& boundary);
+
+}  // namespace exsect

@@ -1,0 +1,315 @@
+#include "graph_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace exsect {
+
+namespace {
+
+/// A vertex and a bound of its distance from the curve point it stands for.
+struct BoundedVertex {
+  PolylineVertex vertex;
+  double error;
+};
+
+template <class Ball>
+BoundedVertex to_vertex(const Tube<Ball>& tube, const BallPoint<Ball>& parameters, const ModelFrame& frame) {
+  BoundedVertex result{};
+  double radius2 = 0;
+  double rounding = 0;
+  const BallVector<Ball> position = space_point(tube, parameters);
+  for (std::size_t j = 0; j < 4; ++j) {
+    result.vertex.parameters[j] = parameters[j].approximation();
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double scaled = position[c].approximation();
+    const double radius =
+        std::ldexp((position[c] - Ball(scaled)).upper_magnitude(), static_cast<int>(frame.exponent));
+    result.vertex.point[c] = frame.origin[c] + std::ldexp(scaled, static_cast<int>(frame.exponent));
+    radius2 += radius * radius;
+    rounding += std::fabs(result.vertex.point[c]) * 0x1p-52;  // one sum of doubles
+  }
+  result.error = (std::sqrt(radius2) + rounding) * (1 + 0x1p-40) + 0x1p-1000;
+  return result;
+}
+
+/// A place on the trace: piece and offset.
+struct Station {
+  std::size_t piece;
+  double tau;
+};
+
+/// Collects the polyline of one arc and its proved bound.
+template <class Ball>
+class PolylineBuilder {
+ public:
+  PolylineBuilder(const Trace<Ball>& trace, const ModelFrame& frame, double tolerance)
+      : trace_(trace), frame_(frame), tolerance_(tolerance) {}
+
+  void add_vertex(const BoundedVertex& v) {
+    vertices_.push_back(v.vertex);
+    vertex_error_ = std::max(vertex_error_, v.error);
+  }
+
+  /// Chords on one piece, from offset a (whose vertex is already there) to offset b; the vertex at b is added
+  /// if `with_end`. X is twice differentiable on the tube, so a chord over an offset step h deviates by at
+  /// most K h^2 / 8 from the curve over the same offsets, K the tube's bound of |X''|.
+  void add_piece(std::size_t piece, double a, double b, bool with_end) {
+    const Tube<Ball>& tube = trace_.pieces[piece].tube;
+    const double k = std::ldexp(tube.space_second_derivative, static_cast<int>(frame_.exponent));
+    const double length = std::fabs(b - a) * (1 + 0x1p-40);
+    const double wanted = std::ceil(length * std::sqrt(k / (8 * 0.9 * tolerance_)));
+    const int n = static_cast<int>(std::clamp(wanted, 1.0, 1e6));
+    const double step = length / n;
+    chord_error_ = std::max(chord_error_, k * step * step / 8 * (1 + 0x1p-40));
+    for (int i = 1; i <= (with_end ? n : n - 1); ++i) {
+      const double tau = i == n ? b : a + (b - a) * (static_cast<double>(i) / n);
+      add_vertex(to_vertex(tube, point_at(tube, tau), frame_));
+    }
+  }
+
+  void add_path(Station from, Station to) {
+    for (std::size_t p = from.piece; p <= to.piece; ++p) {
+      const double a = p == from.piece ? from.tau : trace_.pieces[p].from;
+      const double b = p == to.piece ? to.tau : trace_.pieces[p].to;
+      add_piece(p, a, b, p != to.piece);
+    }
+  }
+
+  std::vector<PolylineVertex> take_vertices() { return std::move(vertices_); }
+  /// The polyline's end offsets, joints and vertices stand for true points within vertex_error; twice,
+  /// because the true end of an arc may be anywhere in its node's box.
+  double bound() const { return (chord_error_ + 2 * vertex_error_) * (1 + 0x1p-40); }
+
+ private:
+  const Trace<Ball>& trace_;
+  const ModelFrame& frame_;
+  double tolerance_;
+  std::vector<PolylineVertex> vertices_;
+  double vertex_error_ = 0;
+  double chord_error_ = 0;
+};
+
+template <class Ball>
+class TraceAppender {
+ public:
+  TraceAppender(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve, const ModelFrame& frame,
+                double tolerance)
+      : graph_(graph), curve_(curve), frame_(frame), tolerance_(tolerance) {}
+
+  void run(const std::vector<Parameter>& wanted) {
+    add_turning_nodes(wanted);
+    if (stops_.empty() && curve_.trace.start < 0) {
+      add_turning_nodes({all_parameters.begin(), all_parameters.end()});
+    }
+    curve_.trace.start < 0 ? add_closed() : add_open();
+  }
+
+ private:
+  struct Stop {
+    int node;
+    Station station;
+    BoundedVertex vertex;
+  };
+
+  void add_turning_nodes(const std::vector<Parameter>& wanted) {
+    for (const TurningPoint<Ball>& point : curve_.turning) {
+      std::vector<Parameter> wrt;
+      for (const Parameter p : all_parameters) {
+        const bool turns = std::count(point.parameters.begin(), point.parameters.end(), index(p)) > 0;
+        if (turns && std::count(wanted.begin(), wanted.end(), p) > 0) {
+          wrt.push_back(p);
+        }
+      }
+      if (!wrt.empty()) {
+        stops_.push_back(turning_stop(point, wrt));
+      }
+    }
+  }
+
+  Stop turning_stop(const TurningPoint<Ball>& point, const std::vector<Parameter>& wrt) {
+    const BoundedVertex vertex = to_vertex(curve_.trace.pieces[point.piece].tube, point.box, frame_);
+    Node node;
+    node.id = static_cast<int>(graph_.nodes.size());
+    node.kinds = {NodeKind::turning};
+    node.wrt = wrt;
+    for (std::size_t j = 0; j < 4; ++j) {
+      node.box[j] = point.box[j].interval();
+    }
+    node.approx = vertex.vertex.parameters;
+    node.point = vertex.vertex.point;
+    graph_.nodes.push_back(node);
+    return {node.id, {point.piece, 0.5 * (point.from + point.to)}, vertex};
+  }
+
+  Stop landmark_stop(int node, std::size_t piece, double tau) const {
+    const Node& landmark = graph_.nodes[static_cast<std::size_t>(node)];
+    const Tube<Ball>& tube = curve_.trace.pieces[piece].tube;
+    BallPoint<Ball> box;
+    for (std::size_t j = 0; j < 4; ++j) {
+      box[j] = Ball::enclosing(landmark.box[j]);
+    }
+    BoundedVertex vertex = to_vertex(tube, box, frame_);
+    vertex.vertex = {landmark.approx, landmark.point};
+    vertex.error *= 2;  // the landmark's own vertex stands for the same box
+    return {node, {piece, tau}, vertex};
+  }
+
+  void add_arc(const Stop& from, const Stop& to, const std::vector<std::pair<Station, Station>>& paths) {
+    PolylineBuilder<Ball> builder(curve_.trace, frame_, tolerance_);
+    builder.add_vertex(from.vertex);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      if (i > 0) {  // the seam of a closed curve
+        const Tube<Ball>& tube = curve_.trace.pieces[paths[i].first.piece].tube;
+        builder.add_vertex(to_vertex(tube, point_at(tube, paths[i].first.tau), frame_));
+      }
+      builder.add_path(paths[i].first, paths[i].second);
+    }
+    builder.add_vertex(to.vertex);
+    Arc arc;
+    arc.id = static_cast<int>(graph_.arcs.size());
+    arc.component = -1;
+    arc.from = from.node;
+    arc.to = to.node;
+    arc.place = ArcPlace::interior;
+    arc.contact = Contact::transversal;
+    arc.polyline = builder.take_vertices();
+    arc.error_bound = builder.bound();
+    graph_.arcs.push_back(std::move(arc));
+  }
+
+  void add_open() {
+    const auto& pieces = curve_.trace.pieces;
+    stops_.insert(stops_.begin(), landmark_stop(curve_.trace.start, 0, pieces.front().from));
+    stops_.push_back(landmark_stop(curve_.trace.end, pieces.size() - 1, pieces.back().to));
+    for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
+      add_arc(stops_[i], stops_[i + 1], {{stops_[i].station, stops_[i + 1].station}});
+    }
+  }
+
+  void add_closed() {
+    const auto& pieces = curve_.trace.pieces;
+    for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
+      add_arc(stops_[i], stops_[i + 1], {{stops_[i].station, stops_[i + 1].station}});
+    }
+    const Station end = {pieces.size() - 1, pieces.back().to};
+    const Station begin = {0, pieces.front().from};
+    add_arc(stops_.back(), stops_.front(), {{stops_.back().station, end}, {begin, stops_.front().station}});
+  }
+
+  IntersectionGraph& graph_;
+  const AnalysedTrace<Ball>& curve_;
+  const ModelFrame& frame_;
+  double tolerance_;
+  std::vector<Stop> stops_;
+};
+
+int find_root(std::vector<int>& parent, int i) {
+  while (parent[static_cast<std::size_t>(i)] != i) {
+    i = parent[static_cast<std::size_t>(i)] =
+        parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
+  }
+  return i;
+}
+
+/// Removes the nodes that no arc and no isolated point names, and renumbers.
+void drop_unused_nodes(IntersectionGraph& graph, const std::vector<int>& degree) {
+  std::vector<int> renamed(graph.nodes.size(), -1);
+  std::vector<Node> kept;
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+    const bool isolated =
+        std::count(graph.isolated_points.begin(), graph.isolated_points.end(), static_cast<int>(i)) > 0;
+    if (degree[i] > 0 || isolated) {
+      renamed[i] = static_cast<int>(kept.size());
+      kept.push_back(std::move(graph.nodes[i]));
+      kept.back().id = renamed[i];
+    }
+  }
+  graph.nodes = std::move(kept);
+  for (Arc& arc : graph.arcs) {
+    arc.from = renamed[static_cast<std::size_t>(arc.from)];
+    arc.to = renamed[static_cast<std::size_t>(arc.to)];
+  }
+  for (int& id : graph.isolated_points) {
+    id = renamed[static_cast<std::size_t>(id)];
+  }
+}
+
+}  // namespace
+
+template <class Ball>
+Node boundary_node(const PairSystem<Ball>& system, const ModelFrame& frame, const BallPoint<Ball>& ball,
+                   const ParameterBox& box, const std::vector<Side>& sides) {
+  Node node;
+  node.id = 0;
+  node.kinds = {NodeKind::boundary};
+  std::size_t on_first = 0;
+  for (const Side& side : sides) {
+    on_first += index(side.parameter) < 2 ? 1 : 0;
+  }
+  if (on_first == 2 || sides.size() - on_first == 2) {
+    node.kinds.push_back(NodeKind::corner);
+  }
+  node.on = sides;
+  node.box = box;
+  const TaylorNet<Ball> x = system.taylor_x(ball);
+  for (std::size_t j = 0; j < 4; ++j) {
+    node.approx[j] = to_double(box[j].midpoint());
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    node.point[c] = frame.origin[c] + std::ldexp(x[0][c].approximation(), static_cast<int>(frame.exponent));
+  }
+  return node;
+}
+
+template <class Ball>
+void append_trace(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve, const ModelFrame& frame,
+                  const std::vector<Parameter>& wanted, double tolerance) {
+  TraceAppender<Ball>(graph, curve, frame, tolerance).run(wanted);
+}
+
+void finish_components(IntersectionGraph& graph) {
+  std::vector<int> parent(graph.nodes.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  std::vector<int> degree(graph.nodes.size(), 0);
+  for (const Arc& arc : graph.arcs) {
+    ++degree[static_cast<std::size_t>(arc.from)];
+    ++degree[static_cast<std::size_t>(arc.to)];
+    parent[static_cast<std::size_t>(find_root(parent, arc.from))] = find_root(parent, arc.to);
+  }
+  std::vector<int> component_of(graph.nodes.size(), -1);
+  for (Arc& arc : graph.arcs) {
+    int& id = component_of[static_cast<std::size_t>(find_root(parent, arc.from))];
+    if (id < 0) {
+      id = static_cast<int>(graph.components.size());
+      graph.components.push_back({id, ComponentShape::closed, {}});
+    }
+    arc.component = id;
+    Component& component = graph.components[static_cast<std::size_t>(id)];
+    component.arcs.push_back(arc.id);
+    const int most =
+        std::max(degree[static_cast<std::size_t>(arc.from)], degree[static_cast<std::size_t>(arc.to)]);
+    const int least =
+        std::min(degree[static_cast<std::size_t>(arc.from)], degree[static_cast<std::size_t>(arc.to)]);
+    if (most > 2) {
+      component.shape = ComponentShape::branched;
+    } else if (least == 1 && component.shape != ComponentShape::branched) {
+      component.shape = ComponentShape::open;
+    }
+  }
+  drop_unused_nodes(graph, degree);
+}
+
+#define EXSECT_INSTANTIATE_GRAPH(Ball)                                                            \
+  template Node boundary_node(const PairSystem<Ball>&, const ModelFrame&, const BallPoint<Ball>&, \
+                              const ParameterBox&, const std::vector<Side>&);                     \
+  template void append_trace(IntersectionGraph&, const AnalysedTrace<Ball>&, const ModelFrame&,   \
+                             const std::vector<Parameter>&, double);
+
+EXSECT_INSTANTIATE_GRAPH(DoubleBall)
+EXSECT_INSTANTIATE_GRAPH(ArbBall<256>)
+#undef EXSECT_INSTANTIATE_GRAPH
+
+}  // namespace exsect

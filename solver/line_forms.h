@@ -1,0 +1,34 @@
+// The closed formula for the eliminant of a conic parameter line with a patch (docs/method.md, section 9).
+#pragma once
+
+#include <exsect/algebra/polynomial.h>
+
+#include <array>
+
+#include "line_place.h"
+
+namespace exsect {
+
+/// Three polynomials in s: the coefficient of one power of r in y - a0.
+using PolynomialVector = std::array<Polynomial, 3>;
+
+/// Everything the fibre of a conic line needs, polynomials in s with integer coefficients. With P = A r^2 + B
+/// r + C and Z the pull-backs of plane and cylinder, up to positive constants:
+///   eliminant = Res_r(P, Z) with formal degrees 2 and 4,
+///   A^3 Z = s1 r + s0 modulo P.
+/// At a root of the eliminant with s1 != 0 there is exactly one common point: r = -s0/s1 and t =
+/// -t_numerator/s1.
+struct ConicForms {
+  Polynomial a;  // A, B, C
+  Polynomial b;
+  Polynomial c;
+  Polynomial eliminant;
+  Polynomial s1;
+  Polynomial s0;
+  Polynomial t_numerator;
+};
+
+/// Requires a line of shape conic (the formulas hold for any line, but are all zero for a straight one).
+ConicForms conic_forms(const LineAndPatch& problem);
+
+}  // namespace exsect

@@ -1,0 +1,36 @@
+// Certified points on a parameter line from their exact descriptions.
+#pragma once
+
+#include <exsect/algebra/triangular_point.h>
+#include <exsect/solver/certified_point.h>
+
+#include <memory>
+#include <vector>
+
+#include "line_forms.h"
+#include "line_place.h"
+#include "line_system.h"
+
+namespace exsect {
+
+/// Width of the boxes of new points.
+Rational initial_width();
+
+/// The points over a root s of the eliminant with s1(s) != 0: one, or none if it is outside the square or
+/// [0,1].
+std::vector<CertifiedPoint> conic_point(const LinePlace& place,
+                                        const std::shared_ptr<const ConicForms>& forms,
+                                        const RealAlgebraic& s);
+
+/// The points at a solution (r,s) of the system in [0,1]^2: one for every t in [0,1] with phi(t) = lambda
+/// there. `eliminant` serves the multiplicity; zero: the multiplicity of the point is not defined (0).
+/// `width`: of the boxes.
+std::vector<CertifiedPoint> system_points(const LinePlace& place,
+                                          const std::shared_ptr<const LineSystem>& system,
+                                          const TriangularPoint& at, const Polynomial& eliminant,
+                                          const Rational& width);
+
+/// Refines boxes until they are pairwise disjoint; the points must be different.
+void separate(std::vector<CertifiedPoint>& points);
+
+}  // namespace exsect

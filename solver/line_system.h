@@ -1,0 +1,52 @@
+// A parameter line against a patch as two equations in the patch's parameters: the general form behind every
+// case.
+#pragma once
+
+#include <exsect/algebra/bivariate_polynomial.h>
+#include <exsect/solver/line_patch.h>
+
+#include <vector>
+
+#include "line_place.h"
+
+namespace exsect {
+
+/// A closed interval of the line's parameter t on which phi is strictly monotone.
+struct MonotonePiece {
+  RationalInterval t;
+  RationalInterval lambda;  // phi of it
+};
+
+/// The carrier of the line (a parabola or a straight line) meets y where first = second = 0; lambda is the
+/// coordinate along the carrier, and the point is the image of every t in [0,1] with phi(t) = lambda.
+/// Conic: plane and cylinder, lambda = t. Straight or folded: two orthogonal planes, lambda = phi(t) monic of
+/// degree 1 or 2.
+struct LineSystem {
+  BivariatePolynomial first;
+  BivariatePolynomial second;
+  BivariatePolynomial lambda;
+  Polynomial phi;
+  std::vector<MonotonePiece> pieces;  // one, or two for a folded line; they cover [0,1] in order
+};
+
+/// Throws std::domain_error for a line of shape point.
+LineSystem line_system(const LineAndPatch& problem);
+
+/// Two planes through a straight line, orthogonal to each other (chapter, 9.5.1), and lambda = e.(P -
+/// a0)/(e.e), e the direction: p(t) = a0 + phi(t) e. Throws std::domain_error unless the line is straight or
+/// folded.
+struct StraightForms {
+  AffineForm first;
+  AffineForm second;
+  AffineForm lambda;
+  Polynomial phi;
+};
+StraightForms straight_forms(const ParameterLine& line);
+
+/// The values of phi over [0,1].
+RationalInterval lambda_range(const LineSystem& system);
+
+/// The t in the piece with phi(t) = lambda; requires lambda in piece.lambda.
+RealAlgebraic preimage(const Polynomial& phi, const MonotonePiece& piece, const RealAlgebraic& lambda);
+
+}  // namespace exsect

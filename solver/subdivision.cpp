@@ -1,0 +1,366 @@
+#include "subdivision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace exsect {
+
+namespace {
+
+constexpr long kMostBoxes = 400000;
+constexpr int kFirstCertificateDepth = 4;
+
+/// Closed interval of doubles around everything a ball may be: the last terms cover the rounding of the
+/// difference and of approximation().
+struct Bounds {
+  double lower;
+  double upper;
+};
+template <class Ball>
+Bounds bounds(const Ball& b) {
+  const double a = b.approximation();
+  const double r = b.radius() * (1 + 0x1p-50) + 0x1p-50 * std::fabs(a) + 0x1p-1000;
+  return {a - r, a + r};
+}
+
+DoubleBall enclose(const Bounds& b) {
+  const double mid = 0.5 * (b.lower + b.upper);
+  const double rad = std::max(b.upper - mid, mid - b.lower);
+  return DoubleBall(mid, 0).widened(rad * (1 + 0x1p-50) + 0x1p-50 * std::fabs(mid));
+}
+
+Bounds hull(const Bounds& a, const Bounds& b) {
+  return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
+}
+
+using DirectionBox = std::array<DoubleBall, 3>;
+
+/// A rectangle of one parameter square with the Bernstein net of its sub-patch.
+template <class Ball>
+struct Cell {
+  std::array<double, 2> lower;
+  std::array<double, 2> upper;
+  std::array<BallVector<Ball>, 9> net;  // [3 i + j]
+  std::array<Bounds, 3> box;
+  std::array<DirectionBox, 2> derivative;  // with respect to the cell's own unit square, divided by 2
+  std::array<double, 3> normal;            // approximate, any direction is legal
+  double size;
+  int depth;
+  std::array<Cell*, 4> children = {};
+};
+
+template <class Ball>
+void complete(Cell<Ball>& cell) {
+  cell.size = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    cell.box[c] = bounds(cell.net[0][c]);
+    for (std::size_t i = 1; i < 9; ++i) {
+      cell.box[c] = hull(cell.box[c], bounds(cell.net[i][c]));
+    }
+    cell.size = std::max(cell.size, cell.box[c].upper - cell.box[c].lower);
+    for (std::size_t direction = 0; direction < 2; ++direction) {
+      const std::size_t step = direction == 0 ? 3 : 1;
+      Bounds all = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+      for (std::size_t i = 0; i < 9; ++i) {
+        if (direction == 0 ? i < 6 : i % 3 < 2) {
+          all = hull(all, bounds(cell.net[i + step][c] - cell.net[i][c]));
+        }
+      }
+      cell.derivative[direction][c] = enclose(all);
+    }
+  }
+  const auto& a = cell.derivative[0];
+  const auto& b = cell.derivative[1];
+  const auto mid = [](const DoubleBall& ball) { return ball.approximation(); };
+  cell.normal = {mid(a[1]) * mid(b[2]) - mid(a[2]) * mid(b[1]), mid(a[2]) * mid(b[0]) - mid(a[0]) * mid(b[2]),
+                 mid(a[0]) * mid(b[1]) - mid(a[1]) * mid(b[0])};
+}
+
+/// de Casteljau at 1/2 of three consecutive points with the given stride: left and right halves.
+template <class Ball>
+void halve(const std::array<BallVector<Ball>, 9>& net, std::size_t first, std::size_t stride,
+           std::array<BallVector<Ball>, 9>& left, std::array<BallVector<Ball>, 9>& right) {
+  const Ball half(0.5);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Ball& p0 = net[first][c];
+    const Ball& p1 = net[first + stride][c];
+    const Ball& p2 = net[first + 2 * stride][c];
+    const Ball q0 = half * (p0 + p1);
+    const Ball q1 = half * (p1 + p2);
+    const Ball m = half * (q0 + q1);
+    left[first][c] = p0;
+    left[first + stride][c] = q0;
+    left[first + 2 * stride][c] = m;
+    right[first][c] = m;
+    right[first + stride][c] = q1;
+    right[first + 2 * stride][c] = p2;
+  }
+}
+
+/// The cells of one patch, split into four on demand.
+template <class Ball>
+class CellTree {
+ public:
+  CellTree(const TaylorNet<Ball>& taylor_at_corner, const std::array<double, 2>& lower,
+           const std::array<double, 2>& upper) {
+    Cell<Ball> root;
+    root.lower = lower;
+    root.upper = upper;
+    root.depth = 0;
+    // Power basis in the cell's own coordinates, then b = power + shifts (degree 2 in each direction).
+    const std::array<Ball, 2> width = {Ball(upper[0]) - Ball(lower[0]), Ball(upper[1]) - Ball(lower[1])};
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::array<Ball, 9> a;
+      for (std::size_t i = 0; i < 9; ++i) {
+        a[i] = taylor_at_corner[i][c];
+        for (std::size_t k = 0; k < i / 3; ++k) {
+          a[i] *= width[0];
+        }
+        for (std::size_t k = 0; k < i % 3; ++k) {
+          a[i] *= width[1];
+        }
+      }
+      to_bernstein(a, 3, 1);
+      to_bernstein(a, 1, 3);
+      for (std::size_t i = 0; i < 9; ++i) {
+        root.net[i][c] = a[i];
+      }
+    }
+    complete(root);
+    cells_.push_back(std::move(root));
+  }
+
+  Cell<Ball>& root() { return cells_.front(); }
+
+  /// False if the midpoints are not doubles: the cell cannot be split.
+  bool split(Cell<Ball>& cell) {
+    if (cell.children[0] != nullptr) {
+      return true;
+    }
+    std::array<double, 2> middle{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      middle[k] = 0.5 * (cell.lower[k] + cell.upper[k]);
+      if (middle[k] - cell.lower[k] != cell.upper[k] - middle[k] || !(middle[k] > cell.lower[k])) {
+        return false;
+      }
+    }
+    std::array<std::array<BallVector<Ball>, 9>, 2> half;
+    for (std::size_t j = 0; j < 3; ++j) {
+      halve(cell.net, j, 3, half[0], half[1]);
+    }
+    for (std::size_t a = 0; a < 2; ++a) {
+      std::array<std::array<BallVector<Ball>, 9>, 2> quarter;
+      for (std::size_t i = 0; i < 9; i += 3) {
+        halve(half[a], i, 1, quarter[0], quarter[1]);
+      }
+      for (std::size_t b = 0; b < 2; ++b) {
+        Cell<Ball> child;
+        child.lower = {a == 0 ? cell.lower[0] : middle[0], b == 0 ? cell.lower[1] : middle[1]};
+        child.upper = {a == 0 ? middle[0] : cell.upper[0], b == 0 ? middle[1] : cell.upper[1]};
+        child.net = std::move(quarter[b]);
+        child.depth = cell.depth + 1;
+        complete(child);
+        cells_.push_back(std::move(child));
+        cell.children[2 * a + b] = &cells_.back();
+      }
+    }
+    return true;
+  }
+
+ private:
+  /// Power to Bernstein, degree 2: b0 = a0, b1 = a0 + a1/2, b2 = a0 + a1 + a2, along `stride`.
+  static void to_bernstein(std::array<Ball, 9>& a, std::size_t stride, std::size_t other) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      Ball& a0 = a[i * other];
+      Ball& a1 = a[i * other + stride];
+      Ball& a2 = a[i * other + 2 * stride];
+      a2 = a0 + a1 + a2;
+      a1 = a0 + Ball(0.5) * a1;
+    }
+  }
+
+  std::deque<Cell<Ball>> cells_;  // stable addresses
+};
+
+template <class Ball>
+bool separated_along(const Cell<Ball>& a, const Cell<Ball>& b, const std::array<double, 3>& n) {
+  const auto extent = [&n](const Cell<Ball>& cell) {
+    Bounds all = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const BallVector<Ball>& p : cell.net) {
+      all = hull(all, bounds(Ball(n[0]) * p[0] + Ball(n[1]) * p[1] + Ball(n[2]) * p[2]));
+    }
+    return all;
+  };
+  const Bounds ea = extent(a);
+  const Bounds eb = extent(b);
+  return ea.upper < eb.lower || eb.upper < ea.lower;
+}
+
+template <class Ball>
+bool separated(const Cell<Ball>& a, const Cell<Ball>& b) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (a.box[c].upper < b.box[c].lower || b.box[c].upper < a.box[c].lower) {
+      return true;
+    }
+  }
+  return separated_along(a, b, a.normal) || separated_along(a, b, b.normal);
+}
+
+/// c.T = (c_u x_v - c_v x_u).(y_r x y_s) up to the positive factor of the cells' widths.
+template <class Ball>
+bool tangent_cannot_vanish(const Cell<Ball>& a, const Cell<Ball>& b, const std::array<double, 2>& c) {
+  const DoubleBall cu = DoubleBall(c[0]) * DoubleBall(a.upper[0] - a.lower[0]).widened(0x1p-50);
+  const DoubleBall cv = DoubleBall(c[1]) * DoubleBall(a.upper[1] - a.lower[1]).widened(0x1p-50);
+  DirectionBox d;
+  for (std::size_t k = 0; k < 3; ++k) {
+    d[k] = cu * a.derivative[1][k] - cv * a.derivative[0][k];
+  }
+  return dot(d, cross(b.derivative[0], b.derivative[1])).certain_sign() != 0;
+}
+
+template <class Ball>
+class Search {
+ public:
+  Search(const PairSystem<Ball>& system, const SearchRegion& region, const std::array<double, 2>& direction,
+         const SeedHandler<Ball>& known, const StopRequest& stop)
+      : system_(system),
+        direction_(direction),
+        known_(known),
+        stop_(stop),
+        x_(system.taylor_x(corner(region)), {region.lower[0], region.lower[1]},
+           {region.upper[0], region.upper[1]}),
+        y_(system.taylor_y(corner(region)), {region.lower[2], region.lower[3]},
+           {region.upper[2], region.upper[3]}) {}
+
+  SearchOutcome run() {
+    std::vector<std::pair<Cell<Ball>*, Cell<Ball>*>> waiting = {{&x_.root(), &y_.root()}};
+    while (!waiting.empty()) {
+      auto [a, b] = waiting.back();
+      waiting.pop_back();
+      ++outcome_.boxes;
+      if (separated(*a, *b) || tangent_cannot_vanish(*a, *b, direction_) || covered(*a, *b)) {
+        continue;
+      }
+      const bool stopped = outcome_.boxes > kMostBoxes || (stop_ && outcome_.boxes % 64 == 0 && stop_());
+      const bool first = a->size >= b->size;
+      if (stopped || !(first ? x_.split(*a) : y_.split(*b))) {
+        outcome_.undecided.push_back(region_of(*a, *b));
+        if (stopped || outcome_.undecided.size() >= kMostUndecided) {
+          give_up(waiting);
+        }
+        continue;
+      }
+      for (Cell<Ball>* child : first ? a->children : b->children) {
+        waiting.emplace_back(first ? child : a, first ? b : child);
+      }
+    }
+    return std::move(outcome_);
+  }
+
+ private:
+  static constexpr std::size_t kMostUndecided = 1000;
+
+  static BallPoint<Ball> corner(const SearchRegion& region) {
+    return {Ball(region.lower[0]), Ball(region.lower[1]), Ball(region.lower[2]), Ball(region.lower[3])};
+  }
+
+  static SearchRegion region_of(const Cell<Ball>& a, const Cell<Ball>& b) {
+    return {{a.lower[0], a.lower[1], b.lower[0], b.lower[1]},
+            {a.upper[0], a.upper[1], b.upper[0], b.upper[1]}};
+  }
+
+  void give_up(std::vector<std::pair<Cell<Ball>*, Cell<Ball>*>>& waiting) {
+    for (const auto& [a, b] : waiting) {
+      outcome_.undecided.push_back(region_of(*a, *b));
+    }
+    waiting.clear();
+  }
+
+  /// A tube whose region contains the whole box, and whose arc is outside the domain somewhere or on a known
+  /// curve.
+  bool covered(const Cell<Ball>& a, const Cell<Ball>& b) const {
+    if (a.depth + b.depth < kFirstCertificateDepth) {
+      return false;
+    }
+    const SearchRegion box = region_of(a, b);
+    BallPoint<Ball> centre;
+    std::array<double, 4> half{};
+    for (std::size_t j = 0; j < 4; ++j) {
+      centre[j] = Ball(0.5 * (box.lower[j] + box.upper[j]));
+      half[j] = 0.5 * (box.upper[j] - box.lower[j]) * (1 + 0x1p-40);
+    }
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_, centre).tangent();
+    std::size_t axis = 0;
+    for (std::size_t j = 1; j < 4; ++j) {
+      if (std::fabs(tangent[j].approximation()) > std::fabs(tangent[axis].approximation())) {
+        axis = j;
+      }
+    }
+    const auto start = newton_corrected(system_, centre, axis, 3);
+    if (!start) {
+      return false;
+    }
+    double needed = 0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double slope = tangent[j].approximation() / tangent[axis].approximation();
+      if (j != axis) {
+        needed = std::max(needed, ((*start)[j] - centre[j]).upper_magnitude() + half[j] +
+                                      1.01 * std::fabs(slope) * half[axis]);
+      }
+    }
+    const auto tube = certify_tube(system_, *start, axis, half[axis] * 1.01, needed * 1.01);
+    if (!tube || !contains_region(*tube, centre, half)) {
+      return false;
+    }
+    return settled(*tube);
+  }
+
+  static bool contains_region(const Tube<Ball>& tube, const BallPoint<Ball>& centre,
+                              const std::array<double, 4>& half) {
+    BallPoint<Ball> box;
+    for (std::size_t j = 0; j < 4; ++j) {
+      box[j] = centre[j].widened(half[j]);
+    }
+    return contains(tube, box);
+  }
+
+  bool settled(const Tube<Ball>& tube) const {
+    for (const double tau : {0.0, -tube.reach, tube.reach}) {
+      for (const Ball& c : point_at(tube, tau)) {
+        if (c.is_negative() || (c - Ball(1)).is_positive()) {
+          return true;
+        }
+      }
+    }
+    return known_(point_at(tube, 0));
+  }
+
+  const PairSystem<Ball>& system_;
+  std::array<double, 2> direction_;
+  const SeedHandler<Ball>& known_;
+  const StopRequest& stop_;
+  CellTree<Ball> x_;
+  CellTree<Ball> y_;
+  SearchOutcome outcome_;
+};
+
+}  // namespace
+
+template <class Ball>
+SearchOutcome search_closed_curves(const PairSystem<Ball>& system, const SearchRegion& region,
+                                   const std::array<double, 2>& direction, const SeedHandler<Ball>& known,
+                                   const StopRequest& stop) {
+  return Search<Ball>(system, region, direction, known, stop).run();
+}
+
+#define EXSECT_INSTANTIATE_SEARCH(Ball)                                                               \
+  template SearchOutcome search_closed_curves(const PairSystem<Ball>&, const SearchRegion&,           \
+                                              const std::array<double, 2>&, const SeedHandler<Ball>&, \
+                                              const StopRequest&);
+
+EXSECT_INSTANTIATE_SEARCH(DoubleBall)
+EXSECT_INSTANTIATE_SEARCH(ArbBall<256>)
+#undef EXSECT_INSTANTIATE_SEARCH
+
+}  // namespace exsect

@@ -1,0 +1,225 @@
+#include "tracer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect {
+
+namespace {
+
+constexpr double kFirstStep = 0.1;
+constexpr double kGoodContraction = 0.25;  // steps are chosen to end near this value
+constexpr double kWorstContraction = 0.5;
+constexpr double kOverlap = 1.02;
+constexpr int kMostPieces = 200000;
+
+template <class Ball>
+constexpr double kLeastStep = 0x1p-40;
+template <>
+inline constexpr double kLeastStep<ArbBall<256>> = 0x1p-110;
+
+template <class Ball>
+TraceFailure failure(const BallPoint<Ball>& at, const char* why) {
+  return {{at[0].approximation(), at[1].approximation(), at[2].approximation(), at[3].approximation()}, why};
+}
+
+template <class Ball>
+double largest_radius(const BallPoint<Ball>& box) {
+  return std::max({box[0].radius(), box[1].radius(), box[2].radius(), box[3].radius()});
+}
+
+/// The state of a trace: a curve point in a small box, reached in the direction sign * T.
+template <class Ball>
+class Tracer {
+ public:
+  Tracer(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks, int sign, const StopRequest& stop)
+      : system_(system), landmarks_(landmarks), sign_(sign), stop_(stop) {}
+
+  std::variant<Trace<Ball>, TraceFailure> run(const BallPoint<Ball>& start, int start_landmark) {
+    position_ = start;
+    trace_.start = start_landmark;
+    while (trace_.pieces.size() < kMostPieces) {
+      if (stop_ && stop_()) {
+        return failure(position_, "the work cap was reached");
+      }
+      if (!advance()) {
+        return failure(position_, failure_);
+      }
+      if (finished_) {
+        return std::move(trace_);
+      }
+    }
+    return failure(position_, "too many steps along one curve");
+  }
+
+ private:
+  /// One tube from the current position; sets finished_ at a landmark or where a closed curve closes.
+  bool advance() {
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_, position_).tangent();
+    std::size_t axis = 0;
+    for (std::size_t j = 1; j < 4; ++j) {
+      if (std::fabs(tangent[j].approximation()) > std::fabs(tangent[axis].approximation())) {
+        axis = j;
+      }
+    }
+    const int known = tangent[axis].certain_sign();
+    if (known == 0) {
+      failure_ = "the tangent of the intersection curve vanishes or cannot be told from zero";
+      return false;
+    }
+    direction_ = sign_ * known;
+    for (; step_ >= kLeastStep<Ball>; step_ *= 0.6) {
+      const auto tube = next_tube(tangent, axis);
+      if (tube && accept(*tube)) {
+        return true;
+      }
+    }
+    failure_ = "the steps along the curve become too small: a singular or nearly singular point";
+    return false;
+  }
+
+  std::optional<Tube<Ball>> next_tube(const BallPoint<Ball>& tangent, std::size_t axis) const {
+    BallPoint<Ball> guess;
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double slope = j == axis ? 1 : tangent[j].approximation() / tangent[axis].approximation();
+      guess[j] = (position_[j] + Ball(0.5 * direction_ * step_ * slope)).midpoint();
+    }
+    const auto centre = newton_corrected(system_, guess, axis, 2);
+    if (!centre) {
+      return std::nullopt;
+    }
+    const double radius = largest_radius(position_);
+    auto tube = certify_tube(system_, *centre, axis, 0.5 * kOverlap * step_ + 2 * radius, 4 * radius);
+    if (!tube || tube->contraction > kWorstContraction || !contains(*tube, position_)) {
+      return std::nullopt;
+    }
+    return tube;
+  }
+
+  /// Decides every landmark on the tube; ends at the first one ahead, else moves on to the far end.
+  bool accept(const Tube<Ball>& tube) {
+    const Ball here = offset(tube, position_);
+    int met = -1;
+    Ball met_at;
+    for (int i = 0; i < static_cast<int>(landmarks_.size()); ++i) {
+      const BallPoint<Ball>& box = landmarks_[static_cast<std::size_t>(i)];
+      if ((trace_.pieces.empty() && i == trace_.start) || excludes(tube, box)) {
+        continue;
+      }
+      const Ball at = offset(tube, box);
+      const int ahead = direction_ * (at - here).certain_sign();
+      if (ahead < 0) {
+        continue;
+      }
+      if (ahead == 0 || !contains(tube, box)) {
+        return false;
+      }
+      const int order = met < 0 ? -1 : direction_ * (at - met_at).certain_sign();
+      if (order == 0) {
+        return false;
+      }
+      if (order < 0) {
+        met = i;
+        met_at = at;
+      }
+    }
+    const bool closes = closing_ && contains(tube, *closing_) &&
+                        direction_ * (offset(tube, *closing_) - here).certain_sign() > 0;
+    if (closes && met >= 0) {
+      return false;
+    }
+    if (met >= 0 || closes) {
+      const Ball end = closes ? offset(tube, *closing_) : met_at;
+      trace_.pieces.push_back({tube, here.approximation(), end.approximation()});
+      trace_.end = met;
+      finished_ = true;
+      return true;
+    }
+    return move_to_end(tube, here);
+  }
+
+  bool move_to_end(const Tube<Ball>& tube, const Ball& here) {
+    BallPoint<Ball> end;
+    double to = 0;
+    for (const double fraction : {1.0, 0.91, 0.83, 0.76}) {
+      to = 0.5 * direction_ * step_ * fraction;
+      end = point_at(tube, to);
+      const BallPoint<Ball> t = Expansion<Ball>(system_, end).tangent();
+      if (std::all_of(t.begin(), t.end(), [](const Ball& c) { return c.certain_sign() != 0; })) {
+        break;
+      }
+    }
+    for (const Ball& c : end) {
+      if (c.is_negative() || (c - Ball(1)).is_positive()) {
+        return false;  // left the domain without meeting a boundary point: take smaller steps
+      }
+    }
+    trace_.pieces.push_back({tube, here.approximation(), to});
+    if (trace_.start < 0 && trace_.pieces.size() == 1) {
+      start_loop_inside(tube, here, to);
+    }
+    position_ = end;
+    step_ = std::min(2 * step_, step_ * std::max(0.5, kGoodContraction / tube.contraction));
+    step_ = std::min(step_, 0.5);
+    return true;
+  }
+
+  /// A closed curve starts at an odd place of its first tube, so that the seed's special position (a sample u
+  /// where symmetric curves turn) is never a joint.
+  void start_loop_inside(const Tube<Ball>& tube, const Ball& here, double to) {
+    Piece<Ball>& first = trace_.pieces.front();
+    first.from = here.approximation() + 0.61803 * (to - here.approximation());
+    closing_ = point_at(tube, first.from);
+  }
+
+  const PairSystem<Ball>& system_;
+  const Landmarks<Ball>& landmarks_;
+  int sign_;
+  const StopRequest& stop_;
+  Trace<Ball> trace_;
+  BallPoint<Ball> position_;
+  std::optional<BallPoint<Ball>> closing_;
+  double step_ = kFirstStep;
+  int direction_ = 1;
+  bool finished_ = false;
+  const char* failure_ = "";
+};
+
+}  // namespace
+
+template <class Ball>
+std::variant<Trace<Ball>, TraceFailure> trace_arc(const PairSystem<Ball>& system,
+                                                  const Landmarks<Ball>& landmarks, int start, int sign,
+                                                  const StopRequest& stop) {
+  return Tracer<Ball>(system, landmarks, sign, stop).run(landmarks[static_cast<std::size_t>(start)], start);
+}
+
+template <class Ball>
+std::variant<Trace<Ball>, TraceFailure> trace_loop(const PairSystem<Ball>& system,
+                                                   const Landmarks<Ball>& landmarks,
+                                                   const BallPoint<Ball>& seed, const StopRequest& stop) {
+  auto result = Tracer<Ball>(system, landmarks, 1, stop).run(seed, -1);
+  if (const auto* trace = std::get_if<Trace<Ball>>(&result); trace && trace->end >= 0) {
+    return failure(seed, "a curve thought to be closed met a boundary point");
+  }
+  return result;
+}
+
+template <class Ball>
+bool passes_through(const Trace<Ball>& trace, const BallPoint<Ball>& box) {
+  return std::any_of(trace.pieces.begin(), trace.pieces.end(),
+                     [&](const Piece<Ball>& piece) { return contains(piece.tube, box); });
+}
+
+#define EXSECT_INSTANTIATE_TRACER(Ball)                                                             \
+  template std::variant<Trace<Ball>, TraceFailure> trace_arc(                                       \
+      const PairSystem<Ball>&, const Landmarks<Ball>&, int, int, const StopRequest&);               \
+  template std::variant<Trace<Ball>, TraceFailure> trace_loop(                                      \
+      const PairSystem<Ball>&, const Landmarks<Ball>&, const BallPoint<Ball>&, const StopRequest&); \
+  template bool passes_through(const Trace<Ball>&, const BallPoint<Ball>&);
+
+EXSECT_INSTANTIATE_TRACER(DoubleBall)
+EXSECT_INSTANTIATE_TRACER(ArbBall<256>)
+#undef EXSECT_INSTANTIATE_TRACER
+
+}  // namespace exsect

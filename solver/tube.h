@@ -1,0 +1,72 @@
+// Krawczyk tubes: certified pieces of the intersection curve. Internal to solver/.
+//
+// Notation (docs/method.md, section 5): p centre, k axis, d slope (d_k = 1), C an approximate inverse of the
+// three Jacobian columns other than k, tau the offset of coordinate k, rho the contraction.
+#pragma once
+
+#include <exsect/algebra/ball.h>
+
+#include <array>
+#include <optional>
+
+#include "pair_system.h"
+
+namespace exsect {
+
+/// Invariant (proved by certify_tube): for every tau in [-reach, reach] there is exactly one point w of the
+/// curve F = 0 with w_k = p_k + tau and |w_i - p_i - tau d_i| <= halfwidth for i != k; the three columns
+/// other than k of the Jacobian are independent on the whole region, where the matrix C DF has distance at
+/// most rho < 1 from the identity (row sum norm). So the region holds one regular arc of the curve, a graph
+/// over tau, and nothing else.
+template <class Ball>
+struct Tube {
+  BallPoint<Ball> centre;  // radius 0
+  std::size_t axis;
+  std::array<double, 4> slope;
+  double reach;
+  double halfwidth;
+  double contraction;
+  /// w'(tau) lies in slope +- slope_error, w''(tau) in second +- second_error, on all of the tube.
+  std::array<double, 4> slope_error;
+  std::array<double, 4> second;
+  std::array<double, 4> second_error;
+  /// Sign of the tangent field's component T_k, the same on all of the region: +1 if T points to larger tau.
+  int orientation;
+  /// C x(.), -C y(.) as Taylor nets at p, and x(.) itself for positions in space.
+  std::array<TaylorNet<Ball>, 2> premultiplied;
+  TaylorNet<Ball> space;
+  /// Bound of the Euclidean norm of the second derivative of the space curve with respect to tau.
+  double space_second_derivative;
+};
+
+/// The tube around `centre` (its midpoints are used) over tau in [-reach, reach], half width at least
+/// `least_halfwidth`; empty if it cannot be proved with these numbers.
+template <class Ball>
+std::optional<Tube<Ball>> certify_tube(const PairSystem<Ball>& system, const BallPoint<Ball>& centre,
+                                       std::size_t axis, double reach, double least_halfwidth);
+
+/// Approximate Newton correction of the coordinates other than `axis` towards F = 0 (an estimate, not a
+/// proof); empty if the columns are numerically dependent.
+template <class Ball>
+std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>& system, const BallPoint<Ball>& start,
+                                                std::size_t axis, int steps);
+
+/// An enclosure of the curve's point at tau, |tau| <= reach.
+template <class Ball>
+BallPoint<Ball> point_at(const Tube<Ball>& tube, double tau);
+/// An enclosure of the space position (in the scaled system) over an enclosure of parameters near the tube.
+template <class Ball>
+BallVector<Ball> space_point(const Tube<Ball>& tube, const BallPoint<Ball>& parameters);
+/// The offset tau of a point's coordinate k, enclosed.
+template <class Ball>
+Ball offset(const Tube<Ball>& tube, const BallPoint<Ball>& point);
+
+/// True only if the whole box lies in the tube's region: a curve point known to be in the box is then on its
+/// arc.
+template <class Ball>
+bool contains(const Tube<Ball>& tube, const BallPoint<Ball>& box);
+/// True only if no point of the box is on the tube's arc.
+template <class Ball>
+bool excludes(const Tube<Ball>& tube, const BallPoint<Ball>& box);
+
+}  // namespace exsect

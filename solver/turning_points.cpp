@@ -1,0 +1,288 @@
+#include "turning_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect {
+
+namespace {
+
+constexpr int kDeepestSplit = 40;
+
+/// The vectors that a linear form must annihilate to be affine in one parameter alone: all power-basis
+/// coefficients but the constant one and the first-order one of that parameter.
+void append_constraints(std::vector<Point>& constraints, const BezierPatch& patch, std::size_t parameter) {
+  const ControlNet c = patch.power_basis();
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const bool allowed = i + j == 0 || (parameter == 0 ? i == 1 && j == 0 : i == 0 && j == 1);
+      if (!allowed && !is_zero(c[i][j])) {
+        constraints.push_back(c[i][j]);
+      }
+    }
+  }
+}
+
+/// Spanning vectors of the orthogonal complement in space.
+std::vector<Point> orthogonal_complement(const std::vector<Point>& vectors) {
+  if (vectors.empty()) {
+    return {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};
+  }
+  const Point& first = vectors.front();
+  Point normal{};
+  for (const Point& p : vectors) {
+    normal = is_zero(normal) ? cross(first, p) : normal;
+  }
+  if (is_zero(normal)) {  // rank 1
+    return {cross(first, Point{1, 0, 0}), cross(first, Point{0, 1, 0}), cross(first, Point{0, 0, 1})};
+  }
+  const bool rank2 =
+      std::all_of(vectors.begin(), vectors.end(), [&](const Point& p) { return dot(normal, p) == 0; });
+  return rank2 ? std::vector<Point>{normal} : std::vector<Point>{};
+}
+
+template <class Ball>
+std::array<int, 4> tangent_signs(const PairSystem<Ball>& system, const BallPoint<Ball>& at) {
+  const BallPoint<Ball> t = Expansion<Ball>(system, at).tangent();
+  return {t[0].certain_sign(), t[1].certain_sign(), t[2].certain_sign(), t[3].certain_sign()};
+}
+
+template <class Ball>
+bool is_monotone(const Tube<Ball>& tube, std::size_t i) {
+  return std::fabs(tube.slope[i]) > tube.slope_error[i];
+}
+
+template <class Ball>
+bool turns_at_most_once(const Tube<Ball>& tube, std::size_t i) {
+  return std::fabs(tube.second[i]) > tube.second_error[i];
+}
+
+template <class Ball>
+class TurningSearch {
+ public:
+  TurningSearch(const PairSystem<Ball>& system, Trace<Ball>& trace,
+                const std::array<std::size_t, 4>& coincident)
+      : system_(system), trace_(trace), coincident_(coincident) {}
+
+  std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> run() {
+    if (!split_pieces()) {
+      return failure_;
+    }
+    for (std::size_t k = 0; k < trace_.pieces.size(); ++k) {
+      const std::size_t before = found_.size();
+      for (std::size_t i = 0; i < 4; ++i) {
+        if ((i < 2 || coincident_[i] == i) && !search(k, i)) {
+          return failure_;
+        }
+      }
+      if (!order(before)) {
+        return failure_;
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  /// Splits every piece until each parameter is monotone or turns at most once on it.
+  bool split_pieces() {
+    std::vector<Piece<Ball>> done;
+    std::vector<std::pair<Piece<Ball>, int>> waiting;
+    for (auto piece = trace_.pieces.rbegin(); piece != trace_.pieces.rend(); ++piece) {
+      waiting.emplace_back(std::move(*piece), 0);
+    }
+    while (!waiting.empty()) {
+      auto [piece, depth] = std::move(waiting.back());
+      waiting.pop_back();
+      bool simple = true;
+      for (std::size_t i = 0; i < 4; ++i) {
+        simple = simple && (is_monotone(piece.tube, i) || turns_at_most_once(piece.tube, i));
+      }
+      if (simple) {
+        done.push_back(std::move(piece));
+        continue;
+      }
+      const double middle = piece.from + 0.4853 * (piece.to - piece.from);
+      const auto first = part(piece.tube, piece.from, middle);
+      const auto second = part(piece.tube, middle, piece.to);
+      if (depth >= kDeepestSplit || !first || !second) {
+        fail(point_at(piece.tube, middle), "two turning points are too close to be separated");
+        return false;
+      }
+      waiting.emplace_back(*second, depth + 1);
+      waiting.emplace_back(*first, depth + 1);
+    }
+    trace_.pieces = std::move(done);
+    return true;
+  }
+
+  /// The part of the tube's arc between two offsets, on a tube of its own.
+  std::optional<Piece<Ball>> part(const Tube<Ball>& tube, double from, double to) const {
+    const BallPoint<Ball> centre = point_at(tube, 0.5 * (from + to));
+    const BallPoint<Ball> start = point_at(tube, from);
+    const BallPoint<Ball> end = point_at(tube, to);
+    double radius = 0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      radius = std::max({radius, centre[j].radius(), start[j].radius(), end[j].radius()});
+    }
+    const auto result =
+        certify_tube(system_, centre, tube.axis, 0.505 * std::fabs(to - from) + 2 * radius, 4 * radius);
+    if (!result || !contains(*result, centre) || !contains(*result, start) || !contains(*result, end)) {
+      return std::nullopt;
+    }
+    return Piece<Ball>{*result, offset(*result, start).approximation(), offset(*result, end).approximation()};
+  }
+
+  /// Finds the turning point with respect to parameter i on piece k, if there is one.
+  bool search(std::size_t k, std::size_t i) {
+    const Piece<Ball>& piece = trace_.pieces[k];
+    if (is_monotone(piece.tube, i)) {
+      return true;
+    }
+    const int first = tangent_signs(system_, point_at(piece.tube, piece.from))[i];
+    const int last = tangent_signs(system_, point_at(piece.tube, piece.to))[i];
+    if (first == 0 || last == 0) {
+      fail(point_at(piece.tube, first == 0 ? piece.from : piece.to),
+           "a turning point cannot be separated from the end of a step or a boundary point");
+      return false;
+    }
+    if (first == last) {
+      return true;
+    }
+    if (!bracket(k, i, first)) {
+      fail(point_at(piece.tube, 0.5 * (piece.from + piece.to)), "a turning point could not be enclosed");
+      return false;
+    }
+    return true;
+  }
+
+  double slope_at(const Tube<Ball>& tube, double tau, std::size_t i) const {
+    const BallPoint<Ball> t = Expansion<Ball>(system_, point_at(tube, tau)).tangent();
+    return t[i].approximation() / t[tube.axis].approximation();
+  }
+
+  /// Regula falsi (Illinois) for an estimate of the zero of T_i/T_k, then certain signs on both sides of it.
+  bool bracket(std::size_t k, std::size_t i, int first_sign) {
+    const Piece<Ball>& piece = trace_.pieces[k];
+    double a = piece.from;
+    double b = piece.to;
+    double fa = slope_at(piece.tube, a, i);
+    double fb = slope_at(piece.tube, b, i);
+    double t = 0.5 * (a + b);
+    for (int step = 0; step < 60 && std::fabs(b - a) > 0x1p-50; ++step) {
+      const double next = (a * fb - b * fa) / (fb - fa);
+      const bool settled = std::fabs(next - t) < 0x1p-50;
+      t = next;
+      const double ft = slope_at(piece.tube, t, i);
+      if (ft == 0 || settled) {
+        break;
+      }
+      if (std::signbit(ft) == std::signbit(fb)) {
+        fa *= 0.5;
+      } else {
+        a = b;
+        fa = fb;
+      }
+      b = t;
+      fb = ft;
+    }
+    const double direction = piece.to > piece.from ? 1 : -1;
+    for (double delta = 0x1p-49; delta < 1; delta *= 4) {
+      const double from = direction > 0 ? std::max(t - delta, piece.from) : std::min(t + delta, piece.from);
+      const double to = direction > 0 ? std::min(t + delta, piece.to) : std::max(t - delta, piece.to);
+      const int s0 = tangent_signs(system_, point_at(piece.tube, from))[i];
+      const int s1 = tangent_signs(system_, point_at(piece.tube, to))[i];
+      if (s0 == first_sign && s1 == -first_sign) {
+        record(k, i, from, to);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void record(std::size_t k, std::size_t i, double from, double to) {
+    const Tube<Ball>& tube = trace_.pieces[k].tube;
+    const double middle = 0.5 * (from + to);
+    // The second term covers the rounding of `middle` and of the difference (each below 2^-52 times the
+    // larger end).
+    const double half =
+        0.5 * std::fabs(to - from) + 0x1p-50 * std::max(std::fabs(from), std::fabs(to)) + 0x1p-1000;
+    BallPoint<Ball> box = point_at(tube, middle);
+    for (std::size_t j = 0; j < 4; ++j) {
+      box[j] = box[j].widened(half * (std::fabs(tube.slope[j]) + tube.slope_error[j]) * (1 + 0x1p-40));
+    }
+    std::vector<std::size_t> parameters = {i};
+    if (coincident_[i] != i) {
+      parameters.push_back(coincident_[i]);
+    }
+    found_.push_back({parameters, k, from, to, box});
+  }
+
+  /// Sorts the turning points of one piece; their brackets must be disjoint.
+  bool order(std::size_t begin) {
+    const auto first = found_.begin() + static_cast<std::ptrdiff_t>(begin);
+    if (found_.end() - first < 2) {
+      return true;
+    }
+    const Piece<Ball>& piece = trace_.pieces[first->piece];
+    const bool forward = piece.to > piece.from;
+    std::sort(first, found_.end(), [&](const TurningPoint<Ball>& a, const TurningPoint<Ball>& b) {
+      return forward ? a.from < b.from : a.from > b.from;
+    });
+    for (auto point = first; point + 1 != found_.end(); ++point) {
+      if (forward ? !(point->to < (point + 1)->from) : !(point->to > (point + 1)->from)) {
+        fail(point->box, "turning points with respect to two parameters cannot be separated");
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void fail(const BallPoint<Ball>& at, const char* why) {
+    failure_ = {{at[0].approximation(), at[1].approximation(), at[2].approximation(), at[3].approximation()},
+                why};
+  }
+
+  const PairSystem<Ball>& system_;
+  Trace<Ball>& trace_;
+  const std::array<std::size_t, 4>& coincident_;
+  std::vector<TurningPoint<Ball>> found_;
+  TraceFailure failure_;
+};
+
+}  // namespace
+
+std::array<std::size_t, 4> coincident_parameters(const BezierPatch& x, const BezierPatch& y) {
+  std::array<std::size_t, 4> partner = {0, 1, 2, 3};
+  for (std::size_t a = 0; a < 2; ++a) {
+    for (std::size_t b = 0; b < 2; ++b) {
+      std::vector<Point> constraints;
+      append_constraints(constraints, x, a);
+      append_constraints(constraints, y, b);
+      const Point rate_x = a == 0 ? x.power_basis()[1][0] : x.power_basis()[0][1];
+      const Point rate_y = b == 0 ? y.power_basis()[1][0] : y.power_basis()[0][1];
+      for (const Point& form : orthogonal_complement(constraints)) {
+        if (dot(form, rate_x) != 0 && dot(form, rate_y) != 0) {
+          partner[a] = 2 + b;
+          partner[2 + b] = a;
+        }
+      }
+    }
+  }
+  return partner;
+}
+
+template <class Ball>
+std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(
+    const PairSystem<Ball>& system, Trace<Ball>& trace, const std::array<std::size_t, 4>& coincident) {
+  return TurningSearch<Ball>(system, trace, coincident).run();
+}
+
+#define EXSECT_INSTANTIATE_TURNING(Ball)                                                    \
+  template std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points( \
+      const PairSystem<Ball>&, Trace<Ball>&, const std::array<std::size_t, 4>&);
+
+EXSECT_INSTANTIATE_TURNING(DoubleBall)
+EXSECT_INSTANTIATE_TURNING(ArbBall<256>)
+#undef EXSECT_INSTANTIATE_TURNING
+
+}  // namespace exsect

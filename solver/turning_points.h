@@ -1,0 +1,33 @@
+// Turning points of a traced curve with respect to all four parameters. Internal to solver/.
+#pragma once
+
+#include <vector>
+
+#include "tracer.h"
+
+namespace exsect {
+
+/// For each parameter the parameter of the other patch that turns at the same points for a proved reason, or
+/// the parameter itself: there is a linear form of space that is affine in the one alone on x and in the
+/// other alone on y.
+std::array<std::size_t, 4> coincident_parameters(const BezierPatch& x, const BezierPatch& y);
+
+/// Exactly one zero of T_i on the curve, i in `parameters`, lies on piece `piece` between the offsets `from`
+/// and `to` (in the direction of the trace); `box` encloses that part of the curve.
+template <class Ball>
+struct TurningPoint {
+  std::vector<std::size_t> parameters;
+  std::size_t piece;
+  double from;
+  double to;
+  BallPoint<Ball> box;
+};
+
+/// All turning points in the order of the trace, apart from its end points. Splits the trace's pieces where
+/// that is needed for the proof. `coincident` as above. Fails where a turning point cannot be separated from
+/// another one or from an end of the trace.
+template <class Ball>
+std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(
+    const PairSystem<Ball>& system, Trace<Ball>& trace, const std::array<std::size_t, 4>& coincident);
+
+}  // namespace exsect

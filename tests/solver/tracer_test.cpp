@@ -1,0 +1,171 @@
+#include "../../solver/tracer.h"
+
+#include <cmath>
+
+#include "../../solver/turning_points.h"
+#include "support/catch.h"
+#include "support/graph_patches.h"
+
+using namespace exsect;
+using exsect::testing::graph_patch;
+using exsect::testing::HeightCoefficients;
+using exsect::testing::plane_patch;
+
+namespace {
+
+Rational q(long numerator, long denominator = 1) { return Rational(numerator, denominator); }
+
+/// u v = 1/4 in the plane: v = 1/(4u).
+const HeightCoefficients kHyperbola = {{{q(-1, 4), 0, 0}, {0, 1, 0}, {0, 0, 0}}};
+/// (u-1/2)^2 + (v-1/2)^2 = 1/9.
+const HeightCoefficients kCircle = {{{q(7, 18), -1, 1}, {-1, 0, 0}, {1, 0, 0}}};
+/// (u-1/2)(v-1/2) = 0: a crossing in the middle.
+const HeightCoefficients kCrossing = {{{q(1, 4), q(-1, 2), 0}, {q(-1, 2), 1, 0}, {0, 0, 0}}};
+/// v = 1/4 + (u-1/3)^2.
+const HeightCoefficients kParabola = {{{q(-13, 36), 1, 0}, {q(2, 3), 0, 0}, {-1, 0, 0}}};
+
+template <class Ball>
+PairSystem<Ball> system_of(const HeightCoefficients& h) {
+  const Point origin = {0, 0, 0};
+  return PairSystem<Ball>(graph_patch(h), plane_patch(), origin, 0);
+}
+
+template <class Ball = DoubleBall>
+BallPoint<Ball> on_diagonal(const Rational& u, const Rational& v) {
+  return {Ball::enclosing(u), Ball::enclosing(v), Ball::enclosing(u), Ball::enclosing(v)};
+}
+
+template <class Ball>
+bool encloses(const Ball& ball, const Rational& value) {
+  const RationalInterval interval = ball.interval();
+  return interval.lower <= value && value <= interval.upper;
+}
+
+bool encloses(double centre, double error, double value) {
+  return std::fabs(centre - value) <= error + 1e-14;
+}
+
+template <class Ball>
+void check_hyperbola_tube() {
+  const auto system = system_of<Ball>(kHyperbola);
+  const auto tube = certify_tube(system, on_diagonal<Ball>(q(1, 2), q(1, 2)), 0, 0.05, 0);
+  REQUIRE(tube);
+  CHECK(tube->contraction < 1);
+  for (const double tau : {-0.05, -0.03, 0.0, 0.001, 0.05}) {
+    const BallPoint<Ball> p = point_at(*tube, tau);
+    const Rational u = q(1, 2) + from_double(tau);
+    const Rational v = 1 / (4 * u);
+    CHECK(encloses(p[0], u));
+    CHECK(encloses(p[1], v));
+    CHECK(encloses(p[3], v));
+    CHECK(p[1].radius() < 1e-14);
+    CHECK(contains(*tube, point_at(*tube, 0.9 * tau)));
+    CHECK_FALSE(excludes(*tube, p));
+    CHECK(encloses(space_point(*tube, p)[1], v));
+    const double ud = to_double(u);
+    CHECK(encloses(tube->slope[1], tube->slope_error[1], -1 / (4 * ud * ud)));
+    CHECK(encloses(tube->second[1], tube->second_error[1], 1 / (2 * ud * ud * ud)));
+    CHECK(tube->space_second_derivative >= 1 / (2 * ud * ud * ud));
+    BallPoint<Ball> beside = p;
+    beside[1] = (beside[1] + Ball(1e-6)).midpoint();
+    CHECK(excludes(*tube, beside));
+  }
+  // T = (h_v, -h_u, ...): T_u = u > 0.
+  CHECK(tube->orientation == 1);
+}
+
+Trace<DoubleBall> require_trace(std::variant<Trace<DoubleBall>, TraceFailure> outcome) {
+  REQUIRE(std::holds_alternative<Trace<DoubleBall>>(outcome));
+  return std::get<Trace<DoubleBall>>(std::move(outcome));
+}
+
+}  // namespace
+
+TEST_CASE("a tube encloses the hyperbola u v = 1/4", "[tube]") {
+  check_hyperbola_tube<DoubleBall>();
+  check_hyperbola_tube<ArbBall<256>>();
+}
+
+TEST_CASE("no tube is certified around a crossing, nor where it is too long", "[tube]") {
+  const auto crossing = system_of<DoubleBall>(kCrossing);
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    for (const double reach : {1e-1, 1e-3, 1e-6, 1e-9}) {
+      CHECK_FALSE(certify_tube(crossing, on_diagonal(q(1, 2), q(1, 2)), axis, reach, 0));
+      CHECK_FALSE(
+          certify_tube(crossing, on_diagonal(q(1, 2) + q(1, 1000000000), q(1, 2)), axis, reach, 2e-9));
+    }
+  }
+  const auto circle = system_of<DoubleBall>(kCircle);
+  CHECK_FALSE(certify_tube(circle, on_diagonal(q(1, 2), q(5, 6)), 0, 0.4, 0));
+}
+
+TEST_CASE("a circle is traced once around, with its four turning points", "[tracer]") {
+  const auto system = system_of<DoubleBall>(kCircle);
+  // A rational point of the circle: (1/2 + 1/3 * 3/5, 1/2 + 1/3 * 4/5).
+  auto trace = require_trace(trace_loop(system, {}, on_diagonal(q(7, 10), q(23, 30)), {}));
+  CHECK(trace.start == -1);
+  CHECK(passes_through(trace, on_diagonal(q(1, 6), q(1, 2))));
+  CHECK_FALSE(passes_through(trace, on_diagonal(q(1, 2), q(1, 2))));
+  double length = 0;  // the chords of one turn add up to a little less than the circumference
+  for (const auto& piece : trace.pieces) {
+    const auto a = point_at(piece.tube, piece.from);
+    const auto b = point_at(piece.tube, piece.to);
+    length +=
+        std::hypot(a[0].approximation() - b[0].approximation(), a[1].approximation() - b[1].approximation());
+  }
+  CHECK(length == Approx(2 * std::acos(-1.0) / 3).epsilon(0.02));
+
+  const auto coincident = coincident_parameters(graph_patch(kCircle), plane_patch());
+  CHECK(coincident == std::array<std::size_t, 4>{2, 3, 0, 1});
+  const auto turning = find_turning_points(system, trace, coincident);
+  REQUIRE(std::holds_alternative<std::vector<TurningPoint<DoubleBall>>>(turning));
+  const auto& points = std::get<std::vector<TurningPoint<DoubleBall>>>(turning);
+  REQUIRE(points.size() == 4);
+  for (const auto& point : points) {
+    const bool u_turns = point.parameters.front() == 0;
+    CHECK(encloses(point.box[u_turns ? 1 : 0], q(1, 2)));
+    CHECK((encloses(point.box[u_turns ? 0 : 1], q(1, 6)) || encloses(point.box[u_turns ? 0 : 1], q(5, 6))));
+    CHECK(point.box[0].radius() < 1e-10);
+  }
+}
+
+TEST_CASE("an arc ends at the first landmark met", "[tracer]") {
+  const auto system = system_of<DoubleBall>(kParabola);
+  // v = 1/4 + (u-1/3)^2 over u in [0,1]: ends at (0, 13/36) and (1, 25/36); the third landmark lies off the
+  // curve.
+  const Landmarks<DoubleBall> landmarks = {on_diagonal(0, q(13, 36)), on_diagonal(1, q(25, 36)),
+                                           on_diagonal(1, q(26, 36))};
+  auto trace = require_trace(trace_arc(system, landmarks, 0, 1, {}));
+  CHECK(trace.start == 0);
+  CHECK(trace.end == 1);
+  const auto turning = find_turning_points(system, trace, {2, 3, 0, 1});
+  REQUIRE(std::holds_alternative<std::vector<TurningPoint<DoubleBall>>>(turning));
+  const auto& points = std::get<std::vector<TurningPoint<DoubleBall>>>(turning);
+  REQUIRE(points.size() == 1);
+  CHECK(points[0].parameters == std::vector<std::size_t>{1, 3});
+  CHECK(encloses(points[0].box[0], q(1, 3)));
+  CHECK(encloses(points[0].box[1], q(1, 4)));
+
+  // In the wrong direction the curve leaves the domain at once: a failure, never a result.
+  CHECK(std::holds_alternative<TraceFailure>(trace_arc(system, landmarks, 0, -1, {})));
+  // Stopping on request is a failure with its reason.
+  CHECK(std::holds_alternative<TraceFailure>(trace_arc(system, landmarks, 0, 1, [] { return true; })));
+}
+
+TEST_CASE("tracing into a crossing fails", "[tracer]") {
+  const auto system = system_of<DoubleBall>(kCrossing);
+  const Landmarks<DoubleBall> landmarks = {on_diagonal(0, q(1, 2)), on_diagonal(1, q(1, 2))};
+  for (const int sign : {1, -1}) {
+    CHECK(std::holds_alternative<TraceFailure>(trace_arc(system, landmarks, 0, sign, {})));
+  }
+}
+
+TEST_CASE("coincident parameters are found exactly", "[turning]") {
+  const BezierPatch plane = plane_patch();
+  CHECK(coincident_parameters(graph_patch(kCircle), plane.exchanged()) ==
+        std::array<std::size_t, 4>{3, 2, 1, 0});
+  ControlNet net = graph_patch(kParabola).net();
+  net[1][1][0] += q(1, 7);
+  net[0][2][1] += q(1, 5);
+  CHECK(coincident_parameters(BezierPatch(net), plane) == std::array<std::size_t, 4>{0, 1, 2, 3});
+}
