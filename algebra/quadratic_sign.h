@@ -10,6 +10,7 @@ namespace exsect {
 int quadratic_sign(const Rational& alpha, const Rational& beta, const Rational& d);
 
 /// The same with alpha, beta, D polynomials at a real algebraic number s.
-int quadratic_sign(const Polynomial& alpha, const Polynomial& beta, const Polynomial& d, const RealAlgebraic& s);
+int quadratic_sign(const Polynomial& alpha, const Polynomial& beta, const Polynomial& d,
+                   const RealAlgebraic& s);
 
 }  // namespace exsect

@@ -1,0 +1,65 @@
+// Quadratic interval refinement: the isolating interval of a simple root shrinks on dyadic grids, the number
+// of correct bits doubling from step to step; every interval is proved by the signs at its ends. Not a public
+// header.
+#pragma once
+
+#include "flint.h"
+#include "polynomial.h"
+
+namespace exsect {
+
+/// Owner of one arb.
+struct FlintBall {
+  arb_t value;
+  FlintBall() { arb_init(value); }
+  ~FlintBall() { arb_clear(value); }
+  FlintBall(const FlintBall&) = delete;
+  FlintBall& operator=(const FlintBall&) = delete;
+};
+
+/// A ball that contains the closed interval; its ends are rounded to `precision` bits.
+void set_ball(arb_t ball, const RationalInterval& interval, slong precision);
+
+/// The least e with 2^-e <= width; requires width > 0.
+slong grid_exponent(const Rational& width);
+
+/// A real function at dyadic points.
+class DyadicFunction {
+ public:
+  DyadicFunction() = default;
+  virtual ~DyadicFunction() = default;
+  DyadicFunction(const DyadicFunction&) = delete;
+  DyadicFunction& operator=(const DyadicFunction&) = delete;
+
+  /// Sets `value` to a ball that contains the value at numerator / 2^exponent: exactly 0 if the function
+  /// vanishes there, else a ball without 0. `accuracy` relative bits are wanted, for speed; nothing depends
+  /// on them.
+  virtual void evaluate(arb_t value, const fmpz_t numerator, slong exponent, slong accuracy) = 0;
+};
+
+/// A nonzero polynomial up to a positive factor, by Horner's rule in balls whose precision is raised until
+/// the sign is certain, exact at last. The polynomial must outlive it.
+class DyadicPolynomial : public DyadicFunction {
+ public:
+  explicit DyadicPolynomial(const Polynomial& f);
+  void evaluate(arb_t value, const fmpz_t numerator, slong exponent, slong accuracy) override;
+
+ private:
+  void horner(arb_t value, slong precision) const;
+
+  const fmpz* coefficients_;
+  slong degree_;
+  slong coefficient_bits_;
+  slong loss_;           // bits lost to cancellation in the last evaluation
+  slong loss_exponent_;  // the exponent it was made at
+  FlintBall point_;
+};
+
+/// Requires: f is continuous with exactly one root in the open interval, and has the nonzero signs
+/// `sign_lower` and -sign_lower at its ends. Returns an interval inside it with the same properties and width
+/// at most `width` > 0, or both ends equal to the root. An interval that is narrow enough already is returned
+/// unchanged.
+RationalInterval refine(DyadicFunction& f, const RationalInterval& isolating, int sign_lower,
+                        const Rational& width);
+
+}  // namespace exsect
