@@ -1,7 +1,7 @@
 // A proved bound of the size of the coefficients of the turning eliminant.
 #pragma once
 
-#include "integer_pair.h"
+#include <exsect/geometry/integer_pair.h>
 
 namespace exsect {
 

@@ -1,4 +1,5 @@
 #include <exsect/algebra/resultant.h>
+#include <exsect/geometry/straight_line.h>
 
 #include "line_forms.h"
 #include "line_patch.h"

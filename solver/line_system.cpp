@@ -1,22 +1,12 @@
 #include "line_system.h"
 
+#include <exsect/geometry/straight_line.h>
+
 #include <algorithm>
 #include <stdexcept>
 
 namespace exsect {
 namespace {
-
-/// The axis least parallel to e.
-Point least_parallel_axis(const Point& e) {
-  std::size_t k = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (abs(e[i]) < abs(e[k])) k = i;
-  Point axis = {0, 0, 0};
-  axis[k] = 1;
-  return axis;
-}
-
-AffineForm form_through(const Point& a0, const Point& normal) { return {normal, -dot(normal, a0)}; }
 
 MonotonePiece piece(const Polynomial& phi, const Rational& from, const Rational& to) {
   const Rational a = phi(from);
@@ -41,21 +31,6 @@ LineSystem conic_system(const LineAndPatch& problem) {
 }
 
 }  // namespace
-
-StraightForms straight_forms(const ParameterLine& line) {
-  const LineShape s = shape(line);
-  if (s != LineShape::straight && s != LineShape::folded)
-    throw std::domain_error("parameter line: not straight, it spans no pencil of planes");
-  const auto& [a0, a1, a2] = line.a;
-  const bool uniform = is_zero(a2);
-  const Point e = uniform ? a1 : a2;
-  const Rational ee = dot(e, e);
-  const Point n1 = cross(e, least_parallel_axis(e));
-  const Point n2 = cross(e, n1);
-  const Polynomial t = Polynomial::variable();
-  const Polynomial phi = uniform ? t : t * t + Polynomial(Rational(dot(a1, e) / ee)) * t;
-  return {form_through(a0, n1), form_through(a0, n2), form_through(a0, Rational(1 / ee) * e), phi};
-}
 
 LineSystem line_system(const LineAndPatch& problem) {
   const LineShape s = shape(problem.line);

@@ -32,17 +32,6 @@ struct LineSystem {
 /// Throws std::domain_error for a line of shape point.
 LineSystem line_system(const LineAndPatch& problem);
 
-/// Two planes through a straight line, orthogonal to each other (chapter, 9.5.1), and lambda = e.(P -
-/// a0)/(e.e), e the direction: p(t) = a0 + phi(t) e. Throws std::domain_error unless the line is straight or
-/// folded.
-struct StraightForms {
-  AffineForm first;
-  AffineForm second;
-  AffineForm lambda;
-  Polynomial phi;
-};
-StraightForms straight_forms(const ParameterLine& line);
-
 /// The values of phi over [0,1].
 RationalInterval lambda_range(const LineSystem& system);
 

@@ -1,9 +1,10 @@
 #include "turning_eliminant.h"
 
+#include <exsect/geometry/integer_pair.h>
+
 #include <vector>
 
 #include "eliminant_height.h"
-#include "integer_pair.h"
 #include "turning_eliminant_modular.h"
 
 namespace exsect {

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <exsect/algebra/modular.h>
+#include <exsect/geometry/integer_pair.h>
 
 #include <array>
-
-#include "integer_pair.h"
 
 namespace exsect {
 
