@@ -8,8 +8,12 @@ namespace exsect {
 
 namespace {
 
-constexpr long kMostBoxes = 400000;
+template <class Ball>
+constexpr long kMostBoxes = 200000;
+template <>
+inline constexpr long kMostBoxes<ArbBall<256>> = 10000;
 constexpr int kFirstCertificateDepth = 4;
+constexpr int kDeepest = 24;  // halvings of either cell
 
 /// Closed interval of doubles around everything a ball may be: the last terms cover the rounding of the
 /// difference and of approximation().
@@ -234,19 +238,22 @@ class Search {
            {region.upper[2], region.upper[3]}) {}
 
   SearchOutcome run() {
-    std::vector<std::pair<Cell<Ball>*, Cell<Ball>*>> waiting = {{&x_.root(), &y_.root()}};
+    // Breadth first: what is left when the budget ends are small boxes around the difficult places.
+    std::deque<std::pair<Cell<Ball>*, Cell<Ball>*>> waiting = {{&x_.root(), &y_.root()}};
     while (!waiting.empty()) {
-      auto [a, b] = waiting.back();
-      waiting.pop_back();
+      auto [a, b] = waiting.front();
+      waiting.pop_front();
       ++outcome_.boxes;
       if (separated(*a, *b) || tangent_cannot_vanish(*a, *b, direction_) || covered(*a, *b)) {
         continue;
       }
-      const bool stopped = outcome_.boxes > kMostBoxes || (stop_ && outcome_.boxes % 64 == 0 && stop_());
+      const bool stopped = outcome_.boxes > kMostBoxes<Ball> || waiting.size() > kMostWaiting ||
+                           (stop_ && outcome_.boxes % 64 == 0 && stop_());
       const bool first = a->size >= b->size;
-      if (stopped || !(first ? x_.split(*a) : y_.split(*b))) {
+      const bool deepest = (first ? a : b)->depth >= kDeepest;
+      if (stopped || deepest || !(first ? x_.split(*a) : y_.split(*b))) {
         outcome_.undecided.push_back(region_of(*a, *b));
-        if (stopped || outcome_.undecided.size() >= kMostUndecided) {
+        if (stopped) {
           give_up(waiting);
         }
         continue;
@@ -259,7 +266,7 @@ class Search {
   }
 
  private:
-  static constexpr std::size_t kMostUndecided = 1000;
+  static constexpr std::size_t kMostWaiting = 4000;
 
   static BallPoint<Ball> corner(const SearchRegion& region) {
     return {Ball(region.lower[0]), Ball(region.lower[1]), Ball(region.lower[2]), Ball(region.lower[3])};
@@ -270,7 +277,7 @@ class Search {
             {a.upper[0], a.upper[1], b.upper[0], b.upper[1]}};
   }
 
-  void give_up(std::vector<std::pair<Cell<Ball>*, Cell<Ball>*>>& waiting) {
+  void give_up(std::deque<std::pair<Cell<Ball>*, Cell<Ball>*>>& waiting) {
     for (const auto& [a, b] : waiting) {
       outcome_.undecided.push_back(region_of(*a, *b));
     }
@@ -346,6 +353,36 @@ class Search {
 };
 
 }  // namespace
+
+std::vector<SearchRegion> merged(std::vector<SearchRegion> regions) {
+  const auto touch = [](const SearchRegion& a, const SearchRegion& b) {
+    bool meets = true;
+    for (std::size_t j = 0; j < 4; ++j) {
+      meets = meets && a.lower[j] <= b.upper[j] && b.lower[j] <= a.upper[j];
+    }
+    return meets;
+  };
+  std::vector<SearchRegion> groups;
+  while (!regions.empty()) {
+    SearchRegion group = regions.back();
+    regions.pop_back();
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (std::size_t i = regions.size(); i-- > 0;) {
+        if (touch(group, regions[i])) {
+          for (std::size_t j = 0; j < 4; ++j) {
+            group.lower[j] = std::min(group.lower[j], regions[i].lower[j]);
+            group.upper[j] = std::max(group.upper[j], regions[i].upper[j]);
+          }
+          regions.erase(regions.begin() + static_cast<std::ptrdiff_t>(i));
+          grown = true;
+        }
+      }
+    }
+    groups.push_back(group);
+  }
+  return groups;
+}
 
 template <class Ball>
 SearchOutcome search_closed_curves(const PairSystem<Ball>& system, const SearchRegion& region,

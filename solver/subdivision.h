@@ -21,6 +21,9 @@ struct SearchOutcome {
   long boxes = 0;
 };
 
+/// The bounding regions of the connected groups of touching regions.
+std::vector<SearchRegion> merged(std::vector<SearchRegion> regions);
+
 /// What the search asks about a curve point it found: true if the point lies on a curve known by now (the
 /// callee may trace a new one), false if that could not be settled.
 template <class Ball>
