@@ -1,20 +1,20 @@
 // The main entry: the exact, complete, certified intersection of two patches.
 #pragma once
 
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/result.h>
+
 #include <functional>
 #include <optional>
 #include <vector>
-
-#include <exsect/geometry/bezier_patch.h>
-#include <exsect/solver/result.h>
 
 namespace exsect {
 
 struct IntersectOptions {
   /// Turning points with respect to these parameters become nodes.
   std::vector<Parameter> turning = {Parameter::u, Parameter::v, Parameter::r, Parameter::s};
-  /// Bound of the distance between each polyline and its true arc, relative to the size of the model (the largest
-  /// extent of the common bounding box of both patches); > 0, else std::invalid_argument.
+  /// Bound of the distance between each polyline and its true arc, relative to the size of the model (the
+  /// largest extent of the common bounding box of both patches); > 0, else std::invalid_argument.
   double tolerance = 1e-6;
   /// Work cap; when it is exceeded the result is incomplete.
   std::optional<double> max_seconds;

@@ -1,0 +1,327 @@
+#include "traced_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "subdivision.h"
+
+namespace exsect {
+
+namespace {
+
+/// A small box for a report around a place known in doubles.
+ParameterBox around(const std::array<double, 4>& where) {
+  ParameterBox box;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const Rational centre = from_double(std::isfinite(where[j]) ? std::clamp(where[j], 0.0, 1.0) : 0.5);
+    box[j] = {std::max<Rational>(centre - power_of_two(-20), 0),
+              std::min<Rational>(centre + power_of_two(-20), 1)};
+  }
+  return box;
+}
+
+int side_of(const RationalInterval& interval, const Rational& sample) {
+  return interval.upper < sample ? -1 : interval.lower > sample ? 1 : 0;
+}
+
+template <class Ball>
+bool turns_in(const TurningPoint<Ball>& point, std::size_t parameter) {
+  return std::count(point.parameters.begin(), point.parameters.end(), parameter) > 0;
+}
+
+template <class Ball>
+class CurveTracing {
+ public:
+  CurveTracing(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks, const SweepData& sweep,
+               const Rational& width, const StopRequest& stop)
+      : system_(system), landmarks_(landmarks), sweep_(sweep), width_(width), stop_(stop) {}
+
+  TracedCurves<Ball> run() {
+    trace_open_curves();
+    if (result_.problems.empty()) {
+      sweep_.turning || !sweep_.exact ? trace_closed_curves() : search_everywhere();
+    }
+    if (result_.problems.empty() && sweep_.turning && sweep_.exact) {
+      match_fibres();
+      check_multiple_turning_values();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void problem(const ParameterBox& where, const std::string& why) {
+    result_.problems.push_back({where, why});
+  }
+
+  /// +1, -1: the direction of the tangent field that enters the domain at this boundary point; 0: none;
+  /// empty: unknown.
+  std::optional<int> entering_direction(std::size_t landmark) const {
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_, landmarks_[landmark]).tangent();
+    int direction = 0;
+    bool entering = true;
+    for (const Side& side : sweep_.boundary[landmark].sides()) {
+      const int sign = tangent[index(side.parameter)].certain_sign();
+      if (sign == 0) {
+        return std::nullopt;
+      }
+      const int inward = side.value == 0 ? sign : -sign;
+      entering = entering && (direction == 0 || direction == inward);
+      direction = inward;
+    }
+    return entering ? direction : 0;
+  }
+
+  void trace_open_curves() {
+    std::vector<bool> used(landmarks_.size(), false);
+    for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+      if (used[i]) {
+        continue;
+      }
+      used[i] = true;
+      const auto direction = entering_direction(i);
+      if (!direction) {
+        problem(sweep_.boundary[i].box(),
+                "the intersection is tangent to a side of a patch, or singular, at this boundary point");
+      } else if (*direction == 0) {
+        result_.isolated.push_back(static_cast<int>(i));
+      } else {
+        auto outcome = trace_arc(system_, landmarks_, static_cast<int>(i), *direction, stop_);
+        if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
+          used[static_cast<std::size_t>(trace->end)] = true;
+        }
+        add(std::move(outcome));
+      }
+    }
+  }
+
+  /// Fibre points that are on no curve traced so far start closed curves.
+  void trace_closed_curves() {
+    for (const std::vector<CertifiedPoint>& fibre : sweep_.fibres) {
+      for (const CertifiedPoint& point : fibre) {
+        const BallPoint<Ball> box = enclose<Ball>(point, width_);
+        if (curves_through(box) == 0) {
+          add(trace_loop(system_, landmarks_, box, stop_));
+        }
+        if (!result_.problems.empty()) {
+          return;
+        }
+      }
+    }
+  }
+
+  int curves_through(const BallPoint<Ball>& box) const {
+    return static_cast<int>(
+        std::count_if(result_.curves.begin(), result_.curves.end(),
+                      [&](const AnalysedTrace<Ball>& curve) { return passes_through(curve.trace, box); }));
+  }
+
+  void add(std::variant<Trace<Ball>, TraceFailure> outcome) {
+    if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
+      problem(around(failure->where), failure->why);
+      return;
+    }
+    AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
+    auto turning = find_turning_points(system_, curve.trace, sweep_.coincident);
+    if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
+      problem(around(failure->where), failure->why);
+      return;
+    }
+    curve.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
+    result_.curves.push_back(std::move(curve));
+  }
+
+  /// The direction c for which c.T keeps clearest away from zero on the curves traced so far: any c is legal,
+  /// a good one leaves fewer boxes.
+  std::array<double, 2> search_direction() const {
+    std::array<double, 2> best = {1, 0.375};
+    double best_value = -1;
+    for (int i = 0; i < 16; ++i) {
+      const std::array<double, 2> c = {std::cos(0.19 * i), std::sin(0.19 * i)};
+      double least = 1;
+      for (const AnalysedTrace<Ball>& curve : result_.curves) {
+        for (const Piece<Ball>& piece : curve.trace.pieces) {
+          const double du = piece.tube.slope[0];
+          const double dv = piece.tube.slope[1];
+          least = std::min(least, std::fabs(c[0] * du + c[1] * dv) / std::max(1e-300, std::hypot(du, dv)));
+        }
+      }
+      if (least > best_value) {
+        best_value = least;
+        best = c;
+      }
+    }
+    return best;
+  }
+
+  void search_everywhere() {
+    search({{0, 0, 0, 0}, {1, 1, 1, 1}},
+           "a closed curve or singular point of the intersection is not excluded here");
+  }
+
+  void search(const SearchRegion& region, const char* why) {
+    const SeedHandler<Ball> known = [this](const BallPoint<Ball>& seed) { return known_or_traced(seed); };
+    const SearchOutcome outcome = search_closed_curves(system_, region, search_direction(), known, stop_);
+    result_.searched_boxes += outcome.boxes;
+    for (const SearchRegion& box : merged(outcome.undecided)) {
+      ParameterBox where;
+      for (std::size_t j = 0; j < 4; ++j) {
+        where[j] = {from_double(box.lower[j]), from_double(box.upper[j])};
+      }
+      problem(where, stop_ && stop_() ? "the work cap was reached" : why);
+    }
+  }
+
+  bool known_or_traced(const BallPoint<Ball>& seed) {
+    if (curves_through(seed) > 0) {
+      return true;
+    }
+    auto outcome = trace_loop(system_, landmarks_, seed, stop_);
+    if (std::holds_alternative<TraceFailure>(outcome)) {
+      return false;
+    }
+    const std::size_t before = result_.problems.size();
+    add(std::move(outcome));
+    return result_.problems.size() == before;
+  }
+
+  /// The values of the sweep parameter at the ends and turning points of a curve, in order; a closed curve's
+  /// first turning point is repeated at the end.
+  std::vector<RationalInterval> monotone_stations(const AnalysedTrace<Ball>& curve) const {
+    const std::size_t sweep = index(sweep_.turning->sweep);
+    const auto at_landmark = [&](int i) { return sweep_.boundary[static_cast<std::size_t>(i)].box()[sweep]; };
+    std::vector<RationalInterval> stations;
+    const bool open = curve.trace.start >= 0;
+    if (open) {
+      stations.push_back(at_landmark(curve.trace.start));
+    }
+    for (const TurningPoint<Ball>& point : curve.turning) {
+      if (turns_in(point, sweep)) {
+        stations.push_back(point.box[sweep].interval());
+      }
+    }
+    if (open) {
+      stations.push_back(at_landmark(curve.trace.end));
+    } else if (!stations.empty()) {
+      stations.push_back(stations.front());
+    }
+    return stations;
+  }
+
+  /// How often the curve meets the sample; empty if a station cannot be told from it. Between stations the
+  /// curve is monotone in the sweep parameter.
+  std::optional<std::size_t> crossings(const AnalysedTrace<Ball>& curve, const Rational& sample) const {
+    const auto stations = monotone_stations(curve);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+      const int a = side_of(stations[i], sample);
+      const int b = side_of(stations[i + 1], sample);
+      if (a == 0 || b == 0) {
+        return std::nullopt;
+      }
+      count += a != b ? 1 : 0;
+    }
+    return count;
+  }
+
+  /// The bijection: every fibre point lies on one curve, and the curves meet the sample as often as the fibre
+  /// has points.
+  void match_fibres() {
+    for (std::size_t k = 0; k < sweep_.fibres.size(); ++k) {
+      std::size_t expected = 0;
+      for (const AnalysedTrace<Ball>& curve : result_.curves) {
+        const auto met = crossings(curve, sweep_.samples[k]);
+        if (!met) {
+          problem(whole_domain(), "a turning point cannot be separated from a sample of the sweep");
+          return;
+        }
+        expected += *met;
+      }
+      for (const CertifiedPoint& point : sweep_.fibres[k]) {
+        if (curves_through(enclose<Ball>(point, width_)) != 1) {
+          throw std::logic_error("internal error: a fibre point lies on no traced curve or on two");
+        }
+      }
+      if (expected != sweep_.fibres[k].size()) {
+        throw std::logic_error("internal error: traced curves and exact fibre disagree at " +
+                               std::string(name(sweep_.turning->sweep)) + " = " + sweep_.samples[k].str());
+      }
+    }
+  }
+
+  /// Over a root of E of multiplicity m there is no singular point if m regular turning points lie over it:
+  /// each of them takes up one of the m. (A simple root lies under no singular point: docs/method.md,
+  /// section 4.) Otherwise the slab around the root is searched.
+  void check_multiple_turning_values() {
+    for (const TurningValue& turning : sweep_.turning->values) {
+      if (turning.multiplicity == 1 || regular_turning_points(turning) == turning.multiplicity) {
+        continue;
+      }
+      SearchRegion slab = {{0, 0, 0, 0}, {1, 1, 1, 1}};
+      const std::size_t sweep = index(sweep_.turning->sweep);
+      const RationalInterval at = turning.value.interval();
+      const double grid = 0x1p-8;  // dyadic ends, so that the slab can be halved often
+      slab.lower[sweep] = std::max(0.0, grid * std::floor(to_double(at.lower) / grid - 0x1p-30));
+      slab.upper[sweep] = std::min(1.0, grid * std::ceil(to_double(at.upper) / grid + 0x1p-30));
+      search(
+          slab,
+          "a multiple root of the turning eliminant: a singular or isolated point of the intersection is not "
+          "excluded here");
+    }
+  }
+
+  int regular_turning_points(const TurningValue& turning) const {
+    const std::size_t sweep = index(sweep_.turning->sweep);
+    int count = 0;
+    for (const AnalysedTrace<Ball>& curve : result_.curves) {
+      for (const TurningPoint<Ball>& point : curve.turning) {
+        count += turns_in(point, sweep) && lies_over_only(turning, point.box[sweep].interval()) ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
+  /// True if `at`, which holds some turning value, can hold no other one than this.
+  bool lies_over_only(const TurningValue& turning, const RationalInterval& at) const {
+    const auto& all = sweep_.turning->values;
+    return std::all_of(all.begin(), all.end(), [&](const TurningValue& other) {
+      const RationalInterval interval = other.value.interval();
+      const bool meets = at.lower <= interval.upper && at.upper >= interval.lower;
+      return meets == (&other == &turning);
+    });
+  }
+
+  const PairSystem<Ball>& system_;
+  const Landmarks<Ball>& landmarks_;
+  const SweepData& sweep_;
+  const Rational& width_;
+  const StopRequest& stop_;
+  TracedCurves<Ball> result_;
+};
+
+}  // namespace
+
+template <class Ball>
+TracedCurves<Ball> trace_curves(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
+                                const SweepData& sweep, const Rational& width, const StopRequest& stop) {
+  return CurveTracing<Ball>(system, landmarks, sweep, width, stop).run();
+}
+
+template <class Ball>
+BallPoint<Ball> enclose(const CertifiedPoint& point, const Rational& width) {
+  const ParameterBox box = point.refined_to(width).box();
+  return {Ball::enclosing(box[0]), Ball::enclosing(box[1]), Ball::enclosing(box[2]), Ball::enclosing(box[3])};
+}
+
+ParameterBox whole_domain() { return {{{0, 1}, {0, 1}, {0, 1}, {0, 1}}}; }
+
+#define EXSECT_INSTANTIATE_CURVES(Ball)                                                            \
+  template TracedCurves<Ball> trace_curves(const PairSystem<Ball>&, const Landmarks<Ball>&,        \
+                                           const SweepData&, const Rational&, const StopRequest&); \
+  template BallPoint<Ball> enclose(const CertifiedPoint&, const Rational&);
+
+EXSECT_INSTANTIATE_CURVES(DoubleBall)
+EXSECT_INSTANTIATE_CURVES(ArbBall<256>)
+#undef EXSECT_INSTANTIATE_CURVES
+
+}  // namespace exsect
