@@ -16,6 +16,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double kFinestTolerance = 1e-12;
+constexpr double kCoarseTolerance = 1e-9;
+
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -192,9 +195,12 @@ class Intersection {
       graph.nodes.back().id = static_cast<int>(i);
     }
     graph.isolated_points = traced.isolated;
+    // Vertices are doubles: below the finest tolerance the polylines stay coarse and the result says so.
     const double tolerance = options_.tolerance * scaling_.extent;
+    const double used =
+        options_.tolerance < kFinestTolerance ? kCoarseTolerance * scaling_.extent : tolerance;
     for (const AnalysedTrace<Ball>& curve : traced.curves) {
-      append_trace(graph, curve, scaling_.frame, options_.turning, tolerance);
+      append_trace(graph, curve, scaling_.frame, options_.turning, used);
       result_.work.steps["tubes"] += static_cast<double>(curve.trace.pieces.size());
     }
     for (const Arc& arc : graph.arcs) {

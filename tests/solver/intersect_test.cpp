@@ -1,0 +1,236 @@
+#include <exsect/geometry/patch_file.h>
+#include <exsect/solver/intersect.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/catch.h"
+#include "support/graph_patches.h"
+
+using namespace exsect;
+using exsect::testing::graph_patch;
+using exsect::testing::HeightCoefficients;
+using exsect::testing::plane_patch;
+
+namespace {
+
+struct Pair {
+  BezierPatch x;
+  BezierPatch y;
+};
+
+Pair example(const std::string& name) {
+  const PatchFile file = read_patches(std::string(EXSECT_EXAMPLES) + "/" + name);
+  return {file.patches.at(0).patch, file.patches.at(1).patch};
+}
+
+IntersectResult intersect(const Pair& pair, const IntersectOptions& options = {}) {
+  return exsect::intersect(pair.x, pair.y, options);
+}
+
+/// e - (u-1/2)^2 - (v-1/2)^2.
+Pair cap(const Rational& e) {
+  return {graph_patch({{{e - Rational(1, 2), 1, -1}, {1, 0, 0}, {-1, 0, 0}}}), plane_patch()};
+}
+
+/// (u-1/2)^2 - (v-1/2)^2 - e.
+Pair crossing(const Rational& e) {
+  return {graph_patch({{{-e, 1, -1}, {-1, 0, 0}, {1, 0, 0}}}), plane_patch()};
+}
+
+/// True if the node's box holds a point within 1e-13 of the given one and is smaller than 1e-9.
+bool is_at(const Node& node, const std::array<double, 4>& where) {
+  for (std::size_t j = 0; j < 4; ++j) {
+    const Rational w = from_double(where[j]);
+    const Rational slack(1, 10000000000000);
+    if (node.box[j].lower > w + slack || node.box[j].upper < w - slack ||
+        node.box[j].width() > Rational(1, 1000000000)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool has_node(const IntersectionGraph& graph, const std::array<double, 4>& where, NodeKind kind,
+              const std::vector<Parameter>& wrt, const std::vector<Side>& on) {
+  return std::count_if(graph.nodes.begin(), graph.nodes.end(), [&](const Node& n) {
+           return is_at(n, where) && n.kinds.front() == kind && n.wrt == wrt && n.on == on;
+         }) == 1;
+}
+
+double distance_to_polyline(const std::array<double, 3>& p, const std::vector<PolylineVertex>& line) {
+  double best = 1e300;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    double length2 = 0;
+    double along = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double e = line[i + 1].point[c] - line[i].point[c];
+      length2 += e * e;
+      along += e * (p[c] - line[i].point[c]);
+    }
+    const double t = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0;
+    double d2 = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double d = line[i].point[c] + t * (line[i + 1].point[c] - line[i].point[c]) - p[c];
+      d2 += d * d;
+    }
+    best = std::min(best, d2);
+  }
+  return std::sqrt(best);
+}
+
+void check_polylines(const Pair& pair) {
+  IntersectOptions coarse;
+  coarse.tolerance = 1e-3;
+  IntersectOptions fine;
+  fine.tolerance = 1e-9;
+  const IntersectResult a = intersect(pair, coarse);
+  const IntersectResult b = intersect(pair, fine);
+  REQUIRE(a.graph.arcs.size() == b.graph.arcs.size());
+  for (std::size_t i = 0; i < a.graph.arcs.size(); ++i) {
+    const Arc& rough = a.graph.arcs[i];
+    const Arc& exact = b.graph.arcs[i];
+    CHECK(rough.error_bound <= 1e-3);
+    CHECK(exact.error_bound <= 1e-9);
+    for (std::size_t k = 0; k < exact.polyline.size(); k += 7) {
+      REQUIRE(distance_to_polyline(exact.polyline[k].point, rough.polyline) <=
+              rough.error_bound + exact.error_bound);
+    }
+    for (const PolylineVertex& v : rough.polyline) {
+      REQUIRE(distance_to_polyline(v.point, exact.polyline) <= rough.error_bound + exact.error_bound);
+      // A vertex is the same point of both patches, up to rounding.
+      const Point px = pair.x(from_double(v.parameters[0]), from_double(v.parameters[1]));
+      const Point py = pair.y(from_double(v.parameters[2]), from_double(v.parameters[3]));
+      for (std::size_t c = 0; c < 3; ++c) {
+        REQUIRE(std::fabs(to_double(px[c] - py[c])) < 1e-12);
+        REQUIRE(std::fabs(to_double(px[c]) - v.point[c]) < 1e-12);
+      }
+    }
+    CHECK(rough.polyline.front().parameters == a.graph.nodes[static_cast<std::size_t>(rough.from)].approx);
+    CHECK(rough.polyline.back().parameters == a.graph.nodes[static_cast<std::size_t>(rough.to)].approx);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("first example of the chapter: one closed and one open component", "[intersect]") {
+  const IntersectResult result = intersect(example("chapter9-first.json"));
+  for (const Incomplete& i : result.incomplete) {
+    UNSCOPED_INFO(i.why);
+  }
+  REQUIRE(result.status == Status::complete);
+  const IntersectionGraph& g = result.graph;
+  CHECK(g.components.size() == 2);
+  CHECK(g.count(ComponentShape::closed) == 1);
+  CHECK(g.count(ComponentShape::open) == 1);
+  CHECK(g.turning_points(Parameter::u) == 2);
+  CHECK(g.turning_points(Parameter::v) == 3);
+  CHECK(g.turning_points(Parameter::r) == 3);
+  CHECK(g.turning_points(Parameter::s) == 2);
+  CHECK(g.boundary_points() == 2);
+  CHECK(g.isolated_points.empty());
+
+  using enum Parameter;
+  const auto turning = [&](Parameter p, const std::array<double, 4>& where) {
+    INFO("turning point in " << name(p));
+    CHECK(has_node(g, where, NodeKind::turning, {p}, {}));
+  };
+  turning(s, {0.50274284209197, 0.1219944750244, 0.510664437510169, 0.144948514635496});
+  turning(v, {0.554986813616605, 0.118295149600328, 0.567123264565883, 0.148865278942587});
+  turning(u, {0.732810238336817, 0.282067083536022, 0.805767624848316, 0.353807001508294});
+  turning(r, {0.714896850135267, 0.381923606211247, 0.821721169754102, 0.464325026505513});
+  turning(s, {0.21729467977862, 0.600210942862417, 0.332198021004425, 0.732093249358009});
+  turning(v, {0.107217946025555, 0.637948116019918, 0.185535119331772, 0.714892383778707});
+  turning(u, {0.0856693722358927, 0.601788781979229, 0.151810337525682, 0.656310070135593});
+  turning(r, {0.0871746539836133, 0.577325486366148, 0.150500421589621, 0.626812403123345});
+  turning(r, {0.0549667696844367, 0.823481699131865, 0.109671004270749, 0.878809832340835});
+  turning(v, {0.023418011207592, 0.728742308011041, 0.0733949007017909, 0.759269426173552});
+  CHECK(has_node(g, {0.0753529119328255, 0.953884419355198, 0.104442005262723, 1.0}, NodeKind::boundary, {},
+                 {Side{s, 1}}));
+  CHECK(has_node(g, {0, 0.734303721558761, 0.041334560673668, 0.7477094010264}, NodeKind::boundary, {},
+                 {Side{u, 0}}));
+}
+
+TEST_CASE("second example of the chapter: three open components", "[intersect]") {
+  const IntersectResult result = intersect(example("chapter9-second.json"));
+  CHECK(result.status == Status::complete);
+  CHECK(result.graph.components.size() == 3);
+  CHECK(result.graph.count(ComponentShape::open) == 3);
+  CHECK(result.graph.boundary_points() == 6);
+}
+
+TEST_CASE("polylines keep their proved distance", "[intersect]") {
+  check_polylines(example("chapter9-first.json"));
+  check_polylines(example("chapter9-second.json"));
+  check_polylines(cap(Rational(1, 50)));
+}
+
+TEST_CASE("a cap above a plane: a loop, or nothing", "[intersect]") {
+  for (const Rational& e : {Rational(1, 10), Rational(1, 1000), Rational(1, 1000000000000)}) {
+    const IntersectResult result = intersect(cap(e));
+    CHECK(result.status == Status::complete);
+    CHECK(result.graph.components.size() == 1);
+    CHECK(result.graph.count(ComponentShape::closed) == 1);
+    for (const Parameter p : all_parameters) {
+      CHECK(result.graph.turning_points(p) == 2);
+    }
+    const IntersectResult none = intersect(cap(-e));
+    CHECK(none.status == Status::complete);
+    CHECK(none.graph.nodes.empty());
+    CHECK(none.graph.arcs.empty());
+  }
+}
+
+TEST_CASE("what is not generic is incomplete, with place and reason", "[intersect]") {
+  for (const Pair& pair : {cap(0), crossing(0), example("touching-curve.json")}) {
+    const IntersectResult result = intersect(pair);
+    CHECK(result.status == Status::incomplete);
+    REQUIRE_FALSE(result.incomplete.empty());
+    for (const Incomplete& i : result.incomplete) {
+      CHECK_FALSE(i.why.empty());
+    }
+  }
+  const Pair shared = {example("chapter9-first.json").x, example("chapter9-first.json").x};
+  CHECK(intersect(shared).status == Status::incomplete);
+}
+
+TEST_CASE("a near crossing is two open arcs", "[intersect]") {
+  for (const Rational& e : {Rational(1, 1000), Rational(1, 1000000), Rational(1, 1000000000)}) {
+    const IntersectResult result = intersect(crossing(e));
+    CHECK(result.status == Status::complete);
+    CHECK(result.graph.count(ComponentShape::open) == 2);
+  }
+}
+
+TEST_CASE("options are checked and obeyed", "[intersect]") {
+  const Pair pair = example("chapter9-first.json");
+  IntersectOptions options;
+  for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    options.tolerance = bad;
+    CHECK_THROWS_AS(intersect(pair, options), std::invalid_argument);
+  }
+  options.tolerance = 1e-30;  // below what doubles can express: said, not hidden
+  CHECK(intersect(pair, options).status == Status::incomplete);
+  options.tolerance = 1e-6;
+  options.max_seconds = 1e-9;
+  const IntersectResult capped = intersect(pair, options);
+  CHECK(capped.status == Status::incomplete);
+  CHECK_FALSE(capped.incomplete.empty());
+  options.max_seconds = std::nullopt;
+  options.turning = {Parameter::v};
+  const IntersectResult only_v = intersect(pair, options);
+  CHECK(only_v.status == Status::complete);
+  CHECK(only_v.graph.turning_points(Parameter::v) == 3);
+  CHECK(only_v.graph.turning_points(Parameter::u) == 0);
+  options.turning = {};
+  const IntersectResult none = intersect(pair, options);
+  CHECK(none.graph.components.size() == 2);
+  int calls = 0;
+  options.progress = [&](double fraction, const char*) {
+    ++calls;
+    CHECK(fraction >= 0);
+    CHECK(fraction <= 1);
+  };
+  intersect(pair, options);
+  CHECK(calls > 0);
+}
