@@ -1,54 +1,49 @@
 #include "line_forms.h"
 
+#include <array>
+#include <vector>
+
 namespace exsect {
 namespace {
 
-using Vectors = std::array<Point, 3>;
-
-/// The smallest positive integer by which coordinate k of all given numbers must be multiplied to become
-/// integers.
-Integer common_denominator(const ParameterLine& line, const ControlNet& c, std::size_t k) {
-  Integer result = 1;
-  for (const Point& a : line.a) result = lcm(result, Integer(denominator(a[k])));
-  for (const auto& row : c)
-    for (const Point& p : row) result = lcm(result, Integer(denominator(p[k])));
-  return result;
-}
-
-/// Scales each coordinate to integers: a linear map of space, which multiplies every form by a positive
-/// constant.
-void clear_denominators(ParameterLine& line, ControlNet& c) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Rational scale(common_denominator(line, c, k));
-    if (scale == 1) continue;
-    for (Point& a : line.a) a[k] *= scale;
-    for (auto& row : c)
-      for (Point& p : row) p[k] *= scale;
-  }
-}
+/// Three polynomials in s: the coefficient of one power of r in y - a0.
+using PolynomialVector = std::array<Polynomial, 3>;
 
 PolynomialVector cross(const PolynomialVector& a, const PolynomialVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Polynomial dot(const Point& n, const PolynomialVector& a) {
-  return Polynomial(n[0]) * a[0] + Polynomial(n[1]) * a[1] + Polynomial(n[2]) * a[2];
+Polynomial dot(const IntegerVector& n, const PolynomialVector& a) {
+  Polynomial sum;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!n[k].is_zero()) sum += Polynomial(Rational(n[k])) * a[k];
+  return sum;
+}
+
+IntegerVector cross(const IntegerVector& a, const IntegerVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// w[i]: the coefficient of r^i in weight y - a0.
+std::array<PolynomialVector, 3> coefficients_of_r(const IntegerLineAndPatch& problem) {
+  std::array<PolynomialVector, 3> w;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::vector<Rational> in_s;
+      for (std::size_t j = 0; j < 3; ++j) in_s.emplace_back(problem.line.weight * problem.patch[i][j][k]);
+      if (i == 0) in_s[0] -= problem.line.a[0][k];
+      w[i][k] = Polynomial(in_s);
+    }
+  return w;
 }
 
 }  // namespace
 
-ConicForms conic_forms(const LineAndPatch& problem) {
-  ParameterLine line = problem.line;
-  ControlNet net = problem.patch.power_basis();
-  clear_denominators(line, net);
-  const auto& [a0, a1, a2] = line.a;
-  net[0][0] = net[0][0] - a0;
-  std::array<PolynomialVector, 3> w;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      w[i][k] = Polynomial(std::vector<Rational>{net[i][0][k], net[i][1][k], net[i][2][k]});
-
-  const Point n = exsect::cross(a1, a2);
+ConicForms conic_forms(const IntegerLineAndPatch& problem) {
+  const IntegerVector& a1 = problem.line.a[1];
+  const IntegerVector& a2 = problem.line.a[2];
+  const std::array<PolynomialVector, 3> w = coefficients_of_r(problem);
+  const IntegerVector n = cross(a1, a2);
   const Polynomial a = dot(n, w[2]);
   const Polynomial b = dot(n, w[1]);
   const Polynomial c = dot(n, w[0]);

@@ -3,14 +3,9 @@
 
 #include <exsect/algebra/polynomial.h>
 
-#include <array>
-
 #include "line_place.h"
 
 namespace exsect {
-
-/// Three polynomials in s: the coefficient of one power of r in y - a0.
-using PolynomialVector = std::array<Polynomial, 3>;
 
 /// Everything the fibre of a conic line needs, polynomials in s with integer coefficients. With P = A r^2 + B
 /// r + C and Z the pull-backs of plane and cylinder, up to positive constants:
@@ -29,6 +24,6 @@ struct ConicForms {
 };
 
 /// Requires a line of shape conic (the formulas hold for any line, but are all zero for a straight one).
-ConicForms conic_forms(const LineAndPatch& problem);
+ConicForms conic_forms(const IntegerLineAndPatch& problem);
 
 }  // namespace exsect

@@ -12,8 +12,8 @@ Polynomial primitive_positive(const Polynomial& f) {
   return f.leading_coefficient() < 0 ? (-f).primitive() : f.primitive();
 }
 
-Polynomial eliminant(const LineAndPatch& problem, const LineSystem& system) {
-  if (shape(problem.line) == LineShape::conic) {
+Polynomial eliminant(const IntegerLineAndPatch& problem, const LineSystem& system) {
+  if (is_conic(problem.line)) {
     const Polynomial closed = conic_forms(problem).eliminant;
     if (!closed.is_zero()) return primitive_positive(closed);
   }
@@ -51,7 +51,7 @@ LineIntersection intersect_line(const BezierPatch& x, const BezierPatch& y, cons
     describe_conic(result, problem);
   else
     describe_straight(result, problem, system);
-  result.eliminant = eliminant(problem, system);
+  result.eliminant = eliminant(integer_line_and_patch(x, y, query), system);
   if (!result.pullback.plane.is_zero()) result.feasible = feasible_intervals(result.pullback);
   return result;
 }

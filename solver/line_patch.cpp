@@ -22,10 +22,13 @@ void append(std::vector<CertifiedPoint>& to, std::vector<CertifiedPoint> points)
 }
 
 /// All points by the closed formula; empty optional where it does not decide: the eliminant vanishes
-/// identically, or the line s = const through a root lies on the carrier.
+/// identically, or the line s = const through a root lies on the carrier. `problem` is asked where the
+/// formula has no answer at a root.
+template <class Problem>
 std::optional<std::vector<CertifiedPoint>> points_by_formula(const LinePlace& place,
-                                                             const LineAndPatch& problem) {
-  const auto forms = std::make_shared<const ConicForms>(conic_forms(problem));
+                                                             const IntegerLineAndPatch& integers,
+                                                             const Problem& problem) {
+  const auto forms = std::make_shared<const ConicForms>(conic_forms(integers));
   if (forms->eliminant.is_zero()) return std::nullopt;
   std::shared_ptr<const LineSystem> system;
   std::vector<CertifiedPoint> points;
@@ -34,7 +37,7 @@ std::optional<std::vector<CertifiedPoint>> points_by_formula(const LinePlace& pl
       append(points, conic_point(place, forms, s));
       continue;
     }
-    if (!system) system = std::make_shared<const LineSystem>(line_system(problem));
+    if (!system) system = std::make_shared<const LineSystem>(line_system(problem()));
     const BivariatePolynomial common = gcd_at(system->first, system->second, s);
     if (common.is_zero()) return std::nullopt;
     if (common.degree_r() <= 0) continue;
@@ -125,23 +128,22 @@ LinePoints points_of_collapsed_line(const LineAndPatch& problem) {
   return result;
 }
 
-LinePoints solved(const LinePlace& place, const LineAndPatch& problem) {
-  const LineShape s = shape(problem.line);
-  if (s == LineShape::point) return points_of_collapsed_line(problem);
-  if (s == LineShape::conic)
-    if (auto points = points_by_formula(place, problem)) {
-      separate(*points);
-      return {std::move(*points), {}, std::nullopt};
-    }
-  LinePoints result = points_by_system(place, problem);
-  separate(result.points);
-  return result;
-}
-
 }  // namespace
 
 LinePoints line_points(const BezierPatch& x, const BezierPatch& y, const LineQuery& query) {
-  return solved(line_place(query), line_and_patch(x, y, query));
+  const LinePlace place = line_place(query);
+  const auto problem = [&] { return line_and_patch(x, y, query); };
+  const IntegerLineAndPatch integers = integer_line_and_patch(x, y, query);
+  if (is_conic(integers.line))
+    if (auto points = points_by_formula(place, integers, problem)) {
+      separate(*points);
+      return {std::move(*points), {}, std::nullopt};
+    }
+  const LineAndPatch general = problem();
+  if (shape(general.line) == LineShape::point) return points_of_collapsed_line(general);
+  LinePoints result = points_by_system(place, general);
+  separate(result.points);
+  return result;
 }
 
 }  // namespace exsect

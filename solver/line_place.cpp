@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace exsect {
 namespace {
@@ -47,6 +48,17 @@ LineAndPatch line_and_patch(const BezierPatch& x, const BezierPatch& y, const Li
       break;
   }
   return {line_at_second(y, query.value), x};
+}
+
+IntegerLineAndPatch integer_line_and_patch(const BezierPatch& x, const BezierPatch& y,
+                                           const LineQuery& query) {
+  require_unit_interval(query);
+  const bool of_x = query.fixed == Parameter::u || query.fixed == Parameter::v;
+  const bool along_first = query.fixed == Parameter::u || query.fixed == Parameter::r;
+  IntegerPair pair = integer_pair(x, y);
+  if (!of_x) std::swap(pair.first, pair.second);
+  const IntegerLine line = line_at_first(along_first ? pair.first : exchanged(pair.first), query.value);
+  return {line, std::move(pair.second)};
 }
 
 }  // namespace exsect

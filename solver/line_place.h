@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/integer_pull_back.h>
 #include <exsect/geometry/parameter_line.h>
 #include <exsect/solver/line_patch.h>
 #include <exsect/solver/parameter.h>
@@ -13,6 +14,12 @@ namespace exsect {
 struct LineAndPatch {
   ParameterLine line;
   BezierPatch patch;
+};
+
+/// The same on integers, in scaled coordinates of space.
+struct IntegerLineAndPatch {
+  IntegerLine line;
+  IntegerNet patch;
 };
 
 /// The global parameters that are fixed, t, r and s.
@@ -28,8 +35,10 @@ struct LinePlace {
   Rational value;  // of the fixed parameter
 };
 
-/// Both throw std::invalid_argument for a value outside [0,1].
+/// All throw std::invalid_argument for a value outside [0,1].
 LinePlace line_place(const LineQuery& query);
 LineAndPatch line_and_patch(const BezierPatch& x, const BezierPatch& y, const LineQuery& query);
+IntegerLineAndPatch integer_line_and_patch(const BezierPatch& x, const BezierPatch& y,
+                                           const LineQuery& query);
 
 }  // namespace exsect
