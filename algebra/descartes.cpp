@@ -20,8 +20,17 @@ struct DyadicInterval {
   Integer index;
   long depth;
 
+  Rational lower() const { return at(index); }
+  Rational upper() const { return at(index + 1); }
   DyadicInterval left_half() const { return {index * 2, depth + 1}; }
   DyadicInterval right_half() const { return {index * 2 + 1, depth + 1}; }
+
+  /// n / 2^depth.
+  Rational at(const Integer& n) const {
+    Rational result(n);
+    mpq_div_2exp(result.backend().data(), result.backend().data(), static_cast<mp_bitcnt_t>(depth));
+    return result;
+  }
 };
 
 struct Node {
@@ -105,7 +114,7 @@ class Isolator {
     const bool zero_at_right = fmpz_is_zero(c[n]) != 0;
     if ((zero_at_left && fmpz_is_zero(c[1])) || (zero_at_right && fmpz_is_zero(c[n - 1])))
       throw_multiple_root();
-    if (zero_at_left && !left_root_reported) report_root(Rational(where.index) * power_of_two(-where.depth));
+    if (zero_at_left && !left_root_reported) report_root(where.lower());
     const int variations = exact_variations(c);
     if (variations == 1)
       report_interval(where, fmpz_sgn(c[zero_at_left ? 1 : 0]), zero_at_left, zero_at_right);
@@ -144,9 +153,8 @@ class Isolator {
   /// One root in the open interval, where f has the given sign near the left end. An end that is itself a
   /// root is moved inwards by bisection.
   void report_interval(const DyadicInterval& where, int sign_left, bool zero_at_left, bool zero_at_right) {
-    const Rational scale = power_of_two(-where.depth);
-    Rational lower = from_unit(where.index * scale);
-    Rational upper = from_unit((where.index + 1) * scale);
+    Rational lower = from_unit(where.lower());
+    Rational upper = from_unit(where.upper());
     while (zero_at_left || zero_at_right) {
       const Rational middle = (lower + upper) / 2;
       const int s = f_.sign_at(middle);

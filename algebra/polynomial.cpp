@@ -11,6 +11,18 @@ namespace {
 
 constexpr mp_limb_t test_primes[] = {9223372036854775783ULL, 4611686018427387847ULL, 2305843009213693951ULL};
 
+/// From this size of the exact value on (bits that t alone contributes) balls are tried first.
+constexpr slong ball_threshold = 2048;
+
+struct FlintBall {
+  arb_t value;
+
+  FlintBall() { arb_init(value); }
+  ~FlintBall() { arb_clear(value); }
+  FlintBall(const FlintBall&) = delete;
+  FlintBall& operator=(const FlintBall&) = delete;
+};
+
 struct FlintModularPolynomial {
   nmod_poly_t value;
 
@@ -58,6 +70,18 @@ void evaluate_homogeneous(fmpz_t sum, const fmpz_poly_t f, const fmpz_t p, const
     fmpz_mul(power.value, power.value, q);
     fmpz_addmul(sum, f->coeffs + i, power.value);
   }
+}
+
+/// The sign of f(t) if a ball evaluation with `precision` bits decides it, else 0.
+int sign_by_ball(const fmpz_poly_t f, const fmpq_t t, slong precision) {
+  FlintBall point, value, coefficient;
+  arb_set_fmpq(point.value, t, precision);
+  for (slong i = f->length - 1; i >= 0; --i) {
+    arb_mul(value.value, value.value, point.value, precision);
+    arb_set_round_fmpz(coefficient.value, f->coeffs + i, precision);
+    arb_add(value.value, value.value, coefficient.value, precision);
+  }
+  return arb_is_positive(value.value) ? 1 : arb_is_negative(value.value) ? -1 : 0;
 }
 
 void require_nonzero(const Polynomial& f, const char* what) {
@@ -164,6 +188,10 @@ int Polynomial::sign_at(const Rational& t) const {
   const FlintRational point(t);
   const fmpz* p = fmpq_numref(point.value);
   const fmpz* q = fmpq_denref(point.value);
+  const slong exact_bits = degree() * static_cast<slong>(std::max(fmpz_bits(p), fmpz_bits(q)));
+  if (exact_bits > ball_threshold)
+    for (slong precision = 128; precision < exact_bits; precision *= 4)
+      if (const int s = sign_by_ball(f.get(), point.value, precision); s != 0) return s;
   FlintInteger sum;
   const auto k = static_cast<ulong>(fmpz_val2(q));
   if (fmpz_bits(q) == k + 1)

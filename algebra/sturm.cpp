@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "flint_polynomial.h"
+
 namespace exsect {
 namespace {
 
@@ -24,6 +26,16 @@ int sign_at_minus_infinity(const Polynomial& f) {
   return f.degree() % 2 == 0 ? sign_at_plus_infinity(f) : -sign_at_plus_infinity(f);
 }
 
+/// -(a mod b), primitive, for integer polynomials: lc(b)^d a = q b + pseudo-remainder.
+Polynomial negated_remainder(const Polynomial& a, const Polynomial& b) {
+  FlintPolynomial remainder;
+  ulong d = 0;
+  fmpz_poly_pseudo_rem(remainder.value, &d, NumeratorView(a).get(), NumeratorView(b).get());
+  make_primitive(remainder.value);
+  if (d % 2 == 0 || b.leading_coefficient() > 0) fmpz_poly_neg(remainder.value, remainder.value);
+  return to_polynomial(remainder.value);
+}
+
 }  // namespace
 
 SturmSequence::SturmSequence(const Polynomial& f) {
@@ -32,7 +44,7 @@ SturmSequence::SturmSequence(const Polynomial& f) {
   Polynomial next = f.derivative().primitive();
   while (!next.is_zero()) {
     chain_.push_back(std::move(next));
-    next = -divide(chain_[chain_.size() - 2], chain_.back()).remainder.primitive();
+    next = negated_remainder(chain_[chain_.size() - 2], chain_.back());
   }
   const Polynomial common = chain_.back();
   if (common.degree() == 0) return;

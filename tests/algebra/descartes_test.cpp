@@ -1,3 +1,4 @@
+#include <exsect/algebra/bernstein.h>
 #include <exsect/algebra/descartes.h>
 
 #include <stdexcept>
@@ -99,5 +100,52 @@ TEST_CASE("isolate_roots: random roots") {
     check_roots(f, 0, 1, test::inside(roots, 0, 1));
     const Rational a = random.rational(20, 12);
     check_roots(f, a, a + 1, test::inside(roots, a, a + 1));
+  }
+}
+
+TEST_CASE("isolate_roots: degree 128 with known roots") {
+  std::vector<Rational> even;
+  for (int k = 1; k <= 128; ++k) even.push_back(Rational(k, 129));
+  check_roots(with_roots(even), 0, 1, even);
+  check_roots(with_roots(even), Rational(5, 129), Rational(1, 2),
+              test::inside(even, Rational(5, 129), Rational(1, 2)));
+
+  const std::uint64_t seed = 20240342;
+  INFO("seed " << seed);
+  test::Random random(seed);
+  std::vector<Rational> roots{0, Rational(1, 2), Rational(3, 7), Rational(3, 7) + power_of_two(-70), 1};
+  for (int k = 0; k < 20; ++k) roots.push_back(Rational(abs(random.big_integer(53)), Integer(1) << 53));
+  // Complex roots close to the interval, and real ones outside.
+  Polynomial f = with_roots(roots);
+  while (f.degree() < 120) {
+    const Rational re = random.rational(40, 7) / 20;
+    f *= Polynomial({re * re + power_of_two(-random.integer(2, 20)), -2 * re, 1});
+  }
+  while (f.degree() < 128) f *= Polynomial({-2 - f.degree(), 1});
+  check_roots(f, 0, 1, test::sorted(roots));
+}
+
+TEST_CASE("isolate_roots: parts, mirror image and scaling have the same roots") {
+  const std::uint64_t seed = 20240343;
+  INFO("seed " << seed);
+  test::Random random(seed);
+  for (int i = 0; i < 40; ++i) {
+    const int degree = i < 36 ? random.integer(1, 40) : 128;
+    const Polynomial f = from_bernstein(random.big_polynomial(degree, 20 + 60 * (i % 6)).coefficients());
+    if (f.degree() < 1 || !is_squarefree(f)) continue;
+    INFO("case " << i);
+    const std::vector<IsolatingInterval> all = isolate_roots(f, 0, 1);
+    test::check_isolating(f, 0, 1, all);
+    const Rational middle = i % 2 == 0 ? Rational(1, 2) : Rational(random.integer(1, 99), 100);
+    const std::vector<IsolatingInterval> first = isolate_roots(f, 0, middle);
+    const std::vector<IsolatingInterval> second = isolate_roots(f, middle, 1);
+    test::check_isolating(f, middle, 1, second);
+    const std::size_t shared = f.sign_at(middle) == 0 ? 1 : 0;
+    CHECK(first.size() + second.size() == all.size() + shared);
+    const Polynomial mirror = f.compose(Polynomial({1, -1}));
+    CHECK(isolate_roots(mirror, 0, 1).size() == all.size());
+    CHECK(isolate_roots(-f, 0, 1).size() == all.size());
+    const Polynomial stretched = f.compose(Polynomial({Rational(-3, 7), Rational(1, 7)}));
+    CHECK(isolate_roots(stretched, 3, 10).size() == all.size());
   }
 }

@@ -119,6 +119,24 @@ TEST_CASE("polynomial: sign_at near and at roots") {
   }
 }
 
+TEST_CASE("polynomial: sign_at at long arguments, balls and exact") {
+  const std::uint64_t seed = 20240316;
+  INFO("seed " << seed);
+  test::Random random(seed);
+  for (int i = 0; i < 12; ++i) {
+    Integer denominator = abs(random.big_integer(150)) + 1;
+    if (i % 2 == 0) denominator = Integer(1) << 150;
+    const Rational root(random.big_integer(150), denominator);
+    const Polynomial f = test::linear_factor(root) * random.big_polynomial(60, 500);
+    CHECK(f.sign_at(root) == 0);
+    for (const long distance : {10L, 130L, 600L, 3000L}) {
+      const Rational near = root + power_of_two(-distance);
+      CHECK(f.sign_at(near) == sign(evaluate_by_powers(f, near)));
+      CHECK((-f).sign_at(near) == -f.sign_at(near));
+    }
+  }
+}
+
 TEST_CASE("polynomial: division") {
   const std::uint64_t seed = 20240313;
   INFO("seed " << seed);
