@@ -11,16 +11,6 @@ namespace {
 
 slong bit_length(const Integer& n) { return static_cast<slong>(mpz_sizeinbase(n.backend().data(), 2)); }
 
-Rational dyadic(const fmpz_t numerator, slong exponent) {
-  FlintRational q;
-  fmpz_set(fmpq_numref(q.value), numerator);
-  if (exponent >= 0)
-    fmpq_div_2exp(q.value, q.value, static_cast<ulong>(exponent));
-  else
-    fmpq_mul_2exp(q.value, q.value, static_cast<ulong>(-exponent));
-  return q.to_rational();
-}
-
 /// Abbott, "Quadratic interval refinement for real roots" (2006): a secant guess on a grid of 2^t parts is
 /// tried by the signs at two neighbouring grid points; success doubles t, failure halves it, and t = 1 is
 /// bisection.
@@ -155,6 +145,16 @@ class Refinement {
 };
 
 }  // namespace
+
+Rational dyadic(const fmpz_t numerator, slong exponent) {
+  FlintRational q;
+  fmpz_set(fmpq_numref(q.value), numerator);
+  if (exponent >= 0)
+    fmpq_div_2exp(q.value, q.value, static_cast<ulong>(exponent));
+  else
+    fmpq_mul_2exp(q.value, q.value, static_cast<ulong>(-exponent));
+  return q.to_rational();
+}
 
 void set_ball(arb_t ball, const RationalInterval& interval, slong precision) {
   FlintBall upper;

@@ -20,6 +20,9 @@ struct FlintBall {
 /// A ball that contains the closed interval; its ends are rounded to `precision` bits.
 void set_ball(arb_t ball, const RationalInterval& interval, slong precision);
 
+/// numerator / 2^exponent.
+Rational dyadic(const fmpz_t numerator, slong exponent);
+
 /// The least e with 2^-e <= width; requires width > 0.
 slong grid_exponent(const Rational& width);
 

@@ -1,0 +1,143 @@
+#include "fibre_polynomial.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "flint_polynomial.h"
+#include "quadratic_refinement.h"
+#include "resultant.h"
+#include "triangular_point.h"
+
+namespace exsect {
+namespace {
+
+/// Narrow enough for almost every sign to be decided by an enclosure.
+RealAlgebraic narrowed(const RealAlgebraic& s) { return s.refined_to(power_of_two(-64)); }
+
+BivariatePolynomial in_r(const Polynomial& f) {
+  std::vector<Polynomial> coefficients;
+  for (const Rational& c : f.coefficients()) coefficients.emplace_back(c);
+  return BivariatePolynomial(std::move(coefficients));
+}
+
+/// The coefficients modulo the polynomial of s; a leading one may vanish at s.
+std::vector<Polynomial> remainders(const BivariatePolynomial& f, const RealAlgebraic& s) {
+  std::vector<Polynomial> result;
+  for (int i = 0; i <= f.degree_r(); ++i) {
+    Polynomial c = f.coefficient(i);
+    if (c.degree() >= s.polynomial().degree()) c = divide(c, s.polynomial()).remainder;
+    result.push_back(std::move(c));
+  }
+  return result;
+}
+
+/// f times a positive rational: integer coefficients without a common divisor.
+BivariatePolynomial primitive(const BivariatePolynomial& f) {
+  FlintRational content, next;
+  for (int i = 0; i <= f.degree_r(); ++i) {
+    const Polynomial c = f.coefficient(i);
+    fmpq_poly_content(next.value, c.rep().value);
+    fmpq_gcd(content.value, content.value, next.value);
+  }
+  if (fmpq_is_zero(content.value)) return f;
+  fmpq_inv(content.value, content.value);
+  return f * Polynomial(content.to_rational());
+}
+
+/// Euclid's algorithm in balls. True proves that f(., s) and g(., s) have no common root; false proves
+/// nothing.
+bool coprime_in_balls(const BivariatePolynomial& f, const BivariatePolynomial& g, const RealAlgebraic& s) {
+  constexpr slong precision = 128;
+  FlintBallPolynomial a, b, quotient, remainder;
+  enclose(a.value, f, s, precision);
+  enclose(b.value, g, s, precision);
+  while (arb_poly_length(b.value) > 1) {
+    // Refused if the leading coefficient of b is not certainly nonzero.
+    if (!arb_poly_divrem(quotient.value, remainder.value, a.value, b.value, precision)) return false;
+    arb_poly_swap(a.value, b.value);
+    arb_poly_swap(b.value, remainder.value);
+  }
+  return arb_poly_length(b.value) == 1 && !arb_contains_zero(arb_poly_get_coeff_ptr(b.value, 0));
+}
+
+/// gcd of f and g, reduced at s and not constant: the subresultant of the least index j whose coefficient of
+/// r^j does not vanish at s. (Subresultants are determinants in the coefficients and the degrees are those at
+/// s, so they are those of f(., s) and g(., s).) If none is left, the polynomial of lower degree divides the
+/// other.
+BivariatePolynomial gcd_of_reduced(const BivariatePolynomial& f, const BivariatePolynomial& g,
+                                   const RealAlgebraic& s) {
+  if (coprime_in_balls(f, g, s)) return BivariatePolynomial::constant(1);
+  const std::vector<BivariatePolynomial> chain = subresultants_r(primitive(f), primitive(g));
+  for (int j = 0; j < static_cast<int>(chain.size()); ++j) {
+    const BivariatePolynomial& member = chain[static_cast<std::size_t>(j)];
+    if (sign_at(member.coefficient(j), s) == 0) continue;
+    if (j == 0) return BivariatePolynomial::constant(1);
+    return primitive(BivariatePolynomial(remainders(member, s)));
+  }
+  return f.degree_r() < g.degree_r() ? f : g;
+}
+
+/// f / h over Q(s), up to a factor in Q(s), where h divides f and is reduced at s: pseudo-division.
+BivariatePolynomial quotient_at(const BivariatePolynomial& f, const BivariatePolynomial& h,
+                                const RealAlgebraic& s) {
+  const int degree = h.degree_r();
+  const Polynomial lead = h.coefficient(degree);
+  BivariatePolynomial quotient, rest = f;
+  for (int k = f.degree_r() - degree; k >= 0; --k) {
+    std::vector<Polynomial> term(static_cast<std::size_t>(k + 1));
+    term.back() = rest.coefficient(degree + k);
+    const BivariatePolynomial monomial(std::move(term));
+    quotient = quotient * lead + monomial;
+    rest = BivariatePolynomial(remainders(rest * lead - monomial * h, s));
+  }
+  return primitive(reduced_at(quotient, s));
+}
+
+}  // namespace
+
+void enclose(arb_t value, const Polynomial& f, const arb_t s, slong precision) {
+  const fmpq_poly_struct* rep = f.rep().value;
+  arb_zero(value);
+  for (slong i = fmpq_poly_degree(rep); i >= 0; --i) {
+    arb_mul(value, value, s, precision);
+    arb_add_fmpz(value, value, rep->coeffs + i, precision);
+  }
+  if (!fmpz_is_one(rep->den)) arb_div_fmpz(value, value, rep->den, precision);
+}
+
+void enclose(arb_poly_t value, const BivariatePolynomial& f, const RealAlgebraic& s, slong precision) {
+  FlintBall point, coefficient;
+  set_ball(point.value, s.interval(), precision);
+  arb_poly_zero(value);
+  for (int i = f.degree_r(); i >= 0; --i) {
+    enclose(coefficient.value, f.coefficient(i), point.value, precision);
+    arb_poly_set_coeff_arb(value, i, coefficient.value);
+  }
+}
+
+BivariatePolynomial reduced_at(const BivariatePolynomial& f, const RealAlgebraic& s) {
+  if (s.is_rational()) return in_r(f.at_s(s.rational()));
+  std::vector<Polynomial> coefficients = remainders(f, s);
+  while (!coefficients.empty() && sign_at(coefficients.back(), s) == 0) coefficients.pop_back();
+  return BivariatePolynomial(std::move(coefficients));
+}
+
+BivariatePolynomial gcd_at(const BivariatePolynomial& f, const BivariatePolynomial& g,
+                           const RealAlgebraic& s) {
+  const RealAlgebraic fine = narrowed(s);
+  if (fine.is_rational()) return in_r(gcd(f.at_s(fine.rational()), g.at_s(fine.rational())));
+  const BivariatePolynomial a = reduced_at(f, fine);
+  const BivariatePolynomial b = reduced_at(g, fine);
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  if (a.degree_r() == 0 || b.degree_r() == 0) return BivariatePolynomial::constant(1);
+  return gcd_of_reduced(a, b, fine);
+}
+
+BivariatePolynomial squarefree_part_at(const BivariatePolynomial& f, const RealAlgebraic& s) {
+  if (s.is_rational()) return in_r(squarefree_part(f.at_s(s.rational())));
+  const BivariatePolynomial common = gcd_at(f, f.derivative_r(), s);
+  return common.degree_r() == 0 ? f : quotient_at(f, common, s);
+}
+
+}  // namespace exsect
