@@ -56,9 +56,9 @@ IntegerLineAndPatch integer_line_and_patch(const BezierPatch& x, const BezierPat
   const bool of_x = query.fixed == Parameter::u || query.fixed == Parameter::v;
   const bool along_first = query.fixed == Parameter::u || query.fixed == Parameter::r;
   IntegerPair pair = integer_pair(x, y);
-  if (!of_x) std::swap(pair.first, pair.second);
-  const IntegerLine line = line_at_first(along_first ? pair.first : exchanged(pair.first), query.value);
-  return {line, std::move(pair.second)};
+  if (!of_x) std::swap(pair.x, pair.y);
+  const IntegerLine line = line_at_first(along_first ? pair.x : exchanged(pair.x), query.value);
+  return {line, std::move(pair.y)};
 }
 
 }  // namespace exsect

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>
-#include <exsect/geometry/integer_pull_back.h>
+#include <exsect/geometry/integer_pair.h>
 #include <exsect/geometry/parameter_line.h>
 #include <exsect/solver/line_patch.h>
 #include <exsect/solver/parameter.h>
