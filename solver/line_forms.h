@@ -23,7 +23,7 @@ struct ConicForms {
   Polynomial t_numerator;
 };
 
-/// Requires a line of shape conic (the formulas hold for any line, but are all zero for a straight one).
+/// Requires is_conic(problem.line); the forms mean nothing for a straight line.
 ConicForms conic_forms(const IntegerLineAndPatch& problem);
 
 }  // namespace exsect

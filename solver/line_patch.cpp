@@ -32,7 +32,9 @@ std::optional<std::vector<CertifiedPoint>> points_by_formula(const LinePlace& pl
   if (forms->eliminant.is_zero()) return std::nullopt;
   std::shared_ptr<const LineSystem> system;
   std::vector<CertifiedPoint> points;
-  for (const RealAlgebraic& s : real_roots(forms->eliminant, 0, 1)) {
+  for (const RealAlgebraic& root : real_roots(forms->eliminant, 0, 1)) {
+    // Narrow enough that an enclosure settles nearly every sign below.
+    const RealAlgebraic s = root.refined_to(power_of_two(-40));
     if (sign_at(forms->s1, s) != 0) {
       append(points, conic_point(place, forms, s));
       continue;

@@ -32,8 +32,9 @@ bool expected_at(const PullBack& p, int branch, const Rational& s) {
   const Polynomial plane = p.plane.at_s(s);
   if (plane.is_zero()) return true;
   if (plane.degree() == 0) return false;
-  const Polynomial l = p.l.at_s(s);
-  const Polynomial above = p.u.at_s(s) - l;
+  const Polynomial u = p.u.at_s(s);
+  const Polynomial l = p.l.at_s(s) * u;
+  const Polynomial above = u * u - l;
   const bool linear_throughout = p.plane.degree_r() == 1;
   for (const RealAlgebraic& r : real_roots(plane, 0, 1)) {
     const int slope = sign_at(plane.derivative(), r);

@@ -85,9 +85,3 @@ TEST_CASE("the closed formula on random lines and patches") {
     for (const Parameter fixed : all_parameters) check_against_pull_back(pair, {fixed, Rational(i, 9)});
   }
 }
-
-TEST_CASE("the closed formula vanishes identically on a straight line") {
-  const BezierPatch x = power_patch({{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}}, {{1, 0, 0}}});
-  const BezierPatch y = example("chapter9-first.json").y;
-  CHECK(conic_forms(integer_line_and_patch(x, y, {Parameter::u, Rational(1, 3)})).eliminant.is_zero());
-}
