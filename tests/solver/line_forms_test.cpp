@@ -12,8 +12,6 @@ using namespace exsect;
 
 namespace {
 
-BivariatePolynomial in_s(const Polynomial& c) { return BivariatePolynomial(std::vector<Polynomial>{c}); }
-
 /// c with f = c g, both not zero; fails the test if there is none.
 Rational constant_ratio(const Polynomial& f, const Polynomial& g) {
   REQUIRE(!g.is_zero());

@@ -1,8 +1,13 @@
 // The exact points of random lines against a search in doubles: subdivision by control polygons, then Newton.
 #include <exsect/solver/line_patch.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "line_shapes.h"
 #include "point_checks.h"
@@ -145,46 +150,114 @@ class Search {
 
 Vector to_doubles(const Point& p) { return {to_double(p[0]), to_double(p[1]), to_double(p[2])}; }
 
+Search search_line(const BezierPatch& x, const BezierPatch& y, const Rational& u) {
+  const ParameterLine p = line_at_first(x, u);
+  const auto& [a0, a1, a2] = p.a;
+  Net net;
+  for (std::size_t m = 0; m < 3; ++m)
+    for (std::size_t n = 0; n < 3; ++n) net[m][n] = to_doubles(y.net()[m][n]);
+  return {{to_doubles(a0), to_doubles(a0 + Rational(1, 2) * a1), to_doubles(a0 + a1 + a2)}, net};
+}
+
+struct Tally {
+  int decided = 0;
+  std::size_t points = 0;
+};
+
+void compare(const BezierPatch& x, const BezierPatch& y, const Rational& u, Tally& tally) {
+  const LineIntersection line = intersect_line(x, y, {Parameter::u, u});
+  CHECK(!line.solution.incomplete);
+  for (const CertifiedPoint& q : line.solution.points) check_point(x, y, q);
+  check_feasibility(line);
+  const Search search = search_line(x, y, u);
+  if (search.doubtful || !line.solution.on_patch.empty()) return;
+  ++tally.decided;
+  tally.points += search.roots.size();
+  CHECK(line.solution.points.size() == search.roots.size());
+  for (const Vector& root : search.roots)
+    CHECK(std::ranges::any_of(line.solution.points, [&](const CertifiedPoint& q) {
+      double distance = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        distance = std::max(distance, std::fabs(to_double(q.box()[k + 1].midpoint()) - root[k]));
+      return distance < 1e-8;
+    }));
+}
+
+using Rows = std::vector<std::vector<Point>>;
+
+/// A patch of lower bidegree, elevated: the control points of a random one at the right distance.
+BezierPatch random_of_degree(std::mt19937& random, std::size_t m, std::size_t n, int denominator) {
+  const ControlNet net = random_patch(random, denominator).net();
+  Rows rows;
+  for (std::size_t i = 0; i <= m; ++i) {
+    rows.emplace_back();
+    for (std::size_t j = 0; j <= n; ++j) rows.back().push_back(net[m == 1 ? 2 * i : i][n == 1 ? 2 * j : j]);
+  }
+  return BezierPatch::elevated(rows);
+}
+
+/// Over (u,v) itself, up to the height.
+BezierPatch random_height_field(std::mt19937& random, int denominator) {
+  ControlNet net = random_patch(random, denominator).net();
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      net[i][j] = {Rational(static_cast<int>(i), 2), Rational(static_cast<int>(j), 2), net[i][j][2]};
+  return BezierPatch(net);
+}
+
+/// In the plane 3 z = x - y + 1/4.
+BezierPatch random_planar(std::mt19937& random, int denominator) {
+  ControlNet net = random_patch(random, denominator).net();
+  for (auto& row : net)
+    for (Point& p : row) p[2] = (p[0] - p[1] + Rational(1, 4)) / 3;
+  return BezierPatch(net);
+}
+
+BezierPatch random_shape(std::mt19937& random, int kind, int denominator) {
+  switch (kind) {
+    case 0:
+      return random_patch(random, denominator);
+    case 1:
+      return random_of_degree(random, 2, 1, denominator);
+    case 2:
+      return random_of_degree(random, 1, 2, denominator);
+    case 3:
+      return random_of_degree(random, 1, 1, denominator);
+    case 4:
+      return random_height_field(random, denominator);
+    default:
+      return random_planar(random, denominator);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("the points of random lines are those a search in doubles finds") {
   const unsigned seed = 4711;
-  INFO("seed " << seed);
   std::mt19937 random(seed);
-  int decided = 0;
-  std::size_t points = 0;
-  for (int i = 0; i < 60; ++i) {
+  Tally tally;
+  for (int i = 0; i < 50; ++i) {
+    INFO("seed " << seed << ", pair " << i);
     const auto [x, y] = random_pair(random, 7);
-    const Rational u(i % 11, 10);
-    if (u > 1) continue;
-    const LineIntersection line = intersect_line(x, y, {Parameter::u, u});
-    const ParameterLine p = line_at_first(x, u);
-    const Point a0 = p.a[0];
-    const Point a1 = p.a[1];
-    const Arc arc = {to_doubles(a0), to_doubles(a0 + Rational(1, 2) * a1), to_doubles(a0 + a1 + p.a[2])};
-    Net net;
-    for (std::size_t m = 0; m < 3; ++m)
-      for (std::size_t n = 0; n < 3; ++n) net[m][n] = to_doubles(y.net()[m][n]);
-    const Search search(arc, net);
-    INFO("pair " << i);
-    for (const CertifiedPoint& q : line.solution.points) check_point(x, y, q);
-    check_feasibility(line);
-    if (search.doubtful) continue;
-    ++decided;
-    points += search.roots.size();
-    CHECK(line.solution.points.size() == search.roots.size());
-    for (const Vector& root : search.roots) {
-      bool found = false;
-      for (const CertifiedPoint& q : line.solution.points) {
-        double distance = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-          distance = std::max(distance, std::fabs(to_double(q.box()[k + 1].midpoint()) - root[k]));
-        found = found || distance < 1e-8;
-      }
-      CHECK(found);
-    }
+    compare(x, y, Rational(i % 11, 10), tally);
   }
-  INFO("decided " << decided << ", points " << points);
-  CHECK(decided > 40);
-  CHECK(points > 20);
+  CHECK(tally.decided > 40);
+  CHECK(tally.points > 20);
+}
+
+TEST_CASE("the points of lines on special shapes are those a search in doubles finds") {
+  const unsigned seed = 815;
+  std::mt19937 random(seed);
+  Tally tally;
+  for (int first = 0; first < 6; ++first)
+    for (int second = 0; second < 6; ++second) {
+      INFO("seed " << seed << ", shapes " << first << " and " << second);
+      // Denominator 1: many coincidences; 5: few.
+      for (const int denominator : {1, 5}) {
+        const BezierPatch x = random_shape(random, first, denominator);
+        compare(x, random_shape(random, second, denominator), Rational(2, 5), tally);
+      }
+    }
+  CHECK(tally.decided > 30);
+  CHECK(tally.points > 15);
 }
