@@ -1,6 +1,7 @@
 #include "eliminant_height.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "fibre_forms.h"
+#include "mahler_measure.h"
 
 // Floating point with proved errors. The coordinates are scaled by powers of two so that every integer
 // becomes a double of modulus at most 1 (relative error 2^-52, or underflow). Each quantity q below is a
@@ -60,53 +62,7 @@ Complex root_of_unity(std::size_t k) {
 }
 constexpr double half_of_the_roots = 16;
 
-/// 2^exponent mantissa with 1/2 <= |mantissa| < 1, or zero; truncated towards zero to 53 bits.
-struct ScaledDouble {
-  double mantissa;
-  long exponent;
-};
-ScaledDouble scaled_double(const Integer& a) {
-  long exponent = 0;
-  const double mantissa = mpz_get_d_2exp(&exponent, a.backend().data());
-  return {mantissa, exponent};
-}
-
-// On [1/2,1]: 2m - 2 <= log2 m <= 2m - 2 + 0.08608 (a chord of a concave function; the largest gap at 1/(2 ln
-// 2)).
-double log2_upper(double x) {
-  int exponent = 0;
-  const double m = std::frexp(x, &exponent);
-  return exponent + 2 * m - 2 + 0.0862;
-}
-double log2_lower(const Integer& a) {
-  const ScaledDouble s = scaled_double(a);
-  return static_cast<double>(s.exponent) + 2 * std::abs(s.mantissa) - 2 - 1e-9;
-}
-
 using IntegerPolynomial = FormalPolynomial<Integer>;
-
-/// A lower bound of m(f), the mean of log2 |f| over the unit circle, or nothing for f = 0. |f_j| <=
-/// binom(n,j) 2^m(f) for each j, and Graeffe's f(t) f(-t), a polynomial in t^2, has twice the measure.
-std::optional<double> measure_lower(IntegerPolynomial f) {
-  while (!f.coefficients.empty() && f.coefficients.back() == 0) f.coefficients.pop_back();
-  if (f.coefficients.empty()) return std::nullopt;
-  constexpr int graeffe_steps = 3;
-  for (int step = 0; step < graeffe_steps; ++step) {
-    IntegerPolynomial reflected = f;
-    for (std::size_t i = 1; i < f.coefficients.size(); i += 2) reflected.coefficients[i] = -f.coefficients[i];
-    const IntegerPolynomial product = f * reflected;
-    for (std::size_t i = 0; i < f.coefficients.size(); ++i) f.coefficients[i] = product.coefficients[2 * i];
-  }
-  const std::size_t n = f.coefficients.size() - 1;
-  double best = -std::numeric_limits<double>::infinity();
-  std::size_t binomial = 1;
-  for (std::size_t j = 0; j <= n; ++j) {
-    if (f.coefficients[j] != 0)
-      best = std::max(best, log2_lower(f.coefficients[j]) - log2_upper(static_cast<double>(binomial)));
-    binomial = binomial * (n - j) / (j + 1);
-  }
-  return best / (1 << graeffe_steps);
-}
 
 /// n = a_1 x a_2, g_r and g_s as polynomials in u (4.5).
 struct LeadingForms {
@@ -185,37 +141,6 @@ FibreCoefficients<Majorant> majorant(const ScaledPair& pair) {
   return result;
 }
 
-/// n_k J as a polynomial of bidegree (5,5) in r and s (4.12).
-template <class T>
-std::vector<T> turning_form(const FibreCoefficients<T>& f, std::size_t k) {
-  const SpaceVector<T> n = cross_product(f.a[1], f.a[2]);
-  std::array<std::array<T, 4>, 4> d1{};  // a_1 . (y_r x y_s)
-  std::array<std::array<T, 4>, 4> d2{};  // a_2 . (y_r x y_s)
-  for (std::size_t i = 1; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t l = 0; l < 3; ++l)
-        for (std::size_t m = 1; m < 3; ++m) {
-          const SpaceVector<T> c = cross_product(f.y[i][j], f.y[l][m]);
-          const T factor{static_cast<double>(i * m)};
-          d1[i + l - 1][j + m - 1] = d1[i + l - 1][j + m - 1] + factor * dot_product(f.a[1], c);
-          d2[i + l - 1][j + m - 1] = d2[i + l - 1][j + m - 1] + factor * dot_product(f.a[2], c);
-        }
-  std::vector<T> result(36);
-  for (std::size_t p = 0; p < 4; ++p)
-    for (std::size_t q = 0; q < 4; ++q) {
-      result[6 * p + q] = result[6 * p + q] + n[k] * d1[p][q];
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) {
-          SpaceVector<T> w = f.y[i][j];
-          if (i + j == 0)
-            for (std::size_t c = 0; c < 3; ++c) w[c] = w[c] - f.a[0][c];
-          auto& sum = result[6 * (p + i) + q + j];
-          sum = sum + T{2.0} * cross_product(w, f.a[2])[k] * d2[p][q];
-        }
-    }
-  return result;
-}
-
 /// Half of log2 of the mean over the unit circle of the squared 2-norm of the coefficient vector that `form`
 /// gives for a fibre: exact by Parseval's identity on 32 nodes (degree in u at most 31), rounded upwards.
 template <class Form>
@@ -231,41 +156,44 @@ double log2_mean_norm(const ScaledPair& pair, const Form& form) {
       sum += weight * modulus * modulus;
     }
   }
-  return 0.5 * (log2_upper(sum / half_of_the_roots) + 1e-9);
+  return log2_upper(sum * (1 + 0x1p-40) / half_of_the_roots) / 2;
 }
 
 }  // namespace
 
-std::size_t eliminant_height_bound(const IntegerPair& pair) {
+HeightTerms height_terms(const IntegerPair& pair) {
   const LeadingForms leading(pair);
-  const auto g_r = measure_lower(leading.g_r);
-  const auto g_s = measure_lower(leading.g_s);
-  if (!g_r || !g_s) throw std::domain_error("eliminant_height_bound: g_r or g_s vanishes identically");
+  const auto g_r = measure_lower(leading.g_r.coefficients);
+  const auto g_s = measure_lower(leading.g_s.coefficients);
+  if (!g_r || !g_s) throw std::domain_error("eliminant_height: g_r or g_s vanishes identically");
   const ScaledPair scaled(pair);
+  // J, R, and n_k J scale with the first, fourth, first power of the product of the three scales, times n_k.
   const auto scale = static_cast<double>(scaled.exponent[0] + scaled.exponent[1] + scaled.exponent[2]);
 
-  std::optional<double> jacobian;  // of log2 |J| in scaled coordinates, the best k
+  std::optional<double> jacobian;  // the best k
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto n = measure_lower(leading.n[k]);
+    const auto n = measure_lower(leading.n[k].coefficients);
     if (!n) continue;
-    const double scaled_n = *n - (scale - static_cast<double>(scaled.exponent[k]));
-    const double bound = log2_mean_norm(scaled, [k](const auto& f) { return turning_form(f, k); }) - scaled_n;
+    const double scale_of_n = scale - static_cast<double>(scaled.exponent[k]);
+    const double norm = log2_mean_norm(scaled, [k](const auto& f) { return turning_form(f, k); });
+    const double log2_six = 2.585;  // of 36 terms, by Cauchy and Schwarz
+    const double bound = log2_six + norm + scale + scale_of_n - *n;
     jacobian = jacobian ? std::min(*jacobian, bound) : bound;
   }
-  if (!jacobian) throw std::domain_error("eliminant_height_bound: a_1 x a_2 vanishes identically");
-  const double r_s =
-      log2_mean_norm(scaled, [](const auto& f) { return fibre_eliminant(FibreForms(f)).r.coefficients; });
-  const double r_r = log2_mean_norm(
-      scaled, [](const auto& f) { return fibre_eliminant(FibreForms(f.exchanged())).r.coefficients; });
+  if (!jacobian) throw std::domain_error("eliminant_height: a_1 x a_2 vanishes identically");
+  const auto eliminant = [](const auto& f) { return fibre_eliminant(FibreForms(f)).r.coefficients; };
+  const auto exchanged = [&](const auto& f) { return eliminant(f.exchanged()); };
+  return {*jacobian, log2_mean_norm(scaled, eliminant) + 4 * scale,
+          log2_mean_norm(scaled, exchanged) + 4 * scale, *g_r, *g_s};
+}
 
-  // (4.13); scaling the coordinates by c_1, c_2, c_3 multiplies E by (c_1 c_2 c_3)^40 and g_r, g_s by its
-  // square.
-  const double log2_six = 2.585;
+// (4.13)
+std::size_t eliminant_height_bound(const IntegerPair& pair) {
+  const HeightTerms t = height_terms(pair);
   const double log2_binomial = 124.2;  // binom(128,64) < 2^124.2
-  const double measure =
-      16 * (log2_six + *jacobian) + 5 * (r_s + r_r) - 4 * (*g_r + *g_s - 4 * scale) + 40 * scale;
-  // A bound below 2^0 leaves E = 0 only.
-  return static_cast<std::size_t>(std::ceil(std::max(measure + log2_binomial, 0.0))) + 1;
+  const double bits = 16 * t.jacobian + 5 * (t.r_s + t.r_r) - 4 * (t.g_r + t.g_s) + log2_binomial;
+  // The sum of these doubles, each below 2^40, is rounded by less than 1.
+  return static_cast<std::size_t>(std::ceil(std::max(bits, 0.0))) + 1;
 }
 
 }  // namespace exsect

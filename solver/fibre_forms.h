@@ -75,16 +75,17 @@ struct FibreCoefficients {
 /// a_i . (w_j x w_k), where y - a_0 = w_0 + w_1 r + w_2 r^2.
 template <class T>
 struct FibreForms {
+  SpaceVector<T> n;  // a_1 x a_2
+  std::array<SpaceVector<FormalPolynomial<T>>, 3> w;
   FormalPolynomial<T> pa, pb, pc;
   FormalPolynomial<T> la, lb, lc;  // a_2 . (w_0 x w_2), a_2 . (w_1 x w_2), a_2 . (w_0 x w_1)
   FormalPolynomial<T> ma, mb, mc;  // the same with a_1
 
   explicit FibreForms(const FibreCoefficients<T>& f) {
-    std::array<SpaceVector<FormalPolynomial<T>>, 3> w;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k) w[i][k].coefficients = {f.y[i][0][k], f.y[i][1][k], f.y[i][2][k]};
     for (std::size_t k = 0; k < 3; ++k) w[0][k].coefficients[0] = w[0][k].coefficients[0] - f.a[0][k];
-    const SpaceVector<T> n = cross_product(f.a[1], f.a[2]);
+    n = cross_product(f.a[1], f.a[2]);
     pa = dot_product(n, w[2]);
     pb = dot_product(n, w[1]);
     pc = dot_product(n, w[0]);
@@ -117,6 +118,50 @@ FibreEliminant<T> fibre_eliminant(const FibreForms<T>& f) {
   const auto pmu = (f.ma + f.ma) * f.pa - f.mb * f.pb;
   return {f.pa * f.pa * rm - pml * pul + rl * pmu + rl * rl,
           f.pa * (f.pa * f.mb - two_la * f.lb) + f.pb * (f.lb * f.lb)};
+}
+
+template <class T>
+T multiple(std::size_t factor, const T& a) {
+  T sum = a;
+  for (std::size_t i = 1; i < factor; ++i) sum = sum + a;
+  return sum;
+}
+
+/// a . (y_r x y_s), a polynomial of bidegree (3,3): the coefficient of r^p s^q at index 4 p + q.
+template <class T>
+std::vector<T> normal_form(const FibreCoefficients<T>& f, const SpaceVector<T>& a) {
+  std::vector<T> result(16);
+  for (std::size_t i = 1; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t l = 0; l < 3; ++l)
+        for (std::size_t m = 1; m < 3; ++m) {
+          T& sum = result[4 * (i + l - 1) + j + m - 1];
+          sum = sum + multiple(i * m, dot_product(a, cross_product(f.y[i][j], f.y[l][m])));
+        }
+  return result;
+}
+
+/// n_k J, J = x_v . (y_r x y_s) with v from the axis k, a polynomial of bidegree (5,5): the coefficient of
+/// r^p s^q at index 6 p + q (4.12).
+template <class T>
+std::vector<T> turning_form(const FibreCoefficients<T>& f, std::size_t k) {
+  const SpaceVector<T> n = cross_product(f.a[1], f.a[2]);
+  const std::vector<T> d1 = normal_form(f, f.a[1]);
+  const std::vector<T> d2 = normal_form(f, f.a[2]);
+  std::vector<T> result(36);
+  for (std::size_t p = 0; p < 4; ++p)
+    for (std::size_t q = 0; q < 4; ++q) {
+      result[6 * p + q] = result[6 * p + q] + n[k] * d1[4 * p + q];
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+          SpaceVector<T> w = f.y[i][j];
+          if (i + j == 0)
+            for (std::size_t c = 0; c < 3; ++c) w[c] = w[c] - f.a[0][c];
+          T& sum = result[6 * (p + i) + q + j];
+          sum = sum + multiple(2, cross_product(w, f.a[2])[k] * d2[4 * p + q]);
+        }
+    }
+  return result;
 }
 
 }  // namespace exsect

@@ -1,17 +1,22 @@
 // The eliminant E(u) of the turning points with respect to u.
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include <exsect/algebra/polynomial.h>
 #include <exsect/geometry/bezier_patch.h>
 
+#include <optional>
+#include <string>
+
 namespace exsect {
 
-/// E(u), degree at most 128 (proof in docs/method.md): every u in [0,1] where the fibre x(u,.) with y has a multiple
-/// point, complex and phantom ones included, is a root; a simple root lies under no singular point of the
-/// intersection. Primitive with integer coefficients, positive leading coefficient.
+/// E(u) != 0 (proofs in docs/method.md, section 4):
+///  - every complex u over which the fibre x(u,.) = y has a multiple point, at finite v, r, s, inside the
+///  unit
+///    squares or not, or is not finite, is a root;
+///  - a simple root lies under no singular point of the complex intersection curve, and at most one multiple
+///  point;
+///  - a root may also come from a point of the fibre at infinity, and a multiple root decides nothing.
+/// The degree is 128 for generic patches. Primitive with integer coefficients, positive leading coefficient.
 struct TurningEliminant {
   /// Empty if E is not defined for this pair (degenerate shape), with the reason in `degenerate`.
   std::optional<Polynomial> polynomial;

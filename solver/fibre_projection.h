@@ -1,0 +1,40 @@
+// The fibre of a pair, with u as a variable, projected to one parameter of the second patch.
+#pragma once
+
+#include <exsect/algebra/polynomial.h>
+#include <exsect/geometry/integer_pair.h>
+
+#include "fibre_forms.h"
+
+namespace exsect {
+
+/// A polynomial in one parameter of y with coefficients in Q[u].
+using FibrePolynomial = FormalPolynomial<Polynomial>;
+
+FibreCoefficients<Polynomial> symbolic_fibre(const IntegerPair& pair);
+
+bool is_zero(const FibrePolynomial& f);
+FibrePolynomial derivative(const FibrePolynomial& f);
+/// No common root over the algebraic closure of Q(u).
+bool coprime(const FibrePolynomial& f, const FibrePolynomial& g);
+/// All coefficients of all coefficients; each must be an integer.
+std::vector<Integer> integer_coefficients(const FibrePolynomial& f);
+
+/// The projection of the generic fibre to s. For each root s of R with S1(s) != 0 there is exactly one finite
+/// point (v,r,s) of the fibre, and R'(s) = S1(s) J up to a sign that depends on the pair only:
+/// docs/method.md, (4.15).
+struct FibreProjection {
+  FibrePolynomial r;   // R in Z[u][s], zero if it vanishes identically
+  FibrePolynomial s1;  // S1 in Z[u][s]
+  /// R without the roots where the fibre has its fixed points at r = infinity, coefficients in Z[u] without
+  /// common factor.
+  FibrePolynomial finite;
+  Polynomial content;  // in Q[u]: R = content * finite * constant polynomial in s
+  /// Every finite point of the fibre has its s among the roots of `finite`.
+  bool complete;
+};
+
+/// Requires that y_r x y_s is not identically zero, and a_1 x a_2 != 0 or a_2 = 0 != a_1.
+FibreProjection project_fibre(const FibreCoefficients<Polynomial>& f);
+
+}  // namespace exsect

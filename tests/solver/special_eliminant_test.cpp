@@ -1,0 +1,223 @@
+#include "../../solver/special_eliminant.h"
+
+#include <exsect/geometry/integer_pair.h>
+
+#include <string>
+#include <vector>
+
+#include "eliminant_pairs.h"
+#include "support/catch.h"
+
+using namespace exsect;
+using namespace exsect::testing;
+
+namespace {
+
+BezierPatch patch(const ControlNet& c) { return BezierPatch::from_power_basis(c); }
+
+BezierPatch of_degree(Random& random, std::size_t m, std::size_t n) {
+  return patch(random_coefficients(random, m, n));
+}
+
+BezierPatch planar(Random& random) {
+  ControlNet c = random_net(random);
+  for (auto& row : c)
+    for (auto& point : row) point[2] = point[0] - 2 * point[1];
+  return patch(c);
+}
+
+BezierPatch without(ControlNet c, const std::vector<std::array<std::size_t, 2>>& terms) {
+  for (const auto& [i, j] : terms) c[i][j] = Point{};
+  return patch(c);
+}
+
+BezierPatch fixed_direction(Random& random) {
+  ControlNet c = random_net(random);
+  for (std::size_t j = 1; j < 3; ++j) c[2][j] = small_rational(random) * c[2][0];
+  return patch(c);
+}
+
+BezierPatch height_field(Random& random) { return patch(height_field_coefficients(random)); }
+
+/// Coordinate 0 odd in the second parameter, the others even.
+BezierPatch mirror_symmetric(Random& random) {
+  ControlNet c = random_net(random);
+  for (auto& row : c)
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (j % 2 == 0) row[j][0] = 0;
+      if (j % 2 == 1) row[j][1] = row[j][2] = 0;
+    }
+  return patch(c);
+}
+
+struct Shape {
+  const char* name;
+  BezierPatch x;
+  BezierPatch y;
+  std::vector<std::array<int, 2>> factors;  // degree and multiplicity of the squarefree factors
+};
+
+std::vector<Shape> shapes(Random& random) {
+  const auto any = [&] { return random_patch(random); };
+  const ControlNet c = random_net(random);
+  return {
+      {"x planar", planar(random), any(), {{128, 1}}},
+      {"y planar", any(), planar(random), {{96, 1}, {4, 8}}},
+      {"y linear in s", any(), of_degree(random, 2, 1), {{56, 1}, {4, 4}}},
+      {"y linear in r", any(), of_degree(random, 1, 2), {{56, 1}, {4, 4}}},
+      {"y bilinear", any(), of_degree(random, 1, 1), {{24, 1}, {4, 4}}},
+      {"x linear in u", of_degree(random, 1, 2), any(), {{64, 1}}},
+      {"x linear in v", of_degree(random, 2, 1), any(), {{64, 1}}},
+      {"x bilinear", of_degree(random, 1, 1), any(), {{32, 1}}},
+      {"both bilinear", of_degree(random, 1, 1), of_degree(random, 1, 1), {{4, 1}, {2, 3}}},
+      {"no r^2 s^2", any(), without(c, {{2, 2}}), {{110, 1}, {2, 3}}},
+      {"total degree 2", any(), without(c, {{2, 2}, {1, 2}, {2, 1}}), {{48, 1}, {4, 8}}},
+      {"f(r) + h(s)", any(), without(c, {{2, 2}, {1, 2}, {2, 1}, {1, 1}}), {{48, 1}, {2, 16}}},
+      {"r^2 in one direction", any(), fixed_direction(random), {{104, 1}, {4, 2}}},
+      {"y height field", any(), height_field(random), {{80, 1}, {4, 4}}},
+      {"x height field", height_field(random), any(), {{80, 1}, {2, 12}}},
+      {"both height fields", height_field(random), height_field(random), {{4, 1}, {2, 2}, {2, 3}}},
+      {"mirror symmetric", mirror_symmetric(random), mirror_symmetric(random), {{4, 1}, {52, 2}, {2, 6}}},
+  };
+}
+
+}  // namespace
+
+TEST_CASE("the exact route gives generic pairs the same eliminant", "[special_eliminant]") {
+  const unsigned seed = 21;
+  INFO("seed " << seed);
+  Random random(seed);
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    const BezierPatch x = random_patch(random);
+    const BezierPatch y = random_patch(random);
+    const auto general = turning_eliminant(x, y);
+    REQUIRE(general.polynomial);
+    CHECK(special_eliminant(integer_pair(x, y)).polynomial == general.polynomial);
+  }
+}
+
+TEST_CASE("special shapes have eliminants of the known degrees", "[special_eliminant]") {
+  const unsigned seed = 22;
+  INFO("seed " << seed);
+  Random random(seed);
+  for (const auto& [name, x, y, factors] : shapes(random)) {
+    INFO(name);
+    const TurningEliminant e = turning_eliminant(x, y);
+    INFO(e.degenerate);
+    REQUIRE(e.polynomial);
+    std::vector<std::array<int, 2>> found;
+    for (const auto& [factor, multiplicity] : squarefree_factors(*e.polynomial))
+      found.push_back({factor.degree(), multiplicity});
+    CHECK(found == factors);
+  }
+}
+
+TEST_CASE("a turning point put into a special pair is a root", "[special_eliminant]") {
+  const unsigned seed = 23;
+  INFO("seed " << seed);
+  Random random(seed);
+  const Rational u(2, 7);
+  const Rational v(1, 3);
+  const Rational r(3, 5);
+  const Rational s(1, 4);
+  for (const auto& [name, x, y, factors] : shapes(random)) {
+    INFO(name);
+    const std::string shape = name;
+    if (shape == "both height fields" || shape == "mirror symmetric" || shape == "x planar") continue;
+    Polynomial e;
+    if (shape == "x height field") {  // the second patch is the free one
+      const BezierPatch free =
+          osculating(y.exchanged(), s, r, x(u, v), x.derivative_second(u, v)).exchanged();
+      e = turning_eliminant(x, free).polynomial.value();
+    } else {
+      const Point tangent = y.derivative_first(r, s) - Rational(3, 2) * y.derivative_second(r, s);
+      e = turning_eliminant(osculating(x, u, v, y(r, s), tangent), y).polynomial.value();
+    }
+    CHECK(e.sign_at(u) == 0);
+    // A point of a planar patch has several parameters (r,s), all turning points of the same u.
+    if (shape != "y planar") CHECK(e.derivative().sign_at(u) != 0);
+  }
+}
+
+TEST_CASE("the turning points of two height fields are those of their difference", "[special_eliminant]") {
+  // z = u^2 + v^2 - u v and z = 1/4 + r/3 meet over f = u^2 + v^2 - u v - 1/4 - u/3 = 0; f_v = 2 v - u.
+  ControlNet x;
+  x[1][0] = {Rational(1), Rational(0), Rational(0)};
+  x[0][1] = {Rational(0), Rational(1), Rational(0)};
+  ControlNet y = x;
+  x[2][0][2] = x[0][2][2] = 1;
+  x[1][1][2] = -1;
+  y[0][0][2] = Rational(1, 4);
+  y[1][0][2] = Rational(1, 3);
+  const TurningEliminant e = turning_eliminant(patch(x), patch(y));
+  INFO(e.degenerate);
+  REQUIRE(e.polynomial);
+  // v = u/2: 3/4 u^2 - u/3 - 1/4
+  CHECK(squarefree_part(*e.polynomial) == Polynomial({Rational(-3), Rational(-4), Rational(9)}));
+}
+
+TEST_CASE("a line of one patch on the other is a multiple root", "[special_eliminant]") {
+  const unsigned seed = 24;
+  INFO("seed " << seed);
+  Random random(seed);
+  for (const std::size_t degree : {1, 2}) {
+    const ControlNet y = random_coefficients(random, degree, 2);
+    ControlNet x = random_net(random);
+    for (std::size_t j = 0; j < 3; ++j) x[0][j] = y[0][j];  // x(0,.) = y(0,.)
+    const auto e = turning_eliminant(patch(x), patch(y)).polynomial;
+    REQUIRE(e);
+    CHECK(e->coefficient(0) == 0);
+    CHECK(e->coefficient(1) == 0);
+  }
+}
+
+TEST_CASE("what has no eliminant is named", "[special_eliminant]") {
+  Random random(25);
+  const BezierPatch any = random_patch(random);
+  const auto reason = [](const BezierPatch& x, const BezierPatch& y) {
+    const TurningEliminant e = turning_eliminant(x, y);
+    CHECK_FALSE(e.polynomial.has_value());
+    return e.degenerate;
+  };
+  CHECK(reason(any, any).find("R vanishes identically") == 0);
+  CHECK(reason(any, any.exchanged()).find("R vanishes identically") == 0);
+  CHECK(reason(planar(random), planar(random)).find("R vanishes identically") == 0);
+  CHECK(reason(of_degree(random, 2, 0), any).find("x is a curve") == 0);
+  CHECK(reason(any, of_degree(random, 2, 0)).find("y is a curve") == 0);
+  CHECK(reason(any, of_degree(random, 0, 2)).find("y is a curve") == 0);
+  CHECK(reason(any, of_degree(random, 0, 0)).find("y is a curve") == 0);
+  CHECK(reason(of_degree(random, 0, 0), any).find("x is a curve") == 0);
+
+  ControlNet uneven = random_net(random);  // straight lines x(u,.), run through by v + 3 v^2
+  for (auto& row : uneven) row[2] = Rational(3) * row[1];
+  CHECK(reason(patch(uneven), any).find("the lines u = const of x are straight") == 0);
+
+  // (u, v, (v - u/2 - 1/3)^2) touches the plane (r, s, 0) along a line.
+  ControlNet touching;
+  touching[1][0] = {Rational(1), Rational(0), Rational(1, 3)};
+  touching[0][1] = {Rational(0), Rational(1), Rational(-2, 3)};
+  touching[0][0] = {Rational(0), Rational(0), Rational(1, 9)};
+  touching[2][0][2] = Rational(1, 4);
+  touching[0][2][2] = 1;
+  touching[1][1][2] = -1;
+  ControlNet plane;
+  plane[1][0][0] = plane[0][1][1] = 1;
+  CHECK(reason(patch(touching), patch(plane)).find("E vanishes identically") == 0);
+}
+
+TEST_CASE("parallel planes and walls have no turning points", "[special_eliminant]") {
+  ControlNet lower;
+  lower[1][0][0] = lower[0][1][1] = 1;
+  ControlNet upper = lower;
+  upper[0][0][2] = 1;
+  CHECK(turning_eliminant(patch(lower), patch(upper)).polynomial == Polynomial(1));
+  // The walls (u^2, u, v) and (r, 2, s) share the vertical line u = 2.
+  ControlNet x;
+  x[2][0][0] = x[1][0][1] = x[0][1][2] = 1;
+  ControlNet y;
+  y[1][0][0] = y[0][1][2] = 1;
+  y[0][0][1] = 2;
+  const auto e = turning_eliminant(patch(x), patch(y)).polynomial;
+  REQUIRE(e);
+  CHECK(*e == (Polynomial::variable() - Polynomial(2)) * (Polynomial::variable() - Polynomial(2)));
+}
