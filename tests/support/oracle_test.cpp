@@ -103,7 +103,8 @@ TEST_CASE("oracle: what doubles cannot decide is called doubtful") {
 }
 
 TEST_CASE("oracle: random pairs give curves on both patches, most of them without doubt") {
-  for (const auto family : {random_pairs::small_rationals, random_pairs::doubles, random_pairs::loop}) {
+  for (const auto family :
+       {random_pairs::small_rationals, random_pairs::doubles, random_pairs::scattered, random_pairs::loop}) {
     int conclusive = 0;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       random_pairs::Generator generator(seed);

@@ -19,7 +19,7 @@ Point crossing_grid(long placement, long i, long j) {
 /// Both grids, each coordinate moved by `move(height)`; the flat pairs are bent more.
 Pair near_grids(Generator& generator, const std::function<Rational(long)>& move) {
   const long placement = integer(generator, 0, 3);
-  const long bend = placement < 2 ? 4 : 8;
+  const long bend = placement < 2 ? 6 : 16;
   ControlNet x;
   ControlNet y;
   for (long i = 0; i < 3; ++i) {
@@ -55,6 +55,20 @@ Pair doubles(Generator& generator) {
     const double unit = static_cast<double>(generator() >> 11U) * 0x1p-52 - 1;  // in [-1,1)
     return from_double(unit * static_cast<double>(largest) / 16);
   });
+}
+
+Pair scattered(Generator& generator) {
+  const auto net = [&] {
+    ControlNet result;
+    for (auto& row : result) {
+      for (Point& point : row) {
+        for (Rational& coordinate : point) coordinate = Rational(integer(generator, 0, 16), 16);
+      }
+    }
+    return BezierPatch(result);
+  };
+  const BezierPatch x = net();
+  return {x, net()};
 }
 
 Pair loop(Generator& generator) {

@@ -21,6 +21,8 @@ struct Pair {
 Pair small_rationals(Generator& generator);
 /// Control points are doubles with 53 random bits near two grids that cross.
 Pair doubles(Generator& generator);
+/// Control points are multiples of 1/16 anywhere in the unit cube: crumpled patches, several curves.
+Pair scattered(Generator& generator);
 /// A cap and a nearly flat patch that meet in a small closed curve, sheared by a random affine map.
 Pair loop(Generator& generator);
 
