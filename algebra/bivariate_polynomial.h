@@ -1,9 +1,9 @@
 // Polynomials in two variables (r,s) over Q, dense in r.
 #pragma once
 
-#include <vector>
-
 #include <exsect/algebra/polynomial.h>
+
+#include <vector>
 
 namespace exsect {
 

@@ -1,14 +1,15 @@
 // The four parameters of a pair of patches x(u,v), y(r,s).
 #pragma once
 
-#include <array>
-
 #include <exsect/algebra/rational.h>
+
+#include <array>
 
 namespace exsect {
 
 enum class Parameter { u = 0, v = 1, r = 2, s = 3 };
-inline constexpr std::array<Parameter, 4> all_parameters = {Parameter::u, Parameter::v, Parameter::r, Parameter::s};
+inline constexpr std::array<Parameter, 4> all_parameters = {Parameter::u, Parameter::v, Parameter::r,
+                                                            Parameter::s};
 
 constexpr std::size_t index(Parameter p) { return static_cast<std::size_t>(p); }
 constexpr const char* name(Parameter p) {

@@ -1,11 +1,11 @@
 // What an intersection run returns: complete, or incomplete with place and reason. There is no third answer.
 #pragma once
 
+#include <exsect/solver/intersection_graph.h>
+
 #include <map>
 #include <string>
 #include <vector>
-
-#include <exsect/solver/intersection_graph.h>
 
 namespace exsect {
 
