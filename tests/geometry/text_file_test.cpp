@@ -1,8 +1,9 @@
 #include <exsect/geometry/text_file.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
-#include <fstream>
 
 #include "scratch_directory.h"
 #include "support/catch.h"
@@ -53,6 +54,29 @@ TEST_CASE("a failed write changes nothing and leaves no temporary file", "[text_
     fs::permissions(directory.path("file"), fs::perms::owner_read);
     CHECK_THROWS_AS(write_file_atomically(directory.path("file"), "new"), OutputError);
   }
+}
+
+TEST_CASE("a write that fails half-way keeps the old file", "[text_file]") {
+  const ScratchDirectory directory;
+  const std::string path = directory.path("a.txt");
+  write_file_atomically(path, "old");
+  struct rlimit before = {};
+  REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+  struct rlimit small = before;
+  small.rlim_cur = 10000;
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
+  bool refused = false;
+  try {
+    write_file_atomically(path, std::string(1 << 20, 'x'));
+  } catch (const OutputError&) {
+    refused = true;
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  CHECK(refused);
+  CHECK(read_text_file(path, 10) == "old");
+  CHECK(directory.number_of_files() == 1);
 }
 
 TEST_CASE("devices, links and permissions survive a write", "[text_file]") {

@@ -1,0 +1,55 @@
+#include "intersect_command.h"
+
+#include <exsect/geometry/text_file.h>
+#include <exsect/solver/intersect.h>
+
+#include "intersection_json.h"
+#include "intersection_summary.h"
+#include "intersection_svg.h"
+#include "option_values.h"
+#include "patch_choice.h"
+#include "progress.h"
+#include "terminal_text.h"
+
+namespace exsect::cli {
+namespace {
+
+IntersectOptions options(const IntersectCommand& command) {
+  IntersectOptions options;
+  options.turning = parameter_list("--turning", command.turning);
+  options.tolerance = positive_value("--tolerance", command.tolerance);
+  if (!command.max_seconds.empty())
+    options.max_seconds = positive_value("--max-seconds", command.max_seconds);
+  return options;
+}
+
+IntersectResult solve(const PatchPair& pair, IntersectOptions options, const Streams& streams, bool quiet) {
+  Progress progress(streams.err, streams.watched && !quiet);
+  options.progress = [&](double fraction, const char* step) { progress.report(fraction, step); };
+  return intersect(pair.x.patch, pair.y.patch, options);
+}
+
+}  // namespace
+
+ExitStatus run(const IntersectCommand& command, const Streams& streams) {
+  const IntersectOptions checked = options(command);
+  check(command.output, command.file);
+  const PatchPair pair = read_pair(command.file, command.first, command.second);
+  const PatchNames names = {pair.x.name, pair.y.name};
+  const IntersectResult result = solve(pair, checked, streams, command.quiet);
+  const std::string json = command.output.json.empty() ? "" : json_text(intersection_json(result, names));
+  if (!command.output.json.empty() && !command.output.json_to_stdout()) {
+    write_file_atomically(command.output.json, json);
+  }
+  if (!command.output.svg.empty()) {
+    write_file_atomically(command.output.svg, intersection_svg(result, names, pair.title));
+  }
+  if (command.output.json_to_stdout()) {
+    streams.out << json;
+  } else if (!command.quiet) {
+    streams.out << heading(command.file, pair.title) << intersection_summary(result, names);
+  }
+  return result.status == Status::complete ? ExitStatus::complete : ExitStatus::incomplete;
+}
+
+}  // namespace exsect::cli

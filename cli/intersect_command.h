@@ -1,0 +1,27 @@
+// exsect intersect FILE
+#pragma once
+
+#include <string>
+
+#include "exit_status.h"
+#include "output_files.h"
+#include "program.h"
+
+namespace exsect::cli {
+
+/// The options as they stand on the command line; empty where not given.
+struct IntersectCommand {
+  std::string file;
+  std::string first;
+  std::string second;
+  std::string turning = "u,v,r,s";
+  std::string tolerance = "1e-6";
+  std::string max_seconds;
+  OutputFiles output;
+  bool quiet = false;
+};
+
+/// complete or incomplete. Throws UsageError, InputError or OutputError before anything is written to `out`.
+ExitStatus run(const IntersectCommand& command, const Streams& streams);
+
+}  // namespace exsect::cli

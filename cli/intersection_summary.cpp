@@ -1,0 +1,122 @@
+#include "intersection_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "terminal_text.h"
+
+namespace exsect::cli {
+namespace {
+
+std::string ids(const std::vector<int>& numbers) {
+  std::vector<std::string> texts;
+  for (int number : numbers) texts.push_back(std::to_string(number));
+  return joined(texts, " ");
+}
+
+std::string shapes_text(const IntersectionGraph& graph) {
+  std::vector<std::string> parts;
+  for (ComponentShape shape : {ComponentShape::open, ComponentShape::closed, ComponentShape::branched}) {
+    if (graph.count(shape) > 0) parts.push_back(fmt::format("{} {}", graph.count(shape), name(shape)));
+  }
+  return parts.empty() ? "" : " (" + joined(parts, ", ") + ")";
+}
+
+std::string headline(const IntersectResult& result, const PatchNames& names) {
+  const IntersectionGraph& graph = result.graph;
+  std::string text = fmt::format("{} with {}: {}, {}{}", printable(names.first), printable(names.second),
+                                 result.status == Status::complete ? "complete" : "incomplete",
+                                 counted(graph.components.size(), "component"), shapes_text(graph));
+  if (!graph.isolated_points.empty()) text += ", " + counted(graph.isolated_points.size(), "isolated point");
+  if (!graph.overlaps.empty()) text += ", " + counted(graph.overlaps.size(), "overlap");
+  return text + "\n";
+}
+
+std::string turning_text(const IntersectionGraph& graph) {
+  std::vector<std::string> counts;
+  for (Parameter p : all_parameters)
+    counts.push_back(fmt::format("{} in {}", graph.turning_points(p), name(p)));
+  return fmt::format("{} on the boundary; turning points: {}\n",
+                     counted(static_cast<std::size_t>(graph.boundary_points()), "point"),
+                     joined(counts, ", "));
+}
+
+std::string components_text(const IntersectionGraph& graph) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Component& component : graph.components) {
+    rows.push_back({std::to_string(component.id), name(component.shape), ids(component.arcs)});
+  }
+  return table({"component", "shape", "arcs"}, rows);
+}
+
+std::vector<std::string> node_row(const Node& node) {
+  std::vector<std::string> kinds;
+  for (NodeKind kind : node.kinds) kinds.push_back(name(kind));
+  std::vector<std::string> places;
+  for (Side side : node.on) places.push_back(side_name(side));
+  std::vector<std::string> wrt;
+  for (Parameter p : node.wrt) wrt.push_back(name(p));
+  std::vector<std::string> row = {std::to_string(node.id), joined(kinds, ", "), joined(places, " "),
+                                  joined(wrt, " ")};
+  for (double parameter : node.approx) row.push_back(decimal(parameter));
+  return row;
+}
+
+std::string nodes_text(const IntersectionGraph& graph) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Node& node : graph.nodes) rows.push_back(node_row(node));
+  return table({"node", "kind", "on", "turns in", "u", "v", "r", "s"}, rows);
+}
+
+std::vector<std::string> arc_row(const Arc& arc) {
+  std::string remark;
+  if (arc.place == ArcPlace::patch_boundary) remark = name(arc.place);
+  if (arc.contact == Contact::tangential)
+    remark += (remark.empty() ? "" : ", ") + std::string(name(arc.contact));
+  return {std::to_string(arc.id),
+          std::to_string(arc.component),
+          std::to_string(arc.from),
+          std::to_string(arc.to),
+          std::to_string(arc.polyline.size()),
+          rounded_up(arc.error_bound),
+          remark};
+}
+
+std::string arcs_text(const IntersectionGraph& graph) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Arc& arc : graph.arcs) rows.push_back(arc_row(arc));
+  return table({"arc", "component", "from", "to", "vertices", "error at most", ""}, rows);
+}
+
+std::string work_text(const Work& work) {
+  std::vector<std::string> steps;
+  for (const auto& [step, count] : work.steps)
+    steps.push_back(fmt::format("{} {:.6g}", printable(step), count));
+  return fmt::format("{:.1f} ms{}{}\n", work.milliseconds, steps.empty() ? "" : ": ",
+                     steps.empty() ? "" : joined(steps, ", "));
+}
+
+std::string incomplete_text(const std::vector<Incomplete>& regions) {
+  if (regions.empty()) return "";
+  std::string text = "\nNot decided:\n";
+  for (const Incomplete& region : regions) {
+    text += fmt::format("  {}\n    {}\n", box_text(region.where), printable(region.why));
+  }
+  return text;
+}
+
+std::string section(const std::string& text) { return text.empty() ? "" : "\n" + text; }
+
+}  // namespace
+
+std::string intersection_summary(const IntersectResult& result, const PatchNames& names) {
+  const IntersectionGraph& graph = result.graph;
+  return headline(result, names) + turning_text(graph) + section(components_text(graph)) +
+         section(nodes_text(graph)) + section(arcs_text(graph)) +
+         (graph.isolated_points.empty() ? ""
+                                        : "\n  isolated points: nodes " + ids(graph.isolated_points) + "\n") +
+         incomplete_text(result.incomplete) + "\n" + work_text(result.work);
+}
+
+}  // namespace exsect::cli

@@ -1,0 +1,52 @@
+#include "line_command.h"
+
+#include <exsect/geometry/text_file.h>
+#include <exsect/solver/line_patch.h>
+
+#include <optional>
+
+#include "line_json.h"
+#include "line_summary.h"
+#include "line_svg.h"
+#include "option_values.h"
+#include "patch_choice.h"
+#include "terminal_text.h"
+
+namespace exsect::cli {
+namespace {
+
+LineQuery query(const LineCommand& command) {
+  std::optional<LineQuery> query;
+  for (Parameter p : all_parameters) {
+    const std::string& text = command.fixed[index(p)];
+    if (text.empty()) continue;
+    if (query) throw UsageError("give only one of --u, --v, --r, --s");
+    query = LineQuery{p, parameter_value(std::string("--") + name(p), text)};
+  }
+  if (!query) throw UsageError("give one of --u, --v, --r, --s");
+  return *query;
+}
+
+}  // namespace
+
+ExitStatus run(const LineCommand& command, const Streams& streams) {
+  const LineQuery asked = query(command);
+  check(command.output, command.file);
+  const PatchPair pair = read_pair(command.file, command.first, command.second);
+  const LineIntersection line = intersect_line(pair.x.patch, pair.y.patch, asked);
+  const std::string json = command.output.json.empty() ? "" : json_text(line_json(line, pair.x.patch));
+  if (!command.output.json.empty() && !command.output.json_to_stdout()) {
+    write_file_atomically(command.output.json, json);
+  }
+  if (!command.output.svg.empty()) {
+    write_file_atomically(command.output.svg, line_svg(line, pair.x.patch, pair.title));
+  }
+  if (command.output.json_to_stdout()) {
+    streams.out << json;
+  } else if (!command.quiet) {
+    streams.out << heading(command.file, pair.title) << line_summary(line, pair.x.patch);
+  }
+  return line.solution.incomplete ? ExitStatus::incomplete : ExitStatus::complete;
+}
+
+}  // namespace exsect::cli

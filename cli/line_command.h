@@ -1,0 +1,26 @@
+// exsect line FILE
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "exit_status.h"
+#include "output_files.h"
+#include "program.h"
+
+namespace exsect::cli {
+
+/// The options as they stand on the command line; empty where not given.
+struct LineCommand {
+  std::string file;
+  std::string first;
+  std::string second;
+  std::array<std::string, 4> fixed;  // values of --u, --v, --r, --s; exactly one is given
+  OutputFiles output;
+  bool quiet = false;
+};
+
+/// complete or incomplete. Throws UsageError, InputError or OutputError before anything is written to `out`.
+ExitStatus run(const LineCommand& command, const Streams& streams);
+
+}  // namespace exsect::cli

@@ -1,0 +1,58 @@
+#include "output_files.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+namespace exsect::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The path with links resolved as far as it exists.
+fs::path resolved(const std::string& path) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(fs::absolute(path), error);
+  return error ? fs::path(path) : canonical;
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return resolved(a) == resolved(b) || fs::equivalent(a, b, error);
+}
+
+void check_writable(const std::string& option, const std::string& path) {
+  const auto refuse = [&](const std::string& reason) {
+    throw UsageError(option + ": " + path + ": cannot be written: " + reason);
+  };
+  std::error_code error;
+  const fs::path target = resolved(path);
+  if (fs::is_directory(target, error)) refuse("it is a directory");
+  if (fs::exists(target, error)) {
+    if (access(target.c_str(), W_OK) != 0) refuse(std::generic_category().message(errno));
+    if (!fs::is_regular_file(target, error)) return;  // a device or a pipe is written where it is
+  }
+  if (!fs::is_directory(target.parent_path(), error)) refuse("there is no such directory");
+  if (access(target.parent_path().c_str(), W_OK) != 0) refuse(std::generic_category().message(errno));
+}
+
+void check_one(const std::string& option, const std::string& path, const std::string& input) {
+  check_writable(option, path);
+  if (same_file(path, input)) throw UsageError(option + ": " + path + ": is the input file");
+}
+
+}  // namespace
+
+void check(const OutputFiles& files, const std::string& input) {
+  if (files.svg == "-") throw UsageError("--svg: needs a file; only --json can go to the standard output");
+  const bool json_file = !files.json.empty() && !files.json_to_stdout();
+  if (json_file && !files.svg.empty() && same_file(files.json, files.svg)) {
+    throw UsageError("--json and --svg: both name " + files.json);
+  }
+  if (json_file) check_one("--json", files.json, input);
+  if (!files.svg.empty()) check_one("--svg", files.svg, input);
+}
+
+}  // namespace exsect::cli

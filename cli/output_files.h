@@ -1,0 +1,28 @@
+// Where results go: files that are checked before the work starts and written whole after it.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace exsect::cli {
+
+/// A bad command line; what() names the option and the reason.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Paths given by --json and --svg; empty where the option is not given. "-" is the standard output, for JSON
+/// only.
+struct OutputFiles {
+  std::string json;
+  std::string svg;
+
+  bool json_to_stdout() const { return json == "-"; }
+};
+
+/// Throws UsageError if a path is a directory, lies in a directory that does not exist or may not be written,
+/// is the input file, or if both are one file.
+void check(const OutputFiles& files, const std::string& input);
+
+}  // namespace exsect::cli

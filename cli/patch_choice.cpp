@@ -1,0 +1,58 @@
+#include "patch_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "terminal_text.h"
+
+namespace exsect::cli {
+namespace {
+
+std::string names(const PatchFile& file) {
+  constexpr std::size_t most = 20;
+  std::vector<std::string> quoted;
+  for (const NamedPatch& patch : file.patches) {
+    if (quoted.size() < most) quoted.push_back("\"" + printable(patch.name) + "\"");
+  }
+  return joined(quoted, ", ") + (file.patches.size() > most ? ", ..." : "");
+}
+
+const NamedPatch& named(const PatchFile& file, const std::string& path, const std::string& name,
+                        const char* option) {
+  const auto patch = std::find_if(file.patches.begin(), file.patches.end(),
+                                  [&](const NamedPatch& candidate) { return candidate.name == name; });
+  if (patch == file.patches.end()) {
+    throw InputError(
+        path, "$.patches",
+        fmt::format("{}: no patch is named \"{}\"; there are {}", option, printable(name), names(file)));
+  }
+  return *patch;
+}
+
+}  // namespace
+
+PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second) {
+  const PatchFile file = read_patches(path);
+  const std::size_t count = file.patches.size();
+  if (!first.empty() && first == second) {
+    throw InputError(path, "$.patches",
+                     fmt::format("--first and --second both name \"{}\"; two different patches are needed",
+                                 printable(first)));
+  }
+  const NamedPatch* x = first.empty() ? nullptr : &named(file, path, first, "--first");
+  const NamedPatch* y = second.empty() ? nullptr : &named(file, path, second, "--second");
+  if ((x == nullptr || y == nullptr) && count != 2) {
+    throw InputError(path, "$.patches",
+                     count < 2 ? "holds one patch; two are needed"
+                               : fmt::format("holds {} patches ({}): choose with --first and --second", count,
+                                             names(file)));
+  }
+  const NamedPatch* front = &file.patches.front();
+  if (x == nullptr) x = y == front ? &file.patches.back() : front;
+  if (y == nullptr) y = x == front ? &file.patches.back() : front;
+  return {*x, *y, file.title};
+}
+
+}  // namespace exsect::cli

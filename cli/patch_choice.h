@@ -1,0 +1,22 @@
+// Which two patches of a file are meant.
+#pragma once
+
+#include <exsect/geometry/patch_file.h>
+
+#include <string>
+
+namespace exsect::cli {
+
+/// x(u,v) and y(r,s), and the title of their file.
+struct PatchPair {
+  NamedPatch x;
+  NamedPatch y;
+  std::string title;
+};
+
+/// Reads the file and chooses: by name where a name is not empty, else in the order of the file, which then
+/// must hold exactly two patches. Throws InputError for a bad file, an unknown name, the same name twice, or
+/// no clear choice.
+PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second);
+
+}  // namespace exsect::cli

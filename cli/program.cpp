@@ -1,0 +1,157 @@
+#include "program.h"
+
+#include <exsect/geometry/text_file.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "intersect_command.h"
+#include "line_command.h"
+#include "terminal_text.h"
+
+namespace exsect::cli {
+namespace {
+
+constexpr const char* about =
+    "exsect: the exact, complete, proved intersection of two biquadratic Bezier patches x(u,v) and y(r,s).\n"
+    "exsect COMMAND --help explains a command. Start with:\n"
+    "  exsect intersect examples/chapter9-first.json --svg picture.svg\n"
+    "  exsect line examples/chapter9-first.json --u 1/2 --svg line.svg";
+
+constexpr const char* statuses =
+    "Exit status: 0 complete; 2 bad input or usage, or output that cannot be written (message on the "
+    "standard\n"
+    "error, nothing on the standard output); 3 incomplete, the result says where and why.";
+
+constexpr const char* intersect_footer =
+    "FILE holds control points as exact numbers (form patches/1):\n"
+    "  {\"exsect\": \"patches/1\",\n"
+    "   \"patches\": [{\"name\": \"x\", \"degree\": [1,1], \"points\": [[[\"0\",\"0\",\"0\"], "
+    "[\"0\",\"1\",\"0\"]],\n"
+    "                                                     [[\"1\",\"0\",\"0\"], [\"1\",\"1\",\"1/2\"]]]}, "
+    "...]}\n"
+    "The two patches are x(u,v) and y(r,s), in the order of the file or as chosen by --first and --second.\n"
+    "A node is a point where the curve meets a side of a parameter square or turns in one of the parameters; "
+    "an\n"
+    "arc joins two nodes; a component is open, closed, or branched.\n"
+    "Examples:\n"
+    "  exsect intersect examples/chapter9-first.json\n"
+    "  exsect intersect examples/chapter9-first.json --tolerance 1e-9 --json result.json --svg picture.svg\n"
+    "  exsect intersect examples/chapter9-first.json --turning none --json -";
+
+constexpr const char* line_footer =
+    "Exactly one of --u, --v (a line of the first patch), --r, --s (a line of the second patch) is needed. "
+    "Shows\n"
+    "plane and cylinder through the line, the eliminant, the feasible intervals and the certified points.\n"
+    "Numbers are exact: 1/2, 0.5 and 0x1p-1 are the same. Examples:\n"
+    "  exsect line examples/chapter9-first.json --u 1/2\n"
+    "  exsect line examples/chapter9-first.json --s 0.7 --json - --svg line.svg";
+
+constexpr const char* line_about = "Intersect one parameter line of a patch with the other patch";
+
+void add_common(CLI::App& app, std::string& file, std::string& first, std::string& second,
+                OutputFiles& output, bool& quiet) {
+  app.add_option("FILE", file, "Patch file")->required()->type_name("");
+  app.add_option("--first", first, "Patch of (u,v), if FILE holds more than two")->type_name("NAME");
+  app.add_option("--second", second, "Patch of (r,s)")->type_name("NAME");
+  app.add_option("--json", output.json, "Write the result as JSON; - for standard output")->type_name("FILE");
+  app.add_option("--svg", output.svg, "Draw a picture")->type_name("FILE");
+  app.add_flag("--quiet", quiet, "No summary, no progress");
+}
+
+void add_intersect(CLI::App& app, IntersectCommand& command) {
+  CLI::App* sub = app.add_subcommand("intersect", "Intersect two patches completely");
+  add_common(*sub, command.file, command.first, command.second, command.output, command.quiet);
+  sub->add_option("--turning", command.turning, "Parameters whose turning points become nodes, or none")
+      ->type_name("LIST")
+      ->capture_default_str();
+  sub->add_option("--tolerance", command.tolerance,
+                  "Proved distance of polylines from the true curve, relative to the model")
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  sub->add_option("--max-seconds", command.max_seconds, "Stop with an incomplete result after this time")
+      ->type_name("NUMBER");
+  sub->footer(intersect_footer);
+}
+
+void add_line(CLI::App& app, LineCommand& command) {
+  CLI::App* sub = app.add_subcommand("line", line_about);
+  add_common(*sub, command.file, command.first, command.second, command.output, command.quiet);
+  for (Parameter p : all_parameters) {
+    const std::string parameter = name(p);
+    sub->add_option("--" + parameter, command.fixed[index(p)],
+                    "The line " + parameter + " = NUMBER, in [0,1]")
+        ->type_name("NUMBER");
+  }
+  sub->footer(line_footer);
+}
+
+/// An option with an empty value would look as if it were not given.
+void refuse_empty_values(const CLI::App& app) {
+  for (const CLI::App* sub : app.get_subcommands()) {
+    for (const CLI::Option* option : sub->get_options()) {
+      for (const std::string& value : option->results()) {
+        if (value.empty()) throw UsageError(option->get_name() + ": empty value");
+      }
+    }
+  }
+}
+
+ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
+  CLI::App app(about, "exsect");
+  IntersectCommand intersect;
+  LineCommand line;
+  app.set_version_flag("--version", "exsect " EXSECT_VERSION, "Print the version");
+  app.require_subcommand(0, 1);
+  app.footer(statuses);
+  add_intersect(app, intersect);
+  add_line(app, line);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) throw UsageError(printable(error.what()) + " (see exsect --help)");
+    app.exit(error, streams.out, streams.err);
+    return ExitStatus::complete;
+  }
+  if (app.get_subcommands().empty())
+    throw UsageError("a command is needed: intersect or line (see exsect --help)");
+  refuse_empty_values(app);
+  return app.got_subcommand("intersect") ? run(intersect, streams) : run(line, streams);
+}
+
+ExitStatus fail(const Streams& streams, const std::string& message) {
+  streams.err << "exsect: " << message << std::endl;
+  return ExitStatus::failed;
+}
+
+ExitStatus guarded(int argc, const char* const* argv, const Streams& streams) {
+  try {
+    const ExitStatus status = dispatch(argc, argv, streams);
+    if (!streams.out.flush()) return fail(streams, "the standard output cannot be written");
+    return status;
+  } catch (const UsageError& error) {
+    return fail(streams, error.what());
+  } catch (const InputError& error) {
+    return fail(streams, printable(error.what()));
+  } catch (const OutputError& error) {
+    return fail(streams, printable(error.what()));
+  } catch (const std::invalid_argument& error) {
+    return fail(streams, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(streams, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(streams, std::string("internal error: ") + error.what());
+  } catch (...) {
+    return fail(streams, "internal error of unknown kind");
+  }
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv, const Streams& streams) {
+  return static_cast<int>(guarded(argc, argv, streams));
+}
+
+}  // namespace exsect::cli

@@ -1,0 +1,179 @@
+// The command line of the built program: help, version, and every way to use it wrongly.
+#include <filesystem>
+#include <fstream>
+
+#include "run_program.h"
+#include "support/catch.h"
+
+namespace exsect {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+const std::string first = example("chapter9-first.json");
+
+/// Bad input or usage: exit status 2, nothing on the standard output, one line on the standard error.
+void check_refused(const Arguments& arguments, const std::string& reason) {
+  const ProgramRun run = run_program(arguments);
+  INFO("arguments " << Catch::rangeToString(arguments) << "\nstderr " << run.err);
+  CHECK(run.status == 2);
+  CHECK(run.out.empty());
+  CHECK(run.err.starts_with("exsect: "));
+  CHECK(run.err.find(reason) != std::string::npos);
+  CHECK(run.err.find('\n') == run.err.size() - 1);
+}
+
+const std::string patch = R"("degree": [1,1], "points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]]})";
+
+std::string patches(const std::string& list) {
+  return R"({"exsect": "patches/1", "patches": [)" + list + "]}";
+}
+
+TEST_CASE("help and version go to the standard output") {
+  const ProgramRun version = run_program({"--version"});
+  CHECK(version.status == 0);
+  CHECK(version.out == "exsect " EXSECT_TEST_VERSION "\n");
+  CHECK(version.err.empty());
+  const ProgramRun help = run_program({"--help"});
+  CHECK(help.status == 0);
+  for (const char* word : {"intersect", "line", "Exit status", "--version", "chapter9-first.json"}) {
+    CHECK(help.out.find(word) != std::string::npos);
+  }
+  for (const char* command : {"intersect", "line"}) {
+    const ProgramRun more = run_program({command, "--help"});
+    CHECK(more.status == 0);
+    CHECK(more.err.empty());
+    for (const char* word : {"FILE", "--first", "--second", "--json", "--svg", "--quiet", "Examples"}) {
+      INFO(command << " " << word);
+      CHECK(more.out.find(word) != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("wrong options are refused") {
+  check_refused({}, "a command is needed: intersect or line");
+  check_refused({"intersekt", first}, "intersekt");
+  check_refused({"intersect"}, "FILE is required");
+  check_refused({"intersect", first, "--colour", "red"}, "--colour");
+  check_refused({"intersect", first, first}, "chapter9-first.json");
+  check_refused({"intersect", first, "--json"}, "--json");
+  check_refused({"intersect", first, "--json", ""}, "--json: empty value");
+  check_refused({"intersect", first, "--tolerance", "1", "--tolerance", "2"}, "--tolerance");
+  check_refused({"intersect", ""}, "empty value");
+}
+
+TEST_CASE("a tolerance must be a positive number") {
+  for (const char* text :
+       {"0", "-1", "nan", "NaN", "inf", "abc", "1e-6x", "1e", "1/0", " 1", "1e-2000", "1e2000", "1e99999"}) {
+    check_refused({"intersect", first, "--tolerance=" + std::string(text)}, "--tolerance: ");
+  }
+  for (const char* text : {"0", "-1", "nan", "1e-2000"}) {
+    check_refused({"intersect", first, "--max-seconds=" + std::string(text)}, "--max-seconds: ");
+  }
+  check_refused({"intersect", first, "--tolerance", "-1"}, "--tolerance");
+  check_refused({"intersect", first, "--tolerance=" + std::string(100000, '1')}, "--tolerance: ");
+}
+
+TEST_CASE("turning parameters are a list of u, v, r, s") {
+  for (const char* text : {"w", "u,", ",u", "u,u", "u v", "U", ",", "none,u", "u;v"}) {
+    check_refused({"intersect", first, "--turning=" + std::string(text)}, "--turning: ");
+  }
+}
+
+TEST_CASE("a line needs one parameter in [0,1]") {
+  check_refused({"line", first}, "give one of --u, --v, --r, --s");
+  check_refused({"line", first, "--u", "1/2", "--v", "1/2"}, "only one of");
+  check_refused({"line", first, "--u", "1/2", "--u", "1/3"}, "--u");
+  for (const char* text : {"3/2", "-1/2", "1.0000001", "-0x1p-1000"}) {
+    check_refused({"line", first, "--r=" + std::string(text)}, "is not in [0,1]");
+  }
+  for (const char* text : {"half", "1/0", "1/-2", "0.5.5", "nan", ".5", "1//2", "0x1", "1 /2"}) {
+    check_refused({"line", first, "--s=" + std::string(text)}, "--s: ");
+  }
+  check_refused({"line", first, "--u", "-1/2"}, "");
+}
+
+TEST_CASE("a file that is no patch file is refused with path and reason") {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.path("in.json");
+  check_refused({"intersect", file}, file + ": cannot be opened");
+  check_refused({"intersect", scratch.path("")}, "is a directory");
+  const auto refused = [&](const std::string& text, const std::string& reason) {
+    write(file, text);
+    check_refused({"intersect", file}, file + ": " + reason);
+    check_refused({"line", file, "--u", "0"}, file + ": " + reason);
+  };
+  const std::string x = R"({"name": "x", )" + patch;
+  const std::string y = R"({"name": "y", )" + patch;
+  refused("", "");
+  refused("{", "");
+  refused(patches(x + "," + x), "$.patches[1].name: ");
+  refused(
+      patches(R"({"name": "x", "degree": [1,1], "points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,"1/0"]]]},)" + y),
+      "$.patches[0].points[1][1][2]: ");
+  refused(
+      patches(R"({"name": "x", "degree": [1,1], "points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,NaN]]]},)" + y),
+      "");
+  refused(patches(R"({"name": "x", "degree": [3,1], "points": []},)" + y), "$.patches[0].degree");
+  refused(patches(x + "," + y) + "}", "");
+  refused(patches(x), "$.patches: holds one patch; two are needed");
+  refused(patches(x + "," + y + R"(, {"name": "z", )" + patch), "$.patches: holds 3 patches");
+}
+
+TEST_CASE("patches are chosen by name") {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.path("three.json");
+  write(file,
+        patches(R"({"name": "a", )" + patch + R"(,{"name": "b", )" + patch + R"(,{"name": "c", )" + patch));
+  check_refused({"intersect", file, "--first", "a"}, "choose with --first and --second");
+  check_refused({"intersect", file, "--first", "a", "--second", "a"},
+                "$.patches: --first and --second both name \"a\"");
+  check_refused({"intersect", file, "--first", "a", "--second", "d"}, "--second: no patch is named \"d\"");
+  check_refused({"line", file, "--u", "0", "--first", "\x1b[31m", "--second", "a"},
+                "no patch is named \" [31m\"");
+  const ProgramRun chosen = run_program({"line", file, "--u", "0", "--first", "c", "--second", "a"});
+  CHECK(chosen.status == 0);
+}
+
+TEST_CASE("output that cannot be written is refused before anything is printed") {
+  const ScratchDirectory scratch;
+  const std::string missing = scratch.path("missing/out.json");
+  for (const char* option : {"--json", "--svg"}) {
+    check_refused({"intersect", first, option, missing},
+                  missing + ": cannot be written: there is no such directory");
+    check_refused({"intersect", first, option, scratch.path("")}, "it is a directory");
+    check_refused({"line", first, "--u", "0", option, missing}, "there is no such directory");
+  }
+  CHECK(scratch.number_of_files() == 0);
+  const std::string both = scratch.path("both");
+  check_refused({"intersect", first, "--json", both, "--svg", both}, "--json and --svg: both name");
+  check_refused({"intersect", first, "--json", both, "--svg", scratch.path("./both")}, "both name");
+  check_refused({"intersect", first, "--svg", "-"}, "--svg: needs a file");
+  const std::string copy = scratch.path("copy.json");
+  std::filesystem::copy_file(first, copy);
+  check_refused({"intersect", copy, "--json", copy}, "is the input file");
+  std::filesystem::create_symlink(copy, scratch.path("link"));
+  check_refused({"intersect", copy, "--json", scratch.path("link")}, "is the input file");
+  CHECK(content(copy) == content(first));
+  CHECK(scratch.number_of_files() == 2);
+}
+
+TEST_CASE("a full device is reported") {
+  if (!std::filesystem::exists("/dev/full")) return;
+  const ProgramRun to_stdout = run_program({"line", first, "--u", "1/2"}, "/dev/full");
+  CHECK(to_stdout.status == 2);
+  CHECK(to_stdout.err == "exsect: the standard output cannot be written\n");
+  check_refused({"line", first, "--u", "1/2", "--json", "/dev/full"}, "/dev/full: cannot be written");
+}
+
+TEST_CASE("bad input leaves existing output alone") {
+  const ScratchDirectory scratch;
+  const std::string out = scratch.path("out.json");
+  write(out, "precious");
+  check_refused({"intersect", scratch.path("missing.json"), "--json", out}, "cannot be opened");
+  CHECK(content(out) == "precious");
+  CHECK(scratch.number_of_files() == 1);
+}
+
+}  // namespace
+}  // namespace exsect
