@@ -1,5 +1,6 @@
 #include "algebraic_value.h"
 
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -32,7 +33,10 @@ Polynomial minimal_polynomial(const RealAlgebraic& s) {
 /// s. It is not zero: m is irreducible, so the leading coefficient of g vanishes at no conjugate of s, and
 /// the resultant is up to a nonzero constant the product of h(p') - T over all conjugate points p'.
 Polynomial annihilator(const BivariatePolynomial& h, const TriangularPoint& p) {
-  const Polynomial m = minimal_polynomial(p.s());
+  const Polynomial minimal = minimal_polynomial(p.s());
+  // Monic: the degree in s of Res_r(g, h - T) may drop at some T, and the resultant of the actual degrees
+  // would lose a power of the leading coefficient there.
+  const Polynomial m = minimal * Polynomial(Rational(1 / minimal.leading_coefficient()));
   const int degree = m.degree() * p.g().degree_r();
   std::vector<Rational> values;
   for (int t = 0; t <= degree; ++t) {
@@ -66,6 +70,8 @@ RealAlgebraic value_at(const BivariatePolynomial& h, const TriangularPoint& p) {
   do {
     const RationalInterval value = enclosure_at(h, p, width);
     roots = real_roots(f, value.lower, value.upper);
+    if (roots.empty())
+      throw std::logic_error("value_at: the annihilating polynomial has no root at the value");
     width *= power_of_two(-20);
   } while (roots.size() != 1);
   const Polynomial m = minimal_polynomial(roots.front());

@@ -46,6 +46,20 @@ TEST_CASE("values at irrational points") {
   CHECK(value_at(r + s, q) > RealAlgebraic(2));
 }
 
+TEST_CASE("values where the degree of the resultant in s drops at an integer") {
+  // s = 1/sqrt 2 with the minimal polynomial 2 s^2 - 1, g = r^2 - s r - s, h = -r: Res_r(g, h - T) = T^2 + (T
+  // - 1) s.
+  const Polynomial t = Polynomial::variable();
+  const RealAlgebraic root = real_roots(Polynomial(2) * t * t - Polynomial(1), 0, 1).front();
+  const TriangularPoint p = roots_at(r * r - s * r - s, root, 0, 2).front();
+  const RealAlgebraic value = value_at(constant(0) - r, p);
+  const RationalInterval near = enclosure_at(r, p, power_of_two(-60));
+  CHECK(value.compare(-near.upper) >= 0);
+  CHECK(value.compare(-near.lower) <= 0);
+  // Eliminating s = r^2/(r + 1) from 2 s^2 = 1.
+  CHECK(sign_at(Polynomial(2) * t * t * t * t - (t - Polynomial(1)) * (t - Polynomial(1)), value) == 0);
+}
+
 TEST_CASE("enclosures have the width asked for and agree with the exact value") {
   const TriangularPoint p = roots_at(r * r * s - constant(1), root_of_two(), 0, 2).front();
   const unsigned seed = 77;

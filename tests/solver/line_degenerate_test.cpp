@@ -107,6 +107,11 @@ TEST_CASE("the plane is constant or linear in r") {
     CHECK(p.multiplicity() == 1);
     CHECK(p.branch() == 0);
   }
+  INFO("the single root of a plane linear in r is branch 1, whatever the sign of B");
+  const LineIntersection falling =
+      solve(over_arc({Rational(3, 4), 0, 0, 1}, from_middle - r + constant(Rational(1, 4))));
+  REQUIRE(!falling.solution.points.empty());
+  for (const CertifiedPoint& p : falling.solution.points) CHECK(p.branch() == 1);
   const LineIntersection linear =
       solve(over_arc({Rational(3, 4), 0, 0, 1}, from_middle + r - constant(Rational(1, 4))));
   REQUIRE(!linear.solution.points.empty());
@@ -116,6 +121,13 @@ TEST_CASE("the plane is constant or linear in r") {
     found = found || contains(p.box(), {0, Rational(1, 4), Rational(1, 4), half});
   }
   CHECK(found);
+}
+
+TEST_CASE("points close to a side are not on it, and their boxes stay in the square") {
+  const Rational small = power_of_two(-60);
+  const LineIntersection line = solve(over_arc({4 * small * (1 - small), 0, 0, 1}, from_middle));
+  check_points(line, {{small, half}, {1 - small, half}});
+  for (const CertifiedPoint& p : line.solution.points) CHECK(p.sides() == std::vector<Side>{{Parameter::u, 0}});
 }
 
 TEST_CASE("tangential points in the degenerate fibres") {
