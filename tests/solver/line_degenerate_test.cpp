@@ -127,7 +127,8 @@ TEST_CASE("points close to a side are not on it, and their boxes stay in the squ
   const Rational small = power_of_two(-60);
   const LineIntersection line = solve(over_arc({4 * small * (1 - small), 0, 0, 1}, from_middle));
   check_points(line, {{small, half}, {1 - small, half}});
-  for (const CertifiedPoint& p : line.solution.points) CHECK(p.sides() == std::vector<Side>{{Parameter::u, 0}});
+  for (const CertifiedPoint& p : line.solution.points)
+    CHECK(p.sides() == std::vector<Side>{{Parameter::u, 0}});
 }
 
 TEST_CASE("tangential points in the degenerate fibres") {
