@@ -187,7 +187,7 @@ HeightTerms height_terms(const IntegerPair& pair) {
           log2_mean_norm(scaled, exchanged) + 4 * scale, *g_r, *g_s};
 }
 
-// (4.13)
+// (4.16)
 std::size_t eliminant_height_bound(const IntegerPair& pair) {
   const HeightTerms t = height_terms(pair);
   const double log2_binomial = 124.2;  // binom(128,64) < 2^124.2

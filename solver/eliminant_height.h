@@ -17,7 +17,7 @@ struct HeightTerms {
 /// Throws std::domain_error if n, g_r or g_s vanishes identically (then E is zero or not defined by (4.8)).
 HeightTerms height_terms(const IntegerPair& pair);
 
-/// A number b with |e_j| < 2^b for every coefficient of E(u) of the pair: docs/method.md, (4.13). Rigorous
+/// A number b with |e_j| < 2^b for every coefficient of E(u) of the pair: docs/method.md, (4.16). Rigorous
 /// for integers of any size; usually within 400 bits of the truth. Throws as height_terms.
 std::size_t eliminant_height_bound(const IntegerPair& pair);
 

@@ -142,7 +142,7 @@ std::vector<T> normal_form(const FibreCoefficients<T>& f, const SpaceVector<T>& 
 }
 
 /// n_k J, J = x_v . (y_r x y_s) with v from the axis k, a polynomial of bidegree (5,5): the coefficient of
-/// r^p s^q at index 6 p + q (4.12).
+/// r^p s^q at index 6 p + q (4.14).
 template <class T>
 std::vector<T> turning_form(const FibreCoefficients<T>& f, std::size_t k) {
   const SpaceVector<T> n = cross_product(f.a[1], f.a[2]);

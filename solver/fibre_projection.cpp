@@ -10,105 +10,113 @@ namespace exsect {
 
 namespace {
 
-bool is_zero(const SpaceVector<Polynomial>& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }
-
 void trim(FibrePolynomial& f) {
   while (!f.coefficients.empty() && f.coefficients.back().is_zero()) f.coefficients.pop_back();
 }
 
-/// R and S1 where y has degree 2 in r but P = B r + C, B != 0 (4.15d): from an axis k with n_k != 0,
-/// n_k^2 zeta = n_k mu - lambda^2 of degree 2 or 4 in r at r = -C/B.
-FibreEliminant<Polynomial> flat_eliminant(const FibreCoefficients<Polynomial>& f,
-                                          const FibreForms<Polynomial>& forms) {
-  std::size_t k = 0;
-  while (forms.n[k].is_zero()) ++k;
-  const std::size_t p = (k + 1) % 3;
-  const std::size_t q = (k + 2) % 3;
-  std::array<FibrePolynomial, 3> lambda;
-  std::array<FibrePolynomial, 3> mu;
-  for (std::size_t i = 0; i < 3; ++i) {
-    lambda[i] = forms.w[i][p] * FibrePolynomial{{f.a[2][q]}} - forms.w[i][q] * FibrePolynomial{{f.a[2][p]}};
-    mu[i] = forms.w[i][q] * FibrePolynomial{{f.a[1][p]}} - forms.w[i][p] * FibrePolynomial{{f.a[1][q]}};
-  }
-  const FibrePolynomial n{{forms.n[k]}};
-  const FibrePolynomial& b = forms.pb;
-  const FibrePolynomial& c = forms.pc;
-  const FibrePolynomial mu_value = mu[0] * b * b - mu[1] * b * c + mu[2] * c * c;  // B^2 mu(-C/B)
-  if (is_zero(lambda[2])) {
-    const FibrePolynomial lambda_value = lambda[0] * b - lambda[1] * c;
-    return {n * mu_value - lambda_value * lambda_value, n * n * b};
-  }
-  const FibrePolynomial lambda_value = lambda[0] * b * b - lambda[1] * b * c + lambda[2] * c * c;
-  return {n * b * b * mu_value - lambda_value * lambda_value, n * n * b * b * b};
+using Vector = SpaceVector<Polynomial>;
+using FormVector = SpaceVector<FibrePolynomial>;
+
+FibrePolynomial one() { return {{Polynomial(1)}}; }
+
+bool is_zero(const FormVector& w) { return is_zero(w[0]) && is_zero(w[1]) && is_zero(w[2]); }
+
+FormVector cross_product(const Vector& a, const FormVector& w) {
+  FormVector b;
+  for (std::size_t k = 0; k < 3; ++k) b[k] = {{a[k]}};
+  return cross_product(b, w);
 }
 
-bool is_straight(const FibreCoefficients<Polynomial>& f) { return is_zero(f.a[2]); }
-
-bool is_linear_in_r(const FibreCoefficients<Polynomial>& f) {
-  return is_zero(f.y[2][0]) && is_zero(f.y[2][1]) && is_zero(f.y[2][2]);
-}
-
-/// The eliminant where y is linear in r (4.15a, b).
-FibrePolynomial linear_eliminant(const FibreCoefficients<Polynomial>& f,
-                                 const FibreForms<Polynomial>& forms) {
-  if (is_straight(f)) return forms.mc;
-  return forms.mc * forms.pb - forms.lc * forms.lc;
-}
-
-/// R and S1 by the degrees in r that the two equations of the fibre really have.
-FibreEliminant<Polynomial> eliminant(const FibreCoefficients<Polynomial>& f,
-                                     const FibreForms<Polynomial>& forms) {
-  const FibrePolynomial one{{Polynomial(1)}};
-  if (is_straight(f)) {
-    if (is_zero(forms.ma) && is_zero(forms.mb)) {
-      // y is linear in r modulo a_1, or constant: then a fibre with one point has infinitely many, and R in
-      // the other parameter says so.
-      if (is_zero(forms.mc)) return {one, {}};
-      return {forms.mc, one};  // (4.15a)
+/// pi and zeta at r = -C/B (4.17): lambda and mu stand for n_k times those of (1.3).
+class PlaneRoot {
+ public:
+  PlaneRoot(const FibreCoefficients<Polynomial>& f, const FibreForms<Polynomial>& forms) : forms_(forms) {
+    std::size_t k = 0;
+    while (forms.n[k].is_zero()) ++k;
+    n_ = {{forms.n[k]}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      lambda_[i] = FibrePolynomial{} - cross_product(f.a[2], forms.w[i])[k];
+      mu_[i] = cross_product(f.a[1], forms.w[i])[k];
     }
-    return {forms.ma * forms.ma - forms.mb * forms.mc, forms.mb};  // (4.15c)
   }
+  bool lambda_is_linear() const { return is_zero(lambda_[2]); }
+  /// B^2 (n_k mu - lambda^2) without the square term of lambda.
+  FibreEliminant<Polynomial> quadratic() const {
+    const FibrePolynomial lambda = lambda_[0] * forms_.pb - lambda_[1] * forms_.pc;
+    return {n_ * mu() - lambda * lambda, n_ * n_ * forms_.pb};
+  }
+  /// B^4 (n_k mu - lambda^2).
+  FibreEliminant<Polynomial> quartic() const {
+    const FibrePolynomial& b = forms_.pb;
+    const FibrePolynomial& c = forms_.pc;
+    const FibrePolynomial lambda = lambda_[0] * b * b - lambda_[1] * b * c + lambda_[2] * c * c;
+    return {n_ * b * b * mu() - lambda * lambda, n_ * n_ * b * b * b};
+  }
+
+ private:
+  FibrePolynomial mu() const {  // B^2 mu
+    const FibrePolynomial& b = forms_.pb;
+    const FibrePolynomial& c = forms_.pc;
+    return mu_[0] * b * b - mu_[1] * b * c + mu_[2] * c * c;
+  }
+
+  const FibreForms<Polynomial>& forms_;
+  FibrePolynomial n_;
+  std::array<FibrePolynomial, 3> lambda_;
+  std::array<FibrePolynomial, 3> mu_;
+};
+
+/// The fibre's two equations in r.
+struct Equations {
+  FibreEliminant<Polynomial> eliminant;
+  /// The vector of polynomials in s that vanishes where r = infinity solves both; empty if that is not used.
+  std::optional<FormVector> at_infinity;
+  /// Where at_infinity vanishes, the fibre can have a finite point only if all of these vanish.
+  std::vector<FibrePolynomial> finite_there;
+};
+
+Equations straight_equations(const FibreCoefficients<Polynomial>& f, const FibreForms<Polynomial>& forms) {
+  const auto along = [&](std::size_t i) { return cross_product(f.a[1], forms.w[i]); };
+  if (!is_zero(along(2)))  // (4.17b)
+    return {{forms.ma * forms.ma - forms.mb * forms.mc, forms.mb}, along(2), {forms.mc}};
+  // Where y is constant in r modulo a_1, a fibre with one point has infinitely many, and R in the other
+  // parameter says so.
+  if (is_zero(along(1))) return {{one(), {}}, {}, {}};
+  const FormVector constant = along(0);
+  return {{forms.mc, one()}, along(1), {constant.begin(), constant.end()}};  // (4.17a)
+}
+
+Equations conic_equations(const FibreCoefficients<Polynomial>& f, const FibreForms<Polynomial>& forms) {
+  const auto along = [&](std::size_t i) { return cross_product(f.a[2], forms.w[i]); };
   if (is_zero(forms.pa) && is_zero(forms.pb)) {
     // P = C(s): at most four points over each root. No S1: only the other projection can separate them.
     const FibrePolynomial square = forms.pc * forms.pc;
-    return {square * square, {}};
+    return {{square * square, {}}, {}, {}};
   }
-  if (is_linear_in_r(f)) return {linear_eliminant(f, forms), forms.pb};  // (4.15b)
-  if (is_zero(forms.pa)) return flat_eliminant(f, forms);                // (4.15d)
-  return fibre_eliminant(forms);
+  if (is_zero(forms.w[2]))  // (4.17c)
+    return {{forms.mc * forms.pb - forms.lc * forms.lc, forms.pb}, along(1), {forms.pc}};
+  const PlaneRoot root(f, forms);
+  if (!is_zero(forms.pa)) return {fibre_eliminant(forms), along(2), {root.quadratic().r}};
+  return {root.lambda_is_linear() ? root.quadratic() : root.quartic(), {}, {}};  // (4.17d, e)
 }
 
-/// f / q for constant coefficients of q, or nothing if q does not divide f.
-std::optional<FibrePolynomial> quotient_if_exact(FibrePolynomial f, const Polynomial& q) {
-  const auto n = static_cast<std::size_t>(q.degree());
-  if (f.coefficients.size() <= n) return std::nullopt;
-  FibrePolynomial quotient;
-  quotient.coefficients.resize(f.coefficients.size() - n);
-  for (std::size_t i = quotient.coefficients.size(); i-- > 0;) {
-    const Polynomial c = f.coefficients[i + n] * Polynomial(1 / q.leading_coefficient());
-    quotient.coefficients[i] = c;
-    for (std::size_t j = 0; j <= n; ++j)
-      f.coefficients[i + j] -= c * Polynomial(q.coefficient(static_cast<int>(j)));
-  }
-  if (!is_zero(f)) return std::nullopt;
-  return quotient;
+BivariatePolynomial bivariate(const FibrePolynomial& f) { return BivariatePolynomial(f.coefficients); }
+
+/// The common factor of the three, primitive as a polynomial in s over Q[u].
+BivariatePolynomial common_factor(const FormVector& w) {
+  const BivariatePolynomial factor = gcd(gcd(bivariate(w[0]), bivariate(w[1])), bivariate(w[2]));
+  Polynomial content;
+  for (int i = 0; i <= factor.degree_r(); ++i) content = gcd(content, factor.coefficient(i));
+  return exact_quotient(factor, BivariatePolynomial({content}));
 }
 
-/// The common factor in Q[s] of the coordinates of the coefficient of r^2 in y: at its roots r = infinity may
-/// belong to every fibre.
-Polynomial points_at_infinity(const FibreCoefficients<Polynomial>& f) {
-  Polynomial q;
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::vector<Rational> coordinate;
-    for (std::size_t j = 0; j < 3; ++j) coordinate.push_back(f.y[2][j][k].coefficient(0));
-    q = gcd(q, Polynomial(coordinate));
-  }
-  return q;
-}
-
-FibrePolynomial constant_in_u(const Polynomial& f) {
+/// f without all factors that it has in common with a power of g.
+FibrePolynomial without_factors(const FibrePolynomial& f, const BivariatePolynomial& g) {
+  BivariatePolynomial rest = bivariate(f);
+  for (BivariatePolynomial factor = gcd(rest, g); factor.degree_r() > 0; factor = gcd(rest, g))
+    rest = exact_quotient(rest, factor);
   FibrePolynomial result;
-  for (const auto& c : f.coefficients()) result.coefficients.emplace_back(c);
+  for (int i = 0; i <= rest.degree_r(); ++i) result.coefficients.push_back(rest.coefficient(i));
   return result;
 }
 
@@ -145,7 +153,7 @@ FibrePolynomial derivative(const FibrePolynomial& f) {
 }
 
 bool coprime(const FibrePolynomial& f, const FibrePolynomial& g) {
-  return gcd(BivariatePolynomial(f.coefficients), BivariatePolynomial(g.coefficients)).degree_r() == 0;
+  return gcd(bivariate(f), bivariate(g)).degree_r() == 0;
 }
 
 std::vector<Integer> integer_coefficients(const FibrePolynomial& f) {
@@ -168,25 +176,22 @@ FibreCoefficients<Polynomial> symbolic_fibre(const IntegerPair& pair) {
 
 FibreProjection project_fibre(const FibreCoefficients<Polynomial>& f) {
   const FibreForms<Polynomial> forms(f);
-  FibreProjection result;
-  auto [r, s1] = eliminant(f, forms);
-  trim(r);
-  trim(s1);
-  result.r = r;
-  result.s1 = s1;
-  result.complete = true;
-  if (is_zero(r)) return result;
-  const Polynomial q = points_at_infinity(f);
-  if (q.degree() > 0) {
-    // At a root of q the patch is linear in r; a finite point of the fibre there is a root of the linear
-    // eliminant.
-    const FibrePolynomial linear = linear_eliminant(f, forms);
-    result.complete = !is_zero(linear) && coprime(constant_in_u(q), linear);
-    if (result.complete)
-      while (const auto quotient = quotient_if_exact(r, q)) r = *quotient;
+  const bool straight = f.a[2][0].is_zero() && f.a[2][1].is_zero() && f.a[2][2].is_zero();
+  auto [eliminant, at_infinity, finite_there] =
+      straight ? straight_equations(f, forms) : conic_equations(f, forms);
+  trim(eliminant.r);
+  trim(eliminant.s1);
+  FibreProjection result{eliminant.r, eliminant.s1, eliminant.r, {}, true};
+  if (is_zero(eliminant.r)) return result;
+  const BivariatePolynomial infinite =
+      at_infinity ? common_factor(*at_infinity) : BivariatePolynomial::constant(1);
+  if (infinite.degree_r() > 0) {
+    result.complete = std::any_of(finite_there.begin(), finite_there.end(), [&](const FibrePolynomial& g) {
+      return !is_zero(g) && gcd(infinite, bivariate(g)).degree_r() == 0;
+    });
+    if (result.complete) result.finite = without_factors(result.finite, infinite);
   }
-  result.content = remove_content(r);
-  result.finite = std::move(r);
+  result.content = remove_content(result.finite);
   return result;
 }
 

@@ -20,17 +20,18 @@ bool coprime(const FibrePolynomial& f, const FibrePolynomial& g);
 /// All coefficients of all coefficients; each must be an integer.
 std::vector<Integer> integer_coefficients(const FibrePolynomial& f);
 
-/// The projection of the generic fibre to s. For each root s of R with S1(s) != 0 there is exactly one finite
-/// point (v,r,s) of the fibre, and R'(s) = S1(s) J up to a sign that depends on the pair only:
-/// docs/method.md, (4.15).
+/// The projection of the generic fibre to s (docs/method.md, section 4.6). For each root s of `finite` with
+/// S1(s) != 0 there is exactly one finite point (v,r,s) of the fibre, and R'(s) = S1(s) J up to a sign that
+/// depends on the pair only.
 struct FibreProjection {
   FibrePolynomial r;   // R in Z[u][s], zero if it vanishes identically
   FibrePolynomial s1;  // S1 in Z[u][s]
-  /// R without the roots where the fibre has its fixed points at r = infinity, coefficients in Z[u] without
-  /// common factor.
+  /// R without the roots where points of the fibre lie at r = infinity for all u, coefficients in Z[u]
+  /// without common factor.
   FibrePolynomial finite;
-  Polynomial content;  // in Q[u]: R = content * finite * constant polynomial in s
-  /// Every finite point of the fibre has its s among the roots of `finite`.
+  Polynomial content;  // of R in Q[u], apart from a constant; 0 for R = 0
+  /// Every root of R over which there is a finite point is a root of `finite`, and there are no points at
+  /// infinity among those.
   bool complete;
 };
 

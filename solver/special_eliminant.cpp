@@ -49,8 +49,8 @@ class ModularForm {
   std::vector<std::vector<Residue>> coefficients_;
 };
 
-/// Values of (4.14), (l m)^3 prod R'(s_i)/S1(s_i) over the roots s_i of `points.finite`, where l and m are
-/// the leading coefficients of the finite parts of the two projections.
+/// Values of (4.18), (l_s l_r)^3 prod R'(s_i)/S1(s_i) over the roots s_i of `points.finite`, where l_s and
+/// l_r are the leading coefficients of the finite parts of the two projections.
 std::vector<ResidueFraction> norm_values(const PrimeField& field, const FibreProjection& points,
                                          const FibreProjection& other, Residue first, std::size_t count) {
   const ModularForm finite(field, points.finite);
@@ -71,7 +71,7 @@ std::vector<ResidueFraction> norm_values(const PrimeField& field, const FibrePro
   return values;
 }
 
-/// log2 of a bound of the coefficients of (4.14), by (4.17).
+/// log2 of a bound of the coefficients of (4.18), by (4.15) and (4.19).
 std::size_t norm_height(const FibreCoefficients<Polynomial>& f, const FibreProjection& points,
                         const FibreProjection& other, std::size_t degree_bound) {
   const auto count = static_cast<double>(degree(points.finite));
@@ -110,10 +110,9 @@ Polynomial content_factor(const FibreProjection& a, const FibreProjection& b) {
   return radical * radical;
 }
 
-/// Why (4.14) cannot be used with this projection; empty if it can.
+/// Why (4.18) cannot be used with this projection; empty if it can.
 std::string obstacle(const FibreProjection& points) {
-  if (!points.complete)
-    return "a line of the second patch that runs through a point at infinity lies on the first";
+  if (!points.complete) return "points of every fibre at infinity cannot be told from finite ones";
   if (degree(points.finite) == 0) return {};
   if (is_zero(points.s1) || !coprime(points.finite, points.s1))
     return "two points of every fibre have the same parameter";
@@ -122,7 +121,7 @@ std::string obstacle(const FibreProjection& points) {
 
 bool vanishes(const SpaceVector<Polynomial>& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }
 
-/// Why the pair has no fibres of finitely many points as (4.14) needs them; empty if it may have.
+/// Why the pair has no fibres of finitely many points as (4.18) needs them; empty if it may have.
 std::string shape_obstacle(const FibreCoefficients<Polynomial>& f) {
   if (vanishes(f.a[1]) && vanishes(f.a[2])) return "x is a curve: it does not depend on v";
   if (vanishes(cross_product(f.a[1], f.a[2])) && !vanishes(f.a[2]))

@@ -6,7 +6,7 @@
 
 namespace exsect {
 
-/// E(u) (4.14), by exact elimination with u as a variable: for patches of lower degree, height fields,
+/// E(u) (4.18), by exact elimination with u as a variable: for patches of lower degree, height fields,
 /// symmetric pairs and every other shape whose generic fibre is finite, without multiple points, and
 /// separated by one of its two parameters r, s. Otherwise `degenerate` says which condition fails, exactly.
 TurningEliminant special_eliminant(const IntegerPair& pair);

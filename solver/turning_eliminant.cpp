@@ -12,7 +12,7 @@ namespace exsect {
 
 namespace {
 
-/// Of E(u): docs/method.md, Theorem 4.2.
+/// Of E(u): docs/method.md, Theorem 4.3.
 constexpr std::size_t degree_bound = 128;
 
 /// Values of E modulo p at u, u + 1, ...

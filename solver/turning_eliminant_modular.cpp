@@ -47,7 +47,7 @@ std::array<Residue, size> doubled(const PrimeField& field, std::array<Residue, s
   return f;
 }
 
-/// res(f,g) of formal degrees n+1 and n as a fraction; overwrites both. One step (4.10):
+/// res(f,g) of formal degrees n+1 and n as a fraction; overwrites both. One step (4.13):
 /// l = g_n, l^2 f - (q1 s + q0) g has degree n-1 and res(f,g) = l^(2-2n) res(g, remainder).
 ResidueFraction remainder_sequence(const PrimeField& field, Residue* f, Residue* g, std::size_t n) {
   Residue product = field.one();      // of the leading coefficients l_n so far

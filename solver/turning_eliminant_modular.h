@@ -13,7 +13,7 @@ class ModularEliminant {
  public:
   ModularEliminant(const PrimeField& field, const IntegerPair& pair);
 
-  /// E(u) by Euclid's algorithm without inverses (4.10). The denominator is zero where g_s(u) Res(R,S1)(u) =
+  /// E(u) by Euclid's algorithm without inverses (4.13). The denominator is zero where g_s(u) Res(R,S1)(u) =
   /// 0, and also where a leading coefficient of the remainder sequences vanishes.
   ResidueFraction fast_value(Residue u) const;
   /// E(u) from resultants that allow any sequence of degrees: the denominator is zero only where

@@ -31,9 +31,24 @@ BezierPatch without(ControlNet c, const std::vector<std::array<std::size_t, 2>>&
   return patch(c);
 }
 
-BezierPatch fixed_direction(Random& random) {
-  ControlNet c = random_net(random);
-  for (std::size_t j = 1; j < 3; ++j) c[2][j] = small_rational(random) * c[2][0];
+/// The coefficient of r^degree has a fixed direction: polynomial(s) * vector.
+BezierPatch fixed_direction(Random& random, std::size_t degree) {
+  ControlNet c = random_coefficients(random, degree, 2);
+  for (std::size_t j = 1; j < 3; ++j) c[degree][j] = small_rational(random) * c[degree][0];
+  return patch(c);
+}
+
+/// x = curve(u) + v (0,0,1).
+BezierPatch vertical_wall(Random& random) {
+  ControlNet c = random_coefficients(random, 2, 0);
+  c[0][1] = {Rational(0), Rational(0), Rational(1)};
+  return patch(c);
+}
+
+/// The coefficient of r^degree is vertical at s = 1/2.
+BezierPatch vertical_ruling(Random& random, std::size_t degree) {
+  ControlNet c = random_coefficients(random, degree, 1);
+  for (std::size_t k = 0; k < 2; ++k) c[degree][0][k] = -c[degree][1][k] / 2;
   return patch(c);
 }
 
@@ -73,11 +88,26 @@ std::vector<Shape> shapes(Random& random) {
       {"no r^2 s^2", any(), without(c, {{2, 2}}), {{110, 1}, {2, 3}}},
       {"total degree 2", any(), without(c, {{2, 2}, {1, 2}, {2, 1}}), {{48, 1}, {4, 8}}},
       {"f(r) + h(s)", any(), without(c, {{2, 2}, {1, 2}, {2, 1}, {1, 1}}), {{48, 1}, {2, 16}}},
-      {"r^2 in one direction", any(), fixed_direction(random), {{104, 1}, {4, 2}}},
+      {"r^2 in one direction", any(), fixed_direction(random, 2), {{104, 1}, {4, 2}}},
       {"y height field", any(), height_field(random), {{80, 1}, {4, 4}}},
       {"x height field", height_field(random), any(), {{80, 1}, {2, 12}}},
       {"both height fields", height_field(random), height_field(random), {{4, 1}, {2, 2}, {2, 3}}},
-      {"mirror symmetric", mirror_symmetric(random), mirror_symmetric(random), {{4, 1}, {52, 2}, {2, 6}}},
+      {"y linear in r along one direction", any(), fixed_direction(random, 1), {{16, 1}, {16, 4}}},
+      {"x and y linear, y along one direction",
+       of_degree(random, 2, 1),
+       fixed_direction(random, 1),
+       {{8, 1}, {8, 4}}},
+      {"x linear, r^2 in one direction",
+       of_degree(random, 2, 1),
+       fixed_direction(random, 2),
+       {{48, 1}, {4, 2}}},
+      {"wall and bilinear with a vertical ruling",
+       vertical_wall(random),
+       vertical_ruling(random, 1),
+       {{2, 4}}},
+      {"wall and vertical r^2", vertical_wall(random), vertical_ruling(random, 2), {{8, 1}}},
+      {"wall and height field", vertical_wall(random), height_field(random), {}},
+      {"mirror symmetric", mirror_symmetric(random), mirror_symmetric(random), {{4, 1}, {52, 2}}},
   };
 }
 
@@ -136,6 +166,30 @@ TEST_CASE("a turning point put into a special pair is a root", "[special_elimina
     CHECK(e.sign_at(u) == 0);
     // A point of a planar patch has several parameters (r,s), all turning points of the same u.
     if (shape != "y planar") CHECK(e.derivative().sign_at(u) != 0);
+  }
+}
+
+TEST_CASE("a vertical wall turns where it meets a fold of the other patch", "[special_eliminant]") {
+  const unsigned seed = 26;
+  INFO("seed " << seed);
+  Random random(seed);
+  const Rational u(2, 7);
+  const Rational r(3, 5);
+  const Rational s(1, 4);
+  for (const std::size_t degree : {1, 2}) {
+    // y_s at (r,s) becomes vertical plus 2 y_r, and the wall goes through y(r,s).
+    ControlNet y = vertical_ruling(random, 2).power_basis();
+    const Point vertical = {Rational(0), Rational(0), Rational(1)};
+    y[0][1] = y[0][1] +
+              (vertical + Rational(2) * patch(y).derivative_first(r, s) - patch(y).derivative_second(r, s));
+    ControlNet x = vertical_wall(random).power_basis();
+    if (degree == 1) x[2][0] = Point{};
+    x[0][0] = x[0][0] + (patch(y)(r, s) - patch(x)(u, 0));
+    const auto e = turning_eliminant(patch(x), patch(y)).polynomial;
+    REQUIRE(e);
+    CHECK(e->degree() == 4 * static_cast<int>(degree));
+    CHECK(e->sign_at(u) == 0);
+    CHECK(e->derivative().sign_at(u) != 0);
   }
 }
 
