@@ -9,7 +9,13 @@
 namespace exsect {
 namespace {
 
-slong bit_length(const Integer& n) { return static_cast<slong>(mpz_sizeinbase(n.backend().data(), 2)); }
+slong bit_length(mpz_srcptr n) { return static_cast<slong>(mpz_sizeinbase(n, 2)); }
+
+/// |q| < 2^result.
+slong magnitude_exponent(const Rational& q) {
+  const mpq_srcptr p = q.backend().data();
+  return bit_length(mpq_numref(p)) - bit_length(mpq_denref(p)) + 1;
+}
 
 /// Abbott, "Quadratic interval refinement for real roots" (2006): a secant guess on a grid of 2^t parts is
 /// tried by the signs at two neighbouring grid points; success doubles t, failure halves it, and t = 1 is
@@ -164,52 +170,43 @@ void set_ball(arb_t ball, const RationalInterval& interval, slong precision) {
 }
 
 slong grid_exponent(const Rational& width) {
-  const Integer n = numerator(width);
-  const Integer d = denominator(width);
-  // n < 2^bits(n) and d >= 2^(bits(d)-1): 2^-e > width for every smaller e than the first one tried.
-  slong e = bit_length(d) - bit_length(n) - 1;
-  while (power_of_two(-e) > width) ++e;
-  return e;
+  const mpq_srcptr q = width.backend().data();
+  // n < 2^bits(n) and d >= 2^(bits(d)-1): 2^-e > n/d for every smaller e than the first one tried.
+  const slong e = bit_length(mpq_denref(q)) - bit_length(mpq_numref(q)) - 1;
+  for (slong k = e;; ++k)
+    if (mpq_cmp(q, power_of_two(-k).backend().data()) >= 0) return k;
 }
 
-DyadicPolynomial::DyadicPolynomial(const Polynomial& f)
-    : coefficients_(f.rep().value->coeffs), degree_(f.degree()), loss_(64), loss_exponent_(0) {
-  coefficient_bits_ = std::labs(_fmpz_vec_max_bits(coefficients_, degree_ + 1));
-}
-
-void DyadicPolynomial::horner(arb_t value, slong precision) const {
-  arb_set_round_fmpz(value, coefficients_ + degree_, precision);
-  for (slong i = degree_ - 1; i >= 0; --i) {
-    arb_mul(value, value, point_.value, precision);
-    arb_add_fmpz(value, value, coefficients_ + i, precision);
-  }
-}
+DyadicPolynomial::DyadicPolynomial(const Polynomial& f, const RationalInterval& domain)
+    : coefficients_(f.rep().value->coeffs),
+      degree_(f.degree()),
+      horner_(coefficients_, degree_,
+              std::max(magnitude_exponent(domain.lower), magnitude_exponent(domain.upper))) {}
 
 void DyadicPolynomial::evaluate(arb_t value, const fmpz_t numerator, slong exponent, slong accuracy) {
-  arb_set_fmpz(point_.value, numerator);
-  arb_mul_2exp_si(point_.value, point_.value, -exponent);
-  // 2^(degree exponent) f is an integer of at most this many bits, and so is every step of Horner's rule:
-  // beyond it rounding saves nothing.
-  const auto point_bits = static_cast<slong>(fmpz_bits(numerator));
-  const slong exact_bits =
-      coefficient_bits_ + (degree_ + 1) * std::max({point_bits, exponent, point_bits - exponent}) + 64;
-  slong precision = std::max<slong>(64, loss_ + exponent - loss_exponent_ + accuracy + 8);
-  for (;;) {
-    if (precision >= exact_bits) {
-      horner(value, ARF_PREC_EXACT);
-      return;
-    }
-    horner(value, precision);
-    if (!arb_contains_zero(value)) {
-      // An exact value has unlimited accuracy.
-      const slong achieved = std::min(precision, arb_rel_accuracy_bits(value));
-      loss_ = precision - achieved;
-      loss_exponent_ = exponent;
-      if (2 * achieved >= accuracy) return;
-      precision += accuracy - achieved;
-    } else {
-      precision *= 2;
-    }
+  // A value other than zero is at least 2^-(degree exponent): beyond this many limbs only zero is not
+  // recognised.
+  const slong most_limbs = (horner_.top() + degree_ * std::max<slong>(0, exponent)) / FLINT_BITS + 2;
+  const slong wanted = std::max<slong>(0, loss_ + exponent - loss_exponent_) + accuracy + 16;
+  slong limbs = std::max<slong>(2, (wanted + FLINT_BITS - 1) / FLINT_BITS);
+  for (; limbs < most_limbs; limbs *= 2) {
+    horner_.evaluate(value, numerator, exponent, limbs);
+    if (arb_contains_zero(value)) continue;
+    loss_ = horner_.top() - arf_abs_bound_lt_2exp_si(arb_midref(value));
+    loss_exponent_ = exponent;
+    return;
+  }
+  evaluate_exactly(value, numerator, exponent);
+}
+
+void DyadicPolynomial::evaluate_exactly(arb_t value, const fmpz_t numerator, slong exponent) const {
+  FlintBall point;
+  arb_set_fmpz(point.value, numerator);
+  arb_mul_2exp_si(point.value, point.value, -exponent);
+  arb_set_fmpz(value, coefficients_ + degree_);
+  for (slong i = degree_ - 1; i >= 0; --i) {
+    arb_mul(value, value, point.value, ARF_PREC_EXACT);
+    arb_add_fmpz(value, value, coefficients_ + i, ARF_PREC_EXACT);
   }
 }
 

@@ -3,6 +3,7 @@
 // header.
 #pragma once
 
+#include "fixed_point_horner.h"
 #include "flint.h"
 #include "polynomial.h"
 
@@ -40,22 +41,21 @@ class DyadicFunction {
   virtual void evaluate(arb_t value, const fmpz_t numerator, slong exponent, slong accuracy) = 0;
 };
 
-/// A nonzero polynomial up to a positive factor, by Horner's rule in balls whose precision is raised until
-/// the sign is certain, exact at last. The polynomial must outlive it.
+/// A nonzero polynomial up to a positive factor: in fixed point with ever more limbs until the sign is
+/// certain, exact at last. The polynomial must outlive it; the points lie in `domain`.
 class DyadicPolynomial : public DyadicFunction {
  public:
-  explicit DyadicPolynomial(const Polynomial& f);
+  DyadicPolynomial(const Polynomial& f, const RationalInterval& domain);
   void evaluate(arb_t value, const fmpz_t numerator, slong exponent, slong accuracy) override;
 
  private:
-  void horner(arb_t value, slong precision) const;
+  void evaluate_exactly(arb_t value, const fmpz_t numerator, slong exponent) const;
 
   const fmpz* coefficients_;
   slong degree_;
-  slong coefficient_bits_;
-  slong loss_;           // bits lost to cancellation in the last evaluation
-  slong loss_exponent_;  // the exponent it was made at
-  FlintBall point_;
+  FixedPointHorner horner_;
+  slong loss_ = 0;           // leading zero bits of the last value in fixed point
+  slong loss_exponent_ = 0;  // the exponent it was made at
 };
 
 /// Requires: f is continuous with exactly one root in the open interval, and has the nonzero signs

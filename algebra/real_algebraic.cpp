@@ -96,7 +96,7 @@ const Rational& RealAlgebraic::rational() const {
 RealAlgebraic RealAlgebraic::refined_to(const Rational& width) const {
   if (width <= 0) throw std::invalid_argument("RealAlgebraic::refined_to: the width is not positive");
   if (upper_ - lower_ <= width) return *this;
-  DyadicPolynomial f(*polynomial_);
+  DyadicPolynomial f(*polynomial_, interval());
   RationalInterval refined = refine(f, interval(), sign_lower_, width);
   if (refined.lower == refined.upper) return refined.lower;
   return {polynomial_, std::move(refined), sign_lower_};
