@@ -12,14 +12,38 @@
 namespace exsect {
 namespace {
 
+/// A polynomial f whose sign is asked on the branches r_i = (-B -+ sqrt D)/(2A) (9.16):
+/// 2 A^n f(r_i) = rational -+ irrational sqrt D.
+struct BranchForm {
+  BivariatePolynomial f;
+  Polynomial rational;
+  Polynomial irrational;
+  int n;
+};
+
 /// The branches of P = A r^2 + B r + C = 0 with the conditions f(r_i(s), s) >= 0 on them.
 struct Branches {
   Polynomial a, b, c;
-  Polynomial d;                                 // discriminant B^2 - 4AC
-  Polynomial content;                           // gcd(A,B,C): at its roots r runs free
-  std::vector<BivariatePolynomial> conditions;  // r, 1-r, U L, U (U-L): all >= 0
-  BivariatePolynomial weight;                   // U != 0
+  Polynomial d;                        // discriminant B^2 - 4AC
+  Polynomial content;                  // gcd(A,B,C): at its roots r runs free
+  BranchForm weight;                   // U != 0
+  std::vector<BranchForm> conditions;  // r, 1-r, U L, U (U-L): all >= 0
 };
+
+/// f modulo P by Horner's rule: A^k times a partial sum is alpha + beta r, and A r^2 = -B r - C.
+BranchForm branch_form(const BivariatePolynomial& f, const Polynomial& a, const Polynomial& b,
+                       const Polynomial& c) {
+  Polynomial alpha;
+  Polynomial beta;
+  Polynomial power(1);
+  for (int i = f.degree_r(); i >= 0; --i) {
+    power *= a;
+    Polynomial next = f.coefficient(i) * power - beta * c;
+    beta = alpha * a - beta * b;
+    alpha = std::move(next);
+  }
+  return {f, Polynomial(2) * a * alpha - b * beta, beta, f.degree_r() + 2};
+}
 
 Branches branches_of(const PullBack& p) {
   if (p.plane.is_zero())
@@ -27,11 +51,11 @@ Branches branches_of(const PullBack& p) {
   if (p.plane.degree_r() > 2)
     throw std::domain_error("feasible intervals: the degree in r must be at most 2");
   const auto [a, b, c] = std::array{p.plane.coefficient(2), p.plane.coefficient(1), p.plane.coefficient(0)};
+  Branches result{a, b, c, b * b - Polynomial(4) * a * c, gcd(gcd(a, b), c), branch_form(p.u, a, b, c), {}};
   const BivariatePolynomial r = BivariatePolynomial::r();
-  const BivariatePolynomial one = BivariatePolynomial::constant(1);
-  return {
-      a,  b, c, b * b - Polynomial(4) * a * c, gcd(gcd(a, b), c), {r, one - r, p.u * p.l, p.u * (p.u - p.l)},
-      p.u};
+  for (const BivariatePolynomial& f : {r, BivariatePolynomial::constant(1) - r, p.u * p.l, p.u * (p.u - p.l)})
+    result.conditions.push_back(branch_form(f, a, b, c));
+  return result;
 }
 
 /// Real roots in [0,1] at which the sign of f on a branch may change: where f vanishes on the curve P = 0,
@@ -56,6 +80,8 @@ std::vector<RealAlgebraic> all_events(const Branches& b, const PullBack& p) {
   const BivariatePolynomial r = BivariatePolynomial::r();
   for (const BivariatePolynomial& f : {r, BivariatePolynomial::constant(1) - r, p.l, p.u - p.l, p.u})
     add_events(events, p.plane, f);
+  // Narrow enough that an enclosure settles nearly every order and sign.
+  for (RealAlgebraic& event : events) event = event.refined_to(power_of_two(-40));
   std::sort(events.begin(), events.end());
   events.erase(std::unique(events.begin(), events.end()), events.end());
   return events;
@@ -74,28 +100,6 @@ int sign_on_line(const BivariatePolynomial& f, const Branches& b, const Sign& si
   return sign(sum);
 }
 
-/// f modulo P as (alpha + beta r)/A^k.
-struct Remainder {
-  Polynomial alpha;
-  Polynomial beta;
-  int k = 0;
-};
-
-Remainder remainder(const BivariatePolynomial& f, const Branches& b) {
-  Remainder result;
-  for (int i = f.degree_r(); i >= 0; --i) {
-    // (alpha + beta r) r = alpha r + beta r^2, A r^2 = -B r - C
-    Polynomial alpha = -(result.beta * b.c);
-    Polynomial beta = result.alpha * b.a - result.beta * b.b;
-    ++result.k;
-    Polynomial scale(1);
-    for (int j = 0; j < result.k; ++j) scale *= b.a;
-    result.alpha = alpha + f.coefficient(i) * scale;
-    result.beta = beta;
-  }
-  return result;
-}
-
 /// Where a sign is asked: at a rational or a real algebraic s.
 struct At {
   const RealAlgebraic& s;
@@ -106,12 +110,10 @@ struct At {
   }
 };
 
-/// Sign of f at r_i = (-B + e sqrt D)/(2A), A != 0, e = -1 for branch 1 and +1 for branch 2 (9.16):
-/// 2 A^(k+1) f = (2 A alpha - B beta) + e beta sqrt D.
-int sign_on_branch(const BivariatePolynomial& f, const Branches& b, int e, int sign_a, const At& at) {
-  const Remainder m = remainder(f, b);
-  const int sign = at.quadratic(Polynomial(2) * b.a * m.alpha - b.b * m.beta, Polynomial(e) * m.beta, b.d);
-  return m.k % 2 == 0 ? sign * sign_a : sign;
+/// Sign of the form on branch 1 (e = -1) or 2 (e = +1), A != 0.
+int sign_on_branch(const BranchForm& form, const Branches& b, int e, int sign_a, const At& at) {
+  const int sign = at.quadratic(form.rational, Polynomial(e) * form.irrational, b.d);
+  return form.n % 2 == 0 ? sign : sign * sign_a;
 }
 
 /// At a root of the content every r lies in the plane: some r in [0,1] must satisfy the conditions.
@@ -125,8 +127,8 @@ bool feasible_on_free_line(const Branches& b, const PullBack& p, const RealAlgeb
     for (const TriangularPoint& point : roots_at(f, s, 0, 1)) candidates.push_back(point);
   }
   return std::ranges::any_of(candidates, [&](const TriangularPoint& point) {
-    return sign_at(b.weight, point) != 0 &&
-           std::ranges::all_of(b.conditions, [&](const auto& f) { return sign_at(f, point) >= 0; });
+    return sign_at(b.weight.f, point) != 0 &&
+           std::ranges::all_of(b.conditions, [&](const auto& form) { return sign_at(form.f, point) >= 0; });
   });
 }
 
@@ -136,18 +138,18 @@ bool feasible(const Branches& b, const PullBack& p, int branch, const RealAlgebr
   if (at(b.content) == 0) return feasible_on_free_line(b, p, s);
   const auto holds = [&](const auto& sign_of) {
     return sign_of(b.weight) != 0 &&
-           std::ranges::all_of(b.conditions, [&](const BivariatePolynomial& f) { return sign_of(f) >= 0; });
+           std::ranges::all_of(b.conditions, [&](const BranchForm& form) { return sign_of(form) >= 0; });
   };
   const int sign_a = at(b.a);
   if (sign_a != 0) {
     if (at(b.d) < 0) return false;
     return holds(
-        [&](const BivariatePolynomial& f) { return sign_on_branch(f, b, branch == 1 ? -1 : 1, sign_a, at); });
+        [&](const BranchForm& form) { return sign_on_branch(form, b, branch == 1 ? -1 : 1, sign_a, at); });
   }
   const int sign_b = at(b.b);
   const int finite = b.a.is_zero() || sign_b < 0 ? 1 : 2;
   if (sign_b == 0 || branch != finite) return false;
-  return holds([&](const BivariatePolynomial& f) { return sign_on_line(f, b, at); });
+  return holds([&](const BranchForm& form) { return sign_on_line(form.f, b, at); });
 }
 
 Rational sample_between(RealAlgebraic a, RealAlgebraic b) {

@@ -14,8 +14,9 @@ Polynomial primitive_positive(const Polynomial& f) {
 
 Polynomial eliminant(const IntegerLineAndPatch& problem, const LineSystem& system) {
   if (is_conic(problem.line)) {
-    const Polynomial closed = conic_forms(problem).eliminant;
-    if (!closed.is_zero()) return primitive_positive(closed);
+    // Where A vanishes identically the formal degree 2 would bring in a factor that has no meaning.
+    const ConicForms forms = conic_forms(problem);
+    if (!forms.a.is_zero() && !forms.eliminant.is_zero()) return primitive_positive(forms.eliminant);
   }
   return primitive_positive(resultant_r(system.first, system.second));
 }

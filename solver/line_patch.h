@@ -51,7 +51,8 @@ struct LineIntersection {
   PullBack pullback;
   Parameter eliminant_variable;  // s for a line of x, v for a line of y
   /// Degree 16, or 8 for a straight line, in general; primitive, positive leading coefficient. Zero if the
-  /// carrier of the line (parabola or straight line) and the patch share a curve, and for a point.
+  /// carrier of the line (parabola or straight line) and the patch share a curve other than a line where the
+  /// variable is constant, and for a point.
   Polynomial eliminant;
   std::vector<FeasibleBranch> feasible;  // empty where the pulled-back plane is zero
   LinePoints solution;

@@ -144,7 +144,7 @@ class SystemPointSource : public LinePointSource {
   std::size_t piece_;
 };
 
-/// Multiplicity of the root s of f; f not zero at no multiple root: 1.
+/// Multiplicity of the root s of f.
 int root_multiplicity(const Polynomial& f, const RealAlgebraic& s) {
   if (sign_at(f.derivative(), s) != 0) return 1;
   for (const PolynomialPower& power : squarefree_factors(f))
