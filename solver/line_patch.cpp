@@ -34,7 +34,7 @@ std::optional<std::vector<CertifiedPoint>> points_by_formula(const LinePlace& pl
   std::vector<CertifiedPoint> points;
   for (const RealAlgebraic& root : real_roots(forms->eliminant, 0, 1)) {
     // Narrow enough that an enclosure settles nearly every sign below.
-    const RealAlgebraic s = root.refined_to(power_of_two(-40));
+    const RealAlgebraic s = root.refined_to(power_of_two(-32));
     if (sign_at(forms->s1, s) != 0) {
       append(points, conic_point(place, forms, s));
       continue;
