@@ -1,0 +1,28 @@
+# The sources of a layer include only headers of the layers to its left, and only algebra/ names FLINT.
+set(seen "")
+foreach(layer IN ITEMS algebra geometry solver)
+  list(APPEND seen ${layer})
+  list(JOIN seen "|" allowed)
+  file(GLOB sources RELATIVE "${EXSECT_SOURCE_DIR}" "${EXSECT_SOURCE_DIR}/${layer}/*.h"
+       "${EXSECT_SOURCE_DIR}/${layer}/*.cpp")
+  foreach(source IN LISTS sources)
+    file(STRINGS "${EXSECT_SOURCE_DIR}/${source}" includes REGEX "^[ \t]*#[ \t]*include")
+    foreach(include IN LISTS includes)
+      if(include MATCHES "exsect/" AND NOT include MATCHES "<exsect/(${allowed})/")
+        message(SEND_ERROR "${source}: ${include} goes against the direction of the layers")
+      elseif(include MATCHES "\"[^\"]*/")
+        message(SEND_ERROR "${source}: ${include} reaches out of its layer")
+      elseif(include MATCHES "flint|arb\\.h|arf\\.h|fmp[zq]" AND NOT layer STREQUAL "algebra")
+        message(SEND_ERROR "${source}: ${include} names FLINT outside algebra/")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+# FLINT stays out of the public headers, which the installed tree must do without.
+foreach(header IN LISTS PUBLIC_ALGEBRA_HEADERS)
+  file(STRINGS "${EXSECT_SOURCE_DIR}/algebra/${header}" includes REGEX "include.*(flint|arb\\.h|arf\\.h)")
+  if(includes)
+    message(SEND_ERROR "algebra/${header}: ${includes} in a public header")
+  endif()
+endforeach()
