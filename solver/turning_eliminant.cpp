@@ -2,6 +2,7 @@
 
 #include <exsect/geometry/integer_pair.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "eliminant_height.h"
@@ -14,6 +15,22 @@ namespace {
 
 /// Of E(u): docs/method.md, Theorem 4.3.
 constexpr std::size_t degree_bound = 128;
+
+/// E is of degree 40 in each coordinate of space. Doubles of all exponents give half of this number of bits;
+/// beyond it the computation would take more than some seconds.
+constexpr std::size_t max_bits = std::size_t{1} << 19;
+
+std::size_t estimated_bits(const IntegerPair& pair) {
+  std::size_t bits = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Integer largest = 1;
+    for (const IntegerNet* net : {&pair.x, &pair.y})
+      for (const auto& row : *net)
+        for (const IntegerVector& c : row) largest = std::max(largest, Integer(abs(c[k])));
+    bits += 40 * (msb(largest) + 1);
+  }
+  return bits;
+}
 
 /// Values of E modulo p at u, u + 1, ...
 std::vector<ResidueFraction> eliminant_values(const PrimeField& field, const IntegerPair& pair, Residue u,
@@ -47,6 +64,8 @@ bool is_generic(const IntegerPair& pair) {
 
 TurningEliminant turning_eliminant(const BezierPatch& x, const BezierPatch& y) {
   const IntegerPair pair = integer_pair(x, y);
+  if (estimated_bits(pair) > max_bits)
+    return {std::nullopt, "the numbers are too long: E would have over 2^19 bits"};
   if (!is_generic(pair)) return special_eliminant(pair);
   const std::vector<Integer> e =
       interpolate_integer_polynomial(degree_bound, eliminant_height_bound(pair),

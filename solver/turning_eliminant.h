@@ -18,7 +18,8 @@ namespace exsect {
 ///  - a root may also come from a point of the fibre at infinity, and a multiple root decides nothing.
 /// The degree is 128 for generic patches. Primitive with integer coefficients, positive leading coefficient.
 struct TurningEliminant {
-  /// Empty if E is not defined for this pair (degenerate shape), with the reason in `degenerate`.
+  /// Empty if E is not defined for this pair (degenerate shape), or would have over 2^19 bits (control points
+  /// with hundreds of digits), with the reason in `degenerate`.
   std::optional<Polynomial> polynomial;
   std::string degenerate;
 };

@@ -237,6 +237,16 @@ TEST_CASE("the turning eliminant takes doubles of very different exponents", "[t
   CHECK(eliminant_by_definition(x, y, 2) * e(-1) == eliminant_by_definition(x, y, -1) * e(2));
 }
 
+TEST_CASE("numbers of thousands of digits are refused at once", "[turning_eliminant]") {
+  int count = 0;
+  const auto coordinate = [&] { return Rational(1 + ++count, (Integer(1) << 1000) + count); };
+  const BezierPatch x(net_of(coordinate));
+  const BezierPatch y(net_of(coordinate));
+  const TurningEliminant e = turning_eliminant(x, y);
+  CHECK_FALSE(e.polynomial.has_value());
+  CHECK(e.degenerate.find("too long") != std::string::npos);
+}
+
 TEST_CASE("tiny integer nets, where degeneracies are common, end one way or the other",
           "[turning_eliminant]") {
   const unsigned seed = 16;
