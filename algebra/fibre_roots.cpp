@@ -28,17 +28,11 @@ class BallVector {
   arb_ptr data_;
 };
 
-/// Least and greatest number of sign changes, zeros skipped, over all choices of numbers from the balls.
-struct Variations {
-  int least;
-  int greatest;
-};
-
-Variations variations(const BallVector& b) {
+/// The greatest number of sign changes, zeros skipped, over all choices of numbers from the balls.
+int most_variations(const BallVector& b) {
   constexpr int none = -1000;
   // The most changes in a choice whose last nonzero sign is +, -, or that is zero so far.
   int plus = none, minus = none, zero = 0;
-  int least = 0, last = 0;
   for (slong i = 0; i < b.size(); ++i) {
     if (arb_is_zero(b[i])) continue;
     const bool positive = arb_is_positive(b[i]) != 0;
@@ -47,13 +41,14 @@ Variations variations(const BallVector& b) {
     const int to_minus = std::max({minus, plus + 1, zero});
     plus = negative ? none : to_plus;
     minus = positive ? none : to_minus;
-    if (!positive && !negative) continue;
-    zero = none;
-    const int sign = positive ? 1 : -1;
-    if (last == -sign) ++least;  // an uncertain number between can only add changes
-    last = sign;
+    if (positive || negative) zero = none;
   }
-  return {least, std::max({plus, minus, zero})};
+  return std::max({plus, minus, zero});
+}
+
+/// Whether the ends, settled, have opposite nonzero signs: then the number of sign changes is odd.
+bool has_opposite_ends(const BallVector& b) {
+  return arf_sgn(arb_midref(b[0])) * arf_sgn(arb_midref(b.back())) < 0;
 }
 
 /// One run with a fixed precision. Descartes' rule holds for every choice of coefficients in the balls, the
@@ -112,9 +107,9 @@ class FibreIsolation {
 
   /// The roots in the open interval.
   bool isolate(const Rational& lower, const Rational& upper, const BallVector& b, slong depth) {
-    const Variations v = variations(b);
-    if (v.greatest == 0) return true;
-    if (v.least == 1 && v.greatest == 1 && !arb_is_zero(b[0]) && !arb_is_zero(b.back())) {
+    const int most = most_variations(b);
+    if (most == 0) return true;
+    if (most == 1 && has_opposite_ends(b)) {
       roots_.push_back({lower, upper});
       return true;
     }

@@ -169,15 +169,17 @@ int sign_at(const Polynomial& f, const RealAlgebraic& alpha) {
 std::vector<RealAlgebraic> real_roots(const Polynomial& f, const Rational& a, const Rational& b) {
   const auto part = std::make_shared<const Polynomial>(squarefree_part(f));
   std::vector<RealAlgebraic> roots;
+  int sign = 0;  // right of the root before, 0 if not known yet; it changes at every root
   for (IsolatingInterval& interval : isolate_roots(*part, a, b)) {
-    if (interval.lower == interval.upper)
+    if (interval.lower == interval.upper) {
       roots.emplace_back(interval.lower);
-    else if (part->degree() == 1)
+    } else if (part->degree() == 1) {
       roots.emplace_back(-part->coefficient(0) / part->coefficient(1));
-    else {
-      const int sign_lower = part->sign_at(interval.lower);
-      roots.push_back(RealAlgebraic(part, std::move(interval), sign_lower));
+    } else {
+      if (sign == 0) sign = part->sign_at(interval.lower);
+      roots.push_back(RealAlgebraic(part, std::move(interval), sign));
     }
+    sign = -sign;
   }
   return roots;
 }

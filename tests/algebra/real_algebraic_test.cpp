@@ -146,6 +146,41 @@ TEST_CASE("real algebraic: refinement from awkward intervals") {
   for (const long bits : {5L, 60L, 700L}) check_refinement(third, power_of_two(-bits));
 }
 
+TEST_CASE("real algebraic: refinement at all scales, either sign, against integer square roots") {
+  const std::uint64_t seed = 20250708;
+  INFO("seed " << seed);
+  Random random(seed);
+  for (const int scale : {-300, -64, -5, 0, 5, 63, 64, 300})
+    for (const Polynomial& multiple : {Polynomial(1), Polynomial(-7), random.big_polynomial(9, 400)}) {
+      const Rational unit = power_of_two(scale);
+      const QuadraticNumber x{random.rational(5, 7) * unit, (random.integer(0, 1) * 2 - 1) * unit / 3,
+                              random.integer(2, 3)};
+      const RealAlgebraic number = x.number(multiple, 400);
+      for (const long bits : {401L, 450L, 1000L}) {
+        const RationalInterval refined = number.refined_to(unit * power_of_two(-bits)).interval();
+        const RationalInterval expected = x.enclosure(1200);
+        CHECK(refined.width() <= unit * power_of_two(-bits));
+        CHECK(refined.lower < expected.upper);
+        CHECK(refined.upper > expected.lower);
+      }
+      check_refinement(number, unit * power_of_two(-500));
+    }
+}
+
+TEST_CASE("real algebraic: refinement where doubling fails often") {
+  // Next to t = 0 the curve t^32 - 2^-k (1 + t) is flat: secants are bad for a long time.
+  for (const long k : {3L, 64L, 500L}) {
+    Polynomial power = 1;
+    for (int i = 0; i < 32; ++i) power *= t;
+    const Polynomial f = power - (t + Polynomial(1)) * Polynomial(power_of_two(-k));
+    const RealAlgebraic root = only_root(f, 0, 2);
+    for (const long bits : {10L, 100L, 1000L}) check_refinement(root, power_of_two(-bits));
+  }
+  // A root 2^-400 beside a critical point
+  const Polynomial f = t * t * t - t * t * power_of_two(-400) + Polynomial(power_of_two(-1300));
+  for (const RealAlgebraic& root : real_roots(f, -1, 1)) check_refinement(root, power_of_two(-1500));
+}
+
 TEST_CASE("real algebraic: to_double") {
   CHECK(std::fabs(RealAlgebraic::root_of(t * t - Polynomial(2), {1, 2}).to_double() - std::sqrt(2.0)) <=
         0x1p-52);
@@ -224,6 +259,7 @@ TEST_CASE("real algebraic: sign of a polynomial") {
   CHECK(sign_at(two * two * linear_factor(4), x) == 0);
   CHECK(sign_at(three, x) == -1);  // shares the other root of x's polynomial
   CHECK(sign_at(three * linear_factor(2), x) == 1);
+  CHECK(sign_at(three * (two + Polynomial(power_of_two(-200))), x) == -1);  // and is tiny here
   CHECK(sign_at(Polynomial(), x) == 0);
   CHECK(sign_at(-3, x) == -1);
   CHECK(sign_at(two + Polynomial(power_of_two(-900)), x) == 1);

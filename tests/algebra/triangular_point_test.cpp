@@ -165,6 +165,14 @@ TEST_CASE("triangular point: conjugates extremely close, and double roots") {
   for (const TriangularPoint& p : points) check_refinement(p, power_of_two(-300));
   CHECK(roots_at(line * line + number(tiny), root_two(), 0, 1).empty());
   CHECK(roots_at(line * line * (line + number(tiny)), root_two(), 0, 1).size() == 2);
+  // three roots closer than the first precision
+  points = roots_at(line * close, root_two(), 0, 1);
+  REQUIRE(points.size() == 3);
+  for (int k = 0; k < 3; ++k) CHECK(sign_at(line, points[static_cast<std::size_t>(k)]) == k - 1);
+  // h and g share another root, and h is tiny here
+  const TriangularPoint p(root_two(), line * (r - s), {0, 1});
+  CHECK(sign_at((r - s) * (line + number(tiny)), p) == -1);
+  CHECK(sign_at((r - s) * line, p) == 0);
   // a double root that is one only at sqrt 2
   points = roots_at(r * r - r * s * Rational(2) + number(2), root_two(t * t - Polynomial(3)), 0, 2);
   REQUIRE(points.size() == 1);
