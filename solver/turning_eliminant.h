@@ -11,10 +11,9 @@ namespace exsect {
 
 /// E(u) != 0 (proofs in docs/method.md, section 4):
 ///  - every complex u over which the fibre x(u,.) = y has a multiple point, at finite v, r, s, inside the
-///  unit
-///    squares or not, or is not finite, is a root;
-///  - a simple root lies under no singular point of the complex intersection curve, and at most one multiple
-///  point;
+///    unit squares or not, or is not finite, is a root;
+///  - a simple root lies under no singular point of the complex intersection curve, and under at most one
+///    multiple point;
 ///  - a root may also come from a point of the fibre at infinity, and a multiple root decides nothing.
 /// The degree is 128 for generic patches. Primitive with integer coefficients, positive leading coefficient.
 struct TurningEliminant {
