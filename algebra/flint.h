@@ -2,7 +2,11 @@
 // which contains Arb. Internal to algebra/: no public header includes this file.
 #pragma once
 
+// clang-format off
+#include <gmp.h>  // before any FLINT header, which then declare their functions on GMP types
 #include <flint/flint.h>
+// clang-format on
+
 #include <flint/fmpq.h>
 #include <flint/fmpq_poly.h>
 #include <flint/fmpz.h>
@@ -10,7 +14,6 @@
 #include <flint/fmpz_vec.h>
 #include <flint/nmod_poly.h>
 #include <flint/ulong_extras.h>
-#include <gmp.h>  // before any FLINT header
 
 #if __FLINT_RELEASE >= 30000
 #include <flint/arb.h>
