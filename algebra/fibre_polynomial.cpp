@@ -67,14 +67,20 @@ bool coprime_in_balls(const BivariatePolynomial& f, const BivariatePolynomial& g
 BivariatePolynomial gcd_of_reduced(const BivariatePolynomial& f, const BivariatePolynomial& g,
                                    const RealAlgebraic& s) {
   if (coprime_in_balls(f, g, s)) return BivariatePolynomial::constant(1);
-  const std::vector<BivariatePolynomial> chain = subresultants_r(primitive(f), primitive(g));
-  for (int j = 0; j < static_cast<int>(chain.size()); ++j) {
-    const BivariatePolynomial& member = chain[static_cast<std::size_t>(j)];
-    if (sign_at(member.coefficient(j), s) == 0) continue;
-    if (j == 0) return BivariatePolynomial::constant(1);
-    return primitive(BivariatePolynomial(remainders(member, s)));
+  const BivariatePolynomial a = primitive(f), b = primitive(g);
+  const int degree = std::min(f.degree_r(), g.degree_r());
+  int j = 0;
+  Polynomial principal;
+  for (; j < degree; ++j) {
+    principal = j == 0 ? resultant_r(a, b) : subresultant_coefficient_r(a, b, j, j);
+    if (sign_at(principal, s) != 0) break;
   }
-  return f.degree_r() < g.degree_r() ? f : g;
+  if (j == 0) return BivariatePolynomial::constant(1);
+  if (j == degree) return f.degree_r() < g.degree_r() ? f : g;
+  std::vector<Polynomial> coefficients;
+  for (int k = 0; k < j; ++k) coefficients.push_back(subresultant_coefficient_r(a, b, j, k));
+  coefficients.push_back(std::move(principal));
+  return primitive(BivariatePolynomial(remainders(BivariatePolynomial(std::move(coefficients)), s)));
 }
 
 /// f / h over Q(s), up to a factor in Q(s), where h divides f and is reduced at s: pseudo-division.
@@ -136,6 +142,7 @@ BivariatePolynomial gcd_at(const BivariatePolynomial& f, const BivariatePolynomi
 
 BivariatePolynomial squarefree_part_at(const BivariatePolynomial& f, const RealAlgebraic& s) {
   if (s.is_rational()) return in_r(squarefree_part(f.at_s(s.rational())));
+  if (f.degree_r() == 1) return f;
   const BivariatePolynomial common = gcd_at(f, f.derivative_r(), s);
   return common.degree_r() == 0 ? f : quotient_at(f, common, s);
 }

@@ -153,16 +153,17 @@ int sign_at(const Polynomial& f, const RealAlgebraic& alpha) {
   if (f.degree() <= 0) return sign(f.coefficient(0));
   if (const int s = enclosed_sign(f, alpha.interval())) return s;
   const Rational width = alpha.interval().width();
-  long bits = 32;
-  RealAlgebraic a = alpha.refined_to(width * power_of_two(-bits));
-  if (a.is_rational()) return f.sign_at(a.rational());
-  if (const int s = enclosed_sign(f, a.interval())) return s;
-  if (common_root(f, a.polynomial(), a.interval())) return 0;
-  for (;;) {
-    bits *= 2;
-    a = a.refined_to(width * power_of_two(-bits));
-    if (a.is_rational()) return f.sign_at(a.rational());
-    if (const int s = enclosed_sign(f, a.interval())) return s;
+  RealAlgebraic a = alpha;
+  // Zero is likely only where a narrow enclosure fails.
+  bool may_vanish = true;
+  for (long bits = width < power_of_two(-40) ? 0 : 32;; bits = 2 * bits + 32) {
+    if (bits > 0) {
+      a = a.refined_to(width * power_of_two(-bits));
+      if (a.is_rational()) return f.sign_at(a.rational());
+      if (const int s = enclosed_sign(f, a.interval())) return s;
+    }
+    if (may_vanish && common_root(f, a.polynomial(), a.interval())) return 0;
+    may_vanish = false;
   }
 }
 

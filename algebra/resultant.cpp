@@ -71,6 +71,12 @@ Polynomial subresultant_coefficient(const IntegerCoefficients& f, const IntegerC
   return to_polynomial(determinant.value);
 }
 
+/// S_j of the polynomials themselves over that of the integer ones: n-j rows carry the denominator of f, m-j
+/// that of g.
+Rational subresultant_scale(const IntegerCoefficients& f, const IntegerCoefficients& g, int j) {
+  return 1 / (power(f.denominator, g.degree() - j) * power(g.denominator, f.degree() - j));
+}
+
 BivariatePolynomial in_r(const Polynomial& f) {
   std::vector<Polynomial> coefficients;
   for (int i = 0; i <= f.degree(); ++i) coefficients.emplace_back(f.coefficient(i));
@@ -119,15 +125,21 @@ std::vector<BivariatePolynomial> subresultants_r(const BivariatePolynomial& f, c
   const IntegerCoefficients first(f), second(g);
   std::vector<BivariatePolynomial> result;
   for (int j = 0; j < std::min(f.degree_r(), g.degree_r()); ++j) {
-    // n-j rows carry the denominator of f, m-j that of g.
-    const Polynomial scale(
-        1 / (power(first.denominator, g.degree_r() - j) * power(second.denominator, f.degree_r() - j)));
+    const Polynomial scale(subresultant_scale(first, second, j));
     std::vector<Polynomial> coefficients;
     for (int k = 0; k <= j; ++k)
       coefficients.push_back(subresultant_coefficient(first, second, j, k) * scale);
     result.emplace_back(std::move(coefficients));
   }
   return result;
+}
+
+Polynomial subresultant_coefficient_r(const BivariatePolynomial& f, const BivariatePolynomial& g, int j,
+                                      int k) {
+  if (k < 0 || k > j || j >= std::min(f.degree_r(), g.degree_r()))
+    throw std::domain_error("subresultant_coefficient_r: 0 <= k <= j < min(deg f, deg g) is required");
+  const IntegerCoefficients first(f), second(g);
+  return subresultant_coefficient(first, second, j, k) * Polynomial(subresultant_scale(first, second, j));
 }
 
 }  // namespace exsect

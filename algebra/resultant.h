@@ -24,5 +24,9 @@ Polynomial discriminant_r(const BivariatePolynomial& f);
 std::vector<Polynomial> subresultants(const Polynomial& f, const Polynomial& g);
 /// The same with respect to r.
 std::vector<BivariatePolynomial> subresultants_r(const BivariatePolynomial& f, const BivariatePolynomial& g);
+/// The coefficient of r^k in S_j with respect to r alone; requires 0 <= k <= j < min(deg f, deg g), else
+/// std::domain_error.
+Polynomial subresultant_coefficient_r(const BivariatePolynomial& f, const BivariatePolynomial& g, int j,
+                                      int k);
 
 }  // namespace exsect

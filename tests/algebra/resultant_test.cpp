@@ -215,6 +215,11 @@ TEST_CASE("subresultants in r: by specialisation") {
     if (f.degree_r() < 1 || g.degree_r() < 1) continue;
     const std::vector<BivariatePolynomial> chain = subresultants_r(f, g);
     CHECK(chain[0].coefficient(0) == resultant_r(f, g));
+    for (int j = 0; j < static_cast<int>(chain.size()); ++j)
+      for (int k = 0; k <= j; ++k)
+        CHECK(subresultant_coefficient_r(f, g, j, k) == chain[static_cast<std::size_t>(j)].coefficient(k));
+    CHECK_THROWS_AS(subresultant_coefficient_r(f, g, 0, 1), std::domain_error);
+    CHECK_THROWS_AS(subresultant_coefficient_r(f, g, static_cast<int>(chain.size()), 0), std::domain_error);
     for (int k = 1; k < 4; ++k) {
       const Rational s(5 * k + 2, 3);
       if (f.at_s(s).degree() != f.degree_r() || g.at_s(s).degree() != g.degree_r()) continue;
