@@ -81,7 +81,7 @@ case "${1:-}" in
     install_packages
     preset=${1/test/release}
     build "$preset"
-    ctest --preset "$preset"
+    ctest --preset "$preset" --parallel "$(nproc)"
     ;;
   *)
     sed -n '2,5s/^# \{0,1\}//p' setup.sh >&2
