@@ -5,13 +5,19 @@
 namespace exsect::cli {
 namespace {
 
+Json names_json(const std::vector<Parameter>& parameters) {
+  Json names = Json::array();
+  for (Parameter p : parameters) names.push_back(name(p));
+  return names;
+}
+
 Json node_json(const Node& node) {
   Json json = {{"id", node.id}, {"kinds", Json::array()}};
   for (NodeKind kind : node.kinds) json["kinds"].push_back(name(kind));
   json["on"] = Json::array();
   for (Side side : node.on) json["on"].push_back(side_name(side));
-  json["wrt"] = Json::array();
-  for (Parameter p : node.wrt) json["wrt"].push_back(name(p));
+  json["wrt"] = names_json(node.wrt);
+  json["free"] = names_json(node.free);
   json["box"] = json_box(node.box);
   json["approx"] = json_approx(node.approx, node.point);
   return json;
@@ -30,6 +36,7 @@ Json arc_json(const Arc& arc) {
           {"to", arc.to},
           {"on", name(arc.place)},
           {"contact", name(arc.contact)},
+          {"free", names_json(arc.free)},
           {"polyline", std::move(polyline)},
           {"error_bound", decimal_not_below(arc.error_bound)}};
 }

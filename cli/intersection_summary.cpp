@@ -50,6 +50,10 @@ std::string components_text(const IntersectionGraph& graph) {
   return table({"component", "shape", "arcs"}, rows);
 }
 
+bool is_free(const Node& node, Parameter p) {
+  return std::find(node.free.begin(), node.free.end(), p) != node.free.end();
+}
+
 std::vector<std::string> node_row(const Node& node) {
   std::vector<std::string> kinds;
   for (NodeKind kind : node.kinds) kinds.push_back(name(kind));
@@ -59,7 +63,8 @@ std::vector<std::string> node_row(const Node& node) {
   for (Parameter p : node.wrt) wrt.push_back(name(p));
   std::vector<std::string> row = {std::to_string(node.id), joined(kinds, ", "), joined(places, " "),
                                   joined(wrt, " ")};
-  for (double parameter : node.approx) row.push_back(decimal(parameter));
+  for (Parameter p : all_parameters)
+    row.push_back(is_free(node, p) ? interval_text(node.box[index(p)]) : decimal(node.approx[index(p)]));
   return row;
 }
 
@@ -74,6 +79,7 @@ std::vector<std::string> arc_row(const Arc& arc) {
   if (arc.place == ArcPlace::patch_boundary) remark = name(arc.place);
   if (arc.contact == Contact::tangential)
     remark += (remark.empty() ? "" : ", ") + std::string(name(arc.contact));
+  for (Parameter p : arc.free) remark += (remark.empty() ? "" : ", ") + fmt::format("{} free", name(p));
   return {std::to_string(arc.id),
           std::to_string(arc.component),
           std::to_string(arc.from),

@@ -49,6 +49,16 @@ PlanePolyline in_square(const Arc& arc, std::size_t square) {
   return polyline;
 }
 
+bool is_free(const std::vector<Parameter>& free, std::size_t parameter) {
+  return std::any_of(free.begin(), free.end(), [&](Parameter p) { return index(p) == parameter; });
+}
+
+bool is_free_in(const std::vector<Parameter>& free, std::size_t square) {
+  return is_free(free, 2 * square) || is_free(free, 2 * square + 1);
+}
+
+PlanePolyline rectangle(PlanePoint a, PlanePoint b) { return {a, {b[0], a[1]}, b, {a[0], b[1]}, a}; }
+
 std::string component_colour(int component) {
   return palette(static_cast<std::size_t>(std::max(component, 0)));
 }
@@ -88,8 +98,39 @@ bool turns_in(const Node& node, std::size_t square) {
   return std::any_of(node.wrt.begin(), node.wrt.end(), [&](Parameter p) { return index(p) / 2 == square; });
 }
 
+/// The parameters of a node with free ones: a segment, or the whole square.
+void draw_free(const Node& node, SvgSquare& drawn, std::size_t square, const std::string& colour) {
+  PlanePoint from = in_square(node.approx, square);
+  PlanePoint to = from;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const RationalInterval& interval = node.box[2 * square + k];
+    if (is_free(node.free, 2 * square + k)) {
+      from[k] = to_double(interval.lower);
+      to[k] = to_double(interval.upper);
+    }
+  }
+  if (from[0] != to[0] && from[1] != to[1]) drawn.region({rectangle(from, to)}, colour);
+  drawn.polyline({from, to}, {colour, 5});
+}
+
+/// The parameters of an arc with a free one: a strip of the square.
+void draw_strip(const Arc& arc, SvgSquare& drawn, std::size_t square) {
+  PlanePoint from = {1, 1};
+  PlanePoint to = {0, 0};
+  for (const PlanePoint& p : in_square(arc, square)) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      from[k] = is_free(arc.free, 2 * square + k) ? 0 : std::min(from[k], p[k]);
+      to[k] = is_free(arc.free, 2 * square + k) ? 1 : std::max(to[k], p[k]);
+    }
+  }
+  drawn.region({rectangle(from, to)}, component_colour(arc.component));
+}
+
 void draw_nodes(const IntersectionGraph& graph, SvgSquare& drawn, std::size_t square) {
   const std::vector<std::string> colours = node_colours(graph);
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+    if (is_free_in(graph.nodes[i].free, square)) draw_free(graph.nodes[i], drawn, square, colours[i]);
+  }
   for (const KindMark& entry : kind_marks) {
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
       const Node& node = graph.nodes[i];
@@ -119,6 +160,9 @@ void draw_square(const IntersectResult& result, SvgSquare& drawn, std::size_t sq
       drawn.polyline(rings.back(), {"#000000", 1.2});
     }
     drawn.region(rings, "#56b4e9");
+  }
+  for (const Arc& arc : result.graph.arcs) {
+    if (is_free_in(arc.free, square)) draw_strip(arc, drawn, square);
   }
   for (const Arc& arc : result.graph.arcs) drawn.polyline(in_square(arc, square), arc_stroke(arc));
   draw_nodes(result.graph, drawn, square);
@@ -150,6 +194,9 @@ SvgLegend legend(const IntersectResult& result) {
     if (!occurs) continue;
     legend.add(entry.mark, "#404040", entry.text);
     if (entry.kind == NodeKind::turning) legend.add(Mark::point, "#404040", "turns in the other square");
+  }
+  if (std::any_of(graph.nodes.begin(), graph.nodes.end(), [](const Node& n) { return !n.free.empty(); })) {
+    legend.add(Stroke{"#404040", 5}, "one point of space");
   }
   if (!graph.isolated_points.empty()) legend.add(Mark::plus, "#000000", "isolated point");
   if (!graph.overlaps.empty()) legend.add(Stroke{"#ddf0fb", 10}, "overlap");

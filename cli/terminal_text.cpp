@@ -41,13 +41,16 @@ std::string joined(const std::vector<std::string>& texts, const std::string& sep
   return fmt::format("{}", fmt::join(texts, separator));
 }
 
+std::string interval_text(const RationalInterval& interval) {
+  const double lower = std::floor(to_double(interval.lower) * 1e6) / 1e6;
+  const double upper = std::ceil(to_double(interval.upper) * 1e6) / 1e6;
+  return fmt::format("[{}, {}]", lower, upper);
+}
+
 std::string box_text(const ParameterBox& box) {
   std::vector<std::string> ranges;
-  for (Parameter p : all_parameters) {
-    const double lower = std::floor(to_double(box[index(p)].lower) * 1e6) / 1e6;
-    const double upper = std::ceil(to_double(box[index(p)].upper) * 1e6) / 1e6;
-    ranges.push_back(fmt::format("{} in [{}, {}]", name(p), lower, upper));
-  }
+  for (Parameter p : all_parameters)
+    ranges.push_back(fmt::format("{} in {}", name(p), interval_text(box[index(p)])));
   return joined(ranges, ", ");
 }
 

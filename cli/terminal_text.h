@@ -18,7 +18,9 @@ std::string decimal(double x);
 std::string rounded_up(double x);
 /// The numbers with `separator` between them; "-" for none.
 std::string joined(const std::vector<std::string>& texts, const std::string& separator);
-/// "u in [0.25, 0.5], ...": a box with its ends rounded outwards to six digits.
+/// "[0.25, 0.5]": the ends rounded outwards to six digits.
+std::string interval_text(const RationalInterval& interval);
+/// "u in [0.25, 0.5], ...".
 std::string box_text(const ParameterBox& box);
 /// "1 point", "2 points".
 std::string counted(std::size_t number, const std::string& noun);

@@ -214,27 +214,36 @@ int find_root(std::vector<int>& parent, int i) {
   return i;
 }
 
-/// Removes the nodes that no arc and no isolated point names, and renumbers.
-void drop_unused_nodes(IntersectionGraph& graph, const std::vector<int>& degree) {
+/// Applies `change` to every node id in arcs, isolated points and overlaps.
+template <class Change>
+void for_each_node_id(IntersectionGraph& graph, const Change& change) {
+  const auto change_ends = [&](std::vector<Arc>& arcs) {
+    for (Arc& arc : arcs) {
+      change(arc.from);
+      change(arc.to);
+    }
+  };
+  change_ends(graph.arcs);
+  std::for_each(graph.isolated_points.begin(), graph.isolated_points.end(), change);
+  for (Overlap& overlap : graph.overlaps) {
+    std::for_each(overlap.chains.begin(), overlap.chains.end(), change_ends);
+  }
+}
+
+/// Removes the nodes that no arc, no isolated point and no overlap names, and renumbers.
+void drop_unused_nodes(IntersectionGraph& graph) {
   std::vector<int> renamed(graph.nodes.size(), -1);
+  for_each_node_id(graph, [&](const int& id) { renamed[static_cast<std::size_t>(id)] = 0; });
   std::vector<Node> kept;
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
-    const bool isolated =
-        std::count(graph.isolated_points.begin(), graph.isolated_points.end(), static_cast<int>(i)) > 0;
-    if (degree[i] > 0 || isolated) {
+    if (renamed[i] == 0) {
       renamed[i] = static_cast<int>(kept.size());
       kept.push_back(std::move(graph.nodes[i]));
       kept.back().id = renamed[i];
     }
   }
   graph.nodes = std::move(kept);
-  for (Arc& arc : graph.arcs) {
-    arc.from = renamed[static_cast<std::size_t>(arc.from)];
-    arc.to = renamed[static_cast<std::size_t>(arc.to)];
-  }
-  for (int& id : graph.isolated_points) {
-    id = renamed[static_cast<std::size_t>(id)];
-  }
+  for_each_node_id(graph, [&](int& id) { id = renamed[static_cast<std::size_t>(id)]; });
 }
 
 }  // namespace
@@ -299,7 +308,7 @@ void finish_components(IntersectionGraph& graph) {
       component.shape = ComponentShape::open;
     }
   }
-  drop_unused_nodes(graph, degree);
+  drop_unused_nodes(graph);
 }
 
 #define EXSECT_INSTANTIATE_GRAPH(Ball)                                                            \

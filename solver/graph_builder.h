@@ -36,7 +36,8 @@ template <class Ball>
 void append_trace(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve, const ModelFrame& frame,
                   const std::vector<Parameter>& wanted, double tolerance);
 
-/// Fills in components from nodes and arcs, and drops unused nodes that are not listed as isolated points.
+/// Fills in components from nodes and arcs, and drops the nodes that no arc, no isolated point and no
+/// overlap names.
 void finish_components(IntersectionGraph& graph);
 
 }  // namespace exsect

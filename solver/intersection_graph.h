@@ -11,6 +11,10 @@ namespace exsect {
 enum class NodeKind { boundary, turning, corner, touch, crossing, cusp, end_of_overlap };
 
 /// A certified point of the intersection. Its closed box holds exactly one point with the stated properties.
+/// If there are `free` parameters, each of them runs through its whole interval of the box, independently of
+/// the others, while the remaining ones and the point of space stay fixed: the node stands for all of these
+/// solutions (a collapsed side, a patch that is a curve or a point), and `on` names the sides that all of
+/// them lie on.
 struct Node {
   int id;
   std::vector<NodeKind> kinds;
@@ -19,6 +23,7 @@ struct Node {
   ParameterBox box;
   std::array<double, 4> approx;  // (u,v,r,s), inside the box up to rounding
   std::array<double, 3> point;   // approximate point of space
+  std::vector<Parameter> free = {};
 };
 
 /// Parameters (u,v,r,s) and the point of space.
@@ -32,6 +37,8 @@ enum class Contact { transversal, tangential };
 
 /// A piece of the intersection curve between two nodes, with no node inside. Every point of the true arc is
 /// within `error_bound` (in space) of the polyline and every point of the polyline within it of the true arc.
+/// `free` parameters run through [0,1] at every point of the arc, independently of the others (a patch that
+/// is a curve); the polyline shows them at 1/2.
 struct Arc {
   int id;
   int component;
@@ -41,6 +48,7 @@ struct Arc {
   Contact contact;
   std::vector<PolylineVertex> polyline;  // from `from` to `to`
   double error_bound;
+  std::vector<Parameter> free = {};
 };
 
 /// open: a simple path; closed: a simple loop; branched: anything with a node of degree above two.
@@ -52,7 +60,8 @@ struct Component {
   std::vector<int> arcs;  // open and closed: in order along the curve
 };
 
-/// A region where the two patches lie on one surface: its closed chains of boundary arcs on both squares.
+/// A region where the two patches lie on one surface: its closed chains of boundary arcs on both squares. The
+/// arcs belong to no component (`component` is -1) and their ids count through the chains of this overlap.
 struct Overlap {
   int id;
   std::vector<std::vector<Arc>> chains;

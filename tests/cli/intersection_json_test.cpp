@@ -30,6 +30,10 @@ TEST_CASE("the JSON of a result has the documented form") {
   CHECK(json["arcs"][0]["polyline"][1] == nlohmann::json({0.25, 0.625, 0.25, 0.7, 0.25, 0.625, 0.25 / 3}));
   CHECK(json["arcs"][2]["on"] == "patch-boundary");
   CHECK(json["arcs"][2]["contact"] == "tangential");
+  CHECK(json["nodes"][3]["free"] == nlohmann::json::array());
+  CHECK(json["nodes"][4]["free"] == nlohmann::json({"r"}));
+  CHECK(json["nodes"][4]["box"]["r"] == nlohmann::json({"0", "1/2"}));
+  CHECK(json["arcs"][2]["free"] == nlohmann::json({"s"}));
   CHECK(json["isolated_points"] == nlohmann::json({4}));
   CHECK(json["overlaps"][0]["chains"][0].size() == 2);
   CHECK(json["incomplete"][0]["where"]["u"] == nlohmann::json({"0", "1/8"}));
@@ -73,6 +77,7 @@ TEST_CASE("the schema refuses what is not the documented form") {
   CHECK(refused("/nodes/0/box/u/0", "1/0"));
   CHECK(refused("/nodes/0/kinds/0", "end_of_overlap"));
   CHECK(refused("/nodes/0/on", "u=0"));
+  CHECK(refused("/nodes/0/free/0", "t"));
   CHECK(refused("/arcs/0/error_bound", nullptr));
   CHECK(refused("/arcs/0/polyline/0", nlohmann::json({0, 0, 0, 0})));
   CHECK(refused("/summary/turning/u", -1));

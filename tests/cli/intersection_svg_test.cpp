@@ -34,7 +34,7 @@ TEST_CASE("the picture of a result is well-formed and has every kind of mark in 
   for (const char* entry :
        {"component 0, open", "component 1, closed", "tangential contact", "along a side of a patch",
         "boundary point", "turning point", "turns in the other square", "corner", "crossing", "cusp",
-        "end of overlap", "isolated point", "overlap", "not decided"}) {
+        "end of overlap", "one point of space", "isolated point", "overlap", "not decided"}) {
     INFO(entry);
     CHECK(occurrences(svg, std::string(">") + entry + "</text>") == 1);
   }

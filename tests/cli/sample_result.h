@@ -38,6 +38,8 @@ inline IntersectResult sample_result() {
                  node(3, {NodeKind::crossing}, {}, {Parameter::u, Parameter::s}, {0.25, 0.125, 0.25, 0.125}),
                  node(4, {NodeKind::touch}, {}, {}, {0.875, 0.875, 0.25, 0.75}),
                  node(5, {NodeKind::cusp, NodeKind::end_of_overlap}, {}, {}, {0.6, 0.1, 0.7, 0.2})};
+  graph.nodes[4].free = {Parameter::r};
+  graph.nodes[4].box[2] = {0, Rational(1) / 2};
   graph.arcs = {
       arc(0, 0, 0, 1, {{0, 0.25, 0.125, 0.5}, {0.25, 0.625, 0.25, 0.7}, {0.5, 0.75, 0.5, 0.75}}, 0.1),
       arc(1, 0, 1, 2, {{0.5, 0.75, 0.5, 0.75}, {0.75, 0.5, 1, 1}}, 1e-9),
@@ -49,6 +51,7 @@ inline IntersectResult sample_result() {
           0)};
   graph.arcs[2].place = ArcPlace::patch_boundary;
   graph.arcs[2].contact = Contact::tangential;
+  graph.arcs[2].free = {Parameter::s};
   graph.components = {{0, ComponentShape::open, {0, 1}}, {1, ComponentShape::closed, {2}}};
   graph.isolated_points = {4};
   graph.overlaps = {

@@ -26,8 +26,8 @@ Labels kinds(const Node& node) {
   return labels(node.kinds, [](NodeKind kind) { return static_cast<int>(kind); });
 }
 
-Labels turning(const Node& node, const Renaming& renaming) {
-  return labels(node.wrt, [&](Parameter p) { return static_cast<int>(renaming.to[index(p)]); });
+Labels renamed(const std::vector<Parameter>& parameters, const Renaming& renaming) {
+  return labels(parameters, [&](Parameter p) { return static_cast<int>(renaming.to[index(p)]); });
 }
 
 Labels sides(const Node& node, const Renaming& renaming) {
@@ -132,7 +132,9 @@ class Matching {
 
   void match(const Node& node) {
     const auto error = [&](const Node& other) -> std::optional<double> {
-      const bool same = kinds(node) == kinds(other) && turning(node, renaming_) == turning(other, {}) &&
+      const bool same = kinds(node) == kinds(other) &&
+                        renamed(node.wrt, renaming_) == renamed(other.wrt, {}) &&
+                        renamed(node.free, renaming_) == renamed(other.free, {}) &&
                         sides(node, renaming_) == sides(other, {}) && overlap(node.box, other.box, renaming_);
       if (!same) return std::nullopt;
       return distance(renamed(node.approx, renaming_), other.approx);
@@ -144,7 +146,8 @@ class Matching {
     const auto ends = std::minmax(nodes_.at(arc.from), nodes_.at(arc.to));
     const auto error = [&](const Arc& other) -> std::optional<double> {
       const bool same = ends == std::minmax(other.from, other.to) && arc.place == other.place &&
-                        arc.contact == other.contact;
+                        arc.contact == other.contact &&
+                        renamed(arc.free, renaming_) == renamed(other.free, {});
       if (!same) return std::nullopt;
       double largest = 0;
       for (std::size_t k = 0; k < arc.polyline.size(); k += 1 + arc.polyline.size() / 16) {
