@@ -6,8 +6,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-packages=(cmake ninja-build g++ catch2 libboost-dev libcli11-dev libflint-dev libfmt-dev libgmp-dev libmpfr-dev
-          nlohmann-json3-dev)
+packages=(cmake ninja-build g++ catch2 libboost-dev libcli11-dev libeigen3-dev libflint-dev libfmt-dev libgmp-dev
+          libmpfr-dev nlohmann-json3-dev)
 packages_if_known=(libflint-arb-dev)  # from version 3 FLINT contains Arb
 test_packages=(pkg-config)
 test_packages_if_known=(clang-format-14)
@@ -40,8 +40,8 @@ known() {
 # Installs all of `packages` and, where the release has them, of `packages_if_known`.
 install_packages() {
   local required optional
-  command -v apt-get >/dev/null || die "no apt-get here; install cmake, ninja, g++, Boost, CLI11, FLINT, fmt, GMP," \
-    "MPFR, nlohmann-json and Catch2, then: cmake --preset release && cmake --build --preset release"
+  command -v apt-get >/dev/null || die "no apt-get here; install cmake, ninja, g++, Boost, CLI11, Eigen, FLINT, fmt," \
+    "GMP, MPFR, nlohmann-json and Catch2, then: cmake --preset release && cmake --build --preset release"
   mapfile -t required < <(missing "${packages[@]}")
   mapfile -t optional < <(missing "${packages_if_known[@]}")
   if ((EUID != 0)); then
