@@ -1,108 +1,31 @@
 #include "patch_file.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <set>
-#include <string_view>
 
-#include "json_tree.h"
-#include "number.h"
+#include "json_value.h"
 
 namespace exsect {
 namespace {
 
-using Kind = JsonTree::Kind;
-
 constexpr const char* version = "patches/1";
 constexpr std::size_t max_depth = 16;
 
-/// One value of the file together with its JSON path.
-class Value {
- public:
-  Value(const JsonTree& tree, const std::string& file, std::string path)
-      : tree_(tree), file_(file), path_(std::move(path)) {}
-
-  [[noreturn]] void fail(const std::string& reason) const { throw InputError(file_, path_, reason); }
-
-  const std::string& string() const {
-    if (tree_.kind != Kind::string) fail("must be a string");
-    return tree_.text;
-  }
-
-  /// A number as in the file, quoted or bare.
-  const std::string& number_text() const {
-    if (tree_.kind != Kind::string && tree_.kind != Kind::number) fail("must be a number, quoted or not");
-    return tree_.text;
-  }
-
-  bool is_bare(std::string_view number) const { return tree_.kind == Kind::number && tree_.text == number; }
-
-  std::size_t size() const {
-    if (tree_.kind != Kind::array) fail("must be an array");
-    return tree_.elements.size();
-  }
-
-  void require_size(std::size_t n, const char* what) const {
-    if (size() != n)
-      fail("must be an array of " + std::to_string(n) + " " + what + ", has " +
-           std::to_string(tree_.elements.size()));
-  }
-
-  Value at(std::size_t i) const { return {tree_.elements[i], file_, path_ + "[" + std::to_string(i) + "]"}; }
-
-  bool has(std::string_view key) const { return find(key) != tree_.keys.end(); }
-
-  Value member(const char* key) const {
-    const auto it = find(key);
-    if (it == tree_.keys.end()) fail("key \"" + std::string(key) + "\" is missing");
-    const auto i = static_cast<std::size_t>(it - tree_.keys.begin());
-    return {tree_.elements[i], file_, path_ + "." + key};
-  }
-
-  void require_object(std::initializer_list<std::string_view> known) const {
-    if (tree_.kind != Kind::object) fail("must be an object");
-    for (const std::string& key : tree_.keys)
-      if (std::find(known.begin(), known.end(), key) == known.end())
-        fail("unknown key \"" + printable(key) + "\"");
-  }
-
- private:
-  std::vector<std::string>::const_iterator find(std::string_view key) const {
-    return std::find(tree_.keys.begin(), tree_.keys.end(), key);
-  }
-
-  const JsonTree& tree_;
-  const std::string& file_;
-  std::string path_;
-};
-
-using NumberReader = Rational (*)(std::string_view);
-
-Rational read_number(const Value& value, NumberReader read) {
-  try {
-    return read(value.number_text());
-  } catch (const std::invalid_argument& error) {
-    value.fail(error.what());
-  }
-}
-
-int read_degree(const Value& value) {
+int read_degree(const JsonValue& value) {
   if (value.is_bare("1")) return 1;
   if (value.is_bare("2")) return 2;
   value.fail("degree must be 1 or 2");
 }
 
-BezierPatch read_points(const Value& points, const std::array<int, 2>& degree, NumberReader read) {
+BezierPatch read_points(const JsonValue& points, const std::array<int, 2>& degree, NumberReader read) {
   std::vector<std::vector<Point>> rows;
   points.require_size(static_cast<std::size_t>(degree[0]) + 1, "rows for this degree");
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Value row = points.at(i);
+    const JsonValue row = points.at(i);
     row.require_size(static_cast<std::size_t>(degree[1]) + 1, "points for this degree");
     rows.emplace_back();
     for (std::size_t j = 0; j < row.size(); ++j) {
-      const Value point = row.at(j);
+      const JsonValue point = row.at(j);
       point.require_size(3, "coordinates");
       rows.back().push_back(Point{read_number(point.at(0), read), read_number(point.at(1), read),
                                   read_number(point.at(2), read)});
@@ -111,40 +34,19 @@ BezierPatch read_points(const Value& points, const std::array<int, 2>& degree, N
   return BezierPatch::elevated(rows);
 }
 
-NamedPatch read_patch(const Value& value, NumberReader read) {
+NamedPatch read_patch(const JsonValue& value, NumberReader read) {
   value.require_object({"name", "degree", "points"});
-  const Value name = value.member("name");
+  const JsonValue name = value.member("name");
   if (name.string().empty()) name.fail("must not be empty");
-  const Value degrees = value.member("degree");
+  const JsonValue degrees = value.member("degree");
   degrees.require_size(2, "degrees");
   const std::array<int, 2> degree = {read_degree(degrees.at(0)), read_degree(degrees.at(1))};
   return {name.string(), degree, read_points(value.member("points"), degree, read)};
 }
 
-NumberReader number_reader(const Value& root) {
-  if (!root.has("numbers")) return parse_number;
-  const Value numbers = root.member("numbers");
-  if (numbers.string() == "decimal") return parse_number;
-  if (numbers.string() == "binary64") return parse_binary64;
-  numbers.fail("must be \"decimal\" or \"binary64\"");
-}
-
-std::string quoted(const std::string& text) {
-  try {
-    return nlohmann::json(text).dump();
-  } catch (const nlohmann::json::type_error&) {
-    throw std::invalid_argument("patch file: title, source and names must be UTF-8");
-  }
-}
-
-std::string format_number(const Rational& q) {
-  std::string text = to_string(q);
-  parse_number(text);  // throws beyond the sizes a reader accepts
-  return "\"" + text + "\"";
-}
-
 std::string format_point(const Point& p) {
-  return "[" + format_number(p[0]) + ", " + format_number(p[1]) + ", " + format_number(p[2]) + "]";
+  return "[" + format_json_number(p[0]) + ", " + format_json_number(p[1]) + ", " + format_json_number(p[2]) +
+         "]";
 }
 
 /// Index of the control point of the elevated net that is control point i for the given degree.
@@ -164,7 +66,7 @@ std::vector<std::vector<Point>> points_of_degree(const NamedPatch& named) {
 }
 
 std::string format_patch(const NamedPatch& named) {
-  std::string text = "  {\"name\": " + quoted(named.name) + ", \"degree\": [" +
+  std::string text = "  {\"name\": " + json_string(named.name) + ", \"degree\": [" +
                      std::to_string(named.degree[0]) + ", " + std::to_string(named.degree[1]) +
                      "], \"points\": [";
   const char* before_row = "\n   [";
@@ -183,7 +85,7 @@ PatchFile parse_patches(const std::string& text, const std::string& filename) {
   if (text.size() > max_patch_file_bytes)
     throw InputError(filename, "", "longer than " + std::to_string(max_patch_file_bytes) + " bytes");
   const JsonTree tree = parse_json(text, filename, max_depth);
-  const Value root(tree, filename, "$");
+  const JsonValue root(tree, filename, "$");
   root.require_object({"exsect", "title", "source", "numbers", "patches"});
   if (root.member("exsect").string() != version)
     root.member("exsect").fail("unknown version, must be \"" + std::string(version) + "\"");
@@ -191,7 +93,7 @@ PatchFile parse_patches(const std::string& text, const std::string& filename) {
   if (root.has("title")) file.title = root.member("title").string();
   if (root.has("source")) file.source = root.member("source").string();
   const NumberReader read = number_reader(root);
-  const Value patches = root.member("patches");
+  const JsonValue patches = root.member("patches");
   if (patches.size() == 0) patches.fail("must hold at least one patch");
   std::set<std::string> names;
   for (std::size_t i = 0; i < patches.size(); ++i) {
@@ -209,9 +111,9 @@ PatchFile read_patches(const std::string& path) {
 
 std::string format_patches(const PatchFile& file) {
   if (file.patches.empty()) throw std::invalid_argument("patch file: must hold at least one patch");
-  std::string text = "{\n \"exsect\": " + quoted(version);
-  if (!file.title.empty()) text += ",\n \"title\": " + quoted(file.title);
-  if (!file.source.empty()) text += ",\n \"source\": " + quoted(file.source);
+  std::string text = "{\n \"exsect\": " + json_string(version);
+  if (!file.title.empty()) text += ",\n \"title\": " + json_string(file.title);
+  if (!file.source.empty()) text += ",\n \"source\": " + json_string(file.source);
   text += ",\n \"patches\": [\n";
   std::set<std::string> names;
   const char* before_patch = "";
