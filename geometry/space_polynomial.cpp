@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "number.h"
-
 namespace exsect {
 namespace {
 
@@ -16,28 +14,10 @@ bool is_before(const Exponents& a, const Exponents& b) {
   return total(a) != total(b) ? total(a) > total(b) : a > b;
 }
 
-std::vector<Exponents> descending(const SpacePolynomial::Terms& terms) {
-  std::vector<Exponents> result;
-  for (const auto& [e, c] : terms) result.push_back(e);
-  std::sort(result.begin(), result.end(), is_before);
-  return result;
-}
-
 std::vector<Rational> powers(const Rational& base, int degree) {
   std::vector<Rational> result = {1};
   for (int i = 0; i < degree; ++i) result.push_back(result.back() * base);
   return result;
-}
-
-std::string monomial(const Exponents& e) {
-  std::string text;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (e[axis] == 0) continue;
-    if (!text.empty()) text += "*";
-    text += "xyz"[axis];
-    if (e[axis] > 1) text += "^" + std::to_string(e[axis]);
-  }
-  return text;
 }
 
 }  // namespace
@@ -104,8 +84,9 @@ SpacePolynomial SpacePolynomial::primitive() const {
     numerators = gcd(numerators, numerator(c));
     denominators = lcm(denominators, denominator(c));
   }
-  const int leading = sign(coefficient(descending(terms_).front()));
-  return Rational(leading * denominators, numerators) * *this;
+  const auto leading = std::min_element(
+      terms_.begin(), terms_.end(), [](const auto& a, const auto& b) { return is_before(a.first, b.first); });
+  return Rational(sign(leading->second) * denominators, numerators) * *this;
 }
 
 SpacePolynomial& SpacePolynomial::operator+=(const SpacePolynomial& other) {
@@ -172,22 +153,6 @@ BivariatePolynomial compose(const SpacePolynomial& f, const BezierPatch& x) {
     in_x[i] = horner(in_y, coordinate[1]);
   }
   return horner(in_x, coordinate[0]);
-}
-
-std::string to_string(const SpacePolynomial& f) {
-  std::string text;
-  for (const Exponents& e : descending(f.terms())) {
-    const Rational c = f.coefficient(e);
-    if (text.empty()) {
-      text = c < 0 ? "-" : "";
-    } else {
-      text += c < 0 ? " - " : " + ";
-    }
-    const std::string size = to_string(Rational(abs(c)));
-    const std::string factor = monomial(e);
-    text += factor.empty() ? size : size == "1" ? factor : size + "*" + factor;
-  }
-  return text.empty() ? "0" : text;
 }
 
 }  // namespace exsect

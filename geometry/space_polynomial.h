@@ -6,7 +6,6 @@
 
 #include <array>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace exsect {
@@ -58,9 +57,5 @@ std::vector<Exponents> exponents_up_to(int degree);
 
 /// f(x(u,v)) with u in the place of r and v in that of s; bidegree at most (2d,2d) for total degree d.
 BivariatePolynomial compose(const SpacePolynomial& f, const BezierPatch& x);
-
-/// The polynomial as computer algebra systems read it (Singular, Sage, PARI): 2*x^2*z - 3/7*y + 1, terms by
-/// falling total degree; "0" for zero.
-std::string to_string(const SpacePolynomial& f);
 
 }  // namespace exsect

@@ -77,7 +77,7 @@ TEST_CASE("the equation does not depend on the parametrisation") {
   CHECK(implicit_equation(p.restricted_to(Rational(1, 3), Rational(1, 2), -1, 2)) == f);
 }
 
-TEST_CASE("base points lower the degree") {
+TEST_CASE("base points of a patch lower its degree") {
   const std::uint64_t seed = 20260108;
   INFO("seed " << seed);
   Random random(seed);

@@ -20,7 +20,6 @@ TEST_CASE("the zero polynomial in space") {
   CHECK(zero.degree() == -1);
   CHECK(zero.degree_in(1) == -1);
   CHECK(zero.primitive().is_zero());
-  CHECK(to_string(zero) == "0");
   CHECK(zero({1, 2, 3}) == 0);
   CHECK((Rational(0) * x).is_zero());
   CHECK((x * zero).is_zero());
@@ -28,16 +27,15 @@ TEST_CASE("the zero polynomial in space") {
   CHECK_THROWS_AS(SpacePolynomial({{{0, -1, 0}, 1}}), std::invalid_argument);
 }
 
-TEST_CASE("arithmetic, degrees and the text of a polynomial in space") {
+TEST_CASE("arithmetic and degrees of polynomials in space") {
   const SpacePolynomial f = Rational(1, 2) * x * x * z - Rational(3, 4) * y + SpacePolynomial::constant(-1);
   CHECK(f.degree() == 3);
   CHECK(f.degree_in(0) == 2);
   CHECK(f({2, 1, 3}) == Rational(6) - Rational(7, 4));
   CHECK(f.derivative(0) == x * z);
   CHECK(f.derivative(2) == Rational(1, 2) * x * x);
-  CHECK(to_string(f) == "1/2*x^2*z - 3/4*y - 1");
-  CHECK(to_string((Rational(-1) * f).primitive()) == "2*x^2*z - 3*y - 4");
-  CHECK(to_string(Rational(-1) * y * y + z) == "-y^2 + z");
+  CHECK((Rational(-1) * f).primitive() == Rational(4) * f);
+  CHECK((Rational(-1) * y * y + z).primitive() == y * y - z);
   SpacePolynomial twice = f;
   twice += twice;
   CHECK(twice == Rational(2) * f);
