@@ -8,6 +8,8 @@
 #include <stdexcept>
 
 #include "critical_values.h"
+#include "degenerate_patches.h"
+#include "model_scale.h"
 #include "traced_curves.h"
 
 namespace exsect {
@@ -32,44 +34,12 @@ void check(const IntersectOptions& options) {
   }
 }
 
-/// Origin (with double coordinates) and power of two that bring both patches to unit size; `extent` is the
-/// largest extent of the common bounding box.
-struct Scaling {
-  ModelFrame frame;
-  Point origin;
-  double extent;
-};
-
-Scaling scaling_of(const BezierPatch& x, const BezierPatch& y) {
-  Scaling result{};
-  double largest = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    Rational lower = x.net()[0][0][c];
-    Rational upper = lower;
-    for (const BezierPatch* patch : {&x, &y}) {
-      for (const auto& row : patch->net()) {
-        for (const Point& p : row) {
-          lower = std::min(lower, p[c]);
-          upper = std::max(upper, p[c]);
-        }
-      }
-    }
-    result.frame.origin[c] = to_double((lower + upper) / 2);
-    if (!std::isfinite(result.frame.origin[c])) {
-      throw std::invalid_argument("control points must lie in the range of doubles");
-    }
-    result.origin[c] = from_double(result.frame.origin[c]);
-    largest = std::max(largest, to_double(upper - lower));
-  }
-  result.extent = largest;
-  result.frame.exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
-  return result;
-}
-
 class Intersection {
  public:
   Intersection(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options)
-      : x_(x), y_(y), options_(options), scaling_(scaling_of(x, y)), stop_([this] { return out_of_time(); }) {
+      : x_(x), y_(y), options_(options), scaling_(model_scale(x, y)), stop_([this] {
+          return out_of_time();
+        }) {
     sweep_.coincident = coincident_parameters(x, y);
   }
 
@@ -217,7 +187,7 @@ class Intersection {
   const BezierPatch& y_;
   const IntersectOptions& options_;
   Clock::time_point start_ = Clock::now();
-  Scaling scaling_;
+  ModelScale scaling_;
   StopRequest stop_;
   SweepData sweep_;
   IntersectResult result_{};
@@ -228,6 +198,9 @@ class Intersection {
 
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
   check(options);
+  if (std::optional<IntersectResult> result = intersect_degenerate(x, y, options)) {
+    return std::move(*result);
+  }
   return Intersection(x, y, options).run();
 }
 

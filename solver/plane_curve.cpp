@@ -81,9 +81,18 @@ std::vector<TriangularPoint> component_points(const BivariatePolynomial& f) {
   return points;
 }
 
-bool have_common_zero(const std::vector<BivariatePolynomial>& polynomials) {
-  // Invariant: the common zeros of those seen are {curve = 0} (the whole square while the curve is zero) and
-  // `points`.
+bool same_point(const TriangularPoint& p, const TriangularPoint& q) {
+  // q is a root of p.g over the same s, and p the only one in its interval.
+  if (p.s() != q.s() || sign_at(p.g(), q) != 0) return false;
+  const auto side = [&](const Rational& end) {
+    return sign_at(BivariatePolynomial::r() - BivariatePolynomial::constant(end), q);
+  };
+  const auto [lower, upper] = p.r_interval();
+  return lower == upper ? side(lower) == 0 : side(lower) > 0 && side(upper) < 0;
+}
+
+CommonZeros common_zeros(const std::vector<BivariatePolynomial>& polynomials) {
+  // Invariant: the common zeros of those seen are {curve = 0} and `points`.
   BivariatePolynomial curve;
   std::vector<TriangularPoint> points;
   for (const BivariatePolynomial& f : polynomials) {
@@ -97,7 +106,18 @@ bool have_common_zero(const std::vector<BivariatePolynomial>& polynomials) {
     append(points, common_points(exact_quotient(curve, common), exact_quotient(f, common)));
     curve = common;
   }
-  return curve.is_zero() || !points.empty() || !component_points(squarefree(curve)).empty();
+  CommonZeros result{curve, {}};
+  for (const TriangularPoint& p : points) {
+    const auto same = [&](const TriangularPoint& q) { return same_point(p, q); };
+    if (sign_at(curve, p) != 0 && std::none_of(result.points.begin(), result.points.end(), same))
+      result.points.push_back(p);
+  }
+  return result;
+}
+
+bool have_common_zero(const std::vector<BivariatePolynomial>& polynomials) {
+  const CommonZeros zeros = common_zeros(polynomials);
+  return zeros.curve.is_zero() || !zeros.points.empty() || !component_points(squarefree(zeros.curve)).empty();
 }
 
 }  // namespace exsect

@@ -35,6 +35,17 @@ std::vector<TriangularPoint> side_points(const BivariatePolynomial& f);
 /// no zero there. Requires f squarefree and not zero.
 std::vector<TriangularPoint> component_points(const BivariatePolynomial& f);
 
+/// Whether two points given by triangular sets are the same.
+bool same_point(const TriangularPoint& p, const TriangularPoint& q);
+
+/// The common zeros of all polynomials in [0,1]^2: those of `curve` (a constant: none; zero: the whole
+/// square), and the finitely many others, each once.
+struct CommonZeros {
+  BivariatePolynomial curve;
+  std::vector<TriangularPoint> points;
+};
+CommonZeros common_zeros(const std::vector<BivariatePolynomial>& polynomials);
+
 /// Whether all of the polynomials vanish at a common point of [0,1]^2.
 bool have_common_zero(const std::vector<BivariatePolynomial>& polynomials);
 

@@ -1,0 +1,238 @@
+#include "degenerate_patches.h"
+
+#include <exsect/algebra/real_algebraic.h>
+#include <exsect/geometry/pull_back.h>
+#include <exsect/solver/line_patch.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "graph_builder.h"
+#include "model_scale.h"
+#include "parameter_names.h"
+#include "plane_curve.h"
+#include "traced_curves.h"
+
+namespace exsect {
+
+namespace {
+
+const Rational& box_width() {
+  static const Rational width = power_of_two(-50);
+  return width;
+}
+
+/// x_u x x_v = 0 for all (u,v): all coefficients of the product of the power bases.
+bool has_no_normal(const ControlNet& c) {
+  std::array<std::array<Point, 4>, 4> product{};
+  for (std::size_t i = 1; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t l = 0; l < 3; ++l)
+        for (std::size_t m = 1; m < 3; ++m) {
+          Point& sum = product[i + l - 1][j + m - 1];
+          sum = sum + Rational(i * m) * cross(c[i][j], c[l][m]);
+        }
+  return std::all_of(product.begin(), product.end(),
+                     [](const auto& row) { return std::all_of(row.begin(), row.end(), is_zero); });
+}
+
+/// An exact parameter value in [0,1] in a box, sides exact.
+RationalInterval box_of(const RealAlgebraic& value) {
+  for (const int side : {0, 1})
+    if (value.compare(side) == 0) return {side, side};
+  const RationalInterval i = value.refined_to(box_width()).interval();
+  return {std::max<Rational>(i.lower, 0), std::min<Rational>(i.upper, 1)};
+}
+
+/// The sides of the squares on which a box with exact sides lies.
+std::vector<Side> sides_of(const ParameterBox& box) {
+  std::vector<Side> sides;
+  for (const Parameter p : all_parameters)
+    for (const int value : {0, 1})
+      if (box[index(p)].lower == value && box[index(p)].upper == value) sides.push_back({p, value});
+  return sides;
+}
+
+bool disjoint(const RationalInterval& a, const RationalInterval& b) {
+  return a.upper < b.lower || b.upper < a.lower;
+}
+
+/// (r,s) boxes of distinct points, pairwise disjoint.
+std::vector<std::array<RationalInterval, 2>> separate_boxes(const std::vector<TriangularPoint>& points) {
+  const auto boxes_at = [&](const Rational& width) {
+    std::vector<std::array<RationalInterval, 2>> boxes;
+    for (const TriangularPoint& p : points) {
+      const TriangularPoint fine = p.refined_to(width);
+      boxes.push_back({fine.r_interval(), fine.s().interval()});
+    }
+    return boxes;
+  };
+  const auto separated = [](const auto& boxes) {
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (!disjoint(boxes[i][0], boxes[j][0]) && !disjoint(boxes[i][1], boxes[j][1])) return false;
+    return true;
+  };
+  Rational width = box_width();
+  auto boxes = boxes_at(width);
+  for (; !separated(boxes); width *= width) boxes = boxes_at(width);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t k = 0; k < 2; ++k)
+      for (const int side : {0, 1}) {
+        const BivariatePolynomial& variable = k == 0 ? BivariatePolynomial::r() : BivariatePolynomial::s();
+        RationalInterval& box = boxes[i][k];
+        if (sign_at(variable - BivariatePolynomial::constant(side), points[i]) == 0) box = {side, side};
+        box = {std::max<Rational>(box.lower, 0), std::min<Rational>(box.upper, 1)};
+      }
+  return boxes;
+}
+
+/// One pair whose first patch is a point or a curve p(u), whose second one is of no lower dimension and, if
+/// it is a curve, q(r).
+class DegeneratePair {
+ public:
+  DegeneratePair(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options)
+      : x_(x),
+        y_(y),
+        options_(options),
+        scale_(model_scale(x, y)),
+        start_(std::chrono::steady_clock::now()) {}
+
+  IntersectResult run() {
+    const PatchShape first = shape(x_);
+    const PatchShape second = shape(y_);
+    if (first == PatchShape::curve || second == PatchShape::curve) {
+      incomplete(
+          "a patch is a curve whose points have curves of parameters: its two partial derivatives are "
+          "parallel everywhere");
+    } else if (first == PatchShape::point) {
+      second == PatchShape::surface ? point_on_surface() : point_on_curve(second);
+    } else {
+      second == PatchShape::surface ? curve_on_surface() : curve_on_curve();
+    }
+    finish_components(result_.graph);
+    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
+    result_.work.milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    return std::move(result_);
+  }
+
+ private:
+  void incomplete(const char* why) { result_.incomplete.push_back({whole_domain(), why}); }
+
+  /// x - y along coordinate k, with x the point (0 at x(0,0)), on the square of y.
+  std::vector<BivariatePolynomial> equations() const {
+    std::vector<BivariatePolynomial> result;
+    for (std::size_t k = 0; k < 3; ++k) {
+      Point axis = {0, 0, 0};
+      axis[k] = 1;
+      result.push_back(pull_back(AffineForm{axis, -x_.net()[0][0][k]}, y_));
+    }
+    return result;
+  }
+
+  void add_point(ParameterBox box, std::vector<Parameter> free) {
+    for (const Parameter p : free) box[index(p)] = {0, 1};
+    const PairSystem<DoubleBall> system(x_, y_, scale_.origin, scale_.frame.exponent);
+    const BallPoint<DoubleBall> ball = {DoubleBall::enclosing(box[0]), DoubleBall::enclosing(box[1]),
+                                        DoubleBall::enclosing(box[2]), DoubleBall::enclosing(box[3])};
+    Node node = boundary_node(system, scale_.frame, ball, box, sides_of(box));
+    if (node.on.empty()) node.kinds.clear();
+    node.free = std::move(free);
+    node.id = static_cast<int>(result_.graph.nodes.size());
+    result_.graph.isolated_points.push_back(node.id);
+    result_.graph.nodes.push_back(std::move(node));
+  }
+
+  void point_on_curve(PatchShape second) {
+    using enum Parameter;
+    Polynomial common;
+    for (const BivariatePolynomial& e : equations()) common = gcd(common, e.at_s(0));
+    if (second == PatchShape::point) {
+      if (common.is_zero()) add_point({}, {u, v, r, s});
+    } else if (common.degree() > 0) {
+      for (const RealAlgebraic& root : real_roots(common, 0, 1))
+        add_point({RationalInterval{}, {}, box_of(root), {}}, {u, v, s});
+    }
+  }
+
+  void point_on_surface() {
+    using enum Parameter;
+    const CommonZeros zeros = common_zeros(equations());
+    for (const auto& [in_r, in_s] : separate_boxes(zeros.points))
+      add_point({RationalInterval{}, {}, in_r, in_s}, {u, v});
+    const ContentAndPart in_s = split_content(zeros.curve);
+    const ContentAndPart in_r = split_content(in_s.primitive.exchanged());
+    if (in_s.content.degree() > 0)
+      for (const RealAlgebraic& root : real_roots(in_s.content, 0, 1))
+        add_point({RationalInterval{}, {}, {}, box_of(root)}, {u, v, r});
+    if (in_r.content.degree() > 0)
+      for (const RealAlgebraic& root : real_roots(in_r.content, 0, 1))
+        add_point({RationalInterval{}, {}, box_of(root), {}}, {u, v, s});
+    if (!component_points(squarefree(in_r.primitive)).empty())
+      incomplete("the second patch maps a curve of its parameters that is no parameter line to this point");
+  }
+
+  void curve_on_surface() {
+    const LinePoints line = line_points(x_, y_, {Parameter::v, 0});
+    for (const CertifiedPoint& point : line.points) add_point(point.box(), {Parameter::v});
+    if (line.incomplete || !line.on_patch.empty()) incomplete("the curve lies on the surface in part");
+  }
+
+  void curve_on_curve() { incomplete("two curves"); }
+
+  const BezierPatch& x_;
+  const BezierPatch& y_;
+  const IntersectOptions& options_;
+  ModelScale scale_;
+  std::chrono::steady_clock::time_point start_;
+  IntersectResult result_{};
+};
+
+int dimension(PatchShape s) { return s == PatchShape::point ? 0 : s == PatchShape::surface ? 2 : 1; }
+
+}  // namespace
+
+PatchShape shape(const BezierPatch& x) {
+  const ControlNet c = x.power_basis();
+  bool of_first = true;
+  bool of_second = true;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (is_zero(c[i][j])) continue;
+      of_first = of_first && j == 0;
+      of_second = of_second && i == 0;
+    }
+  if (of_first && of_second) return PatchShape::point;
+  if (of_first) return PatchShape::curve_of_first;
+  if (of_second) return PatchShape::curve_of_second;
+  return has_no_normal(c) ? PatchShape::curve : PatchShape::surface;
+}
+
+std::optional<IntersectResult> intersect_degenerate(const BezierPatch& x, const BezierPatch& y,
+                                                    const IntersectOptions& options) {
+  using enum Parameter;
+  const PatchShape first = shape(x);
+  const PatchShape second = shape(y);
+  if (first == PatchShape::surface && second == PatchShape::surface) return std::nullopt;
+  ParameterNames names = {u, v, r, s};
+  BezierPatch a = x;
+  BezierPatch b = y;
+  if (first == PatchShape::curve_of_second) {
+    a = a.exchanged();
+    std::swap(names[0], names[1]);
+  }
+  if (second == PatchShape::curve_of_second) {
+    b = b.exchanged();
+    std::swap(names[2], names[3]);
+  }
+  if (dimension(first) > dimension(second)) {
+    std::swap(a, b);
+    names = {names[2], names[3], names[0], names[1]};
+  }
+  IntersectResult result = DegeneratePair(a, b, options).run();
+  rename_parameters(result, names);
+  return result;
+}
+
+}  // namespace exsect

@@ -1,0 +1,21 @@
+// The translation and scaling that bring a pair of patches to unit size. Internal to solver/.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+
+#include "graph_builder.h"
+
+namespace exsect {
+
+/// Origin (with double coordinates) and power of two that bring both patches to unit size; `extent` is the
+/// largest extent of the common bounding box.
+struct ModelScale {
+  ModelFrame frame;
+  Point origin;
+  double extent;
+};
+
+/// Throws std::invalid_argument if control points lie beyond the range of doubles.
+ModelScale model_scale(const BezierPatch& x, const BezierPatch& y);
+
+}  // namespace exsect

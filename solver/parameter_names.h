@@ -1,0 +1,12 @@
+// Results under other names of the parameters. Internal to solver/.
+#pragma once
+
+#include <exsect/solver/result.h>
+
+namespace exsect {
+
+/// Parameter i of a result becomes parameter names[i].
+using ParameterNames = std::array<Parameter, 4>;
+void rename_parameters(IntersectResult& result, const ParameterNames& names);
+
+}  // namespace exsect
