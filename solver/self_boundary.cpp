@@ -1,0 +1,116 @@
+#include "self_boundary.h"
+
+#include <exsect/algebra/bivariate_polynomial.h>
+#include <exsect/solver/line_patch.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "line_curve.h"
+#include "line_place.h"
+#include "line_point.h"
+#include "line_system.h"
+
+namespace exsect {
+namespace {
+
+Parameter partner(Parameter p) { return static_cast<Parameter>((index(p) + 2) % 4); }
+
+ParameterBox exchanged(const ParameterBox& box) { return {box[2], box[3], box[0], box[1]}; }
+
+class ExchangedSource : public CertifiedPoint::Source {
+ public:
+  explicit ExchangedSource(CertifiedPoint point) : point_(std::move(point)) {}
+  ParameterBox box(const Rational& width) const override { return exchanged(point_.refined_to(width).box()); }
+
+ private:
+  CertifiedPoint point_;
+};
+
+std::vector<Side> exchanged(std::vector<Side> sides) {
+  for (Side& side : sides) side.parameter = partner(side.parameter);
+  std::ranges::sort(sides, {}, [](const Side& side) {
+    return 2 * index(side.parameter) + static_cast<std::size_t>(side.value);
+  });
+  return sides;
+}
+
+CertifiedPoint exchanged(const CertifiedPoint& point) {
+  return {std::make_shared<ExchangedSource>(point), initial_width(), exchanged(point.sides()),
+          point.multiplicity(), point.branch()};
+}
+
+bool overlap(const ParameterBox& a, const ParameterBox& b) {
+  for (std::size_t j = 0; j < 4; ++j)
+    if (a[j].upper < b[j].lower || b[j].upper < a[j].lower) return false;
+  return true;
+}
+
+/// The line against the patch without the line itself: empty, or why its points are not isolated.
+std::string obstacle(const BezierPatch& x, const LineQuery& query) {
+  const LineAndPatch problem = line_and_patch(x, x, query);
+  const LineShape form = shape(problem.line);
+  if (form == LineShape::point) return "is one point, so that all pairs on it meet";
+  if (form == LineShape::folded) return "is straight and folds back on itself";
+  const LineSystem system = line_system(problem);
+  const bool fixes_first = query.fixed == Parameter::u;
+  const BivariatePolynomial line = (fixes_first ? BivariatePolynomial::r() : BivariatePolynomial::s()) -
+                                   BivariatePolynomial::constant(query.value);
+  const BivariatePolynomial shared =
+      gcd(exact_quotient(system.first, line), exact_quotient(system.second, line));
+  if (shared.is_zero()) return "lies in the plane of the whole patch";
+  if (shared.degree_r() <= 0 && shared.degree_s() <= 0) return "";
+  return curve_on_line(shared, system.lambda, lambda_range(system)).lambda.empty()
+             ? ""
+             : "meets the patch along a curve, apart from itself, or is cuspidal in whole";
+}
+
+void add_side(SelfBoundary& result, const BezierPatch& x, const LineQuery& query) {
+  const std::string why = obstacle(x, query);
+  if (!why.empty()) {
+    ParameterBox where = {{{0, 1}, {0, 1}, {0, 1}, {0, 1}}};
+    where[index(query.fixed)] = {query.value, query.value};
+    result.problems.push_back(
+        {where, std::string("the side ") + name(query.fixed) + "1 = " + query.value.str() + " " + why});
+    return;
+  }
+  const Side side = {query.fixed, query.value == 0 ? 0 : 1};
+  for (const CertifiedPoint& point : line_points(x, x, query).points)
+    if (point.sides().front() == side) result.points.push_back(point);
+}
+
+/// The index of the point that is points[i] exchanged: boxes are refined until one alone qualifies.
+std::size_t find_mate(const std::vector<CertifiedPoint>& points, std::size_t i) {
+  const std::vector<Side> sides = exchanged(points[i].sides());
+  for (Rational width = initial_width();; width *= width) {
+    const ParameterBox box = exchanged(points[i].refined_to(width).box());
+    std::vector<std::size_t> found;
+    for (std::size_t j = 0; j < points.size(); ++j)
+      if (points[j].sides() == sides && overlap(points[j].refined_to(width).box(), box)) found.push_back(j);
+    if (found.size() == 1) return found.front();
+  }
+}
+
+}  // namespace
+
+SelfBoundary self_boundary(const BezierPatch& x) {
+  SelfBoundary result;
+  for (const Parameter p : {Parameter::u, Parameter::v})
+    for (const int value : {0, 1}) add_side(result, x, {p, value});
+  if (!result.problems.empty()) {
+    result.points.clear();
+    return result;
+  }
+  const std::size_t found = result.points.size();
+  for (std::size_t i = 0; i < found; ++i)
+    // A point on sides of both squares is found in both orders.
+    if (index(result.points[i].sides().back().parameter) < 2)
+      result.points.push_back(exchanged(result.points[i]));
+  separate(result.points);
+  for (std::size_t i = 0; i < result.points.size(); ++i) result.mate.push_back(find_mate(result.points, i));
+  return result;
+}
+
+}  // namespace exsect

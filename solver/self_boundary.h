@@ -1,0 +1,25 @@
+// Where a patch meets itself with a parameter on a side of its square. Internal to solver/.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/certified_point.h>
+#include <exsect/solver/result.h>
+
+#include <vector>
+
+namespace exsect {
+
+/// The pairs x(u1,v1) = x(u2,v2) with at least one of the four parameters 0 or 1, as points (u,v,r,s) =
+/// (u1,v1,u2,v2). Invariant: with a point the exchanged one (u2,v2,u1,v1) is in the list, points[mate[i]] is
+/// points[i] exchanged; pairwise disjoint boxes. If `problems` is empty the list holds all such pairs.
+struct SelfBoundary {
+  std::vector<CertifiedPoint> points;
+  std::vector<std::size_t> mate;
+  std::vector<Incomplete> problems;
+};
+
+/// The four lines on the sides against the patch itself: plane and cylinder of the line u = c, pulled back,
+/// have the factor r - c; what is left has the eliminant of degree 10 (method, section 7.1).
+SelfBoundary self_boundary(const BezierPatch& x);
+
+}  // namespace exsect

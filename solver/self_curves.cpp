@@ -1,0 +1,327 @@
+#include "self_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "subdivision.h"
+#include "traced_curves.h"
+
+namespace exsect {
+
+namespace {
+
+constexpr long kQuickBoxes = 2000;
+template <class Ball>
+constexpr long kMostBoxes = 60000;
+template <>
+inline constexpr long kMostBoxes<ArbBall<256>> = 4000;
+
+/// Places shown for undecided boxes: their coordinates are rounded outward to this grid.
+constexpr double kGrid = 0x1p-4;
+
+ParameterBox to_parameter_box(const std::array<double, 4>& lower, const std::array<double, 4>& upper) {
+  ParameterBox box;
+  for (std::size_t j = 0; j < 4; ++j) {
+    box[j] = {from_double(std::clamp(lower[j], 0.0, 1.0)), from_double(std::clamp(upper[j], 0.0, 1.0))};
+  }
+  return box;
+}
+
+ParameterBox around(const std::array<double, 4>& where) {
+  std::array<double, 4> lower{};
+  std::array<double, 4> upper{};
+  for (std::size_t j = 0; j < 4; ++j) {
+    const double centre = std::isfinite(where[j]) ? where[j] : 0.5;
+    lower[j] = centre - 0x1p-20;
+    upper[j] = centre + 0x1p-20;
+  }
+  return to_parameter_box(lower, upper);
+}
+
+/// The pairs of a box of a chart, with t > 0, rounded outward to the grid.
+SearchRegion region_of(Chart chart, const ChartBox& box) {
+  const double t = std::sqrt(box.upper[3]);
+  const double t0 = std::sqrt(std::max(0.0, box.lower[3]));
+  const auto products = {box.lower[2] * t0, box.lower[2] * t, box.upper[2] * t0, box.upper[2] * t};
+  const double most = std::max(products);
+  const double least = std::min(products);
+  std::array<double, 4> lower = {box.lower[0] + t0, box.lower[1] + least, box.lower[0] - t,
+                                 box.lower[1] - most};
+  std::array<double, 4> upper = {box.upper[0] + t, box.upper[1] + most, box.upper[0] - t0,
+                                 box.upper[1] - least};
+  if (chart == Chart::second) {
+    std::swap(lower[0], lower[1]);
+    std::swap(lower[2], lower[3]);
+    std::swap(upper[0], upper[1]);
+    std::swap(upper[2], upper[3]);
+  }
+  SearchRegion region{};
+  for (std::size_t j = 0; j < 4; ++j) {
+    region.lower[j] = std::clamp(kGrid * std::floor(lower[j] / kGrid - 0x1p-20), 0.0, 1.0);
+    region.upper[j] = std::clamp(kGrid * std::ceil(upper[j] / kGrid + 0x1p-20), 0.0, 1.0);
+  }
+  return region;
+}
+
+std::vector<ParameterBox> places(Chart chart, const std::vector<ChartBox>& boxes) {
+  std::set<std::pair<std::array<double, 4>, std::array<double, 4>>> regions;
+  for (const ChartBox& box : boxes) {
+    const SearchRegion region = region_of(chart, box);
+    regions.insert({region.lower, region.upper});
+  }
+  std::vector<SearchRegion> distinct;
+  for (const auto& [lower, upper] : regions) {
+    distinct.push_back({lower, upper});
+  }
+  std::vector<ParameterBox> result;
+  for (const SearchRegion& region : merged(std::move(distinct))) {
+    result.push_back(to_parameter_box(region.lower, region.upper));
+  }
+  return result;
+}
+
+template <class Ball>
+class SelfTracing {
+ public:
+  SelfTracing(const SelfSystem<Ball>& system, const SelfBoundary& boundary,
+              const std::array<std::size_t, 4>& coincident, const Rational& width, const StopRequest& stop)
+      : system_(system), boundary_(boundary), coincident_(coincident), stop_(stop) {
+    for (const CertifiedPoint& point : boundary.points) {
+      result_.landmarks.push_back(enclose<Ball>(point, width));
+    }
+  }
+
+  SelfCurves<Ball> run() {
+    find_cusps();
+    if (result_.problems.empty()) {
+      trace_open_curves();
+    }
+    if (result_.problems.empty()) {
+      search_closed_curves();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void problem(const ParameterBox& where, const std::string& why) {
+    result_.problems.push_back({where, stop_ && stop_() ? "the work cap was reached" : why});
+  }
+
+  void find_cusps() {
+    for (const ChartSystem<Ball>& chart : system_.charts) {
+      const CuspSearchOutcome<Ball> outcome = search_cusps(chart, stop_);
+      for (const ParameterBox& where : places(chart.chart(), outcome.undecided)) {
+        problem(where, "cuspidal points are not isolated here: a cuspidal curve, or a degenerate one");
+      }
+      for (const ChartCusp<Ball>& cusp : outcome.cusps) {
+        add_cusp(chart, cusp);
+      }
+    }
+  }
+
+  void add_cusp(const ChartSystem<Ball>& chart, const ChartCusp<Ball>& cusp) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      if (cusp.at[j].is_negative() || (cusp.at[j] - Ball(1)).is_positive()) {
+        return;
+      }
+    }
+    if (std::any_of(result_.cusps.begin(), result_.cusps.end(), [&](const CuspArc<Ball>& other) {
+          return passes_through(other, chart.chart(), cusp.at);
+        })) {
+      return;  // |m| = 1 belongs to both charts
+    }
+    const auto arc = cusp_arc(chart, cusp);
+    if (!arc) {
+      std::array<double, 4> at = {cusp.at[0].approximation(), cusp.at[1].approximation(), 0, 0};
+      if (chart.chart() == Chart::second) {
+        std::swap(at[0], at[1]);
+      }
+      problem(around({at[0], at[1], at[0], at[1]}),
+              "a cuspidal point on or too near a side, or with its direction along a parameter line");
+      return;
+    }
+    result_.cusps.push_back(*arc);
+    result_.landmarks.push_back(arc->gate);
+    result_.landmarks.push_back(exchanged_pair(arc->gate));
+  }
+
+  /// +1, -1: the direction of the tangent field that enters the domain at this boundary point; 0: none;
+  /// empty: unknown.
+  std::optional<int> entering_direction(std::size_t landmark) const {
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, result_.landmarks[landmark]).tangent();
+    int direction = 0;
+    bool entering = true;
+    for (const Side& side : boundary_.points[landmark].sides()) {
+      const int sign = tangent[index(side.parameter)].certain_sign();
+      if (sign == 0) {
+        return std::nullopt;
+      }
+      const int inward = side.value == 0 ? sign : -sign;
+      entering = entering && (direction == 0 || direction == inward);
+      direction = inward;
+    }
+    return entering ? direction : 0;
+  }
+
+  /// The direction of the tangent field in which t grows at the gate with t > 0.
+  int leaving_direction(const CuspArc<Ball>& arc) const {
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, arc.gate).tangent();
+    const std::size_t j = arc.chart == Chart::first ? 0 : 1;
+    return (tangent[j] - tangent[j + 2]).certain_sign();
+  }
+
+  std::size_t mate(std::size_t landmark) const {
+    const std::size_t n = boundary_.points.size();
+    return landmark < n ? boundary_.mate[landmark] : n + ((landmark - n) ^ 1U);
+  }
+
+  void trace_open_curves() {
+    std::vector<bool> used(result_.landmarks.size(), false);
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      if (used[i]) {
+        continue;
+      }
+      used[i] = used[mate(i)] = true;
+      const bool boundary = i < boundary_.points.size();
+      const auto direction = boundary ? entering_direction(i)
+                                      : leaving_direction(result_.cusps[(i - boundary_.points.size()) / 2]);
+      if (!direction || (!boundary && *direction == 0)) {
+        problem(boundary ? boundary_.points[i].box() : around(approximation(result_.landmarks[i])),
+                "the curve is tangent to a side of the patch, or singular, at this end point");
+      } else if (*direction == 0) {
+        result_.isolated.push_back(static_cast<int>(i));
+      } else {
+        auto outcome = trace_arc(system_.pair, result_.landmarks, static_cast<int>(i), *direction, stop_);
+        if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
+          const auto end = static_cast<std::size_t>(trace->end);
+          used[end] = used[mate(end)] = true;
+        }
+        add(std::move(outcome));
+      }
+    }
+  }
+
+  static std::array<double, 4> approximation(const BallPoint<Ball>& p) {
+    return {p[0].approximation(), p[1].approximation(), p[2].approximation(), p[3].approximation()};
+  }
+
+  void add(std::variant<Trace<Ball>, TraceFailure> outcome) {
+    if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
+      problem(around(failure->where), failure->why);
+      return;
+    }
+    AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
+    auto turning = find_turning_points(system_.pair, curve.trace, coincident_);
+    if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
+      problem(around(failure->where), failure->why);
+      return;
+    }
+    curve.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
+    result_.curves.push_back(std::move(curve));
+  }
+
+  /// The direction c for which c . (U',V') keeps clearest away from zero on the curves traced so far: any c
+  /// is legal, a good one leaves fewer boxes.
+  std::array<double, 2> search_direction() const {
+    std::array<double, 2> best = {1, 0.375};
+    double best_value = -1;
+    for (int i = 0; i < 16; ++i) {
+      const std::array<double, 2> c = {std::cos(0.19 * i), std::sin(0.19 * i)};
+      double least = 1;
+      for (const AnalysedTrace<Ball>& curve : result_.curves) {
+        for (const Piece<Ball>& piece : curve.trace.pieces) {
+          const double du = piece.tube.slope[0] + piece.tube.slope[2];
+          const double dv = piece.tube.slope[1] + piece.tube.slope[3];
+          least = std::min(least, std::fabs(c[0] * du + c[1] * dv) / std::max(1e-300, std::hypot(du, dv)));
+        }
+      }
+      if (least > best_value) {
+        best_value = least;
+        best = c;
+      }
+    }
+    return best;
+  }
+
+  void search_closed_curves() {
+    const std::array<double, 2> c = search_direction();
+    for (const ChartSystem<Ball>& chart : system_.charts) {
+      const Chart which = chart.chart();
+      const ChartSeedHandler<Ball> known = [this, which](const BallPoint<Ball>& p) {
+        return is_known(which, p);
+      };
+      const std::array<double, 2> own = which == Chart::first ? c : std::array<double, 2>{c[1], c[0]};
+      const ChartSearchOutcome outcome = search_chart(chart, own, known, kMostBoxes<Ball>, stop_);
+      result_.searched_boxes += outcome.boxes;
+      for (const ParameterBox& where : places(which, outcome.undecided)) {
+        problem(where, "a closed curve or a singular point of the self-intersection is not excluded here");
+      }
+    }
+  }
+
+  bool is_known(Chart chart, const BallPoint<Ball>& p) {
+    const bool near_cusp = std::any_of(result_.cusps.begin(), result_.cusps.end(),
+                                       [&](const auto& cusp) { return passes_through(cusp, chart, p); });
+    if (near_cusp || p[3].is_negative()) {
+      return true;
+    }
+    if (!p[3].is_positive()) {
+      return false;
+    }
+    const BallPoint<Ball> pair = pair_of(chart, p);
+    for (const Ball& c : pair) {
+      if (c.is_negative() || (c - Ball(1)).is_positive()) {
+        return true;
+      }
+    }
+    return lies_on_curve(pair) || lies_on_curve(exchanged_pair(pair)) || traced_from(pair);
+  }
+
+  bool lies_on_curve(const BallPoint<Ball>& pair) const {
+    return std::any_of(result_.curves.begin(), result_.curves.end(),
+                       [&](const AnalysedTrace<Ball>& curve) { return passes_through(curve.trace, pair); });
+  }
+
+  bool traced_from(const BallPoint<Ball>& pair) {
+    auto outcome = trace_loop(system_.pair, result_.landmarks, pair, stop_);
+    if (std::holds_alternative<TraceFailure>(outcome)) {
+      return false;
+    }
+    const std::size_t before = result_.problems.size();
+    add(std::move(outcome));
+    return result_.problems.size() == before;
+  }
+
+  const SelfSystem<Ball>& system_;
+  const SelfBoundary& boundary_;
+  const std::array<std::size_t, 4>& coincident_;
+  const StopRequest& stop_;
+  SelfCurves<Ball> result_;
+};
+
+}  // namespace
+
+template <class Ball>
+SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const SelfBoundary& boundary,
+                                   const std::array<std::size_t, 4>& coincident, const Rational& width,
+                                   const StopRequest& stop) {
+  return SelfTracing<Ball>(system, boundary, coincident, width, stop).run();
+}
+
+bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopRequest& stop) {
+  return std::all_of(system.charts.begin(), system.charts.end(), [&](const ChartSystem<DoubleBall>& chart) {
+    return search_chart<DoubleBall>(chart, {1, 0}, {}, kQuickBoxes, stop).undecided.empty();
+  });
+}
+
+#define EXSECT_INSTANTIATE_SELF_CURVES(Ball)                                                      \
+  template SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>&, const SelfBoundary&,       \
+                                              const std::array<std::size_t, 4>&, const Rational&, \
+                                              const StopRequest&);
+
+EXSECT_INSTANTIATE_SELF_CURVES(DoubleBall)
+EXSECT_INSTANTIATE_SELF_CURVES(ArbBall<256>)
+#undef EXSECT_INSTANTIATE_SELF_CURVES
+
+}  // namespace exsect
