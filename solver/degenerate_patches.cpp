@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 
 #include "graph_builder.h"
+#include "line_arcs.h"
+#include "line_system.h"
 #include "model_scale.h"
 #include "parameter_names.h"
 #include "plane_curve.h"
@@ -118,7 +121,7 @@ class DegeneratePair {
   }
 
  private:
-  void incomplete(const char* why) { result_.incomplete.push_back({whole_domain(), why}); }
+  void incomplete(const std::string& why) { result_.incomplete.push_back({whole_domain(), why}); }
 
   /// x - y along coordinate k, with x the point (0 at x(0,0)), on the square of y.
   std::vector<BivariatePolynomial> equations() const {
@@ -174,18 +177,111 @@ class DegeneratePair {
   }
 
   void curve_on_surface() {
-    const LinePoints line = line_points(x_, y_, {Parameter::v, 0});
-    for (const CertifiedPoint& point : line.points) add_point(point.box(), {Parameter::v});
-    if (line.incomplete || !line.on_patch.empty()) incomplete("the curve lies on the surface in part");
+    for (const CertifiedPoint& point : line_points(x_, y_, line()).points)
+      add_point(point.box(), {Parameter::v});
+    const LineArcs arcs = arcs_on(y_);
+    for (const CollapsedLine& collapsed : arcs.collapsed) add_collapsed(collapsed);
+    add_arcs(arcs, {Parameter::v}, [](const LineArc&) { return true; });
   }
 
-  void curve_on_curve() { incomplete("two curves"); }
+  /// The second curve q(r) as the side s = 0 of a strip q(r) + s m: what the first one has in common with the
+  /// strip elsewhere is left out.
+  void curve_on_curve() {
+    const std::optional<BezierPatch> strip = separating_strip();
+    if (!strip) {
+      incomplete("the second curve is folded, or could not be told from the first one's neighbourhood");
+      return;
+    }
+    const Side on_curve = {Parameter::s, 0};
+    for (const CertifiedPoint& point : line_points(x_, *strip, line()).points)
+      if (point.on(on_curve)) add_point(point.box(), {Parameter::v, Parameter::s});
+    add_arcs(arcs_on(*strip), {Parameter::v, Parameter::s},
+             [&](const LineArc& arc) { return arc.inside.on(on_curve); });
+  }
+
+  /// A regular strip of which the first curve meets no arc off the side s = 0.
+  std::optional<BezierPatch> separating_strip() const {
+    const ParameterLine q = line_at_second(y_, 0);
+    if (shape(q) == LineShape::folded) return std::nullopt;
+    const Point n = cross(q.a[1], q.a[2]);
+    for (int i = 0; i < 12; ++i) {
+      const Point m = {Rational(1 + i * i % 7), Rational(i * i * i % 11 - 3), Rational(5 * i % 13 - 6)};
+      const bool regular = is_zero(n) ? !is_zero(cross(q.a[1] + q.a[2], m)) : dot(n, m) != 0;
+      if (!regular) continue;
+      const Rational length = from_double(scale_.extent > 0 ? scale_.extent : 1);
+      const BezierPatch strip = BezierPatch::from_power_basis({{{q.a[0], length * m, Point{0, 0, 0}},
+                                                                {q.a[1], Point{0, 0, 0}, Point{0, 0, 0}},
+                                                                {q.a[2], Point{0, 0, 0}, Point{0, 0, 0}}}});
+      const LineSystem system = line_system(line_and_patch(x_, strip, line()));
+      BivariatePolynomial shared = gcd(system.first, system.second);
+      if (shared.is_zero()) continue;
+      if (shared.at_s(0).is_zero()) shared = exact_quotient(shared, BivariatePolynomial::s());
+      if (shared.degree_r() <= 0 && shared.degree_s() <= 0) return strip;
+    }
+    return std::nullopt;
+  }
+
+  static LineQuery line() { return {Parameter::v, 0}; }
+
+  LineArcs arcs_on(const BezierPatch& surface) const {
+    return line_arcs(x_, surface, line(), scale_, options_.tolerance * scale_.extent, stop_);
+  }
+
+  void add_collapsed(const CollapsedLine& collapsed) {
+    ParameterBox box{};
+    box[index(Parameter::u)] = box_of(collapsed.t);
+    box[index(collapsed.fixed)] = box_of(collapsed.value);
+    add_point(box, {Parameter::v, collapsed.fixed == Parameter::s ? Parameter::r : Parameter::s});
+  }
+
+  void add_arcs(const LineArcs& arcs, const std::vector<Parameter>& free,
+                const std::function<bool(const LineArc&)>& wanted) {
+    std::vector<int> nodes(arcs.ends.size(), -1);
+    const auto node = [&](std::size_t end) {
+      if (nodes[end] < 0) {
+        add_point(arcs.ends[end].box(), free);
+        nodes[end] = result_.graph.isolated_points.back();
+        result_.graph.isolated_points.pop_back();
+      }
+      return nodes[end];
+    };
+    for (const LineArc& arc : arcs.arcs)
+      if (wanted(arc)) add_arc(arc, node(arc.from), node(arc.to), free);
+    if (arcs.incomplete) incomplete(*arcs.incomplete);
+  }
+
+  void add_arc(const LineArc& line_arc, int from, int to, const std::vector<Parameter>& free) {
+    Arc arc{};
+    arc.id = static_cast<int>(result_.graph.arcs.size());
+    arc.component = -1;
+    arc.from = from;
+    arc.to = to;
+    const auto runs_along = [&](const Side& side) {
+      return std::find(free.begin(), free.end(), side.parameter) == free.end();
+    };
+    const std::vector<Side>& sides = line_arc.inside.sides();
+    arc.place =
+        std::any_of(sides.begin(), sides.end(), runs_along) ? ArcPlace::patch_boundary : ArcPlace::interior;
+    arc.contact = Contact::tangential;
+    arc.polyline = line_arc.polyline;
+    for (PolylineVertex& vertex : arc.polyline)
+      for (const Parameter p : free) vertex.parameters[index(p)] = 0.5;
+    arc.error_bound = line_arc.error_bound;
+    if (!(arc.error_bound <= options_.tolerance * scale_.extent))
+      incomplete("the tolerance is below what a polyline in doubles can be proved to keep");
+    arc.free = free;
+    result_.graph.arcs.push_back(std::move(arc));
+  }
 
   const BezierPatch& x_;
   const BezierPatch& y_;
   const IntersectOptions& options_;
   ModelScale scale_;
   std::chrono::steady_clock::time_point start_;
+  StopRequest stop_ = [this] {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    return options_.max_seconds && passed.count() > *options_.max_seconds;
+  };
   IntersectResult result_{};
 };
 

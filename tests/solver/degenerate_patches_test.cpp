@@ -147,5 +147,65 @@ TEST_CASE("a curve through a surface") {
   check_one_node({line, saddle()}, {Rational(1, 12), -1, Rational(1, 3), Rational(1, 4)});
 }
 
+/// The only component, complete: one open arc with the given parameters of its ends (ascending in u).
+void check_one_arc(const Pair& pair, const std::vector<Parameter>& free, std::array<double, 4> from,
+                   std::array<double, 4> to) {
+  const IntersectResult result = intersect(pair.x, pair.y);
+  for (const Incomplete& region : result.incomplete) UNSCOPED_INFO(region.why);
+  CHECK(result.status == Status::complete);
+  REQUIRE(result.graph.arcs.size() == 1);
+  const Arc& arc = result.graph.arcs[0];
+  CHECK(arc.free == free);
+  CHECK(result.graph.nodes.size() == 2);
+  CHECK(result.graph.isolated_points.empty());
+  REQUIRE(result.graph.components.size() == 1);
+  CHECK(result.graph.components[0].shape == ComponentShape::open);
+  for (std::size_t i = 0; i < 4; ++i) {
+    INFO("parameter " << i);
+    CHECK(arc.polyline.front().parameters[i] == Approx(from[i]).margin(1e-12));
+    CHECK(arc.polyline.back().parameters[i] == Approx(to[i]).margin(1e-12));
+  }
+  CHECK(arc.error_bound < 1e-5);
+  check_renamings(pair, result.graph);
+}
+
+TEST_CASE("a curve on a surface in part") {
+  // On (r, s, r s): r = 2 u - 1/2, s = 1/4, so u in [1/4, 3/4].
+  const Rational half(1, 2);
+  const BezierPatch line =
+      power({{{0, 0}, {-half, half * half, -half * half * half}}, {{1, 0}, {2, 0, half}}});
+  check_one_arc({line, saddle()}, {Parameter::v}, {0.25, 0.5, 0, 0.25}, {0.75, 0.5, 1, 0.25});
+  // r = s = u, a parabola.
+  const BezierPatch diagonal = power({{{1, 0}, {1, 1, 0}}, {{2, 0}, {0, 0, 1}}});
+  check_one_arc({diagonal, saddle()}, {Parameter::v}, {0, 0.5, 0, 0}, {1, 0.5, 1, 1});
+  // Along the side s = 0, from the middle on.
+  const BezierPatch along = power({{{0, 0}, {half, 0, 0}}, {{1, 0}, {1, 0, 0}}});
+  check_one_arc({along, saddle()}, {Parameter::v}, {0, 0.5, 0.5, 0}, {0.5, 0.5, 1, 0});
+}
+
+TEST_CASE("a curve on a surface ends at an irrational parameter") {
+  // On (r, s, r s): r = u, s = 2 u - u^2... does not fit; take r = 1/2, s = 2 u^2: u up to sqrt(1/2).
+  const BezierPatch line = power({{{0, 0}, {Rational(1, 2), 0, 0}}, {{2, 0}, {0, 2, 1}}});
+  check_one_arc({line, saddle()}, {Parameter::v}, {0, 0.5, 0.5, 0}, {std::sqrt(0.5), 0.5, 0.5, 1});
+}
+
+TEST_CASE("two curves with an arc in common, or a point") {
+  const BezierPatch parabola = power({{{1, 0}, {1, 0, 0}}, {{2, 0}, {0, 1, 0}}});
+  // The same parabola over [1/3, 4/3].
+  const BezierPatch shifted = parabola.restricted_to(Rational(1, 3), Rational(4, 3), 0, 1);
+  check_one_arc({parabola, shifted}, {Parameter::v, Parameter::s}, {1.0 / 3, 0.5, 0, 0.5},
+                {1, 0.5, 2.0 / 3, 0.5});
+  const BezierPatch line = power({{{0, 0}, {1, 0, 0}}, {{1, 0}, {-1, 1, 0}}});  // x + y = 1
+  const IntersectResult crossing = intersect(parabola, line);
+  CHECK(crossing.status == Status::complete);
+  REQUIRE(crossing.graph.isolated_points.size() == 1);
+  CHECK(crossing.graph.nodes[0].approx[0] == Approx((std::sqrt(5) - 1) / 2).epsilon(1e-14));
+  check_renamings({parabola, line}, crossing.graph);
+  const BezierPatch skew = power({{{0, 0}, {0, 0, 1}}, {{1, 0}, {1, 2, 3}}});
+  const IntersectResult nothing = intersect(parabola, skew);
+  CHECK(nothing.status == Status::complete);
+  CHECK(nothing.graph.nodes.empty());
+}
+
 }  // namespace
 }  // namespace exsect

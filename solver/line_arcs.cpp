@@ -1,0 +1,284 @@
+#include "line_arcs.h"
+
+#include <exsect/algebra/algebraic_value.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "line_curve.h"
+#include "line_point.h"
+#include "line_system.h"
+#include "plane_curve.h"
+#include "traced_curves.h"
+
+// The arc is traced as the intersection of the other patch with a ribbon p(t) + (h - 1/2) n(t) along the
+// line, n transversal to that patch: there it is regular, with h = 1/2 throughout, even if the two patches
+// touch along it (docs/method.md, section 6.2).
+
+namespace exsect {
+
+namespace {
+
+using RibbonNormal = std::array<Point, 3>;  // coefficients of 1, t, t^2
+
+Point rounded(const std::array<double, 3>& v, double length) {
+  Point result;
+  for (std::size_t c = 0; c < 3; ++c)
+    result[c] = from_double(std::ldexp(std::round(std::ldexp(v[c], 16)), -16)) * from_double(length);
+  return result;
+}
+
+/// The direction of the vector in doubles, of the given length; zero for zero.
+Point with_length(const Point& v, double length) {
+  std::array<double, 3> d = {to_double(v[0]), to_double(v[1]), to_double(v[2])};
+  const double norm = std::hypot(d[0], d[1], d[2]);
+  if (!(norm > 0)) return {0, 0, 0};
+  for (double& c : d) c /= norm;
+  return rounded(d, length);
+}
+
+BezierPatch ribbon(const ParameterLine& line, const RibbonNormal& n) {
+  ControlNet c;
+  for (std::size_t i = 0; i < 3; ++i) c[i] = {line.a[i] - Rational(1, 2) * n[i], n[i], Point{0, 0, 0}};
+  return BezierPatch::from_power_basis(c);
+}
+
+Point normal_at(const BezierPatch& patch, const Rational& a, const Rational& b) {
+  return cross(patch.derivative_first(a, b), patch.derivative_second(a, b));
+}
+
+class LineArcSearch {
+ public:
+  LineArcSearch(const BezierPatch& x, const BezierPatch& y, const LineQuery& query, const ModelScale& scale,
+                double tolerance, const StopRequest& stop)
+      : place_(line_place(query)),
+        problem_(line_and_patch(x, y, query)),
+        owner_(index(query.fixed) < 2 ? x : y),
+        scale_(scale),
+        tolerance_(tolerance),
+        stop_(stop) {}
+
+  LineArcs run() {
+    if (shape(problem_.line) == LineShape::point) return failed("the line is a single point");
+    system_ = std::make_shared<const LineSystem>(line_system(problem_));
+    const BivariatePolynomial shared = gcd(system_->first, system_->second);
+    if (shared.is_zero()) return failed("the whole other patch lies on the line");
+    if (shared.degree_r() <= 0 && shared.degree_s() <= 0) return {};
+    const BivariatePolynomial curve = squarefree(shared);
+    const BivariatePolynomial constant = gcd(curve, jacobian(curve, system_->lambda));
+    find_collapsed(constant);
+    moving_ = exact_quotient(curve, constant);
+    if (moving_.degree_r() <= 0 && moving_.degree_s() <= 0) return std::move(result_);
+    if (system_->pieces.size() > 1) return failed("a folded line lies on the patch, in whole or in part");
+    find_events();
+    for (std::size_t i = 0; i + 1 < values_.size() && !result_.incomplete; ++i) trace_over_gap(i);
+    return std::move(result_);
+  }
+
+ private:
+  LineArcs failed(const char* why) {
+    result_.incomplete = why;
+    return std::move(result_);
+  }
+
+  static BivariatePolynomial shifted(const BivariatePolynomial& f, const Rational& c) {
+    return f - BivariatePolynomial::constant(c);
+  }
+
+  bool in_range(const TriangularPoint& p) const {
+    const RationalInterval range = lambda_range(*system_);
+    return sign_at(shifted(system_->lambda, range.lower), p) >= 0 &&
+           sign_at(shifted(system_->lambda, range.upper), p) <= 0;
+  }
+
+  /// The lines s = const and r = const of the curve on which lambda is constant.
+  void find_collapsed(const BivariatePolynomial& constant) {
+    const ContentAndPart in_s = split_content(constant);
+    const ContentAndPart in_r = split_content(in_s.primitive.exchanged());
+    if (!component_points(squarefree(in_r.primitive)).empty())
+      result_.incomplete = "a curve of the other patch's parameters that is no parameter line is one point";
+    if (in_s.content.degree() > 0)
+      for (const RealAlgebraic& s : real_roots(in_s.content, 0, 1))
+        add_collapsed(place_.roles.second, s,
+                      TriangularPoint(s, BivariatePolynomial::r(), RationalInterval{0, 0}));
+    if (in_r.content.degree() > 0)
+      for (const RealAlgebraic& r : real_roots(in_r.content, 0, 1)) {
+        const std::vector<TriangularPoint> at =
+            roots_at(BivariatePolynomial({in_r.content}).exchanged(), RealAlgebraic(0), 0, 1);
+        for (const TriangularPoint& p : at)
+          if (value_at(BivariatePolynomial::r(), p) == r) add_collapsed(place_.roles.first, r, p);
+      }
+  }
+
+  void add_collapsed(Parameter fixed, const RealAlgebraic& value, const TriangularPoint& at) {
+    if (!in_range(at)) return;
+    const RealAlgebraic lambda = value_at(system_->lambda, at);
+    for (const MonotonePiece& piece : system_->pieces)
+      if (lambda.compare(piece.lambda.lower) >= 0 && lambda.compare(piece.lambda.upper) <= 0)
+        result_.collapsed.push_back({preimage(system_->phi, piece, lambda), fixed, value});
+  }
+
+  /// Events: where an arc may begin or end, or is not regular.
+  void find_events() {
+    std::vector<TriangularPoint> points = side_points(moving_);
+    const auto append = [&](const std::vector<TriangularPoint>& more) {
+      points.insert(points.end(), more.begin(), more.end());
+    };
+    const RationalInterval range = lambda_range(*system_);
+    for (const Rational& end : {range.lower, range.upper})
+      append(common_points(moving_, shifted(system_->lambda, end)));
+    append(common_points(moving_, jacobian(moving_, system_->lambda)));
+    std::vector<TriangularPoint> distinct;
+    for (const TriangularPoint& p : points) {
+      const auto same = [&](const TriangularPoint& q) { return same_point(p, q); };
+      if (in_range(p) && std::none_of(distinct.begin(), distinct.end(), same)) distinct.push_back(p);
+    }
+    values_ = {RealAlgebraic(range.lower), RealAlgebraic(range.upper)};
+    for (const TriangularPoint& p : distinct) {
+      for (CertifiedPoint& point : certified(p)) result_.ends.push_back(std::move(point));
+      values_.push_back(value_at(system_->lambda, p));
+    }
+    separate(result_.ends);
+    std::sort(values_.begin(), values_.end());
+    values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
+  }
+
+  std::vector<CertifiedPoint> certified(const TriangularPoint& p) const {
+    return system_points(place_, system_, p, Polynomial(), initial_width());
+  }
+
+  /// Between neighbouring values the curve is a covering: every arc over the gap has a point over the sample.
+  void trace_over_gap(std::size_t i) {
+    const Rational sample = rational_between(values_[i], values_[i + 1]);
+    for (const TriangularPoint& p : common_points(moving_, shifted(system_->lambda, sample)))
+      for (const CertifiedPoint& inside : certified(p)) {
+        if (result_.incomplete) return;
+        trace_through(inside);
+      }
+  }
+
+  void trace_through(const CertifiedPoint& inside) {
+    for (const RibbonNormal& normal : normals(inside)) {
+      if (attempt<DoubleBall>(inside, normal, power_of_two(-50)) ||
+          attempt<ArbBall<256>>(inside, normal, power_of_two(-200)))
+        return;
+    }
+    result_.incomplete = "a part of the line on the patch could not be traced: " + why_;
+  }
+
+  /// The normal of the line's own patch, interpolated; the other patch's normal at the sample.
+  std::vector<RibbonNormal> normals(const CertifiedPoint& inside) const {
+    std::vector<RibbonNormal> result;
+    const bool along_second = place_.roles.fixed == Parameter::u || place_.roles.fixed == Parameter::r;
+    std::array<Point, 3> at;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Rational t(static_cast<int>(i), 2);
+      at[i] =
+          with_length(along_second ? normal_at(owner_, place_.value, t) : normal_at(owner_, t, place_.value),
+                      scale_.extent);
+    }
+    if (std::none_of(at.begin(), at.end(), is_zero)) {
+      const auto& [a, m, b] = at;
+      result.push_back({a, Rational(4) * m - Rational(3) * a - b, Rational(2) * (a + b) - Rational(4) * m});
+    }
+    const ParameterBox& box = inside.box();
+    const Point n = with_length(normal_at(problem_.patch, box[index(place_.roles.first)].midpoint(),
+                                          box[index(place_.roles.second)].midpoint()),
+                                scale_.extent);
+    result.push_back({n, Point{0, 0, 0}, Point{0, 0, 0}});
+    return result;
+  }
+
+  /// The point's box in the ribbon's parameters (t, h, r, s).
+  ParameterBox on_ribbon(const CertifiedPoint& point, const Rational& width) const {
+    const ParameterBox box = point.refined_to(width).box();
+    return {box[index(place_.roles.line)], RationalInterval{Rational(1, 2), Rational(1, 2)},
+            box[index(place_.roles.first)], box[index(place_.roles.second)]};
+  }
+
+  template <class Ball>
+  bool attempt(const CertifiedPoint& inside, const RibbonNormal& normal, const Rational& width) {
+    const BezierPatch carrier = ribbon(problem_.line, normal);
+    const PairSystem<Ball> system(carrier, problem_.patch, scale_.origin, scale_.frame.exponent);
+    Landmarks<Ball> landmarks;
+    IntersectionGraph scratch;
+    const auto add = [&](const CertifiedPoint& point) {
+      const ParameterBox box = on_ribbon(point, width);
+      landmarks.push_back({Ball::enclosing(box[0]), Ball::enclosing(box[1]), Ball::enclosing(box[2]),
+                           Ball::enclosing(box[3])});
+      scratch.nodes.push_back(boundary_node(system, scale_.frame, landmarks.back(), box, {}));
+    };
+    std::for_each(result_.ends.begin(), result_.ends.end(), add);
+    add(inside);
+    const int start = static_cast<int>(result_.ends.size());
+    const int forward = Expansion<Ball>(system, landmarks.back()).tangent()[0].certain_sign();
+    if (forward == 0) {
+      why_ = "the patch is singular there";
+      return false;
+    }
+    std::array<int, 2> ends{};
+    for (const int half : {0, 1}) {
+      auto outcome = trace_arc(system, landmarks, start, half == 0 ? -forward : forward, stop_);
+      if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
+        why_ = failure->why;
+        return false;
+      }
+      AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
+      ends[static_cast<std::size_t>(half)] = curve.trace.end;
+      if (half == 0 && is_known(curve.trace.end)) return true;
+      append_trace(scratch, curve, scale_.frame, {}, tolerance_);
+    }
+    add_arc(inside, ends, scratch.arcs);
+    return true;
+  }
+
+  /// Exactly one arc begins at a regular point.
+  bool is_known(int from) const { return std::count(starts_.begin(), starts_.end(), from) > 0; }
+
+  void add_arc(const CertifiedPoint& inside, const std::array<int, 2>& ends, const std::vector<Arc>& halves) {
+    std::vector<PolylineVertex> polyline(halves[0].polyline.rbegin(), halves[0].polyline.rend());
+    polyline.insert(polyline.end(), halves[1].polyline.begin() + 1, halves[1].polyline.end());
+    for (PolylineVertex& vertex : polyline) {
+      const std::array<double, 4> p = vertex.parameters;
+      vertex.parameters[index(place_.roles.fixed)] = to_double(place_.value);
+      vertex.parameters[index(place_.roles.line)] = p[0];
+      vertex.parameters[index(place_.roles.first)] = p[2];
+      vertex.parameters[index(place_.roles.second)] = p[3];
+    }
+    starts_.push_back(ends[0]);
+    result_.arcs.push_back({static_cast<std::size_t>(ends[0]), static_cast<std::size_t>(ends[1]), inside,
+                            std::move(polyline), std::max(halves[0].error_bound, halves[1].error_bound)});
+  }
+
+  static Rational rational_between(RealAlgebraic a, RealAlgebraic b) {
+    for (Rational width = power_of_two(-8);; width *= width) {
+      if (a.interval().upper < b.interval().lower)
+        return simplest_between(a.interval().upper, b.interval().lower);
+      a = a.refined_to(width);
+      b = b.refined_to(width);
+    }
+  }
+
+  LinePlace place_;
+  LineAndPatch problem_;
+  const BezierPatch& owner_;
+  const ModelScale& scale_;
+  double tolerance_;
+  const StopRequest& stop_;
+  std::shared_ptr<const LineSystem> system_;
+  BivariatePolynomial moving_;         // the curve without the parts where lambda is constant
+  std::vector<RealAlgebraic> values_;  // lambda at the events and at both ends
+  std::vector<int> starts_;            // events at which a known arc begins
+  std::string why_;
+  LineArcs result_;
+};
+
+}  // namespace
+
+LineArcs line_arcs(const BezierPatch& x, const BezierPatch& y, const LineQuery& query,
+                   const ModelScale& scale, double tolerance, const StopRequest& stop) {
+  return LineArcSearch(x, y, query, scale, tolerance, stop).run();
+}
+
+}  // namespace exsect
