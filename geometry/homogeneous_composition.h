@@ -1,4 +1,4 @@
-// Inserting homogeneous coordinates into a polynomial of two variables, over Q[t] or Q[r,s]. Internal.
+// Inserting homogeneous coordinates into a polynomial of two variables, over Q[t] or Q[r,s].
 #pragma once
 
 #include <exsect/algebra/bivariate_polynomial.h>
