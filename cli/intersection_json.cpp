@@ -5,25 +5,25 @@
 namespace exsect::cli {
 namespace {
 
-Json names_json(const std::vector<Parameter>& parameters) {
-  Json names = Json::array();
-  for (Parameter p : parameters) names.push_back(name(p));
-  return names;
-}
-
-Json node_json(const Node& node) {
-  Json json = {{"id", node.id}, {"kinds", Json::array()}};
-  for (NodeKind kind : node.kinds) json["kinds"].push_back(name(kind));
-  json["on"] = Json::array();
-  for (Side side : node.on) json["on"].push_back(side_name(side));
-  json["wrt"] = names_json(node.wrt);
-  json["free"] = names_json(node.free);
-  json["box"] = json_box(node.box);
-  json["approx"] = json_approx(node.approx, node.point);
+Json names_json(const std::vector<Parameter>& parameters, const ParameterNames& names) {
+  Json json = Json::array();
+  for (Parameter p : parameters) json.push_back(name(p, names));
   return json;
 }
 
-Json arc_json(const Arc& arc) {
+Json node_json(const Node& node, const ParameterNames& names) {
+  Json json = {{"id", node.id}, {"kinds", Json::array()}};
+  for (NodeKind kind : node.kinds) json["kinds"].push_back(name(kind));
+  json["on"] = Json::array();
+  for (Side side : node.on) json["on"].push_back(side_name(side, names));
+  json["wrt"] = names_json(node.wrt, names);
+  json["free"] = names_json(node.free, names);
+  json["box"] = json_box(node.box, names);
+  json["approx"] = json_approx(node.approx, node.point, names);
+  return json;
+}
+
+Json arc_json(const Arc& arc, const ParameterNames& names) {
   Json polyline = Json::array();
   for (const PolylineVertex& vertex : arc.polyline) {
     Json row = vertex.parameters;
@@ -36,24 +36,24 @@ Json arc_json(const Arc& arc) {
           {"to", arc.to},
           {"on", name(arc.place)},
           {"contact", name(arc.contact)},
-          {"free", names_json(arc.free)},
+          {"free", names_json(arc.free, names)},
           {"polyline", std::move(polyline)},
           {"error_bound", decimal_not_below(arc.error_bound)}};
 }
 
-Json overlap_json(const Overlap& overlap) {
+Json overlap_json(const Overlap& overlap, const ParameterNames& names) {
   Json chains = Json::array();
   for (const std::vector<Arc>& chain : overlap.chains) {
     Json arcs = Json::array();
-    for (const Arc& arc : chain) arcs.push_back(arc_json(arc));
+    for (const Arc& arc : chain) arcs.push_back(arc_json(arc, names));
     chains.push_back(std::move(arcs));
   }
   return {{"id", overlap.id}, {"chains", std::move(chains)}};
 }
 
-Json summary_json(const IntersectionGraph& graph) {
+Json summary_json(const IntersectionGraph& graph, const ParameterNames& names) {
   Json turning = Json::object();
-  for (Parameter p : all_parameters) turning[name(p)] = graph.turning_points(p);
+  for (Parameter p : all_parameters) turning[name(p, names)] = graph.turning_points(p);
   return {{"components", graph.components.size()},
           {"closed", graph.count(ComponentShape::closed)},
           {"open", graph.count(ComponentShape::open)},
@@ -71,27 +71,42 @@ Json list(const std::vector<T>& values, Form form) {
   return json;
 }
 
-}  // namespace
-
-Json intersection_json(const IntersectResult& result, const PatchNames& names) {
+/// Everything after the names of the patches.
+Json& append_result(Json& json, const IntersectResult& result, const ParameterNames& names) {
   const IntersectionGraph& graph = result.graph;
-  Json json = {{"exsect", "intersection/1"},
-               {"status", result.status == Status::complete ? "complete" : "incomplete"},
-               {"first", names.first},
-               {"second", names.second}};
-  json["nodes"] = list(graph.nodes, node_json);
-  json["arcs"] = list(graph.arcs, arc_json);
+  json["nodes"] = list(graph.nodes, [&](const Node& node) { return node_json(node, names); });
+  json["arcs"] = list(graph.arcs, [&](const Arc& arc) { return arc_json(arc, names); });
   json["components"] = list(graph.components, [](const Component& component) {
     return Json{{"id", component.id}, {"shape", name(component.shape)}, {"arcs", component.arcs}};
   });
   json["isolated_points"] = graph.isolated_points;
-  json["overlaps"] = list(graph.overlaps, overlap_json);
-  json["summary"] = summary_json(graph);
-  json["incomplete"] = list(result.incomplete, [](const Incomplete& region) {
-    return Json{{"where", json_box(region.where)}, {"why", region.why}};
+  json["overlaps"] =
+      list(graph.overlaps, [&](const Overlap& overlap) { return overlap_json(overlap, names); });
+  json["summary"] = summary_json(graph, names);
+  json["incomplete"] = list(result.incomplete, [&](const Incomplete& region) {
+    return Json{{"where", json_box(region.where, names)}, {"why", region.why}};
   });
   json["work"] = {{"milliseconds", result.work.milliseconds}, {"steps", result.work.steps}};
   return json;
+}
+
+const char* status_name(const IntersectResult& result) {
+  return result.status == Status::complete ? "complete" : "incomplete";
+}
+
+}  // namespace
+
+Json intersection_json(const IntersectResult& result, const PatchNames& names) {
+  Json json = {{"exsect", "intersection/1"},
+               {"status", status_name(result)},
+               {"first", names.first},
+               {"second", names.second}};
+  return append_result(json, result, names.parameters);
+}
+
+Json self_json(const IntersectResult& result, const std::string& patch) {
+  Json json = {{"exsect", "self/1"}, {"status", status_name(result)}, {"patch", patch}};
+  return append_result(json, result, self_names);
 }
 
 }  // namespace exsect::cli

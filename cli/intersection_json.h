@@ -1,4 +1,4 @@
-// The result of `exsect intersect` as JSON, form "intersection/1".
+// The results of `exsect intersect` and `exsect self` as JSON, forms "intersection/1" and "self/1".
 #pragma once
 
 #include <exsect/solver/result.h>
@@ -9,15 +9,19 @@
 
 namespace exsect::cli {
 
-/// Names of the two patches, in the order of the parameters (u,v) and (r,s).
+/// Names of the two patches, in the order of the parameters (u,v) and (r,s), and what the parameters are
+/// called.
 struct PatchNames {
   std::string first;
   std::string second;
+  ParameterNames parameters = pair_names;
 };
 
 /// Deterministic but for "work": keys in the order of docs/formats.md, nodes, arcs and components by id.
 /// Exact rationals are strings; doubles carry enough digits to be read back unchanged, error bounds are never
 /// rounded down.
 Json intersection_json(const IntersectResult& result, const PatchNames& names);
+/// The same for a patch and itself: one patch name, parameters u1, v1, u2, v2.
+Json self_json(const IntersectResult& result, const std::string& patch);
 
 }  // namespace exsect::cli

@@ -25,7 +25,8 @@ std::string shapes_text(const IntersectionGraph& graph) {
 
 std::string headline(const IntersectResult& result, const PatchNames& names) {
   const IntersectionGraph& graph = result.graph;
-  std::string text = fmt::format("{} with {}: {}, {}{}", printable(names.first), printable(names.second),
+  std::string text = fmt::format("{} with {}: {}, {}{}", printable(names.first),
+                                 names.parameters == self_names ? "itself" : printable(names.second),
                                  result.status == Status::complete ? "complete" : "incomplete",
                                  counted(graph.components.size(), "component"), shapes_text(graph));
   if (!graph.isolated_points.empty()) text += ", " + counted(graph.isolated_points.size(), "isolated point");
@@ -33,10 +34,10 @@ std::string headline(const IntersectResult& result, const PatchNames& names) {
   return text + "\n";
 }
 
-std::string turning_text(const IntersectionGraph& graph) {
+std::string turning_text(const IntersectionGraph& graph, const ParameterNames& names) {
   std::vector<std::string> counts;
   for (Parameter p : all_parameters)
-    counts.push_back(fmt::format("{} in {}", graph.turning_points(p), name(p)));
+    counts.push_back(fmt::format("{} in {}", graph.turning_points(p), name(p, names)));
   return fmt::format("{} on the boundary; turning points: {}\n",
                      counted(static_cast<std::size_t>(graph.boundary_points()), "point"),
                      joined(counts, ", "));
@@ -54,13 +55,13 @@ bool is_free(const Node& node, Parameter p) {
   return std::find(node.free.begin(), node.free.end(), p) != node.free.end();
 }
 
-std::vector<std::string> node_row(const Node& node) {
+std::vector<std::string> node_row(const Node& node, const ParameterNames& names) {
   std::vector<std::string> kinds;
   for (NodeKind kind : node.kinds) kinds.push_back(name(kind));
   std::vector<std::string> places;
-  for (Side side : node.on) places.push_back(side_name(side));
+  for (Side side : node.on) places.push_back(side_name(side, names));
   std::vector<std::string> wrt;
-  for (Parameter p : node.wrt) wrt.push_back(name(p));
+  for (Parameter p : node.wrt) wrt.push_back(name(p, names));
   std::vector<std::string> row = {std::to_string(node.id), joined(kinds, ", "), joined(places, " "),
                                   joined(wrt, " ")};
   for (Parameter p : all_parameters)
@@ -68,18 +69,19 @@ std::vector<std::string> node_row(const Node& node) {
   return row;
 }
 
-std::string nodes_text(const IntersectionGraph& graph) {
+std::string nodes_text(const IntersectionGraph& graph, const ParameterNames& names) {
   std::vector<std::vector<std::string>> rows;
-  for (const Node& node : graph.nodes) rows.push_back(node_row(node));
-  return table({"node", "kind", "on", "turns in", "u", "v", "r", "s"}, rows);
+  for (const Node& node : graph.nodes) rows.push_back(node_row(node, names));
+  return table({"node", "kind", "on", "turns in", names[0], names[1], names[2], names[3]}, rows);
 }
 
-std::vector<std::string> arc_row(const Arc& arc) {
+std::vector<std::string> arc_row(const Arc& arc, const ParameterNames& names) {
   std::string remark;
   if (arc.place == ArcPlace::patch_boundary) remark = name(arc.place);
   if (arc.contact == Contact::tangential)
     remark += (remark.empty() ? "" : ", ") + std::string(name(arc.contact));
-  for (Parameter p : arc.free) remark += (remark.empty() ? "" : ", ") + fmt::format("{} free", name(p));
+  for (Parameter p : arc.free)
+    remark += (remark.empty() ? "" : ", ") + fmt::format("{} free", name(p, names));
   return {std::to_string(arc.id),
           std::to_string(arc.component),
           std::to_string(arc.from),
@@ -89,9 +91,9 @@ std::vector<std::string> arc_row(const Arc& arc) {
           remark};
 }
 
-std::string arcs_text(const IntersectionGraph& graph) {
+std::string arcs_text(const IntersectionGraph& graph, const ParameterNames& names) {
   std::vector<std::vector<std::string>> rows;
-  for (const Arc& arc : graph.arcs) rows.push_back(arc_row(arc));
+  for (const Arc& arc : graph.arcs) rows.push_back(arc_row(arc, names));
   return table({"arc", "component", "from", "to", "vertices", "error at most", ""}, rows);
 }
 
@@ -103,11 +105,11 @@ std::string work_text(const Work& work) {
                      steps.empty() ? "" : joined(steps, ", "));
 }
 
-std::string incomplete_text(const std::vector<Incomplete>& regions) {
+std::string incomplete_text(const std::vector<Incomplete>& regions, const ParameterNames& names) {
   if (regions.empty()) return "";
   std::string text = "\nNot decided:\n";
   for (const Incomplete& region : regions) {
-    text += fmt::format("  {}\n    {}\n", box_text(region.where), printable(region.why));
+    text += fmt::format("  {}\n    {}\n", box_text(region.where, names), printable(region.why));
   }
   return text;
 }
@@ -118,11 +120,11 @@ std::string section(const std::string& text) { return text.empty() ? "" : "\n" +
 
 std::string intersection_summary(const IntersectResult& result, const PatchNames& names) {
   const IntersectionGraph& graph = result.graph;
-  return headline(result, names) + turning_text(graph) + section(components_text(graph)) +
-         section(nodes_text(graph)) + section(arcs_text(graph)) +
+  return headline(result, names) + turning_text(graph, names.parameters) + section(components_text(graph)) +
+         section(nodes_text(graph, names.parameters)) + section(arcs_text(graph, names.parameters)) +
          (graph.isolated_points.empty() ? ""
                                         : "\n  isolated points: nodes " + ids(graph.isolated_points) + "\n") +
-         incomplete_text(result.incomplete) + "\n" + work_text(result.work);
+         incomplete_text(result.incomplete, names.parameters) + "\n" + work_text(result.work);
 }
 
 }  // namespace exsect::cli

@@ -204,6 +204,12 @@ SvgLegend legend(const IntersectResult& result) {
   return legend;
 }
 
+/// "x(u, v)".
+std::string square_heading(const PatchNames& names, std::size_t square) {
+  return fmt::format("{}({}, {})", printable(square == 0 ? names.first : names.second),
+                     names.parameters[2 * square], names.parameters[2 * square + 1]);
+}
+
 }  // namespace
 
 std::string intersection_svg(const IntersectResult& result, const PatchNames& names,
@@ -215,16 +221,15 @@ std::string intersection_svg(const IntersectResult& result, const PatchNames& na
   picture.element("<g fill=\"#000000\">");
   const double title_size = text_width(title, 16) <= width - 40 ? 16 : 13;
   picture.text(width / 2, 28, fitted(title, title_size, width - 40), title_size, TextAnchor::middle);
-  const std::array<std::string, 2> heads = {printable(names.first) + "(u, v)",
-                                            printable(names.second) + "(r, s)"};
+  const std::array<std::string, 2> heads = {square_heading(names, 0), square_heading(names, 1)};
   const std::array<double, 2> lefts = {left_margin, left_margin + SvgSquare::size + between};
   for (std::size_t square : {0, 1}) {
     picture.text(lefts[square] + SvgSquare::size / 2, top_margin - 14,
                  fitted(heads[square], 14, SvgSquare::size), 14, TextAnchor::middle);
   }
   picture.element("</g>");
-  SvgSquare first(picture, lefts[0], top_margin, "u", "v");
-  SvgSquare second(picture, lefts[1], top_margin, "r", "s");
+  SvgSquare first(picture, lefts[0], top_margin, names.parameters[0], names.parameters[1]);
+  SvgSquare second(picture, lefts[1], top_margin, names.parameters[2], names.parameters[3]);
   draw_square(result, first, 0);
   draw_square(result, second, 1);
   entries.draw(picture, left_margin, legend_top, legend_width);

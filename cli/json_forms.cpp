@@ -53,15 +53,16 @@ Json json_interval(const RationalInterval& interval) {
   return Json::array({json_number(interval.lower), json_number(interval.upper)});
 }
 
-Json json_box(const ParameterBox& box) {
+Json json_box(const ParameterBox& box, const ParameterNames& names) {
   Json json = Json::object();
-  for (Parameter p : all_parameters) json[name(p)] = json_interval(box[index(p)]);
+  for (Parameter p : all_parameters) json[name(p, names)] = json_interval(box[index(p)]);
   return json;
 }
 
-Json json_approx(const std::array<double, 4>& parameters, const std::array<double, 3>& point) {
+Json json_approx(const std::array<double, 4>& parameters, const std::array<double, 3>& point,
+                 const ParameterNames& names) {
   Json json = Json::object();
-  for (Parameter p : all_parameters) json[name(p)] = parameters[index(p)];
+  for (Parameter p : all_parameters) json[name(p, names)] = parameters[index(p)];
   json["point"] = point;
   return json;
 }
@@ -72,8 +73,8 @@ Json json_end(const RealAlgebraic& end, bool closed) {
           {"closed", closed}};
 }
 
-std::string side_name(Side side) {
-  return std::string(name(side.parameter)) + "=" + std::to_string(side.value);
+std::string side_name(Side side, const ParameterNames& names) {
+  return std::string(name(side.parameter, names)) + "=" + std::to_string(side.value);
 }
 
 double decimal_not_below(double bound) {

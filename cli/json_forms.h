@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "parameter_names.h"
+
 namespace exsect::cli {
 
 /// Keys stay in the order of insertion, so equal results give equal bytes.
@@ -20,14 +22,15 @@ const Rational& shown_width();
 Json json_number(const Rational& q);
 /// ["lower", "upper"].
 Json json_interval(const RationalInterval& interval);
-/// {"u": [..], "v": [..], "r": [..], "s": [..]}.
-Json json_box(const ParameterBox& box);
-/// {"u": .., "v": .., "r": .., "s": .., "point": [x, y, z]}.
-Json json_approx(const std::array<double, 4>& parameters, const std::array<double, 3>& point);
+/// {"u": [..], "v": [..], "r": [..], "s": [..]}, or with other names.
+Json json_box(const ParameterBox& box, const ParameterNames& names = pair_names);
+/// {"u": .., "v": .., "r": .., "s": .., "point": [x, y, z]}, or with other names.
+Json json_approx(const std::array<double, 4>& parameters, const std::array<double, 3>& point,
+                 const ParameterNames& names = pair_names);
 /// {"box": ["lower", "upper"], "approx": x, "closed": bool}.
 Json json_end(const RealAlgebraic& end, bool closed);
 /// "u=0".
-std::string side_name(Side side);
+std::string side_name(Side side, const ParameterNames& names = pair_names);
 
 /// A number that JSON shows as a decimal not below the bound: the bound itself, or the next double above it
 /// where the decimal of the bound is too small. Requires bound >= 0 and finite, else it is returned as it is.

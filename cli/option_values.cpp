@@ -43,16 +43,17 @@ double positive_value(const std::string& option, const std::string& text) {
   return below;
 }
 
-std::vector<Parameter> parameter_list(const std::string& option, const std::string& text) {
+std::vector<Parameter> parameter_list(const std::string& option, const std::string& text,
+                                      const ParameterNames& names) {
   std::vector<Parameter> list;
   if (text == "none") return list;
-  const std::string why =
-      option + ": \"" + shortened(text) + "\" is not a list of u, v, r, s, each at most once";
+  const std::string why = option + ": \"" + shortened(text) + "\" is not a list of " +
+                          joined({names.begin(), names.end()}, ", ") + ", each at most once";
   std::istringstream stream(text + ",");
   std::string item;
   while (std::getline(stream, item, ',')) {
     const auto parameter = std::find_if(all_parameters.begin(), all_parameters.end(),
-                                        [&](Parameter p) { return item == name(p); });
+                                        [&](Parameter p) { return item == name(p, names); });
     if (parameter == all_parameters.end()) throw UsageError(why);
     if (std::find(list.begin(), list.end(), *parameter) != list.end()) throw UsageError(why);
     list.push_back(*parameter);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "parameter_names.h"
+
 namespace exsect::cli {
 
 /// A number in the syntax of patch files ("1/2", "0.5", "0x1p-1") within [0,1]. Throws UsageError.
@@ -15,7 +17,8 @@ Rational parameter_value(const std::string& option, const std::string& text);
 /// not positive and finite.
 double positive_value(const std::string& option, const std::string& text);
 
-/// "u,v,r,s" or any part of it, or "none". Throws UsageError.
-std::vector<Parameter> parameter_list(const std::string& option, const std::string& text);
+/// "u,v,r,s" (or other names) or any part of it, or "none". Throws UsageError.
+std::vector<Parameter> parameter_list(const std::string& option, const std::string& text,
+                                      const ParameterNames& names = pair_names);
 
 }  // namespace exsect::cli

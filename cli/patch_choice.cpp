@@ -55,4 +55,14 @@ PatchPair read_pair(const std::string& path, const std::string& first, const std
   return {*x, *y, file.title};
 }
 
+ChosenPatch read_patch(const std::string& path, const std::string& name) {
+  const PatchFile file = read_patches(path);
+  if (name.empty() && file.patches.size() != 1) {
+    throw InputError(
+        path, "$.patches",
+        fmt::format("holds {} patches ({}): choose with --patch", file.patches.size(), names(file)));
+  }
+  return {name.empty() ? file.patches.front() : named(file, path, name, "--patch"), file.title};
+}
+
 }  // namespace exsect::cli

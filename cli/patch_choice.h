@@ -1,4 +1,4 @@
-// Which two patches of a file are meant.
+// Which patches of a file are meant.
 #pragma once
 
 #include <exsect/geometry/patch_file.h>
@@ -18,5 +18,15 @@ struct PatchPair {
 /// must hold exactly two patches. Throws InputError for a bad file, an unknown name, the same name twice, or
 /// no clear choice.
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second);
+
+/// One patch, and the title of its file.
+struct ChosenPatch {
+  NamedPatch patch;
+  std::string title;
+};
+
+/// Reads the file and chooses the patch of the given name; without a name the file must hold exactly one.
+/// Throws InputError for a bad file, an unknown name, or no clear choice.
+ChosenPatch read_patch(const std::string& path, const std::string& name);
 
 }  // namespace exsect::cli

@@ -9,6 +9,7 @@
 
 #include "intersect_command.h"
 #include "line_command.h"
+#include "self_command.h"
 #include "terminal_text.h"
 
 namespace exsect::cli {
@@ -18,7 +19,8 @@ constexpr const char* about =
     "exsect: the exact, complete, proved intersection of two biquadratic Bezier patches x(u,v) and y(r,s).\n"
     "exsect COMMAND --help explains a command. Start with:\n"
     "  exsect intersect examples/chapter9-first.json --svg picture.svg\n"
-    "  exsect line examples/chapter9-first.json --u 1/2 --svg line.svg";
+    "  exsect line examples/chapter9-first.json --u 1/2 --svg line.svg\n"
+    "  exsect self examples/chapter9-second.json --patch y --svg self.svg";
 
 constexpr const char* statuses =
     "Exit status: 0 complete; 2 bad input or usage, or output that cannot be written (message on the "
@@ -49,30 +51,46 @@ constexpr const char* line_footer =
     "  exsect line examples/chapter9-first.json --u 1/2\n"
     "  exsect line examples/chapter9-first.json --s 0.7 --json - --svg line.svg";
 
+constexpr const char* self_footer =
+    "All pairs x(u1,v1) = x(u2,v2) of different parameters of one patch, each curve once, and the cuspidal "
+    "points\n"
+    "where such curves end. Examples:\n"
+    "  exsect self examples/chapter9-second.json --patch y\n"
+    "  exsect self examples/chapter9-second.json --patch y --json - --svg self.svg";
+
 constexpr const char* line_about = "Intersect one parameter line of a patch with the other patch";
+
+void add_output(CLI::App& app, OutputFiles& output, bool& quiet) {
+  app.add_option("--json", output.json, "Write the result as JSON; - for standard output")->type_name("FILE");
+  app.add_option("--svg", output.svg, "Draw a picture")->type_name("FILE");
+  app.add_flag("--quiet", quiet, "No summary, no progress");
+}
 
 void add_common(CLI::App& app, std::string& file, std::string& first, std::string& second,
                 OutputFiles& output, bool& quiet) {
   app.add_option("FILE", file, "Patch file")->required()->type_name("");
   app.add_option("--first", first, "Patch of (u,v), if FILE holds more than two")->type_name("NAME");
   app.add_option("--second", second, "Patch of (r,s)")->type_name("NAME");
-  app.add_option("--json", output.json, "Write the result as JSON; - for standard output")->type_name("FILE");
-  app.add_option("--svg", output.svg, "Draw a picture")->type_name("FILE");
-  app.add_flag("--quiet", quiet, "No summary, no progress");
+  add_output(app, output, quiet);
+}
+
+void add_curve_options(CLI::App& sub, std::string& turning, std::string& tolerance,
+                       std::string& max_seconds) {
+  sub.add_option("--turning", turning, "Parameters whose turning points become nodes, or none")
+      ->type_name("LIST")
+      ->capture_default_str();
+  sub.add_option("--tolerance", tolerance,
+                 "Proved distance of polylines from the true curve, relative to the model")
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  sub.add_option("--max-seconds", max_seconds, "Stop with an incomplete result after this time")
+      ->type_name("NUMBER");
 }
 
 void add_intersect(CLI::App& app, IntersectCommand& command) {
   CLI::App* sub = app.add_subcommand("intersect", "Intersect two patches completely");
   add_common(*sub, command.file, command.first, command.second, command.output, command.quiet);
-  sub->add_option("--turning", command.turning, "Parameters whose turning points become nodes, or none")
-      ->type_name("LIST")
-      ->capture_default_str();
-  sub->add_option("--tolerance", command.tolerance,
-                  "Proved distance of polylines from the true curve, relative to the model")
-      ->type_name("NUMBER")
-      ->capture_default_str();
-  sub->add_option("--max-seconds", command.max_seconds, "Stop with an incomplete result after this time")
-      ->type_name("NUMBER");
+  add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
   sub->footer(intersect_footer);
 }
 
@@ -86,6 +104,15 @@ void add_line(CLI::App& app, LineCommand& command) {
         ->type_name("NUMBER");
   }
   sub->footer(line_footer);
+}
+
+void add_self(CLI::App& app, SelfCommand& command) {
+  CLI::App* sub = app.add_subcommand("self", "Find where a patch meets itself");
+  sub->add_option("FILE", command.file, "Patch file")->required()->type_name("");
+  sub->add_option("--patch", command.patch, "The patch, if FILE holds more than one")->type_name("NAME");
+  add_output(*sub, command.output, command.quiet);
+  add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
+  sub->footer(self_footer);
 }
 
 /// An option with an empty value would look as if it were not given.
@@ -103,11 +130,13 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   CLI::App app(about, "exsect");
   IntersectCommand intersect;
   LineCommand line;
+  SelfCommand self;
   app.set_version_flag("--version", "exsect " EXSECT_VERSION, "Print the version");
   app.require_subcommand(0, 1);
   app.footer(statuses);
   add_intersect(app, intersect);
   add_line(app, line);
+  add_self(app, self);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -116,8 +145,9 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
     return ExitStatus::complete;
   }
   if (app.get_subcommands().empty())
-    throw UsageError("a command is needed: intersect or line (see exsect --help)");
+    throw UsageError("a command is needed: intersect, line or self (see exsect --help)");
   refuse_empty_values(app);
+  if (app.got_subcommand("self")) return run(self, streams);
   return app.got_subcommand("intersect") ? run(intersect, streams) : run(line, streams);
 }
 

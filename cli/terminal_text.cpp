@@ -47,10 +47,10 @@ std::string interval_text(const RationalInterval& interval) {
   return fmt::format("[{}, {}]", lower, upper);
 }
 
-std::string box_text(const ParameterBox& box) {
+std::string box_text(const ParameterBox& box, const ParameterNames& names) {
   std::vector<std::string> ranges;
   for (Parameter p : all_parameters)
-    ranges.push_back(fmt::format("{} in {}", name(p), interval_text(box[index(p)])));
+    ranges.push_back(fmt::format("{} in {}", name(p, names), interval_text(box[index(p)])));
   return joined(ranges, ", ");
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "parameter_names.h"
+
 namespace exsect::cli {
 
 /// The text with every control character replaced by a blank, so that a title in a file cannot steer a
@@ -21,7 +23,7 @@ std::string joined(const std::vector<std::string>& texts, const std::string& sep
 /// "[0.25, 0.5]": the ends rounded outwards to six digits.
 std::string interval_text(const RationalInterval& interval);
 /// "u in [0.25, 0.5], ...".
-std::string box_text(const ParameterBox& box);
+std::string box_text(const ParameterBox& box, const ParameterNames& names = pair_names);
 /// "1 point", "2 points".
 std::string counted(std::size_t number, const std::string& noun);
 

@@ -36,7 +36,7 @@ TEST_CASE("help and version go to the standard output") {
   CHECK(version.err.empty());
   const ProgramRun help = run_program({"--help"});
   CHECK(help.status == 0);
-  for (const char* word : {"intersect", "line", "Exit status", "--version", "chapter9-first.json"}) {
+  for (const char* word : {"intersect", "line", "self", "Exit status", "--version", "chapter9-first.json"}) {
     CHECK(help.out.find(word) != std::string::npos);
   }
   for (const char* command : {"intersect", "line"}) {
@@ -51,7 +51,7 @@ TEST_CASE("help and version go to the standard output") {
 }
 
 TEST_CASE("wrong options are refused") {
-  check_refused({}, "a command is needed: intersect or line");
+  check_refused({}, "a command is needed: intersect, line or self");
   check_refused({"intersekt", first}, "intersekt");
   check_refused({"intersect"}, "FILE is required");
   check_refused({"intersect", first, "--colour", "red"}, "--colour");

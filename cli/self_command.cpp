@@ -1,0 +1,55 @@
+#include "self_command.h"
+
+#include <exsect/geometry/text_file.h>
+#include <exsect/solver/self_intersect.h>
+
+#include "intersection_json.h"
+#include "intersection_summary.h"
+#include "intersection_svg.h"
+#include "option_values.h"
+#include "patch_choice.h"
+#include "progress.h"
+#include "terminal_text.h"
+
+namespace exsect::cli {
+namespace {
+
+IntersectOptions options(const SelfCommand& command) {
+  IntersectOptions options;
+  options.turning = parameter_list("--turning", command.turning, self_names);
+  options.tolerance = positive_value("--tolerance", command.tolerance);
+  if (!command.max_seconds.empty())
+    options.max_seconds = positive_value("--max-seconds", command.max_seconds);
+  return options;
+}
+
+IntersectResult solve(const BezierPatch& x, IntersectOptions options, const Streams& streams, bool quiet) {
+  Progress progress(streams.err, streams.watched && !quiet);
+  options.progress = [&](double fraction, const char* step) { progress.report(fraction, step); };
+  return self_intersect(x, options);
+}
+
+}  // namespace
+
+ExitStatus run(const SelfCommand& command, const Streams& streams) {
+  const IntersectOptions checked = options(command);
+  check(command.output, command.file);
+  const ChosenPatch chosen = read_patch(command.file, command.patch);
+  const PatchNames names = {chosen.patch.name, chosen.patch.name, self_names};
+  const IntersectResult result = solve(chosen.patch.patch, checked, streams, command.quiet);
+  const std::string json = command.output.json.empty() ? "" : json_text(self_json(result, chosen.patch.name));
+  if (!command.output.json.empty() && !command.output.json_to_stdout()) {
+    write_file_atomically(command.output.json, json);
+  }
+  if (!command.output.svg.empty()) {
+    write_file_atomically(command.output.svg, intersection_svg(result, names, chosen.title));
+  }
+  if (command.output.json_to_stdout()) {
+    streams.out << json;
+  } else if (!command.quiet) {
+    streams.out << heading(command.file, chosen.title) << intersection_summary(result, names);
+  }
+  return result.status == Status::complete ? ExitStatus::complete : ExitStatus::incomplete;
+}
+
+}  // namespace exsect::cli
