@@ -20,14 +20,30 @@ void require_box(const PlanarBox& box) {
 }
 
 /// 1, t, ..., t^degree on one interval.
-Piecewise powers(int degree) {
+Piecewise powers(int degree, const Polynomial& t) {
   Piecewise functions;
   Polynomial power = 1;
   for (int i = 0; i <= degree; ++i) {
     functions.push_back({power});
-    power *= Polynomial::variable();
+    power *= t;
   }
   return functions;
+}
+
+/// The greatest power of two that is at most q > 0.
+Rational power_below(const Rational& q) {
+  Rational power = 1;
+  while (power > q) power /= 2;
+  while (2 * power <= q) power *= 2;
+  return power;
+}
+
+/// The multiple of the step nearest to q.
+Rational nearest_multiple(const Rational& q, const Rational& step) {
+  const Rational shifted = q / step + Rational(1, 2);
+  Integer whole = numerator(shifted) / denominator(shifted);
+  if (Rational(whole) > shifted) --whole;
+  return whole * step;
 }
 
 /// (t - from) / length.
@@ -175,12 +191,27 @@ PlanarBox control_box(const HomogeneousCurve& curve, const Rational& from, const
 }
 
 PlanarSpace PlanarSpace::monomials(int degree, const PlanarBox& box) {
+  return powers_of(degree, box, Polynomial::variable(), Polynomial::variable());
+}
+
+PlanarSpace PlanarSpace::local_monomials(int degree, const PlanarBox& box) {
+  require_box(box);
+  const Rational unit = power_below(std::max(box.x.width(), box.y.width()));
+  const auto local = [&](const RationalInterval& side) {
+    return local_coordinate(nearest_multiple(side.midpoint(), unit / 4), unit);
+  };
+  return powers_of(degree, box, local(box.x), local(box.y));
+}
+
+PlanarSpace PlanarSpace::powers_of(int degree, const PlanarBox& box, const Polynomial& x,
+                                   const Polynomial& y) {
   require(degree >= 0, "planar space: the degree must not be negative");
   require_box(box);
   PlanarSpace space;
   space.breaks_x_ = {box.x.lower, box.x.upper};
   space.breaks_y_ = {box.y.lower, box.y.upper};
-  space.in_x_ = space.in_y_ = powers(degree);
+  space.in_x_ = powers(degree, x);
+  space.in_y_ = powers(degree, y);
   space.active_ = {{true}};
   for (int total = 0; total <= degree; ++total)
     for (int j = 0; j <= total; ++j)
@@ -229,6 +260,18 @@ PlanarSpace PlanarSpace::in_squares() const {
   PlanarSpace space = *this;
   space.squared_ = true;
   return space;
+}
+
+int PlanarSpace::total_degree() const {
+  const auto degree = [](const std::vector<Polynomial>& f) {
+    int largest = -1;
+    for (const Polynomial& piece : f) largest = std::max(largest, piece.degree());
+    return largest;
+  };
+  int largest = -1;
+  for (const Product& p : products_)
+    largest = std::max(largest, (squared_ ? 2 : 1) * degree(in_x_[p.i]) + degree(in_y_[p.j]));
+  return largest;
 }
 
 PlanarSpace::Values PlanarSpace::at(const Rational& x, const Rational& y) const {

@@ -16,6 +16,9 @@ class PlanarSpace {
   /// x^i y^j with i + j <= degree, ordered by i + j, then by j. Throws std::invalid_argument for degree < 0.
   /// Tension is measured on the box.
   static PlanarSpace monomials(int degree, const PlanarBox& box);
+  /// The same in the coordinates ((x - c1)/unit, (y - c2)/unit) with short rationals c1, c2 and a power of
+  /// two as unit, in which the box is one of coordinates of at most about 1.
+  static PlanarSpace local_monomials(int degree, const PlanarBox& box);
   /// The Bernstein polynomials of bidegree (m,n) of the box.
   static PlanarSpace bernstein(int m, int n, const PlanarBox& box);
   /// Uniform tensor B-splines of bidegree (m,n), m and n >= 2, on the box divided into cells_x by cells_y
@@ -29,6 +32,8 @@ class PlanarSpace {
   std::size_t dimension() const { return products_.size(); }
   bool is_polynomial() const { return breaks_x_.size() == 2 && breaks_y_.size() == 2; }
   bool squared() const { return squared_; }
+  /// Largest total degree of a function, in (x,y); of a piece for splines.
+  int total_degree() const;
 
   struct Values {
     std::vector<Rational> value;
@@ -53,6 +58,7 @@ class PlanarSpace {
   };
 
   PlanarSpace() = default;
+  static PlanarSpace powers_of(int degree, const PlanarBox& box, const Polynomial& x, const Polynomial& y);
   bool active(std::size_t k, std::size_t l) const { return active_[k][l]; }
 
   std::vector<Rational> breaks_x_;
