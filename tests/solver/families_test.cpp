@@ -1,0 +1,78 @@
+// Pairs in special position: their exact answers, under exchanges and affine maps as well.
+#include "support/families.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "family_checks.h"
+#include "support/case_file.h"
+#include "support/catch.h"
+
+namespace exsect {
+namespace {
+
+using families::Plane;
+
+constexpr std::array<Plane, 3> affine_or_bilinear = {Plane::square, Plane::larger, Plane::bilinear};
+
+}  // namespace
+
+TEST_CASE("family: cap above and below the plane") {
+  for (const Plane plane : affine_or_bilinear) {
+    check_images(families::cap(Rational(1, 10), plane));
+    check(families::cap(Rational(-1, 100), plane));
+  }
+}
+
+TEST_CASE("family: nearly crossing") {
+  for (const Plane plane : affine_or_bilinear) check_images(families::near_crossing(Rational(1, 100), plane));
+}
+
+TEST_CASE("family: parted sheets") {
+  for (const Plane plane : families::all_planes) check(families::parted_sheets(Rational(1, 100), plane));
+}
+
+TEST_CASE("family: nearly a touch point is a small loop or nothing") {
+  for (const Plane plane : affine_or_bilinear) {
+    check_near([=](const Rational& e) { return families::cap(e, plane); });
+    check_near([=](const Rational& e) { return families::cap(-e, plane); });
+  }
+}
+
+TEST_CASE("family: nearly a crossing is two arcs") {
+  for (const Plane plane : affine_or_bilinear) {
+    check_near([=](const Rational& e) { return families::near_crossing(e, plane); }, 4);
+  }
+}
+
+TEST_CASE("family: nearly a tangent curve is nothing on one side") {
+  for (const Plane plane : families::all_planes) {
+    check_near([=](const Rational& e) { return families::parted_sheets(e, plane); });
+  }
+}
+
+TEST_CASE("family: the cases are what the families give") {
+  int files = 0;
+  for (const ExactCase& c : families::specimens()) {
+    const std::string stem = std::string(EXSECT_CASES) + "/" + case_stem(c);
+    std::ifstream patches(stem + ".json");
+    if (!patches) continue;
+    ++files;
+    INFO(stem);
+    std::ifstream expected(stem + ".expected.json");
+    CHECK(std::string(std::istreambuf_iterator<char>(patches), {}) == patches_text(c));
+    CHECK(std::string(std::istreambuf_iterator<char>(expected), {}) == expected_text(c));
+  }
+  CHECK(files > 0);
+}
+
+TEST_CASE("family: coordinates mapped by dyadic numbers are doubles") {
+  random_pairs::Generator generator(3);
+  const auto image = [&](const ExactCase& c) { return case_changes().back().apply(c, generator); };
+  CHECK(in_doubles(image(families::cap(Rational(1, 16), Plane::square))));
+  CHECK(in_doubles(image(families::crossing(Plane::bilinear))));
+  CHECK(in_doubles(image(families::tangent_curve(Rational(1, 4), Plane::quadratic))));
+  CHECK_FALSE(in_doubles(families::tangent_curve(Rational(1, 3), Plane::square)));
+}
+
+}  // namespace exsect
