@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -51,9 +52,7 @@ bool overlap(const ParameterBox& a, const ParameterBox& b) {
 /// The line against the patch without the line itself: empty, or why its points are not isolated.
 std::string obstacle(const BezierPatch& x, const LineQuery& query) {
   const LineAndPatch problem = line_and_patch(x, x, query);
-  const LineShape form = shape(problem.line);
-  if (form == LineShape::point) return "is one point, so that all pairs on it meet";
-  if (form == LineShape::folded) return "is straight and folds back on itself";
+  if (shape(problem.line) == LineShape::point) return "is one point, so that all pairs on it meet";
   const LineSystem system = line_system(problem);
   const bool fixes_first = query.fixed == Parameter::u;
   const BivariatePolynomial line = (fixes_first ? BivariatePolynomial::r() : BivariatePolynomial::s()) -
@@ -67,18 +66,28 @@ std::string obstacle(const BezierPatch& x, const LineQuery& query) {
              : "meets the patch along a curve, apart from itself, or is cuspidal in whole";
 }
 
+/// The side on whose line a point with the given sides is found and kept: the first one of (u1,v1) that does
+/// not hold both points of the pair; those pairs are on the line itself and are not found by it. Empty if
+/// there is none.
+std::optional<Side> finding_side(const std::vector<Side>& sides) {
+  for (const Side& side : sides)
+    if (index(side.parameter) < 2 && !std::ranges::count(sides, Side{partner(side.parameter), side.value}))
+      return side;
+  return std::nullopt;
+}
+
 void add_side(SelfBoundary& result, const BezierPatch& x, const LineQuery& query) {
-  const std::string why = obstacle(x, query);
+  const LinePoints line = line_points(x, x, query);
+  const std::string why = line.incomplete ? *line.incomplete : obstacle(x, query);
   if (!why.empty()) {
     ParameterBox where = {{{0, 1}, {0, 1}, {0, 1}, {0, 1}}};
     where[index(query.fixed)] = {query.value, query.value};
     result.problems.push_back(
         {where, std::string("the side ") + name(query.fixed) + "1 = " + query.value.str() + " " + why});
-    return;
   }
   const Side side = {query.fixed, query.value == 0 ? 0 : 1};
-  for (const CertifiedPoint& point : line_points(x, x, query).points)
-    if (point.sides().front() == side) result.points.push_back(point);
+  for (const CertifiedPoint& point : line.points)
+    if (finding_side(point.sides()) == side) result.points.push_back(point);
 }
 
 /// The index of the point that is points[i] exchanged: boxes are refined until one alone qualifies.
@@ -105,8 +114,7 @@ SelfBoundary self_boundary(const BezierPatch& x) {
   }
   const std::size_t found = result.points.size();
   for (std::size_t i = 0; i < found; ++i)
-    // A point on sides of both squares is found in both orders.
-    if (index(result.points[i].sides().back().parameter) < 2)
+    if (!finding_side(exchanged(result.points[i].sides())))
       result.points.push_back(exchanged(result.points[i]));
   separate(result.points);
   for (std::size_t i = 0; i < result.points.size(); ++i) result.mate.push_back(find_mate(result.points, i));

@@ -10,8 +10,9 @@
 namespace exsect {
 
 /// The pairs x(u1,v1) = x(u2,v2) with at least one of the four parameters 0 or 1, as points (u,v,r,s) =
-/// (u1,v1,u2,v2). Invariant: with a point the exchanged one (u2,v2,u1,v1) is in the list, points[mate[i]] is
-/// points[i] exchanged; pairwise disjoint boxes. If `problems` is empty the list holds all such pairs.
+/// (u1,v1,u2,v2), apart from those with both points on one folded straight side. Invariant: with a point the
+/// exchanged one (u2,v2,u1,v1) is in the list, points[mate[i]] is points[i] exchanged; pairwise disjoint
+/// boxes. If `problems` is empty the list holds all such pairs.
 struct SelfBoundary {
   std::vector<CertifiedPoint> points;
   std::vector<std::size_t> mate;

@@ -84,10 +84,10 @@ std::vector<ParameterBox> places(Chart chart, const std::vector<ChartBox>& boxes
 template <class Ball>
 class SelfTracing {
  public:
-  SelfTracing(const SelfSystem<Ball>& system, const SelfBoundary& boundary,
-              const std::array<std::size_t, 4>& coincident, const Rational& width, const StopRequest& stop)
-      : system_(system), boundary_(boundary), coincident_(coincident), stop_(stop) {
-    for (const CertifiedPoint& point : boundary.points) {
+  SelfTracing(const SelfSystem<Ball>& system, const ExactPlaces& exact, const Rational& width,
+              const StopRequest& stop)
+      : system_(system), exact_(exact), boundary_(exact.boundary), width_(width), stop_(stop) {
+    for (const CertifiedPoint& point : boundary_.points) {
       result_.landmarks.push_back(enclose<Ball>(point, width));
     }
   }
@@ -126,24 +126,30 @@ class SelfTracing {
         return;
       }
     }
-    if (std::any_of(result_.cusps.begin(), result_.cusps.end(), [&](const CuspArc<Ball>& other) {
-          return passes_through(other, chart.chart(), cusp.at);
-        })) {
+    if (passes_near_cusp(chart.chart(), cusp.at)) {
       return;  // |m| = 1 belongs to both charts
     }
-    const auto arc = cusp_arc(chart, cusp);
+    const auto arc = cusp_arc(chart, cusp, exact_place(chart, cusp, exact_.cusps, width_));
     if (!arc) {
       std::array<double, 4> at = {cusp.at[0].approximation(), cusp.at[1].approximation(), 0, 0};
       if (chart.chart() == Chart::second) {
         std::swap(at[0], at[1]);
       }
       problem(around({at[0], at[1], at[0], at[1]}),
-              "a cuspidal point on or too near a side, or with its direction along a parameter line");
-      return;
+              "a cuspidal point that is nearly singular, or nearly on a side or on a folded parameter line");
+    } else if (arc->leaves) {
+      leaving_.push_back(*arc);
+    } else {
+      result_.cusps.push_back(*arc);
+      result_.landmarks.push_back(arc->gate);
+      result_.landmarks.push_back(exchanged_pair(arc->gate));
     }
-    result_.cusps.push_back(*arc);
-    result_.landmarks.push_back(arc->gate);
-    result_.landmarks.push_back(exchanged_pair(arc->gate));
+  }
+
+  bool passes_near_cusp(Chart chart, const BallPoint<Ball>& p) const {
+    const auto passes = [&](const CuspArc<Ball>& arc) { return passes_through(arc, chart, p); };
+    return std::any_of(result_.cusps.begin(), result_.cusps.end(), passes) ||
+           std::any_of(leaving_.begin(), leaving_.end(), passes);
   }
 
   /// +1, -1: the direction of the tangent field that enters the domain at this boundary point; 0: none;
@@ -176,30 +182,41 @@ class SelfTracing {
     return landmark < n ? boundary_.mate[landmark] : n + ((landmark - n) ^ 1U);
   }
 
+  bool is_boundary(std::size_t landmark) const { return landmark < boundary_.points.size(); }
+  const CuspArc<Ball>& cusp_at(std::size_t gate) const {
+    return result_.cusps[(gate - boundary_.points.size()) / 2];
+  }
+
+  /// Gates first: at the boundary end of a folded line on a side no direction enters the domain.
   void trace_open_curves() {
     std::vector<bool> used(result_.landmarks.size(), false);
-    for (std::size_t i = 0; i < used.size(); ++i) {
-      if (used[i]) {
-        continue;
-      }
-      used[i] = used[mate(i)] = true;
-      const bool boundary = i < boundary_.points.size();
-      const auto direction = boundary ? entering_direction(i)
-                                      : leaving_direction(result_.cusps[(i - boundary_.points.size()) / 2]);
-      if (!direction || (!boundary && *direction == 0)) {
-        problem(boundary ? boundary_.points[i].box() : around(approximation(result_.landmarks[i])),
-                "the curve is tangent to a side of the patch, or singular, at this end point");
-      } else if (*direction == 0) {
-        result_.isolated.push_back(static_cast<int>(i));
-      } else {
-        auto outcome = trace_arc(system_.pair, result_.landmarks, static_cast<int>(i), *direction, stop_);
-        if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
-          const auto end = static_cast<std::size_t>(trace->end);
-          used[end] = used[mate(end)] = true;
-        }
-        add(std::move(outcome));
+    for (std::size_t k = used.size(); k-- > 0;) {
+      const std::size_t i = is_boundary(k) ? k : mate(k);
+      if (!used[i]) {
+        used[i] = used[mate(i)] = true;
+        start_at(i, used);
       }
     }
+  }
+
+  void start_at(std::size_t i, std::vector<bool>& used) {
+    const bool boundary = is_boundary(i);
+    const auto direction = boundary ? entering_direction(i) : leaving_direction(cusp_at(i));
+    if (!direction || (!boundary && *direction == 0)) {
+      problem(boundary ? boundary_.points[i].box() : around(approximation(result_.landmarks[i])),
+              "the curve is tangent to a side of the patch, or singular, at this end point");
+      return;
+    }
+    if (*direction == 0) {
+      result_.isolated.push_back(static_cast<int>(i));
+      return;
+    }
+    auto outcome = trace_arc(system_.pair, result_.landmarks, static_cast<int>(i), *direction, stop_);
+    if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
+      const auto end = static_cast<std::size_t>(trace->end);
+      used[end] = used[mate(end)] = true;
+    }
+    add(std::move(outcome));
   }
 
   static std::array<double, 4> approximation(const BallPoint<Ball>& p) {
@@ -211,14 +228,33 @@ class SelfTracing {
       problem(around(failure->where), failure->why);
       return;
     }
-    AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
-    auto turning = find_turning_points(system_.pair, curve.trace, coincident_);
+    SelfCurve<Ball> curve{{std::get<Trace<Ball>>(std::move(outcome)), {}}, std::nullopt};
+    std::array<bool, 4> constant = {};
+    mark_folded_line(curve, constant);
+    auto turning = find_turning_points(system_.pair, curve.analysed.trace, exact_.coincident, constant);
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
       return;
     }
-    curve.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
+    curve.analysed.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
     result_.curves.push_back(std::move(curve));
+  }
+
+  /// A curve that comes from the turn of a folded line runs along that line.
+  void mark_folded_line(SelfCurve<Ball>& curve, std::array<bool, 4>& constant) const {
+    for (const int end : {curve.analysed.trace.start, curve.analysed.trace.end}) {
+      if (end < 0 || is_boundary(static_cast<std::size_t>(end))) {
+        continue;
+      }
+      const CuspArc<Ball>& arc = cusp_at(static_cast<std::size_t>(end));
+      if (arc.place.folded) {
+        const std::size_t fixed = arc.chart == Chart::first ? 1 : 0;
+        constant[fixed] = constant[fixed + 2] = true;
+        if (arc.place.side[1]) {
+          curve.along = Side{static_cast<Parameter>(fixed), *arc.place.side[1]};
+        }
+      }
+    }
   }
 
   /// The direction c for which c . (U',V') keeps clearest away from zero on the curves traced so far: any c
@@ -229,8 +265,8 @@ class SelfTracing {
     for (int i = 0; i < 16; ++i) {
       const std::array<double, 2> c = {std::cos(0.19 * i), std::sin(0.19 * i)};
       double least = 1;
-      for (const AnalysedTrace<Ball>& curve : result_.curves) {
-        for (const Piece<Ball>& piece : curve.trace.pieces) {
+      for (const SelfCurve<Ball>& curve : result_.curves) {
+        for (const Piece<Ball>& piece : curve.analysed.trace.pieces) {
           const double du = piece.tube.slope[0] + piece.tube.slope[2];
           const double dv = piece.tube.slope[1] + piece.tube.slope[3];
           least = std::min(least, std::fabs(c[0] * du + c[1] * dv) / std::max(1e-300, std::hypot(du, dv)));
@@ -279,8 +315,9 @@ class SelfTracing {
   }
 
   bool lies_on_curve(const BallPoint<Ball>& pair) const {
-    return std::any_of(result_.curves.begin(), result_.curves.end(),
-                       [&](const AnalysedTrace<Ball>& curve) { return passes_through(curve.trace, pair); });
+    return std::any_of(result_.curves.begin(), result_.curves.end(), [&](const SelfCurve<Ball>& curve) {
+      return passes_through(curve.analysed.trace, pair);
+    });
   }
 
   bool traced_from(const BallPoint<Ball>& pair) {
@@ -294,19 +331,20 @@ class SelfTracing {
   }
 
   const SelfSystem<Ball>& system_;
+  const ExactPlaces& exact_;
   const SelfBoundary& boundary_;
-  const std::array<std::size_t, 4>& coincident_;
+  const Rational& width_;
   const StopRequest& stop_;
+  std::vector<CuspArc<Ball>> leaving_;  // cuspidal points on sides
   SelfCurves<Ball> result_;
 };
 
 }  // namespace
 
 template <class Ball>
-SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const SelfBoundary& boundary,
-                                   const std::array<std::size_t, 4>& coincident, const Rational& width,
-                                   const StopRequest& stop) {
-  return SelfTracing<Ball>(system, boundary, coincident, width, stop).run();
+SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const ExactPlaces& exact,
+                                   const Rational& width, const StopRequest& stop) {
+  return SelfTracing<Ball>(system, exact, width, stop).run();
 }
 
 bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopRequest& stop) {
@@ -315,9 +353,8 @@ bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopReques
   });
 }
 
-#define EXSECT_INSTANTIATE_SELF_CURVES(Ball)                                                      \
-  template SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>&, const SelfBoundary&,       \
-                                              const std::array<std::size_t, 4>&, const Rational&, \
+#define EXSECT_INSTANTIATE_SELF_CURVES(Ball)                                                                \
+  template SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>&, const ExactPlaces&, const Rational&, \
                                               const StopRequest&);
 
 EXSECT_INSTANTIATE_SELF_CURVES(DoubleBall)

@@ -21,30 +21,55 @@ double largest_slope(const ChartTube<Ball>& tube, std::size_t j) {
   return std::fabs(tube.slope[j]) + tube.slope_error[j];
 }
 
-/// U +- t and V +- m t stay in (0,1) for all w in [0, w_end].
+/// U +- t (j = 0) or V +- m t (j = 1) stays in (0,1) for all w in [0, w_end].
 template <class Ball>
-bool stays_inside(const ChartTube<Ball>& tube, double w_end) {
+bool stays_inside(const ChartTube<Ball>& tube, std::size_t j, double w_end) {
   const double t = std::sqrt(w_end) * (1 + 0x1p-40);
   const Ball m = tube.centre[2].widened(reach_of(tube, 2));
-  for (std::size_t j = 0; j < 2; ++j) {
-    const double span = j == 0 ? t : t * m.upper_magnitude();
-    const Ball range = tube.centre[j].widened((reach_of(tube, j) + span) * (1 + 0x1p-40));
-    if (!range.is_positive() || !(Ball(1) - range).is_positive()) {
-      return false;
-    }
-  }
-  return true;
+  const double span = j == 0 ? t : t * m.upper_magnitude();
+  const Ball range = tube.centre[j].widened((reach_of(tube, j) + span) * (1 + 0x1p-40));
+  return range.is_positive() && (Ball(1) - range).is_positive();
 }
 
-/// With w = t^2: d(U +- t)/dt = 2t U' +- 1 and d(V +- m t)/dt = 2t V' +- (m + 2 w m') do not vanish for t <=
-/// t_end.
+/// For U or V on a side at w = 0: its distance from there, at most |U'| w, is less than t (or |m| t) for 0 <
+/// w
+/// <= w_end, so that one point of the pair is outside.
 template <class Ball>
-bool is_monotone(const ChartTube<Ball>& tube, double w_end) {
+bool leaves_side(const ChartTube<Ball>& tube, std::size_t j, double w_end) {
   const double t = std::sqrt(w_end) * (1 + 0x1p-40);
   const Ball m = tube.centre[2].widened(reach_of(tube, 2));
-  return 2 * t * largest_slope(tube, 0) < 1 - 0x1p-40 &&
-         2 * t * largest_slope(tube, 1) + 2 * w_end * largest_slope(tube, 2) <
-             m.lower_magnitude() * (1 - 0x1p-40);
+  return largest_slope(tube, j) * t < (j == 0 ? 1 : m.lower_magnitude()) * (1 - 0x1p-40);
+}
+
+/// With w = t^2: d(U +- t)/dt = 2t U' +- 1 or d(V +- m t)/dt = 2t V' +- (m + 2 w m') does not vanish for t <=
+/// sqrt(w_end).
+template <class Ball>
+bool is_monotone(const ChartTube<Ball>& tube, std::size_t j, double w_end) {
+  const double t = std::sqrt(w_end) * (1 + 0x1p-40);
+  const Ball m = tube.centre[2].widened(reach_of(tube, 2));
+  return j == 0 ? 2 * t * largest_slope(tube, 0) < 1 - 0x1p-40
+                : 2 * t * largest_slope(tube, 1) + 2 * w_end * largest_slope(tube, 2) <
+                      m.lower_magnitude() * (1 - 0x1p-40);
+}
+
+/// Whether the tube up to w_end leaves the domain at once, stays in it properly, or neither is proved.
+enum class Course { leaves, stays, unknown };
+
+template <class Ball>
+Course course(const ChartTube<Ball>& tube, const CuspPlace& place, double w_end) {
+  bool stays = true;
+  for (std::size_t j = 0; j < 2; ++j) {
+    if (place.folded && j == 1) {  // V is constant, on a side or not
+      stays = stays && (place.side[1] || stays_inside(tube, 1, w_end));
+    } else if (place.side[j] && leaves_side(tube, j, w_end)) {
+      return Course::leaves;
+    } else if (place.side[j]) {
+      stays = false;
+    } else {
+      stays = stays && stays_inside(tube, j, w_end) && is_monotone(tube, j, w_end);
+    }
+  }
+  return stays ? Course::stays : Course::unknown;
 }
 
 template <class Ball>
@@ -105,19 +130,73 @@ BoundedVertex vertex_at(const ChartSystem<Ball>& system, const BallPoint<Ball>& 
   return result;
 }
 
+/// The point of the chart over a cuspidal point (U,V): m from x_u + m x_v = 0. Empty if x_v may vanish.
+template <class Ball>
+std::optional<BallPoint<Ball>> cusp_over(const ChartSystem<Ball>& system, const Ball& u, const Ball& v) {
+  ChartNet<Ball, 2> taylor = system.equation();
+  shift<Ball, 2>(taylor, {u, v, Ball(), Ball()});
+  const BallVector<Ball>& x_u = taylor[0];
+  const BallVector<Ball>& x_v = taylor[chart_strides(2)[2]];
+  std::size_t k = 0;
+  for (std::size_t c = 1; c < 3; ++c) {
+    k = x_v[c].lower_magnitude() > x_v[k].lower_magnitude() ? c : k;
+  }
+  if (x_v[k].certain_sign() == 0) {
+    return std::nullopt;
+  }
+  return BallPoint<Ball>{u, v, -x_u[k] * reciprocal(x_v[k]), Ball()};
+}
+
+template <class Ball>
+Ball enclose(const RealAlgebraic& value, const Rational& width) {
+  return value.is_rational() ? Ball::enclosing(value.rational())
+                             : Ball::enclosing(value.refined_to(width).interval());
+}
+
 }  // namespace
 
 template <class Ball>
-std::optional<CuspArc<Ball>> cusp_arc(const ChartSystem<Ball>& system, const ChartCusp<Ball>& cusp) {
+CuspPlace exact_place(const ChartSystem<Ball>& system, const ChartCusp<Ball>& cusp,
+                      const SpecialCusps& special, const Rational& width) {
+  const std::size_t own = system.chart() == Chart::first ? 0 : 1;
+  CuspPlace place;
+  for (const FoldedLine& line : special.folded[own]) {
+    const TriangularPoint at = line.turn.refined_to(width);
+    const BallPoint<Ball> point = {Ball::enclosing(at.r_interval()), Ball::enclosing(at.s().interval()),
+                                   Ball(), Ball()};
+    if (contains(cusp.tube, point)) {
+      return {true, line.side};
+    }
+  }
+  for (std::size_t j = 0; j < 2; ++j) {
+    for (const SideCusp& side : special.on_side[j == 0 ? own : 1 - own]) {
+      const Ball at = enclose<Ball>(side.at, width);
+      const Ball fixed(side.side);
+      const auto point = j == 0 ? cusp_over(system, fixed, at) : cusp_over(system, at, fixed);
+      if (point && contains(cusp.tube, *point)) {
+        place.side[j] = side.side;
+      }
+    }
+  }
+  return place;
+}
+
+template <class Ball>
+std::optional<CuspArc<Ball>> cusp_arc(const ChartSystem<Ball>& system, const ChartCusp<Ball>& cusp,
+                                      const CuspPlace& place) {
   constexpr double kFirst = 0x1p-4;
   constexpr double kLast = 0x1p-44;
   for (double w_end = kFirst; w_end >= kLast; w_end *= 0.5) {
     const auto tube = tube_to(system, cusp, w_end);
-    if (!tube || !stays_inside(*tube, w_end) || !is_monotone(*tube, w_end)) {
+    const Course found = tube ? course(*tube, place, w_end) : Course::unknown;
+    if (found == Course::unknown) {
       continue;
     }
-    const BallPoint<Ball> gate = point_at(*tube, 0.5 * w_end);
-    return CuspArc<Ball>{system.chart(), *tube, cusp.at, w_end, pair_of(system.chart(), gate)};
+    CuspArc<Ball> arc = {system.chart(), place, found == Course::leaves, *tube, cusp.at, w_end, {}};
+    if (!arc.leaves) {
+      arc.gate = pair_of(system.chart(), point_at(*tube, 0.5 * w_end));
+    }
+    return arc;
   }
   return std::nullopt;
 }
@@ -139,7 +218,19 @@ Node cusp_node(const ChartSystem<Ball>& system, const CuspArc<Ball>& arc, const 
   Node node;
   node.id = 0;
   node.kinds = {NodeKind::cusp};
+  for (std::size_t j = 0; j < 4; ++j) {
+    const auto& side = arc.place.side[(j + first) % 2];
+    if (side) {
+      node.on.push_back({static_cast<Parameter>(j), *side});
+    }
+  }
+  if (!node.on.empty()) {
+    node.kinds.push_back(NodeKind::boundary);
+  }
   node.box = {u, v, u, v};
+  for (const Side& side : node.on) {
+    node.box[index(side.parameter)] = {side.value, side.value};
+  }
   node.approx = vertex.parameters;
   node.point = vertex.point;
   return node;
@@ -167,7 +258,11 @@ CuspPolyline cusp_polyline(const ChartSystem<Ball>& system, const CuspArc<Ball>&
 }
 
 #define EXSECT_INSTANTIATE_CUSP_ARC(Ball)                                                                \
-  template std::optional<CuspArc<Ball>> cusp_arc(const ChartSystem<Ball>&, const ChartCusp<Ball>&);      \
+  template CuspPlace exact_place(const ChartSystem<Ball>&, const ChartCusp<Ball>&, const SpecialCusps&,  \
+                                 const Rational&);                                                       \
+                                                                                                         \
+  template std::optional<CuspArc<Ball>> cusp_arc(const ChartSystem<Ball>&, const ChartCusp<Ball>&,       \
+                                                 const CuspPlace&);                                      \
   template bool passes_through(const CuspArc<Ball>&, Chart, const BallPoint<Ball>&);                     \
   template Node cusp_node(const ChartSystem<Ball>&, const CuspArc<Ball>&, const ModelFrame&);            \
   template CuspPolyline cusp_polyline(const ChartSystem<Ball>&, const CuspArc<Ball>&, const ModelFrame&, \

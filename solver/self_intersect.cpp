@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -97,12 +98,13 @@ class SelfIntersection {
       result_.incomplete.push_back({whole_domain(), "the work cap was reached"});
       return;
     }
-    timed("boundary points", [this] { boundary_ = self_boundary(x_); });
-    if (!boundary_.problems.empty()) {
-      result_.incomplete = boundary_.problems;
+    timed("exact places", [this] {
+      exact_ = {self_boundary(x_), special_cusps(x_), coincident_parameters(x_, x_)};
+    });
+    if (!exact_.boundary.problems.empty()) {
+      result_.incomplete = exact_.boundary.problems;
       return;
     }
-    coincident_ = coincident_parameters(x_, x_);
     if (!trace_and_build<DoubleBall>(power_of_two(-50), false)) {
       trace_and_build<ArbBall<256>>(power_of_two(-200), true);
     }
@@ -114,7 +116,7 @@ class SelfIntersection {
   bool trace_and_build(const Rational& width, bool last) {
     const SelfSystem<Ball> system(x_, scaling_.origin, scaling_.frame.exponent);
     SelfCurves<Ball> found;
-    timed("tracing", [&] { found = trace_self_curves(system, boundary_, coincident_, width, stop_); });
+    timed("tracing", [&] { found = trace_self_curves(system, exact_, width, stop_); });
     if (!found.problems.empty() && !last && !out_of_time()) {
       return false;
     }
@@ -127,13 +129,13 @@ class SelfIntersection {
   template <class Ball>
   void build_graph(const SelfSystem<Ball>& system, const SelfCurves<Ball>& found) {
     IntersectionGraph& graph = result_.graph;
-    const std::size_t boundary = boundary_.points.size();
+    const std::size_t boundary = exact_.boundary.points.size();
     for (std::size_t i = 0; i < found.landmarks.size(); ++i) {
       ParameterBox box;
       for (std::size_t j = 0; j < 4; ++j) {
-        box[j] = i < boundary ? boundary_.points[i].box()[j] : found.landmarks[i][j].interval();
+        box[j] = i < boundary ? exact_.boundary.points[i].box()[j] : found.landmarks[i][j].interval();
       }
-      const std::vector<Side> sides = i < boundary ? boundary_.points[i].sides() : std::vector<Side>{};
+      const std::vector<Side> sides = i < boundary ? exact_.boundary.points[i].sides() : std::vector<Side>{};
       graph.nodes.push_back(boundary_node(system.pair, scaling_.frame, found.landmarks[i], box, sides));
       graph.nodes.back().id = static_cast<int>(i);
     }
@@ -142,9 +144,11 @@ class SelfIntersection {
     const double tolerance = options_.tolerance * scaling_.extent;
     const double used =
         options_.tolerance < kFinestTolerance ? kCoarseTolerance * scaling_.extent : tolerance;
-    for (const AnalysedTrace<Ball>& curve : found.curves) {
-      append_trace(graph, curve, scaling_.frame, options_.turning, used);
-      result_.work.steps["tubes"] += static_cast<double>(curve.trace.pieces.size());
+    for (const SelfCurve<Ball>& curve : found.curves) {
+      const std::size_t first = graph.arcs.size();
+      append_trace(graph, curve.analysed, scaling_.frame, options_.turning, used);
+      put_on_side(graph, first, curve.along);
+      result_.work.steps["tubes"] += static_cast<double>(curve.analysed.trace.pieces.size());
     }
     attach_cusps(system, found, used);
     for (const Arc& arc : graph.arcs) {
@@ -157,11 +161,22 @@ class SelfIntersection {
     }
   }
 
+  /// The arcs from index `first` on lie on the side in both preimages.
+  static void put_on_side(IntersectionGraph& graph, std::size_t first, const std::optional<Side>& side) {
+    for (std::size_t i = first; side && i < graph.arcs.size(); ++i) {
+      graph.arcs[i].place = ArcPlace::patch_boundary;
+      for (PolylineVertex& vertex : graph.arcs[i].polyline) {
+        vertex.parameters[index(side->parameter)] = side->value;
+        vertex.parameters[index(side->parameter) + 2] = side->value;
+      }
+    }
+  }
+
   /// Arcs that end at a gate are continued to the cuspidal point.
   template <class Ball>
   void attach_cusps(const SelfSystem<Ball>& system, const SelfCurves<Ball>& found, double tolerance) {
     IntersectionGraph& graph = result_.graph;
-    const std::size_t first_gate = boundary_.points.size();
+    const std::size_t first_gate = exact_.boundary.points.size();
     const std::size_t after_gates = found.landmarks.size();
     for (std::size_t k = 0; k < found.cusps.size(); ++k) {
       const CuspArc<Ball>& cusp = found.cusps[k];
@@ -205,8 +220,7 @@ class SelfIntersection {
   Clock::time_point start_ = Clock::now();
   Scaling scaling_;
   StopRequest stop_;
-  SelfBoundary boundary_;
-  std::array<std::size_t, 4> coincident_{};
+  ExactPlaces exact_{};
   IntersectResult result_{};
   double progress_ = 0;
 };

@@ -61,8 +61,8 @@ template <class Ball>
 class TurningSearch {
  public:
   TurningSearch(const PairSystem<Ball>& system, Trace<Ball>& trace,
-                const std::array<std::size_t, 4>& coincident)
-      : system_(system), trace_(trace), coincident_(coincident) {}
+                const std::array<std::size_t, 4>& coincident, const std::array<bool, 4>& constant)
+      : system_(system), trace_(trace), coincident_(coincident), constant_(constant) {}
 
   std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> run() {
     if (!split_pieces()) {
@@ -71,7 +71,7 @@ class TurningSearch {
     for (std::size_t k = 0; k < trace_.pieces.size(); ++k) {
       const std::size_t before = found_.size();
       for (std::size_t i = 0; i < 4; ++i) {
-        if ((i < 2 || coincident_[i] == i) && !search(k, i)) {
+        if (!constant_[i] && (i < 2 || coincident_[i] == i) && !search(k, i)) {
           return failure_;
         }
       }
@@ -95,7 +95,7 @@ class TurningSearch {
       waiting.pop_back();
       bool simple = true;
       for (std::size_t i = 0; i < 4; ++i) {
-        simple = simple && (is_monotone(piece.tube, i) || turns_at_most_once(piece.tube, i));
+        simple = simple && (constant_[i] || is_monotone(piece.tube, i) || turns_at_most_once(piece.tube, i));
       }
       if (simple) {
         done.push_back(std::move(piece));
@@ -245,6 +245,7 @@ class TurningSearch {
   const PairSystem<Ball>& system_;
   Trace<Ball>& trace_;
   const std::array<std::size_t, 4>& coincident_;
+  const std::array<bool, 4>& constant_;
   std::vector<TurningPoint<Ball>> found_;
   TraceFailure failure_;
 };
@@ -273,13 +274,14 @@ std::array<std::size_t, 4> coincident_parameters(const BezierPatch& x, const Bez
 
 template <class Ball>
 std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(
-    const PairSystem<Ball>& system, Trace<Ball>& trace, const std::array<std::size_t, 4>& coincident) {
-  return TurningSearch<Ball>(system, trace, coincident).run();
+    const PairSystem<Ball>& system, Trace<Ball>& trace, const std::array<std::size_t, 4>& coincident,
+    const std::array<bool, 4>& constant) {
+  return TurningSearch<Ball>(system, trace, coincident, constant).run();
 }
 
 #define EXSECT_INSTANTIATE_TURNING(Ball)                                                    \
   template std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points( \
-      const PairSystem<Ball>&, Trace<Ball>&, const std::array<std::size_t, 4>&);
+      const PairSystem<Ball>&, Trace<Ball>&, const std::array<std::size_t, 4>&, const std::array<bool, 4>&);
 
 EXSECT_INSTANTIATE_TURNING(DoubleBall)
 EXSECT_INSTANTIATE_TURNING(ArbBall<256>)

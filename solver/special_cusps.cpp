@@ -1,0 +1,69 @@
+#include "special_cusps.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace exsect {
+namespace {
+
+using PolynomialVector = std::array<Polynomial, 3>;
+
+Polynomial common_divisor(const PolynomialVector& f) { return gcd(gcd(f[0], f[1]), f[2]); }
+
+PolynomialVector cross(const PolynomialVector& a, const PolynomialVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The coefficient of u^i as a polynomial in v.
+PolynomialVector coefficient_of_u(const ControlNet& power, std::size_t i) {
+  PolynomialVector result;
+  for (std::size_t k = 0; k < 3; ++k)
+    result[k] = Polynomial(std::vector<Rational>{power[i][0][k], power[i][1][k], power[i][2][k]});
+  return result;
+}
+
+std::optional<int> end_of(const BivariatePolynomial& f, const TriangularPoint& at) {
+  for (const int value : {0, 1})
+    if (sign_at(f - BivariatePolynomial::constant(value), at) == 0) return value;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<FoldedLine> folded_lines(const BezierPatch& x) {
+  const ControlNet power = x.power_basis();
+  const PolynomialVector c1 = coefficient_of_u(power, 1);
+  const PolynomialVector c2 = coefficient_of_u(power, 2);
+  const Polynomial straight = common_divisor(cross(c1, c2));
+  std::vector<FoldedLine> result;
+  if (straight.is_zero()) return result;
+  for (const RealAlgebraic& v : real_roots(straight, 0, 1)) {
+    const auto k = std::ranges::find_if(c2, [&](const Polynomial& f) { return sign_at(f, v) != 0; });
+    if (k == c2.end()) continue;
+    // c1 is parallel to c2 at v, so that one coordinate of x_u = c1 + 2 u c2 decides.
+    const BivariatePolynomial turn({c1[static_cast<std::size_t>(k - c2.begin())], Polynomial(2) * *k});
+    for (const TriangularPoint& at : roots_at(turn, v, 0, 1))
+      result.push_back({at, {end_of(BivariatePolynomial::r(), at), end_of(BivariatePolynomial::s(), at)}});
+  }
+  return result;
+}
+
+std::vector<SideCusp> side_cusps(const BezierPatch& x) {
+  std::vector<SideCusp> result;
+  for (const int side : {0, 1}) {
+    const ControlNet power = x.restricted_to(side, side + 1, 0, 1).power_basis();
+    const PolynomialVector along = coefficient_of_u(power, 0);
+    const PolynomialVector x_v = {along[0].derivative(), along[1].derivative(), along[2].derivative()};
+    const Polynomial cuspidal = common_divisor(cross(coefficient_of_u(power, 1), x_v));
+    if (cuspidal.is_zero()) continue;
+    for (const RealAlgebraic& v : real_roots(cuspidal, 0, 1)) result.push_back({side, v});
+  }
+  return result;
+}
+
+SpecialCusps special_cusps(const BezierPatch& x) {
+  const BezierPatch exchanged = x.exchanged();
+  return {{folded_lines(x), folded_lines(exchanged)}, {side_cusps(x), side_cusps(exchanged)}};
+}
+
+}  // namespace exsect

@@ -1,0 +1,147 @@
+// Self-intersections of patches in special position: folded lines, cuspidal points on sides, folds, collapsed
+// sides.
+#include <exsect/solver/self_intersect.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "../../solver/special_cusps.h"
+#include "support/catch.h"
+
+using namespace exsect;
+
+namespace {
+
+const Rational half(1, 2);
+
+struct Term {
+  int i;
+  int j;
+  Point p;
+};
+
+BezierPatch patch(const std::vector<Term>& terms) {
+  ControlNet c{};
+  for (const Term& term : terms) {
+    Point& entry = c[static_cast<std::size_t>(term.i)][static_cast<std::size_t>(term.j)];
+    entry = entry + term.p;
+  }
+  return BezierPatch::from_power_basis(c);
+}
+
+/// (a, b^2, a b) with a = u - u0, b = v - v0: the Whitney umbrella, x(u0, v0 + t) = x(u0, v0 - t).
+BezierPatch umbrella(const Rational& u0, const Rational& v0) {
+  return patch({{1, 0, {1, 0, -v0}}, {0, 1, {0, -2 * v0, -u0}}, {0, 2, {0, 1, 0}}, {1, 1, {0, 0, 1}}});
+}
+
+void check_incomplete(const BezierPatch& x, const std::string& reason) {
+  const auto result = self_intersect(x);
+  REQUIRE(result.status == Status::incomplete);
+  CAPTURE(result.incomplete.front().why);
+  CHECK(result.incomplete.front().why.find(reason) != std::string::npos);
+  CHECK(result.work.milliseconds < 20000);
+}
+
+void check_nothing(const BezierPatch& x) {
+  const auto result = self_intersect(x);
+  CHECK(result.status == Status::complete);
+  CHECK(result.graph.nodes.empty());
+}
+
+/// One arc from the pair `end` on the boundary to the cuspidal point.
+void check_fold(const BezierPatch& x, const std::array<double, 4>& end, const std::array<double, 2>& cusp,
+                ArcPlace place) {
+  const auto result = self_intersect(x);
+  REQUIRE(result.status == Status::complete);
+  const IntersectionGraph& graph = result.graph;
+  REQUIRE(graph.components.size() == 1);
+  REQUIRE(graph.arcs.size() == 1);
+  REQUIRE(graph.nodes.size() == 2);
+  CHECK(graph.arcs[0].place == place);
+  for (const Node& node : graph.nodes) {
+    if (node.kinds.front() == NodeKind::cusp) {
+      for (std::size_t j = 0; j < 4; ++j) CHECK(std::fabs(node.approx[j] - cusp[j % 2]) < 1e-13);
+    } else {
+      const std::size_t shift =
+          std::fabs(node.approx[0] - end[0]) + std::fabs(node.approx[1] - end[1]) < 1e-9 ? 0 : 2;
+      for (std::size_t j = 0; j < 4; ++j) CHECK(std::fabs(node.approx[(j + shift) % 4] - end[j]) < 1e-13);
+    }
+  }
+  for (const PolylineVertex& v : graph.arcs[0].polyline) {
+    CHECK(std::fabs(v.parameters[0] - cusp[0]) < 1e-13);
+    CHECK(std::fabs(v.parameters[2] - cusp[0]) < 1e-13);
+    CHECK(std::fabs(v.parameters[1] + v.parameters[3] - 2 * cusp[1]) < 1e-12);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("folded lines and cuspidal points on sides are exact") {
+  const auto umbrellas = folded_lines(umbrella(Rational(1, 3), half).exchanged());
+  REQUIRE(umbrellas.size() == 1);
+  CHECK(umbrellas[0].turn.s() == RealAlgebraic(Rational(1, 3)));
+  CHECK(sign_at(BivariatePolynomial::r() - BivariatePolynomial::constant(half), umbrellas[0].turn) == 0);
+  CHECK(!umbrellas[0].side[0]);
+  CHECK(!umbrellas[0].side[1]);
+  CHECK(folded_lines(umbrella(Rational(1, 3), half)).empty());
+  const auto corner = folded_lines(umbrella(0, 1).exchanged());
+  REQUIRE(corner.size() == 1);
+  CHECK(corner[0].side[0] == 1);
+  CHECK(corner[0].side[1] == 0);
+  CHECK(folded_lines(umbrella(2, half).exchanged()).empty());
+  const auto cusps = side_cusps(umbrella(0, Rational(1, 4)));
+  REQUIRE(cusps.size() == 1);
+  CHECK(cusps[0].side == 0);
+  CHECK(cusps[0].at == RealAlgebraic(Rational(1, 4)));
+  CHECK(side_cusps(umbrella(half, half)).empty());
+}
+
+TEST_CASE("self_intersect: Whitney umbrellas") {
+  check_fold(umbrella(half, half), {0.5, 1, 0.5, 0}, {0.5, 0.5}, ArcPlace::interior);
+  check_fold(umbrella(Rational(1, 3), Rational(1, 4)), {1.0 / 3, 0.5, 1.0 / 3, 0}, {1.0 / 3, 0.25},
+             ArcPlace::interior);
+  check_fold(umbrella(Rational(1, 3), Rational(3, 4)), {1.0 / 3, 0.5, 1.0 / 3, 1}, {1.0 / 3, 0.75},
+             ArcPlace::interior);
+  check_fold(umbrella(0, half), {0, 1, 0, 0}, {0, 0.5}, ArcPlace::patch_boundary);
+  check_fold(umbrella(1, Rational(1, 4)), {1, 0.5, 1, 0}, {1, 0.25}, ArcPlace::patch_boundary);
+  // The turn is on the line's end or outside, the line is run through once.
+  check_nothing(umbrella(half, 0));
+  check_nothing(umbrella(half, 1));
+  check_nothing(umbrella(0, 0));
+  check_nothing(umbrella(Rational(-1, 1000), half));
+  check_nothing(umbrella(half, Rational(1001, 1000)));
+}
+
+TEST_CASE("self_intersect: an umbrella sheared against the parameters") {
+  // a = u - 1/3, b = v - 1/2; u is replaced by u + v b: the fold is no parameter line, the cusp is the same.
+  const Rational third(1, 3);
+  const BezierPatch x = patch({{1, 0, {1, 0, -half}},
+                               {0, 1, {0, -1, -third}},
+                               {0, 2, {0, 1, half}},
+                               {1, 1, {0, half, 1}},
+                               {2, 0, {0, 0, Rational(1, 5)}},
+                               {0, 0, {0, 0, 0}}});
+  const auto result = self_intersect(x);
+  CHECK(result.status == Status::complete);
+  for (const Node& node : result.graph.nodes)
+    CHECK((node.kinds.front() == NodeKind::cusp || !node.on.empty() || !node.wrt.empty()));
+}
+
+TEST_CASE("self_intersect: patches that do not meet themselves") {
+  check_nothing(patch({{1, 0, {1, 0, 0}}, {0, 1, {0, 1, 0}}}));                     // plane
+  check_nothing(patch({{1, 0, {1, 0, 0}}, {0, 1, {0, 1, 0}}, {1, 1, {0, 0, 1}}}));  // bilinear
+  check_nothing(patch({{1, 0, {1, 0, 0}}, {0, 1, {0, 1, 0}}, {2, 2, {0, 0, 1}}}));  // graph
+  check_nothing(
+      patch({{1, 0, {1, 0, 0}}, {0, 1, {0, 1, 0}}, {2, 0, {0, Rational(1, 4), 0}}}));  // plane, curved
+}
+
+TEST_CASE("self_intersect: folds, collapsed sides and curves are incomplete with a reason") {
+  // (2u-1)^2 and u^2 - u: every pair u, 1-u.
+  check_incomplete(patch({{2, 0, {4, 0, 0}}, {1, 0, {-4, 0, 0}}, {0, 0, {1, 0, 0}}, {0, 1, {0, 1, 0}}}),
+                   "meets the patch along a curve");
+  check_incomplete(patch({{2, 0, {1, 0, 0}}, {0, 1, {0, 1, 0}}}), "cuspidal in whole");
+  check_incomplete(patch({{1, 0, {1, 0, 0}}, {1, 1, {0, 1, 0}}, {1, 2, {0, 0, 1}}}), "is one point");
+  check_incomplete(patch({{0, 0, {1, 2, 3}}}), "is one point");
+  check_incomplete(patch({{1, 0, {1, 0, 0}}, {2, 0, {0, 1, 0}}}), "is one point");
+}
