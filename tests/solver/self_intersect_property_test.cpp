@@ -1,0 +1,247 @@
+// Laws that hold for every patch against itself, closed curves, and agreement with exact fibres and with the
+// oracle for pairs.
+#include <exsect/solver/self_intersect.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "support/catch.h"
+#include "support/graph_isomorphism.h"
+#include "support/oracle.h"
+#include "support/random_pairs.h"
+#include "support/self_locus.h"
+
+namespace exsect {
+namespace {
+
+using random_pairs::Generator;
+using Family = BezierPatch (*)(Generator&);
+
+BezierPatch integers(Generator& generator, long largest) {
+  ControlNet net;
+  for (auto& row : net)
+    for (Point& p : row)
+      for (Rational& c : p) c = random_pairs::integer(generator, -largest, largest);
+  return BezierPatch(net);
+}
+
+/// Crumpled: usually one to three curves.
+BezierPatch scattered(Generator& generator) { return integers(generator, 1000); }
+/// More of the surface, strongly folded.
+BezierPatch extended(Generator& generator) { return integers(generator, 50).restricted_to(-1, 2, -1, 2); }
+/// 53 random bits.
+BezierPatch doubles(Generator& generator) {
+  ControlNet net;
+  for (auto& row : net)
+    for (Point& p : row)
+      for (Rational& c : p) c = from_double(static_cast<double>(generator() >> 11U) * 0x1p-53);
+  return BezierPatch(net);
+}
+
+/// The pairs of the component in the other order.
+void exchange(IntersectionGraph& graph, const Component& component) {
+  const auto other = [](Parameter p) { return static_cast<Parameter>((index(p) + 2) % 4); };
+  std::vector<bool> done(graph.nodes.size(), false);
+  for (const int id : component.arcs) {
+    Arc& arc = graph.arcs[static_cast<std::size_t>(id)];
+    for (PolylineVertex& v : arc.polyline)
+      v.parameters = {v.parameters[2], v.parameters[3], v.parameters[0], v.parameters[1]};
+    for (const int end : {arc.from, arc.to}) {
+      const auto i = static_cast<std::size_t>(end);
+      if (done[i]) continue;
+      done[i] = true;
+      Node& node = graph.nodes[i];
+      node.approx = {node.approx[2], node.approx[3], node.approx[0], node.approx[1]};
+      node.box = {node.box[2], node.box[3], node.box[0], node.box[1]};
+      for (Parameter& p : node.wrt) p = other(p);
+      for (Side& side : node.on) side.parameter = other(side.parameter);
+    }
+  }
+}
+
+/// Components in the order of their pairs in which u1 + v1/3 is the smaller one at the node where the two
+/// differ most, up to `renaming`, which is then undone by difference().
+IntersectionGraph normalised(IntersectionGraph graph, const Renaming& renaming) {
+  for (const Component& component : graph.components) {
+    double most = 0;
+    for (const int id : component.arcs)
+      for (const int end :
+           {graph.arcs[static_cast<std::size_t>(id)].from, graph.arcs[static_cast<std::size_t>(id)].to}) {
+        const auto& at = graph.nodes[static_cast<std::size_t>(end)].approx;
+        std::array<double, 4> z{};  // in the parameters of the first graph
+        for (std::size_t j = 0; j < 4; ++j)
+          z[j] = renaming.reversed[j] ? 1 - at[renaming.to[j]] : at[renaming.to[j]];
+        const double d = z[0] + z[1] / 3 - z[2] - z[3] / 3;
+        most = std::fabs(d) > std::fabs(most) + 1e-9 ? d : most;
+      }
+    if (most > 0) exchange(graph, component);
+  }
+  return graph;
+}
+
+struct Change {
+  const char* name;
+  std::function<BezierPatch(const BezierPatch&, Generator&)> apply;
+  Renaming renaming;
+};
+
+std::vector<Change> changes() {
+  return {
+      {"u and v exchanged",
+       [](const BezierPatch& x, Generator&) { return x.exchanged(); },
+       {{1, 0, 3, 2}, {}}},
+      {"u reversed",
+       [](const BezierPatch& x, Generator&) { return x.reversed_first(); },
+       {{0, 1, 2, 3}, {true, false, true, false}}},
+      {"v reversed",
+       [](const BezierPatch& x, Generator&) { return x.reversed_second(); },
+       {{0, 1, 2, 3}, {false, true, false, true}}},
+      {"mapped affinely",
+       [](const BezierPatch& x, Generator& generator) { return random_pairs::affine_map(generator)(x); },
+       {}},
+  };
+}
+
+void check_changes(Family family, std::uint64_t count) {
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    Generator generator(seed);
+    const BezierPatch x = family(generator);
+    const auto result = self_intersect(x);
+    for (const Change& change : changes()) {
+      INFO("seed " << seed << ", " << change.name);
+      const auto other = self_intersect(change.apply(x, generator));
+      CHECK(other.status == result.status);
+      CHECK(difference(normalised(result.graph, {}), normalised(other.graph, change.renaming),
+                       change.renaming) == "");
+    }
+  }
+}
+
+/// Complete, and as many crossings of parameter lines as their exact fibres have points.
+void check_fibres(const BezierPatch& x, int samples) {
+  const auto result = self_intersect(x);
+  REQUIRE(result.status == Status::complete);
+  for (const std::size_t parameter : {0U, 1U})
+    for (int k = 0; k < samples; ++k) {
+      const Rational value(2 * k + 1, 2 * samples + 1);
+      CAPTURE(parameter, value);
+      CHECK(testing::polyline_crossings(result.graph, parameter, to_double(value)) ==
+            static_cast<int>(testing::self_fibre(x, parameter, value).size()));
+    }
+}
+
+void check_fibres(Family family, std::uint64_t count) {
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    check_fibres(family(generator), 6);
+  }
+}
+
+double distance(const oracle::Vector4& p, const IntersectionGraph& graph) {
+  double best = 1;
+  for (const Arc& arc : graph.arcs)
+    for (std::size_t i = 0; i + 1 < arc.polyline.size(); ++i)
+      for (const std::size_t shift : {0U, 2U}) {
+        const auto& a = arc.polyline[i].parameters;
+        const auto& b = arc.polyline[i + 1].parameters;
+        double along = 0;
+        double length2 = 1e-300;
+        for (std::size_t j = 0; j < 4; ++j) {
+          along += (p[(j + shift) % 4] - a[j]) * (b[j] - a[j]);
+          length2 += (b[j] - a[j]) * (b[j] - a[j]);
+        }
+        const double t = std::clamp(along / length2, 0.0, 1.0);
+        double d = 0;
+        for (std::size_t j = 0; j < 4; ++j)
+          d = std::max(d, std::fabs(a[j] + t * (b[j] - a[j]) - p[(j + shift) % 4]));
+        best = std::min(best, d);
+      }
+  return best;
+}
+
+/// Two pieces of one patch that do not touch in its parameters: what the oracle finds of their intersection
+/// is on the self-intersection of the whole.
+int check_pieces(const BezierPatch& x) {
+  const auto result = self_intersect(x);
+  REQUIRE(result.status == Status::complete);
+  const Rational a(9, 20);
+  const Rational b(11, 20);
+  const auto found = oracle::intersect(x.restricted_to(0, a, 0, 1), x.restricted_to(b, 1, 0, 1));
+  int points = 0;
+  for (const oracle::Curve& curve : found.curves)
+    for (const oracle::Vector4& p : curve.points) {
+      const oracle::Vector4 whole = {p[0] * 0.45, p[1], 0.55 + 0.45 * p[2], p[3]};
+      CHECK(distance(whole, result.graph) < 1e-2);
+      ++points;
+    }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("self_intersect: parameters exchanged, reversed, affine maps") {
+  check_changes(scattered, 6);
+  check_changes(extended, 2);
+}
+
+TEST_CASE("self_intersect: random patches agree with exact fibres") {
+  check_fibres(scattered, 12);
+  check_fibres(extended, 3);
+  check_fibres(doubles, 3);
+}
+
+TEST_CASE("self_intersect: pieces of a patch agree with the oracle for pairs") {
+  int points = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    points += check_pieces(scattered(generator));
+  }
+  CHECK(points > 100);
+}
+
+TEST_CASE("self_intersect: closed curves") {
+  const auto net = [](const std::array<std::array<int, 3>, 9>& points) {
+    ControlNet result;
+    for (std::size_t i = 0; i < 9; ++i) result[i / 3][i % 3] = {points[i][0], points[i][1], points[i][2]};
+    return BezierPatch(result);
+  };
+  const BezierPatch first =
+      net({{{30, -34, -22},
+            {21, 14, -2},
+            {-45, -12, 3},
+            {-5, 39, 36},
+            {-11, 49, -30},
+            {14, -8, -23},
+            {41, -8, 41},
+            {-16, -26, 43},
+            {25, -36, -10}}})
+          .restricted_to(Rational(-1, 2), Rational(15, 8), Rational(-4, 5), Rational(4, 3));
+  const BezierPatch second = net({{{48, 12, 6},
+                                   {19, 3, -50},
+                                   {-11, 16, -37},
+                                   {-41, -48, -29},
+                                   {-45, 44, -45},
+                                   {-44, 9, -4},
+                                   {-36, -44, 28},
+                                   {-3, 41, -22},
+                                   {13, 26, -8}}})
+                                 .restricted_to(-4, 5, -4, 5);
+  for (const BezierPatch& x : {first, second}) {
+    const auto result = self_intersect(x);
+    REQUIRE(result.status == Status::complete);
+    CHECK(result.graph.count(ComponentShape::closed) == 1);
+    check_fibres(x, 20);
+    // A closed curve keeps its turning points as nodes.
+    IntersectOptions options;
+    options.turning = {};
+    const auto plain = self_intersect(x, options);
+    CHECK(plain.status == Status::complete);
+    CHECK(plain.graph.count(ComponentShape::closed) == 1);
+  }
+}
+
+}  // namespace exsect
