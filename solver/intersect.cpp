@@ -10,6 +10,7 @@
 #include "critical_values.h"
 #include "degenerate_patches.h"
 #include "model_scale.h"
+#include "overlaps.h"
 #include "traced_curves.h"
 
 namespace exsect {
@@ -199,6 +200,9 @@ class Intersection {
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
   check(options);
   if (std::optional<IntersectResult> result = intersect_degenerate(x, y, options)) {
+    return std::move(*result);
+  }
+  if (std::optional<IntersectResult> result = intersect_on_one_surface(x, y, options)) {
     return std::move(*result);
   }
   return Intersection(x, y, options).run();

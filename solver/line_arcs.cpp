@@ -48,6 +48,9 @@ Point normal_at(const BezierPatch& patch, const Rational& a, const Rational& b) 
   return cross(patch.derivative_first(a, b), patch.derivative_second(a, b));
 }
 
+constexpr int kMostRuns = 64;
+constexpr int kMostHalvings = 6;
+
 class LineArcSearch {
  public:
   LineArcSearch(const BezierPatch& x, const BezierPatch& y, const LineQuery& query, const ModelScale& scale,
@@ -70,7 +73,6 @@ class LineArcSearch {
     find_collapsed(constant);
     moving_ = exact_quotient(curve, constant);
     if (moving_.degree_r() <= 0 && moving_.degree_s() <= 0) return std::move(result_);
-    if (system_->pieces.size() > 1) return failed("a folded line lies on the patch, in whole or in part");
     find_events();
     for (std::size_t i = 0; i + 1 < values_.size() && !result_.incomplete; ++i) trace_over_gap(i);
     return std::move(result_);
@@ -151,43 +153,117 @@ class LineArcSearch {
   /// Between neighbouring values the curve is a covering: every arc over the gap has a point over the sample.
   void trace_over_gap(std::size_t i) {
     const Rational sample = rational_between(values_[i], values_[i + 1]);
-    for (const TriangularPoint& p : common_points(moving_, shifted(system_->lambda, sample)))
-      for (const CertifiedPoint& inside : certified(p)) {
-        if (result_.incomplete) return;
-        trace_through(inside);
-      }
-  }
-
-  void trace_through(const CertifiedPoint& inside) {
-    for (const RibbonNormal& normal : normals(inside)) {
-      if (attempt<DoubleBall>(inside, normal, power_of_two(-50)) ||
-          attempt<ArbBall<256>>(inside, normal, power_of_two(-200)))
-        return;
+    for (const CertifiedPoint& inside : points_over(sample)) {
+      if (result_.incomplete) return;
+      trace_through(inside);
     }
-    result_.incomplete = "a part of the line on the patch could not be traced: " + why_;
   }
 
-  /// The normal of the line's own patch, interpolated; the other patch's normal at the sample.
-  std::vector<RibbonNormal> normals(const CertifiedPoint& inside) const {
+  std::vector<CertifiedPoint> points_over(const Rational& lambda) const {
+    std::vector<CertifiedPoint> points;
+    for (const TriangularPoint& p : common_points(moving_, shifted(system_->lambda, lambda)))
+      for (CertifiedPoint& point : certified(p)) points.push_back(std::move(point));
+    return points;
+  }
+
+  /// The arc through a point, unless it is known: exactly one begins at a regular event.
+  void trace_through(const CertifiedPoint& inside) {
+    const auto back = run_from(inside, -1);
+    if (back && std::count(starts_.begin(), starts_.end(), back->end) > 0) return;
+    const auto ahead = back ? run_from(inside, 1) : std::nullopt;
+    if (!ahead) {
+      result_.incomplete = "a part of the line on the patch could not be traced: " + why_;
+      return;
+    }
+    std::vector<PolylineVertex> polyline(back->polyline.rbegin(), back->polyline.rend());
+    polyline.insert(polyline.end(), ahead->polyline.begin() + 1, ahead->polyline.end());
+    for (PolylineVertex& vertex : polyline) {
+      const std::array<double, 4> p = vertex.parameters;
+      vertex.parameters[index(place_.roles.fixed)] = to_double(place_.value);
+      vertex.parameters[index(place_.roles.line)] = p[0];
+      vertex.parameters[index(place_.roles.first)] = p[2];
+      vertex.parameters[index(place_.roles.second)] = p[3];
+    }
+    starts_.push_back(back->end);
+    result_.arcs.push_back({static_cast<std::size_t>(back->end), static_cast<std::size_t>(ahead->end), inside,
+                            std::move(polyline), std::max(back->error_bound, ahead->error_bound)});
+  }
+
+  /// A part of an arc from a point to an event, or to a point over a rational value.
+  struct Run {
+    int end;  // index of an event, or of one of the targets after the events
+    std::vector<PolylineVertex> polyline;
+    double error_bound;
+  };
+
+  /// From a point to the next event, t falling or rising: in one run, or in shorter ones on ribbons of their
+  /// own.
+  std::optional<Run> run_from(CertifiedPoint at, int direction) {
+    Run all{-1, {}, 0};
+    for (int runs = 0; runs < kMostRuns; ++runs) {
+      std::vector<CertifiedPoint> targets;
+      const auto run = next_run(at, direction, targets);
+      if (!run) return std::nullopt;
+      all.polyline.insert(all.polyline.end(), run->polyline.begin() + (runs == 0 ? 0 : 1),
+                          run->polyline.end());
+      all.error_bound = std::max(all.error_bound, run->error_bound);
+      all.end = run->end;
+      const auto events = static_cast<int>(result_.ends.size());
+      if (run->end < events) return all;
+      at = targets[static_cast<std::size_t>(run->end - events)];
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Run> next_run(const CertifiedPoint& at, int direction, std::vector<CertifiedPoint>& targets) {
+    const Rational here = at.box()[index(place_.roles.line)].midpoint();
+    const Rational limit = direction > 0 ? 1 : 0;
+    for (int halvings = 0; halvings < kMostHalvings; ++halvings) {
+      const Rational step = (limit - here) * power_of_two(-halvings);
+      const Rational there =
+          halvings == 0 ? limit : simplest_between(here + step - abs(step) / 8, here + step + abs(step) / 8);
+      targets.clear();
+      if (halvings > 0) targets = points_over(system_->phi(there));
+      for (const RibbonNormal& normal : normals(at, here, there))
+        if (auto run = attempt<DoubleBall>(at, direction, targets, normal, power_of_two(-50))) return run;
+    }
+    targets.clear();
+    return attempt<ArbBall<256>>(at, direction, targets, normals(at, here, limit).front(),
+                                 power_of_two(-200));
+  }
+
+  /// The normal of the line's own patch, interpolated between two places; the other patch's normal at the
+  /// point.
+  std::vector<RibbonNormal> normals(const CertifiedPoint& point, const Rational& from,
+                                    const Rational& to) const {
     std::vector<RibbonNormal> result;
     const bool along_second = place_.roles.fixed == Parameter::u || place_.roles.fixed == Parameter::r;
     std::array<Point, 3> at;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Rational t(static_cast<int>(i), 2);
+      const Rational t = from + Rational(static_cast<int>(i), 2) * (to - from);
       at[i] =
           with_length(along_second ? normal_at(owner_, place_.value, t) : normal_at(owner_, t, place_.value),
                       scale_.extent);
     }
-    if (std::none_of(at.begin(), at.end(), is_zero)) {
-      const auto& [a, m, b] = at;
-      result.push_back({a, Rational(4) * m - Rational(3) * a - b, Rational(2) * (a + b) - Rational(4) * m});
-    }
-    const ParameterBox& box = inside.box();
+    if (from != to && std::none_of(at.begin(), at.end(), is_zero))
+      result.push_back(interpolated(at, from, to));
+    const ParameterBox& box = point.box();
     const Point n = with_length(normal_at(problem_.patch, box[index(place_.roles.first)].midpoint(),
                                           box[index(place_.roles.second)].midpoint()),
                                 scale_.extent);
     result.push_back({n, Point{0, 0, 0}, Point{0, 0, 0}});
     return result;
+  }
+
+  /// The quadratic polynomial with the given values at `from`, the middle and `to`.
+  static RibbonNormal interpolated(const std::array<Point, 3>& at, const Rational& from, const Rational& to) {
+    const auto& [a, m, b] = at;  // at tau = 0, 1/2, 1, t = from + tau (to - from)
+    const Point linear = Rational(4) * m - Rational(3) * a - b;
+    const Point quadratic = Rational(2) * (a + b) - Rational(4) * m;
+    const Rational scale = 1 / (to - from);
+    const Rational shift = -from * scale;  // tau = shift + scale t
+    return {a + shift * (linear + shift * quadratic), scale * (linear + (2 * shift) * quadratic),
+            scale * scale * quadratic};
   }
 
   /// The point's box in the ribbon's parameters (t, h, r, s).
@@ -198,7 +274,9 @@ class LineArcSearch {
   }
 
   template <class Ball>
-  bool attempt(const CertifiedPoint& inside, const RibbonNormal& normal, const Rational& width) {
+  std::optional<Run> attempt(const CertifiedPoint& start, int direction,
+                             const std::vector<CertifiedPoint>& targets, const RibbonNormal& normal,
+                             const Rational& width) {
     const BezierPatch carrier = ribbon(problem_.line, normal);
     const PairSystem<Ball> system(carrier, problem_.patch, scale_.origin, scale_.frame.exponent);
     Landmarks<Ball> landmarks;
@@ -210,45 +288,22 @@ class LineArcSearch {
       scratch.nodes.push_back(boundary_node(system, scale_.frame, landmarks.back(), box, {}));
     };
     std::for_each(result_.ends.begin(), result_.ends.end(), add);
-    add(inside);
-    const int start = static_cast<int>(result_.ends.size());
+    std::for_each(targets.begin(), targets.end(), add);
+    add(start);
     const int forward = Expansion<Ball>(system, landmarks.back()).tangent()[0].certain_sign();
     if (forward == 0) {
       why_ = "the patch is singular there";
-      return false;
+      return std::nullopt;
     }
-    std::array<int, 2> ends{};
-    for (const int half : {0, 1}) {
-      auto outcome = trace_arc(system, landmarks, start, half == 0 ? -forward : forward, stop_);
-      if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
-        why_ = failure->why;
-        return false;
-      }
-      AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
-      ends[static_cast<std::size_t>(half)] = curve.trace.end;
-      if (half == 0 && is_known(curve.trace.end)) return true;
-      append_trace(scratch, curve, scale_.frame, {}, tolerance_);
+    auto outcome =
+        trace_arc(system, landmarks, static_cast<int>(landmarks.size()) - 1, direction * forward, stop_);
+    if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
+      why_ = failure->why;
+      return std::nullopt;
     }
-    add_arc(inside, ends, scratch.arcs);
-    return true;
-  }
-
-  /// Exactly one arc begins at a regular point.
-  bool is_known(int from) const { return std::count(starts_.begin(), starts_.end(), from) > 0; }
-
-  void add_arc(const CertifiedPoint& inside, const std::array<int, 2>& ends, const std::vector<Arc>& halves) {
-    std::vector<PolylineVertex> polyline(halves[0].polyline.rbegin(), halves[0].polyline.rend());
-    polyline.insert(polyline.end(), halves[1].polyline.begin() + 1, halves[1].polyline.end());
-    for (PolylineVertex& vertex : polyline) {
-      const std::array<double, 4> p = vertex.parameters;
-      vertex.parameters[index(place_.roles.fixed)] = to_double(place_.value);
-      vertex.parameters[index(place_.roles.line)] = p[0];
-      vertex.parameters[index(place_.roles.first)] = p[2];
-      vertex.parameters[index(place_.roles.second)] = p[3];
-    }
-    starts_.push_back(ends[0]);
-    result_.arcs.push_back({static_cast<std::size_t>(ends[0]), static_cast<std::size_t>(ends[1]), inside,
-                            std::move(polyline), std::max(halves[0].error_bound, halves[1].error_bound)});
+    AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
+    append_trace(scratch, curve, scale_.frame, {}, tolerance_);
+    return Run{curve.trace.end, std::move(scratch.arcs.front().polyline), scratch.arcs.front().error_bound};
   }
 
   static Rational rational_between(RealAlgebraic a, RealAlgebraic b) {

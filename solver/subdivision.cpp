@@ -227,10 +227,11 @@ template <class Ball>
 class Search {
  public:
   Search(const PairSystem<Ball>& system, const SearchRegion& region, const std::array<double, 2>& direction,
-         const SeedHandler<Ball>& known, const StopRequest& stop)
+         const SeedHandler<Ball>& known, const SettledRegion& settled, const StopRequest& stop)
       : system_(system),
         direction_(direction),
         known_(known),
+        settled_(settled),
         stop_(stop),
         x_(system.taylor_x(corner(region)), {region.lower[0], region.lower[1]},
            {region.upper[0], region.upper[1]}),
@@ -244,7 +245,8 @@ class Search {
       auto [a, b] = waiting.front();
       waiting.pop_front();
       ++outcome_.boxes;
-      if (separated(*a, *b) || tangent_cannot_vanish(*a, *b, direction_) || covered(*a, *b)) {
+      if (separated(*a, *b) || tangent_cannot_vanish(*a, *b, direction_) || is_settled(*a, *b) ||
+          covered(*a, *b)) {
         continue;
       }
       const bool stopped = outcome_.boxes > kMostBoxes<Ball> || waiting.size() > kMostWaiting ||
@@ -282,6 +284,10 @@ class Search {
       outcome_.undecided.push_back(region_of(*a, *b));
     }
     waiting.clear();
+  }
+
+  bool is_settled(const Cell<Ball>& a, const Cell<Ball>& b) const {
+    return settled_ && a.depth + b.depth >= kFirstCertificateDepth && settled_(region_of(a, b));
   }
 
   /// A tube whose region contains the whole box, and whose arc is outside the domain somewhere or on a known
@@ -346,6 +352,7 @@ class Search {
   const PairSystem<Ball>& system_;
   std::array<double, 2> direction_;
   const SeedHandler<Ball>& known_;
+  const SettledRegion& settled_;
   const StopRequest& stop_;
   CellTree<Ball> x_;
   CellTree<Ball> y_;
@@ -387,14 +394,14 @@ std::vector<SearchRegion> merged(std::vector<SearchRegion> regions) {
 template <class Ball>
 SearchOutcome search_closed_curves(const PairSystem<Ball>& system, const SearchRegion& region,
                                    const std::array<double, 2>& direction, const SeedHandler<Ball>& known,
-                                   const StopRequest& stop) {
-  return Search<Ball>(system, region, direction, known, stop).run();
+                                   const SettledRegion& settled, const StopRequest& stop) {
+  return Search<Ball>(system, region, direction, known, settled, stop).run();
 }
 
 #define EXSECT_INSTANTIATE_SEARCH(Ball)                                                               \
   template SearchOutcome search_closed_curves(const PairSystem<Ball>&, const SearchRegion&,           \
                                               const std::array<double, 2>&, const SeedHandler<Ball>&, \
-                                              const StopRequest&);
+                                              const SettledRegion&, const StopRequest&);
 
 EXSECT_INSTANTIATE_SEARCH(DoubleBall)
 EXSECT_INSTANTIATE_SEARCH(ArbBall<256>)

@@ -29,15 +29,18 @@ std::vector<SearchRegion> merged(std::vector<SearchRegion> regions);
 template <class Ball>
 using SeedHandler = std::function<bool(const BallPoint<Ball>&)>;
 
+/// True only if the search may leave the region out: its solutions are known in another way.
+using SettledRegion = std::function<bool(const SearchRegion&)>;
+
 /// Precondition: all intersection points on the sides of the two squares are known and their curves traced.
 /// Looks for the points of the intersection in `region` where c.T = 0, c = (direction[0], direction[1], 0, 0)
 /// and T the tangent field: every closed curve and every singular point of the intersection has one (a closed
 /// curve where c_u u + c_v v is largest; if `region` is not the whole domain, only those curves that have
 /// such a point in it). A box is done if hulls are separated, if c.T cannot vanish, or if a certified tube
-/// contains it whose arc leaves the domain or is on a known curve.
+/// contains it whose arc leaves the domain or is on a known curve, or if `settled`, unless empty, says so.
 template <class Ball>
 SearchOutcome search_closed_curves(const PairSystem<Ball>& system, const SearchRegion& region,
                                    const std::array<double, 2>& direction, const SeedHandler<Ball>& known,
-                                   const StopRequest& stop);
+                                   const SettledRegion& settled, const StopRequest& stop);
 
 }  // namespace exsect

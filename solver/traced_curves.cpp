@@ -161,7 +161,8 @@ class CurveTracing {
 
   void search(const SearchRegion& region, const char* why) {
     const SeedHandler<Ball> known = [this](const BallPoint<Ball>& seed) { return known_or_traced(seed); };
-    const SearchOutcome outcome = search_closed_curves(system_, region, search_direction(), known, stop_);
+    const SearchOutcome outcome =
+        search_closed_curves(system_, region, search_direction(), known, sweep_.settled, stop_);
     result_.searched_boxes += outcome.boxes;
     for (const SearchRegion& box : merged(outcome.undecided)) {
       ParameterBox where;

@@ -9,6 +9,7 @@
 
 #include "critical_values.h"
 #include "graph_builder.h"
+#include "subdivision.h"
 
 namespace exsect {
 
@@ -19,6 +20,7 @@ struct SweepData {
   std::vector<Rational> samples;                    // of the sweep parameter
   std::vector<std::vector<CertifiedPoint>> fibres;  // exact, one per sample
   std::array<std::size_t, 4> coincident;            // coincident_parameters(x, y)
+  SettledRegion settled;                            // what a search may leave out
   bool exact = true;  // false: boundary points or fibres are known not to be complete
 };
 

@@ -154,11 +154,10 @@ TEST_CASE("an existing file is replaced whole and a link is followed") {
 
 TEST_CASE("what is not decided is incomplete with place and reason, exit status 3") {
   const ScratchDirectory scratch;
-  const std::string file = scratch.path("same.json");
-  const std::string points =
-      R"("degree": [2,2], "points": [[[0,0,0],[0,1,1],[0,2,0]],[[1,0,1],[1,1,3],[1,2,0]],[[2,0,0],[2,1,1],[2,2,1]]]})";
-  write(file, R"({"exsect": "patches/1", "patches": [{"name": "x", )" + points + R"(, {"name": "y", )" +
-                  points + "]}");
+  const std::string file = scratch.path("fold.json");
+  write(file, R"({"exsect": "patches/1", "patches": [
+    {"name": "x", "degree": [1,1], "points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]]},
+    {"name": "y", "degree": [2,1], "points": [[[1,0,0],[1,1,0]],[[-1,0,0],[-1,1,0]],[[1,0,0],[1,1,0]]]}]})");
   const Json json = intersection({file, "--max-seconds", "5"}, 3);
   CHECK_FALSE(json["incomplete"].empty());
   const ProgramRun run =

@@ -190,8 +190,6 @@ TEST_CASE("what is not generic is incomplete, with place and reason", "[intersec
       CHECK_FALSE(i.why.empty());
     }
   }
-  const Pair shared = {example("chapter9-first.json").x, example("chapter9-first.json").x};
-  CHECK(intersect(shared).status == Status::incomplete);
 }
 
 TEST_CASE("a near crossing is two open arcs", "[intersect]") {

@@ -36,7 +36,7 @@ Found search(const BezierPatch& x, const BezierPatch& y, const std::array<double
     }
     return false;
   };
-  found.outcome = search_closed_curves(system, {{0, 0, 0, 0}, {1, 1, 1, 1}}, direction, known, {});
+  found.outcome = search_closed_curves(system, {{0, 0, 0, 0}, {1, 1, 1, 1}}, direction, known, {}, {});
   return found;
 }
 

@@ -100,6 +100,7 @@ class Matching {
     for (const Arc& arc : a_.arcs) match(arc);
     for (const Component& component : a_.components) match(component);
     const auto other = [&](int node) { return nodes_.at(node); };
+    for (const Overlap& overlap : a_.overlaps) match(overlap);
     require(labels(a_.isolated_points, other) == labels(b_.isolated_points, [](int node) { return node; }),
             "isolated points");
   }
@@ -143,20 +144,41 @@ class Matching {
   }
 
   void match(const Arc& arc) {
+    choose(
+        arc, b_.arcs, arcs_, [&](const Arc& other) { return error(arc, other); }, "arc");
+  }
+
+  /// How far the arcs run apart; empty if they do not correspond.
+  std::optional<double> error(const Arc& arc, const Arc& other) const {
     const auto ends = std::minmax(nodes_.at(arc.from), nodes_.at(arc.to));
-    const auto error = [&](const Arc& other) -> std::optional<double> {
-      const bool same = ends == std::minmax(other.from, other.to) && arc.place == other.place &&
-                        arc.contact == other.contact &&
-                        renamed(arc.free, renaming_) == renamed(other.free, {});
-      if (!same) return std::nullopt;
-      double largest = 0;
-      for (std::size_t k = 0; k < arc.polyline.size(); k += 1 + arc.polyline.size() / 16) {
-        const Vector4 z = renamed(arc.polyline[k].parameters, renaming_);
-        largest = std::max(largest, distance_to_polyline(z, other.polyline));
-      }
-      return largest < tolerance_ ? std::optional(largest) : std::nullopt;
+    const bool same = ends == std::minmax(other.from, other.to) && arc.place == other.place &&
+                      arc.contact == other.contact && renamed(arc.free, renaming_) == renamed(other.free, {});
+    if (!same) return std::nullopt;
+    double largest = 0;
+    for (std::size_t k = 0; k < arc.polyline.size(); k += 1 + arc.polyline.size() / 16) {
+      const Vector4 z = renamed(arc.polyline[k].parameters, renaming_);
+      largest = std::max(largest, distance_to_polyline(z, other.polyline));
+    }
+    return largest < tolerance_ ? std::optional(largest) : std::nullopt;
+  }
+
+  /// The same chains up to order, direction and first arc.
+  void match(const Overlap& overlap) {
+    const auto corresponds = [&](const Overlap& other) {
+      return overlap.chains.size() == other.chains.size() &&
+             std::all_of(overlap.chains.begin(), overlap.chains.end(), [&](const std::vector<Arc>& chain) {
+               return std::any_of(other.chains.begin(), other.chains.end(),
+                                  [&](const std::vector<Arc>& candidate) { return same(chain, candidate); });
+             });
     };
-    choose(arc, b_.arcs, arcs_, error, "arc");
+    require(std::count_if(b_.overlaps.begin(), b_.overlaps.end(), corresponds) == 1, "overlaps");
+  }
+
+  bool same(const std::vector<Arc>& chain, const std::vector<Arc>& other) const {
+    return chain.size() == other.size() && std::all_of(chain.begin(), chain.end(), [&](const Arc& arc) {
+             return std::any_of(other.begin(), other.end(),
+                                [&](const Arc& candidate) { return error(arc, candidate).has_value(); });
+           });
   }
 
   void match(const Component& component) {

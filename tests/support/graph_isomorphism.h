@@ -17,7 +17,7 @@ struct Renaming {
 /// Empty if the graphs are equal: nodes of the same kinds, sides and free parameters with overlapping boxes
 /// in bijection; arcs between corresponding nodes in bijection, with the same free parameters, whose
 /// polylines run together to within `tolerance` in the parameters; components of the same shape, isolated
-/// points and number of overlaps. Otherwise the first difference in words.
+/// points, overlaps with the same chains. Otherwise the first difference in words.
 std::string difference(const IntersectionGraph& a, const IntersectionGraph& b, const Renaming& renaming,
                        double tolerance = 1e-3);
 

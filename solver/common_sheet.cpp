@@ -1,0 +1,196 @@
+#include "common_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+// Notation: (u,v) = c + a in A, |a_i| <= reach_i; (r,s) = w0 + b, |b_k| <= width_k. C is any 2 x 3 matrix
+// near the left inverse of (y_r, y_s)(w0). For fixed a the map b -> b + C(x(c + a) - y(w0 + b)) has the
+// derivative -E, E = C y' - 1, and moves b = 0 by C(x(c + a) - y(w0)).
+
+namespace exsect {
+
+namespace {
+
+using Net = TaylorNet<DoubleBall>;
+using Matrix = std::array<std::array<double, 3>, 2>;
+using Pair = std::array<double, 2>;
+
+constexpr double kSlack = 1 + 0x1p-40;  // covers the rounding of sums of fewer than 100 nonnegative terms
+constexpr double kSameSheet = 1e-6;     // filters only: what is worth a proof
+constexpr double kFarthest = 0.5;
+
+double upper(const DoubleBall& b) { return b.upper_magnitude(); }
+
+BallVector<double> approximations(const BallVector<DoubleBall>& v) {
+  return {v[0].approximation(), v[1].approximation(), v[2].approximation()};
+}
+
+/// The rows that take y_r, y_s to the unit vectors and the normal to zero; empty if they are dependent.
+std::optional<Matrix> left_inverse(const Net& y) {
+  const auto a = approximations(y[3]);
+  const auto b = approximations(y[1]);
+  const BallVector<double> n = cross(a, b);
+  const double length2 = dot(n, n);
+  if (!(length2 > 1e-40)) return std::nullopt;
+  const BallVector<double> first = cross(b, n);
+  const BallVector<double> second = cross(n, a);
+  Matrix c{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    c[0][k] = first[k] / length2;
+    c[1][k] = second[k] / length2;
+  }
+  return c;
+}
+
+DoubleBall row(const Matrix& c, std::size_t k, const BallVector<DoubleBall>& v) {
+  return DoubleBall(c[k][0]) * v[0] + DoubleBall(c[k][1]) * v[1] + DoubleBall(c[k][2]) * v[2];
+}
+
+/// |coefficients| of row k of C times the net.
+std::array<double, 9> magnitudes(const Matrix& c, std::size_t k, const Net& net) {
+  std::array<double, 9> m{};
+  for (std::size_t i = 0; i < 9; ++i) m[i] = upper(row(c, k, net[i]));
+  return m;
+}
+
+/// Bound of the deviation of the two first derivatives from their values at the centre over |a_i| <= h_i.
+Pair variation(const std::array<double, 9>& m, const Pair& h) {
+  return {kSlack * (2 * m[6] * h[0] + m[4] * h[1] + 2 * m[7] * h[0] * h[1] + m[5] * h[1] * h[1] +
+                    2 * m[8] * h[0] * h[1] * h[1]),
+          kSlack * (2 * m[2] * h[1] + m[4] * h[0] + 2 * m[5] * h[0] * h[1] + m[7] * h[0] * h[0] +
+                    2 * m[8] * h[0] * h[0] * h[1])};
+}
+
+/// Bound of the deviation of the value.
+double deviation(const std::array<double, 9>& m, const Pair& h) {
+  double sum = 0;
+  double power0 = 1;
+  for (std::size_t i = 0; i < 3; ++i, power0 *= h[0]) {
+    double power = power0;
+    for (std::size_t j = 0; j < 3; ++j, power *= h[1])
+      if (i + j > 0) sum += m[3 * i + j] * power;
+  }
+  return kSlack * sum;
+}
+
+double on_grid(double value, double grid) { return grid * std::round(value / grid); }
+
+/// One region: centre c and half widths of A, centre of the region in (r,s).
+struct Attempt {
+  Pair c;
+  Pair reach;
+  Pair middle;
+  Pair half;
+  Net x{};
+  Net y{};
+  Matrix inverse{};
+  Pair w0{};
+  Pair width{};
+  std::array<Pair, 2> e{};  // bounds of |E|
+
+  explicit Attempt(const SearchRegion& region) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      c[k] = 0.5 * (region.lower[k] + region.upper[k]);
+      reach[k] = kSlack * 0.5 * (region.upper[k] - region.lower[k]);
+      middle[k] = 0.5 * (region.lower[k + 2] + region.upper[k + 2]);
+      half[k] = kSlack * 0.5 * (region.upper[k + 2] - region.lower[k + 2]);
+    }
+  }
+
+  BallPoint<DoubleBall> centre() const { return {c[0], c[1], w0[0], w0[1]}; }
+
+  /// Approximate Newton steps from the middle of the region towards x(c) = y(w0) in y's tangent plane.
+  bool find_centre(const PairSystem<DoubleBall>& system) {
+    w0 = middle;
+    x = system.taylor_x(centre());
+    for (int i = 0; i < 4; ++i) {
+      y = system.taylor_y(centre());
+      const auto inv = left_inverse(y);
+      if (!inv) return false;
+      const BallVector<DoubleBall> d = {x[0][0] - y[0][0], x[0][1] - y[0][1], x[0][2] - y[0][2]};
+      for (std::size_t k = 0; k < 2; ++k) {
+        w0[k] += row(*inv, k, d).approximation();
+        if (!(std::fabs(w0[k] - middle[k]) <= kFarthest)) return false;
+      }
+    }
+    y = system.taylor_y(centre());
+    const auto inv = left_inverse(y);
+    if (!inv) return false;
+    inverse = *inv;
+    return true;
+  }
+
+  bool is_near() const {
+    const BallVector<DoubleBall> d = {x[0][0] - y[0][0], x[0][1] - y[0][1], x[0][2] - y[0][2]};
+    return std::max({upper(d[0]), upper(d[1]), upper(d[2])}) < kSameSheet;
+  }
+
+  /// The map of the box |b_k| <= width_k goes into its interior and is a contraction.
+  bool contracts() {
+    Pair residual{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      residual[k] = kSlack * (upper(row(inverse, k, x[0]) - row(inverse, k, y[0])) +
+                              deviation(magnitudes(inverse, k, x), reach));
+      const double needed = kSlack * (std::fabs(w0[k] - middle[k]) + half[k]);
+      width[k] = std::max(needed, 1.5 * residual[k]);
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Pair change = variation(magnitudes(inverse, k, y), width);
+      const std::array<std::size_t, 2> column = {3, 1};
+      for (std::size_t l = 0; l < 2; ++l)
+        e[k][l] = kSlack * (upper(row(inverse, k, y[column[l]]) - DoubleBall(k == l ? 1 : 0)) + change[l]);
+      if (!(kSlack * (residual[k] + e[k][0] * width[0] + e[k][1] * width[1]) < width[k])) return false;
+    }
+    return true;
+  }
+
+  /// w' = (C y')^-1 C x': with |w'_k| <= width_k m and |E| m as error.
+  Sheet sheet() const {
+    Sheet result;
+    double contraction = 0;
+    for (std::size_t k = 0; k < 2; ++k)
+      contraction = std::max(contraction, kSlack * (e[k][0] * width[0] + e[k][1] * width[1]) / width[k]);
+    for (std::size_t l = 0; l < 2; ++l) {
+      Pair change{};
+      double largest = 0;
+      for (std::size_t k = 0; k < 2; ++k) {
+        change[k] = variation(magnitudes(inverse, k, x), reach)[l];
+        result.derivative[k][l] = row(inverse, k, x[l == 0 ? 3 : 1]).widened(change[k]);
+        largest = std::max(largest, upper(result.derivative[k][l]) / width[k]);
+      }
+      const double m = kSlack * largest / (1 - contraction);
+      for (std::size_t k = 0; k < 2; ++k)
+        result.derivative[k][l] =
+            result.derivative[k][l].widened(kSlack * m * (e[k][0] * width[0] + e[k][1] * width[1]));
+    }
+    return result;
+  }
+
+  RationalInterval around(std::size_t k, double radius) const {
+    return {from_double(w0[k] - radius), from_double(w0[k] + radius)};
+  }
+
+  /// A point of W in the box, on the line u = c_0: near the centre, with a short r or s.
+  bool meets(const CommonSurface& surface) const {
+    const Pair along = {row(inverse, 0, x[1]).approximation(), row(inverse, 1, x[1]).approximation()};
+    const std::size_t fixed = std::fabs(along[1]) * width[0] >= std::fabs(along[0]) * width[1] ? 1 : 0;
+    const double step = std::fabs(along[fixed]) * reach[1] / 16;
+    if (!(step > 1e-12)) return false;
+    const double value = on_grid(w0[fixed], std::ldexp(1, std::ilogb(step)));
+    const RationalInterval v = {from_double(c[1] - 0.5 * reach[1]), from_double(c[1] + 0.5 * reach[1])};
+    const RationalInterval other = around(1 - fixed, 0.5 * width[1 - fixed]);
+    return fixed == 1 ? surface.has_point(from_double(c[0]), from_double(value), other, v)
+                      : surface.has_point_at_r(from_double(c[0]), from_double(value), other, v);
+  }
+};
+
+}  // namespace
+
+std::optional<Sheet> CommonSheets::certify(const SearchRegion& region) const {
+  Attempt attempt(region);
+  if (!attempt.find_centre(system_) || !attempt.is_near() || !attempt.contracts()) return std::nullopt;
+  if (!surface_.planar() && !attempt.meets(surface_)) return std::nullopt;
+  return attempt.sheet();
+}
+
+}  // namespace exsect

@@ -1,0 +1,290 @@
+#include "overlaps.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "common_sheet.h"
+#include "model_scale.h"
+#include "overlap_boundary.h"
+#include "plane_curve.h"
+#include "traced_curves.h"
+
+namespace exsect {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Whether x_u x x_v vanishes at some point of [0,1]^2, for a patch in a plane.
+bool planar_patch_folds(const BezierPatch& x) {
+  const ControlNet c = x.power_basis();
+  for (std::size_t k = 0; k < 3; ++k) {
+    BivariatePolynomial jacobian_k;
+    const auto coordinate = [&](std::size_t m) {
+      std::vector<Polynomial> rows;
+      for (const auto& row : c) rows.push_back(Polynomial({row[0][m], row[1][m], row[2][m]}));
+      return BivariatePolynomial(std::move(rows));
+    };
+    jacobian_k = jacobian(coordinate((k + 1) % 3), coordinate((k + 2) % 3));
+    // The three are the same polynomial times the coordinates of the plane's normal.
+    if (!jacobian_k.is_zero()) return !component_points(squarefree(jacobian_k)).empty();
+  }
+  return true;
+}
+
+class OneSurface {
+ public:
+  OneSurface(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options,
+             const CommonSurface& surface)
+      : x_(x),
+        y_(y),
+        options_(options),
+        scale_(model_scale(x, y)),
+        tolerance_(options.tolerance * scale_.extent),
+        surface_(surface),
+        sheets_(x, y, scale_, surface) {}
+
+  IntersectResult run() {
+    timed("boundary lines", [this] {
+      boundary_ = overlap_boundary(x_, y_, sheets_, scale_, tolerance_, stop_);
+      result_.incomplete = boundary_.incomplete;
+    });
+    if (surface_.planar()) check_folds();
+    for (const BoundaryPoint& point : boundary_.points)
+      if (point.kind == BoundaryPointKind::other) sweep_.boundary.push_back(point.at);
+    sweep_.coincident = coincident_parameters(x_, y_);
+    sweep_.settled = [this](const SearchRegion& region) { return sheets_.certify(region).has_value(); };
+    sweep_.exact = result_.incomplete.empty();
+    timed("tracing", [this] {
+      if (!trace<DoubleBall>(power_of_two(-50), false)) trace<ArbBall<256>>(power_of_two(-200), true);
+    });
+    timed("graph", [this] { add_boundary(); });
+    finish_components(result_.graph);
+    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
+    result_.work.milliseconds = milliseconds_since(start_);
+    return std::move(result_);
+  }
+
+ private:
+  static double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  }
+
+  template <class Step>
+  void timed(const char* step, const Step& body) {
+    const auto begin = Clock::now();
+    body();
+    result_.work.steps[std::string(step) + " ms"] += milliseconds_since(begin);
+    if (options_.progress) {
+      progress_ += 1.0 / 3;
+      options_.progress(std::min(progress_, 1.0), step);
+    }
+  }
+
+  void check_folds() {
+    for (const BezierPatch* patch : {&x_, &y_})
+      if (planar_patch_folds(*patch)) {
+        folds_ = true;
+        result_.incomplete.push_back(
+            {whole_domain(), std::string("the patches lie in one plane and the parametrisation of the ") +
+                                 (patch == &x_ ? "first" : "second") +
+                                 " one folds or is singular there: the region they share is not decided"});
+      }
+  }
+
+  /// The curves apart from the common surface; false if more precision may help. In a plane there are none.
+  template <class Ball>
+  bool trace(const Rational& width, bool last) {
+    const PairSystem<Ball> system(x_, y_, scale_.origin, scale_.frame.exponent);
+    Landmarks<Ball> landmarks;
+    for (const CertifiedPoint& point : sweep_.boundary) landmarks.push_back(enclose<Ball>(point, width));
+    TracedCurves<Ball> traced;
+    if (!surface_.planar()) traced = trace_curves(system, landmarks, sweep_, width, stop_);
+    if (!traced.problems.empty() && sweep_.exact && !last) return false;
+    result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
+    result_.work.steps["searched boxes"] += static_cast<double>(traced.searched_boxes);
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+      const CertifiedPoint& point = sweep_.boundary[i];
+      result_.graph.nodes.push_back(
+          boundary_node(system, scale_.frame, landmarks[i], point.box(), point.sides()));
+      result_.graph.nodes.back().id = static_cast<int>(i);
+    }
+    result_.graph.isolated_points = traced.isolated;
+    for (const AnalysedTrace<Ball>& curve : traced.curves)
+      append_trace(result_.graph, curve, scale_.frame, options_.turning, tolerance_);
+    for (const Arc& arc : result_.graph.arcs) check_bound(arc);
+    return true;
+  }
+
+  void check_bound(const Arc& arc) {
+    if (!(arc.error_bound <= tolerance_))
+      result_.incomplete.push_back(
+          {result_.graph.nodes[static_cast<std::size_t>(arc.from)].box,
+           "the tolerance is below what a polyline in doubles can be proved to keep on the arc from here"});
+  }
+
+  void add_boundary() {
+    std::size_t ordinary = 0;
+    const PairSystem<ArbBall<256>> system(x_, y_, scale_.origin, scale_.frame.exponent);
+    for (const BoundaryPoint& point : boundary_.points) {
+      if (point.kind == BoundaryPointKind::other) {
+        nodes_.push_back(static_cast<int>(ordinary++));
+        continue;
+      }
+      const auto ball = enclose<ArbBall<256>>(point.at, power_of_two(-200));
+      Node node = boundary_node(system, scale_.frame, ball, point.at.box(), point.at.sides());
+      node.id = static_cast<int>(result_.graph.nodes.size());
+      nodes_.push_back(node.id);
+      if (point.kind == BoundaryPointKind::touch) {
+        node.kinds.push_back(NodeKind::touch);
+        result_.graph.isolated_points.push_back(node.id);
+      }
+      result_.graph.nodes.push_back(std::move(node));
+    }
+    for (const BoundaryArc& arc : boundary_.arcs)
+      if (arc.kind == BoundaryArcKind::edge)
+        result_.graph.arcs.push_back(made(arc, result_.graph.arcs.size()));
+    add_chains();
+    mark_ends_of_overlaps();
+  }
+
+  Arc made(const BoundaryArc& from, std::size_t id) {
+    Arc arc{};
+    arc.id = static_cast<int>(id);
+    arc.component = -1;
+    arc.from = nodes_[from.from];
+    arc.to = nodes_[from.to];
+    arc.place = ArcPlace::patch_boundary;
+    arc.contact = Contact::tangential;
+    arc.polyline = from.polyline;
+    arc.error_bound = from.error_bound;
+    check_bound(arc);
+    return arc;
+  }
+
+  /// The rim is a closed curve through every one of its points: two arcs meet at each. Where that is not
+  /// proved, every arc is a chain of its own.
+  void add_chains() {
+    std::vector<const BoundaryArc*> rim;
+    std::vector<int> degree(boundary_.points.size(), 0);
+    for (const BoundaryArc& arc : boundary_.arcs) {
+      if (arc.kind != BoundaryArcKind::rim) continue;
+      rim.push_back(&arc);
+      ++degree[arc.from];
+      ++degree[arc.to];
+    }
+    if (rim.empty()) return;
+    const auto odd = std::find_if(degree.begin(), degree.end(), [](int d) { return d != 0 && d != 2; });
+    if (odd == degree.end() && !folds_ && boundary_.incomplete.empty()) {
+      check_annuli(rim);
+      while (!rim.empty()) add_overlap({closed_chain(rim)});
+      return;
+    }
+    if (result_.incomplete.empty())
+      result_.incomplete.push_back({boundary_.points[static_cast<std::size_t>(odd - degree.begin())].at.box(),
+                                    "the boundary arcs of overlaps that meet here could not be joined"});
+    std::vector<std::vector<Arc>> pieces;
+    for (const BoundaryArc* arc : rim) pieces.push_back({made(*arc, pieces.size())});
+    add_overlap(std::move(pieces));
+  }
+
+  void add_overlap(std::vector<std::vector<Arc>> chains) {
+    const int id = static_cast<int>(result_.graph.overlaps.size());
+    result_.graph.overlaps.push_back({id, std::move(chains)});
+  }
+
+  /// Takes one closed chain out of the arcs.
+  std::vector<Arc> closed_chain(std::vector<const BoundaryArc*>& left) {
+    std::vector<Arc> chain;
+    const std::size_t start = left.front()->from;
+    std::size_t at = start;
+    do {
+      const auto next = std::find_if(
+          left.begin(), left.end(), [&](const BoundaryArc* arc) { return arc->from == at || arc->to == at; });
+      const BoundaryArc& arc = **next;
+      chain.push_back(made(arc, chain.size()));
+      const bool forward = arc.from == at;
+      if (!forward) {
+        std::swap(chain.back().from, chain.back().to);
+        std::reverse(chain.back().polyline.begin(), chain.back().polyline.end());
+      }
+      at = forward ? arc.to : arc.from;
+      left.erase(next);
+    } while (at != start);
+    return chain;
+  }
+
+  /// A chain with an arc on a side of x has its region inside it in the (u,v) square, one with an arc on a
+  /// side of y in the other: two of them can bound one region only if one consists of sides of x alone and
+  /// the other of sides of y alone, and then each is the whole boundary of its square.
+  void check_annuli(const std::vector<const BoundaryArc*>& rim) {
+    const auto whole_boundary = [&](std::size_t square) {
+      for (const Parameter p : {all_parameters[2 * square], all_parameters[2 * square + 1]})
+        for (const int value : {0, 1})
+          if (std::none_of(rim.begin(), rim.end(), [&](const BoundaryArc* arc) {
+                return arc->inside.on({p, value});
+              }))
+            return false;
+      return true;
+    };
+    const bool on_both = std::any_of(rim.begin(), rim.end(),
+                                     [](const BoundaryArc* arc) { return arc->inside.sides().size() > 1; });
+    if (rim.size() > 7 && !on_both && whole_boundary(0) && whole_boundary(1) && !joined_across(rim))
+      result_.incomplete.push_back(
+          {whole_domain(), "it is not decided which chains of boundary arcs bound the same overlap"});
+  }
+
+  /// Whether an arc on a side of x meets one on a side of y.
+  bool joined_across(const std::vector<const BoundaryArc*>& rim) const {
+    std::vector<std::array<bool, 2>> squares(boundary_.points.size(), {false, false});
+    for (const BoundaryArc* arc : rim)
+      for (const std::size_t end : {arc->from, arc->to})
+        squares[end][index(arc->inside.sides().front().parameter) / 2] = true;
+    return std::any_of(squares.begin(), squares.end(), [](const auto& s) { return s[0] && s[1]; });
+  }
+
+  void mark_ends_of_overlaps() {
+    std::vector<int> on_rim(result_.graph.nodes.size(), 0);
+    for (const Overlap& overlap : result_.graph.overlaps)
+      for (const std::vector<Arc>& chain : overlap.chains)
+        for (const Arc& arc : chain)
+          on_rim[static_cast<std::size_t>(arc.from)] = on_rim[static_cast<std::size_t>(arc.to)] = 1;
+    for (const Arc& arc : result_.graph.arcs)
+      for (const int end : {arc.from, arc.to}) {
+        Node& node = result_.graph.nodes[static_cast<std::size_t>(end)];
+        const auto& kinds = node.kinds;
+        if (on_rim[static_cast<std::size_t>(end)] != 0 &&
+            std::count(kinds.begin(), kinds.end(), NodeKind::end_of_overlap) == 0)
+          node.kinds.push_back(NodeKind::end_of_overlap);
+      }
+  }
+
+  const BezierPatch& x_;
+  const BezierPatch& y_;
+  const IntersectOptions& options_;
+  ModelScale scale_;
+  double tolerance_;
+  const CommonSurface& surface_;
+  CommonSheets sheets_;
+  Clock::time_point start_ = Clock::now();
+  StopRequest stop_ = [this] {
+    return options_.max_seconds && milliseconds_since(start_) > 1000 * *options_.max_seconds;
+  };
+  OverlapBoundary boundary_;
+  bool folds_ = false;
+  SweepData sweep_;
+  std::vector<int> nodes_;  // of the boundary points
+  IntersectResult result_{};
+  double progress_ = 0;
+};
+
+}  // namespace
+
+std::optional<IntersectResult> intersect_on_one_surface(const BezierPatch& x, const BezierPatch& y,
+                                                        const IntersectOptions& options) {
+  const auto surface = CommonSurface::of(x, y);
+  if (!surface) return std::nullopt;
+  return OneSurface(x, y, options, *surface).run();
+}
+
+}  // namespace exsect
