@@ -27,6 +27,29 @@ Ball dot(const BallVector<Ball>& a, const BallVector<Ball>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/// q(t + p) for q = c0 + c1 t + c2 t^2, in place.
+template <class Ball>
+void shift(Ball& c0, Ball& c1, const Ball& c2, const Ball& p) {
+  const Ball upper = c1 + p * c2;
+  c0 += p * upper;
+  c1 = upper + p * c2;
+}
+
+/// The Taylor coefficients at (p0,p1) of the polynomial with these coefficients at (0,0).
+template <class Ball>
+TaylorNet<Ball> shifted(const TaylorNet<Ball>& net, const Ball& p0, const Ball& p1) {
+  TaylorNet<Ball> c = net;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      shift(c[j][k], c[3 + j][k], c[6 + j][k], p0);
+    }
+    for (std::size_t i = 0; i < 9; i += 3) {
+      shift(c[i][k], c[i + 1][k], c[i + 2][k], p1);
+    }
+  }
+  return c;
+}
+
 /// A pair of patches translated by `origin` and scaled by 2^-exponent, enclosed in balls.
 template <class Ball>
 class PairSystem {
@@ -50,26 +73,6 @@ class PairSystem {
       }
     }
     return net;
-  }
-
-  /// q(t + p) for q = c0 + c1 t + c2 t^2, in place.
-  static void shift(Ball& c0, Ball& c1, const Ball& c2, const Ball& p) {
-    const Ball upper = c1 + p * c2;
-    c0 += p * upper;
-    c1 = upper + p * c2;
-  }
-
-  static TaylorNet<Ball> shifted(const TaylorNet<Ball>& net, const Ball& p0, const Ball& p1) {
-    TaylorNet<Ball> c = net;
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        shift(c[j][k], c[3 + j][k], c[6 + j][k], p0);
-      }
-      for (std::size_t i = 0; i < 9; i += 3) {
-        shift(c[i][k], c[i + 1][k], c[i + 2][k], p1);
-      }
-    }
-    return c;
   }
 
   TaylorNet<Ball> x_;

@@ -133,8 +133,7 @@ BoundedVertex vertex_at(const ChartSystem<Ball>& system, const BallPoint<Ball>& 
 /// The point of the chart over a cuspidal point (U,V): m from x_u + m x_v = 0. Empty if x_v may vanish.
 template <class Ball>
 std::optional<BallPoint<Ball>> cusp_over(const ChartSystem<Ball>& system, const Ball& u, const Ball& v) {
-  ChartNet<Ball, 2> taylor = system.equation();
-  shift<Ball, 2>(taylor, {u, v, Ball(), Ball()});
+  const ChartNet<Ball, 2> taylor = system.taylor({u, v, Ball(), Ball()});
   const BallVector<Ball>& x_u = taylor[0];
   const BallVector<Ball>& x_v = taylor[chart_strides(2)[2]];
   std::size_t k = 0;

@@ -229,8 +229,7 @@ std::optional<ChartTube<Ball>> tube_around(const ChartSystem<Ball>& system, cons
     centre[j] = Ball(0.5 * (box.lower[j] + box.upper[j]));
     half[j] = 0.5 * (box.upper[j] - box.lower[j]) * (1 + 0x1p-40);
   }
-  ChartNet<Ball, 2> taylor = system.equation();
-  shift<Ball, 2>(taylor, centre);
+  const ChartNet<Ball, 2> taylor = system.taylor(centre);
   std::array<Direction, 4> column;
   for (std::size_t j = 0; j < 4; ++j) {
     const BallVector<Ball>& c = taylor[chart_strides(2)[j]];

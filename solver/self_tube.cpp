@@ -127,7 +127,7 @@ Row residual_bounds(const ChartTube<Ball>& tube) {
       linear[row] += tube.premultiplied[chart_strides(2)[j]][row] * Ball(tube.slope[j]);
     }
   }
-  for (std::size_t i = 0; i < tube.premultiplied.size(); ++i) {
+  for (const std::size_t i : chart_support) {
     const Monomial<2> monomial(i);
     if (monomial.degree < 2) {
       continue;
@@ -151,7 +151,7 @@ template <class Ball>
 std::array<Row, 4> jacobian_deviation(const ChartTube<Ball>& tube, const std::array<std::size_t, 3>& others,
                                       const std::array<double, 4>& h) {
   std::array<Row, 4> e{};
-  for (std::size_t i = 0; i < tube.premultiplied.size(); ++i) {
+  for (const std::size_t i : chart_support) {
     const Monomial<2> monomial(i);
     if (monomial.degree < 2) {
       continue;
@@ -199,7 +199,7 @@ void bound_derivatives(ChartTube<Ball>& tube, const std::array<std::size_t, 3>& 
     a[j] = std::fabs(tube.slope[j]) + tube.slope_error[j];
   }
   Row second{};
-  for (std::size_t i = 0; i < tube.premultiplied.size(); ++i) {
+  for (const std::size_t i : chart_support) {
     const double form = Monomial<2>(i).second(h, a);
     const Row m = magnitudes(tube.premultiplied[i]);
     for (std::size_t row = 0; row < 3; ++row) {
@@ -254,14 +254,13 @@ std::optional<ChartTube<Ball>> certify_chart_tube(const ChartSystem<Ball>& syste
   for (std::size_t j = 0; j < 4; ++j) {
     tube.centre[j] = centre[j].midpoint();
   }
-  ChartNet<Ball, 2> taylor = system.equation();
-  shift<Ball, 2>(taylor, tube.centre);
+  const ChartNet<Ball, 2> taylor = system.taylor(tube.centre);
   const auto others = other_axes(axis);
   const auto c = preconditioner(taylor, others);
   if (!c) {
     return std::nullopt;
   }
-  for (std::size_t i = 0; i < taylor.size(); ++i) {
+  for (const std::size_t i : chart_support) {
     tube.premultiplied[i] = preconditioned(*c, taylor[i]);
   }
   tube.slope[axis] = 1;
@@ -294,8 +293,7 @@ std::optional<BallPoint<Ball>> newton_corrected(const ChartSystem<Ball>& system,
     p[j] = start[j].midpoint();
   }
   for (int i = 0; i < steps; ++i) {
-    ChartNet<Ball, 2> taylor = system.equation();
-    shift<Ball, 2>(taylor, p);
+    const ChartNet<Ball, 2> taylor = system.taylor(p);
     const auto c = preconditioner(taylor, others);
     if (!c) {
       return std::nullopt;
