@@ -1,13 +1,12 @@
 #include "curve_arcs.h"
 
-#include <exsect/algebra/bernstein.h>
-
 #include <algorithm>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "no_zero.h"
 #include "plane_curve.h"
 #include "turning_resultant.h"
 
@@ -23,13 +22,6 @@ struct Place {
   RationalInterval interval() const { return extra ? *extra : u.interval(); }
   bool is_rational() const { return !extra && u.is_rational(); }
 };
-
-/// f has no zero on the closed interval [a,b], proved by Bernstein coefficients of one sign.
-bool has_no_zero(const Polynomial& f, const RationalInterval& on) {
-  if (on.lower == on.upper) return f.sign_at(on.lower) != 0;
-  const std::vector<Rational> b = bernstein_coefficients(f, std::max(f.degree(), 0), on.lower, on.upper);
-  return sign_variations(b) == 0 && b.front() != 0 && b.back() != 0;
-}
 
 bool overlap(const RationalInterval& a, const RationalInterval& b) {
   return a.lower <= b.upper && b.lower <= a.upper;

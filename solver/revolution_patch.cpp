@@ -31,10 +31,10 @@ Sheet sheet_at(const Pulled& curve, const Rational& u, const RealAlgebraic& v) {
 
 RevolutionPatchCurve intersect_revolution(const BivariatePolynomial& f, const BezierPatch& patch) {
   const Pulled curve = pulled(f, patch);
-  RevolutionPatchCurve result{{}, {}, {}, {}};
+  RevolutionPatchCurve result{{}, {}, {}, {}, {}};
   if (curve.surface.is_zero()) return result;
   result.equation = squarefree(curve.surface);
-  BivariatePolynomial inner = result.equation;
+  BivariatePolynomial& inner = result.inner = result.equation;
   for (const int side : {0, 1}) {
     if (!inner.at_s(side).is_zero()) continue;
     result.whole_sides.push_back(side);

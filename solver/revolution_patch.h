@@ -13,8 +13,9 @@ struct RevolutionPatchCurve {
   /// A squarefree polynomial that vanishes exactly where g(x^2 + y^2, z) does on the patch; u in the place of
   /// r, v in that of s. Zero if the whole patch lies on the surface.
   BivariatePolynomial equation;
-  /// v = 0 or v = 1 or both belong to the curve; these factors are not in `arcs`.
+  /// v = 0 or v = 1 or both belong to the curve: these factors are not in `inner` and not in `arcs`.
   std::vector<int> whole_sides;
+  BivariatePolynomial inner;
   CurveArcs arcs;
   /// For every arc: on the own sheet f(sqrt R, z) = 0, or on the mirrored one.
   std::vector<Sheet> sheets;
