@@ -7,6 +7,7 @@
 #include <new>
 #include <string>
 
+#include "compare_command.h"
 #include "intersect_command.h"
 #include "line_command.h"
 #include "self_command.h"
@@ -115,6 +116,31 @@ void add_self(CLI::App& app, SelfCommand& command) {
   sub->footer(self_footer);
 }
 
+constexpr const char* compare_footer =
+    "Solves the intersection by the sweep along parameter lines, by elimination of v and s (a curve in (u,r) "
+    "whose\n"
+    "phantom branches are removed exactly), and by quartics that approximate the second patch, whole and in "
+    "pieces.\n"
+    "Examples:\n"
+    "  exsect compare examples/chapter9-first.json\n"
+    "  exsect compare examples/chapter9-second.json --fit dokken --pieces 3 --json - --svg compare.svg";
+
+void add_compare(CLI::App& app, CompareCommand& command) {
+  CLI::App* sub = app.add_subcommand("compare", "Solve one intersection by three methods");
+  add_common(*sub, command.file, command.first, command.second, command.output, command.quiet);
+  sub->add_option("--lines", command.lines, "Number of lines u = const that the methods are checked on")
+      ->type_name("N")
+      ->capture_default_str();
+  sub->add_option("--fit", command.fit, "Construction of the quartics: conics or dokken")
+      ->type_name("NAME")
+      ->capture_default_str();
+  sub->add_option("--pieces", command.pieces,
+                  "Quartics also for 2^K by 2^K pieces of the second patch, K from 0 to 3")
+      ->type_name("K")
+      ->capture_default_str();
+  sub->footer(compare_footer);
+}
+
 /// An option with an empty value would look as if it were not given.
 void refuse_empty_values(const CLI::App& app) {
   for (const CLI::App* sub : app.get_subcommands()) {
@@ -131,12 +157,14 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   IntersectCommand intersect;
   LineCommand line;
   SelfCommand self;
+  CompareCommand compare;
   app.set_version_flag("--version", "exsect " EXSECT_VERSION, "Print the version");
   app.require_subcommand(0, 1);
   app.footer(statuses);
   add_intersect(app, intersect);
   add_line(app, line);
   add_self(app, self);
+  add_compare(app, compare);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -145,9 +173,10 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
     return ExitStatus::complete;
   }
   if (app.get_subcommands().empty())
-    throw UsageError("a command is needed: intersect, line or self (see exsect --help)");
+    throw UsageError("a command is needed: intersect, line, self or compare (see exsect --help)");
   refuse_empty_values(app);
   if (app.got_subcommand("self")) return run(self, streams);
+  if (app.got_subcommand("compare")) return run(compare, streams);
   return app.got_subcommand("intersect") ? run(intersect, streams) : run(line, streams);
 }
 

@@ -1,0 +1,101 @@
+#include "compare_command.h"
+
+#include <exsect/geometry/text_file.h>
+#include <fmt/format.h>
+
+#include "comparison.h"
+#include "comparison_svg.h"
+#include "json_forms.h"
+#include "option_values.h"
+#include "patch_choice.h"
+#include "terminal_text.h"
+
+namespace exsect::cli {
+namespace {
+
+ComparisonOptions options(const CompareCommand& command) {
+  ComparisonOptions result;
+  result.lines = whole_number("--lines", command.lines, 1, 10000);
+  result.pieces = whole_number("--pieces", command.pieces, 0, 3);
+  if (command.fit != "conics" && command.fit != "dokken") throw UsageError("--fit: must be conics or dokken");
+  result.fit = command.fit == "conics" ? PatchFit::conics : PatchFit::dokken;
+  return result;
+}
+
+std::string number(const std::optional<std::size_t>& n) { return n ? std::to_string(*n) : "-"; }
+
+std::string comparison_table(const Comparison& comparison) {
+  std::vector<std::vector<std::string>> rows;
+  for (const MethodRow& row : comparison.rows)
+    rows.push_back({row.method, row.detail,
+                    fmt::format("{} ({}/{})", row.components, number(row.open), number(row.closed)),
+                    fmt::format("{}/{}", number(row.phantom_branches), row.phantoms_removed),
+                    fmt::format("{}/{}", row.certified, row.points), std::to_string(row.missed),
+                    fmt::format("{}/{}", row.phantom_points, row.phantom_points_removed),
+                    fmt::format("{:.0f}", row.milliseconds),
+                    row.peak_kib ? fmt::format("{:.1f}", static_cast<double>(*row.peak_kib) / 1024) : "-"});
+  std::string text = table({"method", "", "found (open/closed)", "phantoms met/removed", "certified",
+                            "missed", "phantom points met/removed", "ms", "MiB"},
+                           rows);
+  for (const MethodRow& row : comparison.rows)
+    text += fmt::format("{} ({}): {}\n", row.method, row.detail, row.answer);
+  return text +
+         fmt::format("certified, missed, phantom points: on {} lines u = const, against their exact points\n",
+                     comparison.lines);
+}
+
+Json optional_number(const std::optional<std::size_t>& n) { return n ? Json(*n) : Json(); }
+
+Json row_json(const MethodRow& row) {
+  return {{"method", row.method},
+          {"detail", row.detail},
+          {"answer", row.answer},
+          {"found",
+           {{"number", row.components},
+            {"open", optional_number(row.open)},
+            {"closed", optional_number(row.closed)}}},
+          {"phantoms", {{"met", optional_number(row.phantom_branches)}, {"removed", row.phantoms_removed}}},
+          {"points",
+           {{"exact", row.points},
+            {"certified", row.certified},
+            {"missed", row.missed},
+            {"phantoms", row.phantom_points},
+            {"phantoms_removed", row.phantom_points_removed}}},
+          {"milliseconds", row.milliseconds},
+          {"peak_kib", row.peak_kib ? Json(*row.peak_kib) : Json()}};
+}
+
+Json comparison_json(const Comparison& comparison, const PatchPair& pair) {
+  Json json = {{"exsect", "comparison/1"},
+               {"status", comparison.is_complete() ? "complete" : "incomplete"},
+               {"first", pair.x.name},
+               {"second", pair.y.name},
+               {"check_lines", comparison.lines},
+               {"methods", Json::array()}};
+  for (const MethodRow& row : comparison.rows) json["methods"].push_back(row_json(row));
+  return json;
+}
+
+}  // namespace
+
+ExitStatus run(const CompareCommand& command, const Streams& streams) {
+  const ComparisonOptions checked = options(command);
+  check(command.output, command.file);
+  const PatchPair pair = read_pair(command.file, command.first, command.second);
+  const Comparison comparison = compare(pair.x.patch, pair.y.patch, checked);
+  const std::string json = command.output.json.empty() ? "" : json_text(comparison_json(comparison, pair));
+  if (!command.output.json.empty() && !command.output.json_to_stdout()) {
+    write_file_atomically(command.output.json, json);
+  }
+  if (!command.output.svg.empty()) {
+    write_file_atomically(command.output.svg, comparison_svg(comparison, pair.title));
+  }
+  if (command.output.json_to_stdout()) {
+    streams.out << json;
+  } else if (!command.quiet) {
+    streams.out << heading(command.file, pair.title) << comparison_table(comparison);
+  }
+  return comparison.is_complete() ? ExitStatus::complete : ExitStatus::incomplete;
+}
+
+}  // namespace exsect::cli
