@@ -8,6 +8,7 @@
 #include <string>
 
 #include "compare_command.h"
+#include "implicitize_command.h"
 #include "intersect_command.h"
 #include "line_command.h"
 #include "self_command.h"
@@ -58,6 +59,20 @@ constexpr const char* self_footer =
     "where such curves end. Examples:\n"
     "  exsect self examples/chapter9-second.json --patch y\n"
     "  exsect self examples/chapter9-second.json --patch y --json - --svg self.svg";
+
+constexpr const char* implicitize_footer =
+    "FILE holds a planar curve, form curve/1:\n"
+    "  {\"exsect\": \"curve/1\", \"degree\": 2, \"points\": [[1,0], [1,1], [0,1]], \"weights\": [1, 1, 2]}\n"
+    "or patches, form patches/1. Without --degree the equation is exact: of a planar curve by Bezout's "
+    "determinant,\n"
+    "of a patch by Dixon's. Methods with --degree: least-squares, bernstein, legendre, chebyshev, lagrange "
+    "for a\n"
+    "planar curve; dokken, conics for a patch. Coefficients are short rationals, and what is proved of the\n"
+    "distance is proved for them.\n"
+    "Examples:\n"
+    "  exsect implicitize examples/profile.json --variables r,z\n"
+    "  exsect implicitize examples/profile.json --degree 2 --svg fit.svg\n"
+    "  exsect implicitize examples/chapter9-first.json --patch x --degree 4 --json -";
 
 constexpr const char* line_about = "Intersect one parameter line of a patch with the other patch";
 
@@ -141,6 +156,29 @@ void add_compare(CLI::App& app, CompareCommand& command) {
   sub->footer(compare_footer);
 }
 
+void add_implicitize(CLI::App& app, ImplicitizeCommand& command) {
+  CLI::App* sub = app.add_subcommand("implicitize", "Find implicit equations of a curve or a patch");
+  sub->add_option("FILE", command.file, "Curve file or patch file")->required()->type_name("");
+  sub->add_option("--patch", command.patch, "The patch, if FILE holds more than one")->type_name("NAME");
+  sub->add_option("--method", command.method, "How the equation is found; exact without --degree")
+      ->type_name("NAME");
+  sub->add_option("--degree", command.degree, "Degree of an approximate equation")->type_name("NUMBER");
+  sub->add_option("--space", command.space, "monomial, bernstein (of the box) or b-spline")
+      ->type_name("NAME");
+  sub->add_option("--cells", command.cells, "Cells of splines along the box's longer side")
+      ->type_name("NUMBER");
+  sub->add_option("--samples", command.samples, "Points and normals of least squares")->type_name("NUMBER");
+  sub->add_option("--w1", command.w1, "Weight of the normals, > 0")->type_name("NUMBER");
+  sub->add_option("--w2", command.w2, "Weight of the tension, >= 0")->type_name("NUMBER");
+  sub->add_option("--digits", command.digits, "Decimals to which coefficients are rounded")
+      ->type_name("NUMBER");
+  sub->add_option("--box", command.box, "Region: x0,x1,y0,y1")->type_name("LIST");
+  sub->add_option("--variables", command.variables, "Names of the variables, as r,z")->type_name("LIST");
+  sub->add_flag("--exact-arithmetic", command.exact_arithmetic, "Solve over the rational numbers");
+  add_output(*sub, command.output, command.quiet);
+  sub->footer(implicitize_footer);
+}
+
 /// An option with an empty value would look as if it were not given.
 void refuse_empty_values(const CLI::App& app) {
   for (const CLI::App* sub : app.get_subcommands()) {
@@ -158,6 +196,7 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   LineCommand line;
   SelfCommand self;
   CompareCommand compare;
+  ImplicitizeCommand implicitize;
   app.set_version_flag("--version", "exsect " EXSECT_VERSION, "Print the version");
   app.require_subcommand(0, 1);
   app.footer(statuses);
@@ -165,6 +204,7 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   add_line(app, line);
   add_self(app, self);
   add_compare(app, compare);
+  add_implicitize(app, implicitize);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -173,10 +213,11 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
     return ExitStatus::complete;
   }
   if (app.get_subcommands().empty())
-    throw UsageError("a command is needed: intersect, line, self or compare (see exsect --help)");
+    throw UsageError("a command is needed: intersect, line, self, compare or implicitize (see exsect --help)");
   refuse_empty_values(app);
   if (app.got_subcommand("self")) return run(self, streams);
   if (app.got_subcommand("compare")) return run(compare, streams);
+  if (app.got_subcommand("implicitize")) return run(implicitize, streams);
   return app.got_subcommand("intersect") ? run(intersect, streams) : run(line, streams);
 }
 

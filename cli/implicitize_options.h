@@ -1,0 +1,47 @@
+// The options of exsect implicitize as values.
+#pragma once
+
+#include <exsect/geometry/approximate_implicit_patch.h>
+#include <exsect/solver/implicitize_curve.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "implicitize_command.h"
+
+namespace exsect::cli {
+
+/// Options of a planar curve: without --method, exact, or least squares if --degree is given. Throws
+/// UsageError for unknown names, values out of range, and options that the method does not have.
+PlanarOptions planar_options(const ImplicitizeCommand& command);
+
+/// exact, or approximate of a degree.
+struct PatchOptions {
+  std::optional<PatchFit> fit;  // exact without it
+  int degree = 4;               // of the fit
+};
+
+/// Options of a patch: without --method, exact, or Dokken's if --degree is given. Throws UsageError as above.
+PatchOptions patch_options(const ImplicitizeCommand& command);
+
+/// The names after --variables, as many as `standard`, which is the answer without the option. Throws
+/// UsageError unless they are different identifiers.
+std::vector<std::string> variable_names(const ImplicitizeCommand& command,
+                                        const std::vector<std::string>& standard);
+
+/// "a,b,c" as numbers. Throws UsageError unless there are `count`.
+std::vector<Rational> number_list(const std::string& option, const std::string& text, std::size_t count);
+/// A decimal integer in [least, most]. Throws UsageError.
+int integer_value(const std::string& option, const std::string& text, int least, int most);
+/// A number in the syntax of patch files. Throws UsageError.
+Rational number_value(const std::string& option, const std::string& text);
+/// Throws UsageError naming the option if the text is not empty.
+void refuse_option(const std::string& option, const std::string& text, const std::string& why);
+/// The index of the text among the names. Throws UsageError with all names.
+std::size_t choice(const std::string& option, const std::string& text, const std::vector<std::string>& names);
+/// "lower,upper" per side from consecutive numbers. Throws UsageError unless lower < upper.
+std::vector<RationalInterval> box_sides(const std::string& option, const std::string& text,
+                                        std::size_t sides);
+
+}  // namespace exsect::cli
