@@ -284,7 +284,15 @@ std::vector<PlanarBox> possibly_singular(const PlanarFunction& f, const PlanarBo
 }
 
 DistanceBounds distance_bounds(const PlanarFunction& f, const BezierCurve& curve) {
-  return {one_sided_bound(f, curve), two_sided_bound(f, curve)};
+  DistanceBounds bounds = {one_sided_bound(f, curve), two_sided_bound(f, curve)};
+  // The strip bounds the distance in both directions.
+  const auto& strip = bounds.two_sided.strip;
+  std::optional<Rational>& distance = bounds.one_sided.distance;
+  if (strip && (!distance || strip->distance < *distance)) {
+    distance = strip->distance;
+    bounds.one_sided.unproved.clear();
+  }
+  return bounds;
 }
 
 }  // namespace exsect

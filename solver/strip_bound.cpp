@@ -1,5 +1,4 @@
 #include <exsect/algebra/bernstein.h>
-#include <exsect/algebra/bernstein_box.h>
 #include <exsect/geometry/homogeneous_composition.h>
 #include <exsect/geometry/planar_space.h>
 
@@ -10,6 +9,7 @@
 #include <stdexcept>
 
 #include "implicit_bounds.h"
+#include "positivity.h"
 #include "short_rational.h"
 
 namespace exsect {
@@ -124,41 +124,6 @@ PlanarBox Strip::around(const RationalInterval& t, const Rational& d) const {
   widen(box.x, normal_[0]);
   widen(box.y, normal_[1]);
   return box;
-}
-
-/// The first part of t where f > 0 could not be proved.
-std::optional<RationalInterval> not_positive(const std::vector<Rational>& bernstein,
-                                             const RationalInterval& t, int depth) {
-  if (std::all_of(bernstein.begin(), bernstein.end(), [](const Rational& b) { return b > 0; }))
-    return std::nullopt;
-  if (depth == 0 || bernstein.front() <= 0 || bernstein.back() <= 0) return t;
-  const BernsteinHalves halves = split_bernstein(bernstein, Rational(1, 2));
-  if (auto left = not_positive(halves.left, {t.lower, t.midpoint()}, depth - 1)) return left;
-  return not_positive(halves.right, {t.midpoint(), t.upper}, depth - 1);
-}
-
-std::optional<RationalInterval> not_positive(const Polynomial& f, const RationalInterval& t) {
-  return not_positive(bernstein_coefficients(f, std::max(f.degree(), 0), t.lower, t.upper), t, 12);
-}
-
-/// The same for a function of (s,t) on all of the box; s is divided at every second level.
-std::optional<RationalInterval> not_positive(const BernsteinBox& f, const RationalInterval& t, int depth) {
-  const int sign = f.sign();
-  if (sign > 0) return std::nullopt;
-  if (sign < 0 || depth == 0) return t;
-  if (depth % 3 == 0) {
-    const auto [below, above] = f.split_r();
-    if (auto part = not_positive(below, t, depth - 1)) return part;
-    return not_positive(above, t, depth - 1);
-  }
-  const auto [left, right] = f.split_s();
-  if (auto part = not_positive(left, {t.lower, t.midpoint()}, depth - 1)) return part;
-  return not_positive(right, {t.midpoint(), t.upper}, depth - 1);
-}
-
-std::optional<RationalInterval> not_positive(const BivariatePolynomial& f, const Rational& d,
-                                             const RationalInterval& t) {
-  return not_positive(BernsteinBox(f, {-d, d}, t), t, 11);
 }
 
 std::optional<Unproved> Strip::obstacle_on(const RationalInterval& t, const Rational& d) {

@@ -143,6 +143,22 @@ TEST_CASE("what cannot be proved is said with its place", "[implicit_bounds]") {
   CHECK_THROWS_AS(distance_bounds(cross, BezierCurve({{1, 1}, {1, 1}})), std::invalid_argument);
 }
 
+TEST_CASE("a strip proves the one-sided distance too", "[implicit_bounds]") {
+  // A conic so near to two lines that the gradient has no good lower bound on boxes.
+  const BivariatePolynomial x = BivariatePolynomial::r(), y = BivariatePolynomial::s();
+  const auto c = [](int numerator, int denominator) {
+    return BivariatePolynomial::constant(Rational(numerator, denominator));
+  };
+  const BivariatePolynomial f = c(204459, 250000) * x * x + c(78843, 500000) * x * y -
+                                c(230757, 500000) * y * y - c(2948121, 2000000) * x + c(339151, 400000) * y +
+                                c(560671, 4000000);
+  CHECK_FALSE(one_sided_bound(f, profile_cubic()).distance);
+  const DistanceBounds bounds = distance_bounds(f, profile_cubic());
+  REQUIRE(bounds.two_sided.strip);
+  CHECK(bounds.one_sided.distance == bounds.two_sided.strip->distance);
+  CHECK(bounds.one_sided.unproved.empty());
+}
+
 TEST_CASE("bounds of splines", "[implicit_bounds]") {
   const PlanarBox near = {{Rational(0), Rational(1)}, {Rational(0), Rational(3, 2)}};
   const PlanarSpace space = PlanarSpace::b_splines(2, 2, near, 5, 7, profile_cubic());
