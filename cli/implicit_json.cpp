@@ -41,7 +41,7 @@ bool PlanarStatements::is_complete() const {
                      [](const Proved& statement) { return statement.name == "one-sided"; });
 }
 
-PlanarStatements statements(const PlanarImplicit& implicit) {
+PlanarStatements statements(const PlanarImplicit& implicit, const std::vector<std::string>& variables) {
   PlanarStatements result;
   const DistanceBounds& bounds = implicit.bounds;
   if (implicit.is_exact) result.proved.push_back({"exact", vanishes, std::nullopt});
@@ -63,7 +63,7 @@ PlanarStatements statements(const PlanarImplicit& implicit) {
     for (const PlanarBox& box : implicit.possibly_singular)
       hull = {{std::min(hull.x.lower, box.x.lower), std::max(hull.x.upper, box.x.upper)},
               {std::min(hull.y.lower, box.y.lower), std::max(hull.y.upper, box.y.upper)}};
-    result.not_proved.push_back({"no-singular-point", planar_box_json(hull, {"x", "y"}),
+    result.not_proved.push_back({"no-singular-point", planar_box_json(hull, variables),
                                  "all singular points of the zero set in the box, if any, lie there"});
   }
   return result;
@@ -115,7 +115,7 @@ Json planar_box_json(const PlanarBox& box, const std::vector<std::string>& varia
 
 Json planar_implicit_json(const PlanarImplicit& implicit, const PlanarOptions& options,
                           const std::vector<std::string>& variables) {
-  const PlanarStatements known = statements(implicit);
+  const PlanarStatements known = statements(implicit, variables);
   const bool spline = !implicit.function.is_polynomial();
   Json json = {{"exsect", "implicit/1"},     {"status", known.is_complete() ? "complete" : "incomplete"},
                {"kind", "planar-curve"},     {"method", name(options.method)},

@@ -34,7 +34,8 @@ struct PlanarStatements {
   /// The distance of the curve from the zero set is bounded.
   bool is_complete() const;
 };
-PlanarStatements statements(const PlanarImplicit& implicit);
+PlanarStatements statements(const PlanarImplicit& implicit,
+                            const std::vector<std::string>& variables = {"x", "y"});
 
 /// {"name": .., "degree": .., "degrees": [..], "text": "..", "terms": [["p/q", [i, j]], ...]}.
 Json equation_json(const std::string& name, const PolynomialTerms& polynomial);

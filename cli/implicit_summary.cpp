@@ -93,7 +93,7 @@ std::string planar_subtitle(const PlanarImplicit& implicit, const PlanarOptions&
 
 std::string planar_implicit_summary(const PlanarImplicit& implicit, const PlanarOptions& options,
                                     const std::vector<std::string>& variables) {
-  const PlanarStatements known = statements(implicit);
+  const PlanarStatements known = statements(implicit, variables);
   std::string text = headline(implicit, options);
   if (implicit.function.is_polynomial())
     text += equation_text("f", terms_of(implicit.function.polynomial(), variables[0], variables[1]));

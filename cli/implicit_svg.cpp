@@ -141,29 +141,73 @@ DrawnZeroSet drawn_zero_set(const PlanarFunction& f, const PlanePolyline& curve,
   return result;
 }
 
-std::string planar_implicit_svg(const PlanarImplicit& implicit, const BezierCurve& curve,
-                                const std::string& subtitle, const std::vector<std::string>& variables,
-                                const std::string& title) {
+namespace {
+
+/// A drawn frame with its curve; what the legend needs to know.
+struct Panel {
+  PlaneView view;
+  PlanePolyline curve;
+  DrawnZeroSet zero;
+  std::vector<std::string> variables;
+};
+
+Panel panel_of(const PlanarImplicit& implicit, const BezierCurve& curve,
+               const std::vector<std::string>& variables) {
   const PlaneView view = view_of(implicit.box);
-  const PlanePolyline drawn = drawn_curve(curve);
-  const DrawnZeroSet zero = drawn_zero_set(implicit.function, drawn, near_distance(implicit, view), view);
+  PlanePolyline drawn = drawn_curve(curve);
+  DrawnZeroSet zero = drawn_zero_set(implicit.function, drawn, near_distance(implicit, view), view);
+  return {view, std::move(drawn), std::move(zero), variables};
+}
+
+/// The panels side by side under a title, with a legend.
+std::string picture_of(const std::vector<Panel>& panels, const std::string& title,
+                       const std::string& subtitle) {
+  double width = margin, height = 0;
+  bool follows = false, elsewhere = false;
+  for (const Panel& panel : panels) {
+    width += SvgPlane::width(panel.view) + margin;
+    height = std::max(height, SvgPlane::height(panel.view));
+    follows = follows || !panel.zero.following.empty();
+    elsewhere = elsewhere || !panel.zero.further.empty();
+  }
+  const double shift = std::max(0.0, 450 - width) / 2;
+  width = std::max(width, 450.0);
   SvgLegend legend;
   legend.add(curve_stroke, "curve");
-  if (!zero.following.empty()) legend.add(zero_stroke, "zero set");
-  if (!zero.further.empty()) legend.add(further_stroke, "zero set elsewhere");
-  const double width = std::max(SvgPlane::width(view), 300.0) + 2 * margin;
-  const double legend_top = top_margin + SvgPlane::height(view) + 54;
+  if (follows) legend.add(zero_stroke, "zero set");
+  if (elsewhere) legend.add(further_stroke, "zero set elsewhere");
+  const double legend_top = top_margin + height + 54;
   SvgPicture picture(width, legend_top + legend.height(width - 60) + 14);
   picture.element("<g fill=\"#000000\">");
   picture.text(width / 2, 26, fitted(title, 15, width - 30), 15, TextAnchor::middle);
   picture.text(width / 2, 48, fitted(subtitle, 13, width - 30), 13, TextAnchor::middle);
   picture.element("</g>");
-  SvgPlane plane(picture, (width - SvgPlane::width(view)) / 2, top_margin, view, variables[0], variables[1]);
-  plane.polyline(drawn, curve_stroke);
-  for (const PlanePolyline& polyline : zero.further) plane.polyline(polyline, further_stroke);
-  for (const PlanePolyline& polyline : zero.following) plane.polyline(polyline, zero_stroke);
+  double left = margin + shift;
+  for (const Panel& panel : panels) {
+    SvgPlane plane(picture, left, top_margin, panel.view, panel.variables[0], panel.variables[1]);
+    plane.polyline(panel.curve, curve_stroke);
+    for (const PlanePolyline& polyline : panel.zero.further) plane.polyline(polyline, further_stroke);
+    for (const PlanePolyline& polyline : panel.zero.following) plane.polyline(polyline, zero_stroke);
+    left += SvgPlane::width(panel.view) + margin;
+  }
   legend.draw(picture, 30, legend_top, width - 60);
   return picture.document();
+}
+
+}  // namespace
+
+std::string planar_implicit_svg(const PlanarImplicit& implicit, const BezierCurve& curve,
+                                const std::string& subtitle, const std::vector<std::string>& variables,
+                                const std::string& title) {
+  return picture_of({panel_of(implicit, curve, variables)}, title, subtitle);
+}
+
+std::string planar_pair_svg(const PlanarImplicit& f, const BezierCurve& curve_f,
+                            const std::vector<std::string>& variables_f, const PlanarImplicit& g,
+                            const BezierCurve& curve_g, const std::vector<std::string>& variables_g,
+                            const std::string& title) {
+  return picture_of({panel_of(f, curve_f, variables_f), panel_of(g, curve_g, variables_g)}, title,
+                    "both projections");
 }
 
 }  // namespace exsect::cli

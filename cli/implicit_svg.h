@@ -32,4 +32,10 @@ std::string planar_implicit_svg(const PlanarImplicit& implicit, const BezierCurv
                                 const std::string& subtitle, const std::vector<std::string>& variables,
                                 const std::string& title);
 
+/// The same for two curves side by side: the projections of a curve of space.
+std::string planar_pair_svg(const PlanarImplicit& f, const BezierCurve& curve_f,
+                            const std::vector<std::string>& variables_f, const PlanarImplicit& g,
+                            const BezierCurve& curve_g, const std::vector<std::string>& variables_g,
+                            const std::string& title);
+
 }  // namespace exsect::cli

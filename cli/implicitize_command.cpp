@@ -11,6 +11,7 @@
 #include "implicitize_options.h"
 #include "patch_choice.h"
 #include "patch_implicit_output.h"
+#include "space_implicit_output.h"
 #include "terminal_text.h"
 
 namespace exsect::cli {
@@ -48,6 +49,14 @@ Shown planar(const ImplicitizeCommand& command, const CurveFile& file) {
               : planar_implicit_svg(result, file.curve, subtitle, variables, file.title)};
 }
 
+Shown spatial(const ImplicitizeCommand& command, const CurveFile& file) {
+  const SpaceOptions options = space_options(command);
+  const SpaceImplicit result = blaming(command.file, [&] { return implicitize_space(file.curve, options); });
+  return {is_complete(result), space_implicit_summary(result, options),
+          command.output.json.empty() ? "" : json_text(space_implicit_json(result, options)),
+          command.output.svg.empty() ? "" : space_implicit_svg(result, file.curve, file.title)};
+}
+
 Shown patch(const ImplicitizeCommand& command, const ChosenPatch& chosen) {
   const PatchOptions options = patch_options(command);
   const PatchImplicit result =
@@ -72,9 +81,7 @@ ExitStatus run(const ImplicitizeCommand& command, const Streams& streams) {
   } else if (version == "curve/1") {
     const CurveFile file = parse_curve(text, command.file);
     title = file.title;
-    if (file.curve.dimension() != 2)
-      throw InputError(command.file, "$.points", "must be points of the plane");
-    shown = planar(command, file);
+    shown = file.curve.dimension() == 2 ? planar(command, file) : spatial(command, file);
   } else {
     throw InputError(command.file, "$.exsect", "must be \"curve/1\" or \"patches/1\"");
   }

@@ -15,6 +15,8 @@ namespace {
 constexpr std::array planar_methods = {PlanarMethod::exact,     PlanarMethod::least_squares,
                                        PlanarMethod::bernstein, PlanarMethod::legendre,
                                        PlanarMethod::chebyshev, PlanarMethod::lagrange};
+constexpr std::array space_methods = {SpaceMethod::cylinders, SpaceMethod::orthogonal,
+                                      SpaceMethod::root_free};
 constexpr std::array spaces = {SpaceKind::monomial, SpaceKind::bernstein, SpaceKind::b_spline};
 
 std::string shortened(const std::string& text) {
@@ -172,6 +174,39 @@ PlanarOptions planar_options(const ImplicitizeCommand& command) {
     options.box = PlanarBox{sides[0], sides[1]};
   }
   options.arithmetic = command.exact_arithmetic ? Arithmetic::exact : Arithmetic::floating;
+  return options;
+}
+
+SpaceOptions space_options(const ImplicitizeCommand& command) {
+  SpaceOptions options;
+  refuse_option("--patch", command.patch, "only for patch files");
+  refuse_option("--variables", command.variables, "only for planar curves");
+  if (!command.method.empty())
+    options.method = space_methods[choice("--method", command.method, names_of(space_methods))];
+  if (!command.axis.empty()) options.axis = static_cast<int>(choice("--axis", command.axis, {"x", "y", "z"}));
+  if (!command.box.empty()) {
+    const std::vector<RationalInterval> sides = box_sides("--box", command.box, 3);
+    options.box = SpaceBox{sides[0], sides[1], sides[2]};
+  }
+  const bool has_factors = options.method == SpaceMethod::orthogonal;
+  if (!has_factors) {
+    refuse_option("--factor-degree", command.factor_degree, "only for the method orthogonal");
+    refuse_option("--epsilon", command.epsilon, "only for the method orthogonal");
+  }
+  if (!command.factor_degree.empty())
+    options.factor_degree = integer_value("--factor-degree", command.factor_degree, 0, 8);
+  if (!command.epsilon.empty()) options.epsilon = number_value("--epsilon", command.epsilon);
+  if (options.epsilon <= 0) throw UsageError("--epsilon: " + shortened(command.epsilon) + " is not > 0");
+  // The projections are planar curves with options of their own.
+  ImplicitizeCommand projections = command;
+  projections.method.clear();
+  projections.axis.clear();
+  projections.factor_degree.clear();
+  projections.epsilon.clear();
+  projections.box.clear();
+  options.planar = planar_options(projections);
+  if (options.planar->space == SpaceKind::b_spline)
+    throw UsageError("--space: b-spline is only for planar curves");
   return options;
 }
 

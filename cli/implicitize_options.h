@@ -2,7 +2,7 @@
 #pragma once
 
 #include <exsect/geometry/approximate_implicit_patch.h>
-#include <exsect/solver/implicitize_curve.h>
+#include <exsect/solver/implicitize_space_curve.h>
 
 #include <optional>
 #include <string>
@@ -15,6 +15,9 @@ namespace exsect::cli {
 /// Options of a planar curve: without --method, exact, or least squares if --degree is given. Throws
 /// UsageError for unknown names, values out of range, and options that the method does not have.
 PlanarOptions planar_options(const ImplicitizeCommand& command);
+
+/// Options of a curve of space: without --method, cylinders. Throws UsageError as above.
+SpaceOptions space_options(const ImplicitizeCommand& command);
 
 /// exact, or approximate of a degree.
 struct PatchOptions {

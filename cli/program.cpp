@@ -61,7 +61,7 @@ constexpr const char* self_footer =
     "  exsect self examples/chapter9-second.json --patch y --json - --svg self.svg";
 
 constexpr const char* implicitize_footer =
-    "FILE holds a planar curve, form curve/1:\n"
+    "FILE holds a curve of the plane or of space, form curve/1:\n"
     "  {\"exsect\": \"curve/1\", \"degree\": 2, \"points\": [[1,0], [1,1], [0,1]], \"weights\": [1, 1, 2]}\n"
     "or patches, form patches/1. Without --degree the equation is exact: of a planar curve by Bezout's "
     "determinant,\n"
@@ -172,7 +172,13 @@ void add_implicitize(CLI::App& app, ImplicitizeCommand& command) {
   sub->add_option("--w2", command.w2, "Weight of the tension, >= 0")->type_name("NUMBER");
   sub->add_option("--digits", command.digits, "Decimals to which coefficients are rounded")
       ->type_name("NUMBER");
-  sub->add_option("--box", command.box, "Region: x0,x1,y0,y1")->type_name("LIST");
+  sub->add_option("--box", command.box, "Region: x0,x1,y0,y1, in space z0,z1 too")->type_name("LIST");
+  sub->add_option("--axis", command.axis, "Common coordinate x, y or z of both projections of a space curve")
+      ->type_name("NAME");
+  sub->add_option("--factor-degree", command.factor_degree, "Degree of the norms of the method orthogonal")
+      ->type_name("NUMBER");
+  sub->add_option("--epsilon", command.epsilon, "Weight 1/(f^2 + epsilon) of these norms, > 0")
+      ->type_name("NUMBER");
   sub->add_option("--variables", command.variables, "Names of the variables, as r,z")->type_name("LIST");
   sub->add_flag("--exact-arithmetic", command.exact_arithmetic, "Solve over the rational numbers");
   add_output(*sub, command.output, command.quiet);
