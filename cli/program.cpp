@@ -67,7 +67,9 @@ constexpr const char* implicitize_footer =
     "determinant,\n"
     "of a patch by Dixon's. Methods with --degree: least-squares, bernstein, legendre, chebyshev, lagrange "
     "for a\n"
-    "planar curve; dokken, conics for a patch. Coefficients are short rationals, and what is proved of the\n"
+    "planar curve; dokken, conics for a patch. A curve of space gets two surfaces: cylinders over "
+    "projections,\n"
+    "orthogonal (nearly so), or root-free (orthogonal on the curve). Coefficients are short rationals; the\n"
     "distance is proved for them.\n"
     "Examples:\n"
     "  exsect implicitize examples/profile.json --variables r,z\n"
@@ -219,7 +221,8 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
     return ExitStatus::complete;
   }
   if (app.get_subcommands().empty())
-    throw UsageError("a command is needed: intersect, line, self, compare or implicitize (see exsect --help)");
+    throw UsageError(
+        "a command is needed: intersect, line, self, compare or implicitize (see exsect --help)");
   refuse_empty_values(app);
   if (app.got_subcommand("self")) return run(self, streams);
   if (app.got_subcommand("compare")) return run(compare, streams);
