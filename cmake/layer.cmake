@@ -16,6 +16,11 @@ if(EXSECT_SANITIZE)
   target_link_options(exsect_options INTERFACE -fsanitize=address,undefined)
 endif()
 
+if(EXSECT_FUZZ)
+  target_compile_options(exsect_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all)
+  target_link_options(exsect_options INTERFACE -fsanitize=address,undefined)
+endif()
+
 # The headers that nearly every file includes, parsed once per target: Boost's GMP numbers alone cost seconds a file.
 function(exsect_precompile target)
   target_precompile_headers(${target} PRIVATE <algorithm> <array> <memory> <optional> <string> <vector>

@@ -17,6 +17,7 @@ constexpr double same = 1e-8;          // points closer than this are one
 constexpr double near_edge = 1e-7;     // boundary points this near to an edge are in doubt
 constexpr double longest_step = 0.01;  // of a trace
 constexpr std::size_t most_cells = 400000;
+constexpr std::size_t most_cells_on_line = 20000;
 constexpr int deepest = 22;
 
 struct Doubt : std::runtime_error {
@@ -102,7 +103,8 @@ void push_children(std::vector<Cell>& stack, const Cell& cell) {
 }
 
 /// A point of every graph met; zeros of F with parameter `fixed` held if given (then all of them).
-std::vector<Vector4> points_in(const System& system, Cell start, std::optional<std::size_t> fixed) {
+std::vector<Vector4> points_in(const System& system, Cell start, std::optional<std::size_t> fixed,
+                               std::size_t most = most_cells) {
   std::vector<Vector4> found;
   std::vector<Cell> stack = {start};
   for (std::size_t cells = 0; !stack.empty(); ++cells) {
@@ -110,7 +112,7 @@ std::vector<Vector4> points_in(const System& system, Cell start, std::optional<s
     stack.pop_back();
     const Expansion e = system.at(cell.centre);
     if (excluded(e, cell, system.size())) continue;
-    if (cells > most_cells || cell.depth > deepest) throw Doubt("a nearly singular point");
+    if (cells > most || cell.depth > deepest) throw Doubt("a nearly singular point");
     std::size_t t = fixed.value_or(0);
     if (const auto tangent = fixed ? std::nullopt : system.tangent(cell.centre)) {
       const auto less = [](double a, double b) { return std::abs(a) < std::abs(b); };
@@ -293,6 +295,26 @@ Intersection intersect(const BezierPatch& x, const BezierPatch& y) {
   Intersection result;
   try {
     find_curves(System(x, y), result);
+  } catch (const Doubt& doubt) {
+    result.doubt = doubt.what();
+  }
+  return result;
+}
+
+LinePoints line_points(const BezierPatch& x, const BezierPatch& y, std::size_t i, double value) {
+  LinePoints result;
+  try {
+    Cell line = {{0.5, 0.5, 0.5, 0.5}, {0.5, 0.5, 0.5, 0.5}, 0};
+    line.centre[i] = value;
+    line.half[i] = 0;
+    for (const Vector4& z : points_in(System(x, y), line, i, most_cells_on_line)) {
+      double inside = 1;
+      for (std::size_t j = 0; j < 4; ++j) {
+        if (j != i) inside = std::min({inside, z[j], 1 - z[j]});
+      }
+      if (std::abs(inside) < near_edge) throw Doubt("a solution close to an edge");
+      if (inside > 0) result.points.push_back(z);
+    }
   } catch (const Doubt& doubt) {
     result.doubt = doubt.what();
   }

@@ -32,4 +32,16 @@ struct Intersection {
 
 Intersection intersect(const BezierPatch& x, const BezierPatch& y);
 
+/// The solutions on one parameter line, by subdivision and Newton's method. Singular points elsewhere do no
+/// harm, so that for an arbitrary value this is conclusive nearly always: it is what to ask about pairs in
+/// special position. In doubt where the line touches the other patch or a solution lies close to an edge.
+struct LinePoints {
+  std::vector<Vector4> points;
+  std::string doubt;
+
+  bool conclusive() const { return doubt.empty(); }
+};
+/// Parameter i (0 to 3 for u, v, r, s) has this value, in [0,1].
+LinePoints line_points(const BezierPatch& x, const BezierPatch& y, std::size_t i, double value);
+
 }  // namespace exsect::oracle

@@ -1,0 +1,18 @@
+// The libFuzzer target: stops at the first pair for which something does not hold.
+#include <exsect/geometry/patch_file.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+
+#include "fuzz/fuzzed_pair.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto pair = exsect::fuzz::pair({data, size});
+  const auto verdict = exsect::fuzz::check(pair, 60);
+  if (verdict.violation.empty()) return 0;
+  std::cerr << verdict.violation << "\n"
+            << exsect::format_patches({"", "", {{"x", {2, 2}, pair.x}, {"y", {2, 2}, pair.y}}});
+  std::abort();
+}

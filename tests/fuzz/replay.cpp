@@ -1,0 +1,105 @@
+// replay FILE...: checks the kept cases, files of bytes as the fuzz target takes them, or patch files
+// (*.json). replay --random KIND FIRST COUNT: checks COUNT random pairs of the kind (a first byte; -1: of all
+// kinds) and reports how many end incomplete, by reason. Exit status 1 if something does not hold.
+#include <exsect/geometry/patch_file.h>
+#include <exsect/geometry/text_file.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "fuzz/fuzzed_pair.h"
+
+namespace {
+
+using namespace exsect;
+
+constexpr double kMaxSeconds = 20;
+
+random_pairs::Pair pair_in(const std::string& path) {
+  if (path.ends_with(".json")) {
+    const PatchFile file = read_patches(path);
+    return {file.patches.at(0).patch, file.patches.at(1).patch};
+  }
+  const std::string text = read_text_file(path, 4096);
+  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  return fuzz::pair(bytes);
+}
+
+int replay(const std::vector<std::string>& paths) {
+  int wrong = 0;
+  for (const std::string& path : paths) {
+    const fuzz::Verdict verdict = fuzz::check(pair_in(path), kMaxSeconds);
+    if (verdict.violation.empty()) continue;
+    ++wrong;
+    std::cout << path << ": " << verdict.violation << "\n";
+  }
+  std::cout << paths.size() << " cases, " << wrong << " wrong\n";
+  return wrong == 0 ? 0 : 1;
+}
+
+std::vector<std::uint8_t> random_bytes(int kind, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  std::vector<std::uint8_t> bytes(1 + 9 * 3 * 2 + 8);
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(generator() % 240);
+  if (kind >= 0) bytes[0] = static_cast<std::uint8_t>(kind);
+  return bytes;
+}
+
+struct Statistics {
+  int complete = 0;
+  int wrong = 0;
+  int lines = 0;
+  double slowest = 0;
+  std::map<std::string, std::pair<int, std::uint64_t>> reasons;  // how often, an example's seed
+};
+
+int statistics(int kind, std::uint64_t first, std::uint64_t count) {
+  Statistics sum;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    const auto start = std::chrono::steady_clock::now();
+    const fuzz::Verdict verdict = fuzz::check(fuzz::pair(random_bytes(kind, seed)), kMaxSeconds);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    sum.slowest = std::max(sum.slowest, time.count());
+    if (!verdict.violation.empty()) {
+      ++sum.wrong;
+      std::cout << "seed " << seed << ": " << verdict.violation << std::endl;
+    }
+    sum.lines += verdict.compared_lines;
+    if (verdict.result.status == Status::complete) {
+      ++sum.complete;
+    } else {
+      const auto entry = sum.reasons.try_emplace(verdict.result.incomplete.at(0).why, 0, seed).first;
+      ++entry->second.first;
+    }
+  }
+  std::cout << count << " pairs: " << sum.complete << " complete, " << sum.wrong << " wrong; " << sum.lines
+            << " lines compared with the oracle; slowest " << sum.slowest << " s\n";
+  for (const auto& [reason, entry] : sum.reasons) {
+    std::cout << "  " << entry.first << " incomplete: " << reason << " (seed " << entry.second << ")\n";
+  }
+  return sum.wrong == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.size() == 4 && arguments[0] == "--random") {
+    return statistics(std::stoi(arguments[1]), std::stoull(arguments[2]), std::stoull(arguments[3]));
+  }
+  if (arguments.size() == 3 && arguments[0] == "--show") {
+    const auto pair = fuzz::pair(random_bytes(std::stoi(arguments[1]), std::stoull(arguments[2])));
+    std::cout << format_patches({"", "", {{"x", {2, 2}, pair.x}, {"y", {2, 2}, pair.y}}});
+    return 0;
+  }
+  return replay(arguments);
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 2;
+}
