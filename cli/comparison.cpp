@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <set>
 
 #include "peak_memory.h"
@@ -19,10 +19,9 @@ struct Cost {
 template <class Work>
 Cost measured(Work work) {
   reset_peak_memory();
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   work();
-  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-  return {elapsed.count(), peak_memory_kib()};
+  return {1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, peak_memory_kib()};
 }
 
 std::size_t exact_points(const std::vector<CheckLine>& lines) {

@@ -26,7 +26,7 @@ struct MethodRow {
   std::size_t missed;          // of them not found
   std::size_t phantom_points;  // met on the check lines
   std::size_t phantom_points_removed;
-  double milliseconds;
+  double milliseconds;  // of the processor
   std::optional<long> peak_kib;
 };
 

@@ -77,13 +77,17 @@ class QuarticDrawing {
 
   void draw(SvgSquare& square) {
     for (const QuarticRegion& region : method_.regions) {
+      // boxes on top of each other in one
       std::vector<PlanePolyline> rings;
-      for (const auto& [i, j] : region.boxes) {
-        const double size = 1.0 / boxes_;
-        rings.push_back({{i * size, j * size},
-                         {(i + 1) * size, j * size},
-                         {(i + 1) * size, (j + 1) * size},
-                         {i * size, (j + 1) * size}});
+      const double size = 1.0 / boxes_;
+      for (std::size_t k = 0; k < region.boxes.size();) {
+        const auto [i, from] = region.boxes[k];
+        int to = from;
+        while (k < region.boxes.size() && region.boxes[k] == std::array<int, 2>{i, to}) ++k, ++to;
+        rings.push_back({{i * size, from * size},
+                         {(i + 1) * size, from * size},
+                         {(i + 1) * size, to * size},
+                         {i * size, to * size}});
       }
       square.region(rings, region.is_phantom ? "#a0a0a0" : "#56b4e9");
     }

@@ -11,6 +11,7 @@
 #include "implicitize_command.h"
 #include "intersect_command.h"
 #include "line_command.h"
+#include "revolve_command.h"
 #include "self_command.h"
 #include "terminal_text.h"
 
@@ -187,6 +188,44 @@ void add_implicitize(CLI::App& app, ImplicitizeCommand& command) {
   sub->footer(implicitize_footer);
 }
 
+constexpr const char* revolve_footer =
+    "PROFILE holds a planar curve (r,z) in the half plane r >= 0, form curve/1; it is revolved about the z "
+    "axis.\n"
+    "Without --degree elimination and product take its exact equation. A degree MxN is one in r and one in "
+    "z;\n"
+    "substitution fits in (r^2,z). Examples:\n"
+    "  exsect revolve examples/profile.json --method product --degree 3 --region 2,0,2 --svg rz.svg\n"
+    "  exsect revolve examples/profile.json --method substitution --degree 3 --mesh surface.obj\n"
+    "  exsect revolve examples/profile.json --method elimination --patch-file examples/chapter9-first.json "
+    "\\\n"
+    "    --patch x --u 1/2";
+
+void add_revolve(CLI::App& app, RevolveCommand& command) {
+  CLI::App* sub = app.add_subcommand("revolve", "Find implicit surfaces of revolution of a profile");
+  sub->add_option("PROFILE", command.file, "Curve file")->required()->type_name("");
+  sub->add_option("--method", command.method, "elimination, product or substitution")->type_name("NAME");
+  sub->add_option("--degree", command.degree, "Fit a profile of this degree by points and normals")
+      ->type_name("D|MxN");
+  sub->add_option("--cells", command.cells, "Fit splines on so many cells of the region (substitution)")
+      ->type_name("K|KxL");
+  sub->add_option("--samples", command.samples, "Number of points")->type_name("N")->capture_default_str();
+  sub->add_option("--w1", command.w1, "Weight of the normals")->type_name("NUMBER")->capture_default_str();
+  sub->add_option("--w2", command.w2, "Weight of the tension")->type_name("NUMBER")->capture_default_str();
+  sub->add_option("--region", command.region, "Look for rings and branches in 0 < r < B, C < z < D")
+      ->type_name("B,C,D");
+  sub->add_option("--mesh", command.mesh, "Write the surface as a mesh (OBJ)")->type_name("FILE");
+  sub->add_option("--mesh-size", command.mesh_size, "Chords along the profile, sectors around the axis")
+      ->type_name("M,N")
+      ->capture_default_str();
+  sub->add_option("--patch-file", command.patch_file, "Intersect the surface with a patch")
+      ->type_name("FILE");
+  sub->add_option("--patch", command.patch, "The patch, if the file holds more than one")->type_name("NAME");
+  sub->add_option("--u", command.lines, "Show the exact points on this parameter line of the patch")
+      ->type_name("NUMBER");
+  add_output(*sub, command.output, command.quiet);
+  sub->footer(revolve_footer);
+}
+
 /// An option with an empty value would look as if it were not given.
 void refuse_empty_values(const CLI::App& app) {
   for (const CLI::App* sub : app.get_subcommands()) {
@@ -205,6 +244,7 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   SelfCommand self;
   CompareCommand compare;
   ImplicitizeCommand implicitize;
+  RevolveCommand revolve;
   app.set_version_flag("--version", "exsect " EXSECT_VERSION, "Print the version");
   app.require_subcommand(0, 1);
   app.footer(statuses);
@@ -213,6 +253,7 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   add_self(app, self);
   add_compare(app, compare);
   add_implicitize(app, implicitize);
+  add_revolve(app, revolve);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -222,11 +263,12 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   }
   if (app.get_subcommands().empty())
     throw UsageError(
-        "a command is needed: intersect, line, self, compare or implicitize (see exsect --help)");
+        "a command is needed: intersect, line, self, compare, implicitize or revolve (see exsect --help)");
   refuse_empty_values(app);
   if (app.got_subcommand("self")) return run(self, streams);
   if (app.got_subcommand("compare")) return run(compare, streams);
   if (app.got_subcommand("implicitize")) return run(implicitize, streams);
+  if (app.got_subcommand("revolve")) return run(revolve, streams);
   return app.got_subcommand("intersect") ? run(intersect, streams) : run(line, streams);
 }
 

@@ -1,0 +1,131 @@
+#include "revolve_command.h"
+
+#include <exsect/geometry/curve_file.h>
+#include <exsect/geometry/number.h>
+#include <exsect/solver/revolution_mesh.h>
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "implicitize_options.h"
+#include "option_values.h"
+#include "patch_choice.h"
+#include "revolution_output.h"
+#include "terminal_text.h"
+
+namespace exsect::cli {
+namespace {
+
+RevolutionMethod method(const std::string& text) {
+  if (text.empty()) throw UsageError("--method: one of elimination, product, substitution is needed");
+  constexpr std::array<RevolutionMethod, 3> methods = {
+      RevolutionMethod::elimination, RevolutionMethod::product, RevolutionMethod::substitution};
+  return methods[choice("--method", text, {"elimination", "product", "substitution"})];
+}
+
+/// "m" or "mxn".
+std::array<std::optional<int>, 2> pair_of_integers(const std::string& option, const std::string& text,
+                                                   int least, int most) {
+  if (text.empty()) return {};
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return {integer_value(option, text, least, most), std::nullopt};
+  return {integer_value(option, text.substr(0, cross), least, most),
+          integer_value(option, text.substr(cross + 1), least, most)};
+}
+
+RevolveOptions options(const RevolveCommand& command) {
+  RevolveOptions result;
+  result.method = method(command.method);
+  const auto degree = pair_of_integers("--degree", command.degree, 1, 10);
+  result.degree = degree[0];
+  result.degree_z = degree[1];
+  const auto cells = pair_of_integers("--cells", command.cells, 1, 64);
+  if (cells[0]) result.cells = std::array<int, 2>{*cells[0], cells[1].value_or(*cells[0])};
+  result.samples = integer_value("--samples", command.samples, 2, 10000);
+  result.weights = {number_value("--w1", command.w1), number_value("--w2", command.w2)};
+  if (!command.region.empty()) {
+    const std::vector<Rational> region = number_list("--region", command.region, 3);
+    result.region = Rectangle{{0, region[0]}, {region[1], region[2]}};
+  }
+  return result;
+}
+
+/// Bad curves and options are the user's: the statement that they violate, with the file's name.
+Revolution solved(const std::string& file, const BezierCurve& profile, const RevolveOptions& options) {
+  try {
+    return revolve(profile, options);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(file, "", error.what());
+  } catch (const std::domain_error& error) {
+    throw InputError(file, "", error.what());
+  }
+}
+
+ShownRevolutionPatch on_patch(const RevolveCommand& command, const Revolution& revolution) {
+  if (!revolution.profile.is_polynomial()) throw UsageError("--patch-file: not for splines");
+  const BivariatePolynomial& f = revolution.profile.polynomial();
+  const NamedPatch chosen = read_patch(command.patch_file, command.patch).patch;
+  ShownRevolutionPatch shown{chosen.name, chosen.patch, intersect_revolution(f, chosen.patch), {}};
+  for (const std::string& text : command.lines) {
+    const Rational u = parameter_value("--u", text);
+    shown.lines.push_back({u, points_on_line(f, chosen.patch, u)});
+  }
+  return shown;
+}
+
+std::string mesh_text(const RevolveCommand& command, const ShownRevolution& shown, const std::string& title) {
+  const auto bound = shown.revolution.bounds.one_sided.distance;
+  if (!bound) throw UsageError("--mesh: no distance of profile and surface was proved");
+  const std::vector<Rational> size = number_list("--mesh-size", command.mesh_size, 2);
+  const int along = whole_number("--mesh-size", to_string(size[0]), 1, 4096);
+  const int around = whole_number("--mesh-size", to_string(size[1]), 4, 4096);
+  const TriangleMesh mesh = revolution_mesh(shown.profile, along, around);
+  const Rational distance = *bound + mesh.distance;
+  return obj_text(mesh, {"exsect revolve: " + printable(title.empty() ? command.file : title),
+                         fmt::format("method {}", name(shown.method)),
+                         "every point of the mesh is within " + rounded_up(to_double(distance)) +
+                             " of the implicit surface (proved): " + rounded_up(to_double(mesh.distance)) +
+                             " from the revolved profile, " + rounded_up(to_double(*bound)) + " from there"});
+}
+
+void check_more(const RevolveCommand& command) {
+  check(command.output, command.file);
+  if (command.patch_file.empty() && (!command.patch.empty() || !command.lines.empty()))
+    throw UsageError("--patch and --u need --patch-file");
+  if (command.mesh.empty()) return;
+  OutputFiles mesh;
+  mesh.svg = command.mesh;
+  try {
+    check(mesh, command.file);
+  } catch (const UsageError& error) {
+    throw UsageError("--mesh" + std::string(error.what()).substr(5));  // instead of "--svg"
+  }
+  for (const std::string& other : {command.output.json, command.output.svg, command.patch_file})
+    if (other == command.mesh) throw UsageError("--mesh: " + command.mesh + " is named twice");
+}
+
+}  // namespace
+
+ExitStatus run(const RevolveCommand& command, const Streams& streams) {
+  const RevolveOptions checked = options(command);
+  check_more(command);
+  const CurveFile file = read_curve(command.file);
+  ShownRevolution shown{checked.method, file.curve, solved(command.file, file.curve, checked), std::nullopt};
+  if (!command.patch_file.empty()) shown.patch = on_patch(command, shown.revolution);
+  const std::string json = command.output.json.empty() ? "" : json_text(revolution_json(shown));
+  const std::string svg = command.output.svg.empty() ? "" : revolution_svg(shown, file.title);
+  const std::string mesh = command.mesh.empty() ? "" : mesh_text(command, shown, file.title);
+  if (!command.output.json.empty() && !command.output.json_to_stdout()) {
+    write_file_atomically(command.output.json, json);
+  }
+  if (!svg.empty()) write_file_atomically(command.output.svg, svg);
+  if (!mesh.empty()) write_file_atomically(command.mesh, mesh);
+  if (command.output.json_to_stdout()) {
+    streams.out << json;
+  } else if (!command.quiet) {
+    streams.out << heading(command.file, file.title) << revolution_summary(shown);
+  }
+  return shown.is_complete() ? ExitStatus::complete : ExitStatus::incomplete;
+}
+
+}  // namespace exsect::cli
