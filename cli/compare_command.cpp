@@ -5,8 +5,8 @@
 
 #include "comparison.h"
 #include "comparison_svg.h"
+#include "implicitize_options.h"
 #include "json_forms.h"
-#include "option_values.h"
 #include "patch_choice.h"
 #include "terminal_text.h"
 
@@ -15,8 +15,8 @@ namespace {
 
 ComparisonOptions options(const CompareCommand& command) {
   ComparisonOptions result;
-  result.lines = whole_number("--lines", command.lines, 1, 10000);
-  result.pieces = whole_number("--pieces", command.pieces, 0, 3);
+  result.lines = integer_value("--lines", command.lines, 1, 10000);
+  result.pieces = integer_value("--pieces", command.pieces, 0, 3);
   if (command.fit != "conics" && command.fit != "dokken") throw UsageError("--fit: must be conics or dokken");
   result.fit = command.fit == "conics" ? PatchFit::conics : PatchFit::dokken;
   return result;

@@ -43,16 +43,6 @@ double positive_value(const std::string& option, const std::string& text) {
   return below;
 }
 
-Rational exact_value(const std::string& option, const std::string& text) { return number(option, text); }
-
-int whole_number(const std::string& option, const std::string& text, int least, int most) {
-  const Rational value = number(option, text);
-  if (denominator(value) != 1 || value < least || value > most)
-    throw UsageError(option + ": " + shortened(text) + " is not a whole number from " +
-                     std::to_string(least) + " to " + std::to_string(most));
-  return static_cast<int>(numerator(value));
-}
-
 std::vector<Parameter> parameter_list(const std::string& option, const std::string& text,
                                       const ParameterNames& names) {
   std::vector<Parameter> list;

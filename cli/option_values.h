@@ -17,12 +17,6 @@ Rational parameter_value(const std::string& option, const std::string& text);
 /// not positive and finite.
 double positive_value(const std::string& option, const std::string& text);
 
-/// A number in the same syntax, exactly. Throws UsageError.
-Rational exact_value(const std::string& option, const std::string& text);
-
-/// A whole number in [least, most]. Throws UsageError.
-int whole_number(const std::string& option, const std::string& text, int least, int most);
-
 /// "u,v,r,s" (or other names) or any part of it, or "none". Throws UsageError.
 std::vector<Parameter> parameter_list(const std::string& option, const std::string& text,
                                       const ParameterNames& names = pair_names);

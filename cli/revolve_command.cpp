@@ -1,7 +1,6 @@
 #include "revolve_command.h"
 
 #include <exsect/geometry/curve_file.h>
-#include <exsect/geometry/number.h>
 #include <exsect/solver/revolution_mesh.h>
 #include <fmt/format.h>
 
@@ -76,9 +75,10 @@ ShownRevolutionPatch on_patch(const RevolveCommand& command, const Revolution& r
 std::string mesh_text(const RevolveCommand& command, const ShownRevolution& shown, const std::string& title) {
   const auto bound = shown.revolution.bounds.one_sided.distance;
   if (!bound) throw UsageError("--mesh: no distance of profile and surface was proved");
-  const std::vector<Rational> size = number_list("--mesh-size", command.mesh_size, 2);
-  const int along = whole_number("--mesh-size", to_string(size[0]), 1, 4096);
-  const int around = whole_number("--mesh-size", to_string(size[1]), 4, 4096);
+  const std::size_t comma = command.mesh_size.find(',');
+  if (comma == std::string::npos) throw UsageError("--mesh-size: must be M,N");
+  const int along = integer_value("--mesh-size", command.mesh_size.substr(0, comma), 1, 4096);
+  const int around = integer_value("--mesh-size", command.mesh_size.substr(comma + 1), 4, 4096);
   const TriangleMesh mesh = revolution_mesh(shown.profile, along, around);
   const Rational distance = *bound + mesh.distance;
   return obj_text(mesh, {"exsect revolve: " + printable(title.empty() ? command.file : title),

@@ -184,9 +184,10 @@ class ArcJoiner {
   /// Around the event and apart from all others, of a width that falls with the round.
   RationalInterval interval_around(std::size_t i, int round) const {
     const Place& place = places_[i];
-    if (!place.is_rational())
-      return place.extra ? *place.extra : place.u.refined_to(power_of_two(-40 << round)).interval();
-    const Rational u = place.u.rational();
+    if (place.extra) return *place.extra;
+    const RationalInterval fine = place.u.refined_to(power_of_two(-(40 << round))).interval();
+    if (fine.lower < fine.upper) return fine;
+    const Rational& u = fine.lower;
     const Rational reach = power_of_two(-(10 << round));
     RationalInterval on = {u, u};
     if (i > 0) on.lower = std::max(Rational(u - reach), Rational((u + places_[i - 1].interval().upper) / 2));
