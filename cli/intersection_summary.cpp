@@ -97,6 +97,23 @@ std::string arcs_text(const IntersectionGraph& graph, const ParameterNames& name
   return table({"arc", "component", "from", "to", "vertices", "error at most", ""}, rows);
 }
 
+std::string overlaps_text(const IntersectionGraph& graph) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Overlap& overlap : graph.overlaps) {
+    for (const std::vector<Arc>& chain : overlap.chains) {
+      std::vector<int> nodes;
+      double bound = 0;
+      for (const Arc& arc : chain) {
+        nodes.push_back(arc.from);
+        bound = std::max(bound, arc.error_bound);
+      }
+      nodes.push_back(chain.back().to);
+      rows.push_back({std::to_string(overlap.id), ids(nodes), rounded_up(bound)});
+    }
+  }
+  return table({"overlap", "nodes of the rim", "error at most"}, rows);
+}
+
 std::string work_text(const Work& work) {
   std::vector<std::string> steps;
   for (const auto& [step, count] : work.steps)
@@ -122,6 +139,7 @@ std::string intersection_summary(const IntersectResult& result, const PatchNames
   const IntersectionGraph& graph = result.graph;
   return headline(result, names) + turning_text(graph, names.parameters) + section(components_text(graph)) +
          section(nodes_text(graph, names.parameters)) + section(arcs_text(graph, names.parameters)) +
+         section(overlaps_text(graph)) +
          (graph.isolated_points.empty() ? ""
                                         : "\n  isolated points: nodes " + ids(graph.isolated_points) + "\n") +
          incomplete_text(result.incomplete, names.parameters) + "\n" + work_text(result.work);

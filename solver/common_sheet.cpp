@@ -86,6 +86,7 @@ struct Attempt {
   Matrix inverse{};
   Pair w0{};
   Pair width{};
+  Pair image{};             // bounds of |w(a) - w0|
   std::array<Pair, 2> e{};  // bounds of |E|
 
   explicit Attempt(const SearchRegion& region) {
@@ -139,25 +140,44 @@ struct Attempt {
       const std::array<std::size_t, 2> column = {3, 1};
       for (std::size_t l = 0; l < 2; ++l)
         e[k][l] = kSlack * (upper(row(inverse, k, y[column[l]]) - DoubleBall(k == l ? 1 : 0)) + change[l]);
-      if (!(kSlack * (residual[k] + e[k][0] * width[0] + e[k][1] * width[1]) < width[k])) return false;
+      image[k] = kSlack * (residual[k] + e[k][0] * width[0] + e[k][1] * width[1]);
+      if (!(image[k] < width[k])) return false;
     }
     return true;
   }
 
+  /// w(A) and the region's last two intervals are disjoint.
+  bool leaves_region() const {
+    for (std::size_t k = 0; k < 2; ++k)
+      if (std::fabs(w0[k] - middle[k]) > kSlack * (image[k] + half[k])) return true;
+    return false;
+  }
+
+  /// C x' over A: row r or s, column u or v.
+  std::array<std::array<DoubleBall, 2>, 2> first_derivatives() const {
+    std::array<std::array<DoubleBall, 2>, 2> d;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Pair change = variation(magnitudes(inverse, k, x), reach);
+      d[k] = {row(inverse, k, x[3]).widened(change[0]), row(inverse, k, x[1]).widened(change[1])};
+    }
+    return d;
+  }
+
+  /// x is regular on A: C x' is, so x' has rank 2.
+  bool is_regular() const {
+    const auto d = first_derivatives();
+    return (d[0][0] * d[1][1] - d[0][1] * d[1][0]).certain_sign() != 0;
+  }
+
   /// w' = (C y')^-1 C x': with |w'_k| <= width_k m and |E| m as error.
   Sheet sheet() const {
-    Sheet result;
+    Sheet result{first_derivatives()};
     double contraction = 0;
     for (std::size_t k = 0; k < 2; ++k)
       contraction = std::max(contraction, kSlack * (e[k][0] * width[0] + e[k][1] * width[1]) / width[k]);
     for (std::size_t l = 0; l < 2; ++l) {
-      Pair change{};
-      double largest = 0;
-      for (std::size_t k = 0; k < 2; ++k) {
-        change[k] = variation(magnitudes(inverse, k, x), reach)[l];
-        result.derivative[k][l] = row(inverse, k, x[l == 0 ? 3 : 1]).widened(change[k]);
-        largest = std::max(largest, upper(result.derivative[k][l]) / width[k]);
-      }
+      const double largest =
+          std::max(upper(result.derivative[0][l]) / width[0], upper(result.derivative[1][l]) / width[1]);
       const double m = kSlack * largest / (1 - contraction);
       for (std::size_t k = 0; k < 2; ++k)
         result.derivative[k][l] =
@@ -189,8 +209,15 @@ struct Attempt {
 std::optional<Sheet> CommonSheets::certify(const SearchRegion& region) const {
   Attempt attempt(region);
   if (!attempt.find_centre(system_) || !attempt.is_near() || !attempt.contracts()) return std::nullopt;
+  if (!attempt.is_regular()) return std::nullopt;
   if (!surface_.planar() && !attempt.meets(surface_)) return std::nullopt;
   return attempt.sheet();
+}
+
+bool CommonSheets::settles(const SearchRegion& region) const {
+  Attempt attempt(region);
+  if (attempt.find_centre(system_) && attempt.contracts() && attempt.leaves_region()) return true;
+  return certify(region).has_value();
 }
 
 }  // namespace exsect

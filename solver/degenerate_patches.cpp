@@ -322,7 +322,10 @@ std::optional<IntersectResult> intersect_degenerate(const BezierPatch& x, const 
     b = b.exchanged();
     std::swap(names[2], names[3]);
   }
-  if (dimension(first) > dimension(second)) {
+  // A folded curve can be the first one, not the second one.
+  const bool folded = dimension(second) == 1 && second != PatchShape::curve &&
+                      shape(line_at_second(b, 0)) == LineShape::folded;
+  if (dimension(first) > dimension(second) || (folded && dimension(first) == 1)) {
     std::swap(a, b);
     names = {names[2], names[3], names[0], names[1]};
   }

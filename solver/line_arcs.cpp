@@ -218,6 +218,7 @@ class LineArcSearch {
   std::optional<Run> next_run(const CertifiedPoint& at, int direction, std::vector<CertifiedPoint>& targets) {
     const Rational here = at.box()[index(place_.roles.line)].midpoint();
     const Rational limit = direction > 0 ? 1 : 0;
+    if (here == limit) return std::nullopt;
     for (int halvings = 0; halvings < kMostHalvings; ++halvings) {
       const Rational step = (limit - here) * power_of_two(-halvings);
       const Rational there =

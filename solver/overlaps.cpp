@@ -49,11 +49,11 @@ class OneSurface {
       boundary_ = overlap_boundary(x_, y_, sheets_, scale_, tolerance_, stop_);
       result_.incomplete = boundary_.incomplete;
     });
-    if (surface_.planar()) check_folds();
+    regular_ = surface_.planar() && !planar_patch_folds(x_) && !planar_patch_folds(y_);
     for (const BoundaryPoint& point : boundary_.points)
       if (point.kind == BoundaryPointKind::other) sweep_.boundary.push_back(point.at);
     sweep_.coincident = coincident_parameters(x_, y_);
-    sweep_.settled = [this](const SearchRegion& region) { return sheets_.certify(region).has_value(); };
+    sweep_.settled = [this](const SearchRegion& region) { return sheets_.settles(region); };
     sweep_.exact = result_.incomplete.empty();
     timed("tracing", [this] {
       if (!trace<DoubleBall>(power_of_two(-50), false)) trace<ArbBall<256>>(power_of_two(-200), true);
@@ -81,26 +81,30 @@ class OneSurface {
     }
   }
 
-  void check_folds() {
+  /// In a plane every solution lies on a common sheet if neither patch is singular anywhere. Otherwise the
+  /// search must show that the singular places are no solutions; where it cannot, the fold is named.
+  void name_folds() {
     for (const BezierPatch* patch : {&x_, &y_})
-      if (planar_patch_folds(*patch)) {
-        folds_ = true;
+      if (planar_patch_folds(*patch))
         result_.incomplete.push_back(
             {whole_domain(), std::string("the patches lie in one plane and the parametrisation of the ") +
                                  (patch == &x_ ? "first" : "second") +
                                  " one folds or is singular there: the region they share is not decided"});
-      }
   }
 
-  /// The curves apart from the common surface; false if more precision may help. In a plane there are none.
+  /// The curves apart from the common surface; false if more precision may help.
   template <class Ball>
   bool trace(const Rational& width, bool last) {
     const PairSystem<Ball> system(x_, y_, scale_.origin, scale_.frame.exponent);
     Landmarks<Ball> landmarks;
     for (const CertifiedPoint& point : sweep_.boundary) landmarks.push_back(enclose<Ball>(point, width));
     TracedCurves<Ball> traced;
-    if (!surface_.planar()) traced = trace_curves(system, landmarks, sweep_, width, stop_);
-    if (!traced.problems.empty() && sweep_.exact && !last) return false;
+    if (!regular_) traced = trace_curves(system, landmarks, sweep_, width, stop_);
+    if (!traced.problems.empty() && sweep_.exact && !last && !surface_.planar()) return false;
+    if (surface_.planar() && !(traced.problems.empty() && sweep_.exact)) {
+      name_folds();
+      traced.problems.clear();
+    }
     result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
     result_.work.steps["searched boxes"] += static_cast<double>(traced.searched_boxes);
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
@@ -175,7 +179,7 @@ class OneSurface {
     }
     if (rim.empty()) return;
     const auto odd = std::find_if(degree.begin(), degree.end(), [](int d) { return d != 0 && d != 2; });
-    if (odd == degree.end() && !folds_ && boundary_.incomplete.empty()) {
+    if (odd == degree.end() && boundary_.incomplete.empty()) {
       check_annuli(rim);
       while (!rim.empty()) add_overlap({closed_chain(rim)});
       return;
@@ -271,7 +275,7 @@ class OneSurface {
     return options_.max_seconds && milliseconds_since(start_) > 1000 * *options_.max_seconds;
   };
   OverlapBoundary boundary_;
-  bool folds_ = false;
+  bool regular_ = false;  // in a plane, and neither patch is singular
   SweepData sweep_;
   std::vector<int> nodes_;  // of the boundary points
   IntersectResult result_{};

@@ -241,6 +241,7 @@ class Search {
   SearchOutcome run() {
     // Breadth first: what is left when the budget ends are small boxes around the difficult places.
     std::deque<std::pair<Cell<Ball>*, Cell<Ball>*>> waiting = {{&x_.root(), &y_.root()}};
+    const std::size_t most_waiting = settled_ ? kMostWaitingOnSurface : kMostWaiting;
     while (!waiting.empty()) {
       auto [a, b] = waiting.front();
       waiting.pop_front();
@@ -249,7 +250,7 @@ class Search {
           covered(*a, *b)) {
         continue;
       }
-      const bool stopped = outcome_.boxes > kMostBoxes<Ball> || waiting.size() > kMostWaiting ||
+      const bool stopped = outcome_.boxes > kMostBoxes<Ball> || waiting.size() > most_waiting ||
                            (stop_ && outcome_.boxes % 64 == 0 && stop_());
       const bool first = a->size >= b->size;
       const bool deepest = (first ? a : b)->depth >= kDeepest;
@@ -268,7 +269,8 @@ class Search {
   }
 
  private:
-  static constexpr std::size_t kMostWaiting = 4000;
+  static constexpr std::size_t kMostWaiting = 4000;            // around curves
+  static constexpr std::size_t kMostWaitingOnSurface = 60000;  // around a surface of solutions
 
   static BallPoint<Ball> corner(const SearchRegion& region) {
     return {Ball(region.lower[0]), Ball(region.lower[1]), Ball(region.lower[2]), Ball(region.lower[3])};

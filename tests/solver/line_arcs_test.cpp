@@ -1,0 +1,101 @@
+// Arcs of parameter lines on the other patch: exact ends, every sheet, and vertices on both patches.
+#include "../../solver/line_arcs.h"
+
+#include "support/catch.h"
+#include "support/random_pairs.h"
+
+namespace exsect {
+namespace {
+
+Rational q(int a, int b) { return {a, b}; }
+
+LineArcs arcs_of(const BezierPatch& x, const BezierPatch& y, const LineQuery& query) {
+  const ModelScale scale = model_scale(x, y);
+  return line_arcs(x, y, query, scale, 1e-6 * scale.extent, {});
+}
+
+/// The arcs cover the intervals that line_points finds by another route (equal where there is one sheet).
+void check_against_intervals(const BezierPatch& x, const BezierPatch& y, const LineQuery& query) {
+  const LineArcs found = arcs_of(x, y, query);
+  const LinePoints points = line_points(x, y, query);
+  CHECK(!found.incomplete);
+  REQUIRE(found.arcs.size() == points.on_patch.size());
+  const std::size_t t = index(query.fixed) ^ 1;
+  for (std::size_t i = 0; i < found.arcs.size(); ++i) {
+    const RationalInterval from = found.ends[found.arcs[i].from].box()[t];
+    const RationalInterval to = found.ends[found.arcs[i].to].box()[t];
+    CHECK(points.on_patch[i].from.compare(from.lower) >= 0);
+    CHECK(points.on_patch[i].from.compare(from.upper) <= 0);
+    CHECK(points.on_patch[i].to.compare(to.lower) >= 0);
+    CHECK(points.on_patch[i].to.compare(to.upper) <= 0);
+    for (const PolylineVertex& vertex : found.arcs[i].polyline) {
+      const auto& z = vertex.parameters;
+      const Point a = x(from_double(z[0]), from_double(z[1]));
+      const Point b = y(from_double(z[2]), from_double(z[3]));
+      for (std::size_t c = 0; c < 3; ++c) {
+        CHECK(to_double(a[c]) == Approx(to_double(b[c])).margin(1e-9));
+        CHECK(to_double(a[c]) == Approx(vertex.point[c]).margin(1e-9));
+      }
+    }
+  }
+}
+
+TEST_CASE("boundary and inner lines of random patches on pieces of themselves") {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    INFO("seed " << seed);
+    random_pairs::Generator generator(seed);
+    const BezierPatch x = random_pairs::small_rationals(generator).x;
+    const BezierPatch y = x.restricted_to(q(1, 3), q(4, 3), q(-1, 4), q(3, 4));
+    check_against_intervals(x, y, {Parameter::u, 1});
+    check_against_intervals(x, y, {Parameter::v, q(1, 2)});
+    check_against_intervals(x, y.exchanged(), {Parameter::s, 0});
+    check_against_intervals(x, y, {Parameter::u, 0});  // not on y
+  }
+}
+
+TEST_CASE("a line on a patch that covers it twice has an arc for each sheet") {
+  ControlNet folded;
+  for (auto& row : folded) row.fill(Point{0, 0, 0});
+  folded[0][0] = {1, 0, 0};  // ((2 r - 1)^2, s, s^2)
+  folded[1][0] = {-4, 0, 0};
+  folded[2][0] = {4, 0, 0};
+  folded[0][1] = {0, 1, 0};
+  folded[0][2] = {0, 0, 1};
+  ControlNet piece = folded;
+  piece[0][0] = {q(1, 16), 0, 0};  // (1/16 + 3/16 u, v, v^2)
+  piece[1][0] = {q(3, 16), 0, 0};
+  piece[2][0] = {0, 0, 0};
+  const BezierPatch x = BezierPatch::from_power_basis(piece);
+  const BezierPatch y = BezierPatch::from_power_basis(folded);
+  const LineArcs found = arcs_of(x, y, {Parameter::u, 1});
+  CHECK(!found.incomplete);
+  REQUIRE(found.arcs.size() == 2);
+  for (const LineArc& arc : found.arcs) {
+    const RationalInterval r = arc.inside.box()[2];
+    CHECK((r.lower <= q(1, 4) ? q(1, 4) <= r.upper : r.lower <= q(3, 4) && q(3, 4) <= r.upper));
+  }
+}
+
+TEST_CASE("a line through a collapsed line of the other patch") {
+  ControlNet collapsed;  // r (1, s, r)
+  for (auto& row : collapsed) row.fill(Point{0, 0, 0});
+  collapsed[1][0] = {1, 0, 0};
+  collapsed[1][1] = {0, 1, 0};
+  collapsed[2][0] = {0, 0, 1};
+  ControlNet through;  // (u - 1/2, v, 1/3 - u...)
+  for (auto& row : through) row.fill(Point{0, 0, 0});
+  through[0][0] = {q(-1, 2), q(-1, 2), 0};
+  through[1][0] = {1, 1, 0};
+  through[2][0] = {0, 0, 0};
+  through[0][1] = {0, 0, 1};
+  const LineArcs found = arcs_of(BezierPatch::from_power_basis(through),
+                                 BezierPatch::from_power_basis(collapsed), {Parameter::v, 0});
+  CHECK(found.arcs.empty());
+  REQUIRE(found.collapsed.size() == 1);
+  CHECK(found.collapsed[0].t.compare(q(1, 2)) == 0);
+  CHECK(found.collapsed[0].fixed == Parameter::r);
+  CHECK(found.collapsed[0].value.compare(0) == 0);
+}
+
+}  // namespace
+}  // namespace exsect
