@@ -1,11 +1,11 @@
 #include "tensor_bernstein.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <utility>
 
 #include "bernstein.h"
+#include "bernstein_box.h"
 
 namespace exsect {
 namespace {
@@ -19,28 +19,18 @@ Coefficients transposed(const Coefficients& b) {
   return result;
 }
 
-/// The two halves of every row.
-std::array<Coefficients, 2> halves(const Coefficients& b) {
-  std::array<Coefficients, 2> result;
-  for (const std::vector<Rational>& row : b) {
-    BernsteinHalves half = split_bernstein(row, Rational(1, 2));
-    result[0].push_back(std::move(half.left));
-    result[1].push_back(std::move(half.right));
-  }
-  return result;
-}
-
-void extend(RationalInterval& range, const Coefficients& b, int depth) {
+void extend(RationalInterval& range, const BernsteinBox& part, int depth) {
   if (depth == 0) {
-    for (const std::vector<Rational>& row : b)
-      for (const Rational& c : row) {
-        range.lower = std::min(range.lower, c);
-        range.upper = std::max(range.upper, c);
-      }
+    range.lower = std::min(range.lower, part.lower());
+    range.upper = std::max(range.upper, part.upper());
     return;
   }
-  for (const Coefficients& in_s : halves(b))
-    for (const Coefficients& part : halves(transposed(in_s))) extend(range, transposed(part), depth - 1);
+  const auto [left, right] = part.split_r();
+  for (const BernsteinBox* half : {&left, &right}) {
+    const auto [lower, upper] = half->split_s();
+    extend(range, lower, depth - 1);
+    extend(range, upper, depth - 1);
+  }
 }
 
 }  // namespace
@@ -59,9 +49,9 @@ Coefficients tensor_bernstein(const BivariatePolynomial& f, int m, int n, const 
 
 RationalInterval range_bound(const BivariatePolynomial& f, const Rectangle& on, int depth) {
   if (depth < 0 || depth > 10) throw std::invalid_argument("range_bound: 0 <= depth <= 10 is required");
-  const Coefficients b = tensor_bernstein(f, std::max(f.degree_r(), 0), std::max(f.degree_s(), 0), on);
-  RationalInterval range = {b[0][0], b[0][0]};  // a corner value
-  extend(range, b, depth);
+  const Rational at_corner = f(on.r.lower, on.s.lower);
+  RationalInterval range = {at_corner, at_corner};
+  extend(range, BernsteinBox(f, on.r, on.s), depth);
   return range;
 }
 
