@@ -19,6 +19,8 @@ ComparisonOptions options(const CompareCommand& command) {
   result.pieces = integer_value("--pieces", command.pieces, 0, 3);
   if (command.fit != "conics" && command.fit != "dokken") throw UsageError("--fit: must be conics or dokken");
   result.fit = command.fit == "conics" ? PatchFit::conics : PatchFit::dokken;
+  if (command.plane != "u,r" && command.plane != "v,s") throw UsageError("--plane: must be u,r or v,s");
+  if (command.plane == "v,s") result.plane = ResultantPlane::v_s;
   return result;
 }
 
@@ -40,8 +42,10 @@ std::string comparison_table(const Comparison& comparison) {
   for (const MethodRow& row : comparison.rows)
     text += fmt::format("{} ({}): {}\n", row.method, row.detail, row.answer);
   return text +
-         fmt::format("certified, missed, phantom points: on {} lines u = const, against their exact points\n",
-                     comparison.lines);
+         fmt::format(
+             "certified, missed, phantom points: on {} lines u = const{}, against their exact points\n",
+             comparison.lines,
+             comparison.plane == ResultantPlane::v_s ? ", for the resultant v = const" : "");
 }
 
 Json optional_number(const std::optional<std::size_t>& n) { return n ? Json(*n) : Json(); }

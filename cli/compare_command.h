@@ -17,6 +17,7 @@ struct CompareCommand {
   std::string lines = "64";
   std::string fit = "conics";
   std::string pieces = "2";
+  std::string plane = "u,r";
   OutputFiles output;
   bool quiet = false;
 };

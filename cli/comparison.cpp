@@ -64,10 +64,10 @@ MethodRow row_of_lines(const IntersectResult& result, const std::vector<CheckLin
           cost.peak_kib};
 }
 
-MethodRow row_of_resultant(const ResultantMethod& result, const std::vector<CheckLine>& lines,
-                           const Cost& cost) {
+MethodRow row_of_resultant(const ResultantMethod& result, ResultantPlane plane,
+                           const std::vector<CheckLine>& lines, const Cost& cost) {
   MethodRow row{"resultant",
-                "curve in (u,r)",
+                plane == ResultantPlane::u_r ? "curve in (u,r)" : "curve in (v,s)",
                 "complete up to isolated points",
                 result.components.size(),
                 count(result.components, false),
@@ -128,8 +128,16 @@ Comparison compare(const BezierPatch& x, const BezierPatch& y, const ComparisonO
   result.lines = lines.size();
   Cost cost = measured([&] { result.parameter_lines = intersect(x, y); });
   result.rows.push_back(row_of_lines(result.parameter_lines, lines, cost));
-  cost = measured([&] { result.resultant = intersect_by_resultant(x, y); });
-  result.rows.push_back(row_of_resultant(result.resultant, lines, cost));
+  result.plane = options.plane;
+  if (options.plane == ResultantPlane::u_r) {
+    cost = measured([&] { result.resultant = intersect_by_resultant(x, y); });
+    result.rows.push_back(row_of_resultant(result.resultant, options.plane, lines, cost));
+  } else {
+    const BezierPatch first = x.exchanged(), second = y.exchanged();
+    cost = measured([&] { result.resultant = intersect_by_resultant(first, second); });
+    result.rows.push_back(
+        row_of_resultant(result.resultant, options.plane, check_lines(first, second, options.lines), cost));
+  }
   for (const int pieces : std::set<int>{0, options.pieces}) {
     QuarticOptions quartics;
     quartics.fit = options.fit;

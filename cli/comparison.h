@@ -30,10 +30,14 @@ struct MethodRow {
   std::optional<long> peak_kib;
 };
 
+/// The plane of the resultant's curve: (u,r), or (v,s) with check lines v = const for its row.
+enum class ResultantPlane { u_r, v_s };
+
 struct Comparison {
   std::size_t lines;  // check lines
   IntersectResult parameter_lines;
   ResultantMethod resultant;
+  ResultantPlane plane;
   std::vector<QuarticMethod> quartics;  // of whole y, and of its pieces
   std::vector<QuarticOptions> quartic_options;
   std::vector<MethodRow> rows;
@@ -45,6 +49,7 @@ struct ComparisonOptions {
   int lines = 64;
   PatchFit fit = PatchFit::conics;
   int pieces = 2;
+  ResultantPlane plane = ResultantPlane::u_r;
 };
 
 Comparison compare(const BezierPatch& x, const BezierPatch& y, const ComparisonOptions& options);

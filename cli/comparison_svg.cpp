@@ -165,7 +165,8 @@ std::string comparison_svg(const Comparison& comparison, const std::string& titl
     picture.text(left + SvgSquare::size / 2, top - 12, fitted(heading, 13, SvgSquare::size + 40), 13,
                  TextAnchor::middle);
     picture.element("</g>");
-    SvgSquare square(picture, left, top, "u", i == 1 ? "r" : "v");
+    const bool in_vs = i == 1 && comparison.plane == ResultantPlane::v_s;
+    SvgSquare square(picture, left, top, in_vs ? "v" : "u", in_vs ? "s" : i == 1 ? "r" : "v");
     if (i == 0) draw_lines(comparison.parameter_lines, square);
     if (i == 1) draw_resultant(comparison.resultant, square);
     if (i >= 2)

@@ -156,6 +156,9 @@ void add_compare(CLI::App& app, CompareCommand& command) {
                   "Quartics also for 2^K by 2^K pieces of the second patch, K from 0 to 3")
       ->type_name("K")
       ->capture_default_str();
+  sub->add_option("--plane", command.plane, "Plane of the resultant's curve: u,r or v,s")
+      ->type_name("NAMES")
+      ->capture_default_str();
   sub->footer(compare_footer);
 }
 

@@ -7,7 +7,8 @@
 
 namespace exsect {
 
-/// True only if f has no zero on the closed interval: Bernstein coefficients of one sign, end points not zero.
+/// True only if f has no zero on the closed interval: Bernstein coefficients of one sign, end points not
+/// zero.
 inline bool has_no_zero(const Polynomial& f, const RationalInterval& on) {
   if (on.lower == on.upper) return f.sign_at(on.lower) != 0;
   const std::vector<Rational> b = bernstein_coefficients(f, std::max(f.degree(), 0), on.lower, on.upper);
