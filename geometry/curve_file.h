@@ -18,7 +18,7 @@ struct CurveFile {
 };
 
 /// Curves of a higher degree are refused.
-inline constexpr int max_curve_degree = 32;
+inline constexpr int max_curve_degree = 20;
 
 /// Files longer than this, in bytes, are refused.
 inline constexpr std::size_t max_curve_file_bytes = std::size_t{8} << 20;

@@ -61,9 +61,15 @@ std::vector<Cell> cells_met(const SurfacePair& surfaces, const SpaceBox& box, in
 SpaceBox space_control_box(const HomogeneousCurve& curve, const RationalInterval& t) {
   const int n = curve.degree();
   const std::vector<Rational> w = bernstein_coefficients(curve.denominator, n, t.lower, t.upper);
-  if (*std::min_element(w.begin(), w.end()) <= 0)
-    throw std::domain_error("further branches: a weight of a part of the curve is not positive");
   SpaceBox box;
+  if (*std::min_element(w.begin(), w.end()) <= 0) {
+    // No hull without positive weights: those of the halves.
+    const SpaceBox a = space_control_box(curve, {t.lower, t.midpoint()});
+    const SpaceBox b = space_control_box(curve, {t.midpoint(), t.upper});
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      box[axis] = {std::min(a[axis].lower, b[axis].lower), std::max(a[axis].upper, b[axis].upper)};
+    return box;
+  }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<Rational> c = bernstein_coefficients(curve.numerators[axis], n, t.lower, t.upper);
     for (std::size_t i = 0; i < c.size(); ++i) c[i] /= w[i];
@@ -231,10 +237,7 @@ class Tube {
     Polynomial derivative = x.derivative() * curve.denominator - x * curve.denominator.derivative();
     if (derivative(Rational(1, 2)) < 0) derivative = -derivative;
     const auto extends = [&](const RationalInterval& t) {
-      if (not_positive(derivative, t) || not_positive(curve.denominator, t)) return false;
-      const std::vector<Rational> w =
-          bernstein_coefficients(curve.denominator, curve.degree(), t.lower, t.upper);
-      return *std::min_element(w.begin(), w.end()) > 0;
+      return !not_positive(derivative, t) && !not_positive(curve.denominator, t);
     };
     RationalInterval range = {0, 1};
     const Rational step(1, 16);

@@ -11,6 +11,7 @@
 #include <deque>
 #include <stdexcept>
 
+#include "positivity.h"
 #include "short_rational.h"
 
 namespace exsect {
@@ -89,9 +90,7 @@ std::optional<Rational> OneSided::residual(const RationalInterval& t) {
   const std::vector<BivariatePolynomial> polynomials =
       f_.polynomials_on(control_box(curve_, t.lower, t.upper));
   if (polynomials.empty()) return std::nullopt;
-  const std::vector<Rational> w =
-      bernstein_coefficients(curve_.denominator, curve_.degree(), t.lower, t.upper);
-  const Rational least = *std::min_element(w.begin(), w.end());
+  const Rational least = positive_lower_bound(curve_.denominator, t);
   Rational bound = 0;
   for (const BivariatePolynomial& f : polynomials) {
     const Piece& known = piece(f);

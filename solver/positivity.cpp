@@ -44,4 +44,12 @@ std::optional<RationalInterval> not_positive(const BivariatePolynomial& f, const
   return not_positive(BernsteinBox(f, {-d, d}, t), t, 11);
 }
 
+Rational positive_lower_bound(const Polynomial& f, const RationalInterval& t) {
+  const std::vector<Rational> b = bernstein_coefficients(f, std::max(f.degree(), 0), t.lower, t.upper);
+  const Rational least = *std::min_element(b.begin(), b.end());
+  if (least > 0) return least;
+  return std::min(positive_lower_bound(f, {t.lower, t.midpoint()}),
+                  positive_lower_bound(f, {t.midpoint(), t.upper}));
+}
+
 }  // namespace exsect

@@ -14,4 +14,7 @@ std::optional<RationalInterval> not_positive(const Polynomial& f, const Rational
 std::optional<RationalInterval> not_positive(const BivariatePolynomial& f, const Rational& d,
                                              const RationalInterval& t);
 
+/// A positive lower bound of f on t, for a polynomial that is positive there.
+Rational positive_lower_bound(const Polynomial& f, const RationalInterval& t);
+
 }  // namespace exsect

@@ -112,14 +112,13 @@ Rational Strip::estimate() const {
 
 PlanarBox Strip::around(const RationalInterval& t, const Rational& d) const {
   PlanarBox box = control_box(curve_, t.lower, t.upper);
-  const int n = std::max({normal_[0].degree(), normal_[1].degree(), curve_.denominator.degree(), 0});
-  const std::vector<Rational> w = bernstein_coefficients(curve_.denominator, n, t.lower, t.upper);
+  const Rational least = positive_lower_bound(curve_.denominator, t);
   const auto widen = [&](RationalInterval& side, const Polynomial& normal) {
-    const std::vector<Rational> c = bernstein_coefficients(normal, n, t.lower, t.upper);
-    Rational reach = 0;
-    for (std::size_t i = 0; i < c.size(); ++i) reach = std::max<Rational>(reach, abs(c[i]) / w[i]);
-    side.lower -= d * reach;
-    side.upper += d * reach;
+    Rational largest = 0;
+    for (const Rational& b : bernstein_coefficients(normal, std::max(normal.degree(), 0), t.lower, t.upper))
+      largest = std::max<Rational>(largest, abs(b));
+    side.lower -= d * largest / least;
+    side.upper += d * largest / least;
   };
   widen(box.x, normal_[0]);
   widen(box.y, normal_[1]);
@@ -151,14 +150,13 @@ std::optional<Unproved> Strip::obstacle(const Rational& d) {
 
 Rational Strip::reach() const {
   const Polynomial square = normal_[0] * normal_[0] + normal_[1] * normal_[1];
-  const int n = std::max({square.degree(), curve_.denominator.degree(), 0});
+  const int n = std::max(square.degree(), 0);
   constexpr int parts = 64;
   Rational largest = 0;
   for (int k = 0; k < parts; ++k) {
     const Rational from(k, parts), to(k + 1, parts);
     const std::vector<Rational> b = bernstein_coefficients(square, n, from, to);
-    const std::vector<Rational> w = bernstein_coefficients(curve_.denominator, n, from, to);
-    const Rational least = *std::min_element(w.begin(), w.end());
+    const Rational least = positive_lower_bound(curve_.denominator, {from, to});
     largest = std::max<Rational>(largest, *std::max_element(b.begin(), b.end()) / (least * least));
   }
   return root_above(largest);

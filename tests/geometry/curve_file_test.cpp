@@ -41,7 +41,7 @@ TEST_CASE("numbers of curves mean what patch files say", "[curve_file]") {
 TEST_CASE("bad curve files are refused with place and reason", "[curve_file]") {
   const std::string points = R"("points": [[0, 0], [1, 1]])";
   CHECK(refusal(R"("degree": 0, "points": [[0, 0]])") ==
-        "$.degree: the degree of a curve must be an integer from 1 to 32");
+        "$.degree: the degree of a curve must be an integer from 1 to 20");
   CHECK(refusal(R"("degree": 1.5, )" + points).find("$.degree: ") == 0);
   CHECK(refusal(R"("degree": 2, )" + points) ==
         "$.points: must be an array of 3 points for this degree, has 2");

@@ -1,3 +1,4 @@
+#include <exsect/algebra/bernstein.h>
 #include <exsect/geometry/implicit_curve.h>
 #include <exsect/solver/implicit_bounds.h>
 #include <exsect/solver/planar_fit.h>
@@ -113,6 +114,31 @@ TEST_CASE("a rational curve against a nearby conic", "[implicit_bounds]") {
   CHECK(bounds.two_sided.strip->distance >= e);
   // |N| varies along the curve by a factor of 2.
   CHECK(bounds.two_sided.strip->distance < 3 * e);
+}
+
+TEST_CASE("a denominator with Bernstein coefficients below zero", "[implicit_bounds]") {
+  // The quarter circle with all coordinates multiplied by 4 t^2 - 3 t + 1 > 0 (coefficients 1, -1/2, 2): a
+  // common factor, removed at once, and the same factor in the denominator only.
+  const Polynomial factor{1, -3, 4};
+  const Polynomial w = Polynomial{1, 0, 1} * factor;
+  const std::vector<Rational> weights = bernstein_coefficients(w, 6);
+  REQUIRE(*std::min_element(weights.begin(), weights.end()) > 0);
+  std::vector<std::vector<Rational>> points(7);
+  for (const Polynomial& numerator : {Polynomial{1, 0, 1}, Polynomial{0, 1, 0, 1}}) {
+    const std::vector<Rational> b = bernstein_coefficients(numerator, 6);
+    for (std::size_t i = 0; i < 7; ++i) points[i].push_back(b[i] / weights[i]);
+  }
+  const BezierCurve curve(points, weights);
+  REQUIRE(homogeneous(curve).denominator.degree() == 2);
+  // The exact equation of (1, t)/(4 t^2 - 3 t + 1), displaced.
+  const BivariatePolynomial exact = implicit_curve(curve).equation;
+  const BivariatePolynomial f = exact + BivariatePolynomial::constant(Rational(1, 1000));
+  const DistanceBounds bounds = distance_bounds(f, curve);
+  REQUIRE(bounds.one_sided.residual);
+  CHECK(*bounds.one_sided.residual >= Rational(1, 1000));
+  CHECK(*bounds.one_sided.residual < Rational(3, 1000));
+  REQUIRE(bounds.one_sided.distance);
+  CHECK(to_double(*bounds.one_sided.distance) >= 0.999 * sampled_distance(f, curve));
 }
 
 TEST_CASE("what cannot be proved is said with its place", "[implicit_bounds]") {
