@@ -176,7 +176,12 @@ class Tube {
     const HomogeneousCurve reduced = homogeneous(curve);
     const Jacobian jacobian(surfaces, axis);
     std::array<Rational, 3> margin;
-    for (std::size_t k = 0; k < 3; ++k) margin[k] = box[k].width() / (1 << depth);
+    SpaceBox reach = box;  // a cell shares values of the axis coordinate with parts a little outside
+    for (std::size_t k = 0; k < 3; ++k) {
+      margin[k] = box[k].width() / (1 << depth);
+      reach[k].lower -= 8 * margin[k];
+      reach[k].upper += 8 * margin[k];
+    }
     const RationalInterval range = monotone_range(reduced);
     const int parts = std::max(16, 4 << depth);
     const int from = static_cast<int>(Integer(numerator(Rational(range.lower * parts))));
@@ -184,7 +189,7 @@ class Tube {
     for (int k = from; k < to; ++k) {
       const RationalInterval t = {Rational(k, parts), Rational(k + 1, parts)};
       const SpaceBox part = space_control_box(reduced, t);
-      const bool is_near = meets(part, box);
+      const bool is_near = meets(part, reach);
       RationalInterval along = {coordinate(reduced, t.lower), coordinate(reduced, t.upper)};
       if (along.lower > along.upper) std::swap(along.lower, along.upper);
       parts_.push_back({along, part, false});

@@ -57,28 +57,30 @@ TEST_CASE("without further branches the tube is all", "[further_branches]") {
 
 TEST_CASE("the cylinders of the space cubic", "[further_branches]") {
   const SurfacePair surfaces = cylinders(exact_projections(space_cubic(), 0));
-  const FurtherBranches found = further_branches(surfaces, space_cubic(), 0, cube(0, Rational(6, 5)));
-  CHECK(found.has_tube);
+  const FurtherBranches near = further_branches(surfaces, space_cubic(), 0, cube(0, Rational(6, 5)));
+  CHECK(near.has_tube);
+  CHECK(near.branches.empty());
+  // In a larger box they meet again, in (x(t), y(t), z(s)) with x(s) = x(t).
+  const FurtherBranches found = further_branches(surfaces, space_cubic(), 0, cube(-1, 2));
+  CHECK_FALSE(found.branches.empty());
   for (const FurtherBranch& branch : found.branches) {
     if (!branch.point) continue;
-    // On a further branch, x(t) = x(s): both surfaces change sign around the point.
     const SpaceBox& p = *branch.point;
     for (const SpacePolynomial& f : {surfaces.first, surfaces.second}) {
       bool above = false, below = false;
       for (int corner = 0; corner < 8; ++corner) {
-        const Rational value = f({corner & 1 ? p[0].upper : p[0].lower, corner & 2 ? p[1].upper : p[1].lower,
-                                  corner & 4 ? p[2].upper : p[2].lower});
+        const auto end = [&](std::size_t k) { return (corner >> k & 1) != 0 ? p[k].upper : p[k].lower; };
+        const Rational value = f({end(0), end(1), end(2)});
         above = above || value >= 0;
         below = below || value <= 0;
       }
       CHECK((above && below));
     }
-  }
-  // Points of the curve are in no branch.
-  for (int k = 1; k < 10; ++k) {
-    const std::vector<Rational> p = space_cubic()(Rational(k, 10));
-    for (const FurtherBranch& branch : found.branches)
-      if (branch.point) CHECK_FALSE(contains(*branch.point, {p[0], p[1], p[2]}));
+    // No point of the curve is there.
+    for (int k = 0; k <= 100; ++k) {
+      const std::vector<Rational> q = space_cubic()(Rational(k, 100));
+      CHECK_FALSE(contains(p, {q[0], q[1], q[2]}));
+    }
   }
 }
 
