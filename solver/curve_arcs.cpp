@@ -18,6 +18,7 @@ struct Place {
   RealAlgebraic u;  // meaningless for an extra event
   std::optional<RationalInterval> extra;
   int multiplicity;
+  int turning_values;  // in the interval
 
   RationalInterval interval() const { return extra ? *extra : u.interval(); }
   bool is_rational() const { return !extra && u.is_rational(); }
@@ -45,9 +46,11 @@ void separate(std::vector<Place>& places) {
         a.extra = RationalInterval{std::min(a.interval().lower, b.interval().lower),
                                    std::max(a.interval().upper, b.interval().upper)};
         a.multiplicity = std::max(a.multiplicity, b.multiplicity);
+        a.turning_values += b.turning_values;
       } else if (a.u == b.u) {
         if (b.u.is_rational()) a.u = b.u;
         a.multiplicity = std::max(a.multiplicity, b.multiplicity);
+        a.turning_values = std::max(a.turning_values, b.turning_values);
       } else {
         a.u = a.u.refined_to(width);
         b.u = b.u.refined_to(width);
@@ -61,10 +64,11 @@ void separate(std::vector<Place>& places) {
 }
 
 std::vector<Place> places(const BivariatePolynomial& f, const std::vector<RationalInterval>& extra) {
-  std::vector<Place> result = {{0, std::nullopt, 0}, {1, std::nullopt, 0}};
+  std::vector<Place> result = {{0, std::nullopt, 0, 0}, {1, std::nullopt, 0, 0}};
   const auto add = [&](const Polynomial& polynomial, int multiplicity) {
     for (const RealAlgebraic& u : real_roots(polynomial, 0, 1))
-      result.push_back({u.refined_to(power_of_two(-40)), std::nullopt, multiplicity});
+      result.push_back(
+          {u.refined_to(power_of_two(-40)), std::nullopt, multiplicity, multiplicity > 0 ? 1 : 0});
   };
   const Polynomial turning = turning_resultant(f);
   if (turning.is_zero()) throw std::domain_error("curve_arcs: the polynomial has a multiple factor");
@@ -74,7 +78,7 @@ std::vector<Place> places(const BivariatePolynomial& f, const std::vector<Ration
     if (on_side.is_zero()) throw std::domain_error("curve_arcs: a side of the square belongs to the curve");
     if (on_side.degree() > 0) add(on_side, 0);
   }
-  for (const RationalInterval& interval : extra) result.push_back({0, interval, 0});
+  for (const RationalInterval& interval : extra) result.push_back({0, interval, 0, 0});
   separate(result);
   return result;
 }
@@ -217,7 +221,7 @@ class ArcJoiner {
       throw std::logic_error("curve_arcs: the number of points changes between two events");
     const RationalInterval on = interval_around(i, 0);
     const bool between_sides = has_no_zero(f_.at_s(0), on) || has_no_zero(f_.at_s(1), on);
-    CurveEvent event{place.interval(), place.multiplicity, {}};
+    CurveEvent event{place.interval(), place.multiplicity, place.turning_values > 1, {}};
     for (const Strip& strip : found)
       if (strip.arcs() > 0)
         event.meetings.push_back({kind(strip, place.is_rational(), between_sides || found.size() > 1),

@@ -43,6 +43,8 @@ struct CurveEvent {
   RationalInterval u;
   /// As a root of Res_v(f, f_v); 0 for others: sides of the square, and those asked for.
   int multiplicity;
+  /// The interval is an extra one with several turning values in it: closed curves inside are not seen.
+  bool is_crowded;
   std::vector<CurveMeeting> meetings;  // ascending in v
 };
 

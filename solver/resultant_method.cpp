@@ -184,6 +184,9 @@ ResultantMethod intersect_by_resultant(const BezierPatch& x, const BezierPatch& 
     for (const std::size_t i : roots_of(line.points, real_roots(result.curve.at_r(gap.sample), 0, 1)))
       result.is_true[gap.arcs[i]] = true;
   }
+  if (std::any_of(result.arcs.events.begin(), result.arcs.events.end(),
+                  [](const CurveEvent& event) { return event.is_crowded; }))
+    result.incomplete = "a boundary point and several turning values are within 2^-59 of each other";
   MeetingSplitter(x, y, result).split_all();
   result.components = components(result.arcs, result.is_true);
   result.phantoms = components(result.arcs, opposite(result.is_true));

@@ -112,6 +112,12 @@ TEST_CASE("extra events split arcs and nothing else") {
   const CurveArcs curve = curve_arcs(f, {{Rational(9, 20), Rational(91, 200)}});
   CHECK(curve.arcs.size() == 4);
   CHECK(counts(curve) == Counts{0, 1, 0});
+  CHECK_FALSE(std::any_of(curve.events.begin(), curve.events.end(),
+                          [](const CurveEvent& e) { return e.is_crowded; }));
+  // an interval around the whole circle
+  const CurveArcs crowded = curve_arcs(f, {{Rational(1, 5), Rational(4, 5)}});
+  CHECK(std::any_of(crowded.events.begin(), crowded.events.end(),
+                    [](const CurveEvent& e) { return e.is_crowded; }));
   std::vector<bool> kept = {true, false, true, false};
   const std::vector<CurveComponent> lower = components(curve, kept);
   REQUIRE(lower.size() == 1);
