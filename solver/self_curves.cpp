@@ -11,6 +11,7 @@ namespace exsect {
 
 namespace {
 
+constexpr int kMostFailedLoops = 8;
 constexpr long kQuickBoxes = 2000;
 template <class Ball>
 constexpr long kMostBoxes = 60000;
@@ -90,10 +91,14 @@ class SelfTracing {
     for (const CertifiedPoint& point : boundary_.points) {
       result_.landmarks.push_back(enclose<Ball>(point, width));
     }
+    result_.boundary_points = boundary_.points.size();
   }
 
   SelfCurves<Ball> run() {
     find_cusps();
+    if (result_.problems.empty()) {
+      trace_from_cusps();
+    }
     if (result_.problems.empty()) {
       trace_open_curves();
     }
@@ -141,15 +146,37 @@ class SelfTracing {
       leaving_.push_back(*arc);
     } else {
       result_.cusps.push_back(*arc);
-      result_.landmarks.push_back(arc->gate);
-      result_.landmarks.push_back(exchanged_pair(arc->gate));
+    }
+  }
+
+  void trace_from_cusps() {
+    std::vector<bool> reached(result_.cusps.size(), false);
+    for (std::size_t k = 0; k < result_.cusps.size(); ++k) {
+      if (reached[k]) {
+        continue;
+      }
+      ChartTrace<Ball> trace = trace_from_cusp(system_.charts, result_.cusps, static_cast<int>(k));
+      if (const auto failure = find_chart_turning_points(system_.charts, trace, exact_.coincident)) {
+        problem(around(failure->where), failure->why);
+        return;
+      }
+      if (trace.end >= 0) {
+        reached[static_cast<std::size_t>(trace.end)] = true;
+      } else {
+        result_.gates.push_back(result_.chart_traces.size());
+        result_.landmarks.push_back(trace.gate);
+        result_.landmarks.push_back(exchanged_pair(trace.gate));
+      }
+      result_.chart_traces.push_back(std::move(trace));
     }
   }
 
   bool passes_near_cusp(Chart chart, const BallPoint<Ball>& p) const {
     const auto passes = [&](const CuspArc<Ball>& arc) { return passes_through(arc, chart, p); };
     return std::any_of(result_.cusps.begin(), result_.cusps.end(), passes) ||
-           std::any_of(leaving_.begin(), leaving_.end(), passes);
+           std::any_of(leaving_.begin(), leaving_.end(), passes) ||
+           std::any_of(result_.chart_traces.begin(), result_.chart_traces.end(),
+                       [&](const ChartTrace<Ball>& trace) { return passes_through(trace, chart, p); });
   }
 
   /// +1, -1: the direction of the tangent field that enters the domain at this boundary point; 0: none;
@@ -170,11 +197,16 @@ class SelfTracing {
     return entering ? direction : 0;
   }
 
-  /// The direction of the tangent field in which t grows at the gate with t > 0.
-  int leaving_direction(const CuspArc<Ball>& arc) const {
-    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, arc.gate).tangent();
-    const std::size_t j = arc.chart == Chart::first ? 0 : 1;
-    return (tangent[j] - tangent[j + 2]).certain_sign();
+  /// The direction of the tangent field in which the trace in the charts goes on at its gate; 0: unknown.
+  int leaving_direction(const ChartTrace<Ball>& trace) const {
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, trace.gate).tangent();
+    for (std::size_t j = 0; j < 4; ++j) {
+      const int sign = trace.direction[j] * tangent[j].certain_sign();
+      if (sign != 0) {
+        return sign;
+      }
+    }
+    return 0;
   }
 
   std::size_t mate(std::size_t landmark) const {
@@ -183,8 +215,8 @@ class SelfTracing {
   }
 
   bool is_boundary(std::size_t landmark) const { return landmark < boundary_.points.size(); }
-  const CuspArc<Ball>& cusp_at(std::size_t gate) const {
-    return result_.cusps[(gate - boundary_.points.size()) / 2];
+  const ChartTrace<Ball>& trace_at(std::size_t gate) const {
+    return result_.chart_traces[result_.gate(static_cast<int>(gate))->trace];
   }
 
   /// Gates first: at the boundary end of a folded line on a side no direction enters the domain.
@@ -201,7 +233,7 @@ class SelfTracing {
 
   void start_at(std::size_t i, std::vector<bool>& used) {
     const bool boundary = is_boundary(i);
-    const auto direction = boundary ? entering_direction(i) : leaving_direction(cusp_at(i));
+    const auto direction = boundary ? entering_direction(i) : leaving_direction(trace_at(i));
     if (!direction || (!boundary && *direction == 0)) {
       problem(boundary ? boundary_.points[i].box() : around(approximation(result_.landmarks[i])),
               "the curve is tangent to a side of the patch, or singular, at this end point");
@@ -243,10 +275,12 @@ class SelfTracing {
   /// A curve that comes from the turn of a folded line runs along that line.
   void mark_folded_line(SelfCurve<Ball>& curve, std::array<bool, 4>& constant) const {
     for (const int end : {curve.analysed.trace.start, curve.analysed.trace.end}) {
-      if (end < 0 || is_boundary(static_cast<std::size_t>(end))) {
+      const auto gate = result_.gate(end);
+      if (!gate) {
         continue;
       }
-      const CuspArc<Ball>& arc = cusp_at(static_cast<std::size_t>(end));
+      const ChartTrace<Ball>& trace = result_.chart_traces[gate->trace];
+      const CuspArc<Ball>& arc = result_.cusps[static_cast<std::size_t>(trace.start)];
       if (arc.place.folded) {
         const std::size_t fixed = arc.chart == Chart::first ? 1 : 0;
         constant[fixed] = constant[fixed + 2] = true;
@@ -297,9 +331,7 @@ class SelfTracing {
   }
 
   bool is_known(Chart chart, const BallPoint<Ball>& p) {
-    const bool near_cusp = std::any_of(result_.cusps.begin(), result_.cusps.end(),
-                                       [&](const auto& cusp) { return passes_through(cusp, chart, p); });
-    if (near_cusp || p[3].is_negative()) {
+    if (passes_near_cusp(chart, p) || p[3].is_negative()) {
       return true;
     }
     if (!p[3].is_positive()) {
@@ -321,8 +353,12 @@ class SelfTracing {
   }
 
   bool traced_from(const BallPoint<Ball>& pair) {
+    if (failed_loops_ >= kMostFailedLoops) {
+      return false;
+    }
     auto outcome = trace_loop(system_.pair, result_.landmarks, pair, stop_);
     if (std::holds_alternative<TraceFailure>(outcome)) {
+      ++failed_loops_;
       return false;
     }
     const std::size_t before = result_.problems.size();
@@ -336,6 +372,7 @@ class SelfTracing {
   const Rational& width_;
   const StopRequest& stop_;
   std::vector<CuspArc<Ball>> leaving_;  // cuspidal points on sides
+  int failed_loops_ = 0;
   SelfCurves<Ball> result_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "graph_builder.h"
 #include "self_boundary.h"
+#include "self_chart_trace.h"
 #include "self_cusp_arc.h"
 #include "special_cusps.h"
 
@@ -28,10 +29,10 @@ struct SelfSystem {
       : pair(x, x, origin, exponent),
         charts{ChartSystem<Ball>(x, origin, exponent, Chart::first),
                ChartSystem<Ball>(x, origin, exponent, Chart::second)} {}
-  const ChartSystem<Ball>& chart(Chart c) const { return charts[c == Chart::first ? 0 : 1]; }
+  const ChartSystem<Ball>& chart(Chart c) const { return chart_of(charts, c); }
 
   PairSystem<Ball> pair;
-  std::array<ChartSystem<Ball>, 2> charts;
+  Charts<Ball> charts;
 };
 
 /// A traced curve. `along`: the side v (or u) = value on which both its preimages lie, as a side of (u1,v1).
@@ -41,16 +42,35 @@ struct SelfCurve {
   std::optional<Side> along;
 };
 
-/// `landmarks` are the boundary points (both orders), then two gates for each cuspidal point: the one with t
-/// > 0, and exchanged. Every curve is traced in one of its two orders.
+/// `landmarks` are the boundary points (both orders), then two for each trace of `chart_traces` that ends at
+/// a gate: the gate, and exchanged. Every curve is traced in one of its two orders, its pieces next to
+/// cuspidal points in the charts, the rest as a curve of pairs. Traces in the charts that join two cuspidal
+/// points are curves on their own.
 template <class Ball>
 struct SelfCurves {
+  struct Gate {
+    std::size_t trace;
+    bool exchanged;
+  };
+
   Landmarks<Ball> landmarks;
+  std::size_t boundary_points = 0;
   std::vector<CuspArc<Ball>> cusps;
+  std::vector<ChartTrace<Ball>> chart_traces;
+  std::vector<std::size_t> gates;  // indices of traces, in the order of the landmarks
   std::vector<SelfCurve<Ball>> curves;
   std::vector<int> isolated;  // boundary points at which no curve enters the domain, in one order
   std::vector<Incomplete> problems;
   long searched_boxes = 0;
+
+  /// Empty for a boundary point, and for the "landmark" -1 of a closed curve.
+  std::optional<Gate> gate(int landmark) const {
+    if (landmark < static_cast<int>(boundary_points)) {
+      return std::nullopt;
+    }
+    const std::size_t k = static_cast<std::size_t>(landmark) - boundary_points;
+    return Gate{gates[k / 2], k % 2 == 1};
+  }
 };
 
 /// If no problem is reported, the curves, their pieces next to the cuspidal points and the isolated points

@@ -9,6 +9,12 @@ namespace {
 
 constexpr std::size_t kAxisW = 3;
 constexpr double kWorstContraction = 0.5;
+template <class Ball>
+constexpr double kLeastGate = 0x1p-60;
+template <>
+inline constexpr double kLeastGate<ArbBall<256>> = 0x1p-190;
+// Half width of a tube for each unit of its length, so that enclosures of its points fit in.
+constexpr double kRoom = 0x1p-8;
 
 /// The magnitude of z_j over the tube is at most |p_j| plus this.
 template <class Ball>
@@ -89,45 +95,12 @@ std::optional<ChartTube<Ball>> tube_to(const ChartSystem<Ball>& system, const Ch
   if (!centre) {
     return std::nullopt;
   }
-  auto tube = certify_chart_tube(system, *centre, kAxisW, 0.53 * w_end, 4 * largest_radius(cusp.at));
+  auto tube = certify_chart_tube(system, *centre, kAxisW, 0.53 * w_end,
+                                 std::max(4 * largest_radius(cusp.at), kRoom * w_end));
   if (!tube || tube->contraction > kWorstContraction || !contains(*tube, cusp.at)) {
     return std::nullopt;
   }
   return tube;
-}
-
-struct BoundedVertex {
-  PolylineVertex vertex;
-  double error;
-};
-
-template <class Ball>
-std::array<double, 4> approximate_pair(Chart chart, const BallPoint<Ball>& p) {
-  const double t = std::sqrt(std::max(0.0, p[3].approximation()));
-  const double mt = p[2].approximation() * t;
-  const double a = p[0].approximation();
-  const double b = p[1].approximation();
-  return chart == Chart::first ? std::array<double, 4>{a + t, b + mt, a - t, b - mt}
-                               : std::array<double, 4>{b + mt, a + t, b - mt, a - t};
-}
-
-template <class Ball>
-BoundedVertex vertex_at(const ChartSystem<Ball>& system, const BallPoint<Ball>& p, const ModelFrame& frame) {
-  BoundedVertex result{};
-  result.vertex.parameters = approximate_pair(system.chart(), p);
-  const BallVector<Ball> position = space_point(system, p);
-  double radius2 = 0;
-  double rounding = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double scaled = position[c].approximation();
-    const double radius =
-        std::ldexp((position[c] - Ball(scaled)).upper_magnitude(), static_cast<int>(frame.exponent));
-    result.vertex.point[c] = frame.origin[c] + std::ldexp(scaled, static_cast<int>(frame.exponent));
-    radius2 += radius * radius;
-    rounding += std::fabs(result.vertex.point[c]) * 0x1p-52;  // one sum of doubles
-  }
-  result.error = (std::sqrt(radius2) + rounding) * (1 + 0x1p-40) + 0x1p-1000;
-  return result;
 }
 
 /// The point of the chart over a cuspidal point (U,V): m from x_u + m x_v = 0. Empty if x_v may vanish.
@@ -184,18 +157,13 @@ template <class Ball>
 std::optional<CuspArc<Ball>> cusp_arc(const ChartSystem<Ball>& system, const ChartCusp<Ball>& cusp,
                                       const CuspPlace& place) {
   constexpr double kFirst = 0x1p-4;
-  constexpr double kLast = 0x1p-44;
-  for (double w_end = kFirst; w_end >= kLast; w_end *= 0.5) {
+  for (double w_end = kFirst; w_end >= kLeastGate<Ball>; w_end *= 0.5) {
     const auto tube = tube_to(system, cusp, w_end);
     const Course found = tube ? course(*tube, place, w_end) : Course::unknown;
     if (found == Course::unknown) {
       continue;
     }
-    CuspArc<Ball> arc = {system.chart(), place, found == Course::leaves, *tube, cusp.at, w_end, {}};
-    if (!arc.leaves) {
-      arc.gate = pair_of(system.chart(), point_at(*tube, 0.5 * w_end));
-    }
-    return arc;
+    return CuspArc<Ball>{system.chart(), place, found == Course::leaves, *tube, cusp.at, w_end};
   }
   return std::nullopt;
 }
@@ -208,64 +176,13 @@ bool passes_through(const CuspArc<Ball>& arc, Chart chart, const BallPoint<Ball>
   return point[2].certain_sign() != 0 && contains(arc.tube, in_other_chart(point));
 }
 
-template <class Ball>
-Node cusp_node(const ChartSystem<Ball>& system, const CuspArc<Ball>& arc, const ModelFrame& frame) {
-  const PolylineVertex vertex = vertex_at(system, arc.cusp, frame).vertex;
-  const std::size_t first = arc.chart == Chart::first ? 0 : 1;
-  const RationalInterval u = arc.cusp[first].interval();
-  const RationalInterval v = arc.cusp[1 - first].interval();
-  Node node;
-  node.id = 0;
-  node.kinds = {NodeKind::cusp};
-  for (std::size_t j = 0; j < 4; ++j) {
-    const auto& side = arc.place.side[(j + first) % 2];
-    if (side) {
-      node.on.push_back({static_cast<Parameter>(j), *side});
-    }
-  }
-  if (!node.on.empty()) {
-    node.kinds.push_back(NodeKind::boundary);
-  }
-  node.box = {u, v, u, v};
-  for (const Side& side : node.on) {
-    node.box[index(side.parameter)] = {side.value, side.value};
-  }
-  node.approx = vertex.parameters;
-  node.point = vertex.point;
-  return node;
-}
-
-template <class Ball>
-CuspPolyline cusp_polyline(const ChartSystem<Ball>& system, const CuspArc<Ball>& arc, const ModelFrame& frame,
-                           double tolerance) {
-  // X(w) is smooth, so a chord over a step h deviates by at most K h^2 / 8 from the curve over the same w.
-  const double k = std::ldexp(space_second_derivative(system, arc.tube), static_cast<int>(frame.exponent));
-  const double wanted = std::ceil(arc.gate_w * std::sqrt(k / (8 * 0.9 * tolerance)));
-  const int n = static_cast<int>(std::clamp(wanted, 1.0, 1e6));
-  const double step = arc.gate_w / n;
-  const double start = -0.5 * arc.gate_w;
-  double vertex_error = 0;
-  CuspPolyline result;
-  for (int i = 0; i <= n; ++i) {
-    const double tau = i == n ? 0.5 * arc.gate_w : start + arc.gate_w * (static_cast<double>(i) / n);
-    const BoundedVertex v = vertex_at(system, i == 0 ? arc.cusp : point_at(arc.tube, tau), frame);
-    result.vertices.push_back(v.vertex);
-    vertex_error = std::max(vertex_error, v.error);
-  }
-  result.error_bound = (k * step * step / 8 * (1 + 0x1p-30) + 2 * vertex_error) * (1 + 0x1p-40);
-  return result;
-}
-
-#define EXSECT_INSTANTIATE_CUSP_ARC(Ball)                                                                \
-  template CuspPlace exact_place(const ChartSystem<Ball>&, const ChartCusp<Ball>&, const SpecialCusps&,  \
-                                 const Rational&);                                                       \
-                                                                                                         \
-  template std::optional<CuspArc<Ball>> cusp_arc(const ChartSystem<Ball>&, const ChartCusp<Ball>&,       \
-                                                 const CuspPlace&);                                      \
-  template bool passes_through(const CuspArc<Ball>&, Chart, const BallPoint<Ball>&);                     \
-  template Node cusp_node(const ChartSystem<Ball>&, const CuspArc<Ball>&, const ModelFrame&);            \
-  template CuspPolyline cusp_polyline(const ChartSystem<Ball>&, const CuspArc<Ball>&, const ModelFrame&, \
-                                      double);
+#define EXSECT_INSTANTIATE_CUSP_ARC(Ball)                                                               \
+  template CuspPlace exact_place(const ChartSystem<Ball>&, const ChartCusp<Ball>&, const SpecialCusps&, \
+                                 const Rational&);                                                      \
+                                                                                                        \
+  template std::optional<CuspArc<Ball>> cusp_arc(const ChartSystem<Ball>&, const ChartCusp<Ball>&,      \
+                                                 const CuspPlace&);                                     \
+  template bool passes_through(const CuspArc<Ball>&, Chart, const BallPoint<Ball>&);
 
 EXSECT_INSTANTIATE_CUSP_ARC(DoubleBall)
 EXSECT_INSTANTIATE_CUSP_ARC(ArbBall<256>)

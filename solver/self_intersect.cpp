@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "self_curves.h"
+#include "self_graph.h"
 #include "traced_curves.h"
 #include "turning_points.h"
 
@@ -144,13 +144,13 @@ class SelfIntersection {
     const double tolerance = options_.tolerance * scaling_.extent;
     const double used =
         options_.tolerance < kFinestTolerance ? kCoarseTolerance * scaling_.extent : tolerance;
+    append_self_curves(graph, system, found, scaling_.frame, options_.turning, used);
     for (const SelfCurve<Ball>& curve : found.curves) {
-      const std::size_t first = graph.arcs.size();
-      append_trace(graph, curve.analysed, scaling_.frame, options_.turning, used);
-      put_on_side(graph, first, curve.along);
       result_.work.steps["tubes"] += static_cast<double>(curve.analysed.trace.pieces.size());
     }
-    attach_cusps(system, found, used);
+    for (const ChartTrace<Ball>& trace : found.chart_traces) {
+      result_.work.steps["tubes"] += static_cast<double>(trace.pieces.size());
+    }
     for (const Arc& arc : graph.arcs) {
       result_.work.steps["vertices"] += static_cast<double>(arc.polyline.size());
       if (!(arc.error_bound <= tolerance)) {
@@ -159,60 +159,6 @@ class SelfIntersection {
              "the tolerance is below what a polyline in doubles can be proved to keep on the arc from here"});
       }
     }
-  }
-
-  /// The arcs from index `first` on lie on the side in both preimages.
-  static void put_on_side(IntersectionGraph& graph, std::size_t first, const std::optional<Side>& side) {
-    for (std::size_t i = first; side && i < graph.arcs.size(); ++i) {
-      graph.arcs[i].place = ArcPlace::patch_boundary;
-      for (PolylineVertex& vertex : graph.arcs[i].polyline) {
-        vertex.parameters[index(side->parameter)] = side->value;
-        vertex.parameters[index(side->parameter) + 2] = side->value;
-      }
-    }
-  }
-
-  /// Arcs that end at a gate are continued to the cuspidal point.
-  template <class Ball>
-  void attach_cusps(const SelfSystem<Ball>& system, const SelfCurves<Ball>& found, double tolerance) {
-    IntersectionGraph& graph = result_.graph;
-    const std::size_t first_gate = exact_.boundary.points.size();
-    const std::size_t after_gates = found.landmarks.size();
-    for (std::size_t k = 0; k < found.cusps.size(); ++k) {
-      const CuspArc<Ball>& cusp = found.cusps[k];
-      const ChartSystem<Ball>& chart = system.chart(cusp.chart);
-      const CuspPolyline line = cusp_polyline(chart, cusp, scaling_.frame, tolerance);
-      Node node = cusp_node(chart, cusp, scaling_.frame);
-      node.id = static_cast<int>(graph.nodes.size());
-      graph.nodes.push_back(node);
-      for (Arc& arc : graph.arcs) {
-        for (int* end : {&arc.from, &arc.to}) {
-          const auto landmark = static_cast<std::size_t>(*end);
-          if (landmark >= after_gates || landmark < first_gate || (landmark - first_gate) / 2 != k) {
-            continue;
-          }
-          extend(arc, end == &arc.from, line, (landmark - first_gate) % 2 == 1);
-          *end = node.id;
-        }
-      }
-    }
-  }
-
-  /// The gate's own vertex is the arc's; `exchange`: the arc is traced in the other order of the pairs.
-  static void extend(Arc& arc, bool at_start, const CuspPolyline& line, bool exchange) {
-    std::vector<PolylineVertex> added(line.vertices.begin(), line.vertices.end() - 1);
-    for (PolylineVertex& vertex : added) {
-      if (exchange) {
-        vertex.parameters = {vertex.parameters[2], vertex.parameters[3], vertex.parameters[0],
-                             vertex.parameters[1]};
-      }
-    }
-    if (at_start) {
-      arc.polyline.insert(arc.polyline.begin(), added.begin(), added.end());
-    } else {
-      arc.polyline.insert(arc.polyline.end(), added.rbegin(), added.rend());
-    }
-    arc.error_bound = std::max(arc.error_bound, line.error_bound);
   }
 
   const BezierPatch& x_;

@@ -179,34 +179,54 @@ template <class Ball>
 void bound_derivatives(ChartTube<Ball>& tube, const std::array<std::size_t, 3>& others,
                        const std::array<double, 4>& h, const std::array<Row, 4>& e) {
   const double amplification = tube.contraction / (1 - tube.contraction) * kSlack;
-  const auto solved = [&](const Row& right) {
-    const double largest = *std::max_element(right.begin(), right.end());
-    std::array<double, 4> result{};
-    for (std::size_t row = 0; row < 3; ++row) {
-      result[others[row]] = kSlack * (right[row] + amplification * largest);
-    }
-    return result;
-  };
   Row first{};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t j = 0; j < 4; ++j) {
       first[row] += e[j][row] * std::fabs(tube.slope[j]);
     }
   }
-  tube.slope_error = solved(first);
+  const double steepest = *std::max_element(first.begin(), first.end());
+  tube.slope_error = {};
+  tube.second = {};
+  tube.second_error = {};
+  for (std::size_t row = 0; row < 3; ++row) {
+    tube.slope_error[others[row]] = kSlack * (first[row] + amplification * steepest);
+  }
   std::array<double, 4> a{};
   for (std::size_t j = 0; j < 4; ++j) {
     a[j] = std::fabs(tube.slope[j]) + tube.slope_error[j];
   }
-  Row second{};
+  std::array<double, 4> magnitude{};
+  for (std::size_t j = 0; j < 4; ++j) {
+    magnitude[j] = std::fabs(tube.slope[j]);
+  }
+  BallVector<Ball> centre;
+  Row deviation{};
   for (const std::size_t i : chart_support) {
-    const double form = Monomial<2>(i).second(h, a);
+    const Monomial<2> monomial(i);
+    if (monomial.degree < 2) {
+      continue;
+    }
+    // Terms of second order are taken at the centre and z' = d, everything else is deviation.
+    const bool at_centre = monomial.degree == 2;
+    const double form = at_centre ? monomial.second(h, tube.slope) : 0;
+    const double bound =
+        monomial.second(h, a) - (at_centre ? monomial.second(h, magnitude) : 0) * (1 - 0x1p-45);
     const Row m = magnitudes(tube.premultiplied[i]);
     for (std::size_t row = 0; row < 3; ++row) {
-      second[row] += m[row] * form;
+      centre[row] += tube.premultiplied[i][row] * Ball(form).widened(0x1p-50 * monomial.second(h, magnitude));
+      deviation[row] += m[row] * bound;
     }
   }
-  tube.second = solved(second);
+  double largest = 0;
+  for (std::size_t row = 0; row < 3; ++row) {
+    tube.second[others[row]] = -centre[row].approximation();
+    deviation[row] += (centre[row] - Ball(centre[row].approximation())).upper_magnitude();
+    largest = std::max(largest, std::fabs(tube.second[others[row]]) + deviation[row]);
+  }
+  for (std::size_t row = 0; row < 3; ++row) {
+    tube.second_error[others[row]] = kSlack * (deviation[row] + amplification * largest);
+  }
 }
 
 template <class Ball>
@@ -380,7 +400,7 @@ double space_second_derivative(const ChartSystem<Ball>& system, const ChartTube<
     const Monomial<3> monomial(i);
     double term = monomial.second(h, a);
     for (std::size_t j = 0; j < 4; ++j) {
-      term += monomial.derivative(h, j) * tube.second[j];
+      term += monomial.derivative(h, j) * (std::fabs(tube.second[j]) + tube.second_error[j]);
     }
     const Row m = magnitudes(net[i]);
     for (std::size_t c = 0; c < 3; ++c) {

@@ -19,9 +19,10 @@ struct ChartTube {
   double reach;
   double halfwidth;
   double contraction;
-  /// z'(tau) lies in slope +- slope_error on all of the tube, and |z''_i(tau)| <= second.
+  /// z'(tau) lies in slope +- slope_error, z''(tau) in second +- second_error, on all of the tube.
   std::array<double, 4> slope_error;
   std::array<double, 4> second;
+  std::array<double, 4> second_error;
   /// C H as Taylor net at p, C near the inverse of the three columns.
   ChartNet<Ball, 2> premultiplied;
 };

@@ -113,6 +113,62 @@ TEST_CASE("self_intersect: Whitney umbrellas") {
   check_nothing(umbrella(half, Rational(1001, 1000)));
 }
 
+TEST_CASE("self_intersect: umbrellas nearly along a parameter line, nearly on a side") {
+  // (a + e b, b^2, a b), a = u - u0, b = v - 1/2: the pairs a = -+e b, b = +-t.
+  const auto slanted = [](const Rational& u0, const Rational& e) {
+    return patch({{1, 0, {1, 0, -half}}, {0, 1, {e, -1, -u0}}, {0, 2, {0, 1, 0}}, {1, 1, {0, 0, 1}}});
+  };
+  const auto check_one_curve = [](const BezierPatch& x, const Rational& u_end, const Rational& v_end) {
+    const auto result = self_intersect(x);
+    REQUIRE(result.status == Status::complete);
+    REQUIRE(result.graph.components.size() == 1);
+    CHECK(result.graph.count(ComponentShape::open) == 1);
+    REQUIRE(result.graph.boundary_points() == 1);
+    for (const Node& node : result.graph.nodes) {
+      if (node.kinds.front() != NodeKind::boundary) continue;
+      const std::size_t first = node.box[1].lower > half ? 0 : 2;
+      CHECK(node.box[first].lower <= u_end);
+      CHECK(node.box[first].upper >= u_end);
+      CHECK(node.box[first + 1].lower <= v_end);
+      CHECK(node.box[first + 1].upper >= v_end);
+    }
+  };
+  Rational e = 1;
+  for (const int digits : {3, 6}) {
+    INFO("e = 10^-" << digits);
+    e = 1;
+    for (int i = 0; i < digits; ++i) e /= 10;
+    check_one_curve(slanted(half, e), half - e / 2, 1);
+    check_one_curve(slanted(half, -e), half + e / 2, 1);
+    const Rational third(1, 3);
+    check_one_curve(slanted(e, third), 0, half + 3 * e);
+    check_nothing(slanted(-e, third));
+  }
+  check_nothing(slanted(0, Rational(1, 3)));
+}
+
+TEST_CASE("self_intersect: two cuspidal points near each other") {
+  const std::array<std::array<int, 3>, 9> points = {{{-2, 2, -1},
+                                                     {-1, 2, 1},
+                                                     {0, -1, -2},
+                                                     {2, -1, 1},
+                                                     {-1, 2, -1},
+                                                     {2, -2, 2},
+                                                     {-2, -2, -2},
+                                                     {2, 0, 2},
+                                                     {1, 2, 0}}};
+  ControlNet net;
+  for (std::size_t i = 0; i < 9; ++i) net[i / 3][i % 3] = {points[i][0], points[i][1], points[i][2]};
+  const auto result = self_intersect(BezierPatch(net));
+  REQUIRE(result.status == Status::complete);
+  CHECK(result.graph.components.size() == 2);
+  CHECK(result.graph.boundary_points() == 1);
+  CHECK(std::count_if(result.graph.nodes.begin(), result.graph.nodes.end(),
+                      [](const Node& n) { return n.kinds.front() == NodeKind::cusp; }) == 3);
+  for (const Parameter p : all_parameters) CHECK(result.graph.turning_points(p) >= 1);
+  CHECK(result.work.milliseconds < 5000);
+}
+
 TEST_CASE("self_intersect: an umbrella sheared against the parameters") {
   // a = u - 1/3, b = v - 1/2; u is replaced by u + v b: the fold is no parameter line, the cusp is the same.
   const Rational third(1, 3);
