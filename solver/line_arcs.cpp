@@ -54,13 +54,14 @@ constexpr int kMostHalvings = 6;
 class LineArcSearch {
  public:
   LineArcSearch(const BezierPatch& x, const BezierPatch& y, const LineQuery& query, const ModelScale& scale,
-                double tolerance, const StopRequest& stop)
+                double tolerance, const StopRequest& stop, bool thorough)
       : place_(line_place(query)),
         problem_(line_and_patch(x, y, query)),
         owner_(index(query.fixed) < 2 ? x : y),
         scale_(scale),
         tolerance_(tolerance),
-        stop_(stop) {}
+        stop_(stop),
+        thorough_(thorough) {}
 
   LineArcs run() {
     if (shape(problem_.line) == LineShape::point) return failed("the line is a single point");
@@ -228,6 +229,7 @@ class LineArcSearch {
       for (const RibbonNormal& normal : normals(at, here, there))
         if (auto run = attempt<DoubleBall>(at, direction, targets, normal, power_of_two(-50))) return run;
     }
+    if (!thorough_) return std::nullopt;
     targets.clear();
     return attempt<ArbBall<256>>(at, direction, targets, normals(at, here, limit).front(),
                                  power_of_two(-200));
@@ -322,6 +324,7 @@ class LineArcSearch {
   const ModelScale& scale_;
   double tolerance_;
   const StopRequest& stop_;
+  bool thorough_;
   std::shared_ptr<const LineSystem> system_;
   BivariatePolynomial moving_;         // the curve without the parts where lambda is constant
   std::vector<RealAlgebraic> values_;  // lambda at the events and at both ends
@@ -333,8 +336,8 @@ class LineArcSearch {
 }  // namespace
 
 LineArcs line_arcs(const BezierPatch& x, const BezierPatch& y, const LineQuery& query,
-                   const ModelScale& scale, double tolerance, const StopRequest& stop) {
-  return LineArcSearch(x, y, query, scale, tolerance, stop).run();
+                   const ModelScale& scale, double tolerance, const StopRequest& stop, bool thorough) {
+  return LineArcSearch(x, y, query, scale, tolerance, stop, thorough).run();
 }
 
 }  // namespace exsect

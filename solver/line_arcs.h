@@ -40,8 +40,9 @@ struct LineArcs {
   std::optional<std::string> incomplete;
 };
 
-/// The polylines keep within `tolerance` (space units) where doubles can express that.
+/// The polylines keep within `tolerance` (space units) where doubles can express that. If `thorough`, an arc
+/// that cannot be traced in doubles is tried in 256 bits.
 LineArcs line_arcs(const BezierPatch& x, const BezierPatch& y, const LineQuery& query,
-                   const ModelScale& scale, double tolerance, const StopRequest& stop);
+                   const ModelScale& scale, double tolerance, const StopRequest& stop, bool thorough = true);
 
 }  // namespace exsect

@@ -82,7 +82,7 @@ class BoundarySearch {
     if (points.incomplete) incomplete(where, line_name + *points.incomplete);
     LineResult line{side, std::move(points.points), {}};
     if (!points.on_patch.empty()) {
-      line.arcs = line_arcs(x_, y_, query, scale_, tolerance_, stop_);
+      line.arcs = line_arcs(x_, y_, query, scale_, tolerance_, stop_, result_.incomplete.empty());
       if (line.arcs.incomplete) incomplete(where, line_name + *line.arcs.incomplete);
       if (!line.arcs.collapsed.empty())
         incomplete(where, line_name + "a parameter line of the other patch is one point of it");

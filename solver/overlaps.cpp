@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "common_sheet.h"
+#include "identical_patches.h"
 #include "model_scale.h"
 #include "overlap_boundary.h"
 #include "plane_curve.h"
@@ -50,14 +51,7 @@ class OneSurface {
       result_.incomplete = boundary_.incomplete;
     });
     regular_ = surface_.planar() && !planar_patch_folds(x_) && !planar_patch_folds(y_);
-    for (const BoundaryPoint& point : boundary_.points)
-      if (point.kind == BoundaryPointKind::other) sweep_.boundary.push_back(point.at);
-    sweep_.coincident = coincident_parameters(x_, y_);
-    sweep_.settled = [this](const SearchRegion& region) { return sheets_.settles(region); };
-    sweep_.exact = result_.incomplete.empty();
-    timed("tracing", [this] {
-      if (!trace<DoubleBall>(power_of_two(-50), false)) trace<ArbBall<256>>(power_of_two(-200), true);
-    });
+    find_other_curves();
     timed("graph", [this] { add_boundary(); });
     finish_components(result_.graph);
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
@@ -68,6 +62,18 @@ class OneSurface {
  private:
   static double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  }
+
+  /// Everything off the common sheets.
+  void find_other_curves() {
+    for (const BoundaryPoint& point : boundary_.points)
+      if (point.kind == BoundaryPointKind::other) sweep_.boundary.push_back(point.at);
+    sweep_.coincident = coincident_parameters(x_, y_);
+    sweep_.settled = [this](const SearchRegion& region) { return sheets_.settles(region); };
+    sweep_.exact = result_.incomplete.empty();
+    timed("tracing", [this] {
+      if (!trace<DoubleBall>(power_of_two(-50), false)) trace<ArbBall<256>>(power_of_two(-200), true);
+    });
   }
 
   template <class Step>
@@ -286,6 +292,7 @@ class OneSurface {
 
 std::optional<IntersectResult> intersect_on_one_surface(const BezierPatch& x, const BezierPatch& y,
                                                         const IntersectOptions& options) {
+  if (auto result = intersect_identical(x, y, options)) return result;
   const auto surface = CommonSurface::of(x, y);
   if (!surface) return std::nullopt;
   return OneSurface(x, y, options, *surface).run();

@@ -40,15 +40,46 @@ class Renamer {
   const ParameterNames& names_;
 };
 
+class Reverser {
+ public:
+  explicit Reverser(Parameter p) : p_(p) {}
+
+  void operator()(Node& node) const {
+    reverse(node.box);
+    node.approx[index(p_)] = 1 - node.approx[index(p_)];
+    for (Side& side : node.on)
+      if (side.parameter == p_) side.value = 1 - side.value;
+  }
+  void operator()(Arc& arc) const {
+    for (PolylineVertex& vertex : arc.polyline)
+      vertex.parameters[index(p_)] = 1 - vertex.parameters[index(p_)];
+  }
+  void operator()(Incomplete& region) const { reverse(region.where); }
+
+ private:
+  void reverse(ParameterBox& box) const {
+    const RationalInterval old = box[index(p_)];
+    box[index(p_)] = {1 - old.upper, 1 - old.lower};
+  }
+
+  Parameter p_;
+};
+
+template <class Change>
+void change_all(IntersectResult& result, const Change& change) {
+  std::for_each(result.graph.nodes.begin(), result.graph.nodes.end(), change);
+  std::for_each(result.graph.arcs.begin(), result.graph.arcs.end(), change);
+  for (Overlap& overlap : result.graph.overlaps)
+    for (std::vector<Arc>& chain : overlap.chains) std::for_each(chain.begin(), chain.end(), change);
+  std::for_each(result.incomplete.begin(), result.incomplete.end(), change);
+}
+
 }  // namespace
 
 void rename_parameters(IntersectResult& result, const ParameterNames& names) {
-  const Renamer renamer(names);
-  std::for_each(result.graph.nodes.begin(), result.graph.nodes.end(), renamer);
-  std::for_each(result.graph.arcs.begin(), result.graph.arcs.end(), renamer);
-  for (Overlap& overlap : result.graph.overlaps)
-    for (std::vector<Arc>& chain : overlap.chains) std::for_each(chain.begin(), chain.end(), renamer);
-  std::for_each(result.incomplete.begin(), result.incomplete.end(), renamer);
+  change_all(result, Renamer(names));
 }
+
+void reverse_parameter(IntersectResult& result, Parameter p) { change_all(result, Reverser(p)); }
 
 }  // namespace exsect

@@ -9,4 +9,7 @@ namespace exsect {
 using ParameterNames = std::array<Parameter, 4>;
 void rename_parameters(IntersectResult& result, const ParameterNames& names);
 
+/// The result with 1 - p in the place of the parameter p.
+void reverse_parameter(IntersectResult& result, Parameter p);
+
 }  // namespace exsect

@@ -268,6 +268,39 @@ TEST_CASE("other sheets of the surface are met as usual") {
                            {q(3, 5), q(9, 10), 0, 1}}});
 }
 
+TEST_CASE("a patch given twice meets itself in both orders of its pairs") {
+  const PatchFile file = read_patches(EXSECT_EXAMPLES "/chapter9-second.json");
+  const BezierPatch& x = file.patches.at(0).patch;
+  const IntersectResult result = intersect(x, x);
+  check_complete(result);
+  const IntersectionGraph& graph = result.graph;
+  REQUIRE(graph.overlaps.size() == 1);
+  CHECK(graph.overlaps[0].chains.at(0).size() == 4);
+  // One curve from (u1,v1,u2,v2) to the cuspidal point and back in the other order.
+  REQUIRE(graph.components.size() == 1);
+  CHECK(graph.components[0].shape == ComponentShape::open);
+  const auto has_node = [&](NodeKind kind, const std::array<double, 4>& at) {
+    return std::any_of(graph.nodes.begin(), graph.nodes.end(), [&](const Node& node) {
+      return std::count(node.kinds.begin(), node.kinds.end(), kind) == 1 &&
+             std::equal(at.begin(), at.end(), node.approx.begin(),
+                        [](double a, double b) { return std::abs(a - b) < 1e-13; });
+    });
+  };
+  CHECK(has_node(NodeKind::boundary, {0.435436781509311, 0.743017458321801, 0.431265860133535, 0}));
+  CHECK(has_node(NodeKind::boundary, {0.431265860133535, 0, 0.435436781509311, 0.743017458321801}));
+  CHECK(
+      has_node(NodeKind::cusp, {0.433004229933352, 0.371653919708524, 0.433004229933352, 0.371653919708524}));
+  CHECK(has_node(NodeKind::end_of_overlap,
+                 {0.433004229933352, 0.371653919708524, 0.433004229933352, 0.371653919708524}));
+  check_renamings({x, x}, graph);
+
+  const BezierPatch& y = file.patches.at(1).patch;
+  const IntersectResult other = intersect(y, y.exchanged());
+  check_complete(other);
+  CHECK(other.graph.components.size() == 4);
+  CHECK(other.graph.overlaps.size() == 1);
+}
+
 TEST_CASE("a fold in a common plane is named") {
   const BezierPatch square = power({{{1, 0}, {1, 0, 0}}, {{0, 1}, {0, 1, 0}}});
   const BezierPatch folded =

@@ -1,0 +1,169 @@
+#include "identical_patches.h"
+
+#include <exsect/geometry/parameter_line.h>
+#include <exsect/solver/self_intersect.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model_scale.h"
+#include "parameter_names.h"
+
+namespace exsect {
+
+namespace {
+
+bool is_planar(const BezierPatch& x) {
+  const Point& origin = x.net()[0][0];
+  Point first = {0, 0, 0};
+  Point normal = {0, 0, 0};
+  bool planar = true;
+  for (const auto& row : x.net())
+    for (const Point& p : row) {
+      if (is_zero(first)) first = p - origin;
+      if (is_zero(normal)) normal = cross(first, p - origin);
+    }
+  for (const auto& row : x.net())
+    for (const Point& p : row) planar = planar && dot(normal, p - origin) == 0;
+  return planar;
+}
+
+double length(const Point& v) { return std::hypot(to_double(v[0]), to_double(v[1]), to_double(v[2])); }
+
+constexpr const char* kTooFine = "the tolerance is below what a polyline in doubles can be proved to keep";
+
+class ItselfBuilder {
+ public:
+  ItselfBuilder(const BezierPatch& x, const IntersectOptions& options)
+      : x_(x), scale_(model_scale(x, x)), tolerance_(options.tolerance * scale_.extent) {
+    IntersectOptions both = options;
+    for (const Parameter p : options.turning) both.turning.push_back(all_parameters[index(p) ^ 2]);
+    result_ = self_intersect(x, both);
+  }
+
+  IntersectResult run() {
+    add_mirrored();
+    add_overlap();
+    result_.graph.components.clear();
+    finish_components(result_.graph);
+    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
+    return std::move(result_);
+  }
+
+ private:
+  void incomplete(const ParameterBox& where, const std::string& why) {
+    result_.incomplete.push_back({where, why});
+  }
+
+  /// The pairs in the other order. A cuspidal point has equal parameters: there the two orders of a curve
+  /// meet, inside the overlap.
+  void add_mirrored() {
+    using enum Parameter;
+    IntersectResult mirrored = result_;
+    rename_parameters(mirrored, {r, s, u, v});
+    IntersectionGraph& graph = result_.graph;
+    std::vector<int> mirror;
+    for (Node& copy : mirrored.graph.nodes) {
+      std::vector<NodeKind>& kinds = graph.nodes[static_cast<std::size_t>(copy.id)].kinds;
+      if (std::count(kinds.begin(), kinds.end(), NodeKind::cusp) > 0) {
+        kinds.push_back(NodeKind::end_of_overlap);
+        mirror.push_back(copy.id);
+      } else {
+        copy.id = static_cast<int>(graph.nodes.size());
+        mirror.push_back(copy.id);
+        graph.nodes.push_back(std::move(copy));
+      }
+    }
+    const auto mirrored_id = [&](int id) { return mirror[static_cast<std::size_t>(id)]; };
+    for (Arc& arc : mirrored.graph.arcs) {
+      arc.id = static_cast<int>(graph.arcs.size());
+      arc.from = mirrored_id(arc.from);
+      arc.to = mirrored_id(arc.to);
+      graph.arcs.push_back(std::move(arc));
+    }
+    for (const int id : mirrored.graph.isolated_points) graph.isolated_points.push_back(mirrored_id(id));
+  }
+
+  /// Equal parameters: the rim runs once around both squares.
+  void add_overlap() {
+    const std::array<std::array<int, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    const auto first = static_cast<int>(result_.graph.nodes.size());
+    for (const auto& [u, v] : corners) {
+      const ParameterBox box = {{{u, u}, {v, v}, {u, u}, {v, v}}};
+      const PairSystem<DoubleBall> system(x_, x_, scale_.origin, scale_.frame.exponent);
+      const auto at = [](int c) { return DoubleBall(static_cast<double>(c)); };
+      Node node = boundary_node(system, scale_.frame, {at(u), at(v), at(u), at(v)}, box,
+                                {{Parameter::u, u}, {Parameter::v, v}, {Parameter::r, u}, {Parameter::s, v}});
+      node.id = static_cast<int>(result_.graph.nodes.size());
+      result_.graph.nodes.push_back(std::move(node));
+    }
+    std::vector<Arc> chain;
+    for (int i = 0; i < 4; ++i) {
+      const auto& from = corners[static_cast<std::size_t>(i)];
+      const auto& to = corners[static_cast<std::size_t>((i + 1) % 4)];
+      chain.push_back(side(i, from, to));
+      chain.back().from = first + i;
+      chain.back().to = first + (i + 1) % 4;
+    }
+    result_.graph.overlaps.push_back({static_cast<int>(result_.graph.overlaps.size()), {std::move(chain)}});
+  }
+
+  /// A side p(t) = a0 + a1 t + a2 t^2 between two corners: a chord over a step h deviates by |2 a2| h^2 / 8.
+  /// The bound adds the rounding of both ends' coordinates and covers its own rounding (2^-40).
+  Arc side(int id, const std::array<int, 2>& from, const std::array<int, 2>& to) {
+    const ParameterLine line = from[0] == to[0] ? line_at_first(x_, from[0]) : line_at_second(x_, from[1]);
+    const double second = 2 * length(line.a[2]);
+    const double wanted = std::ceil(std::sqrt(second / (8 * 0.9 * tolerance_)));
+    const int n = tolerance_ > 0 ? static_cast<int>(std::clamp(wanted, 1.0, 1e6)) : 1;
+    Arc arc{};
+    arc.id = id;
+    arc.component = -1;
+    arc.place = ArcPlace::patch_boundary;
+    arc.contact = Contact::tangential;
+    double largest = 0;
+    for (int i = 0; i <= n; ++i) {
+      const Rational t(i, n);
+      const Rational u = from[0] + t * (to[0] - from[0]);
+      const Rational v = from[1] + t * (to[1] - from[1]);
+      const Point p = x_(u, v);
+      const double a = to_double(u);
+      const double b = to_double(v);
+      arc.polyline.push_back({{a, b, a, b}, {to_double(p[0]), to_double(p[1]), to_double(p[2])}});
+      largest = std::max(largest, length(p));
+    }
+    const double step = 1.0 / n;
+    arc.error_bound = (second * step * step / 8 + largest * 0x1p-51) * (1 + 0x1p-40);
+    if (!(arc.error_bound <= tolerance_))
+      incomplete(result_.graph.nodes.back().box, kTooFine);
+    return arc;
+  }
+
+  const BezierPatch& x_;
+  ModelScale scale_;
+  double tolerance_;
+  IntersectResult result_;
+};
+
+}  // namespace
+
+std::optional<IntersectResult> intersect_identical(const BezierPatch& x, const BezierPatch& y,
+                                                   const IntersectOptions& options) {
+  using enum Parameter;
+  if (is_planar(x)) return std::nullopt;
+  for (const bool exchanged : {false, true})
+    for (const bool first : {false, true})
+      for (const bool second : {false, true}) {
+        BezierPatch z = exchanged ? y.exchanged() : y;
+        if (first) z = z.reversed_first();
+        if (second) z = z.reversed_second();
+        if (!(x == z)) continue;
+        IntersectResult result = ItselfBuilder(x, options).run();
+        if (first) reverse_parameter(result, r);
+        if (second) reverse_parameter(result, s);
+        if (exchanged) rename_parameters(result, {u, v, s, r});
+        return result;
+      }
+  return std::nullopt;
+}
+
+}  // namespace exsect
