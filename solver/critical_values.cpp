@@ -24,11 +24,21 @@ TurningEliminant eliminant_along(const BezierPatch& x, const BezierPatch& y, Par
 
 std::vector<TurningValue> roots_with_multiplicities(const Polynomial& e) {
   std::vector<TurningValue> result;
+  const auto append_roots = [&](const Polynomial& f, int multiplicity) {
+    for (RealAlgebraic& root : real_roots(f, 0, 1)) {
+      result.push_back({std::move(root), multiplicity});
+    }
+  };
   const std::vector<PolynomialPower> factors =
       is_squarefree(e) ? std::vector<PolynomialPower>{{e, 1}} : squarefree_factors(e);
   for (const auto& [factor, multiplicity] : factors) {
-    for (RealAlgebraic& root : real_roots(factor, 0, 1)) {
-      result.push_back({std::move(root), multiplicity});
+    if (multiplicity == 1) {
+      append_roots(factor, 1);
+      continue;
+    }
+    // Events over multiple roots are studied in exact arithmetic: their numbers must be as simple as can be.
+    for (const PolynomialPower& irreducible : irreducible_factors(factor)) {
+      append_roots(irreducible.factor, multiplicity);
     }
   }
   std::sort(result.begin(), result.end(),
@@ -78,6 +88,12 @@ std::vector<Event> events_within(TurningValues& turning, const std::vector<Certi
 }
 
 }  // namespace
+
+std::optional<TurningValues> turning_values(const BezierPatch& x, const BezierPatch& y, Parameter sweep) {
+  const TurningEliminant eliminant = eliminant_along(x, y, sweep);
+  if (!eliminant.polynomial) return std::nullopt;
+  return TurningValues{sweep, roots_with_multiplicities(*eliminant.polynomial)};
+}
 
 SweepChoice choose_sweep(const BezierPatch& x, const BezierPatch& y) {
   SweepChoice choice;

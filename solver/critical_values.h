@@ -21,6 +21,9 @@ struct TurningValues {
   std::vector<TurningValue> values;  // ascending, distinct
 };
 
+/// Roots in [0,1] of the turning eliminant of the sweep along `sweep`; empty if it is not defined.
+std::optional<TurningValues> turning_values(const BezierPatch& x, const BezierPatch& y, Parameter sweep);
+
 /// Roots in [0,1] of the turning eliminant E of the sweep along u; where E is not defined for this pair, of
 /// the sweep along v, r or s. Every closed component of the intersection has at least two of them as extreme
 /// values of the sweep parameter. Empty optional if none of the four is defined; `why` then says why.

@@ -139,7 +139,7 @@ class DegeneratePair {
     const PairSystem<DoubleBall> system(x_, y_, scale_.origin, scale_.frame.exponent);
     const BallPoint<DoubleBall> ball = {DoubleBall::enclosing(box[0]), DoubleBall::enclosing(box[1]),
                                         DoubleBall::enclosing(box[2]), DoubleBall::enclosing(box[3])};
-    Node node = boundary_node(system, scale_.frame, ball, box, sides_of(box));
+    Node node = landmark_node(system, scale_.frame, ball, box, sides_of(box));
     if (node.on.empty()) node.kinds.clear();
     node.free = std::move(free);
     node.id = static_cast<int>(result_.graph.nodes.size());

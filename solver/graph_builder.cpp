@@ -79,6 +79,9 @@ class PolylineBuilder {
   }
 
   std::vector<PolylineVertex> take_vertices() { return std::move(vertices_); }
+  /// A chord inside a star's box stands for an arc inside it.
+  void cover(double bound) { chord_error_ = std::max(chord_error_, bound); }
+
   /// The polyline's end offsets, joints and vertices stand for true points within vertex_error; twice,
   /// because the true end of an arc may be anywhere in its node's box.
   double bound() const { return (chord_error_ + 2 * vertex_error_) * (1 + 0x1p-40); }
@@ -95,9 +98,14 @@ class PolylineBuilder {
 template <class Ball>
 class TraceAppender {
  public:
-  TraceAppender(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve, const ModelFrame& frame,
-                double tolerance)
-      : graph_(graph), curve_(curve), frame_(frame), tolerance_(tolerance) {}
+  TraceAppender(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve, const Landmarks<Ball>& landmarks,
+                const std::vector<TraceEnd>& ends, const ModelFrame& frame, double tolerance)
+      : graph_(graph),
+        curve_(curve),
+        landmarks_(landmarks),
+        ends_(ends),
+        frame_(frame),
+        tolerance_(tolerance) {}
 
   void run(const std::vector<Parameter>& wanted) {
     add_turning_nodes(wanted);
@@ -112,6 +120,7 @@ class TraceAppender {
     int node;
     Station station;
     BoundedVertex vertex;
+    const Approach* approach;  // from the vertex to the node; null if the vertex is the node's
   };
 
   void add_turning_nodes(const std::vector<Parameter>& wanted) {
@@ -141,25 +150,52 @@ class TraceAppender {
     node.approx = vertex.vertex.parameters;
     node.point = vertex.vertex.point;
     graph_.nodes.push_back(node);
-    return {node.id, {point.piece, 0.5 * (point.from + point.to)}, vertex};
+    return {node.id, {point.piece, 0.5 * (point.from + point.to)}, vertex, nullptr};
   }
 
-  Stop landmark_stop(int node, std::size_t piece, double tau) const {
-    const Node& landmark = graph_.nodes[static_cast<std::size_t>(node)];
+  Stop landmark_stop(int landmark, std::size_t piece, double tau) const {
+    const TraceEnd& end = ends_[static_cast<std::size_t>(landmark)];
     const Tube<Ball>& tube = curve_.trace.pieces[piece].tube;
-    BallPoint<Ball> box;
-    for (std::size_t j = 0; j < 4; ++j) {
-      box[j] = Ball::enclosing(landmark.box[j]);
+    BoundedVertex vertex = to_vertex(tube, landmarks_[static_cast<std::size_t>(landmark)], frame_);
+    if (!end.approach) {
+      const Node& node = graph_.nodes[static_cast<std::size_t>(end.node)];
+      vertex.vertex = {node.approx, node.point};
+      vertex.error *= 2;  // the node's own vertex stands for the same box
     }
-    BoundedVertex vertex = to_vertex(tube, box, frame_);
-    vertex.vertex = {landmark.approx, landmark.point};
-    vertex.error *= 2;  // the landmark's own vertex stands for the same box
-    return {node, {piece, tau}, vertex};
+    return {end.node, {piece, tau}, vertex, end.approach ? &*end.approach : nullptr};
+  }
+
+  BoundedVertex node_vertex(const Stop& stop) const {
+    const Node& node = graph_.nodes[static_cast<std::size_t>(stop.node)];
+    return {{node.approx, node.point}, 0};
+  }
+
+  void leave_node(PolylineBuilder<Ball>& builder, const Stop& stop) const {
+    if (stop.approach != nullptr) {
+      builder.add_vertex(node_vertex(stop));
+      std::for_each(stop.approach->vertices.rbegin(), stop.approach->vertices.rend(),
+                    [&](const PolylineVertex& vertex) {
+                      builder.add_vertex({vertex, 0});
+                    });
+      builder.cover(stop.approach->bound);
+    }
+    builder.add_vertex(stop.vertex);
+  }
+
+  void enter_node(PolylineBuilder<Ball>& builder, const Stop& stop) const {
+    builder.add_vertex(stop.vertex);
+    if (stop.approach != nullptr) {
+      for (const PolylineVertex& vertex : stop.approach->vertices) {
+        builder.add_vertex({vertex, 0});
+      }
+      builder.add_vertex(node_vertex(stop));
+      builder.cover(stop.approach->bound);
+    }
   }
 
   void add_arc(const Stop& from, const Stop& to, const std::vector<std::pair<Station, Station>>& paths) {
     PolylineBuilder<Ball> builder(curve_.trace, frame_, tolerance_);
-    builder.add_vertex(from.vertex);
+    leave_node(builder, from);
     for (std::size_t i = 0; i < paths.size(); ++i) {
       if (i > 0) {  // the seam of a closed curve
         const Tube<Ball>& tube = curve_.trace.pieces[paths[i].first.piece].tube;
@@ -167,7 +203,7 @@ class TraceAppender {
       }
       builder.add_path(paths[i].first, paths[i].second);
     }
-    builder.add_vertex(to.vertex);
+    enter_node(builder, to);
     Arc arc;
     arc.id = static_cast<int>(graph_.arcs.size());
     arc.component = -1;
@@ -201,6 +237,8 @@ class TraceAppender {
 
   IntersectionGraph& graph_;
   const AnalysedTrace<Ball>& curve_;
+  const Landmarks<Ball>& landmarks_;
+  const std::vector<TraceEnd>& ends_;
   const ModelFrame& frame_;
   double tolerance_;
   std::vector<Stop> stops_;
@@ -249,11 +287,13 @@ void drop_unused_nodes(IntersectionGraph& graph) {
 }  // namespace
 
 template <class Ball>
-Node boundary_node(const PairSystem<Ball>& system, const ModelFrame& frame, const BallPoint<Ball>& ball,
+Node landmark_node(const PairSystem<Ball>& system, const ModelFrame& frame, const BallPoint<Ball>& ball,
                    const ParameterBox& box, const std::vector<Side>& sides) {
   Node node;
   node.id = 0;
-  node.kinds = {NodeKind::boundary};
+  if (!sides.empty()) {
+    node.kinds = {NodeKind::boundary};
+  }
   std::size_t on_first = 0;
   for (const Side& side : sides) {
     on_first += index(side.parameter) < 2 ? 1 : 0;
@@ -274,9 +314,36 @@ Node boundary_node(const PairSystem<Ball>& system, const ModelFrame& frame, cons
 }
 
 template <class Ball>
-void append_trace(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve, const ModelFrame& frame,
-                  const std::vector<Parameter>& wanted, double tolerance) {
-  TraceAppender<Ball>(graph, curve, frame, tolerance).run(wanted);
+double chord_bound(const PairSystem<Ball>& system, const ModelFrame& frame, const ParameterBox& box) {
+  BallPoint<Ball> at;
+  for (std::size_t j = 0; j < 4; ++j) {
+    at[j] = Ball::enclosing(box[j]);
+  }
+  const BallVector<Ball> x = system.taylor_x(at)[0];
+  double radius2 = 0;
+  double rounding = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    radius2 += x[c].radius() * x[c].radius();
+    const double largest = std::ldexp(x[c].upper_magnitude(), static_cast<int>(frame.exponent));
+    rounding += (std::fabs(frame.origin[c]) + largest) * 0x1p-50;
+  }
+  // The ball's diameter, once more its radius for the vertices, which are in the ball up to rounding.
+  return std::ldexp(3 * std::sqrt(radius2), static_cast<int>(frame.exponent)) * (1 + 0x1p-40) + rounding;
+}
+
+template <class Ball>
+void append_trace(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve,
+                  const Landmarks<Ball>& landmarks, const std::vector<TraceEnd>& ends,
+                  const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance) {
+  TraceAppender<Ball>(graph, curve, landmarks, ends, frame, tolerance).run(wanted);
+}
+
+std::vector<TraceEnd> nodes_of_landmarks(std::size_t count) {
+  std::vector<TraceEnd> ends;
+  for (std::size_t i = 0; i < count; ++i) {
+    ends.push_back({static_cast<int>(i), std::nullopt});
+  }
+  return ends;
 }
 
 void finish_components(IntersectionGraph& graph) {
@@ -311,11 +378,13 @@ void finish_components(IntersectionGraph& graph) {
   drop_unused_nodes(graph);
 }
 
-#define EXSECT_INSTANTIATE_GRAPH(Ball)                                                            \
-  template Node boundary_node(const PairSystem<Ball>&, const ModelFrame&, const BallPoint<Ball>&, \
-                              const ParameterBox&, const std::vector<Side>&);                     \
-  template void append_trace(IntersectionGraph&, const AnalysedTrace<Ball>&, const ModelFrame&,   \
-                             const std::vector<Parameter>&, double);
+#define EXSECT_INSTANTIATE_GRAPH(Ball)                                                                       \
+  template double chord_bound(const PairSystem<Ball>&, const ModelFrame&, const ParameterBox&);              \
+  template Node landmark_node(const PairSystem<Ball>&, const ModelFrame&, const BallPoint<Ball>&,            \
+                              const ParameterBox&, const std::vector<Side>&);                                \
+  template void append_trace(IntersectionGraph&, const AnalysedTrace<Ball>&, const Landmarks<Ball>&,         \
+                             const std::vector<TraceEnd>&, const ModelFrame&, const std::vector<Parameter>&, \
+                             double);
 
 EXSECT_INSTANTIATE_GRAPH(DoubleBall)
 EXSECT_INSTANTIATE_GRAPH(ArbBall<256>)

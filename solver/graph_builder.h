@@ -3,6 +3,7 @@
 
 #include <exsect/solver/intersection_graph.h>
 
+#include <optional>
 #include <vector>
 
 #include "turning_points.h"
@@ -23,18 +24,40 @@ struct AnalysedTrace {
   std::vector<TurningPoint<Ball>> turning;
 };
 
-/// The node of a boundary point; `box` encloses its parameters.
+/// A bound of the distance between any arc of the intersection in a parameter box and any chord between
+/// vertices that stand for points of it.
 template <class Ball>
-Node boundary_node(const PairSystem<Ball>& system, const ModelFrame& frame, const BallPoint<Ball>& ball,
+double chord_bound(const PairSystem<Ball>& system, const ModelFrame& frame, const ParameterBox& box);
+
+/// The node of a point on the given sides (none: inside); `box` encloses its parameters.
+template <class Ball>
+Node landmark_node(const PairSystem<Ball>& system, const ModelFrame& frame, const BallPoint<Ball>& ball,
                    const ParameterBox& box, const std::vector<Side>& sides);
 
+/// How an arc goes on from the port of a star to the star's node: vertices in between, and a bound of the
+/// distance between the arc and the chords.
+struct Approach {
+  std::vector<PolylineVertex> vertices;
+  double bound;
+};
+
+/// Where the traces that end at a landmark lead to.
+struct TraceEnd {
+  int node;
+  std::optional<Approach> approach;  // the landmark is a port
+};
+
+/// Node i for landmark i.
+std::vector<TraceEnd> nodes_of_landmarks(std::size_t count);
+
 /// Appends the arcs of one trace and its turning nodes with respect to `wanted` parameters (a closed curve
-/// without any gets all its turning nodes). Nodes 0..n-1 of the graph are the landmarks. Polylines keep
-/// within `tolerance` (space units) of the curve where doubles can express that; Arc::error_bound is what is
-/// proved.
+/// without any gets all its turning nodes). `ends` and `landmarks` are indexed as Trace::start. Polylines
+/// keep within `tolerance` (space units) of the curve where doubles can express that; Arc::error_bound is
+/// what is proved.
 template <class Ball>
-void append_trace(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve, const ModelFrame& frame,
-                  const std::vector<Parameter>& wanted, double tolerance);
+void append_trace(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve,
+                  const Landmarks<Ball>& landmarks, const std::vector<TraceEnd>& ends,
+                  const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance);
 
 /// Fills in components from nodes and arcs, and drops the nodes that no arc, no isolated point and no
 /// overlap names.

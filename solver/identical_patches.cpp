@@ -92,7 +92,7 @@ class ItselfBuilder {
       const ParameterBox box = {{{u, u}, {v, v}, {u, u}, {v, v}}};
       const PairSystem<DoubleBall> system(x_, x_, scale_.origin, scale_.frame.exponent);
       const auto at = [](int c) { return DoubleBall(static_cast<double>(c)); };
-      Node node = boundary_node(system, scale_.frame, {at(u), at(v), at(u), at(v)}, box,
+      Node node = landmark_node(system, scale_.frame, {at(u), at(v), at(u), at(v)}, box,
                                 {{Parameter::u, u}, {Parameter::v, v}, {Parameter::r, u}, {Parameter::s, v}});
       node.id = static_cast<int>(result_.graph.nodes.size());
       result_.graph.nodes.push_back(std::move(node));
@@ -133,8 +133,7 @@ class ItselfBuilder {
     }
     const double step = 1.0 / n;
     arc.error_bound = (second * step * step / 8 + largest * 0x1p-51) * (1 + 0x1p-40);
-    if (!(arc.error_bound <= tolerance_))
-      incomplete(result_.graph.nodes.back().box, kTooFine);
+    if (!(arc.error_bound <= tolerance_)) incomplete(result_.graph.nodes.back().box, kTooFine);
     return arc;
   }
 

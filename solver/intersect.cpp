@@ -7,10 +7,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "boundary_lines.h"
 #include "critical_values.h"
 #include "degenerate_patches.h"
+#include "line_place.h"
 #include "model_scale.h"
 #include "overlaps.h"
+#include "singular_points.h"
 #include "traced_curves.h"
 
 namespace exsect {
@@ -42,15 +45,22 @@ class Intersection {
           return out_of_time();
         }) {
     sweep_.coincident = coincident_parameters(x, y);
+    sweep_.has_value = [this](const CertifiedPoint& point, Parameter p, const Rational& value) {
+      const auto solution = rational_solution(x_, y_, point);
+      return solution && (*solution)[index(p)] == value;
+    };
+    sweep_.line = [this](const LineQuery& query) { return line_points(x_, y_, query); };
   }
 
   IntersectResult run() {
     timed("boundary points", [this] { find_boundary_points(); });
     timed("turning eliminant", [this] { find_turning_values(); });
     timed("fibres", [this] { compute_fibres(); });
-    const bool decided = trace_and_build<DoubleBall>(power_of_two(-50), false);
-    if (!decided) {
-      trace_and_build<ArbBall<256>>(power_of_two(-200), true);
+    if (!trace_and_build<DoubleBall>(power_of_two(-50), false)) {
+      timed("singular points", [this] { find_stars(); });
+      if (sweep_.stars.empty() || !trace_and_build<DoubleBall>(power_of_two(-50), false)) {
+        trace_and_build<ArbBall<256>>(power_of_two(-200), true);
+      }
     }
     finish_components(result_.graph);
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
@@ -78,31 +88,21 @@ class Intersection {
     result_.incomplete.push_back({where, why});
   }
 
-  /// The points on the eight sides, each kept once: on the first of its sides.
   void find_boundary_points() {
-    for (const Parameter p : all_parameters) {
-      for (const int value : {0, 1}) {
-        if (out_of_time()) {
-          incomplete(whole_domain(), "the work cap was reached while boundary points were computed");
-          return;
-        }
-        const LinePoints line = line_points(x_, y_, {p, value});
-        const std::string label = std::string(name(p)) + " = " + std::to_string(value);
-        ParameterBox where = whole_domain();
-        where[index(p)] = {value, value};
-        if (line.incomplete) {
-          incomplete(where, "the boundary line " + label + ": " + *line.incomplete);
-        }
-        if (!line.on_patch.empty()) {
-          incomplete(where, "the boundary line " + label + " lies on the other patch, in whole or in part");
-        }
-        for (const CertifiedPoint& point : line.points) {
-          if (point.sides().front() == Side{p, value}) {
-            sweep_.boundary.push_back(point);
-          }
-        }
-      }
+    sides_ = boundary_lines(x_, y_, scaling_, 0.4 * used_tolerance(), stop_);
+    result_.incomplete = sides_.incomplete;
+    std::vector<bool> on_arc(sides_.points.size(), false);
+    for (const SideArc& arc : sides_.arcs) {
+      on_arc[arc.from] = on_arc[arc.to] = true;
     }
+    for (std::size_t i = 0; i < sides_.points.size(); ++i) {
+      sweep_.landmarks.push_back({sides_.points[i], std::nullopt, 0, on_arc[i]});
+    }
+  }
+
+  /// Vertices are doubles: below the finest tolerance the polylines stay coarse and the result says so.
+  double used_tolerance() const {
+    return (options_.tolerance < kFinestTolerance ? kCoarseTolerance : options_.tolerance) * scaling_.extent;
   }
 
   void find_turning_values() {
@@ -111,6 +111,17 @@ class Intersection {
       return;
     }
     sweep_.turning = choose_sweep(x_, y_).turning;  // without one, closed curves are found by subdivision
+    if (sweep_.turning) {
+      turning_[index(sweep_.turning->sweep)] = sweep_.turning;
+    }
+  }
+
+  const std::optional<TurningValues>& turning_values_of(Parameter sweep) {
+    auto& known = turning_[index(sweep)];
+    if (!known) {
+      known = turning_values(x_, y_, sweep);
+    }
+    return *known;
   }
 
   /// Exact fibres at samples between all critical values.
@@ -118,7 +129,7 @@ class Intersection {
     if (!sweep_.turning) {
       return;
     }
-    sweep_.samples = sweep_samples(*sweep_.turning, sweep_.boundary);
+    sweep_.samples = sweep_samples(*sweep_.turning, sides_.points);
     for (const Rational& sample : sweep_.samples) {
       if (out_of_time()) {
         incomplete(whole_domain(), "the work cap was reached while fibres were computed");
@@ -135,14 +146,42 @@ class Intersection {
     result_.work.steps["fibres"] = static_cast<double>(sweep_.fibres.size());
   }
 
+  /// Proves neighbourhoods of the singular points; their ports become landmarks.
+  void find_stars() {
+    const SingularPointProblem problem = {
+        x_,
+        y_,
+        sides_.points,
+        options_.tolerance * std::ldexp(scaling_.extent, static_cast<int>(-scaling_.frame.exponent)),
+        sweep_.turning ? sweep_.turning->sweep : Parameter::u,
+        sweep_.samples,
+        [this](Parameter p) -> const std::optional<TurningValues>& { return turning_values_of(p); },
+        sweep_.coincident};
+    const PairSystem<ArbBall<256>> system(x_, y_, scaling_.origin, scaling_.frame.exponent);
+    sweep_.stars = singular_stars(problem, system);
+    for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
+      const StarNeighbourhood& star = sweep_.stars[k];
+      for (LandmarkPoint& landmark : sweep_.landmarks) {
+        if (landmark.side == 0 && lies_in(landmark.point.refined_to(power_of_two(-100)).box(), star.box)) {
+          landmark.star = k;
+        }
+      }
+      for (const Port& port : star.ports) {
+        if (port.point.sides().empty()) {  // else the arc lies on a side
+          sweep_.landmarks.push_back({port.point, k, port.side, false});
+        }
+      }
+    }
+  }
+
   /// One attempt in one arithmetic; false if something is undecided that more precision may decide and `last`
   /// is not set.
   template <class Ball>
   bool trace_and_build(const Rational& width, bool last) {
     const PairSystem<Ball> system(x_, y_, scaling_.origin, scaling_.frame.exponent);
     Landmarks<Ball> landmarks;
-    for (const CertifiedPoint& point : sweep_.boundary) {
-      landmarks.push_back(enclose<Ball>(point, width));
+    for (const LandmarkPoint& landmark : sweep_.landmarks) {
+      landmarks.push_back(enclose<Ball>(landmark.point, width));
     }
     TracedCurves<Ball> traced;
     sweep_.exact = result_.incomplete.empty();
@@ -156,22 +195,162 @@ class Intersection {
     return true;
   }
 
+  /// The nodes of boundary points and stars, and what the landmarks lead to.
+  template <class Ball>
+  std::vector<TraceEnd> add_landmark_nodes(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks) {
+    IntersectionGraph& graph = result_.graph;
+    std::vector<std::optional<int>> star_nodes(sweep_.stars.size());
+    star_nodes_.assign(sweep_.stars.size(), 0);
+    const auto add = [&](const BallPoint<Ball>& ball, const CertifiedPoint& point) {
+      graph.nodes.push_back(landmark_node(system, scaling_.frame, ball, point.box(), point.sides()));
+      graph.nodes.back().id = static_cast<int>(graph.nodes.size()) - 1;
+      return graph.nodes.back().id;
+    };
+    std::vector<TraceEnd> ends;
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+      const LandmarkPoint& landmark = sweep_.landmarks[i];
+      if (landmark.side == 0) {
+        ends.push_back({add(landmarks[i], landmark.point), std::nullopt});
+        if (landmark.star) {
+          star_nodes[*landmark.star] = ends.back().node;
+        }
+        continue;
+      }
+      ends.push_back({0, std::nullopt});
+    }
+    for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
+      const StarNeighbourhood& star = sweep_.stars[k];
+      if (!star_nodes[k]) {
+        star_nodes[k] = add(enclose<Ball>(star.centre, power_of_two(-100)), star.centre);
+      }
+      star_nodes_[k] = *star_nodes[k];
+      classify(graph.nodes[static_cast<std::size_t>(*star_nodes[k])], star);
+      for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        if (sweep_.landmarks[i].side != 0 && sweep_.landmarks[i].star == k) {
+          ends[i] = {*star_nodes[k], approach(system, star, sweep_.landmarks[i])};
+        }
+      }
+    }
+    return ends;
+  }
+
+  template <class Ball>
+  Approach approach(const PairSystem<Ball>& system, const StarNeighbourhood& star,
+                    const LandmarkPoint& port) const {
+    const StarArc arc = star_arc(star, {port.point, port.side});
+    Approach result{{}, 0};
+    for (const CertifiedPoint& point : arc.vertices) {
+      const Node vertex =
+          landmark_node(system, scaling_.frame, enclose<Ball>(point, power_of_two(-50)), point.box(), {});
+      result.vertices.push_back({vertex.approx, vertex.point});
+    }
+    for (const ParameterBox& hull : arc.hulls) {
+      result.bound = std::max(result.bound, chord_bound(system, scaling_.frame, hull));
+    }
+    return result;
+  }
+
+  /// An arc on a side, split at the stars on it.
+  template <class Ball>
+  void add_side_arc(const PairSystem<Ball>& system, const SideArc& whole) {
+    const Side side = whole.inside.sides().front();
+    const std::size_t along = index(line_place({side.parameter, side.value}).roles.line);
+    std::vector<std::pair<double, int>> cuts;
+    for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
+      if (lies_inside(sweep_.stars[k].centre, whole, side, along)) {
+        cuts.emplace_back(to_double(sweep_.stars[k].centre.box()[along].midpoint()), star_nodes_[k]);
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    std::vector<PolylineVertex> polyline = {whole.polyline.front()};
+    int from = static_cast<int>(whole.from);
+    const auto finish = [&](int to) {
+      push_side_arc(from, to, whole, polyline, tangential_at(system, whole.inside));
+      from = to;
+    };
+    std::size_t cut = 0;
+    for (std::size_t i = 1; i < whole.polyline.size(); ++i) {
+      for (; cut < cuts.size() && cuts[cut].first <= whole.polyline[i].parameters[along]; ++cut) {
+        const Node& node = result_.graph.nodes[static_cast<std::size_t>(cuts[cut].second)];
+        polyline.push_back({node.approx, node.point});
+        finish(node.id);
+        polyline = {{node.approx, node.point}};
+      }
+      polyline.push_back(whole.polyline[i]);
+    }
+    finish(static_cast<int>(whole.to));
+  }
+
+  /// The star's centre is a point of the arc, not an end: of all arcs on that side only this one has its
+  /// value of the line's parameter.
+  bool lies_inside(const CertifiedPoint& centre, const SideArc& arc, const Side& side, std::size_t along) {
+    const auto covers = [&](const SideArc& other) {
+      const auto at = [&](std::size_t end) { return sides_.points[end].box()[along]; };
+      return other.inside.on(side) && at(other.from).upper < centre.box()[along].lower &&
+             at(other.to).lower > centre.box()[along].upper;
+    };
+    if (!centre.on(side) || !covers(arc)) {
+      return false;
+    }
+    if (std::count_if(sides_.arcs.begin(), sides_.arcs.end(), covers) > 1) {
+      incomplete(centre.box(), "arcs on one side lie over the same values of its parameter");
+    }
+    return true;
+  }
+
+  void push_side_arc(int from, int to, const SideArc& whole, const std::vector<PolylineVertex>& polyline,
+                     bool tangential) {
+    Arc arc;
+    arc.id = static_cast<int>(result_.graph.arcs.size());
+    arc.component = -1;
+    arc.from = from;
+    arc.to = to;
+    arc.place = ArcPlace::patch_boundary;
+    arc.contact = tangential ? Contact::tangential : Contact::transversal;
+    arc.polyline = polyline;
+    arc.error_bound =
+        2 * whole.error_bound;  // a node in the middle is within the bound of the chord it splits
+    result_.graph.arcs.push_back(std::move(arc));
+  }
+
+  /// The patches touch along the arc. At one point the tangent vanishes exactly or surely not.
+  template <class Ball>
+  bool tangential_at(const PairSystem<Ball>& system, const CertifiedPoint& inside) {
+    const BallPoint<Ball> tangent =
+        Expansion<Ball>(system, enclose<Ball>(inside, power_of_two(-200))).tangent();
+    if (std::any_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() != 0; })) {
+      return false;
+    }
+    if (!is_known_singular(x_, y_, inside)) {
+      incomplete(inside.box(), "whether the patches touch along the arc through this point is not decided");
+    }
+    return true;
+  }
+
+  /// The kind of a star's node; an isolated point is listed as such.
+  void classify(Node& node, const StarNeighbourhood& star) {
+    const std::size_t degree = star.ports.size();
+    if (degree == 0) {
+      result_.graph.isolated_points.push_back(node.id);
+    }
+    if (!is_known_singular(x_, y_, star.centre)) {
+      return;
+    }
+    node.kinds.push_back(degree == 0 ? NodeKind::touch : degree <= 2 ? NodeKind::cusp : NodeKind::crossing);
+  }
+
   template <class Ball>
   void build_graph(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
                    const TracedCurves<Ball>& traced) {
     IntersectionGraph& graph = result_.graph;
-    for (std::size_t i = 0; i < landmarks.size(); ++i) {
-      const CertifiedPoint& point = sweep_.boundary[i];
-      graph.nodes.push_back(boundary_node(system, scaling_.frame, landmarks[i], point.box(), point.sides()));
-      graph.nodes.back().id = static_cast<int>(i);
-    }
     graph.isolated_points = traced.isolated;
-    // Vertices are doubles: below the finest tolerance the polylines stay coarse and the result says so.
+    const std::vector<TraceEnd> ends = add_landmark_nodes(system, landmarks);
     const double tolerance = options_.tolerance * scaling_.extent;
-    const double used =
-        options_.tolerance < kFinestTolerance ? kCoarseTolerance * scaling_.extent : tolerance;
+    for (const SideArc& arc : sides_.arcs) {
+      add_side_arc(system, arc);
+    }
     for (const AnalysedTrace<Ball>& curve : traced.curves) {
-      append_trace(graph, curve, scaling_.frame, options_.turning, used);
+      append_trace(graph, curve, landmarks, ends, scaling_.frame, options_.turning, used_tolerance());
       result_.work.steps["tubes"] += static_cast<double>(curve.trace.pieces.size());
     }
     for (const Arc& arc : graph.arcs) {
@@ -191,6 +370,9 @@ class Intersection {
   ModelScale scaling_;
   StopRequest stop_;
   SweepData sweep_;
+  BoundaryLines sides_;
+  std::vector<int> star_nodes_;
+  std::array<std::optional<std::optional<TurningValues>>, 4> turning_;  // outer: computed
   IntersectResult result_{};
   double progress_ = 0;
 };

@@ -288,7 +288,7 @@ class LineArcSearch {
       const ParameterBox box = on_ribbon(point, width);
       landmarks.push_back({Ball::enclosing(box[0]), Ball::enclosing(box[1]), Ball::enclosing(box[2]),
                            Ball::enclosing(box[3])});
-      scratch.nodes.push_back(boundary_node(system, scale_.frame, landmarks.back(), box, {}));
+      scratch.nodes.push_back(landmark_node(system, scale_.frame, landmarks.back(), box, {}));
     };
     std::for_each(result_.ends.begin(), result_.ends.end(), add);
     std::for_each(targets.begin(), targets.end(), add);
@@ -305,7 +305,8 @@ class LineArcSearch {
       return std::nullopt;
     }
     AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
-    append_trace(scratch, curve, scale_.frame, {}, tolerance_);
+    append_trace(scratch, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame, {},
+                 tolerance_);
     return Run{curve.trace.end, std::move(scratch.arcs.front().polyline), scratch.arcs.front().error_bound};
   }
 

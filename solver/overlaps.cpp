@@ -67,7 +67,7 @@ class OneSurface {
   /// Everything off the common sheets.
   void find_other_curves() {
     for (const BoundaryPoint& point : boundary_.points)
-      if (point.kind == BoundaryPointKind::other) sweep_.boundary.push_back(point.at);
+      if (point.kind == BoundaryPointKind::other) sweep_.landmarks.push_back({point.at, std::nullopt});
     sweep_.coincident = coincident_parameters(x_, y_);
     sweep_.settled = [this](const SearchRegion& region) { return sheets_.settles(region); };
     sweep_.exact = result_.incomplete.empty();
@@ -103,7 +103,8 @@ class OneSurface {
   bool trace(const Rational& width, bool last) {
     const PairSystem<Ball> system(x_, y_, scale_.origin, scale_.frame.exponent);
     Landmarks<Ball> landmarks;
-    for (const CertifiedPoint& point : sweep_.boundary) landmarks.push_back(enclose<Ball>(point, width));
+    for (const LandmarkPoint& landmark : sweep_.landmarks)
+      landmarks.push_back(enclose<Ball>(landmark.point, width));
     TracedCurves<Ball> traced;
     if (!regular_) traced = trace_curves(system, landmarks, sweep_, width, stop_);
     if (!traced.problems.empty() && sweep_.exact && !last && !surface_.planar()) return false;
@@ -114,14 +115,15 @@ class OneSurface {
     result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
     result_.work.steps["searched boxes"] += static_cast<double>(traced.searched_boxes);
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
-      const CertifiedPoint& point = sweep_.boundary[i];
+      const CertifiedPoint& point = sweep_.landmarks[i].point;
       result_.graph.nodes.push_back(
-          boundary_node(system, scale_.frame, landmarks[i], point.box(), point.sides()));
+          landmark_node(system, scale_.frame, landmarks[i], point.box(), point.sides()));
       result_.graph.nodes.back().id = static_cast<int>(i);
     }
     result_.graph.isolated_points = traced.isolated;
     for (const AnalysedTrace<Ball>& curve : traced.curves)
-      append_trace(result_.graph, curve, scale_.frame, options_.turning, tolerance_);
+      append_trace(result_.graph, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame,
+                   options_.turning, tolerance_);
     for (const Arc& arc : result_.graph.arcs) check_bound(arc);
     return true;
   }
@@ -142,7 +144,7 @@ class OneSurface {
         continue;
       }
       const auto ball = enclose<ArbBall<256>>(point.at, power_of_two(-200));
-      Node node = boundary_node(system, scale_.frame, ball, point.at.box(), point.at.sides());
+      Node node = landmark_node(system, scale_.frame, ball, point.at.box(), point.at.sides());
       node.id = static_cast<int>(result_.graph.nodes.size());
       nodes_.push_back(node.id);
       if (point.kind == BoundaryPointKind::touch) {

@@ -238,7 +238,8 @@ class SelfGraph {
     }
     for (const SelfCurve<Ball>& curve : found_.curves) {
       const std::size_t before = graph_.arcs.size();
-      append_trace(graph_, curve.analysed, frame_, wanted_, tolerance_);
+      append_trace(graph_, curve.analysed, found_.landmarks, nodes_of_landmarks(found_.landmarks.size()),
+                   frame_, wanted_, tolerance_);
       std::vector<Arc> arcs(
           std::make_move_iterator(graph_.arcs.begin() + static_cast<std::ptrdiff_t>(before)),
           std::make_move_iterator(graph_.arcs.end()));

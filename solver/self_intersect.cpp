@@ -136,7 +136,7 @@ class SelfIntersection {
         box[j] = i < boundary ? exact_.boundary.points[i].box()[j] : found.landmarks[i][j].interval();
       }
       const std::vector<Side> sides = i < boundary ? exact_.boundary.points[i].sides() : std::vector<Side>{};
-      graph.nodes.push_back(boundary_node(system.pair, scaling_.frame, found.landmarks[i], box, sides));
+      graph.nodes.push_back(landmark_node(system.pair, scaling_.frame, found.landmarks[i], box, sides));
       graph.nodes.back().id = static_cast<int>(i);
     }
     graph.isolated_points = found.isolated;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "line_place.h"
 #include "subdivision.h"
 
 namespace exsect {
@@ -57,10 +58,15 @@ class CurveTracing {
   /// +1, -1: the direction of the tangent field that enters the domain at this boundary point; 0: none;
   /// empty: unknown.
   std::optional<int> entering_direction(std::size_t landmark) const {
+    const LandmarkPoint& at = sweep_.landmarks[landmark];
     const BallPoint<Ball> tangent = Expansion<Ball>(system_, landmarks_[landmark]).tangent();
+    if (at.side != 0) {
+      const int sign = tangent[index(sweep_.stars[*at.star].sweep)].certain_sign();
+      return sign == 0 ? std::nullopt : std::optional(at.side * sign);
+    }
     int direction = 0;
     bool entering = true;
-    for (const Side& side : sweep_.boundary[landmark].sides()) {
+    for (const Side& side : at.point.sides()) {
       const int sign = tangent[index(side.parameter)].certain_sign();
       if (sign == 0) {
         return std::nullopt;
@@ -75,13 +81,14 @@ class CurveTracing {
   void trace_open_curves() {
     std::vector<bool> used(landmarks_.size(), false);
     for (std::size_t i = 0; i < landmarks_.size(); ++i) {
-      if (used[i]) {
+      const bool centre = sweep_.landmarks[i].star && sweep_.landmarks[i].side == 0;
+      if (used[i] || centre || sweep_.landmarks[i].on_side_arc) {
         continue;
       }
       used[i] = true;
       const auto direction = entering_direction(i);
       if (!direction) {
-        problem(sweep_.boundary[i].box(),
+        problem(sweep_.landmarks[i].point.box(),
                 "the intersection is tangent to a side of a patch, or singular, at this boundary point");
       } else if (*direction == 0) {
         result_.isolated.push_back(static_cast<int>(i));
@@ -99,6 +106,9 @@ class CurveTracing {
   void trace_closed_curves() {
     for (const std::vector<CertifiedPoint>& fibre : sweep_.fibres) {
       for (const CertifiedPoint& point : fibre) {
+        if (!point.sides().empty()) {
+          continue;  // on an arc that lies on a side
+        }
         const BallPoint<Ball> box = enclose<Ball>(point, width_);
         if (curves_through(box) == 0) {
           add(trace_loop(system_, landmarks_, box, stop_));
@@ -122,13 +132,60 @@ class CurveTracing {
       return;
     }
     AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
-    auto turning = find_turning_points(system_, curve.trace, sweep_.coincident);
+    std::array<bool, 4> constant{};
+    for (const Parameter p : all_parameters) {
+      constant[index(p)] =
+          sweep_.line && may_be_constant(curve.trace, index(p)) && is_constant(curve.trace, p);
+    }
+    auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, constant);
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
       return;
     }
     curve.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
     result_.curves.push_back(std::move(curve));
+  }
+
+  /// True if the parameter is proved to be constant on the trace: it has a point on an arc in which a line
+  /// p = c lies on the other patch. Both are analytic, and the curve is regular there, so they coincide.
+  bool is_constant(const Trace<Ball>& trace, Parameter p) const {
+    const Piece<Ball>& middle = trace.pieces[trace.pieces.size() / 2];
+    const RationalInterval near = point_at(middle.tube, 0.5 * (middle.from + middle.to))[index(p)].interval();
+    const Rational value = near.lower < near.upper ? simplest_between(near.lower, near.upper) : near.lower;
+    if (value < 0 || value > 1) {
+      return false;
+    }
+    const LinePoints line = sweep_.line({p, value});
+    const Parameter along = line_place({p, value}).roles.line;
+    return std::any_of(line.on_patch.begin(), line.on_patch.end(), [&](const AlgebraicInterval& part) {
+      return std::any_of(trace.pieces.begin(), trace.pieces.end(), [&](const Piece<Ball>& piece) {
+        const Rational at =
+            point_at(piece.tube, 0.5 * (piece.from + piece.to))[index(along)].midpoint().interval().lower;
+        return part.from.compare(at) < 0 && part.to.compare(at) > 0 &&
+               meets_line(trace, {along, at}, p, value);
+      });
+    });
+  }
+
+  /// True if a point of the line `across` with p = value exactly is on the trace: one that is rational, or
+  /// the only one that may have that value where one must.
+  bool meets_line(const Trace<Ball>& trace, const LineQuery& across, Parameter p,
+                  const Rational& value) const {
+    const LinePoints line = sweep_.line(across);
+    if (line.incomplete || !line.on_patch.empty()) {
+      return false;
+    }
+    std::vector<const CertifiedPoint*> found;
+    for (const CertifiedPoint& point : line.points) {
+      const RationalInterval at = point.refined_to(power_of_two(-100)).box()[index(p)];
+      if (at.lower <= value && value <= at.upper) {
+        found.push_back(&point);
+      }
+    }
+    return std::any_of(found.begin(), found.end(), [&](const CertifiedPoint* point) {
+      return (found.size() == 1 || sweep_.has_value(*point, p, value)) &&
+             passes_through(trace, enclose<Ball>(*point, width_));
+    });
   }
 
   /// The direction c for which c.T keeps clearest away from zero on the curves traced so far: any c is legal,
@@ -161,8 +218,11 @@ class CurveTracing {
 
   void search(const SearchRegion& region, const char* why) {
     const SeedHandler<Ball> known = [this](const BallPoint<Ball>& seed) { return known_or_traced(seed); };
+    const SettledRegion settled = [this](const SearchRegion& box) {
+      return (sweep_.settled && sweep_.settled(box)) || is_in_star(box);
+    };
     const SearchOutcome outcome =
-        search_closed_curves(system_, region, search_direction(), known, sweep_.settled, stop_);
+        search_closed_curves(system_, region, search_direction(), known, settled, stop_);
     result_.searched_boxes += outcome.boxes;
     for (const SearchRegion& box : merged(outcome.undecided)) {
       ParameterBox where;
@@ -171,6 +231,15 @@ class CurveTracing {
       }
       problem(where, stop_ && stop_() ? "the work cap was reached" : why);
     }
+  }
+
+  bool is_in_star(const SearchRegion& region) const {
+    ParameterBox box;
+    for (std::size_t j = 0; j < 4; ++j) {
+      box[j] = {from_double(region.lower[j]), from_double(region.upper[j])};
+    }
+    return std::any_of(sweep_.stars.begin(), sweep_.stars.end(),
+                       [&](const StarNeighbourhood& star) { return lies_in(box, star.box); });
   }
 
   bool known_or_traced(const BallPoint<Ball>& seed) {
@@ -190,7 +259,9 @@ class CurveTracing {
   /// first turning point is repeated at the end.
   std::vector<RationalInterval> monotone_stations(const AnalysedTrace<Ball>& curve) const {
     const std::size_t sweep = index(sweep_.turning->sweep);
-    const auto at_landmark = [&](int i) { return sweep_.boundary[static_cast<std::size_t>(i)].box()[sweep]; };
+    const auto at_landmark = [&](int i) {
+      return sweep_.landmarks[static_cast<std::size_t>(i)].point.box()[sweep];
+    };
     std::vector<RationalInterval> stations;
     const bool open = curve.trace.start >= 0;
     if (open) {
@@ -238,12 +309,17 @@ class CurveTracing {
         }
         expected += *met;
       }
+      std::size_t met = 0;
       for (const CertifiedPoint& point : sweep_.fibres[k]) {
+        if (!point.sides().empty()) {
+          continue;  // not over a boundary point: on an arc that lies on a side
+        }
         if (curves_through(enclose<Ball>(point, width_)) != 1) {
           throw std::logic_error("internal error: a fibre point lies on no traced curve or on two");
         }
+        ++met;
       }
-      if (expected != sweep_.fibres[k].size()) {
+      if (expected != met) {
         throw std::logic_error("internal error: traced curves and exact fibre disagree at " +
                                std::string(name(sweep_.turning->sweep)) + " = " + sweep_.samples[k].str());
       }
@@ -255,7 +331,8 @@ class CurveTracing {
   /// section 4.) Otherwise the slab around the root is searched.
   void check_multiple_turning_values() {
     for (const TurningValue& turning : sweep_.turning->values) {
-      if (turning.multiplicity == 1 || regular_turning_points(turning) == turning.multiplicity) {
+      if (turning.multiplicity == 1 || regular_turning_points(turning) == turning.multiplicity ||
+          multiple_points_are_known(turning)) {
         continue;
       }
       SearchRegion slab = {{0, 0, 0, 0}, {1, 1, 1, 1}};
@@ -269,6 +346,72 @@ class CurveTracing {
           "a multiple root of the turning eliminant: a singular or isolated point of the intersection is not "
           "excluded here");
     }
+  }
+
+  /// All points of the fibre over a rational value are on traced curves or in stars.
+  bool multiple_points_are_known(const TurningValue& turning) const {
+    if (!turning.value.is_rational()) {
+      return false;
+    }
+    const LineQuery query = {sweep_.turning->sweep, turning.value.rational()};
+    const LinePoints fibre = sweep_.line(query);
+    return !fibre.incomplete &&
+           std::all_of(fibre.on_patch.begin(), fibre.on_patch.end(),
+                       [&](const AlgebraicInterval& part) { return is_traced(query, part); }) &&
+           std::all_of(fibre.points.begin(), fibre.points.end(), [this](const CertifiedPoint& point) {
+             return point.multiplicity() == 1 || in_star(point) ||
+                    curves_through(enclose<Ball>(point, width_)) > 0;
+           });
+  }
+
+  /// All of an interval in which the line lies on the other patch is on traced curves and in stars: a point
+  /// is, between any two neighbouring places where a curve may end.
+  bool is_traced(const LineQuery& query, const AlgebraicInterval& part) const {
+    if (query.value == 0 || query.value == 1) {
+      return true;  // known as arcs on a side
+    }
+    const Parameter along = line_place(query).roles.line;
+    if (part.from == part.to) {
+      return false;
+    }
+    std::vector<RationalInterval> ends = {part.from.refined_to(power_of_two(-60)).interval(),
+                                          part.to.refined_to(power_of_two(-60)).interval()};
+    const auto add = [&](const ParameterBox& box) {
+      const RationalInterval& at = box[index(query.fixed)];
+      if (at.lower <= query.value && query.value <= at.upper) {
+        ends.push_back(box[index(along)]);
+      }
+    };
+    for (const LandmarkPoint& landmark : sweep_.landmarks) {
+      add(landmark.point.box());
+    }
+    for (const StarNeighbourhood& star : sweep_.stars) {
+      add(star.box);
+    }
+    std::sort(ends.begin(), ends.end(),
+              [](const RationalInterval& a, const RationalInterval& b) { return a.lower < b.lower; });
+    Rational covered = ends.front().upper;
+    for (const RationalInterval& end : ends) {
+      if (covered < end.lower && part.from.compare(covered) < 0 && part.to.compare(end.lower) > 0 &&
+          !is_on_curve({along, (covered + end.lower) / 2}, query)) {
+        return false;
+      }
+      covered = std::max(covered, end.upper);
+    }
+    return true;
+  }
+
+  /// A point of `line` across the line `across` is on a traced curve.
+  bool is_on_curve(const LineQuery& across, const LineQuery& line) const {
+    return std::any_of(result_.curves.begin(), result_.curves.end(), [&](const AnalysedTrace<Ball>& curve) {
+      return meets_line(curve.trace, across, line.fixed, line.value);
+    });
+  }
+
+  bool in_star(const CertifiedPoint& point) const {
+    return std::any_of(sweep_.stars.begin(), sweep_.stars.end(), [&](const StarNeighbourhood& star) {
+      return lies_in(point.refined_to(power_of_two(-100)).box(), star.box);
+    });
   }
 
   int regular_turning_points(const TurningValue& turning) const {
@@ -313,8 +456,6 @@ BallPoint<Ball> enclose(const CertifiedPoint& point, const Rational& width) {
   const ParameterBox box = point.refined_to(width).box();
   return {Ball::enclosing(box[0]), Ball::enclosing(box[1]), Ball::enclosing(box[2]), Ball::enclosing(box[3])};
 }
-
-ParameterBox whole_domain() { return {{{0, 1}, {0, 1}, {0, 1}, {0, 1}}}; }
 
 #define EXSECT_INSTANTIATE_CURVES(Ball)                                                            \
   template TracedCurves<Ball> trace_curves(const PairSystem<Ball>&, const Landmarks<Ball>&,        \

@@ -3,25 +3,42 @@
 #pragma once
 
 #include <exsect/solver/certified_point.h>
+#include <exsect/solver/line_patch.h>
 #include <exsect/solver/result.h>
 
+#include <functional>
 #include <vector>
 
+#include "boundary_lines.h"
 #include "critical_values.h"
 #include "graph_builder.h"
+#include "star_neighbourhood.h"
 #include "subdivision.h"
 
 namespace exsect {
 
+/// Where traces may start and end: an intersection point on a side of a square, or a port of a star.
+struct LandmarkPoint {
+  CertifiedPoint point;
+  /// The star (index in SweepData::stars) whose port or centre this is.
+  std::optional<std::size_t> star;
+  int side = 0;  // of the port; 0: not a port
+  /// Arcs that lie on sides end here; other curves do so only in a star.
+  bool on_side_arc = false;
+};
+
 /// The exact part of the sweep: what the tracer joins.
 struct SweepData {
-  std::vector<CertifiedPoint> boundary;             // every intersection point on a side of a square, once
+  std::vector<LandmarkPoint> landmarks;             // every intersection point on a side once; then all ports
+  std::vector<StarNeighbourhood> stars;             // pairwise disjoint
   std::optional<TurningValues> turning;             // empty where no turning eliminant is defined
   std::vector<Rational> samples;                    // of the sweep parameter
   std::vector<std::vector<CertifiedPoint>> fibres;  // exact, one per sample
-  std::array<std::size_t, 4> coincident;            // coincident_parameters(x, y)
-  SettledRegion settled;                            // what a search may leave out
-  bool exact = true;  // false: boundary points or fibres are known not to be complete
+  std::function<LinePoints(const LineQuery&)> line;  // line_points of the pair
+  std::function<bool(const CertifiedPoint&, Parameter, const Rational&)> has_value;  // false: or not known
+  std::array<std::size_t, 4> coincident;  // coincident_parameters(x, y)
+  SettledRegion settled;                  // what a search may leave out
+  bool exact = true;                      // false: boundary points or fibres are known not to be complete
 };
 
 /// The curves traced in one arithmetic, and what it could not decide.
@@ -33,9 +50,9 @@ struct TracedCurves {
   long searched_boxes = 0;
 };
 
-/// Traces every curve. `landmarks` are the boundary points enclosed in boxes of width at most `width`. If no
+/// Traces every curve. `landmarks` are sweep.landmarks enclosed in boxes of width at most `width`. If no
 /// problem is reported, the curves and isolated points are the whole intersection (provided `sweep.exact`):
-/// every arc with ends starts at a boundary point; closed curves meet a fibre (or are found by
+/// every arc with ends starts at a boundary point or a star; closed curves meet a fibre (or are found by
 /// search_closed_curves where there is no eliminant); and at every sample the traced curves and the exact
 /// fibre are in bijection. Throws std::logic_error if they are not.
 template <class Ball>
@@ -45,8 +62,5 @@ TracedCurves<Ball> trace_curves(const PairSystem<Ball>& system, const Landmarks<
 /// The point's box at `width` as balls.
 template <class Ball>
 BallPoint<Ball> enclose(const CertifiedPoint& point, const Rational& width);
-
-/// [0,1]^4.
-ParameterBox whole_domain();
 
 }  // namespace exsect

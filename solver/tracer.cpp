@@ -18,6 +18,12 @@ constexpr double kLeastStep = 0x1p-40;
 template <>
 inline constexpr double kLeastStep<ArbBall<256>> = 0x1p-110;
 
+/// Tubes are wide enough to contain the boxes of landmarks and fibre points, of widths 2^-50 and 2^-200.
+template <class Ball>
+constexpr double kLeastTube = 0x1p-49;
+template <>
+inline constexpr double kLeastTube<ArbBall<256>> = 0x1p-199;
+
 template <class Ball>
 TraceFailure failure(const BallPoint<Ball>& at, const char* why) {
   return {{at[0].approximation(), at[1].approximation(), at[2].approximation(), at[3].approximation()}, why};
@@ -89,7 +95,8 @@ class Tracer {
       return std::nullopt;
     }
     const double radius = largest_radius(position_);
-    auto tube = certify_tube(system_, *centre, axis, 0.5 * kOverlap * step_ + 2 * radius, 4 * radius);
+    auto tube = certify_tube(system_, *centre, axis, 0.5 * kOverlap * step_ + 2 * radius,
+                             std::max(4 * radius, kLeastTube<Ball>));
     if (!tube || tube->contraction > kWorstContraction || !contains(*tube, position_)) {
       return std::nullopt;
     }

@@ -279,9 +279,16 @@ std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(
   return TurningSearch<Ball>(system, trace, coincident, constant).run();
 }
 
-#define EXSECT_INSTANTIATE_TURNING(Ball)                                                    \
-  template std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points( \
-      const PairSystem<Ball>&, Trace<Ball>&, const std::array<std::size_t, 4>&, const std::array<bool, 4>&);
+template <class Ball>
+bool may_be_constant(const Trace<Ball>& trace, std::size_t parameter) {
+  return std::none_of(trace.pieces.begin(), trace.pieces.end(),
+                      [&](const Piece<Ball>& piece) { return is_monotone(piece.tube, parameter); });
+}
+
+#define EXSECT_INSTANTIATE_TURNING(Ball)                                                                     \
+  template std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(                  \
+      const PairSystem<Ball>&, Trace<Ball>&, const std::array<std::size_t, 4>&, const std::array<bool, 4>&); \
+  template bool may_be_constant(const Trace<Ball>&, std::size_t);
 
 EXSECT_INSTANTIATE_TURNING(DoubleBall)
 EXSECT_INSTANTIATE_TURNING(ArbBall<256>)

@@ -24,12 +24,16 @@ struct TurningPoint {
 };
 
 /// All turning points in the order of the trace, apart from its end points. Splits the trace's pieces where
-/// that is needed for the proof. `coincident` as above. Fails where a turning point cannot be separated from
-/// another one or from an end of the trace. `constant`: parameters that are known to be constant on the
-/// curve; they do not turn.
+/// that is needed for the proof. `coincident` as above; the parameters marked `constant` are known to be so
+/// on the trace and do not turn. Fails where a turning point cannot be separated from another one or from an
+/// end of the trace.
 template <class Ball>
 std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(
     const PairSystem<Ball>& system, Trace<Ball>& trace, const std::array<std::size_t, 4>& coincident,
     const std::array<bool, 4>& constant = {});
+
+/// False only if the parameter is proved to change along the trace.
+template <class Ball>
+bool may_be_constant(const Trace<Ball>& trace, std::size_t parameter);
 
 }  // namespace exsect

@@ -1,0 +1,227 @@
+#include "singular_points.h"
+
+#include <exsect/solver/line_patch.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "traced_curves.h"
+
+namespace exsect {
+
+namespace {
+
+constexpr double kCloseArcs = 0x1p-6;
+constexpr double kWideHalfwidth = 0x1p-13;
+constexpr double kMostLayers = 1024;
+constexpr double kLayersPerTolerance = 8;
+
+Rational fine_width() { return power_of_two(-200); }
+
+}  // namespace
+
+std::optional<std::array<Rational, 4>> rational_solution(const BezierPatch& x, const BezierPatch& y,
+                                                         const CertifiedPoint& point) {
+  const ParameterBox box = point.refined_to(fine_width()).box();
+  std::array<Rational, 4> p;
+  for (std::size_t j = 0; j < 4; ++j) {
+    p[j] = box[j].width() == 0 ? box[j].lower
+                               : simplest_between(box[j].lower - fine_width(), box[j].upper + fine_width());
+    if (p[j] < box[j].lower || p[j] > box[j].upper) {
+      return std::nullopt;
+    }
+  }
+  return is_zero(x(p[0], p[1]) - y(p[2], p[3])) ? std::optional(p) : std::nullopt;
+}
+
+namespace {
+
+template <class Ball>
+class StarSearch {
+ public:
+  StarSearch(const SingularPointProblem& problem, const PairSystem<Ball>& system)
+      : problem_(problem), system_(system) {}
+
+  std::vector<StarNeighbourhood> run() {
+    for (const CertifiedPoint& point : problem_.boundary) {
+      if (needs_star(point)) {
+        try_all_sweeps(point);
+      }
+    }
+    for (const Parameter sweep : all_parameters) {
+      if (const auto& turning = problem_.turning(sweep)) {
+        try_multiple_values(*turning);
+      }
+    }
+    return std::move(stars_);
+  }
+
+ private:
+  BallPoint<Ball> tangent_at(const CertifiedPoint& point) const {
+    return Expansion<Ball>(system_, enclose<Ball>(point, fine_width())).tangent();
+  }
+
+  /// An interior point where the tangent may vanish; a boundary point where it may lie in a side.
+  bool needs_star(const CertifiedPoint& point) const {
+    const BallPoint<Ball> tangent = tangent_at(point);
+    if (point.sides().empty()) {
+      return std::all_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() == 0; });
+    }
+    return std::any_of(point.sides().begin(), point.sides().end(),
+                       [&](const Side& side) { return tangent[index(side.parameter)].certain_sign() == 0; });
+  }
+
+  bool is_covered(const CertifiedPoint& point) const {
+    const ParameterBox box = point.refined_to(fine_width()).box();
+    return std::any_of(stars_.begin(), stars_.end(),
+                       [&](const StarNeighbourhood& star) { return lies_in(box, star.box); });
+  }
+
+  void try_multiple_values(const TurningValues& turning) {
+    for (const TurningValue& value : turning.values) {
+      if (value.multiplicity < 2 || !value.value.is_rational()) {
+        continue;
+      }
+      const LinePoints fibre = line_points(problem_.x, problem_.y, {turning.sweep, value.value.rational()});
+      for (const CertifiedPoint& point : fibre.points) {
+        if (point.multiplicity() != 1 && !is_covered(point) && needs_star(point) &&
+            !try_sweep(point, turning, value.value.rational())) {
+          try_all_sweeps(point);
+        }
+      }
+    }
+  }
+
+  /// Over sides first, then over rational turning values.
+  void try_all_sweeps(const CertifiedPoint& point) {
+    for (const Side& side : point.sides()) {
+      const auto& turning = problem_.turning(side.parameter);
+      if (turning && try_sweep(point, *turning, side.value)) {
+        return;
+      }
+    }
+    const ParameterBox box = point.refined_to(fine_width()).box();
+    for (const Parameter sweep : all_parameters) {
+      const auto& turning = problem_.turning(sweep);
+      if (!turning) {
+        continue;
+      }
+      for (const TurningValue& value : turning->values) {
+        if (value.value.is_rational() && value.value.rational() >= box[index(sweep)].lower &&
+            value.value.rational() <= box[index(sweep)].upper &&
+            try_sweep(point, *turning, value.value.rational())) {
+          return;
+        }
+      }
+    }
+  }
+
+  bool try_sweep(const CertifiedPoint& point, const TurningValues& turning, const Rational& at) {
+    StarProblem problem{problem_.x, problem_.y, turning,          problem_.boundary, 0,
+                        {},         true,       problem_.sampled, problem_.samples};
+    for (const Parameter p : all_parameters) {
+      if (p == turning.sweep || problem_.coincident[index(p)] == index(turning.sweep)) {
+        continue;
+      }
+      const auto& other = problem_.turning(p);
+      if (other) {
+        problem.others.push_back(&*other);
+      }
+      problem.others_complete = problem.others_complete && other;
+    }
+    // As large as layers of exact fibres can bound the arcs: tracing from close to the centre is slow.
+    const double first = std::clamp(8 * problem_.tolerance, 0x1p-36, 0x1p-5);
+    std::optional<StarNeighbourhood> star;
+    for (const double halfwidth : {std::max(first, kWideHalfwidth), first, first / 16, first / 512}) {
+      problem.largest_halfwidth = halfwidth;
+      star = star_neighbourhood(problem, point, at);
+      if (!star) {
+        return false;
+      }
+      if ((halfwidth > first && !has_close_ports(*star)) || !is_disjoint(*star)) {
+        continue;
+      }
+      const double slab = to_double(star->box[index(star->sweep)].width() / 2);
+      add_layers(
+          *star, problem_.x, problem_.y, at,
+          static_cast<int>(std::clamp(kLayersPerTolerance * slab / problem_.tolerance, 1.0, kMostLayers)));
+      if (arcs_keep_tolerance(*star)) {
+        break;
+      }
+    }
+    if (!is_disjoint(*star)) {
+      return false;
+    }
+    stars_.push_back(*std::move(star));
+    return true;
+  }
+
+  bool arcs_keep_tolerance(const StarNeighbourhood& star) const {
+    const ModelFrame unit = {{0, 0, 0}, 0};
+    return std::all_of(star.ports.begin(), star.ports.end(), [&](const Port& port) {
+      const StarArc arc = star_arc(star, port);
+      return std::all_of(arc.hulls.begin(), arc.hulls.end(), [&](const ParameterBox& hull) {
+        return chord_bound(system_, unit, hull) <= 0.9 * problem_.tolerance;
+      });
+    });
+  }
+
+  bool is_disjoint(const StarNeighbourhood& star) const {
+    return std::none_of(stars_.begin(), stars_.end(),
+                        [&](const StarNeighbourhood& other) { return meet(star.box, other.box); });
+  }
+
+  /// Two arcs leave so close to each other that tracing them from here takes many steps.
+  static bool has_close_ports(const StarNeighbourhood& star) {
+    const double slab = to_double(star.box[index(star.sweep)].width());
+    for (std::size_t i = 0; i < star.ports.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        double apart = 0;
+        for (std::size_t j = 0; j < 4; ++j) {
+          apart = std::max(apart, std::fabs(to_double(star.ports[i].point.box()[j].midpoint() -
+                                                      star.ports[k].point.box()[j].midpoint())));
+        }
+        if (apart < kCloseArcs * slab) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  const SingularPointProblem& problem_;
+  const PairSystem<Ball>& system_;
+  std::vector<StarNeighbourhood> stars_;
+};
+
+}  // namespace
+
+template <class Ball>
+std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& problem,
+                                              const PairSystem<Ball>& system) {
+  return StarSearch<Ball>(problem, system).run();
+}
+
+bool is_known_singular(const BezierPatch& x, const BezierPatch& y, const CertifiedPoint& point) {
+  const auto p = rational_solution(x, y, point);
+  if (!p) {
+    return false;
+  }
+  const Point xu = x.derivative_first((*p)[0], (*p)[1]);
+  const Point xv = x.derivative_second((*p)[0], (*p)[1]);
+  const Point yr = y.derivative_first((*p)[2], (*p)[3]);
+  const Point ys = y.derivative_second((*p)[2], (*p)[3]);
+  const Point nx = cross(xu, xv);
+  const Point ny = cross(yr, ys);
+  return dot(xv, ny) == 0 && dot(xu, ny) == 0 && dot(ys, nx) == 0 && dot(yr, nx) == 0;
+}
+
+#define EXSECT_INSTANTIATE_SINGULAR(Ball)                                             \
+  template std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem&, \
+                                                         const PairSystem<Ball>&);
+
+EXSECT_INSTANTIATE_SINGULAR(DoubleBall)
+EXSECT_INSTANTIATE_SINGULAR(ArbBall<256>)
+#undef EXSECT_INSTANTIATE_SINGULAR
+
+}  // namespace exsect

@@ -1,0 +1,43 @@
+// The points of the intersection that the tracer cannot pass: singular points, tangential boundary points.
+// Internal to solver/.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+
+#include <functional>
+#include <vector>
+
+#include "pair_system.h"
+#include "star_neighbourhood.h"
+
+namespace exsect {
+
+/// What is known about a pair before its singular points are looked for.
+struct SingularPointProblem {
+  const BezierPatch& x;
+  const BezierPatch& y;
+  const std::vector<CertifiedPoint>& boundary;  // all isolated points on sides
+  double tolerance;                             // of polylines, patches scaled to unit size
+  Parameter sampled;                            // no star contains a point over a sample
+  const std::vector<Rational>& samples;
+  /// The turning values of any sweep, computed once; empty if not defined.
+  std::function<const std::optional<TurningValues>&(Parameter)> turning;
+  std::array<std::size_t, 4> coincident;  // coincident_parameters(x, y)
+};
+
+/// Disjoint stars around the multiple points over multiple rational turning values of all four sweeps that
+/// may be singular, and around the boundary points where the tangent may lie in a side. Points for which no
+/// star can be proved are left out; the tracer then fails there.
+template <class Ball>
+std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& problem,
+                                              const PairSystem<Ball>& system);
+
+/// The point, if it is found to be rational: the simplest numbers in its box solve x = y. `point` is the only
+/// solution in its box on a parameter line.
+std::optional<std::array<Rational, 4>> rational_solution(const BezierPatch& x, const BezierPatch& y,
+                                                         const CertifiedPoint& point);
+
+/// True if the point is known to be singular: an exact rational solution where the tangent field vanishes.
+bool is_known_singular(const BezierPatch& x, const BezierPatch& y, const CertifiedPoint& point);
+
+}  // namespace exsect

@@ -1,0 +1,380 @@
+#include "star_neighbourhood.h"
+
+#include <exsect/solver/line_patch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "line_place.h"
+
+namespace exsect {
+
+namespace {
+
+constexpr std::size_t kMostPorts = 64;  // a fibre has at most 16 points
+constexpr int kMostSlabs = 24;
+
+Rational gap(const RationalInterval& a, const RationalInterval& b) {
+  return std::max<Rational>({a.lower - b.upper, b.lower - a.upper, 0});
+}
+
+/// The largest distance of two boxes in one of the parameters.
+Rational distance(const ParameterBox& a, const ParameterBox& b) {
+  Rational result = 0;
+  for (std::size_t j = 0; j < 4; ++j) {
+    result = std::max(result, gap(a[j], b[j]));
+  }
+  return result;
+}
+
+/// The largest power of two that is at most q > 0, as a double.
+double power_of_two_below(const Rational& q) {
+  double p = std::exp2(std::floor(std::log2(to_double(q))));
+  while (from_double(p) > q) {
+    p *= 0.5;
+  }
+  return p;
+}
+
+bool meets_curve(const LinePoints& line, const LineQuery& query, const ParameterBox& region) {
+  const RationalInterval& range = region[index(line_place(query).roles.line)];
+  return std::any_of(line.on_patch.begin(), line.on_patch.end(), [&](const AlgebraicInterval& part) {
+    return part.from.compare(range.upper) <= 0 && part.to.compare(range.lower) >= 0;
+  });
+}
+
+/// The points of a parameter line in a closed box; empty if there may be infinitely many, or if that cannot
+/// be decided.
+std::optional<std::vector<CertifiedPoint>> line_points_in(const BezierPatch& x, const BezierPatch& y,
+                                                          const LineQuery& query,
+                                                          const ParameterBox& region) {
+  const LinePoints line = line_points(x, y, query);
+  if (line.incomplete || meets_curve(line, query, region)) {
+    return std::nullopt;
+  }
+  std::vector<CertifiedPoint> inside;
+  for (CertifiedPoint point : line.points) {
+    for (Rational width = power_of_two(-100); meet(point.box(), region) && !lies_in(point.box(), region);
+         width *= width) {
+      if (width < power_of_two(-2000)) {
+        return std::nullopt;
+      }
+      point = point.refined_to(width);
+    }
+    if (meet(point.box(), region)) {
+      inside.push_back(point);
+    }
+  }
+  return inside;
+}
+
+class StarProof {
+ public:
+  StarProof(const StarProblem& problem, const CertifiedPoint& centre, const Rational& at)
+      : problem_(problem),
+        centre_(centre.refined_to(power_of_two(-100))),
+        at_(at),
+        sweep_(problem.turning.sweep) {}
+
+  std::optional<StarNeighbourhood> run() {
+    if (!bound_halfwidth() || !bound_slab() || !keep_samples_away() || !keep_turning_values_away()) {
+      return std::nullopt;
+    }
+    for (std::size_t j = 0; j < 4; ++j) {
+      middle_[j] = to_double(j == index(sweep_) ? at_ : centre_.box()[j].midpoint());
+    }
+    for (double halfwidth = power_of_two_below(room_); halfwidth >= 0x1p-40; halfwidth *= 0x1p-6) {
+      double slab = std::min(halfwidth, power_of_two_below(slab_room_));
+      for (int i = 0; i < kMostSlabs && slab >= 0x1p-48; ++i, slab *= 0.25) {
+        set_region(halfwidth, slab);
+        if (!lateral_faces_are_free()) {
+          continue;
+        }
+        auto star = with_ports();
+        if (!star || star->ports.empty() || arcs_are_monotone()) {
+          return star;
+        }
+        break;  // with a smaller box
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// Keeps every other point of the fibre and every other boundary point away from the box.
+  bool bound_halfwidth() {
+    const LinePoints fibre = line_points(problem_.x, problem_.y, {sweep_, at_});
+    if (fibre.incomplete) {
+      return false;
+    }
+    room_ = from_double(problem_.largest_halfwidth);
+    // The centre is in the first list, and in the second one only if it lies on a side.
+    const int on_side = keep_away(problem_.boundary);
+    if (keep_away(fibre.points) != 1 || on_side > (centre_.sides().empty() ? 0 : 1)) {
+      return false;
+    }
+    const Parameter along = line_place({sweep_, at_}).roles.line;
+    for (const AlgebraicInterval& part : fibre.on_patch) {
+      const RationalInterval covered = {part.from.refined_to(power_of_two(-60)).interval().lower,
+                                        part.to.refined_to(power_of_two(-60)).interval().upper};
+      const Rational d = gap(covered, centre_.box()[index(along)]);
+      if (d == 0) {
+        return false;
+      }
+      room_ = std::min<Rational>(room_, d / 2);
+    }
+    return true;
+  }
+
+  /// The number of points that cannot be told from the centre.
+  int keep_away(const std::vector<CertifiedPoint>& points) {
+    int near = 0;
+    for (const CertifiedPoint& point : points) {
+      const Rational d = distance(point.refined_to(power_of_two(-100)).box(), centre_.box());
+      if (d > 0) {
+        room_ = std::min<Rational>(room_, d / 2);
+      } else {
+        ++near;
+      }
+    }
+    return near;
+  }
+
+  /// Keeps every other turning value away from the slab.
+  bool bound_slab() {
+    slab_room_ = 1;
+    for (const TurningValue& value : problem_.turning.values) {
+      if (value.value.compare(at_) == 0) {
+        continue;
+      }
+      RealAlgebraic other = value.value;
+      Rational d = gap(other.interval(), {at_, at_});
+      for (Rational width = power_of_two(-60); d == 0; width *= width) {
+        other = other.refined_to(width);
+        d = gap(other.interval(), {at_, at_});
+      }
+      slab_room_ = std::min<Rational>(slab_room_, d / 2);
+    }
+    return slab_room_ > power_of_two(-100);
+  }
+
+  bool keep_samples_away() {
+    Rational& room = problem_.sampled == sweep_ ? slab_room_ : room_;
+    for (const Rational& sample : problem_.samples) {
+      const Rational d = gap({sample, sample}, centre_.box()[index(problem_.sampled)]);
+      if (d == 0) {
+        return false;
+      }
+      room = std::min<Rational>(room, d / 2);
+    }
+    return true;
+  }
+
+  /// Turning values of the other parameters: away from the box, or rational and that of the centre.
+  bool keep_turning_values_away() {
+    for (const TurningValues* other : problem_.others) {
+      for (const TurningValue& value : other->values) {
+        const RationalInterval interval = value.value.refined_to(power_of_two(-100)).interval();
+        const Rational d = gap(interval, centre_.box()[index(other->sweep)]);
+        if (d > 0) {
+          room_ = std::min<Rational>(room_, d / 2);
+        } else if (value.value.is_rational()) {
+          through_centre_.push_back({other->sweep, value.value.rational()});
+        } else {
+          turning_is_known_ = false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// In every other parameter: the only point of the box over a turning value is the centre, apart from
+  /// curves on which that parameter is constant.
+  bool arcs_are_monotone() const {
+    return turning_is_known_ && problem_.others_complete &&
+           std::all_of(through_centre_.begin(), through_centre_.end(), [this](const LineQuery& query) {
+             const LinePoints line = line_points(problem_.x, problem_.y, query);
+             return !line.incomplete &&
+                    std::none_of(line.points.begin(), line.points.end(), [this](const CertifiedPoint& point) {
+                      const ParameterBox at = point.refined_to(power_of_two(-100)).box();
+                      return meet(at, box()) && distance(at, centre_.box()) > 0;
+                    });
+           });
+  }
+
+  void set_region(double halfwidth, double slab) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double h = j == index(sweep_) ? slab : halfwidth;
+      region_.lower[j] = std::max(0.0, middle_[j] - h);
+      region_.upper[j] = std::min(1.0, middle_[j] + h);
+    }
+  }
+
+  /// The faces of the box across the other three parameters hold no point of the intersection; those on
+  /// sides of the squares need not be asked, no arc leaves the domain without a boundary point.
+  bool lateral_faces_are_free() const {
+    for (const Parameter p : all_parameters) {
+      if (p == sweep_) {
+        continue;
+      }
+      const double lower = region_.lower[index(p)];
+      const double upper = region_.upper[index(p)];
+      if ((lower != 0 && !points_in_box({p, from_double(lower)}, 0)) ||
+          (upper != 1 && !points_in_box({p, from_double(upper)}, 0))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  ParameterBox box() const {
+    ParameterBox result;
+    for (std::size_t j = 0; j < 4; ++j) {
+      result[j] = {from_double(region_.lower[j]), from_double(region_.upper[j])};
+    }
+    return result;
+  }
+
+  std::optional<StarNeighbourhood> with_ports() const {
+    StarNeighbourhood star{centre_, sweep_, box(), {}, {}};
+    const RationalInterval slab = star.box[index(sweep_)];
+    if (!lies_in(centre_.box(), star.box) || (slab.lower == at_ && at_ != 0) ||
+        (slab.upper == at_ && at_ != 1)) {
+      return std::nullopt;
+    }
+    for (const int side : {-1, 1}) {
+      const Rational value = side < 0 ? slab.lower : slab.upper;
+      if (value == at_) {
+        continue;
+      }
+      const auto points = points_in_box({sweep_, value}, kMostPorts);
+      if (!points) {
+        return std::nullopt;
+      }
+      for (const CertifiedPoint& point : *points) {
+        star.ports.push_back({point, side});
+      }
+    }
+    return star;
+  }
+
+  /// The points of a parameter line that lie in the box; empty if there are more than `most`, infinitely
+  /// many, or if that cannot be decided.
+  std::optional<std::vector<CertifiedPoint>> points_in_box(const LineQuery& query, std::size_t most) const {
+    auto inside = line_points_in(problem_.x, problem_.y, query, box());
+    return inside && inside->size() <= most ? inside : std::nullopt;
+  }
+
+  const StarProblem& problem_;
+  CertifiedPoint centre_;
+  Rational at_;
+  Parameter sweep_;
+  Rational room_;
+  Rational slab_room_;
+  std::vector<LineQuery> through_centre_;  // turning values of other parameters that the centre has
+  bool turning_is_known_ = true;
+  std::array<double, 4> middle_{};
+  struct {
+    std::array<double, 4> lower;
+    std::array<double, 4> upper;
+  } region_{};
+};
+
+}  // namespace
+
+std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, const CertifiedPoint& centre,
+                                                    const Rational& at) {
+  return StarProof(problem, centre, at).run();
+}
+
+void add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const Rational& at,
+                int count) {
+  for (const int side : {-1, 1}) {
+    const auto ports = std::count_if(star.ports.begin(), star.ports.end(),
+                                     [&](const Port& port) { return port.side == side; });
+    const RationalInterval& slab = star.box[index(star.sweep)];
+    const Rational end = side < 0 ? slab.lower : slab.upper;
+    for (int i = 1; i <= count && ports > 0; ++i) {
+      const Rational value = end + (at - end) * Rational(i, count + 1);
+      auto points = line_points_in(x, y, {star.sweep, value}, star.box);
+      if (!points || static_cast<std::ptrdiff_t>(points->size()) != ports) {
+        throw std::logic_error("internal error: the fibres of a star differ");
+      }
+      star.layers[side < 0 ? 0 : 1].push_back(*std::move(points));
+    }
+  }
+}
+
+namespace {
+
+ParameterBox hull(const std::vector<CertifiedPoint>& points) {
+  ParameterBox result = points.front().box();
+  for (const CertifiedPoint& point : points) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      result[j] = {std::min(result[j].lower, point.box()[j].lower),
+                   std::max(result[j].upper, point.box()[j].upper)};
+    }
+  }
+  return result;
+}
+
+double squared_distance(const CertifiedPoint& a, const CertifiedPoint& b) {
+  double sum = 0;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const double d = to_double(a.box()[j].midpoint() - b.box()[j].midpoint());
+    sum += d * d;
+  }
+  return sum;
+}
+
+}  // namespace
+
+// The arc is monotone in all parameters: its point in a layer is in the hull of one of its possible points in
+// the layer before and the centre, and between the layers it lies in the hull of all these points.
+StarArc star_arc(const StarNeighbourhood& star, const Port& port) {
+  StarArc result;
+  std::vector<CertifiedPoint> possible = {port.point};
+  CertifiedPoint last = port.point;
+  for (const std::vector<CertifiedPoint>& layer : star.layers[port.side < 0 ? 0 : 1]) {
+    std::vector<CertifiedPoint> inner;
+    for (const CertifiedPoint& point : layer) {
+      if (std::any_of(possible.begin(), possible.end(), [&](const CertifiedPoint& outer) {
+            return meet(point.box(), hull({outer, star.centre}));
+          })) {
+        inner.push_back(point);
+      }
+    }
+    last =
+        *std::min_element(inner.begin(), inner.end(), [&](const CertifiedPoint& a, const CertifiedPoint& b) {
+          return squared_distance(a, last) < squared_distance(b, last);
+        });
+    possible.insert(possible.end(), inner.begin(), inner.end());
+    result.vertices.push_back(last);
+    result.hulls.push_back(hull(possible));
+    possible = std::move(inner);
+  }
+  possible.push_back(star.centre);
+  result.hulls.push_back(hull(possible));
+  return result;
+}
+
+bool meet(const ParameterBox& a, const ParameterBox& b) {
+  for (std::size_t j = 0; j < 4; ++j) {
+    if (a[j].upper < b[j].lower || b[j].upper < a[j].lower) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool lies_in(const ParameterBox& inner, const ParameterBox& outer) {
+  for (std::size_t j = 0; j < 4; ++j) {
+    if (inner[j].lower < outer[j].lower || inner[j].upper > outer[j].upper) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace exsect

@@ -1,0 +1,71 @@
+// Neighbourhoods of single points of the intersection, singular ones included, in which the intersection is a
+// star of arcs. Internal to solver/.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/certified_point.h>
+
+#include <optional>
+#include <vector>
+
+#include "critical_values.h"
+
+namespace exsect {
+
+/// Where an arc of a star leaves its neighbourhood: a simple fibre point of the sweep.
+struct Port {
+  CertifiedPoint point;
+  int side;  // -1: at the lower end of the box in the sweep parameter, +1: at the upper end
+};
+
+/// Invariant (docs/method.md, section 6): inside the closed box the intersection consists of `centre` and of
+/// one arc for every port, that runs from the port to the centre; the arcs meet in the centre only. Each is
+/// strictly monotone in the sweep parameter, and strictly monotone or constant in each other parameter. No
+/// port: the centre is an isolated point.
+struct StarNeighbourhood {
+  CertifiedPoint centre;
+  Parameter sweep;
+  ParameterBox box;
+  std::vector<Port> ports;
+  /// Further fibre points of the arcs, from the ports' fibre inwards, for the lower (0) and upper (1) side.
+  std::array<std::vector<std::vector<CertifiedPoint>>, 2> layers;
+};
+
+/// What the proof needs to know about the pair.
+struct StarProblem {
+  const BezierPatch& x;
+  const BezierPatch& y;
+  const TurningValues& turning;                 // of the sweep
+  const std::vector<CertifiedPoint>& boundary;  // all isolated points on sides
+  double largest_halfwidth;
+  std::vector<const TurningValues*> others;  // of the other sweeps
+  bool others_complete;  // every other parameter has turning values, or turns with another
+  /// The box must contain no point over these values of `sampled`.
+  Parameter sampled;
+  const std::vector<Rational>& samples;
+};
+
+/// The star around `centre`, a point of the intersection over the rational value `at` of the sweep parameter;
+/// empty if it cannot be proved.
+std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, const CertifiedPoint& centre,
+                                                    const Rational& at);
+
+/// Fills in layers, `count` on each side that has ports. Throws std::logic_error if a fibre has another
+/// number of points in the star than there are ports.
+void add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const Rational& at,
+                int count);
+
+/// An arc of a star from its port to the centre: between neighbouring fibres it lies in a box. vertices: a
+/// point near the arc, or on it, in every layer; hulls: one more.
+struct StarArc {
+  std::vector<CertifiedPoint> vertices;
+  std::vector<ParameterBox> hulls;
+};
+StarArc star_arc(const StarNeighbourhood& star, const Port& port);
+
+/// True if the two closed boxes have a common point.
+bool meet(const ParameterBox& a, const ParameterBox& b);
+/// True if `inner` lies in `outer`, both closed.
+bool lies_in(const ParameterBox& inner, const ParameterBox& outer);
+
+}  // namespace exsect
