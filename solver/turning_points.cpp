@@ -8,6 +8,11 @@ namespace exsect {
 namespace {
 
 constexpr int kDeepestSplit = 40;
+/// Pieces of one trace beyond which splitting is given up: a parameter that is nearly constant.
+template <class Ball>
+constexpr std::size_t kMostPieces = 100000;
+template <>
+inline constexpr std::size_t kMostPieces<ArbBall<256>> = 3000;
 
 /// The vectors that a linear form must annihilate to be affine in one parameter alone: all power-basis
 /// coefficients but the constant one and the first-order one of that parameter.
@@ -100,6 +105,10 @@ class TurningSearch {
       if (simple) {
         done.push_back(std::move(piece));
         continue;
+      }
+      if (done.size() > kMostPieces<Ball>) {
+        fail(point_at(piece.tube, piece.from), "a parameter is nearly constant along a curve");
+        return false;
       }
       const double middle = piece.from + 0.4853 * (piece.to - piece.from);
       const auto first = part(piece.tube, piece.from, middle);

@@ -183,24 +183,24 @@ int check_pieces(const BezierPatch& x) {
 }  // namespace
 
 TEST_CASE("self_intersect: parameters exchanged, reversed, affine maps") {
-  check_changes(scattered, 6);
-  check_changes(extended, 2);
+  check_changes(scattered, 3);
+  check_changes(extended, 1);
 }
 
 TEST_CASE("self_intersect: random patches agree with exact fibres") {
-  check_fibres(scattered, 12);
-  check_fibres(extended, 3);
-  check_fibres(doubles, 3);
+  check_fibres(scattered, 6);
+  check_fibres(extended, 1);
+  check_fibres(doubles, 2);
 }
 
 TEST_CASE("self_intersect: pieces of a patch agree with the oracle for pairs") {
   int points = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     INFO("seed " << seed);
     Generator generator(seed);
     points += check_pieces(scattered(generator));
   }
-  CHECK(points > 100);
+  CHECK(points > 40);
 }
 
 TEST_CASE("self_intersect: closed curves") {
@@ -234,7 +234,7 @@ TEST_CASE("self_intersect: closed curves") {
     const auto result = self_intersect(x);
     REQUIRE(result.status == Status::complete);
     CHECK(result.graph.count(ComponentShape::closed) == 1);
-    check_fibres(x, 20);
+    check_fibres(x, 7);
     // A closed curve keeps its turning points as nodes.
     IntersectOptions options;
     options.turning = {};
