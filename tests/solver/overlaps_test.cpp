@@ -6,7 +6,8 @@
 #include <exsect/solver/intersect.h>
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "support/catch.h"
@@ -299,6 +300,78 @@ TEST_CASE("a patch given twice meets itself in both orders of its pairs") {
   check_complete(other);
   CHECK(other.graph.components.size() == 4);
   CHECK(other.graph.overlaps.size() == 1);
+}
+
+std::array<double, 2> in_plane(const BezierPatch& x, double a, double b) {
+  const Point p = x(from_double(a), from_double(b));
+  return {to_double(p[0]), to_double(p[1])};
+}
+
+/// Whether the planar regular patch y covers a point, by Newton's method from the middle; empty near its
+/// sides.
+std::optional<bool> covers(const BezierPatch& y, const std::array<double, 2>& point) {
+  double r = 0.5;
+  double s = 0.5;
+  for (int i = 0; i < 30; ++i) {
+    const std::array<double, 2> at = in_plane(y, r, s);
+    const Point a = y.derivative_first(from_double(r), from_double(s));
+    const Point b = y.derivative_second(from_double(r), from_double(s));
+    const std::array<double, 4> m = {to_double(a[0]), to_double(b[0]), to_double(a[1]), to_double(b[1])};
+    const double det = m[0] * m[3] - m[1] * m[2];
+    const double dx = point[0] - at[0];
+    const double dy = point[1] - at[1];
+    r = std::clamp(r + (dx * m[3] - dy * m[1]) / det, -0.5, 1.5);
+    s = std::clamp(s + (dy * m[0] - dx * m[2]) / det, -0.5, 1.5);
+  }
+  const double depth = std::min({r, s, 1 - r, 1 - s});
+  if (std::abs(depth) < 1e-3) return std::nullopt;
+  return depth > 0;
+}
+
+/// Even-odd rule in the (u,v) square.
+bool inside(const std::vector<Arc>& chain, double u, double v) {
+  bool odd = false;
+  for (const Arc& arc : chain)
+    for (std::size_t k = 1; k < arc.polyline.size(); ++k) {
+      const auto& a = arc.polyline[k - 1].parameters;
+      const auto& b = arc.polyline[k].parameters;
+      if ((a[1] > v) != (b[1] > v) && u < a[0] + (v - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) odd = !odd;
+    }
+  return odd;
+}
+
+TEST_CASE("overlaps of random planar patches hold the sampled points that both cover") {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    INFO("seed " << seed);
+    random_pairs::Generator generator(seed);
+    const auto grid = [&](long du, long dv) {
+      ControlNet net;
+      for (long i = 0; i < 3; ++i)
+        for (long j = 0; j < 3; ++j)
+          net[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = {
+              Rational(4 * i + du + random_pairs::integer(generator, -1, 1)),
+              Rational(4 * j + dv + random_pairs::integer(generator, -1, 1)), Rational(0)};
+      return BezierPatch(net);
+    };
+    const BezierPatch x = grid(0, 0);
+    const BezierPatch y =
+        grid(random_pairs::integer(generator, -5, 5), random_pairs::integer(generator, -5, 5));
+    const IntersectResult result = intersect(x, y);
+    check_complete(result);
+    int covered = 0;
+    for (int i = 0; i < 100; ++i) {
+      const double u = 0.05 + 0.1 * (i % 10);
+      const double v = 0.0513 + 0.0997 * (i / 10);
+      const auto expected = covers(y, in_plane(x, u, v));
+      if (!expected) continue;
+      INFO("u " << u << " v " << v);
+      const auto holds = [&](const Overlap& overlap) { return inside(overlap.chains.front(), u, v); };
+      CHECK(std::count_if(result.graph.overlaps.begin(), result.graph.overlaps.end(), holds) ==
+            (*expected ? 1 : 0));
+      covered += *expected ? 1 : 0;
+    }
+    CHECK(covered > 0);
+  }
 }
 
 TEST_CASE("a fold in a common plane is named") {
