@@ -51,6 +51,27 @@ TEST_CASE("family: nearly a tangent curve is nothing on one side") {
   }
 }
 
+TEST_CASE("family: overlaps") {
+  check_images(families::shifted_copy());
+  check_images(families::same_patch());
+  check_images(families::coplanar_squares());
+}
+
+TEST_CASE("family: two pieces of one surface that have a side in common do not overlap") {
+  check_images(families::smooth_neighbour(0));
+}
+
+TEST_CASE("family: nearly an overlap is nothing, or one arc") {
+  check_images(families::lifted_copy(Rational(1, 1000)));
+  check_near(families::lifted_copy);
+  check(families::tilted_copy(Rational(1, 1000)));
+}
+
+TEST_CASE("family: nearly a shared side is one arc") {
+  check_images(families::turned_side(Rational(1, 7)));
+  check_near(families::turned_side, 4);
+}
+
 TEST_CASE("family: the cases are what the families give") {
   int files = 0;
   for (const ExactCase& c : families::specimens()) {

@@ -85,7 +85,9 @@ ExactCase overlapping(const std::string& name, const BezierPatch& x, const Bezie
 
 ExactCase shared_side(const Neighbour& neighbour) {
   const BezierPatch x = first_example();
-  const auto [from, to, at] = neighbour;
+  const Rational& from = neighbour.from;
+  const Rational& to = neighbour.to;
+  const Rational& at = neighbour.at;
   const BezierPatch piece = x.restricted_to(0, 1, from, to);
   const BezierPatch y = moved_along(piece.net()[0], {-at, half - at, 1 - at}, upwards);
   const Rational lower = std::max<Rational>(0, std::min(from, to));
@@ -121,6 +123,18 @@ ExactCase side_at_two_speeds() {
   return c;
 }
 
+ExactCase turned_side(const Rational& e) {
+  const BezierPatch x = from_power({{{1, 0}, {1, 0, 0}}, {{0, 1}, {0, 1, 0}}, {{1, 1}, {0, 0, 1}}});
+  const BezierPatch y = from_power({{{0, 0}, {-e, 0, 0}}, {{1, 0}, {0, 0, 1}}, {{0, 1}, {2 * e, 1, 0}}});
+  ExactCase c = {"turned side", x, y, {}};
+  c.graph.nodes = {{{0, half, 0, half}}, {{e, 1, e, 1}}};
+  c.graph.arcs = {arc_along(0, 1, transversal, interior, [width = to_double(e)](double t) {
+    const double s = (1 + t) / 2;
+    return Vector4{width * t, s, width * t * s, s};
+  })};
+  return c;
+}
+
 ExactCase shifted_copy() {
   const BezierPatch x = first_example();
   const Rational third(1, 3);
@@ -135,6 +149,26 @@ ExactCase shifted_copy() {
 ExactCase same_patch() {
   const BezierPatch x = first_example();
   return overlapping("the same patch", x, x, {{0, 0, 0, 0}, {1, 0, 1, 0}, {1, 1, 1, 1}, {0, 1, 0, 1}});
+}
+
+ExactCase lifted_copy(const Rational& e) {
+  const BezierPatch x = first_example();
+  ControlNet net = x.net();
+  for (auto& row : net) {
+    for (Point& p : row) p = p + e * upwards;
+  }
+  return {"lifted copy", x, BezierPatch(net), {}};
+}
+
+ExactCase tilted_copy(const Rational& e) {
+  const BezierPatch x = first_example();
+  ControlNet net = x.net();
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      net[i][j] = net[i][j] + e * Rational(static_cast<long>(i + j) - 2, 2) * upwards;
+    }
+  }
+  return one_segment("tilted copy", x, BezierPatch(net), {0, 1, 0, 1}, {1, 0, 1, 0}, transversal, interior);
 }
 
 ExactCase coplanar_squares() {

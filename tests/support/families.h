@@ -54,11 +54,17 @@ ExactCase smooth_neighbour(const Rational& k);
 ExactCase side_on_interior_line();
 /// (u, v, u v) with (0, (s + s²)/2, r): one straight side at two parametrisations.
 ExactCase side_at_two_speeds();
+/// (u, v, u v) with (e (2s - 1), s, r), 0 < e <= 1: one arc that leaves the side u = 0 at its middle.
+ExactCase turned_side(const Rational& e);
 
 /// The first example's x and x over [1/3,4/3] x [-1/4,3/4]: they overlap.
 ExactCase shifted_copy();
 /// The first example's x twice.
 ExactCase same_patch();
+/// The first example's x and x + e (0,0,1), e != 0: nothing.
+ExactCase lifted_copy(const Rational& e);
+/// The first example's x and x + e (u + v - 1) (0,0,1), e != 0: one arc along the diagonal of both squares.
+ExactCase tilted_copy(const Rational& e);
 /// (u, v, 0) and (r + 1/2, s + 1/3, 0).
 ExactCase coplanar_squares();
 /// examples/touching-curve.json: tangential from (1/4,1) to (3/4,0).
