@@ -211,4 +211,18 @@ GradientAngle largest_cosine(const SurfacePair& surfaces, const BezierCurve& cur
   return result;
 }
 
+std::optional<Rational> first_order_squared_distance(const SurfacePair& surfaces, const Point& p) {
+  const auto gradient_at = [&](const SpacePolynomial& f) {
+    return Point{f.derivative(0)(p), f.derivative(1)(p), f.derivative(2)(p)};
+  };
+  const Rational f = surfaces.first(p);
+  const Rational g = surfaces.second(p);
+  const Point a = gradient_at(surfaces.first);
+  const Point b = gradient_at(surfaces.second);
+  const Rational ab = dot(a, b);
+  const Rational gram = dot(a, a) * dot(b, b) - ab * ab;
+  if (gram == 0) return std::nullopt;
+  return Rational((f * f * dot(b, b) - 2 * f * g * ab + g * g * dot(a, a)) / gram);
+}
+
 }  // namespace exsect

@@ -74,6 +74,11 @@ struct GradientAngle {
 };
 GradientAngle largest_cosine(const SurfacePair& surfaces, const BezierCurve& curve);
 
+/// The squared distance of p from the line in which the linear Taylor polynomials of both surfaces at p
+/// vanish (10.16a): exact for planes, of first order otherwise. Empty where the gradients are linearly
+/// dependent.
+std::optional<Rational> first_order_squared_distance(const SurfacePair& surfaces, const Point& p);
+
 /// W^d f(X/W, Y/W, Z/W) for a curve of space, d the total degree of f.
 Polynomial composed(const SpacePolynomial& f, const HomogeneousCurve& curve);
 

@@ -93,3 +93,29 @@ TEST_CASE("a gradient that vanishes has no angle", "[space_curve_surfaces]") {
   const GradientAngle angle = largest_cosine({plain.first * plain.first, plain.second}, space_cubic());
   CHECK_FALSE(angle.upper);
 }
+
+TEST_CASE("the first-order distance is that from the line of two planes", "[space_curve_surfaces]") {
+  const auto linear = [](const Point& n, const Rational& c) {
+    return SpacePolynomial({{{1, 0, 0}, n[0]}, {{0, 1, 0}, n[1]}, {{0, 0, 1}, n[2]}, {{0, 0, 0}, c}});
+  };
+  const Point n = {1, 2, -1};
+  const Point m = {3, 0, 2};
+  const Point on_line = {Rational(1, 2), -1, Rational(2, 3)};
+  const SurfacePair planes = {linear(n, -dot(n, on_line)), linear(m, -dot(m, on_line))};
+  const Point direction = cross(n, m);
+  for (const Point& p : {Point{0, 0, 0}, Point{5, Rational(-1, 3), 2}, on_line, on_line + direction}) {
+    // The distance from a line through a point by the cross product, a route without gradients.
+    const Point moment = cross(p - on_line, direction);
+    const auto squared = first_order_squared_distance(planes, p);
+    REQUIRE(squared);
+    CHECK(*squared == dot(moment, moment) / dot(direction, direction));
+  }
+  CHECK_FALSE(first_order_squared_distance({planes.first, planes.first}, on_line));
+  // The unit circle in z = 0, first order at distance h: (1 - (1+h)^2)^2 / (4 (1+h)^2) = h^2 + O(h^3).
+  const SurfacePair circle = {SpacePolynomial({{{2, 0, 0}, 1}, {{0, 2, 0}, 1}, {{0, 0, 0}, -1}}),
+                              SpacePolynomial::variable(2)};
+  const Rational h(1, 1000);
+  const auto near = first_order_squared_distance(circle, {1 + h, 0, 0});
+  REQUIRE(near);
+  CHECK(abs(*near / (h * h) - 1) < 3 * h);
+}
