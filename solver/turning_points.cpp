@@ -14,18 +14,25 @@ constexpr std::size_t kMostPieces = 100000;
 template <>
 inline constexpr std::size_t kMostPieces<ArbBall<256>> = 3000;
 
-/// The vectors that a linear form must annihilate to be affine in one parameter alone: all power-basis
-/// coefficients but the constant one and the first-order one of that parameter.
+/// The vectors that a linear form must annihilate to depend on one parameter alone: all power-basis
+/// coefficients but those of its powers.
 void append_constraints(std::vector<Point>& constraints, const BezierPatch& patch, std::size_t parameter) {
   const ControlNet c = patch.power_basis();
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      const bool allowed = i + j == 0 || (parameter == 0 ? i == 1 && j == 0 : i == 0 && j == 1);
-      if (!allowed && !is_zero(c[i][j])) {
+      if ((parameter == 0 ? j : i) > 0 && !is_zero(c[i][j])) {
         constraints.push_back(c[i][j]);
       }
     }
   }
+}
+
+/// The form, a quadratic polynomial of the parameter alone, has a derivative without zero on [0,1].
+bool is_strictly_monotone(const Point& form, const BezierPatch& patch, std::size_t parameter) {
+  const ControlNet c = patch.power_basis();
+  const Rational at_0 = dot(form, parameter == 0 ? c[1][0] : c[0][1]);
+  const Rational at_1 = at_0 + 2 * dot(form, parameter == 0 ? c[2][0] : c[0][2]);
+  return sign(at_0) * sign(at_1) > 0;
 }
 
 /// Spanning vectors of the orthogonal complement in space.
@@ -268,10 +275,8 @@ std::array<std::size_t, 4> coincident_parameters(const BezierPatch& x, const Bez
       std::vector<Point> constraints;
       append_constraints(constraints, x, a);
       append_constraints(constraints, y, b);
-      const Point rate_x = a == 0 ? x.power_basis()[1][0] : x.power_basis()[0][1];
-      const Point rate_y = b == 0 ? y.power_basis()[1][0] : y.power_basis()[0][1];
       for (const Point& form : orthogonal_complement(constraints)) {
-        if (dot(form, rate_x) != 0 && dot(form, rate_y) != 0) {
+        if (is_strictly_monotone(form, x, a) && is_strictly_monotone(form, y, b)) {
           partner[a] = 2 + b;
           partner[2 + b] = a;
         }

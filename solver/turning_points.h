@@ -8,8 +8,8 @@
 namespace exsect {
 
 /// For each parameter the parameter of the other patch that turns at the same points for a proved reason, or
-/// the parameter itself: there is a linear form of space that is affine in the one alone on x and in the
-/// other alone on y.
+/// the parameter itself: there is a linear form of space that on x is a strictly monotone function of the one
+/// alone, and on y of the other alone.
 std::array<std::size_t, 4> coincident_parameters(const BezierPatch& x, const BezierPatch& y);
 
 /// Exactly one zero of T_i on the curve, i in `parameters`, lies on piece `piece` between the offsets `from`
