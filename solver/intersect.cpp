@@ -336,7 +336,10 @@ class Intersection {
     if (!is_known_singular(x_, y_, star.centre)) {
       return;
     }
-    node.kinds.push_back(degree == 0 ? NodeKind::touch : degree <= 2 ? NodeKind::cusp : NodeKind::crossing);
+    const bool inside = node.on.empty();  // on a side further branches may lie outside
+    node.kinds.push_back(degree == 0             ? NodeKind::touch
+                         : inside && degree == 2 ? NodeKind::cusp
+                                                 : NodeKind::crossing);
   }
 
   template <class Ball>
