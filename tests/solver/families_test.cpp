@@ -51,6 +51,43 @@ TEST_CASE("family: nearly a tangent curve is nothing on one side") {
   }
 }
 
+TEST_CASE("family: touch point") {
+  for (const Plane plane : affine_or_bilinear) check_images(families::cap(0, plane));
+}
+
+TEST_CASE("family: crossing") {
+  for (const Plane plane : affine_or_bilinear) check_images(families::crossing(plane));
+}
+
+TEST_CASE("family: two near sheets") {
+  for (const Plane plane : affine_or_bilinear) check_images(families::near_sheets(Rational(1, 100), plane));
+}
+
+TEST_CASE("family: parameters that turn together") {
+  check_images(families::cap(Rational(1, 10), Plane::quadratic));
+  check_images(families::near_crossing(Rational(1, 100), Plane::quadratic));
+}
+
+TEST_CASE("family: double cover") { check_images(families::double_cover()); }
+
+TEST_CASE("family: shared sides") {
+  const Rational half(1, 2);
+  for (const families::Neighbour& n :
+       {families::Neighbour{}, families::Neighbour{1, 0, 0},
+        families::Neighbour{Rational(3, 4), Rational(1, 4), 0},
+        families::Neighbour{Rational(-1, 4), Rational(5, 4), 0}, families::Neighbour{half, Rational(3, 2), 1},
+        families::Neighbour{0, 1, half}, families::Neighbour{Rational(2, 3), Rational(1, 5), Rational(1, 3)}})
+    check_images(families::shared_side(n));
+  check_images(families::smooth_neighbour(1));
+  check_images(families::side_on_interior_line());
+  check_images(families::side_at_two_speeds());
+}
+
+TEST_CASE("family: an arc leaves a side") {
+  check_images(families::side_and_arc());
+  check_images(families::side_and_arc_from_its_end());
+}
+
 TEST_CASE("family: overlaps") {
   check_images(families::shifted_copy());
   check_images(families::same_patch());
