@@ -3,9 +3,11 @@
 #include <exsect/geometry/text_file.h>
 #include <exsect/solver/intersect.h>
 
+#include "export_files.h"
 #include "intersection_json.h"
 #include "intersection_summary.h"
 #include "intersection_svg.h"
+#include "node_csv.h"
 #include "option_values.h"
 #include "patch_choice.h"
 #include "progress.h"
@@ -34,10 +36,15 @@ IntersectResult solve(const PatchPair& pair, IntersectOptions options, const Str
 ExitStatus run(const IntersectCommand& command, const Streams& streams) {
   const IntersectOptions checked = options(command);
   check(command.output, command.file);
+  const int cells = grid_cells(command.output.exports);
   const PatchPair pair = read_pair(command.file, command.first, command.second);
   const PatchNames names = {pair.x.name, pair.y.name};
   const IntersectResult result = solve(pair, checked, streams, command.quiet);
   const std::string json = command.output.json.empty() ? "" : json_text(intersection_json(result, names));
+  write_exports(
+      command.output.exports,
+      [&] { return intersection_scene(result, pair.x.patch, pair.y.patch, names, pair.title, cells); },
+      [&] { return node_csv(result.graph, pair_names); });
   if (!command.output.json.empty() && !command.output.json_to_stdout()) {
     write_file_atomically(command.output.json, json);
   }

@@ -5,9 +5,11 @@
 
 #include <optional>
 
+#include "export_files.h"
 #include "line_json.h"
 #include "line_summary.h"
 #include "line_svg.h"
+#include "node_csv.h"
 #include "option_values.h"
 #include "patch_choice.h"
 #include "terminal_text.h"
@@ -32,9 +34,16 @@ LineQuery query(const LineCommand& command) {
 ExitStatus run(const LineCommand& command, const Streams& streams) {
   const LineQuery asked = query(command);
   check(command.output, command.file);
+  const int cells = grid_cells(command.output.exports);
   const PatchPair pair = read_pair(command.file, command.first, command.second);
   const LineIntersection line = intersect_line(pair.x.patch, pair.y.patch, asked);
   const std::string json = command.output.json.empty() ? "" : json_text(line_json(line, pair.x.patch));
+  write_exports(
+      command.output.exports,
+      [&] {
+        return line_scene(line, pair.x.patch, pair.y.patch, {pair.x.name, pair.y.name}, pair.title, cells);
+      },
+      [&] { return point_csv(line, pair.x.patch); });
   if (!command.output.json.empty() && !command.output.json_to_stdout()) {
     write_file_atomically(command.output.json, json);
   }

@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace exsect::cli {
 namespace {
@@ -46,13 +48,24 @@ void check_one(const std::string& option, const std::string& path, const std::st
 }  // namespace
 
 void check(const OutputFiles& files, const std::string& input) {
-  if (files.svg == "-") throw UsageError("--svg: needs a file; only --json can go to the standard output");
-  const bool json_file = !files.json.empty() && !files.json_to_stdout();
-  if (json_file && !files.svg.empty() && same_file(files.json, files.svg)) {
-    throw UsageError("--json and --svg: both name " + files.json);
+  const ExportFiles& exports = files.exports;
+  const std::array<std::pair<const char*, const std::string&>, 6> named = {{{"--json", files.json},
+                                                                            {"--svg", files.svg},
+                                                                            {"--obj", exports.obj},
+                                                                            {"--ply", exports.ply},
+                                                                            {"--vtp", exports.vtp},
+                                                                            {"--csv", exports.csv}}};
+  for (auto file = named.begin(); file != named.end(); ++file) {
+    const auto& [option, path] = *file;
+    if (path.empty() || (&path == &files.json && files.json_to_stdout())) continue;
+    if (path == "-")
+      throw UsageError(std::string(option) + ": needs a file; only --json can go to the standard output");
+    for (auto before = named.begin(); before != file; ++before) {
+      if (!before->second.empty() && same_file(before->second, path))
+        throw UsageError(std::string(before->first) + " and " + option + ": both name " + path);
+    }
+    check_one(option, path, input);
   }
-  if (json_file) check_one("--json", files.json, input);
-  if (!files.svg.empty()) check_one("--svg", files.svg, input);
 }
 
 }  // namespace exsect::cli

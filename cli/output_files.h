@@ -12,17 +12,28 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Paths of files for other tools, given by --obj, --ply, --vtp and --csv; empty where the option is not
+/// given. `grid`: cells of the sampled patches along each side.
+struct ExportFiles {
+  std::string obj;
+  std::string ply;
+  std::string vtp;
+  std::string csv;
+  std::string grid = "32";
+};
+
 /// Paths given by --json and --svg; empty where the option is not given. "-" is the standard output, for JSON
 /// only.
 struct OutputFiles {
   std::string json;
   std::string svg;
+  ExportFiles exports;
 
   bool json_to_stdout() const { return json == "-"; }
 };
 
 /// Throws UsageError if a path is a directory, lies in a directory that does not exist or may not be written,
-/// is the input file, or if both are one file.
+/// is the input file, or if two are one file.
 void check(const OutputFiles& files, const std::string& input);
 
 }  // namespace exsect::cli

@@ -85,6 +85,17 @@ void add_output(CLI::App& app, OutputFiles& output, bool& quiet) {
   app.add_flag("--quiet", quiet, "No summary, no progress");
 }
 
+void add_exports(CLI::App& app, ExportFiles& files, const std::string& table) {
+  app.add_option("--obj", files.obj, "Write patches, curves and points as Wavefront OBJ")->type_name("FILE");
+  app.add_option("--ply", files.ply, "The same as PLY")->type_name("FILE");
+  app.add_option("--vtp", files.vtp, "The same as VTK XML PolyData, with ids, kinds and bounds as arrays")
+      ->type_name("FILE");
+  app.add_option("--csv", files.csv, table)->type_name("FILE");
+  app.add_option("--grid", files.grid, "Cells of the patches in these files along each side")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
 void add_common(CLI::App& app, std::string& file, std::string& first, std::string& second,
                 OutputFiles& output, bool& quiet) {
   app.add_option("FILE", file, "Patch file")->required()->type_name("");
@@ -109,6 +120,7 @@ void add_curve_options(CLI::App& sub, std::string& turning, std::string& toleran
 void add_intersect(CLI::App& app, IntersectCommand& command) {
   CLI::App* sub = app.add_subcommand("intersect", "Intersect two patches completely");
   add_common(*sub, command.file, command.first, command.second, command.output, command.quiet);
+  add_exports(*sub, command.output.exports, "Write the nodes as a table");
   add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
   sub->footer(intersect_footer);
 }
@@ -116,6 +128,7 @@ void add_intersect(CLI::App& app, IntersectCommand& command) {
 void add_line(CLI::App& app, LineCommand& command) {
   CLI::App* sub = app.add_subcommand("line", line_about);
   add_common(*sub, command.file, command.first, command.second, command.output, command.quiet);
+  add_exports(*sub, command.output.exports, "Write the points as a table");
   for (Parameter p : all_parameters) {
     const std::string parameter = name(p);
     sub->add_option("--" + parameter, command.fixed[index(p)],
@@ -130,6 +143,7 @@ void add_self(CLI::App& app, SelfCommand& command) {
   sub->add_option("FILE", command.file, "Patch file")->required()->type_name("");
   sub->add_option("--patch", command.patch, "The patch, if FILE holds more than one")->type_name("NAME");
   add_output(*sub, command.output, command.quiet);
+  add_exports(*sub, command.output.exports, "Write the nodes as a table");
   add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
   sub->footer(self_footer);
 }

@@ -3,9 +3,11 @@
 #include <exsect/geometry/text_file.h>
 #include <exsect/solver/self_intersect.h>
 
+#include "export_files.h"
 #include "intersection_json.h"
 #include "intersection_summary.h"
 #include "intersection_svg.h"
+#include "node_csv.h"
 #include "option_values.h"
 #include "patch_choice.h"
 #include "progress.h"
@@ -34,10 +36,15 @@ IntersectResult solve(const BezierPatch& x, IntersectOptions options, const Stre
 ExitStatus run(const SelfCommand& command, const Streams& streams) {
   const IntersectOptions checked = options(command);
   check(command.output, command.file);
+  const int cells = grid_cells(command.output.exports);
   const ChosenPatch chosen = read_patch(command.file, command.patch);
   const PatchNames names = {chosen.patch.name, chosen.patch.name, self_names};
   const IntersectResult result = solve(chosen.patch.patch, checked, streams, command.quiet);
   const std::string json = command.output.json.empty() ? "" : json_text(self_json(result, chosen.patch.name));
+  write_exports(
+      command.output.exports,
+      [&] { return self_scene(result, chosen.patch.patch, chosen.patch.name, chosen.title, cells); },
+      [&] { return node_csv(result.graph, self_names); });
   if (!command.output.json.empty() && !command.output.json_to_stdout()) {
     write_file_atomically(command.output.json, json);
   }

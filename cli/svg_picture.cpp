@@ -107,15 +107,18 @@ void SvgPicture::mark(Mark mark, double x, double y, const std::string& colour) 
 }
 
 std::string SvgPicture::document() const {
+  // 882 units, two parameter squares, become 174 mm, the width of a page of print: text is 6.7 points or
+  // more.
+  constexpr double millimetres = 174.0 / 882;
   return fmt::format(
       R"(<?xml version="1.0" encoding="UTF-8"?>
-<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}">
+<svg xmlns="http://www.w3.org/2000/svg" width="{3:.2f}mm" height="{4:.2f}mm" viewBox="0 0 {0} {1}">
 <rect width="{0}" height="{1}" fill="#ffffff"/>
 <g fill="none" stroke-linecap="round" stroke-linejoin="round" font-family="Helvetica, Arial, 'Liberation Sans', sans-serif">
 {2}</g>
 </svg>
 )",
-      width_, height_, body_);
+      width_, height_, body_, millimetres * width_, millimetres * height_);
 }
 
 }  // namespace exsect::cli

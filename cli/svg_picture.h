@@ -25,7 +25,7 @@ double text_width(const std::string& text, double size);
 /// The text, or its beginning and an ellipsis, at most `width` wide.
 std::string fitted(const std::string& text, double size, double width);
 
-/// Units are pixels at 96 to the inch, origin at the top left, white background.
+/// Units of 174/882 mm, so that pictures print in a page's width; origin at the top left, white background.
 class SvgPicture {
  public:
   SvgPicture(double width, double height) : width_(width), height_(height) {}

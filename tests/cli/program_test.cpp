@@ -138,7 +138,7 @@ TEST_CASE("patches are chosen by name") {
 TEST_CASE("output that cannot be written is refused before anything is printed") {
   const ScratchDirectory scratch;
   const std::string missing = scratch.path("missing/out.json");
-  for (const char* option : {"--json", "--svg"}) {
+  for (const char* option : {"--json", "--svg", "--obj", "--ply", "--vtp", "--csv"}) {
     check_refused({"intersect", first, option, missing},
                   missing + ": cannot be written: there is no such directory");
     check_refused({"intersect", first, option, scratch.path("")}, "it is a directory");
@@ -149,6 +149,10 @@ TEST_CASE("output that cannot be written is refused before anything is printed")
   check_refused({"intersect", first, "--json", both, "--svg", both}, "--json and --svg: both name");
   check_refused({"intersect", first, "--json", both, "--svg", scratch.path("./both")}, "both name");
   check_refused({"intersect", first, "--svg", "-"}, "--svg: needs a file");
+  check_refused({"line", first, "--u", "0", "--csv", "-"}, "--csv: needs a file");
+  check_refused({"self", first, "--patch", "x", "--vtp", both, "--ply", both}, "--ply and --vtp: both name");
+  for (const char* cells : {"0", "513", "many", "-1"})
+    check_refused({"intersect", first, "--obj", both, "--grid=" + std::string(cells)}, "--grid: ");
   const std::string copy = scratch.path("copy.json");
   std::filesystem::copy_file(first, copy);
   check_refused({"intersect", copy, "--json", copy}, "is the input file");
@@ -156,6 +160,28 @@ TEST_CASE("output that cannot be written is refused before anything is printed")
   check_refused({"intersect", copy, "--json", scratch.path("link")}, "is the input file");
   CHECK(content(copy) == content(first));
   CHECK(scratch.number_of_files() == 2);
+}
+
+TEST_CASE("the commands write files for other tools") {
+  const ScratchDirectory scratch;
+  const auto exports = [&](std::vector<std::string> arguments) {
+    for (const char* format : {"obj", "ply", "vtp", "csv"}) {
+      arguments.push_back("--" + std::string(format));
+      arguments.push_back(scratch.path(format));
+    }
+    CHECK(run_program(arguments).status == 0);
+    CHECK(content(scratch.path("obj")).starts_with("# exsect: "));
+    CHECK(content(scratch.path("ply")).starts_with("ply\n"));
+    CHECK(content(scratch.path("vtp")).starts_with("<?xml"));
+    CHECK(content(scratch.path("csv")).starts_with("id,"));
+  };
+  exports({"intersect", first});
+  CHECK(content(scratch.path("obj")).find("\no arc_0_transversal_interior\n") != std::string::npos);
+  exports({"line", first, "--u", "1/2", "--grid", "3"});
+  CHECK(content(scratch.path("ply")).find("\nelement face 18\n") != std::string::npos);
+  exports({"self", example("chapter9-second.json"), "--patch", "x"});
+  CHECK(content(scratch.path("csv")).find(",u1_lower,u1_upper,") != std::string::npos);
+  CHECK(scratch.number_of_files() == 4);
 }
 
 TEST_CASE("a full device is reported") {

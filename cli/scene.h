@@ -1,0 +1,66 @@
+// What the files for other tools show: sampled patches, polylines and nodes, in doubles.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/line_patch.h>
+#include <exsect/solver/result.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "intersection_json.h"
+
+namespace exsect::cli {
+
+/// What a parameter is where a vertex has none.
+inline constexpr double no_parameter = -1;
+
+/// A patch at the points (i/cells, j/cells) of its square: vertex i (cells + 1) + j.
+struct SceneMesh {
+  std::string name;
+  int cells;
+  std::vector<PolylineVertex> vertices;
+
+  /// Its cells as indices of vertices, counterclockwise in the parameter square.
+  std::vector<std::array<std::size_t, 4>> quadrilaterals() const;
+};
+
+/// A polyline with its proved distance from the true curve, in both directions.
+struct SceneCurve {
+  std::string name;
+  int arc;        // id; -1 for the parameter line of `exsect line`
+  int component;  // -1 for the rim of an overlap and for a parameter line
+  int overlap;    // id, or -1
+  ArcPlace place;
+  Contact contact;
+  double error_bound;
+  std::vector<PolylineVertex> vertices;
+};
+
+struct SceneNode {
+  std::string name;
+  int id;
+  unsigned kinds;  // bit k is set for the k-th NodeKind; 0 for the points of a line
+  PolylineVertex vertex;
+};
+
+/// Every coordinate is finite.
+struct Scene {
+  std::string title;
+  ParameterNames parameters;
+  std::vector<SceneMesh> meshes;
+  std::vector<SceneCurve> curves;
+  std::vector<SceneNode> nodes;
+};
+
+/// Throws std::invalid_argument if a coordinate of a patch is beyond the range of doubles.
+Scene intersection_scene(const IntersectResult& result, const BezierPatch& x, const BezierPatch& y,
+                         const PatchNames& names, const std::string& title, int cells);
+Scene self_scene(const IntersectResult& result, const BezierPatch& x, const std::string& name,
+                 const std::string& title, int cells);
+/// Both patches, the parameter line as one polyline, and the isolated points.
+Scene line_scene(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
+                 const PatchNames& names, const std::string& title, int cells);
+
+}  // namespace exsect::cli
