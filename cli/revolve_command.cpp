@@ -32,23 +32,6 @@ std::array<std::optional<int>, 2> pair_of_integers(const std::string& option, co
           integer_value(option, text.substr(cross + 1), least, most)};
 }
 
-RevolveOptions options(const RevolveCommand& command) {
-  RevolveOptions result;
-  result.method = method(command.method);
-  const auto degree = pair_of_integers("--degree", command.degree, 1, 10);
-  result.degree = degree[0];
-  result.degree_z = degree[1];
-  const auto cells = pair_of_integers("--cells", command.cells, 1, 64);
-  if (cells[0]) result.cells = std::array<int, 2>{*cells[0], cells[1].value_or(*cells[0])};
-  result.samples = integer_value("--samples", command.samples, 2, 10000);
-  result.weights = {number_value("--w1", command.w1), number_value("--w2", command.w2)};
-  if (!command.region.empty()) {
-    const std::vector<Rational> region = number_list("--region", command.region, 3);
-    result.region = Rectangle{{0, region[0]}, {region[1], region[2]}};
-  }
-  return result;
-}
-
 /// Bad curves and options are the user's: the statement that they violate, with the file's name.
 Revolution solved(const std::string& file, const BezierCurve& profile, const RevolveOptions& options) {
   try {
@@ -58,18 +41,6 @@ Revolution solved(const std::string& file, const BezierCurve& profile, const Rev
   } catch (const std::domain_error& error) {
     throw InputError(file, "", error.what());
   }
-}
-
-ShownRevolutionPatch on_patch(const RevolveCommand& command, const Revolution& revolution) {
-  if (!revolution.profile.is_polynomial()) throw UsageError("--patch-file: not for splines");
-  const BivariatePolynomial& f = revolution.profile.polynomial();
-  const NamedPatch chosen = read_patch(command.patch_file, command.patch).patch;
-  ShownRevolutionPatch shown{chosen.name, chosen.patch, intersect_revolution(f, chosen.patch), {}};
-  for (const std::string& text : command.lines) {
-    const Rational u = parameter_value("--u", text);
-    shown.lines.push_back({u, points_on_line(f, chosen.patch, u)});
-  }
-  return shown;
 }
 
 std::string mesh_text(const RevolveCommand& command, const ShownRevolution& shown, const std::string& title) {
@@ -106,12 +77,43 @@ void check_more(const RevolveCommand& command) {
 
 }  // namespace
 
+RevolveOptions revolve_options(const RevolveCommand& command) {
+  RevolveOptions result;
+  result.method = method(command.method);
+  const auto degree = pair_of_integers("--degree", command.degree, 1, 10);
+  result.degree = degree[0];
+  result.degree_z = degree[1];
+  const auto cells = pair_of_integers("--cells", command.cells, 1, 64);
+  if (cells[0]) result.cells = std::array<int, 2>{*cells[0], cells[1].value_or(*cells[0])};
+  result.samples = integer_value("--samples", command.samples, 2, 10000);
+  result.weights = {number_value("--w1", command.w1), number_value("--w2", command.w2)};
+  if (!command.region.empty()) {
+    const std::vector<Rational> region = number_list("--region", command.region, 3);
+    result.region = Rectangle{{0, region[0]}, {region[1], region[2]}};
+  }
+  return result;
+}
+
+ShownRevolutionPatch shown_on_patch(const std::vector<std::string>& lines, const Revolution& revolution,
+                                    const NamedPatch& patch) {
+  if (!revolution.profile.is_polynomial()) throw UsageError("--patch-file: not for splines");
+  const BivariatePolynomial& f = revolution.profile.polynomial();
+  ShownRevolutionPatch shown{patch.name, patch.patch, intersect_revolution(f, patch.patch), {}};
+  for (const std::string& text : lines) {
+    const Rational u = parameter_value("--u", text);
+    shown.lines.push_back({u, points_on_line(f, patch.patch, u)});
+  }
+  return shown;
+}
+
 ExitStatus run(const RevolveCommand& command, const Streams& streams) {
-  const RevolveOptions checked = options(command);
+  const RevolveOptions checked = revolve_options(command);
   check_more(command);
   const CurveFile file = read_curve(command.file);
   ShownRevolution shown{checked.method, file.curve, solved(command.file, file.curve, checked), std::nullopt};
-  if (!command.patch_file.empty()) shown.patch = on_patch(command, shown.revolution);
+  if (!command.patch_file.empty())
+    shown.patch =
+        shown_on_patch(command.lines, shown.revolution, read_patch(command.patch_file, command.patch).patch);
   const std::string json = command.output.json.empty() ? "" : json_text(revolution_json(shown));
   const std::string svg = command.output.svg.empty() ? "" : revolution_svg(shown, file.title);
   const std::string mesh = command.mesh.empty() ? "" : mesh_text(command, shown, file.title);

@@ -4,7 +4,7 @@
 # The preset tidy runs clang-tidy. Version 14 is what Debian 12 brings; others lay out some lines differently.
 file(GLOB_RECURSE style_sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
      algebra/*.h algebra/*.cpp geometry/*.h geometry/*.cpp solver/*.h solver/*.cpp cli/*.h cli/*.cpp
-     tests/*.h tests/*.cpp bench/*.h bench/*.cpp docs/*.cpp)
+     tests/*.h tests/*.cpp bench/*.h bench/*.cpp docs/*.cpp python/*.h python/*.cpp)
 find_program(CLANG_FORMAT NAMES clang-format-14)
 mark_as_advanced(CLANG_FORMAT)
 

@@ -1,0 +1,529 @@
+"""What exsect computes: results as immutable objects with exact numbers."""
+
+from __future__ import annotations
+
+import html
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+
+try:
+    import numpy
+except ImportError:  # lists are given in the place of arrays
+    numpy = None  # type: ignore[assignment]
+
+Exponents = Tuple[int, ...]
+
+
+def _array(rows: List[List[float]]) -> Any:
+    return rows if numpy is None else numpy.array(rows, dtype=float)
+
+
+class Interval(NamedTuple):
+    """A closed interval with exact ends that contains the true value."""
+
+    lower: Fraction
+    upper: Fraction
+
+    @property
+    def width(self) -> Fraction:
+        return self.upper - self.lower
+
+    @property
+    def midpoint(self) -> Fraction:
+        return (self.lower + self.upper) / 2
+
+    def __contains__(self, value: object) -> bool:
+        return self.lower <= value <= self.upper  # type: ignore[operator]
+
+
+class Polynomial(Dict[Exponents, Fraction]):
+    """A polynomial as a dictionary from exponents, one for each of `variables`, to coefficients that are not 0.
+
+    It is what ``sympy.Poly.from_dict`` and the ``from_dict`` of python-flint's contexts take; ``str`` gives the
+    text that Singular, Sage and PARI/GP read.
+    """
+
+    variables: Tuple[str, ...]
+
+    def __init__(self, variables: Sequence[str], terms: Iterable[Tuple[Sequence[int], Fraction]]):
+        super().__init__((tuple(exponents), coefficient) for exponents, coefficient in terms)
+        self.variables = tuple(variables)
+
+    @property
+    def degree(self) -> int:
+        """The total degree, -1 for zero."""
+        return max((sum(exponents) for exponents in self), default=-1)
+
+    def __call__(self, *values: Any) -> Any:
+        """The value; exact if the values are."""
+        if len(values) != len(self.variables):
+            raise TypeError(f"needs {len(self.variables)} values, for {', '.join(self.variables)}")
+        total: Any = Fraction(0)
+        for exponents, coefficient in self.items():
+            term: Any = coefficient
+            for value, exponent in zip(values, exponents):
+                term = term * value**exponent
+            total = total + term
+        return total
+
+    def __str__(self) -> str:
+        text = ""
+        for exponents, coefficient in self.items():
+            factors = [
+                name if exponent == 1 else f"{name}^{exponent}"
+                for name, exponent in zip(self.variables, exponents)
+                if exponent
+            ]
+            if not factors or abs(coefficient) != 1:
+                factors.insert(0, str(abs(coefficient)))
+            sign = "-" if coefficient < 0 else "+" if text else ""
+            text += sign + "*".join(factors)
+        return text or "0"
+
+    def __repr__(self) -> str:
+        return f"Polynomial({self.variables!r}, {str(self)!r})"
+
+
+def _interval(pair: Sequence[Fraction]) -> Interval:
+    return Interval(pair[0], pair[1])
+
+
+def _triple(values: Sequence[Any]) -> Tuple[Any, Any, Any]:
+    return values[0], values[1], values[2]
+
+
+def _box(tree: Mapping[str, Sequence[Fraction]]) -> Dict[str, Interval]:
+    return {name: _interval(pair) for name, pair in tree.items()}
+
+
+def _polynomial(variables: Sequence[str], terms: Iterable[Any]) -> Polynomial:
+    return Polynomial(variables, [(exponents, coefficient) for coefficient, exponents in terms])
+
+
+@dataclass(frozen=True)
+class Node:
+    """A certified point of the intersection: its closed box holds exactly one point with these properties."""
+
+    id: int
+    #: "boundary", "turning", "corner", "touch", "crossing", "cusp", "end-of-overlap".
+    kinds: Tuple[str, ...]
+    #: Sides of the parameter squares it lies on, exactly: "u=0".
+    on: Tuple[str, ...]
+    #: Parameters with respect to which the curve turns here.
+    wrt: Tuple[str, ...]
+    #: Parameters that run through their whole interval of the box at this one point of space.
+    free: Tuple[str, ...]
+    #: Exact intervals by parameter.
+    box: Dict[str, Interval]
+    #: Approximate parameters, inside the box up to rounding.
+    parameters: Dict[str, float]
+    #: The approximate point of space.
+    point: Tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Arc:
+    """A piece of the curve between two nodes, with no node inside."""
+
+    id: int
+    #: -1 on the rim of an overlap.
+    component: int
+    #: Ids of the nodes it joins.
+    ends: Tuple[int, int]
+    #: "interior" or "patch-boundary".
+    on: str
+    #: "transversal" or "tangential".
+    contact: str
+    free: Tuple[str, ...]
+    #: Rows of four parameters and x, y, z: an array of numpy where numpy is installed, else lists.
+    polyline: Any = field(compare=False)
+    #: Proved: true arc and polyline are within this distance of each other in space.
+    error_bound: float
+
+
+@dataclass(frozen=True)
+class Component:
+    """A connected component of the arcs."""
+
+    id: int
+    #: "open", "closed" or "branched".
+    shape: str
+    #: Ids of arcs; of an open or closed one in order along the curve.
+    arcs: Tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """A region where both patches lie on one surface, with its closed chains of boundary arcs."""
+
+    id: int
+    chains: Tuple[Tuple[Arc, ...], ...]
+
+
+@dataclass(frozen=True)
+class Incomplete:
+    """Parameters that are not decided, and why."""
+
+    where: Dict[str, Interval]
+    why: str
+
+
+class Result:
+    """What all results share.
+
+    `tree` is the result in the shape of the JSON file (formats.md), rationals as Fraction.
+    """
+
+    tree: Dict[str, Any]
+
+    def __init__(self, core: Any, title: str):
+        self._core = core
+        self._title = title
+        self.tree = core.tree()
+
+    @property
+    def complete(self) -> bool:
+        """The whole answer is proved; otherwise the result says what is missing, and why."""
+        return bool(self.tree["status"] == "complete")
+
+    def to_json(self) -> str:
+        """The text that the program writes for --json."""
+        return str(self._core.json())
+
+    def to_svg(self, title: Optional[str] = None) -> str:
+        """The picture that the program draws for --svg."""
+        return str(self._core.svg(self._title if title is None else title))
+
+    def _facts(self) -> List[Tuple[str, str]]:
+        return [("status", self.tree["status"])]
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><th style='text-align:left'>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>"
+            for name, value in self._facts()
+        )
+        try:
+            svg = self.to_svg()
+            picture = svg[svg.index("<svg") :]
+        except ValueError:
+            picture = ""
+        return f"<div>{picture}<table>{rows}</table></div>"
+
+
+class _Exportable(Result):
+    def to_obj(self, grid: int = 32) -> str:
+        """Wavefront OBJ of patches on a grid of grid x grid cells, curves and points."""
+        return str(self._core.exported("obj", self._title, grid))
+
+    def to_ply(self, grid: int = 32) -> str:
+        """The same as PLY."""
+        return str(self._core.exported("ply", self._title, grid))
+
+    def to_vtp(self, grid: int = 32) -> str:
+        """The same as VTK XML PolyData, with ids, kinds and bounds as arrays."""
+        return str(self._core.exported("vtp", self._title, grid))
+
+    def to_csv(self) -> str:
+        """The nodes (of a line: the points) as a table."""
+        return str(self._core.exported("csv", self._title, 1))
+
+
+class Intersection(_Exportable):
+    """The intersection of two patches, or of a patch with itself, as a graph of nodes and arcs."""
+
+    #: Names of the parameters: u, v, r, s, or u1, v1, u2, v2.
+    parameters: Tuple[str, ...]
+    nodes: Tuple[Node, ...]
+    arcs: Tuple[Arc, ...]
+    components: Tuple[Component, ...]
+    #: Ids of nodes that are a whole piece of the intersection.
+    isolated_points: Tuple[int, ...]
+    overlaps: Tuple[Overlap, ...]
+    #: Empty if the result is complete.
+    incomplete: Tuple[Incomplete, ...]
+
+    def __init__(self, core: Any, title: str):
+        super().__init__(core, title)
+        tree = self.tree
+        self.parameters = tuple(tree["summary"]["turning"])
+        self.nodes = tuple(self._node(node) for node in tree["nodes"])
+        self.arcs = tuple(self._arc(arc) for arc in tree["arcs"])
+        self.components = tuple(Component(c["id"], c["shape"], tuple(c["arcs"])) for c in tree["components"])
+        self.isolated_points = tuple(tree["isolated_points"])
+        self.overlaps = tuple(
+            Overlap(o["id"], tuple(tuple(self._arc(arc) for arc in chain) for chain in o["chains"]))
+            for o in tree["overlaps"]
+        )
+        self.incomplete = tuple(Incomplete(_box(i["where"]), i["why"]) for i in tree["incomplete"])
+
+    def _node(self, node: Mapping[str, Any]) -> Node:
+        approx = node["approx"]
+        return Node(
+            node["id"],
+            tuple(node["kinds"]),
+            tuple(node["on"]),
+            tuple(node["wrt"]),
+            tuple(node["free"]),
+            _box(node["box"]),
+            {name: approx[name] for name in self.parameters},
+            _triple(approx["point"]),
+        )
+
+    @staticmethod
+    def _arc(arc: Mapping[str, Any]) -> Arc:
+        return Arc(
+            arc["id"],
+            arc["component"],
+            (arc["from"], arc["to"]),
+            arc["on"],
+            arc["contact"],
+            tuple(arc["free"]),
+            _array(arc["polyline"]),
+            arc["error_bound"],
+        )
+
+    def count(self, shape: str) -> int:
+        """The number of components that are "open", "closed" or "branched"."""
+        return sum(component.shape == shape for component in self.components)
+
+    def turning_points(self, parameter: str) -> int:
+        """The number of nodes in which the curve turns with respect to the parameter."""
+        return int(self.tree["summary"]["turning"][parameter])
+
+    def _facts(self) -> List[Tuple[str, str]]:
+        shapes = ", ".join(f"{self.count(s)} {s}" for s in ("closed", "open", "branched") if self.count(s))
+        bounds = [arc.error_bound for arc in self.arcs]
+        facts = super()._facts() + [("components", shapes or "none"), ("nodes", str(len(self.nodes)))]
+        facts.append(("arcs", f"{len(self.arcs)}, each within {max(bounds, default=0.0):.3g} of its polyline"))
+        facts += [("overlaps", str(len(self.overlaps)))] if self.overlaps else []
+        return facts + [("not decided", reason.why) for reason in self.incomplete]
+
+    def __repr__(self) -> str:
+        return "<Intersection: " + "; ".join(f"{name} {value}" for name, value in self._facts()) + ">"
+
+
+@dataclass(frozen=True)
+class Plane:
+    """normal . P + constant = 0."""
+
+    normal: Tuple[Fraction, Fraction, Fraction]
+    constant: Fraction
+
+    def __call__(self, point: Sequence[Any]) -> Any:
+        return sum((n * p for n, p in zip(self.normal, point)), self.constant)
+
+
+class End(NamedTuple):
+    """An algebraic end of an interval: isolated by `interval`, near `approx`; closed if it belongs to it."""
+
+    interval: Interval
+    approx: float
+    closed: bool
+
+
+@dataclass(frozen=True)
+class Branch:
+    """Where one branch of the pulled-back plane lies on the other patch, between the ends of the line."""
+
+    branch: int
+    intervals: Tuple[Tuple[End, End], ...]
+
+
+@dataclass(frozen=True)
+class LinePoint:
+    """A certified point of a parameter line on the other patch."""
+
+    #: Exact intervals of u, v, r, s.
+    box: Dict[str, Interval]
+    #: Sides of the parameter squares it lies on, exactly.
+    on: Tuple[str, ...]
+    #: Approximate parameters.
+    parameters: Dict[str, float]
+    #: The approximate point of space.
+    point: Tuple[float, float, float]
+    #: 1: line and patch cross transversally.
+    multiplicity: int
+    #: 1 or 2; 0 where the branches meet or are not defined.
+    branch: int
+    _core: Any = field(repr=False, compare=False)
+    _index: int = field(repr=False, compare=False)
+
+    def refined(self, width: Union[int, str, Fraction]) -> Dict[str, Interval]:
+        """A box around the same point, at most `width` wide in every parameter: any width is possible."""
+        return {name: _interval(pair) for name, pair in zip("uvrs", self._core.box(self._index, width))}
+
+
+class Line(_Exportable):
+    """A parameter line of one patch on the other: plane, cylinder, eliminant, certified points."""
+
+    #: The fixed parameter and its value.
+    fixed: Tuple[str, Fraction]
+    #: "conic", "straight", "folded" (a segment run through twice in part) or "point".
+    shape: str
+    #: None for a point.
+    plane: Optional[Plane]
+    #: Of a straight or folded line.
+    second_plane: Optional[Plane]
+    #: In x, y, z; vanishes on the line; None unless it is a conic.
+    cylinder: Optional[Polynomial]
+    #: In the other patch's second parameter.
+    eliminant: Polynomial
+    feasible: Tuple[Branch, ...]
+    points: Tuple[LinePoint, ...]
+    #: Intervals of the line's parameter where it lies on the other patch.
+    on_patch: Tuple[Tuple[End, End], ...]
+    incomplete: Tuple[Incomplete, ...]
+
+    def __init__(self, core: Any, title: str):
+        super().__init__(core, title)
+        tree = self.tree
+        self.fixed = next(iter(tree["fixed"].items()))
+        self.shape = tree["shape"]
+        self.plane = self._plane(tree["plane"])
+        self.second_plane = self._plane(tree.get("second_plane"))
+        self.cylinder = None if tree["cylinder"] is None else _polynomial("xyz", tree["cylinder"]["terms"])
+        coefficients = tree["eliminant"]["coefficients"]
+        self.eliminant = Polynomial(
+            [tree["eliminant"]["variable"]],
+            [((i,), coefficients[i]) for i in reversed(range(len(coefficients))) if coefficients[i]],
+        )
+        self.feasible = tuple(
+            Branch(branch["branch"], self._intervals(branch["intervals"])) for branch in tree["feasible"]
+        )
+        self.points = tuple(self._point(i, point) for i, point in enumerate(tree["points"]))
+        self.on_patch = self._intervals(tree["on_patch"])
+        self.incomplete = tuple(Incomplete(_box(i["where"]), i["why"]) for i in tree["incomplete"])
+
+    @staticmethod
+    def _plane(tree: Optional[Mapping[str, Any]]) -> Optional[Plane]:
+        return None if tree is None else Plane(_triple(tree["normal"]), tree["constant"])
+
+    @staticmethod
+    def _intervals(tree: Iterable[Mapping[str, Any]]) -> Tuple[Tuple[End, End], ...]:
+        def end(e: Mapping[str, Any]) -> End:
+            return End(_interval(e["box"]), e["approx"], e["closed"])
+
+        return tuple((end(interval["from"]), end(interval["to"])) for interval in tree)
+
+    def _point(self, index: int, point: Mapping[str, Any]) -> LinePoint:
+        name, value = self.fixed
+        box = _box(point["box"])
+        box[name] = Interval(value, value)
+        return LinePoint(
+            {parameter: box[parameter] for parameter in "uvrs"},
+            tuple(point["on"]),
+            {parameter: point["approx"][parameter] for parameter in "uvrs"},
+            _triple(point["approx"]["point"]),
+            point["multiplicity"],
+            point["branch"],
+            self._core,
+            index,
+        )
+
+    def _facts(self) -> List[Tuple[str, str]]:
+        name, value = self.fixed
+        facts = super()._facts() + [("line", f"{name} = {value}"), ("shape", self.shape)]
+        facts += [("eliminant", f"degree {self.eliminant.degree} in {self.eliminant.variables[0]}")]
+        facts += [("points", str(len(self.points)))]
+        return facts + [("not decided", reason.why) for reason in self.incomplete]
+
+    def __repr__(self) -> str:
+        return "<Line: " + "; ".join(f"{name} {value}" for name, value in self._facts()) + ">"
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A proved statement, with the exact number that it speaks of, if there is one."""
+
+    name: str
+    statement: str
+    value: Optional[Fraction]
+
+
+@dataclass(frozen=True)
+class Unproved:
+    """A statement that could not be proved, where, and why."""
+
+    name: str
+    where: Dict[str, Interval]
+    why: str
+
+
+class _Implicit(Result):
+    #: The method by which the equations were found.
+    method: str
+    #: The equations vanish on the curve or patch: proved.
+    exact: bool
+    #: Polynomials by name; empty for splines, see `tree["cells"]`.
+    equations: Dict[str, Polynomial]
+    proved: Tuple[Statement, ...]
+    not_proved: Tuple[Unproved, ...]
+
+    def __init__(self, core: Any, title: str, variables: Mapping[str, Sequence[str]]):
+        super().__init__(core, title)
+        tree = self.tree
+        self.method = tree["method"]
+        self.exact = tree["exact"]
+        self.equations = {
+            e["name"]: _polynomial(variables.get(e["name"]) or tree["variables"], e["terms"])
+            for e in tree["equations"]
+        }
+        self.proved = tuple(Statement(s["name"], s["statement"], s.get("value")) for s in tree["proved"])
+        self.not_proved = tuple(Unproved(s["name"], _box(s["where"]), s["why"]) for s in tree["not_proved"])
+
+    def bound(self, name: str) -> Optional[Fraction]:
+        """The exact value of the proved statement of this name, as "one-sided"; None if it is not proved."""
+        return next((statement.value for statement in self.proved if statement.name == name), None)
+
+    def _facts(self) -> List[Tuple[str, str]]:
+        facts = super()._facts() + [("method", self.method), ("exact", "yes" if self.exact else "no")]
+        for name, polynomial in self.equations.items():
+            text = str(polynomial)
+            facts.append((name, text if len(text) <= 400 else f"degree {polynomial.degree}, {len(polynomial)} terms"))
+        for proved in self.proved:
+            value = "" if proved.value is None else f" ({float(proved.value):.3g})"
+            facts.append((proved.name, proved.statement + value))
+        return facts + [(s.name + " not proved", s.why) for s in self.not_proved]
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self.method}, {', '.join(map(repr, self.equations.values()))}>"
+
+
+class Implicit(_Implicit):
+    """Implicit equations of a curve or a patch: `equations` holds f, of a curve of space f and g."""
+
+    #: "planar-curve", "space-curve" or "patch".
+    kind: str
+
+    def __init__(self, core: Any, title: str):
+        super().__init__(core, title, {})
+        self.kind = self.tree["kind"]
+
+    @property
+    def equation(self) -> Polynomial:
+        """The first equation. KeyError for a spline."""
+        return self.equations["f"]
+
+
+class Revolution(_Implicit):
+    """An implicit surface of revolution: `equations` holds the profile in r, z and the surface in x, y, z."""
+
+    def __init__(self, core: Any, title: str):
+        super().__init__(core, title, {"profile": "rz", "surface": "xyz"})
+
+    @property
+    def profile(self) -> Polynomial:
+        return self.equations["profile"]
+
+    @property
+    def surface(self) -> Polynomial:
+        return self.equations["surface"]
+
+    @property
+    def rings(self) -> Optional[Tuple[Tuple[Interval, Interval], ...]]:
+        """Boxes (r, z) of the circles in which the surface crosses its mirrored copy, one in each."""
+        rings = self.tree["rings"]
+        if rings is None:
+            return None
+        return tuple((_interval(ring["r"]["box"]), _interval(ring["z"]["box"])) for ring in rings)

@@ -1,0 +1,116 @@
+#include <exsect/solver/implicitize_curve.h>
+#include <exsect/solver/implicitize_space_curve.h>
+#include <pybind11/stl.h>
+
+#include <map>
+
+#include "cli/implicit_json.h"
+#include "cli/implicit_summary.h"
+#include "cli/implicit_svg.h"
+#include "cli/implicitize_options.h"
+#include "cli/patch_implicit_output.h"
+#include "cli/revolution_output.h"
+#include "cli/revolve_command.h"
+#include "cli/space_implicit_output.h"
+#include "numbers.h"
+#include "solutions.h"
+
+namespace exsect::python {
+namespace {
+
+namespace py = pybind11;
+
+using Options = std::map<std::string, std::string>;
+
+/// JSON and picture of an implicit equation or surface, made while the interpreter was free for others.
+struct Solved {
+  cli::Json json;
+  std::function<std::string(const std::string&)> picture;  // of a title; empty if there is none
+
+  std::string svg(const std::string& title) const {
+    if (!picture) throw std::invalid_argument("svg: there is no picture of a patch's equation");
+    return picture(title);
+  }
+};
+
+cli::ImplicitizeCommand implicitize_command(const Options& options) {
+  cli::ImplicitizeCommand command;
+  const std::map<std::string, std::string*> texts = {{"method", &command.method},
+                                                     {"degree", &command.degree},
+                                                     {"space", &command.space},
+                                                     {"cells", &command.cells},
+                                                     {"samples", &command.samples},
+                                                     {"w1", &command.w1},
+                                                     {"w2", &command.w2},
+                                                     {"digits", &command.digits},
+                                                     {"box", &command.box},
+                                                     {"axis", &command.axis},
+                                                     {"epsilon", &command.epsilon},
+                                                     {"factor_degree", &command.factor_degree},
+                                                     {"variables", &command.variables}};
+  for (const auto& [key, text] : options) {
+    if (key == "exact_arithmetic")
+      command.exact_arithmetic = text == "True";
+    else
+      *texts.at(key) = text;
+  }
+  return command;
+}
+
+Solved implicitize_curve(const BezierCurve& curve, const Options& given) {
+  const cli::ImplicitizeCommand command = implicitize_command(given);
+  const py::gil_scoped_release release;
+  if (curve.dimension() == 3) {
+    const SpaceOptions options = cli::space_options(command);
+    const SpaceImplicit result = implicitize_space(curve, options);
+    return {cli::space_implicit_json(result, options), [result, curve](const std::string& title) {
+              return cli::space_implicit_svg(result, curve, title);
+            }};
+  }
+  const PlanarOptions options = cli::planar_options(command);
+  const std::vector<std::string> variables = cli::variable_names(command, {"x", "y"});
+  const PlanarImplicit result = implicitize(curve, options);
+  const std::string subtitle = cli::planar_subtitle(result, options);
+  return {cli::planar_implicit_json(result, options, variables),
+          [result, curve, subtitle, variables](const std::string& title) {
+            return cli::planar_implicit_svg(result, curve, subtitle, variables, title);
+          }};
+}
+
+Solved implicitize_one_patch(const BezierPatch& patch, const Options& given) {
+  const cli::PatchOptions options = cli::patch_options(implicitize_command(given));
+  const py::gil_scoped_release release;
+  return {cli::patch_implicit_json(cli::implicitize_patch(patch, options), options), {}};
+}
+
+Solved revolve_profile(const BezierCurve& profile, const Options& given,
+                       const std::optional<BezierPatch>& patch, const std::string& patch_name,
+                       const std::vector<std::string>& lines) {
+  cli::RevolveCommand command;
+  const std::map<std::string, std::string*> texts = {
+      {"method", &command.method},   {"degree", &command.degree}, {"cells", &command.cells},
+      {"samples", &command.samples}, {"w1", &command.w1},         {"w2", &command.w2},
+      {"region", &command.region}};
+  for (const auto& [key, text] : given) *texts.at(key) = text;
+  command.lines = lines;
+  const py::gil_scoped_release release;
+  const RevolveOptions options = cli::revolve_options(command);
+  cli::ShownRevolution shown{options.method, profile, revolve(profile, options), std::nullopt};
+  if (patch) shown.patch = cli::shown_on_patch(command.lines, shown.revolution, {patch_name, {2, 2}, *patch});
+  return {cli::revolution_json(shown),
+          [shown](const std::string& title) { return cli::revolution_svg(shown, title); }};
+}
+
+}  // namespace
+
+void add_implicitizations(py::module_& module) {
+  py::class_<Solved>(module, "Solved")
+      .def("tree", [](const Solved& solved) { return python_of(solved.json); })
+      .def("json", [](const Solved& solved) { return cli::json_text(solved.json); })
+      .def("svg", &Solved::svg, py::arg("title"));
+  module.def("implicitize", &implicitize_curve);
+  module.def("implicitize", &implicitize_one_patch);
+  module.def("revolve", &revolve_profile);
+}
+
+}  // namespace exsect::python

@@ -1,0 +1,143 @@
+#include <exsect/solver/intersect.h>
+#include <exsect/solver/line_patch.h>
+#include <exsect/solver/self_intersect.h>
+#include <pybind11/stl.h>
+
+#include "cli/intersection_svg.h"
+#include "cli/line_json.h"
+#include "cli/line_svg.h"
+#include "cli/node_csv.h"
+#include "cli/option_values.h"
+#include "cli/scene_text.h"
+#include "cli/shown_line.h"
+#include "numbers.h"
+#include "solutions.h"
+
+namespace exsect::python {
+namespace {
+
+namespace py = pybind11;
+
+std::string scene_text(const cli::Scene& scene, const std::string& format) {
+  if (format == "obj") return cli::obj_text(scene);
+  if (format == "ply") return cli::ply_text(scene);
+  if (format == "vtp") return cli::vtp_text(scene);
+  throw std::invalid_argument("format: \"" + format + "\" is not one of obj, ply, vtp, csv");
+}
+
+/// Of two patches, or of one patch with itself: then `second` is empty.
+struct SolvedPair {
+  IntersectResult result;
+  BezierPatch first;
+  std::optional<BezierPatch> second;
+  cli::PatchNames names;
+
+  cli::Json json() const {
+    return second ? cli::intersection_json(result, names) : cli::self_json(result, names.first);
+  }
+  std::string svg(const std::string& title) const { return cli::intersection_svg(result, names, title); }
+  std::string exported(const std::string& format, const std::string& title, int cells) const {
+    if (format == "csv") return cli::node_csv(result.graph, names.parameters);
+    return scene_text(second ? cli::intersection_scene(result, first, *second, names, title, cells)
+                             : cli::self_scene(result, first, names.first, title, cells),
+                      format);
+  }
+};
+
+struct SolvedLine {
+  LineIntersection line;
+  BezierPatch first;
+  BezierPatch second;
+  cli::PatchNames names;
+
+  cli::Json json() const { return cli::line_json(line, first); }
+  std::string svg(const std::string& title) const { return cli::line_svg(line, first, title); }
+  std::string exported(const std::string& format, const std::string& title, int cells) const {
+    if (format == "csv") return cli::point_csv(line, first);
+    return scene_text(cli::line_scene(line, first, second, names, title, cells), format);
+  }
+  /// The box of the i-th point at most `width` wide, as four pairs of Fraction.
+  py::tuple box(std::size_t i, const py::object& width) const {
+    const Rational most = rational_of(width, Numbers::exact, "width");
+    if (most <= 0) throw std::invalid_argument("width: must be > 0");
+    const CertifiedPoint point = [&] {
+      const py::gil_scoped_release release;
+      return line.solution.points.at(i).refined_to(most);
+    }();
+    py::tuple sides(4);
+    for (std::size_t k = 0; k < 4; ++k)
+      sides[k] = py::make_tuple(fraction_of(point.box()[k].lower), fraction_of(point.box()[k].upper));
+    return sides;
+  }
+};
+
+IntersectOptions options_of(const std::string& turning, const std::string& tolerance,
+                            const std::string& max_seconds, const cli::ParameterNames& names) {
+  IntersectOptions options;
+  options.turning = cli::parameter_list("turning", turning, names);
+  options.tolerance = cli::positive_value("tolerance", tolerance);
+  if (!max_seconds.empty()) options.max_seconds = cli::positive_value("max_seconds", max_seconds);
+  return options;
+}
+
+/// Between two steps: the caller's progress function, and an interrupt from the keyboard.
+std::function<void(double, const char*)> watched(const py::object& progress) {
+  return [&progress](double fraction, const char* step) {
+    const py::gil_scoped_acquire acquire;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (!progress.is_none()) progress(fraction, step);
+  };
+}
+
+SolvedPair intersect_patches(const BezierPatch& x, const BezierPatch& y,
+                             const std::array<std::string, 2>& names, const std::string& turning,
+                             const std::string& tolerance, const std::string& max_seconds,
+                             const py::object& progress) {
+  IntersectOptions options = options_of(turning, tolerance, max_seconds, cli::pair_names);
+  options.progress = watched(progress);
+  const py::gil_scoped_release release;
+  return {intersect(x, y, options), x, y, {names[0], names[1]}};
+}
+
+SolvedPair self_intersect_patch(const BezierPatch& x, const std::string& name, const std::string& turning,
+                                const std::string& tolerance, const std::string& max_seconds,
+                                const py::object& progress) {
+  IntersectOptions options = options_of(turning, tolerance, max_seconds, cli::self_names);
+  options.progress = watched(progress);
+  const py::gil_scoped_release release;
+  return {self_intersect(x, options), x, std::nullopt, {name, name, cli::self_names}};
+}
+
+SolvedLine intersect_parameter_line(const BezierPatch& x, const BezierPatch& y,
+                                    const std::array<std::string, 2>& names, const std::string& parameter,
+                                    const py::object& value) {
+  const std::vector<Parameter> fixed = cli::parameter_list("parameter", parameter);
+  if (fixed.size() != 1) throw std::invalid_argument("parameter: one of u, v, r, s is needed");
+  const LineQuery query{fixed.front(), rational_of(value, Numbers::exact, parameter)};
+  const py::gil_scoped_release release;
+  return {intersect_line(x, y, query), x, y, {names[0], names[1]}};
+}
+
+/// The forms that every result has.
+template <class Solved>
+void add_forms(py::class_<Solved>& type) {
+  type.def("tree", [](const Solved& solved) { return python_of(solved.json()); });
+  type.def("json", [](const Solved& solved) { return cli::json_text(solved.json()); });
+  type.def("svg", &Solved::svg, py::arg("title"));
+  type.def("exported", &Solved::exported, py::arg("format"), py::arg("title"), py::arg("cells"));
+}
+
+}  // namespace
+
+void add_intersections(py::module_& module) {
+  py::class_<SolvedPair> pair(module, "SolvedPair");
+  add_forms(pair);
+  py::class_<SolvedLine> line(module, "SolvedLine");
+  add_forms(line);
+  line.def("box", &SolvedLine::box, py::arg("index"), py::arg("width"));
+  module.def("intersect", &intersect_patches);
+  module.def("self_intersect", &self_intersect_patch);
+  module.def("line", &intersect_parameter_line);
+}
+
+}  // namespace exsect::python

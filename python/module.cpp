@@ -1,0 +1,151 @@
+// The compiled part of the Python module exsect; python/exsect/__init__.py is what users import.
+#include <exsect/geometry/curve_file.h>
+#include <exsect/geometry/patch_file.h>
+#include <pybind11/stl.h>
+
+#include "cli/output_files.h"
+#include "numbers.h"
+#include "solutions.h"
+
+namespace exsect::python {
+namespace {
+
+namespace py = pybind11;
+
+py::tuple net_of(const BezierPatch& patch) {
+  py::tuple rows(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    py::tuple row(3);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Point& p = patch.net()[i][j];
+      row[j] = fractions_of({p[0], p[1], p[2]});
+    }
+    rows[i] = row;
+  }
+  return rows;
+}
+
+py::tuple points_of(const BezierCurve& curve) {
+  py::tuple points(curve.points().size());
+  for (std::size_t i = 0; i < curve.points().size(); ++i) points[i] = fractions_of(curve.points()[i]);
+  return points;
+}
+
+void add_patch(py::module_& module) {
+  py::class_<BezierPatch>(module, "Patch", R"(A biquadratic Bezier patch with exact control points.
+
+Patch(points) takes m+1 rows of n+1 points [x, y, z], m and n in {1, 2}; the row belongs to the first
+parameter (u or r), the column to the second (v or s). Lower degrees are raised exactly. Coordinates are int,
+fractions.Fraction, decimal.Decimal, or strings: "3/7", "0.1" (exactly 1/10), "0x1.8p-3". Floats are refused:
+see from_floats.)")
+      .def(py::init([](const py::object& points) { return patch_of(points, Numbers::exact); }),
+           py::arg("points"))
+      .def_static(
+          "from_floats", [](const py::object& points) { return patch_of(points, Numbers::floats); },
+          py::arg("points"),
+          "The patch whose coordinates are the binary64 numbers that the floats are, exactly: 0.1 is\n"
+          "3602879701896397/2**55. Lists, or an array of numpy.")
+      .def_property_readonly("points", &net_of, "The 3 x 3 control points, tuples of Fraction.")
+      .def(
+          "__call__",
+          [](const BezierPatch& patch, const py::object& first, const py::object& second) {
+            const Point p = patch(rational_of(first, Numbers::exact, "first parameter"),
+                                  rational_of(second, Numbers::exact, "second parameter"));
+            return fractions_of({p[0], p[1], p[2]});
+          },
+          py::arg("first"), py::arg("second"), "The point at exact parameters, in the square or not.")
+      .def(
+          "__eq__", [](const BezierPatch& a, const BezierPatch& b) { return a == b; }, py::is_operator())
+      .def("__repr__",
+           [](const BezierPatch& patch) { return "Patch(" + std::string(py::repr(net_of(patch))) + ")"; })
+      .def(py::pickle([](const BezierPatch& patch) { return net_of(patch); },
+                      [](const py::tuple& points) { return patch_of(points, Numbers::exact); }));
+}
+
+void add_curve(py::module_& module) {
+  py::class_<BezierCurve>(module, "Curve", R"(A rational Bezier curve of the plane or of space.
+
+Curve(points, weights=None) takes n+1 points of 2 or 3 exact coordinates, as Patch does, and n+1 weights > 0;
+without weights all are 1.)")
+      .def(py::init([](const py::object& points, const py::object& weights) {
+             return curve_of(points, weights, Numbers::exact);
+           }),
+           py::arg("points"), py::arg("weights") = py::none())
+      .def_static(
+          "from_floats",
+          [](const py::object& points, const py::object& weights) {
+            return curve_of(points, weights, Numbers::floats);
+          },
+          py::arg("points"), py::arg("weights") = py::none(),
+          "The curve whose coordinates and weights are the binary64 numbers that the floats are, exactly.")
+      .def_property_readonly("points", &points_of, "The control points, tuples of Fraction.")
+      .def_property_readonly(
+          "weights", [](const BezierCurve& curve) { return fractions_of(curve.weights()); },
+          "The weights, a tuple of Fraction.")
+      .def_property_readonly("degree", &BezierCurve::degree)
+      .def_property_readonly("dimension", &BezierCurve::dimension, "2 or 3.")
+      .def(
+          "__call__",
+          [](const BezierCurve& curve, const py::object& t) {
+            return fractions_of(curve(rational_of(t, Numbers::exact, "t")));
+          },
+          py::arg("t"), "The point at an exact parameter.")
+      .def(
+          "__eq__", [](const BezierCurve& a, const BezierCurve& b) { return a == b; }, py::is_operator())
+      .def("__repr__",
+           [](const BezierCurve& curve) {
+             return "Curve(" + std::string(py::repr(points_of(curve))) + ", " +
+                    std::string(py::repr(fractions_of(curve.weights()))) + ")";
+           })
+      .def(py::pickle(
+          [](const BezierCurve& curve) {
+            return py::make_tuple(points_of(curve), fractions_of(curve.weights()));
+          },
+          [](const py::tuple& state) { return curve_of(state[0], state[1], Numbers::exact); }));
+}
+
+void add_files(py::module_& module) {
+  module.def("read_patches", [](const std::string& path) {
+    const PatchFile file = read_patches(path);
+    py::dict patches;
+    for (const NamedPatch& named : file.patches) patches[py::str(named.name)] = named.patch;
+    return patches;
+  });
+  module.def("write_patches", [](const std::string& path, const py::dict& patches, const std::string& title) {
+    PatchFile file{title, "", {}};
+    for (const auto& [name, patch] : patches)
+      file.patches.push_back({name.cast<std::string>(), {2, 2}, patch.cast<BezierPatch>()});
+    write_patches(file, path);
+  });
+  module.def("read_curve", [](const std::string& path) { return read_curve(path).curve; });
+}
+
+void add_exceptions(py::module_& module) {
+  static py::exception<InputError> input_error(module, "InputError", PyExc_ValueError);
+  input_error.attr("__doc__") = "A bad file: what is wrong, in which file, and where in it.";
+  py::register_exception_translator([](std::exception_ptr pointer) {
+    try {
+      if (pointer) std::rethrow_exception(pointer);
+    } catch (const InputError& error) {
+      input_error(error.what());
+    } catch (const cli::UsageError& error) {
+      PyErr_SetString(PyExc_ValueError, error.what());
+    } catch (const OutputError& error) {
+      PyErr_SetString(PyExc_OSError, error.what());
+    }
+  });
+}
+
+}  // namespace
+}  // namespace exsect::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace exsect::python;
+  module.attr("__version__") = EXSECT_VERSION;
+  add_exceptions(module);
+  add_patch(module);
+  add_curve(module);
+  add_files(module);
+  add_intersections(module);
+  add_implicitizations(module);
+}

@@ -1,0 +1,13 @@
+// What the module computes, with the forms in which it is handed over.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace exsect::python {
+
+/// Adds intersect, self_intersect and line with their results.
+void add_intersections(pybind11::module_& module);
+/// Adds implicitize and revolve with their results.
+void add_implicitizations(pybind11::module_& module);
+
+}  // namespace exsect::python

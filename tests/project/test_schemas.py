@@ -1,0 +1,104 @@
+"""Every output of every command, and every input file of the tree, satisfies its schema in docs/schemas."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = os.environ["EXSECT_PROGRAM"]
+SCHEMAS = {path.name.split(".")[0]: json.loads(path.read_text()) for path in (ROOT / "docs/schemas").glob("*.json")}
+
+FIRST = "examples/chapter9-first.json"
+SECOND = "examples/chapter9-second.json"
+TOUCHING = "examples/touching-curve.json"
+PROFILE = "examples/profile.json"
+SPACE = "examples/space-cubic.json"
+
+COMMANDS = [
+    ["intersect", FIRST],
+    ["intersect", SECOND, "--turning", "none"],
+    ["intersect", FIRST, "--max-seconds", "1e-9"],
+    ["intersect", "tests/cases/overlap.json"],
+    ["intersect", "tests/cases/cap.json"],
+    ["intersect", "tests/cases/nearly-crossing.json"],
+    ["self", SECOND, "--patch", "x"],
+    ["self", SECOND, "--patch", "y"],
+    ["self", FIRST, "--patch", "x"],
+    ["line", FIRST, "--u", "1/2"],
+    ["line", FIRST, "--s", "0"],
+    ["line", "tests/cases/overlap.json", "--u", "1/2"],
+    ["line", "tests/cases/cap.json", "--v", "0"],
+    ["implicitize", PROFILE],
+    ["implicitize", PROFILE, "--degree", "2"],
+    ["implicitize", PROFILE, "--degree", "2", "--space", "b-spline"],
+    ["implicitize", PROFILE, "--degree", "2", "--method", "legendre"],
+    ["implicitize", "examples/rational-circle.json"],
+    ["implicitize", SPACE],
+    ["implicitize", SPACE, "--method", "orthogonal", "--degree", "2"],
+    ["implicitize", FIRST, "--patch", "x"],
+    ["implicitize", FIRST, "--patch", "y", "--degree", "4", "--method", "conics"],
+    ["revolve", PROFILE, "--method", "elimination"],
+    ["revolve", PROFILE, "--method", "product", "--degree", "3", "--region", "2,0,2"],
+    ["revolve", PROFILE, "--method", "substitution", "--degree", "3"],
+    ["revolve", PROFILE, "--method", "substitution", "--degree", "2", "--cells", "4", "--w2", "1/1000"],
+    ["revolve", PROFILE, "--method", "product", "--patch-file", FIRST, "--patch", "x", "--u", "1/2"],
+    ["compare", FIRST, "--lines", "8", "--pieces", "0"],
+    ["compare", TOUCHING, "--lines", "4", "--pieces", "0", "--plane", "v,s"],
+]
+
+
+def violations(document):
+    schema = SCHEMAS[document["exsect"].replace("/", "-")]
+    return [f"{'/'.join(map(str, e.absolute_path))}: {e.message[:300]}" for e in jsonschema.Draft7Validator(schema).iter_errors(document)]
+
+
+@pytest.mark.parametrize("name", sorted(SCHEMAS))
+def test_a_schema_is_one_of_draft_7(name):
+    assert SCHEMAS[name]["$schema"] == "http://json-schema.org/draft-07/schema#"
+    jsonschema.Draft7Validator.check_schema(SCHEMAS[name])
+
+
+@pytest.mark.parametrize("arguments", COMMANDS, ids=" ".join)
+def test_an_output_satisfies_its_schema(arguments):
+    ended = subprocess.run([PROGRAM, *arguments, "--json", "-"], capture_output=True, text=True, cwd=ROOT)
+    assert ended.returncode in (0, 3), ended.stderr
+    document = json.loads(ended.stdout)
+    assert (document["status"] == "complete") == (ended.returncode == 0)
+    assert violations(document) == []
+
+
+def test_every_command_and_every_form_is_covered():
+    helped = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, check=True).stdout
+    commands = [line.split()[0] for line in helped.split("Subcommands:")[1].splitlines() if line.startswith("  ")]
+    assert {arguments[0] for arguments in COMMANDS} >= set(commands)
+
+
+@pytest.mark.parametrize("file", sorted([*(ROOT / "examples").glob("*.json"), *(ROOT / "tests/cases").glob("*.json")]), ids=lambda f: f.name)
+def test_an_input_file_satisfies_its_schema(file):
+    document = json.loads(file.read_text())
+    if "exsect" in document and not file.name.endswith(".expected.json"):
+        assert violations(document) == []
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda d: d.pop("status"),
+        lambda d: d.update(status="perhaps"),
+        lambda d: d.update(extra=1),
+        lambda d: d["nodes"][0]["box"].pop("u"),
+        lambda d: d["nodes"][0]["box"].update(u=["0.5", "1"]),
+        lambda d: d["arcs"][0].update(error_bound="small"),
+        lambda d: d["arcs"][0]["polyline"][0].append(0.0),
+        lambda d: d["components"][0].update(shape="round"),
+    ],
+)
+def test_a_broken_result_violates_its_schema(change):
+    ended = subprocess.run([PROGRAM, "intersect", FIRST, "--json", "-"], capture_output=True, text=True, cwd=ROOT)
+    document = json.loads(ended.stdout)
+    change(document)
+    assert violations(document)

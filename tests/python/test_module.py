@@ -1,0 +1,385 @@
+"""The Python module against the program, exact identities and its own promises."""
+
+import decimal
+import json
+import math
+import os
+import pickle
+import subprocess
+import sys
+import threading
+import time
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+import exsect
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "examples"
+PROGRAM = os.environ.get("EXSECT_PROGRAM", "exsect")
+
+UNIT = [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]  # (u, v, u v)
+
+
+@pytest.fixture(scope="module")
+def first():
+    return exsect.read_patches(EXAMPLES / "chapter9-first.json")
+
+
+@pytest.fixture(scope="module")
+def result(first):
+    return exsect.intersect(first["x"], first["y"])
+
+
+def program(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+
+
+def run(*arguments):
+    """What the program prints with --json -, without the time it took."""
+    tree = json.loads(program(*arguments, "--json", "-").stdout)
+    return {key: value for key, value in tree.items() if key != "work"}
+
+
+def same(mine):
+    return {key: value for key, value in json.loads(mine.to_json()).items() if key != "work"}
+
+
+def with_corner(number):
+    return exsect.Patch([[[0, 0, number], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]])
+
+
+# Numbers
+
+
+@pytest.mark.parametrize(
+    "number, value",
+    [
+        (3, 3),
+        (-(10**40), -(10**40)),
+        (Fraction(-3, 7), Fraction(-3, 7)),
+        ("3/7", Fraction(3, 7)),
+        ("-4/6", Fraction(-2, 3)),
+        ("0.1", Fraction(1, 10)),
+        ("-2.5e-3", Fraction(-1, 400)),
+        ("0x1.8p-3", Fraction(3, 16)),
+        (decimal.Decimal("0.1"), Fraction(1, 10)),
+        (Fraction(3**9100, 2**9001 + 1), Fraction(3**9100, 2**9001 + 1)),
+    ],
+    ids=range(10),
+)
+def test_exact_numbers_come_back_unchanged(number, value):
+    corner = with_corner(number).points[0][0][2]
+    assert corner == value and type(corner) is Fraction
+
+
+@pytest.mark.parametrize(
+    "number, error, text",
+    [
+        (0.5, TypeError, "0.5 is a float"),
+        (True, TypeError, "True is no number"),
+        (None, TypeError, "None is no exact number"),
+        ("1/0", ValueError, '"1/0" is not a number: zero denominator'),
+        (" 1", ValueError, "is not a number"),
+        ("nan", ValueError, "is not a number"),
+        (decimal.Decimal("inf"), ValueError, "is not finite"),
+    ],
+)
+def test_what_is_no_exact_number_is_refused_with_its_place(number, error, text):
+    with pytest.raises(error, match=r"^points\[0\]\[0\]\[2\]: .*" + text):
+        with_corner(number)
+
+
+def test_floats_are_taken_by_name_and_mean_what_they_are():
+    net = [[[0.1, 0.0, 0.0], [0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 1e-300]]]
+    patch = exsect.Patch.from_floats(net)
+    assert patch.points[0][0][0] == Fraction(0.1) != Fraction(1, 10)
+    assert patch.points[2][2][2] == Fraction(1e-300)
+    for bad in (math.nan, math.inf):
+        with pytest.raises(ValueError, match=r"points\[0\]\[0\]\[0\]: "):
+            exsect.Patch.from_floats([[[bad, 0, 0], [0, 1, 0]], UNIT[1]])
+    with pytest.raises(TypeError, match="is no float"):
+        exsect.Patch.from_floats([[["0.1", 0, 0], [0, 1, 0]], UNIT[1]])
+    numpy = pytest.importorskip("numpy")
+    assert exsect.Patch.from_floats(numpy.array(net)) == patch
+
+
+@pytest.mark.parametrize(
+    "points", [[], [[]], [[[0, 0, 0]]], [UNIT[0]], [UNIT[0], UNIT[0][:1]], "abc", 7, [[[0, 0]] * 2] * 2]
+)
+def test_shapes_that_are_no_patch_are_refused(points):
+    with pytest.raises((ValueError, TypeError)):
+        exsect.Patch(points)
+
+
+def test_a_patch_is_what_it_was_given_as(tmp_path):
+    patch = exsect.Patch(UNIT)
+    assert patch("1/3", Fraction(1, 5)) == (Fraction(1, 3), Fraction(1, 5), Fraction(1, 15))
+    assert eval(repr(patch), {"Patch": exsect.Patch, "Fraction": Fraction}) == patch
+    assert pickle.loads(pickle.dumps(patch)) == patch
+    exsect.write_patches(tmp_path / "p.json", {"a": patch}, title="t")
+    assert exsect.read_patches(tmp_path / "p.json") == {"a": patch}
+
+
+def test_a_curve_is_what_it_was_given_as():
+    circle = exsect.Curve([[1, 0], [1, 1], [0, 1]], [1, 1, 2])
+    x, y = circle("2/7")
+    assert x * x + y * y == 1
+    assert (circle.degree, circle.dimension, circle.weights) == (2, 2, (1, 1, 2))
+    assert pickle.loads(pickle.dumps(circle)) == circle
+    with pytest.raises(ValueError):
+        exsect.Curve([[1, 0], [1, 1]], [1, 0])
+
+
+# Intersections
+
+
+def test_intersect_gives_what_the_program_gives(result):
+    assert same(result) == run("intersect", EXAMPLES / "chapter9-first.json")
+
+
+def test_the_first_example_of_the_chapter(first, result):
+    assert result.complete and not result.incomplete
+    assert (result.count("closed"), result.count("open"), result.count("branched")) == (1, 1, 0)
+    assert [result.turning_points(p) for p in "uvrs"] == [2, 3, 3, 2]
+    for node in result.nodes:
+        for name, value in node.parameters.items():
+            assert node.box[name].lower <= node.box[name].upper
+            assert abs(float(node.box[name].midpoint) - value) < 1e-9
+        # another route to the same point
+        x = first["x"](node.box["u"].midpoint, node.box["v"].midpoint)
+        y = first["y"](node.box["r"].midpoint, node.box["s"].midpoint)
+        assert max(abs(a - b) for a, b in zip(x, y)) < Fraction(1, 10**9)
+
+
+def test_polylines_join_their_nodes(result):
+    numpy = pytest.importorskip("numpy")
+    for arc in result.arcs:
+        assert isinstance(arc.polyline, numpy.ndarray) and arc.polyline.shape[1] == 7
+        for row, end in zip((arc.polyline[0], arc.polyline[-1]), arc.ends):
+            assert list(row[:4]) == pytest.approx(list(result.nodes[end].parameters.values()), abs=1e-6)
+        assert 0 < arc.error_bound < 1e-6
+
+
+def test_without_numpy_polylines_are_lists():
+    code = (
+        "import sys; sys.modules['numpy'] = None; import exsect;"
+        f"p = exsect.read_patches({str(EXAMPLES / 'chapter9-first.json')!r});"
+        "r = exsect.intersect(p['x'], p['y']);"
+        "assert type(r.arcs[0].polyline) is list and type(r.arcs[0].polyline[0][0]) is float"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_self_intersect_gives_what_the_program_gives():
+    patch = exsect.read_patches(EXAMPLES / "chapter9-second.json")["x"]
+    mine = exsect.self_intersect(patch)
+    assert same(mine) == run("self", EXAMPLES / "chapter9-second.json", "--patch", "x")
+    assert mine.parameters == ("u1", "v1", "u2", "v2") and len(mine.components) == 1
+
+
+def test_line_gives_what_the_program_gives(first):
+    mine = exsect.line(first["x"], first["y"], u="1/2")
+    assert same(mine) == run("line", EXAMPLES / "chapter9-first.json", "--u", "1/2")
+
+
+def test_the_certificates_of_a_line_are_exact(first):
+    line = exsect.line(first["x"], first["y"], u=Fraction(1, 2))
+    assert line.shape == "conic" and line.eliminant.degree == 16 and len(line.points) == 2
+    on_line = [first["x"]("1/2", v) for v in (0, "1/3", 1)]
+    assert all(line.plane(point) == 0 and line.cylinder(*point) == 0 for point in on_line)
+    point = line.points[0]
+    assert point.parameters["v"] == pytest.approx(0.122377867125713)
+    fine = point.refined(Fraction(1, 2**400))
+    for name, interval in fine.items():
+        assert interval.width <= Fraction(1, 2**400)
+        assert point.box[name].lower <= interval.lower and interval.upper <= point.box[name].upper
+    # a simple root of the eliminant between the ends
+    assert line.eliminant(fine["s"].lower) * line.eliminant(fine["s"].upper) < 0
+    assert any(branch.intervals for branch in line.feasible)
+    with pytest.raises(ValueError, match="width: must be > 0"):
+        point.refined(0)
+
+
+def test_options_out_of_range_are_refused(first):
+    x, y = first["x"], first["y"]
+    for options, text in [
+        ({"tolerance": 0}, "tolerance: 0 is not positive"),
+        ({"tolerance": "abc"}, 'tolerance: "abc" is not a number'),
+        ({"tolerance": math.nan}, "tolerance: "),
+        ({"turning": "u,w"}, 'turning: "u,w" is not a list of u, v, r, s'),
+        ({"max_seconds": -1}, "max_seconds: -1 is not positive"),
+    ]:
+        with pytest.raises(ValueError, match=text):
+            exsect.intersect(x, y, **options)
+    for given, error in [({}, ValueError), ({"u": 0, "s": 1}, ValueError), ({"u": "3/2"}, ValueError), ({"u": 0.5}, TypeError)]:
+        with pytest.raises(error):
+            exsect.line(x, y, **given)
+    with pytest.raises(TypeError):
+        exsect.intersect(x, 7)
+
+
+def test_bad_files_are_refused_in_the_programs_words(tmp_path):
+    file = tmp_path / "bad.json"
+    file.write_text('{"exsect": "patches/1", "patches": [{"name": "x", "degree": [1,1], "points": [[[0,0,0]]]}]}')
+    with pytest.raises(exsect.InputError) as caught:
+        exsect.read_patches(file)
+    assert program("intersect", file).stderr == f"exsect: {caught.value}\n"
+    assert isinstance(caught.value, ValueError)
+    with pytest.raises(OSError):
+        exsect.write_patches(tmp_path / "missing" / "p.json", {"x": exsect.Patch(UNIT)})
+
+
+def test_an_incomplete_result_says_where_and_why(first):
+    result = exsect.intersect(first["x"], first["y"], max_seconds="1e-9")
+    assert not result.complete
+    assert set(result.incomplete[0].where) == set("uvrs") and result.incomplete[0].why
+
+
+# The interpreter
+
+
+def test_other_threads_run_during_the_work():
+    patch = exsect.read_patches(EXAMPLES / "chapter9-second.json")["y"]
+    ticks, done = [], threading.Event()
+
+    def tick():
+        while not done.is_set():
+            ticks.append(time.monotonic())
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    start = time.monotonic()
+    exsect.self_intersect(patch)
+    end = time.monotonic()
+    done.set()
+    thread.join()
+    assert sum(start < t < end for t in ticks) > 5
+
+
+def test_threads_get_what_one_thread_gets(first, result):
+    found = [None] * 3
+
+    def work(i):
+        found[i] = exsect.intersect(first["x"], first["y"])
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(same(f) == same(result) for f in found)
+
+
+def test_an_exception_in_the_progress_function_ends_the_work(first):
+    seen = []
+
+    def progress(fraction, step):
+        seen.append((fraction, step))
+        if len(seen) == 2:
+            raise KeyError("enough")
+
+    with pytest.raises(KeyError, match="enough"):
+        exsect.intersect(first["x"], first["y"], progress=progress)
+    assert all(0 <= fraction <= 1 and step for fraction, step in seen)
+
+
+# Implicit equations
+
+
+def test_the_circle_is_the_circle():
+    circle = exsect.read_curve(EXAMPLES / "rational-circle.json")
+    found = exsect.implicitize(circle)
+    assert found.complete and found.exact and found.kind == "planar-curve"
+    assert same(found) == run("implicitize", EXAMPLES / "rational-circle.json")
+    assert all(found.equation(*circle(Fraction(k, 7))) == 0 for k in range(8))
+
+
+def test_an_approximate_equation_keeps_its_proved_residual():
+    curve = exsect.read_curve(EXAMPLES / "profile.json")
+    found = exsect.implicitize(curve, degree=2, variables=("r", "z"))
+    assert same(found) == run("implicitize", EXAMPLES / "profile.json", "--degree", "2", "--variables", "r,z")
+    assert not found.exact and found.equation.variables == ("r", "z")
+    assert max(abs(found.equation(*curve(Fraction(k, 50)))) for k in range(51)) <= found.bound("residual")
+
+
+def test_a_patch_and_a_curve_of_space_have_equations(first):
+    found = exsect.implicitize(first["x"])
+    assert found.equation.degree == 8 and len(found.equation) == 165
+    assert found.equation(*first["x"]("1/3", "2/7")) == 0
+    curve = exsect.read_curve(EXAMPLES / "space-cubic.json")
+    pair = exsect.implicitize(curve)
+    assert set(pair.equations) == {"f", "g"}
+    assert all(f(*curve("3/11")) == 0 for f in pair.equations.values())
+    with pytest.raises(ValueError, match="there is no picture"):
+        found.to_svg()
+
+
+def test_options_of_implicitize_have_the_programs_words():
+    with pytest.raises(ValueError) as caught:
+        exsect.implicitize(exsect.read_curve(EXAMPLES / "profile.json"), method="dokken")
+    assert program("implicitize", EXAMPLES / "profile.json", "--method", "dokken").stderr == f"exsect: {caught.value}\n"
+
+
+def test_revolve_gives_what_the_program_gives(first):
+    curve = exsect.read_curve(EXAMPLES / "profile.json")
+    found = exsect.revolve(curve, method="product", degree=3, region=(2, 0, 2), patch=first["x"], lines=["1/2"])
+    arguments = ["--method", "product", "--degree", "3", "--region", "2,0,2", "--u", "1/2"]
+    arguments += ["--patch-file", EXAMPLES / "chapter9-first.json", "--patch", "x"]
+    assert same(found) == run("revolve", EXAMPLES / "profile.json", *arguments)
+    r, z = Fraction(3, 5), Fraction(-2, 3)
+    assert found.surface(Fraction(3, 5) * r, Fraction(4, 5) * r, z) == found.profile(r, z) * found.profile(-r, z)
+    assert found.rings is not None
+
+
+def test_coefficients_beyond_pythons_decimal_limit_cross():
+    big = 7**6000  # more than 4300 digits
+    line = exsect.implicitize(exsect.Curve([[0, 0], [1, big]]))
+    assert line.equation(1, big) == 0 and line.equation(1, big + 1) != 0
+
+
+# Polynomials
+
+
+def test_polynomials_are_what_sympy_takes():
+    polynomial = exsect.implicitize(exsect.read_curve(EXAMPLES / "rational-circle.json")).equation
+    assert dict(polynomial) == {(2, 0): 1, (0, 2): 1, (0, 0): -1}
+    assert str(polynomial) == "x^2+y^2-1" and repr(polynomial) == "Polynomial(('x', 'y'), 'x^2+y^2-1')"
+    sympy = pytest.importorskip("sympy")
+    x, y = sympy.symbols("x y")
+    assert sympy.Poly.from_dict(dict(polynomial), x, y).as_expr() == x**2 + y**2 - 1
+
+
+@pytest.mark.parametrize("options", [{"degree": 3}, {}])
+def test_the_text_of_a_polynomial_is_the_programs(options):
+    found = exsect.implicitize(exsect.read_curve(EXAMPLES / "profile.json"), **options)
+    assert str(found.equation) == found.tree["equations"][0]["text"]
+
+
+# Forms
+
+
+def test_results_show_themselves(first, result):
+    for shown in (result, exsect.line(first["x"], first["y"], u="1/2"), exsect.implicitize(first["x"])):
+        assert "complete" in shown._repr_html_()
+    assert "<svg" in result._repr_html_() and "<?xml" not in result._repr_html_()
+    assert "1 closed, 1 open" in repr(result)
+
+
+def test_exports_are_the_programs(first, tmp_path):
+    title = json.loads((EXAMPLES / "chapter9-first.json").read_text())["title"]
+    mine = exsect.intersect(first["x"], first["y"], title=title)
+    forms = ("svg", "obj", "ply", "vtp", "csv")
+    arguments = [argument for form in forms for argument in (f"--{form}", tmp_path / form)]
+    assert program("intersect", EXAMPLES / "chapter9-first.json", *arguments).returncode == 0
+    for form in forms:
+        assert getattr(mine, f"to_{form}")() == (tmp_path / form).read_text()
+
+
+def test_everything_public_is_documented():
+    for name in exsect.__all__:
+        assert getattr(exsect, name).__doc__, name
+    assert exsect.__version__
