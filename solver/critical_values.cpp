@@ -22,15 +22,18 @@ TurningEliminant eliminant_along(const BezierPatch& x, const BezierPatch& y, Par
   return turning_eliminant(y.exchanged(), x);
 }
 
-std::vector<TurningValue> roots_with_multiplicities(const Polynomial& e) {
+TurningValues turning_values_of(const TurningEliminant& eliminant, Parameter sweep) {
+  const Polynomial& e = *eliminant.polynomial;
   std::vector<TurningValue> result;
   const auto append_roots = [&](const Polynomial& f, int multiplicity) {
     for (RealAlgebraic& root : real_roots(f, 0, 1)) {
       result.push_back({std::move(root), multiplicity});
     }
   };
-  const std::vector<PolynomialPower> factors =
-      is_squarefree(e) ? std::vector<PolynomialPower>{{e, 1}} : squarefree_factors(e);
+  const std::vector<PolynomialPower> factors = eliminant.touching
+                                                   ? std::vector<PolynomialPower>{{squarefree_part(e), 0}}
+                                               : is_squarefree(e) ? std::vector<PolynomialPower>{{e, 1}}
+                                                                  : squarefree_factors(e);
   for (const auto& [factor, multiplicity] : factors) {
     if (multiplicity == 1) {
       append_roots(factor, 1);
@@ -43,7 +46,7 @@ std::vector<TurningValue> roots_with_multiplicities(const Polynomial& e) {
   }
   std::sort(result.begin(), result.end(),
             [](const TurningValue& a, const TurningValue& b) { return a.value < b.value; });
-  return result;
+  return {sweep, std::move(result), eliminant.touching};
 }
 
 /// A closed interval that holds critical values; `turning` is the index of the one turning value in it, or
@@ -92,16 +95,21 @@ std::vector<Event> events_within(TurningValues& turning, const std::vector<Certi
 std::optional<TurningValues> turning_values(const BezierPatch& x, const BezierPatch& y, Parameter sweep) {
   const TurningEliminant eliminant = eliminant_along(x, y, sweep);
   if (!eliminant.polynomial) return std::nullopt;
-  return TurningValues{sweep, roots_with_multiplicities(*eliminant.polynomial)};
+  return turning_values_of(eliminant, sweep);
 }
 
 SweepChoice choose_sweep(const BezierPatch& x, const BezierPatch& y) {
   SweepChoice choice;
   for (const Parameter sweep : all_parameters) {
-    TurningEliminant eliminant = eliminant_along(x, y, sweep);
+    const TurningEliminant eliminant = eliminant_along(x, y, sweep);
     if (eliminant.polynomial) {
-      choice.turning = TurningValues{sweep, roots_with_multiplicities(*eliminant.polynomial)};
-      return choice;
+      if (!choice.turning || !eliminant.touching) {
+        choice.turning = turning_values_of(eliminant, sweep);
+      }
+      if (!eliminant.touching) {
+        return choice;
+      }
+      continue;
     }
     choice.why += (choice.why.empty() ? "" : "; ") + std::string("sweep along ") + name(sweep) + ": " +
                   eliminant.degenerate;

@@ -9,7 +9,8 @@
 
 namespace exsect {
 
-/// One root of the turning eliminant in [0,1], with its multiplicity there.
+/// One root of the turning eliminant in [0,1], with its multiplicity there; 0 where that says nothing (the
+/// patches touch along a curve).
 struct TurningValue {
   RealAlgebraic value;
   int multiplicity;
@@ -19,14 +20,18 @@ struct TurningValue {
 struct TurningValues {
   Parameter sweep;
   std::vector<TurningValue> values;  // ascending, distinct
+  /// Every fibre has multiple points. Those over other values than these are regular points of curves along
+  /// which the patches touch.
+  bool touching = false;
 };
 
 /// Roots in [0,1] of the turning eliminant of the sweep along `sweep`; empty if it is not defined.
 std::optional<TurningValues> turning_values(const BezierPatch& x, const BezierPatch& y, Parameter sweep);
 
 /// Roots in [0,1] of the turning eliminant E of the sweep along u; where E is not defined for this pair, of
-/// the sweep along v, r or s. Every closed component of the intersection has at least two of them as extreme
-/// values of the sweep parameter. Empty optional if none of the four is defined; `why` then says why.
+/// the sweep along v, r or s; one along which not every fibre has multiple points is preferred. Every closed
+/// component of the intersection has at least two of them as extreme values of the sweep parameter. Empty
+/// optional if none of the four is defined; `why` then says why.
 struct SweepChoice {
   std::optional<TurningValues> turning;
   std::string why;

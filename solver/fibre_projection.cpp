@@ -110,14 +110,18 @@ BivariatePolynomial common_factor(const FormVector& w) {
   return exact_quotient(factor, BivariatePolynomial({content}));
 }
 
+FibrePolynomial fibre_polynomial(const BivariatePolynomial& f) {
+  FibrePolynomial result;
+  for (int i = 0; i <= f.degree_r(); ++i) result.coefficients.push_back(f.coefficient(i));
+  return result;
+}
+
 /// f without all factors that it has in common with a power of g.
 FibrePolynomial without_factors(const FibrePolynomial& f, const BivariatePolynomial& g) {
   BivariatePolynomial rest = bivariate(f);
   for (BivariatePolynomial factor = gcd(rest, g); factor.degree_r() > 0; factor = gcd(rest, g))
     rest = exact_quotient(rest, factor);
-  FibrePolynomial result;
-  for (int i = 0; i <= rest.degree_r(); ++i) result.coefficients.push_back(rest.coefficient(i));
-  return result;
+  return fibre_polynomial(rest);
 }
 
 /// Divides by the greatest common divisor of the coefficients, which is returned, and makes the quotient
@@ -154,6 +158,17 @@ FibrePolynomial derivative(const FibrePolynomial& f) {
 
 bool coprime(const FibrePolynomial& f, const FibrePolynomial& g) {
   return gcd(bivariate(f), bivariate(g)).degree_r() == 0;
+}
+
+FibreFactors split_multiple(const FibrePolynomial& f) {
+  const BivariatePolynomial whole = bivariate(f);
+  const BivariatePolynomial repeated = gcd(whole, bivariate(derivative(f)));
+  const BivariatePolynomial squarefree = exact_quotient(whole, repeated);
+  const BivariatePolynomial multiple = gcd(squarefree, repeated);
+  FibreFactors result{fibre_polynomial(exact_quotient(squarefree, multiple)), fibre_polynomial(multiple)};
+  remove_content(result.simple);
+  remove_content(result.multiple);
+  return result;
 }
 
 std::vector<Integer> integer_coefficients(const FibrePolynomial& f) {

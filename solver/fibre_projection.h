@@ -17,6 +17,13 @@ bool is_zero(const FibrePolynomial& f);
 FibrePolynomial derivative(const FibrePolynomial& f);
 /// No common root over the algebraic closure of Q(u).
 bool coprime(const FibrePolynomial& f, const FibrePolynomial& g);
+/// The product of the simple prime factors of f over Q(u), and that of the different multiple ones; both
+/// primitive in Z[u][s], of positive degree or 1.
+struct FibreFactors {
+  FibrePolynomial simple;
+  FibrePolynomial multiple;
+};
+FibreFactors split_multiple(const FibrePolynomial& f);
 /// All coefficients of all coefficients; each must be an integer.
 std::vector<Integer> integer_coefficients(const FibrePolynomial& f);
 

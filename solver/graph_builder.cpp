@@ -8,31 +8,9 @@ namespace exsect {
 
 namespace {
 
-/// A vertex and a bound of its distance from the curve point it stands for.
-struct BoundedVertex {
-  PolylineVertex vertex;
-  double error;
-};
-
 template <class Ball>
 BoundedVertex to_vertex(const Tube<Ball>& tube, const BallPoint<Ball>& parameters, const ModelFrame& frame) {
-  BoundedVertex result{};
-  double radius2 = 0;
-  double rounding = 0;
-  const BallVector<Ball> position = space_point(tube, parameters);
-  for (std::size_t j = 0; j < 4; ++j) {
-    result.vertex.parameters[j] = parameters[j].approximation();
-  }
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double scaled = position[c].approximation();
-    const double radius =
-        std::ldexp((position[c] - Ball(scaled)).upper_magnitude(), static_cast<int>(frame.exponent));
-    result.vertex.point[c] = frame.origin[c] + std::ldexp(scaled, static_cast<int>(frame.exponent));
-    radius2 += radius * radius;
-    rounding += std::fabs(result.vertex.point[c]) * 0x1p-52;  // one sum of doubles
-  }
-  result.error = (std::sqrt(radius2) + rounding) * (1 + 0x1p-40) + 0x1p-1000;
-  return result;
+  return bounded_vertex(parameters, space_point(tube, parameters), frame);
 }
 
 /// A place on the trace: piece and offset.
@@ -287,6 +265,27 @@ void drop_unused_nodes(IntersectionGraph& graph) {
 }  // namespace
 
 template <class Ball>
+BoundedVertex bounded_vertex(const BallPoint<Ball>& parameters, const BallVector<Ball>& position,
+                             const ModelFrame& frame) {
+  BoundedVertex result{};
+  double radius2 = 0;
+  double rounding = 0;
+  for (std::size_t j = 0; j < 4; ++j) {
+    result.vertex.parameters[j] = parameters[j].approximation();
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double scaled = position[c].approximation();
+    const double radius =
+        std::ldexp((position[c] - Ball(scaled)).upper_magnitude(), static_cast<int>(frame.exponent));
+    result.vertex.point[c] = frame.origin[c] + std::ldexp(scaled, static_cast<int>(frame.exponent));
+    radius2 += radius * radius;
+    rounding += std::fabs(result.vertex.point[c]) * 0x1p-52;  // one sum of doubles
+  }
+  result.error = (std::sqrt(radius2) + rounding) * (1 + 0x1p-40) + 0x1p-1000;
+  return result;
+}
+
+template <class Ball>
 Node landmark_node(const PairSystem<Ball>& system, const ModelFrame& frame, const BallPoint<Ball>& ball,
                    const ParameterBox& box, const std::vector<Side>& sides) {
   Node node;
@@ -379,6 +378,7 @@ void finish_components(IntersectionGraph& graph) {
 }
 
 #define EXSECT_INSTANTIATE_GRAPH(Ball)                                                                       \
+  template BoundedVertex bounded_vertex(const BallPoint<Ball>&, const BallVector<Ball>&, const ModelFrame&); \
   template double chord_bound(const PairSystem<Ball>&, const ModelFrame&, const ParameterBox&);              \
   template Node landmark_node(const PairSystem<Ball>&, const ModelFrame&, const BallPoint<Ball>&,            \
                               const ParameterBox&, const std::vector<Side>&);                                \

@@ -29,6 +29,16 @@ struct AnalysedTrace {
 template <class Ball>
 double chord_bound(const PairSystem<Ball>& system, const ModelFrame& frame, const ParameterBox& box);
 
+/// A vertex and a bound of its distance from the curve point it stands for.
+struct BoundedVertex {
+  PolylineVertex vertex;
+  double error;
+};
+/// The vertex of a point enclosed by its parameters and, in the scaled system, its position in space.
+template <class Ball>
+BoundedVertex bounded_vertex(const BallPoint<Ball>& parameters, const BallVector<Ball>& position,
+                             const ModelFrame& frame);
+
 /// The node of a point on the given sides (none: inside); `box` encloses its parameters.
 template <class Ball>
 Node landmark_node(const PairSystem<Ball>& system, const ModelFrame& frame, const BallPoint<Ball>& ball,

@@ -49,6 +49,9 @@ class Intersection {
       const auto solution = rational_solution(x_, y_, point);
       return solution && (*solution)[index(p)] == value;
     };
+    sweep_.turning_of = [this](Parameter p) -> const std::optional<TurningValues>& {
+      return turning_values_of(p);
+    };
     sweep_.line = [this](const LineQuery& query) { return line_points(x_, y_, query); };
   }
 
@@ -355,6 +358,10 @@ class Intersection {
     for (const AnalysedTrace<Ball>& curve : traced.curves) {
       append_trace(graph, curve, landmarks, ends, scaling_.frame, options_.turning, used_tolerance());
       result_.work.steps["tubes"] += static_cast<double>(curve.trace.pieces.size());
+    }
+    for (const AnalysedContact<Ball>& contact : traced.contacts) {
+      append_contact(graph, system, contact, landmarks, ends, scaling_.frame, options_.turning,
+                     used_tolerance());
     }
     for (const Arc& arc : graph.arcs) {
       result_.work.steps["vertices"] += static_cast<double>(arc.polyline.size());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tangential_tube.h"
 #include "traced_curves.h"
 
 namespace exsect {
@@ -65,10 +66,53 @@ class StarSearch {
   bool needs_star(const CertifiedPoint& point) const {
     const BallPoint<Ball> tangent = tangent_at(point);
     if (point.sides().empty()) {
-      return std::all_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() == 0; });
+      return std::all_of(tangent.begin(), tangent.end(),
+                         [](const Ball& t) { return t.certain_sign() == 0; }) &&
+             !is_on_contact(point);
     }
-    return std::any_of(point.sides().begin(), point.sides().end(),
+    return !is_on_contact(point) &&
+           std::any_of(point.sides().begin(), point.sides().end(),
                        [&](const Side& side) { return tangent[index(side.parameter)].certain_sign() == 0; });
+  }
+
+  /// A regular point of a curve along which the patches touch, and not tangent to a side there: a multiple
+  /// point of a fibre nearby over no turning value is in the same tube.
+  bool is_on_contact(const CertifiedPoint& point) const {
+    const BallPoint<Ball> box = enclose<Ball>(point, fine_width());
+    for (double reach = 0x1p-6; reach >= 0x1p-22; reach *= 0x1p-4) {
+      const auto tube = certify_tangential_tube(system_, box, reach);
+      if (!tube || !contains(*tube, box)) {
+        continue;
+      }
+      const Parameter axis = all_parameters[tube->axis];
+      const auto& turning = problem_.turning(axis);
+      if (!turning || !turning->touching) {
+        return false;
+      }
+      const double tau = offset(*tube, box).approximation();
+      const ArcEnclosure<Ball> here = enclosure_between(system_, *tube, tau - 0x1p-60, tau + 0x1p-60);
+      const bool crosses = std::all_of(point.sides().begin(), point.sides().end(), [&](const Side& side) {
+        return here.slope[index(side.parameter)].certain_sign() != 0;
+      });
+      return crosses &&
+             (has_contact_at(*tube, *turning, -0.5 * reach) || has_contact_at(*tube, *turning, 0.5 * reach));
+    }
+    return false;
+  }
+
+  bool has_contact_at(const TangentialTube<Ball>& tube, const TurningValues& turning, double tau) const {
+    const Rational at = from_double(tube.centre[tube.axis].approximation() + tau);
+    const bool regular =
+        at > 0 && at < 1 &&
+        std::none_of(turning.values.begin(), turning.values.end(),
+                     [&](const TurningValue& value) { return value.value.compare(at) == 0; });
+    if (!regular) {
+      return false;
+    }
+    const LinePoints fibre = line_points(problem_.x, problem_.y, {turning.sweep, at});
+    return std::any_of(fibre.points.begin(), fibre.points.end(), [&](const CertifiedPoint& point) {
+      return point.multiplicity() >= 2 && contains(tube, enclose<Ball>(point, fine_width()));
+    });
   }
 
   bool is_covered(const CertifiedPoint& point) const {
@@ -79,7 +123,7 @@ class StarSearch {
 
   void try_multiple_values(const TurningValues& turning) {
     for (const TurningValue& value : turning.values) {
-      if (value.multiplicity < 2 || !value.value.is_rational()) {
+      if (value.multiplicity == 1 || !value.value.is_rational()) {
         continue;
       }
       const LinePoints fibre = line_points(problem_.x, problem_.y, {turning.sweep, value.value.rational()});

@@ -1,6 +1,7 @@
 #include "special_eliminant.h"
 
 #include <exsect/algebra/modular.h>
+#include <exsect/algebra/resultant.h>
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +120,18 @@ std::string obstacle(const FibreProjection& points) {
   return {};
 }
 
+/// (4.20): the simple points of the fibre give (4.18), the multiple ones the discriminant of their factor.
+TurningEliminant touching_eliminant(const FibreCoefficients<Polynomial>& f, const FibreProjection& points,
+                                    const FibreProjection& other) {
+  const FibreFactors factors = split_multiple(points.finite);
+  FibreProjection simple = points;
+  simple.finite = factors.simple;
+  Polynomial e = special_norm(f, simple, other) * content_factor(points, other) * leading(factors.multiple);
+  if (degree(factors.multiple) > 1)
+    e = e * discriminant_r(BivariatePolynomial(factors.multiple.coefficients));
+  return {primitive_with_positive_lead(e), {}, true};
+}
+
 bool vanishes(const SpaceVector<Polynomial>& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }
 
 /// Why the pair has no fibres of finitely many points as (4.18) needs them; empty if it may have.
@@ -140,20 +153,20 @@ std::string shape_obstacle(const FibreCoefficients<Polynomial>& f) {
 
 TurningEliminant special_eliminant(const IntegerPair& pair) {
   const FibreCoefficients<Polynomial> f = symbolic_fibre(pair);
-  if (const std::string why = shape_obstacle(f); !why.empty()) return {std::nullopt, why};
+  if (const std::string why = shape_obstacle(f); !why.empty()) return {std::nullopt, why, false};
   const FibreProjection to_s = project_fibre(f);
   const FibreProjection to_r = project_fibre(f.exchanged());
   if (is_zero(to_s.r) || is_zero(to_r.r))
-    return {std::nullopt, "R vanishes identically: the fibres are not finite"};
+    return {std::nullopt, "R vanishes identically: the fibres are not finite", false};
   const std::string why = obstacle(to_s);
   const bool use_s = why.empty();
-  if (!use_s && !obstacle(to_r).empty()) return {std::nullopt, why};
+  if (!use_s && !obstacle(to_r).empty()) return {std::nullopt, why, false};
   const FibreProjection& points = use_s ? to_s : to_r;
   const FibreProjection& other = use_s ? to_r : to_s;
   if (degree(points.finite) > 0 && !coprime(points.finite, derivative(points.finite)))
-    return {std::nullopt,
-            "E vanishes identically: every fibre has a multiple point (tangency along a curve)"};
-  return {primitive_with_positive_lead(special_norm(f, points, other) * content_factor(points, other)), {}};
+    return touching_eliminant(f, points, other);
+  const Polynomial e = special_norm(f, points, other) * content_factor(points, other);
+  return {primitive_with_positive_lead(e), {}, false};
 }
 
 Polynomial primitive_with_positive_lead(const Polynomial& f) {

@@ -7,8 +7,9 @@
 namespace exsect {
 
 /// E(u) (4.18), by exact elimination with u as a variable: for patches of lower degree, height fields,
-/// symmetric pairs and every other shape whose generic fibre is finite, without multiple points, and
-/// separated by one of its two parameters r, s. Otherwise `degenerate` says which condition fails, exactly.
+/// symmetric pairs and every other shape whose generic fibre is finite and separated by one of its two
+/// parameters r, s; (4.20) where it has multiple points. Otherwise `degenerate` says which condition fails,
+/// exactly.
 TurningEliminant special_eliminant(const IntegerPair& pair);
 
 /// The primitive integer multiple of f != 0 with positive leading coefficient.

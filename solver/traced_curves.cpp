@@ -39,6 +39,9 @@ class CurveTracing {
       : system_(system), landmarks_(landmarks), sweep_(sweep), width_(width), stop_(stop) {}
 
   TracedCurves<Ball> run() {
+    if (sweep_.turning && sweep_.exact) {
+      trace_contacts();
+    }
     trace_open_curves();
     if (result_.problems.empty()) {
       sweep_.turning || !sweep_.exact ? trace_closed_curves() : search_everywhere();
@@ -78,8 +81,122 @@ class CurveTracing {
     return entering ? direction : 0;
   }
 
+  /// Curves along which the patches touch: through the multiple points of the fibres, and the parameter lines
+  /// that do so all along.
+  void trace_contacts() {
+    if (sweep_.turning->touching) {
+      for (const std::vector<CertifiedPoint>& fibre : sweep_.fibres) {
+        for (const CertifiedPoint& point : fibre) {
+          trace_contact_through(point);
+        }
+      }
+    }
+    for (const TurningValue& turning : sweep_.turning->values) {
+      if (turning.multiplicity != 1 && turning.value.is_rational()) {
+        trace_contact_lines({sweep_.turning->sweep, turning.value.rational()});
+      }
+    }
+  }
+
+  /// The parts of a line on which the patches touch, if the line lies on the other patch.
+  void trace_contact_lines(const LineQuery& query) {
+    if (query.value == 0 || query.value == 1) {
+      return;
+    }
+    const LinePoints line = sweep_.line(query);
+    const Parameter along = line_place(query).roles.line;
+    if (line.incomplete || line.on_patch.empty() || !sweep_.turning_of(along) ||
+        !sweep_.turning_of(along)->touching) {
+      return;
+    }
+    std::vector<CertifiedPoint> boundary;
+    for (const LandmarkPoint& landmark : sweep_.landmarks) {
+      boundary.push_back(landmark.point);
+    }
+    TurningValues across = *sweep_.turning_of(along);
+    for (const Rational& sample : sweep_samples(across, boundary)) {
+      const bool on_line =
+          std::any_of(line.on_patch.begin(), line.on_patch.end(), [&](const AlgebraicInterval& part) {
+            return part.from.compare(sample) < 0 && part.to.compare(sample) > 0;
+          });
+      const LinePoints fibre = on_line ? sweep_.line({along, sample}) : LinePoints();
+      for (const CertifiedPoint& point : fibre.points) {
+        const RationalInterval& at = point.box()[index(query.fixed)];
+        if (at.lower <= query.value && query.value <= at.upper) {
+          trace_contact_through(point);
+        }
+      }
+    }
+  }
+
+  /// `point` is isolated over a value of a sweep that is no turning value.
+  void trace_contact_through(const CertifiedPoint& point) {
+    const BallPoint<Ball> box = enclose<Ball>(point, width_);
+    if (point.multiplicity() < 2 || !point.sides().empty() || contacts_through(box) > 0 || in_star(point)) {
+      return;
+    }
+    auto outcome = trace_contact(system_, landmarks_, box, stop_);
+    if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
+      problem(around(failure->where), failure->why);
+      return;
+    }
+    AnalysedContact<Ball> contact{std::get<TangentialArc<Ball>>(std::move(outcome)), {}};
+    std::array<bool, 4> constant{};
+    for (const Parameter p : all_parameters) {
+      constant[index(p)] = may_be_constant(system_, contact.curve, index(p)) &&
+                           is_constant(contact.curve, p, middle_of(contact.curve));
+    }
+    auto turns = find_contact_turns(system_, contact.curve, sweep_.turning_of, constant);
+    if (const auto* failure = std::get_if<TraceFailure>(&turns)) {
+      problem(around(failure->where), failure->why);
+      return;
+    }
+    contact.turns = std::get<std::vector<ContactTurn<Ball>>>(std::move(turns));
+    check_that_it_leaves(contact.curve);
+    result_.contacts.push_back(std::move(contact));
+  }
+
+  BallPoint<Ball> middle_of(const TangentialArc<Ball>& curve) const {
+    const TangentialPiece<Ball>& piece = curve.pieces[curve.pieces.size() / 2];
+    return point_at(system_, piece.tube, 0.5 * (piece.from + piece.to));
+  }
+  BallPoint<Ball> middle_of(const Trace<Ball>& trace) const {
+    const Piece<Ball>& piece = trace.pieces[trace.pieces.size() / 2];
+    return point_at(piece.tube, 0.5 * (piece.from + piece.to));
+  }
+
+  /// At its ends on sides the curve crosses these.
+  void check_that_it_leaves(const TangentialArc<Ball>& curve) {
+    for (const int which : {0, 1}) {
+      const int landmark = which == 0 ? curve.start : curve.end;
+      if (landmark < 0 || sweep_.landmarks[static_cast<std::size_t>(landmark)].side != 0) {
+        continue;
+      }
+      const CertifiedPoint& point = sweep_.landmarks[static_cast<std::size_t>(landmark)].point;
+      for (const Side& side : point.sides()) {
+        const int outward = (which == 0 ? -1 : 1) * (side.value == 0 ? -1 : 1);
+        if (certain_direction(system_, curve, which, index(side.parameter)) != outward) {
+          problem(point.box(), "a curve along which the patches touch does not cross the side here");
+        }
+      }
+    }
+  }
+
+  int contacts_through(const BallPoint<Ball>& box) const {
+    return static_cast<int>(std::count_if(
+        result_.contacts.begin(), result_.contacts.end(),
+        [&](const AnalysedContact<Ball>& contact) { return passes_through(contact.curve, box); }));
+  }
+
   void trace_open_curves() {
     std::vector<bool> used(landmarks_.size(), false);
+    for (const AnalysedContact<Ball>& contact : result_.contacts) {
+      for (const int landmark : {contact.curve.start, contact.curve.end}) {
+        if (landmark >= 0) {
+          used[static_cast<std::size_t>(landmark)] = true;
+        }
+      }
+    }
     for (std::size_t i = 0; i < landmarks_.size(); ++i) {
       const bool centre = sweep_.landmarks[i].star && sweep_.landmarks[i].side == 0;
       if (used[i] || centre || sweep_.landmarks[i].on_side_arc) {
@@ -110,7 +227,7 @@ class CurveTracing {
           continue;  // on an arc that lies on a side
         }
         const BallPoint<Ball> box = enclose<Ball>(point, width_);
-        if (curves_through(box) == 0) {
+        if (curves_through(box) + contacts_through(box) == 0) {
           add(trace_loop(system_, landmarks_, box, stop_));
         }
         if (!result_.problems.empty()) {
@@ -134,8 +251,8 @@ class CurveTracing {
     AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
     std::array<bool, 4> constant{};
     for (const Parameter p : all_parameters) {
-      constant[index(p)] =
-          sweep_.line && may_be_constant(curve.trace, index(p)) && is_constant(curve.trace, p);
+      constant[index(p)] = sweep_.line && may_be_constant(curve.trace, index(p)) &&
+                           is_constant(curve.trace, p, middle_of(curve.trace));
     }
     auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, constant);
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
@@ -146,31 +263,33 @@ class CurveTracing {
     result_.curves.push_back(std::move(curve));
   }
 
-  /// True if the parameter is proved to be constant on the trace: it has a point on an arc in which a line
+  /// True if the parameter is proved to be constant on the curve: it has a point on an arc in which a line
   /// p = c lies on the other patch. Both are analytic, and the curve is regular there, so they coincide.
-  bool is_constant(const Trace<Ball>& trace, Parameter p) const {
-    const Piece<Ball>& middle = trace.pieces[trace.pieces.size() / 2];
-    const RationalInterval near = point_at(middle.tube, 0.5 * (middle.from + middle.to))[index(p)].interval();
+  template <class Curve>
+  bool is_constant(const Curve& curve, Parameter p, const BallPoint<Ball>& middle) const {
+    const RationalInterval near = middle[index(p)].interval();
     const Rational value = near.lower < near.upper ? simplest_between(near.lower, near.upper) : near.lower;
     if (value < 0 || value > 1) {
       return false;
     }
     const LinePoints line = sweep_.line({p, value});
     const Parameter along = line_place({p, value}).roles.line;
-    return std::any_of(line.on_patch.begin(), line.on_patch.end(), [&](const AlgebraicInterval& part) {
-      return std::any_of(trace.pieces.begin(), trace.pieces.end(), [&](const Piece<Ball>& piece) {
-        const Rational at =
-            point_at(piece.tube, 0.5 * (piece.from + piece.to))[index(along)].midpoint().interval().lower;
-        return part.from.compare(at) < 0 && part.to.compare(at) > 0 &&
-               meets_line(trace, {along, at}, p, value);
-      });
+    const auto lies_on_line = [&](const Rational& at) {
+      return std::any_of(line.on_patch.begin(), line.on_patch.end(),
+                         [&](const AlgebraicInterval& part) {
+                           return part.from.compare(at) < 0 && part.to.compare(at) > 0;
+                         }) &&
+             meets_line(curve, {along, at}, p, value);
+    };
+    return std::any_of(curve.pieces.begin(), curve.pieces.end(), [&](const auto& piece) {
+      return lies_on_line(middle_of(Curve{{piece}})[index(along)].midpoint().interval().lower);
     });
   }
 
-  /// True if a point of the line `across` with p = value exactly is on the trace: one that is rational, or
+  /// True if a point of the line `across` with p = value exactly is on the curve: one that is rational, or
   /// the only one that may have that value where one must.
-  bool meets_line(const Trace<Ball>& trace, const LineQuery& across, Parameter p,
-                  const Rational& value) const {
+  template <class Curve>
+  bool meets_line(const Curve& curve, const LineQuery& across, Parameter p, const Rational& value) const {
     const LinePoints line = sweep_.line(across);
     if (line.incomplete || !line.on_patch.empty()) {
       return false;
@@ -184,7 +303,7 @@ class CurveTracing {
     }
     return std::any_of(found.begin(), found.end(), [&](const CertifiedPoint* point) {
       return (found.size() == 1 || sweep_.has_value(*point, p, value)) &&
-             passes_through(trace, enclose<Ball>(*point, width_));
+             passes_through(curve, enclose<Ball>(*point, width_));
     });
   }
 
@@ -219,7 +338,7 @@ class CurveTracing {
   void search(const SearchRegion& region, const char* why) {
     const SeedHandler<Ball> known = [this](const BallPoint<Ball>& seed) { return known_or_traced(seed); };
     const SettledRegion settled = [this](const SearchRegion& box) {
-      return (sweep_.settled && sweep_.settled(box)) || is_in_star(box);
+      return (sweep_.settled && sweep_.settled(box)) || is_in_star(box) || is_on_contact(box);
     };
     const SearchOutcome outcome =
         search_closed_curves(system_, region, search_direction(), known, settled, stop_);
@@ -240,6 +359,16 @@ class CurveTracing {
     }
     return std::any_of(sweep_.stars.begin(), sweep_.stars.end(),
                        [&](const StarNeighbourhood& star) { return lies_in(box, star.box); });
+  }
+
+  bool is_on_contact(const SearchRegion& region) const {
+    BallPoint<Ball> box;
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double middle = 0.5 * (region.lower[j] + region.upper[j]);
+      box[j] =
+          Ball(middle).widened(std::max(region.upper[j] - middle, middle - region.lower[j]) * (1 + 0x1p-50));
+    }
+    return contacts_through(box) > 0;
   }
 
   bool known_or_traced(const BallPoint<Ball>& seed) {
@@ -314,7 +443,11 @@ class CurveTracing {
         if (!point.sides().empty()) {
           continue;  // not over a boundary point: on an arc that lies on a side
         }
-        if (curves_through(enclose<Ball>(point, width_)) != 1) {
+        const BallPoint<Ball> box = enclose<Ball>(point, width_);
+        if (contacts_through(box) == 1) {
+          continue;
+        }
+        if (curves_through(box) != 1) {
           throw std::logic_error("internal error: a fibre point lies on no traced curve or on two");
         }
         ++met;
@@ -331,7 +464,8 @@ class CurveTracing {
   /// section 4.) Otherwise the slab around the root is searched.
   void check_multiple_turning_values() {
     for (const TurningValue& turning : sweep_.turning->values) {
-      if (turning.multiplicity == 1 || regular_turning_points(turning) == turning.multiplicity ||
+      if (turning.multiplicity == 1 ||
+          (turning.multiplicity > 1 && regular_turning_points(turning) == turning.multiplicity) ||
           multiple_points_are_known(turning)) {
         continue;
       }
@@ -359,8 +493,9 @@ class CurveTracing {
            std::all_of(fibre.on_patch.begin(), fibre.on_patch.end(),
                        [&](const AlgebraicInterval& part) { return is_traced(query, part); }) &&
            std::all_of(fibre.points.begin(), fibre.points.end(), [this](const CertifiedPoint& point) {
-             return point.multiplicity() == 1 || in_star(point) ||
-                    curves_through(enclose<Ball>(point, width_)) > 0;
+             const BallPoint<Ball> box = enclose<Ball>(point, width_);
+             return point.multiplicity() == 1 || in_star(point) || curves_through(box) > 0 ||
+                    contacts_through(box) > 0;
            });
   }
 
@@ -403,9 +538,14 @@ class CurveTracing {
 
   /// A point of `line` across the line `across` is on a traced curve.
   bool is_on_curve(const LineQuery& across, const LineQuery& line) const {
-    return std::any_of(result_.curves.begin(), result_.curves.end(), [&](const AnalysedTrace<Ball>& curve) {
-      return meets_line(curve.trace, across, line.fixed, line.value);
-    });
+    return std::any_of(result_.curves.begin(), result_.curves.end(),
+                       [&](const AnalysedTrace<Ball>& curve) {
+                         return meets_line(curve.trace, across, line.fixed, line.value);
+                       }) ||
+           std::any_of(result_.contacts.begin(), result_.contacts.end(),
+                       [&](const AnalysedContact<Ball>& contact) {
+                         return meets_line(contact.curve, across, line.fixed, line.value);
+                       });
   }
 
   bool in_star(const CertifiedPoint& point) const {

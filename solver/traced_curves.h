@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "boundary_lines.h"
+#include "contact_graph.h"
 #include "critical_values.h"
 #include "graph_builder.h"
 #include "star_neighbourhood.h"
@@ -36,6 +37,7 @@ struct SweepData {
   std::vector<std::vector<CertifiedPoint>> fibres;  // exact, one per sample
   std::function<LinePoints(const LineQuery&)> line;  // line_points of the pair
   std::function<bool(const CertifiedPoint&, Parameter, const Rational&)> has_value;  // false: or not known
+  TurningValuesOf turning_of;
   std::array<std::size_t, 4> coincident;  // coincident_parameters(x, y)
   SettledRegion settled;                  // what a search may leave out
   bool exact = true;                      // false: boundary points or fibres are known not to be complete
@@ -45,7 +47,8 @@ struct SweepData {
 template <class Ball>
 struct TracedCurves {
   std::vector<AnalysedTrace<Ball>> curves;
-  std::vector<int> isolated;  // boundary points at which no curve enters the domain
+  std::vector<AnalysedContact<Ball>> contacts;  // curves along which the patches touch
+  std::vector<int> isolated;                    // boundary points at which no curve enters the domain
   std::vector<Incomplete> problems;
   long searched_boxes = 0;
 };
@@ -53,8 +56,9 @@ struct TracedCurves {
 /// Traces every curve. `landmarks` are sweep.landmarks enclosed in boxes of width at most `width`. If no
 /// problem is reported, the curves and isolated points are the whole intersection (provided `sweep.exact`):
 /// every arc with ends starts at a boundary point or a star; closed curves meet a fibre (or are found by
-/// search_closed_curves where there is no eliminant); and at every sample the traced curves and the exact
-/// fibre are in bijection. Throws std::logic_error if they are not.
+/// search_closed_curves where there is no eliminant); curves along which the patches touch meet a fibre too,
+/// or are parameter lines; and at every sample the traced curves and the exact fibre are in bijection. Throws
+/// std::logic_error if they are not.
 template <class Ball>
 TracedCurves<Ball> trace_curves(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
                                 const SweepData& sweep, const Rational& width, const StopRequest& stop);

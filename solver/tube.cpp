@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "small_matrix.h"
+
 namespace exsect {
 
 namespace {
@@ -13,43 +15,10 @@ namespace {
 constexpr double kSlack = 1 + 0x1p-40;
 constexpr double kLeastHalfwidth = 0x1p-500;
 
-using Matrix3 = std::array<std::array<double, 3>, 3>;
-using Row = std::array<double, 3>;
-
-std::array<std::size_t, 3> other_axes(std::size_t axis) {
-  std::array<std::size_t, 3> result{};
-  std::size_t n = 0;
-  for (std::size_t j = 0; j < 4; ++j) {
-    if (j != axis) {
-      result[n++] = j;
-    }
-  }
-  return result;
-}
+using Row = Row3;
 
 /// Taylor index of the first derivative that column j of the Jacobian is made of.
 constexpr std::size_t column_index(std::size_t j) { return j % 2 == 0 ? 3 : 1; }
-
-/// Inverse of the matrix with the given columns, in plain doubles: any matrix is a legal preconditioner.
-std::optional<Matrix3> approximate_inverse(const std::array<Row, 3>& column) {
-  const auto minor = [&](std::size_t a, std::size_t b) {
-    return Row{column[a][1] * column[b][2] - column[a][2] * column[b][1],
-               column[a][2] * column[b][0] - column[a][0] * column[b][2],
-               column[a][0] * column[b][1] - column[a][1] * column[b][0]};
-  };
-  Matrix3 inverse = {minor(1, 2), minor(2, 0), minor(0, 1)};
-  const double det =
-      column[0][0] * inverse[0][0] + column[0][1] * inverse[0][1] + column[0][2] * inverse[0][2];
-  if (!(std::fabs(det) > 0) || !std::isfinite(1 / det)) {
-    return std::nullopt;
-  }
-  for (Row& row : inverse) {
-    for (double& entry : row) {
-      entry /= det;
-    }
-  }
-  return inverse;
-}
 
 template <class Ball>
 std::optional<Matrix3> preconditioner(const Expansion<Ball>& at, const std::array<std::size_t, 3>& others) {
@@ -59,15 +28,6 @@ std::optional<Matrix3> preconditioner(const Expansion<Ball>& at, const std::arra
     columns[i] = {c[0].approximation(), c[1].approximation(), c[2].approximation()};
   }
   return approximate_inverse(columns);
-}
-
-template <class Ball>
-BallVector<Ball> preconditioned(const Matrix3& c, const BallVector<Ball>& v) {
-  BallVector<Ball> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = Ball(c[i][0]) * v[0] + Ball(c[i][1]) * v[1] + Ball(c[i][2]) * v[2];
-  }
-  return result;
 }
 
 /// Magnitudes of one Taylor net's coefficient rows: m[index][row].

@@ -65,14 +65,14 @@ bool is_generic(const IntegerPair& pair) {
 TurningEliminant turning_eliminant(const BezierPatch& x, const BezierPatch& y) {
   const IntegerPair pair = integer_pair(x, y);
   if (estimated_bits(pair) > max_bits)
-    return {std::nullopt, "the numbers are too long: E would have over 2^19 bits"};
+    return {std::nullopt, "the numbers are too long: E would have over 2^19 bits", false};
   if (!is_generic(pair)) return special_eliminant(pair);
   const std::vector<Integer> e =
       interpolate_integer_polynomial(degree_bound, eliminant_height_bound(pair),
                                      [&pair](const PrimeField& field, Residue first, std::size_t count) {
                                        return eliminant_values(field, pair, first, count);
                                      });
-  return {primitive_with_positive_lead(Polynomial(std::vector<Rational>(e.begin(), e.end()))), {}};
+  return {primitive_with_positive_lead(Polynomial(std::vector<Rational>(e.begin(), e.end()))), {}, false};
 }
 
 }  // namespace exsect

@@ -16,11 +16,16 @@ namespace exsect {
 ///    multiple point;
 ///  - a root may also come from a point of the fibre at infinity, and a multiple root decides nothing.
 /// The degree is 128 for generic patches. Primitive with integer coefficients, positive leading coefficient.
+///
+/// Where the patches touch along a curve, every fibre has a multiple point; `touching` is set, and the roots
+/// are all u over which points of the fibre in the complex domain meet, or are not finite (4.20). Their
+/// multiplicities say nothing.
 struct TurningEliminant {
   /// Empty if E is not defined for this pair (degenerate shape), or would have over 2^19 bits (control points
   /// with hundreds of digits), with the reason in `degenerate`.
   std::optional<Polynomial> polynomial;
   std::string degenerate;
+  bool touching = false;
 };
 
 /// Exchange patches or parameters for turning points with respect to v, r, s.

@@ -1,6 +1,8 @@
 // Pairs in special position: their exact answers, under exchanges and affine maps as well.
 #include "support/families.h"
 
+#include <exsect/geometry/patch_file.h>
+
 #include <fstream>
 #include <iterator>
 
@@ -66,6 +68,18 @@ TEST_CASE("family: two near sheets") {
 TEST_CASE("family: parameters that turn together") {
   check_images(families::cap(Rational(1, 10), Plane::quadratic));
   check_images(families::near_crossing(Rational(1, 100), Plane::quadratic));
+}
+
+TEST_CASE("family: tangent curve") {
+  for (const Plane plane : affine_or_bilinear) {
+    check_images(families::tangent_curve(Rational(1, 3), plane));
+    check_images(families::tangent_curve(0, plane));
+  }
+}
+
+TEST_CASE("family: touching curve of two bent patches") {
+  const auto pair = read_patches(std::string(EXSECT_EXAMPLES) + "/touching-curve.json").patches;
+  check_images(families::touching_curve(pair[0].patch, pair[1].patch));
 }
 
 TEST_CASE("family: double cover") { check_images(families::double_cover()); }

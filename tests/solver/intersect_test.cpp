@@ -196,17 +196,6 @@ TEST_CASE("isolated singular points are nodes of their kind", "[intersect]") {
   check_polylines(crossing(0));
 }
 
-TEST_CASE("what is not generic is incomplete, with place and reason", "[intersect]") {
-  for (const Pair& pair : {example("touching-curve.json")}) {
-    const IntersectResult result = intersect(pair);
-    CHECK(result.status == Status::incomplete);
-    REQUIRE_FALSE(result.incomplete.empty());
-    for (const Incomplete& i : result.incomplete) {
-      CHECK_FALSE(i.why.empty());
-    }
-  }
-}
-
 TEST_CASE("a near crossing is two open arcs", "[intersect]") {
   for (const Rational& e : {Rational(1, 1000), Rational(1, 1000000), Rational(1, 1000000000)}) {
     const IntersectResult result = intersect(crossing(e));

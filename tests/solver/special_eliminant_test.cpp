@@ -245,18 +245,45 @@ TEST_CASE("what has no eliminant is named", "[special_eliminant]") {
   ControlNet uneven = random_net(random);  // straight lines x(u,.), run through by v + 3 v^2
   for (auto& row : uneven) row[2] = Rational(3) * row[1];
   CHECK(reason(patch(uneven), any).find("the lines u = const of x are straight") == 0);
+}
 
-  // (u, v, (v - u/2 - 1/3)^2) touches the plane (r, s, 0) along a line.
-  ControlNet touching;
-  touching[1][0] = {Rational(1), Rational(0), Rational(1, 3)};
-  touching[0][1] = {Rational(0), Rational(1), Rational(-2, 3)};
-  touching[0][0] = {Rational(0), Rational(0), Rational(1, 9)};
-  touching[2][0][2] = Rational(1, 4);
-  touching[0][2][2] = 1;
-  touching[1][1][2] = -1;
-  ControlNet plane;
-  plane[1][0][0] = plane[0][1][1] = 1;
-  CHECK(reason(patch(touching), patch(plane)).find("E vanishes identically") == 0);
+namespace {
+
+/// (u, v, h), h in the power basis.
+BezierPatch graph_of(const std::array<std::array<Rational, 3>, 3>& h) {
+  ControlNet net;
+  net[1][0][0] = net[0][1][1] = 1;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) net[i][j][2] = h[i][j];
+  return patch(net);
+}
+
+}  // namespace
+
+TEST_CASE("events of curves along which patches touch", "[special_eliminant]") {
+  const BezierPatch plane = graph_of({});
+  // (v - u/2 - 1/3)^2: a line without events.
+  const TurningEliminant line = turning_eliminant(
+      graph_of({{{Rational(1, 9), Rational(-2, 3), 1}, {Rational(1, 3), -1, 0}, {Rational(1, 4), 0, 0}}}),
+      plane);
+  CHECK(line.touching);
+  CHECK(line.polynomial.value().degree() == 0);
+  // (u v - 1/3)^2: not finite at u = 0.
+  const TurningEliminant hyperbola =
+      turning_eliminant(graph_of({{{Rational(1, 9), 0, 0}, {0, Rational(-2, 3), 0}, {0, 0, 1}}}), plane);
+  CHECK(hyperbola.touching);
+  CHECK(hyperbola.polynomial.value()(0) == 0);
+  CHECK(squarefree_part(*hyperbola.polynomial).degree() == 1);
+  // (u - 1/3)^2 (v - 1/2): along u the line is no multiple point of a fibre, along v it meets the other one.
+  const BezierPatch lines = graph_of({{{Rational(-1, 18), Rational(1, 9), 0},
+                                       {Rational(1, 3), Rational(-2, 3), 0},
+                                       {Rational(-1, 2), 1, 0}}});
+  const TurningEliminant across = turning_eliminant(lines, plane);
+  CHECK_FALSE(across.touching);
+  CHECK(squarefree_part(across.polynomial.value()) == Polynomial({-1, 3}));
+  const TurningEliminant along = turning_eliminant(lines.exchanged(), plane);
+  CHECK(along.touching);
+  CHECK(squarefree_part(along.polynomial.value()) == Polynomial({-1, 2}));
 }
 
 TEST_CASE("parallel planes and walls have no turning points", "[special_eliminant]") {
