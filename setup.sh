@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 packages=(cmake ninja-build g++ catch2 libboost-dev libcli11-dev libeigen3-dev libflint-dev libfmt-dev libgmp-dev
           libmpfr-dev nlohmann-json3-dev)
 packages_if_known=(libflint-arb-dev)  # from version 3 FLINT contains Arb
-test_packages=(pkg-config mypy pybind11-dev python3-dev python3-jsonschema python3-numpy python3-pip python3-pytest
+test_packages=(dpkg-dev pkg-config mypy pybind11-dev python3-dev python3-jsonschema python3-numpy python3-pip python3-pytest
                python3-setuptools python3-wheel)
 test_packages_if_known=(clang-format-14)
 

@@ -8,8 +8,8 @@ configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/exsectConfig.cmake.in"
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/exsectConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/exsectConfig.cmake" "${PROJECT_BINARY_DIR}/exsectConfigVersion.cmake"
               "${CMAKE_CURRENT_LIST_DIR}/FindFLINT.cmake" "${CMAKE_CURRENT_LIST_DIR}/FindGMP.cmake"
-        DESTINATION "${package_dir}")
-install(EXPORT exsectTargets NAMESPACE exsect:: DESTINATION "${package_dir}")
+        DESTINATION "${package_dir}" COMPONENT Development)
+install(EXPORT exsectTargets NAMESPACE exsect:: DESTINATION "${package_dir}" COMPONENT Development)
 
 # Relative, so that an installed tree can be moved.
 set(pkgconfig_dir "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
@@ -25,4 +25,4 @@ if(NOT BUILD_SHARED_LIBS)
   set(EXSECT_PC_LIBS "${flint_libraries} ${EXSECT_PC_LIBS}")
 endif()
 configure_file("${CMAKE_CURRENT_LIST_DIR}/exsect.pc.in" "${PROJECT_BINARY_DIR}/exsect.pc" @ONLY)
-install(FILES "${PROJECT_BINARY_DIR}/exsect.pc" DESTINATION "${pkgconfig_dir}")
+install(FILES "${PROJECT_BINARY_DIR}/exsect.pc" DESTINATION "${pkgconfig_dir}" COMPONENT Development)

@@ -57,10 +57,12 @@ function(exsect_layer name)
   # Before 1.0 every minor version may change the binary interface.
   set_target_properties(${target} PROPERTIES
     EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
-    POSITION_INDEPENDENT_CODE ON EXSECT_HEADERS "${LAYER_HEADERS}")
+    DEFINE_SYMBOL "" POSITION_INDEPENDENT_CODE ON EXSECT_HEADERS "${LAYER_HEADERS}")
 
   if(EXSECT_INSTALL)
-    install(TARGETS ${target} EXPORT exsectTargets)
-    install(FILES ${LAYER_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/exsect/${name})
+    install(TARGETS ${target} EXPORT exsectTargets
+            LIBRARY COMPONENT Runtime NAMELINK_COMPONENT Development
+            ARCHIVE COMPONENT Development)
+    install(FILES ${LAYER_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/exsect/${name} COMPONENT Development)
   endif()
 endfunction()

@@ -23,5 +23,13 @@ else()
   run(_ "${CMAKE_COMMAND}" --build "${WORK}")
 endif()
 
+# BUILD_SHARED_LIBS is honoured, and the library has a version.
+if(USE STREQUAL "subdirectory")
+  file(GLOB_RECURSE versioned "${WORK}/exsect/libexsect_${LAYER}.so.*.*.*")
+  if(NOT versioned)
+    message(FATAL_ERROR "there is no versioned shared library of the layer ${LAYER}")
+  endif()
+endif()
+
 set(PROGRAM "${WORK}/consumer")
 include("${CMAKE_CURRENT_LIST_DIR}/../project/compare_output.cmake")

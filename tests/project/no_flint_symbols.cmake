@@ -1,0 +1,10 @@
+# No object file of a caller refers to a symbol of FLINT or Arb.
+include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
+string(REPLACE "|" ";" objects "${OBJECTS}")
+foreach(object IN LISTS objects)
+  run(symbols "${NM}" --undefined-only --format=posix "${object}")
+  string(REGEX MATCHALL "(^|\n)_?(flint|fmp[zq]|nmod|n_|ulong_|arb|arf|mag|acb|qqbar)_[^\n]*" found "${symbols}")
+  if(found)
+    message(SEND_ERROR "${object} needs symbols of FLINT: ${found}")
+  endif()
+endforeach()
