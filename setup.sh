@@ -3,6 +3,7 @@
 #   ./setup.sh run    build, then intersect the patches of examples/chapter9-first.json
 #   ./setup.sh test   build with all tests, then run them
 #   ./setup.sh asan   the same under AddressSanitizer and UndefinedBehaviorSanitizer
+#   ./setup.sh docs   make the documentation, build/docs/html/index.html
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -11,6 +12,7 @@ packages=(cmake ninja-build g++ catch2 libboost-dev libcli11-dev libeigen3-dev l
 packages_if_known=(libflint-arb-dev)  # from version 3 FLINT contains Arb
 test_packages=(dpkg-dev pkg-config mypy pybind11-dev python3-dev python3-jsonschema python3-numpy python3-pip python3-pytest
                python3-setuptools python3-wheel)
+docs_packages=(doxygen pybind11-dev python3-dev python3-myst-parser python3-sphinx)
 test_packages_if_known=(clang-format-14)
 
 die() {
@@ -77,15 +79,21 @@ case "${1:-}" in
     echo "Picture: build/chapter9-first.svg"
     ;;
   test | asan)
-    packages+=("${test_packages[@]}")
+    packages+=("${test_packages[@]}" "${docs_packages[@]}")
     packages_if_known+=("${test_packages_if_known[@]}")
     install_packages
     preset=${1/test/release}
     build "$preset"
     ctest --preset "$preset" --parallel "$(nproc)"
     ;;
+  docs)
+    packages+=("${docs_packages[@]}")
+    install_packages
+    build release --target docs
+    echo "Documentation: build/docs/html/index.html"
+    ;;
   *)
-    sed -n '2,5s/^# \{0,1\}//p' setup.sh >&2
+    sed -n '2,6s/^# \{0,1\}//p' setup.sh >&2
     exit 2
     ;;
 esac
