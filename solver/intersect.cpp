@@ -99,7 +99,7 @@ class Intersection {
       on_arc[arc.from] = on_arc[arc.to] = true;
     }
     for (std::size_t i = 0; i < sides_.points.size(); ++i) {
-      sweep_.landmarks.push_back({sides_.points[i], std::nullopt, 0, on_arc[i]});
+      sweep_.landmarks.push_back({sides_.points[i], std::nullopt, 0, Parameter::u, on_arc[i]});
     }
   }
 
@@ -171,7 +171,7 @@ class Intersection {
       }
       for (const Port& port : star.ports) {
         if (port.point.sides().empty()) {  // else the arc lies on a side
-          sweep_.landmarks.push_back({port.point, k, port.side, false});
+          sweep_.landmarks.push_back({port.point, k, port.side, port.across, false});
         }
       }
     }
@@ -240,7 +240,7 @@ class Intersection {
   template <class Ball>
   Approach approach(const PairSystem<Ball>& system, const StarNeighbourhood& star,
                     const LandmarkPoint& port) const {
-    const StarArc arc = star_arc(star, {port.point, port.side});
+    const StarArc arc = star_arc(star, {port.point, port.across, port.side});
     Approach result{{}, 0};
     for (const CertifiedPoint& point : arc.vertices) {
       const Node vertex =

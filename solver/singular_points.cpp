@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "half_rational_point.h"
+#include "line_place.h"
 #include "tangential_tube.h"
 #include "traced_curves.h"
 
@@ -54,6 +56,11 @@ class StarSearch {
         try_multiple_values(*turning);
       }
     }
+    for (const Parameter sweep : all_parameters) {  // last: these stars are narrow
+      if (const auto& turning = problem_.turning(sweep)) {
+        try_points_on_lines(*turning);
+      }
+    }
     return std::move(stars_);
   }
 
@@ -78,16 +85,18 @@ class StarSearch {
   /// A regular point of a curve along which the patches touch, and not tangent to a side there: a multiple
   /// point of a fibre nearby over no turning value is in the same tube.
   bool is_on_contact(const CertifiedPoint& point) const {
+    return std::any_of(all_parameters.begin(), all_parameters.end(), [&](Parameter axis) {
+      const auto& turning = problem_.turning(axis);
+      return turning && turning->touching && is_on_contact(point, *turning);
+    });
+  }
+
+  bool is_on_contact(const CertifiedPoint& point, const TurningValues& turning) const {
     const BallPoint<Ball> box = enclose<Ball>(point, fine_width());
     for (double reach = 0x1p-6; reach >= 0x1p-22; reach *= 0x1p-4) {
-      const auto tube = certify_tangential_tube(system_, box, reach);
+      const auto tube = certify_tangential_tube(system_, box, reach, index(turning.sweep));
       if (!tube || !contains(*tube, box)) {
         continue;
-      }
-      const Parameter axis = all_parameters[tube->axis];
-      const auto& turning = problem_.turning(axis);
-      if (!turning || !turning->touching) {
-        return false;
       }
       const double tau = offset(*tube, box).approximation();
       const ArcEnclosure<Ball> here = enclosure_between(system_, *tube, tau - 0x1p-60, tau + 0x1p-60);
@@ -95,7 +104,7 @@ class StarSearch {
         return here.slope[index(side.parameter)].certain_sign() != 0;
       });
       return crosses &&
-             (has_contact_at(*tube, *turning, -0.5 * reach) || has_contact_at(*tube, *turning, 0.5 * reach));
+             (has_contact_at(*tube, turning, -0.5 * reach) || has_contact_at(*tube, turning, 0.5 * reach));
     }
     return false;
   }
@@ -126,7 +135,8 @@ class StarSearch {
       if (value.multiplicity == 1 || !value.value.is_rational()) {
         continue;
       }
-      const LinePoints fibre = line_points(problem_.x, problem_.y, {turning.sweep, value.value.rational()});
+      const LineQuery query = {turning.sweep, value.value.rational()};
+      const LinePoints fibre = line_points(problem_.x, problem_.y, query);
       for (const CertifiedPoint& point : fibre.points) {
         if (point.multiplicity() != 1 && !is_covered(point) && needs_star(point) &&
             !try_sweep(point, turning, value.value.rational())) {
@@ -134,6 +144,44 @@ class StarSearch {
         }
       }
     }
+  }
+
+  void try_points_on_lines(const TurningValues& turning) {
+    for (const TurningValue& value : turning.values) {
+      if (value.multiplicity == 1 || !value.value.is_rational()) {
+        continue;
+      }
+      const LineQuery query = {turning.sweep, value.value.rational()};
+      for (const AlgebraicInterval& part : line_points(problem_.x, problem_.y, query).on_patch) {
+        for (const CertifiedPoint& point : points_on_line(query, part)) {
+          if (!is_covered(point) && needs_star(point)) {
+            try_sweep(point, turning, query.value);
+          }
+        }
+      }
+    }
+  }
+
+  /// The points on a line that lies on the other patch, over rational turning values of the parameter along
+  /// it.
+  std::vector<CertifiedPoint> points_on_line(const LineQuery& line, const AlgebraicInterval& part) {
+    std::vector<CertifiedPoint> result;
+    const Parameter along = line_place(line).roles.line;
+    const auto& turning = problem_.turning(along);
+    for (const TurningValue& value : turning ? turning->values : std::vector<TurningValue>()) {
+      if (value.multiplicity == 1 || !value.value.is_rational() ||
+          part.from.compare(value.value.rational()) > 0 || part.to.compare(value.value.rational()) < 0) {
+        continue;
+      }
+      const bool of_x = index(along) < 2;
+      std::array<Rational, 2> at;
+      at[index(along) % 2] = value.value.rational();
+      at[index(line.fixed) % 2] = line.value;
+      for (HalfRationalPoint& point : half_rational_points(problem_.x, problem_.y, of_x, at)) {
+        result.push_back(std::move(point.point));
+      }
+    }
+    return result;
   }
 
   /// Over sides first, then over rational turning values.
@@ -171,7 +219,8 @@ class StarSearch {
       if (other) {
         problem.others.push_back(&*other);
       }
-      problem.others_complete = problem.others_complete && other;
+      problem.others_complete = problem.others_complete &&
+                                (other || problem_.turning(all_parameters[problem_.coincident[index(p)]]));
     }
     // As large as layers of exact fibres can bound the arcs: tracing from close to the centre is slow.
     const double first = std::clamp(8 * problem_.tolerance, 0x1p-36, 0x1p-5);
@@ -247,17 +296,28 @@ std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& proble
 }
 
 bool is_known_singular(const BezierPatch& x, const BezierPatch& y, const CertifiedPoint& point) {
-  const auto p = rational_solution(x, y, point);
-  if (!p) {
-    return false;
+  const ParameterBox box = point.box();
+  const ParameterBox fine = point.refined_to(fine_width()).box();
+  for (const bool of_x : {true, false}) {
+    const std::size_t first = of_x ? 0 : 2;
+    if (box[first].width() != 0 && box[first + 1].width() != 0) {
+      continue;  // the point is told from others on a line across one of these parameters
+    }
+    std::array<Rational, 2> at;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const RationalInterval& i = fine[first + k];
+      at[k] = i.width() == 0 ? i.lower : simplest_between(i.lower - fine_width(), i.upper + fine_width());
+    }
+    if (at[0] < 0 || at[0] > 1 || at[1] < 0 || at[1] > 1) {
+      continue;
+    }
+    for (const HalfRationalPoint& candidate : half_rational_points(x, y, of_x, at)) {
+      if (lies_in(candidate.point.refined_to(fine_width()).box(), box)) {
+        return candidate.singular;
+      }
+    }
   }
-  const Point xu = x.derivative_first((*p)[0], (*p)[1]);
-  const Point xv = x.derivative_second((*p)[0], (*p)[1]);
-  const Point yr = y.derivative_first((*p)[2], (*p)[3]);
-  const Point ys = y.derivative_second((*p)[2], (*p)[3]);
-  const Point nx = cross(xu, xv);
-  const Point ny = cross(yr, ys);
-  return dot(xv, ny) == 0 && dot(xu, ny) == 0 && dot(ys, nx) == 0 && dot(yr, nx) == 0;
+  return false;
 }
 
 #define EXSECT_INSTANTIATE_SINGULAR(Ball)                                             \

@@ -37,7 +37,8 @@ std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& proble
 std::optional<std::array<Rational, 4>> rational_solution(const BezierPatch& x, const BezierPatch& y,
                                                          const CertifiedPoint& point);
 
-/// True if the point is known to be singular: an exact rational solution where the tangent field vanishes.
+/// True if the point is known to be singular: two of its parameters, on one patch, are rational, and the
+/// tangent field vanishes exactly. `point` is as above.
 bool is_known_singular(const BezierPatch& x, const BezierPatch& y, const CertifiedPoint& point);
 
 }  // namespace exsect

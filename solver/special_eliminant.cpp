@@ -132,6 +132,21 @@ TurningEliminant touching_eliminant(const FibreCoefficients<Polynomial>& f, cons
   return {primitive_with_positive_lead(e), {}, true};
 }
 
+/// l disc of the squarefree part: where roots meet or go to infinity.
+Polynomial events_of(const FibrePolynomial& f) {
+  if (degree(f) == 0) return leading(f);
+  const FibreFactors factors = split_multiple(f);
+  const FibrePolynomial squarefree = factors.simple * factors.multiple;
+  const Polynomial e = leading(squarefree);
+  return degree(squarefree) > 1 ? e * discriminant_r(BivariatePolynomial(squarefree.coefficients)) : e;
+}
+
+/// (4.21): no matter how many points of a fibre have the same r or the same s.
+TurningEliminant unseparated_eliminant(const FibreProjection& to_s, const FibreProjection& to_r) {
+  const Polynomial e = content_factor(to_s, to_r) * events_of(to_s.finite) * events_of(to_r.finite);
+  return {primitive_with_positive_lead(e), {}, true};
+}
+
 bool vanishes(const SpaceVector<Polynomial>& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }
 
 /// Why the pair has no fibres of finitely many points as (4.18) needs them; empty if it may have.
@@ -160,7 +175,7 @@ TurningEliminant special_eliminant(const IntegerPair& pair) {
     return {std::nullopt, "R vanishes identically: the fibres are not finite", false};
   const std::string why = obstacle(to_s);
   const bool use_s = why.empty();
-  if (!use_s && !obstacle(to_r).empty()) return {std::nullopt, why, false};
+  if (!use_s && !obstacle(to_r).empty()) return unseparated_eliminant(to_s, to_r);
   const FibreProjection& points = use_s ? to_s : to_r;
   const FibreProjection& other = use_s ? to_r : to_s;
   if (degree(points.finite) > 0 && !coprime(points.finite, derivative(points.finite)))

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "half_rational_point.h"
 #include "line_place.h"
 
 namespace exsect {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::size_t kMostPorts = 64;  // a fibre has at most 16 points
 constexpr int kMostSlabs = 24;
+constexpr double kNarrowLine = 0x1p-4;
 
 Rational gap(const RationalInterval& a, const RationalInterval& b) {
   return std::max<Rational>({a.lower - b.upper, b.lower - a.upper, 0});
@@ -111,18 +113,39 @@ class StarProof {
     room_ = from_double(problem_.largest_halfwidth);
     // The centre is in the first list, and in the second one only if it lies on a side.
     const int on_side = keep_away(problem_.boundary);
-    if (keep_away(fibre.points) != 1 || on_side > (centre_.sides().empty() ? 0 : 1)) {
-      return false;
-    }
-    const Parameter along = line_place({sweep_, at_}).roles.line;
     for (const AlgebraicInterval& part : fibre.on_patch) {
-      const RationalInterval covered = {part.from.refined_to(power_of_two(-60)).interval().lower,
-                                        part.to.refined_to(power_of_two(-60)).interval().upper};
-      const Rational d = gap(covered, centre_.box()[index(along)]);
-      if (d == 0) {
+      if (!keep_away_or_enter(part)) {
         return false;
       }
+    }
+    return keep_away(fibre.points) == (line_ ? 0 : 1) && on_side <= (centre_.sides().empty() ? 0 : 1);
+  }
+
+  /// A part of the line over the centre's value that lies on the other patch: away from the box, or it runs
+  /// right through it.
+  bool keep_away_or_enter(const AlgebraicInterval& part) {
+    const Parameter along = line_place({sweep_, at_}).roles.line;
+    const RationalInterval from = part.from.refined_to(power_of_two(-60)).interval();
+    const RationalInterval to = part.to.refined_to(power_of_two(-60)).interval();
+    const RationalInterval& centre = centre_.box()[index(along)];
+    const Rational d = gap({from.lower, to.upper}, centre);
+    if (d > 0) {
       room_ = std::min<Rational>(room_, d / 2);
+      return true;
+    }
+    const bool starts_before = from.upper < centre.lower;
+    const bool ends_behind = to.lower > centre.upper;
+    const bool starts_here = part.from.compare(0) == 0 && centre.upper == 0;
+    const bool ends_here = part.to.compare(1) == 0 && centre.lower == 1;
+    if (line_ || !(starts_before || starts_here) || !(ends_behind || ends_here)) {
+      return false;
+    }
+    line_ = along;
+    if (starts_before) {
+      room_ = std::min<Rational>(room_, (centre.lower - from.upper) / 2);
+    }
+    if (ends_behind) {
+      room_ = std::min<Rational>(room_, (to.lower - centre.upper) / 2);
     }
     return true;
   }
@@ -186,7 +209,20 @@ class StarProof {
         }
       }
     }
-    return true;
+    return !line_ || values_on_line_are_the_centres();
+  }
+
+  /// Of the turning values along the line, the box holds the centre's at most. Then all arcs in the box that
+  /// are not the line meet it in the centre only: through a point of the fibre over another value one arc
+  /// passes, and that is the line.
+  bool values_on_line_are_the_centres() const {
+    const RationalInterval& centre = centre_.box()[index(*line_)];
+    return turning_is_known_ &&
+           std::any_of(problem_.others.begin(), problem_.others.end(),
+                       [&](const TurningValues* other) { return other->sweep == *line_; }) &&
+           std::all_of(through_centre_.begin(), through_centre_.end(), [&](const LineQuery& query) {
+             return query.fixed != *line_ || (centre.width() == 0 && centre.lower == query.value);
+           });
   }
 
   /// In every other parameter: the only point of the box over a turning value is the centre, apart from
@@ -205,14 +241,16 @@ class StarProof {
 
   void set_region(double halfwidth, double slab) {
     for (std::size_t j = 0; j < 4; ++j) {
-      const double h = j == index(sweep_) ? slab : halfwidth;
+      const bool along = line_ && j == index(*line_);  // so that the line leaves across this parameter
+      const double h = j == index(sweep_) ? slab : along ? halfwidth * kNarrowLine : halfwidth;
       region_.lower[j] = std::max(0.0, middle_[j] - h);
       region_.upper[j] = std::min(1.0, middle_[j] + h);
     }
   }
 
-  /// The faces of the box across the other three parameters hold no point of the intersection; those on
-  /// sides of the squares need not be asked, no arc leaves the domain without a boundary point.
+  /// The faces of the box across the other three parameters hold no point of the intersection, apart from the
+  /// line; those on sides of the squares need not be asked, no arc leaves the domain without a boundary
+  /// point.
   bool lateral_faces_are_free() const {
     for (const Parameter p : all_parameters) {
       if (p == sweep_) {
@@ -220,9 +258,15 @@ class StarProof {
       }
       const double lower = region_.lower[index(p)];
       const double upper = region_.upper[index(p)];
-      if ((lower != 0 && !points_in_box({p, from_double(lower)}, 0)) ||
-          (upper != 1 && !points_in_box({p, from_double(upper)}, 0))) {
-        return false;
+      const std::size_t expected = p == line_ ? 1 : 0;  // the line itself
+      for (const double face : {lower, upper}) {
+        if (face == 0 || face == 1) {
+          continue;
+        }
+        const auto points = points_in_box({p, from_double(face)}, expected);
+        if (!points || points->size() != expected) {
+          return false;
+        }
       }
     }
     return true;
@@ -253,10 +297,40 @@ class StarProof {
         return std::nullopt;
       }
       for (const CertifiedPoint& point : *points) {
-        star.ports.push_back({point, side});
+        star.ports.push_back({point, sweep_, side});
       }
     }
+    if (line_ && !add_line_ports(star)) {
+      return std::nullopt;
+    }
     return star;
+  }
+
+  bool add_line_ports(StarNeighbourhood& star) const {
+    for (const int side : {-1, 1}) {
+      const double face = (side < 0 ? region_.lower : region_.upper)[index(*line_)];
+      if (face == 0 || face == 1) {
+        continue;  // the line begins in the centre
+      }
+      const auto points = points_in_box({*line_, from_double(face)}, 1);
+      if (!points || points->size() != 1 || !has_point_on_line(from_double(face))) {
+        return false;
+      }
+      star.ports.push_back({points->front(), *line_, side});
+    }
+    return true;
+  }
+
+  /// A point in the box with the centre's value of the sweep parameter and this one of the parameter along
+  /// the line.
+  bool has_point_on_line(const Rational& along) const {
+    std::array<Rational, 2> at;
+    at[index(sweep_) % 2] = at_;
+    at[index(*line_) % 2] = along;
+    const auto points = half_rational_points(problem_.x, problem_.y, index(sweep_) < 2, at);
+    return std::any_of(points.begin(), points.end(), [&](const HalfRationalPoint& p) {
+      return lies_in(p.point.refined_to(power_of_two(-100)).box(), box());
+    });
   }
 
   /// The points of a parameter line that lie in the box; empty if there are more than `most`, infinitely
@@ -272,6 +346,7 @@ class StarProof {
   Parameter sweep_;
   Rational room_;
   Rational slab_room_;
+  std::optional<Parameter> line_;  // that runs along the line over `at`, if this lies on the other patch
   std::vector<LineQuery> through_centre_;  // turning values of other parameters that the centre has
   bool turning_is_known_ = true;
   std::array<double, 4> middle_{};
@@ -291,8 +366,9 @@ std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, 
 void add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const Rational& at,
                 int count) {
   for (const int side : {-1, 1}) {
-    const auto ports = std::count_if(star.ports.begin(), star.ports.end(),
-                                     [&](const Port& port) { return port.side == side; });
+    const auto ports = std::count_if(star.ports.begin(), star.ports.end(), [&](const Port& port) {
+      return port.across == star.sweep && port.side == side;
+    });
     const RationalInterval& slab = star.box[index(star.sweep)];
     const Rational end = side < 0 ? slab.lower : slab.upper;
     for (int i = 1; i <= count && ports > 0; ++i) {
@@ -334,6 +410,10 @@ double squared_distance(const CertifiedPoint& a, const CertifiedPoint& b) {
 // the layer before and the centre, and between the layers it lies in the hull of all these points.
 StarArc star_arc(const StarNeighbourhood& star, const Port& port) {
   StarArc result;
+  if (port.across != star.sweep) {
+    result.hulls.push_back(hull({port.point, star.centre}));
+    return result;
+  }
   std::vector<CertifiedPoint> possible = {port.point};
   CertifiedPoint last = port.point;
   for (const std::vector<CertifiedPoint>& layer : star.layers[port.side < 0 ? 0 : 1]) {

@@ -12,16 +12,18 @@
 
 namespace exsect {
 
-/// Where an arc of a star leaves its neighbourhood: a simple fibre point of the sweep.
+/// Where an arc of a star leaves its neighbourhood: a fibre point of the sweep, or a point of the line on
+/// which the sweep parameter has the centre's value.
 struct Port {
   CertifiedPoint point;
-  int side;  // -1: at the lower end of the box in the sweep parameter, +1: at the upper end
+  Parameter across;  // the arc leaves the box across this parameter
+  int side;          // -1: at the lower end of the box in that parameter, +1: at the upper end
 };
 
 /// Invariant (docs/method.md, section 6): inside the closed box the intersection consists of `centre` and of
 /// one arc for every port, that runs from the port to the centre; the arcs meet in the centre only. Each is
-/// strictly monotone in the sweep parameter, and strictly monotone or constant in each other parameter. No
-/// port: the centre is an isolated point.
+/// strictly monotone in the parameter it leaves across, and strictly monotone or constant in each other
+/// parameter. No port: the centre is an isolated point.
 struct StarNeighbourhood {
   CertifiedPoint centre;
   Parameter sweep;
@@ -46,7 +48,8 @@ struct StarProblem {
 };
 
 /// The star around `centre`, a point of the intersection over the rational value `at` of the sweep parameter;
-/// empty if it cannot be proved.
+/// empty if it cannot be proved. If the line over `at` lies on the other patch around the centre, the centre
+/// must have an exact rational value of the parameter along it, or lie over no turning value of that.
 std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, const CertifiedPoint& centre,
                                                     const Rational& at);
 

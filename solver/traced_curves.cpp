@@ -64,7 +64,7 @@ class CurveTracing {
     const LandmarkPoint& at = sweep_.landmarks[landmark];
     const BallPoint<Ball> tangent = Expansion<Ball>(system_, landmarks_[landmark]).tangent();
     if (at.side != 0) {
-      const int sign = tangent[index(sweep_.stars[*at.star].sweep)].certain_sign();
+      const int sign = tangent[index(at.across)].certain_sign();
       return sign == 0 ? std::nullopt : std::optional(at.side * sign);
     }
     int direction = 0;
@@ -146,6 +146,7 @@ class CurveTracing {
       constant[index(p)] = may_be_constant(system_, contact.curve, index(p)) &&
                            is_constant(contact.curve, p, middle_of(contact.curve));
     }
+    mark_coincident(constant);
     auto turns = find_contact_turns(system_, contact.curve, sweep_.turning_of, constant);
     if (const auto* failure = std::get_if<TraceFailure>(&turns)) {
       problem(around(failure->where), failure->why);
@@ -154,6 +155,13 @@ class CurveTracing {
     contact.turns = std::get<std::vector<ContactTurn<Ball>>>(std::move(turns));
     check_that_it_leaves(contact.curve);
     result_.contacts.push_back(std::move(contact));
+  }
+
+  /// A parameter that is a function of a constant one is constant.
+  void mark_coincident(std::array<bool, 4>& constant) const {
+    for (std::size_t j = 0; j < 4; ++j) {
+      constant[j] = constant[j] || constant[sweep_.coincident[j]];
+    }
   }
 
   BallPoint<Ball> middle_of(const TangentialArc<Ball>& curve) const {
@@ -254,6 +262,7 @@ class CurveTracing {
       constant[index(p)] = sweep_.line && may_be_constant(curve.trace, index(p)) &&
                            is_constant(curve.trace, p, middle_of(curve.trace));
     }
+    mark_coincident(constant);
     auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, constant);
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);

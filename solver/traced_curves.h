@@ -23,7 +23,8 @@ struct LandmarkPoint {
   CertifiedPoint point;
   /// The star (index in SweepData::stars) whose port or centre this is.
   std::optional<std::size_t> star;
-  int side = 0;  // of the port; 0: not a port
+  int side = 0;                     // of the port; 0: not a port
+  Parameter across = Parameter::u;  // of the port
   /// Arcs that lie on sides end here; other curves do so only in a star.
   bool on_side_arc = false;
 };

@@ -54,16 +54,32 @@ TEST_CASE("family: nearly a tangent curve is nothing on one side") {
 }
 
 TEST_CASE("family: touch point") {
-  for (const Plane plane : affine_or_bilinear) check_images(families::cap(0, plane));
+  for (const Plane plane : families::all_planes) check_images(families::cap(0, plane));
 }
 
 TEST_CASE("family: crossing") {
-  for (const Plane plane : affine_or_bilinear) check_images(families::crossing(plane));
+  for (const Plane plane : families::all_planes) check_images(families::crossing(plane));
 }
 
 TEST_CASE("family: two near sheets") {
-  for (const Plane plane : affine_or_bilinear) check_images(families::near_sheets(Rational(1, 100), plane));
+  for (const Plane plane : families::all_planes) check_images(families::near_sheets(Rational(1, 100), plane));
 }
+
+TEST_CASE("family: tangent and transversal") {
+  for (const Plane plane : families::all_planes) check_images(families::tangent_and_transversal(plane));
+}
+
+TEST_CASE("family: cusp of the curve") {
+  check_images(families::curve_cusp(Plane::square));
+  for (const Plane plane : families::all_planes) check(families::curve_cusp(plane));
+}
+
+TEST_CASE("family: two branches tangent to each other") {
+  check_images(families::tangent_branches(Plane::square));
+  for (const Plane plane : families::all_planes) check(families::tangent_branches(plane));
+}
+
+TEST_CASE("family: an arc crosses a line of both patches") { check_images(families::line_and_arc()); }
 
 TEST_CASE("family: parameters that turn together") {
   check_images(families::cap(Rational(1, 10), Plane::quadratic));
@@ -71,7 +87,7 @@ TEST_CASE("family: parameters that turn together") {
 }
 
 TEST_CASE("family: tangent curve") {
-  for (const Plane plane : affine_or_bilinear) {
+  for (const Plane plane : families::all_planes) {
     check_images(families::tangent_curve(Rational(1, 3), plane));
     check_images(families::tangent_curve(0, plane));
   }
