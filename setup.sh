@@ -79,7 +79,10 @@ case "${1:-}" in
     echo "Picture: build/chapter9-first.svg"
     ;;
   test | asan)
-    packages+=("${test_packages[@]}" "${docs_packages[@]}")
+    packages+=("${test_packages[@]}")
+    if [[ $1 == test ]]; then
+      packages+=("${docs_packages[@]}")
+    fi
     packages_if_known+=("${test_packages_if_known[@]}")
     install_packages
     preset=${1/test/release}

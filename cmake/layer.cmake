@@ -57,7 +57,7 @@ function(exsect_layer name)
   # Before 1.0 every minor version may change the binary interface.
   set_target_properties(${target} PROPERTIES
     EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
-    DEFINE_SYMBOL "" POSITION_INDEPENDENT_CODE ON EXSECT_HEADERS "${LAYER_HEADERS}")
+    INSTALL_RPATH "$ORIGIN" DEFINE_SYMBOL "" POSITION_INDEPENDENT_CODE ON EXSECT_HEADERS "${LAYER_HEADERS}")
 
   if(EXSECT_INSTALL)
     install(TARGETS ${target} EXPORT exsectTargets
