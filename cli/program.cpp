@@ -231,6 +231,8 @@ void add_revolve(CLI::App& app, RevolveCommand& command) {
   sub->add_option("--region", command.region, "Look for rings and branches in 0 < r < B, C < z < D")
       ->type_name("B,C,D");
   sub->add_option("--mesh", command.mesh, "Write the surface as a mesh (OBJ)")->type_name("FILE");
+  sub->add_option("--ply", command.output.exports.ply, "The same as PLY")->type_name("FILE");
+  sub->add_option("--vtp", command.output.exports.vtp, "The same as VTK XML PolyData")->type_name("FILE");
   sub->add_option("--mesh-size", command.mesh_size, "Chords along the profile, sectors around the axis")
       ->type_name("M,N")
       ->capture_default_str();

@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 
+#include "export_files.h"
+#include "implicit_json.h"
 #include "implicitize_options.h"
 #include "option_values.h"
 #include "patch_choice.h"
@@ -43,20 +45,35 @@ Revolution solved(const std::string& file, const BezierCurve& profile, const Rev
   }
 }
 
-std::string mesh_text(const RevolveCommand& command, const ShownRevolution& shown, const std::string& title) {
+/// The mesh and its proved distance from the implicit surface: a sum of two.
+struct BoundedMesh {
+  TriangleMesh mesh;
+  Rational from_profile;  // of the implicit surface
+};
+
+BoundedMesh bounded_mesh(const RevolveCommand& command, const ShownRevolution& shown) {
   const auto bound = shown.revolution.bounds.one_sided.distance;
   if (!bound) throw UsageError("--mesh: no distance of profile and surface was proved");
   const std::size_t comma = command.mesh_size.find(',');
   if (comma == std::string::npos) throw UsageError("--mesh-size: must be M,N");
   const int along = integer_value("--mesh-size", command.mesh_size.substr(0, comma), 1, 4096);
   const int around = integer_value("--mesh-size", command.mesh_size.substr(comma + 1), 4, 4096);
-  const TriangleMesh mesh = revolution_mesh(shown.profile, along, around);
-  const Rational distance = *bound + mesh.distance;
+  return {revolution_mesh(shown.profile, along, around), *bound};
+}
+
+std::string mesh_text(const RevolveCommand& command, const ShownRevolution& shown, const std::string& title) {
+  const auto [mesh, bound] = bounded_mesh(command, shown);
+  const Rational distance = bound + mesh.distance;
   return obj_text(mesh, {"exsect revolve: " + printable(title.empty() ? command.file : title),
                          fmt::format("method {}", name(shown.method)),
                          "every point of the mesh is within " + rounded_up(to_double(distance)) +
                              " of the implicit surface (proved): " + rounded_up(to_double(mesh.distance)) +
-                             " from the revolved profile, " + rounded_up(to_double(*bound)) + " from there"});
+                             " from the revolved profile, " + rounded_up(to_double(bound)) + " from there"});
+}
+
+Scene surface_scene(const RevolveCommand& command, const ShownRevolution& shown, const std::string& title) {
+  const auto [mesh, bound] = bounded_mesh(command, shown);
+  return mesh_scene(mesh, double_not_below(bound + mesh.distance), title);
 }
 
 void check_more(const RevolveCommand& command) {
@@ -71,7 +88,9 @@ void check_more(const RevolveCommand& command) {
   } catch (const UsageError& error) {
     throw UsageError("--mesh" + std::string(error.what()).substr(5));  // instead of "--svg"
   }
-  for (const std::string& other : {command.output.json, command.output.svg, command.patch_file})
+  const ExportFiles& exports = command.output.exports;
+  for (const std::string& other :
+       {command.output.json, command.output.svg, exports.ply, exports.vtp, command.patch_file})
     if (other == command.mesh) throw UsageError("--mesh: " + command.mesh + " is named twice");
 }
 
@@ -117,6 +136,9 @@ ExitStatus run(const RevolveCommand& command, const Streams& streams) {
   const std::string json = command.output.json.empty() ? "" : json_text(revolution_json(shown));
   const std::string svg = command.output.svg.empty() ? "" : revolution_svg(shown, file.title);
   const std::string mesh = command.mesh.empty() ? "" : mesh_text(command, shown, file.title);
+  write_exports(
+      command.output.exports, [&] { return surface_scene(command, shown, file.title); },
+      [] { return std::string(); });
   if (!command.output.json.empty() && !command.output.json_to_stdout()) {
     write_file_atomically(command.output.json, json);
   }

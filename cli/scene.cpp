@@ -26,7 +26,7 @@ std::array<double, 3> rounded(const Point& p) {
 
 /// `place` is 0 for the patch of (u,v), 2 for that of (r,s).
 SceneMesh sampled(const BezierPatch& patch, const std::string& name, int cells, std::size_t place) {
-  SceneMesh mesh{"patch " + name, cells, {}};
+  SceneMesh mesh{"patch " + name, {}, {}, nothing_proved};
   for (int i = 0; i <= cells; ++i) {
     for (int j = 0; j <= cells; ++j) {
       const Rational first(i, cells), second(j, cells);
@@ -34,6 +34,13 @@ SceneMesh sampled(const BezierPatch& patch, const std::string& name, int cells, 
       vertex.parameters[place] = to_double(first);
       vertex.parameters[place + 1] = to_double(second);
       mesh.vertices.push_back(vertex);
+    }
+  }
+  const auto n = static_cast<std::size_t>(cells);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t corner = i * (n + 1) + j;
+      mesh.faces.push_back({corner, corner + n + 1, corner + n + 2, corner + 1});
     }
   }
   return mesh;
@@ -141,16 +148,12 @@ Scene line_scene(const LineIntersection& line, const BezierPatch& x, const Bezie
   return scene;
 }
 
-std::vector<std::array<std::size_t, 4>> SceneMesh::quadrilaterals() const {
-  std::vector<std::array<std::size_t, 4>> quads;
-  const auto n = static_cast<std::size_t>(cells);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
-      const std::size_t corner = i * (n + 1) + j;
-      quads.push_back({corner, corner + n + 1, corner + n + 2, corner + 1});
-    }
-  }
-  return quads;
+Scene mesh_scene(const TriangleMesh& mesh, double error_bound, const std::string& title) {
+  SceneMesh shown{"surface", {}, {}, error_bound};
+  for (const std::array<double, 3>& vertex : mesh.vertices) shown.vertices.push_back({no_parameters, vertex});
+  for (const std::array<int, 3>& triangle : mesh.triangles)
+    shown.faces.emplace_back(triangle.begin(), triangle.end());
+  return {title, pair_names, {shown}, {}, {}};
 }
 
 }  // namespace exsect::cli

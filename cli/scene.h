@@ -4,8 +4,8 @@
 #include <exsect/geometry/bezier_patch.h>
 #include <exsect/solver/line_patch.h>
 #include <exsect/solver/result.h>
+#include <exsect/solver/revolution_mesh.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -15,15 +15,16 @@ namespace exsect::cli {
 
 /// What a parameter is where a vertex has none.
 inline constexpr double no_parameter = -1;
+/// What the bound of a sampled patch is.
+inline constexpr double nothing_proved = -1;
 
-/// A patch at the points (i/cells, j/cells) of its square: vertex i (cells + 1) + j.
+/// A surface as faces of three or more corners. Those of a sampled patch are the cells of a grid in its
+/// square, counterclockwise; vertices without parameters belong to a surface of revolution.
 struct SceneMesh {
   std::string name;
-  int cells;
   std::vector<PolylineVertex> vertices;
-
-  /// Its cells as indices of vertices, counterclockwise in the parameter square.
-  std::vector<std::array<std::size_t, 4>> quadrilaterals() const;
+  std::vector<std::vector<std::size_t>> faces;
+  double error_bound;  // proved distance from the true surface, or `nothing_proved`
 };
 
 /// A polyline with its proved distance from the true curve, in both directions.
@@ -59,6 +60,8 @@ Scene intersection_scene(const IntersectResult& result, const BezierPatch& x, co
                          const PatchNames& names, const std::string& title, int cells);
 Scene self_scene(const IntersectResult& result, const BezierPatch& x, const std::string& name,
                  const std::string& title, int cells);
+/// A surface of revolution with its distance from the true surface; names of parameters are those of a pair.
+Scene mesh_scene(const TriangleMesh& mesh, double error_bound, const std::string& title);
 /// Both patches, the parameter line as one polyline, and the isolated points.
 Scene line_scene(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
                  const PatchNames& names, const std::string& title, int cells);

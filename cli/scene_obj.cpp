@@ -17,7 +17,7 @@ std::string vertex_line(const PolylineVertex& vertex) {
   return fmt::format("v {} {} {}\n", vertex.point[0], vertex.point[1], vertex.point[2]);
 }
 
-/// Quadrilaterals with texture coordinates (the patch's parameters); `offset` vertices and `textures` texture
+/// Faces with texture coordinates (the patch's parameters); `offset` vertices and `textures` texture
 /// coordinates stand before.
 std::string mesh_text(const SceneMesh& mesh, std::size_t offset, std::size_t textures) {
   std::string text = fmt::format("o {}\n", object_name(mesh.name));
@@ -27,8 +27,11 @@ std::string mesh_text(const SceneMesh& mesh, std::size_t offset, std::size_t tex
     text += fmt::format("vt {} {}\n", vertex.parameters[place], vertex.parameters[place + 1]);
   }
   const auto corner = [&](std::size_t k) { return fmt::format(" {}/{}", offset + k + 1, textures + k + 1); };
-  for (const std::array<std::size_t, 4>& quad : mesh.quadrilaterals())
-    text += "f" + corner(quad[0]) + corner(quad[1]) + corner(quad[2]) + corner(quad[3]) + "\n";
+  for (const std::vector<std::size_t>& face : mesh.faces) {
+    text += "f";
+    for (std::size_t k : face) text += corner(k);
+    text += "\n";
+  }
   return text;
 }
 

@@ -22,8 +22,10 @@ std::string header(const Scene& scene, std::size_t vertices, std::size_t faces, 
       fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n", vertices);
   for (const char* parameter : scene.parameters) text += fmt::format("property double {}\n", parameter);
   text += fmt::format("property int node\nelement face {}\nproperty list uchar int vertex_indices\n", faces);
-  text +=
-      fmt::format("property int patch\nelement edge {}\nproperty int vertex1\nproperty int vertex2\n", edges);
+  text += fmt::format(
+      "property int patch\nproperty double bound\nelement edge {}\nproperty int vertex1\nproperty int "
+      "vertex2\n",
+      edges);
   return text + "property int arc\nproperty int component\nproperty double bound\nend_header\n";
 }
 
@@ -33,9 +35,10 @@ std::string ply_text(const Scene& scene) {
   std::string vertices, faces, edges;
   std::size_t vertex_count = 0, face_count = 0, edge_count = 0;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    for (const auto& quad : scene.meshes[i].quadrilaterals()) {
-      faces += fmt::format("4 {} {} {} {} {}\n", vertex_count + quad[0], vertex_count + quad[1],
-                           vertex_count + quad[2], vertex_count + quad[3], i);
+    for (const std::vector<std::size_t>& face : scene.meshes[i].faces) {
+      faces += fmt::format("{}", face.size());
+      for (std::size_t k : face) faces += fmt::format(" {}", vertex_count + k);
+      faces += fmt::format(" {} {}\n", i, decimal_not_below(scene.meshes[i].error_bound));
       ++face_count;
     }
     for (const PolylineVertex& vertex : scene.meshes[i].vertices) vertices += vertex_line(vertex, -1);

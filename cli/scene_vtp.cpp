@@ -33,7 +33,7 @@ class Vtp {
         "corner, "
         "8 touch, 16 crossing, 32 cusp, 64 end of overlap; on: 1 along a side of a patch; contact: 1 "
         "tangential; "
-        "bound: proved distance from the true curve; a parameter or an id is -1 where there is none -->\n"
+        "bound: proved distance from the true curve or surface; -1 stands for none -->\n"
         "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
         "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
         "NumberOfPolys=\"{}\">\n{}{}<Points>\n{}</Points>\n{}{}{}</Piece>\n</PolyData>\n</VTKFile>\n",
@@ -73,7 +73,7 @@ class Vtp {
     for (const SceneNode& node : scene_.nodes) {
       connectivity += fmt::format("{}\n", add_point(node.vertex));
       offsets += fmt::format("{}\n", points_);
-      cells_.push_back({0, node.id, -1, -1, node.kinds, 0, 0, 0, node.name});
+      cells_.push_back({0, node.id, -1, -1, node.kinds, 0, 0, nothing_proved, node.name});
     }
     return cells("Verts", connectivity, offsets);
   }
@@ -95,15 +95,18 @@ class Vtp {
 
   std::string meshes() {
     std::string connectivity, offsets;
+    std::size_t end = 0;
     for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
       const SceneMesh& mesh = scene_.meshes[i];
       const std::size_t first = points_;
       for (const PolylineVertex& vertex : mesh.vertices) add_point(vertex);
-      for (const auto& quad : mesh.quadrilaterals()) {
-        connectivity +=
-            fmt::format("{} {} {} {}\n", first + quad[0], first + quad[1], first + quad[2], first + quad[3]);
-        offsets += fmt::format("{}\n", 4 * ++polygons_);
-        cells_.push_back({2, static_cast<int>(i), -1, -1, 0, 0, 0, 0, mesh.name});
+      for (const std::vector<std::size_t>& face : mesh.faces) {
+        for (std::size_t k : face) connectivity += fmt::format("{} ", first + k);
+        connectivity += "\n";
+        offsets += fmt::format("{}\n", end += face.size());
+        ++polygons_;
+        cells_.push_back(
+            {2, static_cast<int>(i), -1, -1, 0, 0, 0, decimal_not_below(mesh.error_bound), mesh.name});
       }
     }
     return cells("Polys", connectivity, offsets);

@@ -82,13 +82,17 @@ TEST_CASE("revolve: against a patch") {
 TEST_CASE("revolve: summary, picture and mesh") {
   const ScratchDirectory scratch;
   const std::string svg = scratch.path("rz.svg"), mesh = scratch.path("surface.obj");
-  const ProgramRun run = run_program({"revolve", profile, "--method", "product", "--degree", "3", "--region",
-                                      "2,0,2", "--svg", svg, "--mesh", mesh, "--mesh-size", "4,8"});
+  const std::string ply = scratch.path("surface.ply"), vtp = scratch.path("surface.vtp");
+  const ProgramRun run =
+      run_program({"revolve", profile, "--method", "product", "--degree", "3", "--region", "2,0,2", "--svg",
+                   svg, "--mesh", mesh, "--mesh-size", "4,8", "--ply", ply, "--vtp", vtp});
   CHECK(run.status == 0);
   CHECK(run.out.find("2 singular rings\n") != std::string::npos);
   CHECK(content(svg).find("mirrored branches") != std::string::npos);
   CHECK(content(mesh).find("# every point of the mesh is within ") != std::string::npos);
   CHECK(content(mesh).find("f 1 2 10") != std::string::npos);
+  CHECK(content(ply).find("\n3 0 1 9 0 0.1") != std::string::npos);
+  CHECK(content(vtp).find("NumberOfPolys=\"64\"") != std::string::npos);
 }
 
 TEST_CASE("revolve: bad input is refused with the reason") {

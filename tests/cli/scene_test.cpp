@@ -44,7 +44,7 @@ TEST_CASE("the cells of a sampled patch tile its square and its vertices lie on 
   const SceneMesh& second = scene.meshes[1];
   REQUIRE(second.vertices.size() == 25);
   double area = 0;
-  for (const auto& quad : second.quadrilaterals()) {
+  for (const auto& quad : second.faces) {
     for (std::size_t k = 0; k < 4; ++k) {
       const auto& a = second.vertices[quad[k]].parameters;
       const auto& b = second.vertices[quad[(k + 1) % 4]].parameters;
@@ -159,6 +159,7 @@ TEST_CASE("VTK arrays are as long as the numbers of points and cells") {
   CHECK(arrays["bound"][6] >= 0.1);
   CHECK(arrays["bound"][6] < 0.1000001);
   CHECK(arrays["patch"].back() == 1);
+  CHECK(arrays["bound"].back() == nothing_proved);
   std::size_t seen = 0;
   for (const char* kind : {"Verts", "Lines", "Polys"}) {
     std::map<std::string, std::vector<std::size_t>> lists;
@@ -210,6 +211,17 @@ TEST_CASE("the bound of a drawn parameter line holds between its vertices and is
   }
   CHECK(farthest <= line.error_bound);
   CHECK(line.error_bound <= 2 * farthest);
+}
+
+TEST_CASE("the mesh of a surface of revolution keeps its triangles and its bound") {
+  const BezierCurve profile({{1, 0}, {2, 1}, {1, 2}});
+  const TriangleMesh mesh = revolution_mesh(profile, 3, 8);
+  const Scene scene = mesh_scene(mesh, 0.25, "");
+  CHECK(scene.meshes[0].faces.size() == mesh.triangles.size());
+  const std::string ply = ply_text(scene);
+  CHECK(ply.find("\nelement face 48\n") != std::string::npos);
+  CHECK(ply.find("\n3 0 1 9 0 0.25\n") != std::string::npos);
+  CHECK(vtp_text(scene).find("NumberOfPolys=\"48\"") != std::string::npos);
 }
 
 TEST_CASE("a patch beyond the range of doubles is refused") {
