@@ -4,6 +4,7 @@
 #   ./setup.sh test   build with all tests, then run them
 #   ./setup.sh asan   the same under AddressSanitizer and UndefinedBehaviorSanitizer
 #   ./setup.sh docs   make the documentation, build/docs/html/index.html
+#   ./setup.sh peers  build the comparison with SISL and Open CASCADE, then run it (bench/README.md)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -14,6 +15,8 @@ test_packages=(dpkg-dev pkg-config mypy pybind11-dev python3-dev python3-jsonsch
                python3-setuptools python3-wheel)
 docs_packages=(doxygen pybind11-dev python3-dev python3-myst-parser python3-sphinx)
 test_packages_if_known=(clang-format-14)
+peer_packages=(libsisl-dev libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
+               libocct-visualization-dev python3-matplotlib) # visualization: a header that the others include
 
 die() {
   echo "setup.sh: $*" >&2
@@ -95,8 +98,13 @@ case "${1:-}" in
     build release --target docs
     echo "Documentation: build/docs/html/index.html"
     ;;
+  peers)
+    packages+=("${peer_packages[@]}")
+    install_packages
+    bench/peers/run
+    ;;
   *)
-    sed -n '2,6s/^# \{0,1\}//p' setup.sh >&2
+    sed -n '2,7s/^# \{0,1\}//p' setup.sh >&2
     exit 2
     ;;
 esac

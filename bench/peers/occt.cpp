@@ -1,0 +1,216 @@
+// Open CASCADE on pairs of patches: --method surfaces (GeomAPI_IntSS) or section (BRepAlgoAPI_Section); with
+// --lines GeomAPI_IntCS intersects parameter lines with the second patch.
+#include <BRepAlgoAPI_Section.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <GeomAPI_IntCS.hxx>
+#include <GeomAPI_IntSS.hxx>
+#include <GeomInt_IntSS.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Standard_Failure.hxx>
+#include <Standard_Version.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "harness.h"
+
+namespace peers {
+namespace {
+
+constexpr int vertices_per_curve = 200;
+constexpr double face_tolerance = 1e-7;
+
+gp_Pnt to_point(const Point& p) { return {p[0], p[1], p[2]}; }
+
+Handle(Geom_BezierSurface) surface(const Net& net) {
+  TColgp_Array2OfPnt points(1, 3, 1, 3);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      points.SetValue(i + 1, j + 1, to_point(net[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]));
+  return new Geom_BezierSurface(points);
+}
+
+/// A curve with its images in both parameter squares, all over [from,to].
+struct Traced {
+  Handle(Geom_Curve) space;
+  Handle(Geom2d_Curve) first;
+  Handle(Geom2d_Curve) second;
+  double from;
+  double to;
+};
+
+Curve sampled(const Traced& curve) {
+  Curve result;
+  for (int i = 0; i < vertices_per_curve; ++i) {
+    const double t = curve.from + (curve.to - curve.from) * i / (vertices_per_curve - 1);
+    const gp_Pnt p = curve.space->Value(t);
+    const gp_Pnt2d a = curve.first->Value(t);
+    const gp_Pnt2d b = curve.second->Value(t);
+    result.push_back({{p.X(), p.Y(), p.Z()}, {a.X(), a.Y(), b.X(), b.Y()}});
+  }
+  return result;
+}
+
+/// With the bound that Open CASCADE claims for the curves.
+nlohmann::ordered_json with_bound(const Answer& answer, double bound) {
+  nlohmann::ordered_json result = to_json(answer);
+  result["bound"] = bound;
+  return result;
+}
+
+/// The same intersection as in GeomAPI_IntSS, which keeps points and parameters to itself.
+nlohmann::ordered_json surfaces_answer(const PatchPair& pair, double tolerance) {
+  GeomInt_IntSS intersection;
+  intersection.Perform(surface(pair.x), surface(pair.y), tolerance, Standard_True, Standard_True,
+                       Standard_True);
+  if (!intersection.IsDone()) throw std::runtime_error("GeomInt_IntSS is not done");
+  Answer answer;
+  for (int i = 1; i <= intersection.NbLines(); ++i) {
+    if (!intersection.HasLineOnS1(i) || !intersection.HasLineOnS2(i)) continue;
+    const Handle(Geom_Curve)& line = intersection.Line(i);
+    answer.curves.push_back(sampled({line, intersection.LineOnS1(i), intersection.LineOnS2(i),
+                                     line->FirstParameter(), line->LastParameter()}));
+  }
+  for (int i = 1; i <= intersection.NbPoints(); ++i) {
+    const gp_Pnt p = intersection.Point(i);
+    const gp_Pnt2d a = intersection.Pnt2d(i, Standard_True);
+    const gp_Pnt2d b = intersection.Pnt2d(i, Standard_False);
+    answer.points.push_back({{p.X(), p.Y(), p.Z()}, {a.X(), a.Y(), b.X(), b.Y()}});
+  }
+  return with_bound(answer, intersection.TolReached3d());
+}
+
+TopoDS_Face face(const Net& net) { return BRepBuilderAPI_MakeFace(surface(net), face_tolerance).Face(); }
+
+/// Two faces and their section.
+struct Section {
+  TopoDS_Face x;
+  TopoDS_Face y;
+  std::unique_ptr<BRepAlgoAPI_Section> section;
+};
+
+void build(BRepAlgoAPI_Section& section) {
+  section.ComputePCurveOn1(Standard_True);
+  section.ComputePCurveOn2(Standard_True);
+  section.Approximation(Standard_True);
+  section.Build();
+  if (!section.IsDone()) throw std::runtime_error("BRepAlgoAPI_Section is not done");
+}
+
+nlohmann::ordered_json section_answer(const Section& found) {
+  const TopoDS_Face& x = found.x;
+  const TopoDS_Face& y = found.y;
+  Answer answer;
+  double bound = 0;
+  for (TopExp_Explorer edges(found.section->Shape(), TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+    Traced curve{};
+    curve.space = BRep_Tool::Curve(edge, curve.from, curve.to);
+    double from = 0;
+    double to = 0;
+    curve.first = BRep_Tool::CurveOnSurface(edge, x, from, to);
+    curve.second = BRep_Tool::CurveOnSurface(edge, y, from, to);
+    if (curve.space.IsNull() || curve.first.IsNull() || curve.second.IsNull()) continue;
+    answer.curves.push_back(sampled(curve));
+    bound = std::max(bound, BRep_Tool::Tolerance(edge));
+  }
+  for (TopExp_Explorer points(found.section->Shape(), TopAbs_VERTEX, TopAbs_EDGE); points.More();
+       points.Next()) {
+    const TopoDS_Vertex point = TopoDS::Vertex(points.Current());
+    const gp_Pnt p = BRep_Tool::Pnt(point);
+    const gp_Pnt2d a = BRep_Tool::Parameters(point, x);
+    const gp_Pnt2d b = BRep_Tool::Parameters(point, y);
+    answer.points.push_back({{p.X(), p.Y(), p.Z()}, {a.X(), a.Y(), b.X(), b.Y()}});
+  }
+  return with_bound(answer, bound);
+}
+
+Handle(Geom_BezierCurve) parameter_line(const Net& net, double u) {
+  TColgp_Array1OfPnt points(1, 3);
+  for (std::size_t j = 0; j < 3; ++j) {
+    Point p{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k] = (1 - u) * (1 - u) * net[0][j][k] + 2 * u * (1 - u) * net[1][j][k] + u * u * net[2][j][k];
+    }
+    points.SetValue(static_cast<int>(j) + 1, to_point(p));
+  }
+  return new Geom_BezierCurve(points);
+}
+
+/// Triples (v,r,s) of each line.
+std::vector<std::vector<Point>> line_points(const PatchPair& pair) {
+  std::vector<std::vector<Point>> result;
+  const Handle(Geom_BezierSurface) y = surface(pair.y);
+  for (int k = 1; k <= line_queries; ++k) {
+    const GeomAPI_IntCS intersection(parameter_line(pair.x, line_parameter(k)), y);
+    if (!intersection.IsDone()) throw std::runtime_error("GeomAPI_IntCS is not done");
+    std::vector<Point> points;
+    for (int i = 1; i <= intersection.NbPoints(); ++i) {
+      Point p{};
+      intersection.Parameters(i, p[1], p[2], p[0]);
+      points.push_back(p);
+    }
+    result.push_back(std::move(points));
+  }
+  return result;
+}
+
+/// Open CASCADE's exceptions are not derived from std::exception.
+template <class Work>
+auto translated(Work work) {
+  return [work] {
+    try {
+      return work();
+    } catch (const Standard_Failure& failure) {
+      throw std::runtime_error(failure.DynamicType()->Name());
+    }
+  };
+}
+
+Task task(const PatchPair& pair, const Settings& settings) {
+  const double tolerance = settings.tolerance * pair.size();
+  if (settings.lines) {
+    return {translated([=] { line_points(pair); }), translated([=] {
+              return nlohmann::ordered_json{{"lines", line_points(pair)}};
+            })};
+  }
+  if (settings.method == "section") {
+    const auto state = std::make_shared<Section>();
+    return {translated([=] {
+              state->x = face(pair.x);
+              state->y = face(pair.y);
+              state->section = std::make_unique<BRepAlgoAPI_Section>(state->x, state->y, Standard_False);
+              build(*state->section);
+            }),
+            translated([=] { return section_answer(*state); })};
+  }
+  return {translated([=] {
+            const GeomAPI_IntSS intersection(surface(pair.x), surface(pair.y), tolerance);
+            if (!intersection.IsDone()) throw std::runtime_error("GeomAPI_IntSS is not done");
+          }),
+          translated([=] { return surfaces_answer(pair, tolerance); })};
+}
+
+}  // namespace
+}  // namespace peers
+
+int main(int argc, char** argv) {
+  return peers::run(
+      argc, argv,
+      [](const peers::Settings& settings) {
+        const std::string name = "Open CASCADE " OCC_VERSION_COMPLETE " ";
+        if (settings.lines) return name + "GeomAPI_IntCS";
+        return name + (settings.method == "section" ? "BRepAlgoAPI_Section" : "GeomAPI_IntSS");
+      },
+      peers::task);
+}

@@ -1,0 +1,143 @@
+#include "patch_pair.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+namespace peers {
+namespace {
+
+using nlohmann::json;
+
+double number(const json& value) {
+  if (value.is_number()) return value.get<double>();
+  const std::string text = value.get<std::string>();
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return std::strtod(text.c_str(), nullptr);
+  return std::strtod(text.substr(0, slash).c_str(), nullptr) /
+         std::strtod(text.substr(slash + 1).c_str(), nullptr);
+}
+
+Net read_net(const json& points) {
+  Net net;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k) net[i][j][k] = number(points.at(i).at(j).at(k));
+  return net;
+}
+
+/// Values and derivatives of the quadratic Bernstein polynomials.
+struct Basis {
+  std::array<double, 3> value;
+  std::array<double, 3> derivative;
+
+  explicit Basis(double t)
+      : value{(1 - t) * (1 - t), 2 * t * (1 - t), t * t}, derivative{-2 * (1 - t), 2 - 4 * t, 2 * t} {}
+};
+
+}  // namespace
+
+double PatchPair::size() const {
+  double result = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double lowest = x[0][0][k];
+    double highest = lowest;
+    for (const Net* net : {&x, &y}) {
+      for (const auto& row : *net) {
+        for (const Point& p : row) {
+          lowest = std::min(lowest, p[k]);
+          highest = std::max(highest, p[k]);
+        }
+      }
+    }
+    result = std::max(result, highest - lowest);
+  }
+  return result;
+}
+
+std::vector<PatchPair> read_pairs(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  std::vector<PatchPair> pairs;
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number) {
+    try {
+      const json pair = json::parse(line);
+      const json& patches = pair.at("patches");
+      pairs.push_back({pair.at("title").get<std::string>(), read_net(patches.at(0).at("points")),
+                       read_net(patches.at(1).at("points"))});
+    } catch (const json::exception& error) {
+      throw std::runtime_error(path + ":" + std::to_string(number) + ": " + error.what());
+    }
+  }
+  return pairs;
+}
+
+Evaluated evaluate(const Net& net, double first, double second) {
+  const Basis a(first);
+  const Basis b(second);
+  Evaluated result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        result.point[k] += a.value[i] * b.value[j] * net[i][j][k];
+        result.first[k] += a.derivative[i] * b.value[j] * net[i][j][k];
+        result.second[k] += a.value[i] * b.derivative[j] * net[i][j][k];
+      }
+    }
+  }
+  return result;
+}
+
+nlohmann::ordered_json to_json(const Answer& answer) {
+  nlohmann::ordered_json result;
+  result["curves"] = nlohmann::ordered_json::array();
+  for (const Curve& curve : answer.curves) {
+    nlohmann::ordered_json points = nlohmann::ordered_json::array();
+    nlohmann::ordered_json first = points;
+    nlohmann::ordered_json second = points;
+    for (const Vertex& v : curve) {
+      points.push_back(v.point);
+      first.push_back({v.parameters[0], v.parameters[1]});
+      second.push_back({v.parameters[2], v.parameters[3]});
+    }
+    result["curves"].push_back({{"points", points}, {"first", first}, {"second", second}});
+  }
+  result["points"] = nlohmann::ordered_json::array();
+  for (const Vertex& v : answer.points) {
+    result["points"].push_back({{"point", v.point},
+                                {"first", {v.parameters[0], v.parameters[1]}},
+                                {"second", {v.parameters[2], v.parameters[3]}}});
+  }
+  return result;
+}
+
+Answer answer_from_json(const json& source) {
+  const auto vertex = [](const json& point, const json& first, const json& second) {
+    return Vertex{point.get<Point>(),
+                  {first.at(0).get<double>(), first.at(1).get<double>(), second.at(0).get<double>(),
+                   second.at(1).get<double>()}};
+  };
+  Answer answer;
+  for (const json& curve : source.at("curves")) {
+    Curve vertices;
+    for (std::size_t i = 0; i < curve.at("points").size(); ++i) {
+      vertices.push_back(vertex(curve["points"][i], curve.at("first").at(i), curve.at("second").at(i)));
+    }
+    answer.curves.push_back(std::move(vertices));
+  }
+  for (const json& point : source.at("points")) {
+    answer.points.push_back(vertex(point.at("point"), point.at("first"), point.at("second")));
+  }
+  return answer;
+}
+
+Curve thinned(const Curve& curve, std::size_t largest) {
+  if (curve.size() <= largest) return curve;
+  Curve result;
+  for (std::size_t i = 0; i < largest; ++i) result.push_back(curve[i * (curve.size() - 1) / (largest - 1)]);
+  return result;
+}
+
+}  // namespace peers

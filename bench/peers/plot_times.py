@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Distribution of the processor times of all programs: DIRECTORY SVG, after bench/peers/run."""
+import json
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("svg")
+from matplotlib import pyplot
+
+FAMILIES = ["random-rational", "random-double", "loop", "tangent", "near", "overlap"]
+PROGRAMS = {
+    "exsect": ("exsect", "#1b6ca8"),
+    "sisl-6": ("SISL, 1e-6", "#d1495b"),
+    "sisl-9": ("SISL, 1e-9", "#edae49"),
+    "surfaces": ("Open CASCADE, GeomAPI_IntSS", "#66a182"),
+    "section": ("Open CASCADE, BRepAlgoAPI_Section", "#8d6a9f"),
+}
+
+
+def times(path):
+    """Milliseconds of the pairs that were answered, ascending, and the number of all pairs."""
+    lines = [json.loads(line) for line in path.read_text().splitlines()]
+    return sorted(line["milliseconds"] for line in lines if line["status"] == "done"), len(lines)
+
+
+def main(directory, svg):
+    matplotlib.rcParams.update({"svg.hashsalt": "exsect", "font.size": 8, "svg.fonttype": "none"})
+    figure, axes = pyplot.subplots(2, 3, figsize=(9.5, 5.5), sharex=True, sharey=True)
+    for axis, family in zip(axes.flat, FAMILIES):
+        for name, (label, colour) in PROGRAMS.items():
+            values, count = times(directory / f"{family}.{name}")
+            axis.step(values, [100 * (i + 1) / count for i in range(len(values))], where="post",
+                      label=label, color=colour, linewidth=1.2)
+        axis.set_title(f"{family} ({count})")
+        axis.set_xscale("log")
+        axis.grid(alpha=0.3)
+    for axis in axes[1]:
+        axis.set_xlabel("ms of processor time")
+    for axis in axes[:, 0]:
+        axis.set_ylabel("% of the pairs answered")
+    figure.legend(*axes[0][0].get_legend_handles_labels(), loc="lower center", ncol=5, frameon=False)
+    figure.tight_layout(rect=(0, 0.04, 1, 1))
+    figure.savefig(svg, metadata={"Date": None, "Creator": None})
+
+
+main(pathlib.Path(sys.argv[1]), sys.argv[2])
