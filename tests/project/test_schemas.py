@@ -77,7 +77,7 @@ def test_every_command_and_every_form_is_covered():
     assert {arguments[0] for arguments in COMMANDS} >= set(commands)
 
 
-@pytest.mark.parametrize("file", sorted([*(ROOT / "examples").glob("*.json"), *(ROOT / "tests/cases").glob("*.json")]), ids=lambda f: f.name)
+@pytest.mark.parametrize("file", sorted([*(ROOT / "examples").rglob("*.json"), *(ROOT / "tests/cases").glob("*.json")]), ids=lambda f: f.name)
 def test_an_input_file_satisfies_its_schema(file):
     document = json.loads(file.read_text())
     if "exsect" in document and not file.name.endswith(".expected.json"):
