@@ -271,7 +271,7 @@ BoundedVertex bounded_vertex(const BallPoint<Ball>& parameters, const BallVector
   double radius2 = 0;
   double rounding = 0;
   for (std::size_t j = 0; j < 4; ++j) {
-    result.vertex.parameters[j] = parameters[j].approximation();
+    result.vertex.parameters[j] = std::clamp(parameters[j].approximation(), 0.0, 1.0);
   }
   for (std::size_t c = 0; c < 3; ++c) {
     const double scaled = position[c].approximation();

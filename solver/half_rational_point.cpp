@@ -33,9 +33,10 @@ Equations vector_product(const Equations& a, const Equations& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// All four components of the tangent field (5.1), exactly; own: the patch with rational parameters.
-bool is_singular(const Point& own_first, const Point& own_second, const Equations& other,
-                 const TriangularPoint& at) {
+/// The components of the tangent field (5.1) that vanish, exactly; own: the patch with rational parameters,
+/// of_x: it is x.
+std::array<bool, 4> zero_components(const Point& own_first, const Point& own_second, const Equations& other,
+                                    const TriangularPoint& at, bool of_x) {
   Equations first;
   Equations second;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -44,10 +45,12 @@ bool is_singular(const Point& own_first, const Point& own_second, const Equation
   }
   const Equations normal = vector_product(first, second);
   const Point own_normal = cross(own_first, own_second);
-  return sign_at(scalar_product(own_first, normal), at) == 0 &&
-         sign_at(scalar_product(own_second, normal), at) == 0 &&
-         sign_at(scalar_product(own_normal, first), at) == 0 &&
-         sign_at(scalar_product(own_normal, second), at) == 0;
+  const std::array<BivariatePolynomial, 4> components = {
+      scalar_product(own_second, normal), scalar_product(own_first, normal),
+      scalar_product(own_normal, second), scalar_product(own_normal, first)};
+  std::array<bool, 4> result{};
+  for (std::size_t j = 0; j < 4; ++j) result[of_x ? j : (j + 2) % 4] = sign_at(components[j], at) == 0;
+  return result;
 }
 
 class HalfRationalSource : public CertifiedPoint::Source {
@@ -102,8 +105,8 @@ std::vector<HalfRationalPoint> half_rational_points(const BezierPatch& x, const 
         if (is_own ? at[k] == value : side[k] == value) sides.push_back({parameter, value});
     }
     const auto source = std::make_shared<HalfRationalSource>(of_x, at, p, side);
-    result.push_back(
-        {CertifiedPoint(source, power_of_two(-50), sides, 0, 0), is_singular(first, second, other, p)});
+    result.push_back({CertifiedPoint(source, power_of_two(-50), sides, 0, 0),
+                      zero_components(first, second, other, p, of_x)});
   }
   return result;
 }

@@ -11,7 +11,11 @@ namespace exsect {
 
 struct HalfRationalPoint {
   CertifiedPoint point;  // multiplicity and branch 0
-  bool singular;         // the tangent field vanishes, exactly
+  /// Which components of the tangent field vanish, exactly; singular: all do.
+  std::array<bool, 4> tangent_is_zero;
+  bool singular() const {
+    return tangent_is_zero[0] && tangent_is_zero[1] && tangent_is_zero[2] && tangent_is_zero[3];
+  }
 };
 
 /// The isolated solutions of x(u,v) = y(r,s) in [0,1]^4 at given values in [0,1] of u and v (`of_x`), or of r

@@ -52,6 +52,7 @@ class Intersection {
     sweep_.turning_of = [this](Parameter p) -> const std::optional<TurningValues>& {
       return turning_values_of(p);
     };
+    sweep_.zero_tangent = [this](const CertifiedPoint& point) { return known_zero_tangent(x_, y_, point); };
     sweep_.line = [this](const LineQuery& query) { return line_points(x_, y_, query); };
   }
 

@@ -295,7 +295,12 @@ std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& proble
   return StarSearch<Ball>(problem, system).run();
 }
 
-bool is_known_singular(const BezierPatch& x, const BezierPatch& y, const CertifiedPoint& point) {
+std::array<bool, 4> known_zero_tangent(const BezierPatch& x, const BezierPatch& y,
+                                       const CertifiedPoint& point) {
+  std::array<bool, 4> zero{};
+  if (point.multiplicity() >= 2 && !point.sides().empty()) {
+    zero[index(point.sides().front().parameter)] = true;  // the point was found on this line
+  }
   const ParameterBox box = point.box();
   const ParameterBox fine = point.refined_to(fine_width()).box();
   for (const bool of_x : {true, false}) {
@@ -313,11 +318,16 @@ bool is_known_singular(const BezierPatch& x, const BezierPatch& y, const Certifi
     }
     for (const HalfRationalPoint& candidate : half_rational_points(x, y, of_x, at)) {
       if (lies_in(candidate.point.refined_to(fine_width()).box(), box)) {
-        return candidate.singular;
+        return candidate.tangent_is_zero;
       }
     }
   }
-  return false;
+  return zero;
+}
+
+bool is_known_singular(const BezierPatch& x, const BezierPatch& y, const CertifiedPoint& point) {
+  const std::array<bool, 4> zero = known_zero_tangent(x, y, point);
+  return zero[0] && zero[1] && zero[2] && zero[3];
 }
 
 #define EXSECT_INSTANTIATE_SINGULAR(Ball)                                             \

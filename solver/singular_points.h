@@ -37,8 +37,13 @@ std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& proble
 std::optional<std::array<Rational, 4>> rational_solution(const BezierPatch& x, const BezierPatch& y,
                                                          const CertifiedPoint& point);
 
-/// True if the point is known to be singular: two of its parameters, on one patch, are rational, and the
-/// tangent field vanishes exactly. `point` is as above.
+/// The components of the tangent field that are known to vanish at a point: on a line over which it is a
+/// multiple point of the fibre, and where two of its parameters, on one patch, are found to be rational.
+/// `point` is as above.
+std::array<bool, 4> known_zero_tangent(const BezierPatch& x, const BezierPatch& y,
+                                       const CertifiedPoint& point);
+
+/// True if the point is known to be singular: all four components are known to vanish.
 bool is_known_singular(const BezierPatch& x, const BezierPatch& y, const CertifiedPoint& point);
 
 }  // namespace exsect

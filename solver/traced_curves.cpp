@@ -58,27 +58,57 @@ class CurveTracing {
     result_.problems.push_back({where, why});
   }
 
-  /// +1, -1: the direction of the tangent field that enters the domain at this boundary point; 0: none;
-  /// empty: unknown.
-  std::optional<int> entering_direction(std::size_t landmark) const {
+  /// The components of T that vanish exactly at a landmark; none if all are certainly not zero, or for -1.
+  std::array<bool, 4> zero_tangent(int landmark) const {
+    if (landmark < 0 || !sweep_.zero_tangent) {
+      return {};
+    }
+    const auto i = static_cast<std::size_t>(landmark);
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_, landmarks_[i]).tangent();
+    const bool unknown =
+        std::any_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() == 0; });
+    return unknown ? sweep_.zero_tangent(sweep_.landmarks[i].point) : std::array<bool, 4>{};
+  }
+
+  /// +1, -1: the directions of the tangent field that enter the domain at this boundary point or port; empty:
+  /// unknown.
+  std::optional<std::vector<int>> entering_directions(std::size_t landmark) const {
     const LandmarkPoint& at = sweep_.landmarks[landmark];
     const BallPoint<Ball> tangent = Expansion<Ball>(system_, landmarks_[landmark]).tangent();
     if (at.side != 0) {
       const int sign = tangent[index(at.across)].certain_sign();
-      return sign == 0 ? std::nullopt : std::optional(at.side * sign);
+      return sign == 0 ? std::nullopt : std::optional(std::vector{at.side * sign});
     }
-    int direction = 0;
-    bool entering = true;
+    std::vector<int> directions = {1, -1};
     for (const Side& side : at.point.sides()) {
       const int sign = tangent[index(side.parameter)].certain_sign();
       if (sign == 0) {
-        return std::nullopt;
+        return at.point.sides().size() == 1 ? directions_along(landmark, side) : std::nullopt;
       }
-      const int inward = side.value == 0 ? sign : -sign;
-      entering = entering && (direction == 0 || direction == inward);
-      direction = inward;
+      std::erase(directions, side.value == 0 ? -sign : sign);
     }
-    return entering ? direction : 0;
+    return directions;
+  }
+
+  /// Where the curve is tangent to the side, exactly, its second derivative says whether it lies inside.
+  std::optional<std::vector<int>> directions_along(std::size_t landmark, const Side& side) const {
+    const std::size_t j = index(side.parameter);
+    const BallPoint<Ball>& box = landmarks_[landmark];
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_, box).tangent();
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 4; ++i) {
+      if (std::fabs(tangent[i].approximation()) > std::fabs(tangent[axis].approximation())) {
+        axis = i;
+      }
+    }
+    const auto tube = certify_tube(system_, box, axis, 0x1p-30, 0x1p-40);
+    if (axis == j || !tube || !contains(*tube, box) ||
+        !(std::fabs(tube->second[j]) > tube->second_error[j]) ||
+        !zero_tangent(static_cast<int>(landmark))[j]) {
+      return std::nullopt;
+    }
+    const bool inside = (tube->second[j] > 0) == (side.value == 0);
+    return inside ? std::vector{1, -1} : std::vector<int>{};
   }
 
   /// Curves along which the patches touch: through the multiple points of the fibres, and the parameter lines
@@ -197,33 +227,50 @@ class CurveTracing {
   }
 
   void trace_open_curves() {
-    std::vector<bool> used(landmarks_.size(), false);
+    used_.assign(landmarks_.size(), {});
     for (const AnalysedContact<Ball>& contact : result_.contacts) {
       for (const int landmark : {contact.curve.start, contact.curve.end}) {
         if (landmark >= 0) {
-          used[static_cast<std::size_t>(landmark)] = true;
+          used_[static_cast<std::size_t>(landmark)] = {1, -1};
         }
       }
     }
-    for (std::size_t i = 0; i < landmarks_.size(); ++i) {
-      const bool centre = sweep_.landmarks[i].star && sweep_.landmarks[i].side == 0;
-      if (used[i] || centre || sweep_.landmarks[i].on_side_arc) {
+    for (const bool last_pass : {false, true}) {
+      for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+        const bool centre = sweep_.landmarks[i].star && sweep_.landmarks[i].side == 0;
+        if (!centre && !sweep_.landmarks[i].on_side_arc && used_[i].size() < 2) {
+          trace_from(i, last_pass);
+        }
+      }
+    }
+  }
+
+  /// Traces the curves that leave a landmark in directions not used yet. Points where these are not known
+  /// wait for the last pass: a regular point at which two curves arrived is done.
+  void trace_from(std::size_t landmark, bool last_pass) {
+    const auto directions = entering_directions(landmark);
+    if (!directions) {
+      if (last_pass) {
+        problem(sweep_.landmarks[landmark].point.box(),
+                "the intersection is tangent to a side of a patch, or singular, at this boundary point");
+      }
+      return;
+    }
+    if (directions->empty() && last_pass) {
+      result_.isolated.push_back(static_cast<int>(landmark));
+    }
+    for (const int sign : *directions) {
+      if (std::count(used_[landmark].begin(), used_[landmark].end(), sign) > 0) {
         continue;
       }
-      used[i] = true;
-      const auto direction = entering_direction(i);
-      if (!direction) {
-        problem(sweep_.landmarks[i].point.box(),
-                "the intersection is tangent to a side of a patch, or singular, at this boundary point");
-      } else if (*direction == 0) {
-        result_.isolated.push_back(static_cast<int>(i));
-      } else {
-        auto outcome = trace_arc(system_, landmarks_, static_cast<int>(i), *direction, stop_);
-        if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
-          used[static_cast<std::size_t>(trace->end)] = true;
-        }
-        add(std::move(outcome));
+      used_[landmark].push_back(sign);
+      auto outcome = trace_arc(system_, landmarks_, static_cast<int>(landmark), sign, stop_);
+      if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
+        const Piece<Ball>& end = trace->pieces.back();  // it arrives along T or against it
+        const int along = end.tube.orientation * (end.to > end.from ? 1 : -1);
+        used_[static_cast<std::size_t>(trace->end)].push_back(-along);
       }
+      add(std::move(outcome));
     }
   }
 
@@ -257,13 +304,15 @@ class CurveTracing {
       return;
     }
     AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
-    std::array<bool, 4> constant{};
+    KnownTangent known;
     for (const Parameter p : all_parameters) {
-      constant[index(p)] = sweep_.line && may_be_constant(curve.trace, index(p)) &&
-                           is_constant(curve.trace, p, middle_of(curve.trace));
+      known.constant[index(p)] = sweep_.line && may_be_constant(curve.trace, index(p)) &&
+                                 is_constant(curve.trace, p, middle_of(curve.trace));
     }
-    mark_coincident(constant);
-    auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, constant);
+    mark_coincident(known.constant);
+    known.zero_at_start = zero_tangent(curve.trace.start);
+    known.zero_at_end = zero_tangent(curve.trace.end);
+    auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, known);
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
       return;
@@ -589,6 +638,7 @@ class CurveTracing {
   const SweepData& sweep_;
   const Rational& width_;
   const StopRequest& stop_;
+  std::vector<std::vector<int>> used_;  // directions of T in which a curve leaves each landmark
   TracedCurves<Ball> result_;
 };
 

@@ -39,6 +39,8 @@ struct SweepData {
   std::function<LinePoints(const LineQuery&)> line;  // line_points of the pair
   std::function<bool(const CertifiedPoint&, Parameter, const Rational&)> has_value;  // false: or not known
   TurningValuesOf turning_of;
+  /// Components of T that are known to vanish at a point.
+  std::function<std::array<bool, 4>(const CertifiedPoint&)> zero_tangent;
   std::array<std::size_t, 4> coincident;  // coincident_parameters(x, y)
   SettledRegion settled;                  // what a search may leave out
   bool exact = true;                      // false: boundary points or fibres are known not to be complete

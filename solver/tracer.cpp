@@ -12,6 +12,7 @@ constexpr double kGoodContraction = 0.25;  // steps are chosen to end near this 
 constexpr double kWorstContraction = 0.5;
 constexpr double kOverlap = 1.02;
 constexpr int kMostPieces = 200000;
+constexpr double kEndWidth = 0x1p-48;  // the ends are known within landmarks, as doubles
 
 template <class Ball>
 constexpr double kLeastStep = 0x1p-40;
@@ -214,8 +215,19 @@ std::variant<Trace<Ball>, TraceFailure> trace_loop(const PairSystem<Ball>& syste
 
 template <class Ball>
 bool passes_through(const Trace<Ball>& trace, const BallPoint<Ball>& box) {
-  return std::any_of(trace.pieces.begin(), trace.pieces.end(),
-                     [&](const Piece<Ball>& piece) { return contains(piece.tube, box); });
+  const auto lies_behind = [&](const Piece<Ball>& piece, double end, double inwards) {
+    return (Ball(inwards) * (offset(piece.tube, box) - Ball(end).widened(kEndWidth))).is_negative();
+  };
+  for (std::size_t i = 0; i < trace.pieces.size(); ++i) {
+    const Piece<Ball>& piece = trace.pieces[i];
+    const double direction = piece.to > piece.from ? 1 : -1;
+    const bool open = trace.start >= 0;  // behind its ends the curve is another one, or outside
+    if (contains(piece.tube, box) && !(open && i == 0 && lies_behind(piece, piece.from, direction)) &&
+        !(open && i + 1 == trace.pieces.size() && lies_behind(piece, piece.to, -direction))) {
+      return true;
+    }
+  }
+  return false;
 }
 
 #define EXSECT_INSTANTIATE_TRACER(Ball)                                                             \

@@ -73,8 +73,8 @@ template <class Ball>
 class TurningSearch {
  public:
   TurningSearch(const PairSystem<Ball>& system, Trace<Ball>& trace,
-                const std::array<std::size_t, 4>& coincident, const std::array<bool, 4>& constant)
-      : system_(system), trace_(trace), coincident_(coincident), constant_(constant) {}
+                const std::array<std::size_t, 4>& coincident, const KnownTangent& known)
+      : system_(system), trace_(trace), coincident_(coincident), known_(known) {}
 
   std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> run() {
     if (!split_pieces()) {
@@ -83,7 +83,7 @@ class TurningSearch {
     for (std::size_t k = 0; k < trace_.pieces.size(); ++k) {
       const std::size_t before = found_.size();
       for (std::size_t i = 0; i < 4; ++i) {
-        if (!constant_[i] && (i < 2 || coincident_[i] == i) && !search(k, i)) {
+        if (!known_.constant[i] && (i < 2 || coincident_[i] == i) && !search(k, i)) {
           return failure_;
         }
       }
@@ -107,7 +107,8 @@ class TurningSearch {
       waiting.pop_back();
       bool simple = true;
       for (std::size_t i = 0; i < 4; ++i) {
-        simple = simple && (constant_[i] || is_monotone(piece.tube, i) || turns_at_most_once(piece.tube, i));
+        simple =
+            simple && (known_.constant[i] || is_monotone(piece.tube, i) || turns_at_most_once(piece.tube, i));
       }
       if (simple) {
         done.push_back(std::move(piece));
@@ -152,6 +153,10 @@ class TurningSearch {
   bool search(std::size_t k, std::size_t i) {
     const Piece<Ball>& piece = trace_.pieces[k];
     if (is_monotone(piece.tube, i)) {
+      return true;
+    }
+    // The parameter turns at most once on the piece: at the end of the trace, if it does so there.
+    if ((k == 0 && known_.zero_at_start[i]) || (k + 1 == trace_.pieces.size() && known_.zero_at_end[i])) {
       return true;
     }
     const int first = tangent_signs(system_, point_at(piece.tube, piece.from))[i];
@@ -261,7 +266,7 @@ class TurningSearch {
   const PairSystem<Ball>& system_;
   Trace<Ball>& trace_;
   const std::array<std::size_t, 4>& coincident_;
-  const std::array<bool, 4>& constant_;
+  const KnownTangent& known_;
   std::vector<TurningPoint<Ball>> found_;
   TraceFailure failure_;
 };
@@ -289,8 +294,8 @@ std::array<std::size_t, 4> coincident_parameters(const BezierPatch& x, const Bez
 template <class Ball>
 std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(
     const PairSystem<Ball>& system, Trace<Ball>& trace, const std::array<std::size_t, 4>& coincident,
-    const std::array<bool, 4>& constant) {
-  return TurningSearch<Ball>(system, trace, coincident, constant).run();
+    const KnownTangent& known) {
+  return TurningSearch<Ball>(system, trace, coincident, known).run();
 }
 
 template <class Ball>
@@ -299,9 +304,9 @@ bool may_be_constant(const Trace<Ball>& trace, std::size_t parameter) {
                       [&](const Piece<Ball>& piece) { return is_monotone(piece.tube, parameter); });
 }
 
-#define EXSECT_INSTANTIATE_TURNING(Ball)                                                                     \
-  template std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(                  \
-      const PairSystem<Ball>&, Trace<Ball>&, const std::array<std::size_t, 4>&, const std::array<bool, 4>&); \
+#define EXSECT_INSTANTIATE_TURNING(Ball)                                                              \
+  template std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(           \
+      const PairSystem<Ball>&, Trace<Ball>&, const std::array<std::size_t, 4>&, const KnownTangent&); \
   template bool may_be_constant(const Trace<Ball>&, std::size_t);
 
 EXSECT_INSTANTIATE_TURNING(DoubleBall)

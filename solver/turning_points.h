@@ -23,14 +23,21 @@ struct TurningPoint {
   BallPoint<Ball> box;
 };
 
+/// What is known exactly about a trace: parameters that are constant on it and do not turn, and components of
+/// T that vanish at its start and at its end.
+struct KnownTangent {
+  std::array<bool, 4> constant{};
+  std::array<bool, 4> zero_at_start{};
+  std::array<bool, 4> zero_at_end{};
+};
+
 /// All turning points in the order of the trace, apart from its end points. Splits the trace's pieces where
-/// that is needed for the proof. `coincident` as above; the parameters marked `constant` are known to be so
-/// on the trace and do not turn. Fails where a turning point cannot be separated from another one or from an
-/// end of the trace.
+/// that is needed for the proof. `coincident` as above. Fails where a turning point cannot be separated from
+/// another one or from an end of the trace.
 template <class Ball>
 std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(
     const PairSystem<Ball>& system, Trace<Ball>& trace, const std::array<std::size_t, 4>& coincident,
-    const std::array<bool, 4>& constant = {});
+    const KnownTangent& known = {});
 
 /// False only if the parameter is proved to change along the trace.
 template <class Ball>

@@ -18,7 +18,7 @@ TEST_CASE("a node with irrational parameters on one patch", "[half_rational_poin
       const BezierPatch& y = exchanged ? c.x : c.y;
       const auto points = half_rational_points(x, y, !exchanged, {half, half});
       REQUIRE(points.size() == 1);  // r + r² = 1 has one root in [0,1]
-      CHECK(points[0].singular);
+      CHECK(points[0].singular());
       const ParameterBox box = points[0].point.refined_to(power_of_two(-100)).box();
       const RationalInterval& r = box[exchanged ? 0 : 2];
       CHECK(r.lower * r.lower + r.lower < 1);
@@ -33,7 +33,7 @@ TEST_CASE("regular points, sides, and none", "[half_rational_point]") {
   const ExactCase c = families::near_sheets(Rational(1, 4), families::Plane::square);
   const auto on_side = half_rational_points(c.x, c.y, true, {Rational(1, 4), 0});
   REQUIRE(on_side.size() == 1);
-  CHECK_FALSE(on_side[0].singular);
+  CHECK_FALSE(on_side[0].singular());
   CHECK(on_side[0].point.sides() == std::vector<Side>{{Parameter::v, 0}, {Parameter::s, 0}});
   CHECK(half_rational_points(c.x, c.y, true, {Rational(1, 3), 0}).empty());
 }
@@ -56,7 +56,7 @@ TEST_CASE("points on a line have no second rational parameter by chance", "[half
       for (Point& p : row) p = p + move;
     const auto found = half_rational_points(pair.x, BezierPatch(net), true, {u, Rational(1, 3)});
     REQUIRE(found.size() == 1);
-    CHECK_FALSE(found[0].singular);
+    CHECK_FALSE(found[0].singular());
     const ParameterBox box = found[0].point.refined_to(power_of_two(-80)).box();
     CHECK(box[2].lower <= Rational(2, 3));
     CHECK(box[2].upper >= Rational(2, 3));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "support/catch.h"
 #include "support/graph_patches.h"
@@ -194,6 +195,32 @@ TEST_CASE("isolated singular points are nodes of their kind", "[intersect]") {
   CHECK(std::count_if(cross.graph.nodes.begin(), cross.graph.nodes.end(),
                       [](const Node& node) { return node.kinds == std::vector{NodeKind::crossing}; }) == 1);
   check_polylines(crossing(0));
+}
+
+TEST_CASE("a curve that touches a side goes on behind it", "[intersect]") {
+  const auto patch_of = [](const std::array<long, 27>& c) {
+    ControlNet net;
+    for (std::size_t i = 0; i < 27; ++i) net[i / 9][i / 3 % 3][i % 3] = c[i];
+    return BezierPatch(net);
+  };
+  // The curve touches the side v = 1 from inside at u = 1/2, where r and s are irrational.
+  const BezierPatch x = patch_of(
+      {0, -2, -2, 0, 2, -2, 1, 0, 2, -1, 1, 2, -2, 0, -1, -1, -1, -2, -1, -2, -1, 1, -2, 0, -2, -1, 2});
+  const BezierPatch y =
+      patch_of({-2, -1, 0, 0, 0, 0, 0, 2, 0, 2, 0, 0, -2, -2, 0, 2, -2, 0, 1, -2, 0, 0, 2, 0, -2, -2, 0});
+  for (const Pair& pair : {Pair{x, y}, Pair{y, x}}) {
+    const IntersectResult result = intersect(pair);
+    CHECK(result.status == Status::complete);
+    const auto is_touch = [&](int id) {
+      const Node& node = result.graph.nodes[static_cast<std::size_t>(id)];
+      return !node.on.empty() && (node.approx[0] == 0.5 || node.approx[2] == 0.5) &&
+             node.on.front().value == 1;
+    };
+    const auto ends =
+        std::accumulate(result.graph.arcs.begin(), result.graph.arcs.end(), 0,
+                        [&](int sum, const Arc& arc) { return sum + is_touch(arc.from) + is_touch(arc.to); });
+    CHECK(ends == 2);
+  }
 }
 
 TEST_CASE("a near crossing is two open arcs", "[intersect]") {
