@@ -3,10 +3,10 @@
 #include <exsect/geometry/text_file.h>
 #include <fmt/format.h>
 
-#include "comparison.h"
+#include "comparison_json.h"
 #include "comparison_svg.h"
 #include "implicitize_options.h"
-#include "json_forms.h"
+#include "method_reports.h"
 #include "patch_choice.h"
 #include "terminal_text.h"
 
@@ -48,51 +48,25 @@ std::string comparison_table(const Comparison& comparison) {
              comparison.plane == ResultantPlane::v_s ? ", for the resultant v = const" : "");
 }
 
-Json optional_number(const std::optional<std::size_t>& n) { return n ? Json(*n) : Json(); }
-
-Json row_json(const MethodRow& row) {
-  return {{"method", row.method},
-          {"detail", row.detail},
-          {"answer", row.answer},
-          {"found",
-           {{"number", row.components},
-            {"open", optional_number(row.open)},
-            {"closed", optional_number(row.closed)}}},
-          {"phantoms", {{"met", optional_number(row.phantom_branches)}, {"removed", row.phantoms_removed}}},
-          {"points",
-           {{"exact", row.points},
-            {"certified", row.certified},
-            {"missed", row.missed},
-            {"phantoms", row.phantom_points},
-            {"phantoms_removed", row.phantom_points_removed}}},
-          {"milliseconds", row.milliseconds},
-          {"peak_kib", row.peak_kib ? Json(*row.peak_kib) : Json()}};
-}
-
-Json comparison_json(const Comparison& comparison, const PatchPair& pair) {
-  Json json = {{"exsect", "comparison/1"},
-               {"status", comparison.is_complete() ? "complete" : "incomplete"},
-               {"first", pair.x.name},
-               {"second", pair.y.name},
-               {"check_lines", comparison.lines},
-               {"methods", Json::array()}};
-  for (const MethodRow& row : comparison.rows) json["methods"].push_back(row_json(row));
-  return json;
-}
-
 }  // namespace
 
 ExitStatus run(const CompareCommand& command, const Streams& streams) {
   const ComparisonOptions checked = options(command);
   check(command.output, command.file);
   const PatchPair pair = read_pair(command.file, command.first, command.second);
+  const PatchNames names = {pair.x.name, pair.y.name};
   const Comparison comparison = compare(pair.x.patch, pair.y.patch, checked);
-  const std::string json = command.output.json.empty() ? "" : json_text(comparison_json(comparison, pair));
+  const std::string json = command.output.json.empty() ? "" : json_text(comparison_json(comparison, names));
   if (!command.output.json.empty() && !command.output.json_to_stdout()) {
     write_file_atomically(command.output.json, json);
   }
   if (!command.output.svg.empty()) {
     write_file_atomically(command.output.svg, comparison_svg(comparison, pair.title));
+  }
+  if (!command.output.report.empty()) {
+    write_file_atomically(
+        command.output.report,
+        comparison_report_html(comparison, pair.x.patch, pair.y.patch, names, {pair.title, command.file}));
   }
   if (command.output.json_to_stdout()) {
     streams.out << json;

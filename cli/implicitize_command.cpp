@@ -9,6 +9,7 @@
 #include "implicit_summary.h"
 #include "implicit_svg.h"
 #include "implicitize_options.h"
+#include "method_reports.h"
 #include "patch_choice.h"
 #include "patch_implicit_output.h"
 #include "space_implicit_output.h"
@@ -23,7 +24,17 @@ struct Shown {
   std::string summary;
   std::string json;
   std::string svg;
+  std::string report;
 };
+
+/// Of a result as JSON and its picture, those that are asked for.
+Shown shown(const ImplicitizeCommand& command, const std::string& title, bool is_complete,
+            std::string summary, const Json& json, const ImplicitSubject& subject) {
+  return {is_complete, std::move(summary), command.output.json.empty() ? "" : json_text(json), subject.svg,
+          command.output.report.empty() ? "" : implicit_report_html(json, subject, {title, command.file})};
+}
+
+bool has_picture(const OutputFiles& output) { return !output.svg.empty() || !output.report.empty(); }
 
 /// Bad curves and options are the user's: the statement that they violate, with the file's name.
 template <class Solve>
@@ -42,27 +53,29 @@ Shown planar(const ImplicitizeCommand& command, const CurveFile& file) {
   const std::vector<std::string> variables = variable_names(command, {"x", "y"});
   const PlanarImplicit result = blaming(command.file, [&] { return implicitize(file.curve, options); });
   const std::string subtitle = planar_subtitle(result, options);
-  return {statements(result).is_complete(), planar_implicit_summary(result, options, variables),
-          command.output.json.empty() ? "" : json_text(planar_implicit_json(result, options, variables)),
-          command.output.svg.empty()
-              ? ""
-              : planar_implicit_svg(result, file.curve, subtitle, variables, file.title)};
+  ImplicitSubject subject;
+  if (has_picture(command.output))
+    subject.svg = planar_implicit_svg(result, file.curve, subtitle, variables, file.title);
+  return shown(command, file.title, statements(result).is_complete(),
+               planar_implicit_summary(result, options, variables),
+               planar_implicit_json(result, options, variables), subject);
 }
 
 Shown spatial(const ImplicitizeCommand& command, const CurveFile& file) {
   const SpaceOptions options = space_options(command);
   const SpaceImplicit result = blaming(command.file, [&] { return implicitize_space(file.curve, options); });
-  return {is_complete(result), space_implicit_summary(result, options),
-          command.output.json.empty() ? "" : json_text(space_implicit_json(result, options)),
-          command.output.svg.empty() ? "" : space_implicit_svg(result, file.curve, file.title)};
+  ImplicitSubject subject{"", file.curve, std::nullopt};
+  if (has_picture(command.output)) subject.svg = space_implicit_svg(result, file.curve, file.title);
+  return shown(command, file.title, is_complete(result), space_implicit_summary(result, options),
+               space_implicit_json(result, options), subject);
 }
 
 Shown patch(const ImplicitizeCommand& command, const ChosenPatch& chosen) {
   const PatchOptions options = patch_options(command);
   const PatchImplicit result =
       blaming(command.file, [&] { return implicitize_patch(chosen.patch.patch, options); });
-  return {true, patch_implicit_summary(result, options),
-          command.output.json.empty() ? "" : json_text(patch_implicit_json(result, options)), ""};
+  return shown(command, chosen.title, true, patch_implicit_summary(result, options),
+               patch_implicit_json(result, options), {"", std::nullopt, chosen.patch});
 }
 
 }  // namespace
@@ -72,27 +85,28 @@ ExitStatus run(const ImplicitizeCommand& command, const Streams& streams) {
   const std::string text = read_text_file(command.file, max_curve_file_bytes);
   const std::string version = file_version(text, command.file);
   std::string title;
-  Shown shown;
+  Shown result;
   if (version == "patches/1") {
     if (!command.output.svg.empty()) throw UsageError("--svg: there is no picture of a patch's equation");
     const ChosenPatch chosen = read_patch(command.file, command.patch);
     title = chosen.title;
-    shown = patch(command, chosen);
+    result = patch(command, chosen);
   } else if (version == "curve/1") {
     const CurveFile file = parse_curve(text, command.file);
     title = file.title;
-    shown = file.curve.dimension() == 2 ? planar(command, file) : spatial(command, file);
+    result = file.curve.dimension() == 2 ? planar(command, file) : spatial(command, file);
   } else {
     throw InputError(command.file, "$.exsect", "must be \"curve/1\" or \"patches/1\"");
   }
   if (!command.output.json.empty() && !command.output.json_to_stdout())
-    write_file_atomically(command.output.json, shown.json);
-  if (!command.output.svg.empty()) write_file_atomically(command.output.svg, shown.svg);
+    write_file_atomically(command.output.json, result.json);
+  if (!command.output.svg.empty()) write_file_atomically(command.output.svg, result.svg);
+  if (!command.output.report.empty()) write_file_atomically(command.output.report, result.report);
   if (command.output.json_to_stdout())
-    streams.out << shown.json;
+    streams.out << result.json;
   else if (!command.quiet)
-    streams.out << heading(command.file, title) << shown.summary;
-  return shown.is_complete ? ExitStatus::complete : ExitStatus::incomplete;
+    streams.out << heading(command.file, title) << result.summary;
+  return result.is_complete ? ExitStatus::complete : ExitStatus::incomplete;
 }
 
 }  // namespace exsect::cli

@@ -11,6 +11,7 @@
 #include "option_values.h"
 #include "patch_choice.h"
 #include "progress.h"
+#include "report_html.h"
 #include "terminal_text.h"
 
 namespace exsect::cli {
@@ -50,6 +51,10 @@ ExitStatus run(const IntersectCommand& command, const Streams& streams) {
   }
   if (!command.output.svg.empty()) {
     write_file_atomically(command.output.svg, intersection_svg(result, names, pair.title));
+  }
+  if (!command.output.report.empty()) {
+    write_file_atomically(command.output.report,
+                          report_html(result, pair.x.patch, pair.y.patch, names, {pair.title, command.file}));
   }
   if (command.output.json_to_stdout()) {
     streams.out << json;

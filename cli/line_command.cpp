@@ -12,6 +12,7 @@
 #include "node_csv.h"
 #include "option_values.h"
 #include "patch_choice.h"
+#include "report_html.h"
 #include "terminal_text.h"
 
 namespace exsect::cli {
@@ -49,6 +50,11 @@ ExitStatus run(const LineCommand& command, const Streams& streams) {
   }
   if (!command.output.svg.empty()) {
     write_file_atomically(command.output.svg, line_svg(line, pair.x.patch, pair.title));
+  }
+  if (!command.output.report.empty()) {
+    write_file_atomically(command.output.report,
+                          line_report_html(line, pair.x.patch, pair.y.patch, {pair.x.name, pair.y.name},
+                                           {pair.title, command.file}));
   }
   if (command.output.json_to_stdout()) {
     streams.out << json;

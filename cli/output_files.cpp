@@ -49,8 +49,9 @@ void check_one(const std::string& option, const std::string& path, const std::st
 
 void check(const OutputFiles& files, const std::string& input) {
   const ExportFiles& exports = files.exports;
-  const std::array<std::pair<const char*, const std::string&>, 6> named = {{{"--json", files.json},
+  const std::array<std::pair<const char*, const std::string&>, 7> named = {{{"--json", files.json},
                                                                             {"--svg", files.svg},
+                                                                            {"--report", files.report},
                                                                             {"--obj", exports.obj},
                                                                             {"--ply", exports.ply},
                                                                             {"--vtp", exports.vtp},

@@ -82,6 +82,7 @@ constexpr const char* line_about = "Intersect one parameter line of a patch with
 void add_output(CLI::App& app, OutputFiles& output, bool& quiet) {
   app.add_option("--json", output.json, "Write the result as JSON; - for standard output")->type_name("FILE");
   app.add_option("--svg", output.svg, "Draw a picture")->type_name("FILE");
+  app.add_option("--report", output.report, "Write a web page that shows the result")->type_name("FILE");
   app.add_flag("--quiet", quiet, "No summary, no progress");
 }
 

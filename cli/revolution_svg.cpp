@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "drawn_arcs.h"
-#include "implicit_svg.h"
-#include "revolution_output.h"
+#include "revolution_curves.h"
 #include "svg_legend.h"
 #include "svg_plane.h"
 #include "svg_square.h"
@@ -23,39 +22,6 @@ const Stroke own_stroke = {"#000000", 1.6};
 const Stroke unwanted_stroke = {"#d55e00", 1.6, "6 3"};
 const Stroke mirrored_stroke = {"#009e73", 1.6, "2 4"};
 constexpr const char* ring_colour = "#cc79a7";
-
-PlaneView view_of(const Rectangle& region) {
-  return {{to_double(region.r.lower), to_double(region.r.upper)},
-          {to_double(region.s.lower), to_double(region.s.upper)}};
-}
-
-/// f(-r, z).
-BivariatePolynomial reflected(const BivariatePolynomial& f) {
-  std::vector<Polynomial> coefficients;
-  for (int i = 0; i <= f.degree_r(); ++i)
-    coefficients.push_back(i % 2 == 0 ? f.coefficient(i) : -f.coefficient(i));
-  return BivariatePolynomial(std::move(coefficients));
-}
-
-struct HalfPlaneCurves {
-  PlanePolyline profile;
-  DrawnZeroSet own;
-  std::vector<PlanePolyline> mirrored;
-};
-
-HalfPlaneCurves curves(const ShownRevolution& shown, const PlaneView& view) {
-  const Revolution& revolution = shown.revolution;
-  HalfPlaneCurves result;
-  result.profile = drawn_curve(shown.profile);
-  const double size = std::max(view.across[1] - view.across[0], view.upwards[1] - view.upwards[0]);
-  const auto& bound = revolution.bounds.one_sided.distance;
-  const double near = std::max(0.012 * size, bound ? 2 * to_double(*bound) : 0.03 * size);
-  result.own = drawn_zero_set(revolution.profile, result.profile, near, view);
-  if (shown.method != RevolutionMethod::substitution && revolution.profile.is_polynomial())
-    result.mirrored =
-        zero_set_in(drawn_function(PlanarFunction(reflected(revolution.profile.polynomial()))), view, 240);
-  return result;
-}
 
 void draw_half_plane(const ShownRevolution& shown, const HalfPlaneCurves& drawn, SvgPlane& plane) {
   plane.polyline(drawn.profile, profile_stroke);
@@ -93,7 +59,7 @@ SvgLegend legend(const ShownRevolution& shown, const HalfPlaneCurves& drawn) {
 
 std::string revolution_svg(const ShownRevolution& shown, const std::string& title) {
   const PlaneView view = view_of(shown.revolution.region);
-  const HalfPlaneCurves drawn = curves(shown, view);
+  const HalfPlaneCurves drawn = half_plane_curves(shown);
   const SvgLegend entries = legend(shown, drawn);
   const double plane_right = margin + SvgPlane::width(view);
   const double width = plane_right + (shown.patch ? 90 + SvgSquare::size : 0) + 40;

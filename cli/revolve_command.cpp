@@ -9,6 +9,7 @@
 #include "export_files.h"
 #include "implicit_json.h"
 #include "implicitize_options.h"
+#include "method_reports.h"
 #include "option_values.h"
 #include "patch_choice.h"
 #include "revolution_output.h"
@@ -89,8 +90,8 @@ void check_more(const RevolveCommand& command) {
     throw UsageError("--mesh" + std::string(error.what()).substr(5));  // instead of "--svg"
   }
   const ExportFiles& exports = command.output.exports;
-  for (const std::string& other :
-       {command.output.json, command.output.svg, exports.ply, exports.vtp, command.patch_file})
+  for (const std::string& other : {command.output.json, command.output.svg, command.output.report,
+                                   exports.ply, exports.vtp, command.patch_file})
     if (other == command.mesh) throw UsageError("--mesh: " + command.mesh + " is named twice");
 }
 
@@ -143,6 +144,8 @@ ExitStatus run(const RevolveCommand& command, const Streams& streams) {
     write_file_atomically(command.output.json, json);
   }
   if (!svg.empty()) write_file_atomically(command.output.svg, svg);
+  if (!command.output.report.empty())
+    write_file_atomically(command.output.report, revolution_report_html(shown, {file.title, command.file}));
   if (!mesh.empty()) write_file_atomically(command.mesh, mesh);
   if (command.output.json_to_stdout()) {
     streams.out << json;

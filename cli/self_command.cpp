@@ -11,6 +11,7 @@
 #include "option_values.h"
 #include "patch_choice.h"
 #include "progress.h"
+#include "report_html.h"
 #include "terminal_text.h"
 
 namespace exsect::cli {
@@ -50,6 +51,11 @@ ExitStatus run(const SelfCommand& command, const Streams& streams) {
   }
   if (!command.output.svg.empty()) {
     write_file_atomically(command.output.svg, intersection_svg(result, names, chosen.title));
+  }
+  if (!command.output.report.empty()) {
+    write_file_atomically(
+        command.output.report,
+        self_report_html(result, chosen.patch.patch, chosen.patch.name, {chosen.title, command.file}));
   }
   if (command.output.json_to_stdout()) {
     streams.out << json;

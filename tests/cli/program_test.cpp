@@ -43,7 +43,8 @@ TEST_CASE("help and version go to the standard output") {
     const ProgramRun more = run_program({command, "--help"});
     CHECK(more.status == 0);
     CHECK(more.err.empty());
-    for (const char* word : {"FILE", "--first", "--second", "--json", "--svg", "--quiet", "Examples"}) {
+    for (const char* word :
+         {"FILE", "--first", "--second", "--json", "--svg", "--report", "--quiet", "Examples"}) {
       INFO(command << " " << word);
       CHECK(more.out.find(word) != std::string::npos);
     }
@@ -138,7 +139,7 @@ TEST_CASE("patches are chosen by name") {
 TEST_CASE("output that cannot be written is refused before anything is printed") {
   const ScratchDirectory scratch;
   const std::string missing = scratch.path("missing/out.json");
-  for (const char* option : {"--json", "--svg", "--obj", "--ply", "--vtp", "--csv"}) {
+  for (const char* option : {"--json", "--svg", "--report", "--obj", "--ply", "--vtp", "--csv"}) {
     check_refused({"intersect", first, option, missing},
                   missing + ": cannot be written: there is no such directory");
     check_refused({"intersect", first, option, scratch.path("")}, "it is a directory");
@@ -150,6 +151,9 @@ TEST_CASE("output that cannot be written is refused before anything is printed")
   check_refused({"intersect", first, "--json", both, "--svg", scratch.path("./both")}, "both name");
   check_refused({"intersect", first, "--svg", "-"}, "--svg: needs a file");
   check_refused({"line", first, "--u", "0", "--csv", "-"}, "--csv: needs a file");
+  check_refused({"intersect", first, "--report", "-"}, "--report: needs a file");
+  check_refused({"self", first, "--patch", "x", "--svg", both, "--report", both},
+                "--svg and --report: both name");
   check_refused({"self", first, "--patch", "x", "--vtp", both, "--ply", both}, "--ply and --vtp: both name");
   for (const char* cells : {"0", "513", "many", "-1"})
     check_refused({"intersect", first, "--obj", both, "--grid=" + std::string(cells)}, "--grid: ");
