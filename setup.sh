@@ -17,6 +17,7 @@ docs_packages=(doxygen pybind11-dev python3-dev python3-myst-parser python3-sphi
 test_packages_if_known=(clang-format-14)
 peer_packages=(libsisl-dev libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
                libocct-visualization-dev python3-matplotlib) # visualization: a header that the others include
+declare -A browser_packages=([chromium]=chromium [node]=nodejs [npm]=npm)  # by command, which may come from elsewhere
 
 die() {
   echo "setup.sh: $*" >&2
@@ -65,6 +66,21 @@ install_packages() {
   fi
 }
 
+# The packages of those commands that the tests of the report pages need and that are missing.
+missing_browser_packages() {
+  local command
+  for command in "${!browser_packages[@]}"; do
+    command -v "$command" >/dev/null || echo "${browser_packages[$command]}"
+  done
+}
+
+# What drives the browser, as tests/browser/package-lock.json says, unless it is there already.
+install_browser_driver() {
+  if [[ ! tests/browser/node_modules/.package-lock.json -nt tests/browser/package-lock.json ]]; then
+    npm ci --prefix tests/browser --no-audit --no-fund --loglevel=error
+  fi
+}
+
 # build PRESET CMAKE-BUILD-ARGUMENTS...
 build() {
   local preset=$1
@@ -78,8 +94,9 @@ case "${1:-}" in
     install_packages
     build release --target exsect
     echo
-    build/release/cli/exsect intersect examples/chapter9-first.json --svg build/chapter9-first.svg
-    echo "Picture: build/chapter9-first.svg"
+    build/release/cli/exsect intersect examples/chapter9-first.json --svg build/chapter9-first.svg \
+      --report build/chapter9-first.html
+    echo "Picture: build/chapter9-first.svg, web page: build/chapter9-first.html"
     ;;
   test | asan)
     packages+=("${test_packages[@]}")
@@ -87,10 +104,12 @@ case "${1:-}" in
       packages+=("${docs_packages[@]}")
     fi
     packages_if_known+=("${test_packages_if_known[@]}")
+    mapfile -t -O "${#packages[@]}" packages < <(missing_browser_packages)
     install_packages
+    install_browser_driver
     preset=${1/test/release}
     build "$preset"
-    ctest --preset "$preset" --parallel "$(nproc)"
+    EXSECT_BROWSER=required ctest --preset "$preset" --parallel "$(nproc)"
     ;;
   docs)
     packages+=("${docs_packages[@]}")
