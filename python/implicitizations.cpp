@@ -8,6 +8,7 @@
 #include "cli/implicit_summary.h"
 #include "cli/implicit_svg.h"
 #include "cli/implicitize_options.h"
+#include "cli/method_reports.h"
 #include "cli/patch_implicit_output.h"
 #include "cli/revolution_output.h"
 #include "cli/revolve_command.h"
@@ -26,12 +27,23 @@ using Options = std::map<std::string, std::string>;
 struct Solved {
   cli::Json json;
   std::function<std::string(const std::string&)> picture;  // of a title; empty if there is none
+  std::function<std::string(const std::string&)> page;     // of a title
 
   std::string svg(const std::string& title) const {
     if (!picture) throw std::invalid_argument("svg: there is no picture of a patch's equation");
     return picture(title);
   }
+  std::string report(const std::string& title) const { return page(title); }
 };
+
+/// The equation of a curve, or of a patch, which has no picture.
+Solved solved(const cli::Json& json, const std::function<std::string(const std::string&)>& picture,
+              const std::optional<BezierCurve>& curve, const std::optional<NamedPatch>& patch) {
+  return {
+      json, picture, [json, picture, curve, patch](const std::string& title) {
+        return cli::implicit_report_html(json, {picture ? picture(title) : "", curve, patch}, {title, ""});
+      }};
+}
 
 cli::ImplicitizeCommand implicitize_command(const Options& options) {
   cli::ImplicitizeCommand command;
@@ -63,24 +75,26 @@ Solved implicitize_curve(const BezierCurve& curve, const Options& given) {
   if (curve.dimension() == 3) {
     const SpaceOptions options = cli::space_options(command);
     const SpaceImplicit result = implicitize_space(curve, options);
-    return {cli::space_implicit_json(result, options), [result, curve](const std::string& title) {
-              return cli::space_implicit_svg(result, curve, title);
-            }};
+    const auto picture = [result, curve](const std::string& title) {
+      return cli::space_implicit_svg(result, curve, title);
+    };
+    return solved(cli::space_implicit_json(result, options), picture, curve, std::nullopt);
   }
   const PlanarOptions options = cli::planar_options(command);
   const std::vector<std::string> variables = cli::variable_names(command, {"x", "y"});
   const PlanarImplicit result = implicitize(curve, options);
   const std::string subtitle = cli::planar_subtitle(result, options);
-  return {cli::planar_implicit_json(result, options, variables),
-          [result, curve, subtitle, variables](const std::string& title) {
-            return cli::planar_implicit_svg(result, curve, subtitle, variables, title);
-          }};
+  const auto picture = [result, curve, subtitle, variables](const std::string& title) {
+    return cli::planar_implicit_svg(result, curve, subtitle, variables, title);
+  };
+  return solved(cli::planar_implicit_json(result, options, variables), picture, std::nullopt, std::nullopt);
 }
 
 Solved implicitize_one_patch(const BezierPatch& patch, const Options& given) {
   const cli::PatchOptions options = cli::patch_options(implicitize_command(given));
   const py::gil_scoped_release release;
-  return {cli::patch_implicit_json(cli::implicitize_patch(patch, options), options), {}};
+  const cli::Json json = cli::patch_implicit_json(cli::implicitize_patch(patch, options), options);
+  return solved(json, {}, std::nullopt, NamedPatch{"patch", {2, 2}, patch});
 }
 
 Solved revolve_profile(const BezierCurve& profile, const Options& given,
@@ -98,7 +112,10 @@ Solved revolve_profile(const BezierCurve& profile, const Options& given,
   cli::ShownRevolution shown{options.method, profile, revolve(profile, options), std::nullopt};
   if (patch) shown.patch = cli::shown_on_patch(command.lines, shown.revolution, {patch_name, {2, 2}, *patch});
   return {cli::revolution_json(shown),
-          [shown](const std::string& title) { return cli::revolution_svg(shown, title); }};
+          [shown](const std::string& title) { return cli::revolution_svg(shown, title); },
+          [shown](const std::string& title) {
+            return cli::revolution_report_html(shown, {title, ""});
+          }};
 }
 
 }  // namespace
@@ -107,7 +124,8 @@ void add_implicitizations(py::module_& module) {
   py::class_<Solved>(module, "Solved")
       .def("tree", [](const Solved& solved) { return python_of(solved.json); })
       .def("json", [](const Solved& solved) { return cli::json_text(solved.json); })
-      .def("svg", &Solved::svg, py::arg("title"));
+      .def("svg", &Solved::svg, py::arg("title"))
+      .def("report", &Solved::report, py::arg("title"), py::call_guard<py::gil_scoped_release>());
   module.def("implicitize", &implicitize_curve);
   module.def("implicitize", &implicitize_one_patch);
   module.def("revolve", &revolve_profile);

@@ -8,6 +8,7 @@
 #include "cli/line_svg.h"
 #include "cli/node_csv.h"
 #include "cli/option_values.h"
+#include "cli/report_html.h"
 #include "cli/scene_text.h"
 #include "cli/shown_line.h"
 #include "numbers.h"
@@ -36,6 +37,10 @@ struct SolvedPair {
     return second ? cli::intersection_json(result, names) : cli::self_json(result, names.first);
   }
   std::string svg(const std::string& title) const { return cli::intersection_svg(result, names, title); }
+  std::string report(const std::string& title) const {
+    return second ? cli::report_html(result, first, *second, names, {title, ""})
+                  : cli::self_report_html(result, first, names.first, {title, ""});
+  }
   std::string exported(const std::string& format, const std::string& title, int cells) const {
     if (format == "csv") return cli::node_csv(result.graph, names.parameters);
     return scene_text(second ? cli::intersection_scene(result, first, *second, names, title, cells)
@@ -52,6 +57,9 @@ struct SolvedLine {
 
   cli::Json json() const { return cli::line_json(line, first); }
   std::string svg(const std::string& title) const { return cli::line_svg(line, first, title); }
+  std::string report(const std::string& title) const {
+    return cli::line_report_html(line, first, second, names, {title, ""});
+  }
   std::string exported(const std::string& format, const std::string& title, int cells) const {
     if (format == "csv") return cli::point_csv(line, first);
     return scene_text(cli::line_scene(line, first, second, names, title, cells), format);
@@ -124,6 +132,7 @@ void add_forms(py::class_<Solved>& type) {
   type.def("tree", [](const Solved& solved) { return python_of(solved.json()); });
   type.def("json", [](const Solved& solved) { return cli::json_text(solved.json()); });
   type.def("svg", &Solved::svg, py::arg("title"));
+  type.def("report", &Solved::report, py::arg("title"), py::call_guard<py::gil_scoped_release>());
   type.def("exported", &Solved::exported, py::arg("format"), py::arg("title"), py::arg("cells"));
 }
 

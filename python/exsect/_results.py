@@ -198,17 +198,21 @@ class Result:
     def _facts(self) -> List[Tuple[str, str]]:
         return [("status", self.tree["status"])]
 
+    def to_report(self, title: Optional[str] = None) -> str:
+        """The page that the program writes for --report: one HTML file that needs nothing else."""
+        return str(self._core.report(self._title if title is None else title))
+
     def _repr_html_(self) -> str:
+        """The report in a frame of its own, under a summary for viewers that show no frames."""
         rows = "".join(
             f"<tr><th style='text-align:left'>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>"
             for name, value in self._facts()
         )
-        try:
-            svg = self.to_svg()
-            picture = svg[svg.index("<svg") :]
-        except ValueError:
-            picture = ""
-        return f"<div>{picture}<table>{rows}</table></div>"
+        frame = (
+            "<iframe title='exsect report' sandbox='allow-scripts allow-downloads' style='width:100%;height:720px;border:0' "
+            f'srcdoc="{html.escape(self.to_report())}"></iframe>'
+        )
+        return f"<div><table>{rows}</table>{frame}</div>"
 
 
 class _Exportable(Result):

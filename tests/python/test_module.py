@@ -1,6 +1,7 @@
 """The Python module against the program, exact identities and its own promises."""
 
 import decimal
+import html
 import json
 import math
 import os
@@ -362,10 +363,18 @@ def test_the_text_of_a_polynomial_is_the_programs(options):
 # Forms
 
 
-def test_results_show_themselves(first, result):
-    for shown in (result, exsect.line(first["x"], first["y"], u="1/2"), exsect.implicitize(first["x"])):
-        assert "complete" in shown._repr_html_()
-    assert "<svg" in result._repr_html_() and "<?xml" not in result._repr_html_()
+def test_results_show_their_report_in_a_notebook(first, result):
+    profile = exsect.read_curve(EXAMPLES / "profile.json")
+    cubic = exsect.read_curve(EXAMPLES / "space-cubic.json")
+    shown = [result, exsect.self_intersect(first["x"]), exsect.line(first["x"], first["y"], u="1/2")]
+    shown += [exsect.implicitize(first["x"]), exsect.implicitize(profile), exsect.implicitize(cubic)]
+    shown += [exsect.revolve(profile, method="product", degree=3, region=(2, 0, 2))]
+    for each in shown:
+        page = each.to_report()
+        assert page.startswith("<!DOCTYPE html>") and "Content-Security-Policy" in page
+        notebook = each._repr_html_()
+        assert "complete" in notebook.split("<iframe")[0]
+        assert html.unescape(notebook.split('srcdoc="')[1].split('"></iframe>')[0]) == page
     assert "1 closed, 1 open" in repr(result)
 
 
