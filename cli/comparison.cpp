@@ -126,7 +126,9 @@ Comparison compare(const BezierPatch& x, const BezierPatch& y, const ComparisonO
   Comparison result;
   const std::vector<CheckLine> lines = check_lines(x, y, options.lines);
   result.lines = lines.size();
-  Cost cost = measured([&] { result.parameter_lines = intersect(x, y); });
+  IntersectOptions exact;
+  exact.exact = true;  // the method itself
+  Cost cost = measured([&] { result.parameter_lines = intersect(x, y, exact); });
   result.rows.push_back(row_of_lines(result.parameter_lines, lines, cost));
   result.plane = options.plane;
   if (options.plane == ResultantPlane::u_r) {

@@ -23,6 +23,7 @@ IntersectOptions options(const IntersectCommand& command) {
   options.tolerance = positive_value("--tolerance", command.tolerance);
   if (!command.max_seconds.empty())
     options.max_seconds = positive_value("--max-seconds", command.max_seconds);
+  options.exact = command.exact;
   return options;
 }
 

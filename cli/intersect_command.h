@@ -17,6 +17,7 @@ struct IntersectCommand {
   std::string turning = "u,v,r,s";
   std::string tolerance = "1e-6";
   std::string max_seconds;
+  bool exact = false;
   OutputFiles output;
   bool quiet = false;
 };

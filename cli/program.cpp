@@ -123,6 +123,7 @@ void add_intersect(CLI::App& app, IntersectCommand& command) {
   add_common(*sub, command.file, command.first, command.second, command.output, command.quiet);
   add_exports(*sub, command.output.exports, "Write the nodes as a table");
   add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
+  sub->add_flag("--exact", command.exact, "Skip the solution in floating point, which has the same proof");
   sub->footer(intersect_footer);
 }
 

@@ -10,6 +10,7 @@
 #include "boundary_lines.h"
 #include "critical_values.h"
 #include "degenerate_patches.h"
+#include "filter.h"
 #include "line_place.h"
 #include "model_scale.h"
 #include "overlaps.h"
@@ -392,6 +393,11 @@ class Intersection {
 
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
   check(options);
+  if (!options.exact) {
+    if (std::optional<IntersectResult> result = intersect_filtered(x, y, options)) {
+      return std::move(*result);
+    }
+  }
   if (std::optional<IntersectResult> result = intersect_degenerate(x, y, options)) {
     return std::move(*result);
   }

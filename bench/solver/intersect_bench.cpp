@@ -17,6 +17,8 @@ using namespace exsect;
 using random_pairs::Pair;
 
 constexpr int pairs = 20;
+/// Every member several times: an intersection in doubles takes less than a millisecond.
+constexpr int filtered_rounds = 50;
 
 Pair first_example() {
   const PatchFile file = read_patches(EXSECT_EXAMPLES "/chapter9-first.json");
@@ -31,13 +33,15 @@ std::vector<Pair> family(Pair (*member)(random_pairs::Generator&)) {
 }
 
 /// Complete intersections, turning points of all parameters and polylines to 1e-6; the counters are means of
-/// the milliseconds that each step reports.
-void run(benchmark::State& state, const std::vector<Pair>& inputs) {
+/// what each step reports. Not `exact`: in doubles first.
+void run(benchmark::State& state, const std::vector<Pair>& inputs, bool exact) {
+  IntersectOptions options;
+  options.exact = exact;
   std::size_t i = 0;
   std::map<std::string, double> total;
   for (auto _ : state) {
     const auto& [x, y] = inputs[i++ % inputs.size()];
-    const IntersectResult result = intersect(x, y);
+    const IntersectResult result = intersect(x, y, options);
     if (result.status != Status::complete) throw std::logic_error("an incomplete result in a benchmark");
     for (const auto& [step, value] : result.work.steps) total[step] += value;
   }
@@ -46,10 +50,19 @@ void run(benchmark::State& state, const std::vector<Pair>& inputs) {
   }
 }
 
-void intersect_first_example(benchmark::State& state) { run(state, {first_example()}); }
-void intersect_small_rationals(benchmark::State& state) { run(state, family(random_pairs::small_rationals)); }
-void intersect_doubles(benchmark::State& state) { run(state, family(random_pairs::doubles)); }
-void intersect_loops(benchmark::State& state) { run(state, family(random_pairs::loop)); }
+void intersect_first_example(benchmark::State& state) { run(state, {first_example()}, false); }
+void intersect_small_rationals(benchmark::State& state) {
+  run(state, family(random_pairs::small_rationals), false);
+}
+void intersect_doubles(benchmark::State& state) { run(state, family(random_pairs::doubles), false); }
+void intersect_loops(benchmark::State& state) { run(state, family(random_pairs::loop), false); }
+
+void intersect_exactly_first_example(benchmark::State& state) { run(state, {first_example()}, true); }
+void intersect_exactly_small_rationals(benchmark::State& state) {
+  run(state, family(random_pairs::small_rationals), true);
+}
+void intersect_exactly_doubles(benchmark::State& state) { run(state, family(random_pairs::doubles), true); }
+void intersect_exactly_loops(benchmark::State& state) { run(state, family(random_pairs::loop), true); }
 
 void roots_of_turning_eliminant(benchmark::State& state) {
   const Pair pair = first_example();
@@ -57,10 +70,14 @@ void roots_of_turning_eliminant(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(real_roots(e, 0, 1));
 }
 
-BENCHMARK(intersect_first_example)->Unit(benchmark::kMillisecond);
-BENCHMARK(intersect_small_rationals)->Unit(benchmark::kMillisecond)->Iterations(pairs);
-BENCHMARK(intersect_doubles)->Unit(benchmark::kMillisecond)->Iterations(pairs);
-BENCHMARK(intersect_loops)->Unit(benchmark::kMillisecond)->Iterations(pairs);
+BENCHMARK(intersect_first_example)->Unit(benchmark::kMicrosecond);
+BENCHMARK(intersect_small_rationals)->Unit(benchmark::kMicrosecond)->Iterations(filtered_rounds* pairs);
+BENCHMARK(intersect_doubles)->Unit(benchmark::kMicrosecond)->Iterations(filtered_rounds* pairs);
+BENCHMARK(intersect_loops)->Unit(benchmark::kMicrosecond)->Iterations(filtered_rounds* pairs);
+BENCHMARK(intersect_exactly_first_example)->Unit(benchmark::kMillisecond);
+BENCHMARK(intersect_exactly_small_rationals)->Unit(benchmark::kMillisecond)->Iterations(pairs);
+BENCHMARK(intersect_exactly_doubles)->Unit(benchmark::kMillisecond)->Iterations(pairs);
+BENCHMARK(intersect_exactly_loops)->Unit(benchmark::kMillisecond)->Iterations(pairs);
 BENCHMARK(roots_of_turning_eliminant)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -82,8 +82,10 @@ double distance_to_polyline(const std::array<double, 3>& p, const std::vector<Po
 
 void check_polylines(const Pair& pair) {
   IntersectOptions coarse;
+  coarse.exact = true;
   coarse.tolerance = 1e-3;
   IntersectOptions fine;
+  fine.exact = true;
   fine.tolerance = 1e-9;
   const IntersectResult a = intersect(pair, coarse);
   const IntersectResult b = intersect(pair, fine);
@@ -241,6 +243,7 @@ TEST_CASE("options are checked and obeyed", "[intersect]") {
   options.tolerance = 1e-30;  // below what doubles can express: said, not hidden
   CHECK(intersect(pair, options).status == Status::incomplete);
   options.tolerance = 1e-6;
+  options.exact = true;
   options.max_seconds = 1e-9;
   const IntersectResult capped = intersect(pair, options);
   CHECK(capped.status == Status::incomplete);

@@ -64,7 +64,7 @@ struct ExactCase {
 /// overlaps. Otherwise the first difference in words.
 std::string difference(const IntersectResult& result, const ExactCase& expected);
 
-/// difference(intersect(...)) with the case's parameters.
+/// difference(intersect(...)) with the case's parameters, in exact mode and, where they suffice, in doubles.
 std::string failure(const ExactCase& expected);
 
 /// The samples of an arc given by a map of [0,1].

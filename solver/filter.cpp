@@ -1,0 +1,142 @@
+#include "filter.h"
+
+#include <chrono>
+
+#include "filter_graph.h"
+#include "filter_loops.h"
+#include "turning_points.h"
+
+namespace exsect {
+
+namespace {
+
+using filter::AnalysedTrace;
+using filter::BoundaryPoint;
+using filter::Trace;
+
+constexpr double kFinestTolerance = 1e-12;
+constexpr std::array<std::size_t, 4> kNoneCoincident = {0, 1, 2, 3};
+
+/// Two corners agree: perhaps the patches share a side, in any case the exact solution is asked.
+bool share_a_corner(const filter::Pair& pair) {
+  constexpr std::array<std::size_t, 4> corners = {0, 2, 6, 8};
+  for (const std::size_t i : corners) {
+    for (const std::size_t j : corners) {
+      if (pair.x.net[i] == pair.y.net[j]) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+class FilteredIntersection {
+ public:
+  FilteredIntersection(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options)
+      : x_(x), y_(y), options_(options) {}
+
+  std::optional<IntersectResult> run() {
+    const auto start = std::chrono::steady_clock::now();
+    const auto pair = filter::make_pair(x_, y_);
+    if (!pair || options_.tolerance < kFinestTolerance || share_a_corner(*pair)) {
+      return std::nullopt;
+    }
+    filter::Trees trees{filter::PatchTree(pair->x), filter::PatchTree(pair->y)};
+    const auto points = filter::boundary_points(*pair, trees, boxes_);
+    std::vector<Trace> traces;
+    if (!points || !trace_arcs(*pair, *points, traces) ||
+        !filter::add_loops(*pair, trees, *points, traces, boxes_)) {
+      return std::nullopt;
+    }
+    std::vector<AnalysedTrace> curves;
+    if (!find_turns(*pair, traces, curves)) {
+      return std::nullopt;
+    }
+    auto graph = filter::make_graph(*pair, *points, curves, options_.turning, coincident_,
+                                    options_.tolerance * pair->extent);
+    if (!graph) {
+      return std::nullopt;
+    }
+    finish_components(*graph);
+    IntersectResult result{Status::complete, std::move(*graph), {}, {}};
+    report(curves, result);
+    if (options_.progress) {
+      options_.progress(1, "filter");
+    }
+    result.work.milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return result;
+  }
+
+ private:
+  /// Every boundary point is an end of exactly one arc.
+  static bool trace_arcs(const filter::Pair& pair, const std::vector<BoundaryPoint>& points,
+                         std::vector<Trace>& traces) {
+    std::vector<bool> used(points.size(), false);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (used[i]) {
+        continue;
+      }
+      auto trace = filter::trace_arc(pair, points, i);
+      if (!trace || used[static_cast<std::size_t>(trace->end)]) {
+        return false;
+      }
+      used[i] = used[static_cast<std::size_t>(trace->end)] = true;
+      traces.push_back(std::move(*trace));
+    }
+    return true;
+  }
+
+  bool find_turns(const filter::Pair& pair, std::vector<Trace>& traces, std::vector<AnalysedTrace>& curves) {
+    coincident_ = kNoneCoincident;
+    for (Trace& trace : traces) {
+      AnalysedTrace& curve = curves.emplace_back(AnalysedTrace{std::move(trace), {}});
+      if (options_.turning.empty() && curve.trace.start >= 0) {
+        continue;
+      }
+      auto found = filter::find_turns(pair, curve.trace, coincident_, curve.turns);
+      if (found == filter::TurnSearch::not_separated && coincident_ == kNoneCoincident) {
+        coincident_ = coincident_parameters(x_, y_);
+        if (coincident_ != kNoneCoincident) {
+          curve.turns.clear();
+          found = filter::find_turns(pair, curve.trace, coincident_, curve.turns);
+        }
+      }
+      if (found != filter::TurnSearch::done) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void report(const std::vector<AnalysedTrace>& curves, IntersectResult& result) const {
+    std::size_t tubes = 0;
+    for (const AnalysedTrace& curve : curves) {
+      tubes += curve.trace.pieces.size();
+    }
+    std::size_t vertices = 0;
+    for (const Arc& arc : result.graph.arcs) {
+      vertices += arc.polyline.size();
+    }
+    auto& steps = result.work.steps;
+    steps["filtered"] = 1;
+    steps["searched boxes"] = static_cast<double>(boxes_);
+    steps["tubes"] = static_cast<double>(tubes);
+    steps["vertices"] = static_cast<double>(vertices);
+  }
+
+  const BezierPatch& x_;
+  const BezierPatch& y_;
+  const IntersectOptions& options_;
+  long boxes_ = 0;
+  std::array<std::size_t, 4> coincident_ = kNoneCoincident;
+};
+
+}  // namespace
+
+std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const BezierPatch& y,
+                                                  const IntersectOptions& options) {
+  return FilteredIntersection(x, y, options).run();
+}
+
+}  // namespace exsect

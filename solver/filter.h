@@ -1,0 +1,16 @@
+// The intersection of two patches decided in doubles, where they suffice. Internal to solver/;
+// docs/method.md, section 14.
+#pragma once
+
+#include <exsect/solver/intersect.h>
+
+#include <optional>
+
+namespace exsect {
+
+/// The complete intersection, with the same proof and the same graph as the exact solution; empty if doubles
+/// do not decide it, after a bounded amount of work. The options have been checked.
+std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const BezierPatch& y,
+                                                  const IntersectOptions& options);
+
+}  // namespace exsect

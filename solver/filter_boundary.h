@@ -1,0 +1,30 @@
+// All boundary points of the intersection, by subdivision with certificates. Internal to solver/;
+// docs/method.md, section 14.3.
+#pragma once
+
+#include <vector>
+
+#include "filter_pieces.h"
+#include "filter_tube.h"
+
+namespace exsect::filter {
+
+/// Exactly one solution of x = y in the ball has `parameter` (centred) equal to `side`, which is 1/2 or -1/2,
+/// as ball.middle has. It lies in the interior of the other three intervals, and the curve crosses the side.
+struct BoundaryPoint {
+  Ball ball;
+  std::size_t parameter;
+  double side;
+};
+
+/// Sub-patches of both patches, shared by all searches.
+struct Trees {
+  PatchTree x;
+  PatchTree y;
+};
+
+/// Every solution on a side; empty if that is not decided: corners, tangents and sides on the other patch
+/// among other reasons. `boxes` counts the pairs looked at.
+std::optional<std::vector<BoundaryPoint>> boundary_points(const Pair& pair, Trees& trees, long& boxes);
+
+}  // namespace exsect::filter

@@ -1,0 +1,340 @@
+#include "filter_graph.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect::filter {
+
+namespace {
+
+constexpr std::size_t kMostVertices = 4000000;
+
+double length(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+/// x at an offset from the tube's centre.
+Vec3 position(const Tube& tube, const Vec4& o) {
+  const Coefficients& c = tube.space;
+  const double a = o[0];
+  const double b = o[1];
+  Vec3 result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = (c[0][i] + b * (c[1][i] + b * c[2][i])) +
+                a * ((c[3][i] + b * (c[4][i] + b * c[5][i])) + a * (c[6][i] + b * (c[7][i] + b * c[8][i])));
+  }
+  return result;
+}
+
+/// Bounds on a tube, in scaled space: |X(w) - X(w~)| <= speed |w - w~| for the space point X = x(u,v), and
+/// |X''|
+/// <= curvature along the arc. With sizes a0, a1 of u', v' and u2, v2 of u'', v'',  (14.10)
+///   X'' = x_u u'' + x_v v'' + x_uu u'² + 2 x_uv u' v' + x_vv v'².
+struct SpaceBounds {
+  double speed;
+  double curvature;
+};
+SpaceBounds space_bounds(const Pair& pair, const Tube& tube) {
+  const double a0 = std::fabs(tube.slope[0]) + tube.slope_error[0];
+  const double a1 = std::fabs(tube.slope[1]) + tube.slope_error[1];
+  const double u2 = std::fabs(tube.second[0]) + tube.second_error[0];
+  const double v2 = std::fabs(tube.second[1]) + tube.second_error[1];
+  const double h0 = tube.offset[0];
+  const double h1 = tube.offset[1];
+  Vec3 speed;
+  Vec3 second;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::array<double, 9> m;
+    for (std::size_t k = 0; k < 9; ++k) {
+      m[k] = std::fabs(tube.space[k][i]) + pair.x.error[k];
+    }
+    const double xu =
+        m[3] + 2 * m[6] * h0 + m[4] * h1 + 2 * m[7] * h0 * h1 + (m[5] + 2 * m[8] * h0) * h1 * h1;
+    const double xv =
+        m[1] + 2 * m[2] * h1 + m[4] * h0 + 2 * m[5] * h0 * h1 + (m[7] + 2 * m[8] * h1) * h0 * h0;
+    const double xuu = 2 * (m[6] + m[7] * h1 + m[8] * h1 * h1);
+    const double xuv = m[4] + 2 * m[7] * h0 + 2 * m[5] * h1 + 4 * m[8] * h0 * h1;
+    const double xvv = 2 * (m[2] + m[5] * h0 + m[8] * h0 * h0);
+    speed[i] = xu + xv;
+    second[i] = xu * u2 + xv * v2 + xuu * a0 * a0 + 2 * xuv * a0 * a1 + xvv * a1 * a1;
+  }
+  return {kSlack * length(speed), kSlack * length(second)};
+}
+
+/// A place on the trace where an arc begins or ends.
+struct Stop {
+  int node;
+  std::size_t piece;
+  double tau;
+};
+
+class GraphMaker {
+ public:
+  GraphMaker(const Pair& pair, const std::vector<BoundaryPoint>& points,
+             const std::array<std::size_t, 4>& coincident, double tolerance)
+      : pair_(pair),
+        points_(points),
+        coincident_(coincident),
+        scale_(std::ldexp(1.0, static_cast<int>(pair.frame.exponent))),
+        tolerance_(tolerance),
+        scaled_tolerance_(tolerance / scale_) {
+    const auto& o = pair.frame.origin;
+    // The values of x: Patch::error; origin + scaled point: two roundings of each coordinate's size.
+    const double size = std::max({std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])}) / scale_ + 2;
+    place_error_ = kSlack * 1.75 * (pair.total_error + 2 * kUnit * size);
+  }
+
+  void add_boundary_nodes() {
+    for (const BoundaryPoint& point : points_) {
+      Node& node = add_node(NodeKind::boundary, point.ball);
+      const bool upper = point.side > 0;
+      node.on = {{static_cast<Parameter>(point.parameter), upper ? 1 : 0}};
+      node.box[point.parameter] = {upper ? 1 : 0, upper ? 1 : 0};
+    }
+  }
+
+  bool add(const AnalysedTrace& curve, const std::vector<Parameter>& wanted) {
+    stops_.clear();
+    const Trace& trace = curve.trace;
+    if (trace.start >= 0) {
+      stops_.push_back({trace.start, 0, trace.pieces.front().from});
+    }
+    add_turning_stops(curve, wanted);
+    if (stops_.empty()) {
+      add_turning_stops(curve, {all_parameters.begin(), all_parameters.end()});
+    }
+    if (trace.start >= 0) {
+      stops_.push_back({trace.end, trace.pieces.size() - 1, trace.pieces.back().to});
+    }
+    bounds_.clear();
+    for (const Piece& piece : trace.pieces) {
+      bounds_.push_back(space_bounds(pair_, piece.tube));
+    }
+    bool proved = !stops_.empty();
+    for (std::size_t i = 0; proved && i + 1 < stops_.size(); ++i) {
+      proved = add_arc(trace, stops_[i], stops_[i + 1]);
+    }
+    return proved && (trace.start >= 0 || add_arc(trace, stops_.back(), stops_.front()));
+  }
+
+  IntersectionGraph take() { return std::move(graph_); }
+
+ private:
+  /// Parameters in [0,1]: the middle, in [-1/2,1/2] up to the radius, plus 1/2. 2^-50: the roundings.
+  Node& add_node(NodeKind kind, const Ball& ball) {
+    Node& node = graph_.nodes.emplace_back();
+    node.id = static_cast<int>(graph_.nodes.size()) - 1;
+    node.kinds = {kind};
+    const double radius = kSlack * ball.radius + 0x1p-50;
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double t = std::clamp(ball.middle[j] + 0.5, 0.0, 1.0);
+      node.approx[j] = t;
+      node.box[j].lower = from_double(std::max(t - radius, 0.0));
+      node.box[j].upper = from_double(std::min(t + radius, 1.0));
+    }
+    const Vec3 x = expand(pair_.x, ball.middle[0], ball.middle[1])[0];
+    for (std::size_t c = 0; c < 3; ++c) {
+      node.point[c] = pair_.frame.origin[c] + scale_ * x[c];
+    }
+    node_radius_.push_back(radius);
+    return node;
+  }
+
+  void add_turning_stops(const AnalysedTrace& curve, const std::vector<Parameter>& wanted) {
+    for (const Turn& turn : curve.turns) {
+      std::vector<Parameter> wrt;
+      for (const Parameter p : all_parameters) {
+        const bool turns = index(p) == turn.parameter || coincident_[index(p)] == turn.parameter;
+        if (turns && std::find(wanted.begin(), wanted.end(), p) != wanted.end()) {
+          wrt.push_back(p);
+        }
+      }
+      if (!wrt.empty()) {
+        Node& node = add_node(NodeKind::turning, turn.ball);
+        node.wrt = std::move(wrt);
+        stops_.push_back({node.id, turn.piece, 0.5 * (turn.from + turn.to)});
+      }
+    }
+  }
+
+  /// Chords over the offsets between a and b on a piece.
+  int chords(std::size_t piece, double a, double b) const {
+    const double step = std::sqrt(8 * 0.93 * scaled_tolerance_ / (bounds_[piece].curvature + kTiny));
+    return static_cast<int>(std::min(std::ceil(std::fabs(b - a) / step), 1e7)) + (a == b ? 1 : 0);
+  }
+
+  /// The pieces from one stop to the next, which for the last arc of a closed curve pass its seam.
+  template <class Visit>
+  void visit(const Trace& trace, const Stop& from, const Stop& to, const Visit& visit_piece) const {
+    const std::size_t count = trace.pieces.size();
+    const bool around = to.piece < from.piece || (to.piece == from.piece && is_behind(trace, from, to));
+    const std::size_t last = to.piece + (around ? count : 0);
+    for (std::size_t k = from.piece; k <= last; ++k) {
+      const Piece& piece = trace.pieces[k % count];
+      visit_piece(k % count, k == from.piece ? from.tau : piece.from, k == last ? to.tau : piece.to,
+                  k == last);
+    }
+  }
+
+  static bool is_behind(const Trace& trace, const Stop& from, const Stop& to) {
+    const Piece& piece = trace.pieces[from.piece];
+    return trace.start < 0 && (piece.to > piece.from ? to.tau <= from.tau : to.tau >= from.tau);
+  }
+
+  bool add_arc(const Trace& trace, const Stop& from, const Stop& to) {
+    std::size_t count = 2;
+    visit(trace, from, to, [&](std::size_t piece, double a, double b, bool) {
+      count += static_cast<std::size_t>(chords(piece, a, b));
+    });
+    vertices_ += count;
+    if (vertices_ > kMostVertices) {
+      return false;
+    }
+    Arc& arc = graph_.arcs.emplace_back();
+    arc.id = static_cast<int>(graph_.arcs.size()) - 1;
+    arc.component = -1;
+    arc.from = from.node;
+    arc.to = to.node;
+    arc.place = ArcPlace::interior;
+    arc.contact = Contact::transversal;
+    arc.polyline.reserve(count);
+    chord_error_ = vertex_error_ = 0;
+    cover(from);
+    cover(to);
+    push_node(arc, from.node);
+    visit(trace, from, to, [&](std::size_t piece, double a, double b, bool last) {
+      add_chords(arc, trace.pieces[piece].tube, bounds_[piece], a, b, chords(piece, a, b), !last);
+    });
+    push_node(arc, to.node);
+    // An end of the arc is anywhere in its node's box, and the vertex there too: twice.
+    arc.error_bound = kSlack * scale_ * (chord_error_ + 2 * vertex_error_ + 2 * place_error_);
+    return arc.error_bound <= tolerance_;
+  }
+
+  void push_node(Arc& arc, int id) const {
+    const Node& node = graph_.nodes[static_cast<std::size_t>(id)];
+    arc.polyline.push_back({node.approx, node.point});
+  }
+
+  /// The node's box, of radius at most 2^-31, contains points of the tube: at its other points |x_u| + |x_v|
+  /// is greater by at most 2^-31 times |x_uu| + 2 |x_uv| + |x_vv|, which is below 2^8 near the square.
+  void cover(const Stop& stop) {
+    const double radius = node_radius_[static_cast<std::size_t>(stop.node)];
+    vertex_error_ = std::max(vertex_error_, 2 * (bounds_[stop.piece].speed + 0x1p-22) * radius);
+  }
+
+  /// n chords over equal steps of tau; the vertices between them, and the last one if `with_end`. A vertex w
+  /// is extrapolated and improved by one or more steps w - C F(w), after which |w - w*| <= rho/(1 - rho) |C
+  /// F| of the last step, and the rounding.
+  void add_chords(Arc& arc, const Tube& tube, const SpaceBounds& bounds, double a, double b, int n,
+                  bool with_end) {
+    const double h = (b - a) / n;
+    const double width = kSlack * std::fabs(h);
+    chord_error_ = std::max(chord_error_, bounds.curvature * width * width / 8);
+    const double amplify = kSlack * tube.contraction / (1 - tube.contraction);
+    const double rounding = kSlack * tube.value_error / (1 - tube.contraction) + 0x1p-51;
+    const double allowed = 0.015 * scaled_tolerance_ / (bounds.speed + kTiny);
+    std::array<Vec4, 4> last{};  // offsets, the latest first
+    last[0] = first_offset(tube, a);
+    double worst = 0;
+    for (int i = 1; i < n + (with_end ? 1 : 0); ++i) {
+      const double tau = i == n ? b : a + i * h;
+      Vec4 o = i < 4 ? ahead(tube, last[0], tau) : extrapolated(last);
+      o[tube.axis] = tau;
+      double error = improve_offset(tube, o, amplify, allowed);
+      if (!(error <= allowed)) {
+        error = point_at(tube, tau, &o).radius;
+      }
+      worst = std::max(worst, error);
+      last = {o, last[0], last[1], last[2]};
+      push_vertex(arc, tube, o);
+    }
+    vertex_error_ = std::max(vertex_error_, bounds.speed * (worst + rounding));
+  }
+
+  static Vec4 first_offset(const Tube& tube, double tau) {
+    Vec4 o;
+    point_at(tube, tau, &o);
+    return o;
+  }
+
+  static Vec4 ahead(const Tube& tube, const Vec4& last, double tau) {
+    const double step = tau - last[tube.axis];
+    const double middle = tau - 0.5 * step;
+    Vec4 o;
+    for (std::size_t j = 0; j < 4; ++j) {
+      o[j] = last[j] + step * (tube.slope[j] + middle * tube.second[j]);
+    }
+    return o;
+  }
+
+  static Vec4 extrapolated(const std::array<Vec4, 4>& p) {
+    Vec4 o;
+    for (std::size_t j = 0; j < 4; ++j) {
+      o[j] = 4 * (p[0][j] + p[2][j]) - 6 * p[1][j] - p[3][j];
+    }
+    return o;
+  }
+
+  /// Bound of the distance from the curve's point, apart from value_error; infinite if none is proved.
+  static double improve_offset(const Tube& tube, Vec4& o, double amplify, double allowed) {
+    for (int step = 0; step < 6; ++step) {
+      for (const std::size_t j : tube.others) {
+        if (!(kSlack * (std::fabs(o[j] - o[tube.axis] * tube.slope[j]) + 0x1p-51) <= tube.halfwidth[j])) {
+          return HUGE_VAL;
+        }
+      }
+      const Vec3 value = premultiplied_value(tube, o);
+      for (std::size_t row = 0; row < 3; ++row) {
+        o[tube.others[row]] -= value[row];
+      }
+      const double error = amplify * largest(value);
+      if (error <= allowed) {
+        return error;
+      }
+    }
+    return HUGE_VAL;
+  }
+
+  void push_vertex(Arc& arc, const Tube& tube, const Vec4& o) const {
+    PolylineVertex& vertex = arc.polyline.emplace_back();
+    for (std::size_t j = 0; j < 4; ++j) {
+      vertex.parameters[j] = (tube.centre[j] + o[j]) + 0.5;
+    }
+    const Vec3 x = position(tube, o);
+    for (std::size_t c = 0; c < 3; ++c) {
+      vertex.point[c] = pair_.frame.origin[c] + scale_ * x[c];
+    }
+  }
+
+  const Pair& pair_;
+  const std::vector<BoundaryPoint>& points_;
+  const std::array<std::size_t, 4>& coincident_;
+  double scale_;
+  double tolerance_;
+  double scaled_tolerance_;
+  double place_error_;
+  std::size_t vertices_ = 0;
+  IntersectionGraph graph_;
+  std::vector<double> node_radius_;
+  std::vector<Stop> stops_;
+  std::vector<SpaceBounds> bounds_;
+  double chord_error_ = 0;
+  double vertex_error_ = 0;
+};
+
+}  // namespace
+
+std::optional<IntersectionGraph> make_graph(const Pair& pair, const std::vector<BoundaryPoint>& points,
+                                            const std::vector<AnalysedTrace>& traces,
+                                            const std::vector<Parameter>& wanted,
+                                            const std::array<std::size_t, 4>& coincident, double tolerance) {
+  GraphMaker maker(pair, points, coincident, tolerance);
+  maker.add_boundary_nodes();
+  for (const AnalysedTrace& curve : traces) {
+    if (!maker.add(curve, wanted)) {
+      return std::nullopt;
+    }
+  }
+  return maker.take();
+}
+
+}  // namespace exsect::filter

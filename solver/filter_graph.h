@@ -1,0 +1,25 @@
+// From traced curves to the intersection graph with polylines. Internal to solver/; docs/method.md, section
+// 14.6.
+#pragma once
+
+#include <exsect/solver/intersection_graph.h>
+
+#include "filter_turning.h"
+
+namespace exsect::filter {
+
+/// A traced curve with its turning points in order.
+struct AnalysedTrace {
+  Trace trace;
+  std::vector<Turn> turns;
+};
+
+/// The graph of these curves, which are the whole intersection; turning points with respect to `wanted`
+/// parameters are nodes, all of them on a closed curve that has no other. coincident[i] turns where i does.
+/// Empty if a polyline cannot be proved to keep within `tolerance` (space units).
+std::optional<IntersectionGraph> make_graph(const Pair& pair, const std::vector<BoundaryPoint>& points,
+                                            const std::vector<AnalysedTrace>& traces,
+                                            const std::vector<Parameter>& wanted,
+                                            const std::array<std::size_t, 4>& coincident, double tolerance);
+
+}  // namespace exsect::filter

@@ -1,0 +1,317 @@
+#include "filter_turning.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect::filter {
+
+namespace {
+
+constexpr int kDeepestSplit = 30;
+constexpr std::size_t kMostPieces = 4000;
+constexpr double kLargestBox = 0x1p-31;
+
+/// w'(tau) is within `radius` of `middle`.
+struct Direction {
+  Vec4 middle;
+  double radius;
+};
+
+/// p_a and p_b at (a,b).
+void derivatives(const Coefficients& c, double a, double b, Vec3& first, Vec3& second) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    first[i] = (c[3][i] + b * (c[4][i] + b * c[5][i])) + 2 * a * (c[6][i] + b * (c[7][i] + b * c[8][i]));
+    second[i] = (c[1][i] + a * (c[4][i] + a * c[7][i])) + 2 * b * (c[2][i] + a * (c[5][i] + a * c[8][i]));
+  }
+}
+
+/// Bound of |p_aa| + |p_ab|, |p_ab| + |p_bb| over |a| <= ha, |b| <= hb.
+double second_derivatives(const Coefficients& c, double ha, double hb) {
+  double result = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double c12 = std::fabs(c[5][i]);
+    const double c21 = std::fabs(c[7][i]);
+    const double c22 = std::fabs(c[8][i]);
+    const double ab = std::fabs(c[4][i]) + 2 * c21 * ha + 2 * c12 * hb + 4 * c22 * ha * hb;
+    const double aa = 2 * (std::fabs(c[6][i]) + c21 * hb + c22 * hb * hb);
+    const double bb = 2 * (std::fabs(c[2][i]) + c12 * ha + c22 * ha * ha);
+    result = std::max(result, ab + std::max(aa, bb));
+  }
+  return result;
+}
+
+/// Bound of the change of any C F_j, row by row, per unit of distance in the region. The errors of the
+/// coefficients, times the distance, are below column_error, which is added once more.
+double steepest_change(const Tube& tube) {
+  return kSlack * std::max(second_derivatives(tube.g, tube.offset[0], tube.offset[1]),
+                           second_derivatives(tube.h, tube.offset[2], tube.offset[3]));
+}
+
+/// (14.9): for d near w', d_axis = 1, |w' - d| <= |sum C F_j d_j| / (1 - rho), C F_j at the true point.
+Direction direction_at(const Tube& tube, double tau, Ball* at = nullptr) {
+  Vec4 o;
+  const Ball ball = point_at(tube, tau, &o);
+  if (at != nullptr) {
+    *at = ball;
+  }
+  std::array<Vec3, 4> column;
+  derivatives(tube.g, o[0], o[1], column[0], column[1]);
+  derivatives(tube.h, o[2], o[3], column[2], column[3]);
+  Direction d;
+  for (std::size_t j = 0; j < 4; ++j) {
+    d.middle[j] = tube.slope[j] + tau * tube.second[j];
+  }
+  double least = HUGE_VAL;
+  Vec4 next = d.middle;
+  for (int step = 0; step < 30; ++step) {
+    Vec3 rest{};
+    for (std::size_t j = 0; j < 4; ++j) {
+      rest = rest + next[j] * column[j];
+    }
+    if (!(largest(rest) < 0.75 * least)) {
+      break;
+    }
+    least = largest(rest);
+    d.middle = next;
+    for (std::size_t row = 0; row < 3; ++row) {
+      next[tube.others[row]] -= rest[row];
+    }
+  }
+  double size = 0;
+  for (const double t : d.middle) {
+    size += std::fabs(t);
+  }
+  // |C F_j| < 2 in the region but for the axis, where it is |slope|; 2^-46 covers the rounding of the sum.
+  const double column_error =
+      steepest_change(tube) * ball.radius + 2 * tube.column_error +
+      0x1p-46 * (2 + largest({tube.slope[0], tube.slope[1], 0}) + largest({tube.slope[2], tube.slope[3], 0}));
+  d.radius = kSlack * (least + size * column_error) / (1 - tube.contraction);
+  return d;
+}
+
+/// At the end of a piece: w_i' has this sign within kEndMargin of it as well, where the neighbouring piece,
+/// or the boundary point itself, begins.
+int sign_near(const Tube& tube, Direction d, std::size_t i) {
+  d.radius = kSlack * (d.radius + kEndMargin * (std::fabs(tube.second[i]) + tube.second_error[i]));
+  return d.middle[i] > d.radius ? 1 : d.middle[i] < -d.radius ? -1 : 0;
+}
+
+int sign_of(const Direction& d, std::size_t i) {
+  return d.middle[i] > d.radius ? 1 : d.middle[i] < -d.radius ? -1 : 0;
+}
+
+class TurnFinder {
+ public:
+  TurnFinder(const Pair& pair, Trace& trace, const std::array<std::size_t, 4>& coincident,
+             std::vector<Turn>& turns)
+      : pair_(pair), trace_(trace), coincident_(coincident), turns_(turns) {}
+
+  TurnSearch run() {
+    if (!split_pieces()) {
+      return TurnSearch::undecided;
+    }
+    std::vector<Ends> ends(trace_.pieces.size());
+    for (std::size_t k = 0; k < trace_.pieces.size(); ++k) {
+      const std::size_t begin = turns_.size();
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (coincident_[i] >= i && !search(k, i, ends[k])) {
+          return TurnSearch::undecided;
+        }
+      }
+      const TurnSearch order = sort(begin);
+      if (order != TurnSearch::done) {
+        return order;
+      }
+    }
+    return joined(ends) ? TurnSearch::done : TurnSearch::undecided;
+  }
+
+ private:
+  /// Signs of the change of each parameter along the trace at both ends of a piece.
+  struct Ends {
+    std::array<int, 4> first;
+    std::array<int, 4> last;
+  };
+
+  /// Pieces end and begin at offsets of one point in doubles, so with different points of the curve, less
+  /// than kEndMargin apart. What is between them lies on the arcs of both tubes, on which a parameter turns
+  /// once at most, so not at all if it changes in the same sense on both sides.
+  bool joined(const std::vector<Ends>& ends) const {
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      if (ends[k].last != ends[k + 1].first) {
+        return false;
+      }
+    }
+    return trace_.start >= 0 || ends.back().last == ends.front().first;
+  }
+
+  static bool monotone(const Tube& tube, std::size_t i) {
+    return std::fabs(tube.slope[i]) > tube.slope_error[i];
+  }
+
+  static bool simple(const Tube& tube) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!monotone(tube, i) && !(std::fabs(tube.second[i]) > tube.second_error[i])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Divides pieces until each parameter is monotone or turns at most once on each.
+  bool split_pieces() {
+    if (std::all_of(trace_.pieces.begin(), trace_.pieces.end(),
+                    [](const Piece& piece) { return simple(piece.tube); })) {
+      return true;
+    }
+    std::vector<Piece> done;
+    done.reserve(3 * trace_.pieces.size());
+    for (const Piece& piece : trace_.pieces) {
+      if (!split(piece, 0, done)) {
+        return false;
+      }
+    }
+    trace_.pieces = std::move(done);
+    return true;
+  }
+
+  bool split(const Piece& piece, int depth, std::vector<Piece>& done) const {
+    if (simple(piece.tube)) {
+      done.push_back(piece);
+      return true;
+    }
+    if (depth >= kDeepestSplit || done.size() > kMostPieces) {
+      return false;
+    }
+    const double middle = piece.from + 0.4853 * (piece.to - piece.from);
+    Piece half;
+    return part(piece.tube, piece.from, middle, half) && split(half, depth + 1, done) &&
+           part(piece.tube, middle, piece.to, half) && split(half, depth + 1, done);
+  }
+
+  /// A part of the tube's arc on a tube of its own, with the same axis: both arcs start in the same point and
+  /// go the same way.
+  bool part(const Tube& tube, double from, double to, Piece& result) const {
+    const Ball start = point_at(tube, from);
+    const Ball end = point_at(tube, to);
+    const Ball centre = point_at(tube, 0.5 * (from + to));
+    const double radius = std::max({start.radius, end.radius, centre.radius});
+    if (!prepare(pair_, centre.middle, tube.axis, result.tube)) {
+      return false;
+    }
+    const double reach = 0.505 * std::fabs(to - from) + 4 * radius;
+    const double width = std::max(2 * largest(residual_bound(pair_, result.tube, reach)), kLeastHalfwidth);
+    if (radius > 0x1p-2 * kEndMargin ||
+        !certify(pair_, result.tube, -reach, reach, {width, width, width, width}) ||
+        !contains(result.tube, start) || !contains(result.tube, end)) {
+      return false;
+    }
+    bound_derivatives(pair_, result.tube);
+    result.from = start.middle[tube.axis] - result.tube.centre[tube.axis];
+    result.to = end.middle[tube.axis] - result.tube.centre[tube.axis];
+    return (result.to > result.from) == (to > from);
+  }
+
+  bool search(std::size_t k, std::size_t i, Ends& ends) {
+    const Piece& piece = trace_.pieces[k];
+    const int sense = piece.to > piece.from ? 1 : -1;
+    if (monotone(piece.tube, i)) {
+      ends.first[i] = ends.last[i] = piece.tube.slope[i] > 0 ? sense : -sense;
+      return true;
+    }
+    const Direction first = direction_at(piece.tube, piece.from);
+    const Direction last = direction_at(piece.tube, piece.to);
+    ends.first[i] = sense * sign_near(piece.tube, first, i);
+    ends.last[i] = sense * sign_near(piece.tube, last, i);
+    if (ends.first[i] == 0 || ends.last[i] == 0) {
+      return false;
+    }
+    return ends.first[i] == ends.last[i] || bracket(k, i, first.middle[i], last.middle[i]);
+  }
+
+  /// The secant method for a guess of the zero of w_i', then certain signs on both sides of it.
+  bool bracket(std::size_t k, std::size_t i, double first, double last) {
+    const Piece& piece = trace_.pieces[k];
+    const Tube& tube = piece.tube;
+    double a = piece.from;
+    double b = piece.to;
+    double fa = first;
+    double fb = last;
+    double radius = 0;
+    double t = b;
+    for (int step = 0; step < 40; ++step) {
+      t = (a * fb - b * fa) / (fb - fa);
+      const Direction d = direction_at(tube, t);
+      radius = d.radius;
+      const double ft = d.middle[i];
+      if (!(std::fabs(ft) > radius)) {
+        break;
+      }
+      if (std::signbit(ft) == std::signbit(fb)) {
+        fa *= 0.5;  // Illinois
+      } else {
+        a = b;
+        fa = fb;
+      }
+      b = t;
+      fb = ft;
+    }
+    const double direction = piece.to > piece.from ? 1 : -1;
+    for (double delta = 2.5 * radius / std::fabs(tube.second[i]) + 0x1p-48; delta < kLargestBox; delta *= 2) {
+      const double from = direction > 0 ? std::max(t - delta, piece.from) : std::min(t + delta, piece.from);
+      const double to = direction > 0 ? std::min(t + delta, piece.to) : std::max(t - delta, piece.to);
+      const int before = sign_of(direction_at(tube, from), i);
+      const int after = sign_of(direction_at(tube, to), i);
+      if (before != 0 && before == -after && (before > 0) == (first > 0)) {
+        return record(k, i, from, to);
+      }
+    }
+    return false;
+  }
+
+  bool record(std::size_t k, std::size_t i, double from, double to) {
+    const Tube& tube = trace_.pieces[k].tube;
+    double steep = 1;
+    for (std::size_t j = 0; j < 4; ++j) {
+      steep = std::max(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
+    }
+    Turn turn = {i, k, from, to, point_at(tube, 0.5 * (from + to))};
+    // 2^-51: the rounding of the middle.
+    turn.ball.radius = kSlack * (turn.ball.radius + steep * (0.5 * std::fabs(to - from) + 0x1p-51));
+    turns_.push_back(turn);
+    // All of the node's box in the region: no other turning point with respect to i is there.
+    return turn.ball.radius < kLargestBox && contains(tube, {turn.ball.middle, turn.ball.radius + 0x1p-48});
+  }
+
+  /// In the order of the trace; the brackets of one piece must be disjoint.
+  TurnSearch sort(std::size_t begin) {
+    const auto first = turns_.begin() + static_cast<std::ptrdiff_t>(begin);
+    if (turns_.end() - first < 2) {
+      return TurnSearch::done;
+    }
+    const bool forward = trace_.pieces[first->piece].to > trace_.pieces[first->piece].from;
+    std::sort(first, turns_.end(),
+              [&](const Turn& a, const Turn& b) { return forward ? a.from < b.from : a.from > b.from; });
+    for (auto turn = first; turn + 1 != turns_.end(); ++turn) {
+      const Turn& next = *(turn + 1);
+      if (!(forward ? turn->to < next.from : turn->to > next.from)) {
+        return turn->parameter / 2 != next.parameter / 2 ? TurnSearch::not_separated : TurnSearch::undecided;
+      }
+    }
+    return TurnSearch::done;
+  }
+
+  const Pair& pair_;
+  Trace& trace_;
+  const std::array<std::size_t, 4>& coincident_;
+  std::vector<Turn>& turns_;
+};
+
+}  // namespace
+
+TurnSearch find_turns(const Pair& pair, Trace& trace, const std::array<std::size_t, 4>& coincident,
+                      std::vector<Turn>& turns) {
+  return TurnFinder(pair, trace, coincident, turns).run();
+}
+
+}  // namespace exsect::filter
