@@ -36,7 +36,6 @@ class FilteredIntersection {
       : x_(x), y_(y), options_(options) {}
 
   std::optional<IntersectResult> run() {
-    const auto start = std::chrono::steady_clock::now();
     const auto pair = filter::make_pair(x_, y_);
     if (!pair || options_.tolerance < kFinestTolerance || share_a_corner(*pair)) {
       return std::nullopt;
@@ -54,7 +53,7 @@ class FilteredIntersection {
     }
     auto graph = filter::make_graph(*pair, *points, curves, options_.turning, coincident_,
                                     options_.tolerance * pair->extent);
-    if (!graph) {
+    if (!graph || (options_.max_seconds && milliseconds() > 1000 * *options_.max_seconds)) {
       return std::nullopt;
     }
     finish_components(*graph);
@@ -63,12 +62,15 @@ class FilteredIntersection {
     if (options_.progress) {
       options_.progress(1, "filter");
     }
-    result.work.milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    result.work.milliseconds = milliseconds();
     return result;
   }
 
  private:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
   /// Every boundary point is an end of exactly one arc.
   static bool trace_arcs(const filter::Pair& pair, const std::vector<BoundaryPoint>& points,
                          std::vector<Trace>& traces) {
@@ -128,6 +130,7 @@ class FilteredIntersection {
   const BezierPatch& x_;
   const BezierPatch& y_;
   const IntersectOptions& options_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   long boxes_ = 0;
   std::array<std::size_t, 4> coincident_ = kNoneCoincident;
 };
