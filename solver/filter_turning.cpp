@@ -244,7 +244,7 @@ class TurnFinder {
       const Direction d = direction_at(tube, t);
       radius = d.radius;
       const double ft = d.middle[i];
-      if (!(std::fabs(ft) > radius)) {
+      if (!(std::fabs(ft) > 0x1p-51) || (step >= 6 && std::fabs(ft) <= radius)) {
         break;
       }
       if (std::signbit(ft) == std::signbit(fb)) {
