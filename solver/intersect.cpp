@@ -338,7 +338,7 @@ class Intersection {
     if (degree == 0) {
       result_.graph.isolated_points.push_back(node.id);
     }
-    if (!is_known_singular(x_, y_, star.centre)) {
+    if (degree < 3 && !is_known_singular(x_, y_, star.centre)) {
       return;
     }
     const bool inside = node.on.empty();  // on a side further branches may lie outside

@@ -7,6 +7,7 @@
 
 #include "half_rational_point.h"
 #include "line_place.h"
+#include "point_on_line.h"
 #include "tangential_tube.h"
 #include "traced_curves.h"
 
@@ -146,42 +147,36 @@ class StarSearch {
     }
   }
 
+  /// The points of lines that lie on the other patch, over turning values of the parameter along them.
   void try_points_on_lines(const TurningValues& turning) {
     for (const TurningValue& value : turning.values) {
       if (value.multiplicity == 1 || !value.value.is_rational()) {
         continue;
       }
-      const LineQuery query = {turning.sweep, value.value.rational()};
-      for (const AlgebraicInterval& part : line_points(problem_.x, problem_.y, query).on_patch) {
-        for (const CertifiedPoint& point : points_on_line(query, part)) {
-          if (!is_covered(point) && needs_star(point)) {
-            try_sweep(point, turning, query.value);
-          }
+      const LineQuery line = {turning.sweep, value.value.rational()};
+      const LinePoints fibre = line_points(problem_.x, problem_.y, line);
+      const auto& along = problem_.turning(line_place(line).roles.line);
+      if (fibre.on_patch.empty() || !along) {
+        continue;
+      }
+      for (const TurningValue& event : along->values) {
+        const bool on_line =
+            std::any_of(fibre.on_patch.begin(), fibre.on_patch.end(), [&](const AlgebraicInterval& part) {
+              return !(event.value < part.from) && !(part.to < event.value);
+            });
+        if (on_line && event.multiplicity != 1) {
+          try_point_on_line(turning, line, event.value);
         }
       }
     }
   }
 
-  /// The points on a line that lies on the other patch, over rational turning values of the parameter along
-  /// it.
-  std::vector<CertifiedPoint> points_on_line(const LineQuery& line, const AlgebraicInterval& part) {
-    std::vector<CertifiedPoint> result;
-    const Parameter along = line_place(line).roles.line;
-    const auto& turning = problem_.turning(along);
-    for (const TurningValue& value : turning ? turning->values : std::vector<TurningValue>()) {
-      if (value.multiplicity == 1 || !value.value.is_rational() ||
-          part.from.compare(value.value.rational()) > 0 || part.to.compare(value.value.rational()) < 0) {
-        continue;
-      }
-      const bool of_x = index(along) < 2;
-      std::array<Rational, 2> at;
-      at[index(along) % 2] = value.value.rational();
-      at[index(line.fixed) % 2] = line.value;
-      for (HalfRationalPoint& point : half_rational_points(problem_.x, problem_.y, of_x, at)) {
-        result.push_back(std::move(point.point));
+  void try_point_on_line(const TurningValues& turning, const LineQuery& line, const RealAlgebraic& along) {
+    for (const CertifiedPoint& point : points_on_line(problem_.x, problem_.y, line, along)) {
+      if (!is_covered(point) && needs_star(point)) {
+        try_sweep(point, turning, line.value, along);
       }
     }
-    return result;
   }
 
   /// Over sides first, then over rational turning values.
@@ -208,9 +203,10 @@ class StarSearch {
     }
   }
 
-  bool try_sweep(const CertifiedPoint& point, const TurningValues& turning, const Rational& at) {
+  bool try_sweep(const CertifiedPoint& point, const TurningValues& turning, const Rational& at,
+                 const std::optional<RealAlgebraic>& along = {}) {
     StarProblem problem{problem_.x, problem_.y, turning,          problem_.boundary, 0,
-                        {},         true,       problem_.sampled, problem_.samples};
+                        {},         true,       problem_.sampled, problem_.samples,  along};
     for (const Parameter p : all_parameters) {
       if (p == turning.sweep || problem_.coincident[index(p)] == index(turning.sweep)) {
         continue;

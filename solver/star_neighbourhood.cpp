@@ -94,7 +94,7 @@ class StarProof {
           continue;
         }
         auto star = with_ports();
-        if (!star || star->ports.empty() || arcs_are_monotone()) {
+        if (!star || star->ports.empty() || arcs_are_monotone(star->ports.size())) {
           return star;
         }
         break;  // with a smaller box
@@ -205,30 +205,32 @@ class StarProof {
         } else if (value.value.is_rational()) {
           through_centre_.push_back({other->sweep, value.value.rational()});
         } else {
-          turning_is_known_ = false;
+          ++irrational_near_[index(other->sweep)];
+        }
+        if (d == 0 && other->sweep == line_ && !(problem_.along && value.value == *problem_.along)) {
+          return false;
         }
       }
     }
-    return !line_ || values_on_line_are_the_centres();
-  }
-
-  /// Of the turning values along the line, the box holds the centre's at most. Then all arcs in the box that
-  /// are not the line meet it in the centre only: through a point of the fibre over another value one arc
-  /// passes, and that is the line.
-  bool values_on_line_are_the_centres() const {
-    const RationalInterval& centre = centre_.box()[index(*line_)];
-    return turning_is_known_ &&
-           std::any_of(problem_.others.begin(), problem_.others.end(),
-                       [&](const TurningValues* other) { return other->sweep == *line_; }) &&
-           std::all_of(through_centre_.begin(), through_centre_.end(), [&](const LineQuery& query) {
-             return query.fixed != *line_ || (centre.width() == 0 && centre.lower == query.value);
-           });
+    // Of the turning values along the line, the box now holds the centre's at most. So all arcs in the box
+    // that are not the line meet it in the centre only: through a point of the fibre over another value one
+    // arc passes, and that is the line.
+    return !line_ || std::any_of(problem_.others.begin(), problem_.others.end(),
+                                 [&](const TurningValues* other) { return other->sweep == *line_; });
   }
 
   /// In every other parameter: the only point of the box over a turning value is the centre, apart from
-  /// curves on which that parameter is constant.
-  bool arcs_are_monotone() const {
-    return turning_is_known_ && problem_.others_complete &&
+  /// curves on which that parameter is constant. With three ports the centre is singular, and all its
+  /// parameters are turning values: where the box holds one value of a parameter only, it is the centre's,
+  /// and an arc that turned there would turn over another one on its way to the centre.
+  bool arcs_are_monotone(std::size_t ports) const {
+    const auto is_known = [&](Parameter p) {
+      const auto rational = std::count_if(through_centre_.begin(), through_centre_.end(),
+                                          [&](const LineQuery& query) { return query.fixed == p; });
+      return irrational_near_[index(p)] == 0 ||
+             (ports >= 3 && irrational_near_[index(p)] == 1 && rational == 0);
+    };
+    return problem_.others_complete && std::all_of(all_parameters.begin(), all_parameters.end(), is_known) &&
            std::all_of(through_centre_.begin(), through_centre_.end(), [this](const LineQuery& query) {
              const LinePoints line = line_points(problem_.x, problem_.y, query);
              return !line.incomplete &&
@@ -348,7 +350,7 @@ class StarProof {
   Rational slab_room_;
   std::optional<Parameter> line_;  // that runs along the line over `at`, if this lies on the other patch
   std::vector<LineQuery> through_centre_;  // turning values of other parameters that the centre has
-  bool turning_is_known_ = true;
+  std::array<int, 4> irrational_near_{};   // turning values that cannot be told from the centre's
   std::array<double, 4> middle_{};
   struct {
     std::array<double, 4> lower;

@@ -45,11 +45,13 @@ struct StarProblem {
   /// The box must contain no point over these values of `sampled`.
   Parameter sampled;
   const std::vector<Rational>& samples;
+  /// The centre's value of the parameter along the line over `at`, if it is given by that.
+  std::optional<RealAlgebraic> along = {};
 };
 
 /// The star around `centre`, a point of the intersection over the rational value `at` of the sweep parameter;
-/// empty if it cannot be proved. If the line over `at` lies on the other patch around the centre, the centre
-/// must have an exact rational value of the parameter along it, or lie over no turning value of that.
+/// empty if it cannot be proved. If the line over `at` lies on the other patch around the centre,
+/// StarProblem::along must be given, or the centre must lie over no turning value of the parameter along it.
 std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, const CertifiedPoint& centre,
                                                     const Rational& at);
 

@@ -225,6 +225,32 @@ TEST_CASE("a curve that touches a side goes on behind it", "[intersect]") {
   }
 }
 
+TEST_CASE("an arc leaves a common side in an irrational point", "[intersect]") {
+  // (u, v, u (2 v² - 1 - u/2)) and (r, s, 0): the side u = 0, and v² = 1/2 + u/4 from it.
+  ControlNet net;
+  net[1][0] = {1, 0, -1};
+  net[0][1] = {0, 1, 0};
+  net[2][0] = {0, 0, Rational(-1, 2)};
+  net[1][2] = {0, 0, 2};
+  ControlNet plane;
+  plane[1][0] = {1, 0, 0};
+  plane[0][1] = {0, 1, 0};
+  const Pair pair = {BezierPatch::from_power_basis(net), BezierPatch::from_power_basis(plane)};
+  const IntersectResult result = intersect(pair);
+  CHECK(result.status == Status::complete);
+  CHECK(result.graph.arcs.size() == 3);
+  CHECK(result.graph.count(ComponentShape::branched) == 1);
+  const auto node = std::find_if(result.graph.nodes.begin(), result.graph.nodes.end(), [](const Node& n) {
+    return std::count(n.kinds.begin(), n.kinds.end(), NodeKind::crossing) > 0;
+  });
+  REQUIRE(node != result.graph.nodes.end());
+  CHECK(node->on == std::vector<Side>{{Parameter::u, 0}, {Parameter::r, 0}});
+  CHECK(2 * node->box[1].lower * node->box[1].lower <= 1);
+  CHECK(2 * node->box[1].upper * node->box[1].upper >= 1);
+  CHECK(node->box[1].width() < power_of_two(-40));
+  check_polylines(pair);
+}
+
 TEST_CASE("a near crossing is two open arcs", "[intersect]") {
   for (const Rational& e : {Rational(1, 1000), Rational(1, 1000000), Rational(1, 1000000000)}) {
     const IntersectResult result = intersect(crossing(e));
