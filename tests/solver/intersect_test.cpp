@@ -226,12 +226,12 @@ TEST_CASE("a curve that touches a side goes on behind it", "[intersect]") {
 }
 
 TEST_CASE("an arc leaves a common side in an irrational point", "[intersect]") {
-  // (u, v, u (2 v² - 1 - u/2)) and (r, s, 0): the side u = 0, and v² = 1/2 + u/4 from it.
+  // (u, v, u (2 v² - 1 - u/2)/4) and (r, s, 0): the side u = 0, and v² = 1/2 + u/4 from it.
   ControlNet net;
-  net[1][0] = {1, 0, -1};
+  net[1][0] = {1, 0, Rational(-1, 4)};
   net[0][1] = {0, 1, 0};
-  net[2][0] = {0, 0, Rational(-1, 2)};
-  net[1][2] = {0, 0, 2};
+  net[2][0] = {0, 0, Rational(-1, 8)};
+  net[1][2] = {0, 0, Rational(1, 2)};
   ControlNet plane;
   plane[1][0] = {1, 0, 0};
   plane[0][1] = {0, 1, 0};
