@@ -5,7 +5,12 @@ function intersectionProofs(pair) {
   const steps = (graph.work && graph.work.steps) || {};
   const list = [];
   const fibres = steps.fibres ? `${counted(steps.fibres, 'sample value')} of u` : 'sample values of a parameter';
-  if (pair) {
+  if (pair && steps.filtered) {
+    list.push(['Complete: every point of the intersection lies on a reported arc or node.',
+      `Computed in doubles with a proved bound of every rounding error; a pair for which this does not decide everything is solved with exact numbers instead. All points on the sides of both patches were isolated, and ${counted(steps['searched boxes'] || 0, 'pair')} of pieces of the patches searched: each pair has no common point, or no extreme of a closed curve and no singular point, or lies in a tube whose curve is reported.`]);
+    list.push(['Topology: components, their shape, and which node joins which are those of the true curve.',
+      `Arcs were followed in ${counted(steps.tubes || 0, 'tube')}, each proved to hold exactly one regular curve, by a contraction (Krawczyk); neighbouring tubes are proved to hold the same curve.`]);
+  } else if (pair) {
     list.push(['Complete: every point of the intersection lies on a reported arc, node or overlap.',
       `All values of a parameter where the number of points on a line can change are roots of exact polynomials, found as isolated algebraic numbers. Between them, at ${fibres}, the points of the line on the other patch were computed exactly: the line is a plane cut by a quadratic cylinder, both are pulled back to the other patch, and the real roots of their eliminant are isolated with rational arithmetic and checked against the feasible intervals. No arc can hide between two samples, and a root that belongs to no point is recognised.`]);
     list.push(['Topology: components, their shape, and which node joins which are those of the true curve.',
@@ -17,7 +22,7 @@ function intersectionProofs(pair) {
       `Arcs were followed in ${steps.tubes ? counted(steps.tubes, 'tube') : 'tubes'}, each proved to hold exactly one curve, by a contraction (Krawczyk) with rounded arithmetic enclosed. A curve of pairs and its mirror image, the pairs in the other order, are told apart and reported once.`]);
   }
   if (nodes.length) list.push(['Nodes: each box holds exactly one point with the stated properties.',
-    'The ends of the exact intervals are rational numbers. Boundary points are exact algebraic points; turning points are isolated by proved signs of the derivative. Where an interval is a single number, it is that number.']);
+    'The ends of the exact intervals are rational numbers. Points on sides are isolated with a proof that there is exactly one, turning points by proved signs of the derivative. Where an interval is a single number, it is that number.']);
   if (arcs.length) list.push([`Polylines: each is within its stated distance of the true arc, and the other way round; the largest is ${boundText(worstBound())}.`,
     'The second derivative of the curve is bounded over each tube; the bound is rounded up.']);
   if (graph.overlaps.length) list.push([`Overlaps: in ${counted(graph.overlaps.length, 'region')} the patches lie on one surface; the chains are the rim.`,
