@@ -14,7 +14,6 @@ SCHEMAS = {path.name.split(".")[0]: json.loads(path.read_text()) for path in (RO
 
 FIRST = "examples/chapter9-first.json"
 SECOND = "examples/chapter9-second.json"
-TOUCHING = "examples/touching-curve.json"
 PROFILE = "examples/profile.json"
 SPACE = "examples/space-cubic.json"
 
@@ -47,7 +46,7 @@ COMMANDS = [
     ["revolve", PROFILE, "--method", "substitution", "--degree", "2", "--cells", "4", "--w2", "1/1000"],
     ["revolve", PROFILE, "--method", "product", "--patch-file", FIRST, "--patch", "x", "--u", "1/2"],
     ["compare", FIRST, "--lines", "8", "--pieces", "0"],
-    ["compare", TOUCHING, "--lines", "4", "--pieces", "0", "--plane", "v,s"],
+    ["compare", SECOND, "--lines", "4", "--pieces", "0", "--plane", "v,s"],
 ]
 
 
