@@ -110,13 +110,24 @@ void count_reference(const Result& result, Row& row) {
   row.sum.distance = std::max(row.sum.distance, result.line.at("distance").get<double>());
 }
 
+/// Of a peer, or of exsect in another mode.
+Answer answer(const Result& result) {
+  if (!result.line.contains("reference")) return answer_from_json(result.line);
+  const Reference reference = reference_from_json(result.line.at("reference"));
+  Answer all = {{}, reference.isolated};
+  for (const Component& component : reference.components) {
+    all.curves.insert(all.curves.end(), component.curves.begin(), component.curves.end());
+  }
+  return all;
+}
+
 /// The verdict, if both answered and the reference is complete.
 std::optional<Verdict> verdict(const Tables& tables, const Result& result) {
   const Result& proved = tables.references.at(result.name);
   if (!result.done() || !proved.done()) return std::nullopt;
   const Reference reference = reference_from_json(proved.line.at("reference"));
   if (!reference.complete) return std::nullopt;
-  return judge(tables.pairs.at(result.name), reference, answer_from_json(result.line));
+  return judge(tables.pairs.at(result.name), reference, answer(result));
 }
 
 void count_other(const Tables& tables, const Result& result, Row& row, std::ostream* verdicts) {

@@ -1,5 +1,6 @@
-// exsect on pairs of patches, in process: intersect, or line_points with --lines. Of the polylines every
-// third vertex is written; residual and distance are measured on some of all chords.
+// exsect on pairs of patches, in process: intersect, with --method exact without floating point in any
+// decision, or line_points with --lines. Of the polylines every third vertex is written; residual and
+// distance are measured on some of all chords.
 #include <exsect/geometry/patch_file.h>
 #include <exsect/solver/intersect.h>
 #include <exsect/solver/line_patch.h>
@@ -132,6 +133,12 @@ std::vector<std::vector<Point>> line_points(const ExactPair& pair) {
   return result;
 }
 
+/// Where the library has another mode.
+template <class Options>
+void decide_exactly(Options& options) {
+  if constexpr (requires { options.exact; }) options.exact = true;
+}
+
 Task task(const PatchPair& pair, const ExactPair& exact, const Settings& settings) {
   if (settings.lines) {
     return {[&] { line_points(exact); },
@@ -141,6 +148,7 @@ Task task(const PatchPair& pair, const ExactPair& exact, const Settings& setting
   }
   exsect::IntersectOptions options;
   options.tolerance = settings.tolerance;
+  if (settings.method == "exact") decide_exactly(options);
   const auto state = std::make_shared<std::optional<exsect::IntersectResult>>();
   return {[&exact, options, state] { *state = intersect(exact.x, exact.y, options); },
           [&pair, state] {
@@ -161,7 +169,8 @@ int main(int argc, char** argv) {
       argc, argv,
       [&](const peers::Settings& settings) {
         exact = peers::exact_pairs(settings.pairs);
-        return std::string(settings.lines ? "exsect line_points" : "exsect");
+        if (settings.lines) return std::string("exsect line_points");
+        return std::string(settings.method == "exact" ? "exsect, exact" : "exsect");
       },
       [&](const peers::PatchPair& pair, const peers::Settings& settings) {
         return peers::task(pair, exact.at(pair.name), settings);

@@ -27,7 +27,7 @@
 namespace peers {
 namespace {
 
-constexpr int vertices_per_curve = 200;
+constexpr double flatness = 1e-4;  // of polylines, relative to the size of the pair
 constexpr double face_tolerance = 1e-7;
 
 gp_Pnt to_point(const Point& p) { return {p[0], p[1], p[2]}; }
@@ -49,16 +49,14 @@ struct Traced {
   double to;
 };
 
-Curve sampled(const Traced& curve) {
-  Curve result;
-  for (int i = 0; i < vertices_per_curve; ++i) {
-    const double t = curve.from + (curve.to - curve.from) * i / (vertices_per_curve - 1);
+Curve sampled(const Traced& curve, double flat) {
+  const auto at = [&](double t) {
     const gp_Pnt p = curve.space->Value(t);
     const gp_Pnt2d a = curve.first->Value(t);
     const gp_Pnt2d b = curve.second->Value(t);
-    result.push_back({{p.X(), p.Y(), p.Z()}, {a.X(), a.Y(), b.X(), b.Y()}});
-  }
-  return result;
+    return Vertex{{p.X(), p.Y(), p.Z()}, {a.X(), a.Y(), b.X(), b.Y()}};
+  };
+  return peers::sampled(at, curve.from, curve.to, flat);
 }
 
 /// With the bound that Open CASCADE claims for the curves.
@@ -79,7 +77,8 @@ nlohmann::ordered_json surfaces_answer(const PatchPair& pair, double tolerance) 
     if (!intersection.HasLineOnS1(i) || !intersection.HasLineOnS2(i)) continue;
     const Handle(Geom_Curve)& line = intersection.Line(i);
     answer.curves.push_back(sampled({line, intersection.LineOnS1(i), intersection.LineOnS2(i),
-                                     line->FirstParameter(), line->LastParameter()}));
+                                     line->FirstParameter(), line->LastParameter()},
+                                    flatness * pair.size()));
   }
   for (int i = 1; i <= intersection.NbPoints(); ++i) {
     const gp_Pnt p = intersection.Point(i);
@@ -107,7 +106,7 @@ void build(BRepAlgoAPI_Section& section) {
   if (!section.IsDone()) throw std::runtime_error("BRepAlgoAPI_Section is not done");
 }
 
-nlohmann::ordered_json section_answer(const Section& found) {
+nlohmann::ordered_json section_answer(const Section& found, double flat) {
   const TopoDS_Face& x = found.x;
   const TopoDS_Face& y = found.y;
   Answer answer;
@@ -121,7 +120,7 @@ nlohmann::ordered_json section_answer(const Section& found) {
     curve.first = BRep_Tool::CurveOnSurface(edge, x, from, to);
     curve.second = BRep_Tool::CurveOnSurface(edge, y, from, to);
     if (curve.space.IsNull() || curve.first.IsNull() || curve.second.IsNull()) continue;
-    answer.curves.push_back(sampled(curve));
+    answer.curves.push_back(sampled(curve, flat));
     bound = std::max(bound, BRep_Tool::Tolerance(edge));
   }
   for (TopExp_Explorer points(found.section->Shape(), TopAbs_VERTEX, TopAbs_EDGE); points.More();
@@ -192,7 +191,7 @@ Task task(const PatchPair& pair, const Settings& settings) {
               state->section = std::make_unique<BRepAlgoAPI_Section>(state->x, state->y, Standard_False);
               build(*state->section);
             }),
-            translated([=] { return section_answer(*state); })};
+            translated([=] { return section_answer(*state, flatness * pair.size()); })};
   }
   return {translated([=] {
             const GeomAPI_IntSS intersection(surface(pair.x), surface(pair.y), tolerance);

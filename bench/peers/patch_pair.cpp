@@ -36,7 +36,34 @@ struct Basis {
       : value{(1 - t) * (1 - t), 2 * t * (1 - t), t * t}, derivative{-2 * (1 - t), 2 - 4 * t, 2 * t} {}
 };
 
+/// Appends the vertices after `a` up to `b`.
+void bisect(const std::function<Vertex(double)>& at, double from, const Vertex& a, double to, const Vertex& b,
+            int depth, double flat, Curve& curve) {
+  constexpr int least = 6;
+  constexpr int most = 14;
+  const double middle = (from + to) / 2;
+  const Vertex m = at(middle);
+  double square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double difference = m.point[k] - (a.point[k] + b.point[k]) / 2;
+    square += difference * difference;
+  }
+  if (depth >= least && (depth == most || square <= flat * flat)) {
+    curve.push_back(b);
+    return;
+  }
+  bisect(at, from, a, middle, m, depth + 1, flat, curve);
+  bisect(at, middle, m, to, b, depth + 1, flat, curve);
+}
+
 }  // namespace
+
+Curve sampled(const std::function<Vertex(double)>& at, double from, double to, double flat) {
+  Curve result = {at(from)};
+  const Vertex first = result.front();
+  bisect(at, from, first, to, at(to), 0, flat, result);
+  return result;
+}
 
 double PatchPair::size() const {
   double result = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -52,6 +53,10 @@ struct Answer {
 /// The members "curves" and "points" of the form candidate/1 (docs/formats.md).
 nlohmann::ordered_json to_json(const Answer& answer);
 Answer answer_from_json(const nlohmann::json& json);
+
+/// A curve over [from,to] as a polyline: bisected until the middle of every chord is within `flat` of the
+/// curve, at least into 64 pieces and at most into 2^14.
+Curve sampled(const std::function<Vertex(double)>& at, double from, double to, double flat);
 
 /// At most `largest` vertices, the ends among them.
 Curve thinned(const Curve& curve, std::size_t largest);

@@ -12,6 +12,7 @@ from matplotlib import pyplot
 FAMILIES = ["random-rational", "random-double", "loop", "tangent", "near", "overlap"]
 PROGRAMS = {
     "exsect": ("exsect", "#1b6ca8"),
+    "exact": ("exsect, exact", "#7fb2d9"),
     "sisl-6": ("SISL, 1e-6", "#d1495b"),
     "sisl-9": ("SISL, 1e-9", "#edae49"),
     "surfaces": ("Open CASCADE, GeomAPI_IntSS", "#66a182"),
@@ -30,7 +31,10 @@ def main(directory, svg):
     figure, axes = pyplot.subplots(2, 3, figsize=(9.5, 5.5), sharex=True, sharey=True)
     for axis, family in zip(axes.flat, FAMILIES):
         for name, (label, colour) in PROGRAMS.items():
-            values, count = times(directory / f"{family}.{name}")
+            path = directory / f"{family}.{name}"
+            if not path.exists():
+                continue
+            values, count = times(path)
             axis.step(values, [100 * (i + 1) / count for i in range(len(values))], where="post",
                       label=label, color=colour, linewidth=1.2)
         axis.set_title(f"{family} ({count})")
@@ -40,7 +44,7 @@ def main(directory, svg):
         axis.set_xlabel("ms of processor time")
     for axis in axes[:, 0]:
         axis.set_ylabel("% of the pairs answered")
-    figure.legend(*axes[0][0].get_legend_handles_labels(), loc="lower center", ncol=5, frameon=False)
+    figure.legend(*axes[0][0].get_legend_handles_labels(), loc="lower center", ncol=6, frameon=False)
     figure.tight_layout(rect=(0, 0.04, 1, 1))
     figure.savefig(svg, metadata={"Date": None, "Creator": None})
 

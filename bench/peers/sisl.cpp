@@ -2,7 +2,6 @@
 // curve. With --lines s1858 intersects parameter lines with the second patch.
 #include <sisl.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -12,7 +11,7 @@
 namespace peers {
 namespace {
 
-constexpr std::size_t vertices_per_curve = 200;
+constexpr double flatness = 1e-4;  // of polylines, relative to the size of the pair
 
 std::array<double, 6> bezier_knots() { return {0, 0, 0, 1, 1, 1}; }
 
@@ -89,31 +88,22 @@ Curve guide_points(const SISLIntcurve& curve, const Net& x) {
   return result;
 }
 
-Curve sampled(const SISLIntcurve& curve, const Net& x) {
+Curve sampled(const SISLIntcurve& curve, const Net& x, double flat) {
   if (curve.pgeom == nullptr || curve.ppar1 == nullptr || curve.ppar2 == nullptr)
     return guide_points(curve, x);
-  std::vector<double> knots(curve.pgeom->et, curve.pgeom->et + curve.pgeom->in + curve.pgeom->ik);
-  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
-  const std::size_t pieces = std::max<std::size_t>(1, vertices_per_curve / knots.size());
-  Curve result;
-  const auto add = [&](double t) {
+  const SISLCurve& space = *curve.pgeom;
+  const auto at = [&](double t) {
     const Point a = value(curve.ppar1, t);
     const Point b = value(curve.ppar2, t);
-    result.push_back({value(curve.pgeom, t), {a[0], a[1], b[0], b[1]}});
+    return Vertex{value(curve.pgeom, t), {a[0], a[1], b[0], b[1]}};
   };
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    for (std::size_t k = 0; k < pieces; ++k) {
-      const double part = static_cast<double>(k) / static_cast<double>(pieces);
-      add(knots[i] + part * (knots[i + 1] - knots[i]));
-    }
-  }
-  add(knots.back());
-  return thinned(result, vertices_per_curve);
+  return peers::sampled(at, space.et[space.ik - 1], space.et[space.in], flat);
 }
 
 nlohmann::ordered_json answer(const PatchPair& pair, const Found& found) {
   Answer result;
-  for (int i = 0; i < found.curve_count; ++i) result.curves.push_back(sampled(*found.curves[i], pair.x));
+  for (int i = 0; i < found.curve_count; ++i)
+    result.curves.push_back(sampled(*found.curves[i], pair.x, flatness * pair.size()));
   for (int i = 0; i < found.point_count; ++i) {
     const double* a = found.first + 2 * static_cast<std::ptrdiff_t>(i);
     const double* b = found.second + 2 * static_cast<std::ptrdiff_t>(i);
