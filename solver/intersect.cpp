@@ -46,6 +46,7 @@ class Intersection {
           return out_of_time();
         }) {
     sweep_.coincident = coincident_parameters(x, y);
+    sweep_.plane = plane_coordinates(x, y);
     sweep_.has_value = [this](const CertifiedPoint& point, Parameter p, const Rational& value) {
       const auto solution = rational_solution(x_, y_, point);
       return solution && (*solution)[index(p)] == value;

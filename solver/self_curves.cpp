@@ -264,7 +264,7 @@ class SelfTracing {
     std::array<bool, 4> constant = {};
     mark_folded_line(curve, constant);
     auto turning =
-        find_turning_points(system_.pair, curve.analysed.trace, exact_.coincident, {constant, {}, {}});
+        find_turning_points(system_.pair, curve.analysed.trace, exact_.coincident, {constant, {}, {}, {}});
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
       return;

@@ -310,6 +310,7 @@ class CurveTracing {
                                  is_constant(curve.trace, p, middle_of(curve.trace));
     }
     mark_coincident(known.constant);
+    known.plane = sweep_.plane;
     known.zero_at_start = zero_tangent(curve.trace.start);
     known.zero_at_end = zero_tangent(curve.trace.end);
     auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, known);

@@ -41,9 +41,10 @@ struct SweepData {
   TurningValuesOf turning_of;
   /// Components of T that are known to vanish at a point.
   std::function<std::array<bool, 4>(const CertifiedPoint&)> zero_tangent;
-  std::array<std::size_t, 4> coincident;  // coincident_parameters(x, y)
-  SettledRegion settled;                  // what a search may leave out
-  bool exact = true;                      // false: boundary points or fibres are known not to be complete
+  std::array<std::size_t, 4> coincident;            // coincident_parameters(x, y)
+  std::array<std::optional<std::size_t>, 2> plane;  // plane_coordinates(x, y)
+  SettledRegion settled;                            // what a search may leave out
+  bool exact = true;  // false: boundary points or fibres are known not to be complete
 };
 
 /// The curves traced in one arithmetic, and what it could not decide.

@@ -250,12 +250,54 @@ class TurningSearch {
       return forward ? a.from < b.from : a.from > b.from;
     });
     for (auto point = first; point + 1 != found_.end(); ++point) {
-      if (forward ? !(point->to < (point + 1)->from) : !(point->to > (point + 1)->from)) {
+      TurningPoint<Ball>& next = *(point + 1);
+      const bool apart = forward ? (point->to < next.from) : (point->to > next.from);
+      if (!apart && turn_in_a_fold(*point, next)) {
+        next.parameters.insert(next.parameters.begin(), point->parameters.begin(), point->parameters.end());
+        for (std::size_t j = 0; j < 4; ++j) {
+          next.box[j] = hull(point->box[j], next.box[j]);
+        }
+        next.from = point->from;
+        next.to = forward ? std::max(point->to, next.to) : std::min(point->to, next.to);
+        point->parameters.clear();
+        continue;
+      }
+      if (!apart) {
         fail(point->box, "turning points with respect to two parameters cannot be separated");
         return false;
       }
     }
+    found_.erase(std::remove_if(first, found_.end(),
+                                [](const TurningPoint<Ball>& point) { return point.parameters.empty(); }),
+                 found_.end());
     return true;
+  }
+
+  static Ball hull(const Ball& a, const Ball& b) {
+    const double distance = (a.midpoint() - b.midpoint()).upper_magnitude();
+    return a.widened(distance + b.radius());
+  }
+
+  /// Both parameters of one patch turn where the other one, in a plane, folds: each turns once between the
+  /// ends of both brackets, and the normal, a factor of both components of T, changes its sign there.
+  bool turn_in_a_fold(const TurningPoint<Ball>& a, const TurningPoint<Ball>& b) const {
+    if (a.parameters.size() != 1 || b.parameters.size() != 1 || a.parameters[0] / 2 != b.parameters[0] / 2) {
+      return false;
+    }
+    const std::size_t other = 1 - a.parameters[0] / 2;
+    if (!known_.plane[other]) {
+      return false;
+    }
+    const Tube<Ball>& tube = trace_.pieces[a.piece].tube;
+    const bool forward = trace_.pieces[a.piece].to > trace_.pieces[a.piece].from;
+    const auto sign = [&](double tau) {
+      const Expansion<Ball> at(system_, point_at(tube, tau));
+      const TaylorNet<Ball>& net = other == 0 ? at.x : at.y;
+      return cross(net[3], net[1])[*known_.plane[other]].certain_sign();
+    };
+    const double from = forward ? std::min(a.from, b.from) : std::max(a.from, b.from);
+    const double to = forward ? std::max(a.to, b.to) : std::min(a.to, b.to);
+    return sign(from) * sign(to) < 0;
   }
 
   void fail(const BallPoint<Ball>& at, const char* why) {
@@ -296,6 +338,26 @@ std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(
     const PairSystem<Ball>& system, Trace<Ball>& trace, const std::array<std::size_t, 4>& coincident,
     const KnownTangent& known) {
   return TurningSearch<Ball>(system, trace, coincident, known).run();
+}
+
+std::array<std::optional<std::size_t>, 2> plane_coordinates(const BezierPatch& x, const BezierPatch& y) {
+  std::array<std::optional<std::size_t>, 2> result;
+  for (std::size_t p = 0; p < 2; ++p) {
+    std::vector<Point> spanned;
+    const ControlNet c = (p == 0 ? x : y).power_basis();
+    for (std::size_t k = 1; k < 9; ++k) {
+      if (!is_zero(c[k / 3][k % 3])) {
+        spanned.push_back(c[k / 3][k % 3]);
+      }
+    }
+    const std::vector<Point> normals = orthogonal_complement(spanned);
+    if (normals.size() == 1) {
+      for (std::size_t k = 0; k < 3 && !result[p]; ++k) {
+        result[p] = normals[0][k] != 0 ? std::optional(k) : std::nullopt;
+      }
+    }
+  }
+  return result;
 }
 
 template <class Ball>

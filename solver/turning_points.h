@@ -23,12 +23,18 @@ struct TurningPoint {
   BallPoint<Ball> box;
 };
 
+/// For x and y a coordinate of space in which the normal of the patch is not zero, if the patch lies in a
+/// plane: the patch's normal field N is then this coordinate times a constant vector.
+std::array<std::optional<std::size_t>, 2> plane_coordinates(const BezierPatch& x, const BezierPatch& y);
+
 /// What is known exactly about a trace: parameters that are constant on it and do not turn, and components of
 /// T that vanish at its start and at its end.
 struct KnownTangent {
   std::array<bool, 4> constant{};
   std::array<bool, 4> zero_at_start{};
   std::array<bool, 4> zero_at_end{};
+  /// plane_coordinates(x, y). Where a plane y folds, u and v turn together: T_u and T_v contain N_y.
+  std::array<std::optional<std::size_t>, 2> plane{};
 };
 
 /// All turning points in the order of the trace, apart from its end points. Splits the trace's pieces where

@@ -199,12 +199,37 @@ TEST_CASE("isolated singular points are nodes of their kind", "[intersect]") {
   check_polylines(crossing(0));
 }
 
+namespace {
+
+BezierPatch patch_of(const std::array<long, 27>& c) {
+  ControlNet net;
+  for (std::size_t i = 0; i < 27; ++i) net[i / 9][i / 3 % 3][i % 3] = c[i];
+  return BezierPatch(net);
+}
+
+}  // namespace
+
+TEST_CASE("u and v turn together where a plane patch folds", "[intersect]") {
+  const BezierPatch x =
+      patch_of({2, -2, 1, 2, -1, 0, 0, 2, 1, 2, 0, -1, -1, 1, 1, 0, 2, -2, 1, 0, 0, 0, 2, -2, -2, -2, 2});
+  const BezierPatch y =
+      patch_of({-2, 0, 0, 0, -1, 0, -1, -2, 0, 0, 0, 0, -1, 1, 0, -2, 2, 0, -1, 1, 0, 0, 1, 0, 1, -1, 0});
+  const IntersectResult result = intersect(x, y);
+  CHECK(result.status == Status::complete);
+  int folds = 0;
+  for (const Node& node : result.graph.nodes) {
+    if (node.wrt == std::vector{Parameter::u, Parameter::v}) {
+      ++folds;
+      const Point normal =
+          cross(y.derivative_first(from_double(node.approx[2]), from_double(node.approx[3])),
+                y.derivative_second(from_double(node.approx[2]), from_double(node.approx[3])));
+      CHECK(std::fabs(to_double(normal[2])) < 1e-10);
+    }
+  }
+  CHECK(folds == 2);
+}
+
 TEST_CASE("a curve that touches a side goes on behind it", "[intersect]") {
-  const auto patch_of = [](const std::array<long, 27>& c) {
-    ControlNet net;
-    for (std::size_t i = 0; i < 27; ++i) net[i / 9][i / 3 % 3][i % 3] = c[i];
-    return BezierPatch(net);
-  };
   // The curve touches the side v = 1 from inside at u = 1/2, where r and s are irrational.
   const BezierPatch x = patch_of(
       {0, -2, -2, 0, 2, -2, 1, 0, 2, -1, 1, 2, -2, 0, -1, -1, -1, -2, -1, -2, -1, 1, -2, 0, -2, -1, 2});
