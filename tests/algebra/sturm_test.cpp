@@ -60,7 +60,7 @@ TEST_CASE("sturm: constants and errors") {
   CHECK_THROWS_AS(constant.count(1, 0), std::invalid_argument);
 }
 
-TEST_CASE("sturm: the interval is (a,b]") {
+TEST_CASE("sturm: intervals are open below and closed above") {
   const SturmSequence sturm(with_roots({0, 1, 2}));
   CHECK(sturm.count(0, 1) == 1);
   CHECK(sturm.count(0, 2) == 2);
