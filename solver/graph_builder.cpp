@@ -265,14 +265,10 @@ void drop_unused_nodes(IntersectionGraph& graph) {
 }  // namespace
 
 template <class Ball>
-BoundedVertex bounded_vertex(const BallPoint<Ball>& parameters, const BallVector<Ball>& position,
-                             const ModelFrame& frame) {
+BoundedVertex bounded_position(const BallVector<Ball>& position, const ModelFrame& frame) {
   BoundedVertex result{};
   double radius2 = 0;
   double rounding = 0;
-  for (std::size_t j = 0; j < 4; ++j) {
-    result.vertex.parameters[j] = std::clamp(parameters[j].approximation(), 0.0, 1.0);
-  }
   for (std::size_t c = 0; c < 3; ++c) {
     const double scaled = position[c].approximation();
     const double radius =
@@ -282,6 +278,16 @@ BoundedVertex bounded_vertex(const BallPoint<Ball>& parameters, const BallVector
     rounding += std::fabs(result.vertex.point[c]) * 0x1p-52;  // one sum of doubles
   }
   result.error = (std::sqrt(radius2) + rounding) * (1 + 0x1p-40) + 0x1p-1000;
+  return result;
+}
+
+template <class Ball>
+BoundedVertex bounded_vertex(const BallPoint<Ball>& parameters, const BallVector<Ball>& position,
+                             const ModelFrame& frame) {
+  BoundedVertex result = bounded_position(position, frame);
+  for (std::size_t j = 0; j < 4; ++j) {
+    result.vertex.parameters[j] = std::clamp(parameters[j].approximation(), 0.0, 1.0);
+  }
   return result;
 }
 
@@ -378,6 +384,7 @@ void finish_components(IntersectionGraph& graph) {
 }
 
 #define EXSECT_INSTANTIATE_GRAPH(Ball)                                                                       \
+  template BoundedVertex bounded_position(const BallVector<Ball>&, const ModelFrame&);                       \
   template BoundedVertex bounded_vertex(const BallPoint<Ball>&, const BallVector<Ball>&, const ModelFrame&); \
   template double chord_bound(const PairSystem<Ball>&, const ModelFrame&, const ParameterBox&);              \
   template Node landmark_node(const PairSystem<Ball>&, const ModelFrame&, const BallPoint<Ball>&,            \

@@ -34,6 +34,9 @@ struct BoundedVertex {
   PolylineVertex vertex;
   double error;
 };
+/// The vertex at a position in space, enclosed in the scaled system; its parameters are left to the caller.
+template <class Ball>
+BoundedVertex bounded_position(const BallVector<Ball>& position, const ModelFrame& frame);
 /// The vertex of a point enclosed by its parameters and, in the scaled system, its position in space.
 template <class Ball>
 BoundedVertex bounded_vertex(const BallPoint<Ball>& parameters, const BallVector<Ball>& position,

@@ -8,12 +8,6 @@ namespace exsect {
 
 namespace {
 
-/// A vertex and a bound of its distance from the curve point it stands for.
-struct BoundedVertex {
-  PolylineVertex vertex;
-  double error;
-};
-
 template <class T>
 void exchange_if(bool exchange, std::array<T, 4>& p) {
   if (exchange) {
@@ -25,7 +19,7 @@ void exchange_if(bool exchange, std::array<T, 4>& p) {
 template <class Ball>
 BoundedVertex vertex_at(const ChartSystem<Ball>& system, const BallPoint<Ball>& p, bool exchange,
                         const ModelFrame& frame) {
-  BoundedVertex result{};
+  BoundedVertex result = bounded_position(space_point(system, p), frame);
   const double t = std::sqrt(std::max(0.0, p[3].approximation()));
   const double mt = p[2].approximation() * t;
   const double a = p[0].approximation();
@@ -34,18 +28,6 @@ BoundedVertex vertex_at(const ChartSystem<Ball>& system, const BallPoint<Ball>& 
                                  ? std::array<double, 4>{a + t, b + mt, a - t, b - mt}
                                  : std::array<double, 4>{b + mt, a + t, b - mt, a - t};
   exchange_if(exchange, result.vertex.parameters);
-  const BallVector<Ball> position = space_point(system, p);
-  double radius2 = 0;
-  double rounding = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double scaled = position[c].approximation();
-    const double radius =
-        std::ldexp((position[c] - Ball(scaled)).upper_magnitude(), static_cast<int>(frame.exponent));
-    result.vertex.point[c] = frame.origin[c] + std::ldexp(scaled, static_cast<int>(frame.exponent));
-    radius2 += radius * radius;
-    rounding += std::fabs(result.vertex.point[c]) * 0x1p-52;  // one sum of doubles
-  }
-  result.error = (std::sqrt(radius2) + rounding) * (1 + 0x1p-40) + 0x1p-1000;
   return result;
 }
 
