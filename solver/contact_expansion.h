@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "small_matrix.h"
+#include "preconditioned_newton.h"
 
 namespace exsect {
 

@@ -9,6 +9,8 @@ namespace {
 
 constexpr int kMostHalvings = 24;
 constexpr double kNarrow = 0x1p-20;
+constexpr int kFewHalvings = 4;  // of every piece, however many spans there are
+constexpr std::size_t kManySpans = 4096;
 
 /// A part of a piece and the sign of the derivative of one parameter there, 0 if not known.
 struct Span {
@@ -34,8 +36,10 @@ class SpanList {
     const TangentialTube<Ball>& tube = curve_.pieces[piece].tube;
     const int sign = enclosure_between(system_, tube, from, to).slope[parameter_].certain_sign() *
                      (curve_.pieces[piece].to > curve_.pieces[piece].from ? 1 : -1);
-    const bool hopeless = depth >= 4 && spans_.size() > 4096;
-    if (sign != 0 || depth >= kMostHalvings || hopeless || std::fabs(to - from) < kNarrow) {
+    // Where to stop halving is a matter of work only: a span of unknown sign is decided by exact turning
+    // values.
+    const bool many = depth >= kFewHalvings && spans_.size() > kManySpans;
+    if (sign != 0 || depth >= kMostHalvings || many || std::fabs(to - from) < kNarrow) {
       spans_.push_back({piece, from, to, sign});
       return;
     }
@@ -54,7 +58,7 @@ RationalInterval hull(const RationalInterval& a, const RationalInterval& b) {
   return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
 }
 
-/// The number of turning values in the closed interval, where that can be told.
+/// The number of turning values in the closed interval.
 std::ptrdiff_t values_in(const TurningValues& turning, const RationalInterval& at) {
   return std::count_if(turning.values.begin(), turning.values.end(), [&](const TurningValue& value) {
     return value.value.compare(at.lower) >= 0 && value.value.compare(at.upper) <= 0;

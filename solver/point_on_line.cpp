@@ -8,6 +8,7 @@
 #include "half_rational_point.h"
 #include "line_place.h"
 #include "pair_system.h"
+#include "star_neighbourhood.h"
 
 namespace exsect {
 
@@ -109,7 +110,8 @@ class PointOnLineSource : public CertifiedPoint::Source {
       const RationalInterval range = sheet_.value().refined_to(fine).interval();
       for (const HalfRationalPoint& p : sheet_.points_over(range.lower)) {
         const ParameterBox known = p.point.refined_to(fine).box();
-        const auto found = overlaps(known) ? sheet_.enclosure(range, known) : std::nullopt;
+        // different sheets have disjoint boxes over the first range
+        const auto found = meet(known, first_) ? sheet_.enclosure(range, known) : std::nullopt;
         if (found && fits(*found, width)) {
           return on_sides(*found);
         }
@@ -119,12 +121,6 @@ class PointOnLineSource : public CertifiedPoint::Source {
   }
 
  private:
-  /// The boxes of different sheets are disjoint over the first range.
-  bool overlaps(const ParameterBox& known) const {
-    for (std::size_t j = 0; j < 4; ++j)
-      if (known[j].lower > first_[j].upper || known[j].upper < first_[j].lower) return false;
-    return true;
-  }
   static bool fits(const ParameterBox& box, const Rational& width) {
     return std::all_of(box.begin(), box.end(),
                        [&](const RationalInterval& i) { return i.upper - i.lower <= width; });
@@ -138,12 +134,6 @@ class PointOnLineSource : public CertifiedPoint::Source {
   ParameterBox first_;
   std::vector<Side> sides_;
 };
-
-bool meet(const ParameterBox& a, const ParameterBox& b) {
-  for (std::size_t j = 0; j < 4; ++j)
-    if (a[j].upper < b[j].lower || b[j].upper < a[j].lower) return false;
-  return true;
-}
 
 /// The sides on which the sheet lies over the range: of five points in it at least, all of which the
 /// enclosure holds. A line and a side have at most four common points unless one lies on the other's carrier.

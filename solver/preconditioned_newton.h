@@ -1,9 +1,12 @@
-// Preconditioners: 3 x 3 matrices of plain doubles for systems in the four parameters. Internal to solver/.
+// Newton's method for three equations in four unknowns, one of which is held: preconditioners are 3 x 3
+// matrices of plain doubles. Internal to solver/.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 #include "pair_system.h"
@@ -54,6 +57,63 @@ BallVector<Ball> preconditioned(const Matrix3& c, const BallVector<Ball>& v) {
     result[i] = Ball(c[i][0]) * v[0] + Ball(c[i][1]) * v[1] + Ball(c[i][2]) * v[2];
   }
   return result;
+}
+
+template <class Ball>
+double largest_magnitude(const BallVector<Ball>& v) {
+  return std::max({v[0].upper_magnitude(), v[1].upper_magnitude(), v[2].upper_magnitude()});
+}
+
+/// Approximate Newton steps from the midpoints of `start` (an estimate, not a proof) in the coordinates other
+/// than `axis`: `correction` of a point is an optional vector, what has to be taken away. Empty if a
+/// correction is, or if the point leaves a neighbourhood of the unit cube.
+template <class Ball, class Correction>
+std::optional<BallPoint<Ball>> newton_steps(const BallPoint<Ball>& start, std::size_t axis, int steps,
+                                            const Correction& correction) {
+  const auto others = other_axes(axis);
+  BallPoint<Ball> p;
+  for (std::size_t j = 0; j < 4; ++j) {
+    p[j] = start[j].midpoint();
+  }
+  for (int i = 0; i < steps; ++i) {
+    const std::optional<BallVector<Ball>> c = correction(p);
+    if (!c) {
+      return std::nullopt;
+    }
+    for (std::size_t row = 0; row < 3; ++row) {
+      p[others[row]] = (p[others[row]] - (*c)[row]).midpoint();
+      if (!(p[others[row]].upper_magnitude() < 4)) {
+        return std::nullopt;
+      }
+    }
+  }
+  return p;
+}
+
+/// A point and an upper bound of the preconditioned residual there.
+template <class Ball>
+struct Iterate {
+  BallPoint<Ball> point;
+  double residual;
+};
+
+/// p - residual(p), again and again while the residual shrinks by a quarter; coordinate `axis` is held.
+template <class Ball, class Residual>
+Iterate<Ball> contracted(BallPoint<Ball> p, std::size_t axis, const Residual& residual) {
+  const auto others = other_axes(axis);
+  Iterate<Ball> best{p, std::numeric_limits<double>::infinity()};
+  for (int i = 0; i < 60; ++i) {
+    const BallVector<Ball> r = residual(p);
+    const double error = largest_magnitude(r);
+    if (!(error < 0.75 * best.residual)) {
+      break;
+    }
+    best = {p, error};
+    for (std::size_t row = 0; row < 3; ++row) {
+      p[others[row]] = (p[others[row]] - r[row]).midpoint();
+    }
+  }
+  return best;
 }
 
 }  // namespace exsect

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "preconditioned_newton.h"
 
 namespace exsect {
 
@@ -14,35 +15,7 @@ namespace {
 constexpr double kSlack = 1 + 0x1p-40;
 constexpr double kLeastHalfwidth = 0x1p-500;
 
-using Row = std::array<double, 3>;
-using Matrix3 = std::array<Row, 3>;
-
-std::array<std::size_t, 3> other_axes(std::size_t axis) {
-  std::array<std::size_t, 3> result{};
-  std::size_t n = 0;
-  for (std::size_t j = 0; j < 4; ++j) {
-    if (j != axis) {
-      result[n++] = j;
-    }
-  }
-  return result;
-}
-
-/// Inverse of the matrix with the given columns, in plain doubles: any matrix is a legal preconditioner.
-std::optional<Matrix3> approximate_inverse(const std::array<Row, 3>& column) {
-  Matrix3 inverse = {cross<double>(column[1], column[2]), cross<double>(column[2], column[0]),
-                     cross<double>(column[0], column[1])};
-  const double det = dot<double>(column[0], inverse[0]);
-  if (!(std::fabs(det) > 0) || !std::isfinite(1 / det)) {
-    return std::nullopt;
-  }
-  for (Row& row : inverse) {
-    for (double& entry : row) {
-      entry /= det;
-    }
-  }
-  return inverse;
-}
+using Row = Row3;
 
 template <class Ball>
 std::optional<Matrix3> preconditioner(const ChartNet<Ball, 2>& taylor,
@@ -53,15 +26,6 @@ std::optional<Matrix3> preconditioner(const ChartNet<Ball, 2>& taylor,
     columns[i] = {c[0].approximation(), c[1].approximation(), c[2].approximation()};
   }
   return approximate_inverse(columns);
-}
-
-template <class Ball>
-BallVector<Ball> preconditioned(const Matrix3& c, const BallVector<Ball>& v) {
-  BallVector<Ball> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = Ball(c[i][0]) * v[0] + Ball(c[i][1]) * v[1] + Ball(c[i][2]) * v[2];
-  }
-  return result;
 }
 
 /// Exponents of index i and the powers h^(exponents).
@@ -308,25 +272,11 @@ template <class Ball>
 std::optional<BallPoint<Ball>> newton_corrected(const ChartSystem<Ball>& system, const BallPoint<Ball>& start,
                                                 std::size_t axis, int steps) {
   const auto others = other_axes(axis);
-  BallPoint<Ball> p;
-  for (std::size_t j = 0; j < 4; ++j) {
-    p[j] = start[j].midpoint();
-  }
-  for (int i = 0; i < steps; ++i) {
+  return newton_steps<Ball>(start, axis, steps, [&](const BallPoint<Ball>& p) {
     const ChartNet<Ball, 2> taylor = system.taylor(p);
     const auto c = preconditioner(taylor, others);
-    if (!c) {
-      return std::nullopt;
-    }
-    const BallVector<Ball> correction = preconditioned(*c, taylor[0]);
-    for (std::size_t row = 0; row < 3; ++row) {
-      p[others[row]] = (p[others[row]] - correction[row]).midpoint();
-      if (!(p[others[row]].upper_magnitude() < 4)) {
-        return std::nullopt;
-      }
-    }
-  }
-  return p;
+    return c ? std::optional(preconditioned(*c, taylor[0])) : std::nullopt;
+  });
 }
 
 template <class Ball>
@@ -337,21 +287,8 @@ BallPoint<Ball> point_at(const ChartTube<Ball>& tube, double tau) {
     o[j] = j == tube.axis ? Ball(tau) : (Ball(tau) * Ball(tube.slope[j])).midpoint();
   }
   // |z - z*| <= |C H(z)| / (1 - rho) for any z in the region; iterate z - C H(z) while that shrinks.
-  double best = std::numeric_limits<double>::infinity();
-  BallPoint<Ball> best_offset = o;
-  for (int i = 0; i < 60; ++i) {
-    const BallVector<Ball> residual = value_at<Ball, 2>(tube.premultiplied, o);
-    const Row m = magnitudes(residual);
-    const double error = *std::max_element(m.begin(), m.end());
-    if (!(error < 0.75 * best)) {
-      break;
-    }
-    best = error;
-    best_offset = o;
-    for (std::size_t row = 0; row < 3; ++row) {
-      o[others[row]] = (o[others[row]] - residual[row]).midpoint();
-    }
-  }
+  auto [best_offset, best] = contracted<Ball>(
+      o, tube.axis, [&](const BallPoint<Ball>& at) { return value_at<Ball, 2>(tube.premultiplied, at); });
   double radius = kSlack * best / (1 - tube.contraction);
   bool inside = true;
   for (const std::size_t j : others) {

@@ -131,16 +131,23 @@ class StarSearch {
                        [&](const StarNeighbourhood& star) { return lies_in(box, star.box); });
   }
 
-  void try_multiple_values(const TurningValues& turning) {
+  /// The parameter lines over rational turning values under which a singular point may lie.
+  static std::vector<LineQuery> rational_multiple_lines(const TurningValues& turning) {
+    std::vector<LineQuery> lines;
     for (const TurningValue& value : turning.values) {
-      if (value.multiplicity == 1 || !value.value.is_rational()) {
-        continue;
+      if (value.multiplicity != 1 && value.value.is_rational()) {
+        lines.push_back({turning.sweep, value.value.rational()});
       }
-      const LineQuery query = {turning.sweep, value.value.rational()};
+    }
+    return lines;
+  }
+
+  void try_multiple_values(const TurningValues& turning) {
+    for (const LineQuery& query : rational_multiple_lines(turning)) {
       const LinePoints fibre = line_points(problem_.x, problem_.y, query);
       for (const CertifiedPoint& point : fibre.points) {
         if (point.multiplicity() != 1 && !is_covered(point) && needs_star(point) &&
-            !try_sweep(point, turning, value.value.rational())) {
+            !try_sweep(point, turning, query.value)) {
           try_all_sweeps(point);
         }
       }
@@ -149,11 +156,7 @@ class StarSearch {
 
   /// The points of lines that lie on the other patch, over turning values of the parameter along them.
   void try_points_on_lines(const TurningValues& turning) {
-    for (const TurningValue& value : turning.values) {
-      if (value.multiplicity == 1 || !value.value.is_rational()) {
-        continue;
-      }
-      const LineQuery line = {turning.sweep, value.value.rational()};
+    for (const LineQuery& line : rational_multiple_lines(turning)) {
       const LinePoints fibre = line_points(problem_.x, problem_.y, line);
       const auto& along = problem_.turning(line_place(line).roles.line);
       if (fibre.on_patch.empty() || !along) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact_expansion.h"
 
@@ -10,15 +9,10 @@ namespace exsect {
 
 namespace {
 
-// Covers the rounding of sums of fewer than 32 nonnegative terms.
+// Covers the rounding of sums of fewer than 1000 nonnegative terms, each a product of at most 16 factors.
 constexpr double kSlack = 1 + 0x1p-40;
 constexpr double kWidthOfReach = 1;
 constexpr double kWorstContraction = 0.5;
-
-template <class Ball>
-BallVector<Ball> normal(const TaylorNet<Ball>& net) {
-  return cross(net[3], net[1]);
-}
 
 template <class Ball>
 BallVector<Ball> contact_value(const Expansion<Ball>& at, const std::array<std::size_t, 2>& rows,
@@ -30,7 +24,7 @@ BallVector<Ball> contact_value(const Expansion<Ball>& at, const std::array<std::
 /// The coordinates apart from the one in which the common normal is largest.
 template <class Ball>
 std::array<std::size_t, 2> tangent_rows(const Expansion<Ball>& at) {
-  const BallVector<Ball> n = normal(at.x);
+  const BallVector<Ball> n = cross(at.x[3], at.x[1]);
   std::size_t largest = 0;
   for (std::size_t c = 1; c < 3; ++c) {
     if (std::fabs(n[c].approximation()) > std::fabs(n[largest].approximation())) {
@@ -89,11 +83,6 @@ std::optional<Linearisation> best_linearisation(const Expansion<Ball>& at,
   return best;
 }
 
-template <class Ball>
-double largest_magnitude(const BallVector<Ball>& v) {
-  return std::max({v[0].upper_magnitude(), v[1].upper_magnitude(), v[2].upper_magnitude()});
-}
-
 double power(double x, std::size_t n) { return n == 0 ? 1 : n == 1 ? x : n == 2 ? x * x : x * x * x; }
 
 /// Bounds of |d_j g - ideal| over |offset in parameter i| <= h[i], [row][parameter]; g = C Phi around a
@@ -132,7 +121,11 @@ JacobianDeviation jacobian_deviation(const ContactEquations<Ball>& g, std::size_
 double largest_row_sum(const JacobianDeviation& e, std::size_t axis) {
   double largest = 0;
   for (const auto& row : e) {
-    largest = std::max(largest, row[0] + row[1] + row[2] + row[3] - row[axis] * (1 - 0x1p-40));
+    double sum = 0;
+    for (const std::size_t j : other_axes(axis)) {
+      sum += row[j];
+    }
+    largest = std::max(largest, sum);
   }
   return kSlack * largest;
 }
@@ -232,27 +225,13 @@ template <class Ball>
 std::optional<BallPoint<Ball>> corrected_to_contact(const PairSystem<Ball>& system,
                                                     const BallPoint<Ball>& start, std::size_t axis,
                                                     int steps) {
-  const auto others = other_axes(axis);
-  BallPoint<Ball> p;
-  for (std::size_t j = 0; j < 4; ++j) {
-    p[j] = start[j].midpoint();
-  }
-  for (int i = 0; i < steps; ++i) {
+  return newton_steps<Ball>(start, axis, steps, [&](const BallPoint<Ball>& p) {
     const Expansion<Ball> at(system, p);
     const auto rows = tangent_rows(at);
     const auto line = linearised(contact_equations(at, rows, axis), axis);
-    if (!line) {
-      return std::nullopt;
-    }
-    const BallVector<Ball> correction = preconditioned(line->preconditioner, contact_value(at, rows, axis));
-    for (std::size_t row = 0; row < 3; ++row) {
-      p[others[row]] = (p[others[row]] - correction[row]).midpoint();
-      if (!(p[others[row]].upper_magnitude() < 4)) {
-        return std::nullopt;
-      }
-    }
-  }
-  return p;
+    return line ? std::optional(preconditioned(line->preconditioner, contact_value(at, rows, axis)))
+                : std::nullopt;
+  });
 }
 
 template <class Ball>
@@ -263,21 +242,10 @@ BallPoint<Ball> point_at(const PairSystem<Ball>& system, const TangentialTube<Ba
     w[j] = tube.centre[j] + Ball(tau) * Ball(tube.slope[j]);
     w[j] = j == tube.axis ? w[j] : w[j].midpoint();
   }
-  double best = std::numeric_limits<double>::infinity();
-  BallPoint<Ball> best_point = w;
-  for (int i = 0; i < 60; ++i) {  // w - C Phi(w), while that comes closer
-    const BallVector<Ball> residual =
-        preconditioned(tube.preconditioner, contact_value(Expansion<Ball>(system, w), tube.rows, tube.axis));
-    const double error = largest_magnitude(residual);
-    if (!(error < 0.75 * best)) {
-      break;
-    }
-    best = error;
-    best_point = w;
-    for (std::size_t row = 0; row < 3; ++row) {
-      w[others[row]] = (w[others[row]] - residual[row]).midpoint();
-    }
-  }
+  auto [best_point, best] = contracted<Ball>(w, tube.axis, [&](const BallPoint<Ball>& at) {
+    return preconditioned(tube.preconditioner,
+                          contact_value(Expansion<Ball>(system, at), tube.rows, tube.axis));
+  });
   const double radius = kSlack * best / (1 - tube.contraction);
   for (const std::size_t j : others) {
     const bool inside = from_line(tube, best_point, Ball(tau), j).upper_magnitude() <= tube.halfwidth;

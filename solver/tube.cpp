@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "small_matrix.h"
+#include "preconditioned_newton.h"
 
 namespace exsect {
 
@@ -238,25 +238,11 @@ template <class Ball>
 std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>& system, const BallPoint<Ball>& start,
                                                 std::size_t axis, int steps) {
   const auto others = other_axes(axis);
-  BallPoint<Ball> p;
-  for (std::size_t j = 0; j < 4; ++j) {
-    p[j] = start[j].midpoint();
-  }
-  for (int i = 0; i < steps; ++i) {
+  return newton_steps<Ball>(start, axis, steps, [&](const BallPoint<Ball>& p) {
     const Expansion<Ball> at(system, p);
     const auto c = preconditioner(at, others);
-    if (!c) {
-      return std::nullopt;
-    }
-    const BallVector<Ball> correction = preconditioned(*c, at.value());
-    for (std::size_t row = 0; row < 3; ++row) {
-      p[others[row]] = (p[others[row]] - correction[row]).midpoint();
-      if (!(p[others[row]].upper_magnitude() < 4)) {
-        return std::nullopt;
-      }
-    }
-  }
-  return p;
+    return c ? std::optional(preconditioned(*c, at.value())) : std::nullopt;
+  });
 }
 
 namespace {
@@ -290,23 +276,8 @@ BallPoint<Ball> point_at(const Tube<Ball>& tube, double tau) {
     o[j] = (Ball(tau) * Ball(tube.slope[j]) + Ball(0.5 * tau * tau) * Ball(tube.second[j])).midpoint();
   }
   // |w - w*| <= |C F(w)| / (1 - rho) for any w in the region; iterate w - C F(w) while that shrinks.
-  double best = std::numeric_limits<double>::infinity();
-  BallPoint<Ball> best_offset = o;
-  for (int i = 0; i < 60; ++i) {
-    const BallVector<Ball> residual = premultiplied_value(tube, o);
-    double error = 0;
-    for (const Ball& row : residual) {
-      error = std::max(error, row.upper_magnitude());
-    }
-    if (!(error < 0.75 * best)) {
-      break;
-    }
-    best = error;
-    best_offset = o;
-    for (std::size_t row = 0; row < 3; ++row) {
-      o[others[row]] = (o[others[row]] - residual[row]).midpoint();
-    }
-  }
+  auto [best_offset, best] = contracted<Ball>(
+      o, tube.axis, [&](const BallPoint<Ball>& at) { return premultiplied_value(tube, at); });
   double radius = kSlack * best / (1 - tube.contraction);
   bool inside = true;
   for (const std::size_t j : others) {
