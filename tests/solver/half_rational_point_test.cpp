@@ -29,6 +29,35 @@ TEST_CASE("a node with irrational parameters on one patch", "[half_rational_poin
   }
 }
 
+TEST_CASE("components of the tangent vanish one by one", "[half_rational_point]") {
+  // (u, v, v - 1/2 - (u - 1/2)²) and (r, s (1 + r), 0): at u = v = r = 1/2, s = 1/3 the curve runs along u,
+  // and only v turns, since v = s (1 + r).
+  ControlNet graph;
+  graph[0][0] = {0, 0, Rational(-3, 4)};
+  graph[1][0] = {1, 0, 1};
+  graph[2][0] = {0, 0, -1};
+  graph[0][1] = {0, 1, 1};
+  ControlNet plane;
+  plane[1][0] = {1, 0, 0};
+  plane[0][1] = plane[1][1] = {0, 1, 0};
+  const BezierPatch x = BezierPatch::from_power_basis(graph);
+  const BezierPatch y = BezierPatch::from_power_basis(plane);
+  const Rational half(1, 2);
+  const auto zero = [](const BezierPatch& a, const BezierPatch& b, bool of_a, const Rational& p,
+                       const Rational& q) {
+    const auto points = half_rational_points(a, b, of_a, {p, q});
+    REQUIRE(points.size() == 1);
+    CHECK_FALSE(points[0].singular());
+    return points[0].tangent_is_zero;
+  };
+  CHECK(zero(x, y, true, half, half) == std::array{false, true, false, false});
+  CHECK(zero(x, y, false, half, Rational(1, 3)) == std::array{false, true, false, false});
+  CHECK(zero(y, x, false, half, half) == std::array{false, false, false, true});
+  CHECK(zero(x.exchanged(), y.exchanged(), true, half, half) == std::array{true, false, false, false});
+  CHECK(zero(y.exchanged(), x.exchanged(), true, Rational(1, 3), half) ==
+        std::array{false, false, true, false});
+}
+
 TEST_CASE("regular points, sides, and none", "[half_rational_point]") {
   const ExactCase c = families::near_sheets(Rational(1, 4), families::Plane::square);
   const auto on_side = half_rational_points(c.x, c.y, true, {Rational(1, 4), 0});

@@ -268,6 +268,15 @@ TEST_CASE("events of curves along which patches touch", "[special_eliminant]") {
       plane);
   CHECK(line.touching);
   CHECK(line.polynomial.value().degree() == 0);
+  // The same over (r, (3 s - s^2)/2): its two values of s meet at v = 9/8, which is over u = 19/12.
+  ControlNet folded = plane.power_basis();
+  folded[0][1] = {0, Rational(3, 2), 0};
+  folded[0][2] = {0, Rational(-1, 2), 0};
+  const TurningEliminant fold = turning_eliminant(
+      graph_of({{{Rational(1, 9), Rational(-2, 3), 1}, {Rational(1, 3), -1, 0}, {Rational(1, 4), 0, 0}}}),
+      patch(folded));
+  CHECK(fold.touching);
+  CHECK(squarefree_part(fold.polynomial.value()) == Polynomial({-19, 12}));
   // (u v - 1/3)^2: not finite at u = 0.
   const TurningEliminant hyperbola =
       turning_eliminant(graph_of({{{Rational(1, 9), 0, 0}, {0, Rational(-2, 3), 0}, {0, 0, 1}}}), plane);
