@@ -1,6 +1,7 @@
 #include "certified_point.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace exsect {
@@ -12,6 +13,17 @@ CertifiedPoint::CertifiedPoint(std::shared_ptr<const Source> source, const Ratio
       sides_(std::move(sides)),
       multiplicity_(multiplicity),
       branch_(branch) {}
+
+CertifiedPoint::CertifiedPoint(std::shared_ptr<const Source> source, ParameterBox box,
+                               std::vector<Side> sides, int multiplicity)
+    : source_(std::move(source)),
+      box_(std::move(box)),
+      sides_(std::move(sides)),
+      multiplicity_(multiplicity) {}
+
+int CertifiedPoint::Source::branch() const {
+  throw std::logic_error("certified point: the branch is not known");
+}
 
 CertifiedPoint CertifiedPoint::refined_to(const Rational& width) const {
   const ParameterBox finer = source_->box(width);

@@ -5,6 +5,7 @@
 #include <exsect/solver/parameter.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace exsect {
@@ -20,10 +21,15 @@ class CertifiedPoint {
     virtual ~Source() = default;
     /// A closed box of width at most `width` in every parameter that contains the point.
     virtual ParameterBox box(const Rational& width) const = 0;
+    /// The point's branch, where it was not known from the start.
+    virtual int branch() const;
   };
 
   CertifiedPoint(std::shared_ptr<const Source> source, const Rational& width, std::vector<Side> sides,
                  int multiplicity, int branch);
+  /// With a box that is known already, and a branch that is found when it is asked for.
+  CertifiedPoint(std::shared_ptr<const Source> source, ParameterBox box, std::vector<Side> sides,
+                 int multiplicity);
 
   const ParameterBox& box() const { return box_; }
   CertifiedPoint refined_to(const Rational& width) const;
@@ -35,14 +41,14 @@ class CertifiedPoint {
   int multiplicity() const { return multiplicity_; }
   /// 1 or 2, the branch r_1, r_2 of (9.16) it lies on (the sign of 2 A r + B; always 1 if A vanishes
   /// identically); 0 where both branches meet or none is defined.
-  int branch() const { return branch_; }
+  int branch() const { return branch_ ? *branch_ : source_->branch(); }
 
  private:
   std::shared_ptr<const Source> source_;
   ParameterBox box_;
   std::vector<Side> sides_;
   int multiplicity_;
-  int branch_;
+  std::optional<int> branch_;
 };
 
 }  // namespace exsect

@@ -1,4 +1,5 @@
-// One exact parameter line query: small rationals and control points that are doubles.
+// One parameter line query, in doubles with proof and exact: small rationals and control points that are
+// doubles.
 #include <benchmark/benchmark.h>
 #include <exsect/solver/line_patch.h>
 
@@ -64,12 +65,18 @@ void run(benchmark::State& state, const std::vector<Pair>& pairs, Query query) {
   }
 }
 
+void filtered_small_rationals(benchmark::State& state) {
+  run(state, small_rationals(), line_points_filtered);
+}
+void filtered_doubles(benchmark::State& state) { run(state, doubles(), line_points_filtered); }
 void line_points_small_rationals(benchmark::State& state) { run(state, small_rationals(), line_points); }
 void line_points_doubles(benchmark::State& state) { run(state, doubles(), line_points); }
 void intersect_line_small_rationals(benchmark::State& state) {
   run(state, small_rationals(), intersect_line);
 }
 
+BENCHMARK(filtered_small_rationals)->Unit(benchmark::kMicrosecond);
+BENCHMARK(filtered_doubles)->Unit(benchmark::kMicrosecond);
 BENCHMARK(line_points_small_rationals)->Unit(benchmark::kMicrosecond);
 BENCHMARK(line_points_doubles)->Unit(benchmark::kMicrosecond);
 BENCHMARK(intersect_line_small_rationals)->Unit(benchmark::kMicrosecond);

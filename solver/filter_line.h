@@ -1,0 +1,27 @@
+// All points of a parameter line on the other patch, by subdivision with certificates. Internal to solver/;
+// docs/method.md, section 14.3.
+#pragma once
+
+#include <vector>
+
+#include "filter_pieces.h"
+#include "filter_tube.h"
+
+namespace exsect::filter {
+
+/// The line where the parameter `fixed` (0..3, centred) has a number within `error` of `value`; |value| <=
+/// 1/2, and error is far below 1.
+struct Line {
+  std::size_t fixed;
+  double value;
+  double error;
+};
+
+/// Every solution on the line with the other three parameters inside their intervals: exactly one in each
+/// ball, the curve crosses the line there; the balls lie inside these intervals and are disjoint. Empty if
+/// that is not decided: points on sides, tangents and lines on the other patch among other reasons. `other`
+/// is the tree of the patch that does not have the line; `boxes` counts the pairs looked at.
+std::optional<std::vector<Ball>> points_on_line(const Pair& pair, const Line& line, PatchTree& other,
+                                                long& boxes);
+
+}  // namespace exsect::filter
