@@ -13,11 +13,8 @@
 namespace exsect::cli {
 namespace {
 
-constexpr double left_margin = 58;
-constexpr double between = 80;
-constexpr double top_margin = 92;
+constexpr double rows_top = 92;
 constexpr double row_height = SvgSquare::size + 96;
-constexpr double width = left_margin + 2 * SvgSquare::size + between + 24;
 
 const Stroke phantom = {"#a0a0a0", 1.4};
 
@@ -147,17 +144,17 @@ std::string comparison_svg(const Comparison& comparison, const std::string& titl
   legend.add(phantom, "phantom branches");
   legend.add(Stroke{"#56b4e9", 6}, "regions outside of which the quartics prove that there is nothing");
   legend.add(Stroke{"#a0a0a0", 6}, "such a region without a point of the intersection on a check line");
-  const double legend_width = width - 2 * 30;
+  const double legend_width = pair_width - 2 * 30;
   const std::size_t rows = (2 + comparison.quartics.size() + 1) / 2;
-  const double legend_top = top_margin + static_cast<double>(rows) * row_height - 20;
-  SvgPicture picture(width, legend_top + legend.height(legend_width) + 14);
+  const double legend_top = rows_top + static_cast<double>(rows) * row_height - 20;
+  SvgPicture picture(pair_width, legend_top + legend.height(legend_width) + 14);
   picture.element("<g fill=\"#000000\">");
-  picture.text(width / 2, 26, fitted(title, 15, width - 30), 15, TextAnchor::middle);
+  picture.text(pair_width / 2, 26, fitted(title, 15, pair_width - 30), 15, TextAnchor::middle);
   picture.element("</g>");
   for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
     const MethodRow& row = comparison.rows[i];
-    const double left = left_margin + static_cast<double>(i % 2) * (SvgSquare::size + between);
-    const double top = top_margin + static_cast<double>(i / 2) * row_height;
+    const double left = pair_left + static_cast<double>(i % 2) * (SvgSquare::size + pair_between);
+    const double top = rows_top + static_cast<double>(i / 2) * row_height;
     const std::string heading = fmt::format(
         "{} ({}): {}{}", row.method, row.detail, counted(row.components, i < 2 ? "component" : "region"),
         row.phantom_branches.value_or(0) > 0 ? fmt::format(", {} phantom", *row.phantom_branches) : "");

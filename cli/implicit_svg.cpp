@@ -10,9 +10,9 @@
 namespace exsect::cli {
 namespace {
 
-constexpr double margin = 76;
-constexpr double top_margin = 62;
-constexpr int cells = 240;
+constexpr double panel_margin = 76;
+constexpr double panel_top = 62;
+constexpr int zero_set_cells = 240;
 
 /// A polynomial in doubles, scaled so that its largest coefficient is 1.
 using Table = std::vector<std::vector<double>>;
@@ -125,7 +125,7 @@ PlanePolyline drawn_curve(const BezierCurve& curve) {
 DrawnZeroSet drawn_zero_set(const PlanarFunction& f, const PlanePolyline& curve, double near,
                             const PlaneView& view) {
   DrawnZeroSet result;
-  for (const PlanePolyline& polyline : zero_set_in(drawn_function(f), view, cells)) {
+  for (const PlanePolyline& polyline : zero_set_in(drawn_function(f), view, zero_set_cells)) {
     bool was_near = false;
     for (std::size_t i = 0; i < polyline.size(); ++i) {
       const bool is_near = distance(polyline[i], curve) <= near;
@@ -162,10 +162,10 @@ Panel panel_of(const PlanarImplicit& implicit, const BezierCurve& curve,
 /// The panels side by side under a title, with a legend.
 std::string picture_of(const std::vector<Panel>& panels, const std::string& title,
                        const std::string& subtitle) {
-  double width = margin, height = 0;
+  double width = panel_margin, height = 0;
   bool follows = false, elsewhere = false;
   for (const Panel& panel : panels) {
-    width += SvgPlane::width(panel.view) + margin;
+    width += SvgPlane::width(panel.view) + panel_margin;
     height = std::max(height, SvgPlane::height(panel.view));
     follows = follows || !panel.zero.following.empty();
     elsewhere = elsewhere || !panel.zero.further.empty();
@@ -176,19 +176,19 @@ std::string picture_of(const std::vector<Panel>& panels, const std::string& titl
   legend.add(curve_stroke, "curve");
   if (follows) legend.add(zero_stroke, "zero set");
   if (elsewhere) legend.add(further_stroke, "zero set elsewhere");
-  const double legend_top = top_margin + height + 54;
+  const double legend_top = panel_top + height + 54;
   SvgPicture picture(width, legend_top + legend.height(width - 60) + 14);
   picture.element("<g fill=\"#000000\">");
   picture.text(width / 2, 26, fitted(title, 15, width - 30), 15, TextAnchor::middle);
   picture.text(width / 2, 48, fitted(subtitle, 13, width - 30), 13, TextAnchor::middle);
   picture.element("</g>");
-  double left = margin + shift;
+  double left = panel_margin + shift;
   for (const Panel& panel : panels) {
-    SvgPlane plane(picture, left, top_margin, panel.view, panel.variables[0], panel.variables[1]);
+    SvgPlane plane(picture, left, panel_top, panel.view, panel.variables[0], panel.variables[1]);
     plane.polyline(panel.curve, curve_stroke);
     for (const PlanePolyline& polyline : panel.zero.further) plane.polyline(polyline, further_stroke);
     for (const PlanePolyline& polyline : panel.zero.following) plane.polyline(polyline, zero_stroke);
-    left += SvgPlane::width(panel.view) + margin;
+    left += SvgPlane::width(panel.view) + panel_margin;
   }
   legend.draw(picture, 30, legend_top, width - 60);
   return picture.document();

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "option_values.h"
 #include "terminal_text.h"
 
 namespace exsect::cli {
@@ -18,11 +19,6 @@ constexpr std::array planar_methods = {PlanarMethod::exact,     PlanarMethod::le
 constexpr std::array space_methods = {SpaceMethod::cylinders, SpaceMethod::orthogonal,
                                       SpaceMethod::root_free};
 constexpr std::array spaces = {SpaceKind::monomial, SpaceKind::bernstein, SpaceKind::b_spline};
-
-std::string shortened(const std::string& text) {
-  constexpr std::size_t longest = 40;
-  return printable(text.size() <= longest ? text : text.substr(0, longest) + "...");
-}
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts;

@@ -13,10 +13,7 @@
 namespace exsect::cli {
 namespace {
 
-constexpr double left_margin = 58;
-constexpr double between = 80;
-constexpr double top_margin = 78;
-constexpr double width = left_margin + 2 * SvgSquare::size + between + 24;
+constexpr double squares_top = 78;
 constexpr std::size_t most_listed = 8;  // components in the legend
 
 struct KindMark {
@@ -215,24 +212,25 @@ std::string square_heading(const PatchNames& names, std::size_t square) {
 std::string intersection_svg(const IntersectResult& result, const PatchNames& names,
                              const std::string& title) {
   const SvgLegend entries = legend(result);
-  const double legend_width = width - left_margin - 24;
-  const double legend_top = top_margin + SvgSquare::size + 56;
-  SvgPicture picture(width, legend_top + entries.height(legend_width) + 14);
+  const double legend_width = pair_width - pair_left - 24;
+  const double legend_top = squares_top + SvgSquare::size + 56;
+  SvgPicture picture(pair_width, legend_top + entries.height(legend_width) + 14);
   picture.element("<g fill=\"#000000\">");
-  const double title_size = text_width(title, 16) <= width - 40 ? 16 : 13;
-  picture.text(width / 2, 28, fitted(title, title_size, width - 40), title_size, TextAnchor::middle);
+  const double title_size = text_width(title, 16) <= pair_width - 40 ? 16 : 13;
+  picture.text(pair_width / 2, 28, fitted(title, title_size, pair_width - 40), title_size,
+               TextAnchor::middle);
   const std::array<std::string, 2> heads = {square_heading(names, 0), square_heading(names, 1)};
-  const std::array<double, 2> lefts = {left_margin, left_margin + SvgSquare::size + between};
+  const std::array<double, 2> lefts = {pair_left, pair_left + SvgSquare::size + pair_between};
   for (std::size_t square : {0, 1}) {
-    picture.text(lefts[square] + SvgSquare::size / 2, top_margin - 14,
+    picture.text(lefts[square] + SvgSquare::size / 2, squares_top - 14,
                  fitted(heads[square], 14, SvgSquare::size), 14, TextAnchor::middle);
   }
   picture.element("</g>");
-  SvgSquare first(picture, lefts[0], top_margin, names.parameters[0], names.parameters[1]);
-  SvgSquare second(picture, lefts[1], top_margin, names.parameters[2], names.parameters[3]);
+  SvgSquare first(picture, lefts[0], squares_top, names.parameters[0], names.parameters[1]);
+  SvgSquare second(picture, lefts[1], squares_top, names.parameters[2], names.parameters[3]);
   draw_square(result, first, 0);
   draw_square(result, second, 1);
-  entries.draw(picture, left_margin, legend_top, legend_width);
+  entries.draw(picture, pair_left, legend_top, legend_width);
   return picture.document();
 }
 

@@ -16,10 +16,10 @@
 namespace exsect::cli {
 namespace {
 
-constexpr double margin = 70;
-constexpr double top_margin = 62;
-constexpr double width = SvgSquare::size + 2 * margin;
-constexpr int cells = 200;
+constexpr double line_margin = 70;
+constexpr double square_top = 62;
+constexpr double picture_width = SvgSquare::size + 2 * line_margin;
+constexpr int curve_cells = 200;
 
 /// A bivariate polynomial in doubles, scaled so that its largest coefficient is 1; s runs to the right, r
 /// upwards.
@@ -52,7 +52,7 @@ class Shade {
 };
 
 std::vector<PlanePolyline> curves(const BivariatePolynomial& f) {
-  return f.is_zero() ? std::vector<PlanePolyline>{} : zero_set(Shade(f), cells);
+  return f.is_zero() ? std::vector<PlanePolyline>{} : zero_set(Shade(f), curve_cells);
 }
 
 void draw(SvgSquare& square, const std::vector<PlanePolyline>& drawn, const Stroke& stroke) {
@@ -170,15 +170,16 @@ std::string subtitle(const LineIntersection& line) {
 std::string line_svg(const LineIntersection& line, const BezierPatch& x, const std::string& title) {
   const LineCurves drawn = line_curves(line);
   const SvgLegend entries = legend(line, drawn);
-  const double legend_top = top_margin + SvgSquare::size + 54;
-  const double legend_width = width - 2 * 30;
-  SvgPicture picture(width, legend_top + entries.height(legend_width) + 14);
+  const double legend_top = square_top + SvgSquare::size + 54;
+  const double legend_width = picture_width - 2 * 30;
+  SvgPicture picture(picture_width, legend_top + entries.height(legend_width) + 14);
   picture.element("<g fill=\"#000000\">");
-  const double title_size = text_width(title, 15) <= width - 30 ? 15 : 12;
-  picture.text(width / 2, 26, fitted(title, title_size, width - 30), title_size, TextAnchor::middle);
-  picture.text(width / 2, 48, fitted(subtitle(line), 13, width - 30), 13, TextAnchor::middle);
+  const double title_size = text_width(title, 15) <= picture_width - 30 ? 15 : 12;
+  picture.text(picture_width / 2, 26, fitted(title, title_size, picture_width - 30), title_size,
+               TextAnchor::middle);
+  picture.text(picture_width / 2, 48, fitted(subtitle(line), 13, picture_width - 30), 13, TextAnchor::middle);
   picture.element("</g>");
-  SvgSquare square(picture, margin, top_margin, name(line.eliminant_variable),
+  SvgSquare square(picture, line_margin, square_top, name(line.eliminant_variable),
                    name(partner(line.eliminant_variable)));
   draw(square, drawn.second_surface, second_surface);
   draw(square, drawn.lower_end, lower_end);

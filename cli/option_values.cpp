@@ -12,11 +12,6 @@
 namespace exsect::cli {
 namespace {
 
-std::string shortened(const std::string& text) {
-  constexpr std::size_t longest = 40;
-  return printable(text.size() <= longest ? text : text.substr(0, longest) + "...");
-}
-
 Rational number(const std::string& option, const std::string& text) {
   try {
     return parse_number(text);
@@ -26,6 +21,11 @@ Rational number(const std::string& option, const std::string& text) {
 }
 
 }  // namespace
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t longest = 40;
+  return printable(text.size() <= longest ? text : text.substr(0, longest) + "...");
+}
 
 Rational parameter_value(const std::string& option, const std::string& text) {
   const Rational value = number(option, text);

@@ -10,6 +10,9 @@
 
 namespace exsect::cli {
 
+/// What was given, printable and cut to 40 characters, for messages.
+std::string shortened(const std::string& text);
+
 /// A number in the syntax of patch files ("1/2", "0.5", "0x1p-1") within [0,1]. Throws UsageError.
 Rational parameter_value(const std::string& option, const std::string& text);
 

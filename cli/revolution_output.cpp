@@ -52,7 +52,7 @@ std::string degrees_text(const std::vector<int>& degrees) {
   return "(" + joined(texts, ",") + ")";
 }
 
-std::string shortened(const std::string& text) {
+std::string text_or_length(const std::string& text) {
   constexpr std::size_t longest = 2000;
   return text.size() <= longest ? text : fmt::format("{} characters, see --json", text.size());
 }
@@ -63,8 +63,8 @@ std::string equations_text(const Revolution& revolution) {
   const PolynomialTerms f = terms_of(revolution.profile.polynomial(), "r", "z");
   const PolynomialTerms g = terms_of(surface_of_revolution(revolution.surfaces.front()));
   return fmt::format("profile, degrees {} in r, z: {}\nsurface, degrees {} in x, y, z: {}\n",
-                     degrees_text(f.degrees()), shortened(to_text(f)), degrees_text(g.degrees()),
-                     shortened(to_text(g)));
+                     degrees_text(f.degrees()), text_or_length(to_text(f)), degrees_text(g.degrees()),
+                     text_or_length(to_text(g)));
 }
 
 std::string rings_text(const SingularRings& rings) {

@@ -14,8 +14,8 @@
 namespace exsect::cli {
 namespace {
 
-constexpr double margin = 76;
-constexpr double top_margin = 62;
+constexpr double plane_margin = 76;
+constexpr double plane_top = 62;
 
 const Stroke profile_stroke = {"#56b4e9", 6};
 const Stroke own_stroke = {"#000000", 1.6};
@@ -61,10 +61,10 @@ std::string revolution_svg(const ShownRevolution& shown, const std::string& titl
   const PlaneView view = view_of(shown.revolution.region);
   const HalfPlaneCurves drawn = half_plane_curves(shown);
   const SvgLegend entries = legend(shown, drawn);
-  const double plane_right = margin + SvgPlane::width(view);
+  const double plane_right = plane_margin + SvgPlane::width(view);
   const double width = plane_right + (shown.patch ? 90 + SvgSquare::size : 0) + 40;
   const double height = std::max(SvgPlane::height(view), shown.patch ? SvgSquare::size : 0.0);
-  const double legend_top = top_margin + height + 54;
+  const double legend_top = plane_top + height + 54;
   SvgPicture picture(width, legend_top + entries.height(width - 60) + 14);
   picture.element("<g fill=\"#000000\">");
   picture.text(width / 2, 26, fitted(title, 15, width - 30), 15, TextAnchor::middle);
@@ -74,10 +74,10 @@ std::string revolution_svg(const ShownRevolution& shown, const std::string& titl
                   bound ? "distance at most " + rounded_up(to_double(*bound)) : "no distance proved");
   picture.text(width / 2, 48, fitted(subtitle, 13, width - 30), 13, TextAnchor::middle);
   picture.element("</g>");
-  SvgPlane plane(picture, margin, top_margin, view, "r", "z");
+  SvgPlane plane(picture, plane_margin, plane_top, view, "r", "z");
   draw_half_plane(shown, drawn, plane);
   if (shown.patch) {
-    SvgSquare square(picture, plane_right + 90, top_margin, "u", "v");
+    SvgSquare square(picture, plane_right + 90, plane_top, "u", "v");
     draw_patch(*shown.patch, square);
   }
   entries.draw(picture, 30, legend_top, width - 60);

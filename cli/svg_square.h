@@ -38,4 +38,9 @@ class SvgSquare {
   double top_;
 };
 
+/// Two squares side by side: where the first one begins, the gap, and the width of the picture.
+inline constexpr double pair_left = 58;
+inline constexpr double pair_between = 80;
+inline constexpr double pair_width = pair_left + 2 * SvgSquare::size + pair_between + 24;
+
 }  // namespace exsect::cli

@@ -21,10 +21,27 @@ if(EXSECT_FUZZ)
   target_link_options(exsect_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# The headers that nearly every file includes, parsed once per target: Boost's GMP numbers alone cost seconds a file.
-function(exsect_precompile target)
-  target_precompile_headers(${target} PRIVATE <algorithm> <array> <memory> <optional> <string> <vector>
-                                              <boost/multiprecision/gmp.hpp> ${ARGN})
+# The headers that nearly every file includes, parsed once for each kind of target: Boost's GMP numbers alone cost
+# seconds a file. The kinds: `library` for the layers, `program` with JSON, formatting and the command
+# line besides, `tests` with Catch2, `numbers` with nothing else.
+# exsect_precompiled(<kind> HEADERS <headers> LIBRARIES <targets> OPTIONS <compile options>)
+function(exsect_precompiled kind)
+  cmake_parse_arguments(KIND "" "" "HEADERS;LIBRARIES;OPTIONS" ${ARGN})
+  file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/precompiled_${kind}.cpp" CONTENT "" @ONLY)
+  add_library(exsect_precompiled_${kind} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/precompiled_${kind}.cpp")
+  target_compile_features(exsect_precompiled_${kind} PRIVATE cxx_std_20)
+  target_compile_options(exsect_precompiled_${kind} PUBLIC -fPIC ${KIND_OPTIONS})
+  target_link_libraries(exsect_precompiled_${kind} PRIVATE Boost::headers ${KIND_LIBRARIES} exsect_options)
+  target_precompile_headers(exsect_precompiled_${kind} PRIVATE <boost/multiprecision/gmp.hpp> ${KIND_HEADERS})
+endfunction()
+set(exsect_containers <algorithm> <array> <memory> <optional> <string> <vector>)
+exsect_precompiled(library HEADERS ${exsect_containers})
+
+# The compiler refuses precompiled headers made with other options, so every target has those of its kind, and is
+# position-independent.
+function(exsect_precompile target kind)
+  target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:exsect_precompiled_${kind},INTERFACE_COMPILE_OPTIONS>)
+  target_precompile_headers(${target} REUSE_FROM exsect_precompiled_${kind})
 endfunction()
 
 # exsect_layer(<name> HEADERS <public headers> DEPENDS <targets> PRIVATE_DEPENDS <targets>)
@@ -51,7 +68,7 @@ function(exsect_layer name)
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${forward}>"
                                               "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
   target_compile_features(${target} PUBLIC cxx_std_20)
-  exsect_precompile(${target})
+  exsect_precompile(${target} library)
   target_link_libraries(${target} PUBLIC ${LAYER_DEPENDS} PRIVATE ${LAYER_PRIVATE_DEPENDS}
                                                                   $<BUILD_INTERFACE:exsect_options>)
   # Before 1.0 every minor version may change the binary interface.
