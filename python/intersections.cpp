@@ -99,9 +99,10 @@ std::function<void(double, const char*)> watched(const py::object& progress) {
 
 SolvedPair intersect_patches(const BezierPatch& x, const BezierPatch& y,
                              const std::array<std::string, 2>& names, const std::string& turning,
-                             const std::string& tolerance, const std::string& max_seconds,
+                             const std::string& tolerance, const std::string& max_seconds, bool exact,
                              const py::object& progress) {
   IntersectOptions options = options_of(turning, tolerance, max_seconds, cli::pair_names);
+  options.exact = exact;
   options.progress = watched(progress);
   const py::gil_scoped_release release;
   return {intersect(x, y, options), x, y, {names[0], names[1]}};

@@ -100,6 +100,7 @@ def intersect(
     turning: Union[str, Iterable[str], None] = "u,v,r,s",
     tolerance: Union[Number, float] = "1e-6",
     max_seconds: Union[Number, float, None] = None,
+    exact: bool = False,
     names: Tuple[str, str] = ("x", "y"),
     title: str = "",
     progress: Optional[Progress] = None,
@@ -107,12 +108,13 @@ def intersect(
     """Every point of x(u,v) = y(r,s), as a graph of nodes and arcs.
 
     `turning`: parameters whose turning points become nodes. `tolerance` bounds the proved distance of polylines,
-    relative to the size of the model. After `max_seconds` the result is incomplete. `progress` is called now and
-    then with a fraction and the name of the step; an interrupt from the keyboard is seen at these times.
+    relative to the size of the model. After `max_seconds` the result is incomplete. `exact` skips the solution in
+    floating point with proved errors; the graph is the same. `progress` is called now and then with a fraction and
+    the name of the step; an interrupt from the keyboard is seen at these times.
     ValueError for options out of range.
     """
     limit = "" if max_seconds is None else _text(max_seconds)
-    core = _core.intersect(x, y, list(names), _turning(turning), _text(tolerance), limit, progress)
+    core = _core.intersect(x, y, list(names), _turning(turning), _text(tolerance), limit, exact, progress)
     return Intersection(core, title)
 
 

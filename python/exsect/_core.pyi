@@ -46,7 +46,8 @@ class SolvedLine(SolvedPair):
     def box(self, index: int, width: Union[int, str, Fraction]) -> Tuple[Tuple[Fraction, Fraction], ...]: ...
 
 def intersect(
-    x: Patch, y: Patch, names: List[str], turning: str, tolerance: str, max_seconds: str, progress: Any
+    x: Patch, y: Patch, names: List[str], turning: str, tolerance: str, max_seconds: str, exact: bool,
+    progress: Any
 ) -> SolvedPair: ...
 def self_intersect(
     x: Patch, name: str, turning: str, tolerance: str, max_seconds: str, progress: Any

@@ -233,6 +233,14 @@ def test_bad_files_are_refused_in_the_programs_words(tmp_path):
         exsect.write_patches(tmp_path / "missing" / "p.json", {"x": exsect.Patch(UNIT)})
 
 
+def test_exact_mode_skips_floating_point_and_finds_the_same(first):
+    quick = exsect.intersect(first["x"], first["y"])
+    exact = exsect.intersect(first["x"], first["y"], exact=True)
+    assert quick.tree["work"]["steps"]["filtered"] == 1
+    assert "filtered" not in exact.tree["work"]["steps"]
+    assert [node["kinds"] for node in quick.tree["nodes"]] == [node["kinds"] for node in exact.tree["nodes"]]
+
+
 def test_an_incomplete_result_says_where_and_why(first):
     result = exsect.intersect(first["x"], first["y"], max_seconds="1e-9")
     assert not result.complete
