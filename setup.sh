@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 packages=(cmake ninja-build g++ catch2 libboost-dev libcli11-dev libeigen3-dev libflint-dev libfmt-dev libgmp-dev
-          libmpfr-dev nlohmann-json3-dev)
+          libmpfr-dev libtbb-dev nlohmann-json3-dev)
 packages_if_known=(libflint-arb-dev)  # from version 3 FLINT contains Arb
 test_packages=(dpkg-dev pkg-config mypy pybind11-dev python3-dev python3-jsonschema python3-numpy python3-pip python3-pytest
                python3-setuptools python3-wheel)
@@ -48,7 +48,7 @@ known() {
 install_packages() {
   local required optional
   command -v apt-get >/dev/null || die "no apt-get here; install cmake, ninja, g++, Boost, CLI11, Eigen, FLINT, fmt," \
-    "GMP, MPFR, nlohmann-json and Catch2, then: cmake --preset release && cmake --build --preset release"
+    "GMP, MPFR, nlohmann-json, oneTBB and Catch2, then: cmake --preset release && cmake --build --preset release"
   mapfile -t required < <(missing "${packages[@]}")
   mapfile -t optional < <(missing "${packages_if_known[@]}")
   if ((EUID != 0)); then

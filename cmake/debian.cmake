@@ -35,7 +35,7 @@ if(BUILD_SHARED_LIBS)
                                                   "${PROJECT_BINARY_DIR}/solver")
 else()
   # Static libraries: whoever links them links FLINT. From version 3 it contains Arb.
-  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libflint-dev")
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libflint-dev, libtbb-dev")
   if(ARB_LIBRARY)
     string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libflint-arb-dev")
   endif()
