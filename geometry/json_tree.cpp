@@ -16,7 +16,9 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   JsonTree take() { return std::move(root_); }
 
   bool null() override { return add({JsonTree::Kind::null, "", {}, {}}); }
-  bool boolean(bool) override { return add({JsonTree::Kind::boolean, "", {}, {}}); }
+  bool boolean(bool value) override {
+    return add({JsonTree::Kind::boolean, value ? "true" : "false", {}, {}});
+  }
   bool number_integer(number_integer_t value) override { return add_number(std::to_string(value)); }
   bool number_unsigned(number_unsigned_t value) override { return add_number(std::to_string(value)); }
   /// Called with the text for every decimal, and for integers of more than 64 bits.

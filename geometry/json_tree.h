@@ -14,7 +14,7 @@ struct JsonTree {
   enum class Kind { null, boolean, number, string, array, object };
 
   Kind kind = Kind::null;
-  std::string text;                // number, string
+  std::string text;                // number, string, true or false
   std::vector<JsonTree> elements;  // array; values of an object
   std::vector<std::string> keys;   // object: keys[i] belongs to elements[i], all distinct
 };

@@ -27,6 +27,11 @@ bool JsonValue::is_bare(std::string_view number) const {
   return tree_.kind == Kind::number && tree_.text == number;
 }
 
+bool JsonValue::boolean() const {
+  if (tree_.kind != Kind::boolean) fail("must be true or false");
+  return tree_.text == "true";
+}
+
 int JsonValue::small_integer(int least, int most, const char* what) const {
   for (int n = least; n <= most; ++n)
     if (is_bare(std::to_string(n))) return n;

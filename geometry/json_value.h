@@ -26,6 +26,9 @@ class JsonValue {
   /// The text of a number, quoted or bare.
   const std::string& number_text() const;
   bool is_bare(std::string_view number) const;
+  bool is_array() const { return tree_.kind == JsonTree::Kind::array; }
+  /// true or false.
+  bool boolean() const;
   /// A bare integer in [least, most], written without sign, point or exponent.
   int small_integer(int least, int most, const char* what) const;
 
