@@ -1,0 +1,294 @@
+#include "candidate_chain.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect {
+namespace {
+
+constexpr double unit_roundoff = 0x1p-53;
+constexpr double upwards = 1 + 0x1p-40;  // covers the rounding of a few hundred operations on numbers >= 0
+constexpr int deepest = 40;
+constexpr std::size_t most_pieces = std::size_t{1} << 20;
+
+double norm(const SpacePoint& a) { return std::hypot(a[0], a[1], a[2]); }
+
+double largest(const SpacePoint& a) { return std::max({std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2])}); }
+
+/// A Bézier curve with weights over [from, to].
+struct Segment {
+  double from;
+  double to;
+  std::vector<SpacePoint> points;
+  std::vector<double> weights;
+};
+
+/// Homogeneous control points as rationals, for the blossom.
+using Homogeneous = std::array<Rational, 4>;
+
+Homogeneous homogeneous(const SplineCurve& curve, std::size_t i) {
+  const Rational w = curve.weights.empty() ? Rational(1) : from_double(curve.weights[i]);
+  const auto& p = curve.points[i];
+  return {w * from_double(p[0]), w * from_double(p[1]), w * from_double(p[2]), w};
+}
+
+/// Blossom of the span [knots[k], knots[k+1]] at the given arguments (de Boor), exactly.
+Homogeneous blossom(const SplineCurve& curve, std::size_t k, const std::vector<Rational>& arguments) {
+  const auto d = static_cast<std::size_t>(curve.degree);
+  std::vector<Homogeneous> net;
+  for (std::size_t i = 0; i <= d; ++i) net.push_back(homogeneous(curve, k - d + i));
+  for (std::size_t level = 1; level <= d; ++level) {
+    for (std::size_t i = d; i >= level; --i) {
+      const Rational a = from_double(curve.knots[k - d + i]);
+      const Rational b = from_double(curve.knots[k + i + 1 - level]);
+      const Rational t = (arguments[level - 1] - a) / (b - a);
+      for (std::size_t c = 0; c < 4; ++c) net[i][c] = (1 - t) * net[i - 1][c] + t * net[i][c];
+    }
+  }
+  return net[d];
+}
+
+/// The control points of one span, each rounded once.
+Segment span(const SplineCurve& curve, std::size_t k) {
+  Segment result{curve.knots[k], curve.knots[k + 1], {}, {}};
+  if (curve.degree == 1 && curve.weights.empty()) {
+    result.points = {curve.points[k - 1], curve.points[k]};
+    result.weights = {1, 1};
+    return result;
+  }
+  const auto d = static_cast<std::size_t>(curve.degree);
+  const Rational from = from_double(result.from);
+  const Rational to = from_double(result.to);
+  for (std::size_t j = 0; j <= d; ++j) {
+    std::vector<Rational> arguments(d - j, from);
+    arguments.resize(d, to);
+    const Homogeneous point = blossom(curve, k, arguments);
+    result.points.push_back(
+        {to_double(point[0] / point[3]), to_double(point[1] / point[3]), to_double(point[2] / point[3])});
+    result.weights.push_back(to_double(point[3]));
+  }
+  return result;
+}
+
+/// Largest distance of a control point from its place on the chord: the foot, or where feet do not ascend the
+/// place in proportion to its number. Places that ascend, run through by the same basis functions, are a
+/// monotone motion along the chord (variation diminishing), so this bounds the Fréchet distance (15.1).
+double deviation(const Segment& s) {
+  const std::size_t d = s.points.size() - 1;
+  std::vector<double> places;
+  for (const SpacePoint& p : s.points) places.push_back(foot(p, s.points.front(), s.points.back()));
+  if (!std::is_sorted(places.begin(), places.end()))
+    for (std::size_t i = 0; i <= d; ++i) places[i] = static_cast<double>(i) / static_cast<double>(d);
+  double result = 0;
+  for (std::size_t i = 1; i < d; ++i)
+    result = std::max(result, distance(s.points[i], between(s.points.front(), s.points.back(), places[i])));
+  return result;
+}
+
+/// Both halves by de Casteljau's algorithm.
+std::array<Segment, 2> halves(const Segment& s) {
+  const std::size_t n = s.points.size();
+  const double middle = s.from + (s.to - s.from) / 2;
+  Segment left{s.from, middle, s.points, s.weights};
+  Segment right{middle, s.to, s.points, s.weights};
+  std::vector<SpacePoint> points = s.points;
+  std::vector<double> weights = s.weights;
+  for (std::size_t level = 1; level < n; ++level) {
+    for (std::size_t i = 0; i + level < n; ++i) {
+      const double w = weights[i] / 2 + weights[i + 1] / 2;
+      points[i] = between(points[i], points[i + 1], weights[i + 1] / 2 / w);
+      weights[i] = w;
+    }
+    left.points[level] = points[0];
+    left.weights[level] = weights[0];
+    right.points[n - 1 - level] = points[n - 1 - level];
+    right.weights[n - 1 - level] = weights[n - 1 - level];
+  }
+  return {left, right};
+}
+
+/// Straight pieces of a spline in its own space, in the order of the curve.
+struct StraightPiece {
+  double from;
+  double to;
+  SpacePoint a;
+  SpacePoint b;
+  double bound;
+};
+
+/// Each of at most 40 levels moves a point by at most 4 (degree + 1) roundings of its size.
+void cut(const Segment& s, double flat, int depth, double rounding, std::vector<StraightPiece>& pieces) {
+  const double bound = s.points.size() == 2 ? 0 : deviation(s) * upwards + rounding;
+  if (bound <= flat || depth == 0 || pieces.size() > most_pieces) {
+    pieces.push_back({s.from, s.to, s.points.front(), s.points.back(), bound + rounding});
+    return;
+  }
+  for (const Segment& half : halves(s)) cut(half, flat, depth - 1, rounding, pieces);
+}
+
+std::vector<StraightPiece> straight_pieces(const SplineCurve& curve, bool closed, double flat) {
+  const auto d = static_cast<std::size_t>(curve.degree);
+  double size = 0;
+  for (const auto& p : curve.points) size = std::max(size, largest(p));
+  const double rounding = curve.degree == 1 && curve.weights.empty()
+                              ? 0
+                              : 4 * deepest * static_cast<double>(d + 1) * 4 * size * unit_roundoff;
+  std::vector<StraightPiece> pieces;
+  for (std::size_t k = d; k < curve.points.size(); ++k)
+    if (curve.knots[k] < curve.knots[k + 1]) cut(span(curve, k), flat, deepest, rounding, pieces);
+  if (closed && pieces.back().b != pieces.front().a)
+    pieces.push_back({curve.to(), curve.to() + 1, pieces.back().b, pieces.front().a, rounding});
+  return pieces;
+}
+
+Chain started(const SpacePoint& point, double at) {
+  Chain chain;
+  chain.points = {point};
+  chain.at = {at};
+  return chain;
+}
+
+void add(Chain& chain, const SpacePoint& point, double at, double bound) {
+  chain.points.push_back(point);
+  chain.at.push_back(at);
+  chain.bound.push_back(bound);
+}
+
+}  // namespace
+
+PatchInDoubles::PatchInDoubles(const BezierPatch& patch, const Rational& margin) {
+  const ControlNet power = patch.power_basis();
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        power_[i][j][k] = to_double(power[i][j][k]);
+        net_[i][j][k] = to_double(patch.net()[i][j][k]);
+      }
+      size += std::ldexp(norm(power_[i][j]) * upwards, static_cast<int>(i + j));
+    }
+  }
+  // nine terms of at most five rounded operations each, and the rounding of the coefficients
+  rounding_ = 32 * size * unit_roundoff;
+  // Derivatives lie in the hulls of differences of the net over the square.
+  const Rational width = 1 + 2 * margin;
+  const ControlNet net = patch.restricted_to(-margin, 1 + margin, -margin, 1 + margin).net();
+  const auto length = [](const Point& p) {
+    return norm({to_double(p[0]), to_double(p[1]), to_double(p[2])}) * upwards;
+  };
+  speed_ = {0, 0};
+  second_ = {0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      speed_[0] = std::max(speed_[0], length(Rational(2 / width) * (net[j + 1][i] - net[j][i])));
+      speed_[1] = std::max(speed_[1], length(Rational(2 / width) * (net[i][j + 1] - net[i][j])));
+      if (i == 2) continue;
+      const Point mixed = (net[i + 1][j + 1] - net[i + 1][j]) - (net[i][j + 1] - net[i][j]);
+      second_[1] = std::max(second_[1], length(Rational(4 / (width * width)) * mixed));
+    }
+    const Rational twice = 2 / (width * width);
+    second_[0] = std::max(second_[0], length(twice * ((net[2][i] - net[1][i]) - (net[1][i] - net[0][i]))));
+    second_[2] = std::max(second_[2], length(twice * ((net[i][2] - net[i][1]) - (net[i][1] - net[i][0]))));
+  }
+}
+
+SpacePoint PatchInDoubles::operator()(double u, double v) const {
+  SpacePoint result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double value = 0;
+    for (std::size_t i = 3; i-- > 0;)
+      value = value * u + (power_[i][0][k] + v * (power_[i][1][k] + v * power_[i][2][k]));
+    result[k] = value;
+  }
+  return result;
+}
+
+double PatchInDoubles::second_derivative(double du, double dv) const {
+  return (second_[0] * du * du + 2 * second_[1] * std::fabs(du * dv) + second_[2] * dv * dv) * upwards;
+}
+
+bool PatchInDoubles::certainly_farther(const SpacePoint& p, double radius) const {
+  struct Piece {
+    std::array<std::array<SpacePoint, 3>, 3> net;
+    int depth;
+  };
+  std::vector<Piece> waiting = {{net_, 0}};
+  constexpr std::size_t most_steps = 4096;
+  for (std::size_t step = 0; step < most_steps; ++step) {
+    if (waiting.empty()) return true;
+    const Piece piece = waiting.back();
+    waiting.pop_back();
+    SpacePoint centre = between(piece.net[0][0], piece.net[2][2], 0.5);
+    double reach = 0;  // all points of the piece are within it of the centre
+    double gap = 0;    // the box of the net is at least that far
+    for (std::size_t k = 0; k < 3; ++k) {
+      double lower = piece.net[0][0][k];
+      double upper = lower;
+      for (const auto& row : piece.net) {
+        for (const SpacePoint& q : row) {
+          lower = std::min(lower, q[k]);
+          upper = std::max(upper, q[k]);
+        }
+      }
+      const double outside = std::max({lower - p[k], p[k] - upper, 0.0});
+      gap += outside * outside;
+    }
+    for (const auto& row : piece.net)
+      for (const SpacePoint& q : row) reach = std::max(reach, distance(q, centre));
+    const double slack = (rounding_ + radius) * upwards;
+    if (std::max(std::sqrt(gap), distance(p, centre) - reach) * (1 - 0x1p-40) > slack) continue;
+    if (piece.depth == deepest) return false;
+    const auto halved = [](const SpacePoint& a, const SpacePoint& b, const SpacePoint& c) {
+      const SpacePoint ab = between(a, b, 0.5);
+      const SpacePoint bc = between(b, c, 0.5);
+      return std::array<SpacePoint, 5>{a, ab, between(ab, bc, 0.5), bc, c};
+    };
+    Piece left{piece.net, piece.depth + 1};
+    Piece right{piece.net, piece.depth + 1};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& n = piece.net;
+      const bool rows = piece.depth % 2 == 0;
+      const auto five = rows ? halved(n[0][i], n[1][i], n[2][i]) : halved(n[i][0], n[i][1], n[i][2]);
+      for (std::size_t j = 0; j < 3; ++j) {
+        (rows ? left.net[j][i] : left.net[i][j]) = five[j];
+        (rows ? right.net[j][i] : right.net[i][j]) = five[j + 2];
+      }
+    }
+    waiting.push_back(left);
+    waiting.push_back(right);
+  }
+  return false;
+}
+
+Chain chain_in_space(const SplineCurve& curve, bool closed, double flat) {
+  const std::vector<StraightPiece> pieces = straight_pieces(curve, closed, flat);
+  Chain chain = started(pieces.front().a, pieces.front().from);
+  for (const StraightPiece& piece : pieces) add(chain, piece.b, piece.to, piece.bound);
+  chain.closed = chain.points.front() == chain.points.back();
+  return chain;
+}
+
+Chain chain_on_patch(const SplineCurve& curve, bool closed, const PatchInDoubles& patch, double flat) {
+  const double speed = patch.speed(0) + patch.speed(1);
+  const std::vector<StraightPiece> pieces =
+      straight_pieces(curve, closed, speed > 0 ? flat / (4 * speed) : flat);
+  Chain chain = started(patch(pieces.front().a[0], pieces.front().a[1]), pieces.front().from);
+  for (const StraightPiece& piece : pieces) {
+    const double du = piece.b[0] - piece.a[0];
+    const double dv = piece.b[1] - piece.a[1];
+    const double k = patch.second_derivative(du, dv);
+    // a chord over 1/n of the segment is within k / (8 n^2) of its image (5.4)
+    const double n = std::clamp(std::ceil(std::sqrt(k / (4 * flat))), 1.0, 4096.0);
+    const double bound = (k / (8 * n * n) + speed * piece.bound) * upwards + 2 * patch.rounding();
+    for (double i = 1; i <= n; ++i) {
+      const double t = i / n;
+      const double at = i == n ? piece.to : piece.from + t * (piece.to - piece.from);
+      const SpacePoint w = i == n ? piece.b : between(piece.a, piece.b, t);
+      add(chain, patch(w[0], w[1]), at, bound);
+    }
+  }
+  chain.closed = chain.points.front() == chain.points.back();
+  return chain;
+}
+
+}  // namespace exsect
