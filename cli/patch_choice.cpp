@@ -33,6 +33,14 @@ const NamedPatch& named(const PatchFile& file, const std::string& path, const st
 
 }  // namespace
 
+PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second,
+                    const char* chosen_by) {
+  const PatchFile file = read_patches(path);
+  for (const std::string& name : {first, second})
+    if (!name.empty()) named(file, path, name, chosen_by);
+  return read_pair(path, first, second);
+}
+
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second) {
   const PatchFile file = read_patches(path);
   const std::size_t count = file.patches.size();

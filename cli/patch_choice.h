@@ -18,6 +18,9 @@ struct PatchPair {
 /// must hold exactly two patches. Throws InputError for a bad file, an unknown name, the same name twice, or
 /// no clear choice.
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second);
+/// The same where `chosen_by`, and not --first and --second, gives the names.
+PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second,
+                    const char* chosen_by);
 
 /// One patch, and the title of its file.
 struct ChosenPatch {

@@ -14,6 +14,7 @@
 #include "revolve_command.h"
 #include "self_command.h"
 #include "terminal_text.h"
+#include "verify_command.h"
 
 namespace exsect::cli {
 namespace {
@@ -26,7 +27,8 @@ constexpr const char* about =
     "  exsect self examples/chapter9-second.json --patch y --svg self.svg";
 
 constexpr const char* statuses =
-    "Exit status: 0 complete; 2 bad input or usage, or output that cannot be written (message on the "
+    "Exit status: 0 complete; 1 a candidate disagrees; 2 bad input or usage, or output that cannot be "
+    "written (message on the "
     "standard\n"
     "error, nothing on the standard output); 3 incomplete, the result says where and why.";
 
@@ -178,6 +180,31 @@ void add_compare(CLI::App& app, CompareCommand& command) {
   sub->footer(compare_footer);
 }
 
+constexpr const char* verify_footer =
+    "CANDIDATE is what another program computed: curves and isolated points in space or in a parameter "
+    "square, as\n"
+    ".json (form candidate/1), .csv, .obj or .g2. It agrees if its curves and points are those of the exact\n"
+    "intersection, one to one, joined in the same way, and nowhere farther from them than the tolerance.\n"
+    "Exit status: 0 agrees; 1 disagrees; 3 not decided. Examples:\n"
+    "  exsect verify examples/candidates/sisl-right.candidate.json examples/candidates/sisl-right.json "
+    "--tolerance 1e-4\n"
+    "  exsect verify curves.g2 model.json --json - --report page.html";
+
+void add_verify(CLI::App& app, VerifyCommand& command) {
+  CLI::App* sub = app.add_subcommand("verify", "Check an intersection that another program computed");
+  sub->add_option("CANDIDATE", command.candidate, "Curves and points of the other program")
+      ->required()
+      ->type_name("");
+  add_common(*sub, command.file, command.first, command.second, command.output, command.quiet);
+  sub->add_option("--tolerance", command.tolerance,
+                  "Largest distance from the true curve, relative to the model")
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  sub->add_option("--max-seconds", command.max_seconds, "Stop undecided after this time")
+      ->type_name("NUMBER");
+  sub->footer(verify_footer);
+}
+
 void add_implicitize(CLI::App& app, ImplicitizeCommand& command) {
   CLI::App* sub = app.add_subcommand("implicitize", "Find implicit equations of a curve or a patch");
   sub->add_option("FILE", command.file, "Curve file or patch file")->required()->type_name("");
@@ -264,6 +291,7 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   LineCommand line;
   SelfCommand self;
   CompareCommand compare;
+  VerifyCommand verify;
   ImplicitizeCommand implicitize;
   RevolveCommand revolve;
   app.set_version_flag("--version", "exsect " EXSECT_VERSION, "Print the version");
@@ -273,6 +301,7 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   add_line(app, line);
   add_self(app, self);
   add_compare(app, compare);
+  add_verify(app, verify);
   add_implicitize(app, implicitize);
   add_revolve(app, revolve);
   try {
@@ -284,10 +313,12 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   }
   if (app.get_subcommands().empty())
     throw UsageError(
-        "a command is needed: intersect, line, self, compare, implicitize or revolve (see exsect --help)");
+        "a command is needed: intersect, line, self, compare, verify, implicitize or revolve (see exsect "
+        "--help)");
   refuse_empty_values(app);
   if (app.got_subcommand("self")) return run(self, streams);
   if (app.got_subcommand("compare")) return run(compare, streams);
+  if (app.got_subcommand("verify")) return run(verify, streams);
   if (app.got_subcommand("implicitize")) return run(implicitize, streams);
   if (app.got_subcommand("revolve")) return run(revolve, streams);
   return app.got_subcommand("intersect") ? run(intersect, streams) : run(line, streams);

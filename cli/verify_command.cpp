@@ -1,0 +1,58 @@
+#include "verify_command.h"
+
+#include <exsect/geometry/candidate_file.h>
+#include <exsect/solver/verify.h>
+
+#include "option_values.h"
+#include "patch_choice.h"
+#include "progress.h"
+#include "terminal_text.h"
+#include "verdict_json.h"
+
+namespace exsect::cli {
+namespace {
+
+/// The patches that the options name, else those that the candidate names.
+PatchPair chosen_pair(const VerifyCommand& command, const Candidate& candidate) {
+  if (!command.first.empty() || !command.second.empty())
+    return read_pair(command.file, command.first, command.second);
+  return read_pair(command.file, candidate.patches[0], candidate.patches[1], "the candidate's patches");
+}
+
+Verification solve(const PatchPair& pair, const Candidate& candidate, VerifyOptions options,
+                   const Streams& streams, bool quiet) {
+  Progress progress(streams.err, streams.watched && !quiet);
+  options.progress = [&](double fraction, const char* step) { progress.report(fraction, step); };
+  return verify(candidate, pair.x.patch, pair.y.patch, options);
+}
+
+ExitStatus status(Agreement agreement) {
+  if (agreement == Agreement::agrees) return ExitStatus::complete;
+  return agreement == Agreement::disagrees ? ExitStatus::negative : ExitStatus::incomplete;
+}
+
+}  // namespace
+
+ExitStatus run(const VerifyCommand& command, const Streams& streams) {
+  VerifyOptions options;
+  options.tolerance = positive_value("--tolerance", command.tolerance);
+  if (!command.max_seconds.empty())
+    options.max_seconds = positive_value("--max-seconds", command.max_seconds);
+  check(command.output, command.file);
+  check(command.output, command.candidate);
+  const Candidate candidate = read_candidate(command.candidate);
+  const PatchPair pair = chosen_pair(command, candidate);
+  const PatchNames names = {pair.x.name, pair.y.name};
+  const Verification result = solve(pair, candidate, options, streams, command.quiet);
+  const std::string json =
+      command.output.json.empty() ? "" : json_text(verdict_json(result, candidate, names));
+  if (!command.output.json.empty() && !command.output.json_to_stdout())
+    write_file_atomically(command.output.json, json);
+  if (command.output.json_to_stdout())
+    streams.out << json;
+  else if (!command.quiet)
+    streams.out << heading(command.candidate, pair.title) << verdict_summary(result, candidate);
+  return status(result.verdict.agreement);
+}
+
+}  // namespace exsect::cli

@@ -1,0 +1,141 @@
+#include <nlohmann/json.hpp>
+
+#include "json_schema.h"
+#include "run_program.h"
+#include "support/catch.h"
+
+namespace exsect {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string candidate(const std::string& name) { return example("candidates/" + name + ".candidate.json"); }
+std::string model(const std::string& name) { return example("candidates/" + name + ".json"); }
+
+struct Judged {
+  int status;
+  Json verdict;
+};
+
+Judged judged(const std::string& name, const std::vector<std::string>& options = {}) {
+  std::vector<std::string> arguments = {"verify", candidate(name), model(name), "--json",
+                                        "-",      "--tolerance",   "1e-4"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const ProgramRun run = run_program(arguments);
+  INFO(run.err);
+  REQUIRE(run.status != 2);
+  const Json json = Json::parse(run.out);
+  CHECK(JsonSchema::named("verdict-1").violation(json) == "");
+  return {run.status, json};
+}
+
+int count(const Json& verdict, const std::string& kind) {
+  int n = 0;
+  for (const Json& difference : verdict.at("differences")) n += difference.at("kind") == kind ? 1 : 0;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("verify: candidates of other programs that are right") {
+  for (const std::string name : {"sisl-right", "occt-right", "occt-section-right"}) {
+    INFO(name);
+    const Judged result = judged(name);
+    CHECK(result.status == 0);
+    CHECK(result.verdict.at("verdict") == "agrees");
+    CHECK(result.verdict.at("differences").empty());
+    for (const Json& curve : result.verdict.at("curves")) CHECK(curve.at("distance")[1] < 1e-4);
+  }
+}
+
+TEST_CASE("verify: candidates of other programs that are wrong") {
+  struct Expected {
+    std::string name;
+    std::string kind;
+    int number;
+  };
+  const std::vector<Expected> all = {{"occt-curve-of-contact-lost", "lost-curve", 1},
+                                     {"occt-loop-lost", "lost-curve", 1},
+                                     {"occt-one-of-two-lost", "lost-curve", 1},
+                                     {"occt-small-loop-lost", "lost-curve", 1},
+                                     {"occt-touch-point-lost", "lost-point", 1},
+                                     {"sisl-loop-as-points", "curve-as-points", 1},
+                                     {"sisl-lost-curve", "lost-curve", 1},
+                                     {"sisl-nearly-crossing-lost", "lost-curve", 2}};
+  for (const Expected& expected : all) {
+    INFO(expected.name);
+    const Judged result = judged(expected.name);
+    CHECK(result.status == 1);
+    CHECK(result.verdict.at("verdict") == "disagrees");
+    CHECK(count(result.verdict, expected.kind) == expected.number);
+  }
+}
+
+TEST_CASE("verify: never agreement where the exact answer is incomplete") {
+  const Judged result = judged("sisl-right", {"--max-seconds", "1e-9"});
+  CHECK(result.status == 3);
+  CHECK(result.verdict.at("status") == "incomplete");
+  CHECK(result.verdict.at("exact") == "incomplete");
+  CHECK_FALSE(result.verdict.at("undecided").empty());
+}
+
+TEST_CASE("verify: what exsect exports agrees with itself, in every format") {
+  const ScratchDirectory scratch;
+  const std::string obj = scratch.path("curves.obj");
+  const std::string file = example("chapter9-first.json");
+  REQUIRE(run_program({"intersect", file, "--tolerance", "1e-5", "--obj", obj, "--quiet"}).status == 0);
+  const ProgramRun agrees = run_program({"verify", obj, file, "--tolerance", "1e-4"});
+  CHECK(agrees.status == 0);
+  CHECK(agrees.out.find("agrees: within") != std::string::npos);
+  // the same polylines as a table, in the parameters of the first patch
+  const Json result = Json::parse(run_program({"intersect", file, "--tolerance", "1e-5", "--json", "-"}).out);
+  std::string table = "curve,u,v\n";
+  std::string splines;
+  for (const Json& arc : result.at("arcs")) {
+    const Json& line = arc.at("polyline");
+    std::string knots = "0";
+    std::string points;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      table += arc.at("id").dump() + "," + line[i][0].dump() + "," + line[i][1].dump() + "\n";
+      knots += " " + std::to_string(i);
+      for (std::size_t k = 4; k < 7; ++k) points += line[i][k].dump() + (k < 6 ? " " : "\n");
+    }
+    splines += "100 1 0 0\n3 0\n" + std::to_string(line.size()) + " 2\n" + knots + " " +
+               std::to_string(line.size() - 1) + "\n" + points;
+  }
+  write(scratch.path("curves.csv"), table);
+  write(scratch.path("curves.g2"), splines);
+  for (const std::string name : {"curves.csv", "curves.g2"}) {
+    const ProgramRun run = run_program({"verify", scratch.path(name), file, "--tolerance", "1e-4"});
+    INFO(name << run.out << run.err);
+    CHECK(run.status == 0);
+  }
+}
+
+TEST_CASE("verify: bad input") {
+  const ScratchDirectory scratch;
+  const std::string file = model("sisl-right");
+  const auto refused = [&](const std::string& name, const std::string& text, const std::string& word) {
+    write(scratch.path(name), text);
+    const ProgramRun run = run_program({"verify", scratch.path(name), file});
+    INFO(name << ": " << run.err);
+    CHECK(run.status == 2);
+    CHECK(run.out.empty());
+    CHECK(run.err.find(word) != std::string::npos);
+  };
+  refused("a.json", R"({"exsect": "candidate/1", "patches": ["x", "q"], "curves": []})",
+          "no patch is named \"q\"");
+  refused("a.json", R"({"exsect": "candidate/1", "patches": ["x", "y"], "curves": [)", "a.json");
+  refused("a.csv", "x,y,z\n0,0,nan\n", "line 2");
+  refused("a.obj", "l 1 2\n", "does not exist");
+  refused("a.g2", "100 1 0 0\n3 0\n4", "ends where");
+  refused("a.stp", "", ".json, .csv, .obj or .g2");
+  CHECK(run_program({"verify", "/no/such/file.json", file}).status == 2);
+  CHECK(run_program({"verify", candidate("sisl-right"), "/no/such/file.json"}).status == 2);
+  CHECK(run_program({"verify", candidate("sisl-right")}).status == 2);
+  CHECK(run_program({"verify", candidate("sisl-right"), file, "--tolerance", "0"}).status == 2);
+  CHECK(run_program({"verify", candidate("sisl-right"), file, "--json", candidate("sisl-right")}).status ==
+        2);
+}
+
+}  // namespace exsect
