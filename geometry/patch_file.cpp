@@ -4,6 +4,7 @@
 #include <set>
 
 #include "json_value.h"
+#include "patch_value.h"
 
 namespace exsect {
 namespace {
@@ -32,16 +33,6 @@ BezierPatch read_points(const JsonValue& points, const std::array<int, 2>& degre
     }
   }
   return BezierPatch::elevated(rows);
-}
-
-NamedPatch read_patch(const JsonValue& value, NumberReader read) {
-  value.require_object({"name", "degree", "points"});
-  const JsonValue name = value.member("name");
-  if (name.string().empty()) name.fail("must not be empty");
-  const JsonValue degrees = value.member("degree");
-  degrees.require_size(2, "degrees");
-  const std::array<int, 2> degree = {read_degree(degrees.at(0)), read_degree(degrees.at(1))};
-  return {name.string(), degree, read_points(value.member("points"), degree, read)};
 }
 
 std::string format_point(const Point& p) {
@@ -81,6 +72,16 @@ std::string format_patch(const NamedPatch& named) {
 
 }  // namespace
 
+NamedPatch read_named_patch(const JsonValue& value, NumberReader read) {
+  value.require_object({"name", "degree", "points"});
+  const JsonValue name = value.member("name");
+  if (name.string().empty()) name.fail("must not be empty");
+  const JsonValue degrees = value.member("degree");
+  degrees.require_size(2, "degrees");
+  const std::array<int, 2> degree = {read_degree(degrees.at(0)), read_degree(degrees.at(1))};
+  return {name.string(), degree, read_points(value.member("points"), degree, read)};
+}
+
 PatchFile parse_patches(const std::string& text, const std::string& filename) {
   if (text.size() > max_patch_file_bytes)
     throw InputError(filename, "", "longer than " + std::to_string(max_patch_file_bytes) + " bytes");
@@ -97,7 +98,7 @@ PatchFile parse_patches(const std::string& text, const std::string& filename) {
   if (patches.size() == 0) patches.fail("must hold at least one patch");
   std::set<std::string> names;
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    file.patches.push_back(read_patch(patches.at(i), read));
+    file.patches.push_back(read_named_patch(patches.at(i), read));
     if (!names.insert(file.patches.back().name).second)
       patches.at(i).member("name").fail("name \"" + printable(file.patches.back().name) +
                                         "\" given to two patches");
