@@ -51,6 +51,15 @@ Json overlap_json(const Overlap& overlap, const ParameterNames& names) {
   return {{"id", overlap.id}, {"chains", std::move(chains)}};
 }
 
+template <typename T, typename Form>
+Json list(const std::vector<T>& values, Form form) {
+  Json json = Json::array();
+  for (const T& value : values) json.push_back(form(value));
+  return json;
+}
+
+}  // namespace
+
 Json summary_json(const IntersectionGraph& graph, const ParameterNames& names) {
   Json turning = Json::object();
   for (Parameter p : all_parameters) turning[name(p, names)] = graph.turning_points(p);
@@ -64,12 +73,13 @@ Json summary_json(const IntersectionGraph& graph, const ParameterNames& names) {
           {"boundary", graph.boundary_points()}};
 }
 
-template <typename T, typename Form>
-Json list(const std::vector<T>& values, Form form) {
-  Json json = Json::array();
-  for (const T& value : values) json.push_back(form(value));
-  return json;
+Json incomplete_json(const std::vector<Incomplete>& incomplete, const ParameterNames& names) {
+  return list(incomplete, [&](const Incomplete& region) {
+    return Json{{"where", json_box(region.where, names)}, {"why", region.why}};
+  });
 }
+
+namespace {
 
 /// Everything after the names of the patches.
 Json& append_result(Json& json, const IntersectResult& result, const ParameterNames& names) {
@@ -83,9 +93,7 @@ Json& append_result(Json& json, const IntersectResult& result, const ParameterNa
   json["overlaps"] =
       list(graph.overlaps, [&](const Overlap& overlap) { return overlap_json(overlap, names); });
   json["summary"] = summary_json(graph, names);
-  json["incomplete"] = list(result.incomplete, [&](const Incomplete& region) {
-    return Json{{"where", json_box(region.where, names)}, {"why", region.why}};
-  });
+  json["incomplete"] = incomplete_json(result.incomplete, names);
   json["work"] = {{"milliseconds", result.work.milliseconds}, {"steps", result.work.steps}};
   return json;
 }

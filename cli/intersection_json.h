@@ -24,4 +24,8 @@ Json intersection_json(const IntersectResult& result, const PatchNames& names);
 /// The same for a patch and itself: one patch name, parameters u1, v1, u2, v2.
 Json self_json(const IntersectResult& result, const std::string& patch);
 
+/// The parts `summary` and `incomplete` of a result.
+Json summary_json(const IntersectionGraph& graph, const ParameterNames& names);
+Json incomplete_json(const std::vector<Incomplete>& incomplete, const ParameterNames& names);
+
 }  // namespace exsect::cli

@@ -69,4 +69,14 @@ void check(const OutputFiles& files, const std::string& input) {
   }
 }
 
+void check_output(const std::string& option, const std::string& path,
+                  const std::vector<std::string>& inputs) {
+  std::error_code error;
+  if (path == "-" ||
+      (fs::exists(path, error) && !fs::is_regular_file(path, error) && !fs::is_directory(path, error)))
+    throw UsageError(option + ": " + path +
+                     ": needs a regular file; without it lines go to the standard output");
+  for (const std::string& input : inputs) check_one(option, path, input);
+}
+
 }  // namespace exsect::cli

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace exsect::cli {
 
@@ -36,5 +37,8 @@ struct OutputFiles {
 /// Throws UsageError if a path is a directory, lies in a directory that does not exist or may not be written,
 /// is the input file, or if two are one file.
 void check(const OutputFiles& files, const std::string& input);
+
+/// The same for the one file of a batch, which must be a regular file or not there yet.
+void check_output(const std::string& option, const std::string& path, const std::vector<std::string>& inputs);
 
 }  // namespace exsect::cli

@@ -7,6 +7,7 @@
 #include <new>
 #include <string>
 
+#include "batch_command.h"
 #include "compare_command.h"
 #include "implicitize_command.h"
 #include "intersect_command.h"
@@ -274,6 +275,53 @@ void add_revolve(CLI::App& app, RevolveCommand& command) {
   sub->footer(revolve_footer);
 }
 
+constexpr const char* batch_footer =
+    "INPUT is a model (a file of patches, form model/1 or patches/1): all its pairs whose exact bounding "
+    "boxes meet are\n"
+    "intersected. Or it is a list, a text file with the path of a patch file of two patches on each line; or "
+    "such patch\n"
+    "files themselves, two or more. Results are lines of JSON, always in the same order. While it runs they "
+    "are in\n"
+    "FILE.partial; --resume goes on with an interrupted run, and begins where there is none.\n"
+    "Exit status as above; 3 also if a pair failed (its line says why); 128 + N after signal N.\n"
+    "Examples:\n"
+    "  exsect batch examples/chapter9-first.json\n"
+    "  exsect batch pairs.txt --output results.ndjson --jobs 8 --max-seconds 60 --max-memory 1000 --resume\n"
+    "  exsect batch model.ndjson --output part-3.ndjson --shard 3/16";
+
+void add_batch(CLI::App& app, BatchCommand& command) {
+  CLI::App* sub = app.add_subcommand("batch", "Intersect all pairs of a model or of a list of files");
+  sub->add_option("INPUT", command.inputs, "Model, list, or patch files")->required()->type_name("");
+  sub->add_option("-o,--output", command.output,
+                  "Write the lines here; otherwise to the standard output in the end")
+      ->type_name("FILE");
+  sub->add_flag("--resume", command.resume, "Go on with an interrupted run of the same command");
+  sub->add_flag("--self", command.self, "Also each patch with itself");
+  sub->add_flag("--full", command.full, "Lines hold whole results, not only what they sum up to");
+  sub->add_option("--jobs", command.jobs, "Worker processes; one for each processor if not given")
+      ->type_name("N");
+  sub->add_option("--shard", command.shard, "Only part I of N; batch-merge joins the parts")
+      ->type_name("I/N")
+      ->capture_default_str();
+  add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
+  sub->add_option("--max-memory", command.max_memory, "Give a pair up that needs more, in MiB")
+      ->type_name("NUMBER");
+  sub->add_flag("--exact", command.exact, "Skip the solution in floating point, which has the same proof");
+  sub->add_flag("--quiet", command.quiet, "No summary, no progress");
+  sub->footer(batch_footer);
+}
+
+void add_batch_merge(CLI::App& app, BatchMergeCommand& command) {
+  CLI::App* sub = app.add_subcommand("batch-merge", "Join the shards of a batch into what one run writes");
+  sub->add_option("SHARD", command.shards, "Finished outputs of all shards, in any order")
+      ->required()
+      ->type_name("");
+  sub->add_option("-o,--output", command.output, "Write the lines here; otherwise to the standard output")
+      ->type_name("FILE");
+  sub->add_flag("--quiet", command.quiet, "No summary");
+  sub->footer("Example:\n  exsect batch-merge part-*.ndjson --output all.ndjson");
+}
+
 /// An option with an empty value would look as if it were not given.
 void refuse_empty_values(const CLI::App& app) {
   for (const CLI::App* sub : app.get_subcommands()) {
@@ -294,6 +342,8 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   VerifyCommand verify;
   ImplicitizeCommand implicitize;
   RevolveCommand revolve;
+  BatchCommand batch;
+  BatchMergeCommand batch_merge;
   app.set_version_flag("--version", "exsect " EXSECT_VERSION, "Print the version");
   app.require_subcommand(0, 1);
   app.footer(statuses);
@@ -304,6 +354,8 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   add_verify(app, verify);
   add_implicitize(app, implicitize);
   add_revolve(app, revolve);
+  add_batch(app, batch);
+  add_batch_merge(app, batch_merge);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -313,13 +365,16 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   }
   if (app.get_subcommands().empty())
     throw UsageError(
-        "a command is needed: intersect, line, self, compare, verify, implicitize or revolve (see exsect "
-        "--help)");
+        "a command is needed: intersect, line, self, compare, verify, implicitize, revolve, batch or "
+        "batch-merge "
+        "(see exsect --help)");
   refuse_empty_values(app);
   if (app.got_subcommand("self")) return run(self, streams);
   if (app.got_subcommand("compare")) return run(compare, streams);
   if (app.got_subcommand("verify")) return run(verify, streams);
   if (app.got_subcommand("implicitize")) return run(implicitize, streams);
+  if (app.got_subcommand("batch")) return run(batch, streams);
+  if (app.got_subcommand("batch-merge")) return run(batch_merge, streams);
   if (app.got_subcommand("revolve")) return run(revolve, streams);
   return app.got_subcommand("intersect") ? run(intersect, streams) : run(line, streams);
 }

@@ -57,6 +57,15 @@ COMMANDS = [
 ]
 
 
+BATCHES = [
+    ["batch", FIRST],
+    ["batch", SECOND, "--self"],
+    ["batch", SECOND, "--self", "--full"],
+    ["batch", FIRST, SECOND, "tests/cases/none.json", "--self"],
+    ["batch", FIRST, "--max-seconds", "1e-9"],
+]
+
+
 def violations(document):
     schema = SCHEMAS[document["exsect"].replace("/", "-")]
     return [f"{'/'.join(map(str, e.absolute_path))}: {e.message[:300]}" for e in jsonschema.Draft7Validator(schema).iter_errors(document)]
@@ -79,10 +88,23 @@ def test_an_output_satisfies_its_schema(arguments):
     assert violations(document) == []
 
 
+@pytest.mark.parametrize("arguments", BATCHES, ids=" ".join)
+def test_lines_of_a_batch_satisfy_their_schemas(arguments, tmp_path):
+    ended = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, cwd=ROOT)
+    assert ended.returncode in (0, 3), ended.stderr
+    (tmp_path / "shard").write_text(ended.stdout)
+    merged = subprocess.run([PROGRAM, "batch-merge", tmp_path / "shard"], capture_output=True, text=True)
+    assert (merged.returncode, merged.stdout) == (ended.returncode, ended.stdout)
+    for line in map(json.loads, ended.stdout.splitlines()):
+        assert violations(line) == []
+        if "result" in line:
+            assert violations({**line["result"], "work": {"milliseconds": 0, "steps": {}}}) == []
+
+
 def test_every_command_and_every_form_is_covered():
     helped = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, check=True).stdout
     commands = [line.split()[0] for line in helped.split("Subcommands:")[1].splitlines() if line.startswith("  ")]
-    assert {arguments[0] for arguments in COMMANDS} >= set(commands)
+    assert {arguments[0] for arguments in COMMANDS + BATCHES} | {"batch-merge"} >= set(commands)
 
 
 @pytest.mark.parametrize("file", sorted([*(ROOT / "examples").rglob("*.json"), *(ROOT / "tests/cases").glob("*.json")]), ids=lambda f: f.name)

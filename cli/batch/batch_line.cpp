@@ -1,0 +1,133 @@
+#include "batch_line.h"
+
+#include <exsect/geometry/bounding_box.h>
+#include <exsect/geometry/text_file.h>
+#include <exsect/solver/self_intersect.h>
+
+#include <stdexcept>
+
+#include "../intersection_json.h"
+
+namespace exsect::cli {
+namespace {
+
+constexpr const char* form = "batch-line/1";
+
+/// The last key of a line, which the summary does not need.
+constexpr std::string_view result_key = ",\"result\":{";
+
+Json head(const BatchInput& input, const Shard& shard, std::uint64_t local, const Subject* subject) {
+  Json line = {{"exsect", form}, {"line", shard.global(local)}};
+  line.update(input.names(local));
+  if (subject != nullptr && subject->self) line["patch"] = subject->x.name;
+  if (subject != nullptr && !subject->self) {
+    line["first"] = subject->x.name;
+    line["second"] = subject->y.name;
+  }
+  return line;
+}
+
+/// invalid UTF-8, which only paths can hold, is replaced.
+std::string text(const Json& line) {
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+bool boxes_meet(const Subject& subject) {
+  return subject.self || intersects(bounding_box(subject.x.patch), bounding_box(subject.y.patch));
+}
+
+IntersectResult solve(const Subject& subject, bool meet, const IntersectOptions& options) {
+  if (!meet) return {Status::complete, {}, {}, {}};
+  return subject.self ? self_intersect(subject.x.patch, options)
+                      : intersect(subject.x.patch, subject.y.patch, options);
+}
+
+Json whole_json(const Subject& subject, const IntersectResult& result) {
+  if (subject.self) return self_json(result, subject.x.name);
+  return intersection_json(result, {subject.x.name, subject.y.name});
+}
+
+const char* decided_by(const IntersectResult& result, bool meet) {
+  if (!meet) return "boxes";
+  return result.work.steps.count("filtered") != 0 ? "doubles" : "exact";
+}
+
+void count_summary(const Json& summary, Tally& tally) {
+  const auto number = [&](const char* key) { return summary.at(key).get<std::uint64_t>(); };
+  if (number("components") + number("isolated") + number("overlaps") > 0) ++tally.meeting;
+  tally.open += number("open");
+  tally.closed += number("closed");
+  tally.branched += number("branched");
+  tally.isolated += number("isolated");
+  tally.overlaps += number("overlaps");
+}
+
+void count_complete(const std::string& by, Tally& tally) {
+  ++tally.complete;
+  ++(by == "boxes" ? tally.by_boxes : by == "doubles" ? tally.by_doubles : tally.by_exact);
+}
+
+}  // namespace
+
+std::string failed_line(const BatchInput& input, const Shard& shard, std::uint64_t local,
+                        const std::string& why) {
+  Json line = head(input, shard, local, nullptr);
+  line["status"] = "failed";
+  line["error"] = why;
+  return text(line);
+}
+
+std::string solved_line(const BatchInput& input, const Shard& shard, std::uint64_t local,
+                        const LineOptions& options) {
+  std::optional<Subject> subject;
+  try {
+    subject.emplace(input.load(local));
+  } catch (const InputError& error) {
+    return failed_line(input, shard, local, error.what());
+  }
+  const bool meet = boxes_meet(*subject);
+  IntersectResult result;
+  try {
+    result = solve(*subject, meet, options.solver);
+  } catch (const std::invalid_argument& error) {  // control points out of range
+    return failed_line(input, shard, local, error.what());
+  }
+  const ParameterNames& names = subject->self ? self_names : pair_names;
+  Json line = head(input, shard, local, &*subject);
+  line["status"] = result.status == Status::complete ? "complete" : "incomplete";
+  line["by"] = decided_by(result, meet);
+  line["summary"] = summary_json(result.graph, names);
+  line["incomplete"] = incomplete_json(result.incomplete, names);
+  if (options.full) {
+    line["result"] = whole_json(*subject, result);
+    line["result"].erase("work");  // times differ from run to run
+  }
+  return text(line);
+}
+
+std::uint64_t count_line(std::string_view line, Tally& tally) {
+  const std::size_t result = line.find(result_key);
+  std::string needed(line.substr(0, result));
+  if (result != std::string_view::npos) needed += "}";
+  try {
+    const Json json = Json::parse(needed);
+    if (json.at("exsect") != form) throw std::invalid_argument("not a line of the form batch-line/1");
+    const std::string status = json.at("status").get<std::string>();
+    ++tally.lines;
+    if (json.contains("patch")) ++tally.selves;
+    if (status == "failed") {
+      ++tally.failed;
+    } else {
+      count_summary(json.at("summary"), tally);
+      if (status == "complete")
+        count_complete(json.at("by").get<std::string>(), tally);
+      else
+        ++tally.incomplete;
+    }
+    return json.at("line").get<std::uint64_t>();
+  } catch (const Json::exception&) {
+    throw std::invalid_argument("not a line of the form batch-line/1");
+  }
+}
+
+}  // namespace exsect::cli

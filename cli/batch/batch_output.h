@@ -1,0 +1,64 @@
+// The file of a batch: a journal of lines as they come, in the end written whole and in order.
+#pragma once
+
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "worker_process.h"
+
+namespace exsect::cli {
+
+/// While a batch runs its lines are in `<path>.partial`: the header, then whole lines in the order in which
+/// they came. finish() writes `path` under a temporary name in the order of the lines, renames it and removes
+/// the journal. Without a path the journal is a file without a name, and finish() writes to a stream.
+///
+/// Invariant: a line that is in the journal up to its line feed is done; what follows the last line feed is
+/// torn and counts for nothing. One process at a time holds the journal (flock).
+class BatchOutput {
+ public:
+  /// Begins, or with `resume` goes on where an earlier run ended. Throws OutputError if the journal cannot be
+  /// written or another process holds it, InputError if it, or with `resume` a finished file, belongs to a
+  /// batch with another header, or without `resume` there is a journal.
+  BatchOutput(std::string path, std::string header, bool resume);
+
+  /// `path` has been written by an earlier run that finished, and nothing is to be done.
+  bool finished() const { return finished_; }
+
+  /// Calls `line` with each line that is there from an earlier run and has it tell its place, below `lines`:
+  /// the number in this file. Throws InputError for a line without a place, one that is there twice, and, if
+  /// finished(), for missing or misplaced lines.
+  void read_earlier(std::uint64_t lines, const std::function<std::uint64_t(std::string_view)>& line);
+
+  bool done(std::uint64_t place) const { return places_[place].length != 0; }
+  /// Adds the line of a place. Throws OutputError.
+  void add(std::uint64_t place, std::string_view line);
+
+  /// All lines are there: the file, or the stream, gets header and lines in order. Throws OutputError.
+  void finish(std::ostream& out);
+
+  const std::string& journal() const { return journal_; }
+
+ private:
+  struct Place {
+    std::uint64_t offset = 0;
+    std::uint64_t length = 0;
+  };
+
+  void open_journal(bool resume);
+  void lock_journal();
+  void write_journal(std::string_view text);
+  void read_finished(const std::function<std::uint64_t(std::string_view)>& line);
+
+  std::string path_;
+  std::string journal_;
+  std::string header_;
+  FileDescriptor file_;
+  std::uint64_t end_ = 0;
+  std::vector<Place> places_;
+  bool finished_ = false;
+};
+
+}  // namespace exsect::cli
