@@ -9,7 +9,7 @@
 namespace exsect::cli {
 namespace {
 
-Json bounds_json(const DistanceBounds& bounds) {
+Json bounds_json(const DistanceEnclosure& bounds) {
   if (!std::isfinite(bounds.upper)) return nullptr;
   return Json::array({std::max(0.0, std::nextafter(bounds.lower, 0.0)), decimal_not_below(bounds.upper)});
 }
@@ -63,7 +63,7 @@ Json curve_json(std::size_t index, const CurveFinding& curve) {
           {"true_distance", bounds_json(curve.true_distance)}};
 }
 
-std::string bounds_text(const DistanceBounds& bounds) {
+std::string bounds_text(const DistanceEnclosure& bounds) {
   return std::isfinite(bounds.upper)
              ? fmt::format("{:.3g} to {}", std::nextafter(bounds.lower, 0.0), rounded_up(bounds.upper))
              : "-";

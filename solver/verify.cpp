@@ -101,8 +101,8 @@ class FarParts {
 };
 
 /// Bounds of the largest distance of a point of the chain from the nearest of the others.
-DistanceBounds largest_distance(const Chain& chain, const PieceTree& others, double fine) {
-  DistanceBounds result;
+DistanceEnclosure largest_distance(const Chain& chain, const PieceTree& others, double fine) {
+  DistanceEnclosure result;
   if (others.empty()) return {infinite, infinite};
   for (std::size_t i = 0; i < chain.pieces(); ++i)
     for (const SpacePoint& p : {chain.points[i], chain.points[i + 1]})
@@ -228,7 +228,7 @@ class Verifier {
                (is_covered(arc, position) ? if_covered : 0.0);
       };
       strand.walks = find_walks(truth_, strand.chain, search);
-      const DistanceBounds distance = largest_distance(strand.chain, *near_, tolerance_ / 8);
+      const DistanceEnclosure distance = largest_distance(strand.chain, *near_, tolerance_ / 8);
       finding.distance.lower = std::max(finding.distance.lower, distance.lower);
       finding.distance.upper = std::max(finding.distance.upper, distance.upper);
       find_spurious(c, strand, finding);
@@ -495,8 +495,8 @@ class Verifier {
   }
 
   /// Of all arcs of the components from the candidate.
-  DistanceBounds distance_of(const std::vector<int>& components) const {
-    DistanceBounds result;
+  DistanceEnclosure distance_of(const std::vector<int>& components) const {
+    DistanceEnclosure result;
     for (const ArcFinding& arc : verdict_.arcs) {
       if (std::find(components.begin(), components.end(), arc.component) == components.end()) continue;
       result.lower = std::max(result.lower, arc.distance.lower);

@@ -66,7 +66,7 @@ struct Difference {
 enum class Coverage { covered, partly, missed, undecided };
 
 /// Largest distance of a point, over one curve, from another: proved to lie in [lower, upper].
-struct DistanceBounds {
+struct DistanceEnclosure {
   double lower = 0;
   double upper = 0;
 };
@@ -77,7 +77,7 @@ struct ArcFinding {
   int component;
   Coverage coverage;
   std::vector<ArcGap> gaps;
-  DistanceBounds distance;  // of the arc from the candidate's curves; infinite where there is none
+  DistanceEnclosure distance;  // of the arc from the candidate's curves; infinite where there is none
 };
 
 struct ComponentFinding {
@@ -89,8 +89,8 @@ struct ComponentFinding {
 struct CurveFinding {
   std::vector<int> components;  // that it follows, in this order
   std::vector<CandidatePart> spurious;
-  DistanceBounds distance;       // of the curve from the true curve
-  DistanceBounds true_distance;  // of the components that it follows from the candidate's curves
+  DistanceEnclosure distance;       // of the curve from the true curve
+  DistanceEnclosure true_distance;  // of the components that it follows from the candidate's curves
 };
 
 /// The verdict on a candidate; docs/method.md, section 15.
