@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Installs what is missing from Debian's packages, builds, and runs:
-#   ./setup.sh run    build, then intersect the patches of examples/chapter9-first.json
-#   ./setup.sh test   build with all tests, then run them
-#   ./setup.sh asan   the same under AddressSanitizer and UndefinedBehaviorSanitizer
-#   ./setup.sh docs   make the documentation, build/docs/html/index.html
-#   ./setup.sh peers  build the comparison with SISL and Open CASCADE, then run it (bench/README.md)
+#   ./setup.sh run      build, then intersect the patches of examples/chapter9-first.json
+#   ./setup.sh test     build with all tests, then run them
+#   ./setup.sh asan     the same under AddressSanitizer and UndefinedBehaviorSanitizer
+#   ./setup.sh docs     make the documentation, build/docs/html/index.html
+#   ./setup.sh cluster  run batches by Slurm, GNU parallel and Snakemake on this machine (docs/batch.md)
+#   ./setup.sh peers    build the comparison with SISL and Open CASCADE, then run it (bench/README.md)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -17,6 +18,7 @@ docs_packages=(doxygen pybind11-dev python3-dev python3-myst-parser python3-sphi
 test_packages_if_known=(clang-format-14)
 peer_packages=(libsisl-dev libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
                libocct-visualization-dev python3-matplotlib) # visualization: a header that the others include
+cluster_packages=(munge parallel slurm-wlm snakemake)
 declare -A browser_packages=([chromium]=chromium [node]=nodejs [npm]=npm)  # by command, which may come from elsewhere
 
 die() {
@@ -117,13 +119,19 @@ case "${1:-}" in
     build release --target docs
     echo "Documentation: build/docs/html/index.html"
     ;;
+  cluster)
+    packages+=("${cluster_packages[@]}")
+    install_packages
+    build release --target exsect
+    tests/cluster/run build/release/cli/exsect
+    ;;
   peers)
     packages+=("${peer_packages[@]}")
     install_packages
     bench/peers/run
     ;;
   *)
-    sed -n '2,7s/^# \{0,1\}//p' setup.sh >&2
+    sed -n '2,8s/^# \{0,1\}//p' setup.sh >&2
     exit 2
     ;;
 esac
