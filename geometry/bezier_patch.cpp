@@ -63,6 +63,7 @@ BezierPatch BezierPatch::elevated(const std::vector<std::vector<Point>>& points)
       throw std::invalid_argument("Bezier patch: all rows must have the same number of control points");
     rows.push_back(elevated_to_quadratic(row));
   }
+  if (rows.size() == 3) return BezierPatch({std::move(rows[0]), std::move(rows[1]), std::move(rows[2])});
   ControlNet columns;
   for (std::size_t j = 0; j < 3; ++j) {
     std::vector<Point> column;

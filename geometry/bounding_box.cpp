@@ -12,8 +12,14 @@ bool BoundingBox::contains(const Point& p) const {
 
 BoundingBox bounding_box(const BezierPatch& x) {
   BoundingBox box = {x.net()[0][0], x.net()[0][0]};
-  for (const auto& row : x.net())
-    for (const Point& p : row) box = united(box, {p, p});
+  for (const auto& row : x.net()) {
+    for (const Point& p : row) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (p[k] < box.lower[k]) box.lower[k] = p[k];
+        if (p[k] > box.upper[k]) box.upper[k] = p[k];
+      }
+    }
+  }
   return box;
 }
 

@@ -45,6 +45,8 @@ class BatchInput {
   /// What is known of a line without its patches: "file" in a list, names of patches in a model.
   virtual Json names(std::uint64_t local) const = 0;
   virtual bool self(std::uint64_t local) const = 0;
+  /// Whether the boxes of all pairs are known to meet.
+  virtual bool pairs_meet() const = 0;
   /// Reads the patches. Throws InputError.
   virtual Subject load(std::uint64_t local) const = 0;
   /// Pairs that are no lines since their boxes do not meet.

@@ -32,10 +32,6 @@ std::string text(const Json& line) {
   return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-bool boxes_meet(const Subject& subject) {
-  return subject.self || intersects(bounding_box(subject.x.patch), bounding_box(subject.y.patch));
-}
-
 IntersectResult solve(const Subject& subject, bool meet, const IntersectOptions& options) {
   if (!meet) return {Status::complete, {}, {}, {}};
   return subject.self ? self_intersect(subject.x.patch, options)
@@ -85,7 +81,8 @@ std::string solved_line(const BatchInput& input, const Shard& shard, std::uint64
   } catch (const InputError& error) {
     return failed_line(input, shard, local, error.what());
   }
-  const bool meet = boxes_meet(*subject);
+  const bool meet = subject->self || input.pairs_meet() ||
+                    intersects(bounding_box(subject->x.patch), bounding_box(subject->y.patch));
   IntersectResult result;
   try {
     result = solve(*subject, meet, options.solver);

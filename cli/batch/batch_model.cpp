@@ -67,6 +67,7 @@ class Model : public BatchInput {
     return {{"first", names_[i]}, {"second", names_[j]}};
   }
   bool self(std::uint64_t local) const override { return pairs_.at(local).first == pairs_[local].second; }
+  bool pairs_meet() const override { return true; }
   Subject load(std::uint64_t local) const override {
     const auto [i, j] = pairs_.at(local);
     return {recent_.patch(i), recent_.patch(j), i == j};
