@@ -211,7 +211,13 @@ std::string square_heading(const PatchNames& names, std::size_t square) {
 
 std::string intersection_svg(const IntersectResult& result, const PatchNames& names,
                              const std::string& title) {
-  const SvgLegend entries = legend(result);
+  return intersection_svg(result, names, title, {});
+}
+
+std::string intersection_svg(const IntersectResult& result, const PatchNames& names, const std::string& title,
+                             const SquareAdditions& additions) {
+  SvgLegend entries = legend(result);
+  for (const auto& [stroke, text] : additions.legend) entries.add(stroke, text);
   const double legend_width = pair_width - pair_left - 24;
   const double legend_top = squares_top + SvgSquare::size + 56;
   SvgPicture picture(pair_width, legend_top + entries.height(legend_width) + 14);
@@ -228,8 +234,15 @@ std::string intersection_svg(const IntersectResult& result, const PatchNames& na
   picture.element("</g>");
   SvgSquare first(picture, lefts[0], squares_top, names.parameters[0], names.parameters[1]);
   SvgSquare second(picture, lefts[1], squares_top, names.parameters[2], names.parameters[3]);
+  const auto draw_lines = [&](const std::vector<SquareAdditions::Line>& lines) {
+    for (const auto& line : lines) (line.square == 0 ? first : second).polyline(line.points, line.stroke);
+  };
+  draw_lines(additions.below);
   draw_square(result, first, 0);
   draw_square(result, second, 1);
+  draw_lines(additions.above);
+  for (const auto& mark : additions.marks)
+    (mark.square == 0 ? first : second).mark(Mark::cross, mark.at, "#d00000");
   entries.draw(picture, pair_left, legend_top, legend_width);
   return picture.document();
 }

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "intersection_json.h"
+#include "plane_curve.h"
+#include "svg_picture.h"
 
 namespace exsect::cli {
 
@@ -13,5 +15,24 @@ namespace exsect::cli {
 /// regions in grey, and a legend. Polylines are simplified to `drawing_tolerance`.
 std::string intersection_svg(const IntersectResult& result, const PatchNames& names,
                              const std::string& title);
+
+/// What is drawn besides the result, in square 0 or 1, below the arcs or above everything; and its legend.
+struct SquareAdditions {
+  struct Line {
+    std::size_t square;
+    PlanePolyline points;
+    Stroke stroke;
+  };
+  struct Place {
+    std::size_t square;
+    PlanePoint at;
+  };
+  std::vector<Line> below;
+  std::vector<Line> above;
+  std::vector<Place> marks;  // red crosses
+  std::vector<std::pair<Stroke, std::string>> legend;
+};
+std::string intersection_svg(const IntersectResult& result, const PatchNames& names, const std::string& title,
+                             const SquareAdditions& additions);
 
 }  // namespace exsect::cli

@@ -8,6 +8,7 @@
 #include "progress.h"
 #include "terminal_text.h"
 #include "verdict_json.h"
+#include "verdict_picture.h"
 
 namespace exsect::cli {
 namespace {
@@ -48,6 +49,12 @@ ExitStatus run(const VerifyCommand& command, const Streams& streams) {
       command.output.json.empty() ? "" : json_text(verdict_json(result, candidate, names));
   if (!command.output.json.empty() && !command.output.json_to_stdout())
     write_file_atomically(command.output.json, json);
+  if (!command.output.svg.empty())
+    write_file_atomically(command.output.svg, verdict_svg(result, candidate, names, pair.title));
+  if (!command.output.report.empty())
+    write_file_atomically(command.output.report,
+                          verdict_report_html(result, candidate, pair.x.patch, pair.y.patch, names,
+                                              {pair.title, command.candidate}));
   if (command.output.json_to_stdout())
     streams.out << json;
   else if (!command.quiet)

@@ -773,6 +773,31 @@ class Verifier {
     }
   }
 
+  /// A curve that is on one arc and has the parameters of another one within the tolerance: agreement is then
+  /// not claimed.
+  void doubt_parameters() {
+    constexpr double clearly = 1e-6;
+    for (std::size_t c = 0; c < curves_.size(); ++c) {
+      if (!candidate_.curves[c].first && !candidate_.curves[c].second) continue;
+      const Strand& strand = curves_[c].strands.front();
+      for (const Walk& walk : strand.walks) {
+        const std::size_t vertex = (walk.first + walk.last) / 2;
+        double own = infinite;
+        double other = infinite;
+        truth_.tree().within(strand.chain.points[vertex], tolerance_, [&](const ChainPlace& place) {
+          const bool followed = std::any_of(walk.legs.begin(), walk.legs.end(),
+                                            [&](const Leg& leg) { return leg.arc == place.chain; });
+          double& nearest = followed ? own : other;
+          nearest = std::min(nearest, parameters_apart(candidate_.curves[c], strand.chain.at[vertex],
+                                                       place.chain, place.position));
+        });
+        if (2 * other + clearly < own)
+          verdict_.undecided.push_back("whether curve " + std::to_string(c) +
+                                       " belongs to the arc that its parameters are nearest to");
+      }
+    }
+  }
+
   // The verdict.
 
   void conclude() {
@@ -783,6 +808,7 @@ class Verifier {
         differ(DifferenceKind::lost_curve, std::to_string(graph_.components.size()) +
                                                " components and only " +
                                                std::to_string(candidate_.curves.size()) + " curves");
+      doubt_parameters();
       for (const std::size_t c : not_followed_)
         verdict_.undecided.push_back("whether curve " + std::to_string(c) +
                                      " runs along the true curve from end to end");

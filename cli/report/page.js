@@ -341,7 +341,10 @@ function header() {
   const complete = result.status === 'complete';
   document.getElementById('title').textContent = report.title || `exsect ${report.command}`;
   document.getElementById('origin').textContent = [`exsect ${report.command}`, report.file].filter(Boolean).join(' · ');
-  document.getElementById('answer').replaceChildren(element('span', {class: complete ? 'complete' : 'incomplete'}, complete ? report.command === 'compare' ? 'Complete.' : 'Complete, proved.' : 'Incomplete.'), ' ', answerWords());
+  const verdicts = {agrees: 'Agrees, proved.', disagrees: 'Disagrees, proved.', undecided: 'Not decided.'};
+  const word = result.verdict ? verdicts[result.verdict] : complete ? report.command === 'compare' ? 'Complete.' : 'Complete, proved.' : 'Incomplete.';
+  const good = result.verdict ? result.verdict === 'agrees' : complete;
+  document.getElementById('answer').replaceChildren(element('span', {class: good ? 'complete' : 'incomplete'}, word), ' ', answerWords());
   document.getElementById('footer').textContent = `Made by ${report.program}. The page holds its data and loads nothing.`;
 }
 
@@ -363,6 +366,7 @@ function answerWords() {
     const [fixed, value] = Object.entries(result.fixed)[0];
     return `The line ${fixed} = ${value} meets the other patch in ${counted(result.points.length, 'point')}${result.on_patch.length ? ` and ${counted(result.on_patch.length, 'piece')}` : ''}.`;
   }
+  if (report.command === 'verify') return verdictWords();
   if (report.command === 'compare') return `${names[0]} and ${names[1]} intersect in ${shapeWords()}; ${result.methods.length} methods side by side.`;
   const last = result.equations.at(-1);
   const bound = result.proved.find(({name}) => name === 'two-sided') || result.proved.find(({name}) => name === 'one-sided');
@@ -429,5 +433,5 @@ function linePage() {
 }
 
 header();
-({intersect: graphPage, self: graphPage, line: linePage, implicitize: implicitizePage, revolve: revolvePage, compare: comparePage})[report.command]();
+({intersect: graphPage, self: graphPage, line: linePage, implicitize: implicitizePage, revolve: revolvePage, compare: comparePage, verify: verifyPage})[report.command]();
 document.documentElement.dataset.ready = 'true';

@@ -28,12 +28,12 @@ process.on('exit', () => rmSync(scratch, {recursive: true, force: true}));
 
 export const example = (name) => join(process.env.EXSECT_EXAMPLES, name);
 
-/** Runs the program; a status other than 0 and 3 throws. */
+/** Runs the program; a status other than 0, 1 and 3 throws. */
 export function exsect(...options) {
   try {
     return execFileSync(program, options, {encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'pipe']});
   } catch (error) {
-    if (error.status === 3) return error.stdout;
+    if (error.status === 1 || error.status === 3) return error.stdout;
     throw error;
   }
 }

@@ -112,6 +112,32 @@ TEST_CASE("verify: what exsect exports agrees with itself, in every format") {
   }
 }
 
+TEST_CASE("verify: picture and page mark the differences") {
+  const ScratchDirectory scratch;
+  const std::string svg = scratch.path("picture.svg");
+  const std::string page = scratch.path("page.html");
+  const auto drawn = [&](const std::string& name) {
+    run_program(
+        {"verify", candidate(name), model(name), "--tolerance", "1e-4", "--svg", svg, "--report", page});
+    return content(svg);
+  };
+  const std::string right = drawn("sisl-right");
+  CHECK(right.find(">candidate<") != std::string::npos);
+  CHECK(right.find("not covered") == std::string::npos);
+  const std::string wrong = drawn("sisl-lost-curve");
+  CHECK(wrong.find("not covered by the candidate") != std::string::npos);
+  const std::string text = content(page);
+  const std::size_t data = text.find("id=\"data\"");
+  REQUIRE(data != std::string::npos);
+  const std::size_t from = text.find('>', data) + 1;
+  const Json json = Json::parse(text.substr(from, text.find("</script>", from) - from));
+  CHECK(json.at("result").at("verdict") == "disagrees");
+  CHECK(JsonSchema::named("verdict-1").violation(json.at("result")) == "");
+  CHECK(JsonSchema::named("intersection-1").violation(json.at("graph")) == "");
+  CHECK_FALSE(json.at("gaps").empty());
+  CHECK(json.at("candidate").at("points").size() == 2);
+}
+
 TEST_CASE("verify: bad input") {
   const ScratchDirectory scratch;
   const std::string file = model("sisl-right");

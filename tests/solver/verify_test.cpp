@@ -359,6 +359,26 @@ TEST_CASE("verify: families in special position agree with themselves") {
   }
 }
 
+TEST_CASE("verify: arcs over one segment of space are told apart by parameters") {
+  const ExactCase c = families::double_cover();
+  const Subject pair = {c.x, c.y};
+  const IntersectResult exact = fine(pair);
+  const double tolerance = 1e-4 * extent(pair);
+  const auto judged = [&](const Candidate& candidate) {
+    return verify(candidate, pair.x, pair.y, exact, tolerance);
+  };
+  const Candidate right = candidate_of(exact.graph, "xur");
+  REQUIRE(right.curves.size() == 2);
+  CHECK(text(judged(right)) == "agrees");
+  CHECK(text(judged(candidate_of(exact.graph, "x"))) == "agrees");
+  Candidate one = right;
+  one.curves.pop_back();
+  CHECK(judged(one).agreement == Agreement::disagrees);
+  Candidate twice = right;
+  twice.curves[1] = twice.curves[0];
+  CHECK(judged(twice).agreement != Agreement::agrees);
+}
+
 TEST_CASE("verify: bounds of distances hold for random pairs and random errors") {
   const auto seed = GENERATE(11u, 12u, 13u);
   INFO("seed " << seed);
