@@ -52,7 +52,7 @@ TEST_CASE("verify: candidates of other programs that are wrong") {
   struct Expected {
     std::string name;
     std::string kind;
-    int number;
+    int number;  // of such differences, at least
   };
   const std::vector<Expected> all = {{"occt-curve-of-contact-lost", "lost-curve", 1},
                                      {"occt-loop-lost", "lost-curve", 1},
@@ -61,13 +61,16 @@ TEST_CASE("verify: candidates of other programs that are wrong") {
                                      {"occt-touch-point-lost", "lost-point", 1},
                                      {"sisl-loop-as-points", "curve-as-points", 1},
                                      {"sisl-lost-curve", "lost-curve", 1},
+                                     {"sisl-loop-as-points-2", "curve-as-points", 1},
+                                     {"sisl-loop-as-points-3", "curve-as-points", 1},
+                                     {"sisl-loop-repeated", "repeated", 1},
                                      {"sisl-nearly-crossing-lost", "lost-curve", 2}};
   for (const Expected& expected : all) {
     INFO(expected.name);
     const Judged result = judged(expected.name);
     CHECK(result.status == 1);
     CHECK(result.verdict.at("verdict") == "disagrees");
-    CHECK(count(result.verdict, expected.kind) == expected.number);
+    CHECK(count(result.verdict, expected.kind) >= expected.number);
   }
 }
 
