@@ -4,11 +4,19 @@
 #include <exsect/algebra/triangular_point.h>
 #include <exsect/solver/parameter.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace exsect {
+
+/// A point exactly: its parameter j is numerator[j] / denominator[j], where the denominator is not zero.
+struct ExactParameters {
+  TriangularPoint at;
+  std::array<BivariatePolynomial, 4> numerator;
+  std::array<BivariatePolynomial, 4> denominator;
+};
 
 /// One exact solution (u,v,r,s) of x(u,v) = y(r,s) in [0,1]^4 on a parameter line. Its closed box holds the
 /// point; `refined_to` gives any width. Which of the eight sides of the two parameter squares it lies on is
@@ -23,6 +31,8 @@ class CertifiedPoint {
     virtual ParameterBox box(const Rational& width) const = 0;
     /// The point's branch, where it was not known from the start.
     virtual int branch() const;
+    /// Empty if the point is not known in this form.
+    virtual std::optional<ExactParameters> exact_parameters() const { return std::nullopt; }
   };
 
   CertifiedPoint(std::shared_ptr<const Source> source, const Rational& width, std::vector<Side> sides,
@@ -32,6 +42,7 @@ class CertifiedPoint {
                  int multiplicity);
 
   const ParameterBox& box() const { return box_; }
+  std::optional<ExactParameters> exact() const { return source_->exact_parameters(); }
   CertifiedPoint refined_to(const Rational& width) const;
   /// The sides this point lies on, exactly; in the order u=0, u=1, v=0, ..., s=1.
   const std::vector<Side>& sides() const { return sides_; }

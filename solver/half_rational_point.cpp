@@ -72,6 +72,16 @@ class HalfRationalSource : public CertifiedPoint::Source {
     return result;
   }
 
+  std::optional<ExactParameters> exact_parameters() const override {
+    const BivariatePolynomial one = BivariatePolynomial::constant(1);
+    ExactParameters result{other_, {}, {one, one, one, one}};
+    for (std::size_t k = 0; k < 2; ++k) {
+      result.numerator[of_x_ ? k : 2 + k] = BivariatePolynomial::constant(own_[k]);
+      result.numerator[of_x_ ? 2 + k : k] = k == 0 ? BivariatePolynomial::r() : BivariatePolynomial::s();
+    }
+    return result;
+  }
+
  private:
   bool of_x_;
   std::array<Rational, 2> own_;

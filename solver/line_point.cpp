@@ -65,6 +65,26 @@ class LinePointSource : public CertifiedPoint::Source {
  protected:
   virtual LocalBox local_box(const Rational& width) const = 0;
 
+  /// A parameter as a fraction.
+  struct Fraction {
+    BivariatePolynomial numerator;
+    BivariatePolynomial denominator;
+  };
+  ExactParameters in_place(TriangularPoint at, const Fraction& t, const Fraction& r,
+                           const Fraction& s) const {
+    ExactParameters result{std::move(at), {}, {}};
+    const auto put = [&](Parameter p, const Fraction& f) {
+      result.numerator[index(p)] = f.numerator;
+      result.denominator[index(p)] = f.denominator;
+    };
+    const BivariatePolynomial one = BivariatePolynomial::constant(1);
+    put(place_.roles.fixed, {BivariatePolynomial::constant(place_.value), one});
+    put(place_.roles.line, t);
+    put(place_.roles.first, r);
+    put(place_.roles.second, s);
+    return result;
+  }
+
  private:
   static RationalInterval placed(const RationalInterval& x, const std::optional<int>& side,
                                  const Rational& width) {
@@ -100,6 +120,15 @@ class ConicPointSource : public LinePointSource {
     }
   }
 
+ public:
+  std::optional<ExactParameters> exact_parameters() const override {
+    const auto in_s = [](const Polynomial& f) { return BivariatePolynomial({f}); };
+    const BivariatePolynomial denominator = in_s(-forms_->s1);
+    return in_place(TriangularPoint(s_, BivariatePolynomial::r(), {0, 0}),
+                    {in_s(forms_->t_numerator), denominator}, {in_s(forms_->s0), denominator},
+                    {BivariatePolynomial::s(), BivariatePolynomial::constant(1)});
+  }
+
  private:
   RealAlgebraic s_;
   std::shared_ptr<const ConicForms> forms_;
@@ -126,6 +155,14 @@ class SystemPointSource : public LinePointSource {
       const RationalInterval t = line_parameter(lambda).interval();
       if (t.width() <= width) return {t, r, s};
     }
+  }
+
+ public:
+  std::optional<ExactParameters> exact_parameters() const override {
+    if (system_->phi.degree() != 1) return std::nullopt;
+    const BivariatePolynomial one = BivariatePolynomial::constant(1);
+    return in_place(at_, {system_->lambda, one}, {BivariatePolynomial::r(), one},
+                    {BivariatePolynomial::s(), one});
   }
 
  private:

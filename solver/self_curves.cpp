@@ -263,14 +263,30 @@ class SelfTracing {
     SelfCurve<Ball> curve{{std::get<Trace<Ball>>(std::move(outcome)), {}}, std::nullopt};
     std::array<bool, 4> constant = {};
     mark_folded_line(curve, constant);
-    auto turning =
-        find_turning_points(system_.pair, curve.analysed.trace, exact_.coincident, {constant, {}, {}, {}});
+    const Trace<Ball>& trace = curve.analysed.trace;
+    auto turning = find_turning_points(system_.pair, curve.analysed.trace, exact_.coincident,
+                                       {constant, tangent_signs(trace.start), tangent_signs(trace.end), {}});
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
       return;
     }
     curve.analysed.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
     result_.curves.push_back(std::move(curve));
+  }
+
+  /// T at a landmark; nothing for -1.
+  TangentSigns tangent_signs(int landmark) const {
+    TangentSigns signs{};
+    if (landmark < 0) {
+      return signs;
+    }
+    const BallPoint<Ball>& at = result_.landmarks[static_cast<std::size_t>(landmark)];
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, at).tangent();
+    for (std::size_t j = 0; j < 4; ++j) {
+      const int sign = tangent[j].certain_sign();
+      signs[j] = sign != 0 ? std::optional(sign) : std::nullopt;
+    }
+    return signs;
   }
 
   /// A curve that comes from the turn of a folded line runs along that line.

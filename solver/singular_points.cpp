@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact_tangent.h"
 #include "half_rational_point.h"
 #include "line_place.h"
 #include "point_on_line.h"
@@ -310,8 +311,30 @@ std::array<bool, 4> known_zero_tangent(const BezierPatch& x, const BezierPatch& 
     std::array<Rational, 2> at;
     for (std::size_t k = 0; k < 2; ++k) {
       const RationalInterval& i = fine[first + k];
+namespace {
+
+/// The point's parameters, if they are known exactly from one of the sides it lies on.
+std::optional<ExactParameters> exactly(const BezierPatch& x, const BezierPatch& y,
+                                       const CertifiedPoint& point) {
+  if (auto exact = point.exact()) return exact;
+  const ParameterBox box = point.refined_to(fine_width()).box();
+  for (const Side& side : point.sides()) {
+    const LinePoints line = line_points(x, y, {side.parameter, side.value});
+    if (line.incomplete || !line.on_patch.empty()) continue;
+    std::vector<const CertifiedPoint*> near;
+    for (const CertifiedPoint& other : line.points)
+      if (meet(other.refined_to(fine_width()).box(), box)) near.push_back(&other);
+    if (near.size() != 1) continue;  // the point is one of them
+    if (auto exact = near.front()->exact()) return exact;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
       at[k] = i.width() == 0 ? i.lower : simplest_between(i.lower - fine_width(), i.upper + fine_width());
     }
+  if (const auto exact = exactly(x, y, point)) return zero_tangent_components(x, y, *exact);
     if (at[0] < 0 || at[0] > 1 || at[1] < 0 || at[1] > 1) {
       continue;
     }

@@ -37,8 +37,9 @@ std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& proble
 std::optional<std::array<Rational, 4>> rational_solution(const BezierPatch& x, const BezierPatch& y,
                                                          const CertifiedPoint& point);
 
-/// The components of the tangent field that are known to vanish at a point: on a line over which it is a
-/// multiple point of the fibre, and where two of its parameters, on one patch, are found to be rational.
+/// The components of the tangent field that are known to vanish at a point: all that do, if it is known
+/// exactly; otherwise on a line over which it is a multiple point of the fibre, and where two of its
+/// parameters, on one patch, are found to be rational.
 /// `point` is as above.
 std::array<bool, 4> known_zero_tangent(const BezierPatch& x, const BezierPatch& y,
                                        const CertifiedPoint& point);

@@ -58,16 +58,24 @@ class CurveTracing {
     result_.problems.push_back({where, why});
   }
 
-  /// The components of T that vanish exactly at a landmark; none if all are certainly not zero, or for -1.
-  std::array<bool, 4> zero_tangent(int landmark) const {
-    if (landmark < 0 || !sweep_.zero_tangent) {
-      return {};
+  /// T at a landmark; nothing for -1.
+  TangentSigns tangent_signs(int landmark) const {
+    TangentSigns signs{};
+    if (landmark < 0) {
+      return signs;
     }
     const auto i = static_cast<std::size_t>(landmark);
     const BallPoint<Ball> tangent = Expansion<Ball>(system_, landmarks_[i]).tangent();
     const bool unknown =
         std::any_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() == 0; });
-    return unknown ? sweep_.zero_tangent(sweep_.landmarks[i].point) : std::array<bool, 4>{};
+    const std::array<bool, 4> zero = unknown && sweep_.zero_tangent
+                                         ? sweep_.zero_tangent(sweep_.landmarks[i].point)
+                                         : std::array<bool, 4>{};
+    for (std::size_t j = 0; j < 4; ++j) {
+      const int sign = tangent[j].certain_sign();
+      signs[j] = zero[j] ? std::optional(0) : sign != 0 ? std::optional(sign) : std::nullopt;
+    }
+    return signs;
   }
 
   /// +1, -1: the directions of the tangent field that enter the domain at this boundary point or port; empty:
@@ -104,7 +112,7 @@ class CurveTracing {
     const auto tube = certify_tube(system_, box, axis, 0x1p-30, 0x1p-40);
     if (axis == j || !tube || !contains(*tube, box) ||
         !(std::fabs(tube->second[j]) > tube->second_error[j]) ||
-        !zero_tangent(static_cast<int>(landmark))[j]) {
+        tangent_signs(static_cast<int>(landmark))[j] != 0) {
       return std::nullopt;
     }
     const bool inside = (tube->second[j] > 0) == (side.value == 0);
@@ -311,8 +319,8 @@ class CurveTracing {
     }
     mark_coincident(known.constant);
     known.plane = sweep_.plane;
-    known.zero_at_start = zero_tangent(curve.trace.start);
-    known.zero_at_end = zero_tangent(curve.trace.end);
+    known.at_start = tangent_signs(curve.trace.start);
+    known.at_end = tangent_signs(curve.trace.end);
     auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, known);
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);

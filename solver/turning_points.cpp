@@ -155,25 +155,38 @@ class TurningSearch {
     if (is_monotone(piece.tube, i)) {
       return true;
     }
-    // The parameter turns at most once on the piece: at the end of the trace, if it does so there.
-    if ((k == 0 && known_.zero_at_start[i]) || (k + 1 == trace_.pieces.size() && known_.zero_at_end[i])) {
-      return true;
-    }
-    const int first = tangent_signs(system_, point_at(piece.tube, piece.from))[i];
-    const int last = tangent_signs(system_, point_at(piece.tube, piece.to))[i];
-    if (first == 0 || last == 0) {
-      fail(point_at(piece.tube, first == 0 ? piece.from : piece.to),
+    const std::optional<int> first = sign_at(k, i, false);
+    const std::optional<int> last = sign_at(k, i, true);
+    if (!first || !last) {
+      fail(point_at(piece.tube, !first ? piece.from : piece.to),
            "a turning point cannot be separated from the end of a step or a boundary point");
       return false;
     }
-    if (first == last) {
+    if (*first == 0 || *last == 0) {
+      return true;  // the parameter turns at most once on the piece: there, at the end of the trace
+    }
+    if (*first == *last) {
       return true;
     }
-    if (!bracket(k, i, first)) {
+    if (!bracket(k, i, *first)) {
       fail(point_at(piece.tube, 0.5 * (piece.from + piece.to)), "a turning point could not be enclosed");
       return false;
     }
     return true;
+  }
+
+  /// The sign of T_i where piece k begins or ends. At an end of an open trace 0 if T_i is known to vanish
+  /// there; otherwise the sign at the offset that stands for the end point must be the one at that point, so
+  /// that the parameter does not turn in between, perhaps outside the domain.
+  std::optional<int> sign_at(std::size_t k, std::size_t i, bool at_end) const {
+    const Piece<Ball>& piece = trace_.pieces[k];
+    const int sign = tangent_signs(system_, point_at(piece.tube, at_end ? piece.to : piece.from))[i];
+    const bool inner = at_end ? k + 1 < trace_.pieces.size() : k > 0;
+    if (inner || trace_.start < 0) {
+      return sign == 0 ? std::nullopt : std::optional(sign);
+    }
+    const std::optional<int> known = (at_end ? known_.at_end : known_.at_start)[i];
+    return known == 0 || known == sign ? known : std::nullopt;
   }
 
   double slope_at(const Tube<Ball>& tube, double tau, std::size_t i) const {

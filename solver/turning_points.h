@@ -27,12 +27,15 @@ struct TurningPoint {
 /// plane: the patch's normal field N is then this coordinate times a constant vector.
 std::array<std::optional<std::size_t>, 2> plane_coordinates(const BezierPatch& x, const BezierPatch& y);
 
-/// What is known exactly about a trace: parameters that are constant on it and do not turn, and components of
-/// T that vanish at its start and at its end.
+/// The signs of the components of T at a point, 0 where one is known to vanish; empty: unknown.
+using TangentSigns = std::array<std::optional<int>, 4>;
+
+/// What is known exactly about a trace: parameters that are constant on it and do not turn, and T at the
+/// points where it starts and ends.
 struct KnownTangent {
   std::array<bool, 4> constant{};
-  std::array<bool, 4> zero_at_start{};
-  std::array<bool, 4> zero_at_end{};
+  TangentSigns at_start{};
+  TangentSigns at_end{};
   /// plane_coordinates(x, y). Where a plane y folds, u and v turn together: T_u and T_v contain N_y.
   std::array<std::optional<std::size_t>, 2> plane{};
 };

@@ -30,6 +30,10 @@ TEST_CASE("family: nearly crossing") {
   for (const Plane plane : affine_or_bilinear) check_images(families::near_crossing(Rational(1, 100), plane));
 }
 
+TEST_CASE("family: a curve that turns where it meets a side") {
+  for (const Plane plane : families::all_planes) check_images(families::quarter_circle(plane));
+}
+
 TEST_CASE("family: parted sheets") {
   for (const Plane plane : families::all_planes) check(families::parted_sheets(Rational(1, 100), plane));
 }

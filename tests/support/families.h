@@ -18,6 +18,8 @@ ExactCase cap(const Rational& e, Plane plane);
 ExactCase crossing(Plane plane);
 /// G[a² - b² - e] with P, 0 < e < 1/4: two open arcs.
 ExactCase near_crossing(const Rational& e, Plane plane);
+/// G[u² + v² - 1/2] with P: a quarter of a circle, which turns where it meets the sides u = 0 and v = 0.
+ExactCase quarter_circle(Plane plane);
 /// G[(u - c v - 1/4)²] with P, 0 <= c <= 3/4: one tangential arc.
 ExactCase tangent_curve(const Rational& c, Plane plane);
 /// G[a² - e²] with P, 0 < e < 1/2: two open arcs.

@@ -207,6 +207,17 @@ ExactCase near_crossing(const Rational& e, Plane plane) {
   return c.done();
 }
 
+ExactCase quarter_circle(Plane plane) {
+  Planar c("quarter of a circle", {{{-half, 0, 1}, {0, 0, 0}, {1, 0, 0}}}, plane);
+  c.node(0, surd(0, half, 1)).node(surd(0, half, 1), 0);
+  return c
+      .arc(0, 1,
+           [](double t) {
+             return Vector2{std::sqrt(0.5) * std::sin(t * pi / 2), std::sqrt(0.5) * std::cos(t * pi / 2)};
+           })
+      .done();
+}
+
 ExactCase tangent_curve(const Rational& c, Plane plane) {
   const Rational q(1, 4);
   Planar result("tangent curve", {{{q * q, 2 * q * c, c * c}, {-2 * q, -2 * c, 0}, {1, 0, 0}}}, plane);
