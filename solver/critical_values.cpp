@@ -98,9 +98,12 @@ std::optional<TurningValues> turning_values(const BezierPatch& x, const BezierPa
   return turning_values_of(eliminant, sweep);
 }
 
-SweepChoice choose_sweep(const BezierPatch& x, const BezierPatch& y) {
+SweepChoice choose_sweep(const BezierPatch& x, const BezierPatch& y, const StopRequest& stop) {
   SweepChoice choice;
   for (const Parameter sweep : all_parameters) {
+    if (is_stopped(stop)) {
+      break;
+    }
     const TurningEliminant eliminant = eliminant_along(x, y, sweep);
     if (eliminant.polynomial) {
       if (!choice.turning || !eliminant.touching) {

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+#include "stop_request.h"
+
 namespace exsect {
 
 /// One root of the turning eliminant in [0,1], with its multiplicity there; 0 where that says nothing (the
@@ -31,12 +33,12 @@ std::optional<TurningValues> turning_values(const BezierPatch& x, const BezierPa
 /// Roots in [0,1] of the turning eliminant E of the sweep along u; where E is not defined for this pair, of
 /// the sweep along v, r or s; one along which not every fibre has multiple points is preferred. Every closed
 /// component of the intersection has at least two of them as extreme values of the sweep parameter. Empty
-/// optional if none of the four is defined; `why` then says why.
+/// optional if none of the four is defined, or none before `stop`; `why` then says why.
 struct SweepChoice {
   std::optional<TurningValues> turning;
   std::string why;
 };
-SweepChoice choose_sweep(const BezierPatch& x, const BezierPatch& y);
+SweepChoice choose_sweep(const BezierPatch& x, const BezierPatch& y, const StopRequest& stop = {});
 
 /// Rational samples in (0,1), ascending, one strictly between any two neighbouring critical values: the
 /// turning values and the boundary points' values of the sweep parameter. Boundary values that overlap each

@@ -97,12 +97,12 @@ class Intersection {
   void find_boundary_points() {
     sides_ = boundary_lines(x_, y_, scaling_, 0.4 * used_tolerance(), stop_);
     result_.incomplete = sides_.incomplete;
-    std::vector<bool> on_arc(sides_.points.size(), false);
+    on_side_arc_.assign(sides_.points.size(), false);
     for (const SideArc& arc : sides_.arcs) {
-      on_arc[arc.from] = on_arc[arc.to] = true;
+      on_side_arc_[arc.from] = on_side_arc_[arc.to] = true;
     }
     for (std::size_t i = 0; i < sides_.points.size(); ++i) {
-      sweep_.landmarks.push_back({sides_.points[i], std::nullopt, 0, Parameter::u, on_arc[i]});
+      sweep_.landmarks.push_back({sides_.points[i], std::nullopt, 0, Parameter::u, on_side_arc_[i]});
     }
   }
 
@@ -116,7 +116,8 @@ class Intersection {
       incomplete(whole_domain(), "the work cap was reached before closed curves were excluded");
       return;
     }
-    sweep_.turning = choose_sweep(x_, y_).turning;  // without one, closed curves are found by subdivision
+    sweep_.turning =
+        choose_sweep(x_, y_, stop_).turning;  // without one, closed curves are found by subdivision
     if (sweep_.turning) {
       turning_[index(sweep_.turning->sweep)] = sweep_.turning;
     }
@@ -133,6 +134,9 @@ class Intersection {
   /// Exact fibres at samples between all critical values.
   void compute_fibres() {
     if (!sweep_.turning) {
+    if (!known && out_of_time()) {
+      return unknown_;
+    }
       return;
     }
     sweep_.samples = sweep_samples(*sweep_.turning, sides_.points);
@@ -162,11 +166,13 @@ class Intersection {
         sweep_.turning ? sweep_.turning->sweep : Parameter::u,
         sweep_.samples,
         [this](Parameter p) -> const std::optional<TurningValues>& { return turning_values_of(p); },
-        sweep_.coincident};
+        sweep_.coincident,
+        stop_};
     const PairSystem<ArbBall<256>> system(x_, y_, scaling_.origin, scaling_.frame.exponent);
     sweep_.stars = singular_stars(problem, system);
     for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
       const StarNeighbourhood& star = sweep_.stars[k];
+        on_side_arc_,
       for (LandmarkPoint& landmark : sweep_.landmarks) {
         if (landmark.side == 0 && lies_in(landmark.point.refined_to(power_of_two(-100)).box(), star.box)) {
           landmark.star = k;
@@ -409,3 +415,5 @@ IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const Inte
 }
 
 }  // namespace exsect
+  std::vector<bool> on_side_arc_;  // per point
+  const std::optional<TurningValues> unknown_ = std::nullopt;

@@ -27,6 +27,7 @@ std::optional<Sheet> sheet_through(const CommonSheets& sheets, const CertifiedPo
   return std::nullopt;
 }
 
+constexpr const char* kWorkCap = "the work cap was reached while boundary lines were compared";
 constexpr const char* kAcross = "a boundary line lies on the other patch here, across the common surface";
 
 /// On a sheet w, an arc on one side only has solutions on the inner side of it. On a side of both squares w
@@ -59,13 +60,17 @@ OverlapBoundary overlap_boundary(const BezierPatch& x, const BezierPatch& y, con
   result.incomplete = std::move(lines.incomplete);
   for (const CertifiedPoint& point : lines.points) result.points.push_back({point, BoundaryPointKind::other});
   for (SideArc& arc : lines.arcs) {
+    if (is_stopped(stop)) {
+      report(result, arc.inside.box(), kWorkCap);
+      return result;
+    }
     for (const std::size_t end : {arc.from, arc.to}) result.points[end].kind = BoundaryPointKind::on_arc;
     const BoundaryArcKind kind = kind_of(arc.inside, sheets);
     if (kind == BoundaryArcKind::unknown) report(result, arc.inside.box(), kAcross);
     result.arcs.push_back({arc.from, arc.to, arc.inside, std::move(arc.polyline), arc.error_bound, kind});
   }
   for (BoundaryPoint& point : result.points)
-    if (point.kind == BoundaryPointKind::other && sheet_through(sheets, point.at))
+    if (point.kind == BoundaryPointKind::other && !is_stopped(stop) && sheet_through(sheets, point.at))
       point.kind = BoundaryPointKind::touch;
   return result;
 }

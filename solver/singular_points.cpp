@@ -48,8 +48,9 @@ class StarSearch {
       : problem_(problem), system_(system) {}
 
   std::vector<StarNeighbourhood> run() {
-    for (const CertifiedPoint& point : problem_.boundary) {
-      if (needs_star(point)) {
+    for (std::size_t i = 0; i < problem_.boundary.size(); ++i) {
+      const CertifiedPoint& point = problem_.boundary[i];
+      if (!stopped() && (problem_.on_side_arc[i] ? may_be_singular(point) : needs_star(point))) {
         try_all_sweeps(point);
       }
     }
@@ -67,17 +68,25 @@ class StarSearch {
   }
 
  private:
+  bool stopped() const { return is_stopped(problem_.stop); }
+
   BallPoint<Ball> tangent_at(const CertifiedPoint& point) const {
     return Expansion<Ball>(system_, enclose<Ball>(point, fine_width())).tangent();
+  }
+
+  /// The tangent may vanish. At the end of an arc that lies on a side nothing else needs a star: the only
+  /// curve through a regular point is analytic, and the arc's line contains it.
+  bool may_be_singular(const CertifiedPoint& point) const {
+    const BallPoint<Ball> tangent = tangent_at(point);
+    return std::all_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() == 0; }) &&
+           !is_on_contact(point);
   }
 
   /// An interior point where the tangent may vanish; a boundary point where it may lie in a side.
   bool needs_star(const CertifiedPoint& point) const {
     const BallPoint<Ball> tangent = tangent_at(point);
     if (point.sides().empty()) {
-      return std::all_of(tangent.begin(), tangent.end(),
-                         [](const Ball& t) { return t.certain_sign() == 0; }) &&
-             !is_on_contact(point);
+      return may_be_singular(point);
     }
     return !is_on_contact(point) &&
            std::any_of(point.sides().begin(), point.sides().end(),
@@ -145,9 +154,12 @@ class StarSearch {
 
   void try_multiple_values(const TurningValues& turning) {
     for (const LineQuery& query : rational_multiple_lines(turning)) {
+      if (stopped()) {
+        return;
+      }
       const LinePoints fibre = line_points(problem_.x, problem_.y, query);
       for (const CertifiedPoint& point : fibre.points) {
-        if (point.multiplicity() != 1 && !is_covered(point) && needs_star(point) &&
+        if (!stopped() && point.multiplicity() != 1 && !is_covered(point) && needs_star(point) &&
             !try_sweep(point, turning, query.value)) {
           try_all_sweeps(point);
         }
@@ -158,6 +170,9 @@ class StarSearch {
   /// The points of lines that lie on the other patch, over turning values of the parameter along them.
   void try_points_on_lines(const TurningValues& turning) {
     for (const LineQuery& line : rational_multiple_lines(turning)) {
+      if (stopped()) {
+        return;
+      }
       const LinePoints fibre = line_points(problem_.x, problem_.y, line);
       const auto& along = problem_.turning(line_place(line).roles.line);
       if (fibre.on_patch.empty() || !along) {
@@ -168,7 +183,7 @@ class StarSearch {
             std::any_of(fibre.on_patch.begin(), fibre.on_patch.end(), [&](const AlgebraicInterval& part) {
               return !(event.value < part.from) && !(part.to < event.value);
             });
-        if (on_line && event.multiplicity != 1) {
+        if (on_line && event.multiplicity != 1 && !stopped()) {
           try_point_on_line(turning, line, event.value);
         }
       }
@@ -177,7 +192,7 @@ class StarSearch {
 
   void try_point_on_line(const TurningValues& turning, const LineQuery& line, const RealAlgebraic& along) {
     for (const CertifiedPoint& point : points_on_line(problem_.x, problem_.y, line, along)) {
-      if (!is_covered(point) && needs_star(point)) {
+      if (!stopped() && !is_covered(point) && needs_star(point)) {
         try_sweep(point, turning, line.value, along);
       }
     }
@@ -209,8 +224,8 @@ class StarSearch {
 
   bool try_sweep(const CertifiedPoint& point, const TurningValues& turning, const Rational& at,
                  const std::optional<RealAlgebraic>& along = {}) {
-    StarProblem problem{problem_.x, problem_.y, turning,          problem_.boundary, 0,
-                        {},         true,       problem_.sampled, problem_.samples,  along};
+    StarProblem problem{problem_.x,       problem_.y,       turning, problem_.boundary, 0, {}, true,
+                        problem_.sampled, problem_.samples, along,   problem_.stop};
     for (const Parameter p : all_parameters) {
       if (p == turning.sweep || problem_.coincident[index(p)] == index(turning.sweep)) {
         continue;
@@ -235,9 +250,10 @@ class StarSearch {
         continue;
       }
       const double slab = to_double(star->box[index(star->sweep)].width() / 2);
-      add_layers(
-          *star, problem_.x, problem_.y, at,
-          static_cast<int>(std::clamp(kLayersPerTolerance * slab / problem_.tolerance, 1.0, kMostLayers)));
+      const double layers = std::clamp(kLayersPerTolerance * slab / problem_.tolerance, 1.0, kMostLayers);
+      if (!add_layers(*star, problem_.x, problem_.y, at, static_cast<int>(layers), problem_.stop)) {
+        return false;
+      }
       if (arcs_keep_tolerance(*star)) {
         break;
       }
@@ -295,22 +311,6 @@ std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& proble
   return StarSearch<Ball>(problem, system).run();
 }
 
-std::array<bool, 4> known_zero_tangent(const BezierPatch& x, const BezierPatch& y,
-                                       const CertifiedPoint& point) {
-  std::array<bool, 4> zero{};
-  if (point.multiplicity() >= 2 && !point.sides().empty()) {
-    zero[index(point.sides().front().parameter)] = true;  // the point was found on this line
-  }
-  const ParameterBox box = point.box();
-  const ParameterBox fine = point.refined_to(fine_width()).box();
-  for (const bool of_x : {true, false}) {
-    const std::size_t first = of_x ? 0 : 2;
-    if (box[first].width() != 0 && box[first + 1].width() != 0) {
-      continue;  // the point is told from others on a line across one of these parameters
-    }
-    std::array<Rational, 2> at;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const RationalInterval& i = fine[first + k];
 namespace {
 
 /// The point's parameters, if they are known exactly from one of the sides it lies on.
@@ -332,9 +332,25 @@ std::optional<ExactParameters> exactly(const BezierPatch& x, const BezierPatch& 
 
 }  // namespace
 
+std::array<bool, 4> known_zero_tangent(const BezierPatch& x, const BezierPatch& y,
+                                       const CertifiedPoint& point) {
+  if (const auto exact = exactly(x, y, point)) return zero_tangent_components(x, y, *exact);
+  std::array<bool, 4> zero{};
+  if (point.multiplicity() >= 2 && !point.sides().empty()) {
+    zero[index(point.sides().front().parameter)] = true;  // the point was found on this line
+  }
+  const ParameterBox box = point.box();
+  const ParameterBox fine = point.refined_to(fine_width()).box();
+  for (const bool of_x : {true, false}) {
+    const std::size_t first = of_x ? 0 : 2;
+    if (box[first].width() != 0 && box[first + 1].width() != 0) {
+      continue;  // the point is told from others on a line across one of these parameters
+    }
+    std::array<Rational, 2> at;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const RationalInterval& i = fine[first + k];
       at[k] = i.width() == 0 ? i.lower : simplest_between(i.lower - fine_width(), i.upper + fine_width());
     }
-  if (const auto exact = exactly(x, y, point)) return zero_tangent_components(x, y, *exact);
     if (at[0] < 0 || at[0] > 1 || at[1] < 0 || at[1] > 1) {
       continue;
     }

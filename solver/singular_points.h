@@ -17,12 +17,14 @@ struct SingularPointProblem {
   const BezierPatch& x;
   const BezierPatch& y;
   const std::vector<CertifiedPoint>& boundary;  // all isolated points on sides
+  const std::vector<bool>& on_side_arc;         // which of them are ends of arcs that lie on sides
   double tolerance;                             // of polylines, patches scaled to unit size
   Parameter sampled;                            // no star contains a point over a sample
   const std::vector<Rational>& samples;
   /// The turning values of any sweep, computed once; empty if not defined.
   std::function<const std::optional<TurningValues>&(Parameter)> turning;
   std::array<std::size_t, 4> coincident;  // coincident_parameters(x, y)
+  StopRequest stop;                       // then the stars found so far are all
 };
 
 /// Disjoint stars around the multiple points over multiple rational turning values of all four sweeps that

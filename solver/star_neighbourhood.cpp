@@ -89,6 +89,9 @@ class StarProof {
     for (double halfwidth = power_of_two_below(room_); halfwidth >= 0x1p-40; halfwidth *= 0x1p-6) {
       double slab = std::min(halfwidth, power_of_two_below(slab_room_));
       for (int i = 0; i < kMostSlabs && slab >= 0x1p-48; ++i, slab *= 0.25) {
+        if (is_stopped(problem_.stop)) {
+          return std::nullopt;
+        }
         set_region(halfwidth, slab);
         if (!lateral_faces_are_free()) {
           continue;
@@ -365,8 +368,8 @@ std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, 
   return StarProof(problem, centre, at).run();
 }
 
-void add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const Rational& at,
-                int count) {
+bool add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const Rational& at,
+                int count, const StopRequest& stop) {
   for (const int side : {-1, 1}) {
     const auto ports = std::count_if(star.ports.begin(), star.ports.end(), [&](const Port& port) {
       return port.across == star.sweep && port.side == side;
@@ -374,6 +377,9 @@ void add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch
     const RationalInterval& slab = star.box[index(star.sweep)];
     const Rational end = side < 0 ? slab.lower : slab.upper;
     for (int i = 1; i <= count && ports > 0; ++i) {
+      if (is_stopped(stop)) {
+        return false;
+      }
       const Rational value = end + (at - end) * Rational(i, count + 1);
       auto points = line_points_in(x, y, {star.sweep, value}, star.box);
       if (!points || static_cast<std::ptrdiff_t>(points->size()) != ports) {
@@ -382,6 +388,7 @@ void add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch
       star.layers[side < 0 ? 0 : 1].push_back(*std::move(points));
     }
   }
+  return true;
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "critical_values.h"
+#include "stop_request.h"
 
 namespace exsect {
 
@@ -47,6 +48,7 @@ struct StarProblem {
   const std::vector<Rational>& samples;
   /// The centre's value of the parameter along the line over `at`, if it is given by that.
   std::optional<RealAlgebraic> along = {};
+  StopRequest stop = {};  // then nothing is proved
 };
 
 /// The star around `centre`, a point of the intersection over the rational value `at` of the sweep parameter;
@@ -55,10 +57,10 @@ struct StarProblem {
 std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, const CertifiedPoint& centre,
                                                     const Rational& at);
 
-/// Fills in layers, `count` on each side that has ports. Throws std::logic_error if a fibre has another
-/// number of points in the star than there are ports.
-void add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const Rational& at,
-                int count);
+/// Fills in layers, `count` on each side that has ports; false if `stop` came in between. Throws
+/// std::logic_error if a fibre has another number of points in the star than there are ports.
+bool add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const Rational& at,
+                int count, const StopRequest& stop = {});
 
 /// An arc of a star from its port to the centre: between neighbouring fibres it lies in a box. vertices: a
 /// point near the arc, or on it, in every layer; hulls: one more.

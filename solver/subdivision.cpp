@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <set>
+#include <utility>
 
 namespace exsect {
 
@@ -251,7 +253,7 @@ class Search {
         continue;
       }
       const bool stopped = outcome_.boxes > kMostBoxes<Ball> || waiting.size() > most_waiting ||
-                           (stop_ && outcome_.boxes % 64 == 0 && stop_());
+                           (outcome_.boxes % (settled_ ? 8 : 64) == 0 && is_stopped(stop_));
       const bool first = a->size >= b->size;
       const bool deepest = (first ? a : b)->depth >= kDeepest;
       if (stopped || deepest || !(first ? x_.split(*a) : y_.split(*b))) {
@@ -363,7 +365,40 @@ class Search {
 
 }  // namespace
 
+namespace {
+
+/// The cells of a dyadic grid that hold the regions, at most `most` of them.
+std::vector<SearchRegion> coarsened(const std::vector<SearchRegion>& regions, std::size_t most) {
+  for (double grid = 0x1p-12;; grid *= 2) {
+    std::set<std::pair<std::array<double, 4>, std::array<double, 4>>> cells;
+    for (const SearchRegion& region : regions) {
+      std::array<double, 4> lower{};
+      std::array<double, 4> upper{};
+      for (std::size_t j = 0; j < 4; ++j) {
+        lower[j] = grid * std::floor(region.lower[j] / grid);
+        upper[j] = grid * std::ceil(region.upper[j] / grid);
+      }
+      cells.emplace(lower, upper);
+    }
+    if (cells.size() > most) {
+      continue;
+    }
+    std::vector<SearchRegion> result;
+    for (const auto& [lower, upper] : cells) {
+      result.push_back({lower, upper});
+    }
+    return result;
+  }
+}
+
+constexpr std::size_t kMostMerged = 500;  // merging takes their number squared, or cubed
+
+}  // namespace
+
 std::vector<SearchRegion> merged(std::vector<SearchRegion> regions) {
+  if (regions.size() > kMostMerged) {
+    regions = coarsened(regions, kMostMerged);
+  }
   const auto touch = [](const SearchRegion& a, const SearchRegion& b) {
     bool meets = true;
     for (std::size_t j = 0; j < 4; ++j) {

@@ -21,7 +21,8 @@ struct SearchOutcome {
   long boxes = 0;
 };
 
-/// The bounding regions of the connected groups of touching regions.
+/// The bounding regions of the connected groups of touching regions; if these are many, the regions are first
+/// rounded outwards to a grid.
 std::vector<SearchRegion> merged(std::vector<SearchRegion> regions);
 
 /// What the search asks about a curve point it found: true if the point lies on a curve known by now (the

@@ -1,11 +1,11 @@
 // The certified tracer: follows the intersection curve by overlapping tubes. Internal to solver/.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "stop_request.h"
 #include "tube.h"
 
 namespace exsect {
@@ -37,9 +37,6 @@ struct TraceFailure {
 /// box.
 template <class Ball>
 using Landmarks = std::vector<BallPoint<Ball>>;
-
-/// Returns true when the work must stop.
-using StopRequest = std::function<bool()>;
 
 /// From landmark `start` in the direction sign * T (sign +1 or -1) to the first other landmark met.
 template <class Ball>

@@ -1,5 +1,7 @@
 #include "../../solver/subdivision.h"
 
+#include <algorithm>
+
 #include "support/catch.h"
 #include "support/graph_patches.h"
 
@@ -79,6 +81,29 @@ TEST_CASE("the search leaves a small box around a touch point and around a cross
     REQUIRE(groups.size() == 1);
     CHECK(contains_centre(groups[0]));
     CHECK(groups[0].upper[0] - groups[0].lower[0] < 1e-3);
+  }
+}
+
+TEST_CASE("many regions are covered by few, quickly", "[subdivision]") {
+  std::vector<SearchRegion> regions;  // of a surface of solutions
+  constexpr int n = 200;
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < n; ++k) {
+      const double u = static_cast<double>(i) / n;
+      const double v = static_cast<double>(k) / n;
+      regions.push_back({{u, v, u, v}, {u + 0x1p-9, v + 0x1p-9, u + 0x1p-9, v + 0x1p-9}});
+    }
+  }
+  const auto groups = merged(regions);
+  CHECK(groups.size() <= 500);
+  for (const SearchRegion& region : regions) {
+    CHECK(std::any_of(groups.begin(), groups.end(), [&](const SearchRegion& group) {
+      bool inside = true;
+      for (std::size_t j = 0; j < 4; ++j) {
+        inside = inside && group.lower[j] <= region.lower[j] && region.upper[j] <= group.upper[j];
+      }
+      return inside;
+    }));
   }
 }
 
