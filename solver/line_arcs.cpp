@@ -11,6 +11,7 @@
 #include "line_system.h"
 #include "plane_curve.h"
 #include "traced_curves.h"
+#include "shared_line_arcs.h"
 
 // The arc is traced as the intersection of the other patch with a ribbon p(t) + (h - 1/2) n(t) along the
 // line, n transversal to that patch: there it is regular, with h = 1/2 throughout, even if the two patches
@@ -50,6 +51,7 @@ Point normal_at(const BezierPatch& patch, const Rational& a, const Rational& b) 
 
 constexpr int kMostRuns = 64;
 constexpr int kMostHalvings = 6;
+constexpr const char* kWorkCap = "the work cap was reached";
 
 class LineArcSearch {
  public:
@@ -74,7 +76,8 @@ class LineArcSearch {
     find_collapsed(constant);
     moving_ = exact_quotient(curve, constant);
     if (moving_.degree_r() <= 0 && moving_.degree_s() <= 0) return std::move(result_);
-    find_events();
+    if (!find_events()) return failed(kWorkCap);
+    trace_lines();
     for (std::size_t i = 0; i + 1 < values_.size() && !result_.incomplete; ++i) trace_over_gap(i);
     return std::move(result_);
   }
@@ -83,6 +86,15 @@ class LineArcSearch {
   LineArcs failed(const char* why) {
     result_.incomplete = why;
     return std::move(result_);
+  }
+
+  /// What needs no tracing; moving_ is the rest.
+  void trace_lines() {
+    if (system_->pieces.size() != 1) return;
+    const LinesOfCurve lines = rational_lines(moving_);
+    result_.arcs = arcs_on_lines(place_, problem_.patch, system_, lines, events_, tolerance_);
+    moving_ = lines.rest;
+    if (moving_.degree_r() <= 0 && moving_.degree_s() <= 0) values_.clear();
   }
 
   static BivariatePolynomial shifted(const BivariatePolynomial& f, const Rational& c) {
@@ -122,8 +134,8 @@ class LineArcSearch {
         result_.collapsed.push_back({preimage(system_->phi, piece, lambda), fixed, value});
   }
 
-  /// Events: where an arc may begin or end, or is not regular.
-  void find_events() {
+  /// Events: where an arc may begin or end, or is not regular. False if the work must stop.
+  bool find_events() {
     std::vector<TriangularPoint> points = side_points(moving_);
     const auto append = [&](const std::vector<TriangularPoint>& more) {
       points.insert(points.end(), more.begin(), more.end());
@@ -134,17 +146,23 @@ class LineArcSearch {
     append(common_points(moving_, jacobian(moving_, system_->lambda)));
     std::vector<TriangularPoint> distinct;
     for (const TriangularPoint& p : points) {
+      if (is_stopped(stop_)) return false;
       const auto same = [&](const TriangularPoint& q) { return same_point(p, q); };
       if (in_range(p) && std::none_of(distinct.begin(), distinct.end(), same)) distinct.push_back(p);
     }
     values_ = {RealAlgebraic(range.lower), RealAlgebraic(range.upper)};
     for (const TriangularPoint& p : distinct) {
-      for (CertifiedPoint& point : certified(p)) result_.ends.push_back(std::move(point));
+      if (is_stopped(stop_)) return false;
+      for (CertifiedPoint& point : certified(p)) {
+        events_.push_back({p, result_.ends.size()});
+        result_.ends.push_back(std::move(point));
+      }
       values_.push_back(value_at(system_->lambda, p));
     }
     separate(result_.ends);
     std::sort(values_.begin(), values_.end());
     values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
+    return true;
   }
 
   std::vector<CertifiedPoint> certified(const TriangularPoint& p) const {
@@ -221,6 +239,10 @@ class LineArcSearch {
     const Rational limit = direction > 0 ? 1 : 0;
     if (here == limit) return std::nullopt;
     for (int halvings = 0; halvings < kMostHalvings; ++halvings) {
+      if (is_stopped(stop_)) {
+        why_ = kWorkCap;
+        return std::nullopt;
+      }
       const Rational step = (limit - here) * power_of_two(-halvings);
       const Rational there =
           halvings == 0 ? limit : simplest_between(here + step - abs(step) / 8, here + step + abs(step) / 8);
@@ -327,7 +349,8 @@ class LineArcSearch {
   const StopRequest& stop_;
   bool thorough_;
   std::shared_ptr<const LineSystem> system_;
-  BivariatePolynomial moving_;         // the curve without the parts where lambda is constant
+  BivariatePolynomial moving_;  // the curve without the parts where lambda is constant
+  std::vector<LineEvent> events_;
   std::vector<RealAlgebraic> values_;  // lambda at the events and at both ends
   std::vector<int> starts_;            // events at which a known arc begins
   std::string why_;

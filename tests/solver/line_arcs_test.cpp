@@ -1,6 +1,8 @@
 // Arcs of parameter lines on the other patch: exact ends, every sheet, and vertices on both patches.
 #include "../../solver/line_arcs.h"
 
+#include <cmath>
+
 #include "support/catch.h"
 #include "support/random_pairs.h"
 
@@ -73,6 +75,57 @@ TEST_CASE("a line on a patch that covers it twice has an arc for each sheet") {
   for (const LineArc& arc : found.arcs) {
     const RationalInterval r = arc.inside.box()[2];
     CHECK((r.lower <= q(1, 4) ? q(1, 4) <= r.upper : r.lower <= q(3, 4) && q(3, 4) <= r.upper));
+  }
+}
+
+/// sum of the terms, power basis.
+BezierPatch patch_of(const std::vector<std::pair<std::array<std::size_t, 2>, Point>>& terms) {
+  ControlNet c{};
+  for (const auto& [power, coefficient] : terms) c[power[0]][power[1]] = coefficient;
+  return BezierPatch::from_power_basis(c);
+}
+
+TEST_CASE("a common side is one arc where patches are singular on it") {
+  // (u², v, u (v - 1/2)) is singular at (0,1/2), (u², v, u v) at (0,0), (-r, s², 0) on s = 0.
+  const BezierPatch plane = patch_of({{{1, 0}, {-1, 0, 0}}, {{0, 1}, {0, 1, 0}}});
+  const BezierPatch squared = patch_of({{{1, 0}, {-1, 0, 0}}, {{0, 2}, {0, 1, 0}}});
+  for (const Rational& singular : {Rational(0), q(1, 2), q(2, 7)}) {
+    const BezierPatch x = patch_of(
+        {{{2, 0}, {1, 0, 0}}, {{0, 1}, {0, 1, 0}}, {{1, 0}, {0, 0, -singular}}, {{1, 1}, {0, 0, 1}}});
+    for (const BezierPatch& y : {plane, squared})
+      for (const bool exchanged : {false, true}) {
+        const BezierPatch& own = exchanged ? y : x;
+        const BezierPatch& other = exchanged ? x : y;
+        check_against_intervals(own, other, {Parameter::u, 0});
+        check_against_intervals(own.exchanged(), other, {Parameter::v, 0});
+        check_against_intervals(own, other.exchanged(), {Parameter::u, 0});
+        check_against_intervals(own.reversed_second(), other, {Parameter::u, 0});
+      }
+  }
+}
+
+TEST_CASE("the polyline of a common line keeps its bound") {
+  random_pairs::Generator generator(7);
+  const BezierPatch x = random_pairs::small_rationals(generator).x;
+  const BezierPatch y = x.restricted_to(q(1, 3), q(4, 3), q(-1, 4), q(3, 4));
+  const ModelScale scale = model_scale(x, y);
+  for (const double tolerance : {1e-1, 1e-3, 1e-6}) {
+    const LineArcs found = line_arcs(x, y, {Parameter::u, q(1, 2)}, scale, tolerance, {});
+    REQUIRE(found.arcs.size() == 1);
+    const LineArc& arc = found.arcs[0];
+    CHECK(arc.error_bound <= tolerance);
+    double farthest = 0;  // of the points in the middle of the chords' parameters from the chords' middles
+    for (std::size_t i = 1; i < arc.polyline.size(); ++i) {
+      const auto& a = arc.polyline[i - 1];
+      const auto& b = arc.polyline[i];
+      const Point p = x(q(1, 2), from_double(0.5 * (a.parameters[1] + b.parameters[1])));
+      double sum = 0;
+      for (std::size_t c = 0; c < 3; ++c)
+        sum += std::pow(to_double(p[c]) - 0.5 * (a.point[c] + b.point[c]), 2);
+      farthest = std::max(farthest, std::sqrt(sum));
+    }
+    CHECK(farthest <= arc.error_bound);
+    CHECK(farthest > 0.1 * arc.error_bound);
   }
 }
 

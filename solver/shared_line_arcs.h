@@ -1,0 +1,38 @@
+// Arcs along a parameter line of each of the two patches: no tracing is needed. Internal to solver/.
+#pragma once
+
+#include <exsect/algebra/bivariate_polynomial.h>
+
+#include <memory>
+#include <vector>
+
+#include "line_arcs.h"
+#include "line_place.h"
+#include "line_system.h"
+
+namespace exsect {
+
+/// The lines r = c and s = c with rational c that belong to the curve f(r,s) = 0, and the rest of it.
+struct LinesOfCurve {
+  std::vector<Rational> first;   // r = c
+  std::vector<Rational> second;  // s = c
+  BivariatePolynomial rest;
+};
+/// Requires f squarefree and not zero.
+LinesOfCurve rational_lines(const BivariatePolynomial& f);
+
+/// An exact point of the curve, and which of LineArcs::ends it is.
+struct LineEvent {
+  TriangularPoint at;
+  std::size_t end;
+};
+
+/// The arcs along `lines`. Between two neighbouring events on a line the system's lambda is strictly
+/// monotone, and inside its range throughout or nowhere; requires a monotone system->phi. The polylines keep
+/// within `tolerance` where doubles can express that; that of a line of the other patch is a parabola, so
+/// that nothing depends on whether the patches are regular.
+std::vector<LineArc> arcs_on_lines(const LinePlace& place, const BezierPatch& patch,
+                                   const std::shared_ptr<const LineSystem>& system, const LinesOfCurve& lines,
+                                   const std::vector<LineEvent>& events, double tolerance);
+
+}  // namespace exsect
