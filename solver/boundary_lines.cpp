@@ -61,10 +61,14 @@ class BoundarySearch {
     if (!points.on_patch.empty()) {
       line.arcs = line_arcs(x_, y_, query, scale_, tolerance_, stop_, result_.incomplete.empty());
       if (line.arcs.incomplete) incomplete(where, line_name + *line.arcs.incomplete);
-      if (!line.arcs.collapsed.empty())
+      // A side of the other patch that is one point is found as a line of its own.
+      if (std::any_of(line.arcs.collapsed.begin(), line.arcs.collapsed.end(), [](const CollapsedLine& other) {
+            return other.value.compare(0) != 0 && other.value.compare(1) != 0;
+          }))
         incomplete(where, line_name + "a parameter line of the other patch is one point of it");
-      std::erase_if(line.arcs.arcs,
-                    [&](const LineArc& arc) { return !(arc.inside.sides().front() == side); });
+      std::erase_if(line.arcs.arcs, [&](const LineArc& arc) {
+        return !arc.collapsed && !(arc.inside.sides().front() == side);
+      });
     }
     lines_.push_back(std::move(line));
   }
@@ -81,15 +85,23 @@ class BoundarySearch {
       if (used[i]) add(line.arcs.ends[i]);
   }
 
+  /// On other sides these may not be isolated.
+  void add_ends(const LineResult& line, const LineArc& arc) {
+    for (const std::size_t end : {arc.from, arc.to})
+      if (!find(line.arcs.ends[end])) result_.points.push_back(line.arcs.ends[end]);
+  }
+
   void add_arcs(LineResult& line) {
     for (LineArc& arc : line.arcs.arcs) {
+      if (arc.collapsed) add_ends(line, arc);
       const auto from = find(line.arcs.ends[arc.from]);
       const auto to = find(line.arcs.ends[arc.to]);
       if (!from || !to) {
         incomplete(line.arcs.ends[from ? arc.to : arc.from].box(), kLostEnd);
         continue;
       }
-      result_.arcs.push_back({*from, *to, arc.inside, std::move(arc.polyline), arc.error_bound});
+      result_.arcs.push_back(
+          {line.side, *from, *to, arc.inside, std::move(arc.polyline), arc.error_bound, arc.collapsed});
     }
   }
 

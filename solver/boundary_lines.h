@@ -12,11 +12,13 @@ namespace exsect {
 /// A maximal piece, free of other boundary points, of the solutions on a side of one square that are not
 /// isolated there.
 struct SideArc {
+  Side side;         // on which it was found
   std::size_t from;  // indices of BoundaryLines::points
   std::size_t to;
   CertifiedPoint inside;
   std::vector<PolylineVertex> polyline;
   double error_bound;
+  bool collapsed;  // the side is one point of space
 };
 
 /// The arcs, and the points that are no interior points of arcs, each once; `incomplete` says what is

@@ -8,9 +8,11 @@
 #include <stdexcept>
 
 #include "boundary_lines.h"
+#include "collapsed_line.h"
 #include "critical_values.h"
 #include "degenerate_patches.h"
 #include "filter.h"
+#include "line_arcs.h"
 #include "line_place.h"
 #include "model_scale.h"
 #include "overlaps.h"
@@ -55,6 +57,13 @@ class Intersection {
       return turning_values_of(p);
     };
     sweep_.zero_tangent = [this](const CertifiedPoint& point) { return known_zero_tangent(x_, y_, point); };
+    sweep_.is_on_sides = [this](const LineQuery& query, const RealAlgebraic& at) {
+      const LineArcs arcs = line_arcs(x_, y_, query, scaling_, used_tolerance(), stop_, false);
+      return !arcs.incomplete &&
+             std::all_of(arcs.collapsed.begin(), arcs.collapsed.end(), [&](const CollapsedLine& other) {
+               return !(other.t == at) || other.value.compare(0) == 0 || other.value.compare(1) == 0;
+             });
+    };
     sweep_.line = [this](const LineQuery& query) { return line_points(x_, y_, query); };
   }
 
@@ -125,6 +134,9 @@ class Intersection {
 
   const std::optional<TurningValues>& turning_values_of(Parameter sweep) {
     auto& known = turning_[index(sweep)];
+    if (!known && out_of_time()) {
+      return unknown_;
+    }
     if (!known) {
       known = turning_values(x_, y_, sweep);
     }
@@ -134,9 +146,6 @@ class Intersection {
   /// Exact fibres at samples between all critical values.
   void compute_fibres() {
     if (!sweep_.turning) {
-    if (!known && out_of_time()) {
-      return unknown_;
-    }
       return;
     }
     sweep_.samples = sweep_samples(*sweep_.turning, sides_.points);
@@ -162,6 +171,7 @@ class Intersection {
         x_,
         y_,
         sides_.points,
+        on_side_arc_,
         options_.tolerance * std::ldexp(scaling_.extent, static_cast<int>(-scaling_.frame.exponent)),
         sweep_.turning ? sweep_.turning->sweep : Parameter::u,
         sweep_.samples,
@@ -172,7 +182,6 @@ class Intersection {
     sweep_.stars = singular_stars(problem, system);
     for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
       const StarNeighbourhood& star = sweep_.stars[k];
-        on_side_arc_,
       for (LandmarkPoint& landmark : sweep_.landmarks) {
         if (landmark.side == 0 && lies_in(landmark.point.refined_to(power_of_two(-100)).box(), star.box)) {
           landmark.star = k;
@@ -265,7 +274,7 @@ class Intersection {
   /// An arc on a side, split at the stars on it.
   template <class Ball>
   void add_side_arc(const PairSystem<Ball>& system, const SideArc& whole) {
-    const Side side = whole.inside.sides().front();
+    const Side& side = whole.side;
     const std::size_t along = index(line_place({side.parameter, side.value}).roles.line);
     std::vector<std::pair<double, int>> cuts;
     for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
@@ -293,12 +302,30 @@ class Intersection {
     finish(static_cast<int>(whole.to));
   }
 
+  /// A side that is one point of space: its ends, and the stars on it, are one node.
+  template <class Ball>
+  void contract_side(const PairSystem<Ball>& system, const SideArc& arc) {
+    const Side& side = arc.side;
+    const Parameter along = line_place({side.parameter, side.value}).roles.line;
+    std::vector<int> nodes = {static_cast<int>(arc.from), static_cast<int>(arc.to)};
+    for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
+      if (lies_inside(sweep_.stars[k].centre, arc, side, index(along))) {
+        nodes.push_back(star_nodes_[k]);
+      }
+    }
+    const auto ball = enclose<Ball>(arc.inside, power_of_two(-50));
+    const Node inside = landmark_node(system, scaling_.frame, ball, arc.inside.box(), arc.inside.sides());
+    contract(result_.graph, nodes, collapsed_node(arc.inside, inside, along));
+  }
+
   /// The star's centre is a point of the arc, not an end: of all arcs on that side only this one has its
   /// value of the line's parameter.
   bool lies_inside(const CertifiedPoint& centre, const SideArc& arc, const Side& side, std::size_t along) {
     const auto covers = [&](const SideArc& other) {
       const auto at = [&](std::size_t end) { return sides_.points[end].box()[along]; };
-      return other.inside.on(side) && at(other.from).upper < centre.box()[along].lower &&
+      return other.inside.on(side) && other.collapsed == arc.collapsed &&
+             !(arc.collapsed && apart(other.inside, centre, along)) &&
+             at(other.from).upper < centre.box()[along].lower &&
              at(other.to).lower > centre.box()[along].upper;
     };
     if (!centre.on(side) || !covers(arc)) {
@@ -308,6 +335,18 @@ class Intersection {
       incomplete(centre.box(), "arcs on one side lie over the same values of its parameter");
     }
     return true;
+  }
+
+  /// Told from each other by a parameter other than `free`.
+  static bool apart(const CertifiedPoint& a, const CertifiedPoint& b, std::size_t free) {
+    const ParameterBox p = a.refined_to(power_of_two(-100)).box();
+    const ParameterBox q = b.refined_to(power_of_two(-100)).box();
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (j != free && (p[j].upper < q[j].lower || q[j].upper < p[j].lower)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   void push_side_arc(int from, int to, const SideArc& whole, const std::vector<PolylineVertex>& polyline,
@@ -362,7 +401,9 @@ class Intersection {
     const std::vector<TraceEnd> ends = add_landmark_nodes(system, landmarks);
     const double tolerance = options_.tolerance * scaling_.extent;
     for (const SideArc& arc : sides_.arcs) {
-      add_side_arc(system, arc);
+      if (!arc.collapsed) {
+        add_side_arc(system, arc);
+      }
     }
     for (const AnalysedTrace<Ball>& curve : traced.curves) {
       append_trace(graph, curve, landmarks, ends, scaling_.frame, options_.turning, used_tolerance());
@@ -371,6 +412,11 @@ class Intersection {
     for (const AnalysedContact<Ball>& contact : traced.contacts) {
       append_contact(graph, system, contact, landmarks, ends, scaling_.frame, options_.turning,
                      used_tolerance());
+    }
+    for (const SideArc& arc : sides_.arcs) {
+      if (arc.collapsed) {
+        contract_side(system, arc);
+      }
     }
     for (const Arc& arc : graph.arcs) {
       result_.work.steps["vertices"] += static_cast<double>(arc.polyline.size());
@@ -390,8 +436,10 @@ class Intersection {
   StopRequest stop_;
   SweepData sweep_;
   BoundaryLines sides_;
+  std::vector<bool> on_side_arc_;  // per point
   std::vector<int> star_nodes_;
   std::array<std::optional<std::optional<TurningValues>>, 4> turning_;  // outer: computed
+  const std::optional<TurningValues> unknown_ = std::nullopt;
   IntersectResult result_{};
   double progress_ = 0;
 };
@@ -415,5 +463,3 @@ IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const Inte
 }
 
 }  // namespace exsect
-  std::vector<bool> on_side_arc_;  // per point
-  const std::optional<TurningValues> unknown_ = std::nullopt;

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <memory>
 
+#include "collapsed_line.h"
 #include "line_curve.h"
 #include "line_point.h"
 #include "line_system.h"
 #include "plane_curve.h"
-#include "traced_curves.h"
 #include "shared_line_arcs.h"
+#include "traced_curves.h"
 
 // The arc is traced as the intersection of the other patch with a ribbon p(t) + (h - 1/2) n(t) along the
 // line, n transversal to that patch: there it is regular, with h = 1/2 throughout, even if the two patches
@@ -50,8 +51,8 @@ Point normal_at(const BezierPatch& patch, const Rational& a, const Rational& b) 
 }
 
 constexpr int kMostRuns = 64;
-constexpr int kMostHalvings = 6;
 constexpr const char* kWorkCap = "the work cap was reached";
+constexpr int kMostHalvings = 6;
 
 class LineArcSearch {
  public:
@@ -66,7 +67,6 @@ class LineArcSearch {
         thorough_(thorough) {}
 
   LineArcs run() {
-    if (shape(problem_.line) == LineShape::point) return failed("the line is a single point");
     system_ = std::make_shared<const LineSystem>(line_system(problem_));
     const BivariatePolynomial shared = gcd(system_->first, system_->second);
     if (shared.is_zero()) return failed("the whole other patch lies on the line");
@@ -361,6 +361,7 @@ class LineArcSearch {
 
 LineArcs line_arcs(const BezierPatch& x, const BezierPatch& y, const LineQuery& query,
                    const ModelScale& scale, double tolerance, const StopRequest& stop, bool thorough) {
+  if (shape(line_and_patch(x, y, query).line) == LineShape::point) return arcs_of_collapsed_line(x, y, query);
   return LineArcSearch(x, y, query, scale, tolerance, stop, thorough).run();
 }
 

@@ -574,7 +574,7 @@ class CurveTracing {
     }
     const Parameter along = line_place(query).roles.line;
     if (part.from == part.to) {
-      return false;
+      return sweep_.is_on_sides && sweep_.is_on_sides(query, part.from);
     }
     std::vector<RationalInterval> ends = {part.from.refined_to(power_of_two(-60)).interval(),
                                           part.to.refined_to(power_of_two(-60)).interval()};

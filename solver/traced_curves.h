@@ -37,6 +37,9 @@ struct SweepData {
   std::vector<Rational> samples;                    // of the sweep parameter
   std::vector<std::vector<CertifiedPoint>> fibres;  // exact, one per sample
   std::function<LinePoints(const LineQuery&)> line;  // line_points of the pair
+  /// All lines of the other patch that are one point of this line, at a value along it, are sides of the
+  /// square; false: or not known.
+  std::function<bool(const LineQuery&, const RealAlgebraic&)> is_on_sides;
   std::function<bool(const CertifiedPoint&, Parameter, const Rational&)> has_value;  // false: or not known
   TurningValuesOf turning_of;
   /// Components of T that are known to vanish at a point.

@@ -132,6 +132,10 @@ TEST_CASE("family: two pieces of one surface that have a side in common do not o
   check_images(families::smooth_neighbour(0));
 }
 
+TEST_CASE("family: collapsed side") { check_images(families::collapsed_side()); }
+
+TEST_CASE("family: an arc leaves a collapsed side") { check_images(families::arc_from_collapsed_side()); }
+
 TEST_CASE("family: nearly an overlap is nothing, or one arc") {
   check_images(families::lifted_copy(Rational(1, 1000)));
   check_near(families::lifted_copy);

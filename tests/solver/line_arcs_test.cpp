@@ -129,6 +129,30 @@ TEST_CASE("the polyline of a common line keeps its bound") {
   }
 }
 
+TEST_CASE("a line that is one point is an arc for every point of the other patch there") {
+  const BezierPatch cone = patch_of({{{1, 0}, {1, -1, 0}}, {{1, 1}, {0, 2, 0}}, {{2, 0}, {0, 0, 1}}});
+  // (s - 1/2, (2r - 1)² - 1/4, s - 2 s²): the origin at r = 1/4 and at r = 3/4.
+  const BezierPatch twice = patch_of({{{0, 0}, {q(-1, 2), q(3, 4), 0}},
+                                      {{1, 0}, {0, -4, 0}},
+                                      {{2, 0}, {0, 4, 0}},
+                                      {{0, 1}, {1, 0, 1}},
+                                      {{0, 2}, {0, 0, -2}}});
+  const LineArcs found = arcs_of(cone, twice, {Parameter::u, 0});
+  CHECK(!found.incomplete);
+  REQUIRE(found.arcs.size() == 2);
+  for (const LineArc& arc : found.arcs) {
+    CHECK(arc.collapsed);
+    CHECK(found.ends[arc.from].box()[1].upper == 0);
+    CHECK(found.ends[arc.to].box()[1].lower == 1);
+    CHECK(arc.inside.sides() == std::vector<Side>{{Parameter::u, 0}});
+    const RationalInterval r = arc.inside.box()[2];
+    CHECK((r.lower <= q(1, 4) ? q(1, 4) <= r.upper : r.lower <= q(3, 4) && q(3, 4) <= r.upper));
+    CHECK((arc.inside.box()[3].lower <= q(1, 2) && q(1, 2) <= arc.inside.box()[3].upper));
+  }
+  // A side of the other patch there, too: which pairs of parameters meet is not a set of arcs.
+  CHECK(arcs_of(cone, cone, {Parameter::u, 0}).incomplete);
+}
+
 TEST_CASE("a line through a collapsed line of the other patch") {
   ControlNet collapsed;  // r (1, s, r)
   for (auto& row : collapsed) row.fill(Point{0, 0, 0});

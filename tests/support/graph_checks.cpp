@@ -266,6 +266,10 @@ Comparison compare_with_oracle(const BezierPatch& x, const BezierPatch& y, const
     const bool free =
         std::any_of(graph.arcs.begin(), graph.arcs.end(), [](const Arc& a) { return !a.free.empty(); });
     for (std::size_t i = 0; i < 4 && !free; ++i) {
+      // At a side that is one point arcs end at values of a free parameter that its node does not tell.
+      if (std::any_of(graph.nodes.begin(), graph.nodes.end(),
+                      [&](const Node& node) { return is_free(node, i); }))
+        continue;
       for (const double value : {0.15434, 0.43771, 0.82903}) {
         result.lines += compare_line(x, y, graph, i, value) ? 1 : 0;
       }
