@@ -31,7 +31,11 @@ struct Verdict {
 };
 
 /// Intersects both ways round: the same status and graph, sound and in agreement with the oracle. The time
-/// must keep to `max_seconds` for each, which a pair of small integers never needs.
+/// must keep to `max_seconds` for each, but for a tenth and half a second.
 Verdict check(const random_pairs::Pair& pair, double max_seconds);
+
+/// Where the patch meets itself: sound, and the same status and numbers of components and arcs with the
+/// parameters exchanged.
+Verdict check_self(const BezierPatch& x, double max_seconds);
 
 }  // namespace exsect::fuzz

@@ -1,6 +1,7 @@
 // replay FILE...: checks the kept cases, files of bytes as the fuzz target takes them, or patch files
 // (*.json). replay --random KIND FIRST COUNT: checks COUNT random pairs of the kind (a first byte; -1: of all
-// kinds) and reports how many end incomplete, by reason. Exit status 1 if something does not hold.
+// kinds) and reports how many end incomplete, by reason; --random-self: of the first patch with itself. Exit
+// status 1 if something does not hold.
 #include <exsect/geometry/patch_file.h>
 #include <exsect/geometry/text_file.h>
 
@@ -59,11 +60,13 @@ struct Statistics {
   std::map<std::string, std::pair<int, std::uint64_t>> reasons;  // how often, an example's seed
 };
 
-int statistics(int kind, std::uint64_t first, std::uint64_t count) {
+int statistics(bool self, int kind, std::uint64_t first, std::uint64_t count) {
   Statistics sum;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const auto start = std::chrono::steady_clock::now();
-    const fuzz::Verdict verdict = fuzz::check(fuzz::pair(random_bytes(kind, seed)), kMaxSeconds);
+    const random_pairs::Pair pair = fuzz::pair(random_bytes(kind, seed));
+    const fuzz::Verdict verdict =
+        self ? fuzz::check_self(pair.x, kMaxSeconds) : fuzz::check(pair, kMaxSeconds);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     sum.slowest = std::max(sum.slowest, time.count());
     if (!verdict.violation.empty()) {
@@ -90,8 +93,9 @@ int statistics(int kind, std::uint64_t first, std::uint64_t count) {
 
 int main(int argc, char** argv) try {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (arguments.size() == 4 && arguments[0] == "--random") {
-    return statistics(std::stoi(arguments[1]), std::stoull(arguments[2]), std::stoull(arguments[3]));
+  if (arguments.size() == 4 && (arguments[0] == "--random" || arguments[0] == "--random-self")) {
+    return statistics(arguments[0] == "--random-self", std::stoi(arguments[1]), std::stoull(arguments[2]),
+                      std::stoull(arguments[3]));
   }
   if (arguments.size() == 3 && arguments[0] == "--show") {
     const auto pair = fuzz::pair(random_bytes(std::stoi(arguments[1]), std::stoull(arguments[2])));
