@@ -13,6 +13,9 @@ BoundedVertex to_vertex(const Tube<Ball>& tube, const BallPoint<Ball>& parameter
   return bounded_vertex(parameters, space_point(tube, parameters), frame);
 }
 
+/// Of the parameters of a vertex, which are rounded to doubles.
+constexpr double kVertexRadius = 0x1p-60;
+
 /// A place on the trace: piece and offset.
 struct Station {
   std::size_t piece;
@@ -44,7 +47,7 @@ class PolylineBuilder {
     chord_error_ = std::max(chord_error_, k * step * step / 8 * (1 + 0x1p-40));
     for (int i = 1; i <= (with_end ? n : n - 1); ++i) {
       const double tau = i == n ? b : a + (b - a) * (static_cast<double>(i) / n);
-      add_vertex(to_vertex(tube, point_at(tube, tau), frame_));
+      add_vertex(to_vertex(tube, point_at(tube, tau, kVertexRadius), frame_));
     }
   }
 
@@ -177,7 +180,7 @@ class TraceAppender {
     for (std::size_t i = 0; i < paths.size(); ++i) {
       if (i > 0) {  // the seam of a closed curve
         const Tube<Ball>& tube = curve_.trace.pieces[paths[i].first.piece].tube;
-        builder.add_vertex(to_vertex(tube, point_at(tube, paths[i].first.tau), frame_));
+        builder.add_vertex(to_vertex(tube, point_at(tube, paths[i].first.tau, kVertexRadius), frame_));
       }
       builder.add_path(paths[i].first, paths[i].second);
     }

@@ -1,5 +1,6 @@
 // Newton's method for three equations in four unknowns, one of which is held: preconditioners are 3 x 3
-// matrices of plain doubles. Internal to solver/.
+// matrices of plain doubles, or of midpoints of balls where columns may be nearly dependent. Internal to
+// solver/.
 #pragma once
 
 #include <algorithm>
@@ -59,6 +60,53 @@ BallVector<Ball> preconditioned(const Matrix3& c, const BallVector<Ball>& v) {
   return result;
 }
 
+/// A matrix of balls of radius 0, by rows.
+template <class Ball>
+using BallMatrix = std::array<BallVector<Ball>, 3>;
+
+/// 1/a at the precision of the balls, approximately; empty if that exceeds the range of doubles.
+template <class Ball>
+std::optional<Ball> approximate_reciprocal(const Ball& a) {
+  const double first = 1 / a.approximation();
+  if (!std::isfinite(first)) {
+    return std::nullopt;
+  }
+  const Ball middle = a.midpoint();
+  Ball result(first);
+  for (int correct_bits = 53; correct_bits < 212; correct_bits *= 2) {
+    result = (result * (Ball(2) - middle * result)).midpoint();
+  }
+  return result;
+}
+
+/// The inverse at the precision of the balls, from the midpoints of the columns: an inverse in doubles of
+/// columns that are dependent up to e errs by 2^-53/e relatively, and a slope with that error limits the
+/// reach of tubes.
+template <class Ball>
+std::optional<BallMatrix<Ball>> approximate_inverse(const std::array<BallVector<Ball>, 3>& column) {
+  const auto midpoints = [](const BallVector<Ball>& v) {
+    return BallVector<Ball>{v[0].midpoint(), v[1].midpoint(), v[2].midpoint()};
+  };
+  const BallVector<Ball> a = midpoints(column[0]), b = midpoints(column[1]), c = midpoints(column[2]);
+  BallMatrix<Ball> inverse = {cross(b, c), cross(c, a), cross(a, b)};
+  const std::optional<Ball> reciprocal = approximate_reciprocal(dot(a, inverse[0]));
+  if (!reciprocal) {
+    return std::nullopt;
+  }
+  for (BallVector<Ball>& row : inverse) {
+    for (Ball& entry : row) {
+      entry = (entry * *reciprocal).midpoint();
+    }
+  }
+  return inverse;
+}
+
+/// c v, enclosed.
+template <class Ball>
+BallVector<Ball> preconditioned(const BallMatrix<Ball>& c, const BallVector<Ball>& v) {
+  return {dot(c[0], v), dot(c[1], v), dot(c[2], v)};
+}
+
 template <class Ball>
 double largest_magnitude(const BallVector<Ball>& v) {
   return std::max({v[0].upper_magnitude(), v[1].upper_magnitude(), v[2].upper_magnitude()});
@@ -97,9 +145,10 @@ struct Iterate {
   double residual;
 };
 
-/// p - residual(p), again and again while the residual shrinks by a quarter; coordinate `axis` is held.
+/// p - residual(p), again and again while the residual shrinks by a quarter and is above `enough`; coordinate
+/// `axis` is held.
 template <class Ball, class Residual>
-Iterate<Ball> contracted(BallPoint<Ball> p, std::size_t axis, const Residual& residual) {
+Iterate<Ball> contracted(BallPoint<Ball> p, std::size_t axis, const Residual& residual, double enough = 0) {
   const auto others = other_axes(axis);
   Iterate<Ball> best{p, std::numeric_limits<double>::infinity()};
   for (int i = 0; i < 60; ++i) {
@@ -109,6 +158,9 @@ Iterate<Ball> contracted(BallPoint<Ball> p, std::size_t axis, const Residual& re
       break;
     }
     best = {p, error};
+    if (error <= enough) {
+      break;
+    }
     for (std::size_t row = 0; row < 3; ++row) {
       p[others[row]] = (p[others[row]] - r[row]).midpoint();
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "preconditioned_newton.h"
+
 namespace exsect {
 
 namespace {
@@ -11,6 +13,8 @@ constexpr double kFirstStep = 0.1;
 constexpr double kGoodContraction = 0.25;  // steps are chosen to end near this value
 constexpr double kWorstContraction = 0.5;
 constexpr double kOverlap = 1.02;
+/// Bound of |X''| step^2: where it is larger the bound is a bad one, and chords would have to be very short.
+constexpr double kWorstBend = 4;
 constexpr int kMostPieces = 200000;
 constexpr double kEndWidth = 0x1p-48;  // the ends are known within landmarks, as doubles
 
@@ -18,6 +22,11 @@ template <class Ball>
 constexpr double kLeastStep = 0x1p-40;
 template <>
 inline constexpr double kLeastStep<ArbBall<256>> = 0x1p-110;
+
+template <class Ball>
+constexpr int kNewtonSteps = 2;
+template <>
+inline constexpr int kNewtonSteps<ArbBall<256>> = 4;
 
 /// Tubes are wide enough to contain the boxes of landmarks and fibre points, of widths 2^-50 and 2^-200.
 template <class Ball>
@@ -86,19 +95,24 @@ class Tracer {
   }
 
   std::optional<Tube<Ball>> next_tube(const BallPoint<Ball>& tangent, std::size_t axis) const {
+    const auto reciprocal = approximate_reciprocal(tangent[axis]);
+    if (!reciprocal) {
+      return std::nullopt;
+    }
     BallPoint<Ball> guess;
     for (std::size_t j = 0; j < 4; ++j) {
-      const double slope = j == axis ? 1 : tangent[j].approximation() / tangent[axis].approximation();
-      guess[j] = (position_[j] + Ball(0.5 * direction_ * step_ * slope)).midpoint();
+      const Ball slope = j == axis ? Ball(1) : tangent[j] * *reciprocal;
+      guess[j] = (position_[j] + Ball(0.5 * direction_ * step_) * slope).midpoint();
     }
-    const auto centre = newton_corrected(system_, guess, axis, 2);
+    const auto centre = newton_corrected(system_, guess, axis, kNewtonSteps<Ball>);
     if (!centre) {
       return std::nullopt;
     }
     const double radius = largest_radius(position_);
     auto tube = certify_tube(system_, *centre, axis, 0.5 * kOverlap * step_ + 2 * radius,
                              std::max(4 * radius, kLeastTube<Ball>));
-    if (!tube || tube->contraction > kWorstContraction || !contains(*tube, position_)) {
+    if (!tube || tube->contraction > kWorstContraction ||
+        tube->space_second_derivative * step_ * step_ > kWorstBend || !contains(*tube, position_)) {
       return std::nullopt;
     }
     return tube;

@@ -14,6 +14,12 @@ namespace {
 // half width accepted (2^-500).
 constexpr double kSlack = 1 + 0x1p-40;
 constexpr double kLeastHalfwidth = 0x1p-500;
+/// Half widths that are tried, each time this much wider than the image of the last ones.
+constexpr int kMostWidths = 5;
+constexpr double kWidening = 1.5;
+constexpr int kRowSteps = 4;
+/// Tubes are wider than their points are uncertain, by this factor, so that these are known to be inside.
+constexpr double kRoom = 8;
 
 using Row = Row3;
 
@@ -21,13 +27,9 @@ using Row = Row3;
 constexpr std::size_t column_index(std::size_t j) { return j % 2 == 0 ? 3 : 1; }
 
 template <class Ball>
-std::optional<Matrix3> preconditioner(const Expansion<Ball>& at, const std::array<std::size_t, 3>& others) {
-  std::array<Row, 3> columns;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const BallVector<Ball> c = at.column(others[i]);
-    columns[i] = {c[0].approximation(), c[1].approximation(), c[2].approximation()};
-  }
-  return approximate_inverse(columns);
+std::optional<BallMatrix<Ball>> preconditioner(const Expansion<Ball>& at,
+                                               const std::array<std::size_t, 3>& others) {
+  return approximate_inverse<Ball>({at.column(others[0]), at.column(others[1]), at.column(others[2])});
 }
 
 /// Magnitudes of one Taylor net's coefficient rows: m[index][row].
@@ -42,11 +44,52 @@ Magnitudes magnitudes(const TaylorNet<Ball>& net) {
   return m;
 }
 
-/// Bounds of the variation of the two first derivatives of a biquadratic net over |a| <= ha, |b| <= hb.
+/// Bounds of the variation of the two first derivatives of a biquadratic net.
 struct Variation {
   double first;
   double second;
 };
+
+/// The first derivatives of a biquadratic net along the line tau (da, db): for each of the two the magnitudes
+/// of the coefficients of tau, tau² and tau³, by rows. Where two branches run side by side the net has large
+/// coefficients that cancel along them.
+struct AlongLine {
+  std::array<Row, 3> first{};
+  std::array<Row, 3> second{};
+};
+template <class Ball>
+AlongLine along_line(const TaylorNet<Ball>& g, const Ball& da, const Ball& db) {
+  AlongLine result;
+  const Ball two(2);
+  for (std::size_t row = 0; row < 3; ++row) {
+    const auto c = [&](std::size_t k) { return g[k][row]; };
+    result.first[0][row] = (two * c(6) * da + c(4) * db).upper_magnitude();
+    result.first[1][row] = (two * c(7) * da * db + c(5) * db * db).upper_magnitude();
+    result.first[2][row] = (two * c(8) * da * db * db).upper_magnitude();
+    result.second[0][row] = (two * c(2) * db + c(4) * da).upper_magnitude();
+    result.second[1][row] = (two * c(5) * da * db + c(7) * da * da).upper_magnitude();
+    result.second[2][row] = (two * c(8) * da * da * db).upper_magnitude();
+  }
+  return result;
+}
+
+/// |sum of coefficient times tau^k| for |tau| <= reach.
+double along(const std::array<Row, 3>& coefficient, std::size_t row, double reach) {
+  return reach * (coefficient[0][row] + reach * (coefficient[1][row] + reach * coefficient[2][row]));
+}
+
+/// Bounds of the difference of the first derivatives at tau (da, db) + (ea, eb) and on the line, |tau da| <=
+/// la, |ea| <= za and so on: products of sums less products of their first terms.
+Variation off_line(const Magnitudes& m, std::size_t row, double la, double lb, double za, double zb) {
+  const double ha = la + za;
+  const double hb = lb + zb;
+  const double ab = za * hb + la * zb;
+  return {2 * m[6][row] * za + m[4][row] * zb + 2 * m[7][row] * ab + m[5][row] * zb * (hb + lb) +
+              2 * m[8][row] * (za * hb * hb + la * zb * (hb + lb)),
+          2 * m[2][row] * zb + m[4][row] * za + 2 * m[5][row] * ab + m[7][row] * za * (ha + la) +
+              2 * m[8][row] * (zb * ha * ha + lb * za * (ha + la))};
+}
+
 Variation variation(const Magnitudes& m, std::size_t row, double ha, double hb) {
   return {2 * m[6][row] * ha + m[4][row] * hb + 2 * m[7][row] * ha * hb + m[5][row] * hb * hb +
               2 * m[8][row] * ha * hb * hb,
@@ -56,25 +99,41 @@ Variation variation(const Magnitudes& m, std::size_t row, double ha, double hb) 
 
 /// One row of the quadratic form of second derivatives at w' = d (signed, at the centre) is twice this.
 template <class Ball>
-Ball quadratic_term(const TaylorNet<Ball>& g, std::size_t row, double da, double db) {
-  return g[6][row] * Ball(da * da).widened(0x1p-52 * da * da) +
-         g[4][row] * Ball(da * db).widened(0x1p-52 * std::fabs(da * db)) +
-         g[2][row] * Ball(db * db).widened(0x1p-52 * db * db);
+Ball quadratic_term(const TaylorNet<Ball>& g, std::size_t row, const Ball& da, const Ball& db) {
+  return g[6][row] * (da * da) + g[4][row] * (da * db) + g[2][row] * (db * db);
 }
 
 /// Bound of the deviation of the quadratic form D2(box)[w', w'] from its value at the centre with w' = d, one
-/// patch.
-double quadratic_deviation(const Magnitudes& m, std::size_t row, const double* d, const double* delta,
-                           const double* h) {
+/// patch: by D2[d] delta twice, D2[delta, delta], and the change of D2 over the box.
+double quadratic_deviation(const Magnitudes& m, const AlongLine& line, std::size_t row, const double* d,
+                           const double* delta, const double* h) {
   const double a0 = std::fabs(d[0]) + delta[0];
   const double a1 = std::fabs(d[1]) + delta[1];
-  const double at_centre = 2 * m[6][row] * delta[0] * (a0 + std::fabs(d[0])) +
-                           2 * m[4][row] * (delta[0] * std::fabs(d[1]) + a0 * delta[1]) +
-                           2 * m[2][row] * delta[1] * (a1 + std::fabs(d[1]));
+  const double at_centre = 2 * (line.first[0][row] * delta[0] + line.second[0][row] * delta[1]) +
+                           2 * (m[6][row] * delta[0] * delta[0] + m[4][row] * delta[0] * delta[1] +
+                                m[2][row] * delta[1] * delta[1]);
   const double higher = 2 * (m[7][row] * h[1] + m[8][row] * h[1] * h[1]) * a0 * a0 +
                         4 * (m[7][row] * h[0] + m[5][row] * h[1] + 2 * m[8][row] * h[0] * h[1]) * a0 * a1 +
                         2 * (m[5][row] * h[0] + m[8][row] * h[0] * h[0]) * a1 * a1;
   return at_centre + higher;
+}
+
+/// C F(p + offset), by the premultiplied Taylor nets.
+template <class Ball>
+BallVector<Ball> premultiplied_value(const Tube<Ball>& tube, const BallPoint<Ball>& o) {
+  BallVector<Ball> sum;
+  for (std::size_t p = 0; p < 2; ++p) {
+    const TaylorNet<Ball>& g = tube.premultiplied[p];
+    const Ball& a = o[2 * p];
+    const Ball& b = o[2 * p + 1];
+    for (std::size_t row = 0; row < 3; ++row) {
+      const Ball c0 = g[0][row] + b * (g[1][row] + b * g[2][row]);
+      const Ball c1 = g[3][row] + b * (g[4][row] + b * g[5][row]);
+      const Ball c2 = g[6][row] + b * (g[7][row] + b * g[8][row]);
+      sum[row] += c0 + a * (c1 + a * c2);
+    }
+  }
+  return sum;
 }
 
 /// |C F(p + tau d)| for |tau| <= reach: F is a quartic in tau along the line.
@@ -91,8 +150,8 @@ double residual_bound(const Tube<Ball>& tube, std::size_t row) {
     const TaylorNet<Ball>& g = tube.premultiplied[p];
     const double da = d[2 * p];
     const double db = d[2 * p + 1];
-    linear += g[3][row] * Ball(da) + g[1][row] * Ball(db);
-    second += quadratic_term(g, row, da, db);
+    linear += g[3][row] * tube.direction[2 * p] + g[1][row] * tube.direction[2 * p + 1];
+    second += quadratic_term(g, row, tube.direction[2 * p], tube.direction[2 * p + 1]);
     cubic += std::fabs(da * da * db) * g[7][row].upper_magnitude() +
              std::fabs(da * db * db) * g[5][row].upper_magnitude();
     quartic += da * da * db * db * g[8][row].upper_magnitude();
@@ -103,57 +162,104 @@ double residual_bound(const Tube<Ball>& tube, std::size_t row) {
                    t * (linear.upper_magnitude() + t * (quadratic + t * (cubic + t * quartic))));
 }
 
-/// Row sums of |C D_j(box) - ideal|, ideal = identity for j != axis and -d for j = axis.
+/// Bound of |tau d_j|.
+template <class Ball>
+double on_line(const Tube<Ball>& tube, std::size_t j) {
+  return kSlack * std::fabs(tube.slope[j]) * tube.reach;
+}
+
+/// |C D_j(box) - ideal| by rows, ideal = identity for j != axis and -d for j = axis.
 template <class Ball>
 std::array<Row, 4> jacobian_deviation(const Tube<Ball>& tube, const std::array<Magnitudes, 2>& m,
-                                      const std::array<std::size_t, 3>& others,
-                                      const std::array<double, 4>& h) {
+                                      const std::array<AlongLine, 2>& lines,
+                                      const std::array<std::size_t, 3>& others) {
   std::array<Row, 4> e{};
+  for (std::size_t p = 0; p < 2; ++p) {
+    const double la = on_line(tube, 2 * p);
+    const double lb = on_line(tube, 2 * p + 1);
+    for (std::size_t row = 0; row < 3; ++row) {
+      const Variation v = off_line(m[p], row, la, lb, tube.halfwidth[2 * p], tube.halfwidth[2 * p + 1]);
+      e[2 * p][row] = along(lines[p].first, row, tube.reach) + v.first;
+      e[2 * p + 1][row] = along(lines[p].second, row, tube.reach) + v.second;
+    }
+  }
   for (std::size_t j = 0; j < 4; ++j) {
     for (std::size_t row = 0; row < 3; ++row) {
       const Ball entry = tube.premultiplied[j / 2][column_index(j)][row];
-      const double ideal = j == tube.axis ? -tube.slope[others[row]] : (others[row] == j ? 1.0 : 0.0);
-      const Variation v = variation(m[j / 2], row, h[j / 2 * 2], h[j / 2 * 2 + 1]);
-      e[j][row] = kSlack * ((entry - Ball(ideal)).upper_magnitude() + (j % 2 == 0 ? v.first : v.second));
+      const Ball ideal = j == tube.axis ? -tube.direction[others[row]] : Ball(others[row] == j ? 1.0 : 0.0);
+      e[j][row] = kSlack * ((entry - ideal).upper_magnitude() + e[j][row]);
     }
   }
   return e;
 }
 
+/// base + E bound, by rows.
+Row through(const std::array<Row, 4>& e, const std::array<std::size_t, 3>& others, const Row& base,
+            const Row& bound) {
+  Row result{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    double sum = base[row];
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum += e[others[i]][row] * bound[i];
+    }
+    result[row] = kSlack * sum;
+  }
+  return result;
+}
+
+/// Bounds of |t| for any t with |t_i| <= base_i + sum E_ij |t_j|: the largest one first, by rho, and then row
+/// by row, since the rows may be of very different size.
+Row bound_solution(const std::array<Row, 4>& e, const std::array<std::size_t, 3>& others, const Row& base,
+                   double contraction) {
+  const double largest = *std::max_element(base.begin(), base.end());
+  Row bound;
+  for (std::size_t row = 0; row < 3; ++row) {
+    bound[row] = kSlack * (base[row] + contraction / (1 - contraction) * kSlack * largest);
+  }
+  for (int step = 0; step < kRowSteps; ++step) {
+    const Row next = through(e, others, base, bound);
+    for (std::size_t row = 0; row < 3; ++row) {
+      bound[row] = std::min(bound[row], next[row]);
+    }
+  }
+  return bound;
+}
+
 template <class Ball>
 void bound_derivatives(Tube<Ball>& tube, const std::array<Magnitudes, 2>& m,
-                       const std::array<std::size_t, 3>& others, const std::array<double, 4>& h,
-                       const std::array<Row, 4>& e) {
-  const double amplification = tube.contraction / (1 - tube.contraction) * kSlack;
+                       const std::array<AlongLine, 2>& lines, const std::array<std::size_t, 3>& others,
+                       const std::array<double, 4>& h, const std::array<Row, 4>& e) {
   Row g{};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t j = 0; j < 4; ++j) {
-      g[row] += e[j][row] * std::fabs(tube.slope[j]);
+      g[row] += e[j][row] * std::fabs(tube.slope[j]) * (1 + 0x1p-50);
     }
   }
-  const double largest = *std::max_element(g.begin(), g.end());
+  const Row first = bound_solution(e, others, g, tube.contraction);
   tube.slope_error = {};
   for (std::size_t row = 0; row < 3; ++row) {
-    tube.slope_error[others[row]] = kSlack * (g[row] + amplification * largest);
+    const double rounding = 0x1p-52 * std::fabs(tube.slope[others[row]]);  // of d to doubles
+    tube.slope_error[others[row]] = kSlack * (first[row] + rounding);
   }
   Row deviation{};
-  double largest_second = 0;
+  Row base{};
   tube.second = {};
   tube.second_error = {};
   for (std::size_t row = 0; row < 3; ++row) {
     Ball form;
     for (std::size_t p = 0; p < 2; ++p) {
-      form += quadratic_term(tube.premultiplied[p], row, tube.slope[2 * p], tube.slope[2 * p + 1]);
+      form += quadratic_term(tube.premultiplied[p], row, tube.direction[2 * p], tube.direction[2 * p + 1]);
       deviation[row] +=
-          quadratic_deviation(m[p], row, &tube.slope[2 * p], &tube.slope_error[2 * p], &h[2 * p]);
+          quadratic_deviation(m[p], lines[p], row, &tube.slope[2 * p], &tube.slope_error[2 * p], &h[2 * p]);
     }
     const double centre = form.approximation();
     deviation[row] += 2 * (form - Ball(centre)).upper_magnitude();
     tube.second[others[row]] = -2 * centre;
-    largest_second = std::max(largest_second, std::fabs(2 * centre) + deviation[row]);
+    base[row] = kSlack * (std::fabs(2 * centre) + deviation[row]);
   }
+  const Row second_error = through(e, others, deviation, bound_solution(e, others, base, tube.contraction));
   for (std::size_t row = 0; row < 3; ++row) {
-    tube.second_error[others[row]] = kSlack * (deviation[row] + amplification * largest_second);
+    tube.second_error[others[row]] = second_error[row];
   }
 }
 
@@ -176,6 +282,53 @@ double bound_space_second_derivative(const Tube<Ball>& tube, const std::array<do
     sum += bound * bound;
   }
   return kSlack * std::sqrt(sum);
+}
+
+/// About how well points of the curve on the tube can be enclosed.
+template <class Ball>
+double uncertainty(const Tube<Ball>& tube) {
+  BallPoint<Ball> end;
+  for (std::size_t j = 0; j < 4; ++j) {
+    end[j] = (Ball(tube.reach) * tube.direction[j]).midpoint();
+  }
+  const BallVector<Ball> f = premultiplied_value(tube, end);
+  return std::max({largest_magnitude(premultiplied_value(tube, BallPoint<Ball>{})), f[0].radius(),
+                   f[1].radius(), f[2].radius()});
+}
+
+/// Bounds of |w_j - p_j| over the tube's region.
+template <class Ball>
+std::array<double, 4> farthest(const Tube<Ball>& tube) {
+  std::array<double, 4> h{};
+  for (std::size_t j = 0; j < 4; ++j) {
+    h[j] = kSlack * (on_line(tube, j) + tube.halfwidth[j]);
+  }
+  return h;
+}
+
+/// The image f + E Z of Krawczyk's operator by rows, whether it lies strictly inside Z, and the largest row
+/// sum of E.
+struct Image {
+  Row bound;
+  bool inside;
+  double contraction;
+};
+template <class Ball>
+Image krawczyk_image(const Tube<Ball>& tube, const std::array<std::size_t, 3>& others, const Row& f,
+                     const std::array<Row, 4>& e) {
+  Image image{{}, true, 0};
+  for (std::size_t row = 0; row < 3; ++row) {
+    double sum = 0;
+    double reached = f[row];
+    for (const std::size_t j : others) {
+      sum += e[j][row];
+      reached += e[j][row] * tube.halfwidth[j];
+    }
+    image.bound[row] = kSlack * reached;
+    image.inside = image.inside && image.bound[row] < tube.halfwidth[others[row]];
+    image.contraction = std::max(image.contraction, kSlack * sum);
+  }
+  return image;
 }
 
 }  // namespace
@@ -201,37 +354,46 @@ std::optional<Tube<Ball>> certify_tube(const PairSystem<Ball>& system, const Bal
     tube.premultiplied[1][i] = preconditioned(*c, BallVector<Ball>{-at.y[i][0], -at.y[i][1], -at.y[i][2]});
   }
   tube.space = at.x;
-  tube.slope[axis] = 1;
+  tube.direction[axis] = Ball(1);
   for (std::size_t row = 0; row < 3; ++row) {
-    tube.slope[others[row]] = -tube.premultiplied[axis / 2][column_index(axis)][row].approximation();
+    tube.direction[others[row]] = -tube.premultiplied[axis / 2][column_index(axis)][row].midpoint();
+  }
+  for (std::size_t j = 0; j < 4; ++j) {
+    tube.slope[j] = tube.direction[j].approximation();
   }
   Row f{};
   for (std::size_t row = 0; row < 3; ++row) {
     f[row] = residual_bound(tube, row);
   }
-  tube.halfwidth = std::max({2 * *std::max_element(f.begin(), f.end()), least_halfwidth, kLeastHalfwidth});
-  std::array<double, 4> h{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    h[j] = kSlack * (std::fabs(tube.slope[j]) * reach + (j == axis ? 0 : tube.halfwidth));
+  const double least = std::max({least_halfwidth, kLeastHalfwidth, kRoom * uncertainty(tube)});
+  tube.halfwidth = {};
+  for (std::size_t row = 0; row < 3; ++row) {
+    tube.halfwidth[others[row]] = std::max(2 * f[row], least);
   }
   const std::array<Magnitudes, 2> m = {magnitudes(tube.premultiplied[0]), magnitudes(tube.premultiplied[1])};
-  const auto e = jacobian_deviation(tube, m, others, h);
-  tube.contraction = 0;
-  for (std::size_t row = 0; row < 3; ++row) {
-    double sum = 0;
-    for (const std::size_t j : others) {
-      sum += e[j][row];
-    }
-    sum *= kSlack;
-    // Krawczyk: the image f + E Z lies strictly inside Z.
-    if (!((f[row] + sum * tube.halfwidth) * kSlack < tube.halfwidth)) {
+  const std::array<AlongLine, 2> lines = {
+      along_line(tube.premultiplied[0], tube.direction[0], tube.direction[1]),
+      along_line(tube.premultiplied[1], tube.direction[2], tube.direction[3])};
+  for (int attempt = 0; attempt < kMostWidths; ++attempt) {
+    const auto e = jacobian_deviation(tube, m, lines, others);
+    const Image image = krawczyk_image(tube, others, f, e);
+    tube.contraction = image.contraction;
+    if (!(image.contraction < 1)) {
       return std::nullopt;
     }
-    tube.contraction = std::max(tube.contraction, sum);
+    if (image.inside) {
+      tube.deviation = e;
+      const std::array<double, 4> h = farthest(tube);
+      bound_derivatives(tube, m, lines, others, h, e);
+      tube.space_second_derivative = bound_space_second_derivative(tube, h);
+      return tube;
+    }
+    for (std::size_t row = 0; row < 3; ++row) {
+      double& z = tube.halfwidth[others[row]];
+      z = std::max(z, kWidening * image.bound[row]);
+    }
   }
-  bound_derivatives(tube, m, others, h, e);
-  tube.space_second_derivative = bound_space_second_derivative(tube, h);
-  return tube;
+  return std::nullopt;
 }
 
 template <class Ball>
@@ -245,54 +407,35 @@ std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>& system, 
   });
 }
 
-namespace {
-
-/// C F(p + offset), by the premultiplied Taylor nets.
 template <class Ball>
-BallVector<Ball> premultiplied_value(const Tube<Ball>& tube, const BallPoint<Ball>& o) {
-  BallVector<Ball> sum;
-  for (std::size_t p = 0; p < 2; ++p) {
-    const TaylorNet<Ball>& g = tube.premultiplied[p];
-    const Ball& a = o[2 * p];
-    const Ball& b = o[2 * p + 1];
-    for (std::size_t row = 0; row < 3; ++row) {
-      const Ball c0 = g[0][row] + b * (g[1][row] + b * g[2][row]);
-      const Ball c1 = g[3][row] + b * (g[4][row] + b * g[5][row]);
-      const Ball c2 = g[6][row] + b * (g[7][row] + b * g[8][row]);
-      sum[row] += c0 + a * (c1 + a * c2);
-    }
-  }
-  return sum;
-}
-
-}  // namespace
-
-template <class Ball>
-BallPoint<Ball> point_at(const Tube<Ball>& tube, double tau) {
+BallPoint<Ball> point_at(const Tube<Ball>& tube, double tau, double enough) {
   const auto others = other_axes(tube.axis);
   BallPoint<Ball> o;
   o[tube.axis] = Ball(tau);
   for (const std::size_t j : others) {
-    o[j] = (Ball(tau) * Ball(tube.slope[j]) + Ball(0.5 * tau * tau) * Ball(tube.second[j])).midpoint();
+    o[j] = (Ball(tau) * tube.direction[j] + Ball(0.5 * tau * tau) * Ball(tube.second[j])).midpoint();
   }
-  // |w - w*| <= |C F(w)| / (1 - rho) for any w in the region; iterate w - C F(w) while that shrinks.
-  auto [best_offset, best] = contracted<Ball>(
-      o, tube.axis, [&](const BallPoint<Ball>& at) { return premultiplied_value(tube, at); });
-  double radius = kSlack * best / (1 - tube.contraction);
+  // |w - w*| <= |C F(w)| + E |w - w*| for any w in the region; iterate w - C F(w) while that shrinks.
+  const BallPoint<Ball> best_offset =
+      contracted<Ball>(
+          o, tube.axis, [&](const BallPoint<Ball>& at) { return premultiplied_value(tube, at); }, enough)
+          .point;
+  const BallVector<Ball> f = premultiplied_value(tube, best_offset);
+  const Row radius = bound_solution(tube.deviation, others,
+                                    {f[0].upper_magnitude(), f[1].upper_magnitude(), f[2].upper_magnitude()},
+                                    tube.contraction);
   bool inside = true;
   for (const std::size_t j : others) {
-    const Ball from_line = best_offset[j] - Ball(tau) * Ball(tube.slope[j]);
-    inside = inside && from_line.upper_magnitude() <= tube.halfwidth;
-  }
-  if (!inside) {  // the bound holds in the region only; the region itself is an enclosure
-    for (const std::size_t j : others) {
-      best_offset[j] = Ball(tau) * Ball(tube.slope[j]);
-    }
-    radius = tube.halfwidth;
+    const Ball from_line = best_offset[j] - Ball(tau) * tube.direction[j];
+    inside = inside && from_line.upper_magnitude() <= tube.halfwidth[j];
   }
   BallPoint<Ball> result;
-  for (std::size_t j = 0; j < 4; ++j) {
-    result[j] = tube.centre[j] + (j == tube.axis ? Ball(tau) : best_offset[j].widened(radius));
+  result[tube.axis] = tube.centre[tube.axis] + Ball(tau);
+  for (std::size_t row = 0; row < 3; ++row) {
+    const std::size_t j = others[row];
+    // The bound holds in the region only; the region itself is an enclosure.
+    result[j] = tube.centre[j] + (inside ? best_offset[j].widened(radius[row])
+                                         : (Ball(tau) * tube.direction[j]).widened(tube.halfwidth[j]));
   }
   return result;
 }
@@ -324,8 +467,8 @@ bool contains(const Tube<Ball>& tube, const BallPoint<Ball>& box) {
     return false;
   }
   for (const std::size_t j : other_axes(tube.axis)) {
-    const Ball from_line = box[j] - tube.centre[j] - tau * Ball(tube.slope[j]);
-    if (!(from_line.upper_magnitude() <= tube.halfwidth)) {
+    const Ball from_line = box[j] - tube.centre[j] - tau * tube.direction[j];
+    if (!(from_line.upper_magnitude() <= tube.halfwidth[j])) {
       return false;
     }
   }
@@ -355,7 +498,7 @@ bool excludes(const Tube<Ball>& tube, const BallPoint<Ball>& box) {
                                                   std::size_t, double, double);                             \
   template std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>&, const BallPoint<Ball>&, \
                                                            std::size_t, int);                               \
-  template BallPoint<Ball> point_at(const Tube<Ball>&, double);                                             \
+  template BallPoint<Ball> point_at(const Tube<Ball>&, double, double);                                     \
   template BallVector<Ball> space_point(const Tube<Ball>&, const BallPoint<Ball>&);                         \
   template Ball offset(const Tube<Ball>&, const BallPoint<Ball>&);                                          \
   template bool contains(const Tube<Ball>&, const BallPoint<Ball>&);                                        \

@@ -14,7 +14,7 @@
 namespace exsect {
 
 /// Invariant (proved by certify_tube): for every tau in [-reach, reach] there is exactly one point w of the
-/// curve F = 0 with w_k = p_k + tau and |w_i - p_i - tau d_i| <= halfwidth for i != k; the three columns
+/// curve F = 0 with w_k = p_k + tau and |w_i - p_i - tau d_i| <= halfwidth_i for i != k; the three columns
 /// other than k of the Jacobian are independent on the whole region, where the matrix C DF has distance at
 /// most rho < 1 from the identity (row sum norm). So the region holds one regular arc of the curve, a graph
 /// over tau, and nothing else.
@@ -22,10 +22,15 @@ template <class Ball>
 struct Tube {
   BallPoint<Ball> centre;  // radius 0
   std::size_t axis;
-  std::array<double, 4> slope;
+  BallPoint<Ball> direction;    // d, radius 0
+  std::array<double, 4> slope;  // d in doubles
   double reach;
-  double halfwidth;
+  /// One for each coordinate, 0 for k: where two branches are near each other, the coordinate that tells
+  /// them apart needs a narrow tube, the others a wide one.
+  std::array<double, 4> halfwidth;
   double contraction;
+  /// By columns j: bounds of |C D_j - ideal| on the region, ideal the identity, or -d for j = k.
+  std::array<std::array<double, 3>, 4> deviation;
   /// w'(tau) lies in slope +- slope_error, w''(tau) in second +- second_error, on all of the tube.
   std::array<double, 4> slope_error;
   std::array<double, 4> second;
@@ -39,7 +44,7 @@ struct Tube {
   double space_second_derivative;
 };
 
-/// The tube around `centre` (its midpoints are used) over tau in [-reach, reach], half width at least
+/// The tube around `centre` (its midpoints are used) over tau in [-reach, reach], half widths at least
 /// `least_halfwidth`; empty if it cannot be proved with these numbers.
 template <class Ball>
 std::optional<Tube<Ball>> certify_tube(const PairSystem<Ball>& system, const BallPoint<Ball>& centre,
@@ -51,9 +56,9 @@ template <class Ball>
 std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>& system, const BallPoint<Ball>& start,
                                                 std::size_t axis, int steps);
 
-/// An enclosure of the curve's point at tau, |tau| <= reach.
+/// An enclosure of the curve's point at tau, |tau| <= reach; work ends when its radius is about `enough`.
 template <class Ball>
-BallPoint<Ball> point_at(const Tube<Ball>& tube, double tau);
+BallPoint<Ball> point_at(const Tube<Ball>& tube, double tau, double enough = 0);
 /// An enclosure of the space position (in the scaled system) over an enclosure of parameters near the tube.
 template <class Ball>
 BallVector<Ball> space_point(const Tube<Ball>& tube, const BallPoint<Ball>& parameters);

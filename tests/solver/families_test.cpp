@@ -57,6 +57,13 @@ TEST_CASE("family: nearly a tangent curve is nothing on one side") {
   }
 }
 
+TEST_CASE("family: nearly a tangent curve is two arcs on the other side") {
+  for (const Plane plane : families::all_planes) {
+    check_near([=](const Rational& e) { return families::near_sheets(e, plane); });
+  }
+  check_images(families::near_sheets(Rational(1, Integer(1000000000000)), Plane::bilinear));
+}
+
 TEST_CASE("family: touch point") {
   for (const Plane plane : families::all_planes) check_images(families::cap(0, plane));
 }
