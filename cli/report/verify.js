@@ -18,7 +18,7 @@ function claimGlyph(paint) {
 
 function verdictInSpace() {
   if (!view) return;
-  for (const gap of report.gaps) view.wireGroup.add(view.wire(gap.map((vertex) => vertex.slice(4)), '--gap', 9, {opacity: 0.55, order: 4}));
+  for (const gap of report.gaps) view.wireGroup.add(view.wire(gap.map((vertex) => vertex.slice(4)), '--gap', 9, {opacity: 0.9, order: 4}));
   for (const curve of report.candidate.curves) {
     view.wireGroup.add(view.wire(strandInSpace(curve[0]), '--ink', 1.8, {dashes: [0.02, 0.02], order: 5}));
     for (const strand of curve)
