@@ -138,11 +138,11 @@ std::optional<BallPoint<Ball>> newton_steps(const BallPoint<Ball>& start, std::s
   return p;
 }
 
-/// A point and an upper bound of the preconditioned residual there.
+/// A point and upper bounds of the preconditioned residual there, by rows.
 template <class Ball>
 struct Iterate {
   BallPoint<Ball> point;
-  double residual;
+  Row3 residual;
 };
 
 /// p - residual(p), again and again while the residual shrinks by a quarter and is above `enough`; coordinate
@@ -150,14 +150,16 @@ struct Iterate {
 template <class Ball, class Residual>
 Iterate<Ball> contracted(BallPoint<Ball> p, std::size_t axis, const Residual& residual, double enough = 0) {
   const auto others = other_axes(axis);
-  Iterate<Ball> best{p, std::numeric_limits<double>::infinity()};
+  double least = std::numeric_limits<double>::infinity();
+  Iterate<Ball> best{p, {least, least, least}};
   for (int i = 0; i < 60; ++i) {
     const BallVector<Ball> r = residual(p);
     const double error = largest_magnitude(r);
-    if (!(error < 0.75 * best.residual)) {
+    if (!(error < 0.75 * least)) {
       break;
     }
-    best = {p, error};
+    least = error;
+    best = {p, {r[0].upper_magnitude(), r[1].upper_magnitude(), r[2].upper_magnitude()}};
     if (error <= enough) {
       break;
     }

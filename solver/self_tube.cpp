@@ -287,9 +287,9 @@ BallPoint<Ball> point_at(const ChartTube<Ball>& tube, double tau) {
     o[j] = j == tube.axis ? Ball(tau) : (Ball(tau) * Ball(tube.slope[j])).midpoint();
   }
   // |z - z*| <= |C H(z)| / (1 - rho) for any z in the region; iterate z - C H(z) while that shrinks.
-  auto [best_offset, best] = contracted<Ball>(
+  auto [best_offset, residual] = contracted<Ball>(
       o, tube.axis, [&](const BallPoint<Ball>& at) { return value_at<Ball, 2>(tube.premultiplied, at); });
-  double radius = kSlack * best / (1 - tube.contraction);
+  double radius = kSlack * *std::max_element(residual.begin(), residual.end()) / (1 - tube.contraction);
   bool inside = true;
   for (const std::size_t j : others) {
     const Ball from_line = best_offset[j] - Ball(tau) * Ball(tube.slope[j]);

@@ -242,11 +242,11 @@ BallPoint<Ball> point_at(const PairSystem<Ball>& system, const TangentialTube<Ba
     w[j] = tube.centre[j] + Ball(tau) * Ball(tube.slope[j]);
     w[j] = j == tube.axis ? w[j] : w[j].midpoint();
   }
-  auto [best_point, best] = contracted<Ball>(w, tube.axis, [&](const BallPoint<Ball>& at) {
+  auto [best_point, residual] = contracted<Ball>(w, tube.axis, [&](const BallPoint<Ball>& at) {
     return preconditioned(tube.preconditioner,
                           contact_value(Expansion<Ball>(system, at), tube.rows, tube.axis));
   });
-  const double radius = kSlack * best / (1 - tube.contraction);
+  const double radius = kSlack * *std::max_element(residual.begin(), residual.end()) / (1 - tube.contraction);
   for (const std::size_t j : others) {
     const bool inside = from_line(tube, best_point, Ball(tau), j).upper_magnitude() <= tube.halfwidth;
     if (!inside || !(radius < tube.halfwidth)) {  // the bound holds in the region only

@@ -416,14 +416,9 @@ BallPoint<Ball> point_at(const Tube<Ball>& tube, double tau, double enough) {
     o[j] = (Ball(tau) * tube.direction[j] + Ball(0.5 * tau * tau) * Ball(tube.second[j])).midpoint();
   }
   // |w - w*| <= |C F(w)| + E |w - w*| for any w in the region; iterate w - C F(w) while that shrinks.
-  const BallPoint<Ball> best_offset =
-      contracted<Ball>(
-          o, tube.axis, [&](const BallPoint<Ball>& at) { return premultiplied_value(tube, at); }, enough)
-          .point;
-  const BallVector<Ball> f = premultiplied_value(tube, best_offset);
-  const Row radius = bound_solution(tube.deviation, others,
-                                    {f[0].upper_magnitude(), f[1].upper_magnitude(), f[2].upper_magnitude()},
-                                    tube.contraction);
+  const auto [best_offset, residual] = contracted<Ball>(
+      o, tube.axis, [&](const BallPoint<Ball>& at) { return premultiplied_value(tube, at); }, enough);
+  const Row radius = bound_solution(tube.deviation, others, residual, tube.contraction);
   bool inside = true;
   for (const std::size_t j : others) {
     const Ball from_line = best_offset[j] - Ball(tau) * tube.direction[j];
