@@ -1,0 +1,256 @@
+#include "certificate.h"
+
+#include <exsect/geometry/number.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace exsect::checker {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view parameter_letters = "uvrs";
+
+/// A value with its place. Everything that is not of the required form is rejected.
+class Value {
+ public:
+  Value(const Json& json, std::string place) : json_(json), place_(std::move(place)) {}
+
+  [[noreturn]] void reject(const std::string& reason) const { throw Rejected(place_, reason); }
+  void require(bool holds, const char* reason) const {
+    if (!holds) reject(reason);
+  }
+
+  /// The member of an object whose keys are exactly these, in this order.
+  Value operator[](const char* key) const { return {json_.at(key), place_ + "." + key}; }
+  void require_keys(std::initializer_list<const char*> keys) const {
+    require(json_.is_object() && json_.size() == keys.size(), "must be an object with the documented keys");
+    auto it = json_.begin();
+    for (const char* key : keys) {
+      require(it.key() == key, "must be an object with the documented keys in their order");
+      ++it;
+    }
+  }
+
+  std::size_t size() const {
+    require(json_.is_array(), "must be an array");
+    return json_.size();
+  }
+  Value operator[](std::size_t i) const { return {json_[i], place_ + "[" + std::to_string(i) + "]"}; }
+  void require_size(std::size_t n) const {
+    if (size() != n) reject("must have " + std::to_string(n) + " elements");
+  }
+  /// read(element) for every element.
+  template <class Read>
+  auto list(const Read& read) const {
+    std::vector<decltype(read(*this))> result;
+    for (std::size_t i = 0; i < size(); ++i) result.push_back(read((*this)[i]));
+    return result;
+  }
+  template <std::size_t n, class Read>
+  auto array(const Read& read) const {
+    require_size(n);
+    std::array<decltype(read(*this)), n> result;
+    for (std::size_t i = 0; i < n; ++i) result[i] = read((*this)[i]);
+    return result;
+  }
+
+  const std::string& text() const {
+    require(json_.is_string(), "must be a string");
+    return json_.get_ref<const std::string&>();
+  }
+  bool is_true() const {
+    require(json_.is_boolean(), "must be true or false");
+    return json_.get<bool>();
+  }
+  std::size_t count() const {
+    require(json_.is_number_unsigned(), "must be an integer >= 0");
+    return json_.get<std::size_t>();
+  }
+  std::size_t parameter() const {
+    const std::size_t i = parameter_letters.find(text());
+    require(text().size() == 1 && i != std::string_view::npos, "must be u, v, r or s");
+    return i;
+  }
+  Rational rational() const {
+    try {
+      const Rational q = parse_number(text());
+      require(to_string(q) == text(), "must be p/q in lowest terms, or p");
+      return q;
+    } catch (const std::invalid_argument& error) {
+      reject(error.what());
+    }
+  }
+  Vector4<Rational> vector4() const {
+    return array<4>([](const Value& v) { return v.rational(); });
+  }
+  std::array<Rational, 3> vector3() const {
+    return array<3>([](const Value& v) { return v.rational(); });
+  }
+
+  /// A claim: an object with these keys and, last, a seal over its place and its other members.
+  void require_claim(std::initializer_list<const char*> keys) const {
+    require(json_.is_object() && json_.size() == keys.size() + 1 && json_.contains("seal"),
+            "must be an object with the documented keys and a seal");
+    Json claim = json_;
+    claim.erase("seal");
+    Value(claim, place_).require_keys(keys);
+    require((*this)["seal"].text() == seal(place_ + claim.dump()), "the seal does not fit the claim");
+  }
+
+ private:
+  const Json& json_;
+  std::string place_;
+};
+
+BezierPatch patch(const Value& value) {
+  value.require_claim({"name", "points"});
+  const auto row = [](const Value& v) {
+    return v.array<3>([](const Value& p) { return Point(p.vector3()); });
+  };
+  return BezierPatch(value["points"].array<3>(row));
+}
+
+Relation relation(const Value& value) {
+  value.require_claim({"direction", "first", "second"});
+  return {value["direction"].vector3(), value["first"].parameter(), value["second"].parameter()};
+}
+
+Tube<Rational> tube(const Value& value) {
+  value.require_claim({"centre", "axis", "slope", "reach", "width", "inverse"});
+  return {value["centre"].vector4(), value["axis"].parameter(),
+          value["slope"].vector4(),  value["reach"].rational(),
+          value["width"].rational(), value["inverse"].array<3>([](const Value& v) { return v.vector3(); })};
+}
+
+Side side(const Value& value) {
+  const std::string& text = value.text();
+  const std::size_t i = text.empty() ? std::string_view::npos : parameter_letters.find(text[0]);
+  value.require(i != std::string_view::npos && (text.substr(1) == "=0" || text.substr(1) == "=1"),
+                "must be a side such as u=0");
+  return {i, text.back() - '0'};
+}
+
+Node node(const Value& value) {
+  value.require_claim({"tube", "at", "radius", "on", "wrt"});
+  return {value["tube"].count(), value["at"].vector4(), value["radius"].rational(), value["on"].list(side),
+          value["wrt"].list([](const Value& v) { return v.parameter(); })};
+}
+
+ArcPoint arc_point(const Value& value) {
+  value.require(value.size() == 4 || value.size() == 7, "must be a list of 4 or 7 numbers");
+  ArcPoint result;
+  for (std::size_t i = 0; i < 4; ++i) result.at[i] = value[i].rational();
+  if (value.size() == 7) result.vertex = {value[4].rational(), value[5].rational(), value[6].rational()};
+  return result;
+}
+
+Arc arc(const Value& value) {
+  value.require_claim({"component", "from", "to", "points", "pieces", "error_bound"});
+  const auto piece = [](const Value& v) {
+    v.require_size(2);
+    return Piece{v[std::size_t{0}].count(), v[std::size_t{1}].count()};
+  };
+  return {value["component"].count(),      value["from"].count(),       value["to"].count(),
+          value["points"].list(arc_point), value["pieces"].list(piece), value["error_bound"].rational()};
+}
+
+Component component(const Value& value) {
+  value.require_claim({"closed", "arcs"});
+  return {value["closed"].is_true(), value["arcs"].list([](const Value& v) { return v.count(); })};
+}
+
+/// "u", "t5" or "3 -1 2", each with its seal after a blank and "#".
+Cell cell(const Value& value, std::size_t i) {
+  const std::string& text = value.text();
+  const std::size_t mark = text.find(" #");
+  value.require(mark != std::string::npos, "must end with a seal");
+  const std::string claim = text.substr(0, mark);
+  value.require(text.substr(mark + 2) == seal("$.cover[" + std::to_string(i) + "]" + claim),
+                "the seal does not fit the claim");
+  const std::size_t parameter = parameter_letters.find(claim);
+  if (claim.size() == 1 && parameter != std::string_view::npos) return {Cell::Kind::split, parameter, {}};
+  const auto number = [&](std::string_view part) {
+    long n = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), n);
+    value.require(error == std::errc() && end == part.data() + part.size() && std::to_string(n) == part,
+                  "must be a parameter, a tube such as t5, or a direction such as 3 -1 2");
+    return n;
+  };
+  if (!claim.empty() && claim[0] == 't') {
+    const long n = number(std::string_view(claim).substr(1));
+    value.require(n >= 0, "must name a tube");
+    return {Cell::Kind::tube, static_cast<std::size_t>(n), {}};
+  }
+  const std::size_t one = claim.find(' ');
+  const std::size_t two = one == std::string::npos ? one : claim.find(' ', one + 1);
+  value.require(two != std::string::npos, "must be a parameter, a tube or a direction");
+  const std::string_view view = claim;
+  return {Cell::Kind::excluded,
+          0,
+          {number(view.substr(0, one)), number(view.substr(one + 1, two - one - 1)),
+           number(view.substr(two + 1))}};
+}
+
+Summary summary(const Value& value) {
+  value.require_claim({"components", "closed", "open", "boundary", "turning"});
+  const auto count = [](const Value& v) { return v.count(); };
+  return {value["components"].count(), value["closed"].count(), value["open"].count(),
+          value["boundary"].count(), value["turning"].array<4>(count)};
+}
+
+/// The document; a key that is given twice is not one.
+Json parse(const std::string& text) {
+  std::vector<std::set<std::string>> keys;
+  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
+      throw Unreadable("key \"" + parsed.get<std::string>() + "\" given twice");
+    return true;
+  };
+  try {
+    return Json::parse(text, watch);
+  } catch (const Json::exception& error) {
+    throw Unreadable(std::string("not valid JSON: ") + error.what());
+  }
+}
+
+}  // namespace
+
+std::string seal(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : text) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 0x100000001b3U;
+  }
+  std::string result(16, '0');
+  for (std::size_t i = 16; i-- > 0; hash >>= 4) result[i] = "0123456789abcdef"[hash & 15];
+  return result;
+}
+
+Certificate read_certificate(const std::string& text) {
+  const Json json = parse(text);
+  if (!json.is_object() || json.value("exsect", Json()) != "certificate/1")
+    throw Unreadable("not of the form certificate/1");
+  const Value root(json, "$");
+  root.require_keys({"exsect", "command", "first", "second", "relations", "tubes", "nodes", "arcs",
+                     "components", "cover", "summary"});
+  root["command"].require(root["command"].text() == "intersect", "must be intersect");
+  Certificate result = {{patch(root["first"]), patch(root["second"])},
+                        {root["first"]["name"].text(), root["second"]["name"].text()},
+                        root["relations"].list(relation),
+                        root["tubes"].list(tube),
+                        root["nodes"].list(node),
+                        root["arcs"].list(arc),
+                        root["components"].list(component),
+                        {},
+                        summary(root["summary"])};
+  const Value cover = root["cover"];
+  for (std::size_t i = 0; i < cover.size(); ++i) result.cover.push_back(cell(cover[i], i));
+  return result;
+}
+
+}  // namespace exsect::checker

@@ -1,0 +1,114 @@
+// A certificate as it is written (docs/certificate.md): what is claimed, nothing of it checked but its form.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "curve_bounds.h"
+
+namespace exsect::checker {
+
+/// Not a certificate at all: no JSON, or another form.
+class Unreadable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A claim that does not hold, or is not written as it has to be.
+class Rejected : public std::runtime_error {
+ public:
+  Rejected(std::string place, const std::string& reason)
+      : std::runtime_error(reason), place_(std::move(place)) {}
+  /// JSON path such as $.tubes[3].
+  const std::string& place() const { return place_; }
+
+ private:
+  std::string place_;
+};
+
+struct Side {
+  std::size_t parameter;
+  int value;  // 0 or 1
+};
+
+/// direction . F = f(w_first) - g(w_second), so that one of the two parameters follows the other.
+struct Relation {
+  std::array<Rational, 3> direction;
+  std::size_t first;   // 0 or 1
+  std::size_t second;  // 2 or 3
+};
+
+/// A point on the curve of a tube, within `radius` of `at` in each parameter.
+struct Node {
+  std::size_t tube;
+  Vector4<Rational> at;
+  Rational radius;
+  std::vector<Side> on;
+  std::vector<std::size_t> wrt;
+};
+
+/// A place on the curve, with the polyline's vertex in space if it has one here.
+struct ArcPoint {
+  Vector4<Rational> at;
+  std::optional<std::array<Rational, 3>> vertex;
+};
+
+/// The part of an arc in a tube, up to the point `last`.
+struct Piece {
+  std::size_t tube;
+  std::size_t last;
+};
+
+struct Arc {
+  std::size_t component;
+  std::size_t from;
+  std::size_t to;
+  std::vector<ArcPoint> points;
+  std::vector<Piece> pieces;
+  Rational error_bound;
+};
+
+struct Component {
+  bool closed;
+  std::vector<std::size_t> arcs;
+};
+
+/// An inner node of the subdivision of [0,1]^4 or a leaf of it.
+struct Cell {
+  enum class Kind { split, excluded, tube };
+  Kind kind;
+  std::size_t index;                 // the parameter that is halved; the tube
+  std::array<Integer, 3> direction;  // excluded
+};
+
+struct Summary {
+  std::size_t components;
+  std::size_t closed;
+  std::size_t open;
+  std::size_t boundary;
+  std::array<std::size_t, 4> turning;
+};
+
+struct Certificate {
+  std::array<BezierPatch, 2> patches;
+  std::array<std::string, 2> names;
+  std::vector<Relation> relations;
+  std::vector<Tube<Rational>> tubes;
+  std::vector<Node> nodes;
+  std::vector<Arc> arcs;
+  std::vector<Component> components;
+  std::vector<Cell> cover;
+  Summary summary;
+};
+
+/// The seal of a claim: FNV-1a, 64 bits, 16 hexadecimal digits.
+std::string seal(const std::string& text);
+
+/// Throws Unreadable, or Rejected with the place where the form is violated or a seal is broken.
+Certificate read_certificate(const std::string& text);
+
+}  // namespace exsect::checker

@@ -1,0 +1,100 @@
+#include "check_certificate.h"
+
+#include <algorithm>
+
+#include "replay.h"
+
+namespace exsect::checker {
+
+std::string place(const char* list, std::size_t i) {
+  return std::string("$.") + list + "[" + std::to_string(i) + "]";
+}
+
+void require(bool holds, const std::string& place, const char* reason) {
+  if (!holds) throw Rejected(place, reason);
+}
+
+void check_graph(const Certificate& certificate, const std::vector<std::array<ArcEnd, 2>>& ends) {
+  for (std::size_t i = 0; i < certificate.nodes.size(); ++i) {
+    std::vector<int> directions;
+    for (const auto& pair : ends)
+      for (const ArcEnd& end : pair)
+        if (end.node == i) directions.push_back(end.direction);
+    std::sort(directions.begin(), directions.end());
+    if (certificate.nodes[i].on.empty())
+      require(directions == std::vector<int>{-1, 1}, place("nodes", i),
+              "not the end of one arc on either side");
+    else
+      require(directions.size() == 1, place("nodes", i), "not the end of exactly one arc");
+  }
+  // Every node has degree 1 or 2: a component is a path or a loop.
+  Summary count{};
+  std::vector<bool> listed(certificate.arcs.size());
+  for (std::size_t c = 0; c < certificate.components.size(); ++c) {
+    const Component& component = certificate.components[c];
+    const std::string where = place("components", c);
+    require(!component.arcs.empty(), where, "without arcs");
+    std::vector<std::size_t> nodes;
+    for (const std::size_t a : component.arcs) {
+      const Arc& arc = element(certificate.arcs, a, where, "names no arc");
+      require(!listed[a] && arc.component == c, where, "an arc does not belong to this component alone");
+      listed[a] = true;
+      // In order along the curve: each arc has a node in common with those before it.
+      const auto known = [&](std::size_t n) {
+        return std::find(nodes.begin(), nodes.end(), n) != nodes.end();
+      };
+      require(nodes.empty() || known(arc.from) || known(arc.to), where, "not connected");
+      nodes.insert(nodes.end(), {arc.from, arc.to});
+    }
+    const bool open = std::any_of(nodes.begin(), nodes.end(),
+                                  [&](std::size_t n) { return !certificate.nodes[n].on.empty(); });
+    require(component.closed != open, where, "open and closed confused");
+    ++(open ? count.open : count.closed);
+  }
+  require(std::find(listed.begin(), listed.end(), false) == listed.end(), "$.components",
+          "an arc is missing");
+  for (std::size_t c = 0; c < certificate.components.size(); ++c) {
+    for (const std::size_t a : certificate.components[c].arcs)
+      for (const Arc& arc : certificate.arcs)
+        require(arc.component == c ||
+                    (arc.from != certificate.arcs[a].from && arc.from != certificate.arcs[a].to &&
+                     arc.to != certificate.arcs[a].from && arc.to != certificate.arcs[a].to),
+                place("components", c), "connected with another component");
+  }
+  for (const Node& node : certificate.nodes) {
+    if (!node.on.empty()) ++count.boundary;
+    for (const std::size_t i : node.wrt) ++count.turning[i];
+  }
+  const Summary& said = certificate.summary;
+  require(said.components == certificate.components.size() && said.closed == count.closed &&
+              said.open == count.open && said.boundary == count.boundary && said.turning == count.turning,
+          "$.summary", "does not agree with the graph");
+}
+
+Report check_certificate(const std::string& text) {
+  const Certificate certificate = read_certificate(text);
+  const Pair<Rational> pair = power_basis(certificate.patches);
+  check_relations(certificate, pair);
+  const std::vector<ProvedTube> tubes = check_tubes(certificate, pair);
+  check_nodes(certificate, pair, tubes);
+  std::vector<std::array<ArcEnd, 2>> ends;
+  std::vector<bool> used(tubes.size());
+  for (std::size_t i = 0; i < certificate.arcs.size(); ++i) {
+    ends.push_back(check_arc(certificate, pair, tubes, i));
+    for (const Piece& piece : certificate.arcs[i].pieces) used[piece.tube] = true;
+  }
+  for (std::size_t i = 0; i < tubes.size(); ++i)
+    require(used[i], place("tubes", i), "no arc runs through it");
+  check_graph(certificate, ends);
+  check_cover(certificate);
+
+  Report report = {certificate.summary, certificate.nodes.size(), certificate.arcs.size(),
+                   certificate.tubes.size(), certificate.relations.size()};
+  for (const Cell& cell : certificate.cover) {
+    if (cell.kind == Cell::Kind::excluded) ++report.exclusions;
+    if (cell.kind == Cell::Kind::tube) ++report.covered;
+  }
+  return report;
+}
+
+}  // namespace exsect::checker
