@@ -3,6 +3,7 @@
 #include <exsect/geometry/text_file.h>
 #include <exsect/solver/intersect.h>
 
+#include "certificate_text.h"
 #include "export_files.h"
 #include "intersection_json.h"
 #include "intersection_summary.h"
@@ -33,16 +34,31 @@ IntersectResult solve(const PatchPair& pair, IntersectOptions options, const Str
   return intersect(pair.x.patch, pair.y.patch, options);
 }
 
+/// What --certificate writes; empty where it is not given, or, with a message, where there is no certificate.
+std::string certificate(const IntersectCommand& command, const PatchPair& pair, const PatchNames& names,
+                        const IntersectResult& result, const Streams& streams) {
+  if (command.output.certificate.empty()) return "";
+  try {
+    return certificate_text(pair.x.patch, pair.y.patch, names, result);
+  } catch (const NoCertificate& reason) {
+    streams.err << "exsect: no certificate: " << printable(reason.what()) << std::endl;
+    return "";
+  }
+}
+
 }  // namespace
 
 ExitStatus run(const IntersectCommand& command, const Streams& streams) {
   const IntersectOptions checked = options(command);
   check(command.output, command.file);
+  if (!command.output.certificate.empty() && checked.turning.size() != 4)
+    throw UsageError("--certificate: needs all turning points, --turning u,v,r,s");
   const int cells = grid_cells(command.output.exports);
   const PatchPair pair = read_pair(command.file, command.first, command.second);
   const PatchNames names = {pair.x.name, pair.y.name};
   const IntersectResult result = solve(pair, checked, streams, command.quiet);
   const std::string json = command.output.json.empty() ? "" : json_text(intersection_json(result, names));
+  const std::string proof = certificate(command, pair, names, result, streams);
   write_exports(
       command.output.exports,
       [&] { return intersection_scene(result, pair.x.patch, pair.y.patch, names, pair.title, cells); },
@@ -50,6 +66,7 @@ ExitStatus run(const IntersectCommand& command, const Streams& streams) {
   if (!command.output.json.empty() && !command.output.json_to_stdout()) {
     write_file_atomically(command.output.json, json);
   }
+  if (!proof.empty()) write_file_atomically(command.output.certificate, proof);
   if (!command.output.svg.empty()) {
     write_file_atomically(command.output.svg, intersection_svg(result, names, pair.title));
   }
@@ -62,6 +79,7 @@ ExitStatus run(const IntersectCommand& command, const Streams& streams) {
   } else if (!command.quiet) {
     streams.out << heading(command.file, pair.title) << intersection_summary(result, names);
   }
+  if (proof.empty() && !command.output.certificate.empty()) return ExitStatus::incomplete;
   return result.status == Status::complete ? ExitStatus::complete : ExitStatus::incomplete;
 }
 

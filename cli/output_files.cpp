@@ -49,13 +49,15 @@ void check_one(const std::string& option, const std::string& path, const std::st
 
 void check(const OutputFiles& files, const std::string& input) {
   const ExportFiles& exports = files.exports;
-  const std::array<std::pair<const char*, const std::string&>, 7> named = {{{"--json", files.json},
-                                                                            {"--svg", files.svg},
-                                                                            {"--report", files.report},
-                                                                            {"--obj", exports.obj},
-                                                                            {"--ply", exports.ply},
-                                                                            {"--vtp", exports.vtp},
-                                                                            {"--csv", exports.csv}}};
+  const std::array<std::pair<const char*, const std::string&>, 8> named = {
+      {{"--json", files.json},
+       {"--svg", files.svg},
+       {"--report", files.report},
+       {"--certificate", files.certificate},
+       {"--obj", exports.obj},
+       {"--ply", exports.ply},
+       {"--vtp", exports.vtp},
+       {"--csv", exports.csv}}};
   for (auto file = named.begin(); file != named.end(); ++file) {
     const auto& [option, path] = *file;
     if (path.empty() || (&path == &files.json && files.json_to_stdout())) continue;

@@ -23,12 +23,13 @@ struct ExportFiles {
   std::string grid = "32";
 };
 
-/// Paths given by --json, --svg and --report; empty where the option is not given. "-" is the standard
-/// output, for JSON only.
+/// Paths given by --json, --svg, --report and --certificate; empty where the option is not given. "-" is the
+/// standard output, for JSON only.
 struct OutputFiles {
   std::string json;
   std::string svg;
   std::string report;
+  std::string certificate;
   ExportFiles exports;
 
   bool json_to_stdout() const { return json == "-"; }

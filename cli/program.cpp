@@ -8,6 +8,7 @@
 #include <string>
 
 #include "batch_command.h"
+#include "check_command.h"
 #include "compare_command.h"
 #include "implicitize_command.h"
 #include "intersect_command.h"
@@ -127,6 +128,9 @@ void add_intersect(CLI::App& app, IntersectCommand& command) {
   add_exports(*sub, command.output.exports, "Write the nodes as a table");
   add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
   sub->add_flag("--exact", command.exact, "Skip the solution in floating point, which has the same proof");
+  sub->add_option("--certificate", command.output.certificate,
+                  "Write a proof of the result that exsect check replays")
+      ->type_name("FILE");
   sub->footer(intersect_footer);
 }
 
@@ -322,6 +326,24 @@ void add_batch_merge(CLI::App& app, BatchMergeCommand& command) {
   sub->footer("Example:\n  exsect batch-merge part-*.ndjson --output all.ndjson");
 }
 
+constexpr const char* check_footer =
+    "CERTIFICATE is a file of form certificate/1, written by exsect intersect FILE --certificate "
+    "CERTIFICATE. "
+    "Every\n"
+    "polynomial is computed anew from the control points in it, every claim is replayed in exact arithmetic, "
+    "by a\n"
+    "program that shares nothing with the solver. Exit status 1: rejected, with place and reason. Example:\n"
+    "  exsect check proof.json";
+
+void add_check(CLI::App& app, CheckCommand& command) {
+  CLI::App* sub = app.add_subcommand("check", "Replay the proof in a certificate");
+  sub->add_option("CERTIFICATE", command.file, "Certificate file")->required()->type_name("");
+  sub->add_option("--json", command.json, "Write the verdict as JSON; - for standard output")
+      ->type_name("FILE");
+  sub->add_flag("--quiet", command.quiet, "No summary");
+  sub->footer(check_footer);
+}
+
 /// An option with an empty value would look as if it were not given.
 void refuse_empty_values(const CLI::App& app) {
   for (const CLI::App* sub : app.get_subcommands()) {
@@ -344,6 +366,7 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   RevolveCommand revolve;
   BatchCommand batch;
   BatchMergeCommand batch_merge;
+  CheckCommand check;
   app.set_version_flag("--version", "exsect " EXSECT_VERSION, "Print the version");
   app.require_subcommand(0, 1);
   app.footer(statuses);
@@ -356,6 +379,7 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   add_revolve(app, revolve);
   add_batch(app, batch);
   add_batch_merge(app, batch_merge);
+  add_check(app, check);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -365,9 +389,8 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   }
   if (app.get_subcommands().empty())
     throw UsageError(
-        "a command is needed: intersect, line, self, compare, verify, implicitize, revolve, batch or "
-        "batch-merge "
-        "(see exsect --help)");
+        "a command is needed: intersect, line, self, compare, verify, implicitize, revolve, batch, "
+        "batch-merge or check (see exsect --help)");
   refuse_empty_values(app);
   if (app.got_subcommand("self")) return run(self, streams);
   if (app.got_subcommand("compare")) return run(compare, streams);
@@ -376,6 +399,7 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   if (app.got_subcommand("batch")) return run(batch, streams);
   if (app.got_subcommand("batch-merge")) return run(batch_merge, streams);
   if (app.got_subcommand("revolve")) return run(revolve, streams);
+  if (app.got_subcommand("check")) return run(check, streams);
   return app.got_subcommand("intersect") ? run(intersect, streams) : run(line, streams);
 }
 

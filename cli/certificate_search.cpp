@@ -1,0 +1,269 @@
+#include "certificate_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace exsect::cli {
+namespace {
+
+using checker::Matrix3;
+using checker::others;
+using checker::Pair;
+using Vector = std::array<double, 3>;
+
+double largest(const Matrix3<double>& m) {
+  double most = 0;
+  for (const auto& row : m)
+    for (const double a : row) most = std::max(most, std::abs(a));
+  return most;
+}
+
+/// a rounded to a multiple of 2^-bits.
+double rounded(double a, int bits) { return std::ldexp(std::nearbyint(std::ldexp(a, bits)), -bits); }
+
+Vector column(const Pair<double>& local, std::size_t j) {
+  return {local.first(0, j, {}).middle, local.first(1, j, {}).middle, local.first(2, j, {}).middle};
+}
+
+double determinant(const Vector& a, const Vector& b, const Vector& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// The inverse of the columns of DF other than k; nothing if they are dependent.
+std::optional<Matrix3<double>> inverse(const Pair<double>& local, std::size_t k) {
+  const auto o = others(k);
+  const std::array<Vector, 3> c = {column(local, o[0]), column(local, o[1]), column(local, o[2])};
+  const double det = determinant(c[0], c[1], c[2]);
+  if (!std::isfinite(1 / det)) return std::nullopt;
+  Matrix3<double> m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector& a = c[(i + 1) % 3];
+    const Vector& b = c[(i + 2) % 3];
+    for (std::size_t d = 0; d < 3; ++d)
+      m[i][d] = (a[(d + 1) % 3] * b[(d + 2) % 3] - a[(d + 2) % 3] * b[(d + 1) % 3]) / det;
+  }
+  return m;
+}
+
+/// w_axis held: w - C F(w).
+Parameters newton_step(const NearPair& pair, Parameters w, std::size_t axis) {
+  const Pair<double> local = pair.power.at(w);
+  const auto c = inverse(local, axis);
+  if (!c) throw NoCertificate("a point where Newton's method fails");
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t d = 0; d < 3; ++d) w[others(axis)[i]] -= (*c)[i][d] * local.value(d);
+  return w;
+}
+
+/// Every condition of the check, with a margin for rounding.
+bool holds(const Tube& tube, const Pair<double>& local) {
+  constexpr double margin = 1e-3;
+  for (const double slack : checker::contraction(tube, local))
+    if (!(slack > 0.05 * tube.width)) return false;
+  const Parameters extent = tube.extent();
+  const auto bounds = checker::curve_bounds(local, tube.axis, extent);
+  const auto definite = [&](const checker::Ball<double>& b) {
+    return std::abs(b.middle) > (1 + margin) * b.radius && std::abs(b.middle) > 1e-11;
+  };
+  for (std::size_t i = 0; i < 4; ++i) {
+    const bool inside = tube.centre[i] >= extent[i] && tube.centre[i] + extent[i] <= 1;
+    if (!definite(bounds.first[i]) && !(inside && definite(bounds.second[i]))) return false;
+  }
+  return true;
+}
+
+constexpr Parameters join_margin = {0x1p-44, 0x1p-44, 0x1p-44, 0x1p-44};
+
+std::size_t best_axis(const NearPair& pair, const Parameters& w) {
+  const Parameters t = tangent(pair, w);
+  std::size_t k = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+    if (std::abs(t[i]) > std::abs(t[k])) k = i;
+  return k;
+}
+
+class Chain {
+ public:
+  Chain(const NearPair& pair, const std::vector<Parameters>& points, std::size_t goal,
+        std::vector<Tube>& tubes)
+      : pair_(pair), goal_(goal), tubes_(tubes) {
+    for (std::size_t i = 0; i < points.size(); ++i) points_.push_back({points[i], static_cast<int>(i)});
+  }
+
+  TracedArc run(std::size_t tube) {
+    std::size_t at = 0;
+    while (true) {
+      std::size_t last = at;
+      const auto arrived = [&] { return tube != goal_ && last > at && in(goal_, last); };
+      while (!arrived() && last + 1 < points_.size() && in(tube, last + 1)) ++last;
+      if (tube == goal_ && last + 1 == points_.size()) {
+        pieces_.push_back({tube, last});
+        return {points_, pieces_};
+      }
+      if (last == at) {
+        insert_after(at, tube);
+        continue;
+      }
+      std::size_t next = in(goal_, last) ? goal_ : new_tube(last);
+      pieces_.push_back({tube, last});
+      at = last;
+      tube = next;
+    }
+  }
+
+ private:
+  bool in(std::size_t tube, std::size_t point) const {
+    return tubes_[tube].contains(points_[point].at, join_margin);
+  }
+
+  /// A tube that holds the point `last` and goes on as far beyond it as possible.
+  std::size_t new_tube(std::size_t last) {
+    for (std::size_t ahead = std::max<std::size_t>(1, 2 * ahead_);; ahead /= 2) {
+      const std::size_t middle = std::min(last + ahead, points_.size() - 1);
+      const Parameters& w = points_[middle].at;
+      Tube tube = tube_at(pair_, w, best_axis(pair_, w));
+      if (tube.contains(points_[last].at, join_margin)) {
+        ahead_ = middle - last;
+        tubes_.push_back(tube);
+        return tubes_.size() - 1;
+      }
+      if (ahead == 0) throw NoCertificate("an arc that could not be followed by tubes");
+    }
+  }
+
+  /// A point of the curve in the tube on the way to the next vertex, which is outside.
+  void insert_after(std::size_t at, std::size_t tube) {
+    if (points_.size() > 200000) throw NoCertificate("an arc that needs too many tubes");
+    const Tube& t = tubes_[tube];
+    const double end = points_[at + 1].at[t.axis];
+    const double begin = points_[at].at[t.axis];
+    const double limit = t.centre[t.axis] + (end > begin ? 1 : -1) * 0.9 * t.reach;
+    double step =
+        (end > begin) == (limit > begin) ? std::min(std::abs(limit - begin), 0.5 * std::abs(end - begin)) : 0;
+    for (; step > 0x1p-40; step /= 2) {
+      Parameters w = points_[at].at;
+      const double t0 = begin + (end > begin ? step : -step);
+      for (std::size_t i = 0; i < 4; ++i) w[i] += (t0 - begin) * (i == t.axis ? 1 : t.slope[i]);
+      w[t.axis] = t0;
+      w = on_curve(pair_, w, t.axis);
+      if (t.contains(w, join_margin)) {
+        points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(at) + 1, {w, -1});
+        return;
+      }
+    }
+    throw NoCertificate("an arc that leaves a tube on the wrong side");
+  }
+
+  const NearPair& pair_;
+  std::size_t goal_;
+  std::vector<Tube>& tubes_;
+  std::vector<TracedPoint> points_;
+  std::vector<TracedPiece> pieces_;
+  std::size_t ahead_ = 4;
+};
+
+}  // namespace
+
+NearPair near_pair(const BezierPatch& x, const BezierPatch& y) {
+  NearPair result;
+  result.nets = {x.net(), y.net()};
+  const Point origin = x.net()[1][1];
+  Rational most = 0;
+  for (ControlNet& net : result.nets) {
+    for (auto& row : net) {
+      for (Point& p : row) {
+        p = p - origin;
+        for (const Rational& q : p) most = std::max<Rational>(most, abs(q));
+      }
+    }
+  }
+  result.scale = std::exp2(std::ceil(std::log2(to_double(most))));
+  if (!(result.scale > 0) || !std::isfinite(result.scale))
+    throw NoCertificate("control points beyond doubles");
+  const Rational factor = 1 / from_double(result.scale);
+  for (std::size_t n = 0; n < 2; ++n) {
+    const ControlNet power = BezierPatch(result.nets[n]).power_basis();
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        for (std::size_t d = 0; d < 3; ++d) {
+          result.control[n][i][j][d] = to_double(factor * result.nets[n][i][j][d]);
+          (n == 0 ? result.power.x : result.power.y)[i][j][d] =
+              to_double((n == 0 ? factor : Rational(-factor)) * power[i][j][d]);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+Parameters tangent(const NearPair& pair, const Parameters& w) {
+  const Pair<double> local = pair.power.at(w);
+  Parameters t;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto o = others(k);
+    t[k] = (k % 2 == 0 ? 1 : -1) * determinant(column(local, o[0]), column(local, o[1]), column(local, o[2]));
+  }
+  return t;
+}
+
+Parameters on_curve(const NearPair& pair, Parameters w, std::size_t fixed) {
+  for (int i = 0; i < 6; ++i) w = newton_step(pair, w, fixed);
+  return w;
+}
+
+Parameters turning_point(const NearPair& pair, Parameters w, std::size_t axis, std::size_t i) {
+  for (int n = 0; n < 8; ++n) {
+    const Pair<double> local = pair.power.at(w);
+    const auto c = inverse(local, axis);
+    if (!c) throw NoCertificate("a turning point where Newton's method fails");
+    const auto bounds = checker::curve_bounds(local.times(*c), axis, {});
+    const double step = -bounds.first[i].middle / bounds.second[i].middle;
+    if (!std::isfinite(step)) throw NoCertificate("a turning point of higher order");
+    for (std::size_t j = 0; j < 4; ++j) w[j] += step * bounds.first[j].middle;
+    w = newton_step(pair, newton_step(pair, w, axis), axis);
+  }
+  return w;
+}
+
+Tube tube_at(const NearPair& pair, const Parameters& w, std::size_t axis) {
+  const Pair<double> here = pair.power.at(w);
+  auto c = inverse(here, axis);
+  if (!c) throw NoCertificate("a point where the patches touch");
+  const int bits = 12 - std::ilogb(largest(*c));
+  for (auto& row : *c)
+    for (double& a : row) a = rounded(a, bits);
+  const auto slope = checker::curve_bounds(here.times(*c), axis, {}).first;
+  double steepest = 1;
+  for (const auto& b : slope) steepest = std::max(steepest, std::abs(b.middle));
+  const int flat = std::ilogb(steepest);
+  for (int e = 1; e < 46; ++e) {
+    Tube tube = {{}, axis, {}, std::ldexp(1.0, 1 - e - flat), std::ldexp(1.0, -e), *c};
+    for (std::size_t i = 0; i < 4; ++i) {
+      tube.centre[i] = rounded(w[i], e + 12);
+      tube.slope[i] = i == axis ? 1 : rounded(slope[i].middle, 10);
+    }
+    if (holds(tube, pair.power.at(tube.centre).times(*c))) return tube;
+  }
+  throw NoCertificate("a point where no tube was found");
+}
+
+checker::CurveBounds<double> bounds_in(const NearPair& pair, const Tube& tube) {
+  return checker::curve_bounds(pair.power.at(tube.centre).times(tube.inverse), tube.axis, tube.extent());
+}
+
+double distance(const NearPair& pair, const Tube& tube, const Parameters& w) {
+  const Pair<double> local = pair.power.at(w).times(tube.inverse);
+  const double defect = bounds_in(pair, tube).defect;
+  double most = 0;
+  for (std::size_t d = 0; d < 3; ++d) most = std::max(most, std::abs(local.value(d)));
+  return (most + 1e-15 * largest(tube.inverse)) / (1 - defect);
+}
+
+TracedArc chain(const NearPair& pair, const std::vector<Parameters>& points, std::size_t first_tube,
+                std::size_t last_tube, std::vector<Tube>& tubes) {
+  return Chain(pair, points, last_tube, tubes).run(first_tube);
+}
+
+}  // namespace exsect::cli

@@ -1,0 +1,79 @@
+#include "check_command.h"
+
+#include <exsect/checker/check_certificate.h>
+#include <exsect/geometry/text_file.h>
+#include <fmt/format.h>
+
+#include "json_forms.h"
+#include "output_files.h"
+#include "terminal_text.h"
+
+namespace exsect::cli {
+namespace {
+
+/// Certificates longer than this, in bytes, are refused.
+constexpr std::size_t max_certificate_bytes = std::size_t{256} << 20;
+
+Json accepted_json(const checker::Report& report) {
+  const checker::Summary& summary = report.summary;
+  return {{"exsect", "check/1"},
+          {"status", "complete"},
+          {"accepted", true},
+          {"summary",
+           {{"components", summary.components},
+            {"closed", summary.closed},
+            {"open", summary.open},
+            {"boundary", summary.boundary},
+            {"turning", summary.turning}}},
+          {"claims",
+           {{"relations", report.relations},
+            {"tubes", report.tubes},
+            {"nodes", report.nodes},
+            {"arcs", report.arcs},
+            {"cells_in_tubes", report.covered},
+            {"cells_excluded", report.exclusions}}}};
+}
+
+std::string accepted_text(const checker::Report& report) {
+  return fmt::format(
+      "accepted: the whole intersection is {} closed and {} open curves\n"
+      "replayed: {} nodes, {} arcs, {} tubes, {} relations, {} cells in tubes, {} cells without a solution\n",
+      report.summary.closed, report.summary.open, report.nodes, report.arcs, report.tubes, report.relations,
+      report.covered, report.exclusions);
+}
+
+}  // namespace
+
+ExitStatus run(const CheckCommand& command, const Streams& streams) {
+  OutputFiles files;
+  files.json = command.json;
+  check(files, command.file);
+  const std::string certificate = read_text_file(command.file, max_certificate_bytes);
+  Json json;
+  std::string text;
+  ExitStatus status = ExitStatus::complete;
+  try {
+    const checker::Report report = checker::check_certificate(certificate);
+    json = accepted_json(report);
+    text = accepted_text(report);
+  } catch (const checker::Unreadable& unreadable) {
+    throw InputError(command.file, "", unreadable.what());
+  } catch (const checker::Rejected& rejected) {
+    status = ExitStatus::negative;
+    json = {{"exsect", "check/1"},
+            {"status", "complete"},
+            {"accepted", false},
+            {"place", rejected.place()},
+            {"reason", rejected.what()}};
+    text = fmt::format("rejected: {}: {}\n", rejected.place(), rejected.what());
+  }
+  if (files.json_to_stdout()) {
+    streams.out << json_text(json);
+  } else {
+    if (!command.json.empty()) write_file_atomically(command.json, json_text(json));
+    if (!command.quiet) streams.out << text;
+  }
+  return status;
+}
+
+}  // namespace exsect::cli
