@@ -19,6 +19,19 @@ foreach(layer IN ITEMS algebra geometry solver)
   endforeach()
 endforeach()
 
+# The checker of certificates includes of algebra and geometry only numbers, patches and nothing of the solver.
+file(GLOB sources RELATIVE "${EXSECT_SOURCE_DIR}" "${EXSECT_SOURCE_DIR}/checker/*")
+foreach(source IN LISTS sources)
+  file(STRINGS "${EXSECT_SOURCE_DIR}/${source}" includes REGEX "^[ \t]*#[ \t]*include|target_link_libraries")
+  foreach(include IN LISTS includes)
+    if(include MATCHES "exsect/" AND NOT include MATCHES "<exsect/(algebra/rational|geometry/(bezier_patch|number))\\.h>")
+      message(SEND_ERROR "${source}: ${include}: the checker shares only numbers and patches")
+    elseif(include MATCHES "\"[^\"]*/|solver")
+      message(SEND_ERROR "${source}: ${include} reaches out of the checker")
+    endif()
+  endforeach()
+endforeach()
+
 # FLINT stays out of the public headers, which the installed tree must do without.
 foreach(header IN LISTS PUBLIC_ALGEBRA_HEADERS)
   file(STRINGS "${EXSECT_SOURCE_DIR}/algebra/${header}" includes REGEX "include.*(flint|arb\\.h|arf\\.h)")

@@ -3,6 +3,8 @@
 import json
 import os
 import subprocess
+import sys
+import tempfile
 from pathlib import Path
 
 import jsonschema
@@ -17,6 +19,9 @@ SECOND = "examples/chapter9-second.json"
 PROFILE = "examples/profile.json"
 SPACE = "examples/space-cubic.json"
 CANDIDATES = "examples/candidates"
+
+CERTIFICATE = str(Path(tempfile.mkdtemp()) / "proof.json")
+subprocess.run([PROGRAM, "intersect", "tests/cases/cap.json", "--certificate", CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
 
 COMMANDS = [
     ["intersect", FIRST],
@@ -47,6 +52,7 @@ COMMANDS = [
     ["revolve", PROFILE, "--method", "substitution", "--degree", "2", "--cells", "4", "--w2", "1/1000"],
     ["revolve", PROFILE, "--method", "product", "--patch-file", FIRST, "--patch", "x", "--u", "1/2"],
     ["compare", FIRST, "--lines", "8", "--pieces", "0"],
+    ["check", CERTIFICATE],
     ["compare", SECOND, "--lines", "4", "--pieces", "0", "--plane", "v,s"],
     *[
         ["verify", f"{path}", f"{path}".replace(".candidate", ""), "--tolerance", "1e-4"]
@@ -112,6 +118,20 @@ def test_an_input_file_satisfies_its_schema(file):
     document = json.loads(file.read_text())
     if "exsect" in document and not file.name.endswith(".expected.json"):
         assert violations(document) == []
+
+
+def test_a_certificate_satisfies_its_schema_and_both_checkers(tmp_path):
+    document = json.loads(Path(CERTIFICATE).read_text())
+    assert violations(document) == []
+    document["summary"]["closed"] = 0
+    changed = tmp_path / "changed.json"
+    changed.write_text(json.dumps(document))
+    for checker in ([PROGRAM, "check"], [sys.executable, "examples/check_certificate.py"]):
+        for file, status, word in ((CERTIFICATE, 0, "accepted"), (changed, 1, "rejected: $.summary: "), (FIRST, 2, "")):
+            ended = subprocess.run([*checker, file], capture_output=True, text=True, cwd=ROOT)
+            assert ended.returncode == status and ended.stdout.startswith(word), ended
+    ended = subprocess.run([PROGRAM, "check", changed, "--json", "-"], capture_output=True, text=True, cwd=ROOT)
+    assert ended.returncode == 1 and violations(json.loads(ended.stdout)) == []
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,287 @@
+// Certificates: written, accepted, and rejected after any change.
+#include <exsect/checker/check_certificate.h>
+#include <exsect/geometry/patch_file.h>
+#include <exsect/solver/intersect.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "certificate_text.h"
+#include "support/catch.h"
+#include "support/families.h"
+#include "support/random_pairs.h"
+
+namespace exsect {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using checker::check_certificate;
+using checker::Rejected;
+using checker::Unreadable;
+
+const cli::PatchNames names = {"x", "y"};
+
+/// With few vertices: the tests need small certificates.
+IntersectOptions coarse() {
+  IntersectOptions options;
+  options.tolerance = 1e-2;
+  return options;
+}
+
+std::string certificate(const BezierPatch& x, const BezierPatch& y) {
+  return cli::certificate_text(x, y, names, intersect(x, y, coarse()));
+}
+
+/// Two planes that cross in one open arc.
+std::string planes() {
+  const auto q = [](long a, long b) { return Rational(a, b); };
+  const auto plane = [](const Point& origin, const Point& first, const Point& second) {
+    ControlNet c{};
+    c[0][0] = origin;
+    c[1][0] = first;
+    c[0][1] = second;
+    return BezierPatch::from_power_basis(c);
+  };
+  return certificate(plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                     plane({0, 0, q(-3, 5)}, {1, q(1, 4), 1}, {q(1, 3), 1, q(1, 2)}));
+}
+
+/// A closed curve with turning points and relations between the parameters.
+std::string circle() {
+  const ExactCase c = families::cap(Rational(1, 50), families::Plane::square);
+  return certificate(c.x, c.y);
+}
+
+/// Where and why, or nothing if the certificate is accepted.
+std::string verdict(const std::string& text) {
+  try {
+    check_certificate(text);
+    return "";
+  } catch (const Rejected& rejected) {
+    CHECK(!rejected.place().empty());
+    return rejected.place() + ": " + rejected.what();
+  } catch (const Unreadable& unreadable) {
+    return std::string("unreadable: ") + unreadable.what();
+  }
+}
+
+using Generator = random_pairs::Generator;
+
+std::size_t below(Generator& generator, std::size_t n) {
+  return static_cast<std::size_t>(random_pairs::integer(generator, 0, static_cast<long>(n) - 1));
+}
+
+/// Another digit, or the other sign, in a number.
+std::string other_number(std::string text, Generator& generator) {
+  if (below(generator, 5) == 0) return text[0] == '-' ? text.substr(1) : "-" + text;
+  std::vector<std::size_t> digits;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] >= '0' && text[i] <= '9') digits.push_back(i);
+  char& digit = text[digits[below(generator, digits.size())]];
+  digit = static_cast<char>('0' + (digit - '0' + 1 + static_cast<int>(below(generator, 9))) % 10);
+  return text;
+}
+
+/// Every leaf below `json` but seals.
+void collect(Json& json, std::vector<Json*>& leaves, bool seals) {
+  if (!json.is_structured()) return leaves.push_back(&json);
+  for (auto& [key, value] : json.items())
+    if (seals || key != "seal") collect(value, leaves, seals);
+}
+
+/// Changes one leaf: a digit or sign of a number, a count, a letter.
+void change_leaf(Json& leaf, Generator& generator) {
+  if (leaf.is_boolean()) {
+    leaf = !leaf.get<bool>();
+  } else if (leaf.is_number()) {
+    leaf = leaf.get<std::size_t>() + 1 + below(generator, 3);
+  } else {
+    std::string text = leaf.get<std::string>();
+    if (text.find_first_of("0123456789") != std::string::npos) {
+      leaf = other_number(text, generator);
+    } else {
+      text[below(generator, text.size())] = "uvrsz"[below(generator, 5)];
+      leaf = text == leaf ? text + "u" : text;
+    }
+  }
+}
+
+/// One random change of the document. `seals`: the seals may change as well.
+std::string mutate(Json& json, Generator& generator, bool seals) {
+  static const std::vector<std::string> lists = {"relations", "tubes",      "nodes",
+                                                 "arcs",      "components", "cover"};
+  Json& list = json[lists[below(generator, lists.size())]];
+  const std::size_t kind = below(generator, 8);
+  if (kind == 0) {
+    std::swap(json["first"], json["second"]);
+    return "patches swapped";
+  }
+  if (kind <= 3 && !list.empty()) {
+    const std::size_t i = below(generator, list.size());
+    const auto at = list.begin() + static_cast<std::ptrdiff_t>(i);
+    if (kind == 1) list.erase(at);
+    if (kind == 2) list.insert(at, Json(list[i]));
+    if (kind == 3 && list.size() > 1 && list[i] != list[(i + 1) % list.size()])
+      std::swap(list[i], list[(i + 1) % list.size()]);
+    else if (kind == 3)
+      list.erase(at);
+    return "a claim dropped, repeated or moved";
+  }
+  std::vector<Json*> leaves;
+  static const std::vector<std::string> sealed = {"first", "second",     "relations", "tubes",  "nodes",
+                                                  "arcs",  "components", "cover",     "summary"};
+  while (leaves.empty()) {
+    Json& part = json[sealed[below(generator, sealed.size())]];
+    if (part.is_array() && !part.empty())
+      collect(part[below(generator, part.size())], leaves, seals);
+    else
+      collect(part, leaves, seals);
+  }
+  Json& leaf = *leaves[below(generator, leaves.size())];
+  const std::string before = leaf.dump();
+  change_leaf(leaf, generator);
+  return before + " changed to " + leaf.dump();
+}
+
+/// Seals that fit, as a forger would make them.
+void seal_again(Json& json) {
+  const auto seal_claim = [](Json& claim, const std::string& place) {
+    claim.erase("seal");
+    claim["seal"] = checker::seal(place + claim.dump());
+  };
+  for (auto& [key, value] : json.items()) {
+    for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) {
+      const std::string place = "$." + key + "[" + std::to_string(i) + "]";
+      if (value[i].is_object()) {
+        seal_claim(value[i], place);
+      } else {
+        std::string text = value[i].get<std::string>();
+        text = text.substr(0, text.find(" #"));
+        value[i] = text + " #" + checker::seal(place + text);
+      }
+    }
+    if (value.is_object()) seal_claim(value, "$." + key);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the first example has a certificate under 5 MB that is accepted") {
+  const auto patches = read_patches(EXSECT_EXAMPLES "/chapter9-first.json").patches;
+  const std::string text = certificate(patches[0].patch, patches[1].patch);
+  CHECK(text.size() < 5000000);
+  const checker::Report report = check_certificate(text);
+  CHECK(report.summary.closed == 1);
+  CHECK(report.summary.open == 1);
+  CHECK(report.summary.boundary == 2);
+  CHECK(report.summary.turning == std::array<std::size_t, 4>{2, 3, 3, 2});
+}
+
+TEST_CASE("no random single change of a certificate is accepted") {
+  const std::array<std::string, 2> certificates = {planes(), circle()};
+  Generator generator(20);
+  INFO("seed 20");
+  for (int i = 0; i < 2000; ++i) {
+    Json json = Json::parse(certificates[i % 50 == 0 ? 1 : 0]);
+    const std::string change = mutate(json, generator, true);
+    INFO(i << ": " << change);
+    REQUIRE(verdict(json.dump()) != "");
+  }
+}
+
+TEST_CASE("a forged certificate is rejected, or says the same as the true one") {
+  const std::string text = planes();
+  const Json truth = Json::parse(text);
+  Generator generator(21);
+  INFO("seed 21");
+  int rejected = 0;
+  for (int i = 0; i < 400; ++i) {
+    Json json = truth;
+    const std::string change = mutate(json, generator, false);
+    seal_again(json);
+    INFO(i << ": " << change);
+    if (verdict(json.dump()) != "") {
+      ++rejected;
+      continue;
+    }
+    // What the checker accepts is proved for the patches in the file: if they are the same, so is the graph.
+    if (json["first"]["points"] == truth["first"]["points"] &&
+        json["second"]["points"] == truth["second"]["points"])
+      REQUIRE(json["summary"] == truth["summary"]);
+  }
+  CHECK(rejected > 150);
+}
+
+TEST_CASE("claims that are false are rejected where they stand") {
+  const std::string truth = circle();
+  const auto reason = [&](const char* where, auto change) {
+    Json json = Json::parse(truth);
+    change(json);
+    seal_again(json);
+    const std::string said = verdict(json.dump());
+    INFO(where << " expected, got " << said);
+    CHECK(said.rfind(where, 0) == 0);
+  };
+  reason("$.tubes[0]", [](Json& j) { j["tubes"][0]["inverse"][0] = {"0", "0", "0"}; });
+  reason("$.tubes[0]", [](Json& j) { j["tubes"][0]["reach"] = "1/2"; });
+  reason("$.nodes[0]", [](Json& j) { j["nodes"][0]["at"][0] = "1/3"; });
+  reason("$.nodes", [](Json& j) { j["nodes"].erase(0); });
+  reason("$.arcs[0]", [](Json& j) { j["arcs"][0]["error_bound"] = "0"; });
+  reason("$.arcs[0]", [](Json& j) {
+    j["arcs"][0]["points"].erase(1);
+    j["arcs"][0]["points"].erase(1);
+  });
+  reason("$.cover", [](Json& j) { j["cover"].erase(j["cover"].size() - 1); });
+  reason("$.summary", [](Json& j) { j["summary"]["closed"] = 2; });
+  reason("$.components[0]", [](Json& j) { j["components"][0]["closed"] = false; });
+  // Without an arc its nodes are loose.
+  reason("$.nodes", [](Json& j) {
+    j["arcs"].erase(j["arcs"].size() - 1);
+    j["components"][0]["arcs"].erase(j["components"][0]["arcs"].size() - 1);
+  });
+}
+
+TEST_CASE("what is no certificate is unreadable") {
+  for (const char* text :
+       {"", "{", "[]", "{\"exsect\": \"patches/1\"}", "{\"exsect\": \"certificate/1\", \"exsect\": 1}"})
+    CHECK_THROWS_AS(check_certificate(text), Unreadable);
+}
+
+TEST_CASE("generic random pairs have certificates that are accepted") {
+  Generator generator(22);
+  INFO("seed 22");
+  int written = 0;
+  for (int i = 0; i < 4; ++i) {
+    INFO(i);
+    const auto pair = i % 4 == 0   ? random_pairs::small_rationals(generator)
+                      : i % 4 == 1 ? random_pairs::doubles(generator)
+                      : i % 4 == 2 ? random_pairs::scattered(generator)
+                                   : random_pairs::loop(generator);
+    const IntersectResult result = intersect(pair.x, pair.y, coarse());
+    REQUIRE(result.status == Status::complete);
+    const checker::Report report = check_certificate(cli::certificate_text(pair.x, pair.y, names, result));
+    CHECK(report.summary.components == result.graph.components.size());
+    ++written;
+  }
+  CHECK(written == 4);
+}
+
+TEST_CASE("an event without a certificate is named") {
+  const auto refusal = [](const ExactCase& c) -> std::string {
+    try {
+      certificate(c.x, c.y);
+      return "";
+    } catch (const cli::NoCertificate& reason) {
+      return reason.what();
+    }
+  };
+  const auto plane = families::Plane::square;
+  CHECK(refusal(families::cap(0, plane)) == "an isolated point");
+  CHECK(refusal(families::crossing(plane)) == "a node of kind crossing");
+  CHECK(refusal(families::shared_side({})) == "an arc on a side of a patch");
+  CHECK(refusal(families::shifted_copy()) == "an overlap");
+  CHECK(refusal(families::tangent_curve(Rational(1, 3), plane)) == "an arc along which the patches touch");
+}
+
+}  // namespace exsect
