@@ -195,10 +195,10 @@ Cell cell(const Value& value, std::size_t i) {
 }
 
 Summary summary(const Value& value) {
-  value.require_claim({"components", "closed", "open", "boundary", "turning"});
+  value.require_claim({"claims", "components", "closed", "open", "boundary", "turning"});
   const auto count = [](const Value& v) { return v.count(); };
-  return {value["components"].count(), value["closed"].count(), value["open"].count(),
-          value["boundary"].count(), value["turning"].array<4>(count)};
+  return {value["claims"].array<5>(count), value["components"].count(), value["closed"].count(),
+          value["open"].count(),           value["boundary"].count(),   value["turning"].array<4>(count)};
 }
 
 /// The document; a key that is given twice is not one.

@@ -86,6 +86,7 @@ struct Cell {
 };
 
 struct Summary {
+  std::array<std::size_t, 5> claims;  // relations, tubes, nodes, arcs, entries of the cover
   std::size_t components;
   std::size_t closed;
   std::size_t open;

@@ -66,9 +66,12 @@ void check_graph(const Certificate& certificate, const std::vector<std::array<Ar
     for (const std::size_t i : node.wrt) ++count.turning[i];
   }
   const Summary& said = certificate.summary;
-  require(said.components == certificate.components.size() && said.closed == count.closed &&
-              said.open == count.open && said.boundary == count.boundary && said.turning == count.turning,
-          "$.summary", "does not agree with the graph");
+  count.claims = {certificate.relations.size(), certificate.tubes.size(), certificate.nodes.size(),
+                  certificate.arcs.size(), certificate.cover.size()};
+  require(said.claims == count.claims && said.components == certificate.components.size() &&
+              said.closed == count.closed && said.open == count.open && said.boundary == count.boundary &&
+              said.turning == count.turning,
+          "$.summary", "does not agree with the claims and their graph");
 }
 
 Report check_certificate(const std::string& text) {

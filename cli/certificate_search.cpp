@@ -106,6 +106,10 @@ class Chain {
         insert_after(at, tube);
         continue;
       }
+      if (last + 1 == points_.size()) {
+        insert_before_end(tube);
+        continue;
+      }
       std::size_t next = in(goal_, last) ? goal_ : new_tube(last);
       pieces_.push_back({tube, last});
       at = last;
@@ -154,6 +158,23 @@ class Chain {
       }
     }
     throw NoCertificate("an arc that leaves a tube on the wrong side");
+  }
+
+  /// A point of the curve shortly before its end, where it goes from the tube to that of the last node.
+  void insert_before_end(std::size_t tube) {
+    const Tube& t = tubes_[goal_];
+    const Parameters& end = points_.back().at;
+    const double back = points_[points_.size() - 2].at[t.axis] - end[t.axis];
+    for (double step = back / 2; std::abs(step) > 0x1p-40; step /= 2) {
+      Parameters w = end;
+      for (std::size_t i = 0; i < 4; ++i) w[i] += step * t.slope[i];
+      w = on_curve(pair_, w, t.axis);
+      if (t.contains(w, join_margin) && tubes_[tube].contains(w, join_margin)) {
+        points_.insert(points_.end() - 1, {w, -1});
+        return;
+      }
+    }
+    throw NoCertificate("an arc whose end could not be joined to its node's tube");
   }
 
   const NearPair& pair_;

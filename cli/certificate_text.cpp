@@ -105,7 +105,7 @@ class Writer {
     json["cover"] = Json::array();
     for (const std::string& entry : cover(pair_, tubes_))
       json["cover"].push_back(entry + " #" + checker::seal(in_list("cover", json["cover"].size()) + entry));
-    json["summary"] = summary();
+    json["summary"] = summary(json);
     return json;
   }
 
@@ -215,10 +215,14 @@ class Writer {
                                         {"inverse", rows}});
   }
 
-  Json summary() const {
+  Json summary(const Json& json) const {
+    Json claims = Json::array();
+    for (const char* list : {"relations", "tubes", "nodes", "arcs", "cover"})
+      claims.push_back(json[list].size());
     Json turning = Json::array();
     for (const Parameter p : all_parameters) turning.push_back(graph_.turning_points(p));
-    return sealed("$.summary", {{"components", graph_.components.size()},
+    return sealed("$.summary", {{"claims", claims},
+                                {"components", graph_.components.size()},
                                 {"closed", graph_.count(ComponentShape::closed)},
                                 {"open", graph_.count(ComponentShape::open)},
                                 {"boundary", graph_.boundary_points()},

@@ -499,11 +499,12 @@ class Checker:
             require(value["closed"] is not any(self.nodes[n].on for n in nodes), place, "open and closed confused")
             shapes.append(value["closed"])
         require(len(seen) == len(self.arcs), "$.components", "an arc is missing")
-        said = claim(self.root["summary"], "$.summary", ["components", "closed", "open", "boundary", "turning"])
-        counted = {"components": len(shapes), "closed": shapes.count(True), "open": shapes.count(False),
+        said = claim(self.root["summary"], "$.summary", ["claims", "components", "closed", "open", "boundary", "turning"])
+        counted = {"claims": [len(self.root[key]) for key in ("relations", "tubes", "nodes", "arcs", "cover")],
+                   "components": len(shapes), "closed": shapes.count(True), "open": shapes.count(False),
                    "boundary": sum(bool(node.on) for node in self.nodes),
                    "turning": [sum(p in node.wrt for node in self.nodes) for p in range(4)]}
-        require(said == counted, "$.summary", "does not agree with the graph")
+        require(said == counted, "$.summary", "does not agree with the claims and their graph")
 
     def check_cover(self):
         cover = self.root["cover"]
