@@ -265,9 +265,9 @@ std::vector<Walk> find_walks(const TrueCurve& truth, const Chain& chain, const W
         const double proved = place.distance + place.bound + chain.bound[vertex] + search.rounding;
         Walk walk = follower.follow(vertex, place.chain, place.position, direction, proved);
         if (walk.last == vertex) continue;
-        const std::tuple rank = {chain.pieces() - walk.last,
-                                 search.rank ? search.rank(place.chain, place.position, vertex) : 0.0,
-                                 place.distance};
+        const double preference = (search.rank ? search.rank(place.chain, place.position, vertex) : 0.0) +
+                                  (search.rank_of_walk ? search.rank_of_walk(walk) : 0.0);
+        const std::tuple rank = {chain.pieces() - walk.last, preference, place.distance};
         if (!best || rank < best_rank) best = std::move(walk), best_rank = rank;
       }
     }

@@ -62,6 +62,8 @@ struct WalkSearch {
   double rounding;   // bound of the error of a computed distance
   /// Preferred, the smaller the better, where a walk could take one or another arc equally well.
   std::function<double(std::size_t arc, double position, std::size_t vertex)> rank;
+  /// Added to the rank of the place where a walk starts.
+  std::function<double(const Walk&)> rank_of_walk;
 };
 
 /// Maximal walks along a chain, one after the other: a vertex that is on none is where no walk could start.

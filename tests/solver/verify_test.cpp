@@ -370,13 +370,35 @@ TEST_CASE("verify: arcs over one segment of space are told apart by parameters")
   const Candidate right = candidate_of(exact.graph, "xur");
   REQUIRE(right.curves.size() == 2);
   CHECK(text(judged(right)) == "agrees");
-  CHECK(judged(candidate_of(exact.graph, "x")).agreement != Agreement::disagrees);
   Candidate one = right;
   one.curves.pop_back();
   CHECK(judged(one).agreement == Agreement::disagrees);
   Candidate twice = right;
   twice.curves[1] = twice.curves[0];
   CHECK(judged(twice).agreement != Agreement::agrees);
+}
+
+TEST_CASE(
+    "verify: a segment of space that is covered twice is right if it occurs twice, whatever its parts") {
+  const ExactCase c = families::double_cover();
+  const Subject pair = {c.x, c.y};
+  const IntersectResult exact = fine(pair);
+  const auto verdict = [&](const std::vector<Vertices>& lines) {
+    Candidate candidate;
+    for (const Vertices& line : lines) candidate.curves.push_back({polyline(line), {}, {}, false, {}});
+    return verify(candidate, pair.x, pair.y, exact, 1e-4 * extent(pair));
+  };
+  const Vertices up = {{0.25, 0, 0}, {0.25, 1, 0}};
+  const Vertices down = {{0.25, 1, 0}, {0.25, 0.75, 0}, {0.25, 0, 0}};
+  const Vertices lower = {{0.25, 0, 0}, {0.25, 0.5, 0}};
+  const Vertices upper = {{0.25, 0.5, 0}, {0.25, 1, 0}};
+  CHECK(text(verdict({up, up})) == "agrees");
+  CHECK(text(verdict({up, down})) == "agrees");
+  CHECK(text(verdict({lower, down, upper})) == "agrees");
+  CHECK(text(verdict({upper, lower, upper, lower})) == "agrees");
+  for (const Verdict& wrong : {verdict({up}), verdict({up, up, up}), verdict({up, lower})})
+    CHECK(wrong.agreement != Agreement::agrees);
+  CHECK(has(verdict({up}), DifferenceKind::lost_curve));
 }
 
 TEST_CASE("verify: bounds of distances hold for random pairs and random errors") {
