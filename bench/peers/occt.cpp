@@ -27,7 +27,7 @@
 namespace peers {
 namespace {
 
-constexpr double flatness = 1e-4;  // of polylines, relative to the size of the pair
+constexpr double flatness = 2e-5;  // of polylines, relative to the size of the pair
 constexpr double face_tolerance = 1e-7;
 
 gp_Pnt to_point(const Point& p) { return {p[0], p[1], p[2]}; }

@@ -27,14 +27,8 @@ Net read_net(const json& points) {
   return net;
 }
 
-/// Values and derivatives of the quadratic Bernstein polynomials.
-struct Basis {
-  std::array<double, 3> value;
-  std::array<double, 3> derivative;
-
-  explicit Basis(double t)
-      : value{(1 - t) * (1 - t), 2 * t * (1 - t), t * t}, derivative{-2 * (1 - t), 2 - 4 * t, 2 * t} {}
-};
+/// Values of the quadratic Bernstein polynomials.
+std::array<double, 3> basis(double t) { return {(1 - t) * (1 - t), 2 * t * (1 - t), t * t}; }
 
 /// Appends the vertices after `a` up to `b`.
 void bisect(const std::function<Vertex(double)>& at, double from, const Vertex& a, double to, const Vertex& b,
@@ -101,19 +95,13 @@ std::vector<PatchPair> read_pairs(const std::string& path) {
   return pairs;
 }
 
-Evaluated evaluate(const Net& net, double first, double second) {
-  const Basis a(first);
-  const Basis b(second);
-  Evaluated result{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        result.point[k] += a.value[i] * b.value[j] * net[i][j][k];
-        result.first[k] += a.derivative[i] * b.value[j] * net[i][j][k];
-        result.second[k] += a.value[i] * b.derivative[j] * net[i][j][k];
-      }
-    }
-  }
+Point evaluate(const Net& net, double first, double second) {
+  const auto a = basis(first);
+  const auto b = basis(second);
+  Point result{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k) result[k] += a[i] * b[j] * net[i][j][k];
   return result;
 }
 
@@ -137,33 +125,6 @@ nlohmann::ordered_json to_json(const Answer& answer) {
                                 {"first", {v.parameters[0], v.parameters[1]}},
                                 {"second", {v.parameters[2], v.parameters[3]}}});
   }
-  return result;
-}
-
-Answer answer_from_json(const json& source) {
-  const auto vertex = [](const json& point, const json& first, const json& second) {
-    return Vertex{point.get<Point>(),
-                  {first.at(0).get<double>(), first.at(1).get<double>(), second.at(0).get<double>(),
-                   second.at(1).get<double>()}};
-  };
-  Answer answer;
-  for (const json& curve : source.at("curves")) {
-    Curve vertices;
-    for (std::size_t i = 0; i < curve.at("points").size(); ++i) {
-      vertices.push_back(vertex(curve["points"][i], curve.at("first").at(i), curve.at("second").at(i)));
-    }
-    answer.curves.push_back(std::move(vertices));
-  }
-  for (const json& point : source.at("points")) {
-    answer.points.push_back(vertex(point.at("point"), point.at("first"), point.at("second")));
-  }
-  return answer;
-}
-
-Curve thinned(const Curve& curve, std::size_t largest) {
-  if (curve.size() <= largest) return curve;
-  Curve result;
-  for (std::size_t i = 0; i < largest; ++i) result.push_back(curve[i * (curve.size() - 1) / (largest - 1)]);
   return result;
 }
 

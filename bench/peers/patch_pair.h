@@ -29,13 +29,8 @@ struct PatchPair {
 /// of the pair. A fraction is rounded to the nearest double. Throws std::runtime_error naming file and line.
 std::vector<PatchPair> read_pairs(const std::string& path);
 
-/// x(u,v), the derivatives x_u and x_v.
-struct Evaluated {
-  Point point;
-  Point first;
-  Point second;
-};
-Evaluated evaluate(const Net& net, double first, double second);
+/// x(u,v).
+Point evaluate(const Net& net, double first, double second);
 
 /// A point of space and its parameters (u,v,r,s).
 struct Vertex {
@@ -52,13 +47,9 @@ struct Answer {
 
 /// The members "curves" and "points" of the form candidate/1 (docs/formats.md).
 nlohmann::ordered_json to_json(const Answer& answer);
-Answer answer_from_json(const nlohmann::json& json);
 
 /// A curve over [from,to] as a polyline: bisected until the middle of every chord is within `flat` of the
 /// curve, at least into 64 pieces and at most into 2^14.
 Curve sampled(const std::function<Vertex(double)>& at, double from, double to, double flat);
-
-/// At most `largest` vertices, the ends among them.
-Curve thinned(const Curve& curve, std::size_t largest);
 
 }  // namespace peers

@@ -12,9 +12,8 @@ from matplotlib import pyplot
 FAMILIES = ["random-rational", "random-double", "loop", "tangent", "near", "overlap"]
 PROGRAMS = {
     "exsect": ("exsect", "#1b6ca8"),
-    "exact": ("exsect, exact", "#7fb2d9"),
-    "sisl-6": ("SISL, 1e-6", "#d1495b"),
-    "sisl-9": ("SISL, 1e-9", "#edae49"),
+    "exact": ("exsect --exact", "#7fb2d9"),
+    "sisl": ("SISL, 1e-6", "#d1495b"),
     "surfaces": ("Open CASCADE, GeomAPI_IntSS", "#66a182"),
     "section": ("Open CASCADE, BRepAlgoAPI_Section", "#8d6a9f"),
 }
@@ -44,7 +43,7 @@ def main(directory, svg):
         axis.set_xlabel("ms of processor time")
     for axis in axes[:, 0]:
         axis.set_ylabel("% of the pairs answered")
-    figure.legend(*axes[0][0].get_legend_handles_labels(), loc="lower center", ncol=6, frameon=False)
+    figure.legend(*axes[0][0].get_legend_handles_labels(), loc="lower center", ncol=5, frameon=False)
     figure.tight_layout(rect=(0, 0.04, 1, 1))
     figure.savefig(svg, metadata={"Date": None, "Creator": None})
 

@@ -11,7 +11,7 @@
 namespace peers {
 namespace {
 
-constexpr double flatness = 1e-4;  // of polylines, relative to the size of the pair
+constexpr double flatness = 2e-5;  // of polylines, relative to the size of the pair
 
 std::array<double, 6> bezier_knots() { return {0, 0, 0, 1, 1, 1}; }
 
@@ -83,7 +83,7 @@ Curve guide_points(const SISLIntcurve& curve, const Net& x) {
   for (int i = 0; i < curve.ipoint; ++i) {
     const double* a = curve.epar1 + 2 * static_cast<std::ptrdiff_t>(i);
     const double* b = curve.epar2 + 2 * static_cast<std::ptrdiff_t>(i);
-    result.push_back({evaluate(x, a[0], a[1]).point, {a[0], a[1], b[0], b[1]}});
+    result.push_back({evaluate(x, a[0], a[1]), {a[0], a[1], b[0], b[1]}});
   }
   return result;
 }
@@ -107,7 +107,7 @@ nlohmann::ordered_json answer(const PatchPair& pair, const Found& found) {
   for (int i = 0; i < found.point_count; ++i) {
     const double* a = found.first + 2 * static_cast<std::ptrdiff_t>(i);
     const double* b = found.second + 2 * static_cast<std::ptrdiff_t>(i);
-    result.points.push_back({evaluate(pair.x, a[0], a[1]).point, {a[0], a[1], b[0], b[1]}});
+    result.points.push_back({evaluate(pair.x, a[0], a[1]), {a[0], a[1], b[0], b[1]}});
   }
   return to_json(result);
 }

@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""Tables of a comparison, after bench/peers/run: DIRECTORY. Markdown on the standard output; bench/README.md explains."""
+
+import collections
+import json
+import pathlib
+import statistics
+import sys
+
+PAIR_FAMILIES = ["random-rational", "random-double", "loop", "tangent", "near", "overlap"]
+PROGRAMS = ["exsect", "exact", "sisl", "surfaces", "section"]
+LINE_FAMILIES = ["random-rational", "random-double"]
+LINE_PROGRAMS = ["exsect", "exact", "sisl", "occt"]
+LINES_OF_A_PAIR = 15
+KINDS = ["lost-curve", "curve-as-points", "wrong-connection", "split", "gap", "spurious-curve", "repeated", "false-point",
+         "point-on-curve", "lost-point"]
+
+
+def read(path):
+    return [json.loads(line) for line in path.read_text().splitlines()]
+
+
+def table(heads, rows):
+    print(f"\n| {' | '.join(heads)} |\n|{'---|' * len(heads)}")
+    for row in rows:
+        print(f"| {' | '.join(map(str, row))} |")
+
+
+def times(results):
+    """Milliseconds by the name of the pair."""
+    return {line["name"]: line["milliseconds"] for line in results if line["status"] == "done"}
+
+
+def ratio(own, other):
+    """The median of own / other, pair by pair."""
+    common = own.keys() & other.keys()
+    return f"{statistics.median(own[name] / other[name] for name in common):.2g}" if common else ""
+
+
+def total(results, key):
+    result = collections.Counter()
+    for line in results:
+        result.update(line.get(key, {}))
+    return result
+
+
+def pair_row(results, filtered, exact):
+    taken = times(results)
+    statuses = collections.Counter(line["status"] for line in results)
+    done = [line for line in results if line["status"] == "done"]
+    components, differences = total(done, "components"), total(done, "differences")
+    largest = {key: max((line.get(key, 0) for line in done), default=0) for key in ("residual", "bound", "distance")}
+    declined = sum(not line["in_doubles"] for line in done) if done and "in_doubles" in done[0] else ""
+    is_exsect = declined != ""
+    return [results[0]["program"], f"{statistics.median(taken.values()):.3g} / {max(taken.values()):.3g}",
+            "" if is_exsect else ratio(filtered, taken), "" if is_exsect else ratio(exact, taken), declined,
+            f"{statuses['timeout']} / {len(results) - statuses['done'] - statuses['timeout']}",
+            " / ".join(str(components[c]) for c in ("covered", "partly", "missed")),
+            f"{sum(line.get('invented', 0) for line in done)} / {differences['false-point']}",
+            *(f"{largest[key]:.0e}" for key in ("residual", "bound", "distance"))]
+
+
+def pair_tables(directory):
+    heads = ["program", "median / worst ms", "exsect/peer", "--exact/peer", "exact path", "time-outs / errors",
+             "curves found / partly / lost", "invented curves / points", "residual", "bound", "distance"]
+    for family in PAIR_FAMILIES:
+        results = [read(directory / f"{family}.{program}.judged") for program in PROGRAMS]
+        filtered, exact = times(results[0]), times(results[1])
+        print(f"\n**{family}**: {len(results[0])} pairs")
+        table(heads, (pair_row(lines, filtered, exact) for lines in results))
+
+
+def verdict_row(family, results):
+    done = [line for line in results if line["status"] == "done"]
+    verdicts = collections.Counter(line["verdict"] for line in done)
+    kinds = collections.Counter(kind for line in done for kind in line.get("differences", {}))
+    return [family, results[0]["program"], *(verdicts[v] for v in ("agrees", "disagrees", "undecided", "refused")),
+            len(results) - len(done), *(kinds[kind] or "" for kind in KINDS)]
+
+
+def verdict_table(directory):
+    table(["family", "program", "agrees", "disagrees", "undecided", "refused", "no answer", *KINDS],
+          (verdict_row(family, read(directory / f"{family}.{program}.judged"))
+           for family in PAIR_FAMILIES for program in PROGRAMS[2:]))
+
+
+def unmatched(points, others):
+    """Of the triples (v,r,s) of a line, those without a partner within 1e-4 in each parameter."""
+    others = list(others)
+    count = 0
+    for p in points:
+        partner = next((q for q in others if max(abs(a - b) for a, b in zip(p, q)) < 1e-4), None)
+        if partner is None:
+            count += 1
+        else:
+            others.remove(partner)
+    return count
+
+
+def line_row(family, results, filtered, exact, reference):
+    taken = times(results)
+    answers = {line["name"]: line["lines"] for line in results if line["status"] == "done"}
+    both = [(p, q) for name in answers for p, q in zip(reference[name], answers[name])]
+    return [family, results[0]["program"],
+            *(f"{1000 * value / LINES_OF_A_PAIR:.3g}" for value in (statistics.median(taken.values()), max(taken.values()))),
+            ratio(filtered, taken), ratio(exact, taken), len(results) - len(taken),
+            sum(len(p) for p, _ in both), sum(unmatched(p, q) for p, q in both), sum(unmatched(q, p) for p, q in both)]
+
+
+def line_table(directory):
+    rows = []
+    for family in LINE_FAMILIES:
+        results = [read(directory / f"{family}-lines.{program}") for program in LINE_PROGRAMS]
+        filtered, exact = times(results[0]), times(results[1])
+        reference = {line["name"]: line["lines"] for line in results[1]}
+        rows += [line_row(family, lines, filtered, exact, reference) for lines in results]
+    table(["family", "program", "median µs a line", "worst µs", "filtered / it", "exact / it", "pairs failed", "points",
+           "lost", "invented"], rows)
+
+
+def main(directory):
+    print("Parameter lines:")
+    line_table(directory)
+    pair_tables(directory)
+    print("\nVerdicts:")
+    verdict_table(directory)
+
+
+main(pathlib.Path(sys.argv[1]))
