@@ -6,7 +6,7 @@
 namespace exsect {
 
 void FarParts::find(const SpacePoint& a, const SpacePoint& b, double from, double to, double slack) {
-  if (others_.distance_from_below(a, b) > least_ + slack) {
+  if (others_.distance_from_below(a, b, least_ + slack) > least_ + slack) {
     parts_.push_back({from, to});
     return;
   }
@@ -20,9 +20,12 @@ DistanceEnclosure largest_distance(const Chain& chain, const PieceTree& others, 
   DistanceEnclosure result;
   if (others.empty())
     return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  std::size_t from = 0;  // where the search begins: near the last piece that was found
+  const auto raise_lower = [&](const SpacePoint& p, double bound) {
+    result.lower = std::max(result.lower, others.distance_from_below(p, result.lower + bound, &from) - bound);
+  };
   for (std::size_t i = 0; i < chain.pieces(); ++i)
-    for (const SpacePoint& p : {chain.points[i], chain.points[i + 1]})
-      result.lower = std::max(result.lower, others.distance_from_below(p) - chain.bound[i]);
+    for (const SpacePoint& p : {chain.points[i], chain.points[i + 1]}) raise_lower(p, chain.bound[i]);
   struct Part {
     SpacePoint a;
     SpacePoint b;
@@ -33,13 +36,15 @@ DistanceEnclosure largest_distance(const Chain& chain, const PieceTree& others, 
     while (!parts.empty()) {
       const Part part = parts.back();
       parts.pop_back();
-      const double above = others.distance_from_above(part.a, part.b) + chain.bound[i];
-      const SpacePoint m = between(part.a, part.b, 0.5);
-      if (above <= std::max(1.05 * result.lower, fine) || above <= result.upper || part.depth == 12) {
+      const double sharp = std::max({1.05 * result.lower, fine, result.upper});
+      const double above =
+          others.distance_from_above(part.a, part.b, sharp - chain.bound[i], &from) + chain.bound[i];
+      if (above <= sharp || part.depth == 12) {
         result.upper = std::max(result.upper, above);
         continue;
       }
-      result.lower = std::max(result.lower, others.distance_from_below(m) - chain.bound[i]);
+      const SpacePoint m = between(part.a, part.b, 0.5);
+      raise_lower(m, chain.bound[i]);
       parts.push_back({part.a, m, part.depth + 1});
       parts.push_back({m, part.b, part.depth + 1});
     }

@@ -65,13 +65,13 @@ double foot(const SpacePoint& p, const SpacePoint& a, const SpacePoint& b) {
   return square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
 }
 
-double PieceTree::Box::distance_from(const Box& other) const {
+double PieceTree::Box::square_of_distance(const Box& other) const {
   double square = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double outside = std::max({lower[k] - other.upper[k], other.lower[k] - upper[k], 0.0});
     square += outside * outside;
   }
-  return std::sqrt(square);
+  return square;
 }
 
 PieceTree::PieceTree(const std::vector<Chain>& chains) : chains_(chains) {
@@ -114,53 +114,65 @@ ChainPlace PieceTree::place(const Piece& piece, const SpacePoint& p) const {
           chain.bound[piece.index]};
 }
 
-double PieceTree::least(std::size_t node, std::size_t from, std::size_t to, const Box& box, double best,
-                        const std::function<double(const Piece&)>& value) const {
-  if (boxes_[node].distance_from(box) - largest_bound_ >= best) return best;
-  if (to - from == 1) return std::min(best, value(pieces_[from]));
-  const std::size_t middle = from + (to - from) / 2;
-  if (boxes_[2 * node + 1].distance_from(box) <= boxes_[2 * node + 2].distance_from(box)) {
-    best = least(2 * node + 1, from, middle, box, best, value);
-    return least(2 * node + 2, middle, to, box, best, value);
+template <class Value>
+void PieceTree::descend(std::size_t node, std::size_t from, std::size_t to, double square,
+                        Search<Value>& search) const {
+  const double reach = search.best + largest_bound_;
+  if (search.best <= search.enough || reach <= 0 || square >= reach * reach) return;
+  if (to - from == 1) {
+    search.look_at(pieces_, from);
+    return;
   }
-  best = least(2 * node + 2, middle, to, box, best, value);
-  return least(2 * node + 1, from, middle, box, best, value);
+  const std::size_t middle = from + (to - from) / 2;
+  const double left = boxes_[2 * node + 1].square_of_distance(search.box);
+  const double right = boxes_[2 * node + 2].square_of_distance(search.box);
+  if (left <= right) descend(2 * node + 1, from, middle, left, search);
+  descend(2 * node + 2, middle, to, right, search);
+  if (left > right) descend(2 * node + 1, from, middle, left, search);
 }
 
-double PieceTree::distance_from_below(const SpacePoint& p) const {
-  if (pieces_.empty()) return infinite;
-  return least(0, 0, pieces_.size(), {p, p}, infinite, [&](const Piece& piece) {
+template <class Value>
+double PieceTree::least(const Box& box, double enough, std::size_t* first, const Value& value) const {
+  Search<Value> search{box, value, enough};
+  if (pieces_.empty()) return search.best;
+  if (first != nullptr)
+    for (std::size_t i = *first; i < std::min(*first + 2, pieces_.size()); ++i) search.look_at(pieces_, i);
+  descend(0, 0, pieces_.size(), 0, search);
+  if (first != nullptr) *first = search.piece;
+  return search.best;
+}
+
+double PieceTree::distance_from_below(const SpacePoint& p, double enough, std::size_t* first) const {
+  return least({p, p}, enough, first, [&](const Piece& piece) {
     const ChainPlace found = place(piece, p);
     return found.distance - found.bound;
   });
 }
 
 double PieceTree::distance_from_above(const SpacePoint& p) const {
-  if (pieces_.empty()) return infinite;
-  return least(0, 0, pieces_.size(), {p, p}, infinite, [&](const Piece& piece) {
+  return least({p, p}, never, nullptr, [&](const Piece& piece) {
     const ChainPlace found = place(piece, p);
     return found.distance + found.bound;
   });
 }
 
-double PieceTree::distance_from_below(const SpacePoint& a, const SpacePoint& b) const {
-  if (pieces_.empty()) return infinite;
+double PieceTree::distance_from_below(const SpacePoint& a, const SpacePoint& b, double enough) const {
   Box box{a, a};
   for (std::size_t k = 0; k < 3; ++k) {
     box.lower[k] = std::min(a[k], b[k]);
     box.upper[k] = std::max(a[k], b[k]);
   }
-  return least(0, 0, pieces_.size(), box, infinite, [&](const Piece& piece) {
+  return least(box, enough, nullptr, [&](const Piece& piece) {
     const Chain& chain = chains_[piece.chain];
     return segments_apart(a, b, chain.points[piece.index], chain.points[piece.index + 1]) -
            chain.bound[piece.index];
   });
 }
 
-double PieceTree::distance_from_above(const SpacePoint& a, const SpacePoint& b) const {
-  if (pieces_.empty()) return infinite;
+double PieceTree::distance_from_above(const SpacePoint& a, const SpacePoint& b, double enough,
+                                      std::size_t* first) const {
   // The distance from one piece is a convex function, largest at an end of the segment.
-  return least(0, 0, pieces_.size(), {a, a}, infinite, [&](const Piece& piece) {
+  return least({a, a}, enough, first, [&](const Piece& piece) {
     const Chain& chain = chains_[piece.chain];
     const SpacePoint& c = chain.points[piece.index];
     const SpacePoint& d = chain.points[piece.index + 1];
@@ -171,7 +183,7 @@ double PieceTree::distance_from_above(const SpacePoint& a, const SpacePoint& b) 
 
 void PieceTree::visit(std::size_t node, std::size_t from, std::size_t to, const SpacePoint& p, double radius,
                       const std::function<void(const ChainPlace&)>& found) const {
-  if (boxes_[node].distance_from({p, p}) > radius) return;
+  if (boxes_[node].square_of_distance({p, p}) > radius * radius) return;
   if (to - from == 1) {
     const ChainPlace here = place(pieces_[from], p);
     if (here.distance <= radius) found(here);

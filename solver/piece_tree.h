@@ -40,17 +40,25 @@ struct ChainPlace {
 /// The pieces of several chains, which must outlive it.
 class PieceTree {
  public:
+  static constexpr double never = -std::numeric_limits<double>::infinity();
+
   explicit PieceTree(const std::vector<Chain>& chains);
 
   bool empty() const { return pieces_.empty(); }
-  /// At most the distance of p from every curve, and at least that from the nearest one, up to the rounding
-  /// of some operations on coordinates; infinite without pieces.
-  double distance_from_below(const SpacePoint& p) const;
-  double distance_from_above(const SpacePoint& p) const;
+  // With `enough` the search ends at a number that is not above it: the functions "from below" then return
+  // some number up to `enough` if what they stand for is not above it, and those "from above" some valid one.
+  // It begins at the piece *first, by its number, and leaves there that of the best one.
+
+  /// At most the distance of p from every curve, up to the rounding of some operations on coordinates;
+  /// infinite without pieces.
+  double distance_from_below(const SpacePoint& p, double enough = never, std::size_t* first = nullptr) const;
   /// At most the distance of every point of the segment from a to b from every curve, up to rounding.
-  double distance_from_below(const SpacePoint& a, const SpacePoint& b) const;
+  double distance_from_below(const SpacePoint& a, const SpacePoint& b, double enough = never) const;
+  /// At least the distance of p from the nearest curve, up to rounding; infinite without pieces.
+  double distance_from_above(const SpacePoint& p) const;
   /// At least the distance of every point of the segment from the nearest curve, up to rounding.
-  double distance_from_above(const SpacePoint& a, const SpacePoint& b) const;
+  double distance_from_above(const SpacePoint& a, const SpacePoint& b, double enough = never,
+                             std::size_t* first = nullptr) const;
   /// Calls `found` for every piece whose segment is within `radius` of p, its place nearest to p, in the
   /// order of chains and positions.
   void within(const SpacePoint& p, double radius, const std::function<void(const ChainPlace&)>& found) const;
@@ -63,14 +71,32 @@ class PieceTree {
   struct Box {
     SpacePoint lower;
     SpacePoint upper;
-    double distance_from(const Box& other) const;
+    double square_of_distance(const Box& other) const;
+  };
+  /// A search for the least value of a piece; a value is at least the piece's distance from the box less the
+  /// largest bound.
+  template <class Value>
+  struct Search {
+    const Box& box;
+    const Value& value;
+    double enough;
+    double best = std::numeric_limits<double>::infinity();
+    std::size_t piece = 0;
+
+    void look_at(const std::vector<Piece>& pieces, std::size_t i) {
+      const double found = value(pieces[i]);
+      if (found < best) best = found, piece = i;
+    }
   };
 
   void build(std::size_t node, std::size_t from, std::size_t to);
-  /// The least value of a piece that is less than best; a value is at least the piece's distance from the box
-  /// less the largest bound.
-  double least(std::size_t node, std::size_t from, std::size_t to, const Box& box, double best,
-               const std::function<double(const Piece&)>& value) const;
+  /// Below a node whose box has this distance from that of the search.
+  template <class Value>
+  void descend(std::size_t node, std::size_t from, std::size_t to, double square,
+               Search<Value>& search) const;
+  /// The least value, or the first one found that is not above `enough`.
+  template <class Value>
+  double least(const Box& box, double enough, std::size_t* first, const Value& value) const;
   ChainPlace place(const Piece& piece, const SpacePoint& p) const;
   void visit(std::size_t node, std::size_t from, std::size_t to, const SpacePoint& p, double radius,
              const std::function<void(const ChainPlace&)>& found) const;
