@@ -26,6 +26,11 @@ def net_of(patch):
                         for row in patch["points"]])
 
 
+def size_of(x, y):
+    """The largest extent of the box around all control points."""
+    return numpy.ptp(numpy.concatenate([x, y]).reshape(-1, 3), axis=0).max()
+
+
 def evaluated(net, parameters):
     """Points and both derivatives at an n x 2 array of parameters."""
     def basis(t):
@@ -38,7 +43,7 @@ def evaluated(net, parameters):
 def distance_from_truth(x, y, points, parameters):
     """Largest distance of the points from the solutions that Newton's method finds from their parameters, as far as it
     finds any. In floating point, no proof."""
-    size = numpy.ptp(numpy.concatenate([x, y]).reshape(-1, 3), axis=0).max()
+    size = size_of(x, y)
     p = parameters.copy()
     for _ in range(12):
         (a, au, av), (b, br, bs) = evaluated(x, p[:, :2]), evaluated(y, p[:, 2:])
@@ -56,17 +61,19 @@ def distance_from_truth(x, y, points, parameters):
 
 
 def numbers_of(pair, answer):
-    """The largest residual |x(u,v) - y(r,s)| at a vertex, and the largest distance of vertices from the truth; of what is
-    meant as a polyline at the middles of its chords as well."""
-    if not answer["curves"]:
-        return {"residual": 0, "distance": 0}
+    """The largest residual |x(u,v) - y(r,s)| at a vertex, and the largest distance of vertices from the truth; of what
+    is meant as a polyline at the middles of its chords as well. The bound is the tolerance if none is stated."""
     x, y = map(net_of, pair["patches"])
+    bound = answer.get("bound", answer["tolerance"] * size_of(x, y))
+    if not answer["curves"]:
+        return {"bound": bound, "residual": 0, "distance": 0}
     lines = [numpy.hstack([curve["points"], curve["first"], curve["second"]]) for curve in answer["curves"]]
     vertices = numpy.vstack(lines)
     residual = numpy.linalg.norm(evaluated(x, vertices[:, 3:5])[0] - evaluated(y, vertices[:, 5:])[0], axis=1).max()
     if answer.get("polylines"):
         vertices = numpy.vstack([vertices, *((line[1:] + line[:-1]) / 2 for line in lines)])
-    return {"residual": residual, "distance": distance_from_truth(x, y, vertices[:, :3], vertices[:, 3:])}
+    return {"bound": bound, "residual": residual,
+            "distance": distance_from_truth(x, y, vertices[:, :3], vertices[:, 3:])}
 
 
 def candidate_of(answer):
@@ -78,8 +85,8 @@ def verdict(program, pair, candidate, tolerance, directory):
     """The verdict/1 document of one answer, or None where the candidate is refused."""
     for name, content in (("pair.json", pair), ("answer.json", candidate)):
         (directory / name).write_text(json.dumps(content))
-    command = [program, "verify", directory / "answer.json", directory / "pair.json", "--tolerance", tolerance, "--json", "-",
-               "--max-seconds", "20", "--quiet"]
+    command = [program, "verify", directory / "answer.json", directory / "pair.json", "--tolerance", tolerance,
+               "--json", "-", "--max-seconds", "20", "--quiet"]
     ended = subprocess.run(command, capture_output=True, text=True, timeout=600)
     return json.loads(ended.stdout) if ended.returncode in (0, 1, 3) else None
 
@@ -93,7 +100,7 @@ def judged(program, pair, answer, tolerance, directory):
     found = verdict(program, pair, candidate_of(answer), tolerance, directory)
     if found is None:
         return line | {"verdict": "refused"}
-    proved = [curve["distance"][0] for curve in found["curves"] if curve["distance"][0] is not None]
+    proved = [curve["distance"][0] for curve in found["curves"] if curve["spurious"]]  # others: of chords of samples
     return line | {
         "verdict": found["verdict"],
         "exact": found["exact"],

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tables of a comparison, after bench/peers/run: DIRECTORY. Markdown on the standard output; bench/README.md explains."""
+"""Tables of a comparison, after bench/peers/run: DIRECTORY. Markdown on the standard output, see bench/README.md."""
 
 import collections
 import json
@@ -12,8 +12,8 @@ PROGRAMS = ["exsect", "exact", "sisl", "surfaces", "section"]
 LINE_FAMILIES = ["random-rational", "random-double"]
 LINE_PROGRAMS = ["exsect", "exact", "sisl", "occt"]
 LINES_OF_A_PAIR = 15
-KINDS = ["lost-curve", "curve-as-points", "wrong-connection", "split", "gap", "spurious-curve", "repeated", "false-point",
-         "point-on-curve", "lost-point"]
+KINDS = ["lost-curve", "curve-as-points", "wrong-connection", "split", "gap", "spurious-curve", "repeated",
+         "false-point", "point-on-curve", "lost-point"]
 
 
 def read(path):
@@ -101,8 +101,8 @@ def line_row(family, results, filtered, exact, reference):
     taken = times(results)
     answers = {line["name"]: line["lines"] for line in results if line["status"] == "done"}
     both = [(p, q) for name in answers for p, q in zip(reference[name], answers[name])]
-    return [family, results[0]["program"],
-            *(f"{1000 * value / LINES_OF_A_PAIR:.3g}" for value in (statistics.median(taken.values()), max(taken.values()))),
+    microseconds = [1000 * value / LINES_OF_A_PAIR for value in (statistics.median(taken.values()), max(taken.values()))]
+    return [family, results[0]["program"], *(f"{value:.3g}" for value in microseconds),
             ratio(filtered, taken), ratio(exact, taken), len(results) - len(taken),
             sum(len(p) for p, _ in both), sum(unmatched(p, q) for p, q in both), sum(unmatched(q, p) for p, q in both)]
 
@@ -114,7 +114,7 @@ def line_table(directory):
         filtered, exact = times(results[0]), times(results[1])
         reference = {line["name"]: line["lines"] for line in results[1]}
         rows += [line_row(family, lines, filtered, exact, reference) for lines in results]
-    table(["family", "program", "median µs a line", "worst µs", "filtered / it", "exact / it", "pairs failed", "points",
+    table(["family", "program", "median µs a line", "worst µs", "filtered/it", "exact/it", "pairs failed", "points",
            "lost", "invented"], rows)
 
 
