@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "filter_contact_graph.h"
 #include "filter_graph.h"
 #include "filter_loops.h"
 #include "turning_points.h"
@@ -17,19 +18,6 @@ using filter::Trace;
 constexpr double kFinestTolerance = 1e-12;
 constexpr std::array<std::size_t, 4> kNoneCoincident = {0, 1, 2, 3};
 
-/// Two corners agree: perhaps the patches share a side, in any case the exact solution is asked.
-bool share_a_corner(const filter::Pair& pair) {
-  constexpr std::array<std::size_t, 4> corners = {0, 2, 6, 8};
-  for (const std::size_t i : corners) {
-    for (const std::size_t j : corners) {
-      if (pair.x.net[i] == pair.y.net[j]) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 class FilteredIntersection {
  public:
   FilteredIntersection(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options)
@@ -37,10 +25,17 @@ class FilteredIntersection {
 
   std::optional<IntersectResult> run() {
     const auto pair = filter::make_pair(x_, y_);
-    if (!pair || options_.tolerance < kFinestTolerance || share_a_corner(*pair)) {
+    if (!pair || options_.tolerance < kFinestTolerance) {
+      return std::nullopt;
+    }
+    const auto contacts = filter::find_contacts(x_, y_, *pair);
+    if (!contacts) {
       return std::nullopt;
     }
     filter::Trees trees{filter::PatchTree(pair->x), filter::PatchTree(pair->y)};
+    if (!contacts->empty()) {
+      return contacts_only(*pair, trees, *contacts);
+    }
     const auto points = filter::boundary_points(*pair, trees, boxes_);
     std::vector<Trace> traces;
     if (!points || !trace_arcs(*pair, *points, traces) ||
@@ -53,22 +48,41 @@ class FilteredIntersection {
     }
     auto graph = filter::make_graph(*pair, *points, curves, options_.turning, coincident_,
                                     options_.tolerance * pair->extent);
-    if (!graph || (options_.max_seconds && milliseconds() > 1000 * *options_.max_seconds)) {
+    if (!graph) {
       return std::nullopt;
     }
-    finish_components(*graph);
-    IntersectResult result{Status::complete, std::move(*graph), {}, {}};
+    return finished(std::move(*graph), curves);
+  }
+
+ private:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  /// The corners and sides that the patches have in common, if that is all.
+  std::optional<IntersectResult> contacts_only(const filter::Pair& pair, filter::Trees& trees,
+                                               const filter::Contacts& contacts) {
+    IntersectionGraph graph;
+    if (!filter::meet_in_contacts_only(pair, trees, contacts, boxes_) ||
+        !filter::append_contacts(x_, y_, pair, contacts, options_.tolerance * pair.extent, graph)) {
+      return std::nullopt;
+    }
+    return finished(std::move(graph), {});
+  }
+
+  std::optional<IntersectResult> finished(IntersectionGraph graph,
+                                          const std::vector<AnalysedTrace>& curves) const {
+    if (options_.max_seconds && milliseconds() > 1000 * *options_.max_seconds) {
+      return std::nullopt;
+    }
+    finish_components(graph);
+    IntersectResult result{Status::complete, std::move(graph), {}, {}};
     report(curves, result);
     if (options_.progress) {
       options_.progress(1, "filter");
     }
     result.work.milliseconds = milliseconds();
     return result;
-  }
-
- private:
-  double milliseconds() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
   }
 
   /// Every boundary point is an end of exactly one arc.

@@ -180,15 +180,13 @@ TEST_CASE("filter: the result says which way it was found") {
   CHECK(intersect(pair.x, pair.y, exact_mode()).work.steps.count("filtered") == 0);
 }
 
-TEST_CASE("filter: touches, shared sides and copies are left to the exact solution") {
+TEST_CASE("filter: touches and copies are left to the exact solution") {
   Generator generator(3);
   const Pair pair = random_pairs::doubles(generator);
   CHECK_FALSE(intersect_filtered(pair.x, pair.x, {}));
   CHECK_FALSE(intersect_filtered(pair.x, pair.x.reversed_first().exchanged(), {}));
   const ExactCase touch = families::cap(0, families::Plane::bilinear);
   CHECK_FALSE(intersect_filtered(touch.x, touch.y, {}));
-  const ExactCase side = families::shared_side({});
-  CHECK_FALSE(intersect_filtered(side.x, side.y, {}));
 }
 
 }  // namespace exsect

@@ -1,0 +1,301 @@
+#include "filter_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect::filter {
+
+namespace {
+
+constexpr long kMostBoxes = 600;
+constexpr int kDeepest = 24;  // levels of both patches together
+constexpr int kMostDirections = 12;
+
+constexpr std::array<std::size_t, 4> kCorners = {0, 2, 6, 8};
+constexpr std::array<SquareSide, 4> kSides = {{{0, false}, {0, true}, {1, false}, {1, true}}};
+
+const Point& control_point(const BezierPatch& patch, std::size_t i) { return patch.net()[i / 3][i % 3]; }
+
+double size1(const Vec3& a) { return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]); }
+
+/// (1-t) a + t b for a dyadic t in [0,1]: errs by 3 u times the size, of which the error of 1-t is no part.
+Vec3 between(const Vec3& a, const Vec3& b, double t) { return (1 - t) * a + t * b; }
+
+}  // namespace
+
+std::size_t SideView::index(std::size_t across, std::size_t along) const {
+  const std::size_t a = side.upper ? 2 - across : across;
+  const std::size_t b = reversed ? 2 - along : along;
+  return side.parameter == 0 ? 3 * a + b : 3 * b + a;
+}
+
+namespace {
+
+class ContactFinder {
+ public:
+  ContactFinder(const BezierPatch& x, const BezierPatch& y, const Pair& pair) : x_(x), y_(y), pair_(pair) {}
+
+  std::optional<Contacts> run() {
+    if (!find_corners()) {
+      return std::nullopt;
+    }
+    Contacts contacts;
+    std::vector<bool> on_side(corners_.size(), false);
+    for (const SquareSide& a : kSides) {
+      for (const SquareSide& b : kSides) {
+        for (const bool reversed : {false, true}) {
+          const SideView x = {a, false};
+          const SideView y = {b, reversed};
+          if (same_side(x, y)) {
+            contacts.sides.push_back(side_contact(x, y));
+            for (std::size_t k = 0; k < corners_.size(); ++k) {
+              on_side[k] = on_side[k] || is_end(corners_[k], x, y, 0) || is_end(corners_[k], x, y, 2);
+            }
+          }
+        }
+      }
+    }
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      if (!on_side[k]) {
+        contacts.corners.push_back(corners_[k]);
+      }
+    }
+    return contacts;
+  }
+
+ private:
+  /// False if a corner is two corners of the other patch, or perhaps one of them but for rounding.
+  bool find_corners() {
+    for (const std::size_t i : kCorners) {
+      for (const std::size_t j : kCorners) {
+        if (pair_.x.net[i] != pair_.y.net[j]) {
+          continue;
+        }
+        const bool again = std::any_of(corners_.begin(), corners_.end(),
+                                       [&](const CornerContact& c) { return c.x == i || c.y == j; });
+        if (again || control_point(x_, i) != control_point(y_, j)) {
+          return false;
+        }
+        corners_.push_back({i, j});
+      }
+    }
+    return true;
+  }
+
+  bool same_side(const SideView& x, const SideView& y) const {
+    for (const std::size_t along : {0, 2, 1}) {
+      const std::size_t i = x.index(0, along);
+      const std::size_t j = y.index(0, along);
+      if (pair_.x.net[i] != pair_.y.net[j] || control_point(x_, i) != control_point(y_, j)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  static bool is_end(const CornerContact& corner, const SideView& x, const SideView& y, std::size_t along) {
+    return corner.x == x.index(0, along) && corner.y == y.index(0, along);
+  }
+
+  SideContact side_contact(const SideView& x, const SideView& y) const {
+    SideContact contact{x, y, {}, across(pair_.x.net, x), across(pair_.y.net, y)};
+    for (std::size_t j = 0; j < 2; ++j) {
+      contact.direction[j] = pair_.x.net[x.index(0, j + 1)] - pair_.x.net[x.index(0, j)];
+    }
+    return contact;
+  }
+
+  /// x(a,.) = (1-a)² P0 + 2 a (1-a) P1 + a² P2 = P0 + a ((1-a) 2 (P1 - P0) + a (P2 - P0)).
+  static std::array<Vec3, 6> across(const std::array<Vec3, 9>& net, const SideView& view) {
+    std::array<Vec3, 6> result;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Vec3& on_side = net[view.index(0, j)];
+      result[j] = 2.0 * (net[view.index(1, j)] - on_side);
+      result[3 + j] = net[view.index(2, j)] - on_side;
+    }
+    return result;
+  }
+
+  const BezierPatch& x_;
+  const BezierPatch& y_;
+  const Pair& pair_;
+  std::vector<CornerContact> corners_;
+};
+
+struct Interval {
+  double lower;
+  double upper;
+};
+
+/// The sub-patch's intervals of `side.parameter`, counted from the side, and of the other one.
+struct SideIntervals {
+  Interval across;
+  Interval along;
+};
+Interval counted(double from, double width, bool backwards) {
+  const double lower = from + 0.5;
+  return backwards ? Interval{1 - (lower + width), 1 - lower} : Interval{lower, lower + width};
+}
+SideIntervals intervals(const SideView& view, const SubPatch& patch) {
+  const bool first = view.side.parameter == 0;
+  return {counted(first ? patch.first : patch.second, patch.width, view.side.upper),
+          counted(first ? patch.second : patch.first, patch.width, view.reversed)};
+}
+
+/// Control vectors on the rectangle of a field of bidegree (1,2), by its blossom.
+std::array<Vec3, 6> restricted(const std::array<Vec3, 6>& field, const SideIntervals& to) {
+  std::array<Vec3, 6> result;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double a = i == 0 ? to.across.lower : to.across.upper;
+    const Vec3 p = between(field[0], field[3], a);
+    const Vec3 q = between(field[1], field[4], a);
+    const Vec3 r = between(field[2], field[5], a);
+    const Vec3 first = between(p, q, to.along.lower);
+    const Vec3 last = between(q, r, to.along.lower);
+    result[3 * i] = between(first, last, to.along.lower);
+    result[3 * i + 1] = between(first, last, to.along.upper);
+    result[3 * i + 2] = between(between(p, q, to.along.upper), between(q, r, to.along.upper), to.along.upper);
+  }
+  return result;
+}
+
+/// The part of v perpendicular to c, of length one; zero if it is not clear of zero.
+Vec3 unit_across(const Vec3& v, const Vec3& c) {
+  const Vec3 across = v - (dot(v, c) / dot(c, c)) * c;
+  const double length = std::sqrt(dot(across, across));
+  return length > 0x1p-30 ? (1 / length) * across : Vec3{0, 0, 0};
+}
+
+// (14.11) to (14.13). Computed control vectors of X are differences of control points, which err by 2 e0 + 2u
+// and are of size 2, twice that, and after three means by 9 u times the size 4 more: by 4 net_error in all,
+// as net_error >= e0 + 160 u; those of C by 2 net_error. A coordinate of w = C x n errs by 4 net_error |n|
+// and 8 u |n| of its own, |n| the largest coordinate, so w.X by 4 net_error |w|_1 + 12 (4 net_error + 8 u)
+// |n| + 5 u 4 |w|_1 < 5 net_error (|w|_1 + 10 |n|).
+bool meet_in_side(const SideContact& contact, const SubPatch& x, const SubPatch& y, double net_error) {
+  const SideIntervals on_x = intervals(contact.x, x);
+  const SideIntervals on_y = intervals(contact.y, y);
+  const std::array<Vec3, 6> fx = restricted(contact.x_across, on_x);
+  const std::array<Vec3, 6> fy = restricted(contact.y_across, on_y);
+  const auto& d = contact.direction;
+  const std::array<Vec3, 2> c = {between(d[0], d[1], 0.5 * (on_x.along.lower + on_y.along.lower)),
+                                 between(d[0], d[1], 0.5 * (on_x.along.upper + on_y.along.upper))};
+  const Vec3 middle = c[0] + c[1];
+  if (!(dot(middle, middle) > 0x1p-60)) {
+    return false;
+  }
+  const Vec3 n = cross(unit_across(fx[1] + fx[4], middle) - unit_across(fy[1] + fy[4], middle), middle);
+  for (const Vec3& tangent : c) {
+    const Vec3 w = cross(tangent, n);
+    const double error = kSlack * 5 * net_error * (size1(w) + 10 * largest(n)) + kTiny;
+    for (std::size_t k = 0; k < 6; ++k) {
+      if (!(dot(w, fx[k]) > error && dot(w, fy[k]) < -error)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Vectors of length about one; zero vectors stay.
+Vec3 unit(const Vec3& v) {
+  const double square = dot(v, v);
+  return square > 0 ? (1 / std::sqrt(square)) * v : v;
+}
+
+/// A guess of d with d.v > 0 for all v: Gilbert's method for the point of the convex hull nearest to zero.
+Vec3 positive_direction(const std::array<Vec3, 18>& vectors, std::size_t count) {
+  Vec3 d = {0, 0, 0};
+  for (std::size_t k = 0; k < count; ++k) {
+    d = d + (1.0 / static_cast<double>(count)) * vectors[k];
+  }
+  for (int step = 0; step < kMostDirections; ++step) {
+    std::size_t worst = 0;
+    double least = HUGE_VAL;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double t = dot(d, vectors[k]);
+      if (t < least) {
+        least = t;
+        worst = k;
+      }
+    }
+    const Vec3 away = d - vectors[worst];
+    const double square = dot(away, away);
+    if (least > 0.25 * dot(d, d) || !(square > 0)) {
+      break;
+    }
+    d = d - std::clamp(dot(d, away) / square, 0.0, 1.0) * away;
+  }
+  return d;
+}
+
+/// The index in the sub-patch's net of a corner of the square; 9 if it does not reach that far.
+std::size_t own_corner(const SubPatch& patch, std::size_t corner) {
+  const double first = corner < 3 ? -0.5 : 0.5 - patch.width;
+  const double second = corner % 3 == 0 ? -0.5 : 0.5 - patch.width;
+  return patch.first == first && patch.second == second ? corner : 9;
+}
+
+// (14.14). De Casteljau's algorithm keeps the corner's double. The bound is that of (14.2).
+bool meet_in_corner(const Vec3& p, std::size_t corner_x, std::size_t corner_y, const SubPatch& x,
+                    const SubPatch& y, double net_error) {
+  std::array<Vec3, 18> vectors;
+  std::array<Vec3, 18> units;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < 9; ++k) {
+    if (k != corner_x) {
+      vectors[count++] = x.net[k] - p;
+    }
+    if (k != corner_y) {
+      vectors[count++] = p - y.net[k];
+    }
+  }
+  std::transform(vectors.begin(), vectors.begin() + count, units.begin(), unit);
+  const Vec3 d = positive_direction(units, count);
+  const double error = kSlack * 2.5 * net_error * size1(d) + kTiny;
+  return std::all_of(vectors.begin(), vectors.begin() + count,
+                     [&](const Vec3& v) { return dot(d, v) > error; });
+}
+
+}  // namespace
+
+std::optional<Contacts> find_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pair) {
+  return ContactFinder(x, y, pair).run();
+}
+
+bool meet_in_contact(const Pair& pair, const Contacts& contacts, const SubPatch& x, const SubPatch& y) {
+  return std::any_of(contacts.sides.begin(), contacts.sides.end(),
+                     [&](const SideContact& side) { return meet_in_side(side, x, y, pair.net_error); }) ||
+         std::any_of(contacts.corners.begin(), contacts.corners.end(), [&](const CornerContact& corner) {
+           return meet_in_corner(pair.x.net[corner.x], own_corner(x, corner.x), own_corner(y, corner.y), x, y,
+                                 pair.net_error);
+         });
+}
+
+bool meet_in_contacts_only(const Pair& pair, Trees& trees, const Contacts& contacts, long& boxes) {
+  struct Item {
+    std::size_t x;
+    std::size_t y;
+  };
+  std::vector<Item> stack = {{0, 0}};
+  for (long count = 0; !stack.empty(); ++count) {
+    const Item item = stack.back();
+    stack.pop_back();
+    ++boxes;
+    const SubPatch& x = trees.x[item.x];
+    const SubPatch& y = trees.y[item.y];
+    if (separated(x, y, pair.net_error) || meet_in_contact(pair, contacts, x, y)) {
+      continue;
+    }
+    if (count > kMostBoxes || x.level + y.level >= kDeepest) {
+      return false;
+    }
+    const bool first = extent(x.lower, x.upper) > extent(y.lower, y.upper);
+    const std::size_t children = first ? trees.x.split(item.x) : trees.y.split(item.y);
+    for (std::size_t k = 0; k < 4; ++k) {
+      stack.push_back(first ? Item{children + k, item.y} : Item{item.x, children + k});
+    }
+  }
+  return true;
+}
+
+}  // namespace exsect::filter
