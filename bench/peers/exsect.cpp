@@ -65,32 +65,36 @@ nlohmann::ordered_json answer(const exsect::IntersectResult& result) {
   return json;
 }
 
-/// Triples (v,r,s) of each line.
-std::vector<std::vector<Point>> line_points(const ExactPair& pair, bool exactly) {
-  const auto middle = [](const exsect::RationalInterval& i) { return exsect::to_double(i.midpoint()); };
-  std::vector<std::vector<Point>> result;
+std::vector<exsect::LinePoints> line_points(const ExactPair& pair, bool exactly) {
+  std::vector<exsect::LinePoints> result;
   for (int k = 1; k <= line_queries; ++k) {
     const exsect::LineQuery query = {exsect::Parameter::u, exsect::Rational(k, 16)};
-    const exsect::LinePoints found = exactly ? exsect::line_points(pair.x, pair.y, query)
-                                             : exsect::line_points_filtered(pair.x, pair.y, query);
-    if (found.incomplete) throw std::runtime_error("incomplete: " + *found.incomplete);
-    std::vector<Point> points;
-    for (const exsect::CertifiedPoint& p : found.points) {
+    result.push_back(exactly ? exsect::line_points(pair.x, pair.y, query)
+                             : exsect::line_points_filtered(pair.x, pair.y, query));
+    if (result.back().incomplete) throw std::runtime_error("incomplete: " + *result.back().incomplete);
+  }
+  return result;
+}
+
+/// Triples (v,r,s) of each line.
+nlohmann::ordered_json answer(const std::vector<exsect::LinePoints>& lines) {
+  const auto middle = [](const exsect::RationalInterval& i) { return exsect::to_double(i.midpoint()); };
+  std::vector<std::vector<Point>> result;
+  for (const exsect::LinePoints& line : lines) {
+    std::vector<Point>& points = result.emplace_back();
+    for (const exsect::CertifiedPoint& p : line.points) {
       const exsect::ParameterBox& box = p.box();
       points.push_back({middle(box[1]), middle(box[2]), middle(box[3])});
     }
-    result.push_back(std::move(points));
   }
-  return result;
+  return {{"lines", result}};
 }
 
 Task task(const ExactPair& exact, const Settings& settings) {
   const bool exactly = settings.method == "exact";
   if (settings.lines) {
     return {[&exact, exactly] { line_points(exact, exactly); },
-            [&exact, exactly] {
-              return nlohmann::ordered_json{{"lines", line_points(exact, exactly)}};
-            }};
+            [&exact, exactly] { return answer(line_points(exact, exactly)); }};
   }
   exsect::IntersectOptions options;
   options.tolerance = settings.tolerance;

@@ -16,11 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Limits {
-  int seconds = 30;
-  int repeats = 3;
-};
-
 /// Of this thread: none of the programs has others, and with a limit of processor time Linux updates the
 /// clock of the process at every tick only, 4 ms apart.
 double processor_milliseconds() {
@@ -29,10 +24,10 @@ double processor_milliseconds() {
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// Runs of less than a millisecond are repeated more often; none begins after a fifth of the limit.
-double median_time(const std::function<void()>& timed, const Limits& limits) {
-  constexpr double short_run = 1;
-  constexpr int times_more = 5;
+/// The first run in a process is slower, by up to a millisecond: short ones are repeated.
+double median_time(const std::function<void()>& timed) {
+  constexpr double enough = 20;  // milliseconds
+  constexpr std::size_t most_runs = 31;
   std::vector<double> times;
   const double start = processor_milliseconds();
   double last = start;
@@ -41,18 +36,16 @@ double median_time(const std::function<void()>& timed, const Limits& limits) {
     const double now = processor_milliseconds();
     times.push_back(now - last);
     last = now;
-  } while ((static_cast<int>(times.size()) < limits.repeats ||
-            (times.front() < short_run && static_cast<int>(times.size()) < times_more * limits.repeats)) &&
-           last - start < limits.seconds * 1e3 / 5);
+  } while (times.size() < most_runs && last - start < enough);
   std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
   return times[times.size() / 2];
 }
 
-Json solve(const std::function<Task()>& make, const Limits& limits) {
+Json solve(const std::function<Task()>& make) {
   Json result;
   try {
     const Task task = make();
-    const double time = median_time(task.timed, limits);
+    const double time = median_time(task.timed);
     const Json answer = task.answer();
     result["status"] = "done";
     result["milliseconds"] = time;
@@ -82,7 +75,7 @@ std::string read_all(int from) {
 }
 
 /// The result of `solve` in a child process.
-Json solve_apart(const std::function<Task()>& make, const Limits& limits) {
+Json solve_apart(const std::function<Task()>& make, int seconds) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe");
   const pid_t child = fork();
@@ -90,10 +83,9 @@ Json solve_apart(const std::function<Task()>& make, const Limits& limits) {
   if (child == 0) {
     close(ends[0]);
     dup2(STDERR_FILENO, STDOUT_FILENO);  // what a library prints is no answer
-    const auto seconds = static_cast<rlim_t>(limits.seconds);
-    const rlimit limit{seconds, seconds};
+    const rlimit limit{static_cast<rlim_t>(seconds), static_cast<rlim_t>(seconds)};
     setrlimit(RLIMIT_CPU, &limit);
-    write_all(ends[1], solve(make, limits).dump());
+    write_all(ends[1], solve(make).dump());
     _exit(0);
   }
   close(ends[1]);
@@ -106,7 +98,7 @@ Json solve_apart(const std::function<Task()>& make, const Limits& limits) {
   return {{"status", timeout ? "timeout" : "crash"}};
 }
 
-Settings parse(int argc, char** argv, Limits& limits) {
+Settings parse(int argc, char** argv) {
   Settings settings;
   const auto value = [&](int& i) -> std::string {
     if (++i == argc) throw std::invalid_argument(std::string(argv[i - 1]) + " needs a value");
@@ -121,9 +113,7 @@ Settings parse(int argc, char** argv, Limits& limits) {
     } else if (argument == "--method") {
       settings.method = value(i);
     } else if (argument == "--seconds") {
-      limits.seconds = std::stoi(value(i));
-    } else if (argument == "--repeats") {
-      limits.repeats = std::stoi(value(i));
+      settings.seconds = std::stoi(value(i));
     } else if (settings.pairs.empty()) {
       settings.pairs = argument;
     } else {
@@ -139,12 +129,11 @@ Settings parse(int argc, char** argv, Limits& limits) {
 int run(int argc, char** argv, const std::function<std::string(const Settings&)>& program,
         const std::function<Task(const PatchPair&, const Settings&)>& task) {
   try {
-    Limits limits;
-    const Settings settings = parse(argc, argv, limits);
+    const Settings settings = parse(argc, argv);
     const std::string name = program(settings);
     for (const PatchPair& pair : read_pairs(settings.pairs)) {
       Json line = {{"name", pair.name}, {"program", name}, {"tolerance", settings.tolerance}};
-      line.update(solve_apart([&] { return task(pair, settings); }, limits));
+      line.update(solve_apart([&] { return task(pair, settings); }, settings.seconds));
       std::cout << line.dump() << std::endl;
     }
     return 0;

@@ -22,15 +22,17 @@ struct Settings {
   double tolerance = 1e-6;  // relative to the size of the pair
   bool lines = false;       // the queries u = k/16, k = 1..15, instead of the whole pair
   std::string method;       // where a program has several
+  int seconds = 30;         // limit of processor time for a pair, with all runs
 };
 
-/// main of such a program: PAIRS [--tolerance T] [--lines] [--method NAME] [--seconds N] [--repeats N].
+/// main of such a program: PAIRS [--tolerance T] [--lines] [--method NAME] [--seconds N].
 /// Writes
 /// {"name", "program", "tolerance", "status", "milliseconds", ...} to the standard output, where milliseconds
-/// is the median processor time of the repeats (of all queries together with --lines) and status one of
+/// is the median processor time of up to 31 runs in 20 ms (of all queries together with --lines) and status
+/// one of
 ///
 ///     done       the answer follows
-///     timeout    the processor time ran out, with all repeats
+///     timeout    the processor time ran out, with all runs
 ///     crash      the process ended by another signal
 ///     error      an exception, its text under "reason"
 int run(int argc, char** argv, const std::function<std::string(const Settings&)>& program,

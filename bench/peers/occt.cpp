@@ -10,6 +10,7 @@
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Standard_Failure.hxx>
+#include <Standard_NoSuchObject.hxx>
 #include <Standard_Version.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
@@ -19,6 +20,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -106,6 +108,18 @@ void build(BRepAlgoAPI_Section& section) {
   if (!section.IsDone()) throw std::runtime_error("BRepAlgoAPI_Section is not done");
 }
 
+/// Not numbers where the vertex does not say.
+std::array<double, 4> parameters(const TopoDS_Vertex& point, const TopoDS_Face& x, const TopoDS_Face& y) {
+  try {
+    const gp_Pnt2d a = BRep_Tool::Parameters(point, x);
+    const gp_Pnt2d b = BRep_Tool::Parameters(point, y);
+    return {a.X(), a.Y(), b.X(), b.Y()};
+  } catch (const Standard_NoSuchObject&) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {none, none, none, none};
+  }
+}
+
 nlohmann::ordered_json section_answer(const Section& found, double flat) {
   const TopoDS_Face& x = found.x;
   const TopoDS_Face& y = found.y;
@@ -127,9 +141,7 @@ nlohmann::ordered_json section_answer(const Section& found, double flat) {
        points.Next()) {
     const TopoDS_Vertex point = TopoDS::Vertex(points.Current());
     const gp_Pnt p = BRep_Tool::Pnt(point);
-    const gp_Pnt2d a = BRep_Tool::Parameters(point, x);
-    const gp_Pnt2d b = BRep_Tool::Parameters(point, y);
-    answer.points.push_back({{p.X(), p.Y(), p.Z()}, {a.X(), a.Y(), b.X(), b.Y()}});
+    answer.points.push_back({{p.X(), p.Y(), p.Z()}, parameters(point, x, y)});
   }
   return with_bound(answer, bound);
 }

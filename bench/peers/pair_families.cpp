@@ -121,6 +121,15 @@ Quadratic difference(Generator& generator, Shape shape) {
 
 Shape any_shape(Generator& generator) { return static_cast<Shape>(integer(generator, 0, 2)); }
 
+/// As tangent, with 2^-least to 2^-most added to the difference or taken away.
+ExactPair off_tangent(Generator& generator, int least, int most) {
+  const Shape shape = any_shape(generator);
+  Quadratic h = difference(generator, shape);
+  const Rational e = exsect::power_of_two(-integer(generator, least, most));
+  h[0][0] += integer(generator, 0, 2) == 0 ? e : Rational(-e);
+  return graphs(generator, h);
+}
+
 }  // namespace
 
 ExactPair random_rationals(Generator& generator) {
@@ -155,13 +164,9 @@ ExactPair tangent(Generator& generator) {
   return graphs(generator, difference(generator, shape));
 }
 
-ExactPair near(Generator& generator) {
-  const Shape shape = any_shape(generator);
-  Quadratic h = difference(generator, shape);
-  const Rational e = exsect::power_of_two(-integer(generator, 6, 14));
-  h[0][0] += integer(generator, 0, 2) == 0 ? e : Rational(-e);
-  return graphs(generator, h);
-}
+ExactPair near(Generator& generator) { return off_tangent(generator, 6, 14); }
+
+ExactPair nearer(Generator& generator) { return off_tangent(generator, 14, 24); }
 
 ExactPair overlap(Generator& generator) {
   const ExactPair random = near_grids(generator, [&] { return sixteenths(generator, 16); });
@@ -188,6 +193,7 @@ const std::vector<Family>& families() {
                                           {"loop", loop},
                                           {"tangent", tangent},
                                           {"near", near},
+                                          {"nearer", nearer},
                                           {"overlap", overlap}};
   return all;
 }

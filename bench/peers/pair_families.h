@@ -30,6 +30,8 @@ ExactPair tangent(Generator& generator);
 /// As tangent, with 2^-6 to 2^-14 added to the difference or taken away: small loops and near misses, curves
 /// that nearly cross, two curves side by side and patches that nearly touch along a curve.
 ExactPair near(Generator& generator);
+/// As near, with 2^-14 to 2^-24: what only a proof tells from a tangent pair. Not part of the tables.
+ExactPair nearer(Generator& generator);
 /// A common side; a smooth continuation beyond a side; a common piece of one surface.
 ExactPair overlap(Generator& generator);
 
@@ -37,7 +39,7 @@ struct Family {
   std::string name;
   ExactPair (*member)(Generator&);
 };
-/// All of them, in the order of the tables.
+/// All of them.
 const std::vector<Family>& families();
 
 }  // namespace peers

@@ -121,9 +121,11 @@ nlohmann::ordered_json to_json(const Answer& answer) {
   }
   result["points"] = nlohmann::ordered_json::array();
   for (const Vertex& v : answer.points) {
-    result["points"].push_back({{"point", v.point},
-                                {"first", {v.parameters[0], v.parameters[1]}},
-                                {"second", {v.parameters[2], v.parameters[3]}}});
+    nlohmann::ordered_json& point = result["points"].emplace_back();
+    point["point"] = v.point;
+    if (std::isnan(v.parameters[0])) continue;
+    point["first"] = {v.parameters[0], v.parameters[1]};
+    point["second"] = {v.parameters[2], v.parameters[3]};
   }
   return result;
 }

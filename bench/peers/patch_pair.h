@@ -39,7 +39,8 @@ struct Vertex {
 };
 using Curve = std::vector<Vertex>;
 
-/// What a program found: curves as polylines, and isolated points.
+/// What a program found: curves as polylines, and isolated points, whose parameters may be no numbers: not
+/// known.
 struct Answer {
   std::vector<Curve> curves;
   std::vector<Vertex> points;

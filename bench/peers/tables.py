@@ -17,7 +17,14 @@ KINDS = ["lost-curve", "curve-as-points", "wrong-connection", "split", "gap", "s
 
 
 def read(path):
-    return [json.loads(line) for line in path.read_text().splitlines()]
+    """The results of one program, without the curves and with what judge.py says of each, as far as it does."""
+    lines = [json.loads(line) for line in path.read_text().splitlines()]
+    for line in lines:
+        line.pop("curves", None)
+    judged = path.with_name(path.name + ".judged")
+    verdicts = map(json.loads, judged.read_text().splitlines()) if judged.exists() else []
+    by_name = {verdict["name"]: verdict for verdict in verdicts}
+    return [by_name.get(line["name"], {}) | line for line in lines]
 
 
 def table(heads, rows):
@@ -64,14 +71,14 @@ def pair_tables(directory):
     heads = ["program", "median / worst ms", "exsect/peer", "--exact/peer", "exact path", "time-outs / errors",
              "curves found / partly / lost", "invented curves / points", "residual", "bound", "distance"]
     for family in PAIR_FAMILIES:
-        results = [read(directory / f"{family}.{program}.judged") for program in PROGRAMS]
+        results = [read(directory / f"{family}.{program}") for program in PROGRAMS]
         filtered, exact = times(results[0]), times(results[1])
         print(f"\n**{family}**: {len(results[0])} pairs")
         table(heads, (pair_row(lines, filtered, exact) for lines in results))
 
 
 def verdict_row(family, results):
-    done = [line for line in results if line["status"] == "done"]
+    done = [line for line in results if "verdict" in line]
     verdicts = collections.Counter(line["verdict"] for line in done)
     kinds = collections.Counter(kind for line in done for kind in line.get("differences", {}))
     return [family, results[0]["program"], *(verdicts[v] for v in ("agrees", "disagrees", "undecided", "refused")),
@@ -80,7 +87,7 @@ def verdict_row(family, results):
 
 def verdict_table(directory):
     table(["family", "program", "agrees", "disagrees", "undecided", "refused", "no answer", *KINDS],
-          (verdict_row(family, read(directory / f"{family}.{program}.judged"))
+          (verdict_row(family, read(directory / f"{family}.{program}"))
            for family in PAIR_FAMILIES for program in PROGRAMS[2:]))
 
 
