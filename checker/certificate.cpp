@@ -13,32 +13,54 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view parameter_letters = "uvrs";
 
+/// The double that the text p/q, or p, is, if it is short: |p| <= 2^53, q a power of two.
+std::optional<double> short_number(const std::string& text) {
+  const char* end = text.data() + text.size();
+  std::int64_t p = 0;
+  std::int64_t q = 1;
+  const auto numerator = std::from_chars(text.data(), end, p);
+  if (numerator.ec != std::errc() || std::abs(p) > std::int64_t{1} << 53) return std::nullopt;
+  if (numerator.ptr != end) {
+    const auto denominator = std::from_chars(std::min(numerator.ptr + 1, end), end, q);
+    if (denominator.ec != std::errc() || q < 2 || (q & (q - 1)) != 0 || p % 2 == 0) return std::nullopt;
+  }
+  const bool canonical = text == std::to_string(p) + (q == 1 ? "" : "/" + std::to_string(q));
+  return canonical ? std::optional(static_cast<double>(p) / static_cast<double>(q)) : std::nullopt;
+}
+
 /// A value with its place. Everything that is not of the required form is rejected.
 class Value {
  public:
-  Value(const Json& json, std::string place) : json_(json), place_(std::move(place)) {}
+  explicit Value(const Json& root) : json_(root) {}
 
-  [[noreturn]] void reject(const std::string& reason) const { throw Rejected(place_, reason); }
+  /// JSON path.
+  std::string place() const {
+    if (!parent_) return "$";
+    return parent_->place() + (key_ ? std::string(".") + key_ : "[" + std::to_string(index_) + "]");
+  }
+  [[noreturn]] void reject(const std::string& reason) const { throw Rejected(place(), reason); }
   void require(bool holds, const char* reason) const {
     if (!holds) reject(reason);
   }
 
   /// The member of an object whose keys are exactly these, in this order.
-  Value operator[](const char* key) const { return {json_.at(key), place_ + "." + key}; }
-  void require_keys(std::initializer_list<const char*> keys) const {
-    require(json_.is_object() && json_.size() == keys.size(), "must be an object with the documented keys");
+  Value operator[](const char* key) const { return {json_.at(key), this, key, 0}; }
+  void require_keys(std::initializer_list<const char*> keys, const char* last) const {
+    require(json_.is_object() && json_.size() == keys.size() + 1,
+            "must be an object with the documented keys");
     auto it = json_.begin();
     for (const char* key : keys) {
       require(it.key() == key, "must be an object with the documented keys in their order");
       ++it;
     }
+    require(it.key() == last, "must be an object with the documented keys in their order");
   }
 
   std::size_t size() const {
     require(json_.is_array(), "must be an array");
     return json_.size();
   }
-  Value operator[](std::size_t i) const { return {json_[i], place_ + "[" + std::to_string(i) + "]"}; }
+  Value operator[](std::size_t i) const { return {json_[i], this, nullptr, i}; }
   void require_size(std::size_t n) const {
     if (size() != n) reject("must have " + std::to_string(n) + " elements");
   }
@@ -74,55 +96,65 @@ class Value {
     require(text().size() == 1 && i != std::string_view::npos, "must be u, v, r or s");
     return i;
   }
-  Rational rational() const {
+  template <class N>
+  N number() const {
+    if constexpr (std::is_same_v<N, Enclosure>)
+      if (const auto exact = short_number(text())) return N(*exact);
     try {
       const Rational q = parse_number(text());
       require(to_string(q) == text(), "must be p/q in lowest terms, or p");
-      return q;
+      return N(q);
     } catch (const std::invalid_argument& error) {
       reject(error.what());
     }
   }
-  Vector4<Rational> vector4() const {
-    return array<4>([](const Value& v) { return v.rational(); });
-  }
-  std::array<Rational, 3> vector3() const {
-    return array<3>([](const Value& v) { return v.rational(); });
+  template <class N, std::size_t n>
+  std::array<N, n> numbers() const {
+    return array<n>([](const Value& v) { return v.number<N>(); });
   }
 
   /// A claim: an object with these keys and, last, a seal over its place and its other members.
   void require_claim(std::initializer_list<const char*> keys) const {
-    require(json_.is_object() && json_.size() == keys.size() + 1 && json_.contains("seal"),
-            "must be an object with the documented keys and a seal");
-    Json claim = json_;
-    claim.erase("seal");
-    Value(claim, place_).require_keys(keys);
-    require((*this)["seal"].text() == seal(place_ + claim.dump()), "the seal does not fit the claim");
+    require_keys(keys, "seal");
+    const std::string& said = (*this)["seal"].text();
+    const std::string text = json_.dump();
+    const std::string members =
+        text.substr(0, text.size() - (",\"seal\":}" + Json(said).dump()).size()) + "}";
+    require(said == seal(place() + members), "the seal does not fit the claim");
   }
 
  private:
+  Value(const Json& json, const Value* parent, const char* key, std::size_t index)
+      : json_(json), parent_(parent), key_(key), index_(index) {}
+
   const Json& json_;
-  std::string place_;
+  const Value* parent_ = nullptr;  // outlives this value
+  const char* key_ = nullptr;
+  std::size_t index_ = 0;
 };
 
 BezierPatch patch(const Value& value) {
   value.require_claim({"name", "points"});
   const auto row = [](const Value& v) {
-    return v.array<3>([](const Value& p) { return Point(p.vector3()); });
+    return v.array<3>([](const Value& p) { return p.numbers<Rational, 3>(); });
   };
   return BezierPatch(value["points"].array<3>(row));
 }
 
 Relation relation(const Value& value) {
   value.require_claim({"direction", "first", "second"});
-  return {value["direction"].vector3(), value["first"].parameter(), value["second"].parameter()};
+  return {value["direction"].numbers<Rational, 3>(), value["first"].parameter(), value["second"].parameter()};
 }
 
-Tube<Rational> tube(const Value& value) {
+template <class N>
+Tube<N> tube(const Value& value) {
   value.require_claim({"centre", "axis", "slope", "reach", "width", "inverse"});
-  return {value["centre"].vector4(), value["axis"].parameter(),
-          value["slope"].vector4(),  value["reach"].rational(),
-          value["width"].rational(), value["inverse"].array<3>([](const Value& v) { return v.vector3(); })};
+  return {value["centre"].numbers<N, 4>(),
+          value["axis"].parameter(),
+          value["slope"].numbers<N, 4>(),
+          value["reach"].number<N>(),
+          value["width"].number<N>(),
+          value["inverse"].array<3>([](const Value& v) { return v.numbers<N, 3>(); })};
 }
 
 Side side(const Value& value) {
@@ -133,28 +165,31 @@ Side side(const Value& value) {
   return {i, text.back() - '0'};
 }
 
-Node node(const Value& value) {
+template <class N>
+Node<N> node(const Value& value) {
   value.require_claim({"tube", "at", "radius", "on", "wrt"});
-  return {value["tube"].count(), value["at"].vector4(), value["radius"].rational(), value["on"].list(side),
-          value["wrt"].list([](const Value& v) { return v.parameter(); })};
+  return {value["tube"].count(), value["at"].numbers<N, 4>(), value["radius"].number<N>(),
+          value["on"].list(side), value["wrt"].list([](const Value& v) { return v.parameter(); })};
 }
 
-ArcPoint arc_point(const Value& value) {
+template <class N>
+ArcPoint<N> arc_point(const Value& value) {
   value.require(value.size() == 4 || value.size() == 7, "must be a list of 4 or 7 numbers");
-  ArcPoint result;
-  for (std::size_t i = 0; i < 4; ++i) result.at[i] = value[i].rational();
-  if (value.size() == 7) result.vertex = {value[4].rational(), value[5].rational(), value[6].rational()};
+  ArcPoint<N> result;
+  for (std::size_t i = 0; i < 4; ++i) result.at[i] = value[i].number<N>();
+  if (value.size() == 7) result.vertex = {value[4].number<N>(), value[5].number<N>(), value[6].number<N>()};
   return result;
 }
 
-Arc arc(const Value& value) {
+template <class N>
+Arc<N> arc(const Value& value) {
   value.require_claim({"component", "from", "to", "points", "pieces", "error_bound"});
   const auto piece = [](const Value& v) {
     v.require_size(2);
     return Piece{v[std::size_t{0}].count(), v[std::size_t{1}].count()};
   };
-  return {value["component"].count(),      value["from"].count(),       value["to"].count(),
-          value["points"].list(arc_point), value["pieces"].list(piece), value["error_bound"].rational()};
+  return {value["component"].count(),         value["from"].count(),       value["to"].count(),
+          value["points"].list(arc_point<N>), value["pieces"].list(piece), value["error_bound"].number<N>()};
 }
 
 Component component(const Value& value) {
@@ -173,14 +208,14 @@ Cell cell(const Value& value, std::size_t i) {
   const std::size_t parameter = parameter_letters.find(claim);
   if (claim.size() == 1 && parameter != std::string_view::npos) return {Cell::Kind::split, parameter, {}};
   const auto number = [&](std::string_view part) {
-    long n = 0;
+    int n = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), n);
     value.require(error == std::errc() && end == part.data() + part.size() && std::to_string(n) == part,
                   "must be a parameter, a tube such as t5, or a direction such as 3 -1 2");
     return n;
   };
   if (!claim.empty() && claim[0] == 't') {
-    const long n = number(std::string_view(claim).substr(1));
+    const int n = number(std::string_view(claim).substr(1));
     value.require(n >= 0, "must name a tube");
     return {Cell::Kind::tube, static_cast<std::size_t>(n), {}};
   }
@@ -231,26 +266,29 @@ std::string seal(const std::string& text) {
   return result;
 }
 
-Certificate read_certificate(const std::string& text) {
+template <class N>
+Certificate<N> read_certificate(const std::string& text) {
   const Json json = parse(text);
   if (!json.is_object() || json.value("exsect", Json()) != "certificate/1")
     throw Unreadable("not of the form certificate/1");
-  const Value root(json, "$");
-  root.require_keys({"exsect", "command", "first", "second", "relations", "tubes", "nodes", "arcs",
-                     "components", "cover", "summary"});
+  const Value root(json);
+  root.require_keys(
+      {"exsect", "command", "first", "second", "relations", "tubes", "nodes", "arcs", "components", "cover"},
+      "summary");
   root["command"].require(root["command"].text() == "intersect", "must be intersect");
-  Certificate result = {{patch(root["first"]), patch(root["second"])},
-                        {root["first"]["name"].text(), root["second"]["name"].text()},
-                        root["relations"].list(relation),
-                        root["tubes"].list(tube),
-                        root["nodes"].list(node),
-                        root["arcs"].list(arc),
-                        root["components"].list(component),
-                        {},
-                        summary(root["summary"])};
+  Certificate<N> result = {{patch(root["first"]), patch(root["second"])},
+                           root["relations"].list(relation),
+                           root["tubes"].list(tube<N>),
+                           root["nodes"].list(node<N>),
+                           root["arcs"].list(arc<N>),
+                           root["components"].list(component),
+                           {},
+                           summary(root["summary"])};
   const Value cover = root["cover"];
   for (std::size_t i = 0; i < cover.size(); ++i) result.cover.push_back(cell(cover[i], i));
   return result;
 }
+template Certificate<Rational> read_certificate(const std::string&);
+template Certificate<Enclosure> read_certificate(const std::string&);
 
 }  // namespace exsect::checker

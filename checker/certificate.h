@@ -43,18 +43,20 @@ struct Relation {
 };
 
 /// A point on the curve of a tube, within `radius` of `at` in each parameter.
+template <class N>
 struct Node {
   std::size_t tube;
-  Vector4<Rational> at;
-  Rational radius;
+  Vector4<N> at;
+  N radius;
   std::vector<Side> on;
   std::vector<std::size_t> wrt;
 };
 
 /// A place on the curve, with the polyline's vertex in space if it has one here.
+template <class N>
 struct ArcPoint {
-  Vector4<Rational> at;
-  std::optional<std::array<Rational, 3>> vertex;
+  Vector4<N> at;
+  std::optional<Vector3<N>> vertex;
 };
 
 /// The part of an arc in a tube, up to the point `last`.
@@ -63,13 +65,14 @@ struct Piece {
   std::size_t last;
 };
 
+template <class N>
 struct Arc {
   std::size_t component;
   std::size_t from;
   std::size_t to;
-  std::vector<ArcPoint> points;
+  std::vector<ArcPoint<N>> points;
   std::vector<Piece> pieces;
-  Rational error_bound;
+  N error_bound;
 };
 
 struct Component {
@@ -81,8 +84,8 @@ struct Component {
 struct Cell {
   enum class Kind { split, excluded, tube };
   Kind kind;
-  std::size_t index;                 // the parameter that is halved; the tube
-  std::array<Integer, 3> direction;  // excluded
+  std::size_t index;             // the parameter that is halved; the tube
+  std::array<int, 3> direction;  // excluded
 };
 
 struct Summary {
@@ -94,13 +97,14 @@ struct Summary {
   std::array<std::size_t, 4> turning;
 };
 
+/// N: Rational, or Enclosure, to check in doubles.
+template <class N>
 struct Certificate {
   std::array<BezierPatch, 2> patches;
-  std::array<std::string, 2> names;
   std::vector<Relation> relations;
-  std::vector<Tube<Rational>> tubes;
-  std::vector<Node> nodes;
-  std::vector<Arc> arcs;
+  std::vector<Tube<N>> tubes;
+  std::vector<Node<N>> nodes;
+  std::vector<Arc<N>> arcs;
   std::vector<Component> components;
   std::vector<Cell> cover;
   Summary summary;
@@ -110,6 +114,7 @@ struct Certificate {
 std::string seal(const std::string& text);
 
 /// Throws Unreadable, or Rejected with the place where the form is violated or a seal is broken.
-Certificate read_certificate(const std::string& text);
+template <class N>
+Certificate<N> read_certificate(const std::string& text);
 
 }  // namespace exsect::checker

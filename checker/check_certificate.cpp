@@ -14,7 +14,8 @@ void require(bool holds, const std::string& place, const char* reason) {
   if (!holds) throw Rejected(place, reason);
 }
 
-void check_graph(const Certificate& certificate, const std::vector<std::array<ArcEnd, 2>>& ends) {
+template <class N>
+void check_graph(const Certificate<N>& certificate, const std::vector<std::array<ArcEnd, 2>>& ends) {
   for (std::size_t i = 0; i < certificate.nodes.size(); ++i) {
     std::vector<int> directions;
     for (const auto& pair : ends)
@@ -36,7 +37,7 @@ void check_graph(const Certificate& certificate, const std::vector<std::array<Ar
     require(!component.arcs.empty(), where, "without arcs");
     std::vector<std::size_t> nodes;
     for (const std::size_t a : component.arcs) {
-      const Arc& arc = element(certificate.arcs, a, where, "names no arc");
+      const Arc<N>& arc = element(certificate.arcs, a, where, "names no arc");
       require(!listed[a] && arc.component == c, where, "an arc does not belong to this component alone");
       listed[a] = true;
       // In order along the curve: each arc has a node in common with those before it.
@@ -55,13 +56,13 @@ void check_graph(const Certificate& certificate, const std::vector<std::array<Ar
           "an arc is missing");
   for (std::size_t c = 0; c < certificate.components.size(); ++c) {
     for (const std::size_t a : certificate.components[c].arcs)
-      for (const Arc& arc : certificate.arcs)
+      for (const Arc<N>& arc : certificate.arcs)
         require(arc.component == c ||
                     (arc.from != certificate.arcs[a].from && arc.from != certificate.arcs[a].to &&
                      arc.to != certificate.arcs[a].from && arc.to != certificate.arcs[a].to),
                 place("components", c), "connected with another component");
   }
-  for (const Node& node : certificate.nodes) {
+  for (const Node<N>& node : certificate.nodes) {
     if (!node.on.empty()) ++count.boundary;
     for (const std::size_t i : node.wrt) ++count.turning[i];
   }
@@ -74,30 +75,43 @@ void check_graph(const Certificate& certificate, const std::vector<std::array<Ar
           "$.summary", "does not agree with the claims and their graph");
 }
 
-Report check_certificate(const std::string& text) {
-  const Certificate certificate = read_certificate(text);
-  const Pair<Rational> pair = power_basis(certificate.patches);
-  check_relations(certificate, pair);
-  const std::vector<ProvedTube> tubes = check_tubes(certificate, pair);
-  check_nodes(certificate, pair, tubes);
+namespace {
+
+template <class N>
+Report check(const Certificate<N>& certificate) {
+  Replay<N> all = replay(certificate);
+  check_relations(all);
+  check_tubes(all);
+  check_nodes(all);
   std::vector<std::array<ArcEnd, 2>> ends;
-  std::vector<bool> used(tubes.size());
+  std::vector<bool> used(all.tubes.size());
   for (std::size_t i = 0; i < certificate.arcs.size(); ++i) {
-    ends.push_back(check_arc(certificate, pair, tubes, i));
+    ends.push_back(check_arc(all, i));
     for (const Piece& piece : certificate.arcs[i].pieces) used[piece.tube] = true;
   }
-  for (std::size_t i = 0; i < tubes.size(); ++i)
-    require(used[i], place("tubes", i), "no arc runs through it");
+  for (std::size_t i = 0; i < used.size(); ++i) require(used[i], place("tubes", i), "no arc runs through it");
   check_graph(certificate, ends);
-  check_cover(certificate);
+  check_cover(all);
 
-  Report report = {certificate.summary, certificate.nodes.size(), certificate.arcs.size(),
-                   certificate.tubes.size(), certificate.relations.size()};
+  Report report = {certificate.summary};
   for (const Cell& cell : certificate.cover) {
     if (cell.kind == Cell::Kind::excluded) ++report.exclusions;
     if (cell.kind == Cell::Kind::tube) ++report.covered;
   }
   return report;
+}
+
+}  // namespace
+
+Report check_in_doubles(const std::string& text) { return check(read_certificate<Enclosure>(text)); }
+
+Report check_certificate(const std::string& text) {
+  const Certificate<Enclosure> in_doubles = read_certificate<Enclosure>(text);
+  try {
+    return check(in_doubles);
+  } catch (const Rejected&) {
+    return check(read_certificate<Rational>(text));
+  }
 }
 
 }  // namespace exsect::checker

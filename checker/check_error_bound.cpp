@@ -20,103 +20,121 @@ Rational root_above(const Rational& q) {
   return Rational(sqrt(scaled) + 1) * power_of_two(-shift);
 }
 
-Rational norm_above(const std::array<Rational, 3>& a) { return root_above(dot(a, a)); }
+template <class N>
+N norm_above(const Vector3<N>& a) {
+  return root_above(dot(a, a));
+}
+template <class N>
+Vector3<N> difference(const Vector3<N>& a, const Vector3<N>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
-/// A box around given points: middle and half extents, multiples of 2^-24.
+/// q rounded down to a multiple of 2^-24: short numbers.
+Rational rounded_down(const Rational& q) {
+  const Rational scaled = q * (1 << 24);
+  return Rational(numerator(scaled) / denominator(scaled)) / (1 << 24);
+}
+Enclosure rounded_down(const Enclosure& a) { return a; }
+
+/// A box around given points: middle and half extents.
+template <class N>
 struct Hull {
-  Vector4<Rational> middle;
-  Vector4<Rational> half;
+  Vector4<N> middle;
+  Vector4<N> half;
 };
 
-Hull hull(const Vector4<Rational>& a, const Vector4<Rational>& b, const Rational& margin) {
-  const Rational unit = power_of_two(-24);
-  Hull result;
+template <class N>
+Hull<N> hull(const Vector4<N>& a, const Vector4<N>& b, const N& margin) {
+  Hull<N> result;
   for (std::size_t i = 0; i < 4; ++i) {
-    const Rational middle = (a[i] + b[i]) / (2 * unit);
-    const Integer rounded = numerator(middle) / denominator(middle);
-    result.middle[i] = unit * rounded;
-    const Rational half = (magnitude(Rational(a[i] - b[i])) / 2 + margin) / unit;
-    result.half[i] = unit * (numerator(half) / denominator(half) + 2);
+    result.middle[i] = rounded_down(N((a[i] + b[i]) / 2));
+    result.half[i] = rounded_down(N(magnitude(N(a[i] - b[i])) / 2 + margin)) + N(0x1p-23);
   }
   return result;
 }
 
 /// A matrix near the inverse of the columns of DF other than the axis at the point: any matrix will do if the
 /// defect comes out below 1.
-Matrix3<Rational> near_inverse(const Pair<Rational>& local, std::size_t axis) {
-  Matrix3<Rational> m;
+template <class N>
+Matrix3<N> near_inverse(const Pair<N>& local, std::size_t axis) {
+  Matrix3<double> m;
   for (std::size_t d = 0; d < 3; ++d)
-    for (std::size_t j = 0; j < 3; ++j) m[d][j] = local.first(d, others(axis)[j], {}).middle;
-  const Rational det = determinant(m[0], m[1], m[2]);
-  Matrix3<Rational> result;
-  for (std::size_t d = 0; d < 3 && det != 0; ++d) {
-    const Point row = cross(m[(d + 1) % 3], m[(d + 2) % 3]);
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double entry = to_double(row[j] / det);
-      if (std::isfinite(entry)) result[j][d] = from_double(entry);
-    }
-  }
+    for (std::size_t j = 0; j < 3; ++j) m[d][j] = approximate(local.first(d, others(axis)[j], {}).middle);
+  const auto cofactor = [&](std::size_t d, std::size_t j) {
+    const auto& p = m[(d + 1) % 3];
+    const auto& q = m[(d + 2) % 3];
+    return p[(j + 1) % 3] * q[(j + 2) % 3] - p[(j + 2) % 3] * q[(j + 1) % 3];
+  };
+  const double det = m[0][0] * cofactor(0, 0) + m[0][1] * cofactor(0, 1) + m[0][2] * cofactor(0, 2);
+  Matrix3<N> result;
+  for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (const double entry = cofactor(d, j) / det; std::isfinite(entry)) result[j][d] = N(entry);
   return result;
 }
 
+template <class N>
 class ErrorBound {
  public:
-  ErrorBound(const Arc& arc, const Pair<Rational>& pair, const std::vector<Rational>& radius)
-      : arc_(arc), pair_(pair), radius_(radius) {}
+  ErrorBound(const Replay<N>& replay, const Arc<N>& arc, const std::vector<N>& radius)
+      : arc_(arc), pair_(replay.pair), radius_(radius) {
+    for (std::size_t d = 0; d < 3; ++d) origin_[d] = N(replay.origin[d]);
+  }
 
-  /// Every point of the arc has its own place on the polyline: at a point without a vertex, the place nearest
-  /// to it on its edge. Rejected if these places are not in order.
+  /// Every point of the arc has a place on the polyline: a point without a vertex the one nearest to it on
+  /// its edge, but none before that of another point before it.
   void place_on_polyline(const std::string& where) {
-    for (const ArcPoint& p : arc_.points) at_.push_back(pair_point(p.at));
+    for (const ArcPoint<N>& p : arc_.points) {
+      const auto& [u, v, r, s] = p.at;
+      at_.push_back({value(pair_.x, 0, u, v), value(pair_.x, 1, u, v), value(pair_.x, 2, u, v)});
+    }
     std::size_t a = 0;
     for (std::size_t b = 1; b < arc_.points.size(); ++b) {
       if (!arc_.points[b].vertex) continue;
-      const Point from = *arc_.points[a].vertex;
-      const Point edge = *arc_.points[b].vertex - from;
+      const Vector3<N> from = difference(*arc_.points[a].vertex, origin_);
+      const Vector3<N> edge = difference(*arc_.points[b].vertex, *arc_.points[a].vertex);
       places_.push_back(from);
-      Rational before = 0;
+      N before = 0;
       for (std::size_t j = a + 1; j < b; ++j) {
-        const Rational length = dot(edge, edge);
+        const N length = dot(edge, edge);
         require(length > 0, where, "an edge of the polyline has no length");
-        const Rational t = dot(edge, at_[j] - from) / length;
-        require(before <= t && t <= 1, where, "a point is not beside its edge of the polyline");
+        const N nearest = dot(edge, difference(at_[j], from)) / length;
+        const N t = -larger(N(-larger(before, nearest)), N(-1));
         before = t;
-        places_.push_back(from + t * edge);
+        places_.push_back({from[0] + t * edge[0], from[1] + t * edge[1], from[2] + t * edge[2]});
       }
       a = b;
     }
-    places_.push_back(*arc_.points.back().vertex);
+    places_.push_back(difference(*arc_.points.back().vertex, origin_));
   }
 
   /// The greatest distance on the steps first, ..., last - 1, all in one tube.
-  Rational over(const Tube<Rational>& tube, std::size_t first, std::size_t last,
-                const std::string& where) const {
-    Rational margin = 0;
+  N over(std::size_t axis, std::size_t first, std::size_t last, const std::string& where) const {
+    N margin = 0;
     for (std::size_t j = first; j <= last; ++j) margin = larger(margin, radius_[j]);
-    const Hull box = hull(arc_.points[first].at, arc_.points[last].at, 2 * margin);
-    const Pair<Rational> here = pair_.at(box.middle);
-    const CurveBounds<Rational> bounds =
-        curve_bounds(here.times(near_inverse(here, tube.axis)), tube.axis, box.half);
+    const Hull<N> box = hull(arc_.points[first].at, arc_.points[last].at, N(2 * margin));
+    const Pair<N> here = pair_.at(box.middle);
+    const CurveBounds<N> bounds = curve_bounds(here.times(near_inverse(here, axis)), axis, box.half);
     require(bounds.defect < 1, where, "no derivative over a step of the polyline");
-    const Pair<Rational> x = {here.x, {}};
-    std::array<Rational, 3> second;
-    std::array<Rational, 3> slope;
+    const Pair<N> x = {here.x, {}};
+    Vector3<N> second;
+    Vector3<N> slope;
     for (std::size_t d = 0; d < 3; ++d) {
-      const Ball<Rational> xu = x.first(d, 0, box.half);
-      const Ball<Rational> xv = x.first(d, 1, box.half);
+      const Ball<N> xu = x.first(d, 0, box.half);
+      const Ball<N> xv = x.first(d, 1, box.half);
       second[d] =
           (x.second(d, bounds.first, box.half) + xu * bounds.second[0] + xv * bounds.second[1]).magnitude();
       slope[d] = xu.magnitude() + xv.magnitude();
     }
-    const Rational bend = norm_above(second) / 8;
-    const Rational speed = norm_above(slope);
-    Rational most = 0;
-    Rational before = 0;
+    const N bend = norm_above(second) / 8;
+    const N speed = norm_above(slope);
+    N most = 0;
+    N before = 0;
     for (std::size_t j = first; j <= last; ++j) {
-      const Rational end = norm_above(at_[j] - places_[j]) + speed * radius_[j];
+      const N end = norm_above(difference(at_[j], places_[j])) + speed * radius_[j];
       if (j > first) {
-        const Rational step = arc_.points[j].at[tube.axis] - arc_.points[j - 1].at[tube.axis];
-        most = larger(most, Rational(larger(before, end) + step * step * bend));
+        const N step = arc_.points[j].at[axis] - arc_.points[j - 1].at[axis];
+        most = larger(most, N(larger(before, end) + step * step * bend));
       }
       before = end;
     }
@@ -124,40 +142,35 @@ class ErrorBound {
   }
 
  private:
-  Point pair_point(const Vector4<Rational>& w) const {
-    Point result;
-    for (std::size_t d = 0; d < 3; ++d) {
-      const auto row = [&](std::size_t i) {
-        const auto& c = pair_.x[i];
-        return Rational(c[0][d] + w[1] * (c[1][d] + w[1] * c[2][d]));
-      };
-      result[d] = row(0) + w[0] * (row(1) + w[0] * row(2));
-    }
-    return result;
-  }
-
-  const Arc& arc_;
-  const Pair<Rational>& pair_;
-  const std::vector<Rational>& radius_;
-  std::vector<Point> at_;      // x at the points
-  std::vector<Point> places_;  // on the polyline
+  const Arc<N>& arc_;
+  const Pair<N>& pair_;
+  const std::vector<N>& radius_;
+  Vector3<N> origin_;
+  std::vector<Vector3<N>> at_;      // x at the points
+  std::vector<Vector3<N>> places_;  // on the polyline
 };
 
 }  // namespace
 
-void check_error_bound(const Arc& arc, const Pair<Rational>& pair, const std::vector<ProvedTube>& tubes,
-                       const std::vector<Rational>& radius, const std::string& where) {
+template <class N>
+void check_error_bound(const Replay<N>& replay, const Arc<N>& arc, const std::vector<N>& radius,
+                       const std::string& where) {
   require(arc.points.front().vertex && arc.points.back().vertex, where, "an end of the polyline is missing");
-  ErrorBound bound(arc, pair, radius);
+  ErrorBound<N> bound(replay, arc, radius);
   bound.place_on_polyline(where);
   std::size_t first = 0;
   for (const Piece& piece : arc.pieces) {
     for (std::size_t j = first; j < piece.last; j += group) {
-      const Rational most = bound.over(tubes[piece.tube].claim, j, std::min(j + group, piece.last), where);
+      const N most =
+          bound.over(replay.certificate.tubes[piece.tube].axis, j, std::min(j + group, piece.last), where);
       require(most <= arc.error_bound, where, "the error bound is too small");
     }
     first = piece.last;
   }
 }
+template void check_error_bound(const Replay<Rational>&, const Arc<Rational>&, const std::vector<Rational>&,
+                                const std::string&);
+template void check_error_bound(const Replay<Enclosure>&, const Arc<Enclosure>&,
+                                const std::vector<Enclosure>&, const std::string&);
 
 }  // namespace exsect::checker

@@ -1,5 +1,5 @@
-// Bounds for the curve x(u,v) = y(r,s) near a point (docs/certificate.md, "Tubes"). Over Q they are exact and
-// prove; over doubles they let a writer look for claims.
+// Bounds for the curve x(u,v) = y(r,s) near a point (docs/certificate.md, "Tubes"). Over Q, and in Enclosure,
+// they prove; over doubles they let a writer look for claims.
 //
 // Notation: F(w) = x(u,v) - y(r,s), w = (u,v,r,s); k the axis of a tube, the curve is a graph over w_k; C its
 // inverse, a 3 x 3 matrix near the inverse of the columns of DF other than k. Row i of C F belongs to the
@@ -9,15 +9,19 @@
 #include <array>
 #include <cstddef>
 
+#include "enclosure.h"
+
 namespace exsect::checker {
 
 template <class N>
 using Vector4 = std::array<N, 4>;
 template <class N>
+using Vector3 = std::array<N, 3>;
+template <class N>
 using Matrix3 = std::array<std::array<N, 3>, 3>;
 /// c[i][j] is the vector coefficient of du^i dv^j.
 template <class N>
-using Net = std::array<std::array<std::array<N, 3>, 3>, 3>;
+using Net = std::array<std::array<Vector3<N>, 3>, 3>;
 
 template <class N>
 N magnitude(const N& a) {
@@ -26,6 +30,16 @@ N magnitude(const N& a) {
 template <class N>
 const N& larger(const N& a, const N& b) {
   return a < b ? b : a;
+}
+
+/// -1, 0, 1.
+template <class N>
+int sign_of(const N& a) {
+  return a > 0 ? 1 : a < 0 ? -1 : 0;
+}
+template <class N>
+N dot(const Vector3<N>& a, const Vector3<N>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// All numbers within `radius` of `middle`.
@@ -47,6 +61,13 @@ struct Ball {
 /// The three parameters other than k, in order.
 inline std::array<std::size_t, 3> others(std::size_t k) {
   return {k == 0 ? std::size_t{1} : 0, k <= 1 ? std::size_t{2} : 1, k <= 2 ? std::size_t{3} : 2};
+}
+
+/// Component d of c at (u, v).
+template <class N>
+N value(const Net<N>& c, std::size_t d, const N& u, const N& v) {
+  const auto row = [&](std::size_t i) { return N(c[i][0][d] + v * (c[i][1][d] + v * c[i][2][d])); };
+  return row(0) + u * (row(1) + u * row(2));
 }
 
 /// The coefficients of c at (u + du, v + dv) in du, dv.
@@ -158,9 +179,9 @@ struct Tube {
   /// The box around w with half extents h lies in the tube.
   bool contains(const Vector4<N>& w, const Vector4<N>& h) const {
     const N t = w[axis] - centre[axis];
-    if (magnitude(t) + h[axis] > reach) return false;
+    if (!(magnitude(t) + h[axis] <= reach)) return false;
     for (const std::size_t i : others(axis)) {
-      if (magnitude(N(w[i] - centre[i] - slope[i] * t)) + h[i] + magnitude(slope[i]) * h[axis] > width)
+      if (!(magnitude(N(w[i] - centre[i] - slope[i] * t)) + h[i] + magnitude(slope[i]) * h[axis] <= width))
         return false;
     }
     return true;

@@ -1,4 +1,5 @@
-// The parts of the check, in the order in which one relies on the other. Internal to checker/.
+// The parts of the check, in the order in which one relies on the other. Internal to checker/. N is Rational,
+// or Enclosure: then what is proved is proved, and what is not may nevertheless be true.
 #pragma once
 
 #include "certificate.h"
@@ -15,22 +16,35 @@ const T& element(const std::vector<T>& list, std::size_t i, const std::string& p
 }
 
 /// A tube that is proved to hold one curve, with the derivatives on it.
+template <class N>
 struct ProvedTube {
-  const Tube<Rational>& claim;
-  CurveBounds<Rational> bounds;
+  const Tube<N>& claim;
+  CurveBounds<N> bounds;
 };
 
-/// x and -y in the power basis.
-Pair<Rational> power_basis(const std::array<BezierPatch, 2>& patches);
+template <class N>
+struct Replay {
+  const Certificate<N>& certificate;
+  Pair<Rational> exact;  // x and -y in the power basis
+  Vector3<Rational> origin;
+  Pair<N> pair;  // the same, but x and y moved by -origin
+  std::vector<ProvedTube<N>> tubes = {};
+};
 
-std::vector<ProvedTube> check_tubes(const Certificate& certificate, const Pair<Rational>& pair);
+template <class N>
+Replay<N> replay(const Certificate<N>& certificate);
+
+template <class N>
+void check_relations(const Replay<N>& replay);
+/// Fills replay.tubes.
+template <class N>
+void check_tubes(Replay<N>& replay);
 /// Distance in each parameter between `at`, which is in the tube, and the curve's point with the same
 /// parameter of the axis: at most |C F(at)| / (1 - defect). Rejected at `where` if `at` is not in the tube.
-Rational distance(const ProvedTube& tube, const Pair<Rational>& pair, const Vector4<Rational>& at,
-                  const std::string& where);
-void check_relations(const Certificate& certificate, const Pair<Rational>& pair);
-void check_nodes(const Certificate& certificate, const Pair<Rational>& pair,
-                 const std::vector<ProvedTube>& tubes);
+template <class N>
+N distance(const ProvedTube<N>& tube, const Pair<N>& pair, const Vector4<N>& at, const std::string& where);
+template <class N>
+void check_nodes(const Replay<N>& replay);
 
 /// One end of an arc: it leaves its node in the node's tube with growing (1) or falling (-1) parameter of the
 /// tube's axis.
@@ -39,13 +53,16 @@ struct ArcEnd {
   int direction;
 };
 /// Both ends of the arc; its error bound is checked as well.
-std::array<ArcEnd, 2> check_arc(const Certificate& certificate, const Pair<Rational>& pair,
-                                const std::vector<ProvedTube>& tubes, std::size_t i);
+template <class N>
+std::array<ArcEnd, 2> check_arc(const Replay<N>& replay, std::size_t i);
 /// The greatest distance between an arc and its polyline; radius[j] bounds the distance of the point j, in
 /// each parameter, from all places of the curve that it stands for.
-void check_error_bound(const Arc& arc, const Pair<Rational>& pair, const std::vector<ProvedTube>& tubes,
-                       const std::vector<Rational>& radius, const std::string& where);
-void check_graph(const Certificate& certificate, const std::vector<std::array<ArcEnd, 2>>& ends);
-void check_cover(const Certificate& certificate);
+template <class N>
+void check_error_bound(const Replay<N>& replay, const Arc<N>& arc, const std::vector<N>& radius,
+                       const std::string& where);
+template <class N>
+void check_graph(const Certificate<N>& certificate, const std::vector<std::array<ArcEnd, 2>>& ends);
+template <class N>
+void check_cover(const Replay<N>& replay);
 
 }  // namespace exsect::checker

@@ -146,7 +146,7 @@ class Chain {
     const double limit = t.centre[t.axis] + (end > begin ? 1 : -1) * 0.9 * t.reach;
     double step =
         (end > begin) == (limit > begin) ? std::min(std::abs(limit - begin), 0.5 * std::abs(end - begin)) : 0;
-    for (; step > 0x1p-40; step /= 2) {
+    for (; step > 0x1p-36; step /= 2) {
       Parameters w = points_[at].at;
       const double t0 = begin + (end > begin ? step : -step);
       for (std::size_t i = 0; i < 4; ++i) w[i] += (t0 - begin) * (i == t.axis ? 1 : t.slope[i]);
@@ -165,7 +165,7 @@ class Chain {
     const Tube& t = tubes_[goal_];
     const Parameters& end = points_.back().at;
     const double back = points_[points_.size() - 2].at[t.axis] - end[t.axis];
-    for (double step = back / 2; std::abs(step) > 0x1p-40; step /= 2) {
+    for (double step = back / 2; std::abs(step) > 0x1p-36; step /= 2) {
       Parameters w = end;
       for (std::size_t i = 0; i < 4; ++i) w[i] += step * t.slope[i];
       w = on_curve(pair_, w, t.axis);

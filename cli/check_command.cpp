@@ -26,10 +26,10 @@ Json accepted_json(const checker::Report& report) {
             {"boundary", summary.boundary},
             {"turning", summary.turning}}},
           {"claims",
-           {{"relations", report.relations},
-            {"tubes", report.tubes},
-            {"nodes", report.nodes},
-            {"arcs", report.arcs},
+           {{"relations", summary.claims[0]},
+            {"tubes", summary.claims[1]},
+            {"nodes", summary.claims[2]},
+            {"arcs", summary.claims[3]},
             {"cells_in_tubes", report.covered},
             {"cells_excluded", report.exclusions}}}};
 }
@@ -38,8 +38,8 @@ std::string accepted_text(const checker::Report& report) {
   return fmt::format(
       "accepted: the whole intersection is {} closed and {} open curves\n"
       "replayed: {} nodes, {} arcs, {} tubes, {} relations, {} cells in tubes, {} cells without a solution\n",
-      report.summary.closed, report.summary.open, report.nodes, report.arcs, report.tubes, report.relations,
-      report.covered, report.exclusions);
+      report.summary.closed, report.summary.open, report.summary.claims[2], report.summary.claims[3],
+      report.summary.claims[1], report.summary.claims[0], report.covered, report.exclusions);
 }
 
 }  // namespace

@@ -359,6 +359,8 @@ class Checker:
             while waiting:
                 j = next((j for j in waiting if j == tube.axis or any(
                     self.related(k, j, (node.on[k], node.on[j])) for k in known)), None)
+                if j is None and known and not any(self.pair.at(node.at).value(d) for d in range(3)):
+                    break
                 require(j is not None, place, "a side does not follow from that of the tube's axis")
                 known.append(j)
                 del waiting[j]
@@ -445,9 +447,9 @@ class Checker:
             before = Fraction(0)
             places.append(vertices[a])
             for j in range(a + 1, b):
+                require(any(edge), place, "an edge of the polyline has no length")
                 t = sum(e * (q - p) for e, q, p in zip(edge, at[j], vertices[a])) / sum(e * e for e in edge)
-                require(before <= t <= 1, place, "a point is not beside its edge of the polyline")
-                before = t
+                before = t = min(max(before, t), 1)
                 places.append([p + t * e for p, e in zip(vertices[a], edge)])
             a = b
         places.append(vertices[-1])

@@ -33,16 +33,17 @@ std::string certificate(const BezierPatch& x, const BezierPatch& y) {
   return cli::certificate_text(x, y, names, intersect(x, y, coarse()));
 }
 
+BezierPatch plane(const Point& origin, const Point& first, const Point& second) {
+  ControlNet c{};
+  c[0][0] = origin;
+  c[1][0] = first;
+  c[0][1] = second;
+  return BezierPatch::from_power_basis(c);
+}
+
 /// Two planes that cross in one open arc.
 std::string planes() {
   const auto q = [](long a, long b) { return Rational(a, b); };
-  const auto plane = [](const Point& origin, const Point& first, const Point& second) {
-    ControlNet c{};
-    c[0][0] = origin;
-    c[1][0] = first;
-    c[0][1] = second;
-    return BezierPatch::from_power_basis(c);
-  };
   return certificate(plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                      plane({0, 0, q(-3, 5)}, {1, q(1, 4), 1}, {q(1, 3), 1, q(1, 2)}));
 }
@@ -194,7 +195,7 @@ void mutations_are_rejected(int many) {
 
 }  // namespace
 
-TEST_CASE("no random single change of a certificate is accepted") { mutations_are_rejected(300); }
+TEST_CASE("no random single change of a certificate is accepted") { mutations_are_rejected(200); }
 TEST_CASE("no random single change of a certificate is accepted, many", "[.slow]") {
   mutations_are_rejected(2000);
 }
@@ -205,7 +206,7 @@ TEST_CASE("a forged certificate is rejected, or says the same as the true one") 
   Generator generator(21);
   INFO("seed 21");
   int rejected = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 150; ++i) {
     Json json = truth;
     const std::string change = mutate(json, generator, false);
     seal_again(json);
@@ -219,7 +220,7 @@ TEST_CASE("a forged certificate is rejected, or says the same as the true one") 
         json["second"]["points"] == truth["second"]["points"])
       REQUIRE(json["summary"] == truth["summary"]);
   }
-  CHECK(rejected > 150);
+  CHECK(rejected > 50);
 }
 
 TEST_CASE("claims that are false are rejected where they stand") {
@@ -261,23 +262,40 @@ TEST_CASE("what is no certificate is unreadable") {
     CHECK_THROWS_AS(check_certificate(text), Unreadable);
 }
 
-TEST_CASE("generic random pairs have certificates that are accepted") {
+namespace {
+
+/// Each has a certificate that is accepted, in doubles alone and in exact arithmetic as far as these do not
+/// do.
+void random_pairs_are_accepted(int many, const IntersectOptions& options) {
   Generator generator(22);
   INFO("seed 22");
-  int written = 0;
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < many; ++i) {
     INFO(i);
-    const auto pair = i % 4 == 0   ? random_pairs::small_rationals(generator)
-                      : i % 4 == 1 ? random_pairs::doubles(generator)
-                      : i % 4 == 2 ? random_pairs::scattered(generator)
+    const auto pair = i % 3 == 0   ? random_pairs::small_rationals(generator)
+                      : i % 3 == 1 ? random_pairs::doubles(generator)
                                    : random_pairs::loop(generator);
-    const IntersectResult result = intersect(pair.x, pair.y, coarse());
+    const IntersectResult result = intersect(pair.x, pair.y, options);
     REQUIRE(result.status == Status::complete);
     const checker::Report report = check_certificate(cli::certificate_text(pair.x, pair.y, names, result));
-    CHECK(report.summary.components == result.graph.components.size());
-    ++written;
+    REQUIRE(report.summary.components == result.graph.components.size());
   }
-  CHECK(written == 4);
+}
+
+}  // namespace
+
+TEST_CASE("generic random pairs have certificates that are accepted") {
+  random_pairs_are_accepted(20, coarse());
+}
+TEST_CASE("generic random pairs have certificates that are accepted, many", "[.slow]") {
+  random_pairs_are_accepted(500, {});
+}
+
+TEST_CASE("a curve that begins in a common corner has a certificate") {
+  const auto x = plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  const auto y = plane({0, 0, 0}, {1, Rational(1, 4), 1}, {Rational(1, 3), 1, -1});
+  const IntersectResult result = intersect(x, y, coarse());
+  CHECK(result.graph.nodes[0].on.size() == 4);
+  CHECK(verdict(certificate(x, y)) == "");
 }
 
 TEST_CASE("an event without a certificate is named") {
