@@ -28,12 +28,6 @@ constexpr int kNewtonSteps = 2;
 template <>
 inline constexpr int kNewtonSteps<ArbBall<256>> = 4;
 
-/// Tubes are wide enough to contain the boxes of landmarks and fibre points, of widths 2^-50 and 2^-200.
-template <class Ball>
-constexpr double kLeastTube = 0x1p-49;
-template <>
-inline constexpr double kLeastTube<ArbBall<256>> = 0x1p-199;
-
 template <class Ball>
 TraceFailure failure(const BallPoint<Ball>& at, const char* why) {
   return {{at[0].approximation(), at[1].approximation(), at[2].approximation(), at[3].approximation()}, why};
@@ -109,8 +103,7 @@ class Tracer {
       return std::nullopt;
     }
     const double radius = largest_radius(position_);
-    auto tube = certify_tube(system_, *centre, axis, 0.5 * kOverlap * step_ + 2 * radius,
-                             std::max(4 * radius, kLeastTube<Ball>));
+    auto tube = certify_tube(system_, *centre, axis, 0.5 * kOverlap * step_ + 2 * radius, 4 * radius);
     if (!tube || tube->contraction > kWorstContraction ||
         tube->space_second_derivative * step_ * step_ > kWorstBend || !contains(*tube, position_)) {
       return std::nullopt;

@@ -11,9 +11,15 @@ namespace {
 
 // Factor that covers rounding in sums of nonnegative terms: fewer than 128 terms, each a product of at most
 // six factors, lose less than (1 - 2^-53)^140 > 1 - 2^-45; underflow loses less than 2^-1000, far below every
-// half width accepted (2^-500).
+// half width (2^-199).
 constexpr double kSlack = 1 + 0x1p-40;
-constexpr double kLeastHalfwidth = 0x1p-500;
+
+/// Tubes are wide enough to contain the boxes of landmarks and fibre points, of widths 2^-50 and 2^-200.
+template <class Ball>
+constexpr double kLeastHalfwidth = 0x1p-49;
+template <>
+inline constexpr double kLeastHalfwidth<ArbBall<256>> = 0x1p-199;
+
 /// Half widths that are tried, each time this much wider than the image of the last ones.
 constexpr int kMostWidths = 5;
 constexpr double kWidening = 1.5;
@@ -365,7 +371,7 @@ std::optional<Tube<Ball>> certify_tube(const PairSystem<Ball>& system, const Bal
   for (std::size_t row = 0; row < 3; ++row) {
     f[row] = residual_bound(tube, row);
   }
-  const double least = std::max({least_halfwidth, kLeastHalfwidth, kRoom * uncertainty(tube)});
+  const double least = std::max({least_halfwidth, kLeastHalfwidth<Ball>, kRoom * uncertainty(tube)});
   tube.halfwidth = {};
   for (std::size_t row = 0; row < 3; ++row) {
     tube.halfwidth[others[row]] = std::max(2 * f[row], least);
