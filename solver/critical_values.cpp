@@ -4,22 +4,32 @@
 
 #include <algorithm>
 
+#include "planar_patch.h"
+
 namespace exsect {
 
 namespace {
 
+/// (4.22) where y is plane, else (4.7) to (4.21), along u.
+TurningEliminant eliminant_along_u(const BezierPatch& x, const BezierPatch& y) {
+  if (auto planar = planar_turning_eliminant(x, y)) {
+    return {std::move(planar), {}, false};
+  }
+  return turning_eliminant(x, y);
+}
+
 TurningEliminant eliminant_along(const BezierPatch& x, const BezierPatch& y, Parameter sweep) {
   switch (sweep) {
     case Parameter::u:
-      return turning_eliminant(x, y);
+      return eliminant_along_u(x, y);
     case Parameter::v:
-      return turning_eliminant(x.exchanged(), y);
+      return eliminant_along_u(x.exchanged(), y);
     case Parameter::r:
-      return turning_eliminant(y, x);
+      return eliminant_along_u(y, x);
     case Parameter::s:
       break;
   }
-  return turning_eliminant(y.exchanged(), x);
+  return eliminant_along_u(y.exchanged(), x);
 }
 
 TurningValues turning_values_of(const TurningEliminant& eliminant, Parameter sweep) {

@@ -7,7 +7,7 @@
 #include "identical_patches.h"
 #include "model_scale.h"
 #include "overlap_boundary.h"
-#include "plane_curve.h"
+#include "planar_patch.h"
 #include "traced_curves.h"
 
 namespace exsect {
@@ -15,23 +15,6 @@ namespace exsect {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Whether x_u x x_v vanishes at some point of [0,1]^2, for a patch in a plane.
-bool planar_patch_folds(const BezierPatch& x) {
-  const ControlNet c = x.power_basis();
-  for (std::size_t k = 0; k < 3; ++k) {
-    BivariatePolynomial jacobian_k;
-    const auto coordinate = [&](std::size_t m) {
-      std::vector<Polynomial> rows;
-      for (const auto& row : c) rows.push_back(Polynomial({row[0][m], row[1][m], row[2][m]}));
-      return BivariatePolynomial(std::move(rows));
-    };
-    jacobian_k = jacobian(coordinate((k + 1) % 3), coordinate((k + 2) % 3));
-    // The three are the same polynomial times the coordinates of the plane's normal.
-    if (!jacobian_k.is_zero()) return !component_points(squarefree(jacobian_k)).empty();
-  }
-  return true;
-}
 
 class OneSurface {
  public:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar_patch.h"
+
 namespace exsect {
 
 namespace {
@@ -356,18 +358,9 @@ std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(
 std::array<std::optional<std::size_t>, 2> plane_coordinates(const BezierPatch& x, const BezierPatch& y) {
   std::array<std::optional<std::size_t>, 2> result;
   for (std::size_t p = 0; p < 2; ++p) {
-    std::vector<Point> spanned;
-    const ControlNet c = (p == 0 ? x : y).power_basis();
-    for (std::size_t k = 1; k < 9; ++k) {
-      if (!is_zero(c[k / 3][k % 3])) {
-        spanned.push_back(c[k / 3][k % 3]);
-      }
-    }
-    const std::vector<Point> normals = orthogonal_complement(spanned);
-    if (normals.size() == 1) {
-      for (std::size_t k = 0; k < 3 && !result[p]; ++k) {
-        result[p] = normals[0][k] != 0 ? std::optional(k) : std::nullopt;
-      }
+    const auto plane = plane_of(p == 0 ? x : y);
+    for (std::size_t k = 0; plane && k < 3 && !result[p]; ++k) {
+      result[p] = plane->normal[k] != 0 ? std::optional(k) : std::nullopt;
     }
   }
   return result;
