@@ -210,10 +210,31 @@ class Intersection {
     if (!traced.problems.empty() && sweep_.exact && !last) {
       return false;
     }
-    result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
-    result_.work.steps["searched boxes"] += static_cast<double>(traced.searched_boxes);
     timed("graph", [&] { build_graph(system, landmarks, traced); });
+    const std::optional<ParameterBox> coarse = too_coarse();
+    const bool precision_may_help = traced.problems.empty() && options_.tolerance >= kFinestTolerance;
+    if (coarse && !last && precision_may_help && result_.incomplete.empty()) {
+      result_.graph = {};
+      return false;
+    }
+    result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
+    if (coarse) {
+      incomplete(
+          *coarse,
+          "the tolerance is below what a polyline in doubles can be proved to keep on the arc from here");
+    }
+    result_.work.steps["searched boxes"] += static_cast<double>(traced.searched_boxes);
     return true;
+  }
+
+  /// The start of an arc whose polyline is not proved to keep the tolerance.
+  std::optional<ParameterBox> too_coarse() const {
+    const auto& arcs = result_.graph.arcs;
+    const auto arc = std::find_if(arcs.begin(), arcs.end(), [&](const Arc& a) {
+      return !(a.error_bound <= options_.tolerance * scaling_.extent);
+    });
+    return arc == arcs.end() ? std::nullopt
+                             : std::optional(result_.graph.nodes[static_cast<std::size_t>(arc->from)].box);
   }
 
   /// The nodes of boundary points and stars, and what the landmarks lead to.
@@ -399,7 +420,6 @@ class Intersection {
     IntersectionGraph& graph = result_.graph;
     graph.isolated_points = traced.isolated;
     const std::vector<TraceEnd> ends = add_landmark_nodes(system, landmarks);
-    const double tolerance = options_.tolerance * scaling_.extent;
     for (const SideArc& arc : sides_.arcs) {
       if (!arc.collapsed) {
         add_side_arc(system, arc);
@@ -420,11 +440,6 @@ class Intersection {
     }
     for (const Arc& arc : graph.arcs) {
       result_.work.steps["vertices"] += static_cast<double>(arc.polyline.size());
-      if (!(arc.error_bound <= tolerance)) {
-        incomplete(
-            graph.nodes[static_cast<std::size_t>(arc.from)].box,
-            "the tolerance is below what a polyline in doubles can be proved to keep on the arc from here");
-      }
     }
   }
 
