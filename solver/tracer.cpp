@@ -16,6 +16,8 @@ constexpr double kOverlap = 1.02;
 /// Bound of |X''| step^2: where it is larger the bound is a bad one, and chords would have to be very short.
 constexpr double kWorstBend = 4;
 constexpr int kMostPieces = 200000;
+/// Radius of the points where tubes are joined, by the least half width.
+constexpr double kEndRadius = 0x1p-12;
 constexpr double kEndWidth = 0x1p-48;  // the ends are known within landmarks, as doubles
 
 template <class Ball>
@@ -36,6 +38,15 @@ TraceFailure failure(const BallPoint<Ball>& at, const char* why) {
 template <class Ball>
 double largest_radius(const BallPoint<Ball>& box) {
   return std::max({box[0].radius(), box[1].radius(), box[2].radius(), box[3].radius()});
+}
+
+template <class Ball>
+double narrowest(const Tube<Ball>& tube) {
+  double least = 1;
+  for (const std::size_t j : other_axes(tube.axis)) {
+    least = std::min(least, tube.halfwidth[j]);
+  }
+  return least;
 }
 
 /// The state of a trace: a curve point in a small box, reached in the direction sign * T.
@@ -158,7 +169,7 @@ class Tracer {
     double to = 0;
     for (const double fraction : {1.0, 0.91, 0.83, 0.76}) {
       to = 0.5 * direction_ * step_ * fraction;
-      end = point_at(tube, to);
+      end = point_at(tube, to, kEndRadius * narrowest(tube));
       const BallPoint<Ball> t = Expansion<Ball>(system_, end).tangent();
       if (std::all_of(t.begin(), t.end(), [](const Ball& c) { return c.certain_sign() != 0; })) {
         break;

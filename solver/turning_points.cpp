@@ -16,6 +16,17 @@ constexpr std::size_t kMostPieces = 100000;
 template <>
 inline constexpr std::size_t kMostPieces<ArbBall<256>> = 3000;
 
+/// Width of the smallest brackets; 0: as narrow as doubles tell offsets apart on the tube.
+template <class Ball>
+constexpr double kUnit = 0x1p-50;
+template <>
+inline constexpr double kUnit<ArbBall<256>> = 0;
+
+/// The part of a piece that is given a tube of its own where turning points are close together, and its least
+/// length.
+constexpr double kMagnified = 0x1p-30;
+constexpr double kLeastMagnified = 0x1p-110;
+
 /// The vectors that a linear form must annihilate to depend on one parameter alone: all power-basis
 /// coefficients but those of its powers.
 void append_constraints(std::vector<Point>& constraints, const BezierPatch& patch, std::size_t parameter) {
@@ -89,8 +100,14 @@ class TurningSearch {
           return failure_;
         }
       }
-      if (!order(before)) {
-        return failure_;
+      if (const auto close = order(before)) {
+        if (!magnify(k, *close)) {
+          fail(point_at(trace_.pieces[k].tube, *close),
+               "turning points with respect to two parameters cannot be separated");
+          return failure_;
+        }
+        found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(before), found_.end());
+        --k;
       }
     }
     return std::move(found_);
@@ -204,9 +221,10 @@ class TurningSearch {
     double fa = slope_at(piece.tube, a, i);
     double fb = slope_at(piece.tube, b, i);
     double t = 0.5 * (a + b);
-    for (int step = 0; step < 60 && std::fabs(b - a) > 0x1p-50; ++step) {
+    const double unit = kUnit<Ball> > 0 ? kUnit<Ball> : 0x1p-50 * piece.tube.reach;
+    for (int step = 0; step < 60 && std::fabs(b - a) > unit; ++step) {
       const double next = (a * fb - b * fa) / (fb - fa);
-      const bool settled = std::fabs(next - t) < 0x1p-50;
+      const bool settled = std::fabs(next - t) < unit;
       t = next;
       const double ft = slope_at(piece.tube, t, i);
       if (ft == 0 || settled) {
@@ -222,7 +240,7 @@ class TurningSearch {
       fb = ft;
     }
     const double direction = piece.to > piece.from ? 1 : -1;
-    for (double delta = 0x1p-49; delta < 1; delta *= 4) {
+    for (double delta = 2 * unit; delta < 1; delta *= 4) {
       const double from = direction > 0 ? std::max(t - delta, piece.from) : std::min(t + delta, piece.from);
       const double to = direction > 0 ? std::min(t + delta, piece.to) : std::max(t - delta, piece.to);
       const int s0 = tangent_signs(system_, point_at(piece.tube, from))[i];
@@ -253,11 +271,42 @@ class TurningSearch {
     found_.push_back({parameters, k, from, to, box});
   }
 
-  /// Sorts the turning points of one piece; their brackets must be disjoint.
-  bool order(std::size_t begin) {
+  /// Gives the surroundings of an offset on piece k a tube of their own, so short that doubles tell offsets
+  /// apart that they could not on the piece; false if balls are no finer than doubles, or after many times.
+  bool magnify(std::size_t k, double at) {
+    const Piece<Ball> piece = trace_.pieces[k];
+    const double half = kMagnified * (piece.to - piece.from);
+    if (kUnit < Ball >> 0 || !(std::fabs(half) > kLeastMagnified)) {
+      return false;
+    }
+    const std::array<double, 4> cuts = {piece.from, at - half, at + half, piece.to};
+    std::vector<Piece<Ball>> parts;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if ((cuts[i + 1] - cuts[i]) * half <= 0) {
+        continue;  // close to an end of the piece
+      }
+      const double from = parts.empty() ? piece.from : cuts[i];
+      const double to = i == 2 || (cuts[3] - cuts[2]) * half <= 0 ? piece.to : cuts[i + 1];
+      const auto result = part(piece.tube, from, to);
+      if (!result) {
+        return false;
+      }
+      parts.push_back(*result);
+      if (to == piece.to) {
+        break;
+      }
+    }
+    const auto place = trace_.pieces.erase(trace_.pieces.begin() + static_cast<std::ptrdiff_t>(k));
+    trace_.pieces.insert(place, parts.begin(), parts.end());
+    return true;
+  }
+
+  /// Sorts the turning points of one piece. Their brackets must be disjoint; else an offset where they are
+  /// not.
+  std::optional<double> order(std::size_t begin) {
     const auto first = found_.begin() + static_cast<std::ptrdiff_t>(begin);
     if (found_.end() - first < 2) {
-      return true;
+      return std::nullopt;
     }
     const Piece<Ball>& piece = trace_.pieces[first->piece];
     const bool forward = piece.to > piece.from;
@@ -278,14 +327,13 @@ class TurningSearch {
         continue;
       }
       if (!apart) {
-        fail(point->box, "turning points with respect to two parameters cannot be separated");
-        return false;
+        return 0.5 * (point->from + next.to);
       }
     }
     found_.erase(std::remove_if(first, found_.end(),
                                 [](const TurningPoint<Ball>& point) { return point.parameters.empty(); }),
                  found_.end());
-    return true;
+    return std::nullopt;
   }
 
   static Ball hull(const Ball& a, const Ball& b) {

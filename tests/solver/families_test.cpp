@@ -109,6 +109,31 @@ TEST_CASE("family: touching curve of two bent patches") {
   check_images(families::touching_curve(pair[0].patch, pair[1].patch));
 }
 
+TEST_CASE("family: nearly a touching curve of two bent patches") {
+  const auto pair = read_patches(std::string(EXSECT_EXAMPLES) + "/touching-curve.json").patches;
+  struct Direction {
+    std::size_t axis;
+    std::size_t distances;
+    int open;
+    int closed;
+  };
+  for (const Direction& d : {Direction{2, 4, 2, 0}, Direction{0, 3, 0, 1}}) {
+    for (std::size_t k = 0; k < d.distances; ++k) {
+      INFO("along axis " << d.axis << " by -" << distances()[k]);
+      ControlNet net = pair[1].patch.net();
+      for (auto& row : net) {
+        for (Point& p : row) p[d.axis] -= distances()[k];
+      }
+      const IntersectResult result = intersect(pair[0].patch, BezierPatch(net), {});
+      CHECK(result.status == Status::complete);
+      CHECK(result.graph.count(ComponentShape::open) == d.open);
+      CHECK(result.graph.count(ComponentShape::closed) == d.closed);
+      CHECK(result.graph.count(ComponentShape::branched) == 0);
+      CHECK(result.graph.isolated_points.empty());
+    }
+  }
+}
+
 TEST_CASE("family: double cover") { check_images(families::double_cover()); }
 
 TEST_CASE("family: shared sides") {

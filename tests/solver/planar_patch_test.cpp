@@ -137,4 +137,5 @@ TEST_CASE("planar_patch: near a cusp, and near branches that touch") {
   check_near_curve(kCusp, Plane::bilinear);
   check_near_curve(kCusp, Plane::quadratic);
   check_near_curve(kBranches, Plane::square);
+  check_near_curve(kBranches, Plane::quadratic);
 }

@@ -86,6 +86,44 @@ TEST_CASE("a tube encloses the hyperbola u v = 1/4", "[tube]") {
   check_hyperbola_tube<ArbBall<256>>();
 }
 
+TEST_CASE("a tube follows a bent chart of a line beside a second line at the distance 2e-20", "[tube]") {
+  // (u - v/3 - 1/4)² = e² in the plane ((r + r²)/2, (3s - s²)/2, 0), over s: v = (3s - s²)/2.
+  const Rational e = Rational(1) / pow(Integer(10), 20);
+  const HeightCoefficients lines = {
+      {{q(1, 16) - e * e, q(1, 6), q(1, 9)}, {q(-1, 2), q(-2, 3), 0}, {1, 0, 0}}};
+  ControlNet chart{};
+  chart[1][0][0] = chart[2][0][0] = q(1, 2);
+  chart[0][1][1] = q(3, 2);
+  chart[0][2][1] = q(-1, 2);
+  using Ball = ArbBall<256>;
+  const PairSystem<Ball> system(graph_patch(lines), BezierPatch::from_power_basis(chart), Point{0, 0, 0}, 0);
+  const auto on_curve = [&](const Rational& s, int side) {
+    const Rational v = s * (3 - s) / 2;
+    const Rational u = v / 3 + q(1, 4) + side * e;
+    const double r = (std::sqrt(1 + 8 * to_double(u)) - 1) / 2;
+    const auto point = newton_corrected(
+        system, BallPoint<Ball>{Ball::enclosing(u), Ball::enclosing(v), Ball(r), Ball::enclosing(s)}, 3, 4);
+    REQUIRE(point);
+    return *point;
+  };
+  const auto tube = certify_tube(system, on_curve(q(1, 2), 1), 3, 0.03, 0);
+  REQUIRE(tube);
+  for (const double tau : {-0.03, -0.01, 0.0, 0.02, 0.03}) {
+    const Rational s = q(1, 2) + from_double(tau);
+    const Rational v = s * (3 - s) / 2;
+    const BallPoint<Ball> p = point_at(*tube, tau);
+    CHECK(encloses(p[1], v));
+    CHECK(encloses(p[0], v / 3 + q(1, 4) + e));
+    CHECK(p[0].radius() < 1e-30);
+    CHECK(encloses(tube->slope[1], tube->slope_error[1], 1.5 - to_double(s)));
+    CHECK(encloses(tube->second[1], tube->second_error[1], -1));
+    CHECK_FALSE(excludes(*tube, p));
+    BallPoint<Ball> other = on_curve(s, -1);
+    CHECK(encloses(other[0].widened(1e-40), v / 3 + q(1, 4) - e));
+    CHECK(excludes(*tube, other));
+  }
+}
+
 TEST_CASE("no tube is certified around a crossing, nor where it is too long", "[tube]") {
   const auto crossing = system_of<DoubleBall>(kCrossing);
   for (std::size_t axis = 0; axis < 4; ++axis) {
@@ -108,12 +146,18 @@ TEST_CASE("a circle is traced once around, with its four turning points", "[trac
   CHECK_FALSE(passes_through(trace, on_diagonal(q(1, 2), q(1, 2))));
   double length = 0;  // the chords of one turn add up to a little less than the circumference
   for (const auto& piece : trace.pieces) {
-    const auto a = point_at(piece.tube, piece.from);
-    const auto b = point_at(piece.tube, piece.to);
-    length +=
-        std::hypot(a[0].approximation() - b[0].approximation(), a[1].approximation() - b[1].approximation());
+    constexpr int parts = 8;
+    const auto at = [&](int i) {
+      return point_at(piece.tube, piece.from + (piece.to - piece.from) * i / parts);
+    };
+    for (int i = 0; i < parts; ++i) {
+      const auto a = at(i);
+      const auto b = at(i + 1);
+      length += std::hypot(a[0].approximation() - b[0].approximation(),
+                           a[1].approximation() - b[1].approximation());
+    }
   }
-  CHECK(length == Approx(2 * std::acos(-1.0) / 3).epsilon(0.02));
+  CHECK(length == Approx(2 * std::acos(-1.0) / 3).epsilon(0.001));
 
   const auto coincident = coincident_parameters(graph_patch(kCircle), plane_patch());
   CHECK(coincident == std::array<std::size_t, 4>{2, 3, 0, 1});
