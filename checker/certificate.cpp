@@ -236,6 +236,55 @@ Summary summary(const Value& value) {
           value["open"].count(),           value["boundary"].count(),   value["turning"].array<4>(count)};
 }
 
+Fixed fixed(const Value& value) {
+  value.require_claim({"parameter", "value"});
+  const Fixed result = {value["parameter"].parameter(), value["value"].number<Rational>()};
+  value.require(result.value >= 0 && result.value <= 1, "must be in [0,1]");
+  return result;
+}
+
+/// A point of a line: `at` has the line's value, exactly.
+template <class N>
+Node<N> point(const Value& value, const Fixed& fixed) {
+  value.require_claim({"tube", "at", "radius"});
+  const Value at = value["at"];
+  const Node<N> result = {value["tube"].count(), at.numbers<N, 4>(), value["radius"].number<N>(), {}, {}};
+  value.require(at[fixed.parameter].number<Rational>() == fixed.value, "must be on the line");
+  return result;
+}
+
+template <class N>
+Certificate<N> curves(const Value& root) {
+  root.require_keys(
+      {"exsect", "command", "first", "second", "relations", "tubes", "nodes", "arcs", "components", "cover"},
+      "summary");
+  return {{patch(root["first"]), patch(root["second"])},
+          std::nullopt,
+          root["relations"].list(relation),
+          root["tubes"].list(tube<N>),
+          root["nodes"].list(node<N>),
+          root["arcs"].list(arc<N>),
+          root["components"].list(component),
+          {},
+          summary(root["summary"])};
+}
+
+template <class N>
+Certificate<N> line(const Value& root) {
+  root.require_keys({"exsect", "command", "fixed", "first", "second", "tubes", "points", "cover"}, "summary");
+  const Fixed only = fixed(root["fixed"]);
+  root["summary"].require_claim({"claims"});
+  return {{patch(root["first"]), patch(root["second"])},
+          only,
+          {},
+          root["tubes"].list(tube<N>),
+          root["points"].list([&](const Value& v) { return point<N>(v, only); }),
+          {},
+          {},
+          {},
+          {root["summary"]["claims"].array<5>([](const Value& v) { return v.count(); })}};
+}
+
 /// The document; a key that is given twice is not one.
 Json parse(const std::string& text) {
   std::vector<std::set<std::string>> keys;
@@ -272,18 +321,9 @@ Certificate<N> read_certificate(const std::string& text) {
   if (!json.is_object() || json.value("exsect", Json()) != "certificate/1")
     throw Unreadable("not of the form certificate/1");
   const Value root(json);
-  root.require_keys(
-      {"exsect", "command", "first", "second", "relations", "tubes", "nodes", "arcs", "components", "cover"},
-      "summary");
-  root["command"].require(root["command"].text() == "intersect", "must be intersect");
-  Certificate<N> result = {{patch(root["first"]), patch(root["second"])},
-                           root["relations"].list(relation),
-                           root["tubes"].list(tube<N>),
-                           root["nodes"].list(node<N>),
-                           root["arcs"].list(arc<N>),
-                           root["components"].list(component),
-                           {},
-                           summary(root["summary"])};
+  const Json command = json.value("command", Json());
+  if (command != "intersect" && command != "line") throw Rejected("$.command", "must be intersect or line");
+  Certificate<N> result = command == "line" ? line<N>(root) : curves<N>(root);
   const Value cover = root["cover"];
   for (std::size_t i = 0; i < cover.size(); ++i) result.cover.push_back(cell(cover[i], i));
   return result;

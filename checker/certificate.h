@@ -42,6 +42,12 @@ struct Relation {
   std::size_t second;  // 2 or 3
 };
 
+/// Of a line: only solutions with this value of this parameter are meant.
+struct Fixed {
+  std::size_t parameter;
+  Rational value;
+};
+
 /// A point on the curve of a tube, within `radius` of `at` in each parameter.
 template <class N>
 struct Node {
@@ -90,17 +96,18 @@ struct Cell {
 
 struct Summary {
   std::array<std::size_t, 5> claims;  // relations, tubes, nodes, arcs, entries of the cover
-  std::size_t components;
-  std::size_t closed;
-  std::size_t open;
-  std::size_t boundary;
-  std::array<std::size_t, 4> turning;
+  std::size_t components = 0;
+  std::size_t closed = 0;
+  std::size_t open = 0;
+  std::size_t boundary = 0;
+  std::array<std::size_t, 4> turning = {};
 };
 
 /// N: Rational, or Enclosure, to check in doubles.
 template <class N>
 struct Certificate {
   std::array<BezierPatch, 2> patches;
+  std::optional<Fixed> fixed;  // of a line: then the points are the nodes, and there are no arcs
   std::vector<Relation> relations;
   std::vector<Tube<N>> tubes;
   std::vector<Node<N>> nodes;

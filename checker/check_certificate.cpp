@@ -78,10 +78,9 @@ void check_graph(const Certificate<N>& certificate, const std::vector<std::array
 namespace {
 
 template <class N>
-Report check(const Certificate<N>& certificate) {
-  Replay<N> all = replay(certificate);
+void check_curves(const Replay<N>& all) {
+  const Certificate<N>& certificate = all.certificate;
   check_relations(all);
-  check_tubes(all);
   check_nodes(all);
   std::vector<std::array<ArcEnd, 2>> ends;
   std::vector<bool> used(all.tubes.size());
@@ -91,9 +90,18 @@ Report check(const Certificate<N>& certificate) {
   }
   for (std::size_t i = 0; i < used.size(); ++i) require(used[i], place("tubes", i), "no arc runs through it");
   check_graph(certificate, ends);
-  check_cover(all);
+}
 
-  Report report = {certificate.summary};
+template <class N>
+Report check(const Certificate<N>& certificate) {
+  Replay<N> all = replay(certificate);
+  check_tubes(all);
+  if (certificate.fixed)
+    check_points(all);
+  else
+    check_curves(all);
+  check_cover(all);
+  Report report = {certificate.summary, certificate.fixed};
   for (const Cell& cell : certificate.cover) {
     if (cell.kind == Cell::Kind::excluded) ++report.exclusions;
     if (cell.kind == Cell::Kind::tube) ++report.covered;

@@ -11,13 +11,14 @@ namespace exsect::checker {
 /// What an accepted certificate proves, and how many claims were replayed.
 struct Report {
   Summary summary;
+  std::optional<Fixed> fixed;
   std::size_t exclusions = 0;
   std::size_t covered = 0;  // leaves in tubes
 };
 
-/// Returns if and only if every claim holds, so that docs/certificate.md proves the graph to be the whole
-/// intersection: first in doubles with bounds of their errors, and if something is not certain then,
-/// everything in exact arithmetic. Throws Unreadable, or Rejected with place and reason.
+/// Returns if and only if every claim holds, so that docs/certificate.md proves the graph, or the points of a
+/// line, to be the whole intersection: first in doubles with bounds of their errors, and if something is not
+/// certain then, everything in exact arithmetic. Throws Unreadable, or Rejected with place and reason.
 Report check_certificate(const std::string& text);
 /// The same, but what doubles cannot prove is rejected as well.
 Report check_in_doubles(const std::string& text);

@@ -16,14 +16,19 @@ class Cover {
  public:
   explicit Cover(const Replay<N>& replay)
       : cells_(replay.certificate.cover), tubes_(replay.certificate.tubes) {
-    for (std::size_t n = 0; n < 2; ++n)
+    for (std::size_t n = 0; n < 2; ++n) {
+      const ControlNet net = whole(replay.certificate, n);
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
           for (std::size_t d = 0; d < 3; ++d)
-            whole_.nets[n][i][j][d] =
-                N(Rational(replay.certificate.patches[n].net()[i][j][d] - replay.origin[d]));
+            whole_.nets[n][i][j][d] = N(Rational(net[i][j][d] - replay.origin[d]));
+    }
     whole_.middle.fill(half_);
     whole_.half.fill(half_);
+    if (const auto& fixed = replay.certificate.fixed) {
+      whole_.middle[fixed->parameter] = N(fixed->value);
+      whole_.half[fixed->parameter] = 0;
+    }
   }
 
   void check() {
@@ -47,6 +52,21 @@ class Cover {
       require(separated(box, cell.direction), where,
               "the direction does not separate the patches over the cell");
     }
+  }
+
+  /// The control points of a patch; where one of its parameters is fixed, of its line.
+  static ControlNet whole(const Certificate<N>& certificate, std::size_t patch) {
+    ControlNet net = certificate.patches[patch].net();
+    if (!certificate.fixed || certificate.fixed->parameter / 2 != patch) return net;
+    const Rational& t = certificate.fixed->value;
+    const bool rows = certificate.fixed->parameter % 2 == 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto at = [&](std::size_t m) -> Point& { return rows ? net[m][i] : net[i][m]; };
+      for (std::size_t d = 0; d < 3; ++d)
+        at(0)[d] = (1 - t) * (1 - t) * at(0)[d] + 2 * t * (1 - t) * at(1)[d] + t * t * at(2)[d];
+      at(1) = at(2) = at(0);
+    }
+    return net;
   }
 
   /// The lower or upper half of the box in the parameter.

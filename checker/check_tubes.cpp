@@ -97,19 +97,6 @@ class NodeCheck {
                        });
   }
 
-  /// `at` is a solution, exactly.
-  bool is_solution(const Vector4<N>& at) const {
-    Vector4<Rational> w;
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (!(at[i] == N(approximate(at[i])))) return false;
-      w[i] = Rational(approximate(at[i]));
-    }
-    const auto& [x, y] = replay_.exact;
-    for (std::size_t d = 0; d < 3; ++d)
-      if (value(x, d, w[0], w[1]) + value(y, d, w[2], w[3]) != 0) return false;
-    return true;
-  }
-
   /// The axis is one of the sides; all other sides follow from it by relations, or `at` is a solution.
   void check_sides(const Node<N>& node, const ProvedTube<N>& tube, const N& near,
                    const std::string& where) const {
@@ -126,7 +113,7 @@ class NodeCheck {
     };
     while (!open.empty()) {
       const auto next = std::find_if(open.begin(), open.end(), is_known);
-      if (next == open.end() && !known.empty() && is_solution(node.at)) return;
+      if (next == open.end() && !known.empty() && is_solution(replay_.exact, node.at)) return;
       require(next != open.end(), where, "a side does not follow from that of the tube's axis");
       known.push_back(*next);
       open.erase(next);
@@ -182,6 +169,18 @@ Replay<N> replay(const Certificate<N>& certificate) {
 }
 
 template <class N>
+bool is_solution(const Pair<Rational>& exact, const Vector4<N>& at) {
+  Vector4<Rational> w;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!(at[i] == N(approximate(at[i])))) return false;
+    w[i] = Rational(approximate(at[i]));
+  }
+  for (std::size_t d = 0; d < 3; ++d)
+    if (value(exact.x, d, w[0], w[1]) + value(exact.y, d, w[2], w[3]) != 0) return false;
+  return true;
+}
+
+template <class N>
 void check_tubes(Replay<N>& replay) {
   for (const Tube<N>& tube : replay.certificate.tubes) {
     const std::string where = place("tubes", replay.tubes.size());
@@ -227,12 +226,14 @@ void check_nodes(const Replay<N>& replay) {
 }
 
 template Replay<Rational> replay(const Certificate<Rational>&);
+template bool is_solution(const Pair<Rational>&, const Vector4<Rational>&);
 template void check_tubes(Replay<Rational>&);
 template Rational distance(const ProvedTube<Rational>&, const Pair<Rational>&, const Vector4<Rational>&,
                            const std::string&);
 template void check_relations(const Replay<Rational>&);
 template void check_nodes(const Replay<Rational>&);
 template Replay<Enclosure> replay(const Certificate<Enclosure>&);
+template bool is_solution(const Pair<Rational>&, const Vector4<Enclosure>&);
 template void check_tubes(Replay<Enclosure>&);
 template Enclosure distance(const ProvedTube<Enclosure>&, const Pair<Enclosure>&, const Vector4<Enclosure>&,
                             const std::string&);

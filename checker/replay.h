@@ -65,4 +65,11 @@ void check_graph(const Certificate<N>& certificate, const std::vector<std::array
 template <class N>
 void check_cover(const Replay<N>& replay);
 
+/// F = 0 at `at`, which is exact.
+template <class N>
+bool is_solution(const Pair<Rational>& exact, const Vector4<N>& at);
+/// Of a line.
+template <class N>
+void check_points(const Replay<N>& replay);
+
 }  // namespace exsect::checker

@@ -43,6 +43,23 @@ Cell half_of(const Cell& cell, std::size_t parameter, bool upper) {
   return result;
 }
 
+/// The part of the cell where the parameter has the value, in [0,1].
+Cell on_line(Cell cell, std::size_t parameter, double t) {
+  Net& net = cell.nets[parameter / 2];
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto at = [&](std::size_t m) -> double& {
+        return parameter % 2 == 0 ? net[m][i][d] : net[i][m][d];
+      };
+      at(0) = (1 - t) * (1 - t) * at(0) + 2 * t * (1 - t) * at(1) + t * t * at(2);
+      at(1) = at(2) = at(0);
+    }
+  }
+  cell.middle[parameter] = t;
+  cell.half[parameter] = 0;
+  return cell;
+}
+
 /// The direction with integer components that the vector points to, as long as 100 at most.
 std::array<int, 3> rounded_direction(const Vector& d) {
   const double most = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
@@ -146,11 +163,13 @@ class Cover {
 
 }  // namespace
 
-std::vector<std::string> cover(const NearPair& pair, const std::vector<Tube>& tubes) {
+std::vector<std::string> cover(const NearPair& pair, const std::vector<Tube>& tubes,
+                               const std::optional<LineQuery>& line) {
   Cover result(tubes);
   std::vector<std::size_t> all(tubes.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-  result.add({pair.control, {0.5, 0.5, 0.5, 0.5}, {0.5, 0.5, 0.5, 0.5}}, all, 0);
+  const Cell whole = {pair.control, {0.5, 0.5, 0.5, 0.5}, {0.5, 0.5, 0.5, 0.5}};
+  result.add(line ? on_line(whole, index(line->fixed), to_double(line->value)) : whole, all, 0);
   return result.entries_;
 }
 

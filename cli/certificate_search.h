@@ -5,8 +5,10 @@
 #include <exsect/checker/curve_bounds.h>
 #include <exsect/geometry/bezier_patch.h>
 #include <exsect/solver/intersection_graph.h>
+#include <exsect/solver/line_patch.h>
 
 #include <array>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -61,7 +63,8 @@ struct TracedArc {
 TracedArc chain(const NearPair& pair, const std::vector<Parameters>& points, std::size_t first_tube,
                 std::size_t last_tube, std::vector<Tube>& tubes);
 
-/// The subdivision of [0,1]^4 in preorder: "u", "t5", "3 -1 2".
-std::vector<std::string> cover(const NearPair& pair, const std::vector<Tube>& tubes);
+/// The subdivision of [0,1]^4, or of its part on the line, in preorder: "u", "t5", "3 -1 2".
+std::vector<std::string> cover(const NearPair& pair, const std::vector<Tube>& tubes,
+                               const std::optional<LineQuery>& line = {});
 
 }  // namespace exsect::cli

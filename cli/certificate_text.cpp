@@ -6,28 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "json_forms.h"
+#include "certificate_claims.h"
 
 namespace exsect::cli {
 namespace {
-
-Json sealed(const std::string& place, Json claim) {
-  claim["seal"] = checker::seal(place + claim.dump());
-  return claim;
-}
-
-std::string in_list(const char* list, std::size_t i) {
-  return std::string("$.") + list + "[" + std::to_string(i) + "]";
-}
-
-template <class Numbers>
-Json exact(const Numbers& numbers) {
-  Json result = Json::array();
-  for (const double a : numbers) result.push_back(to_string(from_double(a)));
-  return result;
-}
-
-const char* letter(std::size_t parameter) { return name(all_parameters[parameter]); }
 
 /// Throws NoCertificate for what a certificate cannot say.
 void refuse_events(const IntersectResult& result) {
@@ -89,37 +71,25 @@ class Writer {
 
   Json document() {
     Json json = {{"exsect", "certificate/1"}, {"command", "intersect"}};
-    json["first"] = patch(0, names_.first);
-    json["second"] = patch(1, names_.second);
+    json["first"] = patch_claim("$.first", names_.first, patches_[0]);
+    json["second"] = patch_claim("$.second", names_.second, patches_[1]);
     json["relations"] = relations({patches_[0].power_basis(), patches_[1].power_basis()});
     json["tubes"] = Json::array();
     json["nodes"] = Json::array();
     for (const Node& n : graph_.nodes) json["nodes"].push_back(node(n));
     json["arcs"] = Json::array();
     for (const Arc& a : graph_.arcs) json["arcs"].push_back(arc(a));
-    for (std::size_t i = 0; i < tubes_.size(); ++i) json["tubes"].push_back(tube(i));
+    json["tubes"] = tube_claims(pair_, tubes_);
     json["components"] = Json::array();
     for (const Component& c : graph_.components)
       json["components"].push_back(sealed(in_list("components", json["components"].size()),
                                           {{"closed", c.shape == ComponentShape::closed}, {"arcs", c.arcs}}));
-    json["cover"] = Json::array();
-    for (const std::string& entry : cover(pair_, tubes_))
-      json["cover"].push_back(entry + " #" + checker::seal(in_list("cover", json["cover"].size()) + entry));
+    json["cover"] = cover_claims(cover(pair_, tubes_));
     json["summary"] = summary(json);
     return json;
   }
 
  private:
-  Json patch(std::size_t n, const std::string& name) const {
-    Json points = Json::array();
-    for (const auto& row : patches_[n].net()) {
-      Json list = Json::array();
-      for (const Point& p : row) list.push_back({to_string(p[0]), to_string(p[1]), to_string(p[2])});
-      points.push_back(list);
-    }
-    return sealed(n == 0 ? "$.first" : "$.second", {{"name", name}, {"points", points}});
-  }
-
   Json node(const Node& n) {
     const bool turning = n.on.empty();
     Parameters w = n.approx;
@@ -200,21 +170,6 @@ class Writer {
                    {"error_bound", to_string(from_double(a.error_bound))}});
   }
 
-  Json tube(std::size_t i) const {
-    const Tube& t = tubes_[i];
-    Json rows = Json::array();
-    for (auto row : t.inverse) {
-      for (double& a : row) a /= pair_.scale;
-      rows.push_back(exact(row));
-    }
-    return sealed(in_list("tubes", i), {{"centre", exact(t.centre)},
-                                        {"axis", letter(t.axis)},
-                                        {"slope", exact(t.slope)},
-                                        {"reach", to_string(from_double(t.reach))},
-                                        {"width", to_string(from_double(t.width))},
-                                        {"inverse", rows}});
-  }
-
   Json summary(const Json& json) const {
     Json claims = Json::array();
     for (const char* list : {"relations", "tubes", "nodes", "arcs", "cover"})
@@ -238,21 +193,6 @@ class Writer {
   std::vector<double> radii_;
 };
 
-/// One claim a line.
-std::string text(const Json& json) {
-  std::string result = "{";
-  for (const auto& [key, value] : json.items()) {
-    result += (result.size() == 1 ? "" : ",\n ") + Json(key).dump() + ": ";
-    if (!value.is_array() || value.empty()) {
-      result += value.dump();
-      continue;
-    }
-    for (std::size_t i = 0; i < value.size(); ++i) result += (i == 0 ? "[\n  " : ",\n  ") + value[i].dump();
-    result += "]";
-  }
-  return result + "}\n";
-}
-
 /// An arc whose error bound the check, with enclosures of its own, cannot confirm gets a larger one.
 bool enlarge_bound(Json& document, const std::string& where, const std::string& reason) {
   for (std::size_t i = 0; i < document["arcs"].size(); ++i) {
@@ -267,16 +207,6 @@ bool enlarge_bound(Json& document, const std::string& where, const std::string& 
   return false;
 }
 
-/// The certificate, if exact arithmetic accepts it.
-std::string confirmed(const std::string& certificate) {
-  try {
-    checker::check_certificate(certificate);
-    return certificate;
-  } catch (const checker::Rejected& rejected) {
-    throw NoCertificate("a claim that is not accepted: " + rejected.place() + ": " + rejected.what());
-  }
-}
-
 }  // namespace
 
 std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
@@ -284,7 +214,7 @@ std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const P
   refuse_events(result);
   Json document = Writer(x, y, names, result).document();
   for (int trials = 0; trials < 60; ++trials) {
-    const std::string certificate = text(document);
+    const std::string certificate = claims_text(document);
     try {
       checker::check_in_doubles(certificate);
       return certificate;

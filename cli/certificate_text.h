@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/line_patch.h>
 #include <exsect/solver/result.h>
 
 #include <string>
@@ -16,5 +17,9 @@ namespace exsect::cli {
 /// certificate.
 std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
                              const IntersectResult& result);
+/// The certificate of the points of a line, likewise. There is none for points where the line touches the
+/// other patch, and for parts of it on that patch.
+std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
+                             const LineIntersection& line);
 
 }  // namespace exsect::cli

@@ -1,6 +1,7 @@
 #include "check_command.h"
 
 #include <exsect/checker/check_certificate.h>
+#include <exsect/geometry/number.h>
 #include <exsect/geometry/text_file.h>
 #include <fmt/format.h>
 
@@ -14,32 +15,43 @@ namespace {
 /// Certificates longer than this, in bytes, are refused.
 constexpr std::size_t max_certificate_bytes = std::size_t{256} << 20;
 
-Json accepted_json(const checker::Report& report) {
+Json summary_json(const checker::Report& report) {
   const checker::Summary& summary = report.summary;
+  if (report.fixed) return {{"points", summary.claims[2]}};
+  return {{"components", summary.components},
+          {"closed", summary.closed},
+          {"open", summary.open},
+          {"boundary", summary.boundary},
+          {"turning", summary.turning}};
+}
+
+Json accepted_json(const checker::Report& report) {
+  const auto& claims = report.summary.claims;
   return {{"exsect", "check/1"},
           {"status", "complete"},
           {"accepted", true},
-          {"summary",
-           {{"components", summary.components},
-            {"closed", summary.closed},
-            {"open", summary.open},
-            {"boundary", summary.boundary},
-            {"turning", summary.turning}}},
+          {"summary", summary_json(report)},
           {"claims",
-           {{"relations", summary.claims[0]},
-            {"tubes", summary.claims[1]},
-            {"nodes", summary.claims[2]},
-            {"arcs", summary.claims[3]},
+           {{"relations", claims[0]},
+            {"tubes", claims[1]},
+            {"nodes", claims[2]},
+            {"arcs", claims[3]},
             {"cells_in_tubes", report.covered},
             {"cells_excluded", report.exclusions}}}};
 }
 
 std::string accepted_text(const checker::Report& report) {
+  const auto& claims = report.summary.claims;
+  const std::string cells =
+      fmt::format("{} cells in tubes, {} cells without a solution", report.covered, report.exclusions);
+  if (report.fixed)
+    return fmt::format("accepted: the solutions with {} = {} are {} points\nreplayed: {} points, {}\n",
+                       "uvrs"[report.fixed->parameter], to_string(report.fixed->value), claims[2], claims[2],
+                       cells);
   return fmt::format(
       "accepted: the whole intersection is {} closed and {} open curves\n"
-      "replayed: {} nodes, {} arcs, {} tubes, {} relations, {} cells in tubes, {} cells without a solution\n",
-      report.summary.closed, report.summary.open, report.summary.claims[2], report.summary.claims[3],
-      report.summary.claims[1], report.summary.claims[0], report.covered, report.exclusions);
+      "replayed: {} nodes, {} arcs, {} tubes, {} relations, {}\n",
+      report.summary.closed, report.summary.open, claims[2], claims[3], claims[1], claims[0], cells);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "certificate_text.h"
 #include "export_files.h"
 #include "line_json.h"
 #include "line_summary.h"
@@ -30,6 +31,18 @@ LineQuery query(const LineCommand& command) {
   return *query;
 }
 
+/// What --certificate writes; empty where it is not given, or, with a message, where there is no certificate.
+std::string line_certificate(const LineCommand& command, const PatchPair& pair, const LineIntersection& line,
+                             const Streams& streams) {
+  if (command.output.certificate.empty()) return "";
+  try {
+    return certificate_text(pair.x.patch, pair.y.patch, {pair.x.name, pair.y.name}, line);
+  } catch (const NoCertificate& reason) {
+    streams.err << "exsect: no certificate: " << printable(reason.what()) << std::endl;
+    return "";
+  }
+}
+
 }  // namespace
 
 ExitStatus run(const LineCommand& command, const Streams& streams) {
@@ -39,6 +52,8 @@ ExitStatus run(const LineCommand& command, const Streams& streams) {
   const PatchPair pair = read_pair(command.file, command.first, command.second);
   const LineIntersection line = intersect_line(pair.x.patch, pair.y.patch, asked);
   const std::string json = command.output.json.empty() ? "" : json_text(line_json(line, pair.x.patch));
+  const std::string proof = line_certificate(command, pair, line, streams);
+  if (!proof.empty()) write_file_atomically(command.output.certificate, proof);
   write_exports(
       command.output.exports,
       [&] {
@@ -61,7 +76,8 @@ ExitStatus run(const LineCommand& command, const Streams& streams) {
   } else if (!command.quiet) {
     streams.out << heading(command.file, pair.title) << line_summary(line, pair.x.patch);
   }
-  return line.solution.incomplete ? ExitStatus::incomplete : ExitStatus::complete;
+  const bool unproved = proof.empty() && !command.output.certificate.empty();
+  return unproved || line.solution.incomplete ? ExitStatus::incomplete : ExitStatus::complete;
 }
 
 }  // namespace exsect::cli

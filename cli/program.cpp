@@ -122,15 +122,18 @@ void add_curve_options(CLI::App& sub, std::string& turning, std::string& toleran
       ->type_name("NUMBER");
 }
 
+void add_certificate(CLI::App& sub, OutputFiles& output) {
+  sub.add_option("--certificate", output.certificate, "Write a proof of the result that exsect check replays")
+      ->type_name("FILE");
+}
+
 void add_intersect(CLI::App& app, IntersectCommand& command) {
   CLI::App* sub = app.add_subcommand("intersect", "Intersect two patches completely");
   add_common(*sub, command.file, command.first, command.second, command.output, command.quiet);
   add_exports(*sub, command.output.exports, "Write the nodes as a table");
   add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
   sub->add_flag("--exact", command.exact, "Skip the solution in floating point, which has the same proof");
-  sub->add_option("--certificate", command.output.certificate,
-                  "Write a proof of the result that exsect check replays")
-      ->type_name("FILE");
+  add_certificate(*sub, command.output);
   sub->footer(intersect_footer);
 }
 
@@ -144,6 +147,7 @@ void add_line(CLI::App& app, LineCommand& command) {
                     "The line " + parameter + " = NUMBER, in [0,1]")
         ->type_name("NUMBER");
   }
+  add_certificate(*sub, command.output);
   sub->footer(line_footer);
 }
 
@@ -327,12 +331,11 @@ void add_batch_merge(CLI::App& app, BatchMergeCommand& command) {
 }
 
 constexpr const char* check_footer =
-    "CERTIFICATE is a file of form certificate/1, written by exsect intersect FILE --certificate "
-    "CERTIFICATE. "
-    "Every\n"
-    "polynomial is computed anew from the control points in it, every claim is replayed in exact arithmetic, "
-    "by a\n"
-    "program that shares nothing with the solver. Exit status 1: rejected, with place and reason. Example:\n"
+    "CERTIFICATE is a file of form certificate/1, written by exsect intersect or exsect line with "
+    "--certificate.\n"
+    "Every polynomial is computed anew from the control points in it, every claim is replayed, by a program "
+    "that\n"
+    "shares nothing with the solver. Exit status 1: rejected, with place and reason. Example:\n"
     "  exsect check proof.json";
 
 void add_check(CLI::App& app, CheckCommand& command) {

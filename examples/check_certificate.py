@@ -284,11 +284,20 @@ class Node:
 
 class Checker:
     def __init__(self, root):
-        keys = ["exsect", "command", "first", "second", "relations", "tubes", "nodes", "arcs", "components", "cover", "summary"]
+        require(root.get("command") in ("intersect", "line"), "$.command", "neither intersect nor line")
+        lists = ["relations", "tubes", "nodes", "arcs", "components", "cover"]
+        keys = ["exsect", "command", "first", "second", *lists, "summary"]
+        self.fixed = None
+        if root["command"] == "line":
+            lists = ["tubes", "points", "cover"]
+            keys = ["exsect", "command", "fixed", "first", "second", *lists, "summary"]
         require(list(root) == keys, "$", "not the documented keys")
-        require(root["command"] == "intersect", "$.command", "not intersect")
-        for key in keys[4:10]:
+        for key in lists:
             require(isinstance(root[key], list), "$." + key, "not a list")
+        if "fixed" in root:
+            value = claim(root["fixed"], "$.fixed", ["parameter", "value"])
+            self.fixed = parameter(value["parameter"], "$.fixed"), number(value["value"], "$.fixed")
+            require(0 <= self.fixed[1] <= 1, "$.fixed", "not in [0,1]")
         self.root = root
         self.nets = [self.net(root[key], "$." + key) for key in ("first", "second")]
         x, y = (self.power_basis(net) for net in self.nets)
@@ -309,11 +318,19 @@ class Checker:
         return [[rows[i][j] for j in range(3)] for i in range(3)]
 
     def check(self):
-        self.relations = [self.relation(value, f"$.relations[{i}]") for i, value in enumerate(self.root["relations"])]
         self.tubes = []
         for i, value in enumerate(self.root["tubes"]):
             self.tubes.append(Tube(value, f"$.tubes[{i}]"))
             self.tubes[i].check(self.pair, f"$.tubes[{i}]")
+        if self.fixed:
+            self.check_points()
+        else:
+            self.check_curves()
+        self.check_cover()
+        return self.root["summary"]
+
+    def check_curves(self):
+        self.relations = [self.relation(value, f"$.relations[{i}]") for i, value in enumerate(self.root["relations"])]
         self.nodes = []
         for i, value in enumerate(self.root["nodes"]):
             self.check_node(Node(value, f"$.nodes[{i}]"), f"$.nodes[{i}]")
@@ -323,8 +340,26 @@ class Checker:
         for i in range(len(self.tubes)):
             require(i in used, f"$.tubes[{i}]", "no arc runs through it")
         self.check_graph()
-        self.check_cover()
-        return self.root["summary"]
+
+    def check_points(self):
+        k, fixed = self.fixed
+        points = []
+        for i, value in enumerate(self.root["points"]):
+            place = f"$.points[{i}]"
+            value = claim(value, place, ["tube", "at", "radius"])
+            tube, at, radius = element(self.tubes, value["tube"], place), numbers(value["at"], 4, place), number(value["radius"], place)
+            require(at[k] == fixed and tube.axis == k, place, "not on the line, or its tube has another axis")
+            require(radius > 0 and tube.distance(self.pair, at, place) <= radius, place, "its box may miss the solution")
+            margin = radius if any(self.pair.at(at).value(d) for d in range(3)) else 0
+            require(all(margin <= at[j] <= 1 - margin for j in others(k)), place, "its box leaves [0,1]")
+            for other, size in points:
+                require(any(abs(at[j] - other[j]) > radius + size for j in others(k)), place, "its box meets that of an earlier point")
+            points.append((at, radius))
+        used = {value["tube"] for value in self.root["points"]}
+        for i in range(len(self.tubes)):
+            require(i in used, f"$.tubes[{i}]", "no point is in it")
+        said = claim(self.root["summary"], "$.summary", ["claims"])
+        require(said["claims"] == [0, len(self.tubes), len(points), 0, len(self.root["cover"])], "$.summary", "does not agree with the claims")
 
     def relation(self, value, place):
         value = claim(value, place, ["direction", "first", "second"])
@@ -511,9 +546,15 @@ class Checker:
     def check_cover(self):
         cover = self.root["cover"]
         scale = math.lcm(*(q.denominator for net in self.nets for row in net for p in row for q in p))
-        nets = [[[[int(q * scale) for q in p] for p in row] for row in net] for net in self.nets]
-        half = Fraction(1, 2)
-        waiting = [(nets, (0, 0), [half] * 4, [half] * 4)]  # the deepest last
+        middle, half = [Fraction(1, 2)] * 4, [Fraction(1, 2)] * 4
+        whole = list(self.nets)
+        if self.fixed:
+            k, value = self.fixed
+            scale *= value.denominator**2
+            whole[k // 2] = restricted(whole[k // 2], k % 2, value)
+            middle[k], half[k] = value, Fraction(0)
+        nets = [[[[int(q * scale) for q in p] for p in row] for row in net] for net in whole]
+        waiting = [(nets, (0, 0), middle, half)]  # the deepest last
         for i, entry in enumerate(cover):
             place = f"$.cover[{i}]"
             require(isinstance(entry, str) and " #" in entry, place, "no seal")
@@ -550,6 +591,15 @@ def root_above(vector):
     return Fraction(math.isqrt((q.numerator << 2 * shift) // q.denominator + 1) + 1, 2**shift)
 
 
+def restricted(net, second, t):
+    """Control points of the line where the first or second parameter is t, thrice."""
+    def point(a, b, c):
+        return [(1 - t) ** 2 * p + 2 * t * (1 - t) * q + t * t * r for p, q, r in zip(a, b, c)]
+    if second:
+        return [[point(*row)] * 3 for row in net]
+    return [[point(*(net[i][j] for i in range(3))) for j in range(3)]] * 3
+
+
 def halved(net, second, upper):
     """Four times the control points of one half in the first or second parameter."""
     def half(a, b, c):
@@ -578,7 +628,7 @@ def main():
     except Rejected as rejected:
         print("rejected: {}: {}".format(*rejected.args))
         return 1
-    print(f"accepted: {said['closed']} closed, {said['open']} open")
+    print("accepted:", f"{said['closed']} closed, {said['open']} open" if "closed" in said else f"{said['claims'][2]} points")
     return 0
 
 

@@ -23,6 +23,9 @@ CANDIDATES = "examples/candidates"
 CERTIFICATE = str(Path(tempfile.mkdtemp()) / "proof.json")
 subprocess.run([PROGRAM, "intersect", "tests/cases/cap.json", "--certificate", CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
 
+LINE_CERTIFICATE = CERTIFICATE.replace("proof", "line")
+subprocess.run([PROGRAM, "line", FIRST, "--u", "1/3", "--certificate", LINE_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
+
 COMMANDS = [
     ["intersect", FIRST],
     ["intersect", SECOND, "--turning", "none"],
@@ -53,6 +56,7 @@ COMMANDS = [
     ["revolve", PROFILE, "--method", "product", "--patch-file", FIRST, "--patch", "x", "--u", "1/2"],
     ["compare", FIRST, "--lines", "8", "--pieces", "0"],
     ["check", CERTIFICATE],
+    ["check", LINE_CERTIFICATE],
     ["compare", SECOND, "--lines", "4", "--pieces", "0", "--plane", "v,s"],
     *[
         ["verify", f"{path}", f"{path}".replace(".candidate", ""), "--tolerance", "1e-4"]
@@ -120,14 +124,15 @@ def test_an_input_file_satisfies_its_schema(file):
         assert violations(document) == []
 
 
-def test_a_certificate_satisfies_its_schema_and_both_checkers(tmp_path):
-    document = json.loads(Path(CERTIFICATE).read_text())
+@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE], ids=["curves", "line"])
+def test_a_certificate_satisfies_its_schema_and_both_checkers(tmp_path, certificate):
+    document = json.loads(Path(certificate).read_text())
     assert violations(document) == []
-    document["summary"]["closed"] = 0
+    document["summary"]["claims"][1] = 0
     changed = tmp_path / "changed.json"
     changed.write_text(json.dumps(document))
     for checker in ([PROGRAM, "check"], [sys.executable, "examples/check_certificate.py"]):
-        for file, status, word in ((CERTIFICATE, 0, "accepted"), (changed, 1, "rejected: $.summary: "), (FIRST, 2, "")):
+        for file, status, word in ((certificate, 0, "accepted"), (changed, 1, "rejected: $.summary: "), (FIRST, 2, "")):
             ended = subprocess.run([*checker, file], capture_output=True, text=True, cwd=ROOT)
             assert ended.returncode == status and ended.stdout.startswith(word), ended
     ended = subprocess.run([PROGRAM, "check", changed, "--json", "-"], capture_output=True, text=True, cwd=ROOT)

@@ -1,0 +1,36 @@
+// The claims that all certificates have in common, as JSON with their seals.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+
+#include <string>
+#include <vector>
+
+#include "certificate_search.h"
+#include "json_forms.h"
+
+namespace exsect::cli {
+
+/// $.list[i]
+std::string in_list(const char* list, std::size_t i);
+/// The claim with its seal.
+Json sealed(const std::string& place, Json claim);
+/// The rationals that finite doubles are.
+Json exact_numbers(const std::vector<double>& numbers);
+template <class Numbers>
+Json exact(const Numbers& numbers) {
+  return exact_numbers({numbers.begin(), numbers.end()});
+}
+/// u, v, r, s.
+const char* letter(std::size_t parameter);
+
+Json patch_claim(const std::string& place, const std::string& name, const BezierPatch& patch);
+Json tube_claims(const NearPair& pair, const std::vector<Tube>& tubes);
+Json cover_claims(const std::vector<std::string>& entries);
+
+/// The document with one claim a line.
+std::string claims_text(const Json& document);
+/// The text, if it is accepted; otherwise throws NoCertificate.
+std::string confirmed(const std::string& certificate);
+
+}  // namespace exsect::cli
