@@ -33,13 +33,13 @@ class FilteredIntersection {
       return std::nullopt;
     }
     filter::Trees trees{filter::PatchTree(pair->x), filter::PatchTree(pair->y)};
-    if (!contacts->empty()) {
-      return contacts_only(*pair, trees, *contacts);
+    if (!contacts->empty() && filter::meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
+      return with_contacts(*pair, *contacts, {}, {});
     }
-    const auto points = filter::boundary_points(*pair, trees, boxes_);
+    const auto points = filter::boundary_points(*pair, *contacts, trees, boxes_);
     std::vector<Trace> traces;
     if (!points || !trace_arcs(*pair, *points, traces) ||
-        !filter::add_loops(*pair, trees, *points, traces, boxes_)) {
+        !filter::add_loops(*pair, *contacts, trees, *points, traces, boxes_)) {
       return std::nullopt;
     }
     std::vector<AnalysedTrace> curves;
@@ -51,7 +51,7 @@ class FilteredIntersection {
     if (!graph) {
       return std::nullopt;
     }
-    return finished(std::move(*graph), curves);
+    return with_contacts(*pair, *contacts, std::move(*graph), curves);
   }
 
  private:
@@ -59,20 +59,11 @@ class FilteredIntersection {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
   }
 
-  /// The corners and sides that the patches have in common, if that is all.
-  std::optional<IntersectResult> contacts_only(const filter::Pair& pair, filter::Trees& trees,
-                                               const filter::Contacts& contacts) {
-    IntersectionGraph graph;
-    if (!filter::meet_in_contacts_only(pair, trees, contacts, boxes_) ||
-        !filter::append_contacts(x_, y_, pair, contacts, options_.tolerance * pair.extent, graph)) {
-      return std::nullopt;
-    }
-    return finished(std::move(graph), {});
-  }
-
-  std::optional<IntersectResult> finished(IntersectionGraph graph,
-                                          const std::vector<AnalysedTrace>& curves) const {
-    if (options_.max_seconds && milliseconds() > 1000 * *options_.max_seconds) {
+  std::optional<IntersectResult> with_contacts(const filter::Pair& pair, const filter::Contacts& contacts,
+                                               IntersectionGraph graph,
+                                               const std::vector<AnalysedTrace>& curves) const {
+    if (!filter::append_contacts(x_, y_, pair, contacts, options_.tolerance * pair.extent, graph) ||
+        (options_.max_seconds && milliseconds() > 1000 * *options_.max_seconds)) {
       return std::nullopt;
     }
     finish_components(graph);

@@ -4,11 +4,13 @@
 
 namespace exsect::filter {
 
-std::optional<std::vector<BoundaryPoint>> boundary_points(const Pair& pair, Trees& trees, long& boxes) {
+std::optional<std::vector<BoundaryPoint>> boundary_points(const Pair& pair, const Contacts& contacts,
+                                                          Trees& trees, long& boxes) {
   std::vector<BoundaryPoint> points;
   for (std::size_t fixed = 0; fixed < 4; ++fixed) {
     for (const double side : {-0.5, 0.5}) {
-      const auto on_side = points_on_line(pair, {fixed, side, 0}, fixed < 2 ? trees.y : trees.x, boxes);
+      const auto on_side =
+          points_on_line(pair, {fixed, side, 0}, contacts, fixed < 2 ? trees.y : trees.x, boxes);
       if (!on_side) {
         return std::nullopt;
       }

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "filter_pieces.h"
+#include "filter_contact.h"
 #include "filter_tube.h"
 
 namespace exsect::filter {
@@ -17,14 +17,9 @@ struct BoundaryPoint {
   double side;
 };
 
-/// Sub-patches of both patches, shared by all searches.
-struct Trees {
-  PatchTree x;
-  PatchTree y;
-};
-
-/// Every solution on a side; empty if that is not decided: corners, tangents and sides on the other patch
-/// among other reasons. `boxes` counts the pairs looked at.
-std::optional<std::vector<BoundaryPoint>> boundary_points(const Pair& pair, Trees& trees, long& boxes);
+/// Every solution on a side but the contacts, which no other one is near; empty if that is not decided:
+/// corners, tangents and sides on the other patch among other reasons. `boxes` counts the pairs looked at.
+std::optional<std::vector<BoundaryPoint>> boundary_points(const Pair& pair, const Contacts& contacts,
+                                                          Trees& trees, long& boxes);
 
 }  // namespace exsect::filter

@@ -122,24 +122,19 @@ class ContactFinder {
   std::vector<CornerContact> corners_;
 };
 
-struct Interval {
-  double lower;
-  double upper;
-};
+using Interval = Part::Interval;
 
-/// The sub-patch's intervals of `side.parameter`, counted from the side, and of the other one.
+/// The part's intervals counted from the side, and along it.
 struct SideIntervals {
   Interval across;
   Interval along;
 };
-Interval counted(double from, double width, bool backwards) {
-  const double lower = from + 0.5;
-  return backwards ? Interval{1 - (lower + width), 1 - lower} : Interval{lower, lower + width};
+Interval counted(const Interval& range, bool backwards) {
+  return backwards ? Interval{1 - range.upper, 1 - range.lower} : range;
 }
-SideIntervals intervals(const SideView& view, const SubPatch& patch) {
-  const bool first = view.side.parameter == 0;
-  return {counted(first ? patch.first : patch.second, patch.width, view.side.upper),
-          counted(first ? patch.second : patch.first, patch.width, view.reversed)};
+SideIntervals intervals(const SideView& view, const Part& part) {
+  const std::size_t across = view.side.parameter;
+  return {counted(part.range[across], view.side.upper), counted(part.range[1 - across], view.reversed)};
 }
 
 /// Control vectors on the rectangle of a field of bidegree (1,2), by its blossom.
@@ -171,9 +166,8 @@ Vec3 unit_across(const Vec3& v, const Vec3& c) {
 // as net_error >= e0 + 160 u; those of C by 2 net_error. A coordinate of w = C x n errs by 4 net_error |n|
 // and 8 u |n| of its own, |n| the largest coordinate, so w.X by 4 net_error |w|_1 + 12 (4 net_error + 8 u)
 // |n| + 5 u 4 |w|_1 < 5 net_error (|w|_1 + 10 |n|).
-bool meet_in_side(const SideContact& contact, const SubPatch& x, const SubPatch& y, double net_error) {
-  const SideIntervals on_x = intervals(contact.x, x);
-  const SideIntervals on_y = intervals(contact.y, y);
+bool meet_in_side(const SideContact& contact, const SideIntervals& on_x, const SideIntervals& on_y,
+                  double net_error) {
   const std::array<Vec3, 6> fx = restricted(contact.x_across, on_x);
   const std::array<Vec3, 6> fy = restricted(contact.y_across, on_y);
   const auto& d = contact.direction;
@@ -228,25 +222,36 @@ Vec3 positive_direction(const std::array<Vec3, 18>& vectors, std::size_t count) 
   return d;
 }
 
-/// The index in the sub-patch's net of a corner of the square; 9 if it does not reach that far.
-std::size_t own_corner(const SubPatch& patch, std::size_t corner) {
-  const double first = corner < 3 ? -0.5 : 0.5 - patch.width;
-  const double second = corner % 3 == 0 ? -0.5 : 0.5 - patch.width;
-  return patch.first == first && patch.second == second ? corner : 9;
+/// The index in the part's net of a corner of the square; `count` if it does not reach that far.
+std::size_t own_corner(const Part& part, std::size_t corner) {
+  const auto reaches = [](const Interval& range, bool upper) {
+    return upper ? range.upper == 1 : range.lower == 0;
+  };
+  const std::array<bool, 2> upper = {corner >= 6, corner % 3 == 2};
+  if (!reaches(part.range[0], upper[0]) || !reaches(part.range[1], upper[1])) {
+    return part.points.size();
+  }
+  if (part.points.size() == 9) {
+    return corner;
+  }
+  const std::size_t along = part.range[0].lower == part.range[0].upper ? 1 : 0;
+  return upper[along] ? 2 : 0;
 }
 
 // (14.14). De Casteljau's algorithm keeps the corner's double. The bound is that of (14.2).
-bool meet_in_corner(const Vec3& p, std::size_t corner_x, std::size_t corner_y, const SubPatch& x,
-                    const SubPatch& y, double net_error) {
+bool meet_in_corner(const Vec3& p, std::size_t corner_x, std::size_t corner_y, const Part& x, const Part& y,
+                    double net_error) {
   std::array<Vec3, 18> vectors;
   std::array<Vec3, 18> units;
   std::size_t count = 0;
-  for (std::size_t k = 0; k < 9; ++k) {
+  for (std::size_t k = 0; k < x.points.size(); ++k) {
     if (k != corner_x) {
-      vectors[count++] = x.net[k] - p;
+      vectors[count++] = x.points[k] - p;
     }
+  }
+  for (std::size_t k = 0; k < y.points.size(); ++k) {
     if (k != corner_y) {
-      vectors[count++] = p - y.net[k];
+      vectors[count++] = p - y.points[k];
     }
   }
   std::transform(vectors.begin(), vectors.begin() + count, units.begin(), unit);
@@ -262,13 +267,38 @@ std::optional<Contacts> find_contacts(const BezierPatch& x, const BezierPatch& y
   return ContactFinder(x, y, pair).run();
 }
 
-bool meet_in_contact(const Pair& pair, const Contacts& contacts, const SubPatch& x, const SubPatch& y) {
-  return std::any_of(contacts.sides.begin(), contacts.sides.end(),
-                     [&](const SideContact& side) { return meet_in_side(side, x, y, pair.net_error); }) ||
-         std::any_of(contacts.corners.begin(), contacts.corners.end(), [&](const CornerContact& corner) {
-           return meet_in_corner(pair.x.net[corner.x], own_corner(x, corner.x), own_corner(y, corner.y), x, y,
-                                 pair.net_error);
-         });
+Part part_of(const SubPatch& patch) {
+  const auto from = [&](double lower) { return Interval{lower + 0.5, lower + 0.5 + patch.width}; };
+  return {{from(patch.first), from(patch.second)}, patch.net};
+}
+
+Part part_of(const SubCurve& curve, std::size_t fixed, double value) {
+  Part part{{}, curve.net};
+  part.range[fixed] = {value + 0.5, value + 0.5};
+  part.range[1 - fixed] = {curve.from + 0.5, curve.from + 0.5 + curve.width};
+  return part;
+}
+
+Meeting meeting(const Pair& pair, const Contacts& contacts, const Part& x, const Part& y) {
+  bool touching = false;
+  for (const SideContact& side : contacts.sides) {
+    const SideIntervals on_x = intervals(side.x, x);
+    const SideIntervals on_y = intervals(side.y, y);
+    if (meet_in_side(side, on_x, on_y, pair.net_error)) {
+      return Meeting::contact;
+    }
+    touching = touching || (on_x.across.lower == 0 && on_y.across.lower == 0 &&
+                            on_x.along.lower <= on_y.along.upper && on_y.along.lower <= on_x.along.upper);
+  }
+  for (const CornerContact& corner : contacts.corners) {
+    const std::size_t i = own_corner(x, corner.x);
+    const std::size_t j = own_corner(y, corner.y);
+    if (meet_in_corner(pair.x.net[corner.x], i, j, x, y, pair.net_error)) {
+      return Meeting::contact;
+    }
+    touching = touching || (i < x.points.size() && j < y.points.size());
+  }
+  return touching ? Meeting::touching : Meeting::unknown;
 }
 
 bool meet_in_contacts_only(const Pair& pair, Trees& trees, const Contacts& contacts, long& boxes) {
@@ -283,7 +313,8 @@ bool meet_in_contacts_only(const Pair& pair, Trees& trees, const Contacts& conta
     ++boxes;
     const SubPatch& x = trees.x[item.x];
     const SubPatch& y = trees.y[item.y];
-    if (separated(x, y, pair.net_error) || meet_in_contact(pair, contacts, x, y)) {
+    if (separated(x, y, pair.net_error) ||
+        meeting(pair, contacts, part_of(x), part_of(y)) == Meeting::contact) {
       continue;
     }
     if (count > kMostBoxes || x.level + y.level >= kDeepest) {

@@ -2,9 +2,11 @@
 // nowhere else. Internal to solver/; docs/method.md, section 14.7.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
-#include "filter_boundary.h"
+#include "filter_pieces.h"
 
 namespace exsect::filter {
 
@@ -47,8 +49,25 @@ struct Contacts {
 /// All that the control points show, compared exactly. Empty if there may be more, or a patch closes up.
 std::optional<Contacts> find_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pair);
 
-/// True only if all solutions on the two sub-patches belong to one of the contacts.
-bool meet_in_contact(const Pair& pair, const Contacts& contacts, const SubPatch& x, const SubPatch& y);
+/// A rectangle of a square, which may be a segment or a point, and control points of the patch on it.
+struct Part {
+  struct Interval {
+    double lower;
+    double upper;
+  };
+  std::array<Interval, 2> range;  // parameters, not centred
+  std::span<const Vec3> points;
+};
+Part part_of(const SubPatch& patch);
+/// The curve is on the line where the first (0) or second (1) parameter is `value`, centred, of a square.
+Part part_of(const SubCurve& curve, std::size_t fixed, double value);
+
+enum class Meeting {
+  contact,   // all solutions on the two parts belong to one of the contacts
+  touching,  // the same contact is on both; nothing is proved
+  unknown
+};
+Meeting meeting(const Pair& pair, const Contacts& contacts, const Part& x, const Part& y);
 
 /// True only if all solutions belong to the contacts. `boxes` counts the pairs looked at.
 bool meet_in_contacts_only(const Pair& pair, Trees& trees, const Contacts& contacts, long& boxes);

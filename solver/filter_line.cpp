@@ -56,9 +56,10 @@ Box box_of(const Line& line, const SubCurve& curve, const SubPatch& patch) {
 
 class LineSearch {
  public:
-  LineSearch(const Pair& pair, const Line& line, PatchTree& tree, long& boxes)
+  LineSearch(const Pair& pair, const Line& line, const Contacts& contacts, PatchTree& tree, long& boxes)
       : pair_(pair),
         line_(line),
+        contacts_(contacts),
         tree_(tree),
         boxes_(boxes),
         error_(kSlack * (pair.net_error + line_error(line))) {}
@@ -99,8 +100,12 @@ class LineSearch {
     if (separated(item.curve, patch, error_)) {
       return true;
     }
+    const Meeting meeting = meeting_of(item.curve, patch);
+    if (meeting == Meeting::contact) {
+      return true;
+    }
     const int depth = item.curve.level + patch.level;
-    if (depth >= kFirstTry) {
+    if (depth >= kFirstTry && meeting == Meeting::unknown) {
       const Box box = box_of(line_, item.curve, patch);
       if (std::any_of(roots_.begin(), roots_.end(),
                       [&](const Root& root) { return covers(root.tube, box); })) {
@@ -116,6 +121,16 @@ class LineSearch {
     }
     subdivide(item, patch);
     return true;
+  }
+
+  Meeting meeting_of(const SubCurve& curve, const SubPatch& patch) const {
+    if (contacts_.empty()) {
+      return Meeting::unknown;
+    }
+    const Part on_line = part_of(curve, line_.fixed % 2, line_.value);
+    const Part other = part_of(patch);
+    return line_.fixed < 2 ? meeting(pair_, contacts_, on_line, other)
+                           : meeting(pair_, contacts_, other, on_line);
   }
 
   void subdivide(const Item& item, const SubPatch& patch) {
@@ -214,6 +229,7 @@ class LineSearch {
 
   const Pair& pair_;
   Line line_;
+  const Contacts& contacts_;
   PatchTree& tree_;
   long& boxes_;
   double error_;  // of the line's control points and sub-patches
@@ -223,9 +239,9 @@ class LineSearch {
 
 }  // namespace
 
-std::optional<std::vector<Ball>> points_on_line(const Pair& pair, const Line& line, PatchTree& other,
-                                                long& boxes) {
-  return LineSearch(pair, line, other, boxes).run();
+std::optional<std::vector<Ball>> points_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
+                                                PatchTree& other, long& boxes) {
+  return LineSearch(pair, line, contacts, other, boxes).run();
 }
 
 }  // namespace exsect::filter

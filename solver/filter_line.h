@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "filter_pieces.h"
+#include "filter_contact.h"
 #include "filter_tube.h"
 
 namespace exsect::filter {
@@ -17,11 +17,12 @@ struct Line {
   double error;
 };
 
-/// Every solution on the line with the other three parameters inside their intervals: exactly one in each
-/// ball, the curve crosses the line there; the balls lie inside these intervals and are disjoint. Empty if
-/// that is not decided: points on sides, tangents and lines on the other patch among other reasons. `other`
-/// is the tree of the patch that does not have the line; `boxes` counts the pairs looked at.
-std::optional<std::vector<Ball>> points_on_line(const Pair& pair, const Line& line, PatchTree& other,
-                                                long& boxes);
+/// Every solution on the line, apart from the contacts (none for an inner line), with the other three
+/// parameters inside their intervals: exactly one in each ball, the curve crosses the line there; the balls
+/// lie inside these intervals and are disjoint. Empty if that is not decided: points on sides, tangents and
+/// lines on the other patch among other reasons. `other` is the tree of the patch that does not have the
+/// line; `boxes` counts the pairs looked at.
+std::optional<std::vector<Ball>> points_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
+                                                PatchTree& other, long& boxes);
 
 }  // namespace exsect::filter

@@ -60,9 +60,10 @@ std::array<double, 2> search_direction(const std::vector<Trace>& traces) {
 
 class LoopSearch {
  public:
-  LoopSearch(const Pair& pair, Trees& trees, const std::vector<BoundaryPoint>& points,
-             std::vector<Trace>& traces, long& boxes)
+  LoopSearch(const Pair& pair, const Contacts& contacts, Trees& trees,
+             const std::vector<BoundaryPoint>& points, std::vector<Trace>& traces, long& boxes)
       : pair_(pair),
+        contacts_(contacts),
         trees_(trees),
         points_(points),
         traces_(traces),
@@ -94,14 +95,14 @@ class LoopSearch {
     if (separated(x, y, pair_.net_error)) {
       return true;
     }
-    const DirectionNet& d = directions_.get(item.x, [&] { return direction_net(x, c_, pair_.net_error); });
-    const NormalNet& n = normals_.get(item.y, [&] { return normal_net(y, pair_.net_error); });
-    if (never_orthogonal(d, n)) {
+    const Meeting at =
+        contacts_.empty() ? Meeting::unknown : meeting(pair_, contacts_, part_of(x), part_of(y));
+    if (at == Meeting::contact || (at == Meeting::unknown && keeps_direction(item, x, y))) {
       return true;
     }
     const int depth = x.level + y.level;
     Tube tube;
-    if (depth >= kFirstTry && covered(x, y, tube)) {
+    if (depth >= kFirstTry && at == Meeting::unknown && covered(x, y, tube)) {
       const std::optional<bool> known = known_or_traced(tube);
       if (known) {
         return *known;
@@ -116,6 +117,13 @@ class LoopSearch {
       stack_.push_back(first ? Item{children + k, item.y} : Item{item.x, children + k});
     }
     return true;
+  }
+
+  /// c.T has no zero on the two.
+  bool keeps_direction(const Item& item, const SubPatch& x, const SubPatch& y) {
+    const DirectionNet& d = directions_.get(item.x, [&] { return direction_net(x, c_, pair_.net_error); });
+    const NormalNet& n = normals_.get(item.y, [&] { return normal_net(y, pair_.net_error); });
+    return never_orthogonal(d, n);
   }
 
   /// A tube whose region contains the box.
@@ -189,6 +197,7 @@ class LoopSearch {
   }
 
   const Pair& pair_;
+  const Contacts& contacts_;
   Trees& trees_;
   const std::vector<BoundaryPoint>& points_;
   std::vector<Trace>& traces_;
@@ -201,9 +210,9 @@ class LoopSearch {
 
 }  // namespace
 
-bool add_loops(const Pair& pair, Trees& trees, const std::vector<BoundaryPoint>& points,
-               std::vector<Trace>& traces, long& boxes) {
-  return LoopSearch(pair, trees, points, traces, boxes).run();
+bool add_loops(const Pair& pair, const Contacts& contacts, Trees& trees,
+               const std::vector<BoundaryPoint>& points, std::vector<Trace>& traces, long& boxes) {
+  return LoopSearch(pair, contacts, trees, points, traces, boxes).run();
 }
 
 }  // namespace exsect::filter

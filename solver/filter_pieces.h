@@ -38,6 +38,12 @@ class PatchTree {
   std::vector<SubPatch> nodes_;
 };
 
+/// Sub-patches of both patches, shared by all searches.
+struct Trees {
+  PatchTree x;
+  PatchTree y;
+};
+
 /// A piece of a boundary line.
 struct SubCurve {
   std::array<Vec3, 3> net;

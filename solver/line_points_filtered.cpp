@@ -88,7 +88,7 @@ LinePoints line_points_filtered(const BezierPatch& x, const BezierPatch& y, cons
   const filter::Line line = centred(query);
   filter::PatchTree other(line.fixed < 2 ? pair->y : pair->x);
   long boxes = 0;
-  auto balls = filter::points_on_line(*pair, line, other, boxes);
+  auto balls = filter::points_on_line(*pair, line, {}, other, boxes);
   if (!balls || !sort_along(*balls, index(place.roles.second))) return line_points(x, y, query);
   LinePoints result;
   if (balls->empty()) return result;

@@ -100,6 +100,21 @@ Pair bent_corners(Generator& g) {
   return placed(g, x, BezierPatch(net));
 }
 
+/// y begins at the side u = 1 of x, or in a corner of it, rises, and comes down through x.
+Pair returning(Generator& g, bool corner) {
+  const BezierPatch x = Quilt(g, 8).patch(0, 0);
+  ControlNet net;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Point away = {Rational(corner ? 2 * static_cast<long>(j) : 0, 4), 0, 0};
+    net[0][j] = x.net()[2][corner ? 0 : j] + away + (corner && j > 0 ? noise(g, 4) : Point{0, 0, 0});
+    net[1][j] = net[0][j] + Point{0, Rational(corner ? 1 : 0, 2), Rational(3, 4)} + noise(g, 8);
+    net[2][j] = x.net()[0][j] + Point{Rational(corner ? 1 : 0, 2), 0, Rational(-1, 2)} + noise(g, 8);
+  }
+  return placed(g, x, BezierPatch(net));
+}
+Pair returning_sides(Generator& g) { return returning(g, false); }
+Pair returning_corners(Generator& g) { return returning(g, true); }
+
 /// Parts of one patch: the surfaces are the same.
 Pair parts(Generator& g) {
   const BezierPatch whole = Quilt(g, 20).patch(0, 0);
@@ -142,6 +157,8 @@ TEST_CASE("filter contact: agrees with the exact solution on neighbours") {
   check_family(bent_sides, 1, 6, 4);
   check_family(bent_corners, 1, 6, 4);
   check_family(parts, 1, 4, 4);
+  check_family(returning_sides, 1, 4, 3);
+  check_family(returning_corners, 1, 4, 3);
 }
 
 TEST_CASE("filter contact: agrees with the exact solution on hundreds of neighbours", "[.slow]") {
@@ -150,6 +167,8 @@ TEST_CASE("filter contact: agrees with the exact solution on hundreds of neighbo
   check_family(bent_sides, 100, 100, 50);
   check_family(bent_corners, 100, 100, 50);
   check_family(parts, 100, 100, 98);
+  check_family(returning_sides, 100, 50, 35);
+  check_family(returning_corners, 100, 50, 35);
 }
 
 TEST_CASE("filter contact: a common side is found from all sides and directions") {

@@ -33,7 +33,7 @@ struct Problem {
   static std::vector<filter::BoundaryPoint> boundary(const filter::Pair& pair) {
     filter::Trees trees{filter::PatchTree(pair.x), filter::PatchTree(pair.y)};
     long boxes = 0;
-    return filter::boundary_points(pair, trees, boxes).value();
+    return filter::boundary_points(pair, {}, trees, boxes).value();
   }
 };
 

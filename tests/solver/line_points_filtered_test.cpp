@@ -44,7 +44,7 @@ bool decided(const Pair& pair, double value, double error) {
   REQUIRE(doubles);
   filter::PatchTree tree(doubles->y);
   long boxes = 0;
-  return filter::points_on_line(*doubles, {0, value - 0.5, error}, tree, boxes).has_value();
+  return filter::points_on_line(*doubles, {0, value - 0.5, error}, {}, tree, boxes).has_value();
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ TEST_CASE("line in doubles: balls hold the points of all lines within the error"
     for (const double value : {-0.25, 0.3125}) {
       filter::PatchTree tree(doubles->y);
       long boxes = 0;
-      const auto balls = filter::points_on_line(*doubles, {0, value, error}, tree, boxes);
+      const auto balls = filter::points_on_line(*doubles, {0, value, error}, {}, tree, boxes);
       if (!balls) continue;
       for (const double shift : {-error, error}) {
         const LineQuery query = {Parameter::u, from_double(value + 0.5 + shift)};
