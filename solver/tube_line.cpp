@@ -1,5 +1,6 @@
 #include "tube_line.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace exsect {
@@ -44,6 +45,17 @@ Monomials<double, degree> magnitudes(const Monomials<Ball, degree>& m) {
 }
 
 template <class Ball>
+Matrix3 magnitudes(const BallMatrix<Ball>& m) {
+  Matrix3 result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      result[i][j] = m[i][j].upper_magnitude();
+    }
+  }
+  return result;
+}
+
+template <class Ball>
 BallMatrix<Ball> product(const BallMatrix<Ball>& a, const BallMatrix<Ball>& b) {
   BallMatrix<Ball> c;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -59,6 +71,8 @@ template <class Ball>
 class LineFit {
  public:
   static constexpr std::size_t kDegree = kLineDegree<Ball>;
+  /// Up to this order coefficients are balls; above, what is small by cancellation is the square of that.
+  static constexpr std::size_t kExact = 2 * kDegree + 1;
 
   explicit LineFit(Tube<Ball>& tube)
       : tube_(tube), others_(other_axes(tube.axis)), ratio_(tube.reach / tube.scale) {
@@ -86,6 +100,7 @@ class LineFit {
     tube_.preconditioner[0] = *inverse;
     fit_line();
     fit_preconditioner();
+    extend_bounds();
     bound_residual(bounds);
     bound_columns(bounds);
     bound_higher(bounds);
@@ -137,7 +152,7 @@ class LineFit {
   /// Order by order C D = 1 along the line, D the columns other than the axis.
   void fit_preconditioner() {
     for (std::size_t k = 1; k <= kDegree; ++k) {
-      columns_[k] = columns_of_order(k);
+      columns_[k] = columns_of_order(rows_, monomials_, k);
       const BallMatrix<Ball> next = product(product_of_order(k, k), tube_.preconditioner[0]);
       for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -147,13 +162,16 @@ class LineFit {
     }
   }
 
-  /// D along the line, order k > 0.
-  BallMatrix<Ball> columns_of_order(std::size_t k) const {
-    BallMatrix<Ball> result;
+  /// D along the line, order k > 0, or bounds of its entries.
+  template <class Coefficient>
+  std::array<std::array<Coefficient, 3>, 3> columns_of_order(
+      const std::array<std::array<NetRow<Coefficient>, 3>, 2>& rows,
+      const std::array<Monomials<Coefficient, kDegree>, 2>& monomials, std::size_t k) const {
+    std::array<std::array<Coefficient, 3>, 3> result;
     for (std::size_t row = 0; row < 3; ++row) {
       for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = others_[i];
-        result[row][i] = gradient_coefficients(rows_[j / 2][row], monomials_[j / 2], k)[j % 2];
+        result[row][i] = gradient_coefficients(rows[j / 2][row], monomials[j / 2], k)[j % 2];
       }
     }
     return result;
@@ -173,22 +191,34 @@ class LineFit {
     return sum;
   }
 
-  /// C F along the line, of degree 5 times that of the line, in balls throughout.
+  /// The coefficients above kExact, by magnitudes.
+  void extend_bounds() {
+    for (std::size_t p = 0; p < 2; ++p) {
+      for (std::size_t k = kDegree + 1; k <= kExact; ++k) {
+        monomials_[p].extend(k);
+      }
+      monomial_bounds_[p] = magnitudes(monomials_[p]);
+      for (std::size_t k = kExact + 1; k <= 4 * kDegree; ++k) {
+        monomial_bounds_[p].extend(k);
+      }
+    }
+    for (std::size_t k = 0; k <= kDegree; ++k) {
+      preconditioner_bounds_[k] = magnitudes(tube_.preconditioner[k]);
+    }
+  }
+
+  /// C F along the line, of degree 5 times that of the line.
   void bound_residual(AlongLine& bounds) {
-    std::array<BallVector<Ball>, 4 * kDegree + 1> value;
+    std::array<BallVector<Ball>, kExact + 1> value;
     for (std::size_t row = 0; row < 3; ++row) {
       value[0][row] = rows_[0][row][0] + rows_[1][row][0];
     }
-    for (std::size_t k = 1; k <= 4 * kDegree; ++k) {
-      if (k > kDegree) {
-        monomials_[0].extend(k);
-        monomials_[1].extend(k);
-      }
+    for (std::size_t k = 1; k <= kExact; ++k) {
       value[k] = value_of_order(k);
     }
-    for (std::size_t k = 0; k <= 5 * kDegree; ++k) {
+    for (std::size_t k = 0; k <= kExact; ++k) {
       BallVector<Ball> sum;
-      for (std::size_t i = k > 4 * kDegree ? k - 4 * kDegree : 0; i <= std::min(k, kDegree); ++i) {
+      for (std::size_t i = 0; i <= std::min(k, kDegree); ++i) {
         const BallVector<Ball> term = preconditioned(tube_.preconditioner[i], value[k - i]);
         for (std::size_t row = 0; row < 3; ++row) {
           sum[row] += term[row];
@@ -196,6 +226,25 @@ class LineFit {
       }
       for (std::size_t row = 0; row < 3; ++row) {
         bounds.residual[row].add(sum[row].upper_magnitude(), k, ratio_, tube_.scale);
+      }
+    }
+    std::array<Row3, 4 * kDegree + 1> magnitude{};
+    for (std::size_t k = 0; k <= 4 * kDegree; ++k) {
+      for (std::size_t row = 0; row < 3; ++row) {
+        magnitude[k][row] = k <= kExact ? value[k][row].upper_magnitude()
+                                        : value_coefficient(row_bounds_[0][row], monomial_bounds_[0], k) +
+                                              value_coefficient(row_bounds_[1][row], monomial_bounds_[1], k);
+      }
+    }
+    for (std::size_t k = kExact + 1; k <= 5 * kDegree; ++k) {
+      for (std::size_t row = 0; row < 3; ++row) {
+        double sum = 0;
+        for (std::size_t i = k > 4 * kDegree ? k - 4 * kDegree : 0; i <= kDegree; ++i) {
+          for (std::size_t m = 0; m < 3; ++m) {
+            sum += preconditioner_bounds_[i][row][m] * magnitude[k - i][m];
+          }
+        }
+        bounds.residual[row].add(kSlack * sum, k, ratio_, tube_.scale);
       }
     }
   }
@@ -211,17 +260,11 @@ class LineFit {
         }
       }
     }
-    for (std::size_t p = 0; p < 2; ++p) {
-      monomial_bounds_[p] = magnitudes(monomials_[p]);
-    }
-    std::array<std::array<std::array<double, 3>, 3>, 3 * kDegree + 1> d;  // |D| by orders, rows, columns
+    std::array<Matrix3, 3 * kDegree + 1> d;  // |D| by orders
     for (std::size_t k = 0; k <= 3 * kDegree; ++k) {
-      const BallMatrix<Ball> order = k <= kDegree ? columns_[k] : columns_of_order(k);
-      for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t i = 0; i < 3; ++i) {
-          d[k][row][i] = order[row][i].upper_magnitude();
-        }
-      }
+      d[k] = k <= kDegree  ? magnitudes(columns_[k])
+             : k <= kExact ? magnitudes(columns_of_order(rows_, monomials_, k))
+                           : columns_of_order(row_bounds_, monomial_bounds_, k);
     }
     for (std::size_t k = kDegree + 1; k <= 4 * kDegree; ++k) {
       for (std::size_t row = 0; row < 3; ++row) {
@@ -229,7 +272,7 @@ class LineFit {
           double sum = 0;
           for (std::size_t n = k > 3 * kDegree ? k - 3 * kDegree : 0; n <= kDegree; ++n) {
             for (std::size_t m = 0; m < 3; ++m) {
-              sum += tube_.preconditioner[n][row][m].upper_magnitude() * d[k - n][m][i];
+              sum += preconditioner_bounds_[n][row][m] * d[k - n][m][i];
             }
           }
           column_bound(bounds, row, i).add(kSlack * sum, k, ratio_, tube_.scale);
@@ -248,7 +291,7 @@ class LineFit {
     for (std::size_t k = 0; k <= kDegree; ++k) {
       for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t m = 0; m < 3; ++m) {
-          c[row][m].add(tube_.preconditioner[k][row][m].upper_magnitude(), k, ratio_, tube_.scale);
+          c[row][m].add(preconditioner_bounds_[k][row][m], k, ratio_, tube_.scale);
         }
       }
     }
@@ -278,6 +321,7 @@ class LineFit {
   std::array<std::array<NetRow<double>, 3>, 2> row_bounds_;
   std::array<Monomials<Ball, kDegree>, 2> monomials_;
   std::array<Monomials<double, kDegree>, 2> monomial_bounds_;
+  std::array<Matrix3, kDegree + 1> preconditioner_bounds_;
   std::array<BallMatrix<Ball>, kDegree + 1> columns_;
 };
 
