@@ -36,6 +36,11 @@ std::vector<Interval> remaining(const std::vector<Interval>& covered, double len
   return result;
 }
 
+bool contains(const std::vector<Interval>& covered, double at) {
+  return std::any_of(covered.begin(), covered.end(),
+                     [&](const Interval& i) { return i.first <= at && at <= i.second; });
+}
+
 double covered_length(const std::vector<Interval>& covered, double from, double to) {
   double result = 0;
   for (const Interval& i : united(covered))

@@ -55,12 +55,15 @@ void Verifier::judge_curve(std::size_t c) {
 double Verifier::covered_share(const Walk& walk) const {
   double length = 0;
   double covered = 0;
+  bool stands_on_covered = true;
   for (const Leg& leg : walk.legs) {
     const auto [from, to] = std::minmax(leg.from, leg.to);
     length += to - from;
     covered += covered_length(covered_[leg.arc], from, to);
+    stands_on_covered = stands_on_covered && contains(covered_[leg.arc], from);
   }
-  return length > 0 ? covered / length : 0;
+  if (length > 0) return covered / length;
+  return stands_on_covered ? 1 : 0;
 }
 
 double Verifier::parameters_apart(const CandidateCurve& curve, double t, std::size_t arc,

@@ -378,6 +378,15 @@ TEST_CASE("verify: arcs over one segment of space are told apart by parameters")
   CHECK(judged(twice).agreement != Agreement::agrees);
 }
 
+TEST_CASE("verify: curves shorter than the tolerance are where their parameters say") {
+  const Subject pair = example("chapter9-first.json");
+  const IntersectResult exact = fine(pair);
+  Candidate candidate;
+  for (const Arc& arc : exact.graph.arcs) candidate.curves.push_back(curve_of(arc.polyline, "xur"));
+  for (const double tolerance : {1e-2, 5e-2, 1e-1})
+    CHECK(text(verdict_of(candidate, pair, tolerance)) == "agrees");
+}
+
 TEST_CASE(
     "verify: a segment of space that is covered twice is right if it occurs twice, whatever its parts") {
   const ExactCase c = families::double_cover();
