@@ -292,14 +292,21 @@ class Intersection {
     return result;
   }
 
-  /// An arc on a side, split at the stars on it.
+  /// Other arcs than those on sides end in the star. Else its centre is a point like any other on its side:
+  /// which of these are critical values depends on the sweep.
+  static bool leaves_sides(const StarNeighbourhood& star) {
+    return std::any_of(star.ports.begin(), star.ports.end(),
+                       [](const Port& port) { return port.point.sides().empty(); });
+  }
+
+  /// An arc on a side, split at the stars on it in which other arcs end.
   template <class Ball>
   void add_side_arc(const PairSystem<Ball>& system, const SideArc& whole) {
     const Side& side = whole.side;
     const std::size_t along = index(line_place({side.parameter, side.value}).roles.line);
     std::vector<std::pair<double, int>> cuts;
     for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
-      if (lies_inside(sweep_.stars[k].centre, whole, side, along)) {
+      if (leaves_sides(sweep_.stars[k]) && lies_inside(sweep_.stars[k].centre, whole, side, along)) {
         cuts.emplace_back(to_double(sweep_.stars[k].centre.box()[along].midpoint()), star_nodes_[k]);
       }
     }
