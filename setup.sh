@@ -17,7 +17,7 @@ test_packages=(dpkg-dev pkg-config mypy pybind11-dev python3-dev python3-jsonsch
 docs_packages=(doxygen pybind11-dev python3-dev python3-myst-parser python3-sphinx)
 test_packages_if_known=(clang-format-14)
 peer_packages=(libsisl-dev libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
-               libocct-visualization-dev python3-matplotlib) # visualization: a header that the others include
+               libocct-visualization-dev python3-matplotlib python3-numpy)  # visualization: a header of the others
 cluster_packages=(munge parallel slurm-wlm snakemake)
 declare -A browser_packages=([chromium]=chromium [node]=nodejs [npm]=npm)  # by command, which may come from elsewhere
 

@@ -78,17 +78,20 @@ def pair_tables(directory):
 
 
 def verdict_row(family, results):
+    """Numbers of pairs by verdict, and of those with a difference of each kind."""
     done = [line for line in results if "verdict" in line]
     verdicts = collections.Counter(line["verdict"] for line in done)
     kinds = collections.Counter(kind for line in done for kind in line.get("differences", {}))
     return [family, results[0]["program"], *(verdicts[v] for v in ("agrees", "disagrees", "undecided", "refused")),
-            len(results) - len(done), *(kinds[kind] or "" for kind in KINDS)]
+            len(results) - len(done)], kinds
 
 
 def verdict_table(directory):
-    table(["family", "program", "agrees", "disagrees", "undecided", "refused", "no answer", *KINDS],
-          (verdict_row(family, read(directory / f"{family}.{program}"))
-           for family in PAIR_FAMILIES for program in PROGRAMS[2:]))
+    rows = [verdict_row(family, read(directory / f"{family}.{program}"))
+            for family in PAIR_FAMILIES for program in PROGRAMS[2:]]
+    occurring = [kind for kind in KINDS if any(kinds[kind] for _, kinds in rows)]
+    table(["family", "program", "agrees", "disagrees", "undecided", "refused", "no answer", *occurring],
+          ([*row, *(kinds[kind] or "" for kind in occurring)] for row, kinds in rows))
 
 
 def unmatched(points, others):
