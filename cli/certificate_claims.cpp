@@ -1,6 +1,5 @@
 #include "certificate_claims.h"
 
-#include <exsect/checker/check_certificate.h>
 #include <exsect/geometry/number.h>
 
 namespace exsect::cli {
@@ -71,12 +70,16 @@ std::string claims_text(const Json& document) {
   return result + "}\n";
 }
 
+NoCertificate not_accepted(const checker::Rejected& rejected) {
+  return NoCertificate("a claim that is not accepted: " + rejected.place() + ": " + rejected.what());
+}
+
 std::string confirmed(const std::string& certificate) {
   try {
     checker::check_certificate(certificate);
     return certificate;
   } catch (const checker::Rejected& rejected) {
-    throw NoCertificate("a claim that is not accepted: " + rejected.place() + ": " + rejected.what());
+    throw not_accepted(rejected);
   }
 }
 

@@ -1,6 +1,7 @@
 // The claims that all certificates have in common, as JSON with their seals.
 #pragma once
 
+#include <exsect/checker/check_certificate.h>
 #include <exsect/geometry/bezier_patch.h>
 
 #include <string>
@@ -30,6 +31,7 @@ Json cover_claims(const std::vector<std::string>& entries);
 
 /// The document with one claim a line.
 std::string claims_text(const Json& document);
+NoCertificate not_accepted(const checker::Rejected& rejected);
 /// The text, if it is accepted; otherwise throws NoCertificate.
 std::string confirmed(const std::string& certificate);
 

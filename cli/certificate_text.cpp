@@ -219,7 +219,13 @@ std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const P
       checker::check_in_doubles(certificate);
       return certificate;
     } catch (const checker::Rejected& rejected) {
-      if (!enlarge_bound(document, rejected.place(), rejected.what())) return confirmed(certificate);
+      if (enlarge_bound(document, rejected.place(), rejected.what())) continue;
+    }
+    try {
+      checker::check_certificate(certificate);
+      return certificate;
+    } catch (const checker::Rejected& rejected) {
+      if (!enlarge_bound(document, rejected.place(), rejected.what())) throw not_accepted(rejected);
     }
   }
   throw NoCertificate("an arc whose polyline's error bound cannot be confirmed");
