@@ -64,27 +64,6 @@ std::array<Number, 6> tangent_along(const std::array<Vector, 2>& direction, cons
 /// by rounding.
 constexpr double kDeterminantError = 160;
 
-/// True only if the polynomial of degree 5, whose Bernstein coefficients err by `error`, has the given sign
-/// on [0,1], which de Casteljau's algorithm divides `levels` times at most.
-bool has_sign(const std::array<double, 6>& b, bool positive, double error, int levels) {
-  const auto certain = [&](double t) { return positive ? t > error : t < -error; };
-  if (std::all_of(b.begin(), b.end(), certain)) {
-    return true;
-  }
-  if (levels == 0 || !certain(b.front()) || !certain(b.back())) {
-    return false;
-  }
-  std::array<double, 6> left;
-  std::array<double, 6> right = b;
-  for (std::size_t step = 0; step < 6; ++step) {
-    left[step] = right[0];
-    for (std::size_t k = 0; k + step < 5; ++k) {
-      right[k] = 0.5 * (right[k] + right[k + 1]);
-    }
-  }
-  return has_sign(left, positive, error, levels - 1) && has_sign(right, positive, error, levels - 1);
-}
-
 class ContactGraph {
  public:
   ContactGraph(const BezierPatch& x, const BezierPatch& y, const Pair& pair, double tolerance,
@@ -156,13 +135,12 @@ class ContactGraph {
     return std::all_of(exact.begin(), exact.end(), [](const Rational& t) { return t == 0; });
   }
 
-  /// Empty if it is neither seen to be transversal nor tangential throughout. The weights in each of the sums
-  /// of `tangent_along` add up to 10, so their sizes are below 480, and the 30 roundings on the way through
-  /// six divisions add 14400 u, less than a tenth of the error that they have.
+  /// Empty if they touch in an end of the side, perhaps, and not all along. The weights in each of the sums
+  /// of `tangent_along` add up to 10.
   std::optional<Contact> contact_along(const SideContact& side) const {
     const auto rounded = along<double, Vec3>(pair_.x, pair_.y, side);
-    const double error = 11 * kDeterminantError * pair_.net_error;
-    if (has_sign(rounded, rounded[0] > 0, error, 6)) {
+    const double error = 10 * kDeterminantError * pair_.net_error;
+    if (std::fabs(rounded.front()) > error && std::fabs(rounded.back()) > error) {
       return Contact::transversal;
     }
     if (std::any_of(rounded.begin(), rounded.end(), [&](double t) { return std::fabs(t) > error; })) {

@@ -125,28 +125,38 @@ Pair parts(Generator& g) {
                 integer(g, 0, 1) == 1 ? whole.restricted_to(u, 1, 0, v) : whole.restricted_to(u, 1, v, 1));
 }
 
-/// True if doubles decide the pair; then the graph is sound and that of the exact solution.
-bool agrees(const Pair& pair) {
+struct Counts {
+  std::uint64_t decided = 0;
+  std::uint64_t exactly_incomplete = 0;  // and decided in doubles
+};
+
+/// If doubles decide the pair, the graph is sound, and that of the exact solution, if that is complete.
+void compare(const Pair& pair, Counts& counts) {
   const auto filtered = intersect_filtered(pair.x, pair.y, {});
-  if (!filtered) return false;
+  if (!filtered) return;
+  ++counts.decided;
   CHECK(filtered->status == Status::complete);
   CHECK(unsound(pair.x, pair.y, *filtered) == "");
   IntersectOptions options;
   options.exact = true;
   const IntersectResult exact = intersect(pair.x, pair.y, options);
-  CHECK(exact.status == Status::complete);
-  CHECK(difference(filtered->graph, exact.graph, {}) == "");
-  return true;
+  if (exact.status == Status::complete)
+    CHECK(difference(filtered->graph, exact.graph, {}) == "");
+  else
+    ++counts.exactly_incomplete;
 }
 
-void check_family(Family family, std::uint64_t first_seed, std::uint64_t count, std::uint64_t least_decided) {
-  std::uint64_t decided = 0;
+/// `most_incomplete`: where the tangent vanishes in an irrational point of a common side.
+void check_family(Family family, std::uint64_t first_seed, std::uint64_t count, std::uint64_t least_decided,
+                  std::uint64_t most_incomplete = 0) {
+  Counts counts;
   for (std::uint64_t seed = first_seed; seed < first_seed + count; ++seed) {
     INFO("seed " << seed);
     Generator generator(seed);
-    decided += agrees(family(generator)) ? 1 : 0;
+    compare(family(generator), counts);
   }
-  CHECK(decided >= least_decided);
+  CHECK(counts.decided >= least_decided);
+  CHECK(counts.exactly_incomplete <= most_incomplete);
 }
 
 }  // namespace
@@ -164,7 +174,7 @@ TEST_CASE("filter contact: agrees with the exact solution on neighbours") {
 TEST_CASE("filter contact: agrees with the exact solution on hundreds of neighbours", "[.slow]") {
   check_family(smooth_sides, 100, 100, 98);
   check_family(smooth_corners, 100, 100, 98);
-  check_family(bent_sides, 100, 100, 50);
+  check_family(bent_sides, 100, 100, 75, 5);
   check_family(bent_corners, 100, 100, 50);
   check_family(parts, 100, 100, 98);
   check_family(returning_sides, 100, 50, 35);
