@@ -354,6 +354,15 @@ std::vector<TraceEnd> nodes_of_landmarks(std::size_t count) {
   return ends;
 }
 
+std::optional<Incomplete> too_coarse(const IntersectionGraph& graph, const Arc& arc, double tolerance) {
+  if (arc.error_bound <= tolerance) {
+    return std::nullopt;
+  }
+  return Incomplete{
+      graph.nodes[static_cast<std::size_t>(arc.from)].box,
+      "the tolerance is below what a polyline in doubles can be proved to keep on the arc from here"};
+}
+
 void finish_components(IntersectionGraph& graph) {
   std::vector<int> parent(graph.nodes.size());
   std::iota(parent.begin(), parent.end(), 0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exsect/solver/intersection_graph.h>
+#include <exsect/solver/result.h>
 
 #include <optional>
 #include <vector>
@@ -71,6 +72,9 @@ template <class Ball>
 void append_trace(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve,
                   const Landmarks<Ball>& landmarks, const std::vector<TraceEnd>& ends,
                   const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance);
+
+/// If the arc's polyline is not proved to keep within `tolerance` (space units): where it starts, and that.
+std::optional<Incomplete> too_coarse(const IntersectionGraph& graph, const Arc& arc, double tolerance);
 
 /// Fills in components from nodes and arcs, and drops the nodes that no arc, no isolated point and no
 /// overlap names.

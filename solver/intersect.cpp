@@ -211,30 +211,26 @@ class Intersection {
       return false;
     }
     timed("graph", [&] { build_graph(system, landmarks, traced); });
-    const std::optional<ParameterBox> coarse = too_coarse();
+    const std::vector<Incomplete> coarse = coarse_arcs();
     const bool precision_may_help = traced.problems.empty() && options_.tolerance >= kFinestTolerance;
-    if (coarse && !last && precision_may_help && result_.incomplete.empty()) {
+    if (!coarse.empty() && !last && precision_may_help && result_.incomplete.empty()) {
       result_.graph = {};
       return false;
     }
     result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
-    if (coarse) {
-      incomplete(
-          *coarse,
-          "the tolerance is below what a polyline in doubles can be proved to keep on the arc from here");
-    }
+    result_.incomplete.insert(result_.incomplete.end(), coarse.begin(), coarse.end());
     result_.work.steps["searched boxes"] += static_cast<double>(traced.searched_boxes);
     return true;
   }
 
-  /// The start of an arc whose polyline is not proved to keep the tolerance.
-  std::optional<ParameterBox> too_coarse() const {
-    const auto& arcs = result_.graph.arcs;
-    const auto arc = std::find_if(arcs.begin(), arcs.end(), [&](const Arc& a) {
-      return !(a.error_bound <= options_.tolerance * scaling_.extent);
-    });
-    return arc == arcs.end() ? std::nullopt
-                             : std::optional(result_.graph.nodes[static_cast<std::size_t>(arc->from)].box);
+  std::vector<Incomplete> coarse_arcs() const {
+    std::vector<Incomplete> result;
+    for (const Arc& arc : result_.graph.arcs) {
+      if (auto coarse = too_coarse(result_.graph, arc, options_.tolerance * scaling_.extent)) {
+        result.push_back(std::move(*coarse));
+      }
+    }
+    return result;
   }
 
   /// The nodes of boundary points and stars, and what the landmarks lead to.

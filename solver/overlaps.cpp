@@ -112,10 +112,8 @@ class OneSurface {
   }
 
   void check_bound(const Arc& arc) {
-    if (!(arc.error_bound <= tolerance_))
-      result_.incomplete.push_back(
-          {result_.graph.nodes[static_cast<std::size_t>(arc.from)].box,
-           "the tolerance is below what a polyline in doubles can be proved to keep on the arc from here"});
+    if (auto coarse = too_coarse(result_.graph, arc, tolerance_))
+      result_.incomplete.push_back(std::move(*coarse));
   }
 
   void add_boundary() {

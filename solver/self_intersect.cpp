@@ -153,10 +153,8 @@ class SelfIntersection {
     }
     for (const Arc& arc : graph.arcs) {
       result_.work.steps["vertices"] += static_cast<double>(arc.polyline.size());
-      if (!(arc.error_bound <= tolerance)) {
-        result_.incomplete.push_back(
-            {graph.nodes[static_cast<std::size_t>(arc.from)].box,
-             "the tolerance is below what a polyline in doubles can be proved to keep on the arc from here"});
+      if (auto coarse = too_coarse(graph, arc, tolerance)) {
+        result_.incomplete.push_back(std::move(*coarse));
       }
     }
   }

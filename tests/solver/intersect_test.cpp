@@ -292,7 +292,9 @@ TEST_CASE("options are checked and obeyed", "[intersect]") {
     CHECK_THROWS_AS(intersect(pair, options), std::invalid_argument);
   }
   options.tolerance = 1e-30;  // below what doubles can express: said, not hidden
-  CHECK(intersect(pair, options).status == Status::incomplete);
+  const IntersectResult coarse = intersect(pair, options);
+  CHECK(coarse.status == Status::incomplete);
+  CHECK(coarse.incomplete.size() == coarse.graph.arcs.size());  // every arc is named
   options.tolerance = 1e-6;
   options.exact = true;
   options.max_seconds = 1e-9;
