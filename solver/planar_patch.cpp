@@ -3,11 +3,27 @@
 #include <exsect/geometry/pull_back.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "plane_curve.h"
 
 namespace exsect {
+
+std::vector<Point> orthogonal_complement(const std::vector<Point>& vectors) {
+  if (vectors.empty()) {
+    return {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};
+  }
+  const Point& first = vectors.front();
+  Point normal{};
+  for (const Point& p : vectors) {
+    normal = is_zero(normal) ? cross(first, p) : normal;
+  }
+  if (is_zero(normal)) {  // rank 1
+    return {cross(first, Point{1, 0, 0}), cross(first, Point{0, 1, 0}), cross(first, Point{0, 0, 1})};
+  }
+  const bool rank2 =
+      std::all_of(vectors.begin(), vectors.end(), [&](const Point& p) { return dot(normal, p) == 0; });
+  return rank2 ? std::vector<Point>{normal} : std::vector<Point>{};
+}
 
 std::optional<AffineForm> plane_of(const BezierPatch& x) {
   const ControlNet c = x.power_basis();
@@ -17,13 +33,8 @@ std::optional<AffineForm> plane_of(const BezierPatch& x) {
       spanned.push_back(c[k / 3][k % 3]);
     }
   }
-  Point normal{};
-  for (const Point& p : spanned) {
-    normal = is_zero(normal) ? cross(spanned.front(), p) : normal;
-  }
-  const bool planar = !is_zero(normal) && std::all_of(spanned.begin(), spanned.end(),
-                                                      [&](const Point& p) { return dot(normal, p) == 0; });
-  return planar ? std::optional(form_through(c[0][0], normal)) : std::nullopt;
+  const std::vector<Point> normals = orthogonal_complement(spanned);
+  return normals.size() == 1 ? std::optional(form_through(c[0][0], normals[0])) : std::nullopt;
 }
 
 bool planar_patch_folds(const BezierPatch& x) {

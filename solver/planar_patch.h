@@ -7,8 +7,12 @@
 #include <exsect/geometry/plane.h>
 
 #include <optional>
+#include <vector>
 
 namespace exsect {
+
+/// Spanning vectors of the orthogonal complement of the vectors' span in space; none may be zero.
+std::vector<Point> orthogonal_complement(const std::vector<Point>& vectors);
 
 /// The plane of the patch; empty if its control points lie in none, or in more than one.
 std::optional<AffineForm> plane_of(const BezierPatch& x);

@@ -48,24 +48,6 @@ bool is_strictly_monotone(const Point& form, const BezierPatch& patch, std::size
   return sign(at_0) * sign(at_1) > 0;
 }
 
-/// Spanning vectors of the orthogonal complement in space.
-std::vector<Point> orthogonal_complement(const std::vector<Point>& vectors) {
-  if (vectors.empty()) {
-    return {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};
-  }
-  const Point& first = vectors.front();
-  Point normal{};
-  for (const Point& p : vectors) {
-    normal = is_zero(normal) ? cross(first, p) : normal;
-  }
-  if (is_zero(normal)) {  // rank 1
-    return {cross(first, Point{1, 0, 0}), cross(first, Point{0, 1, 0}), cross(first, Point{0, 0, 1})};
-  }
-  const bool rank2 =
-      std::all_of(vectors.begin(), vectors.end(), [&](const Point& p) { return dot(normal, p) == 0; });
-  return rank2 ? std::vector<Point>{normal} : std::vector<Point>{};
-}
-
 template <class Ball>
 std::array<int, 4> tangent_signs(const PairSystem<Ball>& system, const BallPoint<Ball>& at) {
   const BallPoint<Ball> t = Expansion<Ball>(system, at).tangent();
