@@ -302,13 +302,9 @@ Meeting meeting(const Pair& pair, const Contacts& contacts, const Part& x, const
 }
 
 bool meet_in_contacts_only(const Pair& pair, Trees& trees, const Contacts& contacts, long& boxes) {
-  struct Item {
-    std::size_t x;
-    std::size_t y;
-  };
-  std::vector<Item> stack = {{0, 0}};
+  std::vector<PiecePair> stack = {{0, 0}};
   for (long count = 0; !stack.empty(); ++count) {
-    const Item item = stack.back();
+    const PiecePair item = stack.back();
     stack.pop_back();
     ++boxes;
     const SubPatch& x = trees.x[item.x];
@@ -320,11 +316,7 @@ bool meet_in_contacts_only(const Pair& pair, Trees& trees, const Contacts& conta
     if (count > kMostBoxes || x.level + y.level >= kDeepest) {
       return false;
     }
-    const bool first = extent(x.lower, x.upper) > extent(y.lower, y.upper);
-    const std::size_t children = first ? trees.x.split(item.x) : trees.y.split(item.y);
-    for (std::size_t k = 0; k < 4; ++k) {
-      stack.push_back(first ? Item{children + k, item.y} : Item{item.x, children + k});
-    }
+    trees.split_larger(item, stack);
   }
   return true;
 }

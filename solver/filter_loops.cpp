@@ -74,7 +74,7 @@ class LoopSearch {
     stack_.reserve(64);
     stack_.push_back({0, 0});
     while (!stack_.empty()) {
-      const Item item = stack_.back();
+      const PiecePair item = stack_.back();
       stack_.pop_back();
       if (++boxes_ > kMostBoxes || !process(item)) {
         return false;
@@ -84,12 +84,7 @@ class LoopSearch {
   }
 
  private:
-  struct Item {
-    std::size_t x;
-    std::size_t y;
-  };
-
-  bool process(const Item& item) {
+  bool process(const PiecePair& item) {
     const SubPatch& x = trees_.x[item.x];
     const SubPatch& y = trees_.y[item.y];
     if (separated(x, y, pair_.net_error)) {
@@ -111,16 +106,12 @@ class LoopSearch {
     if (depth >= kLast) {
       return false;
     }
-    const bool first = extent(x.lower, x.upper) > extent(y.lower, y.upper);
-    const std::size_t children = first ? trees_.x.split(item.x) : trees_.y.split(item.y);
-    for (std::size_t k = 0; k < 4; ++k) {
-      stack_.push_back(first ? Item{children + k, item.y} : Item{item.x, children + k});
-    }
+    trees_.split_larger(item, stack_);
     return true;
   }
 
   /// c.T has no zero on the two.
-  bool keeps_direction(const Item& item, const SubPatch& x, const SubPatch& y) {
+  bool keeps_direction(const PiecePair& item, const SubPatch& x, const SubPatch& y) {
     const DirectionNet& d = directions_.get(item.x, [&] { return direction_net(x, c_, pair_.net_error); });
     const NormalNet& n = normals_.get(item.y, [&] { return normal_net(y, pair_.net_error); });
     return never_orthogonal(d, n);
@@ -205,7 +196,7 @@ class LoopSearch {
   std::array<double, 2> c_;
   NetCache<DirectionNet> directions_;
   NetCache<NormalNet> normals_;
-  std::vector<Item> stack_;
+  std::vector<PiecePair> stack_;
 };
 
 }  // namespace

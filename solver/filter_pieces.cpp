@@ -122,6 +122,16 @@ std::size_t PatchTree::split(std::size_t i) {
   return begin;
 }
 
+void Trees::split_larger(const PiecePair& pair, std::vector<PiecePair>& pairs) {
+  const SubPatch& a = x[pair.x];
+  const SubPatch& b = y[pair.y];
+  const bool first = extent(a.lower, a.upper) > extent(b.lower, b.upper);
+  const std::size_t children = first ? x.split(pair.x) : y.split(pair.y);
+  for (std::size_t k = 0; k < 4; ++k) {
+    pairs.push_back(first ? PiecePair{children + k, pair.y} : PiecePair{pair.x, children + k});
+  }
+}
+
 SubCurve make_curve(const std::array<Vec3, 3>& net, double from, double width, int level) {
   SubCurve curve{net, {}, {}, from, width, level};
   enclose(curve.net, curve.lower, curve.upper);

@@ -38,10 +38,20 @@ class PatchTree {
   std::vector<SubPatch> nodes_;
 };
 
+/// Indices of a sub-patch of each patch.
+struct PiecePair {
+  std::size_t x;
+  std::size_t y;
+};
+
 /// Sub-patches of both patches, shared by all searches.
 struct Trees {
   PatchTree x;
   PatchTree y;
+
+  /// Appends the four pairs that come of splitting the larger one of the two. Requires that its level is
+  /// below kDeepestLevel.
+  void split_larger(const PiecePair& pair, std::vector<PiecePair>& pairs);
 };
 
 /// A piece of a boundary line.
