@@ -11,10 +11,13 @@
 #include "certificate_text.h"
 #include "support/catch.h"
 #include "support/families.h"
+#include "support/graph_patches.h"
 #include "support/random_pairs.h"
 
 namespace exsect {
 namespace {
+
+using testing::plane;
 
 using Json = nlohmann::ordered_json;
 using checker::check_certificate;
@@ -32,14 +35,6 @@ IntersectOptions coarse() {
 
 std::string certificate(const BezierPatch& x, const BezierPatch& y) {
   return cli::certificate_text(x, y, names, intersect(x, y, coarse()));
-}
-
-BezierPatch plane(const Point& origin, const Point& first, const Point& second) {
-  ControlNet c{};
-  c[0][0] = origin;
-  c[1][0] = first;
-  c[0][1] = second;
-  return BezierPatch::from_power_basis(c);
 }
 
 /// Two planes that cross in one open arc.

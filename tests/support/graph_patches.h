@@ -20,6 +20,15 @@ inline BezierPatch graph_patch(const HeightCoefficients& h) {
   return BezierPatch::from_power_basis(c);
 }
 
+/// origin + u first + v second.
+inline BezierPatch plane(const Point& origin, const Point& first, const Point& second) {
+  ControlNet c{};
+  c[0][0] = origin;
+  c[1][0] = first;
+  c[0][1] = second;
+  return BezierPatch::from_power_basis(c);
+}
+
 inline BezierPatch plane_patch() { return graph_patch({}); }
 
 }  // namespace exsect::testing

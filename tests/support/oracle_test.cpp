@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include "support/catch.h"
+#include "support/graph_patches.h"
 #include "support/random_pairs.h"
 
 namespace exsect {
 namespace {
+
+using testing::plane;
 
 /// The square (u, v, 0), and the graph z = height - (u - 1/2)^2 - (v - 1/2)^2 over it.
 BezierPatch cap(const Rational& height) {
@@ -19,15 +22,6 @@ BezierPatch cap(const Rational& height) {
   c[0][1] = {0, 1, 1};
   c[2][0] = {0, 0, -1};
   c[0][2] = {0, 0, -1};
-  return BezierPatch::from_power_basis(c);
-}
-
-/// origin + u first + v second.
-BezierPatch plane(const Point& origin, const Point& first, const Point& second) {
-  ControlNet c{};
-  c[0][0] = origin;
-  c[1][0] = first;
-  c[0][1] = second;
   return BezierPatch::from_power_basis(c);
 }
 
