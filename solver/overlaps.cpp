@@ -7,8 +7,10 @@
 #include "identical_patches.h"
 #include "model_scale.h"
 #include "overlap_boundary.h"
+#include "parameter_names.h"
 #include "planar_patch.h"
 #include "traced_curves.h"
+#include "two_piece_curves.h"
 
 namespace exsect {
 
@@ -54,6 +56,7 @@ class OneSurface {
     sweep_.coincident = coincident_parameters(x_, y_);
     sweep_.settled = [this](const SearchRegion& region) { return sheets_.settles(region); };
     sweep_.exact = result_.incomplete.empty();
+    if (!surface_.planar()) pieces_ = two_pieces(x_, y_);
     timed("tracing", [this] {
       if (!trace<DoubleBall>(power_of_two(-50), false)) trace<ArbBall<256>>(power_of_two(-200), true);
     });
@@ -85,6 +88,11 @@ class OneSurface {
   template <class Ball>
   bool trace(const Rational& width, bool last) {
     const PairSystem<Ball> system(x_, y_, scale_.origin, scale_.frame.exponent);
+    return pieces_ ? trace_pieces(system, width, last) : trace_any(system, width, last);
+  }
+
+  template <class Ball>
+  bool trace_any(const PairSystem<Ball>& system, const Rational& width, bool last) {
     Landmarks<Ball> landmarks;
     for (const LandmarkPoint& landmark : sweep_.landmarks)
       landmarks.push_back(enclose<Ball>(landmark.point, width));
@@ -95,20 +103,43 @@ class OneSurface {
       name_folds();
       traced.problems.clear();
     }
-    result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
-    result_.work.steps["searched boxes"] += static_cast<double>(traced.searched_boxes);
-    for (std::size_t i = 0; i < landmarks.size(); ++i) {
-      const CertifiedPoint& point = sweep_.landmarks[i].point;
-      result_.graph.nodes.push_back(
-          landmark_node(system, scale_.frame, landmarks[i], point.box(), point.sides()));
-      result_.graph.nodes.back().id = static_cast<int>(i);
-    }
+    add_boundary_nodes(system, landmarks, traced);
     result_.graph.isolated_points = traced.isolated;
     for (const AnalysedTrace<Ball>& curve : traced.curves)
       append_trace(result_.graph, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame,
                    options_.turning, tolerance_);
     for (const Arc& arc : result_.graph.arcs) check_bound(arc);
     return true;
+  }
+
+  /// Two pieces of one polynomial surface, in the charts of the pairs of its points.
+  template <class Ball>
+  bool trace_pieces(const PairSystem<Ball>& system, const Rational& width, bool last) {
+    const SelfSystem<Ball> shared(pieces_->shared(), scale_.origin, scale_.frame.exponent);
+    std::vector<CertifiedPoint> boundary;
+    for (const LandmarkPoint& landmark : sweep_.landmarks) boundary.push_back(landmark.point);
+    const TwoPieceCurves<Ball> traced = trace_two_pieces(*pieces_, shared, system, boundary, scale_.origin,
+                                                         scale_.frame.exponent, width, stop_);
+    if (!traced.problems.empty() && !last) return false;
+    add_boundary_nodes(system, traced.landmarks, traced);
+    append_two_pieces(result_.graph, *pieces_, shared, system, traced, scale_.frame, options_.turning,
+                      tolerance_);
+    for (const Arc& arc : result_.graph.arcs) check_bound(arc);
+    return true;
+  }
+
+  /// The nodes of the points on sides, and what tracing left open.
+  template <class Ball, class Traced>
+  void add_boundary_nodes(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
+                          const Traced& traced) {
+    result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
+    result_.work.steps["searched boxes"] += static_cast<double>(traced.searched_boxes);
+    for (std::size_t i = 0; i < sweep_.landmarks.size(); ++i) {
+      const CertifiedPoint& point = sweep_.landmarks[i].point;
+      result_.graph.nodes.push_back(
+          landmark_node(system, scale_.frame, landmarks[i], point.box(), point.sides()));
+      result_.graph.nodes.back().id = static_cast<int>(i);
+    }
   }
 
   void check_bound(const Arc& arc) {
@@ -265,6 +296,7 @@ class OneSurface {
   };
   OverlapBoundary boundary_;
   bool regular_ = false;  // in a plane, and neither patch is singular
+  std::optional<TwoPieces> pieces_;
   SweepData sweep_;
   std::vector<int> nodes_;  // of the boundary points
   IntersectResult result_{};
@@ -275,10 +307,17 @@ class OneSurface {
 
 std::optional<IntersectResult> intersect_on_one_surface(const BezierPatch& x, const BezierPatch& y,
                                                         const IntersectOptions& options) {
+  using enum Parameter;
   if (auto result = intersect_identical(x, y, options)) return result;
   const auto surface = CommonSurface::of(x, y);
   if (!surface) return std::nullopt;
-  return OneSurface(x, y, options, *surface).run();
+  const BezierPatch exchanged = y.exchanged();
+  if (!shifted_copy(x, exchanged)) return OneSurface(x, y, options, *surface).run();
+  IntersectOptions renamed = options;
+  for (Parameter& p : renamed.turning) p = p == r ? s : p == s ? r : p;
+  IntersectResult result = OneSurface(x, exchanged, renamed, *CommonSurface::of(x, exchanged)).run();
+  rename_parameters(result, {u, v, s, r});
+  return result;
 }
 
 }  // namespace exsect

@@ -108,6 +108,17 @@ class SelfTracing {
     return std::move(result_);
   }
 
+  SelfCurves<Ball> run_near_cusps() {
+    find_cusps();
+    for (const CuspArc<Ball>& cusp : leaving_) {
+      add_problem(cusp.chart, cusp.cusp, "a cuspidal point on a side");
+    }
+    if (result_.problems.empty()) {
+      trace_from_cusps();
+    }
+    return std::move(result_);
+  }
+
  private:
   void problem(const ParameterBox& where, const std::string& why) {
     result_.problems.push_back({where, stop_ && stop_() ? "the work cap was reached" : why});
@@ -136,17 +147,22 @@ class SelfTracing {
     }
     const auto arc = cusp_arc(chart, cusp, exact_place(chart, cusp, exact_.cusps, width_));
     if (!arc) {
-      std::array<double, 4> at = {cusp.at[0].approximation(), cusp.at[1].approximation(), 0, 0};
-      if (chart.chart() == Chart::second) {
-        std::swap(at[0], at[1]);
-      }
-      problem(around({at[0], at[1], at[0], at[1]}),
-              "a cuspidal point that is nearly singular, or nearly on a side or on a folded parameter line");
+      add_problem(
+          chart.chart(), cusp.at,
+          "a cuspidal point that is nearly singular, or nearly on a side or on a folded parameter line");
     } else if (arc->leaves) {
       leaving_.push_back(*arc);
     } else {
       result_.cusps.push_back(*arc);
     }
+  }
+
+  void add_problem(Chart chart, const BallPoint<Ball>& cusp, const char* why) {
+    std::array<double, 2> at = {cusp[0].approximation(), cusp[1].approximation()};
+    if (chart == Chart::second) {
+      std::swap(at[0], at[1]);
+    }
+    problem(around({at[0], at[1], at[0], at[1]}), why);
   }
 
   void trace_from_cusps() {
@@ -172,11 +188,9 @@ class SelfTracing {
   }
 
   bool passes_near_cusp(Chart chart, const BallPoint<Ball>& p) const {
-    const auto passes = [&](const CuspArc<Ball>& arc) { return passes_through(arc, chart, p); };
-    return std::any_of(result_.cusps.begin(), result_.cusps.end(), passes) ||
-           std::any_of(leaving_.begin(), leaving_.end(), passes) ||
-           std::any_of(result_.chart_traces.begin(), result_.chart_traces.end(),
-                       [&](const ChartTrace<Ball>& trace) { return passes_through(trace, chart, p); });
+    return exsect::passes_near_cusp(result_, chart, p) ||
+           std::any_of(leaving_.begin(), leaving_.end(),
+                       [&](const CuspArc<Ball>& arc) { return passes_through(arc, chart, p); });
   }
 
   /// +1, -1: the direction of the tangent field that enters the domain at this boundary point; 0: none;
@@ -401,6 +415,20 @@ SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const ExactPl
   return SelfTracing<Ball>(system, exact, width, stop).run();
 }
 
+template <class Ball>
+SelfCurves<Ball> trace_near_cusps(const SelfSystem<Ball>& system, const ExactPlaces& exact,
+                                  const Rational& width, const StopRequest& stop) {
+  return SelfTracing<Ball>(system, exact, width, stop).run_near_cusps();
+}
+
+template <class Ball>
+bool passes_near_cusp(const SelfCurves<Ball>& curves, Chart chart, const BallPoint<Ball>& point) {
+  return std::any_of(curves.cusps.begin(), curves.cusps.end(),
+                     [&](const CuspArc<Ball>& arc) { return passes_through(arc, chart, point); }) ||
+         std::any_of(curves.chart_traces.begin(), curves.chart_traces.end(),
+                     [&](const ChartTrace<Ball>& trace) { return passes_through(trace, chart, point); });
+}
+
 bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopRequest& stop) {
   return std::all_of(system.charts.begin(), system.charts.end(), [&](const ChartSystem<DoubleBall>& chart) {
     return search_chart<DoubleBall>(chart, {1, 0}, {}, kQuickBoxes, stop).undecided.empty();
@@ -409,7 +437,10 @@ bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopReques
 
 #define EXSECT_INSTANTIATE_SELF_CURVES(Ball)                                                                \
   template SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>&, const ExactPlaces&, const Rational&, \
-                                              const StopRequest&);
+                                              const StopRequest&);                                          \
+  template SelfCurves<Ball> trace_near_cusps(const SelfSystem<Ball>&, const ExactPlaces&, const Rational&,  \
+                                             const StopRequest&);                                           \
+  template bool passes_near_cusp(const SelfCurves<Ball>&, Chart, const BallPoint<Ball>&);
 
 EXSECT_INSTANTIATE_SELF_CURVES(DoubleBall)
 EXSECT_INSTANTIATE_SELF_CURVES(ArbBall<256>)

@@ -80,6 +80,16 @@ template <class Ball>
 SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const ExactPlaces& exact,
                                    const Rational& width, const StopRequest& stop);
 
+/// Only what starts in cuspidal points, up to the gates: no curves. A cuspidal point on a side is a problem.
+template <class Ball>
+SelfCurves<Ball> trace_near_cusps(const SelfSystem<Ball>& system, const ExactPlaces& exact,
+                                  const Rational& width, const StopRequest& stop);
+
+/// True only if the point of the chart, known to be on the curve, is on one of these traces or next to their
+/// cuspidal points.
+template <class Ball>
+bool passes_near_cusp(const SelfCurves<Ball>& curves, Chart chart, const BallPoint<Ball>& point);
+
 /// True if a short search proves that the patch does not meet itself and has no cuspidal point.
 bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopRequest& stop);
 

@@ -31,32 +31,6 @@ BoundedVertex vertex_at(const ChartSystem<Ball>& system, const BallPoint<Ball>& 
   return result;
 }
 
-template <class Ball>
-Node cusp_node(const ChartSystem<Ball>& system, const CuspArc<Ball>& arc, const ModelFrame& frame) {
-  const PolylineVertex vertex = vertex_at(system, arc.cusp, false, frame).vertex;
-  const std::size_t first = arc.chart == Chart::first ? 0 : 1;
-  const RationalInterval u = arc.cusp[first].interval();
-  const RationalInterval v = arc.cusp[1 - first].interval();
-  Node node;
-  node.id = 0;
-  node.kinds = {NodeKind::cusp};
-  node.box = {u, v, u, v};
-  node.approx = vertex.parameters;
-  node.point = vertex.point;
-  for (std::size_t j = 0; j < 4; ++j) {
-    const auto& side = arc.place.side[(j + first) % 2];
-    if (side) {
-      node.on.push_back({static_cast<Parameter>(j), *side});
-      node.box[j] = {*side, *side};
-      node.approx[j] = *side;
-    }
-  }
-  if (!node.on.empty()) {
-    node.kinds.push_back(NodeKind::boundary);
-  }
-  return node;
-}
-
 /// A place on a trace in the charts where an arc ends: piece, offset, and the node, -1 at the gate.
 struct ChartStop {
   int node;
@@ -179,6 +153,41 @@ class ChartArcs {
   std::vector<ChartStop> stops_;
 };
 
+}  // namespace
+
+template <class Ball>
+Node cusp_node(const ChartSystem<Ball>& system, const CuspArc<Ball>& arc, const ModelFrame& frame) {
+  const PolylineVertex vertex = vertex_at(system, arc.cusp, false, frame).vertex;
+  const std::size_t first = arc.chart == Chart::first ? 0 : 1;
+  const RationalInterval u = arc.cusp[first].interval();
+  const RationalInterval v = arc.cusp[1 - first].interval();
+  Node node;
+  node.id = 0;
+  node.kinds = {NodeKind::cusp};
+  node.box = {u, v, u, v};
+  node.approx = vertex.parameters;
+  node.point = vertex.point;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const auto& side = arc.place.side[(j + first) % 2];
+    if (side) {
+      node.on.push_back({static_cast<Parameter>(j), *side});
+      node.box[j] = {*side, *side};
+      node.approx[j] = *side;
+    }
+  }
+  if (!node.on.empty()) {
+    node.kinds.push_back(NodeKind::boundary);
+  }
+  return node;
+}
+
+template <class Ball>
+std::vector<Arc> chart_arcs(IntersectionGraph& graph, const SelfSystem<Ball>& system,
+                            const ChartTrace<Ball>& trace, bool exchange, const ModelFrame& frame,
+                            const std::vector<Parameter>& wanted, double tolerance, int start, int end) {
+  return ChartArcs<Ball>(graph, system, trace, exchange, frame, tolerance).run(wanted, start, end);
+}
+
 void reverse(std::vector<Arc>& arcs) {
   std::reverse(arcs.begin(), arcs.end());
   for (Arc& arc : arcs) {
@@ -187,7 +196,6 @@ void reverse(std::vector<Arc>& arcs) {
   }
 }
 
-/// Joins two lists of arcs; the last arc of `first` and the first of `second` meet at a gate and become one.
 std::vector<Arc> joined(std::vector<Arc> first, std::vector<Arc> second) {
   Arc& before = first.back();
   const Arc& after = second.front();
@@ -198,6 +206,8 @@ std::vector<Arc> joined(std::vector<Arc> first, std::vector<Arc> second) {
                std::make_move_iterator(second.end()));
   return first;
 }
+
+namespace {
 
 template <class Ball>
 class SelfGraph {
@@ -240,8 +250,8 @@ class SelfGraph {
  private:
   std::vector<Arc> chart_arcs(const ChartTrace<Ball>& trace, bool exchange) {
     const int end = trace.end < 0 ? -1 : first_cusp_ + trace.end;
-    return ChartArcs<Ball>(graph_, system_, trace, exchange, frame_, tolerance_)
-        .run(wanted_, first_cusp_ + trace.start, end);
+    return exsect::chart_arcs(graph_, system_, trace, exchange, frame_, wanted_, tolerance_,
+                              first_cusp_ + trace.start, end);
   }
 
   /// From the cuspidal point to the gate, if the landmark is one.
@@ -290,9 +300,13 @@ void append_self_curves(IntersectionGraph& graph, const SelfSystem<Ball>& system
   SelfGraph<Ball>(graph, system, found, frame, wanted, tolerance).run();
 }
 
-#define EXSECT_INSTANTIATE_SELF_GRAPH(Ball)                                                              \
-  template void append_self_curves(IntersectionGraph&, const SelfSystem<Ball>&, const SelfCurves<Ball>&, \
-                                   const ModelFrame&, const std::vector<Parameter>&, double);
+#define EXSECT_INSTANTIATE_SELF_GRAPH(Ball)                                                                  \
+  template void append_self_curves(IntersectionGraph&, const SelfSystem<Ball>&, const SelfCurves<Ball>&,     \
+                                   const ModelFrame&, const std::vector<Parameter>&, double);                \
+  template Node cusp_node(const ChartSystem<Ball>&, const CuspArc<Ball>&, const ModelFrame&);                \
+  template std::vector<Arc> chart_arcs(IntersectionGraph&, const SelfSystem<Ball>&, const ChartTrace<Ball>&, \
+                                       bool, const ModelFrame&, const std::vector<Parameter>&, double, int,  \
+                                       int);
 
 EXSECT_INSTANTIATE_SELF_GRAPH(DoubleBall)
 EXSECT_INSTANTIATE_SELF_GRAPH(ArbBall<256>)

@@ -1,0 +1,476 @@
+#include "two_piece_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "self_graph.h"
+#include "self_search.h"
+#include "traced_curves.h"
+
+namespace exsect {
+
+namespace {
+
+template <class Ball>
+constexpr long kMostBoxes = 60000;
+template <>
+inline constexpr long kMostBoxes<ArbBall<256>> = 4000;
+constexpr int kMostFailedLoops = 8;
+
+/// t -> outer^-1(inner(t))
+AffineMap quotient(const AffineMap& outer, const AffineMap& inner) {
+  return {(inner.offset - outer.offset) / outer.factor, inner.factor / outer.factor};
+}
+
+BezierPatch restricted(const BezierPatch& x, const std::array<AffineMap, 2>& to) {
+  return x.restricted_to(to[0](0), to[0](1), to[1](0), to[1](1));
+}
+
+/// Pairs of points of a rectangle of the (u,v) plane, each given in [0,1]², as (u,v,r,s).
+class PairMap {
+ public:
+  PairMap(const ShiftedCopy& copy, const std::array<AffineMap, 2>& rectangle)
+      : maps_({rectangle[0], rectangle[1], quotient(copy.maps[0], rectangle[0]),
+               quotient(copy.maps[1], rectangle[1])}) {}
+
+  template <class Ball>
+  BallPoint<Ball> operator()(const BallPoint<Ball>& pair) const {
+    BallPoint<Ball> result;
+    for (std::size_t j = 0; j < 4; ++j) {
+      result[j] = Ball::enclosing(maps_[j].offset) + Ball::enclosing(maps_[j].factor) * pair[j];
+    }
+    return result;
+  }
+
+  std::array<double, 4> operator()(const std::array<double, 4>& pair) const {
+    std::array<double, 4> result{};
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double value = to_double(maps_[j].offset) + to_double(maps_[j].factor) * pair[j];
+      result[j] = std::clamp(value, 0.0, 1.0);
+    }
+    return result;
+  }
+
+  RationalInterval operator()(const RationalInterval& interval, std::size_t j) const {
+    const Rational a = maps_[j](interval.lower);
+    const Rational b = maps_[j](interval.upper);
+    return {std::min(a, b), std::max(a, b)};
+  }
+
+ private:
+  std::array<AffineMap, 4> maps_;
+};
+
+ParameterBox around(const std::array<double, 4>& where) {
+  ParameterBox box;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const Rational centre = from_double(std::isfinite(where[j]) ? std::clamp(where[j], 0.0, 1.0) : 0.5);
+    box[j] = {std::max<Rational>(centre - power_of_two(-20), 0),
+              std::min<Rational>(centre + power_of_two(-20), 1)};
+  }
+  return box;
+}
+
+template <class Ball>
+bool certainly_outside(const Ball& c) {
+  return c.is_negative() || (c - Ball(1)).is_positive();
+}
+
+template <class Ball>
+class TwoPieceTracing {
+ public:
+  TwoPieceTracing(const TwoPieces& pieces, const SelfSystem<Ball>& shared, const PairSystem<Ball>& system,
+                  const std::vector<CertifiedPoint>& boundary, const Point& origin, long exponent,
+                  const Rational& width, const StopRequest& stop)
+      : pieces_(pieces),
+        shared_(shared),
+        system_(system),
+        boundary_(boundary),
+        hull_(restricted(pieces.x, pieces.hull), origin, exponent),
+        from_common_(pieces.copy, pieces.common),
+        from_hull_(pieces.copy, pieces.hull),
+        coincident_(coincident_parameters(pieces.x, pieces.y)),
+        width_(width),
+        stop_(stop) {}
+
+  TwoPieceCurves<Ball> run() {
+    find_cusps();
+    if (result_.problems.empty()) {
+      trace_open_curves();
+    }
+    if (result_.problems.empty()) {
+      search_closed_curves();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void problem(const ParameterBox& where, const std::string& why) {
+    result_.problems.push_back({where, is_stopped(stop_) ? "the work cap was reached" : why});
+  }
+
+  void find_cusps() {
+    const BezierPatch patch = pieces_.shared();
+    const ExactPlaces exact = {{}, special_cusps(patch), coincident_parameters(patch, patch)};
+    result_.near = trace_near_cusps(shared_, exact, width_, stop_);
+    for (const Incomplete& near : result_.near.problems) {
+      ParameterBox where;
+      for (std::size_t j = 0; j < 4; ++j) {
+        where[j] = from_common_(near.where[j], j);
+      }
+      problem(where, near.why);
+    }
+    for (const CertifiedPoint& point : boundary_) {
+      result_.landmarks.push_back(enclose<Ball>(point, width_));
+    }
+    for (const BallPoint<Ball>& gate : result_.near.landmarks) {
+      result_.landmarks.push_back(from_common_(gate));
+    }
+  }
+
+  BallPoint<Ball> tangent_at(std::size_t landmark) const {
+    return Expansion<Ball>(system_, result_.landmarks[landmark]).tangent();
+  }
+
+  /// The direction of the tangent field that enters the domain at a boundary point, or leads away from the
+  /// cuspidal point at a gate; 0: none; empty: unknown.
+  std::optional<int> direction_at(std::size_t landmark) const {
+    const BallPoint<Ball> tangent = tangent_at(landmark);
+    if (landmark >= boundary_.size()) {
+      const auto gate = result_.near.gate(static_cast<int>(landmark - boundary_.size()));
+      const ChartTrace<Ball>& trace = result_.near.chart_traces[gate->trace];
+      for (std::size_t j = 0; j < 2; ++j) {  // u and v grow with the parameters of the charts
+        const int along = trace.direction[gate->exchanged ? j + 2 : j];
+        if (along != 0 && tangent[j].certain_sign() != 0) {
+          return along * tangent[j].certain_sign();
+        }
+      }
+      return std::nullopt;
+    }
+    int direction = 0;
+    bool entering = true;
+    for (const Side& side : boundary_[landmark].sides()) {
+      const int sign = tangent[index(side.parameter)].certain_sign();
+      if (sign == 0) {
+        return std::nullopt;
+      }
+      const int inward = side.value == 0 ? sign : -sign;
+      entering = entering && (direction == 0 || direction == inward);
+      direction = inward;
+    }
+    return entering ? direction : 0;
+  }
+
+  void trace_open_curves() {
+    std::vector<bool> used(result_.landmarks.size(), false);
+    for (std::size_t i = used.size(); i-- > 0;) {  // from gates first
+      if (used[i]) {
+        continue;
+      }
+      const std::optional<int> direction = direction_at(i);
+      if (!direction) {
+        problem(around(approximation(result_.landmarks[i])),
+                "the curve is tangent to a side of a patch, or singular, at this end point");
+      } else if (*direction == 0) {
+        result_.isolated.push_back(static_cast<int>(i));
+      } else {
+        auto outcome = trace_arc(system_, result_.landmarks, static_cast<int>(i), *direction, stop_);
+        if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
+          used[static_cast<std::size_t>(trace->end)] = true;
+        }
+        add(std::move(outcome));
+      }
+    }
+  }
+
+  static std::array<double, 4> approximation(const BallPoint<Ball>& p) {
+    return {p[0].approximation(), p[1].approximation(), p[2].approximation(), p[3].approximation()};
+  }
+
+  TangentSigns tangent_signs(int landmark) const {
+    TangentSigns signs{};
+    if (landmark < 0) {
+      return signs;
+    }
+    const BallPoint<Ball> tangent = tangent_at(static_cast<std::size_t>(landmark));
+    for (std::size_t j = 0; j < 4; ++j) {
+      const int sign = tangent[j].certain_sign();
+      signs[j] = sign != 0 ? std::optional(sign) : std::nullopt;
+    }
+    return signs;
+  }
+
+  void add(std::variant<Trace<Ball>, TraceFailure> outcome) {
+    if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
+      problem(around(failure->where), failure->why);
+      return;
+    }
+    AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
+    const KnownTangent known = {{}, tangent_signs(curve.trace.start), tangent_signs(curve.trace.end), {}};
+    auto turning = find_turning_points(system_, curve.trace, coincident_, known);
+    if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
+      problem(around(failure->where), failure->why);
+      return;
+    }
+    curve.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
+    result_.curves.push_back(std::move(curve));
+  }
+
+  void search_closed_curves() {
+    for (const ChartSystem<Ball>& chart : hull_.charts) {
+      const Chart which = chart.chart();
+      const ChartSeedHandler<Ball> known = [this, which](const BallPoint<Ball>& p) {
+        return is_known(which, p);
+      };
+      const ChartSearchOutcome outcome =
+          search_chart<Ball>(chart, {1, 0.375}, known, kMostBoxes<Ball>, stop_);
+      result_.searched_boxes += outcome.boxes;
+      if (!outcome.undecided.empty()) {
+        problem(whole_domain(),
+                "a closed curve or a singular point, apart from the common region, is not excluded");
+      }
+    }
+  }
+
+  bool is_known(Chart chart, const BallPoint<Ball>& p) {
+    if (p[3].is_negative() || passes_near_cusp(result_.near, chart, in_common(pieces_, chart, p))) {
+      return true;
+    }
+    if (!p[3].is_positive()) {
+      return is_near_diagonal_outside(chart, p);
+    }
+    const BallPoint<Ball> pair = pair_of(chart, p);
+    return is_settled(from_hull_(pair)) && is_settled(from_hull_(exchanged_pair(pair)));
+  }
+
+  /// No two points U ± t, V ± m t are one in the first piece and one in the second, w = t² >= 0.
+  bool is_near_diagonal_outside(Chart chart, const BallPoint<Ball>& p) const {
+    const double t = std::sqrt(p[3].upper_magnitude()) * (1 + 0x1p-40);
+    Ball a = p[0].widened(t);
+    Ball b = p[1].widened(t * p[2].upper_magnitude() * (1 + 0x1p-40));
+    if (chart == Chart::second) {
+      std::swap(a, b);
+    }
+    const BallPoint<Ball> both = from_hull_(BallPoint<Ball>{a, b, a, b});
+    return std::any_of(both.begin(), both.end(), [](const Ball& c) { return certainly_outside(c); });
+  }
+
+  bool is_settled(const BallPoint<Ball>& pair) {
+    return std::any_of(pair.begin(), pair.end(), [](const Ball& c) { return certainly_outside(c); }) ||
+           std::any_of(result_.curves.begin(), result_.curves.end(),
+                       [&](const AnalysedTrace<Ball>& curve) { return passes_through(curve.trace, pair); }) ||
+           traced_from(pair);
+  }
+
+  bool traced_from(const BallPoint<Ball>& pair) {
+    if (failed_loops_ >= kMostFailedLoops) {
+      return false;
+    }
+    auto outcome = trace_loop(system_, result_.landmarks, pair, stop_);
+    if (std::holds_alternative<TraceFailure>(outcome)) {
+      ++failed_loops_;
+      return false;
+    }
+    const std::size_t before = result_.problems.size();
+    add(std::move(outcome));
+    return result_.problems.size() == before;
+  }
+
+  const TwoPieces& pieces_;
+  const SelfSystem<Ball>& shared_;
+  const PairSystem<Ball>& system_;
+  const std::vector<CertifiedPoint>& boundary_;
+  SelfSystem<Ball> hull_;
+  PairMap from_common_;
+  PairMap from_hull_;
+  std::array<std::size_t, 4> coincident_;
+  const Rational& width_;
+  const StopRequest& stop_;
+  int failed_loops_ = 0;
+  TwoPieceCurves<Ball> result_;
+};
+
+template <class Ball>
+class TwoPieceGraph {
+ public:
+  TwoPieceGraph(IntersectionGraph& graph, const TwoPieces& pieces, const SelfSystem<Ball>& shared,
+                const PairSystem<Ball>& system, const TwoPieceCurves<Ball>& found, const ModelFrame& frame,
+                const std::vector<Parameter>& wanted, double tolerance)
+      : graph_(graph),
+        shared_(shared),
+        system_(system),
+        found_(found),
+        frame_(frame),
+        wanted_(wanted),
+        tolerance_(tolerance),
+        boundary_points_(found.landmarks.size() - found.near.landmarks.size()),
+        from_common_(pieces.copy, pieces.common) {}
+
+  void run() {
+    graph_.isolated_points = found_.isolated;
+    for (std::size_t i = boundary_points_; i < found_.landmarks.size(); ++i) {
+      add_gate(found_.landmarks[i]);
+    }
+    first_cusp_ = static_cast<int>(graph_.nodes.size());
+    for (const CuspArc<Ball>& cusp : found_.near.cusps) {
+      Node node = cusp_node(shared_.chart(cusp.chart), cusp, frame_);
+      node.kinds.push_back(NodeKind::end_of_overlap);
+      node.id = static_cast<int>(graph_.nodes.size());
+      move(node);
+      graph_.nodes.push_back(std::move(node));
+    }
+    for (const ChartTrace<Ball>& trace : found_.near.chart_traces) {
+      if (trace.end >= 0) {
+        append(near_arcs(trace, false));
+        append(near_arcs(trace, true));
+      }
+    }
+    for (const AnalysedTrace<Ball>& curve : found_.curves) {
+      append(joined_arcs(curve));
+    }
+  }
+
+ private:
+  /// Where the arcs of a trace end before they are joined to those in the charts.
+  void add_gate(const BallPoint<Ball>& gate) {
+    ParameterBox box;
+    for (std::size_t j = 0; j < 4; ++j) {
+      box[j] = gate[j].interval();
+    }
+    graph_.nodes.push_back(landmark_node(system_, frame_, gate, box, {}));
+    graph_.nodes.back().id = static_cast<int>(graph_.nodes.size()) - 1;
+  }
+
+  void move(Node& node) const {
+    for (std::size_t j = 0; j < 4; ++j) {
+      node.box[j] = from_common_(node.box[j], j);
+    }
+    node.approx = from_common_(node.approx);
+  }
+
+  /// From the cuspidal point of a trace in the charts on, in one of the two orders.
+  std::vector<Arc> near_arcs(const ChartTrace<Ball>& trace, bool exchanged) {
+    const std::size_t before = graph_.nodes.size();
+    const int end = trace.end < 0 ? -1 : first_cusp_ + trace.end;
+    std::vector<Arc> arcs = chart_arcs(graph_, shared_, trace, exchanged, frame_, wanted_, tolerance_,
+                                       first_cusp_ + trace.start, end);
+    for (std::size_t i = before; i < graph_.nodes.size(); ++i) {
+      move(graph_.nodes[i]);
+    }
+    for (Arc& arc : arcs) {
+      for (PolylineVertex& vertex : arc.polyline) {
+        vertex.parameters = from_common_(vertex.parameters);
+      }
+    }
+    return arcs;
+  }
+
+  std::optional<std::vector<Arc>> arcs_to_gate(int landmark) {
+    const int first_gate = static_cast<int>(boundary_points_);
+    if (landmark < first_gate) {
+      return std::nullopt;
+    }
+    const auto gate = found_.near.gate(landmark - first_gate);
+    return near_arcs(found_.near.chart_traces[gate->trace], gate->exchanged);
+  }
+
+  std::vector<Arc> joined_arcs(const AnalysedTrace<Ball>& curve) {
+    const auto before = static_cast<std::ptrdiff_t>(graph_.arcs.size());
+    append_trace(graph_, curve, found_.landmarks, nodes_of_landmarks(found_.landmarks.size()), frame_,
+                 wanted_, tolerance_);
+    std::vector<Arc> arcs(std::make_move_iterator(graph_.arcs.begin() + before),
+                          std::make_move_iterator(graph_.arcs.end()));
+    graph_.arcs.resize(static_cast<std::size_t>(before));
+    if (const auto lead = arcs_to_gate(curve.trace.start)) {
+      arcs = joined(*lead, std::move(arcs));
+    }
+    if (auto tail = arcs_to_gate(curve.trace.end)) {
+      reverse(*tail);
+      arcs = joined(std::move(arcs), std::move(*tail));
+    }
+    return arcs;
+  }
+
+  void append(std::vector<Arc> arcs) {
+    for (Arc& arc : arcs) {
+      arc.id = static_cast<int>(graph_.arcs.size());
+      graph_.arcs.push_back(std::move(arc));
+    }
+  }
+
+  IntersectionGraph& graph_;
+  const SelfSystem<Ball>& shared_;
+  const PairSystem<Ball>& system_;
+  const TwoPieceCurves<Ball>& found_;
+  const ModelFrame& frame_;
+  const std::vector<Parameter>& wanted_;
+  double tolerance_;
+  std::size_t boundary_points_;
+  PairMap from_common_;
+  int first_cusp_ = 0;
+};
+
+}  // namespace
+
+BezierPatch TwoPieces::shared() const { return restricted(x, common); }
+
+std::optional<TwoPieces> two_pieces(const BezierPatch& x, const BezierPatch& y) {
+  const auto copy = shifted_copy(x, y);
+  if (!copy) {
+    return std::nullopt;
+  }
+  TwoPieces result{x, y, *copy, {}, {}};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const Rational a = std::min<Rational>(copy->maps[j](0), copy->maps[j](1));
+    const Rational b = std::max<Rational>(copy->maps[j](0), copy->maps[j](1));
+    const Rational lower = std::max<Rational>(a, 0);
+    const Rational upper = std::min<Rational>(b, 1);
+    if (lower >= upper) {
+      return std::nullopt;
+    }
+    result.common[j] = {lower, upper - lower};
+    result.hull[j] = {std::min<Rational>(a, 0), std::max<Rational>(b, 1) - std::min<Rational>(a, 0)};
+  }
+  return result;
+}
+
+template <class Ball>
+BallPoint<Ball> in_common(const TwoPieces& pieces, Chart chart, const BallPoint<Ball>& p) {
+  const std::size_t own = chart == Chart::first ? 0 : 1;
+  const AffineMap a = quotient(pieces.common[own], pieces.hull[own]);
+  const AffineMap b = quotient(pieces.common[1 - own], pieces.hull[1 - own]);
+  return {Ball::enclosing(a.offset) + Ball::enclosing(a.factor) * p[0],
+          Ball::enclosing(b.offset) + Ball::enclosing(b.factor) * p[1],
+          Ball::enclosing(b.factor / a.factor) * p[2], Ball::enclosing(a.factor * a.factor) * p[3]};
+}
+
+template <class Ball>
+TwoPieceCurves<Ball> trace_two_pieces(const TwoPieces& pieces, const SelfSystem<Ball>& shared,
+                                      const PairSystem<Ball>& system,
+                                      const std::vector<CertifiedPoint>& boundary, const Point& origin,
+                                      long exponent, const Rational& width, const StopRequest& stop) {
+  return TwoPieceTracing<Ball>(pieces, shared, system, boundary, origin, exponent, width, stop).run();
+}
+
+template <class Ball>
+void append_two_pieces(IntersectionGraph& graph, const TwoPieces& pieces, const SelfSystem<Ball>& shared,
+                       const PairSystem<Ball>& system, const TwoPieceCurves<Ball>& found,
+                       const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance) {
+  TwoPieceGraph<Ball>(graph, pieces, shared, system, found, frame, wanted, tolerance).run();
+}
+
+#define EXSECT_INSTANTIATE_TWO_PIECES(Ball)                                                                \
+  template BallPoint<Ball> in_common(const TwoPieces&, Chart, const BallPoint<Ball>&);                     \
+  template TwoPieceCurves<Ball> trace_two_pieces(                                                          \
+      const TwoPieces&, const SelfSystem<Ball>&, const PairSystem<Ball>&,                                  \
+      const std::vector<CertifiedPoint>&, const Point&, long, const Rational&, const StopRequest&);        \
+  template void append_two_pieces(IntersectionGraph&, const TwoPieces&, const SelfSystem<Ball>&,           \
+                                  const PairSystem<Ball>&, const TwoPieceCurves<Ball>&, const ModelFrame&, \
+                                  const std::vector<Parameter>&, double);
+
+EXSECT_INSTANTIATE_TWO_PIECES(DoubleBall)
+EXSECT_INSTANTIATE_TWO_PIECES(ArbBall<256>)
+#undef EXSECT_INSTANTIATE_TWO_PIECES
+
+}  // namespace exsect

@@ -1,0 +1,60 @@
+// The curves in which two pieces of one polynomial surface meet apart from the region they share. Internal to
+// solver/; docs/method.md, section 6.3.
+#pragma once
+
+#include <exsect/solver/result.h>
+
+#include "self_curves.h"
+#include "shifted_copy.h"
+
+namespace exsect {
+
+/// y(r,s) = x(maps[0](r), maps[1](s)), and where the two pieces lie.
+struct TwoPieces {
+  BezierPatch x;
+  BezierPatch y;
+  ShiftedCopy copy;
+  std::array<AffineMap, 2> common;  // from [0,1]² to the rectangle of (u,v) that both pieces cover
+  std::array<AffineMap, 2> hull;    // from [0,1]² to the smallest rectangle that contains both pieces
+
+  /// x over the common rectangle.
+  BezierPatch shared() const;
+};
+
+/// Empty if y is no such piece, or if the rectangles have no inner point in common.
+std::optional<TwoPieces> two_pieces(const BezierPatch& x, const BezierPatch& y);
+
+/// A point of a chart of the hull's rectangle in the same chart of the common one (where |m| may exceed 1).
+template <class Ball>
+BallPoint<Ball> in_common(const TwoPieces& pieces, Chart chart, const BallPoint<Ball>& p);
+
+/// All pairs x(u,v) = y(r,s) of different points of the common surface. `landmarks` are the boundary points,
+/// then two for each gate, as in SelfCurves, where `near` (of the shared patch, without curves) leads to its
+/// cuspidal points. A cuspidal point lies in the inside of the region that both pieces cover; both orders of
+/// a curve end there.
+template <class Ball>
+struct TwoPieceCurves {
+  Landmarks<Ball> landmarks;
+  std::vector<AnalysedTrace<Ball>> curves;
+  std::vector<int> isolated;  // boundary points at which no curve enters the domain
+  SelfCurves<Ball> near;
+  std::vector<Incomplete> problems;
+  long searched_boxes = 0;
+};
+
+/// The curves, with the proof that there are no others if no problem is reported. `boundary`: the points on
+/// sides that are not on an arc of a side. `width`: of the boxes around exact points.
+template <class Ball>
+TwoPieceCurves<Ball> trace_two_pieces(const TwoPieces& pieces, const SelfSystem<Ball>& shared,
+                                      const PairSystem<Ball>& system,
+                                      const std::vector<CertifiedPoint>& boundary, const Point& origin,
+                                      long exponent, const Rational& width, const StopRequest& stop);
+
+/// Appends the nodes of cuspidal and turning points and all arcs; the boundary points are nodes 0..n-1 of the
+/// graph. `wanted`, `tolerance` as in append_trace.
+template <class Ball>
+void append_two_pieces(IntersectionGraph& graph, const TwoPieces& pieces, const SelfSystem<Ball>& shared,
+                       const PairSystem<Ball>& system, const TwoPieceCurves<Ball>& found,
+                       const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance);
+
+}  // namespace exsect
