@@ -56,7 +56,7 @@ class ItselfBuilder {
   }
 
   /// The pairs in the other order. A cuspidal point has equal parameters: there the two orders of a curve
-  /// meet, inside the overlap.
+  /// meet, inside the overlap. A side that is one point, with free parameters, meets its rim.
   void add_mirrored() {
     using enum Parameter;
     IntersectResult mirrored = result_;
@@ -65,7 +65,7 @@ class ItselfBuilder {
     std::vector<int> mirror;
     for (Node& copy : mirrored.graph.nodes) {
       std::vector<NodeKind>& kinds = graph.nodes[static_cast<std::size_t>(copy.id)].kinds;
-      if (std::count(kinds.begin(), kinds.end(), NodeKind::cusp) > 0) {
+      if (std::count(kinds.begin(), kinds.end(), NodeKind::cusp) > 0 || !copy.free.empty()) {
         kinds.push_back(NodeKind::end_of_overlap);
         mirror.push_back(copy.id);
       } else {
@@ -81,7 +81,8 @@ class ItselfBuilder {
       arc.to = mirrored_id(arc.to);
       graph.arcs.push_back(std::move(arc));
     }
-    for (const int id : mirrored.graph.isolated_points) graph.isolated_points.push_back(mirrored_id(id));
+    for (const int id : mirrored.graph.isolated_points)
+      if (mirrored_id(id) != id) graph.isolated_points.push_back(mirrored_id(id));
   }
 
   /// Equal parameters: the rim runs once around both squares.

@@ -1,6 +1,7 @@
 #include "self_boundary.h"
 
 #include <exsect/algebra/bivariate_polynomial.h>
+#include <exsect/geometry/pull_back.h>
 #include <exsect/solver/line_patch.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "line_place.h"
 #include "line_point.h"
 #include "line_system.h"
+#include "plane_curve.h"
 
 namespace exsect {
 namespace {
@@ -49,16 +51,52 @@ bool overlap(const ParameterBox& a, const ParameterBox& b) {
   return true;
 }
 
+/// r or s minus a constant.
+BivariatePolynomial side_form(std::size_t fixed, const Rational& value) {
+  return (fixed == 0 ? BivariatePolynomial::r() : BivariatePolynomial::s()) -
+         BivariatePolynomial::constant(value);
+}
+
+bool divides(const BivariatePolynomial& line, const BivariatePolynomial& f) {
+  return gcd(line, f).degree_r() + gcd(line, f).degree_s() > 0;
+}
+
+/// f without its factors that vanish on the line.
+BivariatePolynomial without_line(BivariatePolynomial f, const BivariatePolynomial& line) {
+  while (!f.is_zero() && divides(line, f)) f = exact_quotient(f, line);
+  return f;
+}
+
+/// f without its factors that vanish on sides along which the patch is injective.
+BivariatePolynomial without_sides(BivariatePolynomial f, const InjectiveRectangles& injective) {
+  for (const auto& [fixed, value] : injective.along_sides)
+    f = without_line(std::move(f), side_form(static_cast<std::size_t>(fixed), value));
+  return f;
+}
+
+/// A side that is one point Q: whether Q = x(r,s) for other (r,s) as well.
+std::string obstacle_at_point(const BezierPatch& x, const Point& q, const BivariatePolynomial& side) {
+  std::vector<BivariatePolynomial> equations;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Point axis = {0, 0, 0};
+    axis[k] = 1;
+    equations.push_back(without_line(pull_back(AffineForm{axis, -q[k]}, x), side));
+  }
+  return have_common_zero(equations) ? "is one point, and so are other points of the patch" : "";
+}
+
 /// The line against the patch without the line itself: empty, or why its points are not isolated.
-std::string obstacle(const BezierPatch& x, const LineQuery& query) {
+std::string obstacle(const BezierPatch& x, const LineQuery& query, const InjectiveRectangles& injective) {
   const LineAndPatch problem = line_and_patch(x, x, query);
-  if (shape(problem.line) == LineShape::point) return "is one point, so that all pairs on it meet";
+  const std::size_t fixed = index(query.fixed);
+  if (shape(problem.line) == LineShape::point)
+    return injective.along(fixed, query.value == 0 ? 0 : 1)
+               ? obstacle_at_point(x, problem.line.a[0], side_form(fixed, query.value))
+               : "is one point, near which the patch may meet itself";
   const LineSystem system = line_system(problem);
-  const bool fixes_first = query.fixed == Parameter::u;
-  const BivariatePolynomial line = (fixes_first ? BivariatePolynomial::r() : BivariatePolynomial::s()) -
-                                   BivariatePolynomial::constant(query.value);
+  const BivariatePolynomial line = side_form(fixed, query.value);
   const BivariatePolynomial shared =
-      gcd(exact_quotient(system.first, line), exact_quotient(system.second, line));
+      without_sides(gcd(exact_quotient(system.first, line), exact_quotient(system.second, line)), injective);
   if (shared.is_zero()) return "lies in the plane of the whole patch";
   if (shared.degree_r() <= 0 && shared.degree_s() <= 0) return "";
   return curve_on_line(shared, system.lambda, lambda_range(system)).lambda.empty()
@@ -76,9 +114,10 @@ std::optional<Side> finding_side(const std::vector<Side>& sides) {
   return std::nullopt;
 }
 
-void add_side(SelfBoundary& result, const BezierPatch& x, const LineQuery& query) {
+void add_side(SelfBoundary& result, const BezierPatch& x, const LineQuery& query,
+              const InjectiveRectangles& injective) {
   const LinePoints line = line_points(x, x, query);
-  const std::string why = line.incomplete ? *line.incomplete : obstacle(x, query);
+  const std::string why = line.incomplete ? *line.incomplete : obstacle(x, query, injective);
   if (!why.empty()) {
     ParameterBox where = {{{0, 1}, {0, 1}, {0, 1}, {0, 1}}};
     where[index(query.fixed)] = {query.value, query.value};
@@ -104,10 +143,10 @@ std::size_t find_mate(const std::vector<CertifiedPoint>& points, std::size_t i) 
 
 }  // namespace
 
-SelfBoundary self_boundary(const BezierPatch& x) {
+SelfBoundary self_boundary(const BezierPatch& x, const InjectiveRectangles& injective) {
   SelfBoundary result;
   for (const Parameter p : {Parameter::u, Parameter::v})
-    for (const int value : {0, 1}) add_side(result, x, {p, value});
+    for (const int value : {0, 1}) add_side(result, x, {p, value}, injective);
   if (!result.problems.empty()) {
     result.points.clear();
     return result;

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+#include "injective_rectangle.h"
+
 namespace exsect {
 
 /// The pairs x(u1,v1) = x(u2,v2) with at least one of the four parameters 0 or 1, as points (u,v,r,s) =
@@ -21,6 +23,6 @@ struct SelfBoundary {
 
 /// The four lines on the sides against the patch itself: plane and cylinder of the line u = c, pulled back,
 /// have the factor r - c; what is left has the eliminant of degree 10 (method, section 7.1).
-SelfBoundary self_boundary(const BezierPatch& x);
+SelfBoundary self_boundary(const BezierPatch& x, const InjectiveRectangles& injective);
 
 }  // namespace exsect

@@ -87,7 +87,12 @@ class SelfTracing {
  public:
   SelfTracing(const SelfSystem<Ball>& system, const ExactPlaces& exact, const Rational& width,
               const StopRequest& stop)
-      : system_(system), exact_(exact), boundary_(exact.boundary), width_(width), stop_(stop) {
+      : system_(system),
+        exact_(exact),
+        boundary_(exact.boundary),
+        width_(width),
+        stop_(stop),
+        rectangles_(exact.injective.rectangles) {
     for (const CertifiedPoint& point : boundary_.points) {
       result_.landmarks.push_back(enclose<Ball>(point, width));
     }
@@ -126,7 +131,7 @@ class SelfTracing {
 
   void find_cusps() {
     for (const ChartSystem<Ball>& chart : system_.charts) {
-      const CuspSearchOutcome<Ball> outcome = search_cusps(chart, stop_);
+      const CuspSearchOutcome<Ball> outcome = search_cusps(chart, rectangles_, stop_);
       for (const ParameterBox& where : places(chart.chart(), outcome.undecided)) {
         problem(where, "cuspidal points are not isolated here: a cuspidal curve, or a degenerate one");
       }
@@ -353,7 +358,8 @@ class SelfTracing {
         return is_known(which, p);
       };
       const std::array<double, 2> own = which == Chart::first ? c : std::array<double, 2>{c[1], c[0]};
-      const ChartSearchOutcome outcome = search_chart(chart, own, known, kMostBoxes<Ball>, stop_);
+      const ChartSearchOutcome outcome =
+          search_chart(chart, rectangles_, own, known, kMostBoxes<Ball>, stop_);
       result_.searched_boxes += outcome.boxes;
       for (const ParameterBox& where : places(which, outcome.undecided)) {
         problem(where, "a closed curve or a singular point of the self-intersection is not excluded here");
@@ -402,6 +408,7 @@ class SelfTracing {
   const SelfBoundary& boundary_;
   const Rational& width_;
   const StopRequest& stop_;
+  KnownRectangles rectangles_;
   std::vector<CuspArc<Ball>> leaving_;  // cuspidal points on sides
   int failed_loops_ = 0;
   SelfCurves<Ball> result_;
@@ -431,7 +438,8 @@ bool passes_near_cusp(const SelfCurves<Ball>& curves, Chart chart, const BallPoi
 
 bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopRequest& stop) {
   return std::all_of(system.charts.begin(), system.charts.end(), [&](const ChartSystem<DoubleBall>& chart) {
-    return search_chart<DoubleBall>(chart, {1, 0}, {}, kQuickBoxes, stop).undecided.empty();
+    return search_chart<DoubleBall>(chart, KnownRectangles({}), {1, 0}, {}, kQuickBoxes, stop)
+        .undecided.empty();
   });
 }
 

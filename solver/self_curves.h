@@ -17,6 +17,7 @@ namespace exsect {
 
 /// What is known exactly of a patch against itself.
 struct ExactPlaces {
+  InjectiveRectangles injective;
   SelfBoundary boundary;
   SpecialCusps cusps;
   std::array<std::size_t, 4> coincident;  // coincident_parameters(x, x)

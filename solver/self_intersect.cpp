@@ -71,6 +71,7 @@ class SelfIntersection {
     if (!injective) {
       find_curves();
     }
+    add_collapsed_sides();
     finish_components(result_.graph);
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
     result_.work.milliseconds = milliseconds_since(start_);
@@ -99,7 +100,10 @@ class SelfIntersection {
       return;
     }
     timed("exact places", [this] {
-      exact_ = {self_boundary(x_), special_cusps(x_), coincident_parameters(x_, x_)};
+      exact_.injective = injective_rectangles(x_);
+      exact_.boundary = self_boundary(x_, exact_.injective);
+      exact_.cusps = special_cusps(x_);
+      exact_.coincident = coincident_parameters(x_, x_);
     });
     if (!exact_.boundary.problems.empty()) {
       result_.incomplete = exact_.boundary.problems;
@@ -156,6 +160,29 @@ class SelfIntersection {
       if (auto coarse = too_coarse(graph, arc, tolerance)) {
         result_.incomplete.push_back(std::move(*coarse));
       }
+    }
+  }
+
+  /// All pairs on such a side meet: one node with both parameters free.
+  void add_collapsed_sides() {
+    for (const auto& [fixed, value] : exact_.injective.along_sides) {
+      const auto j = static_cast<std::size_t>(fixed);
+      if (!is_collapsed_side(x_, j, value)) continue;
+      const PairSystem<DoubleBall> system(x_, x_, scaling_.origin, scaling_.frame.exponent);
+      BallPoint<DoubleBall> at;
+      ParameterBox box;
+      for (std::size_t k = 0; k < 4; ++k) {
+        at[k] = DoubleBall(k % 2 == j ? value : 0.5);
+        box[k] = k % 2 == j ? RationalInterval{value, value} : RationalInterval{0, 1};
+      }
+      const auto first = static_cast<Parameter>(j);
+      const auto second = static_cast<Parameter>(j + 2);
+      Node node = landmark_node(system, scaling_.frame, at, box, {{first, value}, {second, value}});
+      node.kinds = {NodeKind::boundary};
+      node.free = {static_cast<Parameter>(1 - j), static_cast<Parameter>(3 - j)};
+      node.id = static_cast<int>(result_.graph.nodes.size());
+      result_.graph.isolated_points.push_back(node.id);
+      result_.graph.nodes.push_back(std::move(node));
     }
   }
 

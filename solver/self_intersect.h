@@ -12,6 +12,7 @@ namespace exsect {
 ///
 /// * Every curve is reported once, in one of the two orders of its pairs, the same all along the curve.
 /// * A node of kind `cusp` is a cuspidal point, x_u x x_v = 0: there (u1,v1) = (u2,v2), and one arc ends.
+/// * A side that is one point of space is an isolated node with both parameters along it free.
 /// * A point of space where curves cross (three or more sheets of the surface) is no node: the curves have
 ///   different parameters there.
 ///

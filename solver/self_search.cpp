@@ -313,8 +313,9 @@ bool tangent_cannot_vanish(const ChartSystem<Ball>& system, const ChartCell<Ball
 
 /// Breadth first: what is left when the budget ends are small boxes around the difficult places.
 template <class Ball, class Done>
-ChartSearchOutcome subdivide(const ChartSystem<Ball>& system, const ChartBox& root, long most_boxes,
-                             const StopRequest& stop, const Done& done) {
+ChartSearchOutcome subdivide(const ChartSystem<Ball>& system, const KnownRectangles& rectangles,
+                             const ChartBox& root, long most_boxes, const StopRequest& stop,
+                             const Done& done) {
   ChartSearchOutcome outcome;
   std::deque<ChartCell<Ball>> waiting;
   waiting.push_back({root, bernstein_net(system.equation(), root), 0});
@@ -323,7 +324,8 @@ ChartSearchOutcome subdivide(const ChartSystem<Ball>& system, const ChartBox& ro
     const ChartCell<Ball> cell = std::move(waiting.front());
     waiting.pop_front();
     ++outcome.boxes;
-    if (outside(cell.box) || cannot_vanish(cell.net) || done(cell)) {
+    if (outside(cell.box) || rectangles.contain(system.chart(), cell.box) || cannot_vanish(cell.net) ||
+        done(cell)) {
       continue;
     }
     const bool stopped = outcome.boxes > most_boxes || waiting.size() > kMostWaiting ||
@@ -346,10 +348,34 @@ ChartSearchOutcome subdivide(const ChartSystem<Ball>& system, const ChartBox& ro
 
 }  // namespace
 
+KnownRectangles::KnownRectangles(const std::vector<ParameterRectangle>& rectangles) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const auto lower = [](const RationalInterval& range) {
+    return range.lower == 0 ? -kFar : to_double(range.lower);
+  };
+  const auto upper = [](const RationalInterval& range) {
+    return range.upper == 1 ? kFar : to_double(range.upper);
+  };
+  for (const auto& [u, v] : rectangles) rectangles_.push_back({lower(u), upper(u), lower(v), upper(v)});
+}
+
+bool KnownRectangles::contain(Chart chart, const ChartBox& box) const {
+  if (rectangles_.empty()) return false;
+  const double t = std::sqrt(std::max(0.0, box.upper[3])) * (1 + 0x1p-40);
+  const double mt = std::max(std::fabs(box.lower[2]), std::fabs(box.upper[2])) * t * (1 + 0x1p-40);
+  // U +- t and V +- m t; a relative error of 2^-50 for each sum.
+  const std::array<double, 4> reach = {box.lower[0] - t - 0x1p-50, box.upper[0] + t + 0x1p-50,
+                                       box.lower[1] - mt - 0x1p-50, box.upper[1] + mt + 0x1p-50};
+  const std::size_t u = chart == Chart::first ? 0 : 2;
+  return std::ranges::any_of(rectangles_, [&](const std::array<double, 4>& r) {
+    return reach[u] >= r[0] && reach[u + 1] <= r[1] && reach[2 - u] >= r[2] && reach[3 - u] <= r[3];
+  });
+}
+
 template <class Ball>
-ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const std::array<double, 2>& direction,
-                                const ChartSeedHandler<Ball>& known, long most_boxes,
-                                const StopRequest& stop) {
+ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownRectangles& rectangles,
+                                const std::array<double, 2>& direction, const ChartSeedHandler<Ball>& known,
+                                long most_boxes, const StopRequest& stop) {
   const auto done = [&](const ChartCell<Ball>& cell) {
     if (!known || cell.depth < kFirstCertificateDepth) {
       return false;
@@ -364,11 +390,12 @@ ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const std::arra
     return known(point_at(*tube, 0)) || known(point_at(*tube, -tube->reach)) ||
            known(point_at(*tube, tube->reach));
   };
-  return subdivide(system, whole_chart, most_boxes, stop, done);
+  return subdivide(system, rectangles, whole_chart, most_boxes, stop, done);
 }
 
 template <class Ball>
-CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const StopRequest& stop) {
+CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const KnownRectangles& rectangles,
+                                     const StopRequest& stop) {
   constexpr long kMostBoxes = 20000;
   constexpr std::size_t kAxisW = 3;
   CuspSearchOutcome<Ball> outcome;
@@ -392,14 +419,16 @@ CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const Stop
   };
   ChartBox root = whole_chart;
   root.upper[kAxisW] = 0;
-  outcome.undecided = subdivide(system, root, kMostBoxes, stop, done).undecided;
+  outcome.undecided = subdivide(system, rectangles, root, kMostBoxes, stop, done).undecided;
   return outcome;
 }
 
-#define EXSECT_INSTANTIATE_SELF_SEARCH(Ball)                                                         \
-  template ChartSearchOutcome search_chart(const ChartSystem<Ball>&, const std::array<double, 2>&,   \
-                                           const ChartSeedHandler<Ball>&, long, const StopRequest&); \
-  template CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>&, const StopRequest&);
+#define EXSECT_INSTANTIATE_SELF_SEARCH(Ball)                                                            \
+  template ChartSearchOutcome search_chart(const ChartSystem<Ball>&, const KnownRectangles&,            \
+                                           const std::array<double, 2>&, const ChartSeedHandler<Ball>&, \
+                                           long, const StopRequest&);                                   \
+  template CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>&, const KnownRectangles&,       \
+                                                const StopRequest&);
 
 EXSECT_INSTANTIATE_SELF_SEARCH(DoubleBall)
 EXSECT_INSTANTIATE_SELF_SEARCH(ArbBall<256>)

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "injective_rectangle.h"
 #include "self_tube.h"
 #include "tracer.h"
 
@@ -18,6 +19,19 @@ struct ChartBox {
 /// All pairs of the chart: U and V in [0,1], m in [-1,1], w in [0,1/4].
 inline constexpr ChartBox whole_chart = {{0, 0, -1, 0}, {1, 1, 1, 0.25}};
 
+/// Rectangles on which the patch is injective, with double ends that are exact: no pair of two points of one
+/// of them is looked for.
+class KnownRectangles {
+ public:
+  explicit KnownRectangles(const std::vector<ParameterRectangle>& rectangles);
+
+  /// True only if of all pairs of the box that are in the square both points are in one of the rectangles.
+  bool contain(Chart chart, const ChartBox& box) const;
+
+ private:
+  std::vector<std::array<double, 4>> rectangles_;  // u0, u1, v0, v1; infinite on a side of the square
+};
+
 struct ChartSearchOutcome {
   /// Boxes that may hold points of the curve which are not known. Empty: the search is complete.
   std::vector<ChartBox> undecided;
@@ -30,15 +44,15 @@ template <class Ball>
 using ChartSeedHandler = std::function<bool(const BallPoint<Ball>&)>;
 
 /// Looks for points of H = 0 in the chart's part of the domain, that is U +- t and V +- m t in [0,1]. A box
-/// is done if H cannot vanish in it or it is outside. Any other box must be shown to be empty of points to be
-/// found: without `known` that is all, so that an outcome without undecided boxes means that there are no
-/// pairs. With `known`, a box is also done if a certified tube contains it whose curve is known, or if the
-/// curve cannot have a tangent with c_0 U' + c_1 V' = 0 in it (`direction` c, in terms of the chart's own U
-/// and V).
+/// is done if H cannot vanish in it, or it is outside or in the rectangles. Any other box must be shown to be
+/// empty of points to be found: without `known` that is all, so that an outcome without undecided boxes means
+/// that there are no pairs. With `known`, a box is also done if a certified tube contains it whose curve is
+/// known, or if the curve cannot have a tangent with c_0 U' + c_1 V' = 0 in it (`direction` c, in terms of
+/// the chart's own U and V).
 template <class Ball>
-ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const std::array<double, 2>& direction,
-                                const ChartSeedHandler<Ball>& known, long most_boxes,
-                                const StopRequest& stop);
+ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownRectangles& rectangles,
+                                const std::array<double, 2>& direction, const ChartSeedHandler<Ball>& known,
+                                long most_boxes, const StopRequest& stop);
 
 /// A cuspidal point: H = 0 with w = 0. The tube has axis w; the point is the only one with w = 0 in it.
 template <class Ball>
@@ -53,8 +67,9 @@ struct CuspSearchOutcome {
   std::vector<ChartBox> undecided;
 };
 
-/// All cuspidal points of the chart, each once.
+/// All cuspidal points of the chart outside the rectangles, each once.
 template <class Ball>
-CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const StopRequest& stop);
+CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const KnownRectangles& rectangles,
+                                     const StopRequest& stop);
 
 }  // namespace exsect

@@ -4,10 +4,12 @@
 #include <exsect/solver/self_intersect.h>
 
 #include <chrono>
+#include <optional>
 #include <stdexcept>
 
 #include "support/graph_checks.h"
 #include "support/graph_isomorphism.h"
+#include "support/self_locus.h"
 
 namespace exsect::fuzz {
 namespace {
@@ -110,6 +112,26 @@ std::string cap_violation(double seconds, int runs, double max_seconds) {
   return "the work cap was passed: " + std::to_string(seconds) + " s";
 }
 
+/// Crossings of parameter lines against their exact fibres; a finer polyline decides where they disagree.
+void compare_fibres(const BezierPatch& x, const IntersectOptions& options, Verdict& verdict) {
+  IntersectOptions fine = options;
+  fine.tolerance = 1e-7;
+  std::optional<IntersectResult> finer;
+  for (const std::size_t parameter : {0U, 1U})
+    for (const Rational& value : {Rational(2, 13), Rational(27, 61), Rational(34, 41)}) {
+      const auto expected = static_cast<int>(testing::self_fibre(x, parameter, value).size());
+      ++verdict.compared_lines;
+      if (testing::polyline_crossings(verdict.result.graph, parameter, to_double(value)) == expected)
+        continue;
+      if (!finer) finer = self_intersect(x, fine);
+      const int crossings = testing::polyline_crossings(finer->graph, parameter, to_double(value));
+      if (crossings != expected)
+        verdict.violation = "the line " + std::string(parameter == 0 ? "u = " : "v = ") + value.str() +
+                            " has " + std::to_string(expected) + " pairs and not " +
+                            std::to_string(crossings);
+    }
+}
+
 }  // namespace
 
 Verdict check_self(const BezierPatch& x, double max_seconds) {
@@ -131,6 +153,8 @@ Verdict check_self(const BezierPatch& x, double max_seconds) {
       (verdict.result.status != exchanged.status ||
        (exchanged.status == Status::complete && counts(verdict.result) != counts(exchanged))))
     verdict.violation = "exchanging the parameters changes the answer";
+  if (verdict.violation.empty() && exchanged.status == Status::complete && exchanged.graph.overlaps.empty())
+    compare_fibres(x, options, verdict);
   return verdict;
 }
 

@@ -82,7 +82,7 @@ int statistics(bool self, int kind, std::uint64_t first, std::uint64_t count) {
     }
   }
   std::cout << count << " pairs: " << sum.complete << " complete, " << sum.wrong << " wrong; " << sum.lines
-            << " lines compared with the oracle; slowest " << sum.slowest << " s\n";
+            << " lines compared; slowest " << sum.slowest << " s\n";
   for (const auto& [reason, entry] : sum.reasons) {
     std::cout << "  " << entry.first << " incomplete: " << reason << " (seed " << entry.second << ")\n";
   }

@@ -269,6 +269,18 @@ TEST_CASE("other sheets of the surface are met as usual") {
                            {q(3, 5), q(9, 10), 0, 1}}});
 }
 
+TEST_CASE("a patch given twice, with a side that is one point") {
+  const BezierPatch cone = BezierPatch::from_power_basis({{{}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}}});
+  const auto result = intersect(cone, cone);
+  CHECK(result.status == Status::complete);
+  CHECK(result.graph.overlaps.size() == 1);
+  CHECK(result.graph.arcs.empty());
+  REQUIRE(result.graph.isolated_points.size() == 1);
+  const Node& tip = result.graph.nodes[static_cast<std::size_t>(result.graph.isolated_points[0])];
+  CHECK(tip.kinds == std::vector<NodeKind>{NodeKind::boundary, NodeKind::end_of_overlap});
+  CHECK(tip.free == std::vector<Parameter>{Parameter::v, Parameter::s});
+}
+
 TEST_CASE("a patch given twice meets itself in both orders of its pairs") {
   const PatchFile file = read_patches(EXSECT_EXAMPLES "/chapter9-second.json");
   const BezierPatch& x = file.patches.at(0).patch;

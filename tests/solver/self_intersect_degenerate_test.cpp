@@ -192,12 +192,38 @@ TEST_CASE("self_intersect: patches that do not meet themselves") {
       patch({{1, 0, {1, 0, 0}}, {0, 1, {0, 1, 0}}, {2, 0, {0, Rational(1, 4), 0}}}));  // plane, curved
 }
 
-TEST_CASE("self_intersect: folds, collapsed sides and curves are incomplete with a reason") {
+TEST_CASE("self_intersect: a side that is one point is one node") {
+  // u (1, v, v^2), and with the tip on the side v = 1.
+  const BezierPatch cone = patch({{1, 0, {1, 0, 0}}, {1, 1, {0, 1, 0}}, {1, 2, {0, 0, 1}}});
+  for (const bool exchanged : {false, true}) {
+    const auto result = self_intersect(exchanged ? cone.exchanged().reversed_second() : cone);
+    CHECK(result.status == Status::complete);
+    CHECK(result.graph.arcs.empty());
+    REQUIRE(result.graph.nodes.size() == 1);
+    const Node& tip = result.graph.nodes.front();
+    CHECK(result.graph.isolated_points == std::vector<int>{0});
+    using enum Parameter;
+    CHECK(tip.on == (exchanged ? std::vector<Side>{{v, 1}, {s, 1}} : std::vector<Side>{{u, 0}, {r, 0}}));
+    CHECK(tip.free == (exchanged ? std::vector<Parameter>{u, r} : std::vector<Parameter>{v, s}));
+    for (const Parameter p : tip.free) {
+      CHECK(tip.box[index(p)].lower == 0);
+      CHECK(tip.box[index(p)].upper == 1);
+    }
+  }
+  // Both ends of the line v = 0 are the tip; a sector covered twice.
+  check_incomplete(patch({{1, 0, {1, 0, 0}}, {2, 0, {-1, 0, 0}}, {1, 1, {0, 1, 0}}, {1, 2, {0, 0, 1}}}),
+                   "so are other points");
+  check_incomplete(
+      patch({{1, 0, {1, 0, half / 2}}, {1, 1, {0, 0, -1}}, {1, 2, {0, 0, 1}}, {2, 0, {0, 1, 0}}}),
+      "near which");
+}
+
+TEST_CASE("self_intersect: folds and curves are incomplete with a reason") {
   // (2u-1)^2 and u^2 - u: every pair u, 1-u.
   check_incomplete(patch({{2, 0, {4, 0, 0}}, {1, 0, {-4, 0, 0}}, {0, 0, {1, 0, 0}}, {0, 1, {0, 1, 0}}}),
                    "meets the patch along a curve");
-  check_incomplete(patch({{2, 0, {1, 0, 0}}, {0, 1, {0, 1, 0}}}), "cuspidal in whole");
-  check_incomplete(patch({{1, 0, {1, 0, 0}}, {1, 1, {0, 1, 0}}, {1, 2, {0, 0, 1}}}), "is one point");
+  // (u^2, v, 0) covers a rectangle once.
+  check_nothing(patch({{2, 0, {1, 0, 0}}, {0, 1, {0, 1, 0}}}));
   check_incomplete(patch({{0, 0, {1, 2, 3}}}), "is one point");
   check_incomplete(patch({{1, 0, {1, 0, 0}}, {2, 0, {0, 1, 0}}}), "is one point");
 }
