@@ -8,6 +8,7 @@
 #include "eliminant_height.h"
 #include "special_eliminant.h"
 #include "turning_eliminant_modular.h"
+#include "vector_eliminant.h"
 
 namespace exsect {
 
@@ -60,6 +61,13 @@ bool is_generic(const IntegerPair& pair) {
   return false;
 }
 
+std::vector<Integer> scalar_eliminant(const IntegerPair& pair, std::size_t bits) {
+  return interpolate_integer_polynomial(degree_bound, bits,
+                                        [&pair](const PrimeField& field, Residue first, std::size_t count) {
+                                          return eliminant_values(field, pair, first, count);
+                                        });
+}
+
 }  // namespace
 
 TurningEliminant turning_eliminant(const BezierPatch& x, const BezierPatch& y) {
@@ -67,11 +75,9 @@ TurningEliminant turning_eliminant(const BezierPatch& x, const BezierPatch& y) {
   if (estimated_bits(pair) > max_bits)
     return {std::nullopt, "the numbers are too long: E would have over 2^19 bits", false};
   if (!is_generic(pair)) return special_eliminant(pair);
-  const std::vector<Integer> e =
-      interpolate_integer_polynomial(degree_bound, eliminant_height_bound(pair),
-                                     [&pair](const PrimeField& field, Residue first, std::size_t count) {
-                                       return eliminant_values(field, pair, first, count);
-                                     });
+  const std::size_t bits = eliminant_height_bound(pair);
+  const std::optional<std::vector<Integer>> by_vectors = vector_eliminant(pair, bits);
+  const std::vector<Integer> e = by_vectors ? *by_vectors : scalar_eliminant(pair, bits);
   return {primitive_with_positive_lead(Polynomial(std::vector<Rational>(e.begin(), e.end()))), {}, false};
 }
 
