@@ -112,7 +112,9 @@ class TwoPieceTracing {
 
   void find_cusps() {
     const BezierPatch patch = pieces_.shared();
-    const ExactPlaces exact = {{}, special_cusps(patch), coincident_parameters(patch, patch)};
+    ExactPlaces exact{};
+    exact.cusps = special_cusps(patch);
+    exact.coincident = coincident_parameters(patch, patch);
     result_.near = trace_near_cusps(shared_, exact, width_, stop_);
     for (const Incomplete& near : result_.near.problems) {
       ParameterBox where;
@@ -224,7 +226,7 @@ class TwoPieceTracing {
         return is_known(which, p);
       };
       const ChartSearchOutcome outcome =
-          search_chart<Ball>(chart, {1, 0.375}, known, kMostBoxes<Ball>, stop_);
+          search_chart<Ball>(chart, KnownRectangles({}), {1, 0.375}, known, kMostBoxes<Ball>, stop_);
       result_.searched_boxes += outcome.boxes;
       if (!outcome.undecided.empty()) {
         problem(whole_domain(),
