@@ -198,22 +198,49 @@ class SelfTracing {
                        [&](const CuspArc<Ball>& arc) { return passes_through(arc, chart, p); });
   }
 
-  /// +1, -1: the direction of the tangent field that enters the domain at this boundary point; 0: none;
-  /// empty: unknown.
-  std::optional<int> entering_direction(std::size_t landmark) const {
+  /// The directions of the tangent field that may enter the domain at a boundary point; `certain`: they do.
+  struct Directions {
+    std::vector<int> signs = {1, -1};
+    bool certain = true;
+  };
+
+  Directions entering_directions(std::size_t landmark) const {
     const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, result_.landmarks[landmark]).tangent();
-    int direction = 0;
-    bool entering = true;
+    Directions result;
     for (const Side& side : boundary_.points[landmark].sides()) {
       const int sign = tangent[index(side.parameter)].certain_sign();
-      if (sign == 0) {
-        return std::nullopt;
+      if (sign != 0) {
+        std::erase(result.signs, side.value == 0 ? -sign : sign);
+        continue;
       }
-      const int inward = side.value == 0 ? sign : -sign;
-      entering = entering && (direction == 0 || direction == inward);
-      direction = inward;
+      const int bend = bend_at(landmark, index(side.parameter));
+      if (bend == 0) {
+        result.certain = false;
+      } else if ((bend > 0) != (side.value == 0)) {
+        result.signs.clear();
+      }
     }
-    return entering ? direction : 0;
+    return result;
+  }
+
+  /// The sign of the second derivative of parameter j along the curve at a boundary point where T_j = 0
+  /// exactly; 0: unknown.
+  int bend_at(std::size_t landmark, std::size_t j) const {
+    const BallPoint<Ball>& box = result_.landmarks[landmark];
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, box).tangent();
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 4; ++i) {
+      if (std::fabs(tangent[i].approximation()) > std::fabs(tangent[axis].approximation())) {
+        axis = i;
+      }
+    }
+    const auto tube = certify_tube(system_.pair, box, axis, 0x1p-30, 0x1p-40);
+    if (axis == j || !tube || !contains(*tube, box) ||
+        !(std::fabs(tube->second[j]) > tube->second_error[j]) ||
+        tangent_signs(static_cast<int>(landmark))[j] != 0) {
+      return 0;
+    }
+    return tube->second[j] > 0 ? 1 : -1;
   }
 
   /// The direction of the tangent field in which the trace in the charts goes on at its gate; 0: unknown.
@@ -238,36 +265,59 @@ class SelfTracing {
     return result_.chart_traces[result_.gate(static_cast<int>(gate))->trace];
   }
 
-  /// Gates first: at the boundary end of a folded line on a side no direction enters the domain.
+  /// Gates first: at the boundary end of a folded line on a side it is not known which directions enter.
   void trace_open_curves() {
-    std::vector<bool> used(result_.landmarks.size(), false);
-    for (std::size_t k = used.size(); k-- > 0;) {
+    used_.assign(result_.landmarks.size(), {});
+    std::vector<bool> seen(used_.size(), false);
+    for (std::size_t k = used_.size(); k-- > 0;) {
       const std::size_t i = is_boundary(k) ? k : mate(k);
-      if (!used[i]) {
-        used[i] = used[mate(i)] = true;
-        start_at(i, used);
+      if (!seen[i]) {
+        seen[i] = seen[mate(i)] = true;
+        start_at(i);
       }
     }
   }
 
-  void start_at(std::size_t i, std::vector<bool>& used) {
-    const bool boundary = is_boundary(i);
-    const auto direction = boundary ? entering_direction(i) : leaving_direction(trace_at(i));
-    if (!direction || (!boundary && *direction == 0)) {
-      problem(boundary ? boundary_.points[i].box() : around(approximation(result_.landmarks[i])),
+  Directions directions_at(std::size_t i) const {
+    if (is_boundary(i)) {
+      return entering_directions(i);
+    }
+    const int direction = leaving_direction(trace_at(i));
+    return direction == 0 ? Directions{{1, -1}, false} : Directions{{direction}, true};
+  }
+
+  void start_at(std::size_t i) {
+    Directions directions = directions_at(i);
+    if (directions.signs.empty()) {
+      result_.isolated.push_back(static_cast<int>(i));
+    }
+    for (const int used : used_[i]) {
+      std::erase(directions.signs, used);
+    }
+    if (!directions.signs.empty() && !directions.certain) {
+      problem(is_boundary(i) ? boundary_.points[i].box() : around(approximation(result_.landmarks[i])),
               "the curve is tangent to a side of the patch, or singular, at this end point");
       return;
     }
-    if (*direction == 0) {
-      result_.isolated.push_back(static_cast<int>(i));
-      return;
+    for (const int sign : directions.signs) {
+      if (std::ranges::count(used_[i], sign) > 0) {
+        continue;  // the curve has come back
+      }
+      use(i, sign);
+      auto outcome = trace_arc(system_.pair, result_.landmarks, static_cast<int>(i), sign, stop_);
+      if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
+        const Piece<Ball>& end = trace->pieces.back();  // it arrives along T or against it
+        use(static_cast<std::size_t>(trace->end), -end.tube.orientation * (end.to > end.from ? 1 : -1));
+      }
+      add(std::move(outcome));
     }
-    auto outcome = trace_arc(system_.pair, result_.landmarks, static_cast<int>(i), *direction, stop_);
-    if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
-      const auto end = static_cast<std::size_t>(trace->end);
-      used[end] = used[mate(end)] = true;
-    }
-    add(std::move(outcome));
+  }
+
+  /// A curve leaves the landmark in this direction, and the exchanged one the exchanged landmark: there T is
+  /// the opposite.
+  void use(std::size_t landmark, int sign) {
+    used_[landmark].push_back(sign);
+    used_[mate(landmark)].push_back(-sign);
   }
 
   static std::array<double, 4> approximation(const BallPoint<Ball>& p) {
@@ -301,9 +351,14 @@ class SelfTracing {
     }
     const BallPoint<Ball>& at = result_.landmarks[static_cast<std::size_t>(landmark)];
     const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, at).tangent();
+    const auto i = static_cast<std::size_t>(landmark);
+    const bool unknown =
+        std::any_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() == 0; });
+    const std::array<bool, 4> zero =
+        unknown && is_boundary(i) ? exact_.zero_tangent(boundary_.points[i]) : std::array<bool, 4>{};
     for (std::size_t j = 0; j < 4; ++j) {
       const int sign = tangent[j].certain_sign();
-      signs[j] = sign != 0 ? std::optional(sign) : std::nullopt;
+      signs[j] = zero[j] ? std::optional(0) : sign != 0 ? std::optional(sign) : std::nullopt;
     }
     return signs;
   }
@@ -409,6 +464,7 @@ class SelfTracing {
   const Rational& width_;
   const StopRequest& stop_;
   KnownRectangles rectangles_;
+  std::vector<std::vector<int>> used_;  // directions of T in which a curve leaves each landmark
   std::vector<CuspArc<Ball>> leaving_;  // cuspidal points on sides
   int failed_loops_ = 0;
   SelfCurves<Ball> result_;

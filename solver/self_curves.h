@@ -4,6 +4,7 @@
 
 #include <exsect/solver/result.h>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct ExactPlaces {
   SelfBoundary boundary;
   SpecialCusps cusps;
   std::array<std::size_t, 4> coincident;  // coincident_parameters(x, x)
+  /// Components of T that are known to vanish at a boundary point.
+  std::function<std::array<bool, 4>(const CertifiedPoint&)> zero_tangent;
 };
 
 /// A patch against itself in one arithmetic: as a pair, and in both charts.

@@ -11,6 +11,7 @@
 
 #include "self_curves.h"
 #include "self_graph.h"
+#include "singular_points.h"
 #include "traced_curves.h"
 #include "turning_points.h"
 
@@ -104,6 +105,7 @@ class SelfIntersection {
       exact_.boundary = self_boundary(x_, exact_.injective);
       exact_.cusps = special_cusps(x_);
       exact_.coincident = coincident_parameters(x_, x_);
+      exact_.zero_tangent = [this](const CertifiedPoint& point) { return known_zero_tangent(x_, x_, point); };
     });
     if (!exact_.boundary.problems.empty()) {
       result_.incomplete = exact_.boundary.problems;

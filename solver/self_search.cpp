@@ -182,7 +182,15 @@ bool outside(const ChartBox& box) {
          reach2(box.lower[1], box.upper[1]) < least_m * least_m * w || box.upper[3] < 0;
 }
 
-/// Halves the variable in which H varies most; false if its midpoint is no double.
+/// The part of the box with w above its middle is outside.
+bool is_half_outside(const ChartBox& box) {
+  ChartBox upper = box;
+  upper.lower[3] = 0.5 * (box.lower[3] + box.upper[3]);
+  return upper.lower[3] > box.lower[3] && outside(upper);
+}
+
+/// Halves w where one half is outside, else the variable in which H varies most; false if its midpoint is no
+/// double.
 template <class Ball>
 bool split(const ChartCell<Ball>& cell, std::array<ChartCell<Ball>, 2>& halves) {
   std::size_t longest = 0;
@@ -204,6 +212,9 @@ bool split(const ChartCell<Ball>& cell, std::array<ChartCell<Ball>, 2>& halves) 
       most = extent;
       longest = j;
     }
+  }
+  if (is_half_outside(cell.box)) {
+    longest = 3;
   }
   const double middle = 0.5 * (cell.box.lower[longest] + cell.box.upper[longest]);
   if (middle - cell.box.lower[longest] != cell.box.upper[longest] - middle ||

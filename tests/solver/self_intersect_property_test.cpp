@@ -40,6 +40,12 @@ BezierPatch doubles(Generator& generator) {
   return BezierPatch(net);
 }
 
+BezierPatch net(const std::array<std::array<int, 3>, 9>& points) {
+  ControlNet result;
+  for (std::size_t i = 0; i < 9; ++i) result[i / 3][i % 3] = {points[i][0], points[i][1], points[i][2]};
+  return BezierPatch(result);
+}
+
 /// The pairs of the component in the other order.
 void exchange(IntersectionGraph& graph, const Component& component) {
   const auto other = [](Parameter p) { return static_cast<Parameter>((index(p) + 2) % 4); };
@@ -203,12 +209,56 @@ TEST_CASE("self_intersect: pieces of a patch agree with the oracle for pairs") {
   CHECK(points > 40);
 }
 
+TEST_CASE("self_intersect: small integers in special position") {
+  // A curve that turns where it leaves the square.
+  check_fibres(net({{{2, 0, 1},
+                     {-1, 2, 1},
+                     {0, -2, 1},
+                     {1, -2, 1},
+                     {1, -2, 0},
+                     {0, -2, 2},
+                     {-2, 2, 1},
+                     {0, -1, -1},
+                     {1, -1, -1}}}),
+               4);
+  // Two corners in one point of space, tangent planes that contain sides of the other one.
+  const BezierPatch corners = net({{{0, 0, 0},
+                                    {0, -1, -1},
+                                    {0, 1, 0},
+                                    {1, -1, -1},
+                                    {1, 0, -1},
+                                    {-1, 1, 0},
+                                    {-1, 0, 0},
+                                    {0, 0, 1},
+                                    {0, 0, 0}}});
+  check_fibres(corners, 4);
+  const IntersectionGraph graph = self_intersect(corners).graph;
+  REQUIRE(graph.isolated_points.size() == 1);
+  CHECK(graph.nodes[static_cast<std::size_t>(graph.isolated_points[0])].on.size() == 4);
+  // x_u = 0 in the corner (0,0), with x_uu, x_uv and x_v in one plane.
+  check_fibres(net({{{0, 1, 0},
+                     {1, 1, -1},
+                     {0, -1, 0},
+                     {0, 1, 0},
+                     {-1, 1, 0},
+                     {0, 1, 1},
+                     {-1, 1, 0},
+                     {-1, 0, 0},
+                     {1, -1, -1}}}),
+               4);
+  check_fibres(net({{{-1, 0, -1},
+                     {1, 1, 0},
+                     {-1, -1, 1},
+                     {1, 1, 0},
+                     {1, 1, -1},
+                     {1, 1, 1},
+                     {0, -1, 1},
+                     {0, -1, 1},
+                     {0, -1, 0}}}),
+               4);
+}
+
 TEST_CASE("self_intersect: closed curves") {
-  const auto net = [](const std::array<std::array<int, 3>, 9>& points) {
-    ControlNet result;
-    for (std::size_t i = 0; i < 9; ++i) result[i / 3][i % 3] = {points[i][0], points[i][1], points[i][2]};
-    return BezierPatch(result);
-  };
   const BezierPatch first =
       net({{{30, -34, -22},
             {21, 14, -2},
