@@ -32,19 +32,31 @@ TurningEliminant eliminant_along(const BezierPatch& x, const BezierPatch& y, Par
   return eliminant_along_u(y.exchanged(), x);
 }
 
-TurningValues turning_values_of(const TurningEliminant& eliminant, Parameter sweep) {
+/// The factors of the polynomial with their multiplicities, or 0 where these mean nothing.
+std::vector<PolynomialPower> weighted_factors(const TurningEliminant& eliminant) {
   const Polynomial& e = *eliminant.polynomial;
+  if (eliminant.unweighted.degree() == 0) {
+    return is_squarefree(e) ? std::vector<PolynomialPower>{{e, 1}} : squarefree_factors(e);
+  }
+  const Polynomial unweighted = squarefree_part(eliminant.unweighted);
+  std::vector<PolynomialPower> result = {{unweighted, 0}};
+  for (PolynomialPower& power : squarefree_factors(exact_quotient(e, eliminant.unweighted))) {
+    power.factor = exact_quotient(power.factor, gcd(power.factor, unweighted));
+    if (power.factor.degree() > 0) {
+      result.push_back(std::move(power));
+    }
+  }
+  return result;
+}
+
+TurningValues turning_values_of(const TurningEliminant& eliminant, Parameter sweep) {
   std::vector<TurningValue> result;
   const auto append_roots = [&](const Polynomial& f, int multiplicity) {
     for (RealAlgebraic& root : real_roots(f, 0, 1)) {
       result.push_back({std::move(root), multiplicity});
     }
   };
-  const std::vector<PolynomialPower> factors = eliminant.touching
-                                                   ? std::vector<PolynomialPower>{{squarefree_part(e), 0}}
-                                               : is_squarefree(e) ? std::vector<PolynomialPower>{{e, 1}}
-                                                                  : squarefree_factors(e);
-  for (const auto& [factor, multiplicity] : factors) {
+  for (const auto& [factor, multiplicity] : weighted_factors(eliminant)) {
     if (multiplicity == 1) {
       append_roots(factor, 1);
       continue;

@@ -11,8 +11,8 @@
 
 namespace exsect {
 
-/// One root of the turning eliminant in [0,1], with its multiplicity there; 0 where that says nothing (the
-/// patches touch along a curve).
+/// One root of the turning eliminant in [0,1], with its multiplicity there; 0 where that says nothing (some
+/// roots, where the patches touch along a curve).
 struct TurningValue {
   RealAlgebraic value;
   int multiplicity;

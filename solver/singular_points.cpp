@@ -192,7 +192,7 @@ class StarSearch {
 
   void try_point_on_line(const TurningValues& turning, const LineQuery& line, const RealAlgebraic& along) {
     for (const CertifiedPoint& point : points_on_line(problem_.x, problem_.y, line, along)) {
-      if (!stopped() && !is_covered(point) && needs_star(point)) {
+      if (!stopped() && !is_covered(point) && may_be_singular(point)) {  // else the line is all there is
         try_sweep(point, turning, line.value, along);
       }
     }

@@ -126,10 +126,11 @@ TurningEliminant touching_eliminant(const FibreCoefficients<Polynomial>& f, cons
   const FibreFactors factors = split_multiple(points.finite);
   FibreProjection simple = points;
   simple.finite = factors.simple;
-  Polynomial e = special_norm(f, simple, other) * content_factor(points, other) * leading(factors.multiple);
+  Polynomial events = content_factor(points, other) * leading(factors.multiple);
   if (degree(factors.multiple) > 1)
-    e = e * discriminant_r(BivariatePolynomial(factors.multiple.coefficients));
-  return {primitive_with_positive_lead(e), {}, true};
+    events = events * discriminant_r(BivariatePolynomial(factors.multiple.coefficients));
+  const Polynomial e = special_norm(f, simple, other) * events;
+  return {primitive_with_positive_lead(e), {}, true, std::move(events)};
 }
 
 /// l disc of the squarefree part: where roots meet or go to infinity.
@@ -143,8 +144,9 @@ Polynomial events_of(const FibrePolynomial& f) {
 
 /// (4.21): no matter how many points of a fibre have the same r or the same s.
 TurningEliminant unseparated_eliminant(const FibreProjection& to_s, const FibreProjection& to_r) {
-  const Polynomial e = content_factor(to_s, to_r) * events_of(to_s.finite) * events_of(to_r.finite);
-  return {primitive_with_positive_lead(e), {}, true};
+  const Polynomial e = primitive_with_positive_lead(content_factor(to_s, to_r) * events_of(to_s.finite) *
+                                                    events_of(to_r.finite));
+  return {e, {}, true, e};
 }
 
 bool vanishes(const SpaceVector<Polynomial>& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }

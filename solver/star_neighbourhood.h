@@ -34,6 +34,9 @@ struct StarNeighbourhood {
   std::array<std::vector<std::vector<CertifiedPoint>>, 2> layers;
 };
 
+/// True only if the centre is a singular point: three arcs or more end in it.
+inline bool is_singular(const StarNeighbourhood& star) { return star.ports.size() >= 3; }
+
 /// What the proof needs to know about the pair.
 struct StarProblem {
   const BezierPatch& x;

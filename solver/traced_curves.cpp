@@ -526,13 +526,15 @@ class CurveTracing {
     }
   }
 
-  /// Over a root of E of multiplicity m there is no singular point if m regular turning points lie over it:
-  /// each of them takes up one of the m. (A simple root lies under no singular point: docs/method.md,
-  /// section 4.) Otherwise the slab around the root is searched.
+  /// Over a root of E of multiplicity m there is no further singular point if the regular turning points over
+  /// it, and twice the singular ones that are known, make up m: so much of m is taken up by each. (A simple
+  /// root lies under no singular point: docs/method.md, section 4.) Otherwise the slab around the root is
+  /// searched.
   void check_multiple_turning_values() {
     for (const TurningValue& turning : sweep_.turning->values) {
       if (turning.multiplicity == 1 ||
-          (turning.multiplicity > 1 && regular_turning_points(turning) == turning.multiplicity) ||
+          (turning.multiplicity > 1 &&
+           regular_turning_points(turning) + 2 * singular_stars(turning) >= turning.multiplicity) ||
           multiple_points_are_known(turning)) {
         continue;
       }
@@ -630,6 +632,18 @@ class CurveTracing {
       }
     }
     return count;
+  }
+
+  /// Stars around singular points over the value. One from which a curve leaves along which the patches do
+  /// not touch: the others have no part in the multiplicity.
+  int singular_stars(const TurningValue& turning) const {
+    return static_cast<int>(
+        std::count_if(sweep_.stars.begin(), sweep_.stars.end(), [&](const StarNeighbourhood& star) {
+          const ParameterBox centre = star.centre.refined_to(power_of_two(-100)).box();
+          return is_singular(star) && lies_over_only(turning, centre[index(sweep_.turning->sweep)]) &&
+                 std::any_of(star.ports.begin(), star.ports.end(),
+                             [](const Port& port) { return port.point.multiplicity() == 1; });
+        }));
   }
 
   /// True if `at`, which holds some turning value, can hold no other one than this.

@@ -26,6 +26,8 @@ struct TurningEliminant {
   std::optional<Polynomial> polynomial;
   std::string degenerate;
   bool touching = false;
+  /// A factor of `polynomial`: the multiplicities of its roots mean nothing.
+  Polynomial unweighted = 1;
 };
 
 /// Exchange patches or parameters for turning points with respect to v, r, s.

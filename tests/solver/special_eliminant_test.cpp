@@ -293,6 +293,9 @@ TEST_CASE("events of curves along which patches touch", "[special_eliminant]") {
   const TurningEliminant along = turning_eliminant(lines.exchanged(), plane);
   CHECK(along.touching);
   CHECK(squarefree_part(along.polynomial.value()) == Polynomial({-1, 2}));
+  // Multiplicities mean nothing where a line lies on the other patch, or a multiple point is not finite.
+  CHECK(along.unweighted(Rational(1, 2)) == 0);
+  CHECK(hyperbola.unweighted(0) == 0);
 }
 
 TEST_CASE("parallel planes and walls have no turning points", "[special_eliminant]") {
