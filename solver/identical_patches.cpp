@@ -1,13 +1,12 @@
 #include "identical_patches.h"
 
-#include <exsect/geometry/parameter_line.h>
 #include <exsect/solver/self_intersect.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "model_scale.h"
 #include "parameter_names.h"
+#include "rim_arc.h"
 
 namespace exsect {
 
@@ -27,8 +26,6 @@ bool is_planar(const BezierPatch& x) {
     for (const Point& p : row) planar = planar && dot(normal, p - origin) == 0;
   return planar;
 }
-
-double length(const Point& v) { return std::hypot(to_double(v[0]), to_double(v[1]), to_double(v[2])); }
 
 constexpr const char* kTooFine = "the tolerance is below what a polyline in doubles can be proved to keep";
 
@@ -56,7 +53,8 @@ class ItselfBuilder {
   }
 
   /// The pairs in the other order. A cuspidal point has equal parameters: there the two orders of a curve
-  /// meet, inside the overlap. A side that is one point, with free parameters, meets its rim.
+  /// meet, inside the overlap, as do the two orders of the pairs of a fold. A side that is one point, with
+  /// free parameters, meets its rim.
   void add_mirrored() {
     using enum Parameter;
     IntersectResult mirrored = result_;
@@ -81,6 +79,14 @@ class ItselfBuilder {
       arc.to = mirrored_id(arc.to);
       graph.arcs.push_back(std::move(arc));
     }
+    for (Overlap& overlap : mirrored.graph.overlaps) {
+      overlap.id = static_cast<int>(graph.overlaps.size());
+      for (Arc& arc : overlap.chains.front()) {
+        arc.from = mirrored_id(arc.from);
+        arc.to = mirrored_id(arc.to);
+      }
+      graph.overlaps.push_back(std::move(overlap));
+    }
     for (const int id : mirrored.graph.isolated_points)
       if (mirrored_id(id) != id) graph.isolated_points.push_back(mirrored_id(id));
   }
@@ -88,7 +94,7 @@ class ItselfBuilder {
   /// Equal parameters: the rim runs once around both squares.
   void add_overlap() {
     const std::array<std::array<int, 2>, 4> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-    const auto first = static_cast<int>(result_.graph.nodes.size());
+    std::vector<RimEnd> ends;
     for (const auto& [u, v] : corners) {
       const ParameterBox box = {{{u, u}, {v, v}, {u, u}, {v, v}}};
       const PairSystem<DoubleBall> system(x_, x_, scale_.origin, scale_.frame.exponent);
@@ -96,46 +102,17 @@ class ItselfBuilder {
       Node node = landmark_node(system, scale_.frame, {at(u), at(v), at(u), at(v)}, box,
                                 {{Parameter::u, u}, {Parameter::v, v}, {Parameter::r, u}, {Parameter::s, v}});
       node.id = static_cast<int>(result_.graph.nodes.size());
+      ends.push_back({{u, v, u, v}, node.id});
       result_.graph.nodes.push_back(std::move(node));
     }
     std::vector<Arc> chain;
-    for (int i = 0; i < 4; ++i) {
-      const auto& from = corners[static_cast<std::size_t>(i)];
-      const auto& to = corners[static_cast<std::size_t>((i + 1) % 4)];
-      chain.push_back(side(i, from, to));
-      chain.back().from = first + i;
-      chain.back().to = first + (i + 1) % 4;
+    for (std::size_t i = 0; i < 4; ++i) {
+      chain.push_back(rim_arc(x_, ends[i], ends[(i + 1) % 4], ArcPlace::patch_boundary, tolerance_));
+      chain.back().id = static_cast<int>(i);
+      if (!(chain.back().error_bound <= tolerance_))
+        incomplete(result_.graph.nodes[static_cast<std::size_t>(ends[i].node)].box, kTooFine);
     }
     result_.graph.overlaps.push_back({static_cast<int>(result_.graph.overlaps.size()), {std::move(chain)}});
-  }
-
-  /// A side p(t) = a0 + a1 t + a2 t^2 between two corners: a chord over a step h deviates by |2 a2| h^2 / 8.
-  /// The bound adds the rounding of both ends' coordinates and covers its own rounding (2^-40).
-  Arc side(int id, const std::array<int, 2>& from, const std::array<int, 2>& to) {
-    const ParameterLine line = from[0] == to[0] ? line_at_first(x_, from[0]) : line_at_second(x_, from[1]);
-    const double second = 2 * length(line.a[2]);
-    const double wanted = std::ceil(std::sqrt(second / (8 * 0.9 * tolerance_)));
-    const int n = tolerance_ > 0 ? static_cast<int>(std::clamp(wanted, 1.0, 1e6)) : 1;
-    Arc arc{};
-    arc.id = id;
-    arc.component = -1;
-    arc.place = ArcPlace::patch_boundary;
-    arc.contact = Contact::tangential;
-    double largest = 0;
-    for (int i = 0; i <= n; ++i) {
-      const Rational t(i, n);
-      const Rational u = from[0] + t * (to[0] - from[0]);
-      const Rational v = from[1] + t * (to[1] - from[1]);
-      const Point p = x_(u, v);
-      const double a = to_double(u);
-      const double b = to_double(v);
-      arc.polyline.push_back({{a, b, a, b}, {to_double(p[0]), to_double(p[1]), to_double(p[2])}});
-      largest = std::max(largest, length(p));
-    }
-    const double step = 1.0 / n;
-    arc.error_bound = (second * step * step / 8 + largest * 0x1p-51) * (1 + 0x1p-40);
-    if (!(arc.error_bound <= tolerance_)) incomplete(result_.graph.nodes.back().box, kTooFine);
-    return arc;
   }
 
   const BezierPatch& x_;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "self_curves.h"
+#include "self_degenerate.h"
 #include "self_graph.h"
 #include "singular_points.h"
 #include "traced_curves.h"
@@ -202,6 +203,9 @@ class SelfIntersection {
 
 IntersectResult self_intersect(const BezierPatch& x, const IntersectOptions& options) {
   check(options);
+  if (std::optional<IntersectResult> result = self_intersect_degenerate(x, options)) {
+    return std::move(*result);
+  }
   return SelfIntersection(x, options).run();
 }
 

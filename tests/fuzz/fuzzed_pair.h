@@ -30,8 +30,9 @@ struct Verdict {
   int compared_lines = 0;  // with the oracle, of 12; with exact fibres, of 6
 };
 
-/// Intersects both ways round: the same status and graph, sound and in agreement with the oracle. The time
-/// must keep to `max_seconds` for each, but for a tenth and half a second.
+/// Intersects both ways round: the same status and graph, sound and in agreement with the oracle. The
+/// processor time must keep to `max_seconds` for each, but for a tenth and half a second; with a work cap
+/// that was reached nothing is compared.
 Verdict check(const random_pairs::Pair& pair, double max_seconds);
 
 /// Where the patch meets itself: sound, the same status and numbers of components and arcs with the

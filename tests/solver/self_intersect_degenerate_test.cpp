@@ -1,5 +1,6 @@
 // Self-intersections of patches in special position: folded lines, cuspidal points on sides, folds, collapsed
 // sides.
+#include <exsect/solver/intersect.h>
 #include <exsect/solver/self_intersect.h>
 
 #include <algorithm>
@@ -218,12 +219,75 @@ TEST_CASE("self_intersect: a side that is one point is one node") {
       "near which");
 }
 
-TEST_CASE("self_intersect: folds and curves are incomplete with a reason") {
-  // (2u-1)^2 and u^2 - u: every pair u, 1-u.
-  check_incomplete(patch({{2, 0, {4, 0, 0}}, {1, 0, {-4, 0, 0}}, {0, 0, {1, 0, 0}}, {0, 1, {0, 1, 0}}}),
+namespace {
+
+/// ((u - fold)^2, v, v^2).
+BezierPatch folded(const Rational& fold) {
+  return patch({{0, 0, {fold * fold, 0, 0}},
+                {1, 0, {-2 * fold, 0, 0}},
+                {2, 0, {1, 0, 0}},
+                {0, 1, {0, 1, 0}},
+                {0, 2, {0, 0, 1}}});
+}
+
+}  // namespace
+
+TEST_CASE("self_intersect: a fold is an overlap of the patch with itself") {
+  for (const Rational& fold : {half, Rational(1, 3), Rational(3, 4), power_of_two(-40)}) {
+    CAPTURE(fold);
+    const Rational reach = std::min<Rational>(fold, 1 - fold);
+    for (const bool exchanged : {false, true}) {
+      const BezierPatch x = exchanged ? folded(fold).exchanged() : folded(fold);
+      const auto result = self_intersect(x);
+      CHECK(result.status == Status::complete);
+      CHECK(result.graph.arcs.empty());
+      REQUIRE(result.graph.overlaps.size() == 1);
+      REQUIRE(result.graph.overlaps[0].chains.size() == 1);
+      const std::vector<Arc>& chain = result.graph.overlaps[0].chains[0];
+      REQUIRE(chain.size() == 4);
+      const std::size_t across = exchanged ? 1 : 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(chain[i].to == chain[(i + 1) % 4].from);
+        const Node& node = result.graph.nodes[static_cast<std::size_t>(chain[i].from)];
+        const Rational d = i == 1 || i == 2 ? reach : Rational(0);
+        CHECK(node.box[across].lower == fold + d);
+        CHECK(node.box[across].upper == fold + d);
+        CHECK(node.box[across + 2].lower == fold - d);
+        for (const PolylineVertex& v : chain[i].polyline) {
+          CHECK(std::fabs(v.parameters[across] + v.parameters[across + 2] - 2 * to_double(fold)) < 1e-15);
+          CHECK(v.parameters[1 - across] == v.parameters[3 - across]);
+        }
+      }
+      CHECK(intersect(x, x).status == Status::complete);
+      CHECK(intersect(x, x).graph.overlaps.size() == 3);
+    }
+  }
+  // The fold is on a side or outside.
+  check_nothing(folded(0));
+  check_nothing(folded(1));
+  check_nothing(folded(-power_of_two(-40)));
+}
+
+TEST_CASE("self_intersect: patches that are a curve or a point") {
+  const auto parabola = self_intersect(patch({{1, 0, {1, 0, 0}}, {2, 0, {0, 1, 0}}}));
+  CHECK(parabola.status == Status::complete);
+  REQUIRE(parabola.graph.arcs.size() == 1);
+  CHECK(parabola.graph.arcs[0].free == std::vector<Parameter>{Parameter::v, Parameter::s});
+  const auto point = self_intersect(patch({{0, 0, {1, 2, 3}}}));
+  CHECK(point.status == Status::complete);
+  REQUIRE(point.graph.isolated_points.size() == 1);
+  CHECK(point.graph.nodes[0].free.size() == 4);
+}
+
+TEST_CASE("self_intersect: folds that meet themselves are incomplete with a reason") {
+  // ((2u-1)^2, (2v-1)^2, 0), and the fold of an umbrella.
+  check_incomplete(patch({{2, 0, {4, 0, 0}}, {1, 0, {-4, 0, 0}}, {0, 1, {0, -4, 0}}, {0, 2, {0, 4, 0}}}),
                    "meets the patch along a curve");
-  // (u^2, v, 0) covers a rectangle once.
-  check_nothing(patch({{2, 0, {1, 0, 0}}, {0, 1, {0, 1, 0}}}));
-  check_incomplete(patch({{0, 0, {1, 2, 3}}}), "is one point");
-  check_incomplete(patch({{1, 0, {1, 0, 0}}, {2, 0, {0, 1, 0}}}), "is one point");
+  check_incomplete(patch({{2, 0, {1, 0, 0}},
+                          {1, 0, {-1, 0, 0}},
+                          {0, 1, {0, -1, 0}},
+                          {0, 2, {0, 1, 0}},
+                          {2, 1, {0, 0, 1}},
+                          {1, 1, {0, 0, -1}}}),
+                   "meets the patch along a curve");
 }

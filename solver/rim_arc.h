@@ -1,0 +1,22 @@
+// Arcs of a rim along straight lines of both parameter squares. Internal to solver/.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/intersection_graph.h>
+
+#include <array>
+
+namespace exsect {
+
+/// A pair of parameters (u1,v1,u2,v2) of one patch, exactly, and its node.
+struct RimEnd {
+  std::array<Rational, 4> at;
+  int node;
+};
+
+/// All pairs on the segment between two pairs, along a parameter line of each square, as an arc of contact
+/// `tangential`; both points of each pair must be mapped to the same point of space. The polyline keeps
+/// within `tolerance` (space units) where doubles can express that; Arc::error_bound is what is proved. Id 0.
+Arc rim_arc(const BezierPatch& x, const RimEnd& from, const RimEnd& to, ArcPlace place, double tolerance);
+
+}  // namespace exsect
