@@ -24,6 +24,8 @@ class Sheet {
       : x_(x), y_(y), line_(line), along_(line_place(line).roles.line), value_(std::move(along)) {}
 
   bool of_x() const { return index(along_) < 2; }
+  Parameter along() const { return along_; }
+  const LineQuery& line() const { return line_; }
   const RealAlgebraic& value() const { return value_; }
 
   std::vector<HalfRationalPoint> points_over(const Rational& value) const {
@@ -101,8 +103,14 @@ class Sheet {
 
 class PointOnLineSource : public CertifiedPoint::Source {
  public:
-  PointOnLineSource(Sheet sheet, ParameterBox first, std::vector<Side> sides)
-      : sheet_(std::move(sheet)), first_(std::move(first)), sides_(std::move(sides)) {}
+  PointOnLineSource(Sheet sheet, ParameterBox first, std::vector<Side> sides,
+                    std::optional<ExactParameters> exact)
+      : sheet_(std::move(sheet)),
+        first_(std::move(first)),
+        sides_(std::move(sides)),
+        exact_(std::move(exact)) {}
+
+  std::optional<ExactParameters> exact_parameters() const override { return exact_; }
 
   ParameterBox box(const Rational& width) const override {
     Rational fine = std::min<Rational>(width, power_of_two(-50)) / 16;
@@ -133,7 +141,53 @@ class PointOnLineSource : public CertifiedPoint::Source {
   Sheet sheet_;
   ParameterBox first_;
   std::vector<Side> sides_;
+  std::optional<ExactParameters> exact_;
 };
+
+/// The simplest number that may be parameter j of the sheet's point over `value`, if one point is near.
+std::optional<Rational> parameter_over(const Sheet& sheet, const Rational& value, std::size_t j,
+                                       const ParameterBox& enclosure) {
+  const Rational width = power_of_two(-200);
+  for (const HalfRationalPoint& p : sheet.points_over(value)) {
+    const ParameterBox box = p.point.refined_to(width).box();
+    if (meet(box, enclosure)) return simplest_between(box[j].lower - width, box[j].upper + width);
+  }
+  return std::nullopt;
+}
+
+/// The point exactly, if the sheet runs along a side of the other patch whose parameter is an affine function
+/// of the line's. Three points prove that for parabolas.
+std::optional<ExactParameters> on_side_of_other(const BezierPatch& x, const BezierPatch& y,
+                                                const Sheet& sheet, const RationalInterval& range,
+                                                const ParameterBox& enclosure,
+                                                const std::vector<Side>& sides) {
+  const auto side = std::find_if(sides.begin(), sides.end(), [&](const Side& candidate) {
+    return (index(candidate.parameter) < 2) != sheet.of_x();
+  });
+  if (side == sides.end()) return std::nullopt;
+  const std::size_t other = index(side->parameter) ^ 1U;
+  const auto first = parameter_over(sheet, range.lower, other, enclosure);
+  const auto last = parameter_over(sheet, range.upper, other, enclosure);
+  if (!first || !last) return std::nullopt;
+  const Rational slope = (*last - *first) / (range.upper - range.lower);
+  const Rational offset = *first - slope * range.lower;
+  for (int i = 0; i < 3; ++i) {
+    std::array<Rational, 4> p;
+    p[index(sheet.along())] = i;
+    p[index(sheet.line().fixed)] = sheet.line().value;
+    p[index(side->parameter)] = side->value;
+    p[other] = offset + slope * i;
+    if (!is_zero(x(p[0], p[1]) - y(p[2], p[3]))) return std::nullopt;
+  }
+  using Function = BivariatePolynomial;
+  ExactParameters exact{TriangularPoint(sheet.value(), Function::r(), RationalInterval{0, 0}), {}, {}};
+  exact.numerator[index(sheet.along())] = Function::s();
+  exact.numerator[index(sheet.line().fixed)] = Function::constant(sheet.line().value);
+  exact.numerator[index(side->parameter)] = Function::constant(side->value);
+  exact.numerator[other] = Function::constant(offset) + Function::constant(slope) * Function::s();
+  exact.denominator.fill(Function::constant(1));
+  return exact;
+}
 
 /// The sides on which the sheet lies over the range: of five points in it at least, all of which the
 /// enclosure holds. A line and a side have at most four common points unless one lies on the other's carrier.
@@ -178,8 +232,10 @@ std::vector<CertifiedPoint> points_on_line(const BezierPatch& x, const BezierPat
       return &other != &sheets[i] && meet(other.first, sheets[i].first);
     });
     if (alone) {
-      result.emplace_back(std::make_shared<PointOnLineSource>(sheet, sheets[i].first, sheets[i].second),
-                          power_of_two(-50), sheets[i].second, 0, 0);
+      auto exact = on_side_of_other(x, y, sheet, range, sheets[i].first, sheets[i].second);
+      result.emplace_back(
+          std::make_shared<PointOnLineSource>(sheet, sheets[i].first, sheets[i].second, std::move(exact)),
+          power_of_two(-50), sheets[i].second, 0, 0);
     }
   }
   return result;

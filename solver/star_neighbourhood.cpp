@@ -97,7 +97,7 @@ class StarProof {
           continue;
         }
         auto star = with_ports();
-        if (!star || star->ports.empty() || arcs_are_monotone(star->ports.size())) {
+        if (!star || lies_on_sides(*star) || arcs_are_monotone(star->ports.size())) {
           return star;
         }
         break;  // with a smaller box
@@ -242,6 +242,12 @@ class StarProof {
                       return meet(at, box()) && distance(at, centre_.box()) > 0;
                     });
            });
+  }
+
+  /// No arc, or only such as lie on sides.
+  static bool lies_on_sides(const StarNeighbourhood& star) {
+    return std::all_of(star.ports.begin(), star.ports.end(),
+                       [](const Port& port) { return !port.point.sides().empty(); });
   }
 
   void set_region(double halfwidth, double slab) {

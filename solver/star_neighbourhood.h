@@ -24,7 +24,7 @@ struct Port {
 /// Invariant (docs/method.md, section 6): inside the closed box the intersection consists of `centre` and of
 /// one arc for every port, that runs from the port to the centre; the arcs meet in the centre only. Each is
 /// strictly monotone in the parameter it leaves across, and strictly monotone or constant in each other
-/// parameter. No port: the centre is an isolated point.
+/// parameter, unless all lie on sides of the squares. No port: the centre is an isolated point.
 struct StarNeighbourhood {
   CertifiedPoint centre;
   Parameter sweep;

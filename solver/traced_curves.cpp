@@ -640,10 +640,16 @@ class CurveTracing {
     return static_cast<int>(
         std::count_if(sweep_.stars.begin(), sweep_.stars.end(), [&](const StarNeighbourhood& star) {
           const ParameterBox centre = star.centre.refined_to(power_of_two(-100)).box();
-          return is_singular(star) && lies_over_only(turning, centre[index(sweep_.turning->sweep)]) &&
+          return lies_over_only(turning, centre[index(sweep_.turning->sweep)]) && is_singular_star(star) &&
                  std::any_of(star.ports.begin(), star.ports.end(),
                              [](const Port& port) { return port.point.multiplicity() == 1; });
         }));
+  }
+
+  bool is_singular_star(const StarNeighbourhood& star) const {
+    const std::array<bool, 4> zero =
+        !is_singular(star) && sweep_.zero_tangent ? sweep_.zero_tangent(star.centre) : std::array<bool, 4>{};
+    return is_singular(star) || std::count(zero.begin(), zero.end(), true) == 4;
   }
 
   /// True if `at`, which holds some turning value, can hold no other one than this.

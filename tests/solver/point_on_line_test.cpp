@@ -36,6 +36,22 @@ TEST_CASE("points of a shared side over an algebraic parameter", "[point_on_line
   }
 }
 
+TEST_CASE("points of a shared side are known in the field of the parameter", "[point_on_line]") {
+  const ExactCase c = families::shared_side({Rational(-1, 2), Rational(3, 2), 0});
+  const auto points = points_on_line(c.x, c.y, {Parameter::u, 0}, root_of_half());
+  REQUIRE(points.size() == 1);
+  const auto exact = points[0].exact();
+  REQUIRE(exact);
+  CHECK(exact->at.s() == root_of_half());
+  // 2 s - 1/2 = v
+  const BivariatePolynomial difference =
+      BivariatePolynomial::constant(2) * exact->numerator[3] -
+      (BivariatePolynomial::constant(Rational(1, 2)) + exact->numerator[1]) * exact->denominator[3];
+  CHECK(sign_at(difference, exact->at) == 0);
+  CHECK(exact->numerator[0].is_zero());
+  CHECK(exact->numerator[2].is_zero());
+}
+
 TEST_CASE("a line that is not on the patch has none, a side inside one", "[point_on_line]") {
   const ExactCase c = families::double_cover();
   const auto points = points_on_line(c.x, c.y, {Parameter::r, Rational(1, 3)}, root_of_half());
