@@ -113,6 +113,15 @@ class Value {
     return array<n>([](const Value& v) { return v.number<N>(); });
   }
 
+  /// All of a text, an integer as std::to_string writes it; here >= 0.
+  int integer(std::string_view digits, bool negative = false) const {
+    int n = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n);
+    require(error == std::errc() && std::to_string(n) == digits && (negative || n >= 0),
+            "must be one of the documented words or numbers");
+    return n;
+  }
+
   /// A claim: an object with these keys and, last, a seal over its place and its other members.
   void require_claim(std::initializer_list<const char*> keys) const {
     require_keys(keys, "seal");
@@ -146,15 +155,34 @@ Relation relation(const Value& value) {
   return {value["direction"].numbers<Rational, 3>(), value["first"].parameter(), value["second"].parameter()};
 }
 
+Line line(const Value& value) {
+  value.require_claim({"axis", "at"});
+  return {value["axis"].parameter(),
+          value["at"].array<4>([](const Value& v) { return v.numbers<Rational, 3>(); })};
+}
+
+Touch touch(const Value& value) {
+  value.require_claim({"at", "radius", "normal", "multipliers"});
+  return {value["at"].numbers<Rational, 4>(), value["radius"].number<Rational>(),
+          value["normal"].numbers<Rational, 3>(),
+          value["multipliers"].array<3>([](const Value& v) { return v.numbers<Rational, 4>(); })};
+}
+
 template <class N>
 Tube<N> tube(const Value& value) {
-  value.require_claim({"centre", "axis", "slope", "reach", "width", "inverse"});
-  return {value["centre"].numbers<N, 4>(),
-          value["axis"].parameter(),
-          value["slope"].numbers<N, 4>(),
-          value["reach"].number<N>(),
-          value["width"].number<N>(),
-          value["inverse"].array<3>([](const Value& v) { return v.numbers<N, 3>(); })};
+  value.require_claim({"centre", "axis", "slope", "reach", "width", "inverse", "curve"});
+  Tube<N> result = {value["centre"].numbers<N, 4>(),
+                    value["axis"].parameter(),
+                    value["slope"].numbers<N, 4>(),
+                    value["reach"].number<N>(),
+                    value["width"].number<N>(),
+                    value["inverse"].array<3>([](const Value& v) { return v.numbers<N, 3>(); })};
+  const std::string& curve = value["curve"].text();
+  if (curve == "first" || curve == "second")
+    result.chart = curve == "first" ? Chart::first : Chart::second;
+  else if (curve != "pair")
+    result.line = value["curve"].integer(curve.substr(0, 4) == "line" ? curve.substr(4) : "");
+  return result;
 }
 
 Side side(const Value& value) {
@@ -197,42 +225,35 @@ Component component(const Value& value) {
   return {value["closed"].is_true(), value["arcs"].list([](const Value& v) { return v.count(); })};
 }
 
-/// "u", "t5" or "3 -1 2", each with its seal after a blank and "#".
+/// "u", "t5", "p0", "m5", "lower", "3 -1 2" or "i 3 -1 2", each with its seal after a blank and "#".
 Cell cell(const Value& value, std::size_t i) {
+  using Kind = Cell::Kind;
   const std::string& text = value.text();
   const std::size_t mark = text.find(" #");
   value.require(mark != std::string::npos, "must end with a seal");
-  const std::string claim = text.substr(0, mark);
-  value.require(text.substr(mark + 2) == seal("$.cover[" + std::to_string(i) + "]" + claim),
+  std::string_view claim = std::string_view(text).substr(0, mark);
+  value.require(text.substr(mark + 2) == seal("$.cover[" + std::to_string(i) + "]" + std::string(claim)),
                 "the seal does not fit the claim");
+  if (claim == "lower") return {Kind::lower, 0, {}};
   const std::size_t parameter = parameter_letters.find(claim);
-  if (claim.size() == 1 && parameter != std::string_view::npos) return {Cell::Kind::split, parameter, {}};
-  const auto number = [&](std::string_view part) {
-    int n = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), n);
-    value.require(error == std::errc() && end == part.data() + part.size() && std::to_string(n) == part,
-                  "must be a parameter, a tube such as t5, or a direction such as 3 -1 2");
-    return n;
-  };
-  if (!claim.empty() && claim[0] == 't') {
-    const int n = number(std::string_view(claim).substr(1));
-    value.require(n >= 0, "must name a tube");
-    return {Cell::Kind::tube, static_cast<std::size_t>(n), {}};
+  if (claim.size() == 1 && parameter != std::string_view::npos) return {Kind::split, parameter, {}};
+  for (const auto& [letter, kind] : {std::pair{'t', Kind::tube}, {'p', Kind::touch}, {'m', Kind::mirrored}})
+    if (!claim.empty() && claim[0] == letter)
+      return {kind, static_cast<std::size_t>(value.integer(claim.substr(1))), {}};
+  Cell result = {claim.substr(0, 2) == "i " ? Kind::injective : Kind::excluded, 0, {}};
+  if (result.kind == Kind::injective) claim.remove_prefix(2);
+  for (std::size_t d = 0; d < 3; ++d) {
+    const std::size_t end = d < 2 ? claim.find(' ') : claim.size();
+    result.direction[d] = value.integer(claim.substr(0, end), true);
+    claim.remove_prefix(std::min(end, claim.size() - 1) + 1);
   }
-  const std::size_t one = claim.find(' ');
-  const std::size_t two = one == std::string::npos ? one : claim.find(' ', one + 1);
-  value.require(two != std::string::npos, "must be a parameter, a tube or a direction");
-  const std::string_view view = claim;
-  return {Cell::Kind::excluded,
-          0,
-          {number(view.substr(0, one)), number(view.substr(one + 1, two - one - 1)),
-           number(view.substr(two + 1))}};
+  return result;
 }
 
 Summary summary(const Value& value) {
   value.require_claim({"claims", "components", "closed", "open", "boundary", "turning"});
   const auto count = [](const Value& v) { return v.count(); };
-  return {value["claims"].array<5>(count), value["components"].count(), value["closed"].count(),
+  return {value["claims"].array<7>(count), value["components"].count(), value["closed"].count(),
           value["open"].count(),           value["boundary"].count(),   value["turning"].array<4>(count)};
 }
 
@@ -253,14 +274,23 @@ Node<N> point(const Value& value, const Fixed& fixed) {
   return result;
 }
 
+/// Of a pair, or of one patch.
 template <class N>
-Certificate<N> curves(const Value& root) {
-  root.require_keys(
-      {"exsect", "command", "first", "second", "relations", "tubes", "nodes", "arcs", "components", "cover"},
-      "summary");
-  return {{patch(root["first"]), patch(root["second"])},
+Certificate<N> curves(const Value& root, bool self) {
+  if (self)
+    root.require_keys({"exsect", "command", "first", "relations", "lines", "touches", "tubes", "nodes",
+                       "arcs", "components", "cover"},
+                      "summary");
+  else
+    root.require_keys({"exsect", "command", "first", "second", "relations", "lines", "touches", "tubes",
+                       "nodes", "arcs", "components", "cover"},
+                      "summary");
+  return {{patch(root["first"]), patch(root[self ? "first" : "second"])},
+          self,
           std::nullopt,
           root["relations"].list(relation),
+          root["lines"].list(line),
+          root["touches"].list(touch),
           root["tubes"].list(tube<N>),
           root["nodes"].list(node<N>),
           root["arcs"].list(arc<N>),
@@ -270,19 +300,15 @@ Certificate<N> curves(const Value& root) {
 }
 
 template <class N>
-Certificate<N> line(const Value& root) {
+Certificate<N> points(const Value& root) {
   root.require_keys({"exsect", "command", "fixed", "first", "second", "tubes", "points", "cover"}, "summary");
   const Fixed only = fixed(root["fixed"]);
   root["summary"].require_claim({"claims"});
-  return {{patch(root["first"]), patch(root["second"])},
-          only,
-          {},
-          root["tubes"].list(tube<N>),
-          root["points"].list([&](const Value& v) { return point<N>(v, only); }),
-          {},
-          {},
-          {},
-          {root["summary"]["claims"].array<5>([](const Value& v) { return v.count(); })}};
+  Certificate<N> result = {{patch(root["first"]), patch(root["second"])}, false, only};
+  result.tubes = root["tubes"].list(tube<N>);
+  result.nodes = root["points"].list([&](const Value& v) { return point<N>(v, only); });
+  result.summary = {root["summary"]["claims"].array<7>([](const Value& v) { return v.count(); })};
+  return result;
 }
 
 /// The document; a key that is given twice is not one.
@@ -322,8 +348,9 @@ Certificate<N> read_certificate(const std::string& text) {
     throw Unreadable("not of the form certificate/1");
   const Value root(json);
   const Json command = json.value("command", Json());
-  if (command != "intersect" && command != "line") throw Rejected("$.command", "must be intersect or line");
-  Certificate<N> result = command == "line" ? line<N>(root) : curves<N>(root);
+  if (command != "intersect" && command != "line" && command != "self")
+    throw Rejected("$.command", "must be intersect, line or self");
+  Certificate<N> result = command == "line" ? points<N>(root) : curves<N>(root, command == "self");
   const Value cover = root["cover"];
   for (std::size_t i = 0; i < cover.size(); ++i) result.cover.push_back(cell(cover[i], i));
   return result;

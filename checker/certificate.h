@@ -48,7 +48,23 @@ struct Fixed {
   Rational value;
 };
 
-/// A point on the curve of a tube, within `radius` of `at` in each parameter.
+/// w(t) = at[.][0] + at[.][1] t + at[.][2] t^2 solves F = 0 for all t; w_axis(t) = t.
+struct Line {
+  std::size_t axis;
+  std::array<Vector3<Rational>, 4> at;
+};
+
+/// A solution that is alone within `radius` in each parameter: there
+/// normal . F(w) + sum_d (multipliers_d . (w - at)) F_d(w) > 0 elsewhere.
+struct Touch {
+  Vector4<Rational> at;
+  Rational radius;
+  Vector3<Rational> normal;
+  std::array<Vector4<Rational>, 3> multipliers;
+};
+
+/// A point on the curve of a tube, within `radius` of `at` in each parameter; neither on sides nor turning: a
+/// cuspidal point of a patch.
 template <class N>
 struct Node {
   std::size_t tube;
@@ -88,14 +104,14 @@ struct Component {
 
 /// An inner node of the subdivision of [0,1]^4 or a leaf of it.
 struct Cell {
-  enum class Kind { split, excluded, tube };
+  enum class Kind { split, excluded, tube, touch, mirrored, lower, injective };
   Kind kind;
-  std::size_t index;             // the parameter that is halved; the tube
-  std::array<int, 3> direction;  // excluded
+  std::size_t index;             // the parameter that is halved; the tube; the touch
+  std::array<int, 3> direction;  // excluded, injective
 };
 
 struct Summary {
-  std::array<std::size_t, 5> claims;  // relations, tubes, nodes, arcs, entries of the cover
+  std::array<std::size_t, 7> claims;  // relations, lines, touches, tubes, nodes, arcs, entries of the cover
   std::size_t components = 0;
   std::size_t closed = 0;
   std::size_t open = 0;
@@ -106,15 +122,18 @@ struct Summary {
 /// N: Rational, or Enclosure, to check in doubles.
 template <class N>
 struct Certificate {
-  std::array<BezierPatch, 2> patches;
+  std::array<BezierPatch, 2> patches;  // twice the same if `self`
+  bool self;
   std::optional<Fixed> fixed;  // of a line: then the points are the nodes, and there are no arcs
-  std::vector<Relation> relations;
-  std::vector<Tube<N>> tubes;
-  std::vector<Node<N>> nodes;
-  std::vector<Arc<N>> arcs;
-  std::vector<Component> components;
-  std::vector<Cell> cover;
-  Summary summary;
+  std::vector<Relation> relations = {};
+  std::vector<Line> lines = {};
+  std::vector<Touch> touches = {};
+  std::vector<Tube<N>> tubes = {};
+  std::vector<Node<N>> nodes = {};
+  std::vector<Arc<N>> arcs = {};
+  std::vector<Component> components = {};
+  std::vector<Cell> cover = {};
+  Summary summary = {};
 };
 
 /// The seal of a claim: FNV-1a, 64 bits, 16 hexadecimal digits.

@@ -1,18 +1,11 @@
 #include "check_certificate.h"
 
-#include <algorithm>
-
-#include "replay.h"
+#include "check_arcs.h"
+#include "check_cover.h"
+#include "check_nodes.h"
 
 namespace exsect::checker {
-
-std::string place(const char* list, std::size_t i) {
-  return std::string("$.") + list + "[" + std::to_string(i) + "]";
-}
-
-void require(bool holds, const std::string& place, const char* reason) {
-  if (!holds) throw Rejected(place, reason);
-}
+namespace {
 
 template <class N>
 void check_graph(const Certificate<N>& certificate, const std::vector<std::array<ArcEnd, 2>>& ends) {
@@ -22,7 +15,7 @@ void check_graph(const Certificate<N>& certificate, const std::vector<std::array
       for (const ArcEnd& end : pair)
         if (end.node == i) directions.push_back(end.direction);
     std::sort(directions.begin(), directions.end());
-    if (certificate.nodes[i].on.empty())
+    if (!certificate.nodes[i].wrt.empty())
       require(directions == std::vector<int>{-1, 1}, place("nodes", i),
               "not the end of one arc on either side");
     else
@@ -48,7 +41,7 @@ void check_graph(const Certificate<N>& certificate, const std::vector<std::array
       nodes.insert(nodes.end(), {arc.from, arc.to});
     }
     const bool open = std::any_of(nodes.begin(), nodes.end(),
-                                  [&](std::size_t n) { return !certificate.nodes[n].on.empty(); });
+                                  [&](std::size_t n) { return certificate.nodes[n].wrt.empty(); });
     require(component.closed != open, where, "open and closed confused");
     ++(open ? count.open : count.closed);
   }
@@ -67,25 +60,28 @@ void check_graph(const Certificate<N>& certificate, const std::vector<std::array
     for (const std::size_t i : node.wrt) ++count.turning[i];
   }
   const Summary& said = certificate.summary;
-  count.claims = {certificate.relations.size(), certificate.tubes.size(), certificate.nodes.size(),
-                  certificate.arcs.size(), certificate.cover.size()};
+  count.claims = {certificate.relations.size(), certificate.lines.size(), certificate.touches.size(),
+                  certificate.tubes.size(),     certificate.nodes.size(), certificate.arcs.size(),
+                  certificate.cover.size()};
   require(said.claims == count.claims && said.components == certificate.components.size() &&
               said.closed == count.closed && said.open == count.open && said.boundary == count.boundary &&
               said.turning == count.turning,
           "$.summary", "does not agree with the claims and their graph");
 }
 
-namespace {
-
 template <class N>
 void check_curves(const Replay<N>& all) {
   const Certificate<N>& certificate = all.certificate;
-  check_relations(all);
-  check_nodes(all);
+  for (std::size_t i = 0; i < certificate.touches.size(); ++i) {
+    check_touch(all.exact, certificate.touches[i], place("touches", i));
+    for (std::size_t k = 0; k < i; ++k)
+      require(certificate.touches[k].at != certificate.touches[i].at, place("touches", i), "given twice");
+  }
+  for (std::size_t i = 0; i < certificate.nodes.size(); ++i) NodeCheck<N>(all).check(i);
   std::vector<std::array<ArcEnd, 2>> ends;
   std::vector<bool> used(all.tubes.size());
   for (std::size_t i = 0; i < certificate.arcs.size(); ++i) {
-    ends.push_back(check_arc(all, i));
+    ends.push_back(ArcCheck<N>(all, i).check());
     for (const Piece& piece : certificate.arcs[i].pieces) used[piece.tube] = true;
   }
   for (std::size_t i = 0; i < used.size(); ++i) require(used[i], place("tubes", i), "no arc runs through it");
@@ -94,22 +90,36 @@ void check_curves(const Replay<N>& all) {
 
 template <class N>
 Report check(const Certificate<N>& certificate) {
-  Replay<N> all = replay(certificate);
-  check_tubes(all);
+  Replay<N> all = start(certificate);
+  for (std::size_t i = 0; i < certificate.relations.size(); ++i)
+    check_relation(all.exact, certificate.relations[i], place("relations", i));
+  for (std::size_t i = 0; i < certificate.lines.size(); ++i)
+    check_line(all.exact, certificate.lines[i], place("lines", i));
+  for (const Tube<N>& tube : certificate.tubes) check_tube(all, tube);
   if (certificate.fixed)
     check_points(all);
   else
     check_curves(all);
-  check_cover(all);
-  Report report = {certificate.summary, certificate.fixed};
+  Cover<N>(all).check();
+  Report report = {certificate.summary, certificate.fixed, certificate.self};
   for (const Cell& cell : certificate.cover) {
-    if (cell.kind == Cell::Kind::excluded) ++report.exclusions;
-    if (cell.kind == Cell::Kind::tube) ++report.covered;
+    const bool tube = cell.kind == Cell::Kind::tube || cell.kind == Cell::Kind::mirrored;
+    if (tube) ++report.covered;
+    if (!tube && cell.kind != Cell::Kind::split) ++report.exclusions;
   }
   return report;
 }
 
 }  // namespace
+
+bool is_proved(const std::array<BezierPatch, 2>& patches, const Touch& touch) {
+  try {
+    check_touch({patches[0].power_basis(), patches[1].power_basis()}, touch, "");
+    return true;
+  } catch (const Rejected&) {
+    return false;
+  }
+}
 
 Report check_in_doubles(const std::string& text) { return check(read_certificate<Enclosure>(text)); }
 

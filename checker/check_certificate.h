@@ -12,6 +12,7 @@ namespace exsect::checker {
 struct Report {
   Summary summary;
   std::optional<Fixed> fixed;
+  bool self = false;
   std::size_t exclusions = 0;
   std::size_t covered = 0;  // leaves in tubes
 };
@@ -22,5 +23,8 @@ struct Report {
 Report check_certificate(const std::string& text);
 /// The same, but what doubles cannot prove is rejected as well.
 Report check_in_doubles(const std::string& text);
+
+/// The touch is a solution alone in its neighbourhood.
+bool is_proved(const std::array<BezierPatch, 2>& patches, const Touch& touch);
 
 }  // namespace exsect::checker

@@ -78,5 +78,6 @@ class Enclosure {
 };
 
 inline double approximate(const Rational& q) { return to_double(q); }
+inline double approximate(double a) { return a; }
 
 }  // namespace exsect::checker

@@ -1,13 +1,19 @@
-// The parts of the check, in the order in which one relies on the other. Internal to checker/. N is Rational,
-// or Enclosure: then what is proved is proved, and what is not may nevertheless be true.
+// What all parts of the check use: the maps, tubes that are proved, places in them. Internal to checker/. N
+// is Rational, or Enclosure: then what is proved is proved, and what is not may nevertheless be true.
 #pragma once
+
+#include <algorithm>
 
 #include "certificate.h"
 
 namespace exsect::checker {
 
-std::string place(const char* list, std::size_t i);
-void require(bool holds, const std::string& place, const char* reason);
+inline std::string place(const char* list, std::size_t i) {
+  return std::string("$.") + list + "[" + std::to_string(i) + "]";
+}
+inline void require(bool holds, const std::string& place, const char* reason) {
+  if (!holds) throw Rejected(place, reason);
+}
 /// list[i]; rejected at `place` if there is none.
 template <class T>
 const T& element(const std::vector<T>& list, std::size_t i, const std::string& place, const char* reason) {
@@ -20,56 +26,122 @@ template <class N>
 struct ProvedTube {
   const Tube<N>& claim;
   CurveBounds<N> bounds;
+  std::array<bool, 4> constant;  // parameters that are constant on the curve
 };
 
 template <class N>
 struct Replay {
   const Certificate<N>& certificate;
-  Pair<Rational> exact;  // x and -y in the power basis
+  std::array<Net<Rational>, 2> exact;  // x and y in the power basis
   Vector3<Rational> origin;
-  Pair<N> pair;  // the same, but x and y moved by -origin
-  std::vector<ProvedTube<N>> tubes = {};
+  std::array<Map<N>, 3> equation;  // F of each chart, all moved by -origin
+  std::array<Map<N>, 3> space;     // the point of space
+  std::vector<ProvedTube<N>> tubes;
+
+  const Map<N>& map(const Tube<N>& tube) const { return equation[static_cast<std::size_t>(tube.chart)]; }
 };
 
 template <class N>
-Replay<N> replay(const Certificate<N>& certificate);
+Replay<N> start(const Certificate<N>& certificate) {
+  Replay<N> result = {certificate, {}, certificate.patches[0].net()[1][1], {}, {}, {}};
+  std::array<Net<N>, 2> moved;
+  for (std::size_t n = 0; n < 2; ++n) {
+    result.exact[n] = certificate.patches[n].power_basis();
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t d = 0; d < 3; ++d)
+          moved[n][i][j][d] =
+              N(Rational(result.exact[n][i][j][d] - (i + j == 0 ? result.origin[d] : Rational(0))));
+  }
+  result.equation[0] = pair_map(moved[0], moved[1]);
+  add_patch(result.space[0], moved[0], N(1), 0);
+  for (std::size_t chart = 1; certificate.self && chart < 3; ++chart) {
+    result.equation[chart] = chart_map(moved[0]);
+    result.space[chart] = chart_space(moved[0]);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < i; ++j) std::swap(moved[0][i][j], moved[0][j][i]);
+  }
+  return result;
+}
+
+/// F at the place, exactly.
+inline bool is_zero_at(const std::array<Net<Rational>, 2>& exact, const Vector4<Rational>& w) {
+  return pair_map(exact[0], exact[1]).value(w) == Vector3<Rational>{};
+}
+/// The number, if it is known exactly.
+inline std::optional<Rational> exact_value(const Rational& q) { return q; }
+inline std::optional<Rational> exact_value(const Enclosure& a) {
+  return a == Enclosure(approximate(a)) ? std::optional(from_double(approximate(a))) : std::nullopt;
+}
+template <class N>
+bool is_solution(const Replay<N>& replay, const Vector4<N>& at) {
+  Vector4<Rational> w;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto q = exact_value(at[i]);
+    if (!q) return false;
+    w[i] = *q;
+  }
+  return is_zero_at(replay.exact, w);
+}
 
 template <class N>
-void check_relations(const Replay<N>& replay);
-/// Fills replay.tubes.
+Vector4<N> middles(const Box<N>& box) {
+  return {box[0].middle, box[1].middle, box[2].middle, box[3].middle};
+}
 template <class N>
-void check_tubes(Replay<N>& replay);
-/// Distance in each parameter between `at`, which is in the tube, and the curve's point with the same
-/// parameter of the axis: at most |C F(at)| / (1 - defect). Rejected at `where` if `at` is not in the tube.
-template <class N>
-N distance(const ProvedTube<N>& tube, const Pair<N>& pair, const Vector4<N>& at, const std::string& where);
-template <class N>
-void check_nodes(const Replay<N>& replay);
+Box<N> ball(const Vector4<N>& at, const N& radius) {
+  return {{{at[0], radius}, {at[1], radius}, {at[2], radius}, {at[3], radius}}};
+}
 
-/// One end of an arc: it leaves its node in the node's tube with growing (1) or falling (-1) parameter of the
-/// tube's axis.
-struct ArcEnd {
-  std::size_t node;
-  int direction;
-};
-/// Both ends of the arc; its error bound is checked as well.
+/// The box of parameters in the variables of the tube's map.
 template <class N>
-std::array<ArcEnd, 2> check_arc(const Replay<N>& replay, std::size_t i);
-/// The greatest distance between an arc and its polyline; radius[j] bounds the distance of the point j, in
-/// each parameter, from all places of the curve that it stands for.
+Box<N> in_chart(const Tube<N>& tube, const Box<N>& w, const std::string& where) {
+  if (tube.chart == Chart::pair) return w;
+  const auto [u, v, a, b] = halves(tube.chart, w);
+  require(a.sign() != 0, where, "a pair of points that may be one");
+  return {u, v, b / a, a * a};
+}
+/// A node's box likewise; on the diagonal with m from the tube, and w = 0.
 template <class N>
-void check_error_bound(const Replay<N>& replay, const Arc<N>& arc, const std::vector<N>& radius,
-                       const std::string& where);
-template <class N>
-void check_graph(const Certificate<N>& certificate, const std::vector<std::array<ArcEnd, 2>>& ends);
-template <class N>
-void check_cover(const Replay<N>& replay);
+Box<N> node_box(const Tube<N>& tube, const Node<N>& node, const std::string& where) {
+  if (tube.chart == Chart::pair) return ball(node.at, node.radius);
+  require(node.on.empty() && node.wrt.empty() && node.at[0] == node.at[2] && node.at[1] == node.at[3] &&
+              tube.axis == 3,
+          where, "not a cuspidal point with a tube along w");
+  const auto [u, v, a, b] = halves(tube.chart, ball(node.at, N(0)));
+  const N m = tube.centre[2] - tube.slope[2] * tube.centre[3];
+  return ball<N>({u.middle, v.middle, m, N(0)}, node.radius);
+}
 
-/// F = 0 at `at`, which is exact.
+/// q rounded up to a multiple of 2^-128: short numbers.
+inline Rational rounded_up(const Rational& q) {
+  const Integer scaled = numerator(q) << 128;
+  Integer quotient;
+  Integer remainder;
+  divide_qr(scaled, denominator(q), quotient, remainder);
+  return Rational(remainder > 0 ? quotient + 1 : quotient) * power_of_two(-128);
+}
+inline Enclosure rounded_up(const Enclosure& a) { return a; }
+
+/// At least the square root, by less than 2^-60 of it.
+inline Rational root_above(const Rational& q) {
+  if (q <= 0) return 0;
+  const auto bits = [](const Integer& n) { return n == 0 ? 0 : static_cast<long>(msb(n)) + 1; };
+  const long shift = std::max(0L, 64 - (bits(numerator(q)) - bits(denominator(q))) / 2);
+  const Integer scaled = (numerator(q) << (2 * static_cast<unsigned long>(shift))) / denominator(q) + 1;
+  return Rational(sqrt(scaled) + 1) * power_of_two(-shift);
+}
+
+/// Distance in each variable between `at`, which is in the tube, and the curve's point with the same variable
+/// of the axis: at most |C F(at)| / (1 - defect). Rejected at `where` if `at` is not in the tube.
 template <class N>
-bool is_solution(const Pair<Rational>& exact, const Vector4<N>& at);
-/// Of a line.
-template <class N>
-void check_points(const Replay<N>& replay);
+N distance(const Replay<N>& replay, const ProvedTube<N>& tube, const Vector4<N>& at,
+           const std::string& where) {
+  require(tube.claim.contains(ball(at, N(0))), where, "a point is not in its tube");
+  const Vector3<N> f = replay.map(tube.claim).value(at);
+  N most = 0;
+  for (const Vector3<N>& row : tube.claim.inverse) most = larger(most, magnitude(dot(row, f)));
+  return rounded_up(most / (1 - tube.bounds.defect));
+}
 
 }  // namespace exsect::checker

@@ -31,6 +31,16 @@ Json patch_claim(const std::string& place, const std::string& name, const Bezier
   return sealed(place, {{"name", name}, {"points", points}});
 }
 
+namespace {
+
+/// What the tube's curve is.
+std::string curve(const Tube& tube) {
+  if (tube.line >= 0) return "line" + std::to_string(tube.line);
+  return tube.chart == Chart::pair ? "pair" : tube.chart == Chart::first ? "first" : "second";
+}
+
+}  // namespace
+
 Json tube_claims(const NearPair& pair, const std::vector<Tube>& tubes) {
   Json result = Json::array();
   for (const Tube& t : tubes) {
@@ -44,7 +54,8 @@ Json tube_claims(const NearPair& pair, const std::vector<Tube>& tubes) {
                                                               {"slope", exact(t.slope)},
                                                               {"reach", to_string(from_double(t.reach))},
                                                               {"width", to_string(from_double(t.width))},
-                                                              {"inverse", rows}}));
+                                                              {"inverse", rows},
+                                                              {"curve", curve(t)}}));
   }
   return result;
 }

@@ -89,19 +89,21 @@ std::string separating(const Cell& cell, const std::array<int, 3>& direction) {
   return "";
 }
 
+Cell mirrored(const Cell& cell) {
+  const auto swapped = [](const Parameters& w) { return Parameters{w[2], w[3], w[0], w[1]}; };
+  return {{cell.nets[1], cell.nets[0]}, swapped(cell.middle), swapped(cell.half)};
+}
+
+constexpr std::size_t max_entries = 300000;
+
 class Cover {
  public:
-  explicit Cover(const std::vector<Tube>& tubes) : tubes_(tubes) {}
+  Cover(const NearPair& pair, const Places& places) : pair_(pair), places_(places) {}
 
   void add(const Cell& cell, const std::vector<std::size_t>& near, int depth) {
     const std::vector<std::size_t> meeting = those_meeting(cell, near);
-    for (const std::size_t i : meeting) {
-      Parameters half = cell.half;
-      for (double& h : half) h *= 1 + 1e-9;
-      if (tubes_[i].contains(cell.middle, half)) return entries_.push_back("t" + std::to_string(i));
-    }
-    if (std::string d = exclusion(cell, meeting); !d.empty()) return entries_.push_back(d);
-    if (depth > 150 || entries_.size() > 1000000) throw NoCertificate("a subdivision that does not end");
+    if (std::string place = place_of(cell, meeting); !place.empty()) return entries_.push_back(place);
+    if (depth > 150 || entries_.size() > max_entries) throw NoCertificate("a subdivision that does not end");
     const std::size_t parameter = longest(cell);
     entries_.push_back(std::string(1, "uvrs"[parameter]));
     add(half_of(cell, parameter, false), meeting, depth + 1);
@@ -111,17 +113,76 @@ class Cover {
   std::vector<std::string> entries_;
 
  private:
+  /// What a leaf says; empty if the cell has to be halved.
+  std::string place_of(const Cell& cell, const std::vector<std::size_t>& meeting) const {
+    if (places_.self && cell.middle[0] + cell.half[0] <= cell.middle[2] - cell.half[2]) return "lower";
+    for (const std::size_t i : meeting) {
+      const Tube& tube = places_.tubes[i];
+      if (contains(tube, cell)) return "t" + std::to_string(i);
+      if (places_.self && tube.chart == Chart::pair && contains(tube, mirrored(cell)))
+        return "m" + std::to_string(i);
+    }
+    for (std::size_t i = 0; i < places_.touches.size(); ++i)
+      if (contains(places_.touches[i], cell)) return "p" + std::to_string(i);
+    if (std::string d = exclusion(cell, meeting); !d.empty()) return d;
+    return places_.self ? injective(cell) : "";
+  }
+
+  static bool contains(const checker::Touch& touch, const Cell& cell) {
+    for (std::size_t j = 0; j < 4; ++j)
+      if (std::abs(cell.middle[j] - to_double(touch.at[j])) + cell.half[j] >
+          to_double(touch.radius) * (1 - 1e-9))
+        return false;
+    return true;
+  }
+
+  bool contains(const Tube& tube, const Cell& cell) const {
+    constexpr double more = 1 + 1e-9;
+    checker::Box<double> box;
+    for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j] * more};
+    if (tube.chart == Chart::pair) return tube.contains(box);
+    const Map& map = pair_.charts[tube.chart == Chart::first ? 0 : 1];
+    return tube.contains(checker::pairs_in_chart(tube, map, checker::halves(tube.chart, box)));
+  }
+
+  /// The tubes that the cell, or its mirror image, may meet.
   std::vector<std::size_t> those_meeting(const Cell& cell, const std::vector<std::size_t>& near) const {
     std::vector<std::size_t> result;
     for (const std::size_t i : near) {
-      const Tube& tube = tubes_[i];
-      const Parameters h = tube.extent();
-      bool meets = true;
-      for (std::size_t j = 0; j < 4; ++j)
-        meets = meets && std::abs(tube.centre[j] - cell.middle[j]) <= h[j] + cell.half[j];
-      if (meets) result.push_back(i);
+      const Tube& tube = places_.tubes[i];
+      if (meets(tube, cell) || (places_.self && meets(tube, mirrored(cell)))) result.push_back(i);
     }
     return result;
+  }
+
+  static bool meets(const Tube& tube, const Cell& cell) {
+    Parameters h = tube.extent();
+    Parameters centre = tube.centre;
+    if (tube.chart != Chart::pair) {
+      const double t = std::sqrt(tube.centre[3] + tube.reach);
+      const std::size_t p = tube.chart == Chart::first ? 0 : 1;
+      centre[p] = centre[p + 2] = tube.centre[0];
+      centre[1 - p] = centre[3 - p] = tube.centre[1];
+      const double m = std::abs(tube.centre[2]) + h[2];
+      h = {h[0] + t, h[1] + m * t, h[0] + t, h[1] + m * t};
+      if (p == 1) h = {h[1], h[0], h[3], h[2]};
+    }
+    for (std::size_t j = 0; j < 4; ++j)
+      if (std::abs(centre[j] - cell.middle[j]) > h[j] + cell.half[j]) return false;
+    return true;
+  }
+
+  /// A direction that proves different points of the cell to be different in space, if there is one.
+  std::string injective(const Cell& cell) const {
+    checker::Box<double> box;
+    for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j]};
+    const checker::Box<double> pairs = checker::halves(Chart::first, box);
+    const auto [p, q] = checker::divided(pair_.charts[0], pairs, 0.0);
+    const auto middle = [](const auto& v) { return Vector{v[0].middle, v[1].middle, v[2].middle}; };
+    const auto n = rounded_direction(cross(middle(p), middle(q)));
+    const auto volume = checker::volume({double(n[0]), double(n[1]), double(n[2])}, pair_.charts[0], pairs);
+    if (!(std::abs(volume.middle) > volume.radius + 1e-11)) return "";
+    return fmt::format("i {} {} {}", n[0], n[1], n[2]);
   }
 
   std::string exclusion(const Cell& cell, const std::vector<std::size_t>& meeting) const {
@@ -136,7 +197,8 @@ class Cover {
       if (std::string found = separating(cell, d); !found.empty()) return found;
     }
     for (const std::size_t i : meeting) {
-      for (const auto& row : tubes_[i].inverse) {
+      if (places_.tubes[i].chart != Chart::pair) continue;
+      for (const auto& row : places_.tubes[i].inverse) {
         if (std::string found = separating(cell, rounded_direction(row)); !found.empty()) return found;
       }
     }
@@ -158,15 +220,16 @@ class Cover {
     return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
   }
 
-  const std::vector<Tube>& tubes_;
+  const NearPair& pair_;
+  const Places& places_;
 };
 
 }  // namespace
 
-std::vector<std::string> cover(const NearPair& pair, const std::vector<Tube>& tubes,
+std::vector<std::string> cover(const NearPair& pair, const Places& places,
                                const std::optional<LineQuery>& line) {
-  Cover result(tubes);
-  std::vector<std::size_t> all(tubes.size());
+  Cover result(pair, places);
+  std::vector<std::size_t> all(places.tubes.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
   const Cell whole = {pair.control, {0.5, 0.5, 0.5, 0.5}, {0.5, 0.5, 0.5, 0.5}};
   result.add(line ? on_line(whole, index(line->fixed), to_double(line->value)) : whole, all, 0);

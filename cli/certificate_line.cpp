@@ -22,7 +22,7 @@ void refuse_events(const LinePoints& solution) {
 Parameters near_point(const NearPair& pair, const CertifiedPoint& point, std::size_t fixed) {
   Parameters w;
   for (const Parameter p : all_parameters) w[index(p)] = to_double(point.box()[index(p)].midpoint());
-  w = on_curve(pair, w, fixed);
+  w = on_curve(pair.power, w, fixed);
   for (const Side& side : point.sides()) w[index(side.parameter)] = side.value;
   return w;
 }
@@ -39,8 +39,8 @@ std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const P
   Json points = Json::array();
   for (const CertifiedPoint& point : line.solution.points) {
     const Parameters w = near_point(pair, point, fixed);
-    tubes.push_back(tube_at(pair, w, fixed));
-    const double near = distance(pair, tubes.back(), w);
+    tubes.push_back(tube_at(pair.power, w, fixed));
+    const double near = distance(pair.power, tubes.back(), w);
     const double radius = std::exp2(std::ceil(std::log2(std::max(4 * near, 0x1p-44))));
     Json at = exact(w);
     at[fixed] = value;
@@ -54,8 +54,8 @@ std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const P
   document["second"] = patch_claim("$.second", names.second, y);
   document["tubes"] = tube_claims(pair, tubes);
   document["points"] = points;
-  document["cover"] = cover_claims(cover(pair, tubes, line.query));
-  const Json claims = {0, tubes.size(), points.size(), 0, document["cover"].size()};
+  document["cover"] = cover_claims(cover(pair, {tubes}, line.query));
+  const Json claims = {0, 0, 0, tubes.size(), points.size(), 0, document["cover"].size()};
   document["summary"] = sealed("$.summary", {{"claims", claims}});
   return confirmed(claims_text(document));
 }

@@ -9,7 +9,6 @@ namespace {
 
 using checker::Matrix3;
 using checker::others;
-using checker::Pair;
 using Vector = std::array<double, 3>;
 
 double largest(const Matrix3<double>& m) {
@@ -22,7 +21,7 @@ double largest(const Matrix3<double>& m) {
 /// a rounded to a multiple of 2^-bits.
 double rounded(double a, int bits) { return std::ldexp(std::nearbyint(std::ldexp(a, bits)), -bits); }
 
-Vector column(const Pair<double>& local, std::size_t j) {
+Vector column(const Map& local, std::size_t j) {
   return {local.first(0, j, {}).middle, local.first(1, j, {}).middle, local.first(2, j, {}).middle};
 }
 
@@ -32,7 +31,7 @@ double determinant(const Vector& a, const Vector& b, const Vector& c) {
 }
 
 /// The inverse of the columns of DF other than k; nothing if they are dependent.
-std::optional<Matrix3<double>> inverse(const Pair<double>& local, std::size_t k) {
+std::optional<Matrix3<double>> inverse(const Map& local, std::size_t k) {
   const auto o = others(k);
   const std::array<Vector, 3> c = {column(local, o[0]), column(local, o[1]), column(local, o[2])};
   const double det = determinant(c[0], c[1], c[2]);
@@ -48,8 +47,8 @@ std::optional<Matrix3<double>> inverse(const Pair<double>& local, std::size_t k)
 }
 
 /// w_axis held: w - C F(w).
-Parameters newton_step(const NearPair& pair, Parameters w, std::size_t axis) {
-  const Pair<double> local = pair.power.at(w);
+Parameters newton_step(const Map& map, Parameters w, std::size_t axis) {
+  const Map local = map.at(w);
   const auto c = inverse(local, axis);
   if (!c) throw NoCertificate("a point where Newton's method fails");
   for (std::size_t i = 0; i < 3; ++i)
@@ -58,39 +57,36 @@ Parameters newton_step(const NearPair& pair, Parameters w, std::size_t axis) {
 }
 
 /// Every condition of the check, with a margin for rounding.
-bool holds(const Tube& tube, const Pair<double>& local) {
+bool holds(const Tube& tube, const OnLine& line, const Map& local) {
   constexpr double margin = 1e-3;
   for (const double slack : checker::contraction(tube, local))
     if (!(slack > 0.05 * tube.width)) return false;
   const Parameters extent = tube.extent();
   const auto bounds = checker::curve_bounds(local, tube.axis, extent);
+  if (tube.chart != Chart::pair)
+    return checker::monotone_pairs(tube, bounds, (1 + margin) * (tube.centre[3] + tube.reach));
   const auto definite = [&](const checker::Ball<double>& b) {
     return std::abs(b.middle) > (1 + margin) * b.radius && std::abs(b.middle) > 1e-11;
   };
   for (std::size_t i = 0; i < 4; ++i) {
     const bool inside = tube.centre[i] >= extent[i] && tube.centre[i] + extent[i] <= 1;
-    if (!definite(bounds.first[i]) && !(inside && definite(bounds.second[i]))) return false;
+    if (!line.constant[i] && !definite(bounds.first[i]) && !(inside && definite(bounds.second[i])))
+      return false;
   }
   return true;
 }
 
-constexpr Parameters join_margin = {0x1p-44, 0x1p-44, 0x1p-44, 0x1p-44};
-
-std::size_t best_axis(const NearPair& pair, const Parameters& w) {
-  const Parameters t = tangent(pair, w);
-  std::size_t k = 0;
-  for (std::size_t i = 1; i < 4; ++i)
-    if (std::abs(t[i]) > std::abs(t[k])) k = i;
-  return k;
+/// Whether the tube holds the point and what is next to it.
+bool contains(const Tube& tube, const Parameters& w) {
+  constexpr double margin = 0x1p-44;
+  return tube.contains({{{w[0], margin}, {w[1], margin}, {w[2], margin}, {w[3], margin}}});
 }
 
 class Chain {
  public:
-  Chain(const NearPair& pair, const std::vector<Parameters>& points, std::size_t goal,
+  Chain(const NearPair& pair, const std::vector<TracedPoint>& points, std::size_t goal, const OnLine& line,
         std::vector<Tube>& tubes)
-      : pair_(pair), goal_(goal), tubes_(tubes) {
-    for (std::size_t i = 0; i < points.size(); ++i) points_.push_back({points[i], static_cast<int>(i)});
-  }
+      : pair_(pair), goal_(goal), line_(line), tubes_(tubes), points_(points) {}
 
   TracedArc run(std::size_t tube) {
     std::size_t at = 0;
@@ -118,17 +114,16 @@ class Chain {
   }
 
  private:
-  bool in(std::size_t tube, std::size_t point) const {
-    return tubes_[tube].contains(points_[point].at, join_margin);
-  }
+  bool in(std::size_t tube, std::size_t point) const { return contains(tubes_[tube], points_[point].at); }
 
   /// A tube that holds the point `last` and goes on as far beyond it as possible.
   std::size_t new_tube(std::size_t last) {
     for (std::size_t ahead = std::max<std::size_t>(1, 2 * ahead_);; ahead /= 2) {
       const std::size_t middle = std::min(last + ahead, points_.size() - 1);
       const Parameters& w = points_[middle].at;
-      Tube tube = tube_at(pair_, w, best_axis(pair_, w));
-      if (tube.contains(points_[last].at, join_margin)) {
+      const std::size_t axis = line_.claim >= 0 ? line_.axis : best_axis(pair_, w);
+      const Tube tube = tube_at(pair_.power, w, axis, line_);
+      if (contains(tube, points_[last].at)) {
         ahead_ = middle - last;
         tubes_.push_back(tube);
         return tubes_.size() - 1;
@@ -151,8 +146,8 @@ class Chain {
       const double t0 = begin + (end > begin ? step : -step);
       for (std::size_t i = 0; i < 4; ++i) w[i] += (t0 - begin) * (i == t.axis ? 1 : t.slope[i]);
       w[t.axis] = t0;
-      w = on_curve(pair_, w, t.axis);
-      if (t.contains(w, join_margin)) {
+      w = on_curve(pair_.power, w, t.axis);
+      if (contains(t, w)) {
         points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(at) + 1, {w, -1});
         return;
       }
@@ -168,8 +163,8 @@ class Chain {
     for (double step = back / 2; std::abs(step) > 0x1p-36; step /= 2) {
       Parameters w = end;
       for (std::size_t i = 0; i < 4; ++i) w[i] += step * t.slope[i];
-      w = on_curve(pair_, w, t.axis);
-      if (t.contains(w, join_margin) && tubes_[tube].contains(w, join_margin)) {
+      w = on_curve(pair_.power, w, t.axis);
+      if (contains(t, w) && contains(tubes_[tube], w)) {
         points_.insert(points_.end() - 1, {w, -1});
         return;
       }
@@ -179,6 +174,7 @@ class Chain {
 
   const NearPair& pair_;
   std::size_t goal_;
+  const OnLine& line_;
   std::vector<Tube>& tubes_;
   std::vector<TracedPoint> points_;
   std::vector<TracedPiece> pieces_;
@@ -189,10 +185,10 @@ class Chain {
 
 NearPair near_pair(const BezierPatch& x, const BezierPatch& y) {
   NearPair result;
-  result.nets = {x.net(), y.net()};
+  std::array<ControlNet, 2> nets = {x.net(), y.net()};
   const Point origin = x.net()[1][1];
   Rational most = 0;
-  for (ControlNet& net : result.nets) {
+  for (ControlNet& net : nets) {
     for (auto& row : net) {
       for (Point& p : row) {
         p = p - origin;
@@ -204,23 +200,26 @@ NearPair near_pair(const BezierPatch& x, const BezierPatch& y) {
   if (!(result.scale > 0) || !std::isfinite(result.scale))
     throw NoCertificate("control points beyond doubles");
   const Rational factor = 1 / from_double(result.scale);
+  std::array<checker::Net<double>, 3> near;  // x, y, and x with exchanged parameters
   for (std::size_t n = 0; n < 2; ++n) {
-    const ControlNet power = BezierPatch(result.nets[n]).power_basis();
+    const ControlNet power = BezierPatch(nets[n]).power_basis();
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
         for (std::size_t d = 0; d < 3; ++d) {
-          result.control[n][i][j][d] = to_double(factor * result.nets[n][i][j][d]);
-          (n == 0 ? result.power.x : result.power.y)[i][j][d] =
-              to_double((n == 0 ? factor : Rational(-factor)) * power[i][j][d]);
+          result.control[n][i][j][d] = to_double(factor * nets[n][i][j][d]);
+          near[n][i][j][d] = to_double(factor * power[i][j][d]);
+          near[2][j][i][d] = near[0][i][j][d];
         }
       }
     }
   }
+  result.power = checker::pair_map(near[0], near[1]);
+  result.charts = {checker::chart_map(near[0]), checker::chart_map(near[2])};
   return result;
 }
 
 Parameters tangent(const NearPair& pair, const Parameters& w) {
-  const Pair<double> local = pair.power.at(w);
+  const Map local = pair.power.at(w);
   Parameters t;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto o = others(k);
@@ -229,27 +228,35 @@ Parameters tangent(const NearPair& pair, const Parameters& w) {
   return t;
 }
 
-Parameters on_curve(const NearPair& pair, Parameters w, std::size_t fixed) {
-  for (int i = 0; i < 6; ++i) w = newton_step(pair, w, fixed);
+std::size_t best_axis(const NearPair& pair, const Parameters& w) {
+  const Parameters t = tangent(pair, w);
+  std::size_t k = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+    if (std::abs(t[i]) > std::abs(t[k])) k = i;
+  return k;
+}
+
+Parameters on_curve(const Map& map, Parameters w, std::size_t fixed) {
+  for (int i = 0; i < 6; ++i) w = newton_step(map, w, fixed);
   return w;
 }
 
 Parameters turning_point(const NearPair& pair, Parameters w, std::size_t axis, std::size_t i) {
   for (int n = 0; n < 8; ++n) {
-    const Pair<double> local = pair.power.at(w);
+    const Map local = pair.power.at(w);
     const auto c = inverse(local, axis);
     if (!c) throw NoCertificate("a turning point where Newton's method fails");
     const auto bounds = checker::curve_bounds(local.times(*c), axis, {});
     const double step = -bounds.first[i].middle / bounds.second[i].middle;
     if (!std::isfinite(step)) throw NoCertificate("a turning point of higher order");
     for (std::size_t j = 0; j < 4; ++j) w[j] += step * bounds.first[j].middle;
-    w = newton_step(pair, newton_step(pair, w, axis), axis);
+    w = newton_step(pair.power, newton_step(pair.power, w, axis), axis);
   }
   return w;
 }
 
-Tube tube_at(const NearPair& pair, const Parameters& w, std::size_t axis) {
-  const Pair<double> here = pair.power.at(w);
+Tube tube_at(const Map& map, const Parameters& w, std::size_t axis, const OnLine& line, Chart chart) {
+  const Map here = map.at(w);
   auto c = inverse(here, axis);
   if (!c) throw NoCertificate("a point where the patches touch");
   const int bits = 12 - std::ilogb(largest(*c));
@@ -260,31 +267,45 @@ Tube tube_at(const NearPair& pair, const Parameters& w, std::size_t axis) {
   for (const auto& b : slope) steepest = std::max(steepest, std::abs(b.middle));
   const int flat = std::ilogb(steepest);
   for (int e = 1; e < 46; ++e) {
-    Tube tube = {{}, axis, {}, std::ldexp(1.0, 1 - e - flat), std::ldexp(1.0, -e), *c};
+    Tube tube = {{}, axis, {}, std::ldexp(1.0, 1 - e - flat), std::ldexp(1.0, -e), *c, chart, line.claim};
     for (std::size_t i = 0; i < 4; ++i) {
       tube.centre[i] = rounded(w[i], e + 12);
       tube.slope[i] = i == axis ? 1 : rounded(slope[i].middle, 10);
     }
-    if (holds(tube, pair.power.at(tube.centre).times(*c))) return tube;
+    if (chart != Chart::pair) tube.centre[3] = 0;
+    if (holds(tube, line, map.at(tube.centre).times(*c))) return tube;
   }
   throw NoCertificate("a point where no tube was found");
 }
 
-checker::CurveBounds<double> bounds_in(const NearPair& pair, const Tube& tube) {
-  return checker::curve_bounds(pair.power.at(tube.centre).times(tube.inverse), tube.axis, tube.extent());
+checker::CurveBounds<double> bounds_in(const Map& map, const Tube& tube) {
+  return checker::curve_bounds(map.at(tube.centre).times(tube.inverse), tube.axis, tube.extent());
 }
 
-double distance(const NearPair& pair, const Tube& tube, const Parameters& w) {
-  const Pair<double> local = pair.power.at(w).times(tube.inverse);
-  const double defect = bounds_in(pair, tube).defect;
+double distance(const Map& map, const Tube& tube, const Parameters& w) {
+  const Map local = map.at(w).times(tube.inverse);
+  const double defect = bounds_in(map, tube).defect;
   double most = 0;
   for (std::size_t d = 0; d < 3; ++d) most = std::max(most, std::abs(local.value(d)));
   return (most + 1e-15 * largest(tube.inverse)) / (1 - defect);
 }
 
-TracedArc chain(const NearPair& pair, const std::vector<Parameters>& points, std::size_t first_tube,
-                std::size_t last_tube, std::vector<Tube>& tubes) {
-  return Chain(pair, points, last_tube, tubes).run(first_tube);
+Parameters pair_of(Chart chart, const Parameters& z, int side) {
+  const double t = side * std::sqrt(z[3]);
+  const double m = z[2] * t;
+  return chart == Chart::first ? Parameters{z[0] + t, z[1] + m, z[0] - t, z[1] - m}
+                               : Parameters{z[1] + m, z[0] + t, z[1] - m, z[0] - t};
+}
+
+Parameters in_chart(Chart chart, const Parameters& w) {
+  const std::size_t p = chart == Chart::first ? 0 : 1;
+  const double t = (w[p] - w[p + 2]) / 2;
+  return {(w[p] + w[p + 2]) / 2, (w[1 - p] + w[3 - p]) / 2, (w[1 - p] - w[3 - p]) / (2 * t), t * t};
+}
+
+TracedArc chain(const NearPair& pair, const std::vector<TracedPoint>& points, std::size_t first_tube,
+                std::size_t last_tube, const OnLine& line, std::vector<Tube>& tubes) {
+  return Chain(pair, points, last_tube, line, tubes).run(first_tube);
 }
 
 }  // namespace exsect::cli

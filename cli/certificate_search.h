@@ -2,6 +2,7 @@
 // worth something once checker/ has replayed it.
 #pragma once
 
+#include <exsect/checker/certificate.h>
 #include <exsect/checker/curve_bounds.h>
 #include <exsect/geometry/bezier_patch.h>
 #include <exsect/solver/intersection_graph.h>
@@ -24,10 +25,13 @@ class NoCertificate : public std::runtime_error {
 using Tube = checker::Tube<double>;
 using Parameters = std::array<double, 4>;
 
-/// x and -y translated, divided by `scale`, a power of two, and rounded to doubles.
+using Map = checker::Map<double>;
+using checker::Chart;
+
+/// x and y translated, divided by `scale`, a power of two, and rounded to doubles.
 struct NearPair {
-  std::array<ControlNet, 2> nets;  // translated, exact
-  checker::Pair<double> power;
+  Map power;                                    // F
+  std::array<Map, 2> charts;                    // H of x, and of x with exchanged parameters
   std::array<checker::Net<double>, 2> control;  // of x and y
   double scale;
 };
@@ -35,16 +39,31 @@ NearPair near_pair(const BezierPatch& x, const BezierPatch& y);
 
 /// T, the kernel of DF at w (method (5.1)).
 Parameters tangent(const NearPair& pair, const Parameters& w);
-/// Newton's method for F = 0 with the parameter `fixed` held.
-Parameters on_curve(const NearPair& pair, Parameters w, std::size_t fixed);
+/// The parameter along which the curve runs fastest.
+std::size_t best_axis(const NearPair& pair, const Parameters& w);
+/// Newton's method for F = 0 with the variable `fixed` held.
+Parameters on_curve(const Map& map, Parameters w, std::size_t fixed);
 /// The zero of dw_i/dw_axis near w on the curve.
 Parameters turning_point(const NearPair& pair, Parameters w, std::size_t axis, std::size_t i);
 
+/// An exact solution, given by a claim, that an arc runs along.
+struct OnLine {
+  int claim = -1;
+  std::size_t axis = 0;
+  std::array<bool, 4> constant = {};
+};
+
 /// A large tube around w that should satisfy everything the check asks of tubes. Throws NoCertificate.
-Tube tube_at(const NearPair& pair, const Parameters& w, std::size_t axis);
-checker::CurveBounds<double> bounds_in(const NearPair& pair, const Tube& tube);
+Tube tube_at(const Map& map, const Parameters& w, std::size_t axis, const OnLine& line = {},
+             Chart chart = Chart::pair);
+checker::CurveBounds<double> bounds_in(const Map& map, const Tube& tube);
 /// A bound for the distance from w to the curve.
-double distance(const NearPair& pair, const Tube& tube, const Parameters& w);
+double distance(const Map& map, const Tube& tube, const Parameters& w);
+
+/// The pair of parameters that a point of a chart stands for; `side`: the sign of its half difference.
+Parameters pair_of(Chart chart, const Parameters& z, int side);
+/// The point of the chart.
+Parameters in_chart(Chart chart, const Parameters& w);
 
 struct TracedPoint {
   Parameters at;
@@ -59,12 +78,18 @@ struct TracedArc {
   std::vector<TracedPoint> points;
   std::vector<TracedPiece> pieces;
 };
-/// Adds the tubes it needs. `points`: the polyline's vertices, the first and the last one at the nodes.
-TracedArc chain(const NearPair& pair, const std::vector<Parameters>& points, std::size_t first_tube,
-                std::size_t last_tube, std::vector<Tube>& tubes);
+/// Adds the tubes it needs. `points`: the polyline's vertices, the first and the last one in the tubes given.
+TracedArc chain(const NearPair& pair, const std::vector<TracedPoint>& points, std::size_t first_tube,
+                std::size_t last_tube, const OnLine& line, std::vector<Tube>& tubes);
 
+/// What cells may lie in.
+struct Places {
+  const std::vector<Tube>& tubes;
+  std::vector<checker::Touch> touches = {};
+  bool self = false;
+};
 /// The subdivision of [0,1]^4, or of its part on the line, in preorder: "u", "t5", "3 -1 2".
-std::vector<std::string> cover(const NearPair& pair, const std::vector<Tube>& tubes,
+std::vector<std::string> cover(const NearPair& pair, const Places& places,
                                const std::optional<LineQuery>& line = {});
 
 }  // namespace exsect::cli

@@ -17,6 +17,9 @@ namespace exsect::cli {
 /// certificate.
 std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
                              const IntersectResult& result);
+/// The same of the self-intersection of x.
+std::string self_certificate_text(const BezierPatch& x, const PatchNames& names,
+                                  const IntersectResult& result);
 /// The certificate of the points of a line, likewise. There is none for points where the line touches the
 /// other patch, and for parts of it on that patch.
 std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,

@@ -17,12 +17,9 @@ constexpr std::size_t max_certificate_bytes = std::size_t{256} << 20;
 
 Json summary_json(const checker::Report& report) {
   const checker::Summary& summary = report.summary;
-  if (report.fixed) return {{"points", summary.claims[2]}};
-  return {{"components", summary.components},
-          {"closed", summary.closed},
-          {"open", summary.open},
-          {"boundary", summary.boundary},
-          {"turning", summary.turning}};
+  if (report.fixed) return {{"points", summary.claims[4]}};
+  return {{"components", summary.components}, {"closed", summary.closed},   {"open", summary.open},
+          {"boundary", summary.boundary},     {"turning", summary.turning}, {"isolated", summary.claims[2]}};
 }
 
 Json accepted_json(const checker::Report& report) {
@@ -33,9 +30,11 @@ Json accepted_json(const checker::Report& report) {
           {"summary", summary_json(report)},
           {"claims",
            {{"relations", claims[0]},
-            {"tubes", claims[1]},
-            {"nodes", claims[2]},
-            {"arcs", claims[3]},
+            {"lines", claims[1]},
+            {"touches", claims[2]},
+            {"tubes", claims[3]},
+            {"nodes", claims[4]},
+            {"arcs", claims[5]},
             {"cells_in_tubes", report.covered},
             {"cells_excluded", report.exclusions}}}};
 }
@@ -46,12 +45,14 @@ std::string accepted_text(const checker::Report& report) {
       fmt::format("{} cells in tubes, {} cells without a solution", report.covered, report.exclusions);
   if (report.fixed)
     return fmt::format("accepted: the solutions with {} = {} are {} points\nreplayed: {} points, {}\n",
-                       "uvrs"[report.fixed->parameter], to_string(report.fixed->value), claims[2], claims[2],
+                       "uvrs"[report.fixed->parameter], to_string(report.fixed->value), claims[4], claims[4],
                        cells);
+  const std::string isolated = claims[2] > 0 ? fmt::format(", and {} isolated points", claims[2]) : "";
   return fmt::format(
-      "accepted: the whole intersection is {} closed and {} open curves\n"
-      "replayed: {} nodes, {} arcs, {} tubes, {} relations, {}\n",
-      report.summary.closed, report.summary.open, claims[2], claims[3], claims[1], claims[0], cells);
+      "accepted: the whole {} is {} closed and {} open curves{}\n"
+      "replayed: {} nodes, {} arcs, {} tubes, {} relations, {} lines, {}\n",
+      report.self ? "self-intersection" : "intersection", report.summary.closed, report.summary.open,
+      isolated, claims[4], claims[5], claims[3], claims[0], claims[1], cells);
 }
 
 }  // namespace

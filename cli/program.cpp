@@ -158,6 +158,7 @@ void add_self(CLI::App& app, SelfCommand& command) {
   add_output(*sub, command.output, command.quiet);
   add_exports(*sub, command.output.exports, "Write the nodes as a table");
   add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
+  add_certificate(*sub, command.output);
   sub->footer(self_footer);
 }
 
@@ -331,7 +332,7 @@ void add_batch_merge(CLI::App& app, BatchMergeCommand& command) {
 }
 
 constexpr const char* check_footer =
-    "CERTIFICATE is a file of form certificate/1, written by exsect intersect or exsect line with "
+    "CERTIFICATE is a file of form certificate/1, written by exsect intersect, self or line with "
     "--certificate.\n"
     "Every polynomial is computed anew from the control points in it, every claim is replayed, by a program "
     "that\n"

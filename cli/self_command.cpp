@@ -3,6 +3,7 @@
 #include <exsect/geometry/text_file.h>
 #include <exsect/solver/self_intersect.h>
 
+#include "certificate_text.h"
 #include "export_files.h"
 #include "intersection_json.h"
 #include "intersection_summary.h"
@@ -32,16 +33,31 @@ IntersectResult solve(const BezierPatch& x, IntersectOptions options, const Stre
   return self_intersect(x, options);
 }
 
+/// What --certificate writes; empty where it is not given, or, with a message, where there is no certificate.
+std::string certificate(const SelfCommand& command, const BezierPatch& x, const PatchNames& names,
+                        const IntersectResult& result, const Streams& streams) {
+  if (command.output.certificate.empty()) return "";
+  try {
+    return self_certificate_text(x, names, result);
+  } catch (const NoCertificate& reason) {
+    streams.err << "exsect: no certificate: " << printable(reason.what()) << std::endl;
+    return "";
+  }
+}
+
 }  // namespace
 
 ExitStatus run(const SelfCommand& command, const Streams& streams) {
   const IntersectOptions checked = options(command);
   check(command.output, command.file);
+  if (!command.output.certificate.empty() && checked.turning.size() != 4)
+    throw UsageError("--certificate: needs all turning points, --turning u1,v1,u2,v2");
   const int cells = grid_cells(command.output.exports);
   const ChosenPatch chosen = read_patch(command.file, command.patch);
   const PatchNames names = {chosen.patch.name, chosen.patch.name, self_names};
   const IntersectResult result = solve(chosen.patch.patch, checked, streams, command.quiet);
   const std::string json = command.output.json.empty() ? "" : json_text(self_json(result, chosen.patch.name));
+  const std::string proof = certificate(command, chosen.patch.patch, names, result, streams);
   write_exports(
       command.output.exports,
       [&] { return self_scene(result, chosen.patch.patch, chosen.patch.name, chosen.title, cells); },
@@ -49,6 +65,7 @@ ExitStatus run(const SelfCommand& command, const Streams& streams) {
   if (!command.output.json.empty() && !command.output.json_to_stdout()) {
     write_file_atomically(command.output.json, json);
   }
+  if (!proof.empty()) write_file_atomically(command.output.certificate, proof);
   if (!command.output.svg.empty()) {
     write_file_atomically(command.output.svg, intersection_svg(result, names, chosen.title));
   }
@@ -62,6 +79,7 @@ ExitStatus run(const SelfCommand& command, const Streams& streams) {
   } else if (!command.quiet) {
     streams.out << heading(command.file, chosen.title) << intersection_summary(result, names);
   }
+  if (proof.empty() && !command.output.certificate.empty()) return ExitStatus::incomplete;
   return result.status == Status::complete ? ExitStatus::complete : ExitStatus::incomplete;
 }
 

@@ -5,6 +5,7 @@ A second checker, written from the document alone, in exact fractions. It prints
 "rejected" with place and reason; exit status 0, 1, or 2 for what is no certificate.
 """
 
+import itertools
 import json
 import math
 import re
@@ -98,57 +99,109 @@ def times(a, b):
     return a[0] * b[0], abs(a[0]) * b[1] + a[1] * magnitude(b)
 
 
-def shifted(c, u, v):
-    """Coefficients of c(u + ., v + .), c[i][j][d]."""
-    rows = []
-    for j in range(3):
-        rows.append([[c[0][j][d] + u * (c[1][j][d] + u * c[2][j][d]) for d in range(3)],
-                     [c[1][j][d] + 2 * u * c[2][j][d] for d in range(3)], c[2][j]])
-    return [[[rows[0][i][d] + v * (rows[1][i][d] + v * rows[2][i][d]) for d in range(3)],
-             [rows[1][i][d] + 2 * v * rows[2][i][d] for d in range(3)], rows[2][i]] for i in range(3)]
+def subtract(a, b):
+    return a[0] - b[0], a[1] + b[1]
 
 
-def derivative(c, d, a, b, hu, hv):
-    middle = radius = Fraction(0)
-    for i in range(a, 3):
-        for j in range(b, 3):
-            value = math.perm(i, a) * math.perm(j, b) * c[i][j][d]
-            if (i, j) == (a, b):
-                middle = value
-            elif value:
-                radius += abs(value) * hu ** (i - a) * hv ** (j - b)
-    return middle, radius
+def divide(a, b):
+    """b without 0"""
+    q = a[0] / b[0]
+    return q, (a[1] + abs(q) * b[1]) / (abs(b[0]) - b[1])
 
 
-class Pair:
-    """x and -y at a point, perhaps times a matrix."""
+class Map:
+    """A polynomial map of four variables to space: {(i, j, k, l): coefficient}, with all lower monomials."""
 
-    def __init__(self, x, y):
-        self.x, self.y = x, y
+    def __init__(self, terms=()):
+        self.terms = {}
+        for power, factor, c in terms:
+            for lower in itertools.product(*(range(i + 1) for i in power)):
+                self.terms.setdefault(lower, [Fraction(0)] * 3)
+            self.terms[power] = [q + factor * a for q, a in zip(self.terms[power], c)]
+
+    def mapped(self, change):
+        result = Map()
+        result.terms = {power: change(power, c) for power, c in self.terms.items()}
+        return result
 
     def at(self, w):
-        return Pair(shifted(self.x, w[0], w[1]), shifted(self.y, w[2], w[3]))
+        """Taylor coefficients at w."""
+        def coefficient(lower, _):
+            total = [Fraction(0)] * 3
+            for power, c in self.terms.items():
+                if all(p >= q for p, q in zip(power, lower)):
+                    factor = math.prod(math.comb(p, q) * a ** (p - q) for p, q, a in zip(power, lower, w))
+                    if factor:
+                        total = [t + factor * a for t, a in zip(total, c)]
+            return total
+        return self.mapped(coefficient)
 
     def times(self, matrix):
-        def product(net):
-            return [[[sum(m * q for m, q in zip(row, p)) for row in matrix] for p in line] for line in net]
-        return Pair(product(self.x), product(self.y))
+        return self.mapped(lambda _, c: [sum(m * q for m, q in zip(row, c)) for row in matrix])
 
-    def value(self, d):
-        return self.x[0][0][d] + self.y[0][0][d]
+    def value(self, w=None):
+        if w is None:
+            return self.terms.get((0, 0, 0, 0), [0, 0, 0])
+        factors = [(math.prod(a**i for a, i in zip(w, power)), c) for power, c in self.terms.items()]
+        return [sum(f * c[d] for f, c in factors) for d in range(3)]
+
+    def derivative(self, d, a, h):
+        """The ball of this derivative of component d over |dw_i| <= h_i."""
+        middle = radius = Fraction(0)
+        for power, c in self.terms.items():
+            factor = math.prod(map(math.perm, power, a))
+            if power == a:
+                middle = factor * c[d]
+            elif factor and c[d]:
+                radius += factor * abs(c[d]) * math.prod(x ** (i - j) for x, i, j in zip(h, power, a))
+        return middle, radius
 
     def first(self, d, j, h):
-        if j < 2:
-            return derivative(self.x, d, 1 - j, j, h[0], h[1])
-        return derivative(self.y, d, 3 - j, j - 2, h[2], h[3])
+        return self.derivative(d, tuple(int(i == j) for i in range(4)), h)
 
     def second(self, d, t, h):
-        result = (0, 0)
-        for net, (p, q), (hp, hq) in ((self.x, t[:2], h[:2]), (self.y, t[2:], h[2:])):
-            result = add(result, times(times(derivative(net, d, 2, 0, hp, hq), p), p))
-            result = add(result, times(times(times((2, 0), derivative(net, d, 1, 1, hp, hq)), p), q))
-            result = add(result, times(times(derivative(net, d, 0, 2, hp, hq), q), q))
-        return result
+        total = (Fraction(0), Fraction(0))
+        for i in range(4):
+            for j in range(i, 4):
+                a = tuple(int(n == i) + int(n == j) for n in range(4))
+                if a in self.terms:
+                    entry = times(times(self.derivative(d, a, h), t[i]), t[j])
+                    total = add(add(total, entry), entry if i != j else (0, 0))
+        return total
+
+
+INDICES = [(i, j) for i in range(3) for j in range(3)]
+
+
+def space_map(c):
+    return Map([((i, j, 0, 0), 1, c[i][j]) for i, j in INDICES])
+
+
+def pair_map(x, y):
+    return Map([((i, j, 0, 0), 1, x[i][j]) for i, j in INDICES] + [((0, 0, i, j), -1, y[i][j]) for i, j in INDICES])
+
+
+def chart_map(c):
+    """H(U,V,m,w)"""
+    terms = []
+    for i, j in INDICES:
+        terms += [((i - 1, j, 0, 0), i, c[i][j])] if i else []
+        terms += [((i, j - 1, 1, 0), j, c[i][j])] if j else []
+        terms += [((0, j - 1, 1, 1), j, c[i][j])] if i == 2 and j else []
+        terms += [((i - 1, 0, 2, 1), i, c[i][j])] if j == 2 and i else []
+    return Map(terms)
+
+
+def chart_space(c):
+    """X(U,V,m,w)"""
+    terms = []
+    for i, j in INDICES:
+        terms += [((i, j, 0, 0), 1, c[i][j])]
+        terms += [((i - 1, j - 1, 1, 1), i * j, c[i][j])] if i and j else []
+        terms += [((0, j, 0, 1), 1, c[i][j])] if i == 2 else []
+        terms += [((i, 0, 2, 1), 1, c[i][j])] if j == 2 else []
+        terms += [((0, 0, 2, 2), 1, c[i][j])] if i == j == 2 else []
+    return Map(terms)
 
 
 def tangent(local, h):
@@ -171,6 +224,44 @@ def near_inverse(local, k):
                   for j in range(3)] for i in range(3)]
     det = sum(cofactors[0][j] * m[j][0] for j in range(3))
     return [[Fraction(float(c / det)) if det else Fraction(0) for c in row] for row in cofactors]
+
+
+# ---- Pairs of points of one patch: boxes of (U,V,a,b)
+
+
+def halves(exchanged, w):
+    if exchanged:
+        w = [w[1], w[0], w[3], w[2]]
+    half = (Fraction(1, 2), 0)
+    return [times(half, add(w[0], w[2])), times(half, add(w[1], w[3])),
+            times(half, subtract(w[0], w[2])), times(half, subtract(w[1], w[3]))]
+
+
+def divided(h, pairs, m):
+    """R = P + m Q and Q."""
+    u, v, a, b = pairs
+    local = h.at([u[0], v[0], 0, 0])
+    turned = local.at([0, 0, m, 0])
+    half = [u[1], v[1], 0, 0]
+    result = [[], []]
+    for d in range(3):
+        bend = times(times(a, a), local.derivative(d, (0, 0, 1, 1), half))
+        other = times(times((Fraction(1, 2), 0), times(b, b)), local.derivative(d, (0, 0, 2, 1), half))
+        result[0].append(add(add(turned.derivative(d, (0, 0, 0, 0), half), times((m, 0), bend)), other))
+        result[1].append(add(local.derivative(d, (0, 0, 1, 0), half), bend))
+    return result
+
+
+def volume(n, h, pairs):
+    """n . (P x Q)"""
+    p, q = divided(h, pairs, Fraction(0))
+    pq, qq = (sum(a[0] * b[0] for a, b in zip(c, q)) for c in (p, q))
+    r = divided(h, pairs, Fraction(float(-pq / qq)) if qq else Fraction(0))[0]
+    total = (Fraction(0), Fraction(0))
+    for d in range(3):
+        e, f = (d + 1) % 3, (d + 2) % 3
+        total = add(total, times((n[d], 0), subtract(times(r[e], q[f]), times(r[f], q[e]))))
+    return total
 
 
 def others(k):
@@ -214,7 +305,13 @@ class Bounds:
 
 class Tube:
     def __init__(self, value, place):
-        value = claim(value, place, ["centre", "axis", "slope", "reach", "width", "inverse"])
+        value = claim(value, place, ["centre", "axis", "slope", "reach", "width", "inverse", "curve"])
+        self.curve = value["curve"]
+        require(isinstance(self.curve, str) and re.fullmatch("pair|first|second|line(0|[1-9][0-9]*)", self.curve), place,
+                "not a curve")
+        self.charted = self.curve in ("first", "second")
+        self.line = int(self.curve[4:]) if self.curve.startswith("line") else None
+        self.constant = {}
         self.centre = numbers(value["centre"], 4, place)
         self.axis = parameter(value["axis"], place)
         self.slope = numbers(value["slope"], 4, place)
@@ -222,36 +319,85 @@ class Tube:
         require(isinstance(value["inverse"], list) and len(value["inverse"]) == 3, place, "not a matrix")
         self.inverse = [numbers(row, 3, place) for row in value["inverse"]]
 
-    def contains(self, w, h):
+    def contains(self, box):
         k = self.axis
-        t = w[k] - self.centre[k]
-        return abs(t) + h[k] <= self.reach and all(
-            abs(w[i] - self.centre[i] - self.slope[i] * t) + h[i] + abs(self.slope[i]) * h[k] <= self.width
+        t = box[k][0] - self.centre[k]
+        return abs(t) + box[k][1] <= self.reach and all(
+            abs(box[i][0] - self.centre[i] - self.slope[i] * t) + box[i][1] + abs(self.slope[i]) * box[k][1] <= self.width
             for i in others(k))
 
-    def check(self, pair, place):
+    def check(self, system, lines, place):
         k, t, z = self.axis, self.reach, self.width
         require(self.slope[k] == 1 and t > 0 and z > 0, place, "not a tube")
+        require(self.curve != "first" and self.curve != "second" or self.curve in system.equation, place, "a chart of two patches")
+        self.map = system.equation[self.curve if self.charted else "pair"]
+        self.space = system.space[self.curve if self.charted else "pair"]
         h = [abs(d) * t + (0 if i == k else z) for i, d in enumerate(self.slope)]
-        local = pair.at(self.centre).times(self.inverse)
+        local = self.map.at(self.centre).times(self.inverse)
         rows = defect_rows(local, k, h)
         for d in range(3):
-            f = abs(local.value(d))
-            for power in range(1, 5):
-                f += t**power * abs(sum(
-                    net[i][power - i][d] * p**i * q ** (power - i)
-                    for net, (p, q) in ((local.x, self.slope[:2]), (local.y, self.slope[2:]))
-                    for i in range(3) if 0 <= power - i <= 2))
-            require(f + rows[d] * z < z, place, "no contraction")
+            f = [Fraction(0)] * 9
+            for power, c in local.terms.items():
+                f[sum(power)] += c[d] * math.prod(s**i for s, i in zip(self.slope, power))
+            require(sum(abs(q) * t**m for m, q in enumerate(f)) + rows[d] * z < z, place, "no contraction")
         self.bounds = Bounds(local, k, h)
+        if self.charted:
+            end = self.centre[3] + t
+            u, v, m = (magnitude(b) for b in self.bounds.first[:3])
+            rest = abs(self.centre[2]) - h[2] - 2 * end * m
+            require(k == 3 and end > 0 and rest > 0 and 4 * end * u * u < 1 and 4 * end * v * v < rest * rest, place,
+                    "a parameter may turn")
+            return
+        if self.line is not None:
+            self.check_on_line(element(lines, self.line, place), place)
         for i in range(4):
             inside = self.centre[i] >= h[i] and self.centre[i] + h[i] <= 1
-            require(sign(self.bounds.first[i]) or (sign(self.bounds.second[i]) and inside), place,
+            require(i in self.constant or sign(self.bounds.first[i]) or (sign(self.bounds.second[i]) and inside), place,
                     "a parameter may turn more than once, or outside the domain")
 
-    def distance(self, pair, w, place):
-        require(self.contains(w, [0] * 4), place, "a point is not in its tube")
-        f = [pair.at(w).value(d) for d in range(3)]
+    def check_on_line(self, line, place):
+        axis, at = line
+        require(axis == self.axis, place, "its line has another axis")
+        p = self.centre[axis]
+        for i, (a, b, c) in enumerate(at):
+            off, slope = a + p * (b + p * c) - self.centre[i], b + 2 * p * c - self.slope[i]
+            require(i == axis or abs(off) + self.reach * (abs(slope) + self.reach * abs(c)) <= self.width, place,
+                    "its line is not in it")
+            if b == c == 0 and 0 <= a <= 1:
+                self.constant[i] = a
+
+    def in_chart(self, w, place):
+        """The box w of parameters in the variables of the map."""
+        if not self.charted:
+            return w
+        u, v, a, b = halves(self.curve == "second", w)
+        require(sign(a), place, "a pair of points that may be one")
+        return [u, v, divide(b, a), times(a, a)]
+
+    def cell_in_chart(self, w):
+        """The same for all solutions in a cell."""
+        if not self.charted:
+            return w
+        pairs = halves(self.curve == "second", w)
+        m = self.centre[2]
+        r, q = divided(self.map.times(self.inverse), pairs, m)
+        most = magnitude(pairs[2]) ** 2
+        least = (abs(pairs[2][0]) - pairs[2][1]) ** 2 if sign(pairs[2]) else Fraction(0)
+        any_m = (m, self.width + 1)
+        return [pairs[0], pairs[1], subtract((m, Fraction(0)), divide(r[2], q[2])) if sign(q[2]) else any_m,
+                ((most + least) / 2, (most - least) / 2)]
+
+    def node_box(self, node, place):
+        if not self.charted:
+            return [(a, node.radius) for a in node.at]
+        require(not node.on and not node.wrt and node.at[:2] == node.at[2:], place, "not a cuspidal point")
+        u, v, _, _ = halves(self.curve == "second", [(a, Fraction(0)) for a in node.at])
+        m = self.centre[2] - self.slope[2] * self.centre[3]
+        return [(q, node.radius) for q in (u[0], v[0], m, Fraction(0))]
+
+    def distance(self, w, place):
+        require(self.contains([(a, 0) for a in w]), place, "a point is not in its tube")
+        f = self.map.value(w)
         return max(abs(sum(m * q for m, q in zip(row, f))) for row in self.inverse) / (1 - self.bounds.defect)
 
 
@@ -284,9 +430,11 @@ class Node:
 
 class Checker:
     def __init__(self, root):
-        require(root.get("command") in ("intersect", "line"), "$.command", "neither intersect nor line")
-        lists = ["relations", "tubes", "nodes", "arcs", "components", "cover"]
-        keys = ["exsect", "command", "first", "second", *lists, "summary"]
+        require(root.get("command") in ("intersect", "line", "self"), "$.command", "neither intersect, line nor self")
+        self.alone = root["command"] == "self"
+        lists = ["relations", "lines", "touches", "tubes", "nodes", "arcs", "components", "cover"]
+        names = ["first"] if self.alone else ["first", "second"]
+        keys = ["exsect", "command", *names, *lists, "summary"]
         self.fixed = None
         if root["command"] == "line":
             lists = ["tubes", "points", "cover"]
@@ -299,9 +447,15 @@ class Checker:
             self.fixed = parameter(value["parameter"], "$.fixed"), number(value["value"], "$.fixed")
             require(0 <= self.fixed[1] <= 1, "$.fixed", "not in [0,1]")
         self.root = root
-        self.nets = [self.net(root[key], "$." + key) for key in ("first", "second")]
-        x, y = (self.power_basis(net) for net in self.nets)
-        self.pair = Pair(x, [[[-q for q in p] for p in row] for row in y])
+        self.nets = [self.net(root[key], "$." + key) for key in names]
+        self.nets = [self.nets[0], self.nets[-1]]
+        self.power = [self.power_basis(net) for net in self.nets]
+        self.equation = {"pair": pair_map(*self.power)}
+        self.space = {"pair": space_map(self.power[0])}
+        if self.alone:
+            exchanged = [list(column) for column in zip(*self.power[0])]
+            for name, c in (("first", self.power[0]), ("second", exchanged)):
+                self.equation[name], self.space[name] = chart_map(c), chart_space(c)
 
     @staticmethod
     def net(value, place):
@@ -318,10 +472,14 @@ class Checker:
         return [[rows[i][j] for j in range(3)] for i in range(3)]
 
     def check(self):
+        self.lines = [self.line(value, f"$.lines[{i}]") for i, value in enumerate(self.root.get("lines", []))]
+        self.touches = []
+        for i, value in enumerate(self.root.get("touches", [])):
+            self.check_touch(value, f"$.touches[{i}]")
         self.tubes = []
         for i, value in enumerate(self.root["tubes"]):
             self.tubes.append(Tube(value, f"$.tubes[{i}]"))
-            self.tubes[i].check(self.pair, f"$.tubes[{i}]")
+            self.tubes[i].check(self, self.lines, f"$.tubes[{i}]")
         if self.fixed:
             self.check_points()
         else:
@@ -349,8 +507,8 @@ class Checker:
             value = claim(value, place, ["tube", "at", "radius"])
             tube, at, radius = element(self.tubes, value["tube"], place), numbers(value["at"], 4, place), number(value["radius"], place)
             require(at[k] == fixed and tube.axis == k, place, "not on the line, or its tube has another axis")
-            require(radius > 0 and tube.distance(self.pair, at, place) <= radius, place, "its box may miss the solution")
-            margin = radius if any(self.pair.at(at).value(d) for d in range(3)) else 0
+            require(radius > 0 and tube.distance(at, place) <= radius, place, "its box may miss the solution")
+            margin = radius if any(self.equation["pair"].value(at)) else 0
             require(all(margin <= at[j] <= 1 - margin for j in others(k)), place, "its box leaves [0,1]")
             for other, size in points:
                 require(any(abs(at[j] - other[j]) > radius + size for j in others(k)), place, "its box meets that of an earlier point")
@@ -359,14 +517,14 @@ class Checker:
         for i in range(len(self.tubes)):
             require(i in used, f"$.tubes[{i}]", "no point is in it")
         said = claim(self.root["summary"], "$.summary", ["claims"])
-        require(said["claims"] == [0, len(self.tubes), len(points), 0, len(self.root["cover"])], "$.summary", "does not agree with the claims")
+        require(said["claims"] == [0, 0, 0, len(self.tubes), len(points), 0, len(self.root["cover"])], "$.summary", "does not agree with the claims")
 
     def relation(self, value, place):
         value = claim(value, place, ["direction", "first", "second"])
         i, j = parameter(value["first"], place), parameter(value["second"], place)
         require(i < 2 <= j, place, "not between a parameter of either patch")
         direction = numbers(value["direction"], 3, place)
-        f, g = one_parameter(self.pair.x, direction, i), one_parameter(self.pair.y, direction, j)
+        f, g = (one_parameter(self.power[p // 2], direction, p) for p in (i, j))
         require(f and g, place, "a third parameter occurs")
         for p in (f, g):
             require(p[1] * (p[1] + 2 * p[2]) > 0, place, "not monotone")
@@ -376,43 +534,98 @@ class Checker:
         if i > j:
             i, j, sides = j, i, sides and sides[::-1]
         for p, q, f, g in self.relations:
-            if (p, q) == (i, j) and (sides is None or f[0] + sides[0] * (f[1] + f[2]) + g[0] + sides[1] * (g[1] + g[2]) == 0):
+            if (p, q) == (i, j) and (sides is None or f[0] + sides[0] * (f[1] + f[2]) == g[0] + sides[1] * (g[1] + g[2])):
                 return True
         return False
 
+    def line(self, value, place):
+        value = claim(value, place, ["axis", "at"])
+        axis = parameter(value["axis"], place)
+        require(isinstance(value["at"], list) and len(value["at"]) == 4, place, "not four functions")
+        at = [numbers(row, 3, place) for row in value["at"]]
+        require(at[axis] == [0, 1, 0], place, "its axis is not its parameter")
+        for t in range(9):
+            f = self.equation["pair"].value([a + t * (b + t * c) for a, b, c in at])
+            require(not any(f), place, "not a solution everywhere")
+        return axis, at
+
+    def check_touch(self, value, place):
+        value = claim(value, place, ["at", "radius", "normal", "multipliers"])
+        at, radius = numbers(value["at"], 4, place), number(value["radius"], place)
+        normal = numbers(value["normal"], 3, place)
+        require(isinstance(value["multipliers"], list) and len(value["multipliers"]) == 3, place, "not three rows")
+        rows = [numbers(row, 4, place) for row in value["multipliers"]]
+        require(radius > 0 and all(0 <= a <= 1 for a in at), place, "not in [0,1]^4, or without a neighbourhood")
+        local = self.equation["pair"].at(at)
+        s = [[(Fraction(0), Fraction(0))] * 4 for _ in range(4)]
+
+        def add_term(q, power, i):  # q e^power e_i
+            j = next(n for n in range(4) if power[n])
+            degree = sum(power) - 1
+            part = (q / 2, Fraction(0)) if degree == 0 else (Fraction(0), abs(q) / 2 * radius**degree)
+            s[i][j] = add(s[i][j], part)
+            s[j][i] = add(s[j][i], part)
+
+        for power, c in local.terms.items():
+            along = sum(n * q for n, q in zip(normal, c))
+            require(sum(power) > 0 or not any(c), place, "not a solution")
+            require(sum(power) != 1 or along == 0, place, "the normal is not normal to both patches")
+            if sum(power) >= 1:
+                for i in range(4):
+                    for d in range(3):
+                        add_term(rows[d][i] * c[d], power, i)
+            if sum(power) >= 2:
+                i = next(n for n in range(4) if power[n])
+                add_term(along, tuple(p - (n == i) for n, p in enumerate(power)), i)
+        for k in range(4):
+            require(s[k][k][0] > s[k][k][1], place, "not alone in its neighbourhood")
+            for i in range(k + 1, 4):
+                for j in range(k + 1, 4):
+                    s[i][j] = subtract(s[i][j], divide(times(s[i][k], s[k][j]), s[k][k]))
+        require(all(at != other for other, _ in self.touches), place, "given twice")
+        self.touches.append((at, radius))
+
     def check_node(self, node, place):
         tube = element(self.tubes, node.tube, place)
-        require(bool(node.on) != bool(node.wrt), place, "neither on a side only nor a turning point only")
-        require(node.radius > 0 and tube.contains(node.at, [node.radius] * 4), place, "its box is not in its tube")
+        require(not node.on or not node.wrt, place, "both on a side and a turning point")
+        box = tube.node_box(node, place)
+        require(node.radius > 0 and tube.contains(box), place, "its box is not in its tube")
         for j in range(4):
             require(j in node.on or node.radius < node.at[j] < 1 - node.radius, place, "its box leaves (0,1)")
-        near = tube.distance(self.pair, node.at, place)
+        near = tube.distance([b[0] for b in box], place)
+        require(near <= node.radius, place, "its box may miss the curve")
         if node.on:
-            require(near <= node.radius, place, "its box may miss the curve")
+            require(tube.axis in node.on, place, "its tube has another axis")
             require(all(node.at[j] == value for j, value in node.on.items()), place, "not on its sides")
             known, waiting = [], dict(node.on)
             while waiting:
-                j = next((j for j in waiting if j == tube.axis or any(
+                j = next((j for j in waiting if j == tube.axis or tube.constant.get(j) == node.on[j] or any(
                     self.related(k, j, (node.on[k], node.on[j])) for k in known)), None)
-                if j is None and known and not any(self.pair.at(node.at).value(d) for d in range(3)):
+                if j is None and not any(self.equation["pair"].value(node.at)):
                     break
                 require(j is not None, place, "a side does not follow from that of the tube's axis")
                 known.append(j)
                 del waiting[j]
-        else:
+        elif not tube.charted:
+            require(node.wrt, place, "neither on a side nor a turning point")
             i, second = node.wrt[0], tube.bounds.second[node.wrt[0]]
             require(i != tube.axis and sign(second), place, "the second derivative may vanish")
             for j in range(1, len(node.wrt)):
                 require(node.wrt[j - 1] < node.wrt[j], place, "parameters not in order")
                 require(any(self.related(k, node.wrt[j]) for k in node.wrt[:j]), place, "no relation")
-            t = tangent(self.pair.at(node.at), [near] * 4)
+            t = tangent(self.equation["pair"].at(node.at), [near] * 4)
             require(sign(t[tube.axis]), place, "no derivative here")
             along = abs(t[tube.axis][0]) - t[tube.axis][1]
             away = magnitude(t[i]) / along / (abs(second[0]) - second[1])
             require(abs(node.at[tube.axis] - tube.centre[tube.axis]) + away <= tube.reach, place, "may be outside its tube")
             require(all(near + away * magnitude(b) <= node.radius for b in tube.bounds.first), place, "its box may miss the point")
+        def apart(at, other):
+            return any(abs(a - b) > node.radius + other.radius for a, b in zip(at, other.at))
+
         for other in self.nodes:
-            require(any(abs(a - b) > node.radius + other.radius for a, b in zip(node.at, other.at)), place, "meets an earlier node")
+            require(apart(node.at, other), place, "meets an earlier node")
+            require(not self.alone or apart(node.at[2:] + node.at[:2], other), place, "meets an earlier node, mirrored")
+        require(not self.alone or tube.charted or apart(node.at[2:] + node.at[:2], node), place, "meets its mirror image")
         self.nodes.append(node)
 
     # ---- Arcs
@@ -426,53 +639,73 @@ class Checker:
         vertices = [p[4:] for p in points]
         points = [p[:4] for p in points]
         require(points[0] == start.at and points[-1] == end.at, place, "does not begin and end at its nodes")
-        radii = [start.radius] + [Fraction(0)] * (len(points) - 2) + [end.radius]
-        first, entered, grows, directions = 0, start.radius, None, []
+        places = self.places_on_polyline(points, vertices, place)
+        first, entered, grows, directions, most = 0, start.radius, None, [], Fraction(0)
         for piece in arc["pieces"]:
             require(isinstance(piece, list) and len(piece) == 2, place, "not a piece")
             last = count(piece[1], place)
             tube = element(self.tubes, piece[0], place)
             require(first < last < len(points), place, "a piece is empty")
-            require(tube.contains(points[first], [entered] * 4), place, "not in two tubes where they join")
-            near = [tube.distance(self.pair, points[j], place) for j in range(first, last + 1)]
-            for j in range(first, last + 1):
-                radii[j] = max(radii[j], near[j - first])
+
+            def box(j, radius, tube=tube):
+                if j in (0, len(points) - 1):
+                    return tube.node_box(end if j else start, place)
+                return tube.in_chart([(a, radius) for a in points[j]], place)
+
+            enters = box(first, entered)
+            require(tube.contains(enters), place, "not in two tubes where they join")
+            at = [[b[0] for b in box(j, Fraction(0))] for j in range(first, last + 1)]
+            near = [tube.distance(w, place) for w in at]
             final = last + 1 == len(points)
-            leaves = radii[-1] if final else near[-1]
+            out = near[-1]
+            near[0] = max([near[0]] + [b[1] for b in enters])
+            near[-1] = max(near[-1], end.radius) if final else near[-1]
             k = tube.axis
-            direction = 1 if points[first + 1][k] > points[first][k] else -1
-            for j in range(first, last):
-                least = (entered if j == first else 0) + (leaves if j + 1 == last else 0)
-                require(direction * (points[j + 1][k] - points[j][k]) > least, place, "a piece runs back")
-            ends = [(points[first], entered, start if first == 0 else None), (points[last], leaves, end if final else None)]
-            signs = [direction * self.slope_sign(tube, i, ends) for i in range(4)]
+            direction = 1 if at[1][k] > at[0][k] else -1
+            for j in range(len(at) - 1):
+                least = (enters[k][1] if j == 0 else 0) + (near[-1] if j + 2 == len(at) else 0)
+                require(direction * (at[j + 1][k] - at[j][k]) > least, place, "a piece runs back")
+            if tube.charted:
+                signs = self.pair_signs(tube, [points[j] for j in range(first, last + 1) if 0 < j < len(points) - 1], place)
+            else:
+                ends = [(points[first], entered, start if first == 0 else None), (points[last], near[-1], end if final else None)]
+                signs = [self.slope_sign(tube, i, ends) for i in range(4)]
+            signs = [direction * sign_i for sign_i in signs]
             grows = grows or signs
-            require(0 not in signs and signs == grows, place, "not monotone in a parameter")
+            require(all(signs[i] or i in tube.constant for i in range(4)) and signs == grows, place, "not monotone in a parameter")
+            most = max(most, self.piece_error(tube, at, near, places[first : last + 1], place))
             directions.append(direction)
-            first, entered = last, leaves
+            first, entered = last, 2 * out if tube.charted else out
         require(first + 1 == len(points), place, "its pieces do not cover it")
         require(arc["pieces"][0][0] == start.tube and arc["pieces"][-1][0] == end.tube, place, "does not begin and end in its nodes' tubes")
         self.ends[arc["from"]].append(directions[0])
         self.ends[arc["to"]].append(-directions[-1])
-        bound = number(arc["error_bound"], place)
-        require(self.error_bound(arc["pieces"], points, vertices, radii, place) <= bound, place, "the error bound is too small")
+        require(most <= number(arc["error_bound"], place), place, "the error bound is too small")
         return arc
 
+    @staticmethod
+    def pair_signs(tube, points, place):
+        p = 1 if tube.curve == "second" else 0
+        sides = {q[p] > q[p + 2] for q in points if q[p] != q[p + 2]}
+        require(points and len(sides) == 1 and all(q[p] != q[p + 2] for q in points), place, "not on one side of the diagonal")
+        side = 1 if sides.pop() else -1
+        m = side if tube.centre[2] > 0 else -side
+        return [m, side, -m, -side] if p else [side, m, -side, -m]
+
     def slope_sign(self, tube, i, ends):
-        if sign(tube.bounds.first[i]):
+        if sign(tube.bounds.first[i]) or i in tube.constant:
             return sign(tube.bounds.first[i])
         signs = []
         for at, near, node in ends:
             if node and i in node.wrt:
                 continue
-            t = tangent(self.pair.at(at), [near] * 4)
+            t = tangent(self.equation["pair"].at(at), [near] * 4)
             signs.append(sign(t[i]) * sign(t[tube.axis]))
         return signs[0] if signs and signs[0] == signs[-1] else 0
 
-    def error_bound(self, pieces, points, vertices, radii, place):
+    def places_on_polyline(self, points, vertices, place):
         require(vertices[0] and vertices[-1], place, "an end of the polyline is missing")
-        x = self.pair.x
-        at = [shifted(x, p[0], p[1])[0][0] for p in points]
+        at = [self.space["pair"].value(p) for p in points]
         places = []
         a = 0
         for b in range(1, len(points)):
@@ -487,39 +720,43 @@ class Checker:
                 before = t = min(max(before, t), 1)
                 places.append([p + t * e for p, e in zip(vertices[a], edge)])
             a = b
-        places.append(vertices[-1])
-        most, first = Fraction(0), 0
-        for name, last in pieces:
-            tube = self.tubes[name]
-            for begin in range(first, last, 4):
-                stop = min(begin + 4, last)
-                margin = max(radii[begin : stop + 1])
-                unit = Fraction(1, 2**24)
-                middle = [unit * math.floor((p + q) / 2 / unit) for p, q in zip(points[begin], points[stop])]
-                half = [unit * (math.floor((abs(p - q) / 2 + 2 * margin) / unit) + 2) for p, q in zip(points[begin], points[stop])]
-                here = self.pair.at(middle)
-                bounds = Bounds(here.times(near_inverse(here, tube.axis)), tube.axis, half)
-                require(bounds.defect < 1, place, "no derivative over a step of the polyline")
-                alone = Pair(here.x, [[[0] * 3] * 3] * 3)
-                second, slope = [], []
-                for d in range(3):
-                    xu, xv = alone.first(d, 0, half), alone.first(d, 1, half)
-                    bend = add(alone.second(d, bounds.first, half), add(times(xu, bounds.second[0]), times(xv, bounds.second[1])))
-                    second.append(magnitude(bend))
-                    slope.append(magnitude(xu) + magnitude(xv))
-                bend, speed = root_above(second) / 8, root_above(slope)
-                ends = [root_above([p - q for p, q in zip(at[j], places[j])]) + speed * radii[j] for j in range(begin, stop + 1)]
-                for j in range(begin, stop):
-                    step = points[j + 1][tube.axis] - points[j][tube.axis]
-                    most = max(most, max(ends[j - begin], ends[j - begin + 1]) + step * step * bend)
-            first = last
+        return places + [vertices[-1]]
+
+    @staticmethod
+    def piece_error(tube, points, near, places, place):
+        """The greatest distance between curve and polyline on a piece, in the variables of the tube's map."""
+        most = Fraction(0)
+        for begin in range(0, len(points) - 1, 4):
+            stop = min(begin + 4, len(points) - 1)
+            margin = max(near[begin : stop + 1])
+            unit = Fraction(1, 2**24)
+            middle = [unit * math.floor((p + q) / 2 / unit) for p, q in zip(points[begin], points[stop])]
+            half = [unit * (math.floor((abs(p - q) / 2 + 2 * margin) / unit) + 2) for p, q in zip(points[begin], points[stop])]
+            here = tube.map.at(middle)
+            bounds = Bounds(here.times(near_inverse(here, tube.axis)), tube.axis, half)
+            require(bounds.defect < 1, place, "no derivative over a step of the polyline")
+            local = tube.space.at(middle)
+            second, slope = [], []
+            for d in range(3):
+                partial = [local.first(d, i, half) for i in range(4)]
+                bend = local.second(d, bounds.first, half)
+                for b, w in zip(partial, bounds.second):
+                    bend = add(bend, times(b, w))
+                second.append(magnitude(bend))
+                slope.append(sum(magnitude(partial[i]) for i in others(tube.axis)))
+            bend, speed = root_above(second) / 8, root_above(slope)
+            ends = [root_above([p - q for p, q in zip(tube.space.value(points[j]), places[j])]) + speed * near[j]
+                    for j in range(begin, stop + 1)]
+            for j in range(begin, stop):
+                step = points[j + 1][tube.axis] - points[j][tube.axis]
+                most = max(most, max(ends[j - begin], ends[j - begin + 1]) + step * step * bend)
         return most
 
     # ---- The graph and the cover
 
     def check_graph(self):
         for i, node in enumerate(self.nodes):
-            require(len(self.ends[i]) == 1 if node.on else sorted(self.ends[i]) == [-1, 1], f"$.nodes[{i}]", "not the end of its arcs")
+            require(sorted(self.ends[i]) == [-1, 1] if node.wrt else len(self.ends[i]) == 1, f"$.nodes[{i}]", "not the end of its arcs")
         shapes, seen = [], []
         for c, value in enumerate(self.root["components"]):
             place = f"$.components[{c}]"
@@ -533,11 +770,11 @@ class Checker:
                 nodes |= {arc["from"], arc["to"]}
                 seen.append(a)
             require(all(arc["component"] == c or not nodes & {arc["from"], arc["to"]} for arc in self.arcs), place, "connected with another")
-            require(value["closed"] is not any(self.nodes[n].on for n in nodes), place, "open and closed confused")
+            require(value["closed"] is all(self.nodes[n].wrt != [] for n in nodes), place, "open and closed confused")
             shapes.append(value["closed"])
         require(len(seen) == len(self.arcs), "$.components", "an arc is missing")
         said = claim(self.root["summary"], "$.summary", ["claims", "components", "closed", "open", "boundary", "turning"])
-        counted = {"claims": [len(self.root[key]) for key in ("relations", "tubes", "nodes", "arcs", "cover")],
+        counted = {"claims": [len(self.root[key]) for key in ("relations", "lines", "touches", "tubes", "nodes", "arcs", "cover")],
                    "components": len(shapes), "closed": shapes.count(True), "open": shapes.count(False),
                    "boundary": sum(bool(node.on) for node in self.nodes),
                    "turning": [sum(p in node.wrt for node in self.nodes) for p in range(4)]}
@@ -571,12 +808,25 @@ class Checker:
                     h = [w / 2 if j == p else w for j, w in enumerate(width)]
                     m = [q + (h[p] if upper else -h[p]) if j == p else q for j, q in enumerate(middle)]
                     waiting.append((parts, deeper, m, h))
-            elif re.fullmatch("t(0|[1-9][0-9]*)", text):
-                require(element(self.tubes, int(text[1:]), place).contains(middle, width), place, "the cell is not in the tube")
+                continue
+            box = list(zip(middle, width))
+            if re.fullmatch("[tm](0|[1-9][0-9]*)", text):
+                require(text[0] == "t" or self.alone, place, "of one patch only")
+                tube = element(self.tubes, int(text[1:]), place)
+                require(tube.contains(tube.cell_in_chart(box if text[0] == "t" else box[2:] + box[:2])), place, "the cell is not in the tube")
+            elif re.fullmatch("p(0|[1-9][0-9]*)", text):
+                at, radius = element(self.touches, int(text[1:]), place)
+                require(all(abs(m - a) + h <= radius for (m, h), a in zip(box, at)), place, "the cell is not near the touch")
+            elif text == "lower":
+                require(self.alone and middle[0] + width[0] <= middle[2] - width[2], place, "not below the diagonal")
             else:
-                require(re.fullmatch("-?[0-9]+ -?[0-9]+ -?[0-9]+", text), place, "not a cell")
-                direction = [int(part) for part in text.split()]
-                require(" ".join(map(str, direction)) == text, place, "not a direction")
+                require(re.fullmatch("(i )?-?[0-9]+ -?[0-9]+ -?[0-9]+", text), place, "not a cell")
+                direction = [int(part) for part in text.removeprefix("i ").split()]
+                require(" ".join(map(str, direction)) == text.removeprefix("i "), place, "not a direction")
+                if text[0] == "i":
+                    require(self.alone and sign(volume(direction, self.equation["first"], halves(False, box))), place,
+                            "different points of the cell may have the same place")
+                    continue
                 values = [[sum(n * q for n, q in zip(direction, p)) for row in net for p in row] for net in nets]
                 require(min(values[0]) << 2 * levels[1] > max(values[1]) << 2 * levels[0], place, "the direction does not separate the patches")
         require(not waiting, f"$.cover[{len(cover)}]", "the subdivision is not complete")
@@ -628,7 +878,7 @@ def main():
     except Rejected as rejected:
         print("rejected: {}: {}".format(*rejected.args))
         return 1
-    print("accepted:", f"{said['closed']} closed, {said['open']} open" if "closed" in said else f"{said['claims'][2]} points")
+    print("accepted:", f"{said['closed']} closed, {said['open']} open" if "closed" in said else f"{said['claims'][4]} points")
     return 0
 
 

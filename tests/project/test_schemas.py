@@ -26,6 +26,18 @@ subprocess.run([PROGRAM, "intersect", "tests/cases/cap.json", "--certificate", C
 LINE_CERTIFICATE = CERTIFICATE.replace("proof", "line")
 subprocess.run([PROGRAM, "line", FIRST, "--u", "1/3", "--certificate", LINE_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
 
+# A Whitney umbrella, which meets itself in a curve from a cuspidal point on.
+UMBRELLA = CERTIFICATE.replace("proof", "umbrella")
+SELF_CERTIFICATE = CERTIFICATE.replace("proof", "self")
+NET = [[["25/96", "-5/8", "25/144"], ["-5/48", "-1/2", "-35/144"], ["-7/32", "-3/8", "49/144"]],
+       [["5/384", "-1/8", "35/288"], ["-3/32", "0", "-67/288"], ["19/384", "1/8", "119/288"]],
+       [["-7/64", "3/8", "49/576"], ["1/24", "1/2", "-119/576"], ["85/192", "5/8", "289/576"]]]
+Path(UMBRELLA).write_text(json.dumps({"exsect": "patches/1", "patches": [{"name": "x", "degree": [2, 2], "points": NET}]}))
+subprocess.run([PROGRAM, "self", UMBRELLA, "--tolerance", "1e-3", "--certificate", SELF_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
+
+SIDE_CERTIFICATE = CERTIFICATE.replace("proof", "side")
+subprocess.run([PROGRAM, "intersect", "tests/cases/part-of-a-side.json", "--tolerance", "1e-3", "--certificate", SIDE_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
+
 COMMANDS = [
     ["intersect", FIRST],
     ["intersect", SECOND, "--turning", "none"],
@@ -57,6 +69,7 @@ COMMANDS = [
     ["compare", FIRST, "--lines", "8", "--pieces", "0"],
     ["check", CERTIFICATE],
     ["check", LINE_CERTIFICATE],
+    ["check", SELF_CERTIFICATE],
     ["compare", SECOND, "--lines", "4", "--pieces", "0", "--plane", "v,s"],
     *[
         ["verify", f"{path}", f"{path}".replace(".candidate", ""), "--tolerance", "1e-4"]
@@ -124,11 +137,11 @@ def test_an_input_file_satisfies_its_schema(file):
         assert violations(document) == []
 
 
-@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE], ids=["curves", "line"])
+@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE, SELF_CERTIFICATE, SIDE_CERTIFICATE], ids=["curves", "line", "self", "side"])
 def test_a_certificate_satisfies_its_schema_and_both_checkers(tmp_path, certificate):
     document = json.loads(Path(certificate).read_text())
     assert violations(document) == []
-    document["summary"]["claims"][1] = 0
+    document["summary"]["claims"][3] = 0
     changed = tmp_path / "changed.json"
     changed.write_text(json.dumps(document))
     for checker in ([PROGRAM, "check"], [sys.executable, "examples/check_certificate.py"]):

@@ -1,0 +1,267 @@
+// Arcs: from node to node through tubes, monotone in every parameter, near their polylines.
+#pragma once
+
+#include <cmath>
+
+#include "replay.h"
+
+namespace exsect::checker {
+
+/// One end of an arc: it leaves its node in the node's tube with growing (1) or falling (-1) variable of the
+/// tube's axis.
+struct ArcEnd {
+  std::size_t node;
+  int direction;
+};
+
+/// The distance between arcs and polylines, step by step.
+template <class N>
+class ErrorBound {
+ public:
+  ErrorBound(const Replay<N>& replay, const Arc<N>& arc) : replay_(replay), arc_(arc) {
+    for (std::size_t d = 0; d < 3; ++d) origin_[d] = N(replay.origin[d]);
+  }
+
+  /// Every point of the arc has a place on the polyline: a point without a vertex the one nearest to it on
+  /// its edge, but none before that of another point before it.
+  void place_on_polyline(const std::string& where) {
+    const auto& points = arc_.points;
+    require(points.front().vertex && points.back().vertex, where, "an end of the polyline is missing");
+    std::size_t a = 0;
+    for (std::size_t b = 1; b < points.size(); ++b) {
+      if (!points[b].vertex) continue;
+      const Vector3<N> from = difference(*points[a].vertex, origin_);
+      const Vector3<N> edge = difference(*points[b].vertex, *points[a].vertex);
+      places_.push_back(from);
+      N before = 0;
+      for (std::size_t j = a + 1; j < b; ++j) {
+        const N length = dot(edge, edge);
+        require(length > 0, where, "an edge of the polyline has no length");
+        const N nearest = dot(edge, difference(replay_.space[0].value(points[j].at), from)) / length;
+        const N t = -larger(N(-larger(before, nearest)), N(-1));
+        before = t;
+        places_.push_back({from[0] + t * edge[0], from[1] + t * edge[1], from[2] + t * edge[2]});
+      }
+      a = b;
+    }
+    places_.push_back(difference(*points.back().vertex, origin_));
+  }
+
+  /// The steps between the points first, ... of a piece, at `at` in the variables of the tube's map, each
+  /// within `near` of the curve; four steps together.
+  void check(const Tube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
+             const std::vector<N>& near, const std::string& where) const {
+    for (std::size_t j = 0; j + 1 < at.size(); j += 4) {
+      const std::size_t last = std::min(j + 4, at.size() - 1);
+      require(over(tube, first, at, near, j, last, where) <= arc_.error_bound, where,
+              "the error bound is too small");
+    }
+  }
+
+ private:
+  static Vector3<N> difference(const Vector3<N>& a, const Vector3<N>& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+  static N norm_above(const Vector3<N>& a) { return root_above(dot(a, a)); }
+  /// q rounded down to a multiple of 2^-24: short numbers.
+  static Rational rounded_down(const Rational& q) {
+    const Rational scaled = q * (1 << 24);
+    return Rational(numerator(scaled) / denominator(scaled)) / (1 << 24);
+  }
+  static Enclosure rounded_down(const Enclosure& a) { return a; }
+
+  /// A matrix near the inverse of the columns of DF other than the axis at the point: any matrix will do if
+  /// the defect comes out below 1.
+  static Matrix3<N> near_inverse(const Map<N>& local, std::size_t axis) {
+    Matrix3<double> m;
+    for (std::size_t d = 0; d < 3; ++d)
+      for (std::size_t j = 0; j < 3; ++j) m[d][j] = approximate(local.first(d, others(axis)[j], {}).middle);
+    const auto cofactor = [&](std::size_t d, std::size_t j) {
+      const auto& p = m[(d + 1) % 3];
+      const auto& q = m[(d + 2) % 3];
+      return p[(j + 1) % 3] * q[(j + 2) % 3] - p[(j + 2) % 3] * q[(j + 1) % 3];
+    };
+    const double det = m[0][0] * cofactor(0, 0) + m[0][1] * cofactor(0, 1) + m[0][2] * cofactor(0, 2);
+    Matrix3<N> result;
+    for (std::size_t d = 0; d < 3; ++d)
+      for (std::size_t j = 0; j < 3; ++j)
+        if (const double entry = cofactor(d, j) / det; std::isfinite(entry)) result[j][d] = N(entry);
+    return result;
+  }
+
+  /// The greatest distance on the steps j, ..., last - 1.
+  N over(const Tube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
+         const std::vector<N>& near, std::size_t j, std::size_t last, const std::string& where) const {
+    N margin = 0;
+    for (std::size_t i = j; i <= last; ++i) margin = larger(margin, near[i]);
+    Vector4<N> middle;  // of a box that holds the curve on these steps
+    Vector4<N> half;
+    for (std::size_t i = 0; i < 4; ++i) {
+      middle[i] = rounded_down(N((at[j][i] + at[last][i]) / 2));
+      half[i] = rounded_down(N(magnitude(N(at[j][i] - at[last][i])) / 2 + 2 * margin)) + N(0x1p-23);
+    }
+    const Map<N> here = replay_.map(tube).at(middle);
+    const CurveBounds<N> bounds = curve_bounds(here.times(near_inverse(here, tube.axis)), tube.axis, half);
+    require(bounds.defect < 1, where, "no derivative over a step of the polyline");
+    const Map<N> space = replay_.space[static_cast<std::size_t>(tube.chart)];
+    const Map<N> local = space.at(middle);
+    Vector3<N> second;
+    Vector3<N> slope;
+    for (std::size_t d = 0; d < 3; ++d) {
+      Ball<N> bend = local.second(d, bounds.first, half);
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Ball<N> partial = local.first(d, i, half);
+        bend = bend + partial * bounds.second[i];
+        if (i != tube.axis) slope[d] += partial.magnitude();
+      }
+      second[d] = bend.magnitude();
+    }
+    const N bend = norm_above(second) / 8;
+    const N speed = norm_above(slope);
+    N most = 0;
+    N before = 0;
+    for (std::size_t i = j; i <= last; ++i) {
+      const N end = norm_above(difference(space.value(at[i]), places_[first + i])) + speed * near[i];
+      if (i > j) {
+        const N step = at[i][tube.axis] - at[i - 1][tube.axis];
+        most = larger(most, N(larger(before, end) + step * step * bend));
+      }
+      before = end;
+    }
+    return most;
+  }
+
+  const Replay<N>& replay_;
+  const Arc<N>& arc_;
+  Vector3<N> origin_;
+  std::vector<Vector3<N>> places_;  // on the polyline
+};
+
+template <class N>
+class ArcCheck {
+ public:
+  ArcCheck(const Replay<N>& replay, std::size_t i)
+      : replay_(replay), arc_(replay.certificate.arcs[i]), where_(place("arcs", i)), bound_(replay, arc_) {}
+
+  /// Both ends of the arc.
+  std::array<ArcEnd, 2> check() {
+    const Node<N>& from = element(replay_.certificate.nodes, arc_.from, where_, "names no node");
+    const Node<N>& to = element(replay_.certificate.nodes, arc_.to, where_, "names no node");
+    require(arc_.points.size() >= 2 && !arc_.pieces.empty(), where_, "without pieces");
+    require(arc_.points.front().at == from.at && arc_.points.back().at == to.at, where_,
+            "does not begin and end where its nodes are");
+    require(arc_.pieces.front().tube == from.tube && arc_.pieces.back().tube == to.tube, where_,
+            "does not begin and end in its nodes' tubes");
+    require(arc_.pieces.back().last + 1 == arc_.points.size(), where_, "its pieces do not cover it");
+    bound_.place_on_polyline(where_);
+    std::size_t first = 0;
+    N entered = from.radius;
+    int begins = 0;
+    int ends = 0;
+    for (const Piece& piece : arc_.pieces) {
+      ends = check_piece(piece, first, entered);
+      if (begins == 0) begins = ends;
+      first = piece.last;
+    }
+    return {ArcEnd{arc_.from, begins}, ArcEnd{arc_.to, -ends}};
+  }
+
+ private:
+  /// The box around points[j] in the variables of the tube's map.
+  Box<N> box(const Tube<N>& tube, std::size_t j, const N& radius) const {
+    if (j == 0) return node_box(tube, replay_.certificate.nodes[arc_.from], where_);
+    if (j + 1 == arc_.points.size()) return node_box(tube, replay_.certificate.nodes[arc_.to], where_);
+    return in_chart(tube, ball(arc_.points[j].at, radius), where_);
+  }
+
+  /// The direction along the tube's axis. `entered`: distance in the parameters of the point where the curve
+  /// comes in from points[first]; afterwards that of the point where it goes out from points[last].
+  int check_piece(const Piece& piece, std::size_t first, N& entered) {
+    const ProvedTube<N>& tube = element(replay_.tubes, piece.tube, where_, "names no tube");
+    const std::size_t k = tube.claim.axis;
+    require(first < piece.last && piece.last < arc_.points.size(), where_, "a piece is empty");
+    const Box<N> enters = box(tube.claim, first, entered);
+    require(tube.claim.contains(enters), where_, "not in two tubes where it goes from one to the next");
+    std::vector<Vector4<N>> at;
+    std::vector<N> near;
+    for (std::size_t j = first; j <= piece.last; ++j) {
+      at.push_back(middles(box(tube.claim, j, N(0))));
+      near.push_back(distance(replay_, tube, at.back(), where_));
+    }
+    const bool final = piece.last + 1 == arc_.points.size();
+    for (const Ball<N>& b : enters) near.front() = larger(near.front(), b.radius);
+    const N out = near.back();  // at the end of this piece
+    if (final) near.back() = larger(near.back(), replay_.certificate.nodes[arc_.to].radius);
+
+    const auto step = [&](std::size_t j) { return N(at[j + 1][k] - at[j][k]); };
+    const int direction = sign_of(step(0));
+    for (std::size_t j = 0; j + 1 < at.size(); ++j) {
+      N least = 0;
+      if (j == 0) least += enters[k].radius;
+      if (j + 2 == at.size()) least += near.back();
+      require(N(direction) * step(j) > least, where_, "a piece runs back");
+    }
+    const std::array<int, 4> grows = tube.claim.chart == Chart::pair
+                                         ? slope_signs(tube, {first == 0, final}, {first, piece.last},
+                                                       {entered, final ? near.back() : out})
+                                         : pair_signs(tube, first, piece.last);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (first == 0) grows_[i] = direction * grows[i];
+      require((grows[i] != 0 || tube.constant[i]) && direction * grows[i] == grows_[i], where_,
+              "not monotone in a parameter");
+    }
+    bound_.check(tube.claim, first, at, near, where_);
+    // u = U + t, v = V + m t with |t| <= 1 and w = t^2 known.
+    entered = tube.claim.chart == Chart::pair ? out : N(2 * out);
+    return direction;
+  }
+
+  /// The signs of w_i' between two points of the piece; 0 if it is not proved to be constant.
+  std::array<int, 4> slope_signs(const ProvedTube<N>& tube, std::array<bool, 2> is_node,
+                                 std::array<std::size_t, 2> at, const std::array<N, 2>& near) const {
+    std::array<int, 4> result{};
+    std::array<std::optional<Box<N>>, 2> t;
+    for (std::size_t i = 0; i < 4; ++i) {
+      result[i] = tube.bounds.first[i].sign();
+      if (result[i] != 0 || tube.constant[i]) continue;
+      // w_i' is monotone: the signs at the ends decide, of which one may be a turning point.
+      std::array<int, 2> signs{};
+      std::array<bool, 2> turns{};
+      for (std::size_t e = 0; e < 2; ++e) {
+        const Node<N>& node = replay_.certificate.nodes[e == 0 ? arc_.from : arc_.to];
+        turns[e] = is_node[e] && std::find(node.wrt.begin(), node.wrt.end(), i) != node.wrt.end();
+        if (!t[e])
+          t[e] = tangent(replay_.equation[0].at(arc_.points[at[e]].at), {near[e], near[e], near[e], near[e]});
+        signs[e] = (*t[e])[i].sign() * (*t[e])[tube.claim.axis].sign();
+      }
+      if (turns[0] || turns[1])
+        result[i] = turns[0] ? (turns[1] ? 0 : signs[1]) : signs[0];
+      else if (signs[0] == signs[1])
+        result[i] = signs[0];
+    }
+    return result;
+  }
+
+  /// In a chart, the signs with growing w of u, v, r, s; on one side of the diagonal.
+  std::array<int, 4> pair_signs(const ProvedTube<N>& tube, std::size_t first, std::size_t last) const {
+    const std::size_t p = tube.claim.chart == Chart::first ? 0 : 1;
+    int side = 0;
+    for (std::size_t j = first; j <= last; ++j) {
+      if (j == 0 || j + 1 == arc_.points.size()) continue;
+      const int sign = sign_of(N(arc_.points[j].at[p] - arc_.points[j].at[p + 2]));
+      require(sign != 0 && (side == 0 || side == sign), where_, "not on one side of the diagonal");
+      side = sign;
+    }
+    const int m = sign_of(tube.claim.centre[2]);
+    return p == 0 ? std::array{side, side * m, -side, -side * m}
+                  : std::array{side * m, side, -side * m, -side};
+  }
+
+  const Replay<N>& replay_;
+  const Arc<N>& arc_;
+  const std::string where_;
+  ErrorBound<N> bound_;
+  std::array<int, 4> grows_{};
+};
+
+}  // namespace exsect::checker

@@ -1,0 +1,142 @@
+#include "certificate_events.h"
+
+#include <exsect/checker/check_certificate.h>
+#include <exsect/geometry/number.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "certificate_claims.h"
+
+namespace exsect::cli {
+namespace {
+
+template <class Numbers>
+Json rationals(const Numbers& numbers) {
+  Json result = Json::array();
+  for (const Rational& q : numbers) result.push_back(to_string(q));
+  return result;
+}
+
+/// The parameters, if all of them are known exactly.
+std::optional<std::array<Rational, 4>> exact_place(const Node& node) {
+  std::array<Rational, 4> result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (node.box[i].lower != node.box[i].upper) return std::nullopt;
+    result[i] = node.box[i].lower;
+  }
+  return result;
+}
+
+/// d depends on the parameter p alone and is monotone in it.
+bool monotone(const Point& d, const ControlNet& c, std::size_t p) {
+  const Rational first = dot(d, p == 0 ? c[1][0] : c[0][1]);
+  return sign(first) * sign(Rational(first + 2 * dot(d, p == 0 ? c[2][0] : c[0][2]))) > 0;
+}
+
+}  // namespace
+
+Json relation_claims(const Patches& patches) {
+  const std::array<ControlNet, 2> power = {patches[0].power_basis(), patches[1].power_basis()};
+  Json result = Json::array();
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      std::vector<Point> vectors;
+      for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t b = 1; b < 3; ++b) {
+          vectors.push_back(i == 0 ? power[0][a][b] : power[0][b][a]);
+          vectors.push_back(j == 0 ? power[1][a][b] : power[1][b][a]);
+        }
+      }
+      Point d = {};
+      for (const Point& a : vectors)
+        for (const Point& b : vectors)
+          if (is_zero(d)) d = cross(a, b);
+      const auto in_plane = [&](const Point& a) { return dot(d, a) == 0; };
+      if (is_zero(d) || !std::all_of(vectors.begin(), vectors.end(), in_plane)) continue;
+      if (!monotone(d, power[0], i) || !monotone(d, power[1], j)) continue;
+      result.push_back(
+          sealed(in_list("relations", result.size()),
+                 {{"direction", rationals(d)}, {"first", letter(i)}, {"second", letter(2 + j)}}));
+    }
+  }
+  return result;
+}
+
+std::optional<checker::Line> line_between(const Patches& patches, const Node& from, const Node& to) {
+  const auto a = exact_place(from);
+  const auto b = exact_place(to);
+  if (!a || !b) return std::nullopt;
+  checker::Line line = {};
+  for (std::size_t i = 1; i < 4; ++i) {
+    const auto length = [&](std::size_t j) { return Rational(abs(Rational((*b)[j] - (*a)[j]))); };
+    if (length(i) > length(line.axis)) line.axis = i;
+  }
+  const Rational t = (*a)[line.axis];
+  const Rational step = (*b)[line.axis] - t;
+  if (step == 0) return std::nullopt;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Rational slope = ((*b)[i] - (*a)[i]) / step;
+    line.at[i] = {Rational((*a)[i] - slope * t), slope, 0};
+  }
+  for (int k = 0; k < 5; ++k) {  // a line in both squares: degree <= 4
+    const auto at = [&](std::size_t i) { return Rational(line.at[i][0] + k * line.at[i][1]); };
+    if (patches[0](at(0), at(1)) != patches[1](at(2), at(3))) return std::nullopt;
+  }
+  return line;
+}
+
+Json line_claims(const std::vector<checker::Line>& lines) {
+  Json result = Json::array();
+  for (const checker::Line& line : lines) {
+    Json at = Json::array();
+    for (const auto& row : line.at) at.push_back(rationals(row));
+    result.push_back(sealed(in_list("lines", result.size()), {{"axis", letter(line.axis)}, {"at", at}}));
+  }
+  return result;
+}
+
+checker::Touch touch_at(const Patches& patches, const Node& node) {
+  const auto at = exact_place(node);
+  if (!at) throw NoCertificate("an isolated point without rational parameters");
+  const auto& [u, v, r, s] = *at;
+  const std::array<Point, 4> columns = {patches[0].derivative_first(u, v), patches[0].derivative_second(u, v),
+                                        patches[1].derivative_first(r, s),
+                                        patches[1].derivative_second(r, s)};
+  checker::Touch touch = {*at, 0, cross(columns[0], columns[1]), {}};
+  if (is_zero(touch.normal)) throw NoCertificate("an isolated point where a patch is singular");
+  const auto largest = [](const Point& p) {
+    return std::max({std::abs(to_double(p[0])), std::abs(to_double(p[1])), std::abs(to_double(p[2]))});
+  };
+  // normal . F + c |DF e|^2, with both signs of the first; the quadratic term outweighs it for some c.
+  const double size = std::max(largest(columns[0]), largest(columns[1]));
+  const int middle = std::ilogb(largest(touch.normal)) - 2 * std::ilogb(size);
+  for (int e = 1; e < 24; ++e) {
+    touch.radius = power_of_two(-e);
+    for (int c = middle + 8; c >= middle - 2; c -= 2) {
+      for (std::size_t d = 0; d < 3; ++d)
+        for (std::size_t i = 0; i < 4; ++i)
+          touch.multipliers[d][i] = power_of_two(c) * (i < 2 ? columns[i][d] : Rational(-columns[i][d]));
+      for (int side = 0; side < 2; ++side) {
+        if (checker::is_proved(patches, touch)) return touch;
+        touch.normal = Rational(-1) * touch.normal;
+      }
+    }
+  }
+  throw NoCertificate("an isolated point where the patches touch to higher order, or at a side");
+}
+
+Json touch_claims(const std::vector<checker::Touch>& touches) {
+  Json result = Json::array();
+  for (const checker::Touch& touch : touches) {
+    Json multipliers = Json::array();
+    for (const auto& row : touch.multipliers) multipliers.push_back(rationals(row));
+    result.push_back(sealed(in_list("touches", result.size()), {{"at", rationals(touch.at)},
+                                                                {"radius", to_string(touch.radius)},
+                                                                {"normal", rationals(touch.normal)},
+                                                                {"multipliers", multipliers}}));
+  }
+  return result;
+}
+
+}  // namespace exsect::cli
