@@ -10,10 +10,12 @@
 #include <string>
 #include <utility>
 
+#include "boundary_lines.h"
 #include "line_curve.h"
 #include "line_place.h"
 #include "line_point.h"
 #include "line_system.h"
+#include "model_scale.h"
 #include "plane_curve.h"
 
 namespace exsect {
@@ -141,6 +143,87 @@ std::size_t find_mate(const std::vector<CertifiedPoint>& points, std::size_t i) 
   }
 }
 
+void find_mates(SelfBoundary& boundary) {
+  for (std::size_t i = 0; i < boundary.points.size(); ++i)
+    boundary.mate.push_back(find_mate(boundary.points, i));
+}
+
+bool on_one_side(const CertifiedPoint& point) {
+  return std::ranges::any_of(point.sides(), [&](const Side& side) {
+    return index(side.parameter) < 2 && point.on({partner(side.parameter), side.value});
+  });
+}
+
+/// u1 = u2 and v1 = v2, exactly or (`possible`) as far as the box tells.
+bool equal_parameters(const CertifiedPoint& point, bool possible) {
+  const ParameterBox& box = point.box();
+  return std::ranges::all_of(std::array<std::size_t, 2>{0, 1}, [&](std::size_t j) {
+    const bool exact = box[j].width() == 0 && box[j + 2].width() == 0;
+    return (exact || possible) && box[j].lower <= box[j + 2].upper && box[j + 2].lower <= box[j].upper;
+  });
+}
+
+/// The boundary of a patch of which a side lies on it in part. Arcs with both points on one side are that
+/// side itself, or a folded one, which is found from its turn. Empty where this is not clear.
+class GluedBoundary {
+ public:
+  explicit GluedBoundary(const BezierPatch& x) : lines_(boundary_lines(x, x, model_scale(x, x), 1, {})) {}
+
+  std::optional<SelfBoundary> run() {
+    const bool collapsed = std::ranges::any_of(lines_.arcs, &SideArc::collapsed);
+    if (!lines_.incomplete.empty() || collapsed) return std::nullopt;
+    for (const CertifiedPoint& point : lines_.points) {
+      new_index_.push_back(result_.points.size());
+      if (!equal_parameters(point, true))
+        result_.points.push_back(point);
+      else if (!equal_parameters(point, false))
+        return std::nullopt;
+      else
+        new_index_.back() = lines_.points.size();  // no pair
+    }
+    separate(result_.points);
+    find_mates(result_);
+    return add_arcs() ? std::optional(std::move(result_)) : std::nullopt;
+  }
+
+ private:
+  bool add_arcs() {
+    std::vector<const SideArc*> arcs;
+    for (const SideArc& arc : lines_.arcs)
+      if (!on_one_side(arc.inside)) arcs.push_back(&arc);
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      if (at(arcs[i]->from) == lines_.points.size() || at(arcs[i]->to) == lines_.points.size()) return false;
+      std::vector<std::size_t> mates;
+      for (std::size_t k = 0; k < arcs.size(); ++k)
+        if (are_exchanged(*arcs[i], *arcs[k])) mates.push_back(k);
+      if (mates.size() != 1 || mates.front() == i) return false;
+      if (mates.front() > i) result_.arcs.push_back(glued(*arcs[i]));
+    }
+    return true;
+  }
+
+  std::size_t at(std::size_t end) const { return new_index_[end]; }
+
+  bool are_exchanged(const SideArc& a, const SideArc& b) const {
+    const std::size_t from = result_.mate[at(a.from)];
+    const std::size_t to = result_.mate[at(a.to)];
+    const bool ends = (at(b.from) == from && at(b.to) == to) || (at(b.from) == to && at(b.to) == from);
+    return ends && exchanged(a.inside.sides()) == b.inside.sides();
+  }
+
+  GluedArc glued(const SideArc& arc) const {
+    const Parameter along = line_place({arc.side.parameter, arc.side.value}).roles.line;
+    const bool ascending =
+        lines_.points[arc.from].box()[index(along)].lower <= lines_.points[arc.to].box()[index(along)].lower;
+    return ascending ? GluedArc{at(arc.from), at(arc.to), arc.inside.sides(), along}
+                     : GluedArc{at(arc.to), at(arc.from), arc.inside.sides(), along};
+  }
+
+  BoundaryLines lines_;
+  std::vector<std::size_t> new_index_;
+  SelfBoundary result_;
+};
+
 }  // namespace
 
 SelfBoundary self_boundary(const BezierPatch& x, const InjectiveRectangles& injective) {
@@ -148,6 +231,8 @@ SelfBoundary self_boundary(const BezierPatch& x, const InjectiveRectangles& inje
   for (const Parameter p : {Parameter::u, Parameter::v})
     for (const int value : {0, 1}) add_side(result, x, {p, value}, injective);
   if (!result.problems.empty()) {
+    if (injective.along_sides.empty())
+      if (auto glued = GluedBoundary(x).run()) return std::move(*glued);
     result.points.clear();
     return result;
   }
@@ -156,7 +241,7 @@ SelfBoundary self_boundary(const BezierPatch& x, const InjectiveRectangles& inje
     if (!finding_side(exchanged(result.points[i].sides())))
       result.points.push_back(exchanged(result.points[i]));
   separate(result.points);
-  for (std::size_t i = 0; i < result.points.size(); ++i) result.mate.push_back(find_mate(result.points, i));
+  find_mates(result);
   return result;
 }
 

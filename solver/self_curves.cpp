@@ -104,6 +104,12 @@ class SelfTracing {
     if (result_.problems.empty()) {
       trace_from_cusps();
     }
+    used_.assign(result_.landmarks.size(), {});
+    for (const GluedArc& arc : boundary_.arcs) {
+      if (result_.problems.empty()) {
+        trace_glued(arc);
+      }
+    }
     if (result_.problems.empty()) {
       trace_open_curves();
     }
@@ -265,9 +271,33 @@ class SelfTracing {
     return result_.chart_traces[result_.gate(static_cast<int>(gate))->trace];
   }
 
+  /// The arc is regular and leads from one of its ends to the other one: then it is all of the curve.
+  void trace_glued(const GluedArc& arc) {
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, result_.landmarks[arc.from]).tangent();
+    const int sign = tangent[index(arc.along)].certain_sign();
+    std::variant<Trace<Ball>, TraceFailure> outcome = TraceFailure{};
+    if (sign != 0) {
+      outcome = trace_arc(system_.pair, result_.landmarks, static_cast<int>(arc.from), sign, stop_);
+    }
+    const auto* trace = std::get_if<Trace<Ball>>(&outcome);
+    if (!trace || trace->end != static_cast<int>(arc.to)) {
+      problem(boundary_.points[arc.from].box(),
+              "two parts of the boundary that meet from here on are tangent, or singular");
+      return;
+    }
+    use(arc.from, sign);
+    use(arc.to, arriving_direction(*trace));
+    add(std::move(outcome), arc.on);
+  }
+
+  /// The direction of T at the end of a trace in which it would be left again.
+  static int arriving_direction(const Trace<Ball>& trace) {
+    const Piece<Ball>& end = trace.pieces.back();
+    return -end.tube.orientation * (end.to > end.from ? 1 : -1);
+  }
+
   /// Gates first: at the boundary end of a folded line on a side it is not known which directions enter.
   void trace_open_curves() {
-    used_.assign(result_.landmarks.size(), {});
     std::vector<bool> seen(used_.size(), false);
     for (std::size_t k = used_.size(); k-- > 0;) {
       const std::size_t i = is_boundary(k) ? k : mate(k);
@@ -288,7 +318,7 @@ class SelfTracing {
 
   void start_at(std::size_t i) {
     Directions directions = directions_at(i);
-    if (directions.signs.empty()) {
+    if (directions.signs.empty() && used_[i].empty()) {
       result_.isolated.push_back(static_cast<int>(i));
     }
     for (const int used : used_[i]) {
@@ -306,8 +336,7 @@ class SelfTracing {
       use(i, sign);
       auto outcome = trace_arc(system_.pair, result_.landmarks, static_cast<int>(i), sign, stop_);
       if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
-        const Piece<Ball>& end = trace->pieces.back();  // it arrives along T or against it
-        use(static_cast<std::size_t>(trace->end), -end.tube.orientation * (end.to > end.from ? 1 : -1));
+        use(static_cast<std::size_t>(trace->end), arriving_direction(*trace));
       }
       add(std::move(outcome));
     }
@@ -324,13 +353,16 @@ class SelfTracing {
     return {p[0].approximation(), p[1].approximation(), p[2].approximation(), p[3].approximation()};
   }
 
-  void add(std::variant<Trace<Ball>, TraceFailure> outcome) {
+  void add(std::variant<Trace<Ball>, TraceFailure> outcome, const std::vector<Side>& on = {}) {
     if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
       problem(around(failure->where), failure->why);
       return;
     }
-    SelfCurve<Ball> curve{{std::get<Trace<Ball>>(std::move(outcome)), {}}, std::nullopt};
+    SelfCurve<Ball> curve{{std::get<Trace<Ball>>(std::move(outcome)), {}}, on};
     std::array<bool, 4> constant = {};
+    for (const Side& side : on) {
+      constant[index(side.parameter)] = true;
+    }
     mark_folded_line(curve, constant);
     const Trace<Ball>& trace = curve.analysed.trace;
     auto turning = find_turning_points(system_.pair, curve.analysed.trace, exact_.coincident,
@@ -376,7 +408,8 @@ class SelfTracing {
         const std::size_t fixed = arc.chart == Chart::first ? 1 : 0;
         constant[fixed] = constant[fixed + 2] = true;
         if (arc.place.side[1]) {
-          curve.along = Side{static_cast<Parameter>(fixed), *arc.place.side[1]};
+          curve.on = {{static_cast<Parameter>(fixed), *arc.place.side[1]},
+                      {static_cast<Parameter>(fixed + 2), *arc.place.side[1]}};
         }
       }
     }

@@ -39,11 +39,11 @@ struct SelfSystem {
   Charts<Ball> charts;
 };
 
-/// A traced curve. `along`: the side v (or u) = value on which both its preimages lie, as a side of (u1,v1).
+/// A traced curve. `on`: sides on which it lies all along.
 template <class Ball>
 struct SelfCurve {
   AnalysedTrace<Ball> analysed;
-  std::optional<Side> along;
+  std::vector<Side> on;
 };
 
 /// `landmarks` are the boundary points (both orders), then two for each trace of `chart_traces` that ends at

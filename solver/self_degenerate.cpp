@@ -45,8 +45,7 @@ class FoldOverlap {
       const ArcPlace place = i == 3 ? ArcPlace::interior : ArcPlace::patch_boundary;
       chain.push_back(rim_arc(x_, corner[i], corner[(i + 1) % 4], place, tolerance_));
       chain.back().id = static_cast<int>(i);
-      if (!(chain.back().error_bound <= tolerance_))
-        incomplete(result_.graph.nodes[i].box, kTooFine);
+      if (!(chain.back().error_bound <= tolerance_)) incomplete(result_.graph.nodes[i].box, kTooFine);
     }
     result_.graph.overlaps.push_back({0, {std::move(chain)}});
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;

@@ -225,7 +225,7 @@ class SelfGraph {
   void run() {
     for (const ChartTrace<Ball>& trace : found_.chart_traces) {
       if (trace.end >= 0) {
-        append(chart_arcs(trace, false), std::nullopt);
+        append(chart_arcs(trace, false), {});
       }
     }
     for (const SelfCurve<Ball>& curve : found_.curves) {
@@ -243,7 +243,7 @@ class SelfGraph {
         reverse(*tail);
         arcs = joined(std::move(arcs), std::move(*tail));
       }
-      append(std::move(arcs), curve.along);
+      append(std::move(arcs), curve.on);
     }
   }
 
@@ -263,22 +263,21 @@ class SelfGraph {
     return chart_arcs(found_.chart_traces[gate->trace], gate->exchanged);
   }
 
-  void append(std::vector<Arc> arcs, const std::optional<Side>& along) {
+  void append(std::vector<Arc> arcs, const std::vector<Side>& on) {
     for (Arc& arc : arcs) {
       arc.id = static_cast<int>(graph_.arcs.size());
-      if (along) {
-        put_on_side(arc, *along);
+      for (const Side& side : on) {
+        put_on_side(arc, side);
       }
       graph_.arcs.push_back(std::move(arc));
     }
   }
 
-  /// Both preimages of the arc lie on the side.
+  /// The arc lies on the side.
   static void put_on_side(Arc& arc, const Side& side) {
     arc.place = ArcPlace::patch_boundary;
     for (PolylineVertex& vertex : arc.polyline) {
       vertex.parameters[index(side.parameter)] = side.value;
-      vertex.parameters[index(side.parameter) + 2] = side.value;
     }
   }
 

@@ -258,6 +258,40 @@ TEST_CASE("self_intersect: small integers in special position") {
                4);
 }
 
+TEST_CASE("self_intersect: a side that lies on another one") {
+  // x(1,v) = x(0, (v+a)/2), c = x(0,.) a parabola.
+  const auto blossom = [](const Rational& a, const Rational& b) -> Point {
+    return {2 * (a + b), 4 * a * b - (a + b) / 2, 0};
+  };
+  for (const Rational& shift : {Rational(3, 2), Rational(7, 5), Rational(-2, 3)}) {
+    CAPTURE(shift);
+    const Rational from = shift / 2;
+    const Rational to = (shift + 1) / 2;
+    const ControlNet glued = {{{blossom(0, 0), blossom(0, 1), blossom(1, 1)},
+                               {{{0, 2, 3}, {3, 3, 4}, {5, 4, 3}}},
+                               {blossom(from, from), blossom(from, to), blossom(to, to)}}};
+    const BezierPatch x(glued);
+    const auto result = self_intersect(x);
+    REQUIRE(result.status == Status::complete);
+    int on_sides = 0;
+    for (const Arc& arc : result.graph.arcs) {
+      if (arc.place != ArcPlace::patch_boundary) continue;
+      ++on_sides;
+      const bool first = arc.polyline.front().parameters[0] == 0;
+      for (const PolylineVertex& vertex : arc.polyline) {
+        const std::array<double, 4>& p = vertex.parameters;
+        CHECK(p[first ? 0 : 2] == 0);
+        CHECK(p[first ? 2 : 0] == 1);
+        CHECK(std::fabs(2 * p[first ? 1 : 3] - p[first ? 3 : 1] - to_double(shift)) < 1e-9);
+      }
+    }
+    CHECK(on_sides == 1);
+    check_fibres(x, 4);
+    CHECK(self_intersect(x.exchanged()).graph.arcs.size() == result.graph.arcs.size());
+    CHECK(self_intersect(x.reversed_first()).graph.arcs.size() == result.graph.arcs.size());
+  }
+}
+
 TEST_CASE("self_intersect: closed curves") {
   const BezierPatch first =
       net({{{30, -34, -22},
