@@ -282,6 +282,7 @@ bool InjectiveRectangles::along(std::size_t fixed, int value) const {
 InjectiveRectangles injective_rectangles(const BezierPatch& x) {
   InjectiveRectangles result;
   const auto add = [&](const auto& rectangle) {
+    if (!is_injective(x, rectangle(power_of_two(kWidths.back())))) return false;  // nor on a larger one
     for (const long exponent : kWidths) {
       const ParameterRectangle where = rectangle(power_of_two(exponent));
       if (!is_injective(x, where)) continue;

@@ -176,20 +176,29 @@ class SelfTracing {
     problem(around({at[0], at[1], at[0], at[1]}), why);
   }
 
+  /// A curve that joins two cuspidal points may be found from one of them, and end at a gate from the other
+  /// one.
   void trace_from_cusps() {
-    std::vector<bool> reached(result_.cusps.size(), false);
+    std::vector<bool> joined(result_.cusps.size(), false);
+    std::vector<ChartTrace<Ball>> traces;
     for (std::size_t k = 0; k < result_.cusps.size(); ++k) {
-      if (reached[k]) {
+      if (joined[k]) {
         continue;
       }
-      ChartTrace<Ball> trace = trace_from_cusp(system_.charts, result_.cusps, static_cast<int>(k));
+      traces.push_back(trace_from_cusp(system_.charts, result_.cusps, static_cast<int>(k)));
+      if (traces.back().end >= 0) {
+        joined[k] = joined[static_cast<std::size_t>(traces.back().end)] = true;
+      }
+    }
+    for (ChartTrace<Ball>& trace : traces) {
+      if (trace.end < 0 && joined[static_cast<std::size_t>(trace.start)]) {
+        continue;
+      }
       if (const auto failure = find_chart_turning_points(system_.charts, trace, exact_.coincident)) {
         problem(around(failure->where), failure->why);
         return;
       }
-      if (trace.end >= 0) {
-        reached[static_cast<std::size_t>(trace.end)] = true;
-      } else {
+      if (trace.end < 0) {
         result_.gates.push_back(result_.chart_traces.size());
         result_.landmarks.push_back(trace.gate);
         result_.landmarks.push_back(exchanged_pair(trace.gate));

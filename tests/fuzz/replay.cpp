@@ -1,4 +1,5 @@
-// replay FILE...: checks the kept cases, files of bytes as the fuzz target takes them, or patch files
+// replay FILE...: checks the kept cases, pairs and first patches with themselves, files of bytes as the fuzz
+// target takes them, or patch files
 // (*.json). replay --random KIND FIRST COUNT: checks COUNT random pairs of the kind (a first byte; -1: of all
 // kinds) and reports how many end incomplete, by reason; --random-self: of the first patch with itself. Exit
 // status 1 if something does not hold.
@@ -35,10 +36,13 @@ random_pairs::Pair pair_in(const std::string& path) {
 int replay(const std::vector<std::string>& paths) {
   int wrong = 0;
   for (const std::string& path : paths) {
-    const fuzz::Verdict verdict = fuzz::check(pair_in(path), kMaxSeconds);
-    if (verdict.violation.empty()) continue;
-    ++wrong;
-    std::cout << path << ": " << verdict.violation << "\n";
+    const random_pairs::Pair pair = pair_in(path);
+    for (const std::string& violation :
+         {fuzz::check(pair, kMaxSeconds).violation, fuzz::check_self(pair.x, kMaxSeconds).violation}) {
+      if (violation.empty()) continue;
+      ++wrong;
+      std::cout << path << ": " << violation << "\n";
+    }
   }
   std::cout << paths.size() << " cases, " << wrong << " wrong\n";
   return wrong == 0 ? 0 : 1;

@@ -258,6 +258,20 @@ TEST_CASE("self_intersect: small integers in special position") {
                4);
 }
 
+TEST_CASE("self_intersect: a curve that joins cuspidal points, from either of them") {
+  const BezierPatch x = net({{{0, -1, 0},
+                              {0, 2, 2},
+                              {0, 0, 0},
+                              {1, 0, -1},
+                              {-2, 1, 0},
+                              {2, -2, 1},
+                              {-1, 1, 0},
+                              {2, -1, 0},
+                              {1, -2, -2}}});
+  check_fibres(x, 4);
+  check_fibres(x.exchanged(), 4);
+}
+
 TEST_CASE("self_intersect: a side that lies on another one") {
   // x(1,v) = x(0, (v+a)/2), c = x(0,.) a parabola.
   const auto blossom = [](const Rational& a, const Rational& b) -> Point {
