@@ -122,22 +122,27 @@ std::optional<TurningValues> turning_values(const BezierPatch& x, const BezierPa
 
 SweepChoice choose_sweep(const BezierPatch& x, const BezierPatch& y, const StopRequest& stop) {
   SweepChoice choice;
+  int fewest = 0;  // roots without a multiplicity, complex ones too
   for (const Parameter sweep : all_parameters) {
     if (is_stopped(stop)) {
       break;
     }
     const TurningEliminant eliminant = eliminant_along(x, y, sweep);
-    if (eliminant.polynomial) {
-      if (!choice.turning || !eliminant.touching) {
-        choice.turning = turning_values_of(eliminant, sweep);
-      }
-      if (!eliminant.touching) {
-        return choice;
-      }
+    auto& tried = choice.tried[index(sweep)].emplace();
+    if (!eliminant.polynomial) {
+      choice.why += (choice.why.empty() ? "" : "; ") + std::string("sweep along ") + name(sweep) + ": " +
+                    eliminant.degenerate;
       continue;
     }
-    choice.why += (choice.why.empty() ? "" : "; ") + std::string("sweep along ") + name(sweep) + ": " +
-                  eliminant.degenerate;
+    tried = turning_values_of(eliminant, sweep);
+    const int unweighted = eliminant.unweighted.degree();
+    if (!choice.turning || !eliminant.touching || unweighted < fewest) {
+      choice.turning = tried;
+      fewest = unweighted;
+    }
+    if (!eliminant.touching) {
+      return choice;
+    }
   }
   return choice;
 }

@@ -125,11 +125,9 @@ class Intersection {
       incomplete(whole_domain(), "the work cap was reached before closed curves were excluded");
       return;
     }
-    sweep_.turning =
-        choose_sweep(x_, y_, stop_).turning;  // without one, closed curves are found by subdivision
-    if (sweep_.turning) {
-      turning_[index(sweep_.turning->sweep)] = sweep_.turning;
-    }
+    SweepChoice choice = choose_sweep(x_, y_, stop_);
+    sweep_.turning = std::move(choice.turning);  // without one, closed curves are found by subdivision
+    turning_ = std::move(choice.tried);
   }
 
   const std::optional<TurningValues>& turning_values_of(Parameter sweep) {
