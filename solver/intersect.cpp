@@ -71,9 +71,12 @@ class Intersection {
     timed("boundary points", [this] { find_boundary_points(); });
     timed("turning eliminant", [this] { find_turning_values(); });
     timed("fibres", [this] { compute_fibres(); });
+    sweep_.quick = true;
     if (!trace_and_build<DoubleBall>(power_of_two(-50), false)) {
       timed("singular points", [this] { find_stars(); });
-      if (sweep_.stars.empty() || !trace_and_build<DoubleBall>(power_of_two(-50), false)) {
+      const bool again = !sweep_.stars.empty() || sweep_.quick;
+      sweep_.quick = false;
+      if (!again || !trace_and_build<DoubleBall>(power_of_two(-50), false)) {
         trace_and_build<ArbBall<256>>(power_of_two(-200), true);
       }
     }
@@ -205,6 +208,7 @@ class Intersection {
     TracedCurves<Ball> traced;
     sweep_.exact = result_.incomplete.empty();
     timed("tracing", [&] { traced = trace_curves(system, landmarks, sweep_, width, stop_); });
+    sweep_.quick = traced.cut_short;
     if (!traced.problems.empty() && sweep_.exact && !last) {
       return false;
     }

@@ -20,6 +20,7 @@ constexpr double kCloseArcs = 0x1p-6;
 constexpr double kWideHalfwidth = 0x1p-13;
 constexpr double kMostLayers = 1024;
 constexpr double kLayersPerTolerance = 8;
+constexpr int kHighestDegree = 16;  // of algebraic values over which singular points are looked for
 
 Rational fine_width() { return power_of_two(-200); }
 
@@ -57,6 +58,11 @@ class StarSearch {
     for (const Parameter sweep : all_parameters) {
       if (const auto& turning = problem_.turning(sweep)) {
         try_multiple_values(*turning);
+      }
+    }
+    for (const Parameter sweep : all_parameters) {
+      if (const auto& turning = problem_.turning(sweep)) {
+        try_algebraic_values(*turning);
       }
     }
     for (const Parameter sweep : all_parameters) {  // last: these stars are narrow
@@ -167,6 +173,22 @@ class StarSearch {
     }
   }
 
+  /// Singular points of which no parameter need be rational.
+  void try_algebraic_values(const TurningValues& turning) {
+    for (const TurningValue& value : turning.values) {
+      if (value.multiplicity == 1 || value.value.is_rational() ||
+          value.value.polynomial().degree() > kHighestDegree || stopped()) {
+        continue;
+      }
+      for (const SingularFibrePoint& point :
+           singular_points_over(problem_.x, problem_.y, turning.sweep, value.value)) {
+        if (!stopped() && !is_covered(point.at)) {
+          try_sweep(point.at, turning, value.value, {}, &point);
+        }
+      }
+    }
+  }
+
   /// The points of lines that lie on the other patch, over turning values of the parameter along them.
   void try_points_on_lines(const TurningValues& turning) {
     for (const LineQuery& line : rational_multiple_lines(turning)) {
@@ -222,10 +244,12 @@ class StarSearch {
     }
   }
 
-  bool try_sweep(const CertifiedPoint& point, const TurningValues& turning, const Rational& at,
-                 const std::optional<RealAlgebraic>& along = {}) {
-    StarProblem problem{problem_.x,       problem_.y,       turning, problem_.boundary, 0, {}, true,
-                        problem_.sampled, problem_.samples, along,   problem_.stop};
+  bool try_sweep(const CertifiedPoint& point, const TurningValues& turning, const RealAlgebraic& at,
+                 const std::optional<RealAlgebraic>& along = {},
+                 const SingularFibrePoint* singular = nullptr) {
+    StarProblem problem{problem_.x, problem_.y,   turning,          problem_.boundary, 0,
+                        {},         true,         problem_.sampled, problem_.samples,  along,
+                        singular,   problem_.stop};
     for (const Parameter p : all_parameters) {
       if (p == turning.sweep || problem_.coincident[index(p)] == index(turning.sweep)) {
         continue;

@@ -73,10 +73,10 @@ std::optional<std::vector<CertifiedPoint>> line_points_in(const BezierPatch& x, 
 
 class StarProof {
  public:
-  StarProof(const StarProblem& problem, const CertifiedPoint& centre, const Rational& at)
+  StarProof(const StarProblem& problem, const CertifiedPoint& centre, const RealAlgebraic& at)
       : problem_(problem),
         centre_(centre.refined_to(power_of_two(-100))),
-        at_(at),
+        at_(at.refined_to(power_of_two(-100))),
         sweep_(problem.turning.sweep) {}
 
   std::optional<StarNeighbourhood> run() {
@@ -84,7 +84,7 @@ class StarProof {
       return std::nullopt;
     }
     for (std::size_t j = 0; j < 4; ++j) {
-      middle_[j] = to_double(j == index(sweep_) ? at_ : centre_.box()[j].midpoint());
+      middle_[j] = to_double(centre_.box()[j].midpoint());
     }
     for (double halfwidth = power_of_two_below(room_); halfwidth >= 0x1p-40; halfwidth *= 0x1p-6) {
       double slab = std::min(halfwidth, power_of_two_below(slab_room_));
@@ -93,7 +93,7 @@ class StarProof {
           return std::nullopt;
         }
         set_region(halfwidth, slab);
-        if (!lateral_faces_are_free()) {
+        if (!centre_is_alone() || !lateral_faces_are_free()) {
           continue;
         }
         auto star = with_ports();
@@ -109,11 +109,14 @@ class StarProof {
  private:
   /// Keeps every other point of the fibre and every other boundary point away from the box.
   bool bound_halfwidth() {
-    const LinePoints fibre = line_points(problem_.x, problem_.y, {sweep_, at_});
+    room_ = from_double(problem_.largest_halfwidth);
+    if (!at_.is_rational()) {
+      return problem_.singular && keep_away(problem_.boundary) == 0;
+    }
+    const LinePoints fibre = line_points(problem_.x, problem_.y, {sweep_, at_.rational()});
     if (fibre.incomplete) {
       return false;
     }
-    room_ = from_double(problem_.largest_halfwidth);
     // The centre is in the first list, and in the second one only if it lies on a side.
     const int on_side = keep_away(problem_.boundary);
     for (const AlgebraicInterval& part : fibre.on_patch) {
@@ -124,10 +127,13 @@ class StarProof {
     return keep_away(fibre.points) == (line_ ? 0 : 1) && on_side <= (centre_.sides().empty() ? 0 : 1);
   }
 
+  /// Of the fibre over an irrational value; for a rational one bound_halfwidth sees to it.
+  bool centre_is_alone() const { return at_.is_rational() || problem_.singular->is_alone_in(box()); }
+
   /// A part of the line over the centre's value that lies on the other patch: away from the box, or it runs
   /// right through it.
   bool keep_away_or_enter(const AlgebraicInterval& part) {
-    const Parameter along = line_place({sweep_, at_}).roles.line;
+    const Parameter along = line_place({sweep_, at_.rational()}).roles.line;
     const RationalInterval from = part.from.refined_to(power_of_two(-60)).interval();
     const RationalInterval to = part.to.refined_to(power_of_two(-60)).interval();
     const RationalInterval& centre = centre_.box()[index(along)];
@@ -171,14 +177,16 @@ class StarProof {
   bool bound_slab() {
     slab_room_ = 1;
     for (const TurningValue& value : problem_.turning.values) {
-      if (value.value.compare(at_) == 0) {
+      if (value.value == at_) {
         continue;
       }
       RealAlgebraic other = value.value;
-      Rational d = gap(other.interval(), {at_, at_});
+      RealAlgebraic at = at_;
+      Rational d = gap(other.interval(), at.interval());
       for (Rational width = power_of_two(-60); d == 0; width *= width) {
         other = other.refined_to(width);
-        d = gap(other.interval(), {at_, at_});
+        at = at.refined_to(width);
+        d = gap(other.interval(), at.interval());
       }
       slab_room_ = std::min<Rational>(slab_room_, d / 2);
     }
@@ -231,7 +239,7 @@ class StarProof {
       const auto rational = std::count_if(through_centre_.begin(), through_centre_.end(),
                                           [&](const LineQuery& query) { return query.fixed == p; });
       return irrational_near_[index(p)] == 0 ||
-             (ports >= 3 && irrational_near_[index(p)] == 1 && rational == 0);
+             ((ports >= 3 || problem_.singular) && irrational_near_[index(p)] == 1 && rational == 0);
     };
     return problem_.others_complete && std::all_of(all_parameters.begin(), all_parameters.end(), is_known) &&
            std::all_of(through_centre_.begin(), through_centre_.end(), [this](const LineQuery& query) {
@@ -294,13 +302,14 @@ class StarProof {
   std::optional<StarNeighbourhood> with_ports() const {
     StarNeighbourhood star{centre_, sweep_, box(), {}, {}};
     const RationalInterval slab = star.box[index(sweep_)];
-    if (!lies_in(centre_.box(), star.box) || (slab.lower == at_ && at_ != 0) ||
-        (slab.upper == at_ && at_ != 1)) {
+    const auto is_centre = [&](const Rational& end) { return at_.compare(end) == 0; };
+    if (!lies_in(centre_.box(), star.box) || (is_centre(slab.lower) && slab.lower != 0) ||
+        (is_centre(slab.upper) && slab.upper != 1)) {
       return std::nullopt;
     }
     for (const int side : {-1, 1}) {
       const Rational value = side < 0 ? slab.lower : slab.upper;
-      if (value == at_) {
+      if (is_centre(value)) {
         continue;
       }
       const auto points = points_in_box({sweep_, value}, kMostPorts);
@@ -336,7 +345,7 @@ class StarProof {
   /// the line.
   bool has_point_on_line(const Rational& along) const {
     std::array<Rational, 2> at;
-    at[index(sweep_) % 2] = at_;
+    at[index(sweep_) % 2] = at_.rational();
     at[index(*line_) % 2] = along;
     const auto points = half_rational_points(problem_.x, problem_.y, index(sweep_) < 2, at);
     return std::any_of(points.begin(), points.end(), [&](const HalfRationalPoint& p) {
@@ -353,7 +362,7 @@ class StarProof {
 
   const StarProblem& problem_;
   CertifiedPoint centre_;
-  Rational at_;
+  RealAlgebraic at_;
   Parameter sweep_;
   Rational room_;
   Rational slab_room_;
@@ -370,12 +379,13 @@ class StarProof {
 }  // namespace
 
 std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, const CertifiedPoint& centre,
-                                                    const Rational& at) {
+                                                    const RealAlgebraic& at) {
   return StarProof(problem, centre, at).run();
 }
 
-bool add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const Rational& at,
+bool add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const RealAlgebraic& at,
                 int count, const StopRequest& stop) {
+  const RationalInterval centre = at.refined_to(power_of_two(-100)).interval();
   for (const int side : {-1, 1}) {
     const auto ports = std::count_if(star.ports.begin(), star.ports.end(), [&](const Port& port) {
       return port.across == star.sweep && port.side == side;
@@ -386,7 +396,8 @@ bool add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch
       if (is_stopped(stop)) {
         return false;
       }
-      const Rational value = end + (at - end) * Rational(i, count + 1);
+      const Rational& limit = side < 0 ? centre.lower : centre.upper;
+      const Rational value = end + (limit - end) * Rational(i, count + 1);
       auto points = line_points_in(x, y, {star.sweep, value}, star.box);
       if (!points || static_cast<std::ptrdiff_t>(points->size()) != ports) {
         throw std::logic_error("internal error: the fibres of a star differ");

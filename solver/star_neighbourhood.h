@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "algebraic_fibre.h"
 #include "critical_values.h"
 #include "stop_request.h"
 
@@ -51,18 +52,21 @@ struct StarProblem {
   const std::vector<Rational>& samples;
   /// The centre's value of the parameter along the line over `at`, if it is given by that.
   std::optional<RealAlgebraic> along = {};
+  /// The centre, where the value of the sweep parameter is irrational.
+  const SingularFibrePoint* singular = nullptr;
   StopRequest stop = {};  // then nothing is proved
 };
 
-/// The star around `centre`, a point of the intersection over the rational value `at` of the sweep parameter;
-/// empty if it cannot be proved. If the line over `at` lies on the other patch around the centre,
-/// StarProblem::along must be given, or the centre must lie over no turning value of the parameter along it.
+/// The star around `centre`, a point of the intersection over the value `at` of the sweep parameter, rational
+/// unless StarProblem::singular is given; empty if it cannot be proved. If the line over `at` lies on the
+/// other patch around the centre, StarProblem::along must be given, or the centre must lie over no turning
+/// value of the parameter along it.
 std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, const CertifiedPoint& centre,
-                                                    const Rational& at);
+                                                    const RealAlgebraic& at);
 
 /// Fills in layers, `count` on each side that has ports; false if `stop` came in between. Throws
 /// std::logic_error if a fibre has another number of points in the star than there are ports.
-bool add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const Rational& at,
+bool add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const RealAlgebraic& at,
                 int count, const StopRequest& stop = {});
 
 /// An arc of a star from its port to the centre: between neighbouring fibres it lies in a box. vertices: a

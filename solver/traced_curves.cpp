@@ -11,6 +11,8 @@ namespace exsect {
 
 namespace {
 
+constexpr int kQuickSearch = 16;  // times 64 boxes
+
 /// A small box for a report around a place known in doubles.
 ParameterBox around(const std::array<double, 4>& where) {
   ParameterBox box;
@@ -407,8 +409,12 @@ class CurveTracing {
     const SettledRegion settled = [this](const SearchRegion& box) {
       return (sweep_.settled && sweep_.settled(box)) || is_in_star(box) || is_on_contact(box);
     };
+    const StopRequest soon = [this, asked = 0]() mutable {
+      return is_stopped(stop_) || (sweep_.quick && ++asked > kQuickSearch);
+    };
     const SearchOutcome outcome =
-        search_closed_curves(system_, region, search_direction(), known, settled, stop_);
+        search_closed_curves(system_, region, search_direction(), known, settled, soon);
+    result_.cut_short = result_.cut_short || (sweep_.quick && !outcome.undecided.empty());
     result_.searched_boxes += outcome.boxes;
     for (const SearchRegion& box : merged(outcome.undecided)) {
       ParameterBox where;
@@ -641,8 +647,9 @@ class CurveTracing {
         std::count_if(sweep_.stars.begin(), sweep_.stars.end(), [&](const StarNeighbourhood& star) {
           const ParameterBox centre = star.centre.refined_to(power_of_two(-100)).box();
           return lies_over_only(turning, centre[index(sweep_.turning->sweep)]) && is_singular_star(star) &&
-                 std::any_of(star.ports.begin(), star.ports.end(),
-                             [](const Port& port) { return port.point.multiplicity() == 1; });
+                 (!sweep_.turning->touching ||
+                  std::any_of(star.ports.begin(), star.ports.end(),
+                              [](const Port& port) { return port.point.multiplicity() == 1; }));
         }));
   }
 

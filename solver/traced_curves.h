@@ -47,6 +47,7 @@ struct SweepData {
   std::array<std::size_t, 4> coincident;            // coincident_parameters(x, y)
   std::array<std::optional<std::size_t>, 2> plane;  // plane_coordinates(x, y)
   SettledRegion settled;                            // what a search may leave out
+  bool quick = false;                               // searches are cut short: stars may help
   bool exact = true;  // false: boundary points or fibres are known not to be complete
 };
 
@@ -58,6 +59,7 @@ struct TracedCurves {
   std::vector<int> isolated;                    // boundary points at which no curve enters the domain
   std::vector<Incomplete> problems;
   long searched_boxes = 0;
+  bool cut_short = false;  // a problem is left because of SweepData::quick
 };
 
 /// Traces every curve. `landmarks` are sweep.landmarks enclosed in boxes of width at most `width`. If no

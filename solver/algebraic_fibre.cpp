@@ -1,0 +1,228 @@
+#include "algebraic_fibre.h"
+
+#include <exsect/algebra/algebraic_value.h>
+#include <exsect/geometry/integer_pair.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "exact_tangent.h"
+#include "fibre_projection.h"
+
+namespace exsect {
+
+namespace {
+
+BivariatePolynomial in_s(const Polynomial& f) { return BivariatePolynomial({f}); }
+
+/// The quotient of two functions at the point, enclosed; nothing if the denominator is not told from zero.
+std::optional<RationalInterval> quotient_at(const BivariatePolynomial& numerator,
+                                            const BivariatePolynomial& denominator, const TriangularPoint& at,
+                                            const Rational& width) {
+  const RationalInterval n = enclosure_at(numerator, at, width);
+  const RationalInterval d = enclosure_at(denominator, at, width);
+  if (d.lower <= 0 && d.upper >= 0) return std::nullopt;
+  const std::array<Rational, 4> corners = {n.lower / d.lower, n.lower / d.upper, n.upper / d.lower,
+                                           n.upper / d.upper};
+  const auto [least, greatest] = std::minmax_element(corners.begin(), corners.end());
+  return RationalInterval{*least, *greatest};
+}
+
+class ExactSource : public CertifiedPoint::Source {
+ public:
+  explicit ExactSource(ExactParameters exact) : exact_(std::move(exact)) {}
+
+  ParameterBox box(const Rational& width) const override {
+    ParameterBox result;
+    for (std::size_t j = 0; j < 4; ++j) result[j] = parameter(j, width);
+    return result;
+  }
+  std::optional<ExactParameters> exact_parameters() const override { return exact_; }
+
+ private:
+  RationalInterval parameter(std::size_t j, const Rational& width) const {
+    for (Rational fine = width / 4;; fine /= 65536) {
+      const auto value = quotient_at(exact_.numerator[j], exact_.denominator[j], exact_.at, fine);
+      if (value && value->width() <= width) return *value;
+    }
+  }
+
+  ExactParameters exact_;
+};
+
+/// The four parameters by their parts in the fibre.
+struct Roles {
+  Parameter sweep;
+  Parameter line;  // the other one of the same patch
+  Parameter eliminated;
+  Parameter kept;
+};
+
+class FibreOverAlgebraic {
+ public:
+  FibreOverAlgebraic(const BezierPatch& x, const BezierPatch& y, FibreCoefficients<Polynomial> f, Roles roles,
+                     const RealAlgebraic& value)
+      : x_(x), y_(y), f_(std::move(f)), roles_(roles), value_(value) {}
+
+  std::vector<SingularFibrePoint> run() {
+    const FibreProjection points = project_fibre(f_);
+    if (is_zero(points.r) || sign_at(points.content, value_) == 0) return {};
+    projection_ = reduced(BivariatePolynomial((points.complete ? points.finite : points.r).coefficients));
+    if (projection_.degree_r() < 1) return {};
+    const BivariatePolynomial repeated = gcd_at(projection_, projection_.derivative_r(), value_);
+    const int k = repeated.degree_r();
+    // If all roots of the repeated part are equal, this is the one: minus the mean of its roots.
+    if (k < 1 || !set_equations(reduced(-repeated.coefficient(k - 1)),
+                                reduced(Polynomial(k) * repeated.coefficient(k))))
+      return {};
+    return points_of_equation();
+  }
+
+ private:
+  Polynomial reduced(const Polynomial& f) const { return divide(f, value_.polynomial()).remainder; }
+  BivariatePolynomial reduced(const BivariatePolynomial& f) const {
+    std::vector<Polynomial> coefficients;
+    for (int i = 0; i <= f.degree_r(); ++i) coefficients.push_back(reduced(f.coefficient(i)));
+    return BivariatePolynomial(std::move(coefficients));
+  }
+
+  using FormVector = std::array<BivariatePolynomial, 3>;
+
+  /// den² (y - a0) at kept = num / den, by powers of the parameter that is eliminated.
+  FormVector difference() const {
+    FormVector result;
+    const Polynomial square = reduced(den_ * den_);
+    const std::array<Polynomial, 3> powers = {square, reduced(num_ * den_), reduced(num_ * num_)};
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::vector<Polynomial> coefficients(3);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) coefficients[i] = coefficients[i] + f_.y[i][j][c] * powers[j];
+      coefficients[0] = reduced(coefficients[0] - f_.a[0][c] * square);
+      result[c] = BivariatePolynomial(std::move(coefficients));
+    }
+    return result;
+  }
+
+  /// x(sweep, line) = y with the kept parameter num / den: the line's parameter as a fraction, and the
+  /// equation that is left for the eliminated one. False if there is none.
+  bool set_equations(Polynomial num, Polynomial den) {
+    num_ = std::move(num);
+    den_ = std::move(den);
+    const FormVector w = difference();
+    const auto is_nonzero = [&](const Polynomial& p) { return sign_at(p, value_) != 0; };
+    const SpaceVector<Polynomial> n = cross_product(f_.a[1], f_.a[2]);
+    const Polynomial square = reduced(den_ * den_);
+    FormVector left;
+    if (const auto k = std::find_if(n.begin(), n.end(), is_nonzero); k != n.end()) {
+      const auto axis = static_cast<std::size_t>(k - n.begin());
+      const std::size_t a = (axis + 1) % 3;
+      const std::size_t b = (axis + 2) % 3;
+      line_numerator_ = reduced(w[a] * in_s(f_.a[2][b]) - w[b] * in_s(f_.a[2][a]));
+      const Polynomial nk = reduced(*k);
+      line_denominator_ = reduced(nk * square);
+      for (std::size_t c = 0; c < 3; ++c)
+        left[c] = reduced(line_numerator_ * in_s(f_.a[1][c] * line_denominator_) +
+                          line_numerator_ * line_numerator_ * in_s(f_.a[2][c]) -
+                          w[c] * in_s(nk * line_denominator_));
+    } else if (std::none_of(f_.a[2].begin(), f_.a[2].end(), is_nonzero)) {
+      const auto first = std::find_if(f_.a[1].begin(), f_.a[1].end(), is_nonzero);
+      if (first == f_.a[1].end()) return false;
+      const auto axis = static_cast<std::size_t>(first - f_.a[1].begin());
+      line_numerator_ = w[axis];
+      line_denominator_ = reduced(*first * square);
+      for (std::size_t c = 0; c < 3; ++c)
+        left[c] = reduced(w[axis] * in_s(f_.a[1][c]) - w[c] * in_s(f_.a[1][axis]));
+    } else {
+      return false;
+    }
+    equation_ = gcd_at(gcd_at(left[0], left[1], value_), left[2], value_);
+    return equation_.degree_r() > 0;
+  }
+
+  std::vector<SingularFibrePoint> points_of_equation() const {
+    std::vector<SingularFibrePoint> result;
+    for (const TriangularPoint& p : roots_at(equation_, value_, 0, 1)) {
+      const ExactParameters exact = parameters(p);
+      if (!is_inside(exact)) continue;
+      const std::array<bool, 4> zero = zero_tangent_components(x_, y_, exact);
+      if (std::count(zero.begin(), zero.end(), true) != 4) continue;
+      result.push_back({CertifiedPoint(std::make_shared<ExactSource>(exact), power_of_two(-100), {}, 0, 0),
+                        value_, roles_.kept, roles_.eliminated, projection_, equation_});
+    }
+    return result;
+  }
+
+  ExactParameters parameters(const TriangularPoint& p) const {
+    ExactParameters exact{p, {}, {}};
+    exact.denominator.fill(BivariatePolynomial::constant(1));
+    exact.numerator[index(roles_.sweep)] = BivariatePolynomial::s();
+    exact.numerator[index(roles_.eliminated)] = BivariatePolynomial::r();
+    exact.numerator[index(roles_.kept)] = in_s(num_);
+    exact.denominator[index(roles_.kept)] = in_s(den_);
+    exact.numerator[index(roles_.line)] = line_numerator_;
+    exact.denominator[index(roles_.line)] = in_s(line_denominator_);
+    return exact;
+  }
+
+  static bool is_inside(const ExactParameters& exact) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      const BivariatePolynomial& n = exact.numerator[j];
+      const BivariatePolynomial& d = exact.denominator[j];
+      const int sign = sign_at(d, exact.at);
+      if (sign * sign_at(n, exact.at) <= 0 || sign * sign_at(n - d, exact.at) >= 0) return false;
+    }
+    return true;
+  }
+
+  const BezierPatch& x_;
+  const BezierPatch& y_;
+  FibreCoefficients<Polynomial> f_;
+  Roles roles_;
+  RealAlgebraic value_;
+  BivariatePolynomial projection_;
+  Polynomial num_;
+  Polynomial den_;
+  BivariatePolynomial line_numerator_;
+  Polynomial line_denominator_;
+  BivariatePolynomial equation_;
+};
+
+bool is_new(const std::vector<SingularFibrePoint>& known, const CertifiedPoint& point) {
+  return std::none_of(known.begin(), known.end(), [&](const SingularFibrePoint& other) {
+    const ParameterBox a = other.at.box();
+    const ParameterBox b = point.box();
+    for (std::size_t j = 0; j < 4; ++j)
+      if (a[j].upper < b[j].lower || b[j].upper < a[j].lower) return false;
+    return true;
+  });
+}
+
+}  // namespace
+
+bool SingularFibrePoint::is_alone_in(const ParameterBox& box) const {
+  const auto has_one_root = [&](const BivariatePolynomial& f, Parameter p) {
+    const RationalInterval& range = box[index(p)];
+    return roots_at(f, value, range.lower, range.upper).size() == 1;
+  };
+  return has_one_root(projection, kept) && has_one_root(equation, eliminated);
+}
+
+std::vector<SingularFibrePoint> singular_points_over(const BezierPatch& x, const BezierPatch& y,
+                                                     Parameter sweep, const RealAlgebraic& value) {
+  const bool of_x = index(sweep) < 2;
+  const BezierPatch& owner = of_x ? x : y;
+  const auto line = static_cast<Parameter>(index(sweep) ^ 1U);
+  const FibreCoefficients<Polynomial> f =
+      symbolic_fibre(integer_pair(index(sweep) % 2 == 0 ? owner : owner.exchanged(), of_x ? y : x));
+  const Parameter first = all_parameters[of_x ? 2 : 0];
+  const Parameter second = all_parameters[of_x ? 3 : 1];
+  std::vector<SingularFibrePoint> result =
+      FibreOverAlgebraic(x, y, f, {sweep, line, first, second}, value).run();
+  for (SingularFibrePoint& point :
+       FibreOverAlgebraic(x, y, f.exchanged(), {sweep, line, second, first}, value).run())
+    if (is_new(result, point.at)) result.push_back(std::move(point));
+  return result;
+}
+
+}  // namespace exsect
