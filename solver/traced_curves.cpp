@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "constant_parameter.h"
 #include "line_place.h"
 #include "subdivision.h"
 
@@ -184,7 +185,7 @@ class CurveTracing {
     std::array<bool, 4> constant{};
     for (const Parameter p : all_parameters) {
       constant[index(p)] = may_be_constant(system_, contact.curve, index(p)) &&
-                           is_constant(contact.curve, p, middle_of(contact.curve));
+                           is_constant(system_, sweep_, contact.curve, p, width_);
     }
     mark_coincident(constant);
     auto turns = find_contact_turns(system_, contact.curve, sweep_.turning_of, constant);
@@ -202,15 +203,6 @@ class CurveTracing {
     for (std::size_t j = 0; j < 4; ++j) {
       constant[j] = constant[j] || constant[sweep_.coincident[j]];
     }
-  }
-
-  BallPoint<Ball> middle_of(const TangentialArc<Ball>& curve) const {
-    const TangentialPiece<Ball>& piece = curve.pieces[curve.pieces.size() / 2];
-    return point_at(system_, piece.tube, 0.5 * (piece.from + piece.to));
-  }
-  BallPoint<Ball> middle_of(const Trace<Ball>& trace) const {
-    const Piece<Ball>& piece = trace.pieces[trace.pieces.size() / 2];
-    return point_at(piece.tube, 0.5 * (piece.from + piece.to));
   }
 
   /// At its ends on sides the curve crosses these.
@@ -317,7 +309,7 @@ class CurveTracing {
     KnownTangent known;
     for (const Parameter p : all_parameters) {
       known.constant[index(p)] = sweep_.line && may_be_constant(curve.trace, index(p)) &&
-                                 is_constant(curve.trace, p, middle_of(curve.trace));
+                                 is_constant(system_, sweep_, curve.trace, p, width_);
     }
     mark_coincident(known.constant);
     known.plane = sweep_.plane;
@@ -330,50 +322,6 @@ class CurveTracing {
     }
     curve.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
     result_.curves.push_back(std::move(curve));
-  }
-
-  /// True if the parameter is proved to be constant on the curve: it has a point on an arc in which a line
-  /// p = c lies on the other patch. Both are analytic, and the curve is regular there, so they coincide.
-  template <class Curve>
-  bool is_constant(const Curve& curve, Parameter p, const BallPoint<Ball>& middle) const {
-    const RationalInterval near = middle[index(p)].interval();
-    const Rational value = near.lower < near.upper ? simplest_between(near.lower, near.upper) : near.lower;
-    if (value < 0 || value > 1) {
-      return false;
-    }
-    const LinePoints line = sweep_.line({p, value});
-    const Parameter along = line_place({p, value}).roles.line;
-    const auto lies_on_line = [&](const Rational& at) {
-      return std::any_of(line.on_patch.begin(), line.on_patch.end(),
-                         [&](const AlgebraicInterval& part) {
-                           return part.from.compare(at) < 0 && part.to.compare(at) > 0;
-                         }) &&
-             meets_line(curve, {along, at}, p, value);
-    };
-    return std::any_of(curve.pieces.begin(), curve.pieces.end(), [&](const auto& piece) {
-      return lies_on_line(middle_of(Curve{{piece}})[index(along)].midpoint().interval().lower);
-    });
-  }
-
-  /// True if a point of the line `across` with p = value exactly is on the curve: one that is rational, or
-  /// the only one that may have that value where one must.
-  template <class Curve>
-  bool meets_line(const Curve& curve, const LineQuery& across, Parameter p, const Rational& value) const {
-    const LinePoints line = sweep_.line(across);
-    if (line.incomplete || !line.on_patch.empty()) {
-      return false;
-    }
-    std::vector<const CertifiedPoint*> found;
-    for (const CertifiedPoint& point : line.points) {
-      const RationalInterval at = point.refined_to(power_of_two(-100)).box()[index(p)];
-      if (at.lower <= value && value <= at.upper) {
-        found.push_back(&point);
-      }
-    }
-    return std::any_of(found.begin(), found.end(), [&](const CertifiedPoint* point) {
-      return (found.size() == 1 || sweep_.has_value(*point, p, value)) &&
-             passes_through(curve, enclose<Ball>(*point, width_));
-    });
   }
 
   /// The direction c for which c.T keeps clearest away from zero on the curves traced so far: any c is legal,
@@ -615,12 +563,12 @@ class CurveTracing {
   bool is_on_curve(const LineQuery& across, const LineQuery& line) const {
     return std::any_of(result_.curves.begin(), result_.curves.end(),
                        [&](const AnalysedTrace<Ball>& curve) {
-                         return meets_line(curve.trace, across, line.fixed, line.value);
+                         return meets_line<Ball>(sweep_, curve.trace, across, line.fixed, line.value, width_);
                        }) ||
-           std::any_of(result_.contacts.begin(), result_.contacts.end(),
-                       [&](const AnalysedContact<Ball>& contact) {
-                         return meets_line(contact.curve, across, line.fixed, line.value);
-                       });
+           std::any_of(
+               result_.contacts.begin(), result_.contacts.end(), [&](const AnalysedContact<Ball>& contact) {
+                 return meets_line<Ball>(sweep_, contact.curve, across, line.fixed, line.value, width_);
+               });
   }
 
   bool in_star(const CertifiedPoint& point) const {

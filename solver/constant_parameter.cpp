@@ -1,0 +1,177 @@
+#include "constant_parameter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "line_place.h"
+
+namespace exsect {
+
+namespace {
+
+/// More than a fibre has isolated points.
+constexpr int kMostIsolated = 16;
+
+template <class Ball>
+BallPoint<Ball> middle_of(const PairSystem<Ball>& system, const TangentialPiece<Ball>& piece) {
+  return point_at(system, piece.tube, 0.5 * (piece.from + piece.to));
+}
+template <class Ball>
+BallPoint<Ball> middle_of(const PairSystem<Ball>&, const Piece<Ball>& piece) {
+  return point_at(piece.tube, 0.5 * (piece.from + piece.to));
+}
+
+/// The parameter of the exact point is a root of f: f(n/d) d^k = 0.
+bool is_root(const Polynomial& f, const ExactParameters& point, Parameter p) {
+  const BivariatePolynomial& n = point.numerator[index(p)];
+  const BivariatePolynomial& d = point.denominator[index(p)];
+  BivariatePolynomial sum;
+  BivariatePolynomial power = BivariatePolynomial::constant(1);  // of d
+  for (int i = f.degree(); i >= 0; --i) {
+    sum = sum * n + BivariatePolynomial::constant(f.coefficient(i)) * power;
+    power = power * d;
+  }
+  return sign_at(sum, point.at) == 0;
+}
+
+template <class Ball, class Curve>
+class ConstantParameter {
+ public:
+  ConstantParameter(const PairSystem<Ball>& system, const SweepData& sweep, const Curve& curve, Parameter p,
+                    const Rational& width)
+      : system_(system),
+        sweep_(sweep),
+        curve_(curve),
+        p_(p),
+        along_(static_cast<Parameter>(index(p) ^ 1U)),
+        width_(width),
+        near_(middle_of(system, curve.pieces[curve.pieces.size() / 2])[index(p)].interval()) {}
+
+  bool run() const { return has_rational_value() || has_algebraic_value(); }
+
+ private:
+  /// It has a point on an arc in which a line p = c lies on the other patch. Both are analytic, and the curve
+  /// is regular there, so they coincide.
+  bool has_rational_value() const {
+    const Rational value =
+        near_.lower < near_.upper ? simplest_between(near_.lower, near_.upper) : near_.lower;
+    if (value < 0 || value > 1) {
+      return false;
+    }
+    const LinePoints line = sweep_.line({p_, value});
+    const auto lies_on_line = [&](const Rational& at) {
+      return std::any_of(line.on_patch.begin(), line.on_patch.end(),
+                         [&](const AlgebraicInterval& part) {
+                           return part.from.compare(at) < 0 && part.to.compare(at) > 0;
+                         }) &&
+             meets_line<Ball>(sweep_, curve_, {along_, at}, p_, value, width_);
+    };
+    return std::any_of(curve_.pieces.begin(), curve_.pieces.end(), [&](const auto& piece) {
+      return lies_on_line(middle_of(system_, piece)[index(along_)].midpoint().interval().lower);
+    });
+  }
+
+  /// It takes a value α in more points than a fibre has isolated ones: in one of them it is the only curve,
+  /// and the fibre over α contains one there.
+  bool has_algebraic_value() const {
+    const auto& turning = sweep_.turning_of(p_);
+    if (!turning) {
+      return false;
+    }
+    return std::any_of(turning->values.begin(), turning->values.end(), [&](const TurningValue& value) {
+      const RationalInterval at = value.value.interval();
+      return value.multiplicity != 1 && !value.value.is_rational() && at.lower <= near_.upper &&
+             near_.lower <= at.upper && has_value(value.value);
+    });
+  }
+
+  bool has_value(const RealAlgebraic& value) const {
+    const auto run = [&](const auto& piece) {
+      return piece.tube.axis == index(along_) ? std::fabs(piece.to - piece.from) : 0;
+    };
+    const auto& piece = *std::max_element(curve_.pieces.begin(), curve_.pieces.end(),
+                                          [&](const auto& a, const auto& b) { return run(a) < run(b); });
+    if (!(run(piece) > 0)) {
+      return false;
+    }
+    const double centre = piece.tube.centre[index(along_)].approximation();
+    for (int i = 0; i <= kMostIsolated; ++i) {
+      const double fraction = (i + 1.0) / (kMostIsolated + 2.0);
+      const double at = centre + piece.from + fraction * (piece.to - piece.from);
+      const double apart = run(piece) / (4 * kMostIsolated + 8);
+      if (!has_value_at(value, simplest_between(from_double(at - apart), from_double(at + apart)))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The curve has a point with along = at, p = value.
+  bool has_value_at(const RealAlgebraic& value, const Rational& at) const {
+    if (at <= 0 || at >= 1) {
+      return false;
+    }
+    const LinePoints line = sweep_.line({along_, at});
+    return !line.incomplete && line.on_patch.empty() &&
+           std::any_of(line.points.begin(), line.points.end(), [&](const CertifiedPoint& point) {
+             const RationalInterval isolating = value.interval();
+             const RationalInterval box = point.refined_to(isolating.width() / 16).box()[index(p_)];
+             if (!(isolating.lower <= box.lower && box.upper <= isolating.upper) ||
+                 !passes_through(curve_, enclose<Ball>(point, width_))) {
+               return false;
+             }
+             const auto exact = point.exact();
+             return exact && is_root(value.polynomial(), *exact, p_);
+           });
+  }
+
+  const PairSystem<Ball>& system_;
+  const SweepData& sweep_;
+  const Curve& curve_;
+  Parameter p_;
+  Parameter along_;
+  const Rational& width_;
+  RationalInterval near_;
+};
+
+}  // namespace
+
+template <class Ball, class Curve>
+bool is_constant(const PairSystem<Ball>& system, const SweepData& sweep, const Curve& curve, Parameter p,
+                 const Rational& width) {
+  return ConstantParameter<Ball, Curve>(system, sweep, curve, p, width).run();
+}
+
+template <class Ball, class Curve>
+bool meets_line(const SweepData& sweep, const Curve& curve, const LineQuery& across, Parameter p,
+                const Rational& value, const Rational& width) {
+  const LinePoints line = sweep.line(across);
+  if (line.incomplete || !line.on_patch.empty()) {
+    return false;
+  }
+  std::vector<const CertifiedPoint*> found;
+  for (const CertifiedPoint& point : line.points) {
+    const RationalInterval at = point.refined_to(power_of_two(-100)).box()[index(p)];
+    if (at.lower <= value && value <= at.upper) {
+      found.push_back(&point);
+    }
+  }
+  return std::any_of(found.begin(), found.end(), [&](const CertifiedPoint* point) {
+    return (found.size() == 1 || sweep.has_value(*point, p, value)) &&
+           passes_through(curve, enclose<Ball>(*point, width));
+  });
+}
+
+#define EXSECT_INSTANTIATE_CONSTANT(Ball, Curve)                                                      \
+  template bool is_constant(const PairSystem<Ball>&, const SweepData&, const Curve<Ball>&, Parameter, \
+                            const Rational&);                                                         \
+  template bool meets_line<Ball>(const SweepData&, const Curve<Ball>&, const LineQuery&, Parameter,   \
+                                 const Rational&, const Rational&);
+
+EXSECT_INSTANTIATE_CONSTANT(DoubleBall, Trace)
+EXSECT_INSTANTIATE_CONSTANT(ArbBall<256>, Trace)
+EXSECT_INSTANTIATE_CONSTANT(DoubleBall, TangentialArc)
+EXSECT_INSTANTIATE_CONSTANT(ArbBall<256>, TangentialArc)
+#undef EXSECT_INSTANTIATE_CONSTANT
+
+}  // namespace exsect
