@@ -60,12 +60,12 @@ Cell on_line(Cell cell, std::size_t parameter, double t) {
   return cell;
 }
 
-/// The direction with integer components that the vector points to, as long as 100 at most.
-std::array<int, 3> rounded_direction(const Vector& d) {
+/// The direction with integer components that the vector points to, none above `size`.
+std::array<int, 3> rounded_direction(const Vector& d, double size = 100) {
   const double most = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
   if (!(most > 0) || !std::isfinite(most)) return {0, 0, 0};
   std::array<int, 3> result;
-  for (std::size_t i = 0; i < 3; ++i) result[i] = static_cast<int>(std::lround(100 * d[i] / most));
+  for (std::size_t i = 0; i < 3; ++i) result[i] = static_cast<int>(std::lround(size * d[i] / most));
   return result;
 }
 
@@ -191,13 +191,15 @@ class Cover {
     const auto normal = [](const Net& n) {
       return cross(difference(n[2][2], n[0][0]), difference(n[2][0], n[0][2]));
     };
+    const bool small = *std::max_element(cell.half.begin(), cell.half.end()) < 0x1p-8;
+    const double size = small ? 1e5 : 100;
     for (const auto& d : {std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{0, 0, 1},
-                          rounded_direction(difference(x[1][1], y[1][1])), rounded_direction(normal(x)),
-                          rounded_direction(normal(y))}) {
+                          rounded_direction(difference(x[1][1], y[1][1])), rounded_direction(normal(x), size),
+                          rounded_direction(normal(y), size)}) {
       if (std::string found = separating(cell, d); !found.empty()) return found;
     }
     for (const std::size_t i : meeting) {
-      if (places_.tubes[i].chart != Chart::pair) continue;
+      if (meeting.size() > 8 || places_.tubes[i].chart != Chart::pair) continue;
       for (const auto& row : places_.tubes[i].inverse) {
         if (std::string found = separating(cell, rounded_direction(row)); !found.empty()) return found;
       }

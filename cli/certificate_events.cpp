@@ -18,12 +18,12 @@ Json rationals(const Numbers& numbers) {
   return result;
 }
 
-/// The parameters, if all of them are known exactly.
-std::optional<std::array<Rational, 4>> exact_place(const Node& node) {
+/// The shortest rationals in the node's box, which are its parameters if these are short.
+std::array<Rational, 4> short_place(const Node& node) {
   std::array<Rational, 4> result;
   for (std::size_t i = 0; i < 4; ++i) {
-    if (node.box[i].lower != node.box[i].upper) return std::nullopt;
-    result[i] = node.box[i].lower;
+    const auto& [lower, upper] = node.box[i];
+    result[i] = lower == upper ? lower : simplest_between(lower, upper);
   }
   return result;
 }
@@ -64,20 +64,19 @@ Json relation_claims(const Patches& patches) {
 }
 
 std::optional<checker::Line> line_between(const Patches& patches, const Node& from, const Node& to) {
-  const auto a = exact_place(from);
-  const auto b = exact_place(to);
-  if (!a || !b) return std::nullopt;
+  const std::array<Rational, 4> a = short_place(from);
+  const std::array<Rational, 4> b = short_place(to);
   checker::Line line = {};
   for (std::size_t i = 1; i < 4; ++i) {
-    const auto length = [&](std::size_t j) { return Rational(abs(Rational((*b)[j] - (*a)[j]))); };
+    const auto length = [&](std::size_t j) { return Rational(abs(Rational(b[j] - a[j]))); };
     if (length(i) > length(line.axis)) line.axis = i;
   }
-  const Rational t = (*a)[line.axis];
-  const Rational step = (*b)[line.axis] - t;
+  const Rational t = a[line.axis];
+  const Rational step = b[line.axis] - t;
   if (step == 0) return std::nullopt;
   for (std::size_t i = 0; i < 4; ++i) {
-    const Rational slope = ((*b)[i] - (*a)[i]) / step;
-    line.at[i] = {Rational((*a)[i] - slope * t), slope, 0};
+    const Rational slope = (b[i] - a[i]) / step;
+    line.at[i] = {Rational(a[i] - slope * t), slope, 0};
   }
   for (int k = 0; k < 5; ++k) {  // a line in both squares: degree <= 4
     const auto at = [&](std::size_t i) { return Rational(line.at[i][0] + k * line.at[i][1]); };
@@ -97,13 +96,14 @@ Json line_claims(const std::vector<checker::Line>& lines) {
 }
 
 checker::Touch touch_at(const Patches& patches, const Node& node) {
-  const auto at = exact_place(node);
-  if (!at) throw NoCertificate("an isolated point without rational parameters");
-  const auto& [u, v, r, s] = *at;
+  const std::array<Rational, 4> at = short_place(node);
+  const auto& [u, v, r, s] = at;
+  if (patches[0](u, v) != patches[1](r, s))
+    throw NoCertificate("an isolated point without rational parameters");
   const std::array<Point, 4> columns = {patches[0].derivative_first(u, v), patches[0].derivative_second(u, v),
                                         patches[1].derivative_first(r, s),
                                         patches[1].derivative_second(r, s)};
-  checker::Touch touch = {*at, 0, cross(columns[0], columns[1]), {}};
+  checker::Touch touch = {at, 0, cross(columns[0], columns[1]), {}};
   if (is_zero(touch.normal)) throw NoCertificate("an isolated point where a patch is singular");
   const auto largest = [](const Point& p) {
     return std::max({std::abs(to_double(p[0])), std::abs(to_double(p[1])), std::abs(to_double(p[2]))});

@@ -259,9 +259,13 @@ Tube tube_at(const Map& map, const Parameters& w, std::size_t axis, const OnLine
   const Map here = map.at(w);
   auto c = inverse(here, axis);
   if (!c) throw NoCertificate("a point where the patches touch");
-  const int bits = 12 - std::ilogb(largest(*c));
+  // Short numbers, but C DF is to be 1 to 12 bits.
+  double steps = 1;
+  for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t j = 0; j < 4; ++j) steps = std::max(steps, std::abs(here.first(d, j, {}).middle));
+  const int more = std::max(0, std::ilogb(steps * largest(*c)));
   for (auto& row : *c)
-    for (double& a : row) a = rounded(a, bits);
+    for (double& a : row) a = rounded(a, 12 + std::ilogb(steps) + 1);
   const auto slope = checker::curve_bounds(here.times(*c), axis, {}).first;
   double steepest = 1;
   for (const auto& b : slope) steepest = std::max(steepest, std::abs(b.middle));
@@ -269,10 +273,11 @@ Tube tube_at(const Map& map, const Parameters& w, std::size_t axis, const OnLine
   for (int e = 1; e < 46; ++e) {
     Tube tube = {{}, axis, {}, std::ldexp(1.0, 1 - e - flat), std::ldexp(1.0, -e), *c, chart, line.claim};
     for (std::size_t i = 0; i < 4; ++i) {
-      tube.centre[i] = rounded(w[i], e + 12);
+      tube.centre[i] = rounded(w[i], e + 12 + more);
       tube.slope[i] = i == axis ? 1 : rounded(slope[i].middle, 10);
     }
-    if (chart != Chart::pair) tube.centre[3] = 0;
+    // m of the cuspidal point is that of the middle line.
+    if (chart != Chart::pair) tube.centre = {tube.centre[0], tube.centre[1], w[2], 0};
     if (holds(tube, line, map.at(tube.centre).times(*c))) return tube;
   }
   throw NoCertificate("a point where no tube was found");
@@ -287,7 +292,7 @@ double distance(const Map& map, const Tube& tube, const Parameters& w) {
   const double defect = bounds_in(map, tube).defect;
   double most = 0;
   for (std::size_t d = 0; d < 3; ++d) most = std::max(most, std::abs(local.value(d)));
-  return (most + 1e-15 * largest(tube.inverse)) / (1 - defect);
+  return (most + 4e-15 * largest(tube.inverse)) / (1 - defect);
 }
 
 Parameters pair_of(Chart chart, const Parameters& z, int side) {

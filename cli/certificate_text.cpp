@@ -84,13 +84,16 @@ class Writer {
     for (int& i : claim_of_)
       if (i == 0) i = next++;
     for (const Arc& arc : graph_.arcs) {
-      if (arc.place == ArcPlace::interior) continue;
       const auto from = static_cast<std::size_t>(arc.from);
       const auto to = static_cast<std::size_t>(arc.to);
       const auto line = line_between(patches_, graph_.nodes[from], graph_.nodes[to]);
-      if (!line) throw NoCertificate("an arc on a side that is no line of parameters of both patches");
+      const bool inside = arc.place == ArcPlace::interior;
+      if (!line && !inside)
+        throw NoCertificate("an arc on a side that is no line of parameters of both patches");
+      if (!line || (inside && self_)) continue;
       OnLine on = {static_cast<int>(lines_.size()), line->axis, {}};
       for (std::size_t i = 0; i < 4; ++i) on.constant[i] = line->at[i][1] == 0;
+      if (inside && on.constant == std::array{false, false, false, false}) continue;
       lines_.push_back(*line);
       line_of_[from] = line_of_[to] = on;
     }
@@ -179,7 +182,7 @@ class Writer {
   double cusp_radius(const Tube& tube, const Parameters& w) const {
     const std::size_t p = tube.chart == Chart::first ? 0 : 1;
     const Parameters z = {w[p], w[1 - p], tube.centre[2], 0};
-    return std::exp2(std::ceil(std::log2(std::max(4 * distance(chart_map(tube.chart), tube, z), 0x1p-44))));
+    return std::exp2(std::ceil(std::log2(std::max(16 * distance(chart_map(tube.chart), tube, z), 0x1p-40))));
   }
 
   Json arc(const Arc& a) {
@@ -213,8 +216,7 @@ class Writer {
     points.front().at = places_[from];
     points.back().at = places_[to];
     const OnLine& line = line_of_[static_cast<std::size_t>(a.from)];
-    if (!lines_.empty() && a.place == ArcPlace::patch_boundary)
-      return chain(pair_, points, from, to, line, tubes_);
+    if (line.claim >= 0) return chain(pair_, points, from, to, line, tubes_);
     const std::vector<TracedPoint> start = leave_diagonal(points, from);
     std::reverse(points.begin(), points.end());
     std::vector<TracedPoint> finish = leave_diagonal(points, to);
@@ -241,11 +243,13 @@ class Writer {
     const std::size_t p = tube.chart == Chart::first ? 0 : 1;
     const Map& map = chart_map(tube.chart);
     const auto w_of = [&](const TracedPoint& q) { return in_chart(tube.chart, q.at)[3]; };
-    const double gate = std::min(0.5 * tube.reach, 0.4 * w_of(points.back()));
+    double gate = std::min(0.5 * tube.reach, 0.4 * w_of(points.back()));
+    for (const TracedPoint& q : points)  // none too near
+      if (std::abs(w_of(q) - gate) < 0.01 * gate) gate *= 0.97;
     const int side = points[1].at[p] > points[1].at[p + 2] ? 1 : -1;
     std::vector<TracedPoint> result = {points[0]};
     std::size_t i = 1;
-    for (; i + 1 < points.size() && w_of(points[i]) < 0.99 * gate; ++i)
+    for (; i + 1 < points.size() && w_of(points[i]) < gate; ++i)
       result.push_back({pair_of(tube.chart, on_curve(map, in_chart(tube.chart, points[i].at), 3), side),
                         points[i].vertex});
     Parameters z = tube.centre;
