@@ -62,6 +62,9 @@ inline Lane multiply_add(const Primes& f, Lane a, Lane b, Lane c) {
 class LaneSum {
  public:
   LaneSum() : high_(offset()), low_(_mm256_setzero_pd()) {}
+  /// The product a b.
+  LaneSum(Lane a, Lane b)
+      : high_(_mm256_fmadd_pd(a, b, offset())), low_(_mm256_fmadd_pd(a, b, _mm256_sub_pd(offset(), high_))) {}
 
   void add(Lane a, Lane b) {
     const Lane high = _mm256_fmadd_pd(a, b, high_);
@@ -97,6 +100,8 @@ class TwoLaneArithmetic {
   using Residue = TwoLanes;
   class Sum {
    public:
+    Sum() = default;
+    Sum(const TwoLanes& f, const TwoLanes& g) : a_(f.a, g.a), b_(f.b, g.b) {}
     void add(const TwoLanes& f, const TwoLanes& g) {
       a_.add(f.a, g.a);
       b_.add(f.b, g.b);

@@ -7,7 +7,7 @@
 namespace exsect {
 
 /// The equations (4.3)-(4.8) and (4.13) of docs/method.md at single values of u. Field gives
-///  - Residue, and Sum, a sum of at most 28 products: `sum.add(a, b)`;
+///  - Residue, and Sum, a sum of at most 28 products: `Sum sum(a, b)` or `Sum sum`, `sum.add(a, b)`;
 ///  - reduce(Sum), and reduce_few(Sum) for at most three products;
 ///  - add(a, b), negate(a), multiply(a, b).
 /// Plain arrays only: nothing here is an inline function that another file could share.
@@ -81,6 +81,21 @@ class EliminantForms {
   static Product<m, n> product(const Residue (&f)[m], const Residue (&g)[n]) {
     return {f, g};
   }
+  /// f^2, for 2 f given.
+  template <std::size_t m>
+  struct Square {
+    const Residue (&f)[m];
+    const Residue (&twice_f)[m];
+
+    void add_coefficient(Sum& sum, std::size_t k) const {
+      for (std::size_t i = k < m ? 0 : k - m + 1; 2 * i < k; ++i) sum.add(twice_f[i], f[k - i]);
+      if (k % 2 == 0) sum.add(f[k / 2], f[k / 2]);
+    }
+  };
+  template <std::size_t m>
+  static Square<m> square(const Residue (&f)[m], const Residue (&twice_f)[m]) {
+    return {f, twice_f};
+  }
   template <std::size_t size, class... Products>
   void set_sum(Residue (&result)[size], const Products&... products) const {
     for (std::size_t k = 0; k < size; ++k) {
@@ -100,8 +115,7 @@ class EliminantForms {
   Residue square(const Residue& a) const { return field_.multiply(a, a); }
 
   Residue minor(const Vector& a, const Vector& b, std::size_t i, std::size_t j) const {
-    Sum sum;
-    sum.add(a.c[i], b.c[j]);
+    Sum sum(a.c[i], b.c[j]);
     sum.add(field_.negate(a.c[j]), b.c[i]);
     return field_.reduce_few(sum);
   }
@@ -109,8 +123,9 @@ class EliminantForms {
     return {minor(a, b, 1, 2), minor(a, b, 2, 0), minor(a, b, 0, 1)};
   }
   Residue dot(const Vector& a, const Vector& b) const {
-    Sum sum;
-    for (std::size_t k = 0; k < 3; ++k) sum.add(a.c[k], b.c[k]);
+    Sum sum(a.c[0], b.c[0]);
+    sum.add(a.c[1], b.c[1]);
+    sum.add(a.c[2], b.c[2]);
     return field_.reduce_few(sum);
   }
   /// y_i x y_j as polynomials in s.
@@ -127,8 +142,10 @@ class EliminantForms {
   void set_bracket(Residue (&result)[5], const Vector& a, const Vector& a0_cross_a, std::size_t i,
                    std::size_t j) const {
     for (std::size_t d = 0; d < 5; ++d) {
-      Sum sum;
-      for (std::size_t k = 0; k < 3; ++k) sum.add(a.c[k], y_cross_[i + j - 1][d].c[k]);
+      const Vector& y_cross = y_cross_[i + j - 1][d];
+      Sum sum(a.c[0], y_cross.c[0]);
+      sum.add(a.c[1], y_cross.c[1]);
+      sum.add(a.c[2], y_cross.c[2]);
       if (i == 0 && d < 3)  // a . (-a_0 x w_j) = (a_0 x a) . w_j
         for (std::size_t k = 0; k < 3; ++k) sum.add(a0_cross_a.c[k], y_.c[j][d].c[k]);
       result[d] = field_.reduce(sum);
@@ -154,8 +171,7 @@ typename EliminantForms<Field>::Fibre EliminantForms<Field>::fibre(const Residue
   Vector a[3];  // x(u,v) = a_0 + a_1 v + a_2 v^2
   for (std::size_t j = 0; j < 3; ++j)
     for (std::size_t k = 0; k < 3; ++k) {
-      Sum sum;
-      sum.add(x_.c[1][j].c[k], u);
+      Sum sum(x_.c[1][j].c[k], u);
       sum.add(x_.c[2][j].c[k], u_square);
       a[j].c[k] = field_.add(x_.c[0][j].c[k], field_.reduce_few(sum));
     }
@@ -176,32 +192,34 @@ typename EliminantForms<Field>::Fibre EliminantForms<Field>::fibre(const Residue
   set_bracket(ma, a[1], a0_cross_a1, 0, 2);
   set_bracket(mb, a[1], a0_cross_a1, 1, 2);
   set_bracket(mc, a[1], a0_cross_a1, 0, 1);
-  Residue minus_lb[5], minus_mb[5], twice_la[5], minus_twice_la[5], twice_ma[5];
+  Residue minus_lb[5], minus_mb[5], twice_la[5], minus_twice_la[5], twice_ma[5], twice_lb[5], twice_rl[9];
   set_negated(minus_lb, lb);
   set_negated(minus_mb, mb);
   set_doubled(twice_la, la);
   set_negated(minus_twice_la, twice_la);
   set_doubled(twice_ma, ma);
+  set_doubled(twice_lb, lb);
 
   // (4.4): R = A^2 rm - pml pul + rl pmu + rl^2 and S1 = A (A Mb - 2 La Lb) + B Lb^2.
   Residue rl[9], rm[9], pml[9], minus_pul[7], pmu[7], a_square[5], lb_square[9], inner[9];
-  set_sum(rl, product(la, la), product(minus_lb, lc));
-  set_sum(rm, product(ma, ma), product(minus_mb, mc));
+  set_sum(rl, square(la, twice_la), product(minus_lb, lc));
+  set_sum(rm, square(ma, twice_ma), product(minus_mb, mc));
   set_sum(pml, product(twice_la, ma), product(minus_lb, mc), product(minus_mb, lc));
   set_sum(minus_pul, product(pa, minus_twice_la), product(pb, lb));
   set_sum(pmu, product(pa, twice_ma), product(pb, minus_mb));
   set_sum(a_square, product(pa, pa));
-  set_sum(lb_square, product(lb, lb));
+  set_sum(lb_square, square(lb, twice_lb));
   set_sum(inner, product(twice_la, minus_lb), product(pa, mb));
 
+  set_doubled(twice_rl, rl);
+
   Fibre result;
-  set_sum(result.r, product(a_square, rm), product(minus_pul, pml), product(pmu, rl), product(rl, rl));
+  set_sum(result.r, product(a_square, rm), product(minus_pul, pml), product(pmu, rl), square(rl, twice_rl));
   set_sum(result.s1, product(pa, inner), product(pb, lb_square));
   // (4.5): g_s is the coefficient of s^8 in rl, g_r the same with r and s exchanged.
   result.g_s = rl[8];
   const Residue middle = leading_bracket(a[2], 0, 2);
-  Sum g_r;
-  g_r.add(middle, middle);
+  Sum g_r(middle, middle);
   g_r.add(field_.negate(leading_bracket(a[2], 1, 2)), leading_bracket(a[2], 0, 1));
   result.g_r = field_.reduce_few(g_r);
   return result;
@@ -223,17 +241,14 @@ typename EliminantForms<Field>::Fraction EliminantForms<Field>::remainder_sequen
     const Residue minus_l = field_.negate(l);
     const Residue l_square = square(l);
     const Residue q1 = field_.multiply(f[n + 1], minus_l);
-    Sum quotient;
-    quotient.add(f[n + 1], g[n - 1]);
+    Sum quotient(f[n + 1], g[n - 1]);
     quotient.add(minus_l, f[n]);
     const Residue q0 = field_.reduce_few(quotient);
-    Sum lowest;
-    lowest.add(l_square, f[0]);
+    Sum lowest(l_square, f[0]);
     lowest.add(q0, g[0]);
     f[0] = field_.reduce_few(lowest);
     for (std::size_t j = 1; j < n; ++j) {
-      Sum sum;
-      sum.add(l_square, f[j]);
+      Sum sum(l_square, f[j]);
       sum.add(q1, g[j - 1]);
       sum.add(q0, g[j]);
       f[j] = field_.reduce_few(sum);
@@ -245,23 +260,30 @@ typename EliminantForms<Field>::Fraction EliminantForms<Field>::remainder_sequen
   return {g[0], square(denominator)};
 }
 
-/// res(R, S1) as a fraction: R is reduced modulo S1 by seven pseudo-division steps, l = lc(S1), so that
-/// res(R, S1) = l^-63 res(S1, l^7 R mod S1).
+/// res(R, S1) as a fraction: R is reduced modulo S1 by pseudo-division, l = lc(S1), so that
+/// res(R, S1) = l^-63 res(S1, l^7 R mod S1). The quotient sum_t l^(6-t) e_t s^(6-t) has the coefficients
+/// e_t = l^t R_(16-t) - sum_(k<t) l^(t-1-k) e_k S1_(10-t+k), and l^7 R mod S1 is
+/// l^7 R - sum_k l^(6-k) e_k s^(6-k) S1 in degrees below 10.
 template <class Field>
 typename EliminantForms<Field>::Fraction EliminantForms<Field>::alignment_resultant(const Residue (&r)[17],
                                                                                     Residue (&s1)[11]) const {
   const Residue l = s1[10];
-  Residue remainder[17];
-  for (std::size_t j = 0; j < 17; ++j) remainder[j] = r[j];
-  for (std::size_t top = 16; top >= 10; --top) {
-    const Residue q = field_.negate(remainder[top]);
-    for (std::size_t j = 0; j < top - 10; ++j) remainder[j] = field_.multiply(l, remainder[j]);
-    for (std::size_t j = 0; j < 10; ++j) {
-      Sum sum;
-      sum.add(l, remainder[top - 10 + j]);
-      sum.add(q, s1[j]);
-      remainder[top - 10 + j] = field_.reduce_few(sum);
+  Residue l_power = small_[1];  // l^t
+  Residue quotient[7];          // -l^(t-1-k) e_k for k < t
+  for (std::size_t t = 0; t < 7; ++t) {
+    Sum sum(l_power, r[16 - t]);
+    for (std::size_t k = 0; k < t; ++k) {
+      sum.add(quotient[k], s1[10 - t + k]);
+      quotient[k] = field_.multiply(quotient[k], l);
     }
+    quotient[t] = field_.negate(field_.reduce(sum));
+    l_power = field_.multiply(l_power, l);
+  }
+  Residue remainder[10];
+  for (std::size_t j = 0; j < 10; ++j) {
+    Sum sum(l_power, r[j]);
+    for (std::size_t k = j < 6 ? 6 - j : 0; k < 7; ++k) sum.add(quotient[k], s1[j + k - 6]);
+    remainder[j] = field_.reduce(sum);
   }
   Fraction result = remainder_sequence(s1, remainder, 9);
   Residue power = l;  // l^63

@@ -14,6 +14,8 @@ class ScalarArithmetic {
   using Residue = exsect::Residue;
   class Sum {
    public:
+    Sum() = default;
+    Sum(Residue a, Residue b) : value_(static_cast<WideWord>(a) * b) {}
     void add(Residue a, Residue b) { value_ += static_cast<WideWord>(a) * b; }
 
    private:
