@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "flint_polynomial.h"
+
 namespace exsect {
 namespace {
 
@@ -36,8 +38,6 @@ Integer ceiling_quotient(const Integer& a, const Integer& b) {
   return result;
 }
 
-Integer denominator_of(const Rational& x) { return denominator(x); }
-
 Integer floor_scaled(const Rational& x, long bits) {
   return floor_quotient(numerator(x) << static_cast<unsigned long>(bits), denominator(x));
 }
@@ -63,8 +63,12 @@ FixedPointInterval::FixedPointInterval(const Integer& x, long bits)
     : lower_(x << static_cast<unsigned long>(bits)), upper_(lower_), bits_(bits) {}
 
 RationalInterval FixedPointInterval::interval() const {
-  const Rational unit = power_of_two(-bits_);
-  return {Rational(lower_) * unit, Rational(upper_) * unit};
+  const auto end = [&](const Integer& n) {
+    Rational x(n);
+    mpq_div_2exp(x.backend().data(), x.backend().data(), count(bits_));
+    return x;
+  };
+  return {end(lower_), end(upper_)};
 }
 
 FixedPointInterval operator+(const FixedPointInterval& a, const FixedPointInterval& b) {
@@ -103,11 +107,23 @@ FixedPointInterval sqrt(const FixedPointInterval& a) {
   return {floor_root, ceiling_root, a.bits_};
 }
 
-IntegerPolynomial::IntegerPolynomial(const Polynomial& f) : denominator(1) {
-  const std::vector<Rational> coefficients = f.coefficients();
-  for (const Rational& c : coefficients) denominator = lcm(denominator, denominator_of(c));
-  for (const Rational& c : coefficients)
-    numerators.push_back(numerator(c) * (denominator / denominator_of(c)));
+IntegerPolynomial::IntegerPolynomial(const Polynomial& f)
+    : numerators(static_cast<std::size_t>(f.degree() + 1)) {
+  const fmpq_poly_struct* const fractions = f.rep().value;
+  for (std::size_t i = 0; i < numerators.size(); ++i) fmpz_get_mpz(raw(numerators[i]), fractions->coeffs + i);
+  fmpz_get_mpz(raw(denominator), fractions->den);
+}
+
+Polynomial polynomial_of(const std::vector<Integer>& coefficients) {
+  Polynomial result;
+  const auto length = static_cast<slong>(coefficients.size());
+  fmpq_poly_struct* const f = result.rep().value;
+  fmpq_poly_fit_length(f, length);
+  for (slong i = 0; i < length; ++i)
+    fmpz_set_mpz(f->coeffs + i, raw(coefficients[static_cast<std::size_t>(i)]));
+  _fmpq_poly_set_length(f, length);
+  _fmpq_poly_normalise(f);
+  return result;
 }
 
 FixedPointInterval enclose_numerator(const IntegerPolynomial& f, const FixedPointInterval& t) {

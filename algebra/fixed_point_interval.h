@@ -45,6 +45,9 @@ struct IntegerPolynomial {
   Integer denominator;
 };
 
+/// The polynomial with these coefficients, constant term first; trailing zeros allowed.
+Polynomial polynomial_of(const std::vector<Integer>& coefficients);
+
 /// Encloses numerators(t), the denominator left out (Horner).
 FixedPointInterval enclose_numerator(const IntegerPolynomial& f, const FixedPointInterval& t);
 /// Encloses f over the box.

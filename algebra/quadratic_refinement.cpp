@@ -170,11 +170,15 @@ void set_ball(arb_t ball, const RationalInterval& interval, slong precision) {
 }
 
 slong grid_exponent(const Rational& width) {
-  const mpq_srcptr q = width.backend().data();
-  // n < 2^bits(n) and d >= 2^(bits(d)-1): 2^-e > n/d for every smaller e than the first one tried.
-  const slong e = bit_length(mpq_denref(q)) - bit_length(mpq_numref(q)) - 1;
-  for (slong k = e;; ++k)
-    if (mpq_cmp(q, power_of_two(-k).backend().data()) >= 0) return k;
+  const mpz_srcptr n = mpq_numref(width.backend().data());
+  const mpz_srcptr d = mpq_denref(width.backend().data());
+  // 2^-k <= n/d holds for k = bits(d) - bits(n) + 1, not for bits(d) - bits(n) - 1.
+  const slong k = bit_length(d) - bit_length(n);
+  if (mpz_scan1(d, 0) + 1 == static_cast<mp_bitcnt_t>(bit_length(d))) return k;
+  Integer shifted;
+  mpz_mul_2exp(shifted.backend().data(), k >= 0 ? n : d, static_cast<mp_bitcnt_t>(std::labs(k)));
+  const int order = mpz_cmp(shifted.backend().data(), k >= 0 ? d : n);
+  return (k >= 0 ? order >= 0 : order <= 0) ? k : k + 1;
 }
 
 DyadicPolynomial::DyadicPolynomial(const Polynomial& f, const RationalInterval& domain)

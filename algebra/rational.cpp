@@ -75,9 +75,11 @@ Rational simplest_between(const Rational& a, const Rational& b) {
 }
 
 Rational power_of_two(long exponent) {
-  Integer power = 1;
-  power <<= static_cast<unsigned long>(std::labs(exponent));
-  return exponent < 0 ? Rational(1, power) : Rational(power);
+  Rational power = 1;
+  mpq_t& q = power.backend().data();
+  const mpz_ptr part = exponent < 0 ? mpq_denref(q) : mpq_numref(q);
+  mpz_mul_2exp(part, part, static_cast<mp_bitcnt_t>(std::labs(exponent)));
+  return power;
 }
 
 }  // namespace exsect

@@ -1,5 +1,6 @@
 #include "turning_eliminant.h"
 
+#include <exsect/algebra/fixed_point_interval.h>
 #include <exsect/geometry/integer_pair.h>
 
 #include <algorithm>
@@ -78,7 +79,7 @@ TurningEliminant turning_eliminant(const BezierPatch& x, const BezierPatch& y) {
   const std::size_t bits = eliminant_height_bound(pair);
   const std::optional<std::vector<Integer>> by_vectors = vector_eliminant(pair, bits);
   const std::vector<Integer> e = by_vectors ? *by_vectors : scalar_eliminant(pair, bits);
-  return {primitive_with_positive_lead(Polynomial(std::vector<Rational>(e.begin(), e.end()))), {}, false};
+  return {primitive_with_positive_lead(polynomial_of(e)), {}, false};
 }
 
 }  // namespace exsect
