@@ -225,6 +225,18 @@ bool tangent_cannot_vanish(const Cell<Ball>& a, const Cell<Ball>& b, const std::
   return dot(d, cross(b.derivative[0], b.derivative[1])).certain_sign() != 0;
 }
 
+/// Some component of T, up to a positive factor, cannot vanish: all curves in the two cells run along it.
+/// Without one a tube around both is hardly ever certified.
+template <class Ball>
+bool some_tangent_component_cannot_vanish(const Cell<Ball>& a, const Cell<Ball>& b) {
+  const auto cannot_vanish = [](const Cell<Ball>& along, const Cell<Ball>& across) {
+    const DirectionBox normal = cross(across.derivative[0], across.derivative[1]);
+    return dot(along.derivative[0], normal).certain_sign() != 0 ||
+           dot(along.derivative[1], normal).certain_sign() != 0;
+  };
+  return cannot_vanish(a, b) || cannot_vanish(b, a);
+}
+
 template <class Ball>
 class Search {
  public:
@@ -297,7 +309,7 @@ class Search {
   /// A tube whose region contains the whole box, and whose arc is outside the domain somewhere or on a known
   /// curve.
   bool covered(const Cell<Ball>& a, const Cell<Ball>& b) const {
-    if (a.depth + b.depth < kFirstCertificateDepth) {
+    if (a.depth + b.depth < kFirstCertificateDepth || !some_tangent_component_cannot_vanish(a, b)) {
       return false;
     }
     const SearchRegion box = region_of(a, b);
@@ -320,6 +332,9 @@ class Search {
     }
     double needed = 0;
     for (std::size_t j = 0; j < 4; ++j) {
+      if (((*start)[j] - centre[j]).upper_magnitude() > 2 * half[j]) {
+        return false;
+      }
       const double slope = tangent[j].approximation() / tangent[axis].approximation();
       if (j != axis) {
         needed = std::max(needed, ((*start)[j] - centre[j]).upper_magnitude() + half[j] +
