@@ -95,25 +95,46 @@ JacobianDeviation jacobian_deviation(const ContactEquations<Ball>& g, std::size_
   const auto variables = contact_variables(axis);
   const auto others = other_axes(axis);
   const auto linear = linear_part(g, axis);
+  std::array<std::array<double, 4>, 4> p;  // powers of the widths, with one factor less in `less`
+  std::array<std::array<double, 4>, 4> less{};
+  for (std::size_t w = 0; w < 4; ++w) {
+    for (std::size_t n = 0; n < 4; ++n) {
+      p[w][n] = power(h[variables[w]], n);
+      less[w][n] = n == 0 ? 0 : p[w][n - 1];
+    }
+  }
   JacobianDeviation result{};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t j = 0; j < 4; ++j) {
       const double ideal = j == axis ? -slope[others[row]] : (others[row] == j ? 1.0 : 0.0);
       result[row][j] = (linear[row][j] - Ball(ideal)).upper_magnitude();
     }
+    std::array<double, 4> sum;
+    for (std::size_t v = 0; v < 4; ++v) {
+      sum[v] = result[row][variables[v]];
+    }
     for_each_term([&](std::size_t t, const std::array<std::size_t, 4>& e) {
       const double c = e[0] + e[1] + e[2] + e[3] < 2 ? 0 : g[row].c[t].upper_magnitude();
-      for (std::size_t v = 0; v < 4 && c != 0; ++v) {
-        if (e[v] == 0) {
-          continue;
-        }
-        double term = c * static_cast<double>(e[v]);
-        for (std::size_t w = 0; w < 4; ++w) {
-          term *= power(h[variables[w]], w == v ? e[w] - 1 : e[w]);
-        }
-        result[row][variables[v]] += term;
+      if (c == 0) {
+        return;
+      }
+      const auto [i, j, k, l] = e;
+      if (i > 0) {
+        sum[0] += c * static_cast<double>(i) * less[0][i] * p[1][j] * p[2][k] * p[3][l];
+      }
+      if (j > 0) {
+        sum[1] += c * static_cast<double>(j) * p[0][i] * less[1][j] * p[2][k] * p[3][l];
+      }
+      if (k > 0) {
+        sum[2] += c * static_cast<double>(k) * p[0][i] * p[1][j] * less[2][k] * p[3][l];
+      }
+      if (l > 0) {
+        sum[3] += c * static_cast<double>(l) * p[0][i] * p[1][j] * p[2][k] * less[3][l];
       }
     });
+    for (std::size_t v = 0; v < 4; ++v) {
+      result[row][variables[v]] = sum[v];
+    }
   }
   return result;
 }
