@@ -20,7 +20,9 @@ constexpr double kCloseArcs = 0x1p-6;
 constexpr double kWideHalfwidth = 0x1p-13;
 constexpr double kMostLayers = 1024;
 constexpr double kLayersPerTolerance = 8;
-constexpr int kHighestDegree = 16;  // of algebraic values over which singular points are looked for
+/// Of algebraic values over which singular points are looked for. Those without a multiplicity are many.
+constexpr int kHighestDegree = 16;
+constexpr int kHighestDegreeUnweighted = 3;
 
 Rational fine_width() { return power_of_two(-200); }
 
@@ -176,8 +178,9 @@ class StarSearch {
   /// Singular points of which no parameter need be rational.
   void try_algebraic_values(const TurningValues& turning) {
     for (const TurningValue& value : turning.values) {
+      const int highest = value.multiplicity > 1 ? kHighestDegree : kHighestDegreeUnweighted;
       if (value.multiplicity == 1 || value.value.is_rational() ||
-          value.value.polynomial().degree() > kHighestDegree || stopped()) {
+          value.value.polynomial().degree() > highest || stopped()) {
         continue;
       }
       for (const SingularFibrePoint& point :
