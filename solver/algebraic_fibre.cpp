@@ -1,6 +1,7 @@
 #include "algebraic_fibre.h"
 
 #include <exsect/algebra/algebraic_value.h>
+#include <exsect/algebra/number_field.h>
 #include <exsect/geometry/integer_pair.h>
 
 #include <algorithm>
@@ -70,12 +71,10 @@ class FibreOverAlgebraic {
     if (is_zero(points.r) || sign_at(points.content, value_) == 0) return {};
     projection_ = reduced(BivariatePolynomial((points.complete ? points.finite : points.r).coefficients));
     if (projection_.degree_r() < 1) return {};
-    const BivariatePolynomial repeated = gcd_at(projection_, projection_.derivative_r(), value_);
-    const int k = repeated.degree_r();
-    // If all roots of the repeated part are equal, this is the one: minus the mean of its roots.
-    if (k < 1 || !set_equations(reduced(-repeated.coefficient(k - 1)),
-                                reduced(Polynomial(k) * repeated.coefficient(k))))
-      return {};
+    const auto repeated = gcd_modulo(projection_, projection_.derivative_r(), value_.polynomial());
+    const int k = repeated ? repeated->degree_r() : 0;
+    // If all roots of the repeated part are equal, this is the one: their mean.
+    if (k < 1 || !set_equations(Polynomial(Rational(-1, k)) * repeated->coefficient(k - 1), 1)) return {};
     return points_of_equation();
   }
 
@@ -136,7 +135,10 @@ class FibreOverAlgebraic {
     } else {
       return false;
     }
-    equation_ = gcd_at(gcd_at(left[0], left[1], value_), left[2], value_);
+    const auto two = gcd_modulo(left[0], left[1], value_.polynomial());
+    const auto three = two ? gcd_modulo(*two, left[2], value_.polynomial()) : std::nullopt;
+    if (!three) return false;
+    equation_ = *three;
     return equation_.degree_r() > 0;
   }
 

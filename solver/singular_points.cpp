@@ -21,7 +21,7 @@ constexpr double kWideHalfwidth = 0x1p-13;
 constexpr double kMostLayers = 1024;
 constexpr double kLayersPerTolerance = 8;
 /// Of algebraic values over which singular points are looked for. Those without a multiplicity are many.
-constexpr int kHighestDegree = 16;
+constexpr int kHighestDegree = 8;
 constexpr int kHighestDegreeUnweighted = 3;
 
 Rational fine_width() { return power_of_two(-200); }
