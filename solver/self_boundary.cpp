@@ -29,6 +29,14 @@ class ExchangedSource : public CertifiedPoint::Source {
  public:
   explicit ExchangedSource(CertifiedPoint point) : point_(std::move(point)) {}
   ParameterBox box(const Rational& width) const override { return exchanged(point_.refined_to(width).box()); }
+  std::optional<ExactParameters> exact_parameters() const override {
+    std::optional<ExactParameters> exact = point_.exact();
+    if (exact) {
+      std::rotate(exact->numerator.begin(), exact->numerator.begin() + 2, exact->numerator.end());
+      std::rotate(exact->denominator.begin(), exact->denominator.begin() + 2, exact->denominator.end());
+    }
+    return exact;
+  }
 
  private:
   CertifiedPoint point_;

@@ -221,6 +221,27 @@ TEST_CASE("self_intersect: small integers in special position") {
                      {0, -1, -1},
                      {1, -1, -1}}}),
                4);
+  // The same at points of degree 2.
+  check_fibres(net({{{0, 0, 1},
+                     {0, 1, -1},
+                     {0, -1, 0},
+                     {0, 0, 1},
+                     {0, -1, 0},
+                     {0, 1, 0},
+                     {-1, 1, 1},
+                     {1, 0, 1},
+                     {1, 1, 1}}}),
+               4);
+  check_fibres(net({{{0, 1, 1},
+                     {0, -1, -1},
+                     {-1, -1, 0},
+                     {0, 0, 0},
+                     {0, 1, 1},
+                     {-1, -1, 0},
+                     {1, 0, 0},
+                     {0, 1, 1},
+                     {-1, 1, 0}}}),
+               4);
   // Two corners in one point of space, tangent planes that contain sides of the other one.
   const BezierPatch corners = net({{{0, 0, 0},
                                     {0, -1, -1},
