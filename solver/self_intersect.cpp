@@ -166,23 +166,12 @@ class SelfIntersection {
     }
   }
 
-  /// All pairs on such a side meet: one node with both parameters free.
+  /// All pairs on such a side meet.
   void add_collapsed_sides() {
     for (const auto& [fixed, value] : exact_.injective.along_sides) {
       const auto j = static_cast<std::size_t>(fixed);
       if (!is_collapsed_side(x_, j, value)) continue;
-      const PairSystem<DoubleBall> system(x_, x_, scaling_.origin, scaling_.frame.exponent);
-      BallPoint<DoubleBall> at;
-      ParameterBox box;
-      for (std::size_t k = 0; k < 4; ++k) {
-        at[k] = DoubleBall(k % 2 == j ? value : 0.5);
-        box[k] = k % 2 == j ? RationalInterval{value, value} : RationalInterval{0, 1};
-      }
-      const auto first = static_cast<Parameter>(j);
-      const auto second = static_cast<Parameter>(j + 2);
-      Node node = landmark_node(system, scaling_.frame, at, box, {{first, value}, {second, value}});
-      node.kinds = {NodeKind::boundary};
-      node.free = {static_cast<Parameter>(1 - j), static_cast<Parameter>(3 - j)};
+      Node node = collapsed_line_node(x_, j, value);
       node.id = static_cast<int>(result_.graph.nodes.size());
       result_.graph.isolated_points.push_back(node.id);
       result_.graph.nodes.push_back(std::move(node));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "../../solver/self_degenerate.h"
 #include "../../solver/special_cusps.h"
 #include "support/catch.h"
 
@@ -266,6 +267,63 @@ TEST_CASE("self_intersect: a fold is an overlap of the patch with itself") {
   check_nothing(folded(0));
   check_nothing(folded(1));
   check_nothing(folded(-power_of_two(-40)));
+}
+
+TEST_CASE("self_intersect: planar bilinear patches") {
+  const auto bilinear = [](const std::array<Point, 4>& p) {
+    return BezierPatch::elevated({{p[0], p[1]}, {p[2], p[3]}});
+  };
+  // Convex, with a reflex corner, and crossed: the preimages of a point are two or none.
+  check_nothing(bilinear({{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {2, 3, 0}}}));
+  int folded_patches = 0;
+  for (const Point& last : {Point{Rational(1, 3), Rational(1, 4), 0}, Point{-2, Rational(1, 2), 0},
+                            Point{half, half / 2, 0}, Point{Rational(1, 5), Rational(-3), 0}}) {
+    const BezierPatch x = bilinear({{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, last}});
+    const auto result = self_intersect(x);
+    CHECK(result.status == Status::complete);
+    REQUIRE(result.graph.overlaps.size() == 1);
+    ++folded_patches;
+    const std::vector<Arc>& chain = result.graph.overlaps[0].chains[0];
+    CHECK(chain.size() >= 3);
+    int folds = 0;
+    Rational twice_the_area = 0;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const Node& node = result.graph.nodes[static_cast<std::size_t>(chain[i].from)];
+      const Node& next = result.graph.nodes[static_cast<std::size_t>(chain[i].to)];
+      CHECK(chain[i].to == chain[(i + 1) % chain.size()].from);
+      CHECK(x(node.box[0].lower, node.box[1].lower) == x(node.box[2].lower, node.box[3].lower));
+      folds += chain[i].place == ArcPlace::interior ? 1 : 0;
+      twice_the_area += node.box[0].lower * next.box[1].lower - node.box[1].lower * next.box[0].lower;
+    }
+    CHECK(folds == 1);
+    // Brute force: the part of the square with t > 0 whose partners are in it.
+    const PlanarFold fold = *planar_fold(x);
+    constexpr int kCells = 40;
+    int inside = 0;
+    for (int i = 0; i < kCells; ++i)
+      for (int j = 0; j < kCells; ++j) {
+        const Rational u(2 * i + 1, 2 * kCells);
+        const Rational v(2 * j + 1, 2 * kCells);
+        const Rational t = fold.t[0] + fold.t[1] * u + fold.t[2] * v;
+        const Rational r = u + t * fold.direction[0];
+        const Rational s = v + t * fold.direction[1];
+        CHECK(x(u, v) == x(r, s));
+        inside += t > 0 && r >= 0 && r <= 1 && s >= 0 && s <= 1 ? 1 : 0;
+      }
+    CHECK(std::fabs(std::fabs(to_double(twice_the_area)) / 2 - inside / (1.0 * kCells * kCells)) < 0.03);
+  }
+  CHECK(folded_patches == 4);
+  // A bow tie: the line u = 1/3 is one point.
+  for (const bool exchanged : {false, true}) {
+    const BezierPatch bow = bilinear({{{0, 1, 0}, {0, -1, 0}, {3, -2, 0}, {3, 2, 0}}});
+    const auto result = self_intersect(exchanged ? bow.exchanged() : bow);
+    CHECK(result.status == Status::complete);
+    REQUIRE(result.graph.isolated_points.size() == 1);
+    const Node& node = result.graph.nodes[0];
+    CHECK(node.box[exchanged ? 1 : 0].lower == Rational(1, 3));
+    CHECK(node.free == (exchanged ? std::vector<Parameter>{Parameter::u, Parameter::r}
+                                  : std::vector<Parameter>{Parameter::v, Parameter::s}));
+  }
 }
 
 TEST_CASE("self_intersect: patches that are a curve or a point") {
