@@ -80,15 +80,16 @@ std::size_t degree_or_zero(const std::vector<Residue>& f) {
   return n - 1;
 }
 
-/// f mod g in place, for g of true degree deg_g with inverse leading coefficient.
-void reduce_modulo(const PrimeField& field, std::vector<Residue>& f, const std::vector<Residue>& g,
+/// l^(deg f - deg g + 1) f mod g in place, where g has the true degree deg_g and the leading coefficient l.
+void pseudo_reduce(const PrimeField& field, std::vector<Residue>& f, const std::vector<Residue>& g,
                    std::size_t deg_g) {
-  const Residue inverse = field.inverse(g[deg_g]);
+  const Residue l = g[deg_g];
   for (std::size_t i = f.size(); i-- > deg_g;) {
-    const Residue q = field.negate(field.multiply(f[i], inverse));
-    for (std::size_t j = 0; j <= deg_g; ++j)
-      f[i - deg_g + j] = field.reduce((static_cast<WideWord>(f[i - deg_g + j]) * field.one()) +
-                                      static_cast<WideWord>(q) * g[j]);
+    const Residue q = field.negate(f[i]);
+    for (std::size_t j = 0; j < i - deg_g; ++j) f[j] = field.multiply(l, f[j]);
+    for (std::size_t j = 0; j < deg_g; ++j)
+      f[i - deg_g + j] =
+          field.reduce(static_cast<WideWord>(l) * f[i - deg_g + j] + static_cast<WideWord>(q) * g[j]);
   }
 }
 
@@ -97,23 +98,26 @@ void reduce_modulo(const PrimeField& field, std::vector<Residue>& f, const std::
 Residue resultant(const PrimeField& field, std::vector<Residue> f, std::vector<Residue> g) {
   if (f.empty() || g.empty()) throw std::invalid_argument("resultant: a polynomial without formal degree");
   Residue result = field.one();
+  Residue denominator = field.one();  // not zero
   // res_{m,n}(f,g) for the formal degrees m = f.size()-1, n = g.size()-1; the loop keeps
-  // result * res(f,g) invariant.
+  // result/denominator * res(f,g) invariant.
   while (true) {
     const std::size_t m = f.size() - 1;
     const std::size_t n = g.size() - 1;
     const std::size_t k = degree_or_zero(g);
-    if (n == 0) return field.multiply(result, field.power(g[0], m));
-    if (m == 0) return field.multiply(result, field.power(f[0], n));
+    if (n == 0 || m == 0) {
+      const Residue last = n == 0 ? field.power(g[0], m) : field.power(f[0], n);
+      return field.multiply(field.multiply(result, last), field.inverse(denominator));
+    }
     if (g[k] == 0) return 0;
     if (k < n) {  // res_{m,n}(f,g) = f_m^(n-k) res_{m,k}(f,g)
       result = field.multiply(result, field.power(f[m], n - k));
       g.resize(k + 1);
       continue;
     }
-    if (m >= n) {  // res_{m,n}(f,g) = (-1)^(n(m-n+1)) g_n^(m-n+1) res_{n-1,n}(f mod g, g)
-      reduce_modulo(field, f, g, n);
-      result = field.multiply(result, field.power(g[n], m - n + 1));
+    if (m >= n) {  // res_{m,n}(f,g) = (-1)^(n(m-n+1)) g_n^((m-n+1)(1-n)) res_{n-1,n}(g_n^(m-n+1) f mod g, g)
+      pseudo_reduce(field, f, g, n);
+      denominator = field.multiply(denominator, field.power(g[n], (m - n + 1) * (n - 1)));
       if (n * (m - n + 1) % 2 == 1) result = field.negate(result);
       f.resize(n);
     }
