@@ -264,7 +264,9 @@ class Intersection {
         star_nodes[k] = add(enclose<Ball>(star.centre, power_of_two(-100)), star.centre);
       }
       star_nodes_[k] = *star_nodes[k];
-      classify(graph.nodes[static_cast<std::size_t>(*star_nodes[k])], star);
+      if (star.ports.empty() || leaves_sides(star)) {
+        classify(graph.nodes[static_cast<std::size_t>(*star_nodes[k])], star);
+      }
       for (std::size_t i = 0; i < landmarks.size(); ++i) {
         if (sweep_.landmarks[i].side != 0 && sweep_.landmarks[i].star == k) {
           ends[i] = {*star_nodes[k], approach(system, star, sweep_.landmarks[i])};
