@@ -74,7 +74,7 @@ class Intersection {
     sweep_.quick = true;
     if (!trace_and_build<DoubleBall>(power_of_two(-50), false)) {
       timed("singular points", [this] { find_stars(); });
-      const bool again = !sweep_.stars.empty() || sweep_.quick;
+      const bool again = !sweep_.stars.empty() || cut_short_;
       sweep_.quick = false;
       if (!again || !trace_and_build<DoubleBall>(power_of_two(-50), false)) {
         trace_and_build<ArbBall<256>>(power_of_two(-200), true);
@@ -208,7 +208,7 @@ class Intersection {
     TracedCurves<Ball> traced;
     sweep_.exact = result_.incomplete.empty();
     timed("tracing", [&] { traced = trace_curves(system, landmarks, sweep_, width, stop_); });
-    sweep_.quick = traced.cut_short;
+    cut_short_ = traced.cut_short;
     if (!traced.problems.empty() && sweep_.exact && !last) {
       return false;
     }
@@ -463,6 +463,7 @@ class Intersection {
   std::array<std::optional<std::optional<TurningValues>>, 4> turning_;  // outer: computed
   const std::optional<TurningValues> unknown_ = std::nullopt;
   IntersectResult result_{};
+  bool cut_short_ = false;  // the last attempt's searches were, and something is left
   double progress_ = 0;
 };
 

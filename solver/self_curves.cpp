@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "landmark_tangent.h"
 #include "subdivision.h"
 #include "traced_curves.h"
 
@@ -27,17 +28,6 @@ ParameterBox to_parameter_box(const std::array<double, 4>& lower, const std::arr
     box[j] = {from_double(std::clamp(lower[j], 0.0, 1.0)), from_double(std::clamp(upper[j], 0.0, 1.0))};
   }
   return box;
-}
-
-ParameterBox around(const std::array<double, 4>& where) {
-  std::array<double, 4> lower{};
-  std::array<double, 4> upper{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    const double centre = std::isfinite(where[j]) ? where[j] : 0.5;
-    lower[j] = centre - 0x1p-20;
-    upper[j] = centre + 0x1p-20;
-  }
-  return to_parameter_box(lower, upper);
 }
 
 /// The pairs of a box of a chart, with t > 0, rounded outward to the grid.
@@ -228,34 +218,15 @@ class SelfTracing {
         std::erase(result.signs, side.value == 0 ? -sign : sign);
         continue;
       }
-      const int bend = bend_at(landmark, index(side.parameter));
-      if (bend == 0) {
+      const std::size_t j = index(side.parameter);
+      const int bend = bend_sign(system_.pair, result_.landmarks[landmark], j);
+      if (bend == 0 || signs_at(static_cast<int>(landmark))[j] != 0) {
         result.certain = false;
       } else if ((bend > 0) != (side.value == 0)) {
         result.signs.clear();
       }
     }
     return result;
-  }
-
-  /// The sign of the second derivative of parameter j along the curve at a boundary point where T_j = 0
-  /// exactly; 0: unknown.
-  int bend_at(std::size_t landmark, std::size_t j) const {
-    const BallPoint<Ball>& box = result_.landmarks[landmark];
-    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, box).tangent();
-    std::size_t axis = 0;
-    for (std::size_t i = 1; i < 4; ++i) {
-      if (std::fabs(tangent[i].approximation()) > std::fabs(tangent[axis].approximation())) {
-        axis = i;
-      }
-    }
-    const auto tube = certify_tube(system_.pair, box, axis, 0x1p-30, 0x1p-40);
-    if (axis == j || !tube || !contains(*tube, box) ||
-        !(std::fabs(tube->second[j]) > tube->second_error[j]) ||
-        tangent_signs(static_cast<int>(landmark))[j] != 0) {
-      return 0;
-    }
-    return tube->second[j] > 0 ? 1 : -1;
   }
 
   /// The direction of the tangent field in which the trace in the charts goes on at its gate; 0: unknown.
@@ -297,12 +268,6 @@ class SelfTracing {
     use(arc.from, sign);
     use(arc.to, arriving_direction(*trace));
     add(std::move(outcome), arc.on);
-  }
-
-  /// The direction of T at the end of a trace in which it would be left again.
-  static int arriving_direction(const Trace<Ball>& trace) {
-    const Piece<Ball>& end = trace.pieces.back();
-    return -end.tube.orientation * (end.to > end.from ? 1 : -1);
   }
 
   /// Gates first: at the boundary end of a folded line on a side it is not known which directions enter.
@@ -375,7 +340,7 @@ class SelfTracing {
     mark_folded_line(curve, constant);
     const Trace<Ball>& trace = curve.analysed.trace;
     auto turning = find_turning_points(system_.pair, curve.analysed.trace, exact_.coincident,
-                                       {constant, tangent_signs(trace.start), tangent_signs(trace.end), {}});
+                                       {constant, signs_at(trace.start), signs_at(trace.end), {}});
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
       return;
@@ -385,23 +350,14 @@ class SelfTracing {
   }
 
   /// T at a landmark; nothing for -1.
-  TangentSigns tangent_signs(int landmark) const {
-    TangentSigns signs{};
+  TangentSigns signs_at(int landmark) const {
     if (landmark < 0) {
-      return signs;
+      return {};
     }
-    const BallPoint<Ball>& at = result_.landmarks[static_cast<std::size_t>(landmark)];
-    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, at).tangent();
     const auto i = static_cast<std::size_t>(landmark);
-    const bool unknown =
-        std::any_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() == 0; });
-    const std::array<bool, 4> zero =
-        unknown && is_boundary(i) ? exact_.zero_tangent(boundary_.points[i]) : std::array<bool, 4>{};
-    for (std::size_t j = 0; j < 4; ++j) {
-      const int sign = tangent[j].certain_sign();
-      signs[j] = zero[j] ? std::optional(0) : sign != 0 ? std::optional(sign) : std::nullopt;
-    }
-    return signs;
+    return tangent_signs(system_.pair, result_.landmarks[i], [&] {
+      return is_boundary(i) ? exact_.zero_tangent(boundary_.points[i]) : std::array<bool, 4>{};
+    });
   }
 
   /// A curve that comes from the turn of a folded line runs along that line.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "constant_parameter.h"
+#include "landmark_tangent.h"
 #include "line_place.h"
 #include "subdivision.h"
 
@@ -13,17 +14,6 @@ namespace exsect {
 namespace {
 
 constexpr int kQuickSearch = 16;  // times 64 boxes
-
-/// A small box for a report around a place known in doubles.
-ParameterBox around(const std::array<double, 4>& where) {
-  ParameterBox box;
-  for (std::size_t j = 0; j < 4; ++j) {
-    const Rational centre = from_double(std::isfinite(where[j]) ? std::clamp(where[j], 0.0, 1.0) : 0.5);
-    box[j] = {std::max<Rational>(centre - power_of_two(-20), 0),
-              std::min<Rational>(centre + power_of_two(-20), 1)};
-  }
-  return box;
-}
 
 int side_of(const RationalInterval& interval, const Rational& sample) {
   return interval.upper < sample ? -1 : interval.lower > sample ? 1 : 0;
@@ -62,23 +52,14 @@ class CurveTracing {
   }
 
   /// T at a landmark; nothing for -1.
-  TangentSigns tangent_signs(int landmark) const {
-    TangentSigns signs{};
+  TangentSigns signs_at(int landmark) const {
     if (landmark < 0) {
-      return signs;
+      return {};
     }
     const auto i = static_cast<std::size_t>(landmark);
-    const BallPoint<Ball> tangent = Expansion<Ball>(system_, landmarks_[i]).tangent();
-    const bool unknown =
-        std::any_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() == 0; });
-    const std::array<bool, 4> zero = unknown && sweep_.zero_tangent
-                                         ? sweep_.zero_tangent(sweep_.landmarks[i].point)
-                                         : std::array<bool, 4>{};
-    for (std::size_t j = 0; j < 4; ++j) {
-      const int sign = tangent[j].certain_sign();
-      signs[j] = zero[j] ? std::optional(0) : sign != 0 ? std::optional(sign) : std::nullopt;
-    }
-    return signs;
+    return tangent_signs(system_, landmarks_[i], [&] {
+      return sweep_.zero_tangent ? sweep_.zero_tangent(sweep_.landmarks[i].point) : std::array<bool, 4>{};
+    });
   }
 
   /// +1, -1: the directions of the tangent field that enter the domain at this boundary point or port; empty:
@@ -104,21 +85,11 @@ class CurveTracing {
   /// Where the curve is tangent to the side, exactly, its second derivative says whether it lies inside.
   std::optional<std::vector<int>> directions_along(std::size_t landmark, const Side& side) const {
     const std::size_t j = index(side.parameter);
-    const BallPoint<Ball>& box = landmarks_[landmark];
-    const BallPoint<Ball> tangent = Expansion<Ball>(system_, box).tangent();
-    std::size_t axis = 0;
-    for (std::size_t i = 1; i < 4; ++i) {
-      if (std::fabs(tangent[i].approximation()) > std::fabs(tangent[axis].approximation())) {
-        axis = i;
-      }
-    }
-    const auto tube = certify_tube(system_, box, axis, 0x1p-30, 0x1p-40);
-    if (axis == j || !tube || !contains(*tube, box) ||
-        !(std::fabs(tube->second[j]) > tube->second_error[j]) ||
-        tangent_signs(static_cast<int>(landmark))[j] != 0) {
+    const int bend = bend_sign(system_, landmarks_[landmark], j);
+    if (bend == 0 || signs_at(static_cast<int>(landmark))[j] != 0) {
       return std::nullopt;
     }
-    const bool inside = (tube->second[j] > 0) == (side.value == 0);
+    const bool inside = (bend > 0) == (side.value == 0);
     return inside ? std::vector{1, -1} : std::vector<int>{};
   }
 
@@ -268,9 +239,7 @@ class CurveTracing {
       used_[landmark].push_back(sign);
       auto outcome = trace_arc(system_, landmarks_, static_cast<int>(landmark), sign, stop_);
       if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
-        const Piece<Ball>& end = trace->pieces.back();  // it arrives along T or against it
-        const int along = end.tube.orientation * (end.to > end.from ? 1 : -1);
-        used_[static_cast<std::size_t>(trace->end)].push_back(-along);
+        used_[static_cast<std::size_t>(trace->end)].push_back(arriving_direction(*trace));
       }
       add(std::move(outcome));
     }
@@ -313,8 +282,8 @@ class CurveTracing {
     }
     mark_coincident(known.constant);
     known.plane = sweep_.plane;
-    known.at_start = tangent_signs(curve.trace.start);
-    known.at_end = tangent_signs(curve.trace.end);
+    known.at_start = signs_at(curve.trace.start);
+    known.at_end = signs_at(curve.trace.end);
     auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, known);
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
@@ -627,6 +596,16 @@ class CurveTracing {
 };
 
 }  // namespace
+
+ParameterBox around(const std::array<double, 4>& where) {
+  ParameterBox box;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const Rational centre = from_double(std::isfinite(where[j]) ? std::clamp(where[j], 0.0, 1.0) : 0.5);
+    box[j] = {std::max<Rational>(centre - power_of_two(-20), 0),
+              std::min<Rational>(centre + power_of_two(-20), 1)};
+  }
+  return box;
+}
 
 template <class Ball>
 TracedCurves<Ball> trace_curves(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,

@@ -72,6 +72,9 @@ template <class Ball>
 TracedCurves<Ball> trace_curves(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
                                 const SweepData& sweep, const Rational& width, const StopRequest& stop);
 
+/// A small box for a report around a place known in doubles.
+ParameterBox around(const std::array<double, 4>& where);
+
 /// The point's box at `width` as balls.
 template <class Ball>
 BallPoint<Ball> enclose(const CertifiedPoint& point, const Rational& width);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "landmark_tangent.h"
 #include "self_graph.h"
 #include "self_search.h"
 #include "traced_curves.h"
@@ -61,16 +62,6 @@ class PairMap {
  private:
   std::array<AffineMap, 4> maps_;
 };
-
-ParameterBox around(const std::array<double, 4>& where) {
-  ParameterBox box;
-  for (std::size_t j = 0; j < 4; ++j) {
-    const Rational centre = from_double(std::isfinite(where[j]) ? std::clamp(where[j], 0.0, 1.0) : 0.5);
-    box[j] = {std::max<Rational>(centre - power_of_two(-20), 0),
-              std::min<Rational>(centre + power_of_two(-20), 1)};
-  }
-  return box;
-}
 
 template <class Ball>
 bool certainly_outside(const Ball& c) {
@@ -131,14 +122,10 @@ class TwoPieceTracing {
     }
   }
 
-  BallPoint<Ball> tangent_at(std::size_t landmark) const {
-    return Expansion<Ball>(system_, result_.landmarks[landmark]).tangent();
-  }
-
   /// The direction of the tangent field that enters the domain at a boundary point, or leads away from the
   /// cuspidal point at a gate; 0: none; empty: unknown.
   std::optional<int> direction_at(std::size_t landmark) const {
-    const BallPoint<Ball> tangent = tangent_at(landmark);
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_, result_.landmarks[landmark]).tangent();
     if (landmark >= boundary_.size()) {
       const auto gate = result_.near.gate(static_cast<int>(landmark - boundary_.size()));
       const ChartTrace<Ball>& trace = result_.near.chart_traces[gate->trace];
@@ -190,17 +177,9 @@ class TwoPieceTracing {
     return {p[0].approximation(), p[1].approximation(), p[2].approximation(), p[3].approximation()};
   }
 
-  TangentSigns tangent_signs(int landmark) const {
-    TangentSigns signs{};
-    if (landmark < 0) {
-      return signs;
-    }
-    const BallPoint<Ball> tangent = tangent_at(static_cast<std::size_t>(landmark));
-    for (std::size_t j = 0; j < 4; ++j) {
-      const int sign = tangent[j].certain_sign();
-      signs[j] = sign != 0 ? std::optional(sign) : std::nullopt;
-    }
-    return signs;
+  TangentSigns signs_at(int landmark) const {
+    return landmark < 0 ? TangentSigns{}
+                        : tangent_signs(system_, result_.landmarks[static_cast<std::size_t>(landmark)]);
   }
 
   void add(std::variant<Trace<Ball>, TraceFailure> outcome) {
@@ -209,7 +188,7 @@ class TwoPieceTracing {
       return;
     }
     AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
-    const KnownTangent known = {{}, tangent_signs(curve.trace.start), tangent_signs(curve.trace.end), {}};
+    const KnownTangent known = {{}, signs_at(curve.trace.start), signs_at(curve.trace.end), {}};
     auto turning = find_turning_points(system_, curve.trace, coincident_, known);
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);

@@ -64,6 +64,13 @@ ControlNet net(const std::array<std::array<int, 3>, 9>& points) {
   return result;
 }
 
+IntersectResult check_complete(const BezierPatch& x, const BezierPatch& y) {
+  IntersectResult result = intersect(x, y);
+  CHECK(result.status == Status::complete);
+  CHECK(unsound(x, y, result) == "");
+  return result;
+}
+
 }  // namespace
 
 TEST_CASE("a control point of a side is moved: arcs leave the side where the patches touch") {
@@ -79,9 +86,7 @@ TEST_CASE("a control point of a side is moved: arcs leave the side where the pat
   const Point d = {3, -2, 1};
   ControlNet y = x;
   y[1][0] = y[1][0] + d;
-  const IntersectResult result = intersect(BezierPatch(x), BezierPatch(y));
-  CHECK(result.status == Status::complete);
-  CHECK(unsound(BezierPatch(x), BezierPatch(y), result) == "");
+  const IntersectResult result = check_complete(BezierPatch(x), BezierPatch(y));
   check_side(BezierPatch(x), d, result.graph, {Parameter::v, 1});
   // Where an arc leaves the side, the simple points of the fibre have multiplicity two and the others none.
   const auto turning = turning_values(BezierPatch(x), BezierPatch(y), Parameter::u);
@@ -108,9 +113,7 @@ TEST_CASE("a corner is moved: arcs leave both sides where the patches touch") {
   const Point d = {-1, -1, 2};
   ControlNet y = x;
   y[2][0] = y[2][0] + d;
-  const IntersectResult result = intersect(BezierPatch(x), BezierPatch(y));
-  CHECK(result.status == Status::complete);
-  CHECK(unsound(BezierPatch(x), BezierPatch(y), result) == "");
+  const IntersectResult result = check_complete(BezierPatch(x), BezierPatch(y));
   check_side(BezierPatch(x), d, result.graph, {Parameter::u, 0});
   check_side(BezierPatch(x), d, result.graph, {Parameter::v, 1});
 }
