@@ -4,15 +4,11 @@
 #include <optional>
 #include <string>
 
+#include "parameter_box.h"
+
 namespace exsect {
 
 namespace {
-
-bool overlap(const ParameterBox& a, const ParameterBox& b) {
-  for (std::size_t j = 0; j < 4; ++j)
-    if (a[j].upper < b[j].lower || b[j].upper < a[j].lower) return false;
-  return true;
-}
 
 constexpr const char* kWorkCap = "the work cap was reached while boundary points were computed";
 constexpr const char* kLostEnd = "an end of a boundary arc was not found on the other side";
@@ -100,8 +96,8 @@ class BoundarySearch {
         incomplete(line.arcs.ends[from ? arc.to : arc.from].box(), kLostEnd);
         continue;
       }
-      result_.arcs.push_back(
-          {line.side, *from, *to, arc.inside, std::move(arc.polyline), arc.error_bound, arc.collapsed});
+      result_.arcs.push_back({line.side, *from, *to, arc.inside, std::move(arc.polyline), arc.error_bound,
+                              std::move(arc.hulls), arc.collapsed});
     }
   }
 
@@ -115,7 +111,7 @@ class BoundarySearch {
     for (int step = 0; step < 8; ++step, width *= width) {
       const ParameterBox box = point.refined_to(width).box();
       std::erase_if(candidates,
-                    [&](std::size_t i) { return !overlap(box, result_.points[i].refined_to(width).box()); });
+                    [&](std::size_t i) { return !meet(box, result_.points[i].refined_to(width).box()); });
       if (candidates.size() <= 1) break;
     }
     if (candidates.size() != 1) return std::nullopt;

@@ -18,7 +18,8 @@ struct SideArc {
   CertifiedPoint inside;
   std::vector<PolylineVertex> polyline;
   double error_bound;
-  bool collapsed;  // the side is one point of space
+  std::vector<ParameterBox> hulls;  // the arc is in their union
+  bool collapsed;                   // the side is one point of space
 };
 
 /// The arcs, and the points that are no interior points of arcs, each once; `incomplete` says what is

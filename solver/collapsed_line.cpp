@@ -7,6 +7,7 @@
 
 #include "half_rational_point.h"
 #include "line_place.h"
+#include "parameter_box.h"
 #include "plane_curve.h"
 
 namespace exsect {
@@ -62,8 +63,13 @@ LineArcs arcs_of_collapsed_line(const BezierPatch& x, const BezierPatch& y, cons
   for (std::size_t i = 0; i < middle.size(); ++i) {
     result.ends.push_back(lower[i].point);
     result.ends.push_back(upper[i].point);
-    result.arcs.push_back({2 * i, 2 * i + 1, middle[i].point,
-                           straight_polyline(lower[i].point, upper[i].point, point), rounding, true});
+    result.arcs.push_back({2 * i,
+                           2 * i + 1,
+                           middle[i].point,
+                           straight_polyline(lower[i].point, upper[i].point, point),
+                           rounding,
+                           {hull(lower[i].point.box(), upper[i].point.box())},
+                           true});
   }
   return result;
 }

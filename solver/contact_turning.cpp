@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parameter_box.h"
+
 namespace exsect {
 
 namespace {
@@ -53,10 +55,6 @@ class SpanList {
   std::size_t parameter_;
   std::vector<Span> spans_;
 };
-
-RationalInterval hull(const RationalInterval& a, const RationalInterval& b) {
-  return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
-}
 
 /// The number of turning values in the closed interval.
 std::ptrdiff_t values_in(const TurningValues& turning, const RationalInterval& at) {

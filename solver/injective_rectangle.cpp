@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "parameter_box.h"
+
 namespace exsect {
 namespace {
 
@@ -148,10 +150,6 @@ class Certificate {
 
 bool meet(const RationalInterval& a, const RationalInterval& b) {
   return a.lower <= b.upper && b.lower <= a.upper;
-}
-
-RationalInterval hull(const RationalInterval& a, const RationalInterval& b) {
-  return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
 }
 
 class InjectivityProof {

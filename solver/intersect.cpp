@@ -16,6 +16,7 @@
 #include "line_place.h"
 #include "model_scale.h"
 #include "overlaps.h"
+#include "parameter_box.h"
 #include "singular_points.h"
 #include "traced_curves.h"
 
@@ -346,35 +347,23 @@ class Intersection {
     contract(result_.graph, nodes, collapsed_node(arc.inside, inside, along));
   }
 
-  /// The star's centre is a point of the arc, not an end: of all arcs on that side only this one has its
-  /// value of the line's parameter.
+  /// The star's centre is a point of the arc, not an end: the only arc on that side that can reach it.
   bool lies_inside(const CertifiedPoint& centre, const SideArc& arc, const Side& side, std::size_t along) {
-    const auto covers = [&](const SideArc& other) {
+    const ParameterBox box = centre.refined_to(power_of_two(-100)).box();
+    const auto reaches = [&](const SideArc& other) {
       const auto at = [&](std::size_t end) { return sides_.points[end].box()[along]; };
       return other.inside.on(side) && other.collapsed == arc.collapsed &&
-             !(arc.collapsed && apart(other.inside, centre, along)) &&
-             at(other.from).upper < centre.box()[along].lower &&
-             at(other.to).lower > centre.box()[along].upper;
+             std::any_of(other.hulls.begin(), other.hulls.end(),
+                         [&](const ParameterBox& h) { return meet(box, h); }) &&
+             at(other.from).upper < box[along].lower && at(other.to).lower > box[along].upper;
     };
-    if (!centre.on(side) || !covers(arc)) {
+    if (!centre.on(side) || !reaches(arc)) {
       return false;
     }
-    if (std::count_if(sides_.arcs.begin(), sides_.arcs.end(), covers) > 1) {
+    if (std::count_if(sides_.arcs.begin(), sides_.arcs.end(), reaches) > 1) {
       incomplete(centre.box(), "arcs on one side lie over the same values of its parameter");
     }
     return true;
-  }
-
-  /// Told from each other by a parameter other than `free`.
-  static bool apart(const CertifiedPoint& a, const CertifiedPoint& b, std::size_t free) {
-    const ParameterBox p = a.refined_to(power_of_two(-100)).box();
-    const ParameterBox q = b.refined_to(power_of_two(-100)).box();
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (j != free && (p[j].upper < q[j].lower || q[j].upper < p[j].lower)) {
-        return true;
-      }
-    }
-    return false;
   }
 
   void push_side_arc(int from, int to, const SideArc& whole, const std::vector<PolylineVertex>& polyline,

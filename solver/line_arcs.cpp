@@ -10,6 +10,7 @@
 #include "line_curve.h"
 #include "line_point.h"
 #include "line_system.h"
+#include "parameter_box.h"
 #include "plane_curve.h"
 #include "shared_line_arcs.h"
 #include "traced_curves.h"
@@ -90,9 +91,8 @@ class LineArcSearch {
 
   /// What needs no tracing; moving_ is the rest.
   void trace_lines() {
-    if (system_->pieces.size() != 1) return;
     const LinesOfCurve lines = rational_lines(moving_);
-    result_.arcs = arcs_on_lines(place_, problem_.patch, system_, lines, events_, tolerance_);
+    result_.arcs = arcs_on_lines(place_, problem_.patch, system_, lines, events_, result_.ends, tolerance_);
     moving_ = lines.rest;
     if (moving_.degree_r() <= 0 && moving_.degree_s() <= 0) values_.clear();
   }
@@ -134,35 +134,58 @@ class LineArcSearch {
         result_.collapsed.push_back({preimage(system_->phi, piece, lambda), fixed, value});
   }
 
-  /// Events: where an arc may begin or end, or is not regular. False if the work must stop.
+  /// Events: where an arc may begin or end, or is not regular; on a piece of the line, also where the piece
+  /// ends. False if the work must stop.
   bool find_events() {
-    std::vector<TriangularPoint> points = side_points(moving_);
+    std::vector<TriangularPoint> points;
     const auto append = [&](const std::vector<TriangularPoint>& more) {
-      points.insert(points.end(), more.begin(), more.end());
-    };
-    const RationalInterval range = lambda_range(*system_);
-    for (const Rational& end : {range.lower, range.upper})
-      append(common_points(moving_, shifted(system_->lambda, end)));
-    append(common_points(moving_, jacobian(moving_, system_->lambda)));
-    std::vector<TriangularPoint> distinct;
-    for (const TriangularPoint& p : points) {
-      if (is_stopped(stop_)) return false;
-      const auto same = [&](const TriangularPoint& q) { return same_point(p, q); };
-      if (in_range(p) && std::none_of(distinct.begin(), distinct.end(), same)) distinct.push_back(p);
-    }
-    values_ = {RealAlgebraic(range.lower), RealAlgebraic(range.upper)};
-    for (const TriangularPoint& p : distinct) {
-      if (is_stopped(stop_)) return false;
-      for (CertifiedPoint& point : certified(p)) {
-        events_.push_back({p, result_.ends.size()});
-        result_.ends.push_back(std::move(point));
+      for (const TriangularPoint& p : more) {
+        const auto same = [&](const TriangularPoint& q) { return same_point(p, q); };
+        if (!is_stopped(stop_) && in_range(p) && std::none_of(points.begin(), points.end(), same))
+          points.push_back(p);
       }
-      values_.push_back(value_at(system_->lambda, p));
+    };
+    append(side_points(moving_));
+    append(common_points(moving_, jacobian(moving_, system_->lambda)));
+    const std::size_t on_all_pieces = points.size();
+    for (const Rational& end : piece_ends()) append(common_points(moving_, shifted(system_->lambda, end)));
+    const RationalInterval range = lambda_range(*system_);
+    values_ = {RealAlgebraic(range.lower), RealAlgebraic(range.upper)};
+    for (std::size_t i = 0; i < points.size() && !is_stopped(stop_); ++i) {
+      add_event(points[i], i < on_all_pieces);
+      values_.push_back(value_at(system_->lambda, points[i]));
     }
     separate(result_.ends);
     std::sort(values_.begin(), values_.end());
     values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
-    return true;
+    return !is_stopped(stop_);
+  }
+
+  /// lambda at the ends of the monotone pieces.
+  std::vector<Rational> piece_ends() const {
+    std::vector<Rational> ends;
+    for (const MonotonePiece& piece : system_->pieces) {
+      ends.push_back(piece.lambda.lower);
+      ends.push_back(piece.lambda.upper);
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    return ends;
+  }
+
+  void add_event(const TriangularPoint& p, bool on_all_pieces) {
+    const std::vector<std::size_t> pieces = pieces_at(*system_, p);
+    std::vector<CertifiedPoint> points = certified(p);
+    const auto has_lambda = [&](const Rational& value) {
+      return sign_at(shifted(system_->lambda, value), p) == 0;
+    };
+    const bool at_turn = system_->pieces.size() > 1 && has_lambda(system_->phi(system_->pieces[0].t.upper));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const RationalInterval& ends = system_->pieces[pieces[i]].lambda;
+      if (!on_all_pieces && !has_lambda(ends.lower) && !has_lambda(ends.upper)) continue;
+      events_.push_back({p, result_.ends.size(), pieces[i], at_turn});
+      result_.ends.push_back(std::move(points[i]));
+    }
   }
 
   std::vector<CertifiedPoint> certified(const TriangularPoint& p) const {
@@ -187,7 +210,7 @@ class LineArcSearch {
 
   /// The arc through a point, unless it is known: exactly one begins at a regular event.
   void trace_through(const CertifiedPoint& inside) {
-    const auto back = run_from(inside, -1);
+    auto back = run_from(inside, -1);
     if (back && std::count(starts_.begin(), starts_.end(), back->end) > 0) return;
     const auto ahead = back ? run_from(inside, 1) : std::nullopt;
     if (!ahead) {
@@ -204,8 +227,10 @@ class LineArcSearch {
       vertex.parameters[index(place_.roles.second)] = p[3];
     }
     starts_.push_back(back->end);
+    back->hulls.insert(back->hulls.end(), ahead->hulls.begin(), ahead->hulls.end());
     result_.arcs.push_back({static_cast<std::size_t>(back->end), static_cast<std::size_t>(ahead->end), inside,
-                            std::move(polyline), std::max(back->error_bound, ahead->error_bound)});
+                            std::move(polyline), std::max(back->error_bound, ahead->error_bound),
+                            std::move(back->hulls)});
   }
 
   /// A part of an arc from a point to an event, or to a point over a rational value.
@@ -213,12 +238,13 @@ class LineArcSearch {
     int end;  // index of an event, or of one of the targets after the events
     std::vector<PolylineVertex> polyline;
     double error_bound;
+    std::vector<ParameterBox> hulls;
   };
 
   /// From a point to the next event, t falling or rising: in one run, or in shorter ones on ribbons of their
   /// own.
   std::optional<Run> run_from(CertifiedPoint at, int direction) {
-    Run all{-1, {}, 0};
+    Run all{-1, {}, 0, {}};
     for (int runs = 0; runs < kMostRuns; ++runs) {
       std::vector<CertifiedPoint> targets;
       const auto run = next_run(at, direction, targets);
@@ -226,6 +252,7 @@ class LineArcSearch {
       all.polyline.insert(all.polyline.end(), run->polyline.begin() + (runs == 0 ? 0 : 1),
                           run->polyline.end());
       all.error_bound = std::max(all.error_bound, run->error_bound);
+      all.hulls.insert(all.hulls.end(), run->hulls.begin(), run->hulls.end());
       all.end = run->end;
       const auto events = static_cast<int>(result_.ends.size());
       if (run->end < events) return all;
@@ -329,7 +356,28 @@ class LineArcSearch {
     AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
     append_trace(scratch, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame, {},
                  tolerance_);
-    return Run{curve.trace.end, std::move(scratch.arcs.front().polyline), scratch.arcs.front().error_bound};
+    Run run{curve.trace.end, std::move(scratch.arcs.front().polyline), scratch.arcs.front().error_bound, {}};
+    for (const Piece<Ball>& piece : curve.trace.pieces) run.hulls.push_back(hull_of(piece));
+    return run;
+  }
+
+  /// Around the piece, by its bounds of positions at tau = 0 and of slopes.
+  template <class Ball>
+  ParameterBox hull_of(const Piece<Ball>& piece) const {
+    const Tube<Ball>& tube = piece.tube;
+    const double reach = std::max(std::fabs(piece.from), std::fabs(piece.to));
+    const auto around = [&](std::size_t i) {
+      const double slope = std::fabs(tube.slope[i]) + tube.slope_error[i];
+      const Rational centre = tube.centre[i].interval().midpoint();
+      const Rational radius = from_double((tube.halfwidth[i] + slope * reach) * (1 + 0x1p-50));
+      return RationalInterval{std::max<Rational>(0, centre - radius), std::min<Rational>(1, centre + radius)};
+    };
+    ParameterBox box;
+    box[index(place_.roles.fixed)] = {place_.value, place_.value};
+    box[index(place_.roles.line)] = around(0);
+    box[index(place_.roles.first)] = around(2);
+    box[index(place_.roles.second)] = around(3);
+    return box;
   }
 
   static Rational rational_between(RealAlgebraic a, RealAlgebraic b) {

@@ -23,7 +23,8 @@ struct LineArc {
   CertifiedPoint inside;
   std::vector<PolylineVertex> polyline;
   double error_bound;
-  bool collapsed = false;  // the line is one point, and r and s are constant
+  std::vector<ParameterBox> hulls;  // the arc is in their union
+  bool collapsed = false;           // the line is one point, and r and s are constant
 };
 
 /// A parameter line `fixed = value` of the other patch that is mapped to one point of the line.

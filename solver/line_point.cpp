@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "parameter_box.h"
 #include "plane_curve.h"
 
 namespace exsect {
@@ -214,12 +215,6 @@ int branch_from(int sign_of_derivative, bool linear) {
   return linear || sign_of_derivative < 0 ? 1 : 2;
 }
 
-bool disjoint(const ParameterBox& a, const ParameterBox& b) {
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i].upper < b[i].lower || b[i].upper < a[i].lower) return true;
-  return false;
-}
-
 int multiplicity_at(const LineSystem& system, const TriangularPoint& at, const Polynomial& eliminant) {
   if (eliminant.is_zero()) return 0;
   const int multiplicity = root_multiplicity(eliminant, at.s());
@@ -253,6 +248,20 @@ std::vector<CertifiedPoint> conic_point(const LinePlace& place,
   return {CertifiedPoint(source, initial_width(), global_sides(place, sides), multiplicity, branch)};
 }
 
+std::vector<std::size_t> pieces_at(const LineSystem& system, const TriangularPoint& at) {
+  const auto compared = [&](const Rational& value) {
+    return sign_at(system.lambda - BivariatePolynomial::constant(value), at);
+  };
+  std::vector<std::size_t> pieces;
+  for (std::size_t i = 0; i < system.pieces.size(); ++i) {
+    const MonotonePiece& piece = system.pieces[i];
+    if (compared(piece.lambda.lower) < 0 || compared(piece.lambda.upper) > 0) continue;
+    if (i > 0 && compared(system.phi(piece.t.lower)) == 0) continue;  // the turn belongs to the piece before
+    pieces.push_back(i);
+  }
+  return pieces;
+}
+
 std::vector<CertifiedPoint> system_points(const LinePlace& place,
                                           const std::shared_ptr<const LineSystem>& system,
                                           const TriangularPoint& at, const Polynomial& eliminant,
@@ -265,10 +274,8 @@ std::vector<CertifiedPoint> system_points(const LinePlace& place,
   const int branch =
       derivative.is_zero() ? 0 : branch_from(sign_at(derivative, at), system->first.degree_r() == 1);
   std::vector<CertifiedPoint> points;
-  for (std::size_t i = 0; i < system->pieces.size(); ++i) {
+  for (const std::size_t i : pieces_at(*system, at)) {
     const MonotonePiece& piece = system->pieces[i];
-    if (compared(piece.lambda.lower) < 0 || compared(piece.lambda.upper) > 0) continue;
-    if (i > 0 && compared(system->phi(piece.t.lower)) == 0) continue;  // the turn belongs to the piece before
     LocalSides sides = {std::nullopt, end_of(BivariatePolynomial::r(), at), side_of(at.s())};
     if (piece.t.lower == 0 && compared(system->phi(0)) == 0) sides.t = 0;
     if (piece.t.upper == 1 && compared(system->phi(1)) == 0) sides.t = 1;
@@ -281,8 +288,7 @@ std::vector<CertifiedPoint> system_points(const LinePlace& place,
 void separate(std::vector<CertifiedPoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = i + 1; j < points.size(); ++j)
-      for (Rational width = initial_width() / 1024; !disjoint(points[i].box(), points[j].box());
-           width *= width) {
+      for (Rational width = initial_width() / 1024; meet(points[i].box(), points[j].box()); width *= width) {
         points[i] = points[i].refined_to(width);
         points[j] = points[j].refined_to(width);
       }

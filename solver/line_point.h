@@ -22,9 +22,13 @@ std::vector<CertifiedPoint> conic_point(const LinePlace& place,
                                         const std::shared_ptr<const ConicForms>& forms,
                                         const RealAlgebraic& s);
 
-/// The points at a solution (r,s) of the system in [0,1]^2: one for every t in [0,1] with phi(t) = lambda
-/// there. `eliminant` serves the multiplicity; zero: the multiplicity of the point is not defined (0).
-/// `width`: of the boxes.
+/// The system's pieces with a t for which phi(t) = lambda at a solution (r,s); of two with the same t, the
+/// first.
+std::vector<std::size_t> pieces_at(const LineSystem& system, const TriangularPoint& at);
+
+/// The points at a solution (r,s) of the system in [0,1]^2, in the order of pieces_at: one for every t in
+/// [0,1] with phi(t) = lambda there. `eliminant` serves the multiplicity; zero: the multiplicity of the point
+/// is not defined (0). `width`: of the boxes.
 std::vector<CertifiedPoint> system_points(const LinePlace& place,
                                           const std::shared_ptr<const LineSystem>& system,
                                           const TriangularPoint& at, const Polynomial& eliminant,

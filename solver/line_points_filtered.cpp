@@ -4,6 +4,7 @@
 #include "filter_line.h"
 #include "line_patch.h"
 #include "line_place.h"
+#include "parameter_box.h"
 
 namespace exsect {
 namespace {
@@ -14,12 +15,6 @@ struct Problem {
   BezierPatch y;
   LineQuery query;
 };
-
-bool disjoint(const ParameterBox& a, const ParameterBox& b) {
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i].upper < b[i].lower || b[i].upper < a[i].lower) return true;
-  return false;
-}
 
 /// The only point of the line in a box; anything narrower than the box comes from the exact points.
 class PointInBox : public CertifiedPoint::Source {
@@ -38,7 +33,7 @@ class PointInBox : public CertifiedPoint::Source {
   CertifiedPoint exact() const {
     std::vector<CertifiedPoint> candidates = line_points(problem_->x, problem_->y, problem_->query).points;
     for (Rational width = power_of_two(-64);; width *= width) {
-      std::erase_if(candidates, [&](const CertifiedPoint& p) { return disjoint(p.box(), box_); });
+      std::erase_if(candidates, [&](const CertifiedPoint& p) { return !meet(p.box(), box_); });
       if (candidates.size() == 1) return candidates.front();
       for (CertifiedPoint& p : candidates) p = p.refined_to(width);
     }

@@ -8,6 +8,7 @@
 #include "half_rational_point.h"
 #include "line_place.h"
 #include "pair_system.h"
+#include "parameter_box.h"
 #include "star_neighbourhood.h"
 
 namespace exsect {

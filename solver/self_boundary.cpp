@@ -16,6 +16,7 @@
 #include "line_point.h"
 #include "line_system.h"
 #include "model_scale.h"
+#include "parameter_box.h"
 #include "plane_curve.h"
 
 namespace exsect {
@@ -53,12 +54,6 @@ std::vector<Side> exchanged(std::vector<Side> sides) {
 CertifiedPoint exchanged(const CertifiedPoint& point) {
   return {std::make_shared<ExchangedSource>(point), initial_width(), exchanged(point.sides()),
           point.multiplicity(), point.branch()};
-}
-
-bool overlap(const ParameterBox& a, const ParameterBox& b) {
-  for (std::size_t j = 0; j < 4; ++j)
-    if (a[j].upper < b[j].lower || b[j].upper < a[j].lower) return false;
-  return true;
 }
 
 /// r or s minus a constant.
@@ -146,7 +141,7 @@ std::size_t find_mate(const std::vector<CertifiedPoint>& points, std::size_t i) 
     const ParameterBox box = exchanged(points[i].refined_to(width).box());
     std::vector<std::size_t> found;
     for (std::size_t j = 0; j < points.size(); ++j)
-      if (points[j].sides() == sides && overlap(points[j].refined_to(width).box(), box)) found.push_back(j);
+      if (points[j].sides() == sides && meet(points[j].refined_to(width).box(), box)) found.push_back(j);
     if (found.size() == 1) return found.front();
   }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "line_point.h"
+#include "parameter_box.h"
 #include "plane_curve.h"
 
 namespace exsect {
@@ -31,7 +32,7 @@ double upper_norm(const Point& p) {
   return std::hypot(to_double(p[0]), to_double(p[1]), to_double(p[2])) * (1 + 0x1p-40);
 }
 
-/// Where an event is on its line.
+/// Where an event is on its line of the other patch.
 struct Place {
   RealAlgebraic along;
   std::size_t end;
@@ -63,33 +64,37 @@ class ArcsOnLine {
  public:
   /// On the line r = c (`fixes_first`) or s = c.
   ArcsOnLine(const LinePlace& place, const BezierPatch& patch, std::shared_ptr<const LineSystem> system,
-             bool fixes_first, Rational c, double tolerance)
+             bool fixes_first, Rational c, const std::vector<CertifiedPoint>& ends, double tolerance)
       : place_(place),
         patch_(patch),
         system_(std::move(system)),
         fixes_first_(fixes_first),
         c_(std::move(c)),
         lambda_(fixes_first ? system_->lambda.at_r(c_) : system_->lambda.at_s(c_)),
+        ends_(ends),
         tolerance_(tolerance) {}
 
   void run(const std::vector<LineEvent>& events, std::vector<LineArc>& arcs) const {
-    const std::vector<Place> places = on_line(events);
-    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-      const Rational middle = rational_between(places[i].along, places[i + 1].along);
-      const RationalInterval range = lambda_range(*system_);
-      const Rational lambda = lambda_(middle);
-      if (lambda >= range.lower && lambda <= range.upper)
-        arcs.push_back(arc(places[i], places[i + 1], middle));
+    for (std::size_t piece = 0; piece < system_->pieces.size(); ++piece) {
+      const std::vector<Place> places = on_line(events, piece);
+      const RationalInterval range = system_->pieces[piece].lambda;
+      for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+        const Rational middle = rational_between(places[i].along, places[i + 1].along);
+        const Rational lambda = lambda_(middle);
+        if (lambda >= range.lower && lambda <= range.upper)
+          arcs.push_back(arc(places[i], places[i + 1], middle, piece));
+      }
     }
   }
 
  private:
-  std::vector<Place> on_line(const std::vector<LineEvent>& events) const {
+  /// The events on the closed monotone piece, in their order along this line.
+  std::vector<Place> on_line(const std::vector<LineEvent>& events, std::size_t piece) const {
     const BivariatePolynomial fixed = fixes_first_ ? BivariatePolynomial::r() : BivariatePolynomial::s();
     const BivariatePolynomial along = fixes_first_ ? BivariatePolynomial::s() : BivariatePolynomial::r();
     std::vector<Place> places;
     for (const LineEvent& event : events)
-      if (sign_at(shifted(fixed, c_), event.at) == 0)
+      if ((event.piece == piece || event.at_turn) && sign_at(shifted(fixed, c_), event.at) == 0)
         places.push_back({value_at(along, event.at), event.end});
     std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.along < b.along; });
     return places;
@@ -100,25 +105,29 @@ class ArcsOnLine {
     return fixes_first_ ? patch_.derivative_second(c_, along) : patch_.derivative_first(along, c_);
   }
 
-  LineArc arc(const Place& a, const Place& b, const Rational& middle) const {
+  LineArc arc(const Place& a, const Place& b, const Rational& middle, std::size_t piece) const {
     const Rational r = fixes_first_ ? c_ : middle;
     const Rational s = fixes_first_ ? middle : c_;
     const TriangularPoint inside(RealAlgebraic(s), shifted(BivariatePolynomial::r(), r), {r, r});
     const Rational before = rational_between(a.along, RealAlgebraic(middle));
+    const RationalInterval& t = system_->pieces[piece].t;
     // Does lambda grow in the same direction along both lines?
-    const bool alike =
-        (lambda_(middle) > lambda_(before)) == (system_->phi(Rational(1)) > system_->phi(Rational(0)));
+    const bool alike = (lambda_(middle) > lambda_(before)) == (system_->phi(t.upper) > system_->phi(t.lower));
     const Place& from = alike ? a : b;
     const Place& to = alike ? b : a;
+    const std::vector<std::size_t> pieces = pieces_at(*system_, inside);
+    const auto which =
+        static_cast<std::size_t>(std::find(pieces.begin(), pieces.end(), piece) - pieces.begin());
     LineArc result{
-        from.end, to.end, system_points(place_, system_, inside, Polynomial(), initial_width()).at(0), {}, 0};
-    add_polyline(result, near(from.along), near(to.along));
+        from.end, to.end, system_points(place_, system_, inside, Polynomial(), initial_width()).at(which),
+        {},       0,      {hull(ends_[from.end].box(), ends_[to.end].box())}};
+    add_polyline(result, near(from.along), near(to.along), piece);
     return result;
   }
 
   /// Chords of a parabola with second derivative X'' over steps h keep within |X''| h²/8; its vertices are
   /// rounded, and those at the ends stand for points a little further on.
-  void add_polyline(LineArc& arc, const NearDouble& from, const NearDouble& to) const {
+  void add_polyline(LineArc& arc, const NearDouble& from, const NearDouble& to, std::size_t piece) const {
     const double second = upper_norm(Rational(4) * (at(0) + at(1) - Rational(2) * at(Rational(1, 2))));
     const double first = std::max(upper_norm(slope(0)), upper_norm(slope(1)));
     const double length = std::fabs(to.value - from.value) * (1 + 0x1p-40);
@@ -129,7 +138,7 @@ class ArcsOnLine {
     for (int i = 0; i <= n; ++i) {
       const double along =
           i == n ? to.value : from.value + (to.value - from.value) * (static_cast<double>(i) / n);
-      arc.polyline.push_back(vertex(from_double(along), rounding));
+      arc.polyline.push_back(vertex(from_double(along), piece, rounding));
     }
     arc.error_bound =
         (second * step * step / 8 + 2 * (rounding + first * std::max(from.error, to.error))) * (1 + 0x1p-40);
@@ -142,7 +151,7 @@ class ArcsOnLine {
     return lambda_.degree() > 1 ? 16 : 1;
   }
 
-  PolylineVertex vertex(const Rational& along, double& rounding) const {
+  PolylineVertex vertex(const Rational& along, std::size_t piece, double& rounding) const {
     const Point p = at(along);
     PolylineVertex result{};
     double error = 0;
@@ -152,19 +161,19 @@ class ArcsOnLine {
     }
     rounding = std::max(rounding, error);
     result.parameters[index(place_.roles.fixed)] = to_double(place_.value);
-    result.parameters[index(place_.roles.line)] = std::clamp(parameter(lambda_(along)), 0.0, 1.0);
+    result.parameters[index(place_.roles.line)] = std::clamp(parameter(lambda_(along), piece), 0.0, 1.0);
     result.parameters[index(place_.roles.first)] = to_double(fixes_first_ ? c_ : along);
     result.parameters[index(place_.roles.second)] = to_double(fixes_first_ ? along : c_);
     return result;
   }
 
-  /// The t in [0,1] with phi(t) = lambda, rounded.
-  double parameter(const Rational& lambda) const {
+  /// The t in the piece with phi(t) = lambda, rounded.
+  double parameter(const Rational& lambda, std::size_t piece) const {
     const Polynomial& phi = system_->phi;
     if (phi.degree() == 1) return to_double((lambda - phi.coefficient(0)) / phi.coefficient(1));
     const Rational turn = -phi.coefficient(1) / 2;
     const double root = std::sqrt(std::max(0.0, to_double(turn * turn + lambda)));
-    return to_double(turn) + (turn <= 0 ? root : -root);
+    return to_double(turn) + (turn <= system_->pieces[piece].t.lower ? root : -root);
   }
 
   const LinePlace& place_;
@@ -173,6 +182,7 @@ class ArcsOnLine {
   bool fixes_first_;
   Rational c_;
   Polynomial lambda_;
+  const std::vector<CertifiedPoint>& ends_;
   double tolerance_;
 };
 
@@ -195,11 +205,12 @@ LinesOfCurve rational_lines(const BivariatePolynomial& f) {
 
 std::vector<LineArc> arcs_on_lines(const LinePlace& place, const BezierPatch& patch,
                                    const std::shared_ptr<const LineSystem>& system, const LinesOfCurve& lines,
-                                   const std::vector<LineEvent>& events, double tolerance) {
+                                   const std::vector<LineEvent>& events,
+                                   const std::vector<CertifiedPoint>& ends, double tolerance) {
   std::vector<LineArc> arcs;
   for (const bool first : {true, false})
     for (const Rational& c : first ? lines.first : lines.second)
-      if (c >= 0 && c <= 1) ArcsOnLine(place, patch, system, first, c, tolerance).run(events, arcs);
+      if (c >= 0 && c <= 1) ArcsOnLine(place, patch, system, first, c, ends, tolerance).run(events, arcs);
   return arcs;
 }
 

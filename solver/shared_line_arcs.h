@@ -21,18 +21,21 @@ struct LinesOfCurve {
 /// Requires f squarefree and not zero.
 LinesOfCurve rational_lines(const BivariatePolynomial& f);
 
-/// An exact point of the curve, and which of LineArcs::ends it is.
+/// An exact point of the curve with a t in one of the system's pieces, and which of LineArcs::ends it is.
 struct LineEvent {
   TriangularPoint at;
   std::size_t end;
+  std::size_t piece;
+  bool at_turn;  // t is in both pieces
 };
 
-/// The arcs along `lines`. Between two neighbouring events on a line the system's lambda is strictly
-/// monotone, and inside its range throughout or nowhere; requires a monotone system->phi. The polylines keep
-/// within `tolerance` where doubles can express that; that of a line of the other patch is a parabola, so
-/// that nothing depends on whether the patches are regular.
+/// The arcs along `lines`, `ends` those of the events, one or more on every piece of the system. Between two
+/// neighbouring events on a line and a piece the system's lambda is strictly monotone, and inside the piece's
+/// range throughout or nowhere. The polylines keep within `tolerance` where doubles can express that; that of
+/// a line of the other patch is a parabola, so that nothing depends on whether the patches are regular.
 std::vector<LineArc> arcs_on_lines(const LinePlace& place, const BezierPatch& patch,
                                    const std::shared_ptr<const LineSystem>& system, const LinesOfCurve& lines,
-                                   const std::vector<LineEvent>& events, double tolerance);
+                                   const std::vector<LineEvent>& events,
+                                   const std::vector<CertifiedPoint>& ends, double tolerance);
 
 }  // namespace exsect

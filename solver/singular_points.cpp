@@ -8,6 +8,7 @@
 #include "exact_tangent.h"
 #include "half_rational_point.h"
 #include "line_place.h"
+#include "parameter_box.h"
 #include "point_on_line.h"
 #include "tangential_tube.h"
 #include "traced_curves.h"

@@ -8,6 +8,7 @@
 
 #include "half_rational_point.h"
 #include "line_place.h"
+#include "parameter_box.h"
 
 namespace exsect {
 
@@ -463,24 +464,6 @@ StarArc star_arc(const StarNeighbourhood& star, const Port& port) {
   possible.push_back(star.centre);
   result.hulls.push_back(hull(possible));
   return result;
-}
-
-bool meet(const ParameterBox& a, const ParameterBox& b) {
-  for (std::size_t j = 0; j < 4; ++j) {
-    if (a[j].upper < b[j].lower || b[j].upper < a[j].lower) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool lies_in(const ParameterBox& inner, const ParameterBox& outer) {
-  for (std::size_t j = 0; j < 4; ++j) {
-    if (inner[j].lower < outer[j].lower || inner[j].upper > outer[j].upper) {
-      return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace exsect

@@ -77,9 +77,4 @@ struct StarArc {
 };
 StarArc star_arc(const StarNeighbourhood& star, const Port& port);
 
-/// True if the two closed boxes have a common point.
-bool meet(const ParameterBox& a, const ParameterBox& b);
-/// True if `inner` lies in `outer`, both closed.
-bool lies_in(const ParameterBox& inner, const ParameterBox& outer);
-
 }  // namespace exsect

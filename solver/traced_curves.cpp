@@ -7,6 +7,7 @@
 #include "constant_parameter.h"
 #include "landmark_tangent.h"
 #include "line_place.h"
+#include "parameter_box.h"
 #include "subdivision.h"
 
 namespace exsect {

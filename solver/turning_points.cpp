@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parameter_box.h"
 #include "planar_patch.h"
 
 namespace exsect {

@@ -1,6 +1,7 @@
 // Arcs of parameter lines on the other patch: exact ends, every sheet, and vertices on both patches.
 #include "../../solver/line_arcs.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/catch.h"
@@ -101,6 +102,64 @@ TEST_CASE("a common side is one arc where patches are singular on it") {
         check_against_intervals(own, other.exchanged(), {Parameter::u, 0});
         check_against_intervals(own.reversed_second(), other, {Parameter::u, 0});
       }
+  }
+}
+
+bool contains(const RationalInterval& i, const Rational& q) { return i.lower <= q && q <= i.upper; }
+
+TEST_CASE("a side that folds back on itself, on another such side") {
+  // (t² - 2 turn t, 0, 0) for both: t = s and t = 2 turn - s.
+  const auto patch = [](const Rational& turn, const Rational& sign) {
+    return patch_of(
+        {{{0, 2}, {1, 0, 0}}, {{0, 1}, {-2 * turn, 0, 0}}, {{1, 0}, {0, sign, 0}}, {{1, 1}, {0, 0, 1}}});
+  };
+  using Ends = std::array<Rational, 4>;  // t and s where t is least, and where it is greatest
+  const Rational third = q(1, 3);
+  const Rational half = q(1, 2);
+  const std::vector<std::pair<Rational, std::vector<Ends>>> cases = {
+      {third,
+       {{0, 0, third, third},
+        {0, 2 * third, third, third},
+        {third, third, 1, 1},
+        {third, third, 2 * third, 0}}},
+      {half, {{0, 0, half, half}, {0, 1, half, half}, {half, half, 1, 0}, {half, half, 1, 1}}}};
+  for (const auto& [turn, arcs] : cases)
+    for (const Parameter side : {Parameter::u, Parameter::r}) {
+      const LineArcs found = arcs_of(patch(turn, 1), patch(turn, -1), {side, 0});
+      CHECK(!found.incomplete);
+      CHECK(found.arcs.size() == arcs.size());
+      const std::size_t t = index(side) + 1;
+      for (const Ends& ends : arcs)
+        CHECK(std::count_if(found.arcs.begin(), found.arcs.end(), [&](const LineArc& arc) {
+                const ParameterBox& from = found.ends[arc.from].box();
+                const ParameterBox& to = found.ends[arc.to].box();
+                return contains(from[t], ends[0]) && contains(from[4 - t], ends[1]) &&
+                       contains(to[t], ends[2]) && contains(to[4 - t], ends[3]);
+              }) == 1);
+    }
+}
+
+TEST_CASE("parts of a side that folds back on itself") {
+  // u = 0 is (v² - v, 0, 0); r = 0 is (s - 1/8, 0, 0) or (s² - 1/8, 0, 0): v² - v >= -1/8.
+  const BezierPatch x =
+      patch_of({{{0, 2}, {1, 0, 0}}, {{0, 1}, {-1, 0, 0}}, {{1, 0}, {0, 1, 0}}, {{1, 1}, {0, 0, 1}}});
+  for (const std::size_t power : {1U, 2U}) {
+    const BezierPatch y =
+        patch_of({{{0, 0}, {q(-1, 8), 0, 0}}, {{0, power}, {1, 0, 0}}, {{1, 0}, {0, 1, 0}}});
+    const LineArcs found = arcs_of(x, y, {Parameter::u, 0});
+    CHECK(!found.incomplete);
+    REQUIRE(found.arcs.size() == 2);
+    for (const LineArc& arc : found.arcs) {
+      const Rational from = found.ends[arc.from].box()[1].midpoint();
+      const Rational to = found.ends[arc.to].box()[1].midpoint();
+      CHECK((from == 0) != (to == 1));
+      CHECK(to_double(to - from) == Approx(0.5 - std::sqrt(0.125)));
+      for (const PolylineVertex& vertex : arc.polyline) {
+        const auto& z = vertex.parameters;
+        CHECK(z[1] * (z[1] - 1) == Approx(std::pow(z[3], power) - 0.125).margin(1e-9));
+      }
+      for (const ParameterBox& hull : arc.hulls) CHECK(hull[1].width() <= to - from + q(1, 1000));
+    }
   }
 }
 

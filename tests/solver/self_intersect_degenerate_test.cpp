@@ -340,12 +340,12 @@ TEST_CASE("self_intersect: patches that are a curve or a point") {
 TEST_CASE("self_intersect: folds that meet themselves are incomplete with a reason") {
   // ((2u-1)^2, (2v-1)^2, 0), and the fold of an umbrella.
   check_incomplete(patch({{2, 0, {4, 0, 0}}, {1, 0, {-4, 0, 0}}, {0, 1, {0, -4, 0}}, {0, 2, {0, 4, 0}}}),
-                   "meets the patch along a curve");
+                   "cuspidal points are not isolated");
   check_incomplete(patch({{2, 0, {1, 0, 0}},
                           {1, 0, {-1, 0, 0}},
                           {0, 1, {0, -1, 0}},
                           {0, 2, {0, 1, 0}},
                           {2, 1, {0, 0, 1}},
                           {1, 1, {0, 0, -1}}}),
-                   "meets the patch along a curve");
+                   "cuspidal points are not isolated");
 }

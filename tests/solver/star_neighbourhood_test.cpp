@@ -2,6 +2,7 @@
 
 #include <exsect/solver/line_patch.h>
 
+#include "../../solver/parameter_box.h"
 #include "support/catch.h"
 #include "support/graph_patches.h"
 

@@ -1,0 +1,29 @@
+#include "parameter_box.h"
+
+#include <algorithm>
+
+namespace exsect {
+
+RationalInterval hull(const RationalInterval& a, const RationalInterval& b) {
+  return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
+}
+
+ParameterBox hull(const ParameterBox& a, const ParameterBox& b) {
+  ParameterBox result;
+  for (std::size_t j = 0; j < result.size(); ++j) result[j] = hull(a[j], b[j]);
+  return result;
+}
+
+bool meet(const ParameterBox& a, const ParameterBox& b) {
+  for (std::size_t j = 0; j < a.size(); ++j)
+    if (a[j].upper < b[j].lower || b[j].upper < a[j].lower) return false;
+  return true;
+}
+
+bool lies_in(const ParameterBox& inner, const ParameterBox& outer) {
+  for (std::size_t j = 0; j < inner.size(); ++j)
+    if (inner[j].lower < outer[j].lower || inner[j].upper > outer[j].upper) return false;
+  return true;
+}
+
+}  // namespace exsect
