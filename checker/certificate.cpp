@@ -13,13 +13,20 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view parameter_letters = "uvrs";
 
-/// The double that the text p/q, or p, is, if it is short: |p| <= 2^53, q a power of two.
+/// The double that the text p/q, p/2^n or p is, if it is short: |p| <= 2^53, q a power of two.
 std::optional<double> short_number(const std::string& text) {
   const char* end = text.data() + text.size();
   std::int64_t p = 0;
   std::int64_t q = 1;
   const auto numerator = std::from_chars(text.data(), end, p);
   if (numerator.ec != std::errc() || std::abs(p) > std::int64_t{1} << 53) return std::nullopt;
+  if (std::string_view(numerator.ptr, end).substr(0, 3) == "/2^") {
+    int n = 0;
+    const auto power = std::from_chars(numerator.ptr + 3, end, n);
+    if (power.ec != std::errc() || p % 2 == 0 || n < 1 || n > 1000) return std::nullopt;
+    const bool canonical = text == std::to_string(p) + "/2^" + std::to_string(n);
+    return canonical ? std::optional(std::ldexp(static_cast<double>(p), -n)) : std::nullopt;
+  }
   if (numerator.ptr != end) {
     const auto denominator = std::from_chars(std::min(numerator.ptr + 1, end), end, q);
     if (denominator.ec != std::errc() || q < 2 || (q & (q - 1)) != 0 || p % 2 == 0) return std::nullopt;
@@ -101,9 +108,7 @@ class Value {
     if constexpr (std::is_same_v<N, Enclosure>)
       if (const auto exact = short_number(text())) return N(*exact);
     try {
-      const Rational q = parse_number(text());
-      require(to_string(q) == text(), "must be p/q in lowest terms, or p");
-      return N(q);
+      return N(number_of(text()));
     } catch (const std::invalid_argument& error) {
       reject(error.what());
     }
@@ -225,29 +230,38 @@ Component component(const Value& value) {
   return {value["closed"].is_true(), value["arcs"].list([](const Value& v) { return v.count(); })};
 }
 
-/// "u", "t5", "p0", "m5", "lower", "3 -1 2" or "i 3 -1 2", each with its seal after a blank and "#".
-Cell cell(const Value& value, std::size_t i) {
+/// "u", "t5", "p0", "m5", "lower", "3,-1,2" or "i3,-1,2".
+Cell cell(const Value& value, std::string_view claim) {
   using Kind = Cell::Kind;
-  const std::string& text = value.text();
-  const std::size_t mark = text.find(" #");
-  value.require(mark != std::string::npos, "must end with a seal");
-  std::string_view claim = std::string_view(text).substr(0, mark);
-  value.require(text.substr(mark + 2) == seal("$.cover[" + std::to_string(i) + "]" + std::string(claim)),
-                "the seal does not fit the claim");
+  value.require(!claim.empty(), "must have one blank between entries");
   if (claim == "lower") return {Kind::lower, 0, {}};
   const std::size_t parameter = parameter_letters.find(claim);
   if (claim.size() == 1 && parameter != std::string_view::npos) return {Kind::split, parameter, {}};
   for (const auto& [letter, kind] : {std::pair{'t', Kind::tube}, {'p', Kind::touch}, {'m', Kind::mirrored}})
-    if (!claim.empty() && claim[0] == letter)
-      return {kind, static_cast<std::size_t>(value.integer(claim.substr(1))), {}};
-  Cell result = {claim.substr(0, 2) == "i " ? Kind::injective : Kind::excluded, 0, {}};
-  if (result.kind == Kind::injective) claim.remove_prefix(2);
+    if (claim[0] == letter) return {kind, static_cast<std::size_t>(value.integer(claim.substr(1))), {}};
+  Cell result = {claim[0] == 'i' ? Kind::injective : Kind::excluded, 0, {}};
+  if (result.kind == Kind::injective) claim.remove_prefix(1);
   for (std::size_t d = 0; d < 3; ++d) {
-    const std::size_t end = d < 2 ? claim.find(' ') : claim.size();
+    const std::size_t end = d < 2 ? std::min(claim.find(','), claim.size()) : claim.size();
     result.direction[d] = value.integer(claim.substr(0, end), true);
-    claim.remove_prefix(std::min(end, claim.size() - 1) + 1);
+    claim.remove_prefix(std::min(end + 1, claim.size()));
   }
   return result;
+}
+
+/// Entries with blanks between them, and the seal after a blank and "#".
+void append_row(const Value& value, std::size_t i, std::vector<Cell>& cells) {
+  const std::string& text = value.text();
+  const std::size_t mark = text.find(" #");
+  value.require(mark != std::string::npos, "must end with a seal");
+  value.require(text.substr(mark + 2) == seal("$.cover[" + std::to_string(i) + "]" + text.substr(0, mark)),
+                "the seal does not fit the claim");
+  for (std::size_t begin = 0; begin <= mark;) {
+    const std::size_t end = text.find(' ', begin);
+    cells.push_back(cell(value, std::string_view(text).substr(begin, end - begin)));
+    cells.back().row = i;
+    begin = end + 1;
+  }
 }
 
 Summary summary(const Value& value) {
@@ -341,6 +355,21 @@ std::string seal(const std::string& text) {
   return result;
 }
 
+Rational number_of(const std::string& text) {
+  const std::size_t mark = std::min(text.find("/2^"), text.size());
+  Rational q = parse_number(text.substr(0, mark));
+  std::string canonical = to_string(q);
+  if (mark < text.size()) {
+    int n = 0;
+    std::from_chars(text.data() + mark + 3, text.data() + text.size(), n);
+    if (n < 1 || n > 2000 || denominator(q) != 1 || numerator(q) % 2 == 0) canonical = "";
+    canonical += "/2^" + std::to_string(n);
+    q *= power_of_two(-n);
+  }
+  if (text != canonical) throw std::invalid_argument("must be p/q in lowest terms, p/2^n with p odd, or p");
+  return q;
+}
+
 template <class N>
 Certificate<N> read_certificate(const std::string& text) {
   const Json json = parse(text);
@@ -352,7 +381,7 @@ Certificate<N> read_certificate(const std::string& text) {
     throw Rejected("$.command", "must be intersect, line or self");
   Certificate<N> result = command == "line" ? points<N>(root) : curves<N>(root, command == "self");
   const Value cover = root["cover"];
-  for (std::size_t i = 0; i < cover.size(); ++i) result.cover.push_back(cell(cover[i], i));
+  for (std::size_t i = 0; i < cover.size(); ++i) append_row(cover[i], i, result.cover);
   return result;
 }
 template Certificate<Rational> read_certificate(const std::string&);

@@ -108,6 +108,7 @@ struct Cell {
   Kind kind;
   std::size_t index;             // the parameter that is halved; the tube; the touch
   std::array<int, 3> direction;  // excluded, injective
+  std::size_t row = 0;           // of the list in which it stands
 };
 
 struct Summary {
@@ -138,6 +139,10 @@ struct Certificate {
 
 /// The seal of a claim: FNV-1a, 64 bits, 16 hexadecimal digits.
 std::string seal(const std::string& text);
+
+/// The number p/q in lowest terms, p/2^n with p odd and 1 <= n <= 2000, or p, that the text is; throws
+/// std::invalid_argument for any other text, and for p/3/2^n.
+Rational number_of(const std::string& text);
 
 /// Throws Unreadable, or Rejected with the place where the form is violated or a seal is broken.
 template <class N>

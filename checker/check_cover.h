@@ -20,7 +20,7 @@ class Cover {
 
   void check() {
     check(whole_);
-    require(next_ == certificate_.cover.size(), place("cover", next_), "beyond the end of the subdivision");
+    require(next_ == certificate_.cover.size(), "$.cover", "beyond the end of the subdivision");
   }
 
  private:
@@ -31,8 +31,8 @@ class Cover {
   };
 
   void check(const Region& region) {
-    const std::string where = place("cover", next_);
-    const Cell& cell = element(certificate_.cover, next_, where, "the subdivision is not complete");
+    const Cell& cell = element(certificate_.cover, next_, "$.cover", "the subdivision is not complete");
+    const std::string where = place("cover", cell.row);
     ++next_;
     const Box<N> box = box_of(region);
     const auto& [u, v, r, s] = box;

@@ -2,6 +2,8 @@
 
 #include <exsect/geometry/number.h>
 
+#include <algorithm>
+
 namespace exsect::cli {
 
 std::string in_list(const char* list, std::size_t i) {
@@ -13,9 +15,15 @@ Json sealed(const std::string& place, Json claim) {
   return claim;
 }
 
+std::string exact_number(double a) {
+  const Rational q = from_double(a);
+  const Integer power = denominator(q);
+  return power < 256 ? to_string(q) : numerator(q).str() + "/2^" + std::to_string(msb(power));
+}
+
 Json exact_numbers(const std::vector<double>& numbers) {
   Json result = Json::array();
-  for (const double a : numbers) result.push_back(to_string(from_double(a)));
+  for (const double a : numbers) result.push_back(exact_number(a));
   return result;
 }
 
@@ -52,8 +60,8 @@ Json tube_claims(const NearPair& pair, const std::vector<Tube>& tubes) {
     result.push_back(sealed(in_list("tubes", result.size()), {{"centre", exact(t.centre)},
                                                               {"axis", letter(t.axis)},
                                                               {"slope", exact(t.slope)},
-                                                              {"reach", to_string(from_double(t.reach))},
-                                                              {"width", to_string(from_double(t.width))},
+                                                              {"reach", exact_number(t.reach)},
+                                                              {"width", exact_number(t.width)},
                                                               {"inverse", rows},
                                                               {"curve", curve(t)}}));
   }
@@ -61,9 +69,13 @@ Json tube_claims(const NearPair& pair, const std::vector<Tube>& tubes) {
 }
 
 Json cover_claims(const std::vector<std::string>& entries) {
+  constexpr std::size_t row = 100;
   Json result = Json::array();
-  for (const std::string& entry : entries)
-    result.push_back(entry + " #" + checker::seal(in_list("cover", result.size()) + entry));
+  for (std::size_t i = 0; i < entries.size(); i += row) {
+    std::string text = entries[i];
+    for (std::size_t j = i + 1; j < std::min(i + row, entries.size()); ++j) text += " " + entries[j];
+    result.push_back(text + " #" + checker::seal(in_list("cover", result.size()) + text));
+  }
   return result;
 }
 

@@ -16,7 +16,9 @@ namespace exsect::cli {
 std::string in_list(const char* list, std::size_t i);
 /// The claim with its seal.
 Json sealed(const std::string& place, Json claim);
-/// The rationals that finite doubles are.
+/// The rational that a finite double is, p/q or p/2^n.
+std::string exact_number(double a);
+/// The same of each.
 Json exact_numbers(const std::vector<double>& numbers);
 template <class Numbers>
 Json exact(const Numbers& numbers) {

@@ -83,9 +83,9 @@ std::string separating(const Cell& cell, const std::array<int, 3>& direction) {
     }
   }
   constexpr double margin = 1e-11;
-  if (least[0] - most[1] > margin) return fmt::format("{} {} {}", direction[0], direction[1], direction[2]);
+  if (least[0] - most[1] > margin) return fmt::format("{},{},{}", direction[0], direction[1], direction[2]);
   if (least[1] - most[0] > margin)
-    return fmt::format("{} {} {}", -direction[0], -direction[1], -direction[2]);
+    return fmt::format("{},{},{}", -direction[0], -direction[1], -direction[2]);
   return "";
 }
 
@@ -182,7 +182,7 @@ class Cover {
     const auto n = rounded_direction(cross(middle(p), middle(q)));
     const auto volume = checker::volume({double(n[0]), double(n[1]), double(n[2])}, pair_.charts[0], pairs);
     if (!(std::abs(volume.middle) > volume.radius + 1e-11)) return "";
-    return fmt::format("i {} {} {}", n[0], n[1], n[2]);
+    return fmt::format("i{},{},{}", n[0], n[1], n[2]);
   }
 
   std::string exclusion(const Cell& cell, const std::vector<std::size_t>& meeting) const {

@@ -44,9 +44,8 @@ std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const P
     const double radius = std::exp2(std::ceil(std::log2(std::max(4 * near, 0x1p-44))));
     Json at = exact(w);
     at[fixed] = value;
-    points.push_back(
-        sealed(in_list("points", points.size()),
-               {{"tube", points.size()}, {"at", at}, {"radius", to_string(from_double(radius))}}));
+    points.push_back(sealed(in_list("points", points.size()),
+                            {{"tube", points.size()}, {"at", at}, {"radius", exact_number(radius)}}));
   }
   Json document = {{"exsect", "certificate/1"}, {"command", "line"}};
   document["fixed"] = sealed("$.fixed", {{"parameter", letter(fixed)}, {"value", value}});
@@ -54,8 +53,9 @@ std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const P
   document["second"] = patch_claim("$.second", names.second, y);
   document["tubes"] = tube_claims(pair, tubes);
   document["points"] = points;
-  document["cover"] = cover_claims(cover(pair, {tubes}, line.query));
-  const Json claims = {0, 0, 0, tubes.size(), points.size(), 0, document["cover"].size()};
+  const std::vector<std::string> cells = cover(pair, {tubes}, line.query);
+  document["cover"] = cover_claims(cells);
+  const Json claims = {0, 0, 0, tubes.size(), points.size(), 0, cells.size()};
   document["summary"] = sealed("$.summary", {{"claims", claims}});
   return confirmed(claims_text(document));
 }

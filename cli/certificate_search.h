@@ -88,7 +88,7 @@ struct Places {
   std::vector<checker::Touch> touches = {};
   bool self = false;
 };
-/// The subdivision of [0,1]^4, or of its part on the line, in preorder: "u", "t5", "3 -1 2".
+/// The subdivision of [0,1]^4, or of its part on the line, in preorder: "u", "t5", "3,-1,2".
 std::vector<std::string> cover(const NearPair& pair, const Places& places,
                                const std::optional<LineQuery>& line = {});
 

@@ -65,7 +65,9 @@ class Writer {
     for (const Component& c : graph_.components)
       json["components"].push_back(sealed(in_list("components", json["components"].size()),
                                           {{"closed", c.shape == ComponentShape::closed}, {"arcs", c.arcs}}));
-    json["cover"] = cover_claims(cover(pair_, {tubes_, touches_, self_}));
+    const std::vector<std::string> cells = cover(pair_, {tubes_, touches_, self_});
+    cells_ = cells.size();
+    json["cover"] = cover_claims(cells);
     json["summary"] = summary(json);
     return json;
   }
@@ -116,7 +118,7 @@ class Writer {
     for (const std::size_t i : turns) wrt.push_back(letter(i));
     return sealed(in_list("nodes", tubes_.size() - 1), {{"tube", tubes_.size() - 1},
                                                         {"at", exact(w)},
-                                                        {"radius", to_string(from_double(radius))},
+                                                        {"radius", exact_number(radius)},
                                                         {"on", on},
                                                         {"wrt", wrt}});
   }
@@ -195,7 +197,7 @@ class Writer {
       Json numbers = exact(p.at);
       if (p.vertex >= 0)
         for (const double c : a.polyline[static_cast<std::size_t>(p.vertex)].point)
-          numbers.push_back(to_string(from_double(c)));
+          numbers.push_back(exact_number(c));
       list.push_back(numbers);
     }
     Json pieces = Json::array();
@@ -206,7 +208,7 @@ class Writer {
                    {"to", claim(a.to)},
                    {"points", list},
                    {"pieces", pieces},
-                   {"error_bound", to_string(from_double(a.error_bound))}});
+                   {"error_bound", exact_number(a.error_bound)}});
   }
 
   TracedArc trace(const Arc& a, std::size_t from, std::size_t to) {
@@ -268,8 +270,9 @@ class Writer {
 
   Json summary(const Json& json) const {
     Json claims = Json::array();
-    for (const char* list : {"relations", "lines", "touches", "tubes", "nodes", "arcs", "cover"})
+    for (const char* list : {"relations", "lines", "touches", "tubes", "nodes", "arcs"})
       claims.push_back(json[list].size());
+    claims.push_back(cells_);
     Json turning = Json::array();
     for (const Parameter p : all_parameters) turning.push_back(graph_.turning_points(p));
     const auto on_sides = [](const Json& node) { return !node["on"].empty(); };
@@ -293,6 +296,7 @@ class Writer {
   std::vector<int> claim_of_;       // the node's number among the claims; -1 for isolated points
   std::vector<Tube> tubes_;         // those of the nodes first
   std::vector<Parameters> places_;  // of the nodes that are claims
+  std::size_t cells_ = 0;
 };
 
 /// An arc whose error bound the check, with enclosures of its own, cannot confirm gets a larger one.
@@ -301,7 +305,7 @@ bool enlarge_bound(Json& document, const std::string& where, const std::string& 
     if (where != in_list("arcs", i) || reason != "the error bound is too small") continue;
     Json arc = document["arcs"][i];
     arc.erase("seal");
-    const Rational bound = parse_number(arc["error_bound"].get<std::string>());
+    const Rational bound = checker::number_of(arc["error_bound"].get<std::string>());
     arc["error_bound"] = to_string(bound * Rational(5, 4));
     document["arcs"][i] = sealed(where, arc);
     return true;

@@ -13,6 +13,7 @@ import sys
 from fractions import Fraction
 
 LETTERS = "uvrs"
+DYADIC = re.compile(r"(-?[1-9][0-9]*)/2\^([1-9][0-9]*)")
 NUMBER = re.compile(r"-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
 
 
@@ -48,6 +49,11 @@ def claim(value, place, keys):
 
 
 def number(text, place):
+    dyadic = DYADIC.fullmatch(text) if isinstance(text, str) else None
+    if dyadic:
+        p, n = int(dyadic[1]), int(dyadic[2])
+        require(p % 2 == 1 and n <= 2000, place, "not in lowest terms")
+        return Fraction(p, 2**n)
     require(isinstance(text, str) and NUMBER.fullmatch(text), place, "not a number")
     value = Fraction(text)
     require(str(value) == text, place, "not in lowest terms")
@@ -447,6 +453,7 @@ class Checker:
             self.fixed = parameter(value["parameter"], "$.fixed"), number(value["value"], "$.fixed")
             require(0 <= self.fixed[1] <= 1, "$.fixed", "not in [0,1]")
         self.root = root
+        self.cells = sum(row.count(" ") for row in root["cover"] if isinstance(row, str))
         self.nets = [self.net(root[key], "$." + key) for key in names]
         self.nets = [self.nets[0], self.nets[-1]]
         self.power = [self.power_basis(net) for net in self.nets]
@@ -517,7 +524,7 @@ class Checker:
         for i in range(len(self.tubes)):
             require(i in used, f"$.tubes[{i}]", "no point is in it")
         said = claim(self.root["summary"], "$.summary", ["claims"])
-        require(said["claims"] == [0, 0, 0, len(self.tubes), len(points), 0, len(self.root["cover"])], "$.summary", "does not agree with the claims")
+        require(said["claims"] == [0, 0, 0, len(self.tubes), len(points), 0, self.cells], "$.summary", "does not agree with the claims")
 
     def relation(self, value, place):
         value = claim(value, place, ["direction", "first", "second"])
@@ -774,14 +781,23 @@ class Checker:
             shapes.append(value["closed"])
         require(len(seen) == len(self.arcs), "$.components", "an arc is missing")
         said = claim(self.root["summary"], "$.summary", ["claims", "components", "closed", "open", "boundary", "turning"])
-        counted = {"claims": [len(self.root[key]) for key in ("relations", "lines", "touches", "tubes", "nodes", "arcs", "cover")],
+        counted = {"claims": [*(len(self.root[key]) for key in ("relations", "lines", "touches", "tubes", "nodes", "arcs")), self.cells],
                    "components": len(shapes), "closed": shapes.count(True), "open": shapes.count(False),
                    "boundary": sum(bool(node.on) for node in self.nodes),
                    "turning": [sum(p in node.wrt for node in self.nodes) for p in range(4)]}
         require(said == counted, "$.summary", "does not agree with the claims and their graph")
 
     def check_cover(self):
-        cover = self.root["cover"]
+        cover = []
+        for i, row in enumerate(self.root["cover"]):
+            place = f"$.cover[{i}]"
+            require(isinstance(row, str) and " #" in row, place, "no seal")
+            text, mark = row.split(" #", 1)
+            require(mark == seal(place + text), place, "the seal does not fit the claim")
+            cover += [(place, entry) for entry in text.split(" ")]
+        self.check_cells(cover)
+
+    def check_cells(self, cover):
         scale = math.lcm(*(q.denominator for net in self.nets for row in net for p in row for q in p))
         middle, half = [Fraction(1, 2)] * 4, [Fraction(1, 2)] * 4
         whole = list(self.nets)
@@ -792,11 +808,7 @@ class Checker:
             middle[k], half[k] = value, Fraction(0)
         nets = [[[[int(q * scale) for q in p] for p in row] for row in net] for net in whole]
         waiting = [(nets, (0, 0), middle, half)]  # the deepest last
-        for i, entry in enumerate(cover):
-            place = f"$.cover[{i}]"
-            require(isinstance(entry, str) and " #" in entry, place, "no seal")
-            text, mark = entry.split(" #", 1)
-            require(mark == seal(place + text), place, "the seal does not fit the claim")
+        for place, text in cover:
             require(waiting, place, "beyond the end of the subdivision")
             nets, levels, middle, width = waiting.pop()
             if len(text) == 1 and text in LETTERS:
@@ -820,16 +832,16 @@ class Checker:
             elif text == "lower":
                 require(self.alone and middle[0] + width[0] <= middle[2] - width[2], place, "not below the diagonal")
             else:
-                require(re.fullmatch("(i )?-?[0-9]+ -?[0-9]+ -?[0-9]+", text), place, "not a cell")
-                direction = [int(part) for part in text.removeprefix("i ").split()]
-                require(" ".join(map(str, direction)) == text.removeprefix("i "), place, "not a direction")
+                require(re.fullmatch("i?-?[0-9]+,-?[0-9]+,-?[0-9]+", text), place, "not a cell")
+                direction = [int(part) for part in text.removeprefix("i").split(",")]
+                require(",".join(map(str, direction)) == text.removeprefix("i"), place, "not a direction")
                 if text[0] == "i":
                     require(self.alone and sign(volume(direction, self.equation["first"], halves(False, box))), place,
                             "different points of the cell may have the same place")
                     continue
                 values = [[sum(n * q for n, q in zip(direction, p)) for row in net for p in row] for net in nets]
                 require(min(values[0]) << 2 * levels[1] > max(values[1]) << 2 * levels[0], place, "the direction does not separate the patches")
-        require(not waiting, f"$.cover[{len(cover)}]", "the subdivision is not complete")
+        require(not waiting, "$.cover", "the subdivision is not complete")
 
 
 def root_above(vector):

@@ -151,6 +151,16 @@ std::string mutate(Json& json, Generator& generator, bool seals) {
   return before + " changed to " + leaf.dump();
 }
 
+/// The number of entries in all rows of the cover.
+std::size_t cells(const Json& json) {
+  std::size_t count = 0;
+  for (const Json& row : json["cover"]) {
+    const std::string text = row.get<std::string>();
+    count += static_cast<std::size_t>(std::count(text.begin(), text.end(), ' '));
+  }
+  return count;
+}
+
 /// Seals that fit, as a forger would make them.
 void seal_again(Json& json) {
   const auto seal_claim = [](Json& claim, const std::string& place) {
@@ -252,7 +262,7 @@ TEST_CASE("claims that are false are rejected where they stand") {
   });
   reason("$.cover", [](Json& j) {
     j["cover"].erase(j["cover"].size() - 1);
-    j["summary"]["claims"][6] = j["cover"].size();
+    j["summary"]["claims"][6] = cells(j);
   });
   reason("$.summary", [](Json& j) { j["cover"].push_back("u #"); });
   reason("$.summary", [](Json& j) { j["summary"]["closed"] = 2; });
@@ -262,6 +272,18 @@ TEST_CASE("claims that are false are rejected where they stand") {
     j["arcs"].erase(j["arcs"].size() - 1);
     j["components"][0]["arcs"].erase(j["components"][0]["arcs"].size() - 1);
   });
+}
+
+TEST_CASE("a number is written in one way of each of three") {
+  CHECK(checker::number_of("-3/7") == Rational(-3, 7));
+  CHECK(checker::number_of("12") == 12);
+  CHECK(checker::number_of("-3/2^4") == Rational(-3, 16));
+  CHECK(checker::number_of("6293554681484751/2^100") == Rational(6293554681484751) * power_of_two(-100));
+  for (const char* text : {"6/4", "0.5", "+1", "-0", "2/2^3", "1/2^0", "1/2^-3", "1/2^03", "1/2^3 ",
+                           "1/3/2^2", "1/2^2001", "1/2^", "/2^3", "", "01/2^3", "0/2^3"}) {
+    INFO(text);
+    CHECK_THROWS_AS(checker::number_of(text), std::invalid_argument);
+  }
 }
 
 TEST_CASE("what is no certificate is unreadable") {
@@ -354,8 +376,7 @@ TEST_CASE("false claims about a line are rejected where they stand") {
     Json json = Json::parse(truth);
     REQUIRE(json["points"].size() == 2);
     change(json);
-    json["summary"]["claims"] = {
-        0, 0, 0, json["tubes"].size(), json["points"].size(), 0, json["cover"].size()};
+    json["summary"]["claims"] = {0, 0, 0, json["tubes"].size(), json["points"].size(), 0, cells(json)};
     seal_again(json);
     const std::string said = verdict(json.dump());
     INFO(where << " expected, got " << said);
@@ -397,7 +418,7 @@ std::string self_text(const BezierPatch& x) {
 void reason(const std::string& truth, const char* where, const std::function<void(Json&)>& change) {
   Json json = Json::parse(truth);
   change(json);
-  json["summary"]["claims"][6] = json["cover"].size();
+  json["summary"]["claims"][6] = cells(json);
   seal_again(json);
   const std::string said = verdict(json.dump());
   INFO(where << " expected, got " << said);
@@ -421,16 +442,19 @@ TEST_CASE("a curve in which a patch meets itself has a certificate from its cusp
   reason(text, "$.tubes[", [](Json& j) {
     for (Json& tube : j["tubes"]) tube["curve"] = "pair";
   });
-  const auto kind = [](const Json& entry, char letter) { return entry.get<std::string>()[0] == letter; };
   // Every leaf of the other kinds is needed: none proves what another one does.
   for (const char letter : {'t', 'l', 'i'}) {
     INFO(letter);
     reason(text, "$.cover[", [&](Json& j) {
-      Json& cover = j["cover"];
-      const auto at =
-          std::find_if(cover.begin(), cover.end(), [&](const Json& e) { return kind(e, letter); });
-      REQUIRE(at != cover.end());
-      *at = letter == 'i' ? "lower #" : "i 1 0 0 #";
+      for (Json& row : j["cover"]) {
+        std::string entries = " " + row.get<std::string>();
+        const std::size_t at = entries.find(std::string(" ") + letter);
+        if (at == std::string::npos) continue;
+        entries.replace(at, entries.find(' ', at + 1) - at, letter == 'i' ? " lower" : " i1,0,0");
+        row = entries.substr(1);
+        return;
+      }
+      FAIL("no such entry");
     });
   }
 }
