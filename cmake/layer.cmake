@@ -12,13 +12,12 @@ endif()
 if(EXSECT_SANITIZE)
   # The instrumentation makes GCC warn falsely inside <regex> (GCC bug 105562); the release build keeps the warning.
   target_compile_options(exsect_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                                                  -fno-omit-frame-pointer -Wno-maybe-uninitialized)
+                                                  -fno-omit-frame-pointer $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(exsect_options INTERFACE -fsanitize=address,undefined)
 endif()
 
 if(EXSECT_FUZZ)
-  target_compile_options(exsect_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all)
-  target_link_options(exsect_options INTERFACE -fsanitize=address,undefined)
+  target_compile_options(exsect_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
 # The headers that nearly every file includes, parsed once for each kind of target: Boost's GMP numbers alone cost
