@@ -3,58 +3,52 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter_series.h"
+
 namespace exsect::filter {
 
 namespace {
 
 constexpr std::size_t kMostVertices = 4000000;
+/// Parts of the tolerance that are left to chords and, twice, to vertices.
+constexpr double kChordShare = 0.93;
+constexpr double kVertexShare = 0.015;
 
 double length(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
-/// x at an offset from the tube's centre.
-Vec3 position(const Tube& tube, const Vec4& o) {
-  const Coefficients& c = tube.space;
-  const double a = o[0];
-  const double b = o[1];
-  Vec3 result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = (c[0][i] + b * (c[1][i] + b * c[2][i])) +
-                a * ((c[3][i] + b * (c[4][i] + b * c[5][i])) + a * (c[6][i] + b * (c[7][i] + b * c[8][i])));
-  }
-  return result;
-}
-
 /// Bounds on a tube, in scaled space: |X(w) - X(w~)| <= speed |w - w~| for the space point X = x(u,v), and
-/// |X''|
-/// <= curvature along the arc. With sizes a0, a1 of u', v' and u2, v2 of u'', v'',  (14.10)
-///   X'' = x_u u'' + x_v v'' + x_uu u'² + 2 x_uv u' v' + x_vv v'².
+/// |X''| <= curvature along the arc.
 struct SpaceBounds {
   double speed;
   double curvature;
 };
+
+/// (14.10) with w', w'' in slope +- slope_error, second +- second_error: X'' at the centre, a vector sum, and
+/// how far it can be from that. The errors of the coefficients have weights of at most |u''| + |v''| + 12
+/// |w'|² in all, times 1 + i + j.
 SpaceBounds space_bounds(const Pair& pair, const Tube& tube) {
-  const double a0 = std::fabs(tube.slope[0]) + tube.slope_error[0];
-  const double a1 = std::fabs(tube.slope[1]) + tube.slope_error[1];
+  const Coefficients& c = tube.space;
+  const Vec4& d = tube.slope;
   const double u2 = std::fabs(tube.second[0]) + tube.second_error[0];
   const double v2 = std::fabs(tube.second[1]) + tube.second_error[1];
   const double h0 = tube.offset[0];
   const double h1 = tube.offset[1];
+  const double steep = std::max(std::fabs(d[0]) + tube.slope_error[0], std::fabs(d[1]) + tube.slope_error[1]);
+  const double error = (u2 + v2 + 12 * steep * steep) * pair.total_error;
+  const Vec3 form = quadratic_deviation(c, &d[0], &tube.slope_error[0], &tube.offset[0]);
   Vec3 speed;
   Vec3 second;
   for (std::size_t i = 0; i < 3; ++i) {
-    std::array<double, 9> m;
-    for (std::size_t k = 0; k < 9; ++k) {
-      m[k] = std::fabs(tube.space[k][i]) + pair.x.error[k];
-    }
-    const double xu =
-        m[3] + 2 * m[6] * h0 + m[4] * h1 + 2 * m[7] * h0 * h1 + (m[5] + 2 * m[8] * h0) * h1 * h1;
-    const double xv =
-        m[1] + 2 * m[2] * h1 + m[4] * h0 + 2 * m[5] * h0 * h1 + (m[7] + 2 * m[8] * h1) * h0 * h0;
-    const double xuu = 2 * (m[6] + m[7] * h1 + m[8] * h1 * h1);
-    const double xuv = m[4] + 2 * m[7] * h0 + 2 * m[5] * h1 + 4 * m[8] * h0 * h1;
-    const double xvv = 2 * (m[2] + m[5] * h0 + m[8] * h0 * h0);
-    speed[i] = xu + xv;
-    second[i] = xu * u2 + xv * v2 + xuu * a0 * a0 + 2 * xuv * a0 * a1 + xvv * a1 * a1;
+    const auto m = [&](std::size_t k) { return std::fabs(c[k][i]); };
+    const double xu_change =
+        2 * m(6) * h0 + m(4) * h1 + 2 * m(7) * h0 * h1 + (m(5) + 2 * m(8) * h0) * h1 * h1;
+    const double xv_change =
+        2 * m(2) * h1 + m(4) * h0 + 2 * m(5) * h0 * h1 + (m(7) + 2 * m(8) * h1) * h0 * h0;
+    const double at_centre = c[3][i] * tube.second[0] + c[1][i] * tube.second[1] +
+                             2 * (d[0] * d[0] * c[6][i] + d[0] * d[1] * c[4][i] + d[1] * d[1] * c[2][i]);
+    speed[i] = m(3) + xu_change + m(1) + xv_change + 2 * pair.total_error;
+    second[i] = std::fabs(at_centre) + xu_change * u2 + m(3) * tube.second_error[0] + xv_change * v2 +
+                m(1) * tube.second_error[1] + form[i] + error;
   }
   return {kSlack * length(speed), kSlack * length(second)};
 }
@@ -157,7 +151,7 @@ class GraphMaker {
 
   /// Chords over the offsets between a and b on a piece.
   int chords(std::size_t piece, double a, double b) const {
-    const double step = std::sqrt(8 * 0.93 * scaled_tolerance_ / (bounds_[piece].curvature + kTiny));
+    const double step = std::sqrt(8 * kChordShare * scaled_tolerance_ / (bounds_[piece].curvature + kTiny));
     return static_cast<int>(std::min(std::ceil(std::fabs(b - a) / step), 1e7)) + (a == b ? 1 : 0);
   }
 
@@ -221,88 +215,61 @@ class GraphMaker {
     vertex_error_ = std::max(vertex_error_, 2 * (bounds_[stop.piece].speed + 0x1p-22) * radius);
   }
 
-  /// n chords over equal steps of tau; the vertices between them, and the last one if `with_end`. A vertex w
-  /// is extrapolated and improved by one or more steps w - C F(w), after which |w - w*| <= rho/(1 - rho) |C
-  /// F| of the last step, and the rounding.
+  /// n chords over equal steps of tau; the vertices between them, and the last one if `with_end`. After a
+  /// step w - C F(w) from a point of the region |w - w*| <= rho/(1 - rho) |C F(w)|, and the rounding.
   void add_chords(Arc& arc, const Tube& tube, const SpaceBounds& bounds, double a, double b, int n,
                   bool with_end) {
     const double h = (b - a) / n;
     const double width = kSlack * std::fabs(h);
     chord_error_ = std::max(chord_error_, bounds.curvature * width * width / 8);
-    const double amplify = kSlack * tube.contraction / (1 - tube.contraction);
     const double rounding = kSlack * tube.value_error / (1 - tube.contraction) + 0x1p-51;
-    const double allowed = 0.015 * scaled_tolerance_ / (bounds.speed + kTiny);
-    std::array<Vec4, 4> last{};  // offsets, the latest first
-    last[0] = first_offset(tube, a);
-    double worst = 0;
-    for (int i = 1; i < n + (with_end ? 1 : 0); ++i) {
-      const double tau = i == n ? b : a + i * h;
-      Vec4 o = i < 4 ? ahead(tube, last[0], tau) : extrapolated(last);
-      o[tube.axis] = tau;
-      double error = improve_offset(tube, o, amplify, allowed);
-      if (!(error <= allowed)) {
-        error = point_at(tube, tau, &o).radius;
+    const double allowed = kVertexShare * scaled_tolerance_ / (bounds.speed + kTiny);
+    const VertexForms forms =
+        vertex_forms(pair_, tube, allowed * (1 - tube.contraction) / (kSlack * tube.contraction));
+    double worst = allowed;
+    VertexBlock block;
+    const int end = n + (with_end ? 1 : 0);
+    for (int first = 1; first < end; first += kVertexBlock) {
+      const int count = std::min(kVertexBlock, end - first);
+      for (int l = 0; l < kVertexBlock; ++l) {
+        const int i = first + std::min(l, count - 1);
+        block.tau[l] = i == n ? b : a + i * h;
       }
-      worst = std::max(worst, error);
-      last = {o, last[0], last[1], last[2]};
-      push_vertex(arc, tube, o);
+      evaluate_vertices(forms, block);
+      for (int l = 0; l < count; ++l) {
+        if (block.doubt[l] == 0) {
+          push_vertex(arc, block, l);
+        } else {
+          worst = std::max(worst, push_improved(arc, tube, forms, block.tau[l]));
+        }
+      }
     }
     vertex_error_ = std::max(vertex_error_, bounds.speed * (worst + rounding));
   }
 
-  static Vec4 first_offset(const Tube& tube, double tau) {
-    Vec4 o;
-    point_at(tube, tau, &o);
-    return o;
-  }
-
-  static Vec4 ahead(const Tube& tube, const Vec4& last, double tau) {
-    const double step = tau - last[tube.axis];
-    const double middle = tau - 0.5 * step;
-    Vec4 o;
+  static void push_vertex(Arc& arc, const VertexBlock& block, int l) {
+    PolylineVertex& vertex = arc.polyline.emplace_back();
     for (std::size_t j = 0; j < 4; ++j) {
-      o[j] = last[j] + step * (tube.slope[j] + middle * tube.second[j]);
+      vertex.parameters[j] = block.parameters[j][l];
     }
-    return o;
+    for (std::size_t c = 0; c < 3; ++c) {
+      vertex.point[c] = block.point[c][l];
+    }
   }
 
-  static Vec4 extrapolated(const std::array<Vec4, 4>& p) {
+  /// A vertex where the polynomial of the arc is not good enough; returns the radius of its ball.
+  double push_improved(Arc& arc, const Tube& tube, const VertexForms& forms, double tau) const {
     Vec4 o;
-    for (std::size_t j = 0; j < 4; ++j) {
-      o[j] = 4 * (p[0][j] + p[2][j]) - 6 * p[1][j] - p[3][j];
-    }
-    return o;
-  }
-
-  /// Bound of the distance from the curve's point, apart from value_error; infinite if none is proved.
-  static double improve_offset(const Tube& tube, Vec4& o, double amplify, double allowed) {
-    for (int step = 0; step < 6; ++step) {
-      for (const std::size_t j : tube.others) {
-        if (!(kSlack * (std::fabs(o[j] - o[tube.axis] * tube.slope[j]) + 0x1p-51) <= tube.halfwidth[j])) {
-          return HUGE_VAL;
-        }
-      }
-      const Vec3 value = premultiplied_value(tube, o);
-      for (std::size_t row = 0; row < 3; ++row) {
-        o[tube.others[row]] -= value[row];
-      }
-      const double error = amplify * largest(value);
-      if (error <= allowed) {
-        return error;
-      }
-    }
-    return HUGE_VAL;
-  }
-
-  void push_vertex(Arc& arc, const Tube& tube, const Vec4& o) const {
+    const double radius = point_at(tube, tau, &o).radius;
     PolylineVertex& vertex = arc.polyline.emplace_back();
     for (std::size_t j = 0; j < 4; ++j) {
       vertex.parameters[j] = (tube.centre[j] + o[j]) + 0.5;
     }
-    const Vec3 x = position(tube, o);
+    const Vec3 x = value_at(tube.space, o[0], o[1]);
     for (std::size_t c = 0; c < 3; ++c) {
-      vertex.point[c] = pair_.frame.origin[c] + scale_ * x[c];
+      vertex.point[c] = forms.origin[c] + forms.scale * x[c];
     }
+    return radius;
   }
 
   const Pair& pair_;

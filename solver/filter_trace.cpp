@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter_series.h"
+
 namespace exsect::filter {
 
 namespace {
@@ -94,6 +96,7 @@ class Tracer {
       return false;
     }
     bound_derivatives(pair_, tube);
+    expand_arc(tube);
     return true;
   }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter_series.h"
+
 namespace exsect::filter {
 
 namespace {
@@ -66,15 +68,6 @@ Vec3 third_order(const Coefficients& c, double a, double b) {
 }
 Vec3 fourth_order(const Coefficients& c, double a, double b) { return (a * a * b * b) * c[8]; }
 
-Vec3 value_at(const Coefficients& c, double a, double b) {
-  Vec3 result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = (c[0][i] + b * (c[1][i] + b * c[2][i])) +
-                a * ((c[3][i] + b * (c[4][i] + b * c[5][i])) + a * (c[6][i] + b * (c[7][i] + b * c[8][i])));
-  }
-  return result;
-}
-
 double power_sum(const std::array<double, 5>& e, double t) {
   return e[0] + t * (e[1] + t * (e[2] + t * (e[3] + t * e[4])));
 }
@@ -129,6 +122,7 @@ bool prepare(const Pair& pair, const Vec4& centre, std::size_t axis, Tube& tube)
   }
   const Coefficients& along = axis < 2 ? tube.g : tube.h;
   tube.second = {};
+  tube.further = {};
   tube.slope[axis] = 1;
   for (std::size_t row = 0; row < 3; ++row) {
     tube.slope[tube.others[row]] = -along[first_order(axis)][row];
@@ -205,9 +199,6 @@ bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec
   return tube.contraction < 0.9;
 }
 
-namespace {
-
-/// |p''(w)[w',w'] - 2 p2(d)| for w in the region, w' in d +- delta, one patch; p2(d) the second order terms.
 Vec3 quadratic_deviation(const Coefficients& c, const double* d, const double* delta, const double* h) {
   const double a0 = std::fabs(d[0]) + delta[0];
   const double a1 = std::fabs(d[1]) + delta[1];
@@ -221,8 +212,6 @@ Vec3 quadratic_deviation(const Coefficients& c, const double* d, const double* d
   const double c8 = 2 * h[1] * h[1] * a0 * a0 + 8 * h[0] * h[1] * a0 * a1 + 2 * h[0] * h[0] * a1 * a1;
   return at_centre + c7 * absolute(c[7]) + c5 * absolute(c[5]) + c8 * absolute(c[8]);
 }
-
-}  // namespace
 
 // (14.6), (14.7).
 void bound_derivatives(const Pair& pair, Tube& tube) {
@@ -257,16 +246,22 @@ void bound_derivatives(const Pair& pair, Tube& tube) {
   }
 }
 
+Vec3 value_at(const Coefficients& c, double a, double b) {
+  Vec3 result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = (c[0][i] + b * (c[1][i] + b * c[2][i])) +
+                a * ((c[3][i] + b * (c[4][i] + b * c[5][i])) + a * (c[6][i] + b * (c[7][i] + b * c[8][i])));
+  }
+  return result;
+}
+
 Vec3 premultiplied_value(const Tube& tube, const Vec4& o) {
   return value_at(tube.g, o[0], o[1]) + value_at(tube.h, o[2], o[3]);
 }
 
 // (14.8): |w - w*| <= |C F(w)| / (1 - rho) for every w in the region.
 Ball point_at(const Tube& tube, double tau, Vec4* offset) {
-  Vec4 o;
-  for (std::size_t j = 0; j < 4; ++j) {
-    o[j] = tau * (tube.slope[j] + 0.5 * tau * tube.second[j]);
-  }
+  Vec4 o = arc_offset(tube, tau);
   Vec4 best = o;
   double least = HUGE_VAL;
   for (int step = 0; step < 40; ++step) {

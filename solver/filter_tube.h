@@ -55,6 +55,7 @@ struct Tube {
   Vec4 slope_error;
   Vec4 second;
   Vec4 second_error;
+  std::array<Vec3, 6> further;  // about the coefficients of tau^3, tau^4, ... of w, by rows
 };
 
 /// Everything about the tube around `centre` that does not depend on its size; false if the columns other
@@ -68,6 +69,13 @@ Vec3 residual_bound(const Pair& pair, const Tube& tube, double reach);
 bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec4& halfwidth);
 
 void bound_derivatives(const Pair& pair, Tube& tube);
+
+/// |p''(w)[w',w'] - p''(0)[d,d]| for |w_0| <= h[0], |w_1| <= h[1], w' in d +- delta; p has the magnitudes of
+/// coefficients c, the errors of which are left out.
+Vec3 quadratic_deviation(const Coefficients& c, const double* d, const double* delta, const double* h);
+
+/// sum c[3 i + j] a^i b^j.
+Vec3 value_at(const Coefficients& c, double a, double b);
 
 /// C F at centre + offset.
 Vec3 premultiplied_value(const Tube& tube, const Vec4& offset);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter_series.h"
+
 namespace exsect::filter {
 
 namespace {
@@ -207,6 +209,7 @@ class TurnFinder {
       return false;
     }
     bound_derivatives(pair_, result.tube);
+    expand_arc(result.tube);
     result.from = start.middle[tube.axis] - result.tube.centre[tube.axis];
     result.to = end.middle[tube.axis] - result.tube.centre[tube.axis];
     return (result.to > result.from) == (to > from);
