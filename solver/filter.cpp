@@ -23,13 +23,22 @@ class FilteredIntersection {
   FilteredIntersection(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options)
       : x_(x), y_(y), options_(options) {}
 
+  std::optional<FilteredCurves> run_with_stations() {
+    with_stations_ = true;
+    auto result = run();
+    if (!result) {
+      return std::nullopt;
+    }
+    return FilteredCurves{std::move(*result), std::move(stations_)};
+  }
+
   std::optional<IntersectResult> run() {
     const auto pair = filter::make_pair(x_, y_);
     if (!pair || options_.tolerance < kFinestTolerance) {
       return std::nullopt;
     }
     const auto contacts = filter::find_contacts(x_, y_, *pair);
-    if (!contacts) {
+    if (!contacts || (with_stations_ && !contacts->empty())) {
       return std::nullopt;
     }
     filter::Trees trees{filter::PatchTree(pair->x), filter::PatchTree(pair->y)};
@@ -47,9 +56,13 @@ class FilteredIntersection {
       return std::nullopt;
     }
     auto graph = filter::make_graph(*pair, *points, curves, options_.turning, coincident_,
-                                    options_.tolerance * pair->extent);
+                                    options_.tolerance * pair->extent,
+                                    with_stations_ ? 0 : options_.tolerance * pair->extent);
     if (!graph) {
       return std::nullopt;
+    }
+    if (with_stations_) {
+      find_stations(*points, curves);
     }
     return with_contacts(*pair, *contacts, std::move(*graph), curves);
   }
@@ -69,7 +82,7 @@ class FilteredIntersection {
     finish_components(graph);
     IntersectResult result{Status::complete, std::move(graph), {}, {}};
     report(curves, result);
-    if (options_.progress) {
+    if (options_.progress && !with_stations_) {
       options_.progress(1, "filter");
     }
     result.work.milliseconds = milliseconds();
@@ -98,7 +111,7 @@ class FilteredIntersection {
     coincident_ = kNoneCoincident;
     for (Trace& trace : traces) {
       AnalysedTrace& curve = curves.emplace_back(AnalysedTrace{std::move(trace), {}});
-      if (options_.turning.empty() && curve.trace.start >= 0) {
+      if (options_.turning.empty() && curve.trace.start >= 0 && !with_stations_) {
         continue;
       }
       auto found = filter::find_turns(pair, curve.trace, coincident_, curve.turns);
@@ -114,6 +127,27 @@ class FilteredIntersection {
       }
     }
     return true;
+  }
+
+  void find_stations(const std::vector<BoundaryPoint>& points, const std::vector<AnalysedTrace>& curves) {
+    for (std::size_t p = 0; p < 4; ++p) {
+      for (const AnalysedTrace& curve : curves) {
+        const bool open = curve.trace.start >= 0;
+        Stations& stations = stations_[p].emplace_back(Stations{{}, !open});
+        const auto add_end = [&](int point) {
+          if (open) {
+            stations.at.push_back(filter::interval(points[static_cast<std::size_t>(point)].ball, p));
+          }
+        };
+        add_end(curve.trace.start);
+        for (const filter::Turn& turn : curve.turns) {
+          if (turn.parameter == p || coincident_[p] == turn.parameter) {
+            stations.at.push_back(filter::interval(turn.ball, p));
+          }
+        }
+        add_end(curve.trace.end);
+      }
+    }
   }
 
   void report(const std::vector<AnalysedTrace>& curves, IntersectResult& result) const {
@@ -138,6 +172,8 @@ class FilteredIntersection {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   long boxes_ = 0;
   std::array<std::size_t, 4> coincident_ = kNoneCoincident;
+  bool with_stations_ = false;
+  std::array<std::vector<Stations>, 4> stations_;
 };
 
 }  // namespace
@@ -145,6 +181,11 @@ class FilteredIntersection {
 std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const BezierPatch& y,
                                                   const IntersectOptions& options) {
   return FilteredIntersection(x, y, options).run();
+}
+
+std::optional<FilteredCurves> filtered_curves(const BezierPatch& x, const BezierPatch& y,
+                                              const IntersectOptions& options) {
+  return FilteredIntersection(x, y, options).run_with_stations();
 }
 
 }  // namespace exsect

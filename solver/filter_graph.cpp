@@ -63,13 +63,14 @@ struct Stop {
 class GraphMaker {
  public:
   GraphMaker(const Pair& pair, const std::vector<BoundaryPoint>& points,
-             const std::array<std::size_t, 4>& coincident, double tolerance)
+             const std::array<std::size_t, 4>& coincident, double tolerance, double vertex_tolerance)
       : pair_(pair),
         points_(points),
         coincident_(coincident),
         scale_(std::ldexp(1.0, static_cast<int>(pair.frame.exponent))),
         tolerance_(tolerance),
-        scaled_tolerance_(tolerance / scale_) {
+        scaled_tolerance_(tolerance / scale_),
+        vertex_tolerance_(std::min(kVertexShare * scaled_tolerance_, vertex_tolerance / scale_)) {
     const auto& o = pair.frame.origin;
     // The values of x: Patch::error; origin + scaled point: two roundings of each coordinate's size.
     const double size = std::max({std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])}) / scale_ + 2;
@@ -223,7 +224,7 @@ class GraphMaker {
     const double width = kSlack * std::fabs(h);
     chord_error_ = std::max(chord_error_, bounds.curvature * width * width / 8);
     const double rounding = kSlack * tube.value_error / (1 - tube.contraction) + 0x1p-51;
-    const double allowed = kVertexShare * scaled_tolerance_ / (bounds.speed + kTiny);
+    const double allowed = vertex_tolerance_ / (bounds.speed + kTiny);
     const VertexForms forms =
         vertex_forms(pair_, tube, allowed * (1 - tube.contraction) / (kSlack * tube.contraction));
     double worst = allowed;
@@ -278,6 +279,7 @@ class GraphMaker {
   double scale_;
   double tolerance_;
   double scaled_tolerance_;
+  double vertex_tolerance_;
   double place_error_;
   std::size_t vertices_ = 0;
   IntersectionGraph graph_;
@@ -293,8 +295,9 @@ class GraphMaker {
 std::optional<IntersectionGraph> make_graph(const Pair& pair, const std::vector<BoundaryPoint>& points,
                                             const std::vector<AnalysedTrace>& traces,
                                             const std::vector<Parameter>& wanted,
-                                            const std::array<std::size_t, 4>& coincident, double tolerance) {
-  GraphMaker maker(pair, points, coincident, tolerance);
+                                            const std::array<std::size_t, 4>& coincident, double tolerance,
+                                            double vertex_tolerance) {
+  GraphMaker maker(pair, points, coincident, tolerance, vertex_tolerance);
   maker.add_boundary_nodes();
   for (const AnalysedTrace& curve : traces) {
     if (!maker.add(curve, wanted)) {

@@ -79,6 +79,12 @@ double derivative_power_sum(const std::array<double, 5>& e, double t) {
 
 }  // namespace
 
+RationalInterval interval(const Ball& ball, std::size_t parameter) {
+  const Rational middle = from_double(ball.middle[parameter]) + Rational(1, 2);
+  const Rational radius = from_double(ball.radius);
+  return {middle - radius, middle + radius};
+}
+
 Linearisation linearise(const Coefficients& x, const Coefficients& y) {
   Linearisation at;
   at.value = x[0] - y[0];

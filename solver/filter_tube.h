@@ -12,6 +12,9 @@ struct Ball {
   double radius;
 };
 
+/// The values from 0 to 1 of a parameter in the ball.
+RationalInterval interval(const Ball& ball, std::size_t parameter);
+
 /// Balls of points where pieces of a curve end are smaller than a quarter of this.
 inline constexpr double kEndMargin = 0x1p-28;
 /// Of tubes along the curve: below this nothing is gained, and boxes of nodes would not fit in.

@@ -19,8 +19,8 @@ struct IntersectOptions {
   double tolerance = 1e-6;
   /// Work cap; when it is exceeded the result is incomplete.
   std::optional<double> max_seconds;
-  /// Skips the solution in doubles (method, section 14): everything is decided by exact arithmetic and by
-  /// enclosures behind it. The graph is the same; Work::steps has the entry "filtered" if doubles sufficed.
+  /// Whether a curve is missing is decided by exact arithmetic (method, sections 5 and 14.8), not by a search
+  /// in doubles alone. The graph is the same; Work::steps has the entry "filtered" if that sufficed.
   bool exact = false;
   /// Called now and then with a fraction in [0,1] and the name of the step.
   std::function<void(double, const char*)> progress;

@@ -57,13 +57,8 @@ bool sort_along(std::vector<filter::Ball>& balls, std::size_t kept) {
 }
 
 ParameterBox box_of(const filter::Ball& ball, const LineQuery& query) {
-  const Rational half(1, 2);
-  const Rational radius = from_double(ball.radius);
   ParameterBox box;
-  for (std::size_t j = 0; j < 4; ++j) {
-    const Rational middle = from_double(ball.middle[j]) + half;
-    box[j] = {middle - radius, middle + radius};
-  }
+  for (std::size_t j = 0; j < 4; ++j) box[j] = filter::interval(ball, j);
   box[index(query.fixed)] = {query.value, query.value};
   return box;
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "../../solver/filter.h"
+#include "../../solver/intersect_by_sweep.h"
 #include "support/catch.h"
 #include "support/families.h"
 #include "support/graph_checks.h"
@@ -137,9 +138,7 @@ void compare(const Pair& pair, Counts& counts) {
   ++counts.decided;
   CHECK(filtered->status == Status::complete);
   CHECK(unsound(pair.x, pair.y, *filtered) == "");
-  IntersectOptions options;
-  options.exact = true;
-  const IntersectResult exact = intersect(pair.x, pair.y, options);
+  const IntersectResult exact = intersect_by_sweep(pair.x, pair.y, {});
   if (exact.status == Status::complete)
     CHECK(difference(filtered->graph, exact.graph, {}) == "");
   else

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "../../solver/intersect_by_sweep.h"
 #include "../../solver/pair_system.h"
 #include "../../solver/tube.h"
 #include "support/catch.h"
@@ -31,9 +32,7 @@ bool agrees(const Pair& pair, const IntersectOptions& options = {}) {
   if (!filtered) return false;
   CHECK(filtered->status == Status::complete);
   CHECK(unsound(pair.x, pair.y, *filtered) == "");
-  IntersectOptions exact = options;
-  exact.exact = true;
-  const IntersectResult other = intersect(pair.x, pair.y, exact);
+  const IntersectResult other = intersect_by_sweep(pair.x, pair.y, options);
   CHECK(other.status == Status::complete);
   CHECK(difference(filtered->graph, other.graph, {}) == "");
   return true;

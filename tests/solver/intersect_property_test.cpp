@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "../../solver/intersect_by_sweep.h"
 #include "support/catch.h"
 #include "support/graph_isomorphism.h"
 #include "support/oracle.h"
@@ -35,11 +36,9 @@ void check_boundary(const IntersectionGraph& graph, const oracle::Intersection& 
   }
 }
 
-/// In exact mode: filter_test.cpp compares the solution in doubles with that.
+/// By the sweep: filter_test.cpp compares the solution in doubles with that.
 IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y) {
-  IntersectOptions options;
-  options.exact = true;
-  return intersect(x, y, options);
+  return intersect_by_sweep(x, y, {});
 }
 
 /// True if the oracle had no doubt.

@@ -6,6 +6,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "../../solver/intersect_by_sweep.h"
+
 namespace exsect {
 namespace {
 
@@ -400,10 +402,11 @@ std::string failure(const ExactCase& expected) {
   options.tolerance = 1e-5;
   options.max_seconds = 20;
   const IntersectResult result = intersect(expected.x, expected.y, options);
-  const std::string found = difference(result, expected);
+  std::string found = difference(result, expected);
   if (!found.empty() || result.work.steps.count("filtered") == 0) return found;
   options.exact = true;
-  return difference(intersect(expected.x, expected.y, options), expected);
+  found = difference(intersect(expected.x, expected.y, options), expected);
+  return found.empty() ? difference(intersect_by_sweep(expected.x, expected.y, options), expected) : found;
 }
 
 ExactArc arc_along(std::size_t from, std::size_t to, Contact contact, ArcPlace place,
