@@ -122,6 +122,13 @@ class TwoLaneArithmetic {
   TwoLanes add(const TwoLanes& f, const TwoLanes& g) const {
     return {lanes::add(primes_, f.a, g.a), lanes::add(primes_, f.b, g.b)};
   }
+  /// At most 9.8 p < 2^52 for 16 residues.
+  TwoLanes add_unreduced(const TwoLanes& f, const TwoLanes& g) const {
+    return {_mm256_add_pd(f.a, g.a), _mm256_add_pd(f.b, g.b)};
+  }
+  TwoLanes reduced(const TwoLanes& f) const {
+    return {lanes::reduce(primes_, f.a), lanes::reduce(primes_, f.b)};
+  }
   TwoLanes negate(const TwoLanes& f) const { return {lanes::negate(f.a), lanes::negate(f.b)}; }
   TwoLanes multiply(const TwoLanes& f, const TwoLanes& g) const {
     return {lanes::multiply(primes_, f.a, g.a), lanes::multiply(primes_, f.b, g.b)};

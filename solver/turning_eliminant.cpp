@@ -38,11 +38,10 @@ std::size_t estimated_bits(const IntegerPair& pair) {
 std::vector<ResidueFraction> eliminant_values(const PrimeField& field, const IntegerPair& pair, Residue u,
                                               std::size_t count) {
   const ModularEliminant eliminant(field, pair);
-  std::vector<ResidueFraction> values;
-  values.reserve(count);
-  for (std::size_t i = 0; i < count; ++i, u = field.add(u, field.one())) {
-    values.push_back(eliminant.fast_value(u));
-    if (values.back().denominator == 0) values.back() = eliminant.value(u);
+  std::vector<ResidueFraction> values = eliminant.fast_values(u, count);
+  for (ResidueFraction& value : values) {
+    if (value.denominator == 0) value = eliminant.value(u);
+    u = field.add(u, field.one());
   }
   return values;
 }

@@ -9,7 +9,8 @@ namespace exsect {
 /// The equations (4.3)-(4.8) and (4.13) of docs/method.md at single values of u. Field gives
 ///  - Residue, and Sum, a sum of at most 28 products: `Sum sum(a, b)` or `Sum sum`, `sum.add(a, b)`;
 ///  - reduce(Sum), and reduce_few(Sum) for at most three products;
-///  - add(a, b), negate(a), multiply(a, b).
+///  - add(a, b), negate(a), multiply(a, b);
+///  - add_unreduced(a, b) for sums of at most 16 residues, which reduced(a) makes residues again.
 /// Plain arrays only: nothing here is an inline function that another file could share.
 template <class Field>
 class EliminantForms {
@@ -48,10 +49,9 @@ class EliminantForms {
 
   Fibre fibre(const Residue& u) const;
 
-  /// E(u) by Euclid's algorithm without inverses (4.13). The denominator is zero where g_s Res(R,S1) = 0, and
+  /// E(u) from the fibre over u, by Euclid's algorithm without inverses (4.13). The denominator is zero where g_s Res(R,S1) = 0, and
   /// also where a leading coefficient of the remainder sequences vanishes.
-  Fraction value(const Residue& u) const {
-    Fibre f = fibre(u);
+  Fraction value(Fibre f) const {
     Residue derivative[16];
     for (std::size_t i = 1; i < 17; ++i) derivative[i - 1] = field_.multiply(f.r[i], small_[i]);
     const Fraction alignment = alignment_resultant(f.r, f.s1);
@@ -291,5 +291,75 @@ typename EliminantForms<Field>::Fraction EliminantForms<Field>::alignment_result
   result.denominator = field_.multiply(result.denominator, power);
   return result;
 }
+
+/// The fibres over first, first + step, first + 2 step, ...: R, S1, g_r, g_s are polynomials in u of degrees
+/// at most 16, 10, 4, 4, so that additions in their tables of differences are enough.
+template <class Field>
+class FibreSequence {
+ public:
+  using Residue = typename Field::Residue;
+  using Fibre = typename EliminantForms<Field>::Fibre;
+
+  FibreSequence(const EliminantForms<Field>& forms, Residue first, const Residue& step)
+      : field_(forms.field()) {
+    for (std::size_t k = 0; k < 17; ++k) {
+      const Fibre fibre = forms.fibre(first);
+      for (std::size_t i = 0; i < 17; ++i) r_[i][k] = fibre.r[i];
+      for (std::size_t i = 0; i < 11 && k < 11; ++i) s1_[i][k] = fibre.s1[i];
+      if (k < 5) {
+        g_r_[k] = fibre.g_r;
+        g_s_[k] = fibre.g_s;
+      }
+      first = field_.add(first, step);
+    }
+    for (auto& row : r_) set_differences(row);
+    for (auto& row : s1_) set_differences(row);
+    set_differences(g_r_);
+    set_differences(g_s_);
+  }
+
+  Fibre next() {
+    Fibre fibre;
+    for (std::size_t i = 0; i < 17; ++i) fibre.r[i] = field_.reduced(r_[i][0]);
+    for (std::size_t i = 0; i < 11; ++i) fibre.s1[i] = field_.reduced(s1_[i][0]);
+    fibre.g_r = field_.reduced(g_r_[0]);
+    fibre.g_s = field_.reduced(g_s_[0]);
+    for (auto& row : r_) advance(row);
+    for (auto& row : s1_) advance(row);
+    advance(g_r_);
+    advance(g_s_);
+    if (++steps_ % 4 == 0) {
+      for (auto& row : r_) reduce(row);
+      for (auto& row : s1_) reduce(row);
+      reduce(g_r_);
+      reduce(g_s_);
+    }
+    return fibre;
+  }
+
+ private:
+  /// From values to differences of order 0, 1, ... at the first one.
+  template <std::size_t n>
+  void set_differences(Residue (&row)[n]) const {
+    for (std::size_t k = 1; k < n; ++k)
+      for (std::size_t i = n - 1; i >= k; --i) row[i] = field_.add(row[i], field_.negate(row[i - 1]));
+  }
+  /// To the next value: moduli at most double.
+  template <std::size_t n>
+  void advance(Residue (&row)[n]) const {
+    for (std::size_t i = 0; i + 1 < n; ++i) row[i] = field_.add_unreduced(row[i], row[i + 1]);
+  }
+  template <std::size_t n>
+  void reduce(Residue (&row)[n]) const {
+    for (Residue& difference : row) difference = field_.reduced(difference);
+  }
+
+  Field field_;
+  Residue r_[17][17];
+  Residue s1_[11][11];
+  Residue g_r_[5];
+  Residue g_s_[5];
+  std::size_t steps_ = 0;
+};
 
 }  // namespace exsect

@@ -81,11 +81,9 @@ void fractions(const LanePair& pair, const Primes& f, Lane first, std::size_t po
   lanes::TwoLanes small[17];
   for (std::size_t i = 0; i < 17; ++i) small[i] = twice(_mm256_set1_pd(static_cast<double>(i)));
   const Forms forms(lanes::TwoLaneArithmetic(f), loaded(pair.x), loaded(pair.y), small);
+  FibreSequence<lanes::TwoLaneArithmetic> fibres(forms, {first, lanes::add(f, first, small[1].a)}, small[2]);
   for (std::size_t i = 0; i < points; i += 2) {
-    const auto node = [&](std::size_t n) {
-      return lanes::add(f, first, _mm256_set1_pd(static_cast<double>(n)));
-    };
-    const Forms::Fraction value = forms.value({node(i), node(i + 1)});
+    const Forms::Fraction value = forms.value(fibres.next());
     numerators[i] = value.numerator.a;
     denominators[i] = value.denominator.a;
     if (i + 1 == points) break;

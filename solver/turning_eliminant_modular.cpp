@@ -29,9 +29,15 @@ Forms forms(const PrimeField& field, const IntegerPair& pair) {
 ModularEliminant::ModularEliminant(const PrimeField& field, const IntegerPair& pair)
     : forms_(forms(field, pair)) {}
 
-ResidueFraction ModularEliminant::fast_value(Residue u) const {
-  const Forms::Fraction value = forms_.value(u);
-  return {value.numerator, value.denominator};
+std::vector<ResidueFraction> ModularEliminant::fast_values(Residue first, std::size_t count) const {
+  FibreSequence<ScalarArithmetic> fibres(forms_, first, forms_.field().prime_field().one());
+  std::vector<ResidueFraction> values;
+  values.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Forms::Fraction value = forms_.value(fibres.next());
+    values.push_back({value.numerator, value.denominator});
+  }
+  return values;
 }
 
 ResidueFraction ModularEliminant::value(Residue u) const {

@@ -4,6 +4,8 @@
 #include <exsect/algebra/modular.h>
 #include <exsect/geometry/integer_pair.h>
 
+#include <vector>
+
 #include "turning_eliminant_forms.h"
 
 namespace exsect {
@@ -29,6 +31,8 @@ class ScalarArithmetic {
   Residue reduce(const Sum& sum) const { return field_.reduce(sum.value_); }
   Residue reduce_few(const Sum& sum) const { return reduce(sum); }
   Residue add(Residue a, Residue b) const { return field_.add(a, b); }
+  Residue add_unreduced(Residue a, Residue b) const { return field_.add(a, b); }
+  Residue reduced(Residue a) const { return a; }
   Residue negate(Residue a) const { return field_.negate(a); }
   Residue multiply(Residue a, Residue b) const { return field_.multiply(a, b); }
 
@@ -41,8 +45,8 @@ class ModularEliminant {
  public:
   ModularEliminant(const PrimeField& field, const IntegerPair& pair);
 
-  /// As EliminantForms::value.
-  ResidueFraction fast_value(Residue u) const;
+  /// As EliminantForms::value, at first, first + 1, ..., first + count - 1.
+  std::vector<ResidueFraction> fast_values(Residue first, std::size_t count) const;
   /// E(u) from resultants that allow any sequence of degrees: the denominator is zero only where
   /// g_s(u) Res(R,S1)(u) = 0. Several times slower.
   ResidueFraction value(Residue u) const;

@@ -109,9 +109,7 @@ std::vector<Residue> coefficients_by_scalars(const PrimeField& field, const Inte
                                              std::size_t points) {
   const ModularEliminant eliminant(field, pair);
   std::vector<Residue> values;
-  Residue u = residue(field, first);
-  for (std::size_t i = 0; i < points; ++i, u = field.add(u, field.one())) {
-    const ResidueFraction value = eliminant.fast_value(u);
+  for (const ResidueFraction& value : eliminant.fast_values(residue(field, first), points)) {
     if (value.denominator == 0) return {};
     values.push_back(field.multiply(value.numerator, field.inverse(value.denominator)));
   }
