@@ -11,6 +11,8 @@ namespace {
 
 /// More than a fibre has isolated points.
 constexpr int kMostIsolated = 16;
+/// Rational values with denominators of up to about half as many bits are recognised.
+constexpr int kRationalBits = 300;
 
 template <class Ball>
 BallPoint<Ball> middle_of(const PairSystem<Ball>& system, const TangentialPiece<Ball>& piece) {
@@ -47,14 +49,16 @@ class ConstantParameter {
         width_(width),
         near_(middle_of(system, curve.pieces[curve.pieces.size() / 2])[index(p)].interval()) {}
 
-  bool run() const { return has_rational_value() || has_algebraic_value(); }
+  bool run() const {
+    const bool known = near_.lower == near_.upper;
+    return has_rational_value(known ? near_.lower : simplest_between(near_.lower, near_.upper)) ||
+           has_turning_value();
+  }
 
  private:
   /// It has a point on an arc in which a line p = c lies on the other patch. Both are analytic, and the curve
   /// is regular there, so they coincide.
-  bool has_rational_value() const {
-    const Rational value =
-        near_.lower < near_.upper ? simplest_between(near_.lower, near_.upper) : near_.lower;
+  bool has_rational_value(const Rational& value) const {
     if (value < 0 || value > 1) {
       return false;
     }
@@ -71,20 +75,31 @@ class ConstantParameter {
     });
   }
 
-  /// It takes a value α in more points than a fibre has isolated ones: in one of them it is the only curve,
-  /// and the fibre over α contains one there.
-  bool has_algebraic_value() const {
+  /// It has a multiple root of E, rational or not, as its value.
+  bool has_turning_value() const {
     const auto& turning = sweep_.turning_of(p_);
-    if (!turning) {
-      return false;
-    }
-    return std::any_of(turning->values.begin(), turning->values.end(), [&](const TurningValue& value) {
-      const RationalInterval at = value.value.interval();
-      return value.multiplicity != 1 && !value.value.is_rational() && at.lower <= near_.upper &&
-             near_.lower <= at.upper && has_value(value.value);
-    });
+    return turning && std::any_of(turning->values.begin(), turning->values.end(), [&](const TurningValue& v) {
+             const RationalInterval at = v.value.interval();
+             if (v.multiplicity == 1 || at.upper < near_.lower || near_.upper < at.lower) {
+               return false;
+             }
+             const std::optional<Rational> rational = as_rational(v.value);
+             return rational ? has_rational_value(*rational) : has_value(v.value);
+           });
   }
 
+  /// A rational number with too long a denominator is treated like an irrational one.
+  static std::optional<Rational> as_rational(const RealAlgebraic& value) {
+    const RationalInterval at = value.refined_to(power_of_two(-kRationalBits)).interval();
+    if (at.lower == at.upper) {
+      return at.lower;
+    }
+    const Rational simplest = simplest_between(at.lower, at.upper);
+    return value.compare(simplest) == 0 ? std::optional(simplest) : std::nullopt;
+  }
+
+  /// It takes the value α in more points than a fibre has isolated ones: in one of them it is the only curve,
+  /// and the fibre over α contains one there.
   bool has_value(const RealAlgebraic& value) const {
     const auto run = [&](const auto& piece) {
       return piece.tube.axis == index(along_) ? std::fabs(piece.to - piece.from) : 0;
@@ -169,8 +184,10 @@ bool meets_line(const SweepData& sweep, const Curve& curve, const LineQuery& acr
                                  const Rational&, const Rational&);
 
 EXSECT_INSTANTIATE_CONSTANT(DoubleBall, Trace)
+EXSECT_INSTANTIATE_CONSTANT(DoubleDoubleBall, Trace)
 EXSECT_INSTANTIATE_CONSTANT(ArbBall<256>, Trace)
 EXSECT_INSTANTIATE_CONSTANT(DoubleBall, TangentialArc)
+EXSECT_INSTANTIATE_CONSTANT(DoubleDoubleBall, TangentialArc)
 EXSECT_INSTANTIATE_CONSTANT(ArbBall<256>, TangentialArc)
 #undef EXSECT_INSTANTIATE_CONSTANT
 

@@ -207,6 +207,7 @@ void append_contact(IntersectionGraph& graph, const PairSystem<Ball>& system,
                                const std::vector<Parameter>&, double);
 
 EXSECT_INSTANTIATE_CONTACT(DoubleBall)
+EXSECT_INSTANTIATE_CONTACT(DoubleDoubleBall)
 EXSECT_INSTANTIATE_CONTACT(ArbBall<256>)
 #undef EXSECT_INSTANTIATE_CONTACT
 

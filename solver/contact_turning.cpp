@@ -187,6 +187,7 @@ bool may_be_constant(const PairSystem<Ball>& system, const TangentialArc<Ball>& 
   template bool may_be_constant(const PairSystem<Ball>&, const TangentialArc<Ball>&, std::size_t);
 
 EXSECT_INSTANTIATE_CONTACT(DoubleBall)
+EXSECT_INSTANTIATE_CONTACT(DoubleDoubleBall)
 EXSECT_INSTANTIATE_CONTACT(ArbBall<256>)
 #undef EXSECT_INSTANTIATE_CONTACT
 

@@ -406,6 +406,7 @@ void finish_components(IntersectionGraph& graph) {
                              double);
 
 EXSECT_INSTANTIATE_GRAPH(DoubleBall)
+EXSECT_INSTANTIATE_GRAPH(DoubleDoubleBall)
 EXSECT_INSTANTIATE_GRAPH(ArbBall<256>)
 #undef EXSECT_INSTANTIATE_GRAPH
 

@@ -103,7 +103,8 @@ class Intersection {
       timed("singular points", [this] { find_stars(); });
       const bool again = !sweep_.stars.empty() || cut_short_;
       sweep_.quick = false;
-      if (!again || !trace_and_build<DoubleBall>(power_of_two(-50), false)) {
+      if ((!again || !trace_and_build<DoubleBall>(power_of_two(-50), false)) &&
+          !trace_and_build<DoubleDoubleBall>(power_of_two(-100), false)) {
         trace_and_build<ArbBall<256>>(power_of_two(-200), true);
       }
     }

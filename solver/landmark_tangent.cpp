@@ -49,6 +49,7 @@ int arriving_direction(const Trace<Ball>& trace) {
   template int arriving_direction(const Trace<Ball>&);
 
 EXSECT_INSTANTIATE_TANGENT(DoubleBall)
+EXSECT_INSTANTIATE_TANGENT(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TANGENT(ArbBall<256>)
 #undef EXSECT_INSTANTIATE_TANGENT
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exsect/algebra/ball.h>
+#include <exsect/algebra/double_double_ball.h>
 #include <exsect/geometry/bezier_patch.h>
 
 #include <array>

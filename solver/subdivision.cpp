@@ -13,6 +13,8 @@ namespace {
 template <class Ball>
 constexpr long kMostBoxes = 200000;
 template <>
+inline constexpr long kMostBoxes<DoubleDoubleBall> = 40000;
+template <>
 inline constexpr long kMostBoxes<ArbBall<256>> = 10000;
 constexpr int kFirstCertificateDepth = 4;
 constexpr int kDeepest = 24;  // halvings of either cell
@@ -456,6 +458,7 @@ SearchOutcome search_closed_curves(const PairSystem<Ball>& system, const SearchR
                                               const SettledRegion&, const StopRequest&);
 
 EXSECT_INSTANTIATE_SEARCH(DoubleBall)
+EXSECT_INSTANTIATE_SEARCH(DoubleDoubleBall)
 EXSECT_INSTANTIATE_SEARCH(ArbBall<256>)
 #undef EXSECT_INSTANTIATE_SEARCH
 

@@ -222,6 +222,7 @@ int certain_direction(const PairSystem<Ball>& system, const TangentialArc<Ball>&
   template int certain_direction(const PairSystem<Ball>&, const TangentialArc<Ball>&, int, std::size_t);
 
 EXSECT_INSTANTIATE_TANGENTIAL(DoubleBall)
+EXSECT_INSTANTIATE_TANGENTIAL(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TANGENTIAL(ArbBall<256>)
 #undef EXSECT_INSTANTIATE_TANGENTIAL
 

@@ -362,6 +362,7 @@ bool excludes(const TangentialTube<Ball>& tube, const BallPoint<Ball>& box) {
   template bool excludes(const TangentialTube<Ball>&, const BallPoint<Ball>&);
 
 EXSECT_INSTANTIATE_TANGENTIAL(DoubleBall)
+EXSECT_INSTANTIATE_TANGENTIAL(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TANGENTIAL(ArbBall<256>)
 #undef EXSECT_INSTANTIATE_TANGENTIAL
 

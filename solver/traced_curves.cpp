@@ -626,6 +626,7 @@ BallPoint<Ball> enclose(const CertifiedPoint& point, const Rational& width) {
   template BallPoint<Ball> enclose(const CertifiedPoint&, const Rational&);
 
 EXSECT_INSTANTIATE_CURVES(DoubleBall)
+EXSECT_INSTANTIATE_CURVES(DoubleDoubleBall)
 EXSECT_INSTANTIATE_CURVES(ArbBall<256>)
 #undef EXSECT_INSTANTIATE_CURVES
 

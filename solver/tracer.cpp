@@ -23,10 +23,14 @@ constexpr double kEndWidth = 0x1p-48;  // the ends are known within landmarks, a
 template <class Ball>
 constexpr double kLeastStep = 0x1p-40;
 template <>
+inline constexpr double kLeastStep<DoubleDoubleBall> = 0x1p-70;
+template <>
 inline constexpr double kLeastStep<ArbBall<256>> = 0x1p-110;
 
 template <class Ball>
 constexpr int kNewtonSteps = 2;
+template <>
+inline constexpr int kNewtonSteps<DoubleDoubleBall> = 3;
 template <>
 inline constexpr int kNewtonSteps<ArbBall<256>> = 4;
 
@@ -256,6 +260,7 @@ bool passes_through(const Trace<Ball>& trace, const BallPoint<Ball>& box) {
   template bool passes_through(const Trace<Ball>&, const BallPoint<Ball>&);
 
 EXSECT_INSTANTIATE_TRACER(DoubleBall)
+EXSECT_INSTANTIATE_TRACER(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TRACER(ArbBall<256>)
 #undef EXSECT_INSTANTIATE_TRACER
 

@@ -10,9 +10,12 @@ namespace exsect {
 
 namespace {
 
-/// Tubes are wide enough to contain the boxes of landmarks and fibre points, of widths 2^-50 and 2^-200.
+/// Tubes are wide enough to contain the boxes of landmarks and fibre points, of widths 2^-50, 2^-100 and
+/// 2^-200.
 template <class Ball>
 constexpr double kLeastHalfwidth = 0x1p-49;
+template <>
+inline constexpr double kLeastHalfwidth<DoubleDoubleBall> = 0x1p-99;
 template <>
 inline constexpr double kLeastHalfwidth<ArbBall<256>> = 0x1p-199;
 
@@ -447,6 +450,7 @@ bool excludes(const Tube<Ball>& tube, const BallPoint<Ball>& box) {
   template bool excludes(const Tube<Ball>&, const BallPoint<Ball>&);
 
 EXSECT_INSTANTIATE_TUBE(DoubleBall)
+EXSECT_INSTANTIATE_TUBE(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TUBE(ArbBall<256>)
 #undef EXSECT_INSTANTIATE_TUBE
 

@@ -352,6 +352,7 @@ std::optional<AlongLine> fit_line(Tube<Ball>& tube) {
 }
 
 template std::optional<AlongLine> fit_line(Tube<DoubleBall>&);
+template std::optional<AlongLine> fit_line(Tube<DoubleDoubleBall>&);
 template std::optional<AlongLine> fit_line(Tube<ArbBall<256>>&);
 
 }  // namespace exsect

@@ -15,11 +15,15 @@ constexpr int kDeepestSplit = 40;
 template <class Ball>
 constexpr std::size_t kMostPieces = 100000;
 template <>
+inline constexpr std::size_t kMostPieces<DoubleDoubleBall> = 20000;
+template <>
 inline constexpr std::size_t kMostPieces<ArbBall<256>> = 3000;
 
 /// Width of the smallest brackets; 0: as narrow as doubles tell offsets apart on the tube.
 template <class Ball>
 constexpr double kUnit = 0x1p-50;
+template <>
+inline constexpr double kUnit<DoubleDoubleBall> = 0;
 template <>
 inline constexpr double kUnit<ArbBall<256>> = 0;
 
@@ -409,6 +413,7 @@ bool may_be_constant(const Trace<Ball>& trace, std::size_t parameter) {
   template bool may_be_constant(const Trace<Ball>&, std::size_t);
 
 EXSECT_INSTANTIATE_TURNING(DoubleBall)
+EXSECT_INSTANTIATE_TURNING(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TURNING(ArbBall<256>)
 #undef EXSECT_INSTANTIATE_TURNING
 

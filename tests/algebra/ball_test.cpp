@@ -1,11 +1,14 @@
 #include <exsect/algebra/ball.h>
+#include <exsect/algebra/double_double_ball.h>
 
+#include <cmath>
 #include <random>
 
 #include "support/catch.h"
 
 using exsect::ArbBall;
 using exsect::DoubleBall;
+using exsect::DoubleDoubleBall;
 using exsect::Rational;
 using exsect::RationalInterval;
 
@@ -75,23 +78,48 @@ void check_extremes() {
   CHECK(encloses(Ball::enclosing(third).interval(), third.upper));
 }
 
+/// Underflow must not claim a sign, and overflow no bound.
+template <class Ball>
+void check_limits() {
+  const Ball tiny_squared = Ball(0x1p-600) * Ball(0x1p-600);
+  CHECK(tiny_squared.certain_sign() == 0);
+  CHECK(tiny_squared.upper_magnitude() > 0);
+  for (const Ball& infinite : {Ball(1e300) * Ball(1e300), Ball(1.5e308) + Ball(1.5e308)}) {
+    CHECK(infinite.certain_sign() == 0);
+    CHECK(infinite.lower_magnitude() == 0);
+    CHECK_FALSE(infinite.upper_magnitude() < 1e308);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("balls at awkward values", "[ball]") {
   check_extremes<DoubleBall>();
+  check_extremes<DoubleDoubleBall>();
   check_extremes<ArbBall<256>>();
-  const DoubleBall tiny_squared =
-      DoubleBall(0x1p-600) * DoubleBall(0x1p-600);  // underflows: must not claim a sign
-  CHECK(tiny_squared.certain_sign() == 0);
-  CHECK(tiny_squared.upper_magnitude() > 0);
-  const DoubleBall infinite = DoubleBall(1e300) * DoubleBall(1e300);
-  CHECK(infinite.certain_sign() == 0);
-  CHECK_FALSE(infinite.upper_magnitude() < 1e308);
+  check_limits<DoubleBall>();
+  check_limits<DoubleDoubleBall>();
+}
+
+TEST_CASE("balls of two doubles keep 104 bits", "[ball]") {
+  const auto relative_radius = [](const DoubleDoubleBall& b) {
+    return b.radius() / std::fabs(b.approximation());
+  };
+  const DoubleDoubleBall third = DoubleDoubleBall::enclosing(Rational(1, 3));
+  CHECK(relative_radius(third) < 0x1p-104);
+  CHECK(relative_radius(third * third) < 0x1p-102);
+  CHECK(relative_radius(third + DoubleDoubleBall(1)) < 0x1p-103);
+  CHECK((third * DoubleDoubleBall(3) - DoubleDoubleBall(1)).upper_magnitude() < 0x1p-101);
+  const DoubleDoubleBall exact = DoubleDoubleBall::sum(1, 0x1p-90);  // sums and products without a rounding
+  CHECK((exact - DoubleDoubleBall(1)).approximation() == 0x1p-90);
+  CHECK(DoubleDoubleBall::sum(0x1p-90, 1).remainder() == 0x1p-90);
+  CHECK((exact * exact - DoubleDoubleBall::sum(1, 0x1p-89)).upper_magnitude() < 0x1p-140);
 }
 
 TEST_CASE("balls enclose exact results", "[ball]") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     check_chain<DoubleBall>(seed);
+    check_chain<DoubleDoubleBall>(seed);
     check_chain<ArbBall<256>>(seed);
   }
 }
