@@ -16,7 +16,7 @@ inline constexpr std::size_t kLineDegree = 3;
 template <>
 inline constexpr std::size_t kLineDegree<DoubleDoubleBall> = 6;
 template <>
-inline constexpr std::size_t kLineDegree<ArbBall<256>> = 6;
+inline constexpr std::size_t kLineDegree<ArbBall<256>> = 12;
 
 /// l(sigma) = c[0] sigma + c[1] sigma² + ..., all coefficients of radius 0.
 template <class Ball>
