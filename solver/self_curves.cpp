@@ -5,6 +5,7 @@
 #include <set>
 
 #include "landmark_tangent.h"
+#include "parameter_box.h"
 #include "subdivision.h"
 #include "traced_curves.h"
 
@@ -82,11 +83,14 @@ class SelfTracing {
         boundary_(exact.boundary),
         width_(width),
         stop_(stop),
-        rectangles_(exact.injective.rectangles) {
+        places_(exact.injective.rectangles, boxes_of(exact.stars)) {
     for (const CertifiedPoint& point : boundary_.points) {
       result_.landmarks.push_back(enclose<Ball>(point, width));
     }
     result_.boundary_points = boundary_.points.size();
+    for (std::size_t k = 0; k < exact.stars.size(); ++k) {
+      add_ports(k);
+    }
   }
 
   SelfCurves<Ball> run() {
@@ -121,13 +125,32 @@ class SelfTracing {
   }
 
  private:
+  static std::vector<ParameterBox> boxes_of(const std::vector<SelfStar>& stars) {
+    std::vector<ParameterBox> boxes;
+    for (const SelfStar& star : stars) {
+      boxes.push_back(star.star.box);
+    }
+    return boxes;
+  }
+
+  void add_ports(std::size_t star) {
+    const std::vector<Port>& ports = exact_.stars[star].star.ports;
+    for (std::size_t i = 0; i < ports.size(); ++i) {
+      const BallPoint<Ball> at = enclose<Ball>(ports[i].point, width_);
+      result_.landmarks.push_back(at);
+      result_.landmarks.push_back(exchanged_pair(at));
+      result_.ports.push_back({star, i, false});
+      result_.ports.push_back({star, i, true});
+    }
+  }
+
   void problem(const ParameterBox& where, const std::string& why) {
     result_.problems.push_back({where, stop_ && stop_() ? "the work cap was reached" : why});
   }
 
   void find_cusps() {
     for (const ChartSystem<Ball>& chart : system_.charts) {
-      const CuspSearchOutcome<Ball> outcome = search_cusps(chart, rectangles_, stop_);
+      const CuspSearchOutcome<Ball> outcome = search_cusps(chart, places_, stop_);
       for (const ParameterBox& where : places(chart.chart(), outcome.undecided)) {
         problem(where, "cuspidal points are not isolated here: a cuspidal curve, or a degenerate one");
       }
@@ -270,11 +293,24 @@ class SelfTracing {
     add(std::move(outcome), arc.on);
   }
 
-  /// Gates first: at the boundary end of a folded line on a side it is not known which directions enter.
+  /// Ports first, so that as many curves as possible have the order of the star in which they end; gates
+  /// next: at the boundary end of a folded line on a side it is not known which directions enter.
   void trace_open_curves() {
-    std::vector<bool> seen(used_.size(), false);
-    for (std::size_t k = used_.size(); k-- > 0;) {
-      const std::size_t i = is_boundary(k) ? k : mate(k);
+    const std::size_t boundary = boundary_.points.size();
+    const std::size_t gates = boundary + result_.ports.size();
+    for (std::size_t i = boundary; i < gates; i += 2) {
+      start_at(i);
+    }
+    for (std::size_t i = gates; i < used_.size(); i += 2) {
+      start_at(i);
+    }
+    std::vector<bool> seen(boundary, false);
+    for (const SelfStar& star : exact_.stars) {
+      if (star.landmark) {
+        seen[*star.landmark] = seen[mate(*star.landmark)] = true;
+      }
+    }
+    for (std::size_t i = boundary; i-- > 0;) {
       if (!seen[i]) {
         seen[i] = seen[mate(i)] = true;
         start_at(i);
@@ -282,9 +318,21 @@ class SelfTracing {
     }
   }
 
+  /// Away from the centre of the star.
+  Directions outward(std::size_t landmark) const {
+    const auto& [star, number, exchanged] = *result_.port(static_cast<int>(landmark));
+    const Port& port = exact_.stars[star].star.ports[number];
+    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, result_.landmarks[landmark]).tangent();
+    const int sign = tangent[(index(port.across) + (exchanged ? 2 : 0)) % 4].certain_sign();
+    return sign == 0 ? Directions{{1, -1}, false} : Directions{{sign * port.side}, true};
+  }
+
   Directions directions_at(std::size_t i) const {
     if (is_boundary(i)) {
       return entering_directions(i);
+    }
+    if (result_.port(static_cast<int>(i)) != nullptr) {
+      return outward(i);
     }
     const int direction = leaving_direction(trace_at(i));
     return direction == 0 ? Directions{{1, -1}, false} : Directions{{direction}, true};
@@ -360,24 +408,29 @@ class SelfTracing {
     });
   }
 
-  /// A curve that comes from the turn of a folded line runs along that line.
+  /// A curve that comes from the turn of a folded line, or from a port on it, runs along that line.
   void mark_folded_line(SelfCurve<Ball>& curve, std::array<bool, 4>& constant) const {
     for (const int end : {curve.analysed.trace.start, curve.analysed.trace.end}) {
+      if (const auto* port = result_.port(end)) {
+        if (const auto& folded = exact_.stars[port->star].folded[port->port])
+          mark_folded_line(curve, constant, folded->fixed, folded->side);
+        continue;
+      }
       const auto gate = result_.gate(end);
       if (!gate) {
         continue;
       }
       const ChartTrace<Ball>& trace = result_.chart_traces[gate->trace];
       const CuspArc<Ball>& arc = result_.cusps[static_cast<std::size_t>(trace.start)];
-      if (arc.place.folded) {
-        const std::size_t fixed = arc.chart == Chart::first ? 1 : 0;
-        constant[fixed] = constant[fixed + 2] = true;
-        if (arc.place.side[1]) {
-          curve.on = {{static_cast<Parameter>(fixed), *arc.place.side[1]},
-                      {static_cast<Parameter>(fixed + 2), *arc.place.side[1]}};
-        }
-      }
+      if (arc.place.folded)
+        mark_folded_line(curve, constant, arc.chart == Chart::first ? 1 : 0, arc.place.side[1]);
     }
+  }
+
+  static void mark_folded_line(SelfCurve<Ball>& curve, std::array<bool, 4>& constant, std::size_t fixed,
+                               const std::optional<int>& side) {
+    constant[fixed] = constant[fixed + 2] = true;
+    if (side) curve.on = {{static_cast<Parameter>(fixed), *side}, {static_cast<Parameter>(fixed + 2), *side}};
   }
 
   /// The direction c for which c . (U',V') keeps clearest away from zero on the curves traced so far: any c
@@ -411,9 +464,13 @@ class SelfTracing {
         return is_known(which, p);
       };
       const std::array<double, 2> own = which == Chart::first ? c : std::array<double, 2>{c[1], c[0]};
-      const ChartSearchOutcome outcome =
-          search_chart(chart, rectangles_, own, known, kMostBoxes<Ball>, stop_);
+      const ChartSearchOutcome outcome = search_chart(chart, places_, own, known, kMostBoxes<Ball>, stop_);
       result_.searched_boxes += outcome.boxes;
+      for (auto& q : outcome.undecided) {
+        fprintf(stderr, "undecided chart %d boxes %ld:", (int)which, outcome.boxes);
+        for (int j = 0; j < 4; ++j) fprintf(stderr, " [%g,%g]", q.lower[j], q.upper[j]);
+        fprintf(stderr, "\n");
+      }
       for (const ParameterBox& where : places(which, outcome.undecided)) {
         problem(where, "a closed curve or a singular point of the self-intersection is not excluded here");
       }
@@ -433,7 +490,18 @@ class SelfTracing {
         return true;
       }
     }
-    return lies_on_curve(pair) || lies_on_curve(exchanged_pair(pair)) || traced_from(pair);
+    return is_in_star(pair) || lies_on_curve(pair) || lies_on_curve(exchanged_pair(pair)) ||
+           traced_from(pair);
+  }
+
+  bool is_in_star(const BallPoint<Ball>& pair) const {
+    ParameterBox box;
+    for (std::size_t j = 0; j < 4; ++j) {
+      box[j] = pair[j].interval();
+    }
+    return std::any_of(exact_.stars.begin(), exact_.stars.end(), [&](const SelfStar& star) {
+      return lies_in(box, star.star.box) || lies_in(exchanged_pair(box), star.star.box);
+    });
   }
 
   bool lies_on_curve(const BallPoint<Ball>& pair) const {
@@ -461,7 +529,7 @@ class SelfTracing {
   const SelfBoundary& boundary_;
   const Rational& width_;
   const StopRequest& stop_;
-  KnownRectangles rectangles_;
+  KnownPlaces places_;
   std::vector<std::vector<int>> used_;  // directions of T in which a curve leaves each landmark
   std::vector<CuspArc<Ball>> leaving_;  // cuspidal points on sides
   int failed_loops_ = 0;
@@ -492,8 +560,7 @@ bool passes_near_cusp(const SelfCurves<Ball>& curves, Chart chart, const BallPoi
 
 bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopRequest& stop) {
   return std::all_of(system.charts.begin(), system.charts.end(), [&](const ChartSystem<DoubleBall>& chart) {
-    return search_chart<DoubleBall>(chart, KnownRectangles({}), {1, 0}, {}, kQuickBoxes, stop)
-        .undecided.empty();
+    return search_chart<DoubleBall>(chart, KnownPlaces({}), {1, 0}, {}, kQuickBoxes, stop).undecided.empty();
   });
 }
 

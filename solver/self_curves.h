@@ -12,6 +12,7 @@
 #include "self_boundary.h"
 #include "self_chart_trace.h"
 #include "self_cusp_arc.h"
+#include "self_star.h"
 #include "special_cusps.h"
 
 namespace exsect {
@@ -24,6 +25,7 @@ struct ExactPlaces {
   std::array<std::size_t, 4> coincident;  // coincident_parameters(x, x)
   /// Components of T that are known to vanish at a boundary point.
   std::function<std::array<bool, 4>(const CertifiedPoint&)> zero_tangent;
+  std::vector<SelfStar> stars;
 };
 
 /// A patch against itself in one arithmetic: as a pair, and in both charts.
@@ -46,10 +48,10 @@ struct SelfCurve {
   std::vector<Side> on;
 };
 
-/// `landmarks` are the boundary points (both orders), then two for each trace of `chart_traces` that ends at
-/// a gate: the gate, and exchanged. Every curve is traced in one of its two orders, its pieces next to
-/// cuspidal points in the charts, the rest as a curve of pairs. Traces in the charts that join two cuspidal
-/// points are curves on their own.
+/// `landmarks` are the boundary points (both orders), then two for each port of the stars, and for each trace
+/// of `chart_traces` that ends at a gate: the port or gate, and exchanged. Every curve is traced in one of
+/// its two orders, its pieces next to cuspidal points in the charts, the rest as a curve of pairs. Traces in
+/// the charts that join two cuspidal points are curves on their own.
 template <class Ball>
 struct SelfCurves {
   struct Gate {
@@ -57,8 +59,15 @@ struct SelfCurves {
     bool exchanged;
   };
 
+  struct PortOfStar {
+    std::size_t star;
+    std::size_t port;
+    bool exchanged;
+  };
+
   Landmarks<Ball> landmarks;
   std::size_t boundary_points = 0;
+  std::vector<PortOfStar> ports;  // in the order of the landmarks
   std::vector<CuspArc<Ball>> cusps;
   std::vector<ChartTrace<Ball>> chart_traces;
   std::vector<std::size_t> gates;  // indices of traces, in the order of the landmarks
@@ -67,13 +76,19 @@ struct SelfCurves {
   std::vector<Incomplete> problems;
   long searched_boxes = 0;
 
-  /// Empty for a boundary point, and for the "landmark" -1 of a closed curve.
+  /// Empty for a boundary point or a port, and for the "landmark" -1 of a closed curve.
   std::optional<Gate> gate(int landmark) const {
-    if (landmark < static_cast<int>(boundary_points)) {
+    const std::size_t before = boundary_points + ports.size();
+    if (landmark < static_cast<int>(before)) {
       return std::nullopt;
     }
-    const std::size_t k = static_cast<std::size_t>(landmark) - boundary_points;
+    const std::size_t k = static_cast<std::size_t>(landmark) - before;
     return Gate{gates[k / 2], k % 2 == 1};
+  }
+  /// Null for all other landmarks.
+  const PortOfStar* port(int landmark) const {
+    const int k = landmark - static_cast<int>(boundary_points);
+    return k < 0 || k >= static_cast<int>(ports.size()) ? nullptr : &ports[static_cast<std::size_t>(k)];
   }
 };
 

@@ -213,8 +213,15 @@ template <class Ball>
 class SelfGraph {
  public:
   SelfGraph(IntersectionGraph& graph, const SelfSystem<Ball>& system, const SelfCurves<Ball>& found,
-            const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance)
-      : graph_(graph), system_(system), found_(found), frame_(frame), wanted_(wanted), tolerance_(tolerance) {
+            const std::vector<TraceEnd>& ends, const ModelFrame& frame, const std::vector<Parameter>& wanted,
+            double tolerance)
+      : graph_(graph),
+        system_(system),
+        found_(found),
+        ends_(ends),
+        frame_(frame),
+        wanted_(wanted),
+        tolerance_(tolerance) {
     first_cusp_ = static_cast<int>(graph.nodes.size());
     for (const CuspArc<Ball>& cusp : found.cusps) {
       graph.nodes.push_back(cusp_node(system.chart(cusp.chart), cusp, frame));
@@ -230,8 +237,7 @@ class SelfGraph {
     }
     for (const SelfCurve<Ball>& curve : found_.curves) {
       const std::size_t before = graph_.arcs.size();
-      append_trace(graph_, curve.analysed, found_.landmarks, nodes_of_landmarks(found_.landmarks.size()),
-                   frame_, wanted_, tolerance_);
+      append_trace(graph_, curve.analysed, found_.landmarks, ends_, frame_, wanted_, tolerance_);
       std::vector<Arc> arcs(
           std::make_move_iterator(graph_.arcs.begin() + static_cast<std::ptrdiff_t>(before)),
           std::make_move_iterator(graph_.arcs.end()));
@@ -284,6 +290,7 @@ class SelfGraph {
   IntersectionGraph& graph_;
   const SelfSystem<Ball>& system_;
   const SelfCurves<Ball>& found_;
+  const std::vector<TraceEnd>& ends_;
   const ModelFrame& frame_;
   const std::vector<Parameter>& wanted_;
   double tolerance_;
@@ -294,14 +301,15 @@ class SelfGraph {
 
 template <class Ball>
 void append_self_curves(IntersectionGraph& graph, const SelfSystem<Ball>& system,
-                        const SelfCurves<Ball>& found, const ModelFrame& frame,
-                        const std::vector<Parameter>& wanted, double tolerance) {
-  SelfGraph<Ball>(graph, system, found, frame, wanted, tolerance).run();
+                        const SelfCurves<Ball>& found, const std::vector<TraceEnd>& ends,
+                        const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance) {
+  SelfGraph<Ball>(graph, system, found, ends, frame, wanted, tolerance).run();
 }
 
 #define EXSECT_INSTANTIATE_SELF_GRAPH(Ball)                                                                  \
   template void append_self_curves(IntersectionGraph&, const SelfSystem<Ball>&, const SelfCurves<Ball>&,     \
-                                   const ModelFrame&, const std::vector<Parameter>&, double);                \
+                                   const std::vector<TraceEnd>&, const ModelFrame&,                          \
+                                   const std::vector<Parameter>&, double);                                   \
   template Node cusp_node(const ChartSystem<Ball>&, const CuspArc<Ball>&, const ModelFrame&);                \
   template std::vector<Arc> chart_arcs(IntersectionGraph&, const SelfSystem<Ball>&, const ChartTrace<Ball>&, \
                                        bool, const ModelFrame&, const std::vector<Parameter>&, double, int,  \

@@ -5,13 +5,13 @@
 
 namespace exsect {
 
-/// Appends nodes and arcs of all curves; the landmarks of `found` are nodes 0..n-1 of the graph. Arcs follow
+/// Appends nodes and arcs of all curves; `ends`: what the landmarks of `found` lead to. Arcs follow
 /// each other along each curve. Turning points with respect to `wanted` become nodes, polylines keep within
 /// `tolerance` (space units) of the curve where doubles can express that; Arc::error_bound is what is proved.
 template <class Ball>
 void append_self_curves(IntersectionGraph& graph, const SelfSystem<Ball>& system,
-                        const SelfCurves<Ball>& found, const ModelFrame& frame,
-                        const std::vector<Parameter>& wanted, double tolerance);
+                        const SelfCurves<Ball>& found, const std::vector<TraceEnd>& ends,
+                        const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance);
 
 /// The node of a cuspidal point, with id 0.
 template <class Ball>

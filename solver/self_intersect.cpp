@@ -12,6 +12,7 @@
 #include "self_curves.h"
 #include "self_degenerate.h"
 #include "self_graph.h"
+#include "self_star_graph.h"
 #include "singular_points.h"
 #include "traced_curves.h"
 #include "turning_points.h"
@@ -112,19 +113,31 @@ class SelfIntersection {
       result_.incomplete = exact_.boundary.problems;
       return;
     }
-    if (!trace_and_build<DoubleBall>(power_of_two(-50), false)) {
+    if (trace_and_build<DoubleBall>(power_of_two(-50), false)) {
+      return;
+    }
+    timed("stars", [this] {
+      const double scaled =
+          std::ldexp(options_.tolerance * scaling_.extent, -static_cast<int>(scaling_.frame.exponent));
+      exact_.stars = self_stars({x_, exact_.boundary.points, undecided_, scaled, stop_});
+    });
+    if (exact_.stars.empty() || !trace_and_build<DoubleBall>(power_of_two(-50), false)) {
       trace_and_build<ArbBall<256>>(power_of_two(-200), true);
     }
   }
 
-  /// One attempt in one arithmetic; false if something is undecided that more precision may decide and `last`
-  /// is not set.
+  /// One attempt in one arithmetic; false if something is undecided that stars or more precision may decide
+  /// and `last` is not set.
   template <class Ball>
   bool trace_and_build(const Rational& width, bool last) {
     const SelfSystem<Ball> system(x_, scaling_.origin, scaling_.frame.exponent);
     SelfCurves<Ball> found;
     timed("tracing", [&] { found = trace_self_curves(system, exact_, width, stop_); });
     if (!found.problems.empty() && !last && !out_of_time()) {
+      undecided_.clear();
+      for (const Incomplete& problem : found.problems) {
+        undecided_.push_back(problem.where);
+      }
       return false;
     }
     result_.incomplete.insert(result_.incomplete.end(), found.problems.begin(), found.problems.end());
@@ -151,7 +164,8 @@ class SelfIntersection {
     const double tolerance = options_.tolerance * scaling_.extent;
     const double used =
         options_.tolerance < kFinestTolerance ? kCoarseTolerance * scaling_.extent : tolerance;
-    append_self_curves(graph, system, found, scaling_.frame, options_.turning, used);
+    const std::vector<TraceEnd> ends = ends_at_stars(graph, x_, system, exact_, found, scaling_.frame);
+    append_self_curves(graph, system, found, ends, scaling_.frame, options_.turning, used);
     for (const SelfCurve<Ball>& curve : found.curves) {
       result_.work.steps["tubes"] += static_cast<double>(curve.analysed.trace.pieces.size());
     }
@@ -184,6 +198,7 @@ class SelfIntersection {
   Scaling scaling_;
   StopRequest stop_;
   ExactPlaces exact_{};
+  std::vector<ParameterBox> undecided_;  // by the last attempt
   IntersectResult result_{};
   double progress_ = 0;
 };

@@ -9,8 +9,9 @@ namespace exsect {
 namespace {
 
 constexpr std::size_t kMostWaiting = 20000;
-constexpr int kDeepest = 100;  // halvings, all variables together
+constexpr int kDeepest = 200;  // halvings, all variables together
 constexpr int kFirstCertificateDepth = 6;
+constexpr double kMostElongated = 0x1p8;
 
 using Direction = std::array<double, 3>;
 
@@ -189,8 +190,10 @@ bool is_half_outside(const ChartBox& box) {
   return upper.lower[3] > box.lower[3] && outside(upper);
 }
 
-/// Halves w where one half is outside, else the variable in which H varies most; false if its midpoint is no
-/// double.
+double width_of(const ChartBox& box, std::size_t j) { return box.upper[j] - box.lower[j]; }
+
+/// Halves w where one half is outside, else the variable in which H varies most, or one in which the box is
+/// far longer; false if its midpoint is no double.
 template <class Ball>
 bool split(const ChartCell<Ball>& cell, std::array<ChartCell<Ball>, 2>& halves) {
   std::size_t longest = 0;
@@ -210,6 +213,12 @@ bool split(const ChartCell<Ball>& cell, std::array<ChartCell<Ball>, 2>& halves) 
     extent *= static_cast<double>(degree(j));
     if (extent > most && cell.box.upper[j] > cell.box.lower[j]) {
       most = extent;
+      longest = j;
+    }
+  }
+  // Along a curve of the box H does not vary.
+  for (std::size_t j = 0; j < 4; ++j) {
+    if (width_of(cell.box, j) > kMostElongated * width_of(cell.box, longest)) {
       longest = j;
     }
   }
@@ -324,9 +333,8 @@ bool tangent_cannot_vanish(const ChartSystem<Ball>& system, const ChartCell<Ball
 
 /// Breadth first: what is left when the budget ends are small boxes around the difficult places.
 template <class Ball, class Done>
-ChartSearchOutcome subdivide(const ChartSystem<Ball>& system, const KnownRectangles& rectangles,
-                             const ChartBox& root, long most_boxes, const StopRequest& stop,
-                             const Done& done) {
+ChartSearchOutcome subdivide(const ChartSystem<Ball>& system, const KnownPlaces& places, const ChartBox& root,
+                             long most_boxes, const StopRequest& stop, const Done& done) {
   ChartSearchOutcome outcome;
   std::deque<ChartCell<Ball>> waiting;
   waiting.push_back({root, bernstein_net(system.equation(), root), 0});
@@ -335,7 +343,7 @@ ChartSearchOutcome subdivide(const ChartSystem<Ball>& system, const KnownRectang
     const ChartCell<Ball> cell = std::move(waiting.front());
     waiting.pop_front();
     ++outcome.boxes;
-    if (outside(cell.box) || rectangles.contain(system.chart(), cell.box) || cannot_vanish(cell.net) ||
+    if (outside(cell.box) || places.contain(system.chart(), cell.box) || cannot_vanish(cell.net) ||
         done(cell)) {
       continue;
     }
@@ -359,32 +367,51 @@ ChartSearchOutcome subdivide(const ChartSystem<Ball>& system, const KnownRectang
 
 }  // namespace
 
-KnownRectangles::KnownRectangles(const std::vector<ParameterRectangle>& rectangles) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  const auto lower = [](const RationalInterval& range) {
-    return range.lower == 0 ? -kFar : to_double(range.lower);
+KnownPlaces::KnownPlaces(const std::vector<ParameterRectangle>& rectangles,
+                         const std::vector<ParameterBox>& boxes) {
+  const auto add = [&](const ParameterBox& box) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    Place place{};
+    for (std::size_t j = 0; j < 4; ++j) {
+      place.lower[j] = box[j].lower == 0 ? -kFar : to_double(box[j].lower);
+      place.upper[j] = box[j].upper == 1 ? kFar : to_double(box[j].upper);
+    }
+    places_.push_back(place);
   };
-  const auto upper = [](const RationalInterval& range) {
-    return range.upper == 1 ? kFar : to_double(range.upper);
-  };
-  for (const auto& [u, v] : rectangles) rectangles_.push_back({lower(u), upper(u), lower(v), upper(v)});
+  for (const auto& [u, v] : rectangles) add({u, v, u, v});
+  for (const ParameterBox& box : boxes) {
+    add(box);
+    add({box[2], box[3], box[0], box[1]});
+  }
 }
 
-bool KnownRectangles::contain(Chart chart, const ChartBox& box) const {
-  if (rectangles_.empty()) return false;
-  const double t = std::sqrt(std::max(0.0, box.upper[3])) * (1 + 0x1p-40);
-  const double mt = std::max(std::fabs(box.lower[2]), std::fabs(box.upper[2])) * t * (1 + 0x1p-40);
-  // U +- t and V +- m t; a relative error of 2^-50 for each sum.
-  const std::array<double, 4> reach = {box.lower[0] - t - 0x1p-50, box.upper[0] + t + 0x1p-50,
-                                       box.lower[1] - mt - 0x1p-50, box.upper[1] + mt + 0x1p-50};
-  const std::size_t u = chart == Chart::first ? 0 : 2;
-  return std::ranges::any_of(rectangles_, [&](const std::array<double, 4>& r) {
-    return reach[u] >= r[0] && reach[u + 1] <= r[1] && reach[2 - u] >= r[2] && reach[3 - u] <= r[3];
+bool KnownPlaces::contain(Chart chart, const ChartBox& box) const {
+  if (places_.empty()) return false;
+  const double t0 = std::sqrt(std::max(0.0, box.lower[3])) * (1 - 0x1p-40);
+  const double t1 = std::sqrt(std::max(0.0, box.upper[3])) * (1 + 0x1p-40);
+  const auto products = {box.lower[2] * t0, box.lower[2] * t1, box.upper[2] * t0, box.upper[2] * t1};
+  const double least = std::min(products);
+  const double most = std::max(products);
+  // U + t, V + m t, U - t, V - m t; a relative error of 2^-50 for each product and sum.
+  std::array<double, 4> lower = {box.lower[0] + t0, box.lower[1] + least, box.lower[0] - t1,
+                                 box.lower[1] - most};
+  std::array<double, 4> upper = {box.upper[0] + t1, box.upper[1] + most, box.upper[0] - t0,
+                                 box.upper[1] - least};
+  if (chart == Chart::second) {
+    for (const std::size_t j : {0U, 2U}) {
+      std::swap(lower[j], lower[j + 1]);
+      std::swap(upper[j], upper[j + 1]);
+    }
+  }
+  return std::ranges::any_of(places_, [&](const Place& place) {
+    for (std::size_t j = 0; j < 4; ++j)
+      if (!(lower[j] - 0x1p-48 >= place.lower[j] && upper[j] + 0x1p-48 <= place.upper[j])) return false;
+    return true;
   });
 }
 
 template <class Ball>
-ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownRectangles& rectangles,
+ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownPlaces& places,
                                 const std::array<double, 2>& direction, const ChartSeedHandler<Ball>& known,
                                 long most_boxes, const StopRequest& stop) {
   const auto done = [&](const ChartCell<Ball>& cell) {
@@ -401,11 +428,11 @@ ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownRect
     return known(point_at(*tube, 0)) || known(point_at(*tube, -tube->reach)) ||
            known(point_at(*tube, tube->reach));
   };
-  return subdivide(system, rectangles, whole_chart, most_boxes, stop, done);
+  return subdivide(system, places, whole_chart, most_boxes, stop, done);
 }
 
 template <class Ball>
-CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const KnownRectangles& rectangles,
+CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const KnownPlaces& places,
                                      const StopRequest& stop) {
   constexpr long kMostBoxes = 20000;
   constexpr std::size_t kAxisW = 3;
@@ -430,15 +457,15 @@ CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const Know
   };
   ChartBox root = whole_chart;
   root.upper[kAxisW] = 0;
-  outcome.undecided = subdivide(system, rectangles, root, kMostBoxes, stop, done).undecided;
+  outcome.undecided = subdivide(system, places, root, kMostBoxes, stop, done).undecided;
   return outcome;
 }
 
 #define EXSECT_INSTANTIATE_SELF_SEARCH(Ball)                                                            \
-  template ChartSearchOutcome search_chart(const ChartSystem<Ball>&, const KnownRectangles&,            \
+  template ChartSearchOutcome search_chart(const ChartSystem<Ball>&, const KnownPlaces&,                \
                                            const std::array<double, 2>&, const ChartSeedHandler<Ball>&, \
                                            long, const StopRequest&);                                   \
-  template CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>&, const KnownRectangles&,       \
+  template CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>&, const KnownPlaces&,           \
                                                 const StopRequest&);
 
 EXSECT_INSTANTIATE_SELF_SEARCH(DoubleBall)

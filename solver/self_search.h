@@ -1,6 +1,8 @@
 // Complete search by subdivision for the self-intersection curve in one chart. Internal to solver/.
 #pragma once
 
+#include <exsect/solver/parameter.h>
+
 #include <functional>
 #include <vector>
 
@@ -19,17 +21,24 @@ struct ChartBox {
 /// All pairs of the chart: U and V in [0,1], m in [-1,1], w in [0,1/4].
 inline constexpr ChartBox whole_chart = {{0, 0, -1, 0}, {1, 1, 1, 0.25}};
 
-/// Rectangles on which the patch is injective, with double ends that are exact: no pair of two points of one
-/// of them is looked for.
-class KnownRectangles {
+/// Rectangles on which the patch is injective, and boxes of pairs (u1,v1,u2,v2) in which all pairs are known,
+/// with double ends that are exact: no pair of two points of one of the rectangles, and none that is in one
+/// of the boxes in either order, is looked for.
+class KnownPlaces {
  public:
-  explicit KnownRectangles(const std::vector<ParameterRectangle>& rectangles);
+  explicit KnownPlaces(const std::vector<ParameterRectangle>& rectangles,
+                       const std::vector<ParameterBox>& boxes = {});
 
-  /// True only if of all pairs of the box that are in the square both points are in one of the rectangles.
+  /// True only if all pairs of the box that are in the square are in one of the places.
   bool contain(Chart chart, const ChartBox& box) const;
 
  private:
-  std::vector<std::array<double, 4>> rectangles_;  // u0, u1, v0, v1; infinite on a side of the square
+  /// Lower and upper ends of u1, v1, u2, v2; infinite on a side of the square.
+  struct Place {
+    std::array<double, 4> lower;
+    std::array<double, 4> upper;
+  };
+  std::vector<Place> places_;
 };
 
 struct ChartSearchOutcome {
@@ -44,13 +53,13 @@ template <class Ball>
 using ChartSeedHandler = std::function<bool(const BallPoint<Ball>&)>;
 
 /// Looks for points of H = 0 in the chart's part of the domain, that is U +- t and V +- m t in [0,1]. A box
-/// is done if H cannot vanish in it, or it is outside or in the rectangles. Any other box must be shown to be
-/// empty of points to be found: without `known` that is all, so that an outcome without undecided boxes means
-/// that there are no pairs. With `known`, a box is also done if a certified tube contains it whose curve is
-/// known, or if the curve cannot have a tangent with c_0 U' + c_1 V' = 0 in it (`direction` c, in terms of
-/// the chart's own U and V).
+/// is done if H cannot vanish in it, or it is outside or in the known places. Any other box must be shown to
+/// be empty of points to be found: without `known` that is all, so that an outcome without undecided boxes
+/// means that there are no pairs. With `known`, a box is also done if a certified tube contains it whose
+/// curve is known, or if the curve cannot have a tangent with c_0 U' + c_1 V' = 0 in it (`direction` c, in
+/// terms of the chart's own U and V).
 template <class Ball>
-ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownRectangles& rectangles,
+ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownPlaces& places,
                                 const std::array<double, 2>& direction, const ChartSeedHandler<Ball>& known,
                                 long most_boxes, const StopRequest& stop);
 
@@ -67,9 +76,9 @@ struct CuspSearchOutcome {
   std::vector<ChartBox> undecided;
 };
 
-/// All cuspidal points of the chart outside the rectangles, each once.
+/// All cuspidal points of the chart outside the known places, each once.
 template <class Ball>
-CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const KnownRectangles& rectangles,
+CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const KnownPlaces& places,
                                      const StopRequest& stop);
 
 }  // namespace exsect

@@ -22,6 +22,14 @@ PolynomialVector coefficient_of_u(const ControlNet& power, std::size_t i) {
   return result;
 }
 
+/// Zero at the v of the cuspidal points on the line u = value.
+Polynomial cuspidal_on(const BezierPatch& x, const Rational& value) {
+  const ControlNet power = x.restricted_to(value, value + 1, 0, 1).power_basis();
+  const PolynomialVector along = coefficient_of_u(power, 0);
+  const PolynomialVector x_v = {along[0].derivative(), along[1].derivative(), along[2].derivative()};
+  return common_divisor(cross(coefficient_of_u(power, 1), x_v));
+}
+
 std::optional<int> end_of(const BivariatePolynomial& f, const TriangularPoint& at) {
   for (const int value : {0, 1})
     if (sign_at(f - BivariatePolynomial::constant(value), at) == 0) return value;
@@ -48,17 +56,28 @@ std::vector<FoldedLine> folded_lines(const BezierPatch& x) {
   return result;
 }
 
+std::optional<std::array<Rational, 2>> rational_turn(const FoldedLine& line) {
+  if (!line.turn.s().is_rational()) return std::nullopt;
+  const Rational& v = line.turn.s().rational();
+  const Polynomial linear = line.turn.g().at_s(v);  // x_u
+  return std::array<Rational, 2>{-linear.coefficient(0) / linear.coefficient(1), v};
+}
+
 std::vector<SideCusp> side_cusps(const BezierPatch& x) {
   std::vector<SideCusp> result;
   for (const int side : {0, 1}) {
-    const ControlNet power = x.restricted_to(side, side + 1, 0, 1).power_basis();
-    const PolynomialVector along = coefficient_of_u(power, 0);
-    const PolynomialVector x_v = {along[0].derivative(), along[1].derivative(), along[2].derivative()};
-    const Polynomial cuspidal = common_divisor(cross(coefficient_of_u(power, 1), x_v));
+    const Polynomial cuspidal = cuspidal_on(x, side);
     if (cuspidal.is_zero()) continue;
     for (const RealAlgebraic& v : real_roots(cuspidal, 0, 1)) result.push_back({side, v});
   }
   return result;
+}
+
+std::optional<std::size_t> cuspidal_points_on(const BezierPatch& x, const Rational& value,
+                                              const RationalInterval& range) {
+  const Polynomial cuspidal = cuspidal_on(x, value);
+  if (cuspidal.is_zero()) return std::nullopt;
+  return real_roots(cuspidal, range.lower, range.upper).size();
 }
 
 SpecialCusps special_cusps(const BezierPatch& x) {

@@ -22,6 +22,9 @@ struct FoldedLine {
 /// All of them, unless every line v = constant is straight (then none is listed).
 std::vector<FoldedLine> folded_lines(const BezierPatch& x);
 
+/// u and v of the turn; empty if the line is v = c with an irrational c.
+std::optional<std::array<Rational, 2>> rational_turn(const FoldedLine& line);
+
 /// A cuspidal point on the side u = `side`, x_u x x_v = 0, at v = `at` in [0,1]; isolated on the side.
 struct SideCusp {
   int side;
@@ -30,6 +33,11 @@ struct SideCusp {
 
 /// All of them on the sides u = 0 and u = 1 that are not cuspidal as a whole.
 std::vector<SideCusp> side_cusps(const BezierPatch& x);
+
+/// The number of cuspidal points on the line u = value with v in the closed range; empty if it is cuspidal as
+/// a whole.
+std::optional<std::size_t> cuspidal_points_on(const BezierPatch& x, const Rational& value,
+                                              const RationalInterval& range);
 
 /// Both of them for x (index 0) and for x(v,u) (index 1).
 struct SpecialCusps {

@@ -205,7 +205,7 @@ class TwoPieceTracing {
         return is_known(which, p);
       };
       const ChartSearchOutcome outcome =
-          search_chart<Ball>(chart, KnownRectangles({}), {1, 0.375}, known, kMostBoxes<Ball>, stop_);
+          search_chart<Ball>(chart, KnownPlaces({}), {1, 0.375}, known, kMostBoxes<Ball>, stop_);
       result_.searched_boxes += outcome.boxes;
       if (!outcome.undecided.empty()) {
         problem(whole_domain(),

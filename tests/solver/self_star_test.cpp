@@ -1,0 +1,155 @@
+#include "self_star.h"
+
+#include <exsect/solver/self_intersect.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <random>
+#include <vector>
+
+#include "self_turning.h"
+#include "support/catch.h"
+#include "support/graph_checks.h"
+#include "support/self_locus.h"
+
+using namespace exsect;
+using exsect::testing::polyline_crossings;
+using exsect::testing::self_fibre;
+using exsect::testing::self_locus;
+
+namespace {
+
+/// Nine control points, row by row.
+BezierPatch patch(const std::vector<int>& coordinates) {
+  ControlNet net;
+  for (std::size_t i = 0; i < 9; ++i)
+    for (std::size_t k = 0; k < 3; ++k) net[i / 3][i % 3][k] = coordinates.at(3 * i + k);
+  return BezierPatch(net);
+}
+
+// The side u = 1 turns at v = 2/3; both tangent planes agree at v = 1 and v = 1/3.
+const std::vector<int> kFoldedSide = {1, 1, 0, -1, 1, -1, -1, 0, -1, 1, -1, 1, -1, -1,
+                                      0, 1, 1, 1,  1, -1, -1, 1, 1,  1, 1,  0, 0};
+// Another curve crosses the pairs of the folded line u = 1/2.
+const std::vector<int> kCrossedFold = {-1, 1,  1,  -1, 1,  -1, 0, 0,  -1, 0, -1, -1, 1, 1,
+                                       -1, -1, -1, 1,  -1, 1,  0, -1, -1, 0, -1, 1,  -1};
+// x_v = 0 in the corner (1,1), and the patch does not meet itself there.
+const std::vector<int> kCuspidalCorner = {1, -1, -1, 0, 1, 1,  0, 1, 1,  -1, 0, 0,  0, 1,
+                                          0, 0,  -1, 0, 0, -1, 0, 0, -1, -1, 0, -1, 1};
+// x_u = 0 in the corner (0,0), in which a curve ends.
+const std::vector<int> kCurveToCorner = {0, 1,  1, 0, 0, 0, -1, 1, 0, 0, 1, 1,  1, -1,
+                                         1, -1, 1, 0, 0, 0, 0,  0, 0, 1, 0, -1, 1};
+
+/// Complete, sound, and with as many crossings of parameter lines as these have pairs, in both orders.
+IntersectionGraph checked(const BezierPatch& x) {
+  IntersectOptions options;
+  options.tolerance = 1e-3;
+  IntersectionGraph graph;
+  for (const BezierPatch& patch : {x.exchanged(), x}) {
+    const IntersectResult result = self_intersect(patch, options);
+    for (const Incomplete& reason : result.incomplete) UNSCOPED_INFO(reason.why);
+    REQUIRE(result.status == Status::complete);
+    CHECK(unsound(patch, patch, result) == "");
+    for (const std::size_t parameter : {0U, 1U})
+      for (const Rational& value : {Rational(2, 13), Rational(27, 61), Rational(34, 41), Rational(60, 61)}) {
+        INFO("parameter " << parameter << " = " << value);
+        CHECK(polyline_crossings(result.graph, parameter, to_double(value)) ==
+              static_cast<int>(self_fibre(patch, parameter, value).size()));
+      }
+    graph = result.graph;
+  }
+  return graph;
+}
+
+std::vector<int> degrees(const IntersectionGraph& graph, NodeKind kind) {
+  std::vector<int> result;
+  for (const Node& node : graph.nodes) {
+    if (std::ranges::count(node.kinds, kind) == 0) continue;
+    result.push_back(0);
+    for (const Arc& arc : graph.arcs)
+      result.back() += (arc.from == node.id ? 1 : 0) + (arc.to == node.id ? 1 : 0);
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the minors give the resultant form of the self-intersection") {
+  std::mt19937 generator(8);
+  std::uniform_int_distribution<int> coordinate(-3, 3);
+  for (int i = 0; i < 5; ++i) {
+    std::vector<int> net(27);
+    for (int& c : net) c = coordinate(generator);
+    const BivariatePolynomial q = self_projection(patch(net)).curve;
+    const BivariatePolynomial expected = self_locus(patch(net));
+    CHECK((q == expected || q == expected * Polynomial(-1)));
+  }
+  CHECK(self_projection(patch(kCrossedFold)).curve.degree_r() == 10);
+}
+
+TEST_CASE("between turning values the pairs on a line keep their number") {
+  std::mt19937 generator(9);
+  std::uniform_int_distribution<int> coordinate(-2, 2);
+  for (int i = 0; i < 3; ++i) {
+    std::vector<int> net(27);
+    for (int& c : net) c = coordinate(generator);
+    const BezierPatch x = patch(net);
+    auto values = self_turning_values(x);
+    REQUIRE(values);
+    for (const std::size_t parameter : {0U, 1U})  // pairs with a point on a side
+      for (const int side : {0, 1})
+        for (const CertifiedPoint& point : self_fibre(x, parameter, side))
+          for (const std::size_t j : {1U, 3U})
+            values->push_back(point.refined_to(power_of_two(-60)).box()[j].midpoint());
+    std::ranges::sort(*values, std::less<>());
+    Rational last = 0;
+    for (const RealAlgebraic& value : *values) {
+      const Rational next = value.refined_to(power_of_two(-50)).interval().lower - power_of_two(-40);
+      if (next > last) {
+        INFO("net " << i << ", v from " << last << " to " << next);
+        const Rational width = next - last;
+        CHECK(self_fibre(x, 1, last + width / 7).size() == self_fibre(x, 1, next - width / 7).size());
+      }
+      last = value.refined_to(power_of_two(-50)).interval().upper + power_of_two(-40);
+    }
+  }
+}
+
+TEST_CASE("cuspidal values are those of all cuspidal points") {
+  const auto values = cuspidal_values(patch(kCuspidalCorner));
+  REQUIRE(values);
+  CHECK(std::ranges::count(*values, RealAlgebraic(1)) == 1);
+  // (u^2, u v, v) is cuspidal along no curve, (u^2, v, 0) along u = 0.
+  const BezierPatch umbrella =
+      patch({0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 0, 1, 1, 0, 2, 2, 2, 0, 0, 2, 2, 1, 2, 4, 2});
+  CHECK(cuspidal_values(umbrella)->size() == 1);
+  const BezierPatch fold =
+      patch({0, 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 1, 0, 0, 1, 1, 0, 1, 2, 0});
+  CHECK_FALSE(cuspidal_values(fold));
+}
+
+TEST_CASE("a folded side at the end of which both tangent planes agree") {
+  const IntersectionGraph graph = checked(patch(kFoldedSide));
+  CHECK(
+      std::ranges::any_of(graph.arcs, [](const Arc& arc) { return arc.place == ArcPlace::patch_boundary; }));
+}
+
+TEST_CASE("a curve that crosses the pairs of a folded line") {
+  const IntersectionGraph graph = checked(patch(kCrossedFold));
+  CHECK(degrees(graph, NodeKind::crossing) == std::vector{4});
+}
+
+TEST_CASE("a cuspidal corner at which the patch does not meet itself") {
+  const IntersectionGraph graph = checked(patch(kCuspidalCorner));
+  CHECK(std::ranges::none_of(graph.nodes, [](const Node& node) { return node.on.size() == 4; }));
+}
+
+TEST_CASE("a curve that ends in a cuspidal corner") {
+  const IntersectionGraph graph = checked(patch(kCurveToCorner));
+  const auto at_corner = std::ranges::find_if(graph.nodes, [](const Node& node) {
+    return node.on.size() == 4 && std::ranges::count(node.kinds, NodeKind::cusp) == 1;
+  });
+  REQUIRE(at_corner != graph.nodes.end());
+  CHECK(at_corner->approx == std::array<double, 4>{0, 0, 0, 0});
+}
