@@ -186,21 +186,31 @@ struct Attempt {
     return result;
   }
 
-  RationalInterval around(std::size_t k, double radius) const {
-    return {from_double(w0[k] - radius), from_double(w0[k] + radius)};
+  /// A point of W in the box, on the line u = c_0 or on one nearby: the former may be straight, the others
+  /// not.
+  bool meets(const CommonSurface& surface) const {
+    return meets_on_line(surface, 0) || meets_on_line(surface, 0.25 * reach[0]);
   }
 
-  /// A point of W in the box, on the line u = c_0: near the centre, with a short r or s.
-  bool meets(const CommonSurface& surface) const {
+  /// On the line u = c_0 + a: near the middle of its image, with a short r or s.
+  bool meets_on_line(const CommonSurface& surface, double a) const {
+    const Pair across = {row(inverse, 0, x[3]).approximation(), row(inverse, 1, x[3]).approximation()};
     const Pair along = {row(inverse, 0, x[1]).approximation(), row(inverse, 1, x[1]).approximation()};
     const std::size_t fixed = std::fabs(along[1]) * width[0] >= std::fabs(along[0]) * width[1] ? 1 : 0;
     const double step = std::fabs(along[fixed]) * reach[1] / 16;
     if (!(step > 1e-12)) return false;
-    const double value = on_grid(w0[fixed], std::ldexp(1, std::ilogb(step)));
+    const double value = on_grid(w0[fixed] + across[fixed] * a, std::ldexp(1, std::ilogb(step)));
+    const double middle_of_other = w0[1 - fixed] + across[1 - fixed] * a;
+    const double radius = 0.5 * width[1 - fixed];
     const RationalInterval v = {from_double(c[1] - 0.5 * reach[1]), from_double(c[1] + 0.5 * reach[1])};
-    const RationalInterval other = around(1 - fixed, 0.5 * width[1 - fixed]);
-    return fixed == 1 ? surface.has_point(from_double(c[0]), from_double(value), other, v)
-                      : surface.has_point_at_r(from_double(c[0]), from_double(value), other, v);
+    const RationalInterval other = {from_double(middle_of_other - radius),
+                                    from_double(middle_of_other + radius)};
+    if (!(std::fabs(value - w0[fixed]) < width[fixed] &&
+          std::fabs(across[1 - fixed] * a) + radius < width[1 - fixed]))
+      return false;
+    const Rational u = from_double(c[0] + a);
+    return fixed == 1 ? surface.has_point(u, from_double(value), other, v)
+                      : surface.has_point_at_r(u, from_double(value), other, v);
   }
 };
 

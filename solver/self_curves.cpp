@@ -115,9 +115,6 @@ class SelfTracing {
 
   SelfCurves<Ball> run_near_cusps() {
     find_cusps();
-    for (const CuspArc<Ball>& cusp : leaving_) {
-      add_problem(cusp.chart, cusp.cusp, "a cuspidal point on a side");
-    }
     if (result_.problems.empty()) {
       trace_from_cusps();
     }
@@ -166,7 +163,7 @@ class SelfTracing {
         return;
       }
     }
-    if (passes_near_cusp(chart.chart(), cusp.at)) {
+    if (passes_near_cusp(result_, chart.chart(), cusp.at)) {
       return;  // |m| = 1 belongs to both charts
     }
     const auto arc = cusp_arc(chart, cusp, exact_place(chart, cusp, exact_.cusps, width_));
@@ -174,8 +171,8 @@ class SelfTracing {
       add_problem(
           chart.chart(), cusp.at,
           "a cuspidal point that is nearly singular, or nearly on a side or on a folded parameter line");
-    } else if (arc->leaves) {
-      leaving_.push_back(*arc);
+    } else if (arc->leaves()) {
+      result_.leaving.push_back(*arc);
     } else {
       result_.cusps.push_back(*arc);
     }
@@ -218,12 +215,6 @@ class SelfTracing {
       }
       result_.chart_traces.push_back(std::move(trace));
     }
-  }
-
-  bool passes_near_cusp(Chart chart, const BallPoint<Ball>& p) const {
-    return exsect::passes_near_cusp(result_, chart, p) ||
-           std::any_of(leaving_.begin(), leaving_.end(),
-                       [&](const CuspArc<Ball>& arc) { return passes_through(arc, chart, p); });
   }
 
   /// The directions of the tangent field that may enter the domain at a boundary point; `certain`: they do.
@@ -478,7 +469,7 @@ class SelfTracing {
   }
 
   bool is_known(Chart chart, const BallPoint<Ball>& p) {
-    if (passes_near_cusp(chart, p) || p[3].is_negative()) {
+    if (passes_near_cusp(result_, chart, p) || p[3].is_negative()) {
       return true;
     }
     if (!p[3].is_positive()) {
@@ -531,7 +522,6 @@ class SelfTracing {
   const StopRequest& stop_;
   KnownPlaces places_;
   std::vector<std::vector<int>> used_;  // directions of T in which a curve leaves each landmark
-  std::vector<CuspArc<Ball>> leaving_;  // cuspidal points on sides
   int failed_loops_ = 0;
   SelfCurves<Ball> result_;
 };
@@ -552,8 +542,9 @@ SelfCurves<Ball> trace_near_cusps(const SelfSystem<Ball>& system, const ExactPla
 
 template <class Ball>
 bool passes_near_cusp(const SelfCurves<Ball>& curves, Chart chart, const BallPoint<Ball>& point) {
-  return std::any_of(curves.cusps.begin(), curves.cusps.end(),
-                     [&](const CuspArc<Ball>& arc) { return passes_through(arc, chart, point); }) ||
+  const auto passes = [&](const CuspArc<Ball>& arc) { return passes_through(arc, chart, point); };
+  return std::any_of(curves.cusps.begin(), curves.cusps.end(), passes) ||
+         std::any_of(curves.leaving.begin(), curves.leaving.end(), passes) ||
          std::any_of(curves.chart_traces.begin(), curves.chart_traces.end(),
                      [&](const ChartTrace<Ball>& trace) { return passes_through(trace, chart, point); });
 }

@@ -68,7 +68,8 @@ struct SelfCurves {
   Landmarks<Ball> landmarks;
   std::size_t boundary_points = 0;
   std::vector<PortOfStar> ports;  // in the order of the landmarks
-  std::vector<CuspArc<Ball>> cusps;
+  std::vector<CuspArc<Ball>> cusps;    // with a curve in the domain
+  std::vector<CuspArc<Ball>> leaving;  // those on sides, whose curve leaves it
   std::vector<ChartTrace<Ball>> chart_traces;
   std::vector<std::size_t> gates;  // indices of traces, in the order of the landmarks
   std::vector<SelfCurve<Ball>> curves;
@@ -99,7 +100,7 @@ template <class Ball>
 SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const ExactPlaces& exact,
                                    const Rational& width, const StopRequest& stop);
 
-/// Only what starts in cuspidal points, up to the gates: no curves. A cuspidal point on a side is a problem.
+/// Only what starts in cuspidal points, up to the gates: no curves.
 template <class Ball>
 SelfCurves<Ball> trace_near_cusps(const SelfSystem<Ball>& system, const ExactPlaces& exact,
                                   const Rational& width, const StopRequest& stop);

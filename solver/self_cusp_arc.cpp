@@ -61,14 +61,27 @@ bool is_monotone(const ChartTube<Ball>& tube, std::size_t j, double w_end) {
 /// Whether the tube up to w_end leaves the domain at once, stays in it properly, or neither is proved.
 enum class Course { leaves, stays, unknown };
 
+/// CuspArc::across
+template <class Ball>
+std::array<int, 2> crossed_sides(const ChartTube<Ball>& tube, const CuspPlace& place, double w_end) {
+  std::array<int, 2> across{};
+  for (std::size_t j = 0; j < 2; ++j) {
+    if (place.side[j] && !(place.folded && j == 1) && leaves_side(tube, j, w_end)) {
+      across[j] = j == 0 || tube.centre[2].is_positive() ? 1 : -1;
+    }
+  }
+  return across;
+}
+
 template <class Ball>
 Course course(const ChartTube<Ball>& tube, const CuspPlace& place, double w_end) {
+  if (crossed_sides(tube, place, w_end) != std::array<int, 2>{}) {
+    return Course::leaves;
+  }
   bool stays = true;
   for (std::size_t j = 0; j < 2; ++j) {
     if (place.folded && j == 1) {  // V is constant, on a side or not
       stays = stays && (place.side[1] || stays_inside(tube, 1, w_end));
-    } else if (place.side[j] && leaves_side(tube, j, w_end)) {
-      return Course::leaves;
     } else if (place.side[j]) {
       stays = false;
     } else {
@@ -163,7 +176,7 @@ std::optional<CuspArc<Ball>> cusp_arc(const ChartSystem<Ball>& system, const Cha
     if (found == Course::unknown) {
       continue;
     }
-    return CuspArc<Ball>{system.chart(), place, found == Course::leaves, *tube, cusp.at, w_end};
+    return CuspArc<Ball>{system.chart(), place, crossed_sides(*tube, place, w_end), *tube, cusp.at, w_end};
   }
   return std::nullopt;
 }

@@ -22,16 +22,21 @@ CuspPlace exact_place(const ChartSystem<Ball>& system, const ChartCusp<Ball>& cu
                       const SpecialCusps& special, const Rational& width);
 
 /// The curve from a cuspidal point, w = 0, to its gate, w = gate_w: a tube of axis w over [0, gate_w] that
-/// stays inside the domain, on which u1, v1, u2 and v2 are monotone or constant. If `leaves`, no point of it
-/// with w > 0 is in the domain.
+/// stays inside the domain, on which u1, v1, u2 and v2 are monotone or constant; or one that leaves the
+/// domain.
 template <class Ball>
 struct CuspArc {
   Chart chart;
   CuspPlace place;
-  bool leaves;
+  /// For U and V: +1 or -1 if the coordinate is on a side at the cuspidal point, and that of (U + t, V + m t)
+  /// lies above or below this value for all w > 0, that of (U - t, V - m t) on the other side of it. Else 0.
+  std::array<int, 2> across;
   ChartTube<Ball> tube;
   BallPoint<Ball> cusp;  // (U,V,m,0)
   double gate_w;
+
+  /// No pair with w > 0 is in the domain.
+  bool leaves() const { return across[0] != 0 || across[1] != 0; }
 };
 
 /// Empty if the arc cannot be proved: the cuspidal point is nearly in one of the special places, or nearly

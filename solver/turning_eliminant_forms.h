@@ -49,8 +49,8 @@ class EliminantForms {
 
   Fibre fibre(const Residue& u) const;
 
-  /// E(u) from the fibre over u, by Euclid's algorithm without inverses (4.13). The denominator is zero where g_s Res(R,S1) = 0, and
-  /// also where a leading coefficient of the remainder sequences vanishes.
+  /// E(u) from the fibre over u, by Euclid's algorithm without inverses (4.13). The denominator is zero where
+  /// g_s Res(R,S1) = 0, and also where a leading coefficient of the remainder sequences vanishes.
   Fraction value(Fibre f) const {
     Residue derivative[16];
     for (std::size_t i = 1; i < 17; ++i) derivative[i - 1] = field_.multiply(f.r[i], small_[i]);

@@ -114,12 +114,43 @@ class TwoPieceTracing {
       }
       problem(where, near.why);
     }
+    for (const CuspArc<Ball>& cusp : result_.near.leaving) {
+      if (enters(cusp, 1) || enters(cusp, -1)) {
+        std::array<double, 4> at = {cusp.cusp[0].approximation(), cusp.cusp[1].approximation(), 0, 0};
+        if (cusp.chart == Chart::second) {
+          std::swap(at[0], at[1]);
+        }
+        problem(around(from_common_({at[0], at[1], at[0], at[1]})), "a cuspidal point on a side");
+      }
+    }
     for (const CertifiedPoint& point : boundary_) {
       result_.landmarks.push_back(enclose<Ball>(point, width_));
     }
     for (const BallPoint<Ball>& gate : result_.near.landmarks) {
       result_.landmarks.push_back(from_common_(gate));
     }
+  }
+
+  /// The curve from a cuspidal point on a side of the common rectangle may enter the domain with order * (t,
+  /// m t) added in the first piece and taken away in the second one.
+  bool enters(const CuspArc<Ball>& cusp, int order) const {
+    for (std::size_t j = 0; j < 2; ++j) {
+      const std::size_t k = cusp.chart == Chart::first ? j : 1 - j;  // u or v
+      if (cusp.across[j] == 0) {
+        continue;
+      }
+      const int side = *cusp.place.side[j];
+      const int outward = side == 0 ? -1 : 1;
+      const Rational value = pieces_.common[k](side);
+      const Rational in_second = quotient(pieces_.copy.maps[k], {value, 1}).offset;
+      const bool of_first = value == 0 || value == 1;
+      const bool of_second = in_second == 0 || in_second == 1;
+      if ((of_first && order * cusp.across[j] == outward) ||
+          (of_second && -order * cusp.across[j] == outward)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /// The direction of the tangent field that enters the domain at a boundary point, or leads away from the

@@ -7,6 +7,8 @@
 #include <exsect/solver/self_intersect.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 #include "support/catch.h"
 #include "support/graph_checks.h"
@@ -142,6 +144,62 @@ TEST_CASE("two pieces: the charts agree with the self-intersection where the pie
   // Of every curve both orders; those of a curve with a cuspidal point are one component.
   const auto curves = static_cast<long>(self.graph.components.size());
   CHECK(static_cast<long>(result.graph.components.size()) == 2 * curves - cusps(self.graph));
+}
+
+/// x_u + m x_v = 0 at (1/2,1/2), m = 1 or -1: a cuspidal point, from which the pairs of points near (1/2,1/2)
+/// + (t, m t) and (1/2,1/2) - (t, m t) start.
+BezierPatch with_cusp_in_the_middle(std::mt19937_64& generator, int m) {
+  const auto digit = [&] { return Rational(static_cast<int>(generator() % 19) - 9, 4); };
+  ControlNet c{};
+  for (auto& row : c)
+    for (Point& p : row) p = {digit(), digit(), digit()};
+  c[1][0] = Rational(-m) * c[0][1];
+  return BezierPatch::from_power_basis(c).restricted_to(q(-1, 2), q(1, 2), q(-1, 2), q(1, 2));
+}
+
+/// Two pieces of such a patch, each over [from u, to u] x [from v, to v].
+struct PiecesAtCusp {
+  int m;
+  std::array<Rational, 4> first;
+  std::array<Rational, 4> second;
+};
+
+IntersectResult met(const PiecesAtCusp& pieces, std::mt19937_64& generator) {
+  const BezierPatch x = with_cusp_in_the_middle(generator, pieces.m);
+  const auto piece = [&](const std::array<Rational, 4>& r) {
+    return x.restricted_to(r[0], r[1], r[2], r[3]);
+  };
+  return intersect(piece(pieces.first), piece(pieces.second));
+}
+
+TEST_CASE("two pieces: a cuspidal point on sides that no curve enters") {
+  std::mt19937_64 generator(5);
+  const Rational half = q(1, 2);
+  const std::array<Rational, 4> all = {0, 1, 0, 1};
+  for (const PiecesAtCusp& pieces :
+       {PiecesAtCusp{1, {half, 1, 0, half}, all}, PiecesAtCusp{1, all, {0, half, half, 1}},
+        PiecesAtCusp{-1, {half, 1, half, 1}, all}, PiecesAtCusp{-1, all, {0, half, 0, half}},
+        PiecesAtCusp{1, {half, 1, 0, 1}, {0, 1, half, 1}}, PiecesAtCusp{-1, {half, 1, 0, 1}, {0, 1, 0, half}},
+        PiecesAtCusp{1, {half, 1, 0, 1}, {half, 1, q(1, 3), 1}}}) {
+    INFO("m = " << pieces.m);
+    const IntersectResult result = met(pieces, generator);
+    CHECK(result.status == Status::complete);
+    CHECK(result.graph.overlaps.size() == 1);
+  }
+}
+
+TEST_CASE("two pieces: a cuspidal point on a side, from which one order of a curve starts") {
+  std::mt19937_64 generator(6);
+  const Rational half = q(1, 2);
+  const std::array<Rational, 4> all = {0, 1, 0, 1};
+  for (const PiecesAtCusp& pieces :
+       {PiecesAtCusp{1, {half, 1, q(1, 8), 1}, all}, PiecesAtCusp{1, {half, 1, half, 1}, all},
+        PiecesAtCusp{-1, all, {half, 1, 0, half}}, PiecesAtCusp{-1, {half, 1, 0, 1}, {0, 1, half, 1}}}) {
+    INFO("m = " << pieces.m);
+    const IntersectResult result = met(pieces, generator);
+    REQUIRE(result.status == Status::incomplete);
+    CHECK(result.incomplete.front().why == "a cuspidal point on a side");
+  }
 }
 
 TEST_CASE("two pieces: a closed curve appears in both orders") {
