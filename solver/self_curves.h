@@ -67,7 +67,7 @@ struct SelfCurves {
 
   Landmarks<Ball> landmarks;
   std::size_t boundary_points = 0;
-  std::vector<PortOfStar> ports;  // in the order of the landmarks
+  std::vector<PortOfStar> ports;       // in the order of the landmarks
   std::vector<CuspArc<Ball>> cusps;    // with a curve in the domain
   std::vector<CuspArc<Ball>> leaving;  // those on sides, whose curve leaves it
   std::vector<ChartTrace<Ball>> chart_traces;

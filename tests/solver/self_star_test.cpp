@@ -1,4 +1,4 @@
-#include "self_star.h"
+#include "../../solver/self_star.h"
 
 #include <exsect/solver/self_intersect.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "self_turning.h"
+#include "../../solver/self_turning.h"
 #include "support/catch.h"
 #include "support/graph_checks.h"
 #include "support/self_locus.h"
