@@ -90,10 +90,6 @@ class Value {
     require(json_.is_string(), "must be a string");
     return json_.get_ref<const std::string&>();
   }
-  bool is_true() const {
-    require(json_.is_boolean(), "must be true or false");
-    return json_.get<bool>();
-  }
   std::size_t count() const {
     require(json_.is_number_unsigned(), "must be an integer >= 0");
     return json_.get<std::size_t>();
@@ -166,11 +162,28 @@ Line line(const Value& value) {
           value["at"].array<4>([](const Value& v) { return v.numbers<Rational, 3>(); })};
 }
 
-Touch touch(const Value& value) {
-  value.require_claim({"at", "radius", "normal", "multipliers"});
-  return {value["at"].numbers<Rational, 4>(), value["radius"].number<Rational>(),
-          value["normal"].numbers<Rational, 3>(),
-          value["multipliers"].array<3>([](const Value& v) { return v.numbers<Rational, 4>(); })};
+/// "pair", "first", "second", "line3", "star0u+" or "star0u+line3".
+template <class N>
+void read_curve(const Value& value, Tube<N>& tube) {
+  std::string_view curve = value.text();
+  if (curve == "pair") return;
+  if (curve == "first" || curve == "second") {
+    tube.chart = curve == "first" ? Chart::first : Chart::second;
+    return;
+  }
+  if (curve.substr(0, 4) == "star") {
+    const std::size_t end = std::min(curve.find_first_of(parameter_letters, 4), curve.size() - 1);
+    const std::size_t k = parameter_letters.find(curve[end]);
+    const std::string_view sign = curve.substr(end + 1, 1);
+    value.require(k != std::string_view::npos && (sign == "+" || sign == "-"),
+                  "must be a chart such as star0u+");
+    tube.chart = Chart::star;
+    tube.star = static_cast<std::size_t>(value.integer(curve.substr(4, end - 4)));
+    tube.direction = 2 * k + (sign == "-" ? 1 : 0);
+    curve.remove_prefix(end + 2);
+    if (curve.empty()) return;
+  }
+  tube.line = value.integer(curve.substr(0, 4) == "line" ? curve.substr(4) : "");
 }
 
 template <class N>
@@ -182,11 +195,7 @@ Tube<N> tube(const Value& value) {
                     value["reach"].number<N>(),
                     value["width"].number<N>(),
                     value["inverse"].array<3>([](const Value& v) { return v.numbers<N, 3>(); })};
-  const std::string& curve = value["curve"].text();
-  if (curve == "first" || curve == "second")
-    result.chart = curve == "first" ? Chart::first : Chart::second;
-  else if (curve != "pair")
-    result.line = value["curve"].integer(curve.substr(0, 4) == "line" ? curve.substr(4) : "");
+  read_curve(value["curve"], result);
   return result;
 }
 
@@ -226,8 +235,14 @@ Arc<N> arc(const Value& value) {
 }
 
 Component component(const Value& value) {
-  value.require_claim({"closed", "arcs"});
-  return {value["closed"].is_true(), value["arcs"].list([](const Value& v) { return v.count(); })};
+  value.require_claim({"shape", "arcs"});
+  const std::string& shape = value["shape"].text();
+  value.require(shape == "open" || shape == "closed" || shape == "branched",
+                "must be open, closed or branched");
+  return {shape == "open"     ? Shape::open
+          : shape == "closed" ? Shape::closed
+                              : Shape::branched,
+          value["arcs"].list([](const Value& v) { return v.count(); })};
 }
 
 /// "u", "t5", "p0", "m5", "lower", "3,-1,2" or "i3,-1,2".
@@ -237,7 +252,7 @@ Cell cell(const Value& value, std::string_view claim) {
   if (claim == "lower") return {Kind::lower, 0, {}};
   const std::size_t parameter = parameter_letters.find(claim);
   if (claim.size() == 1 && parameter != std::string_view::npos) return {Kind::split, parameter, {}};
-  for (const auto& [letter, kind] : {std::pair{'t', Kind::tube}, {'p', Kind::touch}, {'m', Kind::mirrored}})
+  for (const auto& [letter, kind] : {std::pair{'t', Kind::tube}, {'p', Kind::star}, {'m', Kind::mirrored}})
     if (claim[0] == letter) return {kind, static_cast<std::size_t>(value.integer(claim.substr(1))), {}};
   Cell result = {claim[0] == 'i' ? Kind::injective : Kind::excluded, 0, {}};
   if (result.kind == Kind::injective) claim.remove_prefix(1);
@@ -249,26 +264,49 @@ Cell cell(const Value& value, std::string_view claim) {
   return result;
 }
 
-/// Entries with blanks between them, and the seal after a blank and "#".
-void append_row(const Value& value, std::size_t i, std::vector<Cell>& cells) {
+/// Entries with blanks between them.
+std::vector<Cell> cells(const Value& value, std::string_view text, std::size_t row) {
+  std::vector<Cell> result;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    result.push_back(cell(value, text.substr(begin, end - begin)));
+    result.back().row = row;
+    begin = end + 1;
+  }
+  return result;
+}
+
+/// Entries, and their seal after a blank and "#".
+void append_row(const Value& value, std::size_t i, std::vector<Cell>& list) {
   const std::string& text = value.text();
   const std::size_t mark = text.find(" #");
   value.require(mark != std::string::npos, "must end with a seal");
   value.require(text.substr(mark + 2) == seal("$.cover[" + std::to_string(i) + "]" + text.substr(0, mark)),
                 "the seal does not fit the claim");
-  for (std::size_t begin = 0; begin <= mark;) {
-    const std::size_t end = text.find(' ', begin);
-    cells.push_back(cell(value, std::string_view(text).substr(begin, end - begin)));
-    cells.back().row = i;
-    begin = end + 1;
-  }
+  const std::vector<Cell> row = cells(value, std::string_view(text).substr(0, mark), i);
+  list.insert(list.end(), row.begin(), row.end());
+}
+
+Star star(const Value& value) {
+  value.require_claim({"at", "axes", "coordinates", "weights", "rows", "orders", "charts"});
+  const auto row = [](const Value& v) { return v.numbers<Rational, 4>(); };
+  const auto count = [](const Value& v) { return v.count(); };
+  return {row(value["at"]),
+          value["axes"].array<4>(row),
+          value["coordinates"].array<4>(row),
+          value["weights"].array<4>(count),
+          value["rows"].array<3>([](const Value& v) { return v.numbers<Rational, 3>(); }),
+          value["orders"].array<3>(count),
+          value["charts"].array<8>([](const Value& v) { return cells(v, v.text(), 0); })};
 }
 
 Summary summary(const Value& value) {
-  value.require_claim({"claims", "components", "closed", "open", "boundary", "turning"});
+  value.require_claim(
+      {"claims", "components", "closed", "open", "branched", "isolated", "boundary", "turning"});
   const auto count = [](const Value& v) { return v.count(); };
-  return {value["claims"].array<7>(count), value["components"].count(), value["closed"].count(),
-          value["open"].count(),           value["boundary"].count(),   value["turning"].array<4>(count)};
+  return {value["claims"].array<7>(count), value["components"].count(),     value["closed"].count(),
+          value["open"].count(),           value["branched"].count(),       value["isolated"].count(),
+          value["boundary"].count(),       value["turning"].array<4>(count)};
 }
 
 Fixed fixed(const Value& value) {
@@ -288,29 +326,56 @@ Node<N> point(const Value& value, const Fixed& fixed) {
   return result;
 }
 
+/// Each arc begins and ends at the places of its nodes, exactly.
+template <class N>
+void require_ends(const Value& root, const std::vector<Arc<N>>& arcs) {
+  const auto place = [](const Value& v) { return v["at"].numbers<Rational, 4>(); };
+  std::vector<Vector4<Rational>> places = root["nodes"].list(place);
+  const std::vector<Vector4<Rational>> stars = root["stars"].list(place);
+  places.insert(places.end(), stars.begin(), stars.end());
+  const Value list = root["arcs"];
+  for (std::size_t a = 0; a < arcs.size(); ++a) {
+    const Value arc = list[a];
+    const Value points = arc["points"];
+    points.require(points.size() >= 2, "must be two points or more");
+    for (const auto& [node, i] : {std::pair{arcs[a].from, std::size_t{0}}, {arcs[a].to, points.size() - 1}}) {
+      const Value point = points[i];
+      arc.require(node < places.size(), "names no node");
+      for (std::size_t j = 0; j < 4; ++j)
+        point.require(point[j].template number<Rational>() == places[node][j], "must be where the node is");
+    }
+  }
+}
+
 /// Of a pair, or of one patch.
 template <class N>
 Certificate<N> curves(const Value& root, bool self) {
   if (self)
-    root.require_keys({"exsect", "command", "first", "relations", "lines", "touches", "tubes", "nodes",
-                       "arcs", "components", "cover"},
+    root.require_keys({"exsect", "command", "first", "relations", "lines", "stars", "tubes", "nodes", "arcs",
+                       "components", "cover"},
                       "summary");
   else
-    root.require_keys({"exsect", "command", "first", "second", "relations", "lines", "touches", "tubes",
+    root.require_keys({"exsect", "command", "first", "second", "relations", "lines", "stars", "tubes",
                        "nodes", "arcs", "components", "cover"},
                       "summary");
-  return {{patch(root["first"]), patch(root[self ? "first" : "second"])},
-          self,
-          std::nullopt,
-          root["relations"].list(relation),
-          root["lines"].list(line),
-          root["touches"].list(touch),
-          root["tubes"].list(tube<N>),
-          root["nodes"].list(node<N>),
-          root["arcs"].list(arc<N>),
-          root["components"].list(component),
-          {},
-          summary(root["summary"])};
+  Certificate<N> result = {{patch(root["first"]), patch(root[self ? "first" : "second"])},
+                           self,
+                           std::nullopt,
+                           root["relations"].list(relation),
+                           root["lines"].list(line),
+                           root["stars"].list(star),
+                           root["tubes"].list(tube<N>),
+                           root["nodes"].list(node<N>),
+                           root["arcs"].list(arc<N>),
+                           root["components"].list(component),
+                           {},
+                           summary(root["summary"])};
+  require_ends(root, result.arcs);
+  for (std::size_t i = 0; i < result.stars.size(); ++i) {
+    const Vector4<Rational>& at = result.stars[i].at;
+    result.nodes.push_back({0, {N(at[0]), N(at[1]), N(at[2]), N(at[3])}, N(0), {}, {}, static_cast<int>(i)});
+  }
+  return result;
 }
 
 template <class N>

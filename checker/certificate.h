@@ -54,13 +54,28 @@ struct Line {
   std::array<Vector3<Rational>, 4> at;
 };
 
-/// A solution that is alone within `radius` in each parameter: there
-/// normal . F(w) + sum_d (multipliers_d . (w - at)) F_d(w) > 0 elsewhere.
-struct Touch {
+using Matrix4 = std::array<Vector4<Rational>, 4>;
+
+/// An inner node of the subdivision of a box or a leaf of it.
+struct Cell {
+  enum class Kind { split, excluded, tube, star, mirrored, lower, injective };
+  Kind kind;
+  std::size_t index;             // the parameter that is halved; the tube; the star
+  std::array<int, 3> direction;  // excluded, injective
+  std::size_t row = 0;           // of the list in which it stands
+};
+
+/// The solution `at` and all solutions near it, w = at + sum_j axes_ij e_j, |e_j| <= 1: they are on half
+/// branches e_j = d_j t^weights_j, each the curve of a tube in one of the eight charts d_k = 1 and d_k = -1,
+/// where `rows` F is divisible by t^orders.
+struct Star {
   Vector4<Rational> at;
-  Rational radius;
-  Vector3<Rational> normal;
-  std::array<Vector4<Rational>, 3> multipliers;
+  Matrix4 axes;
+  Matrix4 coordinates;  // their inverse
+  std::array<std::size_t, 4> weights;
+  Matrix3<Rational> rows;
+  std::array<std::size_t, 3> orders;
+  std::array<std::vector<Cell>, 8> charts;  // u+, u-, v+, ...: subdivisions
 };
 
 /// A point on the curve of a tube, within `radius` of `at` in each parameter; neither on sides nor turning: a
@@ -72,6 +87,7 @@ struct Node {
   N radius;
   std::vector<Side> on;
   std::vector<std::size_t> wrt;
+  int star = -1;  // the point of this star, in no tube of its own
 };
 
 /// A place on the curve, with the polyline's vertex in space if it has one here.
@@ -97,25 +113,19 @@ struct Arc {
   N error_bound;
 };
 
+enum class Shape { open, closed, branched };
 struct Component {
-  bool closed;
+  Shape shape;
   std::vector<std::size_t> arcs;
 };
 
-/// An inner node of the subdivision of [0,1]^4 or a leaf of it.
-struct Cell {
-  enum class Kind { split, excluded, tube, touch, mirrored, lower, injective };
-  Kind kind;
-  std::size_t index;             // the parameter that is halved; the tube; the touch
-  std::array<int, 3> direction;  // excluded, injective
-  std::size_t row = 0;           // of the list in which it stands
-};
-
 struct Summary {
-  std::array<std::size_t, 7> claims;  // relations, lines, touches, tubes, nodes, arcs, entries of the cover
+  std::array<std::size_t, 7> claims;  // relations, lines, stars, tubes, nodes, arcs, entries of the cover
   std::size_t components = 0;
   std::size_t closed = 0;
   std::size_t open = 0;
+  std::size_t branched = 0;
+  std::size_t isolated = 0;
   std::size_t boundary = 0;
   std::array<std::size_t, 4> turning = {};
 };
@@ -128,9 +138,9 @@ struct Certificate {
   std::optional<Fixed> fixed;  // of a line: then the points are the nodes, and there are no arcs
   std::vector<Relation> relations = {};
   std::vector<Line> lines = {};
-  std::vector<Touch> touches = {};
+  std::vector<Star> stars = {};
   std::vector<Tube<N>> tubes = {};
-  std::vector<Node<N>> nodes = {};
+  std::vector<Node<N>> nodes = {};  // those of the stars last
   std::vector<Arc<N>> arcs = {};
   std::vector<Component> components = {};
   std::vector<Cell> cover = {};

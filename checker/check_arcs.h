@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "replay.h"
+#include "check_stars.h"
 
 namespace exsect::checker {
 
@@ -12,6 +12,7 @@ namespace exsect::checker {
 struct ArcEnd {
   std::size_t node;
   int direction;
+  std::size_t tube;
 };
 
 /// The distance between arcs and polylines, step by step.
@@ -89,6 +90,27 @@ class ErrorBound {
     return result;
   }
 
+  /// Of the curve in the box; those of a line exactly.
+  CurveBounds<N> derivatives(const Tube<N>& tube, const Vector4<N>& middle, const Vector4<N>& half,
+                             const std::string& where) const {
+    if (tube.line < 0) {
+      const Map<N> here = replay_.map(tube).at(middle);
+      const CurveBounds<N> bounds = curve_bounds(here.times(near_inverse(here, tube.axis)), tube.axis, half);
+      require(bounds.defect < 1, where, "no derivative over a step of the polyline");
+      return bounds;
+    }
+    CurveBounds<N> bounds = {};
+    bounds.first[tube.axis] = {N(1), N(0)};
+    if (tube.chart == Chart::star) return bounds;  // d is constant
+    const Line& line = replay_.certificate.lines[static_cast<std::size_t>(tube.line)];
+    for (const std::size_t i : others(tube.axis)) {
+      const N bend = N(Rational(2 * line.at[i][2]));
+      bounds.first[i] = {N(line.at[i][1]) + bend * middle[tube.axis], magnitude(bend) * half[tube.axis]};
+      bounds.second[i] = {bend, N(0)};
+    }
+    return bounds;
+  }
+
   /// The greatest distance on the steps j, ..., last - 1.
   N over(const Tube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
          const std::vector<N>& near, std::size_t j, std::size_t last, const std::string& where) const {
@@ -100,10 +122,8 @@ class ErrorBound {
       middle[i] = rounded_down(N((at[j][i] + at[last][i]) / 2));
       half[i] = rounded_down(N(magnitude(N(at[j][i] - at[last][i])) / 2 + 2 * margin)) + N(0x1p-23);
     }
-    const Map<N> here = replay_.map(tube).at(middle);
-    const CurveBounds<N> bounds = curve_bounds(here.times(near_inverse(here, tube.axis)), tube.axis, half);
-    require(bounds.defect < 1, where, "no derivative over a step of the polyline");
-    const Map<N> space = replay_.space[static_cast<std::size_t>(tube.chart)];
+    const CurveBounds<N> bounds = derivatives(tube, middle, half, where);
+    const Map<N>& space = replay_.space_map(tube);
     const Map<N> local = space.at(middle);
     Vector3<N> second;
     Vector3<N> slope;
@@ -147,11 +167,10 @@ class ArcCheck {
   std::array<ArcEnd, 2> check() {
     const Node<N>& from = element(replay_.certificate.nodes, arc_.from, where_, "names no node");
     const Node<N>& to = element(replay_.certificate.nodes, arc_.to, where_, "names no node");
-    require(arc_.points.size() >= 2 && !arc_.pieces.empty(), where_, "without pieces");
-    require(arc_.points.front().at == from.at && arc_.points.back().at == to.at, where_,
-            "does not begin and end where its nodes are");
-    require(arc_.pieces.front().tube == from.tube && arc_.pieces.back().tube == to.tube, where_,
-            "does not begin and end in its nodes' tubes");
+    require(!arc_.pieces.empty(), where_, "without pieces");
+    require((from.star >= 0 || arc_.pieces.front().tube == from.tube) &&
+                (to.star >= 0 || arc_.pieces.back().tube == to.tube),
+            where_, "does not begin and end in its nodes' tubes");
     require(arc_.pieces.back().last + 1 == arc_.points.size(), where_, "its pieces do not cover it");
     bound_.place_on_polyline(where_);
     std::size_t first = 0;
@@ -163,7 +182,8 @@ class ArcCheck {
       if (begins == 0) begins = ends;
       first = piece.last;
     }
-    return {ArcEnd{arc_.from, begins}, ArcEnd{arc_.to, -ends}};
+    return {ArcEnd{arc_.from, begins, arc_.pieces.front().tube},
+            ArcEnd{arc_.to, -ends, arc_.pieces.back().tube}};
   }
 
  private:
@@ -171,7 +191,7 @@ class ArcCheck {
   Box<N> box(const Tube<N>& tube, std::size_t j, const N& radius) const {
     if (j == 0) return node_box(tube, replay_.certificate.nodes[arc_.from], where_);
     if (j + 1 == arc_.points.size()) return node_box(tube, replay_.certificate.nodes[arc_.to], where_);
-    return in_chart(tube, ball(arc_.points[j].at, radius), where_);
+    return in_chart(replay_, tube, ball(arc_.points[j].at, radius), where_);
   }
 
   /// The direction along the tube's axis. `entered`: distance in the parameters of the point where the curve
@@ -201,7 +221,8 @@ class ArcCheck {
       if (j + 2 == at.size()) least += near.back();
       require(N(direction) * step(j) > least, where_, "a piece runs back");
     }
-    const std::array<int, 4> grows = tube.claim.chart == Chart::pair
+    const std::array<int, 4> grows = tube.claim.chart == Chart::star ? tube.grows
+                                     : tube.claim.chart == Chart::pair
                                          ? slope_signs(tube, {first == 0, final}, {first, piece.last},
                                                        {entered, final ? near.back() : out})
                                          : pair_signs(tube, first, piece.last);
@@ -211,9 +232,23 @@ class ArcCheck {
               "not monotone in a parameter");
     }
     bound_.check(tube.claim, first, at, near, where_);
-    // u = U + t, v = V + m t with |t| <= 1 and w = t^2 known.
-    entered = tube.claim.chart == Chart::pair ? out : N(2 * out);
+    entered = out_of_chart(tube.claim, piece.last, out);
     return direction;
+  }
+
+  /// The distance in parameters from points[j] to a point of the curve within `near` of it in the chart.
+  N out_of_chart(const Tube<N>& tube, std::size_t j, const N& near) const {
+    if (tube.chart == Chart::pair) return near;
+    // u = U + t, v = V + m t with |t| <= 1 and w = t^2 known.
+    if (tube.chart != Chart::star) return 2 * near;
+    if (j + 1 == arc_.points.size()) return near;
+    Box<N> z = box(tube, j, N(0));
+    for (const std::size_t i : others(tube.axis)) z[i].radius += near;
+    const Box<N> w = from_star(replay_.certificate.stars[tube.star], tube.direction, z);
+    N most = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      most = larger(most, N(magnitude(N(w[i].middle - arc_.points[j].at[i])) + w[i].radius));
+    return most;
   }
 
   /// The signs of w_i' between two points of the piece; 0 if it is not proved to be constant.

@@ -7,64 +7,95 @@
 namespace exsect::checker {
 namespace {
 
+/// Turning points are the ends of an arc on either side, each half branch of a star inside is the end of one,
+/// and each other node. Returns the number of ends at each node.
 template <class N>
-void check_graph(const Certificate<N>& certificate, const std::vector<std::array<ArcEnd, 2>>& ends) {
+std::vector<std::size_t> check_ends(const Certificate<N>& certificate,
+                                    const std::vector<std::array<ArcEnd, 2>>& ends) {
+  std::vector<std::size_t> degrees;
   for (std::size_t i = 0; i < certificate.nodes.size(); ++i) {
     std::vector<int> directions;
-    for (const auto& pair : ends)
-      for (const ArcEnd& end : pair)
-        if (end.node == i) directions.push_back(end.direction);
+    std::vector<std::size_t> tubes;
+    for (const auto& pair : ends) {
+      for (const ArcEnd& end : pair) {
+        if (end.node != i) continue;
+        directions.push_back(end.direction);
+        tubes.push_back(end.tube);
+      }
+    }
     std::sort(directions.begin(), directions.end());
-    if (!certificate.nodes[i].wrt.empty())
+    std::sort(tubes.begin(), tubes.end());
+    degrees.push_back(tubes.size());
+    const Node<N>& node = certificate.nodes[i];
+    if (node.star >= 0)
+      require(std::adjacent_find(tubes.begin(), tubes.end()) == tubes.end(),
+              place("stars", static_cast<std::size_t>(node.star)), "two arcs on one half branch");
+    else if (!node.wrt.empty())
       require(directions == std::vector<int>{-1, 1}, place("nodes", i),
               "not the end of one arc on either side");
     else
       require(directions.size() == 1, place("nodes", i), "not the end of exactly one arc");
   }
-  // Every node has degree 1 or 2: a component is a path or a loop.
+  return degrees;
+}
+
+/// The component's arcs are connected, and no others have a node in common with them.
+template <class N>
+void check_component(const Certificate<N>& certificate, std::size_t c,
+                     const std::vector<std::size_t>& degrees, std::vector<bool>& listed) {
+  const Component& component = certificate.components[c];
+  const std::string where = place("components", c);
+  require(!component.arcs.empty(), where, "without arcs");
+  std::vector<std::size_t> nodes;
+  const auto known = [&](std::size_t n) { return std::find(nodes.begin(), nodes.end(), n) != nodes.end(); };
+  for (const std::size_t a : component.arcs) {
+    const Arc<N>& arc = element(certificate.arcs, a, where, "names no arc");
+    require(!listed[a] && arc.component == c, where, "an arc does not belong to this component alone");
+    listed[a] = true;
+    require(nodes.empty() || known(arc.from) || known(arc.to), where, "not connected");
+    nodes.insert(nodes.end(), {arc.from, arc.to});
+  }
+  for (const Arc<N>& arc : certificate.arcs)
+    require(arc.component == c || (!known(arc.from) && !known(arc.to)), where,
+            "connected with another component");
+  const auto any = [&](auto is) {
+    return std::any_of(nodes.begin(), nodes.end(), [&](std::size_t n) { return is(degrees[n]); });
+  };
+  const Shape shape = any([](std::size_t n) { return n > 2; })    ? Shape::branched
+                      : any([](std::size_t n) { return n == 1; }) ? Shape::open
+                                                                  : Shape::closed;
+  require(component.shape == shape, where, "open, closed and branched confused");
+}
+
+template <class N>
+void check_graph(const Certificate<N>& certificate, const std::vector<std::array<ArcEnd, 2>>& ends) {
+  const std::vector<std::size_t> degrees = check_ends(certificate, ends);
   Summary count{};
   std::vector<bool> listed(certificate.arcs.size());
   for (std::size_t c = 0; c < certificate.components.size(); ++c) {
-    const Component& component = certificate.components[c];
-    const std::string where = place("components", c);
-    require(!component.arcs.empty(), where, "without arcs");
-    std::vector<std::size_t> nodes;
-    for (const std::size_t a : component.arcs) {
-      const Arc<N>& arc = element(certificate.arcs, a, where, "names no arc");
-      require(!listed[a] && arc.component == c, where, "an arc does not belong to this component alone");
-      listed[a] = true;
-      // In order along the curve: each arc has a node in common with those before it.
-      const auto known = [&](std::size_t n) {
-        return std::find(nodes.begin(), nodes.end(), n) != nodes.end();
-      };
-      require(nodes.empty() || known(arc.from) || known(arc.to), where, "not connected");
-      nodes.insert(nodes.end(), {arc.from, arc.to});
-    }
-    const bool open = std::any_of(nodes.begin(), nodes.end(),
-                                  [&](std::size_t n) { return certificate.nodes[n].wrt.empty(); });
-    require(component.closed != open, where, "open and closed confused");
-    ++(open ? count.open : count.closed);
+    check_component(certificate, c, degrees, listed);
+    const Shape shape = certificate.components[c].shape;
+    ++(shape == Shape::open ? count.open : shape == Shape::closed ? count.closed : count.branched);
   }
   require(std::find(listed.begin(), listed.end(), false) == listed.end(), "$.components",
           "an arc is missing");
-  for (std::size_t c = 0; c < certificate.components.size(); ++c) {
-    for (const std::size_t a : certificate.components[c].arcs)
-      for (const Arc<N>& arc : certificate.arcs)
-        require(arc.component == c ||
-                    (arc.from != certificate.arcs[a].from && arc.from != certificate.arcs[a].to &&
-                     arc.to != certificate.arcs[a].from && arc.to != certificate.arcs[a].to),
-                place("components", c), "connected with another component");
-  }
-  for (const Node<N>& node : certificate.nodes) {
+  for (std::size_t i = 0; i < certificate.nodes.size(); ++i) {
+    const Node<N>& node = certificate.nodes[i];
     if (!node.on.empty()) ++count.boundary;
-    for (const std::size_t i : node.wrt) ++count.turning[i];
+    if (degrees[i] == 0) ++count.isolated;
+    for (const std::size_t p : node.wrt) ++count.turning[p];
   }
   const Summary& said = certificate.summary;
-  count.claims = {certificate.relations.size(), certificate.lines.size(), certificate.touches.size(),
-                  certificate.tubes.size(),     certificate.nodes.size(), certificate.arcs.size(),
+  count.claims = {certificate.relations.size(),
+                  certificate.lines.size(),
+                  certificate.stars.size(),
+                  certificate.tubes.size(),
+                  certificate.nodes.size() - certificate.stars.size(),
+                  certificate.arcs.size(),
                   certificate.cover.size()};
   require(said.claims == count.claims && said.components == certificate.components.size() &&
-              said.closed == count.closed && said.open == count.open && said.boundary == count.boundary &&
+              said.closed == count.closed && said.open == count.open && said.branched == count.branched &&
+              said.isolated == count.isolated && said.boundary == count.boundary &&
               said.turning == count.turning,
           "$.summary", "does not agree with the claims and their graph");
 }
@@ -72,11 +103,8 @@ void check_graph(const Certificate<N>& certificate, const std::vector<std::array
 template <class N>
 void check_curves(const Replay<N>& all) {
   const Certificate<N>& certificate = all.certificate;
-  for (std::size_t i = 0; i < certificate.touches.size(); ++i) {
-    check_touch(all.exact, certificate.touches[i], place("touches", i));
-    for (std::size_t k = 0; k < i; ++k)
-      require(certificate.touches[k].at != certificate.touches[i].at, place("touches", i), "given twice");
-  }
+  for (std::size_t i = 0; i < certificate.stars.size(); ++i)
+    for (std::size_t direction = 0; direction < 8; ++direction) StarCover<N>(all, i, direction).check();
   for (std::size_t i = 0; i < certificate.nodes.size(); ++i) NodeCheck<N>(all).check(i);
   std::vector<std::array<ArcEnd, 2>> ends;
   std::vector<bool> used(all.tubes.size());
@@ -84,7 +112,8 @@ void check_curves(const Replay<N>& all) {
     ends.push_back(ArcCheck<N>(all, i).check());
     for (const Piece& piece : certificate.arcs[i].pieces) used[piece.tube] = true;
   }
-  for (std::size_t i = 0; i < used.size(); ++i) require(used[i], place("tubes", i), "no arc runs through it");
+  for (std::size_t i = 0; i < used.size(); ++i)
+    require(used[i] || leaves_domain(all, all.tubes[i]), place("tubes", i), "no arc runs through it");
   check_graph(certificate, ends);
 }
 
@@ -95,6 +124,8 @@ Report check(const Certificate<N>& certificate) {
     check_relation(all.exact, certificate.relations[i], place("relations", i));
   for (std::size_t i = 0; i < certificate.lines.size(); ++i)
     check_line(all.exact, certificate.lines[i], place("lines", i));
+  for (std::size_t i = 0; i < certificate.stars.size(); ++i)
+    all.stars.push_back(check_star(all, certificate.stars[i], place("stars", i)));
   for (const Tube<N>& tube : certificate.tubes) check_tube(all, tube);
   if (certificate.fixed)
     check_points(all);
@@ -111,15 +142,6 @@ Report check(const Certificate<N>& certificate) {
 }
 
 }  // namespace
-
-bool is_proved(const std::array<BezierPatch, 2>& patches, const Touch& touch) {
-  try {
-    check_touch({patches[0].power_basis(), patches[1].power_basis()}, touch, "");
-    return true;
-  } catch (const Rejected&) {
-    return false;
-  }
-}
 
 Report check_in_doubles(const std::string& text) { return check(read_certificate<Enclosure>(text)); }
 

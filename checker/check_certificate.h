@@ -24,7 +24,4 @@ Report check_certificate(const std::string& text);
 /// The same, but what doubles cannot prove is rejected as well.
 Report check_in_doubles(const std::string& text);
 
-/// The touch is a solution alone in its neighbourhood.
-bool is_proved(const std::array<BezierPatch, 2>& patches, const Touch& touch);
-
 }  // namespace exsect::checker

@@ -1,4 +1,4 @@
-// The subdivision of [0,1]^4: every leaf holds no solution, or lies in a tube or next to a touch.
+// The subdivision of [0,1]^4: every leaf holds no solution, or lies in a tube or in a star.
 #pragma once
 
 #include "replay.h"
@@ -43,11 +43,8 @@ class Cover {
     } else if (cell.kind == Cell::Kind::excluded) {
       require(separated(region, cell.direction), where,
               "the direction does not separate the patches over the cell");
-    } else if (cell.kind == Cell::Kind::touch) {
-      const Touch& touch = element(certificate_.touches, cell.index, where, "names no touch");
-      for (std::size_t i = 0; i < 4; ++i)
-        require((box[i] + Ball<N>{-N(touch.at[i]), N(0)}).magnitude() <= N(touch.radius), where,
-                "the cell is not in the touch's neighbourhood");
+    } else if (cell.kind == Cell::Kind::star) {
+      check_in_star(box, element(certificate_.stars, cell.index, where, "names no star"), where);
     } else if (cell.kind == Cell::Kind::tube) {
       check_in_tube(box, cell.index, where);
     } else {
@@ -117,12 +114,21 @@ class Cover {
     return below + above < 0;
   }
 
+  static void check_in_star(const Box<N>& box, const Star& star, const std::string& where) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      Ball<N> e;
+      for (std::size_t i = 0; i < 4; ++i)
+        if (star.coordinates[j][i] != 0)
+          e = e + Ball<N>{N(star.coordinates[j][i]), N(0)} * (box[i] - Ball<N>{N(star.at[i]), N(0)});
+      require(e.magnitude() <= 1, where, "the cell is not in the star");
+    }
+  }
+
   void check_in_tube(const Box<N>& box, std::size_t i, const std::string& where) const {
     const Tube<N>& tube = element(replay_.tubes, i, where, "names no tube").claim;
     Box<N> w = box;
-    if (tube.chart != Chart::pair) {
-      w = pairs_in_chart(tube, replay_.map(tube), halves(tube.chart, box));
-    }
+    require(tube.chart != Chart::star, where, "a tube of a star");
+    if (tube.chart != Chart::pair) w = pairs_in_chart(tube, replay_.map(tube), halves(tube.chart, box));
     require(tube.contains(w), where, "the cell is not in the tube");
   }
 

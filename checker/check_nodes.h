@@ -11,24 +11,15 @@ class NodeCheck {
   explicit NodeCheck(const Replay<N>& replay) : replay_(replay), nodes_(replay.certificate.nodes) {}
 
   void check(std::size_t i) const {
-    const std::string where = place("nodes", i);
     const Node<N>& node = nodes_[i];
-    const ProvedTube<N>& tube = element(replay_.tubes, node.tube, where, "names no tube");
-    const Box<N> box = node_box(tube.claim, node, where);
-    require(node.radius > 0 && tube.claim.contains(box), where, "its box is not in its tube");
-    for (std::size_t j = 0; j < 4; ++j) check_parameter(node, j, where);
-    const N near = distance(replay_, tube, middles(box), where);
-    require(near <= node.radius, where, "its box may miss the curve");
-    require(node.on.empty() || node.wrt.empty(), where, "both on a side and a turning point");
-    if (!node.on.empty())
-      check_sides(node, tube, where);
-    else if (tube.claim.chart == Chart::pair)
-      check_turning(node, tube, near, where);
+    const bool star = node.star >= 0;
+    const std::string where = star ? place("stars", static_cast<std::size_t>(node.star)) : place("nodes", i);
+    const bool cusp = star ? false : check_in_tube(node, where);
     for (std::size_t k = 0; k <= i; ++k) {
       const auto& [u, v, r, s] = nodes_[k].at;
       require(k == i || disjoint(node.at, nodes_[k].at, node.radius + nodes_[k].radius), where,
               "its box meets the box of an earlier node");
-      require(!replay_.certificate.self || (k == i && tube.claim.chart != Chart::pair) ||
+      require(!replay_.certificate.self || (k == i && cusp) ||
                   disjoint(node.at, {r, s, u, v}, node.radius + nodes_[k].radius),
               where, "its box meets the mirrored box of a node");
     }
@@ -41,6 +32,22 @@ class NodeCheck {
   }
 
  private:
+  /// The node is on the curve of its tube, in its box; true if it is a cuspidal point.
+  bool check_in_tube(const Node<N>& node, const std::string& where) const {
+    const ProvedTube<N>& tube = element(replay_.tubes, node.tube, where, "names no tube");
+    const Box<N> box = node_box(tube.claim, node, where);
+    require(node.radius > 0 && tube.claim.contains(box), where, "its box is not in its tube");
+    for (std::size_t j = 0; j < 4; ++j) check_parameter(node, j, where);
+    const N near = distance(replay_, tube, middles(box), where);
+    require(near <= node.radius, where, "its box may miss the curve");
+    require(node.on.empty() || node.wrt.empty(), where, "both on a side and a turning point");
+    if (!node.on.empty())
+      check_sides(node, tube, where);
+    else if (tube.claim.chart == Chart::pair)
+      check_turning(node, tube, near, where);
+    return tube.claim.chart != Chart::pair;
+  }
+
   /// On one of the two sides or strictly between them.
   void check_parameter(const Node<N>& node, std::size_t j, const std::string& where) const {
     const auto on =

@@ -27,6 +27,14 @@ struct ProvedTube {
   const Tube<N>& claim;
   CurveBounds<N> bounds;
   std::array<bool, 4> constant;  // parameters that are constant on the curve
+  std::array<int, 4> grows;      // in a star: the signs of all others' derivatives
+};
+
+/// The map of each of the eight charts of a star, and the point of space.
+template <class N>
+struct StarMaps {
+  std::array<Map<N>, 8> equation;
+  std::array<Map<N>, 8> space;
 };
 
 template <class N>
@@ -36,14 +44,22 @@ struct Replay {
   Vector3<Rational> origin;
   std::array<Map<N>, 3> equation;  // F of each chart, all moved by -origin
   std::array<Map<N>, 3> space;     // the point of space
+  std::vector<StarMaps<N>> stars;
   std::vector<ProvedTube<N>> tubes;
 
-  const Map<N>& map(const Tube<N>& tube) const { return equation[static_cast<std::size_t>(tube.chart)]; }
+  const Map<N>& map(const Tube<N>& tube) const {
+    return tube.chart == Chart::star ? stars[tube.star].equation[tube.direction]
+                                     : equation[static_cast<std::size_t>(tube.chart)];
+  }
+  const Map<N>& space_map(const Tube<N>& tube) const {
+    return tube.chart == Chart::star ? stars[tube.star].space[tube.direction]
+                                     : space[static_cast<std::size_t>(tube.chart)];
+  }
 };
 
 template <class N>
 Replay<N> start(const Certificate<N>& certificate) {
-  Replay<N> result = {certificate, {}, certificate.patches[0].net()[1][1], {}, {}, {}};
+  Replay<N> result = {certificate, {}, certificate.patches[0].net()[1][1], {}, {}, {}, {}};
   std::array<Net<N>, 2> moved;
   for (std::size_t n = 0; n < 2; ++n) {
     result.exact[n] = certificate.patches[n].power_basis();
@@ -91,26 +107,6 @@ Vector4<N> middles(const Box<N>& box) {
 template <class N>
 Box<N> ball(const Vector4<N>& at, const N& radius) {
   return {{{at[0], radius}, {at[1], radius}, {at[2], radius}, {at[3], radius}}};
-}
-
-/// The box of parameters in the variables of the tube's map.
-template <class N>
-Box<N> in_chart(const Tube<N>& tube, const Box<N>& w, const std::string& where) {
-  if (tube.chart == Chart::pair) return w;
-  const auto [u, v, a, b] = halves(tube.chart, w);
-  require(a.sign() != 0, where, "a pair of points that may be one");
-  return {u, v, b / a, a * a};
-}
-/// A node's box likewise; on the diagonal with m from the tube, and w = 0.
-template <class N>
-Box<N> node_box(const Tube<N>& tube, const Node<N>& node, const std::string& where) {
-  if (tube.chart == Chart::pair) return ball(node.at, node.radius);
-  require(node.on.empty() && node.wrt.empty() && node.at[0] == node.at[2] && node.at[1] == node.at[3] &&
-              tube.axis == 3,
-          where, "not a cuspidal point with a tube along w");
-  const auto [u, v, a, b] = halves(tube.chart, ball(node.at, N(0)));
-  const N m = tube.centre[2] - tube.slope[2] * tube.centre[3];
-  return ball<N>({u.middle, v.middle, m, N(0)}, node.radius);
 }
 
 /// q rounded up to a multiple of 2^-128: short numbers.

@@ -43,7 +43,10 @@ namespace {
 
 /// What the tube's curve is.
 std::string curve(const Tube& tube) {
-  if (tube.line >= 0) return "line" + std::to_string(tube.line);
+  const std::string line = tube.line >= 0 ? "line" + std::to_string(tube.line) : "";
+  if (tube.chart == Chart::star)
+    return "star" + std::to_string(tube.star) + letter(tube.axis) + "+-"[tube.direction % 2] + line;
+  if (!line.empty()) return line;
   return tube.chart == Chart::pair ? "pair" : tube.chart == Chart::first ? "first" : "second";
 }
 
@@ -54,7 +57,7 @@ Json tube_claims(const NearPair& pair, const std::vector<Tube>& tubes) {
   for (const Tube& t : tubes) {
     Json rows = Json::array();
     for (auto row : t.inverse) {
-      for (double& a : row) a /= pair.scale;
+      for (double& a : row) a /= t.chart == Chart::star ? 1 : pair.scale;
       rows.push_back(exact(row));
     }
     result.push_back(sealed(in_list("tubes", result.size()), {{"centre", exact(t.centre)},

@@ -3,6 +3,7 @@
 
 #include <exsect/checker/check_certificate.h>
 #include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/number.h>
 
 #include <string>
 #include <vector>
@@ -23,6 +24,12 @@ Json exact_numbers(const std::vector<double>& numbers);
 template <class Numbers>
 Json exact(const Numbers& numbers) {
   return exact_numbers({numbers.begin(), numbers.end()});
+}
+template <class Numbers>
+Json rationals(const Numbers& numbers) {
+  Json result = Json::array();
+  for (const Rational& q : numbers) result.push_back(to_string(q));
+  return result;
 }
 /// u, v, r, s.
 const char* letter(std::size_t parameter);

@@ -60,15 +60,6 @@ Cell on_line(Cell cell, std::size_t parameter, double t) {
   return cell;
 }
 
-/// The direction with integer components that the vector points to, none above `size`.
-std::array<int, 3> rounded_direction(const Vector& d, double size = 100) {
-  const double most = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
-  if (!(most > 0) || !std::isfinite(most)) return {0, 0, 0};
-  std::array<int, 3> result;
-  for (std::size_t i = 0; i < 3; ++i) result[i] = static_cast<int>(std::lround(size * d[i] / most));
-  return result;
-}
-
 /// The direction or its opposite, whichever separates x from y over the cell; empty if neither does.
 std::string separating(const Cell& cell, const std::array<int, 3>& direction) {
   const Vector d = {double(direction[0]), double(direction[1]), double(direction[2])};
@@ -122,17 +113,23 @@ class Cover {
       if (places_.self && tube.chart == Chart::pair && contains(tube, mirrored(cell)))
         return "m" + std::to_string(i);
     }
-    for (std::size_t i = 0; i < places_.touches.size(); ++i)
-      if (contains(places_.touches[i], cell)) return "p" + std::to_string(i);
+    for (std::size_t i = 0; i < places_.stars.size(); ++i)
+      if (contains(places_.stars[i], cell)) return "p" + std::to_string(i);
     if (std::string d = exclusion(cell, meeting); !d.empty()) return d;
     return places_.self ? injective(cell) : "";
   }
 
-  static bool contains(const checker::Touch& touch, const Cell& cell) {
-    for (std::size_t j = 0; j < 4; ++j)
-      if (std::abs(cell.middle[j] - to_double(touch.at[j])) + cell.half[j] >
-          to_double(touch.radius) * (1 - 1e-9))
-        return false;
+  static bool contains(const checker::Star& star, const Cell& cell) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      double middle = 0;
+      double radius = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const double c = to_double(star.coordinates[j][i]);
+        middle += c * (cell.middle[i] - to_double(star.at[i]));
+        radius += std::abs(c) * cell.half[i];
+      }
+      if (std::abs(middle) + radius > 1 - 1e-9) return false;
+    }
     return true;
   }
 
@@ -228,11 +225,20 @@ class Cover {
 
 }  // namespace
 
+std::array<int, 3> rounded_direction(const Vector& d, double size) {
+  const double most = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+  if (!(most > 0) || !std::isfinite(most)) return {0, 0, 0};
+  std::array<int, 3> result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = static_cast<int>(std::lround(size * d[i] / most));
+  return result;
+}
+
 std::vector<std::string> cover(const NearPair& pair, const Places& places,
                                const std::optional<LineQuery>& line) {
   Cover result(pair, places);
-  std::vector<std::size_t> all(places.tubes.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < places.tubes.size(); ++i)
+    if (places.tubes[i].chart != Chart::star) all.push_back(i);
   const Cell whole = {pair.control, {0.5, 0.5, 0.5, 0.5}, {0.5, 0.5, 0.5, 0.5}};
   result.add(line ? on_line(whole, index(line->fixed), to_double(line->value)) : whole, all, 0);
   return result.entries_;

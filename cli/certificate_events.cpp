@@ -11,12 +11,13 @@
 namespace exsect::cli {
 namespace {
 
-template <class Numbers>
-Json rationals(const Numbers& numbers) {
-  Json result = Json::array();
-  for (const Rational& q : numbers) result.push_back(to_string(q));
-  return result;
+/// d depends on the parameter p alone and is monotone in it.
+bool monotone(const Point& d, const ControlNet& c, std::size_t p) {
+  const Rational first = dot(d, p == 0 ? c[1][0] : c[0][1]);
+  return sign(first) * sign(Rational(first + 2 * dot(d, p == 0 ? c[2][0] : c[0][2]))) > 0;
 }
+
+}  // namespace
 
 /// The shortest rationals in the node's box, which are its parameters if these are short.
 std::array<Rational, 4> short_place(const Node& node) {
@@ -27,14 +28,6 @@ std::array<Rational, 4> short_place(const Node& node) {
   }
   return result;
 }
-
-/// d depends on the parameter p alone and is monotone in it.
-bool monotone(const Point& d, const ControlNet& c, std::size_t p) {
-  const Rational first = dot(d, p == 0 ? c[1][0] : c[0][1]);
-  return sign(first) * sign(Rational(first + 2 * dot(d, p == 0 ? c[2][0] : c[0][2]))) > 0;
-}
-
-}  // namespace
 
 Json relation_claims(const Patches& patches) {
   const std::array<ControlNet, 2> power = {patches[0].power_basis(), patches[1].power_basis()};
@@ -91,50 +84,6 @@ Json line_claims(const std::vector<checker::Line>& lines) {
     Json at = Json::array();
     for (const auto& row : line.at) at.push_back(rationals(row));
     result.push_back(sealed(in_list("lines", result.size()), {{"axis", letter(line.axis)}, {"at", at}}));
-  }
-  return result;
-}
-
-checker::Touch touch_at(const Patches& patches, const Node& node) {
-  const std::array<Rational, 4> at = short_place(node);
-  const auto& [u, v, r, s] = at;
-  if (patches[0](u, v) != patches[1](r, s))
-    throw NoCertificate("an isolated point without rational parameters");
-  const std::array<Point, 4> columns = {patches[0].derivative_first(u, v), patches[0].derivative_second(u, v),
-                                        patches[1].derivative_first(r, s),
-                                        patches[1].derivative_second(r, s)};
-  checker::Touch touch = {at, 0, cross(columns[0], columns[1]), {}};
-  if (is_zero(touch.normal)) throw NoCertificate("an isolated point where a patch is singular");
-  const auto largest = [](const Point& p) {
-    return std::max({std::abs(to_double(p[0])), std::abs(to_double(p[1])), std::abs(to_double(p[2]))});
-  };
-  // normal . F + c |DF e|^2, with both signs of the first; the quadratic term outweighs it for some c.
-  const double size = std::max(largest(columns[0]), largest(columns[1]));
-  const int middle = std::ilogb(largest(touch.normal)) - 2 * std::ilogb(size);
-  for (int e = 1; e < 24; ++e) {
-    touch.radius = power_of_two(-e);
-    for (int c = middle + 8; c >= middle - 2; c -= 2) {
-      for (std::size_t d = 0; d < 3; ++d)
-        for (std::size_t i = 0; i < 4; ++i)
-          touch.multipliers[d][i] = power_of_two(c) * (i < 2 ? columns[i][d] : Rational(-columns[i][d]));
-      for (int side = 0; side < 2; ++side) {
-        if (checker::is_proved(patches, touch)) return touch;
-        touch.normal = Rational(-1) * touch.normal;
-      }
-    }
-  }
-  throw NoCertificate("an isolated point where the patches touch to higher order, or at a side");
-}
-
-Json touch_claims(const std::vector<checker::Touch>& touches) {
-  Json result = Json::array();
-  for (const checker::Touch& touch : touches) {
-    Json multipliers = Json::array();
-    for (const auto& row : touch.multipliers) multipliers.push_back(rationals(row));
-    result.push_back(sealed(in_list("touches", result.size()), {{"at", rationals(touch.at)},
-                                                                {"radius", to_string(touch.radius)},
-                                                                {"normal", rationals(touch.normal)},
-                                                                {"multipliers", multipliers}}));
   }
   return result;
 }

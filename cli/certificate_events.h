@@ -1,4 +1,4 @@
-// Claims in exact numbers: relations between parameters, lines on both patches, points where they touch.
+// Claims in exact numbers: relations between parameters, lines on both patches.
 #pragma once
 
 #include <exsect/checker/certificate.h>
@@ -15,6 +15,9 @@ namespace exsect::cli {
 
 using Patches = std::array<BezierPatch, 2>;
 
+/// The shortest rationals in the node's box, which are its parameters if these are short.
+std::array<Rational, 4> short_place(const Node& node);
+
 /// Directions d such that d . (x - y) depends on one parameter of either patch only.
 Json relation_claims(const Patches& patches);
 
@@ -22,10 +25,5 @@ Json relation_claims(const Patches& patches);
 /// rationals.
 std::optional<checker::Line> line_between(const Patches& patches, const Node& from, const Node& to);
 Json line_claims(const std::vector<checker::Line>& lines);
-
-/// The isolated point, which the patches' tangent planes have in common. Throws NoCertificate if its
-/// parameters are no short rationals or no proof is found that it is alone.
-checker::Touch touch_at(const Patches& patches, const Node& node);
-Json touch_claims(const std::vector<checker::Touch>& touches);
 
 }  // namespace exsect::cli

@@ -30,22 +30,6 @@ double determinant(const Vector& a, const Vector& b, const Vector& c) {
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// The inverse of the columns of DF other than k; nothing if they are dependent.
-std::optional<Matrix3<double>> inverse(const Map& local, std::size_t k) {
-  const auto o = others(k);
-  const std::array<Vector, 3> c = {column(local, o[0]), column(local, o[1]), column(local, o[2])};
-  const double det = determinant(c[0], c[1], c[2]);
-  if (!std::isfinite(1 / det)) return std::nullopt;
-  Matrix3<double> m;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vector& a = c[(i + 1) % 3];
-    const Vector& b = c[(i + 2) % 3];
-    for (std::size_t d = 0; d < 3; ++d)
-      m[i][d] = (a[(d + 1) % 3] * b[(d + 2) % 3] - a[(d + 2) % 3] * b[(d + 1) % 3]) / det;
-  }
-  return m;
-}
-
 /// w_axis held: w - C F(w).
 Parameters newton_step(const Map& map, Parameters w, std::size_t axis) {
   const Map local = map.at(w);
@@ -182,6 +166,21 @@ class Chain {
 };
 
 }  // namespace
+
+std::optional<Matrix3<double>> inverse(const Map& local, std::size_t k) {
+  const auto o = others(k);
+  const std::array<Vector, 3> c = {column(local, o[0]), column(local, o[1]), column(local, o[2])};
+  const double det = determinant(c[0], c[1], c[2]);
+  if (!std::isfinite(1 / det)) return std::nullopt;
+  Matrix3<double> m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector& a = c[(i + 1) % 3];
+    const Vector& b = c[(i + 2) % 3];
+    for (std::size_t d = 0; d < 3; ++d)
+      m[i][d] = (a[(d + 1) % 3] * b[(d + 2) % 3] - a[(d + 2) % 3] * b[(d + 1) % 3]) / det;
+  }
+  return m;
+}
 
 NearPair near_pair(const BezierPatch& x, const BezierPatch& y) {
   NearPair result;

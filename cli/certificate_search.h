@@ -46,6 +46,11 @@ Parameters on_curve(const Map& map, Parameters w, std::size_t fixed);
 /// The zero of dw_i/dw_axis near w on the curve.
 Parameters turning_point(const NearPair& pair, Parameters w, std::size_t axis, std::size_t i);
 
+/// The inverse of the columns of DF other than k, at the map's point; nothing if they are dependent.
+std::optional<checker::Matrix3<double>> inverse(const Map& local, std::size_t k);
+/// The direction with integer components that the vector points to, none above `size`.
+std::array<int, 3> rounded_direction(const std::array<double, 3>& d, double size = 100);
+
 /// An exact solution, given by a claim, that an arc runs along.
 struct OnLine {
   int claim = -1;
@@ -85,7 +90,7 @@ TracedArc chain(const NearPair& pair, const std::vector<TracedPoint>& points, st
 /// What cells may lie in.
 struct Places {
   const std::vector<Tube>& tubes;
-  std::vector<checker::Touch> touches = {};
+  std::vector<checker::Star> stars = {};
   bool self = false;
 };
 /// The subdivision of [0,1]^4, or of its part on the line, in preorder: "u", "t5", "3,-1,2".

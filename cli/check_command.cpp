@@ -18,8 +18,9 @@ constexpr std::size_t max_certificate_bytes = std::size_t{256} << 20;
 Json summary_json(const checker::Report& report) {
   const checker::Summary& summary = report.summary;
   if (report.fixed) return {{"points", summary.claims[4]}};
-  return {{"components", summary.components}, {"closed", summary.closed},   {"open", summary.open},
-          {"boundary", summary.boundary},     {"turning", summary.turning}, {"isolated", summary.claims[2]}};
+  return {{"components", summary.components}, {"closed", summary.closed},     {"open", summary.open},
+          {"branched", summary.branched},     {"boundary", summary.boundary}, {"turning", summary.turning},
+          {"isolated", summary.isolated}};
 }
 
 Json accepted_json(const checker::Report& report) {
@@ -31,7 +32,7 @@ Json accepted_json(const checker::Report& report) {
           {"claims",
            {{"relations", claims[0]},
             {"lines", claims[1]},
-            {"touches", claims[2]},
+            {"stars", claims[2]},
             {"tubes", claims[3]},
             {"nodes", claims[4]},
             {"arcs", claims[5]},
@@ -47,12 +48,16 @@ std::string accepted_text(const checker::Report& report) {
     return fmt::format("accepted: the solutions with {} = {} are {} points\nreplayed: {} points, {}\n",
                        "uvrs"[report.fixed->parameter], to_string(report.fixed->value), claims[4], claims[4],
                        cells);
-  const std::string isolated = claims[2] > 0 ? fmt::format(", and {} isolated points", claims[2]) : "";
+  const checker::Summary& summary = report.summary;
+  const std::string branched =
+      summary.branched > 0 ? fmt::format(", and {} with crossings", summary.branched) : "";
+  const std::string isolated =
+      summary.isolated > 0 ? fmt::format(", and {} isolated points", summary.isolated) : "";
   return fmt::format(
-      "accepted: the whole {} is {} closed and {} open curves{}\n"
-      "replayed: {} nodes, {} arcs, {} tubes, {} relations, {} lines, {}\n",
-      report.self ? "self-intersection" : "intersection", report.summary.closed, report.summary.open,
-      isolated, claims[4], claims[5], claims[3], claims[0], claims[1], cells);
+      "accepted: the whole {} is {} closed and {} open curves{}{}\n"
+      "replayed: {} nodes, {} stars, {} arcs, {} tubes, {} relations, {} lines, {}\n",
+      report.self ? "self-intersection" : "intersection", summary.closed, summary.open, branched, isolated,
+      claims[4], claims[2], claims[5], claims[3], claims[0], claims[1], cells);
 }
 
 }  // namespace

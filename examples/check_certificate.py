@@ -13,6 +13,7 @@ import sys
 from fractions import Fraction
 
 LETTERS = "uvrs"
+DIRECTIONS = [p + sign for p in LETTERS for sign in "+-"]
 DYADIC = re.compile(r"(-?[1-9][0-9]*)/2\^([1-9][0-9]*)")
 NUMBER = re.compile(r"-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?")
 
@@ -313,10 +314,12 @@ class Tube:
     def __init__(self, value, place):
         value = claim(value, place, ["centre", "axis", "slope", "reach", "width", "inverse", "curve"])
         self.curve = value["curve"]
-        require(isinstance(self.curve, str) and re.fullmatch("pair|first|second|line(0|[1-9][0-9]*)", self.curve), place,
-                "not a curve")
+        require(isinstance(self.curve, str) and re.fullmatch("pair|first|second|(star(0|[1-9][0-9]*)[uvrs][+-])?(line(0|[1-9][0-9]*))?", self.curve)
+                and self.curve, place, "not a curve")
         self.charted = self.curve in ("first", "second")
-        self.line = int(self.curve[4:]) if self.curve.startswith("line") else None
+        star, line = re.search("star([0-9]+)(..)", self.curve), re.search("line([0-9]+)", self.curve)
+        self.star, self.direction = (int(star[1]), DIRECTIONS.index(star[2])) if star else (None, None)
+        self.line = int(line[1]) if line else None
         self.constant = {}
         self.centre = numbers(value["centre"], 4, place)
         self.axis = parameter(value["axis"], place)
@@ -336,13 +339,17 @@ class Tube:
         k, t, z = self.axis, self.reach, self.width
         require(self.slope[k] == 1 and t > 0 and z > 0, place, "not a tube")
         require(self.curve != "first" and self.curve != "second" or self.curve in system.equation, place, "a chart of two patches")
-        self.map = system.equation[self.curve if self.charted else "pair"]
-        self.space = system.space[self.curve if self.charted else "pair"]
+        if self.star is not None:
+            self.star = element(system.stars, self.star, place)
+            self.map, self.space = self.star.maps[self.direction]
+        else:
+            self.map = system.equation[self.curve if self.charted else "pair"]
+            self.space = system.space[self.curve if self.charted else "pair"]
         h = [abs(d) * t + (0 if i == k else z) for i, d in enumerate(self.slope)]
         local = self.map.at(self.centre).times(self.inverse)
         rows = defect_rows(local, k, h)
         for d in range(3):
-            f = [Fraction(0)] * 9
+            f = [Fraction(0)] * (1 + max(map(sum, local.terms)))
             for power, c in local.terms.items():
                 f[sum(power)] += c[d] * math.prod(s**i for s, i in zip(self.slope, power))
             require(sum(abs(q) * t**m for m, q in enumerate(f)) + rows[d] * z < z, place, "no contraction")
@@ -356,6 +363,9 @@ class Tube:
             return
         if self.line is not None:
             self.check_on_line(element(lines, self.line, place), place)
+        if self.star is not None:
+            self.check_half_branch(system.tubes, place)
+            return
         for i in range(4):
             inside = self.centre[i] >= h[i] and self.centre[i] + h[i] <= 1
             require(i in self.constant or sign(self.bounds.first[i]) or (sign(self.bounds.second[i]) and inside), place,
@@ -363,17 +373,79 @@ class Tube:
 
     def check_on_line(self, line, place):
         axis, at = line
+        self.line_at = at
+        for i, (a, b, c) in enumerate(at):
+            if b == c == 0 and 0 <= a <= 1:
+                self.constant[i] = a
+        if self.star is not None:
+            self.check_ray(axis, at, place)
+            return
         require(axis == self.axis, place, "its line has another axis")
         p = self.centre[axis]
         for i, (a, b, c) in enumerate(at):
             off, slope = a + p * (b + p * c) - self.centre[i], b + 2 * p * c - self.slope[i]
             require(i == axis or abs(off) + self.reach * (abs(slope) + self.reach * abs(c)) <= self.width, place,
                     "its line is not in it")
-            if b == c == 0 and 0 <= a <= 1:
-                self.constant[i] = a
+
+    def check_ray(self, axis, at, place):
+        """The line through the star's point has constant d, and is in the tube."""
+        star, k = self.star, self.direction // 2
+        require(all(c == 0 and a + b * star.at[axis] == q for (a, b, c), q in zip(at, star.at)), place,
+                "its line is not straight through the star's point")
+        e = [sum(q * b for q, (_, b, _) in zip(row, at)) for row in star.coordinates]
+        require(e[k] != 0, place, "its line is not in the chart")
+        for j in others(k):
+            require(e[j] == 0 or star.weights[j] == star.weights[k], place, "its line is not straight in the chart")
+            d = e[j] / e[k] * star.side(self.direction)
+            require(abs(d - self.centre[j]) + self.reach * abs(self.slope[j]) <= self.width, place, "its line is not in it")
+
+    def check_half_branch(self, earlier, place):
+        star, k = self.star, self.direction // 2
+        require(self.axis == k and self.centre[k] == 0, place, "does not begin at its star's point")
+        require(all(abs(self.centre[j]) + self.width < 1 for j in others(k)), place, "begins beyond its chart")
+        for other in earlier:
+            require(other.star is not star or other.direction != self.direction or any(
+                abs(self.centre[j] - other.centre[j]) > self.width + other.width for j in others(k)), place,
+                "may begin where an earlier tube does")
+        t = (self.reach / 2, self.reach / 2)
+        self.grows = []
+        for i in range(4):
+            used = [j for j in range(4) if star.axes[i][j]]
+            least = min(star.weights[j] for j in used)
+            slope = (Fraction(0), Fraction(0))
+            for j in used:
+                weight = Fraction(star.weights[j])
+                term = (weight * star.side(self.direction), Fraction(0))
+                if j != k:
+                    d = (self.centre[j], self.width + abs(self.slope[j]) * self.reach)
+                    term = add(times((weight, Fraction(0)), d), times(t, self.bounds.first[j]))
+                for _ in range(least, star.weights[j]):
+                    term = times(term, t)
+                slope = add(slope, times((star.axes[i][j], Fraction(0)), term))
+            self.grows.append(0 if i in self.constant else sign(slope))
+            require(i in self.constant or self.grows[i], place, "a parameter may turn")
+
+    def derivatives(self, middle, half):
+        """Of the curve in the box; those of a line exactly."""
+        k = self.axis
+        if self.line is None:
+            here = self.map.at(middle)
+            return Bounds(here.times(near_inverse(here, k)), k, half)
+        bounds = Bounds.__new__(Bounds)
+        at = [(0, 0, 0)] * 4 if self.star else self.line_at
+        bounds.defect = 0
+        bounds.first = [(1 if i == k else b + 2 * c * middle[k], abs(2 * c) * half[k]) for i, (_, b, c) in enumerate(at)]
+        bounds.second = [(2 * c, 0) for _, _, c in at]
+        return bounds
+
+    def leaves_domain(self):
+        return self.star is not None and any(
+            (a == 0 and grows < 0) or (a == 1 and grows > 0) for a, grows in zip(self.star.at, self.grows))
 
     def in_chart(self, w, place):
         """The box w of parameters in the variables of the map."""
+        if self.star is not None:
+            return self.star.in_chart(self.direction, w, place)
         if not self.charted:
             return w
         u, v, a, b = halves(self.curve == "second", w)
@@ -394,6 +466,10 @@ class Tube:
                 ((most + least) / 2, (most - least) / 2)]
 
     def node_box(self, node, place):
+        if isinstance(node, Star):
+            require(node is self.star, place, "not in a chart of its star")
+            return [(a, Fraction(0)) for a in self.centre]
+        require(self.star is None, place, "a node in the tube of a star")
         if not self.charted:
             return [(a, node.radius) for a in node.at]
         require(not node.on and not node.wrt and node.at[:2] == node.at[2:], place, "not a cuspidal point")
@@ -405,6 +481,141 @@ class Tube:
         require(self.contains([(a, 0) for a in w]), place, "a point is not in its tube")
         f = self.map.value(w)
         return max(abs(sum(m * q for m, q in zip(row, f))) for row in self.inverse) / (1 - self.bounds.defect)
+
+
+# ---- Stars
+
+
+class Star:
+    on, wrt, radius = {}, [], Fraction(0)
+
+    def __init__(self, value, place, system):
+        self.place = place
+        value = claim(value, place, ["at", "axes", "coordinates", "weights", "rows", "orders", "charts"])
+        self.at = numbers(value["at"], 4, place)
+        for key, rows, columns in (("axes", 4, 4), ("coordinates", 4, 4), ("rows", 3, 3)):
+            require(isinstance(value[key], list) and len(value[key]) == rows, place, "not a matrix")
+            setattr(self, key, [numbers(row, columns, place) for row in value[key]])
+        for key, size in (("weights", 4), ("orders", 3), ("charts", 8)):
+            require(isinstance(value[key], list) and len(value[key]) == size, place, "not a list of this length")
+        self.weights, orders = ([count(n, place) for n in value[key]] for key in ("weights", "orders"))
+        self.charts = value["charts"]
+        require(all(isinstance(text, str) for text in self.charts), place, "not eight subdivisions")
+        require(all(0 <= a <= 1 for a in self.at), place, "not in [0,1]^4")
+        require(all(1 <= w <= 6 for w in self.weights) and min(orders) >= 1, place, "not a weight, or not an order")
+        for i in range(4):
+            for j in range(4):
+                require(sum(self.coordinates[i][n] * self.axes[n][j] for n in range(4)) == (i == j), place, "not the inverse")
+        a, b, c = self.rows
+        require(sum(a[d] * (b[d - 2] * c[d - 1] - b[d - 1] * c[d - 2]) for d in range(3)), place, "its rows are dependent")
+        for power, q in system.equation["pair"].at(self.at).terms.items():
+            require(sum(power) != 1 or not sum(n * t for n, t in zip(c, q)), place, "its last row is not normal to both patches")
+        unit = [[Fraction(i == j) for j in range(3)] for i in range(3)]
+        equation, space = (self.centred(system.equation["pair"]), self.centred(system.space["pair"]))
+        self.maps = [(self.chart(equation, n, self.rows, orders), self.chart(space, n, unit, [0, 0, 0])) for n in range(8)]
+
+    def centred(self, polynomial):
+        """Its coefficients in e, w = at + axes e."""
+        result = {}
+        for power, c in polynomial.at(self.at).terms.items():
+            product = {(0, 0, 0, 0): Fraction(1)}
+            for i in range(4):
+                for _ in range(power[i]):
+                    longer = {}
+                    for lower, q in product.items():
+                        for j in range(4):
+                            if self.axes[i][j]:
+                                key = tuple(p + (n == j) for n, p in enumerate(lower))
+                                longer[key] = longer.get(key, 0) + q * self.axes[i][j]
+                    product = longer
+            for key, q in product.items():
+                result[key] = [a + q * b for a, b in zip(result.get(key, [0] * 3), c)]
+        return result
+
+    @staticmethod
+    def side(direction):
+        return -1 if direction % 2 else 1
+
+    def chart(self, polynomial, direction, rows, orders):
+        """rows times it at e = d t^weights, divided by t^orders."""
+        k, terms = direction // 2, [((0, 0, 0, 0), 0, [Fraction(0)] * 3)]
+        for power, c in polynomial.items():
+            degree = sum(w * p for w, p in zip(self.weights, power))
+            for d in range(3):
+                value = sum(n * q for n, q in zip(rows[d], c)) * self.side(direction) ** power[k]
+                if value:
+                    require(degree >= orders[d], self.place, "not of this order at its point")
+                    key = power[:k] + (degree - orders[d],) + power[k + 1 :]
+                    terms.append((key, value, [Fraction(d == i) for i in range(3)]))
+        return Map(terms)
+
+    def box(self, w):
+        """A box of parameters in e."""
+        result = [(Fraction(0), Fraction(0))] * 4
+        for j in range(4):
+            for i in range(4):
+                result[j] = add(result[j], times((self.coordinates[j][i], 0), (w[i][0] - self.at[i], w[i][1])))
+        return result
+
+    def in_chart(self, direction, w, place):
+        k, e = direction // 2, self.box(w)
+        size = times((self.side(direction), 0), e[k])
+        require(sign(size) > 0, place, "not on its side of the star's point")
+        t = root(size, self.weights[k])
+        for j in others(k):
+            for _ in range(self.weights[j]):
+                e[j] = divide(e[j], t)
+        return e[:k] + [t] + e[k + 1 :]
+
+    def from_chart(self, direction, z):
+        """The parameters of all points of a chart in the box."""
+        k = direction // 2
+        t, z = z[k], z[:k] + [(Fraction(self.side(direction)), Fraction(0))] + z[k + 1 :]
+        for j in range(4):
+            for _ in range(self.weights[j]):
+                z[j] = times(z[j], t)
+        result = [(a, Fraction(0)) for a in self.at]
+        for i in range(4):
+            for j in range(4):
+                result[i] = add(result[i], times((self.axes[i][j], 0), z[j]))
+        return result
+
+    def check_charts(self, tubes):
+        for direction, text in enumerate(self.charts):
+            place, k = f"{self.place}.charts[{direction}]", direction // 2
+            waiting = [([Fraction(j == k, 2) for j in range(4)], [Fraction(1, 2) if j == k else Fraction(1) for j in range(4)])]
+            for entry in text.split(" "):
+                require(waiting, place, "beyond the end of the subdivision")
+                middle, half = waiting.pop()
+                if len(entry) == 1 and entry in LETTERS:
+                    p = LETTERS.index(entry)
+                    less = [h / 2 if j == p else h for j, h in enumerate(half)]
+                    for step in (less[p], -less[p]):
+                        waiting.append(([m + step if j == p else m for j, m in enumerate(middle)], less))
+                elif re.fullmatch("t(0|[1-9][0-9]*)", entry):
+                    tube = element(tubes, int(entry[1:]), place)
+                    require(tube.star is self and tube.direction == direction, place, "a tube of another chart")
+                    require(tube.contains(list(zip(middle, half))), place, "a cell is not in its tube")
+                else:
+                    n = direction_of(entry, place)
+                    local = self.maps[direction][0].at(middle).times([n, n, n])
+                    require(sign(local.derivative(0, (0, 0, 0, 0), half)), place, "a cell may hold a solution")
+            require(not waiting, place, "the subdivision is not complete")
+
+
+def root(ball, n):
+    """t > 0 with t^n in the ball"""
+    if n == 1:
+        return ball
+    q = Fraction(float(ball[0]) ** (1 / n))
+    return q, (abs(q**n - ball[0]) + ball[1]) / q ** (n - 1)
+
+
+def direction_of(text, place):
+    require(re.fullmatch("-?[0-9]+,-?[0-9]+,-?[0-9]+", text), place, "not a cell")
+    direction = [int(part) for part in text.split(",")]
+    require(",".join(map(str, direction)) == text, place, "not a direction")
+    return direction
 
 
 # ---- Relations and nodes
@@ -438,7 +649,7 @@ class Checker:
     def __init__(self, root):
         require(root.get("command") in ("intersect", "line", "self"), "$.command", "neither intersect, line nor self")
         self.alone = root["command"] == "self"
-        lists = ["relations", "lines", "touches", "tubes", "nodes", "arcs", "components", "cover"]
+        lists = ["relations", "lines", "stars", "tubes", "nodes", "arcs", "components", "cover"]
         names = ["first"] if self.alone else ["first", "second"]
         keys = ["exsect", "command", *names, *lists, "summary"]
         self.fixed = None
@@ -480,13 +691,12 @@ class Checker:
 
     def check(self):
         self.lines = [self.line(value, f"$.lines[{i}]") for i, value in enumerate(self.root.get("lines", []))]
-        self.touches = []
-        for i, value in enumerate(self.root.get("touches", [])):
-            self.check_touch(value, f"$.touches[{i}]")
+        self.stars = [Star(value, f"$.stars[{i}]", self) for i, value in enumerate(self.root.get("stars", []))]
         self.tubes = []
         for i, value in enumerate(self.root["tubes"]):
-            self.tubes.append(Tube(value, f"$.tubes[{i}]"))
-            self.tubes[i].check(self, self.lines, f"$.tubes[{i}]")
+            tube = Tube(value, f"$.tubes[{i}]")
+            tube.check(self, self.lines, f"$.tubes[{i}]")
+            self.tubes.append(tube)
         if self.fixed:
             self.check_points()
         else:
@@ -497,13 +707,19 @@ class Checker:
     def check_curves(self):
         self.relations = [self.relation(value, f"$.relations[{i}]") for i, value in enumerate(self.root["relations"])]
         self.nodes = []
+        for star in self.stars:
+            star.check_charts(self.tubes)
         for i, value in enumerate(self.root["nodes"]):
-            self.check_node(Node(value, f"$.nodes[{i}]"), f"$.nodes[{i}]")
-        self.ends = [[] for _ in self.nodes]
+            node = Node(value, f"$.nodes[{i}]")
+            self.check_node(node, f"$.nodes[{i}]")
+            self.add_node(node, f"$.nodes[{i}]", self.tubes[node.tube].charted)
+        for star in self.stars:
+            self.add_node(star, star.place, False)
+        self.ends = [[] for _ in self.nodes]  # directions; at a star, tubes
         self.arcs = [self.check_arc(value, f"$.arcs[{i}]") for i, value in enumerate(self.root["arcs"])]
         used = {piece[0] for arc in self.arcs for piece in arc["pieces"]}
         for i in range(len(self.tubes)):
-            require(i in used, f"$.tubes[{i}]", "no arc runs through it")
+            require(i in used or self.tubes[i].leaves_domain(), f"$.tubes[{i}]", "no arc runs through it")
         self.check_graph()
 
     def check_points(self):
@@ -556,42 +772,6 @@ class Checker:
             require(not any(f), place, "not a solution everywhere")
         return axis, at
 
-    def check_touch(self, value, place):
-        value = claim(value, place, ["at", "radius", "normal", "multipliers"])
-        at, radius = numbers(value["at"], 4, place), number(value["radius"], place)
-        normal = numbers(value["normal"], 3, place)
-        require(isinstance(value["multipliers"], list) and len(value["multipliers"]) == 3, place, "not three rows")
-        rows = [numbers(row, 4, place) for row in value["multipliers"]]
-        require(radius > 0 and all(0 <= a <= 1 for a in at), place, "not in [0,1]^4, or without a neighbourhood")
-        local = self.equation["pair"].at(at)
-        s = [[(Fraction(0), Fraction(0))] * 4 for _ in range(4)]
-
-        def add_term(q, power, i):  # q e^power e_i
-            j = next(n for n in range(4) if power[n])
-            degree = sum(power) - 1
-            part = (q / 2, Fraction(0)) if degree == 0 else (Fraction(0), abs(q) / 2 * radius**degree)
-            s[i][j] = add(s[i][j], part)
-            s[j][i] = add(s[j][i], part)
-
-        for power, c in local.terms.items():
-            along = sum(n * q for n, q in zip(normal, c))
-            require(sum(power) > 0 or not any(c), place, "not a solution")
-            require(sum(power) != 1 or along == 0, place, "the normal is not normal to both patches")
-            if sum(power) >= 1:
-                for i in range(4):
-                    for d in range(3):
-                        add_term(rows[d][i] * c[d], power, i)
-            if sum(power) >= 2:
-                i = next(n for n in range(4) if power[n])
-                add_term(along, tuple(p - (n == i) for n, p in enumerate(power)), i)
-        for k in range(4):
-            require(s[k][k][0] > s[k][k][1], place, "not alone in its neighbourhood")
-            for i in range(k + 1, 4):
-                for j in range(k + 1, 4):
-                    s[i][j] = subtract(s[i][j], divide(times(s[i][k], s[k][j]), s[k][k]))
-        require(all(at != other for other, _ in self.touches), place, "given twice")
-        self.touches.append((at, radius))
-
     def check_node(self, node, place):
         tube = element(self.tubes, node.tube, place)
         require(not node.on or not node.wrt, place, "both on a side and a turning point")
@@ -626,13 +806,15 @@ class Checker:
             away = magnitude(t[i]) / along / (abs(second[0]) - second[1])
             require(abs(node.at[tube.axis] - tube.centre[tube.axis]) + away <= tube.reach, place, "may be outside its tube")
             require(all(near + away * magnitude(b) <= node.radius for b in tube.bounds.first), place, "its box may miss the point")
+
+    def add_node(self, node, place, cusp):
         def apart(at, other):
             return any(abs(a - b) > node.radius + other.radius for a, b in zip(at, other.at))
 
         for other in self.nodes:
             require(apart(node.at, other), place, "meets an earlier node")
             require(not self.alone or apart(node.at[2:] + node.at[:2], other), place, "meets an earlier node, mirrored")
-        require(not self.alone or tube.charted or apart(node.at[2:] + node.at[:2], node), place, "meets its mirror image")
+        require(not self.alone or cusp or apart(node.at[2:] + node.at[:2], node), place, "meets its mirror image")
         self.nodes.append(node)
 
     # ---- Arcs
@@ -672,7 +854,9 @@ class Checker:
             for j in range(len(at) - 1):
                 least = (enters[k][1] if j == 0 else 0) + (near[-1] if j + 2 == len(at) else 0)
                 require(direction * (at[j + 1][k] - at[j][k]) > least, place, "a piece runs back")
-            if tube.charted:
+            if tube.star:
+                signs = tube.grows
+            elif tube.charted:
                 signs = self.pair_signs(tube, [points[j] for j in range(first, last + 1) if 0 < j < len(points) - 1], place)
             else:
                 ends = [(points[first], entered, start if first == 0 else None), (points[last], near[-1], end if final else None)]
@@ -683,10 +867,15 @@ class Checker:
             most = max(most, self.piece_error(tube, at, near, places[first : last + 1], place))
             directions.append(direction)
             first, entered = last, 2 * out if tube.charted else out
+            if tube.star and not final:
+                z = [(b[0], b[1] + (0 if i == k else out)) for i, b in enumerate(box(last, Fraction(0)))]
+                w = tube.star.from_chart(tube.direction, z)
+                entered = max(abs(b[0] - a) + b[1] for b, a in zip(w, points[last]))
         require(first + 1 == len(points), place, "its pieces do not cover it")
-        require(arc["pieces"][0][0] == start.tube and arc["pieces"][-1][0] == end.tube, place, "does not begin and end in its nodes' tubes")
-        self.ends[arc["from"]].append(directions[0])
-        self.ends[arc["to"]].append(-directions[-1])
+        for node, name, piece, direction in ((start, "from", 0, directions[0]), (end, "to", -1, -directions[-1])):
+            tube = arc["pieces"][piece][0]
+            require(isinstance(node, Star) or tube == node.tube, place, "does not begin and end in its nodes' tubes")
+            self.ends[arc[name]].append(tube if isinstance(node, Star) else direction)
         require(most <= number(arc["error_bound"], place), place, "the error bound is too small")
         return arc
 
@@ -739,8 +928,7 @@ class Checker:
             unit = Fraction(1, 2**24)
             middle = [unit * math.floor((p + q) / 2 / unit) for p, q in zip(points[begin], points[stop])]
             half = [unit * (math.floor((abs(p - q) / 2 + 2 * margin) / unit) + 2) for p, q in zip(points[begin], points[stop])]
-            here = tube.map.at(middle)
-            bounds = Bounds(here.times(near_inverse(here, tube.axis)), tube.axis, half)
+            bounds = tube.derivatives(middle, half)
             require(bounds.defect < 1, place, "no derivative over a step of the polyline")
             local = tube.space.at(middle)
             second, slope = [], []
@@ -763,11 +951,15 @@ class Checker:
 
     def check_graph(self):
         for i, node in enumerate(self.nodes):
-            require(sorted(self.ends[i]) == [-1, 1] if node.wrt else len(self.ends[i]) == 1, f"$.nodes[{i}]", "not the end of its arcs")
+            ends = self.ends[i]
+            if isinstance(node, Star):
+                require(len(set(ends)) == len(ends), node.place, "two arcs on one half branch")
+            else:
+                require(sorted(ends) == [-1, 1] if node.wrt else len(ends) == 1, f"$.nodes[{i}]", "not the end of its arcs")
         shapes, seen = [], []
         for c, value in enumerate(self.root["components"]):
             place = f"$.components[{c}]"
-            value = claim(value, place, ["closed", "arcs"])
+            value = claim(value, place, ["shape", "arcs"])
             nodes = set()
             require(isinstance(value["arcs"], list) and value["arcs"], place, "without arcs")
             for a in value["arcs"]:
@@ -777,12 +969,15 @@ class Checker:
                 nodes |= {arc["from"], arc["to"]}
                 seen.append(a)
             require(all(arc["component"] == c or not nodes & {arc["from"], arc["to"]} for arc in self.arcs), place, "connected with another")
-            require(value["closed"] is all(self.nodes[n].wrt != [] for n in nodes), place, "open and closed confused")
-            shapes.append(value["closed"])
+            degrees = [len(self.ends[n]) for n in nodes]
+            shape = "branched" if max(degrees) > 2 else "open" if 1 in degrees else "closed"
+            require(value["shape"] == shape, place, "open, closed and branched confused")
+            shapes.append(shape)
         require(len(seen) == len(self.arcs), "$.components", "an arc is missing")
-        said = claim(self.root["summary"], "$.summary", ["claims", "components", "closed", "open", "boundary", "turning"])
-        counted = {"claims": [*(len(self.root[key]) for key in ("relations", "lines", "touches", "tubes", "nodes", "arcs")), self.cells],
-                   "components": len(shapes), "closed": shapes.count(True), "open": shapes.count(False),
+        said = claim(self.root["summary"], "$.summary", ["claims", "components", "closed", "open", "branched", "isolated", "boundary", "turning"])
+        counted = {"claims": [*(len(self.root[key]) for key in ("relations", "lines", "stars", "tubes", "nodes", "arcs")), self.cells],
+                   "components": len(shapes), "closed": shapes.count("closed"), "open": shapes.count("open"),
+                   "branched": shapes.count("branched"), "isolated": sum(not ends for ends in self.ends),
                    "boundary": sum(bool(node.on) for node in self.nodes),
                    "turning": [sum(p in node.wrt for node in self.nodes) for p in range(4)]}
         require(said == counted, "$.summary", "does not agree with the claims and their graph")
@@ -825,16 +1020,15 @@ class Checker:
             if re.fullmatch("[tm](0|[1-9][0-9]*)", text):
                 require(text[0] == "t" or self.alone, place, "of one patch only")
                 tube = element(self.tubes, int(text[1:]), place)
+                require(tube.star is None, place, "a tube of a star")
                 require(tube.contains(tube.cell_in_chart(box if text[0] == "t" else box[2:] + box[:2])), place, "the cell is not in the tube")
             elif re.fullmatch("p(0|[1-9][0-9]*)", text):
-                at, radius = element(self.touches, int(text[1:]), place)
-                require(all(abs(m - a) + h <= radius for (m, h), a in zip(box, at)), place, "the cell is not near the touch")
+                e = element(self.stars, int(text[1:]), place).box(box)
+                require(all(magnitude(b) <= 1 for b in e), place, "the cell is not in the star")
             elif text == "lower":
                 require(self.alone and middle[0] + width[0] <= middle[2] - width[2], place, "not below the diagonal")
             else:
-                require(re.fullmatch("i?-?[0-9]+,-?[0-9]+,-?[0-9]+", text), place, "not a cell")
-                direction = [int(part) for part in text.removeprefix("i").split(",")]
-                require(",".join(map(str, direction)) == text.removeprefix("i"), place, "not a direction")
+                direction = direction_of(text.removeprefix("i"), place)
                 if text[0] == "i":
                     require(self.alone and sign(volume(direction, self.equation["first"], halves(False, box))), place,
                             "different points of the cell may have the same place")
@@ -890,7 +1084,7 @@ def main():
     except Rejected as rejected:
         print("rejected: {}: {}".format(*rejected.args))
         return 1
-    print("accepted:", f"{said['closed']} closed, {said['open']} open" if "closed" in said else f"{said['claims'][4]} points")
+    print("accepted:", f"{said['closed']} closed, {said['open']} open, {said['branched']} branched" if "closed" in said else f"{said['claims'][4]} points")
     return 0
 
 

@@ -1,0 +1,303 @@
+#include "certificate_star.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "certificate_claims.h"
+
+namespace exsect::cli {
+namespace {
+
+using checker::Ball;
+using checker::others;
+using checker::Star;
+
+constexpr std::size_t max_entries = 3000;  // of one chart
+
+/// A point that this star does not separate from other solutions.
+struct NotAlone {};
+
+/// The line whose half branch in the chart begins at z; -1 if there is none.
+int line_at(const Star& star, std::size_t direction, const Parameters& z,
+            const std::vector<checker::Line>& lines) {
+  const std::size_t k = direction / 2;
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    Parameters e{};
+    bool through = true;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& [a, b, c] = lines[n].at[i];
+      through = through && a + b * star.at[lines[n].axis] == star.at[i];
+      for (std::size_t j = 0; j < 4; ++j) e[j] += to_double(star.coordinates[j][i] * b);
+    }
+    if (!through || e[k] == 0) continue;
+    bool same = true;
+    for (const std::size_t j : others(k))
+      same = same && std::abs((direction % 2 == 0 ? e[j] : -e[j]) / e[k] - z[j]) < 1e-9;
+    if (same) return static_cast<int>(n);
+  }
+  return -1;
+}
+
+/// One chart: its tubes and its subdivision. Throws NotAlone if it does not end.
+class ChartSearch {
+ public:
+  ChartSearch(const Star& star, const Map& map, std::size_t index, std::size_t direction,
+              std::size_t first_tube, const std::vector<checker::Line>& lines)
+      : star_(star), map_(map), index_(index), direction_(direction), first_(first_tube), lines_(lines) {}
+
+  void run() {
+    Parameters middle{};
+    Parameters half = {1, 1, 1, 1};
+    middle[direction_ / 2] = half[direction_ / 2] = 0.5;
+    add(middle, half, 0);
+  }
+
+  std::string entries_;
+  std::vector<Tube> tubes_;
+
+ private:
+  void add(const Parameters& middle, const Parameters& half, int depth) {
+    if (++count_ > max_entries || depth > 60) throw NotAlone();
+    std::string place = leaf(middle, half);
+    if (place.empty() && depth > 8 && half_branch(middle, half)) place = leaf(middle, half);
+    std::size_t parameter = 0;
+    for (std::size_t j = 1; j < 4; ++j)
+      if (weight(half, j) > weight(half, parameter)) parameter = j;
+    entries_ += (entries_.empty() ? "" : " ") + (place.empty() ? std::string(1, "uvrs"[parameter]) : place);
+    if (!place.empty()) return;
+    Parameters less = half;
+    less[parameter] /= 2;
+    for (const int side : {-1, 1}) {
+      Parameters moved = middle;
+      moved[parameter] += side * less[parameter];
+      add(moved, less, depth + 1);
+    }
+  }
+
+  /// t is halved late: little depends on it.
+  double weight(const Parameters& half, std::size_t j) const {
+    return j == direction_ / 2 ? 0.1 * half[j] : half[j];
+  }
+
+  std::string leaf(const Parameters& middle, const Parameters& half) const {
+    checker::Box<double> box;
+    for (std::size_t j = 0; j < 4; ++j) box[j] = {middle[j], half[j]};
+    for (std::size_t i = 0; i < tubes_.size(); ++i) {
+      Tube tube = tubes_[i];
+      tube.width *= 1 - 1e-9;
+      if (tube.contains(box)) return "t" + std::to_string(first_ + i);
+    }
+    const Map local = map_.at(middle);
+    std::vector<std::array<double, 3>> normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    if (const auto c = inverse(local, direction_ / 2)) normals.insert(normals.end(), c->begin(), c->end());
+    for (const auto& normal : normals) {
+      const auto n = rounded_direction(normal);
+      const Ball<double> range = local.along({double(n[0]), double(n[1]), double(n[2])}, half);
+      if (std::abs(range.middle) > range.radius * (1 + 1e-9) + 1e-11)
+        return fmt::format("{},{},{}", n[0], n[1], n[2]);
+    }
+    return "";
+  }
+
+  /// A tube whose half branch begins in the cell, if Newton's method finds one.
+  bool half_branch(Parameters z, const Parameters& half) {
+    const std::size_t k = direction_ / 2;
+    const Parameters middle = z;
+    z[k] = 0;
+    try {
+      z = on_curve(map_, z, k);
+    } catch (const NoCertificate&) {
+      return false;
+    }
+    for (const std::size_t j : others(k))
+      if (!(std::abs(z[j] - middle[j]) <= 4 * half[j] && std::abs(z[j]) < 0.97)) return false;
+    for (const Tube& tube : tubes_) {
+      double away = 0;
+      for (const std::size_t j : others(k)) away = std::max(away, std::abs(z[j] - tube.centre[j]));
+      if (away < tube.width) return false;
+    }
+    return find_tube(z);
+  }
+
+  bool find_tube(const Parameters& z) {
+    const std::size_t k = direction_ / 2;
+    const Map here = map_.at(z);
+    auto c = inverse(here, k);
+    if (!c) return false;
+    for (auto& row : *c)
+      for (double& a : row) a = std::ldexp(std::nearbyint(std::ldexp(a, 20)), -20);
+    const auto slope = checker::curve_bounds(here.times(*c), k, {}).first;
+    const int line = line_at(star_, direction_, z, lines_);
+    for (int e = 2; e < 30; ++e) {
+      Tube tube = {z, k, {}, 1, std::ldexp(1.0, -e), *c, Chart::star, line, index_, direction_};
+      for (std::size_t j = 0; j < 4; ++j) {
+        tube.centre[j] = std::ldexp(std::nearbyint(std::ldexp(z[j], e + 20)), -e - 20);
+        tube.slope[j] = j == k      ? 1
+                        : line >= 0 ? 0
+                                    : std::ldexp(std::nearbyint(std::ldexp(slope[j].middle, 12)), -12);
+      }
+      if (!holds(tube)) continue;
+      tubes_.push_back(tube);
+      return true;
+    }
+    return false;
+  }
+
+  bool holds(const Tube& tube) const {
+    const Map local = map_.at(tube.centre).times(tube.inverse);
+    for (const double slack : checker::contraction(tube, local))
+      if (!(slack > 0.05 * tube.width)) return false;
+    for (const std::size_t j : others(tube.axis))
+      if (!(std::abs(tube.centre[j]) + tube.width < 1 - 1e-9)) return false;
+    for (const Tube& other : tubes_) {
+      double away = 0;
+      for (const std::size_t j : others(tube.axis))
+        away = std::max(away, std::abs(tube.centre[j] - other.centre[j]));
+      if (!(away > 1.001 * (tube.width + other.width))) return false;
+    }
+    const auto signs =
+        checker::half_branch_signs(star_, tube, checker::curve_bounds(local, tube.axis, tube.extent()));
+    for (std::size_t i = 0; i < 4; ++i) {
+      const bool constant = tube.line >= 0 && lines_[static_cast<std::size_t>(tube.line)].at[i][1] == 0;
+      if (!constant && signs[i] == 0) return false;
+    }
+    return true;
+  }
+
+  const Star& star_;
+  const Map& map_;
+  std::size_t index_;
+  std::size_t direction_;
+  std::size_t first_;
+  const std::vector<checker::Line>& lines_;
+  std::size_t count_ = 0;
+};
+
+double largest(const Point& p) {
+  return std::max({std::abs(to_double(p[0])), std::abs(to_double(p[1])), std::abs(to_double(p[2]))});
+}
+
+/// The star at a singular solution with weights 1 and rows not yet scaled: the last one normal to both
+/// patches.
+Star singular_point(const Patches& patches, const Node& node) {
+  const std::array<Rational, 4> at = short_place(node);
+  const auto& [u, v, r, s] = at;
+  if (patches[0](u, v) != patches[1](r, s))
+    throw NoCertificate("a special point without short rational parameters");
+  const std::array<Point, 4> columns = {patches[0].derivative_first(u, v), patches[0].derivative_second(u, v),
+                                        patches[1].derivative_first(r, s),
+                                        patches[1].derivative_second(r, s)};
+  Point normal = cross(columns[0], columns[1]);
+  if (is_zero(normal)) normal = cross(columns[2], columns[3]);
+  for (const Point& column : columns)
+    if (is_zero(normal) || is_zero(column) || dot(normal, column) != 0)
+      throw NoCertificate("a special point where a patch is singular, or both cross");
+  Star star = {at, {}, {}, {1, 1, 1, 1}, {}, {1, 1, 2}, {}};
+  std::size_t most = 0;
+  for (std::size_t d = 1; d < 3; ++d)
+    if (abs(normal[d]) > abs(normal[most])) most = d;
+  star.rows[0][(most + 1) % 3] = star.rows[1][(most + 2) % 3] = 1;
+  star.rows[2] = {normal[0], normal[1], normal[2]};
+  // Unequal, so that no half branch begins between two charts.
+  const std::array<Rational, 4> sizes = {1, Rational(3, 4), Rational(5, 4), Rational(7, 8)};
+  double speed = 0;
+  for (const Point& column : columns) speed = std::max(speed, largest(column));
+  for (std::size_t j = 0; j < 4; ++j)
+    star.axes[j][j] = sizes[j] * power_of_two(std::min(8, std::ilogb(speed / largest(columns[j]))));
+  return star;
+}
+
+/// The axes multiplied by 2^-e, with their inverse; each row times a power of 2, so that its largest term in
+/// the charts is near 1.
+FoundStar scaled(const Star& star, const checker::Map<Rational>& equation, int e) {
+  FoundStar result = {star, {}, {}, {}};
+  for (std::size_t j = 0; j < 4; ++j) {
+    result.claim.axes[j][j] *= power_of_two(-e);
+    result.claim.coordinates[j][j] = 1 / result.claim.axes[j][j];
+  }
+  const checker::Terms terms = checker::centred(equation, result.claim);
+  for (int pass = 0; pass < 2; ++pass) {
+    std::array<double, 3> most{};
+    for (std::size_t direction = 0; direction < 8; ++direction) {
+      result.maps[direction] = checker::in_direction<double>(terms, result.claim, direction,
+                                                             result.claim.rows, result.claim.orders, "");
+      for (const auto& term : result.maps[direction].terms())
+        for (std::size_t d = 0; d < 3; ++d) most[d] = std::max(most[d], std::abs(term.c[d]));
+    }
+    for (std::size_t d = 0; pass == 0 && d < 3; ++d)
+      for (Rational& q : result.claim.rows[d]) q *= power_of_two(most[d] > 0 ? -std::ilogb(most[d]) : 0);
+  }
+  return result;
+}
+
+}  // namespace
+
+FoundStar star_at(const Patches& patches, const Node& node, std::size_t index, std::size_t first_tube,
+                  double size, const std::vector<checker::Line>& lines) {
+  const Star star = singular_point(patches, node);
+  const auto equation = checker::pair_map(patches[0].power_basis(), patches[1].power_basis());
+  double widest = 0;
+  for (std::size_t j = 0; j < 4; ++j) widest = std::max(widest, to_double(star.axes[j][j]));
+  for (int e = std::max(1, std::ilogb(widest / size) + 1); e < 24; ++e) {
+    FoundStar result = scaled(star, equation, e);
+    try {
+      for (std::size_t direction = 0; direction < 8; ++direction) {
+        ChartSearch chart(result.claim, result.maps[direction], index, direction,
+                          first_tube + result.tubes.size(), lines);
+        chart.run();
+        result.subdivisions[direction] = chart.entries_;
+        result.tubes.insert(result.tubes.end(), chart.tubes_.begin(), chart.tubes_.end());
+      }
+      return result;
+    } catch (const NotAlone&) {
+    }
+  }
+  throw NoCertificate("a special point with degenerate quadratic terms");
+}
+
+Json star_claims(const std::vector<FoundStar>& stars) {
+  Json result = Json::array();
+  for (const FoundStar& star : stars) {
+    const auto matrix = [](const auto& m) {
+      Json rows = Json::array();
+      for (const auto& row : m) rows.push_back(rationals(row));
+      return rows;
+    };
+    result.push_back(sealed(in_list("stars", result.size()), {{"at", rationals(star.claim.at)},
+                                                              {"axes", matrix(star.claim.axes)},
+                                                              {"coordinates", matrix(star.claim.coordinates)},
+                                                              {"weights", star.claim.weights},
+                                                              {"rows", matrix(star.claim.rows)},
+                                                              {"orders", star.claim.orders},
+                                                              {"charts", star.subdivisions}}));
+  }
+  return result;
+}
+
+Parameters on_half_branch(const FoundStar& star, const Tube& tube, double t) {
+  Parameters z = tube.centre;
+  for (std::size_t j = 0; j < 4; ++j) z[j] += t * tube.slope[j];
+  return on_curve(star.maps[tube.direction], z, tube.axis);
+}
+
+Parameters parameters_of(const FoundStar& star, const Tube& tube, const Parameters& z) {
+  checker::Box<double> box;
+  for (std::size_t j = 0; j < 4; ++j) box[j] = {z[j], 0};
+  const auto w = checker::from_star(star.claim, tube.direction, box);
+  return {w[0].middle, w[1].middle, w[2].middle, w[3].middle};
+}
+
+std::optional<Parameters> in_star(const FoundStar& star, const Tube& tube, const Parameters& w) {
+  checker::Box<double> box;
+  for (std::size_t j = 0; j < 4; ++j) box[j] = {w[j], 0};
+  try {
+    const auto z = checker::in_star(star.claim, tube.direction, box, "");
+    return Parameters{z[0].middle, z[1].middle, z[2].middle, z[3].middle};
+  } catch (const checker::Rejected&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace exsect::cli

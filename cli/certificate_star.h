@@ -1,0 +1,37 @@
+// The search for stars: points where half branches of the curve meet.
+#pragma once
+
+#include <exsect/checker/certificate.h>
+#include <exsect/checker/star_maps.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "certificate_events.h"
+#include "certificate_search.h"
+
+namespace exsect::cli {
+
+/// A star, `rows` and `axes` chosen so that its maps are near 1, with a tube for each half branch.
+struct FoundStar {
+  checker::Star claim;                      // without its charts
+  std::array<std::string, 8> subdivisions;  // of its charts
+  std::array<Map, 8> maps;
+  std::vector<Tube> tubes;
+};
+
+/// The star number `index` at the node, whose first tube has the number `first_tube`, smaller than `size` in
+/// each parameter. `lines`: those that half branches may be on. Throws NoCertificate if the parameters are no
+/// short rationals, or the quadratic terms are degenerate.
+FoundStar star_at(const Patches& patches, const Node& node, std::size_t index, std::size_t first_tube,
+                  double size, const std::vector<checker::Line>& lines);
+Json star_claims(const std::vector<FoundStar>& stars);
+
+/// The point of the tube's curve at t, in the star's chart, and as parameters.
+Parameters on_half_branch(const FoundStar& star, const Tube& tube, double t);
+Parameters parameters_of(const FoundStar& star, const Tube& tube, const Parameters& z);
+/// The parameters in the chart of the tube; nothing if they are on the other side of the star's point.
+std::optional<Parameters> in_star(const FoundStar& star, const Tube& tube, const Parameters& w);
+
+}  // namespace exsect::cli
