@@ -134,12 +134,6 @@ BoundaryLines boundary_lines(const BezierPatch& x, const BezierPatch& y, const M
   return BoundarySearch(x, y, scale, tolerance, stop).run();
 }
 
-bool overlap(const ParameterBox& a, const ParameterBox& b) {
-  for (std::size_t j = 0; j < 4; ++j)
-    if (a[j].upper < b[j].lower || b[j].upper < a[j].lower) return false;
-  return true;
-}
-
 ParameterBox whole_domain() { return {{{0, 1}, {0, 1}, {0, 1}, {0, 1}}}; }
 
 }  // namespace exsect

@@ -34,9 +34,6 @@ struct BoundaryLines {
 BoundaryLines boundary_lines(const BezierPatch& x, const BezierPatch& y, const ModelScale& scale,
                              double tolerance, const StopRequest& stop);
 
-/// The two boxes have points in common.
-bool overlap(const ParameterBox& a, const ParameterBox& b);
-
 /// [0,1]^4.
 ParameterBox whole_domain();
 

@@ -184,7 +184,7 @@ class Intersection {
     const Side& side = node.on.front();
     for (const CertifiedPoint& point : line_points(x_, y_, {side.parameter, side.value}).points) {
       const ParameterBox box = point.refined_to(power_of_two(-50)).box();
-      if (overlap(box, node.box)) {
+      if (meet(box, node.box)) {
         node.box = box;
         return;
       }
