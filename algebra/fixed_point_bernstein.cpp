@@ -7,6 +7,9 @@ namespace {
 
 constexpr slong kept_bits = 124;
 
+/// By how many bits the largest coefficient is too long.
+slong excess_bits(const FlintVector& c) { return std::labs(_fmpz_vec_max_bits(c.data, c.size)) - kept_bits; }
+
 Int128 to_int128(const fmpz_t n) {
   ulong high = 0;
   ulong low = 0;
@@ -18,7 +21,7 @@ Int128 to_int128(const fmpz_t n) {
 
 FixedPointBernstein::FixedPointBernstein(const FlintVector& exact)
     : zero_at_left_(fmpz_is_zero(exact[0]) != 0), zero_at_right_(fmpz_is_zero(exact[exact.size - 1]) != 0) {
-  const slong excess = std::labs(_fmpz_vec_max_bits(exact.data, exact.size)) - kept_bits;
+  const slong excess = excess_bits(exact);
   coefficients_.resize(static_cast<std::size_t>(exact.size));
   FlintInteger scaled;
   for (slong i = 0; i < exact.size; ++i) {
@@ -32,6 +35,20 @@ FixedPointBernstein::FixedPointBernstein(const FlintVector& exact)
   error_ = excess > 0 ? 1 : 0;
 }
 
+FixedPointBernstein::FixedPointBernstein(const FlintVector& middle, const fmpz_t error)
+    : FixedPointBernstein(middle) {
+  zero_at_left_ = zero_at_right_ = false;
+  const slong excess = excess_bits(middle);
+  FlintInteger units;
+  if (excess > 0)
+    fmpz_cdiv_q_2exp(units.value, error, static_cast<ulong>(excess));
+  else
+    fmpz_mul_2exp(units.value, error, static_cast<ulong>(-excess));
+  constexpr slong hopeless = kept_bits + 1;  // no sign is certain
+  if (fmpz_bits(units.value) > hopeless) fmpz_one_2exp(units.value, hopeless);
+  error_ += to_int128(units.value);
+}
+
 FixedPointBernstein FixedPointBernstein::split() {
   // de Casteljau at 1/2. A mean of two coefficients inherits the larger of their errors, and rounding it down
   // adds at most 1/2; a coefficient of a half is at most n = size - 1 means deep, so the error grows by at
@@ -39,7 +56,7 @@ FixedPointBernstein FixedPointBernstein::split() {
   const std::size_t size = coefficients_.size();
   FixedPointBernstein left;
   left.coefficients_.resize(size);
-  left.error_ = error_ + static_cast<std::int64_t>(size / 2);
+  left.error_ = error_ + static_cast<Int128>(size / 2);
   left.zero_at_left_ = zero_at_left_;
   Int128* const row = coefficients_.data();
   left.coefficients_[0] = row[0];

@@ -22,6 +22,8 @@ class FixedPointBernstein {
  public:
   /// From exact integer coefficients, not all zero: rounded down to the leading 124 bits of the largest.
   explicit FixedPointBernstein(const FlintVector& exact);
+  /// From coefficients that are known up to `error`; no end counts as known to be zero.
+  FixedPointBernstein(const FlintVector& middle, const fmpz_t error);
 
   /// Keeps the right half [1/2,1] and returns the left half [0,1/2].
   FixedPointBernstein split();
@@ -41,7 +43,7 @@ class FixedPointBernstein {
   }
 
   std::vector<Int128> coefficients_;
-  std::int64_t error_ = 0;
+  Int128 error_ = 0;
   bool zero_at_left_ = false;
   bool zero_at_right_ = false;
 };

@@ -155,8 +155,10 @@ std::vector<Residue> interpolate(const PrimeField& field, Residue first, std::ve
   return values;
 }
 
-std::vector<Integer> chinese_remainder(const std::vector<std::uint64_t>& primes,
-                                       const std::vector<std::vector<std::uint64_t>>& residues) {
+namespace {
+
+void check(const ModularIntegers& integers) {
+  const auto& [primes, residues] = integers;
   if (primes.empty() || residues.size() != primes.size())
     throw std::invalid_argument(
         "chinese_remainder: needs one row of residues for each of at least one prime");
@@ -167,6 +169,13 @@ std::vector<Integer> chinese_remainder(const std::vector<std::uint64_t>& primes,
   for (const auto& row : residues)
     if (row.size() != residues.front().size())
       throw std::invalid_argument("chinese_remainder: rows of different lengths");
+}
+
+}  // namespace
+
+std::vector<Integer> chinese_remainder(const ModularIntegers& integers) {
+  check(integers);
+  const auto& [primes, residues] = integers;
   fmpz_comb_t comb;
   fmpz_comb_temp_t workspace;
   fmpz_comb_init(comb, primes.data(), static_cast<slong>(primes.size()));
@@ -210,12 +219,47 @@ std::vector<Residue> interpolated(const PrimeField& field, std::size_t points, c
 
 }  // namespace
 
-std::vector<Integer> interpolate_integer_polynomial(std::size_t degree, std::size_t bits,
-                                                    const ModularValues& values) {
+LeadingParts leading_parts(const ModularIntegers& integers, std::size_t bits) {
+  check(integers);
+  const auto& [primes, residues] = integers;
+  const std::size_t limbs = (bits + FLINT_BITS - 1) / FLINT_BITS;
+  const std::size_t count = residues.front().size();
+  // c/M is sum_k y_k/p_k modulo 1 with y_k = c (M/p_k)^-1 mod p_k. Modulo 1 is modulo 2^(64 limbs) here;
+  // rounding down 1/p_k makes each term smaller by less than y_k < p_k units.
+  std::vector<mp_limb_t> sums(count * limbs, 0);
+  std::vector<mp_limb_t> reciprocal(limbs + 1);
+  Integer error = 0;
+  for (std::size_t k = 0; k < primes.size(); ++k) {
+    const mp_limb_t p = primes[k];
+    const mp_limb_t preinverse = n_preinvert_limb(p);
+    mp_limb_t cofactor = 1;
+    for (const std::uint64_t other : primes)
+      if (other != p) cofactor = n_mulmod2_preinv(cofactor, other, p, preinverse);
+    const mp_limb_t inverse = n_invmod(cofactor, p);
+    std::fill(reciprocal.begin(), reciprocal.end(), 0);
+    reciprocal[limbs] = 1;
+    mpn_divrem_1(reciprocal.data(), 0, reciprocal.data(), static_cast<mp_size_t>(limbs + 1), p);
+    for (std::size_t i = 0; i < count; ++i) {
+      const mp_limb_t y = n_mulmod2_preinv(residues[k][i], inverse, p, preinverse);
+      mpn_addmul_1(sums.data() + i * limbs, reciprocal.data(), static_cast<mp_size_t>(limbs), y);
+    }
+    error += p;
+  }
+  LeadingParts result{std::vector<Integer>(count), error};
+  FlintInteger sum;
+  for (std::size_t i = 0; i < count; ++i) {
+    fmpz_set_signed_ui_array(sum.value, sums.data() + i * limbs, static_cast<slong>(limbs));
+    fmpz_get_mpz(result.leading[i].backend().data(), sum.value);
+  }
+  return result;
+}
+
+ModularIntegers interpolate_modular_polynomial(std::size_t degree, std::size_t bits,
+                                               const ModularValues& values) {
   std::vector<std::uint64_t> primes;
   std::vector<std::vector<std::uint64_t>> residues;
   Integer product = 1;
-  for (std::uint64_t p = prime_field_limit; msb(product) < bits + 1;) {
+  for (std::uint64_t p = prime_field_limit; msb(product) < bits + 2;) {
     p = prime_below(p);
     const PrimeField field(p);
     auto coefficients = interpolated(field, degree + 1 + (primes.empty() ? spare_points : 0), values);
@@ -229,7 +273,12 @@ std::vector<Integer> interpolate_integer_polynomial(std::size_t degree, std::siz
     residues.push_back(std::move(coefficients));
     product *= p;
   }
-  return chinese_remainder(primes, residues);
+  return {std::move(primes), std::move(residues)};
+}
+
+std::vector<Integer> interpolate_integer_polynomial(std::size_t degree, std::size_t bits,
+                                                    const ModularValues& values) {
+  return chinese_remainder(interpolate_modular_polynomial(degree, bits, values));
 }
 
 }  // namespace exsect

@@ -75,11 +75,25 @@ Residue resultant(const PrimeField& field, std::vector<Residue> f, std::vector<R
 /// values[i] at first + i. Throws std::invalid_argument if there are more than p values.
 std::vector<Residue> interpolate(const PrimeField& field, Residue first, std::vector<Residue> values);
 
+/// Integers modulo several primes: residues[k][i] in [0, primes[k]).
+struct ModularIntegers {
+  std::vector<std::uint64_t> primes;
+  std::vector<std::vector<std::uint64_t>> residues;
+};
+
 /// The integers of least absolute value with the given representatives: result[i] = residues[k][i] modulo
 /// primes[k] for every k, determined if |result[i]| < (product of the primes)/2. The rows residues[k] have
 /// equal lengths. Throws std::invalid_argument for an empty list, wrong shape or equal primes.
-std::vector<Integer> chinese_remainder(const std::vector<std::uint64_t>& primes,
-                                       const std::vector<std::vector<std::uint64_t>>& residues);
+std::vector<Integer> chinese_remainder(const ModularIntegers& integers);
+
+/// The c_i of chinese_remainder divided by the product M of the primes, in some unit <= 2^-bits: for one n >=
+/// bits, |c_i 2^n / M - leading[i]| <= error, the number of primes times the greatest. The |c_i| must be
+/// known to be less than M/4 in modulus, and the error less than 2^bits / 4. Throws as chinese_remainder.
+struct LeadingParts {
+  std::vector<Integer> leading;
+  Integer error;
+};
+LeadingParts leading_parts(const ModularIntegers& integers, std::size_t bits);
 
 /// A value numerator/denominator; undefined where the denominator is zero.
 struct ResidueFraction {
@@ -93,9 +107,12 @@ using ModularValues =
 
 /// The coefficients, constant term first, of the integer polynomial of degree at most `degree` whose
 /// coefficients are less than 2^bits in modulus. The bound is the caller's proof: primes are used until their
-/// product exceeds 2^(bits+1). A prime at which a value is undefined is left out (so the values must be
+/// product exceeds 2^(bits+2). A prime at which a value is undefined is left out (so the values must be
 /// defined for all but finitely many primes). For the first prime some more values are asked for:
 /// std::logic_error if they do not belong to a polynomial of the stated degree.
+ModularIntegers interpolate_modular_polynomial(std::size_t degree, std::size_t bits,
+                                               const ModularValues& values);
+/// The same as integers.
 std::vector<Integer> interpolate_integer_polynomial(std::size_t degree, std::size_t bits,
                                                     const ModularValues& values);
 

@@ -107,21 +107,21 @@ DixonMatrix dixon_matrix(const IntegerNet& c) {
 
 SpacePolynomial determinant(const DixonMatrix& m) {
   const Integer bound = 2 * height_bound(m);
-  std::vector<std::uint64_t> primes;
-  std::vector<std::vector<std::uint64_t>> residues;
+  ModularIntegers modular;
   Integer product = 1;
   for (std::uint64_t p = prime_field_limit; product <= bound;) {
     p = prime_below(p);
     const PrimeField field(p);
     const SimplexTable coefficients = determinant(field, m);
-    residues.emplace_back();
-    for (const Residue c : coefficients.elements()) residues.back().push_back(field.representative(c));
-    primes.push_back(p);
+    modular.residues.emplace_back();
+    for (const Residue c : coefficients.elements())
+      modular.residues.back().push_back(field.representative(c));
+    modular.primes.push_back(p);
     product *= p;
   }
   SpacePolynomial::Terms terms;
-  if (!primes.empty()) {
-    const std::vector<Integer> coefficients = chinese_remainder(primes, residues);
+  if (!modular.primes.empty()) {
+    const std::vector<Integer> coefficients = chinese_remainder(modular);
     std::size_t next = 0;
     for (int x = 0; x <= size; ++x)
       for (int y = 0; x + y <= size; ++y)

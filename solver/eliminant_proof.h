@@ -2,11 +2,11 @@
 // docs/method.md, section 14.8.
 #pragma once
 
+#include <exsect/algebra/rational.h>
+
 #include <functional>
 #include <optional>
 #include <vector>
-
-#include "critical_values.h"
 
 namespace exsect {
 
@@ -22,10 +22,12 @@ struct Stations {
 /// that are not isolated.
 using FibreCount = std::function<std::optional<std::size_t>(const Rational&)>;
 
-/// True: every closed curve of the intersection and every singular point is on one of `curves`. These are
-/// different, and all solutions on sides lie on them. False if that is not proved, in particular for roots
-/// that are not simple. Throws std::logic_error if E or a fibre contradicts the curves.
-bool no_curve_is_missing(const TurningValues& turning, const std::vector<Stations>& curves,
+/// True: `curves` are the whole intersection. They are different, and all solutions on sides lie on them.
+/// `roots` of the turning eliminant are ascending and disjoint: exactly one, a simple one, in each open
+/// interval, or the rational in one of width zero; there are no others in [0,1]. False if the enclosures are
+/// too wide for a proof, or a fibre is not known. Throws std::logic_error if roots or fibres contradict the
+/// curves.
+bool no_curve_is_missing(const std::vector<RationalInterval>& roots, const std::vector<Stations>& curves,
                          const FibreCount& fibre);
 
 }  // namespace exsect

@@ -9,6 +9,7 @@
 
 #include "boundary_lines.h"
 #include "collapsed_line.h"
+#include "confirmed_curves.h"
 #include "critical_values.h"
 #include "degenerate_patches.h"
 #include "filter.h"
@@ -29,8 +30,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kFinestTolerance = 1e-12;
 constexpr double kCoarseTolerance = 1e-9;
-constexpr int kShort =
-    1 << 12;  // denominators; a box of doubles holds such a number by chance once in millions
 
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -69,29 +68,6 @@ class Intersection {
              });
     };
     sweep_.line = [this](const LineQuery& query) { return line_points(x_, y_, query); };
-  }
-
-  /// The curves found in doubles, if the turning eliminant proves as well that they are all.
-  std::optional<IntersectResult> confirmed(FilteredCurves&& found) {
-    timed("turning eliminant", [this] { find_turning_values(); });
-    bool complete = false;
-    if (sweep_.turning) {
-      timed("fibres", [&] {
-        const auto& stations = found.stations[index(sweep_.turning->sweep)];
-        complete = no_curve_is_missing(*sweep_.turning, stations,
-                                       [this](const Rational& sample) { return fibre_count(sample); });
-      });
-    }
-    if (!complete || out_of_time()) {
-      return std::nullopt;
-    }
-    for (Node& node : found.result.graph.nodes) {
-      find_short_values(node);
-    }
-    found.result.work.steps.erase("filtered");
-    found.result.work.steps.merge(result_.work.steps);
-    found.result.work.milliseconds += milliseconds_since(start_);
-    return std::move(found.result);
   }
 
   IntersectResult run() {
@@ -170,34 +146,6 @@ class Intersection {
       known = turning_values(x_, y_, sweep);
     }
     return *known;
-  }
-
-  /// A boundary point with a parameter that may be a short rational gets the box of the exact point, of width
-  /// zero where a parameter is known to be rational.
-  void find_short_values(Node& node) const {
-    const auto may_be_short = [&](const RationalInterval& at) {
-      return at.lower < at.upper && denominator(simplest_between(at.lower, at.upper)) <= kShort;
-    };
-    if (node.on.empty() || std::none_of(node.box.begin(), node.box.end(), may_be_short)) {
-      return;
-    }
-    const Side& side = node.on.front();
-    for (const CertifiedPoint& point : line_points(x_, y_, {side.parameter, side.value}).points) {
-      const ParameterBox box = point.refined_to(power_of_two(-50)).box();
-      if (meet(box, node.box)) {
-        node.box = box;
-        return;
-      }
-    }
-  }
-
-  std::optional<std::size_t> fibre_count(const Rational& sample) {
-    const LinePoints fibre = line_points_filtered(x_, y_, {sweep_.turning->sweep, sample});
-    result_.work.steps["fibres"] += 1;
-    if (fibre.incomplete || !fibre.on_patch.empty()) {
-      return std::nullopt;
-    }
-    return fibre.points.size();
   }
 
   /// Exact fibres at samples between all critical values.
@@ -515,16 +463,8 @@ class Intersection {
 
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
   check(options);
-  if (!options.exact) {
-    auto result = intersect_filtered(x, y, options);
-    return result ? std::move(*result) : intersect_by_sweep(x, y, options);
-  }
-  if (auto found = filtered_curves(x, y, options)) {
-    if (auto result = Intersection(x, y, options).confirmed(std::move(*found))) {
-      return std::move(*result);
-    }
-  }
-  return intersect_by_sweep(x, y, options);
+  auto result = options.exact ? confirmed_curves(x, y, options) : intersect_filtered(x, y, options);
+  return result ? std::move(*result) : intersect_by_sweep(x, y, options);
 }
 
 IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y,

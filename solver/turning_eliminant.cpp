@@ -22,6 +22,10 @@ constexpr std::size_t degree_bound = 128;
 /// beyond it the computation would take more than some seconds.
 constexpr std::size_t max_bits = std::size_t{1} << 19;
 
+/// What is left of them when the slack of the height bound, some 400 to 600 bits, and what is lost by
+/// cancellation from powers to the Bernstein basis, some 250, are subtracted, decides most signs.
+constexpr std::size_t leading_bits = 1024;
+
 std::size_t estimated_bits(const IntegerPair& pair) {
   std::size_t bits = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -61,8 +65,10 @@ bool is_generic(const IntegerPair& pair) {
   return false;
 }
 
-std::vector<Integer> scalar_eliminant(const IntegerPair& pair, std::size_t bits) {
-  return interpolate_integer_polynomial(degree_bound, bits,
+ModularIntegers modular_eliminant(const IntegerPair& pair) {
+  const std::size_t bits = eliminant_height_bound(pair);
+  if (auto by_vectors = vector_eliminant(pair, bits)) return std::move(*by_vectors);
+  return interpolate_modular_polynomial(degree_bound, bits,
                                         [&pair](const PrimeField& field, Residue first, std::size_t count) {
                                           return eliminant_values(field, pair, first, count);
                                         });
@@ -75,10 +81,15 @@ TurningEliminant turning_eliminant(const BezierPatch& x, const BezierPatch& y) {
   if (estimated_bits(pair) > max_bits)
     return {std::nullopt, "the numbers are too long: E would have over 2^19 bits", false};
   if (!is_generic(pair)) return special_eliminant(pair);
-  const std::size_t bits = eliminant_height_bound(pair);
-  const std::optional<std::vector<Integer>> by_vectors = vector_eliminant(pair, bits);
-  const std::vector<Integer> e = by_vectors ? *by_vectors : scalar_eliminant(pair, bits);
-  return {primitive_with_positive_lead(polynomial_of(e)), {}, false};
+  const Polynomial e = polynomial_of(chinese_remainder(modular_eliminant(pair)));
+  return {primitive_with_positive_lead(e), {}, false};
+}
+
+std::optional<EnclosedPolynomial> enclosed_turning_eliminant(const BezierPatch& x, const BezierPatch& y) {
+  const IntegerPair pair = integer_pair(x, y);
+  if (estimated_bits(pair) > max_bits || !is_generic(pair)) return std::nullopt;
+  LeadingParts parts = leading_parts(modular_eliminant(pair), leading_bits);
+  return EnclosedPolynomial{std::move(parts.leading), std::move(parts.error)};
 }
 
 }  // namespace exsect

@@ -1,6 +1,7 @@
 // The eliminant E(u) of the turning points with respect to u.
 #pragma once
 
+#include <exsect/algebra/enclosed_roots.h>
 #include <exsect/algebra/polynomial.h>
 #include <exsect/geometry/bezier_patch.h>
 
@@ -32,5 +33,9 @@ struct TurningEliminant {
 
 /// Exchange patches or parameters for turning points with respect to v, r, s.
 TurningEliminant turning_eliminant(const BezierPatch& x, const BezierPatch& y);
+
+/// Leading bits of E(u) up to a positive factor, in a third of the time; empty where (4.8) does not define
+/// it.
+std::optional<EnclosedPolynomial> enclosed_turning_eliminant(const BezierPatch& x, const BezierPatch& y);
 
 }  // namespace exsect

@@ -75,7 +75,7 @@ class LaneResidues {
 
   /// Four more primes; false if E is undefined at some node modulo all four.
   bool add_primes(const LaneRow& primes) {
-    const std::size_t points = degree + 1 + (primes_.empty() ? spare_points : 0);
+    const std::size_t points = degree + 1 + (residues_.primes.empty() ? spare_points : 0);
     LanePair lanes;
     double first[4];
     for (std::size_t lane = 0; lane < 4; ++lane) {
@@ -97,7 +97,7 @@ class LaneResidues {
   }
 
   const Integer& product() const { return product_; }
-  std::vector<Integer> integers() const { return chinese_remainder(primes_, rows_); }
+  ModularIntegers take() { return std::move(residues_); }
 
  private:
   void add_row(std::uint64_t p, const double (*coefficients)[4], std::size_t lane, std::size_t points) {
@@ -109,34 +109,33 @@ class LaneResidues {
       if (i <= degree)
         row.push_back(c < 0 ? p - static_cast<std::uint64_t>(-c) : static_cast<std::uint64_t>(c));
     }
-    primes_.push_back(p);
-    rows_.push_back(std::move(row));
+    residues_.primes.push_back(p);
+    residues_.residues.push_back(std::move(row));
     product_ *= p;
   }
 
   const IntegerPair& pair_;
-  std::vector<std::uint64_t> primes_;
-  std::vector<std::vector<std::uint64_t>> rows_;
+  ModularIntegers residues_;
   Integer product_ = 1;
 };
 
 }  // namespace
 
-std::optional<std::vector<Integer>> vector_eliminant(const IntegerPair& pair, std::size_t bits) {
+std::optional<ModularIntegers> vector_eliminant(const IntegerPair& pair, std::size_t bits) {
   if (!has_vector_eliminant()) return std::nullopt;
   LanePrimes primes;
   LaneResidues residues(pair);
-  while (msb(residues.product()) < bits + 1) {
+  while (msb(residues.product()) < bits + 2) {
     LaneRow row;
     for (auto& p : row) p = primes.next();
     if (!residues.add_primes(row)) return std::nullopt;
   }
-  return residues.integers();
+  return residues.take();
 }
 
 #else
 
-std::optional<std::vector<Integer>> vector_eliminant(const IntegerPair&, std::size_t) { return std::nullopt; }
+std::optional<ModularIntegers> vector_eliminant(const IntegerPair&, std::size_t) { return std::nullopt; }
 
 #endif
 

@@ -1,6 +1,7 @@
 // The coefficients of the turning eliminant by vector code.
 #pragma once
 
+#include <exsect/algebra/modular.h>
 #include <exsect/geometry/integer_pair.h>
 
 #include <cstddef>
@@ -23,10 +24,10 @@ class LanePrimes {
 };
 
 /// The coefficients, constant term first, of E(u) of the pair, given that its degree is at most 128 and its
-/// coefficients are less than 2^bits in modulus: as interpolate_integer_polynomial, a proof included. Nothing
+/// coefficients are less than 2^bits in modulus: as interpolate_modular_polynomial, a proof included. Nothing
 /// if has_vector_eliminant() is false, or if E(u) at some node is undefined modulo four successive primes:
 /// then a leading coefficient of a remainder sequence vanishes over the integers as well. Throws
 /// std::logic_error if the values do not belong to a polynomial of degree 128.
-std::optional<std::vector<Integer>> vector_eliminant(const IntegerPair& pair, std::size_t bits);
+std::optional<ModularIntegers> vector_eliminant(const IntegerPair& pair, std::size_t bits);
 
 }  // namespace exsect

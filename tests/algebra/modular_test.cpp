@@ -221,17 +221,53 @@ TEST_CASE("chinese_remainder recovers integers of both signs up to half the prod
       table.emplace_back();
       for (const auto& a : integers) table.back().push_back(field.representative(field.residue(a)));
     }
-    CHECK(chinese_remainder(primes, table) == integers);
+    CHECK(chinese_remainder({primes, table}) == integers);
   }
 }
 
+TEST_CASE("leading_parts encloses what chinese_remainder recovers", "[modular]") {
+  std::mt19937_64 random(17);
+  for (const std::uint64_t limit : {prime_field_limit, std::uint64_t{1} << 48, std::uint64_t{1} << 10}) {
+    ModularIntegers integers;
+    std::uint64_t p = limit;
+    Integer product = 1;
+    for (const std::size_t count : {1, 2, 9, 50}) {
+      while (integers.primes.size() < count) {
+        integers.primes.push_back(p = prime_below(p));
+        product *= p;
+      }
+      const Integer most = product / 4 - 1;
+      std::vector<Integer> values = {0, 1, -1, most, -most, product / 7, -(product / 9)};
+      for (int i = 0; i < 20; ++i) values.push_back(most / (1 + random() % 1000) * (i % 2 == 0 ? 1 : -1));
+      integers.residues.clear();
+      for (const std::uint64_t q : integers.primes) {
+        const PrimeField field(q);
+        integers.residues.emplace_back();
+        for (const Integer& a : values)
+          integers.residues.back().push_back(field.representative(field.residue(a)));
+      }
+      for (const std::size_t limbs : {2, 3, 20}) {
+        INFO("limit " << limit << ", " << count << " primes, " << limbs << " limbs");
+        const LeadingParts parts = leading_parts(integers, 64 * limbs - 5);
+        REQUIRE(parts.leading.size() == values.size());
+        CHECK(parts.error <= Integer(limit) * count);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          const Integer scaled = values[i] << static_cast<unsigned>(64 * limbs);
+          CHECK(abs(scaled - parts.leading[i] * product) <= parts.error * product);
+        }
+      }
+    }
+  }
+  CHECK_THROWS_AS(leading_parts({{3, 5}, {{1}}}, 64), std::invalid_argument);
+}
+
 TEST_CASE("chinese_remainder refuses wrong shapes", "[modular]") {
-  CHECK_THROWS_AS(chinese_remainder({}, {}), std::invalid_argument);
-  CHECK_THROWS_AS(chinese_remainder({3, 5}, {{1}}), std::invalid_argument);
-  CHECK_THROWS_AS(chinese_remainder({3, 5}, {{1}, {1, 2}}), std::invalid_argument);
-  CHECK_THROWS_AS(chinese_remainder({5, 5}, {{1}, {1}}), std::invalid_argument);
-  CHECK(chinese_remainder({3, 5}, {{}, {}}).empty());
-  CHECK(chinese_remainder({3, 5}, {{2}, {3}}) == std::vector<Integer>{-7});
+  CHECK_THROWS_AS(chinese_remainder({{}, {}}), std::invalid_argument);
+  CHECK_THROWS_AS(chinese_remainder({{3, 5}, {{1}}}), std::invalid_argument);
+  CHECK_THROWS_AS(chinese_remainder({{3, 5}, {{1}, {1, 2}}}), std::invalid_argument);
+  CHECK_THROWS_AS(chinese_remainder({{5, 5}, {{1}, {1}}}), std::invalid_argument);
+  CHECK(chinese_remainder({{3, 5}, {{}, {}}}).empty());
+  CHECK(chinese_remainder({{3, 5}, {{2}, {3}}}) == std::vector<Integer>{-7});
 }
 
 namespace {

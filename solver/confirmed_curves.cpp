@@ -1,0 +1,143 @@
+#include "confirmed_curves.h"
+
+#include <exsect/algebra/enclosed_roots.h>
+#include <exsect/solver/line_patch.h>
+#include <exsect/solver/turning_eliminant.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "critical_values.h"
+#include "filter.h"
+#include "parameter_box.h"
+
+namespace exsect {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Denominators; a box of doubles holds such a number by chance once in millions.
+constexpr int kShort = 1 << 12;
+constexpr long kRefined = 40;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+class Confirmation {
+ public:
+  Confirmation(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options)
+      : x_(x), y_(y), options_(options) {}
+
+  std::optional<IntersectResult> run() {
+    auto found = filtered_curves(x_, y_, options_);
+    if (!found || !(confirmed_by_enclosure(found->stations[0]) || confirmed_exactly(found->stations)) ||
+        out_of_time()) {
+      return std::nullopt;
+    }
+    for (Node& node : found->result.graph.nodes) {
+      find_short_values(node);
+    }
+    Work& work = found->result.work;
+    work.steps.erase("filtered");
+    work.steps.merge(steps_);
+    work.milliseconds = milliseconds_since(start_);
+    return std::move(found->result);
+  }
+
+ private:
+  bool out_of_time() const {
+    return options_.max_seconds && milliseconds_since(start_) > 1000 * *options_.max_seconds;
+  }
+
+  template <class Step>
+  auto timed(const char* step, double progress, Step&& body) {
+    const auto begin = Clock::now();
+    auto result = body();
+    steps_[std::string(step) + " ms"] += milliseconds_since(begin);
+    if (options_.progress) {
+      options_.progress(progress, step);
+    }
+    return result;
+  }
+
+  /// By leading bits of the coefficients of E(u).
+  bool confirmed_by_enclosure(const std::vector<Stations>& curves) {
+    const auto roots = timed("turning eliminant", 0.8, [&]() -> std::optional<std::vector<RationalInterval>> {
+      const auto e = enclosed_turning_eliminant(x_, y_);
+      return e ? isolate_enclosed_roots(*e) : std::nullopt;
+    });
+    return roots && no_curve_is_missing_between(*roots, curves, Parameter::u);
+  }
+
+  bool confirmed_exactly(const std::array<std::vector<Stations>, 4>& curves) {
+    if (out_of_time()) {
+      return false;
+    }
+    auto turning = timed("turning eliminant", 0.8, [&] { return choose_sweep(x_, y_).turning; });
+    if (!turning || turning->touching ||
+        std::any_of(turning->values.begin(), turning->values.end(),
+                    [](const TurningValue& turn) { return turn.multiplicity != 1; })) {
+      return false;
+    }
+    const Parameter sweep = turning->sweep;
+    std::vector<RationalInterval> roots;
+    for (const TurningValue& turn : turning->values) {
+      roots.push_back(turn.value.refined_to(power_of_two(-kRefined)).interval());
+    }
+    return no_curve_is_missing_between(roots, curves[index(sweep)], sweep);
+  }
+
+  bool no_curve_is_missing_between(const std::vector<RationalInterval>& roots,
+                                   const std::vector<Stations>& curves, Parameter sweep) {
+    return timed("fibres", 1, [&] {
+      return no_curve_is_missing(roots, curves, [&](const Rational& sample) {
+        return fibre_count({sweep, sample});
+      });
+    });
+  }
+
+  std::optional<std::size_t> fibre_count(const LineQuery& query) {
+    const LinePoints fibre = line_points_filtered(x_, y_, query);
+    steps_["fibres"] += 1;
+    if (fibre.incomplete || !fibre.on_patch.empty()) {
+      return std::nullopt;
+    }
+    return fibre.points.size();
+  }
+
+  /// A boundary point with a parameter that may be a short rational gets the box of the exact point, of width
+  /// zero where a parameter is known to be rational.
+  void find_short_values(Node& node) const {
+    const auto may_be_short = [&](const RationalInterval& at) {
+      return at.lower < at.upper && denominator(simplest_between(at.lower, at.upper)) <= kShort;
+    };
+    if (node.on.empty() || std::none_of(node.box.begin(), node.box.end(), may_be_short)) {
+      return;
+    }
+    const Side& side = node.on.front();
+    for (const CertifiedPoint& point : line_points(x_, y_, {side.parameter, side.value}).points) {
+      const ParameterBox box = point.refined_to(power_of_two(-50)).box();
+      if (meet(box, node.box)) {
+        node.box = box;
+        return;
+      }
+    }
+  }
+
+  const BezierPatch& x_;
+  const BezierPatch& y_;
+  const IntersectOptions& options_;
+  Clock::time_point start_ = Clock::now();
+  std::map<std::string, double> steps_;
+};
+
+}  // namespace
+
+std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y,
+                                                const IntersectOptions& options) {
+  return Confirmation(x, y, options).run();
+}
+
+}  // namespace exsect

@@ -1,0 +1,16 @@
+// The intersection in exact mode where doubles find its curves: the turning eliminant proves that they are
+// all. Internal to solver/; docs/method.md, section 14.8.
+#pragma once
+
+#include <exsect/solver/intersect.h>
+
+#include <optional>
+
+namespace exsect {
+
+/// The complete intersection; empty if doubles do not find it or the eliminant does not prove that nothing is
+/// missing. The options have been checked. Throws std::logic_error if the two proofs contradict each other.
+std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y,
+                                                const IntersectOptions& options);
+
+}  // namespace exsect
