@@ -73,25 +73,35 @@ class CurveTracing {
       return sign == 0 ? std::nullopt : std::optional(std::vector{at.side * sign});
     }
     std::vector<int> directions = {1, -1};
+    std::vector<Side> tangential;
     for (const Side& side : at.point.sides()) {
       const int sign = tangent[index(side.parameter)].certain_sign();
       if (sign == 0) {
-        return at.point.sides().size() == 1 ? directions_along(landmark, side) : std::nullopt;
+        tangential.push_back(side);
+      } else {
+        std::erase(directions, side.value == 0 ? -sign : sign);
       }
-      std::erase(directions, side.value == 0 ? -sign : sign);
+    }
+    for (const Side& side : tangential) {
+      const std::optional<bool> inside = directions.empty() ? false : bends_inwards(landmark, side);
+      if (!inside) {
+        return std::nullopt;
+      }
+      if (!*inside) {
+        directions.clear();
+      }
     }
     return directions;
   }
 
   /// Where the curve is tangent to the side, exactly, its second derivative says whether it lies inside.
-  std::optional<std::vector<int>> directions_along(std::size_t landmark, const Side& side) const {
+  std::optional<bool> bends_inwards(std::size_t landmark, const Side& side) const {
     const std::size_t j = index(side.parameter);
     const int bend = bend_sign(system_, landmarks_[landmark], j);
     if (bend == 0 || signs_at(static_cast<int>(landmark))[j] != 0) {
       return std::nullopt;
     }
-    const bool inside = (bend > 0) == (side.value == 0);
-    return inside ? std::vector{1, -1} : std::vector<int>{};
+    return (bend > 0) == (side.value == 0);
   }
 
   /// Curves along which the patches touch: through the multiple points of the fibres, and the parameter lines

@@ -256,6 +256,32 @@ TEST_CASE("a curve that touches a side goes on behind it", "[intersect]") {
   }
 }
 
+TEST_CASE("a curve from a cuspidal corner on an irrational point of a side", "[intersect]") {
+  // x = (u + u², v, 0); y = (1/2 + p², b p², p² - q) or with p and q exchanged, p = 1 - r, q = 1 - s: y_r = 0
+  // in the corner p = q = 0, on the side v = 0. Of the curve q = p² all but the corner has v = b p².
+  ControlNet line{};
+  line[1][0] = line[2][0] = {1, 0, 0};
+  line[0][1] = {0, 1, 0};
+  const BezierPatch x = BezierPatch::from_power_basis(line);
+  for (const int b : {1, -1}) {
+    ControlNet c{};
+    c[0][0] = {Rational(1, 2), 0, 0};
+    c[2][0] = {1, b, 1};
+    c[0][1] = {0, 0, -1};
+    const BezierPatch y = BezierPatch::from_power_basis(c).reversed_first().reversed_second();
+    for (const BezierPatch& second : {y, y.exchanged()}) {
+      const auto result = exsect::intersect(x, second);
+      CHECK(result.status == Status::complete);
+      CHECK(result.graph.count(ComponentShape::open) == (b > 0 ? 1 : 0));
+      CHECK(result.graph.isolated_points.size() == (b > 0 ? 0 : 1));
+      CHECK(std::any_of(result.graph.nodes.begin(), result.graph.nodes.end(), [](const Node& node) {
+        return std::fabs(node.approx[0] - (std::sqrt(3) - 1) / 2) < 1e-9 && node.approx[2] == 1 &&
+               node.approx[3] == 1;
+      }));
+    }
+  }
+}
+
 TEST_CASE("an arc leaves a common side in an irrational point", "[intersect]") {
   // (u, v, u (2 v² - 1 - u/2)/4) and (r, s, 0): the side u = 0, and v² = 1/2 + u/4 from it.
   ControlNet net;
