@@ -113,17 +113,23 @@ class SelfIntersection {
       result_.incomplete = exact_.boundary.problems;
       return;
     }
-    if (trace_and_build<DoubleBall>(power_of_two(-50), false)) {
-      return;
-    }
+    do {
+      if (trace_and_build<DoubleBall>(power_of_two(-50), false)) {
+        return;
+      }
+    } while (find_stars());
+    trace_and_build<ArbBall<256>>(power_of_two(-200), true);
+  }
+
+  /// Near what the attempts so far left undecided; false if there are no more than before.
+  bool find_stars() {
+    const std::size_t before = exact_.stars.size();
     timed("stars", [this] {
       const double scaled =
           std::ldexp(options_.tolerance * scaling_.extent, -static_cast<int>(scaling_.frame.exponent));
       exact_.stars = self_stars({x_, exact_.boundary.points, undecided_, scaled, stop_});
     });
-    if (exact_.stars.empty() || !trace_and_build<DoubleBall>(power_of_two(-50), false)) {
-      trace_and_build<ArbBall<256>>(power_of_two(-200), true);
-    }
+    return exact_.stars.size() > before;
   }
 
   /// One attempt in one arithmetic; false if something is undecided that stars or more precision may decide
@@ -134,7 +140,6 @@ class SelfIntersection {
     SelfCurves<Ball> found;
     timed("tracing", [&] { found = trace_self_curves(system, exact_, width, stop_); });
     if (!found.problems.empty() && !last && !out_of_time()) {
-      undecided_.clear();
       for (const Incomplete& problem : found.problems) {
         undecided_.push_back(problem.where);
       }
@@ -198,7 +203,7 @@ class SelfIntersection {
   Scaling scaling_;
   StopRequest stop_;
   ExactPlaces exact_{};
-  std::vector<ParameterBox> undecided_;  // by the last attempt
+  std::vector<ParameterBox> undecided_;  // by all attempts
   IntersectResult result_{};
   double progress_ = 0;
 };

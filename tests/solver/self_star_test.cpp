@@ -40,6 +40,11 @@ const std::vector<int> kCuspidalCorner = {1, -1, -1, 0, 1, 1,  0, 1, 1,  -1, 0, 
 const std::vector<int> kCurveToCorner = {0, 1,  1, 0, 0, 0, -1, 1, 0, 0, 1, 1,  1, -1,
                                          1, -1, 1, 0, 0, 0, 0,  0, 0, 1, 0, -1, 1};
 
+// The side v = 1 turns in a singular cuspidal point and ends where both tangent planes agree: known one after
+// the other.
+const std::vector<int> kTwiceSingular = {0, 1, -1, 0, 1,  2, 2,  2,  0,  -1, 1, -1, -2, 0,
+                                         1, 0, 1,  2, -1, 1, -1, -2, -2, -2, 2, 2,  0};
+
 /// Complete, sound, and with as many crossings of parameter lines as these have pairs, in both orders.
 IntersectionGraph checked(const BezierPatch& x) {
   IntersectOptions options;
@@ -133,6 +138,16 @@ TEST_CASE("a folded side at the end of which both tangent planes agree") {
   const IntersectionGraph graph = checked(patch(kFoldedSide));
   CHECK(
       std::ranges::any_of(graph.arcs, [](const Arc& arc) { return arc.place == ArcPlace::patch_boundary; }));
+}
+
+TEST_CASE("a folded side between two singular pairs") {
+  const IntersectionGraph graph = checked(patch(kTwiceSingular));
+  CHECK(std::ranges::any_of(graph.arcs, [&](const Arc& arc) {
+    return arc.place == ArcPlace::patch_boundary &&
+           graph.nodes[static_cast<std::size_t>(arc.from)].on.size() +
+                   graph.nodes[static_cast<std::size_t>(arc.to)].on.size() >=
+               6;
+  }));
 }
 
 TEST_CASE("a curve that crosses the pairs of a folded line") {
