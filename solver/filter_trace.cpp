@@ -38,26 +38,49 @@ class Tracer {
  private:
   /// The next piece, with smaller steps until it is proved.
   bool advance() {
-    const Linearisation at = linearise(expand(pair_.x, position_.middle[0], position_.middle[1]),
-                                       expand(pair_.y, position_.middle[2], position_.middle[3]));
-    std::size_t axis = steepest(at.tangent);
-    int direction = wanted_direction(at.tangent, axis);
+    const Vec4 tangent = tangent_here();
+    std::size_t axis = steepest(tangent);
+    int direction = wanted_direction(tangent, axis);
     if (direction == 0) {  // turned so much that the last tube does not tell: its own axis, once more
       axis = trace_.pieces.back().tube.axis;
-      direction = wanted_direction(at.tangent, axis);
-    }
-    Vec4 slope;
-    for (std::size_t j = 0; j < 4; ++j) {
-      slope[j] = at.tangent[j] / at.tangent[axis];
+      direction = wanted_direction(tangent, axis);
     }
     for (; step_ >= kLeastStep; step_ *= 0.5) {
+      const Vec4 centre = centre_ahead(tangent, axis, direction);
       Piece& piece = trace_.pieces.emplace_back();
-      if (next_tube(slope, axis, direction, piece.tube) && accept(piece, direction)) {
+      if (next_tube(centre, axis, piece.tube) && accept(piece, direction)) {
         return true;
       }
       trace_.pieces.pop_back();
     }
     return false;
+  }
+
+  /// Along the curve, one way or the other.
+  Vec4 tangent_here() const {
+    if (!trace_.pieces.empty()) {
+      return arc_slope(trace_.pieces.back().tube, trace_.pieces.back().to);
+    }
+    const Vec4& p = position_.middle;
+    return linearise(expand(pair_.x, p[0], p[1]), expand(pair_.y, p[2], p[3])).tangent;
+  }
+
+  /// About the point of the curve half a step ahead.
+  Vec4 centre_ahead(const Vec4& tangent, std::size_t axis, int direction) const {
+    const double ahead = 0.5 * direction * step_;
+    Vec4 centre = position_.middle;
+    if (trace_.pieces.empty()) {
+      for (std::size_t j = 0; j < 4; ++j) {
+        centre[j] += ahead * (tangent[j] / tangent[axis]);
+      }
+      return centre;
+    }
+    const Piece& last = trace_.pieces.back();
+    const Vec4 offset = arc_offset(last.tube, last.to + ahead / tangent[axis]);
+    for (std::size_t j = 0; j < 4; ++j) {
+      centre[j] = j == axis ? centre[j] + ahead : last.tube.centre[j] + offset[j];
+    }
+    return centre;
   }
 
   /// The sign of the step in the axis that goes on along the curve, 0 if the last tube does not prove it. At
@@ -79,19 +102,16 @@ class Tracer {
     return (along > 0) == (last.to > last.from) ? 1 : -1;
   }
 
-  /// A tube whose middle is half a step ahead and that contains the position.
-  bool next_tube(const Vec4& slope, std::size_t axis, int direction, Tube& tube) const {
-    Vec4 centre = position_.middle;
-    for (std::size_t j = 0; j < 4; ++j) {
-      centre[j] += 0.5 * direction * step_ * slope[j];
-    }
-    if (!improve(pair_, centre, axis, 2) || !prepare(pair_, centre, axis, tube)) {
+  /// A tube around the centre, half a step ahead, that contains the position.
+  bool next_tube(Vec4 centre, std::size_t axis, Tube& tube) const {
+    if (!improve(pair_, centre, axis, 3) || !prepare(pair_, centre, axis, tube)) {
       return false;
     }
     const double reach = 0.51 * step_ + 2 * position_.radius;
-    const double width = std::max(2 * largest(residual_bound(pair_, tube, reach)), kLeastHalfwidth);
+    const Vec3 residual = residual_bound(pair_, tube, reach);
+    const double width = std::max(2 * largest(residual), kLeastHalfwidth);
     if (position_.radius > 0.25 * kEndMargin ||
-        !certify(pair_, tube, -reach, reach, {width, width, width, width}) ||
+        !certify(pair_, tube, -reach, reach, {width, width, width, width}, residual) ||
         tube.contraction > kWorstContraction || !contains(tube, position_)) {
       return false;
     }

@@ -159,8 +159,12 @@ Vec3 residual_bound(const Pair& pair, const Tube& tube, double reach) {
 }
 
 bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec4& halfwidth) {
+  return certify(pair, tube, lower, upper, halfwidth,
+                 residual_bound(pair, tube, std::max(std::fabs(lower), std::fabs(upper))));
+}
+
+bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec4& halfwidth, const Vec3& f) {
   const double reach = std::max(std::fabs(lower), std::fabs(upper));
-  const Vec3 f = residual_bound(pair, tube, reach);
   double farthest = 0;
   for (std::size_t j = 0; j < 4; ++j) {
     tube.halfwidth[j] = j == tube.axis ? 0 : halfwidth[j];
@@ -219,17 +223,33 @@ Vec3 quadratic_deviation(const Coefficients& c, const double* d, const double* d
   return at_centre + c7 * absolute(c[7]) + c5 * absolute(c[5]) + c8 * absolute(c[8]);
 }
 
+namespace {
+
+/// Bounds x, by rows, of any nonnegative t with t <= b + E t, E the deviations of the columns other than the
+/// axis: at first t <= b + rho/(1 - rho) max b, then twice the right side for what is known of t.
+Vec3 solved(const Tube& tube, const Vec3& b) {
+  const double most = kSlack * tube.contraction / (1 - tube.contraction) * largest(b);
+  Vec3 x = {b[0] + most, b[1] + most, b[2] + most};
+  for (int round = 0; round < 2; ++round) {
+    const Vec3 next = b + x[0] * tube.deviation[tube.others[0]] + x[1] * tube.deviation[tube.others[1]] +
+                      x[2] * tube.deviation[tube.others[2]];
+    x = kSlack * next;
+  }
+  return x;
+}
+
+}  // namespace
+
 // (14.6), (14.7).
 void bound_derivatives(const Pair& pair, Tube& tube) {
-  const double amplification = kSlack * tube.contraction / (1 - tube.contraction);
   Vec3 first{};
   for (std::size_t j = 0; j < 4; ++j) {
     first = first + std::fabs(tube.slope[j]) * tube.deviation[j];
   }
-  const double most = largest(first);
+  first = solved(tube, first);
   tube.slope_error[tube.axis] = 0;
   for (std::size_t row = 0; row < 3; ++row) {
-    tube.slope_error[tube.others[row]] = kSlack * (first[row] + amplification * most);
+    tube.slope_error[tube.others[row]] = first[row];
   }
   double steep = 1;
   for (std::size_t j = 0; j < 4; ++j) {
@@ -241,14 +261,16 @@ void bound_derivatives(const Pair& pair, Tube& tube) {
                    quadratic_deviation(tube.h, &d[2], &tube.slope_error[2], &tube.offset[2]);
   // 12: the sum of the weights of any coefficient of order 2, 3, 4 in the second derivative is at most that.
   deviation = deviation + (12 * steep * steep * pair.total_error) * tube.norm;
-  double most_second = 0;
+  // |w'' + 2 F2| <= deviation + E |w''|, and |w''| <= 2 |F2| + |w'' + 2 F2|.
+  Vec3 rest = deviation;
   for (std::size_t row = 0; row < 3; ++row) {
-    most_second = std::max(most_second, 2 * std::fabs(form[row]) + deviation[row]);
+    rest = rest + (2 * std::fabs(form[row])) * tube.deviation[tube.others[row]];
   }
+  rest = solved(tube, rest);
   tube.second[tube.axis] = tube.second_error[tube.axis] = 0;
   for (std::size_t row = 0; row < 3; ++row) {
     tube.second[tube.others[row]] = -2 * form[row];
-    tube.second_error[tube.others[row]] = kSlack * (deviation[row] + amplification * most_second);
+    tube.second_error[tube.others[row]] = rest[row];
   }
 }
 
@@ -285,6 +307,9 @@ Ball point_at(const Tube& tube, double tau, Vec4* offset) {
     }
     best = o;
     least = largest(value);
+    if (least <= 0.125 * tube.value_error) {
+      break;
+    }
     for (std::size_t row = 0; row < 3; ++row) {
       o[tube.others[row]] -= value[row];
     }
@@ -324,20 +349,51 @@ bool excludes(const Tube& tube, const Ball& ball) {
   });
 }
 
+namespace {
+
+struct FirstOrder {
+  Vec3 value;
+  Vec3 first;
+  Vec3 second;
+};
+
+/// A patch and its derivatives at (h,k), approximately.
+FirstOrder first_order_at(const Patch& patch, double h, double k) {
+  const Coefficients& c = patch.power;
+  FirstOrder at;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double a0 = c[0][i] + k * (c[1][i] + k * c[2][i]);
+    const double a1 = c[3][i] + k * (c[4][i] + k * c[5][i]);
+    const double a2 = c[6][i] + k * (c[7][i] + k * c[8][i]);
+    at.value[i] = a0 + h * (a1 + h * a2);
+    at.first[i] = a1 + 2 * h * a2;
+    at.second[i] =
+        (c[1][i] + 2 * k * c[2][i]) + h * ((c[4][i] + 2 * k * c[5][i]) + h * (c[7][i] + 2 * k * c[8][i]));
+  }
+  return at;
+}
+
+}  // namespace
+
 bool improve(const Pair& pair, Vec4& point, std::size_t axis, int steps) {
   const auto& others = kOthers[axis];
   for (int step = 0; step < steps; ++step) {
-    const Linearisation at =
-        linearise(expand(pair.x, point[0], point[1]), expand(pair.y, point[2], point[3]));
+    const FirstOrder x = first_order_at(pair.x, point[0], point[1]);
+    const FirstOrder y = first_order_at(pair.y, point[2], point[3]);
+    const std::array<Vec3, 4> column = {x.first, x.second, -1.0 * y.first, -1.0 * y.second};
     std::array<Vec3, 3> c;
-    if (!invert(at.column[others[0]], at.column[others[1]], at.column[others[2]], c)) {
+    if (!invert(column[others[0]], column[others[1]], column[others[2]], c)) {
       return false;
     }
+    const Vec3 correction = product(c, x.value - y.value);
     for (std::size_t row = 0; row < 3; ++row) {
-      point[others[row]] -= dot(c[row], at.value);
+      point[others[row]] -= correction[row];
     }
     if (!within_reach(point)) {
       return false;
+    }
+    if (largest(correction) < 0x1p-16) {
+      break;
     }
   }
   return true;

@@ -70,6 +70,9 @@ Vec3 residual_bound(const Pair& pair, const Tube& tube, double reach);
 
 /// Proves the invariant for these tau and half widths (that of the axis is not used), or returns false.
 bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec4& halfwidth);
+/// The same with the residual bound for these tau.
+bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec4& halfwidth,
+             const Vec3& residual);
 
 void bound_derivatives(const Pair& pair, Tube& tube);
 
@@ -92,8 +95,8 @@ bool contains(const Tube& tube, const Ball& ball);
 /// True only if no point of the ball is on the arc.
 bool excludes(const Tube& tube, const Ball& ball);
 
-/// Newton's method in the parameters other than `axis`, `steps` times; a guess and no more. False if it
-/// leaves [-3/4,3/4]^4.
+/// Newton's method in the parameters other than `axis`, at most `steps` times; a guess and no more. False if
+/// it leaves [-3/4,3/4]^4.
 bool improve(const Pair& pair, Vec4& point, std::size_t axis, int steps);
 
 }  // namespace exsect::filter
