@@ -85,6 +85,15 @@ Vec4 arc_slope(const Tube& tube, double tau) {
   return slope;
 }
 
+double arc_second(const Tube& tube, double tau, std::size_t i) {
+  const std::size_t row = i < tube.axis ? i : i - 1;
+  double sum = 0;
+  for (std::size_t k = tube.further.size(); k-- > 0;) {
+    sum = tau * (static_cast<double>((k + 3) * (k + 2)) * tube.further[k][row] + sum);
+  }
+  return tube.second[i] + sum;
+}
+
 VertexForms vertex_forms(const Pair& pair, const Tube& tube, double greatest) {
   VertexForms forms;
   for (std::size_t i = 0; i < 9; ++i) {

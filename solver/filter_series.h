@@ -14,6 +14,8 @@ void expand_arc(Tube& tube);
 Vec4 arc_offset(const Tube& tube, double tau);
 /// About w'(tau); 1 at the axis.
 Vec4 arc_slope(const Tube& tube, double tau);
+/// About w_i''(tau), i not the axis.
+double arc_second(const Tube& tube, double tau, std::size_t i);
 
 /// For points of this tube's arc, `greatest` as there.
 VertexForms vertex_forms(const Pair& pair, const Tube& tube, double greatest);

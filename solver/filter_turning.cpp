@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "filter_series.h"
 
@@ -50,19 +52,14 @@ double steepest_change(const Tube& tube) {
 }
 
 /// (14.9): for d near w', d_axis = 1, |w' - d| <= |sum C F_j d_j| / (1 - rho), C F_j at the true point.
-Direction direction_at(const Tube& tube, double tau, Ball* at = nullptr) {
+Direction direction_at(const Tube& tube, double tau) {
   Vec4 o;
   const Ball ball = point_at(tube, tau, &o);
-  if (at != nullptr) {
-    *at = ball;
-  }
   std::array<Vec3, 4> column;
   derivatives(tube.g, o[0], o[1], column[0], column[1]);
   derivatives(tube.h, o[2], o[3], column[2], column[3]);
   Direction d;
-  for (std::size_t j = 0; j < 4; ++j) {
-    d.middle[j] = tube.slope[j] + tau * tube.second[j];
-  }
+  d.middle = arc_slope(tube, tau);
   double least = HUGE_VAL;
   Vec4 next = d.middle;
   for (int step = 0; step < 30; ++step) {
@@ -75,6 +72,9 @@ Direction direction_at(const Tube& tube, double tau, Ball* at = nullptr) {
     }
     least = largest(rest);
     d.middle = next;
+    if (least <= 0.125 * tube.column_error) {
+      break;
+    }
     for (std::size_t row = 0; row < 3; ++row) {
       next[tube.others[row]] -= rest[row];
     }
@@ -109,14 +109,13 @@ class TurnFinder {
       : pair_(pair), trace_(trace), coincident_(coincident), turns_(turns) {}
 
   TurnSearch run() {
-    if (!split_pieces()) {
+    if (!decide_pieces()) {
       return TurnSearch::undecided;
     }
-    std::vector<Ends> ends(trace_.pieces.size());
     for (std::size_t k = 0; k < trace_.pieces.size(); ++k) {
       const std::size_t begin = turns_.size();
       for (std::size_t i = 0; i < 4; ++i) {
-        if (coincident_[i] >= i && !search(k, i, ends[k])) {
+        if (ends_[k].first[i] != ends_[k].last[i] && !bracket(k, i)) {
           return TurnSearch::undecided;
         }
       }
@@ -125,11 +124,13 @@ class TurnFinder {
         return order;
       }
     }
-    return joined(ends) ? TurnSearch::done : TurnSearch::undecided;
+    return joined() ? TurnSearch::done : TurnSearch::undecided;
   }
 
  private:
-  /// Signs of the change of each parameter along the trace at both ends of a piece.
+  /// Signs of the change of each parameter along the trace at both ends of a piece; 0 for parameters that are
+  /// left out. Where they differ, the parameter turns exactly once in between, and w'' is not 0; where not,
+  /// never.
   struct Ends {
     std::array<int, 4> first;
     std::array<int, 4> last;
@@ -138,38 +139,38 @@ class TurnFinder {
   /// Pieces end and begin at offsets of one point in doubles, so with different points of the curve, less
   /// than kEndMargin apart. What is between them lies on the arcs of both tubes, on which a parameter turns
   /// once at most, so not at all if it changes in the same sense on both sides.
-  bool joined(const std::vector<Ends>& ends) const {
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-      if (ends[k].last != ends[k + 1].first) {
+  bool joined() const {
+    for (std::size_t k = 0; k + 1 < ends_.size(); ++k) {
+      if (ends_[k].last != ends_[k + 1].first) {
         return false;
       }
     }
-    return trace_.start >= 0 || ends.back().last == ends.front().first;
+    return trace_.start >= 0 || ends_.back().last == ends_.front().first;
   }
 
   static bool monotone(const Tube& tube, std::size_t i) {
     return std::fabs(tube.slope[i]) > tube.slope_error[i];
   }
-
-  static bool simple(const Tube& tube) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (!monotone(tube, i) && !(std::fabs(tube.second[i]) > tube.second_error[i])) {
-        return false;
-      }
-    }
-    return true;
+  static bool turns_once_at_most(const Tube& tube, std::size_t i) {
+    return std::fabs(tube.second[i]) > tube.second_error[i];
   }
 
-  /// Divides pieces until each parameter is monotone or turns at most once on each.
-  bool split_pieces() {
-    if (std::all_of(trace_.pieces.begin(), trace_.pieces.end(),
-                    [](const Piece& piece) { return simple(piece.tube); })) {
+  /// Fills in ends_, and divides pieces until this is possible.
+  bool decide_pieces() {
+    ends_.reserve(trace_.pieces.size());
+    std::size_t k = 0;
+    while (k < trace_.pieces.size() && decide(trace_.pieces[k], ends_.emplace_back()) == Decision::done) {
+      ++k;
+    }
+    if (k == trace_.pieces.size()) {
       return true;
     }
+    ends_.pop_back();
     std::vector<Piece> done;
-    done.reserve(3 * trace_.pieces.size());
-    for (const Piece& piece : trace_.pieces) {
-      if (!split(piece, 0, done)) {
+    done.reserve(2 * trace_.pieces.size() + 8);
+    done.assign(trace_.pieces.begin(), trace_.pieces.begin() + static_cast<std::ptrdiff_t>(k));
+    for (; k < trace_.pieces.size(); ++k) {
+      if (!split(trace_.pieces[k], 0, done)) {
         return false;
       }
     }
@@ -177,11 +178,22 @@ class TurnFinder {
     return true;
   }
 
-  bool split(const Piece& piece, int depth, std::vector<Piece>& done) const {
-    if (simple(piece.tube)) {
-      done.push_back(piece);
-      return true;
+  bool split(const Piece& piece, int depth, std::vector<Piece>& done) {
+    Ends ends;
+    switch (decide(piece, ends)) {
+      case Decision::done:
+        done.push_back(piece);
+        ends_.push_back(ends);
+        return true;
+      case Decision::divide:
+        return halve(piece, depth, done);
+      case Decision::never:
+        break;
     }
+    return false;
+  }
+
+  bool halve(const Piece& piece, int depth, std::vector<Piece>& done) {
     if (depth >= kDeepestSplit || done.size() > kMostPieces) {
       return false;
     }
@@ -189,6 +201,57 @@ class TurnFinder {
     Piece half;
     return part(piece.tube, piece.from, middle, half) && split(half, depth + 1, done) &&
            part(piece.tube, middle, piece.to, half) && split(half, depth + 1, done);
+  }
+
+  enum class Decision { done, divide, never };
+
+  Decision decide(const Piece& piece, Ends& ends) const {
+    ends = {};
+    const int sense = piece.to > piece.from ? 1 : -1;
+    std::optional<Direction> first;
+    std::optional<Direction> last;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (coincident_[i] < i) {
+        continue;
+      }
+      if (monotone(piece.tube, i)) {
+        ends.first[i] = ends.last[i] = piece.tube.slope[i] > 0 ? sense : -sense;
+        continue;
+      }
+      if (!first) {
+        first = direction_at(piece.tube, piece.from);
+        last = direction_at(piece.tube, piece.to);
+      }
+      ends.first[i] = sense * sign_near(piece.tube, *first, i);
+      ends.last[i] = sense * sign_near(piece.tube, *last, i);
+      const bool known = ends.first[i] != 0 && ends.last[i] != 0;
+      if (turns_once_at_most(piece.tube, i)) {
+        if (!known) {
+          return Decision::never;
+        }
+      } else if (!known || !keeps_sign(piece, *first, *last, i)) {
+        return Decision::divide;
+      }
+    }
+    return Decision::done;
+  }
+
+  /// (14.16): w_i' with one sign at both ends has no zero if by its least and greatest derivative it cannot
+  /// reach zero from one end before the place from which it could have come to the other. Requires that zero
+  /// is between these derivatives.
+  static bool keeps_sign(const Piece& piece, const Direction& first, const Direction& last, std::size_t i) {
+    if (sign_of(first, i) != sign_of(last, i)) {
+      return false;
+    }
+    const bool forward = piece.to > piece.from;
+    const Direction& left = forward ? first : last;
+    const Direction& right = forward ? last : first;
+    const double second = sign_of(first, i) * piece.tube.second[i];
+    const double descent = piece.tube.second_error[i] - second;
+    const double ascent = piece.tube.second_error[i] + second;
+    return kSlack * std::fabs(piece.to - piece.from) * descent * ascent <
+           (std::fabs(left.middle[i]) - left.radius) * ascent +
+               (std::fabs(right.middle[i]) - right.radius) * descent;
   }
 
   /// A part of the tube's arc on a tube of its own, with the same axis: both arcs start in the same point and
@@ -202,9 +265,10 @@ class TurnFinder {
       return false;
     }
     const double reach = 0.505 * std::fabs(to - from) + 4 * radius;
-    const double width = std::max(2 * largest(residual_bound(pair_, result.tube, reach)), kLeastHalfwidth);
+    const Vec3 residual = residual_bound(pair_, result.tube, reach);
+    const double width = std::max(2 * largest(residual), kLeastHalfwidth);
     if (radius > 0x1p-2 * kEndMargin ||
-        !certify(pair_, result.tube, -reach, reach, {width, width, width, width}) ||
+        !certify(pair_, result.tube, -reach, reach, {width, width, width, width}, residual) ||
         !contains(result.tube, start) || !contains(result.tube, end)) {
       return false;
     }
@@ -215,39 +279,52 @@ class TurnFinder {
     return (result.to > result.from) == (to > from);
   }
 
-  bool search(std::size_t k, std::size_t i, Ends& ends) {
-    const Piece& piece = trace_.pieces[k];
-    const int sense = piece.to > piece.from ? 1 : -1;
-    if (monotone(piece.tube, i)) {
-      ends.first[i] = ends.last[i] = piece.tube.slope[i] > 0 ? sense : -sense;
-      return true;
-    }
-    const Direction first = direction_at(piece.tube, piece.from);
-    const Direction last = direction_at(piece.tube, piece.to);
-    ends.first[i] = sense * sign_near(piece.tube, first, i);
-    ends.last[i] = sense * sign_near(piece.tube, last, i);
-    if (ends.first[i] == 0 || ends.last[i] == 0) {
-      return false;
-    }
-    return ends.first[i] == ends.last[i] || bracket(k, i, first.middle[i], last.middle[i]);
-  }
-
-  /// The secant method for a guess of the zero of w_i', then certain signs on both sides of it.
-  bool bracket(std::size_t k, std::size_t i, double first, double last) {
+  /// A guess of the zero of w_i' by the secant method on the arc's polynomial and Newton's method on the arc;
+  /// then an interval around it that must hold the zero because |w_i''| has a lower bound, or, if that is too
+  /// wide, one with certain signs on both sides.
+  bool bracket(std::size_t k, std::size_t i) {
     const Piece& piece = trace_.pieces[k];
     const Tube& tube = piece.tube;
+    double t = zero_of_polynomial(piece, i);
+    Direction d = direction_at(tube, t);
+    for (int step = 0; step < 8 && std::fabs(d.middle[i]) > 0.25 * d.radius; ++step) {
+      t = std::clamp(t - d.middle[i] / arc_second(tube, t, i), std::min(piece.from, piece.to),
+                     std::max(piece.from, piece.to));
+      d = direction_at(tube, t);
+    }
+    const double farthest = kSlack * (std::fabs(d.middle[i]) + d.radius);
+    const double bound = 1.05 * farthest / (std::fabs(tube.second[i]) - tube.second_error[i]) + 0x1p-48;
+    if (bound < 4 * d.radius / std::fabs(tube.second[i])) {
+      const auto [from, to] = around(piece, t, bound);
+      return record(k, i, from, to);
+    }
+    for (double delta = 2.5 * d.radius / std::fabs(tube.second[i]) + 0x1p-48; delta < kLargestBox;
+         delta *= 2) {
+      const auto [from, to] = around(piece, t, delta);
+      const int before = sign_of(direction_at(tube, from), i);
+      if (before != 0 && before == -sign_of(direction_at(tube, to), i)) {
+        return record(k, i, from, to);
+      }
+    }
+    return false;
+  }
+
+  /// The offsets t -+ delta, as far as they are on the piece, in the direction of the trace.
+  static std::pair<double, double> around(const Piece& piece, double t, double delta) {
+    return piece.to > piece.from ? std::pair(std::max(t - delta, piece.from), std::min(t + delta, piece.to))
+                                 : std::pair(std::min(t + delta, piece.from), std::max(t - delta, piece.to));
+  }
+
+  static double zero_of_polynomial(const Piece& piece, std::size_t i) {
     double a = piece.from;
     double b = piece.to;
-    double fa = first;
-    double fb = last;
-    double radius = 0;
+    double fa = arc_slope(piece.tube, a)[i];
+    double fb = arc_slope(piece.tube, b)[i];
     double t = b;
     for (int step = 0; step < 40; ++step) {
       t = (a * fb - b * fa) / (fb - fa);
-      const Direction d = direction_at(tube, t);
-      radius = d.radius;
-      const double ft = d.middle[i];
-      if (!(std::fabs(ft) > 0x1p-51) || (step >= 6 && std::fabs(ft) <= radius)) {
+      const double ft = arc_slope(piece.tube, t)[i];
+      if (!(std::fabs(ft) > 0x1p-45)) {
         break;
       }
       if (std::signbit(ft) == std::signbit(fb)) {
@@ -259,17 +336,8 @@ class TurnFinder {
       b = t;
       fb = ft;
     }
-    const double direction = piece.to > piece.from ? 1 : -1;
-    for (double delta = 2.5 * radius / std::fabs(tube.second[i]) + 0x1p-48; delta < kLargestBox; delta *= 2) {
-      const double from = direction > 0 ? std::max(t - delta, piece.from) : std::min(t + delta, piece.from);
-      const double to = direction > 0 ? std::min(t + delta, piece.to) : std::max(t - delta, piece.to);
-      const int before = sign_of(direction_at(tube, from), i);
-      const int after = sign_of(direction_at(tube, to), i);
-      if (before != 0 && before == -after && (before > 0) == (first > 0)) {
-        return record(k, i, from, to);
-      }
-    }
-    return false;
+    const bool usable = t >= std::min(piece.from, piece.to) && t <= std::max(piece.from, piece.to);
+    return usable ? t : 0.5 * (piece.from + piece.to);
   }
 
   bool record(std::size_t k, std::size_t i, double from, double to) {
@@ -308,6 +376,7 @@ class TurnFinder {
   Trace& trace_;
   const std::array<std::size_t, 4>& coincident_;
   std::vector<Turn>& turns_;
+  std::vector<Ends> ends_;  // of trace_.pieces
 };
 
 }  // namespace
