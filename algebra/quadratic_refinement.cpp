@@ -62,7 +62,8 @@ class Refinement {
   }
 
   RationalInterval refine_cell() {
-    slong step = 2;
+    // A narrow cell is the result of successful steps before, the last of which was about as long as that.
+    slong step = std::max<slong>(2, exponent_ / 2);
     if (exponent_ < target_) {
       FlintInteger end;
       fmpz_add_ui(end.value, cell_.value, 1);

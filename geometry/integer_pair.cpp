@@ -14,13 +14,22 @@ void to_power_basis(Integer& b0, Integer& b1, Integer& b2) {
   b1 *= 2;
 }
 
+/// b = a / q for a divisor q: a shift if q is a power of two.
+void set_quotient(mpz_t b, const mpz_t a, const mpz_t q) {
+  const mp_bitcnt_t zeros = mpz_scan1(q, 0);
+  if (zeros + 1 == mpz_sizeinbase(q, 2))
+    mpz_tdiv_q_2exp(b, a, zeros);
+  else
+    mpz_divexact(b, a, q);
+}
+
 /// Sets coordinate k of the net to the power basis of the patch times `multiplier`, a common denominator.
 void set_coordinate(IntegerNet& net, const BezierPatch& patch, std::size_t k, const Integer& multiplier) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const mpq_t& x = patch.net()[i][j][k].backend().data();
       mpz_t& c = net[i][j][k].backend().data();
-      mpz_divexact(c, multiplier.backend().data(), mpq_denref(x));
+      set_quotient(c, multiplier.backend().data(), mpq_denref(x));
       mpz_mul(c, c, mpq_numref(x));
     }
     to_power_basis(net[i][0][k], net[i][1][k], net[i][2][k]);
@@ -33,7 +42,9 @@ Integer common_denominator(const BezierPatch& x, const BezierPatch& y, std::size
   mpz_t& lcm = result.backend().data();
   for (const BezierPatch* patch : {&x, &y})
     for (const auto& row : patch->net())
-      for (const Point& p : row) mpz_lcm(lcm, lcm, mpq_denref(p[k].backend().data()));
+      for (const Point& p : row)
+        if (const auto denominator = mpq_denref(p[k].backend().data()); !mpz_divisible_p(lcm, denominator))
+          mpz_lcm(lcm, lcm, denominator);
   return result;
 }
 
