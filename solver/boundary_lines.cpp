@@ -29,6 +29,7 @@ class BoundarySearch {
         find_on_line({p, value});
       }
     for (const LineResult& line : lines_) add_points(line);
+    for (const LineResult& line : lines_) add_ends(line);
     for (LineResult& line : lines_) add_arcs(line);
     return std::move(result_);
   }
@@ -81,15 +82,15 @@ class BoundarySearch {
       if (used[i]) add(line.arcs.ends[i]);
   }
 
-  /// On other sides these may not be isolated.
-  void add_ends(const LineResult& line, const LineArc& arc) {
-    for (const std::size_t end : {arc.from, arc.to})
-      if (!find(line.arcs.ends[end])) result_.points.push_back(line.arcs.ends[end]);
+  /// The ends of a side that is one point: on the other sides these may not be isolated.
+  void add_ends(const LineResult& line) {
+    for (const LineArc& arc : line.arcs.arcs)
+      for (const std::size_t end : {arc.from, arc.to})
+        if (arc.collapsed && !find(line.arcs.ends[end])) result_.points.push_back(line.arcs.ends[end]);
   }
 
   void add_arcs(LineResult& line) {
     for (LineArc& arc : line.arcs.arcs) {
-      if (arc.collapsed) add_ends(line, arc);
       const auto from = find(line.arcs.ends[arc.from]);
       const auto to = find(line.arcs.ends[arc.to]);
       if (!from || !to) {
