@@ -132,7 +132,7 @@ void add_intersect(CLI::App& app, IntersectCommand& command) {
   add_common(*sub, command.file, command.first, command.second, command.output, command.quiet);
   add_exports(*sub, command.output.exports, "Write the nodes as a table");
   add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
-  sub->add_flag("--exact", command.exact, "Skip the solution in floating point, which has the same proof");
+  sub->add_flag("--exact", command.exact, "Prove completeness in exact arithmetic as well");
   add_certificate(*sub, command.output);
   sub->footer(intersect_footer);
 }
@@ -315,7 +315,7 @@ void add_batch(CLI::App& app, BatchCommand& command) {
   add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
   sub->add_option("--max-memory", command.max_memory, "Give a pair up that needs more, in MiB")
       ->type_name("NUMBER");
-  sub->add_flag("--exact", command.exact, "Skip the solution in floating point, which has the same proof");
+  sub->add_flag("--exact", command.exact, "Prove completeness in exact arithmetic as well");
   sub->add_flag("--quiet", command.quiet, "No summary, no progress");
   sub->footer(batch_footer);
 }

@@ -287,7 +287,7 @@ class TurnFinder {
     const Tube& tube = piece.tube;
     double t = zero_of_polynomial(piece, i);
     Direction d = direction_at(tube, t);
-    for (int step = 0; step < 8 && std::fabs(d.middle[i]) > 0.25 * d.radius; ++step) {
+    for (int step = 0; step < 8 && std::fabs(d.middle[i]) > 0.02 * d.radius; ++step) {
       t = std::clamp(t - d.middle[i] / arc_second(tube, t, i), std::min(piece.from, piece.to),
                      std::max(piece.from, piece.to));
       d = direction_at(tube, t);

@@ -48,6 +48,7 @@ def crossings(seed, count):
 
 
 PAIRS = crossings(seed=20260, count=24)
+SLOWLY = ["--exact", "--tolerance", "1e-10"]  # long enough to be interrupted
 
 
 def model_of(path, pairs):
@@ -72,7 +73,7 @@ def whole(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def whole_exact(tmp_path_factory):
-    return batch(model_of(tmp_path_factory.mktemp("whole") / "model.ndjson", PAIRS), "--exact")
+    return batch(model_of(tmp_path_factory.mktemp("whole") / "model.ndjson", PAIRS), *SLOWLY)
 
 
 def run(*arguments, status=0, **options):
@@ -121,8 +122,7 @@ def processor_ticks(process):
 
 
 def slow(path, output, *arguments):
-    """Pairs in exact arithmetic take long enough to be interrupted."""
-    return ["batch", path, "--exact", "--jobs", "2", "--output", output, *arguments]
+    return ["batch", path, *SLOWLY, "--jobs", "2", "--output", output, *arguments]
 
 
 # What the lines say
@@ -300,7 +300,7 @@ def test_a_killed_worker_costs_nothing(model, whole_exact, tmp_path):
 
 
 def test_a_pair_whose_worker_is_killed_again_is_lost_alone(model, tmp_path):
-    process = start("batch", model, "--exact", "--jobs", "1", "-o", tmp_path / "new.ndjson", "--quiet")
+    process = start("batch", model, *SLOWLY, "--jobs", "1", "-o", tmp_path / "new.ndjson", "--quiet")
     journal = tmp_path / "new.ndjson.partial"
     wait_for_lines(process, journal, 3)
     while b"failed" not in journal.read_bytes():  # a worker, and the one that gets its pair again

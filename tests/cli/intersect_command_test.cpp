@@ -50,7 +50,7 @@ void check_against_reference(const Json& json, const Json& reference) {
               distance, std::abs(expected - coordinate(node, std::array{"u", "v", "r",
                                                                         "s"}[static_cast<std::size_t>(i)])));
         }
-        if (distance < 2e-14) ++found;
+        if (distance < 5e-14) ++found;
       }
       CHECK(found == 1);
     }
