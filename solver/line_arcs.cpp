@@ -380,15 +380,6 @@ class LineArcSearch {
     return box;
   }
 
-  static Rational rational_between(RealAlgebraic a, RealAlgebraic b) {
-    for (Rational width = power_of_two(-8);; width *= width) {
-      if (a.interval().upper < b.interval().lower)
-        return simplest_between(a.interval().upper, b.interval().lower);
-      a = a.refined_to(width);
-      b = b.refined_to(width);
-    }
-  }
-
   LinePlace place_;
   LineAndPatch problem_;
   const BezierPatch& owner_;

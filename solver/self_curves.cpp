@@ -31,27 +31,13 @@ ParameterBox to_parameter_box(const std::array<double, 4>& lower, const std::arr
   return box;
 }
 
-/// The pairs of a box of a chart, with t > 0, rounded outward to the grid.
+/// The pairs of a box of a chart in the square, rounded outward to the grid.
 SearchRegion region_of(Chart chart, const ChartBox& box) {
-  const double t = std::sqrt(box.upper[3]);
-  const double t0 = std::sqrt(std::max(0.0, box.lower[3]));
-  const auto products = {box.lower[2] * t0, box.lower[2] * t, box.upper[2] * t0, box.upper[2] * t};
-  const double most = std::max(products);
-  const double least = std::min(products);
-  std::array<double, 4> lower = {box.lower[0] + t0, box.lower[1] + least, box.lower[0] - t,
-                                 box.lower[1] - most};
-  std::array<double, 4> upper = {box.upper[0] + t, box.upper[1] + most, box.upper[0] - t0,
-                                 box.upper[1] - least};
-  if (chart == Chart::second) {
-    std::swap(lower[0], lower[1]);
-    std::swap(lower[2], lower[3]);
-    std::swap(upper[0], upper[1]);
-    std::swap(upper[2], upper[3]);
-  }
+  const SearchRegion pairs = pair_bounds(chart, box);
   SearchRegion region{};
   for (std::size_t j = 0; j < 4; ++j) {
-    region.lower[j] = std::clamp(kGrid * std::floor(lower[j] / kGrid - 0x1p-20), 0.0, 1.0);
-    region.upper[j] = std::clamp(kGrid * std::ceil(upper[j] / kGrid + 0x1p-20), 0.0, 1.0);
+    region.lower[j] = std::clamp(kGrid * std::floor(pairs.lower[j] / kGrid - 0x1p-20), 0.0, 1.0);
+    region.upper[j] = std::clamp(kGrid * std::ceil(pairs.upper[j] / kGrid + 0x1p-20), 0.0, 1.0);
   }
   return region;
 }

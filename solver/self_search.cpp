@@ -385,27 +385,31 @@ KnownPlaces::KnownPlaces(const std::vector<ParameterRectangle>& rectangles,
   }
 }
 
-bool KnownPlaces::contain(Chart chart, const ChartBox& box) const {
-  if (places_.empty()) return false;
+SearchRegion pair_bounds(Chart chart, const ChartBox& box) {
   const double t0 = std::sqrt(std::max(0.0, box.lower[3])) * (1 - 0x1p-40);
   const double t1 = std::sqrt(std::max(0.0, box.upper[3])) * (1 + 0x1p-40);
   const auto products = {box.lower[2] * t0, box.lower[2] * t1, box.upper[2] * t0, box.upper[2] * t1};
   const double least = std::min(products);
   const double most = std::max(products);
   // U + t, V + m t, U - t, V - m t; a relative error of 2^-50 for each product and sum.
-  std::array<double, 4> lower = {box.lower[0] + t0, box.lower[1] + least, box.lower[0] - t1,
-                                 box.lower[1] - most};
-  std::array<double, 4> upper = {box.upper[0] + t1, box.upper[1] + most, box.upper[0] - t0,
-                                 box.upper[1] - least};
+  SearchRegion pairs = {{box.lower[0] + t0, box.lower[1] + least, box.lower[0] - t1, box.lower[1] - most},
+                        {box.upper[0] + t1, box.upper[1] + most, box.upper[0] - t0, box.upper[1] - least}};
   if (chart == Chart::second) {
     for (const std::size_t j : {0U, 2U}) {
-      std::swap(lower[j], lower[j + 1]);
-      std::swap(upper[j], upper[j + 1]);
+      std::swap(pairs.lower[j], pairs.lower[j + 1]);
+      std::swap(pairs.upper[j], pairs.upper[j + 1]);
     }
   }
+  return pairs;
+}
+
+bool KnownPlaces::contain(Chart chart, const ChartBox& box) const {
+  if (places_.empty()) return false;
+  const SearchRegion pairs = pair_bounds(chart, box);
   return std::ranges::any_of(places_, [&](const Place& place) {
     for (std::size_t j = 0; j < 4; ++j)
-      if (!(lower[j] - 0x1p-48 >= place.lower[j] && upper[j] + 0x1p-48 <= place.upper[j])) return false;
+      if (!(pairs.lower[j] - 0x1p-48 >= place.lower[j] && pairs.upper[j] + 0x1p-48 <= place.upper[j]))
+        return false;
     return true;
   });
 }

@@ -8,6 +8,7 @@
 
 #include "injective_rectangle.h"
 #include "self_tube.h"
+#include "subdivision.h"
 #include "tracer.h"
 
 namespace exsect {
@@ -17,6 +18,9 @@ struct ChartBox {
   std::array<double, 4> lower;
   std::array<double, 4> upper;
 };
+
+/// u1, v1, u2 and v2 over the pairs of a box of a chart, to within 2^-48: they may lie outside of the square.
+SearchRegion pair_bounds(Chart chart, const ChartBox& box);
 
 /// All pairs of the chart: U and V in [0,1], m in [-1,1], w in [0,1/4].
 inline constexpr ChartBox whole_chart = {{0, 0, -1, 0}, {1, 1, 1, 0.25}};

@@ -38,17 +38,6 @@ struct Place {
   std::size_t end;
 };
 
-/// A short rational number between them, not the middle or another one at which something may be special.
-Rational rational_between(RealAlgebraic a, RealAlgebraic b) {
-  for (Rational width = power_of_two(-8);; width *= width) {
-    if (const Rational gap = b.interval().lower - a.interval().upper; gap > 0)
-      return simplest_between(a.interval().upper + Rational(43, 100) * gap,
-                              a.interval().upper + Rational(44, 100) * gap);
-    a = a.refined_to(width);
-    b = b.refined_to(width);
-  }
-}
-
 /// A double near the number, and a bound of its distance.
 struct NearDouble {
   double value;
@@ -189,6 +178,16 @@ class ArcsOnLine {
 };
 
 }  // namespace
+
+Rational rational_between(RealAlgebraic a, RealAlgebraic b) {
+  for (Rational width = power_of_two(-8);; width *= width) {
+    if (const Rational gap = b.interval().lower - a.interval().upper; gap > 0)
+      return simplest_between(a.interval().upper + Rational(43, 100) * gap,
+                              a.interval().upper + Rational(44, 100) * gap);
+    a = a.refined_to(width);
+    b = b.refined_to(width);
+  }
+}
 
 LinesOfCurve rational_lines(const BivariatePolynomial& f) {
   LinesOfCurve result{{}, {}, f};

@@ -12,6 +12,9 @@
 
 namespace exsect {
 
+/// A short rational number between a < b, not the middle or another one at which something may be special.
+Rational rational_between(RealAlgebraic a, RealAlgebraic b);
+
 /// The lines r = c and s = c with rational c that belong to the curve f(r,s) = 0, and the rest of it.
 struct LinesOfCurve {
   std::vector<Rational> first;   // r = c

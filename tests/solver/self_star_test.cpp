@@ -27,6 +27,14 @@ BezierPatch patch(const std::vector<int>& coordinates) {
   return BezierPatch(net);
 }
 
+/// Coordinates from -largest to largest.
+BezierPatch random_patch(std::mt19937& generator, int largest) {
+  std::uniform_int_distribution<int> coordinate(-largest, largest);
+  std::vector<int> net(27);
+  for (int& c : net) c = coordinate(generator);
+  return patch(net);
+}
+
 // The side u = 1 turns at v = 2/3; both tangent planes agree at v = 1 and v = 1/3.
 const std::vector<int> kFoldedSide = {1, 1, 0, -1, 1, -1, -1, 0, -1, 1, -1, 1, -1, -1,
                                       0, 1, 1, 1,  1, -1, -1, 1, 1,  1, 1,  0, 0};
@@ -82,12 +90,10 @@ std::vector<int> degrees(const IntersectionGraph& graph, NodeKind kind) {
 
 TEST_CASE("the minors give the resultant form of the self-intersection") {
   std::mt19937 generator(8);
-  std::uniform_int_distribution<int> coordinate(-3, 3);
   for (int i = 0; i < 5; ++i) {
-    std::vector<int> net(27);
-    for (int& c : net) c = coordinate(generator);
-    const BivariatePolynomial q = self_projection(patch(net)).curve;
-    const BivariatePolynomial expected = self_locus(patch(net));
+    const BezierPatch x = random_patch(generator, 3);
+    const BivariatePolynomial q = self_projection(x).curve;
+    const BivariatePolynomial expected = self_locus(x);
     CHECK((q == expected || q == expected * Polynomial(-1)));
   }
   CHECK(self_projection(patch(kCrossedFold)).curve.degree_r() == 10);
@@ -95,11 +101,8 @@ TEST_CASE("the minors give the resultant form of the self-intersection") {
 
 TEST_CASE("between turning values the pairs on a line keep their number") {
   std::mt19937 generator(9);
-  std::uniform_int_distribution<int> coordinate(-2, 2);
   for (int i = 0; i < 3; ++i) {
-    std::vector<int> net(27);
-    for (int& c : net) c = coordinate(generator);
-    const BezierPatch x = patch(net);
+    const BezierPatch x = random_patch(generator, 2);
     auto values = self_turning_values(x);
     REQUIRE(values);
     for (const std::size_t parameter : {0U, 1U})  // pairs with a point on a side
