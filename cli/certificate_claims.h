@@ -41,7 +41,9 @@ Json cover_claims(const std::vector<std::string>& entries);
 /// The document with one claim a line.
 std::string claims_text(const Json& document);
 NoCertificate not_accepted(const checker::Rejected& rejected);
-/// The text, if it is accepted; otherwise throws NoCertificate.
+/// The text, if it is accepted, with greater error bounds of arcs perhaps; otherwise throws NoCertificate.
+std::string accepted_text(Json document);
+/// The same with no change.
 std::string confirmed(const std::string& certificate);
 
 }  // namespace exsect::cli

@@ -17,7 +17,35 @@ bool monotone(const Point& d, const ControlNet& c, std::size_t p) {
   return sign(first) * sign(Rational(first + 2 * dot(d, p == 0 ? c[2][0] : c[0][2]))) > 0;
 }
 
+bool has(const Node& node, NodeKind kind) {
+  return std::find(node.kinds.begin(), node.kinds.end(), kind) != node.kinds.end();
+}
+
 }  // namespace
+
+bool is_star(const IntersectionGraph& graph, const Node& node, bool self) {
+  const auto& isolated = graph.isolated_points;
+  return std::find(isolated.begin(), isolated.end(), node.id) != isolated.end() ||
+         has(node, NodeKind::crossing) || has(node, NodeKind::touch) || (!self && has(node, NodeKind::cusp));
+}
+
+void refuse_events(const IntersectResult& result, bool self) {
+  if (result.status != Status::complete) throw NoCertificate("the result is incomplete");
+  const IntersectionGraph& graph = result.graph;
+  if (!graph.overlaps.empty()) throw NoCertificate("an overlap");
+  for (const Node& node : graph.nodes) {
+    if (!node.free.empty()) throw NoCertificate("a node with a free parameter");
+    if (is_star(graph, node, self)) continue;
+    const bool cusp = self && node.kinds == std::vector{NodeKind::cusp};
+    if (has(node, NodeKind::cusp) && !cusp) throw NoCertificate("a cuspidal point on a side");
+    if (!cusp && node.on.empty() == node.wrt.empty())
+      throw NoCertificate(node.on.empty() ? "a node inside a curve" : "a turning point on a side");
+  }
+  for (const Arc& arc : graph.arcs) {
+    if (!arc.free.empty()) throw NoCertificate("an arc with a free parameter");
+    if (arc.contact != Contact::transversal) throw NoCertificate("an arc along which the patches touch");
+  }
+}
 
 /// The shortest rationals in the node's box, which are its parameters if these are short.
 std::array<Rational, 4> short_place(const Node& node) {

@@ -4,6 +4,7 @@
 #include <exsect/checker/certificate.h>
 #include <exsect/geometry/bezier_patch.h>
 #include <exsect/solver/intersection_graph.h>
+#include <exsect/solver/result.h>
 
 #include <array>
 #include <optional>
@@ -14,6 +15,11 @@
 namespace exsect::cli {
 
 using Patches = std::array<BezierPatch, 2>;
+
+/// A point that needs a star: isolated, or where branches meet.
+bool is_star(const IntersectionGraph& graph, const Node& node, bool self);
+/// Throws NoCertificate for what a certificate cannot say.
+void refuse_events(const IntersectResult& result, bool self);
 
 /// The shortest rationals in the node's box, which are its parameters if these are short.
 std::array<Rational, 4> short_place(const Node& node);

@@ -5,45 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 
 #include "certificate_claims.h"
 #include "certificate_events.h"
+#include "certificate_gates.h"
 #include "certificate_star.h"
 
 namespace exsect::cli {
 namespace {
-
-bool has(const Node& node, NodeKind kind) {
-  return std::find(node.kinds.begin(), node.kinds.end(), kind) != node.kinds.end();
-}
-
-/// A point that needs a star: isolated, or where branches meet.
-bool is_star(const IntersectionGraph& graph, const Node& node, bool self) {
-  const auto& isolated = graph.isolated_points;
-  return std::find(isolated.begin(), isolated.end(), node.id) != isolated.end() ||
-         has(node, NodeKind::crossing) || has(node, NodeKind::touch) || (!self && has(node, NodeKind::cusp));
-}
-
-/// Throws NoCertificate for what a certificate cannot say.
-void refuse_events(const IntersectResult& result, bool self) {
-  if (result.status != Status::complete) throw NoCertificate("the result is incomplete");
-  const IntersectionGraph& graph = result.graph;
-  if (!graph.overlaps.empty()) throw NoCertificate("an overlap");
-  for (const Node& node : graph.nodes) {
-    if (!node.free.empty()) throw NoCertificate("a node with a free parameter");
-    if (is_star(graph, node, self)) continue;
-    const bool cusp = self && node.kinds == std::vector{NodeKind::cusp};
-    if (has(node, NodeKind::cusp) && !cusp) throw NoCertificate("a cuspidal point on a side");
-    if (!cusp && node.on.empty() == node.wrt.empty())
-      throw NoCertificate(node.on.empty() ? "a node inside a curve" : "a turning point on a side");
-  }
-  for (const Arc& arc : graph.arcs) {
-    if (!arc.free.empty()) throw NoCertificate("an arc with a free parameter");
-    if (arc.contact != Contact::transversal) throw NoCertificate("an arc along which the patches touch");
-  }
-}
 
 /// `self`: of one patch, which is both patches.
 class Writer {
@@ -140,10 +110,11 @@ class Writer {
 
   Json node(const Node& n) {
     Parameters w = n.approx;
-    tubes_.push_back(is_cusp(n) ? cusp_tube(w) : node_tube(n, w));
+    tubes_.push_back(is_cusp(n) ? cusp_tube(pair_, w) : node_tube(n, w));
     places_.push_back(w);
     place_claims_.push_back(place_claim(n, w));
-    const double radius = is_cusp(n) ? cusp_radius(tubes_.back(), w) : node_radius(n, tubes_.back(), w);
+    const double radius =
+        is_cusp(n) ? cusp_radius(pair_, tubes_.back(), w) : node_radius(n, tubes_.back(), w);
 
     Json on = Json::array();
     for (const Side& side : n.on) on.push_back(side_name(side));
@@ -195,32 +166,6 @@ class Writer {
       for (const auto& b : bounds.first) radius = std::max(radius, 2 * (near + away * b.magnitude()));
     }
     return std::exp2(std::ceil(std::log2(radius)));
-  }
-
-  const Map& chart_map(Chart chart) const { return pair_.charts[chart == Chart::first ? 0 : 1]; }
-
-  /// A tube along w of the chart in which the curve's direction is at most 1; w becomes the cuspidal point.
-  Tube cusp_tube(Parameters& w) const {
-    std::array<double, 2> length{};
-    const Map local = pair_.power.at(w);
-    for (std::size_t d = 0; d < 3; ++d)
-      for (std::size_t j = 0; j < 2; ++j) length[j] += std::pow(local.first(d, j, {}).middle, 2);
-    const Chart chart = length[0] < length[1] ? Chart::first : Chart::second;
-    const std::size_t p = chart == Chart::first ? 0 : 1;
-    double m = 0;  // x_u + m x_v = 0
-    for (std::size_t d = 0; d < 3; ++d)
-      m -= local.first(d, p, {}).middle * local.first(d, 1 - p, {}).middle / length[1 - p];
-    const Parameters z = on_curve(chart_map(chart), {w[p], w[1 - p], m, 0}, 3);
-    if (!(std::abs(z[0] - w[p]) < 1e-6)) throw NoCertificate("a cuspidal point that is not found again");
-    w[p] = w[p + 2] = z[0];
-    w[1 - p] = w[3 - p] = z[1];
-    return tube_at(chart_map(chart), z, 3, {}, chart);
-  }
-
-  double cusp_radius(const Tube& tube, const Parameters& w) const {
-    const std::size_t p = tube.chart == Chart::first ? 0 : 1;
-    const Parameters z = {w[p], w[1 - p], tube.centre[2], 0};
-    return std::exp2(std::ceil(std::log2(std::max(16 * distance(chart_map(tube.chart), tube, z), 0x1p-40))));
   }
 
   /// The star of the node claimed under this number, or nothing.
@@ -294,73 +239,13 @@ class Writer {
       result.tube = half_branch(points, node);
       result.points = leave_star(points, *star_of(node), tubes_[result.tube]);
     } else if (tubes_[node].chart != Chart::pair) {
-      result.points = leave_diagonal(points, tubes_[node]);
+      result.points = leave_diagonal(pair_, points, tubes_[node]);
     } else {
       return result;
     }
     const Parameters& w = points.front().at;
     tubes_.push_back(tube_at(pair_.power, w, line.claim >= 0 ? line.axis : best_axis(pair_, w), line));
     result.beyond = tubes_.size() - 1;
-    return result;
-  }
-
-  std::vector<TracedPoint> leave_diagonal(std::vector<TracedPoint>& points, const Tube& tube) const {
-    const std::size_t p = tube.chart == Chart::first ? 0 : 1;
-    const Map& map = chart_map(tube.chart);
-    const int side = points[1].at[p] > points[1].at[p + 2] ? 1 : -1;
-    return cut(
-        points, 0.5 * tube.reach, [&](const Parameters& w) { return in_chart(tube.chart, w)[3]; },
-        [&](const Parameters& w) {
-          return pair_of(tube.chart, on_curve(map, in_chart(tube.chart, w), 3), side);
-        },
-        [&](double gate) {
-          Parameters z = tube.centre;
-          for (std::size_t j = 0; j < 4; ++j) z[j] += gate * tube.slope[j];
-          return pair_of(tube.chart, on_curve(map, z, 3), side);
-        });
-  }
-
-  /// With more points than vertices: the error is bounded step by step.
-  static std::vector<TracedPoint> leave_star(std::vector<TracedPoint>& points, const FoundStar& star,
-                                             const Tube& tube) {
-    constexpr double step = 1.0 / 32;
-    const Map& map = star.maps[tube.direction];
-    const auto at = [&](double t) { return parameters_of(star, tube, on_half_branch(star, tube, t)); };
-    const auto along = [&](const Parameters& w) {
-      const auto z = in_star(star, tube, w);
-      return z ? (*z)[tube.axis] : std::nan("");
-    };
-    const std::vector<TracedPoint> few = cut(
-        points, 0.9, along,
-        [&](const Parameters& w) {
-          return parameters_of(star, tube, on_curve(map, *in_star(star, tube, w), tube.axis));
-        },
-        at);
-    std::vector<TracedPoint> result;
-    for (std::size_t i = 0; i < few.size(); ++i) {
-      const double begin = i == 0 ? 0 : along(few[i].at);
-      const double length = along(i + 1 < few.size() ? few[i + 1].at : points[0].at) - begin;
-      result.push_back(few[i]);
-      const int steps = static_cast<int>(std::ceil(length / step));
-      for (int n = 1; n < steps; ++n) result.push_back({at(begin + n * length / steps), -1});
-    }
-    return result;
-  }
-
-  /// Takes off the points before the gate, `along` a chart's axis, and returns them; the gate becomes the
-  /// first one.
-  template <class Along, class Projected, class At>
-  static std::vector<TracedPoint> cut(std::vector<TracedPoint>& points, double gate, const Along& along,
-                                      const Projected& projected, const At& at) {
-    gate = std::min(gate, std::isnan(along(points.back().at)) ? gate : 0.4 * along(points.back().at));
-    for (const TracedPoint& q : points)  // none too near
-      if (std::abs(along(q.at) - gate) < 0.01 * gate) gate *= 0.97;
-    std::vector<TracedPoint> result = {points[0]};
-    std::size_t i = 1;
-    for (; i + 1 < points.size() && along(points[i].at) < gate; ++i)
-      result.push_back({projected(points[i].at), points[i].vertex});
-    points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(i));
-    points.insert(points.begin(), {at(gate), -1});
     return result;
   }
 
@@ -373,31 +258,13 @@ class Writer {
     for (std::size_t i = 0; i < tubes_.size(); ++i) {
       const Tube& tube = tubes_[i];
       if (tube.chart != Chart::star || tube.star != index || begun_.count(i) > 0) continue;
-      const Parameters w = parameters_of(star, tube, on_half_branch(star, tube, 0.9));
-      for (std::size_t j = 0; j + 1 < points.size(); ++j) {
-        const double away = distance_to_edge(w, points[j].at, points[j + 1].at);
-        if (away < least) best = i;
-        least = std::min(least, away);
-        const auto z = in_star(star, tube, points[j + 1].at);
-        if (!z || (*z)[tube.axis] > 1) break;
-      }
+      const double away = distance_to_half_branch(star, tube, points);
+      if (away < least) best = i;
+      least = std::min(least, away);
     }
     if (best == tubes_.size()) throw NoCertificate("a special point with more arcs than half branches");
     begun_.insert(best);
     return best;
-  }
-
-  static double distance_to_edge(const Parameters& w, const Parameters& a, const Parameters& b) {
-    double along = 0;
-    double length = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      along += (w[i] - a[i]) * (b[i] - a[i]);
-      length += (b[i] - a[i]) * (b[i] - a[i]);
-    }
-    const double t = std::clamp(along / length, 0.0, 1.0);
-    double sum = 0;
-    for (std::size_t i = 0; i < 4; ++i) sum += std::pow(a[i] + t * (b[i] - a[i]) - w[i], 2);
-    return sum;
   }
 
   Json summary(const Json& json) const {
@@ -439,42 +306,6 @@ class Writer {
   std::vector<Json> place_claims_;
   std::size_t cells_ = 0;
 };
-
-/// An arc whose error bound the check, with enclosures of its own, cannot confirm gets a larger one.
-bool enlarge_bound(Json& document, const Rational& factor, const std::string& where,
-                   const std::string& reason) {
-  for (std::size_t i = 0; i < document["arcs"].size(); ++i) {
-    if (where != in_list("arcs", i) || reason != "the error bound is too small") continue;
-    Json arc = document["arcs"][i];
-    arc.erase("seal");
-    const Rational bound = checker::number_of(arc["error_bound"].get<std::string>());
-    arc["error_bound"] = to_string(bound * factor);
-    document["arcs"][i] = sealed(where, arc);
-    return true;
-  }
-  return false;
-}
-
-/// The text, if it is accepted, with greater error bounds perhaps.
-std::string accepted_text(Json document) {
-  for (int trials = 0; trials < 60; ++trials) {
-    const std::string certificate = claims_text(document);
-    const Rational factor = trials < 20 ? Rational(5, 4) : Rational(4);
-    try {
-      checker::check_in_doubles(certificate);
-      return certificate;
-    } catch (const checker::Rejected& rejected) {
-      if (enlarge_bound(document, factor, rejected.place(), rejected.what())) continue;
-    }
-    try {
-      checker::check_certificate(certificate);
-      return certificate;
-    } catch (const checker::Rejected& rejected) {
-      if (!enlarge_bound(document, factor, rejected.place(), rejected.what())) throw not_accepted(rejected);
-    }
-  }
-  throw NoCertificate("an arc whose polyline's error bound cannot be confirmed");
-}
 
 }  // namespace
 

@@ -1,0 +1,53 @@
+// Every shipped pair has a certificate that is accepted, or none for a reason that is named.
+#include <exsect/geometry/patch_file.h>
+
+#include <map>
+
+#include "certificate_changes.h"
+#include "support/families.h"
+
+namespace exsect {
+namespace {
+
+using namespace certificates;
+
+/// Nothing if there is one, otherwise the reason why not.
+std::string refusal(const BezierPatch& x, const BezierPatch& y) {
+  const IntersectResult result = intersect(x, y, coarse());
+  try {
+    const std::string text = cli::certificate_text(x, y, names, result);
+    const checker::Report report = check_certificate(text);
+    CHECK(report.summary.components == result.graph.components.size());
+    CHECK(report.summary.isolated == result.graph.isolated_points.size());
+    return "";
+  } catch (const cli::NoCertificate& reason) {
+    return reason.what();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("each shipped pair has a certificate, or a named event is in the way") {
+  std::map<std::string, std::vector<std::string>> refused;  // names by reason
+  std::size_t accepted = 0;
+  const auto add = [&](const std::string& name, const BezierPatch& x, const BezierPatch& y) {
+    const std::string reason = refusal(x, y);
+    INFO(name << ": " << reason);
+    reason.empty() ? void(++accepted) : refused[reason].push_back(name);
+  };
+  for (const ExactCase& c : families::specimens()) add(c.name, c.x, c.y);
+  for (const char* name : {"chapter9-first", "chapter9-second", "touching-curve"}) {
+    const auto patches = read_patches(std::string(EXSECT_EXAMPLES "/") + name + ".json").patches;
+    add(name, patches[0].patch, patches[1].patch);
+  }
+  CHECK(accepted == 10);
+  CHECK(refused == std::map<std::string, std::vector<std::string>>{
+                       {"a node with a free parameter", {"collapsed side"}},
+                       {"a special point with degenerate quadratic terms",
+                        {"cusp of the curve", "two branches tangent to each other"}},
+                       {"an arc along which the patches touch",
+                        {"tangent curve", "tangent and transversal", "touching-curve"}},
+                       {"an overlap", {"overlap"}}});
+}
+
+}  // namespace exsect
