@@ -66,10 +66,19 @@ class FibreOverAlgebraic {
                      const RealAlgebraic& value)
       : x_(x), y_(y), f_(std::move(f)), roles_(roles), value_(value) {}
 
-  std::vector<SingularFibrePoint> run() {
+  /// Projects the fibre. True if no singular point is inside: each is a multiple root of the projection, and
+  /// there are none, but for 0 and 1.
+  bool is_excluded() {
     const FibreProjection points = project_fibre(f_);
-    if (is_zero(points.r) || sign_at(points.content, value_) == 0) return {};
+    if (is_zero(points.r) || sign_at(points.content, value_) == 0) return false;
     projection_ = reduced(BivariatePolynomial((points.complete ? points.finite : points.r).coefficients));
+    if (projection_.degree_r() < 1) return false;
+    const auto bound = gcd_degree_bound(projection_, projection_.derivative_r(), value_.polynomial());
+    return bound && *bound <= std::max(0, order_of_root(0) - 1) + std::max(0, order_of_root(1) - 1);
+  }
+
+  /// The points inside the squares; requires is_excluded() to be called before.
+  std::vector<SingularFibrePoint> run() {
     if (projection_.degree_r() < 1) return {};
     const auto repeated = gcd_modulo(projection_, projection_.derivative_r(), value_.polynomial());
     const int k = repeated ? repeated->degree_r() : 0;
@@ -79,6 +88,14 @@ class FibreOverAlgebraic {
   }
 
  private:
+  /// Of the projection over the value.
+  int order_of_root(const Rational& at) const {
+    int order = 0;
+    for (BivariatePolynomial f = projection_; order < projection_.degree_r(); f = f.derivative_r(), ++order)
+      if (sign_at(f.at_r(at), value_) != 0) break;
+    return order;
+  }
+
   Polynomial reduced(const Polynomial& f) const { return divide(f, value_.polynomial()).remainder; }
   BivariatePolynomial reduced(const BivariatePolynomial& f) const {
     std::vector<Polynomial> coefficients;
@@ -219,10 +236,11 @@ std::vector<SingularFibrePoint> singular_points_over(const BezierPatch& x, const
       symbolic_fibre(integer_pair(index(sweep) % 2 == 0 ? owner : owner.exchanged(), of_x ? y : x));
   const Parameter first = all_parameters[of_x ? 2 : 0];
   const Parameter second = all_parameters[of_x ? 3 : 1];
-  std::vector<SingularFibrePoint> result =
-      FibreOverAlgebraic(x, y, f, {sweep, line, first, second}, value).run();
-  for (SingularFibrePoint& point :
-       FibreOverAlgebraic(x, y, f.exchanged(), {sweep, line, second, first}, value).run())
+  FibreOverAlgebraic by_first(x, y, f, {sweep, line, first, second}, value);
+  FibreOverAlgebraic by_second(x, y, f.exchanged(), {sweep, line, second, first}, value);
+  if (by_first.is_excluded() || by_second.is_excluded()) return {};
+  std::vector<SingularFibrePoint> result = by_first.run();
+  for (SingularFibrePoint& point : by_second.run())
     if (is_new(result, point.at)) result.push_back(std::move(point));
   return result;
 }

@@ -55,6 +55,7 @@ TEST_CASE("greatest common divisors over a number field") {
     REQUIRE(found);
     CHECK(found->degree_r() == degree);
     CHECK(found->coefficient(degree) == Polynomial(1));
+    CHECK(gcd_degree_bound(f, h, kField) == degree);
     // the same over the field of the real root, by signs of subresultants
     CHECK(gcd_at(f, h, cube_root).degree_r() == degree);
     CHECK(gcd_at(*found, common, cube_root).degree_r() == degree);
@@ -66,6 +67,22 @@ TEST_CASE("greatest common divisors over a number field") {
   // (s - 1) r is not zero modulo s³ + s - 2, but has no inverse leading coefficient.
   CHECK_FALSE(gcd_modulo(r * BivariatePolynomial({Polynomial({-1, 1})}), r + BivariatePolynomial::constant(1),
                          kCubic));
+}
+
+TEST_CASE("degrees of common divisors modulo a prime") {
+  const BivariatePolynomial r = BivariatePolynomial::r();
+  const BivariatePolynomial s = BivariatePolynomial::s();
+  const BivariatePolynomial one = BivariatePolynomial::constant(1);
+  CHECK_FALSE(gcd_degree_bound(BivariatePolynomial(), BivariatePolynomial(), kField));
+  CHECK(gcd_degree_bound(r * r, BivariatePolynomial(), kField) == 2);
+  CHECK(gcd_degree_bound(BivariatePolynomial(), one, kField) == 0);
+  // r - s and r³ - 2 have a common root over the field only.
+  CHECK(gcd_degree_bound(r - s, r * r * r - BivariatePolynomial::constant(2), kField) == 1);
+  CHECK(gcd_degree_bound(r - s, r * r * r - BivariatePolynomial::constant(3), kField) == 0);
+  // Both leading coefficients are zero in the field.
+  const BivariatePolynomial zero({kField});
+  CHECK_FALSE(gcd_degree_bound(zero * r + one, zero * r + one, kField));
+  CHECK_THROWS_AS(gcd_degree_bound(r, r, Polynomial(3)), std::domain_error);
 }
 
 }  // namespace exsect

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "../../solver/critical_values.h"
 #include "support/catch.h"
 #include "support/graph_checks.h"
 #include "support/graph_isomorphism.h"
@@ -105,6 +106,30 @@ TEST_CASE("singular points over an algebraic value are found exactly") {
   }
   // A turning point is none, nor is a simple point.
   CHECK(singular_points_over(x, y, Parameter::u, real_roots(Polynomial({-1, 0, 2}), 0, 1)[0]).empty());
+}
+
+TEST_CASE("points of a common side are not inside") {
+  // Where the tangent planes agree along u = r = 0, over a value of v of degree 5, each projection of the
+  // fibre has a double root, but no point is inside.
+  random_pairs::Generator generator(5);
+  const auto number = [&] { return Rational(random_pairs::integer(generator, -16, 16), 16); };
+  ControlNet first, second;
+  for (ControlNet* net : {&first, &second})
+    for (auto& row : *net)
+      for (Point& p : row) p = {number(), number(), number()};
+  second[0] = first[0];
+  const BezierPatch x(first);
+  const BezierPatch y(second);
+  const auto turning = turning_values(x, y, Parameter::v);
+  REQUIRE(turning);
+  int found = 0;
+  for (const TurningValue& value : turning->values) {
+    if (value.multiplicity != 2 || value.value.is_rational()) continue;
+    CHECK(value.value.polynomial().degree() == 5);
+    CHECK(singular_points_over(x, y, Parameter::v, value.value).empty());
+    ++found;
+  }
+  CHECK(found > 0);
 }
 
 TEST_CASE("touch points and crossings that are irrational in all parameters") {
