@@ -26,7 +26,29 @@ Line line(const Value& value) {
           value["at"].array<4>([](const Value& v) { return v.numbers<Rational, 3>(); })};
 }
 
-/// "pair", "first", "second", "line3", "star0u+" or "star0u+line3".
+/// "star0u+", which is taken off the text.
+MapName chart_of_star(const Value& value, std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_of(parameter_letters, 4), text.size() - 1);
+  const std::size_t k = parameter_letters.find(text[end]);
+  const std::string_view sign = text.substr(end + 1, 1);
+  value.require(k != std::string_view::npos && (sign == "+" || sign == "-"),
+                "must be a chart such as star0u+");
+  const auto star = static_cast<std::size_t>(value.integer(text.substr(4, end - 4)));
+  text.remove_prefix(end + 2);
+  return {Chart::star, star, 2 * k + (sign == "-" ? 1 : 0)};
+}
+
+/// "pair" or "star0u+".
+MapName map_name(const Value& value) {
+  std::string_view text = value.text();
+  if (text == "pair") return {};
+  value.require(text.substr(0, 4) == "star", "must be pair or a chart of a star");
+  const MapName result = chart_of_star(value, text);
+  value.require(text.empty(), "must be pair or a chart of a star");
+  return result;
+}
+
+/// "pair", "first", "second", "line3", "line3seam2", "star0u+", "star0u+line3" or "star0u+line3seam2".
 template <class N>
 void read_curve(const Value& value, Tube<N>& tube) {
   std::string_view curve = value.text();
@@ -36,16 +58,12 @@ void read_curve(const Value& value, Tube<N>& tube) {
     return;
   }
   if (curve.substr(0, 4) == "star") {
-    const std::size_t end = std::min(curve.find_first_of(parameter_letters, 4), curve.size() - 1);
-    const std::size_t k = parameter_letters.find(curve[end]);
-    const std::string_view sign = curve.substr(end + 1, 1);
-    value.require(k != std::string_view::npos && (sign == "+" || sign == "-"),
-                  "must be a chart such as star0u+");
-    tube.chart = Chart::star;
-    tube.star = static_cast<std::size_t>(value.integer(curve.substr(4, end - 4)));
-    tube.direction = 2 * k + (sign == "-" ? 1 : 0);
-    curve.remove_prefix(end + 2);
+    static_cast<MapName&>(tube) = chart_of_star(value, curve);
     if (curve.empty()) return;
+  }
+  if (const std::size_t seam = curve.find("seam"); seam != std::string_view::npos) {
+    tube.seam = value.integer(curve.substr(seam + 4));
+    curve = curve.substr(0, seam);
   }
   tube.line = value.integer(curve.substr(0, 4) == "line" ? curve.substr(4) : "");
 }
@@ -53,7 +71,8 @@ void read_curve(const Value& value, Tube<N>& tube) {
 template <class N>
 Tube<N> tube(const Value& value) {
   value.require_claim({"centre", "axis", "slope", "reach", "width", "inverse", "curve"});
-  Tube<N> result = {value["centre"].numbers<N, 4>(),
+  Tube<N> result = {{},
+                    value["centre"].numbers<N, 4>(),
                     value["axis"].parameter(),
                     value["slope"].numbers<N, 4>(),
                     value["reach"].number<N>(),
@@ -131,7 +150,7 @@ Cell cell(const Value& value, std::string_view claim) {
 /// Entries with blanks between them.
 std::vector<Cell> cells(const Value& value, std::string_view text, std::size_t row) {
   std::vector<Cell> result;
-  for (std::size_t begin = 0; begin <= text.size();) {
+  for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
     const std::size_t end = std::min(text.find(' ', begin), text.size());
     result.push_back(cell(value, text.substr(begin, end - begin)));
     result.back().row = row;
@@ -151,11 +170,11 @@ void append_row(const Value& value, std::size_t i, std::vector<Cell>& list) {
   list.insert(list.end(), row.begin(), row.end());
 }
 
-Star star(const Value& value) {
-  value.require_claim({"at", "axes", "coordinates", "weights", "rows", "orders", "charts"});
+Star star(const Value& value, const MapName& of) {
   const auto row = [](const Value& v) { return v.numbers<Rational, 4>(); };
   const auto count = [](const Value& v) { return v.count(); };
-  return {row(value["at"]),
+  return {of,
+          row(value["at"]),
           value["axes"].array<4>(row),
           value["coordinates"].array<4>(row),
           value["weights"].array<4>(count),
@@ -164,13 +183,22 @@ Star star(const Value& value) {
           value["charts"].array<8>([](const Value& v) { return cells(v, v.text(), 0); })};
 }
 
+Star star_at_point(const Value& value) {
+  value.require_claim({"at", "axes", "coordinates", "weights", "rows", "orders", "charts"});
+  return star(value, {});
+}
+Star seam(const Value& value) {
+  value.require_claim({"of", "at", "axes", "coordinates", "weights", "rows", "orders", "charts"});
+  return star(value, map_name(value["of"]));
+}
+
 Summary summary(const Value& value) {
-  value.require_claim(
-      {"claims", "components", "closed", "open", "branched", "isolated", "boundary", "turning"});
+  value.require_claim({"claims", "components", "closed", "open", "branched", "isolated", "boundary",
+                       "tangential", "turning"});
   const auto count = [](const Value& v) { return v.count(); };
-  return {value["claims"].array<7>(count), value["components"].count(),     value["closed"].count(),
-          value["open"].count(),           value["branched"].count(),       value["isolated"].count(),
-          value["boundary"].count(),       value["turning"].array<4>(count)};
+  return {value["claims"].array<8>(count), value["components"].count(), value["closed"].count(),
+          value["open"].count(),           value["branched"].count(),   value["isolated"].count(),
+          value["boundary"].count(),       value["tangential"].count(), value["turning"].array<4>(count)};
 }
 
 Fixed fixed(const Value& value) {
@@ -215,19 +243,20 @@ void require_ends(const Value& root, const std::vector<Arc<N>>& arcs) {
 template <class N>
 Certificate<N> curves(const Value& root, bool self) {
   if (self)
-    root.require_keys({"exsect", "command", "first", "relations", "lines", "stars", "tubes", "nodes", "arcs",
-                       "components", "cover"},
+    root.require_keys({"exsect", "command", "first", "relations", "lines", "stars", "seams", "tubes", "nodes",
+                       "arcs", "components", "cover"},
                       "summary");
   else
-    root.require_keys({"exsect", "command", "first", "second", "relations", "lines", "stars", "tubes",
-                       "nodes", "arcs", "components", "cover"},
+    root.require_keys({"exsect", "command", "first", "second", "relations", "lines", "stars", "seams",
+                       "tubes", "nodes", "arcs", "components", "cover"},
                       "summary");
   Certificate<N> result = {{patch(root["first"]), patch(root[self ? "first" : "second"])},
                            self,
                            std::nullopt,
                            root["relations"].list(relation),
                            root["lines"].list(line),
-                           root["stars"].list(star),
+                           root["stars"].list(star_at_point),
+                           root["seams"].list(seam),
                            root["tubes"].list(tube<N>),
                            root["nodes"].list(node<N>),
                            root["arcs"].list(arc<N>),
@@ -250,7 +279,7 @@ Certificate<N> points(const Value& root) {
   Certificate<N> result = {{patch(root["first"]), patch(root["second"])}, false, only};
   result.tubes = root["tubes"].list(tube<N>);
   result.nodes = root["points"].list([&](const Value& v) { return point<N>(v, only); });
-  result.summary = {root["summary"]["claims"].array<7>([](const Value& v) { return v.count(); })};
+  result.summary = {root["summary"]["claims"].array<8>([](const Value& v) { return v.count(); })};
   return result;
 }
 

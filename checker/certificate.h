@@ -67,8 +67,10 @@ struct Cell {
 
 /// The solution `at` and all solutions near it, w = at + sum_j axes_ij e_j, |e_j| <= 1: they are on half
 /// branches e_j = d_j t^weights_j, each the curve of a tube in one of the eight charts d_k = 1 and d_k = -1,
-/// where `rows` F is divisible by t^orders.
+/// where `rows` F is divisible by t^orders. With one or two weights 0 it is a seam: all points of a line or
+/// a plane, e_j = 0 for the other j, are solutions of `of`, and there are no others.
 struct Star {
+  MapName of;  // of a seam
   Vector4<Rational> at;
   Matrix4 axes;
   Matrix4 coordinates;  // their inverse
@@ -120,13 +122,15 @@ struct Component {
 };
 
 struct Summary {
-  std::array<std::size_t, 7> claims;  // relations, lines, stars, tubes, nodes, arcs, entries of the cover
+  std::array<std::size_t, 8>
+      claims;  // relations, lines, stars, tubes, nodes, arcs, entries of the cover, seams
   std::size_t components = 0;
   std::size_t closed = 0;
   std::size_t open = 0;
   std::size_t branched = 0;
   std::size_t isolated = 0;
   std::size_t boundary = 0;
+  std::size_t tangential = 0;
   std::array<std::size_t, 4> turning = {};
 };
 
@@ -139,6 +143,7 @@ struct Certificate {
   std::vector<Relation> relations = {};
   std::vector<Line> lines = {};
   std::vector<Star> stars = {};
+  std::vector<Star> seams = {};
   std::vector<Tube<N>> tubes = {};
   std::vector<Node<N>> nodes = {};  // those of the stars last
   std::vector<Arc<N>> arcs = {};

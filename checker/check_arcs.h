@@ -50,7 +50,7 @@ class ErrorBound {
 
   /// The steps between the points first, ... of a piece, at `at` in the variables of the tube's map, each
   /// within `near` of the curve; four steps together.
-  void check(const Tube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
+  void check(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
              const std::vector<N>& near, const std::string& where) const {
     for (std::size_t j = 0; j + 1 < at.size(); j += 4) {
       const std::size_t last = std::min(j + 4, at.size() - 1);
@@ -91,28 +91,27 @@ class ErrorBound {
   }
 
   /// Of the curve in the box; those of a line exactly.
-  CurveBounds<N> derivatives(const Tube<N>& tube, const Vector4<N>& middle, const Vector4<N>& half,
+  CurveBounds<N> derivatives(const ProvedTube<N>& tube, const Vector4<N>& middle, const Vector4<N>& half,
                              const std::string& where) const {
-    if (tube.line < 0) {
-      const Map<N> here = replay_.map(tube).at(middle);
-      const CurveBounds<N> bounds = curve_bounds(here.times(near_inverse(here, tube.axis)), tube.axis, half);
+    const std::size_t k = tube.claim.axis;
+    if (!tube.exact) {
+      const Map<N> here = replay_.map(tube.claim).at(middle);
+      const CurveBounds<N> bounds = curve_bounds(here.times(near_inverse(here, k)), k, half);
       require(bounds.defect < 1, where, "no derivative over a step of the polyline");
       return bounds;
     }
     CurveBounds<N> bounds = {};
-    bounds.first[tube.axis] = {N(1), N(0)};
-    if (tube.chart == Chart::star) return bounds;  // d is constant
-    const Line& line = replay_.certificate.lines[static_cast<std::size_t>(tube.line)];
-    for (const std::size_t i : others(tube.axis)) {
-      const N bend = N(Rational(2 * line.at[i][2]));
-      bounds.first[i] = {N(line.at[i][1]) + bend * middle[tube.axis], magnitude(bend) * half[tube.axis]};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vector3<N>& a = (*tube.exact)[i];
+      const N bend = 2 * a[2];
+      bounds.first[i] = {a[1] + bend * middle[k], magnitude(bend) * half[k]};
       bounds.second[i] = {bend, N(0)};
     }
     return bounds;
   }
 
   /// The greatest distance on the steps j, ..., last - 1.
-  N over(const Tube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
+  N over(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
          const std::vector<N>& near, std::size_t j, std::size_t last, const std::string& where) const {
     N margin = 0;
     for (std::size_t i = j; i <= last; ++i) margin = larger(margin, near[i]);
@@ -123,7 +122,7 @@ class ErrorBound {
       half[i] = rounded_down(N(magnitude(N(at[j][i] - at[last][i])) / 2 + 2 * margin)) + N(0x1p-23);
     }
     const CurveBounds<N> bounds = derivatives(tube, middle, half, where);
-    const Map<N>& space = replay_.space_map(tube);
+    const Map<N>& space = replay_.space_map(tube.claim);
     const Map<N> local = space.at(middle);
     Vector3<N> second;
     Vector3<N> slope;
@@ -132,7 +131,7 @@ class ErrorBound {
       for (std::size_t i = 0; i < 4; ++i) {
         const Ball<N> partial = local.first(d, i, half);
         bend = bend + partial * bounds.second[i];
-        if (i != tube.axis) slope[d] += partial.magnitude();
+        if (i != tube.claim.axis) slope[d] += partial.magnitude();
       }
       second[d] = bend.magnitude();
     }
@@ -143,7 +142,7 @@ class ErrorBound {
     for (std::size_t i = j; i <= last; ++i) {
       const N end = norm_above(difference(space.value(at[i]), places_[first + i])) + speed * near[i];
       if (i > j) {
-        const N step = at[i][tube.axis] - at[i - 1][tube.axis];
+        const N step = at[i][tube.claim.axis] - at[i - 1][tube.claim.axis];
         most = larger(most, N(larger(before, end) + step * step * bend));
       }
       before = end;
@@ -231,7 +230,7 @@ class ArcCheck {
       require((grows[i] != 0 || tube.constant[i]) && direction * grows[i] == grows_[i], where_,
               "not monotone in a parameter");
     }
-    bound_.check(tube.claim, first, at, near, where_);
+    bound_.check(tube, first, at, near, where_);
     entered = out_of_chart(tube.claim, piece.last, out);
     return direction;
   }

@@ -67,8 +67,18 @@ void check_component(const Certificate<N>& certificate, std::size_t c,
   require(component.shape == shape, where, "open, closed and branched confused");
 }
 
+/// The patches touch all along the arc. In tubes that no seam proves they do so nowhere.
 template <class N>
-void check_graph(const Certificate<N>& certificate, const std::vector<std::array<ArcEnd, 2>>& ends) {
+bool is_tangential(const Replay<N>& all, const Arc<N>& arc) {
+  return std::all_of(arc.pieces.begin(), arc.pieces.end(), [&](const Piece& piece) {
+    const Tube<N>& tube = all.tubes[piece.tube].claim;
+    return tube.seam >= 0 && touches(all.exact, all.certificate.lines[static_cast<std::size_t>(tube.line)]);
+  });
+}
+
+template <class N>
+void check_graph(const Replay<N>& all, const std::vector<std::array<ArcEnd, 2>>& ends) {
+  const Certificate<N>& certificate = all.certificate;
   const std::vector<std::size_t> degrees = check_ends(certificate, ends);
   Summary count{};
   std::vector<bool> listed(certificate.arcs.size());
@@ -79,6 +89,8 @@ void check_graph(const Certificate<N>& certificate, const std::vector<std::array
   }
   require(std::find(listed.begin(), listed.end(), false) == listed.end(), "$.components",
           "an arc is missing");
+  for (const Arc<N>& arc : certificate.arcs)
+    if (is_tangential(all, arc)) ++count.tangential;
   for (std::size_t i = 0; i < certificate.nodes.size(); ++i) {
     const Node<N>& node = certificate.nodes[i];
     if (!node.on.empty()) ++count.boundary;
@@ -92,11 +104,12 @@ void check_graph(const Certificate<N>& certificate, const std::vector<std::array
                   certificate.tubes.size(),
                   certificate.nodes.size() - certificate.stars.size(),
                   certificate.arcs.size(),
-                  certificate.cover.size()};
+                  certificate.cover.size(),
+                  certificate.seams.size()};
   require(said.claims == count.claims && said.components == certificate.components.size() &&
               said.closed == count.closed && said.open == count.open && said.branched == count.branched &&
               said.isolated == count.isolated && said.boundary == count.boundary &&
-              said.turning == count.turning,
+              said.tangential == count.tangential && said.turning == count.turning,
           "$.summary", "does not agree with the claims and their graph");
 }
 
@@ -104,7 +117,11 @@ template <class N>
 void check_curves(const Replay<N>& all) {
   const Certificate<N>& certificate = all.certificate;
   for (std::size_t i = 0; i < certificate.stars.size(); ++i)
-    for (std::size_t direction = 0; direction < 8; ++direction) StarCover<N>(all, i, direction).check();
+    for (std::size_t direction = 0; direction < 8; ++direction)
+      ChartCover<N>(all, certificate.stars[i], all.stars[i], {Chart::star, i, direction}, place("stars", i));
+  for (std::size_t i = 0; i < certificate.seams.size(); ++i)
+    for (std::size_t direction = 0; direction < 8; ++direction)
+      ChartCover<N>(all, certificate.seams[i], all.seams[i], {Chart::pair, 0, direction}, place("seams", i));
   for (std::size_t i = 0; i < certificate.nodes.size(); ++i) NodeCheck<N>(all).check(i);
   std::vector<std::array<ArcEnd, 2>> ends;
   std::vector<bool> used(all.tubes.size());
@@ -114,7 +131,7 @@ void check_curves(const Replay<N>& all) {
   }
   for (std::size_t i = 0; i < used.size(); ++i)
     require(used[i] || leaves_domain(all, all.tubes[i]), place("tubes", i), "no arc runs through it");
-  check_graph(certificate, ends);
+  check_graph(all, ends);
 }
 
 template <class N>
@@ -126,6 +143,8 @@ Report check(const Certificate<N>& certificate) {
     check_line(all.exact, certificate.lines[i], place("lines", i));
   for (std::size_t i = 0; i < certificate.stars.size(); ++i)
     all.stars.push_back(check_star(all, certificate.stars[i], place("stars", i)));
+  for (std::size_t i = 0; i < certificate.seams.size(); ++i)
+    all.seams.push_back(check_seam(all, certificate.seams[i], place("seams", i)));
   for (const Tube<N>& tube : certificate.tubes) check_tube(all, tube);
   if (certificate.fixed)
     check_points(all);

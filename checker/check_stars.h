@@ -32,12 +32,10 @@ Box<N> node_box(const Tube<N>& tube, const Node<N>& node, const std::string& whe
   return ball<N>({u.middle, v.middle, m, N(0)}, node.radius);
 }
 
-/// The star's point is a singular solution; its maps.
-template <class N>
-StarMaps<N> check_star(const Replay<N>& replay, const Star& star, const std::string& where) {
-  for (const Rational& q : star.at) require(q >= 0 && q <= 1, where, "not in [0,1]^4");
+/// Of a star or a seam: the coordinates are the inverse of the axes, and the rows are independent.
+inline void check_frame(const Star& star, const std::string& where) {
   for (std::size_t i = 0; i < 4; ++i) {
-    require(star.weights[i] >= 1 && star.weights[i] <= 6, where, "a weight is not in 1, ..., 6");
+    require(star.weights[i] <= 6, where, "a weight is not in 0, ..., 6");
     for (std::size_t j = 0; j < 4; ++j) {
       Rational product = 0;
       for (std::size_t n = 0; n < 4; ++n) product += star.coordinates[i][n] * star.axes[n][j];
@@ -49,45 +47,58 @@ StarMaps<N> check_star(const Replay<N>& replay, const Star& star, const std::str
                   a[2] * (b[0] * c[1] - b[1] * c[0]) !=
               0,
           where, "its rows are dependent");
+  for (const std::size_t order : star.orders) require(order >= 1, where, "an order below 1");
+}
+
+/// `equation` in the charts with t.
+template <class N>
+void add_equations(StarMaps<N>& maps, const Star& star, const Map<Rational>& equation,
+                   const std::string& where) {
+  const Terms terms = centred(equation, star);
+  for (std::size_t direction = 0; direction < 8; ++direction)
+    if (star.weights[direction / 2] > 0)
+      maps.equation[direction] = in_direction<N>(terms, star, direction, star.rows, star.orders, where);
+}
+
+/// The star's point is a singular solution; its maps.
+template <class N>
+StarMaps<N> check_star(const Replay<N>& replay, const Star& star, const std::string& where) {
+  for (const Rational& q : star.at) require(q >= 0 && q <= 1, where, "not in [0,1]^4");
+  for (const std::size_t weight : star.weights) require(weight >= 1, where, "a weight is not in 1, ..., 6");
+  check_frame(star, where);
   const Map<Rational> equation = pair_map(replay.exact[0], replay.exact[1]);
   const Map<Rational> local = equation.at(star.at);
   for (const auto& term : local.terms())
     if (term.power[0] + term.power[1] + term.power[2] + term.power[3] == 1)
-      require(dot(c, term.c) == 0, where, "its last row is not normal to both patches");
+      require(dot(star.rows[2], term.c) == 0, where, "its last row is not normal to both patches");
+  StarMaps<N> result;
+  add_equations(result, star, equation, where);
   Map<Rational> space;
   Net<Rational> moved = replay.exact[0];
   for (std::size_t d = 0; d < 3; ++d) moved[0][0][d] -= replay.origin[d];
   add_patch(space, moved, Rational(1), 0);
-  const Terms terms = centred(equation, star);
   const Terms points = centred(space, star);
-  StarMaps<N> result;
-  for (std::size_t direction = 0; direction < 8; ++direction) {
-    for (const std::size_t order : star.orders) require(order >= 1, where, "an order below 1");
-    result.equation[direction] = in_direction<N>(terms, star, direction, star.rows, star.orders, where);
+  for (std::size_t direction = 0; direction < 8; ++direction)
     result.space[direction] =
         in_direction<N>(points, star, direction, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0}, where);
-  }
   return result;
 }
 
-/// The line through the star's point is a ray with constant d in the chart, and in the tube.
+/// The points e_j = 0, for all j with a weight > 0, of a seam are solutions; its maps.
 template <class N>
-void check_ray(const Star& star, const Tube<N>& tube, const Line& line, const std::string& where) {
-  const std::size_t k = tube.direction / 2;
-  const Rational& t = star.at[line.axis];
-  Vector4<Rational> e = {};
-  for (std::size_t i = 0; i < 4; ++i) {
-    require(line.at[i][2] == 0 && line.at[i][0] + t * line.at[i][1] == star.at[i], where,
-            "its line is not straight through the star's point");
-    for (std::size_t j = 0; j < 4; ++j) e[j] += star.coordinates[j][i] * line.at[i][1];
+StarMaps<N> check_seam(const Replay<N>& replay, const Star& seam, const std::string& where) {
+  const auto dimension = std::count(seam.weights.begin(), seam.weights.end(), std::size_t{0});
+  require(dimension == 1, where, "neither of a line nor of a plane");
+  check_frame(seam, where);
+  Map<Rational> equation = pair_map(replay.exact[0], replay.exact[1]);
+  if (seam.of.chart == Chart::star) {
+    const Star& star = element(replay.certificate.stars, seam.of.star, where, "names no star");
+    equation = in_direction<Rational>(centred(equation, star), star, seam.of.direction, star.rows,
+                                      star.orders, where);
   }
-  require(e[k] != 0, where, "its line is not in the chart");
-  for (const std::size_t j : others(k)) {
-    const N d = N(Rational(tube.direction % 2 == 0 ? e[j] / e[k] : -e[j] / e[k]));
-    require(e[j] == 0 || star.weights[j] == star.weights[k], where, "its line is not straight in the chart");
-    require(magnitude(N(d - tube.centre[j])) + tube.reach * magnitude(tube.slope[j]) <= tube.width, where,
-            "its line is not in it");
-  }
+  StarMaps<N> result;
+  add_equations(result, seam, equation, where);
+  return result;
 }
 
 /// The tube holds one half branch of its star, which begins between the charts' sides, and along which each
@@ -95,7 +106,7 @@ void check_ray(const Star& star, const Tube<N>& tube, const Line& line, const st
 /// of t.
 template <class N>
 void check_half_branch(Replay<N>& replay, const std::string& where) {
-  auto& [tube, bounds, constant, grows] = replay.tubes.back();
+  auto& [tube, bounds, constant, grows, exact] = replay.tubes.back();
   const Star& star = replay.certificate.stars[tube.star];
   const std::size_t k = tube.direction / 2;
   require(tube.axis == k && tube.centre[k] == 0, where, "does not begin at its star's point");
@@ -103,7 +114,7 @@ void check_half_branch(Replay<N>& replay, const std::string& where) {
     require(magnitude(tube.centre[j]) + tube.width < 1, where, "begins beyond its chart");
   for (std::size_t i = 0; i + 1 < replay.tubes.size(); ++i) {
     const Tube<N>& other = replay.tubes[i].claim;
-    if (other.chart != Chart::star || other.star != tube.star || other.direction != tube.direction) continue;
+    if (static_cast<const MapName&>(other) != tube) continue;
     const auto apart = [&](std::size_t j) {
       return j != k && magnitude(N(tube.centre[j] - other.centre[j])) > tube.width + other.width;
     };
@@ -127,28 +138,34 @@ bool leaves_domain(const Replay<N>& replay, const ProvedTube<N>& tube) {
   return false;
 }
 
-/// The subdivisions of a star's charts, 0 <= t <= 1 and |d_j| <= 1: every leaf holds no solution or lies in a
-/// tube.
+/// The subdivision of a chart of a star or a seam, 0 <= t <= 1 and |d_j| <= 1: every leaf holds no solution,
+/// or lies in a tube of the star.
 template <class N>
-class StarCover {
+class ChartCover {
  public:
-  StarCover(const Replay<N>& replay, std::size_t star, std::size_t direction)
+  ChartCover(const Replay<N>& replay, const Star& star, const StarMaps<N>& maps, const MapName& chart,
+             const std::string& where)
       : replay_(replay),
-        star_(star),
-        direction_(direction),
-        where_(place("stars", star) + ".charts[" + std::to_string(direction) + "]"),
-        cells_(replay.certificate.stars[star].charts[direction]) {}
+        chart_(chart),
+        map_(maps.equation[chart.direction]),
+        where_(where + ".charts[" + std::to_string(chart.direction) + "]"),
+        cells_(star.charts[chart.direction]) {
+    if (star.weights[chart.direction / 2] > 0)
+      check();
+    else
+      require(cells_.empty(), where_, "no chart");
+  }
 
+ private:
   void check() {
     Vector4<double> middle = {};
-    middle[direction_ / 2] = 0.5;
+    middle[chart_.direction / 2] = 0.5;
     Vector4<double> half = {1, 1, 1, 1};
-    half[direction_ / 2] = 0.5;
+    half[chart_.direction / 2] = 0.5;
     check(middle, half);
     require(next_ == cells_.size(), where_, "beyond the end of the subdivision");
   }
 
- private:
   void check(const Vector4<double>& middle, const Vector4<double>& half) {
     const Cell& cell = element(cells_, next_++, where_, "the subdivision is not complete");
     Box<N> box;
@@ -164,21 +181,20 @@ class StarCover {
       }
     } else if (cell.kind == Cell::Kind::tube) {
       const Tube<N>& tube = element(replay_.tubes, cell.index, where_, "names no tube").claim;
-      require(tube.chart == Chart::star && tube.star == star_ && tube.direction == direction_, where_,
-              "a tube of another chart");
+      require(chart_.chart == Chart::star && tube == chart_, where_, "a tube of another chart");
       require(tube.contains(box), where_, "a cell is not in its tube");
     } else {
       require(cell.kind == Cell::Kind::excluded, where_, "not an entry of a star's chart");
       const Vector3<N> n = {cell.direction[0], cell.direction[1], cell.direction[2]};
-      const Map<N> local = replay_.stars[star_].equation[direction_].at(middles(box));
+      const Map<N> local = map_.at(middles(box));
       require(local.along(n, {N(half[0]), N(half[1]), N(half[2]), N(half[3])}).sign() != 0, where_,
               "a cell may hold a solution");
     }
   }
 
   const Replay<N>& replay_;
-  std::size_t star_;
-  std::size_t direction_;
+  const MapName chart_;
+  const Map<N>& map_;
   const std::string where_;
   const std::vector<Cell>& cells_;
   std::size_t next_ = 0;

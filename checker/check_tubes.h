@@ -43,19 +43,66 @@ inline void check_line(const std::array<Net<Rational>, 2>& exact, const Line& li
   }
 }
 
-/// The line is in the tube for all values of the axis, so it is the tube's curve.
+/// The patches touch all along the line: the derivative of F has no rank 3, which is of degree <= 18 in t.
+inline bool touches(const std::array<Net<Rational>, 2>& exact, const Line& line) {
+  for (int t = 0; t < 19; ++t) {
+    Vector4<Rational> w;
+    for (std::size_t i = 0; i < 4; ++i) w[i] = value(line.at[i], Rational(t));
+    for (const Ball<Rational>& minor : tangent(pair_map(exact[0], exact[1]).at(w), {}))
+      if (minor.middle != 0) return false;
+  }
+  return true;
+}
+
+/// The tube lies in its seam, all solutions of which are on the line.
 template <class N>
-void check_on_line(const Tube<N>& tube, const Line& line, const std::string& where) {
-  require(line.axis == tube.axis, where, "its line has another axis");
+void check_in_seam(const Replay<N>& replay, const Tube<N>& tube, const OnAxis<Rational>& on,
+                   const std::string& where) {
+  const Star& seam =
+      element(replay.certificate.seams, static_cast<std::size_t>(tube.seam), where, "names no seam");
+  require(seam.of == tube, where, "its seam is one of another map");
+  require(tube.inverse == Matrix3<N>{}, where, "an inverse where none is needed");
+  for (std::size_t j = 0; j < 4; ++j) {
+    N middle = 0;
+    N slope = 0;
+    N size = 0;
+    Vector3<Rational> e = {};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Rational& c = seam.coordinates[j][i];
+      middle += N(c) * (tube.centre[i] - N(seam.at[i]));
+      slope += N(c) * tube.slope[i];
+      if (i != tube.axis) size += N(Rational(abs(c))) * tube.width;
+      for (std::size_t n = 0; n < 3; ++n) e[n] += c * (on[i][n] - (n == 0 ? seam.at[i] : Rational(0)));
+    }
+    require(magnitude(middle) + tube.reach * magnitude(slope) + size <= 1, where, "not in its seam");
+    const bool on_it = e[0] == 0 && e[1] == 0 && e[2] == 0;
+    require(seam.weights[j] == 0 || on_it, where, "its line is not that of its seam");
+  }
+}
+
+/// The tube's curve is a line, which is in it for all values of the axis.
+template <class N>
+void check_on_line(Replay<N>& replay, const std::string& where) {
+  auto& [tube, bounds, constant, grows, exact] = replay.tubes.back();
+  const Certificate<N>& certificate = replay.certificate;
+  const Line& line = element(certificate.lines, static_cast<std::size_t>(tube.line), where, "names no line");
+  require(tube.chart == Chart::star || line.axis == tube.axis, where, "its line has another axis");
+  const OnAxis<Rational> on =
+      tube.chart == Chart::star ? ray(certificate.stars[tube.star], tube, line, where) : line.at;
+  if (tube.seam >= 0) check_in_seam(replay, tube, on, where);
+  exact.emplace();
   const N& t = tube.centre[tube.axis];
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vector3<N> a = {N(line.at[i][0]), N(line.at[i][1]), N(line.at[i][2])};
-    const N middle = a[0] + t * (a[1] + t * a[2]) - tube.centre[i];
+    Vector3<N>& a = (*exact)[i];
+    a = {N(on[i][0]), N(on[i][1]), N(on[i][2])};
+    const N middle = value(a, t) - tube.centre[i];
     const N slope = a[1] + 2 * t * a[2] - tube.slope[i];
     require(
         i == tube.axis ||
             magnitude(middle) + tube.reach * (magnitude(slope) + tube.reach * magnitude(a[2])) <= tube.width,
         where, "its line is not in it");
+    if (tube.seam >= 0) bounds.first[i] = {a[1], N(0)};  // straight
+    constant[i] = line.at[i][1] == 0 && line.at[i][2] == 0 && line.at[i][0] >= 0 && line.at[i][0] <= 1;
   }
 }
 
@@ -68,22 +115,18 @@ void check_tube(Replay<N>& replay, const Tube<N>& tube) {
     element(certificate.stars, tube.star, where, "names no star");
   else
     require(tube.chart == Chart::pair || certificate.self, where, "a chart of two patches");
-  const Map<N> local = replay.map(tube).at(tube.centre).times(tube.inverse);
-  for (const N& slack : contraction(tube, local)) require(slack > 0, where, "no contraction");
   const Vector4<N> extent = tube.extent();
-  replay.tubes.push_back({tube, curve_bounds(local, tube.axis, extent), {}, {}});
-  auto& [claim, bounds, constant, grows] = replay.tubes.back();
+  replay.tubes.push_back({tube, {}, {}, {}, {}});
+  auto& [claim, bounds, constant, grows, exact] = replay.tubes.back();
+  if (tube.seam < 0) {
+    const Map<N> local = replay.map(tube).at(tube.centre).times(tube.inverse);
+    for (const N& slack : contraction(tube, local)) require(slack > 0, where, "no contraction");
+    bounds = curve_bounds(local, tube.axis, extent);
+  }
   if (tube.chart == Chart::first || tube.chart == Chart::second)
     return require(monotone_pairs(tube, bounds, N(tube.centre[3] + tube.reach)), where,
                    "a parameter may turn");
-  if (tube.line >= 0) {
-    const Line& line =
-        element(certificate.lines, static_cast<std::size_t>(tube.line), where, "names no line");
-    tube.chart == Chart::star ? check_ray(certificate.stars[tube.star], tube, line, where)
-                              : check_on_line(tube, line, where);
-    for (std::size_t i = 0; i < 4; ++i)
-      constant[i] = line.at[i][1] == 0 && line.at[i][2] == 0 && line.at[i][0] >= 0 && line.at[i][0] <= 1;
-  }
+  if (tube.line >= 0) check_on_line(replay, where);
   if (tube.chart == Chart::star) return check_half_branch(replay, where);
   for (std::size_t i = 0; i < 4; ++i) {
     const bool inside = tube.centre[i] >= extent[i] && tube.centre[i] + extent[i] <= 1;

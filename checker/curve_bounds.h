@@ -18,19 +18,26 @@ enum class Chart {
   star,    // F next to a point: a chart of a star
 };
 
+/// One of the maps that certificates speak of.
+struct MapName {
+  Chart chart = Chart::pair;
+  std::size_t star = 0;  // of Chart::star, and which of its eight charts
+  std::size_t direction = 0;
+
+  bool operator==(const MapName&) const = default;
+};
+
 /// The set of all centre + t slope + e, |t| <= reach, |e_i| <= width, e_k = 0; slope_k = 1.
 template <class N>
-struct Tube {
+struct Tube : MapName {
   Vector4<N> centre;
   std::size_t axis;
   Vector4<N> slope;
   N reach;
   N width;
   Matrix3<N> inverse;
-  Chart chart = Chart::pair;
-  int line = -1;         // the exact solution that the curve is; -1 if none is claimed
-  std::size_t star = 0;  // of Chart::star, and which of its eight charts
-  std::size_t direction = 0;
+  int line = -1;  // the exact solution that the curve is; -1 if none is claimed
+  int seam = -1;  // what proves that there is nothing else, instead of the inverse
 
   /// Half extents of the box around the tube.
   Vector4<N> extent() const {

@@ -21,13 +21,19 @@ const T& element(const std::vector<T>& list, std::size_t i, const std::string& p
   return list[i];
 }
 
+/// A line in the variables of a map, as polynomials of degree <= 2 in that of its axis, the constant
+/// coefficient first.
+template <class N>
+using OnAxis = std::array<Vector3<N>, 4>;
+
 /// A tube that is proved to hold one curve, with the derivatives on it.
 template <class N>
 struct ProvedTube {
   const Tube<N>& claim;
   CurveBounds<N> bounds;
-  std::array<bool, 4> constant;  // parameters that are constant on the curve
-  std::array<int, 4> grows;      // in a star: the signs of all others' derivatives
+  std::array<bool, 4> constant;    // parameters that are constant on the curve
+  std::array<int, 4> grows;        // in a star: the signs of all others' derivatives
+  std::optional<OnAxis<N>> exact;  // the curve, if it is a line
 };
 
 /// The map of each of the eight charts of a star, and the point of space.
@@ -45,6 +51,7 @@ struct Replay {
   std::array<Map<N>, 3> equation;  // F of each chart, all moved by -origin
   std::array<Map<N>, 3> space;     // the point of space
   std::vector<StarMaps<N>> stars;
+  std::vector<StarMaps<N>> seams;
   std::vector<ProvedTube<N>> tubes;
 
   const Map<N>& map(const Tube<N>& tube) const {
@@ -59,7 +66,7 @@ struct Replay {
 
 template <class N>
 Replay<N> start(const Certificate<N>& certificate) {
-  Replay<N> result = {certificate, {}, certificate.patches[0].net()[1][1], {}, {}, {}, {}};
+  Replay<N> result = {certificate, {}, certificate.patches[0].net()[1][1], {}, {}, {}, {}, {}};
   std::array<Net<N>, 2> moved;
   for (std::size_t n = 0; n < 2; ++n) {
     result.exact[n] = certificate.patches[n].power_basis();
@@ -128,14 +135,26 @@ inline Rational root_above(const Rational& q) {
   return Rational(sqrt(scaled) + 1) * power_of_two(-shift);
 }
 
+/// a_0 + a_1 t + a_2 t^2
+template <class N>
+N value(const Vector3<N>& a, const N& t) {
+  return a[0] + t * (a[1] + t * a[2]);
+}
+
 /// Distance in each variable between `at`, which is in the tube, and the curve's point with the same variable
-/// of the axis: at most |C F(at)| / (1 - defect). Rejected at `where` if `at` is not in the tube.
+/// of the axis: at most |C F(at)| / (1 - defect), or exactly that of a line. Rejected at `where` if `at` is
+/// not in the tube.
 template <class N>
 N distance(const Replay<N>& replay, const ProvedTube<N>& tube, const Vector4<N>& at,
            const std::string& where) {
   require(tube.claim.contains(ball(at, N(0))), where, "a point is not in its tube");
-  const Vector3<N> f = replay.map(tube.claim).value(at);
   N most = 0;
+  if (tube.exact) {
+    for (std::size_t i = 0; i < 4; ++i)
+      most = larger(most, magnitude(N(at[i] - value((*tube.exact)[i], at[tube.claim.axis]))));
+    return rounded_up(most);
+  }
+  const Vector3<N> f = replay.map(tube.claim).value(at);
   for (const Vector3<N>& row : tube.claim.inverse) most = larger(most, magnitude(dot(row, f)));
   return rounded_up(most / (1 - tube.bounds.defect));
 }

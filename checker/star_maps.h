@@ -132,4 +132,25 @@ std::array<int, 4> half_branch_signs(const Star& star, const Tube<N>& tube, cons
   return result;
 }
 
+/// The line through the star's point, a ray with constant d in the chart.
+inline OnAxis<Rational> ray(const Star& star, const MapName& chart, const Line& line,
+                            const std::string& where) {
+  const std::size_t k = chart.direction / 2;
+  const Rational& t = star.at[line.axis];
+  Vector4<Rational> e = {};
+  for (std::size_t i = 0; i < 4; ++i) {
+    require(line.at[i][2] == 0 && value(line.at[i], t) == star.at[i], where,
+            "its line is not straight through the star's point");
+    for (std::size_t j = 0; j < 4; ++j) e[j] += star.coordinates[j][i] * line.at[i][1];
+  }
+  require(e[k] != 0, where, "its line is not in the chart");
+  OnAxis<Rational> result = {};
+  result[k][1] = 1;
+  for (const std::size_t j : others(k)) {
+    result[j][0] = chart.direction % 2 == 0 ? e[j] / e[k] : -e[j] / e[k];
+    require(e[j] == 0 || star.weights[j] == star.weights[k], where, "its line is not straight in the chart");
+  }
+  return result;
+}
+
 }  // namespace exsect::checker

@@ -39,15 +39,20 @@ Json patch_claim(const std::string& place, const std::string& name, const Bezier
   return sealed(place, {{"name", name}, {"points", points}});
 }
 
+std::string map_text(const checker::MapName& map) {
+  if (map.chart == Chart::star)
+    return "star" + std::to_string(map.star) + letter(map.direction / 2) + "+-"[map.direction % 2];
+  return map.chart == Chart::pair ? "pair" : map.chart == Chart::first ? "first" : "second";
+}
+
 namespace {
 
 /// What the tube's curve is.
 std::string curve(const Tube& tube) {
-  const std::string line = tube.line >= 0 ? "line" + std::to_string(tube.line) : "";
-  if (tube.chart == Chart::star)
-    return "star" + std::to_string(tube.star) + letter(tube.axis) + "+-"[tube.direction % 2] + line;
-  if (!line.empty()) return line;
-  return tube.chart == Chart::pair ? "pair" : tube.chart == Chart::first ? "first" : "second";
+  if (tube.line < 0) return map_text(tube);
+  const std::string star = tube.chart == Chart::star ? map_text(tube) : "";
+  const std::string seam = tube.seam >= 0 ? "seam" + std::to_string(tube.seam) : "";
+  return star + "line" + std::to_string(tube.line) + seam;
 }
 
 }  // namespace

@@ -34,6 +34,9 @@ Json rationals(const Numbers& numbers) {
 /// u, v, r, s.
 const char* letter(std::size_t parameter);
 
+/// pair, star3u+.
+std::string map_text(const checker::MapName& map);
+
 Json patch_claim(const std::string& place, const std::string& name, const BezierPatch& patch);
 Json tube_claims(const NearPair& pair, const std::vector<Tube>& tubes);
 Json cover_claims(const std::vector<std::string>& entries);

@@ -93,7 +93,8 @@ std::vector<TracedPoint> leave_star(std::vector<TracedPoint>& points, const Foun
   const std::vector<TracedPoint> few = cut(
       points, 0.9, along,
       [&](const Parameters& w) {
-        return parameters_of(star, tube, on_curve(map, *in_star(star, tube, w), tube.axis));
+        const Parameters z = *in_star(star, tube, w);
+        return tube.seam >= 0 ? at(z[tube.axis]) : parameters_of(star, tube, on_curve(map, z, tube.axis));
       },
       at);
   std::vector<TracedPoint> result;

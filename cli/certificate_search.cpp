@@ -270,7 +270,7 @@ Tube tube_at(const Map& map, const Parameters& w, std::size_t axis, const OnLine
   for (const auto& b : slope) steepest = std::max(steepest, std::abs(b.middle));
   const int flat = std::ilogb(steepest);
   for (int e = 1; e < 46; ++e) {
-    Tube tube = {{}, axis, {}, std::ldexp(1.0, 1 - e - flat), std::ldexp(1.0, -e), *c, chart, line.claim};
+    Tube tube = {{chart}, {}, axis, {}, std::ldexp(1.0, 1 - e - flat), std::ldexp(1.0, -e), *c, line.claim};
     for (std::size_t i = 0; i < 4; ++i) {
       tube.centre[i] = rounded(w[i], e + 12 + more);
       tube.slope[i] = i == axis ? 1 : rounded(slope[i].middle, 10);

@@ -1,7 +1,5 @@
 #include "certificate_star.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,9 +13,6 @@ using checker::others;
 using checker::Star;
 
 constexpr std::size_t max_entries = 3000;  // of one chart
-
-/// A point that this star does not separate from other solutions.
-struct NotAlone {};
 
 /// The line whose half branch in the chart begins at z; -1 if there is none.
 int line_at(const Star& star, std::size_t direction, const Parameters& z,
@@ -43,9 +38,27 @@ int line_at(const Star& star, std::size_t direction, const Parameters& z,
 /// One chart: its tubes and its subdivision. Throws NotAlone if it does not end.
 class ChartSearch {
  public:
-  ChartSearch(const Star& star, const Map& map, std::size_t index, std::size_t direction,
-              std::size_t first_tube, const std::vector<checker::Line>& lines)
-      : star_(star), map_(map), index_(index), direction_(direction), first_(first_tube), lines_(lines) {}
+  ChartSearch(const Star& star, const Map& map, const ClaimNumbers& first, std::size_t direction,
+              const std::vector<checker::Line>& lines)
+      : star_(star), map_(map), first_(first), direction_(direction), lines_(lines) {}
+
+  /// The half branch along a line on which the patches touch; `equation`: F.
+  void add_seam(const checker::Map<Rational>& equation, std::size_t line) {
+    const checker::MapName chart = {Chart::star, first_.star, direction_};
+    checker::OnAxis<Rational> on;
+    try {
+      on = checker::ray(star_, chart, lines_[line], "");
+    } catch (const checker::Rejected&) {
+      return;
+    }
+    for (const std::size_t j : others(direction_ / 2))
+      if (abs(on[j][0]) >= 1) return;
+    const auto map = checker::in_direction<Rational>(checker::centred(equation, star_), star_, direction_,
+                                                     star_.rows, star_.orders, "");
+    seams_.push_back(seam_along(map, chart, on, direction_ / 2, 0, 1, first_.seam + seams_.size(),
+                                static_cast<int>(line)));
+    tubes_.push_back(seams_.back().tube);
+  }
 
   void run() {
     Parameters middle{};
@@ -56,6 +69,7 @@ class ChartSearch {
 
   std::string entries_;
   std::vector<Tube> tubes_;
+  std::vector<FoundSeam> seams_;
 
  private:
   void add(const Parameters& middle, const Parameters& half, int depth) {
@@ -87,18 +101,9 @@ class ChartSearch {
     for (std::size_t i = 0; i < tubes_.size(); ++i) {
       Tube tube = tubes_[i];
       tube.width *= 1 - 1e-9;
-      if (tube.contains(box)) return "t" + std::to_string(first_ + i);
+      if (tube.contains(box)) return "t" + std::to_string(first_.tube + i);
     }
-    const Map local = map_.at(middle);
-    std::vector<std::array<double, 3>> normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    if (const auto c = inverse(local, direction_ / 2)) normals.insert(normals.end(), c->begin(), c->end());
-    for (const auto& normal : normals) {
-      const auto n = rounded_direction(normal);
-      const Ball<double> range = local.along({double(n[0]), double(n[1]), double(n[2])}, half);
-      if (std::abs(range.middle) > range.radius * (1 + 1e-9) + 1e-11)
-        return fmt::format("{},{},{}", n[0], n[1], n[2]);
-    }
-    return "";
+    return one_sign(map_, middle, half, direction_ / 2);
   }
 
   /// A tube whose half branch begins in the cell, if Newton's method finds one.
@@ -131,7 +136,7 @@ class ChartSearch {
     const auto slope = checker::curve_bounds(here.times(*c), k, {}).first;
     const int line = line_at(star_, direction_, z, lines_);
     for (int e = 2; e < 30; ++e) {
-      Tube tube = {z, k, {}, 1, std::ldexp(1.0, -e), *c, Chart::star, line, index_, direction_};
+      Tube tube = {{Chart::star, first_.star, direction_}, z, k, {}, 1, std::ldexp(1.0, -e), *c, line};
       for (std::size_t j = 0; j < 4; ++j) {
         tube.centre[j] = std::ldexp(std::nearbyint(std::ldexp(z[j], e + 20)), -e - 20);
         tube.slope[j] = j == k      ? 1
@@ -168,9 +173,8 @@ class ChartSearch {
 
   const Star& star_;
   const Map& map_;
-  std::size_t index_;
+  ClaimNumbers first_;
   std::size_t direction_;
-  std::size_t first_;
   const std::vector<checker::Line>& lines_;
   std::size_t count_ = 0;
 };
@@ -194,7 +198,7 @@ Star singular_point(const Patches& patches, const Node& node) {
   for (const Point& column : columns)
     if (is_zero(normal) || is_zero(column) || dot(normal, column) != 0)
       throw NoCertificate("a special point where a patch is singular, or both cross");
-  Star star = {at, {}, {}, {1, 1, 1, 1}, {}, {1, 1, 2}, {}};
+  Star star = {{}, at, {}, {}, {1, 1, 1, 1}, {}, {1, 1, 2}, {}};
   std::size_t most = 0;
   for (std::size_t d = 1; d < 3; ++d)
     if (abs(normal[d]) > abs(normal[most])) most = d;
@@ -209,46 +213,38 @@ Star singular_point(const Patches& patches, const Node& node) {
   return star;
 }
 
-/// The axes multiplied by 2^-e, with their inverse; each row times a power of 2, so that its largest term in
-/// the charts is near 1.
+/// The axes multiplied by 2^-e, with their inverse.
 FoundStar scaled(const Star& star, const checker::Map<Rational>& equation, int e) {
-  FoundStar result = {star, {}, {}, {}};
+  FoundStar result = {star, {}, {}, {}, {}};
   for (std::size_t j = 0; j < 4; ++j) {
     result.claim.axes[j][j] *= power_of_two(-e);
     result.claim.coordinates[j][j] = 1 / result.claim.axes[j][j];
   }
-  const checker::Terms terms = checker::centred(equation, result.claim);
-  for (int pass = 0; pass < 2; ++pass) {
-    std::array<double, 3> most{};
-    for (std::size_t direction = 0; direction < 8; ++direction) {
-      result.maps[direction] = checker::in_direction<double>(terms, result.claim, direction,
-                                                             result.claim.rows, result.claim.orders, "");
-      for (const auto& term : result.maps[direction].terms())
-        for (std::size_t d = 0; d < 3; ++d) most[d] = std::max(most[d], std::abs(term.c[d]));
-    }
-    for (std::size_t d = 0; pass == 0 && d < 3; ++d)
-      for (Rational& q : result.claim.rows[d]) q *= power_of_two(most[d] > 0 ? -std::ilogb(most[d]) : 0);
-  }
+  result.maps = scaled_maps(result.claim, equation);
   return result;
 }
 
 }  // namespace
 
-FoundStar star_at(const Patches& patches, const Node& node, std::size_t index, std::size_t first_tube,
-                  double size, const std::vector<checker::Line>& lines) {
+FoundStar star_at(const Patches& patches, const Node& node, const ClaimNumbers& first, double size,
+                  const std::vector<checker::Line>& lines, const std::vector<bool>& touching) {
   const Star star = singular_point(patches, node);
   const auto equation = checker::pair_map(patches[0].power_basis(), patches[1].power_basis());
   double widest = 0;
   for (std::size_t j = 0; j < 4; ++j) widest = std::max(widest, to_double(star.axes[j][j]));
   for (int e = std::max(1, std::ilogb(widest / size) + 1); e < 24; ++e) {
-    FoundStar result = scaled(star, equation, e);
     try {
+      FoundStar result = scaled(star, equation, e);
       for (std::size_t direction = 0; direction < 8; ++direction) {
-        ChartSearch chart(result.claim, result.maps[direction], index, direction,
-                          first_tube + result.tubes.size(), lines);
+        const ClaimNumbers next = {first.star, first.tube + result.tubes.size(),
+                                   first.seam + result.seams.size()};
+        ChartSearch chart(result.claim, result.maps[direction], next, direction, lines);
+        for (std::size_t n = 0; n < lines.size(); ++n)
+          if (touching[n]) chart.add_seam(equation, n);
         chart.run();
         result.subdivisions[direction] = chart.entries_;
         result.tubes.insert(result.tubes.end(), chart.tubes_.begin(), chart.tubes_.end());
+        result.seams.insert(result.seams.end(), chart.seams_.begin(), chart.seams_.end());
       }
       return result;
     } catch (const NotAlone&) {
@@ -257,21 +253,35 @@ FoundStar star_at(const Patches& patches, const Node& node, std::size_t index, s
   throw NoCertificate("a special point with degenerate quadratic terms");
 }
 
+namespace {
+
+/// The claim without its seal.
+Json frame_claim(const Star& star, const std::array<std::string, 8>& subdivisions) {
+  const auto matrix = [](const auto& m) {
+    Json rows = Json::array();
+    for (const auto& row : m) rows.push_back(rationals(row));
+    return rows;
+  };
+  return {{"at", rationals(star.at)}, {"axes", matrix(star.axes)}, {"coordinates", matrix(star.coordinates)},
+          {"weights", star.weights},  {"rows", matrix(star.rows)}, {"orders", star.orders},
+          {"charts", subdivisions}};
+}
+
+}  // namespace
+
 Json star_claims(const std::vector<FoundStar>& stars) {
   Json result = Json::array();
-  for (const FoundStar& star : stars) {
-    const auto matrix = [](const auto& m) {
-      Json rows = Json::array();
-      for (const auto& row : m) rows.push_back(rationals(row));
-      return rows;
-    };
-    result.push_back(sealed(in_list("stars", result.size()), {{"at", rationals(star.claim.at)},
-                                                              {"axes", matrix(star.claim.axes)},
-                                                              {"coordinates", matrix(star.claim.coordinates)},
-                                                              {"weights", star.claim.weights},
-                                                              {"rows", matrix(star.claim.rows)},
-                                                              {"orders", star.claim.orders},
-                                                              {"charts", star.subdivisions}}));
+  for (const FoundStar& star : stars)
+    result.push_back(sealed(in_list("stars", result.size()), frame_claim(star.claim, star.subdivisions)));
+  return result;
+}
+
+Json seam_claims(const std::vector<FoundSeam>& seams) {
+  Json result = Json::array();
+  for (const FoundSeam& seam : seams) {
+    Json claim = {{"of", map_text(seam.claim.of)}};
+    claim.update(frame_claim(seam.claim, seam.subdivisions));
+    result.push_back(sealed(in_list("seams", result.size()), claim));
   }
   return result;
 }
@@ -279,6 +289,7 @@ Json star_claims(const std::vector<FoundStar>& stars) {
 Parameters on_half_branch(const FoundStar& star, const Tube& tube, double t) {
   Parameters z = tube.centre;
   for (std::size_t j = 0; j < 4; ++j) z[j] += t * tube.slope[j];
+  if (tube.seam >= 0) return z;
   return on_curve(star.maps[tube.direction], z, tube.axis);
 }
 

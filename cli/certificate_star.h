@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "certificate_events.h"
+#include "certificate_seam.h"
 #include "certificate_search.h"
 
 namespace exsect::cli {
@@ -19,14 +20,23 @@ struct FoundStar {
   std::array<std::string, 8> subdivisions;  // of its charts
   std::array<Map, 8> maps;
   std::vector<Tube> tubes;
+  std::vector<FoundSeam> seams;  // in its charts, for half branches along which the patches touch
 };
 
-/// The star number `index` at the node, whose first tube has the number `first_tube`, smaller than `size` in
-/// each parameter. `lines`: those that half branches may be on. Throws NoCertificate if the parameters are no
+/// How many claims there are before those of a star.
+struct ClaimNumbers {
+  std::size_t star;
+  std::size_t tube;
+  std::size_t seam;
+};
+
+/// The star at the node, smaller than `size` in each parameter. `lines`: those that half branches may be on;
+/// `touching`: along which of them the patches touch. Throws NoCertificate if the parameters are no
 /// short rationals, or the quadratic terms are degenerate.
-FoundStar star_at(const Patches& patches, const Node& node, std::size_t index, std::size_t first_tube,
-                  double size, const std::vector<checker::Line>& lines);
+FoundStar star_at(const Patches& patches, const Node& node, const ClaimNumbers& first, double size,
+                  const std::vector<checker::Line>& lines, const std::vector<bool>& touching);
 Json star_claims(const std::vector<FoundStar>& stars);
+Json seam_claims(const std::vector<FoundSeam>& seams);
 
 /// The point of the tube's curve at t, in the star's chart, and as parameters.
 Parameters on_half_branch(const FoundStar& star, const Tube& tube, double t);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "certificate_claims.h"
@@ -29,14 +30,17 @@ class Writer {
     if (!self_) json["second"] = patch_claim("$.second", names_.second, patches_[1]);
     json["relations"] = self_ ? Json::array() : relation_claims(patches_);
     json["lines"] = line_claims(lines_);
-    json["stars"] = Json::array();
+    for (const Node& n : graph_.nodes)
+      if (is_star(graph_, n, self_)) add_star(n);
+    for (const Arc& a : graph_.arcs)
+      if (touches(a)) add_seam(a);
+    json["stars"] = star_claims(stars_);
+    json["seams"] = seam_claims(seams_);
     json["tubes"] = Json::array();
     json["nodes"] = Json::array();
     for (const Node& n : graph_.nodes)
       if (!is_star(graph_, n, self_)) json["nodes"].push_back(node(n));
-    for (const Node& n : graph_.nodes)
-      if (is_star(graph_, n, self_)) add_star(n);
-    json["stars"] = star_claims(stars_);
+    for (const FoundStar& star : stars_) add_place(star);
     json["arcs"] = Json::array();
     for (const Arc& a : graph_.arcs) json["arcs"].push_back(arc(a));
     json["tubes"] = tube_claims(pair_, tubes_);
@@ -68,13 +72,59 @@ class Writer {
       const bool inside = arc.place == ArcPlace::interior;
       if (!line && !inside)
         throw NoCertificate("an arc on a side that is no line of parameters of both patches");
-      if (!line || (inside && self_)) continue;
-      OnLine on = {static_cast<int>(lines_.size()), line->axis, {}};
+      if (!line && touches(arc))
+        throw NoCertificate("an arc along which the patches touch and that is no line of parameters");
+      if (!line || (inside && self_ && !touches(arc))) continue;
+      OnLine on = {static_cast<int>(add_line(*line, touches(arc))), line->axis, {}};
       for (std::size_t i = 0; i < 4; ++i) on.constant[i] = line->at[i][1] == 0;
-      if (inside && on.constant == std::array{false, false, false, false}) continue;
-      lines_.push_back(*line);
+      if (inside && !touches(arc) && on.constant == std::array{false, false, false, false}) continue;
       line_of_[from] = line_of_[to] = line_along_[static_cast<std::size_t>(arc.id)] = on;
     }
+  }
+
+  static bool touches(const Arc& arc) { return arc.contact == Contact::tangential; }
+
+  /// The line's number among the claims.
+  std::size_t add_line(const checker::Line& line, bool touching) {
+    const auto known = std::find_if(lines_.begin(), lines_.end(), [&](const checker::Line& other) {
+      return line.axis == other.axis && line.at == other.at;
+    });
+    if (known != lines_.end()) return static_cast<std::size_t>(known - lines_.begin());
+    lines_.push_back(line);
+    touching_.push_back(touching);
+    return lines_.size() - 1;
+  }
+
+  /// The seam along the arc, or the part of it that is in no star.
+  void add_seam(const Arc& arc) {
+    const checker::Line& line =
+        lines_[static_cast<std::size_t>(line_along_[static_cast<std::size_t>(arc.id)].claim)];
+    std::array<Rational, 2> t;
+    for (std::size_t end = 0; end < 2; ++end)
+      t[end] = short_place(graph_.nodes[static_cast<std::size_t>(end == 0 ? arc.from : arc.to)])[line.axis];
+    const std::array<Rational, 2> all = t;
+    for (std::size_t end = 0; end < 2; ++end) {
+      const std::size_t node = claim_of_[static_cast<std::size_t>(end == 0 ? arc.from : arc.to)];
+      const std::size_t first = graph_.nodes.size() - stars_.size();
+      if (node < first) continue;
+      Rational most = 0;  // along the line, in the star's coordinates
+      for (const auto& row : stars_[node - first].claim.coordinates) {
+        Rational e = 0;
+        for (std::size_t i = 0; i < 4; ++i) e += row[i] * line.at[i][1];
+        most = std::max<Rational>(most, abs(e));
+      }
+      t[end] += (all[1 - end] > all[end] ? 1 : -1) * Rational(2, 5) / most;
+    }
+    try {
+      seams_.push_back(seam_along(checker::pair_map(patches_[0].power_basis(), patches_[1].power_basis()), {},
+                                  line.at, line.axis, (t[0] + t[1]) / 2, abs(Rational(t[1] - t[0])) / 2,
+                                  seams_.size(), line_along_[static_cast<std::size_t>(arc.id)].claim));
+    } catch (const NotAlone&) {
+      throw NoCertificate("an arc along which the patches touch, next to other solutions");
+    }
+    seam_tube_[arc.from] = seam_tube_[arc.to] = tubes_.size();
+    along_seam_[arc.id] = tubes_.size();
+    tubes_.push_back(seams_.back().tube);
   }
 
   /// Smaller than the way to any other node.
@@ -85,12 +135,18 @@ class Writer {
       for (std::size_t i = 0; i < 4; ++i) away = std::max(away, std::abs(n.approx[i] - other.approx[i]));
       if (other.id != n.id) size = std::min(size, 0.4 * away);
     }
-    stars_.push_back(star_at(patches_, n, stars_.size(), tubes_.size(), size, lines_));
+    stars_.push_back(
+        star_at(patches_, n, {stars_.size(), tubes_.size(), seams_.size()}, size, lines_, touching_));
     tubes_.insert(tubes_.end(), stars_.back().tubes.begin(), stars_.back().tubes.end());
+    seams_.insert(seams_.end(), stars_.back().seams.begin(), stars_.back().seams.end());
+  }
+
+  void add_place(const FoundStar& star) {
     Parameters at;
-    for (std::size_t i = 0; i < 4; ++i) at[i] = to_double(stars_.back().claim.at[i]);
+    for (std::size_t i = 0; i < 4; ++i) at[i] = to_double(star.claim.at[i]);
     places_.push_back(at);
-    place_claims_.push_back(rationals(stars_.back().claim.at));
+    place_claims_.push_back(rationals(star.claim.at));
+    tube_of_.push_back(tubes_.size());
   }
 
   /// The place of a node in doubles, or exactly where several sides are to follow from it.
@@ -110,11 +166,20 @@ class Writer {
 
   Json node(const Node& n) {
     Parameters w = n.approx;
-    tubes_.push_back(is_cusp(n) ? cusp_tube(pair_, w) : node_tube(n, w));
+    tube_of_.push_back(tubes_.size());
+    const auto seam = seam_tube_.find(n.id);
+    if (seam != seam_tube_.end()) {
+      tube_of_.back() = seam->second;
+      w = on_line(tubes_[seam->second], n);
+    } else {
+      tubes_.push_back(is_cusp(n) ? cusp_tube(pair_, w) : node_tube(n, w));
+    }
+    const Tube& tube = tubes_[tube_of_.back()];
     places_.push_back(w);
     place_claims_.push_back(place_claim(n, w));
-    const double radius =
-        is_cusp(n) ? cusp_radius(pair_, tubes_.back(), w) : node_radius(n, tubes_.back(), w);
+    const double radius = tube.seam >= 0 ? 0x1p-44
+                          : is_cusp(n)   ? cusp_radius(pair_, tube, w)
+                                         : node_radius(n, tube, w);
 
     Json on = Json::array();
     for (const Side& side : n.on) on.push_back(side_name(side));
@@ -123,11 +188,24 @@ class Writer {
     std::sort(turns.begin(), turns.end());
     Json wrt = Json::array();
     for (const std::size_t i : turns) wrt.push_back(letter(i));
-    return sealed(in_list("nodes", tubes_.size() - 1), {{"tube", tubes_.size() - 1},
-                                                        {"at", place_claims_.back()},
-                                                        {"radius", exact_number(radius)},
-                                                        {"on", on},
-                                                        {"wrt", wrt}});
+    return sealed(in_list("nodes", places_.size() - 1), {{"tube", tube_of_.back()},
+                                                         {"at", place_claims_.back()},
+                                                         {"radius", exact_number(radius)},
+                                                         {"on", on},
+                                                         {"wrt", wrt}});
+  }
+
+  /// The point of the tube's line at the value of its axis.
+  Parameters on_line(const Tube& tube, double t) const {
+    const checker::Line& line = lines_[static_cast<std::size_t>(tube.line)];
+    Parameters w;
+    for (std::size_t i = 0; i < 4; ++i) w[i] = to_double(checker::value(line.at[i], from_double(t)));
+    return w;
+  }
+  Parameters on_line(const Tube& tube, const Node& n) const {
+    Parameters w = on_line(tube, to_double(short_place(n)[tube.axis]));
+    for (const Side& side : n.on) w[index(side.parameter)] = side.value;
+    return w;
   }
 
   /// w becomes the node, as near as it gets.
@@ -207,11 +285,17 @@ class Writer {
     points.front().at = places_[from];
     points.back().at = places_[to];
     const OnLine& line = line_along_[static_cast<std::size_t>(a.id)];
-    Gate start = leave(points, from, line);
+    const auto seam = along_seam_.find(a.id);
+    const std::size_t beyond = seam == along_seam_.end() ? tubes_.size() : seam->second;
+    for (std::size_t i = 1; seam != along_seam_.end() && i + 1 < points.size(); ++i)
+      points[i].at = on_line(tubes_[beyond], points[i].at[tubes_[beyond].axis]);
+    Gate start = leave(points, from, line, seam == along_seam_.end());
     std::reverse(points.begin(), points.end());
-    const Gate finish = leave(points, to, line);
+    const Gate finish = leave(points, to, line, seam == along_seam_.end());
     std::reverse(points.begin(), points.end());
-    TracedArc result = chain(pair_, points, start.beyond, finish.beyond, line, tubes_);
+    TracedArc result = seam == along_seam_.end()
+                           ? chain(pair_, points, start.beyond, finish.beyond, line, tubes_)
+                           : TracedArc{points, {{beyond, points.size() - 1}}};
     if (!start.points.empty()) {
       result.points.insert(result.points.begin(), start.points.begin(), start.points.end());
       for (TracedPiece& piece : result.pieces) piece.last += start.points.size();
@@ -232,17 +316,18 @@ class Writer {
     std::size_t beyond;
   };
 
-  /// The arc begins where it leaves the chart, if the node has one.
-  Gate leave(std::vector<TracedPoint>& points, std::size_t node, const OnLine& line) {
-    Gate result = {{}, node, node};
+  /// The arc begins where it leaves the chart, if the node has one. `tube`: one of the pair is wanted.
+  Gate leave(std::vector<TracedPoint>& points, std::size_t node, const OnLine& line, bool tube) {
+    Gate result = {{}, tube_of_[node], tube_of_[node]};
     if (star_of(node)) {
       result.tube = half_branch(points, node);
       result.points = leave_star(points, *star_of(node), tubes_[result.tube]);
-    } else if (tubes_[node].chart != Chart::pair) {
-      result.points = leave_diagonal(pair_, points, tubes_[node]);
+    } else if (tubes_[result.tube].chart != Chart::pair) {
+      result.points = leave_diagonal(pair_, points, tubes_[result.tube]);
     } else {
       return result;
     }
+    if (!tube) return result;
     const Parameters& w = points.front().at;
     tubes_.push_back(tube_at(pair_.power, w, line.claim >= 0 ? line.axis : best_axis(pair_, w), line));
     result.beyond = tubes_.size() - 1;
@@ -272,6 +357,7 @@ class Writer {
     for (const char* list : {"relations", "lines", "stars", "tubes", "nodes", "arcs"})
       claims.push_back(json[list].size());
     claims.push_back(cells_);
+    claims.push_back(json["seams"].size());
     std::array<std::size_t, 4> turning{};
     std::size_t boundary = 0;
     for (const Json& node : json["nodes"]) {
@@ -280,14 +366,16 @@ class Writer {
         for (const Json& p : node["wrt"])
           if (p == letter(i)) ++turning[i];
     }
-    return sealed("$.summary", {{"claims", claims},
-                                {"components", graph_.components.size()},
-                                {"closed", graph_.count(ComponentShape::closed)},
-                                {"open", graph_.count(ComponentShape::open)},
-                                {"branched", graph_.count(ComponentShape::branched)},
-                                {"isolated", graph_.isolated_points.size()},
-                                {"boundary", boundary},
-                                {"turning", turning}});
+    return sealed("$.summary",
+                  {{"claims", claims},
+                   {"components", graph_.components.size()},
+                   {"closed", graph_.count(ComponentShape::closed)},
+                   {"open", graph_.count(ComponentShape::open)},
+                   {"branched", graph_.count(ComponentShape::branched)},
+                   {"isolated", graph_.isolated_points.size()},
+                   {"boundary", boundary},
+                   {"tangential", std::count_if(graph_.arcs.begin(), graph_.arcs.end(), touches)},
+                   {"turning", turning}});
   }
 
   Patches patches_;
@@ -298,11 +386,16 @@ class Writer {
   std::vector<checker::Line> lines_;
   std::vector<OnLine> line_of_;     // of each node of the graph, if its arc runs along one
   std::vector<OnLine> line_along_;  // of each arc
+  std::vector<bool> touching_;      // of each of the lines
   std::vector<FoundStar> stars_;
-  std::set<std::size_t> begun_;        // half branches on which arcs run
-  std::vector<std::size_t> claim_of_;  // the node's number among the claims, those of stars last
-  std::vector<Tube> tubes_;            // those of the nodes first
-  std::vector<Parameters> places_;     // of the nodes and stars
+  std::vector<FoundSeam> seams_;
+  std::map<int, std::size_t> along_seam_;  // the tube of each arc along which the patches touch
+  std::map<int, std::size_t> seam_tube_;   // of each node where one ends
+  std::vector<std::size_t> tube_of_;       // of each node claimed
+  std::set<std::size_t> begun_;            // half branches on which arcs run
+  std::vector<std::size_t> claim_of_;      // the node's number among the claims, those of stars last
+  std::vector<Tube> tubes_;                // those of the nodes first
+  std::vector<Parameters> places_;         // of the nodes and stars
   std::vector<Json> place_claims_;
   std::size_t cells_ = 0;
 };

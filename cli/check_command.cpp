@@ -18,9 +18,9 @@ constexpr std::size_t max_certificate_bytes = std::size_t{256} << 20;
 Json summary_json(const checker::Report& report) {
   const checker::Summary& summary = report.summary;
   if (report.fixed) return {{"points", summary.claims[4]}};
-  return {{"components", summary.components}, {"closed", summary.closed},     {"open", summary.open},
-          {"branched", summary.branched},     {"boundary", summary.boundary}, {"turning", summary.turning},
-          {"isolated", summary.isolated}};
+  return {{"components", summary.components}, {"closed", summary.closed},        {"open", summary.open},
+          {"branched", summary.branched},     {"boundary", summary.boundary},    {"turning", summary.turning},
+          {"isolated", summary.isolated},     {"tangential", summary.tangential}};
 }
 
 Json accepted_json(const checker::Report& report) {
@@ -33,6 +33,7 @@ Json accepted_json(const checker::Report& report) {
            {{"relations", claims[0]},
             {"lines", claims[1]},
             {"stars", claims[2]},
+            {"seams", claims[7]},
             {"tubes", claims[3]},
             {"nodes", claims[4]},
             {"arcs", claims[5]},
@@ -53,11 +54,15 @@ std::string accepted_text(const checker::Report& report) {
       summary.branched > 0 ? fmt::format(", and {} with crossings", summary.branched) : "";
   const std::string isolated =
       summary.isolated > 0 ? fmt::format(", and {} isolated points", summary.isolated) : "";
+  const std::string tangential =
+      summary.tangential > 0
+          ? fmt::format("; along {} of {} arcs the patches touch", summary.tangential, claims[5])
+          : "";
   return fmt::format(
-      "accepted: the whole {} is {} closed and {} open curves{}{}\n"
-      "replayed: {} nodes, {} stars, {} arcs, {} tubes, {} relations, {} lines, {}\n",
+      "accepted: the whole {} is {} closed and {} open curves{}{}{}\n"
+      "replayed: {} nodes, {} stars, {} seams, {} arcs, {} tubes, {} relations, {} lines, {}\n",
       report.self ? "self-intersection" : "intersection", summary.closed, summary.open, branched, isolated,
-      claims[4], claims[2], claims[5], claims[3], claims[0], claims[1], cells);
+      tangential, claims[4], claims[2], claims[7], claims[5], claims[3], claims[0], claims[1], cells);
 }
 
 }  // namespace

@@ -314,12 +314,13 @@ class Tube:
     def __init__(self, value, place):
         value = claim(value, place, ["centre", "axis", "slope", "reach", "width", "inverse", "curve"])
         self.curve = value["curve"]
-        require(isinstance(self.curve, str) and re.fullmatch("pair|first|second|(star(0|[1-9][0-9]*)[uvrs][+-])?(line(0|[1-9][0-9]*))?", self.curve)
+        require(isinstance(self.curve, str) and re.fullmatch("pair|first|second|(star(0|[1-9][0-9]*)[uvrs][+-])?(line(0|[1-9][0-9]*)(seam(0|[1-9][0-9]*))?)?", self.curve)
                 and self.curve, place, "not a curve")
         self.charted = self.curve in ("first", "second")
-        star, line = re.search("star([0-9]+)(..)", self.curve), re.search("line([0-9]+)", self.curve)
+        star, line, seam = (re.search(text, self.curve) for text in ("star([0-9]+)(..)", "line([0-9]+)", "seam([0-9]+)"))
         self.star, self.direction = (int(star[1]), DIRECTIONS.index(star[2])) if star else (None, None)
         self.line = int(line[1]) if line else None
+        self.seam = int(seam[1]) if seam else None
         self.constant = {}
         self.centre = numbers(value["centre"], 4, place)
         self.axis = parameter(value["axis"], place)
@@ -345,16 +346,10 @@ class Tube:
         else:
             self.map = system.equation[self.curve if self.charted else "pair"]
             self.space = system.space[self.curve if self.charted else "pair"]
-        h = [abs(d) * t + (0 if i == k else z) for i, d in enumerate(self.slope)]
-        local = self.map.at(self.centre).times(self.inverse)
-        rows = defect_rows(local, k, h)
-        for d in range(3):
-            f = [Fraction(0)] * (1 + max(map(sum, local.terms)))
-            for power, c in local.terms.items():
-                f[sum(power)] += c[d] * math.prod(s**i for s, i in zip(self.slope, power))
-            require(sum(abs(q) * t**m for m, q in enumerate(f)) + rows[d] * z < z, place, "no contraction")
-        self.bounds = Bounds(local, k, h)
+        if self.seam is None:
+            self.check_contraction(place)
         if self.charted:
+            h = self.extent()
             end = self.centre[3] + t
             u, v, m = (magnitude(b) for b in self.bounds.first[:3])
             rest = abs(self.centre[2]) - h[2] - 2 * end * m
@@ -363,32 +358,47 @@ class Tube:
             return
         if self.line is not None:
             self.check_on_line(element(lines, self.line, place), place)
+        if self.seam is not None:
+            self.check_in_seam(element(system.seams, self.seam, place), place)
         if self.star is not None:
             self.check_half_branch(system.tubes, place)
             return
+        h = self.extent()
         for i in range(4):
             inside = self.centre[i] >= h[i] and self.centre[i] + h[i] <= 1
             require(i in self.constant or sign(self.bounds.first[i]) or (sign(self.bounds.second[i]) and inside), place,
                     "a parameter may turn more than once, or outside the domain")
 
+    def extent(self):
+        return [abs(d) * self.reach + (0 if i == self.axis else self.width) for i, d in enumerate(self.slope)]
+
+    def check_contraction(self, place):
+        k, t, z, h = self.axis, self.reach, self.width, self.extent()
+        local = self.map.at(self.centre).times(self.inverse)
+        rows = defect_rows(local, k, h)
+        for d in range(3):
+            f = [Fraction(0)] * (1 + max(map(sum, local.terms)))
+            for power, c in local.terms.items():
+                f[sum(power)] += c[d] * math.prod(s**i for s, i in zip(self.slope, power))
+            require(sum(abs(q) * t**m for m, q in enumerate(f)) + rows[d] * z < z, place, "no contraction")
+        self.bounds = Bounds(local, k, h)
+
     def check_on_line(self, line, place):
+        """The line, in the variables of the map, is in the tube for all values of the axis."""
         axis, at = line
-        self.line_at = at
         for i, (a, b, c) in enumerate(at):
             if b == c == 0 and 0 <= a <= 1:
                 self.constant[i] = a
-        if self.star is not None:
-            self.check_ray(axis, at, place)
-            return
-        require(axis == self.axis, place, "its line has another axis")
-        p = self.centre[axis]
-        for i, (a, b, c) in enumerate(at):
+        require(self.star is not None or axis == self.axis, place, "its line has another axis")
+        self.exact = at if self.star is None else self.ray(axis, at, place)
+        p = self.centre[self.axis]
+        for i, (a, b, c) in enumerate(self.exact):
             off, slope = a + p * (b + p * c) - self.centre[i], b + 2 * p * c - self.slope[i]
-            require(i == axis or abs(off) + self.reach * (abs(slope) + self.reach * abs(c)) <= self.width, place,
+            require(i == self.axis or abs(off) + self.reach * (abs(slope) + self.reach * abs(c)) <= self.width, place,
                     "its line is not in it")
 
-    def check_ray(self, axis, at, place):
-        """The line through the star's point has constant d, and is in the tube."""
+    def ray(self, axis, at, place):
+        """The line through the star's point has constant d."""
         star, k = self.star, self.direction // 2
         require(all(c == 0 and a + b * star.at[axis] == q for (a, b, c), q in zip(at, star.at)), place,
                 "its line is not straight through the star's point")
@@ -396,8 +406,23 @@ class Tube:
         require(e[k] != 0, place, "its line is not in the chart")
         for j in others(k):
             require(e[j] == 0 or star.weights[j] == star.weights[k], place, "its line is not straight in the chart")
-            d = e[j] / e[k] * star.side(self.direction)
-            require(abs(d - self.centre[j]) + self.reach * abs(self.slope[j]) <= self.width, place, "its line is not in it")
+        return [[0, 1, 0] if j == k else [e[j] / e[k] * star.side(self.direction), 0, 0] for j in range(4)]
+
+    def check_in_seam(self, seam, place):
+        """All solutions in the tube are on the line."""
+        chart = (self.star, self.direction) if self.star is not None else None
+        require(seam.of == chart, place, "its seam is one of another map")
+        require(not any(map(any, self.inverse)), place, "an inverse where none is needed")
+        for row, weight in zip(seam.coordinates, seam.weights):
+            middle = sum(c * (p - a) for c, p, a in zip(row, self.centre, seam.at))
+            slope = sum(c * d for c, d in zip(row, self.slope))
+            size = sum(abs(row[i]) for i in others(self.axis)) * self.width
+            require(abs(middle) + self.reach * abs(slope) + size <= 1, place, "not in its seam")
+            e = [sum(c * (p[n] - (a if n == 0 else 0)) for c, p, a in zip(row, self.exact, seam.at)) for n in range(3)]
+            require(weight == 0 or not any(e), place, "its line is not that of its seam")
+        self.bounds = Bounds.__new__(Bounds)
+        self.bounds.defect = 0
+        self.bounds.first, self.bounds.second = [(b, 0) for _, b, _ in self.exact], [(0, 0)] * 4
 
     def check_half_branch(self, earlier, place):
         star, k = self.star, self.direction // 2
@@ -432,10 +457,9 @@ class Tube:
             here = self.map.at(middle)
             return Bounds(here.times(near_inverse(here, k)), k, half)
         bounds = Bounds.__new__(Bounds)
-        at = [(0, 0, 0)] * 4 if self.star else self.line_at
         bounds.defect = 0
-        bounds.first = [(1 if i == k else b + 2 * c * middle[k], abs(2 * c) * half[k]) for i, (_, b, c) in enumerate(at)]
-        bounds.second = [(2 * c, 0) for _, _, c in at]
+        bounds.first = [(b + 2 * c * middle[k], abs(2 * c) * half[k]) for _, b, c in self.exact]
+        bounds.second = [(2 * c, 0) for _, _, c in self.exact]
         return bounds
 
     def leaves_domain(self):
@@ -479,6 +503,9 @@ class Tube:
 
     def distance(self, w, place):
         require(self.contains([(a, 0) for a in w]), place, "a point is not in its tube")
+        if self.line is not None:
+            t = w[self.axis]
+            return max(abs(q - (a + t * (b + t * c))) for q, (a, b, c) in zip(w, self.exact))
         f = self.map.value(w)
         return max(abs(sum(m * q for m, q in zip(row, f))) for row in self.inverse) / (1 - self.bounds.defect)
 
@@ -487,11 +514,13 @@ class Tube:
 
 
 class Star:
-    on, wrt, radius = {}, [], Fraction(0)
+    """Of a point; or a seam, which is one of a line."""
+    on, wrt, radius, seam = {}, [], Fraction(0), False
 
     def __init__(self, value, place, system):
-        self.place = place
-        value = claim(value, place, ["at", "axes", "coordinates", "weights", "rows", "orders", "charts"])
+        self.place, self.of = place, None
+        of = ["of"] if self.seam else []
+        value = claim(value, place, [*of, "at", "axes", "coordinates", "weights", "rows", "orders", "charts"])
         self.at = numbers(value["at"], 4, place)
         for key, rows, columns in (("axes", 4, 4), ("coordinates", 4, 4), ("rows", 3, 3)):
             require(isinstance(value[key], list) and len(value[key]) == rows, place, "not a matrix")
@@ -501,18 +530,34 @@ class Star:
         self.weights, orders = ([count(n, place) for n in value[key]] for key in ("weights", "orders"))
         self.charts = value["charts"]
         require(all(isinstance(text, str) for text in self.charts), place, "not eight subdivisions")
-        require(all(0 <= a <= 1 for a in self.at), place, "not in [0,1]^4")
-        require(all(1 <= w <= 6 for w in self.weights) and min(orders) >= 1, place, "not a weight, or not an order")
+        require(all(w <= 6 for w in self.weights) and min(orders) >= 1, place, "not a weight, or not an order")
+        require(self.weights.count(0) == self.seam, place, "not the weights of a point, or of a line")
         for i in range(4):
             for j in range(4):
                 require(sum(self.coordinates[i][n] * self.axes[n][j] for n in range(4)) == (i == j), place, "not the inverse")
         a, b, c = self.rows
         require(sum(a[d] * (b[d - 2] * c[d - 1] - b[d - 1] * c[d - 2]) for d in range(3)), place, "its rows are dependent")
-        for power, q in system.equation["pair"].at(self.at).terms.items():
-            require(sum(power) != 1 or not sum(n * t for n, t in zip(c, q)), place, "its last row is not normal to both patches")
+        if self.seam:
+            polynomial = self.parent(value["of"], system)
+        else:
+            polynomial = system.equation["pair"]
+            require(all(0 <= a <= 1 for a in self.at), place, "not in [0,1]^4")
+            for power, q in polynomial.at(self.at).terms.items():
+                require(sum(power) != 1 or not sum(n * t for n, t in zip(c, q)), place, "its last row is not normal to both patches")
         unit = [[Fraction(i == j) for j in range(3)] for i in range(3)]
-        equation, space = (self.centred(system.equation["pair"]), self.centred(system.space["pair"]))
-        self.maps = [(self.chart(equation, n, self.rows, orders), self.chart(space, n, unit, [0, 0, 0])) for n in range(8)]
+        equation, space = self.centred(polynomial), {} if self.seam else self.centred(system.space["pair"])
+        self.maps = [(self.chart(equation, n, self.rows, orders), self.chart(space, n, unit, [0, 0, 0])) if self.weights[n // 2]
+                     else None for n in range(8)]
+
+    def parent(self, name, system):
+        """The map of which this is a seam."""
+        if name == "pair":
+            return system.equation["pair"]
+        chart = re.fullmatch("star(0|[1-9][0-9]*)([uvrs][+-])", name if isinstance(name, str) else "")
+        require(chart, self.place, "neither of the pair nor of a chart of a star")
+        star, direction = element(system.stars, int(chart[1]), self.place), DIRECTIONS.index(chart[2])
+        self.of = star, direction
+        return star.maps[direction][0]
 
     def centred(self, polynomial):
         """Its coefficients in e, w = at + axes e."""
@@ -583,6 +628,9 @@ class Star:
     def check_charts(self, tubes):
         for direction, text in enumerate(self.charts):
             place, k = f"{self.place}.charts[{direction}]", direction // 2
+            if not self.weights[k]:
+                require(text == "", place, "no chart")
+                continue
             waiting = [([Fraction(j == k, 2) for j in range(4)], [Fraction(1, 2) if j == k else Fraction(1) for j in range(4)])]
             for entry in text.split(" "):
                 require(waiting, place, "beyond the end of the subdivision")
@@ -601,6 +649,10 @@ class Star:
                     local = self.maps[direction][0].at(middle).times([n, n, n])
                     require(sign(local.derivative(0, (0, 0, 0, 0), half)), place, "a cell may hold a solution")
             require(not waiting, place, "the subdivision is not complete")
+
+
+class Seam(Star):
+    seam = True
 
 
 def root(ball, n):
@@ -649,7 +701,7 @@ class Checker:
     def __init__(self, root):
         require(root.get("command") in ("intersect", "line", "self"), "$.command", "neither intersect, line nor self")
         self.alone = root["command"] == "self"
-        lists = ["relations", "lines", "stars", "tubes", "nodes", "arcs", "components", "cover"]
+        lists = ["relations", "lines", "stars", "seams", "tubes", "nodes", "arcs", "components", "cover"]
         names = ["first"] if self.alone else ["first", "second"]
         keys = ["exsect", "command", *names, *lists, "summary"]
         self.fixed = None
@@ -692,6 +744,7 @@ class Checker:
     def check(self):
         self.lines = [self.line(value, f"$.lines[{i}]") for i, value in enumerate(self.root.get("lines", []))]
         self.stars = [Star(value, f"$.stars[{i}]", self) for i, value in enumerate(self.root.get("stars", []))]
+        self.seams = [Seam(value, f"$.seams[{i}]", self) for i, value in enumerate(self.root.get("seams", []))]
         self.tubes = []
         for i, value in enumerate(self.root["tubes"]):
             tube = Tube(value, f"$.tubes[{i}]")
@@ -707,7 +760,7 @@ class Checker:
     def check_curves(self):
         self.relations = [self.relation(value, f"$.relations[{i}]") for i, value in enumerate(self.root["relations"])]
         self.nodes = []
-        for star in self.stars:
+        for star in self.stars + self.seams:
             star.check_charts(self.tubes)
         for i, value in enumerate(self.root["nodes"]):
             node = Node(value, f"$.nodes[{i}]")
@@ -740,7 +793,7 @@ class Checker:
         for i in range(len(self.tubes)):
             require(i in used, f"$.tubes[{i}]", "no point is in it")
         said = claim(self.root["summary"], "$.summary", ["claims"])
-        require(said["claims"] == [0, 0, 0, len(self.tubes), len(points), 0, self.cells], "$.summary", "does not agree with the claims")
+        require(said["claims"] == [0, 0, 0, len(self.tubes), len(points), 0, self.cells, 0], "$.summary", "does not agree with the claims")
 
     def relation(self, value, place):
         value = claim(value, place, ["direction", "first", "second"])
@@ -974,13 +1027,22 @@ class Checker:
             require(value["shape"] == shape, place, "open, closed and branched confused")
             shapes.append(shape)
         require(len(seen) == len(self.arcs), "$.components", "an arc is missing")
-        said = claim(self.root["summary"], "$.summary", ["claims", "components", "closed", "open", "branched", "isolated", "boundary", "turning"])
-        counted = {"claims": [*(len(self.root[key]) for key in ("relations", "lines", "stars", "tubes", "nodes", "arcs")), self.cells],
+        said = claim(self.root["summary"], "$.summary", ["claims", "components", "closed", "open", "branched", "isolated", "boundary", "tangential", "turning"])
+        counted = {"claims": [*(len(self.root[key]) for key in ("relations", "lines", "stars", "tubes", "nodes", "arcs")), self.cells, len(self.seams)],
                    "components": len(shapes), "closed": shapes.count("closed"), "open": shapes.count("open"),
                    "branched": shapes.count("branched"), "isolated": sum(not ends for ends in self.ends),
                    "boundary": sum(bool(node.on) for node in self.nodes),
+                   "tangential": sum(map(self.is_tangential, self.arcs)),
                    "turning": [sum(p in node.wrt for node in self.nodes) for p in range(4)]}
         require(said == counted, "$.summary", "does not agree with the claims and their graph")
+
+    def is_tangential(self, arc):
+        """DF has rank 2 at most all along the arc."""
+        return all(self.tubes[t].seam is not None and self.touches(self.lines[self.tubes[t].line][1]) for t, _ in arc["pieces"])
+
+    def touches(self, line):
+        places = ([a + t * (b + t * c) for a, b, c in line] for t in range(19))
+        return not any(t[0] for w in places for t in tangent(self.equation["pair"].at(w), [Fraction(0)] * 4))
 
     def check_cover(self):
         cover = []

@@ -80,6 +80,8 @@ inline void change_leaf(Json& leaf, Generator& generator) {
     std::string text = leaf.get<std::string>();
     if (text.find_first_of("0123456789") != std::string::npos) {
       leaf = other_number(text, generator);
+    } else if (text.empty()) {
+      leaf = "u";
     } else {
       text[below(generator, text.size())] = "uvrsz"[below(generator, 5)];
       leaf = text == leaf ? text + "u" : text;

@@ -38,6 +38,12 @@ subprocess.run([PROGRAM, "self", UMBRELLA, "--tolerance", "1e-3", "--certificate
 SIDE_CERTIFICATE = CERTIFICATE.replace("proof", "side")
 subprocess.run([PROGRAM, "intersect", "tests/cases/part-of-a-side.json", "--tolerance", "1e-3", "--certificate", SIDE_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
 
+# Pairs in special position, each with a kind of claim of its own.
+SPECIAL_CASES = ["tangent-curve", "tangent-and-transversal"]
+SPECIAL = [CERTIFICATE.replace("proof", case) for case in SPECIAL_CASES]
+for case, certificate in zip(SPECIAL_CASES, SPECIAL):
+    subprocess.run([PROGRAM, "intersect", f"tests/cases/{case}.json", "--tolerance", "1e-2", "--certificate", certificate, "--quiet"], cwd=ROOT, check=True)
+
 COMMANDS = [
     ["intersect", FIRST],
     ["intersect", SECOND, "--turning", "none"],
@@ -137,7 +143,7 @@ def test_an_input_file_satisfies_its_schema(file):
         assert violations(document) == []
 
 
-@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE, SELF_CERTIFICATE, SIDE_CERTIFICATE], ids=["curves", "line", "self", "side"])
+@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE, SELF_CERTIFICATE, SIDE_CERTIFICATE, *SPECIAL], ids=["curves", "line", "self", "side", *SPECIAL_CASES])
 def test_a_certificate_satisfies_its_schema_and_both_checkers(tmp_path, certificate):
     document = json.loads(Path(certificate).read_text())
     assert violations(document) == []

@@ -1,0 +1,207 @@
+#include "certificate_seam.h"
+
+#include <exsect/geometry/number.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect::cli {
+namespace {
+
+using checker::others;
+using checker::Star;
+using Vector = std::array<double, 3>;
+
+constexpr std::size_t max_entries = 6000;  // of one chart
+
+Vector perpendicular(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vector column(const Map& local, std::size_t j) {
+  return {local.first(0, j, {}).middle, local.first(1, j, {}).middle, local.first(2, j, {}).middle};
+}
+
+/// The subdivision of a chart without a solution.
+class EmptyChart {
+ public:
+  EmptyChart(const Map& map, std::size_t axis) : map_(map), axis_(axis) {}
+
+  std::string entries() {
+    Parameters middle{};
+    Parameters half = {1, 1, 1, 1};
+    middle[axis_] = half[axis_] = 0.5;
+    add(middle, half, 0);
+    return entries_;
+  }
+
+ private:
+  void add(const Parameters& middle, const Parameters& half, int depth) {
+    if (++count_ > max_entries || depth > 60) throw NotAlone();
+    const std::string leaf = one_sign(map_, middle, half, axis_);
+    const std::size_t parameter = leaf.empty() ? widest(middle, half) : 0;
+    entries_ += (entries_.empty() ? "" : " ") + (leaf.empty() ? std::string(1, "uvrs"[parameter]) : leaf);
+    if (!leaf.empty()) return;
+    Parameters less = half;
+    less[parameter] /= 2;
+    for (const int side : {-1, 1}) {
+      Parameters moved = middle;
+      moved[parameter] += side * less[parameter];
+      add(moved, less, depth + 1);
+    }
+  }
+
+  /// The variable on which the map depends most.
+  std::size_t widest(const Parameters& middle, const Parameters& half) const {
+    const Map local = map_.at(middle);
+    Parameters most{};
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t d = 0; d < 3; ++d)
+        most[j] = std::max(most[j], half[j] * local.first(d, j, half).magnitude());
+    return static_cast<std::size_t>(std::max_element(most.begin(), most.end()) - most.begin());
+  }
+
+  const Map& map_;
+  std::size_t axis_;
+  std::string entries_;
+  std::size_t count_ = 0;
+};
+
+/// The vector c with c_axis = 0 that the derivative maps to 0, if its rank is 2, largest entry 1.
+std::array<Rational, 4> kernel(const checker::Map<Rational>& local, std::size_t axis) {
+  std::array<Point, 3> rows;
+  for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t j = 0; j < 3; ++j) rows[d][j] = local.first(d, others(axis)[j], {}).middle;
+  Point c = cross(rows[0], rows[1]);
+  if (is_zero(c)) c = cross(rows[0], rows[2]);
+  if (is_zero(c)) c = cross(rows[1], rows[2]);
+  std::size_t most = 0;
+  for (std::size_t d = 1; d < 3; ++d)
+    if (abs(c[d]) > abs(c[most])) most = d;
+  if (is_zero(c)) throw NoCertificate("a line along which the patches are singular");
+  std::array<Rational, 4> result = {};
+  for (std::size_t j = 0; j < 3; ++j) result[others(axis)[j]] = c[j] / c[most];
+  return result;
+}
+
+/// Coordinates along the line, along c with the weight 1, and along two parameters with the weight 2.
+Star frame(const checker::OnAxis<Rational>& on, std::size_t axis, const Rational& middle,
+           const Rational& half, const std::array<Rational, 4>& c, double size) {
+  Star star = {{}, {}, {}, {}, {2, 2, 2, 2}, {}, {2, 2, 2}, {}};
+  std::size_t m = others(axis)[0];
+  for (const std::size_t i : others(axis))
+    if (abs(c[i]) > abs(c[m])) m = i;
+  star.weights[axis] = 0;
+  star.weights[m] = 1;
+  const Rational s = from_double(size);
+  for (std::size_t i = 0; i < 4; ++i) {
+    star.at[i] = checker::value(on[i], middle);
+    if (i != axis && i != m) star.axes[i][i] = s;
+    star.axes[i][m] = s * c[i];
+    star.axes[i][axis] = half * on[i][1];
+  }
+  star.coordinates[axis][axis] = 1 / half;
+  for (const std::size_t i : others(axis)) {
+    const Rational along = i == m ? 1 / c[m] : Rational(-c[i] / c[m]);
+    star.coordinates[i][m] = along / s;
+    if (i != m) star.coordinates[i][i] = 1 / s;
+    star.coordinates[i][axis] = -(i == m ? on[m][1] * along : on[i][1] + on[m][1] * along) / s;
+  }
+  for (std::size_t d = 0; d < 3; ++d) star.rows[d][d] = 1;
+  return star;
+}
+
+/// The widest tube around the line in the seam.
+Tube tube_in(const Star& star, std::size_t axis, double reach) {
+  Tube tube = {star.of, {}, axis, {}, reach, 1, {}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    tube.centre[i] = to_double(star.at[i]);
+    tube.slope[i] = to_double(Rational(star.axes[i][axis] / star.axes[axis][axis]));
+  }
+  for (std::size_t j = 0; j < 4; ++j) {
+    double sum = 0;
+    for (const std::size_t i : others(axis)) sum += std::abs(to_double(star.coordinates[j][i]));
+    if (sum > 0) tube.width = std::min(tube.width, 0.98 / sum);
+    if (j != axis && tube.chart == Chart::star)
+      tube.width = std::min(tube.width, 0.98 * (1 - std::abs(tube.centre[j])));
+  }
+  tube.width = std::ldexp(std::floor(std::ldexp(tube.width, 20)), -20);
+  return tube;
+}
+
+}  // namespace
+
+std::string one_sign(const Map& map, const Parameters& middle, const Parameters& half, std::size_t axis) {
+  const Map local = map.at(middle);
+  std::vector<Vector> normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, local.value(Parameters{})};
+  if (const auto c = inverse(local, axis)) normals.insert(normals.end(), c->begin(), c->end());
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j) normals.push_back(perpendicular(column(local, i), column(local, j)));
+  for (const auto& normal : normals) {
+    const auto n = rounded_direction(normal);
+    const checker::Ball<double> range = local.along({double(n[0]), double(n[1]), double(n[2])}, half);
+    if (std::abs(range.middle) > range.radius * (1 + 1e-9) + 1e-11)
+      return fmt::format("{},{},{}", n[0], n[1], n[2]);
+  }
+  return "";
+}
+
+std::array<Map, 8> scaled_maps(Star& star, const checker::Map<Rational>& equation) {
+  const checker::Terms terms = checker::centred(equation, star);
+  std::array<std::size_t, 3> orders = {100, 100, 100};
+  for (const auto& [power, c] : terms) {
+    std::size_t degree = 0;
+    for (std::size_t j = 0; j < 4; ++j) degree += star.weights[j] * static_cast<std::size_t>(power[j]);
+    for (std::size_t d = 0; d < 3; ++d)
+      if (checker::dot(star.rows[d], c) != 0) orders[d] = std::min(orders[d], degree);
+  }
+  star.orders = orders;
+  for (const std::size_t order : orders)
+    if (order == 0 || order == 100) throw NotAlone();
+  std::array<Map, 8> maps;
+  for (int pass = 0; pass < 2; ++pass) {
+    std::array<double, 3> most{};
+    for (std::size_t direction = 0; direction < 8; ++direction) {
+      if (star.weights[direction / 2] == 0) continue;
+      maps[direction] = checker::in_direction<double>(terms, star, direction, star.rows, star.orders, "");
+      for (const auto& term : maps[direction].terms())
+        for (std::size_t d = 0; d < 3; ++d) most[d] = std::max(most[d], std::abs(term.c[d]));
+    }
+    for (std::size_t d = 0; pass == 0 && d < 3; ++d)
+      for (Rational& q : star.rows[d]) q *= power_of_two(most[d] > 0 ? -std::ilogb(most[d]) : 0);
+  }
+  return maps;
+}
+
+FoundSeam seam_along(const checker::Map<Rational>& equation, const checker::MapName& of,
+                     const checker::OnAxis<Rational>& on, std::size_t axis, const Rational& middle,
+                     const Rational& half, std::size_t index, int line) {
+  std::array<Rational, 4> c = {};
+  for (int n = -3; n <= 3; n += 2) {
+    std::array<Rational, 4> w;
+    for (std::size_t i = 0; i < 4; ++i)
+      w[i] = checker::value(on[i], Rational(middle + half * Rational(n, 4)));
+    const auto here = kernel(equation.at(w), axis);
+    if (n > -3 && here != c)
+      throw NoCertificate("a line along which the patches touch in changing directions");
+    c = here;
+  }
+  for (int e = 1; e < 12; ++e) {
+    FoundSeam result = {frame(on, axis, middle, half * Rational(33, 32), c, std::ldexp(1.0, -e)), {}, {}};
+    result.claim.of = of;
+    try {
+      const std::array<Map, 8> maps = scaled_maps(result.claim, equation);
+      for (std::size_t direction = 0; direction < 8; ++direction)
+        if (result.claim.weights[direction / 2] > 0)
+          result.subdivisions[direction] = EmptyChart(maps[direction], direction / 2).entries();
+      result.tube = tube_in(result.claim, axis, to_double(half) * (1 + 1.0 / 64));
+      result.tube.line = line;
+      result.tube.seam = static_cast<int>(index);
+      return result;
+    } catch (const NotAlone&) {
+    }
+  }
+  throw NotAlone();
+}
+
+}  // namespace exsect::cli
