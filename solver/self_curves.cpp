@@ -443,11 +443,6 @@ class SelfTracing {
       const std::array<double, 2> own = which == Chart::first ? c : std::array<double, 2>{c[1], c[0]};
       const ChartSearchOutcome outcome = search_chart(chart, places_, own, known, kMostBoxes<Ball>, stop_);
       result_.searched_boxes += outcome.boxes;
-      for (auto& q : outcome.undecided) {
-        fprintf(stderr, "undecided chart %d boxes %ld:", (int)which, outcome.boxes);
-        for (int j = 0; j < 4; ++j) fprintf(stderr, " [%g,%g]", q.lower[j], q.upper[j]);
-        fprintf(stderr, "\n");
-      }
       for (const ParameterBox& where : places(which, outcome.undecided)) {
         problem(where, "a closed curve or a singular point of the self-intersection is not excluded here");
       }
