@@ -6,6 +6,7 @@
 
 #include "landmark_tangent.h"
 #include "parameter_box.h"
+#include "self_folds.h"
 #include "subdivision.h"
 #include "traced_curves.h"
 
@@ -73,6 +74,7 @@ class SelfTracing {
     for (const CertifiedPoint& point : boundary_.points) {
       result_.landmarks.push_back(enclose<Ball>(point, width));
     }
+    if (!exact.folds.empty()) places_.further = FoldNeighbourhoods<Ball>(exact.folds);
     result_.boundary_points = boundary_.points.size();
     for (std::size_t k = 0; k < exact.stars.size(); ++k) {
       add_ports(k);
@@ -85,6 +87,9 @@ class SelfTracing {
       trace_from_cusps();
     }
     used_.assign(result_.landmarks.size(), {});
+    for (const MultipleFold& fold : exact_.folds) {
+      use_ends(fold);
+    }
     for (const GluedArc& arc : boundary_.arcs) {
       if (result_.problems.empty()) {
         trace_glued(arc);
@@ -249,6 +254,18 @@ class SelfTracing {
   bool is_boundary(std::size_t landmark) const { return landmark < boundary_.points.size(); }
   const ChartTrace<Ball>& trace_at(std::size_t gate) const {
     return result_.chart_traces[result_.gate(static_cast<int>(gate))->trace];
+  }
+
+  /// Nothing else leaves the pair on a side, or a port, in which an arc of the line ends.
+  void use_ends(const MultipleFold& fold) {
+    const auto use_both = [this](std::size_t landmark) {
+      for (const int sign : {1, -1}) use(landmark, sign);
+    };
+    if (fold.end) use_both(*fold.end);
+    for (std::size_t i = 0; i < result_.ports.size(); ++i) {
+      const auto& port = result_.ports[i];
+      if (lies_on(fold, exact_.stars[port.star], port.port)) use_both(result_.boundary_points + i);
+    }
   }
 
   /// The arc is regular and leads from one of its ends to the other one: then it is all of the curve.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "fold_expansion.h"
 #include "graph_builder.h"
 #include "self_boundary.h"
 #include "self_chart_trace.h"
@@ -17,11 +18,21 @@
 
 namespace exsect {
 
+/// A folded parameter line along which both tangent planes agree. Its pairs are f + t, f - t at the constant
+/// c, 0 <= t <= min(f, 1 - f), of the patch (chart: first) or of the patch with exchanged parameters.
+struct MultipleFold {
+  FoldExpansion expansion;
+  Chart chart;
+  std::optional<int> side;         // c, if it is 0 or 1
+  std::optional<std::size_t> end;  // the boundary point with the largest t; empty if that is 0
+};
+
 /// What is known exactly of a patch against itself.
 struct ExactPlaces {
   InjectiveRectangles injective;
   SelfBoundary boundary;
   SpecialCusps cusps;
+  std::vector<MultipleFold> folds;
   std::array<std::size_t, 4> coincident;  // coincident_parameters(x, x)
   /// Components of T that are known to vanish at a boundary point.
   std::function<std::array<bool, 4>(const CertifiedPoint&)> zero_tangent;
@@ -94,8 +105,9 @@ struct SelfCurves {
 };
 
 /// If no problem is reported, the curves, their pieces next to the cuspidal points and the isolated points
-/// are all pairs u1,v1 != u2,v2 with x(u1,v1) = x(u2,v2) in the squares, and no other curve ends in a
-/// cuspidal point. `width`: of the boxes around exact points. Precondition: exact.boundary.problems is empty.
+/// and exact.folds are all pairs u1,v1 != u2,v2 with x(u1,v1) = x(u2,v2) in the squares, and no other curve
+/// ends in a cuspidal point. `width`: of the boxes around exact points. Precondition: exact.boundary.problems
+/// is empty.
 template <class Ball>
 SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const ExactPlaces& exact,
                                    const Rational& width, const StopRequest& stop);

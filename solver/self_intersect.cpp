@@ -11,6 +11,7 @@
 
 #include "self_curves.h"
 #include "self_degenerate.h"
+#include "self_folds.h"
 #include "self_graph.h"
 #include "self_star_graph.h"
 #include "singular_points.h"
@@ -106,6 +107,7 @@ class SelfIntersection {
       exact_.injective = injective_rectangles(x_);
       exact_.boundary = self_boundary(x_, exact_.injective);
       exact_.cusps = special_cusps(x_);
+      exact_.folds = multiple_folds(x_, exact_.cusps, exact_.boundary.points);
       exact_.coincident = coincident_parameters(x_, x_);
       exact_.zero_tangent = [this](const CertifiedPoint& point) { return known_zero_tangent(x_, x_, point); };
     });
@@ -127,7 +129,8 @@ class SelfIntersection {
     timed("stars", [this] {
       const double scaled =
           std::ldexp(options_.tolerance * scaling_.extent, -static_cast<int>(scaling_.frame.exponent));
-      exact_.stars = self_stars({x_, exact_.boundary.points, undecided_, scaled, stop_});
+      if (!values_) values_ = self_values(x_);
+      exact_.stars = self_stars({x_, exact_.boundary.points, undecided_, *values_, scaled, stop_});
     });
     return exact_.stars.size() > before;
   }
@@ -170,6 +173,7 @@ class SelfIntersection {
     const double used =
         options_.tolerance < kFinestTolerance ? kCoarseTolerance * scaling_.extent : tolerance;
     const std::vector<TraceEnd> ends = ends_at_stars(graph, x_, system, exact_, found, scaling_.frame);
+    append_folds(graph, x_, system, exact_, found, ends, scaling_.frame, used);
     append_self_curves(graph, system, found, ends, scaling_.frame, options_.turning, used);
     for (const SelfCurve<Ball>& curve : found.curves) {
       result_.work.steps["tubes"] += static_cast<double>(curve.analysed.trace.pieces.size());
@@ -204,6 +208,7 @@ class SelfIntersection {
   StopRequest stop_;
   ExactPlaces exact_{};
   std::vector<ParameterBox> undecided_;  // by all attempts
+  std::optional<SelfValues> values_;     // for stars
   IntersectResult result_{};
   double progress_ = 0;
 };

@@ -404,6 +404,7 @@ SearchRegion pair_bounds(Chart chart, const ChartBox& box) {
 }
 
 bool KnownPlaces::contain(Chart chart, const ChartBox& box) const {
+  if (further && further(chart, box)) return true;
   if (places_.empty()) return false;
   const SearchRegion pairs = pair_bounds(chart, box);
   return std::ranges::any_of(places_, [&](const Place& place) {

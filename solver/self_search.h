@@ -33,8 +33,11 @@ class KnownPlaces {
   explicit KnownPlaces(const std::vector<ParameterRectangle>& rectangles,
                        const std::vector<ParameterBox>& boxes = {});
 
-  /// True only if all pairs of the box that are in the square are in one of the places.
+  /// True only if all pairs of the box that are in the square are known.
   bool contain(Chart chart, const ChartBox& box) const;
+
+  /// Asked as well, unless empty: true only if all of them are known.
+  std::function<bool(Chart, const ChartBox&)> further;
 
  private:
   /// Lower and upper ends of u1, v1, u2, v2; infinite on a side of the square.

@@ -22,18 +22,11 @@ constexpr double kLayersPerTolerance = 8;
 
 ParameterBox exchanged(const ParameterBox& box) { return {box[2], box[3], box[0], box[1]}; }
 
-/// What does not depend on the centre; index 0: of u, 1: of v.
-struct Knowledge {
-  ValuesOfBoth turning;
-  ValuesOfBoth cuspidal;
-};
-
 class SelfStarProof {
  public:
-  SelfStarProof(const SelfStarProblem& problem, const Knowledge& knowledge, const SelfCentre& centre,
-                std::size_t sweep)
+  SelfStarProof(const SelfStarProblem& problem, const SelfCentre& centre, std::size_t sweep)
       : problem_(problem),
-        known_(knowledge),
+        known_(problem.values),
         centre_(centre),
         sweep_(sweep),
         at_(centre.value[sweep].refined_to(power_of_two(-100))) {}
@@ -199,7 +192,7 @@ class SelfStarProof {
       pair[fixed] = pair[fixed + 2] = {at, at};
       pair[sweep_] = {value, value};
       pair[sweep_ + 2] = {2 * middle - value, 2 * middle - value};
-      if (lies_in(pair, point.box())) return SelfStar::FoldedArc{fixed, line.side[1]};
+      if (lies_in(pair, point.box())) return SelfStar::FoldedArc{fixed, at, line.side[1]};
     }
     return std::nullopt;
   }
@@ -222,7 +215,7 @@ class SelfStarProof {
   }
 
   const SelfStarProblem& problem_;
-  const Knowledge& known_;
+  const SelfValues& known_;
   const SelfCentre& centre_;
   std::size_t sweep_;
   RealAlgebraic at_;
@@ -235,13 +228,11 @@ class SelfStarSearch {
   explicit SelfStarSearch(const SelfStarProblem& problem)
       : problem_(problem),
         scale_(model_scale(problem.x, problem.x)),
-        system_(problem.x, problem.x, scale_.origin, scale_.frame.exponent),
-        known_{{self_turning_values(problem.x.exchanged()), self_turning_values(problem.x)},
-               {cuspidal_values(problem.x.exchanged()), cuspidal_values(problem.x)}} {}
+        system_(problem.x, problem.x, scale_.origin, scale_.frame.exponent) {}
 
   std::vector<SelfStar> run() {
     for (const SelfCentre& centre :
-         self_star_centres(problem_.x, problem_.boundary, problem_.where, known_.turning, known_.cuspidal))
+         self_star_centres(problem_.x, problem_.boundary, problem_.where, problem_.values))
       if (!is_known(centre)) add(centre);
     return std::move(stars_);
   }
@@ -259,7 +250,7 @@ class SelfStarSearch {
     for (const std::size_t sweep : centre.sweeps)
       for (const double halfwidth :
            {first, 0x1p-4 * first, 0x1p-9 * first, 0x1p-14 * first, 0x1p-20 * first}) {
-        SelfStarProof proof(problem_, known_, centre, sweep);
+        SelfStarProof proof(problem_, centre, sweep);
         auto star = proof.run(halfwidth);
         if (!star || !is_disjoint(*star)) continue;
         const double slab = to_double(star->star.box[sweep].width());
@@ -289,7 +280,6 @@ class SelfStarSearch {
   const SelfStarProblem& problem_;
   ModelScale scale_;
   PairSystem<DoubleBall> system_;
-  Knowledge known_;
   std::vector<SelfStar> stars_;
 };
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "self_turning.h"
 #include "star_neighbourhood.h"
 #include "stop_request.h"
 
@@ -19,6 +20,7 @@ struct SelfStar {
   /// A folded line, u or v (`fixed`: 0 or 1) constant, on a side of the square or not.
   struct FoldedArc {
     std::size_t fixed;
+    Rational constant;
     std::optional<int> side;
   };
 
@@ -32,7 +34,8 @@ struct SelfStarProblem {
   const BezierPatch& x;
   const std::vector<CertifiedPoint>& boundary;  // SelfBoundary::points
   const std::vector<ParameterBox>& where;       // centres are looked for in these boxes only
-  double tolerance;                             // of polylines, the patch scaled to unit size
+  const SelfValues& values;
+  double tolerance;  // of polylines, the patch scaled to unit size
   StopRequest stop;
 };
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <utility>
 
+#include "fold_expansion.h"
 #include "parameter_box.h"
-#include "self_turning.h"
 #include "singular_points.h"
 #include "special_cusps.h"
 
@@ -44,23 +44,11 @@ CertifiedPoint certified(const std::array<RealAlgebraic, 4>& value) {
   return {std::make_shared<AlgebraicPair>(value), power_of_two(-100), sides_at(value), 0, 0};
 }
 
-Polynomial component(const std::array<Polynomial, 3>& a, const std::array<Polynomial, 3>& b,
-                     const Point& direction) {
-  Polynomial sum;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t l = (k + 1) % 3;
-    const std::size_t m = (k + 2) % 3;
-    sum += (a[l] * b[m] - a[m] * b[l]) * Polynomial(direction[k]);
-  }
-  return sum;
-}
-
 class CentreSearch {
  public:
   CentreSearch(const BezierPatch& x, const std::vector<CertifiedPoint>& boundary,
-               const std::vector<ParameterBox>& where, const ValuesOfBoth& turning,
-               const ValuesOfBoth& cuspidal)
-      : x_(x), boundary_(boundary), where_(where), turning_(turning), cuspidal_(cuspidal) {}
+               const std::vector<ParameterBox>& where, const SelfValues& values)
+      : x_(x), boundary_(boundary), where_(where), values_(values) {}
 
   std::vector<SelfCentre> run() {
     add_cuspidal();
@@ -89,8 +77,8 @@ class CentreSearch {
   }
 
   void add_cuspidal() {
-    for (const Rational& u : rational(cuspidal_[0]))
-      for (const Rational& v : rational(cuspidal_[1])) {
+    for (const Rational& u : rational(values_.cuspidal[0]))
+      for (const Rational& v : rational(values_.cuspidal[1])) {
         if (!is_zero(cross(x_.derivative_first(u, v), x_.derivative_second(u, v)))) continue;
         const std::array<RealAlgebraic, 4> value = {u, v, u, v};
         const CertifiedPoint point = certified(value);
@@ -105,24 +93,12 @@ class CentreSearch {
       const auto place = rational_turn(line);
       if (!place) continue;
       const auto& [turn, c] = *place;
-      const Polynomial contact = tangent_along(lines, c, turn);
-      if (contact.is_zero()) continue;
+      const auto fold = fold_expansion(lines, turn, c);
+      if (!fold) continue;
+      const Polynomial contact = fold->contact.compose(Polynomial{turn * turn, -2 * turn, 1});
       for (const RealAlgebraic& t : real_roots(contact, turn, std::min<Rational>(1, 2 * turn)))
         if (t.compare(turn) != 0) add_on_folded_line(fixed, c, turn, t);
     }
-  }
-
-  /// det(x_v(t,c), x_v(2 turn - t,c), direction of the line v = c): zero where the tangent planes agree.
-  static Polynomial tangent_along(const BezierPatch& lines, const Rational& c, const Rational& turn) {
-    const ControlNet power = lines.restricted_to(0, 1, c, c + 1).power_basis();
-    std::array<Polynomial, 3> at_t;
-    std::array<Polynomial, 3> at_other;
-    const Polynomial other{2 * turn, -1};
-    for (std::size_t k = 0; k < 3; ++k) {
-      at_t[k] = Polynomial(std::vector<Rational>{power[0][1][k], power[1][1][k], power[2][1][k]});
-      at_other[k] = at_t[k].compose(other);
-    }
-    return component(at_t, at_other, power[2][0]);
   }
 
   void add_on_folded_line(std::size_t fixed, const Rational& c, const Rational& turn,
@@ -162,7 +138,7 @@ class CentreSearch {
   }
 
   void add_multiple(std::size_t sweep) {
-    for (const Rational& value : rational(turning_[sweep])) {
+    for (const Rational& value : rational(values_.turning[sweep])) {
       const LinePoints line = line_points(x_, x_, {static_cast<Parameter>(sweep), value});
       for (const CertifiedPoint& point : line.points) {
         if (point.multiplicity() == 1 || !is_near(point.box())) continue;
@@ -196,8 +172,7 @@ class CentreSearch {
   const BezierPatch& x_;
   const std::vector<CertifiedPoint>& boundary_;
   const std::vector<ParameterBox>& where_;
-  const ValuesOfBoth& turning_;
-  const ValuesOfBoth& cuspidal_;
+  const SelfValues& values_;
   std::vector<SelfCentre> centres_;
 };
 
@@ -210,9 +185,8 @@ bool is_only_root(const SelfCentre& centre, const ParameterBox& box) {
 }
 
 std::vector<SelfCentre> self_star_centres(const BezierPatch& x, const std::vector<CertifiedPoint>& boundary,
-                                          const std::vector<ParameterBox>& where, const ValuesOfBoth& turning,
-                                          const ValuesOfBoth& cuspidal) {
-  return CentreSearch(x, boundary, where, turning, cuspidal).run();
+                                          const std::vector<ParameterBox>& where, const SelfValues& values) {
+  return CentreSearch(x, boundary, where, values).run();
 }
 
 }  // namespace exsect

@@ -11,6 +11,8 @@
 #include <optional>
 #include <vector>
 
+#include "self_turning.h"
+
 namespace exsect {
 
 struct SelfCentre {
@@ -27,14 +29,10 @@ struct SelfCentre {
 /// Requires SelfCentre::projection: over the centre's value the box holds no other pair.
 bool is_only_root(const SelfCentre& centre, const ParameterBox& box);
 
-/// Values of u and of v, empty if they are not known.
-using ValuesOfBoth = std::array<std::optional<std::vector<RealAlgebraic>>, 2>;
-
 /// Candidates near the boxes: rational cuspidal points, points of folded lines u = c and v = c, c rational,
 /// at which both tangent planes agree, rational boundary points, and rational points at which the tangent
 /// field vanishes.
 std::vector<SelfCentre> self_star_centres(const BezierPatch& x, const std::vector<CertifiedPoint>& boundary,
-                                          const std::vector<ParameterBox>& where, const ValuesOfBoth& turning,
-                                          const ValuesOfBoth& cuspidal);
+                                          const std::vector<ParameterBox>& where, const SelfValues& values);
 
 }  // namespace exsect

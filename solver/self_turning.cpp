@@ -129,4 +129,10 @@ std::optional<std::vector<RealAlgebraic>> cuspidal_values(const BezierPatch& x) 
   return std::nullopt;
 }
 
+SelfValues self_values(const BezierPatch& x) {
+  const BezierPatch exchanged = x.exchanged();
+  return {{self_turning_values(exchanged), self_turning_values(x)},
+          {cuspidal_values(exchanged), cuspidal_values(x)}};
+}
+
 }  // namespace exsect

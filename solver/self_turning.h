@@ -30,4 +30,11 @@ std::optional<std::vector<RealAlgebraic>> self_turning_values(const BezierPatch&
 /// isolated over the complex numbers.
 std::optional<std::vector<RealAlgebraic>> cuspidal_values(const BezierPatch& x);
 
+/// Both of them for u (index 0) and for v (1), empty if they are not known.
+struct SelfValues {
+  std::array<std::optional<std::vector<RealAlgebraic>>, 2> turning;
+  std::array<std::optional<std::vector<RealAlgebraic>>, 2> cuspidal;
+};
+SelfValues self_values(const BezierPatch& x);
+
 }  // namespace exsect

@@ -53,6 +53,30 @@ const std::vector<int> kCurveToCorner = {0, 1,  1, 0, 0, 0, -1, 1, 0, 0, 1, 1,  
 const std::vector<int> kTwiceSingular = {0, 1, -1, 0, 1,  2, 2,  2,  0,  -1, 1, -1, -2, 0,
                                          1, 0, 1,  2, -1, 1, -1, -2, -2, -2, 2, 2,  0};
 
+// The sides u = 1 and v = 1 turn at 1/2, and both tangent planes agree along them: the lines next to it turn
+// at 1/2 too; the tangent plane is constant.
+const std::vector<int> kTouchingFold = {0, -1, -1, 0, 0, -1, 1, 1, 0, 0,  -1, 0, 1, 0,
+                                        1, 0,  -1, 0, 1, 0,  1, 0, 1, -1, 1,  0, 1};
+const std::vector<int> kPlanarFold = {0, 0,  -1, -1, 1,  0, 0,  1, 1, 1,  1, -1, 1, 1,
+                                      0, -1, 1,  1,  -1, 0, -1, 1, 1, -1, 0, 1,  1};
+
+/// The line v = c turns at u = f, and both tangent planes agree along it, for one of the two reasons.
+BezierPatch multiple_fold(std::mt19937& generator, bool planar, const Rational& f, const Rational& c) {
+  std::uniform_int_distribution<int> coefficient(-2, 2);
+  ControlNet d{};  // of (u - f)^i (v - c)^j
+  for (auto& row : d)
+    for (Point& p : row) p = {coefficient(generator), coefficient(generator), coefficient(generator)};
+  const std::array<Rational, 3> k = {coefficient(generator), coefficient(generator), coefficient(generator)};
+  d[1][0] = {0, 0, 0};
+  if (planar) {
+    d[0][1] = k[0] * d[2][0] + k[1] * d[1][1];
+    d[2][1] = k[1] * d[2][0] + k[2] * d[1][1];
+  } else {
+    d[1][1] = k[0] * d[2][0];
+  }
+  return BezierPatch::from_power_basis(d).restricted_to(-f, 1 - f, -c, 1 - c);
+}
+
 /// Complete, sound, and with as many crossings of parameter lines as these have pairs, in both orders.
 IntersectionGraph checked(const BezierPatch& x) {
   IntersectOptions options;
@@ -151,6 +175,24 @@ TEST_CASE("a folded side between two singular pairs") {
                    graph.nodes[static_cast<std::size_t>(arc.to)].on.size() >=
                6;
   }));
+}
+
+TEST_CASE("folded sides along which both tangent planes agree") {
+  for (const std::vector<int>& net : {kTouchingFold, kPlanarFold}) {
+    const IntersectionGraph graph = checked(patch(net));
+    const auto fold = std::ranges::find(graph.arcs, ArcPlace::patch_boundary, &Arc::place);
+    REQUIRE(fold != graph.arcs.end());
+    CHECK(fold->contact == Contact::tangential);
+  }
+}
+
+TEST_CASE("folded lines inside along which both tangent planes agree") {
+  const auto [planar, seed] =
+      GENERATE(table<bool, unsigned>({{false, 1}, {false, 10}, {true, 4}, {true, 5}}));
+  std::mt19937 generator(seed);
+  INFO("seed " << seed);
+  const IntersectionGraph graph = checked(multiple_fold(generator, planar, Rational(2, 3), Rational(1, 3)));
+  CHECK(std::ranges::count(graph.arcs, Contact::tangential, &Arc::contact) == 1);
 }
 
 TEST_CASE("a curve that crosses the pairs of a folded line") {
