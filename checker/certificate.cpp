@@ -128,14 +128,35 @@ Component component(const Value& value) {
           value["arcs"].list([](const Value& v) { return v.count(); })};
 }
 
-/// "u", "t5", "p0", "m5", "lower", "3,-1,2" or "i3,-1,2".
+template <class N>
+Overlap<N> overlap(const Value& value) {
+  value.require_claim({"seam", "edges"});
+  const auto edge = [](const Value& v) {
+    v.require_keys({"points"}, "error_bound");
+    v["points"].require(v["points"].size() >= 2, "must be two points or more");
+    return Arc<N>{0, 0, 0, v["points"].list(arc_point<N>), {}, v["error_bound"].number<N>()};
+  };
+  const auto corner = [](const Value& v) {
+    const Value points = v["points"];
+    const Value first = points[std::size_t{0}];
+    Vector4<Rational> at;
+    for (std::size_t i = 0; i < 4; ++i) at[i] = first[i].template number<Rational>();
+    return at;
+  };
+  Overlap<N> result = {value["seam"].count(), {}, value["edges"].list(edge)};
+  result.corners = value["edges"].list(corner);
+  return result;
+}
+
+/// "u", "t5", "p0", "s1", "m5", "lower", "3,-1,2" or "i3,-1,2".
 Cell cell(const Value& value, std::string_view claim) {
   using Kind = Cell::Kind;
   value.require(!claim.empty(), "must have one blank between entries");
   if (claim == "lower") return {Kind::lower, 0, {}};
   const std::size_t parameter = parameter_letters.find(claim);
   if (claim.size() == 1 && parameter != std::string_view::npos) return {Kind::split, parameter, {}};
-  for (const auto& [letter, kind] : {std::pair{'t', Kind::tube}, {'p', Kind::star}, {'m', Kind::mirrored}})
+  for (const auto& [letter, kind] :
+       {std::pair{'t', Kind::tube}, {'p', Kind::star}, {'s', Kind::sheet}, {'m', Kind::mirrored}})
     if (claim[0] == letter) return {kind, static_cast<std::size_t>(value.integer(claim.substr(1))), {}};
   Cell result = {claim[0] == 'i' ? Kind::injective : Kind::excluded, 0, {}};
   if (result.kind == Kind::injective) claim.remove_prefix(1);
@@ -196,7 +217,7 @@ Summary summary(const Value& value) {
   value.require_claim({"claims", "components", "closed", "open", "branched", "isolated", "boundary",
                        "tangential", "turning"});
   const auto count = [](const Value& v) { return v.count(); };
-  return {value["claims"].array<8>(count), value["components"].count(), value["closed"].count(),
+  return {value["claims"].array<9>(count), value["components"].count(), value["closed"].count(),
           value["open"].count(),           value["branched"].count(),   value["isolated"].count(),
           value["boundary"].count(),       value["tangential"].count(), value["turning"].array<4>(count)};
 }
@@ -239,16 +260,34 @@ void require_ends(const Value& root, const std::vector<Arc<N>>& arcs) {
   }
 }
 
+/// Each edge of an overlap ends exactly where the next one begins.
+template <class N>
+void require_chains(const Value& root, const std::vector<Overlap<N>>& overlaps) {
+  const Value list = root["overlaps"];
+  for (std::size_t o = 0; o < overlaps.size(); ++o) {
+    const Value overlap = list[o];
+    const Value edges = overlap["edges"];
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const Value edge = edges[i];
+      const Value points = edge["points"];
+      const Value last = points[points.size() - 1];
+      for (std::size_t j = 0; j < 4; ++j)
+        last.require(last[j].template number<Rational>() == overlaps[o].corners[(i + 1) % edges.size()][j],
+                     "must be where the next edge begins");
+    }
+  }
+}
+
 /// Of a pair, or of one patch.
 template <class N>
 Certificate<N> curves(const Value& root, bool self) {
   if (self)
     root.require_keys({"exsect", "command", "first", "relations", "lines", "stars", "seams", "tubes", "nodes",
-                       "arcs", "components", "cover"},
+                       "arcs", "components", "overlaps", "cover"},
                       "summary");
   else
     root.require_keys({"exsect", "command", "first", "second", "relations", "lines", "stars", "seams",
-                       "tubes", "nodes", "arcs", "components", "cover"},
+                       "tubes", "nodes", "arcs", "components", "overlaps", "cover"},
                       "summary");
   Certificate<N> result = {{patch(root["first"]), patch(root[self ? "first" : "second"])},
                            self,
@@ -261,9 +300,11 @@ Certificate<N> curves(const Value& root, bool self) {
                            root["nodes"].list(node<N>),
                            root["arcs"].list(arc<N>),
                            root["components"].list(component),
+                           root["overlaps"].list(overlap<N>),
                            {},
                            summary(root["summary"])};
   require_ends(root, result.arcs);
+  require_chains(root, result.overlaps);
   for (std::size_t i = 0; i < result.stars.size(); ++i) {
     const Vector4<Rational>& at = result.stars[i].at;
     result.nodes.push_back({0, {N(at[0]), N(at[1]), N(at[2]), N(at[3])}, N(0), {}, {}, static_cast<int>(i)});
@@ -279,7 +320,7 @@ Certificate<N> points(const Value& root) {
   Certificate<N> result = {{patch(root["first"]), patch(root["second"])}, false, only};
   result.tubes = root["tubes"].list(tube<N>);
   result.nodes = root["points"].list([&](const Value& v) { return point<N>(v, only); });
-  result.summary = {root["summary"]["claims"].array<8>([](const Value& v) { return v.count(); })};
+  result.summary = {root["summary"]["claims"].array<9>([](const Value& v) { return v.count(); })};
   return result;
 }
 

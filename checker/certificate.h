@@ -58,9 +58,9 @@ using Matrix4 = std::array<Vector4<Rational>, 4>;
 
 /// An inner node of the subdivision of a box or a leaf of it.
 struct Cell {
-  enum class Kind { split, excluded, tube, star, mirrored, lower, injective };
+  enum class Kind { split, excluded, tube, star, sheet, mirrored, lower, injective };
   Kind kind;
-  std::size_t index;             // the parameter that is halved; the tube; the star
+  std::size_t index;             // the parameter that is halved; the tube; the star; the seam
   std::array<int, 3> direction;  // excluded, injective
   std::size_t row = 0;           // of the list in which it stands
 };
@@ -115,6 +115,15 @@ struct Arc {
   N error_bound;
 };
 
+/// All solutions of a seam of a plane in [0,1]^4: a convex polygon with these corners. Its edges are straight
+/// in the parameters; of them as arcs only the points and the error bound are meant.
+template <class N>
+struct Overlap {
+  std::size_t seam;
+  std::vector<Vector4<Rational>> corners;
+  std::vector<Arc<N>> edges;  // from each corner to the next one
+};
+
 enum class Shape { open, closed, branched };
 struct Component {
   Shape shape;
@@ -122,8 +131,8 @@ struct Component {
 };
 
 struct Summary {
-  std::array<std::size_t, 8>
-      claims;  // relations, lines, stars, tubes, nodes, arcs, entries of the cover, seams
+  // Relations, lines, stars, tubes, nodes, arcs, entries of the cover, seams, overlaps.
+  std::array<std::size_t, 9> claims;
   std::size_t components = 0;
   std::size_t closed = 0;
   std::size_t open = 0;
@@ -148,6 +157,7 @@ struct Certificate {
   std::vector<Node<N>> nodes = {};  // those of the stars last
   std::vector<Arc<N>> arcs = {};
   std::vector<Component> components = {};
+  std::vector<Overlap<N>> overlaps = {};
   std::vector<Cell> cover = {};
   Summary summary = {};
 };

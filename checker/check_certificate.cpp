@@ -3,6 +3,7 @@
 #include "check_arcs.h"
 #include "check_cover.h"
 #include "check_nodes.h"
+#include "check_overlaps.h"
 
 namespace exsect::checker {
 namespace {
@@ -105,7 +106,8 @@ void check_graph(const Replay<N>& all, const std::vector<std::array<ArcEnd, 2>>&
                   certificate.nodes.size() - certificate.stars.size(),
                   certificate.arcs.size(),
                   certificate.cover.size(),
-                  certificate.seams.size()};
+                  certificate.seams.size(),
+                  certificate.overlaps.size()};
   require(said.claims == count.claims && said.components == certificate.components.size() &&
               said.closed == count.closed && said.open == count.open && said.branched == count.branched &&
               said.isolated == count.isolated && said.boundary == count.boundary &&
@@ -123,6 +125,7 @@ void check_curves(const Replay<N>& all) {
     for (std::size_t direction = 0; direction < 8; ++direction)
       ChartCover<N>(all, certificate.seams[i], all.seams[i], {Chart::pair, 0, direction}, place("seams", i));
   for (std::size_t i = 0; i < certificate.nodes.size(); ++i) NodeCheck<N>(all).check(i);
+  for (std::size_t i = 0; i < certificate.overlaps.size(); ++i) OverlapCheck<N>(all, i).check();
   std::vector<std::array<ArcEnd, 2>> ends;
   std::vector<bool> used(all.tubes.size());
   for (std::size_t i = 0; i < certificate.arcs.size(); ++i) {
@@ -153,9 +156,11 @@ Report check(const Certificate<N>& certificate) {
   Cover<N>(all).check();
   Report report = {certificate.summary, certificate.fixed, certificate.self};
   for (const Cell& cell : certificate.cover) {
-    const bool tube = cell.kind == Cell::Kind::tube || cell.kind == Cell::Kind::mirrored;
-    if (tube) ++report.covered;
-    if (!tube && cell.kind != Cell::Kind::split) ++report.exclusions;
+    using Kind = Cell::Kind;
+    const bool covered = cell.kind == Kind::tube || cell.kind == Kind::mirrored || cell.kind == Kind::star ||
+                         cell.kind == Kind::sheet;
+    if (covered) ++report.covered;
+    if (!covered && cell.kind != Kind::split) ++report.exclusions;
   }
   return report;
 }

@@ -14,7 +14,7 @@ struct Report {
   std::optional<Fixed> fixed;
   bool self = false;
   std::size_t exclusions = 0;
-  std::size_t covered = 0;  // leaves in tubes
+  std::size_t covered = 0;  // leaves in tubes, stars and overlaps
 };
 
 /// Returns if and only if every claim holds, so that docs/certificate.md proves the graph, or the points of a

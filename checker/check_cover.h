@@ -45,6 +45,12 @@ class Cover {
               "the direction does not separate the patches over the cell");
     } else if (cell.kind == Cell::Kind::star) {
       check_in_star(box, element(certificate_.stars, cell.index, where, "names no star"), where);
+    } else if (cell.kind == Cell::Kind::sheet) {
+      const auto& overlaps = certificate_.overlaps;
+      require(
+          std::any_of(overlaps.begin(), overlaps.end(), [&](const auto& o) { return o.seam == cell.index; }),
+          where, "names no overlap");
+      check_in_star(box, certificate_.seams[cell.index], where);
     } else if (cell.kind == Cell::Kind::tube) {
       check_in_tube(box, cell.index, where);
     } else {

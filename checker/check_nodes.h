@@ -151,8 +151,8 @@ void check_points(const Replay<N>& replay) {
               "its box meets that of an earlier point");
   }
   for (std::size_t i = 0; i < used.size(); ++i) require(used[i], place("tubes", i), "no point is in it");
-  const std::array<std::size_t, 8> claims = {0, 0, 0, used.size(), points.size(), 0, certificate.cover.size(),
-                                             0};
+  const std::array<std::size_t, 9> claims = {0, 0, 0, used.size(), points.size(), 0, certificate.cover.size(),
+                                             0, 0};
   require(certificate.summary.claims == claims, "$.summary", "does not agree with the claims");
 }
 

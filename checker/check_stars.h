@@ -88,7 +88,8 @@ StarMaps<N> check_star(const Replay<N>& replay, const Star& star, const std::str
 template <class N>
 StarMaps<N> check_seam(const Replay<N>& replay, const Star& seam, const std::string& where) {
   const auto dimension = std::count(seam.weights.begin(), seam.weights.end(), std::size_t{0});
-  require(dimension == 1, where, "neither of a line nor of a plane");
+  const bool plane = dimension == 2 && seam.of.chart == Chart::pair && !replay.certificate.self;
+  require(dimension == 1 || plane, where, "neither of a line nor of a plane");
   check_frame(seam, where);
   Map<Rational> equation = pair_map(replay.exact[0], replay.exact[1]);
   if (seam.of.chart == Chart::star) {

@@ -54,7 +54,28 @@ inline bool touches(const std::array<Net<Rational>, 2>& exact, const Line& line)
   return true;
 }
 
-/// The tube lies in its seam, all solutions of which are on the line.
+/// In [0,1]^4 two parameters have the values of the line at the same time, or neither: with a, b in {0,1}
+/// these values, w_i - a and w_j - b are proportional on the seam's plane, with the sign that keeps one of
+/// them outside unless both are 0.
+inline bool is_edge(const Star& seam, const OnAxis<Rational>& on) {
+  const auto inwards = [&](std::size_t p) {
+    return on[p][1] == 0 && (on[p][0] == 0 || on[p][0] == 1) ? (on[p][0] == 0 ? 1 : -1) : 0;
+  };
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      std::vector<std::array<Rational, 2>> along;  // of the two directions of the plane
+      for (std::size_t n = 0; n < 4; ++n)
+        if (seam.weights[n] == 0)
+          along.push_back({inwards(i) * seam.axes[i][n], inwards(j) * seam.axes[j][n]});
+      const auto& [a, b] = std::tie(along[0], along[1]);
+      const bool proportional = a[0] * b[1] == a[1] * b[0];
+      if (proportional && (a[0] * a[1] < 0 || b[0] * b[1] < 0)) return true;
+    }
+  }
+  return false;
+}
+
+/// The tube lies in its seam, all solutions of which in [0,1]^4 are on the line.
 template <class N>
 void check_in_seam(const Replay<N>& replay, const Tube<N>& tube, const OnAxis<Rational>& on,
                    const std::string& where) {
@@ -62,6 +83,8 @@ void check_in_seam(const Replay<N>& replay, const Tube<N>& tube, const OnAxis<Ra
       element(replay.certificate.seams, static_cast<std::size_t>(tube.seam), where, "names no seam");
   require(seam.of == tube, where, "its seam is one of another map");
   require(tube.inverse == Matrix3<N>{}, where, "an inverse where none is needed");
+  const bool plane = std::count(seam.weights.begin(), seam.weights.end(), std::size_t{0}) == 2;
+  require(!plane || is_edge(seam, on), where, "its seam's plane goes on in the domain");
   for (std::size_t j = 0; j < 4; ++j) {
     N middle = 0;
     N slope = 0;

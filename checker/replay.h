@@ -141,6 +141,15 @@ N value(const Vector3<N>& a, const N& t) {
   return a[0] + t * (a[1] + t * a[2]);
 }
 
+/// The largest distance in a variable between `at` and the line's point with the same variable of the axis.
+template <class N>
+N distance_to_line(const ProvedTube<N>& tube, const Vector4<N>& at) {
+  N most = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    most = larger(most, magnitude(N(at[i] - value((*tube.exact)[i], at[tube.claim.axis]))));
+  return rounded_up(most);
+}
+
 /// Distance in each variable between `at`, which is in the tube, and the curve's point with the same variable
 /// of the axis: at most |C F(at)| / (1 - defect), or exactly that of a line. Rejected at `where` if `at` is
 /// not in the tube.
@@ -148,12 +157,8 @@ template <class N>
 N distance(const Replay<N>& replay, const ProvedTube<N>& tube, const Vector4<N>& at,
            const std::string& where) {
   require(tube.claim.contains(ball(at, N(0))), where, "a point is not in its tube");
+  if (tube.exact) return distance_to_line(tube, at);
   N most = 0;
-  if (tube.exact) {
-    for (std::size_t i = 0; i < 4; ++i)
-      most = larger(most, magnitude(N(at[i] - value((*tube.exact)[i], at[tube.claim.axis]))));
-    return rounded_up(most);
-  }
   const Vector3<N> f = replay.map(tube.claim).value(at);
   for (const Vector3<N>& row : tube.claim.inverse) most = larger(most, magnitude(dot(row, f)));
   return rounded_up(most / (1 - tube.bounds.defect));

@@ -110,14 +110,24 @@ namespace {
 /// An arc whose error bound the check, with enclosures of its own, cannot confirm gets a larger one.
 bool enlarge_bound(Json& document, const Rational& factor, const std::string& where,
                    const std::string& reason) {
-  for (std::size_t i = 0; i < document["arcs"].size(); ++i) {
-    if (where != in_list("arcs", i) || reason != "the error bound is too small") continue;
-    Json arc = document["arcs"][i];
-    arc.erase("seal");
+  if (reason != "the error bound is too small") return false;
+  const auto enlarge = [&](Json& arc) {
     const Rational bound = checker::number_of(arc["error_bound"].get<std::string>());
     arc["error_bound"] = to_string(bound * factor);
-    document["arcs"][i] = sealed(where, arc);
-    return true;
+  };
+  for (const char* list : {"arcs", "overlaps"}) {
+    for (std::size_t i = 0; i < document[list].size(); ++i) {
+      const std::string place = in_list(list, i);
+      if (where.substr(0, place.size()) != place) continue;
+      Json claim = document[list][i];
+      claim.erase("seal");
+      if (claim.contains("edges"))
+        std::for_each(claim["edges"].begin(), claim["edges"].end(), enlarge);
+      else
+        enlarge(claim);
+      document[list][i] = sealed(place, claim);
+      return true;
+    }
   }
   return false;
 }

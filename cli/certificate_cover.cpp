@@ -115,6 +115,8 @@ class Cover {
     }
     for (std::size_t i = 0; i < places_.stars.size(); ++i)
       if (contains(places_.stars[i], cell)) return "p" + std::to_string(i);
+    for (std::size_t i = 0; i < places_.seams.size(); ++i)
+      if (contains(places_.seams[i], cell)) return "s" + std::to_string(i);
     if (std::string d = exclusion(cell, meeting); !d.empty()) return d;
     return places_.self ? injective(cell) : "";
   }

@@ -32,10 +32,11 @@ bool is_star(const IntersectionGraph& graph, const Node& node, bool self) {
 void refuse_events(const IntersectResult& result, bool self) {
   if (result.status != Status::complete) throw NoCertificate("the result is incomplete");
   const IntersectionGraph& graph = result.graph;
-  if (!graph.overlaps.empty()) throw NoCertificate("an overlap");
   for (const Node& node : graph.nodes) {
     if (!node.free.empty()) throw NoCertificate("a node with a free parameter");
-    if (is_star(graph, node, self)) continue;
+    const auto ends_here = [&](const Arc& arc) { return arc.from == node.id || arc.to == node.id; };
+    const bool alone = std::none_of(graph.arcs.begin(), graph.arcs.end(), ends_here);
+    if (is_star(graph, node, self) || (alone && !graph.overlaps.empty())) continue;
     const bool cusp = self && node.kinds == std::vector{NodeKind::cusp};
     if (has(node, NodeKind::cusp) && !cusp) throw NoCertificate("a cuspidal point on a side");
     if (!cusp && node.on.empty() == node.wrt.empty())

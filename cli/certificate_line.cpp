@@ -55,7 +55,7 @@ std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const P
   document["points"] = points;
   const std::vector<std::string> cells = cover(pair, {tubes}, line.query);
   document["cover"] = cover_claims(cells);
-  const Json claims = {0, 0, 0, tubes.size(), points.size(), 0, cells.size(), 0};
+  const Json claims = {0, 0, 0, tubes.size(), points.size(), 0, cells.size(), 0, 0};
   document["summary"] = sealed("$.summary", {{"claims", claims}});
   return confirmed(claims_text(document));
 }

@@ -12,6 +12,7 @@ namespace {
 using checker::others;
 using checker::Star;
 using Vector = std::array<double, 3>;
+using Direction = std::array<Rational, 4>;
 
 constexpr std::size_t max_entries = 6000;  // of one chart
 
@@ -84,29 +85,34 @@ std::array<Rational, 4> kernel(const checker::Map<Rational>& local, std::size_t 
   return result;
 }
 
-/// Coordinates along the line, along c with the weight 1, and along two parameters with the weight 2.
-Star frame(const checker::OnAxis<Rational>& on, std::size_t axis, const Rational& middle,
-           const Rational& half, const std::array<Rational, 4>& c, double size) {
-  Star star = {{}, {}, {}, {}, {2, 2, 2, 2}, {}, {2, 2, 2}, {}};
-  std::size_t m = others(axis)[0];
-  for (const std::size_t i : others(axis))
-    if (abs(c[i]) > abs(c[m])) m = i;
+/// The map on the plane through `at` with these directions is 0.
+bool is_plane_of_solutions(const checker::Map<Rational>& equation, const checker::Vector4<Rational>& at,
+                           const Direction& a, const Direction& b) {
+  for (int m = -2; m <= 2; ++m) {  // of degree <= 4 in either
+    for (int n = -2; n <= 2; ++n) {
+      checker::Vector4<Rational> w;
+      for (std::size_t i = 0; i < 4; ++i) w[i] = at[i] + m * a[i] + n * b[i];
+      const auto f = equation.value(w);
+      if (!is_zero(Point{f[0], f[1], f[2]})) return false;
+    }
+  }
+  return true;
+}
+
+/// Of the parameters in which neither direction is the coordinate: a seam of a line, `a` with the weight 0,
+/// or of a plane. c has its largest entry for the parameter m.
+Star frame(const checker::Vector4<Rational>& at, std::size_t axis, const Direction& a, std::size_t m,
+           const Direction& c, bool plane, const Rational& size) {
+  const std::size_t weight = plane ? 1 : 2;
+  Star star = {{}, at, {}, {}, {weight, weight, weight, weight}, {}, {1, 1, 1}, {}};
   star.weights[axis] = 0;
-  star.weights[m] = 1;
-  const Rational s = from_double(size);
+  star.weights[m] = plane ? 0 : 1;
   for (std::size_t i = 0; i < 4; ++i) {
-    star.at[i] = checker::value(on[i], middle);
-    if (i != axis && i != m) star.axes[i][i] = s;
-    star.axes[i][m] = s * c[i];
-    star.axes[i][axis] = half * on[i][1];
+    if (i != axis && i != m) star.axes[i][i] = size;
+    star.axes[i][m] = c[i];
+    star.axes[i][axis] = a[i];
   }
-  star.coordinates[axis][axis] = 1 / half;
-  for (const std::size_t i : others(axis)) {
-    const Rational along = i == m ? 1 / c[m] : Rational(-c[i] / c[m]);
-    star.coordinates[i][m] = along / s;
-    if (i != m) star.coordinates[i][i] = 1 / s;
-    star.coordinates[i][axis] = -(i == m ? on[m][1] * along : on[i][1] + on[m][1] * along) / s;
-  }
+  star.coordinates = inverse(star.axes);
   for (std::size_t d = 0; d < 3; ++d) star.rows[d][d] = 1;
   return star;
 }
@@ -156,8 +162,10 @@ std::array<Map, 8> scaled_maps(Star& star, const checker::Map<Rational>& equatio
       if (checker::dot(star.rows[d], c) != 0) orders[d] = std::min(orders[d], degree);
   }
   star.orders = orders;
-  for (const std::size_t order : orders)
-    if (order == 0 || order == 100) throw NotAlone();
+  for (std::size_t& order : star.orders) {
+    if (order == 0) throw NotAlone();
+    if (order == 100) order = 1;  // no term at all
+  }
   std::array<Map, 8> maps;
   for (int pass = 0; pass < 2; ++pass) {
     std::array<double, 3> most{};
@@ -173,28 +181,74 @@ std::array<Map, 8> scaled_maps(Star& star, const checker::Map<Rational>& equatio
   return maps;
 }
 
+namespace {
+
+/// The subdivisions of all charts.
+FoundSeam with_charts(Star star, const checker::Map<Rational>& equation) {
+  FoundSeam result = {std::move(star), {}, {}};
+  const std::array<Map, 8> maps = scaled_maps(result.claim, equation);
+  for (std::size_t direction = 0; direction < 8; ++direction)
+    if (result.claim.weights[direction / 2] > 0)
+      result.subdivisions[direction] = EmptyChart(maps[direction], direction / 2).entries();
+  return result;
+}
+
+Direction times(const Rational& factor, Direction d) {
+  for (Rational& q : d) q *= factor;
+  return d;
+}
+
+}  // namespace
+
+checker::Matrix4 inverse(checker::Matrix4 m) {
+  checker::Matrix4 result = {};
+  for (std::size_t i = 0; i < 4; ++i) result[i][i] = 1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::size_t pivot = i;
+    while (pivot < 4 && m[pivot][i] == 0) ++pivot;
+    if (pivot == 4) throw NoCertificate("coordinates that depend on each other");
+    std::swap(m[i], m[pivot]);
+    std::swap(result[i], result[pivot]);
+    const Rational q = m[i][i];
+    for (std::size_t j = 0; j < 4; ++j) m[i][j] /= q, result[i][j] /= q;
+    for (std::size_t row = 0; row < 4; ++row) {
+      const Rational factor = m[row][i];
+      for (std::size_t j = 0; row != i && j < 4; ++j)
+        m[row][j] -= factor * m[i][j], result[row][j] -= factor * result[i][j];
+    }
+  }
+  return result;
+}
+
 FoundSeam seam_along(const checker::Map<Rational>& equation, const checker::MapName& of,
                      const checker::OnAxis<Rational>& on, std::size_t axis, const Rational& middle,
                      const Rational& half, std::size_t index, int line) {
-  std::array<Rational, 4> c = {};
+  Direction c = {};
   for (int n = -3; n <= 3; n += 2) {
-    std::array<Rational, 4> w;
+    Direction w;
     for (std::size_t i = 0; i < 4; ++i)
       w[i] = checker::value(on[i], Rational(middle + half * Rational(n, 4)));
-    const auto here = kernel(equation.at(w), axis);
+    const Direction here = kernel(equation.at(w), axis);
     if (n > -3 && here != c)
       throw NoCertificate("a line along which the patches touch in changing directions");
     c = here;
   }
+  Direction at;
+  Direction along;
+  std::size_t m = others(axis)[0];
+  for (std::size_t i = 0; i < 4; ++i) {
+    at[i] = checker::value(on[i], middle);
+    along[i] = on[i][1];
+    if (abs(c[i]) > abs(c[m])) m = i;
+  }
+  const bool plane = of.chart == Chart::pair && is_plane_of_solutions(equation, at, along, c);
   for (int e = 1; e < 12; ++e) {
-    FoundSeam result = {frame(on, axis, middle, half * Rational(33, 32), c, std::ldexp(1.0, -e)), {}, {}};
-    result.claim.of = of;
+    const Rational size = power_of_two(-e);
+    Star star = frame(at, axis, times(half * Rational(33, 32), along), m, times(size, c), plane, size);
+    star.of = of;
     try {
-      const std::array<Map, 8> maps = scaled_maps(result.claim, equation);
-      for (std::size_t direction = 0; direction < 8; ++direction)
-        if (result.claim.weights[direction / 2] > 0)
-          result.subdivisions[direction] = EmptyChart(maps[direction], direction / 2).entries();
-      result.tube = tube_in(result.claim, axis, to_double(half) * (1 + 1.0 / 64));
+      FoundSeam result = with_charts(star, equation);
+      result.tube = tube_in(star, axis, to_double(half) * (1 + 1.0 / 64));
       result.tube.line = line;
       result.tube.seam = static_cast<int>(index);
       return result;
@@ -202,6 +256,19 @@ FoundSeam seam_along(const checker::Map<Rational>& equation, const checker::MapN
     }
   }
   throw NotAlone();
+}
+
+FoundSeam seam_of_plane(const checker::Map<Rational>& equation, const Direction& at, const Direction& first,
+                        const Direction& second) {
+  if (!is_plane_of_solutions(equation, at, first, second))
+    throw NoCertificate("an overlap of patches whose parameters do not depend on each other linearly");
+  for (int e = 1; e < 12; ++e) {
+    try {
+      return with_charts(frame(at, 0, first, 1, second, true, power_of_two(-e)), equation);
+    } catch (const NotAlone&) {
+    }
+  }
+  throw NoCertificate("an overlap next to other solutions");
 }
 
 }  // namespace exsect::cli

@@ -36,4 +36,12 @@ FoundSeam seam_along(const checker::Map<Rational>& equation, const checker::MapN
                      const checker::OnAxis<Rational>& on, std::size_t axis, const Rational& middle,
                      const Rational& half, std::size_t index, int line);
 
+/// The seam of the plane at + a first + b second, for |a|, |b| <= 1 and as wide as it can be. The directions
+/// are independent in u and v. Throws NoCertificate if this is no plane of solutions, or others are near.
+FoundSeam seam_of_plane(const checker::Map<Rational>& equation, const std::array<Rational, 4>& at,
+                        const std::array<Rational, 4>& first, const std::array<Rational, 4>& second);
+
+/// Throws NoCertificate if there is none.
+checker::Matrix4 inverse(checker::Matrix4 m);
+
 }  // namespace exsect::cli

@@ -91,6 +91,7 @@ TracedArc chain(const NearPair& pair, const std::vector<TracedPoint>& points, st
 struct Places {
   const std::vector<Tube>& tubes;
   std::vector<checker::Star> stars = {};
+  std::vector<checker::Star> seams = {};  // of the overlaps, the first of all seams
   bool self = false;
 };
 /// The subdivision of [0,1]^4, or of its part on the line, in preorder: "u", "t5", "3,-1,2".

@@ -11,6 +11,7 @@
 #include "certificate_claims.h"
 #include "certificate_events.h"
 #include "certificate_gates.h"
+#include "certificate_overlap.h"
 #include "certificate_star.h"
 
 namespace exsect::cli {
@@ -30,6 +31,8 @@ class Writer {
     if (!self_) json["second"] = patch_claim("$.second", names_.second, patches_[1]);
     json["relations"] = self_ ? Json::array() : relation_claims(patches_);
     json["lines"] = line_claims(lines_);
+    Json overlaps = Json::array();
+    for (const Overlap& overlap : graph_.overlaps) overlaps.push_back(add_overlap(overlap, overlaps.size()));
     for (const Node& n : graph_.nodes)
       if (is_star(graph_, n, self_)) add_star(n);
     for (const Arc& a : graph_.arcs)
@@ -39,7 +42,8 @@ class Writer {
     json["tubes"] = Json::array();
     json["nodes"] = Json::array();
     for (const Node& n : graph_.nodes)
-      if (!is_star(graph_, n, self_)) json["nodes"].push_back(node(n));
+      if (on_curve_[static_cast<std::size_t>(n.id)] && !is_star(graph_, n, self_))
+        json["nodes"].push_back(node(n));
     for (const FoundStar& star : stars_) add_place(star);
     json["arcs"] = Json::array();
     for (const Arc& a : graph_.arcs) json["arcs"].push_back(arc(a));
@@ -48,7 +52,10 @@ class Writer {
     for (const Component& c : graph_.components)
       json["components"].push_back(sealed(in_list("components", json["components"].size()),
                                           {{"shape", name(c.shape)}, {"arcs", c.arcs}}));
-    const std::vector<std::string> cells = cover(pair_, {tubes_, star_places(), self_});
+    json["overlaps"] = overlaps;
+    std::vector<checker::Star> planes;
+    for (std::size_t i = 0; i < overlaps.size(); ++i) planes.push_back(seams_[i].claim);
+    const std::vector<std::string> cells = cover(pair_, {tubes_, star_places(), planes, self_});
     cells_ = cells.size();
     json["cover"] = cover_claims(cells);
     json["summary"] = summary(json);
@@ -61,10 +68,17 @@ class Writer {
     line_of_.assign(graph_.nodes.size(), {});
     line_along_.assign(graph_.arcs.size(), {});
     claim_of_.assign(graph_.nodes.size(), 0);
+    on_curve_.assign(graph_.nodes.size(), false);
+    for (const int n : graph_.isolated_points) on_curve_[static_cast<std::size_t>(n)] = true;
+    for (const Arc& arc : graph_.arcs)
+      for (const int n : {arc.from, arc.to}) on_curve_[static_cast<std::size_t>(n)] = true;
     std::size_t next = 0;
-    for (const bool star : {false, true})
+    for (const bool star : {false, true}) {
+      if (star) first_star_ = next;
       for (const Node& n : graph_.nodes)
-        if (is_star(graph_, n, self_) == star) claim_of_[static_cast<std::size_t>(n.id)] = next++;
+        if (on_curve_[static_cast<std::size_t>(n.id)] && is_star(graph_, n, self_) == star)
+          claim_of_[static_cast<std::size_t>(n.id)] = next++;
+    }
     for (const Arc& arc : graph_.arcs) {
       const auto from = static_cast<std::size_t>(arc.from);
       const auto to = static_cast<std::size_t>(arc.to);
@@ -80,6 +94,13 @@ class Writer {
       if (inside && !touches(arc) && on.constant == std::array{false, false, false, false}) continue;
       line_of_[from] = line_of_[to] = line_along_[static_cast<std::size_t>(arc.id)] = on;
     }
+  }
+
+  Json add_overlap(const Overlap& overlap, std::size_t index) {
+    if (self_) throw NoCertificate("an overlap of a patch with itself");
+    FoundOverlap found = overlap_at(patches_, graph_, overlap);
+    seams_.push_back(found.seam);
+    return sealed(in_list("overlaps", index), {{"seam", index}, {"edges", found.edges}});
   }
 
   static bool touches(const Arc& arc) { return arc.contact == Contact::tangential; }
@@ -105,10 +126,9 @@ class Writer {
     const std::array<Rational, 2> all = t;
     for (std::size_t end = 0; end < 2; ++end) {
       const std::size_t node = claim_of_[static_cast<std::size_t>(end == 0 ? arc.from : arc.to)];
-      const std::size_t first = graph_.nodes.size() - stars_.size();
-      if (node < first) continue;
+      if (node < first_star_) continue;
       Rational most = 0;  // along the line, in the star's coordinates
-      for (const auto& row : stars_[node - first].claim.coordinates) {
+      for (const auto& row : stars_[node - first_star_].claim.coordinates) {
         Rational e = 0;
         for (std::size_t i = 0; i < 4; ++i) e += row[i] * line.at[i][1];
         most = std::max<Rational>(most, abs(e));
@@ -248,8 +268,7 @@ class Writer {
 
   /// The star of the node claimed under this number, or nothing.
   const FoundStar* star_of(std::size_t node) const {
-    const std::size_t nodes = places_.size() - stars_.size();
-    return node < nodes ? nullptr : &stars_[node - nodes];
+    return node < first_star_ ? nullptr : &stars_[node - first_star_];
   }
 
   Json arc(const Arc& a) {
@@ -337,7 +356,7 @@ class Writer {
   /// The tube of the star's half branch that is nearest to the points and on which no arc runs yet.
   std::size_t half_branch(const std::vector<TracedPoint>& points, std::size_t node) {
     const FoundStar& star = *star_of(node);
-    const std::size_t index = node + stars_.size() - places_.size();
+    const std::size_t index = node - first_star_;
     std::size_t best = tubes_.size();
     double least = 1e300;
     for (std::size_t i = 0; i < tubes_.size(); ++i) {
@@ -358,6 +377,7 @@ class Writer {
       claims.push_back(json[list].size());
     claims.push_back(cells_);
     claims.push_back(json["seams"].size());
+    claims.push_back(json["overlaps"].size());
     std::array<std::size_t, 4> turning{};
     std::size_t boundary = 0;
     for (const Json& node : json["nodes"]) {
@@ -386,6 +406,8 @@ class Writer {
   std::vector<checker::Line> lines_;
   std::vector<OnLine> line_of_;     // of each node of the graph, if its arc runs along one
   std::vector<OnLine> line_along_;  // of each arc
+  std::vector<bool> on_curve_;      // nodes that are not only corners of overlaps
+  std::size_t first_star_ = 0;      // among the nodes claimed
   std::vector<bool> touching_;      // of each of the lines
   std::vector<FoundStar> stars_;
   std::vector<FoundSeam> seams_;

@@ -34,6 +34,7 @@ Json accepted_json(const checker::Report& report) {
             {"lines", claims[1]},
             {"stars", claims[2]},
             {"seams", claims[7]},
+            {"overlaps", claims[8]},
             {"tubes", claims[3]},
             {"nodes", claims[4]},
             {"arcs", claims[5]},
@@ -54,15 +55,18 @@ std::string accepted_text(const checker::Report& report) {
       summary.branched > 0 ? fmt::format(", and {} with crossings", summary.branched) : "";
   const std::string isolated =
       summary.isolated > 0 ? fmt::format(", and {} isolated points", summary.isolated) : "";
+  const std::string overlaps =
+      claims[8] > 0 ? fmt::format(", and {} overlap{}", claims[8], claims[8] > 1 ? "s" : "") : "";
   const std::string tangential =
       summary.tangential > 0
           ? fmt::format("; along {} of {} arcs the patches touch", summary.tangential, claims[5])
           : "";
   return fmt::format(
-      "accepted: the whole {} is {} closed and {} open curves{}{}{}\n"
+      "accepted: the whole {} is {} closed and {} open curves{}{}{}{}\n"
       "replayed: {} nodes, {} stars, {} seams, {} arcs, {} tubes, {} relations, {} lines, {}\n",
       report.self ? "self-intersection" : "intersection", summary.closed, summary.open, branched, isolated,
-      tangential, claims[4], claims[2], claims[7], claims[5], claims[3], claims[0], claims[1], cells);
+      overlaps, tangential, claims[4], claims[2], claims[7], claims[5], claims[3], claims[0], claims[1],
+      cells);
 }
 
 }  // namespace

@@ -413,6 +413,7 @@ class Tube:
         chart = (self.star, self.direction) if self.star is not None else None
         require(seam.of == chart, place, "its seam is one of another map")
         require(not any(map(any, self.inverse)), place, "an inverse where none is needed")
+        require(not seam.plane or seam.is_edge(self.exact), place, "its seam's plane goes on in the domain")
         for row, weight in zip(seam.coordinates, seam.weights):
             middle = sum(c * (p - a) for c, p, a in zip(row, self.centre, seam.at))
             slope = sum(c * d for c, d in zip(row, self.slope))
@@ -510,6 +511,19 @@ class Tube:
         return max(abs(sum(m * q for m, q in zip(row, f))) for row in self.inverse) / (1 - self.bounds.defect)
 
 
+class Edge(Tube):
+    """The straight line between two places."""
+
+    def __init__(self, a, b):
+        k = max(range(4), key=lambda p: (abs(b[p] - a[p]), -p))
+        slope = [(q - p) / (b[k] - a[k]) for p, q in zip(a, b)]
+        self.axis, self.line = k, 0
+        self.exact = [(p - s * a[k], s, Fraction(0)) for p, s in zip(a, slope)]
+
+    def contains(self, box):
+        return True
+
+
 # ---- Stars
 
 
@@ -531,7 +545,8 @@ class Star:
         self.charts = value["charts"]
         require(all(isinstance(text, str) for text in self.charts), place, "not eight subdivisions")
         require(all(w <= 6 for w in self.weights) and min(orders) >= 1, place, "not a weight, or not an order")
-        require(self.weights.count(0) == self.seam, place, "not the weights of a point, or of a line")
+        self.plane = self.weights.count(0) == 2 and self.seam and value.get("of") == "pair" and not system.alone
+        require(self.plane or self.weights.count(0) == self.seam, place, "not the weights of a point, a line or a plane")
         for i in range(4):
             for j in range(4):
                 require(sum(self.coordinates[i][n] * self.axes[n][j] for n in range(4)) == (i == j), place, "not the inverse")
@@ -625,6 +640,24 @@ class Star:
                 result[i] = add(result[i], times((self.axes[i][j], 0), z[j]))
         return result
 
+    def coordinates_of(self, w):
+        return [sum(c * (q - a) for c, q, a in zip(row, w, self.at)) for row in self.coordinates]
+
+    def holds(self, w):
+        """The place is on the line or plane of the seam."""
+        return not any(e for e, weight in zip(self.coordinates_of(w), self.weights) if weight)
+
+    def is_edge(self, on):
+        """Of the plane nothing but the line is in [0,1]^4: two parameters, 0 or 1 there, leave it in turn."""
+        def inwards(p):
+            return 0 if on[p][1] or on[p][0] not in (0, 1) else 1 if on[p][0] == 0 else -1
+        for i in range(4):
+            for j in range(i):
+                a, b = ([inwards(p) * self.axes[p][n] for p in (i, j)] for n in range(4) if not self.weights[n])
+                if a[0] * b[1] == a[1] * b[0] and (a[0] * a[1] < 0 or b[0] * b[1] < 0):
+                    return True
+        return False
+
     def check_charts(self, tubes):
         for direction, text in enumerate(self.charts):
             place, k = f"{self.place}.charts[{direction}]", direction // 2
@@ -701,7 +734,7 @@ class Checker:
     def __init__(self, root):
         require(root.get("command") in ("intersect", "line", "self"), "$.command", "neither intersect, line nor self")
         self.alone = root["command"] == "self"
-        lists = ["relations", "lines", "stars", "seams", "tubes", "nodes", "arcs", "components", "cover"]
+        lists = ["relations", "lines", "stars", "seams", "tubes", "nodes", "arcs", "components", "overlaps", "cover"]
         names = ["first"] if self.alone else ["first", "second"]
         keys = ["exsect", "command", *names, *lists, "summary"]
         self.fixed = None
@@ -770,6 +803,9 @@ class Checker:
             self.add_node(star, star.place, False)
         self.ends = [[] for _ in self.nodes]  # directions; at a star, tubes
         self.arcs = [self.check_arc(value, f"$.arcs[{i}]") for i, value in enumerate(self.root["arcs"])]
+        self.planes = []
+        for i, value in enumerate(self.root["overlaps"]):
+            self.planes.append(self.check_overlap(value, f"$.overlaps[{i}]"))
         used = {piece[0] for arc in self.arcs for piece in arc["pieces"]}
         for i in range(len(self.tubes)):
             require(i in used or self.tubes[i].leaves_domain(), f"$.tubes[{i}]", "no arc runs through it")
@@ -793,7 +829,7 @@ class Checker:
         for i in range(len(self.tubes)):
             require(i in used, f"$.tubes[{i}]", "no point is in it")
         said = claim(self.root["summary"], "$.summary", ["claims"])
-        require(said["claims"] == [0, 0, 0, len(self.tubes), len(points), 0, self.cells, 0], "$.summary", "does not agree with the claims")
+        require(said["claims"] == [0, 0, 0, len(self.tubes), len(points), 0, self.cells, 0, 0], "$.summary", "does not agree with the claims")
 
     def relation(self, value, place):
         value = claim(value, place, ["direction", "first", "second"])
@@ -869,6 +905,41 @@ class Checker:
             require(not self.alone or apart(node.at[2:] + node.at[:2], other), place, "meets an earlier node, mirrored")
         require(not self.alone or cusp or apart(node.at[2:] + node.at[:2], node), place, "meets its mirror image")
         self.nodes.append(node)
+
+    # ---- Overlaps
+
+    def check_overlap(self, value, place):
+        value = claim(value, place, ["seam", "edges"])
+        seam, edges = element(self.seams, value["seam"], place), value["edges"]
+        require(seam.plane and isinstance(edges, list) and len(edges) >= 3, place, "not a polygon of a plane")
+        for edge in edges:
+            require(isinstance(edge, dict) and list(edge) == ["points", "error_bound"] and isinstance(edge["points"], list)
+                    and len(edge["points"]) >= 2, place, "not an edge")
+        points = [[numbers(p, 7 if isinstance(p, list) and len(p) == 7 else 4, place) for p in edge["points"]] for edge in edges]
+        corners = [edge[0][:4] for edge in points]
+        for corner in corners:
+            require(seam.holds(corner) and all(abs(e) <= 1 for e in seam.coordinates_of(corner)), place, "a corner is not in the seam")
+            require(all(0 <= q <= 1 for q in corner), place, "a corner is not in [0,1]^4")
+        require(not any(all(map(other.holds, corners)) for other in self.planes), place, "the same as an earlier one")
+
+        def turn(a, b, c):
+            a, b, c = ([e for e, weight in zip(seam.coordinates_of(w), seam.weights) if not weight] for w in (a, b, c))
+            return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+        for i, edge in enumerate(points):
+            a, b = corners[i], corners[(i + 1) % len(corners)]
+            others_ = [c for c in corners if c is not a and c is not b]
+            require(all(turn(a, b, c) * turn(*corners[:3]) > 0 for c in others_), place, "not convex, or not in order")
+            require(any(a[p] == b[p] in (0, 1) and any(c[p] != a[p] for c in others_) for p in range(4)), place, "an edge is on no side")
+            require(edge[-1][:4] == b, place, "an edge does not end where the next one begins")
+            line = Edge(a, b)
+            at, vertices = [p[:4] for p in edge], [p[4:] for p in edge]
+            k, direction = line.axis, 1 if b[line.axis] > a[line.axis] else -1
+            require(all(direction * (q[k] - p[k]) > 0 for p, q in zip(at, at[1:])), place, "an edge runs back")
+            line.space = self.space["pair"]
+            most = self.piece_error(line, at, [line.distance(w, place) for w in at], self.places_on_polyline(at, vertices, place), place)
+            require(most <= number(edges[i]["error_bound"], place), f"{place}.edges[{i}]", "the error bound is too small")
+        return seam
 
     # ---- Arcs
 
@@ -1028,7 +1099,7 @@ class Checker:
             shapes.append(shape)
         require(len(seen) == len(self.arcs), "$.components", "an arc is missing")
         said = claim(self.root["summary"], "$.summary", ["claims", "components", "closed", "open", "branched", "isolated", "boundary", "tangential", "turning"])
-        counted = {"claims": [*(len(self.root[key]) for key in ("relations", "lines", "stars", "tubes", "nodes", "arcs")), self.cells, len(self.seams)],
+        counted = {"claims": [*(len(self.root[key]) for key in ("relations", "lines", "stars", "tubes", "nodes", "arcs")), self.cells, len(self.seams), len(self.planes)],
                    "components": len(shapes), "closed": shapes.count("closed"), "open": shapes.count("open"),
                    "branched": shapes.count("branched"), "isolated": sum(not ends for ends in self.ends),
                    "boundary": sum(bool(node.on) for node in self.nodes),
@@ -1087,6 +1158,9 @@ class Checker:
             elif re.fullmatch("p(0|[1-9][0-9]*)", text):
                 e = element(self.stars, int(text[1:]), place).box(box)
                 require(all(magnitude(b) <= 1 for b in e), place, "the cell is not in the star")
+            elif re.fullmatch("s(0|[1-9][0-9]*)", text):
+                seam = element(self.seams, int(text[1:]), place)
+                require(not self.fixed and seam in self.planes and all(magnitude(b) <= 1 for b in seam.box(box)), place, "the cell is in no overlap")
             elif text == "lower":
                 require(self.alone and middle[0] + width[0] <= middle[2] - width[2], place, "not below the diagonal")
             else:

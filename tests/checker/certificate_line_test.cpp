@@ -55,7 +55,7 @@ TEST_CASE("false claims about a line are rejected where they stand") {
     Json json = Json::parse(truth);
     REQUIRE(json["points"].size() == 2);
     change(json);
-    json["summary"]["claims"] = {0, 0, 0, json["tubes"].size(), json["points"].size(), 0, cells(json), 0};
+    json["summary"]["claims"] = {0, 0, 0, json["tubes"].size(), json["points"].size(), 0, cells(json), 0, 0};
     seal_again(json);
     const std::string said = verdict(json.dump());
     INFO(where << " expected, got " << said);

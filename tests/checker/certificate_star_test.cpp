@@ -182,7 +182,6 @@ TEST_CASE("an event without a certificate is named") {
   };
   const auto plane = families::Plane::square;
   CHECK(refusal(families::curve_cusp(plane)) == "a special point with degenerate quadratic terms");
-  CHECK(refusal(families::shifted_copy()) == "an overlap");
   CHECK(refusal(families::tangent_curve(Rational(1, 3), families::Plane::quadratic)) ==
         "an arc along which the patches touch and that is no line of parameters");
 }

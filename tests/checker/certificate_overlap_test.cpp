@@ -1,0 +1,135 @@
+// Certificates with seams of planes: overlaps, and sides along which patches are one surface.
+#include <exsect/geometry/number.h>
+
+#include "certificate_changes.h"
+#include "support/families.h"
+
+namespace exsect {
+namespace {
+
+using namespace certificates;
+
+std::string overlap_text() {
+  static const ExactCase c = families::shifted_copy();
+  static const std::string text = certificate(c.x, c.y);
+  return text;
+}
+std::string edge_text() {
+  static const ExactCase c = families::smooth_neighbour(0);
+  static const std::string text = certificate(c.x, c.y);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("an overlap of patches with parameters that depend on each other linearly has a certificate") {
+  for (const ExactCase& c :
+       {families::shifted_copy(), families::same_patch(), families::coplanar_squares()}) {
+    INFO(c.name);
+    const checker::Report report = check_certificate(certificate(c.x, c.y));
+    CHECK(report.summary.components == 0);
+    CHECK(report.summary.claims[8] == 1);
+  }
+}
+
+TEST_CASE("a side beyond which one patch continues the other one has a certificate") {
+  const checker::Report report = check_certificate(edge_text());
+  CHECK(report.summary.open == 1);
+  CHECK(report.summary.tangential == 1);
+  CHECK(report.summary.claims[7] == 1);
+  CHECK(report.summary.claims[8] == 0);
+}
+
+TEST_CASE("false claims about an overlap are rejected where they stand") {
+  const std::string text = overlap_text();
+  const auto edges = [](auto change) { return [change](Json& j) { change(j["overlaps"][0]["edges"]); }; };
+  reason(text, "$.overlaps[0]: names no seam", [](Json& j) { j["overlaps"][0]["seam"] = 1; });
+  reason(text, "$.overlaps[0].edges[0].points[", edges([](Json& e) { e.erase(1); }));
+  reason(text, "$.overlaps[0]: not convex", edges([](Json& e) {  // a corner on an edge
+           Json middle = e[0];
+           Json& points = e[0]["points"];
+           const std::size_t half = points.size() / 2;
+           const Json first = points[0];
+           const Json last = points.back();
+           Json corner = first;
+           for (std::size_t i = 0; i < 4; ++i)
+             corner[i] = to_string(Rational((checker::number_of(first[i].get<std::string>()) +
+                                             checker::number_of(last[i].get<std::string>())) /
+                                            2));
+           points.erase(points.begin() + static_cast<std::ptrdiff_t>(half), points.end());
+           points.push_back(corner);
+           middle["points"].erase(middle["points"].begin(),
+                                  middle["points"].begin() + static_cast<std::ptrdiff_t>(half));
+           middle["points"].insert(middle["points"].begin(), corner);
+           e.insert(e.begin() + 1, middle);
+         }));
+  reason(text, "$.overlaps[0]", edges([](Json& e) {  // a triangle, cut off by no side
+           e.erase(2);
+           e[1]["points"].back() = e[2]["points"][0];
+         }));
+  reason(text, "$.overlaps[0].edges[0]: the error bound",
+         edges([](Json& e) { e[0]["error_bound"] = "1/2^30"; }));
+  reason(text, "$.overlaps[1]: the same", [](Json& j) { j["overlaps"].push_back(j["overlaps"][0]); });
+  reason(text, "$.cover", [](Json& j) {
+    j["overlaps"] = Json::array();
+    j["summary"]["claims"][8] = 0;
+  });
+  const ExactCase touching = families::tangent_curve(Rational(1, 3), families::Plane::square);
+  reason(certificate(touching.x, touching.y), "$.overlaps[0]: its seam is not",
+         [&](Json& j) { j["overlaps"] = Json::parse(text)["overlaps"]; });
+  reason(text, "$.summary", [](Json& j) { j["summary"]["claims"][8] = 0; });
+  const auto seam = [](auto change) { return [change](Json& j) { change(j["seams"][0]); }; };
+  reason(text, "$.seams[0].charts[", seam([](Json& s) {
+           for (Json& chart : s["charts"])
+             if (chart != "") chart = "1,0,0";
+         }));
+  reason(text, "$.seams[0]: not of this order", seam([](Json& s) { s["orders"] = {2, 1, 1}; }));
+  reason(text, "$.seams[0]: neither of a line", seam([](Json& s) { s["weights"] = {0, 0, 0, 1}; }));
+}
+
+TEST_CASE("an overlap that is larger or smaller than claimed is rejected") {
+  reason(overlap_text(), "$.overlaps[0]", [](Json& j) {
+    for (Json& edge : j["overlaps"][0]["edges"])
+      for (Json& point : edge["points"])
+        for (std::size_t i = 0; i < 4; ++i)
+          if (point[i] == "1/3") point[i] = "1/2";
+  });
+  reason(overlap_text(), "$.cover", [](Json& j) {
+    for (Json& row : j["cover"]) {
+      std::string entries = " " + row.get<std::string>();
+      for (std::size_t at; (at = entries.find(" s0")) != std::string::npos;) entries.replace(at, 3, " 1,0,0");
+      row = entries.substr(1);
+    }
+  });
+}
+
+TEST_CASE("a plane of solutions that goes on in the domain is no edge") {
+  const ExactCase c = families::same_patch();
+  reason(certificate(c.x, c.y), "$.tubes[0]: its seam's plane", [](Json& j) {
+    const Json zero = {"0", "0", "0"};
+    const Json t = {"0", "1", "0"};
+    j["lines"].push_back({{"axis", "v"}, {"at", {zero, t, zero, t}}});
+    j["tubes"].push_back({{"centre", {"0", "1/2", "0", "1/2"}},
+                          {"axis", "v"},
+                          {"slope", {"0", "1", "0", "1"}},
+                          {"reach", "1/2"},
+                          {"width", "1/8"},
+                          {"inverse", {zero, zero, zero}},
+                          {"curve", "line0seam0"}});
+  });
+  // Where the patches continue each other, the other sign makes it one.
+  CHECK(verdict(edge_text()) == "");
+}
+
+TEST_CASE("no random single change of a certificate with an overlap is accepted") {
+  Generator generator(31);
+  INFO("seed 31");
+  for (int k = 0; k < 40; ++k) {
+    Json json = Json::parse(k % 4 == 0 ? edge_text() : overlap_text());
+    const std::string change = mutate(json, generator, true);
+    INFO(change);
+    REQUIRE(verdict(json.dump()) != "");
+  }
+}
+
+}  // namespace exsect
