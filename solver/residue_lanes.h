@@ -88,6 +88,23 @@ class LaneSum {
   Lane low_;
 };
 
+/// As FibreTable wants it.
+class LaneArithmetic {
+ public:
+  using Residue = Lane;
+
+  explicit LaneArithmetic(const Primes& primes) : primes_(primes) {}
+
+  Lane add(Lane a, Lane b) const { return lanes::add(primes_, a, b); }
+  Lane negate(Lane a) const { return lanes::negate(a); }
+  /// At most 9.8 p < 2^52 for 16 residues.
+  Lane add_unreduced(Lane a, Lane b) const { return _mm256_add_pd(a, b); }
+  Lane reduced(Lane a) const { return lanes::reduce(primes_, a); }
+
+ private:
+  Primes primes_;
+};
+
 /// Residues at two points for each of four primes, as EliminantForms wants them: two independent chains of
 /// operations hide their latency.
 struct TwoLanes {
@@ -121,13 +138,6 @@ class TwoLaneArithmetic {
   }
   TwoLanes add(const TwoLanes& f, const TwoLanes& g) const {
     return {lanes::add(primes_, f.a, g.a), lanes::add(primes_, f.b, g.b)};
-  }
-  /// At most 9.8 p < 2^52 for 16 residues.
-  TwoLanes add_unreduced(const TwoLanes& f, const TwoLanes& g) const {
-    return {_mm256_add_pd(f.a, g.a), _mm256_add_pd(f.b, g.b)};
-  }
-  TwoLanes reduced(const TwoLanes& f) const {
-    return {lanes::reduce(primes_, f.a), lanes::reduce(primes_, f.b)};
   }
   TwoLanes negate(const TwoLanes& f) const { return {lanes::negate(f.a), lanes::negate(f.b)}; }
   TwoLanes multiply(const TwoLanes& f, const TwoLanes& g) const {

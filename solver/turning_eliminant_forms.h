@@ -6,11 +6,20 @@
 
 namespace exsect {
 
+/// R, its first subresultant S1, and g_r, g_s at one u (4.3)-(4.5).
+template <class Field>
+struct EliminantFibre {
+  using Residue = typename Field::Residue;
+  Residue r[17];
+  Residue s1[11];
+  Residue g_r;
+  Residue g_s;
+};
+
 /// The equations (4.3)-(4.8) and (4.13) of docs/method.md at single values of u. Field gives
 ///  - Residue, and Sum, a sum of at most 28 products: `Sum sum(a, b)` or `Sum sum`, `sum.add(a, b)`;
 ///  - reduce(Sum), and reduce_few(Sum) for at most three products;
-///  - add(a, b), negate(a), multiply(a, b);
-///  - add_unreduced(a, b) for sums of at most 16 residues, which reduced(a) makes residues again.
+///  - add(a, b), negate(a), multiply(a, b).
 /// Plain arrays only: nothing here is an inline function that another file could share.
 template <class Field>
 class EliminantForms {
@@ -24,13 +33,7 @@ class EliminantForms {
   struct Net {
     Vector c[3][3];
   };
-  /// R, its first subresultant S1, and g_r, g_s at one u (4.3)-(4.5).
-  struct Fibre {
-    Residue r[17];
-    Residue s1[11];
-    Residue g_r;
-    Residue g_s;
-  };
+  using Fibre = EliminantFibre<Field>;
   struct Fraction {
     Residue numerator;
     Residue denominator;
@@ -292,25 +295,25 @@ typename EliminantForms<Field>::Fraction EliminantForms<Field>::alignment_result
   return result;
 }
 
-/// The fibres over first, first + step, first + 2 step, ...: R, S1, g_r, g_s are polynomials in u of degrees
-/// at most 16, 10, 4, 4, so that additions in their tables of differences are enough.
+/// The fibres over first, first + 1, first + 2, ...: R, S1, g_r, g_s are polynomials in u of degrees at most
+/// 16, 10, 4, 4, so that additions in their tables of differences are enough. Field as for EliminantForms,
+/// and add_unreduced(a, b) for sums of at most 16 residues, which reduced(a) makes residues again; multiply,
+/// Sum are not needed.
 template <class Field>
-class FibreSequence {
+class FibreTable {
  public:
   using Residue = typename Field::Residue;
-  using Fibre = typename EliminantForms<Field>::Fibre;
+  using Fibre = EliminantFibre<Field>;
 
-  FibreSequence(const EliminantForms<Field>& forms, Residue first, const Residue& step)
-      : field_(forms.field()) {
+  /// fibres[i] is the one over first + i.
+  FibreTable(const Field& field, const Fibre (&fibres)[17]) : field_(field) {
     for (std::size_t k = 0; k < 17; ++k) {
-      const Fibre fibre = forms.fibre(first);
-      for (std::size_t i = 0; i < 17; ++i) r_[i][k] = fibre.r[i];
-      for (std::size_t i = 0; i < 11 && k < 11; ++i) s1_[i][k] = fibre.s1[i];
+      for (std::size_t i = 0; i < 17; ++i) r_[i][k] = fibres[k].r[i];
+      for (std::size_t i = 0; i < 11 && k < 11; ++i) s1_[i][k] = fibres[k].s1[i];
       if (k < 5) {
-        g_r_[k] = fibre.g_r;
-        g_s_[k] = fibre.g_s;
+        g_r_[k] = fibres[k].g_r;
+        g_s_[k] = fibres[k].g_s;
       }
-      first = field_.add(first, step);
     }
     for (auto& row : r_) set_differences(row);
     for (auto& row : s1_) set_differences(row);
@@ -318,23 +321,21 @@ class FibreSequence {
     set_differences(g_s_);
   }
 
-  Fibre next() {
-    Fibre fibre;
-    for (std::size_t i = 0; i < 17; ++i) fibre.r[i] = field_.reduced(r_[i][0]);
-    for (std::size_t i = 0; i < 11; ++i) fibre.s1[i] = field_.reduced(s1_[i][0]);
-    fibre.g_r = field_.reduced(g_r_[0]);
-    fibre.g_s = field_.reduced(g_s_[0]);
-    for (auto& row : r_) advance(row);
-    for (auto& row : s1_) advance(row);
-    advance(g_r_);
-    advance(g_s_);
-    if (++steps_ % 4 == 0) {
-      for (auto& row : r_) reduce(row);
-      for (auto& row : s1_) reduce(row);
-      reduce(g_r_);
-      reduce(g_s_);
+  /// The next four.
+  void next(Fibre (&fibres)[4]) {
+    Residue values[4];
+    for (std::size_t i = 0; i < 17; ++i) {
+      advance(r_[i], values);
+      for (std::size_t k = 0; k < 4; ++k) fibres[k].r[i] = values[k];
     }
-    return fibre;
+    for (std::size_t i = 0; i < 11; ++i) {
+      advance(s1_[i], values);
+      for (std::size_t k = 0; k < 4; ++k) fibres[k].s1[i] = values[k];
+    }
+    advance(g_r_, values);
+    for (std::size_t k = 0; k < 4; ++k) fibres[k].g_r = values[k];
+    advance(g_s_, values);
+    for (std::size_t k = 0; k < 4; ++k) fibres[k].g_s = values[k];
   }
 
  private:
@@ -344,14 +345,23 @@ class FibreSequence {
     for (std::size_t k = 1; k < n; ++k)
       for (std::size_t i = n - 1; i >= k; --i) row[i] = field_.add(row[i], field_.negate(row[i - 1]));
   }
-  /// To the next value: moduli at most double.
+  /// By four values; `values` are the current one and the three after it. A step adds to each difference the
+  /// next one: moduli at most double.
   template <std::size_t n>
-  void advance(Residue (&row)[n]) const {
-    for (std::size_t i = 0; i + 1 < n; ++i) row[i] = field_.add_unreduced(row[i], row[i + 1]);
-  }
-  template <std::size_t n>
-  void reduce(Residue (&row)[n]) const {
-    for (Residue& difference : row) difference = field_.reduced(difference);
+  void advance(Residue (&row)[n], Residue (&values)[4]) const {
+    Residue after[4];  // the next difference before each of the four steps
+    for (Residue& difference : after) difference = row[n - 1];
+    Residue now[4];
+    for (std::size_t i = n - 1; i-- > 0;) {
+      Residue sum = row[i];
+      for (std::size_t k = 0; k < 4; ++k) {
+        now[k] = sum;
+        sum = field_.add_unreduced(sum, after[k]);
+        after[k] = now[k];
+      }
+      row[i] = field_.reduced(sum);
+    }
+    for (std::size_t k = 0; k < 4; ++k) values[k] = field_.reduced(now[k]);
   }
 
   Field field_;
@@ -359,7 +369,6 @@ class FibreSequence {
   Residue s1_[11][11];
   Residue g_r_[5];
   Residue g_s_[5];
-  std::size_t steps_ = 0;
 };
 
 }  // namespace exsect

@@ -48,23 +48,77 @@ Lane inverse(const Primes& f, Lane a) {
   return result;
 }
 
+/// Four steps of differences in one pass: values[i], i >= k, becomes the fourth difference of the values that
+/// end there, or for i < k + 3 one of lower order, where the differences of order k - 1 begin at k - 1.
+/// From 0.61 p moduli at most double in each step: below 2^52.
+void four_differences(const Primes& f, std::size_t k, std::size_t points, Lane* values) {
+  Lane before[4];  // the differences that end one place earlier
+  before[0] = values[k - 1];
+  for (std::size_t i = k; i < points && i < k + 3; ++i) {
+    Lane value = values[i];
+    for (std::size_t level = 0; level <= i - k; ++level) {
+      const Lane difference = _mm256_sub_pd(value, before[level]);
+      before[level] = value;
+      value = difference;
+    }
+    before[i - k + 1] = value;
+    values[i] = lanes::reduce(f, value);
+  }
+  for (std::size_t i = k + 3; i < points; ++i) {
+    Lane value = values[i];
+    for (Lane& last : before) {
+      const Lane difference = _mm256_sub_pd(value, last);
+      last = value;
+      value = difference;
+    }
+    values[i] = lanes::reduce(f, value);
+  }
+}
+
+/// Four steps of Horner's rule in one pass: the coefficients from k - 3 on of g (t + nodes[0]) + values[k],
+/// and so on with nodes[1], ..., where g has the coefficients from k + 1 on.
+void four_horner_steps(const Primes& f, const Lane (&nodes)[4], std::size_t k, std::size_t points,
+                       Lane* values) {
+  Lane after[4];  // the coefficient after, before each step
+  for (Lane& last : after) last = values[points - 1];
+  for (std::size_t j = points - 1; j-- > k;) {
+    Lane value = values[j];
+    for (std::size_t step = 0; step < 4; ++step) {
+      const Lane next = lanes::multiply_add(f, nodes[step], after[step], value);
+      after[step] = value;
+      value = next;
+    }
+    values[j] = value;
+  }
+  for (std::size_t first = 1; first < 4; ++first) {
+    Lane value = values[k - first];
+    for (std::size_t step = first; step < 4; ++step) {
+      const Lane next = lanes::multiply_add(f, nodes[step], after[step], value);
+      after[step] = value;
+      value = next;
+    }
+    values[k - first] = value;
+  }
+}
+
 /// Newton's form sum_k D_k / k! prod_{i<k} (t - t_i), D_k the k-th difference, then Horner's rule.
 /// inverse_factorial is 1/(points-1)!.
 void interpolate(const Primes& f, Lane first, std::size_t points, Lane inverse_factorial, Lane* values) {
-  for (std::size_t k = 1; k < points; ++k) {
-    for (std::size_t i = points - 1; i >= k; --i) values[i] = _mm256_sub_pd(values[i], values[i - 1]);
-    if (k % 4 == 0)  // from 0.61 p each step at most doubles the modulus: below 2^52
-      for (std::size_t i = k - 3; i < points; ++i) values[i] = lanes::reduce(f, values[i]);
-  }
-  for (std::size_t i = (points - 1) / 4 * 4; i < points; ++i) values[i] = lanes::reduce(f, values[i]);
+  for (std::size_t k = 1; k < points; k += 4) four_differences(f, k, points, values);
   for (std::size_t k = points; k-- > 2;) {
     values[k] = lanes::multiply(f, values[k], inverse_factorial);
     inverse_factorial = lanes::multiply(f, inverse_factorial, _mm256_set1_pd(static_cast<double>(k)));
   }
-  for (std::size_t k = points - 1; k-- > 0;) {
-    const Lane node = lanes::negate(lanes::add(f, first, _mm256_set1_pd(static_cast<double>(k))));
-    for (std::size_t j = k; j + 1 < points; ++j)
-      values[j] = lanes::multiply_add(f, node, values[j + 1], values[j]);
+  const auto minus_node = [&](std::size_t k) {
+    return lanes::negate(lanes::add(f, first, _mm256_set1_pd(static_cast<double>(k))));
+  };
+  std::size_t k = points - 1;
+  for (; k % 4 != 0; --k)
+    for (std::size_t j = k - 1; j + 1 < points; ++j)
+      values[j] = lanes::multiply_add(f, minus_node(k - 1), values[j + 1], values[j]);
+  for (; k > 0; k -= 4) {
+    const Lane nodes[4] = {minus_node(k - 1), minus_node(k - 2), minus_node(k - 3), minus_node(k - 4)};
+    four_horner_steps(f, nodes, k - 1, points, values);
   }
 }
 
@@ -75,20 +129,53 @@ Lane factorial(const Primes& f, std::size_t n) {
   return result;
 }
 
+using LaneFibre = EliminantFibre<lanes::LaneArithmetic>;
+
+void split(const Forms::Fibre& fibre, LaneFibre& a, LaneFibre& b) {
+  for (std::size_t i = 0; i < 17; ++i) a.r[i] = fibre.r[i].a, b.r[i] = fibre.r[i].b;
+  for (std::size_t i = 0; i < 11; ++i) a.s1[i] = fibre.s1[i].a, b.s1[i] = fibre.s1[i].b;
+  a.g_r = fibre.g_r.a, b.g_r = fibre.g_r.b;
+  a.g_s = fibre.g_s.a, b.g_s = fibre.g_s.b;
+}
+
+Forms::Fibre joined(const LaneFibre& a, const LaneFibre& b) {
+  Forms::Fibre fibre;
+  for (std::size_t i = 0; i < 17; ++i) fibre.r[i] = {a.r[i], b.r[i]};
+  for (std::size_t i = 0; i < 11; ++i) fibre.s1[i] = {a.s1[i], b.s1[i]};
+  fibre.g_r = {a.g_r, b.g_r};
+  fibre.g_s = {a.g_s, b.g_s};
+  return fibre;
+}
+
+FibreTable<lanes::LaneArithmetic> fibre_table(const Primes& f, const Forms& forms, lanes::TwoLanes u) {
+  LaneFibre fibres[17];
+  LaneFibre spare;
+  const Lane two = _mm256_set1_pd(2);
+  for (std::size_t k = 0; k < 17; k += 2) {
+    split(forms.fibre(u), fibres[k], k == 16 ? spare : fibres[k + 1]);
+    u = {lanes::add(f, u.a, two), lanes::add(f, u.b, two)};
+  }
+  return {lanes::LaneArithmetic(f), fibres};
+}
+
 /// Numerators and denominators of E(first + i), i < points.
 void fractions(const LanePair& pair, const Primes& f, Lane first, std::size_t points, Lane* numerators,
                Lane* denominators) {
   lanes::TwoLanes small[17];
   for (std::size_t i = 0; i < 17; ++i) small[i] = twice(_mm256_set1_pd(static_cast<double>(i)));
   const Forms forms(lanes::TwoLaneArithmetic(f), loaded(pair.x), loaded(pair.y), small);
-  FibreSequence<lanes::TwoLaneArithmetic> fibres(forms, {first, lanes::add(f, first, small[1].a)}, small[2]);
-  for (std::size_t i = 0; i < points; i += 2) {
-    const Forms::Fraction value = forms.value(fibres.next());
-    numerators[i] = value.numerator.a;
-    denominators[i] = value.denominator.a;
-    if (i + 1 == points) break;
-    numerators[i + 1] = value.numerator.b;
-    denominators[i + 1] = value.denominator.b;
+  auto table = fibre_table(f, forms, {first, lanes::add(f, first, small[1].a)});
+  for (std::size_t i = 0; i < points; i += 4) {
+    LaneFibre fibres[4];
+    table.next(fibres);
+    for (std::size_t k = 0; k < 4 && i + k < points; k += 2) {
+      const Forms::Fraction value = forms.value(joined(fibres[k], fibres[k + 1]));
+      numerators[i + k] = value.numerator.a;
+      denominators[i + k] = value.denominator.a;
+      if (i + k + 1 == points) break;
+      numerators[i + k + 1] = value.numerator.b;
+      denominators[i + k + 1] = value.denominator.b;
+    }
   }
 }
 

@@ -30,12 +30,21 @@ ModularEliminant::ModularEliminant(const PrimeField& field, const IntegerPair& p
     : forms_(forms(field, pair)) {}
 
 std::vector<ResidueFraction> ModularEliminant::fast_values(Residue first, std::size_t count) const {
-  FibreSequence<ScalarArithmetic> fibres(forms_, first, forms_.field().prime_field().one());
+  Forms::Fibre fibres[17];
+  for (Forms::Fibre& fibre : fibres) {
+    fibre = forms_.fibre(first);
+    first = forms_.field().add(first, forms_.field().prime_field().one());
+  }
+  FibreTable<ScalarArithmetic> table(forms_.field(), fibres);
   std::vector<ResidueFraction> values;
   values.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Forms::Fraction value = forms_.value(fibres.next());
-    values.push_back({value.numerator, value.denominator});
+  while (values.size() < count) {
+    Forms::Fibre next[4];
+    table.next(next);
+    for (std::size_t k = 0; k < 4 && values.size() < count; ++k) {
+      const Forms::Fraction value = forms_.value(next[k]);
+      values.push_back({value.numerator, value.denominator});
+    }
   }
   return values;
 }
