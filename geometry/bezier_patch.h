@@ -4,6 +4,7 @@
 #include <exsect/geometry/point.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace exsect {
@@ -12,10 +13,13 @@ namespace exsect {
 using ControlNet = std::array<std::array<Point, 3>, 3>;
 
 /// x(u,v) = sum_ij B_i^2(u) B_j^2(v) X[i][j] over (u,v) in [0,1]^2. Any net is legal: degeneracy is a
-/// question you can ask, not an error. Immutable.
+/// question you can ask, not an error. Immutable: copies share the net.
 class BezierPatch {
  public:
-  explicit BezierPatch(const ControlNet& net) : net_(net) {}
+  explicit BezierPatch(const ControlNet& net) : net_(std::make_shared<const ControlNet>(net)) {}
+  // Not movable: every patch has a net.
+  BezierPatch(const BezierPatch&) = default;
+  BezierPatch& operator=(const BezierPatch&) = default;
 
   /// A patch of bidegree (m,n), m and n in {1,2}, given by m+1 rows of n+1 points, degree-elevated exactly.
   /// Throws std::invalid_argument for any other shape.
@@ -23,7 +27,7 @@ class BezierPatch {
   /// From the power basis: x(u,v) = sum c[i][j] u^i v^j.
   static BezierPatch from_power_basis(const ControlNet& c);
 
-  const ControlNet& net() const { return net_; }
+  const ControlNet& net() const { return *net_; }
   /// c[i][j], the vector coefficient of u^i v^j.
   ControlNet power_basis() const;
 
@@ -43,10 +47,12 @@ class BezierPatch {
   BezierPatch restricted_to(const Rational& u0, const Rational& u1, const Rational& v0,
                             const Rational& v1) const;
 
-  friend bool operator==(const BezierPatch& a, const BezierPatch& b) = default;
+  friend bool operator==(const BezierPatch& a, const BezierPatch& b) {
+    return a.net_ == b.net_ || *a.net_ == *b.net_;
+  }
 
  private:
-  ControlNet net_;
+  std::shared_ptr<const ControlNet> net_;
 };
 
 }  // namespace exsect
