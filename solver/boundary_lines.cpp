@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "exact_line_points.h"
 #include "parameter_box.h"
 
 namespace exsect {
@@ -48,7 +49,7 @@ class BoundarySearch {
   /// Keeps the arcs whose first side this is; an arc may lie on two.
   void find_on_line(const Side& side) {
     const LineQuery query = {side.parameter, side.value};
-    LinePoints points = line_points(x_, y_, query);
+    LinePoints points = exact_line_points(x_, y_, query);
     ParameterBox where = whole_domain();
     where[index(side.parameter)] = {side.value, side.value};
     const std::string label = std::string(name(side.parameter)) + " = " + std::to_string(side.value);

@@ -8,6 +8,7 @@
 #include <chrono>
 
 #include "critical_values.h"
+#include "exact_line_points.h"
 #include "filter.h"
 #include "parameter_box.h"
 
@@ -117,7 +118,7 @@ class Confirmation {
       return;
     }
     const Side& side = node.on.front();
-    for (const CertifiedPoint& point : line_points(x_, y_, {side.parameter, side.value}).points) {
+    for (const CertifiedPoint& point : exact_line_points(x_, y_, {side.parameter, side.value}).points) {
       const ParameterBox box = point.refined_to(power_of_two(-50)).box();
       if (meet(box, node.box)) {
         node.box = box;

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <functional>
 
+#include "exact_line_points.h"
 #include "graph_builder.h"
 #include "line_arcs.h"
 #include "line_system.h"
@@ -177,7 +178,7 @@ class DegeneratePair {
   }
 
   void curve_on_surface() {
-    for (const CertifiedPoint& point : line_points(x_, y_, line()).points)
+    for (const CertifiedPoint& point : exact_line_points(x_, y_, line()).points)
       add_point(point.box(), {Parameter::v});
     const LineArcs arcs = arcs_on(y_);
     for (const CollapsedLine& collapsed : arcs.collapsed) add_collapsed(collapsed);
@@ -193,7 +194,7 @@ class DegeneratePair {
       return;
     }
     const Side on_curve = {Parameter::s, 0};
-    for (const CertifiedPoint& point : line_points(x_, *strip, line()).points)
+    for (const CertifiedPoint& point : exact_line_points(x_, *strip, line()).points)
       if (point.on(on_curve)) add_point(point.box(), {Parameter::v, Parameter::s});
     add_arcs(arcs_on(*strip), {Parameter::v, Parameter::s},
              [&](const LineArc& arc) { return arc.inside.on(on_curve); });

@@ -12,6 +12,7 @@
 #include "confirmed_curves.h"
 #include "critical_values.h"
 #include "degenerate_patches.h"
+#include "exact_line_points.h"
 #include "filter.h"
 #include "intersect_by_sweep.h"
 #include "line_arcs.h"
@@ -67,7 +68,7 @@ class Intersection {
                return !(other.t == at) || other.value.compare(0) == 0 || other.value.compare(1) == 0;
              });
     };
-    sweep_.line = [this](const LineQuery& query) { return line_points(x_, y_, query); };
+    sweep_.line = [this](const LineQuery& query) { return exact_line_points(x_, y_, query); };
   }
 
   IntersectResult run() {
@@ -159,7 +160,7 @@ class Intersection {
         incomplete(whole_domain(), "the work cap was reached while fibres were computed");
         return;
       }
-      LinePoints fibre = line_points(x_, y_, {sweep_.turning->sweep, sample});
+      LinePoints fibre = exact_line_points(x_, y_, {sweep_.turning->sweep, sample});
       ParameterBox where = whole_domain();
       where[index(sweep_.turning->sweep)] = {sample, sample};
       if (fibre.incomplete || !fibre.on_patch.empty()) {

@@ -1,6 +1,7 @@
 #include <exsect/algebra/resultant.h>
 #include <exsect/geometry/straight_line.h>
 
+#include "exact_line_points.h"
 #include "line_forms.h"
 #include "line_patch.h"
 #include "line_system.h"
@@ -45,7 +46,7 @@ LineIntersection intersect_line(const BezierPatch& x, const BezierPatch& y, cons
   result.query = query;
   result.shape = shape(problem.line);
   result.eliminant_variable = line_place(query).roles.second;
-  result.solution = line_points(x, y, query);
+  result.solution = exact_line_points(x, y, query);
   if (result.shape == LineShape::point) return result;
   const LineSystem system = line_system(problem);
   if (result.shape == LineShape::conic)

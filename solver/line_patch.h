@@ -27,7 +27,7 @@ struct LineQuery {
   Rational value;
 };
 
-/// The points alone: what the sweep asks for. `points` are all isolated solutions in [0,1]^4, ascending in
+/// The points alone. `points` are all isolated solutions in [0,1]^4, ascending in
 /// the eliminant's variable, with pairwise disjoint boxes; `on_patch` the parameters of the line at the
 /// solutions that are not isolated, as disjoint closed intervals: the parts of the line that lie on the other
 /// patch, and single parameters at points to which a curve of the other patch's parameters is mapped.
@@ -37,6 +37,8 @@ struct LinePoints {
   /// Empty, or the reason why the list is not complete (never a silent omission).
   std::optional<std::string> incomplete;
 };
+/// By the eliminant of the line, in balls of two doubles where they decide every sign (docs/method.md,
+/// section 9), over the integers where not.
 LinePoints line_points(const BezierPatch& x, const BezierPatch& y, const LineQuery& query);
 
 /// The same points, decided in doubles with proved errors where they suffice (docs/method.md, section 14.3)

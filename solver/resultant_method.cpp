@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "exact_line_points.h"
 #include "fibre_projection.h"
 #include "no_zero.h"
 #include "plane_curve.h"
@@ -57,7 +58,7 @@ std::vector<RationalInterval> boundary_events(const BezierPatch& x, const Bezier
   std::vector<RationalInterval> events;
   for (const Parameter fixed : {Parameter::v, Parameter::s})
     for (const int side : {0, 1}) {
-      const LinePoints line = line_points(x, y, {fixed, side});
+      const LinePoints line = exact_line_points(x, y, {fixed, side});
       if (line.incomplete || !line.on_patch.empty())
         incomplete = std::string("the points on the side ") + name(fixed) + " = " + std::to_string(side) +
                      " are not isolated or not all known";
@@ -115,7 +116,7 @@ class MeetingSplitter {
                 const RationalInterval& strip) {
     constexpr std::size_t r = index(Parameter::r), s = index(Parameter::s);
     std::vector<std::pair<RationalInterval, RationalInterval>> points;
-    for (const CertifiedPoint& point : line_points(x_, y_, {Parameter::u, u}).points) {
+    for (const CertifiedPoint& point : exact_line_points(x_, y_, {Parameter::u, u}).points) {
       const ParameterBox box = point.refined_to(power_of_two(-100)).box();
       if (strip.lower <= box[r].lower && box[r].upper <= strip.upper) points.emplace_back(box[r], box[s]);
     }
@@ -178,7 +179,7 @@ ResultantMethod intersect_by_resultant(const BezierPatch& x, const BezierPatch& 
   result.is_true.assign(result.arcs.arcs.size(), false);
   for (const CurveGap& gap : result.arcs.gaps) {
     if (gap.arcs.empty()) continue;
-    const LinePoints line = line_points(x, y, {Parameter::u, gap.sample});
+    const LinePoints line = exact_line_points(x, y, {Parameter::u, gap.sample});
     if (line.incomplete || !line.on_patch.empty()) result.incomplete = "a fibre is infinite or not known";
     result.certified_points += line.points.size();
     for (const std::size_t i : roots_of(line.points, real_roots(result.curve.at_r(gap.sample), 0, 1)))

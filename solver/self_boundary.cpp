@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "boundary_lines.h"
+#include "exact_line_points.h"
 #include "line_curve.h"
 #include "line_place.h"
 #include "line_point.h"
@@ -121,7 +122,7 @@ std::optional<Side> finding_side(const std::vector<Side>& sides) {
 
 void add_side(SelfBoundary& result, const BezierPatch& x, const LineQuery& query,
               const InjectiveRectangles& injective) {
-  const LinePoints line = line_points(x, x, query);
+  const LinePoints line = exact_line_points(x, x, query);
   const std::string why = line.incomplete ? *line.incomplete : obstacle(x, query, injective);
   if (!why.empty()) {
     ParameterBox where = {{{0, 1}, {0, 1}, {0, 1}, {0, 1}}};

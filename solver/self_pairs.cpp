@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "exact_line_points.h"
 #include "line_system.h"
 #include "parameter_box.h"
 #include "special_cusps.h"
@@ -39,7 +40,7 @@ bool is_straight(const BezierPatch& x, const Rational& v) {
 std::optional<std::vector<CertifiedPoint>> pairs_in(const BezierPatch& x, const LineQuery& query,
                                                     const ParameterBox& region) {
   if (!has_isolated_pairs(x, query)) return std::nullopt;
-  const LinePoints line = line_points(x, x, query);
+  const LinePoints line = exact_line_points(x, x, query);
   if (line.incomplete) return std::nullopt;
   std::vector<CertifiedPoint> inside;
   for (CertifiedPoint point : line.points) {

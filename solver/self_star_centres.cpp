@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "exact_line_points.h"
 #include "fold_expansion.h"
 #include "parameter_box.h"
 #include "singular_points.h"
@@ -139,7 +140,7 @@ class CentreSearch {
 
   void add_multiple(std::size_t sweep) {
     for (const Rational& value : rational(values_.turning[sweep])) {
-      const LinePoints line = line_points(x_, x_, {static_cast<Parameter>(sweep), value});
+      const LinePoints line = exact_line_points(x_, x_, {static_cast<Parameter>(sweep), value});
       for (const CertifiedPoint& point : line.points) {
         if (point.multiplicity() == 1 || !is_near(point.box())) continue;
         if (is_known_singular(x_, x_, point)) add_rational(point);

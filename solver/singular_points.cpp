@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact_line_points.h"
 #include "exact_tangent.h"
 #include "half_rational_point.h"
 #include "line_place.h"
@@ -138,7 +139,7 @@ class StarSearch {
     if (!regular) {
       return false;
     }
-    const LinePoints fibre = line_points(problem_.x, problem_.y, {turning.sweep, at});
+    const LinePoints fibre = exact_line_points(problem_.x, problem_.y, {turning.sweep, at});
     return std::any_of(fibre.points.begin(), fibre.points.end(), [&](const CertifiedPoint& point) {
       return point.multiplicity() >= 2 && contains(tube, enclose<Ball>(point, fine_width()));
     });
@@ -166,7 +167,7 @@ class StarSearch {
       if (stopped()) {
         return;
       }
-      const LinePoints fibre = line_points(problem_.x, problem_.y, query);
+      const LinePoints fibre = exact_line_points(problem_.x, problem_.y, query);
       for (const CertifiedPoint& point : fibre.points) {
         if (!stopped() && point.multiplicity() != 1 && !is_covered(point) && needs_star(point) &&
             !try_sweep(point, turning, query.value)) {
@@ -199,7 +200,7 @@ class StarSearch {
       if (stopped()) {
         return;
       }
-      const LinePoints fibre = line_points(problem_.x, problem_.y, line);
+      const LinePoints fibre = exact_line_points(problem_.x, problem_.y, line);
       const auto& along = problem_.turning(line_place(line).roles.line);
       if (fibre.on_patch.empty() || !along) {
         continue;
@@ -347,7 +348,7 @@ std::optional<ExactParameters> exactly(const BezierPatch& x, const BezierPatch& 
   if (auto exact = point.exact()) return exact;
   const ParameterBox box = point.refined_to(fine_width()).box();
   for (const Side& side : point.sides()) {
-    const LinePoints line = line_points(x, y, {side.parameter, side.value});
+    const LinePoints line = exact_line_points(x, y, {side.parameter, side.value});
     if (line.incomplete || !line.on_patch.empty()) continue;
     std::vector<const CertifiedPoint*> near;
     for (const CertifiedPoint& other : line.points)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "exact_line_points.h"
 #include "half_rational_point.h"
 #include "line_place.h"
 #include "parameter_box.h"
@@ -52,7 +53,7 @@ bool meets_curve(const LinePoints& line, const LineQuery& query, const Parameter
 std::optional<std::vector<CertifiedPoint>> line_points_in(const BezierPatch& x, const BezierPatch& y,
                                                           const LineQuery& query,
                                                           const ParameterBox& region) {
-  const LinePoints line = line_points(x, y, query);
+  const LinePoints line = exact_line_points(x, y, query);
   if (line.incomplete || meets_curve(line, query, region)) {
     return std::nullopt;
   }
@@ -114,7 +115,7 @@ class StarProof {
     if (!at_.is_rational()) {
       return problem_.singular && keep_away(problem_.boundary) == 0;
     }
-    const LinePoints fibre = line_points(problem_.x, problem_.y, {sweep_, at_.rational()});
+    const LinePoints fibre = exact_line_points(problem_.x, problem_.y, {sweep_, at_.rational()});
     if (fibre.incomplete) {
       return false;
     }
@@ -244,7 +245,7 @@ class StarProof {
     };
     return problem_.others_complete && std::all_of(all_parameters.begin(), all_parameters.end(), is_known) &&
            std::all_of(through_centre_.begin(), through_centre_.end(), [this](const LineQuery& query) {
-             const LinePoints line = line_points(problem_.x, problem_.y, query);
+             const LinePoints line = exact_line_points(problem_.x, problem_.y, query);
              return !line.incomplete &&
                     std::none_of(line.points.begin(), line.points.end(), [this](const CertifiedPoint& point) {
                       const ParameterBox at = point.refined_to(power_of_two(-100)).box();

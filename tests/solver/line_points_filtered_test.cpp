@@ -1,7 +1,9 @@
 // Points of a parameter line decided in doubles against the exact ones.
 #include <exsect/solver/line_patch.h>
 
+#include "../../solver/exact_line_points.h"
 #include "../../solver/filter_line.h"
+#include "line_checks.h"
 #include "support/catch.h"
 #include "support/random_pairs.h"
 
@@ -11,31 +13,9 @@ namespace {
 using random_pairs::Generator;
 using random_pairs::Pair;
 
-/// The same points in the same order, each in the other's box.
 void check_same_points(const BezierPatch& x, const BezierPatch& y, const LineQuery& query) {
   CAPTURE(index(query.fixed), query.value);
-  const LinePoints exact = line_points(x, y, query);
-  const LinePoints filtered = line_points_filtered(x, y, query);
-  CHECK(filtered.incomplete == exact.incomplete);
-  CHECK(filtered.on_patch.size() == exact.on_patch.size());
-  REQUIRE(filtered.points.size() == exact.points.size());
-  for (std::size_t i = 0; i < exact.points.size(); ++i) {
-    const CertifiedPoint& point = filtered.points[i];
-    const ParameterBox finer = exact.points[i].refined_to(power_of_two(-200)).box();
-    for (std::size_t j = 0; j < 4; ++j) {
-      CHECK(point.box()[j].lower <= finer[j].lower);
-      CHECK(finer[j].upper <= point.box()[j].upper);
-      CHECK(point.box()[j].width() <= power_of_two(-28));
-    }
-    const ParameterBox refined = point.refined_to(power_of_two(-100)).box();
-    for (std::size_t j = 0; j < 4; ++j) {
-      CHECK(refined[j].width() <= power_of_two(-100));
-      CHECK((refined[j].lower <= finer[j].upper && finer[j].lower <= refined[j].upper));
-    }
-    CHECK(point.sides() == exact.points[i].sides());
-    CHECK(point.multiplicity() == exact.points[i].multiplicity());
-    CHECK(point.branch() == exact.points[i].branch());
-  }
+  line_checks::check_same_points(line_points_filtered(x, y, query), exact_line_points(x, y, query), -28);
 }
 
 /// Whether doubles decide the line u = value, given to them with this error.
