@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "line_point.h"
 #include "parameter_box.h"
@@ -32,6 +33,9 @@ double upper_norm(const Point& p) {
   return std::hypot(to_double(p[0]), to_double(p[1]), to_double(p[2])) * (1 + 0x1p-40);
 }
 
+using Parabola = std::array<Point, 3>;
+using LineParameter = std::function<double(double)>;  // of tau in [0,1]
+
 /// Where an event is on its line of the other patch.
 struct Place {
   RealAlgebraic along;
@@ -50,6 +54,33 @@ NearDouble near(const RealAlgebraic& number) {
   const Rational error = std::max<Rational>(abs(Rational(at - i.lower)), abs(Rational(i.upper - at)));
   return {value, to_double(error) * (1 + 0x1p-50)};
 }
+
+/// A polynomial on [0,1], in doubles. `error` bounds that of all values: each of the n coefficients c_i and
+/// of the 2n - 2 operations of Horner's scheme errs by at most 2^-53 (1 + 2^-40) m, m the sum of all |c_i|.
+class RoundedPolynomial {
+ public:
+  explicit RoundedPolynomial(const Polynomial& f) : end_(to_double(f(1))) {
+    double sum = 0;
+    for (int i = 0; i <= f.degree(); ++i) {
+      coefficients_.push_back(to_double(f.coefficient(i)));
+      sum += std::fabs(coefficients_.back());
+    }
+    error = static_cast<double>(coefficients_.size()) * sum * 0x1p-51 + 0x1p-1000;
+  }
+
+  double operator()(double tau) const {
+    if (tau == 1) return end_;
+    double value = 0;
+    for (std::size_t i = coefficients_.size(); i-- > 0;) value = value * tau + coefficients_[i];
+    return value;
+  }
+
+  double error;
+
+ private:
+  std::vector<double> coefficients_;
+  double end_;  // f(1) to the nearest double
+};
 
 class ArcsOnLine {
  public:
@@ -92,9 +123,6 @@ class ArcsOnLine {
   }
 
   Point at(const Rational& along) const { return fixes_first_ ? patch_(c_, along) : patch_(along, c_); }
-  Point slope(const Rational& along) const {
-    return fixes_first_ ? patch_.derivative_second(c_, along) : patch_.derivative_first(along, c_);
-  }
 
   LineArc arc(const Place& a, const Place& b, const Rational& middle, std::size_t piece) const {
     const Rational r = fixes_first_ ? c_ : middle;
@@ -119,20 +147,37 @@ class ArcsOnLine {
   /// Chords of a parabola with second derivative X'' over steps h keep within |X''| h²/8; its vertices are
   /// rounded, and those at the ends stand for points a little further on.
   void add_polyline(LineArc& arc, const NearDouble& from, const NearDouble& to, std::size_t piece) const {
-    const double second = upper_norm(Rational(4) * (at(0) + at(1) - Rational(2) * at(Rational(1, 2))));
-    const double first = std::max(upper_norm(slope(0)), upper_norm(slope(1)));
+    const Parabola line = parabola();
+    const double second = 2 * upper_norm(line[2]);
+    const double first = std::max(upper_norm(line[1]), upper_norm(line[1] + Rational(2) * line[2]));
     const double length = std::fabs(to.value - from.value) * (1 + 0x1p-40);
     const double wanted = std::ceil(length * std::sqrt(second / (8 * 0.9 * tolerance_)));
     const int n = static_cast<int>(std::clamp(wanted, fewest_chords(), kMostChords));
     const double step = length / n + 0x1p-51;
+    const Polynomial place({from_double(from.value), from_double(to.value) - from_double(from.value)});
+    std::vector<RoundedPolynomial> coordinates;
     double rounding = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      coordinates.emplace_back(Polynomial({line[0][k], line[1][k], line[2][k]}).compose(place));
+      rounding += coordinates.back().error;
+    }
+    const LineParameter t = line_parameter(place, piece);
     for (int i = 0; i <= n; ++i) {
-      const double along =
-          i == n ? to.value : from.value + (to.value - from.value) * (static_cast<double>(i) / n);
-      arc.polyline.push_back(vertex(from_double(along), piece, rounding));
+      const double tau = static_cast<double>(i) / n;
+      const double along = i == n ? to.value : from.value + (to.value - from.value) * tau;
+      arc.polyline.push_back(vertex(along, t(tau)));
+      for (std::size_t k = 0; k < 3; ++k) arc.polyline.back().point[k] = coordinates[k](tau);
     }
     arc.error_bound =
         (second * step * step / 8 + 2 * (rounding + first * std::max(from.error, to.error))) * (1 + 0x1p-40);
+  }
+
+  /// The line of the other patch, by powers of the parameter along it.
+  Parabola parabola() const {
+    const Point start = at(0);
+    const Point end = at(1);
+    const Point second = Rational(2) * (start + end - Rational(2) * at(Rational(1, 2)));
+    return {start, end - start - second, second};
   }
 
   /// Enough for t along a chord to be nearly linear in the parameter along this line: it may be a square, or
@@ -142,29 +187,27 @@ class ArcsOnLine {
     return lambda_.degree() > 1 ? 16 : 1;
   }
 
-  PolylineVertex vertex(const Rational& along, std::size_t piece, double& rounding) const {
-    const Point p = at(along);
+  PolylineVertex vertex(double along, double t) const {
     PolylineVertex result{};
-    double error = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      result.point[k] = to_double(p[k]);
-      error += std::fabs(result.point[k]) * 0x1p-52;
-    }
-    rounding = std::max(rounding, error);
     result.parameters[index(place_.roles.fixed)] = to_double(place_.value);
-    result.parameters[index(place_.roles.line)] = std::clamp(parameter(lambda_(along), piece), 0.0, 1.0);
-    result.parameters[index(place_.roles.first)] = to_double(fixes_first_ ? c_ : along);
-    result.parameters[index(place_.roles.second)] = to_double(fixes_first_ ? along : c_);
+    result.parameters[index(place_.roles.line)] = std::clamp(t, 0.0, 1.0);
+    result.parameters[index(place_.roles.first)] = fixes_first_ ? to_double(c_) : along;
+    result.parameters[index(place_.roles.second)] = fixes_first_ ? along : to_double(c_);
     return result;
   }
 
-  /// The t in the piece with phi(t) = lambda, rounded.
-  double parameter(const Rational& lambda, std::size_t piece) const {
+  /// The t in the piece with phi(t) = lambda at a place along the other line, rounded.
+  LineParameter line_parameter(const Polynomial& place, std::size_t piece) const {
     const Polynomial& phi = system_->phi;
-    if (phi.degree() == 1) return to_double((lambda - phi.coefficient(0)) / phi.coefficient(1));
+    const Polynomial lambda = lambda_.compose(place);
+    if (phi.degree() == 1)
+      return RoundedPolynomial((lambda - Polynomial(phi.coefficient(0))) *
+                               Polynomial(1 / phi.coefficient(1)));
     const Rational turn = -phi.coefficient(1) / 2;
-    const double root = std::sqrt(std::max(0.0, to_double(turn * turn + lambda)));
-    return to_double(turn) + (turn <= system_->pieces[piece].t.lower ? root : -root);
+    const double sign = turn <= system_->pieces[piece].t.lower ? 1 : -1;
+    return [square = lambda + Polynomial(turn * turn), turn = to_double(turn), sign](double tau) {
+      return turn + sign * std::sqrt(std::max(0.0, to_double(square(from_double(tau)))));
+    };
   }
 
   const LinePlace& place_;
