@@ -7,7 +7,9 @@ namespace exsect {
 
 namespace {
 
-constexpr double kMostChords = 1e5;
+constexpr double kChordsTogether = 64;
+constexpr std::size_t kMostVertices = 1000000;
+constexpr double kShortest = 0x1p-40;
 
 /// Collects the polyline of one arc and its proved bound.
 template <class Ball>
@@ -35,15 +37,25 @@ class ContactPolyline {
   }
   void add_vertex(const Node& node) { vertices_.push_back({node.approx, node.point}); }
 
-  /// Chords between two offsets, whose vertices are added by others.
+  /// Chords between two offsets, whose vertices are added by others. A chord over an offset step h deviates
+  /// by |X''| h²/8 at most. The bound is proved for some chords together.
   void add_chords(const TangentialTube<Ball>& tube, double first, double last) {
-    const double whole = deviation(tube, first, last);
-    const double wanted = std::ceil(std::sqrt(whole / (0.5 * tolerance_)));
-    const int n = static_cast<int>(std::clamp(wanted, 1.0, kMostChords));
+    const double second =
+        std::ldexp(second_derivative_bound(system_, tube, first, last), static_cast<int>(frame_.exponent));
+    const double wanted = std::ceil(std::fabs(last - first) * std::sqrt(second / (4 * tolerance_)));
+    const double middle = 0.5 * (first + last);
+    const bool may_divide = vertices_.size() < kMostVertices && std::fabs(last - first) > kShortest;
+    if (may_divide && !(wanted <= kChordsTogether)) {
+      add_chords(tube, first, middle);
+      add_point(point_at(system_, tube, middle));
+      add_chords(tube, middle, last);
+      return;
+    }
+    const int n = static_cast<int>(std::clamp(wanted, 1.0, kChordsTogether));
     double from = first;
     for (int i = 1; i <= n; ++i) {
       const double to = i == n ? last : first + (last - first) * (static_cast<double>(i) / n);
-      chord_error_ = std::max(chord_error_, n == 1 ? whole : deviation(tube, from, to));
+      chord_error_ = std::max(chord_error_, second * (to - from) * (to - from) / 8 * (1 + 0x1p-40));
       if (i < n) {
         add_point(point_at(system_, tube, to));
       }
@@ -56,20 +68,6 @@ class ContactPolyline {
   double bound() const { return (chord_error_ + 2 * vertex_error_) * (1 + 0x1p-40); }
 
  private:
-  /// With X' in m +- delta over an offset step h, X deviates from the chord over the same offsets by at most
-  /// 2 delta (tau - a)(b - tau)/h <= delta h/2: both are integrals of vectors within delta of m.
-  double deviation(const TangentialTube<Ball>& tube, double from, double to) const {
-    const ArcEnclosure<Ball> arc = enclosure_between(system_, tube, from, to);
-    const TaylorNet<Ball> x = system_.taylor_x(arc.at);
-    double square = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double delta = (x[3][c] * arc.slope[0] + x[1][c] * arc.slope[1]).radius();
-      square += delta * delta;
-    }
-    return std::ldexp(0.5 * std::fabs(to - from) * std::sqrt(square), static_cast<int>(frame_.exponent)) *
-           (1 + 0x1p-40);
-  }
-
   const PairSystem<Ball>& system_;
   const ModelFrame& frame_;
   double tolerance_;

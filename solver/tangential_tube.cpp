@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact_expansion.h"
+#include "contact_jacobian.h"
 
 namespace exsect {
 
 namespace {
 
-// Covers the rounding of sums of fewer than 1000 nonnegative terms, each a product of at most 16 factors.
-constexpr double kSlack = 1 + 0x1p-40;
 constexpr double kWidthOfReach = 1;
 constexpr double kWorstContraction = 0.5;
 
@@ -34,37 +32,6 @@ std::array<std::size_t, 2> tangent_rows(const Expansion<Ball>& at) {
   return {largest == 0 ? 1U : 0U, largest == 2 ? 1U : 2U};
 }
 
-/// C and the slope for one axis.
-struct Linearisation {
-  std::size_t axis;
-  Matrix3 preconditioner;
-  std::array<double, 4> slope;
-};
-
-template <class Ball>
-std::optional<Linearisation> linearised(const ContactEquations<Ball>& phi, std::size_t axis) {
-  const auto jacobian = linear_part(phi, axis);
-  const auto others = other_axes(axis);
-  std::array<Row3, 3> columns;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t row = 0; row < 3; ++row) {
-      columns[i][row] = jacobian[row][others[i]].approximation();
-    }
-  }
-  const auto c = approximate_inverse(columns);
-  if (!c) {
-    return std::nullopt;
-  }
-  Linearisation result{axis, *c, {}};
-  result.slope[axis] = 1;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t row = 0; row < 3; ++row) {
-      result.slope[others[i]] -= (*c)[i][row] * jacobian[row][axis].approximation();
-    }
-  }
-  return result;
-}
-
 double steepness(const Linearisation& l) {
   return std::max(
       {std::fabs(l.slope[0]), std::fabs(l.slope[1]), std::fabs(l.slope[2]), std::fabs(l.slope[3])});
@@ -81,87 +48,6 @@ std::optional<Linearisation> best_linearisation(const Expansion<Ball>& at,
     }
   }
   return best;
-}
-
-double power(double x, std::size_t n) { return n == 0 ? 1 : n == 1 ? x : n == 2 ? x * x : x * x * x; }
-
-/// Bounds of |d_j g - ideal| over |offset in parameter i| <= h[i], [row][parameter]; g = C Phi around a
-/// centre, ideal = identity for j != axis and -d for j = axis.
-using JacobianDeviation = std::array<std::array<double, 4>, 3>;
-
-template <class Ball>
-JacobianDeviation jacobian_deviation(const ContactEquations<Ball>& g, std::size_t axis,
-                                     const std::array<double, 4>& slope, const std::array<double, 4>& h) {
-  const auto variables = contact_variables(axis);
-  const auto others = other_axes(axis);
-  const auto linear = linear_part(g, axis);
-  std::array<std::array<double, 4>, 4> p;  // powers of the widths, with one factor less in `less`
-  std::array<std::array<double, 4>, 4> less{};
-  for (std::size_t w = 0; w < 4; ++w) {
-    for (std::size_t n = 0; n < 4; ++n) {
-      p[w][n] = power(h[variables[w]], n);
-      less[w][n] = n == 0 ? 0 : p[w][n - 1];
-    }
-  }
-  JacobianDeviation result{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      const double ideal = j == axis ? -slope[others[row]] : (others[row] == j ? 1.0 : 0.0);
-      result[row][j] = (linear[row][j] - Ball(ideal)).upper_magnitude();
-    }
-    std::array<double, 4> sum;
-    for (std::size_t v = 0; v < 4; ++v) {
-      sum[v] = result[row][variables[v]];
-    }
-    for_each_term([&](std::size_t t, const std::array<std::size_t, 4>& e) {
-      const double c = e[0] + e[1] + e[2] + e[3] < 2 ? 0 : g[row].c[t].upper_magnitude();
-      if (c == 0) {
-        return;
-      }
-      const auto [i, j, k, l] = e;
-      if (i > 0) {
-        sum[0] += c * static_cast<double>(i) * less[0][i] * p[1][j] * p[2][k] * p[3][l];
-      }
-      if (j > 0) {
-        sum[1] += c * static_cast<double>(j) * p[0][i] * less[1][j] * p[2][k] * p[3][l];
-      }
-      if (k > 0) {
-        sum[2] += c * static_cast<double>(k) * p[0][i] * p[1][j] * less[2][k] * p[3][l];
-      }
-      if (l > 0) {
-        sum[3] += c * static_cast<double>(l) * p[0][i] * p[1][j] * p[2][k] * less[3][l];
-      }
-    });
-    for (std::size_t v = 0; v < 4; ++v) {
-      result[row][variables[v]] = sum[v];
-    }
-  }
-  return result;
-}
-
-double largest_row_sum(const JacobianDeviation& e, std::size_t axis) {
-  double largest = 0;
-  for (const auto& row : e) {
-    double sum = 0;
-    for (const std::size_t j : other_axes(axis)) {
-      sum += row[j];
-    }
-    largest = std::max(largest, sum);
-  }
-  return kSlack * largest;
-}
-
-/// |C Phi'(box) d| <= sum_j E_j |d_j|: the ideal matrix maps d to 0.
-double direction_residual(const JacobianDeviation& e, const std::array<double, 4>& d) {
-  double largest = 0;
-  for (const auto& row : e) {
-    double sum = 0;
-    for (std::size_t j = 0; j < 4; ++j) {
-      sum += row[j] * std::fabs(d[j]);
-    }
-    largest = std::max(largest, sum);
-  }
-  return kSlack * largest;
 }
 
 /// |C Phi(p + tau d)| for |tau| <= reach, power by power of tau.
@@ -283,49 +169,6 @@ BallPoint<Ball> point_at(const PairSystem<Ball>& system, const TangentialTube<Ba
   return best_point;
 }
 
-// With C and d made for the middle of the part, |C DPhi - (I, -d)| <= E on a box around it that holds the
-// part. The exact w' has 0 = C Phi'(w) w' = C Phi'(w) d + M (w' - d) with |M - I| <= sigma, the greatest row
-// sum of E without the axis, and |C Phi'(w) d| <= sum_j E_j |d_j|: |w' - d| <= sum_j E_j |d_j| / (1 - sigma).
-template <class Ball>
-ArcEnclosure<Ball> enclosure_between(const PairSystem<Ball>& system, const TangentialTube<Ball>& tube,
-                                     double from, double to) {
-  const double half = 0.5 * std::fabs(to - from) * kSlack;
-  const BallPoint<Ball> middle = point_at(system, tube, 0.5 * (from + to));
-  BallPoint<Ball> centre;
-  double radius = 0;
-  for (std::size_t j = 0; j < 4; ++j) {
-    centre[j] = middle[j].midpoint();
-    radius = std::max(radius, (middle[j] - centre[j]).upper_magnitude());
-  }
-  const auto phi = contact_equations(Expansion<Ball>(system, centre), tube.rows, tube.axis);
-  const Linearisation local =
-      linearised(phi, tube.axis).value_or(Linearisation{tube.axis, tube.preconditioner, tube.slope});
-  const auto g = preconditioned(local.preconditioner, phi);
-  std::array<double, 4> d = tube.slope;
-  double error = tube.slope_error;
-  for (int i = 0; i < 3; ++i) {
-    std::array<double, 4> h{};
-    for (std::size_t j = 0; j < 4; ++j) {
-      h[j] = kSlack * (half * (std::fabs(d[j]) + (j == tube.axis ? 0 : error)) + radius);
-    }
-    const JacobianDeviation e = jacobian_deviation(g, tube.axis, local.slope, h);
-    const double sigma = largest_row_sum(e, tube.axis);
-    const double bound = kSlack * direction_residual(e, local.slope) / (1 - sigma);
-    if (!(sigma < 1) || !(bound < error)) {
-      break;
-    }
-    d = local.slope;
-    error = bound;
-  }
-  ArcEnclosure<Ball> result;
-  for (std::size_t j = 0; j < 4; ++j) {
-    const bool exact = j == tube.axis;
-    result.at[j] = middle[j].widened(half * (std::fabs(d[j]) + (exact ? 0 : error)) * kSlack);
-    result.slope[j] = exact ? Ball(1) : Ball(d[j]).widened(error);
-  }
-  return result;
-}
-
 template <class Ball>
 Ball offset(const TangentialTube<Ball>& tube, const BallPoint<Ball>& point) {
   return point[tube.axis] - tube.centre[tube.axis];
@@ -355,8 +198,6 @@ bool excludes(const TangentialTube<Ball>& tube, const BallPoint<Ball>& box) {
   template std::optional<BallPoint<Ball>> corrected_to_contact(const PairSystem<Ball>&,                   \
                                                                const BallPoint<Ball>&, std::size_t, int); \
   template BallPoint<Ball> point_at(const PairSystem<Ball>&, const TangentialTube<Ball>&, double);        \
-  template ArcEnclosure<Ball> enclosure_between(const PairSystem<Ball>&, const TangentialTube<Ball>&,     \
-                                                double, double);                                          \
   template Ball offset(const TangentialTube<Ball>&, const BallPoint<Ball>&);                              \
   template bool contains(const TangentialTube<Ball>&, const BallPoint<Ball>&);                            \
   template bool excludes(const TangentialTube<Ball>&, const BallPoint<Ball>&);

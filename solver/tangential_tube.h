@@ -61,6 +61,12 @@ template <class Ball>
 ArcEnclosure<Ball> enclosure_between(const PairSystem<Ball>& system, const TangentialTube<Ball>& tube,
                                      double from, double to);
 
+/// A bound of |X''| over all of the arc between two offsets, X the point of space as function of tau;
+/// infinite if none is found.
+template <class Ball>
+double second_derivative_bound(const PairSystem<Ball>& system, const TangentialTube<Ball>& tube, double from,
+                               double to);
+
 /// The offset tau of a point's coordinate k, enclosed.
 template <class Ball>
 Ball offset(const TangentialTube<Ball>& tube, const BallPoint<Ball>& point);

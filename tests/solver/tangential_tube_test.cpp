@@ -80,6 +80,31 @@ TEST_CASE("a tangential tube holds the contact curve", "[tangential_tube]") {
   CHECK_FALSE(contains(*tube, Point4{DoubleBall(0.41, 0.3), 0.5, 0.41, 0.5}));
 }
 
+TEST_CASE("second derivatives along a contact curve are bounded", "[tangential_tube]") {
+  // (u v + v - 1/2)² touches the plane along v = 1/(2 (1 + u)).
+  ControlNet net{};
+  net[1][0] = {1, 0, 0};
+  net[0][1] = {0, 1, 0};
+  const Rational half(1, 2);
+  const std::array<std::array<Rational, 3>, 3> h = {{{half * half, -1, 1}, {0, -1, 2}, {0, 0, 1}}};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) net[i][j][2] = h[i][j];
+  ControlNet flat{};
+  flat[1][0] = {1, 0, 0};
+  flat[0][1] = {0, 1, 0};
+  const System system(BezierPatch::from_power_basis(net), BezierPatch::from_power_basis(flat), {0, 0, 0}, 0);
+  const auto v_at = [](double u) { return 1 / (2 * (1 + u)); };
+  const auto tube = certify_tangential_tube(system, {0.5, v_at(0.5), 0.5, v_at(0.5)}, 0x1p-5, 0);
+  REQUIRE(tube);
+  for (const auto& [from, to] :
+       {std::pair(-0x1p-5, 0x1p-5), std::pair(0.0, 0x1p-7), std::pair(0x1p-6, 0x1p-6)}) {
+    const double bound = second_derivative_bound(system, *tube, from, to);
+    const double largest = 1 / std::pow(1.5 + from, 3);  // of v''
+    CHECK(bound >= largest * (1 - 1e-12));
+    CHECK(bound <= largest * (from == to ? 1 + 1e-9 : 2));
+  }
+}
+
 TEST_CASE("no tangential tube beside a contact; in a node F does not vanish on it", "[tangential_tube]") {
   const System crossing = system_of(families::crossing(families::Plane::square));
   CHECK_FALSE(certify_tangential_tube(crossing, Point4{0.75, 0.75, 0.75, 0.75}, 0x1p-10));
