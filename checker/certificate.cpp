@@ -93,8 +93,12 @@ Side side(const Value& value) {
 template <class N>
 Node<N> node(const Value& value) {
   value.require_claim({"tube", "at", "radius", "on", "wrt"});
-  return {value["tube"].count(), value["at"].numbers<N, 4>(), value["radius"].number<N>(),
-          value["on"].list(side), value["wrt"].list([](const Value& v) { return v.parameter(); })};
+  return {value["tube"].count(),
+          value["at"].numbers<N, 4>(),
+          value["radius"].number<N>(),
+          value["on"].list(side),
+          value["wrt"].list([](const Value& v) { return v.parameter(); }),
+          value["at"].numbers<Rational, 4>()};
 }
 
 template <class N>
@@ -234,7 +238,8 @@ template <class N>
 Node<N> point(const Value& value, const Fixed& fixed) {
   value.require_claim({"tube", "at", "radius"});
   const Value at = value["at"];
-  const Node<N> result = {value["tube"].count(), at.numbers<N, 4>(), value["radius"].number<N>(), {}, {}};
+  const Node<N> result = {value["tube"].count(),    at.numbers<N, 4>(), value["radius"].number<N>(), {}, {},
+                          at.numbers<Rational, 4>()};
   value.require(at[fixed.parameter].number<Rational>() == fixed.value, "must be on the line");
   return result;
 }
@@ -307,7 +312,8 @@ Certificate<N> curves(const Value& root, bool self) {
   require_chains(root, result.overlaps);
   for (std::size_t i = 0; i < result.stars.size(); ++i) {
     const Vector4<Rational>& at = result.stars[i].at;
-    result.nodes.push_back({0, {N(at[0]), N(at[1]), N(at[2]), N(at[3])}, N(0), {}, {}, static_cast<int>(i)});
+    result.nodes.push_back(
+        {0, {N(at[0]), N(at[1]), N(at[2]), N(at[3])}, N(0), {}, {}, at, static_cast<int>(i)});
   }
   return result;
 }

@@ -89,7 +89,8 @@ struct Node {
   N radius;
   std::vector<Side> on;
   std::vector<std::size_t> wrt;
-  int star = -1;  // the point of this star, in no tube of its own
+  Vector4<Rational> place = {};  // `at`, exactly
+  int star = -1;                 // the point of this star, in no tube of its own
 };
 
 /// A place on the curve, with the polyline's vertex in space if it has one here.

@@ -91,7 +91,7 @@ class NodeCheck {
     };
     while (!open.empty()) {
       const auto next = std::find_if(open.begin(), open.end(), follows);
-      if (next == open.end() && is_solution(replay_, node.at)) break;
+      if (next == open.end() && is_zero_at(replay_.exact, node.place)) break;
       require(next != open.end(), where, "a side does not follow from that of the tube's axis");
       known.push_back(*next);
       open.erase(next);
@@ -143,7 +143,7 @@ void check_points(const Replay<N>& replay) {
     used[point.tube] = true;
     require(point.radius > 0 && distance(replay, tube, point.at, where) <= point.radius, where,
             "its box may miss the solution");
-    const N margin = is_solution(replay, point.at) ? N(0) : point.radius;
+    const N margin = is_zero_at(replay.exact, point.place) ? N(0) : point.radius;
     for (const std::size_t j : others(k))
       require(point.at[j] - margin >= 0 && point.at[j] + margin <= 1, where, "its box leaves [0,1]");
     for (std::size_t m = 0; m < i; ++m)

@@ -91,22 +91,6 @@ Replay<N> start(const Certificate<N>& certificate) {
 inline bool is_zero_at(const std::array<Net<Rational>, 2>& exact, const Vector4<Rational>& w) {
   return pair_map(exact[0], exact[1]).value(w) == Vector3<Rational>{};
 }
-/// The number, if it is known exactly.
-inline std::optional<Rational> exact_value(const Rational& q) { return q; }
-inline std::optional<Rational> exact_value(const Enclosure& a) {
-  return a == Enclosure(approximate(a)) ? std::optional(from_double(approximate(a))) : std::nullopt;
-}
-template <class N>
-bool is_solution(const Replay<N>& replay, const Vector4<N>& at) {
-  Vector4<Rational> w;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto q = exact_value(at[i]);
-    if (!q) return false;
-    w[i] = *q;
-  }
-  return is_zero_at(replay.exact, w);
-}
-
 template <class N>
 Vector4<N> middles(const Box<N>& box) {
   return {box[0].middle, box[1].middle, box[2].middle, box[3].middle};

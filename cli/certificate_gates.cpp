@@ -13,7 +13,7 @@ const Map& chart_map(const NearPair& pair, Chart chart) { return pair.charts[cha
 template <class Along, class Projected, class At>
 std::vector<TracedPoint> cut(std::vector<TracedPoint>& points, double gate, const Along& along,
                              const Projected& projected, const At& at) {
-  gate = std::min(gate, std::isnan(along(points.back().at)) ? gate : 0.4 * along(points.back().at));
+  gate = std::min(gate, 0.4 * along(points.back().at));
   for (const TracedPoint& q : points)  // none too near
     if (std::abs(along(q.at) - gate) < 0.01 * gate) gate *= 0.97;
   std::vector<TracedPoint> result = {points[0]};
@@ -84,19 +84,11 @@ std::vector<TracedPoint> leave_diagonal(const NearPair& pair, std::vector<Traced
 std::vector<TracedPoint> leave_star(std::vector<TracedPoint>& points, const FoundStar& star,
                                     const Tube& tube) {
   constexpr double step = 1.0 / 32;
-  const Map& map = star.maps[tube.direction];
   const auto at = [&](double t) { return parameters_of(star, tube, on_half_branch(star, tube, t)); };
-  const auto along = [&](const Parameters& w) {
-    const auto z = in_star(star, tube, w);
-    return z ? (*z)[tube.axis] : std::nan("");
-  };
+  const auto along = [&](const Parameters& w) { return distance_from_point(star.claim, w); };
+  // Half branches may be nearer to each other than the polyline is to either: only t is taken from it.
   const std::vector<TracedPoint> few = cut(
-      points, 0.9, along,
-      [&](const Parameters& w) {
-        const Parameters z = *in_star(star, tube, w);
-        return tube.seam >= 0 ? at(z[tube.axis]) : parameters_of(star, tube, on_curve(map, z, tube.axis));
-      },
-      at);
+      points, 0.9, along, [&](const Parameters& w) { return at(along(w)); }, at);
   std::vector<TracedPoint> result;
   for (std::size_t i = 0; i < few.size(); ++i) {
     const double begin = i == 0 ? 0 : along(few[i].at);
@@ -114,8 +106,7 @@ double distance_to_half_branch(const FoundStar& star, const Tube& tube,
   double least = 1e300;
   for (std::size_t j = 0; j + 1 < points.size(); ++j) {
     least = std::min(least, distance_to_edge(w, points[j].at, points[j + 1].at));
-    const auto z = in_star(star, tube, points[j + 1].at);
-    if (!z || (*z)[tube.axis] > 1) break;
+    if (distance_from_point(star.claim, points[j + 1].at) > 1) break;
   }
   return least;
 }

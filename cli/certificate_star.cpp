@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "certificate_claims.h"
+#include "certificate_singular.h"
 
 namespace exsect::cli {
 namespace {
@@ -136,7 +137,8 @@ class ChartSearch {
     const auto slope = checker::curve_bounds(here.times(*c), k, {}).first;
     const int line = line_at(star_, direction_, z, lines_);
     for (int e = 2; e < 30; ++e) {
-      Tube tube = {{Chart::star, first_.star, direction_}, z, k, {}, 1, std::ldexp(1.0, -e), *c, line};
+      Tube tube = {
+          {Chart::star, first_.star, direction_}, z, k, {}, 1 + 0x1p-20, std::ldexp(1.0, -e), *c, line};
       for (std::size_t j = 0; j < 4; ++j) {
         tube.centre[j] = std::ldexp(std::nearbyint(std::ldexp(z[j], e + 20)), -e - 20);
         tube.slope[j] = j == k      ? 1
@@ -179,75 +181,52 @@ class ChartSearch {
   std::size_t count_ = 0;
 };
 
-double largest(const Point& p) {
-  return std::max({std::abs(to_double(p[0])), std::abs(to_double(p[1])), std::abs(to_double(p[2]))});
-}
-
-/// The star at a singular solution with weights 1 and rows not yet scaled: the last one normal to both
-/// patches.
-Star singular_point(const Patches& patches, const Node& node) {
-  const std::array<Rational, 4> at = short_place(node);
-  const auto& [u, v, r, s] = at;
-  if (patches[0](u, v) != patches[1](r, s))
-    throw NoCertificate("a special point without short rational parameters");
-  const std::array<Point, 4> columns = {patches[0].derivative_first(u, v), patches[0].derivative_second(u, v),
-                                        patches[1].derivative_first(r, s),
-                                        patches[1].derivative_second(r, s)};
-  Point normal = cross(columns[0], columns[1]);
-  if (is_zero(normal)) normal = cross(columns[2], columns[3]);
-  for (const Point& column : columns)
-    if (is_zero(normal) || is_zero(column) || dot(normal, column) != 0)
-      throw NoCertificate("a special point where a patch is singular, or both cross");
-  Star star = {{}, at, {}, {}, {1, 1, 1, 1}, {}, {1, 1, 2}, {}};
-  std::size_t most = 0;
-  for (std::size_t d = 1; d < 3; ++d)
-    if (abs(normal[d]) > abs(normal[most])) most = d;
-  star.rows[0][(most + 1) % 3] = star.rows[1][(most + 2) % 3] = 1;
-  star.rows[2] = {normal[0], normal[1], normal[2]};
-  // Unequal, so that no half branch begins between two charts.
-  const std::array<Rational, 4> sizes = {1, Rational(3, 4), Rational(5, 4), Rational(7, 8)};
-  double speed = 0;
-  for (const Point& column : columns) speed = std::max(speed, largest(column));
-  for (std::size_t j = 0; j < 4; ++j)
-    star.axes[j][j] = sizes[j] * power_of_two(std::min(8, std::ilogb(speed / largest(columns[j]))));
-  return star;
-}
-
-/// The axes multiplied by 2^-e, with their inverse.
-FoundStar scaled(const Star& star, const checker::Map<Rational>& equation, int e) {
+/// The star, if what is around its point is in tubes; otherwise throws NotAlone.
+FoundStar alone(const Star& star, const checker::Map<Rational>& equation, const ClaimNumbers& first,
+                const std::vector<checker::Line>& lines, const std::vector<bool>& touching) {
   FoundStar result = {star, {}, {}, {}, {}};
-  for (std::size_t j = 0; j < 4; ++j) {
-    result.claim.axes[j][j] *= power_of_two(-e);
-    result.claim.coordinates[j][j] = 1 / result.claim.axes[j][j];
-  }
   result.maps = scaled_maps(result.claim, equation);
+  for (std::size_t direction = 0; direction < 8; ++direction) {
+    const ClaimNumbers next = {first.star, first.tube + result.tubes.size(),
+                               first.seam + result.seams.size()};
+    ChartSearch chart(result.claim, result.maps[direction], next, direction, lines);
+    for (std::size_t n = 0; n < lines.size(); ++n)
+      if (touching[n]) chart.add_seam(equation, n);
+    chart.run();
+    result.subdivisions[direction] = chart.entries_;
+    result.tubes.insert(result.tubes.end(), chart.tubes_.begin(), chart.tubes_.end());
+    result.seams.insert(result.seams.end(), chart.seams_.begin(), chart.seams_.end());
+  }
   return result;
+}
+
+/// The greatest way of a parameter in the star.
+double extent(const Star& star) {
+  double most = 0;
+  for (const auto& row : star.axes) {
+    double sum = 0;
+    for (const Rational& q : row) sum += std::abs(to_double(q));
+    most = std::max(most, sum);
+  }
+  return most;
 }
 
 }  // namespace
 
 FoundStar star_at(const Patches& patches, const Node& node, const ClaimNumbers& first, double size,
                   const std::vector<checker::Line>& lines, const std::vector<bool>& touching) {
-  const Star star = singular_point(patches, node);
   const auto equation = checker::pair_map(patches[0].power_basis(), patches[1].power_basis());
-  double widest = 0;
-  for (std::size_t j = 0; j < 4; ++j) widest = std::max(widest, to_double(star.axes[j][j]));
-  for (int e = std::max(1, std::ilogb(widest / size) + 1); e < 24; ++e) {
-    try {
-      FoundStar result = scaled(star, equation, e);
-      for (std::size_t direction = 0; direction < 8; ++direction) {
-        const ClaimNumbers next = {first.star, first.tube + result.tubes.size(),
-                                   first.seam + result.seams.size()};
-        ChartSearch chart(result.claim, result.maps[direction], next, direction, lines);
-        for (std::size_t n = 0; n < lines.size(); ++n)
-          if (touching[n]) chart.add_seam(equation, n);
-        chart.run();
-        result.subdivisions[direction] = chart.entries_;
-        result.tubes.insert(result.tubes.end(), chart.tubes_.begin(), chart.tubes_.end());
-        result.seams.insert(result.seams.end(), chart.seams_.begin(), chart.seams_.end());
+  for (const Star& star : singular_points(patches, node)) {
+    const bool plain = star.weights == std::array<std::size_t, 4>{1, 1, 1, 1};
+    int tried = 0;
+    for (int e = 2; e < 46 && tried < (plain ? 22 : 6); plain ? e += 2 : ++e) {
+      const Star scaled = at_scale(star, e);
+      if (extent(scaled) > size) continue;
+      ++tried;
+      try {
+        return alone(scaled, equation, first, lines, touching);
+      } catch (const NotAlone&) {
       }
-      return result;
-    } catch (const NotAlone&) {
     }
   }
   throw NoCertificate("a special point with degenerate quadratic terms");
@@ -300,15 +279,15 @@ Parameters parameters_of(const FoundStar& star, const Tube& tube, const Paramete
   return {w[0].middle, w[1].middle, w[2].middle, w[3].middle};
 }
 
-std::optional<Parameters> in_star(const FoundStar& star, const Tube& tube, const Parameters& w) {
-  checker::Box<double> box;
-  for (std::size_t j = 0; j < 4; ++j) box[j] = {w[j], 0};
-  try {
-    const auto z = checker::in_star(star.claim, tube.direction, box, "");
-    return Parameters{z[0].middle, z[1].middle, z[2].middle, z[3].middle};
-  } catch (const checker::Rejected&) {
-    return std::nullopt;
+double distance_from_point(const checker::Star& star, const Parameters& w) {
+  double t = 0;
+  for (std::size_t j = 0; j < 4; ++j) {
+    double e = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      e += to_double(star.coordinates[j][i]) * (w[i] - to_double(star.at[i]));
+    t = std::max(t, std::pow(std::abs(e), 1.0 / static_cast<double>(star.weights[j])));
   }
+  return t;
 }
 
 }  // namespace exsect::cli

@@ -41,7 +41,7 @@ Json seam_claims(const std::vector<FoundSeam>& seams);
 /// The point of the tube's curve at t, in the star's chart, and as parameters.
 Parameters on_half_branch(const FoundStar& star, const Tube& tube, double t);
 Parameters parameters_of(const FoundStar& star, const Tube& tube, const Parameters& z);
-/// The parameters in the chart of the tube; nothing if they are on the other side of the star's point.
-std::optional<Parameters> in_star(const FoundStar& star, const Tube& tube, const Parameters& w);
+/// t in the chart in which the place is; above 1 beyond the star.
+double distance_from_point(const checker::Star& star, const Parameters& w);
 
 }  // namespace exsect::cli

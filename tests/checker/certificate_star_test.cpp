@@ -100,6 +100,48 @@ TEST_CASE("false claims about a star are rejected where they stand") {
   }
 }
 
+TEST_CASE("cusps of the curve and branches tangent to each other have certificates, with weights") {
+  using families::Plane;
+  for (const auto plane : {Plane::square, Plane::larger, Plane::bilinear}) {
+    INFO(static_cast<int>(plane));
+    const ExactCase cusp = families::curve_cusp(plane);
+    const checker::Report report = check_certificate(certificate(cusp.x, cusp.y));
+    CHECK(report.summary.open == 1);
+    CHECK(report.summary.claims[5] >= 2);
+    const ExactCase tangent = families::tangent_branches(plane);
+    CHECK(check_certificate(certificate(tangent.x, tangent.y)).summary.branched == 1);
+  }
+}
+
+TEST_CASE("false claims about weights are rejected where they stand") {
+  const ExactCase c = families::curve_cusp(families::Plane::larger);
+  const std::string text = certificate(c.x, c.y);
+  CHECK(Json::parse(text)["stars"][0]["weights"] == Json({2, 3, 4, 4}));
+  CHECK(Json::parse(text)["stars"][0]["orders"] == Json({4, 4, 6}));
+  const auto star = [](auto change) { return [change](Json& j) { change(j["stars"][0]); }; };
+  reason(text, "$.stars[0]: not of this order", star([](Json& s) { s["weights"] = {2, 2, 4, 4}; }));
+  reason(text, "$.stars[0]: not of this order", star([](Json& s) { s["weights"] = {2, 3, 3, 4}; }));
+  reason(text, "$.stars[0]: not of this order", star([](Json& s) { s["orders"] = {4, 4, 7}; }));
+  reason(text, "$.stars[0]: a weight", star([](Json& s) { s["weights"] = {2, 3, 4, 7}; }));
+  reason(text, "$.tubes[", star([](Json& s) { s["weights"] = {3, 3, 4, 4}; }));
+  reason(text, "$.", star([](Json& s) {  // the equations divided by too little vanish with t
+           s["orders"] = {4, 4, 5};
+         }));
+}
+
+TEST_CASE("no random single change of a certificate with weights is accepted") {
+  const ExactCase c = families::tangent_branches(families::Plane::larger);
+  const std::string text = certificate(c.x, c.y);
+  Generator generator(32);
+  INFO("seed 32");
+  for (int k = 0; k < 20; ++k) {
+    Json json = Json::parse(text);
+    const std::string change = mutate(json, generator, true);
+    INFO(change);
+    REQUIRE(verdict(json.dump()) != "");
+  }
+}
+
 TEST_CASE("a star may be seen in the squares of its distances") {
   Json json = Json::parse(crossing_text());
   json["stars"][0]["weights"] = {2, 2, 2, 2};
@@ -180,8 +222,8 @@ TEST_CASE("an event without a certificate is named") {
       return reason.what();
     }
   };
-  const auto plane = families::Plane::square;
-  CHECK(refusal(families::curve_cusp(plane)) == "a special point with degenerate quadratic terms");
+  CHECK(refusal(families::cap(0, families::Plane::quadratic)) ==
+        "a special point without short rational parameters");
   CHECK(refusal(families::tangent_curve(Rational(1, 3), families::Plane::quadratic)) ==
         "an arc along which the patches touch and that is no line of parameters");
 }
