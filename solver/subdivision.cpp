@@ -106,7 +106,7 @@ void halve(const std::array<BallVector<Ball>, 9>& net, std::size_t first, std::s
   }
 }
 
-/// The cells of one patch, split into four on demand.
+/// The cells of one patch, split into four or two on demand.
 template <class Ball>
 class CellTree {
  public:
@@ -141,7 +141,8 @@ class CellTree {
 
   Cell<Ball>& root() { return cells_.front(); }
 
-  /// False if the midpoints are not doubles: the cell cannot be split.
+  /// False if the midpoints are not doubles: the cell cannot be split. In a direction in which it is thin it
+  /// is left as it is, and there are two children, the others null.
   bool split(Cell<Ball>& cell) {
     if (cell.children[0] != nullptr) {
       return true;
@@ -153,19 +154,24 @@ class CellTree {
         return false;
       }
     }
-    std::array<std::array<BallVector<Ball>, 9>, 2> half;
-    for (std::size_t j = 0; j < 3; ++j) {
+    const double first = extent(cell.derivative[0]);
+    const double second = extent(cell.derivative[1]);
+    const std::size_t rows = kThin * first < second ? 1 : 2;
+    const std::size_t columns = kThin * second < first ? 1 : 2;
+    std::array<Net, 2> half = {cell.net, cell.net};
+    for (std::size_t j = 0; j < 3 && rows == 2; ++j) {
       halve(cell.net, j, 3, half[0], half[1]);
     }
-    for (std::size_t a = 0; a < 2; ++a) {
-      std::array<std::array<BallVector<Ball>, 9>, 2> quarter;
-      for (std::size_t i = 0; i < 9; i += 3) {
+    for (std::size_t a = 0; a < rows; ++a) {
+      std::array<Net, 2> quarter = {half[a], half[a]};
+      for (std::size_t i = 0; i < 9 && columns == 2; i += 3) {
         halve(half[a], i, 1, quarter[0], quarter[1]);
       }
-      for (std::size_t b = 0; b < 2; ++b) {
+      for (std::size_t b = 0; b < columns; ++b) {
         Cell<Ball> child;
         child.lower = {a == 0 ? cell.lower[0] : middle[0], b == 0 ? cell.lower[1] : middle[1]};
-        child.upper = {a == 0 ? middle[0] : cell.upper[0], b == 0 ? middle[1] : cell.upper[1]};
+        child.upper = {a + 1 == rows ? cell.upper[0] : middle[0],
+                       b + 1 == columns ? cell.upper[1] : middle[1]};
         child.net = std::move(quarter[b]);
         child.depth = cell.depth + 1;
         complete(child);
@@ -177,6 +183,14 @@ class CellTree {
   }
 
  private:
+  using Net = std::array<BallVector<Ball>, 9>;
+  static constexpr double kThin = 4;
+
+  static double extent(const DirectionBox& derivative) {
+    return std::max(
+        {derivative[0].upper_magnitude(), derivative[1].upper_magnitude(), derivative[2].upper_magnitude()});
+  }
+
   /// Power to Bernstein, degree 2: b0 = a0, b1 = a0 + a1/2, b2 = a0 + a1 + a2, along `stride`.
   static void to_bernstein(std::array<Ball, 9>& a, std::size_t stride, std::size_t other) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -278,7 +292,9 @@ class Search {
         continue;
       }
       for (Cell<Ball>* child : first ? a->children : b->children) {
-        waiting.emplace_back(first ? child : a, first ? b : child);
+        if (child != nullptr) {
+          waiting.emplace_back(first ? child : a, first ? b : child);
+        }
       }
     }
     return std::move(outcome_);

@@ -474,8 +474,8 @@ class CurveTracing {
       }
       SearchRegion slab = {{0, 0, 0, 0}, {1, 1, 1, 1}};
       const std::size_t sweep = index(sweep_.turning->sweep);
-      const RationalInterval at = turning.value.interval();
-      const double grid = 0x1p-8;  // dyadic ends, so that the slab can be halved often
+      const RationalInterval at = turning.value.refined_to(power_of_two(-40)).interval();
+      const double grid = 0x1p-24;  // dyadic ends, so that the slab can be halved often
       slab.lower[sweep] = std::max(0.0, grid * std::floor(to_double(at.lower) / grid - 0x1p-30));
       slab.upper[sweep] = std::min(1.0, grid * std::ceil(to_double(at.upper) / grid + 0x1p-30));
       search(

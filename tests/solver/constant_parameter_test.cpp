@@ -49,6 +49,31 @@ TEST_CASE("a parameter line over an irrational value lies on the other patch") {
              Rational(1, 2));
 }
 
+TEST_CASE("a parameter line over an irrational value crosses another curve") {
+  // (u, v, (u - u² - 1/8) (v - 1/2) + h) and (r, s, h): the lines u = 1/2 ± 1/√8 and v = 1/2.
+  testing::HeightCoefficients base{};
+  base[2][0] = Rational(1, 3);
+  base[0][2] = Rational(-1, 5);
+  base[1][1] = Rational(1, 7);
+  base[2][2] = Rational(1, 2);
+  base[1][0] = Rational(1, 4);
+  testing::HeightCoefficients sum = base;
+  const std::array<Rational, 3> in_u = {Rational(-1, 8), 1, -1};
+  for (std::size_t i = 0; i < 3; ++i) {
+    sum[i][0] -= in_u[i] / 2;
+    sum[i][1] += in_u[i];
+  }
+  for (const bool exchanged : {false, true}) {
+    const BezierPatch x = exchanged ? graph(sum).exchanged() : graph(sum);
+    const IntersectResult result = intersect(x, graph(base));
+    for (const Incomplete& region : result.incomplete) UNSCOPED_INFO(region.why);
+    CHECK(result.status == Status::complete);
+    CHECK(unsound(x, graph(base), result) == "");
+    CHECK(result.graph.nodes.size() == 8);
+    CHECK(result.graph.arcs.size() == 7);
+  }
+}
+
 TEST_CASE("a nearly constant parameter turns or not, but is not constant") {
   // u² - 1/2 = 10^-9 (v - 1/3)²: u has one turning point
   testing::HeightCoefficients h{};

@@ -72,6 +72,19 @@ TEST_CASE("the search proves that there is none", "[subdivision]") {
   }
 }
 
+TEST_CASE("the search does not split a thin slab across", "[subdivision]") {
+  // Two graphs at the distance (u - 1/2)² + (v - 1/2)² + 10^-6: they do not meet.
+  const Point origin = {0, 0, 0};
+  const PairSystem<DoubleBall> system(graph_patch(cap(Rational(-1, 1000000))), plane_patch(), origin, 0);
+  const SeedHandler<DoubleBall> none = [](const BallPoint<DoubleBall>&) { return false; };
+  for (const double width : {0x1p-10, 0x1p-20, 0x1p-30}) {
+    const SearchRegion slab = {{0.5, 0, 0, 0}, {0.5 + width, 1, 1, 1}};
+    const SearchOutcome outcome = search_closed_curves(system, slab, {1, 0.375}, none, {}, {});
+    CHECK(outcome.undecided.empty());
+    CHECK(outcome.boxes < 1000);
+  }
+}
+
 TEST_CASE("the search leaves a small box around a touch point and around a crossing", "[subdivision]") {
   const BezierPatch crossing =
       graph_patch({{{Rational(1, 4), Rational(-1, 2), 0}, {Rational(-1, 2), 1, 0}, {0, 0, 0}}});
