@@ -19,15 +19,18 @@ class ArcWriter {
     const std::size_t from = d_.claim_of[static_cast<std::size_t>(a.from)];
     const std::size_t to = d_.claim_of[static_cast<std::size_t>(a.to)];
     const TracedArc traced = traced_arc(a, from, to);
+    const bool stays = std::all_of(a.polyline.begin(), a.polyline.end(),
+                                   [&](const PolylineVertex& v) { return v.point == a.polyline[0].point; });
     Json list = Json::array();
     for (std::size_t i = 0; i < traced.points.size(); ++i) {
       const TracedPoint& p = traced.points[i];
       Json numbers = i == 0                          ? d_.place_claims[from]
                      : i + 1 == traced.points.size() ? d_.place_claims[to]
                                                      : exact(p.at);
-      if (p.vertex >= 0)
-        for (const double c : a.polyline[static_cast<std::size_t>(p.vertex)].point)
-          numbers.push_back(exact_number(c));
+      // Where the point of space stays, a polyline has no edges.
+      const std::size_t vertex = stays ? 0 : static_cast<std::size_t>(p.vertex);
+      if (stays || p.vertex >= 0)
+        for (const double c : a.polyline[vertex].point) numbers.push_back(exact_number(c));
       list.push_back(numbers);
     }
     Json pieces = Json::array();

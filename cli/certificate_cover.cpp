@@ -73,7 +73,7 @@ std::string separating(const Cell& cell, const std::array<int, 3>& direction) {
       }
     }
   }
-  constexpr double margin = 1e-11;
+  const double margin = 1e-11 + 1e-14 * (std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]));
   if (least[0] - most[1] > margin) return fmt::format("{},{},{}", direction[0], direction[1], direction[2]);
   if (least[1] - most[0] > margin)
     return fmt::format("{},{},{}", -direction[0], -direction[1], -direction[2]);
@@ -206,7 +206,7 @@ class Cover {
     return "";
   }
 
-  /// The parameter over which the cell is longest in space.
+  /// The parameter over which the cell is longest in space; one along which nothing moves counts a little.
   static std::size_t longest(const Cell& cell) {
     Parameters length{};
     for (std::size_t p = 0; p < 4; ++p) {
@@ -218,6 +218,7 @@ class Cover {
         }
       }
     }
+    for (std::size_t p = 0; p < 4; ++p) length[p] = std::max(length[p], cell.half[p] * cell.half[p] / 1024);
     return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
   }
 

@@ -1,6 +1,7 @@
 #include "certificate_events.h"
 
 #include <exsect/checker/check_certificate.h>
+#include <exsect/checker/star_maps.h>
 #include <exsect/geometry/number.h>
 
 #include <algorithm>
@@ -84,26 +85,50 @@ Json relation_claims(const Patches& patches) {
   return result;
 }
 
-std::optional<checker::Line> line_between(const Patches& patches, const Node& from, const Node& to) {
-  const std::array<Rational, 4> a = short_place(from);
-  const std::array<Rational, 4> b = short_place(to);
-  checker::Line line = {};
-  for (std::size_t i = 1; i < 4; ++i) {
-    const auto length = [&](std::size_t j) { return Rational(abs(Rational(b[j] - a[j]))); };
-    if (length(i) > length(line.axis)) line.axis = i;
-  }
-  const Rational t = a[line.axis];
-  const Rational step = b[line.axis] - t;
-  if (step == 0) return std::nullopt;
+namespace {
+
+/// The two places and the slope at the first one, 0 for a straight line, give a line; nothing if it is no
+/// solution.
+std::optional<checker::Line> line_through(const Patches& patches, std::size_t axis,
+                                          const std::array<Rational, 4>& a, const std::array<Rational, 4>& b,
+                                          const std::optional<checker::Vector4<Rational>>& slope) {
+  checker::Line line = {axis, {}};
+  const Rational t = a[axis];
+  const Rational step = b[axis] - t;
   for (std::size_t i = 0; i < 4; ++i) {
-    const Rational slope = (b[i] - a[i]) / step;
-    line.at[i] = {Rational(a[i] - slope * t), slope, 0};
+    const Rational mean = (b[i] - a[i]) / step;
+    const Rational first = slope ? (*slope)[i] : mean;
+    const Rational bend = (mean - first) / step;  // a + first (s - t) + bend (s - t)^2
+    line.at[i] = {a[i] - first * t + bend * t * t, first - 2 * bend * t, bend};
   }
-  for (int k = 0; k < 5; ++k) {  // a line in both squares: degree <= 4
-    const auto at = [&](std::size_t i) { return Rational(line.at[i][0] + k * line.at[i][1]); };
+  for (int k = 0; k < 9; ++k) {
+    const auto at = [&](std::size_t i) { return checker::value(line.at[i], Rational(k)); };
     if (patches[0](at(0), at(1)) != patches[1](at(2), at(3))) return std::nullopt;
   }
   return line;
+}
+
+}  // namespace
+
+std::optional<checker::Line> line_between(const Patches& patches, const Node& from, const Node& to) {
+  const std::array<Rational, 4> a = short_place(from);
+  const std::array<Rational, 4> b = short_place(to);
+  const auto length = [&](std::size_t j) { return Rational(abs(Rational(b[j] - a[j]))); };
+  std::size_t axis = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+    if (length(i) > length(axis)) axis = i;
+  if (a[axis] == b[axis]) return std::nullopt;
+  if (auto line = line_through(patches, axis, a, b, std::nullopt)) return line;
+  if (patches[0](a[0], a[1]) != patches[1](a[2], a[3])) return std::nullopt;
+  const auto equation = checker::pair_map(patches[0].power_basis(), patches[1].power_basis());
+  const auto tangent = checker::tangent(equation.at(a), {});
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (tangent[k].middle == 0 || a[k] == b[k]) continue;
+    checker::Vector4<Rational> slope;
+    for (std::size_t i = 0; i < 4; ++i) slope[i] = tangent[i].middle / tangent[k].middle;
+    if (auto line = line_through(patches, k, a, b, slope)) return line;
+  }
+  return std::nullopt;
 }
 
 Json line_claims(const std::vector<checker::Line>& lines) {

@@ -37,7 +37,7 @@ SingularPoint singular_point(const Patches& patches, const Node& node) {
   normal = cross(result.columns[0], result.columns[1]);
   if (is_zero(normal)) normal = cross(result.columns[2], result.columns[3]);
   for (const Point& column : result.columns)
-    if (is_zero(normal) || is_zero(column) || dot(normal, column) != 0)
+    if (is_zero(normal) || dot(normal, column) != 0)
       throw NoCertificate("a special point where a patch is singular, or both cross");
   for (std::size_t d = 1; d < 3; ++d)
     if (abs(normal[d]) > abs(normal[result.steepest])) result.steepest = d;
@@ -54,7 +54,10 @@ Star plain_star(const SingularPoint& point) {
   double speed = 0;
   for (const Point& column : point.columns) speed = std::max(speed, largest(column));
   for (std::size_t j = 0; j < 4; ++j)
-    star.axes[j][j] = sizes[j] * power_of_two(std::min(8, std::ilogb(speed / largest(point.columns[j]))));
+    star.axes[j][j] =
+        sizes[j] * (is_zero(point.columns[j])
+                        ? Rational(1)
+                        : power_of_two(std::min(8, std::ilogb(speed / largest(point.columns[j])))));
   return star;
 }
 

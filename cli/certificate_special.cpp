@@ -53,7 +53,7 @@ void find_lines(Draft& d) {
       throw NoCertificate("an arc along which the patches touch and that is no line of parameters");
     if (!line || (inside && d.self && !touches(arc))) continue;
     OnLine on = {static_cast<int>(add_line(d, *line, touches(arc))), line->axis, {}};
-    for (std::size_t i = 0; i < 4; ++i) on.constant[i] = line->at[i][1] == 0;
+    for (std::size_t i = 0; i < 4; ++i) on.constant[i] = line->at[i][1] == 0 && line->at[i][2] == 0;
     if (inside && !touches(arc) && on.constant == std::array{false, false, false, false}) continue;
     d.line_of[from] = d.line_of[to] = d.line_along[static_cast<std::size_t>(arc.id)] = on;
   }

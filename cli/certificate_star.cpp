@@ -24,7 +24,7 @@ int line_at(const Star& star, std::size_t direction, const Parameters& z,
     bool through = true;
     for (std::size_t i = 0; i < 4; ++i) {
       const auto& [a, b, c] = lines[n].at[i];
-      through = through && a + b * star.at[lines[n].axis] == star.at[i];
+      through = through && c == 0 && a + b * star.at[lines[n].axis] == star.at[i];
       for (std::size_t j = 0; j < 4; ++j) e[j] += to_double(star.coordinates[j][i] * b);
     }
     if (!through || e[k] == 0) continue;

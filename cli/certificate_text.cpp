@@ -4,6 +4,7 @@
 
 #include "certificate_claims.h"
 #include "certificate_draft.h"
+#include "certificate_free.h"
 
 namespace exsect::cli {
 namespace {
@@ -66,16 +67,25 @@ Json document(const BezierPatch& x, const BezierPatch& y, const PatchNames& name
 
 }  // namespace
 
+namespace {
+
+std::string text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names, IntersectResult result,
+                 bool self) {
+  if (!self) result.graph = with_free_arcs(std::move(result.graph));
+  refuse_events(result, self);
+  return accepted_text(document(x, y, names, result, self));
+}
+
+}  // namespace
+
 std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
                              const IntersectResult& result) {
-  refuse_events(result, false);
-  return accepted_text(document(x, y, names, result, false));
+  return text(x, y, names, result, false);
 }
 
 std::string self_certificate_text(const BezierPatch& x, const PatchNames& names,
                                   const IntersectResult& result) {
-  refuse_events(result, true);
-  return accepted_text(document(x, x, names, result, true));
+  return text(x, x, names, result, true);
 }
 
 }  // namespace exsect::cli

@@ -1,0 +1,40 @@
+// Certificates of pairs with points at which a parameter is free, and sides at two speeds.
+#include "certificate_changes.h"
+#include "support/families.h"
+
+namespace exsect {
+
+using namespace certificates;
+
+TEST_CASE("a point with a free parameter has the certificate of its solutions, an arc") {
+  const ExactCase c = families::collapsed_side();
+  const std::string text = certificate(c.x, c.y);
+  const checker::Report report = check_certificate(text);
+  CHECK(report.summary.open == 1);
+  CHECK(report.summary.isolated == 0);
+  CHECK(report.summary.boundary == 2);
+  reason(text, "$.lines[0]: not a solution", [](Json& j) { j["lines"][0]["at"][2] = {"1/3", "0", "0"}; });
+  reason(text, "$.arcs[0]: the error bound", [](Json& j) {  // the point of space stays where it is
+    for (Json& point : j["arcs"][0]["points"]) point[4] = "1";
+  });
+  Generator generator(33);
+  INFO("seed 33");
+  for (int k = 0; k < 20; ++k) {
+    Json json = Json::parse(text);
+    const std::string change = mutate(json, generator, true);
+    INFO(change);
+    REQUIRE(verdict(json.dump()) != "");
+  }
+}
+
+TEST_CASE("a common side at two speeds has a certificate with a line of degree 2") {
+  const ExactCase c = families::side_at_two_speeds();
+  const std::string text = certificate(c.x, c.y);
+  CHECK(check_certificate(text).summary.open == 1);
+  reason(text, "$.lines[0]: not a solution", [](Json& j) {
+    for (Json& row : j["lines"][0]["at"])
+      if (row[2] != "0") row[2] = "1/3";
+  });
+}
+
+}  // namespace exsect
