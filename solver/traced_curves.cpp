@@ -5,8 +5,11 @@
 #include <stdexcept>
 
 #include "constant_parameter.h"
+#include "entering_directions.h"
+#include "fibre_crossings.h"
 #include "landmark_tangent.h"
 #include "line_place.h"
+#include "multiple_turning_values.h"
 #include "parameter_box.h"
 #include "subdivision.h"
 
@@ -15,15 +18,6 @@ namespace exsect {
 namespace {
 
 constexpr int kQuickSearch = 16;  // times 64 boxes
-
-int side_of(const RationalInterval& interval, const Rational& sample) {
-  return interval.upper < sample ? -1 : interval.lower > sample ? 1 : 0;
-}
-
-template <class Ball>
-bool turns_in(const TurningPoint<Ball>& point, std::size_t parameter) {
-  return std::count(point.parameters.begin(), point.parameters.end(), parameter) > 0;
-}
 
 template <class Ball>
 class CurveTracing {
@@ -50,58 +44,6 @@ class CurveTracing {
  private:
   void problem(const ParameterBox& where, const std::string& why) {
     result_.problems.push_back({where, why});
-  }
-
-  /// T at a landmark; nothing for -1.
-  TangentSigns signs_at(int landmark) const {
-    if (landmark < 0) {
-      return {};
-    }
-    const auto i = static_cast<std::size_t>(landmark);
-    return tangent_signs(system_, landmarks_[i], [&] {
-      return sweep_.zero_tangent ? sweep_.zero_tangent(sweep_.landmarks[i].point) : std::array<bool, 4>{};
-    });
-  }
-
-  /// +1, -1: the directions of the tangent field that enter the domain at this boundary point or port; empty:
-  /// unknown.
-  std::optional<std::vector<int>> entering_directions(std::size_t landmark) const {
-    const LandmarkPoint& at = sweep_.landmarks[landmark];
-    const BallPoint<Ball> tangent = Expansion<Ball>(system_, landmarks_[landmark]).tangent();
-    if (at.side != 0) {
-      const int sign = tangent[index(at.across)].certain_sign();
-      return sign == 0 ? std::nullopt : std::optional(std::vector{at.side * sign});
-    }
-    std::vector<int> directions = {1, -1};
-    std::vector<Side> tangential;
-    for (const Side& side : at.point.sides()) {
-      const int sign = tangent[index(side.parameter)].certain_sign();
-      if (sign == 0) {
-        tangential.push_back(side);
-      } else {
-        std::erase(directions, side.value == 0 ? -sign : sign);
-      }
-    }
-    for (const Side& side : tangential) {
-      const std::optional<bool> inside = directions.empty() ? false : bends_inwards(landmark, side);
-      if (!inside) {
-        return std::nullopt;
-      }
-      if (!*inside) {
-        directions.clear();
-      }
-    }
-    return directions;
-  }
-
-  /// Where the curve is tangent to the side, exactly, its second derivative says whether it lies inside.
-  std::optional<bool> bends_inwards(std::size_t landmark, const Side& side) const {
-    const std::size_t j = index(side.parameter);
-    const int bend = bend_sign(system_, landmarks_[landmark], j);
-    if (bend == 0 || signs_at(static_cast<int>(landmark))[j] != 0) {
-      return std::nullopt;
-    }
-    return (bend > 0) == (side.value == 0);
   }
 
   /// Curves along which the patches touch: through the multiple points of the fibres, and the parameter lines
@@ -155,7 +97,8 @@ class CurveTracing {
   /// `point` is isolated over a value of a sweep that is no turning value.
   void trace_contact_through(const CertifiedPoint& point) {
     const BallPoint<Ball> box = enclose<Ball>(point, width_);
-    if (point.multiplicity() < 2 || !point.sides().empty() || contacts_through(box) > 0 || in_star(point)) {
+    if (point.multiplicity() < 2 || !point.sides().empty() || contacts_through(result_, box) > 0 ||
+        in_star(sweep_, point)) {
       return;
     }
     auto outcome = trace_contact(system_, landmarks_, box, stop_);
@@ -204,12 +147,6 @@ class CurveTracing {
     }
   }
 
-  int contacts_through(const BallPoint<Ball>& box) const {
-    return static_cast<int>(std::count_if(
-        result_.contacts.begin(), result_.contacts.end(),
-        [&](const AnalysedContact<Ball>& contact) { return passes_through(contact.curve, box); }));
-  }
-
   void trace_open_curves() {
     used_.assign(landmarks_.size(), {});
     for (const AnalysedContact<Ball>& contact : result_.contacts) {
@@ -232,7 +169,7 @@ class CurveTracing {
   /// Traces the curves that leave a landmark in directions not used yet. Points where these are not known
   /// wait for the last pass: a regular point at which two curves arrived is done.
   void trace_from(std::size_t landmark, bool last_pass) {
-    const auto directions = entering_directions(landmark);
+    const auto directions = entering_directions(system_, landmarks_, sweep_, landmark);
     if (!directions) {
       if (last_pass) {
         problem(sweep_.landmarks[landmark].point.box(),
@@ -264,7 +201,7 @@ class CurveTracing {
           continue;  // on an arc that lies on a side
         }
         const BallPoint<Ball> box = enclose<Ball>(point, width_);
-        if (curves_through(box) + contacts_through(box) == 0) {
+        if (curves_through(result_, box) + contacts_through(result_, box) == 0) {
           add(trace_loop(system_, landmarks_, box, stop_));
         }
         if (!result_.problems.empty()) {
@@ -272,12 +209,6 @@ class CurveTracing {
         }
       }
     }
-  }
-
-  int curves_through(const BallPoint<Ball>& box) const {
-    return static_cast<int>(
-        std::count_if(result_.curves.begin(), result_.curves.end(),
-                      [&](const AnalysedTrace<Ball>& curve) { return passes_through(curve.trace, box); }));
   }
 
   void add(std::variant<Trace<Ball>, TraceFailure> outcome) {
@@ -293,8 +224,8 @@ class CurveTracing {
     }
     mark_coincident(known.constant);
     known.plane = sweep_.plane;
-    known.at_start = signs_at(curve.trace.start);
-    known.at_end = signs_at(curve.trace.end);
+    known.at_start = tangent_signs_at(system_, landmarks_, sweep_, curve.trace.start);
+    known.at_end = tangent_signs_at(system_, landmarks_, sweep_, curve.trace.end);
     auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, known);
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
@@ -369,11 +300,11 @@ class CurveTracing {
       box[j] =
           Ball(middle).widened(std::max(region.upper[j] - middle, middle - region.lower[j]) * (1 + 0x1p-50));
     }
-    return contacts_through(box) > 0;
+    return contacts_through(result_, box) > 0;
   }
 
   bool known_or_traced(const BallPoint<Ball>& seed) {
-    if (curves_through(seed) > 0) {
+    if (curves_through(result_, seed) > 0) {
       return true;
     }
     auto outcome = trace_loop(system_, landmarks_, seed, stop_);
@@ -385,54 +316,13 @@ class CurveTracing {
     return result_.problems.size() == before;
   }
 
-  /// The values of the sweep parameter at the ends and turning points of a curve, in order; a closed curve's
-  /// first turning point is repeated at the end.
-  std::vector<RationalInterval> monotone_stations(const AnalysedTrace<Ball>& curve) const {
-    const std::size_t sweep = index(sweep_.turning->sweep);
-    const auto at_landmark = [&](int i) {
-      return sweep_.landmarks[static_cast<std::size_t>(i)].point.box()[sweep];
-    };
-    std::vector<RationalInterval> stations;
-    const bool open = curve.trace.start >= 0;
-    if (open) {
-      stations.push_back(at_landmark(curve.trace.start));
-    }
-    for (const TurningPoint<Ball>& point : curve.turning) {
-      if (turns_in(point, sweep)) {
-        stations.push_back(point.box[sweep].interval());
-      }
-    }
-    if (open) {
-      stations.push_back(at_landmark(curve.trace.end));
-    } else if (!stations.empty()) {
-      stations.push_back(stations.front());
-    }
-    return stations;
-  }
-
-  /// How often the curve meets the sample; empty if a station cannot be told from it. Between stations the
-  /// curve is monotone in the sweep parameter.
-  std::optional<std::size_t> crossings(const AnalysedTrace<Ball>& curve, const Rational& sample) const {
-    const auto stations = monotone_stations(curve);
-    std::size_t count = 0;
-    for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
-      const int a = side_of(stations[i], sample);
-      const int b = side_of(stations[i + 1], sample);
-      if (a == 0 || b == 0) {
-        return std::nullopt;
-      }
-      count += a != b ? 1 : 0;
-    }
-    return count;
-  }
-
   /// The bijection: every fibre point lies on one curve, and the curves meet the sample as often as the fibre
   /// has points.
   void match_fibres() {
     for (std::size_t k = 0; k < sweep_.fibres.size(); ++k) {
       std::size_t expected = 0;
       for (const AnalysedTrace<Ball>& curve : result_.curves) {
-        const auto met = crossings(curve, sweep_.samples[k]);
+        const auto met = crossings(sweep_, curve, sweep_.samples[k]);
         if (!met) {
           problem(whole_domain(), "a turning point cannot be separated from a sample of the sweep");
           return;
@@ -445,10 +335,10 @@ class CurveTracing {
           continue;  // not over a boundary point: on an arc that lies on a side
         }
         const BallPoint<Ball> box = enclose<Ball>(point, width_);
-        if (contacts_through(box) == 1) {
+        if (contacts_through(result_, box) == 1) {
           continue;
         }
-        if (curves_through(box) != 1) {
+        if (curves_through(result_, box) != 1) {
           throw std::logic_error("internal error: a fibre point lies on no traced curve or on two");
         }
         ++met;
@@ -460,21 +350,12 @@ class CurveTracing {
     }
   }
 
-  /// Over a root of E of multiplicity m there is no further singular point if the regular turning points over
-  /// it, and twice the singular ones that are known, make up m: so much of m is taken up by each. (A simple
-  /// root lies under no singular point: docs/method.md, section 4.) Otherwise the slab around the root is
-  /// searched.
+  /// Searches the slabs around roots of E over which a further singular point is not excluded.
   void check_multiple_turning_values() {
-    for (const TurningValue& turning : sweep_.turning->values) {
-      if (turning.multiplicity == 1 ||
-          (turning.multiplicity > 1 &&
-           regular_turning_points(turning) + 2 * singular_stars(turning) >= turning.multiplicity) ||
-          multiple_points_are_known(turning)) {
-        continue;
-      }
+    for (const TurningValue* turning : undecided_turning_values(sweep_, result_, width_)) {
       SearchRegion slab = {{0, 0, 0, 0}, {1, 1, 1, 1}};
       const std::size_t sweep = index(sweep_.turning->sweep);
-      const RationalInterval at = turning.value.refined_to(power_of_two(-40)).interval();
+      const RationalInterval at = turning->value.refined_to(power_of_two(-40)).interval();
       const double grid = 0x1p-24;  // dyadic ends, so that the slab can be halved often
       slab.lower[sweep] = std::max(0.0, grid * std::floor(to_double(at.lower) / grid - 0x1p-30));
       slab.upper[sweep] = std::min(1.0, grid * std::ceil(to_double(at.upper) / grid + 0x1p-30));
@@ -483,118 +364,6 @@ class CurveTracing {
           "a multiple root of the turning eliminant: a singular or isolated point of the intersection is not "
           "excluded here");
     }
-  }
-
-  /// All points of the fibre over a rational value are on traced curves or in stars.
-  bool multiple_points_are_known(const TurningValue& turning) const {
-    if (!turning.value.is_rational()) {
-      return false;
-    }
-    const LineQuery query = {sweep_.turning->sweep, turning.value.rational()};
-    const LinePoints fibre = sweep_.line(query);
-    return !fibre.incomplete &&
-           std::all_of(fibre.on_patch.begin(), fibre.on_patch.end(),
-                       [&](const AlgebraicInterval& part) { return is_traced(query, part); }) &&
-           std::all_of(fibre.points.begin(), fibre.points.end(), [this](const CertifiedPoint& point) {
-             const BallPoint<Ball> box = enclose<Ball>(point, width_);
-             return point.multiplicity() == 1 || in_star(point) || curves_through(box) > 0 ||
-                    contacts_through(box) > 0;
-           });
-  }
-
-  /// All of an interval in which the line lies on the other patch is on traced curves and in stars: a point
-  /// is, between any two neighbouring places where a curve may end.
-  bool is_traced(const LineQuery& query, const AlgebraicInterval& part) const {
-    if (query.value == 0 || query.value == 1) {
-      return true;  // known as arcs on a side
-    }
-    const Parameter along = line_place(query).roles.line;
-    if (part.from == part.to) {
-      return sweep_.is_on_sides && sweep_.is_on_sides(query, part.from);
-    }
-    std::vector<RationalInterval> ends = {part.from.refined_to(power_of_two(-60)).interval(),
-                                          part.to.refined_to(power_of_two(-60)).interval()};
-    const auto add = [&](const ParameterBox& box) {
-      const RationalInterval& at = box[index(query.fixed)];
-      if (at.lower <= query.value && query.value <= at.upper) {
-        ends.push_back(box[index(along)]);
-      }
-    };
-    for (const LandmarkPoint& landmark : sweep_.landmarks) {
-      add(landmark.point.box());
-    }
-    for (const StarNeighbourhood& star : sweep_.stars) {
-      add(star.box);
-    }
-    std::sort(ends.begin(), ends.end(),
-              [](const RationalInterval& a, const RationalInterval& b) { return a.lower < b.lower; });
-    Rational covered = ends.front().upper;
-    for (const RationalInterval& end : ends) {
-      if (covered < end.lower && part.from.compare(covered) < 0 && part.to.compare(end.lower) > 0 &&
-          !is_on_curve({along, (covered + end.lower) / 2}, query)) {
-        return false;
-      }
-      covered = std::max(covered, end.upper);
-    }
-    return true;
-  }
-
-  /// A point of `line` across the line `across` is on a traced curve.
-  bool is_on_curve(const LineQuery& across, const LineQuery& line) const {
-    return std::any_of(result_.curves.begin(), result_.curves.end(),
-                       [&](const AnalysedTrace<Ball>& curve) {
-                         return meets_line<Ball>(sweep_, curve.trace, across, line.fixed, line.value, width_);
-                       }) ||
-           std::any_of(
-               result_.contacts.begin(), result_.contacts.end(), [&](const AnalysedContact<Ball>& contact) {
-                 return meets_line<Ball>(sweep_, contact.curve, across, line.fixed, line.value, width_);
-               });
-  }
-
-  bool in_star(const CertifiedPoint& point) const {
-    return std::any_of(sweep_.stars.begin(), sweep_.stars.end(), [&](const StarNeighbourhood& star) {
-      return lies_in(point.refined_to(power_of_two(-100)).box(), star.box);
-    });
-  }
-
-  int regular_turning_points(const TurningValue& turning) const {
-    const std::size_t sweep = index(sweep_.turning->sweep);
-    int count = 0;
-    for (const AnalysedTrace<Ball>& curve : result_.curves) {
-      for (const TurningPoint<Ball>& point : curve.turning) {
-        count += turns_in(point, sweep) && lies_over_only(turning, point.box[sweep].interval()) ? 1 : 0;
-      }
-    }
-    return count;
-  }
-
-  /// Stars around singular points over the value. One from which a curve leaves along which the patches do
-  /// not touch: the others have no part in the multiplicity.
-  int singular_stars(const TurningValue& turning) const {
-    return static_cast<int>(
-        std::count_if(sweep_.stars.begin(), sweep_.stars.end(), [&](const StarNeighbourhood& star) {
-          const ParameterBox centre = star.centre.refined_to(power_of_two(-100)).box();
-          return lies_over_only(turning, centre[index(sweep_.turning->sweep)]) && is_singular_star(star) &&
-                 (!sweep_.turning->touching ||
-                  std::any_of(star.ports.begin(), star.ports.end(),
-                              [](const Port& port) { return port.point.multiplicity() == 1; }));
-        }));
-  }
-
-  bool is_singular_star(const StarNeighbourhood& star) const {
-    const std::array<bool, 4> zero =
-        !is_singular(star) && sweep_.zero_tangent ? sweep_.zero_tangent(star.centre) : std::array<bool, 4>{};
-    return is_singular(star) || std::count(zero.begin(), zero.end(), true) == 4;
-  }
-
-  /// True if `at`, which holds some turning value, can hold no other one than this.
-  bool lies_over_only(const TurningValue& turning, const RationalInterval& at) const {
-    const auto& all = sweep_.turning->values;
-    return std::all_of(all.begin(), all.end(), [&](const TurningValue& other) {
-      const RationalInterval interval = other.value.interval();
-      const bool meets = at.lower <= interval.upper && at.upper >= interval.lower;
-      return meets == (&other == &turning);
-    });
   }
 
   const PairSystem<Ball>& system_;
@@ -607,6 +376,12 @@ class CurveTracing {
 };
 
 }  // namespace
+
+bool in_star(const SweepData& sweep, const CertifiedPoint& point) {
+  return std::any_of(sweep.stars.begin(), sweep.stars.end(), [&](const StarNeighbourhood& star) {
+    return lies_in(point.refined_to(power_of_two(-100)).box(), star.box);
+  });
+}
 
 ParameterBox around(const std::array<double, 4>& where) {
   ParameterBox box;

@@ -6,6 +6,7 @@
 #include <exsect/solver/line_patch.h>
 #include <exsect/solver/result.h>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -62,6 +63,26 @@ struct TracedCurves {
   bool cut_short = false;  // a problem is left because of SweepData::quick
 };
 
+/// How many of the curves pass through a box.
+template <class Ball>
+int curves_through(const TracedCurves<Ball>& traced, const BallPoint<Ball>& box) {
+  return static_cast<int>(
+      std::count_if(traced.curves.begin(), traced.curves.end(),
+                    [&](const AnalysedTrace<Ball>& curve) { return passes_through(curve.trace, box); }));
+}
+template <class Ball>
+int contacts_through(const TracedCurves<Ball>& traced, const BallPoint<Ball>& box) {
+  return static_cast<int>(std::count_if(
+      traced.contacts.begin(), traced.contacts.end(),
+      [&](const AnalysedContact<Ball>& contact) { return passes_through(contact.curve, box); }));
+}
+
+/// The curve turns in this parameter at the point.
+template <class Ball>
+bool turns_in(const TurningPoint<Ball>& point, std::size_t parameter) {
+  return std::count(point.parameters.begin(), point.parameters.end(), parameter) > 0;
+}
+
 /// Traces every curve. `landmarks` are sweep.landmarks enclosed in boxes of width at most `width`. If no
 /// problem is reported, the curves and isolated points are the whole intersection (provided `sweep.exact`):
 /// every arc with ends starts at a boundary point or a star; closed curves meet a fibre (or are found by
@@ -71,6 +92,8 @@ struct TracedCurves {
 template <class Ball>
 TracedCurves<Ball> trace_curves(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
                                 const SweepData& sweep, const Rational& width, const StopRequest& stop);
+
+bool in_star(const SweepData& sweep, const CertifiedPoint& point);
 
 /// A small box for a report around a place known in doubles.
 ParameterBox around(const std::array<double, 4>& where);
