@@ -45,4 +45,61 @@ TEST_CASE("each shipped pair has a certificate, or a named event is in the way")
   CHECK(refused.empty());
 }
 
+namespace {
+
+using Refusals = std::map<std::string, std::string>;  // reasons by name
+
+/// Each kind of event with each plane.
+std::vector<std::pair<std::string, ExactCase>> planar_members() {
+  using namespace families;
+  std::vector<std::pair<std::string, ExactCase>> result;
+  const Rational small(1, 100);
+  for (const Plane p : all_planes)
+    for (const ExactCase& c : {cap(0, p), cap(small, p), crossing(p), near_crossing(small, p),
+                               quarter_circle(p), tangent_curve(Rational(1, 3), p), near_sheets(small, p),
+                               tangent_and_transversal(p), curve_cusp(p), tangent_branches(p)})
+      result.push_back({c.graph.arcs.empty() ? c.name + ", a point" : c.name, c});
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("every specimen has a certificate in any coordinates and order", "[.slow]") {
+  random_pairs::Generator generator(7);
+  INFO("seed 7");
+  for (const ExactCase& c : families::specimens()) {
+    for (const CaseChange& change : case_changes()) {
+      const ExactCase changed = change.apply(c, generator);
+      INFO(c.name << ", " << change.name);
+      CHECK(refusal(changed.x, changed.y) == "");
+    }
+  }
+}
+
+TEST_CASE("members of the families with each plane that have no certificate are known", "[.slow]") {
+  const std::string irrational = "a special point without short rational parameters";
+  const std::string curved = "an arc along which the patches touch and that is no line of parameters";
+  const std::string turns = "a claim that is not accepted: $.arcs[0]: not monotone in a parameter";
+  const Refusals expected = {
+      {"quarter of a circle", turns},  // it turns where it meets the side
+      {"quarter of a circle on a larger plane", turns},
+      {"quarter of a circle on a bilinear plane",
+       "a claim that is not accepted: $.nodes[1]: a side does not follow from that of the tube's axis"},
+      {"quarter of a circle on a quadratic plane", turns},
+      {"two near sheets on a quadratic plane", "a point where no tube was found"},
+      {"cap on a quadratic plane, a point", irrational},
+      {"crossing on a quadratic plane", irrational},
+      {"tangent curve on a bilinear plane", curved},
+      {"tangent curve on a quadratic plane", curved},
+      {"tangent and transversal on a bilinear plane", "a special point with degenerate quadratic terms"},
+      {"tangent and transversal on a quadratic plane", curved},
+      {"cusp of the curve on a quadratic plane", irrational},
+      {"two branches tangent to each other on a quadratic plane", irrational},
+  };
+  Refusals refused;
+  for (const auto& [name, c] : planar_members())
+    if (const std::string reason = refusal(c.x, c.y); !reason.empty()) refused[name] = reason;
+  CHECK(refused == expected);
+}
+
 }  // namespace exsect
