@@ -156,6 +156,24 @@ class ErrorBound {
   std::vector<Vector3<N>> places_;  // on the polyline
 };
 
+/// T_i vanishes wherever w_k has the value: it is of degree <= 3 in each parameter.
+inline bool turns_on_side(const std::array<BezierPatch, 2>& patches, std::size_t i, const Side& side) {
+  const auto& [a, b, c] = others(side.parameter);
+  Vector4<Rational> w = {};
+  w[side.parameter] = side.value;
+  for (int n = 0; n < 64; ++n) {
+    w[a] = n % 4;
+    w[b] = n / 4 % 4;
+    w[c] = n / 16;
+    const std::array<Point, 4> columns = {
+        patches[0].derivative_first(w[0], w[1]), patches[0].derivative_second(w[0], w[1]),
+        patches[1].derivative_first(w[2], w[3]), patches[1].derivative_second(w[2], w[3])};
+    const auto& [p, q, r] = others(i);
+    if (dot(columns[p], cross(columns[q], columns[r])) != 0) return false;
+  }
+  return true;
+}
+
 template <class N>
 class ArcCheck {
  public:
@@ -267,6 +285,7 @@ class ArcCheck {
         if (!t[e])
           t[e] = tangent(replay_.equation[0].at(arc_.points[at[e]].at), {near[e], near[e], near[e], near[e]});
         signs[e] = (*t[e])[i].sign() * (*t[e])[tube.claim.axis].sign();
+        turns[e] = turns[e] || (is_node[e] && signs[e] == 0 && turns_at(node, i, tube.claim.axis));
       }
       if (turns[0] || turns[1])
         result[i] = turns[0] ? (turns[1] ? 0 : signs[1]) : signs[0];
@@ -274,6 +293,13 @@ class ArcCheck {
         result[i] = signs[0];
     }
     return result;
+  }
+
+  /// The node is on a side of the axis on which parameter i always turns.
+  bool turns_at(const Node<N>& node, std::size_t i, std::size_t axis) const {
+    return std::any_of(node.on.begin(), node.on.end(), [&](const Side& side) {
+      return side.parameter == axis && turns_on_side(replay_.certificate.patches, i, side);
+    });
   }
 
   /// In a chart, the signs with growing w of u, v, r, s; on one side of the diagonal.

@@ -1020,8 +1020,18 @@ class Checker:
             if node and i in node.wrt:
                 continue
             t = tangent(self.equation["pair"].at(at), [near] * 4)
-            signs.append(sign(t[i]) * sign(t[tube.axis]))
+            slope = sign(t[i]) * sign(t[tube.axis])
+            if slope or not node or tube.axis not in node.on or not self.turns_on_side(i, tube.axis, node.on[tube.axis]):
+                signs.append(slope)
         return signs[0] if signs and signs[0] == signs[-1] else 0
+
+    def turns_on_side(self, i, k, value):
+        """T_i vanishes wherever w_k has the value: it is of degree <= 3 in each parameter."""
+        for n in range(64):
+            w = [Fraction(a) for a in (n % 4, n // 4 % 4, n // 16)]
+            if tangent(self.equation["pair"].at(w[:k] + [Fraction(value)] + w[k:]), [Fraction(0)] * 4)[i][0]:
+                return False
+        return True
 
     def places_on_polyline(self, points, vertices, place):
         require(vertices[0] and vertices[-1], place, "an end of the polyline is missing")

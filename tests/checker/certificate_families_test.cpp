@@ -81,8 +81,6 @@ TEST_CASE("members of the families with each plane that have no certificate are 
   const std::string curved = "an arc along which the patches touch and that is no line of parameters";
   const std::string turns = "a claim that is not accepted: $.arcs[0]: not monotone in a parameter";
   const Refusals expected = {
-      {"quarter of a circle", turns},  // it turns where it meets the side
-      {"quarter of a circle on a larger plane", turns},
       {"quarter of a circle on a bilinear plane",
        "a claim that is not accepted: $.nodes[1]: a side does not follow from that of the tube's axis"},
       {"quarter of a circle on a quadratic plane", turns},

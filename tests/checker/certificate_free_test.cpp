@@ -1,4 +1,4 @@
-// Certificates of pairs with points at which a parameter is free, and sides at two speeds.
+// Certificates of pairs with points at which a parameter is free, sides at two speeds, turns on sides.
 #include "certificate_changes.h"
 #include "support/families.h"
 
@@ -34,6 +34,18 @@ TEST_CASE("a common side at two speeds has a certificate with a line of degree 2
   reason(text, "$.lines[0]: not a solution", [](Json& j) {
     for (Json& row : j["lines"][0]["at"])
       if (row[2] != "0") row[2] = "1/3";
+  });
+}
+
+TEST_CASE("an arc that turns where it meets a side has a certificate") {
+  for (const auto plane : {families::Plane::square, families::Plane::larger}) {
+    const ExactCase c = families::quarter_circle(plane);
+    CHECK(check_certificate(certificate(c.x, c.y)).summary.open == 1);
+  }
+  // With another slope of y across the side nothing turns there for certain.
+  const ExactCase c = families::quarter_circle(families::Plane::square);
+  reason(certificate(c.x, c.y), "$.", [](Json& j) {
+    for (Json& row : j["second"]["points"]) row[2][0] = "1/7";
   });
 }
 
