@@ -219,6 +219,21 @@ std::vector<Residue> interpolated(const PrimeField& field, std::size_t points, c
 
 }  // namespace
 
+namespace {
+
+/// The sum of M/p over the primes p, M their product.
+Integer sum_of_cofactors(const std::vector<std::uint64_t>& primes) {
+  Integer product = 1;
+  Integer sum = 0;
+  for (const std::uint64_t p : primes) {
+    sum = sum * p + product;
+    product *= p;
+  }
+  return sum;
+}
+
+}  // namespace
+
 LeadingParts leading_parts(const ModularIntegers& integers, std::size_t bits) {
   check(integers);
   const auto& [primes, residues] = integers;
@@ -229,18 +244,17 @@ LeadingParts leading_parts(const ModularIntegers& integers, std::size_t bits) {
   std::vector<mp_limb_t> sums(count * limbs, 0);
   std::vector<mp_limb_t> reciprocal(limbs + 1);
   Integer error = 0;
+  const Integer cofactors =
+      sum_of_cofactors(primes);  // M/p_k modulo p_k: the other terms are multiples of p_k
   for (std::size_t k = 0; k < primes.size(); ++k) {
     const mp_limb_t p = primes[k];
-    const mp_limb_t preinverse = n_preinvert_limb(p);
-    mp_limb_t cofactor = 1;
-    for (const std::uint64_t other : primes)
-      if (other != p) cofactor = n_mulmod2_preinv(cofactor, other, p, preinverse);
-    const mp_limb_t inverse = n_invmod(cofactor, p);
+    const mp_limb_t inverse = n_invmod(mpz_fdiv_ui(cofactors.backend().data(), p), p);
+    const mp_limb_t precomputed = n_mulmod_precomp_shoup(inverse, p);
     std::fill(reciprocal.begin(), reciprocal.end(), 0);
     reciprocal[limbs] = 1;
     mpn_divrem_1(reciprocal.data(), 0, reciprocal.data(), static_cast<mp_size_t>(limbs + 1), p);
     for (std::size_t i = 0; i < count; ++i) {
-      const mp_limb_t y = n_mulmod2_preinv(residues[k][i], inverse, p, preinverse);
+      const mp_limb_t y = n_mulmod_shoup(inverse, residues[k][i], precomputed, p);
       mpn_addmul_1(sums.data() + i * limbs, reciprocal.data(), static_cast<mp_size_t>(limbs), y);
     }
     error += p;

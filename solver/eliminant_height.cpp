@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 #include "fibre_forms.h"
@@ -141,22 +142,26 @@ FibreCoefficients<Majorant> majorant(const ScaledPair& pair) {
   return result;
 }
 
-/// Half of log2 of the mean over the unit circle of the squared 2-norm of the coefficient vector that `form`
-/// gives for a fibre: exact by Parseval's identity on 32 nodes (degree in u at most 31), rounded upwards.
-template <class Form>
-double log2_mean_norm(const ScaledPair& pair, const Form& form) {
-  const std::vector<Majorant> bound = form(majorant(pair));
-  double sum = 0;
+/// Half of log2 of the mean over the unit circle of the squared 2-norm of each coefficient vector that
+/// `forms` gives for a fibre: exact by Parseval's identity on 32 nodes (degree in u at most 31), rounded
+/// upwards.
+template <class Forms>
+auto log2_mean_norms(const ScaledPair& pair, const Forms& forms) {
+  const auto bound = forms(majorant(pair));
+  std::array<double, std::tuple_size_v<decltype(bound)>> sums{};
   for (std::size_t node = 0; node <= 16; ++node) {
-    const std::vector<Complex> values = form(at_root_of_unity(pair, node));
+    const auto values = forms(at_root_of_unity(pair, node));
     const double weight = node == 0 || node == 16 ? 0.5 : 1;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double modulus = std::sqrt(values[i].re * values[i].re + values[i].im * values[i].im) +
-                             0x1p-40 * bound[i].value + 0x1p-400;
-      sum += weight * modulus * modulus;
-    }
+    for (std::size_t k = 0; k < sums.size(); ++k)
+      for (std::size_t i = 0; i < values[k].size(); ++i) {
+        const Complex& value = values[k][i];
+        const double modulus =
+            std::sqrt(value.re * value.re + value.im * value.im) + 0x1p-40 * bound[k][i].value + 0x1p-400;
+        sums[k] += weight * modulus * modulus;
+      }
   }
-  return log2_upper(sum * (1 + 0x1p-40) / half_of_the_roots) / 2;
+  for (double& sum : sums) sum = log2_upper(sum * (1 + 0x1p-40) / half_of_the_roots) / 2;
+  return sums;
 }
 
 }  // namespace
@@ -170,21 +175,22 @@ HeightTerms height_terms(const IntegerPair& pair) {
   // J, R, and n_k J scale with the first, fourth, first power of the product of the three scales, times n_k.
   const auto scale = static_cast<double>(scaled.exponent[0] + scaled.exponent[1] + scaled.exponent[2]);
 
+  const auto norms = log2_mean_norms(scaled, [](const auto& f) { return turning_forms(f); });
   std::optional<double> jacobian;  // the best k
   for (std::size_t k = 0; k < 3; ++k) {
     const auto n = measure_lower(leading.n[k].coefficients);
     if (!n) continue;
     const double scale_of_n = scale - static_cast<double>(scaled.exponent[k]);
-    const double norm = log2_mean_norm(scaled, [k](const auto& f) { return turning_form(f, k); });
     const double log2_six = 2.585;  // of 36 terms, by Cauchy and Schwarz
-    const double bound = log2_six + norm + scale + scale_of_n - *n;
+    const double bound = log2_six + norms[k] + scale + scale_of_n - *n;
     jacobian = jacobian ? std::min(*jacobian, bound) : bound;
   }
   if (!jacobian) throw std::domain_error("eliminant_height: a_1 x a_2 vanishes identically");
-  const auto eliminant = [](const auto& f) { return fibre_eliminant(FibreForms(f)).r.coefficients; };
-  const auto exchanged = [&](const auto& f) { return eliminant(f.exchanged()); };
-  return {*jacobian, log2_mean_norm(scaled, eliminant) + 4 * scale,
-          log2_mean_norm(scaled, exchanged) + 4 * scale, *g_r, *g_s};
+  const auto [r_s, r_r] = log2_mean_norms(scaled, [](const auto& f) {
+    return std::array{fibre_eliminant(FibreForms(f)).r.coefficients,
+                      fibre_eliminant(FibreForms(f.exchanged())).r.coefficients};
+  });
+  return {*jacobian, r_s + 4 * scale, r_r + 4 * scale, *g_r, *g_s};
 }
 
 // (4.16)

@@ -141,25 +141,30 @@ std::vector<T> normal_form(const FibreCoefficients<T>& f, const SpaceVector<T>& 
   return result;
 }
 
-/// n_k J, J = x_v . (y_r x y_s) with v from the axis k, a polynomial of bidegree (5,5): the coefficient of
-/// r^p s^q at index 6 p + q (4.14).
+/// n_k J for k = 0, 1, 2, J = x_v . (y_r x y_s) with v from the axis k, a polynomial of bidegree (5,5): the
+/// coefficient of r^p s^q at index 6 p + q (4.14).
 template <class T>
-std::vector<T> turning_form(const FibreCoefficients<T>& f, std::size_t k) {
+std::array<std::vector<T>, 3> turning_forms(const FibreCoefficients<T>& f) {
   const SpaceVector<T> n = cross_product(f.a[1], f.a[2]);
   const std::vector<T> d1 = normal_form(f, f.a[1]);
   const std::vector<T> d2 = normal_form(f, f.a[2]);
-  std::vector<T> result(36);
-  for (std::size_t p = 0; p < 4; ++p)
-    for (std::size_t q = 0; q < 4; ++q) {
-      result[6 * p + q] = result[6 * p + q] + n[k] * d1[4 * p + q];
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) {
-          SpaceVector<T> w = f.y[i][j];
-          if (i + j == 0)
-            for (std::size_t c = 0; c < 3; ++c) w[c] = w[c] - f.a[0][c];
-          T& sum = result[6 * (p + i) + q + j];
-          sum = sum + multiple(2, cross_product(w, f.a[2])[k] * d2[4 * p + q]);
-        }
+  std::array<std::vector<T>, 3> result;
+  result.fill(std::vector<T>(36));
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      SpaceVector<T> w = f.y[i][j];
+      if (i + j == 0)
+        for (std::size_t c = 0; c < 3; ++c) w[c] = w[c] - f.a[0][c];
+      const SpaceVector<T> moment = cross_product(w, f.a[2]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const T twice = moment[k] + moment[k];
+        for (std::size_t p = 0; p < 4; ++p)
+          for (std::size_t q = 0; q < 4; ++q) {
+            T& sum = result[k][6 * (p + i) + q + j];
+            sum = sum + twice * d2[4 * p + q];
+            if (i + j == 0) sum = sum + n[k] * d1[4 * p + q];
+          }
+      }
     }
   return result;
 }

@@ -78,11 +78,12 @@ std::size_t norm_height(const FibreCoefficients<Polynomial>& f, const FibreProje
   const auto count = static_cast<double>(degree(points.finite));
   const double norms = log2_norm(points.finite) + log2_norm(other.finite);
   const SpaceVector<Polynomial> n = cross_product(f.a[1], f.a[2]);
+  const auto forms = turning_forms(f);
   std::optional<double> jacobian;  // of |J| / (max(1,|r|) max(1,|s|))^5 for a conic line
   for (std::size_t k = 0; k < 3; ++k) {
     if (n[k].is_zero()) continue;
     const double log2_six = 2.585;
-    const double bound = log2_six + log2_norm({turning_form(f, k)}) - measure(n[k]);
+    const double bound = log2_six + log2_norm({forms[k]}) - measure(n[k]);
     jacobian = jacobian ? std::min(*jacobian, bound) : bound;
   }
   const double m = jacobian ? count * *jacobian + 5 * norms -

@@ -58,7 +58,13 @@ double balanced(std::uint64_t a, std::uint64_t p) {
   return a <= p / 2 ? static_cast<double>(a) : -static_cast<double>(p - a);
 }
 
-double balanced(const Integer& a, std::uint64_t p) { return balanced(mpz_fdiv_ui(a.backend().data(), p), p); }
+double balanced(const Integer& a, std::uint64_t p) {
+  const auto& z = a.backend().data();
+  if (!mpz_fits_slong_p(z)) return balanced(mpz_fdiv_ui(z, p), p);
+  const auto q = static_cast<std::int64_t>(p);
+  const std::int64_t remainder = mpz_get_si(z) % q;
+  return balanced(static_cast<std::uint64_t>(remainder < 0 ? remainder + q : remainder), p);
+}
 
 void set_net(double (&lanes)[3][3][3][4], const IntegerNet& net, const LaneRow& primes) {
   for (std::size_t i = 0; i < 3; ++i)

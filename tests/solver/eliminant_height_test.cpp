@@ -76,7 +76,7 @@ TEST_CASE("the height bound is made of the right norms", "[eliminant_height]") {
     double jacobian = 1e9;
     const FibreForms<Polynomial> forms(fibre);
     for (std::size_t k = 0; k < 3; ++k)
-      jacobian = std::min(jacobian, std::log2(6) + norm(turning_form(fibre, k)) -
+      jacobian = std::min(jacobian, std::log2(6) + norm(turning_forms(fibre)[k]) -
                                         *measure_lower(integer_coefficients({{forms.n[k]}})));
     CHECK(std::abs(terms.jacobian - jacobian) < 0.2);
     CHECK(project_fibre(fibre).r.coefficients[16].degree() == 8);
