@@ -1,13 +1,12 @@
 #include "algebraic_fibre.h"
 
-#include <exsect/algebra/algebraic_value.h>
 #include <exsect/algebra/number_field.h>
 #include <exsect/geometry/integer_pair.h>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
+#include "exact_source.h"
 #include "exact_tangent.h"
 #include "fibre_projection.h"
 
@@ -16,41 +15,6 @@ namespace exsect {
 namespace {
 
 BivariatePolynomial in_s(const Polynomial& f) { return BivariatePolynomial({f}); }
-
-/// The quotient of two functions at the point, enclosed; nothing if the denominator is not told from zero.
-std::optional<RationalInterval> quotient_at(const BivariatePolynomial& numerator,
-                                            const BivariatePolynomial& denominator, const TriangularPoint& at,
-                                            const Rational& width) {
-  const RationalInterval n = enclosure_at(numerator, at, width);
-  const RationalInterval d = enclosure_at(denominator, at, width);
-  if (d.lower <= 0 && d.upper >= 0) return std::nullopt;
-  const std::array<Rational, 4> corners = {n.lower / d.lower, n.lower / d.upper, n.upper / d.lower,
-                                           n.upper / d.upper};
-  const auto [least, greatest] = std::minmax_element(corners.begin(), corners.end());
-  return RationalInterval{*least, *greatest};
-}
-
-class ExactSource : public CertifiedPoint::Source {
- public:
-  explicit ExactSource(ExactParameters exact) : exact_(std::move(exact)) {}
-
-  ParameterBox box(const Rational& width) const override {
-    ParameterBox result;
-    for (std::size_t j = 0; j < 4; ++j) result[j] = parameter(j, width);
-    return result;
-  }
-  std::optional<ExactParameters> exact_parameters() const override { return exact_; }
-
- private:
-  RationalInterval parameter(std::size_t j, const Rational& width) const {
-    for (Rational fine = width / 4;; fine /= 65536) {
-      const auto value = quotient_at(exact_.numerator[j], exact_.denominator[j], exact_.at, fine);
-      if (value && value->width() <= width) return *value;
-    }
-  }
-
-  ExactParameters exact_;
-};
 
 /// The four parameters by their parts in the fibre.
 struct Roles {
@@ -166,8 +130,8 @@ class FibreOverAlgebraic {
       if (!is_inside(exact)) continue;
       const std::array<bool, 4> zero = zero_tangent_components(x_, y_, exact);
       if (std::count(zero.begin(), zero.end(), true) != 4) continue;
-      result.push_back({CertifiedPoint(std::make_shared<ExactSource>(exact), power_of_two(-100), {}, 0, 0),
-                        value_, roles_.kept, roles_.eliminated, projection_, equation_});
+      result.push_back(
+          {certified(exact, {}), value_, roles_.kept, roles_.eliminated, projection_, equation_});
     }
     return result;
   }

@@ -2,63 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "landmark_tangent.h"
+#include "loop_seeds.h"
 #include "parameter_box.h"
 #include "self_folds.h"
-#include "subdivision.h"
+#include "self_near_cusps.h"
 #include "traced_curves.h"
+#include "undecided_places.h"
 
 namespace exsect {
 
 namespace {
 
-constexpr int kMostFailedLoops = 8;
 constexpr long kQuickBoxes = 2000;
-template <class Ball>
-constexpr long kMostBoxes = 60000;
-template <>
-inline constexpr long kMostBoxes<ArbBall<256>> = 4000;
-
-/// Places shown for undecided boxes: their coordinates are rounded outward to this grid.
-constexpr double kGrid = 0x1p-4;
-
-ParameterBox to_parameter_box(const std::array<double, 4>& lower, const std::array<double, 4>& upper) {
-  ParameterBox box;
-  for (std::size_t j = 0; j < 4; ++j) {
-    box[j] = {from_double(std::clamp(lower[j], 0.0, 1.0)), from_double(std::clamp(upper[j], 0.0, 1.0))};
-  }
-  return box;
-}
-
-/// The pairs of a box of a chart in the square, rounded outward to the grid.
-SearchRegion region_of(Chart chart, const ChartBox& box) {
-  const SearchRegion pairs = pair_bounds(chart, box);
-  SearchRegion region{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    region.lower[j] = std::clamp(kGrid * std::floor(pairs.lower[j] / kGrid - 0x1p-20), 0.0, 1.0);
-    region.upper[j] = std::clamp(kGrid * std::ceil(pairs.upper[j] / kGrid + 0x1p-20), 0.0, 1.0);
-  }
-  return region;
-}
-
-std::vector<ParameterBox> places(Chart chart, const std::vector<ChartBox>& boxes) {
-  std::set<std::pair<std::array<double, 4>, std::array<double, 4>>> regions;
-  for (const ChartBox& box : boxes) {
-    const SearchRegion region = region_of(chart, box);
-    regions.insert({region.lower, region.upper});
-  }
-  std::vector<SearchRegion> distinct;
-  for (const auto& [lower, upper] : regions) {
-    distinct.push_back({lower, upper});
-  }
-  std::vector<ParameterBox> result;
-  for (const SearchRegion& region : merged(std::move(distinct))) {
-    result.push_back(to_parameter_box(region.lower, region.upper));
-  }
-  return result;
-}
 
 template <class Ball>
 class SelfTracing {
@@ -82,10 +39,7 @@ class SelfTracing {
   }
 
   SelfCurves<Ball> run() {
-    find_cusps();
-    if (result_.problems.empty()) {
-      trace_from_cusps();
-    }
+    add_near_cusps(result_, system_, exact_, places_, width_, stop_);
     used_.assign(result_.landmarks.size(), {});
     for (const MultipleFold& fold : exact_.folds) {
       use_ends(fold);
@@ -100,14 +54,6 @@ class SelfTracing {
     }
     if (result_.problems.empty()) {
       search_closed_curves();
-    }
-    return std::move(result_);
-  }
-
-  SelfCurves<Ball> run_near_cusps() {
-    find_cusps();
-    if (result_.problems.empty()) {
-      trace_from_cusps();
     }
     return std::move(result_);
   }
@@ -134,78 +80,6 @@ class SelfTracing {
 
   void problem(const ParameterBox& where, const std::string& why) {
     result_.problems.push_back({where, stop_ && stop_() ? "the work cap was reached" : why});
-  }
-
-  void find_cusps() {
-    for (const ChartSystem<Ball>& chart : system_.charts) {
-      const CuspSearchOutcome<Ball> outcome = search_cusps(chart, places_, stop_);
-      for (const ParameterBox& where : places(chart.chart(), outcome.undecided)) {
-        problem(where, "cuspidal points are not isolated here: a cuspidal curve, or a degenerate one");
-      }
-      for (const ChartCusp<Ball>& cusp : outcome.cusps) {
-        add_cusp(chart, cusp);
-      }
-    }
-  }
-
-  void add_cusp(const ChartSystem<Ball>& chart, const ChartCusp<Ball>& cusp) {
-    for (std::size_t j = 0; j < 2; ++j) {
-      if (cusp.at[j].is_negative() || (cusp.at[j] - Ball(1)).is_positive()) {
-        return;
-      }
-    }
-    if (passes_near_cusp(result_, chart.chart(), cusp.at)) {
-      return;  // |m| = 1 belongs to both charts
-    }
-    const auto arc = cusp_arc(chart, cusp, exact_place(chart, cusp, exact_.cusps, width_));
-    if (!arc) {
-      add_problem(
-          chart.chart(), cusp.at,
-          "a cuspidal point that is nearly singular, or nearly on a side or on a folded parameter line");
-    } else if (arc->leaves()) {
-      result_.leaving.push_back(*arc);
-    } else {
-      result_.cusps.push_back(*arc);
-    }
-  }
-
-  void add_problem(Chart chart, const BallPoint<Ball>& cusp, const char* why) {
-    std::array<double, 2> at = {cusp[0].approximation(), cusp[1].approximation()};
-    if (chart == Chart::second) {
-      std::swap(at[0], at[1]);
-    }
-    problem(around({at[0], at[1], at[0], at[1]}), why);
-  }
-
-  /// A curve that joins two cuspidal points may be found from one of them, and end at a gate from the other
-  /// one.
-  void trace_from_cusps() {
-    std::vector<bool> joined(result_.cusps.size(), false);
-    std::vector<ChartTrace<Ball>> traces;
-    for (std::size_t k = 0; k < result_.cusps.size(); ++k) {
-      if (joined[k]) {
-        continue;
-      }
-      traces.push_back(trace_from_cusp(system_.charts, result_.cusps, static_cast<int>(k)));
-      if (traces.back().end >= 0) {
-        joined[k] = joined[static_cast<std::size_t>(traces.back().end)] = true;
-      }
-    }
-    for (ChartTrace<Ball>& trace : traces) {
-      if (trace.end < 0 && joined[static_cast<std::size_t>(trace.start)]) {
-        continue;
-      }
-      if (const auto failure = find_chart_turning_points(system_.charts, trace, exact_.coincident)) {
-        problem(around(failure->where), failure->why);
-        return;
-      }
-      if (trace.end < 0) {
-        result_.gates.push_back(result_.chart_traces.size());
-        result_.landmarks.push_back(trace.gate);
-        result_.landmarks.push_back(exchanged_pair(trace.gate));
-      }
-      result_.chart_traces.push_back(std::move(trace));
-    }
   }
 
   /// The directions of the tangent field that may enter the domain at a boundary point; `certain`: they do.
@@ -458,9 +332,10 @@ class SelfTracing {
         return is_known(which, p);
       };
       const std::array<double, 2> own = which == Chart::first ? c : std::array<double, 2>{c[1], c[0]};
-      const ChartSearchOutcome outcome = search_chart(chart, places_, own, known, kMostBoxes<Ball>, stop_);
+      const ChartSearchOutcome outcome =
+          search_chart(chart, places_, own, known, kMostChartBoxes<Ball>, stop_);
       result_.searched_boxes += outcome.boxes;
-      for (const ParameterBox& where : places(which, outcome.undecided)) {
+      for (const ParameterBox& where : undecided_places(which, outcome.undecided)) {
         problem(where, "a closed curve or a singular point of the self-intersection is not excluded here");
       }
     }
@@ -480,7 +355,11 @@ class SelfTracing {
       }
     }
     return is_in_star(pair) || lies_on_curve(pair) || lies_on_curve(exchanged_pair(pair)) ||
-           traced_from(pair);
+           seeds_.trace(system_.pair, result_.landmarks, pair, stop_, [this](auto outcome) {
+             const std::size_t before = result_.problems.size();
+             add(std::move(outcome));
+             return result_.problems.size() == before;
+           });
   }
 
   bool is_in_star(const BallPoint<Ball>& pair) const {
@@ -499,20 +378,6 @@ class SelfTracing {
     });
   }
 
-  bool traced_from(const BallPoint<Ball>& pair) {
-    if (failed_loops_ >= kMostFailedLoops) {
-      return false;
-    }
-    auto outcome = trace_loop(system_.pair, result_.landmarks, pair, stop_);
-    if (std::holds_alternative<TraceFailure>(outcome)) {
-      ++failed_loops_;
-      return false;
-    }
-    const std::size_t before = result_.problems.size();
-    add(std::move(outcome));
-    return result_.problems.size() == before;
-  }
-
   const SelfSystem<Ball>& system_;
   const ExactPlaces& exact_;
   const SelfBoundary& boundary_;
@@ -520,7 +385,7 @@ class SelfTracing {
   const StopRequest& stop_;
   KnownPlaces places_;
   std::vector<std::vector<int>> used_;  // directions of T in which a curve leaves each landmark
-  int failed_loops_ = 0;
+  LoopSeeds<Ball> seeds_;
   SelfCurves<Ball> result_;
 };
 
@@ -532,21 +397,6 @@ SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const ExactPl
   return SelfTracing<Ball>(system, exact, width, stop).run();
 }
 
-template <class Ball>
-SelfCurves<Ball> trace_near_cusps(const SelfSystem<Ball>& system, const ExactPlaces& exact,
-                                  const Rational& width, const StopRequest& stop) {
-  return SelfTracing<Ball>(system, exact, width, stop).run_near_cusps();
-}
-
-template <class Ball>
-bool passes_near_cusp(const SelfCurves<Ball>& curves, Chart chart, const BallPoint<Ball>& point) {
-  const auto passes = [&](const CuspArc<Ball>& arc) { return passes_through(arc, chart, point); };
-  return std::any_of(curves.cusps.begin(), curves.cusps.end(), passes) ||
-         std::any_of(curves.leaving.begin(), curves.leaving.end(), passes) ||
-         std::any_of(curves.chart_traces.begin(), curves.chart_traces.end(),
-                     [&](const ChartTrace<Ball>& trace) { return passes_through(trace, chart, point); });
-}
-
 bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopRequest& stop) {
   return std::all_of(system.charts.begin(), system.charts.end(), [&](const ChartSystem<DoubleBall>& chart) {
     return search_chart<DoubleBall>(chart, KnownPlaces({}), {1, 0}, {}, kQuickBoxes, stop).undecided.empty();
@@ -555,10 +405,7 @@ bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopReques
 
 #define EXSECT_INSTANTIATE_SELF_CURVES(Ball)                                                                \
   template SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>&, const ExactPlaces&, const Rational&, \
-                                              const StopRequest&);                                          \
-  template SelfCurves<Ball> trace_near_cusps(const SelfSystem<Ball>&, const ExactPlaces&, const Rational&,  \
-                                             const StopRequest&);                                           \
-  template bool passes_near_cusp(const SelfCurves<Ball>&, Chart, const BallPoint<Ball>&);
+                                              const StopRequest&);
 
 EXSECT_INSTANTIATE_SELF_CURVES(DoubleBall)
 EXSECT_INSTANTIATE_SELF_CURVES(ArbBall<256>)

@@ -8,13 +8,18 @@
 #include <utility>
 
 #include "exact_line_points.h"
+#include "exact_source.h"
 #include "fold_expansion.h"
 #include "parameter_box.h"
+#include "singular_pairs.h"
 #include "singular_points.h"
 #include "special_cusps.h"
 
 namespace exsect {
 namespace {
+
+/// Of the polynomial of a value over which singular pairs are looked for.
+constexpr int kLargestDegree = 8;
 
 /// Singular points may be this far from where a trace came to an end.
 Rational nearness() { return power_of_two(-5); }
@@ -49,7 +54,7 @@ class CentreSearch {
  public:
   CentreSearch(const BezierPatch& x, const std::vector<CertifiedPoint>& boundary,
                const std::vector<ParameterBox>& where, const SelfValues& values)
-      : x_(x), boundary_(boundary), where_(where), values_(values) {}
+      : x_(x), exchanged_(x.exchanged()), boundary_(boundary), where_(where), values_(values) {}
 
   std::vector<SelfCentre> run() {
     add_cuspidal();
@@ -57,6 +62,7 @@ class CentreSearch {
     for (const CertifiedPoint& point : boundary_)
       if (is_near(point.box()) && lies_in_a_side(point)) add_rational(point);
     for (const std::size_t sweep : {0, 1}) add_multiple(sweep);
+    for (const std::size_t sweep : {0, 1}) add_algebraic(sweep);
     return std::move(centres_);
   }
 
@@ -148,6 +154,49 @@ class CentreSearch {
     }
   }
 
+  /// Singular pairs over irrational values.
+  void add_algebraic(std::size_t sweep) {
+    if (!values_.turning[sweep]) return;
+    const BezierPatch& owner = sweep == 1 ? x_ : exchanged_;
+    std::optional<SelfProjection> projection;
+    for (const RealAlgebraic& value : *values_.turning[sweep]) {
+      if (value.is_rational() || value.polynomial().degree() > kLargestDegree || !is_near(value, sweep))
+        continue;
+      if (!projection) projection = self_projection(owner);
+      for (ExactParameters& pair : singular_pairs_over(owner, *projection, value)) {
+        if (sweep == 0)
+          for (auto* list : {&pair.numerator, &pair.denominator}) {
+            std::swap((*list)[0], (*list)[1]);
+            std::swap((*list)[2], (*list)[3]);
+          }
+        add_algebraic(sweep, std::move(pair), projection->curve);
+      }
+    }
+  }
+
+  bool is_near(const RealAlgebraic& value, std::size_t parameter) const {
+    const RationalInterval at = value.interval();
+    return std::ranges::any_of(where_, [&](const ParameterBox& place) {
+      return std::ranges::any_of(std::array{parameter, parameter + 2}, [&](std::size_t j) {
+        return at.lower <= place[j].upper + nearness() && place[j].lower - nearness() <= at.upper;
+      });
+    });
+  }
+
+  void add_algebraic(std::size_t sweep, ExactParameters pair, const BivariatePolynomial& projection) {
+    std::array<RealAlgebraic, 4> value = {0, 0, 0, 0};
+    for (std::size_t j = 0; j < 4; ++j) {
+      const auto& known = values_.turning[j % 2];
+      if (!known) return;
+      const auto own = std::ranges::find_if(
+          *known, [&](const RealAlgebraic& candidate) { return has_value(pair, j, candidate); });
+      if (own == known->end()) return;
+      value[j] = *own;
+    }
+    const CertifiedPoint point = certified(std::move(pair), sides_at(value));
+    if (is_near(point.box())) centres_.push_back({point, value, false, {sweep}, landmark(value), projection});
+  }
+
   /// The boundary points are all pairs on sides but those with no side on which one point alone lies.
   std::optional<std::size_t> landmark(const std::array<RealAlgebraic, 4>& value) const {
     const std::vector<Side> sides = sides_at(value);
@@ -171,6 +220,7 @@ class CentreSearch {
   }
 
   const BezierPatch& x_;
+  BezierPatch exchanged_;
   const std::vector<CertifiedPoint>& boundary_;
   const std::vector<ParameterBox>& where_;
   const SelfValues& values_;

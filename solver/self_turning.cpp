@@ -47,17 +47,11 @@ Polynomial content(const Form& f) {
 
 Form without_content(const Form& f) { return exact_quotient(f, Form({content(f)})); }
 
-/// The same number, known to be rational if it has small terms.
-RealAlgebraic recognised(const RealAlgebraic& root) {
-  const RationalInterval near = root.refined_to(power_of_two(-60)).interval();
-  if (near.width() == 0) return near.lower;
-  const Rational candidate = simplest_between(near.lower, near.upper);
-  return root.compare(candidate) == 0 ? RealAlgebraic(candidate) : root;
-}
-
+/// With irreducible polynomials.
 void add_roots(std::vector<RealAlgebraic>& values, const Polynomial& f) {
   if (f.degree() < 1) return;
-  for (const RealAlgebraic& root : real_roots(f, 0, 1)) values.push_back(recognised(root));
+  for (const PolynomialPower& power : irreducible_factors(f))
+    for (const RealAlgebraic& root : real_roots(power.factor, 0, 1)) values.push_back(root);
 }
 
 std::vector<RealAlgebraic> ascending(std::vector<RealAlgebraic> values) {

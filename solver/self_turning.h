@@ -21,9 +21,10 @@ struct SelfProjection {
 };
 SelfProjection self_projection(const BezierPatch& x);
 
-/// Values of v1 in [0,1], ascending, each once. Over an open interval without them the pairs in the square
-/// are disjoint arcs, analytic graphs over v1, at most one over each (u2,v1), and no line v1 = constant holds
-/// infinitely many. Empty if this cannot be had: Q vanishes, or has a multiple factor on which all minors do.
+/// Values of v1 in [0,1], ascending, each once, with irreducible polynomials. Over an open interval without
+/// them the pairs in the square are disjoint arcs, analytic graphs over v1, at most one over each (u2,v1),
+/// and no line v1 = constant holds infinitely many. Empty if this cannot be had: Q vanishes, or has a
+/// multiple factor on which all minors do.
 std::optional<std::vector<RealAlgebraic>> self_turning_values(const BezierPatch& x);
 
 /// The values of v of all cuspidal points, x_u x x_v = 0, and possibly others; empty if these are not

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "landmark_tangent.h"
-#include "self_graph.h"
+#include "loop_seeds.h"
+#include "pair_map.h"
 #include "self_search.h"
 #include "traced_curves.h"
 
@@ -13,55 +13,9 @@ namespace exsect {
 
 namespace {
 
-template <class Ball>
-constexpr long kMostBoxes = 60000;
-template <>
-inline constexpr long kMostBoxes<ArbBall<256>> = 4000;
-constexpr int kMostFailedLoops = 8;
-
-/// t -> outer^-1(inner(t))
-AffineMap quotient(const AffineMap& outer, const AffineMap& inner) {
-  return {(inner.offset - outer.offset) / outer.factor, inner.factor / outer.factor};
-}
-
 BezierPatch restricted(const BezierPatch& x, const std::array<AffineMap, 2>& to) {
   return x.restricted_to(to[0](0), to[0](1), to[1](0), to[1](1));
 }
-
-/// Pairs of points of a rectangle of the (u,v) plane, each given in [0,1]², as (u,v,r,s).
-class PairMap {
- public:
-  PairMap(const ShiftedCopy& copy, const std::array<AffineMap, 2>& rectangle)
-      : maps_({rectangle[0], rectangle[1], quotient(copy.maps[0], rectangle[0]),
-               quotient(copy.maps[1], rectangle[1])}) {}
-
-  template <class Ball>
-  BallPoint<Ball> operator()(const BallPoint<Ball>& pair) const {
-    BallPoint<Ball> result;
-    for (std::size_t j = 0; j < 4; ++j) {
-      result[j] = Ball::enclosing(maps_[j].offset) + Ball::enclosing(maps_[j].factor) * pair[j];
-    }
-    return result;
-  }
-
-  std::array<double, 4> operator()(const std::array<double, 4>& pair) const {
-    std::array<double, 4> result{};
-    for (std::size_t j = 0; j < 4; ++j) {
-      const double value = to_double(maps_[j].offset) + to_double(maps_[j].factor) * pair[j];
-      result[j] = std::clamp(value, 0.0, 1.0);
-    }
-    return result;
-  }
-
-  RationalInterval operator()(const RationalInterval& interval, std::size_t j) const {
-    const Rational a = maps_[j](interval.lower);
-    const Rational b = maps_[j](interval.upper);
-    return {std::min(a, b), std::max(a, b)};
-  }
-
- private:
-  std::array<AffineMap, 4> maps_;
-};
 
 template <class Ball>
 bool certainly_outside(const Ball& c) {
@@ -236,7 +190,7 @@ class TwoPieceTracing {
         return is_known(which, p);
       };
       const ChartSearchOutcome outcome =
-          search_chart<Ball>(chart, KnownPlaces({}), {1, 0.375}, known, kMostBoxes<Ball>, stop_);
+          search_chart<Ball>(chart, KnownPlaces({}), {1, 0.375}, known, kMostChartBoxes<Ball>, stop_);
       result_.searched_boxes += outcome.boxes;
       if (!outcome.undecided.empty()) {
         problem(whole_domain(),
@@ -272,21 +226,11 @@ class TwoPieceTracing {
     return std::any_of(pair.begin(), pair.end(), [](const Ball& c) { return certainly_outside(c); }) ||
            std::any_of(result_.curves.begin(), result_.curves.end(),
                        [&](const AnalysedTrace<Ball>& curve) { return passes_through(curve.trace, pair); }) ||
-           traced_from(pair);
-  }
-
-  bool traced_from(const BallPoint<Ball>& pair) {
-    if (failed_loops_ >= kMostFailedLoops) {
-      return false;
-    }
-    auto outcome = trace_loop(system_, result_.landmarks, pair, stop_);
-    if (std::holds_alternative<TraceFailure>(outcome)) {
-      ++failed_loops_;
-      return false;
-    }
-    const std::size_t before = result_.problems.size();
-    add(std::move(outcome));
-    return result_.problems.size() == before;
+           seeds_.trace(system_, result_.landmarks, pair, stop_, [this](auto outcome) {
+             const std::size_t before = result_.problems.size();
+             add(std::move(outcome));
+             return result_.problems.size() == before;
+           });
   }
 
   const TwoPieces& pieces_;
@@ -299,128 +243,8 @@ class TwoPieceTracing {
   std::array<std::size_t, 4> coincident_;
   const Rational& width_;
   const StopRequest& stop_;
-  int failed_loops_ = 0;
+  LoopSeeds<Ball> seeds_;
   TwoPieceCurves<Ball> result_;
-};
-
-template <class Ball>
-class TwoPieceGraph {
- public:
-  TwoPieceGraph(IntersectionGraph& graph, const TwoPieces& pieces, const SelfSystem<Ball>& shared,
-                const PairSystem<Ball>& system, const TwoPieceCurves<Ball>& found, const ModelFrame& frame,
-                const std::vector<Parameter>& wanted, double tolerance)
-      : graph_(graph),
-        shared_(shared),
-        system_(system),
-        found_(found),
-        frame_(frame),
-        wanted_(wanted),
-        tolerance_(tolerance),
-        boundary_points_(found.landmarks.size() - found.near.landmarks.size()),
-        from_common_(pieces.copy, pieces.common) {}
-
-  void run() {
-    graph_.isolated_points = found_.isolated;
-    for (std::size_t i = boundary_points_; i < found_.landmarks.size(); ++i) {
-      add_gate(found_.landmarks[i]);
-    }
-    first_cusp_ = static_cast<int>(graph_.nodes.size());
-    for (const CuspArc<Ball>& cusp : found_.near.cusps) {
-      Node node = cusp_node(shared_.chart(cusp.chart), cusp, frame_);
-      node.kinds.push_back(NodeKind::end_of_overlap);
-      node.id = static_cast<int>(graph_.nodes.size());
-      move(node);
-      graph_.nodes.push_back(std::move(node));
-    }
-    for (const ChartTrace<Ball>& trace : found_.near.chart_traces) {
-      if (trace.end >= 0) {
-        append(near_arcs(trace, false));
-        append(near_arcs(trace, true));
-      }
-    }
-    for (const AnalysedTrace<Ball>& curve : found_.curves) {
-      append(joined_arcs(curve));
-    }
-  }
-
- private:
-  /// Where the arcs of a trace end before they are joined to those in the charts.
-  void add_gate(const BallPoint<Ball>& gate) {
-    ParameterBox box;
-    for (std::size_t j = 0; j < 4; ++j) {
-      box[j] = gate[j].interval();
-    }
-    graph_.nodes.push_back(landmark_node(system_, frame_, gate, box, {}));
-    graph_.nodes.back().id = static_cast<int>(graph_.nodes.size()) - 1;
-  }
-
-  void move(Node& node) const {
-    for (std::size_t j = 0; j < 4; ++j) {
-      node.box[j] = from_common_(node.box[j], j);
-    }
-    node.approx = from_common_(node.approx);
-  }
-
-  /// From the cuspidal point of a trace in the charts on, in one of the two orders.
-  std::vector<Arc> near_arcs(const ChartTrace<Ball>& trace, bool exchanged) {
-    const std::size_t before = graph_.nodes.size();
-    const int end = trace.end < 0 ? -1 : first_cusp_ + trace.end;
-    std::vector<Arc> arcs = chart_arcs(graph_, shared_, trace, exchanged, frame_, wanted_, tolerance_,
-                                       first_cusp_ + trace.start, end);
-    for (std::size_t i = before; i < graph_.nodes.size(); ++i) {
-      move(graph_.nodes[i]);
-    }
-    for (Arc& arc : arcs) {
-      for (PolylineVertex& vertex : arc.polyline) {
-        vertex.parameters = from_common_(vertex.parameters);
-      }
-    }
-    return arcs;
-  }
-
-  std::optional<std::vector<Arc>> arcs_to_gate(int landmark) {
-    const int first_gate = static_cast<int>(boundary_points_);
-    if (landmark < first_gate) {
-      return std::nullopt;
-    }
-    const auto gate = found_.near.gate(landmark - first_gate);
-    return near_arcs(found_.near.chart_traces[gate->trace], gate->exchanged);
-  }
-
-  std::vector<Arc> joined_arcs(const AnalysedTrace<Ball>& curve) {
-    const auto before = static_cast<std::ptrdiff_t>(graph_.arcs.size());
-    append_trace(graph_, curve, found_.landmarks, nodes_of_landmarks(found_.landmarks.size()), frame_,
-                 wanted_, tolerance_);
-    std::vector<Arc> arcs(std::make_move_iterator(graph_.arcs.begin() + before),
-                          std::make_move_iterator(graph_.arcs.end()));
-    graph_.arcs.resize(static_cast<std::size_t>(before));
-    if (const auto lead = arcs_to_gate(curve.trace.start)) {
-      arcs = joined(*lead, std::move(arcs));
-    }
-    if (auto tail = arcs_to_gate(curve.trace.end)) {
-      reverse(*tail);
-      arcs = joined(std::move(arcs), std::move(*tail));
-    }
-    return arcs;
-  }
-
-  void append(std::vector<Arc> arcs) {
-    for (Arc& arc : arcs) {
-      arc.id = static_cast<int>(graph_.arcs.size());
-      graph_.arcs.push_back(std::move(arc));
-    }
-  }
-
-  IntersectionGraph& graph_;
-  const SelfSystem<Ball>& shared_;
-  const PairSystem<Ball>& system_;
-  const TwoPieceCurves<Ball>& found_;
-  const ModelFrame& frame_;
-  const std::vector<Parameter>& wanted_;
-  double tolerance_;
-  std::size_t boundary_points_;
-  PairMap from_common_;
-  int first_cusp_ = 0;
 };
 
 }  // namespace
@@ -465,21 +289,11 @@ TwoPieceCurves<Ball> trace_two_pieces(const TwoPieces& pieces, const SelfSystem<
   return TwoPieceTracing<Ball>(pieces, shared, system, boundary, origin, exponent, width, stop).run();
 }
 
-template <class Ball>
-void append_two_pieces(IntersectionGraph& graph, const TwoPieces& pieces, const SelfSystem<Ball>& shared,
-                       const PairSystem<Ball>& system, const TwoPieceCurves<Ball>& found,
-                       const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance) {
-  TwoPieceGraph<Ball>(graph, pieces, shared, system, found, frame, wanted, tolerance).run();
-}
-
-#define EXSECT_INSTANTIATE_TWO_PIECES(Ball)                                                                \
-  template BallPoint<Ball> in_common(const TwoPieces&, Chart, const BallPoint<Ball>&);                     \
-  template TwoPieceCurves<Ball> trace_two_pieces(                                                          \
-      const TwoPieces&, const SelfSystem<Ball>&, const PairSystem<Ball>&,                                  \
-      const std::vector<CertifiedPoint>&, const Point&, long, const Rational&, const StopRequest&);        \
-  template void append_two_pieces(IntersectionGraph&, const TwoPieces&, const SelfSystem<Ball>&,           \
-                                  const PairSystem<Ball>&, const TwoPieceCurves<Ball>&, const ModelFrame&, \
-                                  const std::vector<Parameter>&, double);
+#define EXSECT_INSTANTIATE_TWO_PIECES(Ball)                                            \
+  template BallPoint<Ball> in_common(const TwoPieces&, Chart, const BallPoint<Ball>&); \
+  template TwoPieceCurves<Ball> trace_two_pieces(                                      \
+      const TwoPieces&, const SelfSystem<Ball>&, const PairSystem<Ball>&,              \
+      const std::vector<CertifiedPoint>&, const Point&, long, const Rational&, const StopRequest&);
 
 EXSECT_INSTANTIATE_TWO_PIECES(DoubleBall)
 EXSECT_INSTANTIATE_TWO_PIECES(ArbBall<256>)

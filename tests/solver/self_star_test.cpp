@@ -7,7 +7,9 @@
 #include <random>
 #include <vector>
 
+#include "../../solver/exact_source.h"
 #include "../../solver/self_turning.h"
+#include "../../solver/singular_pairs.h"
 #include "support/catch.h"
 #include "support/graph_checks.h"
 #include "support/self_locus.h"
@@ -59,6 +61,10 @@ const std::vector<int> kTouchingFold = {0, -1, -1, 0, 0, -1, 1, 1, 0, 0,  -1, 0,
                                         1, 0,  -1, 0, 1, 0,  1, 0, 1, -1, 1,  0, 1};
 const std::vector<int> kPlanarFold = {0, 0,  -1, -1, 1,  0, 0,  1, 1, 1,  1, -1, 1, 1,
                                       0, -1, 1,  1,  -1, 0, -1, 1, 1, -1, 0, 1,  1};
+
+// Two curves cross in a pair with irrational parameters, of degree 2 over Q.
+const std::vector<int> kIrrationalCrossing = {0, 1, -1, 1,  0, 0, 0,  0,  0, 0, 0, 1, 1, 1,
+                                              1, 0, 1,  -1, 0, 0, -1, -1, 1, 0, 1, 0, 0};
 
 /// The line v = c turns at u = f, and both tangent planes agree along it, for one of the two reasons.
 BezierPatch multiple_fold(std::mt19937& generator, bool planar, const Rational& f, const Rational& c) {
@@ -198,6 +204,41 @@ TEST_CASE("folded lines inside along which both tangent planes agree") {
 TEST_CASE("a curve that crosses the pairs of a folded line") {
   const IntersectionGraph graph = checked(patch(kCrossedFold));
   CHECK(degrees(graph, NodeKind::crossing) == std::vector{4});
+}
+
+TEST_CASE("a crossing at a pair with irrational parameters") {
+  const BezierPatch x = patch(kIrrationalCrossing);
+  const IntersectionGraph graph = checked(x);
+  CHECK(degrees(graph, NodeKind::crossing) == std::vector{4});
+}
+
+TEST_CASE("singular pairs over an irrational value, exactly") {
+  const BezierPatch x = patch(kIrrationalCrossing);
+  const SelfProjection projection = self_projection(x);
+  int pairs = 0;
+  const auto values = self_turning_values(x);
+  REQUIRE(values);
+  for (const RealAlgebraic& value : *values) {
+    CHECK(irreducible_factors(value.polynomial()).size() == 1);
+    if (value.is_rational() || value.polynomial().degree() > 4) continue;
+    for (const ExactParameters& pair : singular_pairs_over(x, projection, value)) {
+      ++pairs;
+      CHECK(has_value(pair, 1, value));
+      CHECK_FALSE(has_value(pair, 0, value));
+      CHECK_FALSE(has_value(pair, 1, Rational(1, 2)));
+      std::array<RationalInterval, 4> at;
+      for (std::size_t j = 0; j < 4; ++j) at[j] = enclosure(pair, j, power_of_two(-200));
+      // Substituted back: the images and the tangent planes of the two points agree.
+      const Rational u = at[0].midpoint(), v = at[1].midpoint(), r = at[2].midpoint(), s = at[3].midpoint();
+      const Point gap = x(u, v) - x(r, s);
+      const Point normal = cross(x.derivative_first(u, v), x.derivative_second(u, v));
+      const Point other = cross(x.derivative_first(r, s), x.derivative_second(r, s));
+      CHECK(dot(gap, gap) < power_of_two(-300));
+      CHECK(dot(cross(normal, other), cross(normal, other)) < power_of_two(-300));
+      CHECK(abs(u - r) + abs(v - s) > Rational(1, 10));
+    }
+  }
+  CHECK(pairs == 2);
 }
 
 TEST_CASE("a cuspidal corner at which the patch does not meet itself") {

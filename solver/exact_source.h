@@ -1,0 +1,16 @@
+// Points given by fractions at a triangular set, as certified points. Internal to solver/.
+#pragma once
+
+#include <exsect/solver/certified_point.h>
+
+#include <vector>
+
+namespace exsect {
+
+/// A closed interval of width at most `width` around parameter j.
+RationalInterval enclosure(const ExactParameters& exact, std::size_t j, const Rational& width);
+
+/// The point, given the sides it lies on: inside a box of width 2^-100, no fibre's multiplicity or branch.
+CertifiedPoint certified(ExactParameters exact, const std::vector<Side>& sides);
+
+}  // namespace exsect
