@@ -137,20 +137,26 @@ class Run {
           return next < input_.size() ? std::optional(next++) : std::nullopt;
         },
         .work =
-            [&](std::uint64_t local) { return solved_line(input_, options_.shard, local, options_.line); },
-        .done = [&](const TaskResult& result) { add(result.task, result.text); },
+            [&](std::uint64_t local) {
+              return packed(solved_line(input_, options_.shard, local, options_.line));
+            },
+        .done = [&](const TaskResult& result) { add(result.task, unpacked(result.text)); },
         .lost = [&](std::uint64_t local,
                     const std::string& why) { add(local, failed_line(input_, options_.shard, local, why)); },
-        .tick = [&] { progress.report(tally_.lines); }};
+        .tick =
+            [&] {
+              output_.flush();
+              progress.report(tally_.lines);
+            }};
     return run_pool(options_.limits, user);
   }
 
   const Tally& tally() const { return tally_; }
 
  private:
-  void add(std::uint64_t local, const std::string& line) {
-    output_.add(local, line);
-    count_line(line, tally_);
+  void add(std::uint64_t local, const BatchLine& line) {
+    output_.add(local, line.text);
+    tally_ += line.tally;
   }
   std::uint64_t place(std::uint64_t line) const {
     if (!options_.shard.contains(line)) throw std::invalid_argument("is not a line of this shard");

@@ -4,7 +4,9 @@
 #include <exsect/geometry/text_file.h>
 #include <exsect/solver/self_intersect.h>
 
+#include <cstring>
 #include <stdexcept>
+#include <type_traits>
 
 #include "../intersection_json.h"
 
@@ -25,11 +27,6 @@ Json head(const BatchInput& input, const Shard& shard, std::uint64_t local, cons
     line["second"] = subject->y.name;
   }
   return line;
-}
-
-/// invalid UTF-8, which only paths can hold, is replaced.
-std::string text(const Json& line) {
-  return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 IntersectResult solve(const Subject& subject, bool meet, const IntersectOptions& options) {
@@ -63,18 +60,56 @@ void count_complete(const std::string& by, Tally& tally) {
   ++(by == "boxes" ? tally.by_boxes : by == "doubles" ? tally.by_doubles : tally.by_exact);
 }
 
+/// Counts a line, of which the result may be missing; its number.
+std::uint64_t count(const Json& line, Tally& tally) {
+  const std::string status = line.at("status").get<std::string>();
+  ++tally.lines;
+  if (line.contains("patch")) ++tally.selves;
+  if (status == "failed") {
+    ++tally.failed;
+  } else {
+    count_summary(line.at("summary"), tally);
+    if (status == "complete")
+      count_complete(line.at("by").get<std::string>(), tally);
+    else
+      ++tally.incomplete;
+  }
+  return line.at("line").get<std::uint64_t>();
+}
+
+BatchLine counted_line(const Json& line) {
+  BatchLine result;
+  // Invalid UTF-8, which only paths can hold, is replaced.
+  result.text = line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  count(line, result.tally);
+  return result;
+}
+
+/// Every number of a tally.
+constexpr std::uint64_t Tally::*numbers[] = {
+    &Tally::lines,    &Tally::selves,     &Tally::complete, &Tally::incomplete, &Tally::failed,
+    &Tally::by_boxes, &Tally::by_doubles, &Tally::by_exact, &Tally::meeting,    &Tally::open,
+    &Tally::closed,   &Tally::branched,   &Tally::isolated, &Tally::overlaps};
+static_assert(sizeof numbers / sizeof numbers[0] == sizeof(Tally) / sizeof(std::uint64_t));
+static_assert(std::is_trivially_copyable_v<Tally>);
+
 }  // namespace
 
-std::string failed_line(const BatchInput& input, const Shard& shard, std::uint64_t local,
-                        const std::string& why) {
+Tally& operator+=(Tally& sum, const Tally& more) {
+  for (const auto number : numbers) sum.*number += more.*number;
+  return sum;
+}
+
+BatchLine failed_line(const BatchInput& input, const Shard& shard, std::uint64_t local,
+                      const std::string& why) {
   Json line = head(input, shard, local, nullptr);
   line["status"] = "failed";
   line["error"] = why;
-  return text(line);
+  return counted_line(line);
 }
 
-std::string solved_line(const BatchInput& input, const Shard& shard, std::uint64_t local,
-                        const LineOptions& options) {
+BatchLine solved_line(const BatchInput& input, const Shard& shard, std::uint64_t local,
+                      const LineOptions& options) {
   std::optional<Subject> subject;
   try {
     subject.emplace(input.load(local));
@@ -99,7 +134,20 @@ std::string solved_line(const BatchInput& input, const Shard& shard, std::uint64
     line["result"] = whole_json(*subject, result);
     line["result"].erase("work");  // times differ from run to run
   }
-  return text(line);
+  return counted_line(line);
+}
+
+std::string packed(const BatchLine& line) {
+  std::string bytes(sizeof line.tally, '\0');
+  std::memcpy(bytes.data(), &line.tally, sizeof line.tally);
+  return bytes + line.text;
+}
+
+BatchLine unpacked(std::string_view bytes) {
+  BatchLine line;
+  std::memcpy(&line.tally, bytes.data(), sizeof line.tally);
+  line.text = bytes.substr(sizeof line.tally);
+  return line;
 }
 
 std::uint64_t count_line(std::string_view line, Tally& tally) {
@@ -109,19 +157,7 @@ std::uint64_t count_line(std::string_view line, Tally& tally) {
   try {
     const Json json = Json::parse(needed);
     if (json.at("exsect") != form) throw std::invalid_argument("not a line of the form batch-line/1");
-    const std::string status = json.at("status").get<std::string>();
-    ++tally.lines;
-    if (json.contains("patch")) ++tally.selves;
-    if (status == "failed") {
-      ++tally.failed;
-    } else {
-      count_summary(json.at("summary"), tally);
-      if (status == "complete")
-        count_complete(json.at("by").get<std::string>(), tally);
-      else
-        ++tally.incomplete;
-    }
-    return json.at("line").get<std::uint64_t>();
+    return count(json, tally);
   } catch (const Json::exception&) {
     throw std::invalid_argument("not a line of the form batch-line/1");
   }

@@ -17,15 +17,6 @@ struct LineOptions {
   bool full = false;  // lines hold whole results
 };
 
-/// Solves line `local` and returns it, with its line feed. Input that cannot be read, and nothing else, makes
-/// a line with the status failed; std::bad_alloc and whatever else is unexpected leaves it.
-std::string solved_line(const BatchInput& input, const Shard& shard, std::uint64_t local,
-                        const LineOptions& options);
-
-/// The line of a pair without a result, and why.
-std::string failed_line(const BatchInput& input, const Shard& shard, std::uint64_t local,
-                        const std::string& why);
-
 /// What is counted over the lines of a batch.
 struct Tally {
   std::uint64_t lines = 0;
@@ -43,6 +34,27 @@ struct Tally {
   std::uint64_t isolated = 0;
   std::uint64_t overlaps = 0;
 };
+
+Tally& operator+=(Tally& sum, const Tally& more);
+
+/// A line, with its line feed, and what it counts.
+struct BatchLine {
+  std::string text;
+  Tally tally;
+};
+
+/// Solves line `local`. Input that cannot be read, and nothing else, makes a line with the status failed;
+/// std::bad_alloc and whatever else is unexpected leaves it.
+BatchLine solved_line(const BatchInput& input, const Shard& shard, std::uint64_t local,
+                      const LineOptions& options);
+
+/// The line of a pair without a result, and why.
+BatchLine failed_line(const BatchInput& input, const Shard& shard, std::uint64_t local,
+                      const std::string& why);
+
+/// A line as bytes on its way from a worker, and back: the same program writes and reads them.
+std::string packed(const BatchLine& line);
+BatchLine unpacked(std::string_view bytes);
 
 /// Counts the line and returns its number in the whole batch. Throws std::invalid_argument if it is not a
 /// line of a batch.

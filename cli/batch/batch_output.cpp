@@ -106,6 +106,11 @@ void BatchOutput::write_journal(std::string_view text) {
   end_ += text.size();
 }
 
+void BatchOutput::flush() {
+  write_all(file_.get(), waiting_, journal_);
+  waiting_.clear();
+}
+
 void BatchOutput::read_earlier(std::uint64_t lines,
                                const std::function<std::uint64_t(std::string_view)>& line) {
   places_.resize(lines);
@@ -140,10 +145,13 @@ void BatchOutput::read_earlier(std::uint64_t lines,
 
 void BatchOutput::add(std::uint64_t place, std::string_view line) {
   places_[place] = {end_, line.size()};
-  write_journal(line);
+  waiting_ += line;
+  end_ += line.size();
+  if (waiting_.size() > (std::size_t{1} << 18)) flush();
 }
 
 void BatchOutput::finish(std::ostream& out) {
+  flush();
   LineReader reader(file_.get(), journal_);
   const bool named = !path_.empty();
   const std::string temporary = path_ + "." + std::to_string(getpid()) + ".tmp";

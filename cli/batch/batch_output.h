@@ -33,8 +33,11 @@ class BatchOutput {
   void read_earlier(std::uint64_t lines, const std::function<std::uint64_t(std::string_view)>& line);
 
   bool done(std::uint64_t place) const { return places_[place].length != 0; }
-  /// Adds the line of a place. Throws OutputError.
+  /// Adds the line of a place; it is in the journal after the next flush(), at the latest. Throws
+  /// OutputError.
   void add(std::uint64_t place, std::string_view line);
+  /// Writes the lines that were added. Throws OutputError.
+  void flush();
 
   /// All lines are there: the file, or the stream, gets header and lines in order. Throws OutputError.
   void finish(std::ostream& out);
@@ -50,13 +53,13 @@ class BatchOutput {
   void open_journal(bool resume);
   void lock_journal();
   void write_journal(std::string_view text);
-  void read_finished(const std::function<std::uint64_t(std::string_view)>& line);
 
   std::string path_;
   std::string journal_;
   std::string header_;
   FileDescriptor file_;
-  std::uint64_t end_ = 0;
+  std::string waiting_;    // lines that were added
+  std::uint64_t end_ = 0;  // of the journal with them
   std::vector<Place> places_;
   bool finished_ = false;
 };

@@ -248,7 +248,9 @@ def test_resume_begins_goes_on_and_knows_the_end(model, tmp_path):
     table = run("batch", model, "--output", output, "--resume").stdout
     assert "24 solved" in table
     stamp = output.stat().st_mtime_ns
-    assert " solved in " not in run("batch", model, "--output", output, "--resume").stdout
+    counted_again = run("batch", model, "--output", output, "--resume").stdout
+    assert counted_again.splitlines() == [row for row in table.splitlines() if " solved in " not in row]
+    assert "24 " in counted_again and "by boxes 0, in doubles 24" in counted_again
     assert output.stat().st_mtime_ns == stamp
     assert "another batch" in run("batch", model, "--output", output, "--resume", "--exact", status=2).stderr
     output.write_bytes(output.read_bytes()[:-10])
