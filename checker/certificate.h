@@ -3,12 +3,15 @@
 
 #include <exsect/geometry/bezier_patch.h>
 
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "curve_bounds.h"
+#include "require.h"
 
 namespace exsect::checker {
 
@@ -31,27 +34,31 @@ class Rejected : public std::runtime_error {
 };
 
 struct Side {
-  std::size_t parameter;
+  Parameter parameter;
   int value;  // 0 or 1
 };
 
 /// direction . F = f(w_first) - g(w_second), so that one of the two parameters follows the other.
 struct Relation {
-  std::array<Rational, 3> direction;
-  std::size_t first;   // 0 or 1
-  std::size_t second;  // 2 or 3
+  Vector3<Rational> direction;
+  Parameter first;   // u or v
+  Parameter second;  // r or s
 };
 
 /// Of a line: only solutions with this value of this parameter are meant.
 struct Fixed {
-  std::size_t parameter;
+  Parameter parameter;
   Rational value;
 };
 
+/// A curve in the variables of a map, as polynomials of degree <= 2 in that of its axis.
+template <class N>
+using OnAxis = std::array<Vector3<N>, 4>;
+
 /// w(t) = at[.][0] + at[.][1] t + at[.][2] t^2 solves F = 0 for all t; w_axis(t) = t.
 struct Line {
-  std::size_t axis;
-  std::array<Vector3<Rational>, 4> at;
+  Parameter axis;
+  OnAxis<Rational> at;
 };
 
 using Matrix4 = std::array<Vector4<Rational>, 4>;
@@ -62,7 +69,7 @@ struct Cell {
   Kind kind;
   std::size_t index;             // the parameter that is halved; the tube; the star; the seam
   std::array<int, 3> direction;  // excluded, injective
-  std::size_t row = 0;           // of the list in which it stands
+  std::size_t row;               // of the list in which it stands
 };
 
 /// The solution `at` and all solutions near it, w = at + sum_j axes_ij e_j, |e_j| <= 1: they are on half
@@ -78,6 +85,8 @@ struct Star {
   Matrix3<Rational> rows;
   std::array<std::size_t, 3> orders;
   std::array<std::vector<Cell>, 8> charts;  // u+, u-, v+, ...: subdivisions
+
+  bool is_plane() const { return std::count(weights.begin(), weights.end(), std::size_t{0}) == 2; }
 };
 
 /// A point on the curve of a tube, within `radius` of `at` in each parameter; neither on sides nor turning: a
@@ -88,9 +97,9 @@ struct Node {
   Vector4<N> at;
   N radius;
   std::vector<Side> on;
-  std::vector<std::size_t> wrt;
-  Vector4<Rational> place = {};  // `at`, exactly
-  int star = -1;                 // the point of this star, in no tube of its own
+  std::vector<Parameter> wrt;
+  Vector4<Rational> place;  // `at`, exactly
+  int star = -1;            // the point of this star, in no tube of its own
 };
 
 /// A place on the curve, with the polyline's vertex in space if it has one here.
@@ -114,20 +123,19 @@ struct Arc {
   std::vector<ArcPoint<N>> points;
   std::vector<Piece> pieces;
   N error_bound;
+  std::array<Vector4<Rational>, 2> ends;  // the first and the last place, exactly
 };
 
-/// All solutions of a seam of a plane in [0,1]^4: a convex polygon with these corners. Its edges are straight
-/// in the parameters; of them as arcs only the points and the error bound are meant.
+/// All solutions of a seam of a plane in [0,1]^4: a convex polygon. Its edges are straight in the parameters;
+/// of them as arcs only the points and the error bound are meant.
 template <class N>
 struct Overlap {
   std::size_t seam;
-  std::vector<Vector4<Rational>> corners;
   std::vector<Arc<N>> edges;  // from each corner to the next one
 };
 
-enum class Shape { open, closed, branched };
 struct Component {
-  Shape shape;
+  std::string shape;  // open, closed or branched
   std::vector<std::size_t> arcs;
 };
 
@@ -142,33 +150,35 @@ struct Summary {
   std::size_t boundary = 0;
   std::size_t tangential = 0;
   std::array<std::size_t, 4> turning = {};
+
+  bool operator==(const Summary&) const = default;
 };
 
 /// N: Rational, or Enclosure, to check in doubles.
 template <class N>
 struct Certificate {
-  std::array<BezierPatch, 2> patches;  // twice the same if `self`
+  std::array<ControlNet, 2> nets;  // twice the same if `self`
   bool self;
   std::optional<Fixed> fixed;  // of a line: then the points are the nodes, and there are no arcs
-  std::vector<Relation> relations = {};
-  std::vector<Line> lines = {};
-  std::vector<Star> stars = {};
-  std::vector<Star> seams = {};
-  std::vector<Tube<N>> tubes = {};
-  std::vector<Node<N>> nodes = {};  // those of the stars last
-  std::vector<Arc<N>> arcs = {};
-  std::vector<Component> components = {};
-  std::vector<Overlap<N>> overlaps = {};
-  std::vector<Cell> cover = {};
-  Summary summary = {};
+  std::vector<Relation> relations;
+  std::vector<Line> lines;
+  std::vector<Star> stars;
+  std::vector<Star> seams;
+  std::vector<Tube<N>> tubes;
+  std::vector<Node<N>> nodes;  // those of the stars last
+  std::vector<Arc<N>> arcs;
+  std::vector<Component> components;
+  std::vector<Overlap<N>> overlaps;
+  std::vector<Cell> cover;
+  Summary summary;
 };
 
 /// The seal of a claim: FNV-1a, 64 bits, 16 hexadecimal digits.
-std::string seal(const std::string& text);
+std::string seal(std::string_view text);
 
 /// The number p/q in lowest terms, p/2^n with p odd and 1 <= n <= 2000, or p, that the text is; throws
 /// std::invalid_argument for any other text, and for p/3/2^n.
-Rational number_of(const std::string& text);
+Rational number_of(std::string_view text);
 
 /// Throws Unreadable, or Rejected with the place where the form is violated or a seal is broken.
 template <class N>

@@ -10,7 +10,6 @@ namespace exsect::checker {
 /// One end of an arc: it leaves its node in the node's tube with growing (1) or falling (-1) variable of the
 /// tube's axis.
 struct ArcEnd {
-  std::size_t node;
   int direction;
   std::size_t tube;
 };
@@ -25,9 +24,9 @@ class ErrorBound {
 
   /// Every point of the arc has a place on the polyline: a point without a vertex the one nearest to it on
   /// its edge, but none before that of another point before it.
-  void place_on_polyline(const std::string& where) {
+  void place_on_polyline() {
     const auto& points = arc_.points;
-    require(points.front().vertex && points.back().vertex, where, "an end of the polyline is missing");
+    require(points.front().vertex && points.back().vertex, "an end of the polyline is missing");
     std::size_t a = 0;
     for (std::size_t b = 1; b < points.size(); ++b) {
       if (!points[b].vertex) continue;
@@ -37,7 +36,7 @@ class ErrorBound {
       N before = 0;
       for (std::size_t j = a + 1; j < b; ++j) {
         const N length = dot(edge, edge);
-        require(length > 0, where, "an edge of the polyline has no length");
+        require(length > 0, "an edge of the polyline has no length");
         const N nearest = dot(edge, difference(replay_.space[0].value(points[j].at), from)) / length;
         const N t = -larger(N(-larger(before, nearest)), N(-1));
         before = t;
@@ -51,11 +50,10 @@ class ErrorBound {
   /// The steps between the points first, ... of a piece, at `at` in the variables of the tube's map, each
   /// within `near` of the curve; four steps together.
   void check(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
-             const std::vector<N>& near, const std::string& where) const {
+             const std::vector<N>& near) const {
     for (std::size_t j = 0; j + 1 < at.size(); j += 4) {
       const std::size_t last = std::min(j + 4, at.size() - 1);
-      require(over(tube, first, at, near, j, last, where) <= arc_.error_bound, where,
-              "the error bound is too small");
+      require(over(tube, first, at, near, j, last) <= arc_.error_bound, "the error bound is too small");
     }
   }
 
@@ -74,30 +72,29 @@ class ErrorBound {
   /// A matrix near the inverse of the columns of DF other than the axis at the point: any matrix will do if
   /// the defect comes out below 1.
   static Matrix3<N> near_inverse(const Map<N>& local, std::size_t axis) {
-    Matrix3<double> m;
-    for (std::size_t d = 0; d < 3; ++d)
-      for (std::size_t j = 0; j < 3; ++j) m[d][j] = approximate(local.first(d, others(axis)[j], {}).middle);
-    const auto cofactor = [&](std::size_t d, std::size_t j) {
-      const auto& p = m[(d + 1) % 3];
-      const auto& q = m[(d + 2) % 3];
-      return p[(j + 1) % 3] * q[(j + 2) % 3] - p[(j + 2) % 3] * q[(j + 1) % 3];
-    };
-    const double det = m[0][0] * cofactor(0, 0) + m[0][1] * cofactor(0, 1) + m[0][2] * cofactor(0, 2);
+    std::array<Vector3<double>, 3> column;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Balls<N> c = local.first(others(axis)[j], {});
+      column[j] = {approximate(c[0].middle), approximate(c[1].middle), approximate(c[2].middle)};
+    }
+    const auto& [a, b, c] = column;
+    const Matrix3<double> adjugate = {cross(b, c), cross(c, a), cross(a, b)};
+    const double det = dot(a, adjugate[0]);
     Matrix3<N> result;
-    for (std::size_t d = 0; d < 3; ++d)
-      for (std::size_t j = 0; j < 3; ++j)
-        if (const double entry = cofactor(d, j) / det; std::isfinite(entry)) result[j][d] = N(entry);
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t d = 0; d < 3; ++d)
+        if (const double entry = adjugate[j][d] / det; std::isfinite(entry)) result[j][d] = N(entry);
     return result;
   }
 
   /// Of the curve in the box; those of a line exactly.
-  CurveBounds<N> derivatives(const ProvedTube<N>& tube, const Vector4<N>& middle, const Vector4<N>& half,
-                             const std::string& where) const {
+  CurveBounds<N> derivatives(const ProvedTube<N>& tube, const Vector4<N>& middle,
+                             const Vector4<N>& half) const {
     const std::size_t k = tube.claim.axis;
     if (!tube.exact) {
       const Map<N> here = replay_.map(tube.claim).at(middle);
       const CurveBounds<N> bounds = curve_bounds(here.times(near_inverse(here, k)), k, half);
-      require(bounds.defect < 1, where, "no derivative over a step of the polyline");
+      require(bounds.defect < 1, "no derivative over a step of the polyline");
       return bounds;
     }
     CurveBounds<N> bounds = {};
@@ -112,7 +109,7 @@ class ErrorBound {
 
   /// The greatest distance on the steps j, ..., last - 1.
   N over(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
-         const std::vector<N>& near, std::size_t j, std::size_t last, const std::string& where) const {
+         const std::vector<N>& near, std::size_t j, std::size_t last) const {
     N margin = 0;
     for (std::size_t i = j; i <= last; ++i) margin = larger(margin, near[i]);
     Vector4<N> middle;  // of a box that holds the curve on these steps
@@ -121,21 +118,19 @@ class ErrorBound {
       middle[i] = rounded_down(N((at[j][i] + at[last][i]) / 2));
       half[i] = rounded_down(N(magnitude(N(at[j][i] - at[last][i])) / 2 + 2 * margin)) + N(0x1p-23);
     }
-    const CurveBounds<N> bounds = derivatives(tube, middle, half, where);
+    const CurveBounds<N> bounds = derivatives(tube, middle, half);
     const Map<N>& space = replay_.space_map(tube.claim);
     const Map<N> local = space.at(middle);
-    Vector3<N> second;
-    Vector3<N> slope;
-    for (std::size_t d = 0; d < 3; ++d) {
-      Ball<N> bend = local.second(d, bounds.first, half);
-      for (std::size_t i = 0; i < 4; ++i) {
-        const Ball<N> partial = local.first(d, i, half);
-        bend = bend + partial * bounds.second[i];
-        if (i != tube.claim.axis) slope[d] += partial.magnitude();
+    Balls<N> second = local.second(bounds.first, half);
+    Vector3<N> slope = {};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Balls<N> partial = local.first(i, half);
+      for (std::size_t d = 0; d < 3; ++d) {
+        second[d] = second[d] + partial[d] * bounds.second[i];
+        if (i != tube.claim.axis) slope[d] += partial[d].magnitude();
       }
-      second[d] = bend.magnitude();
     }
-    const N bend = norm_above(second) / 8;
+    const N bend = norm_above({second[0].magnitude(), second[1].magnitude(), second[2].magnitude()}) / 8;
     const N speed = norm_above(slope);
     N most = 0;
     N before = 0;
@@ -157,19 +152,15 @@ class ErrorBound {
 };
 
 /// T_i vanishes wherever w_k has the value: it is of degree <= 3 in each parameter.
-inline bool turns_on_side(const std::array<BezierPatch, 2>& patches, std::size_t i, const Side& side) {
-  const auto& [a, b, c] = others(side.parameter);
-  Vector4<Rational> w = {};
+inline bool turns_on_side(const Map<Rational>& exact, std::size_t i, const Side& side) {
+  const auto [a, b, c] = others(side.parameter);
+  Vector4<Rational> w;
   w[side.parameter] = side.value;
   for (int n = 0; n < 64; ++n) {
     w[a] = n % 4;
     w[b] = n / 4 % 4;
     w[c] = n / 16;
-    const std::array<Point, 4> columns = {
-        patches[0].derivative_first(w[0], w[1]), patches[0].derivative_second(w[0], w[1]),
-        patches[1].derivative_first(w[2], w[3]), patches[1].derivative_second(w[2], w[3])};
-    const auto& [p, q, r] = others(i);
-    if (dot(columns[p], cross(columns[q], columns[r])) != 0) return false;
+    if (tangent(exact.at(w), {})[i].middle != 0) return false;
   }
   return true;
 }
@@ -178,18 +169,18 @@ template <class N>
 class ArcCheck {
  public:
   ArcCheck(const Replay<N>& replay, std::size_t i)
-      : replay_(replay), arc_(replay.certificate.arcs[i]), where_(place("arcs", i)), bound_(replay, arc_) {}
+      : replay_(replay), arc_(replay.certificate.arcs[i]), bound_(replay, arc_) {}
 
   /// Both ends of the arc.
   std::array<ArcEnd, 2> check() {
-    const Node<N>& from = element(replay_.certificate.nodes, arc_.from, where_, "names no node");
-    const Node<N>& to = element(replay_.certificate.nodes, arc_.to, where_, "names no node");
-    require(!arc_.pieces.empty(), where_, "without pieces");
+    const Node<N>& from = replay_.certificate.nodes[arc_.from];
+    const Node<N>& to = replay_.certificate.nodes[arc_.to];
+    require(!arc_.pieces.empty(), "without pieces");
     require((from.star >= 0 || arc_.pieces.front().tube == from.tube) &&
                 (to.star >= 0 || arc_.pieces.back().tube == to.tube),
-            where_, "does not begin and end in its nodes' tubes");
-    require(arc_.pieces.back().last + 1 == arc_.points.size(), where_, "its pieces do not cover it");
-    bound_.place_on_polyline(where_);
+            "does not begin and end in its nodes' tubes");
+    require(arc_.pieces.back().last + 1 == arc_.points.size(), "its pieces do not cover it");
+    bound_.place_on_polyline();
     std::size_t first = 0;
     N entered = from.radius;
     int begins = 0;
@@ -199,31 +190,30 @@ class ArcCheck {
       if (begins == 0) begins = ends;
       first = piece.last;
     }
-    return {ArcEnd{arc_.from, begins, arc_.pieces.front().tube},
-            ArcEnd{arc_.to, -ends, arc_.pieces.back().tube}};
+    return {ArcEnd{begins, arc_.pieces.front().tube}, ArcEnd{-ends, arc_.pieces.back().tube}};
   }
 
  private:
   /// The box around points[j] in the variables of the tube's map.
   Box<N> box(const Tube<N>& tube, std::size_t j, const N& radius) const {
-    if (j == 0) return node_box(tube, replay_.certificate.nodes[arc_.from], where_);
-    if (j + 1 == arc_.points.size()) return node_box(tube, replay_.certificate.nodes[arc_.to], where_);
-    return in_chart(replay_, tube, ball(arc_.points[j].at, radius), where_);
+    if (j == 0) return node_box(tube, replay_.certificate.nodes[arc_.from]);
+    if (j + 1 == arc_.points.size()) return node_box(tube, replay_.certificate.nodes[arc_.to]);
+    return in_chart(replay_, tube, box_around(arc_.points[j].at, radius));
   }
 
   /// The direction along the tube's axis. `entered`: distance in the parameters of the point where the curve
   /// comes in from points[first]; afterwards that of the point where it goes out from points[last].
   int check_piece(const Piece& piece, std::size_t first, N& entered) {
-    const ProvedTube<N>& tube = element(replay_.tubes, piece.tube, where_, "names no tube");
+    const ProvedTube<N>& tube = element(replay_.tubes, piece.tube, "names no tube");
     const std::size_t k = tube.claim.axis;
-    require(first < piece.last && piece.last < arc_.points.size(), where_, "a piece is empty");
+    require(first < piece.last && piece.last < arc_.points.size(), "a piece is empty");
     const Box<N> enters = box(tube.claim, first, entered);
-    require(tube.claim.contains(enters), where_, "not in two tubes where it goes from one to the next");
+    require(tube.claim.contains(enters), "not in two tubes where it goes from one to the next");
     std::vector<Vector4<N>> at;
     std::vector<N> near;
     for (std::size_t j = first; j <= piece.last; ++j) {
       at.push_back(middles(box(tube.claim, j, N(0))));
-      near.push_back(distance(replay_, tube, at.back(), where_));
+      near.push_back(distance(replay_, tube, at.back()));
     }
     const bool final = piece.last + 1 == arc_.points.size();
     for (const Ball<N>& b : enters) near.front() = larger(near.front(), b.radius);
@@ -236,7 +226,7 @@ class ArcCheck {
       N least = 0;
       if (j == 0) least += enters[k].radius;
       if (j + 2 == at.size()) least += near.back();
-      require(N(direction) * step(j) > least, where_, "a piece runs back");
+      require(N(direction) * step(j) > least, "a piece runs back");
     }
     const std::array<int, 4> grows = tube.claim.chart == Chart::star ? tube.grows
                                      : tube.claim.chart == Chart::pair
@@ -245,10 +235,10 @@ class ArcCheck {
                                          : pair_signs(tube, first, piece.last);
     for (std::size_t i = 0; i < 4; ++i) {
       if (first == 0) grows_[i] = direction * grows[i];
-      require((grows[i] != 0 || tube.constant[i]) && direction * grows[i] == grows_[i], where_,
+      require((grows[i] != 0 || tube.constant[i]) && direction * grows[i] == grows_[i],
               "not monotone in a parameter");
     }
-    bound_.check(tube, first, at, near, where_);
+    bound_.check(tube, first, at, near);
     entered = out_of_chart(tube.claim, piece.last, out);
     return direction;
   }
@@ -298,7 +288,7 @@ class ArcCheck {
   /// The node is on a side of the axis on which parameter i always turns.
   bool turns_at(const Node<N>& node, std::size_t i, std::size_t axis) const {
     return std::any_of(node.on.begin(), node.on.end(), [&](const Side& side) {
-      return side.parameter == axis && turns_on_side(replay_.certificate.patches, i, side);
+      return side.parameter == axis && turns_on_side(replay_.exact, i, side);
     });
   }
 
@@ -309,7 +299,7 @@ class ArcCheck {
     for (std::size_t j = first; j <= last; ++j) {
       if (j == 0 || j + 1 == arc_.points.size()) continue;
       const int sign = sign_of(N(arc_.points[j].at[p] - arc_.points[j].at[p + 2]));
-      require(sign != 0 && (side == 0 || side == sign), where_, "not on one side of the diagonal");
+      require(sign != 0 && (side == 0 || side == sign), "not on one side of the diagonal");
       side = sign;
     }
     const int m = sign_of(tube.claim.centre[2]);
@@ -319,7 +309,6 @@ class ArcCheck {
 
   const Replay<N>& replay_;
   const Arc<N>& arc_;
-  const std::string where_;
   ErrorBound<N> bound_;
   std::array<int, 4> grows_{};
 };

@@ -1,4 +1,4 @@
-// The subdivision of [0,1]^4: every leaf holds no solution, or lies in a tube or in a star.
+// The subdivision of [0,1]^4: every leaf holds no solution, or lies in a tube, in a star or in an overlap.
 #pragma once
 
 #include "replay.h"
@@ -9,6 +9,7 @@ template <class N>
 class Cover {
  public:
   explicit Cover(const Replay<N>& replay) : replay_(replay), certificate_(replay.certificate) {
+    whole_.box = box_around<double>({0.5, 0.5, 0.5, 0.5}, 0.5);
     for (std::size_t n = 0; n < 2; ++n) {
       const ControlNet net = whole(n);
       for (std::size_t i = 0; i < 3; ++i)
@@ -18,92 +19,110 @@ class Cover {
     }
   }
 
-  void check() {
+  /// Counts the cells that lie in something, and the other leaves.
+  void check(std::size_t& covered, std::size_t& excluded) {
     check(whole_);
-    require(next_ == certificate_.cover.size(), "$.cover", "beyond the end of the subdivision");
+    if (next_ != certificate_.cover.size()) throw Rejected("$.cover", "beyond the end of the subdivision");
+    for (const Cell& cell : certificate_.cover) {
+      if (cell.kind == Kind::tube || cell.kind == Kind::mirrored || cell.kind == Kind::star ||
+          cell.kind == Kind::sheet)
+        ++covered;
+      else if (cell.kind != Kind::split)
+        ++excluded;
+    }
   }
 
  private:
+  using Kind = Cell::Kind;
   struct Region {
     std::array<Net<N>, 2> nets;  // control points of both patches over the cell
-    Vector4<double> middle = {0.5, 0.5, 0.5, 0.5};
-    Vector4<double> half = {0.5, 0.5, 0.5, 0.5};
+    Box<double> box;
   };
 
   void check(const Region& region) {
-    const Cell& cell = element(certificate_.cover, next_, "$.cover", "the subdivision is not complete");
-    const std::string where = place("cover", cell.row);
-    ++next_;
-    const Box<N> box = box_of(region);
-    const auto& [u, v, r, s] = box;
-    if (cell.kind == Cell::Kind::split) {
-      require(region.half[cell.index] > 0x1p-50, where, "halved more than 50 times");
-      check(half_of(region, cell.index, false));
-      check(half_of(region, cell.index, true));
-    } else if (cell.kind == Cell::Kind::excluded) {
-      require(separated(region, cell.direction), where,
-              "the direction does not separate the patches over the cell");
-    } else if (cell.kind == Cell::Kind::star) {
-      check_in_star(box, element(certificate_.stars, cell.index, where, "names no star"), where);
-    } else if (cell.kind == Cell::Kind::sheet) {
-      const auto& overlaps = certificate_.overlaps;
-      require(
-          std::any_of(overlaps.begin(), overlaps.end(), [&](const auto& o) { return o.seam == cell.index; }),
-          where, "names no overlap");
-      check_in_star(box, certificate_.seams[cell.index], where);
-    } else if (cell.kind == Cell::Kind::tube) {
-      check_in_tube(box, cell.index, where);
+    if (next_ == certificate_.cover.size()) throw Rejected("$.cover", "the subdivision is not complete");
+    const Cell& cell = certificate_.cover[next_++];
+    if (cell.kind == Kind::split) {
+      for (const bool upper : {false, true}) check(half_of(region, cell, upper));
     } else {
-      require(certificate_.self, where, "of one patch only");
-      if (cell.kind == Cell::Kind::mirrored)
-        check_in_tube({r, s, u, v}, cell.index, where);
-      else if (cell.kind == Cell::Kind::lower)
-        require(region.middle[0] + region.half[0] <= region.middle[2] - region.half[2], where,
-                "not below the diagonal");
-      else
-        check_injective(box, cell.direction, where);
+      leaf(cell, region);
     }
+  }
+
+  void leaf(const Cell& cell, const Region& region) const {
+    replayed("$.cover", cell.row, [&] {
+      if (cell.kind == Kind::excluded)
+        require(separated(region, cell.direction),
+                "the direction does not separate the patches over the cell");
+      else if (cell.kind == Kind::tube)
+        check_in_tube(box_of(region), cell.index);
+      else if (cell.kind == Kind::star)
+        check_in_star(box_of(region), element(certificate_.stars, cell.index, "names no star"));
+      else if (cell.kind == Kind::sheet)
+        check_in_star(box_of(region), seam_of_overlap(cell.index));
+      else
+        of_one_patch(cell, box_of(region));
+    });
+  }
+
+  void of_one_patch(const Cell& cell, const Box<N>& box) const {
+    require(certificate_.self, "of one patch only");
+    const auto& [u, v, r, s] = box;
+    const Vector3<N> n = {cell.direction[0], cell.direction[1], cell.direction[2]};
+    if (cell.kind == Kind::mirrored)
+      check_in_tube({r, s, u, v}, cell.index);
+    else if (cell.kind == Kind::lower)
+      require(u.middle + u.radius <= r.middle - r.radius, "not below the diagonal");
+    else  // P and Q are independent wherever the pairs of the box are: a P + b Q = 0 for a = b = 0 alone.
+      require(volume(n, replay_.equation[1], halves(Chart::first, box)).sign() != 0,
+              "different points of the cell may have the same place");
   }
 
   /// The control points of a patch; where one of its parameters is fixed, of its line.
   ControlNet whole(std::size_t patch) const {
-    ControlNet net = certificate_.patches[patch].net();
+    ControlNet net = certificate_.nets[patch];
     if (!certificate_.fixed || certificate_.fixed->parameter / 2 != patch) return net;
     const Rational& t = certificate_.fixed->value;
-    const bool rows = certificate_.fixed->parameter % 2 == 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto at = [&](std::size_t m) -> Point& { return rows ? net[m][i] : net[i][m]; };
-      for (std::size_t d = 0; d < 3; ++d)
-        at(0)[d] = (1 - t) * (1 - t) * at(0)[d] + 2 * t * (1 - t) * at(1)[d] + t * t * at(2)[d];
-      at(1) = at(2) = at(0);
+      for (std::size_t d = 0; d < 3; ++d) {
+        const auto at = [&](std::size_t m) -> Rational& {
+          return entry(net, certificate_.fixed->parameter, m, i)[d];
+        };
+        at(0) = (1 - t) * (1 - t) * at(0) + 2 * t * (1 - t) * at(1) + t * t * at(2);
+        at(1) = at(2) = at(0);
+      }
     }
     return net;
   }
 
-  /// The cell, exactly: its numbers are multiples of 2^-51.
+  /// The cell, exactly.
   Box<N> box_of(const Region& region) const {
-    Box<N> box;
-    for (std::size_t i = 0; i < 4; ++i) box[i] = {N(region.middle[i]), N(region.half[i])};
-    if (const auto& fixed = certificate_.fixed) box[fixed->parameter] = {N(fixed->value), N(0)};
+    Box<N> box = exactly<N>(region.box);
+    if (const auto& fixed = certificate_.fixed) box[fixed->parameter] = N(fixed->value);
     return box;
   }
 
-  /// The lower or upper half of the region in the parameter.
-  Region half_of(Region region, std::size_t parameter, bool upper) const {
-    Net<N>& net = region.nets[parameter / 2];
+  /// Row m in the direction of the parameter.
+  template <class Any>
+  static auto& entry(Any& net, std::size_t parameter, std::size_t m, std::size_t i) {
+    return parameter % 2 == 0 ? net[m][i] : net[i][m];
+  }
+
+  /// The lower or upper half of the region, by de Casteljau's algorithm.
+  Region half_of(const Region& region, const Cell& cell, bool upper) const {
+    Region result = {region.nets, replayed("$.cover", cell.row,
+                                           [&] { return checker::half_of(region.box, cell.index, upper); })};
+    Net<N>& net = result.nets[cell.index / 2];
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t d = 0; d < 3; ++d) {
-        const auto at = [&](std::size_t m) -> N& { return parameter % 2 == 0 ? net[m][i][d] : net[i][m][d]; };
-        const N a = half_ * (at(0) + at(1));
-        const N b = half_ * (at(1) + at(2));
-        at(upper ? 0 : 2) = half_ * (a + b);
+        const auto at = [&](std::size_t m) -> N& { return entry(net, cell.index, m, i)[d]; };
+        const N a = half(at(0) + at(1));
+        const N b = half(at(1) + at(2));
+        at(upper ? 0 : 2) = half(a + b);
         at(1) = upper ? b : a;
       }
     }
-    double& half = region.half[parameter];
-    half /= 2;
-    region.middle[parameter] += upper ? half : -half;
-    return region;
+    return result;
   }
 
   /// direction . x > direction . y over the region.
@@ -120,35 +139,29 @@ class Cover {
     return below + above < 0;
   }
 
-  static void check_in_star(const Box<N>& box, const Star& star, const std::string& where) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      Ball<N> e;
-      for (std::size_t i = 0; i < 4; ++i)
-        if (star.coordinates[j][i] != 0)
-          e = e + Ball<N>{N(star.coordinates[j][i]), N(0)} * (box[i] - Ball<N>{N(star.at[i]), N(0)});
-      require(e.magnitude() <= 1, where, "the cell is not in the star");
-    }
+  const Star& seam_of_overlap(std::size_t seam) const {
+    const auto& overlaps = certificate_.overlaps;
+    require(std::any_of(overlaps.begin(), overlaps.end(), [&](const auto& o) { return o.seam == seam; }),
+            "names no overlap");
+    return certificate_.seams[seam];
   }
 
-  void check_in_tube(const Box<N>& box, std::size_t i, const std::string& where) const {
-    const Tube<N>& tube = element(replay_.tubes, i, where, "names no tube").claim;
-    Box<N> w = box;
-    require(tube.chart != Chart::star, where, "a tube of a star");
-    if (tube.chart != Chart::pair) w = pairs_in_chart(tube, replay_.map(tube), halves(tube.chart, box));
-    require(tube.contains(w), where, "the cell is not in the tube");
+  static void check_in_star(const Box<N>& box, const Star& star) {
+    for (const Ball<N>& e : coordinates(star, box))
+      require(e.magnitude() <= 1, "the cell is not in the star");
   }
 
-  /// P and Q are independent wherever the pairs of the box are: a P + b Q = 0 for a = b = 0 alone.
-  void check_injective(const Box<N>& box, const std::array<int, 3>& direction,
-                       const std::string& where) const {
-    const Vector3<N> n = {direction[0], direction[1], direction[2]};
-    require(volume(n, replay_.equation[1], halves(Chart::first, box)).sign() != 0, where,
-            "different points of the cell may have the same place");
+  void check_in_tube(const Box<N>& box, std::size_t i) const {
+    const Tube<N>& tube = element(replay_.tubes, i, "names no tube").claim;
+    require(tube.chart != Chart::star, "a tube of a star");
+    require(tube.contains(tube.chart == Chart::pair
+                              ? box
+                              : pairs_in_chart(tube, replay_.map(tube), halves(tube.chart, box))),
+            "the cell is not in the tube");
   }
 
   const Replay<N>& replay_;
   const Certificate<N>& certificate_;
-  const N half_ = N(0.5);
   Region whole_;
   std::size_t next_ = 0;
 };

@@ -1,130 +1,120 @@
-// Stars: points where half branches of the curve meet, seen in eight charts.
+// Stars: points where half branches of the curve meet, seen in eight charts; seams, which are seen in the
+// same.
 #pragma once
 
-#include "star_maps.h"
+#include "replay.h"
 
 namespace exsect::checker {
 
 /// The box of parameters in the variables of the tube's map.
 template <class N>
-Box<N> in_chart(const Replay<N>& replay, const Tube<N>& tube, const Box<N>& w, const std::string& where) {
+Box<N> in_chart(const Replay<N>& replay, const Tube<N>& tube, const Box<N>& w) {
   if (tube.chart == Chart::pair) return w;
-  if (tube.chart == Chart::star)
-    return in_star(replay.certificate.stars[tube.star], tube.direction, w, where);
+  if (tube.chart == Chart::star) return in_star(replay.certificate.stars[tube.star], tube.direction, w);
   const auto [u, v, a, b] = halves(tube.chart, w);
-  require(a.sign() != 0, where, "a pair of points that may be one");
+  require(a.sign() != 0, "a pair of points that may be one");
   return {u, v, b / a, a * a};
 }
 /// A node's box likewise; on the diagonal with m from the tube, and w = 0; the centre of a star's tube.
 template <class N>
-Box<N> node_box(const Tube<N>& tube, const Node<N>& node, const std::string& where) {
+Box<N> node_box(const Tube<N>& tube, const Node<N>& node) {
   if (node.star >= 0) {
-    require(tube.chart == Chart::star && static_cast<int>(tube.star) == node.star, where,
+    require(tube.chart == Chart::star && static_cast<int>(tube.star) == node.star,
             "not in a chart of its star");
-    return ball(tube.centre, N(0));
+    return box_around(tube.centre, N(0));
   }
-  if (tube.chart == Chart::pair) return ball(node.at, node.radius);
-  require(node.on.empty() && node.wrt.empty() && node.at[0] == node.at[2] && node.at[1] == node.at[3] &&
-              tube.chart != Chart::star,
-          where, "not a cuspidal point with a tube along w");
-  const auto [u, v, a, b] = halves(tube.chart, ball(node.at, N(0)));
+  if (tube.chart == Chart::pair) return box_around(node.at, node.radius);
+  require(node.on.empty() && node.wrt.empty() && node.place[0] == node.place[2] &&
+              node.place[1] == node.place[3] && tube.chart != Chart::star,
+          "not a cuspidal point with a tube along w");
+  const auto [u, v, a, b] = halves(tube.chart, box_around(node.at, N(0)));
   const N m = tube.centre[2] - tube.slope[2] * tube.centre[3];
-  return ball<N>({u.middle, v.middle, m, N(0)}, node.radius);
+  return box_around<N>({u.middle, v.middle, m, N(0)}, node.radius);
 }
 
-/// Of a star or a seam: the coordinates are the inverse of the axes, and the rows are independent.
-inline void check_frame(const Star& star, const std::string& where) {
+/// The place is on the seam's line or plane.
+inline bool is_on(const Star& seam, const Vector4<Rational>& w) {
+  const Vector4<Rational> e = coordinates(seam, w);
+  for (std::size_t j = 0; j < 4; ++j)
+    if (seam.weights[j] > 0 && e[j] != 0) return false;
+  return true;
+}
+
+/// Of a star or a seam: the coordinates are the inverse of the axes, and the rows are independent. The maps
+/// of the charts with t.
+template <class N>
+StarMaps<N> check_frame(const Star& star, const Map<Rational>& equation) {
   for (std::size_t i = 0; i < 4; ++i) {
-    require(star.weights[i] <= 6, where, "a weight is not in 0, ..., 6");
+    require(star.weights[i] <= 6, "a weight is not in 0, ..., 6");
     for (std::size_t j = 0; j < 4; ++j) {
       Rational product = 0;
       for (std::size_t n = 0; n < 4; ++n) product += star.coordinates[i][n] * star.axes[n][j];
-      require(product == (i == j ? 1 : 0), where, "its coordinates are not the inverse of its axes");
+      require(product == (i == j ? 1 : 0), "its coordinates are not the inverse of its axes");
     }
   }
-  const auto& [a, b, c] = star.rows;
-  require(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                  a[2] * (b[0] * c[1] - b[1] * c[0]) !=
-              0,
-          where, "its rows are dependent");
-  for (const std::size_t order : star.orders) require(order >= 1, where, "an order below 1");
-}
-
-/// `equation` in the charts with t.
-template <class N>
-void add_equations(StarMaps<N>& maps, const Star& star, const Map<Rational>& equation,
-                   const std::string& where) {
+  require(dot(star.rows[0], cross(star.rows[1], star.rows[2])) != 0, "its rows are dependent");
+  for (const std::size_t order : star.orders) require(order >= 1, "an order below 1");
+  StarMaps<N> result;
   const Terms terms = centred(equation, star);
   for (std::size_t direction = 0; direction < 8; ++direction)
     if (star.weights[direction / 2] > 0)
-      maps.equation[direction] = in_direction<N>(terms, star, direction, star.rows, star.orders, where);
+      result.equation[direction] = in_direction<N>(terms, star, direction, star.rows, star.orders);
+  return result;
 }
 
 /// The star's point is a singular solution; its maps.
 template <class N>
-StarMaps<N> check_star(const Replay<N>& replay, const Star& star, const std::string& where) {
-  for (const Rational& q : star.at) require(q >= 0 && q <= 1, where, "not in [0,1]^4");
-  for (const std::size_t weight : star.weights) require(weight >= 1, where, "a weight is not in 1, ..., 6");
-  check_frame(star, where);
-  const Map<Rational> equation = pair_map(replay.exact[0], replay.exact[1]);
-  const Map<Rational> local = equation.at(star.at);
-  for (const auto& term : local.terms())
-    if (term.power[0] + term.power[1] + term.power[2] + term.power[3] == 1)
-      require(dot(star.rows[2], term.c) == 0, where, "its last row is not normal to both patches");
-  StarMaps<N> result;
-  add_equations(result, star, equation, where);
-  Map<Rational> space;
-  Net<Rational> moved = replay.exact[0];
-  for (std::size_t d = 0; d < 3; ++d) moved[0][0][d] -= replay.origin[d];
-  add_patch(space, moved, Rational(1), 0);
-  const Terms points = centred(space, star);
+StarMaps<N> check_star(const Replay<N>& replay, const Star& star) {
+  for (const Rational& q : star.at) require(q >= 0 && q <= 1, "not in [0,1]^4");
+  for (const std::size_t weight : star.weights) require(weight >= 1, "a weight is not in 1, ..., 6");
+  const Map<Rational> local = replay.exact.at(star.at);
+  for (std::size_t j = 0; j < 4; ++j) {
+    const Balls<Rational> column = local.first(j, {});
+    require(dot(star.rows[2], {column[0].middle, column[1].middle, column[2].middle}) == 0,
+            "its last row is not normal to both patches");
+  }
+  StarMaps<N> result = check_frame<N>(star, replay.exact);
+  const Terms points = centred(replay.exact_space, star);
   for (std::size_t direction = 0; direction < 8; ++direction)
     result.space[direction] =
-        in_direction<N>(points, star, direction, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0}, where);
+        in_direction<N>(points, star, direction, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0});
   return result;
 }
 
 /// The points e_j = 0, for all j with a weight > 0, of a seam are solutions; its maps.
 template <class N>
-StarMaps<N> check_seam(const Replay<N>& replay, const Star& seam, const std::string& where) {
+StarMaps<N> check_seam(const Replay<N>& replay, const Star& seam) {
   const auto dimension = std::count(seam.weights.begin(), seam.weights.end(), std::size_t{0});
-  const bool plane = dimension == 2 && seam.of.chart == Chart::pair && !replay.certificate.self;
-  require(dimension == 1 || plane, where, "neither of a line nor of a plane");
-  check_frame(seam, where);
-  Map<Rational> equation = pair_map(replay.exact[0], replay.exact[1]);
-  if (seam.of.chart == Chart::star) {
-    const Star& star = element(replay.certificate.stars, seam.of.star, where, "names no star");
-    equation = in_direction<Rational>(centred(equation, star), star, seam.of.direction, star.rows,
-                                      star.orders, where);
-  }
-  StarMaps<N> result;
-  add_equations(result, seam, equation, where);
-  return result;
+  require(dimension == 1 || (seam.is_plane() && seam.of.chart == Chart::pair && !replay.certificate.self),
+          "neither of a line nor of a plane");
+  if (seam.of.chart == Chart::pair) return check_frame<N>(seam, replay.exact);
+  const Star& star = element(replay.certificate.stars, seam.of.star, "names no star");
+  return check_frame<N>(seam, in_direction<Rational>(centred(replay.exact, star), star, seam.of.direction,
+                                                     star.rows, star.orders));
 }
 
 /// The tube holds one half branch of its star, which begins between the charts' sides, and along which each
-/// parameter is monotone: with w_i - at_i = sum_j axes_ij t^weights_j d_j, its derivative divided by a power
-/// of t.
+/// parameter is monotone.
 template <class N>
-void check_half_branch(Replay<N>& replay, const std::string& where) {
+void check_half_branch(Replay<N>& replay) {
   auto& [tube, bounds, constant, grows, exact] = replay.tubes.back();
   const Star& star = replay.certificate.stars[tube.star];
   const std::size_t k = tube.direction / 2;
-  require(tube.axis == k && tube.centre[k] == 0, where, "does not begin at its star's point");
+  require(tube.axis == k && tube.centre[k] == 0, "does not begin at its star's point");
   for (const std::size_t j : others(k))
-    require(magnitude(tube.centre[j]) + tube.width < 1, where, "begins beyond its chart");
+    require(magnitude(tube.centre[j]) + tube.width < 1, "begins beyond its chart");
   for (std::size_t i = 0; i + 1 < replay.tubes.size(); ++i) {
     const Tube<N>& other = replay.tubes[i].claim;
     if (static_cast<const MapName&>(other) != tube) continue;
-    const auto apart = [&](std::size_t j) {
-      return j != k && magnitude(N(tube.centre[j] - other.centre[j])) > tube.width + other.width;
-    };
-    require(apart(0) || apart(1) || apart(2) || apart(3), where, "may begin where an earlier tube does");
+    bool apart = false;
+    for (const std::size_t j : others(k))
+      apart = apart || magnitude(N(tube.centre[j] - other.centre[j])) > tube.width + other.width;
+    require(apart, "may begin where an earlier tube does");
   }
   grows = half_branch_signs(star, tube, bounds);
   for (std::size_t i = 0; i < 4; ++i) {
     if (constant[i]) grows[i] = 0;
-    require(constant[i] || grows[i] != 0, where, "a parameter may turn");
+    require(constant[i] || grows[i] != 0, "a parameter may turn");
   }
 }
 
@@ -144,61 +134,53 @@ bool leaves_domain(const Replay<N>& replay, const ProvedTube<N>& tube) {
 template <class N>
 class ChartCover {
  public:
-  ChartCover(const Replay<N>& replay, const Star& star, const StarMaps<N>& maps, const MapName& chart,
-             const std::string& where)
-      : replay_(replay),
-        chart_(chart),
-        map_(maps.equation[chart.direction]),
-        where_(where + ".charts[" + std::to_string(chart.direction) + "]"),
-        cells_(star.charts[chart.direction]) {
-    if (star.weights[chart.direction / 2] > 0)
-      check();
-    else
-      require(cells_.empty(), where_, "no chart");
+  ChartCover(const Replay<N>& replay, const MapName& chart, const Map<N>& map, const std::vector<Cell>& cells)
+      : replay_(replay), chart_(chart), map_(map), cells_(cells) {}
+
+  void check() {
+    Box<double> whole = box_around<double>({}, 1);
+    whole[chart_.direction / 2] = {0.5, 0.5};
+    check(whole);
+    require(next_ == cells_.size(), "beyond the end of the subdivision");
   }
 
  private:
-  void check() {
-    Vector4<double> middle = {};
-    middle[chart_.direction / 2] = 0.5;
-    Vector4<double> half = {1, 1, 1, 1};
-    half[chart_.direction / 2] = 0.5;
-    check(middle, half);
-    require(next_ == cells_.size(), where_, "beyond the end of the subdivision");
-  }
-
-  void check(const Vector4<double>& middle, const Vector4<double>& half) {
-    const Cell& cell = element(cells_, next_++, where_, "the subdivision is not complete");
-    Box<N> box;
-    for (std::size_t j = 0; j < 4; ++j) box[j] = {N(middle[j]), N(half[j])};
+  void check(const Box<double>& part) {
+    const Cell& cell = element(cells_, next_++, "the subdivision is not complete");
+    const Box<N> box = exactly<N>(part);
     if (cell.kind == Cell::Kind::split) {
-      Vector4<double> less = half;
-      less[cell.index] /= 2;
-      require(less[cell.index] > 0x1p-50, where_, "halved more than 50 times");
-      for (const int side : {-1, 1}) {
-        Vector4<double> moved = middle;
-        moved[cell.index] += side * less[cell.index];
-        check(moved, less);
-      }
+      for (const bool upper : {false, true}) check(half_of(part, cell.index, upper));
     } else if (cell.kind == Cell::Kind::tube) {
-      const Tube<N>& tube = element(replay_.tubes, cell.index, where_, "names no tube").claim;
-      require(chart_.chart == Chart::star && tube == chart_, where_, "a tube of another chart");
-      require(tube.contains(box), where_, "a cell is not in its tube");
+      const Tube<N>& tube = element(replay_.tubes, cell.index, "names no tube").claim;
+      require(chart_.chart == Chart::star && tube == chart_, "a tube of another chart");
+      require(tube.contains(box), "a cell is not in its tube");
     } else {
-      require(cell.kind == Cell::Kind::excluded, where_, "not an entry of a star's chart");
+      require(cell.kind == Cell::Kind::excluded, "not an entry of a star's chart");
       const Vector3<N> n = {cell.direction[0], cell.direction[1], cell.direction[2]};
-      const Map<N> local = map_.at(middles(box));
-      require(local.along(n, {N(half[0]), N(half[1]), N(half[2]), N(half[3])}).sign() != 0, where_,
-              "a cell may hold a solution");
+      require(along(n, map_.at(middles(box)), radii(box)).sign() != 0, "a cell may hold a solution");
     }
   }
 
   const Replay<N>& replay_;
   const MapName chart_;
   const Map<N>& map_;
-  const std::string where_;
   const std::vector<Cell>& cells_;
   std::size_t next_ = 0;
 };
+
+/// All charts of a star, or of a seam.
+template <class N>
+void check_charts(const Replay<N>& replay, const Star& star, const StarMaps<N>& maps, MapName chart,
+                  const std::string& where) {
+  for (chart.direction = 0; chart.direction < 8; ++chart.direction) {
+    replayed(where + ".charts", chart.direction, [&] {
+      const std::vector<Cell>& cells = star.charts[chart.direction];
+      if (star.weights[chart.direction / 2] > 0)
+        ChartCover<N>(replay, chart, maps.equation[chart.direction], cells).check();
+      else
+        require(cells.empty(), "no chart");
+    });
+  }
+}
 
 }  // namespace exsect::checker

@@ -5,53 +5,30 @@
 
 namespace exsect::checker {
 
-/// The coefficients of direction . c in the parameter, or nothing if the other parameter occurs as well.
-inline std::optional<Vector3<Rational>> in_one_parameter(const Net<Rational>& c, const Relation& relation,
-                                                         std::size_t parameter) {
-  Vector3<Rational> f;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Rational product = dot(relation.direction, parameter % 2 == 0 ? c[i][j] : c[j][i]);
-      if (j == 0)
-        f[i] = product;
-      else if (product != 0)
-        return std::nullopt;
-    }
-  }
-  return f;
-}
-
-/// direction . x and direction . y are monotone functions of one parameter each.
-inline void check_relation(const std::array<Net<Rational>, 2>& exact, const Relation& relation,
-                           const std::string& where) {
-  require(relation.first < 2 && relation.second >= 2, where, "not between a parameter of either patch");
+/// direction . F is the sum of monotone functions of one parameter each.
+inline void check_relation(const Map<Rational>& exact, const Relation& relation) {
+  require(relation.first < 2 && relation.second >= 2, "not between a parameter of either patch");
+  for (const auto& term : exact.terms())
+    for (std::size_t j = 0; j < 4; ++j)
+      require(term.power[j] == 0 || j == relation.first || j == relation.second ||
+                  dot(relation.direction, term.c) == 0,
+              "a third parameter occurs");
   for (const std::size_t p : {relation.first, relation.second}) {
-    const auto f = in_one_parameter(exact[p / 2], relation, p);
-    require(f.has_value(), where, "a third parameter occurs");
-    require(sign((*f)[1]) * sign(Rational((*f)[1] + 2 * (*f)[2])) > 0, where, "not monotone");
+    const auto slope = [&, p = p](int t) {  // at 0 and 1 of the same sign: it is linear
+      Vector4<Rational> w = {};
+      w[p] = t;
+      const Balls<Rational> f = exact.at(w).first(p, {});
+      return sign_of(dot(relation.direction, {f[0].middle, f[1].middle, f[2].middle}));
+    };
+    require(slope(0) * slope(1) > 0, "not monotone");
   }
 }
 
 /// F(w(t)) = 0 for all t: it has degree <= 8, and vanishes at 9 values.
-inline void check_line(const std::array<Net<Rational>, 2>& exact, const Line& line,
-                       const std::string& where) {
-  require(line.at[line.axis] == Vector3<Rational>{0, 1, 0}, where, "its axis is not its parameter");
-  for (int t = 0; t < 9; ++t) {
-    Vector4<Rational> w;
-    for (std::size_t i = 0; i < 4; ++i) w[i] = line.at[i][0] + t * (line.at[i][1] + t * line.at[i][2]);
-    require(is_zero_at(exact, w), where, "not a solution everywhere");
-  }
-}
-
-/// The patches touch all along the line: the derivative of F has no rank 3, which is of degree <= 18 in t.
-inline bool touches(const std::array<Net<Rational>, 2>& exact, const Line& line) {
-  for (int t = 0; t < 19; ++t) {
-    Vector4<Rational> w;
-    for (std::size_t i = 0; i < 4; ++i) w[i] = value(line.at[i], Rational(t));
-    for (const Ball<Rational>& minor : tangent(pair_map(exact[0], exact[1]).at(w), {}))
-      if (minor.middle != 0) return false;
-  }
-  return true;
+inline void check_line(const Map<Rational>& exact, const Line& line) {
+  require(line.at[line.axis] == Vector3<Rational>{0, 1, 0}, "its axis is not its parameter");
+  for (int t = 0; t < 9; ++t)
+    require(is_solution(exact, value(line.at, Rational(t))), "not a solution everywhere");
 }
 
 /// In [0,1]^4 two parameters have the values of the line at the same time, or neither: with a, b in {0,1}
@@ -77,42 +54,33 @@ inline bool is_edge(const Star& seam, const OnAxis<Rational>& on) {
 
 /// The tube lies in its seam, all solutions of which in [0,1]^4 are on the line.
 template <class N>
-void check_in_seam(const Replay<N>& replay, const Tube<N>& tube, const OnAxis<Rational>& on,
-                   const std::string& where) {
-  const Star& seam =
-      element(replay.certificate.seams, static_cast<std::size_t>(tube.seam), where, "names no seam");
-  require(seam.of == tube, where, "its seam is one of another map");
-  require(tube.inverse == Matrix3<N>{}, where, "an inverse where none is needed");
-  const bool plane = std::count(seam.weights.begin(), seam.weights.end(), std::size_t{0}) == 2;
-  require(!plane || is_edge(seam, on), where, "its seam's plane goes on in the domain");
+void check_in_seam(const Replay<N>& replay, const Tube<N>& tube, const OnAxis<Rational>& on) {
+  const Star& seam = element(replay.certificate.seams, static_cast<std::size_t>(tube.seam), "names no seam");
+  require(seam.of == tube, "its seam is one of another map");
+  require(tube.inverse == Matrix3<N>{}, "an inverse where none is needed");
+  require(!seam.is_plane() || is_edge(seam, on), "its seam's plane goes on in the domain");
+  for (int t = 0; t < 3; ++t)
+    require(is_on(seam, value(on, Rational(t))), "its line is not that of its seam");
+  Box<N> across = box_around(tube.centre, tube.width);
+  across[tube.axis].radius = 0;
+  const Box<N> e = coordinates(seam, across);
   for (std::size_t j = 0; j < 4; ++j) {
-    N middle = 0;
     N slope = 0;
-    N size = 0;
-    Vector3<Rational> e = {};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Rational& c = seam.coordinates[j][i];
-      middle += N(c) * (tube.centre[i] - N(seam.at[i]));
-      slope += N(c) * tube.slope[i];
-      if (i != tube.axis) size += N(Rational(abs(c))) * tube.width;
-      for (std::size_t n = 0; n < 3; ++n) e[n] += c * (on[i][n] - (n == 0 ? seam.at[i] : Rational(0)));
-    }
-    require(magnitude(middle) + tube.reach * magnitude(slope) + size <= 1, where, "not in its seam");
-    const bool on_it = e[0] == 0 && e[1] == 0 && e[2] == 0;
-    require(seam.weights[j] == 0 || on_it, where, "its line is not that of its seam");
+    for (std::size_t i = 0; i < 4; ++i) slope += N(seam.coordinates[j][i]) * tube.slope[i];
+    require(e[j].magnitude() + tube.reach * magnitude(slope) <= 1, "not in its seam");
   }
 }
 
 /// The tube's curve is a line, which is in it for all values of the axis.
 template <class N>
-void check_on_line(Replay<N>& replay, const std::string& where) {
+void check_on_line(Replay<N>& replay) {
   auto& [tube, bounds, constant, grows, exact] = replay.tubes.back();
   const Certificate<N>& certificate = replay.certificate;
-  const Line& line = element(certificate.lines, static_cast<std::size_t>(tube.line), where, "names no line");
-  require(tube.chart == Chart::star || line.axis == tube.axis, where, "its line has another axis");
+  const Line& line = element(certificate.lines, static_cast<std::size_t>(tube.line), "names no line");
+  require(tube.chart == Chart::star || line.axis == tube.axis, "its line has another axis");
   const OnAxis<Rational> on =
-      tube.chart == Chart::star ? ray(certificate.stars[tube.star], tube, line, where) : line.at;
-  if (tube.seam >= 0) check_in_seam(replay, tube, on, where);
+      tube.chart == Chart::star ? ray(certificate.stars[tube.star], tube, line) : line.at;
+  if (tube.seam >= 0) check_in_seam(replay, tube, on);
   exact.emplace();
   const N& t = tube.centre[tube.axis];
   for (std::size_t i = 0; i < 4; ++i) {
@@ -123,8 +91,8 @@ void check_on_line(Replay<N>& replay, const std::string& where) {
     require(
         i == tube.axis ||
             magnitude(middle) + tube.reach * (magnitude(slope) + tube.reach * magnitude(a[2])) <= tube.width,
-        where, "its line is not in it");
-    if (tube.seam >= 0) bounds.first[i] = {a[1], N(0)};  // straight
+        "its line is not in it");
+    if (tube.seam >= 0) bounds.first[i] = a[1];  // straight
     constant[i] = line.at[i][1] == 0 && line.at[i][2] == 0 && line.at[i][0] >= 0 && line.at[i][0] <= 1;
   }
 }
@@ -132,28 +100,26 @@ void check_on_line(Replay<N>& replay, const std::string& where) {
 template <class N>
 void check_tube(Replay<N>& replay, const Tube<N>& tube) {
   const Certificate<N>& certificate = replay.certificate;
-  const std::string where = place("tubes", replay.tubes.size());
-  require(tube.slope[tube.axis] == 1 && tube.reach > 0 && tube.width > 0, where, "not a tube");
+  require(tube.slope[tube.axis] == 1 && tube.reach > 0 && tube.width > 0, "not a tube");
   if (tube.chart == Chart::star)
-    element(certificate.stars, tube.star, where, "names no star");
+    element(certificate.stars, tube.star, "names no star");
   else
-    require(tube.chart == Chart::pair || certificate.self, where, "a chart of two patches");
+    require(tube.chart == Chart::pair || certificate.self, "a chart of two patches");
   const Vector4<N> extent = tube.extent();
-  replay.tubes.push_back({tube, {}, {}, {}, {}});
+  replay.tubes.push_back({tube});
   auto& [claim, bounds, constant, grows, exact] = replay.tubes.back();
   if (tube.seam < 0) {
     const Map<N> local = replay.map(tube).at(tube.centre).times(tube.inverse);
-    for (const N& slack : contraction(tube, local)) require(slack > 0, where, "no contraction");
+    for (const N& slack : contraction(tube, local)) require(slack > 0, "no contraction");
     bounds = curve_bounds(local, tube.axis, extent);
   }
   if (tube.chart == Chart::first || tube.chart == Chart::second)
-    return require(monotone_pairs(tube, bounds, N(tube.centre[3] + tube.reach)), where,
-                   "a parameter may turn");
-  if (tube.line >= 0) check_on_line(replay, where);
-  if (tube.chart == Chart::star) return check_half_branch(replay, where);
+    return require(monotone_pairs(tube, bounds, N(tube.centre[3] + tube.reach)), "a parameter may turn");
+  if (tube.line >= 0) check_on_line(replay);
+  if (tube.chart == Chart::star) return check_half_branch(replay);
   for (std::size_t i = 0; i < 4; ++i) {
     const bool inside = tube.centre[i] >= extent[i] && tube.centre[i] + extent[i] <= 1;
-    require(constant[i] || bounds.first[i].sign() != 0 || (bounds.second[i].sign() != 0 && inside), where,
+    require(constant[i] || bounds.first[i].sign() != 0 || (bounds.second[i].sign() != 0 && inside),
             "a parameter may turn more than once, or outside the domain");
   }
 }

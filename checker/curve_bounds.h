@@ -10,6 +10,12 @@
 
 namespace exsect::checker {
 
+/// One of u, v, r, s: 0, ..., 3.
+struct Parameter {
+  std::size_t index = 0;
+  operator std::size_t() const { return index; }
+};
+
 /// Which map is F, and in which variables.
 enum class Chart {
   pair,    // x(u,v) - y(r,s); of one patch x(u,v) - x(r,s)
@@ -31,7 +37,7 @@ struct MapName {
 template <class N>
 struct Tube : MapName {
   Vector4<N> centre;
-  std::size_t axis;
+  Parameter axis;
   Vector4<N> slope;
   N reach;
   N width;
@@ -61,12 +67,10 @@ struct Tube : MapName {
 template <class N>
 Vector3<N> defects(const Map<N>& local, std::size_t axis, const Vector4<N>& h) {
   Vector3<N> row = {};
-  for (std::size_t d = 0; d < 3; ++d) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      Ball<N> entry = local.first(d, others(axis)[j], h);
-      if (j == d) entry.middle -= 1;
-      row[d] += entry.magnitude();
-    }
+  for (std::size_t j = 0; j < 3; ++j) {
+    Balls<N> column = local.first(others(axis)[j], h);
+    column[j].middle -= 1;
+    for (std::size_t d = 0; d < 3; ++d) row[d] += column[d].magnitude();
   }
   return row;
 }
@@ -111,95 +115,16 @@ CurveBounds<N> curve_bounds(const Map<N>& local, std::size_t axis, const Vector4
   for (const N& r : row) result.defect = larger(result.defect, r);
   if (!(result.defect < 1)) return result;
   // (1 + E) w' = g with |E| <= row: |w'| <= max|g| / (1 - defect) and |w' - g| <= row |w'|.
-  const auto solve = [&](const std::array<Ball<N>, 3>& g, Box<N>& w) {
+  const auto solve = [&](const Balls<N>& minus_g, Box<N>& w) {
     N most = 0;
-    for (const Ball<N>& b : g) most = larger(most, b.magnitude());
+    for (const Ball<N>& b : minus_g) most = larger(most, b.magnitude());
     most = most / (1 - result.defect);
-    for (std::size_t d = 0; d < 3; ++d) w[others(axis)[d]] = {g[d].middle, g[d].radius + row[d] * most};
+    for (std::size_t d = 0; d < 3; ++d)
+      w[others(axis)[d]] = {-minus_g[d].middle, minus_g[d].radius + row[d] * most};
   };
-  std::array<Ball<N>, 3> g;
-  result.first[axis] = {1, 0};
-  for (std::size_t d = 0; d < 3; ++d) g[d] = -local.first(d, axis, h);
-  solve(g, result.first);
-  for (std::size_t d = 0; d < 3; ++d) g[d] = -local.second(d, result.first, h);
-  solve(g, result.second);
-  return result;
-}
-
-/// In a chart: u, v, r and s are monotone on the curve wherever 0 < w < `end`, a bound for w in the tube:
-/// with t^2 = w, 1 > 2t |U'| and |m| > 2t |V'| + 2w |m'|, docs/method.md (7.6).
-template <class N>
-bool monotone_pairs(const Tube<N>& tube, const CurveBounds<N>& bounds, const N& end) {
-  const N first = bounds.first[0].magnitude();
-  const N second = bounds.first[1].magnitude();
-  const N rest = magnitude(tube.centre[2]) - tube.extent()[2] - 2 * end * bounds.first[2].magnitude();
-  return tube.axis == 3 && end > 0 && rest > 0 && 4 * end * first * first < 1 &&
-         4 * end * second * second < rest * rest;
-}
-
-/// The pairs of the box as midpoint (U,V) and half difference (a,b); in the chart `second` with u and v
-/// exchanged.
-template <class N>
-Box<N> halves(Chart chart, Box<N> w) {
-  if (chart == Chart::second) w = {w[1], w[0], w[3], w[2]};
-  const Ball<N> half = {N(0.5), N(0)};
-  return {half * (w[0] + w[2]), half * (w[1] + w[3]), half * (w[0] - w[2]), half * (w[1] - w[3])};
-}
-
-/// R = P + m Q and Q where x(U + a, V + b) - x(U - a, V - b) = 2 (a P + b Q): P = x_u + b^2/2 x_uvv, Q = x_v
-/// + a^2/2 x_uuv at (U,V), `pairs` = (U,V,a,b), for any m. `h`: the map of the chart, or its product with C.
-template <class N>
-std::array<std::array<Ball<N>, 3>, 2> divided(const Map<N>& h, const Box<N>& pairs, const N& m) {
-  const auto& [u, v, a, b] = pairs;
-  const Map<N> local = h.at({u.middle, v.middle, N(0), N(0)});
-  const Map<N> turned = local.at({N(0), N(0), m, N(0)});
-  const Vector4<N> half = {u.radius, v.radius, N(0), N(0)};
-  std::array<std::array<Ball<N>, 3>, 2> result;
-  for (std::size_t d = 0; d < 3; ++d) {
-    const Ball<N> bend = a * a * local.derivative(d, {0, 0, 1, 1}, half);
-    result[0][d] = turned.derivative(d, {0, 0, 0, 0}, half) + Ball<N>{m, N(0)} * bend +
-                   Ball<N>{N(0.5), N(0)} * b * b * local.derivative(d, {0, 0, 2, 1}, half);
-    result[1][d] = local.derivative(d, {0, 0, 1, 0}, half) + bend;
-  }
-  return result;
-}
-
-/// Where a P + b Q = 0 for pairs of the box, (U,V,m,a^2) for m = b/a: with n the third row of C, m = m0 -
-/// (n . R) / (n . Q) for any m0, and a = 0 would make b = 0. Nothing is known, which the radius says, where
-/// n . Q may vanish.
-template <class N>
-Box<N> pairs_in_chart(const Tube<N>& tube, const Map<N>& h, const Box<N>& pairs) {
-  const N& m = tube.centre[2];
-  const auto [r, q] = divided(h.times(tube.inverse), pairs, m);
-  const bool any = q[2].sign() == 0;
-  const N most = pairs[2].magnitude() * pairs[2].magnitude();
-  const N least = pairs[2].sign() != 0 ? N(pairs[2].least() * pairs[2].least()) : N(0);
-  const N middle = N(0.5) * (most + least);
-  return {pairs[0],
-          pairs[1],
-          any ? Ball<N>{m, tube.width + 1} : Ball<N>{m, N(0)} - r[2] / q[2],
-          {middle, N(most - middle)}};
-}
-
-/// n . (P x Q), `h` the map of the first chart: if it does not vanish, no different points of the box are one
-/// in space.
-template <class N>
-Ball<N> volume(const Vector3<N>& n, const Map<N>& h, const Box<N>& pairs) {
-  const auto [p, q] = divided(h, pairs, N(0));
-  double pq = 0;
-  double qq = 0;
-  for (std::size_t d = 0; d < 3; ++d) {
-    pq += approximate(p[d].middle) * approximate(q[d].middle);
-    qq += approximate(q[d].middle) * approximate(q[d].middle);
-  }
-  // P x Q = R x Q: of all m, the one for which R is short.
-  const auto r = divided(h, pairs, qq > 0 && std::abs(pq) < 1e6 * qq ? N(-pq / qq) : N(0))[0];
-  Ball<N> result;
-  for (std::size_t d = 0; d < 3; ++d) {
-    const std::size_t e = (d + 1) % 3;
-    const std::size_t f = (d + 2) % 3;
-    result = result + Ball<N>{n[d], N(0)} * (r[e] * q[f] - r[f] * q[e]);
-  }
+  result.first[axis] = N(1);
+  solve(local.first(axis, h), result.first);
+  solve(local.second(result.first, h), result.second);
   return result;
 }
 

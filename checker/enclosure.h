@@ -45,6 +45,10 @@ class Enclosure {
     if (!(least > 0)) return {q, std::numeric_limits<double>::infinity()};
     return rounded(q, (a.error_ + std::abs(q) * b.error_) / least);
   }
+  /// Nothing is rounded but what underflows.
+  friend Enclosure half(const Enclosure& a) {
+    return {a.value_ / 2, (a.error_ / 2 + 0x1p-1000) * (1 + 0x1p-49)};
+  }
   Enclosure& operator+=(const Enclosure& a) { return *this = *this + a; }
   Enclosure& operator-=(const Enclosure& a) { return *this = *this - a; }
 
@@ -77,6 +81,7 @@ class Enclosure {
   double error_ = 0;
 };
 
+inline Rational half(const Rational& q) { return q / 2; }
 inline double approximate(const Rational& q) { return to_double(q); }
 inline double approximate(double a) { return a; }
 

@@ -29,7 +29,6 @@ template <class N>
 const N& larger(const N& a, const N& b) {
   return a < b ? b : a;
 }
-
 /// -1, 0, 1.
 template <class N>
 int sign_of(const N& a) {
@@ -39,12 +38,19 @@ template <class N>
 N dot(const Vector3<N>& a, const Vector3<N>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
+template <class N>
+Vector3<N> cross(const Vector3<N>& a, const Vector3<N>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 
 /// All numbers within `radius` of `middle`.
 template <class N>
 struct Ball {
   N middle{};
   N radius{};
+
+  Ball() = default;
+  Ball(N m, N r = N(0)) : middle(std::move(m)), radius(std::move(r)) {}
 
   N magnitude() const { return checker::magnitude(middle) + radius; }
   /// A lower bound of |a|; not positive if 0 may be in the ball.
@@ -65,6 +71,23 @@ struct Ball {
 };
 template <class N>
 using Box = std::array<Ball<N>, 4>;
+template <class N>
+using Balls = std::array<Ball<N>, 3>;
+
+/// All places within `radius` of `at` in each variable.
+template <class N>
+Box<N> box_around(const Vector4<N>& at, const N& radius) {
+  return {Ball<N>(at[0], radius), {at[1], radius}, {at[2], radius}, {at[3], radius}};
+}
+template <class N>
+Vector4<N> middles(const Box<N>& box) {
+  return {box[0].middle, box[1].middle, box[2].middle, box[3].middle};
+}
+/// Half its edges.
+template <class N>
+Vector4<N> radii(const Box<N>& box) {
+  return {box[0].radius, box[1].radius, box[2].radius, box[3].radius};
+}
 
 /// The three variables other than k, in order.
 inline std::array<std::size_t, 3> others(std::size_t k) {
@@ -94,8 +117,7 @@ class Map {
     return terms_.emplace_back(Term{power, {}}).c;
   }
   void add(const Power& power, const Vector3<N>& c, const N& factor) {
-    Vector3<N>& sum = coefficient(power);
-    for (std::size_t d = 0; d < 3; ++d) sum[d] += factor * c[d];
+    add_to(coefficient(power), c, factor);
   }
 
   /// The Taylor coefficients at another point, w further.
@@ -103,22 +125,18 @@ class Map {
     Map result = *this;
     for (Term& lower : result.terms_) {
       for (const Term& term : terms_) {
-        int binomial = term.power == lower.power ? 0 : 1;
+        if (!divides(lower.power, term.power) || term.power == lower.power) continue;
+        int binomial = 1;
         for (std::size_t j = 0; j < 4; ++j)
           for (int i = 0; i < lower.power[j]; ++i) binomial = binomial * (term.power[j] - i) / (i + 1);
-        if (binomial == 0) continue;
-        const N factor = product(binomial, w, term.power, lower.power);
-        for (std::size_t d = 0; d < 3; ++d) lower.c[d] += factor * term.c[d];
+        add_to(lower.c, term.c, product(binomial, w, term.power, lower.power));
       }
     }
     return result;
   }
   Vector3<N> value(const Vector4<N>& w) const {
     Vector3<N> sum = {};
-    for (const Term& term : terms_) {
-      const N factor = product(1, w, term.power, {});
-      for (std::size_t d = 0; d < 3; ++d) sum[d] += factor * term.c[d];
-    }
+    for (const Term& term : terms_) add_to(sum, term.c, product(1, w, term.power, {}));
     return sum;
   }
   Map times(const Matrix3<N>& m) const {
@@ -126,62 +144,52 @@ class Map {
     for (Term& term : result.terms_) term.c = {dot(m[0], term.c), dot(m[1], term.c), dot(m[2], term.c)};
     return result;
   }
-  /// The range of n . F over |dw_i| <= h_i.
-  Ball<N> along(const Vector3<N>& n, const Vector4<N>& h) const {
-    Ball<N> result;
-    for (const Term& term : terms_) {
-      const N c = dot(n, term.c);
-      if (term.power == Power{})
-        result.middle = c;
-      else
-        result.radius += magnitude(c) * product(1, h, term.power, {});
-    }
-    return result;
-  }
   /// Component d at the point.
   const N& value(std::size_t d) const { return terms_[0].c[d]; }
-  /// The range of dF_d/dw_j over |dw_i| <= h_i.
-  Ball<N> first(std::size_t d, std::size_t j, const Vector4<N>& h) const {
-    Power a = {};
-    a[j] = 1;
-    return derivative(d, a, h);
-  }
-  /// The range of the second derivative of F_d along vectors in the box t, over |dw_i| <= h_i.
-  Ball<N> second(std::size_t d, const Box<N>& t, const Vector4<N>& h) const {
-    Ball<N> sum;
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i; j < 4; ++j) {
-        Power a = {};
-        ++a[i];
-        ++a[j];
-        if (!has(a)) continue;
-        const Ball<N> entry = derivative(d, a, h) * t[i] * t[j];
-        sum = sum + (i == j ? entry : entry + entry);
-      }
-    }
-    return sum;
-  }
+
   /// The range of the derivative, a_i times to w_i, over |dw_i| <= h_i.
-  Ball<N> derivative(std::size_t d, const Power& a, const Vector4<N>& h) const {
-    Ball<N> result;
+  Balls<N> derivative(const Power& a, const Vector4<N>& h) const {
+    Balls<N> result;
     for (const Term& term : terms_) {
+      if (!divides(a, term.power)) continue;
       int factor = 1;
       for (std::size_t j = 0; j < 4; ++j)
         for (int i = 0; i < a[j]; ++i) factor *= term.power[j] - i;
-      if (factor == 0) continue;
-      if (term.power == a)
-        result.middle = factor * term.c[d];
-      else
-        result.radius += magnitude(term.c[d]) * product(factor, h, term.power, a);
+      const N size = product(factor, h, term.power, a);
+      for (std::size_t d = 0; d < 3; ++d)
+        term.power == a ? result[d].middle = size * term.c[d]
+                        : result[d].radius += size * magnitude(term.c[d]);
     }
     return result;
   }
+  /// That of dF/dw_j.
+  Balls<N> first(std::size_t j, const Vector4<N>& h) const {
+    Power a = {};
+    a[j] = 1;
+    return derivative(a, h);
+  }
+  /// That of the second derivative along vectors in the box t.
+  Balls<N> second(const Box<N>& t, const Vector4<N>& h) const {
+    Balls<N> sum;
+    for (const Term& term : terms_) {
+      Ball<N> factor = N(1);
+      int degree = 0;
+      for (std::size_t j = 0; j < 4; ++j, degree += term.power[j - 1])
+        for (int i = 0; i < term.power[j]; ++i) factor = factor * t[j];
+      if (degree != 2) continue;
+      const bool square = *std::max_element(term.power.begin(), term.power.end()) == 2;
+      const Balls<N> entry = derivative(term.power, h);
+      for (std::size_t d = 0; d < 3; ++d) sum[d] = sum[d] + N(square ? 1 : 2) * entry[d] * factor;
+    }
+    return sum;
+  }
 
  private:
-  bool has(const Power& power) const {
-    for (const Term& term : terms_)
-      if (term.power == power) return true;
-    return false;
+  static bool divides(const Power& a, const Power& b) {
+    return a[0] <= b[0] && a[1] <= b[1] && a[2] <= b[2] && a[3] <= b[3];
+  }
+  static void add_to(Vector3<N>& sum, const Vector3<N>& c, const N& factor) {
+    for (std::size_t d = 0; d < 3; ++d) sum[d] += factor * c[d];
   }
   /// factor w^(power - lower)
   static N product(int factor, const Vector4<N>& w, const Power& power, const Power& lower) {
@@ -205,58 +213,36 @@ void add_patch(Map<N>& map, const Net<N>& c, const N& factor, std::size_t later)
     }
   }
 }
+template <class N>
+Map<N> space_map(const Net<N>& x) {
+  Map<N> map;
+  add_patch(map, x, N(1), 0);
+  return map;
+}
 /// F = x(u,v) - y(r,s).
 template <class N>
 Map<N> pair_map(const Net<N>& x, const Net<N>& y) {
-  Map<N> map;
-  add_patch(map, x, N(1), 0);
+  Map<N> map = space_map(x);
   add_patch(map, y, N(-1), 2);
   return map;
 }
 
-/// H(U,V,m,w): x(U + t, V + m t) - x(U - t, V - m t) = 2 t H for w = t^2, docs/method.md (7.3).
+/// The range of n . F over |dw_i| <= h_i.
 template <class N>
-Map<N> chart_map(const Net<N>& c) {
-  Map<N> map;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const Vector3<N>& point = c[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-      if (i > 0) map.add({i - 1, j, 0, 0}, point, N(i));
-      if (j > 0) map.add({i, j - 1, 1, 0}, point, N(j));
-      if (i == 2 && j > 0) map.add({0, j - 1, 1, 1}, point, N(j));
-      if (j == 2 && i > 0) map.add({i - 1, 0, 2, 1}, point, N(i));
-    }
-  }
-  return map;
-}
-/// The mean of x(U + t, V + m t) and x(U - t, V - m t), (7.4).
-template <class N>
-Map<N> chart_space(const Net<N>& c) {
-  Map<N> map;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const Vector3<N>& point = c[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-      map.add({i, j, 0, 0}, point, N(1));
-      if (i > 0 && j > 0) map.add({i - 1, j - 1, 1, 1}, point, N(i * j));
-      if (i == 2) map.add({0, j, 0, 1}, point, N(1));
-      if (j == 2) map.add({i, 0, 2, 1}, point, N(1));
-      if (i == 2 && j == 2) map.add({0, 0, 2, 2}, point, N(1));
-    }
-  }
-  return map;
+Ball<N> along(const Vector3<N>& n, const Map<N>& map, const Vector4<N>& h) {
+  return map.times({n, {}, {}}).derivative({}, h)[0];
 }
 
 /// T over |dw_i| <= h_i: T_k is (-1)^k times the determinant of the columns of DF other than k, and T_i / T_k
 /// is the derivative of w_i with respect to w_k along the curve.
 template <class N>
 Box<N> tangent(const Map<N>& local, const Vector4<N>& h) {
+  const std::array<Balls<N>, 4> column = {local.first(0, h), local.first(1, h), local.first(2, h),
+                                          local.first(3, h)};
   Box<N> result;
   for (std::size_t k = 0; k < 4; ++k) {
-    const auto entry = [&](std::size_t d, std::size_t j) { return local.first(d, others(k)[j], h); };
-    const auto minor = [&](std::size_t i, std::size_t j) {
-      return entry(1, i) * entry(2, j) - entry(1, j) * entry(2, i);
-    };
-    const Ball<N> t = entry(0, 0) * minor(1, 2) + entry(0, 1) * minor(2, 0) + entry(0, 2) * minor(0, 1);
+    const auto [a, b, c] = others(k);
+    const Ball<N> t = dot(column[a], cross(column[b], column[c]));
     result[k] = k % 2 == 0 ? t : -t;
   }
   return result;

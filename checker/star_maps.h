@@ -4,16 +4,38 @@
 #include <cmath>
 #include <map>
 
-#include "replay.h"
+#include "certificate.h"
 
 namespace exsect::checker {
 
+/// A rational as one, or as a ball.
+template <class B>
+B scalar(const Rational& q) {
+  if constexpr (std::is_same_v<B, Rational>)
+    return q;
+  else
+    return decltype(B::middle)(q);
+}
+
+/// The coordinates e, w = at + sum_j axes_j e_j, of a box of parameters, or of a place.
+template <class B>
+std::array<B, 4> coordinates(const Star& star, const std::array<B, 4>& w) {
+  std::array<B, 4> e;
+  for (std::size_t j = 0; j < 4; ++j) {
+    e[j] = scalar<B>(0);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (star.coordinates[j][i] != 0)
+        e[j] = e[j] + scalar<B>(star.coordinates[j][i]) * (w[i] - scalar<B>(star.at[i]));
+  }
+  return e;
+}
+
 /// t > 0 with t^n = a, for a > 0: with q near it, |t - q| <= |t^n - q^n| / q^(n-1).
 template <class N>
-Ball<N> root(const Ball<N>& a, std::size_t n, const std::string& where) {
+Ball<N> root(const Ball<N>& a, std::size_t n) {
   if (n == 1) return a;
   const double near = std::pow(approximate(a.middle), 1.0 / static_cast<double>(n));
-  require(near > 0 && std::isfinite(near), where, "no root");
+  require(near > 0 && std::isfinite(near), "no root");
   const N q = N(near);
   N power = 1;  // q^(n-1)
   for (std::size_t i = 1; i < n; ++i) power = power * q;
@@ -23,16 +45,12 @@ Ball<N> root(const Ball<N>& a, std::size_t n, const std::string& where) {
 /// The box of parameters as t (variable k) and d in the chart: coordinates (w - at) = d t^weights, d_k = 1 or
 /// -1.
 template <class N>
-Box<N> in_star(const Star& star, std::size_t direction, const Box<N>& w, const std::string& where) {
-  Box<N> e;
-  for (std::size_t j = 0; j < 4; ++j)
-    for (std::size_t i = 0; i < 4; ++i)
-      if (star.coordinates[j][i] != 0)
-        e[j] = e[j] + Ball<N>{N(star.coordinates[j][i]), N(0)} * (w[i] - Ball<N>{N(star.at[i]), N(0)});
+Box<N> in_star(const Star& star, std::size_t direction, const Box<N>& w) {
+  Box<N> e = coordinates(star, w);
   const std::size_t k = direction / 2;
   const Ball<N> size = direction % 2 == 0 ? e[k] : -e[k];
-  require(size.sign() > 0, where, "not on its side of the star's point");
-  const Ball<N> t = root(size, star.weights[k], where);
+  require(size.sign() > 0, "not on its side of the star's point");
+  const Ball<N> t = root(size, star.weights[k]);
   for (std::size_t j = 0; j < 4; ++j)
     for (std::size_t n = 0; j != k && n < star.weights[j]; ++n) e[j] = e[j] / t;
   e[k] = t;
@@ -43,14 +61,14 @@ template <class N>
 Box<N> from_star(const Star& star, std::size_t direction, Box<N> z) {
   const std::size_t k = direction / 2;
   const Ball<N> t = z[k];
-  z[k] = {N(direction % 2 == 0 ? 1 : -1), N(0)};
+  z[k] = N(direction % 2 == 0 ? 1 : -1);
   for (std::size_t j = 0; j < 4; ++j)
     for (std::size_t n = 0; n < star.weights[j]; ++n) z[j] = z[j] * t;
   Box<N> w;
   for (std::size_t i = 0; i < 4; ++i) {
-    w[i] = {N(star.at[i]), N(0)};
+    w[i] = N(star.at[i]);
     for (std::size_t j = 0; j < 4; ++j)
-      if (star.axes[i][j] != 0) w[i] = w[i] + Ball<N>{N(star.axes[i][j]), N(0)} * z[j];
+      if (star.axes[i][j] != 0) w[i] = w[i] + N(star.axes[i][j]) * z[j];
   }
   return w;
 }
@@ -85,8 +103,7 @@ inline Terms centred(const Map<Rational>& map, const Star& star) {
 /// `rows` times the polynomial at e = d t^weights, divided by t^orders.
 template <class N>
 Map<N> in_direction(const Terms& terms, const Star& star, std::size_t direction,
-                    const Matrix3<Rational>& rows, const std::array<std::size_t, 3>& orders,
-                    const std::string& where) {
+                    const Matrix3<Rational>& rows, const std::array<std::size_t, 3>& orders) {
   Map<N> map;
   const std::size_t k = direction / 2;
   for (const auto& [power, c] : terms) {
@@ -96,7 +113,7 @@ Map<N> in_direction(const Terms& terms, const Star& star, std::size_t direction,
     for (std::size_t d = 0; d < 3; ++d) {
       const Rational value = sign * dot(rows[d], c);
       if (value == 0) continue;
-      require(degree >= orders[d], where, "not of this order at its point");
+      require(degree >= orders[d], "not of this order at its point");
       Power shifted = power;
       shifted[k] = static_cast<int>(degree - orders[d]);
       map.coefficient(shifted)[d] += N(value);
@@ -122,33 +139,42 @@ std::array<int, 4> half_branch_signs(const Star& star, const Tube<N>& tube, cons
     for (std::size_t j = 0; j < 4; ++j) {
       if (star.axes[i][j] == 0) continue;
       const N weight = N(static_cast<int>(star.weights[j]));
-      Ball<N> term = {tube.direction % 2 == 0 ? weight : -weight, N(0)};
-      if (j != k) term = Ball<N>{weight, N(0)} * Ball<N>{tube.centre[j], extent[j]} + t * bounds.first[j];
+      Ball<N> term = tube.direction % 2 == 0 ? weight : N(-weight);
+      if (j != k) term = weight * Ball<N>(tube.centre[j], extent[j]) + t * bounds.first[j];
       for (std::size_t n = least; n < star.weights[j]; ++n) term = term * t;
-      slope = slope + Ball<N>{N(star.axes[i][j]), N(0)} * term;
+      slope = slope + N(star.axes[i][j]) * term;
     }
     result[i] = slope.sign();
   }
   return result;
 }
 
+/// a_0 + a_1 t + a_2 t^2
+template <class N>
+N value(const Vector3<N>& a, const N& t) {
+  return a[0] + t * (a[1] + t * a[2]);
+}
+template <class N>
+Vector4<N> value(const OnAxis<N>& a, const N& t) {
+  return {value(a[0], t), value(a[1], t), value(a[2], t), value(a[3], t)};
+}
+
 /// The line through the star's point, a ray with constant d in the chart.
-inline OnAxis<Rational> ray(const Star& star, const MapName& chart, const Line& line,
-                            const std::string& where) {
+inline OnAxis<Rational> ray(const Star& star, const MapName& chart, const Line& line) {
   const std::size_t k = chart.direction / 2;
-  const Rational& t = star.at[line.axis];
-  Vector4<Rational> e = {};
+  require(value(line.at, star.at[line.axis]) == star.at, "its line does not pass through the star's point");
+  Vector4<Rational> next = star.at;
   for (std::size_t i = 0; i < 4; ++i) {
-    require(line.at[i][2] == 0 && value(line.at[i], t) == star.at[i], where,
-            "its line is not straight through the star's point");
-    for (std::size_t j = 0; j < 4; ++j) e[j] += star.coordinates[j][i] * line.at[i][1];
+    require(line.at[i][2] == 0, "its line is not straight");
+    next[i] += line.at[i][1];
   }
-  require(e[k] != 0, where, "its line is not in the chart");
+  const Vector4<Rational> e = coordinates(star, next);
+  require(e[k] != 0, "its line is not in the chart");
   OnAxis<Rational> result = {};
   result[k][1] = 1;
   for (const std::size_t j : others(k)) {
     result[j][0] = chart.direction % 2 == 0 ? e[j] / e[k] : -e[j] / e[k];
-    require(e[j] == 0 || star.weights[j] == star.weights[k], where, "its line is not straight in the chart");
+    require(e[j] == 0 || star.weights[j] == star.weights[k], "its line is not straight in the chart");
   }
   return result;
 }

@@ -20,7 +20,8 @@ Vector perpendicular(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 Vector column(const Map& local, std::size_t j) {
-  return {local.first(0, j, {}).middle, local.first(1, j, {}).middle, local.first(2, j, {}).middle};
+  const auto c = local.first(j, {});
+  return {c[0].middle, c[1].middle, c[2].middle};
 }
 
 /// The subdivision of a chart without a solution.
@@ -57,8 +58,7 @@ class EmptyChart {
     const Map local = map_.at(middle);
     Parameters most{};
     for (std::size_t j = 0; j < 4; ++j)
-      for (std::size_t d = 0; d < 3; ++d)
-        most[j] = std::max(most[j], half[j] * local.first(d, j, half).magnitude());
+      for (const auto& range : local.first(j, half)) most[j] = std::max(most[j], half[j] * range.magnitude());
     return static_cast<std::size_t>(std::max_element(most.begin(), most.end()) - most.begin());
   }
 
@@ -71,8 +71,10 @@ class EmptyChart {
 /// The vector c with c_axis = 0 that the derivative maps to 0, if its rank is 2, largest entry 1.
 std::array<Rational, 4> kernel(const checker::Map<Rational>& local, std::size_t axis) {
   std::array<Point, 3> rows;
-  for (std::size_t d = 0; d < 3; ++d)
-    for (std::size_t j = 0; j < 3; ++j) rows[d][j] = local.first(d, others(axis)[j], {}).middle;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto column = local.first(others(axis)[j], {});
+    for (std::size_t d = 0; d < 3; ++d) rows[d][j] = column[d].middle;
+  }
   Point c = cross(rows[0], rows[1]);
   if (is_zero(c)) c = cross(rows[0], rows[2]);
   if (is_zero(c)) c = cross(rows[1], rows[2]);
@@ -145,7 +147,8 @@ std::string one_sign(const Map& map, const Parameters& middle, const Parameters&
     for (std::size_t j = 0; j < i; ++j) normals.push_back(perpendicular(column(local, i), column(local, j)));
   for (const auto& normal : normals) {
     const auto n = rounded_direction(normal);
-    const checker::Ball<double> range = local.along({double(n[0]), double(n[1]), double(n[2])}, half);
+    const checker::Ball<double> range =
+        checker::along({double(n[0]), double(n[1]), double(n[2])}, local, half);
     if (std::abs(range.middle) > range.radius * (1 + 1e-9) + 1e-11)
       return fmt::format("{},{},{}", n[0], n[1], n[2]);
   }
@@ -171,7 +174,7 @@ std::array<Map, 8> scaled_maps(Star& star, const checker::Map<Rational>& equatio
     std::array<double, 3> most{};
     for (std::size_t direction = 0; direction < 8; ++direction) {
       if (star.weights[direction / 2] == 0) continue;
-      maps[direction] = checker::in_direction<double>(terms, star, direction, star.rows, star.orders, "");
+      maps[direction] = checker::in_direction<double>(terms, star, direction, star.rows, star.orders);
       for (const auto& term : maps[direction].terms())
         for (std::size_t d = 0; d < 3; ++d) most[d] = std::max(most[d], std::abs(term.c[d]));
     }

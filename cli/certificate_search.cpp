@@ -22,7 +22,8 @@ double largest(const Matrix3<double>& m) {
 double rounded(double a, int bits) { return std::ldexp(std::nearbyint(std::ldexp(a, bits)), -bits); }
 
 Vector column(const Map& local, std::size_t j) {
-  return {local.first(0, j, {}).middle, local.first(1, j, {}).middle, local.first(2, j, {}).middle};
+  const auto c = local.first(j, {});
+  return {c[0].middle, c[1].middle, c[2].middle};
 }
 
 double determinant(const Vector& a, const Vector& b, const Vector& c) {
@@ -260,8 +261,8 @@ Tube tube_at(const Map& map, const Parameters& w, std::size_t axis, const OnLine
   if (!c) throw NoCertificate("a point where the patches touch");
   // Short numbers, but C DF is to be 1 to 12 bits.
   double steps = 1;
-  for (std::size_t d = 0; d < 3; ++d)
-    for (std::size_t j = 0; j < 4; ++j) steps = std::max(steps, std::abs(here.first(d, j, {}).middle));
+  for (std::size_t j = 0; j < 4; ++j)
+    for (const double a : column(here, j)) steps = std::max(steps, std::abs(a));
   const int more = std::max(0, std::ilogb(steps * largest(*c)));
   for (auto& row : *c)
     for (double& a : row) a = rounded(a, 12 + std::ilogb(steps) + 1);

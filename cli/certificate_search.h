@@ -3,7 +3,7 @@
 #pragma once
 
 #include <exsect/checker/certificate.h>
-#include <exsect/checker/curve_bounds.h>
+#include <exsect/checker/pairs_of_points.h>
 #include <exsect/geometry/bezier_patch.h>
 #include <exsect/solver/intersection_graph.h>
 #include <exsect/solver/line_patch.h>

@@ -89,8 +89,8 @@ Rational form(const checker::Map<Rational>& local, const Point& normal, const Di
       checker::Power power = {};
       ++power[i];
       ++power[j];
-      for (std::size_t d = 0; d < 3; ++d)
-        sum += normal[d] * a[i] * b[j] * local.derivative(d, power, {}).middle;
+      const auto second = local.derivative(power, {});
+      for (std::size_t d = 0; d < 3; ++d) sum += normal[d] * a[i] * b[j] * second[d].middle;
     }
   }
   return sum;

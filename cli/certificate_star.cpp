@@ -48,14 +48,14 @@ class ChartSearch {
     const checker::MapName chart = {Chart::star, first_.star, direction_};
     checker::OnAxis<Rational> on;
     try {
-      on = checker::ray(star_, chart, lines_[line], "");
-    } catch (const checker::Rejected&) {
+      on = checker::ray(star_, chart, lines_[line]);
+    } catch (const checker::Failed&) {
       return;
     }
     for (const std::size_t j : others(direction_ / 2))
       if (abs(on[j][0]) >= 1) return;
     const auto map = checker::in_direction<Rational>(checker::centred(equation, star_), star_, direction_,
-                                                     star_.rows, star_.orders, "");
+                                                     star_.rows, star_.orders);
     seams_.push_back(seam_along(map, chart, on, direction_ / 2, 0, 1, first_.seam + seams_.size(),
                                 static_cast<int>(line)));
     tubes_.push_back(seams_.back().tube);

@@ -44,7 +44,7 @@ TEST_CASE("false claims about an overlap are rejected where they stand") {
   const std::string text = overlap_text();
   const auto edges = [](auto change) { return [change](Json& j) { change(j["overlaps"][0]["edges"]); }; };
   reason(text, "$.overlaps[0]: names no seam", [](Json& j) { j["overlaps"][0]["seam"] = 1; });
-  reason(text, "$.overlaps[0].edges[0].points[", edges([](Json& e) { e.erase(1); }));
+  reason(text, "$.overlaps[0].edges[0]: does not end where", edges([](Json& e) { e.erase(1); }));
   reason(text, "$.overlaps[0]: not convex", edges([](Json& e) {  // a corner on an edge
            Json middle = e[0];
            Json& points = e[0]["points"];

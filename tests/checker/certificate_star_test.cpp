@@ -164,7 +164,8 @@ TEST_CASE("false claims about half branches are rejected where they stand") {
   };
   reason(text, "$.tubes[0]: names no star", [&](Json& j) { (*tubes(j)[0])["curve"] = "star7u+"; });
   reason(text, "$.tubes[0]: ", [&](Json& j) { (*tubes(j)[0])["curve"] = "star0r-"; });
-  reason(text, "$.tubes[0].curve: must be a chart", [&](Json& j) { (*tubes(j)[0])["curve"] = "star0"; });
+  reason(text, "$.tubes[0].curve: must name u, v, r or s",
+         [&](Json& j) { (*tubes(j)[0])["curve"] = "star0"; });
   reason(text, "$.tubes[0]: does not begin", [&](Json& j) {
     Json& tube = *tubes(j)[0];
     tube["centre"][std::string("uvrs").find(tube["axis"].get<std::string>())] = "1/2^40";

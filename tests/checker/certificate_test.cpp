@@ -130,17 +130,33 @@ TEST_CASE("a number is written in one way of each of three") {
   CHECK(checker::number_of("12") == 12);
   CHECK(checker::number_of("-3/2^4") == Rational(-3, 16));
   CHECK(checker::number_of("6293554681484751/2^100") == Rational(6293554681484751) * power_of_two(-100));
-  for (const char* text : {"6/4", "0.5", "+1", "-0", "2/2^3", "1/2^0", "1/2^-3", "1/2^03", "1/2^3 ",
-                           "1/3/2^2", "1/2^2001", "1/2^", "/2^3", "", "01/2^3", "0/2^3"}) {
+  for (const char* text :
+       {"6/4",  "0.5",  "+1", "-0",     "2/2^3", "1/2^0", "1/2^-3", "1/2^03", "1/2^3 ", "1/3/2^2", "1/2^2001",
+        "1/2^", "/2^3", "",   "01/2^3", "0/2^3", "0/2",   "3/1",    "1/0",    "1/-2",   "--1",     "007"}) {
     INFO(text);
     CHECK_THROWS_AS(checker::number_of(text), std::invalid_argument);
   }
 }
 
 TEST_CASE("what is no certificate is unreadable") {
-  for (const char* text :
-       {"", "{", "[]", "{\"exsect\": \"patches/1\"}", "{\"exsect\": \"certificate/1\", \"exsect\": 1}"})
-    CHECK_THROWS_AS(check_certificate(text), Unreadable);
+  const std::string text = planes();
+  for (const std::string& wrong :
+       {std::string(), std::string("{"), std::string("[]"), text.substr(0, text.size() / 2),
+        std::string("{\"exsect\": \"patches/1\"}"), text + "}"})
+    CHECK_THROWS_AS(check_certificate(wrong), Unreadable);
+}
+
+TEST_CASE("a certificate has its keys once, in their order, and a command that is known") {
+  const std::string text = planes();
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    return changed.replace(changed.find(from), from.size(), to);
+  };
+  const std::string command = "\"command\": \"intersect\"";
+  CHECK(verdict(with(command, command)) == "");
+  for (const std::string& wrong : {std::string("\"command\": \"meet\""), command + ", " + command,
+                                   "\"more\": 1, " + command, std::string("\"command\": 1")})
+    CHECK_THROWS_AS(check_certificate(with(command, wrong)), Rejected);
 }
 
 namespace {

@@ -47,6 +47,8 @@ TEST_CASE("where doubles overflow, underflow or divide by zero nothing wrong is 
   CHECK_FALSE(tiny * tiny <= Enclosure(0));
   CHECK_FALSE(tiny * tiny == Enclosure(0));
   CHECK(may_be(tiny * tiny, from_double(1e-300) * from_double(1e-300)));
+  CHECK_FALSE(half(Enclosure(5e-324)) == Enclosure(5e-324) - Enclosure(5e-324));
+  CHECK(may_be(half(Enclosure(5e-324)), from_double(5e-324) / 2));
 }
 
 TEST_CASE("enclosures hold the results of exact arithmetic") {
@@ -67,6 +69,7 @@ TEST_CASE("enclosures hold the results of exact arithmetic") {
       INFO(i << ": " << k);
       REQUIRE(may_be(a, q));
       REQUIRE(within(a, q, (scale + power_of_two(-900)) * power_of_two(-48)));
+      REQUIRE(may_be(half(a), q / 2));
       REQUIRE(may_be(magnitude(a), abs(q)));
       REQUIRE(may_be(larger(a, b), q < p ? p : q));
       const Enclosure root = root_above(magnitude(a));
