@@ -1,7 +1,8 @@
 // Checks of a family of exact cases: under exchanges and affine maps, and close to special position.
 #pragma once
 
-#include <chrono>
+#include <algorithm>
+#include <ctime>
 #include <functional>
 
 #include "support/catch.h"
@@ -32,10 +33,11 @@ inline const std::vector<Rational>& distances() {
   return list;
 }
 
+/// Of processor time: other programs may keep this one waiting.
 inline double seconds(const ExactCase& c) {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   check(c);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 /// The exact answer at every distance, in no more than ten times the time for the first one (times below a

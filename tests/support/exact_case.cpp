@@ -400,7 +400,6 @@ std::string failure(const ExactCase& expected) {
   IntersectOptions options;
   options.turning = expected.turning;
   options.tolerance = 1e-5;
-  options.max_seconds = 20;
   const IntersectResult result = intersect(expected.x, expected.y, options);
   std::string found = difference(result, expected);
   if (!found.empty() || result.work.steps.count("filtered") == 0) return found;
