@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pair_rates.h"
+
 namespace exsect {
 
 namespace {
@@ -13,8 +15,6 @@ template <class Ball>
 constexpr double kLeastGate = 0x1p-60;
 template <>
 inline constexpr double kLeastGate<ArbBall<256>> = 0x1p-190;
-// Half width of a tube for each unit of its length, so that enclosures of its points fit in.
-constexpr double kRoom = 0x1p-8;
 
 /// The magnitude of z_j over the tube is at most |p_j| plus this.
 template <class Ball>
@@ -92,11 +92,6 @@ Course course(const ChartTube<Ball>& tube, const CuspPlace& place, double w_end)
 }
 
 template <class Ball>
-double largest_radius(const BallPoint<Ball>& box) {
-  return std::max({box[0].radius(), box[1].radius(), box[2].radius(), box[3].radius()});
-}
-
-template <class Ball>
 std::optional<ChartTube<Ball>> tube_to(const ChartSystem<Ball>& system, const ChartCusp<Ball>& cusp,
                                        double w_end) {
   BallPoint<Ball> guess;
@@ -109,7 +104,7 @@ std::optional<ChartTube<Ball>> tube_to(const ChartSystem<Ball>& system, const Ch
     return std::nullopt;
   }
   auto tube = certify_chart_tube(system, *centre, kAxisW, 0.53 * w_end,
-                                 std::max(4 * largest_radius(cusp.at), kRoom * w_end));
+                                 std::max(4 * largest_radius(cusp.at), kChartTubeRoom * w_end));
   if (!tube || tube->contraction > kWorstContraction || !contains(*tube, cusp.at)) {
     return std::nullopt;
   }
