@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <list>
 #include <utility>
 
 #include "graph_builder.h"
@@ -91,12 +93,18 @@ class SelfStarProof {
     }
   }
 
+  /// At a cuspidal centre on the side that is its value of the sweep parameter the two points of every pair
+  /// differ in that parameter, if possible: then only the pairs whose second point is nearer to the side
+  /// count, none of which lies on it, and the slab holds both points.
   void set_box(double halfwidth, double slab) {
-    for (std::size_t j = 0; j < 4; ++j) {
+    const auto range = [&](std::size_t j, double h) {
       const double middle = to_double(near(j).midpoint());
-      const double h = j == sweep_ ? slab : halfwidth;
-      box_[j] = {from_double(std::max(0.0, middle - h)), from_double(std::min(1.0, middle + h))};
-    }
+      return RationalInterval{from_double(std::max(0.0, middle - h)), from_double(std::min(1.0, middle + h))};
+    };
+    for (std::size_t j = 0; j < 4; ++j) box_[j] = range(j, j == sweep_ ? slab : halfwidth);
+    const bool on_side = at_.compare(0) == 0 || at_.compare(1) == 0;
+    from_side_ = centre_.cuspidal && on_side && !has_folded_line(problem_.x, sweep_, box_[sweep_]);
+    if (from_side_) box_[sweep_ + 2] = box_[sweep_];
   }
 
   /// The centre is the only pair of the box over its value of the sweep parameter and the only isolated one
@@ -106,8 +114,10 @@ class SelfStarProof {
     for (std::size_t i = 0; i < problem_.boundary.size(); ++i)
       if (i != centre_.landmark && meet(problem_.boundary[i].box(), box_)) return false;
     if (centre_.cuspidal) {
+      if (cuspidal_points_on_line() != 1) return false;
+      if (from_side_) return true;
       const auto pairs = pairs_in(problem_.x, {sweep(), at_.rational()}, box_);
-      return pairs && pairs->empty() && cuspidal_points_on_line() == 1 && orientation().has_value();
+      return pairs && pairs->empty() && orientation().has_value();
     }
     if (meet(box_, exsect::exchanged(box_))) return false;
     if (!at_.is_rational()) return is_only_root(centre_, box_);
@@ -125,6 +135,7 @@ class SelfStarProof {
 
   /// A parameter in which the two points of every pair in the box differ: u or v.
   std::optional<std::size_t> orientation() const {
+    if (from_side_) return sweep_;
     for (const std::size_t k : {0, 1}) {
       const RationalInterval range = {std::min(box_[k].lower, box_[k + 2].lower),
                                       std::max(box_[k].upper, box_[k + 2].upper)};
@@ -135,7 +146,7 @@ class SelfStarProof {
 
   bool lateral_faces_are_free() const {
     for (const Parameter p : all_parameters) {
-      if (index(p) == sweep_) continue;
+      if (index(p) == sweep_ || (from_side_ && index(p) == sweep_ + 2)) continue;
       for (const Rational& face : {box_[index(p)].lower, box_[index(p)].upper}) {
         if (face == 0 || face == 1) continue;
         const auto pairs = pairs_in(problem_.x, {p, face}, box_);
@@ -145,7 +156,7 @@ class SelfStarProof {
     return true;
   }
 
-  /// At a cuspidal centre those of one order only.
+  /// At a cuspidal centre those of one order only: at the side 1 the first point is the lower one.
   std::optional<std::vector<CertifiedPoint>> oriented(
       std::optional<std::vector<CertifiedPoint>> points) const {
     if (!points || !centre_.cuspidal) return points;
@@ -156,7 +167,8 @@ class SelfStarProof {
                                                point.box()[k + 2].lower <= point.box()[k].upper;
            width *= width)
         point = point.refined_to(width);
-      if (point.box()[k].lower > point.box()[k + 2].upper) kept.push_back(point);
+      const bool descending = point.box()[k].lower > point.box()[k + 2].upper;
+      if (descending != (from_side_ && at_.compare(1) == 0)) kept.push_back(point);
     }
     return kept;
   }
@@ -221,6 +233,7 @@ class SelfStarProof {
   RealAlgebraic at_;
   Rational slab_room_;
   ParameterBox box_;
+  bool from_side_ = false;
 };
 
 class SelfStarSearch {
@@ -231,9 +244,12 @@ class SelfStarSearch {
         system_(problem.x, problem.x, scale_.origin, scale_.frame.exponent) {}
 
   std::vector<SelfStar> run() {
-    for (const SelfCentre& centre :
-         self_star_centres(problem_.x, problem_.boundary, problem_.where, problem_.values))
-      if (!is_known(centre)) add(centre);
+    const double first = std::clamp(8 * problem_.tolerance, 0x1p-36, 0x1p-5);
+    const std::vector<SelfCentre> centres =
+        self_star_centres(problem_.x, problem_.boundary, problem_.where, problem_.values);
+    for (const double halfwidth : {first, 0x1p-4 * first, 0x1p-9 * first, 0x1p-14 * first, 0x1p-20 * first})
+      for (const SelfCentre& centre : centres)
+        if (!is_known(centre)) add(centre, halfwidth);
     return std::move(stars_);
   }
 
@@ -245,20 +261,37 @@ class SelfStarSearch {
     });
   }
 
-  void add(const SelfCentre& centre) {
-    const double first = std::clamp(8 * problem_.tolerance, 0x1p-36, 0x1p-5);
-    for (const std::size_t sweep : centre.sweeps)
-      for (const double halfwidth :
-           {first, 0x1p-4 * first, 0x1p-9 * first, 0x1p-14 * first, 0x1p-20 * first}) {
-        SelfStarProof proof(problem_, centre, sweep);
-        auto star = proof.run(halfwidth);
-        if (!star || !is_disjoint(*star)) continue;
-        const double slab = to_double(star->star.box[sweep].width());
-        const double layers = std::clamp(kLayersPerTolerance * slab / problem_.tolerance, 1.0, kMostLayers);
-        if (!proof.add_layers(*star, static_cast<int>(layers)) || !arcs_keep_tolerance(star->star)) continue;
-        stars_.push_back(*std::move(star));
-        return;
-      }
+  /// The sweep with the widest slab first, whatever the parameters are called: the searches around the star
+  /// have an easy task if its box is not flat.
+  void add(const SelfCentre& centre, double halfwidth) {
+    std::list<SelfStarProof> proofs;
+    std::vector<std::pair<SelfStarProof*, SelfStar>> stars;
+    for (const std::size_t sweep : centre.sweeps) {
+      proofs.emplace_back(problem_, centre, sweep);
+      auto star = proofs.back().run(halfwidth);
+      if (star && is_disjoint(*star)) stars.emplace_back(&proofs.back(), *std::move(star));
+    }
+    std::ranges::stable_sort(stars, std::greater<>(), [](const auto& star) { return slab(star.second); });
+    for (auto& [proof, star] : stars) {
+      if (!divide_into_layers(*proof, star)) continue;
+      stars_.push_back(std::move(star));
+      return;
+    }
+  }
+
+  /// As many as the tolerance asks for: tried with more if the hulls between them are wide.
+  bool divide_into_layers(const SelfStarProof& proof, SelfStar& star) const {
+    double layers = std::clamp(kLayersPerTolerance * slab(star) / problem_.tolerance, 1.0, kMostLayers);
+    for (int attempt = 0; attempt < 2; ++attempt, layers = std::min(4 * layers, kMostLayers)) {
+      star.star.layers = {};
+      if (!proof.add_layers(star, static_cast<int>(layers))) return false;
+      if (arcs_keep_tolerance(star.star)) return true;
+    }
+    return false;
+  }
+
+  static double slab(const SelfStar& star) {
+    return to_double(star.star.box[index(star.star.sweep)].width());
   }
 
   bool is_disjoint(const SelfStar& star) const {
@@ -267,13 +300,16 @@ class SelfStarSearch {
     });
   }
 
+  /// In either order of the pairs: the curve's order is that in which it is traced.
   bool arcs_keep_tolerance(const StarNeighbourhood& star) const {
     const ModelFrame unit = {{0, 0, 0}, 0};
+    const auto keeps = [&](const ParameterBox& hull) {
+      return chord_bound(system_, unit, hull) <= 0.9 * problem_.tolerance;
+    };
     return std::ranges::all_of(star.ports, [&](const Port& port) {
       const StarArc arc = star_arc(star, port);
-      return std::ranges::all_of(arc.hulls, [&](const ParameterBox& hull) {
-        return chord_bound(system_, unit, hull) <= 0.9 * problem_.tolerance;
-      });
+      return std::ranges::all_of(
+          arc.hulls, [&](const ParameterBox& hull) { return keeps(hull) && keeps(exsect::exchanged(hull)); });
     });
   }
 
