@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <string>
 
 #include "../../solver/self_degenerate.h"
@@ -37,12 +38,19 @@ BezierPatch umbrella(const Rational& u0, const Rational& v0) {
   return patch({{1, 0, {1, 0, -v0}}, {0, 1, {0, -2 * v0, -u0}}, {0, 2, {0, 1, 0}}, {1, 1, {0, 0, 1}}});
 }
 
+/// In fewer seconds of processor time than given: other programs may keep this one waiting.
+IntersectResult self_intersect_within(double seconds, const BezierPatch& x) {
+  const std::clock_t start = std::clock();
+  IntersectResult result = self_intersect(x);
+  CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < seconds);
+  return result;
+}
+
 void check_incomplete(const BezierPatch& x, const std::string& reason) {
-  const auto result = self_intersect(x);
+  const auto result = self_intersect_within(20, x);
   REQUIRE(result.status == Status::incomplete);
   CAPTURE(result.incomplete.front().why);
   CHECK(result.incomplete.front().why.find(reason) != std::string::npos);
-  CHECK(result.work.milliseconds < 20000);
 }
 
 void check_nothing(const BezierPatch& x) {
@@ -161,14 +169,13 @@ TEST_CASE("self_intersect: two cuspidal points near each other") {
                                                      {1, 2, 0}}};
   ControlNet net;
   for (std::size_t i = 0; i < 9; ++i) net[i / 3][i % 3] = {points[i][0], points[i][1], points[i][2]};
-  const auto result = self_intersect(BezierPatch(net));
+  const auto result = self_intersect_within(5, BezierPatch(net));
   REQUIRE(result.status == Status::complete);
   CHECK(result.graph.components.size() == 2);
   CHECK(result.graph.boundary_points() == 1);
   CHECK(std::count_if(result.graph.nodes.begin(), result.graph.nodes.end(),
                       [](const Node& n) { return n.kinds.front() == NodeKind::cusp; }) == 3);
   for (const Parameter p : all_parameters) CHECK(result.graph.turning_points(p) >= 1);
-  CHECK(result.work.milliseconds < 5000);
 }
 
 TEST_CASE("self_intersect: an umbrella sheared against the parameters") {
