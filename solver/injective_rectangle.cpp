@@ -266,7 +266,8 @@ constexpr std::array<long, 6> kWidths = {0, -1, -3, -6, -10, -16};  // exponents
 }  // namespace
 
 bool is_injective(const BezierPatch& x, const ParameterRectangle& where) {
-  return InjectivityProof(x).of(where);
+  // The proof divides the longer range first: u of two that are equal.
+  return InjectivityProof(x).of(where) || InjectivityProof(x.exchanged()).of({where.v, where.u});
 }
 
 bool is_collapsed_side(const BezierPatch& x, std::size_t fixed, int value) {

@@ -196,7 +196,7 @@ class GluedBoundary {
     for (const SideArc& arc : lines_.arcs)
       if (!on_one_side(arc.inside)) arcs.push_back(&arc);
     for (std::size_t i = 0; i < arcs.size(); ++i) {
-      if (at(arcs[i]->from) == lines_.points.size() || at(arcs[i]->to) == lines_.points.size()) return false;
+      if (!is_pair(arcs[i]->from) && !is_pair(arcs[i]->to)) return false;
       std::vector<std::size_t> mates;
       for (std::size_t k = 0; k < arcs.size(); ++k)
         if (are_exchanged(*arcs[i], *arcs[k])) mates.push_back(k);
@@ -206,21 +206,38 @@ class GluedBoundary {
     return true;
   }
 
-  std::size_t at(std::size_t end) const { return new_index_[end]; }
+  /// The two points of the pair are different.
+  bool is_pair(std::size_t end) const { return new_index_[end] != lines_.points.size(); }
+
+  /// Different numbers for different ends; those of cuspidal points are their own exchanged ones.
+  std::size_t number(std::size_t end) const {
+    return is_pair(end) ? new_index_[end] : lines_.points.size() + end;
+  }
+  std::size_t exchanged_number(std::size_t end) const {
+    return is_pair(end) ? result_.mate[new_index_[end]] : number(end);
+  }
 
   bool are_exchanged(const SideArc& a, const SideArc& b) const {
-    const std::size_t from = result_.mate[at(a.from)];
-    const std::size_t to = result_.mate[at(a.to)];
-    const bool ends = (at(b.from) == from && at(b.to) == to) || (at(b.from) == to && at(b.to) == from);
+    const std::size_t from = exchanged_number(a.from);
+    const std::size_t to = exchanged_number(a.to);
+    const bool ends =
+        (number(b.from) == from && number(b.to) == to) || (number(b.from) == to && number(b.to) == from);
     return ends && exchanged(a.inside.sides()) == b.inside.sides();
   }
 
   GluedArc glued(const SideArc& arc) const {
-    const Parameter along = line_place({arc.side.parameter, arc.side.value}).roles.line;
-    const bool ascending =
-        lines_.points[arc.from].box()[index(along)].lower <= lines_.points[arc.to].box()[index(along)].lower;
-    return ascending ? GluedArc{at(arc.from), at(arc.to), arc.inside.sides(), along}
-                     : GluedArc{at(arc.to), at(arc.from), arc.inside.sides(), along};
+    const bool forward = is_pair(arc.from);
+    const std::size_t from = forward ? arc.from : arc.to;
+    const std::size_t to = forward ? arc.to : arc.from;
+    const std::size_t along = index(line_place({arc.side.parameter, arc.side.value}).roles.line);
+    const ParameterBox& end = lines_.points[to].box();
+    const int direction = lines_.points[from].box()[along].lower <= end[along].lower ? 1 : -1;
+    GluedArc result{new_index_[from], {}, {}, arc.inside.sides(), static_cast<Parameter>(along), direction};
+    if (is_pair(to))
+      result.to = new_index_[to];
+    else
+      result.cusp = {end[0].lower, end[1].lower};
+    return result;
   }
 
   BoundaryLines lines_;

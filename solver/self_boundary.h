@@ -5,18 +5,23 @@
 #include <exsect/solver/certified_point.h>
 #include <exsect/solver/result.h>
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "injective_rectangle.h"
 
 namespace exsect {
 
-/// Pairs that form an arc with a parameter on a side: all of them have `on`. from, to: indices of points.
+/// Pairs that form an arc with a parameter on a side: all of them have `on`. from, to: indices of points; an
+/// arc may also end in a cuspidal point, where the two points of the pair agree.
 struct GluedArc {
   std::size_t from;
-  std::size_t to;
+  std::optional<std::size_t> to;
+  std::optional<std::array<Rational, 2>> cusp;  // instead of `to`
   std::vector<Side> on;
-  Parameter along;  // on which the arc is a graph, strictly ascending from `from` to `to`
+  Parameter along;  // on which the arc is a graph
+  int direction;    // +1: ascending from `from` on; -1: descending
 };
 
 /// The pairs x(u1,v1) = x(u2,v2) with at least one of the four parameters 0 or 1, as points (u,v,r,s) =

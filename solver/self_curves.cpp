@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "landmark_tangent.h"
+#include "glued_steps.h"
 #include "loop_seeds.h"
 #include "parameter_box.h"
+#include "search_direction.h"
+#include "self_directions.h"
 #include "self_folds.h"
 #include "self_near_cusps.h"
 #include "traced_curves.h"
@@ -27,7 +30,8 @@ class SelfTracing {
         boundary_(exact.boundary),
         width_(width),
         stop_(stop),
-        places_(exact.injective.rectangles, boxes_of(exact.stars)) {
+        places_(exact.injective.rectangles, boxes_of(exact.stars)),
+        directions_(system, exact, result_) {
     for (const CertifiedPoint& point : boundary_.points) {
       result_.landmarks.push_back(enclose<Ball>(point, width));
     }
@@ -40,10 +44,7 @@ class SelfTracing {
 
   SelfCurves<Ball> run() {
     add_near_cusps(result_, system_, exact_, places_, width_, stop_);
-    used_.assign(result_.landmarks.size(), {});
-    for (const MultipleFold& fold : exact_.folds) {
-      use_ends(fold);
-    }
+    directions_.start();
     for (const GluedArc& arc : boundary_.arcs) {
       if (result_.problems.empty()) {
         trace_glued(arc);
@@ -82,83 +83,29 @@ class SelfTracing {
     result_.problems.push_back({where, stop_ && stop_() ? "the work cap was reached" : why});
   }
 
-  /// The directions of the tangent field that may enter the domain at a boundary point; `certain`: they do.
-  struct Directions {
-    std::vector<int> signs = {1, -1};
-    bool certain = true;
-  };
-
-  Directions entering_directions(std::size_t landmark) const {
-    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, result_.landmarks[landmark]).tangent();
-    Directions result;
-    for (const Side& side : boundary_.points[landmark].sides()) {
-      const int sign = tangent[index(side.parameter)].certain_sign();
-      if (sign != 0) {
-        std::erase(result.signs, side.value == 0 ? -sign : sign);
-        continue;
-      }
-      const std::size_t j = index(side.parameter);
-      const int bend = bend_sign(system_.pair, result_.landmarks[landmark], j);
-      if (bend == 0 || signs_at(static_cast<int>(landmark))[j] != 0) {
-        result.certain = false;
-      } else if ((bend > 0) != (side.value == 0)) {
-        result.signs.clear();
-      }
-    }
-    return result;
-  }
-
-  /// The direction of the tangent field in which the trace in the charts goes on at its gate; 0: unknown.
-  int leaving_direction(const ChartTrace<Ball>& trace) const {
-    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, trace.gate).tangent();
-    for (std::size_t j = 0; j < 4; ++j) {
-      const int sign = trace.direction[j] * tangent[j].certain_sign();
-      if (sign != 0) {
-        return sign;
-      }
-    }
-    return 0;
-  }
-
-  std::size_t mate(std::size_t landmark) const {
-    const std::size_t n = boundary_.points.size();
-    return landmark < n ? boundary_.mate[landmark] : n + ((landmark - n) ^ 1U);
-  }
-
-  bool is_boundary(std::size_t landmark) const { return landmark < boundary_.points.size(); }
-  const ChartTrace<Ball>& trace_at(std::size_t gate) const {
-    return result_.chart_traces[result_.gate(static_cast<int>(gate))->trace];
-  }
-
-  /// Nothing else leaves the pair on a side, or a port, in which an arc of the line ends.
-  void use_ends(const MultipleFold& fold) {
-    const auto use_both = [this](std::size_t landmark) {
-      for (const int sign : {1, -1}) use(landmark, sign);
-    };
-    if (fold.end) use_both(*fold.end);
-    for (std::size_t i = 0; i < result_.ports.size(); ++i) {
-      const auto& port = result_.ports[i];
-      if (lies_on(fold, exact_.stars[port.star], port.port)) use_both(result_.boundary_points + i);
-    }
-  }
-
-  /// The arc is regular and leads from one of its ends to the other one: then it is all of the curve.
+  /// The arc is regular apart from the stars on it: its parts lead from one to the next and are all of it.
   void trace_glued(const GluedArc& arc) {
-    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, result_.landmarks[arc.from]).tangent();
-    const int sign = tangent[index(arc.along)].certain_sign();
-    std::variant<Trace<Ball>, TraceFailure> outcome = TraceFailure{};
-    if (sign != 0) {
-      outcome = trace_arc(system_.pair, result_.landmarks, static_cast<int>(arc.from), sign, stop_);
+    const GluedSteps<Ball> steps(system_, exact_, result_, directions_);
+    std::optional<GluedStep> step = steps.first(arc);
+    for (std::size_t parts = 0; step && parts <= result_.ports.size(); ++parts) {
+      auto outcome =
+          trace_arc(system_.pair, result_.landmarks, static_cast<int>(step->landmark), step->sign, stop_);
+      if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
+        problem(around(failure->where), failure->why);
+        return;
+      }
+      const auto* trace = std::get_if<Trace<Ball>>(&outcome);
+      if (trace->end < 0) break;
+      const int end = trace->end;
+      directions_.use(step->landmark, step->sign);
+      directions_.use(static_cast<std::size_t>(end), arriving_direction(*trace));
+      add(std::move(outcome), arc.on);
+      if (steps.is_last(arc, end)) return;
+      step = steps.next(arc, end);
     }
-    const auto* trace = std::get_if<Trace<Ball>>(&outcome);
-    if (!trace || trace->end != static_cast<int>(arc.to)) {
-      problem(boundary_.points[arc.from].box(),
-              "two parts of the boundary that meet from here on are tangent, or singular");
-      return;
-    }
-    use(arc.from, sign);
-    use(arc.to, arriving_direction(*trace));
-    add(std::move(outcome), arc.on);
+    if (!result_.problems.empty()) return;
+    problem(boundary_.points[arc.from].box(),
+            "two parts of the boundary that meet from here on are tangent, or singular");
   }
 
   /// Ports first, so that as many curves as possible have the order of the star in which they end; gates
@@ -167,76 +114,61 @@ class SelfTracing {
     const std::size_t boundary = boundary_.points.size();
     const std::size_t gates = boundary + result_.ports.size();
     for (std::size_t i = boundary; i < gates; i += 2) {
-      start_at(i);
+      start_at(is_exchanged(result_.port(static_cast<int>(i))->star) ? i + 1 : i);
     }
-    for (std::size_t i = gates; i < used_.size(); i += 2) {
+    for (std::size_t i = gates; i < result_.landmarks.size(); i += 2) {
       start_at(i);
     }
     std::vector<bool> seen(boundary, false);
     for (const SelfStar& star : exact_.stars) {
       if (star.landmark) {
-        seen[*star.landmark] = seen[mate(*star.landmark)] = true;
+        seen[*star.landmark] = seen[directions_.mate(*star.landmark)] = true;
       }
     }
     for (std::size_t i = boundary; i-- > 0;) {
       if (!seen[i]) {
-        seen[i] = seen[mate(i)] = true;
+        seen[i] = seen[directions_.mate(i)] = true;
         start_at(i);
       }
     }
   }
 
-  /// Away from the centre of the star.
-  Directions outward(std::size_t landmark) const {
-    const auto& [star, number, exchanged] = *result_.port(static_cast<int>(landmark));
-    const Port& port = exact_.stars[star].star.ports[number];
-    const BallPoint<Ball> tangent = Expansion<Ball>(system_.pair, result_.landmarks[landmark]).tangent();
-    const int sign = tangent[(index(port.across) + (exchanged ? 2 : 0)) % 4].certain_sign();
-    return sign == 0 ? Directions{{1, -1}, false} : Directions{{sign * port.side}, true};
-  }
-
-  Directions directions_at(std::size_t i) const {
-    if (is_boundary(i)) {
-      return entering_directions(i);
-    }
-    if (result_.port(static_cast<int>(i)) != nullptr) {
-      return outward(i);
-    }
-    const int direction = leaving_direction(trace_at(i));
-    return direction == 0 ? Directions{{1, -1}, false} : Directions{{direction}, true};
+  /// A curve traced so far ends in the star in the other order than the star's own.
+  bool is_exchanged(std::size_t star) const {
+    return std::ranges::any_of(result_.curves, [&](const SelfCurve<Ball>& curve) {
+      return std::ranges::any_of(std::array{curve.analysed.trace.start, curve.analysed.trace.end},
+                                 [&](int end) {
+                                   const auto* port = result_.port(end);
+                                   return port != nullptr && port->star == star && port->exchanged;
+                                 });
+    });
   }
 
   void start_at(std::size_t i) {
-    Directions directions = directions_at(i);
-    if (directions.signs.empty() && used_[i].empty()) {
+    LeavingDirections directions = directions_.at(i);
+    if (directions.signs.empty() && directions_.used(i).empty()) {
       result_.isolated.push_back(static_cast<int>(i));
     }
-    for (const int used : used_[i]) {
+    for (const int used : directions_.used(i)) {
       std::erase(directions.signs, used);
     }
     if (!directions.signs.empty() && !directions.certain) {
-      problem(is_boundary(i) ? boundary_.points[i].box() : around(approximation(result_.landmarks[i])),
+      problem(directions_.is_boundary(i) ? boundary_.points[i].box()
+                                         : around(approximation(result_.landmarks[i])),
               "the curve is tangent to a side of the patch, or singular, at this end point");
       return;
     }
     for (const int sign : directions.signs) {
-      if (std::ranges::count(used_[i], sign) > 0) {
+      if (std::ranges::count(directions_.used(i), sign) > 0) {
         continue;  // the curve has come back
       }
-      use(i, sign);
+      directions_.use(i, sign);
       auto outcome = trace_arc(system_.pair, result_.landmarks, static_cast<int>(i), sign, stop_);
       if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
-        use(static_cast<std::size_t>(trace->end), arriving_direction(*trace));
+        directions_.use(static_cast<std::size_t>(trace->end), arriving_direction(*trace));
       }
       add(std::move(outcome));
     }
-  }
-
-  /// A curve leaves the landmark in this direction, and the exchanged one the exchanged landmark: there T is
-  /// the opposite.
-  void use(std::size_t landmark, int sign) {
-    used_[landmark].push_back(sign);
-    used_[mate(landmark)].push_back(-sign);
   }
 
   static std::array<double, 4> approximation(const BallPoint<Ball>& p) {
@@ -256,24 +188,17 @@ class SelfTracing {
     mark_folded_line(curve, constant);
     const Trace<Ball>& trace = curve.analysed.trace;
     auto turning = find_turning_points(system_.pair, curve.analysed.trace, exact_.coincident,
-                                       {constant, signs_at(trace.start), signs_at(trace.end), {}});
+                                       {constant,
+                                        directions_.signs_at(trace.start),
+                                        directions_.signs_at(trace.end),
+                                        {},
+                                        exact_.common_zero});
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
       return;
     }
     curve.analysed.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
     result_.curves.push_back(std::move(curve));
-  }
-
-  /// T at a landmark; nothing for -1.
-  TangentSigns signs_at(int landmark) const {
-    if (landmark < 0) {
-      return {};
-    }
-    const auto i = static_cast<std::size_t>(landmark);
-    return tangent_signs(system_.pair, result_.landmarks[i], [&] {
-      return is_boundary(i) ? exact_.zero_tangent(boundary_.points[i]) : std::array<bool, 4>{};
-    });
   }
 
   /// A curve that comes from the turn of a folded line, or from a port on it, runs along that line.
@@ -301,44 +226,45 @@ class SelfTracing {
     if (side) curve.on = {{static_cast<Parameter>(fixed), *side}, {static_cast<Parameter>(fixed + 2), *side}};
   }
 
-  /// The direction c for which c . (U',V') keeps clearest away from zero on the curves traced so far: any c
-  /// is legal, a good one leaves fewer boxes.
-  std::array<double, 2> search_direction() const {
-    std::array<double, 2> best = {1, 0.375};
-    double best_value = -1;
-    for (int i = 0; i < 16; ++i) {
-      const std::array<double, 2> c = {std::cos(0.19 * i), std::sin(0.19 * i)};
-      double least = 1;
-      for (const SelfCurve<Ball>& curve : result_.curves) {
-        for (const Piece<Ball>& piece : curve.analysed.trace.pieces) {
-          const double du = piece.tube.slope[0] + piece.tube.slope[2];
-          const double dv = piece.tube.slope[1] + piece.tube.slope[3];
-          least = std::min(least, std::fabs(c[0] * du + c[1] * dv) / std::max(1e-300, std::hypot(du, dv)));
-        }
-      }
-      if (least > best_value) {
-        best_value = least;
-        best = c;
-      }
-    }
-    return best;
+  /// (U',V') on the pieces of the curves traced so far.
+  std::vector<std::array<double, 2>> tangents() const {
+    std::vector<std::array<double, 2>> result;
+    for (const SelfCurve<Ball>& curve : result_.curves)
+      for (const Piece<Ball>& piece : curve.analysed.trace.pieces)
+        result.push_back(
+            {piece.tube.slope[0] + piece.tube.slope[2], piece.tube.slope[1] + piece.tube.slope[3]});
+    return result;
   }
 
   void search_closed_curves() {
-    const std::array<double, 2> c = search_direction();
+    const std::array<double, 2> c = search_direction(tangents());
     for (const ChartSystem<Ball>& chart : system_.charts) {
       const Chart which = chart.chart();
-      const ChartSeedHandler<Ball> known = [this, which](const BallPoint<Ball>& p) {
-        return is_known(which, p);
-      };
-      const std::array<double, 2> own = which == Chart::first ? c : std::array<double, 2>{c[1], c[0]};
-      const ChartSearchOutcome outcome =
-          search_chart(chart, places_, own, known, kMostChartBoxes<Ball>, stop_);
-      result_.searched_boxes += outcome.boxes;
+      ChartSearchOutcome outcome = search(chart, c);
+      for (const double turned : {1.0, 2.0}) {
+        if (outcome.undecided.empty() || is_stopped(stop_)) break;
+        const double angle = turned * std::numbers::pi / 3;
+        ChartSearchOutcome other = search(chart, {std::cos(angle) * c[0] - std::sin(angle) * c[1],
+                                                  std::sin(angle) * c[0] + std::cos(angle) * c[1]});
+        if (other.undecided.empty()) outcome = std::move(other);
+      }
       for (const ParameterBox& where : undecided_places(which, outcome.undecided)) {
         problem(where, "a closed curve or a singular point of the self-intersection is not excluded here");
       }
     }
+  }
+
+  /// With one direction for all of the chart, in terms of u and v: every one is complete.
+  ChartSearchOutcome search(const ChartSystem<Ball>& chart, const std::array<double, 2>& direction) {
+    const Chart which = chart.chart();
+    const ChartSeedHandler<Ball> known = [this, which](const BallPoint<Ball>& p) {
+      return is_known(which, p);
+    };
+    const std::array<double, 2> own =
+        which == Chart::first ? direction : std::array<double, 2>{direction[1], direction[0]};
+    ChartSearchOutcome outcome = search_chart(chart, places_, own, known, kMostChartBoxes<Ball>, stop_);
+    result_.searched_boxes += outcome.boxes;
+    return outcome;
   }
 
   bool is_known(Chart chart, const BallPoint<Ball>& p) {
@@ -355,7 +281,7 @@ class SelfTracing {
       }
     }
     return is_in_star(pair) || lies_on_curve(pair) || lies_on_curve(exchanged_pair(pair)) ||
-           seeds_.trace(system_.pair, result_.landmarks, pair, stop_, [this](auto outcome) {
+           seeds_.trace(system_.pair, result_.landmarks, pair, stop_, [this](auto&& outcome) {
              const std::size_t before = result_.problems.size();
              add(std::move(outcome));
              return result_.problems.size() == before;
@@ -384,9 +310,9 @@ class SelfTracing {
   const Rational& width_;
   const StopRequest& stop_;
   KnownPlaces places_;
-  std::vector<std::vector<int>> used_;  // directions of T in which a curve leaves each landmark
   LoopSeeds<Ball> seeds_;
   SelfCurves<Ball> result_;
+  SelfDirections<Ball> directions_;
 };
 
 }  // namespace

@@ -36,6 +36,8 @@ struct ExactPlaces {
   std::array<std::size_t, 4> coincident;  // coincident_parameters(x, x)
   /// Components of T that are known to vanish at a boundary point.
   std::function<std::array<bool, 4>(const CertifiedPoint&)> zero_tangent;
+  /// KnownTangent::common_zero.
+  std::function<std::optional<ParameterBox>(const ParameterBox&, std::size_t, std::size_t)> common_zero;
   std::vector<SelfStar> stars;
 };
 

@@ -14,7 +14,7 @@
 #include "self_folds.h"
 #include "self_graph.h"
 #include "self_star_graph.h"
-#include "singular_points.h"
+#include "self_turning_pairs.h"
 #include "traced_curves.h"
 #include "turning_points.h"
 
@@ -65,7 +65,11 @@ Scaling scaling_of(const BezierPatch& x) {
 class SelfIntersection {
  public:
   SelfIntersection(const BezierPatch& x, const IntersectOptions& options)
-      : x_(x), options_(options), scaling_(scaling_of(x)), stop_([this] { return out_of_time(); }) {}
+      : x_(x),
+        options_(options),
+        scaling_(scaling_of(x)),
+        stop_([this] { return out_of_time(); }),
+        pairs_(x) {}
 
   IntersectResult run() {
     bool injective = false;
@@ -109,7 +113,10 @@ class SelfIntersection {
       exact_.cusps = special_cusps(x_);
       exact_.folds = multiple_folds(x_, exact_.cusps, exact_.boundary.points);
       exact_.coincident = coincident_parameters(x_, x_);
-      exact_.zero_tangent = [this](const CertifiedPoint& point) { return known_zero_tangent(x_, x_, point); };
+      exact_.zero_tangent = [this](const CertifiedPoint& point) { return pairs_.zero_at(point); };
+      exact_.common_zero = [this](const ParameterBox& where, std::size_t i, std::size_t j) {
+        return pairs_.common_zero(where, i, j);
+      };
     });
     if (!exact_.boundary.problems.empty()) {
       result_.incomplete = exact_.boundary.problems;
@@ -129,8 +136,7 @@ class SelfIntersection {
     timed("stars", [this] {
       const double scaled =
           std::ldexp(options_.tolerance * scaling_.extent, -static_cast<int>(scaling_.frame.exponent));
-      if (!values_) values_ = self_values(x_);
-      exact_.stars = self_stars({x_, exact_.boundary.points, undecided_, *values_, scaled, stop_});
+      exact_.stars = self_stars({x_, exact_.boundary.points, undecided_, pairs_.values(), scaled, stop_});
     });
     return exact_.stars.size() > before;
   }
@@ -208,7 +214,7 @@ class SelfIntersection {
   StopRequest stop_;
   ExactPlaces exact_{};
   std::vector<ParameterBox> undecided_;  // by all attempts
-  std::optional<SelfValues> values_;     // for stars
+  TurningPairs pairs_;
   IntersectResult result_{};
   double progress_ = 0;
 };

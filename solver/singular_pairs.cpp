@@ -61,6 +61,13 @@ std::optional<ExactParameters> pair_over(const std::array<Form, 4>& minors, cons
   return pair;
 }
 
+/// A polynomial of s alone divides f.
+bool is_factor(const Polynomial& of_s, const Form& f) {
+  for (int i = 0; i <= f.degree_r(); ++i)
+    if (!divide(f.coefficient(i), of_s).remainder.is_zero()) return false;
+  return !f.is_zero();
+}
+
 bool is_in_square(const ExactParameters& pair) {
   for (const std::size_t j : {0U, 3U}) {
     const int sign = sign_at(pair.denominator[j], pair.at);
@@ -79,9 +86,10 @@ bool agree(const ExactParameters& pair, std::size_t j) {
 
 }  // namespace
 
-std::vector<ExactParameters> singular_pairs_over(const BezierPatch& x, const SelfProjection& projection,
-                                                 const RealAlgebraic& value) {
-  const Form& q = projection.curve;
+std::vector<TurningPair> turning_pairs_over(const BezierPatch& x, const SelfProjection& projection,
+                                            const RealAlgebraic& value) {
+  Form q = projection.curve;
+  while (is_factor(value.polynomial(), q)) q = exact_quotient(q, Form({value.polynomial()}));
   const auto bound = gcd_degree_bound(q, q.derivative_r(), value.polynomial());
   if (!bound || *bound < 1) return {};
   const auto multiple = gcd_modulo(q, q.derivative_r(), value.polynomial());
@@ -91,13 +99,21 @@ std::vector<ExactParameters> singular_pairs_over(const BezierPatch& x, const Sel
   const Residues residue(value.polynomial(), *multiple);
   std::array<Form, 4> minors;
   for (std::size_t k = 0; k < 4; ++k) minors[k] = residue(projection.minors[k]);
-  std::vector<ExactParameters> result;
+  std::vector<TurningPair> result;
   for (const TriangularPoint& at : roots_at(*multiple, value, 0, 1)) {
     const auto pair = pair_over(minors, at, residue);
     if (!pair || !is_in_square(*pair) || (agree(*pair, 0) && agree(*pair, 1))) continue;
-    const std::array<bool, 4> zero = zero_tangent_components(x, x, *pair);
-    if (std::ranges::count(zero, true) == 4) result.push_back(*pair);
+    result.push_back({*pair, zero_tangent_components(x, x, *pair)});
   }
+  return result;
+}
+
+std::vector<ExactParameters> singular_pairs_over(const BezierPatch& x, const SelfProjection& projection,
+                                                 const RealAlgebraic& value) {
+  std::vector<ExactParameters> result;
+  if (is_factor(value.polynomial(), projection.curve)) return result;
+  for (const TurningPair& turning : turning_pairs_over(x, projection, value))
+    if (std::ranges::count(turning.zero, true) == 4) result.push_back(turning.pair);
   return result;
 }
 

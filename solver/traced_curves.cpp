@@ -11,6 +11,7 @@
 #include "line_place.h"
 #include "multiple_turning_values.h"
 #include "parameter_box.h"
+#include "search_direction.h"
 #include "subdivision.h"
 
 namespace exsect {
@@ -235,27 +236,13 @@ class CurveTracing {
     result_.curves.push_back(std::move(curve));
   }
 
-  /// The direction c for which c.T keeps clearest away from zero on the curves traced so far: any c is legal,
-  /// a good one leaves fewer boxes.
-  std::array<double, 2> search_direction() const {
-    std::array<double, 2> best = {1, 0.375};
-    double best_value = -1;
-    for (int i = 0; i < 16; ++i) {
-      const std::array<double, 2> c = {std::cos(0.19 * i), std::sin(0.19 * i)};
-      double least = 1;
-      for (const AnalysedTrace<Ball>& curve : result_.curves) {
-        for (const Piece<Ball>& piece : curve.trace.pieces) {
-          const double du = piece.tube.slope[0];
-          const double dv = piece.tube.slope[1];
-          least = std::min(least, std::fabs(c[0] * du + c[1] * dv) / std::max(1e-300, std::hypot(du, dv)));
-        }
-      }
-      if (least > best_value) {
-        best_value = least;
-        best = c;
-      }
-    }
-    return best;
+  /// (u',v') on the pieces of the curves traced so far.
+  std::vector<std::array<double, 2>> tangents() const {
+    std::vector<std::array<double, 2>> result;
+    for (const AnalysedTrace<Ball>& curve : result_.curves)
+      for (const Piece<Ball>& piece : curve.trace.pieces)
+        result.push_back({piece.tube.slope[0], piece.tube.slope[1]});
+    return result;
   }
 
   void search_everywhere() {
@@ -272,7 +259,7 @@ class CurveTracing {
       return is_stopped(stop_) || (sweep_.quick && ++asked > kQuickSearch);
     };
     const SearchOutcome outcome =
-        search_closed_curves(system_, region, search_direction(), known, settled, soon);
+        search_closed_curves(system_, region, search_direction(tangents()), known, settled, soon);
     result_.cut_short = result_.cut_short || (sweep_.quick && !outcome.undecided.empty());
     result_.searched_boxes += outcome.boxes;
     for (const SearchRegion& box : merged(outcome.undecided)) {

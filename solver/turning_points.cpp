@@ -303,7 +303,7 @@ class TurningSearch {
     for (auto point = first; point + 1 != found_.end(); ++point) {
       TurningPoint<Ball>& next = *(point + 1);
       const bool apart = forward ? (point->to < next.from) : (point->to > next.from);
-      if (!apart && turn_in_a_fold(*point, next)) {
+      if (!apart && (turn_in_a_fold(*point, next) || turn_in_one_point(*point, next))) {
         next.parameters.insert(next.parameters.begin(), point->parameters.begin(), point->parameters.end());
         for (std::size_t j = 0; j < 4; ++j) {
           next.box[j] = hull(point->box[j], next.box[j]);
@@ -348,6 +348,32 @@ class TurningSearch {
     const double from = forward ? std::min(a.from, b.from) : std::max(a.from, b.from);
     const double to = forward ? std::max(a.to, b.to) : std::min(a.to, b.to);
     return sign(from) * sign(to) < 0;
+  }
+
+  /// On the tube each parameter turns at most once: in a point where both are known to turn, if the tube
+  /// holds it.
+  bool turn_in_one_point(const TurningPoint<Ball>& a, const TurningPoint<Ball>& b) const {
+    if (!known_.common_zero) {
+      return false;
+    }
+    ParameterBox where;
+    for (std::size_t j = 0; j < 4; ++j) {
+      where[j] = hull(a.box[j], b.box[j]).interval();
+    }
+    for (const std::size_t i : a.parameters) {
+      for (const std::size_t j : b.parameters) {
+        const auto at = known_.common_zero(where, i, j);
+        if (at && contains(trace_.pieces[a.piece].tube, enclosing(*at))) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  static BallPoint<Ball> enclosing(const ParameterBox& box) {
+    return {Ball::enclosing(box[0]), Ball::enclosing(box[1]), Ball::enclosing(box[2]),
+            Ball::enclosing(box[3])};
   }
 
   void fail(const BallPoint<Ball>& at, const char* why) {

@@ -1,6 +1,10 @@
 // Turning points of a traced curve with respect to all four parameters. Internal to solver/.
 #pragma once
 
+#include <exsect/solver/certified_point.h>
+
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "tracer.h"
@@ -38,6 +42,10 @@ struct KnownTangent {
   TangentSigns at_end{};
   /// plane_coordinates(x, y). Where a plane y folds, u and v turn together: T_u and T_v contain N_y.
   std::array<std::optional<std::size_t>, 2> plane{};
+  /// Asked where two turning points cannot be told apart, unless empty: a box inside `where` that holds a
+  /// point of the intersection at which components i and j of T vanish.
+  std::function<std::optional<ParameterBox>(const ParameterBox& where, std::size_t i, std::size_t j)>
+      common_zero = {};
 };
 
 /// All turning points in the order of the trace, apart from its end points. Splits the trace's pieces where

@@ -9,6 +9,7 @@
 
 #include "../../solver/exact_source.h"
 #include "../../solver/self_turning.h"
+#include "../../solver/self_turning_pairs.h"
 #include "../../solver/singular_pairs.h"
 #include "support/catch.h"
 #include "support/graph_checks.h"
@@ -65,6 +66,14 @@ const std::vector<int> kPlanarFold = {0, 0,  -1, -1, 1,  0, 0,  1, 1, 1,  1, -1,
 // Two curves cross in a pair with irrational parameters, of degree 2 over Q.
 const std::vector<int> kIrrationalCrossing = {0, 1, -1, 1,  0, 0, 0,  0,  0, 0, 0, 1, 1, 1,
                                               1, 0, 1,  -1, 0, 0, -1, -1, 1, 0, 1, 0, 0};
+
+// The sides u = 0 and v = 1 are glued, x(0,t) = x(1 - t,1), up to their common corner; another curve crosses
+// them.
+const std::vector<int> kGluedAtCorner = {1,  1, 0,  1, -1, 1,  -1, 1,  1,  1,  -1, -1, 1, 1,
+                                         -1, 1, -1, 1, 0,  -1, -1, -1, -1, -1, 1,  1,  0};
+// v1 + v2 = 1 on a curve, so that v1 and v2 turn together, at a pair of degree 16 over Q.
+const std::vector<int> kTurnTogether = {0, 1,  1,  1, -1, -1, 0, -1, -1, 0, -1, -1, 0, -1,
+                                        0, -1, -1, 0, 1,  1,  0, 0,  -1, 0, 1,  0,  -1};
 
 /// The line v = c turns at u = f, and both tangent planes agree along it, for one of the two reasons.
 BezierPatch multiple_fold(std::mt19937& generator, bool planar, const Rational& f, const Rational& c) {
@@ -210,6 +219,58 @@ TEST_CASE("a crossing at a pair with irrational parameters") {
   const BezierPatch x = patch(kIrrationalCrossing);
   const IntersectionGraph graph = checked(x);
   CHECK(degrees(graph, NodeKind::crossing) == std::vector{4});
+}
+
+TEST_CASE("sides that are glued up to the corner they have in common") {
+  const IntersectionGraph graph = checked(patch(kGluedAtCorner));
+  CHECK(std::ranges::count(graph.arcs, ArcPlace::patch_boundary, &Arc::place) == 2);
+  CHECK(degrees(graph, NodeKind::crossing) == std::vector{3});
+  const auto corner = std::ranges::find(graph.nodes, std::array<double, 4>{0, 1, 0, 1}, &Node::approx);
+  REQUIRE(corner != graph.nodes.end());
+  CHECK(std::ranges::count(corner->kinds, NodeKind::cusp) == 1);
+  for (const Arc& arc : graph.arcs) {
+    if (arc.place != ArcPlace::patch_boundary) continue;
+    for (const PolylineVertex& vertex : arc.polyline) {
+      const std::array<double, 4>& p = vertex.parameters;
+      const std::size_t first = p[0] == 0 ? 0 : 2;
+      CHECK(p[first] == 0);
+      CHECK(p[3 - first] == 1);
+      CHECK(p[first + 1] + p[2 - first] == Approx(1));
+    }
+  }
+}
+
+TEST_CASE("two parameters that turn in one pair") {
+  const IntersectionGraph graph = checked(patch(kTurnTogether));
+  CHECK(std::ranges::count_if(graph.nodes, [](const Node& node) {
+          return std::ranges::count(node.wrt, Parameter::v) == 1 &&
+                 std::ranges::count(node.wrt, Parameter::s) == 1;
+        }) == 1);
+}
+
+TEST_CASE("exact pairs at which a component of the tangent vanishes") {
+  const BezierPatch x = patch(kTurnTogether);
+  TurningPairs pairs(x);
+  const IntersectionGraph graph = checked(x);
+  int together = 0;
+  for (const Node& node : graph.nodes) {
+    if (node.wrt.empty()) continue;
+    ParameterBox around;
+    for (std::size_t j = 0; j < 4; ++j)
+      around[j] = {from_double(node.approx[j]) - power_of_two(-30),
+                   from_double(node.approx[j]) + power_of_two(-30)};
+    const auto box = pairs.common_zero(around, 1, 3);
+    CHECK(box.has_value() == (node.wrt.size() == 2));
+    CHECK_FALSE(pairs.common_zero(around, 0, 1));
+    if (!box) continue;
+    ++together;
+    // v1 + v2 = 1 on the curve, and the images agree.
+    const auto& [u, v, r, s] = *box;
+    CHECK(abs(v.midpoint() + s.midpoint() - 1) < power_of_two(-190));
+    const Point gap = x(u.midpoint(), v.midpoint()) - x(r.midpoint(), s.midpoint());
+    CHECK(dot(gap, gap) < power_of_two(-300));
+  }
+  CHECK(together == 1);
 }
 
 TEST_CASE("singular pairs over an irrational value, exactly") {
