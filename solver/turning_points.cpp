@@ -32,10 +32,9 @@ inline constexpr double kUnit<ArbBall<256>> = 0;
 constexpr double kMagnified = 0x1p-30;
 constexpr double kLeastMagnified = 0x1p-110;
 
-/// The vectors that a linear form must annihilate to depend on one parameter alone: all power-basis
-/// coefficients but those of its powers.
-void append_constraints(std::vector<Point>& constraints, const BezierPatch& patch, std::size_t parameter) {
-  const ControlNet c = patch.power_basis();
+/// The vectors that a linear form must annihilate to depend on one parameter alone: all coefficients of the
+/// power basis but those of its powers.
+void append_constraints(std::vector<Point>& constraints, const ControlNet& c, std::size_t parameter) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       if ((parameter == 0 ? j : i) > 0 && !is_zero(c[i][j])) {
@@ -46,8 +45,7 @@ void append_constraints(std::vector<Point>& constraints, const BezierPatch& patc
 }
 
 /// The form, a quadratic polynomial of the parameter alone, has a derivative without zero on [0,1].
-bool is_strictly_monotone(const Point& form, const BezierPatch& patch, std::size_t parameter) {
-  const ControlNet c = patch.power_basis();
+bool is_strictly_monotone(const Point& form, const ControlNet& c, std::size_t parameter) {
   const Rational at_0 = dot(form, parameter == 0 ? c[1][0] : c[0][1]);
   const Rational at_1 = at_0 + 2 * dot(form, parameter == 0 ? c[2][0] : c[0][2]);
   return sign(at_0) * sign(at_1) > 0;
@@ -393,13 +391,15 @@ class TurningSearch {
 
 std::array<std::size_t, 4> coincident_parameters(const BezierPatch& x, const BezierPatch& y) {
   std::array<std::size_t, 4> partner = {0, 1, 2, 3};
+  const ControlNet of_x = x.power_basis();
+  const ControlNet of_y = y.power_basis();
   for (std::size_t a = 0; a < 2; ++a) {
     for (std::size_t b = 0; b < 2; ++b) {
       std::vector<Point> constraints;
-      append_constraints(constraints, x, a);
-      append_constraints(constraints, y, b);
+      append_constraints(constraints, of_x, a);
+      append_constraints(constraints, of_y, b);
       for (const Point& form : orthogonal_complement(constraints)) {
-        if (is_strictly_monotone(form, x, a) && is_strictly_monotone(form, y, b)) {
+        if (is_strictly_monotone(form, of_x, a) && is_strictly_monotone(form, of_y, b)) {
           partner[a] = 2 + b;
           partner[2 + b] = a;
         }
