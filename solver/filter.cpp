@@ -1,6 +1,8 @@
 #include "filter.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "filter_contact_graph.h"
 #include "filter_graph.h"
@@ -16,6 +18,9 @@ using filter::BoundaryPoint;
 using filter::Trace;
 
 constexpr double kFinestTolerance = 1e-12;
+constexpr std::size_t kMostDoublePoints = 8;
+/// Of the tolerance, for the chords from ports to double points.
+constexpr double kPortShare = 0.9;
 constexpr std::array<std::size_t, 4> kNoneCoincident = {0, 1, 2, 3};
 
 class FilteredIntersection {
@@ -37,25 +42,24 @@ class FilteredIntersection {
     if (!pair || options_.tolerance < kFinestTolerance) {
       return std::nullopt;
     }
+    filter::Trees trees{filter::PatchTree(pair->x), filter::PatchTree(pair->y)};
     const auto contacts = filter::find_contacts(x_, y_, *pair);
     if (!contacts || (with_stations_ && !contacts->empty())) {
       return std::nullopt;
     }
-    filter::Trees trees{filter::PatchTree(pair->x), filter::PatchTree(pair->y)};
     if (!contacts->empty() && filter::meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
       return with_contacts(*pair, *contacts, {}, {});
     }
-    const auto points = filter::boundary_points(*pair, *contacts, trees, boxes_);
+    auto points = filter::boundary_points(*pair, *contacts, trees, boxes_);
     std::vector<Trace> traces;
-    if (!points || !trace_arcs(*pair, *points, traces) ||
-        !filter::add_loops(*pair, *contacts, trees, *points, traces, boxes_)) {
+    if (!points || !find_curves(*pair, *contacts, trees, *points, traces)) {
       return std::nullopt;
     }
     std::vector<AnalysedTrace> curves;
     if (!find_turns(*pair, traces, curves)) {
       return std::nullopt;
     }
-    auto graph = filter::make_graph(*pair, *points, curves, options_.turning, coincident_,
+    auto graph = filter::make_graph(*pair, *points, double_points_, curves, options_.turning, coincident_,
                                     options_.tolerance * pair->extent,
                                     with_stations_ ? 0 : options_.tolerance * pair->extent);
     if (!graph) {
@@ -89,15 +93,49 @@ class FilteredIntersection {
     return result;
   }
 
-  /// Every boundary point is an end of exactly one arc.
+  /// Anew after each double point that is found where this fails.
+  bool find_curves(const filter::Pair& pair, const filter::Contacts& contacts, filter::Trees& trees,
+                   std::vector<BoundaryPoint>& points, std::vector<Trace>& traces) {
+    for (;;) {
+      filter::Vec4 stuck = {1, 1, 1, 1};
+      if (trace_arcs(pair, points, traces, stuck) &&
+          filter::add_loops(pair, contacts, double_points_, trees, points, traces, boxes_, stuck)) {
+        return true;
+      }
+      if (with_stations_ || double_points_.size() == kMostDoublePoints ||
+          !add_double_point(pair, stuck, points)) {
+        return false;
+      }
+      traces.clear();
+    }
+  }
+
+  bool add_double_point(const filter::Pair& pair, const filter::Vec4& stuck,
+                        std::vector<BoundaryPoint>& points) {
+    const double tolerance =
+        std::ldexp(kPortShare * options_.tolerance * pair.extent, -static_cast<int>(pair.frame.exponent));
+    auto point = filter::double_point_near(x_, y_, pair, stuck, tolerance);
+    if (!point || std::any_of(double_points_.begin(), double_points_.end(),
+                              [&](const filter::DoublePoint& known) { return known.at == point->at; })) {
+      return false;
+    }
+    for (std::size_t i = 0; i < point->ports.size(); ++i) {
+      const filter::Port& port = point->ports[i];
+      points.push_back({port.ball, port.parameter, port.side, static_cast<int>(double_points_.size()), i});
+    }
+    double_points_.push_back(std::move(*point));
+    return true;
+  }
+
+  /// Every boundary point, and every port, is an end of exactly one arc.
   static bool trace_arcs(const filter::Pair& pair, const std::vector<BoundaryPoint>& points,
-                         std::vector<Trace>& traces) {
+                         std::vector<Trace>& traces, filter::Vec4& stuck) {
     std::vector<bool> used(points.size(), false);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (used[i]) {
         continue;
       }
-      auto trace = filter::trace_arc(pair, points, i);
+      auto trace = filter::trace_arc(pair, points, i, &stuck);
       if (!trace || used[static_cast<std::size_t>(trace->end)]) {
         return false;
       }
@@ -172,6 +210,7 @@ class FilteredIntersection {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   long boxes_ = 0;
   std::array<std::size_t, 4> coincident_ = kNoneCoincident;
+  std::vector<filter::DoublePoint> double_points_;
   bool with_stations_ = false;
   std::array<std::vector<Stations>, 4> stations_;
 };

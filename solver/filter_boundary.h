@@ -11,10 +11,13 @@ namespace exsect::filter {
 
 /// Exactly one solution of x = y in the ball has `parameter` (centred) equal to `side`, which is 1/2 or -1/2,
 /// as ball.middle has. It lies in the interior of the other three intervals, and the curve crosses the side.
+/// Or, if `centre` is not -1, it is a port of that double point: see Port.
 struct BoundaryPoint {
   Ball ball;
   std::size_t parameter;
   double side;
+  int centre = -1;
+  std::size_t port = 0;
 };
 
 /// Every solution on a side but the contacts, which no other one is near; empty if that is not decided:

@@ -58,14 +58,17 @@ struct Stop {
   int node;
   std::size_t piece;
   double tau;
+  const Port* port = nullptr;  // the node is the centre of this port's double point
 };
 
 class GraphMaker {
  public:
   GraphMaker(const Pair& pair, const std::vector<BoundaryPoint>& points,
-             const std::array<std::size_t, 4>& coincident, double tolerance, double vertex_tolerance)
+             const std::vector<DoublePoint>& double_points, const std::array<std::size_t, 4>& coincident,
+             double tolerance, double vertex_tolerance)
       : pair_(pair),
         points_(points),
+        double_points_(double_points),
         coincident_(coincident),
         scale_(std::ldexp(1.0, static_cast<int>(pair.frame.exponent))),
         tolerance_(tolerance),
@@ -77,8 +80,27 @@ class GraphMaker {
     place_error_ = kSlack * 1.75 * (pair.total_error + 2 * kUnit * size);
   }
 
+  void add_double_points() {
+    for (const DoublePoint& point : double_points_) {
+      const bool crossing = point.forms.crossing;
+      Node& node = add_node(crossing ? NodeKind::crossing : NodeKind::touch, {point.centre, 0});
+      for (std::size_t j = 0; j < 4; ++j) {
+        node.box[j] = {point.at[j], point.at[j]};
+      }
+      if (!crossing) {
+        graph_.isolated_points.push_back(node.id);
+      }
+    }
+  }
+
+  /// After the double points.
   void add_boundary_nodes() {
     for (const BoundaryPoint& point : points_) {
+      if (point.centre >= 0) {
+        node_of_.push_back(point.centre);
+        continue;
+      }
+      node_of_.push_back(static_cast<int>(graph_.nodes.size()));
       Node& node = add_node(NodeKind::boundary, point.ball);
       const bool upper = point.side > 0;
       node.on = {{static_cast<Parameter>(point.parameter), upper ? 1 : 0}};
@@ -90,14 +112,14 @@ class GraphMaker {
     stops_.clear();
     const Trace& trace = curve.trace;
     if (trace.start >= 0) {
-      stops_.push_back({trace.start, 0, trace.pieces.front().from});
+      stops_.push_back(stop_at(trace.start, 0, trace.pieces.front().from));
     }
     add_turning_stops(curve, wanted);
     if (stops_.empty()) {
       add_turning_stops(curve, {all_parameters.begin(), all_parameters.end()});
     }
     if (trace.start >= 0) {
-      stops_.push_back({trace.end, trace.pieces.size() - 1, trace.pieces.back().to});
+      stops_.push_back(stop_at(trace.end, trace.pieces.size() - 1, trace.pieces.back().to));
     }
     bounds_.clear();
     for (const Piece& piece : trace.pieces) {
@@ -113,6 +135,13 @@ class GraphMaker {
   IntersectionGraph take() { return std::move(graph_); }
 
  private:
+  Stop stop_at(int point, std::size_t piece, double tau) const {
+    const auto i = static_cast<std::size_t>(point);
+    const int centre = points_[i].centre;
+    return {node_of_[i], piece, tau,
+            centre < 0 ? nullptr : &double_points_[static_cast<std::size_t>(centre)].ports[points_[i].port]};
+  }
+
   /// Parameters in [0,1]: the middle, in [-1/2,1/2] up to the radius, plus 1/2. 2^-50: the roundings.
   Node& add_node(NodeKind kind, const Ball& ball) {
     Node& node = graph_.nodes.emplace_back();
@@ -125,10 +154,7 @@ class GraphMaker {
       node.box[j].lower = from_double(std::max(t - radius, 0.0));
       node.box[j].upper = from_double(std::min(t + radius, 1.0));
     }
-    const Vec3 x = expand(pair_.x, ball.middle[0], ball.middle[1])[0];
-    for (std::size_t c = 0; c < 3; ++c) {
-      node.point[c] = pair_.frame.origin[c] + scale_ * x[c];
-    }
+    node.point = position(expand(pair_.x, ball.middle[0], ball.middle[1])[0]);
     node_radius_.push_back(radius);
     return node;
   }
@@ -145,7 +171,7 @@ class GraphMaker {
       if (!wrt.empty()) {
         Node& node = add_node(NodeKind::turning, turn.ball);
         node.wrt = std::move(wrt);
-        stops_.push_back({node.id, turn.piece, 0.5 * (turn.from + turn.to)});
+        stops_.push_back({node.id, turn.piece, 0.5 * (turn.from + turn.to), nullptr});
       }
     }
   }
@@ -176,6 +202,9 @@ class GraphMaker {
 
   bool add_arc(const Trace& trace, const Stop& from, const Stop& to) {
     std::size_t count = 2;
+    for (const Stop* stop : {&from, &to}) {
+      count += stop->port == nullptr ? 0 : stop->port->approach.size() + 1;
+    }
     visit(trace, from, to, [&](std::size_t piece, double a, double b, bool) {
       count += static_cast<std::size_t>(chords(piece, a, b));
     });
@@ -195,9 +224,13 @@ class GraphMaker {
     cover(from);
     cover(to);
     push_node(arc, from.node);
+    push_approach(arc, from);
     visit(trace, from, to, [&](std::size_t piece, double a, double b, bool last) {
       add_chords(arc, trace.pieces[piece].tube, bounds_[piece], a, b, chords(piece, a, b), !last);
     });
+    const auto port = static_cast<std::ptrdiff_t>(arc.polyline.size());
+    push_approach(arc, to);
+    std::reverse(arc.polyline.begin() + port, arc.polyline.end());
     push_node(arc, to.node);
     // An end of the arc is anywhere in its node's box, and the vertex there too: twice.
     arc.error_bound = kSlack * scale_ * (chord_error_ + 2 * vertex_error_ + 2 * place_error_);
@@ -207,6 +240,29 @@ class GraphMaker {
   void push_node(Arc& arc, int id) const {
     const Node& node = graph_.nodes[static_cast<std::size_t>(id)];
     arc.polyline.push_back({node.approx, node.point});
+  }
+
+  /// From the centre of the stop's port to the port.
+  void push_approach(Arc& arc, const Stop& stop) {
+    if (stop.port == nullptr) {
+      return;
+    }
+    const auto push = [&](const Vec4& w) {
+      arc.polyline.push_back(
+          {{w[0] + 0.5, w[1] + 0.5, w[2] + 0.5, w[3] + 0.5}, position(expand(pair_.x, w[0], w[1])[0])});
+    };
+    std::for_each(stop.port->approach.begin(), stop.port->approach.end(), push);
+    push(stop.port->ball.middle);
+    chord_error_ = std::max(chord_error_, stop.port->chord);
+    vertex_error_ = std::max(vertex_error_, stop.port->vertex_error);
+  }
+
+  std::array<double, 3> position(const Vec3& scaled) const {
+    std::array<double, 3> point;
+    for (std::size_t c = 0; c < 3; ++c) {
+      point[c] = pair_.frame.origin[c] + scale_ * scaled[c];
+    }
+    return point;
   }
 
   /// The node's box, of radius at most 2^-31, contains points of the tube: at its other points |x_u| + |x_v|
@@ -275,6 +331,7 @@ class GraphMaker {
 
   const Pair& pair_;
   const std::vector<BoundaryPoint>& points_;
+  const std::vector<DoublePoint>& double_points_;
   const std::array<std::size_t, 4>& coincident_;
   double scale_;
   double tolerance_;
@@ -283,6 +340,7 @@ class GraphMaker {
   double place_error_;
   std::size_t vertices_ = 0;
   IntersectionGraph graph_;
+  std::vector<int> node_of_;  // of boundary points
   std::vector<double> node_radius_;
   std::vector<Stop> stops_;
   std::vector<SpaceBounds> bounds_;
@@ -293,11 +351,13 @@ class GraphMaker {
 }  // namespace
 
 std::optional<IntersectionGraph> make_graph(const Pair& pair, const std::vector<BoundaryPoint>& points,
+                                            const std::vector<DoublePoint>& double_points,
                                             const std::vector<AnalysedTrace>& traces,
                                             const std::vector<Parameter>& wanted,
                                             const std::array<std::size_t, 4>& coincident, double tolerance,
                                             double vertex_tolerance) {
-  GraphMaker maker(pair, points, coincident, tolerance, vertex_tolerance);
+  GraphMaker maker(pair, points, double_points, coincident, tolerance, vertex_tolerance);
+  maker.add_double_points();
   maker.add_boundary_nodes();
   for (const AnalysedTrace& curve : traces) {
     if (!maker.add(curve, wanted)) {

@@ -4,6 +4,7 @@
 
 #include <exsect/solver/intersection_graph.h>
 
+#include "filter_double_point.h"
 #include "filter_turning.h"
 
 namespace exsect::filter {
@@ -14,11 +15,12 @@ struct AnalysedTrace {
   std::vector<Turn> turns;
 };
 
-/// The graph of these curves, which are the whole intersection; turning points with respect to `wanted`
-/// parameters are nodes, all of them on a closed curve that has no other. coincident[i] turns where i does.
-/// Vertices are within `vertex_tolerance` of the curve, or as near as doubles can be. Empty if a polyline
-/// cannot be proved to keep within `tolerance` (space units).
+/// The graph of these curves and double points, which are the whole intersection; turning points with respect
+/// to `wanted` parameters are nodes, all of them on a closed curve that has no other. coincident[i] turns
+/// where i does. Vertices are within `vertex_tolerance` of the curve, or as near as doubles can be. Empty if
+/// a polyline cannot be proved to keep within `tolerance` (space units).
 std::optional<IntersectionGraph> make_graph(const Pair& pair, const std::vector<BoundaryPoint>& points,
+                                            const std::vector<DoublePoint>& double_points,
                                             const std::vector<AnalysedTrace>& traces,
                                             const std::vector<Parameter>& wanted,
                                             const std::array<std::size_t, 4>& coincident, double tolerance,

@@ -11,6 +11,7 @@ namespace {
 constexpr int kFirstTry = 6;
 constexpr int kLast = 40;
 constexpr long kMostBoxes = 6000;
+constexpr long kMostBoxesAround = 20000;  // around double points
 
 /// One net for every sub-patch that asks for it.
 template <class Net>
@@ -60,23 +61,26 @@ std::array<double, 2> search_direction(const std::vector<Trace>& traces) {
 
 class LoopSearch {
  public:
-  LoopSearch(const Pair& pair, const Contacts& contacts, Trees& trees,
-             const std::vector<BoundaryPoint>& points, std::vector<Trace>& traces, long& boxes)
+  LoopSearch(const Pair& pair, const Contacts& contacts, const std::vector<DoublePoint>& double_points,
+             Trees& trees, const std::vector<BoundaryPoint>& points, std::vector<Trace>& traces, long& boxes)
       : pair_(pair),
         contacts_(contacts),
+        double_points_(double_points),
         trees_(trees),
         points_(points),
         traces_(traces),
         boxes_(boxes),
         c_(search_direction(traces)) {}
 
-  bool run() {
+  bool run(Vec4& stuck) {
     stack_.reserve(64);
     stack_.push_back({0, 0});
+    const long most = boxes_ + (double_points_.empty() ? kMostBoxes : kMostBoxesAround);
     while (!stack_.empty()) {
       const PiecePair item = stack_.back();
       stack_.pop_back();
-      if (++boxes_ > kMostBoxes || !process(item)) {
+      if (++boxes_ > most || !process(item)) {
+        stuck = box_of(trees_.x[item.x], trees_.y[item.y]).middle;
         return false;
       }
     }
@@ -93,6 +97,9 @@ class LoopSearch {
     const Meeting at =
         contacts_.empty() ? Meeting::unknown : meeting(pair_, contacts_, part_of(x), part_of(y));
     if (at == Meeting::contact || (at == Meeting::unknown && keeps_direction(item, x, y))) {
+      return true;
+    }
+    if (is_at_double_point(x, y)) {
       return true;
     }
     const int depth = x.level + y.level;
@@ -117,12 +124,26 @@ class LoopSearch {
     return never_orthogonal(d, n);
   }
 
-  /// A tube whose region contains the box.
-  bool covered(const SubPatch& x, const SubPatch& y, Tube& tube) const {
+  struct Box {
+    Vec4 middle;
+    Vec4 half;
+  };
+  static Box box_of(const SubPatch& x, const SubPatch& y) {
     const double hx = 0.5 * x.width;
     const double hy = 0.5 * y.width;
-    const Vec4 half = {hx, hx, hy, hy};
-    const Vec4 middle = {x.first + hx, x.second + hx, y.first + hy, y.second + hy};
+    return {{x.first + hx, x.second + hx, y.first + hy, y.second + hy}, {hx, hx, hy, hy}};
+  }
+
+  bool is_at_double_point(const SubPatch& x, const SubPatch& y) const {
+    return std::any_of(double_points_.begin(), double_points_.end(), [&](const DoublePoint& point) {
+      const Box box = box_of(x, y);
+      return lies_in_region(point, box.middle, box.half);
+    });
+  }
+
+  /// A tube whose region contains the box.
+  bool covered(const SubPatch& x, const SubPatch& y, Tube& tube) const {
+    const auto [middle, half] = box_of(x, y);
     const Linearisation at =
         linearise(expand(pair_.x, middle[0], middle[1]), expand(pair_.y, middle[2], middle[3]));
     const std::size_t axis = steepest(at.tangent, half);
@@ -189,6 +210,7 @@ class LoopSearch {
 
   const Pair& pair_;
   const Contacts& contacts_;
+  const std::vector<DoublePoint>& double_points_;
   Trees& trees_;
   const std::vector<BoundaryPoint>& points_;
   std::vector<Trace>& traces_;
@@ -201,9 +223,10 @@ class LoopSearch {
 
 }  // namespace
 
-bool add_loops(const Pair& pair, const Contacts& contacts, Trees& trees,
-               const std::vector<BoundaryPoint>& points, std::vector<Trace>& traces, long& boxes) {
-  return LoopSearch(pair, contacts, trees, points, traces, boxes).run();
+bool add_loops(const Pair& pair, const Contacts& contacts, const std::vector<DoublePoint>& double_points,
+               Trees& trees, const std::vector<BoundaryPoint>& points, std::vector<Trace>& traces,
+               long& boxes, Vec4& stuck) {
+  return LoopSearch(pair, contacts, double_points, trees, points, traces, boxes).run(stuck);
 }
 
 }  // namespace exsect::filter

@@ -34,6 +34,7 @@ class Tracer {
   }
 
   Trace take() { return std::move(trace_); }
+  const Vec4& position() const { return position_.middle; }
 
  private:
   /// The next piece, with smaller steps until it is proved.
@@ -208,10 +209,13 @@ class Tracer {
 
 }  // namespace
 
-std::optional<Trace> trace_arc(const Pair& pair, const std::vector<BoundaryPoint>& points,
-                               std::size_t start) {
+std::optional<Trace> trace_arc(const Pair& pair, const std::vector<BoundaryPoint>& points, std::size_t start,
+                               Vec4* stuck) {
   Tracer tracer(pair, points);
   if (!tracer.run(points[start].ball, static_cast<int>(start))) {
+    if (stuck != nullptr) {
+      *stuck = tracer.position();
+    }
     return std::nullopt;
   }
   return tracer.take();

@@ -22,8 +22,10 @@ struct Trace {
   int end;
 };
 
-/// From a boundary point into the domain, to the next boundary point; empty if undecided.
-std::optional<Trace> trace_arc(const Pair& pair, const std::vector<BoundaryPoint>& points, std::size_t start);
+/// From a boundary point into the domain, to the next boundary point; empty if undecided: then `stuck`, if
+/// given, is where it got to.
+std::optional<Trace> trace_arc(const Pair& pair, const std::vector<BoundaryPoint>& points, std::size_t start,
+                               Vec4* stuck = nullptr);
 
 /// The closed curve through the solution on the tube's arc at tau; empty if undecided, in particular if it
 /// meets a boundary point.

@@ -179,13 +179,20 @@ TEST_CASE("filter: the result says which way it was found") {
   CHECK(intersect(pair.x, pair.y, exact_mode()).work.steps.count("filtered") == 0);
 }
 
-TEST_CASE("filter: touches and copies are left to the exact solution") {
+TEST_CASE("filter: copies are left to the exact solution") {
   Generator generator(3);
   const Pair pair = random_pairs::doubles(generator);
   CHECK_FALSE(intersect_filtered(pair.x, pair.x, {}));
   CHECK_FALSE(intersect_filtered(pair.x, pair.x.reversed_first().exchanged(), {}));
-  const ExactCase touch = families::cap(0, families::Plane::bilinear);
-  CHECK_FALSE(intersect_filtered(touch.x, touch.y, {}));
+}
+
+TEST_CASE("filter: curves of contact, cusps and lifted sides are left to the exact solution") {
+  for (const ExactCase& c :
+       {families::tangent_curve(Rational(1, 3), families::Plane::bilinear),
+        families::curve_cusp(families::Plane::bilinear), families::side_and_arc(), families::pinch_point()}) {
+    INFO(c.name);
+    CHECK_FALSE(intersect_filtered(c.x, c.y, {}));
+  }
 }
 
 }  // namespace exsect
