@@ -7,6 +7,7 @@
 #include "filter_contact_graph.h"
 #include "filter_graph.h"
 #include "filter_loops.h"
+#include "filter_overlap.h"
 #include "turning_points.h"
 
 namespace exsect {
@@ -43,6 +44,9 @@ class FilteredIntersection {
       return std::nullopt;
     }
     filter::Trees trees{filter::PatchTree(pair->x), filter::PatchTree(pair->y)};
+    if (auto overlap = overlap_of_pieces(*pair, trees)) {
+      return overlap;
+    }
     const auto contacts = filter::find_contacts(x_, y_, *pair);
     if (!contacts || (with_stations_ && !contacts->empty())) {
       return std::nullopt;
@@ -74,6 +78,14 @@ class FilteredIntersection {
  private:
   double milliseconds() const {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  std::optional<IntersectResult> overlap_of_pieces(const filter::Pair& pair, filter::Trees& trees) {
+    if (with_stations_) {
+      return std::nullopt;
+    }
+    auto graph = filter::overlap_of_pieces(x_, y_, pair, trees, options_.tolerance * pair.extent, boxes_);
+    return graph ? with_contacts(pair, {}, std::move(*graph), {}) : std::nullopt;
   }
 
   std::optional<IntersectResult> with_contacts(const filter::Pair& pair, const filter::Contacts& contacts,

@@ -179,13 +179,6 @@ TEST_CASE("filter: the result says which way it was found") {
   CHECK(intersect(pair.x, pair.y, exact_mode()).work.steps.count("filtered") == 0);
 }
 
-TEST_CASE("filter: copies are left to the exact solution") {
-  Generator generator(3);
-  const Pair pair = random_pairs::doubles(generator);
-  CHECK_FALSE(intersect_filtered(pair.x, pair.x, {}));
-  CHECK_FALSE(intersect_filtered(pair.x, pair.x.reversed_first().exchanged(), {}));
-}
-
 TEST_CASE("filter: curves of contact, cusps and lifted sides are left to the exact solution") {
   for (const ExactCase& c :
        {families::tangent_curve(Rational(1, 3), families::Plane::bilinear),
