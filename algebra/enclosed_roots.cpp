@@ -1,8 +1,8 @@
 #include "enclosed_roots.h"
 
 #include <algorithm>
-#include <cstdint>
 
+#include "dyadic_interval.h"
 #include "fixed_point_bernstein.h"
 #include "flint_polynomial.h"
 
@@ -10,15 +10,6 @@ namespace exsect {
 namespace {
 
 constexpr int deepest = 48;
-
-/// The interval [index, index + 1] / 2^depth.
-struct DyadicInterval {
-  std::uint64_t index;
-  int depth;
-
-  Rational lower() const { return Rational(index) * power_of_two(-depth); }
-  Rational upper() const { return Rational(index + 1) * power_of_two(-depth); }
-};
 
 struct Node {
   DyadicInterval where;
@@ -55,14 +46,13 @@ class EnclosedIsolator {
   bool process(Node& node) {
     const VariationBounds bounds = node.coefficients.variations();
     if (bounds.least == bounds.most && bounds.most <= 1) {
-      if (bounds.most == 1) found_.push_back({node.where.lower(), node.where.upper()});
+      if (bounds.most == 1) found_.push_back(node.where.interval());
       return true;
     }
-    const auto [index, depth] = node.where;
-    if (depth == deepest || !node.coefficients.ends_certain()) return false;
+    if (node.where.depth == deepest || !node.coefficients.ends_certain()) return false;
     FixedPointBernstein left = node.coefficients.split();
-    open_.push_back({{2 * index + 1, depth + 1}, std::move(node.coefficients), false});
-    open_.push_back({{2 * index, depth + 1}, std::move(left), false});
+    open_.push_back({node.where.half(1), std::move(node.coefficients), false});
+    open_.push_back({node.where.half(0), std::move(left), false});
     return true;
   }
 
