@@ -1,6 +1,5 @@
 #include "confirmed_curves.h"
 
-#include <exsect/algebra/enclosed_roots.h>
 #include <exsect/solver/line_patch.h>
 #include <exsect/solver/turning_eliminant.h>
 
@@ -63,12 +62,9 @@ class Confirmation {
     return result;
   }
 
-  /// By leading bits of the coefficients of E(u).
+  /// By enclosures of E(u).
   bool confirmed_by_enclosure(const std::vector<Stations>& curves) {
-    const auto roots = timed("turning eliminant", 0.8, [&]() -> std::optional<std::vector<RationalInterval>> {
-      const auto e = enclosed_turning_eliminant(x_, y_);
-      return e ? isolate_enclosed_roots(*e) : std::nullopt;
-    });
+    const auto roots = timed("turning eliminant", 0.8, [&] { return enclosed_turning_roots(x_, y_); });
     return roots && no_curve_is_missing_between(*roots, curves, Parameter::u);
   }
 

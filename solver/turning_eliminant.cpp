@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "ball_eliminant.h"
 #include "eliminant_height.h"
 #include "special_eliminant.h"
 #include "turning_eliminant_modular.h"
@@ -25,6 +26,9 @@ constexpr std::size_t max_bits = std::size_t{1} << 19;
 /// What is left of them when the slack of the height bound, some 400 to 600 bits, and what is lost by
 /// cancellation from powers to the Bernstein basis, some 250, are subtracted, decides most signs.
 constexpr std::size_t leading_bits = 1024;
+
+/// The bits for which values in balls and values modulo primes take the same time.
+constexpr std::size_t long_bits = 4000;
 
 std::size_t estimated_bits(const IntegerPair& pair) {
   std::size_t bits = 0;
@@ -90,6 +94,16 @@ std::optional<EnclosedPolynomial> enclosed_turning_eliminant(const BezierPatch& 
   if (estimated_bits(pair) > max_bits || !is_generic(pair)) return std::nullopt;
   LeadingParts parts = leading_parts(modular_eliminant(pair), leading_bits);
   return EnclosedPolynomial{std::move(parts.leading), std::move(parts.error)};
+}
+
+std::optional<std::vector<RationalInterval>> enclosed_turning_roots(const BezierPatch& x,
+                                                                    const BezierPatch& y) {
+  const IntegerPair pair = integer_pair(x, y);
+  if (estimated_bits(pair) > long_bits) {
+    if (auto roots = turning_roots_in_balls(pair)) return roots;
+  }
+  const auto e = enclosed_turning_eliminant(x, y);
+  return e ? isolate_enclosed_roots(*e) : std::nullopt;
 }
 
 }  // namespace exsect

@@ -38,4 +38,9 @@ TurningEliminant turning_eliminant(const BezierPatch& x, const BezierPatch& y);
 /// it.
 std::optional<EnclosedPolynomial> enclosed_turning_eliminant(const BezierPatch& x, const BezierPatch& y);
 
+/// The roots of E(u) in [0,1] as by isolate_enclosed_roots, from enclosures of its values, and where these
+/// decide nothing or the numbers are short, of its coefficients. Empty where neither does.
+std::optional<std::vector<RationalInterval>> enclosed_turning_roots(const BezierPatch& x,
+                                                                    const BezierPatch& y);
+
 }  // namespace exsect

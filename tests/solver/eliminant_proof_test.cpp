@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "../../solver/ball_eliminant.h"
 #include "../../solver/confirmed_curves.h"
 #include "../../solver/critical_values.h"
 #include "../../solver/filter.h"
@@ -80,10 +81,18 @@ std::size_t check_pair(const Pair& pair, Parameter sweep) {
   return closed;
 }
 
-/// The enclosed eliminant has the roots of the exact one.
-bool check_enclosure(const Pair& pair) {
+using Roots = std::optional<std::vector<RationalInterval>>;
+
+Roots roots_by_leading_bits(const Pair& pair) {
   const auto enclosed = enclosed_turning_eliminant(pair.x, pair.y);
-  const auto intervals = enclosed ? isolate_enclosed_roots(*enclosed) : std::nullopt;
+  return enclosed ? isolate_enclosed_roots(*enclosed) : std::nullopt;
+}
+
+Roots roots_by_values(const Pair& pair) { return turning_roots_in_balls(integer_pair(pair.x, pair.y)); }
+
+/// The enclosed eliminant has the roots of the exact one.
+bool check_enclosure(const Pair& pair, Roots (*enclosed_roots)(const Pair&)) {
+  const Roots intervals = enclosed_roots(pair);
   if (!intervals) return false;
   const auto turning = turning_values(pair.x, pair.y, Parameter::u).value();
   REQUIRE(intervals->size() == turning.values.size());
@@ -186,20 +195,44 @@ TEST_CASE("eliminant proof: random pairs along all parameters, and with a closed
   CHECK(closed >= 12);
 }
 
-TEST_CASE("eliminant proof: leading bits show the roots of the exact eliminant") {
-  int decided = 0;
+TEST_CASE("eliminant proof: enclosures show the roots of the exact eliminant") {
+  int by_leading_bits = 0, by_values = 0;
   for (const Family family :
        {random_pairs::small_rationals, random_pairs::doubles, random_pairs::scattered}) {
     for (std::uint64_t seed = 600; seed < 608; ++seed) {
       INFO("seed " << seed);
       Generator generator(seed);
-      decided += check_enclosure(family(generator)) ? 1 : 0;
+      const Pair pair = family(generator);
+      by_leading_bits += check_enclosure(pair, roots_by_leading_bits) ? 1 : 0;
+      by_values += check_enclosure(pair, roots_by_values) ? 1 : 0;
     }
   }
-  CHECK(decided >= 22);
+  CHECK(by_leading_bits >= 22);
+  CHECK(by_values >= 22);
   Generator generator(1);
-  CHECK_FALSE(
-      check_enclosure(random_pairs::loop(generator)));  // (4.8) is not defined: two graphs over a plane
+  const Pair graphs = random_pairs::loop(generator);  // (4.8) is not defined: two graphs over a plane
+  CHECK_FALSE(check_enclosure(graphs, roots_by_leading_bits));
+  CHECK_FALSE(check_enclosure(graphs, roots_by_values));
+  CHECK_FALSE(enclosed_turning_roots(graphs.x, graphs.y));
+}
+
+TEST_CASE("eliminant proof: enclosed roots do not depend on the size of the coordinates") {
+  Generator generator(3);
+  const Pair pair = random_pairs::doubles(generator);
+  const auto scaled = [](const BezierPatch& patch) {
+    ControlNet net = patch.net();
+    for (auto& row : net)
+      for (Point& p : row) p = {p[0] * power_of_two(700), p[1] * power_of_two(-900), p[2] / 3};
+    return BezierPatch(net);
+  };
+  const auto roots = roots_by_values(pair), same = roots_by_values({scaled(pair.x), scaled(pair.y)});
+  REQUIRE(roots);
+  REQUIRE(same);
+  REQUIRE(roots->size() == same->size());
+  for (std::size_t i = 0; i < roots->size(); ++i) {
+    CHECK((*roots)[i].lower < (*same)[i].upper);
+    CHECK((*same)[i].lower < (*roots)[i].upper);
+  }
 }
 
 TEST_CASE(
