@@ -21,19 +21,20 @@ constexpr double kSumUp = 1 + 0x1p-38;
 
 /// T_k((t - 1) / 2) = sum_j L_jk T_j(t), and T_k((t + 1) / 2) with the signs (-1)^(j+k). From T_(k+1)(s) = 2
 /// s T_k - T_(k-1) and 2 t T_j = T_(j+1) + T_|j-1|, the numbers 2^k L_jk are integers; as mean values of T_j
-/// T_k they are at most 2^(k+1): each L_jk is exact with 256 bits.
+/// T_k they are at most 2^(k+1): with 256 bits every sum of the recursion is exact, whatever radius it is
+/// given.
 class Halving {
  public:
   explicit Halving(std::size_t n) : wide_(n), approximations_(n) {
-    std::vector<Integer> before, now = {1};
+    std::vector<WideBall> before, now = {1.0}, next = {-0.5, 0.5};
     for (std::size_t k = 0; k < n; ++k) {
       for (std::size_t j = 0; j <= k; ++j) {
-        wide_[j].push_back(WideBall::enclosing(now[j], -static_cast<long>(k)));
-        approximations_[j].push_back(wide_[j].back().approximation());
+        wide_[j].push_back(now[j]);
+        approximations_[j].push_back(now[j].approximation());
       }
-      std::vector<Integer> next = k == 0 ? std::vector<Integer>{-1, 1} : after(before, now);
       before = std::move(now);
       now = std::move(next);
+      next = after(before, now);
     }
   }
 
@@ -42,13 +43,16 @@ class Halving {
   double approximation(std::size_t j, std::size_t k) const { return approximations_[j][k - j]; }
 
  private:
-  static std::vector<Integer> after(const std::vector<Integer>& before, const std::vector<Integer>& now) {
-    const std::size_t k = now.size() - 1;
-    std::vector<Integer> next(k + 2);
-    for (std::size_t j = 0; j <= k; ++j) {
-      next[j] -= 2 * now[j] + (j < k ? 4 * before[j] : Integer(0));
-      next[j + 1] += j == 0 ? 2 * now[j] : now[j];
-      if (j > 0) next[j - 1] += now[j];
+  /// T_(k+1) = (t - 1) T_k - T_(k-1).
+  static std::vector<WideBall> after(const std::vector<WideBall>& before, const std::vector<WideBall>& now) {
+    std::vector<WideBall> next;
+    for (std::size_t j = 0; j <= now.size(); ++j) {
+      WideBall::Sum sum;
+      if (j > 0) sum.add(j == 1 ? now[0] : scaled(now[j - 1], -1));
+      if (j + 1 < now.size()) sum.add(scaled(now[j + 1], -1));
+      if (j < now.size()) sum.add(-now[j]);
+      if (j < before.size()) sum.add(-before[j]);
+      next.push_back(sum.rounded().midpoint());
     }
     return next;
   }
