@@ -57,10 +57,6 @@ WideBall WideBall::enclosing(const RationalInterval& interval) {
   return result;
 }
 
-void WideBall::set_magnitude() {
-  magnitude_ = static_cast<double>(limbs_[kLimbs - 1]) * (1 + 0x1p-51) * power(exponent_ - 64);
-}
-
 RationalInterval WideBall::interval() const {
   Integer n = 0;
   for (std::size_t i = kLimbs; i-- > 0;) n = (n << 64) + limbs_[i];
@@ -86,7 +82,6 @@ void WideBall::Sum::align_far(Term& term, std::int64_t by) {
     return;
   }
   exponent_ = term.exponent;
-  if (terms_ == 1) return;
   const std::uint64_t fill = top_ >> 63 != 0 ? ~std::uint64_t{0} : 0;
   by = std::min<std::int64_t>(-by, 320);
   for (; by >= 64; by -= 64) {
@@ -104,20 +99,14 @@ void WideBall::Sum::align_far(Term& term, std::int64_t by) {
   top_ = joined(top_, fill, by);
 }
 
-void WideBall::Sum::negate(Term& n, std::uint64_t& top) {
-  bool carry = true;
-  for (std::uint64_t* digit : {&n.n0, &n.n1, &n.n2, &n.n3, &top}) {
-    *digit = ~*digit + static_cast<std::uint64_t>(carry);
-    carry = carry && *digit == 0;
-  }
-}
-
 WideBall WideBall::Sum::rounded() const {
   WideBall result;
   result.radius_ = terms_ == 0 ? radius_ : radius_ + terms_ * power(exponent_ - 256 + kTermBits);
-  Term n = {n0_, n1_, n2_, n3_, exponent_, top_ >> 63 != 0};
-  std::uint64_t top = top_;
-  if (n.negative) negate(n, top);
+  const std::uint64_t mask = top_ >> 63 != 0 ? ~std::uint64_t{0} : 0;
+  Term n = {n0_ ^ mask, n1_ ^ mask, n2_ ^ mask, n3_ ^ mask, exponent_, mask != 0};
+  std::uint64_t top = top_ ^ mask;
+  // The negative is the complement and one more.
+  if (mask != 0 && ++n.n0 == 0 && ++n.n1 == 0 && ++n.n2 == 0 && ++n.n3 == 0) ++top;
   if (top != 0) {
     const int by = 64 - std::countl_zero(top);  // below 64: the top limb is a few terms at most
     n = {joined(n.n0, n.n1, by), joined(n.n1, n.n2, by), joined(n.n2, n.n3, by),

@@ -70,7 +70,9 @@ class WideBall {
   WideBall(const Limbs& limbs, std::int64_t exponent, bool negative, double magnitude, double radius)
       : limbs_(limbs), exponent_(exponent), negative_(negative), magnitude_(magnitude), radius_(radius) {}
 
-  void set_magnitude();
+  void set_magnitude() {
+    magnitude_ = static_cast<double>(limbs_[kLimbs - 1]) * (1 + 0x1p-51) * power(exponent_ - 64);
+  }
   bool is_zero() const { return limbs_[kLimbs - 1] == 0; }
 
   /// At least 2^k, 2^-1000 at least; infinite for large k.
@@ -145,6 +147,7 @@ class WideBall::Sum {
   }
 
   void add(Term term) {
+    if (terms_ == 0) exponent_ = term.exponent;
     ++terms_;
     const std::int64_t by = exponent_ - term.exponent;
     if (by != 0) align(term, by);
@@ -178,11 +181,10 @@ class WideBall::Sum {
     return (low >> by) | (high << (64 - by));
   }
   void align_far(Term& term, std::int64_t by);
-  static void negate(Term& n, std::uint64_t& top);
 
   std::uint64_t n0_ = 0, n1_ = 0, n2_ = 0, n3_ = 0;
   std::uint64_t top_ = 0;  // the most significant limb of a two's complement number of 320 bits
-  std::int64_t exponent_ = std::numeric_limits<std::int64_t>::min() / 2;  // of no terms
+  std::int64_t exponent_ = 0;
   int terms_ = 0;
   double radius_ = 0;
 };
