@@ -10,13 +10,8 @@ namespace exsect::cli {
 namespace {
 
 using Net = checker::Net<double>;
-using Vector = std::array<double, 3>;
 
 Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 struct Cell {
   std::array<Net, 2> nets;
@@ -68,8 +63,8 @@ std::string separating(const Cell& cell, const std::array<int, 3>& direction) {
   for (std::size_t n = 0; n < 2; ++n) {
     for (const auto& row : cell.nets[n]) {
       for (const Vector& p : row) {
-        least[n] = std::min(least[n], product(d, p));
-        most[n] = std::max(most[n], product(d, p));
+        least[n] = std::min(least[n], checker::dot(d, p));
+        most[n] = std::max(most[n], checker::dot(d, p));
       }
     }
   }
@@ -84,8 +79,6 @@ Cell mirrored(const Cell& cell) {
   const auto swapped = [](const Parameters& w) { return Parameters{w[2], w[3], w[0], w[1]}; };
   return {{cell.nets[1], cell.nets[0]}, swapped(cell.middle), swapped(cell.half)};
 }
-
-constexpr std::size_t max_entries = 300000;
 
 class Cover {
  public:
@@ -178,7 +171,7 @@ class Cover {
     const checker::Box<double> pairs = checker::halves(Chart::first, box);
     const auto [p, q] = checker::divided(pair_.charts[0], pairs, 0.0);
     const auto middle = [](const auto& v) { return Vector{v[0].middle, v[1].middle, v[2].middle}; };
-    const auto n = rounded_direction(cross(middle(p), middle(q)));
+    const auto n = rounded_direction(checker::cross(middle(p), middle(q)));
     const auto volume = checker::volume({double(n[0]), double(n[1]), double(n[2])}, pair_.charts[0], pairs);
     if (!(std::abs(volume.middle) > volume.radius + 1e-11)) return "";
     return fmt::format("i{},{},{}", n[0], n[1], n[2]);
@@ -188,7 +181,7 @@ class Cover {
     const Net& x = cell.nets[0];
     const Net& y = cell.nets[1];
     const auto normal = [](const Net& n) {
-      return cross(difference(n[2][2], n[0][0]), difference(n[2][0], n[0][2]));
+      return checker::cross(difference(n[2][2], n[0][0]), difference(n[2][0], n[0][2]));
     };
     const bool small = *std::max_element(cell.half.begin(), cell.half.end()) < 0x1p-8;
     const double size = small ? 1e5 : 100;
@@ -214,7 +207,7 @@ class Cover {
         for (std::size_t m = 0; m < 2; ++m) {
           const Net& n = cell.nets[p / 2];
           const Vector d = p % 2 == 0 ? difference(n[m + 1][i], n[m][i]) : difference(n[i][m + 1], n[i][m]);
-          length[p] = std::max(length[p], product(d, d));
+          length[p] = std::max(length[p], checker::dot(d, d));
         }
       }
     }
@@ -222,6 +215,7 @@ class Cover {
     return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
   }
 
+  static constexpr std::size_t max_entries = 300000;
   const NearPair& pair_;
   const Places& places_;
 };

@@ -11,8 +11,6 @@
 namespace exsect::cli {
 namespace {
 
-using Place = std::array<Rational, 4>;
-
 /// An edge of the polygon, of one arc or of several.
 struct Edge {
   Place from;

@@ -11,19 +11,6 @@ namespace {
 
 using checker::others;
 using checker::Star;
-using Vector = std::array<double, 3>;
-using Direction = std::array<Rational, 4>;
-
-constexpr std::size_t max_entries = 6000;  // of one chart
-
-Vector perpendicular(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vector column(const Map& local, std::size_t j) {
-  const auto c = local.first(j, {});
-  return {c[0].middle, c[1].middle, c[2].middle};
-}
-
 /// The subdivision of a chart without a solution.
 class EmptyChart {
  public:
@@ -62,6 +49,7 @@ class EmptyChart {
     return static_cast<std::size_t>(std::max_element(most.begin(), most.end()) - most.begin());
   }
 
+  static constexpr std::size_t max_entries = 6000;
   const Map& map_;
   std::size_t axis_;
   std::string entries_;
@@ -144,7 +132,7 @@ std::string one_sign(const Map& map, const Parameters& middle, const Parameters&
   std::vector<Vector> normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, local.value(Parameters{})};
   if (const auto c = inverse(local, axis)) normals.insert(normals.end(), c->begin(), c->end());
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < i; ++j) normals.push_back(perpendicular(column(local, i), column(local, j)));
+    for (std::size_t j = 0; j < i; ++j) normals.push_back(checker::cross(column(local, i), column(local, j)));
   for (const auto& normal : normals) {
     const auto n = rounded_direction(normal);
     const checker::Ball<double> range =

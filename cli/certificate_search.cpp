@@ -9,7 +9,6 @@ namespace {
 
 using checker::Matrix3;
 using checker::others;
-using Vector = std::array<double, 3>;
 
 double largest(const Matrix3<double>& m) {
   double most = 0;
@@ -20,16 +19,6 @@ double largest(const Matrix3<double>& m) {
 
 /// a rounded to a multiple of 2^-bits.
 double rounded(double a, int bits) { return std::ldexp(std::nearbyint(std::ldexp(a, bits)), -bits); }
-
-Vector column(const Map& local, std::size_t j) {
-  const auto c = local.first(j, {});
-  return {c[0].middle, c[1].middle, c[2].middle};
-}
-
-double determinant(const Vector& a, const Vector& b, const Vector& c) {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-         a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
 
 /// w_axis held: w - C F(w).
 Parameters newton_step(const Map& map, Parameters w, std::size_t axis) {
@@ -171,7 +160,7 @@ class Chain {
 std::optional<Matrix3<double>> inverse(const Map& local, std::size_t k) {
   const auto o = others(k);
   const std::array<Vector, 3> c = {column(local, o[0]), column(local, o[1]), column(local, o[2])};
-  const double det = determinant(c[0], c[1], c[2]);
+  const double det = checker::dot(c[0], checker::cross(c[1], c[2]));
   if (!std::isfinite(1 / det)) return std::nullopt;
   Matrix3<double> m;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -218,12 +207,18 @@ NearPair near_pair(const BezierPatch& x, const BezierPatch& y) {
   return result;
 }
 
+Vector column(const Map& local, std::size_t j) {
+  const auto c = local.first(j, {});
+  return {c[0].middle, c[1].middle, c[2].middle};
+}
+
 Parameters tangent(const NearPair& pair, const Parameters& w) {
   const Map local = pair.power.at(w);
   Parameters t;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto o = others(k);
-    t[k] = (k % 2 == 0 ? 1 : -1) * determinant(column(local, o[0]), column(local, o[1]), column(local, o[2]));
+    t[k] = (k % 2 == 0 ? 1 : -1) *
+           checker::dot(column(local, o[0]), checker::cross(column(local, o[1]), column(local, o[2])));
   }
   return t;
 }

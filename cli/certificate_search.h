@@ -24,6 +24,9 @@ class NoCertificate : public std::runtime_error {
 
 using Tube = checker::Tube<double>;
 using Parameters = std::array<double, 4>;
+using Vector = checker::Vector3<double>;
+using Place = checker::Vector4<Rational>;  // of four parameters, exactly
+using Direction = checker::Vector4<Rational>;
 
 using Map = checker::Map<double>;
 using checker::Chart;
@@ -37,6 +40,8 @@ struct NearPair {
 };
 NearPair near_pair(const BezierPatch& x, const BezierPatch& y);
 
+/// dF/dw_j at the map's point.
+Vector column(const Map& local, std::size_t j);
 /// T, the kernel of DF at w (method (5.1)).
 Parameters tangent(const NearPair& pair, const Parameters& w);
 /// The parameter along which the curve runs fastest.

@@ -12,7 +12,6 @@ namespace exsect::cli {
 namespace {
 
 using checker::Star;
-using Direction = std::array<Rational, 4>;
 
 double largest(const Point& p) {
   return std::max({std::abs(to_double(p[0])), std::abs(to_double(p[1])), std::abs(to_double(p[2]))});

@@ -13,8 +13,6 @@ using checker::Ball;
 using checker::others;
 using checker::Star;
 
-constexpr std::size_t max_entries = 3000;  // of one chart
-
 /// The line whose half branch in the chart begins at z; -1 if there is none.
 int line_at(const Star& star, std::size_t direction, const Parameters& z,
             const std::vector<checker::Line>& lines) {
@@ -173,6 +171,7 @@ class ChartSearch {
     return true;
   }
 
+  static constexpr std::size_t max_entries = 3000;
   const Star& star_;
   const Map& map_;
   ClaimNumbers first_;
