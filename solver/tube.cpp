@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "preconditioned_newton.h"
-#include "tube_line.h"
+#include "tube_evaluation.h"
 
 namespace exsect {
 
 namespace {
+
+using namespace tubes;
 
 /// Tubes are wide enough to contain the boxes of landmarks and fibre points, of widths 2^-50, 2^-100 and
 /// 2^-200.
@@ -22,7 +23,6 @@ inline constexpr double kLeastHalfwidth<ArbBall<256>> = 0x1p-199;
 /// Half widths that are tried, each time this much wider than the image of the last ones.
 constexpr int kMostWidths = 5;
 constexpr double kWidening = 1.5;
-constexpr int kRowSteps = 4;
 /// Tubes are wider than their points are uncertain, by this factor, so that these are known to be inside.
 constexpr double kRoom = 8;
 
@@ -72,38 +72,6 @@ std::array<Row, 4> column_bounds(const Tube<Ball>& tube, const AlongLine& along,
   }
   e[tube.axis] = {};
   return e;
-}
-
-/// base + E bound, by rows.
-Row through(const std::array<Row, 4>& e, const std::array<std::size_t, 3>& others, const Row& base,
-            const Row& bound) {
-  Row result{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    double sum = base[row];
-    for (std::size_t i = 0; i < 3; ++i) {
-      sum += e[others[i]][row] * bound[i];
-    }
-    result[row] = kSlack * sum;
-  }
-  return result;
-}
-
-/// Bounds of |t| for any t with |t_i| <= base_i + sum E_ij |t_j|: the largest one first, by rho, and then row
-/// by row, since the rows may be of very different size.
-Row bound_solution(const std::array<Row, 4>& e, const std::array<std::size_t, 3>& others, const Row& base,
-                   double contraction) {
-  const double largest = *std::max_element(base.begin(), base.end());
-  Row bound;
-  for (std::size_t row = 0; row < 3; ++row) {
-    bound[row] = kSlack * (base[row] + contraction / (1 - contraction) * kSlack * largest);
-  }
-  for (int step = 0; step < kRowSteps; ++step) {
-    const Row next = through(e, others, base, bound);
-    for (std::size_t row = 0; row < 3; ++row) {
-      bound[row] = std::min(bound[row], next[row]);
-    }
-  }
-  return bound;
 }
 
 /// w = p + l + e with C F(p + l + e) = 0: e' and e'' solve the equations differentiated once and twice.
@@ -170,52 +138,6 @@ Variation variation(const Magnitudes& m, std::size_t row, double ha, double hb) 
               2 * m[8][row] * ha * hb * hb,
           2 * m[2][row] * hb + m[4][row] * ha + 2 * m[5][row] * ha * hb + m[7][row] * ha * ha +
               2 * m[8][row] * ha * ha * hb};
-}
-
-/// l_j(sigma)
-template <class Ball>
-Ball on_line(const Tube<Ball>& tube, std::size_t j, const Ball& sigma) {
-  Ball sum = tube.line.back()[j];
-  for (std::size_t k = tube.line.size() - 1; k > 0; --k) {
-    sum = tube.line[k - 1][j] + sigma * sum;
-  }
-  return sigma * sum;
-}
-
-/// C M^-1 at tau = scale sigma.
-template <class Ball>
-BallMatrix<Ball> preconditioner_at(const Tube<Ball>& tube, const Ball& sigma) {
-  BallMatrix<Ball> c = tube.preconditioner.back();
-  for (std::size_t k = tube.preconditioner.size() - 1; k > 0; --k) {
-    for (std::size_t row = 0; row < 3; ++row) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        c[row][i] = tube.preconditioner[k - 1][row][i] + sigma * c[row][i];
-      }
-    }
-  }
-  return c;
-}
-
-/// The net's value at the offset (a,b).
-template <class Ball>
-BallVector<Ball> value_at(const TaylorNet<Ball>& net, const Ball& a, const Ball& b) {
-  BallVector<Ball> result;
-  for (std::size_t row = 0; row < 3; ++row) {
-    const Ball c0 = net[0][row] + b * (net[1][row] + b * net[2][row]);
-    const Ball c1 = net[3][row] + b * (net[4][row] + b * net[5][row]);
-    const Ball c2 = net[6][row] + b * (net[7][row] + b * net[8][row]);
-    result[row] = c0 + a * (c1 + a * c2);
-  }
-  return result;
-}
-
-/// C F(p + offset), `c` = C M^-1
-template <class Ball>
-BallVector<Ball> premultiplied_value(const Tube<Ball>& tube, const BallMatrix<Ball>& c,
-                                     const BallPoint<Ball>& o) {
-  const BallVector<Ball> x = value_at(tube.nets[0], o[0], o[1]);
-  const BallVector<Ball> y = value_at(tube.nets[1], o[2], o[3]);
-  return preconditioned(c, {x[0] + y[0], x[1] + y[1], x[2] + y[2]});
 }
 
 /// X'' = x_u u'' + x_v v'' + x_uu u'^2 + 2 x_uv u'v' + x_vv v'^2, bounded term by term.
@@ -364,90 +286,11 @@ std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>& system, 
   });
 }
 
-template <class Ball>
-BallPoint<Ball> point_at(const Tube<Ball>& tube, double tau, double enough) {
-  const auto others = other_axes(tube.axis);
-  const Ball sigma(tau / tube.scale);
-  BallPoint<Ball> o;
-  o[tube.axis] = Ball(tau);
-  for (const std::size_t j : others) {
-    o[j] = on_line(tube, j, sigma).midpoint();
-  }
-  // |w - w*| <= |C F(w)| + E |w - w*| for any w in the region; iterate w - C F(w) while that shrinks.
-  const BallMatrix<Ball> c = preconditioner_at(tube, sigma);
-  const auto [best_offset, residual] = contracted<Ball>(
-      o, tube.axis, [&](const BallPoint<Ball>& at) { return premultiplied_value(tube, c, at); }, enough);
-  const Row radius = bound_solution(tube.deviation, others, residual, tube.contraction);
-  bool inside = true;
-  for (const std::size_t j : others) {
-    const Ball from_line = best_offset[j] - on_line(tube, j, sigma);
-    inside = inside && from_line.upper_magnitude() <= tube.halfwidth[j];
-  }
-  BallPoint<Ball> result;
-  result[tube.axis] = tube.centre[tube.axis] + Ball(tau);
-  for (std::size_t row = 0; row < 3; ++row) {
-    const std::size_t j = others[row];
-    // The bound holds in the region only; the region itself is an enclosure.
-    result[j] = tube.centre[j] + (inside ? best_offset[j].widened(radius[row])
-                                         : on_line(tube, j, sigma).widened(tube.halfwidth[j]));
-  }
-  return result;
-}
-
-template <class Ball>
-BallVector<Ball> space_point(const Tube<Ball>& tube, const BallPoint<Ball>& parameters) {
-  return value_at(tube.space, parameters[0] - tube.centre[0], parameters[1] - tube.centre[1]);
-}
-
-template <class Ball>
-Ball offset(const Tube<Ball>& tube, const BallPoint<Ball>& point) {
-  return point[tube.axis] - tube.centre[tube.axis];
-}
-
-template <class Ball>
-bool contains(const Tube<Ball>& tube, const BallPoint<Ball>& box) {
-  const Ball tau = offset(tube, box);
-  if (!(tau.upper_magnitude() <= tube.reach)) {
-    return false;
-  }
-  const Ball sigma = tau * Ball(1 / tube.scale);
-  for (const std::size_t j : other_axes(tube.axis)) {
-    const Ball from_line = box[j] - tube.centre[j] - on_line(tube, j, sigma);
-    if (!(from_line.upper_magnitude() <= tube.halfwidth[j])) {
-      return false;
-    }
-  }
-  return true;
-}
-
-template <class Ball>
-bool excludes(const Tube<Ball>& tube, const BallPoint<Ball>& box) {
-  const Ball tau = offset(tube, box);
-  if (tau.lower_magnitude() > tube.reach) {
-    return true;
-  }
-  const double middle = std::clamp(tau.approximation(), -tube.reach, tube.reach);
-  const double spread = (tau - Ball(middle)).upper_magnitude();
-  const BallPoint<Ball> w = point_at(tube, middle);
-  for (const std::size_t j : other_axes(tube.axis)) {
-    const double drift = kSlack * spread * (std::fabs(tube.slope[j]) + tube.slope_error[j]);
-    if ((w[j].widened(drift) - box[j]).lower_magnitude() > 0) {
-      return true;
-    }
-  }
-  return false;
-}
-
 #define EXSECT_INSTANTIATE_TUBE(Ball)                                                                       \
   template std::optional<Tube<Ball>> certify_tube(const PairSystem<Ball>&, const BallPoint<Ball>&,          \
                                                   std::size_t, double, double);                             \
   template std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>&, const BallPoint<Ball>&, \
-                                                           std::size_t, int);                               \
-  template BallPoint<Ball> point_at(const Tube<Ball>&, double, double);                                     \
-  template BallVector<Ball> space_point(const Tube<Ball>&, const BallPoint<Ball>&);                         \
-  template Ball offset(const Tube<Ball>&, const BallPoint<Ball>&);                                          \
-  template bool contains(const Tube<Ball>&, const BallPoint<Ball>&);                                        \
-  template bool excludes(const Tube<Ball>&, const BallPoint<Ball>&);
+                                                           std::size_t, int);
 
 EXSECT_INSTANTIATE_TUBE(DoubleBall)
 EXSECT_INSTANTIATE_TUBE(DoubleDoubleBall)
