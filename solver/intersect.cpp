@@ -15,6 +15,7 @@
 #include "exact_line_points.h"
 #include "filter.h"
 #include "intersect_by_sweep.h"
+#include "known_tangent.h"
 #include "line_arcs.h"
 #include "line_place.h"
 #include "model_scale.h"

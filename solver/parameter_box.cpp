@@ -26,4 +26,16 @@ bool lies_in(const ParameterBox& inner, const ParameterBox& outer) {
   return true;
 }
 
+Rational gap(const RationalInterval& a, const RationalInterval& b) {
+  return std::max<Rational>({a.lower - b.upper, b.lower - a.upper, 0});
+}
+
+Rational distance(const ParameterBox& a, const ParameterBox& b) {
+  Rational result = 0;
+  for (std::size_t j = 0; j < 4; ++j) {
+    result = std::max(result, gap(a[j], b[j]));
+  }
+  return result;
+}
+
 }  // namespace exsect

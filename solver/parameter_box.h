@@ -15,4 +15,9 @@ bool meet(const ParameterBox& a, const ParameterBox& b);
 /// The closed box `inner` is a part of `outer`.
 bool lies_in(const ParameterBox& inner, const ParameterBox& outer);
 
+/// Of the closed intervals; 0 if they meet.
+Rational gap(const RationalInterval& a, const RationalInterval& b);
+/// The largest distance of the closed boxes in one of the parameters.
+Rational distance(const ParameterBox& a, const ParameterBox& b);
+
 }  // namespace exsect

@@ -10,9 +10,9 @@
 #include "exact_line_points.h"
 #include "exact_source.h"
 #include "fold_expansion.h"
+#include "known_tangent.h"
 #include "parameter_box.h"
 #include "singular_pairs.h"
-#include "singular_points.h"
 #include "special_cusps.h"
 
 namespace exsect {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "singular_points.h"
+#include "known_tangent.h"
 #include "traced_curves.h"
 
 namespace exsect {

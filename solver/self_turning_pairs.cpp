@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "exact_source.h"
+#include "known_tangent.h"
 #include "parameter_box.h"
-#include "singular_points.h"
 
 namespace exsect {
 namespace {

@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include "exact_line_points.h"
-#include "exact_tangent.h"
-#include "half_rational_point.h"
 #include "line_place.h"
 #include "parameter_box.h"
 #include "point_on_line.h"
@@ -27,24 +25,6 @@ constexpr int kHighestDegree = 8;
 constexpr int kHighestDegreeUnweighted = 3;
 
 Rational fine_width() { return power_of_two(-200); }
-
-}  // namespace
-
-std::optional<std::array<Rational, 4>> rational_solution(const BezierPatch& x, const BezierPatch& y,
-                                                         const CertifiedPoint& point) {
-  const ParameterBox box = point.refined_to(fine_width()).box();
-  std::array<Rational, 4> p;
-  for (std::size_t j = 0; j < 4; ++j) {
-    p[j] = box[j].width() == 0 ? box[j].lower
-                               : simplest_between(box[j].lower - fine_width(), box[j].upper + fine_width());
-    if (p[j] < box[j].lower || p[j] > box[j].upper) {
-      return std::nullopt;
-    }
-  }
-  return is_zero(x(p[0], p[1]) - y(p[2], p[3])) ? std::optional(p) : std::nullopt;
-}
-
-namespace {
 
 template <class Ball>
 class StarSearch {
@@ -338,63 +318,6 @@ template <class Ball>
 std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& problem,
                                               const PairSystem<Ball>& system) {
   return StarSearch<Ball>(problem, system).run();
-}
-
-namespace {
-
-/// The point's parameters, if they are known exactly from one of the sides it lies on.
-std::optional<ExactParameters> exactly(const BezierPatch& x, const BezierPatch& y,
-                                       const CertifiedPoint& point) {
-  if (auto exact = point.exact()) return exact;
-  const ParameterBox box = point.refined_to(fine_width()).box();
-  for (const Side& side : point.sides()) {
-    const LinePoints line = exact_line_points(x, y, {side.parameter, side.value});
-    if (line.incomplete || !line.on_patch.empty()) continue;
-    std::vector<const CertifiedPoint*> near;
-    for (const CertifiedPoint& other : line.points)
-      if (meet(other.refined_to(fine_width()).box(), box)) near.push_back(&other);
-    if (near.size() != 1) continue;  // the point is one of them
-    if (auto exact = near.front()->exact()) return exact;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-std::array<bool, 4> known_zero_tangent(const BezierPatch& x, const BezierPatch& y,
-                                       const CertifiedPoint& point) {
-  if (const auto exact = exactly(x, y, point)) return zero_tangent_components(x, y, *exact);
-  std::array<bool, 4> zero{};
-  if (point.multiplicity() >= 2 && !point.sides().empty()) {
-    zero[index(point.sides().front().parameter)] = true;  // the point was found on this line
-  }
-  const ParameterBox box = point.box();
-  const ParameterBox fine = point.refined_to(fine_width()).box();
-  for (const bool of_x : {true, false}) {
-    const std::size_t first = of_x ? 0 : 2;
-    if (box[first].width() != 0 && box[first + 1].width() != 0) {
-      continue;  // the point is told from others on a line across one of these parameters
-    }
-    std::array<Rational, 2> at;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const RationalInterval& i = fine[first + k];
-      at[k] = i.width() == 0 ? i.lower : simplest_between(i.lower - fine_width(), i.upper + fine_width());
-    }
-    if (at[0] < 0 || at[0] > 1 || at[1] < 0 || at[1] > 1) {
-      continue;
-    }
-    for (const HalfRationalPoint& candidate : half_rational_points(x, y, of_x, at)) {
-      if (lies_in(candidate.point.refined_to(fine_width()).box(), box)) {
-        return candidate.tangent_is_zero;
-      }
-    }
-  }
-  return zero;
-}
-
-bool is_known_singular(const BezierPatch& x, const BezierPatch& y, const CertifiedPoint& point) {
-  const std::array<bool, 4> zero = known_zero_tangent(x, y, point);
-  return zero[0] && zero[1] && zero[2] && zero[3];
 }
 
 #define EXSECT_INSTANTIATE_SINGULAR(Ball)                                             \

@@ -34,19 +34,4 @@ template <class Ball>
 std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& problem,
                                               const PairSystem<Ball>& system);
 
-/// The point, if it is found to be rational: the simplest numbers in its box solve x = y. `point` is the only
-/// solution in its box on a parameter line.
-std::optional<std::array<Rational, 4>> rational_solution(const BezierPatch& x, const BezierPatch& y,
-                                                         const CertifiedPoint& point);
-
-/// The components of the tangent field that are known to vanish at a point: all that do, if it is known
-/// exactly; otherwise on a line over which it is a multiple point of the fibre, and where two of its
-/// parameters, on one patch, are found to be rational.
-/// `point` is as above.
-std::array<bool, 4> known_zero_tangent(const BezierPatch& x, const BezierPatch& y,
-                                       const CertifiedPoint& point);
-
-/// True if the point is known to be singular: all four components are known to vanish.
-bool is_known_singular(const BezierPatch& x, const BezierPatch& y, const CertifiedPoint& point);
-
 }  // namespace exsect

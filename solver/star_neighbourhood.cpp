@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "exact_line_points.h"
 #include "half_rational_point.h"
 #include "line_place.h"
+#include "line_points_in.h"
 #include "parameter_box.h"
 
 namespace exsect {
@@ -19,19 +19,6 @@ constexpr std::size_t kMostPorts = 64;  // a fibre has at most 16 points
 constexpr int kMostSlabs = 24;
 constexpr double kNarrowLine = 0x1p-4;
 
-Rational gap(const RationalInterval& a, const RationalInterval& b) {
-  return std::max<Rational>({a.lower - b.upper, b.lower - a.upper, 0});
-}
-
-/// The largest distance of two boxes in one of the parameters.
-Rational distance(const ParameterBox& a, const ParameterBox& b) {
-  Rational result = 0;
-  for (std::size_t j = 0; j < 4; ++j) {
-    result = std::max(result, gap(a[j], b[j]));
-  }
-  return result;
-}
-
 /// The largest power of two that is at most q > 0, as a double.
 double power_of_two_below(const Rational& q) {
   double p = std::exp2(std::floor(std::log2(to_double(q))));
@@ -39,38 +26,6 @@ double power_of_two_below(const Rational& q) {
     p *= 0.5;
   }
   return p;
-}
-
-bool meets_curve(const LinePoints& line, const LineQuery& query, const ParameterBox& region) {
-  const RationalInterval& range = region[index(line_place(query).roles.line)];
-  return std::any_of(line.on_patch.begin(), line.on_patch.end(), [&](const AlgebraicInterval& part) {
-    return part.from.compare(range.upper) <= 0 && part.to.compare(range.lower) >= 0;
-  });
-}
-
-/// The points of a parameter line in a closed box; empty if there may be infinitely many, or if that cannot
-/// be decided.
-std::optional<std::vector<CertifiedPoint>> line_points_in(const BezierPatch& x, const BezierPatch& y,
-                                                          const LineQuery& query,
-                                                          const ParameterBox& region) {
-  const LinePoints line = exact_line_points(x, y, query);
-  if (line.incomplete || meets_curve(line, query, region)) {
-    return std::nullopt;
-  }
-  std::vector<CertifiedPoint> inside;
-  for (CertifiedPoint point : line.points) {
-    for (Rational width = power_of_two(-100); meet(point.box(), region) && !lies_in(point.box(), region);
-         width *= width) {
-      if (width < power_of_two(-2000)) {
-        return std::nullopt;
-      }
-      point = point.refined_to(width);
-    }
-    if (meet(point.box(), region)) {
-      inside.push_back(point);
-    }
-  }
-  return inside;
 }
 
 class StarProof {
@@ -383,88 +338,6 @@ class StarProof {
 std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, const CertifiedPoint& centre,
                                                     const RealAlgebraic& at) {
   return StarProof(problem, centre, at).run();
-}
-
-bool add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const RealAlgebraic& at,
-                int count, const StopRequest& stop) {
-  const RationalInterval centre = at.refined_to(power_of_two(-100)).interval();
-  for (const int side : {-1, 1}) {
-    const auto ports = std::count_if(star.ports.begin(), star.ports.end(), [&](const Port& port) {
-      return port.across == star.sweep && port.side == side;
-    });
-    const RationalInterval& slab = star.box[index(star.sweep)];
-    const Rational end = side < 0 ? slab.lower : slab.upper;
-    for (int i = 1; i <= count && ports > 0; ++i) {
-      if (is_stopped(stop)) {
-        return false;
-      }
-      const Rational& limit = side < 0 ? centre.lower : centre.upper;
-      const Rational value = end + (limit - end) * Rational(i, count + 1);
-      auto points = line_points_in(x, y, {star.sweep, value}, star.box);
-      if (!points || static_cast<std::ptrdiff_t>(points->size()) != ports) {
-        throw std::logic_error("internal error: the fibres of a star differ");
-      }
-      star.layers[side < 0 ? 0 : 1].push_back(*std::move(points));
-    }
-  }
-  return true;
-}
-
-namespace {
-
-ParameterBox hull(const std::vector<CertifiedPoint>& points) {
-  ParameterBox result = points.front().box();
-  for (const CertifiedPoint& point : points) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      result[j] = {std::min(result[j].lower, point.box()[j].lower),
-                   std::max(result[j].upper, point.box()[j].upper)};
-    }
-  }
-  return result;
-}
-
-double squared_distance(const CertifiedPoint& a, const CertifiedPoint& b) {
-  double sum = 0;
-  for (std::size_t j = 0; j < 4; ++j) {
-    const double d = to_double(a.box()[j].midpoint() - b.box()[j].midpoint());
-    sum += d * d;
-  }
-  return sum;
-}
-
-}  // namespace
-
-// The arc is monotone in all parameters: its point in a layer is in the hull of one of its possible points in
-// the layer before and the centre, and between the layers it lies in the hull of all these points.
-StarArc star_arc(const StarNeighbourhood& star, const Port& port) {
-  StarArc result;
-  if (port.across != star.sweep) {
-    result.hulls.push_back(hull({port.point, star.centre}));
-    return result;
-  }
-  std::vector<CertifiedPoint> possible = {port.point};
-  CertifiedPoint last = port.point;
-  for (const std::vector<CertifiedPoint>& layer : star.layers[port.side < 0 ? 0 : 1]) {
-    std::vector<CertifiedPoint> inner;
-    for (const CertifiedPoint& point : layer) {
-      if (std::any_of(possible.begin(), possible.end(), [&](const CertifiedPoint& outer) {
-            return meet(point.box(), hull({outer, star.centre}));
-          })) {
-        inner.push_back(point);
-      }
-    }
-    last =
-        *std::min_element(inner.begin(), inner.end(), [&](const CertifiedPoint& a, const CertifiedPoint& b) {
-          return squared_distance(a, last) < squared_distance(b, last);
-        });
-    possible.insert(possible.end(), inner.begin(), inner.end());
-    result.vertices.push_back(last);
-    result.hulls.push_back(hull(possible));
-    possible = std::move(inner);
-  }
-  possible.push_back(star.centre);
-  result.hulls.push_back(hull(possible));
-  return result;
 }
 
 }  // namespace exsect
