@@ -171,6 +171,12 @@ class FibreOverAlgebraic {
   BivariatePolynomial equation_;
 };
 
+FibreCoefficients<Polynomial> fibre_over(const BezierPatch& x, const BezierPatch& y, Parameter sweep) {
+  const bool of_x = index(sweep) < 2;
+  const BezierPatch& owner = of_x ? x : y;
+  return symbolic_fibre(integer_pair(index(sweep) % 2 == 0 ? owner : owner.exchanged(), of_x ? y : x));
+}
+
 bool is_new(const std::vector<SingularFibrePoint>& known, const CertifiedPoint& point) {
   return std::none_of(known.begin(), known.end(), [&](const SingularFibrePoint& other) {
     const ParameterBox a = other.at.box();
@@ -194,10 +200,8 @@ bool SingularFibrePoint::is_alone_in(const ParameterBox& box) const {
 std::vector<SingularFibrePoint> singular_points_over(const BezierPatch& x, const BezierPatch& y,
                                                      Parameter sweep, const RealAlgebraic& value) {
   const bool of_x = index(sweep) < 2;
-  const BezierPatch& owner = of_x ? x : y;
   const auto line = static_cast<Parameter>(index(sweep) ^ 1U);
-  const FibreCoefficients<Polynomial> f =
-      symbolic_fibre(integer_pair(index(sweep) % 2 == 0 ? owner : owner.exchanged(), of_x ? y : x));
+  const FibreCoefficients<Polynomial> f = fibre_over(x, y, sweep);
   const Parameter first = all_parameters[of_x ? 2 : 0];
   const Parameter second = all_parameters[of_x ? 3 : 1];
   FibreOverAlgebraic by_first(x, y, f, {sweep, line, first, second}, value);
@@ -207,6 +211,17 @@ std::vector<SingularFibrePoint> singular_points_over(const BezierPatch& x, const
   for (SingularFibrePoint& point : by_second.run())
     if (is_new(result, point.at)) result.push_back(std::move(point));
   return result;
+}
+
+// If the fibre contains a curve, R vanishes identically over the value, or does with r and s exchanged
+// (method, Theorem 4.4).
+bool may_have_infinite_fibre(const BezierPatch& x, const BezierPatch& y, Parameter sweep,
+                             const RealAlgebraic& value) {
+  const FibreCoefficients<Polynomial> f = fibre_over(x, y, sweep);
+  const auto vanishes = [&](const FibreCoefficients<Polynomial>& g) {
+    return sign_at(project_fibre(g).content, value) == 0;
+  };
+  return vanishes(f) || vanishes(f.exchanged());
 }
 
 }  // namespace exsect

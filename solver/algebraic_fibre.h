@@ -34,4 +34,8 @@ struct SingularFibrePoint {
 std::vector<SingularFibrePoint> singular_points_over(const BezierPatch& x, const BezierPatch& y,
                                                      Parameter sweep, const RealAlgebraic& value);
 
+/// True unless the fibre over `value` is finite.
+bool may_have_infinite_fibre(const BezierPatch& x, const BezierPatch& y, Parameter sweep,
+                             const RealAlgebraic& value);
+
 }  // namespace exsect

@@ -146,6 +146,28 @@ struct Attempt {
     return true;
   }
 
+  /// In the norm max |b_k| / width_k.
+  double contraction() const {
+    double result = 0;
+    for (std::size_t k = 0; k < 2; ++k)
+      result = std::max(result, kSlack * (e[k][0] * width[0] + e[k][1] * width[1]) / width[k]);
+    return result;
+  }
+
+  /// Over a range half as far from w(A) as from the ends of the box.
+  std::optional<SheetGraph> graph() const {
+    SheetGraph result{{}, inverse, width, kSlack * contraction()};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double reach_out = 0.5 * (image[k] + width[k]);
+      const Pair ends = {w0[k] - reach_out, w0[k] + reach_out};
+      for (const double end : ends)
+        if (!(std::fabs(end - w0[k]) > kSlack * image[k] && kSlack * std::fabs(end - w0[k]) < width[k]))
+          return std::nullopt;
+      result.range[k] = {from_double(ends[0]), from_double(ends[1])};
+    }
+    return result.contraction < 1 ? std::optional(result) : std::nullopt;
+  }
+
   /// w(A) and the region's last two intervals are disjoint.
   bool leaves_region() const {
     for (std::size_t k = 0; k < 2; ++k)
@@ -172,13 +194,10 @@ struct Attempt {
   /// w' = (C y')^-1 C x': with |w'_k| <= width_k m and |E| m as error.
   Sheet sheet() const {
     Sheet result{first_derivatives()};
-    double contraction = 0;
-    for (std::size_t k = 0; k < 2; ++k)
-      contraction = std::max(contraction, kSlack * (e[k][0] * width[0] + e[k][1] * width[1]) / width[k]);
     for (std::size_t l = 0; l < 2; ++l) {
       const double largest =
           std::max(upper(result.derivative[0][l]) / width[0], upper(result.derivative[1][l]) / width[1]);
-      const double m = kSlack * largest / (1 - contraction);
+      const double m = kSlack * largest / (1 - contraction());
       for (std::size_t k = 0; k < 2; ++k)
         result.derivative[k][l] =
             result.derivative[k][l].widened(kSlack * m * (e[k][0] * width[0] + e[k][1] * width[1]));
@@ -215,6 +234,12 @@ struct Attempt {
 };
 
 }  // namespace
+
+std::optional<SheetGraph> graph_over(const PairSystem<DoubleBall>& system, const SearchRegion& region) {
+  Attempt attempt(region);
+  if (!attempt.find_centre(system) || !attempt.contracts()) return std::nullopt;
+  return attempt.graph();
+}
 
 std::optional<Sheet> CommonSheets::certify(const SearchRegion& region) const {
   Attempt attempt(region);

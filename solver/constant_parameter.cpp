@@ -1,8 +1,8 @@
 #include "constant_parameter.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "exact_source.h"
 #include "line_place.h"
 
 namespace exsect {
@@ -15,25 +15,16 @@ constexpr int kMostIsolated = 16;
 constexpr int kRationalBits = 300;
 
 template <class Ball>
-BallPoint<Ball> middle_of(const PairSystem<Ball>& system, const TangentialPiece<Ball>& piece) {
-  return point_at(system, piece.tube, 0.5 * (piece.from + piece.to));
+BallPoint<Ball> point_of(const PairSystem<Ball>& system, const TangentialPiece<Ball>& piece, double tau) {
+  return point_at(system, piece.tube, tau);
 }
 template <class Ball>
-BallPoint<Ball> middle_of(const PairSystem<Ball>&, const Piece<Ball>& piece) {
-  return point_at(piece.tube, 0.5 * (piece.from + piece.to));
+BallPoint<Ball> point_of(const PairSystem<Ball>&, const Piece<Ball>& piece, double tau) {
+  return point_at(piece.tube, tau);
 }
-
-/// The parameter of the exact point is a root of f: f(n/d) d^k = 0.
-bool is_root(const Polynomial& f, const ExactParameters& point, Parameter p) {
-  const BivariatePolynomial& n = point.numerator[index(p)];
-  const BivariatePolynomial& d = point.denominator[index(p)];
-  BivariatePolynomial sum;
-  BivariatePolynomial power = BivariatePolynomial::constant(1);  // of d
-  for (int i = f.degree(); i >= 0; --i) {
-    sum = sum * n + BivariatePolynomial::constant(f.coefficient(i)) * power;
-    power = power * d;
-  }
-  return sign_at(sum, point.at) == 0;
+template <class Ball, class AnyPiece>
+BallPoint<Ball> middle_of(const PairSystem<Ball>& system, const AnyPiece& piece) {
+  return point_of(system, piece, 0.5 * (piece.from + piece.to));
 }
 
 template <class Ball, class Curve>
@@ -101,24 +92,31 @@ class ConstantParameter {
   /// It takes the value α in more points than a fibre has isolated ones: in one of them it is the only curve,
   /// and the fibre over α contains one there.
   bool has_value(const RealAlgebraic& value) const {
-    const auto run = [&](const auto& piece) {
-      return piece.tube.axis == index(along_) ? std::fabs(piece.to - piece.from) : 0;
-    };
-    const auto& piece = *std::max_element(curve_.pieces.begin(), curve_.pieces.end(),
-                                          [&](const auto& a, const auto& b) { return run(a) < run(b); });
-    if (!(run(piece) > 0)) {
+    RationalInterval widest{0, 0};
+    for (const auto& piece : curve_.pieces) {
+      const RationalInterval range = between_ends(piece);
+      if (range.lower < range.upper && range.width() > widest.width()) {
+        widest = range;
+      }
+    }
+    if (widest.width() == 0) {
       return false;
     }
-    const double centre = piece.tube.centre[index(along_)].approximation();
-    for (int i = 0; i <= kMostIsolated; ++i) {
-      const double fraction = (i + 1.0) / (kMostIsolated + 2.0);
-      const double at = centre + piece.from + fraction * (piece.to - piece.from);
-      const double apart = run(piece) / (4 * kMostIsolated + 8);
-      if (!has_value_at(value, simplest_between(from_double(at - apart), from_double(at + apart)))) {
+    for (int i = 1; i <= kMostIsolated + 1; ++i) {
+      const Rational at = widest.lower + Rational(i, kMostIsolated + 2) * widest.width();
+      const Rational apart = widest.width() / (4 * kMostIsolated + 8);
+      if (!has_value_at(value, simplest_between(at - apart, at + apart))) {
         return false;
       }
     }
     return true;
+  }
+
+  /// Values of the parameter along the line that the piece takes; lower >= upper if none are known.
+  RationalInterval between_ends(const auto& piece) const {
+    const RationalInterval a = point_of(system_, piece, piece.from)[index(along_)].interval();
+    const RationalInterval b = point_of(system_, piece, piece.to)[index(along_)].interval();
+    return a.upper < b.lower ? RationalInterval{a.upper, b.lower} : RationalInterval{b.upper, a.lower};
   }
 
   /// The curve has a point with along = at, p = value.
@@ -129,14 +127,14 @@ class ConstantParameter {
     const LinePoints line = sweep_.line({along_, at});
     return !line.incomplete && line.on_patch.empty() &&
            std::any_of(line.points.begin(), line.points.end(), [&](const CertifiedPoint& point) {
-             const RationalInterval isolating = value.interval();
-             const RationalInterval box = point.refined_to(isolating.width() / 16).box()[index(p_)];
-             if (!(isolating.lower <= box.lower && box.upper <= isolating.upper) ||
+             const RationalInterval around = value.interval();
+             const RationalInterval near = point.box()[index(p_)];
+             if (near.upper < around.lower || around.upper < near.lower ||
                  !passes_through(curve_, enclose<Ball>(point, width_))) {
                return false;
              }
              const auto exact = point.exact();
-             return exact && is_root(value.polynomial(), *exact, p_);
+             return exact && takes_value(*exact, index(p_), value);
            });
   }
 

@@ -54,4 +54,20 @@ CertifiedPoint certified(ExactParameters exact, const std::vector<Side>& sides) 
   return {std::make_shared<ExactSource>(std::move(exact), sides), power_of_two(-100), sides, 0, 0};
 }
 
+bool takes_value(const ExactParameters& exact, std::size_t j, const RealAlgebraic& value) {
+  const RationalInterval isolating = value.interval();
+  if (isolating.width() > 0) {
+    const RationalInterval at = enclosure(exact, j, isolating.width() / 16);
+    if (!(isolating.lower <= at.lower && at.upper <= isolating.upper)) return false;
+  }
+  const Polynomial& f = value.polynomial();  // f(n/d) d^k
+  BivariatePolynomial sum;
+  BivariatePolynomial power = BivariatePolynomial::constant(1);
+  for (int i = f.degree(); i >= 0; --i) {
+    sum = sum * exact.numerator[j] + BivariatePolynomial::constant(f.coefficient(i)) * power;
+    power = power * exact.denominator[j];
+  }
+  return sign_at(sum, exact.at) == 0;
+}
+
 }  // namespace exsect

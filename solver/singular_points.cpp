@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exact_line_points.h"
+#include "line_crossing.h"
 #include "line_place.h"
 #include "parameter_box.h"
 #include "point_on_line.h"
@@ -52,6 +53,7 @@ class StarSearch {
     for (const Parameter sweep : all_parameters) {  // last: these stars are narrow
       if (const auto& turning = problem_.turning(sweep)) {
         try_points_on_lines(*turning);
+        try_crossings_of_lines(*turning);
       }
     }
     return std::move(stars_);
@@ -126,7 +128,9 @@ class StarSearch {
   }
 
   bool is_covered(const CertifiedPoint& point) const {
-    const ParameterBox box = point.refined_to(fine_width()).box();
+    return is_covered(point.refined_to(fine_width()).box());
+  }
+  bool is_covered(const ParameterBox& box) const {
     return std::any_of(stars_.begin(), stars_.end(),
                        [&](const StarNeighbourhood& star) { return lies_in(box, star.box); });
   }
@@ -205,6 +209,22 @@ class StarSearch {
     }
   }
 
+  /// Points of lines over irrational turning values, irrational along the line as well.
+  void try_crossings_of_lines(const TurningValues& turning) {
+    const auto& along = problem_.turning(static_cast<Parameter>(index(turning.sweep) ^ 1U));
+    for (const TurningValue& value : turning.values) {
+      if (value.multiplicity == 1 || value.value.polynomial().degree() > kHighestDegree || !along ||
+          stopped())
+        continue;
+      for (const LineCrossing& crossing :
+           line_crossings(problem_.x, problem_.y, turning.sweep, value.value, *along)) {
+        StarProblem problem = star_problem(turning);
+        if (!stopped() && !is_covered(crossing.near))
+          try_star(problem, value.value, [&] { return line_crossing_star(problem, crossing); });
+      }
+    }
+  }
+
   /// Over sides first, then over rational turning values.
   void try_all_sweeps(const CertifiedPoint& point) {
     for (const Side& side : point.sides()) {
@@ -232,9 +252,16 @@ class StarSearch {
   bool try_sweep(const CertifiedPoint& point, const TurningValues& turning, const RealAlgebraic& at,
                  const std::optional<RealAlgebraic>& along = {},
                  const SingularFibrePoint* singular = nullptr) {
+    StarProblem problem = star_problem(turning);
+    problem.along = along;
+    problem.singular = singular;
+    return try_star(problem, at, [&] { return star_neighbourhood(problem, point, at); });
+  }
+
+  StarProblem star_problem(const TurningValues& turning) const {
     StarProblem problem{problem_.x, problem_.y,   turning,          problem_.boundary, 0,
-                        {},         true,         problem_.sampled, problem_.samples,  along,
-                        singular,   problem_.stop};
+                        {},         true,         problem_.sampled, problem_.samples,  {},
+                        nullptr,    problem_.stop};
     for (const Parameter p : all_parameters) {
       if (p == turning.sweep || problem_.coincident[index(p)] == index(turning.sweep)) {
         continue;
@@ -246,12 +273,18 @@ class StarSearch {
       problem.others_complete = problem.others_complete &&
                                 (other || problem_.turning(all_parameters[problem_.coincident[index(p)]]));
     }
+    return problem;
+  }
+
+  /// Keeps a star over the value `at` that `proved`, which looks at problem.largest_halfwidth, returns.
+  bool try_star(StarProblem& problem, const RealAlgebraic& at,
+                const std::function<std::optional<StarNeighbourhood>()>& proved) {
     // As large as layers of exact fibres can bound the arcs: tracing from close to the centre is slow.
     const double first = std::clamp(8 * problem_.tolerance, 0x1p-36, 0x1p-5);
     std::optional<StarNeighbourhood> star;
     for (const double halfwidth : {std::max(first, kWideHalfwidth), first, first / 16, first / 512}) {
       problem.largest_halfwidth = halfwidth;
-      star = star_neighbourhood(problem, point, at);
+      star = proved();
       if (!star) {
         return false;
       }

@@ -1,6 +1,8 @@
 // When two patches lie on one surface, and where a common sheet is certified.
 #include "../../solver/common_surface.h"
 
+#include <algorithm>
+
 #include "../../solver/common_sheet.h"
 #include "support/catch.h"
 #include "support/random_pairs.h"
@@ -88,6 +90,45 @@ TEST_CASE("a sheet is certified where the patches are one, and its derivatives a
     for (Point& p : row) p[2] += power_of_two(-40);
   const CommonSheets wrong(x, BezierPatch(moved), scale, *CommonSurface::of(x, y));
   CHECK(!CommonSurface::of(x, BezierPatch(moved)));
+}
+
+TEST_CASE("a graph over a rectangle holds the points over it, well inside") {
+  // (u, v, u v) and (r, s (1 + r), 0): r = u, s = v / (1 + u) where the first two coordinates agree.
+  ControlNet a{}, b{};
+  for (ControlNet* net : {&a, &b}) (*net)[1][0][0] = (*net)[0][1][1] = 1;
+  a[1][1][2] = b[1][1][1] = 1;
+  const BezierPatch x = BezierPatch::from_power_basis(a);
+  const BezierPatch y = BezierPatch::from_power_basis(b);
+  const PairSystem<DoubleBall> system(x, y, {0, 0, 0}, 0);
+  const std::array<double, 4> centre = {0.5, 0.25, 0.5, 0.16};
+  for (const double half : {0.0625, 0x1p-10, 0x1p-30}) {
+    const auto graph = graph_over(system, region(centre, {half, half, 0, 0}));
+    REQUIRE(graph);
+    const Rational size = from_double(half);
+    for (const int i : {-1, 0, 1})
+      for (const int j : {-1, 0, 1}) {
+        const std::array<Rational, 2> at = {q(1, 2) + i * size, q(1, 4) + j * size};
+        const std::array<Rational, 2> image = {at[0], at[1] / (1 + at[0])};
+        for (std::size_t k = 0; k < 2; ++k) {
+          CHECK(graph->range[k].lower < image[k] - size / 64);
+          CHECK(image[k] + size / 64 < graph->range[k].upper);
+          CHECK(graph->range[k].width() < 16 * size + power_of_two(-5));
+        }
+        // b -> b + C(x - y(b)) brings the centre of the range nearer to the image, as is promised.
+        const std::array<Rational, 2> start = {graph->range[0].midpoint(), graph->range[1].midpoint()};
+        const Point d = x(at[0], at[1]) - y(start[0], start[1]);
+        Rational before = 0, after = 0;
+        for (std::size_t k = 0; k < 2; ++k) {
+          Rational step = 0;
+          for (std::size_t l = 0; l < 3; ++l) step += from_double(graph->combination[k][l]) * d[l];
+          const Rational width = from_double(graph->width[k]);
+          before = std::max<Rational>(before, abs(start[k] - image[k]) / width);
+          after = std::max<Rational>(after, abs(start[k] + step - image[k]) / width);
+        }
+        CHECK(after <= from_double(graph->contraction) * before);
+      }
+  }
+  CHECK_FALSE(graph_over(system, region({0.5, 0.25, 0.5, 0.16}, {4, 4, 0, 0})));
 }
 
 }  // namespace

@@ -72,6 +72,12 @@ TEST_CASE("family: crossing") {
   for (const Plane plane : families::all_planes) check_images(families::crossing(plane));
 }
 
+TEST_CASE("family: lines that cross in irrational numbers") {
+  check_images(families::irrational_lines(Plane::bilinear));
+  for (const Plane plane : families::all_planes) check(families::irrational_lines(plane));
+  check_images(families::three_irrational_lines());
+}
+
 TEST_CASE("family: two near sheets") {
   for (const Plane plane : families::all_planes) check_images(families::near_sheets(Rational(1, 100), plane));
 }

@@ -16,6 +16,10 @@ inline constexpr std::array<Plane, 4> all_planes = {Plane::square, Plane::larger
 ExactCase cap(const Rational& e, Plane plane);
 /// G[a² - b²] with P: four arcs from a crossing to the corners.
 ExactCase crossing(Plane plane);
+/// G[(u² - 1/2) (v² - 1/3)] with P: two parameter lines that cross, irrational in all parameters.
+ExactCase irrational_lines(Plane plane);
+/// G[(2u² - 1) (12 b² - 1)] with the square P: one line in u, two in v.
+ExactCase three_irrational_lines();
 /// G[a² - b² - e] with P, 0 < e < 1/4: two open arcs.
 ExactCase near_crossing(const Rational& e, Plane plane);
 /// G[u² + v² - 1/2] with P: a quarter of a circle, which turns where it meets the sides u = 0 and v = 0.

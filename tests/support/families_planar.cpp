@@ -42,6 +42,12 @@ RealAlgebraic reciprocal(const RealAlgebraic& t) {
   return RealAlgebraic::root_of(t.polynomial().reversed(t.polynomial().degree()), {1 / i.upper, 1 / i.lower});
 }
 
+/// v / (1 + u) for u = 1/sqrt(2) and v = 1/sqrt(3).
+RealAlgebraic quotient(const RealAlgebraic& u, const RealAlgebraic& v) {
+  if (u != surd(0, half, 1) || v != surd(0, Rational(1, 3), 1)) throw std::logic_error("another quotient");
+  return real_roots(Polynomial{4, 0, -36, 0, 9}, 0, 1).at(0);
+}
+
 BezierPatch patch_of(Plane plane) {
   ControlNet c{};
   switch (plane) {
@@ -80,6 +86,7 @@ std::array<RealAlgebraic, 2> lifted(Plane plane, const RealAlgebraic& u, const R
     case Plane::bilinear:
       if (u.is_rational()) return {u, preimage(v, Polynomial{0, 1 + u.rational()}, 0, 1)};
       if (v.compare(0) == 0) return {u, v};
+      if (!v.is_rational()) return {u, quotient(u, v)};
       return {u, reciprocal(preimage(u, Polynomial{-1, v.rational()}, 1, 4 / v.rational()))};
     case Plane::quadratic:
       break;
@@ -185,6 +192,25 @@ ExactCase crossing(Plane plane) {
   Planar c("crossing", {{{0, 1, -1}, {-1, 0, 0}, {1, 0, 0}}}, plane);
   c.node(half, half, NodeKind::crossing).node(0, 0).node(1, 0).node(1, 1).node(0, 1);
   return c.segment(0, 1).segment(0, 2).segment(0, 3).segment(0, 4).done();
+}
+
+ExactCase irrational_lines(Plane plane) {
+  Planar c("two irrational lines", {{{Rational(1, 6), 0, -half}, {0, 0, 0}, {-Rational(1, 3), 0, 1}}}, plane);
+  const RealAlgebraic u = surd(0, half, 1);
+  const RealAlgebraic v = surd(0, Rational(1, 3), 1);
+  c.node(u, v, NodeKind::crossing).node(0, v).node(1, v).node(u, 0).node(u, 1);
+  return c.segment(0, 1).segment(0, 2).segment(0, 3).segment(0, 4).done();
+}
+
+ExactCase three_irrational_lines() {
+  Planar c("three irrational lines", {{{-1, 6, -6}, {0, 0, 0}, {2, -12, 12}}}, Plane::square);
+  const RealAlgebraic u = surd(0, half, 1);
+  const RealAlgebraic lower = surd(half, Rational(1, 12), -1);
+  const RealAlgebraic upper = surd(half, Rational(1, 12), 1);
+  c.node(u, lower, NodeKind::crossing).node(u, upper, NodeKind::crossing).node(u, 0).node(u, 1);
+  c.node(0, lower).node(1, lower).node(0, upper).node(1, upper);
+  c.segment(0, 1).segment(0, 2).segment(1, 3);
+  return c.segment(0, 4).segment(0, 5).segment(1, 6).segment(1, 7).done();
 }
 
 ExactCase near_crossing(const Rational& e, Plane plane) {
