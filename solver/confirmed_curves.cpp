@@ -4,26 +4,20 @@
 #include <exsect/solver/turning_eliminant.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "critical_values.h"
 #include "exact_line_points.h"
 #include "filter.h"
 #include "parameter_box.h"
+#include "run_clock.h"
 
 namespace exsect {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Denominators; a box of doubles holds such a number by chance once in millions.
 constexpr int kShort = 1 << 12;
 constexpr long kRefined = 40;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 class Confirmation {
  public:
@@ -33,7 +27,7 @@ class Confirmation {
   std::optional<IntersectResult> run() {
     auto found = filtered_curves(x_, y_, options_);
     if (!found || !(confirmed_by_enclosure(found->stations[0]) || confirmed_exactly(found->stations)) ||
-        out_of_time()) {
+        clock_.out_of_time()) {
       return std::nullopt;
     }
     for (Node& node : found->result.graph.nodes) {
@@ -41,38 +35,30 @@ class Confirmation {
     }
     Work& work = found->result.work;
     work.steps.erase("filtered");
-    work.steps.merge(steps_);
-    work.milliseconds = milliseconds_since(start_);
+    work.steps.merge(work_.steps);
+    work.milliseconds = clock_.milliseconds();
     return std::move(found->result);
   }
 
  private:
-  bool out_of_time() const {
-    return options_.max_seconds && milliseconds_since(start_) > 1000 * *options_.max_seconds;
-  }
-
   template <class Step>
-  auto timed(const char* step, double progress, Step&& body) {
-    const auto begin = Clock::now();
-    auto result = body();
-    steps_[std::string(step) + " ms"] += milliseconds_since(begin);
-    if (options_.progress) {
-      options_.progress(progress, step);
-    }
-    return result;
+  auto timed(const char* step, Step&& body) {
+    std::optional<decltype(body())> result;
+    clock_.run(work_, step, [&] { result = body(); });
+    return std::move(*result);
   }
 
   /// By enclosures of E(u).
   bool confirmed_by_enclosure(const std::vector<Stations>& curves) {
-    const auto roots = timed("turning eliminant", 0.8, [&] { return enclosed_turning_roots(x_, y_); });
+    const auto roots = timed("turning eliminant", [&] { return enclosed_turning_roots(x_, y_); });
     return roots && no_curve_is_missing_between(*roots, curves, Parameter::u);
   }
 
   bool confirmed_exactly(const std::array<std::vector<Stations>, 4>& curves) {
-    if (out_of_time()) {
+    if (clock_.out_of_time()) {
       return false;
     }
-    auto turning = timed("turning eliminant", 0.8, [&] { return choose_sweep(x_, y_).turning; });
+    auto turning = timed("turning eliminant", [&] { return choose_sweep(x_, y_).turning; });
     if (!turning || turning->touching ||
         std::any_of(turning->values.begin(), turning->values.end(),
                     [](const TurningValue& turn) { return turn.multiplicity != 1; })) {
@@ -88,7 +74,7 @@ class Confirmation {
 
   bool no_curve_is_missing_between(const std::vector<RationalInterval>& roots,
                                    const std::vector<Stations>& curves, Parameter sweep) {
-    return timed("fibres", 1, [&] {
+    return timed("fibres", [&] {
       return no_curve_is_missing(roots, curves, [&](const Rational& sample) {
         return fibre_count({sweep, sample});
       });
@@ -97,7 +83,7 @@ class Confirmation {
 
   std::optional<std::size_t> fibre_count(const LineQuery& query) {
     const LinePoints fibre = line_points_filtered(x_, y_, query);
-    steps_["fibres"] += 1;
+    work_.steps["fibres"] += 1;
     if (fibre.incomplete || !fibre.on_patch.empty()) {
       return std::nullopt;
     }
@@ -126,8 +112,8 @@ class Confirmation {
   const BezierPatch& x_;
   const BezierPatch& y_;
   const IntersectOptions& options_;
-  Clock::time_point start_ = Clock::now();
-  std::map<std::string, double> steps_;
+  RunClock clock_{options_, 0.5};
+  Work work_{};
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <exsect/solver/line_patch.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 
 #include "exact_line_points.h"
@@ -15,6 +14,7 @@
 #include "model_scale.h"
 #include "parameter_names.h"
 #include "plane_curve.h"
+#include "run_clock.h"
 #include "traced_curves.h"
 
 namespace exsect {
@@ -96,11 +96,7 @@ std::vector<std::array<RationalInterval, 2>> separate_boxes(const std::vector<Tr
 class DegeneratePair {
  public:
   DegeneratePair(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options)
-      : x_(x),
-        y_(y),
-        options_(options),
-        scale_(model_scale(x, y)),
-        start_(std::chrono::steady_clock::now()) {}
+      : x_(x), y_(y), options_(options), scale_(model_scale(x, y)) {}
 
   IntersectResult run() {
     const PatchShape first = shape(x_);
@@ -116,8 +112,7 @@ class DegeneratePair {
     }
     finish_components(result_.graph);
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    result_.work.milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    result_.work.milliseconds = clock_.milliseconds();
     return std::move(result_);
   }
 
@@ -278,11 +273,8 @@ class DegeneratePair {
   const BezierPatch& y_;
   const IntersectOptions& options_;
   ModelScale scale_;
-  std::chrono::steady_clock::time_point start_;
-  StopRequest stop_ = [this] {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-    return options_.max_seconds && passed.count() > *options_.max_seconds;
-  };
+  RunClock clock_{options_};
+  StopRequest stop_ = [this] { return clock_.out_of_time(); };
   IntersectResult result_{};
 };
 

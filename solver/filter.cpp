@@ -1,13 +1,14 @@
 #include "filter.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "filter_contact_graph.h"
 #include "filter_graph.h"
 #include "filter_loops.h"
 #include "filter_overlap.h"
+#include "option_limits.h"
+#include "run_clock.h"
 #include "turning_points.h"
 
 namespace exsect {
@@ -18,7 +19,6 @@ using filter::AnalysedTrace;
 using filter::BoundaryPoint;
 using filter::Trace;
 
-constexpr double kFinestTolerance = 1e-12;
 constexpr std::size_t kMostDoublePoints = 8;
 /// Of the tolerance, for the chords from ports to double points.
 constexpr double kPortShare = 0.9;
@@ -76,10 +76,6 @@ class FilteredIntersection {
   }
 
  private:
-  double milliseconds() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-  }
-
   std::optional<IntersectResult> overlap_of_pieces(const filter::Pair& pair, filter::Trees& trees) {
     if (with_stations_) {
       return std::nullopt;
@@ -92,7 +88,7 @@ class FilteredIntersection {
                                                IntersectionGraph graph,
                                                const std::vector<AnalysedTrace>& curves) const {
     if (!filter::append_contacts(x_, y_, pair, contacts, options_.tolerance * pair.extent, graph) ||
-        (options_.max_seconds && milliseconds() > 1000 * *options_.max_seconds)) {
+        (options_.max_seconds && clock_.milliseconds() > 1000 * *options_.max_seconds)) {
       return std::nullopt;
     }
     finish_components(graph);
@@ -101,7 +97,7 @@ class FilteredIntersection {
     if (options_.progress && !with_stations_) {
       options_.progress(1, "filter");
     }
-    result.work.milliseconds = milliseconds();
+    result.work.milliseconds = clock_.milliseconds();
     return result;
   }
 
@@ -219,7 +215,7 @@ class FilteredIntersection {
   const BezierPatch& x_;
   const BezierPatch& y_;
   const IntersectOptions& options_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  RunClock clock_{options_};
   long boxes_ = 0;
   std::array<std::size_t, 4> coincident_ = kNoneCoincident;
   std::vector<filter::DoublePoint> double_points_;

@@ -3,9 +3,7 @@
 #include <exsect/solver/line_patch.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <stdexcept>
 
 #include "boundary_lines.h"
 #include "collapsed_line.h"
@@ -19,8 +17,10 @@
 #include "line_arcs.h"
 #include "line_place.h"
 #include "model_scale.h"
+#include "option_limits.h"
 #include "overlaps.h"
 #include "parameter_box.h"
+#include "run_clock.h"
 #include "singular_points.h"
 #include "traced_curves.h"
 
@@ -28,29 +28,11 @@ namespace exsect {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr double kFinestTolerance = 1e-12;
-constexpr double kCoarseTolerance = 1e-9;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-void check(const IntersectOptions& options) {
-  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
-    throw std::invalid_argument("tolerance must be a positive finite number");
-  }
-  if (options.max_seconds && !(*options.max_seconds > 0)) {
-    throw std::invalid_argument("max_seconds must be positive");
-  }
-}
-
 class Intersection {
  public:
   Intersection(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options)
-      : x_(x), y_(y), options_(options), scaling_(model_scale(x, y)), stop_([this] {
-          return out_of_time();
+      : x_(x), y_(y), options_(options), clock_(options, 0.2), scaling_(model_scale(x, y)), stop_([this] {
+          return clock_.out_of_time();
         }) {
     sweep_.coincident = coincident_parameters(x, y);
     sweep_.plane = plane_coordinates(x, y);
@@ -88,24 +70,14 @@ class Intersection {
     }
     finish_components(result_.graph);
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    result_.work.milliseconds = milliseconds_since(start_);
+    result_.work.milliseconds = clock_.milliseconds();
     return std::move(result_);
   }
 
  private:
-  bool out_of_time() const {
-    return options_.max_seconds && milliseconds_since(start_) > 1000 * *options_.max_seconds;
-  }
-
   template <class Step>
   void timed(const char* step, Step&& body) {
-    const auto begin = Clock::now();
-    body();
-    result_.work.steps[std::string(step) + " ms"] += milliseconds_since(begin);
-    if (options_.progress) {
-      progress_ += 0.2;
-      options_.progress(std::min(progress_, 1.0), step);
-    }
+    clock_.run(result_.work, step, std::forward<Step>(body));
   }
 
   void incomplete(const ParameterBox& where, const std::string& why) {
@@ -130,7 +102,7 @@ class Intersection {
   }
 
   void find_turning_values() {
-    if (out_of_time()) {
+    if (clock_.out_of_time()) {
       incomplete(whole_domain(), "the work cap was reached before closed curves were excluded");
       return;
     }
@@ -141,7 +113,7 @@ class Intersection {
 
   const std::optional<TurningValues>& turning_values_of(Parameter sweep) {
     auto& known = turning_[index(sweep)];
-    if (!known && out_of_time()) {
+    if (!known && clock_.out_of_time()) {
       return unknown_;
     }
     if (!known) {
@@ -157,7 +129,7 @@ class Intersection {
     }
     sweep_.samples = sweep_samples(*sweep_.turning, sides_.points);
     for (const Rational& sample : sweep_.samples) {
-      if (out_of_time()) {
+      if (clock_.out_of_time()) {
         incomplete(whole_domain(), "the work cap was reached while fibres were computed");
         return;
       }
@@ -447,7 +419,7 @@ class Intersection {
   const BezierPatch& x_;
   const BezierPatch& y_;
   const IntersectOptions& options_;
-  Clock::time_point start_ = Clock::now();
+  RunClock clock_;
   ModelScale scaling_;
   StopRequest stop_;
   SweepData sweep_;
@@ -458,7 +430,6 @@ class Intersection {
   const std::optional<TurningValues> unknown_ = std::nullopt;
   IntersectResult result_{};
   bool cut_short_ = false;  // the last attempt's searches were, and something is left
-  double progress_ = 0;
 };
 
 }  // namespace

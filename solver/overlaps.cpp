@@ -1,7 +1,6 @@
 #include "overlaps.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "common_sheet.h"
 #include "identical_patches.h"
@@ -9,14 +8,13 @@
 #include "overlap_boundary.h"
 #include "parameter_names.h"
 #include "planar_patch.h"
+#include "run_clock.h"
 #include "traced_curves.h"
 #include "two_piece_curves.h"
 
 namespace exsect {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 class OneSurface {
  public:
@@ -40,15 +38,11 @@ class OneSurface {
     timed("graph", [this] { add_boundary(); });
     finish_components(result_.graph);
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    result_.work.milliseconds = milliseconds_since(start_);
+    result_.work.milliseconds = clock_.milliseconds();
     return std::move(result_);
   }
 
  private:
-  static double milliseconds_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-  }
-
   /// Everything off the common sheets.
   void find_other_curves() {
     for (const BoundaryPoint& point : boundary_.points)
@@ -63,14 +57,8 @@ class OneSurface {
   }
 
   template <class Step>
-  void timed(const char* step, const Step& body) {
-    const auto begin = Clock::now();
-    body();
-    result_.work.steps[std::string(step) + " ms"] += milliseconds_since(begin);
-    if (options_.progress) {
-      progress_ += 1.0 / 3;
-      options_.progress(std::min(progress_, 1.0), step);
-    }
+  void timed(const char* step, Step&& body) {
+    clock_.run(result_.work, step, std::forward<Step>(body));
   }
 
   /// In a plane every solution lies on a common sheet if neither patch is singular anywhere. Otherwise the
@@ -290,17 +278,14 @@ class OneSurface {
   double tolerance_;
   const CommonSurface& surface_;
   CommonSheets sheets_;
-  Clock::time_point start_ = Clock::now();
-  StopRequest stop_ = [this] {
-    return options_.max_seconds && milliseconds_since(start_) > 1000 * *options_.max_seconds;
-  };
+  RunClock clock_{options_, 1.0 / 3};
+  StopRequest stop_ = [this] { return clock_.out_of_time(); };
   OverlapBoundary boundary_;
   bool regular_ = false;  // in a plane, and neither patch is singular
   std::optional<TwoPieces> pieces_;
   SweepData sweep_;
   std::vector<int> nodes_;  // of the boundary points
   IntersectResult result_{};
-  double progress_ = 0;
 };
 
 }  // namespace

@@ -3,12 +3,13 @@
 #include <exsect/geometry/bounding_box.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "model_scale.h"
+#include "option_limits.h"
+#include "run_clock.h"
 #include "self_curves.h"
 #include "self_degenerate.h"
 #include "self_folds.h"
@@ -22,53 +23,14 @@ namespace exsect {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr double kFinestTolerance = 1e-12;
-constexpr double kCoarseTolerance = 1e-9;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-void check(const IntersectOptions& options) {
-  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
-    throw std::invalid_argument("tolerance must be a positive finite number");
-  }
-  if (options.max_seconds && !(*options.max_seconds > 0)) {
-    throw std::invalid_argument("max_seconds must be positive");
-  }
-}
-
-/// Origin (with double coordinates) and power of two that bring the patch to unit size.
-struct Scaling {
-  ModelFrame frame;
-  Point origin;
-  double extent;
-};
-
-Scaling scaling_of(const BezierPatch& x) {
-  const BoundingBox box = bounding_box(x);
-  Scaling result{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    result.frame.origin[c] = to_double((box.lower[c] + box.upper[c]) / 2);
-    if (!std::isfinite(result.frame.origin[c])) {
-      throw std::invalid_argument("control points must lie in the range of doubles");
-    }
-    result.origin[c] = from_double(result.frame.origin[c]);
-  }
-  result.extent = to_double(largest_extent(box));
-  result.frame.exponent = result.extent > 0 ? std::ilogb(result.extent) + 1 : 0;
-  return result;
-}
-
 class SelfIntersection {
  public:
   SelfIntersection(const BezierPatch& x, const IntersectOptions& options)
       : x_(x),
         options_(options),
-        scaling_(scaling_of(x)),
-        stop_([this] { return out_of_time(); }),
+        clock_(options, 0.25),
+        scaling_(model_scale(x, x)),
+        stop_([this] { return clock_.out_of_time(); }),
         pairs_(x) {}
 
   IntersectResult run() {
@@ -82,28 +44,18 @@ class SelfIntersection {
     add_collapsed_sides();
     finish_components(result_.graph);
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    result_.work.milliseconds = milliseconds_since(start_);
+    result_.work.milliseconds = clock_.milliseconds();
     return std::move(result_);
   }
 
  private:
-  bool out_of_time() const {
-    return options_.max_seconds && milliseconds_since(start_) > 1000 * *options_.max_seconds;
-  }
-
   template <class Step>
   void timed(const char* step, Step&& body) {
-    const auto begin = Clock::now();
-    body();
-    result_.work.steps[std::string(step) + " ms"] += milliseconds_since(begin);
-    if (options_.progress) {
-      progress_ += 0.25;
-      options_.progress(std::min(progress_, 1.0), step);
-    }
+    clock_.run(result_.work, step, std::forward<Step>(body));
   }
 
   void find_curves() {
-    if (out_of_time()) {
+    if (clock_.out_of_time()) {
       result_.incomplete.push_back({whole_domain(), "the work cap was reached"});
       return;
     }
@@ -148,7 +100,7 @@ class SelfIntersection {
     const SelfSystem<Ball> system(x_, scaling_.origin, scaling_.frame.exponent);
     SelfCurves<Ball> found;
     timed("tracing", [&] { found = trace_self_curves(system, exact_, width, stop_); });
-    if (!found.problems.empty() && !last && !out_of_time()) {
+    if (!found.problems.empty() && !last && !clock_.out_of_time()) {
       for (const Incomplete& problem : found.problems) {
         undecided_.push_back(problem.where);
       }
@@ -209,14 +161,13 @@ class SelfIntersection {
 
   const BezierPatch& x_;
   const IntersectOptions& options_;
-  Clock::time_point start_ = Clock::now();
-  Scaling scaling_;
+  RunClock clock_;
+  ModelScale scaling_;
   StopRequest stop_;
   ExactPlaces exact_{};
   std::vector<ParameterBox> undecided_;  // by all attempts
   TurningPairs pairs_;
   IntersectResult result_{};
-  double progress_ = 0;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "renaming_checks.h"
 #include "support/catch.h"
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
@@ -15,39 +16,9 @@ namespace {
 
 using random_pairs::Pair;
 
-/// The patch with these power-basis coefficients c[i][j] of the first parameter's power i.
-BezierPatch power(const std::vector<std::pair<std::pair<std::size_t, std::size_t>, Point>>& terms) {
-  ControlNet c;
-  for (auto& row : c) row.fill(Point{0, 0, 0});
-  for (const auto& [exponents, coefficient] : terms) c[exponents.first][exponents.second] = coefficient;
-  return BezierPatch::from_power_basis(c);
-}
-
 BezierPatch point_patch(const Point& p) { return power({{{0, 0}, p}}); }
 /// (r, s, r s).
 BezierPatch saddle() { return power({{{1, 0}, {1, 0, 0}}, {{0, 1}, {0, 1, 0}}, {{1, 1}, {0, 0, 1}}}); }
-
-/// The other pairs with the same intersection up to renaming of parameters.
-void check_renamings(const Pair& pair, const IntersectionGraph& graph) {
-  struct Renamed {
-    Pair pair;
-    Renaming renaming;
-  };
-  std::mt19937_64 generator(7);
-  const random_pairs::AffineMap map = random_pairs::affine_map(generator);
-  const std::vector<Renamed> all = {
-      {{pair.y, pair.x}, {{2, 3, 0, 1}, {}}},
-      {{pair.x.exchanged(), pair.y}, {{1, 0, 2, 3}, {}}},
-      {{pair.x, pair.y.exchanged()}, {{0, 1, 3, 2}, {}}},
-      {{pair.x.reversed_first(), pair.y.reversed_second()}, {{0, 1, 2, 3}, {true, false, false, true}}},
-      {{map(pair.x), map(pair.y)}, {}}};
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    INFO("renaming " << i);
-    const IntersectResult other = intersect(all[i].pair.x, all[i].pair.y);
-    CHECK(other.status == Status::complete);
-    CHECK(difference(graph, other.graph, all[i].renaming) == "");
-  }
-}
 
 bool contains(const RationalInterval& i, const Rational& q) { return i.lower <= q && q <= i.upper; }
 

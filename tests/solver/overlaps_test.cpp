@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "renaming_checks.h"
 #include "support/catch.h"
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
@@ -26,14 +27,6 @@ const BezierPatch& chapter_patch() {
   return x;
 }
 
-using Term = std::pair<std::pair<std::size_t, std::size_t>, Point>;
-BezierPatch power(const std::vector<Term>& terms) {
-  ControlNet c;
-  for (auto& row : c) row.fill(Point{0, 0, 0});
-  for (const auto& [exponents, coefficient] : terms) c[exponents.first][exponents.second] = coefficient;
-  return BezierPatch::from_power_basis(c);
-}
-
 /// (a, b, a^2 + b^2) for the bilinear a = a0 + a1 u + a2 v + a3 u v, b likewise.
 BezierPatch paraboloid(const std::array<Rational, 4>& a, const std::array<Rational, 4>& b) {
   ControlNet c;
@@ -44,33 +37,6 @@ BezierPatch paraboloid(const std::array<Rational, 4>& a, const std::array<Ration
     for (std::size_t j = 0; j < 4; ++j) c[i % 2 + j % 2][i / 2 + j / 2][2] += a[i] * a[j] + b[i] * b[j];
   }
   return BezierPatch::from_power_basis(c);
-}
-
-void check_complete(const IntersectResult& result) {
-  for (const Incomplete& region : result.incomplete) UNSCOPED_INFO(region.why);
-  CHECK(result.status == Status::complete);
-}
-
-/// The result with patches and parameters exchanged, reversed, and mapped affinely.
-void check_renamings(const Pair& pair, const IntersectionGraph& graph) {
-  struct Renamed {
-    Pair pair;
-    Renaming renaming;
-  };
-  random_pairs::Generator generator(11);
-  const random_pairs::AffineMap map = random_pairs::affine_map(generator);
-  const std::vector<Renamed> all = {
-      {{pair.y, pair.x}, {{2, 3, 0, 1}, {}}},
-      {{pair.x.exchanged(), pair.y}, {{1, 0, 2, 3}, {}}},
-      {{pair.x, pair.y.exchanged()}, {{0, 1, 3, 2}, {}}},
-      {{pair.x.reversed_first(), pair.y.reversed_second()}, {{0, 1, 2, 3}, {true, false, false, true}}},
-      {{map(pair.x), map(pair.y)}, {}}};
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    INFO("renaming " << i);
-    const IntersectResult other = intersect(all[i].pair.x, all[i].pair.y);
-    check_complete(other);
-    CHECK(difference(graph, other.graph, all[i].renaming) == "");
-  }
 }
 
 using Place = std::array<Rational, 4>;
