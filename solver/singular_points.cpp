@@ -40,6 +40,9 @@ class StarSearch {
         try_all_sweeps(point);
       }
     }
+    if (no_point_is_singular()) {
+      return std::move(stars_);
+    }
     for (const Parameter sweep : all_parameters) {
       if (const auto& turning = problem_.turning(sweep)) {
         try_multiple_values(*turning);
@@ -62,6 +65,14 @@ class StarSearch {
  private:
   bool stopped() const { return is_stopped(problem_.stop); }
 
+  /// A simple root of E lies under no singular point (method.md, Theorem 4.4).
+  bool no_point_is_singular() const {
+    const auto& turning = problem_.turning(problem_.sampled);
+    return turning && !turning->touching &&
+           std::all_of(turning->values.begin(), turning->values.end(),
+                       [](const TurningValue& value) { return value.multiplicity == 1; });
+  }
+
   BallPoint<Ball> tangent_at(const CertifiedPoint& point) const {
     return Expansion<Ball>(system_, enclose<Ball>(point, fine_width())).tangent();
   }
@@ -80,9 +91,10 @@ class StarSearch {
     if (point.sides().empty()) {
       return may_be_singular(point);
     }
-    return !is_on_contact(point) &&
-           std::any_of(point.sides().begin(), point.sides().end(),
-                       [&](const Side& side) { return tangent[index(side.parameter)].certain_sign() == 0; });
+    return std::any_of(
+               point.sides().begin(), point.sides().end(),
+               [&](const Side& side) { return tangent[index(side.parameter)].certain_sign() == 0; }) &&
+           !is_on_contact(point);
   }
 
   /// A regular point of a curve along which the patches touch, and not tangent to a side there: a multiple
