@@ -41,9 +41,9 @@ TEST_CASE("a circle crosses two sides at right angles", "[exact_tangent]") {
   CHECK(compare_with_enclosures(c.x, c.y) == 8);
   CHECK(compare_with_enclosures(c.y, c.x) == 8);
   CHECK(compare_with_enclosures(c.x.exchanged(), c.y) == 8);
-  // On the quadratic plane's lines the parameter is a root of its own; from the other patch's it is known.
+  // On the quadratic plane's lines the parameter is a root over the field of the others, if that is one of s.
   const ExactCase quadratic = families::quarter_circle(families::Plane::quadratic);
-  CHECK(compare_with_enclosures(quadratic.x, quadratic.y) == 4);
+  CHECK(compare_with_enclosures(quadratic.x, quadratic.y) == 6);
   const LinePoints side = line_points(c.x, c.y, {Parameter::u, 0});
   REQUIRE(side.points.size() == 1);
   REQUIRE(side.points[0].exact());

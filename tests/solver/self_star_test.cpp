@@ -1,7 +1,5 @@
 #include "../../solver/self_star.h"
 
-#include <exsect/solver/self_intersect.h>
-
 #include <algorithm>
 #include <initializer_list>
 #include <random>
@@ -12,31 +10,17 @@
 #include "../../solver/self_turning_pairs.h"
 #include "../../solver/singular_pairs.h"
 #include "support/catch.h"
-#include "support/graph_checks.h"
-#include "support/self_locus.h"
+#include "support/self_checks.h"
 
 using namespace exsect;
-using exsect::testing::polyline_crossings;
+using exsect::testing::checked;
+using exsect::testing::degrees;
+using exsect::testing::patch;
+using exsect::testing::random_patch;
 using exsect::testing::self_fibre;
 using exsect::testing::self_locus;
 
 namespace {
-
-/// Nine control points, row by row.
-BezierPatch patch(const std::vector<int>& coordinates) {
-  ControlNet net;
-  for (std::size_t i = 0; i < 9; ++i)
-    for (std::size_t k = 0; k < 3; ++k) net[i / 3][i % 3][k] = coordinates.at(3 * i + k);
-  return BezierPatch(net);
-}
-
-/// Coordinates from -largest to largest.
-BezierPatch random_patch(std::mt19937& generator, int largest) {
-  std::uniform_int_distribution<int> coordinate(-largest, largest);
-  std::vector<int> net(27);
-  for (int& c : net) c = coordinate(generator);
-  return patch(net);
-}
 
 // The side u = 1 turns at v = 2/3; both tangent planes agree at v = 1 and v = 1/3.
 const std::vector<int> kFoldedSide = {1, 1, 0, -1, 1, -1, -1, 0, -1, 1, -1, 1, -1, -1,
@@ -75,6 +59,11 @@ const std::vector<int> kGluedAtCorner = {1,  1, 0,  1, -1, 1,  -1, 1,  1,  1,  -
 const std::vector<int> kTurnTogether = {0, 1,  1,  1, -1, -1, 0, -1, -1, 0, -1, -1, 0, -1,
                                         0, -1, -1, 0, 1,  1,  0, 0,  -1, 0, 1,  0,  -1};
 
+// The side u = 1 is straight, with one tangent plane all along: a curve that ends on it has T_v1 = 0 there,
+// at an irrational pair, with v2 a square root over the field of the other parameters.
+const std::vector<int> kTangentAtFoldedSide = {-1, -1, 1,  1, 1,  -1, -1, 1,  -1, 1, 1, 1,  -1, 1,
+                                               1,  0,  -1, 0, -1, 1,  1,  -1, 1,  1, 0, -1, 0};
+
 /// The line v = c turns at u = f, and both tangent planes agree along it, for one of the two reasons.
 BezierPatch multiple_fold(std::mt19937& generator, bool planar, const Rational& f, const Rational& c) {
   std::uniform_int_distribution<int> coefficient(-2, 2);
@@ -90,39 +79,6 @@ BezierPatch multiple_fold(std::mt19937& generator, bool planar, const Rational& 
     d[1][1] = k[0] * d[2][0];
   }
   return BezierPatch::from_power_basis(d).restricted_to(-f, 1 - f, -c, 1 - c);
-}
-
-/// Complete, sound, and with as many crossings of parameter lines as these have pairs, in both orders.
-IntersectionGraph checked(const BezierPatch& x) {
-  IntersectOptions options;
-  options.tolerance = 1e-3;
-  IntersectionGraph graph;
-  for (const BezierPatch& patch : {x.exchanged(), x}) {
-    const IntersectResult result = self_intersect(patch, options);
-    for (const Incomplete& reason : result.incomplete) UNSCOPED_INFO(reason.why);
-    REQUIRE(result.status == Status::complete);
-    CHECK(unsound(patch, patch, result) == "");
-    for (const std::size_t parameter : {0U, 1U})
-      for (const Rational& value : {Rational(2, 13), Rational(27, 61), Rational(34, 41), Rational(60, 61)}) {
-        INFO("parameter " << parameter << " = " << value);
-        CHECK(polyline_crossings(result.graph, parameter, to_double(value)) ==
-              static_cast<int>(self_fibre(patch, parameter, value).size()));
-      }
-    graph = result.graph;
-  }
-  return graph;
-}
-
-std::vector<int> degrees(const IntersectionGraph& graph, NodeKind kind) {
-  std::vector<int> result;
-  for (const Node& node : graph.nodes) {
-    if (std::ranges::count(node.kinds, kind) == 0) continue;
-    result.push_back(0);
-    for (const Arc& arc : graph.arcs)
-      result.back() += (arc.from == node.id ? 1 : 0) + (arc.to == node.id ? 1 : 0);
-  }
-  std::ranges::sort(result);
-  return result;
 }
 
 }  // namespace
@@ -246,6 +202,16 @@ TEST_CASE("two parameters that turn in one pair") {
           return std::ranges::count(node.wrt, Parameter::v) == 1 &&
                  std::ranges::count(node.wrt, Parameter::s) == 1;
         }) == 1);
+}
+
+TEST_CASE("a component of the tangent vanishes where a curve ends on a folded side") {
+  const BezierPatch x = patch(kTangentAtFoldedSide);
+  const IntersectionGraph graph = checked(x);
+  const auto end = std::ranges::find_if(graph.nodes, [](const Node& node) {
+    return node.on == std::vector<Side>{{Parameter::u, 1}} || node.on == std::vector<Side>{{Parameter::r, 1}};
+  });
+  REQUIRE(end != graph.nodes.end());
+  CHECK(end->wrt.empty());
 }
 
 TEST_CASE("exact pairs at which a component of the tangent vanishes") {
