@@ -323,16 +323,26 @@ Node landmark_node(const PairSystem<Ball>& system, const ModelFrame& frame, cons
 
 template <class Ball>
 double chord_bound(const PairSystem<Ball>& system, const ModelFrame& frame, const ParameterBox& box) {
-  BallPoint<Ball> at;
-  for (std::size_t j = 0; j < 4; ++j) {
-    at[j] = Ball::enclosing(box[j]);
+  // About the middle of the box, so that it does not matter which parameter is inserted first.
+  BallPoint<Ball> middle;
+  std::array<double, 2> half{};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const Ball range = Ball::enclosing(box[j]);
+    middle[j] = range.midpoint();
+    half[j] = range.radius();
   }
-  const BallVector<Ball> x = system.taylor_x(at)[0];
+  const TaylorNet<Ball> x = system.taylor_x(middle);
+  const std::array<double, 3> u = {1, half[0], half[0] * half[0]};
+  const std::array<double, 3> v = {1, half[1], half[1] * half[1]};
   double radius2 = 0;
   double rounding = 0;
   for (std::size_t c = 0; c < 3; ++c) {
-    radius2 += x[c].radius() * x[c].radius();
-    const double largest = std::ldexp(x[c].upper_magnitude(), static_cast<int>(frame.exponent));
+    double radius = x[0][c].radius();
+    for (std::size_t i = 1; i < 9; ++i) {
+      radius += x[i][c].upper_magnitude() * u[i / 3] * v[i % 3];
+    }
+    radius2 += radius * radius;
+    const double largest = std::ldexp(x[0][c].upper_magnitude() + radius, static_cast<int>(frame.exponent));
     rounding += (std::fabs(frame.origin[c]) + largest) * 0x1p-50;
   }
   // The ball's diameter, once more its radius for the vertices, which are in the ball up to rounding.
