@@ -1,18 +1,14 @@
 #include "self_curves.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "glued_steps.h"
-#include "loop_seeds.h"
-#include "parameter_box.h"
 #include "search_direction.h"
 #include "self_directions.h"
 #include "self_folds.h"
+#include "self_loops.h"
 #include "self_near_cusps.h"
 #include "traced_curves.h"
-#include "undecided_places.h"
 
 namespace exsect {
 
@@ -23,9 +19,10 @@ constexpr long kQuickBoxes = 2000;
 template <class Ball>
 class SelfTracing {
  public:
-  SelfTracing(const SelfSystem<Ball>& system, const ExactPlaces& exact, const Rational& width,
-              const StopRequest& stop)
+  SelfTracing(const SelfSystem<Ball>& system, const Charts<DoubleBall>& charts, const ExactPlaces& exact,
+              const Rational& width, const StopRequest& stop)
       : system_(system),
+        charts_(charts),
         exact_(exact),
         boundary_(exact.boundary),
         width_(width),
@@ -54,7 +51,7 @@ class SelfTracing {
       trace_open_curves();
     }
     if (result_.problems.empty()) {
-      search_closed_curves();
+      search_loops();
     }
     return std::move(result_);
   }
@@ -63,7 +60,7 @@ class SelfTracing {
   static std::vector<ParameterBox> boxes_of(const std::vector<SelfStar>& stars) {
     std::vector<ParameterBox> boxes;
     for (const SelfStar& star : stars) {
-      boxes.push_back(star.star.box);
+      boxes.push_back(star.surroundings);
     }
     return boxes;
   }
@@ -236,81 +233,24 @@ class SelfTracing {
     return result;
   }
 
-  void search_closed_curves() {
-    const std::array<double, 2> c = search_direction(tangents());
-    for (const ChartSystem<Ball>& chart : system_.charts) {
-      const Chart which = chart.chart();
-      ChartSearchOutcome outcome = search(chart, c);
-      for (const double turned : {1.0, 2.0}) {
-        if (outcome.undecided.empty() || is_stopped(stop_)) break;
-        const double angle = turned * std::numbers::pi / 3;
-        ChartSearchOutcome other = search(chart, {std::cos(angle) * c[0] - std::sin(angle) * c[1],
-                                                  std::sin(angle) * c[0] + std::cos(angle) * c[1]});
-        if (other.undecided.empty()) outcome = std::move(other);
-      }
-      for (const ParameterBox& where : undecided_places(which, outcome.undecided)) {
-        problem(where, "a closed curve or a singular point of the self-intersection is not excluded here");
-      }
-    }
-  }
-
-  /// With one direction for all of the chart, in terms of u and v: every one is complete.
-  ChartSearchOutcome search(const ChartSystem<Ball>& chart, const std::array<double, 2>& direction) {
-    const Chart which = chart.chart();
-    const ChartSeedHandler<Ball> known = [this, which](const BallPoint<Ball>& p) {
-      return is_known(which, p);
+  void search_loops() {
+    const LoopHandler<Ball> handler = [this](std::variant<Trace<Ball>, TraceFailure> outcome) {
+      const std::size_t before = result_.problems.size();
+      add(std::move(outcome));
+      return result_.problems.size() == before;
     };
-    const std::array<double, 2> own =
-        which == Chart::first ? direction : std::array<double, 2>{direction[1], direction[0]};
-    ChartSearchOutcome outcome = search_chart(chart, places_, own, known, kMostChartBoxes<Ball>, stop_);
-    result_.searched_boxes += outcome.boxes;
-    return outcome;
-  }
-
-  bool is_known(Chart chart, const BallPoint<Ball>& p) {
-    if (passes_near_cusp(result_, chart, p) || p[3].is_negative()) {
-      return true;
-    }
-    if (!p[3].is_positive()) {
-      return false;
-    }
-    const BallPoint<Ball> pair = pair_of(chart, p);
-    for (const Ball& c : pair) {
-      if (c.is_negative() || (c - Ball(1)).is_positive()) {
-        return true;
-      }
-    }
-    return is_in_star(pair) || lies_on_curve(pair) || lies_on_curve(exchanged_pair(pair)) ||
-           seeds_.trace(system_.pair, result_.landmarks, pair, stop_, [this](auto&& outcome) {
-             const std::size_t before = result_.problems.size();
-             add(std::move(outcome));
-             return result_.problems.size() == before;
-           });
-  }
-
-  bool is_in_star(const BallPoint<Ball>& pair) const {
-    ParameterBox box;
-    for (std::size_t j = 0; j < 4; ++j) {
-      box[j] = pair[j].interval();
-    }
-    return std::any_of(exact_.stars.begin(), exact_.stars.end(), [&](const SelfStar& star) {
-      return lies_in(box, star.star.box) || lies_in(exchanged_pair(box), star.star.box);
-    });
-  }
-
-  bool lies_on_curve(const BallPoint<Ball>& pair) const {
-    return std::any_of(result_.curves.begin(), result_.curves.end(), [&](const SelfCurve<Ball>& curve) {
-      return passes_through(curve.analysed.trace, pair);
-    });
+    for (const ParameterBox& where : search_closed_curves(
+             system_, charts_, exact_, places_, search_direction(tangents()), result_, handler, stop_))
+      problem(where, "a closed curve or a singular point of the self-intersection is not excluded here");
   }
 
   const SelfSystem<Ball>& system_;
+  const Charts<DoubleBall>& charts_;
   const ExactPlaces& exact_;
   const SelfBoundary& boundary_;
   const Rational& width_;
   const StopRequest& stop_;
   KnownPlaces places_;
-  LoopSeeds<Ball> seeds_;
   SelfCurves<Ball> result_;
   SelfDirections<Ball> directions_;
 };
@@ -318,9 +258,9 @@ class SelfTracing {
 }  // namespace
 
 template <class Ball>
-SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const ExactPlaces& exact,
-                                   const Rational& width, const StopRequest& stop) {
-  return SelfTracing<Ball>(system, exact, width, stop).run();
+SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const Charts<DoubleBall>& charts,
+                                   const ExactPlaces& exact, const Rational& width, const StopRequest& stop) {
+  return SelfTracing<Ball>(system, charts, exact, width, stop).run();
 }
 
 bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopRequest& stop) {
@@ -329,9 +269,9 @@ bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopReques
   });
 }
 
-#define EXSECT_INSTANTIATE_SELF_CURVES(Ball)                                                                \
-  template SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>&, const ExactPlaces&, const Rational&, \
-                                              const StopRequest&);
+#define EXSECT_INSTANTIATE_SELF_CURVES(Ball)                                                      \
+  template SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>&, const Charts<DoubleBall>&, \
+                                              const ExactPlaces&, const Rational&, const StopRequest&);
 
 EXSECT_INSTANTIATE_SELF_CURVES(DoubleBall)
 EXSECT_INSTANTIATE_SELF_CURVES(ArbBall<256>)

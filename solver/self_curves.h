@@ -109,10 +109,10 @@ struct SelfCurves {
 /// If no problem is reported, the curves, their pieces next to the cuspidal points and the isolated points
 /// and exact.folds are all pairs u1,v1 != u2,v2 with x(u1,v1) = x(u2,v2) in the squares, and no other curve
 /// ends in a cuspidal point. `width`: of the boxes around exact points. Precondition: exact.boundary.problems
-/// is empty.
+/// is empty. `charts`: the patch in doubles, for searches.
 template <class Ball>
-SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const ExactPlaces& exact,
-                                   const Rational& width, const StopRequest& stop);
+SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const Charts<DoubleBall>& charts,
+                                   const ExactPlaces& exact, const Rational& width, const StopRequest& stop);
 
 /// Only what starts in cuspidal points, up to the gates: no curves.
 template <class Ball>

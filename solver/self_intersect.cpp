@@ -31,13 +31,12 @@ class SelfIntersection {
         clock_(options, 0.25),
         scaling_(model_scale(x, x)),
         stop_([this] { return clock_.out_of_time(); }),
+        in_doubles_(x, scaling_.origin, scaling_.frame.exponent),
         pairs_(x) {}
 
   IntersectResult run() {
     bool injective = false;
-    timed("injectivity", [&] {
-      injective = is_quickly_injective({x_, scaling_.origin, scaling_.frame.exponent}, stop_);
-    });
+    timed("injectivity", [&] { injective = is_quickly_injective(in_doubles_, stop_); });
     if (!injective) {
       find_curves();
     }
@@ -75,11 +74,12 @@ class SelfIntersection {
       return;
     }
     do {
-      if (trace_and_build<DoubleBall>(power_of_two(-50), false)) {
+      if (trace_and_build(in_doubles_, power_of_two(-50), false)) {
         return;
       }
     } while (find_stars());
-    trace_and_build<ArbBall<256>>(power_of_two(-200), true);
+    const SelfSystem<ArbBall<256>> system(x_, scaling_.origin, scaling_.frame.exponent);
+    trace_and_build(system, power_of_two(-200), true);
   }
 
   /// Near what the attempts so far left undecided; false if there are no more than before.
@@ -96,10 +96,9 @@ class SelfIntersection {
   /// One attempt in one arithmetic; false if something is undecided that stars or more precision may decide
   /// and `last` is not set.
   template <class Ball>
-  bool trace_and_build(const Rational& width, bool last) {
-    const SelfSystem<Ball> system(x_, scaling_.origin, scaling_.frame.exponent);
+  bool trace_and_build(const SelfSystem<Ball>& system, const Rational& width, bool last) {
     SelfCurves<Ball> found;
-    timed("tracing", [&] { found = trace_self_curves(system, exact_, width, stop_); });
+    timed("tracing", [&] { found = trace_self_curves(system, in_doubles_.charts, exact_, width, stop_); });
     if (!found.problems.empty() && !last && !clock_.out_of_time()) {
       for (const Incomplete& problem : found.problems) {
         undecided_.push_back(problem.where);
@@ -164,6 +163,7 @@ class SelfIntersection {
   RunClock clock_;
   ModelScale scaling_;
   StopRequest stop_;
+  SelfSystem<DoubleBall> in_doubles_;
   ExactPlaces exact_{};
   std::vector<ParameterBox> undecided_;  // by all attempts
   TurningPairs pairs_;

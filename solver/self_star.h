@@ -25,6 +25,8 @@ struct SelfStar {
   };
 
   StarNeighbourhood star;
+  ParameterBox
+      surroundings;  // star.box or more: all pairs are on the arcs of the star and what continues them
   std::vector<std::optional<FoldedArc>> folded;  // for each port, if its arc runs along such a line
   bool cuspidal;
   std::optional<std::size_t> landmark;  // the boundary point that is the centre
