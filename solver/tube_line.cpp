@@ -74,8 +74,10 @@ class LineFit {
   /// Up to this order coefficients are balls; above, what is small by cancellation is the square of that.
   static constexpr std::size_t kExact = 2 * kDegree + 1;
 
-  explicit LineFit(Tube<Ball>& tube)
-      : tube_(tube), others_(other_axes(tube.axis)), ratio_(tube.reach / tube.scale) {
+  explicit LineFit(Tube<Ball>& tube) : tube_(tube), others_(other_axes(tube.axis)) {
+    for (std::size_t k = 0; k < powers_.size(); ++k) {
+      powers_[k] = SeriesBound::of_power(k, tube.reach / tube.scale, tube.scale);
+    }
     for (std::size_t p = 0; p < 2; ++p) {
       for (std::size_t row = 0; row < 3; ++row) {
         rows_[p][row] = row_of(tube.nets[p], row);
@@ -107,9 +109,9 @@ class LineFit {
     for (std::size_t k = 2; k <= kDegree; ++k) {
       for (const std::size_t j : others_) {
         const double magnitude = tube_.line[k - 1][j].upper_magnitude();
-        bounds.bend[j].add(magnitude, k, ratio_, tube_.scale);
+        bounds.bend[j].add_multiple(magnitude, powers_[k]);
         if (k > 2) {
-          bounds.higher_bend[j].add(magnitude, k, ratio_, tube_.scale);
+          bounds.higher_bend[j].add_multiple(magnitude, powers_[k]);
         }
       }
     }
@@ -225,7 +227,7 @@ class LineFit {
         }
       }
       for (std::size_t row = 0; row < 3; ++row) {
-        bounds.residual[row].add(sum[row].upper_magnitude(), k, ratio_, tube_.scale);
+        bounds.residual[row].add_multiple(sum[row].upper_magnitude(), powers_[k]);
       }
     }
     std::array<Row3, 4 * kDegree + 1> magnitude{};
@@ -244,7 +246,7 @@ class LineFit {
             sum += preconditioner_bounds_[i][row][m] * magnitude[k - i][m];
           }
         }
-        bounds.residual[row].add(kSlack * sum, k, ratio_, tube_.scale);
+        bounds.residual[row].add_multiple(kSlack * sum, powers_[k]);
       }
     }
   }
@@ -256,7 +258,7 @@ class LineFit {
       for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t i = 0; i < 3; ++i) {
           const Ball entry = m[row][i] - Ball(k == 0 && row == i ? 1.0 : 0.0);
-          column_bound(bounds, row, i).add(entry.upper_magnitude(), k, ratio_, tube_.scale);
+          column_bound(bounds, row, i).add_multiple(entry.upper_magnitude(), powers_[k]);
         }
       }
     }
@@ -275,7 +277,7 @@ class LineFit {
               sum += preconditioner_bounds_[n][row][m] * d[k - n][m][i];
             }
           }
-          column_bound(bounds, row, i).add(kSlack * sum, k, ratio_, tube_.scale);
+          column_bound(bounds, row, i).add_multiple(kSlack * sum, powers_[k]);
         }
       }
     }
@@ -291,7 +293,7 @@ class LineFit {
     for (std::size_t k = 0; k <= kDegree; ++k) {
       for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t m = 0; m < 3; ++m) {
-          c[row][m].add(preconditioner_bounds_[k][row][m], k, ratio_, tube_.scale);
+          c[row][m].add_multiple(preconditioner_bounds_[k][row][m], powers_[k]);
         }
       }
     }
@@ -302,7 +304,7 @@ class LineFit {
           const NetRow<double> d =
               k == 0 ? row_bounds_[p][m] : higher_coefficients(row_bounds_[p][m], monomial_bounds_[p], k);
           for (const std::size_t i : {2, 4, 5, 6, 7, 8}) {
-            g[i].add(kSlack * d[i], k, ratio_, tube_.scale);
+            g[i].add_multiple(kSlack * d[i], powers_[k]);
           }
         }
         for (std::size_t row = 0; row < 3; ++row) {
@@ -316,7 +318,7 @@ class LineFit {
 
   Tube<Ball>& tube_;
   std::array<std::size_t, 3> others_;
-  double ratio_;
+  std::array<SeriesBound, 5 * kDegree + 1> powers_;
   std::array<std::array<NetRow<Ball>, 3>, 2> rows_;
   std::array<std::array<NetRow<double>, 3>, 2> row_bounds_;
   std::array<Monomials<Ball, kDegree>, 2> monomials_;
@@ -327,15 +329,17 @@ class LineFit {
 
 }  // namespace
 
-void SeriesBound::add(double magnitude, std::size_t k, double ratio, double scale) {
+SeriesBound SeriesBound::of_power(std::size_t k, double ratio, double scale) {
   const double degree = static_cast<double>(k);
-  double term = kSlack * magnitude;
+  double power = kSlack;
   for (std::size_t i = 2; i < k; ++i) {
-    term *= ratio;
+    power *= ratio;
   }
-  second += k < 2 ? 0 : degree * (degree - 1) * term / (scale * scale);
-  first += k < 1 ? 0 : degree * term * (k < 2 ? 1 : ratio) / scale;
-  value += term * (k < 1 ? 1 : k < 2 ? ratio : ratio * ratio);
+  return {power * (k < 1   ? 1
+                   : k < 2 ? ratio
+                           : ratio * ratio),
+          k < 1 ? 0 : degree * power * (k < 2 ? 1 : ratio) / scale,
+          k < 2 ? 0 : degree * (degree - 1) * power / (scale * scale)};
 }
 
 void SeriesBound::add_product(const SeriesBound& f, const SeriesBound& g) {

@@ -21,8 +21,14 @@ struct SeriesBound {
   double first = 0;
   double second = 0;
 
-  /// Adds the term of sigma^k; `ratio` = reach / scale <= 1.
-  void add(double magnitude, std::size_t k, double ratio, double scale);
+  /// The bounds of sigma^k; `ratio` = reach / scale <= 1, the scale a power of two.
+  static SeriesBound of_power(std::size_t k, double ratio, double scale);
+  /// Adds a multiple of a polynomial.
+  void add_multiple(double magnitude, const SeriesBound& g) {
+    value += magnitude * g.value;
+    first += magnitude * g.first;
+    second += magnitude * g.second;
+  }
   /// Adds the product of two polynomials.
   void add_product(const SeriesBound& f, const SeriesBound& g);
 };
