@@ -142,8 +142,11 @@ RationalInterval range_of(const std::array<Rational, 3>& c, const RationalInterv
 
 }  // namespace
 
-CommonSurface::CommonSurface(const BezierPatch& x, const BezierPatch& y, TrivariatePolynomial f, bool planar)
-    : x_(x), y_(y), f_(std::move(f)), planar_(planar) {}
+CommonSurface::CommonSurface(const BezierPatch& x, const BezierPatch& y, TrivariatePolynomial f)
+    : x_(x), y_(y), f_(std::move(f)), planar_(lie_in_one_plane(x, y)) {
+  const SymbolicLine line = symbolic_line(x);
+  all_straight_ = vanishes(cross_product(line.a[1], line.a[2]));
+}
 
 std::optional<CommonSurface> CommonSurface::of(const BezierPatch& x, const BezierPatch& y) {
   if (!may_have_curve(x, y)) return std::nullopt;
@@ -151,7 +154,7 @@ std::optional<CommonSurface> CommonSurface::of(const BezierPatch& x, const Bezie
   for (const Form& equation : line_equations(symbolic_line(x), y)) common = gcd(common, table_of(equation));
   const TrivariatePolynomial f = without_points(TrivariatePolynomial(std::move(common)));
   if (!has_curve(f)) return std::nullopt;
-  return CommonSurface(x, y, f, lie_in_one_plane(x, y));
+  return CommonSurface(x, y, f);
 }
 
 bool CommonSurface::has_point(const Rational& u, const Rational& s, const RationalInterval& r,
@@ -180,6 +183,7 @@ bool CommonSurface::has_point(const BivariatePolynomial& f, const ParameterLine&
     const StraightForms forms = straight_forms(line);
     lambda = forms.lambda;
     phi = forms.phi;
+    if (phi.degree() > 1 && !all_straight_) return false;  // the point of W may be at the other v
   }
   const BivariatePolynomial on_patch = pull_back(lambda, y);
   const Polynomial on_line = on_patch.at_s(s);

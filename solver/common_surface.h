@@ -26,7 +26,7 @@ class CommonSurface {
   bool planar() const { return planar_; }
 
  private:
-  CommonSurface(const BezierPatch& x, const BezierPatch& y, TrivariatePolynomial f, bool planar);
+  CommonSurface(const BezierPatch& x, const BezierPatch& y, TrivariatePolynomial f);
   bool has_point(const BivariatePolynomial& f, const ParameterLine& line, const BezierPatch& y,
                  const Rational& s, const RationalInterval& r, const RationalInterval& v) const;
 
@@ -34,6 +34,7 @@ class CommonSurface {
   BezierPatch y_;
   TrivariatePolynomial f_;
   bool planar_;
+  bool all_straight_;  // the lines u = constant of x
 };
 
 }  // namespace exsect

@@ -92,6 +92,23 @@ TEST_CASE("a sheet is certified where the patches are one, and its derivatives a
   CHECK(!CommonSurface::of(x, BezierPatch(moved)));
 }
 
+TEST_CASE("two parts of a folded side are no common sheet") {
+  // The line u = 0 is straight and turns back at v = 1: x(0,v) = x(0,2-v), but no sheet contains such pairs.
+  ControlNet net;
+  net[0] = {Point{0, -2, 2}, Point{-2, 1, -2}, Point{-2, 1, -2}};
+  net[1] = {Point{-1, -2, 1}, Point{1, 1, 1}, Point{-2, 2, 0}};
+  net[2] = {Point{1, -1, -1}, Point{1, 1, 2}, Point{1, 2, -2}};
+  const BezierPatch x(net);
+  const BezierPatch y = x.restricted_to(0, 1, q(1, 2), q(3, 2));  // r = u, s = v - 1/2
+  const CommonSheets sheets(x, y, model_scale(x, y), *CommonSurface::of(x, y));
+  for (const double v : {0.625, 0.75}) {
+    for (const double h : {0x1p-6, 0x1p-9, 0x1p-13}) {
+      CHECK(sheets.certify(region({0, v, 0, v - 0.5}, {h, h, h, h})));
+      CHECK_FALSE(sheets.certify(region({0, v, 0, 1.5 - v}, {h, h, h, h})));
+    }
+  }
+}
+
 TEST_CASE("a graph over a rectangle holds the points over it, well inside") {
   // (u, v, u v) and (r, s (1 + r), 0): r = u, s = v / (1 + u) where the first two coordinates agree.
   ControlNet a{}, b{};
