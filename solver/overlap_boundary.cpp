@@ -5,6 +5,7 @@
 #include <string>
 
 #include "boundary_lines.h"
+#include "traced_curves.h"
 
 namespace exsect {
 
@@ -47,6 +48,13 @@ BoundaryArcKind kind_of(const CertifiedPoint& inside, const CommonSheets& sheets
   return (sign > 0) == same_end ? BoundaryArcKind::rim : BoundaryArcKind::edge;
 }
 
+/// The tangent planes differ at the point: it is on no common sheet.
+bool crosses(const CertifiedPoint& inside, const PairSystem<ArbBall<256>>& system) {
+  const auto tangent =
+      Expansion<ArbBall<256>>(system, enclose<ArbBall<256>>(inside, power_of_two(-200))).tangent();
+  return std::any_of(tangent.begin(), tangent.end(), [](const auto& t) { return t.certain_sign() != 0; });
+}
+
 void report(OverlapBoundary& result, const ParameterBox& where, const std::string& why) {
   result.incomplete.push_back({where, why});
 }
@@ -55,6 +63,7 @@ void report(OverlapBoundary& result, const ParameterBox& where, const std::strin
 
 OverlapBoundary overlap_boundary(const BezierPatch& x, const BezierPatch& y, const CommonSheets& sheets,
                                  const ModelScale& scale, double tolerance, const StopRequest& stop) {
+  const PairSystem<ArbBall<256>> system(x, y, scale.origin, scale.frame.exponent);
   BoundaryLines lines = boundary_lines(x, y, scale, tolerance, stop);
   OverlapBoundary result;
   result.incomplete = std::move(lines.incomplete);
@@ -65,7 +74,8 @@ OverlapBoundary overlap_boundary(const BezierPatch& x, const BezierPatch& y, con
       return result;
     }
     for (const std::size_t end : {arc.from, arc.to}) result.points[end].kind = BoundaryPointKind::on_arc;
-    const BoundaryArcKind kind = kind_of(arc.inside, sheets);
+    BoundaryArcKind kind = kind_of(arc.inside, sheets);
+    if (kind == BoundaryArcKind::unknown && crosses(arc.inside, system)) kind = BoundaryArcKind::branch;
     if (kind == BoundaryArcKind::unknown) report(result, arc.inside.box(), kAcross);
     result.arcs.push_back({arc.from, arc.to, arc.inside, std::move(arc.polyline), arc.error_bound, kind});
   }

@@ -12,9 +12,9 @@
 namespace exsect {
 
 /// rim: on one side of it, inside both squares, every pair of the common sheet is a solution. edge: on
-/// neither side; the patches continue each other. unknown: it lies on no common sheet, or that could not be
-/// proved.
-enum class BoundaryArcKind { rim, edge, unknown };
+/// neither side; the patches continue each other. branch: on no common sheet, the patches cross. unknown: it
+/// lies on no common sheet, or that could not be proved.
+enum class BoundaryArcKind { rim, edge, branch, unknown };
 
 /// A maximal piece, free of other boundary points, of the solutions on a side of one square.
 struct BoundaryArc {

@@ -106,14 +106,25 @@ class OneSurface {
     const SelfSystem<Ball> shared(pieces_->shared(), scale_.origin, scale_.frame.exponent);
     std::vector<CertifiedPoint> boundary;
     for (const LandmarkPoint& landmark : sweep_.landmarks) boundary.push_back(landmark.point);
-    const TwoPieceCurves<Ball> traced = trace_two_pieces(*pieces_, shared, system, boundary, scale_.origin,
-                                                         scale_.frame.exponent, width, stop_);
+    const TwoPieceCurves<Ball> traced =
+        trace_two_pieces(*pieces_, shared, system, boundary, ends_of_branches(), scale_.origin,
+                         scale_.frame.exponent, width, stop_);
     if (!traced.problems.empty() && !last) return false;
     add_boundary_nodes(system, traced.landmarks, traced);
     append_two_pieces(result_.graph, *pieces_, shared, system, traced, scale_.frame, options_.turning,
                       tolerance_);
     for (const Arc& arc : result_.graph.arcs) check_bound(arc);
     return true;
+  }
+
+  std::vector<CertifiedPoint> ends_of_branches() const {
+    std::vector<bool> is_end(boundary_.points.size(), false);
+    for (const BoundaryArc& arc : boundary_.arcs)
+      if (arc.kind == BoundaryArcKind::branch) is_end[arc.from] = is_end[arc.to] = true;
+    std::vector<CertifiedPoint> ends;
+    for (std::size_t i = 0; i < is_end.size(); ++i)
+      if (is_end[i]) ends.push_back(boundary_.points[i].at);
+    return ends;
   }
 
   /// The nodes of the points on sides, and what tracing left open.
@@ -154,7 +165,7 @@ class OneSurface {
       result_.graph.nodes.push_back(std::move(node));
     }
     for (const BoundaryArc& arc : boundary_.arcs)
-      if (arc.kind == BoundaryArcKind::edge)
+      if (arc.kind == BoundaryArcKind::edge || arc.kind == BoundaryArcKind::branch)
         result_.graph.arcs.push_back(made(arc, result_.graph.arcs.size()));
     add_chains();
     mark_ends_of_overlaps();
@@ -167,7 +178,7 @@ class OneSurface {
     arc.from = nodes_[from.from];
     arc.to = nodes_[from.to];
     arc.place = ArcPlace::patch_boundary;
-    arc.contact = Contact::tangential;
+    arc.contact = from.kind == BoundaryArcKind::branch ? Contact::transversal : Contact::tangential;
     arc.polyline = from.polyline;
     arc.error_bound = from.error_bound;
     check_bound(arc);

@@ -8,6 +8,7 @@
 #include "pair_map.h"
 #include "self_search.h"
 #include "traced_curves.h"
+#include "two_piece_landmarks.h"
 
 namespace exsect {
 
@@ -26,21 +27,18 @@ template <class Ball>
 class TwoPieceTracing {
  public:
   TwoPieceTracing(const TwoPieces& pieces, const SelfSystem<Ball>& shared, const PairSystem<Ball>& system,
-                  const std::vector<CertifiedPoint>& boundary, const Point& origin, long exponent,
-                  const Rational& width, const StopRequest& stop)
+                  const std::vector<CertifiedPoint>& boundary, const std::vector<CertifiedPoint>& side_ends,
+                  const Point& origin, long exponent, const Rational& width, const StopRequest& stop)
       : pieces_(pieces),
-        shared_(shared),
         system_(system),
-        boundary_(boundary),
         hull_(restricted(pieces.x, pieces.hull), origin, exponent),
-        from_common_(pieces.copy, pieces.common),
         from_hull_(pieces.copy, pieces.hull),
         coincident_(coincident_parameters(pieces.x, pieces.y)),
-        width_(width),
-        stop_(stop) {}
+        stop_(stop),
+        ends_(pieces, shared, system, boundary, side_ends, width, stop, result_) {}
 
   TwoPieceCurves<Ball> run() {
-    find_cusps();
+    ends_.run();
     if (result_.problems.empty()) {
       trace_open_curves();
     }
@@ -55,94 +53,13 @@ class TwoPieceTracing {
     result_.problems.push_back({where, is_stopped(stop_) ? "the work cap was reached" : why});
   }
 
-  void find_cusps() {
-    const BezierPatch patch = pieces_.shared();
-    ExactPlaces exact{};
-    exact.cusps = special_cusps(patch);
-    exact.coincident = coincident_parameters(patch, patch);
-    result_.near = trace_near_cusps(shared_, exact, width_, stop_);
-    for (const Incomplete& near : result_.near.problems) {
-      ParameterBox where;
-      for (std::size_t j = 0; j < 4; ++j) {
-        where[j] = from_common_(near.where[j], j);
-      }
-      problem(where, near.why);
-    }
-    for (const CuspArc<Ball>& cusp : result_.near.leaving) {
-      if (enters(cusp, 1) || enters(cusp, -1)) {
-        std::array<double, 4> at = {cusp.cusp[0].approximation(), cusp.cusp[1].approximation(), 0, 0};
-        if (cusp.chart == Chart::second) {
-          std::swap(at[0], at[1]);
-        }
-        problem(around(from_common_({at[0], at[1], at[0], at[1]})), "a cuspidal point on a side");
-      }
-    }
-    for (const CertifiedPoint& point : boundary_) {
-      result_.landmarks.push_back(enclose<Ball>(point, width_));
-    }
-    for (const BallPoint<Ball>& gate : result_.near.landmarks) {
-      result_.landmarks.push_back(from_common_(gate));
-    }
-  }
-
-  /// The curve from a cuspidal point on a side of the common rectangle may enter the domain with order * (t,
-  /// m t) added in the first piece and taken away in the second one.
-  bool enters(const CuspArc<Ball>& cusp, int order) const {
-    for (std::size_t j = 0; j < 2; ++j) {
-      const std::size_t k = cusp.chart == Chart::first ? j : 1 - j;  // u or v
-      if (cusp.across[j] == 0) {
-        continue;
-      }
-      const int side = *cusp.place.side[j];
-      const int outward = side == 0 ? -1 : 1;
-      const Rational value = pieces_.common[k](side);
-      const Rational in_second = quotient(pieces_.copy.maps[k], {value, 1}).offset;
-      const bool of_first = value == 0 || value == 1;
-      const bool of_second = in_second == 0 || in_second == 1;
-      if ((of_first && order * cusp.across[j] == outward) ||
-          (of_second && -order * cusp.across[j] == outward)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /// The direction of the tangent field that enters the domain at a boundary point, or leads away from the
-  /// cuspidal point at a gate; 0: none; empty: unknown.
-  std::optional<int> direction_at(std::size_t landmark) const {
-    const BallPoint<Ball> tangent = Expansion<Ball>(system_, result_.landmarks[landmark]).tangent();
-    if (landmark >= boundary_.size()) {
-      const auto gate = result_.near.gate(static_cast<int>(landmark - boundary_.size()));
-      const ChartTrace<Ball>& trace = result_.near.chart_traces[gate->trace];
-      for (std::size_t j = 0; j < 2; ++j) {  // u and v grow with the parameters of the charts
-        const int along = trace.direction[gate->exchanged ? j + 2 : j];
-        if (along != 0 && tangent[j].certain_sign() != 0) {
-          return along * tangent[j].certain_sign();
-        }
-      }
-      return std::nullopt;
-    }
-    int direction = 0;
-    bool entering = true;
-    for (const Side& side : boundary_[landmark].sides()) {
-      const int sign = tangent[index(side.parameter)].certain_sign();
-      if (sign == 0) {
-        return std::nullopt;
-      }
-      const int inward = side.value == 0 ? sign : -sign;
-      entering = entering && (direction == 0 || direction == inward);
-      direction = inward;
-    }
-    return entering ? direction : 0;
-  }
-
   void trace_open_curves() {
     std::vector<bool> used(result_.landmarks.size(), false);
     for (std::size_t i = used.size(); i-- > 0;) {  // from gates first
-      if (used[i]) {
+      if (used[i] || ends_.is_side_end(i)) {
         continue;
       }
-      const std::optional<int> direction = direction_at(i);
+      const std::optional<int> direction = ends_.direction_at(i);
       if (!direction) {
         problem(around(approximation(result_.landmarks[i])),
                 "the curve is tangent to a side of a patch, or singular, at this end point");
@@ -167,13 +84,17 @@ class TwoPieceTracing {
                         : tangent_signs(system_, result_.landmarks[static_cast<std::size_t>(landmark)]);
   }
 
-  void add(std::variant<Trace<Ball>, TraceFailure> outcome) {
+  void add(std::variant<Trace<Ball>, TraceFailure>&& outcome) {
     if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
       problem(around(failure->where), failure->why);
       return;
     }
     AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
-    const KnownTangent known = {{}, signs_at(curve.trace.start), signs_at(curve.trace.end), {}};
+    KnownTangent known = {{}, signs_at(curve.trace.start), signs_at(curve.trace.end), {}};
+    const auto line = ends_.along_line(curve.trace);
+    if (line) {
+      known.constant[line->fixed] = known.constant[line->fixed + 2] = true;
+    }
     auto turning = find_turning_points(system_, curve.trace, coincident_, known);
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
@@ -181,6 +102,7 @@ class TwoPieceTracing {
     }
     curve.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
     result_.curves.push_back(std::move(curve));
+    result_.along_side.push_back(line && line->on_side);
   }
 
   void search_closed_curves() {
@@ -234,17 +156,14 @@ class TwoPieceTracing {
   }
 
   const TwoPieces& pieces_;
-  const SelfSystem<Ball>& shared_;
   const PairSystem<Ball>& system_;
-  const std::vector<CertifiedPoint>& boundary_;
   SelfSystem<Ball> hull_;
-  PairMap from_common_;
   PairMap from_hull_;
   std::array<std::size_t, 4> coincident_;
-  const Rational& width_;
   const StopRequest& stop_;
   LoopSeeds<Ball> seeds_;
   TwoPieceCurves<Ball> result_;
+  TwoPieceLandmarks<Ball> ends_;  // of the curves
 };
 
 }  // namespace
@@ -284,16 +203,19 @@ BallPoint<Ball> in_common(const TwoPieces& pieces, Chart chart, const BallPoint<
 template <class Ball>
 TwoPieceCurves<Ball> trace_two_pieces(const TwoPieces& pieces, const SelfSystem<Ball>& shared,
                                       const PairSystem<Ball>& system,
-                                      const std::vector<CertifiedPoint>& boundary, const Point& origin,
+                                      const std::vector<CertifiedPoint>& boundary,
+                                      const std::vector<CertifiedPoint>& side_ends, const Point& origin,
                                       long exponent, const Rational& width, const StopRequest& stop) {
-  return TwoPieceTracing<Ball>(pieces, shared, system, boundary, origin, exponent, width, stop).run();
+  return TwoPieceTracing<Ball>(pieces, shared, system, boundary, side_ends, origin, exponent, width, stop)
+      .run();
 }
 
-#define EXSECT_INSTANTIATE_TWO_PIECES(Ball)                                            \
-  template BallPoint<Ball> in_common(const TwoPieces&, Chart, const BallPoint<Ball>&); \
-  template TwoPieceCurves<Ball> trace_two_pieces(                                      \
-      const TwoPieces&, const SelfSystem<Ball>&, const PairSystem<Ball>&,              \
-      const std::vector<CertifiedPoint>&, const Point&, long, const Rational&, const StopRequest&);
+#define EXSECT_INSTANTIATE_TWO_PIECES(Ball)                                                       \
+  template BallPoint<Ball> in_common(const TwoPieces&, Chart, const BallPoint<Ball>&);            \
+  template TwoPieceCurves<Ball> trace_two_pieces(                                                 \
+      const TwoPieces&, const SelfSystem<Ball>&, const PairSystem<Ball>&,                         \
+      const std::vector<CertifiedPoint>&, const std::vector<CertifiedPoint>&, const Point&, long, \
+      const Rational&, const StopRequest&);
 
 EXSECT_INSTANTIATE_TWO_PIECES(DoubleBall)
 EXSECT_INSTANTIATE_TWO_PIECES(ArbBall<256>)

@@ -30,24 +30,28 @@ BallPoint<Ball> in_common(const TwoPieces& pieces, Chart chart, const BallPoint<
 
 /// All pairs x(u,v) = y(r,s) of different points of the common surface. `landmarks` are the boundary points,
 /// then two for each gate, as in SelfCurves, where `near` (of the shared patch, without curves) leads to its
-/// cuspidal points. A cuspidal point lies in the inside of the region that both pieces cover; both orders of
-/// a curve end there.
+/// cuspidal points, then some on arcs of sides. A cuspidal point lies in the inside of the region that both
+/// pieces cover; both orders of a curve end there.
 template <class Ball>
 struct TwoPieceCurves {
   Landmarks<Ball> landmarks;
+  std::size_t boundary_points = 0;
   std::vector<AnalysedTrace<Ball>> curves;
-  std::vector<int> isolated;  // boundary points at which no curve enters the domain
+  std::vector<bool> along_side;  // per curve: it runs along a folded side, where the arcs are known exactly
+  std::vector<int> isolated;     // boundary points at which no curve enters the domain
   SelfCurves<Ball> near;
   std::vector<Incomplete> problems;
   long searched_boxes = 0;
 };
 
 /// The curves, with the proof that there are no others if no problem is reported. `boundary`: the points on
-/// sides that are not on an arc of a side. `width`: of the boxes around exact points.
+/// sides that are not on an arc of a side; `side_ends`: the ends of arcs of sides on which the patches cross.
+/// `width`: of the boxes around exact points.
 template <class Ball>
 TwoPieceCurves<Ball> trace_two_pieces(const TwoPieces& pieces, const SelfSystem<Ball>& shared,
                                       const PairSystem<Ball>& system,
-                                      const std::vector<CertifiedPoint>& boundary, const Point& origin,
+                                      const std::vector<CertifiedPoint>& boundary,
+                                      const std::vector<CertifiedPoint>& side_ends, const Point& origin,
                                       long exponent, const Rational& width, const StopRequest& stop);
 
 /// Appends the nodes of cuspidal and turning points and all arcs; the boundary points are nodes 0..n-1 of the

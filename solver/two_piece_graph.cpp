@@ -21,7 +21,7 @@ class TwoPieceGraph {
         frame_(frame),
         wanted_(wanted),
         tolerance_(tolerance),
-        boundary_points_(found.landmarks.size() - found.near.landmarks.size()),
+        boundary_points_(found.boundary_points),
         from_common_(pieces.copy, pieces.common) {}
 
   void run() {
@@ -43,8 +43,10 @@ class TwoPieceGraph {
         append(near_arcs(trace, true));
       }
     }
-    for (const AnalysedTrace<Ball>& curve : found_.curves) {
-      append(joined_arcs(curve));
+    for (std::size_t i = 0; i < found_.curves.size(); ++i) {
+      if (!found_.along_side[i]) {
+        append(joined_arcs(found_.curves[i]));
+      }
     }
   }
 
@@ -85,7 +87,7 @@ class TwoPieceGraph {
 
   std::optional<std::vector<Arc>> arcs_to_gate(int landmark) {
     const int first_gate = static_cast<int>(boundary_points_);
-    if (landmark < first_gate) {
+    if (landmark < first_gate || landmark >= first_gate + static_cast<int>(found_.near.landmarks.size())) {
       return std::nullopt;
     }
     const auto gate = found_.near.gate(landmark - first_gate);
