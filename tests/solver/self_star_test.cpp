@@ -166,6 +166,28 @@ TEST_CASE("folded lines inside along which both tangent planes agree") {
   CHECK(std::ranges::count(graph.arcs, Contact::tangential, &Arc::contact) == 1);
 }
 
+TEST_CASE("a folded line with one tangent plane, the lines near it turn on a line") {
+  // (p^2, p h^2 + h, h^2), p = u - 2/3, h = v - 1/3: the same at (p,0) and (-p,0), and at no other two
+  // points with |p h| < 1.
+  ControlNet d{};
+  d[2][0] = {1, 0, 0};
+  d[1][2] = d[0][1] = {0, 1, 0};
+  d[0][2] = {0, 0, 1};
+  const BezierPatch x = BezierPatch::from_power_basis(d).restricted_to(Rational(-2, 3), Rational(1, 3),
+                                                                       Rational(-1, 3), Rational(2, 3));
+  const IntersectionGraph graph = checked(x);
+  REQUIRE(graph.arcs.size() == 1);
+  CHECK(graph.arcs[0].contact == Contact::tangential);
+  CHECK(graph.isolated_points.empty());
+  CHECK(degrees(graph, NodeKind::cusp) == std::vector{1});
+  for (const PolylineVertex& vertex : graph.arcs[0].polyline) {
+    const auto [u, v, r, s] = vertex.parameters;
+    CHECK(u + r == Approx(4.0 / 3));
+    CHECK(v == Approx(1.0 / 3));
+    CHECK(s == Approx(1.0 / 3));
+  }
+}
+
 TEST_CASE("a curve that crosses the pairs of a folded line") {
   const IntersectionGraph graph = checked(patch(kCrossedFold));
   CHECK(degrees(graph, NodeKind::crossing) == std::vector{4});
