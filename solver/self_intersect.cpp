@@ -73,11 +73,7 @@ class SelfIntersection {
       result_.incomplete = exact_.boundary.problems;
       return;
     }
-    do {
-      if (trace_and_build(in_doubles_, power_of_two(-50), false)) {
-        return;
-      }
-    } while (find_stars());
+    if (trace_and_build(in_doubles_, power_of_two(-50), false)) return;
     const SelfSystem<ArbBall<256>> system(x_, scaling_.origin, scaling_.frame.exponent);
     trace_and_build(system, power_of_two(-200), true);
   }
@@ -93,18 +89,19 @@ class SelfIntersection {
     return exact_.stars.size() > before;
   }
 
-  /// One attempt in one arithmetic; false if something is undecided that stars or more precision may decide
-  /// and `last` is not set.
+  /// In one arithmetic, again as long as more stars are found near what is undecided; false if something is
+  /// left that more precision may decide and `last` is not set.
   template <class Ball>
   bool trace_and_build(const SelfSystem<Ball>& system, const Rational& width, bool last) {
     SelfCurves<Ball> found;
-    timed("tracing", [&] { found = trace_self_curves(system, in_doubles_.charts, exact_, width, stop_); });
-    if (!found.problems.empty() && !last && !clock_.out_of_time()) {
-      for (const Incomplete& problem : found.problems) {
-        undecided_.push_back(problem.where);
-      }
-      return false;
-    }
+    do {
+      timed("tracing", [&] { found = trace_self_curves(system, in_doubles_.charts, exact_, width, stop_); });
+      for (const Incomplete& problem : found.problems) undecided_.push_back(problem.where);
+    } while (!found.problems.empty() && !clock_.out_of_time() && find_stars());
+    const bool stopped = clock_.out_of_time();
+    if (!found.problems.empty() && !last && !stopped) return false;
+    if (stopped)
+      for (Incomplete& problem : found.problems) problem.why = "the work cap was reached";
     result_.incomplete.insert(result_.incomplete.end(), found.problems.begin(), found.problems.end());
     result_.work.steps["searched boxes"] += static_cast<double>(found.searched_boxes);
     timed("graph", [&] { build_graph(system, found); });
