@@ -185,9 +185,24 @@ static void read_row(Reader& in, std::size_t row, std::vector<Cell>& cells) {
   read_cells(entries, row, cells);
 }
 
+/// One rational, or those of a polynomial.
+static void read(Reader& in, Algebraic& number) {
+  std::vector<Rational> c;
+  in.at_list() ? read(in, c) : read(in, c.emplace_back());
+  number = Algebraic(std::move(c), nullptr);
+}
 static void read_star(Reader& in, Star& star) {
-  in.claim({"at", "axes", "coordinates", "weights", "rows", "orders", "charts"}, star.at, star.axes,
-           star.coordinates, star.weights, star.rows, star.orders, star.charts);
+  auto root = std::make_shared<Root>();
+  in.claim({"modulus", "between", "at", "axes", "coordinates", "weights", "rows", "orders", "charts"},
+           root->modulus, root->between, star.at, star.axes, star.coordinates, star.weights, star.rows,
+           star.orders, star.charts);
+  root->check();
+  star.root = root;
+  const auto belongs = [&](Algebraic& number) { number = Algebraic(number.coefficients(), root); };
+  for (Algebraic& number : star.at) belongs(number);
+  for (Matrix4* matrix : {&star.axes, &star.coordinates})
+    for (auto& row : *matrix) std::for_each(row.begin(), row.end(), belongs);
+  for (auto& row : star.rows) std::for_each(row.begin(), row.end(), belongs);
 }
 static void read_seam(Reader& in, Star& seam) {
   const auto of = [&] {
@@ -304,7 +319,18 @@ static void read(Reader& in, Summary& s) {
       {"claims", "components", "closed", "open", "branched", "isolated", "boundary", "tangential", "turning"},
       s.claims, s.components, s.closed, s.open, s.branched, s.isolated, s.boundary, s.tangential, s.turning);
 }
-/// Each arc begins and ends at the places of its nodes, exactly.
+/// The node is at the place: exactly, but for the irrational point of a star.
+template <class N>
+bool is_at(const Certificate<N>& certificate, const Node<N>& node, const Vector4<Rational>& place) {
+  if (node.star < 0) return place == node.place;
+  const Star& star = certificate.stars[static_cast<std::size_t>(node.star)];
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Ball<Rational> away = (star.at[i] - place[i]).ball();
+    if (away.magnitude() > (star.at[i].is_rational() ? Rational(0) : power_of_two(-40))) return false;
+  }
+  return true;
+}
+/// Each arc begins and ends at the places of its nodes.
 template <class N>
 void require_ends(const Certificate<N>& certificate) {
   for (std::size_t a = 0; a < certificate.arcs.size(); ++a) {
@@ -313,7 +339,7 @@ void require_ends(const Certificate<N>& certificate) {
          {std::tuple{arc.from, 0, std::size_t{0}}, {arc.to, 1, arc.points.size() - 1}}) {
       const std::string place = "$.arcs[" + std::to_string(a) + "]";
       if (node >= certificate.nodes.size()) throw Rejected(place, "names no node");
-      if (arc.ends[e] != certificate.nodes[node].place)
+      if (!is_at(certificate, certificate.nodes[node], arc.ends[e]))
         throw Rejected(place + ".points[" + std::to_string(i) + "]", "must be where the node is");
     }
   }
@@ -368,8 +394,9 @@ void read_curves(Reader& in, Certificate<N>& c) {
   read_cover(in, c);
   in.members({"summary"}, c.summary);
   for (std::size_t i = 0; i < c.stars.size(); ++i) {
-    const Vector4<Rational>& at = c.stars[i].at;
-    c.nodes.push_back({0, {N(at[0]), N(at[1]), N(at[2]), N(at[3])}, N(0), {}, {}, at, static_cast<int>(i)});
+    Node<N> node = {0, {}, N(0), {}, {}, {}, static_cast<int>(i)};
+    for (std::size_t j = 0; j < 4; ++j) node.at[j] = number<N>(c.stars[i].at[j]);
+    c.nodes.push_back(node);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "algebraic.h"
 #include "curve_bounds.h"
 #include "require.h"
 
@@ -61,7 +62,7 @@ struct Line {
   OnAxis<Rational> at;
 };
 
-using Matrix4 = std::array<Vector4<Rational>, 4>;
+using Matrix4 = std::array<Vector4<Algebraic>, 4>;
 
 /// An inner node of the subdivision of a box or a leaf of it.
 struct Cell {
@@ -75,17 +76,20 @@ struct Cell {
 /// The solution `at` and all solutions near it, w = at + sum_j axes_ij e_j, |e_j| <= 1: they are on half
 /// branches e_j = d_j t^weights_j, each the curve of a tube in one of the eight charts d_k = 1 and d_k = -1,
 /// where `rows` F is divisible by t^orders. With one or two weights 0 it is a seam: all points of a line or
-/// a plane, e_j = 0 for the other j, are solutions of `of`, and there are no others.
+/// a plane, e_j = 0 for the other j, are solutions of `of`, and there are no others. The numbers of a seam
+/// are rational.
 struct Star {
-  MapName of;  // of a seam
-  Vector4<Rational> at;
+  MapName of;                        // of a seam
+  std::shared_ptr<const Root> root;  // of the numbers of a star
+  Vector4<Algebraic> at;
   Matrix4 axes;
   Matrix4 coordinates;  // their inverse
   std::array<std::size_t, 4> weights;
-  Matrix3<Rational> rows;
+  Matrix3<Algebraic> rows;
   std::array<std::size_t, 3> orders;
   std::array<std::vector<Cell>, 8> charts;  // u+, u-, v+, ...: subdivisions
 
+  bool is_rational() const { return !root || root->degree() == 1; }
   bool is_plane() const { return std::count(weights.begin(), weights.end(), std::size_t{0}) == 2; }
 };
 
@@ -98,7 +102,7 @@ struct Node {
   N radius;
   std::vector<Side> on;
   std::vector<Parameter> wrt;
-  Vector4<Rational> place;  // `at`, exactly
+  Vector4<Rational> place;  // `at`, exactly; not of a star
   int star = -1;            // the point of this star, in no tube of its own
 };
 

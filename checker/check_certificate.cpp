@@ -181,6 +181,8 @@ Report check_certificate(const std::string& text) {
   try {
     return check(in_doubles);
   } catch (const Rejected&) {
+    const auto irrational = [](const Star& star) { return !star.is_rational(); };
+    if (std::any_of(in_doubles.stars.begin(), in_doubles.stars.end(), irrational)) throw;
     return check(read_certificate<Rational>(text));
   }
 }

@@ -57,7 +57,7 @@ class Cover {
       else if (cell.kind == Kind::tube)
         check_in_tube(box_of(region), cell.index);
       else if (cell.kind == Kind::star)
-        check_in_star(box_of(region), element(certificate_.stars, cell.index, "names no star"));
+        check_in_star(box_of(region), element(replay_.stars, cell.index, "names no star"));
       else if (cell.kind == Kind::sheet)
         check_in_star(box_of(region), seam_of_overlap(cell.index));
       else
@@ -139,16 +139,15 @@ class Cover {
     return below + above < 0;
   }
 
-  const Star& seam_of_overlap(std::size_t seam) const {
+  const StarMaps<N>& seam_of_overlap(std::size_t seam) const {
     const auto& overlaps = certificate_.overlaps;
     require(std::any_of(overlaps.begin(), overlaps.end(), [&](const auto& o) { return o.seam == seam; }),
             "names no overlap");
-    return certificate_.seams[seam];
+    return replay_.seams[seam];
   }
 
-  static void check_in_star(const Box<N>& box, const Star& star) {
-    for (const Ball<N>& e : coordinates(star, box))
-      require(e.magnitude() <= 1, "the cell is not in the star");
+  static void check_in_star(const Box<N>& box, const StarMaps<N>& star) {
+    for (const Ball<N>& e : star.frame.of(box)) require(e.magnitude() <= 1, "the cell is not in the star");
   }
 
   void check_in_tube(const Box<N>& box, std::size_t i) const {

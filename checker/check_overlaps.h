@@ -12,7 +12,8 @@ class OverlapCheck {
       : replay_(replay),
         overlap_(replay.certificate.overlaps[i]),
         index_(i),
-        seam_(element(replay.certificate.seams, overlap_.seam, "names no seam")) {
+        seam_(element(replay.certificate.seams, overlap_.seam, "names no seam")),
+        frame_(seam_) {
     for (const Arc<N>& edge : overlap_.edges) corners_.push_back(edge.ends[0]);
   }
 
@@ -22,8 +23,7 @@ class OverlapCheck {
     require(corners_.size() >= 3, "less than three corners");
     for (const auto& corner : corners_) {
       require(is_on(seam_, corner), "a corner is not on its seam's plane");
-      for (const Rational& e : coordinates(seam_, corner))
-        require(abs(e) <= 1, "a corner is beyond its seam");
+      for (const Rational& e : frame_.of(corner)) require(abs(e) <= 1, "a corner is beyond its seam");
       for (const Rational& q : corner) require(q >= 0 && q <= 1, "a corner is not in [0,1]^4");
     }
     for (std::size_t i = 0; i < corners_.size(); ++i) check_edge(i);
@@ -38,9 +38,9 @@ class OverlapCheck {
   /// The sign of (b - a) x (c - a) in the plane.
   int turn(const Vector4<Rational>& a, const Vector4<Rational>& b, const Vector4<Rational>& c) const {
     std::vector<std::array<Rational, 2>> difference;
-    const Vector4<Rational> from = coordinates(seam_, a);
-    const Vector4<Rational> to = coordinates(seam_, b);
-    const Vector4<Rational> other = coordinates(seam_, c);
+    const Vector4<Rational> from = frame_.of(a);
+    const Vector4<Rational> to = frame_.of(b);
+    const Vector4<Rational> other = frame_.of(c);
     for (std::size_t j = 0; j < 4; ++j)
       if (seam_.weights[j] == 0) difference.push_back({to[j] - from[j], other[j] - from[j]});
     return sign(Rational(difference[0][0] * difference[1][1] - difference[0][1] * difference[1][0]));
@@ -94,6 +94,7 @@ class OverlapCheck {
   const Overlap<N>& overlap_;
   std::size_t index_;
   const Star& seam_;
+  const Frame<Rational> frame_;
   std::vector<Vector4<Rational>> corners_;
 };
 

@@ -2,6 +2,8 @@
 // same.
 #pragma once
 
+#include <numeric>
+
 #include "replay.h"
 
 namespace exsect::checker {
@@ -10,7 +12,8 @@ namespace exsect::checker {
 template <class N>
 Box<N> in_chart(const Replay<N>& replay, const Tube<N>& tube, const Box<N>& w) {
   if (tube.chart == Chart::pair) return w;
-  if (tube.chart == Chart::star) return in_star(replay.certificate.stars[tube.star], tube.direction, w);
+  if (tube.chart == Chart::star)
+    return in_star(replay.certificate.stars[tube.star], replay.stars[tube.star].frame, tube.direction, w);
   const auto [u, v, a, b] = halves(tube.chart, w);
   require(a.sign() != 0, "a pair of points that may be one");
   return {u, v, b / a, a * a};
@@ -34,7 +37,7 @@ Box<N> node_box(const Tube<N>& tube, const Node<N>& node) {
 
 /// The place is on the seam's line or plane.
 inline bool is_on(const Star& seam, const Vector4<Rational>& w) {
-  const Vector4<Rational> e = coordinates(seam, w);
+  const Vector4<Rational> e = Frame<Rational>(seam).of(w);
   for (std::size_t j = 0; j < 4; ++j)
     if (seam.weights[j] > 0 && e[j] != 0) return false;
   return true;
@@ -47,14 +50,14 @@ StarMaps<N> check_frame(const Star& star, const Map<Rational>& equation) {
   for (std::size_t i = 0; i < 4; ++i) {
     require(star.weights[i] <= 6, "a weight is not in 0, ..., 6");
     for (std::size_t j = 0; j < 4; ++j) {
-      Rational product = 0;
+      Algebraic product;
       for (std::size_t n = 0; n < 4; ++n) product += star.coordinates[i][n] * star.axes[n][j];
       require(product == (i == j ? 1 : 0), "its coordinates are not the inverse of its axes");
     }
   }
-  require(dot(star.rows[0], cross(star.rows[1], star.rows[2])) != 0, "its rows are dependent");
+  require(sign_of(dot(star.rows[0], cross(star.rows[1], star.rows[2]))) != 0, "its rows are dependent");
   for (const std::size_t order : star.orders) require(order >= 1, "an order below 1");
-  StarMaps<N> result;
+  StarMaps<N> result = {Frame<N>(star), {}, {}};
   const Terms terms = centred(equation, star);
   for (std::size_t direction = 0; direction < 8; ++direction)
     if (star.weights[direction / 2] > 0)
@@ -65,14 +68,13 @@ StarMaps<N> check_frame(const Star& star, const Map<Rational>& equation) {
 /// The star's point is a singular solution; its maps.
 template <class N>
 StarMaps<N> check_star(const Replay<N>& replay, const Star& star) {
-  for (const Rational& q : star.at) require(q >= 0 && q <= 1, "not in [0,1]^4");
+  const auto at_least = [](const Algebraic& a, const Algebraic& b) { return a == b || sign_of(a - b) > 0; };
+  for (const Algebraic& q : star.at) require(at_least(q, 0) && at_least(1, q), "not in [0,1]^4");
   for (const std::size_t weight : star.weights) require(weight >= 1, "a weight is not in 1, ..., 6");
-  const Map<Rational> local = replay.exact.at(star.at);
-  for (std::size_t j = 0; j < 4; ++j) {
-    const Balls<Rational> column = local.first(j, {});
-    require(dot(star.rows[2], {column[0].middle, column[1].middle, column[2].middle}) == 0,
+  const Map<Algebraic> local = rounded<Algebraic>(replay.exact).at(star.at);
+  for (const auto& term : local.terms())
+    require(std::accumulate(term.power.begin(), term.power.end(), 0) != 1 || dot(star.rows[2], term.c) == 0,
             "its last row is not normal to both patches");
-  }
   StarMaps<N> result = check_frame<N>(star, replay.exact);
   const Terms points = centred(replay.exact_space, star);
   for (std::size_t direction = 0; direction < 8; ++direction)
@@ -123,7 +125,7 @@ template <class N>
 bool leaves_domain(const Replay<N>& replay, const ProvedTube<N>& tube) {
   if (tube.claim.chart != Chart::star) return false;
   for (std::size_t i = 0; i < 4; ++i) {
-    const Rational& q = replay.certificate.stars[tube.claim.star].at[i];
+    const Algebraic& q = replay.certificate.stars[tube.claim.star].at[i];
     if ((q == 0 && tube.grows[i] < 0) || (q == 1 && tube.grows[i] > 0)) return true;
   }
   return false;

@@ -43,7 +43,7 @@ inline bool is_edge(const Star& seam, const OnAxis<Rational>& on) {
       std::vector<std::array<Rational, 2>> along;  // of the two directions of the plane
       for (std::size_t n = 0; n < 4; ++n)
         if (seam.weights[n] == 0)
-          along.push_back({inwards(i) * seam.axes[i][n], inwards(j) * seam.axes[j][n]});
+          along.push_back({inwards(i) * seam.axes[i][n].rational(), inwards(j) * seam.axes[j][n].rational()});
       const auto& [a, b] = std::tie(along[0], along[1]);
       const bool proportional = a[0] * b[1] == a[1] * b[0];
       if (proportional && (a[0] * a[1] < 0 || b[0] * b[1] < 0)) return true;
@@ -63,10 +63,10 @@ void check_in_seam(const Replay<N>& replay, const Tube<N>& tube, const OnAxis<Ra
     require(is_on(seam, value(on, Rational(t))), "its line is not that of its seam");
   Box<N> across = box_around(tube.centre, tube.width);
   across[tube.axis].radius = 0;
-  const Box<N> e = coordinates(seam, across);
+  const Box<N> e = Frame<N>(seam).of(across);
   for (std::size_t j = 0; j < 4; ++j) {
     N slope = 0;
-    for (std::size_t i = 0; i < 4; ++i) slope += N(seam.coordinates[j][i]) * tube.slope[i];
+    for (std::size_t i = 0; i < 4; ++i) slope += number<N>(seam.coordinates[j][i]) * tube.slope[i];
     require(e[j].magnitude() + tube.reach * magnitude(slope) <= 1, "not in its seam");
   }
 }

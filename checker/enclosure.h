@@ -23,6 +23,10 @@ class Enclosure {
   explicit Enclosure(const Rational& q) : value_(to_double(q)) {
     if (!std::isfinite(value_) || from_double(value_) != q) *this = rounded(value_, 0);
   }
+  /// Of a number within `radius` of q.
+  Enclosure(const Rational& q, const Rational& radius) : Enclosure(q) {
+    if (radius != 0) *this = rounded(value_, error_ + to_double(radius));
+  }
 
   friend double approximate(const Enclosure& a) { return a.value_; }
 

@@ -201,6 +201,14 @@ class Map {
   std::vector<Term> terms_;
 };
 
+template <class N>
+Map<N> rounded(const Map<Rational>& map) {
+  Map<N> result;
+  for (const auto& term : map.terms())
+    result.coefficient(term.power) = {N(term.c[0]), N(term.c[1]), N(term.c[2])};
+  return result;
+}
+
 /// x(u,v), or with factor -1 and by 2 variables later -y(r,s), added to the map.
 template <class N>
 void add_patch(Map<N>& map, const Net<N>& c, const N& factor, std::size_t later) {

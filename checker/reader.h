@@ -76,6 +76,7 @@ class Reader {
     take('"', "");
     return result;
   }
+  bool at_list() { return next() == '['; }
   std::size_t count() {
     next();
     std::size_t n = 0;

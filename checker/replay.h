@@ -38,9 +38,10 @@ struct ProvedTube {
   std::optional<OnAxis<N>> exact = {};  // the curve, if it is a line
 };
 
-/// The map of each of the eight charts of a star, and the point of space.
+/// The coordinates of a star, and in each of its eight charts the map and the point of space.
 template <class N>
 struct StarMaps {
+  Frame<N> frame;
   std::array<Map<N>, 8> equation;
   std::array<Map<N>, 8> space;
 };
@@ -79,14 +80,6 @@ template <class N>
 Box<N> exactly(const Box<double>& box) {
   Box<N> result;
   for (std::size_t i = 0; i < 4; ++i) result[i] = {N(box[i].middle), N(box[i].radius)};
-  return result;
-}
-
-template <class N>
-Map<N> rounded(const Map<Rational>& map) {
-  Map<N> result;
-  for (const auto& term : map.terms())
-    result.coefficient(term.power) = {N(term.c[0]), N(term.c[1]), N(term.c[2])};
   return result;
 }
 

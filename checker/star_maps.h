@@ -8,27 +8,29 @@
 
 namespace exsect::checker {
 
-/// A rational as one, or as a ball.
-template <class B>
-B scalar(const Rational& q) {
-  if constexpr (std::is_same_v<B, Rational>)
-    return q;
-  else
-    return decltype(B::middle)(q);
-}
+/// The coordinates of a star in the numbers of the check.
+template <class N>
+struct Frame {
+  Vector4<N> at;
+  std::array<Vector4<N>, 4> coordinates;
 
-/// The coordinates e, w = at + sum_j axes_j e_j, of a box of parameters, or of a place.
-template <class B>
-std::array<B, 4> coordinates(const Star& star, const std::array<B, 4>& w) {
-  std::array<B, 4> e;
-  for (std::size_t j = 0; j < 4; ++j) {
-    e[j] = scalar<B>(0);
-    for (std::size_t i = 0; i < 4; ++i)
-      if (star.coordinates[j][i] != 0)
-        e[j] = e[j] + scalar<B>(star.coordinates[j][i]) * (w[i] - scalar<B>(star.at[i]));
+  Frame() = default;
+  explicit Frame(const Star& star) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      at[j] = number<N>(star.at[j]);
+      for (std::size_t i = 0; i < 4; ++i) coordinates[j][i] = number<N>(star.coordinates[j][i]);
+    }
   }
-  return e;
-}
+  /// e, w = at + sum_j axes_j e_j, of a box of parameters, or of a place.
+  template <class B>
+  std::array<B, 4> of(const std::array<B, 4>& w) const {
+    std::array<B, 4> e;
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t i = 0; i < 4; ++i)
+        if (coordinates[j][i] != 0) e[j] = e[j] + B(coordinates[j][i]) * (w[i] - B(at[i]));
+    return e;
+  }
+};
 
 /// t > 0 with t^n = a, for a > 0: with q near it, |t - q| <= |t^n - q^n| / q^(n-1).
 template <class N>
@@ -45,8 +47,8 @@ Ball<N> root(const Ball<N>& a, std::size_t n) {
 /// The box of parameters as t (variable k) and d in the chart: coordinates (w - at) = d t^weights, d_k = 1 or
 /// -1.
 template <class N>
-Box<N> in_star(const Star& star, std::size_t direction, const Box<N>& w) {
-  Box<N> e = coordinates(star, w);
+Box<N> in_star(const Star& star, const Frame<N>& frame, std::size_t direction, const Box<N>& w) {
+  Box<N> e = frame.of(w);
   const std::size_t k = direction / 2;
   const Ball<N> size = direction % 2 == 0 ? e[k] : -e[k];
   require(size.sign() > 0, "not on its side of the star's point");
@@ -66,23 +68,23 @@ Box<N> from_star(const Star& star, std::size_t direction, Box<N> z) {
     for (std::size_t n = 0; n < star.weights[j]; ++n) z[j] = z[j] * t;
   Box<N> w;
   for (std::size_t i = 0; i < 4; ++i) {
-    w[i] = N(star.at[i]);
+    w[i] = number<N>(star.at[i]);
     for (std::size_t j = 0; j < 4; ++j)
-      if (star.axes[i][j] != 0) w[i] = w[i] + N(star.axes[i][j]) * z[j];
+      if (star.axes[i][j] != 0) w[i] = w[i] + number<N>(star.axes[i][j]) * z[j];
   }
   return w;
 }
 
 /// A polynomial in e = coordinates (w - at).
-using Terms = std::map<Power, Vector3<Rational>>;
+using Terms = std::map<Power, Vector3<Algebraic>>;
 inline Terms centred(const Map<Rational>& map, const Star& star) {
   Terms result;
-  const Map<Rational> local = map.at(star.at);
+  const Map<Algebraic> local = rounded<Algebraic>(map).at(star.at);
   for (const auto& term : local.terms()) {
-    std::map<Power, Rational> product = {{Power{}, 1}};  // (w - at)^power
+    std::map<Power, Algebraic> product = {{Power{}, 1}};  // (w - at)^power
     for (std::size_t i = 0; i < 4; ++i) {
       for (int n = 0; n < term.power[i]; ++n) {
-        std::map<Power, Rational> next;
+        std::map<Power, Algebraic> next;
         for (const auto& [power, c] : product) {
           for (std::size_t j = 0; j < 4; ++j) {
             if (star.axes[i][j] == 0) continue;
@@ -103,7 +105,7 @@ inline Terms centred(const Map<Rational>& map, const Star& star) {
 /// `rows` times the polynomial at e = d t^weights, divided by t^orders.
 template <class N>
 Map<N> in_direction(const Terms& terms, const Star& star, std::size_t direction,
-                    const Matrix3<Rational>& rows, const std::array<std::size_t, 3>& orders) {
+                    const Matrix3<Algebraic>& rows, const std::array<std::size_t, 3>& orders) {
   Map<N> map;
   const std::size_t k = direction / 2;
   for (const auto& [power, c] : terms) {
@@ -111,12 +113,12 @@ Map<N> in_direction(const Terms& terms, const Star& star, std::size_t direction,
     for (std::size_t j = 0; j < 4; ++j) degree += star.weights[j] * static_cast<std::size_t>(power[j]);
     const int sign = direction % 2 == 1 && power[k] % 2 == 1 ? -1 : 1;
     for (std::size_t d = 0; d < 3; ++d) {
-      const Rational value = sign * dot(rows[d], c);
+      const Algebraic value = Algebraic(sign) * dot(rows[d], c);
       if (value == 0) continue;
       require(degree >= orders[d], "not of this order at its point");
       Power shifted = power;
       shifted[k] = static_cast<int>(degree - orders[d]);
-      map.coefficient(shifted)[d] += N(value);
+      map.coefficient(shifted)[d] += number<N>(value);
     }
   }
   map.coefficient(Power{});
@@ -142,7 +144,7 @@ std::array<int, 4> half_branch_signs(const Star& star, const Tube<N>& tube, cons
       Ball<N> term = tube.direction % 2 == 0 ? weight : N(-weight);
       if (j != k) term = weight * Ball<N>(tube.centre[j], extent[j]) + t * bounds.first[j];
       for (std::size_t n = least; n < star.weights[j]; ++n) term = term * t;
-      slope = slope + N(star.axes[i][j]) * term;
+      slope = slope + number<N>(star.axes[i][j]) * term;
     }
     result[i] = slope.sign();
   }
@@ -162,13 +164,14 @@ Vector4<N> value(const OnAxis<N>& a, const N& t) {
 /// The line through the star's point, a ray with constant d in the chart.
 inline OnAxis<Rational> ray(const Star& star, const MapName& chart, const Line& line) {
   const std::size_t k = chart.direction / 2;
-  require(value(line.at, star.at[line.axis]) == star.at, "its line does not pass through the star's point");
-  Vector4<Rational> next = star.at;
+  Vector4<Rational> e = {};  // along the line
   for (std::size_t i = 0; i < 4; ++i) {
-    require(line.at[i][2] == 0, "its line is not straight");
-    next[i] += line.at[i][1];
+    const auto& [a, b, c] = line.at[i];
+    require(c == 0, "its line is not straight");
+    require(Algebraic(a) + Algebraic(b) * star.at[line.axis] == star.at[i],
+            "its line does not pass through the star's point");
+    for (std::size_t j = 0; j < 4; ++j) e[j] += star.coordinates[j][i].rational() * b;
   }
-  const Vector4<Rational> e = coordinates(star, next);
   require(e[k] != 0, "its line is not in the chart");
   OnAxis<Rational> result = {};
   result[k][1] = 1;

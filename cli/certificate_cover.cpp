@@ -119,8 +119,8 @@ class Cover {
       double middle = 0;
       double radius = 0;
       for (std::size_t i = 0; i < 4; ++i) {
-        const double c = to_double(star.coordinates[j][i]);
-        middle += c * (cell.middle[i] - to_double(star.at[i]));
+        const double c = checker::number<double>(star.coordinates[j][i]);
+        middle += c * (cell.middle[i] - checker::number<double>(star.at[i]));
         radius += std::abs(c) * cell.half[i];
       }
       if (std::abs(middle) + radius > 1 - 1e-9) return false;

@@ -98,9 +98,13 @@ Json node(Draft& d, const Node& n) {
 
 void add_place(Draft& d, const FoundStar& star) {
   Parameters at;
-  for (std::size_t i = 0; i < 4; ++i) at[i] = to_double(star.claim.at[i]);
+  for (std::size_t i = 0; i < 4; ++i) at[i] = checker::number<double>(star.claim.at[i]);
   d.places.push_back(at);
-  d.place_claims.push_back(rationals(star.claim.at));
+  Json place = Json::array();  // near it where it is irrational
+  for (std::size_t i = 0; i < 4; ++i)
+    place.push_back(star.claim.at[i].is_rational() ? to_string(star.claim.at[i].rational())
+                                                   : exact_number(at[i]));
+  d.place_claims.push_back(place);
   d.tube_of.push_back(d.tubes.size());
 }
 

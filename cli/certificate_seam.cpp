@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "certificate_algebraic.h"
+
 namespace exsect::cli {
 namespace {
 
@@ -94,7 +96,8 @@ bool is_plane_of_solutions(const checker::Map<Rational>& equation, const checker
 Star frame(const checker::Vector4<Rational>& at, std::size_t axis, const Direction& a, std::size_t m,
            const Direction& c, bool plane, const Rational& size) {
   const std::size_t weight = plane ? 1 : 2;
-  Star star = {{}, at, {}, {}, {weight, weight, weight, weight}, {}, {1, 1, 1}, {}};
+  Star star = {{},        {}, {at[0], at[1], at[2], at[3]}, {}, {}, {weight, weight, weight, weight}, {},
+               {1, 1, 1}, {}};
   star.weights[axis] = 0;
   star.weights[m] = plane ? 0 : 1;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -111,12 +114,12 @@ Star frame(const checker::Vector4<Rational>& at, std::size_t axis, const Directi
 Tube tube_in(const Star& star, std::size_t axis, double reach) {
   Tube tube = {star.of, {}, axis, {}, reach, 1, {}};
   for (std::size_t i = 0; i < 4; ++i) {
-    tube.centre[i] = to_double(star.at[i]);
-    tube.slope[i] = to_double(Rational(star.axes[i][axis] / star.axes[axis][axis]));
+    tube.centre[i] = checker::number<double>(star.at[i]);
+    tube.slope[i] = to_double(Rational(star.axes[i][axis].rational() / star.axes[axis][axis].rational()));
   }
   for (std::size_t j = 0; j < 4; ++j) {
     double sum = 0;
-    for (const std::size_t i : others(axis)) sum += std::abs(to_double(star.coordinates[j][i]));
+    for (const std::size_t i : others(axis)) sum += std::abs(checker::number<double>(star.coordinates[j][i]));
     if (sum > 0) tube.width = std::min(tube.width, 0.98 / sum);
     if (j != axis && tube.chart == Chart::star)
       tube.width = std::min(tube.width, 0.98 * (1 - std::abs(tube.centre[j])));
@@ -167,7 +170,8 @@ std::array<Map, 8> scaled_maps(Star& star, const checker::Map<Rational>& equatio
         for (std::size_t d = 0; d < 3; ++d) most[d] = std::max(most[d], std::abs(term.c[d]));
     }
     for (std::size_t d = 0; pass == 0 && d < 3; ++d)
-      for (Rational& q : star.rows[d]) q *= power_of_two(most[d] > 0 ? -std::ilogb(most[d]) : 0);
+      for (checker::Algebraic& q : star.rows[d])
+        q = q * checker::Algebraic(power_of_two(most[d] > 0 ? -std::ilogb(most[d]) : 0));
   }
   return maps;
 }
@@ -200,12 +204,14 @@ checker::Matrix4 inverse(checker::Matrix4 m) {
     if (pivot == 4) throw NoCertificate("coordinates that depend on each other");
     std::swap(m[i], m[pivot]);
     std::swap(result[i], result[pivot]);
-    const Rational q = m[i][i];
-    for (std::size_t j = 0; j < 4; ++j) m[i][j] /= q, result[i][j] /= q;
+    const checker::Algebraic factor = reciprocal(m[i][i]);
+    for (std::size_t j = 0; j < 4; ++j) m[i][j] = m[i][j] * factor, result[i][j] = result[i][j] * factor;
     for (std::size_t row = 0; row < 4; ++row) {
-      const Rational factor = m[row][i];
-      for (std::size_t j = 0; row != i && j < 4; ++j)
-        m[row][j] -= factor * m[i][j], result[row][j] -= factor * result[i][j];
+      const checker::Algebraic times = m[row][i];
+      for (std::size_t j = 0; row != i && j < 4; ++j) {
+        m[row][j] = m[row][j] - times * m[i][j];
+        result[row][j] = result[row][j] - times * result[i][j];
+      }
     }
   }
   return result;

@@ -80,7 +80,7 @@ void add_seam(Draft& d, const Arc& arc) {
     Rational most = 0;  // along the line, in the star's coordinates
     for (const auto& row : d.stars[node - d.first_star].claim.coordinates) {
       Rational e = 0;
-      for (std::size_t i = 0; i < 4; ++i) e += row[i] * line.at[i][1];
+      for (std::size_t i = 0; i < 4; ++i) e += row[i].rational() * line.at[i][1];
       most = std::max<Rational>(most, abs(e));
     }
     t[end] += (all[1 - end] > all[end] ? 1 : -1) * Rational(2, 5) / most;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "certificate_algebraic.h"
 #include "certificate_claims.h"
 #include "certificate_singular.h"
 
@@ -22,8 +23,10 @@ int line_at(const Star& star, std::size_t direction, const Parameters& z,
     bool through = true;
     for (std::size_t i = 0; i < 4; ++i) {
       const auto& [a, b, c] = lines[n].at[i];
-      through = through && c == 0 && a + b * star.at[lines[n].axis] == star.at[i];
-      for (std::size_t j = 0; j < 4; ++j) e[j] += to_double(star.coordinates[j][i] * b);
+      through = through && c == 0 &&
+                checker::Algebraic(a) + checker::Algebraic(b) * star.at[lines[n].axis] == star.at[i];
+      for (std::size_t j = 0; j < 4; ++j)
+        e[j] += checker::number<double>(star.coordinates[j][i]) * to_double(b);
     }
     if (!through || e[k] == 0) continue;
     bool same = true;
@@ -204,7 +207,7 @@ double extent(const Star& star) {
   double most = 0;
   for (const auto& row : star.axes) {
     double sum = 0;
-    for (const Rational& q : row) sum += std::abs(to_double(q));
+    for (const checker::Algebraic& q : row) sum += std::abs(checker::number<double>(q));
     most = std::max(most, sum);
   }
   return most;
@@ -216,6 +219,8 @@ FoundStar star_at(const Patches& patches, const Node& node, const ClaimNumbers& 
                   const std::vector<checker::Line>& lines, const std::vector<bool>& touching) {
   const auto equation = checker::pair_map(patches[0].power_basis(), patches[1].power_basis());
   for (const Star& star : singular_points(patches, node)) {
+    if (!star.is_rational() && std::count(touching.begin(), touching.end(), true) > 0)
+      throw NoCertificate("an irrational special point beside an arc along which the patches touch");
     const bool plain = star.weights == std::array<std::size_t, 4>{1, 1, 1, 1};
     int tried = 0;
     for (int e = 2; e < 46 && tried < (plain ? 22 : 6); plain ? e += 2 : ++e) {
@@ -233,33 +238,49 @@ FoundStar star_at(const Patches& patches, const Node& node, const ClaimNumbers& 
 
 namespace {
 
-/// The claim without its seal.
-Json frame_claim(const Star& star, const std::array<std::string, 8>& subdivisions) {
-  const auto matrix = [](const auto& m) {
-    Json rows = Json::array();
-    for (const auto& row : m) rows.push_back(rationals(row));
-    return rows;
-  };
-  return {{"at", rationals(star.at)}, {"axes", matrix(star.axes)}, {"coordinates", matrix(star.coordinates)},
-          {"weights", star.weights},  {"rows", matrix(star.rows)}, {"orders", star.orders},
-          {"charts", subdivisions}};
+template <class Numbers>
+Json list(const Numbers& numbers) {
+  Json result = Json::array();
+  for (const checker::Algebraic& q : numbers) result.push_back(algebraic_claim(q));
+  return result;
+}
+template <class Rows>
+Json matrix(const Rows& m) {
+  Json rows = Json::array();
+  for (const auto& row : m) rows.push_back(list(row));
+  return rows;
+}
+
+/// The claim, without its seal, after what is said before.
+Json frame_claim(Json claim, const Star& star, const std::array<std::string, 8>& subdivisions) {
+  claim.update({{"at", list(star.at)},
+                {"axes", matrix(star.axes)},
+                {"coordinates", matrix(star.coordinates)},
+                {"weights", star.weights},
+                {"rows", matrix(star.rows)},
+                {"orders", star.orders},
+                {"charts", subdivisions}});
+  return claim;
 }
 
 }  // namespace
 
 Json star_claims(const std::vector<FoundStar>& stars) {
   Json result = Json::array();
-  for (const FoundStar& star : stars)
-    result.push_back(sealed(in_list("stars", result.size()), frame_claim(star.claim, star.subdivisions)));
+  for (const FoundStar& star : stars) {
+    const checker::Root& root = *star.claim.root;
+    const Json field = {{"modulus", rationals(root.modulus)}, {"between", rationals(root.between)}};
+    result.push_back(
+        sealed(in_list("stars", result.size()), frame_claim(field, star.claim, star.subdivisions)));
+  }
   return result;
 }
 
 Json seam_claims(const std::vector<FoundSeam>& seams) {
   Json result = Json::array();
   for (const FoundSeam& seam : seams) {
-    Json claim = {{"of", map_text(seam.claim.of)}};
-    claim.update(frame_claim(seam.claim, seam.subdivisions));
-    result.push_back(sealed(in_list("seams", result.size()), claim));
+    const Json of = {{"of", map_text(seam.claim.of)}};
+    result.push_back(sealed(in_list("seams", result.size()), frame_claim(of, seam.claim, seam.subdivisions)));
   }
   return result;
 }
@@ -283,7 +304,7 @@ double distance_from_point(const checker::Star& star, const Parameters& w) {
   for (std::size_t j = 0; j < 4; ++j) {
     double e = 0;
     for (std::size_t i = 0; i < 4; ++i)
-      e += to_double(star.coordinates[j][i]) * (w[i] - to_double(star.at[i]));
+      e += checker::number<double>(star.coordinates[j][i]) * (w[i] - checker::number<double>(star.at[i]));
     t = std::max(t, std::pow(std::abs(e), 1.0 / static_cast<double>(star.weights[j])));
   }
   return t;

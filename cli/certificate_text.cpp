@@ -1,6 +1,7 @@
 #include "certificate_text.h"
 
 #include <algorithm>
+#include <set>
 
 #include "certificate_claims.h"
 #include "certificate_draft.h"
@@ -36,6 +37,23 @@ Json summary(const Draft& d, const Json& json, std::size_t cells) {
                  {"turning", turning}});
 }
 
+/// In an order in which each arc but the first is next to one before it.
+std::vector<int> connected(const IntersectionGraph& graph, std::vector<int> arcs) {
+  std::set<int> nodes;
+  const auto is_next = [&](int a) {
+    const Arc& arc = graph.arcs[static_cast<std::size_t>(a)];
+    return nodes.empty() || nodes.count(arc.from) + nodes.count(arc.to) > 0;
+  };
+  std::vector<int> result;
+  for (auto next = arcs.begin(); next != arcs.end(); next = std::find_if(arcs.begin(), arcs.end(), is_next)) {
+    const Arc& arc = graph.arcs[static_cast<std::size_t>(*next)];
+    nodes.insert({arc.from, arc.to});
+    result.push_back(*next);
+    arcs.erase(next);
+  }
+  return result;
+}
+
 Json document(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
               const IntersectResult& result, bool self) {
   Draft d = {{x, y}, names, result.graph, near_pair(x, y), self};
@@ -54,7 +72,7 @@ Json document(const BezierPatch& x, const BezierPatch& y, const PatchNames& name
   json["components"] = Json::array();
   for (const Component& c : d.graph.components)
     json["components"].push_back(sealed(in_list("components", json["components"].size()),
-                                        {{"shape", name(c.shape)}, {"arcs", c.arcs}}));
+                                        {{"shape", name(c.shape)}, {"arcs", connected(d.graph, c.arcs)}}));
   json["overlaps"] = d.overlaps;
   Places places = {d.tubes, {}, {}, self};
   for (const FoundStar& star : d.stars) places.stars.push_back(star.claim);

@@ -116,6 +116,114 @@ def divide(a, b):
     return q, (a[1] + abs(q) * b[1]) / (abs(b[0]) - b[1])
 
 
+# ---- Irrational numbers, of stars
+
+
+class Root:
+    """A real root of the modulus between two numbers at which it has opposite signs."""
+
+    def __init__(self, modulus, between, place):
+        require(isinstance(modulus, list) and len(modulus) >= 2, place, "not a modulus")
+        self.modulus = numbers(modulus, len(modulus), place)
+        require(self.modulus[-1] == 1, place, "its modulus has no leading coefficient 1")
+        lower, upper = numbers(between, 2, place)
+        low, high = (sum(c * t**i for i, c in enumerate(self.modulus)) for t in (lower, upper))
+        require(lower < upper and low * high < 0, place, "its modulus changes no sign between the two numbers")
+        self.ball = (lower + upper) / 2, (upper - lower) / 2
+
+    def number(self, value, place):
+        """A rational number, or a polynomial in the root."""
+        if not isinstance(value, list):
+            return number(value, place)
+        return Algebraic(numbers(value, len(value), place), self).simplest()
+
+    def numbers(self, value, size, place):
+        require(isinstance(value, list) and len(value) == size, place, f"not {size} numbers")
+        return [self.number(q, place) for q in value]
+
+
+class Algebraic:
+    """A polynomial in a root, modulo the modulus. What is 0 is no Algebraic, but the Fraction."""
+
+    def __init__(self, c, root):
+        self.c, self.root = list(c), root
+        n = len(root.modulus)
+        while len(self.c) >= n:
+            top = self.c[-1]
+            self.c = [q - top * root.modulus[i - len(self.c) + n] if i >= len(self.c) - n else q for i, q in enumerate(self.c)][:-1]
+
+    def simplest(self):
+        return self if any(self.c[1:]) else self.c[0] if self.c else Fraction(0)
+
+    def __add__(self, other):
+        pairs = itertools.zip_longest(self.c, coefficients(other), fillvalue=Fraction(0))
+        return Algebraic([p + q for p, q in pairs], self.root).simplest()
+
+    def __mul__(self, other):
+        d = coefficients(other)
+        c = [Fraction(0)] * (len(self.c) + len(d) - 1)
+        for i, p in enumerate(self.c):
+            for j, q in enumerate(d):
+                c[i + j] += p * q
+        return Algebraic(c, self.root).simplest()
+
+    def __sub__(self, other):
+        return self + -1 * other
+
+    def __rsub__(self, other):
+        return -1 * self + other
+
+    def __eq__(self, other):
+        return not self - other
+
+    def __pow__(self, n):
+        return math.prod([self] * n)
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def ball(self):
+        result = (Fraction(0), Fraction(0))
+        for c in reversed(self.c):
+            result = add(times(result, self.root.ball), (c, Fraction(0)))
+        return result
+
+
+def coefficients(q):
+    return q.c if isinstance(q, Algebraic) else [Fraction(q)]
+
+
+def ball_of(q):
+    """Of a rational number, an Algebraic or a Near."""
+    return q.ball() if isinstance(q, (Algebraic, Near)) else (q, Fraction(0))
+
+
+class Near:
+    """A coefficient of a map of which a ball is known: its sums, multiples, and an upper bound as absolute value."""
+
+    def __init__(self, ball):
+        # A short middle; the rest goes to the radius.
+        unit = Fraction(1, 2**160)
+        self.middle = unit * math.floor(ball[0] / unit)
+        self.radius = unit * (math.floor(ball[1] / unit) + 2)
+
+    def ball(self):
+        return self.middle, self.radius
+
+    def __add__(self, other):
+        return Near(add(self.ball(), ball_of(other)))
+
+    def __mul__(self, factor):
+        return Near(times(self.ball(), (factor, Fraction(0))))
+
+    def __sub__(self, other):
+        return self + -1 * other
+
+    def __abs__(self):
+        return magnitude(self.ball())
+
+    __radd__, __rmul__ = __add__, __mul__
+
+
 class Map:
     """A polynomial map of four variables to space: {(i, j, k, l): coefficient}, with all lower monomials."""
 
@@ -158,7 +266,8 @@ class Map:
         for power, c in self.terms.items():
             factor = math.prod(map(math.perm, power, a))
             if power == a:
-                middle = factor * c[d]
+                middle, rest = ball_of(factor * c[d])
+                radius += rest
             elif factor and c[d]:
                 radius += factor * abs(c[d]) * math.prod(x ** (i - j) for x, i, j in zip(h, power, a))
         return middle, radius
@@ -402,6 +511,7 @@ class Tube:
         star, k = self.star, self.direction // 2
         require(all(c == 0 and a + b * star.at[axis] == q for (a, b, c), q in zip(at, star.at)), place,
                 "its line is not straight through the star's point")
+        require(not any(isinstance(q, Algebraic) for row in star.coordinates for q in row), place, "irrational coordinates")
         e = [sum(q * b for q, (_, b, _) in zip(row, at)) for row in star.coordinates]
         require(e[k] != 0, place, "its line is not in the chart")
         for j in others(k):
@@ -447,7 +557,7 @@ class Tube:
                     term = add(times((weight, Fraction(0)), d), times(t, self.bounds.first[j]))
                 for _ in range(least, star.weights[j]):
                     term = times(term, t)
-                slope = add(slope, times((star.axes[i][j], Fraction(0)), term))
+                slope = add(slope, times(ball_of(star.axes[i][j]), term))
             self.grows.append(0 if i in self.constant else sign(slope))
             require(i in self.constant or self.grows[i], place, "a parameter may turn")
 
@@ -533,16 +643,18 @@ class Star:
 
     def __init__(self, value, place, system):
         self.place, self.of = place, None
-        of = ["of"] if self.seam else []
+        of = ["of"] if self.seam else ["modulus", "between"]
         value = claim(value, place, [*of, "at", "axes", "coordinates", "weights", "rows", "orders", "charts"])
-        self.at = numbers(value["at"], 4, place)
+        all_numbers = numbers if self.seam else Root(value["modulus"], value["between"], place).numbers
+        self.at = all_numbers(value["at"], 4, place)
         for key, rows, columns in (("axes", 4, 4), ("coordinates", 4, 4), ("rows", 3, 3)):
             require(isinstance(value[key], list) and len(value[key]) == rows, place, "not a matrix")
-            setattr(self, key, [numbers(row, columns, place) for row in value[key]])
+            setattr(self, key, [all_numbers(row, columns, place) for row in value[key]])
         for key, size in (("weights", 4), ("orders", 3), ("charts", 8)):
             require(isinstance(value[key], list) and len(value[key]) == size, place, "not a list of this length")
         self.weights, orders = ([count(n, place) for n in value[key]] for key in ("weights", "orders"))
         self.charts = value["charts"]
+        self.irrational = any(isinstance(q, Algebraic) for row in [self.at, *self.axes, *self.rows] for q in row)
         require(all(isinstance(text, str) for text in self.charts), place, "not eight subdivisions")
         require(all(w <= 6 for w in self.weights) and min(orders) >= 1, place, "not a weight, or not an order")
         self.plane = self.weights.count(0) == 2 and self.seam and value.get("of") == "pair" and not system.alone
@@ -551,12 +663,13 @@ class Star:
             for j in range(4):
                 require(sum(self.coordinates[i][n] * self.axes[n][j] for n in range(4)) == (i == j), place, "not the inverse")
         a, b, c = self.rows
-        require(sum(a[d] * (b[d - 2] * c[d - 1] - b[d - 1] * c[d - 2]) for d in range(3)), place, "its rows are dependent")
+        volume_of_rows = sum(a[d] * (b[d - 2] * c[d - 1] - b[d - 1] * c[d - 2]) for d in range(3))
+        require(sign(ball_of(volume_of_rows)), place, "its rows are dependent")
         if self.seam:
             polynomial = self.parent(value["of"], system)
         else:
             polynomial = system.equation["pair"]
-            require(all(0 <= a <= 1 for a in self.at), place, "not in [0,1]^4")
+            require(all(q == 0 or sign(ball_of(q)) > 0 for a in self.at for q in (a, 1 - a)), place, "not in [0,1]^4")
             for power, q in polynomial.at(self.at).terms.items():
                 require(sum(power) != 1 or not sum(n * t for n, t in zip(c, q)), place, "its last row is not normal to both patches")
         unit = [[Fraction(i == j) for j in range(3)] for i in range(3)]
@@ -572,6 +685,7 @@ class Star:
         require(chart, self.place, "neither of the pair nor of a chart of a star")
         star, direction = element(system.stars, int(chart[1]), self.place), DIRECTIONS.index(chart[2])
         self.of = star, direction
+        require(not star.irrational, self.place, "of an irrational star")
         return star.maps[direction][0]
 
     def centred(self, polynomial):
@@ -606,6 +720,7 @@ class Star:
                 if value:
                     require(degree >= orders[d], self.place, "not of this order at its point")
                     key = power[:k] + (degree - orders[d],) + power[k + 1 :]
+                    value = Near(ball_of(value)) if isinstance(value, Algebraic) else value
                     terms.append((key, value, [Fraction(d == i) for i in range(3)]))
         return Map(terms)
 
@@ -614,7 +729,7 @@ class Star:
         result = [(Fraction(0), Fraction(0))] * 4
         for j in range(4):
             for i in range(4):
-                result[j] = add(result[j], times((self.coordinates[j][i], 0), (w[i][0] - self.at[i], w[i][1])))
+                result[j] = add(result[j], times(ball_of(self.coordinates[j][i]), subtract(w[i], ball_of(self.at[i]))))
         return result
 
     def in_chart(self, direction, w, place):
@@ -634,10 +749,10 @@ class Star:
         for j in range(4):
             for _ in range(self.weights[j]):
                 z[j] = times(z[j], t)
-        result = [(a, Fraction(0)) for a in self.at]
+        result = [ball_of(a) for a in self.at]
         for i in range(4):
             for j in range(4):
-                result[i] = add(result[i], times((self.axes[i][j], 0), z[j]))
+                result[i] = add(result[i], times(ball_of(self.axes[i][j]), z[j]))
         return result
 
     def coordinates_of(self, w):
@@ -898,7 +1013,8 @@ class Checker:
 
     def add_node(self, node, place, cusp):
         def apart(at, other):
-            return any(abs(a - b) > node.radius + other.radius for a, b in zip(at, other.at))
+            return any(b[0] > b[1] + node.radius + other.radius or -b[0] > b[1] + node.radius + other.radius
+                       for b in (subtract(ball_of(p), ball_of(q)) for p, q in zip(at, other.at)))
 
         for other in self.nodes:
             require(apart(node.at, other), place, "meets an earlier node")
@@ -951,7 +1067,9 @@ class Checker:
         points = [numbers(p, 7 if isinstance(p, list) and len(p) == 7 else 4, place) for p in arc["points"]]
         vertices = [p[4:] for p in points]
         points = [p[:4] for p in points]
-        require(points[0] == start.at and points[-1] == end.at, place, "does not begin and end at its nodes")
+        for point, node in ((points[0], start), (points[-1], end)):
+            require(all(p == q or abs(Near(ball_of(p - q))) <= Fraction(isinstance(q, Algebraic), 2**40) for p, q in zip(point, node.at)), place,
+                    "does not begin and end at its nodes")
         places = self.places_on_polyline(points, vertices, place)
         first, entered, grows, directions, most = 0, start.radius, None, [], Fraction(0)
         for piece in arc["pieces"]:
@@ -1186,7 +1304,7 @@ class Checker:
 
 def root_above(vector):
     """At least the Euclidean norm."""
-    q = sum(a * a for a in vector)
+    q = sum(abs(a) ** 2 for a in vector)
     if q == 0:
         return Fraction(0)
     shift = max(0, 64 - (q.numerator.bit_length() - q.denominator.bit_length()) // 2)

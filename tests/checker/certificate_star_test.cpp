@@ -223,8 +223,6 @@ TEST_CASE("an event without a certificate is named") {
       return reason.what();
     }
   };
-  CHECK(refusal(families::cap(0, families::Plane::quadratic)) ==
-        "a special point without short rational parameters");
   CHECK(refusal(families::tangent_curve(Rational(1, 3), families::Plane::quadratic)) ==
         "an arc along which the patches touch and that is no line of parameters");
 }

@@ -63,7 +63,7 @@ TEST_CASE("no random single change of a certificate of any kind is accepted, man
   mutations_are_rejected(2000, {families::crossing(Plane::larger), families::tangent_curve(0, Plane::larger),
                                 families::tangent_and_transversal(Plane::larger), families::shifted_copy(),
                                 families::smooth_neighbour(0), families::tangent_branches(Plane::larger),
-                                families::curve_cusp(Plane::larger)});
+                                families::curve_cusp(Plane::larger), families::crossing(Plane::quadratic)});
 }
 
 TEST_CASE("a forged certificate is rejected, or says the same as the true one") {

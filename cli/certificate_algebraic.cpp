@@ -1,0 +1,41 @@
+#include "certificate_algebraic.h"
+
+#include <exsect/algebra/number_field.h>
+#include <exsect/solver/algebraic_place.h>
+
+#include "certificate_claims.h"
+
+namespace exsect::cli {
+
+using checker::Algebraic;
+
+std::vector<AlgebraicPoint> points_in_box(const Patches& patches, const Node& node) {
+  std::vector<AlgebraicPoint> result;
+  const Place place = short_place(node);
+  if (patches[0](place[0], place[1]) == patches[1](place[2], place[3])) {
+    const checker::Root zero = {{0, 1}, {-1, 1}};
+    result.push_back({std::make_shared<checker::Root>(zero), {place[0], place[1], place[2], place[3]}});
+  }
+  if (const auto found = algebraic_place(patches[0], patches[1], node.box)) {
+    const checker::Root root = {found->modulus.coefficients(), {found->between.lower, found->between.upper}};
+    AlgebraicPoint& point = result.emplace_back();
+    point.root = std::make_shared<checker::Root>(root);
+    for (std::size_t i = 0; i < 4; ++i)
+      point.parameters[i] = Algebraic(found->at[i].coefficients(), point.root);
+  }
+  if (result.empty()) throw NoCertificate("a special point with parameters in no number field that is found");
+  return result;
+}
+
+Algebraic reciprocal(const Algebraic& a) {
+  if (a.is_rational()) return 1 / a.rational();
+  const auto inverse = inverse_modulo(Polynomial(a.coefficients()), Polynomial(a.root()->modulus));
+  if (!inverse) throw NoCertificate("a special point in a ring with divisors of zero");
+  return {inverse->coefficients(), a.root()};
+}
+
+Json algebraic_claim(const Algebraic& a) {
+  return a.is_rational() ? Json(to_string(a.rational())) : rationals(a.coefficients());
+}
+
+}  // namespace exsect::cli
