@@ -22,7 +22,7 @@ struct ModelFrame {
 template <class Ball>
 struct AnalysedTrace {
   Trace<Ball> trace;
-  std::vector<TurningPoint<Ball>> turning;
+  TurningPoints<Ball> turning;
 };
 
 /// A bound of the distance between any arc of the intersection in a parameter box and any chord between

@@ -194,7 +194,7 @@ class SelfTracing {
       problem(around(failure->where), failure->why);
       return;
     }
-    curve.analysed.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
+    curve.analysed.turning = std::get<TurningPoints<Ball>>(std::move(turning));
     result_.curves.push_back(std::move(curve));
   }
 

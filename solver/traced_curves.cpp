@@ -232,7 +232,7 @@ class CurveTracing {
       problem(around(failure->where), failure->why);
       return;
     }
-    curve.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
+    curve.turning = std::get<TurningPoints<Ball>>(std::move(turning));
     result_.curves.push_back(std::move(curve));
   }
 

@@ -54,7 +54,7 @@ class TurningSearch {
                 const std::array<std::size_t, 4>& coincident, const KnownTangent& known)
       : system_(system), trace_(trace), coincident_(coincident), known_(known) {}
 
-  std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> run() {
+  std::variant<TurningPoints<Ball>, TraceFailure> run() {
     if (!split_pieces()) {
       return failure_;
     }
@@ -363,14 +363,14 @@ class TurningSearch {
   Trace<Ball>& trace_;
   const std::array<std::size_t, 4>& coincident_;
   const KnownTangent& known_;
-  std::vector<TurningPoint<Ball>> found_;
+  TurningPoints<Ball> found_;
   TraceFailure failure_;
 };
 
 }  // namespace
 
 template <class Ball>
-std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(
+std::variant<TurningPoints<Ball>, TraceFailure> find_turning_points(
     const PairSystem<Ball>& system, Trace<Ball>& trace, const std::array<std::size_t, 4>& coincident,
     const KnownTangent& known) {
   return TurningSearch<Ball>(system, trace, coincident, known).run();
@@ -383,7 +383,7 @@ bool may_be_constant(const Trace<Ball>& trace, std::size_t parameter) {
 }
 
 #define EXSECT_INSTANTIATE_TURNING(Ball)                                                              \
-  template std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(           \
+  template std::variant<TurningPoints<Ball>, TraceFailure> find_turning_points(                       \
       const PairSystem<Ball>&, Trace<Ball>&, const std::array<std::size_t, 4>&, const KnownTangent&); \
   template bool may_be_constant(const Trace<Ball>&, std::size_t);
 

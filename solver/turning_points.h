@@ -26,6 +26,8 @@ struct TurningPoint {
   double to;
   BallPoint<Ball> box;
 };
+template <class Ball>
+using TurningPoints = std::vector<TurningPoint<Ball>>;
 
 /// For x and y a coordinate of space in which the normal of the patch is not zero, if the patch lies in a
 /// plane: the patch's normal field N is then this coordinate times a constant vector.
@@ -52,7 +54,7 @@ struct KnownTangent {
 /// that is needed for the proof. `coincident` as above. Fails where a turning point cannot be separated from
 /// another one or from an end of the trace.
 template <class Ball>
-std::variant<std::vector<TurningPoint<Ball>>, TraceFailure> find_turning_points(
+std::variant<TurningPoints<Ball>, TraceFailure> find_turning_points(
     const PairSystem<Ball>& system, Trace<Ball>& trace, const std::array<std::size_t, 4>& coincident,
     const KnownTangent& known = {});
 

@@ -100,7 +100,7 @@ class TwoPieceTracing {
       problem(around(failure->where), failure->why);
       return;
     }
-    curve.turning = std::get<std::vector<TurningPoint<Ball>>>(std::move(turning));
+    curve.turning = std::get<TurningPoints<Ball>>(std::move(turning));
     result_.curves.push_back(std::move(curve));
     result_.along_side.push_back(line && line->on_side);
   }
