@@ -69,7 +69,7 @@ Rational number_of(std::string_view text) {
   const Integer p{std::string(found->p)};
   const Integer q{found->q.empty() ? "1" : std::string(found->q)};
   if (!found->power) {
-    const Rational value(p, q);
+    Rational value(p, q);
     if (numerator(value) == p && denominator(value) == q) return value;
   } else if (p % 2 != 0 && q >= 1 && q <= 2000) {
     return Rational(p) * power_of_two(-static_cast<long>(q));
@@ -336,7 +336,7 @@ void require_ends(const Certificate<N>& certificate) {
   for (std::size_t a = 0; a < certificate.arcs.size(); ++a) {
     const Arc<N>& arc = certificate.arcs[a];
     for (const auto& [node, e, i] :
-         {std::tuple{arc.from, 0, std::size_t{0}}, {arc.to, 1, arc.points.size() - 1}}) {
+         {std::tuple{arc.from, std::size_t{0}, std::size_t{0}}, {arc.to, 1, arc.points.size() - 1}}) {
       const std::string place = "$.arcs[" + std::to_string(a) + "]";
       if (node >= certificate.nodes.size()) throw Rejected(place, "names no node");
       if (!is_at(certificate, certificate.nodes[node], arc.ends[e]))

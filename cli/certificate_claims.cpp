@@ -136,7 +136,7 @@ bool enlarge_bound(Json& document, const Rational& factor, const std::string& wh
 
 std::string accepted_text(Json document) {
   for (int trials = 0; trials < 60; ++trials) {
-    const std::string certificate = claims_text(document);
+    std::string certificate = claims_text(document);
     const Rational factor = trials < 20 ? Rational(5, 4) : Rational(4);
     try {
       checker::check_in_doubles(certificate);

@@ -89,7 +89,7 @@ class Cover {
     if (std::string place = place_of(cell, meeting); !place.empty()) return entries_.push_back(place);
     if (depth > 150 || entries_.size() > max_entries) throw NoCertificate("a subdivision that does not end");
     const std::size_t parameter = longest(cell);
-    entries_.push_back(std::string(1, "uvrs"[parameter]));
+    entries_.emplace_back(1, "uvrs"[parameter]);
     add(half_of(cell, parameter, false), meeting, depth + 1);
     add(half_of(cell, parameter, true), meeting, depth + 1);
   }
@@ -119,7 +119,7 @@ class Cover {
       double middle = 0;
       double radius = 0;
       for (std::size_t i = 0; i < 4; ++i) {
-        const double c = checker::number<double>(star.coordinates[j][i]);
+        const auto c = checker::number<double>(star.coordinates[j][i]);
         middle += c * (cell.middle[i] - checker::number<double>(star.at[i]));
         radius += std::abs(c) * cell.half[i];
       }

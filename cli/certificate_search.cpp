@@ -58,9 +58,9 @@ bool contains(const Tube& tube, const Parameters& w) {
 
 class Chain {
  public:
-  Chain(const NearPair& pair, const std::vector<TracedPoint>& points, std::size_t goal, const OnLine& line,
+  Chain(const NearPair& pair, std::vector<TracedPoint> points, std::size_t goal, const OnLine& line,
         std::vector<Tube>& tubes)
-      : pair_(pair), goal_(goal), line_(line), tubes_(tubes), points_(points) {}
+      : pair_(pair), goal_(goal), line_(line), tubes_(tubes), points_(std::move(points)) {}
 
   TracedArc run(std::size_t tube) {
     std::size_t at = 0;

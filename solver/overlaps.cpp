@@ -189,6 +189,7 @@ class OneSurface {
   /// proved, every arc is a chain of its own.
   void add_chains() {
     std::vector<const BoundaryArc*> rim;
+    rim.reserve(boundary_.arcs.size());
     std::vector<int> degree(boundary_.points.size(), 0);
     for (const BoundaryArc& arc : boundary_.arcs) {
       if (arc.kind != BoundaryArcKind::rim) continue;

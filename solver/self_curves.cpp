@@ -59,6 +59,7 @@ class SelfTracing {
  private:
   static std::vector<ParameterBox> boxes_of(const std::vector<SelfStar>& stars) {
     std::vector<ParameterBox> boxes;
+    boxes.reserve(stars.size());
     for (const SelfStar& star : stars) {
       boxes.push_back(star.surroundings);
     }
