@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "pair_rates.h"
 #include "self_chart_trace.h"
+#include "split_pieces.h"
 
 namespace exsect {
 
@@ -24,19 +26,6 @@ BallPoint<Ball> pair_second_rates(Chart chart, const BallPoint<Ball>& p, const B
 }
 
 template <class Ball>
-BallPoint<Ball> box_between(const ChartTube<Ball>& tube, double from, double to) {
-  const double middle = 0.5 * (from + to);
-  // The second term covers the rounding of `middle` and of the difference.
-  const double half =
-      0.5 * std::fabs(to - from) + 0x1p-50 * std::max(std::fabs(from), std::fabs(to)) + 0x1p-1000;
-  BallPoint<Ball> box = point_at(tube, middle);
-  for (std::size_t j = 0; j < 4; ++j) {
-    box[j] = box[j].widened(half * (std::fabs(tube.slope[j]) + tube.slope_error[j]) * (1 + 0x1p-40));
-  }
-  return box;
-}
-
-template <class Ball>
 class ChartTurningSearch {
  public:
   ChartTurningSearch(const Charts<Ball>& charts, ChartTrace<Ball>& trace,
@@ -44,7 +33,7 @@ class ChartTurningSearch {
       : charts_(charts), trace_(trace), coincident_(coincident) {}
 
   std::optional<TraceFailure> run() {
-    if (!split_pieces()) {
+    if (!split()) {
       return failure_;
     }
     for (std::size_t k = 0; k < trace_.pieces.size(); ++k) {
@@ -62,8 +51,6 @@ class ChartTurningSearch {
   }
 
  private:
-  static constexpr int kDeepestSplit = 40;
-
   /// Parameter j of the trace is parameter own(j) of t > 0 in the chart.
   static std::size_t own(const ChartPiece<Ball>& piece, std::size_t j) {
     return piece.exchanged ? (j + 2) % 4 : j;
@@ -95,31 +82,14 @@ class ChartTurningSearch {
     return true;
   }
 
-  bool split_pieces() {
-    std::vector<ChartPiece<Ball>> done;
-    std::vector<std::pair<ChartPiece<Ball>, int>> waiting;
-    for (auto piece = trace_.pieces.rbegin(); piece != trace_.pieces.rend(); ++piece) {
-      waiting.emplace_back(std::move(*piece), 0);
-    }
-    while (!waiting.empty()) {
-      auto [piece, depth] = std::move(waiting.back());
-      waiting.pop_back();
-      if (is_simple(piece)) {
-        done.push_back(std::move(piece));
-        continue;
-      }
-      const double middle = piece.from + 0.4853 * (piece.to - piece.from);
-      const auto first = part(piece, piece.from, middle);
-      const auto second = part(piece, middle, piece.to);
-      if (depth >= kDeepestSplit || !first || !second) {
-        fail(piece, point_at(piece.tube, middle), "two turning points are too close to be separated");
-        return false;
-      }
-      waiting.emplace_back(*second, depth + 1);
-      waiting.emplace_back(*first, depth + 1);
-    }
-    trace_.pieces = std::move(done);
-    return true;
+  bool split() {
+    const auto part_of = [this](const ChartPiece<Ball>& piece, double from, double to) {
+      return part(piece, from, to);
+    };
+    const auto failure =
+        split_pieces(trace_.pieces, std::numeric_limits<std::size_t>::max(), is_simple, part_of);
+    if (failure) fail(failure->piece, point_at(failure->piece.tube, failure->at), failure->why);
+    return !failure;
   }
 
   std::optional<ChartPiece<Ball>> part(const ChartPiece<Ball>& piece, double from, double to) const {

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "parameter_box.h"
+#include "split_pieces.h"
 
 namespace exsect {
 
 namespace {
 
-constexpr int kDeepestSplit = 40;
 /// Pieces of one trace beyond which splitting is given up: a parameter that is nearly constant.
 template <class Ball>
 constexpr std::size_t kMostPieces = 100000;
@@ -55,7 +55,7 @@ class TurningSearch {
       : system_(system), trace_(trace), coincident_(coincident), known_(known) {}
 
   std::variant<TurningPoints<Ball>, TraceFailure> run() {
-    if (!split_pieces()) {
+    if (!split()) {
       return failure_;
     }
     for (std::size_t k = 0; k < trace_.pieces.size(); ++k) {
@@ -80,40 +80,19 @@ class TurningSearch {
 
  private:
   /// Splits every piece until each parameter is monotone or turns at most once on it.
-  bool split_pieces() {
-    std::vector<Piece<Ball>> done;
-    std::vector<std::pair<Piece<Ball>, int>> waiting;
-    for (auto piece = trace_.pieces.rbegin(); piece != trace_.pieces.rend(); ++piece) {
-      waiting.emplace_back(std::move(*piece), 0);
-    }
-    while (!waiting.empty()) {
-      auto [piece, depth] = std::move(waiting.back());
-      waiting.pop_back();
-      bool simple = true;
-      for (std::size_t i = 0; i < 4; ++i) {
-        simple =
-            simple && (known_.constant[i] || is_monotone(piece.tube, i) || turns_at_most_once(piece.tube, i));
-      }
-      if (simple) {
-        done.push_back(std::move(piece));
-        continue;
-      }
-      if (done.size() > kMostPieces<Ball>) {
-        fail(point_at(piece.tube, piece.from), "a parameter is nearly constant along a curve");
-        return false;
-      }
-      const double middle = piece.from + 0.4853 * (piece.to - piece.from);
-      const auto first = part(piece.tube, piece.from, middle);
-      const auto second = part(piece.tube, middle, piece.to);
-      if (depth >= kDeepestSplit || !first || !second) {
-        fail(point_at(piece.tube, middle), "two turning points are too close to be separated");
-        return false;
-      }
-      waiting.emplace_back(*second, depth + 1);
-      waiting.emplace_back(*first, depth + 1);
-    }
-    trace_.pieces = std::move(done);
-    return true;
+  bool split() {
+    const auto is_simple = [this](const Piece<Ball>& piece) {
+      return std::all_of(all_parameters.begin(), all_parameters.end(), [&](Parameter p) {
+        const std::size_t i = index(p);
+        return known_.constant[i] || is_monotone(piece.tube, i) || turns_at_most_once(piece.tube, i);
+      });
+    };
+    const auto part_of = [this](const Piece<Ball>& piece, double from, double to) {
+      return part(piece.tube, from, to);
+    };
+    const auto failure = split_pieces(trace_.pieces, kMostPieces<Ball>, is_simple, part_of);
+    if (failure) fail(point_at(failure->piece.tube, failure->at), failure->why);
+    return !failure;
   }
 
   /// The part of the tube's arc between two offsets, on a tube of its own.
@@ -219,21 +198,11 @@ class TurningSearch {
   }
 
   void record(std::size_t k, std::size_t i, double from, double to) {
-    const Tube<Ball>& tube = trace_.pieces[k].tube;
-    const double middle = 0.5 * (from + to);
-    // The second term covers the rounding of `middle` and of the difference (each below 2^-52 times the
-    // larger end).
-    const double half =
-        0.5 * std::fabs(to - from) + 0x1p-50 * std::max(std::fabs(from), std::fabs(to)) + 0x1p-1000;
-    BallPoint<Ball> box = point_at(tube, middle);
-    for (std::size_t j = 0; j < 4; ++j) {
-      box[j] = box[j].widened(half * (std::fabs(tube.slope[j]) + tube.slope_error[j]) * (1 + 0x1p-40));
-    }
     std::vector<std::size_t> parameters = {i};
     if (coincident_[i] != i) {
       parameters.push_back(coincident_[i]);
     }
-    found_.push_back({parameters, k, from, to, box});
+    found_.push_back({parameters, k, from, to, box_between(trace_.pieces[k].tube, from, to)});
   }
 
   /// Gives the surroundings of an offset on piece k a tube of their own, so short that doubles tell offsets
