@@ -1,39 +1,19 @@
 // Certificates with stars whose points are irrational.
 #include <exsect/geometry/number.h>
 
-#include <map>
-
 #include "certificate_changes.h"
 #include "support/families.h"
+#include "support/graph_patches.h"
 
 namespace exsect {
 namespace {
 
 using namespace certificates;
 using families::Plane;
+using testing::graph;
+using testing::Terms;
 
-/// Coefficients of u^i v^j.
-using Terms = std::map<std::pair<std::size_t, std::size_t>, Rational>;
-
-Terms operator*(const Terms& a, const Terms& b) {
-  Terms product;
-  for (const auto& [i, p] : a)
-    for (const auto& [j, q] : b) product[{i.first + j.first, i.second + j.second}] += p * q;
-  return product;
-}
-Terms operator+(Terms a, const Terms& b) {
-  for (const auto& [i, p] : b) a[i] += p;
-  return a;
-}
-
-/// (u, v, h)
-BezierPatch graph(const Terms& h) {
-  ControlNet c;
-  for (auto& row : c) row.fill(Point{0, 0, 0});
-  c[1][0][0] = c[0][1][1] = 1;
-  for (const auto& [i, p] : h) c[i.first][i.second][2] += p;
-  return BezierPatch::from_power_basis(c);
-}
+/// Added to the height of both patches: the plane patch becomes curved.
 const Terms w = {{{1, 1}, Rational(1, 8)}, {{2, 0}, Rational(1, 16)}, {{0, 2}, Rational(1, 24)}};
 
 /// u + u v / 2 = 1/2 and v = u / 2 + 1/4 meet where u² + 9/2 u = 2.
@@ -154,34 +134,13 @@ TEST_CASE("a star of another number than that of the intersection is rejected") 
 TEST_CASE("no random single change of a certificate with an irrational star is accepted") {
   Generator generator(33);
   INFO("seed 33");
-  for (int k = 0; k < 40; ++k) {
-    Json json = Json::parse(crossing_text());
-    const std::string change = mutate(json, generator, true);
-    INFO(change);
-    REQUIRE(verdict(json.dump()) != "");
-  }
+  reject_changes(crossing_text(), generator, 40);
 }
 
 TEST_CASE("a forged irrational star is rejected, or says the same as the true one") {
-  const Json truth = Json::parse(crossing_text());
   Generator generator(34);
   INFO("seed 34");
-  int rejected = 0;
-  for (int i = 0; i < 40; ++i) {
-    Json json = truth;
-    std::vector<Json*> leaves;
-    collect(json["stars"], leaves, false);
-    Json& leaf = *leaves[below(generator, leaves.size())];
-    const std::string before = leaf.dump();
-    change_leaf(leaf, generator);
-    INFO(i << ": " << before << " changed to " << leaf.dump());
-    seal_again(json);
-    if (verdict(json.dump()) != "")
-      ++rejected;
-    else
-      REQUIRE(json["summary"] == truth["summary"]);
-  }
-  CHECK(rejected > 20);
+  CHECK(rejected_forgeries(crossing_text(), {"stars"}, generator, 40) > 20);
 }
 
 }  // namespace exsect

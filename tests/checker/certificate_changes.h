@@ -8,6 +8,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "certificate_text.h"
 #include "support/catch.h"
@@ -161,6 +163,39 @@ inline void seal_again(Json& json) {
     }
     if (value.is_object()) seal_claim(value, "$." + key);
   }
+}
+
+/// Single random changes of the certificate, seals included, are all rejected.
+inline void reject_changes(const std::string& truth, Generator& generator, int times) {
+  for (int i = 0; i < times; ++i) {
+    Json json = Json::parse(truth);
+    const std::string change = mutate(json, generator, true);
+    INFO(i << ": " << change);
+    REQUIRE(verdict(json.dump()) != "");
+  }
+}
+
+/// Changes single leaves of the claims, of the lists in turn, and makes the seals fit: rejected, or the
+/// summary is the same. Returns how often it was rejected.
+inline int rejected_forgeries(const std::string& text, const std::vector<std::string>& lists,
+                              Generator& generator, int times) {
+  const Json truth = Json::parse(text);
+  int rejected = 0;
+  for (int i = 0; i < times; ++i) {
+    Json json = truth;
+    std::vector<Json*> leaves;
+    collect(json[lists[static_cast<std::size_t>(i) % lists.size()]], leaves, false);
+    Json& leaf = *leaves[below(generator, leaves.size())];
+    const std::string before = leaf.dump();
+    change_leaf(leaf, generator);
+    INFO(i << ": " << before << " changed to " << leaf.dump());
+    seal_again(json);
+    if (verdict(json.dump()) != "")
+      ++rejected;
+    else
+      REQUIRE(json["summary"] == truth["summary"]);
+  }
+  return rejected;
 }
 
 /// After the change, with seals that fit, the certificate is rejected: place and reason begin with `where`.

@@ -19,12 +19,7 @@ TEST_CASE("a point with a free parameter has the certificate of its solutions, a
   });
   Generator generator(33);
   INFO("seed 33");
-  for (int k = 0; k < 20; ++k) {
-    Json json = Json::parse(text);
-    const std::string change = mutate(json, generator, true);
-    INFO(change);
-    REQUIRE(verdict(json.dump()) != "");
-  }
+  reject_changes(text, generator, 20);
 }
 
 TEST_CASE("a common side at two speeds has a certificate with a line of degree 2") {

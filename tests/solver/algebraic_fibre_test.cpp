@@ -5,39 +5,22 @@
 #include <exsect/solver/intersect.h>
 
 #include <algorithm>
-#include <map>
 
 #include "../../solver/critical_values.h"
+#include "renaming_checks.h"
 #include "support/catch.h"
 #include "support/graph_checks.h"
 #include "support/graph_isomorphism.h"
+#include "support/graph_patches.h"
 #include "support/random_pairs.h"
 
 namespace exsect {
 namespace {
 
-/// Coefficients of u^i v^j.
-using Terms = std::map<std::pair<std::size_t, std::size_t>, Rational>;
+using testing::graph;
+using testing::Terms;
 
-Terms operator*(const Terms& a, const Terms& b) {
-  Terms product;
-  for (const auto& [i, p] : a)
-    for (const auto& [j, q] : b) product[{i.first + j.first, i.second + j.second}] += p * q;
-  return product;
-}
-Terms operator+(Terms a, const Terms& b) {
-  for (const auto& [i, p] : b) a[i] += p;
-  return a;
-}
-
-/// (u, v, h) after adding w to the height of both patches: the plane patch becomes curved.
-BezierPatch graph(const Terms& h) {
-  ControlNet c;
-  for (auto& row : c) row.fill(Point{0, 0, 0});
-  c[1][0][0] = c[0][1][1] = 1;
-  for (const auto& [i, p] : h) c[i.first][i.second][2] += p;
-  return BezierPatch::from_power_basis(c);
-}
+/// Added to the height of both patches: the plane patch becomes curved.
 const Terms w = {{{1, 1}, 1}, {{2, 0}, Rational(1, 2)}, {{0, 2}, Rational(1, 3)}};
 
 /// u v = 1/8 and u + v = 1 meet in (1 ± 1/√2)/2.
@@ -65,14 +48,6 @@ void check_nodes(const IntersectionGraph& graph, NodeKind kind) {
     const auto f = [](const Rational& t) { return Rational(8 * t * t - 8 * t + 1); };
     CHECK(f(node.box[0].lower) * f(node.box[0].upper) <= 0);
   }
-}
-
-IntersectResult check_complete(const BezierPatch& x, const BezierPatch& y) {
-  IntersectResult result = intersect(x, y);
-  for (const Incomplete& region : result.incomplete) UNSCOPED_INFO(region.why);
-  CHECK(result.status == Status::complete);
-  CHECK(unsound(x, y, result) == "");
-  return result;
 }
 
 }  // namespace
@@ -141,7 +116,7 @@ TEST_CASE("touch points and crossings that are irrational in all parameters") {
     for (const bool curved : {false, true}) {
       const BezierPatch x = graph(curved ? h + w : h);
       const BezierPatch y = graph(curved ? w : Terms{});
-      const IntersectResult result = check_complete(x, y);
+      const IntersectResult result = complete_intersection(x, y);
       check_nodes(result.graph, kind);
       CHECK(result.graph.isolated_points.size() == (kind == NodeKind::touch ? 2U : 0U));
     }
@@ -152,13 +127,15 @@ TEST_CASE("irrational crossings keep under exchange, reversal and affine maps") 
   random_pairs::Generator generator(9);
   const BezierPatch x = graph(hyperbola * line + w);
   const BezierPatch y = graph(w);
-  const IntersectResult result = check_complete(x, y);
-  CHECK(difference(result.graph, check_complete(y, x).graph, {{2, 3, 0, 1}, {}}, 1e-3) == "");
-  CHECK(difference(result.graph, check_complete(x.exchanged(), y).graph, {{1, 0, 2, 3}, {}}, 1e-3) == "");
-  CHECK(difference(result.graph, check_complete(x, y.reversed_second()).graph,
+  const IntersectResult result = complete_intersection(x, y);
+  CHECK(difference(result.graph, complete_intersection(y, x).graph, {{2, 3, 0, 1}, {}}, 1e-3) == "");
+  CHECK(difference(result.graph, complete_intersection(x.exchanged(), y).graph, {{1, 0, 2, 3}, {}}, 1e-3) ==
+        "");
+  CHECK(difference(result.graph, complete_intersection(x, y.reversed_second()).graph,
                    {{0, 1, 2, 3}, {false, false, false, true}}, 1e-3) == "");
   const random_pairs::AffineMap map = random_pairs::affine_map(generator);
-  CHECK(difference(result.graph, check_complete(map(x), map(y)).graph, {{0, 1, 2, 3}, {}}, 1e-3) == "");
+  CHECK(difference(result.graph, complete_intersection(map(x), map(y)).graph, {{0, 1, 2, 3}, {}}, 1e-3) ==
+        "");
 }
 
 }  // namespace exsect

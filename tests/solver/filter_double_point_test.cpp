@@ -10,6 +10,7 @@
 #include "support/families.h"
 #include "support/graph_checks.h"
 #include "support/graph_isomorphism.h"
+#include "support/graph_patches.h"
 #include "support/random_pairs.h"
 
 namespace exsect {
@@ -20,7 +21,7 @@ using random_pairs::integer;
 using random_pairs::Pair;
 
 /// c[i][j] belongs to X^i Y^j.
-using Quadratic = std::array<std::array<Rational, 3>, 3>;
+using Quadratic = testing::HeightCoefficients;
 
 Quadratic product(const std::array<Rational, 3>& a, const std::array<Rational, 3>& b) {
   Quadratic c{};  // of p + q X + r Y
@@ -41,12 +42,7 @@ Quadratic sum(const Quadratic& a, const Rational& factor, const Quadratic& b) {
 }
 
 BezierPatch graph(const Quadratic& f, const Rational& from, const Rational& to) {
-  ControlNet c{};
-  c[1][0] = {1, 0, 0};
-  c[0][1] = {0, 1, 0};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) c[i][j][2] = f[i][j];
-  return BezierPatch::from_power_basis(c).restricted_to(from, to, from, to);
+  return testing::graph_patch(f).restricted_to(from, to, from, to);
 }
 
 Rational sixteenths(Generator& generator, long largest) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/catch.h"
+#include "support/graph_checks.h"
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 
@@ -23,6 +24,15 @@ inline BezierPatch power(const std::vector<std::pair<std::pair<std::size_t, std:
 inline void check_complete(const IntersectResult& result) {
   for (const Incomplete& region : result.incomplete) UNSCOPED_INFO(region.why);
   CHECK(result.status == Status::complete);
+}
+
+/// intersect(), which must be complete and sound.
+inline IntersectResult complete_intersection(const BezierPatch& x, const BezierPatch& y,
+                                             const IntersectOptions& options = {}) {
+  IntersectResult result = intersect(x, y, options);
+  check_complete(result);
+  CHECK(unsound(x, y, result) == "");
+  return result;
 }
 
 /// The pair's graph is the same, up to renaming, with patches and parameters exchanged, reversed, and mapped

@@ -3,6 +3,9 @@
 
 #include <exsect/geometry/bezier_patch.h>
 
+#include <map>
+#include <utility>
+
 namespace exsect::testing {
 
 /// h[i][j] multiplies u^i v^j.
@@ -18,6 +21,28 @@ inline BezierPatch graph_patch(const HeightCoefficients& h) {
   c[1][0][0] = 1;
   c[0][1][1] = 1;
   return BezierPatch::from_power_basis(c);
+}
+
+/// A polynomial by its coefficients of u^i v^j.
+struct Terms : std::map<std::pair<std::size_t, std::size_t>, Rational> {
+  using map::map;
+};
+inline Terms operator*(const Terms& a, const Terms& b) {
+  Terms product;
+  for (const auto& [i, p] : a)
+    for (const auto& [j, q] : b) product[{i.first + j.first, i.second + j.second}] += p * q;
+  return product;
+}
+inline Terms operator+(Terms a, const Terms& b) {
+  for (const auto& [i, p] : b) a[i] += p;
+  return a;
+}
+
+/// (u, v, h), of degree two at most in each parameter.
+inline BezierPatch graph(const Terms& h) {
+  HeightCoefficients heights{};
+  for (const auto& [i, p] : h) heights[i.first][i.second] += p;
+  return graph_patch(heights);
 }
 
 /// origin + u first + v second.
