@@ -43,8 +43,9 @@ BallPoint<Ball> box_of(const ChartTube<Ball>& tube) {
 template <class Ball>
 class ChartTracer {
  public:
-  ChartTracer(const Charts<Ball>& charts, const std::vector<CuspArc<Ball>>& cusps, int start)
-      : charts_(charts), cusps_(cusps) {
+  ChartTracer(const Charts<Ball>& charts, const std::vector<CuspArc<Ball>>& cusps, int start,
+              const StopRequest& stop)
+      : charts_(charts), cusps_(cusps), stop_(stop) {
     const CuspArc<Ball>& cusp = cusps[static_cast<std::size_t>(start)];
     const double half = 0.5 * cusp.gate_w;
     trace_.start = start;
@@ -57,7 +58,7 @@ class ChartTracer {
 
   ChartTrace<Ball> run() {
     while (extend_ && trace_.pieces.size() < kMostPieces && !(position_[3] - Ball(kHandOver)).is_positive()) {
-      if (reached_cusp() || !advance()) {
+      if (is_stopped(stop_) || reached_cusp() || !advance()) {
         break;
       }
       switch_chart();
@@ -176,6 +177,7 @@ class ChartTracer {
 
   const Charts<Ball>& charts_;
   const std::vector<CuspArc<Ball>>& cusps_;
+  const StopRequest& stop_;
   ChartTrace<Ball> trace_;
   Chart chart_;
   bool exchanged_ = false;
@@ -189,8 +191,8 @@ class ChartTracer {
 
 template <class Ball>
 ChartTrace<Ball> trace_from_cusp(const Charts<Ball>& charts, const std::vector<CuspArc<Ball>>& cusps,
-                                 int start) {
-  return ChartTracer<Ball>(charts, cusps, start).run();
+                                 int start, const StopRequest& stop) {
+  return ChartTracer<Ball>(charts, cusps, start, stop).run();
 }
 
 template <class Ball>
@@ -202,8 +204,9 @@ bool passes_through(const ChartTrace<Ball>& trace, Chart chart, const BallPoint<
   });
 }
 
-#define EXSECT_INSTANTIATE_CHART_TRACE(Ball)                                                              \
-  template ChartTrace<Ball> trace_from_cusp(const Charts<Ball>&, const std::vector<CuspArc<Ball>>&, int); \
+#define EXSECT_INSTANTIATE_CHART_TRACE(Ball)                                                             \
+  template ChartTrace<Ball> trace_from_cusp(const Charts<Ball>&, const std::vector<CuspArc<Ball>>&, int, \
+                                            const StopRequest&);                                         \
   template bool passes_through(const ChartTrace<Ball>&, Chart, const BallPoint<Ball>&);
 
 EXSECT_INSTANTIATE_CHART_TRACE(DoubleBall)

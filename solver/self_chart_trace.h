@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "self_cusp_arc.h"
+#include "stop_request.h"
 #include "tracer.h"
 
 namespace exsect {
@@ -62,17 +63,18 @@ struct ChartTrace {
 };
 
 /// Follows the curve from cusps[start] until the pairs are well apart, near the boundary of the domain, or
-/// another cuspidal point is reached.
+/// another cuspidal point is reached, or it must stop.
 template <class Ball>
 ChartTrace<Ball> trace_from_cusp(const Charts<Ball>& charts, const std::vector<CuspArc<Ball>>& cusps,
-                                 int start);
+                                 int start, const StopRequest& stop);
 
 /// Finds all turning points of the trace; splits its pieces where that is needed for the proof. `coincident`
 /// as in find_turning_points(). Fails where a turning point cannot be separated from another one or from the
-/// gate.
+/// gate, and where it must stop.
 template <class Ball>
 std::optional<TraceFailure> find_chart_turning_points(const Charts<Ball>& charts, ChartTrace<Ball>& trace,
-                                                      const std::array<std::size_t, 4>& coincident);
+                                                      const std::array<std::size_t, 4>& coincident,
+                                                      const StopRequest& stop);
 
 /// True only if the point of the chart `chart`, known to be on the curve, is on the trace.
 template <class Ball>

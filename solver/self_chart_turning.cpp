@@ -29,8 +29,8 @@ template <class Ball>
 class ChartTurningSearch {
  public:
   ChartTurningSearch(const Charts<Ball>& charts, ChartTrace<Ball>& trace,
-                     const std::array<std::size_t, 4>& coincident)
-      : charts_(charts), trace_(trace), coincident_(coincident) {}
+                     const std::array<std::size_t, 4>& coincident, const StopRequest& stop)
+      : charts_(charts), trace_(trace), coincident_(coincident), stop_(stop) {}
 
   std::optional<TraceFailure> run() {
     if (!split()) {
@@ -38,10 +38,8 @@ class ChartTurningSearch {
     }
     for (std::size_t k = 0; k < trace_.pieces.size(); ++k) {
       const std::size_t before = trace_.turning.size();
-      for (std::size_t j = 0; j < 4 && !trace_.pieces[k].monotone; ++j) {
-        if ((j < 2 || coincident_[j] == j) && !search(k, j)) {
-          return failure_;
-        }
+      if (!trace_.pieces[k].monotone && !search(k)) {
+        return failure_;
       }
       if (!order(before)) {
         return failure_;
@@ -113,28 +111,42 @@ class ChartTurningSearch {
                             (end[axis] - tube->centre[axis]).approximation()};
   }
 
-  /// The sign of the derivative of parameter j with respect to the tube's offset.
-  int rate_sign(const ChartPiece<Ball>& piece, double tau, std::size_t j) const {
+  /// The signs of the derivatives of the parameters with respect to the tube's offset.
+  std::array<int, 4> rate_signs(const ChartPiece<Ball>& piece, double tau) const {
     const BallPoint<Ball> p = point_at(piece.tube, tau);
     if (!p[3].is_positive()) {
-      return 0;
+      return {};
     }
     const BallPoint<Ball> tangent = tangent_at(chart_of(charts_, piece.chart), p);
-    return pair_rates(piece.chart, p, tangent)[own(piece, j)].certain_sign() *
-           tangent[piece.tube.axis].certain_sign();
+    const BallPoint<Ball> rates = pair_rates(piece.chart, p, tangent);
+    const int along = tangent[piece.tube.axis].certain_sign();
+    std::array<int, 4> signs;
+    for (std::size_t j = 0; j < 4; ++j) {
+      signs[j] = rates[own(piece, j)].certain_sign() * along;
+    }
+    return signs;
   }
 
-  bool search(std::size_t k, std::size_t j) {
-    const ChartPiece<Ball>& piece = trace_.pieces[k];
-    const int first = rate_sign(piece, piece.from, j);
-    const int last = rate_sign(piece, piece.to, j);
-    if (first == 0 || last == 0) {
-      fail(piece, point_at(piece.tube, first == 0 ? piece.from : piece.to),
-           "a turning point cannot be separated from the end of a step");
+  bool search(std::size_t k) {
+    const ChartPiece<Ball> piece = trace_.pieces[k];
+    if (is_stopped(stop_)) {
+      fail(piece, point_at(piece.tube, piece.from), "the work cap was reached");
       return false;
     }
-    if (first != last) {
-      bracket(k, j, first);
+    const std::array<int, 4> first = rate_signs(piece, piece.from);
+    const std::array<int, 4> last = rate_signs(piece, piece.to);
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (j >= 2 && coincident_[j] != j) {
+        continue;
+      }
+      if (first[j] == 0 || last[j] == 0) {
+        fail(piece, point_at(piece.tube, first[j] == 0 ? piece.from : piece.to),
+             "a turning point cannot be separated from the end of a step");
+        return false;
+      }
+      if (first[j] != last[j]) {
+        bracket(k, j, first[j]);
+      }
     }
     return true;
   }
@@ -147,7 +159,7 @@ class ChartTurningSearch {
     for (const double fraction : {0.5, 0.4853}) {
       for (int i = 0; i < 60; ++i) {
         const double middle = from + fraction * (to - from);
-        const int sign = rate_sign(piece, middle, j);
+        const int sign = rate_signs(piece, middle)[j];
         if (sign == 0 || middle == from || middle == to) {
           break;
         }
@@ -192,6 +204,7 @@ class ChartTurningSearch {
   const Charts<Ball>& charts_;
   ChartTrace<Ball>& trace_;
   const std::array<std::size_t, 4>& coincident_;
+  const StopRequest& stop_;
   TraceFailure failure_;
 };
 
@@ -199,13 +212,14 @@ class ChartTurningSearch {
 
 template <class Ball>
 std::optional<TraceFailure> find_chart_turning_points(const Charts<Ball>& charts, ChartTrace<Ball>& trace,
-                                                      const std::array<std::size_t, 4>& coincident) {
-  return ChartTurningSearch<Ball>(charts, trace, coincident).run();
+                                                      const std::array<std::size_t, 4>& coincident,
+                                                      const StopRequest& stop) {
+  return ChartTurningSearch<Ball>(charts, trace, coincident, stop).run();
 }
 
-#define EXSECT_INSTANTIATE_CHART_TURNING(Ball)                                                           \
-  template std::optional<TraceFailure> find_chart_turning_points(const Charts<Ball>&, ChartTrace<Ball>&, \
-                                                                 const std::array<std::size_t, 4>&);
+#define EXSECT_INSTANTIATE_CHART_TURNING(Ball)                    \
+  template std::optional<TraceFailure> find_chart_turning_points( \
+      const Charts<Ball>&, ChartTrace<Ball>&, const std::array<std::size_t, 4>&, const StopRequest&);
 
 EXSECT_INSTANTIATE_CHART_TURNING(DoubleBall)
 EXSECT_INSTANTIATE_CHART_TURNING(ArbBall<256>)

@@ -77,7 +77,7 @@ class NearCusps {
       if (joined[k]) {
         continue;
       }
-      traces.push_back(trace_from_cusp(system_.charts, result_.cusps, static_cast<int>(k)));
+      traces.push_back(trace_from_cusp(system_.charts, result_.cusps, static_cast<int>(k), stop_));
       if (traces.back().end >= 0) {
         joined[k] = joined[static_cast<std::size_t>(traces.back().end)] = true;
       }
@@ -86,7 +86,7 @@ class NearCusps {
       if (trace.end < 0 && joined[static_cast<std::size_t>(trace.start)]) {
         continue;
       }
-      if (const auto failure = find_chart_turning_points(system_.charts, trace, exact_.coincident)) {
+      if (const auto failure = find_chart_turning_points(system_.charts, trace, exact_.coincident, stop_)) {
         problem(around(failure->where), failure->why);
         return;
       }
