@@ -70,4 +70,10 @@ bool takes_value(const ExactParameters& exact, std::size_t j, const RealAlgebrai
   return sign_at(sum, exact.at) == 0;
 }
 
+bool agree(const ExactParameters& exact, std::size_t j) {
+  return sign_at(
+             exact.numerator[j] * exact.denominator[j + 2] - exact.numerator[j + 2] * exact.denominator[j],
+             exact.at) == 0;
+}
+
 }  // namespace exsect

@@ -17,4 +17,7 @@ CertifiedPoint certified(ExactParameters exact, const std::vector<Side>& sides);
 /// True only if parameter j of the point is this number.
 bool takes_value(const ExactParameters& exact, std::size_t j, const RealAlgebraic& value);
 
+/// Parameters j and j + 2 are the same number.
+bool agree(const ExactParameters& exact, std::size_t j);
+
 }  // namespace exsect

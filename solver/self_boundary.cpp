@@ -12,6 +12,7 @@
 
 #include "boundary_lines.h"
 #include "exact_line_points.h"
+#include "exact_source.h"
 #include "line_curve.h"
 #include "line_place.h"
 #include "line_point.h"
@@ -158,13 +159,18 @@ bool on_one_side(const CertifiedPoint& point) {
   });
 }
 
-/// u1 = u2 and v1 = v2, exactly or (`possible`) as far as the box tells.
-bool equal_parameters(const CertifiedPoint& point, bool possible) {
+bool is_rational(const ParameterBox& box) {
+  return std::ranges::all_of(box, [](const RationalInterval& range) { return range.width() == 0; });
+}
+
+/// u1 = u2 and v1 = v2; empty if that cannot be told.
+std::optional<bool> is_equal_pair(const CertifiedPoint& point) {
   const ParameterBox& box = point.box();
-  return std::ranges::all_of(std::array<std::size_t, 2>{0, 1}, [&](std::size_t j) {
-    const bool exact = box[j].width() == 0 && box[j + 2].width() == 0;
-    return (exact || possible) && box[j].lower <= box[j + 2].upper && box[j + 2].lower <= box[j].upper;
-  });
+  if (!meet({box[0], box[1], box[0], box[1]}, {box[2], box[3], box[2], box[3]})) return false;
+  if (is_rational(box)) return true;
+  const std::optional<ExactParameters> exact = point.exact();
+  if (!exact) return std::nullopt;
+  return agree(*exact, 0) && agree(*exact, 1);
 }
 
 /// The boundary of a patch of which a side lies on it in part. Arcs with both points on one side are that
@@ -178,12 +184,12 @@ class GluedBoundary {
     if (!lines_.incomplete.empty() || collapsed) return std::nullopt;
     for (const CertifiedPoint& point : lines_.points) {
       new_index_.push_back(result_.points.size());
-      if (!equal_parameters(point, true))
-        result_.points.push_back(point);
-      else if (!equal_parameters(point, false))
-        return std::nullopt;
-      else
+      const std::optional<bool> equal = is_equal_pair(point);
+      if (!equal) return std::nullopt;
+      if (*equal)
         new_index_.back() = lines_.points.size();  // no pair
+      else
+        result_.points.push_back(point);
     }
     separate(result_.points);
     find_mates(result_);
@@ -197,6 +203,8 @@ class GluedBoundary {
       if (!on_one_side(arc.inside)) arcs.push_back(&arc);
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       if (!is_pair(arcs[i]->from) && !is_pair(arcs[i]->to)) return false;
+      for (const std::size_t end : {arcs[i]->from, arcs[i]->to})
+        if (!is_pair(end) && !is_rational(lines_.points[end].box())) return false;
       std::vector<std::size_t> mates;
       for (std::size_t k = 0; k < arcs.size(); ++k)
         if (are_exchanged(*arcs[i], *arcs[k])) mates.push_back(k);

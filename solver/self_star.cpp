@@ -11,6 +11,7 @@
 #include "model_scale.h"
 #include "parameter_box.h"
 #include "self_chart.h"
+#include "self_glued_fold.h"
 #include "self_star_centres.h"
 #include "self_star_proof.h"
 
@@ -28,6 +29,7 @@ class SelfStarSearch {
         system_(problem.x, problem.x, scale_.origin, scale_.frame.exponent) {}
 
   std::vector<SelfStar> run() {
+    for (const GluedFold& fold : glued_folds(problem_.x)) add(fold);
     const double first = std::clamp(8 * problem_.tolerance, 0x1p-36, 0x1p-5);
     const std::vector<SelfCentre> centres =
         self_star_centres(problem_.x, problem_.boundary, problem_.where, problem_.values);
@@ -43,6 +45,16 @@ class SelfStarSearch {
       return meet(star.star.box, centre.point.box()) ||
              meet(star.star.box, exchanged_pair(centre.point.box()));
     });
+  }
+
+  /// As large as its straight arcs may be without layers.
+  void add(const GluedFold& fold) {
+    for (Rational halfwidth = power_of_two(-5); halfwidth >= power_of_two(-60); halfwidth /= 2) {
+      auto star = glued_fold_star(problem_, fold, halfwidth);
+      if (!star || !is_disjoint(*star) || !arcs_keep_tolerance(star->star)) continue;
+      stars_.push_back(*std::move(star));
+      return;
+    }
   }
 
   /// The sweep with the widest slab first, whatever the parameters are called: the searches around the star

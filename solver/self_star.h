@@ -43,7 +43,8 @@ struct SelfStarProblem {
 
 /// Stars with disjoint boxes, in either order of the pairs, around rational cuspidal points, the points of
 /// folded parameter lines at which both tangent planes agree, rational multiple points of fibres, and
-/// boundary points over rational values. Centres for which no star can be proved are left out.
+/// boundary points over rational values, and where a folded line ends in glued sides. Centres for which no
+/// star can be proved are left out.
 std::vector<SelfStar> self_stars(const SelfStarProblem& problem);
 
 }  // namespace exsect

@@ -46,8 +46,10 @@ class AlgebraicPair : public CertifiedPoint::Source {
   std::array<RealAlgebraic, 4> value_;
 };
 
-CertifiedPoint certified(const std::array<RealAlgebraic, 4>& value) {
-  return {std::make_shared<AlgebraicPair>(value), power_of_two(-100), sides_at(value), 0, 0};
+bool may_be(const ParameterBox& box, const std::array<RealAlgebraic, 4>& value) {
+  for (std::size_t j = 0; j < 4; ++j)
+    if (value[j].compare(box[j].lower) < 0 || value[j].compare(box[j].upper) > 0) return false;
+  return true;
 }
 
 class CentreSearch {
@@ -88,7 +90,7 @@ class CentreSearch {
       for (const Rational& v : rational(values_.cuspidal[1])) {
         if (!is_zero(cross(x_.derivative_first(u, v), x_.derivative_second(u, v)))) continue;
         const std::array<RealAlgebraic, 4> value = {u, v, u, v};
-        const CertifiedPoint point = certified(value);
+        const CertifiedPoint point = certified_pair(value);
         if (is_near(point.box())) centres_.push_back({point, value, true, {0, 1}, {}, {}});
       }
   }
@@ -116,7 +118,7 @@ class CentreSearch {
     std::array<RealAlgebraic, 4> value = {c, c, c, c};
     value[along] = t;
     value[along + 2] = t.is_rational() ? RealAlgebraic(2 * turn - t.rational()) : value_at(other, at);
-    const CertifiedPoint point = certified(value);
+    const CertifiedPoint point = certified_pair(value);
     if (!is_near(point.box())) return;
     SelfCentre centre = {point, value, false, {along}, landmark(value), {}};
     if (!t.is_rational()) {
@@ -141,7 +143,7 @@ class CentreSearch {
     if (!exact || ((*exact)[0] == (*exact)[2] && (*exact)[1] == (*exact)[3])) return;
     const std::array<RealAlgebraic, 4> value = {(*exact)[0], (*exact)[1], (*exact)[2], (*exact)[3]};
     const bool known = std::ranges::any_of(centres_, [&](const SelfCentre& c) { return c.value == value; });
-    if (!known) centres_.push_back({certified(value), value, false, {0, 1}, landmark(value), {}});
+    if (!known) centres_.push_back({certified_pair(value), value, false, {0, 1}, landmark(value), {}});
   }
 
   void add_multiple(std::size_t sweep) {
@@ -197,26 +199,8 @@ class CentreSearch {
     if (is_near(point.box())) centres_.push_back({point, value, false, {sweep}, landmark(value), projection});
   }
 
-  /// The boundary points are all pairs on sides but those with no side on which one point alone lies.
   std::optional<std::size_t> landmark(const std::array<RealAlgebraic, 4>& value) const {
-    const std::vector<Side> sides = sides_at(value);
-    const bool listed = std::ranges::any_of(sides, [&](const Side& side) {
-      const auto other = static_cast<Parameter>((index(side.parameter) + 2) % 4);
-      return std::ranges::count(sides, Side{other, side.value}) == 0;
-    });
-    if (!listed) return std::nullopt;
-    for (Rational width = power_of_two(-60);; width *= width) {
-      std::vector<std::size_t> found;
-      for (std::size_t i = 0; i < boundary_.size(); ++i)
-        if (may_be(boundary_[i].refined_to(width).box(), value)) found.push_back(i);
-      if (found.size() < 2) return found.empty() ? std::nullopt : std::optional(found.front());
-    }
-  }
-
-  static bool may_be(const ParameterBox& box, const std::array<RealAlgebraic, 4>& value) {
-    for (std::size_t j = 0; j < 4; ++j)
-      if (value[j].compare(box[j].lower) < 0 || value[j].compare(box[j].upper) > 0) return false;
-    return true;
+    return boundary_point(boundary_, value);
   }
 
   const BezierPatch& x_;
@@ -228,6 +212,26 @@ class CentreSearch {
 };
 
 }  // namespace
+
+CertifiedPoint certified_pair(const std::array<RealAlgebraic, 4>& value) {
+  return {std::make_shared<AlgebraicPair>(value), power_of_two(-100), sides_at(value), 0, 0};
+}
+
+std::optional<std::size_t> boundary_point(const std::vector<CertifiedPoint>& boundary,
+                                          const std::array<RealAlgebraic, 4>& value) {
+  const std::vector<Side> sides = sides_at(value);
+  const bool listed = std::ranges::any_of(sides, [&](const Side& side) {
+    const auto other = static_cast<Parameter>((index(side.parameter) + 2) % 4);
+    return std::ranges::count(sides, Side{other, side.value}) == 0;
+  });
+  if (!listed) return std::nullopt;
+  for (Rational width = power_of_two(-60);; width *= width) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < boundary.size(); ++i)
+      if (may_be(boundary[i].refined_to(width).box(), value)) found.push_back(i);
+    if (found.size() < 2) return found.empty() ? std::nullopt : std::optional(found.front());
+  }
+}
 
 bool is_only_root(const SelfCentre& centre, const ParameterBox& box) {
   const std::size_t sweep = centre.sweeps.front();

@@ -26,6 +26,14 @@ struct SelfCentre {
   std::optional<BivariatePolynomial> projection;
 };
 
+/// The pair with these parameters; within 2^-100.
+CertifiedPoint certified_pair(const std::array<RealAlgebraic, 4>& value);
+
+/// Which of the boundary points of the patch the pair is, if any. They are all pairs on sides but those with
+/// no side on which one point alone lies.
+std::optional<std::size_t> boundary_point(const std::vector<CertifiedPoint>& boundary,
+                                          const std::array<RealAlgebraic, 4>& value);
+
 /// Requires SelfCentre::projection: over the centre's value the box holds no other pair.
 bool is_only_root(const SelfCentre& centre, const ParameterBox& box);
 

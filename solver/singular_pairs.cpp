@@ -78,12 +78,6 @@ bool is_in_square(const ExactParameters& pair) {
   return true;
 }
 
-/// Parameters j and j + 2 agree.
-bool agree(const ExactParameters& pair, std::size_t j) {
-  return sign_at(pair.numerator[j] * pair.denominator[j + 2] - pair.numerator[j + 2] * pair.denominator[j],
-                 pair.at) == 0;
-}
-
 }  // namespace
 
 std::vector<TurningPair> turning_pairs_over(const BezierPatch& x, const SelfProjection& projection,
