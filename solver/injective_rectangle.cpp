@@ -246,17 +246,6 @@ class InjectivityProof {
   int tests_ = 0;
 };
 
-bool cuspidal_side(const BezierPatch& x, std::size_t fixed, int value) {
-  // x_u x x_v has degree 3 along the side.
-  for (int k = 0; k <= 3; ++k) {
-    const Rational t(k, 3);
-    const Rational u = fixed == 0 ? Rational(value) : t;
-    const Rational v = fixed == 0 ? t : Rational(value);
-    if (!is_zero(exsect::cross(x.derivative_first(u, v), x.derivative_second(u, v)))) return false;
-  }
-  return true;
-}
-
 RationalInterval from_end(int value, const Rational& width) {
   return value == 0 ? RationalInterval{0, width} : RationalInterval{1 - width, 1};
 }
@@ -272,6 +261,17 @@ bool is_injective(const BezierPatch& x, const ParameterRectangle& where) {
 
 bool is_collapsed_side(const BezierPatch& x, std::size_t fixed, int value) {
   return is_collapsed(side_points(x.net(), fixed, static_cast<std::size_t>(value)));
+}
+
+bool is_cuspidal_side(const BezierPatch& x, std::size_t fixed, int value) {
+  // x_u x x_v has degree 3 along the side.
+  for (int k = 0; k <= 3; ++k) {
+    const Rational t(k, 3);
+    const Rational u = fixed == 0 ? Rational(value) : t;
+    const Rational v = fixed == 0 ? t : Rational(value);
+    if (!is_zero(exsect::cross(x.derivative_first(u, v), x.derivative_second(u, v)))) return false;
+  }
+  return true;
 }
 
 bool InjectiveRectangles::along(std::size_t fixed, int value) const {
@@ -296,7 +296,7 @@ InjectiveRectangles injective_rectangles(const BezierPatch& x) {
         const RationalInterval across = from_end(value, width);
         return fixed == 0 ? ParameterRectangle{across, {0, 1}} : ParameterRectangle{{0, 1}, across};
       };
-      if (cuspidal_side(x, static_cast<std::size_t>(fixed), value) && add(strip))
+      if (is_cuspidal_side(x, static_cast<std::size_t>(fixed), value) && add(strip))
         result.along_sides.push_back({fixed, value});
     }
   for (const int u : {0, 1})

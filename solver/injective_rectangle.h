@@ -33,4 +33,7 @@ struct InjectiveRectangles {
 };
 InjectiveRectangles injective_rectangles(const BezierPatch& x);
 
+/// x_u x x_v = 0 all along the side.
+bool is_cuspidal_side(const BezierPatch& x, std::size_t fixed, int value);
+
 }  // namespace exsect

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "injective_rectangle.h"
 #include "parameter_box.h"
 #include "self_chart.h"
 #include "self_pairs.h"
@@ -22,7 +23,11 @@ SelfStarProof::SelfStarProof(const SelfStarProblem& problem, const SelfCentre& c
       known_(problem.values),
       centre_(centre),
       sweep_(sweep),
-      at_(centre.value[sweep].refined_to(power_of_two(-100))) {}
+      at_(centre.value[sweep].refined_to(power_of_two(-100))) {
+  for (const std::size_t fixed : {0, 1})
+    for (const int value : {0, 1})
+      if (is_cuspidal_side(problem.x, fixed, value)) cuspidal_sides_.emplace_back(fixed, value);
+}
 
 std::optional<SelfStar> SelfStarProof::run(double halfwidth) {
   if (!known_.turning[sweep_] || !bound_slab()) return std::nullopt;
@@ -104,14 +109,15 @@ void SelfStarProof::set_box(double halfwidth, double slab) {
   };
   for (std::size_t j = 0; j < 4; ++j) box_[j] = range(j, j == sweep_ ? slab : halfwidth);
   const bool on_side = at_.compare(0) == 0 || at_.compare(1) == 0;
-  from_side_ = centre_.cuspidal && on_side && !has_folded_line(problem_.x, sweep_, box_[sweep_]);
+  from_side_ = centre_.cuspidal && on_side &&
+               !has_folded_line(problem_.x, sweep_, box_[sweep_], hull(box_[1 - sweep_], box_[3 - sweep_]));
   if (from_side_) box_[sweep_ + 2] = box_[sweep_];
 }
 
 /// The centre is the only pair of the box over its value of the sweep parameter and the only isolated one
 /// on a side; a cuspidal one is the only cuspidal point, any other box holds none.
 bool SelfStarProof::is_alone() const {
-  if (!lies_in(centre_.point.box(), box_)) return false;
+  if (!lies_in(centre_.point.box(), box_) || meets_cuspidal_side()) return false;
   for (std::size_t i = 0; i < problem_.boundary.size(); ++i)
     if (i != centre_.landmark && meet(problem_.boundary[i].box(), box_)) return false;
   if (centre_.cuspidal) {
@@ -126,6 +132,15 @@ bool SelfStarProof::is_alone() const {
   return pairs && pairs->size() == 1;
 }
 
+/// Where cuspidal points are not isolated.
+bool SelfStarProof::meets_cuspidal_side() const {
+  return std::ranges::any_of(cuspidal_sides_, [&](const auto& side) {
+    return std::ranges::any_of(std::array{side.first, side.first + 2}, [&](std::size_t j) {
+      return box_[j].lower <= side.second && side.second <= box_[j].upper;
+    });
+  });
+}
+
 /// Of the box, over the centre's value.
 std::optional<std::size_t> SelfStarProof::cuspidal_points_on_line() const {
   const RationalInterval& a = box_[1 - sweep_];
@@ -138,9 +153,7 @@ std::optional<std::size_t> SelfStarProof::cuspidal_points_on_line() const {
 std::optional<std::size_t> SelfStarProof::orientation() const {
   if (from_side_) return sweep_;
   for (const std::size_t k : {0, 1}) {
-    const RationalInterval range = {std::min(box_[k].lower, box_[k + 2].lower),
-                                    std::max(box_[k].upper, box_[k + 2].upper)};
-    if (!has_folded_line(problem_.x, k, range)) return k;
+    if (!has_folded_line(problem_.x, k, hull(box_[k], box_[k + 2]), hull(box_[1 - k], box_[3 - k]))) return k;
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "self_star.h"
@@ -34,6 +35,7 @@ class SelfStarProof {
   double largest_slab(double halfwidth) const;
   void set_box(double halfwidth, double slab);
   bool is_alone() const;
+  bool meets_cuspidal_side() const;
   std::optional<std::size_t> cuspidal_points_on_line() const;
   std::optional<std::size_t> orientation() const;
   bool lateral_faces_are_free() const;
@@ -51,6 +53,7 @@ class SelfStarProof {
   Rational slab_room_;
   ParameterBox box_;
   bool from_side_ = false;
+  std::vector<std::pair<std::size_t, int>> cuspidal_sides_;  // u (0) or v (1), and its value there
 };
 
 }  // namespace exsect

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "injective_rectangle.h"
+
 namespace exsect {
 namespace {
 
@@ -47,6 +49,25 @@ Polynomial content(const Form& f) {
 
 Form without_content(const Form& f) { return exact_quotient(f, Form({content(f)})); }
 
+/// r or s (fixed: 0 or 1) minus the value of a side.
+Form side_form(std::size_t fixed, int value) {
+  return (fixed == 0 ? Form::r() : Form::s()) - Form::constant(value);
+}
+
+bool divides(const Form& line, const Form& f) {
+  return f.is_zero() || gcd(line, f).degree_r() + gcd(line, f).degree_s() > 0;
+}
+
+/// Divides by the line as often as all of them, not all zero, can be.
+template <std::size_t N>
+void divide_out(std::array<Form, N>& forms, const Form& line) {
+  const auto is_zero = [](const Form& f) { return f.is_zero(); };
+  while (!std::ranges::all_of(forms, is_zero) &&
+         std::ranges::all_of(forms, [&](const Form& f) { return divides(line, f); }))
+    for (Form& f : forms)
+      if (!f.is_zero()) f = exact_quotient(f, line);
+}
+
 /// With irreducible polynomials.
 void add_roots(std::vector<RealAlgebraic>& values, const Polynomial& f) {
   if (f.degree() < 1) return;
@@ -83,6 +104,8 @@ SelfProjection self_projection(const BezierPatch& x) {
   const FormVector ba = cross(b, a);
   // The alternating minors of (b a d c).
   SelfProjection result{{dot(a, dc), dot(times(-1, b), dc), dot(ba, c), dot(times(-1, ba), d)}, {}};
+  for (const int end : {0, 1})
+    if (is_collapsed_side(x, 0, end)) divide_out(result.minors, side_form(0, end));
   const auto& [k_b, k_a, k_d, k_c] = result.minors;
   result.curve = k_b * k_b * k_c - k_d * k_d * k_a;
   return result;
@@ -108,7 +131,14 @@ std::optional<std::vector<RealAlgebraic>> self_turning_values(const BezierPatch&
 
 std::optional<std::vector<RealAlgebraic>> cuspidal_values(const BezierPatch& x) {
   const FormVector value = forms(x);
-  const FormVector normal = cross(derivative_r(value), derivative_s(value));
+  FormVector normal = cross(derivative_r(value), derivative_s(value));
+  std::vector<RealAlgebraic> values;
+  for (const std::size_t fixed : {0, 1})
+    for (const int side : {0, 1}) {
+      if (!is_cuspidal_side(x, fixed, side)) continue;
+      divide_out(normal, side_form(fixed, side));
+      if (fixed == 1) values.emplace_back(side);
+    }
   for (std::size_t i = 0; i < 3; ++i)
     for (const int factor : {0, 1, 2}) {
       const Form& first = normal[i];
@@ -116,7 +146,6 @@ std::optional<std::vector<RealAlgebraic>> cuspidal_values(const BezierPatch& x) 
       if (first.is_zero() || second.is_zero()) continue;
       const Polynomial eliminant = resultant_r(first, second);
       if (eliminant.is_zero()) continue;
-      std::vector<RealAlgebraic> values;
       add_roots(values, eliminant);
       return values;
     }

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "../../solver/exact_source.h"
+#include "../../solver/parameter_box.h"
+#include "../../solver/self_pairs.h"
 #include "../../solver/self_turning.h"
 #include "../../solver/self_turning_pairs.h"
 #include "../../solver/singular_pairs.h"
@@ -31,6 +33,9 @@ const std::vector<int> kCrossedFold = {-1, 1,  1,  -1, 1,  -1, 0, 0,  -1, 0, -1,
 // x_v = 0 in the corner (1,1), and the patch does not meet itself there.
 const std::vector<int> kCuspidalCorner = {1, -1, -1, 0, 1, 1,  0, 1, 1,  -1, 0, 0,  0, 1,
                                           0, 0,  -1, 0, 0, -1, 0, 0, -1, -1, 0, -1, 1};
+// The same in the corner (1,0), and the side u = 0 is one point.
+const std::vector<int> kCornerAndPoint = {-1, 0, 0,  -1, 0, 0, -1, 0, 0, 0, 1, 1, 1, -1,
+                                          -1, 1, -1, -1, 1, 1, 0,  1, 1, 0, 0, 1, 1};
 // x_u = 0 in the corner (0,0), in which a curve ends.
 const std::vector<int> kCurveToCorner = {0, 1,  1, 0, 0, 0, -1, 1, 0, 0, 1, 1,  1, -1,
                                          1, -1, 1, 0, 0, 0, 0,  0, 0, 1, 0, -1, 1};
@@ -293,6 +298,60 @@ TEST_CASE("singular pairs over an irrational value, exactly") {
 TEST_CASE("a cuspidal corner at which the patch does not meet itself") {
   const IntersectionGraph graph = checked(patch(kCuspidalCorner));
   CHECK(std::ranges::none_of(graph.nodes, [](const Node& node) { return node.on.size() == 4; }));
+}
+
+TEST_CASE("a cuspidal corner, and a side that is one point") {
+  const BezierPatch x = patch(kCornerAndPoint);
+  const IntersectionGraph graph = checked(x);
+  CHECK(graph.arcs.empty());
+  REQUIRE(graph.nodes.size() == 1);
+  CHECK(graph.nodes[0].free.size() == 2);
+  // x_u x x_v = u f: the cuspidal points off the side are zeros of f.
+  for (const BezierPatch& lines : {x, x.exchanged()}) {
+    const auto values = cuspidal_values(lines);
+    REQUIRE(values);
+    CHECK(values->size() < 20);
+  }
+  CHECK(std::ranges::count(*cuspidal_values(x), RealAlgebraic(0)) == 1);
+  CHECK(std::ranges::count(*cuspidal_values(x.exchanged()), RealAlgebraic(1)) == 1);
+}
+
+TEST_CASE("pairs over a value past a side that is one point") {
+  const ParameterBox square = {{{0, 1}, {0, 1}, {0, 1}, {0, 1}}};
+  const ParameterBox region = {{{Rational(1, 8), 1}, {0, 1}, {Rational(1, 8), 1}, {0, 1}}};
+  std::ptrdiff_t found = 0;
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    CAPTURE(seed);
+    std::mt19937 generator(seed);
+    ControlNet net = random_patch(generator, 2).net();
+    net[0][1] = net[0][2] = net[0][0];
+    const BezierPatch x(net);
+    for (const Rational& v : {Rational(1, 7), Rational(2, 3)}) {
+      CHECK_FALSE(pairs_in(x, {Parameter::v, v}, square));
+      const auto pairs = pairs_in(x, {Parameter::v, v}, region);
+      REQUIRE(pairs);
+      const auto fibre = self_fibre(x, 1, v);
+      const auto expected = std::ranges::count_if(
+          fibre, [&](const CertifiedPoint& point) { return lies_in(point.box(), region); });
+      CHECK(static_cast<std::ptrdiff_t>(pairs->size()) == expected);
+      found += expected;
+    }
+  }
+  CHECK(found > 0);
+}
+
+TEST_CASE("a folded line turns in a part of it") {
+  // (p^2, p h, h), p = u - 2/3: the line v = 0 turns at u = 2/3.
+  ControlNet d{};
+  d[2][0] = {1, 0, 0};
+  d[1][1] = {0, 1, 0};
+  d[0][1] = {0, 0, 1};
+  const BezierPatch x = BezierPatch::from_power_basis(d).restricted_to(Rational(-2, 3), Rational(1, 3), 0, 1);
+  const Rational turn(2, 3);
+  CHECK(has_folded_line(x, 1, {0, Rational(1, 9)}, {0, 1}));
+  CHECK(has_folded_line(x, 1, {0, Rational(1, 9)}, {turn, 1}));
+  CHECK_FALSE(has_folded_line(x, 1, {0, Rational(1, 9)}, {Rational(3, 4), 1}));
+  CHECK_FALSE(has_folded_line(x, 1, {0, Rational(1, 9)}, {0, Rational(3, 5)}));
 }
 
 TEST_CASE("a curve that ends in a cuspidal corner") {
