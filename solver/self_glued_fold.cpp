@@ -141,10 +141,11 @@ std::vector<GluedFold> glued_folds(const BezierPatch& x) {
   for (const bool exchanged : {false, true}) {
     const BezierPatch patch = exchanged ? x.exchanged() : x;
     const Polynomial closed = closed_lines(patch);
-    if (closed.is_zero()) continue;
-    for (const RealAlgebraic& value : real_roots(closed, 0, 1)) {
-      if (!value.is_rational()) continue;
-      auto fold = glued_fold(patch, value.rational());
+    if (closed.degree() < 1) continue;
+    for (const PolynomialPower& power : irreducible_factors(closed)) {
+      if (power.factor.degree() > 1) continue;
+      const Rational c = -power.factor.coefficient(0) / power.factor.coefficient(1);
+      auto fold = in_unit(c) ? glued_fold(patch, c) : std::nullopt;
       if (!fold) continue;
       fold->exchanged = exchanged;
       result.push_back(*std::move(fold));

@@ -2,6 +2,7 @@
 // the pairs form a star of arcs. Internal to solver/; docs/method.md, section 7.6.
 #pragma once
 
+#include <exsect/algebra/real_algebraic.h>
 #include <exsect/geometry/bezier_patch.h>
 #include <exsect/solver/certified_point.h>
 
@@ -20,7 +21,7 @@ struct SelfStar {
   /// A folded line, u or v (`fixed`: 0 or 1) constant, on a side of the square or not.
   struct FoldedArc {
     std::size_t fixed;
-    Rational constant;
+    RealAlgebraic constant;
     std::optional<int> side;
   };
 

@@ -1,5 +1,7 @@
 #include "self_star_proof.h"
 
+#include <exsect/algebra/algebraic_value.h>
+
 #include <algorithm>
 #include <array>
 
@@ -206,20 +208,21 @@ std::optional<SelfStar> SelfStarProof::with_ports() const {
   return result;
 }
 
-/// The folded line on which the point over this value of the sweep parameter lies, if that line and its
-/// turn are rational.
+/// The folded line on which the point over this value of the sweep parameter lies.
 std::optional<SelfStar::FoldedArc> SelfStarProof::folded_arc(const CertifiedPoint& point,
                                                              const Rational& value) const {
   const std::size_t fixed = 1 - sweep_;
   for (const FoldedLine& line : folded_lines(fixed == 1 ? problem_.x : problem_.x.exchanged())) {
-    const auto turn = rational_turn(line);
-    if (!turn) continue;
-    const auto& [middle, at] = *turn;
-    ParameterBox pair;  // a point of the fibre, like `point`; boxes of different points are disjoint
-    pair[fixed] = pair[fixed + 2] = {at, at};
+    const RealAlgebraic turn = value_at(BivariatePolynomial::r(), line.turn);
+    const RealAlgebraic& constant = line.turn.s();
+    const Rational width = power_of_two(-300);
+    const RationalInterval at = constant.refined_to(width).interval();
+    const RationalInterval middle = turn.refined_to(width).interval();
+    ParameterBox pair;  // of a point of the fibre, like `point`; boxes of different points are disjoint
+    pair[fixed] = pair[fixed + 2] = at;
     pair[sweep_] = {value, value};
-    pair[sweep_ + 2] = {2 * middle - value, 2 * middle - value};
-    if (lies_in(pair, point.box())) return SelfStar::FoldedArc{fixed, at, line.side[1]};
+    pair[sweep_ + 2] = {2 * middle.lower - value, 2 * middle.upper - value};
+    if (lies_in(pair, point.box())) return SelfStar::FoldedArc{fixed, constant, line.side[1]};
   }
   return std::nullopt;
 }

@@ -52,6 +52,13 @@ const std::vector<int> kTouchingFold = {0, -1, -1, 0, 0, -1, 1, 1, 0, 0,  -1, 0,
 const std::vector<int> kPlanarFold = {0, 0,  -1, -1, 1,  0, 0,  1, 1, 1,  1, -1, 1, 1,
                                       0, -1, 1,  1,  -1, 0, -1, 1, 1, -1, 0, 1,  1};
 
+// The line u = 2/3, and in the second one u = (3 - sqrt 5)/4, is folded, and another curve crosses it in an
+// irrational pair.
+const std::vector<int> kCrossedAtTwoThirds = {1, -1, -1, 1,  1,  1,  1, -1, -1, 1, 0, 0, 0, -1,
+                                              1, 0,  -1, -1, -1, -1, 0, -1, 1,  1, 0, 0, 1};
+const std::vector<int> kIrrationalFold = {0, 0,  0, -1, 0,  -1, 0, -1, -1, -1, -1, -1, 1, -1,
+                                          0, -1, 1, 1,  -1, 0,  0, 0,  0,  -1, -1, 1,  1};
+
 // Two curves cross in a pair with irrational parameters, of degree 2 over Q.
 const std::vector<int> kIrrationalCrossing = {0, 1, -1, 1,  0, 0, 0,  0,  0, 0, 0, 1, 1, 1,
                                               1, 0, 1,  -1, 0, 0, -1, -1, 1, 0, 1, 0, 0};
@@ -196,6 +203,20 @@ TEST_CASE("a folded line with one tangent plane, the lines near it turn on a lin
 TEST_CASE("a curve that crosses the pairs of a folded line") {
   const IntersectionGraph graph = checked(patch(kCrossedFold));
   CHECK(degrees(graph, NodeKind::crossing) == std::vector{4});
+}
+
+TEST_CASE("an irrational crossing on a folded line") {
+  const auto [net, constant] = GENERATE(
+      table<std::vector<int>, double>({{kCrossedAtTwoThirds, 2.0 / 3}, {kIrrationalFold, 0.190983005625}}));
+  const IntersectionGraph graph = checked(patch(net));
+  CHECK(degrees(graph, NodeKind::crossing).back() == 4);
+  int on_line = 0;
+  for (const Arc& arc : graph.arcs)
+    on_line += std::ranges::all_of(arc.polyline, [&](const PolylineVertex& vertex) {
+      const auto [u, v, r, s] = vertex.parameters;
+      return u == Approx(constant) && r == Approx(constant) && v + s == Approx(1);
+    });
+  CHECK(on_line == 2);
 }
 
 TEST_CASE("a crossing at a pair with irrational parameters") {
