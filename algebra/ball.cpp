@@ -99,6 +99,9 @@ void ArbStorage::subtract(const ArbStorage& a, const ArbStorage& b, long bits) {
 void ArbStorage::multiply(const ArbStorage& a, const ArbStorage& b, long bits) {
   arb_mul(arb(bytes_), arb(a.bytes_), arb(b.bytes_), bits);
 }
+void ArbStorage::add_product(const ArbStorage& a, const ArbStorage& b, long bits) {
+  arb_addmul(arb(bytes_), arb(a.bytes_), arb(b.bytes_), bits);
+}
 
 double ArbStorage::approximation() const { return arf_get_d(arb_midref(arb(bytes_)), ARF_RND_NEAR); }
 double ArbStorage::radius() const { return mag_get_d(arb_radref(arb(bytes_))); }

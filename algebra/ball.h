@@ -96,6 +96,7 @@ class ArbStorage {
   void add(const ArbStorage& a, const ArbStorage& b, long bits);
   void subtract(const ArbStorage& a, const ArbStorage& b, long bits);
   void multiply(const ArbStorage& a, const ArbStorage& b, long bits);
+  void add_product(const ArbStorage& a, const ArbStorage& b, long bits);
   double approximation() const;
   double radius() const;
   double upper_magnitude() const;
@@ -162,12 +163,30 @@ class ArbBall {
     result.value_.multiply(a.value_, b.value_, Bits);
     return result;
   }
-  ArbBall& operator+=(const ArbBall& b) { return *this = *this + b; }
-  ArbBall& operator-=(const ArbBall& b) { return *this = *this - b; }
-  ArbBall& operator*=(const ArbBall& b) { return *this = *this * b; }
+  ArbBall& operator+=(const ArbBall& b) {
+    value_.add(value_, b.value_, Bits);
+    return *this;
+  }
+  ArbBall& operator-=(const ArbBall& b) {
+    value_.subtract(value_, b.value_, Bits);
+    return *this;
+  }
+  ArbBall& operator*=(const ArbBall& b) {
+    value_.multiply(value_, b.value_, Bits);
+    return *this;
+  }
+  friend void add_product(ArbBall& sum, const ArbBall& a, const ArbBall& b) {
+    sum.value_.add_product(a.value_, b.value_, Bits);
+  }
 
  private:
   detail::ArbStorage value_;
 };
+
+/// sum += a b.
+template <class Number>
+void add_product(Number& sum, const Number& a, const Number& b) {
+  sum += a * b;
+}
 
 }  // namespace exsect

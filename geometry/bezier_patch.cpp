@@ -77,26 +77,30 @@ BezierPatch BezierPatch::from_power_basis(const ControlNet& c) {
   return BezierPatch(mapped(c, power_to_bernstein, power_to_bernstein));
 }
 
-ControlNet BezierPatch::power_basis() const { return mapped(*net_, bernstein_to_power, bernstein_to_power); }
+const ControlNet& BezierPatch::power_basis() const {
+  std::call_once(nets_->has_power,
+                 [this] { nets_->power = mapped(net(), bernstein_to_power, bernstein_to_power); });
+  return nets_->power;
+}
 
 Point BezierPatch::operator()(const Rational& u, const Rational& v) const {
-  return blossom({blossom((*net_)[0], v, v), blossom((*net_)[1], v, v), blossom((*net_)[2], v, v)}, u, u);
+  return blossom({blossom(net()[0], v, v), blossom(net()[1], v, v), blossom(net()[2], v, v)}, u, u);
 }
 
 Point BezierPatch::derivative_first(const Rational& u, const Rational& v) const {
-  return derivative({blossom((*net_)[0], v, v), blossom((*net_)[1], v, v), blossom((*net_)[2], v, v)}, u);
+  return derivative({blossom(net()[0], v, v), blossom(net()[1], v, v), blossom(net()[2], v, v)}, u);
 }
 
 Point BezierPatch::derivative_second(const Rational& u, const Rational& v) const {
-  return blossom({derivative((*net_)[0], v), derivative((*net_)[1], v), derivative((*net_)[2], v)}, u, u);
+  return blossom({derivative(net()[0], v), derivative(net()[1], v), derivative(net()[2], v)}, u, u);
 }
 
-BezierPatch BezierPatch::exchanged() const { return BezierPatch(transposed(*net_)); }
+BezierPatch BezierPatch::exchanged() const { return BezierPatch(transposed(net())); }
 
-BezierPatch BezierPatch::reversed_first() const { return BezierPatch({(*net_)[2], (*net_)[1], (*net_)[0]}); }
+BezierPatch BezierPatch::reversed_first() const { return BezierPatch({net()[2], net()[1], net()[0]}); }
 
 BezierPatch BezierPatch::reversed_second() const {
-  ControlNet reversed = *net_;
+  ControlNet reversed = net();
   for (Quadratic& row : reversed) std::swap(row[0], row[2]);
   return BezierPatch(reversed);
 }
@@ -108,7 +112,7 @@ BezierPatch BezierPatch::restricted_to(const Rational& u0, const Rational& u1, c
       return Quadratic{blossom(b, from, from), blossom(b, from, to), blossom(b, to, to)};
     };
   };
-  return BezierPatch(mapped(*net_, piece(v0, v1), piece(u0, u1)));
+  return BezierPatch(mapped(net(), piece(v0, v1), piece(u0, u1)));
 }
 
 }  // namespace exsect

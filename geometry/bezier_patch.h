@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace exsect {
@@ -16,7 +17,7 @@ using ControlNet = std::array<std::array<Point, 3>, 3>;
 /// question you can ask, not an error. Immutable: copies share the net.
 class BezierPatch {
  public:
-  explicit BezierPatch(const ControlNet& net) : net_(std::make_shared<const ControlNet>(net)) {}
+  explicit BezierPatch(const ControlNet& net) : nets_(std::make_shared<Nets>(net)) {}
   // Not movable: every patch has a net.
   BezierPatch(const BezierPatch&) = default;
   BezierPatch& operator=(const BezierPatch&) = default;
@@ -27,9 +28,10 @@ class BezierPatch {
   /// From the power basis: x(u,v) = sum c[i][j] u^i v^j.
   static BezierPatch from_power_basis(const ControlNet& c);
 
-  const ControlNet& net() const { return *net_; }
-  /// c[i][j], the vector coefficient of u^i v^j.
-  ControlNet power_basis() const;
+  const ControlNet& net() const { return nets_->control; }
+  /// c[i][j], the vector coefficient of u^i v^j. Computed once, for all copies; any number of threads may
+  /// ask.
+  const ControlNet& power_basis() const;
 
   /// Value at any rational (u,v), inside the square or not.
   Point operator()(const Rational& u, const Rational& v) const;
@@ -48,11 +50,17 @@ class BezierPatch {
                             const Rational& v1) const;
 
   friend bool operator==(const BezierPatch& a, const BezierPatch& b) {
-    return a.net_ == b.net_ || *a.net_ == *b.net_;
+    return a.nets_ == b.nets_ || a.net() == b.net();
   }
 
  private:
-  std::shared_ptr<const ControlNet> net_;
+  struct Nets {
+    explicit Nets(const ControlNet& net) : control(net) {}
+    const ControlNet control;
+    std::once_flag has_power;
+    ControlNet power;
+  };
+  std::shared_ptr<Nets> nets_;
 };
 
 }  // namespace exsect

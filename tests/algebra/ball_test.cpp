@@ -35,7 +35,13 @@ void check_chain(unsigned seed) {
     for (int step = 0; step < 25; ++step) {
       const Rational q = random_rational(generator);
       const Ball b = Ball::enclosing(q);
-      switch (generator() % 4) {
+      switch (generator() % 5) {
+        case 4: {
+          const Ball before = ball;
+          exact += exact * q;
+          add_product(ball, before, b);
+          break;
+        }
         case 0:
           exact += q;
           ball += b;
