@@ -43,7 +43,7 @@ struct Monomials {
   static Coefficient product(const Series& f, const Series& g, std::size_t k) {
     Coefficient sum{};
     for (std::size_t i = 1; i < k; ++i) {
-      sum += f[i] * g[k - i];
+      add_product(sum, f[i], g[k - i]);
     }
     return sum;
   }
@@ -57,17 +57,33 @@ using NetRow = std::array<Coefficient, 9>;
 template <class Coefficient, std::size_t degree>
 Coefficient value_coefficient(const NetRow<Coefficient>& c, const Monomials<Coefficient, degree>& m,
                               std::size_t k) {
-  return c[3] * m.a[k] + c[1] * m.b[k] + c[6] * m.aa[k] + c[4] * m.ab[k] + c[2] * m.bb[k] + c[7] * m.aab[k] +
-         c[5] * m.abb[k] + c[8] * m.aabb[k];
+  Coefficient sum = c[3] * m.a[k];
+  add_product(sum, c[1], m.b[k]);
+  add_product(sum, c[6], m.aa[k]);
+  add_product(sum, c[4], m.ab[k]);
+  add_product(sum, c[2], m.bb[k]);
+  add_product(sum, c[7], m.aab[k]);
+  add_product(sum, c[5], m.abb[k]);
+  add_product(sum, c[8], m.aabb[k]);
+  return sum;
 }
 
 /// The coefficients of sigma^k, k > 0, of the two first derivatives along the line.
 template <class Coefficient, std::size_t degree>
 std::array<Coefficient, 2> gradient_coefficients(const NetRow<Coefficient>& c,
                                                  const Monomials<Coefficient, degree>& m, std::size_t k) {
-  const Coefficient two(2);
-  return {two * (c[6] * m.a[k] + c[7] * m.ab[k] + c[8] * m.abb[k]) + c[4] * m.b[k] + c[5] * m.bb[k],
-          two * (c[2] * m.b[k] + c[5] * m.ab[k] + c[8] * m.aab[k]) + c[4] * m.a[k] + c[7] * m.aa[k]};
+  std::array<Coefficient, 2> sum = {c[6] * m.a[k], c[2] * m.b[k]};
+  add_product(sum[0], c[7], m.ab[k]);
+  add_product(sum[0], c[8], m.abb[k]);
+  add_product(sum[1], c[5], m.ab[k]);
+  add_product(sum[1], c[8], m.aab[k]);
+  sum[0] += sum[0];
+  sum[1] += sum[1];
+  add_product(sum[0], c[4], m.b[k]);
+  add_product(sum[0], c[5], m.bb[k]);
+  add_product(sum[1], c[4], m.a[k]);
+  add_product(sum[1], c[7], m.aa[k]);
+  return sum;
 }
 
 /// The coefficients of sigma^k, k > 0, of the higher g_ij(sigma), i + j > 1, where the polynomial is sum

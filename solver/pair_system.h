@@ -25,7 +25,10 @@ BallVector<Ball> cross(const BallVector<Ball>& a, const BallVector<Ball>& b) {
 
 template <class Ball>
 Ball dot(const BallVector<Ball>& a, const BallVector<Ball>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  Ball sum = a[0] * b[0];
+  add_product(sum, a[1], b[1]);
+  add_product(sum, a[2], b[2]);
+  return sum;
 }
 
 /// q(t + p) for q = c0 + c1 t + c2 t^2, in place.

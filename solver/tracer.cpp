@@ -13,6 +13,15 @@ constexpr double kFirstStep = 0.1;
 constexpr double kGoodContraction = 0.25;  // steps are chosen to end near this value
 constexpr double kWorstContraction = 0.5;
 constexpr double kOverlap = 1.02;
+/// A tube that ends at a point is longer than one whose centre the point is, by about this factor.
+constexpr double kAhead = 4;
+/// Where one as short as this cannot be proved, the numbers are too rough.
+constexpr double kBehind = 0.25;
+constexpr double kLeastContraction = 0x1p-10;  // steps that end below it were too cautious
+/// Steps grow or shrink as the last ones did, and more boldly after one that was proved at once.
+constexpr double kLeastGrowth = 0.4;
+constexpr double kMostGrowth = 2;
+constexpr double kMoreGrowth = 1.4;
 /// Bound of |X''| step^2: where it is larger the bound is a bad one, and chords would have to be very short.
 constexpr double kWorstBend = 4;
 constexpr int kMostPieces = 200000;
@@ -93,10 +102,26 @@ class Tracer {
       return false;
     }
     direction_ = sign_ * known;
-    for (; step_ >= kLeastStep<Ball>; step_ *= 0.6) {
+    const double planned = step_;
+    const double before = growth_;
+    double hopeless = 0;
+    for (bool first = true; step_ >= kLeastStep<Ball>; first = false) {
       const auto tube = next_tube(tangent, axis);
+      growth_ = first                   ? std::min(kMostGrowth, kMoreGrowth * before)
+                : trace_.pieces.empty() ? 1
+                                        : std::max(kLeastGrowth, before * step_ / planned);
       if (tube && accept(*tube)) {
         return true;
+      }
+      if (!tube && step_ < hopeless) {
+        break;
+      }
+      step_ *= 0.6;
+      if (!tube && first) {
+        const double reach = largest_reach(system_, position_, axis, kLeastStep<Ball>, step_,
+                                           4 * largest_radius(position_), kWorstContraction);
+        step_ = std::min(step_, kAhead * reach);
+        hopeless = kBehind * reach;
       }
     }
     failure_ = "the steps along the curve become too small: a singular or nearly singular point";
@@ -189,7 +214,8 @@ class Tracer {
       start_loop_inside(tube, here, to);
     }
     position_ = end;
-    step_ = std::min(2 * step_, step_ * std::max(0.5, kGoodContraction / tube.contraction));
+    const double growth = tube.contraction < kLeastContraction ? kMostGrowth : growth_;
+    step_ = std::min(growth * step_, step_ * std::max(0.5, kGoodContraction / tube.contraction));
     step_ = std::min(step_, 0.5);
     return true;
   }
@@ -210,6 +236,7 @@ class Tracer {
   BallPoint<Ball> position_;
   std::optional<BallPoint<Ball>> closing_;
   double step_ = kFirstStep;
+  double growth_ = kMostGrowth;
   int direction_ = 1;
   bool finished_ = false;
   const char* failure_ = "";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tube_derivatives.h"
 #include "tube_evaluation.h"
 
 namespace exsect {
@@ -53,114 +54,6 @@ BallMatrix<Ball> normal_basis(const Expansion<Ball>& at) {
   return basis;
 }
 
-template <class Ball>
-OffLine off_line(const Tube<Ball>& tube, const AlongLine& along, std::size_t p, std::size_t row,
-                 double SeriesBound::*part) {
-  return {along.derivative[p][row], part, tube.halfwidth[2 * p], tube.halfwidth[2 * p + 1]};
-}
-
-/// By columns other than the axis: |C D_j - 1|, or its derivative with respect to tau.
-template <class Ball>
-std::array<Row, 4> column_bounds(const Tube<Ball>& tube, const AlongLine& along, double SeriesBound::*part) {
-  std::array<Row, 4> e{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t p = 0; p < 2; ++p) {
-      const OffLine off = off_line(tube, along, p, row, part);
-      e[2 * p][row] = kSlack * off.first_a();
-      e[2 * p + 1][row] = kSlack * off.first_b();
-    }
-  }
-  e[tube.axis] = {};
-  return e;
-}
-
-/// w = p + l + e with C F(p + l + e) = 0: e' and e'' solve the equations differentiated once and twice.
-template <class Ball>
-void bound_derivatives(Tube<Ball>& tube, const AlongLine& along) {
-  const auto others = other_axes(tube.axis);
-  Row base{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    base[row] = along.residual[row].first;
-    for (std::size_t p = 0; p < 2; ++p) {
-      base[row] += off_line(tube, along, p, row, &SeriesBound::first).value();
-    }
-    base[row] *= kSlack;
-  }
-  const Row first = bound_solution(tube.deviation, others, base, tube.contraction);
-  std::array<double, 4> e1{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    e1[others[row]] = first[row];
-  }
-  const std::array<Row, 4> change = column_bounds(tube, along, &SeriesBound::first);
-  for (std::size_t row = 0; row < 3; ++row) {
-    base[row] = along.residual[row].second;
-    for (std::size_t p = 0; p < 2; ++p) {
-      base[row] += off_line(tube, along, p, row, &SeriesBound::second).value() +
-                   off_line(tube, along, p, row, &SeriesBound::value).quadratic(e1[2 * p], e1[2 * p + 1]);
-    }
-    for (const std::size_t j : others) {
-      base[row] += 2 * change[j][row] * e1[j];
-    }
-    base[row] *= kSlack;
-  }
-  const Row second = bound_solution(tube.deviation, others, base, tube.contraction);
-  tube.slope_error = tube.second = tube.second_error = {};
-  for (std::size_t row = 0; row < 3; ++row) {
-    const std::size_t j = others[row];
-    const double rounding = 0x1p-51;  // of d and of the coefficient of sigma² to doubles
-    tube.slope_error[j] = kSlack * (along.bend[j].first + first[row] + rounding * std::fabs(tube.slope[j]));
-    tube.second[j] = 2 * tube.line[1][j].approximation() / (tube.scale * tube.scale);
-    tube.second_error[j] =
-        kSlack * (along.higher_bend[j].second + second[row] + rounding * std::fabs(tube.second[j]));
-  }
-}
-
-/// Magnitudes of one Taylor net's coefficient rows: m[index][row].
-using Magnitudes = std::array<Row, 9>;
-
-template <class Ball>
-Magnitudes magnitudes(const TaylorNet<Ball>& net) {
-  Magnitudes m{};
-  for (std::size_t i = 0; i < 9; ++i) {
-    m[i] = {net[i][0].upper_magnitude(), net[i][1].upper_magnitude(), net[i][2].upper_magnitude()};
-  }
-  return m;
-}
-
-/// Bounds of the variation of the two first derivatives of a biquadratic net.
-struct Variation {
-  double first;
-  double second;
-};
-
-Variation variation(const Magnitudes& m, std::size_t row, double ha, double hb) {
-  return {2 * m[6][row] * ha + m[4][row] * hb + 2 * m[7][row] * ha * hb + m[5][row] * hb * hb +
-              2 * m[8][row] * ha * hb * hb,
-          2 * m[2][row] * hb + m[4][row] * ha + 2 * m[5][row] * ha * hb + m[7][row] * ha * ha +
-              2 * m[8][row] * ha * ha * hb};
-}
-
-/// X'' = x_u u'' + x_v v'' + x_uu u'^2 + 2 x_uv u'v' + x_vv v'^2, bounded term by term.
-template <class Ball>
-double bound_space_second_derivative(const Tube<Ball>& tube, const std::array<double, 4>& h) {
-  const Magnitudes m = magnitudes(tube.space);
-  const double a0 = std::fabs(tube.slope[0]) + tube.slope_error[0];
-  const double a1 = std::fabs(tube.slope[1]) + tube.slope_error[1];
-  const double u2 = std::fabs(tube.second[0]) + tube.second_error[0];
-  const double v2 = std::fabs(tube.second[1]) + tube.second_error[1];
-  double sum = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const Variation v = variation(m, c, h[0], h[1]);
-    const double xuu = 2 * (m[6][c] + m[7][c] * h[1] + m[8][c] * h[1] * h[1]);
-    const double xuv = m[4][c] + 2 * m[7][c] * h[0] + 2 * m[5][c] * h[1] + 4 * m[8][c] * h[0] * h[1];
-    const double xvv = 2 * (m[2][c] + m[5][c] * h[0] + m[8][c] * h[0] * h[0]);
-    const double bound = (m[3][c] + v.first) * u2 + (m[1][c] + v.second) * v2 + xuu * a0 * a0 +
-                         2 * xuv * a0 * a1 + xvv * a1 * a1;
-    sum += bound * bound;
-  }
-  return kSlack * std::sqrt(sum);
-}
-
 /// About how well points of the curve on the tube can be enclosed.
 template <class Ball>
 double uncertainty(const Tube<Ball>& tube) {
@@ -175,17 +68,6 @@ double uncertainty(const Tube<Ball>& tube) {
     largest = std::max({largest, f[0].radius(), f[1].radius(), f[2].radius()});
   }
   return largest;
-}
-
-/// Bounds of |w_j - p_j| over the tube's region.
-template <class Ball>
-std::array<double, 4> farthest(const Tube<Ball>& tube, const AlongLine& along) {
-  std::array<double, 4> h{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    const double slope = tube.line[0][j].upper_magnitude() / tube.scale;
-    h[j] = kSlack * (kSlack * slope * tube.reach + along.bend[j].value + tube.halfwidth[j]);
-  }
-  return h;
 }
 
 /// The image f + E Z of Krawczyk's operator by rows, whether it lies strictly inside Z, and the largest row
@@ -213,7 +95,7 @@ Image krawczyk_image(const Tube<Ball>& tube, const std::array<std::size_t, 3>& o
   return image;
 }
 
-/// Proves the tube around its line, if its bounds allow it.
+/// Proves the tube around its line over its reach, if the bounds allow it.
 template <class Ball>
 bool certify(Tube<Ball>& tube, const AlongLine& along, double least_halfwidth) {
   const auto others = other_axes(tube.axis);
@@ -243,11 +125,16 @@ bool certify(Tube<Ball>& tube, const AlongLine& along, double least_halfwidth) {
   return false;
 }
 
-}  // namespace
+/// A tube's line and what is left along it, before anything is proved.
+template <class Ball>
+struct FittedTube {
+  Tube<Ball> tube;
+  LineRemainder<Ball> left;
+};
 
 template <class Ball>
-std::optional<Tube<Ball>> certify_tube(const PairSystem<Ball>& system, const BallPoint<Ball>& centre,
-                                       std::size_t axis, double reach, double least_halfwidth) {
+std::optional<FittedTube<Ball>> fit_tube(const PairSystem<Ball>& system, const BallPoint<Ball>& centre,
+                                         std::size_t axis, double reach) {
   Tube<Ball> tube;
   tube.axis = axis;
   tube.reach = reach;
@@ -265,13 +152,48 @@ std::optional<Tube<Ball>> certify_tube(const PairSystem<Ball>& system, const Bal
     tube.nets[0][i] = preconditioned(basis, at.x[i]);
     tube.nets[1][i] = preconditioned(basis, BallVector<Ball>{-at.y[i][0], -at.y[i][1], -at.y[i][2]});
   }
-  const std::optional<AlongLine> along = fit_line(tube);
-  if (!along || !certify(tube, *along, least_halfwidth)) {
+  auto left = fit_line(tube);
+  return left ? std::optional(FittedTube<Ball>{std::move(tube), std::move(*left)}) : std::nullopt;
+}
+
+}  // namespace
+
+template <class Ball>
+std::optional<Tube<Ball>> certify_tube(const PairSystem<Ball>& system, const BallPoint<Ball>& centre,
+                                       std::size_t axis, double reach, double least_halfwidth) {
+  auto fitted = fit_tube(system, centre, axis, reach);
+  if (!fitted) {
     return std::nullopt;
   }
-  bound_derivatives(tube, *along);
-  tube.space_second_derivative = bound_space_second_derivative(tube, farthest(tube, *along));
-  return tube;
+  const AlongLine along = along_line(fitted->tube, fitted->left);
+  if (!certify(fitted->tube, along, least_halfwidth)) {
+    return std::nullopt;
+  }
+  bound_derivatives(fitted->tube, along);
+  return std::move(fitted->tube);
+}
+
+template <class Ball>
+double largest_reach(const PairSystem<Ball>& system, const BallPoint<Ball>& centre, std::size_t axis,
+                     double least, double most, double least_halfwidth, double worst_contraction) {
+  auto fitted = fit_tube(system, centre, axis, most);
+  if (!fitted) {
+    return 0;
+  }
+  const auto certified = [&](int halvings) {
+    fitted->tube.reach = std::ldexp(most, -halvings);
+    return certify(fitted->tube, along_line(fitted->tube, fitted->left), least_halfwidth) &&
+           fitted->tube.contraction <= worst_contraction;
+  };
+  int good = std::ilogb(most / least);
+  if (!certified(good)) {
+    return 0;
+  }
+  for (int bad = -1; good - bad > 1;) {
+    const int middle = (good + bad) / 2;
+    (certified(middle) ? good : bad) = middle;
+  }
+  return std::ldexp(most, -good);
 }
 
 template <class Ball>
@@ -289,6 +211,8 @@ std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>& system, 
 #define EXSECT_INSTANTIATE_TUBE(Ball)                                                                       \
   template std::optional<Tube<Ball>> certify_tube(const PairSystem<Ball>&, const BallPoint<Ball>&,          \
                                                   std::size_t, double, double);                             \
+  template double largest_reach(const PairSystem<Ball>&, const BallPoint<Ball>&, std::size_t, double,       \
+                                double, double, double);                                                    \
   template std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>&, const BallPoint<Ball>&, \
                                                            std::size_t, int);
 

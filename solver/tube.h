@@ -39,6 +39,9 @@ struct Tube {
   std::array<double, 4> slope_error;
   std::array<double, 4> second;
   std::array<double, 4> second_error;
+  /// Bounds of |w' - l'| and |w'' - l''| on all of the tube.
+  std::array<double, 4> slope_remainder;
+  std::array<double, 4> second_remainder;
   /// Sign of the tangent field's component T_k, the same on all of the region: +1 if T points to larger tau.
   int orientation;
   /// M x and -M y as Taylor nets at p, and x itself for positions in space. The rows of M are a normal vector
@@ -58,11 +61,30 @@ template <class Ball>
 std::optional<Tube<Ball>> certify_tube(const PairSystem<Ball>& system, const BallPoint<Ball>& centre,
                                        std::size_t axis, double reach, double least_halfwidth);
 
+/// The largest of the reaches most, most / 2, most / 4, ..., at least about `least`, for which the tube
+/// around `centre` is proved with the half widths given, if longer ones are harder to prove; 0 if there is
+/// none.
+template <class Ball>
+double largest_reach(const PairSystem<Ball>& system, const BallPoint<Ball>& centre, std::size_t axis,
+                     double least, double most, double least_halfwidth, double worst_contraction);
+
 /// Approximate Newton correction of the coordinates other than `axis` towards F = 0 (an estimate, not a
 /// proof); empty if the columns are numerically dependent.
 template <class Ball>
 std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>& system, const BallPoint<Ball>& start,
                                                 std::size_t axis, int steps);
+
+/// The values of a function on an interval are within `error` of `middle`.
+struct ValueRange {
+  double middle;
+  double error;
+  bool has_sign() const { return middle > error || -middle > error; }
+};
+/// w_i'(tau) and w_i''(tau) for all tau between two offsets, in either order.
+template <class Ball>
+ValueRange slope_between(const Tube<Ball>& tube, std::size_t i, double from, double to);
+template <class Ball>
+ValueRange second_between(const Tube<Ball>& tube, std::size_t i, double from, double to);
 
 /// An enclosure of the curve's point at tau, |tau| <= reach; work ends when its radius is about `enough`.
 template <class Ball>

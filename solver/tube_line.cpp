@@ -7,9 +7,6 @@ namespace exsect {
 
 namespace {
 
-/// Taylor index of the first derivative that column j of the Jacobian is made of.
-constexpr std::size_t column_index(std::size_t j) { return j % 2 == 0 ? 3 : 1; }
-
 template <class Ball>
 NetRow<Ball> row_of(const TaylorNet<Ball>& net, std::size_t row) {
   NetRow<Ball> result;
@@ -55,18 +52,19 @@ Matrix3 magnitudes(const BallMatrix<Ball>& m) {
   return result;
 }
 
+/// sum += a b
 template <class Ball>
-BallMatrix<Ball> product(const BallMatrix<Ball>& a, const BallMatrix<Ball>& b) {
-  BallMatrix<Ball> c;
+void add_matrix_product(BallMatrix<Ball>& sum, const BallMatrix<Ball>& a, const BallMatrix<Ball>& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+      for (std::size_t m = 0; m < 3; ++m) {
+        add_product(sum[i][j], a[i][m], b[m][j]);
+      }
     }
   }
-  return c;
 }
 
-/// One fit: the line and the preconditioner order by order, then bounds.
+/// One fit: the line and the preconditioner order by order, then magnitudes of what is left.
 template <class Ball>
 class LineFit {
  public:
@@ -75,9 +73,6 @@ class LineFit {
   static constexpr std::size_t kExact = 2 * kDegree + 1;
 
   explicit LineFit(Tube<Ball>& tube) : tube_(tube), others_(other_axes(tube.axis)) {
-    for (std::size_t k = 0; k < powers_.size(); ++k) {
-      powers_[k] = SeriesBound::of_power(k, tube.reach / tube.scale, tube.scale);
-    }
     for (std::size_t p = 0; p < 2; ++p) {
       for (std::size_t row = 0; row < 3; ++row) {
         rows_[p][row] = row_of(tube.nets[p], row);
@@ -86,7 +81,7 @@ class LineFit {
     }
   }
 
-  bool run(AlongLine& bounds) {
+  bool run(LineRemainder<Ball>& left) {
     for (std::size_t row = 0; row < 3; ++row) {
       for (std::size_t i = 0; i < 3; ++i) {
         columns_[0][row][i] = rows_[others_[i] / 2][row][column_index(others_[i])];
@@ -102,19 +97,10 @@ class LineFit {
     tube_.preconditioner[0] = *inverse;
     fit_line();
     fit_preconditioner();
-    extend_bounds();
-    bound_residual(bounds);
-    bound_columns(bounds);
-    bound_higher(bounds);
-    for (std::size_t k = 2; k <= kDegree; ++k) {
-      for (const std::size_t j : others_) {
-        const double magnitude = tube_.line[k - 1][j].upper_magnitude();
-        bounds.bend[j].add_multiple(magnitude, powers_[k]);
-        if (k > 2) {
-          bounds.higher_bend[j].add_multiple(magnitude, powers_[k]);
-        }
-      }
-    }
+    extend_bounds(left);
+    bound_residual(left);
+    bound_columns(left);
+    bound_higher(left);
     return true;
   }
 
@@ -155,7 +141,8 @@ class LineFit {
   void fit_preconditioner() {
     for (std::size_t k = 1; k <= kDegree; ++k) {
       columns_[k] = columns_of_order(rows_, monomials_, k);
-      const BallMatrix<Ball> next = product(product_of_order(k, k), tube_.preconditioner[0]);
+      BallMatrix<Ball> next;
+      add_matrix_product(next, product_of_order(k, k), tube_.preconditioner[0]);
       for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t i = 0; i < 3; ++i) {
           tube_.preconditioner[k][row][i] = -next[row][i].midpoint();
@@ -171,9 +158,13 @@ class LineFit {
       const std::array<Monomials<Coefficient, kDegree>, 2>& monomials, std::size_t k) const {
     std::array<std::array<Coefficient, 3>, 3> result;
     for (std::size_t row = 0; row < 3; ++row) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = others_[i];
-        result[row][i] = gradient_coefficients(rows[j / 2][row], monomials[j / 2], k)[j % 2];
+      for (std::size_t p = 0; p < 2; ++p) {
+        const auto gradient = gradient_coefficients(rows[p][row], monomials[p], k);
+        for (std::size_t i = 0; i < 3; ++i) {
+          if (others_[i] / 2 == p) {
+            result[row][i] = gradient[others_[i] % 2];
+          }
+        }
       }
     }
     return result;
@@ -183,18 +174,13 @@ class LineFit {
   BallMatrix<Ball> product_of_order(std::size_t k, std::size_t end) const {
     BallMatrix<Ball> sum;
     for (std::size_t i = 0; i < end; ++i) {
-      const BallMatrix<Ball> term = product(tube_.preconditioner[i], columns_[k - i]);
-      for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t j = 0; j < 3; ++j) {
-          sum[row][j] += term[row][j];
-        }
-      }
+      add_matrix_product(sum, tube_.preconditioner[i], columns_[k - i]);
     }
     return sum;
   }
 
   /// The coefficients above kExact, by magnitudes.
-  void extend_bounds() {
+  void extend_bounds(LineRemainder<Ball>& left) {
     for (std::size_t p = 0; p < 2; ++p) {
       for (std::size_t k = kDegree + 1; k <= kExact; ++k) {
         monomials_[p].extend(k);
@@ -205,12 +191,12 @@ class LineFit {
       }
     }
     for (std::size_t k = 0; k <= kDegree; ++k) {
-      preconditioner_bounds_[k] = magnitudes(tube_.preconditioner[k]);
+      left.preconditioner[k] = magnitudes(tube_.preconditioner[k]);
     }
   }
 
   /// C F along the line, of degree 5 times that of the line.
-  void bound_residual(AlongLine& bounds) {
+  void bound_residual(LineRemainder<Ball>& left) {
     std::array<BallVector<Ball>, kExact + 1> value;
     for (std::size_t row = 0; row < 3; ++row) {
       value[0][row] = rows_[0][row][0] + rows_[1][row][0];
@@ -227,7 +213,7 @@ class LineFit {
         }
       }
       for (std::size_t row = 0; row < 3; ++row) {
-        bounds.residual[row].add_multiple(sum[row].upper_magnitude(), powers_[k]);
+        left.residual[k][row] = sum[row].upper_magnitude();
       }
     }
     std::array<Row3, 4 * kDegree + 1> magnitude{};
@@ -243,22 +229,22 @@ class LineFit {
         double sum = 0;
         for (std::size_t i = k > 4 * kDegree ? k - 4 * kDegree : 0; i <= kDegree; ++i) {
           for (std::size_t m = 0; m < 3; ++m) {
-            sum += preconditioner_bounds_[i][row][m] * magnitude[k - i][m];
+            sum += left.preconditioner[i][row][m] * magnitude[k - i][m];
           }
         }
-        bounds.residual[row].add_multiple(kSlack * sum, powers_[k]);
+        left.residual[k][row] = kSlack * sum;
       }
     }
   }
 
   /// C D - 1: in balls where the orders cancel, by magnitudes of C and D above.
-  void bound_columns(AlongLine& bounds) {
+  void bound_columns(LineRemainder<Ball>& left) {
     for (std::size_t k = 0; k <= kDegree; ++k) {
       const BallMatrix<Ball> m = product_of_order(k, k + 1);
       for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t i = 0; i < 3; ++i) {
           const Ball entry = m[row][i] - Ball(k == 0 && row == i ? 1.0 : 0.0);
-          column_bound(bounds, row, i).add_multiple(entry.upper_magnitude(), powers_[k]);
+          left.columns[k][row][i] = entry.upper_magnitude();
         }
       }
     }
@@ -274,43 +260,22 @@ class LineFit {
           double sum = 0;
           for (std::size_t n = k > 3 * kDegree ? k - 3 * kDegree : 0; n <= kDegree; ++n) {
             for (std::size_t m = 0; m < 3; ++m) {
-              sum += preconditioner_bounds_[n][row][m] * d[k - n][m][i];
+              sum += left.preconditioner[n][row][m] * d[k - n][m][i];
             }
           }
-          column_bound(bounds, row, i).add_multiple(kSlack * sum, powers_[k]);
+          left.columns[k][row][i] = kSlack * sum;
         }
       }
     }
   }
 
-  SeriesBound& column_bound(AlongLine& bounds, std::size_t row, std::size_t i) const {
-    return bounds.derivative[others_[i] / 2][row][column_index(others_[i])];
-  }
-
-  /// C times derivatives of order two and more: no cancellation is needed.
-  void bound_higher(AlongLine& bounds) {
-    std::array<std::array<SeriesBound, 3>, 3> c;
-    for (std::size_t k = 0; k <= kDegree; ++k) {
-      for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t m = 0; m < 3; ++m) {
-          c[row][m].add_multiple(preconditioner_bounds_[k][row][m], powers_[k]);
-        }
-      }
-    }
+  /// Derivatives of order two and more of both nets along the line: no cancellation is needed.
+  void bound_higher(LineRemainder<Ball>& left) const {
     for (std::size_t p = 0; p < 2; ++p) {
       for (std::size_t m = 0; m < 3; ++m) {
-        std::array<SeriesBound, 9> g;
-        for (std::size_t k = 0; k <= 2 * kDegree; ++k) {
-          const NetRow<double> d =
-              k == 0 ? row_bounds_[p][m] : higher_coefficients(row_bounds_[p][m], monomial_bounds_[p], k);
-          for (const std::size_t i : {2, 4, 5, 6, 7, 8}) {
-            g[i].add_multiple(kSlack * d[i], powers_[k]);
-          }
-        }
-        for (std::size_t row = 0; row < 3; ++row) {
-          for (const std::size_t i : {2, 4, 5, 6, 7, 8}) {
-            bounds.derivative[p][row][i].add_product(c[row][m], g[i]);
-          }
+        left.higher[0][p][m] = row_bounds_[p][m];
+        for (std::size_t k = 1; k <= 2 * kDegree; ++k) {
+          left.higher[k][p][m] = higher_coefficients(row_bounds_[p][m], monomial_bounds_[p], k);
         }
       }
     }
@@ -318,45 +283,24 @@ class LineFit {
 
   Tube<Ball>& tube_;
   std::array<std::size_t, 3> others_;
-  std::array<SeriesBound, 5 * kDegree + 1> powers_;
   std::array<std::array<NetRow<Ball>, 3>, 2> rows_;
   std::array<std::array<NetRow<double>, 3>, 2> row_bounds_;
   std::array<Monomials<Ball, kDegree>, 2> monomials_;
   std::array<Monomials<double, kDegree>, 2> monomial_bounds_;
-  std::array<Matrix3, kDegree + 1> preconditioner_bounds_;
   std::array<BallMatrix<Ball>, kDegree + 1> columns_;
 };
 
 }  // namespace
 
-SeriesBound SeriesBound::of_power(std::size_t k, double ratio, double scale) {
-  const double degree = static_cast<double>(k);
-  double power = kSlack;
-  for (std::size_t i = 2; i < k; ++i) {
-    power *= ratio;
-  }
-  return {power * (k < 1   ? 1
-                   : k < 2 ? ratio
-                           : ratio * ratio),
-          k < 1 ? 0 : degree * power * (k < 2 ? 1 : ratio) / scale,
-          k < 2 ? 0 : degree * (degree - 1) * power / (scale * scale)};
-}
-
-void SeriesBound::add_product(const SeriesBound& f, const SeriesBound& g) {
-  value += f.value * g.value;
-  first += f.first * g.value + f.value * g.first;
-  second += f.second * g.value + 2 * f.first * g.first + f.value * g.second;
-}
-
 template <class Ball>
-std::optional<AlongLine> fit_line(Tube<Ball>& tube) {
-  AlongLine bounds;
+std::optional<LineRemainder<Ball>> fit_line(Tube<Ball>& tube) {
+  LineRemainder<Ball> left;
   tube.scale = std::ldexp(1.0, std::ilogb(tube.reach) + 1);
-  return LineFit<Ball>(tube).run(bounds) ? std::optional(bounds) : std::nullopt;
+  return LineFit<Ball>(tube).run(left) ? std::optional(left) : std::nullopt;
 }
 
-template std::optional<AlongLine> fit_line(Tube<DoubleBall>&);
-template std::optional<AlongLine> fit_line(Tube<DoubleDoubleBall>&);
-template std::optional<AlongLine> fit_line(Tube<ArbBall<256>>&);
+template std::optional<LineRemainder<DoubleBall>> fit_line(Tube<DoubleBall>&);
+template std::optional<LineRemainder<DoubleDoubleBall>> fit_line(Tube<DoubleDoubleBall>&);
+template std::optional<LineRemainder<ArbBall<256>>> fit_line(Tube<ArbBall<256>>&);
 
 }  // namespace exsect

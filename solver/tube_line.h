@@ -43,11 +43,30 @@ struct AlongLine {
   std::array<SeriesBound, 4> higher_bend;
 };
 
+/// Taylor index of the first derivative that column j of the Jacobian is made of.
+constexpr std::size_t column_index(std::size_t j) { return j % 2 == 0 ? 3 : 1; }
+
+/// Magnitudes of coefficients of sigma^k, by k: of C F along the line, of C D - 1 (by rows and columns other
+/// than the axis), of C, and of the higher derivatives of both nets. They hold for every reach up to the
+/// scale.
+template <class Ball>
+struct LineRemainder {
+  static constexpr std::size_t kDegree = kLineDegree<Ball>;
+  std::array<Row3, 5 * kDegree + 1> residual;
+  std::array<Matrix3, 4 * kDegree + 1> columns;
+  std::array<Matrix3, kDegree + 1> preconditioner;
+  std::array<std::array<std::array<NetRow<double>, 3>, 2>, 2 * kDegree + 1> higher;
+};
+
 /// Fills in scale, line, slope and preconditioner for the tube's axis, reach and nets: the Taylor polynomials
 /// of the curve and of the inverse of the columns other than the axis along it, but for rounding. Returns
-/// bounds of all that is left; empty if there is no inverse.
+/// what is left; empty if there is no inverse.
 template <class Ball>
-std::optional<AlongLine> fit_line(Tube<Ball>& tube);
+std::optional<LineRemainder<Ball>> fit_line(Tube<Ball>& tube);
+
+/// Bounds of what is left, over the tube's reach, at most its scale.
+template <class Ball>
+AlongLine along_line(const Tube<Ball>& tube, const LineRemainder<Ball>& left);
 
 /// C F and its derivatives at e, |e_i| <= z_i, bounded by those along the centre line: one patch, one row.
 /// `part` selects the derivative with respect to tau.

@@ -31,20 +31,33 @@ inline constexpr double kUnit<ArbBall<256>> = 0;
 constexpr double kMagnified = 0x1p-30;
 constexpr double kLeastMagnified = 0x1p-110;
 
+/// By this part of the tube's reach the ends of pieces are padded.
+constexpr double kPad = 1.0 / 1024;
+
 template <class Ball>
 std::array<int, 4> tangent_signs(const PairSystem<Ball>& system, const BallPoint<Ball>& at) {
   const BallPoint<Ball> t = Expansion<Ball>(system, at).tangent();
   return {t[0].certain_sign(), t[1].certain_sign(), t[2].certain_sign(), t[3].certain_sign()};
 }
 
+/// The range of offsets that a piece needs: at its ends the points are known up to a small part of the tube.
 template <class Ball>
-bool is_monotone(const Tube<Ball>& tube, std::size_t i) {
-  return std::fabs(tube.slope[i]) > tube.slope_error[i];
+std::array<double, 2> padded(const Piece<Ball>& piece) {
+  const double reach = piece.tube.reach;
+  const double pad = std::copysign(kPad * reach, piece.to - piece.from);
+  return {std::clamp(piece.from - pad, -reach, reach), std::clamp(piece.to + pad, -reach, reach)};
 }
 
 template <class Ball>
-bool turns_at_most_once(const Tube<Ball>& tube, std::size_t i) {
-  return std::fabs(tube.second[i]) > tube.second_error[i];
+bool is_monotone(const Piece<Ball>& piece, std::size_t i) {
+  const auto [from, to] = padded(piece);
+  return slope_between(piece.tube, i, from, to).has_sign();
+}
+
+template <class Ball>
+bool turns_at_most_once(const Piece<Ball>& piece, std::size_t i) {
+  const auto [from, to] = padded(piece);
+  return second_between(piece.tube, i, from, to).has_sign();
 }
 
 template <class Ball>
@@ -84,11 +97,12 @@ class TurningSearch {
     const auto is_simple = [this](const Piece<Ball>& piece) {
       return std::all_of(all_parameters.begin(), all_parameters.end(), [&](Parameter p) {
         const std::size_t i = index(p);
-        return known_.constant[i] || is_monotone(piece.tube, i) || turns_at_most_once(piece.tube, i);
+        return known_.constant[i] || is_monotone(piece, i) || turns_at_most_once(piece, i);
       });
     };
-    const auto part_of = [this](const Piece<Ball>& piece, double from, double to) {
-      return part(piece.tube, from, to);
+    const auto part_of = [&](const Piece<Ball>& piece, double from, double to) {
+      const Piece<Ball> on_same_tube{piece.tube, from, to};
+      return is_simple(on_same_tube) ? std::optional(on_same_tube) : part(piece.tube, from, to);
     };
     const auto failure = split_pieces(trace_.pieces, kMostPieces<Ball>, is_simple, part_of);
     if (failure) fail(point_at(failure->piece.tube, failure->at), failure->why);
@@ -115,7 +129,7 @@ class TurningSearch {
   /// Finds the turning point with respect to parameter i on piece k, if there is one.
   bool search(std::size_t k, std::size_t i) {
     const Piece<Ball>& piece = trace_.pieces[k];
-    if (is_monotone(piece.tube, i)) {
+    if (is_monotone(piece, i)) {
       return true;
     }
     const std::optional<int> first = sign_at(k, i, false);
@@ -348,7 +362,7 @@ std::variant<TurningPoints<Ball>, TraceFailure> find_turning_points(
 template <class Ball>
 bool may_be_constant(const Trace<Ball>& trace, std::size_t parameter) {
   return std::none_of(trace.pieces.begin(), trace.pieces.end(),
-                      [&](const Piece<Ball>& piece) { return is_monotone(piece.tube, parameter); });
+                      [&](const Piece<Ball>& piece) { return is_monotone(piece, parameter); });
 }
 
 #define EXSECT_INSTANTIATE_TURNING(Ball)                                                              \

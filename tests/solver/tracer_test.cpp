@@ -1,6 +1,8 @@
 #include "../../solver/tracer.h"
 
 #include <cmath>
+#include <random>
+#include <utility>
 
 #include "../../solver/turning_points.h"
 #include "support/catch.h"
@@ -135,6 +137,75 @@ TEST_CASE("no tube is certified around a crossing, nor where it is too long", "[
   }
   const auto circle = system_of<DoubleBall>(kCircle);
   CHECK_FALSE(certify_tube(circle, on_diagonal(q(1, 2), q(5, 6)), 0, 0.4, 0));
+}
+
+template <class Ball>
+void check_derivatives_between() {
+  const auto system = system_of<Ball>(kHyperbola);
+  const auto tube = certify_tube(system, on_diagonal<Ball>(q(1, 2), q(1, 2)), 0, 0.05, 0);
+  REQUIRE(tube);
+  for (const auto& [from, to] : {std::pair(-0.05, 0.05), {0.02, -0.01}, {0.03, 0.0301}, {0.05, 0.05}}) {
+    const ValueRange slope = slope_between(*tube, 1, from, to);
+    const ValueRange second = second_between(*tube, 1, from, to);
+    for (const double part : {0.0, 0.3, 1.0}) {
+      const double u = 0.5 + from + part * (to - from);
+      CHECK(std::fabs(-1 / (4 * u * u) - slope.middle) <= slope.error + 1e-14);
+      CHECK(std::fabs(1 / (2 * u * u * u) - second.middle) <= second.error + 1e-13);
+    }
+    // v' changes by at most max v'' |to - from|; the remainder is of order reach^3.
+    CHECK(slope.error < 5.5 * std::fabs(to - from) / 2 + 6e-3);
+    CHECK(slope_between(*tube, 0, from, to).middle == 1);
+  }
+  CHECK(slope_between(*tube, 1, 0.03, 0.0301).error < 0.2 * slope_between(*tube, 1, -0.05, 0.05).error);
+}
+
+TEST_CASE("derivatives along a part of a tube", "[tube]") {
+  check_derivatives_between<DoubleBall>();
+  check_derivatives_between<DoubleDoubleBall>();
+  check_derivatives_between<ArbBall<256>>();
+}
+
+TEST_CASE("derivatives along random parts of tubes", "[tube]") {
+  std::mt19937_64 generator(7);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const auto system = system_of<DoubleBall>(kCircle);  // v = 1/2 + sqrt(1/9 - (u - 1/2)²)
+  for (int round = 0; round < 200; ++round) {
+    const double u = 0.5 + 0.2 * any(generator);
+    const double v = 0.5 + std::sqrt(1.0 / 9 - (u - 0.5) * (u - 0.5));
+    const auto tube = certify_tube(system, BallPoint<DoubleBall>{u, v, u, v}, 0, 0.02, 0);
+    REQUIRE(tube);
+    const double from = 0.02 * any(generator), to = 0.02 * any(generator);
+    const ValueRange slope = slope_between(*tube, 3, from, to);
+    const ValueRange second = second_between(*tube, 3, from, to);
+    for (const double part : {0.0, 0.5, 1.0}) {
+      const double a = u + from + part * (to - from) - 0.5;
+      const double height = std::sqrt(1.0 / 9 - a * a);
+      CHECK(std::fabs(-a / height - slope.middle) <= slope.error + 1e-12);
+      CHECK(std::fabs(-1 / (9 * height * height * height) - second.middle) <= second.error + 1e-11);
+    }
+  }
+}
+
+TEST_CASE("the largest reach is one that is proved, and longer ones are not", "[tube]") {
+  for (const Rational& e : {q(1, 1000), q(1, 1000000)}) {  // u v = e + ..., the branches e apart
+    const HeightCoefficients h = {{{q(1, 4) - e, q(-1, 2), 0}, {q(-1, 2), 1, 0}, {0, 0, 0}}};
+    const auto system = system_of<DoubleBall>(h);
+    const double offset = std::sqrt(to_double(e));
+    const auto vertex = newton_corrected(
+        system, BallPoint<DoubleBall>{0.5 + offset, 0.5 + offset, 0.5 + offset, 0.5 + offset}, 0, 4);
+    REQUIRE(vertex);
+    const double reach = largest_reach(system, *vertex, 0, 1e-12, 0.25, 0, 0.5);
+    REQUIRE(reach > 0);
+    const auto tube = certify_tube(system, *vertex, 0, reach, 0);
+    REQUIRE(tube);
+    CHECK(tube->contraction <= 0.5);
+    const auto longer = certify_tube(system, *vertex, 0, 2 * reach, 0);
+    CHECK((!longer || longer->contraction > 0.5));
+    CHECK(reach < offset);
+    CHECK(reach > offset / 32);
+  }
+  const auto crossing = system_of<DoubleBall>(kCrossing);
+  CHECK(largest_reach(crossing, on_diagonal(q(1, 2), q(1, 2)), 0, 1e-12, 0.1, 0, 0.5) == 0);
 }
 
 TEST_CASE("a circle is traced once around, with its four turning points", "[tracer]") {
