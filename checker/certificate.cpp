@@ -78,6 +78,7 @@ Rational number_of(std::string_view text) {
 }
 
 static void read(Reader& in, std::size_t& n) { n = in.count(); }
+static void read(Reader& in, int& n) { n = static_cast<int>(in.count()); }
 static void read(Reader& in, std::string& text) { text = in.string(); }
 static void read(Reader& in, Rational& q) {
   try {
@@ -115,10 +116,28 @@ static void read(Reader& in, Parameter& parameter) {
   parameter = word.parameter();
   word.end();
 }
-static void read(Reader& in, Relation& relation) {
-  in.claim({"direction", "first", "second"}, relation.direction, relation.first, relation.second);
+/// Three polynomials, their terms a coefficient followed by four exponents.
+static void read(Reader& in, Map<Rational>& map) {
+  const auto term = [&](std::size_t d) {
+    Rational c;
+    Power power = {};
+    const std::size_t size = in.list([&](std::size_t i) {
+      require(i < 5, "must be a coefficient and four exponents");
+      i == 0 ? read(in, c) : read(in, power[i - 1]);
+      require(i == 0 || power[i - 1] <= 12, "an exponent above 12");
+    });
+    require(size == 5, "must be a coefficient and four exponents");
+    map.coefficient(power)[d] += c;
+  };
+  const std::size_t size = in.list([&](std::size_t d) {
+    require(d < 3, "must be three polynomials");
+    in.list([&](std::size_t) { term(d); });
+  });
+  require(size == 3, "must be three polynomials");
 }
-static void read(Reader& in, Line& line) { in.claim({"axis", "at"}, line.axis, line.at); }
+static void read(Reader& in, Factor& factor) {
+  in.claim({"map", "powers", "columns"}, factor.map, factor.powers, factor.columns);
+}
 
 /// "u+", after "star0".
 static MapName chart_of_star(Word& word) {
@@ -191,7 +210,7 @@ static void read(Reader& in, Algebraic& number) {
   in.at_list() ? read(in, c) : read(in, c.emplace_back());
   number = Algebraic(std::move(c), nullptr);
 }
-static void read_star(Reader& in, Star& star) {
+static void read(Reader& in, Star& star) {
   auto root = std::make_shared<Root>();
   in.claim({"modulus", "between", "at", "axes", "coordinates", "weights", "rows", "orders", "charts"},
            root->modulus, root->between, star.at, star.axes, star.coordinates, star.weights, star.rows,
@@ -204,20 +223,8 @@ static void read_star(Reader& in, Star& star) {
     for (auto& row : *matrix) std::for_each(row.begin(), row.end(), belongs);
   for (auto& row : star.rows) std::for_each(row.begin(), row.end(), belongs);
 }
-static void read_seam(Reader& in, Star& seam) {
-  const auto of = [&] {
-    Word word(in.string());
-    if (!word.skip("pair")) {
-      require(word.skip("star"), "must be pair or a chart of a star");
-      seam.of = chart_of_star(word);
-    }
-    word.end();
-  };
-  in.claim({"of", "at", "axes", "coordinates", "weights", "rows", "orders", "charts"}, of, seam.at, seam.axes,
-           seam.coordinates, seam.weights, seam.rows, seam.orders, seam.charts);
-}
 
-/// "pair", "first", "second", or of "star0u+", "line3" and "seam2" those that the curve has, in this order.
+/// "pair", "first", "second", "star0u+", "factor3" or "star0u+factor3".
 template <class N>
 void read_curve(std::string_view text, Tube<N>& tube) {
   Word word(text);
@@ -226,12 +233,10 @@ void read_curve(std::string_view text, Tube<N>& tube) {
   } else if (!word.skip("pair")) {
     const bool star = word.skip("star");
     if (star) static_cast<MapName&>(tube) = chart_of_star(word);
-    if (word.skip("line")) {
-      tube.line = word.count();
-      if (word.skip("seam")) tube.seam = word.count();
-    } else {
+    if (word.skip("factor"))
+      tube.factor = word.count();
+    else
       require(star, "must be one of the documented words");
-    }
   }
   word.end();
 }
@@ -309,7 +314,7 @@ void read(Reader& in, Overlap<N>& overlap) {
         {"points", "error_bound"}, [&] { read_points(in, arc); }, arc.error_bound);
     in.end();
   };
-  in.claim({"seam", "edges"}, overlap.seam, [&] { in.list(edge); });
+  in.claim({"factor", "edges"}, overlap.factor, [&] { in.list(edge); });
 }
 static void read(Reader& in, Component& component) {
   in.claim({"shape", "arcs"}, component.shape, component.arcs);
@@ -385,12 +390,8 @@ void read_line(Reader& in, Certificate<N>& c) {
 template <class N>
 void read_curves(Reader& in, Certificate<N>& c) {
   read_patches(in, c);
-  const auto star = [&](std::size_t) { read_star(in, c.stars.emplace_back()); };
-  const auto seam = [&](std::size_t) { read_seam(in, c.seams.emplace_back()); };
-  in.members(
-      {"relations", "lines", "stars", "seams", "tubes", "nodes", "arcs", "components", "overlaps"},
-      c.relations, c.lines, [&] { in.list(star); }, [&] { in.list(seam); }, c.tubes, c.nodes, c.arcs,
-      c.components, c.overlaps);
+  in.members({"factors", "stars", "tubes", "nodes", "arcs", "components", "overlaps"}, c.factors, c.stars,
+             c.tubes, c.nodes, c.arcs, c.components, c.overlaps);
   read_cover(in, c);
   in.members({"summary"}, c.summary);
   for (std::size_t i = 0; i < c.stars.size(); ++i) {

@@ -39,27 +39,23 @@ struct Side {
   int value;  // 0 or 1
 };
 
-/// direction . F = f(w_first) - g(w_second), so that one of the two parameters follows the other.
-struct Relation {
-  Vector3<Rational> direction;
-  Parameter first;   // u or v
-  Parameter second;  // r or s
-};
-
 /// Of a line: only solutions with this value of this parameter are meant.
 struct Fixed {
   Parameter parameter;
   Rational value;
 };
 
-/// A curve in the variables of a map, as polynomials of degree <= 2 in that of its axis.
-template <class N>
-using OnAxis = std::array<Vector3<N>, 4>;
+/// F = sum_j columns_j g_j^powers_j for the components g_j of the map: where the columns are independent, F
+/// vanishes with the map alone. With an empty third column, where the first two are independent, with g_1 and
+/// g_2.
+struct Factor {
+  Map<Rational> map;
+  std::array<std::size_t, 3> powers;
+  std::array<Map<Rational>, 3> columns;
 
-/// w(t) = at[.][0] + at[.][1] t + at[.][2] t^2 solves F = 0 for all t; w_axis(t) = t.
-struct Line {
-  Parameter axis;
-  OnAxis<Rational> at;
+  bool is_surface() const { return columns[2].terms().empty(); }
+  /// Where the map vanishes, the patches touch.
+  bool touches() const { return is_surface() || *std::max_element(powers.begin(), powers.end()) > 1; }
 };
 
 using Matrix4 = std::array<Vector4<Algebraic>, 4>;
@@ -68,29 +64,25 @@ using Matrix4 = std::array<Vector4<Algebraic>, 4>;
 struct Cell {
   enum class Kind { split, excluded, tube, star, sheet, mirrored, lower, injective };
   Kind kind;
-  std::size_t index;             // the parameter that is halved; the tube; the star; the seam
+  std::size_t index;             // the parameter that is halved; the tube; the star; the overlap
   std::array<int, 3> direction;  // excluded, injective
   std::size_t row;               // of the list in which it stands
 };
 
 /// The solution `at` and all solutions near it, w = at + sum_j axes_ij e_j, |e_j| <= 1: they are on half
 /// branches e_j = d_j t^weights_j, each the curve of a tube in one of the eight charts d_k = 1 and d_k = -1,
-/// where `rows` F is divisible by t^orders. With one or two weights 0 it is a seam: all points of a line or
-/// a plane, e_j = 0 for the other j, are solutions of `of`, and there are no others. The numbers of a seam
-/// are rational.
+/// where `rows` F is divisible by t^orders.
 struct Star {
-  MapName of;                        // of a seam
-  std::shared_ptr<const Root> root;  // of the numbers of a star
+  std::shared_ptr<const Root> root;  // of its numbers
   Vector4<Algebraic> at;
   Matrix4 axes;
   Matrix4 coordinates;  // their inverse
   std::array<std::size_t, 4> weights;
   Matrix3<Algebraic> rows;
-  std::array<std::size_t, 3> orders;
+  std::array<int, 3> orders;
   std::array<std::vector<Cell>, 8> charts;  // u+, u-, v+, ...: subdivisions
 
-  bool is_rational() const { return !root || root->degree() == 1; }
-  bool is_plane() const { return std::count(weights.begin(), weights.end(), std::size_t{0}) == 2; }
+  bool is_rational() const { return root->degree() == 1; }
 };
 
 /// A point on the curve of a tube, within `radius` of `at` in each parameter; neither on sides nor turning: a
@@ -130,11 +122,11 @@ struct Arc {
   std::array<Vector4<Rational>, 2> ends;  // the first and the last place, exactly
 };
 
-/// All solutions of a seam of a plane in [0,1]^4: a convex polygon. Its edges are straight in the parameters;
+/// All points of a plane of solutions in [0,1]^4: a convex polygon. Its edges are straight in the parameters;
 /// of them as arcs only the points and the error bound are meant.
 template <class N>
 struct Overlap {
-  std::size_t seam;
+  std::size_t factor;         // of which g_1 and g_2 vanish on the plane
   std::vector<Arc<N>> edges;  // from each corner to the next one
 };
 
@@ -144,8 +136,8 @@ struct Component {
 };
 
 struct Summary {
-  // Relations, lines, stars, tubes, nodes, arcs, entries of the cover, seams, overlaps.
-  std::array<std::size_t, 9> claims;
+  // Factors, stars, tubes, nodes, arcs, entries of the cover, overlaps.
+  std::array<std::size_t, 7> claims;
   std::size_t components = 0;
   std::size_t closed = 0;
   std::size_t open = 0;
@@ -164,10 +156,8 @@ struct Certificate {
   std::array<ControlNet, 2> nets;  // twice the same if `self`
   bool self;
   std::optional<Fixed> fixed;  // of a line: then the points are the nodes, and there are no arcs
-  std::vector<Relation> relations;
-  std::vector<Line> lines;
+  std::vector<Factor> factors;
   std::vector<Star> stars;
-  std::vector<Star> seams;
   std::vector<Tube<N>> tubes;
   std::vector<Node<N>> nodes;  // those of the stars last
   std::vector<Arc<N>> arcs;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 
 #include "check_stars.h"
 
@@ -87,26 +88,6 @@ class ErrorBound {
     return result;
   }
 
-  /// Of the curve in the box; those of a line exactly.
-  CurveBounds<N> derivatives(const ProvedTube<N>& tube, const Vector4<N>& middle,
-                             const Vector4<N>& half) const {
-    const std::size_t k = tube.claim.axis;
-    if (!tube.exact) {
-      const Map<N> here = replay_.map(tube.claim).at(middle);
-      const CurveBounds<N> bounds = curve_bounds(here.times(near_inverse(here, k)), k, half);
-      require(bounds.defect < 1, "no derivative over a step of the polyline");
-      return bounds;
-    }
-    CurveBounds<N> bounds = {};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Vector3<N>& a = (*tube.exact)[i];
-      const N bend = 2 * a[2];
-      bounds.first[i] = {a[1] + bend * middle[k], magnitude(bend) * half[k]};
-      bounds.second[i] = {bend, N(0)};
-    }
-    return bounds;
-  }
-
   /// The greatest distance on the steps j, ..., last - 1.
   N over(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
          const std::vector<N>& near, std::size_t j, std::size_t last) const {
@@ -118,7 +99,10 @@ class ErrorBound {
       middle[i] = rounded_down(N((at[j][i] + at[last][i]) / 2));
       half[i] = rounded_down(N(magnitude(N(at[j][i] - at[last][i])) / 2 + 2 * margin)) + N(0x1p-23);
     }
-    const CurveBounds<N> bounds = derivatives(tube, middle, half);
+    const Map<N> here = tube.map.at(middle);
+    const std::size_t k = tube.claim.axis;
+    const CurveBounds<N> bounds = curve_bounds(here.times(near_inverse(here, k)), k, half);
+    require(bounds.defect < 1, "no derivative over a step of the polyline");
     const Map<N>& space = replay_.space_map(tube.claim);
     const Map<N> local = space.at(middle);
     Balls<N> second = local.second(bounds.first, half);
@@ -127,7 +111,7 @@ class ErrorBound {
       const Balls<N> partial = local.first(i, half);
       for (std::size_t d = 0; d < 3; ++d) {
         second[d] = second[d] + partial[d] * bounds.second[i];
-        if (i != tube.claim.axis) slope[d] += partial[d].magnitude();
+        if (i != k) slope[d] += partial[d].magnitude();
       }
     }
     const N bend = norm_above({second[0].magnitude(), second[1].magnitude(), second[2].magnitude()}) / 8;
@@ -137,7 +121,7 @@ class ErrorBound {
     for (std::size_t i = j; i <= last; ++i) {
       const N end = norm_above(difference(space.value(at[i]), places_[first + i])) + speed * near[i];
       if (i > j) {
-        const N step = at[i][tube.claim.axis] - at[i - 1][tube.claim.axis];
+        const N step = at[i][k] - at[i - 1][k];
         most = larger(most, N(larger(before, end) + step * step * bend));
       }
       before = end;
@@ -151,18 +135,27 @@ class ErrorBound {
   std::vector<Vector3<N>> places_;  // on the polyline
 };
 
-/// T_i vanishes wherever w_k has the value: it is of degree <= 3 in each parameter.
-inline bool turns_on_side(const Map<Rational>& exact, std::size_t i, const Side& side) {
-  const auto [a, b, c] = others(side.parameter);
-  Vector4<Rational> w;
-  w[side.parameter] = side.value;
-  for (int n = 0; n < 64; ++n) {
-    w[a] = n % 4;
-    w[b] = n / 4 % 4;
-    w[c] = n / 16;
-    if (tangent(exact.at(w), {})[i].middle != 0) return false;
+/// T_i vanishes wherever the parameters are on the sides: it is of degree <= n in each of the others, if n is
+/// the sum of the map's degrees.
+inline bool turns_on_sides(const Map<Rational>& map, std::size_t i, const std::vector<Side>& sides) {
+  Vector4<Rational> w = {};
+  std::vector<std::size_t> free = {0, 1, 2, 3};
+  for (const Side& side : sides) {
+    w[side.parameter] = side.value;
+    free.erase(std::remove(free.begin(), free.end(), side.parameter.index), free.end());
   }
-  return true;
+  int degree = 0;
+  for (const auto& term : map.terms())
+    degree = std::max(degree, *std::max_element(term.power.begin(), term.power.end()));
+  const std::function<bool(std::size_t)> vanishes = [&](std::size_t n) {
+    if (n == free.size()) return tangent(map.at(w), {})[i].middle == 0;
+    for (int t = 0; t <= 3 * degree; ++t) {
+      w[free[n]] = t;
+      if (!vanishes(n + 1)) return false;
+    }
+    return true;
+  };
+  return vanishes(0);
 }
 
 template <class N>
@@ -213,7 +206,7 @@ class ArcCheck {
     std::vector<N> near;
     for (std::size_t j = first; j <= piece.last; ++j) {
       at.push_back(middles(box(tube.claim, j, N(0))));
-      near.push_back(distance(replay_, tube, at.back()));
+      near.push_back(distance(tube, at.back()));
     }
     const bool final = piece.last + 1 == arc_.points.size();
     for (const Ball<N>& b : enters) near.front() = larger(near.front(), b.radius);
@@ -272,10 +265,10 @@ class ArcCheck {
       for (std::size_t e = 0; e < 2; ++e) {
         const Node<N>& node = replay_.certificate.nodes[e == 0 ? arc_.from : arc_.to];
         turns[e] = is_node[e] && std::find(node.wrt.begin(), node.wrt.end(), i) != node.wrt.end();
-        if (!t[e])
-          t[e] = tangent(replay_.equation[0].at(arc_.points[at[e]].at), {near[e], near[e], near[e], near[e]});
+        if (!t[e]) t[e] = tangent(tube.map.at(arc_.points[at[e]].at), {near[e], near[e], near[e], near[e]});
         signs[e] = (*t[e])[i].sign() * (*t[e])[tube.claim.axis].sign();
-        turns[e] = turns[e] || (is_node[e] && signs[e] == 0 && turns_at(node, i, tube.claim.axis));
+        turns[e] = turns[e] || (is_node[e] && signs[e] == 0 && !node.on.empty() &&
+                                turns_on_sides(replay_.exact_map(tube.claim), i, node.on));
       }
       if (turns[0] || turns[1])
         result[i] = turns[0] ? (turns[1] ? 0 : signs[1]) : signs[0];
@@ -283,13 +276,6 @@ class ArcCheck {
         result[i] = signs[0];
     }
     return result;
-  }
-
-  /// The node is on a side of the axis on which parameter i always turns.
-  bool turns_at(const Node<N>& node, std::size_t i, std::size_t axis) const {
-    return std::any_of(node.on.begin(), node.on.end(), [&](const Side& side) {
-      return side.parameter == axis && turns_on_side(replay_.exact, i, side);
-    });
   }
 
   /// In a chart, the signs with growing w of u, v, r, s; on one side of the diagonal.

@@ -62,19 +62,12 @@ void check_component(const Certificate<N>& certificate, std::size_t c, const End
           "open, closed and branched confused");
 }
 
-/// The patches touch all along the arc: the derivative of F has no rank 3 along the lines, which is of degree
-/// <= 18. In tubes that no seam proves they do so nowhere.
+/// The patches touch all along the arc; in tubes without such a factor they do so nowhere.
 template <class N>
 bool is_tangential(const Replay<N>& all, const Arc<N>& arc) {
   return std::all_of(arc.pieces.begin(), arc.pieces.end(), [&](const Piece& piece) {
-    const Tube<N>& tube = all.tubes[piece.tube].claim;
-    if (tube.seam < 0) return false;
-    for (int t = 0; t < 19; ++t) {
-      const auto& line = all.certificate.lines[static_cast<std::size_t>(tube.line)];
-      for (const Ball<Rational>& minor : tangent(all.exact.at(value(line.at, Rational(t))), {}))
-        if (minor.middle != 0) return false;
-    }
-    return true;
+    const int factor = all.tubes[piece.tube].claim.factor;
+    return factor >= 0 && all.certificate.factors[static_cast<std::size_t>(factor)].touches();
   });
 }
 
@@ -82,9 +75,8 @@ bool is_tangential(const Replay<N>& all, const Arc<N>& arc) {
 template <class N>
 Summary counted(const Replay<N>& all, const Ends& ends) {
   const Certificate<N>& c = all.certificate;
-  Summary count = {{c.relations.size(), c.lines.size(), c.stars.size(), c.tubes.size(),
-                    c.nodes.size() - c.stars.size(), c.arcs.size(), c.cover.size(), c.seams.size(),
-                    c.overlaps.size()}};
+  Summary count = {{c.factors.size(), c.stars.size(), c.tubes.size(), c.nodes.size() - c.stars.size(),
+                    c.arcs.size(), c.cover.size(), c.overlaps.size()}};
   count.components = c.components.size();
   for (const Component& component : c.components)
     ++(component.shape == "open" ? count.open : component.shape == "closed" ? count.closed : count.branched);
@@ -112,10 +104,7 @@ void check_graph(const Replay<N>& all, const Ends& ends) {
 template <class N>
 Ends check_curves(const Replay<N>& all) {
   const Certificate<N>& c = all.certificate;
-  for (std::size_t i = 0; i < c.stars.size(); ++i)
-    check_charts(all, c.stars[i], all.stars[i], {Chart::star, i, 0}, place("$.stars", i));
-  for (std::size_t i = 0; i < c.seams.size(); ++i)
-    check_charts(all, c.seams[i], all.seams[i], {}, place("$.seams", i));
+  for (std::size_t i = 0; i < c.stars.size(); ++i) check_charts(all, i);
   each_node(c, [&](std::size_t i) { NodeCheck<N>(all).check(i); });
   each("$.overlaps", c.overlaps, [&](std::size_t i) { OverlapCheck<N>(all, i).check(); });
   Ends ends(c.nodes.size());
@@ -143,19 +132,16 @@ Summary check_points(const Replay<N>& all) {
     used[c.nodes[i].tube] = true;
   });
   each("$.tubes", used, [&](std::size_t i) { require(used[i], "no point is in it"); });
-  return {{0, 0, 0, c.tubes.size(), c.nodes.size(), 0, c.cover.size(), 0, 0}};
+  return {{0, 0, c.tubes.size(), c.nodes.size(), 0, c.cover.size(), 0}};
 }
 
 template <class N>
 Report check(const Certificate<N>& certificate) {
   Replay<N> all = start(certificate);
-  each("$.relations", certificate.relations,
-       [&](std::size_t i) { check_relation(all.exact, certificate.relations[i]); });
-  each("$.lines", certificate.lines, [&](std::size_t i) { check_line(all.exact, certificate.lines[i]); });
+  each("$.factors", certificate.factors,
+       [&](std::size_t i) { check_factor(all.exact, certificate.factors[i]); });
   each("$.stars", certificate.stars,
        [&](std::size_t i) { all.stars.push_back(check_star(all, certificate.stars[i])); });
-  each("$.seams", certificate.seams,
-       [&](std::size_t i) { all.seams.push_back(check_seam(all, certificate.seams[i])); });
   each("$.tubes", certificate.tubes, [&](std::size_t i) { check_tube(all, certificate.tubes[i]); });
   Summary count;
   if (certificate.fixed) {

@@ -1,7 +1,7 @@
 // The subdivision of [0,1]^4: every leaf holds no solution, or lies in a tube, in a star or in an overlap.
 #pragma once
 
-#include "replay.h"
+#include "check_tubes.h"
 
 namespace exsect::checker {
 
@@ -59,7 +59,7 @@ class Cover {
       else if (cell.kind == Kind::star)
         check_in_star(box_of(region), element(replay_.stars, cell.index, "names no star"));
       else if (cell.kind == Kind::sheet)
-        check_in_star(box_of(region), seam_of_overlap(cell.index));
+        check_on_plane(box_of(region), element(certificate_.overlaps, cell.index, "names no overlap").factor);
       else
         of_one_patch(cell, box_of(region));
     });
@@ -139,11 +139,10 @@ class Cover {
     return below + above < 0;
   }
 
-  const StarMaps<N>& seam_of_overlap(std::size_t seam) const {
-    const auto& overlaps = certificate_.overlaps;
-    require(std::any_of(overlaps.begin(), overlaps.end(), [&](const auto& o) { return o.seam == seam; }),
-            "names no overlap");
-    return replay_.seams[seam];
+  /// All solutions in the cell are on the plane.
+  void check_on_plane(const Box<N>& box, std::size_t factor) const {
+    require(independent(factor_maps<N>(certificate_.factors[factor]).columns, box),
+            "there may be solutions beside the plane");
   }
 
   static void check_in_star(const Box<N>& box, const StarMaps<N>& star) {
@@ -155,7 +154,7 @@ class Cover {
     require(tube.chart != Chart::star, "a tube of a star");
     require(tube.contains(tube.chart == Chart::pair
                               ? box
-                              : pairs_in_chart(tube, replay_.map(tube), halves(tube.chart, box))),
+                              : pairs_in_chart(tube, replay_.tubes[i].map, halves(tube.chart, box))),
             "the cell is not in the tube");
   }
 

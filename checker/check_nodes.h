@@ -36,7 +36,7 @@ class NodeCheck {
     const Box<N> box = node_box(tube.claim, node);
     require(node.radius > 0 && tube.claim.contains(box), "its box is not in its tube");
     for (std::size_t j = 0; j < 4; ++j) check_parameter(node, j);
-    const N near = distance(replay_, tube, middles(box));
+    const N near = distance(tube, middles(box));
     require(near <= node.radius, "its box may miss the curve");
     require(node.on.empty() || node.wrt.empty(), "both on a side and a turning point");
     if (!node.on.empty())
@@ -59,42 +59,45 @@ class NodeCheck {
             "its box leaves (0,1)");
   }
 
-  /// There is a relation between i and j, and, if sides are meant, i = a exactly where j = b.
-  bool related(std::size_t i, std::size_t j, const std::optional<std::array<int, 2>>& values) const {
-    const auto& relations = replay_.certificate.relations;
-    return std::any_of(relations.begin(), relations.end(), [&](const Relation& relation) {
-      if (relation.first != std::min(i, j) || relation.second != std::max(i, j)) return false;
-      if (!values) return true;
-      Vector4<Rational> w = {};
-      w[i] = (*values)[0];
-      w[j] = (*values)[1];
-      return dot(relation.direction, replay_.exact.value(w)) == 0;
-    });
+  /// The component of the tube's map is monotone in w_i.
+  bool monotone(const ProvedTube<N>& tube, std::size_t d, std::size_t i) const {
+    const Map<N> local = tube.map.at(tube.claim.centre);
+    return local.first(i, tube.claim.extent())[d].sign() != 0;
   }
 
-  /// The axis is one of the sides; all other sides are constant on the line that the curve is, or follow by
-  /// relations, or `at` is a solution.
+  /// The axis is one of the sides; another one follows if a component of the map is monotone in its parameter
+  /// and vanishes wherever it and those known hold; or `at` is a solution.
   void check_sides(const Node<N>& node, const ProvedTube<N>& tube) const {
     std::vector<Side> open = node.on;
     std::vector<Side> known;
-    const auto on_axis = [&](const Side& side) { return side.parameter == tube.claim.axis; };
-    require(std::any_of(open.begin(), open.end(), on_axis), "its tube has another axis");
-    const auto by_relation = [&](const Side& other, const Side& side) {
-      return related(other.parameter, side.parameter, std::array{other.value, side.value});
-    };
     const auto follows = [&](const Side& side) {
-      if (on_axis(side)) return true;
-      if (tube.constant[side.parameter] && (*tube.exact)[side.parameter][0] == N(side.value)) return true;
-      return std::any_of(known.begin(), known.end(),
-                         [&](const Side& other) { return by_relation(other, side); });
+      if (known.empty()) return side.parameter == tube.claim.axis;
+      std::vector<Side> all = known;
+      all.push_back(side);
+      for (std::size_t d = 0; d < 3; ++d)
+        if (vanishes(replay_.exact_map(tube.claim), d, all) && monotone(tube, d, side.parameter)) return true;
+      return false;
     };
     while (!open.empty()) {
       const auto next = std::find_if(open.begin(), open.end(), follows);
+      require(next != open.end() || !known.empty(), "its tube has another axis");
       if (next == open.end() && is_solution(replay_.exact, node.place)) break;
       require(next != open.end(), "a side does not follow from that of the tube's axis");
       known.push_back(*next);
       open.erase(next);
     }
+  }
+
+  /// i and j turn together: a component of the map is a sum of monotone functions of them alone.
+  bool related(const ProvedTube<N>& tube, std::size_t i, std::size_t j) const {
+    for (std::size_t d = 0; d < 3; ++d) {
+      bool alone = true;
+      for (const auto& term : replay_.exact_map(tube.claim).terms())
+        for (std::size_t k = 0; k < 4; ++k)
+          alone = alone && (k == i || k == j || term.power[k] == 0 || term.c[d] == 0);
+      if (alone && monotone(tube, d, i) && monotone(tube, d, j)) return true;
+    }
+    return false;
   }
 
   /// w' has exactly one zero on the tube's curve, and it is in the node's box.
@@ -107,10 +110,10 @@ class NodeCheck {
     for (std::size_t j = 1; j < node.wrt.size(); ++j) {
       require(node.wrt[j - 1] < node.wrt[j], "parameters not in order");
       require(std::any_of(node.wrt.begin(), node.wrt.begin() + static_cast<std::ptrdiff_t>(j),
-                          [&](std::size_t other) { return related(other, node.wrt[j], std::nullopt); }),
-              "no relation makes the parameters turn together");
+                          [&](std::size_t other) { return related(tube, other, node.wrt[j]); }),
+              "the parameters need not turn together");
     }
-    const Box<N> t = tangent(replay_.equation[0].at(node.at), {near, near, near, near});
+    const Box<N> t = tangent(tube.map.at(node.at), {near, near, near, near});
     require(t[k].sign() != 0, "no derivative here");
     // |w'| / min|w''| bounds the distance from the zero, along the axis.
     const N away = t[i].magnitude() / (t[k].least() * second.least());
@@ -132,8 +135,7 @@ void check_point(const Replay<N>& replay, std::size_t i) {
   const Node<N>& point = points[i];
   const ProvedTube<N>& tube = element(replay.tubes, point.tube, "names no tube");
   require(tube.claim.axis == replay.certificate.fixed->parameter, "its tube has another axis");
-  require(point.radius > 0 && distance(replay, tube, point.at) <= point.radius,
-          "its box may miss the solution");
+  require(point.radius > 0 && distance(tube, point.at) <= point.radius, "its box may miss the solution");
   const N margin = is_solution(replay.exact, point.place) ? N(0) : point.radius;
   for (const std::size_t j : others(tube.claim.axis))
     require(point.at[j] - margin >= 0 && point.at[j] + margin <= 1, "its box leaves [0,1]");

@@ -12,38 +12,58 @@ class OverlapCheck {
       : replay_(replay),
         overlap_(replay.certificate.overlaps[i]),
         index_(i),
-        seam_(element(replay.certificate.seams, overlap_.seam, "names no seam")),
-        frame_(seam_) {
+        factor_(element(replay.certificate.factors, overlap_.factor, "names no factor")) {
     for (const Arc<N>& edge : overlap_.edges) corners_.push_back(edge.ends[0]);
   }
 
   /// The corners are those of the plane's part in [0,1]^4.
-  void check() const {
-    require(seam_.is_plane(), "its seam is not one of a plane");
+  void check() {
+    require(is_plane(), "its factor is not one of a plane");
     require(corners_.size() >= 3, "less than three corners");
     for (const auto& corner : corners_) {
-      require(is_on(seam_, corner), "a corner is not on its seam's plane");
-      for (const Rational& e : frame_.of(corner)) require(abs(e) <= 1, "a corner is beyond its seam");
+      require(is_on(factor_, corner), "a corner is not on its plane");
       for (const Rational& q : corner) require(q >= 0 && q <= 1, "a corner is not in [0,1]^4");
     }
     for (std::size_t i = 0; i < corners_.size(); ++i) check_edge(i);
     for (std::size_t i = 0; i < index_; ++i) {
-      const auto& other = replay_.certificate.seams[replay_.certificate.overlaps[i].seam];
+      const Factor& other = replay_.certificate.factors[replay_.certificate.overlaps[i].factor];
       const auto on_it = [&](const Vector4<Rational>& corner) { return is_on(other, corner); };
       require(!std::all_of(corners_.begin(), corners_.end(), on_it), "the same as an earlier one");
     }
   }
 
  private:
+  static bool is_on(const Factor& factor, const Vector4<Rational>& w) {
+    const Vector3<Rational> g = factor.map.value(w);
+    return g[0] == 0 && g[1] == 0;
+  }
+  /// g_1 and g_2 are linear, and their derivatives with respect to two parameters independent: the two others
+  /// are coordinates of the plane.
+  bool is_plane() {
+    const auto linear = [](const auto& term) {
+      return (term.c[0] == 0 && term.c[1] == 0) ||
+             std::accumulate(term.power.begin(), term.power.end(), 0) <= 1;
+    };
+    const auto& terms = factor_.map.terms();
+    if (!factor_.is_surface() || !std::all_of(terms.begin(), terms.end(), linear)) return false;
+    const auto slope = [&](std::size_t d, std::size_t i) {
+      return Rational(factor_.map.first(i, {})[d].middle);
+    };
+    for (std::size_t j = 0; j < 4; ++j) {
+      for (std::size_t i = 0; i < j; ++i) {
+        if (slope(0, i) * slope(1, j) == slope(0, j) * slope(1, i)) continue;
+        auto coordinate = coordinates_.begin();
+        for (std::size_t k = 0; k < 4; ++k)
+          if (k != i && k != j) *coordinate++ = k;
+        return true;
+      }
+    }
+    return false;
+  }
   /// The sign of (b - a) x (c - a) in the plane.
   int turn(const Vector4<Rational>& a, const Vector4<Rational>& b, const Vector4<Rational>& c) const {
-    std::vector<std::array<Rational, 2>> difference;
-    const Vector4<Rational> from = frame_.of(a);
-    const Vector4<Rational> to = frame_.of(b);
-    const Vector4<Rational> other = frame_.of(c);
-    for (std::size_t j = 0; j < 4; ++j)
-      if (seam_.weights[j] == 0) difference.push_back({to[j] - from[j], other[j] - from[j]});
-    return sign(Rational(difference[0][0] * difference[1][1] - difference[0][1] * difference[1][0]));
+    const auto [i, j] = coordinates_;
+    return sign(Rational((b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i])));
   }
 
   /// It is on a side of the squares, with all other corners on one side of it; the polyline is near it.
@@ -66,24 +86,36 @@ class OverlapCheck {
     replayed(edges, i, [&] { check_polyline(overlap_.edges[i], a, b); });
   }
 
+  /// With the straight line from a to b as the curve of a tube.
   void check_polyline(const Arc<N>& edge, const Vector4<Rational>& a, const Vector4<Rational>& b) const {
     Tube<N> tube = {};
     for (std::size_t p = 1; p < 4; ++p)
       if (abs(Rational(b[p] - a[p])) > abs(Rational(b[tube.axis] - a[tube.axis]))) tube.axis = {p};
     const std::size_t k = tube.axis;
-    ProvedTube<N> line = {tube};
-    line.exact.emplace();
-    for (std::size_t p = 0; p < 4; ++p) {
+    tube.reach = tube.width = N(2);
+    Map<Rational> map;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const std::size_t p = others(k)[d];
       const Rational slope = (b[p] - a[p]) / (b[k] - a[k]);
-      (*line.exact)[p] = {N(Rational(a[p] - slope * a[k])), N(slope), N(0)};
+      Vector3<Rational> unit = {};
+      unit[d] = 1;
+      tube.inverse[d][d] = N(1);
+      Power power = {};
+      map.add(power, unit, slope * a[k] - a[p]);
+      power[p] = 1;
+      map.add(power, unit, 1);
+      power[p] = 0;
+      power[k] = 1;
+      map.add(power, unit, -slope);
     }
+    const ProvedTube<N> line = {tube, rounded<N>(map)};
     std::vector<Vector4<N>> at;
     std::vector<N> near;
     const int direction = b[k] > a[k] ? 1 : -1;
     for (const ArcPoint<N>& point : edge.points) {
       require(at.empty() || N(direction) * (point.at[k] - at.back()[k]) > 0, "an edge runs back");
       at.push_back(point.at);
-      near.push_back(distance_to_line(*line.exact, k, point.at));
+      near.push_back(distance(line, point.at));
     }
     ErrorBound<N> bound(replay_, edge);
     bound.place_on_polyline();
@@ -93,8 +125,8 @@ class OverlapCheck {
   const Replay<N>& replay_;
   const Overlap<N>& overlap_;
   std::size_t index_;
-  const Star& seam_;
-  const Frame<Rational> frame_;
+  const Factor& factor_;
+  std::array<std::size_t, 2> coordinates_ = {};
   std::vector<Vector4<Rational>> corners_;
 };
 

@@ -1,5 +1,4 @@
-// Stars: points where half branches of the curve meet, seen in eight charts; seams, which are seen in the
-// same.
+// Stars: points where half branches of the curve meet, seen in eight charts.
 #pragma once
 
 #include <numeric>
@@ -35,20 +34,10 @@ Box<N> node_box(const Tube<N>& tube, const Node<N>& node) {
   return box_around<N>({u.middle, v.middle, m, N(0)}, node.radius);
 }
 
-/// The place is on the seam's line or plane.
-inline bool is_on(const Star& seam, const Vector4<Rational>& w) {
-  const Vector4<Rational> e = Frame<Rational>(seam).of(w);
-  for (std::size_t j = 0; j < 4; ++j)
-    if (seam.weights[j] > 0 && e[j] != 0) return false;
-  return true;
-}
-
-/// Of a star or a seam: the coordinates are the inverse of the axes, and the rows are independent. The maps
-/// of the charts with t.
-template <class N>
-StarMaps<N> check_frame(const Star& star, const Map<Rational>& equation) {
+/// The coordinates are the inverse of the axes, and the rows are independent.
+inline void check_frame(const Star& star) {
   for (std::size_t i = 0; i < 4; ++i) {
-    require(star.weights[i] <= 6, "a weight is not in 0, ..., 6");
+    require(star.weights[i] >= 1 && star.weights[i] <= 6, "a weight is not in 1, ..., 6");
     for (std::size_t j = 0; j < 4; ++j) {
       Algebraic product;
       for (std::size_t n = 0; n < 4; ++n) product += star.coordinates[i][n] * star.axes[n][j];
@@ -56,13 +45,7 @@ StarMaps<N> check_frame(const Star& star, const Map<Rational>& equation) {
     }
   }
   require(sign_of(dot(star.rows[0], cross(star.rows[1], star.rows[2]))) != 0, "its rows are dependent");
-  for (const std::size_t order : star.orders) require(order >= 1, "an order below 1");
-  StarMaps<N> result = {Frame<N>(star), {}, {}};
-  const Terms terms = centred(equation, star);
-  for (std::size_t direction = 0; direction < 8; ++direction)
-    if (star.weights[direction / 2] > 0)
-      result.equation[direction] = in_direction<N>(terms, star, direction, star.rows, star.orders);
-  return result;
+  for (const int order : star.orders) require(order >= 1, "an order below 1");
 }
 
 /// The star's point is a singular solution; its maps.
@@ -70,36 +53,27 @@ template <class N>
 StarMaps<N> check_star(const Replay<N>& replay, const Star& star) {
   const auto at_least = [](const Algebraic& a, const Algebraic& b) { return a == b || sign_of(a - b) > 0; };
   for (const Algebraic& q : star.at) require(at_least(q, 0) && at_least(1, q), "not in [0,1]^4");
-  for (const std::size_t weight : star.weights) require(weight >= 1, "a weight is not in 1, ..., 6");
   const Map<Algebraic> local = rounded<Algebraic>(replay.exact).at(star.at);
   for (const auto& term : local.terms())
     require(std::accumulate(term.power.begin(), term.power.end(), 0) != 1 || dot(star.rows[2], term.c) == 0,
             "its last row is not normal to both patches");
-  StarMaps<N> result = check_frame<N>(star, replay.exact);
+  check_frame(star);
+  StarMaps<N> result = {Frame<N>(star), {}, {}};
+  const Terms terms = centred(replay.exact, star);
   const Terms points = centred(replay.exact_space, star);
-  for (std::size_t direction = 0; direction < 8; ++direction)
+  for (std::size_t direction = 0; direction < 8; ++direction) {
+    result.equation[direction] = in_direction<N>(terms, star, direction, star.rows, star.orders);
     result.space[direction] =
         in_direction<N>(points, star, direction, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0});
+  }
   return result;
-}
-
-/// The points e_j = 0, for all j with a weight > 0, of a seam are solutions; its maps.
-template <class N>
-StarMaps<N> check_seam(const Replay<N>& replay, const Star& seam) {
-  const auto dimension = std::count(seam.weights.begin(), seam.weights.end(), std::size_t{0});
-  require(dimension == 1 || (seam.is_plane() && seam.of.chart == Chart::pair && !replay.certificate.self),
-          "neither of a line nor of a plane");
-  if (seam.of.chart == Chart::pair) return check_frame<N>(seam, replay.exact);
-  const Star& star = element(replay.certificate.stars, seam.of.star, "names no star");
-  return check_frame<N>(seam, in_direction<Rational>(centred(replay.exact, star), star, seam.of.direction,
-                                                     star.rows, star.orders));
 }
 
 /// The tube holds one half branch of its star, which begins between the charts' sides, and along which each
 /// parameter is monotone.
 template <class N>
 void check_half_branch(Replay<N>& replay) {
-  auto& [tube, bounds, constant, grows, exact] = replay.tubes.back();
+  auto& [tube, map, bounds, constant, grows] = replay.tubes.back();
   const Star& star = replay.certificate.stars[tube.star];
   const std::size_t k = tube.direction / 2;
   require(tube.axis == k && tube.centre[k] == 0, "does not begin at its star's point");
@@ -131,13 +105,16 @@ bool leaves_domain(const Replay<N>& replay, const ProvedTube<N>& tube) {
   return false;
 }
 
-/// The subdivision of a chart of a star or a seam, 0 <= t <= 1 and |d_j| <= 1: every leaf holds no solution,
+/// The subdivision of a chart of a star, 0 <= t <= 1 and |d_j| <= 1: every leaf holds no solution,
 /// or lies in a tube of the star.
 template <class N>
 class ChartCover {
  public:
-  ChartCover(const Replay<N>& replay, const MapName& chart, const Map<N>& map, const std::vector<Cell>& cells)
-      : replay_(replay), chart_(chart), map_(map), cells_(cells) {}
+  ChartCover(const Replay<N>& replay, const MapName& chart)
+      : replay_(replay),
+        chart_(chart),
+        map_(replay.stars[chart.star].equation[chart.direction]),
+        cells_(replay.certificate.stars[chart.star].charts[chart.direction]) {}
 
   void check() {
     Box<double> whole = box_around<double>({}, 1);
@@ -154,7 +131,7 @@ class ChartCover {
       for (const bool upper : {false, true}) check(half_of(part, cell.index, upper));
     } else if (cell.kind == Cell::Kind::tube) {
       const Tube<N>& tube = element(replay_.tubes, cell.index, "names no tube").claim;
-      require(chart_.chart == Chart::star && tube == chart_, "a tube of another chart");
+      require(tube == chart_, "a tube of another chart");
       require(tube.contains(box), "a cell is not in its tube");
     } else {
       require(cell.kind == Cell::Kind::excluded, "not an entry of a star's chart");
@@ -170,19 +147,12 @@ class ChartCover {
   std::size_t next_ = 0;
 };
 
-/// All charts of a star, or of a seam.
 template <class N>
-void check_charts(const Replay<N>& replay, const Star& star, const StarMaps<N>& maps, MapName chart,
-                  const std::string& where) {
-  for (chart.direction = 0; chart.direction < 8; ++chart.direction) {
-    replayed(where + ".charts", chart.direction, [&] {
-      const std::vector<Cell>& cells = star.charts[chart.direction];
-      if (star.weights[chart.direction / 2] > 0)
-        ChartCover<N>(replay, chart, maps.equation[chart.direction], cells).check();
-      else
-        require(cells.empty(), "no chart");
+void check_charts(const Replay<N>& replay, std::size_t star) {
+  for (std::size_t direction = 0; direction < 8; ++direction)
+    replayed(place("$.stars", star) + ".charts", direction, [&] {
+      ChartCover<N>(replay, {Chart::star, star, direction}).check();
     });
-  }
 }
 
 }  // namespace exsect::checker

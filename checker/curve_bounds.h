@@ -42,8 +42,7 @@ struct Tube : MapName {
   N reach;
   N width;
   Matrix3<N> inverse;
-  int line = -1;  // the exact solution that the curve is; -1 if none is claimed
-  int seam = -1;  // what proves that there is nothing else, instead of the inverse
+  int factor = -1;  // of F, whose map it is one of; -1 if it is one of F itself
 
   /// Half extents of the box around the tube.
   Vector4<N> extent() const {

@@ -144,6 +144,18 @@ class Map {
     for (Term& term : result.terms_) term.c = {dot(m[0], term.c), dot(m[1], term.c), dot(m[2], term.c)};
     return result;
   }
+  /// The map times component d of the other one.
+  Map times(const Map& other, std::size_t d) const {
+    Map result;
+    for (const Term& a : terms_) {
+      for (const Term& b : other.terms_) {
+        Power sum = a.power;
+        for (std::size_t j = 0; j < 4; ++j) sum[j] += b.power[j];
+        if (b.c[d] != 0) result.add(sum, a.c, b.c[d]);
+      }
+    }
+    return result;
+  }
   /// Component d at the point.
   const N& value(std::size_t d) const { return terms_[0].c[d]; }
 

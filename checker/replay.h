@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "factors.h"
 #include "pairs_of_points.h"
-#include "star_maps.h"
 
 namespace exsect::checker {
 
@@ -32,10 +32,10 @@ void each(const std::string& name, const List& list, const Check& check) {
 template <class N>
 struct ProvedTube {
   const Tube<N>& claim;
+  Map<N> map;  // that vanishes on the curve
   CurveBounds<N> bounds = {};
-  std::array<bool, 4> constant = {};    // parameters that are constant on the curve
-  std::array<int, 4> grows = {};        // in a star: the signs of all others' derivatives
-  std::optional<OnAxis<N>> exact = {};  // the curve, if it is a line
+  std::array<bool, 4> constant = {};  // parameters that are constant on the curve
+  std::array<int, 4> grows = {};      // in a star: the signs of all others' derivatives
 };
 
 /// The coordinates of a star, and in each of its eight charts the map and the point of space.
@@ -55,12 +55,11 @@ struct Replay {
   std::array<Map<N>, 3> equation;  // F of each chart
   std::array<Map<N>, 3> space;     // the point of space, moved by -origin
   std::vector<StarMaps<N>> stars;
-  std::vector<StarMaps<N>> seams;
   std::vector<ProvedTube<N>> tubes;
 
-  const Map<N>& map(const Tube<N>& tube) const {
-    return tube.chart == Chart::star ? stars[tube.star].equation[tube.direction]
-                                     : equation[static_cast<std::size_t>(tube.chart)];
+  /// Of the pair: what vanishes on the tube's curve.
+  const Map<Rational>& exact_map(const Tube<N>& tube) const {
+    return tube.factor < 0 ? exact : certificate.factors[static_cast<std::size_t>(tube.factor)].map;
   }
   const Map<N>& space_map(const Tube<N>& tube) const {
     return tube.chart == Chart::star ? stars[tube.star].space[tube.direction]
@@ -85,7 +84,7 @@ Box<N> exactly(const Box<double>& box) {
 
 template <class N>
 Replay<N> start(const Certificate<N>& certificate) {
-  Replay<N> result = {certificate, certificate.nets[0][1][1], {}, {}, {}, {}, {}, {}, {}};
+  Replay<N> result = {certificate, certificate.nets[0][1][1], {}, {}, {}, {}, {}, {}};
   std::array<Net<Rational>, 2> power;
   for (std::size_t n = 0; n < 2; ++n) {
     power[n] = BezierPatch(certificate.nets[n]).power_basis();
@@ -127,19 +126,12 @@ inline Rational root_above(const Rational& q) {
 }
 
 /// Distance in each variable between `at`, which is in the tube, and the curve's point with the same variable
-/// of the axis: at most |C F(at)| / (1 - defect), or exactly that of a line.
+/// of the axis: at most |C F(at)| / (1 - defect).
 template <class N>
-N distance_to_line(const OnAxis<N>& line, std::size_t axis, const Vector4<N>& at) {
-  N most = 0;
-  for (std::size_t i = 0; i < 4; ++i) most = larger(most, magnitude(N(at[i] - value(line[i], at[axis]))));
-  return rounded_up(most);
-}
-template <class N>
-N distance(const Replay<N>& replay, const ProvedTube<N>& tube, const Vector4<N>& at) {
+N distance(const ProvedTube<N>& tube, const Vector4<N>& at) {
   require(tube.claim.contains(box_around(at, N(0))), "a point is not in its tube");
-  if (tube.exact) return distance_to_line(*tube.exact, tube.claim.axis, at);
   N most = 0;
-  const Vector3<N> f = replay.map(tube.claim).value(at);
+  const Vector3<N> f = tube.map.value(at);
   for (const Vector3<N>& row : tube.claim.inverse) most = larger(most, magnitude(dot(row, f)));
   return rounded_up(most / (1 - tube.bounds.defect));
 }

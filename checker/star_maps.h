@@ -102,22 +102,27 @@ inline Terms centred(const Map<Rational>& map, const Star& star) {
   return result;
 }
 
+inline int weighted_degree(const Star& star, const Power& power) {
+  int degree = 0;
+  for (std::size_t j = 0; j < 4; ++j) degree += static_cast<int>(star.weights[j]) * power[j];
+  return degree;
+}
+
 /// `rows` times the polynomial at e = d t^weights, divided by t^orders.
 template <class N>
 Map<N> in_direction(const Terms& terms, const Star& star, std::size_t direction,
-                    const Matrix3<Algebraic>& rows, const std::array<std::size_t, 3>& orders) {
+                    const Matrix3<Algebraic>& rows, const std::array<int, 3>& orders) {
   Map<N> map;
   const std::size_t k = direction / 2;
   for (const auto& [power, c] : terms) {
-    std::size_t degree = 0;
-    for (std::size_t j = 0; j < 4; ++j) degree += star.weights[j] * static_cast<std::size_t>(power[j]);
+    const int degree = weighted_degree(star, power);
     const int sign = direction % 2 == 1 && power[k] % 2 == 1 ? -1 : 1;
     for (std::size_t d = 0; d < 3; ++d) {
       const Algebraic value = Algebraic(sign) * dot(rows[d], c);
       if (value == 0) continue;
       require(degree >= orders[d], "not of this order at its point");
       Power shifted = power;
-      shifted[k] = static_cast<int>(degree - orders[d]);
+      shifted[k] = degree - orders[d];
       map.coefficient(shifted)[d] += number<N>(value);
     }
   }
@@ -147,37 +152,6 @@ std::array<int, 4> half_branch_signs(const Star& star, const Tube<N>& tube, cons
       slope = slope + number<N>(star.axes[i][j]) * term;
     }
     result[i] = slope.sign();
-  }
-  return result;
-}
-
-/// a_0 + a_1 t + a_2 t^2
-template <class N>
-N value(const Vector3<N>& a, const N& t) {
-  return a[0] + t * (a[1] + t * a[2]);
-}
-template <class N>
-Vector4<N> value(const OnAxis<N>& a, const N& t) {
-  return {value(a[0], t), value(a[1], t), value(a[2], t), value(a[3], t)};
-}
-
-/// The line through the star's point, a ray with constant d in the chart.
-inline OnAxis<Rational> ray(const Star& star, const MapName& chart, const Line& line) {
-  const std::size_t k = chart.direction / 2;
-  Vector4<Rational> e = {};  // along the line
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& [a, b, c] = line.at[i];
-    require(c == 0, "its line is not straight");
-    require(Algebraic(a) + Algebraic(b) * star.at[line.axis] == star.at[i],
-            "its line does not pass through the star's point");
-    for (std::size_t j = 0; j < 4; ++j) e[j] += star.coordinates[j][i].rational() * b;
-  }
-  require(e[k] != 0, "its line is not in the chart");
-  OnAxis<Rational> result = {};
-  result[k][1] = 1;
-  for (const std::size_t j : others(k)) {
-    result[j][0] = chart.direction % 2 == 0 ? e[j] / e[k] : -e[j] / e[k];
-    require(e[j] == 0 || star.weights[j] == star.weights[k], "its line is not straight in the chart");
   }
   return result;
 }

@@ -34,6 +34,28 @@ Algebraic reciprocal(const Algebraic& a) {
   return {inverse->coefficients(), a.root()};
 }
 
+checker::Matrix4 inverse(checker::Matrix4 m) {
+  checker::Matrix4 result = {};
+  for (std::size_t i = 0; i < 4; ++i) result[i][i] = 1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::size_t pivot = i;
+    while (pivot < 4 && m[pivot][i] == 0) ++pivot;
+    if (pivot == 4) throw NoCertificate("coordinates that depend on each other");
+    std::swap(m[i], m[pivot]);
+    std::swap(result[i], result[pivot]);
+    const checker::Algebraic factor = reciprocal(m[i][i]);
+    for (std::size_t j = 0; j < 4; ++j) m[i][j] = m[i][j] * factor, result[i][j] = result[i][j] * factor;
+    for (std::size_t row = 0; row < 4; ++row) {
+      const checker::Algebraic times = m[row][i];
+      for (std::size_t j = 0; row != i && j < 4; ++j) {
+        m[row][j] = m[row][j] - times * m[i][j];
+        result[row][j] = result[row][j] - times * result[i][j];
+      }
+    }
+  }
+  return result;
+}
+
 Json algebraic_claim(const Algebraic& a) {
   return a.is_rational() ? Json(to_string(a.rational())) : rationals(a.coefficients());
 }

@@ -1,7 +1,7 @@
 // Points whose parameters are algebraic numbers, for the stars of a certificate.
 #pragma once
 
-#include <exsect/checker/algebraic.h>
+#include <exsect/checker/certificate.h>
 #include <exsect/solver/intersection_graph.h>
 
 #include <memory>
@@ -26,6 +26,8 @@ std::vector<AlgebraicPoint> points_in_box(const Patches& patches, const Node& no
 /// met.
 checker::Algebraic reciprocal(const checker::Algebraic& a);
 
+/// Throws NoCertificate if there is none.
+checker::Matrix4 inverse(checker::Matrix4 m);
 /// A text, or the list of the coefficients.
 Json algebraic_claim(const checker::Algebraic& a);
 

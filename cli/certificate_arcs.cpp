@@ -91,19 +91,12 @@ class ArcWriter {
   }
 
   TracedArc trace(const Arc& a, std::vector<TracedPoint> points, std::size_t first, std::size_t last) {
-    const OnLine& line = d_.line_along[static_cast<std::size_t>(a.id)];
-    const auto seam = d_.along_seam.find(a.id);
-    const bool in_seam = seam != d_.along_seam.end();
-    for (std::size_t i = 1; in_seam && i + 1 < points.size(); ++i) {
-      const Tube& tube = d_.tubes[seam->second];
-      points[i].at = d_.on_line(tube, from_double(points[i].at[tube.axis]));
-    }
-    const Gate start = leave(points, first, line, !in_seam);
+    const Equation equation = d_.equation(d_.factor_along[static_cast<std::size_t>(a.id)]);
+    const Gate start = leave(points, first, equation);
     std::reverse(points.begin(), points.end());
-    const Gate finish = leave(points, last, line, !in_seam);
+    const Gate finish = leave(points, last, equation);
     std::reverse(points.begin(), points.end());
-    TracedArc result = in_seam ? TracedArc{points, {{seam->second, points.size() - 1}}}
-                               : chain(d_.pair, points, start.beyond, finish.beyond, line, d_.tubes);
+    TracedArc result = chain(equation, points, start.beyond, finish.beyond, d_.tubes);
     if (!start.points.empty()) {
       result.points.insert(result.points.begin(), start.points.begin(), start.points.end());
       for (TracedPiece& piece : result.pieces) piece.last += start.points.size();
@@ -123,18 +116,15 @@ class ArcWriter {
     std::size_t beyond;
   };
 
-  /// The arc begins where it leaves the chart, if the node's tube is one of a chart. `beyond`: another one is
-  /// wanted there.
-  Gate leave(std::vector<TracedPoint>& points, std::size_t node_tube, const OnLine& line, bool beyond) {
+  /// The arc begins where it leaves the chart, if the node's tube is one of a chart.
+  Gate leave(std::vector<TracedPoint>& points, std::size_t node_tube, const Equation& equation) {
     Gate result = {{}, node_tube};
     const Tube tube = d_.tubes[node_tube];
     if (tube.chart == Chart::pair) return result;
     result.points = tube.chart == Chart::star ? leave_star(points, d_.stars[tube.star], tube)
                                               : leave_diagonal(d_.pair, points, tube);
-    if (!beyond) return result;
     const Parameters& w = points.front().at;
-    const std::size_t axis = line.claim >= 0 ? line.axis : best_axis(d_.pair, w);
-    d_.tubes.push_back(tube_at(d_.pair.power, w, axis, line));
+    d_.tubes.push_back(tube_at(equation, w, best_axis(equation.map, w)));
     result.beyond = d_.tubes.size() - 1;
     return result;
   }

@@ -49,10 +49,8 @@ namespace {
 
 /// What the tube's curve is.
 std::string curve(const Tube& tube) {
-  if (tube.line < 0) return map_text(tube);
-  const std::string star = tube.chart == Chart::star ? map_text(tube) : "";
-  const std::string seam = tube.seam >= 0 ? "seam" + std::to_string(tube.seam) : "";
-  return star + "line" + std::to_string(tube.line) + seam;
+  if (tube.factor < 0) return map_text(tube);
+  return (tube.chart == Chart::star ? map_text(tube) : "") + "factor" + std::to_string(tube.factor);
 }
 
 }  // namespace
@@ -62,7 +60,7 @@ Json tube_claims(const NearPair& pair, const std::vector<Tube>& tubes) {
   for (const Tube& t : tubes) {
     Json rows = Json::array();
     for (auto row : t.inverse) {
-      for (double& a : row) a /= t.chart == Chart::star ? 1 : pair.scale;
+      for (double& a : row) a /= t.chart == Chart::star || t.factor >= 0 ? 1 : pair.scale;
       rows.push_back(exact(row));
     }
     result.push_back(sealed(in_list("tubes", result.size()), {{"centre", exact(t.centre)},

@@ -1,4 +1,5 @@
 // The subdivision of [0,1]^4 into cells without solutions and cells in tubes.
+#include <exsect/checker/factors.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -108,8 +109,10 @@ class Cover {
     }
     for (std::size_t i = 0; i < places_.stars.size(); ++i)
       if (contains(places_.stars[i], cell)) return "p" + std::to_string(i);
-    for (std::size_t i = 0; i < places_.seams.size(); ++i)
-      if (contains(places_.seams[i], cell)) return "s" + std::to_string(i);
+    checker::Box<double> box;
+    for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j] * (1 + 1e-9)};
+    for (std::size_t i = 0; i < places_.planes.size(); ++i)
+      if (checker::independent<double>(places_.planes[i]->columns, box)) return "s" + std::to_string(i);
     if (std::string d = exclusion(cell, meeting); !d.empty()) return d;
     return places_.self ? injective(cell) : "";
   }

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "certificate_events.h"
+#include "certificate_factor.h"
 #include "certificate_search.h"
 #include "certificate_star.h"
 #include "intersection_json.h"
@@ -15,26 +15,24 @@
 namespace exsect::cli {
 
 struct Draft {
-  Patches patches;
+  const Patches& patches;
   const PatchNames& names;
   const IntersectionGraph& graph;
   NearPair pair;
   bool self;  // of one patch, which is both patches
 
+  Factors factors;
+
   // What find_special_places finds. Of nodes and arcs of the graph:
-  std::vector<OnLine> line_of = {};            // of each node, if its arc runs along one
-  std::vector<OnLine> line_along = {};         // of each arc
-  std::vector<bool> on_curve = {};             // nodes that are not only corners of overlaps
-  std::vector<std::size_t> claim_of = {};      // the node's number among the claims, those of stars last
-  std::map<int, std::size_t> along_seam = {};  // the tube of each arc along which the patches touch
-  std::map<int, std::size_t> seam_tube = {};   // of each node where one ends
+  std::vector<int> factor_at = {};         // of each node that is no star, that of its arcs
+  std::vector<int> factor_along = {};      // of each arc; -1 for F
+  std::vector<bool> on_curve = {};         // nodes that are not only corners of overlaps
+  std::vector<std::size_t> claim_of = {};  // the node's number among the claims, those of stars last
   // Claims:
-  std::vector<checker::Line> lines = {};
-  std::vector<bool> touching = {};  // of each of the lines
-  std::size_t first_star = 0;       // among the nodes claimed
+  std::size_t first_star = 0;  // among the nodes claimed
   std::vector<FoundStar> stars = {};
-  std::vector<FoundSeam> seams = {};  // those of overlaps first
   Json overlaps = Json::array();
+  std::vector<int> planes = {};  // their factors
   std::vector<Tube> tubes = {};
 
   // What node_claims finds, of each node claimed and each star:
@@ -46,14 +44,15 @@ struct Draft {
   const FoundStar* star_of(std::size_t node) const {
     return node < first_star ? nullptr : &stars[node - first_star];
   }
-  /// The point of the tube's line at the value of its axis.
-  Parameters on_line(const Tube& tube, const Rational& t) const;
+  /// What vanishes on the curve with this factor, or without one.
+  Equation equation(int factor) const {
+    if (factor < 0) return {pair.power};
+    const NearFactor& f = factors.found()[static_cast<std::size_t>(factor)];
+    return {f.map, Chart::pair, factor, &f};
+  }
 };
 
-/// The patches touch all along the arc.
-bool touches(const Arc& arc);
-
-/// Lines, overlaps, stars and seams, and the order of the nodes.
+/// Factors, overlaps and stars, and the order of the nodes.
 void find_special_places(Draft& draft);
 /// After that: of the nodes that are no stars.
 Json node_claims(Draft& draft);

@@ -58,9 +58,9 @@ std::array<Rational, 4> short_place(const Node& node) {
   return result;
 }
 
-Json relation_claims(const Patches& patches) {
+std::vector<Point> related_directions(const Patches& patches) {
   const std::array<ControlNet, 2> power = {patches[0].power_basis(), patches[1].power_basis()};
-  Json result = Json::array();
+  std::vector<Point> result;
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
       std::vector<Point> vectors;
@@ -77,22 +77,22 @@ Json relation_claims(const Patches& patches) {
       const auto in_plane = [&](const Point& a) { return dot(d, a) == 0; };
       if (is_zero(d) || !std::all_of(vectors.begin(), vectors.end(), in_plane)) continue;
       if (!monotone(d, power[0], i) || !monotone(d, power[1], j)) continue;
-      result.push_back(
-          sealed(in_list("relations", result.size()),
-                 {{"direction", rationals(d)}, {"first", letter(i)}, {"second", letter(2 + j)}}));
+      result.push_back(d);
     }
   }
   return result;
 }
 
+Rational value(const Point& a, const Rational& t) { return a[0] + t * (a[1] + t * a[2]); }
+
 namespace {
 
 /// The two places and the slope at the first one, 0 for a straight line, give a line; nothing if it is no
 /// solution.
-std::optional<checker::Line> line_through(const Patches& patches, std::size_t axis,
-                                          const std::array<Rational, 4>& a, const std::array<Rational, 4>& b,
-                                          const std::optional<checker::Vector4<Rational>>& slope) {
-  checker::Line line = {axis, {}};
+std::optional<Line> line_through(const Patches& patches, std::size_t axis, const std::array<Rational, 4>& a,
+                                 const std::array<Rational, 4>& b,
+                                 const std::optional<checker::Vector4<Rational>>& slope) {
+  Line line = {axis, {}};
   const Rational t = a[axis];
   const Rational step = b[axis] - t;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -102,7 +102,7 @@ std::optional<checker::Line> line_through(const Patches& patches, std::size_t ax
     line.at[i] = {a[i] - first * t + bend * t * t, first - 2 * bend * t, bend};
   }
   for (int k = 0; k < 9; ++k) {
-    const auto at = [&](std::size_t i) { return checker::value(line.at[i], Rational(k)); };
+    const auto at = [&](std::size_t i) { return value(line.at[i], Rational(k)); };
     if (patches[0](at(0), at(1)) != patches[1](at(2), at(3))) return std::nullopt;
   }
   return line;
@@ -110,7 +110,7 @@ std::optional<checker::Line> line_through(const Patches& patches, std::size_t ax
 
 }  // namespace
 
-std::optional<checker::Line> line_between(const Patches& patches, const Node& from, const Node& to) {
+std::optional<Line> line_between(const Patches& patches, const Node& from, const Node& to) {
   const std::array<Rational, 4> a = short_place(from);
   const std::array<Rational, 4> b = short_place(to);
   const auto length = [&](std::size_t j) { return Rational(abs(Rational(b[j] - a[j]))); };
@@ -131,14 +131,6 @@ std::optional<checker::Line> line_between(const Patches& patches, const Node& fr
   return std::nullopt;
 }
 
-Json line_claims(const std::vector<checker::Line>& lines) {
-  Json result = Json::array();
-  for (const checker::Line& line : lines) {
-    Json at = Json::array();
-    for (const auto& row : line.at) at.push_back(rationals(row));
-    result.push_back(sealed(in_list("lines", result.size()), {{"axis", letter(line.axis)}, {"at", at}}));
-  }
-  return result;
-}
+bool touches(const Arc& arc) { return arc.contact == Contact::tangential; }
 
 }  // namespace exsect::cli

@@ -25,11 +25,19 @@ void refuse_events(const IntersectResult& result, bool self);
 std::array<Rational, 4> short_place(const Node& node);
 
 /// Directions d such that d . (x - y) depends on one parameter of either patch only.
-Json relation_claims(const Patches& patches);
+std::vector<Point> related_directions(const Patches& patches);
+
+/// w(t) = at[.][0] + at[.][1] t + at[.][2] t^2; w_axis(t) = t.
+struct Line {
+  std::size_t axis;
+  std::array<Point, 4> at;
+};
+Rational value(const Point& a, const Rational& t);
 
 /// The line of parameters between the two nodes, if it solves x = y throughout and their parameters are short
 /// rationals.
-std::optional<checker::Line> line_between(const Patches& patches, const Node& from, const Node& to);
-Json line_claims(const std::vector<checker::Line>& lines);
+std::optional<Line> line_between(const Patches& patches, const Node& from, const Node& to);
+/// The patches touch all along the arc.
+bool touches(const Arc& arc);
 
 }  // namespace exsect::cli

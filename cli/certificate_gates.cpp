@@ -52,7 +52,7 @@ Tube cusp_tube(const NearPair& pair, Parameters& w) {
   if (!(std::abs(z[0] - w[p]) < 1e-6)) throw NoCertificate("a cuspidal point that is not found again");
   w[p] = w[p + 2] = z[0];
   w[1 - p] = w[3 - p] = z[1];
-  return tube_at(chart_map(pair, chart), z, 3, {}, chart);
+  return tube_at({chart_map(pair, chart), chart}, z, 3);
 }
 
 double cusp_radius(const NearPair& pair, const Tube& tube, const Parameters& w) {

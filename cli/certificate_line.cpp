@@ -11,7 +11,7 @@ namespace exsect::cli {
 namespace {
 
 /// Throws NoCertificate for what a certificate cannot say.
-void refuse_events(const LinePoints& solution) {
+void refuse_points(const LinePoints& solution) {
   if (solution.incomplete) throw NoCertificate("the result is incomplete");
   if (!solution.on_patch.empty()) throw NoCertificate("a part of the line on the other patch");
   for (const CertifiedPoint& point : solution.points)
@@ -31,7 +31,7 @@ Parameters near_point(const NearPair& pair, const CertifiedPoint& point, std::si
 
 std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
                              const LineIntersection& line) {
-  refuse_events(line.solution);
+  refuse_points(line.solution);
   const NearPair pair = near_pair(x, y);
   const std::size_t fixed = index(line.query.fixed);
   const std::string value = to_string(line.query.value);
@@ -39,7 +39,7 @@ std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const P
   Json points = Json::array();
   for (const CertifiedPoint& point : line.solution.points) {
     const Parameters w = near_point(pair, point, fixed);
-    tubes.push_back(tube_at(pair.power, w, fixed));
+    tubes.push_back(tube_at({pair.power}, w, fixed));
     const double near = distance(pair.power, tubes.back(), w);
     const double radius = std::exp2(std::ceil(std::log2(std::max(4 * near, 0x1p-44))));
     Json at = exact(w);
@@ -55,7 +55,7 @@ std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const P
   document["points"] = points;
   const std::vector<std::string> cells = cover(pair, {tubes}, line.query);
   document["cover"] = cover_claims(cells);
-  const Json claims = {0, 0, 0, tubes.size(), points.size(), 0, cells.size(), 0, 0};
+  const Json claims = {0, 0, tubes.size(), points.size(), 0, cells.size(), 0};
   document["summary"] = sealed("$.summary", {{"claims", claims}});
   return confirmed(claims_text(document));
 }

@@ -20,18 +20,11 @@ Json place_claim(const Draft& d, const Node& n, const Parameters& w) {
 
 bool is_cusp(const Node& n) { return n.on.empty() && n.wrt.empty(); }
 
-/// The node on the line of its seam.
-Parameters on_line(const Draft& d, const Tube& tube, const Node& n) {
-  Parameters w = d.on_line(tube, short_place(n)[tube.axis]);
-  for (const Side& side : n.on) w[index(side.parameter)] = side.value;
-  return w;
-}
-
 /// w becomes the node, as near as it gets.
 Tube node_tube(const Draft& d, const Node& n, Parameters& w) {
   const bool turning = n.on.empty();
-  const OnLine& line = d.line_of[static_cast<std::size_t>(n.id)];
-  const Parameters t = tangent(d.pair, w);
+  const Equation equation = d.equation(d.factor_at[static_cast<std::size_t>(n.id)]);
+  const Parameters t = tangent(equation.map, w);
   // On a side its parameter is the axis; a turning point's axis is none of those that turn.
   std::vector<bool> allowed(4, turning);
   for (const Parameter p : n.wrt) allowed[index(p)] = false;
@@ -39,25 +32,25 @@ Tube node_tube(const Draft& d, const Node& n, Parameters& w) {
     allowed[index(side.parameter)] = true;
     w[index(side.parameter)] = side.value;
   }
-  std::size_t axis = line.claim >= 0 ? line.axis : 4;
-  for (std::size_t i = 0; line.claim < 0 && i < 4; ++i)
+  std::size_t axis = 4;
+  for (std::size_t i = 0; i < 4; ++i)
     if (allowed[i] && (axis == 4 || std::abs(t[i]) > std::abs(t[axis]))) axis = i;
   if (axis == 4) throw NoCertificate("a node that turns in all parameters");
-  if (!allowed[axis]) throw NoCertificate("an arc on a side that begins at no side of its own");
-  w = turning ? turning_point(d.pair, w, axis, index(n.wrt[0])) : on_curve(d.pair.power, w, axis);
+  w = turning ? turning_point(equation.map, w, axis, index(n.wrt[0])) : on_curve(equation.map, w, axis);
   for (const Side& side : n.on) w[index(side.parameter)] = side.value;
   for (const double a : w)
     if (!(a >= 0 && a <= 1)) throw NoCertificate("a node that Newton's method does not find again");
-  return tube_at(d.pair.power, w, axis, line);
+  return tube_at(equation, w, axis);
 }
 
 double node_radius(const Draft& d, const Node& n, const Tube& tube, const Parameters& w) {
-  const double near = distance(d.pair.power, tube, w);
+  const Map& map = d.equation(tube.factor).map;
+  const double near = distance(map, tube, w);
   double radius = std::max(4 * near, 0x1p-44);
   if (n.on.empty()) {
     const std::size_t i = index(n.wrt[0]);
-    const auto bounds = bounds_in(d.pair.power, tube);
-    const auto t = checker::tangent(d.pair.power.at(w), {near, near, near, near});
+    const auto bounds = bounds_in(map, tube);
+    const auto t = checker::tangent(map.at(w), {near, near, near, near});
     const double slope = (t[i].magnitude() + 1e-13) / (std::abs(t[tube.axis].middle) - t[tube.axis].radius);
     const double away = slope / (std::abs(bounds.second[i].middle) - bounds.second[i].radius);
     for (const auto& b : bounds.first) radius = std::max(radius, 2 * (near + away * b.magnitude()));
@@ -68,19 +61,11 @@ double node_radius(const Draft& d, const Node& n, const Tube& tube, const Parame
 Json node(Draft& d, const Node& n) {
   Parameters w = n.approx;
   d.tube_of.push_back(d.tubes.size());
-  const auto seam = d.seam_tube.find(n.id);
-  if (seam != d.seam_tube.end()) {
-    d.tube_of.back() = seam->second;
-    w = on_line(d, d.tubes[seam->second], n);
-  } else {
-    d.tubes.push_back(is_cusp(n) ? cusp_tube(d.pair, w) : node_tube(d, n, w));
-  }
+  d.tubes.push_back(is_cusp(n) ? cusp_tube(d.pair, w) : node_tube(d, n, w));
   const Tube& tube = d.tubes[d.tube_of.back()];
   d.places.push_back(w);
   d.place_claims.push_back(place_claim(d, n, w));
-  const double radius = tube.seam >= 0 ? 0x1p-44
-                        : is_cusp(n)   ? cusp_radius(d.pair, tube, w)
-                                       : node_radius(d, n, tube, w);
+  const double radius = is_cusp(n) ? cusp_radius(d.pair, tube, w) : node_radius(d, n, tube, w);
 
   Json on = Json::array();
   for (const Side& side : n.on) on.push_back(side_name(side));
@@ -109,13 +94,6 @@ void add_place(Draft& d, const FoundStar& star) {
 }
 
 }  // namespace
-
-Parameters Draft::on_line(const Tube& tube, const Rational& t) const {
-  const checker::Line& line = lines[static_cast<std::size_t>(tube.line)];
-  Parameters w;
-  for (std::size_t i = 0; i < 4; ++i) w[i] = to_double(checker::value(line.at[i], t));
-  return w;
-}
 
 Json node_claims(Draft& d) {
   Json result = Json::array();

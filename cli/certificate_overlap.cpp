@@ -1,6 +1,5 @@
 #include "certificate_overlap.h"
 
-#include <exsect/checker/star_maps.h>
 #include <exsect/geometry/number.h>
 
 #include <algorithm>
@@ -76,25 +75,12 @@ std::array<Place, 2> directions(const Place& a, const Place& b, const Place& c) 
 
 }  // namespace
 
-FoundOverlap overlap_at(const Patches& patches, const IntersectionGraph& graph, const Overlap& overlap) {
+FoundOverlap overlap_at(Factors& factors, const IntersectionGraph& graph, const Overlap& overlap) {
   if (overlap.chains.size() != 1) throw NoCertificate("an overlap with holes");
   const std::vector<Edge> edges = edges_of(graph, overlap.chains[0]);
   if (edges.size() < 3) throw NoCertificate("an overlap with curved edges");
-  auto [first, second] = directions(edges[0].from, edges[1].from, edges[2].from);
-  Place at = edges[0].from;
-  for (const std::size_t p : {0, 1}) {
-    const auto [least, most] = std::minmax_element(
-        edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) { return a.from[p] < b.from[p]; });
-    const Rational half = (most->from[p] - least->from[p]) / 2;
-    Place& direction = p == 0 ? first : second;
-    const Rational away = least->from[p] + half - edges[0].from[p];
-    for (std::size_t i = 0; i < 4; ++i) {
-      at[i] += away * direction[i];
-      direction[i] *= half * Rational(65, 64);
-    }
-  }
-  const auto equation = checker::pair_map(patches[0].power_basis(), patches[1].power_basis());
-  FoundOverlap result = {seam_of_plane(equation, at, first, second), Json::array()};
+  const auto [first, second] = directions(edges[0].from, edges[1].from, edges[2].from);
+  FoundOverlap result = {factors.of_plane(edges[0].from, first, second), Json::array()};
   for (std::size_t i = 0; i < edges.size(); ++i)
     result.edges.push_back(edge_claim(edges[i], edges[(i + 1) % edges.size()].from));
   return result;

@@ -1,5 +1,7 @@
 #include "certificate_search.h"
 
+#include <exsect/checker/factors.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -30,8 +32,18 @@ Parameters newton_step(const Map& map, Parameters w, std::size_t axis) {
   return w;
 }
 
+/// Nothing else vanishes in the tube; the parameters that are constant in it.
+std::optional<std::array<bool, 4>> factored(const Equation& equation, const Tube& tube) {
+  if (!equation.factor) return std::array<bool, 4>{};
+  checker::Box<double> box;
+  const Parameters extent = tube.extent();
+  for (std::size_t i = 0; i < 4; ++i) box[i] = {tube.centre[i], extent[i] * (1 + 0x1p-20)};
+  if (!checker::independent<double>(equation.factor->columns, box)) return std::nullopt;
+  return checker::constant_in<double>(equation.factor->exact.map, box);
+}
+
 /// Every condition of the check, with a margin for rounding.
-bool holds(const Tube& tube, const OnLine& line, const Map& local) {
+bool holds(const Tube& tube, const Equation& equation, const Map& local) {
   constexpr double margin = 1e-3;
   for (const double slack : checker::contraction(tube, local))
     if (!(slack > 0.05 * tube.width)) return false;
@@ -39,12 +51,14 @@ bool holds(const Tube& tube, const OnLine& line, const Map& local) {
   const auto bounds = checker::curve_bounds(local, tube.axis, extent);
   if (tube.chart != Chart::pair)
     return checker::monotone_pairs(tube, bounds, (1 + margin) * (tube.centre[3] + tube.reach));
+  const auto constant = factored(equation, tube);
+  if (!constant) return false;
   const auto definite = [&](const checker::Ball<double>& b) {
     return std::abs(b.middle) > (1 + margin) * b.radius && std::abs(b.middle) > 1e-11;
   };
   for (std::size_t i = 0; i < 4; ++i) {
     const bool inside = tube.centre[i] >= extent[i] && tube.centre[i] + extent[i] <= 1;
-    if (!line.constant[i] && !definite(bounds.first[i]) && !(inside && definite(bounds.second[i])))
+    if (!(*constant)[i] && !definite(bounds.first[i]) && !(inside && definite(bounds.second[i])))
       return false;
   }
   return true;
@@ -58,9 +72,8 @@ bool contains(const Tube& tube, const Parameters& w) {
 
 class Chain {
  public:
-  Chain(const NearPair& pair, std::vector<TracedPoint> points, std::size_t goal, const OnLine& line,
-        std::vector<Tube>& tubes)
-      : pair_(pair), goal_(goal), line_(line), tubes_(tubes), points_(std::move(points)) {}
+  Chain(const Equation& equation, std::vector<TracedPoint> points, std::size_t goal, std::vector<Tube>& tubes)
+      : equation_(equation), goal_(goal), tubes_(tubes), points_(std::move(points)) {}
 
   TracedArc run(std::size_t tube) {
     std::size_t at = 0;
@@ -95,8 +108,7 @@ class Chain {
     for (std::size_t ahead = std::max<std::size_t>(1, 2 * ahead_);; ahead /= 2) {
       const std::size_t middle = std::min(last + ahead, points_.size() - 1);
       const Parameters& w = points_[middle].at;
-      const std::size_t axis = line_.claim >= 0 ? line_.axis : best_axis(pair_, w);
-      const Tube tube = tube_at(pair_.power, w, axis, line_);
+      const Tube tube = tube_at(equation_, w, best_axis(equation_.map, w));
       if (contains(tube, points_[last].at)) {
         ahead_ = middle - last;
         tubes_.push_back(tube);
@@ -120,7 +132,7 @@ class Chain {
       const double t0 = begin + (end > begin ? step : -step);
       for (std::size_t i = 0; i < 4; ++i) w[i] += (t0 - begin) * (i == t.axis ? 1 : t.slope[i]);
       w[t.axis] = t0;
-      w = on_curve(pair_.power, w, t.axis);
+      w = on_curve(equation_.map, w, t.axis);
       if (contains(t, w)) {
         points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(at) + 1, {w, -1});
         return;
@@ -137,7 +149,7 @@ class Chain {
     for (double step = back / 2; std::abs(step) > 0x1p-36; step /= 2) {
       Parameters w = end;
       for (std::size_t i = 0; i < 4; ++i) w[i] += step * t.slope[i];
-      w = on_curve(pair_.power, w, t.axis);
+      w = on_curve(equation_.map, w, t.axis);
       if (contains(t, w) && contains(tubes_[tube], w)) {
         points_.insert(points_.end() - 1, {w, -1});
         return;
@@ -146,9 +158,8 @@ class Chain {
     throw NoCertificate("an arc whose end could not be joined to its node's tube");
   }
 
-  const NearPair& pair_;
+  const Equation equation_;
   std::size_t goal_;
-  const OnLine& line_;
   std::vector<Tube>& tubes_;
   std::vector<TracedPoint> points_;
   std::vector<TracedPiece> pieces_;
@@ -212,8 +223,8 @@ Vector column(const Map& local, std::size_t j) {
   return {c[0].middle, c[1].middle, c[2].middle};
 }
 
-Parameters tangent(const NearPair& pair, const Parameters& w) {
-  const Map local = pair.power.at(w);
+Parameters tangent(const Map& map, const Parameters& w) {
+  const Map local = map.at(w);
   Parameters t;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto o = others(k);
@@ -223,8 +234,8 @@ Parameters tangent(const NearPair& pair, const Parameters& w) {
   return t;
 }
 
-std::size_t best_axis(const NearPair& pair, const Parameters& w) {
-  const Parameters t = tangent(pair, w);
+std::size_t best_axis(const Map& map, const Parameters& w) {
+  const Parameters t = tangent(map, w);
   std::size_t k = 0;
   for (std::size_t i = 1; i < 4; ++i)
     if (std::abs(t[i]) > std::abs(t[k])) k = i;
@@ -236,21 +247,22 @@ Parameters on_curve(const Map& map, Parameters w, std::size_t fixed) {
   return w;
 }
 
-Parameters turning_point(const NearPair& pair, Parameters w, std::size_t axis, std::size_t i) {
+Parameters turning_point(const Map& map, Parameters w, std::size_t axis, std::size_t i) {
   for (int n = 0; n < 8; ++n) {
-    const Map local = pair.power.at(w);
+    const Map local = map.at(w);
     const auto c = inverse(local, axis);
     if (!c) throw NoCertificate("a turning point where Newton's method fails");
     const auto bounds = checker::curve_bounds(local.times(*c), axis, {});
     const double step = -bounds.first[i].middle / bounds.second[i].middle;
     if (!std::isfinite(step)) throw NoCertificate("a turning point of higher order");
     for (std::size_t j = 0; j < 4; ++j) w[j] += step * bounds.first[j].middle;
-    w = newton_step(pair.power, newton_step(pair.power, w, axis), axis);
+    w = newton_step(map, newton_step(map, w, axis), axis);
   }
   return w;
 }
 
-Tube tube_at(const Map& map, const Parameters& w, std::size_t axis, const OnLine& line, Chart chart) {
+Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis) {
+  const auto& [map, chart, number, factor] = equation;
   const Map here = map.at(w);
   auto c = inverse(here, axis);
   if (!c) throw NoCertificate("a point where the patches touch");
@@ -266,14 +278,14 @@ Tube tube_at(const Map& map, const Parameters& w, std::size_t axis, const OnLine
   for (const auto& b : slope) steepest = std::max(steepest, std::abs(b.middle));
   const int flat = std::ilogb(steepest);
   for (int e = 1; e < 46; ++e) {
-    Tube tube = {{chart}, {}, axis, {}, std::ldexp(1.0, 1 - e - flat), std::ldexp(1.0, -e), *c, line.claim};
+    Tube tube = {{chart}, {}, axis, {}, std::ldexp(1.0, 1 - e - flat), std::ldexp(1.0, -e), *c, number};
     for (std::size_t i = 0; i < 4; ++i) {
       tube.centre[i] = rounded(w[i], e + 12 + more);
       tube.slope[i] = i == axis ? 1 : rounded(slope[i].middle, 10);
     }
     // m of the cuspidal point is that of the middle line.
     if (chart != Chart::pair) tube.centre = {tube.centre[0], tube.centre[1], w[2], 0};
-    if (holds(tube, line, map.at(tube.centre).times(*c))) return tube;
+    if (holds(tube, equation, map.at(tube.centre).times(*c))) return tube;
   }
   throw NoCertificate("a point where no tube was found");
 }
@@ -303,9 +315,9 @@ Parameters in_chart(Chart chart, const Parameters& w) {
   return {(w[p] + w[p + 2]) / 2, (w[1 - p] + w[3 - p]) / 2, (w[1 - p] - w[3 - p]) / (2 * t), t * t};
 }
 
-TracedArc chain(const NearPair& pair, const std::vector<TracedPoint>& points, std::size_t first_tube,
-                std::size_t last_tube, const OnLine& line, std::vector<Tube>& tubes) {
-  return Chain(pair, points, last_tube, line, tubes).run(first_tube);
+TracedArc chain(const Equation& equation, const std::vector<TracedPoint>& points, std::size_t first_tube,
+                std::size_t last_tube, std::vector<Tube>& tubes) {
+  return Chain(equation, points, last_tube, tubes).run(first_tube);
 }
 
 }  // namespace exsect::cli

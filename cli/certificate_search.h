@@ -42,30 +42,37 @@ NearPair near_pair(const BezierPatch& x, const BezierPatch& y);
 
 /// dF/dw_j at the map's point.
 Vector column(const Map& local, std::size_t j);
-/// T, the kernel of DF at w (method (5.1)).
-Parameters tangent(const NearPair& pair, const Parameters& w);
+/// T, the kernel of the map's derivative at w (method (5.1)).
+Parameters tangent(const Map& map, const Parameters& w);
 /// The parameter along which the curve runs fastest.
-std::size_t best_axis(const NearPair& pair, const Parameters& w);
+std::size_t best_axis(const Map& map, const Parameters& w);
 /// Newton's method for F = 0 with the variable `fixed` held.
 Parameters on_curve(const Map& map, Parameters w, std::size_t fixed);
 /// The zero of dw_i/dw_axis near w on the curve.
-Parameters turning_point(const NearPair& pair, Parameters w, std::size_t axis, std::size_t i);
+Parameters turning_point(const Map& map, Parameters w, std::size_t axis, std::size_t i);
 
 /// The inverse of the columns of DF other than k, at the map's point; nothing if they are dependent.
 std::optional<checker::Matrix3<double>> inverse(const Map& local, std::size_t k);
 /// The direction with integer components that the vector points to, none above `size`.
 std::array<int, 3> rounded_direction(const std::array<double, 3>& d, double size = 100);
 
-/// An exact solution, given by a claim, that an arc runs along.
-struct OnLine {
-  int claim = -1;
-  std::size_t axis = 0;
-  std::array<bool, 4> constant = {};
+/// A factor of F, exactly and near it.
+struct NearFactor {
+  checker::Factor exact;
+  Map map;
+  std::array<Map, 3> columns;
+};
+
+/// What vanishes on a curve: F, H of a chart, or the map of the factor with this number.
+struct Equation {
+  const Map& map;
+  Chart chart = Chart::pair;
+  int number = -1;
+  const NearFactor* factor = nullptr;
 };
 
 /// A large tube around w that should satisfy everything the check asks of tubes. Throws NoCertificate.
-Tube tube_at(const Map& map, const Parameters& w, std::size_t axis, const OnLine& line = {},
-             Chart chart = Chart::pair);
+Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis);
 checker::CurveBounds<double> bounds_in(const Map& map, const Tube& tube);
 /// A bound for the distance from w to the curve.
 double distance(const Map& map, const Tube& tube, const Parameters& w);
@@ -89,14 +96,14 @@ struct TracedArc {
   std::vector<TracedPiece> pieces;
 };
 /// Adds the tubes it needs. `points`: the polyline's vertices, the first and the last one in the tubes given.
-TracedArc chain(const NearPair& pair, const std::vector<TracedPoint>& points, std::size_t first_tube,
-                std::size_t last_tube, const OnLine& line, std::vector<Tube>& tubes);
+TracedArc chain(const Equation& equation, const std::vector<TracedPoint>& points, std::size_t first_tube,
+                std::size_t last_tube, std::vector<Tube>& tubes);
 
 /// What cells may lie in.
 struct Places {
   const std::vector<Tube>& tubes;
   std::vector<checker::Star> stars = {};
-  std::vector<checker::Star> seams = {};  // of the overlaps, the first of all seams
+  std::vector<const NearFactor*> planes = {};  // of the overlaps
   bool self = false;
 };
 /// The subdivision of [0,1]^4, or of its part on the line, in preorder: "u", "t5", "3,-1,2".

@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "certificate_algebraic.h"
-#include "certificate_seam.h"
 
 namespace exsect::cli {
 namespace {
@@ -60,7 +59,7 @@ SingularPoint singular_point(const Patches& patches, const Node& node) {
 
 /// Of weights 1 and with axes along the parameters.
 Star plain_star(const SingularPoint& point) {
-  Star star = {{}, point.at.root, point.at.parameters, {}, {}, {1, 1, 1, 1}, {}, {1, 1, 2}, {}};
+  Star star = {point.at.root, point.at.parameters, {}, {}, {1, 1, 1, 1}, {}, {1, 1, 2}, {}};
   star.rows[0][(point.steepest + 1) % 3] = star.rows[1][(point.steepest + 2) % 3] = 1;
   star.rows[2] = point.normal;
   // Unequal, so that no half branch begins between two charts.

@@ -1,5 +1,8 @@
 #include "certificate_star.h"
 
+#include <exsect/checker/factors.h>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,56 +13,76 @@
 namespace exsect::cli {
 namespace {
 
-using checker::Ball;
 using checker::others;
 using checker::Star;
 
-/// The line whose half branch in the chart begins at z; -1 if there is none.
-int line_at(const Star& star, std::size_t direction, const Parameters& z,
-            const std::vector<checker::Line>& lines) {
-  const std::size_t k = direction / 2;
-  for (std::size_t n = 0; n < lines.size(); ++n) {
-    Parameters e{};
-    bool through = true;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto& [a, b, c] = lines[n].at[i];
-      through = through && c == 0 &&
-                checker::Algebraic(a) + checker::Algebraic(b) * star.at[lines[n].axis] == star.at[i];
-      for (std::size_t j = 0; j < 4; ++j)
-        e[j] += checker::number<double>(star.coordinates[j][i]) * to_double(b);
-    }
-    if (!through || e[k] == 0) continue;
-    bool same = true;
-    for (const std::size_t j : others(k))
-      same = same && std::abs((direction % 2 == 0 ? e[j] : -e[j]) / e[k] - z[j]) < 1e-9;
-    if (same) return static_cast<int>(n);
+Parameters parameters_at(const Star& star) {
+  Parameters result;
+  for (std::size_t i = 0; i < 4; ++i) result[i] = checker::number<double>(star.at[i]);
+  return result;
+}
+
+/// A subdivision of a chart that does not end soon.
+struct NotAlone {};
+
+/// A direction in which the map has one sign where its variables differ by `half` at most from the middle, as
+/// an entry of a subdivision; empty if none is found.
+std::string one_sign(const Map& map, const Parameters& middle, const Parameters& half, std::size_t axis) {
+  const Map local = map.at(middle);
+  std::vector<Vector> normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, local.value(Parameters{})};
+  if (const auto c = inverse(local, axis)) normals.insert(normals.end(), c->begin(), c->end());
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j) normals.push_back(checker::cross(column(local, i), column(local, j)));
+  for (const auto& normal : normals) {
+    const auto n = rounded_direction(normal);
+    const checker::Ball<double> range =
+        checker::along({double(n[0]), double(n[1]), double(n[2])}, local, half);
+    if (std::abs(range.middle) > range.radius * (1 + 1e-9) + 1e-11)
+      return fmt::format("{},{},{}", n[0], n[1], n[2]);
   }
-  return -1;
+  return "";
+}
+
+/// The charts' maps of a star, whose rows are each multiplied by a power of 2, so that the largest term is
+/// near 1; the orders become the largest possible ones.
+std::array<Map, 8> scaled_maps(Star& star, const checker::Map<Rational>& equation) {
+  const checker::Terms terms = checker::centred(equation, star);
+  std::array<int, 3> orders = {100, 100, 100};
+  for (const auto& [power, c] : terms) {
+    const int degree = checker::weighted_degree(star, power);
+    for (std::size_t d = 0; d < 3; ++d)
+      if (checker::dot(star.rows[d], c) != 0) orders[d] = std::min(orders[d], degree);
+  }
+  star.orders = orders;
+  for (int& order : star.orders) {
+    if (order == 0) throw NotAlone();
+    if (order == 100) order = 1;  // no term at all
+  }
+  std::array<Map, 8> maps;
+  for (int pass = 0; pass < 2; ++pass) {
+    std::array<double, 3> most{};
+    for (std::size_t direction = 0; direction < 8; ++direction) {
+      maps[direction] = checker::in_direction<double>(terms, star, direction, star.rows, star.orders);
+      for (const auto& term : maps[direction].terms())
+        for (std::size_t d = 0; d < 3; ++d) most[d] = std::max(most[d], std::abs(term.c[d]));
+    }
+    for (std::size_t d = 0; pass == 0 && d < 3; ++d)
+      for (checker::Algebraic& q : star.rows[d])
+        q = q * checker::Algebraic(power_of_two(most[d] > 0 ? -std::ilogb(most[d]) : 0));
+  }
+  return maps;
 }
 
 /// One chart: its tubes and its subdivision. Throws NotAlone if it does not end.
 class ChartSearch {
  public:
-  ChartSearch(const Star& star, const Map& map, const ClaimNumbers& first, std::size_t direction,
-              const std::vector<checker::Line>& lines)
-      : star_(star), map_(map), first_(first), direction_(direction), lines_(lines) {}
-
-  /// The half branch along a line on which the patches touch; `equation`: F.
-  void add_seam(const checker::Map<Rational>& equation, std::size_t line) {
-    const checker::MapName chart = {Chart::star, first_.star, direction_};
-    checker::OnAxis<Rational> on;
-    try {
-      on = checker::ray(star_, chart, lines_[line]);
-    } catch (const checker::Failed&) {
-      return;
-    }
-    for (const std::size_t j : others(direction_ / 2))
-      if (abs(on[j][0]) >= 1) return;
-    const auto map = checker::in_direction<Rational>(checker::centred(equation, star_), star_, direction_,
-                                                     star_.rows, star_.orders);
-    seams_.push_back(seam_along(map, chart, on, direction_ / 2, 0, 1, first_.seam + seams_.size(),
-                                static_cast<int>(line)));
-    tubes_.push_back(seams_.back().tube);
+  ChartSearch(FoundStar& found, const ClaimNumbers& first, std::size_t direction)
+      : found_(found),
+        star_(found.claim),
+        map_(found.maps.at({-1, direction}).map),
+        first_(first),
+        direction_(direction) {
+    chart_ = {Chart::star, first.star, direction};
   }
 
   void run() {
@@ -70,8 +93,6 @@ class ChartSearch {
   }
 
   std::string entries_;
-  std::vector<Tube> tubes_;
-  std::vector<FoundSeam> seams_;
 
  private:
   void add(const Parameters& middle, const Parameters& half, int depth) {
@@ -100,104 +121,120 @@ class ChartSearch {
   std::string leaf(const Parameters& middle, const Parameters& half) const {
     checker::Box<double> box;
     for (std::size_t j = 0; j < 4; ++j) box[j] = {middle[j], half[j]};
-    for (std::size_t i = 0; i < tubes_.size(); ++i) {
-      Tube tube = tubes_[i];
+    for (std::size_t i = 0; i < found_.tubes.size(); ++i) {
+      Tube tube = found_.tubes[i];
       tube.width *= 1 - 1e-9;
-      if (tube.contains(box)) return "t" + std::to_string(first_.tube + i);
+      if (tube == chart_ && tube.contains(box)) return "t" + std::to_string(first_.tube + i);
     }
     return one_sign(map_, middle, half, direction_ / 2);
   }
 
-  /// A tube whose half branch begins in the cell, if Newton's method finds one.
-  bool half_branch(Parameters z, const Parameters& half) {
+  /// A tube whose half branch begins in the cell, if Newton's method finds one, with one of the maps.
+  bool half_branch(const Parameters& middle, const Parameters& half) {
+    for (const auto& [key, maps] : found_.maps)
+      if (key.second == direction_ && half_branch(key.first, maps.map, middle, half)) return true;
+    return false;
+  }
+  bool half_branch(int factor, const Map& map, Parameters z, const Parameters& half) {
     const std::size_t k = direction_ / 2;
     const Parameters middle = z;
     z[k] = 0;
     try {
-      z = on_curve(map_, z, k);
+      z = on_curve(map, z, k);
     } catch (const NoCertificate&) {
       return false;
     }
     for (const std::size_t j : others(k))
       if (!(std::abs(z[j] - middle[j]) <= 4 * half[j] && std::abs(z[j]) < 0.97)) return false;
-    for (const Tube& tube : tubes_) {
+    for (const Tube& tube : found_.tubes) {
       double away = 0;
       for (const std::size_t j : others(k)) away = std::max(away, std::abs(z[j] - tube.centre[j]));
-      if (away < tube.width) return false;
+      if (tube == chart_ && away < tube.width) return false;
     }
-    return find_tube(z);
+    return find_tube(factor, map, z);
   }
 
-  bool find_tube(const Parameters& z) {
+  bool find_tube(int factor, const Map& map, const Parameters& z) {
     const std::size_t k = direction_ / 2;
-    const Map here = map_.at(z);
+    const Map here = map.at(z);
     auto c = inverse(here, k);
     if (!c) return false;
     for (auto& row : *c)
       for (double& a : row) a = std::ldexp(std::nearbyint(std::ldexp(a, 20)), -20);
     const auto slope = checker::curve_bounds(here.times(*c), k, {}).first;
-    const int line = line_at(star_, direction_, z, lines_);
     for (int e = 2; e < 30; ++e) {
-      Tube tube = {
-          {Chart::star, first_.star, direction_}, z, k, {}, 1 + 0x1p-20, std::ldexp(1.0, -e), *c, line};
+      Tube tube = {chart_, z, k, {}, 1 + 0x1p-20, std::ldexp(1.0, -e), *c, factor};
       for (std::size_t j = 0; j < 4; ++j) {
         tube.centre[j] = std::ldexp(std::nearbyint(std::ldexp(z[j], e + 20)), -e - 20);
-        tube.slope[j] = j == k      ? 1
-                        : line >= 0 ? 0
-                                    : std::ldexp(std::nearbyint(std::ldexp(slope[j].middle, 12)), -12);
+        tube.slope[j] = j == k ? 1 : std::ldexp(std::nearbyint(std::ldexp(slope[j].middle, 12)), -12);
       }
-      if (!holds(tube)) continue;
-      tubes_.push_back(tube);
+      if (!holds(tube, map)) continue;
+      found_.tubes.push_back(tube);
       return true;
     }
     return false;
   }
 
-  bool holds(const Tube& tube) const {
-    const Map local = map_.at(tube.centre).times(tube.inverse);
+  bool holds(const Tube& tube, const Map& map) const {
+    const Map local = map.at(tube.centre).times(tube.inverse);
     for (const double slack : checker::contraction(tube, local))
       if (!(slack > 0.05 * tube.width)) return false;
     for (const std::size_t j : others(tube.axis))
       if (!(std::abs(tube.centre[j]) + tube.width < 1 - 1e-9)) return false;
-    for (const Tube& other : tubes_) {
+    for (const Tube& other : found_.tubes) {
       double away = 0;
       for (const std::size_t j : others(tube.axis))
         away = std::max(away, std::abs(tube.centre[j] - other.centre[j]));
-      if (!(away > 1.001 * (tube.width + other.width))) return false;
+      if (other == chart_ && !(away > 1.001 * (tube.width + other.width))) return false;
+    }
+    checker::Box<double> box;
+    const Parameters extent = tube.extent();
+    for (std::size_t j = 0; j < 4; ++j) box[j] = {tube.centre[j], extent[j] * (1 + 0x1p-20)};
+    box[tube.axis] = {0.5 * tube.reach, 0.5 * tube.reach};
+    std::array<bool, 4> constant = {};
+    if (tube.factor >= 0) {
+      if (!checker::independent<double>(found_.maps.at({tube.factor, direction_}).columns, box)) return false;
+      constant = checker::constant_in<double>(found_.factors[static_cast<std::size_t>(tube.factor)].exact.map,
+                                              checker::from_star(star_, direction_, box));
     }
     const auto signs =
-        checker::half_branch_signs(star_, tube, checker::curve_bounds(local, tube.axis, tube.extent()));
-    for (std::size_t i = 0; i < 4; ++i) {
-      const bool constant = tube.line >= 0 && lines_[static_cast<std::size_t>(tube.line)].at[i][1] == 0;
-      if (!constant && signs[i] == 0) return false;
-    }
+        checker::half_branch_signs(star_, tube, checker::curve_bounds(local, tube.axis, extent));
+    for (std::size_t i = 0; i < 4; ++i)
+      if (!constant[i] && signs[i] == 0) return false;
     return true;
   }
 
   static constexpr std::size_t max_entries = 3000;
+  FoundStar& found_;
   const Star& star_;
   const Map& map_;
   ClaimNumbers first_;
   std::size_t direction_;
-  const std::vector<checker::Line>& lines_;
+  checker::MapName chart_;
   std::size_t count_ = 0;
 };
 
 /// The star, if what is around its point is in tubes; otherwise throws NotAlone.
 FoundStar alone(const Star& star, const checker::Map<Rational>& equation, const ClaimNumbers& first,
-                const std::vector<checker::Line>& lines, const std::vector<bool>& touching) {
-  FoundStar result = {star, {}, {}, {}, {}};
-  result.maps = scaled_maps(result.claim, equation);
+                const std::vector<NearFactor>& factors) {
+  FoundStar result = {star, {}, {}, factors, {}};
+  const std::array<Map, 8> maps = scaled_maps(result.claim, equation);
   for (std::size_t direction = 0; direction < 8; ++direction) {
-    const ClaimNumbers next = {first.star, first.tube + result.tubes.size(),
-                               first.seam + result.seams.size()};
-    ChartSearch chart(result.claim, result.maps[direction], next, direction, lines);
-    for (std::size_t n = 0; n < lines.size(); ++n)
-      if (touching[n]) chart.add_seam(equation, n);
+    result.maps[{-1, direction}].map = maps[direction];
+    for (std::size_t n = 0; n < factors.size(); ++n) {
+      const auto at = factors[n].map.value(parameters_at(star));
+      if (std::abs(at[0]) + std::abs(at[1]) + std::abs(at[2]) > 1e-9) continue;
+      try {
+        result.maps[{static_cast<int>(n), direction}] =
+            checker::factor_in_direction<double>(factors[n].exact, result.claim, direction);
+      } catch (const checker::Failed&) {
+      }
+    }
+  }
+  for (std::size_t direction = 0; direction < 8; ++direction) {
+    ChartSearch chart(result, first, direction);
     chart.run();
     result.subdivisions[direction] = chart.entries_;
-    result.tubes.insert(result.tubes.end(), chart.tubes_.begin(), chart.tubes_.end());
-    result.seams.insert(result.seams.end(), chart.seams_.begin(), chart.seams_.end());
   }
   return result;
 }
@@ -216,11 +253,9 @@ double extent(const Star& star) {
 }  // namespace
 
 FoundStar star_at(const Patches& patches, const Node& node, const ClaimNumbers& first, double size,
-                  const std::vector<checker::Line>& lines, const std::vector<bool>& touching) {
+                  const std::vector<NearFactor>& factors) {
   const auto equation = checker::pair_map(patches[0].power_basis(), patches[1].power_basis());
   for (const Star& star : singular_points(patches, node)) {
-    if (!star.is_rational() && std::count(touching.begin(), touching.end(), true) > 0)
-      throw NoCertificate("an irrational special point beside an arc along which the patches touch");
     const bool plain = star.weights == std::array<std::size_t, 4>{1, 1, 1, 1};
     int tried = 0;
     for (int e = 2; e < 46 && tried < (plain ? 22 : 6); plain ? e += 2 : ++e) {
@@ -228,7 +263,7 @@ FoundStar star_at(const Patches& patches, const Node& node, const ClaimNumbers& 
       if (extent(scaled) > size) continue;
       ++tried;
       try {
-        return alone(scaled, equation, first, lines, touching);
+        return alone(scaled, equation, first, factors);
       } catch (const NotAlone&) {
       }
     }
@@ -251,36 +286,21 @@ Json matrix(const Rows& m) {
   return rows;
 }
 
-/// The claim, without its seal, after what is said before.
-Json frame_claim(Json claim, const Star& star, const std::array<std::string, 8>& subdivisions) {
-  claim.update({{"at", list(star.at)},
-                {"axes", matrix(star.axes)},
-                {"coordinates", matrix(star.coordinates)},
-                {"weights", star.weights},
-                {"rows", matrix(star.rows)},
-                {"orders", star.orders},
-                {"charts", subdivisions}});
-  return claim;
-}
-
 }  // namespace
 
 Json star_claims(const std::vector<FoundStar>& stars) {
   Json result = Json::array();
-  for (const FoundStar& star : stars) {
-    const checker::Root& root = *star.claim.root;
-    const Json field = {{"modulus", rationals(root.modulus)}, {"between", rationals(root.between)}};
-    result.push_back(
-        sealed(in_list("stars", result.size()), frame_claim(field, star.claim, star.subdivisions)));
-  }
-  return result;
-}
-
-Json seam_claims(const std::vector<FoundSeam>& seams) {
-  Json result = Json::array();
-  for (const FoundSeam& seam : seams) {
-    const Json of = {{"of", map_text(seam.claim.of)}};
-    result.push_back(sealed(in_list("seams", result.size()), frame_claim(of, seam.claim, seam.subdivisions)));
+  for (const FoundStar& found : stars) {
+    const Star& star = found.claim;
+    result.push_back(sealed(in_list("stars", result.size()), {{"modulus", rationals(star.root->modulus)},
+                                                              {"between", rationals(star.root->between)},
+                                                              {"at", list(star.at)},
+                                                              {"axes", matrix(star.axes)},
+                                                              {"coordinates", matrix(star.coordinates)},
+                                                              {"weights", star.weights},
+                                                              {"rows", matrix(star.rows)},
+                                                              {"orders", star.orders},
+                                                              {"charts", found.subdivisions}}));
   }
   return result;
 }
@@ -288,8 +308,7 @@ Json seam_claims(const std::vector<FoundSeam>& seams) {
 Parameters on_half_branch(const FoundStar& star, const Tube& tube, double t) {
   Parameters z = tube.centre;
   for (std::size_t j = 0; j < 4; ++j) z[j] += t * tube.slope[j];
-  if (tube.seam >= 0) return z;
-  return on_curve(star.maps[tube.direction], z, tube.axis);
+  return on_curve(star.maps.at({tube.factor, tube.direction}).map, z, tube.axis);
 }
 
 Parameters parameters_of(const FoundStar& star, const Tube& tube, const Parameters& z) {

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <exsect/checker/certificate.h>
-#include <exsect/checker/star_maps.h>
+#include <exsect/checker/factors.h>
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "certificate_events.h"
-#include "certificate_seam.h"
 #include "certificate_search.h"
 
 namespace exsect::cli {
@@ -18,25 +18,24 @@ namespace exsect::cli {
 struct FoundStar {
   checker::Star claim;                      // without its charts
   std::array<std::string, 8> subdivisions;  // of its charts
-  std::array<Map, 8> maps;
   std::vector<Tube> tubes;
-  std::vector<FoundSeam> seams;  // in its charts, for half branches along which the patches touch
+  const std::vector<NearFactor>& factors;
+  // Of F (-1) and factors in each chart; of F without columns.
+  std::map<std::pair<int, std::size_t>, checker::FactorMaps<double>> maps;
 };
 
 /// How many claims there are before those of a star.
 struct ClaimNumbers {
   std::size_t star;
   std::size_t tube;
-  std::size_t seam;
 };
 
-/// The star at the node, smaller than `size` in each parameter. `lines`: those that half branches may be on;
-/// `touching`: along which of them the patches touch. Throws NoCertificate if the parameters are no
-/// short rationals, or the quadratic terms are degenerate.
+/// The star at the node, smaller than `size` in each parameter. `factors`: those of which half branches may
+/// be tubes. Throws NoCertificate if the parameters are in no number field that is found, or the quadratic
+/// terms are degenerate.
 FoundStar star_at(const Patches& patches, const Node& node, const ClaimNumbers& first, double size,
-                  const std::vector<checker::Line>& lines, const std::vector<bool>& touching);
+                  const std::vector<NearFactor>& factors);
 Json star_claims(const std::vector<FoundStar>& stars);
-Json seam_claims(const std::vector<FoundSeam>& seams);
 
 /// The point of the tube's curve at t, in the star's chart, and as parameters.
 Parameters on_half_branch(const FoundStar& star, const Tube& tube, double t);

@@ -12,10 +12,8 @@ namespace {
 
 Json summary(const Draft& d, const Json& json, std::size_t cells) {
   Json claims = Json::array();
-  for (const char* list : {"relations", "lines", "stars", "tubes", "nodes", "arcs"})
-    claims.push_back(json[list].size());
+  for (const char* list : {"factors", "stars", "tubes", "nodes", "arcs"}) claims.push_back(json[list].size());
   claims.push_back(cells);
-  claims.push_back(json["seams"].size());
   claims.push_back(json["overlaps"].size());
   std::array<std::size_t, 4> turning{};
   std::size_t boundary = 0;
@@ -56,15 +54,14 @@ std::vector<int> connected(const IntersectionGraph& graph, std::vector<int> arcs
 
 Json document(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
               const IntersectResult& result, bool self) {
-  Draft d = {{x, y}, names, result.graph, near_pair(x, y), self};
+  const Patches patches = {x, y};
+  Draft d = {patches, names, result.graph, near_pair(x, y), self, Factors(patches, self)};
   find_special_places(d);
   Json json = {{"exsect", "certificate/1"}, {"command", self ? "self" : "intersect"}};
   json["first"] = patch_claim("$.first", names.first, x);
   if (!self) json["second"] = patch_claim("$.second", names.second, y);
-  json["relations"] = self ? Json::array() : relation_claims(d.patches);
-  json["lines"] = line_claims(d.lines);
+  json["factors"] = d.factors.claims();
   json["stars"] = star_claims(d.stars);
-  json["seams"] = seam_claims(d.seams);
   json["tubes"] = Json::array();
   json["nodes"] = node_claims(d);
   json["arcs"] = arc_claims(d);
@@ -76,7 +73,8 @@ Json document(const BezierPatch& x, const BezierPatch& y, const PatchNames& name
   json["overlaps"] = d.overlaps;
   Places places = {d.tubes, {}, {}, self};
   for (const FoundStar& star : d.stars) places.stars.push_back(star.claim);
-  for (std::size_t i = 0; i < d.overlaps.size(); ++i) places.seams.push_back(d.seams[i].claim);
+  for (const int plane : d.planes)
+    places.planes.push_back(&d.factors.found()[static_cast<std::size_t>(plane)]);
   const std::vector<std::string> cells = cover(d.pair, places);
   json["cover"] = cover_claims(cells);
   json["summary"] = summary(d, json, cells.size());

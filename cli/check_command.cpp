@@ -17,7 +17,7 @@ constexpr std::size_t max_certificate_bytes = std::size_t{256} << 20;
 
 Json summary_json(const checker::Report& report) {
   const checker::Summary& summary = report.summary;
-  if (report.fixed) return {{"points", summary.claims[4]}};
+  if (report.fixed) return {{"points", summary.claims[3]}};
   return {{"components", summary.components}, {"closed", summary.closed},        {"open", summary.open},
           {"branched", summary.branched},     {"boundary", summary.boundary},    {"turning", summary.turning},
           {"isolated", summary.isolated},     {"tangential", summary.tangential}};
@@ -30,14 +30,12 @@ Json accepted_json(const checker::Report& report) {
           {"accepted", true},
           {"summary", summary_json(report)},
           {"claims",
-           {{"relations", claims[0]},
-            {"lines", claims[1]},
-            {"stars", claims[2]},
-            {"seams", claims[7]},
-            {"overlaps", claims[8]},
-            {"tubes", claims[3]},
-            {"nodes", claims[4]},
-            {"arcs", claims[5]},
+           {{"factors", claims[0]},
+            {"stars", claims[1]},
+            {"overlaps", claims[6]},
+            {"tubes", claims[2]},
+            {"nodes", claims[3]},
+            {"arcs", claims[4]},
             {"cells_in_tubes", report.covered},
             {"cells_excluded", report.exclusions}}}};
 }
@@ -48,7 +46,7 @@ std::string accepted_text(const checker::Report& report) {
       fmt::format("{} cells in tubes, {} cells without a solution", report.covered, report.exclusions);
   if (report.fixed)
     return fmt::format("accepted: the solutions with {} = {} are {} points\nreplayed: {} points, {}\n",
-                       "uvrs"[report.fixed->parameter], to_string(report.fixed->value), claims[4], claims[4],
+                       "uvrs"[report.fixed->parameter], to_string(report.fixed->value), claims[3], claims[3],
                        cells);
   const checker::Summary& summary = report.summary;
   const std::string branched =
@@ -56,17 +54,16 @@ std::string accepted_text(const checker::Report& report) {
   const std::string isolated =
       summary.isolated > 0 ? fmt::format(", and {} isolated points", summary.isolated) : "";
   const std::string overlaps =
-      claims[8] > 0 ? fmt::format(", and {} overlap{}", claims[8], claims[8] > 1 ? "s" : "") : "";
+      claims[6] > 0 ? fmt::format(", and {} overlap{}", claims[6], claims[6] > 1 ? "s" : "") : "";
   const std::string tangential =
       summary.tangential > 0
-          ? fmt::format("; along {} of {} arcs the patches touch", summary.tangential, claims[5])
+          ? fmt::format("; along {} of {} arcs the patches touch", summary.tangential, claims[4])
           : "";
   return fmt::format(
       "accepted: the whole {} is {} closed and {} open curves{}{}{}{}\n"
-      "replayed: {} nodes, {} stars, {} seams, {} arcs, {} tubes, {} relations, {} lines, {}\n",
+      "replayed: {} nodes, {} stars, {} arcs, {} tubes, {} factors, {}\n",
       report.self ? "self-intersection" : "intersection", summary.closed, summary.open, branched, isolated,
-      overlaps, tangential, claims[4], claims[2], claims[7], claims[5], claims[3], claims[0], claims[1],
-      cells);
+      overlaps, tangential, claims[3], claims[1], claims[4], claims[2], claims[0], cells);
 }
 
 }  // namespace

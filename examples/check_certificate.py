@@ -251,6 +251,10 @@ class Map:
             return total
         return self.mapped(coefficient)
 
+    def multiplied(self, other, d):
+        """By component d of the other one."""
+        return Map((tuple(map(sum, zip(p, q))), b[d], a) for p, a in self.terms.items() for q, b in other.terms.items() if b[d])
+
     def times(self, matrix):
         return self.mapped(lambda _, c: [sum(m * q for m, q in zip(row, c)) for row in matrix])
 
@@ -423,14 +427,13 @@ class Tube:
     def __init__(self, value, place):
         value = claim(value, place, ["centre", "axis", "slope", "reach", "width", "inverse", "curve"])
         self.curve = value["curve"]
-        require(isinstance(self.curve, str) and re.fullmatch("pair|first|second|(star(0|[1-9][0-9]*)[uvrs][+-])?(line(0|[1-9][0-9]*)(seam(0|[1-9][0-9]*))?)?", self.curve)
+        require(isinstance(self.curve, str) and re.fullmatch("pair|first|second|(star(0|[1-9][0-9]*)[uvrs][+-])?(factor(0|[1-9][0-9]*))?", self.curve)
                 and self.curve, place, "not a curve")
         self.charted = self.curve in ("first", "second")
-        star, line, seam = (re.search(text, self.curve) for text in ("star([0-9]+)(..)", "line([0-9]+)", "seam([0-9]+)"))
+        star, factor = (re.search(text, self.curve) for text in ("star([0-9]+)(..)", "factor([0-9]+)"))
         self.star, self.direction = (int(star[1]), DIRECTIONS.index(star[2])) if star else (None, None)
-        self.line = int(line[1]) if line else None
-        self.seam = int(seam[1]) if seam else None
-        self.constant = {}
+        self.factor = int(factor[1]) if factor else None
+        self.constant = []
         self.centre = numbers(value["centre"], 4, place)
         self.axis = parameter(value["axis"], place)
         self.slope = numbers(value["slope"], 4, place)
@@ -445,7 +448,7 @@ class Tube:
             abs(box[i][0] - self.centre[i] - self.slope[i] * t) + box[i][1] + abs(self.slope[i]) * box[k][1] <= self.width
             for i in others(k))
 
-    def check(self, system, lines, place):
+    def check(self, system, place):
         k, t, z = self.axis, self.reach, self.width
         require(self.slope[k] == 1 and t > 0 and z > 0, place, "not a tube")
         require(self.curve != "first" and self.curve != "second" or self.curve in system.equation, place, "a chart of two patches")
@@ -455,8 +458,11 @@ class Tube:
         else:
             self.map = system.equation[self.curve if self.charted else "pair"]
             self.space = system.space[self.curve if self.charted else "pair"]
-        if self.seam is None:
-            self.check_contraction(place)
+        self.exact = system.equation["pair"]
+        if self.factor is not None:
+            self.factor = element(system.factors, self.factor, place)
+            self.check_factored(place)
+        self.check_contraction(place)
         if self.charted:
             h = self.extent()
             end = self.centre[3] + t
@@ -465,10 +471,6 @@ class Tube:
             require(k == 3 and end > 0 and rest > 0 and 4 * end * u * u < 1 and 4 * end * v * v < rest * rest, place,
                     "a parameter may turn")
             return
-        if self.line is not None:
-            self.check_on_line(element(lines, self.line, place), place)
-        if self.seam is not None:
-            self.check_in_seam(element(system.seams, self.seam, place), place)
         if self.star is not None:
             self.check_half_branch(system.tubes, place)
             return
@@ -477,6 +479,10 @@ class Tube:
             inside = self.centre[i] >= h[i] and self.centre[i] + h[i] <= 1
             require(i in self.constant or sign(self.bounds.first[i]) or (sign(self.bounds.second[i]) and inside), place,
                     "a parameter may turn more than once, or outside the domain")
+
+    def monotone(self, d, i):
+        """Component d of the map is, in w_i."""
+        return sign(self.map.at(self.centre).first(d, i, self.extent()))
 
     def extent(self):
         return [abs(d) * self.reach + (0 if i == self.axis else self.width) for i, d in enumerate(self.slope)]
@@ -492,48 +498,23 @@ class Tube:
             require(sum(abs(q) * t**m for m, q in enumerate(f)) + rows[d] * z < z, place, "no contraction")
         self.bounds = Bounds(local, k, h)
 
-    def check_on_line(self, line, place):
-        """The line, in the variables of the map, is in the tube for all values of the axis."""
-        axis, at = line
-        for i, (a, b, c) in enumerate(at):
-            if b == c == 0 and 0 <= a <= 1:
-                self.constant[i] = a
-        require(self.star is not None or axis == self.axis, place, "its line has another axis")
-        self.exact = at if self.star is None else self.ray(axis, at, place)
-        p = self.centre[self.axis]
-        for i, (a, b, c) in enumerate(self.exact):
-            off, slope = a + p * (b + p * c) - self.centre[i], b + 2 * p * c - self.slope[i]
-            require(i == self.axis or abs(off) + self.reach * (abs(slope) + self.reach * abs(c)) <= self.width, place,
-                    "its line is not in it")
-
-    def ray(self, axis, at, place):
-        """The line through the star's point has constant d."""
-        star, k = self.star, self.direction // 2
-        require(all(c == 0 and a + b * star.at[axis] == q for (a, b, c), q in zip(at, star.at)), place,
-                "its line is not straight through the star's point")
-        require(not any(isinstance(q, Algebraic) for row in star.coordinates for q in row), place, "irrational coordinates")
-        e = [sum(q * b for q, (_, b, _) in zip(row, at)) for row in star.coordinates]
-        require(e[k] != 0, place, "its line is not in the chart")
-        for j in others(k):
-            require(e[j] == 0 or star.weights[j] == star.weights[k], place, "its line is not straight in the chart")
-        return [[0, 1, 0] if j == k else [e[j] / e[k] * star.side(self.direction), 0, 0] for j in range(4)]
-
-    def check_in_seam(self, seam, place):
-        """All solutions in the tube are on the line."""
-        chart = (self.star, self.direction) if self.star is not None else None
-        require(seam.of == chart, place, "its seam is one of another map")
-        require(not any(map(any, self.inverse)), place, "an inverse where none is needed")
-        require(not seam.plane or seam.is_edge(self.exact), place, "its seam's plane goes on in the domain")
-        for row, weight in zip(seam.coordinates, seam.weights):
-            middle = sum(c * (p - a) for c, p, a in zip(row, self.centre, seam.at))
-            slope = sum(c * d for c, d in zip(row, self.slope))
-            size = sum(abs(row[i]) for i in others(self.axis)) * self.width
-            require(abs(middle) + self.reach * abs(slope) + size <= 1, place, "not in its seam")
-            e = [sum(c * (p[n] - (a if n == 0 else 0)) for c, p, a in zip(row, self.exact, seam.at)) for n in range(3)]
-            require(weight == 0 or not any(e), place, "its line is not that of its seam")
-        self.bounds = Bounds.__new__(Bounds)
-        self.bounds.defect = 0
-        self.bounds.first, self.bounds.second = [(b, 0) for _, b, _ in self.exact], [(0, 0)] * 4
+    def check_factored(self, place):
+        """There are no other solutions in the tube; which parameters are constant."""
+        factor, self.exact = self.factor, self.factor.map
+        require(not factor.surface or factor.is_edge(), place, "its surface goes on in the domain")
+        box = parameters = list(zip(self.centre, self.extent()))
+        self.map, columns = factor.map, factor.columns
+        if self.star is not None:
+            box = box[: self.axis] + [(self.reach / 2, self.reach / 2)] + box[self.axis + 1 :]
+            parameters = self.star.from_chart(self.direction, box)
+            self.map, columns = self.star.factor(factor, self.direction)
+        require(independent(columns, factor.surface, box), place, "there may be other solutions")
+        local, half = self.exact.at([Fraction(float(b[0])) for b in parameters]), [b[1] for b in parameters]
+        half = [h + abs(Fraction(float(b[0])) - b[0]) for h, b in zip(half, parameters)]
+        for _, d, i in itertools.product(range(4), range(3), range(4)):
+            alone = all(j == i or j in self.constant or not occurs(self.exact, d, j) for j in range(4))
+            if alone and i not in self.constant and sign(local.first(d, i, half)):
+                self.constant.append(i)
 
     def check_half_branch(self, earlier, place):
         star, k = self.star, self.direction // 2
@@ -562,16 +543,9 @@ class Tube:
             require(i in self.constant or self.grows[i], place, "a parameter may turn")
 
     def derivatives(self, middle, half):
-        """Of the curve in the box; those of a line exactly."""
-        k = self.axis
-        if self.line is None:
-            here = self.map.at(middle)
-            return Bounds(here.times(near_inverse(here, k)), k, half)
-        bounds = Bounds.__new__(Bounds)
-        bounds.defect = 0
-        bounds.first = [(b + 2 * c * middle[k], abs(2 * c) * half[k]) for _, b, c in self.exact]
-        bounds.second = [(2 * c, 0) for _, _, c in self.exact]
-        return bounds
+        """Of the curve in the box."""
+        here = self.map.at(middle)
+        return Bounds(here.times(near_inverse(here, self.axis)), self.axis, half)
 
     def leaves_domain(self):
         return self.star is not None and any(
@@ -614,9 +588,6 @@ class Tube:
 
     def distance(self, w, place):
         require(self.contains([(a, 0) for a in w]), place, "a point is not in its tube")
-        if self.line is not None:
-            t = w[self.axis]
-            return max(abs(q - (a + t * (b + t * c))) for q, (a, b, c) in zip(w, self.exact))
         f = self.map.value(w)
         return max(abs(sum(m * q for m, q in zip(row, f))) for row in self.inverse) / (1 - self.bounds.defect)
 
@@ -625,68 +596,148 @@ class Edge(Tube):
     """The straight line between two places."""
 
     def __init__(self, a, b):
-        k = max(range(4), key=lambda p: (abs(b[p] - a[p]), -p))
-        slope = [(q - p) / (b[k] - a[k]) for p, q in zip(a, b)]
-        self.axis, self.line = k, 0
-        self.exact = [(p - s * a[k], s, Fraction(0)) for p, s in zip(a, slope)]
+        k = self.axis = max(range(4), key=lambda p: (abs(b[p] - a[p]), -p))
+        unit = [tuple(int(i == p) for i in range(4)) for p in range(4)]
+        terms = []
+        for d, p in enumerate(others(k)):
+            slope, one = (b[p] - a[p]) / (b[k] - a[k]), [Fraction(d == i) for i in range(3)]
+            terms += [((0, 0, 0, 0), slope * a[k] - a[p], one), (unit[p], 1, one), (unit[k], -slope, one)]
+        self.map, self.inverse, self.bounds = Map(terms), [[Fraction(i == j) for j in range(3)] for i in range(3)], Bounds.__new__(Bounds)
+        self.bounds.defect = 0
 
     def contains(self, box):
         return True
 
 
+# ---- Factors
+
+
+def occurs(polynomials, d, j):
+    return any(power[j] and c[d] for power, c in polynomials.terms.items())
+
+
+def vanishes(polynomials, d, known):
+    """Component d is 0 wherever the parameters have these values."""
+    local = polynomials.at([Fraction(known.get(j, 0)) for j in range(4)])
+    return not any(c[d] for power, c in local.terms.items() if not any(power[j] for j in known))
+
+
+def independent(columns, surface, box):
+    """The columns, of a surface the first two, are independent in the box."""
+    middle, half = [b[0] for b in box], [b[1] for b in box]
+    a, b, c = ([local.derivative(d, (0, 0, 0, 0), half) for d in range(3)] for local in (column.at(middle) for column in columns))
+    normal = [subtract(times(a[d - 2], b[d - 1]), times(a[d - 1], b[d - 2])) for d in range(3)]
+    if surface:
+        c = [(Fraction(float(q[0])), Fraction(0)) for q in normal]
+    total = (Fraction(0), Fraction(0))
+    for p, q in zip(normal, c):
+        total = add(total, times(p, q))
+    return sign(total)
+
+
+class Factor:
+    """F = sum of columns_j g_j^powers_j, g_j the components of the map."""
+
+    def __init__(self, value, place, system):
+        value = claim(value, place, ["map", "powers", "columns"])
+        require(all(isinstance(value[key], list) and len(value[key]) == 3 for key in value), place, "not three of each")
+        self.map, self.powers = self.polynomials(value["map"], place), [count(n, place) for n in value["powers"]]
+        self.columns = [self.polynomials(column, place) for column in value["columns"]]
+        self.surface = not any(value["columns"][2])
+        require(all(1 <= n <= 6 for n in self.powers), place, "a power is not in 1, ..., 6")
+        terms = [(power, -1, c) for power, c in system.equation["pair"].terms.items()]
+        for d, column in enumerate(self.columns):
+            for _ in range(self.powers[d]):
+                column = column.multiplied(self.map, d)
+            terms += [(power, 1, c) for power, c in column.terms.items()]
+        require(not any(map(any, Map(terms).terms.values())), place, "not a sum of multiples of its map")
+
+    @staticmethod
+    def polynomials(value, place):
+        require(isinstance(value, list) and len(value) == 3, place, "not three polynomials")
+        terms = []
+        for d, polynomial in enumerate(value):
+            require(isinstance(polynomial, list), place, "not a polynomial")
+            for term in polynomial:
+                require(isinstance(term, list) and len(term) == 5, place, "not a coefficient and four exponents")
+                power = tuple(count(n, place) for n in term[1:])
+                require(max(power) <= 12, place, "an exponent above 12")
+                terms.append((power, number(term[0], place), [Fraction(d == i) for i in range(3)]))
+        return Map(terms)
+
+    def is_edge(self):
+        """g_1 is linear in two parameters, in [0,1]^4 only 0 at a corner of them, where g_3 is."""
+        used = [j for j in range(4) if occurs(self.map, 0, j)]
+        if len(used) != 2 or any(sum(power) > 1 and c[0] for power, c in self.map.terms.items()):
+            return False
+        for corner in itertools.product((0, 1), repeat=2):
+            at, *near = ([Fraction(dict(zip(used, place)).get(j, 0)) for j in range(4)]
+                         for place in (corner, (1 - corner[0], corner[1]), (corner[0], 1 - corner[1])))
+            a, b = (self.map.value(w)[0] for w in near)
+            if not self.map.value(at)[0] and a * b > 0 and vanishes(self.map, 2, dict(zip(used, corner))):
+                return True
+        return False
+
+    def on_surface(self, w):
+        return not any(self.map.value(w)[:2])
+
+    def coordinates(self):
+        """Two parameters that are coordinates of the plane g_1 = g_2 = 0, if it is one."""
+        if not self.surface or any(sum(power) > 1 and any(c[:2]) for power, c in self.map.terms.items()):
+            return None
+        slope = [[self.map.first(d, j, [Fraction(0)] * 4)[0] for j in range(4)] for d in range(2)]
+        for i, j in itertools.combinations(range(4), 2):
+            if slope[0][i] * slope[1][j] != slope[0][j] * slope[1][i]:
+                return [k for k in range(4) if k not in (i, j)]
+        return None
+
+
 # ---- Stars
 
 
+UNIT = [[Fraction(i == j) for j in range(3)] for i in range(3)]
+
+
 class Star:
-    """Of a point; or a seam, which is one of a line."""
-    on, wrt, radius, seam = {}, [], Fraction(0), False
+    on, wrt, radius = {}, [], Fraction(0)
 
     def __init__(self, value, place, system):
-        self.place, self.of = place, None
-        of = ["of"] if self.seam else ["modulus", "between"]
-        value = claim(value, place, [*of, "at", "axes", "coordinates", "weights", "rows", "orders", "charts"])
-        all_numbers = numbers if self.seam else Root(value["modulus"], value["between"], place).numbers
+        self.place = place
+        value = claim(value, place, ["modulus", "between", "at", "axes", "coordinates", "weights", "rows", "orders", "charts"])
+        all_numbers = Root(value["modulus"], value["between"], place).numbers
         self.at = all_numbers(value["at"], 4, place)
         for key, rows, columns in (("axes", 4, 4), ("coordinates", 4, 4), ("rows", 3, 3)):
             require(isinstance(value[key], list) and len(value[key]) == rows, place, "not a matrix")
             setattr(self, key, [all_numbers(row, columns, place) for row in value[key]])
         for key, size in (("weights", 4), ("orders", 3), ("charts", 8)):
             require(isinstance(value[key], list) and len(value[key]) == size, place, "not a list of this length")
-        self.weights, orders = ([count(n, place) for n in value[key]] for key in ("weights", "orders"))
+        self.weights, self.orders = ([count(n, place) for n in value[key]] for key in ("weights", "orders"))
         self.charts = value["charts"]
-        self.irrational = any(isinstance(q, Algebraic) for row in [self.at, *self.axes, *self.rows] for q in row)
         require(all(isinstance(text, str) for text in self.charts), place, "not eight subdivisions")
-        require(all(w <= 6 for w in self.weights) and min(orders) >= 1, place, "not a weight, or not an order")
-        self.plane = self.weights.count(0) == 2 and self.seam and value.get("of") == "pair" and not system.alone
-        require(self.plane or self.weights.count(0) == self.seam, place, "not the weights of a point, a line or a plane")
+        require(all(1 <= w <= 6 for w in self.weights) and min(self.orders) >= 1, place, "not a weight, or not an order")
         for i in range(4):
             for j in range(4):
                 require(sum(self.coordinates[i][n] * self.axes[n][j] for n in range(4)) == (i == j), place, "not the inverse")
         a, b, c = self.rows
         volume_of_rows = sum(a[d] * (b[d - 2] * c[d - 1] - b[d - 1] * c[d - 2]) for d in range(3))
         require(sign(ball_of(volume_of_rows)), place, "its rows are dependent")
-        if self.seam:
-            polynomial = self.parent(value["of"], system)
-        else:
-            polynomial = system.equation["pair"]
-            require(all(q == 0 or sign(ball_of(q)) > 0 for a in self.at for q in (a, 1 - a)), place, "not in [0,1]^4")
-            for power, q in polynomial.at(self.at).terms.items():
-                require(sum(power) != 1 or not sum(n * t for n, t in zip(c, q)), place, "its last row is not normal to both patches")
-        unit = [[Fraction(i == j) for j in range(3)] for i in range(3)]
-        equation, space = self.centred(polynomial), {} if self.seam else self.centred(system.space["pair"])
-        self.maps = [(self.chart(equation, n, self.rows, orders), self.chart(space, n, unit, [0, 0, 0])) if self.weights[n // 2]
-                     else None for n in range(8)]
+        polynomial = system.equation["pair"]
+        require(all(q == 0 or sign(ball_of(q)) > 0 for a in self.at for q in (a, 1 - a)), place, "not in [0,1]^4")
+        for power, q in polynomial.at(self.at).terms.items():
+            require(sum(power) != 1 or not sum(n * t for n, t in zip(c, q)), place, "its last row is not normal to both patches")
+        equation, space = self.centred(polynomial), self.centred(system.space["pair"])
+        self.maps = [(self.chart(equation, n, self.rows, self.orders), self.chart(space, n, UNIT, [0, 0, 0])) for n in range(8)]
 
-    def parent(self, name, system):
-        """The map of which this is a seam."""
-        if name == "pair":
-            return system.equation["pair"]
-        chart = re.fullmatch("star(0|[1-9][0-9]*)([uvrs][+-])", name if isinstance(name, str) else "")
-        require(chart, self.place, "neither of the pair nor of a chart of a star")
-        star, direction = element(system.stars, int(chart[1]), self.place), DIRECTIONS.index(chart[2])
-        self.of = star, direction
-        require(not star.irrational, self.place, "of an irrational star")
-        return star.maps[direction][0]
+    def factor(self, factor, direction):
+        """Its map and columns in the chart, divided by powers of t."""
+        terms = self.centred(factor.map)
+        orders = [min(self.degree(power) for power, c in terms.items() if c[d]) if any(c[d] for c in terms.values()) else 0 for d in range(3)]
+        columns = [self.chart(self.centred(factor.columns[j]), direction, self.rows, [n - factor.powers[j] * orders[j] for n in self.orders])
+                   for j in range(3)]
+        return self.chart(terms, direction, UNIT, orders), columns
+
+    def degree(self, power):
+        return sum(w * p for w, p in zip(self.weights, power))
 
     def centred(self, polynomial):
         """Its coefficients in e, w = at + axes e."""
@@ -714,7 +765,7 @@ class Star:
         """rows times it at e = d t^weights, divided by t^orders."""
         k, terms = direction // 2, [((0, 0, 0, 0), 0, [Fraction(0)] * 3)]
         for power, c in polynomial.items():
-            degree = sum(w * p for w, p in zip(self.weights, power))
+            degree = self.degree(power)
             for d in range(3):
                 value = sum(n * q for n, q in zip(rows[d], c)) * self.side(direction) ** power[k]
                 if value:
@@ -755,30 +806,9 @@ class Star:
                 result[i] = add(result[i], times(ball_of(self.axes[i][j]), z[j]))
         return result
 
-    def coordinates_of(self, w):
-        return [sum(c * (q - a) for c, q, a in zip(row, w, self.at)) for row in self.coordinates]
-
-    def holds(self, w):
-        """The place is on the line or plane of the seam."""
-        return not any(e for e, weight in zip(self.coordinates_of(w), self.weights) if weight)
-
-    def is_edge(self, on):
-        """Of the plane nothing but the line is in [0,1]^4: two parameters, 0 or 1 there, leave it in turn."""
-        def inwards(p):
-            return 0 if on[p][1] or on[p][0] not in (0, 1) else 1 if on[p][0] == 0 else -1
-        for i in range(4):
-            for j in range(i):
-                a, b = ([inwards(p) * self.axes[p][n] for p in (i, j)] for n in range(4) if not self.weights[n])
-                if a[0] * b[1] == a[1] * b[0] and (a[0] * a[1] < 0 or b[0] * b[1] < 0):
-                    return True
-        return False
-
     def check_charts(self, tubes):
         for direction, text in enumerate(self.charts):
             place, k = f"{self.place}.charts[{direction}]", direction // 2
-            if not self.weights[k]:
-                require(text == "", place, "no chart")
-                continue
             waiting = [([Fraction(j == k, 2) for j in range(4)], [Fraction(1, 2) if j == k else Fraction(1) for j in range(4)])]
             for entry in text.split(" "):
                 require(waiting, place, "beyond the end of the subdivision")
@@ -799,10 +829,6 @@ class Star:
             require(not waiting, place, "the subdivision is not complete")
 
 
-class Seam(Star):
-    seam = True
-
-
 def root(ball, n):
     """t > 0 with t^n in the ball"""
     if n == 1:
@@ -818,19 +844,7 @@ def direction_of(text, place):
     return direction
 
 
-# ---- Relations and nodes
-
-
-def one_parameter(net, direction, p):
-    f = []
-    for i in range(3):
-        for j in range(3):
-            value = sum(n * q for n, q in zip(direction, net[i][j] if p % 2 == 0 else net[j][i]))
-            if j == 0:
-                f.append(value)
-            elif value:
-                return None
-    return f
+# ---- Nodes
 
 
 class Node:
@@ -849,7 +863,7 @@ class Checker:
     def __init__(self, root):
         require(root.get("command") in ("intersect", "line", "self"), "$.command", "neither intersect, line nor self")
         self.alone = root["command"] == "self"
-        lists = ["relations", "lines", "stars", "seams", "tubes", "nodes", "arcs", "components", "overlaps", "cover"]
+        lists = ["factors", "stars", "tubes", "nodes", "arcs", "components", "overlaps", "cover"]
         names = ["first"] if self.alone else ["first", "second"]
         keys = ["exsect", "command", *names, *lists, "summary"]
         self.fixed = None
@@ -890,13 +904,12 @@ class Checker:
         return [[rows[i][j] for j in range(3)] for i in range(3)]
 
     def check(self):
-        self.lines = [self.line(value, f"$.lines[{i}]") for i, value in enumerate(self.root.get("lines", []))]
+        self.factors = [Factor(value, f"$.factors[{i}]", self) for i, value in enumerate(self.root.get("factors", []))]
         self.stars = [Star(value, f"$.stars[{i}]", self) for i, value in enumerate(self.root.get("stars", []))]
-        self.seams = [Seam(value, f"$.seams[{i}]", self) for i, value in enumerate(self.root.get("seams", []))]
         self.tubes = []
         for i, value in enumerate(self.root["tubes"]):
             tube = Tube(value, f"$.tubes[{i}]")
-            tube.check(self, self.lines, f"$.tubes[{i}]")
+            tube.check(self, f"$.tubes[{i}]")
             self.tubes.append(tube)
         if self.fixed:
             self.check_points()
@@ -906,9 +919,8 @@ class Checker:
         return self.root["summary"]
 
     def check_curves(self):
-        self.relations = [self.relation(value, f"$.relations[{i}]") for i, value in enumerate(self.root["relations"])]
         self.nodes = []
-        for star in self.stars + self.seams:
+        for star in self.stars:
             star.check_charts(self.tubes)
         for i, value in enumerate(self.root["nodes"]):
             node = Node(value, f"$.nodes[{i}]")
@@ -944,37 +956,20 @@ class Checker:
         for i in range(len(self.tubes)):
             require(i in used, f"$.tubes[{i}]", "no point is in it")
         said = claim(self.root["summary"], "$.summary", ["claims"])
-        require(said["claims"] == [0, 0, 0, len(self.tubes), len(points), 0, self.cells, 0, 0], "$.summary", "does not agree with the claims")
+        require(said["claims"] == [0, 0, len(self.tubes), len(points), 0, self.cells, 0], "$.summary", "does not agree with the claims")
 
-    def relation(self, value, place):
-        value = claim(value, place, ["direction", "first", "second"])
-        i, j = parameter(value["first"], place), parameter(value["second"], place)
-        require(i < 2 <= j, place, "not between a parameter of either patch")
-        direction = numbers(value["direction"], 3, place)
-        f, g = (one_parameter(self.power[p // 2], direction, p) for p in (i, j))
-        require(f and g, place, "a third parameter occurs")
-        for p in (f, g):
-            require(p[1] * (p[1] + 2 * p[2]) > 0, place, "not monotone")
-        return i, j, f, g
+    @staticmethod
+    def follows(tube, known, j, value):
+        """From what is known, by a component of the map that is monotone in w_j and 0 wherever they have these values."""
+        if not known:
+            return j == tube.axis
+        return any(vanishes(tube.exact, d, {**known, j: value}) and tube.monotone(d, j) for d in range(3))
 
-    def related(self, i, j, sides=None):
-        if i > j:
-            i, j, sides = j, i, sides and sides[::-1]
-        for p, q, f, g in self.relations:
-            if (p, q) == (i, j) and (sides is None or f[0] + sides[0] * (f[1] + f[2]) == g[0] + sides[1] * (g[1] + g[2])):
-                return True
-        return False
-
-    def line(self, value, place):
-        value = claim(value, place, ["axis", "at"])
-        axis = parameter(value["axis"], place)
-        require(isinstance(value["at"], list) and len(value["at"]) == 4, place, "not four functions")
-        at = [numbers(row, 3, place) for row in value["at"]]
-        require(at[axis] == [0, 1, 0], place, "its axis is not its parameter")
-        for t in range(9):
-            f = self.equation["pair"].value([a + t * (b + t * c) for a, b, c in at])
-            require(not any(f), place, "not a solution everywhere")
-        return axis, at
+    @staticmethod
+    def related(tube, i, j):
+        """A component of the map is monotone in both, and free of the others."""
+        return any(not any(occurs(tube.exact, d, k) for k in range(4) if k not in (i, j)) and tube.monotone(d, i) and tube.monotone(d, j)
+                   for d in range(3))
 
     def check_node(self, node, place):
         tube = element(self.tubes, node.tube, place)
@@ -988,23 +983,21 @@ class Checker:
         if node.on:
             require(tube.axis in node.on, place, "its tube has another axis")
             require(all(node.at[j] == value for j, value in node.on.items()), place, "not on its sides")
-            known, waiting = [], dict(node.on)
+            known, waiting = {}, dict(node.on)
             while waiting:
-                j = next((j for j in waiting if j == tube.axis or tube.constant.get(j) == node.on[j] or any(
-                    self.related(k, j, (node.on[k], node.on[j])) for k in known)), None)
-                if j is None and not any(self.equation["pair"].value(node.at)):
+                j = next((j for j in waiting if self.follows(tube, known, j, node.on[j])), None)
+                if j is None and known and not any(self.equation["pair"].value(node.at)):
                     break
                 require(j is not None, place, "a side does not follow from that of the tube's axis")
-                known.append(j)
-                del waiting[j]
+                known[j] = waiting.pop(j)
         elif not tube.charted:
             require(node.wrt, place, "neither on a side nor a turning point")
             i, second = node.wrt[0], tube.bounds.second[node.wrt[0]]
             require(i != tube.axis and sign(second), place, "the second derivative may vanish")
             for j in range(1, len(node.wrt)):
                 require(node.wrt[j - 1] < node.wrt[j], place, "parameters not in order")
-                require(any(self.related(k, node.wrt[j]) for k in node.wrt[:j]), place, "no relation")
-            t = tangent(self.equation["pair"].at(node.at), [near] * 4)
+                require(any(self.related(tube, k, node.wrt[j]) for k in node.wrt[:j]), place, "no relation")
+            t = tangent(tube.map.at(node.at), [near] * 4)
             require(sign(t[tube.axis]), place, "no derivative here")
             along = abs(t[tube.axis][0]) - t[tube.axis][1]
             away = magnitude(t[i]) / along / (abs(second[0]) - second[1])
@@ -1025,21 +1018,22 @@ class Checker:
     # ---- Overlaps
 
     def check_overlap(self, value, place):
-        value = claim(value, place, ["seam", "edges"])
-        seam, edges = element(self.seams, value["seam"], place), value["edges"]
-        require(seam.plane and isinstance(edges, list) and len(edges) >= 3, place, "not a polygon of a plane")
+        value = claim(value, place, ["factor", "edges"])
+        factor, edges = element(self.factors, value["factor"], place), value["edges"]
+        plane = factor.coordinates()
+        require(plane and isinstance(edges, list) and len(edges) >= 3, place, "not a polygon of a plane")
         for edge in edges:
             require(isinstance(edge, dict) and list(edge) == ["points", "error_bound"] and isinstance(edge["points"], list)
                     and len(edge["points"]) >= 2, place, "not an edge")
         points = [[numbers(p, 7 if isinstance(p, list) and len(p) == 7 else 4, place) for p in edge["points"]] for edge in edges]
         corners = [edge[0][:4] for edge in points]
         for corner in corners:
-            require(seam.holds(corner) and all(abs(e) <= 1 for e in seam.coordinates_of(corner)), place, "a corner is not in the seam")
+            require(factor.on_surface(corner), place, "a corner is not on the plane")
             require(all(0 <= q <= 1 for q in corner), place, "a corner is not in [0,1]^4")
-        require(not any(all(map(other.holds, corners)) for other in self.planes), place, "the same as an earlier one")
+        require(not any(all(map(other.on_surface, corners)) for other in self.planes), place, "the same as an earlier one")
 
         def turn(a, b, c):
-            a, b, c = ([e for e, weight in zip(seam.coordinates_of(w), seam.weights) if not weight] for w in (a, b, c))
+            a, b, c = ([w[j] for j in plane] for w in (a, b, c))
             return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
         for i, edge in enumerate(points):
@@ -1055,7 +1049,7 @@ class Checker:
             line.space = self.space["pair"]
             most = self.piece_error(line, at, [line.distance(w, place) for w in at], self.places_on_polyline(at, vertices, place), place)
             require(most <= number(edges[i]["error_bound"], place), f"{place}.edges[{i}]", "the error bound is too small")
-        return seam
+        return factor
 
     # ---- Arcs
 
@@ -1137,19 +1131,18 @@ class Checker:
         for at, near, node in ends:
             if node and i in node.wrt:
                 continue
-            t = tangent(self.equation["pair"].at(at), [near] * 4)
+            t = tangent(tube.map.at(at), [near] * 4)
             slope = sign(t[i]) * sign(t[tube.axis])
-            if slope or not node or tube.axis not in node.on or not self.turns_on_side(i, tube.axis, node.on[tube.axis]):
+            if slope or not node or not node.on or not self.turns_on_sides(tube.exact, i, node.on):
                 signs.append(slope)
         return signs[0] if signs and signs[0] == signs[-1] else 0
 
-    def turns_on_side(self, i, k, value):
-        """T_i vanishes wherever w_k has the value: it is of degree <= 3 in each parameter."""
-        for n in range(64):
-            w = [Fraction(a) for a in (n % 4, n // 4 % 4, n // 16)]
-            if tangent(self.equation["pair"].at(w[:k] + [Fraction(value)] + w[k:]), [Fraction(0)] * 4)[i][0]:
-                return False
-        return True
+    @staticmethod
+    def turns_on_sides(polynomials, i, sides):
+        """T_i vanishes wherever the parameters are on the sides."""
+        degree = 3 * max(map(max, polynomials.terms))
+        values = [[sides[j]] if j in sides else range(degree + 1) for j in range(4)]
+        return not any(tangent(polynomials.at([Fraction(a) for a in w]), [Fraction(0)] * 4)[i][0] for w in itertools.product(*values))
 
     def places_on_polyline(self, points, vertices, place):
         require(vertices[0] and vertices[-1], place, "an end of the polyline is missing")
@@ -1227,7 +1220,7 @@ class Checker:
             shapes.append(shape)
         require(len(seen) == len(self.arcs), "$.components", "an arc is missing")
         said = claim(self.root["summary"], "$.summary", ["claims", "components", "closed", "open", "branched", "isolated", "boundary", "tangential", "turning"])
-        counted = {"claims": [*(len(self.root[key]) for key in ("relations", "lines", "stars", "tubes", "nodes", "arcs")), self.cells, len(self.seams), len(self.planes)],
+        counted = {"claims": [*(len(self.root[key]) for key in ("factors", "stars", "tubes", "nodes", "arcs")), self.cells, len(self.planes)],
                    "components": len(shapes), "closed": shapes.count("closed"), "open": shapes.count("open"),
                    "branched": shapes.count("branched"), "isolated": sum(not ends for ends in self.ends),
                    "boundary": sum(bool(node.on) for node in self.nodes),
@@ -1236,12 +1229,9 @@ class Checker:
         require(said == counted, "$.summary", "does not agree with the claims and their graph")
 
     def is_tangential(self, arc):
-        """DF has rank 2 at most all along the arc."""
-        return all(self.tubes[t].seam is not None and self.touches(self.lines[self.tubes[t].line][1]) for t, _ in arc["pieces"])
-
-    def touches(self, line):
-        places = ([a + t * (b + t * c) for a, b, c in line] for t in range(19))
-        return not any(t[0] for w in places for t in tangent(self.equation["pair"].at(w), [Fraction(0)] * 4))
+        """The patches touch all along the arc."""
+        factors = [self.tubes[t].factor for t, _ in arc["pieces"]]
+        return all(factor is not None and (factor.surface or max(factor.powers) > 1) for factor in factors)
 
     def check_cover(self):
         cover = []
@@ -1287,8 +1277,8 @@ class Checker:
                 e = element(self.stars, int(text[1:]), place).box(box)
                 require(all(magnitude(b) <= 1 for b in e), place, "the cell is not in the star")
             elif re.fullmatch("s(0|[1-9][0-9]*)", text):
-                seam = element(self.seams, int(text[1:]), place)
-                require(not self.fixed and seam in self.planes and all(magnitude(b) <= 1 for b in seam.box(box)), place, "the cell is in no overlap")
+                require(not self.fixed, place, "of curves only")
+                require(independent(element(self.planes, int(text[1:]), place).columns, True, box), place, "there may be solutions beside the plane")
             elif text == "lower":
                 require(self.alone and middle[0] + width[0] <= middle[2] - width[2], place, "not below the diagonal")
             else:
@@ -1348,7 +1338,7 @@ def main():
     except Rejected as rejected:
         print("rejected: {}: {}".format(*rejected.args))
         return 1
-    print("accepted:", f"{said['closed']} closed, {said['open']} open, {said['branched']} branched" if "closed" in said else f"{said['claims'][4]} points")
+    print("accepted:", f"{said['closed']} closed, {said['open']} open, {said['branched']} branched" if "closed" in said else f"{said['claims'][3]} points")
     return 0
 
 

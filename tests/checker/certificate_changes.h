@@ -202,7 +202,7 @@ inline int rejected_forgeries(const std::string& text, const std::vector<std::st
 inline void reason(const std::string& truth, const char* where, const std::function<void(Json&)>& change) {
   Json json = Json::parse(truth);
   change(json);
-  json["summary"]["claims"][6] = cells(json);
+  json["summary"]["claims"][5] = cells(json);
   seal_again(json);
   const std::string said = verdict(json.dump());
   INFO(where << " expected, got " << said);

@@ -47,8 +47,6 @@ TEST_CASE("each shipped pair has a certificate, or a named event is in the way")
 
 namespace {
 
-using Refusals = std::map<std::string, std::string>;  // reasons by name
-
 /// Each kind of event with each plane.
 std::vector<std::pair<std::string, ExactCase>> planar_members() {
   using namespace families;
@@ -76,25 +74,11 @@ TEST_CASE("every specimen has a certificate in any coordinates and order", "[.sl
   }
 }
 
-TEST_CASE("members of the families with each plane that have no certificate are known", "[.slow]") {
-  const std::string curved = "an arc along which the patches touch and that is no line of parameters";
-  const std::string turns = "a claim that is not accepted: $.arcs[0]: not monotone in a parameter";
-  const Refusals expected = {
-      {"quarter of a circle on a bilinear plane",
-       "a claim that is not accepted: $.nodes[1]: a side does not follow from that of the tube's axis"},
-      {"quarter of a circle on a quadratic plane", turns},
-      {"two near sheets on a quadratic plane", "a point where no tube was found"},
-      {"tangent curve on a bilinear plane", curved},
-      {"tangent curve on a quadratic plane", curved},
-      {"tangent and transversal on a bilinear plane", "a special point with degenerate quadratic terms"},
-      {"tangent and transversal on a quadratic plane", curved},
-      {"two branches tangent to each other on a quadratic plane",
-       "a special point with degenerate quadratic terms"},
-  };
-  Refusals refused;
-  for (const auto& [name, c] : planar_members())
-    if (const std::string reason = refusal(c.x, c.y); !reason.empty()) refused[name] = reason;
-  CHECK(refused == expected);
+TEST_CASE("every member of the families has a certificate with each plane", "[.slow]") {
+  for (const auto& [name, c] : planar_members()) {
+    INFO(name);
+    CHECK(refusal(c.x, c.y) == "");
+  }
 }
 
 }  // namespace exsect

@@ -1,4 +1,4 @@
-// Certificates with seams of planes: overlaps, and sides along which patches are one surface.
+// Certificates with planes of solutions: overlaps, and sides along which patches are one surface.
 #include <exsect/geometry/number.h>
 
 #include "certificate_changes.h"
@@ -28,7 +28,7 @@ TEST_CASE("an overlap of patches with parameters that depend on each other linea
     INFO(c.name);
     const checker::Report report = check_certificate(certificate(c.x, c.y));
     CHECK(report.summary.components == 0);
-    CHECK(report.summary.claims[8] == 1);
+    CHECK(report.summary.claims[6] == 1);
   }
 }
 
@@ -36,14 +36,13 @@ TEST_CASE("a side beyond which one patch continues the other one has a certifica
   const checker::Report report = check_certificate(edge_text());
   CHECK(report.summary.open == 1);
   CHECK(report.summary.tangential == 1);
-  CHECK(report.summary.claims[7] == 1);
-  CHECK(report.summary.claims[8] == 0);
+  CHECK(report.summary.claims[6] == 0);
 }
 
 TEST_CASE("false claims about an overlap are rejected where they stand") {
   const std::string text = overlap_text();
   const auto edges = [](auto change) { return [change](Json& j) { change(j["overlaps"][0]["edges"]); }; };
-  reason(text, "$.overlaps[0]: names no seam", [](Json& j) { j["overlaps"][0]["seam"] = 1; });
+  reason(text, "$.overlaps[0]: names no factor", [](Json& j) { j["overlaps"][0]["factor"] = 9; });
   reason(text, "$.overlaps[0].edges[0]: does not end where", edges([](Json& e) { e.erase(1); }));
   reason(text, "$.overlaps[0]: not convex", edges([](Json& e) {  // a corner on an edge
            Json middle = e[0];
@@ -70,21 +69,18 @@ TEST_CASE("false claims about an overlap are rejected where they stand") {
   reason(text, "$.overlaps[0].edges[0]: the error bound",
          edges([](Json& e) { e[0]["error_bound"] = "1/2^30"; }));
   reason(text, "$.overlaps[1]: the same", [](Json& j) { j["overlaps"].push_back(j["overlaps"][0]); });
-  reason(text, "$.cover", [](Json& j) {
+  reason(text, "$.cover[0]: names no overlap", [](Json& j) {
     j["overlaps"] = Json::array();
-    j["summary"]["claims"][8] = 0;
+    j["summary"]["claims"][6] = 0;
   });
   const ExactCase touching = families::tangent_curve(Rational(1, 3), families::Plane::square);
-  reason(certificate(touching.x, touching.y), "$.overlaps[0]: its seam is not",
+  reason(certificate(touching.x, touching.y), "$.overlaps[0]: its factor is not one of a plane",
          [&](Json& j) { j["overlaps"] = Json::parse(text)["overlaps"]; });
-  reason(text, "$.summary", [](Json& j) { j["summary"]["claims"][8] = 0; });
-  const auto seam = [](auto change) { return [change](Json& j) { change(j["seams"][0]); }; };
-  reason(text, "$.seams[0].charts[", seam([](Json& s) {
-           for (Json& chart : s["charts"])
-             if (chart != "") chart = "1,0,0";
-         }));
-  reason(text, "$.seams[0]: not of this order", seam([](Json& s) { s["orders"] = {2, 1, 1}; }));
-  reason(text, "$.seams[0]: neither of a line", seam([](Json& s) { s["weights"] = {0, 0, 0, 1}; }));
+  reason(text, "$.summary", [](Json& j) { j["summary"]["claims"][6] = 0; });
+  reason(text, "$.factors[0]: not a sum", [](Json& j) { j["factors"][0]["columns"][0][0][0][0] = "1/7"; });
+  reason(text, "$.overlaps[0]: its factor is not one of a plane", [](Json& j) {
+    for (Json& polynomial : j["factors"][0]["columns"][2]) polynomial = {{"0", 0, 0, 0, 0}};
+  });
 }
 
 TEST_CASE("an overlap that is larger or smaller than claimed is rejected") {
@@ -105,20 +101,25 @@ TEST_CASE("an overlap that is larger or smaller than claimed is rejected") {
 
 TEST_CASE("a plane of solutions that goes on in the domain is no edge") {
   const ExactCase c = families::same_patch();
-  reason(certificate(c.x, c.y), "$.tubes[0]: its seam's plane", [](Json& j) {
+  reason(certificate(c.x, c.y), "$.tubes[0]: its surface goes on", [](Json& j) {
     const Json zero = {"0", "0", "0"};
-    const Json t = {"0", "1", "0"};
-    j["lines"].push_back({{"axis", "v"}, {"at", {zero, t, zero, t}}});
     j["tubes"].push_back({{"centre", {"0", "1/2", "0", "1/2"}},
                           {"axis", "v"},
                           {"slope", {"0", "1", "0", "1"}},
                           {"reach", "1/2"},
                           {"width", "1/8"},
                           {"inverse", {zero, zero, zero}},
-                          {"curve", "line0seam0"}});
+                          {"curve", "factor0"}});
   });
   // Where the patches continue each other, the other sign makes it one.
   CHECK(verdict(edge_text()) == "");
+}
+
+TEST_CASE("a forged plane of solutions is rejected, or says the same as the true one") {
+  Generator generator(32);
+  INFO("seed 32");
+  CHECK(rejected_forgeries(overlap_text(), {"factors", "overlaps"}, generator, 40) > 30);
+  CHECK(rejected_forgeries(edge_text(), {"factors"}, generator, 40) > 30);
 }
 
 TEST_CASE("no random single change of a certificate with an overlap is accepted") {

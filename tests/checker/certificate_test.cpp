@@ -102,7 +102,7 @@ TEST_CASE("claims that are false are rejected where they stand") {
   reason("$.tubes[0]", [](Json& j) { j["tubes"][0]["inverse"][0] = {"0", "0", "0"}; });
   reason("$.tubes[0]", [](Json& j) { j["tubes"][0]["reach"] = "1/2"; });
   reason("$.tubes[0]: a chart of two", [](Json& j) { j["tubes"][0]["curve"] = "first"; });
-  reason("$.tubes[0]: names no line", [](Json& j) { j["tubes"][0]["curve"] = "line0"; });
+  reason("$.tubes[0]: names no factor", [](Json& j) { j["tubes"][0]["curve"] = "factor9"; });
   reason("$.arcs[0].points[0]: must be where", [](Json& j) { j["nodes"][0]["at"][0] = "1/3"; });
   reason("$.nodes[0]", [](Json& j) { j["nodes"][0]["radius"] = "0"; });
   reason("$.arcs[0]", [](Json& j) { j["nodes"].erase(0); });
@@ -113,7 +113,7 @@ TEST_CASE("claims that are false are rejected where they stand") {
   });
   reason("$.cover", [](Json& j) {
     j["cover"].erase(j["cover"].size() - 1);
-    j["summary"]["claims"][6] = cells(j);
+    j["summary"]["claims"][5] = cells(j);
   });
   reason("$.summary", [](Json& j) { j["cover"].push_back("u #"); });
   reason("$.summary", [](Json& j) { j["summary"]["closed"] = 2; });

@@ -39,10 +39,10 @@ SIDE_CERTIFICATE = CERTIFICATE.replace("proof", "side")
 subprocess.run([PROGRAM, "intersect", "tests/cases/part-of-a-side.json", "--tolerance", "1e-3", "--certificate", SIDE_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
 
 # Pairs in special position, each with a kind of claim of its own.
-SPECIAL_CASES = ["tangent-curve", "tangent-and-transversal", "overlap", "two-branches-tangent-to-each-other", "irrational-crossing"]
+SPECIAL_CASES = ["tangent-curve", "tangent-and-transversal", "overlap", "two-branches-tangent-to-each-other", "irrational-crossing", "curved-touching"]
 SPECIAL = [CERTIFICATE.replace("proof", case) for case in SPECIAL_CASES]
 for case, certificate in zip(SPECIAL_CASES, SPECIAL):
-    directory = "project" if case == "irrational-crossing" else "cases"
+    directory = "project" if case in ("irrational-crossing", "curved-touching") else "cases"
     subprocess.run([PROGRAM, "intersect", f"tests/{directory}/{case}.json", "--tolerance", "1e-2", "--certificate", certificate, "--quiet"], cwd=ROOT, check=True)
 
 COMMANDS = [
