@@ -78,15 +78,18 @@ class SelfIntersection {
     trace_and_build(system, power_of_two(-200), true);
   }
 
-  /// Near what the attempts so far left undecided; false if there are no more than before.
+  /// Near what the attempts so far left undecided; false if there are no more than before: those stay, to
+  /// whose ports the curves lead.
   bool find_stars() {
-    const std::size_t before = exact_.stars.size();
-    timed("stars", [this] {
+    std::vector<SelfStar> stars;
+    timed("stars", [&] {
       const double scaled =
           std::ldexp(options_.tolerance * scaling_.extent, -static_cast<int>(scaling_.frame.exponent));
-      exact_.stars = self_stars({x_, exact_.boundary.points, undecided_, pairs_.values(), scaled, stop_});
+      stars = self_stars({x_, exact_.boundary.points, undecided_, pairs_.values(), scaled, stop_});
     });
-    return exact_.stars.size() > before;
+    if (stars.size() <= exact_.stars.size()) return false;
+    exact_.stars = std::move(stars);
+    return true;
   }
 
   /// In one arithmetic, again as long as more stars are found near what is undecided; false if something is

@@ -59,6 +59,11 @@ const std::vector<int> kCrossedAtTwoThirds = {1, -1, -1, 1,  1,  1,  1, -1, -1, 
 const std::vector<int> kIrrationalFold = {0, 0,  0, -1, 0,  -1, 0, -1, -1, -1, -1, -1, 1, -1,
                                           0, -1, 1, 1,  -1, 0,  0, 0,  0,  -1, -1, 1,  1};
 
+// The side u = 1 is folded, and both tangent planes agree along it; a curve is tangent to it at its end. A
+// second search for stars takes seconds.
+const std::vector<int> kFoldAndTangentCurve = {0,  -1, 0, 1, -1, -1, 1, 0,  1, -1, 0,  -1, 0, -1,
+                                               -1, -1, 0, 0, -1, 0,  0, -1, 0, 1,  -1, 0,  -1};
+
 // Two curves cross in a pair with irrational parameters, of degree 2 over Q.
 const std::vector<int> kIrrationalCrossing = {0, 1, -1, 1,  0, 0, 0,  0,  0, 0, 0, 1, 1, 1,
                                               1, 0, 1,  -1, 0, 0, -1, -1, 1, 0, 1, 0, 0};
@@ -158,6 +163,17 @@ TEST_CASE("a folded side between two singular pairs") {
                    graph.nodes[static_cast<std::size_t>(arc.to)].on.size() >=
                6;
   }));
+}
+
+TEST_CASE("stars that are found one after the other: sound at a work cap in between") {
+  const BezierPatch x = patch(kFoldAndTangentCurve);
+  IntersectOptions options;
+  options.tolerance = 1e-3;
+  for (const double seconds : {3.0, 6.0}) {
+    CAPTURE(seconds);
+    options.max_seconds = seconds;
+    CHECK(unsound(x, x, self_intersect(x, options)) == "");
+  }
 }
 
 TEST_CASE("folded sides along which both tangent planes agree") {
