@@ -11,6 +11,7 @@
 #include "critical_values.h"
 #include "degenerate_patches.h"
 #include "exact_line_points.h"
+#include "exact_source.h"
 #include "filter.h"
 #include "intersect_by_sweep.h"
 #include "known_tangent.h"
@@ -20,6 +21,7 @@
 #include "option_limits.h"
 #include "overlaps.h"
 #include "parameter_box.h"
+#include "pinch_points.h"
 #include "run_clock.h"
 #include "singular_points.h"
 #include "traced_curves.h"
@@ -37,6 +39,9 @@ class Intersection {
     sweep_.coincident = coincident_parameters(x, y);
     sweep_.plane = plane_coordinates(x, y);
     sweep_.has_value = [this](const CertifiedPoint& point, Parameter p, const Rational& value) {
+      if (const auto exact = point.exact()) {
+        return takes_value(*exact, index(p), value);
+      }
       const auto solution = rational_solution(x_, y_, point);
       return solution && (*solution)[index(p)] == value;
     };
@@ -122,12 +127,15 @@ class Intersection {
     return *known;
   }
 
-  /// Exact fibres at samples between all critical values.
+  /// Exact fibres at samples between all critical values, where no parameter is that of a pinch point.
   void compute_fibres() {
     if (!sweep_.turning) {
       return;
     }
-    sweep_.samples = sweep_samples(*sweep_.turning, sides_.points);
+    std::vector<CertifiedPoint> avoided = sides_.points;
+    avoided.insert(avoided.end(), pinches_.begin(), pinches_.end());
+    sweep_.samples = sweep_samples(*sweep_.turning, avoided);
+    sweep_.fibres.clear();
     for (const Rational& sample : sweep_.samples) {
       if (clock_.out_of_time()) {
         incomplete(whole_domain(), "the work cap was reached while fibres were computed");
@@ -146,11 +154,16 @@ class Intersection {
 
   /// Proves neighbourhoods of the singular points; their ports become landmarks.
   void find_stars() {
+    pinches_ = pinch_points(x_, y_);
+    if (!pinches_.empty()) {
+      compute_fibres();
+    }
     const SingularPointProblem problem = {
         x_,
         y_,
         sides_.points,
         on_side_arc_,
+        pinches_,
         options_.tolerance * std::ldexp(scaling_.extent, static_cast<int>(-scaling_.frame.exponent)),
         sweep_.turning ? sweep_.turning->sweep : Parameter::u,
         sweep_.samples,
@@ -372,16 +385,36 @@ class Intersection {
     return true;
   }
 
+  /// The node of a regular point inside both squares with two arcs.
+  void add_turning(Node& node, const StarNeighbourhood& star) {
+    const auto turning = turning_parameters(star);
+    if (!turning) {
+      incomplete(node.box, "whether a parameter turns at this point is not decided");
+      return;
+    }
+    for (const Parameter p : *turning) {
+      if (std::count(options_.turning.begin(), options_.turning.end(), p) > 0) {
+        node.wrt.push_back(p);
+      }
+    }
+    if (!node.wrt.empty()) {
+      node.kinds.push_back(NodeKind::turning);
+    }
+  }
+
   /// The kind of a star's node; an isolated point is listed as such.
   void classify(Node& node, const StarNeighbourhood& star) {
     const std::size_t degree = star.ports.size();
     if (degree == 0) {
       result_.graph.isolated_points.push_back(node.id);
     }
+    const bool inside = node.on.empty();  // on a side further branches may lie outside
     if (degree < 3 && !is_known_singular(x_, y_, star.centre)) {
+      if (inside && degree == 2) {
+        add_turning(node, star);
+      }
       return;
     }
-    const bool inside = node.on.empty();  // on a side further branches may lie outside
     node.kinds.push_back(degree == 0             ? NodeKind::touch
                          : inside && degree == 2 ? NodeKind::cusp
                                                  : NodeKind::crossing);
@@ -425,6 +458,7 @@ class Intersection {
   SweepData sweep_;
   BoundaryLines sides_;
   std::vector<bool> on_side_arc_;  // per point
+  std::vector<CertifiedPoint> pinches_;
   std::vector<int> star_nodes_;
   std::array<std::optional<std::optional<TurningValues>>, 4> turning_;  // outer: computed
   const std::optional<TurningValues> unknown_ = std::nullopt;

@@ -40,6 +40,11 @@ class StarSearch {
         try_all_sweeps(point);
       }
     }
+    for (const CertifiedPoint& point : problem_.pinches) {
+      if (!stopped() && !is_covered(point)) {
+        try_rational_sweeps(point);
+      }
+    }
     if (no_point_is_singular()) {
       return std::move(stars_);
     }
@@ -257,6 +262,17 @@ class StarSearch {
             try_sweep(point, *turning, value.value.rational())) {
           return;
         }
+      }
+    }
+  }
+
+  /// Over the values of its parameters that are known to be rational.
+  void try_rational_sweeps(const CertifiedPoint& point) {
+    for (const Parameter sweep : all_parameters) {
+      const RationalInterval& at = point.box()[index(sweep)];
+      const auto& turning = problem_.turning(sweep);
+      if (at.width() == 0 && turning && try_sweep(point, *turning, at.lower)) {
+        return;
       }
     }
   }

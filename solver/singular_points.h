@@ -1,4 +1,5 @@
-// The points of the intersection that the tracer cannot pass: singular points, tangential boundary points.
+// The points of the intersection that the tracer cannot pass: singular points, tangential boundary points,
+// points where a patch is singular.
 // Internal to solver/.
 #pragma once
 
@@ -18,6 +19,7 @@ struct SingularPointProblem {
   const BezierPatch& y;
   const std::vector<CertifiedPoint>& boundary;  // all isolated points on sides
   const std::vector<bool>& on_side_arc;         // which of them are ends of arcs that lie on sides
+  const std::vector<CertifiedPoint>& pinches;   // pinch_points(x, y)
   double tolerance;                             // of polylines, patches scaled to unit size
   Parameter sampled;                            // no star contains a point over a sample
   const std::vector<Rational>& samples;
@@ -28,8 +30,8 @@ struct SingularPointProblem {
 };
 
 /// Disjoint stars around the multiple points over multiple rational turning values of all four sweeps that
-/// may be singular, and around the boundary points where the tangent may lie in a side. Points for which no
-/// star can be proved are left out; the tracer then fails there.
+/// may be singular, around the boundary points where the tangent may lie in a side, and around pinch points.
+/// Points for which no star can be proved are left out; the tracer then fails there.
 template <class Ball>
 std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& problem,
                                               const PairSystem<Ball>& system);

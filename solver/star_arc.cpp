@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "exact_source.h"
 #include "line_points_in.h"
 #include "parameter_box.h"
 #include "star_neighbourhood.h"
@@ -55,7 +56,38 @@ double squared_distance(const CertifiedPoint& a, const CertifiedPoint& b) {
   return sum;
 }
 
+/// Whether parameter p of a port lies before (-1) or behind (+1) that of the centre, or equals it; empty if
+/// that is not decided.
+std::optional<int> side_of_centre(const StarNeighbourhood& star, const Port& port, Parameter p) {
+  for (Rational width = power_of_two(-100); width > power_of_two(-2000); width *= width) {
+    const RationalInterval at = port.point.refined_to(width).box()[index(p)];
+    const RationalInterval centre = star.centre.refined_to(width).box()[index(p)];
+    if (at.upper < centre.lower || centre.upper < at.lower) {
+      return at.upper < centre.lower ? -1 : 1;
+    }
+  }
+  const RationalInterval centre = star.centre.box()[index(p)];
+  const auto exact = port.point.exact();
+  const bool equal = centre.width() == 0 && exact && takes_value(*exact, index(p), centre.lower);
+  return equal ? std::optional(0) : std::nullopt;
+}
+
 }  // namespace
+
+std::optional<std::vector<Parameter>> turning_parameters(const StarNeighbourhood& star) {
+  std::vector<Parameter> result;
+  for (const Parameter p : all_parameters) {
+    const auto first = side_of_centre(star, star.ports.at(0), p);
+    const auto second = side_of_centre(star, star.ports.at(1), p);
+    if (!first || !second) {
+      return std::nullopt;
+    }
+    if (*first * *second > 0) {
+      result.push_back(p);
+    }
+  }
+  return result;
+}
 
 // The arc is monotone in all parameters: its point in a layer is in the hull of one of its possible points in
 // the layer before and the centre, and between the layers it lies in the hull of all these points.

@@ -7,6 +7,7 @@
 
 #include "exact_line_points.h"
 #include "half_rational_point.h"
+#include "known_tangent.h"
 #include "line_place.h"
 #include "line_points_in.h"
 #include "parameter_box.h"
@@ -188,15 +189,22 @@ class StarProof {
   }
 
   /// In every other parameter: the only point of the box over a turning value is the centre, apart from
-  /// curves on which that parameter is constant. With three ports the centre is singular, and all its
-  /// parameters are turning values: where the box holds one value of a parameter only, it is the centre's,
-  /// and an arc that turned there would turn over another one on its way to the centre.
+  /// curves on which that parameter is constant. Where a component of the tangent field is zero in the
+  /// centre, as all are if it is singular, its parameter is a turning value: where the box holds one value of
+  /// a parameter only, it is the centre's, and an arc that turned there would turn over another one on its
+  /// way to the centre.
   bool arcs_are_monotone(std::size_t ports) const {
+    const bool singular = ports >= 3 || problem_.singular;
+    const bool all_rational =
+        std::all_of(irrational_near_.begin(), irrational_near_.end(), [](int near) { return near == 0; });
+    const std::array<bool, 4> zero = singular || all_rational
+                                         ? std::array<bool, 4>{}
+                                         : known_zero_tangent(problem_.x, problem_.y, centre_);
     const auto is_known = [&](Parameter p) {
       const auto rational = std::count_if(through_centre_.begin(), through_centre_.end(),
                                           [&](const LineQuery& query) { return query.fixed == p; });
       return irrational_near_[index(p)] == 0 ||
-             ((ports >= 3 || problem_.singular) && irrational_near_[index(p)] == 1 && rational == 0);
+             ((singular || zero[index(p)]) && irrational_near_[index(p)] == 1 && rational == 0);
     };
     return problem_.others_complete && std::all_of(all_parameters.begin(), all_parameters.end(), is_known) &&
            std::all_of(through_centre_.begin(), through_centre_.end(), [this](const LineQuery& query) {

@@ -77,4 +77,8 @@ struct StarArc {
 };
 StarArc star_arc(const StarNeighbourhood& star, const Port& port);
 
+/// Of a star with two ports the parameters that turn in its centre: both arcs lie on one side of it. Empty if
+/// that is not decided.
+std::optional<std::vector<Parameter>> turning_parameters(const StarNeighbourhood& star);
+
 }  // namespace exsect

@@ -172,6 +172,11 @@ TEST_CASE("family: two pieces of one surface that have a side in common do not o
 
 TEST_CASE("family: collapsed side") { check_images(families::collapsed_side()); }
 
+TEST_CASE("family: an arc through a pinch point") {
+  check_images(families::pinch_point());
+  for (const bool on_side : {false, true}) check_images(families::pinch_point_passed(on_side));
+}
+
 TEST_CASE("family: an arc leaves a collapsed side") { check_images(families::arc_from_collapsed_side()); }
 
 TEST_CASE("family: nearly an overlap is nothing, or one arc") {

@@ -241,6 +241,31 @@ ExactCase pinch_point() {
   return c;
 }
 
+ExactCase pinch_point_passed(bool on_side) {
+  // a = 2u - 1, v' = 2v - 1: (a², a v', v').
+  const BezierPatch x = from_power({{{0, 0}, {1, 1, -1}},
+                                    {{1, 0}, {-4, -2, 0}},
+                                    {{2, 0}, {4, 0, 0}},
+                                    {{0, 1}, {0, -2, 2}},
+                                    {{1, 1}, {0, 4, 0}}});
+  // (r', s - 1/2, r'/4), r' = r or 2r - 1.
+  const Rational quarter(1, 4);
+  const BezierPatch y =
+      on_side ? from_power({{{0, 0}, {0, -half, 0}}, {{1, 0}, {1, 0, quarter}}, {{0, 1}, {0, 1, 0}}})
+              : from_power({{{0, 0}, {-1, -half, -quarter}}, {{1, 0}, {2, 0, half}}, {{0, 1}, {0, 1, 0}}});
+  ExactCase c = {on_side ? "pinch point on a side" : "pinch point passed", x, y, {}};
+  const Rational r = on_side ? Rational(0) : half;
+  c.graph.nodes = {
+      {{0, Rational(5, 8), 1, quarter}}, {{half, half, r, half}}, {{1, Rational(5, 8), 1, Rational(3, 4)}}};
+  if (!on_side) c.graph.nodes[1].wrt = {Parameter::v, Parameter::r};
+  const auto point = [=](double a) {
+    return Vector4{(1 + a) / 2, (1 + a * a / 4) / 2, on_side ? a * a : (1 + a * a) / 2, 0.5 + a * a * a / 4};
+  };
+  c.graph.arcs = {arc_along(0, 1, transversal, interior, [=](double t) { return point(t - 1); }),
+                  arc_along(1, 2, transversal, interior, [=](double t) { return point(t); })};
+  return c;
+}
+
 std::vector<ExactCase> specimens() {
   const Plane p = Plane::square;
   return {cap(Rational(1, 50), p),

@@ -84,6 +84,9 @@ ExactCase arc_from_collapsed_side();
 /// (u'², u' v', v') with u' = 2u - 1, v' = 2v - 1 (Whitney's umbrella) and the plane (r, s - 1/2, 0): the
 /// segment run through twice, through the pinch point.
 ExactCase pinch_point();
+/// The same umbrella with (2r - 1, s - 1/2, (2r - 1)/4), or (r, s - 1/2, r/4): a = 2u - 1, v' = a²/4, a cusp
+/// in the (r,s) plane at the pinch point, inside the square or on its side r = 0.
+ExactCase pinch_point_passed(bool on_side);
 
 /// One member of each family, for tests/cases.
 std::vector<ExactCase> specimens();
