@@ -100,9 +100,8 @@ class TurningSearch {
         return known_.constant[i] || is_monotone(piece, i) || turns_at_most_once(piece, i);
       });
     };
-    const auto part_of = [&](const Piece<Ball>& piece, double from, double to) {
-      const Piece<Ball> on_same_tube{piece.tube, from, to};
-      return is_simple(on_same_tube) ? std::optional(on_same_tube) : part(piece.tube, from, to);
+    const auto part_of = [this](const Piece<Ball>& piece, double from, double to) {
+      return part(piece.tube, from, to);
     };
     const auto failure = split_pieces(trace_.pieces, kMostPieces<Ball>, is_simple, part_of);
     if (failure) fail(point_at(failure->piece.tube, failure->at), failure->why);

@@ -215,6 +215,19 @@ BezierPatch patch_of(const std::array<long, 27>& c) {
 
 }  // namespace
 
+TEST_CASE("two curves that end in one boundary point are told apart next to it", "[intersect]") {
+  const BezierPatch x =
+      patch_of({-1, 0, -1, 0, -1, 1, -1, 0, 1, 0, 1, 0, 1, 0, 1, 0, -1, -1, 1, -1, -1, -1, -1, -1, -1, 1, 1});
+  const BezierPatch y =
+      patch_of({-1, 1, 1, 0, 0, 1, -1, -1, -1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, -1, 0, -1, -1, 0, -1});
+  for (const bool exact : {false, true}) {
+    IntersectOptions options;
+    options.exact = exact;
+    CHECK(intersect(x, y, options).status == Status::complete);
+    CHECK(intersect(y, x, options).status == Status::complete);
+  }
+}
+
 TEST_CASE("u and v turn together where a plane patch folds", "[intersect]") {
   const BezierPatch x =
       patch_of({2, -2, 1, 2, -1, 0, 0, 2, 1, 2, 0, -1, -1, 1, 1, 0, 2, -2, 1, 0, 0, 0, 2, -2, -2, -2, 2});
