@@ -134,7 +134,11 @@ class Intersection {
     }
     std::vector<CertifiedPoint> avoided = sides_.points;
     avoided.insert(avoided.end(), pinches_.begin(), pinches_.end());
-    sweep_.samples = sweep_samples(*sweep_.turning, avoided);
+    std::vector<Rational> samples = sweep_samples(*sweep_.turning, avoided);
+    if (samples == sweep_.samples) {
+      return;
+    }
+    sweep_.samples = std::move(samples);
     sweep_.fibres.clear();
     for (const Rational& sample : sweep_.samples) {
       if (clock_.out_of_time()) {

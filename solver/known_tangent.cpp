@@ -18,8 +18,7 @@ std::optional<std::array<Rational, 4>> rational_solution(const BezierPatch& x, c
   const ParameterBox box = point.refined_to(fine_width()).box();
   std::array<Rational, 4> p;
   for (std::size_t j = 0; j < 4; ++j) {
-    p[j] = box[j].width() == 0 ? box[j].lower
-                               : simplest_between(box[j].lower - fine_width(), box[j].upper + fine_width());
+    p[j] = simplest_near(box[j], fine_width());
     if (p[j] < box[j].lower || p[j] > box[j].upper) {
       return std::nullopt;
     }
@@ -62,11 +61,8 @@ std::array<bool, 4> known_zero_tangent(const BezierPatch& x, const BezierPatch& 
     if (box[first].width() != 0 && box[first + 1].width() != 0) {
       continue;  // the point is told from others on a line across one of these parameters
     }
-    std::array<Rational, 2> at;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const RationalInterval& i = fine[first + k];
-      at[k] = i.width() == 0 ? i.lower : simplest_between(i.lower - fine_width(), i.upper + fine_width());
-    }
+    const std::array<Rational, 2> at = {simplest_near(fine[first], fine_width()),
+                                        simplest_near(fine[first + 1], fine_width())};
     if (at[0] < 0 || at[0] > 1 || at[1] < 0 || at[1] > 1) {
       continue;
     }

@@ -23,12 +23,7 @@ TangentSigns tangent_signs(const PairSystem<Ball>& system, const BallPoint<Ball>
 template <class Ball>
 int bend_sign(const PairSystem<Ball>& system, const BallPoint<Ball>& at, std::size_t j) {
   const BallPoint<Ball> tangent = Expansion<Ball>(system, at).tangent();
-  std::size_t axis = 0;
-  for (std::size_t i = 1; i < 4; ++i) {
-    if (std::fabs(tangent[i].approximation()) > std::fabs(tangent[axis].approximation())) {
-      axis = i;
-    }
-  }
+  const std::size_t axis = steepest_axis(tangent);
   const auto tube = certify_tube(system, at, axis, 0x1p-30, 0x1p-40);
   if (axis == j || !tube || !contains(*tube, at) || !(std::fabs(tube->second[j]) > tube->second_error[j])) {
     return 0;

@@ -1,6 +1,7 @@
 #include "parameter_box.h"
 
 #include <algorithm>
+#include <array>
 
 namespace exsect {
 
@@ -14,10 +15,19 @@ ParameterBox hull(const ParameterBox& a, const ParameterBox& b) {
   return result;
 }
 
+Rational simplest_near(const RationalInterval& at, const Rational& room) {
+  return at.width() == 0 ? at.lower : simplest_between(at.lower - room, at.upper + room);
+}
+
 bool meet(const ParameterBox& a, const ParameterBox& b) {
   for (std::size_t j = 0; j < a.size(); ++j)
     if (a[j].upper < b[j].lower || b[j].upper < a[j].lower) return false;
   return true;
+}
+
+bool meets_side(const ParameterBox& box, std::size_t fixed, int value) {
+  return std::ranges::any_of(std::array{fixed, fixed + 2},
+                             [&](std::size_t j) { return box[j].lower <= value && value <= box[j].upper; });
 }
 
 bool lies_in(const ParameterBox& inner, const ParameterBox& outer) {

@@ -9,8 +9,14 @@ namespace exsect {
 RationalInterval hull(const RationalInterval& a, const RationalInterval& b);
 ParameterBox hull(const ParameterBox& a, const ParameterBox& b);
 
+/// The number itself, if the interval holds one alone, else the simplest one within `room` around it.
+Rational simplest_near(const RationalInterval& at, const Rational& room);
+
 /// The closed boxes have a common point.
 bool meet(const ParameterBox& a, const ParameterBox& b);
+
+/// u1 or u2 (fixed: 0), v1 or v2 (1) takes the value in the closed box.
+bool meets_side(const ParameterBox& box, std::size_t fixed, int value);
 
 /// The closed box `inner` is a part of `outer`.
 bool lies_in(const ParameterBox& inner, const ParameterBox& outer);

@@ -3,6 +3,7 @@
 #include <exsect/geometry/pull_back.h>
 
 #include "half_rational_point.h"
+#include "parameter_box.h"
 #include "plane_curve.h"
 
 namespace exsect {
@@ -11,33 +12,21 @@ namespace {
 
 /// The coordinates of the product of both derivatives.
 std::vector<BivariatePolynomial> normal(const BezierPatch& patch) {
-  std::array<BivariatePolynomial, 3> first;
-  std::array<BivariatePolynomial, 3> second;
-  for (std::size_t k = 0; k < 3; ++k) {
+  const auto coordinate = [&](std::size_t k) {
     Point axis = {0, 0, 0};
     axis[k] = 1;
-    const BivariatePolynomial coordinate = pull_back(AffineForm{axis, 0}, patch);
-    first[k] = coordinate.derivative_r();
-    second[k] = coordinate.derivative_s();
-  }
-  std::vector<BivariatePolynomial> result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t a = (k + 1) % 3;
-    const std::size_t b = (k + 2) % 3;
-    result.push_back(first[a] * second[b] - first[b] * second[a]);
-  }
-  return result;
+    return pull_back(AffineForm{axis, 0}, patch);
+  };
+  const std::array<BivariatePolynomial, 3> c = {coordinate(0), coordinate(1), coordinate(2)};
+  return {jacobian(c[1], c[2]), jacobian(c[2], c[0]), jacobian(c[0], c[1])};
 }
 
 /// Both coordinates of the point, if they are rational.
 std::optional<std::array<Rational, 2>> rational_coordinates(const TriangularPoint& point) {
-  const TriangularPoint fine = point.refined_to(power_of_two(-200));
-  std::array<Rational, 2> result;
-  for (const std::size_t k : {0U, 1U}) {
-    const RationalInterval i = k == 0 ? fine.r_interval() : fine.s().interval();
-    result[k] = i.width() == 0 ? i.lower
-                               : simplest_between(i.lower - power_of_two(-200), i.upper + power_of_two(-200));
-  }
+  const Rational width = power_of_two(-200);
+  const TriangularPoint fine = point.refined_to(width);
+  const std::array<Rational, 2> result = {simplest_near(fine.r_interval(), width),
+                                          simplest_near(fine.s().interval(), width)};
   const auto r = BivariatePolynomial::r() - BivariatePolynomial::constant(result[0]);
   const bool exact = fine.s().compare(result[1]) == 0 && sign_at(r, fine) == 0;
   return exact ? std::optional(result) : std::nullopt;

@@ -70,10 +70,7 @@ class ChartTracer {
  private:
   bool advance() {
     const BallPoint<Ball> tangent = tangent_at(chart_of(charts_, chart_), position_);
-    std::size_t axis = 0;
-    for (std::size_t j = 1; j < 4; ++j) {
-      axis = std::fabs(tangent[j].approximation()) > std::fabs(tangent[axis].approximation()) ? j : axis;
-    }
+    const std::size_t axis = steepest_axis(tangent);
     const int direction = sign_ * tangent[axis].certain_sign();
     if (direction == 0) {
       return false;

@@ -24,13 +24,6 @@ BivariatePolynomial line_form(std::size_t fixed, const Rational& value) {
              BivariatePolynomial());
 }
 
-/// A point of the region is on the side.
-bool meets_side(const ParameterBox& region, std::size_t fixed, int value) {
-  return std::ranges::any_of(std::array{fixed, fixed + 2}, [&](std::size_t j) {
-    return region[j].lower <= value && value <= region[j].upper;
-  });
-}
-
 /// The equations of the line, without the line itself, vanish on no curve of pairs of different points, apart
 /// from a side that is one point and outside of the region. On a line that is not folded such a curve is not
 /// the line again.

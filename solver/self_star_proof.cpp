@@ -136,11 +136,8 @@ bool SelfStarProof::is_alone() const {
 
 /// Where cuspidal points are not isolated.
 bool SelfStarProof::meets_cuspidal_side() const {
-  return std::ranges::any_of(cuspidal_sides_, [&](const auto& side) {
-    return std::ranges::any_of(std::array{side.first, side.first + 2}, [&](std::size_t j) {
-      return box_[j].lower <= side.second && side.second <= box_[j].upper;
-    });
-  });
+  return std::ranges::any_of(cuspidal_sides_,
+                             [&](const auto& side) { return meets_side(box_, side.first, side.second); });
 }
 
 /// Of the box, over the centre's value.

@@ -90,12 +90,7 @@ class Tracer {
   /// One tube from the current position; sets finished_ at a landmark or where a closed curve closes.
   bool advance() {
     const BallPoint<Ball> tangent = Expansion<Ball>(system_, position_).tangent();
-    std::size_t axis = 0;
-    for (std::size_t j = 1; j < 4; ++j) {
-      if (std::fabs(tangent[j].approximation()) > std::fabs(tangent[axis].approximation())) {
-        axis = j;
-      }
-    }
+    const std::size_t axis = steepest_axis(tangent);
     const int known = tangent[axis].certain_sign();
     if (known == 0) {
       failure_ = "the tangent of the intersection curve vanishes or cannot be told from zero";

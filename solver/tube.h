@@ -8,6 +8,7 @@
 #include <exsect/algebra/ball.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "centre_line.h"
@@ -54,6 +55,18 @@ struct Tube {
   /// Bound of the Euclidean norm of the second derivative of the space curve with respect to tau.
   double space_second_derivative;
 };
+
+/// The coordinate with the largest component, about.
+template <class Ball>
+std::size_t steepest_axis(const BallPoint<Ball>& tangent) {
+  std::size_t axis = 0;
+  for (std::size_t j = 1; j < 4; ++j) {
+    if (std::fabs(tangent[j].approximation()) > std::fabs(tangent[axis].approximation())) {
+      axis = j;
+    }
+  }
+  return axis;
+}
 
 /// The tube around `centre` (its midpoints are used) over tau in [-reach, reach], half widths at least
 /// `least_halfwidth`; empty if it cannot be proved with these numbers.
