@@ -1,20 +1,15 @@
 // The search for factors of F: polynomials that vanish where F does, along an arc or on a plane.
 #pragma once
 
-#include <exsect/checker/certificate.h>
 #include <exsect/solver/intersection_graph.h>
 
-#include <map>
 #include <optional>
 #include <vector>
 
-#include "certificate_events.h"
+#include "certificate_coordinates.h"
 #include "certificate_search.h"
 
 namespace exsect::cli {
-
-using ExactMap = checker::Map<Rational>;
-using Scalar = std::map<checker::Power, Rational>;  // a polynomial in four variables
 
 /// The factors of F that the certificate claims.
 class Factors {
@@ -29,7 +24,6 @@ class Factors {
   int of_plane(const Place& at, const Direction& first, const Direction& second);
 
   const std::vector<NearFactor>& found() const { return found_; }
-  const ExactMap& equation() const { return equation_; }
   Json claims() const;
 
  private:

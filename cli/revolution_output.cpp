@@ -27,7 +27,7 @@ struct Statements {
   std::vector<NotProved> not_proved;
 };
 
-Statements statements(const Revolution& revolution) {
+Statements revolution_statements(const Revolution& revolution) {
   Statements result;
   const DistanceBounds& bounds = revolution.bounds;
   const auto where = [](const RationalInterval& t) { return Json{{"t", json_interval(t)}}; };
@@ -245,14 +245,14 @@ std::string revolution_summary(const ShownRevolution& shown) {
   text += equations_text(revolution);
   if (revolution.rings) text += rings_text(*revolution.rings);
   if (revolution.audit) text += audit_text(*revolution.audit, revolution.region);
-  const Statements known = statements(revolution);
+  const Statements known = revolution_statements(revolution);
   text += statements_text(known.proved, known.not_proved);
   return shown.patch ? text + patch_text(*shown.patch) : text;
 }
 
 Json revolution_json(const ShownRevolution& shown) {
   const Revolution& revolution = shown.revolution;
-  const Statements known = statements(revolution);
+  const Statements known = revolution_statements(revolution);
   Json json = {
       {"exsect", "revolution/1"},
       {"status", shown.is_complete() ? "complete" : "incomplete"},

@@ -8,14 +8,14 @@ namespace {
 constexpr double text_size = 13;
 constexpr double row_height = 20;
 constexpr double key_width = 34;
-constexpr double gap = 16;
+constexpr double entry_gap = 16;
 
 }  // namespace
 
 std::size_t SvgLegend::columns(double width) const {
   double widest = 1;
   for (const Entry& entry : entries_)
-    widest = std::max(widest, key_width + text_width(entry.text, text_size) + gap);
+    widest = std::max(widest, key_width + text_width(entry.text, text_size) + entry_gap);
   return std::max<std::size_t>(1, static_cast<std::size_t>(width / widest));
 }
 
