@@ -1,6 +1,8 @@
 // Certificates with factors: arcs along which the patches touch, or a parameter is constant.
 #include <exsect/geometry/number.h>
 
+#include <algorithm>
+
 #include "certificate_changes.h"
 #include "support/families.h"
 
@@ -84,6 +86,28 @@ TEST_CASE("false claims about a factor are rejected where they stand") {
   reason(text, "$.tubes[0].curve: must be", [](Json& j) { j["tubes"][0]["curve"] = "line0"; });
   reason(text, "$.arcs[0]: the error bound", [](Json& j) { j["arcs"][0]["error_bound"] = "0"; });
   reason(text, "$.summary", [](Json& j) { j["summary"]["tangential"] = 0; });
+}
+
+TEST_CASE("a node at a distance of 2^-30 from a second side is not on it") {
+  ExactCase c = families::tangent_curve(Rational(1, 3), Plane::square);
+  ControlNet net = c.y.net();
+  for (auto& row : net)
+    for (Point& point : row) point[1] -= power_of_two(-30);  // s = v + 2^-30
+  const std::string text = certificate(c.x, BezierPatch(net));
+  const Json nodes = Json::parse(text)["nodes"];
+  const auto on_side = [](const Json& node) { return node["on"] == Json::array({"v=0"}); };
+  const auto place = std::find_if(nodes.begin(), nodes.end(), on_side);
+  REQUIRE(place != nodes.end());
+  const auto n = static_cast<std::size_t>(place - nodes.begin());
+  reason(text,
+         ("$.nodes[" + std::to_string(n) + "]: a side does not follow from that of the tube's axis").c_str(),
+         [n](Json& j) {
+           j["nodes"][n]["on"].push_back("s=0");
+           j["nodes"][n]["at"][3] = "0";
+           Json& points = j["arcs"][0]["points"];
+           (j["arcs"][0]["from"] == n ? points.front() : points.back())[3] = "0";
+           j["nodes"][n]["radius"] = "1/2^25";
+         });
 }
 
 TEST_CASE("a factor next to whose curve there may be other solutions is rejected") {
