@@ -49,6 +49,9 @@ class Intersection {
       return turning_values_of(p);
     };
     sweep_.zero_tangent = [this](const CertifiedPoint& point) { return known_zero_tangent(x_, y_, point); };
+    sweep_.common_zero = [this](const ParameterBox& where, std::size_t i, std::size_t j) {
+      return common_tangent_zero(x_, y_, where, i, j);
+    };
     sweep_.is_on_sides = [this](const LineQuery& query, const RealAlgebraic& at) {
       const LineArcs arcs = line_arcs(x_, y_, query, scaling_, used_tolerance(), stop_, false);
       return !arcs.incomplete &&

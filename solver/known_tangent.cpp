@@ -75,6 +75,33 @@ std::array<bool, 4> known_zero_tangent(const BezierPatch& x, const BezierPatch& 
   return zero;
 }
 
+namespace {
+
+/// The simplest number of the interval, if its denominator is far below those of most numbers there.
+std::optional<Rational> outstanding_number(const RationalInterval& in) {
+  const Rational number = simplest_near(in, 0);
+  const Rational rarity = power_of_two(10) * in.width() * denominator(number) * denominator(number);
+  return rarity < 1 && number >= 0 && number <= 1 ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ParameterBox> common_tangent_zero(const BezierPatch& x, const BezierPatch& y,
+                                                const ParameterBox& where, std::size_t i, std::size_t j) {
+  for (const Parameter p : all_parameters) {
+    const std::optional<Rational> value = outstanding_number(where[index(p)]);
+    if (!value) continue;
+    for (const CertifiedPoint& point : exact_line_points(x, y, {p, *value}).points) {
+      const ParameterBox box = point.refined_to(fine_width()).box();
+      const auto exact = lies_in(box, where) ? point.exact() : std::nullopt;
+      if (!exact) continue;
+      const std::array<bool, 4> zero = zero_tangent_components(x, y, *exact);
+      if (zero[i] && zero[j]) return box;
+    }
+  }
+  return std::nullopt;
+}
+
 bool is_known_singular(const BezierPatch& x, const BezierPatch& y, const CertifiedPoint& point) {
   const std::array<bool, 4> zero = known_zero_tangent(x, y, point);
   return zero[0] && zero[1] && zero[2] && zero[3];

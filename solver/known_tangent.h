@@ -22,6 +22,12 @@ std::optional<std::array<Rational, 4>> rational_solution(const BezierPatch& x, c
 std::array<bool, 4> known_zero_tangent(const BezierPatch& x, const BezierPatch& y,
                                        const CertifiedPoint& point);
 
+/// A box inside `where` that holds a point of the intersection at which components i and j of the tangent
+/// field vanish; empty if none is found: one of its parameters must be a number much simpler than others in
+/// `where`, such as one at which both patches are symmetric.
+std::optional<ParameterBox> common_tangent_zero(const BezierPatch& x, const BezierPatch& y,
+                                                const ParameterBox& where, std::size_t i, std::size_t j);
+
 /// True if the point is known to be singular: all four components are known to vanish.
 bool is_known_singular(const BezierPatch& x, const BezierPatch& y, const CertifiedPoint& point);
 

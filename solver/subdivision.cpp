@@ -168,13 +168,13 @@ class Search {
     }
     double needed = 0;
     for (std::size_t j = 0; j < 4; ++j) {
-      if (((*start)[j] - centre[j]).upper_magnitude() > 2 * half[j]) {
-        return false;
+      const double distance = ((*start)[j] - centre[j]).upper_magnitude();
+      const double rise = std::fabs(tangent[j].approximation() / tangent[axis].approximation()) * half[axis];
+      if (distance > 2 * (half[j] + rise)) {
+        return false;  // the curve is not in the box
       }
-      const double slope = tangent[j].approximation() / tangent[axis].approximation();
       if (j != axis) {
-        needed = std::max(needed, ((*start)[j] - centre[j]).upper_magnitude() + half[j] +
-                                      1.01 * std::fabs(slope) * half[axis]);
+        needed = std::max(needed, distance + half[j] + 1.01 * rise);
       }
     }
     const auto tube = certify_tube(system_, *start, axis, half[axis] * 1.01, needed * 1.01);

@@ -225,6 +225,7 @@ class CurveTracing {
     }
     mark_coincident(known.constant);
     known.plane = sweep_.plane;
+    known.common_zero = sweep_.common_zero;
     known.at_start = tangent_signs_at(system_, landmarks_, sweep_, curve.trace.start);
     known.at_end = tangent_signs_at(system_, landmarks_, sweep_, curve.trace.end);
     auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, known);
@@ -344,8 +345,8 @@ class CurveTracing {
       const std::size_t sweep = index(sweep_.turning->sweep);
       const RationalInterval at = turning->value.refined_to(power_of_two(-40)).interval();
       const double grid = 0x1p-24;  // dyadic ends, so that the slab can be halved often
-      slab.lower[sweep] = std::max(0.0, grid * std::floor(to_double(at.lower) / grid - 0x1p-30));
-      slab.upper[sweep] = std::min(1.0, grid * std::ceil(to_double(at.upper) / grid + 0x1p-30));
+      slab.lower[sweep] = std::max(0.0, grid * (std::ceil(to_double(at.lower) / grid) - 1));
+      slab.upper[sweep] = std::min(1.0, grid * (std::floor(to_double(at.upper) / grid) + 1));
       search(
           slab,
           "a multiple root of the turning eliminant: a singular or isolated point of the intersection is not "

@@ -45,6 +45,8 @@ struct SweepData {
   TurningValuesOf turning_of;
   /// Components of T that are known to vanish at a point.
   std::function<std::array<bool, 4>(const CertifiedPoint&)> zero_tangent;
+  /// KnownTangent::common_zero.
+  std::function<std::optional<ParameterBox>(const ParameterBox&, std::size_t, std::size_t)> common_zero;
   std::array<std::size_t, 4> coincident;            // coincident_parameters(x, y)
   std::array<std::optional<std::size_t>, 2> plane;  // plane_coordinates(x, y)
   SettledRegion settled;                            // what a search may leave out

@@ -177,6 +177,10 @@ TEST_CASE("family: an arc through a pinch point") {
   for (const bool on_side : {false, true}) check_images(families::pinch_point_passed(on_side));
 }
 
+TEST_CASE("family: crossing tubes") { check_images(families::crossing_tubes()); }
+
+TEST_CASE("family: two parameters turn in one point") { check_images(families::symmetric_turns()); }
+
 TEST_CASE("family: an arc leaves a collapsed side") { check_images(families::arc_from_collapsed_side()); }
 
 TEST_CASE("family: nearly an overlap is nothing, or one arc") {

@@ -88,6 +88,17 @@ ExactCase pinch_point();
 /// in the (r,s) plane at the pinch point, inside the square or on its side r = 0.
 ExactCase pinch_point_passed(bool on_side);
 
+/// Quarters of a dome, (u c(v), 1 - u²) and turned ones: with u = r = 0 as common pole. A neighbour shares
+/// the side v = 1, s = 0, with one tangent plane or not; the opposite quarter has the pole alone.
+enum class PoleNeighbour { smooth, sharp, opposite };
+ExactCase common_pole(PoleNeighbour which);
+/// Quarters of two tubes of one profile whose axes cross: a common point at corners of the profiles; the curve
+/// through it is outside of the squares.
+ExactCase crossing_tubes();
+/// a = u - 1/2: (u, v (1 + a²), v² + a²/4) with the plane (s, 2r, 1/2): v and r, irrational, turn over u =
+/// 1/2.
+ExactCase symmetric_turns();
+
 /// One member of each family, for tests/cases.
 std::vector<ExactCase> specimens();
 

@@ -1,0 +1,93 @@
+// How patches of closed models meet: around a common pole, at the corners of equal tubes, symmetrically.
+#include <cmath>
+
+#include "support/families.h"
+
+namespace exsect::families {
+namespace {
+
+using Vector4 = std::array<double, 4>;
+
+const Rational half(1, 2);
+
+BezierPatch from_power(const std::vector<std::pair<std::array<std::size_t, 2>, Point>>& terms) {
+  ControlNet c{};
+  for (const auto& [exponents, coefficient] : terms) c[exponents[0]][exponents[1]] = coefficient;
+  return BezierPatch::from_power_basis(c);
+}
+
+/// sqrt(square), 0 < square < 1.
+RealAlgebraic root_of(const Rational& square) { return real_roots(Polynomial{-square, 0, 1}, 0, 1).at(0); }
+
+/// (u c(v), 1 - u² + slope u v), c a parabola from `from` to `to` with these tangents' directions exchanged.
+BezierPatch quarter_of_dome(const std::array<int, 2>& from, const std::array<int, 2>& to, int slope) {
+  const auto at = [&](int a, int b) { return Point{a * from[0] + b * to[0], a * from[1] + b * to[1], 0}; };
+  return from_power({{{0, 0}, {0, 0, 1}},
+                     {{1, 0}, at(1, 0)},
+                     {{1, 1}, at(0, 2) + Point{0, 0, slope}},
+                     {{1, 2}, at(-1, -1)},
+                     {{2, 0}, {0, 0, -1}}});
+}
+
+}  // namespace
+
+ExactCase common_pole(PoleNeighbour which) {
+  const BezierPatch x = quarter_of_dome({1, 0}, {0, 1}, 0);
+  if (which == PoleNeighbour::opposite) {
+    ExactCase c = {"opposite quarters around a pole", x, quarter_of_dome({-1, 0}, {0, -1}, 0), {}};
+    c.graph.nodes = {{{0, half, 0, half}, std::nullopt, {}, {Parameter::v, Parameter::s}}};
+    return c;
+  }
+  const bool smooth = which == PoleNeighbour::smooth;
+  ExactCase c = {smooth ? "quarters of a dome" : "quarters of a dome with an edge",
+                 x,
+                 quarter_of_dome({0, 1}, {-1, 0}, smooth ? 0 : 1),
+                 {}};
+  c.graph.nodes = {{{0, 1, 0, 0}, std::nullopt, {}, {Parameter::v, Parameter::s}}, {{1, 1, 1, 0}}};
+  c.graph.arcs = {arc_along(0, 1, smooth ? Contact::tangential : Contact::transversal,
+                            ArcPlace::patch_boundary, [](double t) {
+                              return Vector4{t, 1, t, 0};
+                            })};
+  return c;
+}
+
+ExactCase crossing_tubes() {
+  // c(t) = (t² - 2t, 1 - t²), a quarter of a round profile.
+  const BezierPatch x =
+      from_power({{{0, 0}, {0, 1, -2}}, {{0, 1}, {-2, 0, 0}}, {{0, 2}, {1, -1, 0}}, {{1, 0}, {0, 0, 4}}});
+  const BezierPatch y =
+      from_power({{{0, 0}, {-2, 0, 1}}, {{0, 1}, {0, -2, 0}}, {{0, 2}, {0, 1, -1}}, {{1, 0}, {4, 0, 0}}});
+  ExactCase c = {"crossing tubes", x, y, {}};
+  c.graph.nodes = {{{Rational(3, 4), 1, Rational(1, 4), 0}}};
+  return c;
+}
+
+ExactCase symmetric_turns() {
+  // a = u - 1/2: (u, v (1 + a²), v² + a²/4) and (s, 2r, 1/2).
+  const Rational quarter(1, 4);
+  const BezierPatch x = from_power({{{0, 0}, {0, 0, quarter * quarter}},
+                                    {{1, 0}, {1, 0, -quarter}},
+                                    {{2, 0}, {0, 0, quarter}},
+                                    {{0, 1}, {0, 1 + quarter, 0}},
+                                    {{1, 1}, {0, -1, 0}},
+                                    {{2, 1}, {0, 1, 0}},
+                                    {{0, 2}, {0, 0, 1}}});
+  const BezierPatch y = from_power({{{0, 0}, {0, 0, half}}, {{1, 0}, {0, 2, 0}}, {{0, 1}, {1, 0, 0}}});
+  ExactCase c = {"symmetric turns", x, y, {}};
+  const RealAlgebraic v = root_of(Rational(7, 16));
+  const RealAlgebraic r = root_of(Rational(7, 16) * Rational(25, 64));
+  c.graph.nodes = {
+      {{0, v, r, 0}},
+      {{half, root_of(half), root_of(Rational(1, 8)), half}, std::nullopt, {Parameter::v, Parameter::r}},
+      {{1, v, r, 1}}};
+  const auto point = [](double u) {
+    const double a = (u - 0.5) * (u - 0.5);
+    return Vector4{u, std::sqrt(0.5 - 0.25 * a), 0.5 * std::sqrt(0.5 - 0.25 * a) * (1 + a), u};
+  };
+  for (const std::size_t k : {0U, 1U})
+    c.graph.arcs.push_back(arc_along(k, k + 1, Contact::transversal, ArcPlace::interior,
+                                     [=](double t) { return point((static_cast<double>(k) + t) / 2); }));
+  return c;
+}
+
+}  // namespace exsect::families
