@@ -21,6 +21,7 @@ class BoundarySearch {
       : x_(x), y_(y), scale_(scale), tolerance_(tolerance), stop_(stop) {}
 
   BoundaryLines run() {
+    result_.poles = common_poles(x_, y_);
     for (const Parameter p : all_parameters)
       for (const int value : {0, 1}) {
         if (stop_ && stop_()) {
@@ -31,6 +32,9 @@ class BoundarySearch {
       }
     for (const LineResult& line : lines_) add_points(line);
     for (const LineResult& line : lines_) add_ends(line);
+    for (const CommonPole& pole : result_.poles)
+      for (const int i : {0, 1})
+        for (const int k : {0, 1}) add_if_new(pair_on(pole, i, k));
     for (LineResult& line : lines_) add_arcs(line);
     return std::move(result_);
   }
@@ -83,11 +87,19 @@ class BoundarySearch {
       if (used[i]) add(line.arcs.ends[i]);
   }
 
-  /// The ends of a side that is one point: on the other sides these may not be isolated.
+  /// The ends of a side that is one point, and those in common poles: on the other sides these may not be
+  /// isolated.
   void add_ends(const LineResult& line) {
     for (const LineArc& arc : line.arcs.arcs)
-      for (const std::size_t end : {arc.from, arc.to})
-        if (arc.collapsed && !find(line.arcs.ends[end])) result_.points.push_back(line.arcs.ends[end]);
+      for (const std::size_t i : {arc.from, arc.to}) {
+        const CertifiedPoint& end = line.arcs.ends[i];
+        const auto has_end = [&](const CommonPole& pole) { return is_on(end, pole); };
+        if (arc.collapsed || std::ranges::any_of(result_.poles, has_end)) add_if_new(end);
+      }
+  }
+
+  void add_if_new(const CertifiedPoint& point) {
+    if (!find(point)) result_.points.push_back(point);
   }
 
   void add_arcs(LineResult& line) {

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "common_pole.h"
 #include "line_arcs.h"
 
 namespace exsect {
@@ -23,10 +24,11 @@ struct SideArc {
 };
 
 /// The arcs, and the points that are no interior points of arcs, each once; `incomplete` says what is
-/// missing.
+/// missing. All pairs on the poles are solutions; of these `points` has the corners and the ends of arcs.
 struct BoundaryLines {
   std::vector<CertifiedPoint> points;
   std::vector<SideArc> arcs;
+  std::vector<CommonPole> poles;
   std::vector<Incomplete> incomplete;
 };
 

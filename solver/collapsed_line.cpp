@@ -14,7 +14,7 @@ namespace exsect {
 
 namespace {
 
-/// Whether a whole curve of the patch's parameters is mapped to the point.
+/// Whether a whole curve of the patch's parameters, apart from its sides, is mapped to the point.
 bool has_curve_at(const BezierPatch& patch, const Point& point) {
   std::vector<BivariatePolynomial> equations;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -22,8 +22,13 @@ bool has_curve_at(const BezierPatch& patch, const Point& point) {
     axis[k] = 1;
     equations.push_back(pull_back(AffineForm{axis, -point[k]}, patch));
   }
-  const BivariatePolynomial curve = common_zeros(equations).curve;
-  return curve.is_zero() || !component_points(squarefree(curve)).empty();
+  BivariatePolynomial curve = common_zeros(equations).curve;
+  if (curve.is_zero()) return true;
+  curve = squarefree(curve);
+  for (const BivariatePolynomial& parameter : {BivariatePolynomial::r(), BivariatePolynomial::s()})
+    for (const int side : {0, 1})
+      curve = exact_quotient(curve, gcd(curve, parameter - BivariatePolynomial::constant(side)));
+  return !component_points(curve).empty();
 }
 
 std::vector<PolylineVertex> straight_polyline(const CertifiedPoint& from, const CertifiedPoint& to,

@@ -8,7 +8,8 @@
 namespace exsect {
 
 /// The line, mapped to one point: an arc all along it for every point (r,s) of the other patch there, with
-/// constant r and s. Incomplete if these are not isolated.
+/// constant r and s. Incomplete if these are not isolated, apart from sides of y that are the same
+/// point (common_pole.h).
 LineArcs arcs_of_collapsed_line(const BezierPatch& x, const BezierPatch& y, const LineQuery& query);
 
 /// The node of such an arc: one point of space, at which the parameter along the line is free. `inside` is a

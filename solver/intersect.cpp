@@ -7,6 +7,7 @@
 
 #include "boundary_lines.h"
 #include "collapsed_line.h"
+#include "common_pole.h"
 #include "confirmed_curves.h"
 #include "critical_values.h"
 #include "degenerate_patches.h"
@@ -98,6 +99,11 @@ class Intersection {
     on_side_arc_.assign(sides_.points.size(), false);
     for (const SideArc& arc : sides_.arcs) {
       on_side_arc_[arc.from] = on_side_arc_[arc.to] = true;
+    }
+    for (const CommonPole& pole : sides_.poles) {
+      for (std::size_t i = 0; i < sides_.points.size(); ++i) {
+        on_side_arc_[i] = on_side_arc_[i] || is_on(sides_.points[i], pole);
+      }
     }
     for (std::size_t i = 0; i < sides_.points.size(); ++i) {
       sweep_.landmarks.push_back({sides_.points[i], std::nullopt, 0, Parameter::u, on_side_arc_[i]});
@@ -344,6 +350,21 @@ class Intersection {
     contract(result_.graph, nodes, collapsed_node(arc.inside, inside, along));
   }
 
+  /// All landmarks on the pole are one node.
+  template <class Ball>
+  void contract_pole(const PairSystem<Ball>& system, const CommonPole& pole) {
+    std::vector<int> nodes;
+    for (std::size_t i = 0; i < sides_.points.size(); ++i) {
+      if (is_on(sides_.points[i], pole)) {
+        nodes.push_back(static_cast<int>(i));
+      }
+    }
+    const CertifiedPoint inside = pair_on(pole, Rational(1, 2), Rational(1, 2));
+    const Node node = landmark_node(system, scaling_.frame, enclose<Ball>(inside, power_of_two(-50)),
+                                    inside.box(), inside.sides());
+    contract(result_.graph, nodes, pole_node(pole, inside, node));
+  }
+
   /// The star's centre is a point of the arc, not an end: the only arc on that side that can reach it.
   bool lies_inside(const CertifiedPoint& centre, const SideArc& arc, const Side& side, std::size_t along) {
     const ParameterBox box = centre.refined_to(power_of_two(-100)).box();
@@ -451,6 +472,9 @@ class Intersection {
         contract_side(system, arc);
       }
     }
+    for (const CommonPole& pole : sides_.poles) {
+      contract_pole(system, pole);
+    }
     for (const Arc& arc : graph.arcs) {
       result_.work.steps["vertices"] += static_cast<double>(arc.polyline.size());
     }
@@ -484,6 +508,9 @@ IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const Inte
 IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y,
                                    const IntersectOptions& options) {
   if (std::optional<IntersectResult> result = intersect_degenerate(x, y, options)) {
+    return std::move(*result);
+  }
+  if (std::optional<IntersectResult> result = intersect_in_pole(x, y)) {
     return std::move(*result);
   }
   if (std::optional<IntersectResult> result = intersect_on_one_surface(x, y, options)) {

@@ -28,6 +28,7 @@ std::optional<Sheet> sheet_through(const CommonSheets& sheets, const CertifiedPo
   return std::nullopt;
 }
 
+constexpr const char* kPole = "a side of each patch is the same point of space";
 constexpr const char* kWorkCap = "the work cap was reached while boundary lines were compared";
 constexpr const char* kAcross = "a boundary line lies on the other patch here, across the common surface";
 
@@ -67,6 +68,11 @@ OverlapBoundary overlap_boundary(const BezierPatch& x, const BezierPatch& y, con
   BoundaryLines lines = boundary_lines(x, y, scale, tolerance, stop);
   OverlapBoundary result;
   result.incomplete = std::move(lines.incomplete);
+  for (const CommonPole& pole : lines.poles) {
+    ParameterBox where = whole_domain();
+    for (const Side& side : {pole.of_x, pole.of_y}) where[index(side.parameter)] = {side.value, side.value};
+    report(result, where, kPole);
+  }
   for (const CertifiedPoint& point : lines.points) result.points.push_back({point, BoundaryPointKind::other});
   for (SideArc& arc : lines.arcs) {
     if (is_stopped(stop)) {

@@ -181,7 +181,7 @@ class GluedBoundary {
 
   std::optional<SelfBoundary> run() {
     const bool collapsed = std::ranges::any_of(lines_.arcs, &SideArc::collapsed);
-    if (!lines_.incomplete.empty() || collapsed) return std::nullopt;
+    if (!lines_.incomplete.empty() || collapsed || !lines_.poles.empty()) return std::nullopt;
     for (const CertifiedPoint& point : lines_.points) {
       new_index_.push_back(result_.points.size());
       const std::optional<bool> equal = is_equal_pair(point);

@@ -177,6 +177,12 @@ TEST_CASE("family: an arc through a pinch point") {
   for (const bool on_side : {false, true}) check_images(families::pinch_point_passed(on_side));
 }
 
+TEST_CASE("family: a common pole") {
+  using families::PoleNeighbour;
+  for (const PoleNeighbour which : {PoleNeighbour::smooth, PoleNeighbour::sharp, PoleNeighbour::opposite})
+    check_images(families::common_pole(which));
+}
+
 TEST_CASE("family: crossing tubes") { check_images(families::crossing_tubes()); }
 
 TEST_CASE("family: two parameters turn in one point") { check_images(families::symmetric_turns()); }

@@ -208,8 +208,16 @@ TEST_CASE("a line that is one point is an arc for every point of the other patch
     CHECK((r.lower <= q(1, 4) ? q(1, 4) <= r.upper : r.lower <= q(3, 4) && q(3, 4) <= r.upper));
     CHECK((arc.inside.box()[3].lower <= q(1, 2) && q(1, 2) <= arc.inside.box()[3].upper));
   }
-  // A side of the other patch there, too: which pairs of parameters meet is not a set of arcs.
-  CHECK(arcs_of(cone, cone, {Parameter::u, 0}).incomplete);
+  // A side of the other patch there, too: no arc, a square of solutions (common_pole.h).
+  const LineArcs pole = arcs_of(cone, cone, {Parameter::u, 0});
+  CHECK((!pole.incomplete && pole.arcs.empty()));
+  // (2r - 1) (1, s, r): a line inside the other patch, of which nothing is known.
+  const BezierPatch inside = patch_of({{{0, 0}, {-1, 0, 0}},
+                                       {{1, 0}, {2, 0, -1}},
+                                       {{2, 0}, {0, 0, 2}},
+                                       {{0, 1}, {0, -1, 0}},
+                                       {{1, 1}, {0, 2, 0}}});
+  CHECK(arcs_of(cone, inside, {Parameter::u, 0}).incomplete);
 }
 
 TEST_CASE("a line through a collapsed line of the other patch") {
