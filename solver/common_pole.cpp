@@ -9,6 +9,7 @@
 #include "graph_builder.h"
 #include "line_place.h"
 #include "model_scale.h"
+#include "run_clock.h"
 #include "traced_curves.h"
 
 namespace exsect {
@@ -98,7 +99,9 @@ Node pole_node(const CommonPole& pole, const CertifiedPoint& inside, const Node&
   return node;
 }
 
-std::optional<IntersectResult> intersect_in_pole(const BezierPatch& x, const BezierPatch& y) {
+std::optional<IntersectResult> intersect_in_pole(const BezierPatch& x, const BezierPatch& y,
+                                                 const IntersectOptions& options) {
+  const RunClock clock(options, 1);
   const std::vector<CommonPole> poles = common_poles(x, y);
   if (poles.size() != 1) return std::nullopt;
   const CertifiedPoint inside = pair_on(poles.front(), Rational(1, 2), Rational(1, 2));
@@ -113,6 +116,7 @@ std::optional<IntersectResult> intersect_in_pole(const BezierPatch& x, const Bez
   result.graph.isolated_points = {result.graph.nodes.front().id};
   finish_components(result.graph);
   result.status = Status::complete;
+  result.work.milliseconds = clock.milliseconds();
   return result;
 }
 

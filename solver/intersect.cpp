@@ -7,6 +7,7 @@
 
 #include "boundary_lines.h"
 #include "collapsed_line.h"
+#include "common_apex.h"
 #include "common_pole.h"
 #include "confirmed_curves.h"
 #include "critical_values.h"
@@ -510,8 +511,10 @@ IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y,
   if (std::optional<IntersectResult> result = intersect_degenerate(x, y, options)) {
     return std::move(*result);
   }
-  if (std::optional<IntersectResult> result = intersect_in_pole(x, y)) {
-    return std::move(*result);
+  for (const auto& method : {intersect_in_pole, intersect_cones}) {
+    if (std::optional<IntersectResult> result = method(x, y, options)) {
+      return std::move(*result);
+    }
   }
   if (std::optional<IntersectResult> result = intersect_on_one_surface(x, y, options)) {
     return std::move(*result);

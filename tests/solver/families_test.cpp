@@ -183,6 +183,11 @@ TEST_CASE("family: a common pole") {
     check_images(families::common_pole(which));
 }
 
+TEST_CASE("family: a common apex") {
+  check_images(families::common_apex(false));
+  check_images(families::common_apex(true));
+}
+
 TEST_CASE("family: crossing tubes") { check_images(families::crossing_tubes()); }
 
 TEST_CASE("family: two parameters turn in one point") { check_images(families::symmetric_turns()); }

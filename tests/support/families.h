@@ -92,8 +92,11 @@ ExactCase pinch_point_passed(bool on_side);
 /// the side v = 1, s = 0, with one tangent plane or not; the opposite quarter has the pole alone.
 enum class PoleNeighbour { smooth, sharp, opposite };
 ExactCase common_pole(PoleNeighbour which);
-/// Quarters of two tubes of one profile whose axes cross: a common point at corners of the profiles; the curve
-/// through it is outside of the squares.
+/// u (w, 1, w²), w = 2v - 1, with the planar r (4s - 2, 2, 1): two common rulings, v = s, irrational; or with
+/// r (4s - 2, 1, 0): they touch along one.
+ExactCase common_apex(bool touching);
+/// Quarters of two tubes of one profile whose axes cross: a common point at corners of the profiles; the
+/// curve through it is outside of the squares.
 ExactCase crossing_tubes();
 /// a = u - 1/2: (u, v (1 + a²), v² + a²/4) with the plane (s, 2r, 1/2): v and r, irrational, turn over u =
 /// 1/2.

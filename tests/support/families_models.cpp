@@ -51,6 +51,27 @@ ExactCase common_pole(PoleNeighbour which) {
   return c;
 }
 
+ExactCase common_apex(bool touching) {
+  // w = 2v - 1: (w, 1, w²).
+  const BezierPatch x = from_power({{{1, 0}, {-1, 1, 1}}, {{1, 1}, {2, 0, -4}}, {{1, 2}, {0, 0, 4}}});
+  const BezierPatch y = touching ? from_power({{{1, 0}, {-2, 1, 0}}, {{1, 1}, {4, 0, 0}}})
+                                 : from_power({{{1, 0}, {-2, 2, 1}}, {{1, 1}, {4, 0, 0}}});
+  ExactCase c = {touching ? "cones that touch" : "cones with a common apex", x, y, {}};
+  c.graph.nodes = {{{0, half, 0, half}, std::nullopt, {}, {Parameter::v, Parameter::s}}};
+  const std::vector<RealAlgebraic> rulings =
+      touching ? std::vector<RealAlgebraic>{half} : real_roots(Polynomial{Rational(1, 8), -1, 1}, 0, 1);
+  const Rational end = touching ? Rational(1) : half;
+  for (std::size_t k = 0; k < rulings.size(); ++k) {
+    const double w = touching ? 0.5 : 0.5 + (k == 0 ? -1 : 1) * std::sqrt(0.125);
+    c.graph.nodes.push_back({{1, rulings[k], end, rulings[k]}});
+    c.graph.arcs.push_back(arc_along(0, k + 1, touching ? Contact::tangential : Contact::transversal,
+                                     ArcPlace::interior, [=](double t) {
+                                       return Vector4{t, w, t * to_double(end), w};
+                                     }));
+  }
+  return c;
+}
+
 ExactCase crossing_tubes() {
   // c(t) = (t² - 2t, 1 - t²), a quarter of a round profile.
   const BezierPatch x =
