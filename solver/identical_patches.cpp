@@ -27,6 +27,13 @@ bool is_planar(const BezierPatch& x) {
   return planar;
 }
 
+/// Both are one point, known exactly: the rim of a half turn has pairs in both orders.
+bool is_same_point(const ParameterBox& a, const ParameterBox& b) {
+  return std::ranges::equal(a, b, [](const RationalInterval& i, const RationalInterval& j) {
+    return i.lower == i.upper && j.lower == j.upper && i.lower == j.lower;
+  });
+}
+
 constexpr const char* kTooFine = "the tolerance is below what a polyline in doubles can be proved to keep";
 
 class ItselfBuilder {
@@ -66,6 +73,10 @@ class ItselfBuilder {
       if (std::count(kinds.begin(), kinds.end(), NodeKind::cusp) > 0 || !copy.free.empty()) {
         kinds.push_back(NodeKind::end_of_overlap);
         mirror.push_back(copy.id);
+      } else if (const auto known = std::ranges::find_if(
+                     graph.nodes, [&](const Node& node) { return is_same_point(node.box, copy.box); });
+                 known != graph.nodes.end()) {
+        mirror.push_back(known->id);
       } else {
         copy.id = static_cast<int>(graph.nodes.size());
         mirror.push_back(copy.id);

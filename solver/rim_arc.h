@@ -14,10 +14,9 @@ struct RimEnd {
   int node;
 };
 
-/// All pairs on the segment between two pairs as an arc of contact `tangential`. x must be of degree 2 along
-/// it, as on parameter lines, and both points of each pair must be mapped to the same point of space. The
-/// polyline keeps within `tolerance` (space units) where doubles can express that; Arc::error_bound is what
-/// is proved. Id 0.
+/// All pairs on the segment between two pairs as an arc of contact `tangential`. Both points of each pair
+/// must be mapped to the same point of space. The polyline keeps within `tolerance` (space units) where
+/// doubles can express that; Arc::error_bound is what is proved. Id 0.
 Arc rim_arc(const BezierPatch& x, const RimEnd& from, const RimEnd& to, ArcPlace place, double tolerance);
 
 }  // namespace exsect

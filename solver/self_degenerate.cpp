@@ -6,15 +6,14 @@
 #include <string>
 #include <utility>
 
+#include "boundary_lines.h"
 #include "degenerate_patches.h"
 #include "model_scale.h"
-#include "parameter_names.h"
-#include "rim_arc.h"
+#include "self_overlaps.h"
+#include "symmetric_pairs.h"
 
 namespace exsect {
 namespace {
-
-constexpr const char* kTooFine = "the tolerance is below what a polyline in doubles can be proved to keep";
 
 /// a + b q over the values q of (u - fold)^2, 0 <= u <= 1: run through once.
 BezierPatch unfolded(const FoldedPatch& patch) {
@@ -30,113 +29,93 @@ BezierPatch unfolded(const FoldedPatch& patch) {
   return BezierPatch::from_power_basis(c);
 }
 
-using Pair = std::array<Rational, 4>;
-
-/// An overlap of the patch with itself, its rim given by the pairs at its corners; where the two points of a
-/// pair agree it is on the fold.
-class FoldOverlap {
- public:
-  FoldOverlap(const BezierPatch& x, const IntersectOptions& options)
-      : x_(x), scale_(model_scale(x, x)), tolerance_(options.tolerance * scale_.extent) {}
-
-  IntersectResult run(const std::vector<Pair>& corners) {
-    std::vector<RimEnd> ends;
-    for (const Pair& at : corners) ends.push_back(add(at));
-    std::vector<Arc> chain;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const RimEnd& to = ends[(i + 1) % ends.size()];
-      const ArcPlace place =
-          on_fold(ends[i].at) && on_fold(to.at) ? ArcPlace::interior : ArcPlace::patch_boundary;
-      chain.push_back(rim_arc(x_, ends[i], to, place, tolerance_));
-      chain.back().id = static_cast<int>(i);
-      if (!(chain.back().error_bound <= tolerance_)) incomplete(result_.graph.nodes[i].box, kTooFine);
-    }
-    result_.graph.overlaps.push_back({0, {std::move(chain)}});
-    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    return std::move(result_);
-  }
-
- private:
-  static bool on_fold(const Pair& at) { return at[0] == at[2] && at[1] == at[3]; }
-
-  void incomplete(const ParameterBox& where, const std::string& why) {
-    result_.incomplete.push_back({where, why});
-  }
-
-  RimEnd add(const Pair& at) {
-    ParameterBox box;
-    BallPoint<DoubleBall> ball;
-    std::vector<Side> sides;
-    for (const Parameter p : all_parameters) {
-      const std::size_t j = index(p);
-      box[j] = {at[j], at[j]};
-      ball[j] = DoubleBall::enclosing(at[j]);
-      if (at[j] == 0 || at[j] == 1) sides.push_back({p, at[j] == 0 ? 0 : 1});
-    }
-    const PairSystem<DoubleBall> system(x_, x_, scale_.origin, scale_.frame.exponent);
-    Node node = landmark_node(system, scale_.frame, ball, box, sides);
-    if (on_fold(at)) node.kinds.push_back(NodeKind::cusp);
-    node.id = static_cast<int>(result_.graph.nodes.size());
-    result_.graph.nodes.push_back(node);
-    return {at, node.id};
-  }
-
-  const BezierPatch& x_;
-  ModelScale scale_;
-  double tolerance_;
-  IntersectResult result_{};
+/// x with the values of q in the place of each parameter in which it is folded.
+struct Quotient {
+  BezierPatch patch;
+  std::array<std::optional<Rational>, 2> fold;
 };
 
-/// The pairs (fold + d, v), (fold - d, v): the rim are two segments v = 0, 1, the side or sides at the
-/// largest d, and the fold d = 0.
-std::vector<Pair> rim(const FoldedPatch& patch) {
-  const Rational reach = std::min<Rational>(patch.fold, 1 - patch.fold);
-  const auto pair = [&](const Rational& d, int v) -> Pair { return {patch.fold + d, v, patch.fold - d, v}; };
-  return {pair(0, 0), pair(reach, 0), pair(reach, 1), pair(0, 1)};
-}
-
-using PlanePoint = std::array<Rational, 2>;
-
-Rational t_at(const PlanarFold& fold, const PlanePoint& w) {
-  return fold.t[0] + fold.t[1] * w[0] + fold.t[2] * w[1];
-}
-
-PlanePoint partner(const PlanarFold& fold, const PlanePoint& w) {
-  const Rational t = t_at(fold, w);
-  return {w[0] + t * fold.direction[0], w[1] + t * fold.direction[1]};
-}
-
-/// The part of a convex polygon where f >= 0, f of degree 1.
-template <class Form>
-std::vector<PlanePoint> cut(const std::vector<PlanePoint>& polygon, const Form& f) {
-  std::vector<PlanePoint> rest;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const PlanePoint& p = polygon[i];
-    const PlanePoint& q = polygon[(i + 1) % polygon.size()];
-    const Rational at_p = f(p);
-    const Rational at_q = f(q);
-    if (at_p >= 0) rest.push_back(p);
-    if (sign(at_p) * sign(at_q) < 0) {
-      const Rational c = at_p / (at_p - at_q);
-      rest.push_back({p[0] + c * (q[0] - p[0]), p[1] + c * (q[1] - p[1])});
-    }
+Quotient quotient_of(const BezierPatch& x) {
+  Quotient result{x, {}};
+  if (const auto folded = folded_patch(result.patch)) {
+    result.fold[0] = folded->fold;
+    result.patch = unfolded(*folded);
   }
-  return rest;
+  if (const auto folded = folded_patch(result.patch.exchanged())) {
+    result.fold[1] = folded->fold;
+    result.patch = unfolded(*folded).exchanged();
+  }
+  return result;
 }
 
-/// The polygon of (u,v) with t >= 0 and both points in the square.
-std::vector<Pair> rim(const PlanarFold& fold) {
-  std::vector<PlanePoint> polygon = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  polygon = cut(polygon, [&](const PlanePoint& w) { return t_at(fold, w); });
-  for (const std::size_t j : {0, 1}) {
-    polygon = cut(polygon, [&](const PlanePoint& w) { return partner(fold, w)[j]; });
-    polygon = cut(polygon, [&](const PlanePoint& w) -> Rational { return 1 - partner(fold, w)[j]; });
+/// The line of the patch itself over a side of the quotient; empty if there are two.
+std::optional<Rational> line_over(const std::optional<Rational>& fold, const Rational& side) {
+  if (!fold || *fold <= 0) return side;
+  if (*fold >= 1) return 1 - side;
+  return side == 0 ? fold : std::nullopt;
+}
+
+/// The lines of x that are one point, if all pairs of the quotient are on such sides of it.
+std::optional<std::vector<Node>> collapsed_lines(const BezierPatch& x, const Quotient& quotient,
+                                                 const IntersectOptions& options) {
+  const IntersectResult rest = self_intersect(quotient.patch, options);
+  if (rest.status != Status::complete || rest.graph.nodes.size() != rest.graph.isolated_points.size())
+    return std::nullopt;
+  std::vector<Node> lines;
+  for (const Node& node : rest.graph.nodes) {
+    if (node.free.size() != 2) return std::nullopt;
+    const std::size_t fixed = 1 - index(node.free[0]);
+    const Rational& side = node.box[fixed].lower;
+    if (side != 0 && side != 1) return std::nullopt;
+    const auto line = line_over(quotient.fold[fixed], side);
+    if (!line) return std::nullopt;
+    lines.push_back(collapsed_line_node(x, fixed, *line));
   }
-  std::vector<Pair> result;
-  for (const PlanePoint& w : polygon) {
-    const PlanePoint other = partner(fold, w);
-    result.push_back({w[0], w[1], other[0], other[1]});
+  return lines;
+}
+
+/// The overlaps, and the lines; without these the other pairs are not decided.
+IntersectResult symmetric_result(const BezierPatch& x, const std::vector<Symmetry>& symmetries,
+                                 std::optional<std::vector<Node>> lines, const IntersectOptions& options) {
+  IntersectResult result = symmetric_overlaps(x, symmetries, options);
+  if (!lines) {
+    std::string why = "the patch covers its image more than once: (u, v)";
+    for (const Symmetry& symmetry : symmetries) why += " and " + image_text(symmetry);
+    result.incomplete.push_back({whole_domain(), why + " are one point; its other pairs are not decided"});
+    result.status = Status::incomplete;
+    return result;
   }
+  for (Node& line : *lines) {
+    line.id = static_cast<int>(result.graph.nodes.size());
+    result.graph.isolated_points.push_back(line.id);
+    result.graph.nodes.push_back(std::move(line));
+  }
+  return result;
+}
+
+/// Empty if x has no symmetry, and is not folded outside of the square or meets itself.
+std::optional<IntersectResult> self_intersect_symmetric(const BezierPatch& x,
+                                                        const IntersectOptions& options) {
+  constexpr std::size_t kOfSquare = 6;  // (7.19)
+  const std::vector<Symmetry> known = symmetries(x);
+  const Quotient quotient = quotient_of(x);
+  const bool folded = quotient.fold[0] || quotient.fold[1];
+  if (known.empty() && !folded) return std::nullopt;
+  std::optional<std::vector<Node>> lines;
+  if (known.size() == kOfSquare || (!folded && has_only_symmetric_pairs(x))) {
+    lines.emplace();
+  } else if (folded) {
+    lines = collapsed_lines(x, quotient, options);
+  }
+  if (known.empty() && !lines) return std::nullopt;
+  return symmetric_result(x, known, std::move(lines), options);
+}
+
+/// Two points that are mapped to one, t >= 0 at the first.
+Symmetry symmetry(const PlanarFold& fold) {
+  Symmetry result{{{{0, 1, 0}, {0, 0, 1}}}, fold.t};
+  for (std::size_t j = 0; j < 2; ++j)
+    for (std::size_t k = 0; k < 3; ++k) result.image[j][k] += fold.direction[j] * fold.t[k];
   return result;
 }
 
@@ -145,22 +124,10 @@ bool is_inside(const PlanarFold& fold) {
   std::array<bool, 2> taken = {};
   for (const int u : {0, 1})
     for (const int v : {0, 1}) {
-      const int s = sign(t_at(fold, {u, v}));
+      const int s = sign(fold.t[0] + u * fold.t[1] + v * fold.t[2]);
       if (s != 0) taken[s > 0 ? 1 : 0] = true;
     }
   return taken[0] && taken[1];
-}
-
-/// Empty if the patch is not folded in u, or meets itself in another way too.
-std::optional<IntersectResult> self_intersect_folded(const BezierPatch& x, const IntersectOptions& options) {
-  const std::optional<FoldedPatch> folded = folded_patch(x);
-  if (!folded) return std::nullopt;
-  IntersectResult rest = self_intersect(unfolded(*folded), options);
-  if (rest.status != Status::complete || !rest.graph.nodes.empty()) return std::nullopt;
-  if (folded->fold <= 0 || folded->fold >= 1) return rest;
-  IntersectResult result = FoldOverlap(x, options).run(rim(*folded));
-  result.work = rest.work;
-  return result;
 }
 
 bool is_planar_bilinear(const ControlNet& c) {
@@ -171,7 +138,8 @@ bool is_planar_bilinear(const ControlNet& c) {
 /// Of a planar bilinear patch; empty for all others, and without c11.
 std::optional<IntersectResult> self_intersect_planar(const BezierPatch& x, const IntersectOptions& options) {
   if (const auto fold = planar_fold(x))
-    return is_inside(*fold) ? FoldOverlap(x, options).run(rim(*fold)) : IntersectResult{};
+    return symmetric_overlaps(x, is_inside(*fold) ? std::vector{symmetry(*fold)} : std::vector<Symmetry>{},
+                              options);
   for (const std::size_t fixed : {0, 1}) {
     const std::optional<Rational> value = collapsed_line(fixed == 0 ? x : x.exchanged());
     if (!value) continue;
@@ -249,15 +217,9 @@ Node collapsed_line_node(const BezierPatch& x, std::size_t fixed, const Rational
 
 std::optional<IntersectResult> self_intersect_degenerate(const BezierPatch& x,
                                                          const IntersectOptions& options) {
-  using enum Parameter;
   if (shape(x) != PatchShape::surface) return intersect_degenerate(x, x, options);
   if (auto result = self_intersect_planar(x, options)) return result;
-  if (auto result = self_intersect_folded(x, options)) return result;
-  IntersectOptions exchanged = options;
-  for (Parameter& p : exchanged.turning) p = static_cast<Parameter>(index(p) ^ 1U);
-  auto result = self_intersect_folded(x.exchanged(), exchanged);
-  if (result) rename_parameters(*result, {v, u, s, r});
-  return result;
+  return self_intersect_symmetric(x, options);
 }
 
 }  // namespace exsect

@@ -13,9 +13,9 @@ namespace exsect {
 /// * Every curve is reported once, in one of the two orders of its pairs, the same all along the curve.
 /// * A node of kind `cusp` is a cuspidal point, x_u x x_v = 0: there (u1,v1) = (u2,v2), and one arc ends.
 /// * A side that is one point of space is an isolated node with both parameters along it free.
-/// * A patch x = a(v) + b(v) (u - c)^2 (or in v), 0 < c < 1, has an overlap with itself: its chain has the
-/// fold as
-///   an arc.
+/// * A patch with x(sigma(w)) = x(w) for an affine map sigma has the overlap w, sigma(w) with itself. Its
+///   chain has arcs of place `interior` where the two points of a pair agree, and on a cut from the centre of
+///   a half turn sigma.
 /// * A point of space where curves cross (three or more sheets of the surface) is no node: the curves have
 ///   different parameters there.
 ///

@@ -219,12 +219,15 @@ TEST_CASE("self_intersect: a side that is one point is one node") {
       CHECK(tip.box[index(p)].upper == 1);
     }
   }
-  // Both ends of the line v = 0 are the tip; a sector covered twice.
+  // Both ends of the line v = 0 are the tip.
   check_incomplete(patch({{1, 0, {1, 0, 0}}, {2, 0, {-1, 0, 0}}, {1, 1, {0, 1, 0}}, {1, 2, {0, 0, 1}}}),
                    "so are other points");
-  check_incomplete(
-      patch({{1, 0, {1, 0, half / 2}}, {1, 1, {0, 0, -1}}, {1, 2, {0, 0, 1}}, {2, 0, {0, 1, 0}}}),
-      "near which");
+  // A sector covered twice.
+  const auto sector = self_intersect(
+      patch({{1, 0, {1, 0, half / 2}}, {1, 1, {0, 0, -1}}, {1, 2, {0, 0, 1}}, {2, 0, {0, 1, 0}}}));
+  CHECK(sector.status == Status::complete);
+  CHECK(sector.graph.isolated_points.size() == 1);
+  CHECK(sector.graph.overlaps.size() == 1);
 }
 
 namespace {
@@ -345,14 +348,12 @@ TEST_CASE("self_intersect: patches that are a curve or a point") {
 }
 
 TEST_CASE("self_intersect: folds that meet themselves are incomplete with a reason") {
-  // ((2u-1)^2, (2v-1)^2, 0), and the fold of an umbrella.
-  check_incomplete(patch({{2, 0, {4, 0, 0}}, {1, 0, {-4, 0, 0}}, {0, 1, {0, -4, 0}}, {0, 2, {0, 4, 0}}}),
-                   "cuspidal points are not isolated");
+  // The fold of an umbrella.
   check_incomplete(patch({{2, 0, {1, 0, 0}},
                           {1, 0, {-1, 0, 0}},
                           {0, 1, {0, -1, 0}},
                           {0, 2, {0, 1, 0}},
                           {2, 1, {0, 0, 1}},
                           {1, 1, {0, 0, -1}}}),
-                   "cuspidal points are not isolated");
+                   "covers its image more than once: (u, v) and (1 - u, v) are one point");
 }
