@@ -1,9 +1,9 @@
 #include "injective_rectangle.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
+#include "half_space.h"
 #include "parameter_box.h"
 
 namespace exsect {
@@ -11,53 +11,13 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr int kMostDirections = 60;
 constexpr int kMostTests = 120;
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 Vector approximate(const Point& p) { return {to_double(p[0]), to_double(p[1]), to_double(p[2])}; }
-
-/// A guess of n with n.w > 0 for all of the vectors but those that are about zero: the point of the convex
-/// hull of their directions nearest to zero by Gilbert's method.
-std::optional<Point> positive_direction(std::vector<Vector> vectors) {
-  for (Vector& w : vectors) {
-    const double length = std::sqrt(dot(w, w));
-    for (double& c : w) c = length > 1e-30 ? c / length : 0;
-  }
-  std::erase(vectors, Vector{});
-  if (vectors.empty()) return std::nullopt;
-  Vector d = {};
-  for (const Vector& w : vectors)
-    for (std::size_t c = 0; c < 3; ++c) d[c] += w[c] / static_cast<double>(vectors.size());
-  double least = 0;
-  for (int step = 0; step < kMostDirections; ++step) {
-    const Vector& worst = *std::ranges::min_element(vectors, {}, [&](const Vector& w) { return dot(d, w); });
-    least = dot(d, worst);
-    const Vector away = {d[0] - worst[0], d[1] - worst[1], d[2] - worst[2]};
-    const double square = dot(away, away);
-    if (least > 0.5 * dot(d, d) || !(square > 0)) break;
-    const double length = std::clamp(dot(d, away) / square, 0.0, 1.0);
-    for (std::size_t c = 0; c < 3; ++c) d[c] -= length * away[c];
-  }
-  if (!(least > 0)) return std::nullopt;
-  return Point{from_double(d[0]), from_double(d[1]), from_double(d[2])};
-}
-
-/// n.w > 0 for all of the vectors but those that are zero, and there are others.
-bool all_positive(const Point& n, const std::vector<Point>& vectors) {
-  bool any = false;
-  for (const Point& w : vectors) {
-    if (is_zero(w)) continue;
-    if (exsect::dot(n, w) <= 0) return false;
-    any = true;
-  }
-  return any;
-}
 
 /// Bernstein coefficients of x_u (of x_v: rows and columns exchanged) up to a positive factor: i = 0, 1 and j
 /// = 0, 1, 2.
@@ -136,7 +96,7 @@ class Certificate {
     return std::ranges::any_of(all(fixed == 0 ? a_ : b_), [&](const Point& c) {
       std::array<int, 2> signs{};
       for (std::size_t k = 0; k < 2; ++k) {
-        signs[k] = sign(exsect::dot(n, exsect::cross(tangent[k], c)));
+        signs[k] = sign(dot(n, exsect::cross(tangent[k], c)));
         if (signs[k] == 0 && !is_zero(tangent[k])) return false;
       }
       return signs[0] * signs[1] >= 0;
@@ -204,7 +164,7 @@ class InjectivityProof {
     const auto along = [&](const Part& part) {
       std::vector<Rational> values;
       for (const auto& row : part.patch.net())
-        for (const Point& p : row) values.push_back(exsect::dot(*n, p));
+        for (const Point& p : row) values.push_back(dot(*n, p));
       return values;
     };
     return std::ranges::min(along(a)) > std::ranges::max(along(b));
@@ -224,11 +184,7 @@ class InjectivityProof {
         std::vector<Point> vectors = off_side(a.patch.net(), fixed, value, side[0], 1);
         const std::vector<Point> other = off_side(b.patch.net(), fixed, value, side[0], -1);
         vectors.insert(vectors.end(), other.begin(), other.end());
-        if (std::ranges::any_of(vectors, [](const Point& w) { return is_zero(w); })) continue;
-        std::vector<Vector> guesses;
-        std::ranges::transform(vectors, std::back_inserter(guesses), approximate);
-        const std::optional<Point> n = positive_direction(std::move(guesses));
-        if (n && all_positive(*n, vectors)) return true;
+        if (lie_in_half_space(vectors)) return true;
       }
     return false;
   }

@@ -9,6 +9,7 @@
 #include "boundary_lines.h"
 #include "degenerate_patches.h"
 #include "model_scale.h"
+#include "self_collapsed.h"
 #include "self_overlaps.h"
 #include "symmetric_pairs.h"
 
@@ -48,14 +49,17 @@ Quotient quotient_of(const BezierPatch& x) {
   return result;
 }
 
-/// The line of the patch itself over a side of the quotient; empty if there are two.
-std::optional<Rational> line_over(const std::optional<Rational>& fold, const Rational& side) {
-  if (!fold || *fold <= 0) return side;
-  if (*fold >= 1) return 1 - side;
-  return side == 0 ? fold : std::nullopt;
+/// The line of the patch itself over a line of the quotient, which is a side if the patch is folded across
+/// it; empty if there are two.
+std::optional<Rational> line_over(const std::optional<Rational>& fold, const Rational& value) {
+  if (!fold) return value;
+  if (value != 0 && value != 1) return std::nullopt;
+  if (*fold <= 0) return value;
+  if (*fold >= 1) return 1 - value;
+  return value == 0 ? fold : std::nullopt;
 }
 
-/// The lines of x that are one point, if all pairs of the quotient are on such sides of it.
+/// The lines of x that are one point, if all pairs of the quotient are on such lines of it.
 std::optional<std::vector<Node>> collapsed_lines(const BezierPatch& x, const Quotient& quotient,
                                                  const IntersectOptions& options) {
   const IntersectResult rest = self_intersect(quotient.patch, options);
@@ -65,9 +69,7 @@ std::optional<std::vector<Node>> collapsed_lines(const BezierPatch& x, const Quo
   for (const Node& node : rest.graph.nodes) {
     if (node.free.size() != 2) return std::nullopt;
     const std::size_t fixed = 1 - index(node.free[0]);
-    const Rational& side = node.box[fixed].lower;
-    if (side != 0 && side != 1) return std::nullopt;
-    const auto line = line_over(quotient.fold[fixed], side);
+    const auto line = line_over(quotient.fold[fixed], node.box[fixed].lower);
     if (!line) return std::nullopt;
     lines.push_back(collapsed_line_node(x, fixed, *line));
   }
@@ -219,7 +221,8 @@ std::optional<IntersectResult> self_intersect_degenerate(const BezierPatch& x,
                                                          const IntersectOptions& options) {
   if (shape(x) != PatchShape::surface) return intersect_degenerate(x, x, options);
   if (auto result = self_intersect_planar(x, options)) return result;
-  return self_intersect_symmetric(x, options);
+  if (auto result = self_intersect_symmetric(x, options)) return result;
+  return self_intersect_collapsed(x, options);
 }
 
 }  // namespace exsect

@@ -56,6 +56,19 @@ std::vector<FoldedLine> folded_lines(const BezierPatch& x) {
   return result;
 }
 
+bool has_folded_line(const BezierPatch& x) {
+  const ControlNet power = x.power_basis();
+  const PolynomialVector c2 = coefficient_of_u(power, 2);
+  if (common_divisor(cross(coefficient_of_u(power, 1), c2)).is_zero()) return !common_divisor(c2).is_zero();
+  return std::ranges::any_of(folded_lines(x), [](const FoldedLine& line) { return !line.side[0]; });
+}
+
+std::vector<RealAlgebraic> collapsed_lines(const BezierPatch& x) {
+  const ControlNet power = x.power_basis();
+  return real_roots(
+      gcd(common_divisor(coefficient_of_u(power, 1)), common_divisor(coefficient_of_u(power, 2))), 0, 1);
+}
+
 std::optional<std::array<Rational, 2>> rational_turn(const FoldedLine& line) {
   if (!line.turn.s().is_rational()) return std::nullopt;
   const Rational& v = line.turn.s().rational();

@@ -22,6 +22,12 @@ struct FoldedLine {
 /// All of them, unless every line v = constant is straight (then none is listed).
 std::vector<FoldedLine> folded_lines(const BezierPatch& x);
 
+/// False only if x takes no value twice on any line v = constant that is not one point.
+bool has_folded_line(const BezierPatch& x);
+
+/// The v in [0,1] at which the line v = constant is one point. Requires that x depends on u.
+std::vector<RealAlgebraic> collapsed_lines(const BezierPatch& x);
+
 /// u and v of the turn; empty if the line is v = c with an irrational c.
 std::optional<std::array<Rational, 2>> rational_turn(const FoldedLine& line);
 

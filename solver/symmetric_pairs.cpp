@@ -1,7 +1,9 @@
 #include "symmetric_pairs.h"
 
 #include <algorithm>
+#include <vector>
 
+#include "half_space.h"
 #include "self_symmetry.h"
 
 namespace exsect {
@@ -11,17 +13,10 @@ constexpr int kDeepest = 12;
 
 const Rational half(1, 2);
 
-bool is_in_half_space(const ControlNet& net) {
-  Point normal = {0, 0, 0};
-  for (const auto& row : net)
-    for (const Point& p : row) normal = normal + p;
-  return std::ranges::all_of(net, [&](const auto& row) {
-    return std::ranges::all_of(row, [&](const Point& p) { return dot(normal, p) > 0; });
-  });
-}
-
 bool is_away(const BezierPatch& n, int depth) {
-  if (is_in_half_space(n.net())) return true;
+  std::vector<Point> points;
+  for (const auto& row : n.net()) points.insert(points.end(), row.begin(), row.end());
+  if (lie_in_half_space(points)) return true;
   if (depth == kDeepest) return false;
   return depth % 2 == 0 ? is_away(n.restricted_to(0, half, 0, 1), depth + 1) &&
                               is_away(n.restricted_to(half, 1, 0, 1), depth + 1)

@@ -1,0 +1,16 @@
+// Patches that meet themselves on parameter lines that are one point only. Internal to solver/;
+// docs/method.md, section 7.10.
+#pragma once
+
+#include <exsect/solver/intersect.h>
+
+#include <optional>
+
+namespace exsect {
+
+/// A node for each line, if x has such lines v = constant or u = constant, and it is proved that these are
+/// all pairs; empty otherwise.
+std::optional<IntersectResult> self_intersect_collapsed(const BezierPatch& x,
+                                                        const IntersectOptions& options);
+
+}  // namespace exsect
