@@ -9,6 +9,7 @@
 #include "boundary_lines.h"
 #include "degenerate_patches.h"
 #include "model_scale.h"
+#include "planar_patch.h"
 #include "self_collapsed.h"
 #include "self_overlaps.h"
 #include "symmetric_pairs.h"
@@ -155,6 +156,31 @@ std::optional<IntersectResult> self_intersect_planar(const BezierPatch& x, const
   return std::nullopt;
 }
 
+/// Of a patch in a plane whose normal points to both sides of it: it folds over where x_u x x_v = 0.
+std::optional<IntersectResult> self_intersect_folded_plane(const BezierPatch& x) {
+  constexpr int kCells = 8;
+  if (!plane_of(x)) return std::nullopt;
+  std::vector<Point> normals;
+  for (int i = 0; i <= kCells; ++i)
+    for (int j = 0; j <= kCells; ++j) {
+      const Rational u(i, kCells);
+      const Rational v(j, kCells);
+      normals.push_back(cross(x.derivative_first(u, v), x.derivative_second(u, v)));
+    }
+  const bool turns = std::ranges::any_of(normals, [&](const Point& n) {
+    return std::ranges::any_of(normals, [&](const Point& other) { return dot(n, other) < 0; });
+  });
+  if (!turns) return std::nullopt;
+  const std::string why =
+      "the patch lies in a plane and folds over where x_u x x_v = 0: regions it covers more than once are "
+      "not "
+      "decided";
+  IntersectResult result{};
+  result.status = Status::incomplete;
+  result.incomplete.push_back({whole_domain(), why});
+  return result;
+}
+
 }  // namespace
 
 std::optional<FoldedPatch> folded_patch(const BezierPatch& x) {
@@ -222,7 +248,8 @@ std::optional<IntersectResult> self_intersect_degenerate(const BezierPatch& x,
   if (shape(x) != PatchShape::surface) return intersect_degenerate(x, x, options);
   if (auto result = self_intersect_planar(x, options)) return result;
   if (auto result = self_intersect_symmetric(x, options)) return result;
-  return self_intersect_collapsed(x, options);
+  if (auto result = self_intersect_collapsed(x, options)) return result;
+  return self_intersect_folded_plane(x);
 }
 
 }  // namespace exsect

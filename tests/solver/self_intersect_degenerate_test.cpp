@@ -356,4 +356,10 @@ TEST_CASE("self_intersect: folds that meet themselves are incomplete with a reas
                           {2, 1, {0, 0, 1}},
                           {1, 1, {0, 0, -1}}}),
                    "covers its image more than once: (u, v) and (1 - u, v) are one point");
+  // (u + v^2, 2 u^2 - u + v, 0), and the same where it is one to one.
+  const auto planar = [](const Rational& bend) {
+    return patch({{1, 0, {1, -half * bend, 0}}, {0, 1, {0, 1, 0}}, {0, 2, {1, 0, 0}}, {2, 0, {0, bend, 0}}});
+  };
+  check_incomplete(planar(2), "lies in a plane and folds over");
+  check_nothing(planar(Rational(1, 4)));
 }
