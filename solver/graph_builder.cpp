@@ -90,6 +90,7 @@ class TraceAppender {
 
   void run(const std::vector<Parameter>& wanted) {
     add_turning_nodes(wanted);
+    add_cuts();
     if (stops_.empty() && curve_.trace.start < 0) {
       add_turning_nodes({all_parameters.begin(), all_parameters.end()});
     }
@@ -117,6 +118,18 @@ class TraceAppender {
         stops_.push_back(turning_stop(point, wrt));
       }
     }
+  }
+
+  void add_cuts() {
+    for (const TraceCut& cut : curve_.cuts) {
+      stops_.push_back(landmark_stop(cut.landmark, cut.piece, cut.tau));
+    }
+    std::stable_sort(stops_.begin(), stops_.end(), [&](const Stop& a, const Stop& b) {
+      const Piece<Ball>& piece = curve_.trace.pieces[a.station.piece];
+      return a.station.piece != b.station.piece ? a.station.piece < b.station.piece
+             : piece.from < piece.to            ? a.station.tau < b.station.tau
+                                                : a.station.tau > b.station.tau;
+    });
   }
 
   Stop turning_stop(const TurningPoint<Ball>& point, const std::vector<Parameter>& wrt) {

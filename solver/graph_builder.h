@@ -18,11 +18,12 @@ struct ModelFrame {
   long exponent;
 };
 
-/// A traced curve with all its turning points, in order.
+/// A traced curve with all its turning points, in order, and where else its arcs are cut.
 template <class Ball>
 struct AnalysedTrace {
   Trace<Ball> trace;
   TurningPoints<Ball> turning;
+  std::vector<TraceCut> cuts = {};
 };
 
 /// A bound of the distance between any arc of the intersection in a parameter box and any chord between

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "arc_joints.h"
 #include "common_sheet.h"
 #include "identical_patches.h"
 #include "model_scale.h"
@@ -10,6 +11,7 @@
 #include "planar_patch.h"
 #include "run_clock.h"
 #include "traced_curves.h"
+#include "two_piece_clip.h"
 #include "two_piece_curves.h"
 
 namespace exsect {
@@ -52,6 +54,7 @@ class OneSurface {
     sweep_.exact = result_.incomplete.empty();
     if (!surface_.planar()) pieces_ = two_pieces(x_, y_);
     timed("tracing", [this] {
+      if (pieces_ && !pieces_->overlapping && clip_curves()) return;
       if (!trace<DoubleBall>(power_of_two(-50), false)) trace<ArbBall<256>>(power_of_two(-200), true);
     });
   }
@@ -76,7 +79,8 @@ class OneSurface {
   template <class Ball>
   bool trace(const Rational& width, bool last) {
     const PairSystem<Ball> system(x_, y_, scale_.origin, scale_.frame.exponent);
-    return pieces_ ? trace_pieces(system, width, last) : trace_any(system, width, last);
+    return pieces_ && pieces_->overlapping ? trace_pieces(system, width, last)
+                                           : trace_any(system, width, last);
   }
 
   template <class Ball>
@@ -109,12 +113,42 @@ class OneSurface {
     const TwoPieceCurves<Ball> traced =
         trace_two_pieces(*pieces_, shared, system, boundary, ends_of_branches(), scale_.origin,
                          scale_.frame.exponent, width, stop_);
-    if (!traced.problems.empty() && !last) return false;
+    if (!traced.problems.empty() && !last) return clip_curves();
     add_boundary_nodes(system, traced.landmarks, traced);
     append_two_pieces(result_.graph, *pieces_, shared, system, traced, scale_.frame, options_.turning,
                       tolerance_);
     for (const Arc& arc : result_.graph.arcs) check_bound(arc);
     return true;
+  }
+
+  /// Two pieces of one polynomial surface, by the self-intersection of the rectangle around both; false if
+  /// that does not decide.
+  bool clip_curves() {
+    if (!pieces_ || !boundary_.incomplete.empty() || is_stopped(stop_)) return false;
+    const auto& [u, v] = pieces_->hull;
+    const BezierPatch hull = x_.restricted_to(u(0), u(1), v(0), v(1));
+    IntersectOptions options = options_;
+    options.tolerance = 0.99 * tolerance_ / model_scale(hull, hull).extent;
+    options.progress = nullptr;
+    if (options.max_seconds) *options.max_seconds -= clock_.milliseconds() / 1000;
+    IntersectionGraph graph;
+    std::vector<int> nodes;
+    for (const BoundaryPoint& point : boundary_.points) nodes.push_back(add_node(graph, point));
+    const auto divided = append_clipped_curves(graph, *pieces_, boundary_, nodes, options);
+    if (!divided) return false;
+    result_.graph = std::move(graph);
+    nodes_ = std::move(nodes);
+    dividing_ = *divided;
+    for (const Arc& arc : result_.graph.arcs) check_bound(arc);
+    return true;
+  }
+
+  int add_node(IntersectionGraph& graph, const BoundaryPoint& point) const {
+    const PairSystem<ArbBall<256>> system(x_, y_, scale_.origin, scale_.frame.exponent);
+    const auto ball = enclose<ArbBall<256>>(point.at, power_of_two(-200));
+    graph.nodes.push_back(landmark_node(system, scale_.frame, ball, point.at.box(), point.at.sides()));
+    graph.nodes.back().id = static_cast<int>(graph.nodes.size()) - 1;
+    return graph.nodes.back().id;
   }
 
   std::vector<CertifiedPoint> ends_of_branches() const {
@@ -147,27 +181,27 @@ class OneSurface {
   }
 
   void add_boundary() {
-    std::size_t ordinary = 0;
-    const PairSystem<ArbBall<256>> system(x_, y_, scale_.origin, scale_.frame.exponent);
-    for (const BoundaryPoint& point : boundary_.points) {
-      if (point.kind == BoundaryPointKind::other) {
-        nodes_.push_back(static_cast<int>(ordinary++));
-        continue;
-      }
-      const auto ball = enclose<ArbBall<256>>(point.at, power_of_two(-200));
-      Node node = landmark_node(system, scale_.frame, ball, point.at.box(), point.at.sides());
-      node.id = static_cast<int>(result_.graph.nodes.size());
-      nodes_.push_back(node.id);
-      if (point.kind == BoundaryPointKind::touch) {
-        node.kinds.push_back(NodeKind::touch);
-        result_.graph.isolated_points.push_back(node.id);
-      }
-      result_.graph.nodes.push_back(std::move(node));
+    if (nodes_.empty()) {
+      int ordinary = 0;
+      for (const BoundaryPoint& point : boundary_.points)
+        nodes_.push_back(point.kind == BoundaryPointKind::other ? ordinary++
+                                                                : add_node(result_.graph, point));
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (boundary_.points[i].kind != BoundaryPointKind::touch) continue;
+      result_.graph.nodes[static_cast<std::size_t>(nodes_[i])].kinds.push_back(NodeKind::touch);
+      result_.graph.isolated_points.push_back(nodes_[i]);
     }
     for (const BoundaryArc& arc : boundary_.arcs)
       if (arc.kind == BoundaryArcKind::edge || arc.kind == BoundaryArcKind::branch)
         result_.graph.arcs.push_back(made(arc, result_.graph.arcs.size()));
     add_chains();
+    const PairSystem<DoubleBall> system(x_, y_, scale_.origin, scale_.frame.exponent);
+    for (const int id : dividing_) {
+      const ParameterBox& box = result_.graph.nodes[static_cast<std::size_t>(id)].box;
+      if (!divide_at(result_.graph, id, chord_bound(system, scale_.frame, box)))
+        result_.incomplete.push_back({box, "a cuspidal point on a side"});
+    }
     mark_ends_of_overlaps();
   }
 
@@ -296,7 +330,8 @@ class OneSurface {
   bool regular_ = false;  // in a plane, and neither patch is singular
   std::optional<TwoPieces> pieces_;
   SweepData sweep_;
-  std::vector<int> nodes_;  // of the boundary points
+  std::vector<int> nodes_;     // of the boundary points
+  std::vector<int> dividing_;  // nodes inside arcs on sides
   IntersectResult result_{};
 };
 

@@ -56,6 +56,7 @@ template <class Ball>
 struct ChartTrace {
   std::vector<ChartPiece<Ball>> pieces;
   std::vector<ChartTurningPoint<Ball>> turning;
+  std::vector<TraceCut> cuts = {};
   int start;                     // index of the cuspidal point
   int end = -1;                  // of the other one; -1: the gate
   BallPoint<Ball> gate;          // (u1,v1,u2,v2)

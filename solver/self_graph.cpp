@@ -59,6 +59,7 @@ class ChartArcs {
     for (const ChartTurningPoint<Ball>& point : trace_.turning) {
       add_turning(point, wanted);
     }
+    add_cuts();
     stops_.push_back({end_node, trace_.pieces.size() - 1, last.to, vertex(last, last.to)});
     std::vector<Arc> arcs;
     for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
@@ -71,6 +72,24 @@ class ChartArcs {
   BoundedVertex vertex(const ChartPiece<Ball>& piece, double tau) const {
     return vertex_at(system_.chart(piece.chart), point_at(piece.tube, tau), piece.exchanged != exchange_,
                      frame_);
+  }
+
+  /// Between the stops so far, all but the first of which are turning points.
+  void add_cuts() {
+    for (const TraceCut& cut : trace_.cuts) {
+      const ChartPiece<Ball>& piece = trace_.pieces[cut.piece];
+      BallPoint<Ball> at = point_at(piece.tube, cut.tau);
+      for (std::size_t j = 0; j < 4; ++j) {
+        const double slope = std::fabs(piece.tube.slope[j]) + piece.tube.slope_error[j];
+        at[j] = at[j].widened(slope * cut.radius * (1 + 0x1p-40));
+      }
+      stops_.push_back({cut.landmark, cut.piece, cut.tau,
+                        vertex_at(system_.chart(piece.chart), at, piece.exchanged != exchange_, frame_)});
+    }
+    std::stable_sort(stops_.begin() + 1, stops_.end(), [&](const ChartStop& a, const ChartStop& b) {
+      const ChartPiece<Ball>& piece = trace_.pieces[a.piece];
+      return a.piece != b.piece ? a.piece < b.piece : piece.from < piece.to ? a.tau < b.tau : a.tau > b.tau;
+    });
   }
 
   void add_turning(const ChartTurningPoint<Ball>& point, const std::vector<Parameter>& wanted) {

@@ -7,8 +7,10 @@
 #include <string>
 #include <utility>
 
+#include "cut_self_intersection.h"
 #include "model_scale.h"
 #include "option_limits.h"
+#include "parameter_box.h"
 #include "run_clock.h"
 #include "self_curves.h"
 #include "self_degenerate.h"
@@ -25,9 +27,10 @@ namespace {
 
 class SelfIntersection {
  public:
-  SelfIntersection(const BezierPatch& x, const IntersectOptions& options)
+  SelfIntersection(const BezierPatch& x, const IntersectOptions& options, const std::vector<PairCut>& cuts)
       : x_(x),
         options_(options),
+        cuts_(cuts),
         clock_(options, 0.25),
         scaling_(model_scale(x, x)),
         stop_([this] { return clock_.out_of_time(); }),
@@ -35,19 +38,32 @@ class SelfIntersection {
         pairs_(x) {}
 
   IntersectResult run() {
-    bool injective = false;
-    timed("injectivity", [&] { injective = is_quickly_injective(in_doubles_, stop_); });
-    if (!injective) {
-      find_curves();
-    }
-    add_collapsed_sides();
+    find();
     finish_components(result_.graph);
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
     result_.work.milliseconds = clock_.milliseconds();
     return std::move(result_);
   }
 
+  std::optional<CutSelfIntersection> run_with_cuts() {
+    find();
+    const bool collapsed =
+        std::ranges::any_of(result_.graph.nodes, [](const Node& n) { return !n.free.empty(); });
+    if (!result_.incomplete.empty() || collapsed || nodes_of_cuts_.size() != cuts_.size())
+      return std::nullopt;
+    return CutSelfIntersection{std::move(result_.graph), std::move(nodes_of_cuts_)};
+  }
+
  private:
+  void find() {
+    bool injective = false;
+    timed("injectivity", [&] { injective = is_quickly_injective(in_doubles_, stop_); });
+    if (!injective) {
+      find_curves();
+    }
+    add_collapsed_sides();
+  }
+
   template <class Step>
   void timed(const char* step, Step&& body) {
     clock_.run(result_.work, step, std::forward<Step>(body));
@@ -101,6 +117,14 @@ class SelfIntersection {
       timed("tracing", [&] { found = trace_self_curves(system, in_doubles_.charts, exact_, width, stop_); });
       for (const Incomplete& problem : found.problems) undecided_.push_back(problem.where);
     } while (!found.problems.empty() && !clock_.out_of_time() && find_stars());
+    std::vector<std::vector<CutPlace>> places;
+    if (found.problems.empty()) {
+      if (auto cut = cut_curves(found, exact_, cuts_, width)) {
+        places = *std::move(cut);
+      } else {
+        found.problems.push_back({whole_domain(), "a pair where the curves are to be cut is not found"});
+      }
+    }
     const bool stopped = clock_.out_of_time();
     if (!found.problems.empty() && !last && !stopped) return false;
     if (stopped)
@@ -108,6 +132,10 @@ class SelfIntersection {
     result_.incomplete.insert(result_.incomplete.end(), found.problems.begin(), found.problems.end());
     result_.work.steps["searched boxes"] += static_cast<double>(found.searched_boxes);
     timed("graph", [&] { build_graph(system, found); });
+    for (const std::vector<CutPlace>& cut : places) {
+      nodes_of_cuts_.emplace_back();
+      for (const CutPlace& place : cut) nodes_of_cuts_.back().push_back({node_at(place), place.exchanged});
+    }
     return true;
   }
 
@@ -146,6 +174,22 @@ class SelfIntersection {
     }
   }
 
+  /// Landmarks are the first nodes; a star has one for each order of its centre.
+  int node_at(const CutPlace& place) const {
+    if (!place.star) return static_cast<int>(place.landmark);
+    const SelfStar& star = exact_.stars[*place.star];
+    if (star.landmark) {
+      const std::size_t at = *star.landmark;
+      return static_cast<int>(place.landmark == 0 ? at : exact_.boundary.mate[at]);
+    }
+    const ParameterBox centre = star.star.centre.box();
+    const ParameterBox box = place.landmark == 0 ? centre : exchanged_pair(centre);
+    return std::ranges::find_if(
+               result_.graph.nodes,
+               [&](const Node& node) { return lies_in(node.box, box) && lies_in(box, node.box); })
+        ->id;
+  }
+
   /// All pairs on such a side meet.
   void add_collapsed_sides() {
     for (const auto& [fixed, value] : exact_.injective.along_sides) {
@@ -160,6 +204,7 @@ class SelfIntersection {
 
   const BezierPatch& x_;
   const IntersectOptions& options_;
+  const std::vector<PairCut>& cuts_;
   RunClock clock_;
   ModelScale scaling_;
   StopRequest stop_;
@@ -167,6 +212,7 @@ class SelfIntersection {
   ExactPlaces exact_{};
   std::vector<ParameterBox> undecided_;  // by all attempts
   TurningPairs pairs_;
+  std::vector<std::vector<CutSelfIntersection::NodeOfCut>> nodes_of_cuts_;
   IntersectResult result_{};
 };
 
@@ -177,7 +223,16 @@ IntersectResult self_intersect(const BezierPatch& x, const IntersectOptions& opt
   if (std::optional<IntersectResult> result = self_intersect_degenerate(x, options)) {
     return std::move(*result);
   }
-  return SelfIntersection(x, options).run();
+  return SelfIntersection(x, options, {}).run();
+}
+
+std::optional<CutSelfIntersection> cut_self_intersection(const BezierPatch& x,
+                                                         const IntersectOptions& options,
+                                                         const std::vector<PairCut>& cuts) {
+  if (self_intersect_degenerate(x, options)) return std::nullopt;
+  IntersectOptions all = options;
+  all.turning.assign(all_parameters.begin(), all_parameters.end());
+  return SelfIntersection(x, all, cuts).run_with_cuts();
 }
 
 }  // namespace exsect

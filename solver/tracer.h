@@ -27,6 +27,14 @@ struct Trace {
   int end = -1;
 };
 
+/// A place on a trace, known as a landmark, where its arcs are cut: piece, and offset within `radius`.
+struct TraceCut {
+  int landmark;
+  std::size_t piece;
+  double tau;
+  double radius;
+};
+
 /// Why a trace stopped without a result, and about where.
 struct TraceFailure {
   std::array<double, 4> where;

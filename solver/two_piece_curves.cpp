@@ -175,15 +175,13 @@ std::optional<TwoPieces> two_pieces(const BezierPatch& x, const BezierPatch& y) 
   if (!copy) {
     return std::nullopt;
   }
-  TwoPieces result{x, y, *copy, {}, {}};
+  TwoPieces result{x, y, *copy, {}, {}, true};
   for (std::size_t j = 0; j < 2; ++j) {
     const Rational a = std::min<Rational>(copy->maps[j](0), copy->maps[j](1));
     const Rational b = std::max<Rational>(copy->maps[j](0), copy->maps[j](1));
     const Rational lower = std::max<Rational>(a, 0);
     const Rational upper = std::min<Rational>(b, 1);
-    if (lower >= upper) {
-      return std::nullopt;
-    }
+    result.overlapping = result.overlapping && lower < upper;
     result.common[j] = {lower, upper - lower};
     result.hull[j] = {std::min<Rational>(a, 0), std::max<Rational>(b, 1) - std::min<Rational>(a, 0)};
   }

@@ -16,12 +16,13 @@ struct TwoPieces {
   ShiftedCopy copy;
   std::array<AffineMap, 2> common;  // from [0,1]² to the rectangle of (u,v) that both pieces cover
   std::array<AffineMap, 2> hull;    // from [0,1]² to the smallest rectangle that contains both pieces
+  bool overlapping;                 // the common rectangle has inner points; else `common` says nothing
 
   /// x over the common rectangle.
   BezierPatch shared() const;
 };
 
-/// Empty if y is no such piece, or if the rectangles have no inner point in common.
+/// Empty if y is no such piece.
 std::optional<TwoPieces> two_pieces(const BezierPatch& x, const BezierPatch& y);
 
 /// A point of a chart of the hull's rectangle in the same chart of the common one (where |m| may exceed 1).

@@ -108,7 +108,7 @@ TEST_CASE("two pieces: charts of both rectangles name the same pairs") {
           Approx(to_double(common.offset) + to_double(common.factor) * b[j].approximation()).epsilon(1e-12));
     }
   }
-  CHECK_FALSE(two_pieces(x, x.restricted_to(1, 2, 0, 1)));
+  CHECK_FALSE(two_pieces(x, x.restricted_to(1, 2, 0, 1))->overlapping);
 }
 
 TEST_CASE("two pieces: a curve of the second example ends in a cuspidal point of the overlap") {
@@ -146,6 +146,21 @@ TEST_CASE("two pieces: the charts agree with the self-intersection where the pie
   CHECK(static_cast<long>(result.graph.components.size()) == 2 * curves - cusps(self.graph));
 }
 
+BezierPatch with_closed_curve() {
+  const std::array<std::array<int, 3>, 9> points = {{{30, -34, -22},
+                                                     {21, 14, -2},
+                                                     {-45, -12, 3},
+                                                     {-5, 39, 36},
+                                                     {-11, 49, -30},
+                                                     {14, -8, -23},
+                                                     {41, -8, 41},
+                                                     {-16, -26, 43},
+                                                     {25, -36, -10}}};
+  ControlNet net;
+  for (std::size_t i = 0; i < 9; ++i) net[i / 3][i % 3] = {points[i][0], points[i][1], points[i][2]};
+  return BezierPatch(net).restricted_to(q(-1, 2), q(15, 8), q(-4, 5), q(4, 3));
+}
+
 /// x_u + m x_v = 0 at (1/2,1/2), m = 1 or -1: a cuspidal point, from which the pairs of points near (1/2,1/2)
 /// + (t, m t) and (1/2,1/2) - (t, m t) start.
 BezierPatch with_cusp_in_the_middle(std::mt19937_64& generator, int m) {
@@ -164,12 +179,12 @@ struct PiecesAtCusp {
   std::array<Rational, 4> second;
 };
 
-IntersectResult met(const PiecesAtCusp& pieces, std::mt19937_64& generator) {
+std::array<BezierPatch, 2> pieces_of(const PiecesAtCusp& pieces, std::mt19937_64& generator) {
   const BezierPatch x = with_cusp_in_the_middle(generator, pieces.m);
   const auto piece = [&](const std::array<Rational, 4>& r) {
     return x.restricted_to(r[0], r[1], r[2], r[3]);
   };
-  return intersect(piece(pieces.first), piece(pieces.second));
+  return {piece(pieces.first), piece(pieces.second)};
 }
 
 TEST_CASE("two pieces: a cuspidal point on sides that no curve enters") {
@@ -182,10 +197,23 @@ TEST_CASE("two pieces: a cuspidal point on sides that no curve enters") {
         PiecesAtCusp{1, {half, 1, 0, 1}, {0, 1, half, 1}}, PiecesAtCusp{-1, {half, 1, 0, 1}, {0, 1, 0, half}},
         PiecesAtCusp{1, {half, 1, 0, 1}, {half, 1, q(1, 3), 1}}}) {
     INFO("m = " << pieces.m);
-    const IntersectResult result = met(pieces, generator);
+    const auto [x, y] = pieces_of(pieces, generator);
+    const IntersectResult result = intersect(x, y);
     CHECK(result.status == Status::complete);
     CHECK(result.graph.overlaps.size() == 1);
   }
+}
+
+long ends_at(const std::vector<Arc>& arcs, int node) {
+  const auto count = [&](int Arc::*end) { return std::ranges::count(arcs, node, end); };
+  return count(&Arc::from) + count(&Arc::to);
+}
+
+long ends_on_rims(const IntersectionGraph& graph, int node) {
+  long result = 0;
+  for (const Overlap& overlap : graph.overlaps)
+    for (const std::vector<Arc>& chain : overlap.chains) result += ends_at(chain, node);
+  return result;
 }
 
 TEST_CASE("two pieces: a cuspidal point on a side, from which one order of a curve starts") {
@@ -196,25 +224,69 @@ TEST_CASE("two pieces: a cuspidal point on a side, from which one order of a cur
        {PiecesAtCusp{1, {half, 1, q(1, 8), 1}, all}, PiecesAtCusp{1, {half, 1, half, 1}, all},
         PiecesAtCusp{-1, all, {half, 1, 0, half}}, PiecesAtCusp{-1, {half, 1, 0, 1}, {0, 1, half, 1}}}) {
     INFO("m = " << pieces.m);
-    const IntersectResult result = met(pieces, generator);
-    REQUIRE(result.status == Status::incomplete);
-    CHECK(result.incomplete.front().why == "a cuspidal point on a side");
+    const auto [x, y] = pieces_of(pieces, generator);
+    const IntersectResult result = intersect(x, y);
+    REQUIRE(result.status == Status::complete);
+    const Node* cusp = node_of_kind(result.graph, NodeKind::cusp);
+    REQUIRE(cusp != nullptr);
+    CHECK(std::ranges::count(cusp->kinds, NodeKind::boundary) == 1);
+    CHECK(std::ranges::count(cusp->kinds, NodeKind::end_of_overlap) == 1);
+    CHECK(ends_at(result.graph.arcs, cusp->id) == 1);
+    CHECK(ends_on_rims(result.graph, cusp->id) == 2);
+    check_all_ways(x, y, result);
+  }
+}
+
+TEST_CASE("two pieces: a cuspidal point on the edge of neighbours, from which a curve starts") {
+  std::mt19937_64 generator(7);
+  const Rational half = q(1, 2);
+  for (const PiecesAtCusp& pieces : {PiecesAtCusp{1, {0, half, 0, 1}, {half, 1, 0, 1}},
+                                     PiecesAtCusp{1, {0, half, 0, 1}, {half, 1, half, 1}},
+                                     PiecesAtCusp{-1, {0, half, half, 1}, {1, half, 0, 1}}}) {
+    INFO("m = " << pieces.m);
+    const auto [x, y] = pieces_of(pieces, generator);
+    const IntersectResult result = intersect(x, y);
+    REQUIRE(result.status == Status::complete);
+    CHECK(result.graph.overlaps.empty());
+    const Node* cusp = node_of_kind(result.graph, NodeKind::cusp);
+    REQUIRE(cusp != nullptr);
+    const bool corner = pieces.first[2] == half || pieces.second[2] == half;
+    CHECK(std::ranges::count(cusp->kinds, NodeKind::corner) == (corner ? 1 : 0));
+    CHECK(ends_at(result.graph.arcs, cusp->id) == (corner ? 2 : 3));
+    check_all_ways(x, y, result);
+  }
+}
+
+TEST_CASE("two pieces: neighbours that meet in closed and open curves, with some turning points as nodes") {
+  const BezierPatch whole = with_closed_curve();
+  const BezierPatch x = whole.restricted_to(0, q(3, 8), 0, 1);
+  const BezierPatch y = whole.restricted_to(q(3, 8), 1, 0, 1);
+  const IntersectResult result = intersect(x, y);
+  REQUIRE(result.status == Status::complete);
+  CHECK(result.graph.count(ComponentShape::closed) == 1);
+  check_all_ways(x, y, result);
+  for (const std::vector<Parameter>& turning :
+       {std::vector<Parameter>{}, {Parameter::r}, {Parameter::u, Parameter::s}}) {
+    IntersectOptions options;
+    options.turning = turning;
+    const IntersectResult some = intersect(x, y, options);
+    REQUIRE(some.status == Status::complete);
+    CHECK(unsound(x, y, some) == "");
+    CHECK(some.graph.components.size() == result.graph.components.size());
+    CHECK(some.graph.boundary_points() == result.graph.boundary_points());
+    for (const Component& component : some.graph.components)
+      if (turning.empty()) CHECK((component.shape == ComponentShape::open) == (component.arcs.size() == 1));
+    if (turning.empty()) continue;
+    for (const Parameter p : all_parameters) {
+      const int all = result.graph.turning_points(p);
+      CHECK(all > 0);
+      CHECK(some.graph.turning_points(p) == (std::ranges::count(turning, p) > 0 ? all : 0));
+    }
   }
 }
 
 TEST_CASE("two pieces: a closed curve appears in both orders") {
-  const std::array<std::array<int, 3>, 9> points = {{{30, -34, -22},
-                                                     {21, 14, -2},
-                                                     {-45, -12, 3},
-                                                     {-5, 39, 36},
-                                                     {-11, 49, -30},
-                                                     {14, -8, -23},
-                                                     {41, -8, 41},
-                                                     {-16, -26, 43},
-                                                     {25, -36, -10}}};
-  ControlNet net;
-  for (std::size_t i = 0; i < 9; ++i) net[i / 3][i % 3] = {points[i][0], points[i][1], points[i][2]};
-  const BezierPatch x = BezierPatch(net).restricted_to(q(-1, 2), q(15, 8), q(-4, 5), q(4, 3));
+  const BezierPatch x = with_closed_curve();
   const IntersectResult self = self_intersect(x);
   const IntersectResult result = intersect(x, x.restricted_to(q(1, 1000000), 1, 0, 1));
   CHECK(result.status == Status::complete);
