@@ -40,6 +40,7 @@ class Intersection {
         }) {
     sweep_.coincident = coincident_parameters(x, y);
     sweep_.plane = plane_coordinates(x, y);
+    sweep_.symmetry = exchanging_symmetry(x, y);
     sweep_.has_value = [this](const CertifiedPoint& point, Parameter p, const Rational& value) {
       if (const auto exact = point.exact()) {
         return takes_value(*exact, index(p), value);

@@ -228,7 +228,9 @@ class CurveTracing {
     known.common_zero = sweep_.common_zero;
     known.at_start = tangent_signs_at(system_, landmarks_, sweep_, curve.trace.start);
     known.at_end = tangent_signs_at(system_, landmarks_, sweep_, curve.trace.end);
-    auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, known);
+    const bool fixed = sweep_.symmetry && is_fixed(*sweep_.symmetry, curve.trace);
+    auto turning = find_turning_points(system_, curve.trace,
+                                       fixed ? sweep_.symmetry->partner : sweep_.coincident, known);
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
       return;

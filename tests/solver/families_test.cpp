@@ -192,6 +192,8 @@ TEST_CASE("family: crossing tubes") { check_images(families::crossing_tubes()); 
 
 TEST_CASE("family: two parameters turn in one point") { check_images(families::symmetric_turns()); }
 
+TEST_CASE("family: mirror images") { check_images(families::mirror_images()); }
+
 TEST_CASE("family: an arc leaves a collapsed side") { check_images(families::arc_from_collapsed_side()); }
 
 TEST_CASE("family: nearly an overlap is nothing, or one arc") {

@@ -101,6 +101,9 @@ ExactCase crossing_tubes();
 /// a = u - 1/2: (u, v (1 + a²), v² + a²/4) with the plane (s, 2r, 1/2): v and r, irrational, turn over u =
 /// 1/2.
 ExactCase symmetric_turns();
+/// a = u - 1/2, b = v - 1/2: (u + v²/4, v + u²/4, h) and its image in the plane z = 0, h = a² + ab + b² -
+/// 1/15: a closed curve, on which u turns with r and v with s, all of them irrational.
+ExactCase mirror_images();
 
 /// One member of each family, for tests/cases.
 std::vector<ExactCase> specimens();

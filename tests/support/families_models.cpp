@@ -111,4 +111,37 @@ ExactCase symmetric_turns() {
   return c;
 }
 
+ExactCase mirror_images() {
+  // a = u - 1/2, b = v - 1/2: (u + v²/4, v + u²/4, ±h), h = a² + ab + b² - 1/15.
+  const Rational quarter(1, 4);
+  const auto patch = [&](int sign) {
+    return from_power({{{0, 0}, {0, 0, sign * (3 * quarter - Rational(1, 15))}},
+                       {{1, 0}, {1, 0, sign * -3 * half}},
+                       {{0, 1}, {0, 1, sign * -3 * half}},
+                       {{1, 1}, {0, 0, sign}},
+                       {{2, 0}, {0, quarter, sign}},
+                       {{0, 2}, {quarter, 0, sign}}});
+  };
+  ExactCase c = {"mirror images", patch(1), patch(-1), {}};
+  const std::vector<RealAlgebraic> near = real_roots(Polynomial{quarter - Rational(1, 45), -1, 1}, 0, 1);
+  const std::vector<RealAlgebraic> far = real_roots(Polynomial{quarter - Rational(4, 45), -1, 1}, 0, 1);
+  using enum Parameter;
+  c.graph.nodes = {{{far[1], near[0], far[1], near[0]}, std::nullopt, {u, r}},
+                   {{near[0], far[1], near[0], far[1]}, std::nullopt, {v, s}},
+                   {{far[0], near[1], far[0], near[1]}, std::nullopt, {u, r}},
+                   {{near[1], far[0], near[1], far[0]}, std::nullopt, {v, s}}};
+  const double pi = std::acos(-1.0);
+  const std::array<double, 5> angles = {-pi / 6, pi / 2, 5 * pi / 6, 3 * pi / 2, 11 * pi / 6};
+  const auto point = [](double angle) {
+    const double p = std::cos(angle) / std::sqrt(15.0);
+    const double q = std::sin(angle) / std::sqrt(45.0);
+    return Vector4{0.5 + p - q, 0.5 + 2 * q, 0.5 + p - q, 0.5 + 2 * q};
+  };
+  for (std::size_t k = 0; k < 4; ++k)
+    c.graph.arcs.push_back(arc_along(k, (k + 1) % 4, Contact::transversal, ArcPlace::interior, [=](double t) {
+      return point(angles[k] + t * (angles[k + 1] - angles[k]));
+    }));
+  return c;
+}
+
 }  // namespace exsect::families
