@@ -184,6 +184,7 @@ class Intersection {
         sweep_.samples,
         [this](Parameter p) -> const std::optional<TurningValues>& { return turning_values_of(p); },
         sweep_.coincident,
+        sweep_.symmetry,
         stop_};
     const PairSystem<ArbBall<256>> system(x_, y_, scaling_.origin, scaling_.frame.exponent);
     sweep_.stars = singular_stars(problem, system);

@@ -10,6 +10,7 @@
 #include "line_place.h"
 #include "parameter_box.h"
 #include "point_on_line.h"
+#include "symmetric_crossing.h"
 #include "tangential_tube.h"
 #include "traced_curves.h"
 
@@ -56,6 +57,12 @@ class StarSearch {
     for (const Parameter sweep : all_parameters) {
       if (const auto& turning = problem_.turning(sweep)) {
         try_algebraic_values(*turning);
+      }
+    }
+    for (const Parameter sweep : {Parameter::u, Parameter::v}) {
+      const auto& turning = problem_.turning(sweep);
+      if (turning && !turning->touching && problem_.symmetry) {
+        try_fixed_points(*turning);
       }
     }
     for (const Parameter sweep : all_parameters) {  // last: these stars are narrow
@@ -238,6 +245,22 @@ class StarSearch {
         StarProblem problem = star_problem(turning);
         if (!stopped() && !is_covered(crossing.near))
           try_star(problem, value.value, [&] { return line_crossing_star(problem, crossing); });
+      }
+    }
+  }
+
+  /// Crossings with the curve that a symmetry fixes, of any degree.
+  void try_fixed_points(const TurningValues& turning) {
+    for (const TurningValue& value : turning.values) {
+      if (value.multiplicity != 2 || value.value.is_rational() || stopped()) {
+        continue;
+      }
+      for (const CertifiedPoint& centre : fixed_points_over(*problem_.symmetry, turning.sweep, value.value)) {
+        StarProblem problem = star_problem(turning);
+        if (!stopped() && !is_covered(centre) && may_be_singular(centre)) {
+          try_star(problem, value.value,
+                   [&] { return symmetric_crossing_star(problem, *problem_.symmetry, centre); });
+        }
       }
     }
   }

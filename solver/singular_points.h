@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+#include "exchanging_symmetry.h"
 #include "pair_system.h"
 #include "star_neighbourhood.h"
 
@@ -26,7 +27,8 @@ struct SingularPointProblem {
   /// The turning values of any sweep, computed once; empty if not defined.
   std::function<const std::optional<TurningValues>&(Parameter)> turning;
   std::array<std::size_t, 4> coincident;  // coincident_parameters(x, y)
-  StopRequest stop;                       // then the stars found so far are all
+  const std::optional<ExchangingSymmetry>& symmetry;
+  StopRequest stop;  // then the stars found so far are all
 };
 
 /// Disjoint stars around the multiple points over multiple rational turning values of all four sweeps that
