@@ -27,6 +27,7 @@
 #include "run_clock.h"
 #include "singular_points.h"
 #include "traced_curves.h"
+#include "unfolded_parameters.h"
 
 namespace exsect {
 
@@ -513,7 +514,7 @@ IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y,
   if (std::optional<IntersectResult> result = intersect_degenerate(x, y, options)) {
     return std::move(*result);
   }
-  for (const auto& method : {intersect_in_pole, intersect_cones}) {
+  for (const auto& method : {intersect_in_pole, intersect_cones, intersect_unfolded}) {
     if (std::optional<IntersectResult> result = method(x, y, options)) {
       return std::move(*result);
     }

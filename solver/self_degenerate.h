@@ -8,16 +8,6 @@
 
 namespace exsect {
 
-/// x = a(v) + b(v) (u - fold)^2: every line v = constant is straight and run through twice.
-struct FoldedPatch {
-  Rational fold;
-  std::array<Point, 3> a;  // coefficients of v^j
-  std::array<Point, 3> b;
-};
-
-/// Empty if x is none, or does not depend on u.
-std::optional<FoldedPatch> folded_patch(const BezierPatch& x);
-
 /// A bilinear patch in a plane, each point of which has two preimages: (u,v) and (u,v) + t(u,v) direction, t
 /// = t[0] + t[1] u + t[2] v; the fold is t = 0.
 struct PlanarFold {

@@ -2,7 +2,7 @@
 
 #include <exsect/geometry/number.h>
 
-#include "self_degenerate.h"
+#include "folded_patch.h"
 
 namespace exsect {
 namespace {

@@ -86,6 +86,11 @@ TEST_CASE("family: tangent and transversal") {
   for (const Plane plane : families::all_planes) check_images(families::tangent_and_transversal(plane));
 }
 
+TEST_CASE("family: two tangent lines") {
+  check_images(families::tangent_lines(Plane::squares));
+  for (const Plane plane : families::all_planes) check(families::tangent_lines(plane));
+}
+
 TEST_CASE("family: cusp of the curve") {
   check_images(families::curve_cusp(Plane::square));
   for (const Plane plane : families::all_planes) check(families::curve_cusp(plane));
@@ -99,8 +104,10 @@ TEST_CASE("family: two branches tangent to each other") {
 TEST_CASE("family: an arc crosses a line of both patches") { check_images(families::line_and_arc()); }
 
 TEST_CASE("family: parameters that turn together") {
-  check_images(families::cap(Rational(1, 10), Plane::quadratic));
-  check_images(families::near_crossing(Rational(1, 100), Plane::quadratic));
+  for (const Plane plane : {Plane::quadratic, Plane::squares}) {
+    check_images(families::cap(Rational(1, 10), plane));
+    check_images(families::near_crossing(Rational(1, 100), plane));
+  }
 }
 
 TEST_CASE("family: tangent curve") {

@@ -107,7 +107,7 @@ TEST_CASE("planar_patch: turning values are roots of the eliminant of the fibres
       c = Rational(random_pairs::integer(generator, -12, 12), 4);
     }
   }
-  for (const Plane which : families::all_planes) {
+  for (const Plane which : families::regular_planes) {
     const auto planar = planar_turning_eliminant(graph_patch(h), plane(which));
     REQUIRE(planar);
     const TurningEliminant general = turning_eliminant(graph_patch(h), plane(which));
@@ -119,7 +119,7 @@ TEST_CASE("planar_patch: turning values are roots of the eliminant of the fibres
 
 TEST_CASE("planar_patch: singular points lie over multiple turning values, turning points over simple ones") {
   for (const HeightCoefficients& h : {kCusp, kBranches}) {
-    for (const Plane which : families::all_planes) {
+    for (const Plane which : families::regular_planes) {
       const auto d = planar_turning_eliminant(graph_patch(h), plane(which));
       REQUIRE(d);
       CHECK(gcd(*d, kHalf * kHalf).degree() == 2);

@@ -7,10 +7,12 @@
 namespace exsect::families {
 
 /// The plane patch as second patch: (r, s, 0); ((3r - 1/2)/2, (3s - 1/2)/2, 0), larger than the unit square;
-/// (r, s (1 + r), 0); ((r + r²)/2, (3s - s²)/2, 0).
-enum class Plane { square, larger, bilinear, quadratic };
-inline constexpr std::array<Plane, 4> all_planes = {Plane::square, Plane::larger, Plane::bilinear,
-                                                    Plane::quadratic};
+/// (r, s (1 + r), 0); ((r + r²)/2, (3s - s²)/2, 0); (r², s², 0), singular on two sides.
+enum class Plane { square, larger, bilinear, quadratic, squares };
+inline constexpr std::array<Plane, 5> all_planes = {Plane::square, Plane::larger, Plane::bilinear,
+                                                    Plane::quadratic, Plane::squares};
+inline constexpr std::array<Plane, 4> regular_planes = {Plane::square, Plane::larger, Plane::bilinear,
+                                                        Plane::quadratic};
 
 /// G[e - a² - b²] with P, e < 1/4. e > 0: a closed curve; e = 0: a touch point; e < 0: nothing.
 ExactCase cap(const Rational& e, Plane plane);
@@ -34,6 +36,8 @@ ExactCase parted_sheets(const Rational& e, Plane plane);
 ExactCase tangent_and_transversal(Plane plane);
 /// G[(a-b)² - a² b] with P: a cusp of the curve.
 ExactCase curve_cusp(Plane plane);
+/// G[a² b²] with P: two lines along which the patches touch, and that cross.
+ExactCase tangent_lines(Plane plane);
 /// G[a (a - b²)] with P: two branches that touch.
 ExactCase tangent_branches(Plane plane);
 /// G[u (v - 1/3 - u/2)] with the square P: an arc along the common side u = r = 0, and another one that

@@ -71,6 +71,10 @@ BezierPatch patch_of(Plane plane) {
       c[0][1][1] = Rational(3, 2);
       c[0][2][1] = -half;
       break;
+    case Plane::squares:
+      c[2][0][0] = 1;
+      c[0][2][1] = 1;
+      break;
   }
   return BezierPatch::from_power_basis(c);
 }
@@ -89,10 +93,12 @@ std::array<RealAlgebraic, 2> lifted(Plane plane, const RealAlgebraic& u, const R
       if (!v.is_rational()) return {u, quotient(u, v)};
       return {u, reciprocal(preimage(u, Polynomial{-1, v.rational()}, 1, 4 / v.rational()))};
     case Plane::quadratic:
+      return {preimage(u, Polynomial{0, half, half}, 0, 1),
+              preimage(v, Polynomial{0, Rational(3, 2), -half}, 0, 1)};
+    case Plane::squares:
       break;
   }
-  return {preimage(u, Polynomial{0, half, half}, 0, 1),
-          preimage(v, Polynomial{0, Rational(3, 2), -half}, 0, 1)};
+  return {preimage(u, Polynomial{0, 0, 1}, 0, 1), preimage(v, Polynomial{0, 0, 1}, 0, 1)};
 }
 
 std::array<double, 4> lifted(Plane plane, const Vector2& p) {
@@ -105,15 +111,17 @@ std::array<double, 4> lifted(Plane plane, const Vector2& p) {
     case Plane::bilinear:
       return {u, v, u, v / (1 + u)};
     case Plane::quadratic:
+      return {u, v, 2 * (2 * u) / (1 + std::sqrt(1 + 8 * u)), 4 * v / (3 + std::sqrt(9 - 8 * v))};
+    case Plane::squares:
       break;
   }
-  return {u, v, 2 * (2 * u) / (1 + std::sqrt(1 + 8 * u)), 4 * v / (3 + std::sqrt(9 - 8 * v))};
+  return {u, v, std::sqrt(u), std::sqrt(v)};
 }
 
 /// One of the names of a case.
 std::string with_plane(const std::string& name, Plane plane) {
-  constexpr std::array<const char*, 4> names = {"", " on a larger plane", " on a bilinear plane",
-                                                " on a quadratic plane"};
+  constexpr std::array<const char*, 5> names = {"", " on a larger plane", " on a bilinear plane",
+                                                " on a quadratic plane", " on a plane in squares"};
   return name + names[static_cast<std::size_t>(plane)];
 }
 
@@ -129,6 +137,8 @@ class Planar {
   Planar& node(const RealAlgebraic& u, const RealAlgebraic& v, std::optional<NodeKind> kind = std::nullopt) {
     const auto [r, s] = lifted(plane_, u, v);
     case_.graph.nodes.push_back({{u, v, r, s}, kind});
+    const bool singular = plane_ == Plane::squares && u.compare(0) == 0 && v.compare(0) == 0;
+    if (singular) case_.graph.nodes.back().kind = NodeKind::crossing;
     return *this;
   }
   /// A node where u turns.
@@ -265,6 +275,15 @@ ExactCase tangent_and_transversal(Plane plane) {
   Planar c("tangent and transversal", {{{-q * half, q, 0}, {half, -1, 0}, {-half, 1, 0}}}, plane);
   c.node(half, half, NodeKind::crossing).node(half, 0).node(half, 1).node(0, half).node(1, half);
   return c.segment(0, 1, tangential).segment(0, 2, tangential).segment(0, 3).segment(0, 4).done();
+}
+
+ExactCase tangent_lines(Plane plane) {
+  const Rational quarter = half * half;
+  Planar c("two tangent lines",
+           {{{quarter * quarter, -quarter, quarter}, {-quarter, 1, -1}, {quarter, -1, 1}}}, plane);
+  c.node(half, half, NodeKind::crossing).node(half, 0).node(half, 1).node(0, half).node(1, half);
+  for (const std::size_t end : {1, 2, 3, 4}) c.segment(0, end, tangential);
+  return c.done();
 }
 
 ExactCase curve_cusp(Plane plane) {
