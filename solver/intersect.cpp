@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boundary_graph.h"
 #include "boundary_lines.h"
 #include "collapsed_line.h"
 #include "common_apex.h"
@@ -19,6 +20,7 @@
 #include "known_tangent.h"
 #include "line_arcs.h"
 #include "line_place.h"
+#include "missed_plane.h"
 #include "model_scale.h"
 #include "option_limits.h"
 #include "overlaps.h"
@@ -300,123 +302,6 @@ class Intersection {
     return result;
   }
 
-  /// Other arcs than those on sides end in the star. Else its centre is a point like any other on its side:
-  /// which of these are critical values depends on the sweep.
-  static bool leaves_sides(const StarNeighbourhood& star) {
-    return std::any_of(star.ports.begin(), star.ports.end(),
-                       [](const Port& port) { return port.point.sides().empty(); });
-  }
-
-  /// An arc on a side, split at the stars on it in which other arcs end.
-  template <class Ball>
-  void add_side_arc(const PairSystem<Ball>& system, const SideArc& whole) {
-    const Side& side = whole.side;
-    const std::size_t along = index(line_place({side.parameter, side.value}).roles.line);
-    std::vector<std::pair<double, int>> cuts;
-    for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
-      if (leaves_sides(sweep_.stars[k]) && lies_inside(sweep_.stars[k].centre, whole, side, along)) {
-        cuts.emplace_back(to_double(sweep_.stars[k].centre.box()[along].midpoint()), star_nodes_[k]);
-      }
-    }
-    std::sort(cuts.begin(), cuts.end());
-    std::vector<PolylineVertex> polyline = {whole.polyline.front()};
-    int from = static_cast<int>(whole.from);
-    const auto finish = [&](int to) {
-      push_side_arc(from, to, whole, polyline, tangential_at(system, whole.inside));
-      from = to;
-    };
-    std::size_t cut = 0;
-    for (std::size_t i = 1; i < whole.polyline.size(); ++i) {
-      for (; cut < cuts.size() && cuts[cut].first <= whole.polyline[i].parameters[along]; ++cut) {
-        const Node& node = result_.graph.nodes[static_cast<std::size_t>(cuts[cut].second)];
-        polyline.push_back({node.approx, node.point});
-        finish(node.id);
-        polyline = {{node.approx, node.point}};
-      }
-      polyline.push_back(whole.polyline[i]);
-    }
-    finish(static_cast<int>(whole.to));
-  }
-
-  /// A side that is one point of space: its ends, and the stars on it, are one node.
-  template <class Ball>
-  void contract_side(const PairSystem<Ball>& system, const SideArc& arc) {
-    const Side& side = arc.side;
-    const Parameter along = line_place({side.parameter, side.value}).roles.line;
-    std::vector<int> nodes = {static_cast<int>(arc.from), static_cast<int>(arc.to)};
-    for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
-      if (lies_inside(sweep_.stars[k].centre, arc, side, index(along))) {
-        nodes.push_back(star_nodes_[k]);
-      }
-    }
-    const auto ball = enclose<Ball>(arc.inside, power_of_two(-50));
-    const Node inside = landmark_node(system, scaling_.frame, ball, arc.inside.box(), arc.inside.sides());
-    contract(result_.graph, nodes, collapsed_node(arc.inside, inside, along));
-  }
-
-  /// All landmarks on the pole are one node.
-  template <class Ball>
-  void contract_pole(const PairSystem<Ball>& system, const CommonPole& pole) {
-    std::vector<int> nodes;
-    for (std::size_t i = 0; i < sides_.points.size(); ++i) {
-      if (is_on(sides_.points[i], pole)) {
-        nodes.push_back(static_cast<int>(i));
-      }
-    }
-    const CertifiedPoint inside = pair_on(pole, Rational(1, 2), Rational(1, 2));
-    const Node node = landmark_node(system, scaling_.frame, enclose<Ball>(inside, power_of_two(-50)),
-                                    inside.box(), inside.sides());
-    contract(result_.graph, nodes, pole_node(pole, inside, node));
-  }
-
-  /// The star's centre is a point of the arc, not an end: the only arc on that side that can reach it.
-  bool lies_inside(const CertifiedPoint& centre, const SideArc& arc, const Side& side, std::size_t along) {
-    const ParameterBox box = centre.refined_to(power_of_two(-100)).box();
-    const auto reaches = [&](const SideArc& other) {
-      const auto at = [&](std::size_t end) { return sides_.points[end].box()[along]; };
-      return other.inside.on(side) && other.collapsed == arc.collapsed &&
-             std::any_of(other.hulls.begin(), other.hulls.end(),
-                         [&](const ParameterBox& h) { return meet(box, h); }) &&
-             at(other.from).upper < box[along].lower && at(other.to).lower > box[along].upper;
-    };
-    if (!centre.on(side) || !reaches(arc)) {
-      return false;
-    }
-    if (std::count_if(sides_.arcs.begin(), sides_.arcs.end(), reaches) > 1) {
-      incomplete(centre.box(), "arcs on one side lie over the same values of its parameter");
-    }
-    return true;
-  }
-
-  void push_side_arc(int from, int to, const SideArc& whole, const std::vector<PolylineVertex>& polyline,
-                     bool tangential) {
-    Arc arc;
-    arc.id = static_cast<int>(result_.graph.arcs.size());
-    arc.component = -1;
-    arc.from = from;
-    arc.to = to;
-    arc.place = ArcPlace::patch_boundary;
-    arc.contact = tangential ? Contact::tangential : Contact::transversal;
-    arc.polyline = polyline;
-    arc.error_bound =
-        2 * whole.error_bound;  // a node in the middle is within the bound of the chord it splits
-    result_.graph.arcs.push_back(std::move(arc));
-  }
-
-  /// The patches touch along the arc. At one point the tangent vanishes exactly or surely not.
-  template <class Ball>
-  bool tangential_at(const PairSystem<Ball>& system, const CertifiedPoint& inside) {
-    const BallPoint<Ball> tangent =
-        Expansion<Ball>(system, enclose<Ball>(inside, power_of_two(-200))).tangent();
-    if (std::any_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() != 0; })) {
-      return false;
-    }
-    if (!is_known_singular(x_, y_, inside)) {
-      incomplete(inside.box(), "whether the patches touch along the arc through this point is not decided");
-    }
-    return true;
-  }
-
   /// The node of a regular point inside both squares with two arcs.
   void add_turning(Node& node, const StarNeighbourhood& star) {
     const auto turning = turning_parameters(star);
@@ -458,11 +343,9 @@ class Intersection {
     IntersectionGraph& graph = result_.graph;
     graph.isolated_points = traced.isolated;
     const std::vector<TraceEnd> ends = add_landmark_nodes(system, landmarks);
-    for (const SideArc& arc : sides_.arcs) {
-      if (!arc.collapsed) {
-        add_side_arc(system, arc);
-      }
-    }
+    BoundaryGraph<Ball> boundary({x_, y_}, system, scaling_.frame, sides_, sweep_.stars, star_nodes_,
+                                 result_);
+    boundary.add_arcs();
     for (const AnalysedTrace<Ball>& curve : traced.curves) {
       append_trace(graph, curve, landmarks, ends, scaling_.frame, options_.turning, used_tolerance());
       result_.work.steps["tubes"] += static_cast<double>(curve.trace.pieces.size());
@@ -471,14 +354,7 @@ class Intersection {
       append_contact(graph, system, contact, landmarks, ends, scaling_.frame, options_.turning,
                      used_tolerance());
     }
-    for (const SideArc& arc : sides_.arcs) {
-      if (arc.collapsed) {
-        contract_side(system, arc);
-      }
-    }
-    for (const CommonPole& pole : sides_.poles) {
-      contract_pole(system, pole);
-    }
+    boundary.contract();
     for (const Arc& arc : graph.arcs) {
       result_.work.steps["vertices"] += static_cast<double>(arc.polyline.size());
     }
@@ -514,7 +390,8 @@ IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y,
   if (std::optional<IntersectResult> result = intersect_degenerate(x, y, options)) {
     return std::move(*result);
   }
-  for (const auto& method : {intersect_in_pole, intersect_cones, intersect_unfolded}) {
+  for (const auto& method :
+       {intersect_missed_plane, intersect_in_pole, intersect_cones, intersect_unfolded}) {
     if (std::optional<IntersectResult> result = method(x, y, options)) {
       return std::move(*result);
     }
