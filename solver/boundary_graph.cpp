@@ -131,12 +131,23 @@ void BoundaryGraph<Ball>::push_side_arc(int from, int to, const SideArc& whole,
   result_.graph.arcs.push_back(std::move(arc));
 }
 
+namespace {
+
+template <class Ball>
+bool is_surely_regular(const PairSystem<Ball>& system, const CertifiedPoint& point) {
+  const BallPoint<Ball> tangent = Expansion<Ball>(system, enclose<Ball>(point, power_of_two(-200))).tangent();
+  return std::any_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() != 0; });
+}
+
+}  // namespace
+
 /// The patches touch along the arc. At one point the tangent vanishes exactly or surely not.
 template <class Ball>
 bool BoundaryGraph<Ball>::tangential_at(const CertifiedPoint& inside) {
-  const BallPoint<Ball> tangent =
-      Expansion<Ball>(system_, enclose<Ball>(inside, power_of_two(-200))).tangent();
-  if (std::any_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() != 0; })) {
+  const Point origin = {from_double(frame_.origin[0]), from_double(frame_.origin[1]),
+                        from_double(frame_.origin[2])};
+  if (is_surely_regular(system_, inside) ||
+      is_surely_regular(PairSystem<ArbBall<256>>(pair_.x, pair_.y, origin, frame_.exponent), inside)) {
     return false;
   }
   if (!is_known_singular(pair_.x, pair_.y, inside)) {

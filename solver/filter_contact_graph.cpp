@@ -135,22 +135,20 @@ class ContactGraph {
     return std::all_of(exact.begin(), exact.end(), [](const Rational& t) { return t == 0; });
   }
 
-  /// Empty if they touch in an end of the side, perhaps, and not all along. The weights in each of the sums
-  /// of `tangent_along` add up to 10.
+  /// Empty if they touch in an end of the side and not all along; exactly, where doubles do not tell, as on
+  /// nearly smooth edges. The weights in each of the sums of `tangent_along` add up to 10.
   std::optional<Contact> contact_along(const SideContact& side) const {
     const auto rounded = along<double, Vec3>(pair_.x, pair_.y, side);
     const double error = 10 * kDeterminantError * pair_.net_error;
     if (std::fabs(rounded.front()) > error && std::fabs(rounded.back()) > error) {
       return Contact::transversal;
     }
-    if (std::any_of(rounded.begin(), rounded.end(), [&](double t) { return std::fabs(t) > error; })) {
-      return std::nullopt;
-    }
     const auto exact = along<Rational, Point>(x_, y_, side);
-    if (std::any_of(exact.begin(), exact.end(), [](const Rational& t) { return t != 0; })) {
-      return std::nullopt;
+    if (exact.front() != 0 && exact.back() != 0) {
+      return Contact::transversal;
     }
-    return Contact::tangential;
+    const bool touch = std::all_of(exact.begin(), exact.end(), [](const Rational& t) { return t == 0; });
+    return touch ? std::optional(Contact::tangential) : std::nullopt;
   }
 
   template <class Number, class Vector, class Net>
