@@ -11,12 +11,15 @@ int side_of(const RationalInterval& interval, const Rational& sample) {
 }
 
 /// The values of the sweep parameter at the ends and turning points of a curve, in order; a closed curve's
-/// first turning point is repeated at the end.
+/// first turning point is repeated at the end. Ends close to the sample are enclosed more narrowly.
 template <class Ball>
-std::vector<RationalInterval> monotone_stations(const SweepData& sweep, const AnalysedTrace<Ball>& curve) {
+std::vector<RationalInterval> monotone_stations(const SweepData& sweep, const AnalysedTrace<Ball>& curve,
+                                                const Rational& sample) {
   const std::size_t parameter = index(sweep.turning->sweep);
   const auto at_landmark = [&](int i) {
-    return sweep.landmarks[static_cast<std::size_t>(i)].point.box()[parameter];
+    const CertifiedPoint& point = sweep.landmarks[static_cast<std::size_t>(i)].point;
+    const RationalInterval& at = point.box()[parameter];
+    return side_of(at, sample) != 0 ? at : point.refined_to(power_of_two(-200)).box()[parameter];
   };
   std::vector<RationalInterval> stations;
   const bool open = curve.trace.start >= 0;
@@ -41,7 +44,7 @@ std::vector<RationalInterval> monotone_stations(const SweepData& sweep, const An
 template <class Ball>
 std::optional<std::size_t> crossings(const SweepData& sweep, const AnalysedTrace<Ball>& curve,
                                      const Rational& sample) {
-  const auto stations = monotone_stations(sweep, curve);
+  const auto stations = monotone_stations(sweep, curve, sample);
   std::size_t count = 0;
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
     const int a = side_of(stations[i], sample);

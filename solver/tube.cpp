@@ -125,6 +125,13 @@ bool certify(Tube<Ball>& tube, const AlongLine& along, double least_halfwidth) {
   return false;
 }
 
+/// The coefficients of a line that is far too long for the curve, up to the power 60, are no doubles.
+bool overflows(const AlongLine& along) {
+  return std::any_of(along.residual.begin(), along.residual.end(),
+                     [](const SeriesBound& bound) { return !std::isfinite(bound.value); });
+}
+constexpr double kShorter = 0x1p10;
+
 /// A tube's line and what is left along it, before anything is proved.
 template <class Ball>
 struct FittedTube {
@@ -187,7 +194,10 @@ double largest_reach(const PairSystem<Ball>& system, const BallPoint<Ball>& cent
   };
   int good = std::ilogb(most / least);
   if (!certified(good)) {
-    return 0;
+    return most > kShorter * least && overflows(along_line(fitted->tube, fitted->left))
+               ? largest_reach(system, centre, axis, least, most / kShorter, least_halfwidth,
+                               worst_contraction)
+               : 0;
   }
   for (int bad = -1; good - bad > 1;) {
     const int middle = (good + bad) / 2;

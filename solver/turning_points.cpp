@@ -30,6 +30,7 @@ inline constexpr double kUnit<ArbBall<256>> = 0;
 /// length.
 constexpr double kMagnified = 0x1p-30;
 constexpr double kLeastMagnified = 0x1p-110;
+constexpr int kMostMagnified = 64;  // times, of one trace
 
 /// By this part of the tube's reach the ends of pieces are padded.
 constexpr double kPad = 1.0 / 1024;
@@ -223,7 +224,7 @@ class TurningSearch {
   bool magnify(std::size_t k, double at) {
     const Piece<Ball> piece = trace_.pieces[k];
     const double half = kMagnified * (piece.to - piece.from);
-    if (kUnit < Ball >> 0 || !(std::fabs(half) > kLeastMagnified)) {
+    if (kUnit < Ball >> 0 || !(std::fabs(half) > kLeastMagnified) || ++magnified_ > kMostMagnified) {
       return false;
     }
     const std::array<double, 4> cuts = {piece.from, at - half, at + half, piece.to};
@@ -346,6 +347,7 @@ class TurningSearch {
   const std::array<std::size_t, 4>& coincident_;
   const KnownTangent& known_;
   TurningPoints<Ball> found_;
+  int magnified_ = 0;
   TraceFailure failure_;
 };
 

@@ -55,6 +55,20 @@ std::vector<BezierPatch> placed(const std::vector<BezierPatch>& patches, std::si
   return result;
 }
 
+/// Every coordinate of every patch is moved by up to 2^-51, on its own.
+std::vector<BezierPatch> rounded(const std::vector<BezierPatch>& patches, unsigned seed) {
+  std::mt19937_64 generator(seed);
+  std::vector<BezierPatch> result;
+  for (const BezierPatch& patch : patches) {
+    ControlNet net = patch.net();
+    for (auto& row : net)
+      for (Point& p : row)
+        for (Rational& c : p) c += (static_cast<int>(generator() % 1025) - 512) * power_of_two(-60);
+    result.emplace_back(net);
+  }
+  return result;
+}
+
 struct Count {
   std::size_t components = 0;
   std::size_t isolated = 0;
@@ -110,4 +124,11 @@ TEST_CASE("spline models: two tubes of one radius whose axes cross") {
   const std::vector<BezierPatch> tube = turned({{1, -2}, {1, 0}, {1, 2}}, false);
   REQUIRE(tube.size() == 4);
   check_pairs(tube, placed(tube, 0, {0, 0, 0}));
+}
+
+TEST_CASE("spline models: a ring whose edges agree but for rounding") {
+  constexpr unsigned seed = 5;
+  INFO("seed " << seed);
+  const std::vector<BezierPatch> ring = rounded(turned({{3, 0}, {2, 1}, {1, 0}, {2, -1}}, true), seed);
+  CHECK(check_pairs(ring, ring).components > 8);
 }
