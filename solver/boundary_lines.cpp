@@ -12,6 +12,8 @@ namespace exsect {
 namespace {
 
 constexpr const char* kWorkCap = "the work cap was reached while boundary points were computed";
+constexpr const char* kTwoPoles =
+    "two adjacent sides of a patch and a side of the other one are the same point";
 constexpr const char* kLostEnd = "an end of a boundary arc was not found on the other side";
 
 class BoundarySearch {
@@ -34,7 +36,7 @@ class BoundarySearch {
     for (const LineResult& line : lines_) add_ends(line);
     for (const CommonPole& pole : result_.poles)
       for (const int i : {0, 1})
-        for (const int k : {0, 1}) add_if_new(pair_on(pole, i, k));
+        for (const int k : {0, 1}) add_corner(pair_on(pole, i, k));
     for (LineResult& line : lines_) add_arcs(line);
     return std::move(result_);
   }
@@ -96,6 +98,13 @@ class BoundarySearch {
         const auto has_end = [&](const CommonPole& pole) { return is_on(end, pole); };
         if (arc.collapsed || std::ranges::any_of(result_.poles, has_end)) add_if_new(end);
       }
+  }
+
+  /// Of a pole, and of one only: two adjacent sides at one point are no square of solutions.
+  void add_corner(const CertifiedPoint& corner) {
+    const auto has_corner = [&](const CommonPole& pole) { return is_on(corner, pole); };
+    if (std::ranges::count_if(result_.poles, has_corner) > 1) incomplete(corner.box(), kTwoPoles);
+    add_if_new(corner);
   }
 
   void add_if_new(const CertifiedPoint& point) {

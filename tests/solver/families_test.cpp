@@ -190,6 +190,17 @@ TEST_CASE("family: a common pole") {
     check_images(families::common_pole(which));
 }
 
+TEST_CASE("two adjacent sides at a common pole") {
+  const ExactCase c = families::common_pole(families::PoleNeighbour::sharp);
+  ControlNet net = c.x.net();
+  for (std::size_t i = 0; i < 3; ++i) net[i][0] = net[0][0];
+  const IntersectResult result = intersect(BezierPatch(net), c.y);
+  REQUIRE(result.status == Status::incomplete);
+  CHECK(std::any_of(result.incomplete.begin(), result.incomplete.end(), [](const Incomplete& region) {
+    return region.why == "two adjacent sides of a patch and a side of the other one are the same point";
+  }));
+}
+
 TEST_CASE("family: a common apex") {
   check_images(families::common_apex(false));
   check_images(families::common_apex(true));
