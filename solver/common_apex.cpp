@@ -7,6 +7,7 @@
 #include "graph_builder.h"
 #include "model_scale.h"
 #include "plane_curve.h"
+#include "polynomial_vector.h"
 #include "run_clock.h"
 #include "traced_curves.h"
 
@@ -14,30 +15,19 @@ namespace exsect {
 
 namespace {
 
-using Field = std::array<BivariatePolynomial, 3>;
-
 /// A patch apex + t c(w) with t counted from the side that is the apex.
 struct Cone {
   std::array<std::size_t, 2> parameters;  // indices of t and w
   bool reversed;                          // t counts against the parameter
   std::array<Point, 3> rulings;           // control vectors of c
 
-  /// The directions c, or their derivatives, as polynomials in `w`.
-  Field direction(const BivariatePolynomial& w) const { return polynomial(w, {0, 1, 2}); }
-  Field derivative(const BivariatePolynomial& w) const { return polynomial(w, {1, 2}); }
-
- private:
-  Field polynomial(const BivariatePolynomial& w, const std::vector<std::size_t>& powers) const {
+  /// The directions c as polynomials in `w`.
+  PolynomialVector direction(const BivariatePolynomial& w) const {
     const std::array<Point, 3> c = {rulings[0], Rational(2) * (rulings[1] - rulings[0]),
                                     rulings[0] - Rational(2) * rulings[1] + rulings[2]};
-    Field result;
-    BivariatePolynomial power = BivariatePolynomial::constant(1);
-    for (const std::size_t k : powers) {
-      const Rational factor = powers.size() == 3 ? Rational(1) : Rational(k);
-      for (std::size_t i = 0; i < 3; ++i)
-        result[i] += BivariatePolynomial::constant(factor * c[k][i]) * power;
-      power = power * w;
-    }
+    const auto term = [](const Rational& factor) { return BivariatePolynomial::constant(factor); };
+    PolynomialVector result;
+    for (std::size_t i = 0; i < 3; ++i) result[i] = term(c[0][i]) + w * (term(c[1][i]) + w * term(c[2][i]));
     return result;
   }
 };
@@ -58,11 +48,6 @@ std::optional<Cone> cone_from(const BezierPatch& patch, const Side& apex) {
   return cone;
 }
 
-BivariatePolynomial determinant(const Field& a, const Field& b, const Field& c) {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-         a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
 class TwoCones {
  public:
   TwoCones(const BezierPatch& x, const BezierPatch& y, const CommonPole& apex, Cone of_x, Cone of_y)
@@ -74,8 +59,8 @@ class TwoCones {
         d_(cones_[1].direction(BivariatePolynomial::s())) {}
 
   std::optional<IntersectResult> run() {
-    const CommonZeros common = common_zeros(
-        {c_[1] * d_[2] - c_[2] * d_[1], c_[2] * d_[0] - c_[0] * d_[2], c_[0] * d_[1] - c_[1] * d_[0]});
+    const PolynomialVector parallel = cross(c_, d_);
+    const CommonZeros common = common_zeros({parallel.begin(), parallel.end()});
     const bool many = common.curve.is_zero() || !component_points(squarefree(common.curve)).empty();
     if (many || have_common_zero({c_.begin(), c_.end()}) || have_common_zero({d_.begin(), d_.end()}))
       return std::nullopt;
@@ -134,9 +119,10 @@ class TwoCones {
       return index(side.parameter) == cones_[0].parameters[1] ||
              index(side.parameter) == cones_[1].parameters[1];
     });
-    const bool touch = sign_at(determinant(c_, cones_[0].derivative(BivariatePolynomial::r()),
-                                           cones_[1].derivative(BivariatePolynomial::s())),
-                               at) == 0;
+    const PolynomialVector turn = {d_[0].derivative_s(), d_[1].derivative_s(), d_[2].derivative_s()};
+    const PolynomialVector normal =
+        cross(c_, PolynomialVector{c_[0].derivative_r(), c_[1].derivative_r(), c_[2].derivative_r()});
+    const bool touch = sign_at(dot(normal, turn), at) == 0;
     Arc arc{};
     arc.id = static_cast<int>(result_.graph.arcs.size());
     arc.component = -1;
@@ -154,8 +140,8 @@ class TwoCones {
   const BezierPatch& y_;
   CommonPole apex_;
   std::array<Cone, 2> cones_;
-  Field c_;
-  Field d_;
+  PolynomialVector c_;
+  PolynomialVector d_;
   ModelScale scale_ = model_scale(x_, y_);
   PairSystem<DoubleBall> system_{x_, y_, scale_.origin, scale_.frame.exponent};
   IntersectResult result_{};

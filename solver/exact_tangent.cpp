@@ -1,16 +1,12 @@
 #include "exact_tangent.h"
 
+#include "polynomial_vector.h"
+
 namespace exsect {
 
 namespace {
 
-using Vector = std::array<BivariatePolynomial, 3>;
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-BivariatePolynomial dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+using Vector = PolynomialVector;
 
 /// The derivatives of a patch by both parameters, times powers of the parameters' denominators.
 struct Derivatives {

@@ -109,9 +109,6 @@ std::optional<ExchangingSymmetry> exchanging_symmetry(const BezierPatch& x, cons
 template <class Ball>
 bool is_fixed(const ExchangingSymmetry& symmetry, const Tube<Ball>& tube) {
   const auto centre = [&](std::size_t j) { return tube.centre[j].interval().lower; };
-  const auto partner_of = [&](std::size_t j, const RationalInterval& at) {
-    return symmetry.reversed[j] ? RationalInterval{1 - at.upper, 1 - at.lower} : at;
-  };
   // A fixed point over the tube's centre: one parameter of x is given, the other one is a zero of the
   // section.
   const std::size_t partner = symmetry.partner[tube.axis];
@@ -120,13 +117,13 @@ bool is_fixed(const ExchangingSymmetry& symmetry, const Tube<Ball>& tube) {
   const RationalInterval middle = {centre(tube.axis), centre(tube.axis)};
   const Rational room = from_double(tube.halfwidth[other]) / 2;
   std::array<RationalInterval, 4> at;
-  at[given] = tube.axis < 2 ? middle : partner_of(tube.axis, middle);
+  at[given] = tube.axis < 2 ? middle : symmetry.partner_range(tube.axis, middle);
   at[other] = {centre(other) - room, centre(other) + room};
   const auto value = [&](const Rational& t) {
     return given == 0 ? symmetry.section(at[0].lower, t) : symmetry.section(t, at[1].lower);
   };
   if (!(value(at[other].lower) * value(at[other].upper) < 0)) return false;
-  for (const std::size_t j : {0U, 1U}) at[symmetry.partner[j]] = partner_of(j, at[j]);
+  for (const std::size_t j : {0U, 1U}) at[symmetry.partner[j]] = symmetry.partner_range(j, at[j]);
   for (std::size_t j = 0; j < 4; ++j) {
     const Rational width = j == tube.axis ? Rational(0) : from_double(tube.halfwidth[j]);
     if (at[j].lower < centre(j) - width || at[j].upper > centre(j) + width) return false;

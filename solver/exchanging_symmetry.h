@@ -6,8 +6,10 @@
 #include <exsect/geometry/bezier_patch.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
+#include "parameter_box.h"
 #include "tracer.h"
 
 namespace exsect {
@@ -19,10 +21,18 @@ struct ExchangingSymmetry {
   std::array<std::size_t, 4> partner;  // of each parameter the one of the other patch, by index
   std::array<bool, 4> reversed;        // it is 1 minus this one
   BivariatePolynomial section;         // zero where A fixes x(u,v)
+
+  /// The range of the partner of parameter j, by index, if that of j is `at`.
+  RationalInterval partner_range(std::size_t j, const RationalInterval& at) const {
+    return reversed[j] ? exsect::reversed(at) : at;
+  }
 };
 
 /// One such symmetry, unless there is none or x lies in a plane.
 std::optional<ExchangingSymmetry> exchanging_symmetry(const BezierPatch& x, const BezierPatch& y);
+
+/// exchanging_symmetry() of a pair, computed when it is first asked for.
+using SymmetryOf = std::function<const std::optional<ExchangingSymmetry>&()>;
 
 /// True only if all points of the tube's arc are fixed: one is, and the direction there. On the arc, and on
 /// its continuation, parameters turn together with their partners.

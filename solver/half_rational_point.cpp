@@ -5,12 +5,13 @@
 #include <algorithm>
 
 #include "plane_curve.h"
+#include "polynomial_vector.h"
 
 namespace exsect {
 
 namespace {
 
-using Equations = std::array<BivariatePolynomial, 3>;
+using Equations = PolynomialVector;
 
 /// The coordinates of patch - origin.
 Equations coordinates(const BezierPatch& patch, const Point& origin) {
@@ -29,10 +30,6 @@ BivariatePolynomial scalar_product(const Point& a, const Equations& b) {
   return sum;
 }
 
-Equations vector_product(const Equations& a, const Equations& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// The components of the tangent field (5.1) that vanish, exactly; own: the patch with rational parameters,
 /// of_x: it is x.
 std::array<bool, 4> zero_components(const Point& own_first, const Point& own_second, const Equations& other,
@@ -43,7 +40,7 @@ std::array<bool, 4> zero_components(const Point& own_first, const Point& own_sec
     first[k] = other[k].derivative_r();
     second[k] = other[k].derivative_s();
   }
-  const Equations normal = vector_product(first, second);
+  const Equations normal = cross(first, second);
   const Point own_normal = cross(own_first, own_second);
   const std::array<BivariatePolynomial, 4> components = {
       scalar_product(own_second, normal), scalar_product(own_first, normal),

@@ -43,7 +43,10 @@ class Intersection {
         }) {
     sweep_.coincident = coincident_parameters(x, y);
     sweep_.plane = plane_coordinates(x, y);
-    sweep_.symmetry = exchanging_symmetry(x, y);
+    sweep_.symmetry = [this]() -> const std::optional<ExchangingSymmetry>& {
+      if (!symmetry_) symmetry_ = exchanging_symmetry(x_, y_);
+      return *symmetry_;
+    };
     sweep_.has_value = [this](const CertifiedPoint& point, Parameter p, const Rational& value) {
       if (const auto exact = point.exact()) {
         return takes_value(*exact, index(p), value);
@@ -372,6 +375,7 @@ class Intersection {
   std::vector<CertifiedPoint> pinches_;
   std::vector<int> star_nodes_;
   std::array<std::optional<std::optional<TurningValues>>, 4> turning_;  // outer: computed
+  std::optional<std::optional<ExchangingSymmetry>> symmetry_;           // outer: computed
   const std::optional<TurningValues> unknown_ = std::nullopt;
   IntersectResult result_{};
   bool cut_short_ = false;  // the last attempt's searches were, and something is left

@@ -107,10 +107,6 @@ class GraphPointSource : public CertifiedPoint::Source {
   SheetGraph graph_;
 };
 
-bool is_in(const RealAlgebraic& value, const RationalInterval& range) {
-  return value.compare(range.lower) >= 0 && value.compare(range.upper) <= 0;
-}
-
 /// The conditions of Lemma 6.3.
 class LineCrossingProof {
  public:

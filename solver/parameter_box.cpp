@@ -19,6 +19,12 @@ Rational simplest_near(const RationalInterval& at, const Rational& room) {
   return at.width() == 0 ? at.lower : simplest_between(at.lower - room, at.upper + room);
 }
 
+RationalInterval reversed(const RationalInterval& at) { return {1 - at.upper, 1 - at.lower}; }
+
+bool is_in(const RealAlgebraic& value, const RationalInterval& range) {
+  return value.compare(range.lower) >= 0 && value.compare(range.upper) <= 0;
+}
+
 bool meet(const ParameterBox& a, const ParameterBox& b) {
   for (std::size_t j = 0; j < a.size(); ++j)
     if (a[j].upper < b[j].lower || b[j].upper < a[j].lower) return false;

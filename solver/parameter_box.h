@@ -1,6 +1,7 @@
 // Boxes of the four parameters. Internal to solver/.
 #pragma once
 
+#include <exsect/algebra/real_algebraic.h>
 #include <exsect/solver/parameter.h>
 
 namespace exsect {
@@ -11,6 +12,12 @@ ParameterBox hull(const ParameterBox& a, const ParameterBox& b);
 
 /// The number itself, if the interval holds one alone, else the simplest one within `room` around it.
 Rational simplest_near(const RationalInterval& at, const Rational& room);
+
+/// All 1 - t, t in the interval.
+RationalInterval reversed(const RationalInterval& at);
+
+/// The number lies in the closed interval.
+bool is_in(const RealAlgebraic& value, const RationalInterval& range);
 
 /// The closed boxes have a common point.
 bool meet(const ParameterBox& a, const ParameterBox& b);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "parameter_box.h"
+
 namespace exsect {
 
 namespace {
@@ -57,10 +59,7 @@ class Reverser {
   void operator()(Incomplete& region) const { reverse(region.where); }
 
  private:
-  void reverse(ParameterBox& box) const {
-    const RationalInterval old = box[index(p_)];
-    box[index(p_)] = {1 - old.upper, 1 - old.lower};
-  }
+  void reverse(ParameterBox& box) const { box[index(p_)] = reversed(box[index(p_)]); }
 
   Parameter p_;
 };

@@ -67,9 +67,7 @@ bool factors_are_independent(const GluedFold& fold, const ParameterBox& box) {
 }
 
 /// (a, v1, 1 - b, v2) for (a, v1, b, v2).
-ParameterBox pairs_of(const ParameterBox& box) {
-  return {box[0], box[1], {1 - box[2].upper, 1 - box[2].lower}, box[3]};
-}
+ParameterBox pairs_of(const ParameterBox& box) { return {box[0], box[1], reversed(box[2]), box[3]}; }
 
 /// With double ends, and as large as can be proved.
 std::optional<ParameterBox> surroundings(const GluedFold& fold) {

@@ -61,7 +61,7 @@ class StarSearch {
     }
     for (const Parameter sweep : {Parameter::u, Parameter::v}) {
       const auto& turning = problem_.turning(sweep);
-      if (turning && !turning->touching && problem_.symmetry) {
+      if (turning && !turning->touching) {
         try_fixed_points(*turning);
       }
     }
@@ -252,14 +252,14 @@ class StarSearch {
   /// Crossings with the curve that a symmetry fixes, of any degree.
   void try_fixed_points(const TurningValues& turning) {
     for (const TurningValue& value : turning.values) {
-      if (value.multiplicity != 2 || value.value.is_rational() || stopped()) {
+      if (value.multiplicity != 2 || value.value.is_rational() || stopped() || !problem_.symmetry()) {
         continue;
       }
-      for (const CertifiedPoint& centre : fixed_points_over(*problem_.symmetry, turning.sweep, value.value)) {
+      const ExchangingSymmetry& symmetry = *problem_.symmetry();
+      for (const CertifiedPoint& centre : fixed_points_over(symmetry, turning.sweep, value.value)) {
         StarProblem problem = star_problem(turning);
         if (!stopped() && !is_covered(centre) && may_be_singular(centre)) {
-          try_star(problem, value.value,
-                   [&] { return symmetric_crossing_star(problem, *problem_.symmetry, centre); });
+          try_star(problem, value.value, [&] { return symmetric_crossing_star(problem, symmetry, centre); });
         }
       }
     }

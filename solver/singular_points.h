@@ -27,7 +27,7 @@ struct SingularPointProblem {
   /// The turning values of any sweep, computed once; empty if not defined.
   std::function<const std::optional<TurningValues>&(Parameter)> turning;
   std::array<std::size_t, 4> coincident;  // coincident_parameters(x, y)
-  const std::optional<ExchangingSymmetry>& symmetry;
+  SymmetryOf symmetry;
   StopRequest stop;  // then the stars found so far are all
 };
 

@@ -13,14 +13,6 @@ namespace {
 
 constexpr int kSlabs = 6;
 
-bool is_in(const RealAlgebraic& value, const RationalInterval& range) {
-  return value.compare(range.lower) >= 0 && value.compare(range.upper) <= 0;
-}
-
-RationalInterval mirrored(const RationalInterval& at, bool reversed) {
-  return reversed ? RationalInterval{1 - at.upper, 1 - at.lower} : at;
-}
-
 /// The conditions of Lemma 6.4.
 class SymmetricCrossingProof {
  public:
@@ -56,7 +48,7 @@ class SymmetricCrossingProof {
     for (const std::size_t j : {sweep_, other_}) {
       const Rational middle = from_double(to_double(centre_.box()[j].midpoint()));
       const RationalInterval wide = {middle - from_double(half), middle + from_double(half)};
-      box_[partner(j)] = mirrored(wide, symmetry_.reversed[j]);
+      box_[partner(j)] = symmetry_.partner_range(j, wide);
       box_[j] = j == sweep_ ? RationalInterval{middle - from_double(slab), middle + from_double(slab)} : wide;
     }
   }
@@ -75,7 +67,7 @@ class SymmetricCrossingProof {
     return std::ranges::all_of(box_, is_inside) && std::ranges::none_of(problem_.boundary, meets_box) &&
            std::ranges::none_of(problem_.samples,
                                 [&](const Rational& t) { return is_in(t, box_[index(problem_.sampled)]); }) &&
-           has_one(problem_.turning, mirrored(box_[partner(sweep_)], symmetry_.reversed[sweep_])) &&
+           has_one(problem_.turning, symmetry_.partner_range(sweep_, box_[partner(sweep_)])) &&
            std::ranges::all_of(problem_.others, [&](const TurningValues* turning) {
              return has_one(*turning, box_[index(turning->sweep)]);
            });
@@ -109,7 +101,7 @@ class SymmetricCrossingProof {
     bool reversed = false;
     for (const CertifiedPoint& point : *points) {
       const RationalInterval image =
-          mirrored(point.refined_to(power_of_two(-100)).box()[partner(sweep_)], symmetry_.reversed[sweep_]);
+          symmetry_.partner_range(sweep_, point.refined_to(power_of_two(-100)).box()[partner(sweep_)]);
       reversed = reversed || (side < 0 ? image.lower > value : image.upper < value);
       star.ports.push_back({point, problem_.turning.sweep, side});
     }

@@ -228,15 +228,21 @@ class CurveTracing {
     known.common_zero = sweep_.common_zero;
     known.at_start = tangent_signs_at(system_, landmarks_, sweep_, curve.trace.start);
     known.at_end = tangent_signs_at(system_, landmarks_, sweep_, curve.trace.end);
-    const bool fixed = sweep_.symmetry && is_fixed(*sweep_.symmetry, curve.trace);
-    auto turning = find_turning_points(system_, curve.trace,
-                                       fixed ? sweep_.symmetry->partner : sweep_.coincident, known);
+    auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, known);
+    if (std::holds_alternative<TraceFailure>(turning) && is_fixed(curve.trace)) {
+      turning = find_turning_points(system_, curve.trace, sweep_.symmetry()->partner, known);
+    }
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
       return;
     }
     curve.turning = std::get<TurningPoints<Ball>>(std::move(turning));
     result_.curves.push_back(std::move(curve));
+  }
+
+  /// By a symmetry that exchanges the patches: then parameters turn together with their partners.
+  bool is_fixed(const Trace<Ball>& trace) const {
+    return sweep_.symmetry && sweep_.symmetry() && exsect::is_fixed(*sweep_.symmetry(), trace);
   }
 
   /// (u',v') on the pieces of the curves traced so far.

@@ -50,7 +50,7 @@ struct SweepData {
   std::function<std::optional<ParameterBox>(const ParameterBox&, std::size_t, std::size_t)> common_zero;
   std::array<std::size_t, 4> coincident;            // coincident_parameters(x, y)
   std::array<std::optional<std::size_t>, 2> plane;  // plane_coordinates(x, y)
-  std::optional<ExchangingSymmetry> symmetry;       // exchanging_symmetry(x, y)
+  SymmetryOf symmetry;                              // unless empty
   SettledRegion settled;                            // what a search may leave out
   bool quick = false;                               // searches are cut short: stars may help
   bool exact = true;  // false: boundary points or fibres are known not to be complete
