@@ -1,12 +1,11 @@
 #include "common_pole.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "collapsed_line.h"
 #include "exact_source.h"
-#include "filter_contact.h"
 #include "graph_builder.h"
+#include "half_space.h"
 #include "line_place.h"
 #include "model_scale.h"
 #include "run_clock.h"
@@ -52,12 +51,7 @@ bool is_separated_at(const Point& pole, const BezierPatch& x, const BezierPatch&
   add_directions(directions, x, pole, 1);
   add_directions(directions, y, pole, -1);
   if (directions.size() != 12) return false;  // the pole's three are not the only control points there
-  std::vector<filter::Vec3> rounded;
-  for (const Point& v : directions) rounded.push_back({to_double(v[0]), to_double(v[1]), to_double(v[2])});
-  const filter::Vec3 d = filter::positive_direction(rounded);
-  if (!std::ranges::all_of(d, [](double t) { return std::isfinite(t); })) return false;
-  const Point exact = {from_double(d[0]), from_double(d[1]), from_double(d[2])};
-  return std::ranges::all_of(directions, [&](const Point& v) { return dot(exact, v) > 0; });
+  return lie_in_half_space(directions);
 }
 
 }  // namespace

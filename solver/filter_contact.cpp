@@ -196,13 +196,8 @@ Vec3 unit(const Vec3& v) {
   return square > 0 ? (1 / std::sqrt(square)) * v : v;
 }
 
-}  // namespace
-
-/// Gilbert's method for the point of the convex hull of the unit vectors that is nearest to zero.
-Vec3 positive_direction(std::span<const Vec3> of) {
-  std::array<Vec3, 18> vectors;
-  const std::size_t count = of.size();
-  std::transform(of.begin(), of.end(), vectors.begin(), unit);
+/// A guess of d with d.v > 0 for all v: Gilbert's method for the point of the convex hull nearest to zero.
+Vec3 positive_direction(const std::array<Vec3, 18>& vectors, std::size_t count) {
   Vec3 d = {0, 0, 0};
   for (std::size_t k = 0; k < count; ++k) {
     d = d + (1.0 / static_cast<double>(count)) * vectors[k];
@@ -227,8 +222,6 @@ Vec3 positive_direction(std::span<const Vec3> of) {
   return d;
 }
 
-namespace {
-
 /// The index in the part's net of a corner of the square; `count` if it does not reach that far.
 std::size_t own_corner(const Part& part, std::size_t corner) {
   const auto reaches = [](const Interval& range, bool upper) {
@@ -249,6 +242,7 @@ std::size_t own_corner(const Part& part, std::size_t corner) {
 bool meet_in_corner(const Vec3& p, std::size_t corner_x, std::size_t corner_y, const Part& x, const Part& y,
                     double net_error) {
   std::array<Vec3, 18> vectors;
+  std::array<Vec3, 18> units;
   std::size_t count = 0;
   for (std::size_t k = 0; k < x.points.size(); ++k) {
     if (k != corner_x) {
@@ -260,7 +254,8 @@ bool meet_in_corner(const Vec3& p, std::size_t corner_x, std::size_t corner_y, c
       vectors[count++] = p - y.points[k];
     }
   }
-  const Vec3 d = positive_direction({vectors.data(), count});
+  std::transform(vectors.begin(), vectors.begin() + count, units.begin(), unit);
+  const Vec3 d = positive_direction(units, count);
   const double error = kSlack * 2.5 * net_error * size1(d) + kTiny;
   return std::all_of(vectors.begin(), vectors.begin() + count,
                      [&](const Vec3& v) { return dot(d, v) > error; });

@@ -62,9 +62,6 @@ Part part_of(const SubPatch& patch);
 /// The curve is on the line where the first (0) or second (1) parameter is `value`, centred, of a square.
 Part part_of(const SubCurve& curve, std::size_t fixed, double value);
 
-/// A guess of d, d.v > 0 for all v (at most 18), if there is one.
-Vec3 positive_direction(std::span<const Vec3> vectors);
-
 enum class Meeting {
   contact,   // all solutions on the two parts belong to one of the contacts
   touching,  // the same contact is on both; nothing is proved
