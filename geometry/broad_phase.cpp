@@ -1,5 +1,8 @@
 #include "broad_phase.h"
 
+// Boost.Geometry 1.74 includes a header that announces its own age in every build.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
+
 #include <algorithm>
 #include <boost/geometry/core/cs.hpp>
 #include <boost/geometry/geometries/box.hpp>
