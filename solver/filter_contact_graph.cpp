@@ -84,17 +84,13 @@ class ContactGraph {
   }
 
   bool add(const SideContact& side) {
-    const std::optional<Contact> contact = contact_along(side);
-    if (!contact) {
-      return false;
-    }
     Arc arc;
     arc.id = static_cast<int>(graph_.arcs.size());
     arc.component = -1;
     arc.from = add_node({side.x.index(0, 0), side.y.index(0, 0)});
     arc.to = add_node({side.x.index(0, 2), side.y.index(0, 2)});
     arc.place = ArcPlace::patch_boundary;
-    arc.contact = *contact;
+    arc.contact = contact_along(side);
     add_polyline(side, arc);
     graph_.arcs.push_back(std::move(arc));
     return graph_.arcs.back().error_bound <= tolerance_;
@@ -135,20 +131,17 @@ class ContactGraph {
     return std::all_of(exact.begin(), exact.end(), [](const Rational& t) { return t == 0; });
   }
 
-  /// Empty if they touch in an end of the side and not all along; exactly, where doubles do not tell, as on
-  /// nearly smooth edges. The weights in each of the sums of `tangent_along` add up to 10.
-  std::optional<Contact> contact_along(const SideContact& side) const {
-    const auto rounded = along<double, Vec3>(pair_.x, pair_.y, side);
+  /// Tangential if (14.15) vanishes all along the side; exactly, where doubles do not tell, as on nearly
+  /// smooth edges. The weights in each of the sums of `tangent_along` add up to 10.
+  Contact contact_along(const SideContact& side) const {
     const double error = 10 * kDeterminantError * pair_.net_error;
-    if (std::fabs(rounded.front()) > error && std::fabs(rounded.back()) > error) {
+    const auto rounded = along<double, Vec3>(pair_.x, pair_.y, side);
+    if (std::any_of(rounded.begin(), rounded.end(), [&](double t) { return std::fabs(t) > error; })) {
       return Contact::transversal;
     }
     const auto exact = along<Rational, Point>(x_, y_, side);
-    if (exact.front() != 0 && exact.back() != 0) {
-      return Contact::transversal;
-    }
     const bool touch = std::all_of(exact.begin(), exact.end(), [](const Rational& t) { return t == 0; });
-    return touch ? std::optional(Contact::tangential) : std::nullopt;
+    return touch ? Contact::tangential : Contact::transversal;
   }
 
   template <class Number, class Vector, class Net>

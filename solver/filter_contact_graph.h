@@ -9,8 +9,8 @@
 namespace exsect::filter {
 
 /// Appends an isolated node for each corner, two nodes and an arc for each side: contacts that no other
-/// solution is near. False if the patches touch in a part of a side only, or perhaps, or a polyline cannot be
-/// proved to keep within `tolerance` (space units); then the graph is not to be used.
+/// solution is near. False if a polyline cannot be proved to keep within `tolerance` (space units); then the
+/// graph is not to be used.
 bool append_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pair, const Contacts& contacts,
                      double tolerance, IntersectionGraph& graph);
 
