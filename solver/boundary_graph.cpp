@@ -4,6 +4,7 @@
 
 #include "collapsed_line.h"
 #include "known_tangent.h"
+#include "landmark_node.h"
 #include "line_place.h"
 #include "parameter_box.h"
 #include "traced_curves.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "boundary_lines.h"
-#include "graph_builder.h"
 #include "star_neighbourhood.h"
+#include "trace_graph.h"
 
 namespace exsect {
 

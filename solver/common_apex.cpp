@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "bounded_vertex.h"
 #include "common_pole.h"
 #include "exact_source.h"
 #include "graph_builder.h"
+#include "landmark_node.h"
 #include "model_scale.h"
 #include "plane_curve.h"
 #include "polynomial_vector.h"

@@ -6,6 +6,7 @@
 #include "exact_source.h"
 #include "graph_builder.h"
 #include "half_space.h"
+#include "landmark_node.h"
 #include "line_place.h"
 #include "model_scale.h"
 #include "run_clock.h"

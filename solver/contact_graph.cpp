@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounded_vertex.h"
+#include "landmark_node.h"
+
 namespace exsect {
 
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact_turning.h"
-#include "graph_builder.h"
+#include "trace_graph.h"
 
 namespace exsect {
 

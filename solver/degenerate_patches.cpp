@@ -9,6 +9,7 @@
 
 #include "exact_line_points.h"
 #include "graph_builder.h"
+#include "landmark_node.h"
 #include "line_arcs.h"
 #include "line_system.h"
 #include "model_scale.h"

@@ -7,6 +7,7 @@
 #include "filter_graph.h"
 #include "filter_loops.h"
 #include "filter_overlap.h"
+#include "graph_builder.h"
 #include "option_limits.h"
 #include "run_clock.h"
 #include "turning_points.h"

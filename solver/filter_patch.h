@@ -12,7 +12,7 @@
 #include <array>
 #include <optional>
 
-#include "graph_builder.h"
+#include "model_scale.h"
 
 namespace exsect::filter {
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "graph_builder.h"
+#include "landmark_node.h"
 #include "model_scale.h"
 #include "parameter_names.h"
 #include "rim_arc.h"

@@ -7,6 +7,7 @@
 
 #include "boundary_graph.h"
 #include "boundary_lines.h"
+#include "bounded_vertex.h"
 #include "collapsed_line.h"
 #include "common_apex.h"
 #include "common_pole.h"
@@ -16,8 +17,10 @@
 #include "exact_line_points.h"
 #include "exact_source.h"
 #include "filter.h"
+#include "graph_builder.h"
 #include "intersect_by_sweep.h"
 #include "known_tangent.h"
+#include "landmark_node.h"
 #include "line_arcs.h"
 #include "line_place.h"
 #include "missed_plane.h"

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "collapsed_line.h"
+#include "landmark_node.h"
 #include "line_curve.h"
 #include "line_point.h"
 #include "line_system.h"

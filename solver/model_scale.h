@@ -3,9 +3,16 @@
 
 #include <exsect/geometry/bezier_patch.h>
 
-#include "graph_builder.h"
+#include <array>
 
 namespace exsect {
+
+/// The translation and scaling of PairSystem: a space point is origin + 2^exponent * (scaled point). The
+/// origin has double coordinates.
+struct ModelFrame {
+  std::array<double, 3> origin;
+  long exponent;
+};
 
 /// Origin (with double coordinates) and power of two that bring both patches to unit size; `extent` is the
 /// largest extent of the common bounding box.

@@ -3,8 +3,11 @@
 #include <algorithm>
 
 #include "arc_joints.h"
+#include "bounded_vertex.h"
 #include "common_sheet.h"
+#include "graph_builder.h"
 #include "identical_patches.h"
+#include "landmark_node.h"
 #include "model_scale.h"
 #include "overlap_boundary.h"
 #include "parameter_names.h"

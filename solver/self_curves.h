@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "fold_expansion.h"
-#include "graph_builder.h"
 #include "self_boundary.h"
 #include "self_chart_trace.h"
 #include "self_cusp_arc.h"
 #include "self_star.h"
 #include "special_cusps.h"
+#include "trace_graph.h"
 
 namespace exsect {
 

@@ -9,6 +9,7 @@
 #include "boundary_lines.h"
 #include "degenerate_patches.h"
 #include "folded_patch.h"
+#include "landmark_node.h"
 #include "model_scale.h"
 #include "planar_patch.h"
 #include "self_collapsed.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "landmark_node.h"
 #include "parameter_box.h"
 #include "rim_arc.h"
 

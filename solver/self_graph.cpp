@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "bounded_vertex.h"
+
 namespace exsect {
 
 namespace {

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "cut_self_intersection.h"
+#include "graph_builder.h"
+#include "landmark_node.h"
 #include "model_scale.h"
 #include "option_limits.h"
 #include "parameter_box.h"

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "landmark_node.h"
 #include "model_scale.h"
 #include "rim_arc.h"
 

@@ -7,7 +7,7 @@
 #include <list>
 #include <utility>
 
-#include "graph_builder.h"
+#include "bounded_vertex.h"
 #include "model_scale.h"
 #include "parameter_box.h"
 #include "self_chart.h"

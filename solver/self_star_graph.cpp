@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "bounded_vertex.h"
 #include "known_tangent.h"
+#include "landmark_node.h"
 #include "traced_curves.h"
 
 namespace exsect {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounded_vertex.h"
 #include "exact_line_points.h"
 #include "line_crossing.h"
 #include "line_place.h"

@@ -14,9 +14,9 @@
 #include "contact_graph.h"
 #include "critical_values.h"
 #include "exchanging_symmetry.h"
-#include "graph_builder.h"
 #include "star_neighbourhood.h"
 #include "subdivision.h"
+#include "trace_graph.h"
 
 namespace exsect {
 

@@ -1,5 +1,6 @@
 #include <iterator>
 
+#include "landmark_node.h"
 #include "pair_map.h"
 #include "self_graph.h"
 #include "two_piece_curves.h"

@@ -1,4 +1,4 @@
-#include "../../solver/graph_builder.h"
+#include "../../solver/bounded_vertex.h"
 
 #include <cmath>
 #include <random>
