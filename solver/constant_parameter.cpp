@@ -24,7 +24,7 @@ BallPoint<Ball> point_of(const PairSystem<Ball>&, const Piece<Ball>& piece, doub
 }
 template <class Ball, class AnyPiece>
 BallPoint<Ball> middle_of(const PairSystem<Ball>& system, const AnyPiece& piece) {
-  return point_of(system, piece, 0.5 * (piece.from + piece.to));
+  return point_of(system, piece, piece.range.at(0.5));
 }
 
 template <class Ball, class Curve>
@@ -114,8 +114,8 @@ class ConstantParameter {
 
   /// Values of the parameter along the line that the piece takes; lower >= upper if none are known.
   RationalInterval between_ends(const auto& piece) const {
-    const RationalInterval a = point_of(system_, piece, piece.from)[index(along_)].interval();
-    const RationalInterval b = point_of(system_, piece, piece.to)[index(along_)].interval();
+    const RationalInterval a = point_of(system_, piece, piece.range.from())[index(along_)].interval();
+    const RationalInterval b = point_of(system_, piece, piece.range.to())[index(along_)].interval();
     return a.upper < b.lower ? RationalInterval{a.upper, b.lower} : RationalInterval{b.upper, a.lower};
   }
 

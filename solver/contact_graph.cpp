@@ -106,8 +106,8 @@ class ContactAppender {
         return ContactStop<Ball>{ends[i].node, piece, tau, landmarks[i],
                                  ends[i].approach ? &*ends[i].approach : nullptr};
       };
-      stops_.insert(stops_.begin(), stop_at(contact_.curve.start, 0, pieces.front().from));
-      stops_.push_back(stop_at(contact_.curve.end, pieces.size() - 1, pieces.back().to));
+      stops_.insert(stops_.begin(), stop_at(contact_.curve.start, 0, pieces.front().range.from()));
+      stops_.push_back(stop_at(contact_.curve.end, pieces.size() - 1, pieces.back().range.to()));
     } else {
       if (stops_.empty()) {
         add_turns({all_parameters.begin(), all_parameters.end()});
@@ -145,11 +145,11 @@ class ContactAppender {
     std::size_t piece = from.piece;
     double tau = from.tau;
     for (bool wrap = over_the_seam; piece != to.piece || wrap;) {
-      polyline.add_chords(pieces[piece].tube, tau, pieces[piece].to);
-      polyline.add_point(point_at(system_, pieces[piece].tube, pieces[piece].to));
+      polyline.add_chords(pieces[piece].tube, tau, pieces[piece].range.to());
+      polyline.add_point(point_at(system_, pieces[piece].tube, pieces[piece].range.to()));
       wrap = wrap && piece + 1 < pieces.size();
       piece = piece + 1 < pieces.size() ? piece + 1 : 0;
-      tau = pieces[piece].from;
+      tau = pieces[piece].range.from();
     }
     polyline.add_chords(pieces[piece].tube, tau, to.tau);
     add_end(polyline, to, false);

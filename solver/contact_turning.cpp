@@ -28,7 +28,9 @@ class SpanList {
   SpanList(const PairSystem<Ball>& system, const TangentialArc<Ball>& curve, std::size_t parameter)
       : system_(system), curve_(curve), parameter_(parameter) {
     for (std::size_t i = 0; i < curve.pieces.size(); ++i) {
-      divide(i, curve.pieces[i].from, curve.pieces[i].to, 0);
+      const PieceRange& range = curve.pieces[i].range;
+      const double beyond = range.direction() * range.doubt();
+      divide(i, range.from() - beyond, range.to() + beyond, 0);
     }
   }
   const std::vector<Span>& spans() const { return spans_; }
@@ -37,7 +39,7 @@ class SpanList {
   void divide(std::size_t piece, double from, double to, int depth) {
     const TangentialTube<Ball>& tube = curve_.pieces[piece].tube;
     const int sign = enclosure_between(system_, tube, from, to).slope[parameter_].certain_sign() *
-                     (curve_.pieces[piece].to > curve_.pieces[piece].from ? 1 : -1);
+                     curve_.pieces[piece].range.direction();
     // Where to stop halving is a matter of work only: a span of unknown sign is decided by exact turning
     // values.
     const bool many = depth >= kFewHalvings && spans_.size() > kManySpans;
@@ -165,7 +167,7 @@ std::variant<std::vector<ContactTurn<Ball>>, TraceFailure> find_contact_turns(
   }
   const auto along = [&](const ContactTurn<Ball>& turn) {
     const auto& piece = curve.pieces[turn.piece];
-    return std::pair(turn.piece, turn.from * (piece.to > piece.from ? 1 : -1));
+    return std::pair(turn.piece, turn.from * piece.range.direction());
   };
   std::sort(turns.begin(), turns.end(),
             [&](const ContactTurn<Ball>& a, const ContactTurn<Ball>& b) { return along(a) < along(b); });
@@ -176,7 +178,9 @@ template <class Ball>
 bool may_be_constant(const PairSystem<Ball>& system, const TangentialArc<Ball>& curve,
                      std::size_t parameter) {
   return std::all_of(curve.pieces.begin(), curve.pieces.end(), [&](const TangentialPiece<Ball>& piece) {
-    return enclosure_between(system, piece.tube, piece.from, piece.to).slope[parameter].certain_sign() == 0;
+    return enclosure_between(system, piece.tube, piece.range.from(), piece.range.to())
+               .slope[parameter]
+               .certain_sign() == 0;
   });
 }
 

@@ -112,14 +112,14 @@ class GraphMaker {
     stops_.clear();
     const Trace& trace = curve.trace;
     if (trace.start >= 0) {
-      stops_.push_back(stop_at(trace.start, 0, trace.pieces.front().from));
+      stops_.push_back(stop_at(trace.start, 0, trace.pieces.front().range.from()));
     }
     add_turning_stops(curve, wanted);
     if (stops_.empty()) {
       add_turning_stops(curve, {all_parameters.begin(), all_parameters.end()});
     }
     if (trace.start >= 0) {
-      stops_.push_back(stop_at(trace.end, trace.pieces.size() - 1, trace.pieces.back().to));
+      stops_.push_back(stop_at(trace.end, trace.pieces.size() - 1, trace.pieces.back().range.to()));
     }
     bounds_.clear();
     for (const Piece& piece : trace.pieces) {
@@ -190,14 +190,13 @@ class GraphMaker {
     const std::size_t last = to.piece + (around ? count : 0);
     for (std::size_t k = from.piece; k <= last; ++k) {
       const Piece& piece = trace.pieces[k % count];
-      visit_piece(k % count, k == from.piece ? from.tau : piece.from, k == last ? to.tau : piece.to,
-                  k == last);
+      visit_piece(k % count, k == from.piece ? from.tau : piece.range.from(),
+                  k == last ? to.tau : piece.range.to(), k == last);
     }
   }
 
   static bool is_behind(const Trace& trace, const Stop& from, const Stop& to) {
-    const Piece& piece = trace.pieces[from.piece];
-    return trace.start < 0 && (piece.to > piece.from ? to.tau <= from.tau : to.tau >= from.tau);
+    return trace.start < 0 && !trace.pieces[from.piece].range.precedes(from.tau, to.tau);
   }
 
   bool add_arc(const Trace& trace, const Stop& from, const Stop& to) {

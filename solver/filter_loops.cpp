@@ -202,7 +202,7 @@ class LoopSearch {
       if (known.start >= 0) {
         return true;
       }
-      const Ball point = point_at(known.pieces.front().tube, known.pieces.front().from);
+      const Ball point = point_at(known.pieces.front().tube, known.pieces.front().range.from());
       return std::all_of(loop.pieces.begin(), loop.pieces.end(),
                          [&](const Piece& piece) { return excludes(piece.tube, point); });
     });

@@ -60,7 +60,7 @@ class Tracer {
   /// Along the curve, one way or the other.
   Vec4 tangent_here() const {
     if (!trace_.pieces.empty()) {
-      return arc_slope(trace_.pieces.back().tube, trace_.pieces.back().to);
+      return arc_slope(trace_.pieces.back().tube, trace_.pieces.back().range.to());
     }
     const Vec4& p = position_.middle;
     return linearise(expand(pair_.x, p[0], p[1]), expand(pair_.y, p[2], p[3])).tangent;
@@ -77,7 +77,7 @@ class Tracer {
       return centre;
     }
     const Piece& last = trace_.pieces.back();
-    const Vec4 offset = arc_offset(last.tube, last.to + ahead / tangent[axis]);
+    const Vec4 offset = arc_offset(last.tube, last.range.to() + ahead / tangent[axis]);
     for (std::size_t j = 0; j < 4; ++j) {
       centre[j] = j == axis ? centre[j] + ahead : last.tube.centre[j] + offset[j];
     }
@@ -100,7 +100,7 @@ class Tracer {
     if (!(std::fabs(along) > last.tube.slope_error[axis])) {
       return 0;
     }
-    return (along > 0) == (last.to > last.from) ? 1 : -1;
+    return along > 0 ? last.range.direction() : -last.range.direction();
   }
 
   /// A tube around the centre, half a step ahead, that contains the position.
@@ -158,7 +158,6 @@ class Tracer {
         met_radius = ball.radius;
       }
     }
-    piece.from = here;
     if (closing_ && !excludes(tube, *closing_)) {
       const double ahead = direction * (offset(tube, *closing_) - here);
       const double doubt = 2 * (closing_->radius + position_.radius) + 0x1p-48;
@@ -166,18 +165,26 @@ class Tracer {
         if (ahead <= doubt || met >= 0 || !contains(tube, *closing_)) {
           return false;
         }
-        piece.to = offset(tube, *closing_);
-        finished_ = true;
-        return true;
+        finished_ = use(piece, here, offset(tube, *closing_), doubt, direction);
+        return finished_;
       }
     }
     if (met >= 0) {
-      piece.to = met_at;
       trace_.end = met;
-      finished_ = true;
-    } else {
-      move_on(piece, direction);
+      finished_ = use(piece, here, met_at, position_.radius + met_radius, direction);
+      return finished_;
     }
+    return move_on(piece, here, direction);
+  }
+
+  /// The part of the piece's tube between two offsets, the difference of which is known up to `doubt`; false
+  /// if it is not certainly in this direction.
+  static bool use(Piece& piece, double from, double to, double doubt, int direction) {
+    const auto range = PieceRange::between(from, to, 0.5 * doubt);
+    if (!range || range->direction() != direction) {
+      return false;
+    }
+    piece.range = *range;
     return true;
   }
 
@@ -187,15 +194,20 @@ class Tracer {
 
   /// To an odd place near the far end, so that pieces of symmetric curves do not end at turning points. A
   /// closed curve starts inside its first piece for the same reason.
-  void move_on(Piece& piece, int direction) {
-    piece.to = 0.4931 * direction * step_;
+  bool move_on(Piece& piece, double here, int direction) {
+    const double to = 0.4931 * direction * step_;
+    const bool starts_loop = trace_.start < 0 && trace_.pieces.size() == 1;
+    const double from = starts_loop ? here + 0.61803 * (to - here) : here;
+    if (!use(piece, from, to, position_.radius, direction)) {
+      return false;
+    }
     const double fast = std::clamp(kGoodContraction / piece.tube.contraction, 0.5, 2.0);
-    position_ = point_at(piece.tube, piece.to);
-    if (trace_.start < 0 && trace_.pieces.size() == 1) {
-      piece.from += 0.61803 * (piece.to - piece.from);
-      closing_ = point_at(piece.tube, piece.from);
+    position_ = point_at(piece.tube, to);
+    if (starts_loop) {
+      closing_ = point_at(piece.tube, from);
     }
     step_ = std::min(fast * step_, kLongestStep);
+    return true;
   }
 
   const Pair& pair_;

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "filter_boundary.h"
+#include "piece_range.h"
 
 namespace exsect::filter {
 
-/// The part of a tube's arc that is used, from the offset `from` to `to`, in the direction of the trace.
+/// The part of a tube's arc that is used, in the direction of the trace.
 struct Piece {
   Tube tube;
-  double from;
-  double to;
+  PieceRange range;
 };
 
 /// Consecutive pieces end and begin in the same point of the curve. `start` and `end` are indices of boundary

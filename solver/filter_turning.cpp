@@ -197,17 +197,17 @@ class TurnFinder {
     if (depth >= kDeepestSplit || done.size() > kMostPieces) {
       return false;
     }
-    const double middle = piece.from + 0.4853 * (piece.to - piece.from);
+    const double middle = piece.range.at(0.4853);
     Piece half;
-    return part(piece.tube, piece.from, middle, half) && split(half, depth + 1, done) &&
-           part(piece.tube, middle, piece.to, half) && split(half, depth + 1, done);
+    return part(piece, piece.range.from(), middle, half) && split(half, depth + 1, done) &&
+           part(piece, middle, piece.range.to(), half) && split(half, depth + 1, done);
   }
 
   enum class Decision { done, divide, never };
 
   Decision decide(const Piece& piece, Ends& ends) const {
     ends = {};
-    const int sense = piece.to > piece.from ? 1 : -1;
+    const int sense = piece.range.direction();
     std::optional<Direction> first;
     std::optional<Direction> last;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -219,8 +219,8 @@ class TurnFinder {
         continue;
       }
       if (!first) {
-        first = direction_at(piece.tube, piece.from);
-        last = direction_at(piece.tube, piece.to);
+        first = direction_at(piece.tube, piece.range.from());
+        last = direction_at(piece.tube, piece.range.to());
       }
       ends.first[i] = sense * sign_near(piece.tube, *first, i);
       ends.last[i] = sense * sign_near(piece.tube, *last, i);
@@ -243,20 +243,21 @@ class TurnFinder {
     if (sign_of(first, i) != sign_of(last, i)) {
       return false;
     }
-    const bool forward = piece.to > piece.from;
+    const bool forward = piece.range.direction() > 0;
     const Direction& left = forward ? first : last;
     const Direction& right = forward ? last : first;
     const double second = sign_of(first, i) * piece.tube.second[i];
     const double descent = piece.tube.second_error[i] - second;
     const double ascent = piece.tube.second_error[i] + second;
-    return kSlack * std::fabs(piece.to - piece.from) * descent * ascent <
+    return kSlack * piece.range.length() * descent * ascent <
            (std::fabs(left.middle[i]) - left.radius) * ascent +
                (std::fabs(right.middle[i]) - right.radius) * descent;
   }
 
-  /// A part of the tube's arc on a tube of its own, with the same axis: both arcs start in the same point and
-  /// go the same way.
-  bool part(const Tube& tube, double from, double to, Piece& result) const {
+  /// A part of the piece on a tube of its own, with the same axis: both arcs start in the same point and go
+  /// the same way.
+  bool part(const Piece& piece, double from, double to, Piece& result) const {
+    const Tube& tube = piece.tube;
     const Ball start = point_at(tube, from);
     const Ball end = point_at(tube, to);
     const Ball centre = point_at(tube, 0.5 * (from + to));
@@ -274,9 +275,14 @@ class TurnFinder {
     }
     bound_derivatives(pair_, result.tube);
     expand_arc(result.tube);
-    result.from = start.middle[tube.axis] - result.tube.centre[tube.axis];
-    result.to = end.middle[tube.axis] - result.tube.centre[tube.axis];
-    return (result.to > result.from) == (to > from);
+    const double centre_at = result.tube.centre[tube.axis];
+    const auto range = PieceRange::between(start.middle[tube.axis] - centre_at,
+                                           end.middle[tube.axis] - centre_at, 2 * radius);
+    if (!range || range->direction() != piece.range.direction()) {
+      return false;
+    }
+    result.range = *range;
+    return true;
   }
 
   /// A guess of the zero of w_i' by the secant method on the arc's polynomial and Newton's method on the arc;
@@ -288,8 +294,7 @@ class TurnFinder {
     double t = zero_of_polynomial(piece, i);
     Direction d = direction_at(tube, t);
     for (int step = 0; step < 8 && std::fabs(d.middle[i]) > 0.02 * d.radius; ++step) {
-      t = std::clamp(t - d.middle[i] / arc_second(tube, t, i), std::min(piece.from, piece.to),
-                     std::max(piece.from, piece.to));
+      t = piece.range.clamped(t - d.middle[i] / arc_second(tube, t, i));
       d = direction_at(tube, t);
     }
     const double farthest = kSlack * (std::fabs(d.middle[i]) + d.radius);
@@ -311,13 +316,12 @@ class TurnFinder {
 
   /// The offsets t -+ delta, as far as they are on the piece, in the direction of the trace.
   static std::pair<double, double> around(const Piece& piece, double t, double delta) {
-    return piece.to > piece.from ? std::pair(std::max(t - delta, piece.from), std::min(t + delta, piece.to))
-                                 : std::pair(std::min(t + delta, piece.from), std::max(t - delta, piece.to));
+    return {piece.range.ahead_of(t, -delta), piece.range.ahead_of(t, delta)};
   }
 
   static double zero_of_polynomial(const Piece& piece, std::size_t i) {
-    double a = piece.from;
-    double b = piece.to;
+    double a = piece.range.from();
+    double b = piece.range.to();
     double fa = arc_slope(piece.tube, a)[i];
     double fb = arc_slope(piece.tube, b)[i];
     double t = b;
@@ -336,8 +340,8 @@ class TurnFinder {
       b = t;
       fb = ft;
     }
-    const bool usable = t >= std::min(piece.from, piece.to) && t <= std::max(piece.from, piece.to);
-    return usable ? t : 0.5 * (piece.from + piece.to);
+    const bool usable = t >= piece.range.least() && t <= piece.range.greatest();
+    return usable ? t : piece.range.at(0.5);
   }
 
   bool record(std::size_t k, std::size_t i, double from, double to) {
@@ -360,12 +364,12 @@ class TurnFinder {
     if (turns_.end() - first < 2) {
       return TurnSearch::done;
     }
-    const bool forward = trace_.pieces[first->piece].to > trace_.pieces[first->piece].from;
+    const PieceRange& range = trace_.pieces[first->piece].range;
     std::sort(first, turns_.end(),
-              [&](const Turn& a, const Turn& b) { return forward ? a.from < b.from : a.from > b.from; });
+              [&](const Turn& a, const Turn& b) { return range.precedes(a.from, b.from); });
     for (auto turn = first; turn + 1 != turns_.end(); ++turn) {
       const Turn& next = *(turn + 1);
-      if (!(forward ? turn->to < next.from : turn->to > next.from)) {
+      if (!range.precedes(turn->to, next.from)) {
         return turn->parameter / 2 != next.parameter / 2 ? TurnSearch::not_separated : TurnSearch::undecided;
       }
     }

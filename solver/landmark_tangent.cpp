@@ -34,7 +34,7 @@ int bend_sign(const PairSystem<Ball>& system, const BallPoint<Ball>& at, std::si
 template <class Ball>
 int arriving_direction(const Trace<Ball>& trace) {
   const Piece<Ball>& end = trace.pieces.back();
-  return -end.tube.orientation * (end.to > end.from ? 1 : -1);
+  return -end.tube.orientation * end.range.direction();
 }
 
 #define EXSECT_INSTANTIATE_TANGENT(Ball)                                                \

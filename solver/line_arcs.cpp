@@ -366,7 +366,7 @@ class LineArcSearch {
   template <class Ball>
   ParameterBox hull_of(const Piece<Ball>& piece) const {
     const Tube<Ball>& tube = piece.tube;
-    const double reach = std::max(std::fabs(piece.from), std::fabs(piece.to));
+    const double reach = std::max(std::fabs(piece.range.from()), std::fabs(piece.range.to()));
     const auto around = [&](std::size_t i) {
       const double slope = std::fabs(tube.slope[i]) + tube.slope_error[i];
       const Rational centre = tube.centre[i].interval().midpoint();

@@ -49,7 +49,9 @@ class ChartTracer {
     const CuspArc<Ball>& cusp = cusps[static_cast<std::size_t>(start)];
     const double half = 0.5 * cusp.gate_w;
     trace_.start = start;
-    trace_.pieces.push_back({cusp.chart, false, true, cusp.tube, -half, half});
+    if (const auto range = PieceRange::between(-half, half)) {
+      trace_.pieces.push_back({cusp.chart, false, true, cusp.tube, *range});
+    }
     chart_ = cusp.chart;
     position_ = point_at(cusp.tube, half);
     sign_ = tangent_at(chart_of(charts_, chart_), position_)[3].certain_sign();
@@ -83,7 +85,11 @@ class ChartTracer {
       }
       const double to = 0.5 * direction * step_;
       const Ball here = position_[axis] - tube->centre[axis];
-      trace_.pieces.push_back({chart_, exchanged_, false, *tube, here.approximation(), to});
+      const auto range = PieceRange::between(here, Ball(to));
+      if (!range || range->direction() != direction) {
+        continue;
+      }
+      trace_.pieces.push_back({chart_, exchanged_, false, *tube, *range});
       position_ = point_at(*tube, to);
       step_ =
           std::min({2 * step_, step_ * std::max(0.5, kGoodContraction / tube->contraction), kLongestStep});
@@ -127,8 +133,11 @@ class ChartTracer {
       }
       const bool flips = !same_chart && position_[2].is_negative();
       const double half = 0.5 * cusp.gate_w;
-      trace_.pieces.push_back(
-          {cusp.chart, exchanged_ != flips, true, cusp.tube, (w - Ball(half)).approximation(), -half});
+      const auto range = PieceRange::between(w - Ball(half), Ball(-half));
+      if (!range) {
+        continue;
+      }
+      trace_.pieces.push_back({cusp.chart, exchanged_ != flips, true, cusp.tube, *range});
       trace_.end = static_cast<int>(k);
       return true;
     }

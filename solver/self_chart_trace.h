@@ -19,16 +19,15 @@ const ChartSystem<Ball>& chart_of(const Charts<Ball>& charts, Chart c) {
   return charts[c == Chart::first ? 0 : 1];
 }
 
-/// A part of the curve on one tube, run through from offset `from` to offset `to` (either order). The order
-/// of the pairs is that of t > 0 in the piece's chart, or the other one.
+/// A part of the curve on one tube. The order of the pairs is that of t > 0 in the piece's chart, or the
+/// other one.
 template <class Ball>
 struct ChartPiece {
   Chart chart;
   bool exchanged;
   bool monotone;  // u1, v1, u2, v2 are known to be monotone or constant
   ChartTube<Ball> tube;
-  double from;
-  double to;
+  PieceRange range;
 };
 
 /// The pair (u1,v1,u2,v2) of a point of the piece's chart with w > 0.

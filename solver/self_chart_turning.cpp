@@ -60,7 +60,7 @@ class ChartTurningSearch {
       return true;
     }
     const ChartTube<Ball>& tube = piece.tube;
-    const BallPoint<Ball> box = box_between(tube, piece.from, piece.to);
+    const BallPoint<Ball> box = box_between(tube, piece.range.from(), piece.range.to());
     BallPoint<Ball> d;
     BallPoint<Ball> s;
     for (std::size_t j = 0; j < 4; ++j) {
@@ -103,12 +103,11 @@ class ChartTurningSearch {
     if (!tube || !contains(*tube, centre) || !contains(*tube, start) || !contains(*tube, end)) {
       return std::nullopt;
     }
-    return ChartPiece<Ball>{piece.chart,
-                            piece.exchanged,
-                            false,
-                            *tube,
-                            (start[axis] - tube->centre[axis]).approximation(),
-                            (end[axis] - tube->centre[axis]).approximation()};
+    const auto range = PieceRange::between(start[axis] - tube->centre[axis], end[axis] - tube->centre[axis]);
+    if (!range || range->direction() != piece.range.direction()) {
+      return std::nullopt;
+    }
+    return ChartPiece<Ball>{piece.chart, piece.exchanged, false, *tube, *range};
   }
 
   /// The signs of the derivatives of the parameters with respect to the tube's offset.
@@ -130,17 +129,17 @@ class ChartTurningSearch {
   bool search(std::size_t k) {
     const ChartPiece<Ball> piece = trace_.pieces[k];
     if (is_stopped(stop_)) {
-      fail(piece, point_at(piece.tube, piece.from), "the work cap was reached");
+      fail(piece, point_at(piece.tube, piece.range.from()), "the work cap was reached");
       return false;
     }
-    const std::array<int, 4> first = rate_signs(piece, piece.from);
-    const std::array<int, 4> last = rate_signs(piece, piece.to);
+    const std::array<int, 4> first = rate_signs(piece, piece.range.from());
+    const std::array<int, 4> last = rate_signs(piece, piece.range.to());
     for (std::size_t j = 0; j < 4; ++j) {
       if (j >= 2 && coincident_[j] != j) {
         continue;
       }
       if (first[j] == 0 || last[j] == 0) {
-        fail(piece, point_at(piece.tube, first[j] == 0 ? piece.from : piece.to),
+        fail(piece, point_at(piece.tube, first[j] == 0 ? piece.range.from() : piece.range.to()),
              "a turning point cannot be separated from the end of a step");
         return false;
       }
@@ -154,8 +153,8 @@ class ChartTurningSearch {
   /// Bisection while the sign in the middle is certain.
   void bracket(std::size_t k, std::size_t j, int first_sign) {
     const ChartPiece<Ball>& piece = trace_.pieces[k];
-    double from = piece.from;
-    double to = piece.to;
+    double from = piece.range.from();
+    double to = piece.range.to();
     for (const double fraction : {0.5, 0.4853}) {
       for (int i = 0; i < 60; ++i) {
         const double middle = from + fraction * (to - from);
@@ -180,13 +179,12 @@ class ChartTurningSearch {
       return true;
     }
     const ChartPiece<Ball>& piece = trace_.pieces[first->piece];
-    const bool forward = piece.to > piece.from;
     std::sort(first, trace_.turning.end(),
               [&](const ChartTurningPoint<Ball>& a, const ChartTurningPoint<Ball>& b) {
-                return forward ? a.from < b.from : a.from > b.from;
+                return piece.range.precedes(a.from, b.from);
               });
     for (auto point = first; point + 1 != trace_.turning.end(); ++point) {
-      if (forward ? !(point->to < (point + 1)->from) : !(point->to > (point + 1)->from)) {
+      if (!piece.range.precedes(point->to, (point + 1)->from)) {
         fail(piece, point->box, "turning points with respect to two parameters cannot be separated");
         return false;
       }

@@ -28,9 +28,9 @@ std::optional<TraceCut> place_on(const Pieces& pieces, int landmark, const Point
     if (!point || !contains(piece.tube, *point)) continue;
     const auto tau = offset_of(piece.tube, *point);
     using Ball = std::decay_t<decltype(tau)>;
-    const auto [low, high] = std::minmax(piece.from, piece.to);
-    if ((tau - Ball(low)).is_negative() || (Ball(high) - tau).is_negative()) continue;
-    const double middle = std::clamp(tau.approximation(), low, high);
+    if ((tau - Ball(piece.range.least())).is_negative() || (Ball(piece.range.greatest()) - tau).is_negative())
+      continue;
+    const double middle = piece.range.clamped(tau.approximation());
     return TraceCut{landmark, i, middle, (tau - Ball(middle)).upper_magnitude()};
   }
   return std::nullopt;

@@ -57,12 +57,12 @@ class ChartArcs {
   std::vector<Arc> run(const std::vector<Parameter>& wanted, int start_node, int end_node) {
     const ChartPiece<Ball>& first = trace_.pieces.front();
     const ChartPiece<Ball>& last = trace_.pieces.back();
-    stops_.push_back({start_node, 0, first.from, vertex(first, first.from)});
+    stops_.push_back({start_node, 0, first.range.from(), vertex(first, first.range.from())});
     for (const ChartTurningPoint<Ball>& point : trace_.turning) {
       add_turning(point, wanted);
     }
     add_cuts();
-    stops_.push_back({end_node, trace_.pieces.size() - 1, last.to, vertex(last, last.to)});
+    stops_.push_back({end_node, trace_.pieces.size() - 1, last.range.to(), vertex(last, last.range.to())});
     std::vector<Arc> arcs;
     for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
       arcs.push_back(arc(stops_[i], stops_[i + 1]));
@@ -89,8 +89,7 @@ class ChartArcs {
                         vertex_at(system_.chart(piece.chart), at, piece.exchanged != exchange_, frame_)});
     }
     std::stable_sort(stops_.begin() + 1, stops_.end(), [&](const ChartStop& a, const ChartStop& b) {
-      const ChartPiece<Ball>& piece = trace_.pieces[a.piece];
-      return a.piece != b.piece ? a.piece < b.piece : piece.from < piece.to ? a.tau < b.tau : a.tau > b.tau;
+      return a.piece != b.piece ? a.piece < b.piece : trace_.pieces[a.piece].range.precedes(a.tau, b.tau);
     });
   }
 
@@ -135,8 +134,8 @@ class ChartArcs {
     double chord_error = 0;
     for (std::size_t p = from.piece; p <= to.piece; ++p) {
       const ChartPiece<Ball>& piece = trace_.pieces[p];
-      const double a = p == from.piece ? from.tau : piece.from;
-      const double b = p == to.piece ? to.tau : piece.to;
+      const double a = p == from.piece ? from.tau : piece.range.from();
+      const double b = p == to.piece ? to.tau : piece.range.to();
       chord_error =
           std::max(chord_error, add_chords(result.polyline, vertex_error, piece, a, b, p != to.piece));
     }

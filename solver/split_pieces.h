@@ -40,11 +40,11 @@ std::optional<SplitFailure<Piece>> split_pieces(std::vector<Piece>& pieces, std:
       continue;
     }
     if (done.size() > most) {
-      return SplitFailure<Piece>{piece, piece.from, "a parameter is nearly constant along a curve"};
+      return SplitFailure<Piece>{piece, piece.range.from(), "a parameter is nearly constant along a curve"};
     }
-    const double middle = piece.from + 0.4853 * (piece.to - piece.from);
-    const auto first = part(piece, piece.from, middle);
-    const auto second = part(piece, middle, piece.to);
+    const double middle = piece.range.at(0.4853);
+    const auto first = part(piece, piece.range.from(), middle);
+    const auto second = part(piece, middle, piece.range.to());
     if (depth >= kDeepestSplit || !first || !second) {
       return SplitFailure<Piece>{piece, middle, "two turning points are too close to be separated"};
     }

@@ -99,8 +99,8 @@ class ContactTracer {
       return direction_;
     }
     const TangentialPiece<Ball>& last = arc_.pieces.back();
-    const ArcEnclosure<Ball> there = enclosure_between(system_, last.tube, last.to, last.to);
-    return there.slope[tube.axis].certain_sign() * (last.to > last.from ? 1 : -1);
+    const ArcEnclosure<Ball> there = enclosure_between(system_, last.tube, last.range.to(), last.range.to());
+    return there.slope[tube.axis].certain_sign() * last.range.direction();
   }
 
   /// Decides every landmark on the tube; ends at the first one ahead, else moves on to the far end.
@@ -136,13 +136,25 @@ class ContactTracer {
     if (closes && met >= 0) {
       return false;
     }
-    if (met >= 0 || closes) {
-      arc_.pieces.push_back({tube, here.approximation(), (closes ? back : met_at).approximation()});
-      arc_.end = met;
-      finished_ = true;
-      return true;
+    if (met < 0 && !closes) {
+      return move_to_end(tube, here, direction);
     }
-    return move_to_end(tube, here, direction);
+    if (!add_piece(tube, here, closes ? back : met_at, direction)) {
+      return false;
+    }
+    arc_.end = met;
+    finished_ = true;
+    return true;
+  }
+
+  /// Of the tube, between two offsets; false if they are not certainly in this direction.
+  bool add_piece(const TangentialTube<Ball>& tube, const Ball& from, const Ball& to, int direction) {
+    const auto range = PieceRange::between(from, to);
+    if (!range || range->direction() != direction) {
+      return false;
+    }
+    arc_.pieces.push_back({tube, *range});
+    return true;
   }
 
   bool move_to_end(const TangentialTube<Ball>& tube, const Ball& here, int direction) {
@@ -153,7 +165,9 @@ class ContactTracer {
         return false;  // left the domain without meeting a boundary point: take smaller steps
       }
     }
-    arc_.pieces.push_back({tube, here.approximation(), to});
+    if (!add_piece(tube, here, Ball(to), direction)) {
+      return false;
+    }
     position_ = end;
     step_ = std::min(0.25, step_ * std::clamp(kGoodContraction / tube.contraction, 0.7, 2.0));
     return true;
@@ -192,7 +206,7 @@ std::variant<TangentialArc<Ball>, TraceFailure> trace_contact(const PairSystem<B
   }
   TangentialArc<Ball> arc;
   for (auto piece = behind.pieces.rbegin(); piece != behind.pieces.rend(); ++piece) {
-    arc.pieces.push_back({piece->tube, piece->to, piece->from});
+    arc.pieces.push_back({piece->tube, piece->range.reversed()});
   }
   arc.pieces.insert(arc.pieces.end(), ahead.pieces.begin(), ahead.pieces.end());
   arc.start = behind.end;
@@ -210,9 +224,10 @@ template <class Ball>
 int certain_direction(const PairSystem<Ball>& system, const TangentialArc<Ball>& arc, int which,
                       std::size_t j) {
   const TangentialPiece<Ball>& piece = which == 0 ? arc.pieces.front() : arc.pieces.back();
-  const double at = which == 0 ? piece.from : piece.to;
-  return enclosure_between(system, piece.tube, at, at).slope[j].certain_sign() *
-         (piece.to > piece.from ? 1 : -1);
+  const double at = which == 0 ? piece.range.from() : piece.range.to();
+  const double doubt = piece.range.doubt();
+  return enclosure_between(system, piece.tube, at - doubt, at + doubt).slope[j].certain_sign() *
+         piece.range.direction();
 }
 
 #define EXSECT_INSTANTIATE_TANGENTIAL(Ball)                                                         \

@@ -10,12 +10,11 @@
 
 namespace exsect {
 
-/// A part of the curve on one tube, run through from offset `from` to offset `to` (either order).
+/// A part of the curve on one tube.
 template <class Ball>
 struct TangentialPiece {
   TangentialTube<Ball> tube;
-  double from;
-  double to;
+  PieceRange range;
 };
 
 /// A connected piece of a curve with F = 0 and tangent field 0: every piece's end point is on the next

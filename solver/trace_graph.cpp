@@ -54,8 +54,8 @@ class PolylineBuilder {
 
   void add_path(Station from, Station to) {
     for (std::size_t p = from.piece; p <= to.piece; ++p) {
-      const double a = p == from.piece ? from.tau : trace_.pieces[p].from;
-      const double b = p == to.piece ? to.tau : trace_.pieces[p].to;
+      const double a = p == from.piece ? from.tau : trace_.pieces[p].range.from();
+      const double b = p == to.piece ? to.tau : trace_.pieces[p].range.to();
       add_piece(p, a, b, p != to.piece);
     }
   }
@@ -126,10 +126,9 @@ class TraceAppender {
       stops_.push_back(landmark_stop(cut.landmark, cut.piece, cut.tau));
     }
     std::stable_sort(stops_.begin(), stops_.end(), [&](const Stop& a, const Stop& b) {
-      const Piece<Ball>& piece = curve_.trace.pieces[a.station.piece];
-      return a.station.piece != b.station.piece ? a.station.piece < b.station.piece
-             : piece.from < piece.to            ? a.station.tau < b.station.tau
-                                                : a.station.tau > b.station.tau;
+      return a.station.piece != b.station.piece
+                 ? a.station.piece < b.station.piece
+                 : curve_.trace.pieces[a.station.piece].range.precedes(a.station.tau, b.station.tau);
     });
   }
 
@@ -213,8 +212,8 @@ class TraceAppender {
 
   void add_open() {
     const auto& pieces = curve_.trace.pieces;
-    stops_.insert(stops_.begin(), landmark_stop(curve_.trace.start, 0, pieces.front().from));
-    stops_.push_back(landmark_stop(curve_.trace.end, pieces.size() - 1, pieces.back().to));
+    stops_.insert(stops_.begin(), landmark_stop(curve_.trace.start, 0, pieces.front().range.from()));
+    stops_.push_back(landmark_stop(curve_.trace.end, pieces.size() - 1, pieces.back().range.to()));
     for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
       add_arc(stops_[i], stops_[i + 1], {{stops_[i].station, stops_[i + 1].station}});
     }
@@ -225,8 +224,8 @@ class TraceAppender {
     for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
       add_arc(stops_[i], stops_[i + 1], {{stops_[i].station, stops_[i + 1].station}});
     }
-    const Station end = {pieces.size() - 1, pieces.back().to};
-    const Station begin = {0, pieces.front().from};
+    const Station end = {pieces.size() - 1, pieces.back().range.to()};
+    const Station begin = {0, pieces.front().range.from()};
     add_arc(stops_.back(), stops_.front(), {{stops_.back().station, end}, {begin, stops_.front().station}});
   }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "constant_parameter.h"
 #include "entering_directions.h"
@@ -335,13 +334,16 @@ class CurveTracing {
           continue;
         }
         if (curves_through(result_, box) != 1) {
-          throw std::logic_error("internal error: a fibre point lies on no traced curve or on two");
+          problem(point.box(), "it is not decided which curve this point of a fibre lies on");
+          return;
         }
         ++met;
       }
       if (expected != met) {
-        throw std::logic_error("internal error: traced curves and exact fibre disagree at " +
-                               std::string(name(sweep_.turning->sweep)) + " = " + sweep_.samples[k].str());
+        ParameterBox where = whole_domain();
+        where[index(sweep_.turning->sweep)] = {sweep_.samples[k], sweep_.samples[k]};
+        problem(where, "the traced curves and the exact fibre do not agree here");
+        return;
       }
     }
   }

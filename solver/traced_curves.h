@@ -91,8 +91,7 @@ bool turns_in(const TurningPoint<Ball>& point, std::size_t parameter) {
 /// problem is reported, the curves and isolated points are the whole intersection (provided `sweep.exact`):
 /// every arc with ends starts at a boundary point or a star; closed curves meet a fibre (or are found by
 /// search_closed_curves where there is no eliminant); curves along which the patches touch meet a fibre too,
-/// or are parameter lines; and at every sample the traced curves and the exact fibre are in bijection. Throws
-/// std::logic_error if they are not.
+/// or are parameter lines; and at every sample the traced curves and the exact fibre are in bijection.
 template <class Ball>
 TracedCurves<Ball> trace_curves(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
                                 const SweepData& sweep, const Rational& width, const StopRequest& stop);

@@ -27,7 +27,6 @@ constexpr double kWorstBend = 4;
 constexpr int kMostPieces = 200000;
 /// Radius of the points where tubes are joined, by the least half width.
 constexpr double kEndRadius = 0x1p-12;
-constexpr double kEndWidth = 0x1p-48;  // the ends are known within landmarks, as doubles
 
 template <class Ball>
 constexpr double kLeastStep = 0x1p-40;
@@ -72,6 +71,7 @@ class Tracer {
   std::variant<Trace<Ball>, TraceFailure> run(const BallPoint<Ball>& start, int start_landmark) {
     position_ = start;
     trace_.start = start_landmark;
+    trace_.ends[0] = start;
     while (trace_.pieces.size() < kMostPieces) {
       if (stop_ && stop_()) {
         return failure(position_, "the work cap was reached");
@@ -178,14 +178,28 @@ class Tracer {
     if (closes && met >= 0) {
       return false;
     }
-    if (met >= 0 || closes) {
-      const Ball end = closes ? offset(tube, *closing_) : met_at;
-      trace_.pieces.push_back({tube, here.approximation(), end.approximation()});
-      trace_.end = met;
-      finished_ = true;
-      return true;
+    if (met < 0 && !closes) {
+      return move_to_end(tube, here);
     }
-    return move_to_end(tube, here);
+    if (!add_piece(tube, here, closes ? offset(tube, *closing_) : met_at)) {
+      return false;
+    }
+    trace_.end = met;
+    if (met >= 0) {
+      trace_.ends[1] = landmarks_[static_cast<std::size_t>(met)];
+    }
+    finished_ = true;
+    return true;
+  }
+
+  /// Of the tube, between two offsets; false if the second one is not certainly ahead of the first one.
+  bool add_piece(const Tube<Ball>& tube, const Ball& from, const Ball& to) {
+    const auto range = PieceRange::between(from, to);
+    if (!range || range->direction() != direction_) {
+      return false;
+    }
+    trace_.pieces.push_back({tube, *range});
+    return true;
   }
 
   bool move_to_end(const Tube<Ball>& tube, const Ball& here) {
@@ -204,9 +218,13 @@ class Tracer {
         return false;  // left the domain without meeting a boundary point: take smaller steps
       }
     }
-    trace_.pieces.push_back({tube, here.approximation(), to});
-    if (trace_.start < 0 && trace_.pieces.size() == 1) {
-      start_loop_inside(tube, here, to);
+    const bool starts_loop = trace_.start < 0 && trace_.pieces.empty();
+    const Ball from = starts_loop ? Ball(inside_first_piece(here, to)) : here;
+    if (!add_piece(tube, from, Ball(to))) {
+      return false;
+    }
+    if (starts_loop) {
+      closing_ = point_at(tube, trace_.pieces.front().range.from());
     }
     position_ = end;
     const double growth = tube.contraction < kLeastContraction ? kMostGrowth : growth_;
@@ -217,10 +235,8 @@ class Tracer {
 
   /// A closed curve starts at an odd place of its first tube, so that the seed's special position (a sample u
   /// where symmetric curves turn) is never a joint.
-  void start_loop_inside(const Tube<Ball>& tube, const Ball& here, double to) {
-    Piece<Ball>& first = trace_.pieces.front();
-    first.from = here.approximation() + 0.61803 * (to - here.approximation());
-    closing_ = point_at(tube, first.from);
+  static double inside_first_piece(const Ball& here, double to) {
+    return here.approximation() + 0.61803 * (to - here.approximation());
   }
 
   const PairSystem<Ball>& system_;
@@ -259,15 +275,15 @@ std::variant<Trace<Ball>, TraceFailure> trace_loop(const PairSystem<Ball>& syste
 
 template <class Ball>
 bool passes_through(const Trace<Ball>& trace, const BallPoint<Ball>& box) {
-  const auto lies_behind = [&](const Piece<Ball>& piece, double end, double inwards) {
-    return (Ball(inwards) * (offset(piece.tube, box) - Ball(end).widened(kEndWidth))).is_negative();
+  const auto lies_behind = [&](const Piece<Ball>& piece, const BallPoint<Ball>& end, int inwards) {
+    return inwards * (offset(piece.tube, box) - offset(piece.tube, end)).certain_sign() < 0;
   };
   for (std::size_t i = 0; i < trace.pieces.size(); ++i) {
     const Piece<Ball>& piece = trace.pieces[i];
-    const double direction = piece.to > piece.from ? 1 : -1;
+    const int direction = piece.range.direction();
     const bool open = trace.start >= 0;  // behind its ends the curve is another one, or outside
-    if (contains(piece.tube, box) && !(open && i == 0 && lies_behind(piece, piece.from, direction)) &&
-        !(open && i + 1 == trace.pieces.size() && lies_behind(piece, piece.to, -direction))) {
+    if (contains(piece.tube, box) && !(open && i == 0 && lies_behind(piece, trace.ends[0], direction)) &&
+        !(open && i + 1 == trace.pieces.size() && lies_behind(piece, trace.ends[1], -direction))) {
       return true;
     }
   }

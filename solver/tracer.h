@@ -5,17 +5,17 @@
 #include <variant>
 #include <vector>
 
+#include "piece_range.h"
 #include "stop_request.h"
 #include "tube.h"
 
 namespace exsect {
 
-/// A part of the curve on one tube, run through from offset `from` to offset `to` (either order).
+/// A part of the curve on one tube.
 template <class Ball>
 struct Piece {
   Tube<Ball> tube;
-  double from;
-  double to;
+  PieceRange range;
 };
 
 /// A connected piece of the curve: every piece's end point is proved to lie on the next piece's arc. start
@@ -25,6 +25,7 @@ struct Trace {
   std::vector<Piece<Ball>> pieces;
   int start = -1;
   int end = -1;
+  std::array<BallPoint<Ball>, 2> ends = {};  // the boxes of these landmarks
 };
 
 /// A place on a trace, known as a landmark, where its arcs are cut: piece, and offset within `radius`.
@@ -58,7 +59,8 @@ std::variant<Trace<Ball>, TraceFailure> trace_loop(const PairSystem<Ball>& syste
                                                    const Landmarks<Ball>& landmarks,
                                                    const BallPoint<Ball>& seed, const StopRequest& stop);
 
-/// True only if the curve point known to lie in the box is on the trace.
+/// True only if the curve point known to lie in the box is on the trace, or behind an end of it but in a box
+/// that is not told apart from that end.
 template <class Ball>
 bool passes_through(const Trace<Ball>& trace, const BallPoint<Ball>& box);
 

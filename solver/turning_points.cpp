@@ -45,8 +45,9 @@ std::array<int, 4> tangent_signs(const PairSystem<Ball>& system, const BallPoint
 template <class Ball>
 std::array<double, 2> padded(const Piece<Ball>& piece) {
   const double reach = piece.tube.reach;
-  const double pad = std::copysign(kPad * reach, piece.to - piece.from);
-  return {std::clamp(piece.from - pad, -reach, reach), std::clamp(piece.to + pad, -reach, reach)};
+  const double pad = piece.range.direction() * kPad * reach;
+  return {std::clamp(piece.range.from() - pad, -reach, reach),
+          std::clamp(piece.range.to() + pad, -reach, reach)};
 }
 
 template <class Ball>
@@ -102,15 +103,16 @@ class TurningSearch {
       });
     };
     const auto part_of = [this](const Piece<Ball>& piece, double from, double to) {
-      return part(piece.tube, from, to);
+      return part(piece, from, to);
     };
     const auto failure = split_pieces(trace_.pieces, kMostPieces<Ball>, is_simple, part_of);
     if (failure) fail(point_at(failure->piece.tube, failure->at), failure->why);
     return !failure;
   }
 
-  /// The part of the tube's arc between two offsets, on a tube of its own.
-  std::optional<Piece<Ball>> part(const Tube<Ball>& tube, double from, double to) const {
+  /// The part of the piece between two offsets, on a tube of its own.
+  std::optional<Piece<Ball>> part(const Piece<Ball>& piece, double from, double to) const {
+    const Tube<Ball>& tube = piece.tube;
     const BallPoint<Ball> centre = point_at(tube, 0.5 * (from + to));
     const BallPoint<Ball> start = point_at(tube, from);
     const BallPoint<Ball> end = point_at(tube, to);
@@ -123,7 +125,11 @@ class TurningSearch {
     if (!result || !contains(*result, centre) || !contains(*result, start) || !contains(*result, end)) {
       return std::nullopt;
     }
-    return Piece<Ball>{*result, offset(*result, start).approximation(), offset(*result, end).approximation()};
+    const auto range = PieceRange::between(offset(*result, start), offset(*result, end));
+    if (!range || range->direction() != piece.range.direction()) {
+      return std::nullopt;
+    }
+    return Piece<Ball>{*result, *range};
   }
 
   /// Finds the turning point with respect to parameter i on piece k, if there is one.
@@ -135,7 +141,7 @@ class TurningSearch {
     const std::optional<int> first = sign_at(k, i, false);
     const std::optional<int> last = sign_at(k, i, true);
     if (!first || !last) {
-      fail(point_at(piece.tube, !first ? piece.from : piece.to),
+      fail(point_at(piece.tube, !first ? piece.range.from() : piece.range.to()),
            "a turning point cannot be separated from the end of a step or a boundary point");
       return false;
     }
@@ -146,7 +152,7 @@ class TurningSearch {
       return true;
     }
     if (!bracket(k, i, *first)) {
-      fail(point_at(piece.tube, 0.5 * (piece.from + piece.to)), "a turning point could not be enclosed");
+      fail(point_at(piece.tube, piece.range.at(0.5)), "a turning point could not be enclosed");
       return false;
     }
     return true;
@@ -157,7 +163,8 @@ class TurningSearch {
   /// that the parameter does not turn in between, perhaps outside the domain.
   std::optional<int> sign_at(std::size_t k, std::size_t i, bool at_end) const {
     const Piece<Ball>& piece = trace_.pieces[k];
-    const int sign = tangent_signs(system_, point_at(piece.tube, at_end ? piece.to : piece.from))[i];
+    const int sign =
+        tangent_signs(system_, point_at(piece.tube, at_end ? piece.range.to() : piece.range.from()))[i];
     const bool inner = at_end ? k + 1 < trace_.pieces.size() : k > 0;
     if (inner || trace_.start < 0) {
       return sign == 0 ? std::nullopt : std::optional(sign);
@@ -174,8 +181,8 @@ class TurningSearch {
   /// Regula falsi (Illinois) for an estimate of the zero of T_i/T_k, then certain signs on both sides of it.
   bool bracket(std::size_t k, std::size_t i, int first_sign) {
     const Piece<Ball>& piece = trace_.pieces[k];
-    double a = piece.from;
-    double b = piece.to;
+    double a = piece.range.from();
+    double b = piece.range.to();
     double fa = slope_at(piece.tube, a, i);
     double fb = slope_at(piece.tube, b, i);
     double t = 0.5 * (a + b);
@@ -197,10 +204,9 @@ class TurningSearch {
       b = t;
       fb = ft;
     }
-    const double direction = piece.to > piece.from ? 1 : -1;
     for (double delta = 2 * unit; delta < 1; delta *= 4) {
-      const double from = direction > 0 ? std::max(t - delta, piece.from) : std::min(t + delta, piece.from);
-      const double to = direction > 0 ? std::min(t + delta, piece.to) : std::max(t - delta, piece.to);
+      const double from = piece.range.ahead_of(t, -delta);
+      const double to = piece.range.ahead_of(t, delta);
       const int s0 = tangent_signs(system_, point_at(piece.tube, from))[i];
       const int s1 = tangent_signs(system_, point_at(piece.tube, to))[i];
       if (s0 == first_sign && s1 == -first_sign) {
@@ -223,26 +229,23 @@ class TurningSearch {
   /// apart that they could not on the piece; false if balls are no finer than doubles, or after many times.
   bool magnify(std::size_t k, double at) {
     const Piece<Ball> piece = trace_.pieces[k];
-    const double half = kMagnified * (piece.to - piece.from);
-    if (kUnit < Ball >> 0 || !(std::fabs(half) > kLeastMagnified) || ++magnified_ > kMostMagnified) {
+    const double half = kMagnified * piece.range.length();
+    if (kUnit < Ball >> 0 || !(half > kLeastMagnified) || ++magnified_ > kMostMagnified) {
       return false;
     }
-    const std::array<double, 4> cuts = {piece.from, at - half, at + half, piece.to};
+    const double last = piece.range.to();
+    const std::array<double, 4> cuts = {piece.range.from(), piece.range.ahead_of(at, -half),
+                                        piece.range.ahead_of(at, half), last};
     std::vector<Piece<Ball>> parts;
     for (std::size_t i = 0; i < 3; ++i) {
-      if ((cuts[i + 1] - cuts[i]) * half <= 0) {
+      if (!piece.range.precedes(cuts[i], cuts[i + 1])) {
         continue;  // close to an end of the piece
       }
-      const double from = parts.empty() ? piece.from : cuts[i];
-      const double to = i == 2 || (cuts[3] - cuts[2]) * half <= 0 ? piece.to : cuts[i + 1];
-      const auto result = part(piece.tube, from, to);
+      const auto result = part(piece, cuts[i], cuts[i + 1]);
       if (!result) {
         return false;
       }
       parts.push_back(*result);
-      if (to == piece.to) {
-        break;
-      }
     }
     const auto place = trace_.pieces.erase(trace_.pieces.begin() + static_cast<std::ptrdiff_t>(k));
     trace_.pieces.insert(place, parts.begin(), parts.end());
@@ -256,21 +259,20 @@ class TurningSearch {
     if (found_.end() - first < 2) {
       return std::nullopt;
     }
-    const Piece<Ball>& piece = trace_.pieces[first->piece];
-    const bool forward = piece.to > piece.from;
+    const PieceRange range = trace_.pieces[first->piece].range;
     std::sort(first, found_.end(), [&](const TurningPoint<Ball>& a, const TurningPoint<Ball>& b) {
-      return forward ? a.from < b.from : a.from > b.from;
+      return range.precedes(a.from, b.from);
     });
     for (auto point = first; point + 1 != found_.end(); ++point) {
       TurningPoint<Ball>& next = *(point + 1);
-      const bool apart = forward ? (point->to < next.from) : (point->to > next.from);
+      const bool apart = range.precedes(point->to, next.from);
       if (!apart && (turn_in_a_fold(*point, next) || turn_in_one_point(*point, next))) {
         next.parameters.insert(next.parameters.begin(), point->parameters.begin(), point->parameters.end());
         for (std::size_t j = 0; j < 4; ++j) {
           next.box[j] = hull(point->box[j], next.box[j]);
         }
         next.from = point->from;
-        next.to = forward ? std::max(point->to, next.to) : std::min(point->to, next.to);
+        next.to = later(range, point->to, next.to);
         point->parameters.clear();
         continue;
       }
@@ -300,16 +302,17 @@ class TurningSearch {
       return false;
     }
     const Tube<Ball>& tube = trace_.pieces[a.piece].tube;
-    const bool forward = trace_.pieces[a.piece].to > trace_.pieces[a.piece].from;
+    const PieceRange& range = trace_.pieces[a.piece].range;
     const auto sign = [&](double tau) {
       const Expansion<Ball> at(system_, point_at(tube, tau));
       const TaylorNet<Ball>& net = other == 0 ? at.x : at.y;
       return cross(net[3], net[1])[*known_.plane[other]].certain_sign();
     };
-    const double from = forward ? std::min(a.from, b.from) : std::max(a.from, b.from);
-    const double to = forward ? std::max(a.to, b.to) : std::min(a.to, b.to);
-    return sign(from) * sign(to) < 0;
+    const double from = range.precedes(a.from, b.from) ? a.from : b.from;
+    return sign(from) * sign(later(range, a.to, b.to)) < 0;
   }
+
+  static double later(const PieceRange& range, double a, double b) { return range.precedes(a, b) ? b : a; }
 
   /// On the tube each parameter turns at most once: in a point where both are known to turn, if the tube
   /// holds it.

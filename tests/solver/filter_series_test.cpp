@@ -96,7 +96,7 @@ TEST_CASE("filter series: vertices without doubt are within the bound of the tub
   for_pieces([&](const filter::Pair& pair, const filter::Piece& piece) {
     const filter::Tube& tube = piece.tube;
     const double greatest = 1e-7;
-    filter::VertexBlock block = block_at(tube, piece.from, piece.to);
+    filter::VertexBlock block = block_at(tube, piece.range.from(), piece.range.to());
     filter::evaluate_vertices(filter::vertex_forms(pair, tube, greatest), block);
     for (int l = 0; l < filter::kVertexBlock; ++l) {
       const filter::Ball ball = filter::point_at(tube, block.tau[l]);
@@ -121,7 +121,7 @@ TEST_CASE("filter series: what exceeds its limit, or is no number, is in doubt")
   for_pieces([](const filter::Pair& pair, const filter::Piece& piece) {
     const filter::Tube& tube = piece.tube;
     const auto doubts = [&](const filter::VertexForms& forms) {
-      filter::VertexBlock block = block_at(tube, piece.from, piece.to);
+      filter::VertexBlock block = block_at(tube, piece.range.from(), piece.range.to());
       filter::evaluate_vertices_scalar(forms, block);
       int count = 0;
       for (const double doubt : block.doubt) count += doubt == 0 ? 0 : 1;
@@ -149,7 +149,7 @@ TEST_CASE("filter series: vector and scalar code agree in every bit") {
   for_pieces([](const filter::Pair& pair, const filter::Piece& piece) {
     for (const double greatest : {1e-12, 1e-7}) {
       const filter::VertexForms forms = filter::vertex_forms(pair, piece.tube, greatest);
-      filter::VertexBlock scalar = block_at(piece.tube, piece.from, piece.to);
+      filter::VertexBlock scalar = block_at(piece.tube, piece.range.from(), piece.range.to());
       filter::VertexBlock lanes = scalar;
       filter::evaluate_vertices_scalar(forms, scalar);
       filter::evaluate_vertices_lanes(forms, lanes);

@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "../../solver/landmark_tangent.h"
 #include "../../solver/turning_points.h"
 #include "support/catch.h"
 #include "support/graph_patches.h"
@@ -219,7 +220,7 @@ TEST_CASE("a circle is traced once around, with its four turning points", "[trac
   for (const auto& piece : trace.pieces) {
     constexpr int parts = 8;
     const auto at = [&](int i) {
-      return point_at(piece.tube, piece.from + (piece.to - piece.from) * i / parts);
+      return point_at(piece.tube, piece.range.at(static_cast<double>(i) / parts));
     };
     for (int i = 0; i < parts; ++i) {
       const auto a = at(i);
@@ -265,6 +266,40 @@ TEST_CASE("an arc ends at the first landmark met", "[tracer]") {
   CHECK(std::holds_alternative<TraceFailure>(trace_arc(system, landmarks, 0, -1, {})));
   // Stopping on request is a failure with its reason.
   CHECK(std::holds_alternative<TraceFailure>(trace_arc(system, landmarks, 0, 1, [] { return true; })));
+}
+
+/// The arc u + v = e across a corner, in both directions. At its end it would be left again against T.
+template <class Ball>
+void check_arc_across_a_corner(const Rational& e) {
+  const auto system = system_of<Ball>({{{-e, 1, 0}, {1, 0, 0}, {0, 0, 0}}});
+  const Landmarks<Ball> landmarks = {on_diagonal<Ball>(0, e), on_diagonal<Ball>(e, 0)};
+  for (const int start : {0, 1}) {
+    CAPTURE(e, start);
+    const BallPoint<Ball> tangent =
+        Expansion<Ball>(system, landmarks[static_cast<std::size_t>(start)]).tangent();
+    const int sign = tangent[start == 0 ? 0 : 1].certain_sign();
+    REQUIRE(sign != 0);
+    const auto outcome = trace_arc(system, landmarks, start, sign, {});
+    REQUIRE(std::holds_alternative<Trace<Ball>>(outcome));
+    const auto& trace = std::get<Trace<Ball>>(outcome);
+    CHECK(trace.end == 1 - start);
+    CHECK(arriving_direction(trace) == -sign);
+    CHECK(passes_through(trace, on_diagonal<Ball>(e / 3, e - e / 3)));
+    CHECK_FALSE(passes_through(trace, on_diagonal<Ball>(-e / 3, e + e / 3)));
+    CHECK_FALSE(passes_through(trace, on_diagonal<Ball>(e + e / 3, -e / 3)));
+  }
+}
+
+TEST_CASE("an arc shorter than the rounding of its offsets keeps its direction", "[tracer]") {
+  for (const long bits : {2L, 10L, 30L, 45L}) {
+    check_arc_across_a_corner<DoubleBall>(power_of_two(-bits));
+  }
+  for (const long bits : {2L, 45L, 58L, 60L, 90L}) {
+    check_arc_across_a_corner<DoubleDoubleBall>(power_of_two(-bits));
+  }
+  for (const long bits : {58L, 90L, 150L, 200L}) {
+    check_arc_across_a_corner<ArbBall<256>>(power_of_two(-bits) / 3);
+  }
 }
 
 TEST_CASE("tracing into a crossing fails", "[tracer]") {
