@@ -10,7 +10,6 @@
 #include "model_scale.h"
 #include "plane_curve.h"
 #include "polynomial_vector.h"
-#include "run_clock.h"
 #include "traced_curves.h"
 
 namespace exsect {
@@ -151,17 +150,13 @@ class TwoCones {
 
 }  // namespace
 
-std::optional<IntersectResult> intersect_cones(const BezierPatch& x, const BezierPatch& y,
-                                               const IntersectOptions& options) {
+std::optional<IntersectResult> intersect_cones(const BezierPatch& x, const BezierPatch& y) {
   const std::vector<CommonPole> poles = common_poles(x, y);
   if (poles.size() != 1) return std::nullopt;
   const auto of_x = cone_from(x, poles.front().of_x);
   const auto of_y = cone_from(y, poles.front().of_y);
   if (!of_x || !of_y) return std::nullopt;
-  const RunClock clock(options, 1);
-  auto result = TwoCones(x, y, poles.front(), *of_x, *of_y).run();
-  if (result) result->work.milliseconds = clock.milliseconds();
-  return result;
+  return TwoCones(x, y, poles.front(), *of_x, *of_y).run();
 }
 
 }  // namespace exsect

@@ -9,7 +9,6 @@
 #include "landmark_node.h"
 #include "line_place.h"
 #include "model_scale.h"
-#include "run_clock.h"
 #include "traced_curves.h"
 
 namespace exsect {
@@ -94,9 +93,7 @@ Node pole_node(const CommonPole& pole, const CertifiedPoint& inside, const Node&
   return node;
 }
 
-std::optional<IntersectResult> intersect_in_pole(const BezierPatch& x, const BezierPatch& y,
-                                                 const IntersectOptions& options) {
-  const RunClock clock(options, 1);
+std::optional<IntersectResult> intersect_in_pole(const BezierPatch& x, const BezierPatch& y) {
   const std::vector<CommonPole> poles = common_poles(x, y);
   if (poles.size() != 1) return std::nullopt;
   const CertifiedPoint inside = pair_on(poles.front(), Rational(1, 2), Rational(1, 2));
@@ -111,7 +108,6 @@ std::optional<IntersectResult> intersect_in_pole(const BezierPatch& x, const Bez
   result.graph.isolated_points = {result.graph.nodes.front().id};
   finish_components(result.graph);
   result.status = Status::complete;
-  result.work.milliseconds = clock.milliseconds();
   return result;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>
-#include <exsect/solver/intersect.h>
+#include <exsect/solver/result.h>
 
 #include <optional>
 #include <vector>
@@ -33,7 +33,6 @@ Node pole_node(const CommonPole& pole, const CertifiedPoint& inside, const Node&
 /// The intersection, if a plane through a common pole separates the patches otherwise: one isolated node.
 /// Empty if no plane is found. With it pairs are decided that lie on one surface, such as opposite quarters
 /// of a dome.
-std::optional<IntersectResult> intersect_in_pole(const BezierPatch& x, const BezierPatch& y,
-                                                 const IntersectOptions& options);
+std::optional<IntersectResult> intersect_in_pole(const BezierPatch& x, const BezierPatch& y);
 
 }  // namespace exsect

@@ -9,7 +9,6 @@
 #include "exact_line_points.h"
 #include "filter.h"
 #include "parameter_box.h"
-#include "run_clock.h"
 
 namespace exsect {
 
@@ -21,22 +20,17 @@ constexpr long kRefined = 40;
 
 class Confirmation {
  public:
-  Confirmation(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options)
-      : x_(x), y_(y), options_(options) {}
+  Confirmation(const BezierPatch& x, const BezierPatch& y, const Run& run) : x_(x), y_(y), run_(run) {}
 
   std::optional<IntersectResult> run() {
-    auto found = filtered_curves(x_, y_, options_);
+    auto found = filtered_curves(x_, y_, run_);
     if (!found || !(confirmed_by_enclosure(found->stations[0]) || confirmed_exactly(found->stations)) ||
-        clock_.out_of_time()) {
+        run_.out_of_time()) {
       return std::nullopt;
     }
     for (Node& node : found->result.graph.nodes) {
       find_short_values(node);
     }
-    Work& work = found->result.work;
-    work.steps.erase("filtered");
-    work.steps.merge(work_.steps);
-    work.milliseconds = clock_.milliseconds();
     return std::move(found->result);
   }
 
@@ -44,7 +38,7 @@ class Confirmation {
   template <class Step>
   auto timed(const char* step, Step&& body) {
     std::optional<decltype(body())> result;
-    clock_.run(work_, step, [&] { result = body(); });
+    run_.timed(step, [&] { result = body(); });
     return std::move(*result);
   }
 
@@ -55,7 +49,7 @@ class Confirmation {
   }
 
   bool confirmed_exactly(const std::array<std::vector<Stations>, 4>& curves) {
-    if (clock_.out_of_time()) {
+    if (run_.out_of_time()) {
       return false;
     }
     auto turning = timed("turning eliminant", [&] { return choose_sweep(x_, y_).turning; });
@@ -83,7 +77,7 @@ class Confirmation {
 
   std::optional<std::size_t> fibre_count(const LineQuery& query) {
     const LinePoints fibre = line_points_filtered(x_, y_, query);
-    work_.steps["fibres"] += 1;
+    run_.count("fibres", 1);
     if (fibre.incomplete || !fibre.on_patch.empty()) {
       return std::nullopt;
     }
@@ -111,16 +105,13 @@ class Confirmation {
 
   const BezierPatch& x_;
   const BezierPatch& y_;
-  const IntersectOptions& options_;
-  RunClock clock_{options_, 0.5};
-  Work work_{};
+  const Run& run_;
 };
 
 }  // namespace
 
-std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y,
-                                                const IntersectOptions& options) {
-  return Confirmation(x, y, options).run();
+std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y, const Run& run) {
+  return Confirmation(x, y, run).run();
 }
 
 }  // namespace exsect

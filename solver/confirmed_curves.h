@@ -2,15 +2,16 @@
 // all. Internal to solver/; docs/method.md, section 14.8.
 #pragma once
 
-#include <exsect/solver/intersect.h>
+#include <exsect/geometry/bezier_patch.h>
 
 #include <optional>
+
+#include "run.h"
 
 namespace exsect {
 
 /// The complete intersection; empty if doubles do not find it or the eliminant does not prove that nothing is
-/// missing. The options have been checked. Throws std::logic_error if the two proofs contradict each other.
-std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y,
-                                                const IntersectOptions& options);
+/// missing. Throws std::logic_error if the two proofs contradict each other.
+std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y, const Run& run);
 
 }  // namespace exsect

@@ -2,11 +2,12 @@
 // section 6.3.
 #pragma once
 
-#include <exsect/solver/intersect.h>
+#include <exsect/geometry/bezier_patch.h>
 
 #include <optional>
 #include <vector>
 
+#include "run.h"
 #include "self_cuts.h"
 
 namespace exsect {
@@ -25,8 +26,7 @@ struct CutSelfIntersection {
 
 /// Empty if the result is incomplete, if a cut cannot be found in it, or if the patch is one of
 /// self_intersect_degenerate() or has a side that is one point.
-std::optional<CutSelfIntersection> cut_self_intersection(const BezierPatch& x,
-                                                         const IntersectOptions& options,
+std::optional<CutSelfIntersection> cut_self_intersection(const BezierPatch& x, const Run& run,
                                                          const std::vector<PairCut>& cuts);
 
 }  // namespace exsect

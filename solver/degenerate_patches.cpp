@@ -15,7 +15,6 @@
 #include "model_scale.h"
 #include "parameter_names.h"
 #include "plane_curve.h"
-#include "run_clock.h"
 #include "traced_curves.h"
 
 namespace exsect {
@@ -96,8 +95,8 @@ std::vector<std::array<RationalInterval, 2>> separate_boxes(const std::vector<Tr
 /// it is a curve, q(r).
 class DegeneratePair {
  public:
-  DegeneratePair(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options)
-      : x_(x), y_(y), options_(options), scale_(model_scale(x, y)) {}
+  DegeneratePair(const BezierPatch& x, const BezierPatch& y, const Run& run)
+      : x_(x), y_(y), run_(run), scale_(model_scale(x, y)) {}
 
   IntersectResult run() {
     const PatchShape first = shape(x_);
@@ -113,7 +112,6 @@ class DegeneratePair {
     }
     finish_components(result_.graph);
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    result_.work.milliseconds = clock_.milliseconds();
     return std::move(result_);
   }
 
@@ -221,7 +219,7 @@ class DegeneratePair {
   static LineQuery line() { return {Parameter::v, 0}; }
 
   LineArcs arcs_on(const BezierPatch& surface) const {
-    return line_arcs(x_, surface, line(), scale_, options_.tolerance * scale_.extent, stop_);
+    return line_arcs(x_, surface, line(), scale_, run_.drawn_tolerance(scale_.extent), stop_);
   }
 
   void add_collapsed(const CollapsedLine& collapsed) {
@@ -264,7 +262,7 @@ class DegeneratePair {
     for (PolylineVertex& vertex : arc.polyline)
       for (const Parameter p : free) vertex.parameters[index(p)] = 0.5;
     arc.error_bound = line_arc.error_bound;
-    if (!(arc.error_bound <= options_.tolerance * scale_.extent))
+    if (!(arc.error_bound <= run_.tolerance(scale_.extent)))
       incomplete("the tolerance is below what a polyline in doubles can be proved to keep");
     arc.free = free;
     result_.graph.arcs.push_back(std::move(arc));
@@ -272,10 +270,9 @@ class DegeneratePair {
 
   const BezierPatch& x_;
   const BezierPatch& y_;
-  const IntersectOptions& options_;
+  const Run& run_;
   ModelScale scale_;
-  RunClock clock_{options_};
-  StopRequest stop_ = [this] { return clock_.out_of_time(); };
+  StopRequest stop_ = run_.stop();
   IntersectResult result_{};
 };
 
@@ -300,7 +297,7 @@ PatchShape shape(const BezierPatch& x) {
 }
 
 std::optional<IntersectResult> intersect_degenerate(const BezierPatch& x, const BezierPatch& y,
-                                                    const IntersectOptions& options) {
+                                                    const Run& run) {
   using enum Parameter;
   const PatchShape first = shape(x);
   const PatchShape second = shape(y);
@@ -323,7 +320,7 @@ std::optional<IntersectResult> intersect_degenerate(const BezierPatch& x, const 
     std::swap(a, b);
     names = {names[2], names[3], names[0], names[1]};
   }
-  IntersectResult result = DegeneratePair(a, b, options).run();
+  IntersectResult result = DegeneratePair(a, b, run).run();
   rename_parameters(result, names);
   return result;
 }

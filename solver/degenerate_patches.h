@@ -1,9 +1,11 @@
 // Patches that are a curve or a single point, against any patch. Internal to solver/.
 #pragma once
 
-#include <exsect/solver/intersect.h>
+#include <exsect/geometry/bezier_patch.h>
 
 #include <optional>
+
+#include "run.h"
 
 namespace exsect {
 
@@ -14,6 +16,6 @@ PatchShape shape(const BezierPatch& x);
 
 /// The intersection if one of the patches is a curve or a point; empty if both are surfaces.
 std::optional<IntersectResult> intersect_degenerate(const BezierPatch& x, const BezierPatch& y,
-                                                    const IntersectOptions& options);
+                                                    const Run& run);
 
 }  // namespace exsect

@@ -8,8 +8,6 @@
 #include "filter_loops.h"
 #include "filter_overlap.h"
 #include "graph_builder.h"
-#include "option_limits.h"
-#include "run_clock.h"
 #include "turning_points.h"
 
 namespace exsect {
@@ -27,8 +25,8 @@ constexpr std::array<std::size_t, 4> kNoneCoincident = {0, 1, 2, 3};
 
 class FilteredIntersection {
  public:
-  FilteredIntersection(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options)
-      : x_(x), y_(y), options_(options) {}
+  FilteredIntersection(const BezierPatch& x, const BezierPatch& y, const Run& run)
+      : x_(x), y_(y), run_(run) {}
 
   std::optional<FilteredCurves> run_with_stations() {
     with_stations_ = true;
@@ -41,7 +39,7 @@ class FilteredIntersection {
 
   std::optional<IntersectResult> run() {
     const auto pair = filter::make_pair(x_, y_);
-    if (!pair || options_.tolerance < kFinestTolerance) {
+    if (!pair || !run_.can_keep_tolerance()) {
       return std::nullopt;
     }
     filter::Trees trees{filter::PatchTree(pair->x), filter::PatchTree(pair->y)};
@@ -64,9 +62,9 @@ class FilteredIntersection {
     if (!find_turns(*pair, traces, curves)) {
       return std::nullopt;
     }
-    auto graph = filter::make_graph(*pair, *points, double_points_, curves, options_.turning, coincident_,
-                                    options_.tolerance * pair->extent,
-                                    with_stations_ ? 0 : options_.tolerance * pair->extent);
+    auto graph =
+        filter::make_graph(*pair, *points, double_points_, curves, run_.turning(), coincident_,
+                           run_.tolerance(pair->extent), with_stations_ ? 0 : run_.tolerance(pair->extent));
     if (!graph) {
       return std::nullopt;
     }
@@ -81,24 +79,20 @@ class FilteredIntersection {
     if (with_stations_) {
       return std::nullopt;
     }
-    auto graph = filter::overlap_of_pieces(x_, y_, pair, trees, options_.tolerance * pair.extent, boxes_);
+    auto graph = filter::overlap_of_pieces(x_, y_, pair, trees, run_.tolerance(pair.extent), boxes_);
     return graph ? with_contacts(pair, {}, std::move(*graph), {}) : std::nullopt;
   }
 
   std::optional<IntersectResult> with_contacts(const filter::Pair& pair, const filter::Contacts& contacts,
                                                IntersectionGraph graph,
                                                const std::vector<AnalysedTrace>& curves) const {
-    if (!filter::append_contacts(x_, y_, pair, contacts, options_.tolerance * pair.extent, graph) ||
-        (options_.max_seconds && clock_.milliseconds() > 1000 * *options_.max_seconds)) {
+    if (!filter::append_contacts(x_, y_, pair, contacts, run_.tolerance(pair.extent), graph) ||
+        run_.out_of_time()) {
       return std::nullopt;
     }
     finish_components(graph);
     IntersectResult result{Status::complete, std::move(graph), {}, {}};
-    report(curves, result);
-    if (options_.progress && !with_stations_) {
-      options_.progress(1, "filter");
-    }
-    result.work.milliseconds = clock_.milliseconds();
+    record(curves, result.graph);
     return result;
   }
 
@@ -122,7 +116,7 @@ class FilteredIntersection {
   bool add_double_point(const filter::Pair& pair, const filter::Vec4& stuck,
                         std::vector<BoundaryPoint>& points) {
     const double tolerance =
-        std::ldexp(kPortShare * options_.tolerance * pair.extent, -static_cast<int>(pair.frame.exponent));
+        std::ldexp(kPortShare * run_.tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
     auto point = filter::double_point_near(x_, y_, pair, stuck, tolerance);
     if (!point || std::any_of(double_points_.begin(), double_points_.end(),
                               [&](const filter::DoublePoint& known) { return known.at == point->at; })) {
@@ -158,7 +152,7 @@ class FilteredIntersection {
     coincident_ = kNoneCoincident;
     for (Trace& trace : traces) {
       AnalysedTrace& curve = curves.emplace_back(AnalysedTrace{std::move(trace), {}});
-      if (options_.turning.empty() && curve.trace.start >= 0 && !with_stations_) {
+      if (run_.turning().empty() && curve.trace.start >= 0 && !with_stations_) {
         continue;
       }
       auto found = filter::find_turns(pair, curve.trace, coincident_, curve.turns);
@@ -197,26 +191,24 @@ class FilteredIntersection {
     }
   }
 
-  void report(const std::vector<AnalysedTrace>& curves, IntersectResult& result) const {
+  void record(const std::vector<AnalysedTrace>& curves, const IntersectionGraph& graph) const {
     std::size_t tubes = 0;
     for (const AnalysedTrace& curve : curves) {
       tubes += curve.trace.pieces.size();
     }
     std::size_t vertices = 0;
-    for (const Arc& arc : result.graph.arcs) {
+    for (const Arc& arc : graph.arcs) {
       vertices += arc.polyline.size();
     }
-    auto& steps = result.work.steps;
-    steps["filtered"] = 1;
-    steps["searched boxes"] = static_cast<double>(boxes_);
-    steps["tubes"] = static_cast<double>(tubes);
-    steps["vertices"] = static_cast<double>(vertices);
+    if (!with_stations_) run_.count("filtered", 1);
+    run_.count("searched boxes", static_cast<double>(boxes_));
+    run_.count("tubes", static_cast<double>(tubes));
+    run_.count("vertices", static_cast<double>(vertices));
   }
 
   const BezierPatch& x_;
   const BezierPatch& y_;
-  const IntersectOptions& options_;
-  RunClock clock_{options_};
+  const Run& run_;
   long boxes_ = 0;
   std::array<std::size_t, 4> coincident_ = kNoneCoincident;
   std::vector<filter::DoublePoint> double_points_;
@@ -227,13 +219,12 @@ class FilteredIntersection {
 }  // namespace
 
 std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const BezierPatch& y,
-                                                  const IntersectOptions& options) {
-  return FilteredIntersection(x, y, options).run();
+                                                  const Run& run) {
+  return FilteredIntersection(x, y, run).run();
 }
 
-std::optional<FilteredCurves> filtered_curves(const BezierPatch& x, const BezierPatch& y,
-                                              const IntersectOptions& options) {
-  return FilteredIntersection(x, y, options).run_with_stations();
+std::optional<FilteredCurves> filtered_curves(const BezierPatch& x, const BezierPatch& y, const Run& run) {
+  return FilteredIntersection(x, y, run).run_with_stations();
 }
 
 }  // namespace exsect

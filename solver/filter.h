@@ -2,18 +2,18 @@
 // docs/method.md, section 14.
 #pragma once
 
-#include <exsect/solver/intersect.h>
+#include <exsect/geometry/bezier_patch.h>
 
 #include <optional>
 
 #include "eliminant_proof.h"
+#include "run.h"
 
 namespace exsect {
 
 /// The complete intersection, with the same proof and the same graph as the exact solution; empty if doubles
-/// do not decide it, after a bounded amount of work. The options have been checked.
-std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const BezierPatch& y,
-                                                  const IntersectOptions& options);
+/// do not decide it, after a bounded amount of work.
+std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const BezierPatch& y, const Run& run);
 
 /// The same with what the curves do, for each sweep parameter; empty also where the patches share a corner or
 /// a part of a side.
@@ -21,7 +21,6 @@ struct FilteredCurves {
   IntersectResult result;
   std::array<std::vector<Stations>, 4> stations;
 };
-std::optional<FilteredCurves> filtered_curves(const BezierPatch& x, const BezierPatch& y,
-                                              const IntersectOptions& options);
+std::optional<FilteredCurves> filtered_curves(const BezierPatch& x, const BezierPatch& y, const Run& run);
 
 }  // namespace exsect

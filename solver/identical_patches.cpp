@@ -1,10 +1,9 @@
 #include "identical_patches.h"
 
-#include <exsect/solver/self_intersect.h>
-
 #include <algorithm>
 
 #include "graph_builder.h"
+#include "intersect_within.h"
 #include "landmark_node.h"
 #include "model_scale.h"
 #include "parameter_names.h"
@@ -40,11 +39,10 @@ constexpr const char* kTooFine = "the tolerance is below what a polyline in doub
 
 class ItselfBuilder {
  public:
-  ItselfBuilder(const BezierPatch& x, const IntersectOptions& options)
-      : x_(x), scale_(model_scale(x, x)), tolerance_(options.tolerance * scale_.extent) {
-    IntersectOptions both = options;
-    for (const Parameter p : options.turning) both.turning.push_back(all_parameters[index(p) ^ 2]);
-    result_ = self_intersect(x, both);
+  ItselfBuilder(const BezierPatch& x, const Run& run) : x_(x), run_(run), scale_(model_scale(x, x)) {
+    std::vector<Parameter> both = run.turning();
+    for (const Parameter p : run.turning()) both.push_back(all_parameters[index(p) ^ 2]);
+    result_ = self_intersect_within(run.with_turning(std::move(both)), x);
   }
 
   IntersectResult run() {
@@ -120,24 +118,25 @@ class ItselfBuilder {
     }
     std::vector<Arc> chain;
     for (std::size_t i = 0; i < 4; ++i) {
-      chain.push_back(rim_arc(x_, ends[i], ends[(i + 1) % 4], ArcPlace::patch_boundary, tolerance_));
+      chain.push_back(rim_arc(x_, ends[i], ends[(i + 1) % 4], ArcPlace::patch_boundary,
+                              run_.drawn_tolerance(scale_.extent)));
       chain.back().id = static_cast<int>(i);
-      if (!(chain.back().error_bound <= tolerance_))
+      if (!(chain.back().error_bound <= run_.tolerance(scale_.extent)))
         incomplete(result_.graph.nodes[static_cast<std::size_t>(ends[i].node)].box, kTooFine);
     }
     result_.graph.overlaps.push_back({static_cast<int>(result_.graph.overlaps.size()), {std::move(chain)}});
   }
 
   const BezierPatch& x_;
+  const Run& run_;
   ModelScale scale_;
-  double tolerance_;
   IntersectResult result_;
 };
 
 }  // namespace
 
 std::optional<IntersectResult> intersect_identical(const BezierPatch& x, const BezierPatch& y,
-                                                   const IntersectOptions& options) {
+                                                   const Run& run) {
   using enum Parameter;
   if (is_planar(x)) return std::nullopt;
   for (const bool exchanged : {false, true})
@@ -147,7 +146,7 @@ std::optional<IntersectResult> intersect_identical(const BezierPatch& x, const B
         if (first) z = z.reversed_first();
         if (second) z = z.reversed_second();
         if (!(x == z)) continue;
-        IntersectResult result = ItselfBuilder(x, options).run();
+        IntersectResult result = ItselfBuilder(x, run).run();
         if (first) reverse_parameter(result, r);
         if (second) reverse_parameter(result, s);
         if (exchanged) rename_parameters(result, {u, v, s, r});

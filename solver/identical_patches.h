@@ -1,9 +1,11 @@
 // A patch and itself, given twice. Internal to solver/.
 #pragma once
 
-#include <exsect/solver/intersect.h>
+#include <exsect/geometry/bezier_patch.h>
 
 #include <optional>
+
+#include "run.h"
 
 namespace exsect {
 
@@ -11,6 +13,6 @@ namespace exsect {
 /// of both squares, and every pair of self_intersect in both orders. Empty otherwise, and for patches in a
 /// plane.
 std::optional<IntersectResult> intersect_identical(const BezierPatch& x, const BezierPatch& y,
-                                                   const IntersectOptions& options);
+                                                   const Run& run);
 
 }  // namespace exsect

@@ -19,17 +19,16 @@
 #include "filter.h"
 #include "graph_builder.h"
 #include "intersect_by_sweep.h"
+#include "intersect_within.h"
 #include "known_tangent.h"
 #include "landmark_node.h"
 #include "line_arcs.h"
 #include "line_place.h"
 #include "missed_plane.h"
 #include "model_scale.h"
-#include "option_limits.h"
 #include "overlaps.h"
 #include "parameter_box.h"
 #include "pinch_points.h"
-#include "run_clock.h"
 #include "singular_points.h"
 #include "traced_curves.h"
 #include "unfolded_parameters.h"
@@ -40,10 +39,8 @@ namespace {
 
 class Intersection {
  public:
-  Intersection(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options)
-      : x_(x), y_(y), options_(options), clock_(options, 0.2), scaling_(model_scale(x, y)), stop_([this] {
-          return clock_.out_of_time();
-        }) {
+  Intersection(const BezierPatch& x, const BezierPatch& y, const Run& run)
+      : x_(x), y_(y), run_(run), scaling_(model_scale(x, y)) {
     sweep_.coincident = coincident_parameters(x, y);
     sweep_.plane = plane_coordinates(x, y);
     sweep_.symmetry = [this]() -> const std::optional<ExchangingSymmetry>& {
@@ -65,7 +62,8 @@ class Intersection {
       return common_tangent_zero(x_, y_, where, i, j);
     };
     sweep_.is_on_sides = [this](const LineQuery& query, const RealAlgebraic& at) {
-      const LineArcs arcs = line_arcs(x_, y_, query, scaling_, used_tolerance(), stop_, false);
+      const LineArcs arcs =
+          line_arcs(x_, y_, query, scaling_, run_.drawn_tolerance(scaling_.extent), stop_, false);
       return !arcs.incomplete &&
              std::all_of(arcs.collapsed.begin(), arcs.collapsed.end(), [&](const CollapsedLine& other) {
                return !(other.t == at) || other.value.compare(0) == 0 || other.value.compare(1) == 0;
@@ -90,14 +88,13 @@ class Intersection {
     }
     finish_components(result_.graph);
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    result_.work.milliseconds = clock_.milliseconds();
     return std::move(result_);
   }
 
  private:
   template <class Step>
   void timed(const char* step, Step&& body) {
-    clock_.run(result_.work, step, std::forward<Step>(body));
+    run_.timed(step, std::forward<Step>(body));
   }
 
   void incomplete(const ParameterBox& where, const std::string& why) {
@@ -105,7 +102,7 @@ class Intersection {
   }
 
   void find_boundary_points() {
-    sides_ = boundary_lines(x_, y_, scaling_, 0.4 * used_tolerance(), stop_);
+    sides_ = boundary_lines(x_, y_, scaling_, 0.4 * run_.drawn_tolerance(scaling_.extent), stop_);
     result_.incomplete = sides_.incomplete;
     on_side_arc_.assign(sides_.points.size(), false);
     for (const SideArc& arc : sides_.arcs) {
@@ -121,13 +118,8 @@ class Intersection {
     }
   }
 
-  /// Vertices are doubles: below the finest tolerance the polylines stay coarse and the result says so.
-  double used_tolerance() const {
-    return (options_.tolerance < kFinestTolerance ? kCoarseTolerance : options_.tolerance) * scaling_.extent;
-  }
-
   void find_turning_values() {
-    if (clock_.out_of_time()) {
+    if (run_.out_of_time()) {
       incomplete(whole_domain(), "the work cap was reached before closed curves were excluded");
       return;
     }
@@ -138,7 +130,7 @@ class Intersection {
 
   const std::optional<TurningValues>& turning_values_of(Parameter sweep) {
     auto& known = turning_[index(sweep)];
-    if (!known && clock_.out_of_time()) {
+    if (!known && run_.out_of_time()) {
       return unknown_;
     }
     if (!known) {
@@ -161,7 +153,7 @@ class Intersection {
     sweep_.samples = std::move(samples);
     sweep_.fibres.clear();
     for (const Rational& sample : sweep_.samples) {
-      if (clock_.out_of_time()) {
+      if (run_.out_of_time()) {
         incomplete(whole_domain(), "the work cap was reached while fibres were computed");
         return;
       }
@@ -173,7 +165,7 @@ class Intersection {
       }
       sweep_.fibres.push_back(std::move(fibre.points));
     }
-    result_.work.steps["fibres"] = static_cast<double>(sweep_.fibres.size());
+    run_.count("fibres", static_cast<double>(sweep_.fibres.size()));
   }
 
   /// Proves neighbourhoods of the singular points; their ports become landmarks.
@@ -188,7 +180,7 @@ class Intersection {
         sides_.points,
         on_side_arc_,
         pinches_,
-        options_.tolerance * std::ldexp(scaling_.extent, static_cast<int>(-scaling_.frame.exponent)),
+        std::ldexp(run_.drawn_tolerance(scaling_.extent), static_cast<int>(-scaling_.frame.exponent)),
         sweep_.turning ? sweep_.turning->sweep : Parameter::u,
         sweep_.samples,
         [this](Parameter p) -> const std::optional<TurningValues>& { return turning_values_of(p); },
@@ -230,21 +222,21 @@ class Intersection {
     }
     timed("graph", [&] { build_graph(system, landmarks, traced); });
     const std::vector<Incomplete> coarse = coarse_arcs();
-    const bool precision_may_help = traced.problems.empty() && options_.tolerance >= kFinestTolerance;
+    const bool precision_may_help = traced.problems.empty() && run_.can_keep_tolerance();
     if (!coarse.empty() && !last && precision_may_help && result_.incomplete.empty()) {
       result_.graph = {};
       return false;
     }
     result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
     result_.incomplete.insert(result_.incomplete.end(), coarse.begin(), coarse.end());
-    result_.work.steps["searched boxes"] += static_cast<double>(traced.searched_boxes);
+    run_.count("searched boxes", static_cast<double>(traced.searched_boxes));
     return true;
   }
 
   std::vector<Incomplete> coarse_arcs() const {
     std::vector<Incomplete> result;
     for (const Arc& arc : result_.graph.arcs) {
-      if (auto coarse = too_coarse(result_.graph, arc, options_.tolerance * scaling_.extent)) {
+      if (auto coarse = too_coarse(result_.graph, arc, run_.tolerance(scaling_.extent))) {
         result.push_back(std::move(*coarse));
       }
     }
@@ -316,7 +308,7 @@ class Intersection {
       return;
     }
     for (const Parameter p : *turning) {
-      if (std::count(options_.turning.begin(), options_.turning.end(), p) > 0) {
+      if (std::count(run_.turning().begin(), run_.turning().end(), p) > 0) {
         node.wrt.push_back(p);
       }
     }
@@ -353,25 +345,25 @@ class Intersection {
                                  result_);
     boundary.add_arcs();
     for (const AnalysedTrace<Ball>& curve : traced.curves) {
-      append_trace(graph, curve, landmarks, ends, scaling_.frame, options_.turning, used_tolerance());
-      result_.work.steps["tubes"] += static_cast<double>(curve.trace.pieces.size());
+      append_trace(graph, curve, landmarks, ends, scaling_.frame, run_.turning(),
+                   run_.drawn_tolerance(scaling_.extent));
+      run_.count("tubes", static_cast<double>(curve.trace.pieces.size()));
     }
     for (const AnalysedContact<Ball>& contact : traced.contacts) {
-      append_contact(graph, system, contact, landmarks, ends, scaling_.frame, options_.turning,
-                     used_tolerance());
+      append_contact(graph, system, contact, landmarks, ends, scaling_.frame, run_.turning(),
+                     run_.drawn_tolerance(scaling_.extent));
     }
     boundary.contract();
     for (const Arc& arc : graph.arcs) {
-      result_.work.steps["vertices"] += static_cast<double>(arc.polyline.size());
+      run_.count("vertices", static_cast<double>(arc.polyline.size()));
     }
   }
 
   const BezierPatch& x_;
   const BezierPatch& y_;
-  const IntersectOptions& options_;
-  RunClock clock_;
+  const Run& run_;
   ModelScale scaling_;
-  StopRequest stop_;
+  StopRequest stop_ = run_.stop();
   SweepData sweep_;
   BoundaryLines sides_;
   std::vector<bool> on_side_arc_;  // per point
@@ -387,26 +379,32 @@ class Intersection {
 }  // namespace
 
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
-  check(options);
-  auto result = options.exact ? confirmed_curves(x, y, options) : intersect_filtered(x, y, options);
-  return result ? std::move(*result) : intersect_by_sweep(x, y, options);
+  const Run run(options);
+  return run.finished(intersect_within(run, x, y));
 }
 
-IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y,
-                                   const IntersectOptions& options) {
-  if (std::optional<IntersectResult> result = intersect_degenerate(x, y, options)) {
+IntersectResult intersect_within(const Run& run, const BezierPatch& x, const BezierPatch& y) {
+  auto result = run.exact() ? confirmed_curves(x, y, run) : intersect_filtered(x, y, run);
+  if (result) return std::move(*result);
+  if (!run.exact()) run.add_time_until_now("filter");
+  return intersect_by_sweep(x, y, run);
+}
+
+IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y, const Run& run) {
+  if (std::optional<IntersectResult> result = intersect_degenerate(x, y, run)) {
     return std::move(*result);
   }
-  for (const auto& method :
-       {intersect_missed_plane, intersect_in_pole, intersect_cones, intersect_unfolded}) {
-    if (std::optional<IntersectResult> result = method(x, y, options)) {
+  for (const auto& method : {intersect_missed_plane, intersect_in_pole, intersect_cones}) {
+    if (std::optional<IntersectResult> result = method(x, y)) {
       return std::move(*result);
     }
   }
-  if (std::optional<IntersectResult> result = intersect_on_one_surface(x, y, options)) {
-    return std::move(*result);
+  for (const auto& method : {intersect_unfolded, intersect_on_one_surface}) {
+    if (std::optional<IntersectResult> result = method(x, y, run)) {
+      return std::move(*result);
+    }
   }
-  return Intersection(x, y, options).run();
+  return Intersection(x, y, run).run();
 }
 
 }  // namespace exsect

@@ -2,29 +2,10 @@
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/options.h>
 #include <exsect/solver/result.h>
 
-#include <functional>
-#include <optional>
-#include <vector>
-
 namespace exsect {
-
-struct IntersectOptions {
-  /// Turning points with respect to these parameters become nodes.
-  std::vector<Parameter> turning = {Parameter::u, Parameter::v, Parameter::r, Parameter::s};
-  /// Bound of the distance between each polyline and its true arc, relative to the size of the model (the
-  /// largest extent of the common bounding box of both patches); > 0, else std::invalid_argument. Below 1e-12
-  /// vertices in doubles cannot keep it: the result is then incomplete, with the bounds that are proved.
-  double tolerance = 1e-6;
-  /// Work cap; when it is exceeded the result is incomplete.
-  std::optional<double> max_seconds;
-  /// Whether a curve is missing is decided by exact arithmetic (method, sections 5 and 14.8), not by a search
-  /// in doubles alone. The graph is the same; Work::steps has the entry "filtered" if that sufficed.
-  bool exact = false;
-  /// Called now and then with a fraction in [0,1] and the name of the step.
-  std::function<void(double, const char*)> progress;
-};
 
 /// Every point of x(u,v) = y(r,s) in [0,1]^4 (method, section 8). Safe to call from several threads. Throws
 /// std::invalid_argument for options out of range.

@@ -4,7 +4,6 @@
 #include <exsect/geometry/pull_back.h>
 
 #include "planar_patch.h"
-#include "run_clock.h"
 
 namespace exsect {
 
@@ -29,13 +28,10 @@ bool misses_plane_of(const BezierPatch& planar, const BezierPatch& other) {
 
 }  // namespace
 
-std::optional<IntersectResult> intersect_missed_plane(const BezierPatch& x, const BezierPatch& y,
-                                                      const IntersectOptions& options) {
-  const RunClock clock(options);
+std::optional<IntersectResult> intersect_missed_plane(const BezierPatch& x, const BezierPatch& y) {
   if (!misses_plane_of(x, y) && !misses_plane_of(y, x)) return std::nullopt;
   IntersectResult result{};
   result.status = Status::complete;
-  result.work.milliseconds = clock.milliseconds();
   return result;
 }
 

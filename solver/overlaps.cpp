@@ -12,7 +12,6 @@
 #include "overlap_boundary.h"
 #include "parameter_names.h"
 #include "planar_patch.h"
-#include "run_clock.h"
 #include "traced_curves.h"
 #include "two_piece_clip.h"
 #include "two_piece_curves.h"
@@ -23,13 +22,12 @@ namespace {
 
 class OneSurface {
  public:
-  OneSurface(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options,
-             const CommonSurface& surface)
+  OneSurface(const BezierPatch& x, const BezierPatch& y, const Run& run, const CommonSurface& surface)
       : x_(x),
         y_(y),
-        options_(options),
+        run_(run),
         scale_(model_scale(x, y)),
-        tolerance_(options.tolerance * scale_.extent),
+        tolerance_(run.drawn_tolerance(scale_.extent)),
         surface_(surface),
         sheets_(x, y, scale_, surface) {}
 
@@ -43,7 +41,6 @@ class OneSurface {
     timed("graph", [this] { add_boundary(); });
     finish_components(result_.graph);
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    result_.work.milliseconds = clock_.milliseconds();
     return std::move(result_);
   }
 
@@ -64,7 +61,7 @@ class OneSurface {
 
   template <class Step>
   void timed(const char* step, Step&& body) {
-    clock_.run(result_.work, step, std::forward<Step>(body));
+    run_.timed(step, std::forward<Step>(body));
   }
 
   /// In a plane every solution lies on a common sheet if neither patch is singular anywhere. Otherwise the
@@ -102,7 +99,7 @@ class OneSurface {
     result_.graph.isolated_points = traced.isolated;
     for (const AnalysedTrace<Ball>& curve : traced.curves)
       append_trace(result_.graph, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame,
-                   options_.turning, tolerance_);
+                   run_.turning(), tolerance_);
     for (const Arc& arc : result_.graph.arcs) check_bound(arc);
     return true;
   }
@@ -118,7 +115,7 @@ class OneSurface {
                          scale_.frame.exponent, width, stop_);
     if (!traced.problems.empty() && !last) return clip_curves();
     add_boundary_nodes(system, traced.landmarks, traced);
-    append_two_pieces(result_.graph, *pieces_, shared, system, traced, scale_.frame, options_.turning,
+    append_two_pieces(result_.graph, *pieces_, shared, system, traced, scale_.frame, run_.turning(),
                       tolerance_);
     for (const Arc& arc : result_.graph.arcs) check_bound(arc);
     return true;
@@ -130,14 +127,11 @@ class OneSurface {
     if (!pieces_ || !boundary_.incomplete.empty() || is_stopped(stop_)) return false;
     const auto& [u, v] = pieces_->hull;
     const BezierPatch hull = x_.restricted_to(u(0), u(1), v(0), v(1));
-    IntersectOptions options = options_;
-    options.tolerance = 0.99 * tolerance_ / model_scale(hull, hull).extent;
-    options.progress = nullptr;
-    if (options.max_seconds) *options.max_seconds -= clock_.milliseconds() / 1000;
+    const Run for_hull = run_.with_tolerance(0.99 * tolerance_ / model_scale(hull, hull).extent);
     IntersectionGraph graph;
     std::vector<int> nodes;
     for (const BoundaryPoint& point : boundary_.points) nodes.push_back(add_node(graph, point));
-    const auto divided = append_clipped_curves(graph, *pieces_, boundary_, nodes, options);
+    const auto divided = append_clipped_curves(graph, *pieces_, boundary_, nodes, for_hull);
     if (!divided) return false;
     result_.graph = std::move(graph);
     nodes_ = std::move(nodes);
@@ -169,7 +163,7 @@ class OneSurface {
   void add_boundary_nodes(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
                           const Traced& traced) {
     result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
-    result_.work.steps["searched boxes"] += static_cast<double>(traced.searched_boxes);
+    run_.count("searched boxes", static_cast<double>(traced.searched_boxes));
     for (std::size_t i = 0; i < sweep_.landmarks.size(); ++i) {
       const CertifiedPoint& point = sweep_.landmarks[i].point;
       result_.graph.nodes.push_back(
@@ -179,7 +173,7 @@ class OneSurface {
   }
 
   void check_bound(const Arc& arc) {
-    if (auto coarse = too_coarse(result_.graph, arc, tolerance_))
+    if (auto coarse = too_coarse(result_.graph, arc, run_.tolerance(scale_.extent)))
       result_.incomplete.push_back(std::move(*coarse));
   }
 
@@ -322,13 +316,12 @@ class OneSurface {
 
   const BezierPatch& x_;
   const BezierPatch& y_;
-  const IntersectOptions& options_;
+  const Run& run_;
   ModelScale scale_;
   double tolerance_;
   const CommonSurface& surface_;
   CommonSheets sheets_;
-  RunClock clock_{options_, 1.0 / 3};
-  StopRequest stop_ = [this] { return clock_.out_of_time(); };
+  StopRequest stop_ = run_.stop();
   OverlapBoundary boundary_;
   bool regular_ = false;  // in a plane, and neither patch is singular
   std::optional<TwoPieces> pieces_;
@@ -341,15 +334,16 @@ class OneSurface {
 }  // namespace
 
 std::optional<IntersectResult> intersect_on_one_surface(const BezierPatch& x, const BezierPatch& y,
-                                                        const IntersectOptions& options) {
+                                                        const Run& run) {
   using enum Parameter;
-  if (auto result = intersect_identical(x, y, options)) return result;
+  if (auto result = intersect_identical(x, y, run)) return result;
   const auto surface = CommonSurface::of(x, y);
   if (!surface) return std::nullopt;
   const BezierPatch exchanged = y.exchanged();
-  if (!shifted_copy(x, exchanged)) return OneSurface(x, y, options, *surface).run();
-  IntersectOptions renamed = options;
-  for (Parameter& p : renamed.turning) p = p == r ? s : p == s ? r : p;
+  if (!shifted_copy(x, exchanged)) return OneSurface(x, y, run, *surface).run();
+  std::vector<Parameter> turning = run.turning();
+  for (Parameter& p : turning) p = p == r ? s : p == s ? r : p;
+  const Run renamed = run.with_turning(std::move(turning));
   IntersectResult result = OneSurface(x, exchanged, renamed, *CommonSurface::of(x, exchanged)).run();
   rename_parameters(result, {u, v, s, r});
   return result;

@@ -1,13 +1,13 @@
 #include "self_collapsed.h"
 
 #include <exsect/algebra/rational_matrix.h>
-#include <exsect/solver/self_intersect.h>
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "half_space.h"
+#include "intersect_within.h"
 #include "self_degenerate.h"
 #include "special_cusps.h"
 
@@ -32,8 +32,8 @@ bool lies_in_slices(const BezierPatch& x) {
 }
 
 /// All pairs of the part are those on its side v = `side`.
-bool meets_itself_in_tip(const BezierPatch& part, int side, const IntersectOptions& options) {
-  const IntersectResult result = self_intersect(part, options);
+bool meets_itself_in_tip(const BezierPatch& part, int side, const Run& run) {
+  const IntersectResult result = self_intersect_within(run, part);
   if (result.status != Status::complete || result.graph.nodes.size() != 1) return false;
   const Node& node = result.graph.nodes.front();
   return node.free.size() == 2 && index(node.free[0]) == 0 && node.box[1].lower == side &&
@@ -41,7 +41,7 @@ bool meets_itself_in_tip(const BezierPatch& part, int side, const IntersectOptio
 }
 
 /// A plane through the tip, the line v = c, has the two cones on its two sides.
-bool is_double_cone(const BezierPatch& x, const Rational& c, const IntersectOptions& options) {
+bool is_double_cone(const BezierPatch& x, const Rational& c, const Run& run) {
   const BezierPatch before = x.restricted_to(0, 1, 0, c);
   const BezierPatch behind = x.restricted_to(0, 1, c, 1);
   const Point tip = x(0, c);
@@ -51,12 +51,12 @@ bool is_double_cone(const BezierPatch& x, const Rational& c, const IntersectOpti
       ahead.push_back(behind.net()[i][j] - tip);
       ahead.push_back(tip - before.net()[i][2 - j]);
     }
-  return lie_in_half_space(ahead) && meets_itself_in_tip(before, 1, options) &&
-         meets_itself_in_tip(behind, 0, options);
+  return lie_in_half_space(ahead) && meets_itself_in_tip(before, 1, run) &&
+         meets_itself_in_tip(behind, 0, run);
 }
 
 /// The lines v = constant, if there are any and all pairs are on them.
-std::vector<Rational> tips(const BezierPatch& x, const IntersectOptions& options) {
+std::vector<Rational> tips(const BezierPatch& x, const Run& run) {
   std::vector<Rational> lines;
   for (const RealAlgebraic& v : collapsed_lines(x)) {
     if (!v.is_rational()) return {};
@@ -64,15 +64,14 @@ std::vector<Rational> tips(const BezierPatch& x, const IntersectOptions& options
   }
   if (lines.empty() || (lies_in_slices(x) && !has_folded_line(x))) return lines;
   const bool inside = lines.size() == 1 && lines[0] > 0 && lines[0] < 1;
-  return inside && is_double_cone(x, lines[0], options) ? lines : std::vector<Rational>{};
+  return inside && is_double_cone(x, lines[0], run) ? lines : std::vector<Rational>{};
 }
 
 }  // namespace
 
-std::optional<IntersectResult> self_intersect_collapsed(const BezierPatch& x,
-                                                        const IntersectOptions& options) {
+std::optional<IntersectResult> self_intersect_collapsed(const BezierPatch& x, const Run& run) {
   for (const std::size_t fixed : {1, 0}) {
-    const std::vector<Rational> lines = tips(fixed == 1 ? x : x.exchanged(), options);
+    const std::vector<Rational> lines = tips(fixed == 1 ? x : x.exchanged(), run);
     if (lines.empty()) continue;
     IntersectResult result{};
     for (const Rational& line : lines) {

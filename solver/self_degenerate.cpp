@@ -1,7 +1,5 @@
 #include "self_degenerate.h"
 
-#include <exsect/solver/self_intersect.h>
-
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -9,6 +7,7 @@
 #include "boundary_lines.h"
 #include "degenerate_patches.h"
 #include "folded_patch.h"
+#include "intersect_within.h"
 #include "landmark_node.h"
 #include "model_scale.h"
 #include "planar_patch.h"
@@ -50,8 +49,8 @@ std::optional<Rational> line_over(const std::optional<Rational>& fold, const Rat
 
 /// The lines of x that are one point, if all pairs of the quotient are on such lines of it.
 std::optional<std::vector<Node>> collapsed_lines(const BezierPatch& x, const Quotient& quotient,
-                                                 const IntersectOptions& options) {
-  const IntersectResult rest = self_intersect(quotient.patch, options);
+                                                 const Run& run) {
+  const IntersectResult rest = self_intersect_within(run, quotient.patch);
   if (rest.status != Status::complete || rest.graph.nodes.size() != rest.graph.isolated_points.size())
     return std::nullopt;
   std::vector<Node> lines;
@@ -67,8 +66,8 @@ std::optional<std::vector<Node>> collapsed_lines(const BezierPatch& x, const Quo
 
 /// The overlaps, and the lines; without these the other pairs are not decided.
 IntersectResult symmetric_result(const BezierPatch& x, const std::vector<Symmetry>& symmetries,
-                                 std::optional<std::vector<Node>> lines, const IntersectOptions& options) {
-  IntersectResult result = symmetric_overlaps(x, symmetries, options);
+                                 std::optional<std::vector<Node>> lines, const Run& run) {
+  IntersectResult result = symmetric_overlaps(x, symmetries, run);
   if (!lines) {
     std::string why = "the patch covers its image more than once: (u, v)";
     for (const Symmetry& symmetry : symmetries) why += " and " + image_text(symmetry);
@@ -85,8 +84,7 @@ IntersectResult symmetric_result(const BezierPatch& x, const std::vector<Symmetr
 }
 
 /// Empty if x has no symmetry, and is not folded outside of the square or meets itself.
-std::optional<IntersectResult> self_intersect_symmetric(const BezierPatch& x,
-                                                        const IntersectOptions& options) {
+std::optional<IntersectResult> self_intersect_symmetric(const BezierPatch& x, const Run& run) {
   constexpr std::size_t kOfSquare = 6;  // (7.19)
   const std::vector<Symmetry> known = symmetries(x);
   const Quotient quotient = quotient_of(x);
@@ -96,10 +94,10 @@ std::optional<IntersectResult> self_intersect_symmetric(const BezierPatch& x,
   if (known.size() == kOfSquare || (!folded && has_only_symmetric_pairs(x))) {
     lines.emplace();
   } else if (folded) {
-    lines = collapsed_lines(x, quotient, options);
+    lines = collapsed_lines(x, quotient, run);
   }
   if (known.empty() && !lines) return std::nullopt;
-  return symmetric_result(x, known, std::move(lines), options);
+  return symmetric_result(x, known, std::move(lines), run);
 }
 
 /// Two points that are mapped to one, t >= 0 at the first.
@@ -127,10 +125,10 @@ bool is_planar_bilinear(const ControlNet& c) {
 }
 
 /// Of a planar bilinear patch; empty for all others, and without c11.
-std::optional<IntersectResult> self_intersect_planar(const BezierPatch& x, const IntersectOptions& options) {
+std::optional<IntersectResult> self_intersect_planar(const BezierPatch& x, const Run& run) {
   if (const auto fold = planar_fold(x))
     return symmetric_overlaps(x, is_inside(*fold) ? std::vector{symmetry(*fold)} : std::vector<Symmetry>{},
-                              options);
+                              run);
   for (const std::size_t fixed : {0, 1}) {
     const std::optional<Rational> value = collapsed_line(fixed == 0 ? x : x.exchanged());
     if (!value) continue;
@@ -216,12 +214,11 @@ Node collapsed_line_node(const BezierPatch& x, std::size_t fixed, const Rational
   return node;
 }
 
-std::optional<IntersectResult> self_intersect_degenerate(const BezierPatch& x,
-                                                         const IntersectOptions& options) {
-  if (shape(x) != PatchShape::surface) return intersect_degenerate(x, x, options);
-  if (auto result = self_intersect_planar(x, options)) return result;
-  if (auto result = self_intersect_symmetric(x, options)) return result;
-  if (auto result = self_intersect_collapsed(x, options)) return result;
+std::optional<IntersectResult> self_intersect_degenerate(const BezierPatch& x, const Run& run) {
+  if (shape(x) != PatchShape::surface) return intersect_degenerate(x, x, run);
+  if (auto result = self_intersect_planar(x, run)) return result;
+  if (auto result = self_intersect_symmetric(x, run)) return result;
+  if (auto result = self_intersect_collapsed(x, run)) return result;
   return self_intersect_folded_plane(x);
 }
 

@@ -2,9 +2,11 @@
 // Internal to solver/.
 #pragma once
 
-#include <exsect/solver/intersect.h>
+#include <exsect/geometry/bezier_patch.h>
 
 #include <optional>
+
+#include "run.h"
 
 namespace exsect {
 
@@ -29,7 +31,6 @@ Node collapsed_line_node(const BezierPatch& x, std::size_t fixed, const Rational
 
 /// The self-intersection of a folded patch, in u or in v, that does not meet itself in another way, of a
 /// planar bilinear patch, and of a curve or a point; empty for all other patches.
-std::optional<IntersectResult> self_intersect_degenerate(const BezierPatch& x,
-                                                         const IntersectOptions& options);
+std::optional<IntersectResult> self_intersect_degenerate(const BezierPatch& x, const Run& run);
 
 }  // namespace exsect

@@ -9,11 +9,10 @@
 
 #include "cut_self_intersection.h"
 #include "graph_builder.h"
+#include "intersect_within.h"
 #include "landmark_node.h"
 #include "model_scale.h"
-#include "option_limits.h"
 #include "parameter_box.h"
-#include "run_clock.h"
 #include "self_curves.h"
 #include "self_degenerate.h"
 #include "self_folds.h"
@@ -29,13 +28,11 @@ namespace {
 
 class SelfIntersection {
  public:
-  SelfIntersection(const BezierPatch& x, const IntersectOptions& options, const std::vector<PairCut>& cuts)
+  SelfIntersection(const BezierPatch& x, const Run& run, const std::vector<PairCut>& cuts)
       : x_(x),
-        options_(options),
+        run_(run),
         cuts_(cuts),
-        clock_(options, 0.25),
         scaling_(model_scale(x, x)),
-        stop_([this] { return clock_.out_of_time(); }),
         in_doubles_(x, scaling_.origin, scaling_.frame.exponent),
         pairs_(x) {}
 
@@ -43,7 +40,6 @@ class SelfIntersection {
     find();
     finish_components(result_.graph);
     result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    result_.work.milliseconds = clock_.milliseconds();
     return std::move(result_);
   }
 
@@ -68,11 +64,11 @@ class SelfIntersection {
 
   template <class Step>
   void timed(const char* step, Step&& body) {
-    clock_.run(result_.work, step, std::forward<Step>(body));
+    run_.timed(step, std::forward<Step>(body));
   }
 
   void find_curves() {
-    if (clock_.out_of_time()) {
+    if (run_.out_of_time()) {
       result_.incomplete.push_back({whole_domain(), "the work cap was reached"});
       return;
     }
@@ -102,7 +98,7 @@ class SelfIntersection {
     std::vector<SelfStar> stars;
     timed("stars", [&] {
       const double scaled =
-          std::ldexp(options_.tolerance * scaling_.extent, -static_cast<int>(scaling_.frame.exponent));
+          std::ldexp(run_.drawn_tolerance(scaling_.extent), -static_cast<int>(scaling_.frame.exponent));
       stars = self_stars({x_, exact_.boundary.points, undecided_, pairs_.values(), scaled, stop_});
     });
     if (stars.size() <= exact_.stars.size()) return false;
@@ -118,7 +114,7 @@ class SelfIntersection {
     do {
       timed("tracing", [&] { found = trace_self_curves(system, in_doubles_.charts, exact_, width, stop_); });
       for (const Incomplete& problem : found.problems) undecided_.push_back(problem.where);
-    } while (!found.problems.empty() && !clock_.out_of_time() && find_stars());
+    } while (!found.problems.empty() && !run_.out_of_time() && find_stars());
     std::vector<std::vector<CutPlace>> places;
     if (found.problems.empty()) {
       if (auto cut = cut_curves(found, exact_, cuts_, width)) {
@@ -127,12 +123,12 @@ class SelfIntersection {
         found.problems.push_back({whole_domain(), "a pair where the curves are to be cut is not found"});
       }
     }
-    const bool stopped = clock_.out_of_time();
+    const bool stopped = run_.out_of_time();
     if (!found.problems.empty() && !last && !stopped) return false;
     if (stopped)
       for (Incomplete& problem : found.problems) problem.why = "the work cap was reached";
     result_.incomplete.insert(result_.incomplete.end(), found.problems.begin(), found.problems.end());
-    result_.work.steps["searched boxes"] += static_cast<double>(found.searched_boxes);
+    run_.count("searched boxes", static_cast<double>(found.searched_boxes));
     timed("graph", [&] { build_graph(system, found); });
     for (const std::vector<CutPlace>& cut : places) {
       nodes_of_cuts_.emplace_back();
@@ -155,21 +151,19 @@ class SelfIntersection {
       graph.nodes.back().id = static_cast<int>(i);
     }
     graph.isolated_points = found.isolated;
-    // Vertices are doubles: below the finest tolerance the polylines stay coarse and the result says so.
-    const double tolerance = options_.tolerance * scaling_.extent;
-    const double used =
-        options_.tolerance < kFinestTolerance ? kCoarseTolerance * scaling_.extent : tolerance;
+    const double tolerance = run_.tolerance(scaling_.extent);
+    const double used = run_.drawn_tolerance(scaling_.extent);
     const std::vector<TraceEnd> ends = ends_at_stars(graph, x_, system, exact_, found, scaling_.frame);
     append_folds(graph, x_, system, exact_, found, ends, scaling_.frame, used);
-    append_self_curves(graph, system, found, ends, scaling_.frame, options_.turning, used);
+    append_self_curves(graph, system, found, ends, scaling_.frame, run_.turning(), used);
     for (const SelfCurve<Ball>& curve : found.curves) {
-      result_.work.steps["tubes"] += static_cast<double>(curve.analysed.trace.pieces.size());
+      run_.count("tubes", static_cast<double>(curve.analysed.trace.pieces.size()));
     }
     for (const ChartTrace<Ball>& trace : found.chart_traces) {
-      result_.work.steps["tubes"] += static_cast<double>(trace.pieces.size());
+      run_.count("tubes", static_cast<double>(trace.pieces.size()));
     }
     for (const Arc& arc : graph.arcs) {
-      result_.work.steps["vertices"] += static_cast<double>(arc.polyline.size());
+      run_.count("vertices", static_cast<double>(arc.polyline.size()));
       if (auto coarse = too_coarse(graph, arc, tolerance)) {
         result_.incomplete.push_back(std::move(*coarse));
       }
@@ -205,11 +199,10 @@ class SelfIntersection {
   }
 
   const BezierPatch& x_;
-  const IntersectOptions& options_;
+  const Run& run_;
   const std::vector<PairCut>& cuts_;
-  RunClock clock_;
   ModelScale scaling_;
-  StopRequest stop_;
+  StopRequest stop_ = run_.stop();
   SelfSystem<DoubleBall> in_doubles_;
   ExactPlaces exact_{};
   std::vector<ParameterBox> undecided_;  // by all attempts
@@ -221,19 +214,21 @@ class SelfIntersection {
 }  // namespace
 
 IntersectResult self_intersect(const BezierPatch& x, const IntersectOptions& options) {
-  check(options);
-  if (std::optional<IntersectResult> result = self_intersect_degenerate(x, options)) {
-    return std::move(*result);
-  }
-  return SelfIntersection(x, options, {}).run();
+  const Run run(options);
+  return run.finished(self_intersect_within(run, x));
 }
 
-std::optional<CutSelfIntersection> cut_self_intersection(const BezierPatch& x,
-                                                         const IntersectOptions& options,
+IntersectResult self_intersect_within(const Run& run, const BezierPatch& x) {
+  if (std::optional<IntersectResult> result = self_intersect_degenerate(x, run)) {
+    return std::move(*result);
+  }
+  return SelfIntersection(x, run, {}).run();
+}
+
+std::optional<CutSelfIntersection> cut_self_intersection(const BezierPatch& x, const Run& run,
                                                          const std::vector<PairCut>& cuts) {
-  if (self_intersect_degenerate(x, options)) return std::nullopt;
-  IntersectOptions all = options;
-  all.turning.assign(all_parameters.begin(), all_parameters.end());
+  if (self_intersect_degenerate(x, run)) return std::nullopt;
+  const Run all = run.with_turning({all_parameters.begin(), all_parameters.end()});
   return SelfIntersection(x, all, cuts).run_with_cuts();
 }
 

@@ -15,11 +15,8 @@ constexpr const char* kTooFine = "the tolerance is below what a polyline in doub
 
 class OverlapBuilder {
  public:
-  OverlapBuilder(const BezierPatch& x, const IntersectOptions& options)
-      : x_(x),
-        scale_(model_scale(x, x)),
-        system_(x, x, scale_.origin, scale_.frame.exponent),
-        tolerance_(options.tolerance * scale_.extent) {}
+  OverlapBuilder(const BezierPatch& x, const Run& run)
+      : x_(x), run_(run), scale_(model_scale(x, x)), system_(x, x, scale_.origin, scale_.frame.exponent) {}
 
   void add(const Symmetry& symmetry) {
     std::vector<RimEnd> ends;
@@ -29,9 +26,9 @@ class OverlapBuilder {
       const RimEnd& to = ends[(i + 1) % ends.size()];
       const ArcPlace place =
           is_on_cut(symmetry, ends[i].at, to.at) ? ArcPlace::interior : ArcPlace::patch_boundary;
-      chain.push_back(rim_arc(x_, ends[i], to, place, tolerance_));
+      chain.push_back(rim_arc(x_, ends[i], to, place, run_.drawn_tolerance(scale_.extent)));
       chain.back().id = static_cast<int>(i);
-      if (!(chain.back().error_bound <= tolerance_))
+      if (!(chain.back().error_bound <= run_.tolerance(scale_.extent)))
         incomplete(result_.graph.nodes[static_cast<std::size_t>(ends[i].node)].box, kTooFine);
     }
     result_.graph.overlaps.push_back({static_cast<int>(result_.graph.overlaps.size()), {std::move(chain)}});
@@ -67,9 +64,9 @@ class OverlapBuilder {
   }
 
   const BezierPatch& x_;
+  const Run& run_;
   ModelScale scale_;
   PairSystem<DoubleBall> system_;
-  double tolerance_;
   std::map<ParameterPair, int> nodes_;
   IntersectResult result_{};
 };
@@ -77,8 +74,8 @@ class OverlapBuilder {
 }  // namespace
 
 IntersectResult symmetric_overlaps(const BezierPatch& x, const std::vector<Symmetry>& symmetries,
-                                   const IntersectOptions& options) {
-  OverlapBuilder overlaps(x, options);
+                                   const Run& run) {
+  OverlapBuilder overlaps(x, run);
   for (const Symmetry& symmetry : symmetries) overlaps.add(symmetry);
   return overlaps.result();
 }

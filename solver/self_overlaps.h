@@ -1,10 +1,11 @@
 // Overlaps of a patch with itself. Internal to solver/.
 #pragma once
 
-#include <exsect/solver/intersect.h>
+#include <exsect/geometry/bezier_patch.h>
 
 #include <vector>
 
+#include "run.h"
 #include "self_symmetry.h"
 
 namespace exsect {
@@ -12,6 +13,6 @@ namespace exsect {
 /// For each symmetry the region of pairs w, sigma(w), with its corners as nodes: of kind `cusp` where the two
 /// points agree. Incomplete where a polyline cannot keep within the tolerance.
 IntersectResult symmetric_overlaps(const BezierPatch& x, const std::vector<Symmetry>& symmetries,
-                                   const IntersectOptions& options);
+                                   const Run& run);
 
 }  // namespace exsect

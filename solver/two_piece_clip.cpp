@@ -22,12 +22,12 @@ bool has(const std::vector<Side>& sides, const Side& side) { return std::ranges:
 class Clip {
  public:
   Clip(IntersectionGraph& graph, const TwoPieces& pieces, const OverlapBoundary& boundary,
-       const std::vector<int>& nodes, const IntersectOptions& options)
+       const std::vector<int>& nodes, const Run& run)
       : graph_(graph),
         pieces_(pieces),
         boundary_(boundary),
         nodes_(nodes),
-        options_(options),
+        run_(run),
         to_hull_(maps_to_hull(pieces)),
         from_hull_(pieces.copy, pieces.hull),
         hull_(pieces.x.restricted_to(pieces.hull[0](0), pieces.hull[0](1), pieces.hull[1](0),
@@ -36,7 +36,7 @@ class Clip {
   std::optional<std::vector<int>> run() {
     auto cuts = two_piece_cuts(pieces_, boundary_);
     if (!cuts) return std::nullopt;
-    auto self = cut_self_intersection(hull_, options_, cuts->cuts);
+    auto self = cut_self_intersection(hull_, run_, cuts->cuts);
     if (!self) return std::nullopt;
     points_ = std::move(cuts->points);
     self_ = *std::move(self);
@@ -49,7 +49,7 @@ class Clip {
       for (const int node : self_.graph.isolated_points)
         if (!append_isolated(node, exchanged)) return std::nullopt;
     }
-    join_at_other_turning_points(graph_, first_node, first_arc, options_.turning);
+    join_at_other_turning_points(graph_, first_node, first_arc, run_.turning());
     add_isolated_cuts();
     return std::move(inside_boundary_arcs_);
   }
@@ -243,7 +243,7 @@ class Clip {
   const TwoPieces& pieces_;
   const OverlapBoundary& boundary_;
   const std::vector<int>& nodes_;
-  const IntersectOptions& options_;
+  const Run& run_;
   std::array<AffineMap, 4> to_hull_;
   PairMap from_hull_;
   BezierPatch hull_;
@@ -258,9 +258,8 @@ class Clip {
 
 std::optional<std::vector<int>> append_clipped_curves(IntersectionGraph& graph, const TwoPieces& pieces,
                                                       const OverlapBoundary& boundary,
-                                                      const std::vector<int>& nodes,
-                                                      const IntersectOptions& options) {
-  return Clip(graph, pieces, boundary, nodes, options).run();
+                                                      const std::vector<int>& nodes, const Run& run) {
+  return Clip(graph, pieces, boundary, nodes, run).run();
 }
 
 }  // namespace exsect

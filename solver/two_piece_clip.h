@@ -2,12 +2,11 @@
 // Internal to solver/; docs/method.md, section 6.3.
 #pragma once
 
-#include <exsect/solver/intersect.h>
-
 #include <optional>
 #include <vector>
 
 #include "overlap_boundary.h"
+#include "run.h"
 #include "two_piece_curves.h"
 
 namespace exsect {
@@ -17,7 +16,6 @@ namespace exsect {
 /// boundary and in which an arc ends; empty if the curves are not decided this way.
 std::optional<std::vector<int>> append_clipped_curves(IntersectionGraph& graph, const TwoPieces& pieces,
                                                       const OverlapBoundary& boundary,
-                                                      const std::vector<int>& nodes,
-                                                      const IntersectOptions& options);
+                                                      const std::vector<int>& nodes, const Run& run);
 
 }  // namespace exsect

@@ -6,10 +6,10 @@
 #include <numeric>
 
 #include "folded_patch.h"
+#include "intersect_within.h"
 #include "model_scale.h"
 #include "monotone_quadratic.h"
 #include "parameter_names.h"
-#include "run_clock.h"
 #include "turned_line.h"
 
 namespace exsect {
@@ -121,11 +121,10 @@ class Preimage {
 }  // namespace
 
 std::optional<IntersectResult> intersect_unfolded(const BezierPatch& x, const BezierPatch& y,
-                                                  const IntersectOptions& options) {
+                                                  const Run& run) {
   const std::optional<UnfoldedPair> pair = unfolded_pair(x, y);
   if (!pair) return std::nullopt;
-  const RunClock clock(options);
-  IntersectResult result = intersect(pair->x, pair->y, options);
+  IntersectResult result = intersect_within(run, pair->x, pair->y);
   for (const Unfolding& unfolding : pair->unfoldings) {
     Preimage{unfolding}(result);
     if (unfolding.reversed) reverse_parameter(result, unfolding.parameter);
@@ -133,10 +132,8 @@ std::optional<IntersectResult> intersect_unfolded(const BezierPatch& x, const Be
   const ModelScale scale = model_scale(x, y);
   for (const Unfolding& unfolding : pair->unfoldings)
     if (const auto side = unfolding.turned_side())
-      mark_turned_line(result, x, y, *side, scale, options.tolerance * scale.extent,
-                       [&] { return clock.out_of_time(); });
+      mark_turned_line(result, x, y, *side, scale, run.drawn_tolerance(scale.extent), run.stop());
   result.status = result.incomplete.empty() ? Status::complete : Status::incomplete;
-  result.work.milliseconds = clock.milliseconds();
   return result;
 }
 

@@ -1,6 +1,7 @@
 // The second proof of completeness: known curves against the turning eliminant and fibres.
 #include "../../solver/eliminant_proof.h"
 
+#include <exsect/solver/intersect.h>
 #include <exsect/solver/line_patch.h>
 #include <exsect/solver/turning_eliminant.h>
 

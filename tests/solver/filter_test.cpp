@@ -1,6 +1,8 @@
 // The solution in doubles against the exact one: the same graph, or none.
 #include "../../solver/filter.h"
 
+#include <exsect/solver/intersect.h>
+
 #include <cmath>
 #include <functional>
 

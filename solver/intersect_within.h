@@ -1,0 +1,16 @@
+// An intersection as a part of a call that is under way. Internal to solver/.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+
+#include "run.h"
+
+namespace exsect {
+
+/// As intersect(): within the call's time, its work on the call's record.
+IntersectResult intersect_within(const Run& run, const BezierPatch& x, const BezierPatch& y);
+
+/// As self_intersect().
+IntersectResult self_intersect_within(const Run& run, const BezierPatch& x);
+
+}  // namespace exsect
