@@ -18,19 +18,6 @@ const Point& control_point(const BezierPatch& patch, std::size_t i) { return pat
 
 double size1(const Vec3& a) { return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]); }
 
-/// (1-t) a + t b for a dyadic t in [0,1]: errs by 3 u times the size, of which the error of 1-t is no part.
-Vec3 between(const Vec3& a, const Vec3& b, double t) { return (1 - t) * a + t * b; }
-
-}  // namespace
-
-std::size_t SideView::index(std::size_t across, std::size_t along) const {
-  const std::size_t a = side.upper ? 2 - across : across;
-  const std::size_t b = reversed ? 2 - along : along;
-  return side.parameter == 0 ? 3 * a + b : 3 * b + a;
-}
-
-namespace {
-
 class ContactFinder {
  public:
   ContactFinder(const BezierPatch& x, const BezierPatch& y, const Pair& pair) : x_(x), y_(y), pair_(pair) {}
@@ -98,22 +85,11 @@ class ContactFinder {
   }
 
   SideContact side_contact(const SideView& x, const SideView& y) const {
-    SideContact contact{x, y, {}, across(pair_.x.net, x), across(pair_.y.net, y)};
+    SideContact contact{x, y, {}, across_field(pair_.x.net, x), across_field(pair_.y.net, y)};
     for (std::size_t j = 0; j < 2; ++j) {
       contact.direction[j] = pair_.x.net[x.index(0, j + 1)] - pair_.x.net[x.index(0, j)];
     }
     return contact;
-  }
-
-  /// x(a,.) = (1-a)² P0 + 2 a (1-a) P1 + a² P2 = P0 + a ((1-a) 2 (P1 - P0) + a (P2 - P0)).
-  static std::array<Vec3, 6> across(const std::array<Vec3, 9>& net, const SideView& view) {
-    std::array<Vec3, 6> result;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Vec3& on_side = net[view.index(0, j)];
-      result[j] = 2.0 * (net[view.index(1, j)] - on_side);
-      result[3 + j] = net[view.index(2, j)] - on_side;
-    }
-    return result;
   }
 
   const BezierPatch& x_;
@@ -123,36 +99,6 @@ class ContactFinder {
 };
 
 using Interval = Part::Interval;
-
-/// The part's intervals counted from the side, and along it.
-struct SideIntervals {
-  Interval across;
-  Interval along;
-};
-Interval counted(const Interval& range, bool backwards) {
-  return backwards ? Interval{1 - range.upper, 1 - range.lower} : range;
-}
-SideIntervals intervals(const SideView& view, const Part& part) {
-  const std::size_t across = view.side.parameter;
-  return {counted(part.range[across], view.side.upper), counted(part.range[1 - across], view.reversed)};
-}
-
-/// Control vectors on the rectangle of a field of bidegree (1,2), by its blossom.
-std::array<Vec3, 6> restricted(const std::array<Vec3, 6>& field, const SideIntervals& to) {
-  std::array<Vec3, 6> result;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double a = i == 0 ? to.across.lower : to.across.upper;
-    const Vec3 p = between(field[0], field[3], a);
-    const Vec3 q = between(field[1], field[4], a);
-    const Vec3 r = between(field[2], field[5], a);
-    const Vec3 first = between(p, q, to.along.lower);
-    const Vec3 last = between(q, r, to.along.lower);
-    result[3 * i] = between(first, last, to.along.lower);
-    result[3 * i + 1] = between(first, last, to.along.upper);
-    result[3 * i + 2] = between(between(p, q, to.along.upper), between(q, r, to.along.upper), to.along.upper);
-  }
-  return result;
-}
 
 /// The part of v perpendicular to c, of length one; zero if it is not clear of zero.
 Vec3 unit_across(const Vec3& v, const Vec3& c) {
@@ -168,8 +114,8 @@ Vec3 unit_across(const Vec3& v, const Vec3& c) {
 // |n| + 5 u 4 |w|_1 < 5 net_error (|w|_1 + 10 |n|).
 bool meet_in_side(const SideContact& contact, const SideIntervals& on_x, const SideIntervals& on_y,
                   double net_error) {
-  const std::array<Vec3, 6> fx = restricted(contact.x_across, on_x);
-  const std::array<Vec3, 6> fy = restricted(contact.y_across, on_y);
+  const AcrossField fx = restricted(contact.x_across, on_x);
+  const AcrossField fy = restricted(contact.y_across, on_y);
   const auto& d = contact.direction;
   const std::array<Vec3, 2> c = {between(d[0], d[1], 0.5 * (on_x.along.lower + on_y.along.lower)),
                                  between(d[0], d[1], 0.5 * (on_x.along.upper + on_y.along.upper))};
@@ -265,18 +211,6 @@ bool meet_in_corner(const Vec3& p, std::size_t corner_x, std::size_t corner_y, c
 
 std::optional<Contacts> find_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pair) {
   return ContactFinder(x, y, pair).run();
-}
-
-Part part_of(const SubPatch& patch) {
-  const auto from = [&](double lower) { return Interval{lower + 0.5, lower + 0.5 + patch.width}; };
-  return {{from(patch.first), from(patch.second)}, patch.net};
-}
-
-Part part_of(const SubCurve& curve, std::size_t fixed, double value) {
-  Part part{{}, curve.net};
-  part.range[fixed] = {value + 0.5, value + 0.5};
-  part.range[1 - fixed] = {curve.from + 0.5, curve.from + 0.5 + curve.width};
-  return part;
 }
 
 Meeting meeting(const Pair& pair, const Contacts& contacts, const Part& x, const Part& y) {
