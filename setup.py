@@ -5,6 +5,7 @@ A build tree that exists already is used if the environment names it: EXSECT_BUI
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -23,6 +24,8 @@ class CMakeBuild(build_ext):
         if not (tree / "CMakeCache.txt").exists():
             options = ["-DCMAKE_BUILD_TYPE=Release", "-DEXSECT_BUILD_TESTS=OFF", "-DEXSECT_INSTALL=OFF"]
             options += ["-DEXSECT_BUILD_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"]
+            if "CMAKE_GENERATOR" not in os.environ and shutil.which("ninja"):
+                options += ["-G", "Ninja"]
             try:
                 import pybind11
 
@@ -30,7 +33,7 @@ class CMakeBuild(build_ext):
             except ImportError:
                 pass  # CMake finds Debian's pybind11-dev
             subprocess.run(["cmake", "-S", str(ROOT), "-B", str(tree), *options], check=True)
-        subprocess.run(["cmake", "--build", str(tree), "--target", "exsect_python", "--parallel"], check=True)
+        subprocess.run(["cmake", "--build", str(tree), "--target", "exsect_python", "--parallel", str(os.cpu_count())], check=True)
         built = tree / "python" / "exsect" / target.name
         if not built.exists():
             raise RuntimeError(f"{tree} was not configured for the interpreter {sys.executable}: no {built}")

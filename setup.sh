@@ -4,6 +4,7 @@
 #   ./setup.sh test     build with all tests, then run them
 #   ./setup.sh asan     the same under AddressSanitizer and UndefinedBehaviorSanitizer
 #   ./setup.sh docs     make the documentation, build/docs/html/index.html
+#   ./setup.sh documents  run the install commands of docs/*.md as they are written; changes this machine
 #   ./setup.sh cluster  run batches by Slurm, GNU parallel and Snakemake on this machine (docs/batch.md)
 #   ./setup.sh peers    build the comparison with SISL and Open CASCADE, then run it (bench/README.md)
 set -euo pipefail
@@ -12,12 +13,13 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 packages=(cmake ninja-build g++ catch2 libboost-dev libcli11-dev libeigen3-dev libflint-dev libfmt-dev libgmp-dev
           libmpfr-dev libtbb-dev nlohmann-json3-dev)
 packages_if_known=(libflint-arb-dev)  # from version 3 FLINT contains Arb
-test_packages=(dpkg-dev pkg-config mypy pybind11-dev python3-dev python3-jsonschema python3-numpy python3-pip python3-pytest
-               python3-setuptools python3-wheel)
-docs_packages=(doxygen pybind11-dev python3-dev python3-myst-parser python3-sphinx)
+module_packages=(pybind11-dev python3-dev)
+test_packages=(dpkg-dev file mypy pkg-config python3-jsonschema python3-numpy python3-pip python3-pytest python3-setuptools
+               python3-venv python3-wheel)  # file: CPack asks it which files are programs
+docs_packages=(doxygen python3-myst-parser python3-sphinx)
 test_packages_if_known=(clang-format-14)
 peer_packages=(libsisl-dev libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
-               libocct-visualization-dev python3-matplotlib python3-numpy)  # visualization: a header of the others
+               libocct-visualization-dev python3-matplotlib)  # visualization: a header of the others
 cluster_packages=(munge parallel slurm-wlm snakemake)
 declare -A browser_packages=([chromium]=chromium [node]=nodejs [npm]=npm)  # by command, which may come from elsewhere
 
@@ -46,7 +48,15 @@ known() {
   done
 }
 
-# Installs all of `packages` and, where the release has them, of `packages_if_known`.
+# What apt-get would download for the given packages and add to the disk, in its own words.
+size_of() {
+  LC_ALL=C apt-get install --assume-no --no-install-recommends "$@" 2>/dev/null |
+    sed -nE -e 's|^Need to get ([^/]*)(/.*)? of archives.*|\1 to download|p' \
+      -e 's|^After this operation, (.*) of additional disk.*|, \1 on the disk|p' | tr -d '\n'
+}
+
+# Installs all of `packages` and, where the release has them, of `packages_if_known`. The argument says what the work
+# after that takes; both are told before anything is installed.
 install_packages() {
   local required optional
   command -v apt-get >/dev/null || die "no apt-get here; install cmake, ninja, g++, Boost, CLI11, Eigen, FLINT, fmt," \
@@ -55,16 +65,19 @@ install_packages() {
   mapfile -t optional < <(missing "${packages_if_known[@]}")
   if ((EUID != 0)); then
     ((${#required[@]} == 0)) || die "missing packages; as root: apt-get install ${required[*]}"
-    return
-  fi
-  if ((${#required[@]} > 0)); then
+    optional=()
+  elif ((${#required[@]} > 0)); then
+    echo "Reading the list of Debian's packages"
     apt-get update -qq
   fi
   mapfile -t optional < <(known "${optional[@]}")
-  if ((${#required[@]} + ${#optional[@]} > 0)); then
-    echo "Installing ${required[*]} ${optional[*]}"
-    DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "${required[@]}" "${optional[@]}" \
-      >/dev/null
+  required+=("${optional[@]}")
+  if ((${#required[@]} > 0)); then
+    echo "First packages of Debian are installed ($(size_of "${required[@]}"), with what they need): ${required[*]}"
+  fi
+  echo "$1"
+  if ((${#required[@]} > 0)); then
+    DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${required[@]}"
   fi
 }
 
@@ -83,17 +96,17 @@ install_browser_driver() {
   fi
 }
 
-# build PRESET CMAKE-BUILD-ARGUMENTS...
+# build PRESET CMAKE-BUILD-ARGUMENTS...: under continuous integration (CI is set) a warning is an error.
 build() {
   local preset=$1
   shift
-  cmake --preset "$preset" >/dev/null
+  cmake --preset "$preset" ${CI:+-DEXSECT_WERROR=ON} >/dev/null
   cmake --build --preset "$preset" "$@"
 }
 
 case "${1:-}" in
   run)
-    install_packages
+    install_packages "The build takes about 5 minutes on two cores, and build/release 300 MB."
     build release --target exsect
     echo
     build/release/cli/exsect intersect examples/chapter9-first.json --svg build/chapter9-first.svg \
@@ -101,37 +114,47 @@ case "${1:-}" in
     echo "Picture: build/chapter9-first.svg, web page: build/chapter9-first.html"
     ;;
   test | asan)
-    packages+=("${test_packages[@]}")
+    packages+=("${module_packages[@]}" "${test_packages[@]}")
     if [[ $1 == test ]]; then
       packages+=("${docs_packages[@]}")
     fi
     packages_if_known+=("${test_packages_if_known[@]}")
     mapfile -t -O "${#packages[@]}" packages < <(missing_browser_packages)
-    install_packages
+    if [[ $1 == test ]]; then
+      install_packages "Build and tests take about 15 minutes on two cores, and build/release 1 GB."
+    else
+      install_packages "Build and tests take about an hour on two cores, and build/asan 4 GB."
+    fi
     install_browser_driver
     preset=${1/test/release}
     build "$preset"
     EXSECT_BROWSER=required ctest --preset "$preset" --parallel "$(nproc)"
     ;;
   docs)
-    packages+=("${docs_packages[@]}")
-    install_packages
+    packages+=("${module_packages[@]}" "${docs_packages[@]}")
+    install_packages "The build takes about 5 minutes on two cores, and build/release 500 MB."
     build release --target docs
     echo "Documentation: build/docs/html/index.html"
     ;;
+  documents)
+    ((EUID == 0)) || die "installs packages and into /usr/local, which only root may"
+    packages+=(python3)
+    install_packages "Three builds take about 25 minutes on two cores, and 1 GB in the temporary folder."
+    tests/install/documented
+    ;;
   cluster)
     packages+=("${cluster_packages[@]}")
-    install_packages
+    install_packages "The build takes about 5 minutes on two cores, the runs 2 minutes."
     build release --target exsect
     tests/cluster/run build/release/cli/exsect
     ;;
   peers)
     packages+=("${peer_packages[@]}")
-    install_packages
+    install_packages "The build takes about 5 minutes on two cores, the comparison an hour."
     bench/peers/run
     ;;
   *)
-    sed -n '2,8s/^# \{0,1\}//p' setup.sh >&2
+    sed -n '2,9s/^# \{0,1\}//p' setup.sh >&2
     exit 2
     ;;
 esac
