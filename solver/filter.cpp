@@ -46,7 +46,7 @@ class FilteredIntersection {
     if (auto overlap = overlap_of_pieces(*pair, trees)) {
       return overlap;
     }
-    const auto contacts = filter::find_contacts(x_, y_, *pair);
+    auto contacts = filter::find_contacts(x_, y_, *pair);
     if (!contacts || (with_stations_ && !contacts->empty())) {
       return std::nullopt;
     }
@@ -54,6 +54,13 @@ class FilteredIntersection {
       return with_contacts(*pair, *contacts, {}, {});
     }
     auto points = filter::boundary_points(*pair, *contacts, trees, boxes_);
+    if (!points && !with_stations_ && filter::add_side_paths(x_, y_, *pair, trees, *contacts)) {
+      boxes_ = 0;
+      if (filter::meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
+        return with_contacts(*pair, *contacts, {}, {});
+      }
+      points = filter::boundary_points(*pair, *contacts, trees, boxes_);
+    }
     std::vector<Trace> traces;
     if (!points || !find_curves(*pair, *contacts, trees, *points, traces)) {
       return std::nullopt;

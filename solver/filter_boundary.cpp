@@ -22,4 +22,21 @@ std::optional<std::vector<BoundaryPoint>> boundary_points(const Pair& pair, cons
   return points;
 }
 
+bool add_side_paths(const BezierPatch& x, const BezierPatch& y, const Pair& pair, Trees& trees,
+                    Contacts& contacts) {
+  const Contacts known = contacts;
+  for (std::size_t fixed = 0; fixed < 4; ++fixed) {
+    for (const double side : {-0.5, 0.5}) {
+      long boxes = 0;
+      std::optional<Vec4> stuck;
+      points_on_line(pair, {fixed, side, 0}, known, fixed < 2 ? trees.y : trees.x, boxes, &stuck);
+      const auto path = stuck ? side_path_near(x, y, pair, fixed, side > 0, *stuck) : std::nullopt;
+      if (path) {
+        add_path(*path, pair, contacts);
+      }
+    }
+  }
+  return contacts.sides.size() + contacts.paths.size() > known.sides.size() + known.paths.size();
+}
+
 }  // namespace exsect::filter

@@ -25,4 +25,9 @@ struct BoundaryPoint {
 std::optional<std::vector<BoundaryPoint>> boundary_points(const Pair& pair, const Contacts& contacts,
                                                           Trees& trees, long& boxes);
 
+/// Adds to the contacts the sides of one patch that lie on the other one along a straight line of its
+/// parameters, if `boundary_points` fails for that reason. False if there are none that it does not know.
+bool add_side_paths(const BezierPatch& x, const BezierPatch& y, const Pair& pair, Trees& trees,
+                    Contacts& contacts);
+
 }  // namespace exsect::filter

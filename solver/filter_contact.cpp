@@ -18,6 +18,23 @@ const Point& control_point(const BezierPatch& patch, std::size_t i) { return pat
 
 double size1(const Vec3& a) { return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]); }
 
+SideContact side_contact(const Pair& pair, const SideView& x, const SideView& y) {
+  SideContact contact{x, y, {}, across_field(pair.x.net, x), across_field(pair.y.net, y)};
+  for (std::size_t j = 0; j < 2; ++j) {
+    contact.direction[j] = pair.x.net[x.index(0, j + 1)] - pair.x.net[x.index(0, j)];
+  }
+  return contact;
+}
+
+/// The index in the net of the corner with these parameters; empty if it is none.
+std::optional<std::size_t> corner_of(const Rational& first, const Rational& second) {
+  const auto is_end = [](const Rational& t) { return t == 0 || t == 1; };
+  if (!is_end(first) || !is_end(second)) {
+    return std::nullopt;
+  }
+  return (first == 1 ? 6U : 0U) + (second == 1 ? 2U : 0U);
+}
+
 class ContactFinder {
  public:
   ContactFinder(const BezierPatch& x, const BezierPatch& y, const Pair& pair) : x_(x), y_(y), pair_(pair) {}
@@ -34,7 +51,7 @@ class ContactFinder {
           const SideView x = {a, false};
           const SideView y = {b, reversed};
           if (same_side(x, y)) {
-            contacts.sides.push_back(side_contact(x, y));
+            contacts.sides.push_back(side_contact(pair_, x, y));
             for (std::size_t k = 0; k < corners_.size(); ++k) {
               on_side[k] = on_side[k] || is_end(corners_[k], x, y, 0) || is_end(corners_[k], x, y, 2);
             }
@@ -84,14 +101,6 @@ class ContactFinder {
     return corner.x == x.index(0, along) && corner.y == y.index(0, along);
   }
 
-  SideContact side_contact(const SideView& x, const SideView& y) const {
-    SideContact contact{x, y, {}, across_field(pair_.x.net, x), across_field(pair_.y.net, y)};
-    for (std::size_t j = 0; j < 2; ++j) {
-      contact.direction[j] = pair_.x.net[x.index(0, j + 1)] - pair_.x.net[x.index(0, j)];
-    }
-    return contact;
-  }
-
   const BezierPatch& x_;
   const BezierPatch& y_;
   const Pair& pair_;
@@ -107,18 +116,42 @@ Vec3 unit_across(const Vec3& v, const Vec3& c) {
   return length > 0x1p-30 ? (1 / length) * across : Vec3{0, 0, 0};
 }
 
+/// Of a mean of parameters, if those of y are taken to those of x: each of offset and factor errs by u times
+/// its size, and the product, the sums and the mean by as much.
+double mean_error(const SideContact& contact) {
+  return contact.path ? 4 * kUnit * (1 + std::fabs(contact.offset) + std::fabs(contact.factor)) : 0;
+}
+
+/// What is along y, in the parameter along x.
+Interval along_on_x(const SideContact& contact, const SideIntervals& on_y) {
+  return {contact.offset + contact.factor * on_y.along.lower,
+          contact.offset + contact.factor * on_y.along.upper};
+}
+
+bool may_touch(const SideContact& contact, const SideIntervals& on_x, const SideIntervals& on_y) {
+  const Interval y_along = along_on_x(contact, on_y);
+  const double error = 2 * mean_error(contact);
+  return on_x.across.lower == 0 && on_y.across.lower == 0 && on_x.along.lower <= y_along.upper + error &&
+         y_along.lower - error <= on_x.along.upper;
+}
+
 // (14.11) to (14.13). Computed control vectors of X are differences of control points, which err by 2 e0 + 2u
 // and are of size 2, twice that, and after three means by 9 u times the size 4 more: by 4 net_error in all,
 // as net_error >= e0 + 160 u; those of C by 2 net_error. A coordinate of w = C x n errs by 4 net_error |n|
 // and 8 u |n| of its own, |n| the largest coordinate, so w.X by 4 net_error |w|_1 + 12 (4 net_error + 8 u)
-// |n| + 5 u 4 |w|_1 < 5 net_error (|w|_1 + 10 |n|).
+// |n| + 5 u 4 |w|_1 < 5 net_error (|w|_1 + 10 |n|). Where the parametrisations differ, a mean m errs by less
+// than mean_error, C(m) by 4 times that, w.X by 96 |n| times that; and the errors of C are those of its
+// control vectors times |1-m| + |m| <= stretch.
 bool meet_in_side(const SideContact& contact, const SideIntervals& on_x, const SideIntervals& on_y,
                   double net_error) {
   const AcrossField fx = restricted(contact.x_across, on_x);
   const AcrossField fy = restricted(contact.y_across, on_y);
   const auto& d = contact.direction;
-  const std::array<Vec3, 2> c = {between(d[0], d[1], 0.5 * (on_x.along.lower + on_y.along.lower)),
-                                 between(d[0], d[1], 0.5 * (on_x.along.upper + on_y.along.upper))};
+  const Interval y_along = along_on_x(contact, on_y);
+  const Interval means = {0.5 * (on_x.along.lower + y_along.lower), 0.5 * (on_x.along.upper + y_along.upper)};
+  const double stretch = 1 + 2 * std::max({0.0, -means.lower, means.upper - 1});
+  const double extra = 100 * mean_error(contact);
+  const std::array<Vec3, 2> c = {between(d[0], d[1], means.lower), between(d[0], d[1], means.upper)};
   const Vec3 middle = c[0] + c[1];
   if (!(dot(middle, middle) > 0x1p-60)) {
     return false;
@@ -126,7 +159,8 @@ bool meet_in_side(const SideContact& contact, const SideIntervals& on_x, const S
   const Vec3 n = cross(unit_across(fx[1] + fx[4], middle) - unit_across(fy[1] + fy[4], middle), middle);
   for (const Vec3& tangent : c) {
     const Vec3 w = cross(tangent, n);
-    const double error = kSlack * 5 * net_error * (size1(w) + 10 * largest(n)) + kTiny;
+    const double error =
+        kSlack * (5 * net_error * (size1(w) + 10 * stretch * largest(n)) + extra * largest(n)) + kTiny;
     for (std::size_t k = 0; k < 6; ++k) {
       if (!(dot(w, fx[k]) > error && dot(w, fy[k]) < -error)) {
         return false;
@@ -207,7 +241,53 @@ bool meet_in_corner(const Vec3& p, std::size_t corner_x, std::size_t corner_y, c
                      [&](const Vec3& v) { return dot(d, v) > error; });
 }
 
+/// The sides of both patches that the path runs along; empty if it is inside of one.
+std::optional<std::array<SquareSide, 2>> common_sides(const SidePath& path) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Rational& value = path.ends[0][i];
+    if (value == path.ends[1][i] && (value == 0 || value == 1)) {
+      const SquareSide other = {i, value == 1};
+      return path.of_x ? std::array{path.side, other} : std::array{other, path.side};
+    }
+  }
+  return std::nullopt;
+}
+
+SideContact part_of_side(const SidePath& path, const std::array<SquareSide, 2>& sides, const Pair& pair) {
+  const std::size_t along = 1 - sides[path.of_x ? 1 : 0].parameter;
+  const Rational& from = path.ends[0][along];
+  const Rational& to = path.ends[1][along];
+  const bool reversed = to < from;
+  SideContact contact = side_contact(pair, {sides[0], false}, {sides[1], reversed});
+  contact.path = path;
+  const Rational length = abs(to - from);
+  // Along the line the parameter is from + (to - from) t; t of x and t' of y, 1 - t' if reversed.
+  contact.factor = to_double(path.of_x ? 1 / length : length);
+  contact.offset =
+      path.of_x ? to_double(-(reversed ? 1 - from : from) / length) : to_double(reversed ? to : from);
+  return contact;
+}
+
 }  // namespace
+
+void add_path(const SidePath& path, const Pair& pair, Contacts& contacts) {
+  if (const auto sides = common_sides(path)) {
+    const auto is_same = [&](const SideContact& known) {
+      return known.x.side == (*sides)[0] && known.y.side == (*sides)[1];
+    };
+    if (std::none_of(contacts.sides.begin(), contacts.sides.end(), is_same)) {
+      contacts.sides.push_back(part_of_side(path, *sides, pair));
+    }
+  } else {
+    contacts.paths.push_back(path_contact(path, pair));
+  }
+  for (const Rational& t : {path.common.lower, path.common.upper}) {
+    const auto at = path.at(t);
+    std::erase_if(contacts.corners, [&](const CornerContact& corner) {
+      return corner_of(at[0], at[1]) == corner.x && corner_of(at[2], at[3]) == corner.y;
+    });
+  }
+}
 
 std::optional<Contacts> find_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pair) {
   return ContactFinder(x, y, pair).run();
@@ -221,8 +301,13 @@ Meeting meeting(const Pair& pair, const Contacts& contacts, const Part& x, const
     if (meet_in_side(side, on_x, on_y, pair.net_error)) {
       return Meeting::contact;
     }
-    touching = touching || (on_x.across.lower == 0 && on_y.across.lower == 0 &&
-                            on_x.along.lower <= on_y.along.upper && on_y.along.lower <= on_x.along.upper);
+    touching = touching || may_touch(side, on_x, on_y);
+  }
+  for (const PathContact& path : contacts.paths) {
+    if (meet_on_line(pair, path, x, y)) {
+      return Meeting::contact;
+    }
+    touching = touching || may_touch(path, x, y);
   }
   for (const CornerContact& corner : contacts.corners) {
     const std::size_t i = own_corner(x, corner.x);

@@ -5,17 +5,22 @@
 #include <optional>
 #include <vector>
 
-#include "filter_part.h"
+#include "filter_path_contact.h"
 
 namespace exsect::filter {
 
-/// The side of x is that of y, with the same parametrisation: x(.,t) = y(.,t), t counted as the views do.
+/// The side of x and that of y are one curve or parts of one: x(.,t) = y(.,t') for t = offset + factor t', t
+/// and t' counted as the views do; factor > 0. Both sides are the whole curve, with the same parametrisation,
+/// unless there is a `path`.
 struct SideContact {
   SideView x;
   SideView y;
   std::array<Vec3, 2> direction;  // control vectors of half the derivative of the common curve
   AcrossField x_across;
   AcrossField y_across;
+  double offset = 0;
+  double factor = 1;
+  std::optional<SidePath> path = std::nullopt;
 };
 
 /// A corner of x, index 0, 2, 6 or 8 of the net, is one of y.
@@ -24,15 +29,19 @@ struct CornerContact {
   std::size_t y;
 };
 
-/// Each is a point or an arc of solutions; no corner is an end of one of the sides.
+/// Each is a point or an arc of solutions; no corner is an end of one of the others.
 struct Contacts {
   std::vector<SideContact> sides;
+  std::vector<PathContact> paths;  // sides of one patch only
   std::vector<CornerContact> corners;
-  bool empty() const { return sides.empty() && corners.empty(); }
+  bool empty() const { return sides.empty() && paths.empty() && corners.empty(); }
 };
 
 /// All that the control points show, compared exactly. Empty if there may be more, or a patch closes up.
 std::optional<Contacts> find_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pair);
+
+/// Adds the side of one patch that lies on the other one in part; nothing if it is known already.
+void add_path(const SidePath& path, const Pair& pair, Contacts& contacts);
 
 enum class Meeting {
   contact,   // all solutions on the two parts belong to one of the contacts

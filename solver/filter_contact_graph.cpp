@@ -2,16 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+
+#include "rim_arc.h"
 
 namespace exsect::filter {
 
 namespace {
 
+using exsect::operator+;
 using exsect::operator-;
+using exsect::operator*;
 using exsect::cross;
 using exsect::determinant;
 using exsect::dot;
+using filter::operator+;
 using filter::operator-;
+using filter::operator*;
 using filter::cross;
 using filter::dot;
 
@@ -63,6 +70,45 @@ std::array<Number, 6> tangent_along(const std::array<Vector, 2>& direction, cons
 /// three, of which a determinant has 6, by 3 * 4 * 2.1 net_error and, as net_error >= 160 u, half a net_error
 /// by rounding.
 constexpr double kDeterminantError = 160;
+/// Those restricted to a part of a side, by two means with a rounded parameter, err by 2.3 net_error.
+constexpr double kPartDeterminantError = 170;
+
+template <class Number>
+Number as(const Rational& q) {
+  if constexpr (std::is_same_v<Number, double>) {
+    return to_double(q);
+  } else {
+    return q;
+  }
+}
+
+/// Control vectors of a polynomial of degree one or two on the interval.
+template <class Number, class Vector>
+std::array<Vector, 2> restricted(const std::array<Vector, 2>& c, const std::array<Number, 2>& to) {
+  const auto at = [&](const Number& t) { return (1 - t) * c[0] + t * c[1]; };
+  return {at(to[0]), at(to[1])};
+}
+template <class Number, class Vector>
+std::array<Vector, 3> restricted(const std::array<Vector, 3>& c, const std::array<Number, 2>& to) {
+  const auto at = [&](const Number& a, const Number& b) {
+    const Vector first = (1 - a) * c[0] + a * c[1];
+    const Vector last = (1 - a) * c[1] + a * c[2];
+    return (1 - b) * first + b * last;
+  };
+  return {at(to[0], to[0]), at(to[0], to[1]), at(to[1], to[1])};
+}
+
+/// The ends of the common part of two sides, as the views of x and of y count.
+std::array<std::array<Rational, 2>, 2> common_part(const SideContact& side, const SidePath& path) {
+  std::array<std::array<Rational, 4>, 2> ends = {path.at(path.common.lower), path.at(path.common.upper)};
+  const std::size_t along_x = 1 - side.x.side.parameter;
+  const std::size_t along_y = 3 - side.y.side.parameter;
+  if (ends[1][along_x] < ends[0][along_x]) {
+    std::swap(ends[0], ends[1]);
+  }
+  const auto on_y = [&](const Rational& t) { return side.y.reversed ? 1 - t : t; };
+  return {{{ends[0][along_x], ends[1][along_x]}, {on_y(ends[0][along_y]), on_y(ends[1][along_y])}}};
+}
 
 class ContactGraph {
  public:
@@ -84,6 +130,9 @@ class ContactGraph {
   }
 
   bool add(const SideContact& side) {
+    if (side.path) {
+      return add(*side.path, contact_along(side));
+    }
     Arc arc;
     arc.id = static_cast<int>(graph_.arcs.size());
     arc.component = -1;
@@ -96,7 +145,25 @@ class ContactGraph {
     return graph_.arcs.back().error_bound <= tolerance_;
   }
 
+  bool add(const SidePath& path, Contact contact) {
+    const RimEnd from = add_end(path.at(path.common.lower));
+    const RimEnd to = add_end(path.at(path.common.upper));
+    Arc arc = rim_arc(x_, from, to, ArcPlace::patch_boundary, tolerance_);
+    arc.id = static_cast<int>(graph_.arcs.size());
+    arc.contact = contact;
+    graph_.nodes[static_cast<std::size_t>(from.node)].point = arc.polyline.front().point;
+    graph_.nodes[static_cast<std::size_t>(to.node)].point = arc.polyline.back().point;
+    graph_.arcs.push_back(std::move(arc));
+    return graph_.arcs.back().error_bound <= tolerance_;
+  }
+
  private:
+  RimEnd add_end(const std::array<Rational, 4>& at) {
+    Node& node = graph_.nodes.emplace_back(rim_node(at));
+    node.id = static_cast<int>(graph_.nodes.size()) - 1;
+    return {at, node.id};
+  }
+
   int add_node(const CornerContact& corner) {
     Node& node = graph_.nodes.emplace_back();
     node.id = static_cast<int>(graph_.nodes.size()) - 1;
@@ -134,7 +201,7 @@ class ContactGraph {
   /// Tangential if (14.15) vanishes all along the side; exactly, where doubles do not tell, as on nearly
   /// smooth edges. The weights in each of the sums of `tangent_along` add up to 10.
   Contact contact_along(const SideContact& side) const {
-    const double error = 10 * kDeterminantError * pair_.net_error;
+    const double error = 10 * (side.path ? kPartDeterminantError : kDeterminantError) * pair_.net_error;
     const auto rounded = along<double, Vec3>(pair_.x, pair_.y, side);
     if (std::any_of(rounded.begin(), rounded.end(), [&](double t) { return std::fabs(t) > error; })) {
       return Contact::transversal;
@@ -144,6 +211,7 @@ class ContactGraph {
     return touch ? Contact::tangential : Contact::transversal;
   }
 
+  /// On the part that both sides have in common.
   template <class Number, class Vector, class Net>
   static std::array<Number, 6> along(const Net& x, const Net& y, const SideContact& side) {
     std::array<Vector, 2> direction;
@@ -155,6 +223,13 @@ class ContactGraph {
       if (j < 2) {
         direction[j] = difference(x, side.x.index(0, j + 1), side.x.index(0, j));
       }
+    }
+    if (side.path) {
+      const auto [on_x, on_y] = common_part(side, *side.path);
+      const std::array<Number, 2> t = {as<Number>(on_x[0]), as<Number>(on_x[1])};
+      direction = restricted(direction, t);
+      across_x = restricted(across_x, t);
+      across_y = restricted(across_y, std::array<Number, 2>{as<Number>(on_y[0]), as<Number>(on_y[1])});
     }
     return tangent_along<Number>(direction, across_x, across_y);
   }
@@ -208,7 +283,10 @@ bool append_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pai
     maker.add(corner);
   }
   return std::all_of(contacts.sides.begin(), contacts.sides.end(),
-                     [&](const SideContact& side) { return maker.add(side); });
+                     [&](const SideContact& side) { return maker.add(side); }) &&
+         std::all_of(contacts.paths.begin(), contacts.paths.end(), [&](const PathContact& contact) {
+           return maker.add(contact.path, Contact::transversal);
+         });
 }
 
 }  // namespace exsect::filter

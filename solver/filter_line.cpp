@@ -84,6 +84,9 @@ class LineSearch {
     return points;
   }
 
+  /// Where it has ended undecided, if that is a place.
+  const std::optional<Vec4>& stuck() const { return stuck_; }
+
  private:
   struct Item {
     SubCurve curve;
@@ -113,10 +116,16 @@ class LineSearch {
       }
       Root root;
       if (covered(box, root.tube)) {
-        return add(root);
+        if (add(root)) {
+          return true;
+        }
+        if (contacts_.empty()) {
+          return false;
+        }  // else it may be the end of one nearby
       }
     }
     if (depth >= kLast) {
+      stuck_ = box_of(line_, item.curve, patch).centre;
       return false;
     }
     subdivide(item, patch);
@@ -229,6 +238,7 @@ class LineSearch {
 
   const Pair& pair_;
   Line line_;
+  std::optional<Vec4> stuck_;
   const Contacts& contacts_;
   PatchTree& tree_;
   long& boxes_;
@@ -240,8 +250,13 @@ class LineSearch {
 }  // namespace
 
 std::optional<std::vector<Ball>> points_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
-                                                PatchTree& other, long& boxes) {
-  return LineSearch(pair, line, contacts, other, boxes).run();
+                                                PatchTree& other, long& boxes, std::optional<Vec4>* stuck) {
+  LineSearch search(pair, line, contacts, other, boxes);
+  auto points = search.run();
+  if (stuck != nullptr) {
+    *stuck = search.stuck();
+  }
+  return points;
 }
 
 }  // namespace exsect::filter

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter_mean_derivatives.h"
 #include "filter_tube.h"
 #include "rim_arc.h"
 #include "shifted_copy.h"
@@ -13,7 +14,6 @@ namespace {
 
 constexpr long kMostBoxes = 6000;
 constexpr int kDeepest = 24;  // levels of both patches together
-constexpr double kReach = 0.75;
 /// How near to each other numbers are in doubles that would be the same in exact arithmetic.
 constexpr double kClose = 0x1p-30;
 /// Of the rectangle that both squares have in common: below, other ways may be shorter.
@@ -80,11 +80,6 @@ std::optional<Pieces> find_pieces(const BezierPatch& x, const BezierPatch& y, co
   return std::nullopt;
 }
 
-struct Rectangle {
-  std::array<double, 2> lower;  // centred parameters of x
-  std::array<double, 2> upper;
-};
-
 class InjectivityProof {
  public:
   InjectivityProof(const Pair& pair, const Pieces& pieces, Trees& trees, long& boxes)
@@ -136,34 +131,23 @@ class InjectivityProof {
   /// x_v. In coordinates of the tangent plane in the middle a is within d_u of (1,0), and b within d_v of
   /// (0,1): (14.24).
   bool is_injective(const Rectangle& where) const {
-    std::array<double, 2> middle;
-    std::array<double, 2> half;
-    for (std::size_t i = 0; i < 2; ++i) {
-      middle[i] = 0.5 * (where.lower[i] + where.upper[i]);
-      half[i] = kSlack * (0.5 * (where.upper[i] - where.lower[i]) + 0x1p-52);
-      if (!(std::fabs(middle[i]) + half[i] <= kReach)) {
-        return false;
-      }
+    const auto expansion = expand(pair_.x, where);
+    if (!expansion) {
+      return false;
     }
-    const Coefficients c = expand(pair_.x, middle[0], middle[1]);
+    const Coefficients& c = expansion->at_middle;
     const Vec3 n = cross(c[3], c[1]);
     const double inverse = 1 / dot(n, n);
     const std::array<Vec3, 2> rows = {inverse * cross(c[1], n), inverse * cross(n, c[3])};
     std::array<double, 2> du;
     std::array<double, 2> dv;
     for (std::size_t i = 0; i < 2; ++i) {
-      std::array<double, 9> m;
-      for (std::size_t k = 1; k < 9; ++k) {
-        m[k] = std::fabs(dot(rows[i], c[k]));
-      }
       const double error =
           (std::fabs(rows[i][0]) + std::fabs(rows[i][1]) + std::fabs(rows[i][2])) * 2 * pair_.total_error;
-      const double h = half[0];
-      const double k = half[1];
-      du[i] = std::fabs(dot(rows[i], c[3]) - (i == 0 ? 1 : 0)) + 2 * m[6] * h + m[4] * k + 2 * m[7] * h * k +
-              m[5] * k * k + 2 * m[8] * h * k * k + error;
-      dv[i] = std::fabs(dot(rows[i], c[1]) - (i == 1 ? 1 : 0)) + 2 * m[2] * k + m[4] * h + 2 * m[5] * h * k +
-              m[7] * h * h + 2 * m[8] * h * h * k + error;
+      const MeanDerivative first = mean_first(*expansion, rows[i]);
+      const MeanDerivative second = mean_second(*expansion, rows[i]);
+      du[i] = std::fabs(first.middle - (i == 0 ? 1 : 0)) + first.deviation + error;
+      dv[i] = std::fabs(second.middle - (i == 1 ? 1 : 0)) + second.deviation + error;
     }
     return kSlack * du[0] < 1 && kSlack * dv[1] < 1 &&
            kSlack * du[1] * dv[0] < (1 - kSlack * du[0]) * (1 - kSlack * dv[1]);
@@ -210,21 +194,8 @@ class OverlapGraph {
     std::array<Rational, 4> at = {u, v, 0, 0};
     at[2 + pieces_.parameter(0)] = pieces_.maps[0].inverse(u);
     at[2 + pieces_.parameter(1)] = pieces_.maps[1].inverse(v);
-    Node& node = graph_.nodes.emplace_back();
+    Node& node = graph_.nodes.emplace_back(rim_node(at));
     node.id = static_cast<int>(graph_.nodes.size()) - 1;
-    node.kinds = {NodeKind::boundary};
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (at[j] == 0 || at[j] == 1) {
-        node.on.push_back({static_cast<Parameter>(j), at[j] == 0 ? 0 : 1});
-      }
-      node.box[j] = {at[j], at[j]};
-      node.approx[j] = to_double(at[j]);
-    }
-    const auto on_x = std::count_if(node.on.begin(), node.on.end(),
-                                    [](const Side& side) { return index(side.parameter) < 2; });
-    if (on_x == 2 || static_cast<std::ptrdiff_t>(node.on.size()) - on_x == 2) {
-      node.kinds.push_back(NodeKind::corner);
-    }
     const Point p = x_(u, v);
     for (std::size_t c = 0; c < 3; ++c) {
       node.point[c] = to_double(p[c]);

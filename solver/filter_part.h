@@ -16,6 +16,7 @@ inline Vec3 between(const Vec3& a, const Vec3& b, double t) { return (1 - t) * a
 struct SquareSide {
   std::size_t parameter;
   bool upper;
+  friend bool operator==(const SquareSide&, const SquareSide&) = default;
 };
 
 /// Control points of one patch as seen from one of its sides: point(across, along) of row `across` from the

@@ -55,6 +55,22 @@ std::array<double, 3> rounded(const Point& p) { return {to_double(p[0]), to_doub
 
 }  // namespace
 
+Node rim_node(const std::array<Rational, 4>& at) {
+  Node node{};
+  node.kinds = {NodeKind::boundary};
+  std::array<int, 2> sides = {0, 0};
+  for (std::size_t j = 0; j < 4; ++j) {
+    if (at[j] == 0 || at[j] == 1) {
+      node.on.push_back({static_cast<Parameter>(j), at[j] == 0 ? 0 : 1});
+      ++sides[j / 2];
+    }
+    node.box[j] = {at[j], at[j]};
+    node.approx[j] = to_double(at[j]);
+  }
+  if (sides[0] == 2 || sides[1] == 2) node.kinds.push_back(NodeKind::corner);
+  return node;
+}
+
 /// On the segment x is a quartic p(t), 0 <= t <= 1, and p'' between 12 times the second differences of its
 /// control points: a chord over a step h deviates by at most |p''| h^2 / 8. The bound adds the rounding of
 /// both ends' coordinates and covers its own rounding (2^-40).

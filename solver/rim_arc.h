@@ -14,6 +14,10 @@ struct RimEnd {
   int node;
 };
 
+/// The node of a pair, or of parameters (u,v,r,s) of two patches, on a side of a square: all but its id and
+/// its point of space.
+Node rim_node(const std::array<Rational, 4>& at);
+
 /// All pairs on the segment between two pairs as an arc of contact `tangential`. Both points of each pair
 /// must be mapped to the same point of space. The polyline keeps within `tolerance` (space units) where
 /// doubles can express that; Arc::error_bound is what is proved. Id 0.

@@ -1,7 +1,8 @@
 // replay FILE...: checks the kept cases, pairs and first patches with themselves, files of bytes as the fuzz
 // target takes them, or patch files
 // (*.json). replay --random KIND FIRST COUNT: checks COUNT random pairs of the kind (a first byte; -1: of all
-// kinds) and reports how many end incomplete, by reason; --random-self: of the first patch with itself. Exit
+// kinds) and reports how many end incomplete, by reason; --random-self: of the first patch with itself;
+// --sides FAMILY FIRST COUNT: of pairs with a side on the other patch (a place in side_pairs::all). Exit
 // status 1 if something does not hold.
 #include <exsect/geometry/patch_file.h>
 #include <exsect/geometry/text_file.h>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "fuzz/fuzzed_pair.h"
+#include "support/side_pairs.h"
 
 namespace {
 
@@ -64,11 +66,18 @@ struct Statistics {
   std::map<std::string, std::pair<int, std::uint64_t>> reasons;  // how often, an example's seed
 };
 
-int statistics(bool self, int kind, std::uint64_t first, std::uint64_t count) {
+random_pairs::Pair random_pair(const std::string& mode, int kind, std::uint64_t seed) {
+  if (mode != "--sides") return fuzz::pair(random_bytes(kind, seed));
+  random_pairs::Generator generator(seed);
+  return side_pairs::all.at(static_cast<std::size_t>(kind))(generator);
+}
+
+int statistics(const std::string& mode, int kind, std::uint64_t first, std::uint64_t count) {
+  const bool self = mode == "--random-self";
   Statistics sum;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const auto start = std::chrono::steady_clock::now();
-    const random_pairs::Pair pair = fuzz::pair(random_bytes(kind, seed));
+    const random_pairs::Pair pair = random_pair(mode, kind, seed);
     const fuzz::Verdict verdict =
         self ? fuzz::check_self(pair.x, kMaxSeconds) : fuzz::check(pair, kMaxSeconds);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
@@ -97,12 +106,14 @@ int statistics(bool self, int kind, std::uint64_t first, std::uint64_t count) {
 
 int main(int argc, char** argv) try {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (arguments.size() == 4 && (arguments[0] == "--random" || arguments[0] == "--random-self")) {
-    return statistics(arguments[0] == "--random-self", std::stoi(arguments[1]), std::stoull(arguments[2]),
+  if (arguments.size() == 4 &&
+      (arguments[0] == "--random" || arguments[0] == "--random-self" || arguments[0] == "--sides")) {
+    return statistics(arguments[0], std::stoi(arguments[1]), std::stoull(arguments[2]),
                       std::stoull(arguments[3]));
   }
-  if (arguments.size() == 3 && arguments[0] == "--show") {
-    const auto pair = fuzz::pair(random_bytes(std::stoi(arguments[1]), std::stoull(arguments[2])));
+  if (arguments.size() == 3 && (arguments[0] == "--show" || arguments[0] == "--show-sides")) {
+    const auto pair = random_pair(arguments[0] == "--show" ? "--random" : "--sides", std::stoi(arguments[1]),
+                                  std::stoull(arguments[2]));
     std::cout << format_patches({"", "", {{"x", {2, 2}, pair.x}, {"y", {2, 2}, pair.y}}});
     return 0;
   }
