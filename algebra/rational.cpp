@@ -1,7 +1,8 @@
 #include "rational.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
@@ -26,6 +27,23 @@ Rational simplest_between_positive(const Rational& a, const Rational& b) {
   const Rational high = b - whole;
   if (low == 0) return whole + Rational(1, floor_quotient(denominator(high), numerator(high)) + 1);
   return whole + 1 / simplest_between_positive(1 / high, 1 / low);
+}
+
+/// mantissa 2^exponent for a result of at most 53 bits, infinite if it is too large. Put together bit by bit,
+/// here and in from_double: so neither depends on the floating-point environment.
+double double_of(std::uint64_t mantissa, long exponent, bool negative) {
+  const int top = static_cast<int>(std::bit_width(mantissa));
+  std::uint64_t bits = static_cast<std::uint64_t>(negative) << 63;
+  if (exponent + top > 1024) {
+    bits |= std::uint64_t{0x7ff} << 52;
+  } else if (exponent + top > -1022) {  // normal: the first bit is not stored
+    const int up = 53 - top;
+    bits |= static_cast<std::uint64_t>(exponent - up + 1074) << 52;
+    bits += up >= 0 ? mantissa << up : mantissa >> -up;
+  } else {
+    bits |= mantissa << (exponent + 1074);
+  }
+  return std::bit_cast<double>(bits);
 }
 
 }  // namespace
@@ -57,13 +75,24 @@ double to_double(const Rational& q) {
   const unsigned long long rest = bits & (unit - 1);
   unsigned long long rounded = bits >> excess;
   if (2 * rest > unit || (2 * rest == unit && (rounded & 1) != 0)) ++rounded;
-  return q.sign() * std::ldexp(static_cast<double>(rounded), static_cast<int>(shift + excess));
+  return double_of(rounded, shift + excess, q.sign() < 0);
 }
 
 Rational from_double(double x) {
-  if (!std::isfinite(x)) throw std::invalid_argument("from_double: the number is not finite");
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const std::uint64_t biased = bits >> 52 & 0x7ff;
+  if (biased == 0x7ff) throw std::invalid_argument("from_double: the number is not finite");
+  std::uint64_t mantissa = bits & ((1ULL << 52) - 1);
+  if (biased != 0) mantissa |= 1ULL << 52;
+  if (mantissa == 0) return 0;
+  const int zeros = std::countr_zero(mantissa);
+  const long exponent = static_cast<long>(std::max<std::uint64_t>(biased, 1)) - 1075 + zeros;
   Rational result;
-  mpq_set_d(result.backend().data(), x);
+  mpq_t& q = result.backend().data();  // in lowest terms: the numerator is odd or the denominator 1
+  mpz_set_ui(mpq_numref(q), mantissa >> zeros);
+  const mpz_ptr part = exponent < 0 ? mpq_denref(q) : mpq_numref(q);
+  mpz_mul_2exp(part, part, static_cast<mp_bitcnt_t>(std::labs(exponent)));
+  if (bits >> 63 != 0) mpq_neg(q, q);
   return result;
 }
 
