@@ -1,5 +1,7 @@
 #include "ball_roots.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -180,14 +182,18 @@ class BallIsolator {
 }  // namespace
 
 DoubleDoubleBall evaluate(std::span<const DoubleDoubleBall> f, const DoubleDoubleBall& t) {
-  Ball value;
-  for (std::size_t i = f.size(); i-- > 0;) value = value * t + f[i];
-  return value;
+  return in_nearest_rounding([&] {
+    Ball value;
+    for (std::size_t i = f.size(); i-- > 0;) value = value * t + f[i];
+    return value;
+  });
 }
 
 std::optional<std::vector<DoubleDoubleBall>> isolate_ball_roots(std::span<const DoubleDoubleBall> f) {
-  if (f.size() > kDegree + 1) throw std::invalid_argument("isolate_ball_roots: the degree exceeds 16");
-  return BallIsolator(f).run();
+  return in_nearest_rounding([&] {
+    if (f.size() > kDegree + 1) throw std::invalid_argument("isolate_ball_roots: the degree exceeds 16");
+    return BallIsolator(f).run();
+  });
 }
 
 }  // namespace exsect

@@ -1,5 +1,7 @@
 #include "chebyshev_roots.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -222,16 +224,18 @@ bool isolate(const Piece<WideBall>& piece, std::vector<RationalInterval>& found)
 }  // namespace
 
 std::optional<std::vector<RationalInterval>> isolate_chebyshev_roots(const std::vector<WideBall>& c) {
-  if (c.empty() || c.size() > kMostCoefficients)
-    throw std::invalid_argument("1 to 129 Chebyshev coefficients");
-  Piece<WideBall> all{{}, c, 0, 0};
-  for (std::size_t j = 0; j < c.size(); ++j) {
-    all.c[j] = c[j].midpoint();
-    all.add_error(j, c[j].radius());
-  }
-  std::vector<RationalInterval> found;
-  if (!isolate(all, found)) return std::nullopt;
-  return found;
+  return in_nearest_rounding([&]() -> std::optional<std::vector<RationalInterval>> {
+    if (c.empty() || c.size() > kMostCoefficients)
+      throw std::invalid_argument("1 to 129 Chebyshev coefficients");
+    Piece<WideBall> all{{}, c, 0, 0};
+    for (std::size_t j = 0; j < c.size(); ++j) {
+      all.c[j] = c[j].midpoint();
+      all.add_error(j, c[j].radius());
+    }
+    std::vector<RationalInterval> found;
+    if (!isolate(all, found)) return std::nullopt;
+    return found;
+  });
 }
 
 }  // namespace exsect

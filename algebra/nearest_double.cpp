@@ -1,5 +1,7 @@
 #include "nearest_double.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
 #include <cmath>
 
 namespace exsect {
@@ -13,7 +15,7 @@ NearestDouble nearest_double(const Rational& q) {
     return {std::ldexp(mpz_get_d(n), 1 - static_cast<int>(bits)), true};
   }
   if (bits > 53) return {to_double(q), false};
-  return {mpz_get_d(n) / mpz_get_d(d), false};  // one rounding of exact numbers
+  return {in_nearest_rounding([&] { return mpz_get_d(n) / mpz_get_d(d); }), false};  // of exact numbers
 }
 
 }  // namespace exsect

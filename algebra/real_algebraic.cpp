@@ -1,5 +1,7 @@
 #include "real_algebraic.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -85,7 +87,7 @@ int sign_in_doubles(const Polynomial& f, const RationalInterval& interval) {
 
 /// The sign of f on the whole interval, or 0 if an enclosure does not show it.
 int enclosed_sign(const Polynomial& f, const RationalInterval& interval) {
-  if (const int s = sign_in_doubles(f, interval)) return s;
+  if (const int s = in_nearest_rounding([&] { return sign_in_doubles(f, interval); })) return s;
   const fmpz* coefficients = f.rep().value->coeffs;
   // Rounding errors stay below the effect of the width of the interval.
   const slong precision = std::max<slong>(0, grid_exponent(interval.width())) + 64;
