@@ -27,10 +27,8 @@ bool add_side_paths(const BezierPatch& x, const BezierPatch& y, const Pair& pair
   const Contacts known = contacts;
   for (std::size_t fixed = 0; fixed < 4; ++fixed) {
     for (const double side : {-0.5, 0.5}) {
-      long boxes = 0;
-      std::optional<Vec4> stuck;
-      points_on_line(pair, {fixed, side, 0}, known, fixed < 2 ? trees.y : trees.x, boxes, &stuck);
-      const auto path = stuck ? side_path_near(x, y, pair, fixed, side > 0, *stuck) : std::nullopt;
+      const auto near = undecided_on_line(pair, {fixed, side, 0}, known, fixed < 2 ? trees.y : trees.x);
+      const auto path = near ? side_path_near(x, y, pair, fixed, side > 0, *near) : std::nullopt;
       if (path) {
         add_path(*path, pair, contacts);
       }

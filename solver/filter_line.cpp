@@ -11,6 +11,7 @@ namespace {
 constexpr int kFirstTry = 6;
 constexpr int kLast = 36;
 constexpr long kMostBoxes = 3000;
+constexpr long kMostBoxesToPlace = 400;  // that is enough to come near one
 
 /// Bound of the error of the control points computed below, for an inner line. They are means (1-t) a + t b
 /// of points of size 1, twice, computed as a + t (b - a): 5 u each time by their roundings, and 2 |dt|, where
@@ -65,13 +66,14 @@ class LineSearch {
         error_(kSlack * (pair.net_error + line_error(line))) {}
 
   /// The points on the line; empty if undecided.
-  std::optional<std::vector<Ball>> run() {
+  std::optional<std::vector<Ball>> run(long most_boxes) {
     const Patch& owner = line_.fixed < 2 ? pair_.x : pair_.y;
     stack_.push_back({make_curve(control_points(owner, line_.fixed, line_.value), -0.5, 1, 0), 0});
     while (!stack_.empty()) {
       const Item item = stack_.back();
       stack_.pop_back();
-      if (++boxes_ > kMostBoxes || !process(item)) {
+      if (++boxes_ > most_boxes || !process(item)) {
+        undecided_ = box_of(line_, item.curve, tree_[item.patch]).centre;
         return std::nullopt;
       }
     }
@@ -84,8 +86,8 @@ class LineSearch {
     return points;
   }
 
-  /// Where it has ended undecided, if that is a place.
-  const std::optional<Vec4>& stuck() const { return stuck_; }
+  /// Where it has ended undecided.
+  const std::optional<Vec4>& undecided() const { return undecided_; }
 
  private:
   struct Item {
@@ -125,7 +127,6 @@ class LineSearch {
       }
     }
     if (depth >= kLast) {
-      stuck_ = box_of(line_, item.curve, patch).centre;
       return false;
     }
     subdivide(item, patch);
@@ -224,21 +225,25 @@ class LineSearch {
         return false;
       }
     }
-    root.inside = true;
+    bool outside = false;
+    bool inside = true;
     for (const std::size_t j : root.tube.others) {
       const double from_centre = std::fabs(root.ball.middle[j]);
-      if (!(std::fabs(from_centre - 0.5) > kSlack * root.ball.radius + 0x1p-52)) {
-        return false;  // perhaps on two sides
-      }
-      root.inside = root.inside && from_centre < 0.5;
+      const double error = kSlack * root.ball.radius + 0x1p-52;
+      outside = outside || from_centre - 0.5 > error;
+      inside = inside && 0.5 - from_centre > error;
     }
+    if (!outside && !inside) {
+      return false;  // perhaps on two sides
+    }
+    root.inside = inside;
     roots_.push_back(root);
     return true;
   }
 
   const Pair& pair_;
   Line line_;
-  std::optional<Vec4> stuck_;
+  std::optional<Vec4> undecided_;
   const Contacts& contacts_;
   PatchTree& tree_;
   long& boxes_;
@@ -250,13 +255,16 @@ class LineSearch {
 }  // namespace
 
 std::optional<std::vector<Ball>> points_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
-                                                PatchTree& other, long& boxes, std::optional<Vec4>* stuck) {
+                                                PatchTree& other, long& boxes) {
+  return LineSearch(pair, line, contacts, other, boxes).run(kMostBoxes);
+}
+
+std::optional<Vec4> undecided_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
+                                      PatchTree& other) {
+  long boxes = 0;
   LineSearch search(pair, line, contacts, other, boxes);
-  auto points = search.run();
-  if (stuck != nullptr) {
-    *stuck = search.stuck();
-  }
-  return points;
+  search.run(kMostBoxesToPlace);
+  return search.undecided();
 }
 
 }  // namespace exsect::filter

@@ -21,10 +21,12 @@ struct Line {
 /// parameters inside their intervals: exactly one in each ball, the curve crosses the line there; the balls
 /// lie inside these intervals and are disjoint. Empty if that is not decided: points on sides, tangents and
 /// lines on the other patch among other reasons. `other` is the tree of the patch that does not have the
-/// line; `boxes` counts the pairs looked at. If the search ends at a place that no subdivision has decided,
-/// that is `stuck`.
+/// line; `boxes` counts the pairs looked at.
 std::optional<std::vector<Ball>> points_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
-                                                PatchTree& other, long& boxes,
-                                                std::optional<Vec4>* stuck = nullptr);
+                                                PatchTree& other, long& boxes);
+
+/// Near where this search does not come to an end soon, (u,v,r,s) centred; empty if it does.
+std::optional<Vec4> undecided_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
+                                      PatchTree& other);
 
 }  // namespace exsect::filter
