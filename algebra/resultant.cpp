@@ -5,6 +5,7 @@
 
 #include "flint_bivariate.h"
 #include "flint_polynomial.h"
+#include "modular.h"
 // after flint.h
 #include <flint/fmpz_poly_mat.h>
 
@@ -77,6 +78,71 @@ Rational subresultant_scale(const IntegerCoefficients& f, const IntegerCoefficie
   return 1 / (power(f.denominator, g.degree() - j) * power(g.denominator, f.degree() - j));
 }
 
+/// The coefficients' coefficients.
+std::vector<std::vector<Integer>> integers(const IntegerCoefficients& f) {
+  std::vector<std::vector<Integer>> result;
+  for (const Polynomial& c : f.coefficients) {
+    std::vector<Integer>& row = result.emplace_back();
+    for (int j = 0; j <= c.degree(); ++j) row.push_back(numerator(c.coefficient(j)));
+  }
+  return result;
+}
+
+/// An integer polynomial in r and s whose modulus is less than 2^bits for all r and s of modulus 1.
+struct IntegerForm {
+  std::vector<std::vector<Integer>> coefficients;  // of r^i s^j, rows may be empty
+  std::size_t degree_s = 0;
+  std::size_t bits = 1;
+
+  explicit IntegerForm(const IntegerCoefficients& f) : coefficients(integers(f)) {
+    Integer squares = 0;
+    for (const auto& row : coefficients) {
+      degree_s = std::max(degree_s, row.size());
+      Integer sum = 0;
+      for (const Integer& c : row) sum += abs(c);
+      squares += sum * sum;
+    }
+    degree_s = degree_s == 0 ? 0 : degree_s - 1;
+    if (squares != 0) bits = msb(squares) / 2 + 1;
+  }
+
+  std::size_t degree() const { return coefficients.size() - 1; }
+
+  std::vector<std::vector<Residue>> modulo(const PrimeField& field) const {
+    std::vector<std::vector<Residue>> result;
+    for (const auto& row : coefficients) {
+      result.emplace_back();
+      for (const Integer& c : row) result.back().push_back(field.residue(c));
+    }
+    return result;
+  }
+};
+
+/// At s = t, with leading zeros.
+std::vector<Residue> value(const PrimeField& field, const std::vector<std::vector<Residue>>& f, Residue t) {
+  std::vector<Residue> result;
+  for (const auto& row : f) result.push_back(row.empty() ? field.zero() : evaluate(field, row, t));
+  return result;
+}
+
+/// The resultant with respect to r from its values modulo primes. Its rows have Euclidean length less than
+/// 2^f.bits and 2^g.bits where |s| = 1, which by Hadamard bounds it there, and so each of its coefficients.
+Polynomial resultant_modular(const IntegerForm& f, const IntegerForm& g) {
+  const std::size_t degree = f.degree() * g.degree_s + g.degree() * f.degree_s;
+  const std::size_t bits = f.degree() * g.bits + g.degree() * f.bits;
+  const std::vector<Integer> coefficients = interpolate_integer_polynomial(
+      degree, bits, [&](const PrimeField& field, Residue first, std::size_t count) {
+        const auto a = f.modulo(field);
+        const auto b = g.modulo(field);
+        std::vector<ResidueFraction> values;
+        Residue t = first;
+        for (std::size_t i = 0; i < count; ++i, t = field.add(t, field.one()))
+          values.push_back({resultant(field, value(field, a, t), value(field, b, t)), field.one()});
+        return values;
+      });
+  return Polynomial(std::vector<Rational>(coefficients.begin(), coefficients.end()));
+}
+
 BivariatePolynomial in_r(const Polynomial& f) {
   std::vector<Polynomial> coefficients;
   for (int i = 0; i <= f.degree(); ++i) coefficients.emplace_back(f.coefficient(i));
@@ -92,6 +158,13 @@ Rational resultant(const Polynomial& f, const Polynomial& g) {
 }
 
 Polynomial resultant_r(const BivariatePolynomial& f, const BivariatePolynomial& g) {
+  // FLINT's remainder sequence is faster for low degrees alone.
+  constexpr int lowest_modular_degree = 4;
+  if (std::min(f.degree_r(), g.degree_r()) >= lowest_modular_degree) {
+    const IntegerCoefficients first(f), second(g);
+    return resultant_modular(IntegerForm(first), IntegerForm(second)) *
+           Polynomial(subresultant_scale(first, second, 0));
+  }
   const BivariateContext ring;
   const FlintBivariate first(ring, f), second(ring, g);
   FlintBivariate result(ring);

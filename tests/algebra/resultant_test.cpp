@@ -229,3 +229,52 @@ TEST_CASE("subresultants in r: by specialisation") {
     }
   }
 }
+
+namespace {
+
+/// Polynomials in s as coefficients of the powers of r, some of them zero, the highest not.
+BivariatePolynomial of_degrees(test::Random& random, int degree, int degree_s, int bits) {
+  std::vector<Polynomial> rows;
+  for (int i = 0; i <= degree; ++i) {
+    const bool empty = i > 0 && i < degree && random.integer(0, 4) == 0;
+    rows.push_back(empty ? Polynomial() : random.big_polynomial(degree_s, bits));
+  }
+  if (rows.back().is_zero()) rows.back() = 1;
+  return BivariatePolynomial(rows);
+}
+
+/// At more values of s than the resultant has zeros.
+void check_by_values(const BivariatePolynomial& f, const BivariatePolynomial& g, int degree) {
+  const Polynomial result = resultant_r(f, g);
+  CHECK(result.degree() <= degree);
+  int known = 0;
+  for (int s = -2; known <= degree; ++s) {
+    const Polynomial a = f.at_s(Rational(s, 3)), b = g.at_s(Rational(s, 3));
+    if (a.degree() != f.degree_r() || b.degree() != g.degree_r()) continue;
+    REQUIRE(result(Rational(s, 3)) == resultant(a, b));
+    ++known;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("resultant in r: high degrees, from its values") {
+  const BivariatePolynomial r = BivariatePolynomial::r(), s = BivariatePolynomial::s();
+  const BivariatePolynomial f =
+      r * r * r * r * r * Polynomial(Rational(1, 6)) - s;  // sparse, with a denominator
+  const BivariatePolynomial g = r * r * r * r * s - BivariatePolynomial::constant(Rational(-2, 7));
+  check_by_values(f, g, 9);
+  CHECK(resultant_r(f * g, f * (g + s)).is_zero());
+  CHECK(resultant_r(g, f) == resultant_r(f, g));  // the product of the degrees is even
+  const std::uint64_t seed = 20240811;
+  INFO("seed " << seed);
+  test::Random random(seed);
+  for (const int bits : {1, 3, 53, 200, 1100})
+    for (int i = 0; i < 4; ++i) {
+      const int m = random.integer(4, 7), n = random.integer(4, 7), p = random.integer(0, 5),
+                q = random.integer(0, 5);
+      INFO("bits " << bits << ", degrees " << m << " " << n << ", in s " << p << " " << q);
+      const Polynomial scale(Rational(1 + random.integer(0, 9), 1 + random.integer(0, 99)));
+      check_by_values(of_degrees(random, m, p, bits) * scale, of_degrees(random, n, q, bits), m * q + n * p);
+    }
+}
