@@ -1,4 +1,4 @@
-#include "batch_command.h"
+#include "cli/batch_command.h"
 
 #include <exsect/geometry/text_file.h>
 #include <fmt/format.h>
@@ -12,16 +12,16 @@
 #include "batch/batch_output.h"
 #include "batch/batch_summary.h"
 #include "batch/worker_pool.h"
-#include "implicitize_options.h"
-#include "option_values.h"
-#include "output_files.h"
-#include "progress.h"
-#include "terminal_text.h"
+#include "cli/progress.h"
+#include "output/options/implicitize_options.h"
+#include "output/options/option_values.h"
+#include "output/options/output_files.h"
+#include "output/text/terminal_text.h"
 
 namespace exsect::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using BatchClock = std::chrono::steady_clock;
 
 constexpr double bytes_in_mib = 1024.0 * 1024.0;
 
@@ -103,7 +103,7 @@ class BatchProgress {
       : progress_(streams.err, streams.watched && !quiet), earlier_(earlier), all_(all) {}
 
   void report(std::uint64_t done) {
-    const double seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
+    const double seconds = std::chrono::duration<double>(BatchClock::now() - begun_).count();
     const double rate = static_cast<double>(done - earlier_) / std::max(seconds, 1e-3);
     const double fraction = static_cast<double>(done) / static_cast<double>(std::max<std::uint64_t>(all_, 1));
     const std::string bar(static_cast<std::size_t>(20 * fraction), '#');
@@ -114,7 +114,7 @@ class BatchProgress {
 
  private:
   Progress progress_;
-  Clock::time_point begun_ = Clock::now();
+  BatchClock::time_point begun_ = BatchClock::now();
   std::uint64_t earlier_;
   std::uint64_t all_;
 };
@@ -188,7 +188,7 @@ ExitStatus run(const BatchCommand& command, const Streams& streams) {
   const std::unique_ptr<BatchInput> input = read_input(command, options.shard);
   BatchOutput output(command.output, header(command, *input, options.shard), command.resume);
   Run run(options, *input, output);
-  const Clock::time_point begun = Clock::now();
+  const BatchClock::time_point begun = BatchClock::now();
   const std::uint64_t earlier = run.tally().lines;
   PoolEnd end;
   if (!output.finished()) {
@@ -197,7 +197,7 @@ ExitStatus run(const BatchCommand& command, const Streams& streams) {
     output.finish(streams.out);
   }
   if (!command.quiet && !command.output.empty()) {
-    const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+    const double seconds = std::chrono::duration<double>(BatchClock::now() - begun).count();
     streams.out << batch_summary(
         run.tally(), input->apart(),
         {run.tally().lines - earlier, seconds, options.limits.workers, end.peak_kib});

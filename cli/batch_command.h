@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "exit_status.h"
-#include "program.h"
+#include "cli/exit_status.h"
+#include "cli/streams.h"
 
 namespace exsect::cli {
 

@@ -9,9 +9,9 @@
 #include "batch/batch_output.h"
 #include "batch/batch_summary.h"
 #include "batch/line_reader.h"
-#include "batch_command.h"
-#include "output_files.h"
-#include "terminal_text.h"
+#include "cli/batch_command.h"
+#include "output/options/output_files.h"
+#include "output/text/terminal_text.h"
 
 namespace exsect::cli {
 namespace {

@@ -1,13 +1,13 @@
-#include "check_command.h"
+#include "cli/check_command.h"
 
 #include <exsect/checker/check_certificate.h>
 #include <exsect/geometry/number.h>
 #include <exsect/geometry/text_file.h>
 #include <fmt/format.h>
 
-#include "json_forms.h"
-#include "output_files.h"
-#include "terminal_text.h"
+#include "output/options/output_files.h"
+#include "output/text/json_forms.h"
+#include "output/text/terminal_text.h"
 
 namespace exsect::cli {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "exit_status.h"
-#include "program.h"
+#include "cli/exit_status.h"
+#include "cli/streams.h"
 
 namespace exsect::cli {
 

@@ -1,19 +1,19 @@
-#include "compare_command.h"
+#include "cli/compare_command.h"
 
 #include <exsect/geometry/text_file.h>
 #include <fmt/format.h>
 
-#include "comparison_json.h"
-#include "comparison_svg.h"
-#include "implicitize_options.h"
-#include "method_reports.h"
-#include "patch_choice.h"
-#include "terminal_text.h"
+#include "cli/patch_choice.h"
+#include "output/drawing/comparison_svg.h"
+#include "output/options/implicitize_options.h"
+#include "output/report/method_reports.h"
+#include "output/text/comparison_json.h"
+#include "output/text/terminal_text.h"
 
 namespace exsect::cli {
 namespace {
 
-ComparisonOptions options(const CompareCommand& command) {
+ComparisonOptions compare_options(const CompareCommand& command) {
   ComparisonOptions result;
   result.lines = integer_value("--lines", command.lines, 1, 10000);
   result.pieces = integer_value("--pieces", command.pieces, 0, 3);
@@ -51,7 +51,7 @@ std::string comparison_table(const Comparison& comparison) {
 }  // namespace
 
 ExitStatus run(const CompareCommand& command, const Streams& streams) {
-  const ComparisonOptions checked = options(command);
+  const ComparisonOptions checked = compare_options(command);
   check(command.output, command.file);
   const PatchPair pair = read_pair(command.file, command.first, command.second);
   const PatchNames names = {pair.x.name, pair.y.name};

@@ -1,12 +1,14 @@
-#include "export_files.h"
+#include "cli/export_files.h"
 
 #include <exsect/geometry/text_file.h>
 
 #include <utility>
 #include <vector>
 
-#include "implicitize_options.h"
-#include "scene_text.h"
+#include "output/drawing/scene_obj.h"
+#include "output/drawing/scene_ply.h"
+#include "output/drawing/scene_vtp.h"
+#include "output/options/implicitize_options.h"
 
 namespace exsect::cli {
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "output_files.h"
-#include "scene.h"
+#include "output/drawing/scene.h"
+#include "output/options/output_files.h"
 
 namespace exsect::cli {
 

@@ -1,19 +1,20 @@
-#include "implicitize_command.h"
+#include "cli/implicitize_command.h"
 
 #include <exsect/geometry/curve_file.h>
 #include <exsect/geometry/patch_file.h>
 
 #include <stdexcept>
 
-#include "implicit_json.h"
-#include "implicit_summary.h"
-#include "implicit_svg.h"
-#include "implicitize_options.h"
-#include "method_reports.h"
-#include "patch_choice.h"
-#include "patch_implicit_output.h"
-#include "space_implicit_output.h"
-#include "terminal_text.h"
+#include "cli/patch_choice.h"
+#include "output/drawing/implicit_svg.h"
+#include "output/drawing/space_implicit_svg.h"
+#include "output/options/implicitize_options.h"
+#include "output/report/method_reports.h"
+#include "output/text/implicit_json.h"
+#include "output/text/implicit_summary.h"
+#include "output/text/patch_implicit_output.h"
+#include "output/text/space_implicit_output.h"
+#include "output/text/terminal_text.h"
 
 namespace exsect::cli {
 namespace {

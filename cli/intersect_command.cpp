@@ -1,19 +1,19 @@
-#include "intersect_command.h"
+#include "cli/intersect_command.h"
 
 #include <exsect/geometry/text_file.h>
 #include <exsect/solver/intersect.h>
 
-#include "certificate_text.h"
-#include "export_files.h"
-#include "intersection_json.h"
-#include "intersection_summary.h"
-#include "intersection_svg.h"
-#include "node_csv.h"
-#include "option_values.h"
-#include "patch_choice.h"
-#include "progress.h"
-#include "report_html.h"
-#include "terminal_text.h"
+#include "certificate/certificate_text.h"
+#include "cli/export_files.h"
+#include "cli/patch_choice.h"
+#include "cli/progress.h"
+#include "output/drawing/intersection_svg.h"
+#include "output/options/option_values.h"
+#include "output/report/report_html.h"
+#include "output/text/intersection_json.h"
+#include "output/text/intersection_summary.h"
+#include "output/text/node_csv.h"
+#include "output/text/terminal_text.h"
 
 namespace exsect::cli {
 namespace {

@@ -1,20 +1,20 @@
-#include "line_command.h"
+#include "cli/line_command.h"
 
 #include <exsect/geometry/text_file.h>
 #include <exsect/solver/line_patch.h>
 
 #include <optional>
 
-#include "certificate_text.h"
-#include "export_files.h"
-#include "line_json.h"
-#include "line_summary.h"
-#include "line_svg.h"
-#include "node_csv.h"
-#include "option_values.h"
-#include "patch_choice.h"
-#include "report_html.h"
-#include "terminal_text.h"
+#include "certificate/line.h"
+#include "cli/export_files.h"
+#include "cli/patch_choice.h"
+#include "output/drawing/line_svg.h"
+#include "output/options/option_values.h"
+#include "output/report/report_html.h"
+#include "output/text/line_json.h"
+#include "output/text/line_summary.h"
+#include "output/text/node_csv.h"
+#include "output/text/terminal_text.h"
 
 namespace exsect::cli {
 namespace {

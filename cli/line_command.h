@@ -4,9 +4,9 @@
 #include <array>
 #include <string>
 
-#include "exit_status.h"
-#include "output_files.h"
-#include "program.h"
+#include "cli/exit_status.h"
+#include "cli/streams.h"
+#include "output/options/output_files.h"
 
 namespace exsect::cli {
 

@@ -1,11 +1,11 @@
-#include "patch_choice.h"
+#include "cli/patch_choice.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "terminal_text.h"
+#include "output/text/terminal_text.h"
 
 namespace exsect::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "program.h"
+#include "cli/program.h"
 
 #include <exsect/geometry/text_file.h>
 
@@ -7,16 +7,16 @@
 #include <new>
 #include <string>
 
-#include "batch_command.h"
-#include "check_command.h"
-#include "compare_command.h"
-#include "implicitize_command.h"
-#include "intersect_command.h"
-#include "line_command.h"
-#include "revolve_command.h"
-#include "self_command.h"
-#include "terminal_text.h"
-#include "verify_command.h"
+#include "cli/batch_command.h"
+#include "cli/check_command.h"
+#include "cli/compare_command.h"
+#include "cli/implicitize_command.h"
+#include "cli/intersect_command.h"
+#include "cli/line_command.h"
+#include "cli/revolve_command.h"
+#include "cli/self_command.h"
+#include "cli/verify_command.h"
+#include "output/text/terminal_text.h"
 
 namespace exsect::cli {
 namespace {

@@ -1,24 +1,24 @@
-#include "self_command.h"
+#include "cli/self_command.h"
 
 #include <exsect/geometry/text_file.h>
 #include <exsect/solver/self_intersect.h>
 
-#include "certificate_text.h"
-#include "export_files.h"
-#include "intersection_json.h"
-#include "intersection_summary.h"
-#include "intersection_svg.h"
-#include "node_csv.h"
-#include "option_values.h"
-#include "patch_choice.h"
-#include "progress.h"
-#include "report_html.h"
-#include "terminal_text.h"
+#include "certificate/certificate_text.h"
+#include "cli/export_files.h"
+#include "cli/patch_choice.h"
+#include "cli/progress.h"
+#include "output/drawing/intersection_svg.h"
+#include "output/options/option_values.h"
+#include "output/report/report_html.h"
+#include "output/text/intersection_json.h"
+#include "output/text/intersection_summary.h"
+#include "output/text/node_csv.h"
+#include "output/text/terminal_text.h"
 
 namespace exsect::cli {
 namespace {
 
-IntersectOptions options(const SelfCommand& command) {
+IntersectOptions self_options(const SelfCommand& command) {
   IntersectOptions options;
   options.turning = parameter_list("--turning", command.turning, self_names);
   options.tolerance = positive_value("--tolerance", command.tolerance);
@@ -27,15 +27,16 @@ IntersectOptions options(const SelfCommand& command) {
   return options;
 }
 
-IntersectResult solve(const BezierPatch& x, IntersectOptions options, const Streams& streams, bool quiet) {
+IntersectResult solve_self(const BezierPatch& x, IntersectOptions options, const Streams& streams,
+                           bool quiet) {
   Progress progress(streams.err, streams.watched && !quiet);
   options.progress = [&](double fraction, const char* step) { progress.report(fraction, step); };
   return self_intersect(x, options);
 }
 
 /// What --certificate writes; empty where it is not given, or, with a message, where there is no certificate.
-std::string certificate(const SelfCommand& command, const BezierPatch& x, const PatchNames& names,
-                        const IntersectResult& result, const Streams& streams) {
+std::string self_certificate(const SelfCommand& command, const BezierPatch& x, const PatchNames& names,
+                             const IntersectResult& result, const Streams& streams) {
   if (command.output.certificate.empty()) return "";
   try {
     return self_certificate_text(x, names, result);
@@ -48,16 +49,16 @@ std::string certificate(const SelfCommand& command, const BezierPatch& x, const 
 }  // namespace
 
 ExitStatus run(const SelfCommand& command, const Streams& streams) {
-  const IntersectOptions checked = options(command);
+  const IntersectOptions checked = self_options(command);
   check(command.output, command.file);
   if (!command.output.certificate.empty() && checked.turning.size() != 4)
     throw UsageError("--certificate: needs all turning points, --turning u1,v1,u2,v2");
   const int cells = grid_cells(command.output.exports);
   const ChosenPatch chosen = read_patch(command.file, command.patch);
   const PatchNames names = {chosen.patch.name, chosen.patch.name, self_names};
-  const IntersectResult result = solve(chosen.patch.patch, checked, streams, command.quiet);
+  const IntersectResult result = solve_self(chosen.patch.patch, checked, streams, command.quiet);
   const std::string json = command.output.json.empty() ? "" : json_text(self_json(result, chosen.patch.name));
-  const std::string proof = certificate(command, chosen.patch.patch, names, result, streams);
+  const std::string proof = self_certificate(command, chosen.patch.patch, names, result, streams);
   write_exports(
       command.output.exports,
       [&] { return self_scene(result, chosen.patch.patch, chosen.patch.name, chosen.title, cells); },

@@ -1,14 +1,14 @@
-#include "verify_command.h"
+#include "cli/verify_command.h"
 
 #include <exsect/geometry/candidate_file.h>
-#include <exsect/solver/verify.h>
+#include <exsect/verify/verify.h>
 
-#include "option_values.h"
-#include "patch_choice.h"
-#include "progress.h"
-#include "terminal_text.h"
-#include "verdict_json.h"
-#include "verdict_picture.h"
+#include "cli/patch_choice.h"
+#include "cli/progress.h"
+#include "output/options/option_values.h"
+#include "output/report/verdict_picture.h"
+#include "output/text/terminal_text.h"
+#include "output/text/verdict_json.h"
 
 namespace exsect::cli {
 namespace {
@@ -20,8 +20,8 @@ PatchPair chosen_pair(const VerifyCommand& command, const Candidate& candidate) 
   return read_pair(command.file, candidate.patches[0], candidate.patches[1], "the candidate's patches");
 }
 
-Verification solve(const PatchPair& pair, const Candidate& candidate, VerifyOptions options,
-                   const Streams& streams, bool quiet) {
+Verification solve_candidate(const PatchPair& pair, const Candidate& candidate, VerifyOptions options,
+                             const Streams& streams, bool quiet) {
   Progress progress(streams.err, streams.watched && !quiet);
   options.progress = [&](double fraction, const char* step) { progress.report(fraction, step); };
   return verify(candidate, pair.x.patch, pair.y.patch, options);
@@ -44,7 +44,7 @@ ExitStatus run(const VerifyCommand& command, const Streams& streams) {
   const Candidate candidate = read_candidate(command.candidate);
   const PatchPair pair = chosen_pair(command, candidate);
   const PatchNames names = {pair.x.name, pair.y.name};
-  const Verification result = solve(pair, candidate, options, streams, command.quiet);
+  const Verification result = solve_candidate(pair, candidate, options, streams, command.quiet);
   const std::string json =
       command.output.json.empty() ? "" : json_text(verdict_json(result, candidate, names));
   if (!command.output.json.empty() && !command.output.json_to_stdout())

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "exit_status.h"
-#include "output_files.h"
-#include "program.h"
+#include "cli/exit_status.h"
+#include "cli/streams.h"
+#include "output/options/output_files.h"
 
 namespace exsect::cli {
 

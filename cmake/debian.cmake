@@ -32,7 +32,8 @@ if(BUILD_SHARED_LIBS)
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", ${exsect_runtime} (= ${PROJECT_VERSION})")
   # Programs of the first package load libraries of another one that is made at the same time.
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}/algebra" "${PROJECT_BINARY_DIR}/geometry"
-                                                  "${PROJECT_BINARY_DIR}/solver")
+                                                  "${PROJECT_BINARY_DIR}/solver" "${PROJECT_BINARY_DIR}/verify"
+                                                  "${PROJECT_BINARY_DIR}/implicit")
 else()
   # Static libraries: whoever links them links FLINT. From version 3 it contains Arb.
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libflint-dev, libtbb-dev")

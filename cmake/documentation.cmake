@@ -7,7 +7,7 @@ set(api_dir "${PROJECT_BINARY_DIR}/docs/api")
 
 if(DOXYGEN_FOUND)
   set(headers "")
-  foreach(layer algebra geometry solver)
+  foreach(layer algebra geometry solver verify implicit)
     get_target_property(public exsect_${layer} EXSECT_HEADERS)
     list(TRANSFORM public PREPEND "${PROJECT_SOURCE_DIR}/${layer}/")
     list(APPEND headers ${public})

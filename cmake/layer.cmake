@@ -43,15 +43,16 @@ function(exsect_precompile target kind)
   target_precompile_headers(${target} REUSE_FROM exsect_precompiled_${kind})
 endfunction()
 
-# exsect_layer(<name> HEADERS <public headers> DEPENDS <targets> PRIVATE_DEPENDS <targets>)
-# builds and installs the library of one layer from the sources beside it. Each
-# public header gets a one-line forwarding header that only this layer's target
-# exports, so an include against the direction of the layers does not compile;
-# the headers themselves are what is installed.
+# exsect_layer(<name> HEADERS <public headers> FORMER <layer> DEPENDS <targets> PRIVATE_DEPENDS <targets>)
+# builds and installs the library of one layer from the sources beside it and in its rooms, the folders below. A
+# public header room/name.h is included as <exsect/layer/name.h>: it gets a one-line forwarding header that only this
+# layer's target exports, so an include against the direction of the layers does not compile; the headers themselves
+# are what is installed. With FORMER they can still be included as headers of the layer that they were a part of.
+# Inside the layer any header is included by its path, "room/name.h".
 function(exsect_layer name)
-  cmake_parse_arguments(LAYER "" "" "HEADERS;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(LAYER "" "FORMER" "HEADERS;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   set(target exsect_${name})
-  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
   if(NOT sources)
     file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp" CONTENT "" @ONLY)
     set(sources "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")
@@ -60,10 +61,20 @@ function(exsect_layer name)
   add_library(exsect::${name} ALIAS ${target})
 
   set(forward "${CMAKE_CURRENT_BINARY_DIR}/include")
+  set(former "${CMAKE_CURRENT_BINARY_DIR}/former")
   foreach(header IN LISTS LAYER_HEADERS)
+    cmake_path(GET header FILENAME file)
     file(RELATIVE_PATH path "${forward}/exsect/${name}" "${CMAKE_CURRENT_SOURCE_DIR}/${header}")
-    file(CONFIGURE OUTPUT "${forward}/exsect/${name}/${header}" CONTENT "#include \"${path}\"\n" @ONLY)
+    file(CONFIGURE OUTPUT "${forward}/exsect/${name}/${file}" CONTENT "#include \"${path}\"\n" @ONLY)
+    if(LAYER_FORMER)
+      file(CONFIGURE OUTPUT "${former}/exsect/${LAYER_FORMER}/${file}" @ONLY
+           CONTENT "#include <exsect/${name}/${file}>  // where it stands now\n")
+    endif()
   endforeach()
+  target_compile_options(${target} PRIVATE "SHELL:-iquote ${CMAKE_CURRENT_SOURCE_DIR}")
+  if(LAYER_FORMER)
+    target_include_directories(${target} INTERFACE "$<BUILD_INTERFACE:${former}>")
+  endif()
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${forward}>"
                                               "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -79,6 +90,14 @@ function(exsect_layer name)
     install(TARGETS ${target} EXPORT exsectTargets
             LIBRARY COMPONENT Runtime NAMELINK_COMPONENT Development
             ARCHIVE COMPONENT Development)
+    if(LAYER_FORMER)
+      install(DIRECTORY "${former}/exsect" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT Development)
+    endif()
     install(FILES ${LAYER_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/exsect/${name} COMPONENT Development)
   endif()
+endfunction()
+
+# The target includes internal headers of the solver's rooms as "room/name.h". Which rooms: tests/project/rooms.py.
+function(exsect_uses_rooms layer)
+  target_compile_options(exsect_${layer} PRIVATE "SHELL:-iquote ${PROJECT_SOURCE_DIR}/solver")
 endfunction()

@@ -2,9 +2,10 @@
 #   format        rewrite them with clang-format
 #   format-check  fail if that would change anything (also a test)
 # The preset tidy runs clang-tidy. Version 14 is what Debian 12 brings; others lay out some lines differently.
-file(GLOB_RECURSE style_sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
-     algebra/*.h algebra/*.cpp geometry/*.h geometry/*.cpp solver/*.h solver/*.cpp cli/*.h cli/*.cpp
-     tests/*.h tests/*.cpp bench/*.h bench/*.cpp docs/*.cpp python/*.h python/*.cpp)
+set(style_folders algebra geometry solver verify implicit checker output certificate cli tests bench docs python)
+list(TRANSFORM style_folders APPEND "/*.h" OUTPUT_VARIABLE style_headers)
+list(TRANSFORM style_folders APPEND "/*.cpp" OUTPUT_VARIABLE style_files)
+file(GLOB_RECURSE style_sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" ${style_headers} ${style_files})
 find_program(CLANG_FORMAT NAMES clang-format-14)
 mark_as_advanced(CLANG_FORMAT)
 

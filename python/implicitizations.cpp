@@ -1,19 +1,21 @@
-#include <exsect/solver/implicitize_curve.h>
-#include <exsect/solver/implicitize_space_curve.h>
+#include <exsect/implicit/implicitize_curve.h>
+#include <exsect/implicit/implicitize_space_curve.h>
 #include <pybind11/stl.h>
 
 #include <map>
 
-#include "cli/implicit_json.h"
-#include "cli/implicit_summary.h"
-#include "cli/implicit_svg.h"
-#include "cli/implicitize_options.h"
-#include "cli/method_reports.h"
-#include "cli/patch_implicit_output.h"
-#include "cli/revolution_output.h"
-#include "cli/revolve_command.h"
-#include "cli/space_implicit_output.h"
+#include "output/options/revolve_options.h"
 #include "numbers.h"
+#include "output/drawing/implicit_svg.h"
+#include "output/drawing/revolution_svg.h"
+#include "output/drawing/space_implicit_svg.h"
+#include "output/options/implicitize_options.h"
+#include "output/report/method_reports.h"
+#include "output/text/implicit_json.h"
+#include "output/text/implicit_summary.h"
+#include "output/text/patch_implicit_output.h"
+#include "output/text/revolution_output.h"
+#include "output/text/space_implicit_output.h"
 #include "solutions.h"
 
 namespace exsect::python {

@@ -3,15 +3,17 @@
 #include <exsect/solver/self_intersect.h>
 #include <pybind11/stl.h>
 
-#include "cli/intersection_svg.h"
-#include "cli/line_json.h"
-#include "cli/line_svg.h"
-#include "cli/node_csv.h"
-#include "cli/option_values.h"
-#include "cli/report_html.h"
-#include "cli/scene_text.h"
-#include "cli/shown_line.h"
 #include "numbers.h"
+#include "output/drawing/intersection_svg.h"
+#include "output/drawing/line_svg.h"
+#include "output/drawing/scene_obj.h"
+#include "output/drawing/scene_ply.h"
+#include "output/drawing/scene_vtp.h"
+#include "output/options/option_values.h"
+#include "output/report/report_html.h"
+#include "output/text/line_json.h"
+#include "output/text/node_csv.h"
+#include "output/text/shown_line.h"
 #include "solutions.h"
 
 namespace exsect::python {

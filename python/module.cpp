@@ -3,8 +3,8 @@
 #include <exsect/geometry/patch_file.h>
 #include <pybind11/stl.h>
 
-#include "cli/output_files.h"
 #include "numbers.h"
+#include "output/options/output_files.h"
 #include "solutions.h"
 
 namespace exsect::python {

@@ -1,14 +1,15 @@
 #include "confirmed_curves.h"
 
-#include <exsect/solver/line_patch.h>
+#include <exsect/solver/line_points_filtered.h>
+#include <exsect/solver/line_query.h>
 #include <exsect/solver/turning_eliminant.h>
 
 #include <algorithm>
 
-#include "critical_values.h"
-#include "exact_line_points.h"
-#include "filter.h"
-#include "parameter_box.h"
+#include "answer/parameter_box.h"
+#include "eliminant/critical_values.h"
+#include "filter/filter.h"
+#include "line/exact_line_points.h"
 
 namespace exsect {
 

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "run.h"
+#include "answer/run.h"
 
 namespace exsect {
 

@@ -2,15 +2,13 @@
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/result.h>
 
-#include "run.h"
+#include "answer/run.h"
 
 namespace exsect {
 
 /// As intersect(): within the call's time, its work on the call's record.
 IntersectResult intersect_within(const Run& run, const BezierPatch& x, const BezierPatch& y);
-
-/// As self_intersect().
-IntersectResult self_intersect_within(const Run& run, const BezierPatch& x);
 
 }  // namespace exsect

@@ -1,7 +1,7 @@
 // Approximate implicit equations of planar curves, and what is proved of them.
 #include <benchmark/benchmark.h>
-#include <exsect/solver/implicitize_curve.h>
-#include <exsect/solver/implicitize_space_curve.h>
+#include <exsect/implicit/implicitize_curve.h>
+#include <exsect/implicit/implicitize_space_curve.h>
 
 #include "geometry/curve_specimens.h"
 

@@ -2,9 +2,9 @@
 #include <benchmark/benchmark.h>
 #include <exsect/geometry/curve_file.h>
 #include <exsect/geometry/patch_file.h>
+#include <exsect/implicit/revolution_patch.h>
+#include <exsect/implicit/revolve.h>
 #include <exsect/solver/curve_arcs.h>
-#include <exsect/solver/revolution_patch.h>
-#include <exsect/solver/revolve.h>
 
 #include <random>
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "../json_forms.h"
+#include "output/text/json_forms.h"
 
 namespace exsect::cli {
 

@@ -1,4 +1,4 @@
-#include "batch_line.h"
+#include "cli/batch/batch_line.h"
 
 #include <exsect/geometry/bounding_box.h>
 #include <exsect/geometry/text_file.h>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "../intersection_json.h"
+#include "output/text/intersection_json.h"
 
 namespace exsect::cli {
 namespace {
@@ -29,7 +29,7 @@ Json head(const BatchInput& input, const Shard& shard, std::uint64_t local, cons
   return line;
 }
 
-IntersectResult solve(const Subject& subject, bool meet, const IntersectOptions& options) {
+IntersectResult solved_pair(const Subject& subject, bool meet, const IntersectOptions& options) {
   if (!meet) return {Status::complete, {}, {}, {}};
   return subject.self ? self_intersect(subject.x.patch, options)
                       : intersect(subject.x.patch, subject.y.patch, options);
@@ -120,7 +120,7 @@ BatchLine solved_line(const BatchInput& input, const Shard& shard, std::uint64_t
                     intersects(bounding_box(subject->x.patch), bounding_box(subject->y.patch));
   IntersectResult result;
   try {
-    result = solve(*subject, meet, options.solver);
+    result = solved_pair(*subject, meet, options.solver);
   } catch (const std::invalid_argument& error) {  // control points out of range
     return failed_line(input, shard, local, error.what());
   }

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "batch_input.h"
+#include "cli/batch/batch_input.h"
 
 namespace exsect::cli {
 

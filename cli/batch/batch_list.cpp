@@ -5,8 +5,8 @@
 #include <sstream>
 #include <utility>
 
-#include "../patch_choice.h"
-#include "batch_input.h"
+#include "cli/batch/batch_input.h"
+#include "cli/patch_choice.h"
 
 namespace exsect::cli {
 namespace {

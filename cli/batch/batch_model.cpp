@@ -6,7 +6,7 @@
 #include <fstream>
 #include <utility>
 
-#include "batch_input.h"
+#include "cli/batch/batch_input.h"
 
 namespace exsect::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "batch_output.h"
+#include "cli/batch/batch_output.h"
 
 #include <exsect/geometry/text_file.h>
 #include <fcntl.h>
@@ -13,7 +13,7 @@
 #include <system_error>
 #include <utility>
 
-#include "line_reader.h"
+#include "cli/batch/line_reader.h"
 
 namespace exsect::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "worker_process.h"
+#include "cli/batch/worker_process.h"
 
 namespace exsect::cli {
 

@@ -1,4 +1,4 @@
-#include "batch_input.h"
+#include "cli/batch/batch_input.h"
 
 namespace exsect::cli {
 namespace {

@@ -1,8 +1,8 @@
-#include "batch_summary.h"
+#include "cli/batch/batch_summary.h"
 
 #include <fmt/format.h>
 
-#include "../terminal_text.h"
+#include "output/text/terminal_text.h"
 
 namespace exsect::cli {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "batch_line.h"
+#include "cli/batch/batch_line.h"
 
 namespace exsect::cli {
 

@@ -1,4 +1,4 @@
-#include "line_reader.h"
+#include "cli/batch/line_reader.h"
 
 #include <exsect/geometry/text_file.h>
 #include <unistd.h>

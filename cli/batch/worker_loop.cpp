@@ -1,4 +1,4 @@
-#include "worker_loop.h"
+#include "cli/batch/worker_loop.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@
 namespace exsect::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using WorkerClock = std::chrono::steady_clock;
 
 /// False at the end of the pipe.
 bool read_all(int file, void* data, std::size_t size) {
@@ -29,7 +29,7 @@ bool read_all(int file, void* data, std::size_t size) {
   return true;
 }
 
-bool write_all(int file, const std::string& text) {
+bool send_all(int file, const std::string& text) {
   for (std::size_t had = 0; had < text.size();) {
     const ssize_t put = write(file, text.data() + had, text.size() - had);
     if (put < 0 && errno == EINTR) continue;
@@ -49,25 +49,26 @@ class Results {
     const std::uint64_t head[2] = {task, text.size()};
     waiting_.append(reinterpret_cast<const char*>(head), sizeof head);
     waiting_ += text;
-    const bool due = waiting_.size() > (1 << 15) || Clock::now() - sent_ > std::chrono::milliseconds(20);
+    const bool due =
+        waiting_.size() > (1 << 15) || WorkerClock::now() - sent_ > std::chrono::milliseconds(20);
     return !due || send();
   }
   bool send() {
-    const bool sent = write_all(file_, waiting_);
+    const bool sent = send_all(file_, waiting_);
     waiting_.clear();
-    sent_ = Clock::now();
+    sent_ = WorkerClock::now();
     return sent;
   }
 
  private:
   int file_;
   std::string waiting_;
-  Clock::time_point sent_ = Clock::now();
+  WorkerClock::time_point sent_ = WorkerClock::now();
 };
 
 bool do_tasks(const Work& work, const std::vector<std::uint64_t>& tasks, Results& results, WorkerSlot& slot) {
   for (const std::uint64_t task : tasks) {
-    slot.started = Clock::now().time_since_epoch().count();
+    slot.started = WorkerClock::now().time_since_epoch().count();
     slot.task = task;
     const bool sent = results.add(task, work(task));
     slot.task = no_task;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "worker_process.h"
+#include "cli/batch/worker_process.h"
 
 namespace exsect::cli {
 

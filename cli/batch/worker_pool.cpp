@@ -1,4 +1,4 @@
-#include "worker_pool.h"
+#include "cli/batch/worker_pool.h"
 
 #include <poll.h>
 #include <signal.h>

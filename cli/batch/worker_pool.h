@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "worker_process.h"
+#include "cli/batch/worker_process.h"
 
 namespace exsect::cli {
 

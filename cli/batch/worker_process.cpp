@@ -1,4 +1,4 @@
-#include "worker_process.h"
+#include "cli/batch/worker_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 #include <system_error>
 #include <utility>
 
-#include "worker_loop.h"
+#include "cli/batch/worker_loop.h"
 
 namespace exsect::cli {
 namespace {

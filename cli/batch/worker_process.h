@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "worker_slot.h"
+#include "cli/batch/worker_slot.h"
 
 namespace exsect::cli {
 

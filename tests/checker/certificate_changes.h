@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "certificate_text.h"
+#include "certificate/certificate_text.h"
 #include "support/catch.h"
 #include "support/random_pairs.h"
 

@@ -2,6 +2,7 @@
 #include <exsect/geometry/patch_file.h>
 #include <exsect/solver/line_patch.h>
 
+#include "certificate/line.h"
 #include "certificate_changes.h"
 
 namespace exsect {

@@ -1,4 +1,4 @@
-#include "cli/intersection_json.h"
+#include "output/text/intersection_json.h"
 
 #include <exsect/geometry/number.h>
 

@@ -1,4 +1,4 @@
-#include "cli/intersection_svg.h"
+#include "output/drawing/intersection_svg.h"
 
 #include <boost/property_tree/xml_parser.hpp>
 #include <cmath>

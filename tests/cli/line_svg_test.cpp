@@ -1,4 +1,4 @@
-#include "cli/line_svg.h"
+#include "output/drawing/line_svg.h"
 
 #include <exsect/geometry/patch_file.h>
 

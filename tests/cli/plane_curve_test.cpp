@@ -1,4 +1,4 @@
-#include "cli/plane_curve.h"
+#include "output/drawing/plane_curve.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,14 @@
 // The pages of reports as text: what they hold, and that nothing in them ends an element or opens another.
 // What they show is tested in a browser, tests/browser.
-#include "cli/report_html.h"
+#include "output/report/report_html.h"
 
 #include <exsect/geometry/patch_file.h>
 #include <exsect/solver/intersect.h>
 
 #include <cctype>
 
-#include "cli/line_json.h"
-#include "cli/report_page.h"
+#include "output/report/report_page.h"
+#include "output/text/line_json.h"
 #include "run_program.h"
 #include "sample_result.h"
 #include "support/catch.h"

@@ -1,12 +1,14 @@
-#include "cli/scene.h"
+#include "output/drawing/scene.h"
 
 #include <boost/property_tree/xml_parser.hpp>
 #include <cmath>
 #include <map>
 #include <sstream>
 
-#include "cli/node_csv.h"
-#include "cli/scene_text.h"
+#include "output/drawing/scene_obj.h"
+#include "output/drawing/scene_ply.h"
+#include "output/drawing/scene_vtp.h"
+#include "output/text/node_csv.h"
 #include "sample_result.h"
 #include "support/catch.h"
 

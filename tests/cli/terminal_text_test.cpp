@@ -1,4 +1,4 @@
-#include "cli/terminal_text.h"
+#include "output/text/terminal_text.h"
 
 #include <exsect/geometry/number.h>
 

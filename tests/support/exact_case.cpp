@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "../../solver/intersect_by_sweep.h"
+#include "intersect_exactly.h"
 
 namespace exsect {
 namespace {
@@ -405,7 +405,7 @@ std::string failure(const ExactCase& expected) {
   if (!found.empty() || result.work.steps.count("filtered") == 0) return found;
   options.exact = true;
   found = difference(intersect(expected.x, expected.y, options), expected);
-  return found.empty() ? difference(intersect_by_sweep(expected.x, expected.y, options), expected) : found;
+  return found.empty() ? difference(intersect_exactly(expected.x, expected.y, options), expected) : found;
 }
 
 ExactArc arc_along(std::size_t from, std::size_t to, Contact contact, ArcPlace place,

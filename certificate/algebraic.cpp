@@ -1,0 +1,63 @@
+#include "certificate/algebraic.h"
+
+#include <exsect/algebra/number_field.h>
+#include <exsect/solver/algebraic_place.h>
+
+#include "certificate/claims.h"
+
+namespace exsect::cli {
+
+using checker::Algebraic;
+
+std::vector<AlgebraicPoint> points_in_box(const Patches& patches, const Node& node) {
+  std::vector<AlgebraicPoint> result;
+  const Place place = short_place(node);
+  if (patches[0](place[0], place[1]) == patches[1](place[2], place[3])) {
+    const checker::Root zero = {{0, 1}, {-1, 1}};
+    result.push_back({std::make_shared<checker::Root>(zero), {place[0], place[1], place[2], place[3]}});
+  }
+  if (const auto found = algebraic_place(patches[0], patches[1], node.box)) {
+    const checker::Root root = {found->modulus.coefficients(), {found->between.lower, found->between.upper}};
+    AlgebraicPoint& point = result.emplace_back();
+    point.root = std::make_shared<checker::Root>(root);
+    for (std::size_t i = 0; i < 4; ++i)
+      point.parameters[i] = Algebraic(found->at[i].coefficients(), point.root);
+  }
+  if (result.empty()) throw NoCertificate("a special point with parameters in no number field that is found");
+  return result;
+}
+
+Algebraic reciprocal(const Algebraic& a) {
+  if (a.is_rational()) return 1 / a.rational();
+  const auto inverse = inverse_modulo(Polynomial(a.coefficients()), Polynomial(a.root()->modulus));
+  if (!inverse) throw NoCertificate("a special point in a ring with divisors of zero");
+  return {inverse->coefficients(), a.root()};
+}
+
+checker::Matrix4 inverse(checker::Matrix4 m) {
+  checker::Matrix4 result = {};
+  for (std::size_t i = 0; i < 4; ++i) result[i][i] = 1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::size_t pivot = i;
+    while (pivot < 4 && m[pivot][i] == 0) ++pivot;
+    if (pivot == 4) throw NoCertificate("coordinates that depend on each other");
+    std::swap(m[i], m[pivot]);
+    std::swap(result[i], result[pivot]);
+    const checker::Algebraic factor = reciprocal(m[i][i]);
+    for (std::size_t j = 0; j < 4; ++j) m[i][j] = m[i][j] * factor, result[i][j] = result[i][j] * factor;
+    for (std::size_t row = 0; row < 4; ++row) {
+      const checker::Algebraic times = m[row][i];
+      for (std::size_t j = 0; row != i && j < 4; ++j) {
+        m[row][j] = m[row][j] - times * m[i][j];
+        result[row][j] = result[row][j] - times * result[i][j];
+      }
+    }
+  }
+  return result;
+}
+
+Json algebraic_claim(const Algebraic& a) {
+  return a.is_rational() ? Json(to_string(a.rational())) : rationals(a.coefficients());
+}
+
+}  // namespace exsect::cli

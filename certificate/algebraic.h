@@ -1,0 +1,34 @@
+// Points whose parameters are algebraic numbers, for the stars of a certificate.
+#pragma once
+
+#include <exsect/checker/certificate.h>
+#include <exsect/solver/intersection_graph.h>
+
+#include <memory>
+#include <vector>
+
+#include "certificate/events.h"
+#include "output/text/json_forms.h"
+
+namespace exsect::cli {
+
+/// Numbers of one field.
+struct AlgebraicPoint {
+  std::shared_ptr<const checker::Root> root;
+  checker::Vector4<checker::Algebraic> parameters;
+};
+
+/// Solutions in the node's box, one of which is the node as a rule: that of the shortest rational parameters,
+/// if it is one, and one with parameters in a number field. Throws NoCertificate if none is found.
+std::vector<AlgebraicPoint> points_in_box(const Patches& patches, const Node& node);
+
+/// 1/a, for a number that is not 0. Throws NoCertificate if the modulus is reducible and a divisor of zero is
+/// met.
+checker::Algebraic reciprocal(const checker::Algebraic& a);
+
+/// Throws NoCertificate if there is none.
+checker::Matrix4 inverse(checker::Matrix4 m);
+/// A text, or the list of the coefficients.
+Json algebraic_claim(const checker::Algebraic& a);
+
+}  // namespace exsect::cli

@@ -1,0 +1,24 @@
+// Certificates (docs/certificate.md): a complete result as claims that `exsect check` replays.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/line_patch.h>
+#include <exsect/solver/result.h>
+
+#include <string>
+
+#include "certificate/search.h"
+#include "output/text/intersection_json.h"
+
+namespace exsect::cli {
+
+/// The certificate of the intersection of x and y, with all four parameters' turning points as nodes. It has
+/// been checked. Throws NoCertificate for a result that is incomplete or holds an event without a
+/// certificate.
+std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
+                             const IntersectResult& result);
+/// The same of the self-intersection of x.
+std::string self_certificate_text(const BezierPatch& x, const PatchNames& names,
+                                  const IntersectResult& result);
+
+}  // namespace exsect::cli

@@ -1,0 +1,164 @@
+#include "certificate/claims.h"
+
+#include <exsect/geometry/number.h>
+
+#include <algorithm>
+
+namespace exsect::cli {
+
+std::string in_list(const char* list, std::size_t i) {
+  return std::string("$.") + list + "[" + std::to_string(i) + "]";
+}
+
+Json sealed(const std::string& place, Json claim) {
+  claim["seal"] = checker::seal(place + claim.dump());
+  return claim;
+}
+
+std::string exact_number(double a) {
+  const Rational q = from_double(a);
+  const Integer power = denominator(q);
+  return power < 256 ? to_string(q) : numerator(q).str() + "/2^" + std::to_string(msb(power));
+}
+
+Json exact_numbers(const std::vector<double>& numbers) {
+  Json result = Json::array();
+  for (const double a : numbers) result.push_back(exact_number(a));
+  return result;
+}
+
+const char* letter(std::size_t parameter) { return name(all_parameters[parameter]); }
+
+Json patch_claim(const std::string& place, const std::string& name, const BezierPatch& patch) {
+  Json points = Json::array();
+  for (const auto& row : patch.net()) {
+    Json list = Json::array();
+    for (const Point& p : row) list.push_back({to_string(p[0]), to_string(p[1]), to_string(p[2])});
+    points.push_back(list);
+  }
+  return sealed(place, {{"name", name}, {"points", points}});
+}
+
+std::string map_text(const checker::MapName& map) {
+  if (map.chart == Chart::star)
+    return "star" + std::to_string(map.star) + letter(map.direction / 2) + "+-"[map.direction % 2];
+  return map.chart == Chart::pair ? "pair" : map.chart == Chart::first ? "first" : "second";
+}
+
+namespace {
+
+/// What the tube's curve is.
+std::string curve(const Tube& tube) {
+  if (tube.factor < 0) return map_text(tube);
+  return (tube.chart == Chart::star ? map_text(tube) : "") + "factor" + std::to_string(tube.factor);
+}
+
+}  // namespace
+
+Json tube_claims(const NearPair& pair, const std::vector<Tube>& tubes) {
+  Json result = Json::array();
+  for (const Tube& t : tubes) {
+    Json rows = Json::array();
+    for (auto row : t.inverse) {
+      for (double& a : row) a /= t.chart == Chart::star || t.factor >= 0 ? 1 : pair.scale;
+      rows.push_back(exact(row));
+    }
+    result.push_back(sealed(in_list("tubes", result.size()), {{"centre", exact(t.centre)},
+                                                              {"axis", letter(t.axis)},
+                                                              {"slope", exact(t.slope)},
+                                                              {"reach", exact_number(t.reach)},
+                                                              {"width", exact_number(t.width)},
+                                                              {"inverse", rows},
+                                                              {"curve", curve(t)}}));
+  }
+  return result;
+}
+
+Json cover_claims(const std::vector<std::string>& entries) {
+  constexpr std::size_t row = 100;
+  Json result = Json::array();
+  for (std::size_t i = 0; i < entries.size(); i += row) {
+    std::string text = entries[i];
+    for (std::size_t j = i + 1; j < std::min(i + row, entries.size()); ++j) text += " " + entries[j];
+    result.push_back(text + " #" + checker::seal(in_list("cover", result.size()) + text));
+  }
+  return result;
+}
+
+std::string claims_text(const Json& document) {
+  std::string result = "{";
+  for (const auto& [key, value] : document.items()) {
+    result += (result.size() == 1 ? "" : ",\n ") + Json(key).dump() + ": ";
+    if (!value.is_array() || value.empty()) {
+      result += value.dump();
+      continue;
+    }
+    for (std::size_t i = 0; i < value.size(); ++i) result += (i == 0 ? "[\n  " : ",\n  ") + value[i].dump();
+    result += "]";
+  }
+  return result + "}\n";
+}
+
+NoCertificate not_accepted(const checker::Rejected& rejected) {
+  return NoCertificate("a claim that is not accepted: " + rejected.place() + ": " + rejected.what());
+}
+
+namespace {
+
+/// An arc whose error bound the check, with enclosures of its own, cannot confirm gets a larger one.
+bool enlarge_bound(Json& document, const Rational& factor, const std::string& where,
+                   const std::string& reason) {
+  if (reason != "the error bound is too small") return false;
+  const auto enlarge = [&](Json& arc) {
+    const Rational bound = checker::number_of(arc["error_bound"].get<std::string>());
+    arc["error_bound"] = to_string(bound * factor);
+  };
+  for (const char* list : {"arcs", "overlaps"}) {
+    for (std::size_t i = 0; i < document[list].size(); ++i) {
+      const std::string place = in_list(list, i);
+      if (where.substr(0, place.size()) != place) continue;
+      Json claim = document[list][i];
+      claim.erase("seal");
+      if (claim.contains("edges"))
+        std::for_each(claim["edges"].begin(), claim["edges"].end(), enlarge);
+      else
+        enlarge(claim);
+      document[list][i] = sealed(place, claim);
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string accepted_text(Json document) {
+  for (int trials = 0; trials < 60; ++trials) {
+    std::string certificate = claims_text(document);
+    const Rational factor = trials < 20 ? Rational(5, 4) : Rational(4);
+    try {
+      checker::check_in_doubles(certificate);
+      return certificate;
+    } catch (const checker::Rejected& rejected) {
+      if (enlarge_bound(document, factor, rejected.place(), rejected.what())) continue;
+    }
+    try {
+      checker::check_certificate(certificate);
+      return certificate;
+    } catch (const checker::Rejected& rejected) {
+      if (!enlarge_bound(document, factor, rejected.place(), rejected.what())) throw not_accepted(rejected);
+    }
+  }
+  throw NoCertificate("an arc whose polyline's error bound cannot be confirmed");
+}
+
+std::string confirmed(const std::string& certificate) {
+  try {
+    checker::check_certificate(certificate);
+    return certificate;
+  } catch (const checker::Rejected& rejected) {
+    throw not_accepted(rejected);
+  }
+}
+
+}  // namespace exsect::cli

@@ -1,0 +1,148 @@
+#include "certificate/coordinates.h"
+
+#include <exsect/checker/factors.h>
+#include <exsect/geometry/number.h>
+
+namespace exsect::cli {
+namespace {
+
+using checker::Factor;
+using checker::others;
+using checker::Power;
+
+Scalar product(const Scalar& a, const Scalar& b) {
+  Scalar result;
+  for (const auto& [p, c] : a) {
+    for (const auto& [q, d] : b) {
+      Power sum = p;
+      for (std::size_t j = 0; j < 4; ++j) sum[j] += q[j];
+      result[sum] += c * d;
+    }
+  }
+  return result;
+}
+
+/// The map with polynomials for its variables, without the terms that vanish.
+ExactMap composed(const ExactMap& map, const std::array<Scalar, 4>& inner) {
+  std::map<Power, Point> sum;
+  for (const auto& term : map.terms()) {
+    if (term.c == Point{}) continue;
+    Scalar factor = {{Power{}, 1}};
+    for (std::size_t j = 0; j < 4; ++j)
+      for (int n = 0; n < term.power[j]; ++n) factor = product(factor, inner[j]);
+    for (const auto& [power, c] : factor)
+      for (std::size_t d = 0; d < 3; ++d) sum[power][d] += c * term.c[d];
+  }
+  ExactMap result;
+  for (const auto& [power, c] : sum)
+    if (c != Point{}) result.add(power, c, 1);
+  return result;
+}
+
+}  // namespace
+
+std::optional<Factor> factor_in(const Coordinates& z, const ExactMap& equation, std::size_t power) {
+  Factor result = {{}, {1, 1, std::max<std::size_t>(power, 1)}, {}};
+  const std::array<int, 3> divisor = {1, 1, static_cast<int>(power)};
+  const ExactMap inner = composed(equation, z.from);
+  for (const auto& term : inner.terms()) {
+    if (term.c == Point{}) continue;
+    std::size_t j = 0;
+    while (j < 3 && (divisor[j] == 0 || term.power[j + 1] < divisor[j])) ++j;
+    if (j == 3) return std::nullopt;
+    Power rest = term.power;
+    rest[j + 1] -= divisor[j];
+    result.columns[j].add(rest, term.c, 1);
+  }
+  for (ExactMap& column : result.columns) column = composed(column, z.to);
+  for (std::size_t d = 0; d < 3; ++d) {
+    Point unit = {};
+    unit[d] = 1;
+    for (const auto& [p, c] : z.to[d + 1]) result.map.add(p, unit, c);
+  }
+  return result;
+}
+
+Power variable(std::size_t i) {
+  Power power = {};
+  power[i] = 1;
+  return power;
+}
+
+Coordinates along_line(const Line& line, std::size_t m, const Direction& c, std::size_t first) {
+  Coordinates z;
+  z.from[line.axis] = {{variable(0), 1}};
+  z.to[0] = {{variable(line.axis), 1}};
+  const auto polynomial = [&](std::size_t i, std::size_t in, int sign) {
+    Scalar result;
+    for (int n = 0; n < 3; ++n) {
+      Power power = {};
+      power[in] = n;
+      if (line.at[i][static_cast<std::size_t>(n)] != 0)
+        result[power] = sign * line.at[i][static_cast<std::size_t>(n)];
+    }
+    return result;
+  };
+  z.from[m] = polynomial(m, 0, 1);
+  z.from[m][variable(3)] = 1;
+  z.to[3] = polynomial(m, line.axis, -1);
+  z.to[3][variable(m)] = 1;
+  for (const std::size_t i : others(line.axis)) {
+    if (i == m) continue;
+    const std::size_t own = i == first ? 1 : 2;
+    z.from[i] = polynomial(i, 0, 1);
+    z.from[i][variable(3)] += c[i];
+    z.from[i][variable(own)] += 1;
+    z.to[own] = polynomial(i, line.axis, -1);
+    z.to[own][variable(i)] += 1;
+    for (const auto& [power, q] : z.to[3]) z.to[own][power] -= c[i] * q;
+  }
+  return z;
+}
+
+namespace {
+
+/// The vector c with c_axis = 0 that the derivative maps to 0, if its rank is 2, largest entry 1.
+std::optional<Direction> kernel(const ExactMap& local, std::size_t axis) {
+  std::array<Point, 3> rows;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto column = local.first(others(axis)[j], {});
+    for (std::size_t d = 0; d < 3; ++d) rows[d][j] = column[d].middle;
+  }
+  Point c = cross(rows[0], rows[1]);
+  if (is_zero(c)) c = cross(rows[0], rows[2]);
+  if (is_zero(c)) c = cross(rows[1], rows[2]);
+  std::size_t most = 0;
+  for (std::size_t d = 1; d < 3; ++d)
+    if (abs(c[d]) > abs(c[most])) most = d;
+  if (is_zero(c)) return std::nullopt;
+  Direction result = {};
+  for (std::size_t j = 0; j < 3; ++j) result[others(axis)[j]] = c[j] / c[most];
+  return result;
+}
+
+}  // namespace
+
+std::optional<Factor> touching_factor(const Line& line, const ExactMap& equation, bool surface) {
+  std::optional<Direction> c;
+  for (int t = 0; t < 4; ++t) {
+    Direction w;
+    for (std::size_t i = 0; i < 4; ++i) w[i] = value(line.at[i], Rational(t, 3));
+    const auto here = kernel(equation.at(w), line.axis);
+    if (!here || (c && *here != *c)) return std::nullopt;
+    c = here;
+  }
+  for (const std::size_t m : others(line.axis)) {
+    if ((*c)[m] == 0) continue;
+    Direction scaled = *c;
+    for (Rational& q : scaled) q /= (*c)[m];
+    for (const std::size_t first : others(line.axis)) {
+      if (first == m) continue;
+      const auto found = factor_in(along_line(line, m, scaled, first), equation, surface ? 0 : 2);
+      if (found && (!surface || checker::is_edge(found->map))) return found;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace exsect::cli

@@ -1,0 +1,38 @@
+// Coordinates of the parameters in which F is a sum of multiples of some of them: factors along lines.
+#pragma once
+
+#include <exsect/checker/certificate.h>
+
+#include <array>
+#include <map>
+#include <optional>
+
+#include "certificate/events.h"
+#include "certificate/search.h"
+
+namespace exsect::cli {
+
+using ExactMap = checker::Map<Rational>;
+using Scalar = std::map<checker::Power, Rational>;  // a polynomial in four variables
+
+/// The exponents of w_i alone.
+checker::Power variable(std::size_t i);
+
+/// Coordinates z of the parameters: w = from(z) and z = to(w).
+struct Coordinates {
+  std::array<Scalar, 4> from;
+  std::array<Scalar, 4> to;
+};
+
+/// F as a sum of multiples of z_1, z_2 and z_3^power, or of z_1 and z_2 alone for 0; nothing if it is none.
+std::optional<checker::Factor> factor_in(const Coordinates& z, const ExactMap& equation, std::size_t power);
+
+/// z_0 is the line's parameter, and w_i = line_i(z_0) + c_i z_3 + another coordinate: z_3 alone for m, where
+/// c_m = 1, z_1 for i = first.
+Coordinates along_line(const Line& line, std::size_t m, const Direction& c, std::size_t first);
+
+/// Along a line on which the patches touch, in the same direction everywhere; `surface`: F vanishes on a
+/// plane beside the line, which leaves [0,1]^4 there.
+std::optional<checker::Factor> touching_factor(const Line& line, const ExactMap& equation, bool surface);
+
+}  // namespace exsect::cli

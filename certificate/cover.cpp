@@ -1,0 +1,247 @@
+#include "certificate/cover.h"
+
+// The subdivision of [0,1]^4 into cells without solutions and cells in tubes.
+#include <exsect/checker/factors.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect::cli {
+namespace {
+
+using Net = checker::Net<double>;
+
+Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+struct Cell {
+  std::array<Net, 2> nets;
+  Parameters middle;
+  Parameters half;
+};
+
+Cell half_of(const Cell& cell, std::size_t parameter, bool upper) {
+  Cell result = cell;
+  Net& net = result.nets[parameter / 2];
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto at = [&](std::size_t m) -> double& {
+        return parameter % 2 == 0 ? net[m][i][d] : net[i][m][d];
+      };
+      const double a = (at(0) + at(1)) / 2;
+      const double b = (at(1) + at(2)) / 2;
+      (upper ? at(0) : at(2)) = (a + b) / 2;
+      at(1) = upper ? b : a;
+    }
+  }
+  result.half[parameter] /= 2;
+  result.middle[parameter] += (upper ? 1 : -1) * result.half[parameter];
+  return result;
+}
+
+/// The part of the cell where the parameter has the value, in [0,1].
+Cell on_line(Cell cell, std::size_t parameter, double t) {
+  Net& net = cell.nets[parameter / 2];
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto at = [&](std::size_t m) -> double& {
+        return parameter % 2 == 0 ? net[m][i][d] : net[i][m][d];
+      };
+      at(0) = (1 - t) * (1 - t) * at(0) + 2 * t * (1 - t) * at(1) + t * t * at(2);
+      at(1) = at(2) = at(0);
+    }
+  }
+  cell.middle[parameter] = t;
+  cell.half[parameter] = 0;
+  return cell;
+}
+
+/// The direction or its opposite, whichever separates x from y over the cell; empty if neither does.
+std::string separating(const Cell& cell, const std::array<int, 3>& direction) {
+  const Vector d = {double(direction[0]), double(direction[1]), double(direction[2])};
+  std::array<double, 2> least = {1e300, 1e300};
+  std::array<double, 2> most = {-1e300, -1e300};
+  for (std::size_t n = 0; n < 2; ++n) {
+    for (const auto& row : cell.nets[n]) {
+      for (const Vector& p : row) {
+        least[n] = std::min(least[n], checker::dot(d, p));
+        most[n] = std::max(most[n], checker::dot(d, p));
+      }
+    }
+  }
+  const double margin = 1e-11 + 1e-14 * (std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]));
+  if (least[0] - most[1] > margin) return fmt::format("{},{},{}", direction[0], direction[1], direction[2]);
+  if (least[1] - most[0] > margin)
+    return fmt::format("{},{},{}", -direction[0], -direction[1], -direction[2]);
+  return "";
+}
+
+Cell mirrored(const Cell& cell) {
+  const auto swapped = [](const Parameters& w) { return Parameters{w[2], w[3], w[0], w[1]}; };
+  return {{cell.nets[1], cell.nets[0]}, swapped(cell.middle), swapped(cell.half)};
+}
+
+class Cover {
+ public:
+  Cover(const NearPair& pair, const Places& places) : pair_(pair), places_(places) {}
+
+  void add(const Cell& cell, const std::vector<std::size_t>& near, int depth) {
+    const std::vector<std::size_t> meeting = those_meeting(cell, near);
+    if (std::string place = place_of(cell, meeting); !place.empty()) return entries_.push_back(place);
+    if (depth > 150 || entries_.size() > max_entries) throw NoCertificate("a subdivision that does not end");
+    const std::size_t parameter = longest(cell);
+    entries_.emplace_back(1, "uvrs"[parameter]);
+    add(half_of(cell, parameter, false), meeting, depth + 1);
+    add(half_of(cell, parameter, true), meeting, depth + 1);
+  }
+
+  std::vector<std::string> entries_;
+
+ private:
+  /// What a leaf says; empty if the cell has to be halved.
+  std::string place_of(const Cell& cell, const std::vector<std::size_t>& meeting) const {
+    if (places_.self && cell.middle[0] + cell.half[0] <= cell.middle[2] - cell.half[2]) return "lower";
+    for (const std::size_t i : meeting) {
+      const Tube& tube = places_.tubes[i];
+      if (contains(tube, cell)) return "t" + std::to_string(i);
+      if (places_.self && tube.chart == Chart::pair && contains(tube, mirrored(cell)))
+        return "m" + std::to_string(i);
+    }
+    for (std::size_t i = 0; i < places_.stars.size(); ++i)
+      if (contains(places_.stars[i], cell)) return "p" + std::to_string(i);
+    checker::Box<double> box;
+    for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j] * (1 + 1e-9)};
+    for (std::size_t i = 0; i < places_.planes.size(); ++i)
+      if (checker::independent<double>(places_.planes[i]->columns, box)) return "s" + std::to_string(i);
+    if (std::string d = exclusion(cell, meeting); !d.empty()) return d;
+    return places_.self ? injective(cell) : "";
+  }
+
+  static bool contains(const checker::Star& star, const Cell& cell) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      double middle = 0;
+      double radius = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const auto c = checker::number<double>(star.coordinates[j][i]);
+        middle += c * (cell.middle[i] - checker::number<double>(star.at[i]));
+        radius += std::abs(c) * cell.half[i];
+      }
+      if (std::abs(middle) + radius > 1 - 1e-9) return false;
+    }
+    return true;
+  }
+
+  bool contains(const Tube& tube, const Cell& cell) const {
+    constexpr double more = 1 + 1e-9;
+    checker::Box<double> box;
+    for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j] * more};
+    if (tube.chart == Chart::pair) return tube.contains(box);
+    const Map& map = pair_.charts[tube.chart == Chart::first ? 0 : 1];
+    return tube.contains(checker::pairs_in_chart(tube, map, checker::halves(tube.chart, box)));
+  }
+
+  /// The tubes that the cell, or its mirror image, may meet.
+  std::vector<std::size_t> those_meeting(const Cell& cell, const std::vector<std::size_t>& near) const {
+    std::vector<std::size_t> result;
+    for (const std::size_t i : near) {
+      const Tube& tube = places_.tubes[i];
+      if (meets(tube, cell) || (places_.self && meets(tube, mirrored(cell)))) result.push_back(i);
+    }
+    return result;
+  }
+
+  static bool meets(const Tube& tube, const Cell& cell) {
+    Parameters h = tube.extent();
+    Parameters centre = tube.centre;
+    if (tube.chart != Chart::pair) {
+      const double t = std::sqrt(tube.centre[3] + tube.reach);
+      const std::size_t p = tube.chart == Chart::first ? 0 : 1;
+      centre[p] = centre[p + 2] = tube.centre[0];
+      centre[1 - p] = centre[3 - p] = tube.centre[1];
+      const double m = std::abs(tube.centre[2]) + h[2];
+      h = {h[0] + t, h[1] + m * t, h[0] + t, h[1] + m * t};
+      if (p == 1) h = {h[1], h[0], h[3], h[2]};
+    }
+    for (std::size_t j = 0; j < 4; ++j)
+      if (std::abs(centre[j] - cell.middle[j]) > h[j] + cell.half[j]) return false;
+    return true;
+  }
+
+  /// A direction that proves different points of the cell to be different in space, if there is one.
+  std::string injective(const Cell& cell) const {
+    checker::Box<double> box;
+    for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j]};
+    const checker::Box<double> pairs = checker::halves(Chart::first, box);
+    const auto [p, q] = checker::divided(pair_.charts[0], pairs, 0.0);
+    const auto middle = [](const auto& v) { return Vector{v[0].middle, v[1].middle, v[2].middle}; };
+    const auto n = rounded_direction(checker::cross(middle(p), middle(q)));
+    const auto volume = checker::volume({double(n[0]), double(n[1]), double(n[2])}, pair_.charts[0], pairs);
+    if (!(std::abs(volume.middle) > volume.radius + 1e-11)) return "";
+    return fmt::format("i{},{},{}", n[0], n[1], n[2]);
+  }
+
+  std::string exclusion(const Cell& cell, const std::vector<std::size_t>& meeting) const {
+    const Net& x = cell.nets[0];
+    const Net& y = cell.nets[1];
+    const auto normal = [](const Net& n) {
+      return checker::cross(difference(n[2][2], n[0][0]), difference(n[2][0], n[0][2]));
+    };
+    const bool small = *std::max_element(cell.half.begin(), cell.half.end()) < 0x1p-8;
+    const double size = small ? 1e5 : 100;
+    for (const auto& d : {std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{0, 0, 1},
+                          rounded_direction(difference(x[1][1], y[1][1])), rounded_direction(normal(x), size),
+                          rounded_direction(normal(y), size)}) {
+      if (std::string found = separating(cell, d); !found.empty()) return found;
+    }
+    for (const std::size_t i : meeting) {
+      if (meeting.size() > 8 || places_.tubes[i].chart != Chart::pair) continue;
+      for (const auto& row : places_.tubes[i].inverse) {
+        if (std::string found = separating(cell, rounded_direction(row)); !found.empty()) return found;
+      }
+    }
+    return "";
+  }
+
+  /// The parameter over which the cell is longest in space; one along which nothing moves counts a little.
+  static std::size_t longest(const Cell& cell) {
+    Parameters length{};
+    for (std::size_t p = 0; p < 4; ++p) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t m = 0; m < 2; ++m) {
+          const Net& n = cell.nets[p / 2];
+          const Vector d = p % 2 == 0 ? difference(n[m + 1][i], n[m][i]) : difference(n[i][m + 1], n[i][m]);
+          length[p] = std::max(length[p], checker::dot(d, d));
+        }
+      }
+    }
+    for (std::size_t p = 0; p < 4; ++p) length[p] = std::max(length[p], cell.half[p] * cell.half[p] / 1024);
+    return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
+  }
+
+  static constexpr std::size_t max_entries = 300000;
+  const NearPair& pair_;
+  const Places& places_;
+};
+
+}  // namespace
+
+std::array<int, 3> rounded_direction(const Vector& d, double size) {
+  const double most = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+  if (!(most > 0) || !std::isfinite(most)) return {0, 0, 0};
+  std::array<int, 3> result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = static_cast<int>(std::lround(size * d[i] / most));
+  return result;
+}
+
+std::vector<std::string> cover(const NearPair& pair, const Places& places,
+                               const std::optional<LineQuery>& line) {
+  Cover result(pair, places);
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < places.tubes.size(); ++i)
+    if (places.tubes[i].chart != Chart::star) all.push_back(i);
+  const Cell whole = {pair.control, {0.5, 0.5, 0.5, 0.5}, {0.5, 0.5, 0.5, 0.5}};
+  result.add(line ? on_line(whole, index(line->fixed), to_double(line->value)) : whole, all, 0);
+  return result.entries_;
+}
+
+}  // namespace exsect::cli

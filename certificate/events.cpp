@@ -1,0 +1,136 @@
+#include "certificate/events.h"
+
+#include <exsect/checker/check_certificate.h>
+#include <exsect/checker/star_maps.h>
+#include <exsect/geometry/number.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "certificate/claims.h"
+
+namespace exsect::cli {
+namespace {
+
+/// d depends on the parameter p alone and is monotone in it.
+bool monotone(const Point& d, const ControlNet& c, std::size_t p) {
+  const Rational first = dot(d, p == 0 ? c[1][0] : c[0][1]);
+  return sign(first) * sign(Rational(first + 2 * dot(d, p == 0 ? c[2][0] : c[0][2]))) > 0;
+}
+
+bool has(const Node& node, NodeKind kind) {
+  return std::find(node.kinds.begin(), node.kinds.end(), kind) != node.kinds.end();
+}
+
+}  // namespace
+
+bool is_star(const IntersectionGraph& graph, const Node& node, bool self) {
+  const auto& isolated = graph.isolated_points;
+  return std::find(isolated.begin(), isolated.end(), node.id) != isolated.end() ||
+         has(node, NodeKind::crossing) || has(node, NodeKind::touch) || (!self && has(node, NodeKind::cusp));
+}
+
+void refuse_events(const IntersectResult& result, bool self) {
+  if (result.status != Status::complete) throw NoCertificate("the result is incomplete");
+  const IntersectionGraph& graph = result.graph;
+  for (const Node& node : graph.nodes) {
+    if (!node.free.empty()) throw NoCertificate("a node with a free parameter");
+    const auto ends_here = [&](const Arc& arc) { return arc.from == node.id || arc.to == node.id; };
+    const bool alone = std::none_of(graph.arcs.begin(), graph.arcs.end(), ends_here);
+    if (is_star(graph, node, self) || (alone && !graph.overlaps.empty())) continue;
+    const bool cusp = self && node.kinds == std::vector{NodeKind::cusp};
+    if (has(node, NodeKind::cusp) && !cusp) throw NoCertificate("a cuspidal point on a side");
+    if (!cusp && node.on.empty() == node.wrt.empty())
+      throw NoCertificate(node.on.empty() ? "a node inside a curve" : "a turning point on a side");
+  }
+  for (const Arc& arc : graph.arcs) {
+    if (!arc.free.empty()) throw NoCertificate("an arc with a free parameter");
+  }
+}
+
+/// The shortest rationals in the node's box, which are its parameters if these are short.
+std::array<Rational, 4> short_place(const Node& node) {
+  std::array<Rational, 4> result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& [lower, upper] = node.box[i];
+    result[i] = lower == upper ? lower : simplest_between(lower, upper);
+  }
+  return result;
+}
+
+std::vector<Point> related_directions(const Patches& patches) {
+  const std::array<ControlNet, 2> power = {patches[0].power_basis(), patches[1].power_basis()};
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      std::vector<Point> vectors;
+      for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t b = 1; b < 3; ++b) {
+          vectors.push_back(i == 0 ? power[0][a][b] : power[0][b][a]);
+          vectors.push_back(j == 0 ? power[1][a][b] : power[1][b][a]);
+        }
+      }
+      Point d = {};
+      for (const Point& a : vectors)
+        for (const Point& b : vectors)
+          if (is_zero(d)) d = cross(a, b);
+      const auto in_plane = [&](const Point& a) { return dot(d, a) == 0; };
+      if (is_zero(d) || !std::all_of(vectors.begin(), vectors.end(), in_plane)) continue;
+      if (!monotone(d, power[0], i) || !monotone(d, power[1], j)) continue;
+      result.push_back(d);
+    }
+  }
+  return result;
+}
+
+Rational value(const Point& a, const Rational& t) { return a[0] + t * (a[1] + t * a[2]); }
+
+namespace {
+
+/// The two places and the slope at the first one, 0 for a straight line, give a line; nothing if it is no
+/// solution.
+std::optional<Line> line_through(const Patches& patches, std::size_t axis, const std::array<Rational, 4>& a,
+                                 const std::array<Rational, 4>& b,
+                                 const std::optional<checker::Vector4<Rational>>& slope) {
+  Line line = {axis, {}};
+  const Rational t = a[axis];
+  const Rational step = b[axis] - t;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Rational mean = (b[i] - a[i]) / step;
+    const Rational first = slope ? (*slope)[i] : mean;
+    const Rational bend = (mean - first) / step;  // a + first (s - t) + bend (s - t)^2
+    line.at[i] = {a[i] - first * t + bend * t * t, first - 2 * bend * t, bend};
+  }
+  for (int k = 0; k < 9; ++k) {
+    const auto at = [&](std::size_t i) { return value(line.at[i], Rational(k)); };
+    if (patches[0](at(0), at(1)) != patches[1](at(2), at(3))) return std::nullopt;
+  }
+  return line;
+}
+
+}  // namespace
+
+std::optional<Line> line_between(const Patches& patches, const Node& from, const Node& to) {
+  const std::array<Rational, 4> a = short_place(from);
+  const std::array<Rational, 4> b = short_place(to);
+  const auto length = [&](std::size_t j) { return Rational(abs(Rational(b[j] - a[j]))); };
+  std::size_t axis = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+    if (length(i) > length(axis)) axis = i;
+  if (a[axis] == b[axis]) return std::nullopt;
+  if (auto line = line_through(patches, axis, a, b, std::nullopt)) return line;
+  if (patches[0](a[0], a[1]) != patches[1](a[2], a[3])) return std::nullopt;
+  const auto equation = checker::pair_map(patches[0].power_basis(), patches[1].power_basis());
+  const auto tangent = checker::tangent(equation.at(a), {});
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (tangent[k].middle == 0 || a[k] == b[k]) continue;
+    checker::Vector4<Rational> slope;
+    for (std::size_t i = 0; i < 4; ++i) slope[i] = tangent[i].middle / tangent[k].middle;
+    if (auto line = line_through(patches, k, a, b, slope)) return line;
+  }
+  return std::nullopt;
+}
+
+bool touches(const Arc& arc) { return arc.contact == Contact::tangential; }
+
+}  // namespace exsect::cli

@@ -1,0 +1,274 @@
+#include "certificate/factor.h"
+
+#include <exsect/algebra/bivariate_polynomial.h>
+#include <exsect/checker/factors.h>
+#include <exsect/geometry/number.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "certificate/algebraic.h"
+#include "certificate/claims.h"
+
+namespace exsect::cli {
+namespace {
+
+using checker::Factor;
+using checker::others;
+using checker::Power;
+
+/// The normal of the plane in which the patch is.
+std::optional<Point> normal_of_plane(const BezierPatch& patch) {
+  const ControlNet c = patch.power_basis();
+  Point n = {};
+  const auto each = [&](const auto& use) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        if (i + j > 0) use(c[i][j]);
+  };
+  each([&](const Point& a) {
+    each([&](const Point& b) {
+      if (is_zero(n)) n = cross(a, b);
+    });
+  });
+  bool flat = !is_zero(n);
+  each([&](const Point& a) { flat = flat && dot(n, a) == 0; });
+  return flat ? std::optional(n) : std::nullopt;
+}
+
+/// The pairwise coprime squarefree factors with their powers, those in one variable apart.
+std::vector<std::pair<BivariatePolynomial, std::size_t>> coprime_parts(const BivariatePolynomial& f) {
+  std::vector<std::pair<BivariatePolynomial, std::size_t>> result;
+  const auto content = [](const BivariatePolynomial& a) {  // in s
+    BivariatePolynomial sum;
+    for (int i = 0; i <= a.degree_r(); ++i) sum = gcd(sum, BivariatePolynomial({a.coefficient(i)}));
+    return sum;
+  };
+  const BivariatePolynomial in_s = content(f);
+  const BivariatePolynomial in_r = content(exact_quotient(f, in_s).exchanged()).exchanged();
+  for (BivariatePolynomial rest : {in_s, in_r, exact_quotient(exact_quotient(f, in_s), in_r)}) {
+    BivariatePolynomial before;  // the product of the factors of at least this power
+    for (std::size_t power = 0; rest.total_degree() > 0; ++power) {
+      const BivariatePolynomial next = gcd(rest, gcd(rest.derivative_r(), rest.derivative_s()));
+      const BivariatePolynomial product = exact_quotient(rest, next);
+      if (power > 0 && exact_quotient(before, product).total_degree() > 0)
+        result.push_back({exact_quotient(before, product), power});
+      before = product;
+      rest = next;
+      if (rest.total_degree() <= 0) result.push_back({before, power + 1});
+    }
+  }
+  return result;
+}
+
+/// As a polynomial in the parameters first and first + 1.
+Scalar in_parameters(const BivariatePolynomial& f, std::size_t first) {
+  Scalar result;
+  for (int i = 0; i <= f.degree_r(); ++i) {
+    for (int j = 0; j <= f.coefficient(i).degree(); ++j) {
+      Power power = {};
+      power[first] = i;
+      power[first + 1] = j;
+      if (f.coefficient(i, j) != 0) result[power] = f.coefficient(i, j);
+    }
+  }
+  return result;
+}
+
+double near_value(const Scalar& f, const Parameters& w) {
+  double sum = 0;
+  double all = 0;
+  for (const auto& [power, c] : f) {
+    double term = to_double(c);
+    for (std::size_t j = 0; j < 4; ++j) term *= std::pow(w[j], power[j]);
+    sum += term;
+    all += std::abs(to_double(c));
+  }
+  return std::abs(sum) / all;
+}
+
+/// Divided by a power of 2 that makes its largest coefficient about 1.
+Point scaled(const Point& row, const ExactMap& equation) {
+  double most = 0;
+  for (const auto& term : equation.terms())
+    if (term.power != Power{}) most = std::max(most, std::abs(to_double(dot(row, term.c))));
+  const Rational factor = power_of_two(most > 0 ? -std::ilogb(most) : 0);
+  return {factor * row[0], factor * row[1], factor * row[2]};
+}
+
+Factor rows_factor(const std::array<Point, 3>& rows, const ExactMap& equation) {
+  Factor result = {equation.times({rows[0], rows[1], rows[2]}), {1, 1, 1}, {}};
+  const Rational det = dot(rows[0], cross(rows[1], rows[2]));
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Point column = cross(rows[(j + 1) % 3], rows[(j + 2) % 3]);
+    result.columns[j].add(Power{}, column, 1 / det);
+  }
+  return result;
+}
+
+}  // namespace
+
+Factors::Factors(const Patches& patches, bool self)
+    : patches_(patches), equation_(checker::pair_map(patches[0].power_basis(), patches[1].power_basis())) {
+  if (self) return;
+  for (const std::size_t n : {1, 0})
+    if (const auto normal = normal_of_plane(patches[n]); normal && is_zero(normal_)) normal_ = *normal;
+  std::vector<Point> rows;
+  if (!is_zero(normal_)) rows.push_back(normal_);
+  std::vector<Point> more = related_directions(patches);
+  const bool related = !more.empty();
+  more.insert(more.end(), {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  for (const Point& row : more) {
+    const bool independent = rows.empty() || (rows.size() == 1 && !is_zero(cross(rows[0], row))) ||
+                             (rows.size() == 2 && dot(row, cross(rows[0], rows[1])) != 0);
+    if (independent) rows.push_back(row);
+  }
+  std::rotate(rows.begin(), rows.begin() + 1, rows.end());  // the normal last
+  for (std::size_t d = 0; d < 3; ++d) rows_[d] = scaled(rows[d], equation_);
+  if (related) related_ = add(rows_factor(rows_, equation_));
+  if (!is_zero(normal_)) find_parts();
+}
+
+int Factors::add(Factor factor) {
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    ExactMap difference = factor.map;
+    for (const auto& term : found_[i].exact.map.terms()) difference.add(term.power, term.c, -1);
+    const auto& terms = difference.terms();
+    if (found_[i].exact.powers == factor.powers && found_[i].exact.is_surface() == factor.is_surface() &&
+        std::all_of(terms.begin(), terms.end(), [](const auto& term) { return is_zero(term.c); }))
+      return static_cast<int>(i);
+  }
+  NearFactor near = {std::move(factor), {}, {}};
+  near.map = checker::rounded<double>(near.exact.map);
+  for (std::size_t j = 0; j < 3; ++j) near.columns[j] = checker::rounded<double>(near.exact.columns[j]);
+  found_.push_back(std::move(near));
+  return static_cast<int>(found_.size()) - 1;
+}
+
+/// n . F depends on one patch alone, if n is normal to the other one: its factors.
+void Factors::find_parts() {
+  const ExactMap rows = equation_.times({Point{}, Point{}, rows_[2]});
+  const auto of_second = [](const auto& term) { return term.c[2] != 0 && term.power[2] + term.power[3] > 0; };
+  const std::size_t first = std::any_of(rows.terms().begin(), rows.terms().end(), of_second) ? 2 : 0;
+  std::array<std::array<Rational, 3>, 3> c = {};
+  for (const auto& term : rows.terms())
+    if (term.c[2] != 0)
+      c[static_cast<std::size_t>(term.power[first])][static_cast<std::size_t>(term.power[first + 1])] =
+          term.c[2];
+  const auto row = [&](std::size_t i) { return Polynomial({c[i][0], c[i][1], c[i][2]}); };
+  const BivariatePolynomial f({row(0), row(1), row(2)});
+  if (f.is_zero()) return;
+  for (const auto& [part, power] : coprime_parts(f)) {
+    BivariatePolynomial rest = f;
+    for (std::size_t n = 0; n < power; ++n) rest = exact_quotient(rest, part);
+    parts_.push_back({in_parameters(part, first), power, in_parameters(rest, first)});
+  }
+}
+
+/// The factor of the part that vanishes on the arc.
+std::optional<Factor> Factors::in_plane(const Arc& arc) const {
+  const auto size = [&](const Part& part) {
+    double most = 0;
+    for (const PolylineVertex& vertex : arc.polyline)
+      most = std::max(most, near_value(part.polynomial, vertex.parameters));
+    return most;
+  };
+  const auto best = std::min_element(parts_.begin(), parts_.end(),
+                                     [&](const Part& a, const Part& b) { return size(a) < size(b); });
+  if (best == parts_.end() || size(*best) > 1e-4) return std::nullopt;
+  Factor result = rows_factor(rows_, equation_);
+  result.powers[2] = best->power;
+  result.map = equation_.times({rows_[0], rows_[1], Point{}});
+  for (const auto& [power, q] : best->polynomial) result.map.add(power, {0, 0, 1}, q);
+  const Point column = result.columns[2].terms()[0].c;
+  result.columns[2] = {};
+  for (const auto& [power, q] : best->rest) result.columns[2].add(power, column, q);
+  return result;
+}
+
+std::optional<Factor> Factors::on_line(const Arc& arc, const Node& from, const Node& to) const {
+  const auto line = line_between(patches_, from, to);
+  if (!line) return std::nullopt;
+  if (!touches(arc)) {
+    const auto o = others(line->axis);
+    Direction c = {};
+    c[o[2]] = 1;
+    return factor_in(along_line(*line, o[2], c, o[0]), equation_, 1);
+  }
+  if (auto found = touching_factor(*line, equation_, true)) return found;
+  return touching_factor(*line, equation_, false);
+}
+
+int Factors::along(const Arc& arc, const Node& from, const Node& to) {
+  const bool inside = arc.place == ArcPlace::interior;
+  bool constant = false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& [low, high] =
+        std::minmax_element(arc.polyline.begin(), arc.polyline.end(),
+                            [&](const auto& a, const auto& b) { return a.parameters[i] < b.parameters[i]; });
+    constant = constant || high->parameters[i] - low->parameters[i] < 1e-6;
+  }
+  std::optional<Factor> found;
+  if (!touches(arc) && (constant || !inside)) found = on_line(arc, from, to);
+  if (!found) found = in_plane(arc);
+  if (!found && touches(arc)) found = on_line(arc, from, to);
+  if (found) return add(std::move(*found));
+  if (touches(arc))
+    throw NoCertificate("an arc along which the patches touch and for which no factor is found");
+  if (!inside) throw NoCertificate("an arc on a side that is no line of parameters of both patches");
+  return related_;
+}
+
+int Factors::of_plane(const Place& at, const Direction& first, const Direction& second) {
+  checker::Matrix4 axes = {};
+  for (std::size_t i = 0; i < 4; ++i) {
+    axes[i][0] = first[i];
+    axes[i][3] = second[i];
+  }
+  axes[2][1] = axes[3][2] = 1;
+  const checker::Matrix4 inverted = inverse(axes);
+  Coordinates z;
+  for (std::size_t i = 0; i < 4; ++i) {
+    z.from[i][Power{}] = at[i];
+    Rational middle = 0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      z.from[i][variable(j)] = axes[i][j].rational();
+      z.to[i][variable(j)] = inverted[i][j].rational();
+      middle += inverted[i][j].rational() * at[j];
+    }
+    z.to[i][Power{}] = -middle;
+  }
+  auto found = factor_in(z, equation_, 0);
+  if (!found)
+    throw NoCertificate("an overlap of patches whose parameters do not depend on each other linearly");
+  return add(std::move(*found));
+}
+
+namespace {
+
+Json polynomials(const ExactMap& map) {
+  Json result = Json::array();
+  for (std::size_t d = 0; d < 3; ++d) {
+    Json terms = Json::array();
+    for (const auto& [power, c] : map.terms())
+      if (c[d] != 0) terms.push_back({to_string(c[d]), power[0], power[1], power[2], power[3]});
+    result.push_back(terms);
+  }
+  return result;
+}
+
+}  // namespace
+
+Json Factors::claims() const {
+  Json result = Json::array();
+  for (const NearFactor& factor : found_) {
+    Json columns = Json::array();
+    for (const ExactMap& column : factor.exact.columns) columns.push_back(polynomials(column));
+    result.push_back(sealed(
+        in_list("factors", result.size()),
+        {{"map", polynomials(factor.exact.map)}, {"powers", factor.exact.powers}, {"columns", columns}}));
+  }
+  return result;
+}
+
+}  // namespace exsect::cli

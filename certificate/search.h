@@ -1,0 +1,106 @@
+// The search for the claims of a certificate, in doubles: nothing here proves anything. What is found is only
+// worth something once checker/ has replayed it.
+#pragma once
+
+#include <exsect/checker/certificate.h>
+#include <exsect/checker/pairs_of_points.h>
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/intersection_graph.h>
+#include <exsect/solver/line_patch.h>
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace exsect::cli {
+
+/// There is no certificate for this result; what() names the event that has none.
+class NoCertificate : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+using Tube = checker::Tube<double>;
+using Parameters = std::array<double, 4>;
+using Vector = checker::Vector3<double>;
+using Place = checker::Vector4<Rational>;  // of four parameters, exactly
+using Direction = checker::Vector4<Rational>;
+
+using Map = checker::Map<double>;
+using checker::Chart;
+
+/// x and y translated, divided by `scale`, a power of two, and rounded to doubles.
+struct NearPair {
+  Map power;                                    // F
+  std::array<Map, 2> charts;                    // H of x, and of x with exchanged parameters
+  std::array<checker::Net<double>, 2> control;  // of x and y
+  double scale;
+};
+NearPair near_pair(const BezierPatch& x, const BezierPatch& y);
+
+/// dF/dw_j at the map's point.
+Vector column(const Map& local, std::size_t j);
+/// T, the kernel of the map's derivative at w (method (5.1)).
+Parameters tangent(const Map& map, const Parameters& w);
+/// The parameter along which the curve runs fastest.
+std::size_t best_axis(const Map& map, const Parameters& w);
+/// Newton's method for F = 0 with the variable `fixed` held.
+Parameters on_curve(const Map& map, Parameters w, std::size_t fixed);
+/// The zero of dw_i/dw_axis near w on the curve.
+Parameters turning_point(const Map& map, Parameters w, std::size_t axis, std::size_t i);
+
+/// The inverse of the columns of DF other than k, at the map's point; nothing if they are dependent.
+std::optional<checker::Matrix3<double>> inverse(const Map& local, std::size_t k);
+/// A factor of F, exactly and near it.
+struct NearFactor {
+  checker::Factor exact;
+  Map map;
+  std::array<Map, 3> columns;
+};
+
+/// What vanishes on a curve: F, H of a chart, or the map of the factor with this number.
+struct Equation {
+  const Map& map;
+  Chart chart = Chart::pair;
+  int number = -1;
+  const NearFactor* factor = nullptr;
+};
+
+/// A large tube around w that should satisfy everything the check asks of tubes. Throws NoCertificate.
+Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis);
+checker::CurveBounds<double> bounds_in(const Map& map, const Tube& tube);
+/// A bound for the distance from w to the curve.
+double distance(const Map& map, const Tube& tube, const Parameters& w);
+
+/// The pair of parameters that a point of a chart stands for; `side`: the sign of its half difference.
+Parameters pair_of(Chart chart, const Parameters& z, int side);
+/// The point of the chart.
+Parameters in_chart(Chart chart, const Parameters& w);
+
+struct TracedPoint {
+  Parameters at;
+  int vertex;  // of the polyline, or -1
+};
+struct TracedPiece {
+  std::size_t tube;
+  std::size_t last;
+};
+/// An arc as a chain of tubes, from the tube of its first node to that of its last one.
+struct TracedArc {
+  std::vector<TracedPoint> points;
+  std::vector<TracedPiece> pieces;
+};
+/// Adds the tubes it needs. `points`: the polyline's vertices, the first and the last one in the tubes given.
+TracedArc chain(const Equation& equation, const std::vector<TracedPoint>& points, std::size_t first_tube,
+                std::size_t last_tube, std::vector<Tube>& tubes);
+
+/// What cells may lie in.
+struct Places {
+  const std::vector<Tube>& tubes;
+  std::vector<checker::Star> stars = {};
+  std::vector<const NearFactor*> planes = {};  // of the overlaps
+  bool self = false;
+};
+}  // namespace exsect::cli

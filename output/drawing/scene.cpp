@@ -1,0 +1,159 @@
+#include "output/drawing/scene.h"
+
+#include <exsect/geometry/number.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "output/text/shown_line.h"
+
+namespace exsect::cli {
+namespace {
+
+constexpr int line_chords = 64;
+constexpr std::array<double, 4> no_parameters = {no_parameter, no_parameter, no_parameter, no_parameter};
+
+std::array<double, 3> rounded(const Point& p) {
+  const std::array<double, 3> point = {to_double(p[0]), to_double(p[1]), to_double(p[2])};
+  for (double coordinate : point) {
+    if (!std::isfinite(coordinate))
+      throw std::invalid_argument("export: a patch has coordinates beyond the range of doubles");
+  }
+  return point;
+}
+
+/// `place` is 0 for the patch of (u,v), 2 for that of (r,s).
+SceneMesh sampled(const BezierPatch& patch, const std::string& name, int cells, std::size_t place) {
+  SceneMesh mesh{"patch " + name, {}, {}, nothing_proved};
+  for (int i = 0; i <= cells; ++i) {
+    for (int j = 0; j <= cells; ++j) {
+      const Rational first(i, cells), second(j, cells);
+      PolylineVertex vertex{no_parameters, rounded(patch(first, second))};
+      vertex.parameters[place] = to_double(first);
+      vertex.parameters[place + 1] = to_double(second);
+      mesh.vertices.push_back(vertex);
+    }
+  }
+  const auto n = static_cast<std::size_t>(cells);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t corner = i * (n + 1) + j;
+      mesh.faces.push_back({corner, corner + n + 1, corner + n + 2, corner + 1});
+    }
+  }
+  return mesh;
+}
+
+SceneCurve curve(const Arc& arc, int overlap) {
+  const std::string where =
+      overlap < 0 ? fmt::format("arc {}", arc.id) : fmt::format("overlap {} rim {}", overlap, arc.id);
+  return {fmt::format("{} {} {}", where, name(arc.contact), name(arc.place)),
+          arc.id,
+          arc.component,
+          overlap,
+          arc.place,
+          arc.contact,
+          arc.error_bound,
+          arc.polyline};
+}
+
+SceneNode scene_node(const Node& node) {
+  SceneNode shown{fmt::format("node {}", node.id), node.id, 0, {node.approx, node.point}};
+  for (NodeKind kind : node.kinds) {
+    shown.name += fmt::format(" {}", name(kind));
+    shown.kinds |= 1U << static_cast<unsigned>(kind);
+  }
+  return shown;
+}
+
+void add_graph(Scene& scene, const IntersectionGraph& graph) {
+  for (const Arc& arc : graph.arcs) scene.curves.push_back(curve(arc, -1));
+  for (const Overlap& overlap : graph.overlaps) {
+    for (const std::vector<Arc>& chain : overlap.chains) {
+      for (const Arc& arc : chain) {
+        scene.curves.push_back(curve(arc, overlap.id));
+        scene.curves.back().component = -1;
+      }
+    }
+  }
+  for (const Node& node : graph.nodes) scene.nodes.push_back(scene_node(node));
+}
+
+/// The chords of p(t) = a0 + a1 t + a2 t^2 at t = k/n, k = 0..n with n even, are within |a2|/(4 n^2) of the
+/// curve, in both directions; a vertex is rounded by at most 2^-53 of each coordinate.
+double chord_bound(const std::vector<Point>& points) {
+  const std::size_t n = points.size() - 1;
+  Rational second = 0,
+           largest = 0;  // |a2| at most, by the sum of its coordinates; a2/2 = p(0) - 2 p(1/2) + p(1)
+  for (std::size_t k = 0; k < 3; ++k) {
+    second += abs(Rational(2 * (points[0][k] - 2 * points[n / 2][k] + points[n][k])));
+    for (const Point& p : points) largest = std::max<Rational>(largest, abs(p[k]));
+  }
+  const Rational bound = second / static_cast<long>(4 * n * n) + largest * power_of_two(-51);
+  return std::nextafter(to_double(bound), std::numeric_limits<double>::infinity());
+}
+
+SceneCurve parameter_line(const LineQuery& query, const BezierPatch& owner) {
+  const bool first = query.fixed == Parameter::u || query.fixed == Parameter::r;
+  SceneCurve shown{fmt::format("line {} = {}", name(query.fixed), to_string(query.value)),
+                   -1,
+                   -1,
+                   -1,
+                   ArcPlace::interior,
+                   Contact::transversal,
+                   0,
+                   {}};
+  std::vector<Point> points;
+  for (int k = 0; k <= line_chords; ++k) {
+    const Rational t(k, line_chords);
+    points.push_back(first ? owner(query.value, t) : owner(t, query.value));
+    PolylineVertex vertex{no_parameters, rounded(points.back())};
+    vertex.parameters[index(query.fixed)] = to_double(query.value);
+    vertex.parameters[index(partner(query.fixed))] = to_double(t);
+    shown.vertices.push_back(vertex);
+  }
+  shown.error_bound = chord_bound(points);
+  return shown;
+}
+
+}  // namespace
+
+Scene intersection_scene(const IntersectResult& result, const BezierPatch& x, const BezierPatch& y,
+                         const PatchNames& names, const std::string& title, int cells) {
+  Scene scene{title, names.parameters, {}, {}, {}};
+  scene.meshes = {sampled(x, names.first, cells, 0), sampled(y, names.second, cells, 2)};
+  add_graph(scene, result.graph);
+  return scene;
+}
+
+Scene self_scene(const IntersectResult& result, const BezierPatch& x, const std::string& name,
+                 const std::string& title, int cells) {
+  Scene scene{title, self_names, {sampled(x, name, cells, 0)}, {}, {}};
+  add_graph(scene, result.graph);
+  return scene;
+}
+
+Scene line_scene(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
+                 const PatchNames& names, const std::string& title, int cells) {
+  Scene scene{title, names.parameters, {}, {}, {}};
+  scene.meshes = {sampled(x, names.first, cells, 0), sampled(y, names.second, cells, 2)};
+  const bool of_first = line.query.fixed == Parameter::u || line.query.fixed == Parameter::v;
+  scene.curves = {parameter_line(line.query, of_first ? x : y)};
+  for (const ShownPoint& shown : shown_points(line.solution, x)) {
+    const int id = static_cast<int>(scene.nodes.size());
+    scene.nodes.push_back({fmt::format("point {}", id), id, 0, {shown.parameters, shown.space}});
+  }
+  return scene;
+}
+
+Scene mesh_scene(const TriangleMesh& mesh, double error_bound, const std::string& title) {
+  SceneMesh shown{"surface", {}, {}, error_bound};
+  for (const std::array<double, 3>& vertex : mesh.vertices) shown.vertices.push_back({no_parameters, vertex});
+  for (const std::array<int, 3>& triangle : mesh.triangles)
+    shown.faces.emplace_back(triangle.begin(), triangle.end());
+  return {title, pair_names, {shown}, {}, {}};
+}
+
+}  // namespace exsect::cli

@@ -1,0 +1,30 @@
+// The parts that the data of report pages have in common: the result as JSON, and what is drawn of it in
+// doubles.
+#pragma once
+
+#include <exsect/geometry/bezier_curve.h>
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/line_patch.h>
+
+#include "output/report/report_html.h"
+
+namespace exsect::cli {
+
+/// {"command": .., "program": "exsect 0.1.0", "title": .., "file": .., "result": ..}; the page of a command
+/// shows what else is added.
+Json report_data(const std::string& command, const ReportOrigin& origin, Json result);
+
+/// {"name": .., "net": exact control points, "points": the same in doubles}.
+Json patch_data(const std::string& name, const BezierPatch& patch);
+
+/// {"result": the line as `exsect line` gives it, "forms": the pulled-back forms in doubles, "phantoms":
+/// [..]}. Forms are lists of rows, power of r, of coefficients by the power of s, scaled so that the largest
+/// of plane and the largest of u, l, m is 1. Phantoms are the real roots of the eliminant in [0,1] that
+/// belong to no point. Exact polynomials of more than 8000 characters are left out of the result:
+/// "polynomials" is then false.
+Json fibre_data(const LineIntersection& line, const BezierPatch& x);
+
+/// The page of the data.
+std::string page_of(const Json& data);
+
+}  // namespace exsect::cli

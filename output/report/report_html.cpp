@@ -1,0 +1,47 @@
+#include "output/report/report_html.h"
+
+#include "output/report/report_data.h"
+#include "output/text/line_json.h"
+
+namespace exsect::cli {
+namespace {
+
+constexpr int fibre_steps = 40;
+
+/// The lines u = 0, 1/40, ..., 1 of x against y.
+Json fibres(const BezierPatch& x, const BezierPatch& y) {
+  Json list = Json::array();
+  for (int i = 0; i <= fibre_steps; ++i)
+    list.push_back(fibre_data(intersect_line(x, y, {Parameter::u, Rational(i) / fibre_steps}), x));
+  return list;
+}
+
+}  // namespace
+
+std::string report_html(const IntersectResult& result, const BezierPatch& x, const BezierPatch& y,
+                        const PatchNames& names, const ReportOrigin& origin) {
+  Json data = report_data("intersect", origin, intersection_json(result, names));
+  data["parameters"] = pair_names;
+  data["patches"] = {patch_data(names.first, x), patch_data(names.second, y)};
+  data["fibres"] = fibres(x, y);
+  return page_of(data);
+}
+
+std::string self_report_html(const IntersectResult& result, const BezierPatch& x, const std::string& name,
+                             const ReportOrigin& origin) {
+  Json data = report_data("self", origin, self_json(result, name));
+  data["parameters"] = self_names;
+  data["patches"] = Json::array({patch_data(name, x)});
+  return page_of(data);
+}
+
+std::string line_report_html(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
+                             const PatchNames& names, const ReportOrigin& origin) {
+  Json data = report_data("line", origin, line_json(line, x));
+  data["parameters"] = pair_names;
+  data["patches"] = {patch_data(names.first, x), patch_data(names.second, y)};
+  data["fibres"] = Json::array({fibre_data(line, x)});
+  return page_of(data);
+}
+
+}  // namespace exsect::cli

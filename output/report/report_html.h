@@ -1,0 +1,37 @@
+// Results as self-contained web pages: `--report` of the program, and for any other caller. Needs neither the
+// program nor its options; link exsect_report.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/line_patch.h>
+#include <exsect/solver/result.h>
+
+#include <string>
+
+#include "output/text/intersection_json.h"
+
+namespace exsect::cli {
+
+/// What a page says about where its result comes from; any of them may be empty, all may hold any characters.
+struct ReportOrigin {
+  std::string title;  // of the patches, as in their file
+  std::string file;
+};
+
+/// The page of an intersection x(u,v) = y(r,s): both patches and the curve in space, both parameter squares,
+/// the tables of nodes and arcs, the exact fibres of the lines u = 0, 1/40, ..., 1 (each as `exsect line`
+/// gives it), and what is proved. Holds the whole "intersection/1" result. Deterministic but for the result's
+/// "work". Everything drawn is in doubles and decides nothing.
+std::string report_html(const IntersectResult& result, const BezierPatch& x, const BezierPatch& y,
+                        const PatchNames& names, const ReportOrigin& origin);
+
+/// The page of the self-intersection of x, with the whole "self/1" result. Its lines have no fibres: a line
+/// of x lies on x.
+std::string self_report_html(const IntersectResult& result, const BezierPatch& x, const std::string& name,
+                             const ReportOrigin& origin);
+
+/// The page of one parameter line against the other patch, with the whole "line/1" result.
+std::string line_report_html(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
+                             const PatchNames& names, const ReportOrigin& origin);
+
+}  // namespace exsect::cli

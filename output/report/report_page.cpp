@@ -1,0 +1,101 @@
+#include "output/report/report_page.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <string_view>
+
+#include "output/report/report_assets.h"
+
+namespace exsect::cli {
+namespace {
+
+unsigned digit_value(char digit) {
+  return static_cast<unsigned>(digit >= 'a' ? digit - 'a' + 10 : digit - '0');
+}
+
+/// The Base64 form of bytes in lower-case hexadecimal.
+std::string base64_of_hexadecimal(std::string_view hexadecimal) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result;
+  std::uint32_t bits = 0;
+  unsigned count = 0;
+  for (const char digit : hexadecimal) {
+    bits = (bits << 4) | digit_value(digit);
+    count += 4;
+    if (count < 6) continue;
+    count -= 6;
+    result += digits[(bits >> count) & 63];
+  }
+  if (count > 0) result += digits[(bits << (6 - count)) & 63];
+  while (result.size() % 4 != 0) result += '=';
+  return result;
+}
+
+std::string source(const ReportAsset& asset) {
+  return "'sha256-" + base64_of_hexadecimal(asset.sha256) + "'";
+}
+
+std::string policy() {
+  return "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; style-src " +
+         source(report_style) + "; script-src " + source(report_three) + " " + source(report_script);
+}
+
+/// Text in UTF-8 as it stands between the tags of an element.
+std::string html_escaped(const std::string& text) {
+  const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string html;
+  for (const char c : Json::parse(quoted).get<std::string>()) {
+    switch (c) {
+      case '&':
+        html += "&amp;";
+        break;
+      case '<':
+        html += "&lt;";
+        break;
+      default:
+        html += c;
+    }
+  }
+  return html;
+}
+
+/// JSON in a script element: no "<" of a string can end the element or open a comment.
+std::string script_data(const Json& data) {
+  std::string text;
+  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
+  }
+  return text;
+}
+
+/// The template with every {{name}} replaced; what is put in is not looked at again.
+std::string filled(std::string_view page, const std::map<std::string_view, std::string>& values) {
+  std::string result;
+  for (;;) {
+    const std::size_t open = page.find("{{");
+    if (open == std::string_view::npos) return result += page;
+    const std::size_t close = page.find("}}", open);
+    if (close == std::string_view::npos) throw std::logic_error("page.html: \"{{\" is not closed");
+    result += page.substr(0, open);
+    result += values.at(page.substr(open + 2, close - open - 2));
+    page.remove_prefix(close + 2);
+  }
+}
+
+}  // namespace
+
+std::string report_page(const std::string& title, const Json& data) {
+  return filled(report_template.text, {{"policy", policy()},
+                                       {"title", html_escaped(title)},
+                                       {"style", std::string(report_style.text)},
+                                       {"data", script_data(data)},
+                                       {"three", std::string(report_three.text)},
+                                       {"script", std::string(report_script.text)}});
+}
+
+}  // namespace exsect::cli

@@ -1,0 +1,148 @@
+#include "output/text/intersection_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "output/text/terminal_text.h"
+
+namespace exsect::cli {
+namespace {
+
+std::string ids(const std::vector<int>& numbers) {
+  std::vector<std::string> texts;
+  for (int number : numbers) texts.push_back(std::to_string(number));
+  return joined(texts, " ");
+}
+
+std::string shapes_text(const IntersectionGraph& graph) {
+  std::vector<std::string> parts;
+  for (ComponentShape shape : {ComponentShape::open, ComponentShape::closed, ComponentShape::branched}) {
+    if (graph.count(shape) > 0) parts.push_back(fmt::format("{} {}", graph.count(shape), name(shape)));
+  }
+  return parts.empty() ? "" : " (" + joined(parts, ", ") + ")";
+}
+
+std::string headline(const IntersectResult& result, const PatchNames& names) {
+  const IntersectionGraph& graph = result.graph;
+  std::string text = fmt::format("{} with {}: {}, {}{}", printable(names.first),
+                                 names.parameters == self_names ? "itself" : printable(names.second),
+                                 result.status == Status::complete ? "complete" : "incomplete",
+                                 counted(graph.components.size(), "component"), shapes_text(graph));
+  if (!graph.isolated_points.empty()) text += ", " + counted(graph.isolated_points.size(), "isolated point");
+  if (!graph.overlaps.empty()) text += ", " + counted(graph.overlaps.size(), "overlap");
+  return text + "\n";
+}
+
+std::string turning_text(const IntersectionGraph& graph, const ParameterNames& names) {
+  std::vector<std::string> counts;
+  for (Parameter p : all_parameters)
+    counts.push_back(fmt::format("{} in {}", graph.turning_points(p), name(p, names)));
+  return fmt::format("{} on the boundary; turning points: {}\n",
+                     counted(static_cast<std::size_t>(graph.boundary_points()), "point"),
+                     joined(counts, ", "));
+}
+
+std::string components_text(const IntersectionGraph& graph) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Component& component : graph.components) {
+    rows.push_back({std::to_string(component.id), name(component.shape), ids(component.arcs)});
+  }
+  return table({"component", "shape", "arcs"}, rows);
+}
+
+bool has_free(const Node& node, Parameter p) {
+  return std::find(node.free.begin(), node.free.end(), p) != node.free.end();
+}
+
+std::vector<std::string> node_row(const Node& node, const ParameterNames& names) {
+  std::vector<std::string> kinds;
+  for (NodeKind kind : node.kinds) kinds.push_back(name(kind));
+  std::vector<std::string> places;
+  for (Side side : node.on) places.push_back(side_name(side, names));
+  std::vector<std::string> wrt;
+  for (Parameter p : node.wrt) wrt.push_back(name(p, names));
+  std::vector<std::string> row = {std::to_string(node.id), joined(kinds, ", "), joined(places, " "),
+                                  joined(wrt, " ")};
+  for (Parameter p : all_parameters)
+    row.push_back(has_free(node, p) ? interval_text(node.box[index(p)]) : decimal(node.approx[index(p)]));
+  return row;
+}
+
+std::string nodes_text(const IntersectionGraph& graph, const ParameterNames& names) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Node& node : graph.nodes) rows.push_back(node_row(node, names));
+  return table({"node", "kind", "on", "turns in", names[0], names[1], names[2], names[3]}, rows);
+}
+
+std::vector<std::string> arc_row(const Arc& arc, const ParameterNames& names) {
+  std::string remark;
+  if (arc.place == ArcPlace::patch_boundary) remark = name(arc.place);
+  if (arc.contact == Contact::tangential)
+    remark += (remark.empty() ? "" : ", ") + std::string(name(arc.contact));
+  for (Parameter p : arc.free)
+    remark += (remark.empty() ? "" : ", ") + fmt::format("{} free", name(p, names));
+  return {std::to_string(arc.id),
+          std::to_string(arc.component),
+          std::to_string(arc.from),
+          std::to_string(arc.to),
+          std::to_string(arc.polyline.size()),
+          rounded_up(arc.error_bound),
+          remark};
+}
+
+std::string arcs_text(const IntersectionGraph& graph, const ParameterNames& names) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Arc& arc : graph.arcs) rows.push_back(arc_row(arc, names));
+  return table({"arc", "component", "from", "to", "vertices", "error at most", ""}, rows);
+}
+
+std::string overlaps_text(const IntersectionGraph& graph) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Overlap& overlap : graph.overlaps) {
+    for (const std::vector<Arc>& chain : overlap.chains) {
+      std::vector<int> nodes;
+      double bound = 0;
+      for (const Arc& arc : chain) {
+        nodes.push_back(arc.from);
+        bound = std::max(bound, arc.error_bound);
+      }
+      nodes.push_back(chain.back().to);
+      rows.push_back({std::to_string(overlap.id), ids(nodes), rounded_up(bound)});
+    }
+  }
+  return table({"overlap", "nodes of the rim", "error at most"}, rows);
+}
+
+std::string work_text(const Work& work) {
+  std::vector<std::string> steps;
+  for (const auto& [step, count] : work.steps)
+    steps.push_back(fmt::format("{} {:.6g}", printable(step), count));
+  return fmt::format("{:.1f} ms{}{}\n", work.milliseconds, steps.empty() ? "" : ": ",
+                     steps.empty() ? "" : joined(steps, ", "));
+}
+
+std::string incomplete_text(const std::vector<Incomplete>& regions, const ParameterNames& names) {
+  if (regions.empty()) return "";
+  std::string text = "\nNot decided:\n";
+  for (const Incomplete& region : regions) {
+    text += fmt::format("  {}\n    {}\n", box_text(region.where, names), printable(region.why));
+  }
+  return text;
+}
+
+std::string section(const std::string& text) { return text.empty() ? "" : "\n" + text; }
+
+}  // namespace
+
+std::string intersection_summary(const IntersectResult& result, const PatchNames& names) {
+  const IntersectionGraph& graph = result.graph;
+  return headline(result, names) + turning_text(graph, names.parameters) + section(components_text(graph)) +
+         section(nodes_text(graph, names.parameters)) + section(arcs_text(graph, names.parameters)) +
+         section(overlaps_text(graph)) +
+         (graph.isolated_points.empty() ? ""
+                                        : "\n  isolated points: nodes " + ids(graph.isolated_points) + "\n") +
+         incomplete_text(result.incomplete, names.parameters) + "\n" + work_text(result.work);
+}
+
+}  // namespace exsect::cli

@@ -1,0 +1,65 @@
+#include "output/text/node_csv.h"
+
+#include <exsect/geometry/number.h>
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "output/text/json_forms.h"
+#include "output/text/shown_line.h"
+
+namespace exsect::cli {
+namespace {
+
+std::string box_heads(const ParameterNames& names) {
+  std::string heads;
+  for (const char* parameter : names) heads += fmt::format(",{0}_lower,{0}_upper", parameter);
+  for (const char* parameter : names) heads += fmt::format(",{}", parameter);
+  return heads + ",x,y,z\n";
+}
+
+std::string box_cells(const ParameterBox& box, const std::array<double, 4>& approx,
+                      const std::array<double, 3>& point) {
+  std::string cells;
+  for (const RationalInterval& interval : box)
+    cells += "," + to_string(interval.lower) + "," + to_string(interval.upper);
+  for (double parameter : approx) cells += fmt::format(",{}", parameter);
+  for (double coordinate : point) cells += fmt::format(",{}", coordinate);
+  return cells + "\n";
+}
+
+template <typename T, typename Text>
+std::string blank_separated(const std::vector<T>& values, Text text) {
+  std::string joined;
+  for (const T& value : values) joined += (joined.empty() ? "" : " ") + std::string(text(value));
+  return joined;
+}
+
+}  // namespace
+
+std::string node_csv(const IntersectionGraph& graph, const ParameterNames& names) {
+  const auto parameter = [&](Parameter p) { return name(p, names); };
+  std::string text = "id,kinds,on,wrt,free" + box_heads(names);
+  for (const Node& node : graph.nodes) {
+    text += fmt::format("{},{},{},{},{}", node.id,
+                        blank_separated(node.kinds, [](NodeKind kind) { return name(kind); }),
+                        blank_separated(node.on, [&](Side side) { return side_name(side, names); }),
+                        blank_separated(node.wrt, parameter), blank_separated(node.free, parameter));
+    text += box_cells(node.box, node.approx, node.point);
+  }
+  return text;
+}
+
+std::string point_csv(const LineIntersection& line, const BezierPatch& x) {
+  std::string text = "id,on,multiplicity,branch" + box_heads(pair_names);
+  int id = 0;
+  for (const ShownPoint& shown : shown_points(line.solution, x)) {
+    text += fmt::format("{},{},{},{}", id++,
+                        blank_separated(shown.point.sides(), [](Side side) { return side_name(side); }),
+                        shown.point.multiplicity(), shown.point.branch());
+    text += box_cells(shown.point.box(), shown.parameters, shown.space);
+  }
+  return text;
+}
+
+}  // namespace exsect::cli

@@ -1,0 +1,37 @@
+// Text forms of the summaries on the terminal.
+#pragma once
+
+#include <exsect/solver/parameter.h>
+
+#include <string>
+#include <vector>
+
+#include "output/text/parameter_names.h"
+
+namespace exsect::cli {
+
+/// The text with every control character replaced by a blank, so that a title in a file cannot steer a
+/// terminal.
+std::string printable(const std::string& text);
+
+/// Twelve decimals.
+std::string decimal(double x);
+/// Three significant digits, never below x: the decimal is at least x. Requires x >= 0.
+std::string rounded_up(double x);
+/// The numbers with `separator` between them; "-" for none.
+std::string joined(const std::vector<std::string>& texts, const std::string& separator);
+/// "[0.25, 0.5]": the ends rounded outwards to six digits.
+std::string interval_text(const RationalInterval& interval);
+/// "u in [0.25, 0.5], ...".
+std::string box_text(const ParameterBox& box, const ParameterNames& names = pair_names);
+/// "1 point", "2 points".
+std::string counted(std::size_t number, const std::string& noun);
+
+/// "file: title", or "file" without a title, on a line of its own.
+std::string heading(const std::string& file, const std::string& title);
+
+/// Rows of equally many cells under a row of heads, columns aligned left and separated by two blanks, each
+/// line indented by two; empty without rows.
+std::string table(const std::vector<std::string>& heads, const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace exsect::cli

@@ -1,0 +1,84 @@
+#include "answer/parameter_names.h"
+
+#include <algorithm>
+
+#include "answer/parameter_box.h"
+
+namespace exsect {
+
+namespace {
+
+class Renamer {
+ public:
+  explicit Renamer(const ParameterNames& names) : names_(names) {}
+
+  void operator()(Node& node) const {
+    permute(node.box);
+    permute(node.approx);
+    rename(node.wrt);
+    rename(node.free);
+    for (Side& side : node.on) side.parameter = names_[index(side.parameter)];
+    std::sort(node.on.begin(), node.on.end(), [](const Side& a, const Side& b) {
+      return std::pair(a.parameter, a.value) < std::pair(b.parameter, b.value);
+    });
+  }
+  void operator()(Arc& arc) const {
+    rename(arc.free);
+    for (PolylineVertex& vertex : arc.polyline) permute(vertex.parameters);
+  }
+  void operator()(Incomplete& region) const { permute(region.where); }
+
+ private:
+  template <class T>
+  void permute(std::array<T, 4>& values) const {
+    const std::array<T, 4> old = values;
+    for (std::size_t i = 0; i < 4; ++i) values[index(names_[i])] = old[i];
+  }
+  void rename(std::vector<Parameter>& parameters) const {
+    for (Parameter& p : parameters) p = names_[index(p)];
+    std::sort(parameters.begin(), parameters.end());
+  }
+
+  const ParameterNames& names_;
+};
+
+class Reverser {
+ public:
+  explicit Reverser(Parameter p) : p_(p) {}
+
+  void operator()(Node& node) const {
+    reverse(node.box);
+    node.approx[index(p_)] = 1 - node.approx[index(p_)];
+    for (Side& side : node.on)
+      if (side.parameter == p_) side.value = 1 - side.value;
+  }
+  void operator()(Arc& arc) const {
+    for (PolylineVertex& vertex : arc.polyline)
+      vertex.parameters[index(p_)] = 1 - vertex.parameters[index(p_)];
+  }
+  void operator()(Incomplete& region) const { reverse(region.where); }
+
+ private:
+  void reverse(ParameterBox& box) const { box[index(p_)] = reversed(box[index(p_)]); }
+
+  Parameter p_;
+};
+
+template <class Change>
+void change_all(IntersectResult& result, const Change& change) {
+  std::for_each(result.graph.nodes.begin(), result.graph.nodes.end(), change);
+  std::for_each(result.graph.arcs.begin(), result.graph.arcs.end(), change);
+  for (Overlap& overlap : result.graph.overlaps)
+    for (std::vector<Arc>& chain : overlap.chains) std::for_each(chain.begin(), chain.end(), change);
+  std::for_each(result.incomplete.begin(), result.incomplete.end(), change);
+}
+
+}  // namespace
+
+void rename_parameters(IntersectResult& result, const ParameterNames& names) {
+  change_all(result, Renamer(names));
+}
+
+void reverse_parameter(IntersectResult& result, Parameter p) { change_all(result, Reverser(p)); }
+
+}  // namespace exsect

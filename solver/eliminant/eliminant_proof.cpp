@@ -1,0 +1,137 @@
+#include "eliminant/eliminant_proof.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace exsect {
+
+namespace {
+
+bool meet(const RationalInterval& a, const RationalInterval& b) {
+  return a.lower <= b.upper && b.lower <= a.upper;
+}
+
+class EliminantProof {
+ public:
+  EliminantProof(const std::vector<RationalInterval>& roots, const std::vector<Stations>& curves,
+                 const FibreCount& fibre)
+      : roots_(roots), curves_(curves), fibre_(fibre), taken_(roots.size(), false) {}
+
+  bool run() { return match_turning_points() && count_fibres(); }
+
+ private:
+  /// Every known turning point lies over a root, a simple one lies under no other.
+  bool match_turning_points() {
+    for (const Stations& curve : curves_) {
+      const std::size_t ends = curve.closed ? 0 : 1;
+      for (std::size_t i = ends; i + ends < curve.at.size(); ++i) {
+        const auto root = root_at(curve.at[i]);
+        if (!root) return false;
+        if (taken_[*root]) {
+          throw std::logic_error("two turning points lie over a simple root of the eliminant");
+        }
+        taken_[*root] = true;
+      }
+    }
+    return true;
+  }
+
+  /// The only root in this place; empty if it is not known which one.
+  std::optional<std::size_t> root_at(const RationalInterval& place) const {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < roots_.size(); ++i) {
+      if (!meet(roots_[i], place)) continue;
+      if (found) return std::nullopt;
+      found = i;
+    }
+    if (!found) throw std::logic_error("no root of the eliminant lies under a turning point");
+    return found;
+  }
+
+  /// A further closed curve has its extremes over two roots that are not taken: it meets the fibre over any
+  /// sample between them.
+  bool count_fibres() {
+    std::optional<std::size_t> last;
+    for (std::size_t i = 0; i < roots_.size(); ++i) {
+      if (taken_[i]) continue;
+      if (last && !count_between(*last, i)) return false;
+      last = i;
+    }
+    return true;
+  }
+
+  bool count_between(std::size_t left, std::size_t right) const {
+    const auto sample = sample_between(left, right);
+    const auto count = sample ? fibre_(*sample) : std::nullopt;
+    if (count && *count != crossings(*sample)) {
+      throw std::logic_error("the known curves and a fibre are not in bijection");
+    }
+    return count.has_value();
+  }
+
+  /// In the widest gap between all enclosures, strictly between the two roots: an end shared by neighbouring
+  /// intervals is no root.
+  std::optional<Rational> sample_between(std::size_t left, std::size_t right) const {
+    const Rational end = roots_[right].lower;
+    Rational lower = roots_[left].upper;
+    std::vector<RationalInterval> events = {{end, end}};
+    const auto add = [&](const RationalInterval& interval) {
+      if (interval.upper > lower && interval.lower < end) events.push_back(interval);
+    };
+    std::for_each(roots_.begin(), roots_.end(), add);
+    for (const Stations& curve : curves_) std::for_each(curve.at.begin(), curve.at.end(), add);
+    std::sort(events.begin(), events.end(),
+              [](const RationalInterval& a, const RationalInterval& b) { return a.lower < b.lower; });
+    std::optional<RationalInterval> widest;
+    for (const RationalInterval& event : events) {
+      const RationalInterval gap{lower, std::max(lower, event.lower)};
+      if (event.lower >= lower && (!widest || gap.width() > widest->width()) && is_free(gap.midpoint())) {
+        widest = gap;
+      }
+      lower = std::max(lower, event.upper);
+    }
+    if (!widest) return std::nullopt;
+    const Rational width = widest->width();
+    return width == 0 ? widest->lower
+                      : simplest_between(widest->lower + width / 4, widest->upper - width / 4);
+  }
+
+  /// In no enclosure of an end or turning point, and no rational root.
+  bool is_free(const Rational& sample) const {
+    const auto holds = [&](const RationalInterval& interval) {
+      return interval.lower <= sample && sample <= interval.upper;
+    };
+    return std::none_of(
+               roots_.begin(), roots_.end(),
+               [&](const RationalInterval& root) { return root.lower == root.upper && holds(root); }) &&
+           std::none_of(curves_.begin(), curves_.end(), [&](const Stations& curve) {
+             return std::any_of(curve.at.begin(), curve.at.end(), holds);
+           });
+  }
+
+  /// Points of the known curves over a sample outside of all enclosures.
+  std::size_t crossings(const Rational& sample) const {
+    std::size_t count = 0;
+    for (const Stations& curve : curves_) {
+      const std::size_t n = curve.at.size();
+      for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < n; ++i) {
+        count += (curve.at[i].lower < sample) != (curve.at[(i + 1) % n].lower < sample) ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
+  const std::vector<RationalInterval>& roots_;
+  const std::vector<Stations>& curves_;
+  const FibreCount& fibre_;
+  std::vector<bool> taken_;  // a turning point of a known curve lies over the root
+};
+
+}  // namespace
+
+bool no_curve_is_missing(const std::vector<RationalInterval>& roots, const std::vector<Stations>& curves,
+                         const FibreCount& fibre) {
+  return EliminantProof(roots, curves, fibre).run();
+}
+
+}  // namespace exsect

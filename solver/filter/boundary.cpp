@@ -1,0 +1,40 @@
+#include "filter/boundary.h"
+
+#include "filter/line.h"
+
+namespace exsect::filter {
+
+std::optional<std::vector<BoundaryPoint>> boundary_points(const Pair& pair, const Contacts& contacts,
+                                                          Trees& trees, long& boxes) {
+  std::vector<BoundaryPoint> points;
+  for (std::size_t fixed = 0; fixed < 4; ++fixed) {
+    for (const double side : {-0.5, 0.5}) {
+      const auto on_side =
+          points_on_line(pair, {fixed, side, 0}, contacts, fixed < 2 ? trees.y : trees.x, boxes);
+      if (!on_side) {
+        return std::nullopt;
+      }
+      for (const Ball& ball : *on_side) {
+        points.push_back({ball, fixed, side});
+      }
+    }
+  }
+  return points;
+}
+
+bool add_side_paths(const BezierPatch& x, const BezierPatch& y, const Pair& pair, Trees& trees,
+                    Contacts& contacts) {
+  const Contacts known = contacts;
+  for (std::size_t fixed = 0; fixed < 4; ++fixed) {
+    for (const double side : {-0.5, 0.5}) {
+      const auto near = undecided_on_line(pair, {fixed, side, 0}, known, fixed < 2 ? trees.y : trees.x);
+      const auto path = near ? side_path_near(x, y, pair, fixed, side > 0, *near) : std::nullopt;
+      if (path) {
+        add_path(*path, pair, contacts);
+      }
+    }
+  }
+  return contacts.sides.size() + contacts.paths.size() > known.sides.size() + known.paths.size();
+}
+
+}  // namespace exsect::filter

@@ -1,0 +1,33 @@
+// All boundary points of the intersection, by subdivision with certificates. Internal to solver/;
+// docs/method.md, section 14.3.
+#pragma once
+
+#include <vector>
+
+#include "filter/contact.h"
+#include "filter/tube.h"
+
+namespace exsect::filter {
+
+/// Exactly one solution of x = y in the ball has `parameter` (centred) equal to `side`, which is 1/2 or -1/2,
+/// as ball.middle has. It lies in the interior of the other three intervals, and the curve crosses the side.
+/// Or, if `centre` is not -1, it is a port of that double point: see Port.
+struct BoundaryPoint {
+  Ball ball;
+  std::size_t parameter;
+  double side;
+  int centre = -1;
+  std::size_t port = 0;
+};
+
+/// Every solution on a side but the contacts, which no other one is near; empty if that is not decided:
+/// corners, tangents and sides on the other patch among other reasons. `boxes` counts the pairs looked at.
+std::optional<std::vector<BoundaryPoint>> boundary_points(const Pair& pair, const Contacts& contacts,
+                                                          Trees& trees, long& boxes);
+
+/// Adds to the contacts the sides of one patch that lie on the other one along a straight line of its
+/// parameters, if `boundary_points` fails for that reason. False if there are none that it does not know.
+bool add_side_paths(const BezierPatch& x, const BezierPatch& y, const Pair& pair, Trees& trees,
+                    Contacts& contacts);
+
+}  // namespace exsect::filter

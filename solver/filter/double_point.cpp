@@ -1,0 +1,120 @@
+#include "filter/double_point.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "filter/ports.h"
+
+namespace exsect::filter {
+
+namespace {
+
+constexpr int kMostSteps = 12;
+constexpr double kSettled = 0x1p-44;
+/// Of a parameter from the rational number it stands for, and of both patches from each other.
+constexpr double kClose = 0x1p-40;
+constexpr double kFirstReach = 0x1p-1;
+constexpr double kLeastReach = 0x1p-12;
+
+/// Newton's method for (x - y).y_r = (x - y).y_s = x_u.(y_r x y_s) = x_v.(y_r x y_s) = 0.
+std::optional<Vec4> common_normal(const Pair& pair, Vec4 w) {
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Coefficients x = expand(pair.x, w[0], w[1]);
+    const Coefficients y = expand(pair.y, w[2], w[3]);
+    const Vec3 d = x[0] - y[0];
+    const Vec3 n = cross(y[3], y[1]);
+    const Vec3 nr = 2.0 * cross(y[6], y[1]) + cross(y[3], y[4]);
+    const Vec3 ns = cross(y[4], y[1]) + 2.0 * cross(y[3], y[2]);
+    Eigen::Matrix4d jacobian;
+    jacobian << dot(x[3], y[3]), dot(x[1], y[3]), 2 * dot(d, y[6]) - dot(y[3], y[3]),
+        dot(d, y[4]) - dot(y[1], y[3]),  //
+        dot(x[3], y[1]), dot(x[1], y[1]), dot(d, y[4]) - dot(y[3], y[1]),
+        2 * dot(d, y[2]) - dot(y[1], y[1]),                            //
+        2 * dot(x[6], n), dot(x[4], n), dot(x[3], nr), dot(x[3], ns),  //
+        dot(x[4], n), 2 * dot(x[2], n), dot(x[1], nr), dot(x[1], ns);
+    const Eigen::Vector4d value(dot(d, y[3]), dot(d, y[1]), dot(x[3], n), dot(x[1], n));
+    const Eigen::Vector4d change = jacobian.partialPivLu().solve(value);
+    double size = 0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      w[j] -= change[static_cast<Eigen::Index>(j)];
+      if (!(std::fabs(w[j]) < 0.75)) {
+        return std::nullopt;
+      }
+      size = std::max(size, std::fabs(change[static_cast<Eigen::Index>(j)]));
+    }
+    if (size < kSettled) {
+      return largest(expand(pair.x, w[0], w[1])[0] - expand(pair.y, w[2], w[3])[0]) < kClose
+                 ? std::optional(w)
+                 : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+/// (14.20), (14.21).
+bool has_star(const LocalForms& forms, const LocalBounds& bounds, double reach) {
+  const double value = kSlack * (bounds.value * reach + forms.rest);
+  return forms.crossing ? value < 0.5 && kSlack * (bounds.slope * reach + 2 * forms.rest) < 1 : value < 1;
+}
+
+}  // namespace
+
+std::optional<DoublePoint> double_point_near(const BezierPatch& x, const BezierPatch& y, const Pair& pair,
+                                             const Vec4& guess, double tolerance) {
+  const auto w = common_normal(pair, guess);
+  if (!w) {
+    return std::nullopt;
+  }
+  DoublePoint point;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const Rational near = from_double((*w)[j] + 0.5);
+    point.at[j] = simplest_between(near - from_double(kClose), near + from_double(kClose));
+    if (point.at[j] <= 0 || point.at[j] >= 1) {
+      return std::nullopt;
+    }
+    point.centre[j] = to_double(point.at[j] - Rational(1, 2));
+  }
+  auto forms = local_forms(x, y, point.at);
+  if (!forms) {
+    return std::nullopt;
+  }
+  point.forms = *forms;
+  for (point.reach = kFirstReach; point.reach >= kLeastReach; point.reach *= 0.5) {
+    const auto bounds = local_bounds(point.forms, point.reach);
+    if (bounds && has_star(point.forms, *bounds, point.reach)) {
+      point.width = {bounds->k[0] * point.reach, bounds->k[1] * point.reach};
+      return add_ports(pair, point, tolerance) ? std::optional(std::move(point)) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+LocalPlace local_place(const DoublePoint& point, const Vec4& middle, const Vec4& half) {
+  const Matrix2& s = point.forms.s;
+  const std::array<double, 2> a = {middle[2] - point.centre[2], middle[3] - point.centre[3]};
+  const double inverse = 1 / (s[0][0] * s[1][1] - s[0][1] * s[1][0]);
+  const Matrix2 rows = {{{s[1][1] * inverse, -s[0][1] * inverse}, {-s[1][0] * inverse, s[0][0] * inverse}}};
+  LocalPlace place;
+  for (std::size_t i = 0; i < 2; ++i) {
+    place.t[i] = rows[i][0] * a[0] + rows[i][1] * a[1];
+    place.error[i] = 0;
+    for (std::size_t j = 0; j < 2; ++j) {
+      place.error[i] += std::fabs(rows[i][j]) * (half[2 + j] + 0x1p-36 * std::fabs(a[j]) + 0x1p-50);
+    }
+    place.error[i] *= 1 + 0x1p-30;
+  }
+  const auto within = [&](std::size_t i) {
+    return kSlack * (std::fabs(middle[i] - point.centre[i]) + half[i] + 0x1p-50) <= point.width[i];
+  };
+  place.has_width = within(0) && within(1);
+  return place;
+}
+
+bool lies_in_region(const DoublePoint& point, const Vec4& middle, const Vec4& half) {
+  const LocalPlace at = local_place(point, middle, half);
+  const auto within = [&](std::size_t i) { return std::fabs(at.t[i]) + at.error[i] <= point.reach; };
+  return at.has_width && within(0) && within(1);
+}
+
+}  // namespace exsect::filter

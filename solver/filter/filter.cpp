@@ -1,0 +1,238 @@
+#include "filter/filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "answer/graph_builder.h"
+#include "filter/contact_graph.h"
+#include "filter/graph.h"
+#include "filter/loops.h"
+#include "filter/overlap.h"
+#include "shape/coincident_parameters.h"
+#include "trace/turning_points.h"
+
+namespace exsect {
+
+namespace {
+
+using filter::AnalysedTrace;
+using filter::BoundaryPoint;
+using filter::Trace;
+
+constexpr std::size_t kMostDoublePoints = 8;
+/// Of the tolerance, for the chords from ports to double points.
+constexpr double kPortShare = 0.9;
+constexpr std::array<std::size_t, 4> kNoneCoincident = {0, 1, 2, 3};
+
+class FilteredIntersection {
+ public:
+  FilteredIntersection(const BezierPatch& x, const BezierPatch& y, const Run& run)
+      : x_(x), y_(y), run_(run) {}
+
+  std::optional<FilteredCurves> run_with_stations() {
+    with_stations_ = true;
+    auto result = run();
+    if (!result) {
+      return std::nullopt;
+    }
+    return FilteredCurves{std::move(*result), std::move(stations_)};
+  }
+
+  std::optional<IntersectResult> run() {
+    const auto pair = filter::make_pair(x_, y_);
+    if (!pair || !run_.can_keep_tolerance()) {
+      return std::nullopt;
+    }
+    filter::Trees trees{filter::PatchTree(pair->x), filter::PatchTree(pair->y)};
+    if (auto overlap = overlap_of_pieces(*pair, trees)) {
+      return overlap;
+    }
+    auto contacts = filter::find_contacts(x_, y_, *pair);
+    if (!contacts || (with_stations_ && !contacts->empty())) {
+      return std::nullopt;
+    }
+    if (!contacts->empty() && filter::meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
+      return with_contacts(*pair, *contacts, {}, {});
+    }
+    auto points = filter::boundary_points(*pair, *contacts, trees, boxes_);
+    if (!points && !with_stations_ && filter::add_side_paths(x_, y_, *pair, trees, *contacts)) {
+      boxes_ = 0;
+      if (filter::meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
+        return with_contacts(*pair, *contacts, {}, {});
+      }
+      points = filter::boundary_points(*pair, *contacts, trees, boxes_);
+    }
+    std::vector<Trace> traces;
+    if (!points || !find_curves(*pair, *contacts, trees, *points, traces)) {
+      return std::nullopt;
+    }
+    std::vector<AnalysedTrace> curves;
+    if (!find_turns(*pair, traces, curves)) {
+      return std::nullopt;
+    }
+    auto graph =
+        filter::make_graph(*pair, *points, double_points_, curves, run_.turning(), coincident_,
+                           run_.tolerance(pair->extent), with_stations_ ? 0 : run_.tolerance(pair->extent));
+    if (!graph) {
+      return std::nullopt;
+    }
+    if (with_stations_) {
+      find_stations(*points, curves);
+    }
+    return with_contacts(*pair, *contacts, std::move(*graph), curves);
+  }
+
+ private:
+  std::optional<IntersectResult> overlap_of_pieces(const filter::Pair& pair, filter::Trees& trees) {
+    if (with_stations_) {
+      return std::nullopt;
+    }
+    auto graph = filter::overlap_of_pieces(x_, y_, pair, trees, run_.tolerance(pair.extent), boxes_);
+    return graph ? with_contacts(pair, {}, std::move(*graph), {}) : std::nullopt;
+  }
+
+  std::optional<IntersectResult> with_contacts(const filter::Pair& pair, const filter::Contacts& contacts,
+                                               IntersectionGraph graph,
+                                               const std::vector<AnalysedTrace>& curves) const {
+    if (!filter::append_contacts(x_, y_, pair, contacts, run_.tolerance(pair.extent), graph) ||
+        run_.out_of_time()) {
+      return std::nullopt;
+    }
+    finish_components(graph);
+    IntersectResult result{Status::complete, std::move(graph), {}, {}};
+    record(curves, result.graph);
+    return result;
+  }
+
+  /// Anew after each double point that is found where this fails.
+  bool find_curves(const filter::Pair& pair, const filter::Contacts& contacts, filter::Trees& trees,
+                   std::vector<BoundaryPoint>& points, std::vector<Trace>& traces) {
+    for (;;) {
+      filter::Vec4 stuck = {1, 1, 1, 1};
+      if (trace_arcs(pair, points, traces, stuck) &&
+          filter::add_loops(pair, contacts, double_points_, trees, points, traces, boxes_, stuck)) {
+        return true;
+      }
+      if (with_stations_ || double_points_.size() == kMostDoublePoints ||
+          !add_double_point(pair, stuck, points)) {
+        return false;
+      }
+      traces.clear();
+    }
+  }
+
+  bool add_double_point(const filter::Pair& pair, const filter::Vec4& stuck,
+                        std::vector<BoundaryPoint>& points) {
+    const double tolerance =
+        std::ldexp(kPortShare * run_.tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
+    auto point = filter::double_point_near(x_, y_, pair, stuck, tolerance);
+    if (!point || std::any_of(double_points_.begin(), double_points_.end(),
+                              [&](const filter::DoublePoint& known) { return known.at == point->at; })) {
+      return false;
+    }
+    for (std::size_t i = 0; i < point->ports.size(); ++i) {
+      const filter::Port& port = point->ports[i];
+      points.push_back({port.ball, port.parameter, port.side, static_cast<int>(double_points_.size()), i});
+    }
+    double_points_.push_back(std::move(*point));
+    return true;
+  }
+
+  /// Every boundary point, and every port, is an end of exactly one arc.
+  static bool trace_arcs(const filter::Pair& pair, const std::vector<BoundaryPoint>& points,
+                         std::vector<Trace>& traces, filter::Vec4& stuck) {
+    std::vector<bool> used(points.size(), false);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (used[i]) {
+        continue;
+      }
+      auto trace = filter::trace_arc(pair, points, i, &stuck);
+      if (!trace || used[static_cast<std::size_t>(trace->end)]) {
+        return false;
+      }
+      used[i] = used[static_cast<std::size_t>(trace->end)] = true;
+      traces.push_back(std::move(*trace));
+    }
+    return true;
+  }
+
+  bool find_turns(const filter::Pair& pair, std::vector<Trace>& traces, std::vector<AnalysedTrace>& curves) {
+    coincident_ = kNoneCoincident;
+    for (Trace& trace : traces) {
+      AnalysedTrace& curve = curves.emplace_back(AnalysedTrace{std::move(trace), {}});
+      if (run_.turning().empty() && curve.trace.start >= 0 && !with_stations_) {
+        continue;
+      }
+      auto found = filter::find_turns(pair, curve.trace, coincident_, curve.turns);
+      if (found == filter::TurnSearch::not_separated && coincident_ == kNoneCoincident) {
+        coincident_ = coincident_parameters(x_, y_);
+        if (coincident_ != kNoneCoincident) {
+          curve.turns.clear();
+          found = filter::find_turns(pair, curve.trace, coincident_, curve.turns);
+        }
+      }
+      if (found != filter::TurnSearch::done) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void find_stations(const std::vector<BoundaryPoint>& points, const std::vector<AnalysedTrace>& curves) {
+    for (std::size_t p = 0; p < 4; ++p) {
+      for (const AnalysedTrace& curve : curves) {
+        const bool open = curve.trace.start >= 0;
+        Stations& stations = stations_[p].emplace_back(Stations{{}, !open});
+        const auto add_end = [&](int point) {
+          if (open) {
+            stations.at.push_back(filter::interval(points[static_cast<std::size_t>(point)].ball, p));
+          }
+        };
+        add_end(curve.trace.start);
+        for (const filter::Turn& turn : curve.turns) {
+          if (turn.parameter == p || coincident_[p] == turn.parameter) {
+            stations.at.push_back(filter::interval(turn.ball, p));
+          }
+        }
+        add_end(curve.trace.end);
+      }
+    }
+  }
+
+  void record(const std::vector<AnalysedTrace>& curves, const IntersectionGraph& graph) const {
+    std::size_t tubes = 0;
+    for (const AnalysedTrace& curve : curves) {
+      tubes += curve.trace.pieces.size();
+    }
+    std::size_t vertices = 0;
+    for (const Arc& arc : graph.arcs) {
+      vertices += arc.polyline.size();
+    }
+    if (!with_stations_) run_.count("filtered", 1);
+    run_.count("searched boxes", static_cast<double>(boxes_));
+    run_.count("tubes", static_cast<double>(tubes));
+    run_.count("vertices", static_cast<double>(vertices));
+  }
+
+  const BezierPatch& x_;
+  const BezierPatch& y_;
+  const Run& run_;
+  long boxes_ = 0;
+  std::array<std::size_t, 4> coincident_ = kNoneCoincident;
+  std::vector<filter::DoublePoint> double_points_;
+  bool with_stations_ = false;
+  std::array<std::vector<Stations>, 4> stations_;
+};
+
+}  // namespace
+
+std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const BezierPatch& y,
+                                                  const Run& run) {
+  return FilteredIntersection(x, y, run).run();
+}
+
+std::optional<FilteredCurves> filtered_curves(const BezierPatch& x, const BezierPatch& y, const Run& run) {
+  return FilteredIntersection(x, y, run).run_with_stations();
+}
+
+}  // namespace exsect

@@ -1,0 +1,369 @@
+#include "filter/graph.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "filter/series.h"
+
+namespace exsect::filter {
+
+namespace {
+
+constexpr std::size_t kMostVertices = 4000000;
+/// Parts of the tolerance that are left to chords and, twice, to vertices.
+constexpr double kChordShare = 0.93;
+constexpr double kVertexShare = 0.015;
+
+double length(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+/// Bounds on a tube, in scaled space: |X(w) - X(w~)| <= speed |w - w~| for the space point X = x(u,v), and
+/// |X''| <= curvature along the arc.
+struct SpaceBounds {
+  double speed;
+  double curvature;
+};
+
+/// (14.10) with w', w'' in slope +- slope_error, second +- second_error: X'' at the centre, a vector sum, and
+/// how far it can be from that. The errors of the coefficients have weights of at most |u''| + |v''| + 12
+/// |w'|² in all, times 1 + i + j.
+SpaceBounds space_bounds(const Pair& pair, const Tube& tube) {
+  const Coefficients& c = tube.space;
+  const Vec4& d = tube.slope;
+  const double u2 = std::fabs(tube.second[0]) + tube.second_error[0];
+  const double v2 = std::fabs(tube.second[1]) + tube.second_error[1];
+  const double h0 = tube.offset[0];
+  const double h1 = tube.offset[1];
+  const double steep = std::max(std::fabs(d[0]) + tube.slope_error[0], std::fabs(d[1]) + tube.slope_error[1]);
+  const double error = (u2 + v2 + 12 * steep * steep) * pair.total_error;
+  const Vec3 form = quadratic_deviation(c, &d[0], &tube.slope_error[0], &tube.offset[0]);
+  Vec3 speed;
+  Vec3 second;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto m = [&](std::size_t k) { return std::fabs(c[k][i]); };
+    const double xu_change =
+        2 * m(6) * h0 + m(4) * h1 + 2 * m(7) * h0 * h1 + (m(5) + 2 * m(8) * h0) * h1 * h1;
+    const double xv_change =
+        2 * m(2) * h1 + m(4) * h0 + 2 * m(5) * h0 * h1 + (m(7) + 2 * m(8) * h1) * h0 * h0;
+    const double at_centre = c[3][i] * tube.second[0] + c[1][i] * tube.second[1] +
+                             2 * (d[0] * d[0] * c[6][i] + d[0] * d[1] * c[4][i] + d[1] * d[1] * c[2][i]);
+    speed[i] = m(3) + xu_change + m(1) + xv_change + 2 * pair.total_error;
+    second[i] = std::fabs(at_centre) + xu_change * u2 + m(3) * tube.second_error[0] + xv_change * v2 +
+                m(1) * tube.second_error[1] + form[i] + error;
+  }
+  return {kSlack * length(speed), kSlack * length(second)};
+}
+
+/// A place on the trace where an arc begins or ends.
+struct Stop {
+  int node;
+  std::size_t piece;
+  double tau;
+  const Port* port = nullptr;  // the node is the centre of this port's double point
+};
+
+class GraphMaker {
+ public:
+  GraphMaker(const Pair& pair, const std::vector<BoundaryPoint>& points,
+             const std::vector<DoublePoint>& double_points, const std::array<std::size_t, 4>& coincident,
+             double tolerance, double vertex_tolerance)
+      : pair_(pair),
+        points_(points),
+        double_points_(double_points),
+        coincident_(coincident),
+        scale_(std::ldexp(1.0, static_cast<int>(pair.frame.exponent))),
+        tolerance_(tolerance),
+        scaled_tolerance_(tolerance / scale_),
+        vertex_tolerance_(std::min(kVertexShare * scaled_tolerance_, vertex_tolerance / scale_)) {
+    const auto& o = pair.frame.origin;
+    // The values of x: Patch::error; origin + scaled point: two roundings of each coordinate's size.
+    const double size = std::max({std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])}) / scale_ + 2;
+    place_error_ = kSlack * 1.75 * (pair.total_error + 2 * kUnit * size);
+  }
+
+  void add_double_points() {
+    for (const DoublePoint& point : double_points_) {
+      const bool crossing = point.forms.crossing;
+      Node& node = add_node(crossing ? NodeKind::crossing : NodeKind::touch, {point.centre, 0});
+      for (std::size_t j = 0; j < 4; ++j) {
+        node.box[j] = {point.at[j], point.at[j]};
+      }
+      if (!crossing) {
+        graph_.isolated_points.push_back(node.id);
+      }
+    }
+  }
+
+  /// After the double points.
+  void add_boundary_nodes() {
+    for (const BoundaryPoint& point : points_) {
+      if (point.centre >= 0) {
+        node_of_.push_back(point.centre);
+        continue;
+      }
+      node_of_.push_back(static_cast<int>(graph_.nodes.size()));
+      Node& node = add_node(NodeKind::boundary, point.ball);
+      const bool upper = point.side > 0;
+      node.on = {{static_cast<Parameter>(point.parameter), upper ? 1 : 0}};
+      node.box[point.parameter] = {upper ? 1 : 0, upper ? 1 : 0};
+    }
+  }
+
+  bool add(const AnalysedTrace& curve, const std::vector<Parameter>& wanted) {
+    stops_.clear();
+    const Trace& trace = curve.trace;
+    if (trace.start >= 0) {
+      stops_.push_back(stop_at(trace.start, 0, trace.pieces.front().range.from()));
+    }
+    add_turning_stops(curve, wanted);
+    if (stops_.empty()) {
+      add_turning_stops(curve, {all_parameters.begin(), all_parameters.end()});
+    }
+    if (trace.start >= 0) {
+      stops_.push_back(stop_at(trace.end, trace.pieces.size() - 1, trace.pieces.back().range.to()));
+    }
+    bounds_.clear();
+    for (const Piece& piece : trace.pieces) {
+      bounds_.push_back(space_bounds(pair_, piece.tube));
+    }
+    bool proved = !stops_.empty();
+    for (std::size_t i = 0; proved && i + 1 < stops_.size(); ++i) {
+      proved = add_arc(trace, stops_[i], stops_[i + 1]);
+    }
+    return proved && (trace.start >= 0 || add_arc(trace, stops_.back(), stops_.front()));
+  }
+
+  IntersectionGraph take() { return std::move(graph_); }
+
+ private:
+  Stop stop_at(int point, std::size_t piece, double tau) const {
+    const auto i = static_cast<std::size_t>(point);
+    const int centre = points_[i].centre;
+    return {node_of_[i], piece, tau,
+            centre < 0 ? nullptr : &double_points_[static_cast<std::size_t>(centre)].ports[points_[i].port]};
+  }
+
+  /// Parameters in [0,1]: the middle, in [-1/2,1/2] up to the radius, plus 1/2. 2^-50: the roundings.
+  Node& add_node(NodeKind kind, const Ball& ball) {
+    Node& node = graph_.nodes.emplace_back();
+    node.id = static_cast<int>(graph_.nodes.size()) - 1;
+    node.kinds = {kind};
+    const double radius = kSlack * ball.radius + 0x1p-50;
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double t = std::clamp(ball.middle[j] + 0.5, 0.0, 1.0);
+      node.approx[j] = t;
+      node.box[j].lower = from_double(std::max(t - radius, 0.0));
+      node.box[j].upper = from_double(std::min(t + radius, 1.0));
+    }
+    node.point = position(expand(pair_.x, ball.middle[0], ball.middle[1])[0]);
+    node_radius_.push_back(radius);
+    return node;
+  }
+
+  void add_turning_stops(const AnalysedTrace& curve, const std::vector<Parameter>& wanted) {
+    for (const Turn& turn : curve.turns) {
+      std::vector<Parameter> wrt;
+      for (const Parameter p : all_parameters) {
+        const bool turns = index(p) == turn.parameter || coincident_[index(p)] == turn.parameter;
+        if (turns && std::find(wanted.begin(), wanted.end(), p) != wanted.end()) {
+          wrt.push_back(p);
+        }
+      }
+      if (!wrt.empty()) {
+        Node& node = add_node(NodeKind::turning, turn.ball);
+        node.wrt = std::move(wrt);
+        stops_.push_back({node.id, turn.piece, 0.5 * (turn.from + turn.to), nullptr});
+      }
+    }
+  }
+
+  /// Chords over the offsets between a and b on a piece.
+  int chords(std::size_t piece, double a, double b) const {
+    const double step = std::sqrt(8 * kChordShare * scaled_tolerance_ / (bounds_[piece].curvature + kTiny));
+    return static_cast<int>(std::min(std::ceil(std::fabs(b - a) / step), 1e7)) + (a == b ? 1 : 0);
+  }
+
+  /// The pieces from one stop to the next, which for the last arc of a closed curve pass its seam.
+  template <class Visit>
+  void visit(const Trace& trace, const Stop& from, const Stop& to, const Visit& visit_piece) const {
+    const std::size_t count = trace.pieces.size();
+    const bool around = to.piece < from.piece || (to.piece == from.piece && is_behind(trace, from, to));
+    const std::size_t last = to.piece + (around ? count : 0);
+    for (std::size_t k = from.piece; k <= last; ++k) {
+      const Piece& piece = trace.pieces[k % count];
+      visit_piece(k % count, k == from.piece ? from.tau : piece.range.from(),
+                  k == last ? to.tau : piece.range.to(), k == last);
+    }
+  }
+
+  static bool is_behind(const Trace& trace, const Stop& from, const Stop& to) {
+    return trace.start < 0 && !trace.pieces[from.piece].range.precedes(from.tau, to.tau);
+  }
+
+  bool add_arc(const Trace& trace, const Stop& from, const Stop& to) {
+    std::size_t count = 2;
+    for (const Stop* stop : {&from, &to}) {
+      count += stop->port == nullptr ? 0 : stop->port->approach.size() + 1;
+    }
+    visit(trace, from, to, [&](std::size_t piece, double a, double b, bool) {
+      count += static_cast<std::size_t>(chords(piece, a, b));
+    });
+    vertices_ += count;
+    if (vertices_ > kMostVertices) {
+      return false;
+    }
+    Arc& arc = graph_.arcs.emplace_back();
+    arc.id = static_cast<int>(graph_.arcs.size()) - 1;
+    arc.component = -1;
+    arc.from = from.node;
+    arc.to = to.node;
+    arc.place = ArcPlace::interior;
+    arc.contact = Contact::transversal;
+    arc.polyline.reserve(count);
+    chord_error_ = vertex_error_ = 0;
+    cover(from);
+    cover(to);
+    push_node(arc, from.node);
+    push_approach(arc, from);
+    visit(trace, from, to, [&](std::size_t piece, double a, double b, bool last) {
+      add_chords(arc, trace.pieces[piece].tube, bounds_[piece], a, b, chords(piece, a, b), !last);
+    });
+    const auto port = static_cast<std::ptrdiff_t>(arc.polyline.size());
+    push_approach(arc, to);
+    std::reverse(arc.polyline.begin() + port, arc.polyline.end());
+    push_node(arc, to.node);
+    // An end of the arc is anywhere in its node's box, and the vertex there too: twice.
+    arc.error_bound = kSlack * scale_ * (chord_error_ + 2 * vertex_error_ + 2 * place_error_);
+    return arc.error_bound <= tolerance_;
+  }
+
+  void push_node(Arc& arc, int id) const {
+    const Node& node = graph_.nodes[static_cast<std::size_t>(id)];
+    arc.polyline.push_back({node.approx, node.point});
+  }
+
+  /// From the centre of the stop's port to the port.
+  void push_approach(Arc& arc, const Stop& stop) {
+    if (stop.port == nullptr) {
+      return;
+    }
+    const auto push = [&](const Vec4& w) {
+      arc.polyline.push_back(
+          {{w[0] + 0.5, w[1] + 0.5, w[2] + 0.5, w[3] + 0.5}, position(expand(pair_.x, w[0], w[1])[0])});
+    };
+    std::for_each(stop.port->approach.begin(), stop.port->approach.end(), push);
+    push(stop.port->ball.middle);
+    chord_error_ = std::max(chord_error_, stop.port->chord);
+    vertex_error_ = std::max(vertex_error_, stop.port->vertex_error);
+  }
+
+  std::array<double, 3> position(const Vec3& scaled) const {
+    std::array<double, 3> point;
+    for (std::size_t c = 0; c < 3; ++c) {
+      point[c] = pair_.frame.origin[c] + scale_ * scaled[c];
+    }
+    return point;
+  }
+
+  /// The node's box, of radius at most 2^-31, contains points of the tube: at its other points |x_u| + |x_v|
+  /// is greater by at most 2^-31 times |x_uu| + 2 |x_uv| + |x_vv|, which is below 2^8 near the square.
+  void cover(const Stop& stop) {
+    const double radius = node_radius_[static_cast<std::size_t>(stop.node)];
+    vertex_error_ = std::max(vertex_error_, 2 * (bounds_[stop.piece].speed + 0x1p-22) * radius);
+  }
+
+  /// n chords over equal steps of tau; the vertices between them, and the last one if `with_end`. After a
+  /// step w - C F(w) from a point of the region |w - w*| <= rho/(1 - rho) |C F(w)|, and the rounding.
+  void add_chords(Arc& arc, const Tube& tube, const SpaceBounds& bounds, double a, double b, int n,
+                  bool with_end) {
+    const double h = (b - a) / n;
+    const double width = kSlack * std::fabs(h);
+    chord_error_ = std::max(chord_error_, bounds.curvature * width * width / 8);
+    const double rounding = kSlack * tube.value_error / (1 - tube.contraction) + 0x1p-51;
+    const double allowed = vertex_tolerance_ / (bounds.speed + kTiny);
+    const VertexForms forms =
+        vertex_forms(pair_, tube, allowed * (1 - tube.contraction) / (kSlack * tube.contraction));
+    double worst = allowed;
+    VertexBlock block;
+    const int end = n + (with_end ? 1 : 0);
+    for (int first = 1; first < end; first += kVertexBlock) {
+      const int count = std::min(kVertexBlock, end - first);
+      for (int l = 0; l < kVertexBlock; ++l) {
+        const int i = first + std::min(l, count - 1);
+        block.tau[l] = i == n ? b : a + i * h;
+      }
+      evaluate_vertices(forms, block);
+      for (int l = 0; l < count; ++l) {
+        if (block.doubt[l] == 0) {
+          push_vertex(arc, block, l);
+        } else {
+          worst = std::max(worst, push_improved(arc, tube, forms, block.tau[l]));
+        }
+      }
+    }
+    vertex_error_ = std::max(vertex_error_, bounds.speed * (worst + rounding));
+  }
+
+  static void push_vertex(Arc& arc, const VertexBlock& block, int l) {
+    PolylineVertex& vertex = arc.polyline.emplace_back();
+    for (std::size_t j = 0; j < 4; ++j) {
+      vertex.parameters[j] = block.parameters[j][l];
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      vertex.point[c] = block.point[c][l];
+    }
+  }
+
+  /// A vertex where the polynomial of the arc is not good enough; returns the radius of its ball.
+  double push_improved(Arc& arc, const Tube& tube, const VertexForms& forms, double tau) const {
+    Vec4 o;
+    const double radius = point_at(tube, tau, &o).radius;
+    PolylineVertex& vertex = arc.polyline.emplace_back();
+    for (std::size_t j = 0; j < 4; ++j) {
+      vertex.parameters[j] = (tube.centre[j] + o[j]) + 0.5;
+    }
+    const Vec3 x = value_at(tube.space, o[0], o[1]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      vertex.point[c] = forms.origin[c] + forms.scale * x[c];
+    }
+    return radius;
+  }
+
+  const Pair& pair_;
+  const std::vector<BoundaryPoint>& points_;
+  const std::vector<DoublePoint>& double_points_;
+  const std::array<std::size_t, 4>& coincident_;
+  double scale_;
+  double tolerance_;
+  double scaled_tolerance_;
+  double vertex_tolerance_;
+  double place_error_;
+  std::size_t vertices_ = 0;
+  IntersectionGraph graph_;
+  std::vector<int> node_of_;  // of boundary points
+  std::vector<double> node_radius_;
+  std::vector<Stop> stops_;
+  std::vector<SpaceBounds> bounds_;
+  double chord_error_ = 0;
+  double vertex_error_ = 0;
+};
+
+}  // namespace
+
+std::optional<IntersectionGraph> make_graph(const Pair& pair, const std::vector<BoundaryPoint>& points,
+                                            const std::vector<DoublePoint>& double_points,
+                                            const std::vector<AnalysedTrace>& traces,
+                                            const std::vector<Parameter>& wanted,
+                                            const std::array<std::size_t, 4>& coincident, double tolerance,
+                                            double vertex_tolerance) {
+  GraphMaker maker(pair, points, double_points, coincident, tolerance, vertex_tolerance);
+  maker.add_double_points();
+  maker.add_boundary_nodes();
+  for (const AnalysedTrace& curve : traces) {
+    if (!maker.add(curve, wanted)) {
+      return std::nullopt;
+    }
+  }
+  return maker.take();
+}
+
+}  // namespace exsect::filter

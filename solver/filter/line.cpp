@@ -1,0 +1,270 @@
+#include "filter/line.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect::filter {
+
+namespace {
+
+/// Levels of curve and patch together at which certificates are tried, and the search is given up.
+constexpr int kFirstTry = 6;
+constexpr int kLast = 36;
+constexpr long kMostBoxes = 3000;
+constexpr long kMostBoxesToPlace = 400;  // that is enough to come near one
+
+/// Bound of the error of the control points computed below, for an inner line. They are means (1-t) a + t b
+/// of points of size 1, twice, computed as a + t (b - a): 5 u each time by their roundings, and 2 |dt|, where
+/// |dt| <= line.error + u with the rounding of value + 1/2.
+double line_error(const Line& line) { return 16 * kUnit + 4 * line.error; }
+
+Vec3 between(const Vec3& a, const Vec3& b, double t) { return a + t * (b - a); }
+
+/// Exactly those of the net on a side.
+std::array<Vec3, 3> control_points(const Patch& patch, std::size_t fixed, double value) {
+  const std::size_t across = fixed % 2 == 0 ? 3 : 1;
+  const std::size_t along = 4 - across;
+  std::array<Vec3, 3> points;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& a = patch.net[along * k];
+    const Vec3& b = patch.net[along * k + across];
+    const Vec3& c = patch.net[along * k + 2 * across];
+    const double t = value + 0.5;
+    points[k] =
+        std::fabs(value) == 0.5 ? (value < 0 ? a : c) : between(between(a, b, t), between(b, c, t), t);
+  }
+  return points;
+}
+
+/// A piece of the line and a sub-patch as a box of parameters, with width 0 in the fixed one.
+struct Box {
+  Vec4 centre;
+  Vec4 half;
+};
+Box box_of(const Line& line, const SubCurve& curve, const SubPatch& patch) {
+  const std::size_t along = line.fixed ^ 1U;
+  const std::size_t first = line.fixed < 2 ? 2 : 0;
+  Box box;
+  box.centre[line.fixed] = line.value;
+  box.half[line.fixed] = 0;
+  box.half[along] = 0.5 * curve.width;
+  box.centre[along] = curve.from + 0.5 * curve.width;
+  box.half[first] = box.half[first + 1] = 0.5 * patch.width;
+  box.centre[first] = patch.first + 0.5 * patch.width;
+  box.centre[first + 1] = patch.second + 0.5 * patch.width;
+  return box;
+}
+
+class LineSearch {
+ public:
+  LineSearch(const Pair& pair, const Line& line, const Contacts& contacts, PatchTree& tree, long& boxes)
+      : pair_(pair),
+        line_(line),
+        contacts_(contacts),
+        tree_(tree),
+        boxes_(boxes),
+        error_(kSlack * (pair.net_error + line_error(line))) {}
+
+  /// The points on the line; empty if undecided.
+  std::optional<std::vector<Ball>> run(long most_boxes) {
+    const Patch& owner = line_.fixed < 2 ? pair_.x : pair_.y;
+    stack_.push_back({make_curve(control_points(owner, line_.fixed, line_.value), -0.5, 1, 0), 0});
+    while (!stack_.empty()) {
+      const Item item = stack_.back();
+      stack_.pop_back();
+      if (++boxes_ > most_boxes || !process(item)) {
+        undecided_ = box_of(line_, item.curve, tree_[item.patch]).centre;
+        return std::nullopt;
+      }
+    }
+    std::vector<Ball> points;
+    for (const Root& root : roots_) {
+      if (root.inside) {
+        points.push_back(root.ball);
+      }
+    }
+    return points;
+  }
+
+  /// Where it has ended undecided.
+  const std::optional<Vec4>& undecided() const { return undecided_; }
+
+ private:
+  struct Item {
+    SubCurve curve;
+    std::size_t patch;
+  };
+  struct Root {
+    Tube tube;  // tau in [-line.error, line.error] only
+    Ball ball;
+    bool inside;
+  };
+
+  bool process(const Item& item) {
+    const SubPatch& patch = tree_[item.patch];
+    if (separated(item.curve, patch, error_)) {
+      return true;
+    }
+    const Meeting meeting = meeting_of(item.curve, patch);
+    if (meeting == Meeting::contact) {
+      return true;
+    }
+    const int depth = item.curve.level + patch.level;
+    if (depth >= kFirstTry && meeting == Meeting::unknown) {
+      const Box box = box_of(line_, item.curve, patch);
+      if (std::any_of(roots_.begin(), roots_.end(),
+                      [&](const Root& root) { return covers(root.tube, box); })) {
+        return true;
+      }
+      Root root;
+      if (covered(box, root.tube)) {
+        if (add(root)) {
+          return true;
+        }
+        if (contacts_.empty()) {
+          return false;
+        }  // else it may be the end of one nearby
+      }
+    }
+    if (depth >= kLast) {
+      return false;
+    }
+    subdivide(item, patch);
+    return true;
+  }
+
+  Meeting meeting_of(const SubCurve& curve, const SubPatch& patch) const {
+    if (contacts_.empty()) {
+      return Meeting::unknown;
+    }
+    const Part on_line = part_of(curve, line_.fixed % 2, line_.value);
+    const Part other = part_of(patch);
+    return line_.fixed < 2 ? meeting(pair_, contacts_, on_line, other)
+                           : meeting(pair_, contacts_, other, on_line);
+  }
+
+  void subdivide(const Item& item, const SubPatch& patch) {
+    if (extent(item.curve.lower, item.curve.upper) > extent(patch.lower, patch.upper)) {
+      for (const SubCurve& half : halves(item.curve)) {
+        stack_.push_back({half, item.patch});
+      }
+      return;
+    }
+    const std::size_t children = tree_.split(item.patch);
+    for (std::size_t k = 0; k < 4; ++k) {
+      stack_.push_back({item.curve, children + k});
+    }
+  }
+
+  /// Bounds of |w_j - centre_j - tau slope_j| over the box and the line's tau.
+  double farthest(const Tube& tube, const Box& box, std::size_t j) const {
+    return kSlack * (std::fabs(box.centre[j] - tube.centre[j]) + box.half[j] +
+                     line_.error * std::fabs(tube.slope[j])) +
+           0x1p-50;
+  }
+
+  bool covers(const Tube& tube, const Box& box) const {
+    return std::all_of(tube.others.begin(), tube.others.end(),
+                       [&](std::size_t j) { return farthest(tube, box, j) <= tube.halfwidth[j]; });
+  }
+
+  /// A certificate on the line whose region contains the box.
+  bool covered(const Box& box, Tube& tube) const {
+    Vec4 centre = box.centre;
+    if (!improve(pair_, centre, line_.fixed, 3)) {
+      return false;
+    }
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (std::fabs(centre[j] - box.centre[j]) > 6 * box.half[j]) {
+        return false;
+      }
+    }
+    if (!prepare(pair_, centre, line_.fixed, tube)) {
+      return false;
+    }
+    Vec4 halfwidth;
+    for (std::size_t j = 0; j < 4; ++j) {
+      halfwidth[j] = farthest(tube, box, j);
+    }
+    return certify(pair_, tube, -line_.error, line_.error, halfwidth);
+  }
+
+  /// The point on the line, wherever the line is within its error.
+  Ball point_on_line(Tube& tube) const {
+    Ball ball = point_at(tube, 0);
+    if (line_.error > 0) {
+      bound_derivatives(pair_, tube);
+      double steep = 1;
+      for (std::size_t j = 0; j < 4; ++j) {
+        steep = std::max(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
+      }
+      ball.radius = kSlack * (ball.radius + line_.error * steep);
+    }
+    return ball;
+  }
+
+  /// The root of a new certificate, unless an older one is it.
+  bool add(Root& root) {
+    root.ball = point_on_line(root.tube);
+    const double margin = root.ball.radius + 0x1p-48;  // the node's box must be in the region
+    if (!(root.ball.radius < 0.25 * kEndMargin) ||
+        !covers(root.tube, {root.ball.middle, {margin, margin, margin, margin}})) {
+      return false;
+    }
+    for (const Root& old : roots_) {
+      const Vec4 old_radius = {old.ball.radius, old.ball.radius, old.ball.radius, old.ball.radius};
+      if (covers(root.tube, {old.ball.middle, old_radius})) {
+        return true;
+      }
+      const bool different =
+          std::any_of(root.tube.others.begin(), root.tube.others.end(), [&](std::size_t j) {
+            return std::fabs(old.ball.middle[j] - root.ball.middle[j]) >
+                   kSlack * (old.ball.radius + root.ball.radius) + 0x1p-50;
+          });
+      if (!different) {
+        return false;
+      }
+    }
+    bool outside = false;
+    bool inside = true;
+    for (const std::size_t j : root.tube.others) {
+      const double from_centre = std::fabs(root.ball.middle[j]);
+      const double error = kSlack * root.ball.radius + 0x1p-52;
+      outside = outside || from_centre - 0.5 > error;
+      inside = inside && 0.5 - from_centre > error;
+    }
+    if (!outside && !inside) {
+      return false;  // perhaps on two sides
+    }
+    root.inside = inside;
+    roots_.push_back(root);
+    return true;
+  }
+
+  const Pair& pair_;
+  Line line_;
+  std::optional<Vec4> undecided_;
+  const Contacts& contacts_;
+  PatchTree& tree_;
+  long& boxes_;
+  double error_;  // of the line's control points and sub-patches
+  std::vector<Item> stack_;
+  std::vector<Root> roots_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Ball>> points_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
+                                                PatchTree& other, long& boxes) {
+  return LineSearch(pair, line, contacts, other, boxes).run(kMostBoxes);
+}
+
+std::optional<Vec4> undecided_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
+                                      PatchTree& other) {
+  long boxes = 0;
+  LineSearch search(pair, line, contacts, other, boxes);
+  search.run(kMostBoxesToPlace);
+  return search.undecided();
+}
+
+}  // namespace exsect::filter

@@ -1,0 +1,32 @@
+// All points of a parameter line on the other patch, by subdivision with certificates. Internal to solver/;
+// docs/method.md, section 14.3.
+#pragma once
+
+#include <vector>
+
+#include "filter/contact.h"
+#include "filter/tube.h"
+
+namespace exsect::filter {
+
+/// The line where the parameter `fixed` (0..3, centred) has a number within `error` of `value`; |value| <=
+/// 1/2, and error is far below 1.
+struct Line {
+  std::size_t fixed;
+  double value;
+  double error;
+};
+
+/// Every solution on the line, apart from the contacts (none for an inner line), with the other three
+/// parameters inside their intervals: exactly one in each ball, the curve crosses the line there; the balls
+/// lie inside these intervals and are disjoint. Empty if that is not decided: points on sides, tangents and
+/// lines on the other patch among other reasons. `other` is the tree of the patch that does not have the
+/// line; `boxes` counts the pairs looked at.
+std::optional<std::vector<Ball>> points_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
+                                                PatchTree& other, long& boxes);
+
+/// Near where this search does not come to an end soon, (u,v,r,s) centred; empty if it does.
+std::optional<Vec4> undecided_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
+                                      PatchTree& other);
+
+}  // namespace exsect::filter

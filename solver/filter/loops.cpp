@@ -1,0 +1,232 @@
+#include "filter/loops.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect::filter {
+
+namespace {
+
+/// Levels of both patches together at which certificates are tried, and the search is given up.
+constexpr int kFirstTry = 6;
+constexpr int kLast = 40;
+constexpr long kMostBoxes = 6000;
+constexpr long kMostBoxesAround = 20000;  // around double points
+
+/// One net for every sub-patch that asks for it.
+template <class Net>
+class NetCache {
+ public:
+  template <class Make>
+  const Net& get(std::size_t node, const Make& make) {
+    if (node >= index_.size()) {
+      index_.resize(2 * node + 64, kNone);
+    }
+    if (index_[node] == kNone) {
+      index_[node] = nets_.size();
+      nets_.push_back(make());
+    }
+    return nets_[index_[node]];
+  }
+
+ private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> index_;
+  std::vector<Net> nets_;
+};
+
+/// The direction c for which c.(u',v') keeps clearest away from zero on the curves known: any c is legal, a
+/// good one leaves fewer boxes.
+std::array<double, 2> search_direction(const std::vector<Trace>& traces) {
+  std::array<double, 2> best = {1, 0.375};
+  double best_value = -1;
+  for (int i = 0; i < 16; ++i) {
+    const std::array<double, 2> c = {std::cos(0.19 * i), std::sin(0.19 * i)};
+    double least = 1;
+    for (const Trace& trace : traces) {
+      for (const Piece& piece : trace.pieces) {
+        const double u = piece.tube.slope[0];
+        const double v = piece.tube.slope[1];
+        const double along = c[0] * u + c[1] * v;
+        least = std::min(least, along * along / std::max(1e-300, u * u + v * v));
+      }
+    }
+    if (least > best_value) {
+      best_value = least;
+      best = c;
+    }
+  }
+  return best;
+}
+
+class LoopSearch {
+ public:
+  LoopSearch(const Pair& pair, const Contacts& contacts, const std::vector<DoublePoint>& double_points,
+             Trees& trees, const std::vector<BoundaryPoint>& points, std::vector<Trace>& traces, long& boxes)
+      : pair_(pair),
+        contacts_(contacts),
+        double_points_(double_points),
+        trees_(trees),
+        points_(points),
+        traces_(traces),
+        boxes_(boxes),
+        c_(search_direction(traces)) {}
+
+  bool run(Vec4& stuck) {
+    stack_.reserve(64);
+    stack_.push_back({0, 0});
+    const long most = boxes_ + (double_points_.empty() ? kMostBoxes : kMostBoxesAround);
+    while (!stack_.empty()) {
+      const PiecePair item = stack_.back();
+      stack_.pop_back();
+      if (++boxes_ > most || !process(item)) {
+        stuck = box_of(trees_.x[item.x], trees_.y[item.y]).middle;
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  bool process(const PiecePair& item) {
+    const SubPatch& x = trees_.x[item.x];
+    const SubPatch& y = trees_.y[item.y];
+    if (separated(x, y, pair_.net_error)) {
+      return true;
+    }
+    const Meeting at =
+        contacts_.empty() ? Meeting::unknown : meeting(pair_, contacts_, part_of(x), part_of(y));
+    if (at == Meeting::contact || (at == Meeting::unknown && keeps_direction(item, x, y))) {
+      return true;
+    }
+    if (is_at_double_point(x, y)) {
+      return true;
+    }
+    const int depth = x.level + y.level;
+    Tube tube;
+    if (depth >= kFirstTry && at == Meeting::unknown && covered(x, y, tube)) {
+      const std::optional<bool> known = known_or_traced(tube);
+      if (known) {
+        return *known;
+      }
+    }
+    if (depth >= kLast) {
+      return false;
+    }
+    trees_.split_larger(item, stack_);
+    return true;
+  }
+
+  /// c.T has no zero on the two.
+  bool keeps_direction(const PiecePair& item, const SubPatch& x, const SubPatch& y) {
+    const DirectionNet& d = directions_.get(item.x, [&] { return direction_net(x, c_, pair_.net_error); });
+    const NormalNet& n = normals_.get(item.y, [&] { return normal_net(y, pair_.net_error); });
+    return never_orthogonal(d, n);
+  }
+
+  struct Box {
+    Vec4 middle;
+    Vec4 half;
+  };
+  static Box box_of(const SubPatch& x, const SubPatch& y) {
+    const double hx = 0.5 * x.width;
+    const double hy = 0.5 * y.width;
+    return {{x.first + hx, x.second + hx, y.first + hy, y.second + hy}, {hx, hx, hy, hy}};
+  }
+
+  bool is_at_double_point(const SubPatch& x, const SubPatch& y) const {
+    return std::any_of(double_points_.begin(), double_points_.end(), [&](const DoublePoint& point) {
+      const Box box = box_of(x, y);
+      return lies_in_region(point, box.middle, box.half);
+    });
+  }
+
+  /// A tube whose region contains the box.
+  bool covered(const SubPatch& x, const SubPatch& y, Tube& tube) const {
+    const auto [middle, half] = box_of(x, y);
+    const Linearisation at =
+        linearise(expand(pair_.x, middle[0], middle[1]), expand(pair_.y, middle[2], middle[3]));
+    const std::size_t axis = steepest(at.tangent, half);
+    Vec4 centre = middle;
+    if (!improve(pair_, centre, axis, 2)) {
+      return false;
+    }
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (std::fabs(centre[j] - middle[j]) > 8 * half[j]) {
+        return false;
+      }
+    }
+    if (!prepare(pair_, centre, axis, tube)) {
+      return false;
+    }
+    Vec4 width;
+    for (std::size_t j = 0; j < 4; ++j) {
+      width[j] =
+          kSlack * (std::fabs(centre[j] - middle[j]) + half[j] + std::fabs(tube.slope[j]) * half[axis]) +
+          0x1p-49;
+    }
+    return certify(pair_, tube, -half[axis], half[axis], width);
+  }
+
+  /// True: the tube's arc is known, or is outside the domain at one point, or on a closed curve that is now
+  /// traced. False: the search has failed. Empty: undecided.
+  std::optional<bool> known_or_traced(const Tube& tube) {
+    const Ball seed = point_at(tube, 0);
+    bool inside = true;
+    for (const double w : seed.middle) {
+      if (std::fabs(w) > 0.5 + kSlack * seed.radius + 0x1p-50) {
+        return true;
+      }
+      inside = inside && std::fabs(w) < 0.5 - kSlack * seed.radius - 0x1p-50;
+    }
+    for (const Trace& trace : traces_) {
+      if (std::any_of(trace.pieces.begin(), trace.pieces.end(),
+                      [&](const Piece& piece) { return contains(piece.tube, seed); })) {
+        return true;
+      }
+    }
+    if (!inside) {
+      return std::nullopt;
+    }
+    std::optional<Trace> loop = trace_loop(pair_, points_, tube, 0);
+    if (!loop || !differs_from_known_loops(*loop)) {
+      return false;
+    }
+    traces_.push_back(std::move(*loop));
+    return true;
+  }
+
+  /// True only if a point of every known closed curve is not on this one.
+  bool differs_from_known_loops(const Trace& loop) const {
+    return std::all_of(traces_.begin(), traces_.end(), [&](const Trace& known) {
+      if (known.start >= 0) {
+        return true;
+      }
+      const Ball point = point_at(known.pieces.front().tube, known.pieces.front().range.from());
+      return std::all_of(loop.pieces.begin(), loop.pieces.end(),
+                         [&](const Piece& piece) { return excludes(piece.tube, point); });
+    });
+  }
+
+  const Pair& pair_;
+  const Contacts& contacts_;
+  const std::vector<DoublePoint>& double_points_;
+  Trees& trees_;
+  const std::vector<BoundaryPoint>& points_;
+  std::vector<Trace>& traces_;
+  long& boxes_;
+  std::array<double, 2> c_;
+  NetCache<DirectionNet> directions_;
+  NetCache<NormalNet> normals_;
+  std::vector<PiecePair> stack_;
+};
+
+}  // namespace
+
+bool add_loops(const Pair& pair, const Contacts& contacts, const std::vector<DoublePoint>& double_points,
+               Trees& trees, const std::vector<BoundaryPoint>& points, std::vector<Trace>& traces,
+               long& boxes, Vec4& stuck) {
+  return LoopSearch(pair, contacts, double_points, trees, points, traces, boxes).run(stuck);
+}
+
+}  // namespace exsect::filter

@@ -1,0 +1,56 @@
+// Parts of the squares, and patches as seen from one of their sides. Internal to solver/; docs/method.md,
+// section 14.7.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "filter/pieces.h"
+
+namespace exsect::filter {
+
+/// (1-t) a + t b for a dyadic t in [0,1]: errs by 3 u times the size, of which the error of 1-t is no part.
+inline Vec3 between(const Vec3& a, const Vec3& b, double t) { return (1 - t) * a + t * b; }
+
+/// A side of a square: its first (0) or second (1) parameter is 0 or, if `upper`, 1.
+struct SquareSide {
+  std::size_t parameter;
+  bool upper;
+  friend bool operator==(const SquareSide&, const SquareSide&) = default;
+};
+
+/// Control points of one patch as seen from one of its sides: point(across, along) of row `across` from the
+/// side, along it in the direction of the parameter or, if `reversed`, against it.
+struct SideView {
+  SquareSide side;
+  bool reversed;
+  std::size_t index(std::size_t across, std::size_t along) const;
+};
+
+/// A rectangle of a square, which may be a segment or a point, and control points of the patch on it.
+struct Part {
+  struct Interval {
+    double lower;
+    double upper;
+  };
+  std::array<Interval, 2> range;  // parameters, not centred
+  std::span<const Vec3> points;
+};
+Part part_of(const SubPatch& patch);
+/// The curve is on the line where the first (0) or second (1) parameter is `value`, centred, of a square.
+Part part_of(const SubCurve& curve, std::size_t fixed, double value);
+
+/// The part's intervals counted from the side, and along it.
+struct SideIntervals {
+  Part::Interval across;
+  Part::Interval along;
+};
+SideIntervals intervals(const SideView& view, const Part& part);
+
+/// Control vectors of (x(a,t) - x(0,t)) / a, a and t counted as the view does: bidegree (1,2), index 3 i + j.
+using AcrossField = std::array<Vec3, 6>;
+AcrossField across_field(const std::array<Vec3, 9>& net, const SideView& view);
+/// Those on a rectangle.
+AcrossField restricted(const AcrossField& field, const SideIntervals& to);
+
+}  // namespace exsect::filter

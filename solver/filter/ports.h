@@ -1,0 +1,12 @@
+// Points near a crossing where traces start and end. Internal to solver/; docs/method.md, section 14.9.
+#pragma once
+
+#include "filter/double_point.h"
+
+namespace exsect::filter {
+
+/// Adds one port for each arc of a crossing, none otherwise, `tolerance` for Port::chord; false if they are
+/// not found, for example because a parameter turns in the centre.
+bool add_ports(const Pair& pair, DoublePoint& point, double tolerance);
+
+}  // namespace exsect::filter

@@ -1,0 +1,221 @@
+#include "filter/side_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect::filter {
+
+namespace {
+
+using exsect::operator+;
+using exsect::operator-;
+using exsect::operator*;
+using exsect::cross;
+using filter::operator+;
+using filter::operator-;
+using filter::operator*;
+using filter::cross;
+
+using Place = std::array<double, 2>;
+using ExactPlace = std::array<Rational, 2>;
+
+constexpr int kGuessSteps = 6;
+/// How near to each other points are in doubles that would be the same in exact arithmetic.
+constexpr double kClose = 0x1p-30;
+/// The line's ends are this near to the square, so that a whole side can be a part of it.
+constexpr double kFarthest = 1e4;
+/// After each of Newton's steps, in exact arithmetic, how many bits are right, as a rule, at least.
+constexpr std::array<long, 4> kRightBits = {40, 68, 130, 250};
+
+/// The (a,b) for which a p + b q is nearest to v.
+Place coordinates(const Vec3& p, const Vec3& q, const Vec3& v) {
+  const double pp = dot(p, p);
+  const double pq = dot(p, q);
+  const double qq = dot(q, q);
+  const double inverse = 1 / (pp * qq - pq * pq);
+  return {inverse * (qq * dot(p, v) - pq * dot(q, v)), inverse * (pp * dot(q, v) - pq * dot(p, v))};
+}
+
+/// q below |q| 2^bits, cut off.
+Rational cut(const Rational& q, long bits) {
+  const Rational scaled = q * power_of_two(bits);
+  return Rational(Integer(numerator(scaled) / denominator(scaled))) * power_of_two(-bits);
+}
+
+ExactPlace between(const ExactPlace& a, const ExactPlace& b, const Rational& t) {
+  return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1]};
+}
+
+class PathSearch {
+ public:
+  PathSearch(const Patch& owner, const Patch& carrier, const BezierPatch& exact_owner,
+             const BezierPatch& exact_carrier, const SquareSide& side)
+      : carrier_(carrier), exact_carrier_(exact_carrier) {
+    const SideView view = {side, false};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = view.index(0, k);
+      side_[k] = owner.net[i];
+      exact_side_[k] = exact_owner.net()[i / 3][i % 3];
+    }
+  }
+
+  /// From a t, and a centred place nearby.
+  std::optional<std::array<ExactPlace, 2>> run(double t, Place near) const {
+    const Vec3 first = 2.0 * (side_[1] - side_[0]);
+    const Vec3 second = 2.0 * (side_[2] - side_[1]);
+    if (!improve(near, filter::between(filter::between(side_[0], side_[1], t),
+                                       filter::between(side_[1], side_[2], t), t))) {
+      return std::nullopt;
+    }
+    const Coefficients c = expand(carrier_, near[0], near[1]);
+    const Place rate = coordinates(c[3], c[1], filter::between(first, second, t));
+    std::array<ExactPlace, 2> ends;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double step = static_cast<double>(i) - t;
+      Place end = {near[0] + step * rate[0], near[1] + step * rate[1]};
+      if (!improve(end, side_[2 * i])) {
+        return std::nullopt;
+      }
+      const auto exact = exactly(end, exact_side_[2 * i]);
+      if (!exact) {
+        return std::nullopt;
+      }
+      ends[i] = *exact;
+    }
+    return is_path(ends) ? std::optional(ends) : std::nullopt;
+  }
+
+ private:
+  /// Newton's method for the place of a point; false if it does not lie on the other patch's surface.
+  bool improve(Place& at, const Vec3& point) const {
+    for (int step = 0; step < kGuessSteps; ++step) {
+      if (!(std::fabs(at[0]) < kFarthest && std::fabs(at[1]) < kFarthest)) {
+        return false;
+      }
+      const Coefficients c = expand(carrier_, at[0], at[1]);
+      const Vec3 miss = point - c[0];
+      const Place by = coordinates(c[3], c[1], miss);
+      at = {at[0] + by[0], at[1] + by[1]};
+      if (std::fabs(by[0]) + std::fabs(by[1]) < 0x1p-40 * (1 + std::fabs(at[0]) + std::fabs(at[1]))) {
+        return largest(miss) < kClose;
+      }
+    }
+    return false;
+  }
+
+  /// The parameters of a point on the other patch near `guess`, centred: simple numbers, the numbers that one
+  /// of Newton's steps leads to, as on a plane, or simple ones near these.
+  std::optional<ExactPlace> exactly(const Place& guess, const Point& point) const {
+    const Rational half(1, 2);
+    ExactPlace at = {from_double(guess[0]) + half, from_double(guess[1]) + half};
+    for (const long bits : kRightBits) {
+      const Rational room = power_of_two(-bits);
+      const ExactPlace simple = {simplest_between(at[0] - room, at[0] + room),
+                                 simplest_between(at[1] - room, at[1] + room)};
+      for (const ExactPlace& candidate : {at, simple}) {
+        if (exact_carrier_(candidate[0], candidate[1]) == point) {
+          return candidate;
+        }
+      }
+      at = {cut(at[0], 2 * bits), cut(at[1], 2 * bits)};
+      if (!step(at, point)) {
+        return std::nullopt;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// In the two coordinates in which the tangent plane is projected best.
+  bool step(ExactPlace& at, const Point& point) const {
+    const Point u = exact_carrier_.derivative_first(at[0], at[1]);
+    const Point v = exact_carrier_.derivative_second(at[0], at[1]);
+    const Point normal = cross(u, v);
+    std::size_t k = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+      k = abs(normal[i]) > abs(normal[k]) ? i : k;
+    }
+    if (normal[k] == 0) {
+      return false;
+    }
+    const Point miss = point - exact_carrier_(at[0], at[1]);
+    at[0] += cross(miss, v)[k] / normal[k];
+    at[1] += cross(u, miss)[k] / normal[k];
+    return true;
+  }
+
+  /// A patch has degree four along a line, or two where a parameter is constant: so many points decide, of
+  /// which the ends are known.
+  bool is_path(const std::array<ExactPlace, 2>& ends) const {
+    const bool along_parameter = ends[0][0] == ends[1][0] || ends[0][1] == ends[1][1];
+    const int degree = along_parameter ? 2 : 4;
+    if (ends[0] == ends[1]) {
+      return false;
+    }
+    for (int k = 1; k < degree; ++k) {
+      const Rational t(k, degree);
+      const ExactPlace at = between(ends[0], ends[1], t);
+      const Rational s = 1 - t;
+      const Point on_side =
+          (s * s) * exact_side_[0] + (2 * s * t) * exact_side_[1] + (t * t) * exact_side_[2];
+      if (exact_carrier_(at[0], at[1]) != on_side) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const Patch& carrier_;
+  const BezierPatch& exact_carrier_;
+  std::array<Vec3, 3> side_;
+  std::array<Point, 3> exact_side_;
+};
+
+/// The t in [0,1] for which the line is in the square; lower > upper if there are none.
+RationalInterval common_part(const std::array<ExactPlace, 2>& ends) {
+  RationalInterval common = {0, 1};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Rational& from = ends[0][i];
+    const Rational rate = ends[1][i] - from;
+    if (rate == 0) {
+      if (from < 0 || from > 1) {
+        return {1, 0};
+      }
+      continue;
+    }
+    const Rational at_0 = -from / rate;
+    const Rational at_1 = (1 - from) / rate;
+    common.lower = std::max(common.lower, std::min(at_0, at_1));
+    common.upper = std::min(common.upper, std::max(at_0, at_1));
+  }
+  return common;
+}
+
+}  // namespace
+
+std::array<Rational, 4> SidePath::at(const Rational& t) const {
+  const std::size_t own = of_x ? 0 : 2;
+  const ExactPlace on_line = between(ends[0], ends[1], t);
+  std::array<Rational, 4> result;
+  result[own + side.parameter] = side.upper ? 1 : 0;
+  result[own + 1 - side.parameter] = t;
+  result[2 - own] = on_line[0];
+  result[3 - own] = on_line[1];
+  return result;
+}
+
+std::optional<SidePath> side_path_near(const BezierPatch& x, const BezierPatch& y, const Pair& pair,
+                                       std::size_t fixed, bool upper, const Vec4& near) {
+  const bool of_x = fixed < 2;
+  const SquareSide side = {fixed % 2, upper};
+  const PathSearch search =
+      of_x ? PathSearch(pair.x, pair.y, x, y, side) : PathSearch(pair.y, pair.x, y, x, side);
+  const std::size_t other = of_x ? 2 : 0;
+  const auto ends = search.run(near[fixed ^ 1U] + 0.5, {near[other], near[other + 1]});
+  if (!ends) {
+    return std::nullopt;
+  }
+  const RationalInterval common = common_part(*ends);
+  return common.lower < common.upper ? std::optional(SidePath{of_x, side, *ends, common}) : std::nullopt;
+}
+
+}  // namespace exsect::filter

@@ -1,0 +1,31 @@
+// Sides of one patch that lie on the other one along a straight line of its parameters. Internal to solver/;
+// docs/method.md, section 14.7.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "filter/part.h"
+
+namespace exsect::filter {
+
+/// The point t of a side, t increasing with the parameter along it, is the other patch's point
+/// (1-t) ends[0] + t ends[1], for all t; exactly. `common` are the t in [0,1] for which that is in the
+/// square: more than one.
+struct SidePath {
+  bool of_x;  // the side is one of x, the line one of y; else the other way round
+  SquareSide side;
+  std::array<std::array<Rational, 2>, 2> ends;
+  RationalInterval common;
+
+  /// (u,v,r,s) of the point t.
+  std::array<Rational, 4> at(const Rational& t) const;
+};
+
+/// The path of the side that parameter `fixed` (0..3) has at 1 or, unless `upper`, at 0, if it has one that
+/// passes near the solution `near` (centred) on it. Looks for it in doubles first, and proves it by
+/// substitution.
+std::optional<SidePath> side_path_near(const BezierPatch& x, const BezierPatch& y, const Pair& pair,
+                                       std::size_t fixed, bool upper, const Vec4& near);
+
+}  // namespace exsect::filter

@@ -1,0 +1,394 @@
+#include "filter/turning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "answer/parameter_box.h"
+#include "filter/series.h"
+
+namespace exsect::filter {
+
+namespace {
+
+constexpr int kDeepestSplit = 30;
+constexpr std::size_t kMostPieces = 4000;
+constexpr double kLargestBox = 0x1p-31;
+
+/// w'(tau) is within `radius` of `middle`.
+struct Direction {
+  Vec4 middle;
+  double radius;
+};
+
+/// p_a and p_b at (a,b).
+void derivatives(const Coefficients& c, double a, double b, Vec3& first, Vec3& second) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    first[i] = (c[3][i] + b * (c[4][i] + b * c[5][i])) + 2 * a * (c[6][i] + b * (c[7][i] + b * c[8][i]));
+    second[i] = (c[1][i] + a * (c[4][i] + a * c[7][i])) + 2 * b * (c[2][i] + a * (c[5][i] + a * c[8][i]));
+  }
+}
+
+/// Bound of |p_aa| + |p_ab|, |p_ab| + |p_bb| over |a| <= ha, |b| <= hb.
+double second_derivatives(const Coefficients& c, double ha, double hb) {
+  double result = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double c12 = std::fabs(c[5][i]);
+    const double c21 = std::fabs(c[7][i]);
+    const double c22 = std::fabs(c[8][i]);
+    const double ab = std::fabs(c[4][i]) + 2 * c21 * ha + 2 * c12 * hb + 4 * c22 * ha * hb;
+    const double aa = 2 * (std::fabs(c[6][i]) + c21 * hb + c22 * hb * hb);
+    const double bb = 2 * (std::fabs(c[2][i]) + c12 * ha + c22 * ha * ha);
+    result = std::max(result, ab + std::max(aa, bb));
+  }
+  return result;
+}
+
+/// Bound of the change of any C F_j, row by row, per unit of distance in the region. The errors of the
+/// coefficients, times the distance, are below column_error, which is added once more.
+double steepest_change(const Tube& tube) {
+  return kSlack * std::max(second_derivatives(tube.g, tube.offset[0], tube.offset[1]),
+                           second_derivatives(tube.h, tube.offset[2], tube.offset[3]));
+}
+
+/// (14.9): for d near w', d_axis = 1, |w' - d| <= |sum C F_j d_j| / (1 - rho), C F_j at the true point.
+Direction direction_at(const Tube& tube, double tau) {
+  Vec4 o;
+  const Ball ball = point_at(tube, tau, &o);
+  std::array<Vec3, 4> column;
+  derivatives(tube.g, o[0], o[1], column[0], column[1]);
+  derivatives(tube.h, o[2], o[3], column[2], column[3]);
+  Direction d;
+  d.middle = arc_slope(tube, tau);
+  double least = HUGE_VAL;
+  Vec4 next = d.middle;
+  for (int step = 0; step < 30; ++step) {
+    Vec3 rest{};
+    for (std::size_t j = 0; j < 4; ++j) {
+      rest = rest + next[j] * column[j];
+    }
+    if (!(largest(rest) < 0.75 * least)) {
+      break;
+    }
+    least = largest(rest);
+    d.middle = next;
+    if (least <= 0.125 * tube.column_error) {
+      break;
+    }
+    for (std::size_t row = 0; row < 3; ++row) {
+      next[tube.others[row]] -= rest[row];
+    }
+  }
+  double size = 0;
+  for (const double t : d.middle) {
+    size += std::fabs(t);
+  }
+  // |C F_j| < 2 in the region but for the axis, where it is |slope|; 2^-46 covers the rounding of the sum.
+  const double column_error =
+      steepest_change(tube) * ball.radius + 2 * tube.column_error +
+      0x1p-46 * (2 + largest({tube.slope[0], tube.slope[1], 0}) + largest({tube.slope[2], tube.slope[3], 0}));
+  d.radius = kSlack * (least + size * column_error) / (1 - tube.contraction);
+  return d;
+}
+
+/// At the end of a piece: w_i' has this sign within kEndMargin of it as well, where the neighbouring piece,
+/// or the boundary point itself, begins.
+int sign_near(const Tube& tube, Direction d, std::size_t i) {
+  d.radius = kSlack * (d.radius + kEndMargin * (std::fabs(tube.second[i]) + tube.second_error[i]));
+  return d.middle[i] > d.radius ? 1 : d.middle[i] < -d.radius ? -1 : 0;
+}
+
+int sign_of(const Direction& d, std::size_t i) {
+  return d.middle[i] > d.radius ? 1 : d.middle[i] < -d.radius ? -1 : 0;
+}
+
+class TurnFinder {
+ public:
+  TurnFinder(const Pair& pair, Trace& trace, const std::array<std::size_t, 4>& coincident,
+             std::vector<Turn>& turns)
+      : pair_(pair), trace_(trace), coincident_(coincident), turns_(turns) {}
+
+  TurnSearch run() {
+    if (!decide_pieces()) {
+      return TurnSearch::undecided;
+    }
+    for (std::size_t k = 0; k < trace_.pieces.size(); ++k) {
+      const std::size_t begin = turns_.size();
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (ends_[k].first[i] != ends_[k].last[i] && !bracket(k, i)) {
+          return TurnSearch::undecided;
+        }
+      }
+      const TurnSearch order = sort(begin);
+      if (order != TurnSearch::done) {
+        return order;
+      }
+    }
+    return joined() ? TurnSearch::done : TurnSearch::undecided;
+  }
+
+ private:
+  /// Signs of the change of each parameter along the trace at both ends of a piece; 0 for parameters that are
+  /// left out. Where they differ, the parameter turns exactly once in between, and w'' is not 0; where not,
+  /// never.
+  struct Ends {
+    std::array<int, 4> first;
+    std::array<int, 4> last;
+  };
+
+  /// Pieces end and begin at offsets of one point in doubles, so with different points of the curve, less
+  /// than kEndMargin apart. What is between them lies on the arcs of both tubes, on which a parameter turns
+  /// once at most, so not at all if it changes in the same sense on both sides.
+  bool joined() const {
+    for (std::size_t k = 0; k + 1 < ends_.size(); ++k) {
+      if (ends_[k].last != ends_[k + 1].first) {
+        return false;
+      }
+    }
+    return trace_.start >= 0 || ends_.back().last == ends_.front().first;
+  }
+
+  static bool monotone(const Tube& tube, std::size_t i) {
+    return std::fabs(tube.slope[i]) > tube.slope_error[i];
+  }
+  static bool turns_once_at_most(const Tube& tube, std::size_t i) {
+    return std::fabs(tube.second[i]) > tube.second_error[i];
+  }
+
+  /// Fills in ends_, and divides pieces until this is possible.
+  bool decide_pieces() {
+    ends_.reserve(trace_.pieces.size());
+    std::size_t k = 0;
+    while (k < trace_.pieces.size() && decide(trace_.pieces[k], ends_.emplace_back()) == Decision::done) {
+      ++k;
+    }
+    if (k == trace_.pieces.size()) {
+      return true;
+    }
+    ends_.pop_back();
+    std::vector<Piece> done;
+    done.reserve(2 * trace_.pieces.size() + 8);
+    done.assign(trace_.pieces.begin(), trace_.pieces.begin() + static_cast<std::ptrdiff_t>(k));
+    for (; k < trace_.pieces.size(); ++k) {
+      if (!split(trace_.pieces[k], 0, done)) {
+        return false;
+      }
+    }
+    trace_.pieces = std::move(done);
+    return true;
+  }
+
+  bool split(const Piece& piece, int depth, std::vector<Piece>& done) {
+    Ends ends;
+    switch (decide(piece, ends)) {
+      case Decision::done:
+        done.push_back(piece);
+        ends_.push_back(ends);
+        return true;
+      case Decision::divide:
+        return halve(piece, depth, done);
+      case Decision::never:
+        break;
+    }
+    return false;
+  }
+
+  bool halve(const Piece& piece, int depth, std::vector<Piece>& done) {
+    if (depth >= kDeepestSplit || done.size() > kMostPieces) {
+      return false;
+    }
+    const double middle = piece.range.at(0.4853);
+    Piece half;
+    return part(piece, piece.range.from(), middle, half) && split(half, depth + 1, done) &&
+           part(piece, middle, piece.range.to(), half) && split(half, depth + 1, done);
+  }
+
+  enum class Decision { done, divide, never };
+
+  Decision decide(const Piece& piece, Ends& ends) const {
+    ends = {};
+    const int sense = piece.range.direction();
+    std::optional<Direction> first;
+    std::optional<Direction> last;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (coincident_[i] < i) {
+        continue;
+      }
+      if (monotone(piece.tube, i)) {
+        ends.first[i] = ends.last[i] = piece.tube.slope[i] > 0 ? sense : -sense;
+        continue;
+      }
+      if (!first) {
+        first = direction_at(piece.tube, piece.range.from());
+        last = direction_at(piece.tube, piece.range.to());
+      }
+      ends.first[i] = sense * sign_near(piece.tube, *first, i);
+      ends.last[i] = sense * sign_near(piece.tube, *last, i);
+      const bool known = ends.first[i] != 0 && ends.last[i] != 0;
+      if (turns_once_at_most(piece.tube, i)) {
+        if (!known) {
+          return Decision::never;
+        }
+      } else if (!known || !keeps_sign(piece, *first, *last, i)) {
+        return Decision::divide;
+      }
+    }
+    return Decision::done;
+  }
+
+  /// (14.16): w_i' with one sign at both ends has no zero if by its least and greatest derivative it cannot
+  /// reach zero from one end before the place from which it could have come to the other. Requires that zero
+  /// is between these derivatives.
+  static bool keeps_sign(const Piece& piece, const Direction& first, const Direction& last, std::size_t i) {
+    if (sign_of(first, i) != sign_of(last, i)) {
+      return false;
+    }
+    const bool forward = piece.range.direction() > 0;
+    const Direction& left = forward ? first : last;
+    const Direction& right = forward ? last : first;
+    const double second = sign_of(first, i) * piece.tube.second[i];
+    const double descent = piece.tube.second_error[i] - second;
+    const double ascent = piece.tube.second_error[i] + second;
+    return kSlack * piece.range.length() * descent * ascent <
+           (std::fabs(left.middle[i]) - left.radius) * ascent +
+               (std::fabs(right.middle[i]) - right.radius) * descent;
+  }
+
+  /// A part of the piece on a tube of its own, with the same axis: both arcs start in the same point and go
+  /// the same way.
+  bool part(const Piece& piece, double from, double to, Piece& result) const {
+    const Tube& tube = piece.tube;
+    const Ball start = point_at(tube, from);
+    const Ball end = point_at(tube, to);
+    const Ball centre = point_at(tube, 0.5 * (from + to));
+    const double radius = std::max({start.radius, end.radius, centre.radius});
+    if (!prepare(pair_, centre.middle, tube.axis, result.tube)) {
+      return false;
+    }
+    const double reach = 0.505 * std::fabs(to - from) + 4 * radius;
+    const Vec3 residual = residual_bound(pair_, result.tube, reach);
+    const double width = std::max(2 * largest(residual), kLeastHalfwidth);
+    if (radius > 0x1p-2 * kEndMargin ||
+        !certify(pair_, result.tube, -reach, reach, {width, width, width, width}, residual) ||
+        !contains(result.tube, start) || !contains(result.tube, end)) {
+      return false;
+    }
+    bound_derivatives(pair_, result.tube);
+    expand_arc(result.tube);
+    const double centre_at = result.tube.centre[tube.axis];
+    const auto range = PieceRange::between(start.middle[tube.axis] - centre_at,
+                                           end.middle[tube.axis] - centre_at, 2 * radius);
+    if (!range || range->direction() != piece.range.direction()) {
+      return false;
+    }
+    result.range = *range;
+    return true;
+  }
+
+  /// A guess of the zero of w_i' by the secant method on the arc's polynomial and Newton's method on the arc;
+  /// then an interval around it that must hold the zero because |w_i''| has a lower bound, or, if that is too
+  /// wide, one with certain signs on both sides.
+  bool bracket(std::size_t k, std::size_t i) {
+    const Piece& piece = trace_.pieces[k];
+    const Tube& tube = piece.tube;
+    double t = zero_of_polynomial(piece, i);
+    Direction d = direction_at(tube, t);
+    for (int step = 0; step < 8 && std::fabs(d.middle[i]) > 0.02 * d.radius; ++step) {
+      t = piece.range.clamped(t - d.middle[i] / arc_second(tube, t, i));
+      d = direction_at(tube, t);
+    }
+    const double farthest = kSlack * (std::fabs(d.middle[i]) + d.radius);
+    const double bound = 1.05 * farthest / (std::fabs(tube.second[i]) - tube.second_error[i]) + 0x1p-48;
+    if (bound < 4 * d.radius / std::fabs(tube.second[i])) {
+      const auto [from, to] = around(piece, t, bound);
+      return record(k, i, from, to);
+    }
+    for (double delta = 2.5 * d.radius / std::fabs(tube.second[i]) + 0x1p-48; delta < kLargestBox;
+         delta *= 2) {
+      const auto [from, to] = around(piece, t, delta);
+      const int before = sign_of(direction_at(tube, from), i);
+      if (before != 0 && before == -sign_of(direction_at(tube, to), i)) {
+        return record(k, i, from, to);
+      }
+    }
+    return false;
+  }
+
+  /// The offsets t -+ delta, as far as they are on the piece, in the direction of the trace.
+  static std::pair<double, double> around(const Piece& piece, double t, double delta) {
+    return {piece.range.ahead_of(t, -delta), piece.range.ahead_of(t, delta)};
+  }
+
+  static double zero_of_polynomial(const Piece& piece, std::size_t i) {
+    double a = piece.range.from();
+    double b = piece.range.to();
+    double fa = arc_slope(piece.tube, a)[i];
+    double fb = arc_slope(piece.tube, b)[i];
+    double t = b;
+    for (int step = 0; step < 40; ++step) {
+      t = (a * fb - b * fa) / (fb - fa);
+      const double ft = arc_slope(piece.tube, t)[i];
+      if (!(std::fabs(ft) > 0x1p-45)) {
+        break;
+      }
+      if (std::signbit(ft) == std::signbit(fb)) {
+        fa *= 0.5;  // Illinois
+      } else {
+        a = b;
+        fa = fb;
+      }
+      b = t;
+      fb = ft;
+    }
+    const bool usable = t >= piece.range.least() && t <= piece.range.greatest();
+    return usable ? t : piece.range.at(0.5);
+  }
+
+  bool record(std::size_t k, std::size_t i, double from, double to) {
+    const Tube& tube = trace_.pieces[k].tube;
+    double steep = 1;
+    for (std::size_t j = 0; j < 4; ++j) {
+      steep = std::max(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
+    }
+    Turn turn = {i, k, from, to, point_at(tube, 0.5 * (from + to))};
+    // 2^-51: the rounding of the middle.
+    turn.ball.radius = kSlack * (turn.ball.radius + steep * (0.5 * std::fabs(to - from) + 0x1p-51));
+    turns_.push_back(turn);
+    // All of the node's box in the region: no other turning point with respect to i is there.
+    return turn.ball.radius < kLargestBox && contains(tube, {turn.ball.middle, turn.ball.radius + 0x1p-48});
+  }
+
+  /// In the order of the trace; the brackets of one piece must be disjoint.
+  TurnSearch sort(std::size_t begin) {
+    const auto first = turns_.begin() + static_cast<std::ptrdiff_t>(begin);
+    if (turns_.end() - first < 2) {
+      return TurnSearch::done;
+    }
+    const PieceRange& range = trace_.pieces[first->piece].range;
+    std::sort(first, turns_.end(),
+              [&](const Turn& a, const Turn& b) { return range.precedes(a.from, b.from); });
+    for (auto turn = first; turn + 1 != turns_.end(); ++turn) {
+      const Turn& next = *(turn + 1);
+      if (!range.precedes(turn->to, next.from)) {
+        return turn->parameter / 2 != next.parameter / 2 ? TurnSearch::not_separated : TurnSearch::undecided;
+      }
+    }
+    return TurnSearch::done;
+  }
+
+  const Pair& pair_;
+  Trace& trace_;
+  const std::array<std::size_t, 4>& coincident_;
+  std::vector<Turn>& turns_;
+  std::vector<Ends> ends_;  // of trace_.pieces
+};
+
+}  // namespace
+
+TurnSearch find_turns(const Pair& pair, Trace& trace, const std::array<std::size_t, 4>& coincident,
+                      std::vector<Turn>& turns) {
+  return TurnFinder(pair, trace, coincident, turns).run();
+}
+
+}  // namespace exsect::filter

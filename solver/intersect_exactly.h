@@ -1,0 +1,14 @@
+// The intersection by sections 5 and 6 of docs/method.md alone. Internal to solver/.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/result.h>
+
+#include "answer/run.h"
+
+namespace exsect {
+
+/// As intersect() in exact mode, with nothing taken from the solution in doubles.
+IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y, const Run& run);
+
+}  // namespace exsect

@@ -1,0 +1,356 @@
+#include "overlap/overlaps.h"
+
+#include <algorithm>
+
+#include "answer/arc_joints.h"
+#include "answer/graph_builder.h"
+#include "answer/model_scale.h"
+#include "answer/parameter_box.h"
+#include "answer/parameter_names.h"
+#include "overlap/common_sheet.h"
+#include "overlap/identical_patches.h"
+#include "overlap/overlap_boundary.h"
+#include "overlap/two_piece_clip.h"
+#include "overlap/two_piece_curves.h"
+#include "overlap/two_piece_graph.h"
+#include "shape/coincident_parameters.h"
+#include "shape/planar_patch.h"
+#include "sweep/traced_curves.h"
+#include "trace/bounded_vertex.h"
+#include "trace/enclose.h"
+#include "trace/landmark_node.h"
+
+namespace exsect {
+
+namespace {
+
+class OneSurface {
+ public:
+  OneSurface(const BezierPatch& x, const BezierPatch& y, const Run& run, const CommonSurface& surface)
+      : x_(x),
+        y_(y),
+        run_(run),
+        scale_(model_scale(x, y)),
+        tolerance_(run.drawn_tolerance(scale_.extent)),
+        surface_(surface),
+        sheets_(x, y, scale_, surface) {}
+
+  IntersectResult run() {
+    timed("boundary lines", [this] {
+      boundary_ = overlap_boundary(x_, y_, sheets_, scale_, tolerance_, stop_);
+      result_.incomplete = boundary_.incomplete;
+    });
+    regular_ = surface_.planar() && !planar_patch_folds(x_) && !planar_patch_folds(y_);
+    find_other_curves();
+    timed("graph", [this] { add_boundary(); });
+    finish_components(result_.graph);
+    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
+    return std::move(result_);
+  }
+
+ private:
+  /// Everything off the common sheets.
+  void find_other_curves() {
+    for (const BoundaryPoint& point : boundary_.points)
+      if (point.kind == BoundaryPointKind::other) sweep_.landmarks.push_back({point.at, std::nullopt});
+    sweep_.coincident = coincident_parameters(x_, y_);
+    sweep_.settled = [this](const SearchRegion& region) { return sheets_.settles(region); };
+    sweep_.exact = result_.incomplete.empty();
+    if (!surface_.planar()) pieces_ = two_pieces(x_, y_);
+    timed("tracing", [this] {
+      if (pieces_ && !pieces_->overlapping && clip_curves()) return;
+      if (!trace<DoubleBall>(power_of_two(-50), false)) trace<ArbBall<256>>(power_of_two(-200), true);
+    });
+  }
+
+  template <class Step>
+  void timed(const char* step, Step&& body) {
+    run_.timed(step, std::forward<Step>(body));
+  }
+
+  /// In a plane every solution lies on a common sheet if neither patch is singular anywhere. Otherwise the
+  /// search must show that the singular places are no solutions; where it cannot, the fold is named.
+  void name_folds() {
+    for (const BezierPatch* patch : {&x_, &y_})
+      if (planar_patch_folds(*patch))
+        result_.incomplete.push_back(
+            {whole_domain(), std::string("the patches lie in one plane and the parametrisation of the ") +
+                                 (patch == &x_ ? "first" : "second") +
+                                 " one folds or is singular there: the region they share is not decided"});
+  }
+
+  /// The curves apart from the common surface; false if more precision may help.
+  template <class Ball>
+  bool trace(const Rational& width, bool last) {
+    const PairSystem<Ball> system(x_, y_, scale_.origin, scale_.frame.exponent);
+    return pieces_ && pieces_->overlapping ? trace_pieces(system, width, last)
+                                           : trace_any(system, width, last);
+  }
+
+  template <class Ball>
+  bool trace_any(const PairSystem<Ball>& system, const Rational& width, bool last) {
+    Landmarks<Ball> landmarks;
+    for (const LandmarkPoint& landmark : sweep_.landmarks)
+      landmarks.push_back(enclose<Ball>(landmark.point, width));
+    TracedCurves<Ball> traced;
+    if (!regular_) traced = trace_curves(system, landmarks, sweep_, width, stop_);
+    if (!traced.problems.empty() && sweep_.exact && !last && !surface_.planar()) return false;
+    if (surface_.planar() && !(traced.problems.empty() && sweep_.exact)) {
+      name_folds();
+      traced.problems.clear();
+    }
+    add_boundary_nodes(system, landmarks, traced);
+    result_.graph.isolated_points = traced.isolated;
+    for (const AnalysedTrace<Ball>& curve : traced.curves)
+      append_trace(result_.graph, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame,
+                   run_.turning(), tolerance_);
+    for (const Arc& arc : result_.graph.arcs) check_bound(arc);
+    return true;
+  }
+
+  /// Two pieces of one polynomial surface, in the charts of the pairs of its points.
+  template <class Ball>
+  bool trace_pieces(const PairSystem<Ball>& system, const Rational& width, bool last) {
+    const SelfSystem<Ball> shared(pieces_->shared(), scale_.origin, scale_.frame.exponent);
+    std::vector<CertifiedPoint> boundary;
+    for (const LandmarkPoint& landmark : sweep_.landmarks) boundary.push_back(landmark.point);
+    const TwoPieceCurves<Ball> traced =
+        trace_two_pieces(*pieces_, shared, system, boundary, ends_of_branches(), scale_.origin,
+                         scale_.frame.exponent, width, stop_);
+    if (!traced.problems.empty() && !last) return clip_curves();
+    add_boundary_nodes(system, traced.landmarks, traced);
+    append_two_pieces(result_.graph, *pieces_, shared, system, traced, scale_.frame, run_.turning(),
+                      tolerance_);
+    for (const Arc& arc : result_.graph.arcs) check_bound(arc);
+    return true;
+  }
+
+  /// Two pieces of one polynomial surface, by the self-intersection of the rectangle around both; false if
+  /// that does not decide.
+  bool clip_curves() {
+    if (!pieces_ || !boundary_.incomplete.empty() || is_stopped(stop_)) return false;
+    const auto& [u, v] = pieces_->hull;
+    const BezierPatch hull = x_.restricted_to(u(0), u(1), v(0), v(1));
+    const Run for_hull = run_.with_tolerance(0.99 * tolerance_ / model_scale(hull, hull).extent);
+    IntersectionGraph graph;
+    std::vector<int> nodes;
+    for (const BoundaryPoint& point : boundary_.points) nodes.push_back(add_node(graph, point));
+    const auto divided = append_clipped_curves(graph, *pieces_, boundary_, nodes, for_hull);
+    if (!divided) return false;
+    result_.graph = std::move(graph);
+    nodes_ = std::move(nodes);
+    dividing_ = *divided;
+    for (const Arc& arc : result_.graph.arcs) check_bound(arc);
+    return true;
+  }
+
+  int add_node(IntersectionGraph& graph, const BoundaryPoint& point) const {
+    const PairSystem<ArbBall<256>> system(x_, y_, scale_.origin, scale_.frame.exponent);
+    const auto ball = enclose<ArbBall<256>>(point.at, power_of_two(-200));
+    graph.nodes.push_back(landmark_node(system, scale_.frame, ball, point.at.box(), point.at.sides()));
+    graph.nodes.back().id = static_cast<int>(graph.nodes.size()) - 1;
+    return graph.nodes.back().id;
+  }
+
+  std::vector<CertifiedPoint> ends_of_branches() const {
+    std::vector<bool> is_end(boundary_.points.size(), false);
+    for (const BoundaryArc& arc : boundary_.arcs)
+      if (arc.kind == BoundaryArcKind::branch) is_end[arc.from] = is_end[arc.to] = true;
+    std::vector<CertifiedPoint> ends;
+    for (std::size_t i = 0; i < is_end.size(); ++i)
+      if (is_end[i]) ends.push_back(boundary_.points[i].at);
+    return ends;
+  }
+
+  /// The nodes of the points on sides, and what tracing left open.
+  template <class Ball, class Traced>
+  void add_boundary_nodes(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
+                          const Traced& traced) {
+    result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
+    run_.count("searched boxes", static_cast<double>(traced.searched_boxes));
+    for (std::size_t i = 0; i < sweep_.landmarks.size(); ++i) {
+      const CertifiedPoint& point = sweep_.landmarks[i].point;
+      result_.graph.nodes.push_back(
+          landmark_node(system, scale_.frame, landmarks[i], point.box(), point.sides()));
+      result_.graph.nodes.back().id = static_cast<int>(i);
+    }
+  }
+
+  void check_bound(const Arc& arc) {
+    if (auto coarse = too_coarse(result_.graph, arc, run_.tolerance(scale_.extent)))
+      result_.incomplete.push_back(std::move(*coarse));
+  }
+
+  void add_boundary() {
+    if (nodes_.empty()) {
+      int ordinary = 0;
+      for (const BoundaryPoint& point : boundary_.points)
+        nodes_.push_back(point.kind == BoundaryPointKind::other ? ordinary++
+                                                                : add_node(result_.graph, point));
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (boundary_.points[i].kind != BoundaryPointKind::touch) continue;
+      result_.graph.nodes[static_cast<std::size_t>(nodes_[i])].kinds.push_back(NodeKind::touch);
+      result_.graph.isolated_points.push_back(nodes_[i]);
+    }
+    for (const BoundaryArc& arc : boundary_.arcs)
+      if (arc.kind == BoundaryArcKind::edge || arc.kind == BoundaryArcKind::branch)
+        result_.graph.arcs.push_back(made(arc, result_.graph.arcs.size()));
+    add_chains();
+    const PairSystem<DoubleBall> system(x_, y_, scale_.origin, scale_.frame.exponent);
+    for (const int id : dividing_) {
+      const ParameterBox& box = result_.graph.nodes[static_cast<std::size_t>(id)].box;
+      if (!divide_at(result_.graph, id, chord_bound(system, scale_.frame, box)))
+        result_.incomplete.push_back({box, "a cuspidal point on a side"});
+    }
+    mark_ends_of_overlaps();
+  }
+
+  Arc made(const BoundaryArc& from, std::size_t id) {
+    Arc arc{};
+    arc.id = static_cast<int>(id);
+    arc.component = -1;
+    arc.from = nodes_[from.from];
+    arc.to = nodes_[from.to];
+    arc.place = ArcPlace::patch_boundary;
+    arc.contact = from.kind == BoundaryArcKind::branch ? Contact::transversal : Contact::tangential;
+    arc.polyline = from.polyline;
+    arc.error_bound = from.error_bound;
+    check_bound(arc);
+    return arc;
+  }
+
+  /// The rim is a closed curve through every one of its points: two arcs meet at each. Where that is not
+  /// proved, every arc is a chain of its own.
+  void add_chains() {
+    std::vector<const BoundaryArc*> rim;
+    rim.reserve(boundary_.arcs.size());
+    std::vector<int> degree(boundary_.points.size(), 0);
+    for (const BoundaryArc& arc : boundary_.arcs) {
+      if (arc.kind != BoundaryArcKind::rim) continue;
+      rim.push_back(&arc);
+      ++degree[arc.from];
+      ++degree[arc.to];
+    }
+    if (rim.empty()) return;
+    const auto odd = std::find_if(degree.begin(), degree.end(), [](int d) { return d != 0 && d != 2; });
+    if (odd == degree.end() && boundary_.incomplete.empty()) {
+      check_annuli(rim);
+      while (!rim.empty()) add_overlap({closed_chain(rim)});
+      return;
+    }
+    if (result_.incomplete.empty())
+      result_.incomplete.push_back({boundary_.points[static_cast<std::size_t>(odd - degree.begin())].at.box(),
+                                    "the boundary arcs of overlaps that meet here could not be joined"});
+    std::vector<std::vector<Arc>> pieces;
+    for (const BoundaryArc* arc : rim) pieces.push_back({made(*arc, pieces.size())});
+    add_overlap(std::move(pieces));
+  }
+
+  void add_overlap(std::vector<std::vector<Arc>> chains) {
+    const int id = static_cast<int>(result_.graph.overlaps.size());
+    result_.graph.overlaps.push_back({id, std::move(chains)});
+  }
+
+  /// Takes one closed chain out of the arcs.
+  std::vector<Arc> closed_chain(std::vector<const BoundaryArc*>& left) {
+    std::vector<Arc> chain;
+    const std::size_t start = left.front()->from;
+    std::size_t at = start;
+    do {
+      const auto next = std::find_if(
+          left.begin(), left.end(), [&](const BoundaryArc* arc) { return arc->from == at || arc->to == at; });
+      const BoundaryArc& arc = **next;
+      chain.push_back(made(arc, chain.size()));
+      const bool forward = arc.from == at;
+      if (!forward) {
+        std::swap(chain.back().from, chain.back().to);
+        std::reverse(chain.back().polyline.begin(), chain.back().polyline.end());
+      }
+      at = forward ? arc.to : arc.from;
+      left.erase(next);
+    } while (at != start);
+    return chain;
+  }
+
+  /// A chain with an arc on a side of x has its region inside it in the (u,v) square, one with an arc on a
+  /// side of y in the other: two of them can bound one region only if one consists of sides of x alone and
+  /// the other of sides of y alone, and then each is the whole boundary of its square.
+  void check_annuli(const std::vector<const BoundaryArc*>& rim) {
+    const auto whole_boundary = [&](std::size_t square) {
+      for (const Parameter p : {all_parameters[2 * square], all_parameters[2 * square + 1]})
+        for (const int value : {0, 1})
+          if (std::none_of(rim.begin(), rim.end(), [&](const BoundaryArc* arc) {
+                return arc->inside.on({p, value});
+              }))
+            return false;
+      return true;
+    };
+    const bool on_both = std::any_of(rim.begin(), rim.end(),
+                                     [](const BoundaryArc* arc) { return arc->inside.sides().size() > 1; });
+    if (rim.size() > 7 && !on_both && whole_boundary(0) && whole_boundary(1) && !joined_across(rim))
+      result_.incomplete.push_back(
+          {whole_domain(), "it is not decided which chains of boundary arcs bound the same overlap"});
+  }
+
+  /// Whether an arc on a side of x meets one on a side of y.
+  bool joined_across(const std::vector<const BoundaryArc*>& rim) const {
+    std::vector<std::array<bool, 2>> squares(boundary_.points.size(), {false, false});
+    for (const BoundaryArc* arc : rim)
+      for (const std::size_t end : {arc->from, arc->to})
+        squares[end][index(arc->inside.sides().front().parameter) / 2] = true;
+    return std::any_of(squares.begin(), squares.end(), [](const auto& s) { return s[0] && s[1]; });
+  }
+
+  void mark_ends_of_overlaps() {
+    std::vector<int> on_rim(result_.graph.nodes.size(), 0);
+    for (const Overlap& overlap : result_.graph.overlaps)
+      for (const std::vector<Arc>& chain : overlap.chains)
+        for (const Arc& arc : chain)
+          on_rim[static_cast<std::size_t>(arc.from)] = on_rim[static_cast<std::size_t>(arc.to)] = 1;
+    for (const Arc& arc : result_.graph.arcs)
+      for (const int end : {arc.from, arc.to}) {
+        Node& node = result_.graph.nodes[static_cast<std::size_t>(end)];
+        const auto& kinds = node.kinds;
+        if (on_rim[static_cast<std::size_t>(end)] != 0 &&
+            std::count(kinds.begin(), kinds.end(), NodeKind::end_of_overlap) == 0)
+          node.kinds.push_back(NodeKind::end_of_overlap);
+      }
+  }
+
+  const BezierPatch& x_;
+  const BezierPatch& y_;
+  const Run& run_;
+  ModelScale scale_;
+  double tolerance_;
+  const CommonSurface& surface_;
+  CommonSheets sheets_;
+  StopRequest stop_ = run_.stop();
+  OverlapBoundary boundary_;
+  bool regular_ = false;  // in a plane, and neither patch is singular
+  std::optional<TwoPieces> pieces_;
+  SweepData sweep_;
+  std::vector<int> nodes_;     // of the boundary points
+  std::vector<int> dividing_;  // nodes inside arcs on sides
+  IntersectResult result_{};
+};
+
+}  // namespace
+
+std::optional<IntersectResult> intersect_on_one_surface(const BezierPatch& x, const BezierPatch& y,
+                                                        const Run& run) {
+  using enum Parameter;
+  if (auto result = intersect_identical(x, y, run)) return result;
+  const auto surface = CommonSurface::of(x, y);
+  if (!surface) return std::nullopt;
+  const BezierPatch exchanged = y.exchanged();
+  if (!shifted_copy(x, exchanged)) return OneSurface(x, y, run, *surface).run();
+  std::vector<Parameter> turning = run.turning();
+  for (Parameter& p : turning) p = p == r ? s : p == s ? r : p;
+  const Run renamed = run.with_turning(std::move(turning));
+  IntersectResult result = OneSurface(x, exchanged, renamed, *CommonSurface::of(x, exchanged)).run();
+  rename_parameters(result, {u, v, s, r});
+  return result;
+}
+
+}  // namespace exsect

@@ -1,0 +1,124 @@
+#include "self/loops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <type_traits>
+
+#include "answer/parameter_box.h"
+#include "self/near_cusps.h"
+#include "self/undecided_places.h"
+#include "trace/loop_seeds.h"
+
+namespace exsect {
+namespace {
+
+template <class Ball, class SearchBall>
+BallPoint<Ball> in_arithmetic(const BallPoint<SearchBall>& p) {
+  if constexpr (std::is_same_v<Ball, SearchBall>) {
+    return p;
+  } else {
+    BallPoint<Ball> result;
+    for (std::size_t j = 0; j < 4; ++j) result[j] = Ball(p[j].approximation()).widened(p[j].radius());
+    return result;
+  }
+}
+
+template <class Ball>
+class SelfLoops {
+ public:
+  SelfLoops(const SelfSystem<Ball>& system, const ExactPlaces& exact, const KnownPlaces& places,
+            SelfCurves<Ball>& found, const LoopHandler<Ball>& add, const StopRequest& stop)
+      : system_(system), exact_(exact), places_(places), found_(found), add_(add), stop_(stop) {}
+
+  /// Every direction is complete for a chart; `c` in terms of u and v.
+  template <class SearchBall>
+  ChartSearchOutcome search(const ChartSystem<SearchBall>& chart, const std::array<double, 2>& c) {
+    ChartSearchOutcome outcome = search_along(chart, c);
+    for (const double turned : {1.0, 2.0}) {
+      if (outcome.undecided.empty() || is_stopped(stop_)) break;
+      const double angle = turned * std::numbers::pi / 3;
+      ChartSearchOutcome other = search_along(chart, {std::cos(angle) * c[0] - std::sin(angle) * c[1],
+                                                      std::sin(angle) * c[0] + std::cos(angle) * c[1]});
+      if (other.undecided.empty()) outcome = std::move(other);
+    }
+    return outcome;
+  }
+
+ private:
+  template <class SearchBall>
+  ChartSearchOutcome search_along(const ChartSystem<SearchBall>& chart, const std::array<double, 2>& c) {
+    const Chart which = chart.chart();
+    const ChartSeedHandler<SearchBall> known = [this, which](const BallPoint<SearchBall>& p) {
+      return is_known(which, in_arithmetic<Ball>(p));
+    };
+    const std::array<double, 2> own = which == Chart::first ? c : std::array<double, 2>{c[1], c[0]};
+    ChartSearchOutcome outcome = search_chart(chart, places_, own, known, kMostChartBoxes<SearchBall>, stop_);
+    found_.searched_boxes += outcome.boxes;
+    return outcome;
+  }
+
+  bool is_known(Chart chart, const BallPoint<Ball>& p) {
+    if (passes_near_cusp(found_, chart, p) || p[3].is_negative()) return true;
+    if (!p[3].is_positive()) return false;
+    const BallPoint<Ball> pair = pair_of(chart, p);
+    const bool outside = std::ranges::any_of(
+        pair, [](const Ball& c) { return c.is_negative() || (c - Ball(1)).is_positive(); });
+    return outside || is_near_star(pair) || lies_on_curve(pair) || lies_on_curve(exchanged_pair(pair)) ||
+           seeds_.trace(system_.pair, found_.landmarks, pair, stop_, add_);
+  }
+
+  bool is_near_star(const BallPoint<Ball>& pair) const {
+    ParameterBox box;
+    for (std::size_t j = 0; j < 4; ++j) box[j] = pair[j].interval();
+    return std::ranges::any_of(exact_.stars, [&](const SelfStar& star) {
+      return lies_in(box, star.surroundings) || lies_in(exchanged_pair(box), star.surroundings);
+    });
+  }
+
+  bool lies_on_curve(const BallPoint<Ball>& pair) const {
+    return std::ranges::any_of(found_.curves, [&](const SelfCurve<Ball>& curve) {
+      return passes_through(curve.analysed.trace, pair);
+    });
+  }
+
+  const SelfSystem<Ball>& system_;
+  const ExactPlaces& exact_;
+  const KnownPlaces& places_;
+  SelfCurves<Ball>& found_;
+  const LoopHandler<Ball>& add_;
+  const StopRequest& stop_;
+  LoopSeeds<Ball> seeds_;
+};
+
+}  // namespace
+
+template <class Ball>
+std::vector<ParameterBox> search_closed_curves(const SelfSystem<Ball>& system,
+                                               const Charts<DoubleBall>& charts, const ExactPlaces& exact,
+                                               const KnownPlaces& places,
+                                               const std::array<double, 2>& direction,
+                                               SelfCurves<Ball>& found, const LoopHandler<Ball>& add,
+                                               const StopRequest& stop) {
+  SelfLoops<Ball> loops(system, exact, places, found, add, stop);
+  std::vector<ParameterBox> undecided;
+  for (const ChartSystem<DoubleBall>& chart : charts) {
+    ChartSearchOutcome outcome = loops.search(chart, direction);
+    if constexpr (!std::is_same_v<Ball, DoubleBall>) {
+      if (!outcome.undecided.empty()) outcome = loops.search(system.chart(chart.chart()), direction);
+    }
+    std::ranges::move(undecided_places(chart.chart(), outcome.undecided), std::back_inserter(undecided));
+  }
+  return undecided;
+}
+
+#define EXSECT_INSTANTIATE_SELF_LOOPS(Ball)                                                       \
+  template std::vector<ParameterBox> search_closed_curves(                                        \
+      const SelfSystem<Ball>&, const Charts<DoubleBall>&, const ExactPlaces&, const KnownPlaces&, \
+      const std::array<double, 2>&, SelfCurves<Ball>&, const LoopHandler<Ball>&, const StopRequest&);
+
+EXSECT_INSTANTIATE_SELF_LOOPS(DoubleBall)
+EXSECT_INSTANTIATE_SELF_LOOPS(ArbBall<256>)
+#undef EXSECT_INSTANTIATE_SELF_LOOPS
+
+}  // namespace exsect

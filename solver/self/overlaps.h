@@ -1,0 +1,18 @@
+// Overlaps of a patch with itself. Internal to solver/.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+
+#include <vector>
+
+#include "answer/run.h"
+#include "shape/self_symmetry.h"
+
+namespace exsect {
+
+/// For each symmetry the region of pairs w, sigma(w), with its corners as nodes: of kind `cusp` where the two
+/// points agree. Incomplete where a polyline cannot keep within the tolerance.
+IntersectResult symmetric_overlaps(const BezierPatch& x, const std::vector<Symmetry>& symmetries,
+                                   const Run& run);
+
+}  // namespace exsect

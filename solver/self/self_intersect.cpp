@@ -1,0 +1,235 @@
+#include "self/self_intersect.h"
+
+#include <exsect/geometry/bounding_box.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "answer/graph_builder.h"
+#include "answer/model_scale.h"
+#include "answer/parameter_box.h"
+#include "self/curves.h"
+#include "self/cut_self_intersection.h"
+#include "self/degenerate.h"
+#include "self/folds.h"
+#include "self/graph.h"
+#include "self/self_intersect_within.h"
+#include "self/star_graph.h"
+#include "self/turning_pairs.h"
+#include "shape/coincident_parameters.h"
+#include "trace/landmark_node.h"
+#include "trace/turning_points.h"
+
+namespace exsect {
+
+namespace {
+
+class SelfIntersection {
+ public:
+  SelfIntersection(const BezierPatch& x, const Run& run, const std::vector<PairCut>& cuts)
+      : x_(x),
+        run_(run),
+        cuts_(cuts),
+        scaling_(model_scale(x, x)),
+        in_doubles_(x, scaling_.origin, scaling_.frame.exponent),
+        pairs_(x) {}
+
+  IntersectResult run() {
+    find();
+    finish_components(result_.graph);
+    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
+    return std::move(result_);
+  }
+
+  std::optional<CutSelfIntersection> run_with_cuts() {
+    find();
+    const bool collapsed =
+        std::ranges::any_of(result_.graph.nodes, [](const Node& n) { return !n.free.empty(); });
+    if (!result_.incomplete.empty() || collapsed || nodes_of_cuts_.size() != cuts_.size())
+      return std::nullopt;
+    return CutSelfIntersection{std::move(result_.graph), std::move(nodes_of_cuts_)};
+  }
+
+ private:
+  void find() {
+    bool injective = false;
+    timed("injectivity", [&] { injective = is_quickly_injective(in_doubles_, stop_); });
+    if (!injective) {
+      find_curves();
+    }
+    add_collapsed_sides();
+  }
+
+  template <class Step>
+  void timed(const char* step, Step&& body) {
+    run_.timed(step, std::forward<Step>(body));
+  }
+
+  void find_curves() {
+    if (run_.out_of_time()) {
+      result_.incomplete.push_back({whole_domain(), "the work cap was reached"});
+      return;
+    }
+    timed("exact places", [this] {
+      exact_.injective = injective_rectangles(x_);
+      exact_.boundary = self_boundary(x_, exact_.injective);
+      exact_.cusps = special_cusps(x_);
+      exact_.folds = multiple_folds(x_, exact_.cusps, exact_.boundary.points);
+      exact_.coincident = coincident_parameters(x_, x_);
+      exact_.zero_tangent = [this](const CertifiedPoint& point) { return pairs_.zero_at(point); };
+      exact_.common_zero = [this](const ParameterBox& where, std::size_t i, std::size_t j) {
+        return pairs_.common_zero(where, i, j);
+      };
+    });
+    if (!exact_.boundary.problems.empty()) {
+      result_.incomplete = exact_.boundary.problems;
+      return;
+    }
+    if (trace_and_build(in_doubles_, power_of_two(-50), false)) return;
+    const SelfSystem<ArbBall<256>> system(x_, scaling_.origin, scaling_.frame.exponent);
+    trace_and_build(system, power_of_two(-200), true);
+  }
+
+  /// Near what the attempts so far left undecided; false if there are no more than before: those stay, to
+  /// whose ports the curves lead.
+  bool find_stars() {
+    std::vector<SelfStar> stars;
+    timed("stars", [&] {
+      const double scaled =
+          std::ldexp(run_.drawn_tolerance(scaling_.extent), -static_cast<int>(scaling_.frame.exponent));
+      stars = self_stars({x_, exact_.boundary.points, undecided_, pairs_.values(), scaled, stop_});
+    });
+    if (stars.size() <= exact_.stars.size()) return false;
+    exact_.stars = std::move(stars);
+    return true;
+  }
+
+  /// In one arithmetic, again as long as more stars are found near what is undecided; false if something is
+  /// left that more precision may decide and `last` is not set.
+  template <class Ball>
+  bool trace_and_build(const SelfSystem<Ball>& system, const Rational& width, bool last) {
+    SelfCurves<Ball> found;
+    do {
+      timed("tracing", [&] { found = trace_self_curves(system, in_doubles_.charts, exact_, width, stop_); });
+      for (const Incomplete& problem : found.problems) undecided_.push_back(problem.where);
+    } while (!found.problems.empty() && !run_.out_of_time() && find_stars());
+    std::vector<std::vector<CutPlace>> places;
+    if (found.problems.empty()) {
+      if (auto cut = cut_curves(found, exact_, cuts_, width)) {
+        places = *std::move(cut);
+      } else {
+        found.problems.push_back({whole_domain(), "a pair where the curves are to be cut is not found"});
+      }
+    }
+    const bool stopped = run_.out_of_time();
+    if (!found.problems.empty() && !last && !stopped) return false;
+    if (stopped)
+      for (Incomplete& problem : found.problems) problem.why = "the work cap was reached";
+    result_.incomplete.insert(result_.incomplete.end(), found.problems.begin(), found.problems.end());
+    run_.count("searched boxes", static_cast<double>(found.searched_boxes));
+    timed("graph", [&] { build_graph(system, found); });
+    for (const std::vector<CutPlace>& cut : places) {
+      nodes_of_cuts_.emplace_back();
+      for (const CutPlace& place : cut) nodes_of_cuts_.back().push_back({node_at(place), place.exchanged});
+    }
+    return true;
+  }
+
+  template <class Ball>
+  void build_graph(const SelfSystem<Ball>& system, const SelfCurves<Ball>& found) {
+    IntersectionGraph& graph = result_.graph;
+    const std::size_t boundary = exact_.boundary.points.size();
+    for (std::size_t i = 0; i < found.landmarks.size(); ++i) {
+      ParameterBox box;
+      for (std::size_t j = 0; j < 4; ++j) {
+        box[j] = i < boundary ? exact_.boundary.points[i].box()[j] : found.landmarks[i][j].interval();
+      }
+      const std::vector<Side> sides = i < boundary ? exact_.boundary.points[i].sides() : std::vector<Side>{};
+      graph.nodes.push_back(landmark_node(system.pair, scaling_.frame, found.landmarks[i], box, sides));
+      graph.nodes.back().id = static_cast<int>(i);
+    }
+    graph.isolated_points = found.isolated;
+    const double tolerance = run_.tolerance(scaling_.extent);
+    const double used = run_.drawn_tolerance(scaling_.extent);
+    const std::vector<TraceEnd> ends = ends_at_stars(graph, x_, system, exact_, found, scaling_.frame);
+    append_folds(graph, x_, system, exact_, found, ends, scaling_.frame, used);
+    append_self_curves(graph, system, found, ends, scaling_.frame, run_.turning(), used);
+    for (const SelfCurve<Ball>& curve : found.curves) {
+      run_.count("tubes", static_cast<double>(curve.analysed.trace.pieces.size()));
+    }
+    for (const ChartTrace<Ball>& trace : found.chart_traces) {
+      run_.count("tubes", static_cast<double>(trace.pieces.size()));
+    }
+    for (const Arc& arc : graph.arcs) {
+      run_.count("vertices", static_cast<double>(arc.polyline.size()));
+      if (auto coarse = too_coarse(graph, arc, tolerance)) {
+        result_.incomplete.push_back(std::move(*coarse));
+      }
+    }
+  }
+
+  /// Landmarks are the first nodes; a star has one for each order of its centre.
+  int node_at(const CutPlace& place) const {
+    if (!place.star) return static_cast<int>(place.landmark);
+    const SelfStar& star = exact_.stars[*place.star];
+    if (star.landmark) {
+      const std::size_t at = *star.landmark;
+      return static_cast<int>(place.landmark == 0 ? at : exact_.boundary.mate[at]);
+    }
+    const ParameterBox centre = star.star.centre.box();
+    const ParameterBox box = place.landmark == 0 ? centre : exchanged_pair(centre);
+    return std::ranges::find_if(
+               result_.graph.nodes,
+               [&](const Node& node) { return lies_in(node.box, box) && lies_in(box, node.box); })
+        ->id;
+  }
+
+  /// All pairs on such a side meet.
+  void add_collapsed_sides() {
+    for (const auto& [fixed, value] : exact_.injective.along_sides) {
+      const auto j = static_cast<std::size_t>(fixed);
+      if (!is_collapsed_side(x_, j, value)) continue;
+      Node node = collapsed_line_node(x_, j, value);
+      node.id = static_cast<int>(result_.graph.nodes.size());
+      result_.graph.isolated_points.push_back(node.id);
+      result_.graph.nodes.push_back(std::move(node));
+    }
+  }
+
+  const BezierPatch& x_;
+  const Run& run_;
+  const std::vector<PairCut>& cuts_;
+  ModelScale scaling_;
+  StopRequest stop_ = run_.stop();
+  SelfSystem<DoubleBall> in_doubles_;
+  ExactPlaces exact_{};
+  std::vector<ParameterBox> undecided_;  // by all attempts
+  TurningPairs pairs_;
+  std::vector<std::vector<CutSelfIntersection::NodeOfCut>> nodes_of_cuts_;
+  IntersectResult result_{};
+};
+
+}  // namespace
+
+IntersectResult self_intersect(const BezierPatch& x, const IntersectOptions& options) {
+  const Run run(options);
+  return run.finished(self_intersect_within(run, x));
+}
+
+IntersectResult self_intersect_within(const Run& run, const BezierPatch& x) {
+  if (std::optional<IntersectResult> result = self_intersect_degenerate(x, run)) {
+    return std::move(*result);
+  }
+  return SelfIntersection(x, run, {}).run();
+}
+
+std::optional<CutSelfIntersection> cut_self_intersection(const BezierPatch& x, const Run& run,
+                                                         const std::vector<PairCut>& cuts) {
+  if (self_intersect_degenerate(x, run)) return std::nullopt;
+  const Run all = run.with_turning({all_parameters.begin(), all_parameters.end()});
+  return SelfIntersection(x, all, cuts).run_with_cuts();
+}
+
+}  // namespace exsect

@@ -1,0 +1,410 @@
+#include "side/line_arcs.h"
+
+#include <exsect/algebra/algebraic_value.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "answer/graph_builder.h"
+#include "answer/parameter_box.h"
+#include "curve/plane_curve.h"
+#include "line/line_curve.h"
+#include "line/line_point.h"
+#include "line/line_system.h"
+#include "line/system_point.h"
+#include "side/collapsed_line.h"
+#include "side/shared_line_arcs.h"
+#include "trace/landmark_node.h"
+#include "trace/trace_graph.h"
+
+// The arc is traced as the intersection of the other patch with a ribbon p(t) + (h - 1/2) n(t) along the
+// line, n transversal to that patch: there it is regular, with h = 1/2 throughout, even if the two patches
+// touch along it (docs/method.md, section 6.2).
+
+namespace exsect {
+
+namespace {
+
+using RibbonNormal = std::array<Point, 3>;  // coefficients of 1, t, t^2
+
+Point rounded(const std::array<double, 3>& v, double length) {
+  Point result;
+  for (std::size_t c = 0; c < 3; ++c)
+    result[c] = from_double(std::ldexp(std::round(std::ldexp(v[c], 16)), -16)) * from_double(length);
+  return result;
+}
+
+/// The direction of the vector in doubles, of the given length; zero for zero.
+Point with_length(const Point& v, double length) {
+  std::array<double, 3> d = {to_double(v[0]), to_double(v[1]), to_double(v[2])};
+  const double norm = std::hypot(d[0], d[1], d[2]);
+  if (!(norm > 0)) return {0, 0, 0};
+  for (double& c : d) c /= norm;
+  return rounded(d, length);
+}
+
+BezierPatch ribbon(const ParameterLine& line, const RibbonNormal& n) {
+  ControlNet c;
+  for (std::size_t i = 0; i < 3; ++i) c[i] = {line.a[i] - Rational(1, 2) * n[i], n[i], Point{0, 0, 0}};
+  return BezierPatch::from_power_basis(c);
+}
+
+Point normal_at(const BezierPatch& patch, const Rational& a, const Rational& b) {
+  return cross(patch.derivative_first(a, b), patch.derivative_second(a, b));
+}
+
+constexpr int kMostRuns = 64;
+constexpr const char* kWorkCap = "the work cap was reached";
+constexpr int kMostHalvings = 6;
+
+class LineArcSearch {
+ public:
+  LineArcSearch(const BezierPatch& x, const BezierPatch& y, const LineQuery& query, const ModelScale& scale,
+                double tolerance, const StopRequest& stop, bool thorough)
+      : place_(line_place(query)),
+        problem_(line_and_patch(x, y, query)),
+        owner_(index(query.fixed) < 2 ? x : y),
+        scale_(scale),
+        tolerance_(tolerance),
+        stop_(stop),
+        thorough_(thorough) {}
+
+  LineArcs run() {
+    system_ = std::make_shared<const LineSystem>(line_system(problem_));
+    const BivariatePolynomial shared = gcd(system_->first, system_->second);
+    if (shared.is_zero()) return failed("the whole other patch lies on the line");
+    if (shared.degree_r() <= 0 && shared.degree_s() <= 0) return {};
+    const BivariatePolynomial curve = squarefree(shared);
+    const BivariatePolynomial constant = gcd(curve, jacobian(curve, system_->lambda));
+    find_collapsed(constant);
+    moving_ = exact_quotient(curve, constant);
+    if (moving_.degree_r() <= 0 && moving_.degree_s() <= 0) return std::move(result_);
+    if (!find_events()) return failed(kWorkCap);
+    trace_lines();
+    for (std::size_t i = 0; i + 1 < values_.size() && !result_.incomplete; ++i) trace_over_gap(i);
+    return std::move(result_);
+  }
+
+ private:
+  LineArcs failed(const char* why) {
+    result_.incomplete = why;
+    return std::move(result_);
+  }
+
+  /// What needs no tracing; moving_ is the rest.
+  void trace_lines() {
+    const LinesOfCurve lines = rational_lines(moving_);
+    result_.arcs = arcs_on_lines(place_, problem_.patch, system_, lines, events_, result_.ends, tolerance_);
+    moving_ = lines.rest;
+    if (moving_.degree_r() <= 0 && moving_.degree_s() <= 0) values_.clear();
+  }
+
+  static BivariatePolynomial shifted(const BivariatePolynomial& f, const Rational& c) {
+    return f - BivariatePolynomial::constant(c);
+  }
+
+  bool in_range(const TriangularPoint& p) const {
+    const RationalInterval range = lambda_range(*system_);
+    return sign_at(shifted(system_->lambda, range.lower), p) >= 0 &&
+           sign_at(shifted(system_->lambda, range.upper), p) <= 0;
+  }
+
+  /// The lines s = const and r = const of the curve on which lambda is constant.
+  void find_collapsed(const BivariatePolynomial& constant) {
+    const ContentAndPart in_s = split_content(constant);
+    const ContentAndPart in_r = split_content(in_s.primitive.exchanged());
+    if (!component_points(squarefree(in_r.primitive)).empty())
+      result_.incomplete = "a curve of the other patch's parameters that is no parameter line is one point";
+    if (in_s.content.degree() > 0)
+      for (const RealAlgebraic& s : real_roots(in_s.content, 0, 1))
+        add_collapsed(place_.roles.second, s,
+                      TriangularPoint(s, BivariatePolynomial::r(), RationalInterval{0, 0}));
+    if (in_r.content.degree() > 0)
+      for (const RealAlgebraic& r : real_roots(in_r.content, 0, 1)) {
+        const std::vector<TriangularPoint> at =
+            roots_at(BivariatePolynomial({in_r.content}).exchanged(), RealAlgebraic(0), 0, 1);
+        for (const TriangularPoint& p : at)
+          if (value_at(BivariatePolynomial::r(), p) == r) add_collapsed(place_.roles.first, r, p);
+      }
+  }
+
+  void add_collapsed(Parameter fixed, const RealAlgebraic& value, const TriangularPoint& at) {
+    if (!in_range(at)) return;
+    const RealAlgebraic lambda = value_at(system_->lambda, at);
+    for (const MonotonePiece& piece : system_->pieces)
+      if (lambda.compare(piece.lambda.lower) >= 0 && lambda.compare(piece.lambda.upper) <= 0)
+        result_.collapsed.push_back({preimage(system_->phi, piece, lambda), fixed, value});
+  }
+
+  /// Events: where an arc may begin or end, or is not regular; on a piece of the line, also where the piece
+  /// ends. False if the work must stop.
+  bool find_events() {
+    std::vector<TriangularPoint> points;
+    const auto append = [&](const std::vector<TriangularPoint>& more) {
+      for (const TriangularPoint& p : more) {
+        const auto same = [&](const TriangularPoint& q) { return same_point(p, q); };
+        if (!is_stopped(stop_) && in_range(p) && std::none_of(points.begin(), points.end(), same))
+          points.push_back(p);
+      }
+    };
+    append(side_points(moving_));
+    append(common_points(moving_, jacobian(moving_, system_->lambda)));
+    const std::size_t on_all_pieces = points.size();
+    for (const Rational& end : piece_ends()) append(common_points(moving_, shifted(system_->lambda, end)));
+    const RationalInterval range = lambda_range(*system_);
+    values_ = {RealAlgebraic(range.lower), RealAlgebraic(range.upper)};
+    for (std::size_t i = 0; i < points.size() && !is_stopped(stop_); ++i) {
+      add_event(points[i], i < on_all_pieces);
+      values_.push_back(value_at(system_->lambda, points[i]));
+    }
+    separate(result_.ends);
+    std::sort(values_.begin(), values_.end());
+    values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
+    return !is_stopped(stop_);
+  }
+
+  /// lambda at the ends of the monotone pieces.
+  std::vector<Rational> piece_ends() const {
+    std::vector<Rational> ends;
+    for (const MonotonePiece& piece : system_->pieces) {
+      ends.push_back(piece.lambda.lower);
+      ends.push_back(piece.lambda.upper);
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    return ends;
+  }
+
+  void add_event(const TriangularPoint& p, bool on_all_pieces) {
+    const std::vector<std::size_t> pieces = pieces_at(*system_, p);
+    std::vector<CertifiedPoint> points = certified(p);
+    const auto has_lambda = [&](const Rational& value) {
+      return sign_at(shifted(system_->lambda, value), p) == 0;
+    };
+    const bool at_turn = system_->pieces.size() > 1 && has_lambda(system_->phi(system_->pieces[0].t.upper));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const RationalInterval& ends = system_->pieces[pieces[i]].lambda;
+      if (!on_all_pieces && !has_lambda(ends.lower) && !has_lambda(ends.upper)) continue;
+      events_.push_back({p, result_.ends.size(), pieces[i], at_turn});
+      result_.ends.push_back(std::move(points[i]));
+    }
+  }
+
+  std::vector<CertifiedPoint> certified(const TriangularPoint& p) const {
+    return system_points(place_, system_, p, Polynomial(), initial_width());
+  }
+
+  /// Between neighbouring values the curve is a covering: every arc over the gap has a point over the sample.
+  void trace_over_gap(std::size_t i) {
+    const Rational sample = rational_between(values_[i], values_[i + 1]);
+    for (const CertifiedPoint& inside : points_over(sample)) {
+      if (result_.incomplete) return;
+      trace_through(inside);
+    }
+  }
+
+  std::vector<CertifiedPoint> points_over(const Rational& lambda) const {
+    std::vector<CertifiedPoint> points;
+    for (const TriangularPoint& p : common_points(moving_, shifted(system_->lambda, lambda)))
+      for (CertifiedPoint& point : certified(p)) points.push_back(std::move(point));
+    return points;
+  }
+
+  /// The arc through a point, unless it is known: exactly one begins at a regular event.
+  void trace_through(const CertifiedPoint& inside) {
+    auto back = run_from(inside, -1);
+    if (back && std::count(starts_.begin(), starts_.end(), back->end) > 0) return;
+    const auto ahead = back ? run_from(inside, 1) : std::nullopt;
+    if (!ahead) {
+      result_.incomplete = "a part of the line on the patch could not be traced: " + why_;
+      return;
+    }
+    std::vector<PolylineVertex> polyline(back->polyline.rbegin(), back->polyline.rend());
+    polyline.insert(polyline.end(), ahead->polyline.begin() + 1, ahead->polyline.end());
+    for (PolylineVertex& vertex : polyline) {
+      const std::array<double, 4> p = vertex.parameters;
+      vertex.parameters[index(place_.roles.fixed)] = to_double(place_.value);
+      vertex.parameters[index(place_.roles.line)] = p[0];
+      vertex.parameters[index(place_.roles.first)] = p[2];
+      vertex.parameters[index(place_.roles.second)] = p[3];
+    }
+    starts_.push_back(back->end);
+    back->hulls.insert(back->hulls.end(), ahead->hulls.begin(), ahead->hulls.end());
+    result_.arcs.push_back({static_cast<std::size_t>(back->end), static_cast<std::size_t>(ahead->end), inside,
+                            std::move(polyline), std::max(back->error_bound, ahead->error_bound),
+                            std::move(back->hulls)});
+  }
+
+  /// A part of an arc from a point to an event, or to a point over a rational value.
+  struct Run {
+    int end;  // index of an event, or of one of the targets after the events
+    std::vector<PolylineVertex> polyline;
+    double error_bound;
+    std::vector<ParameterBox> hulls;
+  };
+
+  /// From a point to the next event, t falling or rising: in one run, or in shorter ones on ribbons of their
+  /// own.
+  std::optional<Run> run_from(CertifiedPoint at, int direction) {
+    Run all{-1, {}, 0, {}};
+    for (int runs = 0; runs < kMostRuns; ++runs) {
+      std::vector<CertifiedPoint> targets;
+      const auto run = next_run(at, direction, targets);
+      if (!run) return std::nullopt;
+      all.polyline.insert(all.polyline.end(), run->polyline.begin() + (runs == 0 ? 0 : 1),
+                          run->polyline.end());
+      all.error_bound = std::max(all.error_bound, run->error_bound);
+      all.hulls.insert(all.hulls.end(), run->hulls.begin(), run->hulls.end());
+      all.end = run->end;
+      const auto events = static_cast<int>(result_.ends.size());
+      if (run->end < events) return all;
+      at = targets[static_cast<std::size_t>(run->end - events)];
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Run> next_run(const CertifiedPoint& at, int direction, std::vector<CertifiedPoint>& targets) {
+    const Rational here = at.box()[index(place_.roles.line)].midpoint();
+    const Rational limit = direction > 0 ? 1 : 0;
+    if (here == limit) return std::nullopt;
+    for (int halvings = 0; halvings < kMostHalvings; ++halvings) {
+      if (is_stopped(stop_)) {
+        why_ = kWorkCap;
+        return std::nullopt;
+      }
+      const Rational step = (limit - here) * power_of_two(-halvings);
+      const Rational there =
+          halvings == 0 ? limit : simplest_between(here + step - abs(step) / 8, here + step + abs(step) / 8);
+      targets.clear();
+      if (halvings > 0) targets = points_over(system_->phi(there));
+      for (const RibbonNormal& normal : normals(at, here, there))
+        if (auto run = attempt<DoubleBall>(at, direction, targets, normal, power_of_two(-50))) return run;
+    }
+    if (!thorough_) return std::nullopt;
+    targets.clear();
+    return attempt<ArbBall<256>>(at, direction, targets, normals(at, here, limit).front(),
+                                 power_of_two(-200));
+  }
+
+  /// The normal of the line's own patch, interpolated between two places; the other patch's normal at the
+  /// point.
+  std::vector<RibbonNormal> normals(const CertifiedPoint& point, const Rational& from,
+                                    const Rational& to) const {
+    std::vector<RibbonNormal> result;
+    const bool along_second = place_.roles.fixed == Parameter::u || place_.roles.fixed == Parameter::r;
+    std::array<Point, 3> at;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Rational t = from + Rational(static_cast<int>(i), 2) * (to - from);
+      at[i] =
+          with_length(along_second ? normal_at(owner_, place_.value, t) : normal_at(owner_, t, place_.value),
+                      scale_.extent);
+    }
+    if (from != to && std::none_of(at.begin(), at.end(), is_zero))
+      result.push_back(interpolated(at, from, to));
+    const ParameterBox& box = point.box();
+    const Point n = with_length(normal_at(problem_.patch, box[index(place_.roles.first)].midpoint(),
+                                          box[index(place_.roles.second)].midpoint()),
+                                scale_.extent);
+    result.push_back({n, Point{0, 0, 0}, Point{0, 0, 0}});
+    return result;
+  }
+
+  /// The quadratic polynomial with the given values at `from`, the middle and `to`.
+  static RibbonNormal interpolated(const std::array<Point, 3>& at, const Rational& from, const Rational& to) {
+    const auto& [a, m, b] = at;  // at tau = 0, 1/2, 1, t = from + tau (to - from)
+    const Point linear = Rational(4) * m - Rational(3) * a - b;
+    const Point quadratic = Rational(2) * (a + b) - Rational(4) * m;
+    const Rational scale = 1 / (to - from);
+    const Rational shift = -from * scale;  // tau = shift + scale t
+    return {a + shift * (linear + shift * quadratic), scale * (linear + (2 * shift) * quadratic),
+            scale * scale * quadratic};
+  }
+
+  /// The point's box in the ribbon's parameters (t, h, r, s).
+  ParameterBox on_ribbon(const CertifiedPoint& point, const Rational& width) const {
+    const ParameterBox box = point.refined_to(width).box();
+    return {box[index(place_.roles.line)], RationalInterval{Rational(1, 2), Rational(1, 2)},
+            box[index(place_.roles.first)], box[index(place_.roles.second)]};
+  }
+
+  template <class Ball>
+  std::optional<Run> attempt(const CertifiedPoint& start, int direction,
+                             const std::vector<CertifiedPoint>& targets, const RibbonNormal& normal,
+                             const Rational& width) {
+    const BezierPatch carrier = ribbon(problem_.line, normal);
+    const PairSystem<Ball> system(carrier, problem_.patch, scale_.origin, scale_.frame.exponent);
+    Landmarks<Ball> landmarks;
+    IntersectionGraph scratch;
+    const auto add = [&](const CertifiedPoint& point) {
+      const ParameterBox box = on_ribbon(point, width);
+      landmarks.push_back({Ball::enclosing(box[0]), Ball::enclosing(box[1]), Ball::enclosing(box[2]),
+                           Ball::enclosing(box[3])});
+      scratch.nodes.push_back(landmark_node(system, scale_.frame, landmarks.back(), box, {}));
+    };
+    std::for_each(result_.ends.begin(), result_.ends.end(), add);
+    std::for_each(targets.begin(), targets.end(), add);
+    add(start);
+    const int forward = Expansion<Ball>(system, landmarks.back()).tangent()[0].certain_sign();
+    if (forward == 0) {
+      why_ = "the patch is singular there";
+      return std::nullopt;
+    }
+    auto outcome =
+        trace_arc(system, landmarks, static_cast<int>(landmarks.size()) - 1, direction * forward, stop_);
+    if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
+      why_ = failure->why;
+      return std::nullopt;
+    }
+    AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
+    append_trace(scratch, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame, {},
+                 tolerance_);
+    Run run{curve.trace.end, std::move(scratch.arcs.front().polyline), scratch.arcs.front().error_bound, {}};
+    for (const Piece<Ball>& piece : curve.trace.pieces) run.hulls.push_back(hull_of(piece));
+    return run;
+  }
+
+  /// Around the piece, by its bounds of positions at tau = 0 and of slopes.
+  template <class Ball>
+  ParameterBox hull_of(const Piece<Ball>& piece) const {
+    const Tube<Ball>& tube = piece.tube;
+    const double reach = std::max(std::fabs(piece.range.from()), std::fabs(piece.range.to()));
+    const auto around = [&](std::size_t i) {
+      const double slope = std::fabs(tube.slope[i]) + tube.slope_error[i];
+      const Rational centre = tube.centre[i].interval().midpoint();
+      const Rational radius = from_double((tube.halfwidth[i] + slope * reach) * (1 + 0x1p-50));
+      return RationalInterval{std::max<Rational>(0, centre - radius), std::min<Rational>(1, centre + radius)};
+    };
+    ParameterBox box;
+    box[index(place_.roles.fixed)] = {place_.value, place_.value};
+    box[index(place_.roles.line)] = around(0);
+    box[index(place_.roles.first)] = around(2);
+    box[index(place_.roles.second)] = around(3);
+    return box;
+  }
+
+  LinePlace place_;
+  LineAndPatch problem_;
+  const BezierPatch& owner_;
+  const ModelScale& scale_;
+  double tolerance_;
+  const StopRequest& stop_;
+  bool thorough_;
+  std::shared_ptr<const LineSystem> system_;
+  BivariatePolynomial moving_;  // the curve without the parts where lambda is constant
+  std::vector<LineEvent> events_;
+  std::vector<RealAlgebraic> values_;  // lambda at the events and at both ends
+  std::vector<int> starts_;            // events at which a known arc begins
+  std::string why_;
+  LineArcs result_;
+};
+
+}  // namespace
+
+LineArcs line_arcs(const BezierPatch& x, const BezierPatch& y, const LineQuery& query,
+                   const ModelScale& scale, double tolerance, const StopRequest& stop, bool thorough) {
+  if (shape(line_and_patch(x, y, query).line) == LineShape::point) return arcs_of_collapsed_line(x, y, query);
+  return LineArcSearch(x, y, query, scale, tolerance, stop, thorough).run();
+}
+
+}  // namespace exsect

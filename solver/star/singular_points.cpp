@@ -1,0 +1,420 @@
+#include "star/singular_points.h"
+
+#include <exsect/solver/line_query.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "answer/graph_builder.h"
+#include "answer/parameter_box.h"
+#include "line/exact_line_points.h"
+#include "line/line_place.h"
+#include "star/line_crossing.h"
+#include "star/point_on_line.h"
+#include "star/star_arc.h"
+#include "star/symmetric_crossing.h"
+#include "trace/bounded_vertex.h"
+#include "trace/enclose.h"
+#include "trace/tangential_enclosure.h"
+#include "trace/tangential_tube.h"
+#include "trace/tube_points.h"
+
+namespace exsect {
+
+namespace {
+
+constexpr double kCloseArcs = 0x1p-6;
+constexpr double kWideHalfwidth = 0x1p-13;
+constexpr double kMostLayers = 1024;
+constexpr double kLayersPerTolerance = 8;
+/// Of algebraic values over which singular points are looked for. Those without a multiplicity are many.
+constexpr int kHighestDegree = 8;
+constexpr int kHighestDegreeUnweighted = 3;
+
+Rational fine_width() { return power_of_two(-200); }
+
+template <class Ball>
+class StarSearch {
+ public:
+  StarSearch(const SingularPointProblem& problem, const PairSystem<Ball>& system)
+      : problem_(problem), system_(system) {}
+
+  std::vector<StarNeighbourhood> run() {
+    for (std::size_t i = 0; i < problem_.boundary.size(); ++i) {
+      const CertifiedPoint& point = problem_.boundary[i];
+      if (!stopped() && (problem_.on_side_arc[i] ? may_be_singular(point) : needs_star(point))) {
+        try_all_sweeps(point);
+      }
+    }
+    for (const CertifiedPoint& point : problem_.pinches) {
+      if (!stopped() && !is_covered(point)) {
+        try_rational_sweeps(point);
+      }
+    }
+    if (no_point_is_singular()) {
+      return std::move(stars_);
+    }
+    for (const Parameter sweep : all_parameters) {
+      if (const auto& turning = problem_.turning(sweep)) {
+        try_multiple_values(*turning);
+      }
+    }
+    for (const Parameter sweep : all_parameters) {
+      if (const auto& turning = problem_.turning(sweep)) {
+        try_algebraic_values(*turning);
+      }
+    }
+    for (const Parameter sweep : {Parameter::u, Parameter::v}) {
+      const auto& turning = problem_.turning(sweep);
+      if (turning && !turning->touching) {
+        try_fixed_points(*turning);
+      }
+    }
+    for (const Parameter sweep : all_parameters) {  // last: these stars are narrow
+      if (const auto& turning = problem_.turning(sweep)) {
+        try_points_on_lines(*turning);
+        try_crossings_of_lines(*turning);
+      }
+    }
+    return std::move(stars_);
+  }
+
+ private:
+  bool stopped() const { return is_stopped(problem_.stop); }
+
+  /// A simple root of E lies under no singular point (method.md, Theorem 4.4).
+  bool no_point_is_singular() const {
+    const auto& turning = problem_.turning(problem_.sampled);
+    return turning && !turning->touching &&
+           std::all_of(turning->values.begin(), turning->values.end(),
+                       [](const TurningValue& value) { return value.multiplicity == 1; });
+  }
+
+  BallPoint<Ball> tangent_at(const CertifiedPoint& point) const {
+    return Expansion<Ball>(system_, enclose<Ball>(point, fine_width())).tangent();
+  }
+
+  /// The tangent may vanish. At the end of an arc that lies on a side nothing else needs a star: the only
+  /// curve through a regular point is analytic, and the arc's line contains it.
+  bool may_be_singular(const CertifiedPoint& point) const {
+    const BallPoint<Ball> tangent = tangent_at(point);
+    return std::all_of(tangent.begin(), tangent.end(), [](const Ball& t) { return t.certain_sign() == 0; }) &&
+           !is_on_contact(point);
+  }
+
+  /// An interior point where the tangent may vanish; a boundary point where it may lie in a side.
+  bool needs_star(const CertifiedPoint& point) const {
+    const BallPoint<Ball> tangent = tangent_at(point);
+    if (point.sides().empty()) {
+      return may_be_singular(point);
+    }
+    return std::any_of(
+               point.sides().begin(), point.sides().end(),
+               [&](const Side& side) { return tangent[index(side.parameter)].certain_sign() == 0; }) &&
+           !is_on_contact(point);
+  }
+
+  /// A regular point of a curve along which the patches touch, and not tangent to a side there: a multiple
+  /// point of a fibre nearby over no turning value is in the same tube.
+  bool is_on_contact(const CertifiedPoint& point) const {
+    return std::any_of(all_parameters.begin(), all_parameters.end(), [&](Parameter axis) {
+      const auto& turning = problem_.turning(axis);
+      return turning && turning->touching && is_on_contact(point, *turning);
+    });
+  }
+
+  bool is_on_contact(const CertifiedPoint& point, const TurningValues& turning) const {
+    const BallPoint<Ball> box = enclose<Ball>(point, fine_width());
+    for (double reach = 0x1p-6; reach >= 0x1p-22; reach *= 0x1p-4) {
+      const auto tube = certify_tangential_tube(system_, box, reach, index(turning.sweep));
+      if (!tube || !contains(*tube, box)) {
+        continue;
+      }
+      const double tau = offset(*tube, box).approximation();
+      const ArcEnclosure<Ball> here = enclosure_between(system_, *tube, tau - 0x1p-60, tau + 0x1p-60);
+      const bool crosses = std::all_of(point.sides().begin(), point.sides().end(), [&](const Side& side) {
+        return here.slope[index(side.parameter)].certain_sign() != 0;
+      });
+      return crosses &&
+             (has_contact_at(*tube, turning, -0.5 * reach) || has_contact_at(*tube, turning, 0.5 * reach));
+    }
+    return false;
+  }
+
+  bool has_contact_at(const TangentialTube<Ball>& tube, const TurningValues& turning, double tau) const {
+    const Rational at = from_double(tube.centre[tube.axis].approximation() + tau);
+    const bool regular =
+        at > 0 && at < 1 &&
+        std::none_of(turning.values.begin(), turning.values.end(),
+                     [&](const TurningValue& value) { return value.value.compare(at) == 0; });
+    if (!regular) {
+      return false;
+    }
+    const LinePoints fibre = exact_line_points(problem_.x, problem_.y, {turning.sweep, at});
+    return std::any_of(fibre.points.begin(), fibre.points.end(), [&](const CertifiedPoint& point) {
+      return point.multiplicity() >= 2 && contains(tube, enclose<Ball>(point, fine_width()));
+    });
+  }
+
+  bool is_covered(const CertifiedPoint& point) const {
+    return is_covered(point.refined_to(fine_width()).box());
+  }
+  bool is_covered(const ParameterBox& box) const {
+    return std::any_of(stars_.begin(), stars_.end(),
+                       [&](const StarNeighbourhood& star) { return lies_in(box, star.box); });
+  }
+
+  /// The parameter lines over rational turning values under which a singular point may lie.
+  static std::vector<LineQuery> rational_multiple_lines(const TurningValues& turning) {
+    std::vector<LineQuery> lines;
+    for (const TurningValue& value : turning.values) {
+      if (value.multiplicity != 1 && value.value.is_rational()) {
+        lines.push_back({turning.sweep, value.value.rational()});
+      }
+    }
+    return lines;
+  }
+
+  void try_multiple_values(const TurningValues& turning) {
+    for (const LineQuery& query : rational_multiple_lines(turning)) {
+      if (stopped()) {
+        return;
+      }
+      const LinePoints fibre = exact_line_points(problem_.x, problem_.y, query);
+      for (const CertifiedPoint& point : fibre.points) {
+        if (!stopped() && point.multiplicity() != 1 && !is_covered(point) && needs_star(point) &&
+            !try_sweep(point, turning, query.value)) {
+          try_all_sweeps(point);
+        }
+      }
+    }
+  }
+
+  /// Singular points of which no parameter need be rational.
+  void try_algebraic_values(const TurningValues& turning) {
+    for (const TurningValue& value : turning.values) {
+      const int highest = value.multiplicity > 1 ? kHighestDegree : kHighestDegreeUnweighted;
+      if (value.multiplicity == 1 || value.value.is_rational() ||
+          value.value.polynomial().degree() > highest || stopped()) {
+        continue;
+      }
+      for (const SingularFibrePoint& point :
+           singular_points_over(problem_.x, problem_.y, turning.sweep, value.value)) {
+        if (!stopped() && !is_covered(point.at)) {
+          try_sweep(point.at, turning, value.value, {}, &point);
+        }
+      }
+    }
+  }
+
+  /// The points of lines that lie on the other patch, over turning values of the parameter along them.
+  void try_points_on_lines(const TurningValues& turning) {
+    for (const LineQuery& line : rational_multiple_lines(turning)) {
+      if (stopped()) {
+        return;
+      }
+      const LinePoints fibre = exact_line_points(problem_.x, problem_.y, line);
+      const auto& along = problem_.turning(line_place(line).roles.line);
+      if (fibre.on_patch.empty() || !along) {
+        continue;
+      }
+      for (const TurningValue& event : along->values) {
+        const bool on_line =
+            std::any_of(fibre.on_patch.begin(), fibre.on_patch.end(), [&](const AlgebraicInterval& part) {
+              return !(event.value < part.from) && !(part.to < event.value);
+            });
+        if (on_line && event.multiplicity != 1 && !stopped()) {
+          try_point_on_line(turning, line, event.value);
+        }
+      }
+    }
+  }
+
+  void try_point_on_line(const TurningValues& turning, const LineQuery& line, const RealAlgebraic& along) {
+    for (const CertifiedPoint& point : points_on_line(problem_.x, problem_.y, line, along)) {
+      if (!stopped() && !is_covered(point) && may_be_singular(point)) {  // else the line is all there is
+        try_sweep(point, turning, line.value, along);
+      }
+    }
+  }
+
+  /// Points of lines over irrational turning values, irrational along the line as well.
+  void try_crossings_of_lines(const TurningValues& turning) {
+    const auto& along = problem_.turning(static_cast<Parameter>(index(turning.sweep) ^ 1U));
+    for (const TurningValue& value : turning.values) {
+      if (value.multiplicity == 1 || value.value.polynomial().degree() > kHighestDegree || !along ||
+          stopped())
+        continue;
+      for (const LineCrossing& crossing :
+           line_crossings(problem_.x, problem_.y, turning.sweep, value.value, *along)) {
+        StarProblem problem = star_problem(turning);
+        if (!stopped() && !is_covered(crossing.near))
+          try_star(problem, value.value, [&] { return line_crossing_star(problem, crossing); });
+      }
+    }
+  }
+
+  /// Crossings with the curve that a symmetry fixes, of any degree.
+  void try_fixed_points(const TurningValues& turning) {
+    for (const TurningValue& value : turning.values) {
+      if (value.multiplicity != 2 || value.value.is_rational() || stopped() || !problem_.symmetry()) {
+        continue;
+      }
+      const ExchangingSymmetry& symmetry = *problem_.symmetry();
+      for (const CertifiedPoint& centre : fixed_points_over(symmetry, turning.sweep, value.value)) {
+        StarProblem problem = star_problem(turning);
+        if (!stopped() && !is_covered(centre) && may_be_singular(centre)) {
+          try_star(problem, value.value, [&] { return symmetric_crossing_star(problem, symmetry, centre); });
+        }
+      }
+    }
+  }
+
+  /// Over sides first, then over rational turning values.
+  void try_all_sweeps(const CertifiedPoint& point) {
+    for (const Side& side : point.sides()) {
+      const auto& turning = problem_.turning(side.parameter);
+      if (turning && try_sweep(point, *turning, side.value)) {
+        return;
+      }
+    }
+    const ParameterBox box = point.refined_to(fine_width()).box();
+    for (const Parameter sweep : all_parameters) {
+      const auto& turning = problem_.turning(sweep);
+      if (!turning) {
+        continue;
+      }
+      for (const TurningValue& value : turning->values) {
+        if (value.value.is_rational() && value.value.rational() >= box[index(sweep)].lower &&
+            value.value.rational() <= box[index(sweep)].upper &&
+            try_sweep(point, *turning, value.value.rational())) {
+          return;
+        }
+      }
+    }
+  }
+
+  /// Over the values of its parameters that are known to be rational.
+  void try_rational_sweeps(const CertifiedPoint& point) {
+    for (const Parameter sweep : all_parameters) {
+      const RationalInterval& at = point.box()[index(sweep)];
+      const auto& turning = problem_.turning(sweep);
+      if (at.width() == 0 && turning && try_sweep(point, *turning, at.lower)) {
+        return;
+      }
+    }
+  }
+
+  bool try_sweep(const CertifiedPoint& point, const TurningValues& turning, const RealAlgebraic& at,
+                 const std::optional<RealAlgebraic>& along = {},
+                 const SingularFibrePoint* singular = nullptr) {
+    StarProblem problem = star_problem(turning);
+    problem.along = along;
+    problem.singular = singular;
+    return try_star(problem, at, [&] { return star_neighbourhood(problem, point, at); });
+  }
+
+  StarProblem star_problem(const TurningValues& turning) const {
+    StarProblem problem{problem_.x, problem_.y,   turning,          problem_.boundary, 0,
+                        {},         true,         problem_.sampled, problem_.samples,  {},
+                        nullptr,    problem_.stop};
+    for (const Parameter p : all_parameters) {
+      if (p == turning.sweep || problem_.coincident[index(p)] == index(turning.sweep)) {
+        continue;
+      }
+      const auto& other = problem_.turning(p);
+      if (other) {
+        problem.others.push_back(&*other);
+      }
+      problem.others_complete = problem.others_complete &&
+                                (other || problem_.turning(all_parameters[problem_.coincident[index(p)]]));
+    }
+    return problem;
+  }
+
+  /// Keeps a star over the value `at` that `proved`, which looks at problem.largest_halfwidth, returns.
+  bool try_star(StarProblem& problem, const RealAlgebraic& at,
+                const std::function<std::optional<StarNeighbourhood>()>& proved) {
+    // As large as layers of exact fibres can bound the arcs: tracing from close to the centre is slow.
+    const double first = std::clamp(8 * problem_.tolerance, 0x1p-36, 0x1p-5);
+    std::optional<StarNeighbourhood> star;
+    for (const double halfwidth : {std::max(first, kWideHalfwidth), first, first / 16, first / 512}) {
+      problem.largest_halfwidth = halfwidth;
+      star = proved();
+      if (!star) {
+        return false;
+      }
+      if ((halfwidth > first && !has_close_ports(*star)) || !is_disjoint(*star)) {
+        continue;
+      }
+      const double slab = to_double(star->box[index(star->sweep)].width() / 2);
+      const double layers = std::clamp(kLayersPerTolerance * slab / problem_.tolerance, 1.0, kMostLayers);
+      if (!add_layers(*star, problem_.x, problem_.y, at, static_cast<int>(layers), problem_.stop)) {
+        return false;
+      }
+      if (arcs_keep_tolerance(*star)) {
+        break;
+      }
+    }
+    if (!is_disjoint(*star)) {
+      return false;
+    }
+    stars_.push_back(*std::move(star));
+    return true;
+  }
+
+  bool arcs_keep_tolerance(const StarNeighbourhood& star) const {
+    const ModelFrame unit = {{0, 0, 0}, 0};
+    return std::all_of(star.ports.begin(), star.ports.end(), [&](const Port& port) {
+      const StarArc arc = star_arc(star, port);
+      return std::all_of(arc.hulls.begin(), arc.hulls.end(), [&](const ParameterBox& hull) {
+        return chord_bound(system_, unit, hull) <= 0.9 * problem_.tolerance;
+      });
+    });
+  }
+
+  bool is_disjoint(const StarNeighbourhood& star) const {
+    return std::none_of(stars_.begin(), stars_.end(),
+                        [&](const StarNeighbourhood& other) { return meet(star.box, other.box); });
+  }
+
+  /// Two arcs leave so close to each other that tracing them from here takes many steps.
+  static bool has_close_ports(const StarNeighbourhood& star) {
+    const double slab = to_double(star.box[index(star.sweep)].width());
+    for (std::size_t i = 0; i < star.ports.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        double apart = 0;
+        for (std::size_t j = 0; j < 4; ++j) {
+          apart = std::max(apart, std::fabs(to_double(star.ports[i].point.box()[j].midpoint() -
+                                                      star.ports[k].point.box()[j].midpoint())));
+        }
+        if (apart < kCloseArcs * slab) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  const SingularPointProblem& problem_;
+  const PairSystem<Ball>& system_;
+  std::vector<StarNeighbourhood> stars_;
+};
+
+}  // namespace
+
+template <class Ball>
+std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& problem,
+                                              const PairSystem<Ball>& system) {
+  return StarSearch<Ball>(problem, system).run();
+}
+
+#define EXSECT_INSTANTIATE_SINGULAR(Ball)                                             \
+  template std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem&, \
+                                                         const PairSystem<Ball>&);
+
+EXSECT_INSTANTIATE_SINGULAR(DoubleBall)
+EXSECT_INSTANTIATE_SINGULAR(ArbBall<256>)
+#undef EXSECT_INSTANTIATE_SINGULAR
+
+}  // namespace exsect

@@ -1,0 +1,351 @@
+#include "star/star_neighbourhood.h"
+
+#include <exsect/solver/line_query.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "answer/parameter_box.h"
+#include "line/exact_line_points.h"
+#include "line/half_rational_point.h"
+#include "line/known_tangent.h"
+#include "line/line_place.h"
+#include "line/line_points_in.h"
+
+namespace exsect {
+
+namespace {
+
+constexpr std::size_t kMostPorts = 64;  // a fibre has at most 16 points
+constexpr int kMostSlabs = 24;
+constexpr double kNarrowLine = 0x1p-4;
+
+/// The largest power of two that is at most q > 0, as a double.
+double power_of_two_below(const Rational& q) {
+  double p = std::exp2(std::floor(std::log2(to_double(q))));
+  while (from_double(p) > q) {
+    p *= 0.5;
+  }
+  return p;
+}
+
+class StarProof {
+ public:
+  StarProof(const StarProblem& problem, const CertifiedPoint& centre, const RealAlgebraic& at)
+      : problem_(problem),
+        centre_(centre.refined_to(power_of_two(-100))),
+        at_(at.refined_to(power_of_two(-100))),
+        sweep_(problem.turning.sweep) {}
+
+  std::optional<StarNeighbourhood> run() {
+    if (!bound_halfwidth() || !bound_slab() || !keep_samples_away() || !keep_turning_values_away()) {
+      return std::nullopt;
+    }
+    for (std::size_t j = 0; j < 4; ++j) {
+      middle_[j] = to_double(centre_.box()[j].midpoint());
+    }
+    for (double halfwidth = power_of_two_below(room_); halfwidth >= 0x1p-40; halfwidth *= 0x1p-6) {
+      double slab = std::min(halfwidth, power_of_two_below(slab_room_));
+      for (int i = 0; i < kMostSlabs && slab >= 0x1p-48; ++i, slab *= 0.25) {
+        if (is_stopped(problem_.stop)) {
+          return std::nullopt;
+        }
+        set_region(halfwidth, slab);
+        if (!centre_is_alone() || !lateral_faces_are_free()) {
+          continue;
+        }
+        auto star = with_ports();
+        if (!star || lies_on_sides(*star) || arcs_are_monotone(star->ports.size())) {
+          return star;
+        }
+        break;  // with a smaller box
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// Keeps every other point of the fibre and every other boundary point away from the box.
+  bool bound_halfwidth() {
+    room_ = from_double(problem_.largest_halfwidth);
+    if (!at_.is_rational()) {
+      return problem_.singular && keep_away(problem_.boundary) == 0;
+    }
+    const LinePoints fibre = exact_line_points(problem_.x, problem_.y, {sweep_, at_.rational()});
+    if (fibre.incomplete) {
+      return false;
+    }
+    // The centre is in the first list, and in the second one only if it lies on a side.
+    const int on_side = keep_away(problem_.boundary);
+    for (const AlgebraicInterval& part : fibre.on_patch) {
+      if (!keep_away_or_enter(part)) {
+        return false;
+      }
+    }
+    return keep_away(fibre.points) == (line_ ? 0 : 1) && on_side <= (centre_.sides().empty() ? 0 : 1);
+  }
+
+  /// Of the fibre over an irrational value; for a rational one bound_halfwidth sees to it.
+  bool centre_is_alone() const { return at_.is_rational() || problem_.singular->is_alone_in(box()); }
+
+  /// A part of the line over the centre's value that lies on the other patch: away from the box, or it runs
+  /// right through it.
+  bool keep_away_or_enter(const AlgebraicInterval& part) {
+    const Parameter along = line_place({sweep_, at_.rational()}).roles.line;
+    const RationalInterval from = part.from.refined_to(power_of_two(-60)).interval();
+    const RationalInterval to = part.to.refined_to(power_of_two(-60)).interval();
+    const RationalInterval& centre = centre_.box()[index(along)];
+    const Rational d = gap({from.lower, to.upper}, centre);
+    if (d > 0) {
+      room_ = std::min<Rational>(room_, d / 2);
+      return true;
+    }
+    const bool starts_before = from.upper < centre.lower;
+    const bool ends_behind = to.lower > centre.upper;
+    const bool starts_here = part.from.compare(0) == 0 && centre.upper == 0;
+    const bool ends_here = part.to.compare(1) == 0 && centre.lower == 1;
+    if (line_ || !(starts_before || starts_here) || !(ends_behind || ends_here)) {
+      return false;
+    }
+    line_ = along;
+    if (starts_before) {
+      room_ = std::min<Rational>(room_, (centre.lower - from.upper) / 2);
+    }
+    if (ends_behind) {
+      room_ = std::min<Rational>(room_, (to.lower - centre.upper) / 2);
+    }
+    return true;
+  }
+
+  /// The number of points that cannot be told from the centre.
+  int keep_away(const std::vector<CertifiedPoint>& points) {
+    int near = 0;
+    for (const CertifiedPoint& point : points) {
+      const Rational d = distance(point.refined_to(power_of_two(-100)).box(), centre_.box());
+      if (d > 0) {
+        room_ = std::min<Rational>(room_, d / 2);
+      } else {
+        ++near;
+      }
+    }
+    return near;
+  }
+
+  /// Keeps every other turning value away from the slab.
+  bool bound_slab() {
+    slab_room_ = 1;
+    for (const TurningValue& value : problem_.turning.values) {
+      if (value.value == at_) {
+        continue;
+      }
+      RealAlgebraic other = value.value;
+      RealAlgebraic at = at_;
+      Rational d = gap(other.interval(), at.interval());
+      for (Rational width = power_of_two(-60); d == 0; width *= width) {
+        other = other.refined_to(width);
+        at = at.refined_to(width);
+        d = gap(other.interval(), at.interval());
+      }
+      slab_room_ = std::min<Rational>(slab_room_, d / 2);
+    }
+    return slab_room_ > power_of_two(-100);
+  }
+
+  bool keep_samples_away() {
+    Rational& room = problem_.sampled == sweep_ ? slab_room_ : room_;
+    for (const Rational& sample : problem_.samples) {
+      const Rational d = gap({sample, sample}, centre_.box()[index(problem_.sampled)]);
+      if (d == 0) {
+        return false;
+      }
+      room = std::min<Rational>(room, d / 2);
+    }
+    return true;
+  }
+
+  /// Turning values of the other parameters: away from the box, or rational and that of the centre.
+  bool keep_turning_values_away() {
+    for (const TurningValues* other : problem_.others) {
+      for (const TurningValue& value : other->values) {
+        const RationalInterval interval = value.value.refined_to(power_of_two(-100)).interval();
+        const Rational d = gap(interval, centre_.box()[index(other->sweep)]);
+        if (d > 0) {
+          room_ = std::min<Rational>(room_, d / 2);
+        } else if (value.value.is_rational()) {
+          through_centre_.push_back({other->sweep, value.value.rational()});
+        } else {
+          ++irrational_near_[index(other->sweep)];
+        }
+        if (d == 0 && other->sweep == line_ && !(problem_.along && value.value == *problem_.along)) {
+          return false;
+        }
+      }
+    }
+    // Of the turning values along the line, the box now holds the centre's at most. So all arcs in the box
+    // that are not the line meet it in the centre only: through a point of the fibre over another value one
+    // arc passes, and that is the line.
+    return !line_ || std::any_of(problem_.others.begin(), problem_.others.end(),
+                                 [&](const TurningValues* other) { return other->sweep == *line_; });
+  }
+
+  /// In every other parameter: the only point of the box over a turning value is the centre, apart from
+  /// curves on which that parameter is constant. Where a component of the tangent field is zero in the
+  /// centre, as all are if it is singular, its parameter is a turning value: where the box holds one value of
+  /// a parameter only, it is the centre's, and an arc that turned there would turn over another one on its
+  /// way to the centre.
+  bool arcs_are_monotone(std::size_t ports) const {
+    const bool singular = ports >= 3 || problem_.singular;
+    const bool all_rational =
+        std::all_of(irrational_near_.begin(), irrational_near_.end(), [](int near) { return near == 0; });
+    const std::array<bool, 4> zero = singular || all_rational
+                                         ? std::array<bool, 4>{}
+                                         : known_zero_tangent(problem_.x, problem_.y, centre_);
+    const auto is_known = [&](Parameter p) {
+      const auto rational = std::count_if(through_centre_.begin(), through_centre_.end(),
+                                          [&](const LineQuery& query) { return query.fixed == p; });
+      return irrational_near_[index(p)] == 0 ||
+             ((singular || zero[index(p)]) && irrational_near_[index(p)] == 1 && rational == 0);
+    };
+    return problem_.others_complete && std::all_of(all_parameters.begin(), all_parameters.end(), is_known) &&
+           std::all_of(through_centre_.begin(), through_centre_.end(), [this](const LineQuery& query) {
+             const LinePoints line = exact_line_points(problem_.x, problem_.y, query);
+             return !line.incomplete &&
+                    std::none_of(line.points.begin(), line.points.end(), [this](const CertifiedPoint& point) {
+                      const ParameterBox at = point.refined_to(power_of_two(-100)).box();
+                      return meet(at, box()) && distance(at, centre_.box()) > 0;
+                    });
+           });
+  }
+
+  /// No arc, or only such as lie on sides.
+  static bool lies_on_sides(const StarNeighbourhood& star) {
+    return std::all_of(star.ports.begin(), star.ports.end(),
+                       [](const Port& port) { return !port.point.sides().empty(); });
+  }
+
+  void set_region(double halfwidth, double slab) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      const bool along = line_ && j == index(*line_);  // so that the line leaves across this parameter
+      const double h = j == index(sweep_) ? slab : along ? halfwidth * kNarrowLine : halfwidth;
+      region_.lower[j] = std::max(0.0, middle_[j] - h);
+      region_.upper[j] = std::min(1.0, middle_[j] + h);
+    }
+  }
+
+  /// The faces of the box across the other three parameters hold no point of the intersection, apart from the
+  /// line; those on sides of the squares need not be asked, no arc leaves the domain without a boundary
+  /// point.
+  bool lateral_faces_are_free() const {
+    for (const Parameter p : all_parameters) {
+      if (p == sweep_) {
+        continue;
+      }
+      const double lower = region_.lower[index(p)];
+      const double upper = region_.upper[index(p)];
+      const std::size_t expected = p == line_ ? 1 : 0;  // the line itself
+      for (const double face : {lower, upper}) {
+        if (face == 0 || face == 1) {
+          continue;
+        }
+        const auto points = points_in_box({p, from_double(face)}, expected);
+        if (!points || points->size() != expected) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  ParameterBox box() const {
+    ParameterBox result;
+    for (std::size_t j = 0; j < 4; ++j) {
+      result[j] = {from_double(region_.lower[j]), from_double(region_.upper[j])};
+    }
+    return result;
+  }
+
+  std::optional<StarNeighbourhood> with_ports() const {
+    StarNeighbourhood star{centre_, sweep_, box(), {}, {}};
+    const RationalInterval slab = star.box[index(sweep_)];
+    const auto is_centre = [&](const Rational& end) { return at_.compare(end) == 0; };
+    if (!lies_in(centre_.box(), star.box) || (is_centre(slab.lower) && slab.lower != 0) ||
+        (is_centre(slab.upper) && slab.upper != 1)) {
+      return std::nullopt;
+    }
+    for (const int side : {-1, 1}) {
+      const Rational value = side < 0 ? slab.lower : slab.upper;
+      if (is_centre(value)) {
+        continue;
+      }
+      const auto points = points_in_box({sweep_, value}, kMostPorts);
+      if (!points) {
+        return std::nullopt;
+      }
+      for (const CertifiedPoint& point : *points) {
+        star.ports.push_back({point, sweep_, side});
+      }
+    }
+    if (line_ && !add_line_ports(star)) {
+      return std::nullopt;
+    }
+    return star;
+  }
+
+  bool add_line_ports(StarNeighbourhood& star) const {
+    for (const int side : {-1, 1}) {
+      const double face = (side < 0 ? region_.lower : region_.upper)[index(*line_)];
+      if (face == 0 || face == 1) {
+        continue;  // the line begins in the centre
+      }
+      const auto points = points_in_box({*line_, from_double(face)}, 1);
+      if (!points || points->size() != 1 || !has_point_on_line(from_double(face))) {
+        return false;
+      }
+      star.ports.push_back({points->front(), *line_, side});
+    }
+    return true;
+  }
+
+  /// A point in the box with the centre's value of the sweep parameter and this one of the parameter along
+  /// the line.
+  bool has_point_on_line(const Rational& along) const {
+    std::array<Rational, 2> at;
+    at[index(sweep_) % 2] = at_.rational();
+    at[index(*line_) % 2] = along;
+    const auto points = half_rational_points(problem_.x, problem_.y, index(sweep_) < 2, at);
+    return std::any_of(points.begin(), points.end(), [&](const HalfRationalPoint& p) {
+      return lies_in(p.point.refined_to(power_of_two(-100)).box(), box());
+    });
+  }
+
+  /// The points of a parameter line that lie in the box; empty if there are more than `most`, infinitely
+  /// many, or if that cannot be decided.
+  std::optional<std::vector<CertifiedPoint>> points_in_box(const LineQuery& query, std::size_t most) const {
+    auto inside = line_points_in(problem_.x, problem_.y, query, box());
+    return inside && inside->size() <= most ? inside : std::nullopt;
+  }
+
+  const StarProblem& problem_;
+  CertifiedPoint centre_;
+  RealAlgebraic at_;
+  Parameter sweep_;
+  Rational room_;
+  Rational slab_room_;
+  std::optional<Parameter> line_;  // that runs along the line over `at`, if this lies on the other patch
+  std::vector<LineQuery> through_centre_;  // turning values of other parameters that the centre has
+  std::array<int, 4> irrational_near_{};   // turning values that cannot be told from the centre's
+  std::array<double, 4> middle_{};
+  struct {
+    std::array<double, 4> lower;
+    std::array<double, 4> upper;
+  } region_{};
+};
+
+}  // namespace
+
+std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, const CertifiedPoint& centre,
+                                                    const RealAlgebraic& at) {
+  return StarProof(problem, centre, at).run();
+}
+
+}  // namespace exsect

@@ -1,0 +1,21 @@
+// Curves on which a parameter is constant. Internal to solver/; docs/method.md, section 6.5.
+#pragma once
+
+#include "sweep/sweep_data.h"
+#include "trace/tangential_arc.h"
+
+namespace exsect {
+
+/// True only if the parameter is constant on the curve, a Trace or a TangentialArc. `width`: of the boxes of
+/// exact points.
+template <class Ball, class Curve>
+bool is_constant(const PairSystem<Ball>& system, const SweepData& sweep, const Curve& curve, Parameter p,
+                 const Rational& width);
+
+/// True if a point of the line `across` with p = value exactly is on the curve: one that is rational, or the
+/// only one that may have that value where one must.
+template <class Ball, class Curve>
+bool meets_line(const SweepData& sweep, const Curve& curve, const LineQuery& across, Parameter p,
+                const Rational& value, const Rational& width);
+
+}  // namespace exsect

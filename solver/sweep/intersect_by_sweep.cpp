@@ -1,0 +1,379 @@
+#include "sweep/intersect_by_sweep.h"
+
+#include <exsect/solver/line_query.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "answer/exact_source.h"
+#include "answer/graph_builder.h"
+#include "answer/model_scale.h"
+#include "answer/parameter_box.h"
+#include "eliminant/critical_values.h"
+#include "line/exact_line_points.h"
+#include "line/known_tangent.h"
+#include "line/line_place.h"
+#include "shape/coincident_parameters.h"
+#include "side/boundary_lines.h"
+#include "side/collapsed_line.h"
+#include "side/common_pole.h"
+#include "side/line_arcs.h"
+#include "star/pinch_points.h"
+#include "star/singular_points.h"
+#include "star/star_arc.h"
+#include "sweep/boundary_graph.h"
+#include "sweep/traced_curves.h"
+#include "trace/bounded_vertex.h"
+#include "trace/enclose.h"
+#include "trace/landmark_node.h"
+
+namespace exsect {
+
+namespace {
+
+class Intersection {
+ public:
+  Intersection(const BezierPatch& x, const BezierPatch& y, const Run& run)
+      : x_(x), y_(y), run_(run), scaling_(model_scale(x, y)) {
+    sweep_.coincident = coincident_parameters(x, y);
+    sweep_.plane = plane_coordinates(x, y);
+    sweep_.symmetry = [this]() -> const std::optional<ExchangingSymmetry>& {
+      if (!symmetry_) symmetry_ = exchanging_symmetry(x_, y_);
+      return *symmetry_;
+    };
+    sweep_.has_value = [this](const CertifiedPoint& point, Parameter p, const Rational& value) {
+      if (const auto exact = point.exact()) {
+        return takes_value(*exact, index(p), value);
+      }
+      const auto solution = rational_solution(x_, y_, point);
+      return solution && (*solution)[index(p)] == value;
+    };
+    sweep_.turning_of = [this](Parameter p) -> const std::optional<TurningValues>& {
+      return turning_values_of(p);
+    };
+    sweep_.zero_tangent = [this](const CertifiedPoint& point) { return known_zero_tangent(x_, y_, point); };
+    sweep_.common_zero = [this](const ParameterBox& where, std::size_t i, std::size_t j) {
+      return common_tangent_zero(x_, y_, where, i, j);
+    };
+    sweep_.is_on_sides = [this](const LineQuery& query, const RealAlgebraic& at) {
+      const LineArcs arcs =
+          line_arcs(x_, y_, query, scaling_, run_.drawn_tolerance(scaling_.extent), stop_, false);
+      return !arcs.incomplete &&
+             std::all_of(arcs.collapsed.begin(), arcs.collapsed.end(), [&](const CollapsedLine& other) {
+               return !(other.t == at) || other.value.compare(0) == 0 || other.value.compare(1) == 0;
+             });
+    };
+    sweep_.line = [this](const LineQuery& query) { return exact_line_points(x_, y_, query); };
+  }
+
+  IntersectResult run() {
+    timed("boundary points", [this] { find_boundary_points(); });
+    timed("turning eliminant", [this] { find_turning_values(); });
+    timed("fibres", [this] { compute_fibres(); });
+    sweep_.quick = true;
+    if (!trace_and_build<DoubleBall>(power_of_two(-50), false)) {
+      timed("singular points", [this] { find_stars(); });
+      const bool again = !sweep_.stars.empty() || cut_short_;
+      sweep_.quick = false;
+      if ((!again || !trace_and_build<DoubleBall>(power_of_two(-50), false)) &&
+          !trace_and_build<DoubleDoubleBall>(power_of_two(-100), false)) {
+        trace_and_build<ArbBall<256>>(power_of_two(-200), true);
+      }
+    }
+    finish_components(result_.graph);
+    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
+    return std::move(result_);
+  }
+
+ private:
+  template <class Step>
+  void timed(const char* step, Step&& body) {
+    run_.timed(step, std::forward<Step>(body));
+  }
+
+  void incomplete(const ParameterBox& where, const std::string& why) {
+    result_.incomplete.push_back({where, why});
+  }
+
+  void find_boundary_points() {
+    sides_ = boundary_lines(x_, y_, scaling_, 0.4 * run_.drawn_tolerance(scaling_.extent), stop_);
+    result_.incomplete = sides_.incomplete;
+    on_side_arc_.assign(sides_.points.size(), false);
+    for (const SideArc& arc : sides_.arcs) {
+      on_side_arc_[arc.from] = on_side_arc_[arc.to] = true;
+    }
+    for (const CommonPole& pole : sides_.poles) {
+      for (std::size_t i = 0; i < sides_.points.size(); ++i) {
+        on_side_arc_[i] = on_side_arc_[i] || is_on(sides_.points[i], pole);
+      }
+    }
+    for (std::size_t i = 0; i < sides_.points.size(); ++i) {
+      sweep_.landmarks.push_back({sides_.points[i], std::nullopt, 0, Parameter::u, on_side_arc_[i]});
+    }
+  }
+
+  void find_turning_values() {
+    if (run_.out_of_time()) {
+      incomplete(whole_domain(), "the work cap was reached before closed curves were excluded");
+      return;
+    }
+    SweepChoice choice = choose_sweep(x_, y_, stop_);
+    sweep_.turning = std::move(choice.turning);  // without one, closed curves are found by subdivision
+    turning_ = std::move(choice.tried);
+  }
+
+  const std::optional<TurningValues>& turning_values_of(Parameter sweep) {
+    auto& known = turning_[index(sweep)];
+    if (!known && run_.out_of_time()) {
+      return unknown_;
+    }
+    if (!known) {
+      known = turning_values(x_, y_, sweep);
+    }
+    return *known;
+  }
+
+  /// Exact fibres at samples between all critical values, where no parameter is that of a pinch point.
+  void compute_fibres() {
+    if (!sweep_.turning) {
+      return;
+    }
+    std::vector<CertifiedPoint> avoided = sides_.points;
+    avoided.insert(avoided.end(), pinches_.begin(), pinches_.end());
+    std::vector<Rational> samples = sweep_samples(*sweep_.turning, avoided);
+    if (samples == sweep_.samples) {
+      return;
+    }
+    sweep_.samples = std::move(samples);
+    sweep_.fibres.clear();
+    for (const Rational& sample : sweep_.samples) {
+      if (run_.out_of_time()) {
+        incomplete(whole_domain(), "the work cap was reached while fibres were computed");
+        return;
+      }
+      LinePoints fibre = exact_line_points(x_, y_, {sweep_.turning->sweep, sample});
+      ParameterBox where = whole_domain();
+      where[index(sweep_.turning->sweep)] = {sample, sample};
+      if (fibre.incomplete || !fibre.on_patch.empty()) {
+        incomplete(where, fibre.incomplete ? *fibre.incomplete : "a parameter line lies on the other patch");
+      }
+      sweep_.fibres.push_back(std::move(fibre.points));
+    }
+    run_.count("fibres", static_cast<double>(sweep_.fibres.size()));
+  }
+
+  /// Proves neighbourhoods of the singular points; their ports become landmarks.
+  void find_stars() {
+    pinches_ = pinch_points(x_, y_);
+    if (!pinches_.empty()) {
+      compute_fibres();
+    }
+    const SingularPointProblem problem = {
+        x_,
+        y_,
+        sides_.points,
+        on_side_arc_,
+        pinches_,
+        std::ldexp(run_.drawn_tolerance(scaling_.extent), static_cast<int>(-scaling_.frame.exponent)),
+        sweep_.turning ? sweep_.turning->sweep : Parameter::u,
+        sweep_.samples,
+        [this](Parameter p) -> const std::optional<TurningValues>& { return turning_values_of(p); },
+        sweep_.coincident,
+        sweep_.symmetry,
+        stop_};
+    const PairSystem<ArbBall<256>> system(x_, y_, scaling_.origin, scaling_.frame.exponent);
+    sweep_.stars = singular_stars(problem, system);
+    for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
+      const StarNeighbourhood& star = sweep_.stars[k];
+      for (LandmarkPoint& landmark : sweep_.landmarks) {
+        if (landmark.side == 0 && lies_in(landmark.point.refined_to(power_of_two(-100)).box(), star.box)) {
+          landmark.star = k;
+        }
+      }
+      for (const Port& port : star.ports) {
+        if (port.point.sides().empty()) {  // else the arc lies on a side
+          sweep_.landmarks.push_back({port.point, k, port.side, port.across, false});
+        }
+      }
+    }
+  }
+
+  /// One attempt in one arithmetic; false if something is undecided that more precision may decide and `last`
+  /// is not set.
+  template <class Ball>
+  bool trace_and_build(const Rational& width, bool last) {
+    const PairSystem<Ball> system(x_, y_, scaling_.origin, scaling_.frame.exponent);
+    Landmarks<Ball> landmarks;
+    for (const LandmarkPoint& landmark : sweep_.landmarks) {
+      landmarks.push_back(enclose<Ball>(landmark.point, width));
+    }
+    TracedCurves<Ball> traced;
+    sweep_.exact = result_.incomplete.empty();
+    timed("tracing", [&] { traced = trace_curves(system, landmarks, sweep_, width, stop_); });
+    cut_short_ = traced.cut_short;
+    if (!traced.problems.empty() && sweep_.exact && !last) {
+      return false;
+    }
+    timed("graph", [&] { build_graph(system, landmarks, traced); });
+    const std::vector<Incomplete> coarse = coarse_arcs();
+    const bool precision_may_help = traced.problems.empty() && run_.can_keep_tolerance();
+    if (!coarse.empty() && !last && precision_may_help && result_.incomplete.empty()) {
+      result_.graph = {};
+      return false;
+    }
+    result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
+    result_.incomplete.insert(result_.incomplete.end(), coarse.begin(), coarse.end());
+    run_.count("searched boxes", static_cast<double>(traced.searched_boxes));
+    return true;
+  }
+
+  std::vector<Incomplete> coarse_arcs() const {
+    std::vector<Incomplete> result;
+    for (const Arc& arc : result_.graph.arcs) {
+      if (auto coarse = too_coarse(result_.graph, arc, run_.tolerance(scaling_.extent))) {
+        result.push_back(std::move(*coarse));
+      }
+    }
+    return result;
+  }
+
+  /// The nodes of boundary points and stars, and what the landmarks lead to.
+  template <class Ball>
+  std::vector<TraceEnd> add_landmark_nodes(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks) {
+    IntersectionGraph& graph = result_.graph;
+    std::vector<std::optional<int>> star_nodes(sweep_.stars.size());
+    star_nodes_.assign(sweep_.stars.size(), 0);
+    const auto add = [&](const BallPoint<Ball>& ball, const CertifiedPoint& point) {
+      graph.nodes.push_back(landmark_node(system, scaling_.frame, ball, point.box(), point.sides()));
+      graph.nodes.back().id = static_cast<int>(graph.nodes.size()) - 1;
+      return graph.nodes.back().id;
+    };
+    std::vector<TraceEnd> ends;
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+      const LandmarkPoint& landmark = sweep_.landmarks[i];
+      if (landmark.side == 0) {
+        ends.push_back({add(landmarks[i], landmark.point), std::nullopt});
+        if (landmark.star) {
+          star_nodes[*landmark.star] = ends.back().node;
+        }
+        continue;
+      }
+      ends.push_back({0, std::nullopt});
+    }
+    for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
+      const StarNeighbourhood& star = sweep_.stars[k];
+      if (!star_nodes[k]) {
+        star_nodes[k] = add(enclose<Ball>(star.centre, power_of_two(-100)), star.centre);
+      }
+      star_nodes_[k] = *star_nodes[k];
+      if (star.ports.empty() || leaves_sides(star)) {
+        classify(graph.nodes[static_cast<std::size_t>(*star_nodes[k])], star);
+      }
+      for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        if (sweep_.landmarks[i].side != 0 && sweep_.landmarks[i].star == k) {
+          ends[i] = {*star_nodes[k], approach(system, star, sweep_.landmarks[i])};
+        }
+      }
+    }
+    return ends;
+  }
+
+  template <class Ball>
+  Approach approach(const PairSystem<Ball>& system, const StarNeighbourhood& star,
+                    const LandmarkPoint& port) const {
+    const StarArc arc = star_arc(star, {port.point, port.across, port.side});
+    Approach result{{}, 0};
+    for (const CertifiedPoint& point : arc.vertices) {
+      const Node vertex =
+          landmark_node(system, scaling_.frame, enclose<Ball>(point, power_of_two(-50)), point.box(), {});
+      result.vertices.push_back({vertex.approx, vertex.point});
+    }
+    for (const ParameterBox& hull : arc.hulls) {
+      result.bound = std::max(result.bound, chord_bound(system, scaling_.frame, hull));
+    }
+    return result;
+  }
+
+  /// The node of a regular point inside both squares with two arcs.
+  void add_turning(Node& node, const StarNeighbourhood& star) {
+    const auto turning = turning_parameters(star);
+    if (!turning) {
+      incomplete(node.box, "whether a parameter turns at this point is not decided");
+      return;
+    }
+    for (const Parameter p : *turning) {
+      if (std::count(run_.turning().begin(), run_.turning().end(), p) > 0) {
+        node.wrt.push_back(p);
+      }
+    }
+    if (!node.wrt.empty()) {
+      node.kinds.push_back(NodeKind::turning);
+    }
+  }
+
+  /// The kind of a star's node; an isolated point is listed as such.
+  void classify(Node& node, const StarNeighbourhood& star) {
+    const std::size_t degree = star.ports.size();
+    if (degree == 0) {
+      result_.graph.isolated_points.push_back(node.id);
+    }
+    const bool inside = node.on.empty();  // on a side further branches may lie outside
+    if (degree < 3 && !is_known_singular(x_, y_, star.centre)) {
+      if (inside && degree == 2) {
+        add_turning(node, star);
+      }
+      return;
+    }
+    node.kinds.push_back(degree == 0             ? NodeKind::touch
+                         : inside && degree == 2 ? NodeKind::cusp
+                                                 : NodeKind::crossing);
+  }
+
+  template <class Ball>
+  void build_graph(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
+                   const TracedCurves<Ball>& traced) {
+    IntersectionGraph& graph = result_.graph;
+    graph.isolated_points = traced.isolated;
+    const std::vector<TraceEnd> ends = add_landmark_nodes(system, landmarks);
+    BoundaryGraph<Ball> boundary({x_, y_}, system, scaling_.frame, sides_, sweep_.stars, star_nodes_,
+                                 result_);
+    boundary.add_arcs();
+    for (const AnalysedTrace<Ball>& curve : traced.curves) {
+      append_trace(graph, curve, landmarks, ends, scaling_.frame, run_.turning(),
+                   run_.drawn_tolerance(scaling_.extent));
+      run_.count("tubes", static_cast<double>(curve.trace.pieces.size()));
+    }
+    for (const AnalysedContact<Ball>& contact : traced.contacts) {
+      append_contact(graph, system, contact, landmarks, ends, scaling_.frame, run_.turning(),
+                     run_.drawn_tolerance(scaling_.extent));
+    }
+    boundary.contract();
+    for (const Arc& arc : graph.arcs) {
+      run_.count("vertices", static_cast<double>(arc.polyline.size()));
+    }
+  }
+
+  const BezierPatch& x_;
+  const BezierPatch& y_;
+  const Run& run_;
+  ModelScale scaling_;
+  StopRequest stop_ = run_.stop();
+  SweepData sweep_;
+  BoundaryLines sides_;
+  std::vector<bool> on_side_arc_;  // per point
+  std::vector<CertifiedPoint> pinches_;
+  std::vector<int> star_nodes_;
+  std::array<std::optional<std::optional<TurningValues>>, 4> turning_;  // outer: computed
+  std::optional<std::optional<ExchangingSymmetry>> symmetry_;           // outer: computed
+  const std::optional<TurningValues> unknown_ = std::nullopt;
+  IntersectResult result_{};
+  bool cut_short_ = false;  // the last attempt's searches were, and something is left
+};
+
+}  // namespace
+
+IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y, const Run& run) {
+  return Intersection(x, y, run).run();
+}
+
+}  // namespace exsect

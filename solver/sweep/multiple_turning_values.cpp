@@ -1,0 +1,163 @@
+#include "sweep/multiple_turning_values.h"
+
+#include <algorithm>
+
+#include "answer/graph_builder.h"
+#include "answer/parameter_box.h"
+#include "line/line_place.h"
+#include "sweep/constant_parameter.h"
+#include "trace/enclose.h"
+
+namespace exsect {
+
+namespace {
+
+template <class Ball>
+class MultipleTurningValues {
+ public:
+  MultipleTurningValues(const SweepData& sweep, const TracedCurves<Ball>& traced, const Rational& width)
+      : sweep_(sweep), traced_(traced), width_(width) {}
+
+  std::vector<const TurningValue*> undecided() const {
+    std::vector<const TurningValue*> result;
+    for (const TurningValue& turning : sweep_.turning->values) {
+      const int m = turning.multiplicity;
+      if (m != 1 && !(m > 1 && regular_turning_points(turning) + 2 * singular_stars(turning) >= m) &&
+          !multiple_points_are_known(turning)) {
+        result.push_back(&turning);
+      }
+    }
+    return result;
+  }
+
+ private:
+  /// All points of the fibre over a rational value are on traced curves or in stars.
+  bool multiple_points_are_known(const TurningValue& turning) const {
+    if (!turning.value.is_rational()) {
+      return false;
+    }
+    const LineQuery query = {sweep_.turning->sweep, turning.value.rational()};
+    const LinePoints fibre = sweep_.line(query);
+    return !fibre.incomplete &&
+           std::all_of(fibre.on_patch.begin(), fibre.on_patch.end(),
+                       [&](const AlgebraicInterval& part) { return is_traced(query, part); }) &&
+           std::all_of(fibre.points.begin(), fibre.points.end(), [this](const CertifiedPoint& point) {
+             const BallPoint<Ball> box = enclose<Ball>(point, width_);
+             return point.multiplicity() == 1 || in_star(sweep_, point) || curves_through(traced_, box) > 0 ||
+                    contacts_through(traced_, box) > 0;
+           });
+  }
+
+  /// All of an interval in which the line lies on the other patch is on traced curves and in stars: a point
+  /// is, between any two neighbouring places where a curve may end.
+  bool is_traced(const LineQuery& query, const AlgebraicInterval& part) const {
+    if (query.value == 0 || query.value == 1) {
+      return true;  // known as arcs on a side
+    }
+    const Parameter along = line_place(query).roles.line;
+    if (part.from == part.to) {
+      return sweep_.is_on_sides && sweep_.is_on_sides(query, part.from);
+    }
+    std::vector<RationalInterval> ends = {part.from.refined_to(power_of_two(-60)).interval(),
+                                          part.to.refined_to(power_of_two(-60)).interval()};
+    const auto add = [&](const ParameterBox& box) {
+      const RationalInterval& at = box[index(query.fixed)];
+      if (at.lower <= query.value && query.value <= at.upper) {
+        ends.push_back(box[index(along)]);
+      }
+    };
+    for (const LandmarkPoint& landmark : sweep_.landmarks) {
+      add(landmark.point.box());
+    }
+    for (const StarNeighbourhood& star : sweep_.stars) {
+      add(star.box);
+    }
+    std::sort(ends.begin(), ends.end(),
+              [](const RationalInterval& a, const RationalInterval& b) { return a.lower < b.lower; });
+    Rational covered = ends.front().upper;
+    for (const RationalInterval& end : ends) {
+      if (covered < end.lower && part.from.compare(covered) < 0 && part.to.compare(end.lower) > 0 &&
+          !is_on_curve({along, (covered + end.lower) / 2}, query)) {
+        return false;
+      }
+      covered = std::max(covered, end.upper);
+    }
+    return true;
+  }
+
+  /// A point of `line` across the line `across` is on a traced curve.
+  bool is_on_curve(const LineQuery& across, const LineQuery& line) const {
+    return std::any_of(traced_.curves.begin(), traced_.curves.end(),
+                       [&](const AnalysedTrace<Ball>& curve) {
+                         return meets_line<Ball>(sweep_, curve.trace, across, line.fixed, line.value, width_);
+                       }) ||
+           std::any_of(
+               traced_.contacts.begin(), traced_.contacts.end(), [&](const AnalysedContact<Ball>& contact) {
+                 return meets_line<Ball>(sweep_, contact.curve, across, line.fixed, line.value, width_);
+               });
+  }
+
+  int regular_turning_points(const TurningValue& turning) const {
+    const std::size_t sweep = index(sweep_.turning->sweep);
+    int count = 0;
+    for (const AnalysedTrace<Ball>& curve : traced_.curves) {
+      for (const TurningPoint<Ball>& point : curve.turning) {
+        count += turns_in(point, sweep) && lies_over_only(turning, point.box[sweep].interval()) ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
+  /// Stars around singular points over the value. One from which a curve leaves along which the patches do
+  /// not touch: the others have no part in the multiplicity.
+  int singular_stars(const TurningValue& turning) const {
+    return static_cast<int>(
+        std::count_if(sweep_.stars.begin(), sweep_.stars.end(), [&](const StarNeighbourhood& star) {
+          const ParameterBox centre = star.centre.refined_to(power_of_two(-100)).box();
+          return lies_over_only(turning, centre[index(sweep_.turning->sweep)]) && is_singular_star(star) &&
+                 (!sweep_.turning->touching ||
+                  std::any_of(star.ports.begin(), star.ports.end(),
+                              [](const Port& port) { return port.point.multiplicity() == 1; }));
+        }));
+  }
+
+  bool is_singular_star(const StarNeighbourhood& star) const {
+    const std::array<bool, 4> zero =
+        !is_singular(star) && sweep_.zero_tangent ? sweep_.zero_tangent(star.centre) : std::array<bool, 4>{};
+    return is_singular(star) || std::count(zero.begin(), zero.end(), true) == 4;
+  }
+
+  /// True if `at`, which holds some turning value, can hold no other one than this.
+  bool lies_over_only(const TurningValue& turning, const RationalInterval& at) const {
+    const auto& all = sweep_.turning->values;
+    return std::all_of(all.begin(), all.end(), [&](const TurningValue& other) {
+      const RationalInterval interval = other.value.interval();
+      const bool meets = at.lower <= interval.upper && at.upper >= interval.lower;
+      return meets == (&other == &turning);
+    });
+  }
+
+  const SweepData& sweep_;
+  const TracedCurves<Ball>& traced_;
+  const Rational& width_;
+};
+
+}  // namespace
+
+template <class Ball>
+std::vector<const TurningValue*> undecided_turning_values(const SweepData& sweep,
+                                                          const TracedCurves<Ball>& traced,
+                                                          const Rational& width) {
+  return MultipleTurningValues<Ball>(sweep, traced, width).undecided();
+}
+
+#define EXSECT_INSTANTIATE_VALUES(Ball)                               \
+  template std::vector<const TurningValue*> undecided_turning_values( \
+      const SweepData&, const TracedCurves<Ball>&, const Rational&);
+
+EXSECT_INSTANTIATE_VALUES(DoubleBall)
+EXSECT_INSTANTIATE_VALUES(DoubleDoubleBall)
+EXSECT_INSTANTIATE_VALUES(ArbBall<256>)
+#undef EXSECT_INSTANTIATE_VALUES
+
+}  // namespace exsect

@@ -1,0 +1,395 @@
+#include "sweep/traced_curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "answer/parameter_box.h"
+#include "line/line_place.h"
+#include "sweep/constant_parameter.h"
+#include "sweep/entering_directions.h"
+#include "sweep/fibre_crossings.h"
+#include "sweep/multiple_turning_values.h"
+#include "trace/enclose.h"
+#include "trace/landmark_tangent.h"
+#include "trace/search_direction.h"
+#include "trace/search_regions.h"
+#include "trace/subdivision.h"
+
+namespace exsect {
+
+namespace {
+
+constexpr int kQuickSearch = 16;  // times 64 boxes
+
+template <class Ball>
+class CurveTracing {
+ public:
+  CurveTracing(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks, const SweepData& sweep,
+               const Rational& width, const StopRequest& stop)
+      : system_(system), landmarks_(landmarks), sweep_(sweep), width_(width), stop_(stop) {}
+
+  TracedCurves<Ball> run() {
+    if (sweep_.turning && sweep_.exact) {
+      trace_contacts();
+    }
+    trace_open_curves();
+    if (result_.problems.empty()) {
+      sweep_.turning || !sweep_.exact ? trace_closed_curves() : search_everywhere();
+    }
+    if (result_.problems.empty() && sweep_.turning && sweep_.exact) {
+      match_fibres();
+      check_multiple_turning_values();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void problem(const ParameterBox& where, const std::string& why) {
+    result_.problems.push_back({where, why});
+  }
+
+  /// Curves along which the patches touch: through the multiple points of the fibres, and the parameter lines
+  /// that do so all along.
+  void trace_contacts() {
+    if (sweep_.turning->touching) {
+      for (const std::vector<CertifiedPoint>& fibre : sweep_.fibres) {
+        for (const CertifiedPoint& point : fibre) {
+          trace_contact_through(point);
+        }
+      }
+    }
+    for (const TurningValue& turning : sweep_.turning->values) {
+      if (turning.multiplicity != 1 && turning.value.is_rational()) {
+        trace_contact_lines({sweep_.turning->sweep, turning.value.rational()});
+      }
+    }
+  }
+
+  /// The parts of a line on which the patches touch, if the line lies on the other patch.
+  void trace_contact_lines(const LineQuery& query) {
+    if (query.value == 0 || query.value == 1) {
+      return;
+    }
+    const LinePoints line = sweep_.line(query);
+    const Parameter along = line_place(query).roles.line;
+    if (line.incomplete || line.on_patch.empty() || !sweep_.turning_of(along) ||
+        !sweep_.turning_of(along)->touching) {
+      return;
+    }
+    std::vector<CertifiedPoint> boundary;
+    for (const LandmarkPoint& landmark : sweep_.landmarks) {
+      boundary.push_back(landmark.point);
+    }
+    TurningValues across = *sweep_.turning_of(along);
+    for (const Rational& sample : sweep_samples(across, boundary)) {
+      const bool on_line =
+          std::any_of(line.on_patch.begin(), line.on_patch.end(), [&](const AlgebraicInterval& part) {
+            return part.from.compare(sample) < 0 && part.to.compare(sample) > 0;
+          });
+      const LinePoints fibre = on_line ? sweep_.line({along, sample}) : LinePoints();
+      for (const CertifiedPoint& point : fibre.points) {
+        const RationalInterval& at = point.box()[index(query.fixed)];
+        if (at.lower <= query.value && query.value <= at.upper) {
+          trace_contact_through(point);
+        }
+      }
+    }
+  }
+
+  /// `point` is isolated over a value of a sweep that is no turning value.
+  void trace_contact_through(const CertifiedPoint& point) {
+    const BallPoint<Ball> box = enclose<Ball>(point, width_);
+    if (point.multiplicity() < 2 || !point.sides().empty() || contacts_through(result_, box) > 0 ||
+        in_star(sweep_, point)) {
+      return;
+    }
+    auto outcome = trace_contact(system_, landmarks_, box, stop_);
+    if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
+      problem(around(failure->where), failure->why);
+      return;
+    }
+    AnalysedContact<Ball> contact{std::get<TangentialArc<Ball>>(std::move(outcome)), {}};
+    std::array<bool, 4> constant{};
+    for (const Parameter p : all_parameters) {
+      constant[index(p)] = may_be_constant(system_, contact.curve, index(p)) &&
+                           is_constant(system_, sweep_, contact.curve, p, width_);
+    }
+    mark_coincident(constant);
+    auto turns = find_contact_turns(system_, contact.curve, sweep_.turning_of, constant);
+    if (const auto* failure = std::get_if<TraceFailure>(&turns)) {
+      problem(around(failure->where), failure->why);
+      return;
+    }
+    contact.turns = std::get<std::vector<ContactTurn<Ball>>>(std::move(turns));
+    check_that_it_leaves(contact.curve);
+    result_.contacts.push_back(std::move(contact));
+  }
+
+  /// A parameter that is a function of a constant one is constant.
+  void mark_coincident(std::array<bool, 4>& constant) const {
+    for (std::size_t j = 0; j < 4; ++j) {
+      constant[j] = constant[j] || constant[sweep_.coincident[j]];
+    }
+  }
+
+  /// At its ends on sides the curve crosses these.
+  void check_that_it_leaves(const TangentialArc<Ball>& curve) {
+    for (const int which : {0, 1}) {
+      const int landmark = which == 0 ? curve.start : curve.end;
+      if (landmark < 0 || sweep_.landmarks[static_cast<std::size_t>(landmark)].side != 0) {
+        continue;
+      }
+      const CertifiedPoint& point = sweep_.landmarks[static_cast<std::size_t>(landmark)].point;
+      for (const Side& side : point.sides()) {
+        const int outward = (which == 0 ? -1 : 1) * (side.value == 0 ? -1 : 1);
+        if (certain_direction(system_, curve, which, index(side.parameter)) != outward) {
+          problem(point.box(), "a curve along which the patches touch does not cross the side here");
+        }
+      }
+    }
+  }
+
+  void trace_open_curves() {
+    used_.assign(landmarks_.size(), {});
+    for (const AnalysedContact<Ball>& contact : result_.contacts) {
+      for (const int landmark : {contact.curve.start, contact.curve.end}) {
+        if (landmark >= 0) {
+          used_[static_cast<std::size_t>(landmark)] = {1, -1};
+        }
+      }
+    }
+    for (const bool last_pass : {false, true}) {
+      for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+        const bool centre = sweep_.landmarks[i].star && sweep_.landmarks[i].side == 0;
+        if (!centre && !sweep_.landmarks[i].on_side_arc && used_[i].size() < 2) {
+          trace_from(i, last_pass);
+        }
+      }
+    }
+  }
+
+  /// Traces the curves that leave a landmark in directions not used yet. Points where these are not known
+  /// wait for the last pass: a regular point at which two curves arrived is done.
+  void trace_from(std::size_t landmark, bool last_pass) {
+    const auto directions = entering_directions(system_, landmarks_, sweep_, landmark);
+    if (!directions) {
+      if (last_pass) {
+        problem(sweep_.landmarks[landmark].point.box(),
+                "the intersection is tangent to a side of a patch, or singular, at this boundary point");
+      }
+      return;
+    }
+    if (directions->empty() && last_pass) {
+      result_.isolated.push_back(static_cast<int>(landmark));
+    }
+    for (const int sign : *directions) {
+      if (std::count(used_[landmark].begin(), used_[landmark].end(), sign) > 0) {
+        continue;
+      }
+      used_[landmark].push_back(sign);
+      auto outcome = trace_arc(system_, landmarks_, static_cast<int>(landmark), sign, stop_);
+      if (const auto* trace = std::get_if<Trace<Ball>>(&outcome)) {
+        used_[static_cast<std::size_t>(trace->end)].push_back(arriving_direction(*trace));
+      }
+      add(std::move(outcome));
+    }
+  }
+
+  /// Fibre points that are on no curve traced so far start closed curves.
+  void trace_closed_curves() {
+    for (const std::vector<CertifiedPoint>& fibre : sweep_.fibres) {
+      for (const CertifiedPoint& point : fibre) {
+        if (!point.sides().empty()) {
+          continue;  // on an arc that lies on a side
+        }
+        const BallPoint<Ball> box = enclose<Ball>(point, width_);
+        if (curves_through(result_, box) + contacts_through(result_, box) == 0) {
+          add(trace_loop(system_, landmarks_, box, stop_));
+        }
+        if (!result_.problems.empty()) {
+          return;
+        }
+      }
+    }
+  }
+
+  void add(std::variant<Trace<Ball>, TraceFailure> outcome) {
+    if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
+      problem(around(failure->where), failure->why);
+      return;
+    }
+    AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
+    KnownTangent known;
+    for (const Parameter p : all_parameters) {
+      known.constant[index(p)] = sweep_.line && may_be_constant(curve.trace, index(p)) &&
+                                 is_constant(system_, sweep_, curve.trace, p, width_);
+    }
+    mark_coincident(known.constant);
+    known.plane = sweep_.plane;
+    known.common_zero = sweep_.common_zero;
+    known.at_start = tangent_signs_at(system_, landmarks_, sweep_, curve.trace.start);
+    known.at_end = tangent_signs_at(system_, landmarks_, sweep_, curve.trace.end);
+    auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, known);
+    if (std::holds_alternative<TraceFailure>(turning) && is_fixed(curve.trace)) {
+      turning = find_turning_points(system_, curve.trace, sweep_.symmetry()->partner, known);
+    }
+    if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
+      problem(around(failure->where), failure->why);
+      return;
+    }
+    curve.turning = std::get<TurningPoints<Ball>>(std::move(turning));
+    result_.curves.push_back(std::move(curve));
+  }
+
+  /// By a symmetry that exchanges the patches: then parameters turn together with their partners.
+  bool is_fixed(const Trace<Ball>& trace) const {
+    return sweep_.symmetry && sweep_.symmetry() && exsect::is_fixed(*sweep_.symmetry(), trace);
+  }
+
+  /// (u',v') on the pieces of the curves traced so far.
+  std::vector<std::array<double, 2>> tangents() const {
+    std::vector<std::array<double, 2>> result;
+    for (const AnalysedTrace<Ball>& curve : result_.curves)
+      for (const Piece<Ball>& piece : curve.trace.pieces)
+        result.push_back({piece.tube.slope[0], piece.tube.slope[1]});
+    return result;
+  }
+
+  void search_everywhere() {
+    search({{0, 0, 0, 0}, {1, 1, 1, 1}},
+           "a closed curve or singular point of the intersection is not excluded here");
+  }
+
+  void search(const SearchRegion& region, const char* why) {
+    const SeedHandler<Ball> known = [this](const BallPoint<Ball>& seed) { return known_or_traced(seed); };
+    const SettledRegion settled = [this](const SearchRegion& box) {
+      return (sweep_.settled && sweep_.settled(box)) || is_in_star(box) || is_on_contact(box);
+    };
+    const StopRequest soon = [this, asked = 0]() mutable {
+      return is_stopped(stop_) || (sweep_.quick && ++asked > kQuickSearch);
+    };
+    const SearchOutcome outcome =
+        search_closed_curves(system_, region, search_direction(tangents()), known, settled, soon);
+    result_.cut_short = result_.cut_short || (sweep_.quick && !outcome.undecided.empty());
+    result_.searched_boxes += outcome.boxes;
+    for (const SearchRegion& box : merged(outcome.undecided)) {
+      ParameterBox where;
+      for (std::size_t j = 0; j < 4; ++j) {
+        where[j] = {from_double(box.lower[j]), from_double(box.upper[j])};
+      }
+      problem(where, stop_ && stop_() ? "the work cap was reached" : why);
+    }
+  }
+
+  bool is_in_star(const SearchRegion& region) const {
+    ParameterBox box;
+    for (std::size_t j = 0; j < 4; ++j) {
+      box[j] = {from_double(region.lower[j]), from_double(region.upper[j])};
+    }
+    return std::any_of(sweep_.stars.begin(), sweep_.stars.end(),
+                       [&](const StarNeighbourhood& star) { return lies_in(box, star.box); });
+  }
+
+  bool is_on_contact(const SearchRegion& region) const {
+    BallPoint<Ball> box;
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double middle = 0.5 * (region.lower[j] + region.upper[j]);
+      box[j] =
+          Ball(middle).widened(std::max(region.upper[j] - middle, middle - region.lower[j]) * (1 + 0x1p-50));
+    }
+    return contacts_through(result_, box) > 0;
+  }
+
+  bool known_or_traced(const BallPoint<Ball>& seed) {
+    if (curves_through(result_, seed) > 0) {
+      return true;
+    }
+    auto outcome = trace_loop(system_, landmarks_, seed, stop_);
+    if (std::holds_alternative<TraceFailure>(outcome)) {
+      return false;
+    }
+    const std::size_t before = result_.problems.size();
+    add(std::move(outcome));
+    return result_.problems.size() == before;
+  }
+
+  /// The bijection: every fibre point lies on one curve, and the curves meet the sample as often as the fibre
+  /// has points.
+  void match_fibres() {
+    for (std::size_t k = 0; k < sweep_.fibres.size(); ++k) {
+      std::size_t expected = 0;
+      for (const AnalysedTrace<Ball>& curve : result_.curves) {
+        const auto met = crossings(sweep_, curve, sweep_.samples[k]);
+        if (!met) {
+          problem(whole_domain(), "a turning point cannot be separated from a sample of the sweep");
+          return;
+        }
+        expected += *met;
+      }
+      std::size_t met = 0;
+      for (const CertifiedPoint& point : sweep_.fibres[k]) {
+        if (!point.sides().empty()) {
+          continue;  // not over a boundary point: on an arc that lies on a side
+        }
+        const BallPoint<Ball> box = enclose<Ball>(point, width_);
+        if (contacts_through(result_, box) == 1) {
+          continue;
+        }
+        if (curves_through(result_, box) != 1) {
+          problem(point.box(), "it is not decided which curve this point of a fibre lies on");
+          return;
+        }
+        ++met;
+      }
+      if (expected != met) {
+        ParameterBox where = whole_domain();
+        where[index(sweep_.turning->sweep)] = {sweep_.samples[k], sweep_.samples[k]};
+        problem(where, "the traced curves and the exact fibre do not agree here");
+        return;
+      }
+    }
+  }
+
+  /// Searches the slabs around roots of E over which a further singular point is not excluded.
+  void check_multiple_turning_values() {
+    for (const TurningValue* turning : undecided_turning_values(sweep_, result_, width_)) {
+      SearchRegion slab = {{0, 0, 0, 0}, {1, 1, 1, 1}};
+      const std::size_t sweep = index(sweep_.turning->sweep);
+      const RationalInterval at = turning->value.refined_to(power_of_two(-40)).interval();
+      const double grid = 0x1p-24;  // dyadic ends, so that the slab can be halved often
+      slab.lower[sweep] = std::max(0.0, grid * (std::ceil(to_double(at.lower) / grid) - 1));
+      slab.upper[sweep] = std::min(1.0, grid * (std::floor(to_double(at.upper) / grid) + 1));
+      search(
+          slab,
+          "a multiple root of the turning eliminant: a singular or isolated point of the intersection is not "
+          "excluded here");
+    }
+  }
+
+  const PairSystem<Ball>& system_;
+  const Landmarks<Ball>& landmarks_;
+  const SweepData& sweep_;
+  const Rational& width_;
+  const StopRequest& stop_;
+  std::vector<std::vector<int>> used_;  // directions of T in which a curve leaves each landmark
+  TracedCurves<Ball> result_;
+};
+
+}  // namespace
+
+template <class Ball>
+TracedCurves<Ball> trace_curves(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
+                                const SweepData& sweep, const Rational& width, const StopRequest& stop) {
+  return CurveTracing<Ball>(system, landmarks, sweep, width, stop).run();
+}
+
+#define EXSECT_INSTANTIATE_CURVES(Ball)                                                     \
+  template TracedCurves<Ball> trace_curves(const PairSystem<Ball>&, const Landmarks<Ball>&, \
+                                           const SweepData&, const Rational&, const StopRequest&);
+
+EXSECT_INSTANTIATE_CURVES(DoubleBall)
+EXSECT_INSTANTIATE_CURVES(DoubleDoubleBall)
+EXSECT_INSTANTIATE_CURVES(ArbBall<256>)
+#undef EXSECT_INSTANTIATE_CURVES
+
+}  // namespace exsect

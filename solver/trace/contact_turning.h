@@ -1,0 +1,41 @@
+// Turning points of curves along which the patches touch. Internal to solver/.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "eliminant/critical_values.h"
+#include "trace/tangential_arc.h"
+
+namespace exsect {
+
+/// Exactly one turning point with respect to `parameter` lies on piece `piece` between the offsets `from` and
+/// `to` (in the direction of the curve); `box` encloses that part.
+template <class Ball>
+struct ContactTurn {
+  Parameter parameter;
+  std::size_t piece;
+  double from;
+  double to;
+  BallPoint<Ball> box;
+};
+
+/// The turning values of a sweep; empty if they are not defined.
+using TurningValuesOf = std::function<const std::optional<TurningValues>&(Parameter)>;
+
+/// All turning points, in order. Where the derivative of a parameter cannot be told from zero, at most one
+/// turning value of it may lie: between two zeros of the derivative there is another one with another value,
+/// so that the derivative vanishes there at most once. The parameters marked `constant` do not turn. Fails
+/// where a turning point cannot be decided.
+template <class Ball>
+std::variant<std::vector<ContactTurn<Ball>>, TraceFailure> find_contact_turns(
+    const PairSystem<Ball>& system, const TangentialArc<Ball>& curve, const TurningValuesOf& turning,
+    const std::array<bool, 4>& constant);
+
+/// False only if the parameter is proved to change along the curve.
+template <class Ball>
+bool may_be_constant(const PairSystem<Ball>& system, const TangentialArc<Ball>& curve, std::size_t parameter);
+
+}  // namespace exsect

@@ -1,0 +1,32 @@
+// How far a chain is from others. Internal to solver/; docs/method.md, section 15.
+#pragma once
+
+#include <exsect/verify/verify.h>
+
+#include "interval_lists.h"
+#include "piece_tree.h"
+
+namespace exsect {
+
+/// The part of a piece, in [0,1], whose points are all farther than a distance from a set of curves.
+class FarParts {
+ public:
+  FarParts(const PieceTree& others, double least, double smallest)
+      : others_(others), least_(least), smallest_(smallest) {}
+
+  /// In the parameter from..to of the segment from a to b; `slack` is added to the distance asked for.
+  void find(const SpacePoint& a, const SpacePoint& b, double from, double to, double slack);
+  std::vector<Interval> parts() const { return united(parts_); }
+
+ private:
+  const PieceTree& others_;
+  double least_;
+  double smallest_;
+  std::vector<Interval> parts_;
+};
+
+/// Bounds of the largest distance of a point of the chain from the nearest of the others; where it is below
+/// `fine` the upper one need not be sharp. Infinite if there are no others.
+DistanceEnclosure largest_distance(const Chain& chain, const PieceTree& others, double fine);
+
+}  // namespace exsect
