@@ -1,9 +1,9 @@
 #include "approximate_implicit_patch.h"
 
 #include <exsect/algebra/bernstein.h>
+#include <exsect/algebra/double_matrix.h>
 #include <exsect/algebra/tensor_bernstein.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -51,16 +51,14 @@ BezierPatch in_frame(const BezierPatch& x, const Frame& frame) {
 }
 
 /// One column for each monomial: the Bernstein coefficients of its composition with the patch.
-Eigen::MatrixXd dokken_matrix(const BezierPatch& x, const std::vector<Exponents>& exponents, int degree) {
-  const Eigen::Index side = 2 * degree + 1;
-  Eigen::MatrixXd matrix(side * side, static_cast<Eigen::Index>(exponents.size()));
+DoubleMatrix dokken_matrix(const BezierPatch& x, const std::vector<Exponents>& exponents, int degree) {
+  const std::size_t side = 2 * static_cast<std::size_t>(degree) + 1;
+  DoubleMatrix matrix(side * side, exponents.size());
   for (std::size_t column = 0; column < exponents.size(); ++column) {
     const auto b =
         tensor_bernstein(compose(SpacePolynomial({{exponents[column], 1}}), x), 2 * degree, 2 * degree);
-    for (Eigen::Index i = 0; i < side; ++i)
-      for (Eigen::Index j = 0; j < side; ++j)
-        matrix(i * side + j, static_cast<Eigen::Index>(column)) =
-            to_double(b[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
+    for (std::size_t i = 0; i < side; ++i)
+      for (std::size_t j = 0; j < side; ++j) matrix(i * side + j, column) = to_double(b[i][j]);
   }
   return matrix;
 }
@@ -77,17 +75,16 @@ std::set<std::pair<Rational, Rational>> conic_points(int degree) {
 }
 
 /// One row for each point: the values of the monomials.
-Eigen::MatrixXd conic_matrix(const BezierPatch& x, const std::vector<Exponents>& exponents, int degree) {
+DoubleMatrix conic_matrix(const BezierPatch& x, const std::vector<Exponents>& exponents, int degree) {
   const auto points = conic_points(degree);
-  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(points.size()),
-                         static_cast<Eigen::Index>(exponents.size()));
-  Eigen::Index row = 0;
+  DoubleMatrix matrix(points.size(), exponents.size());
+  std::size_t row = 0;
   for (const auto& [u, v] : points) {
     const Point p = x(u, v);
     for (std::size_t column = 0; column < exponents.size(); ++column) {
       double value = 1;
       for (std::size_t k = 0; k < 3; ++k) value *= std::pow(to_double(p[k]), exponents[column][k]);
-      matrix(row, static_cast<Eigen::Index>(column)) = value;
+      matrix(row, column) = value;
     }
     ++row;
   }
@@ -96,17 +93,16 @@ Eigen::MatrixXd conic_matrix(const BezierPatch& x, const std::vector<Exponents>&
 
 /// The coefficients rounded to multiples of a power of two that is small against the singular value, the
 /// largest one positive.
-SpacePolynomial rounded(const Eigen::VectorXd& b, const std::vector<Exponents>& exponents,
+SpacePolynomial rounded(const std::vector<double>& b, const std::vector<Exponents>& exponents,
                         double singular_value) {
   constexpr int most_bits = std::numeric_limits<double>::digits - 1;
   const double wanted = std::ceil(std::log2(1024.0 * static_cast<double>(exponents.size()) / singular_value));
   const int bits = wanted < most_bits ? std::max(10, static_cast<int>(wanted)) : most_bits;
-  Eigen::Index largest = 0;
-  b.cwiseAbs().maxCoeff(&largest);
-  const double sign = b[largest] < 0 ? -1 : 1;
+  const auto smaller = [](double a, double c) { return std::fabs(a) < std::fabs(c); };
+  const double sign = *std::max_element(b.begin(), b.end(), smaller) < 0 ? -1 : 1;
   SpacePolynomial::Terms terms;
   for (std::size_t i = 0; i < exponents.size(); ++i) {
-    const double scaled = std::round(std::ldexp(sign * b[static_cast<Eigen::Index>(i)], bits));
+    const double scaled = std::round(std::ldexp(sign * b[i], bits));
     terms[exponents[i]] = from_double(scaled) * power_of_two(-bits);
   }
   return SpacePolynomial(terms);
@@ -126,12 +122,11 @@ ApproximateEquation approximate_equation(const BezierPatch& x, int degree, Patch
   if (!exact.empty()) return {exact.front(), 0, local.centre, local.unit, 0};
   const BezierPatch normalised = in_frame(x, local);
   const std::vector<Exponents> exponents = exponents_up_to(degree);
-  const Eigen::MatrixXd matrix = method == PatchFit::dokken ? dokken_matrix(normalised, exponents, degree)
-                                                            : conic_matrix(normalised, exponents, degree);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeFullV);
-  const double singular_value = svd.singularValues()[matrix.cols() - 1];
-  const Eigen::VectorXd b = svd.matrixV().col(matrix.cols() - 1);
-  if (!b.allFinite()) throw std::domain_error("approximate equation: the net exceeds the range of doubles");
+  const DoubleMatrix matrix = method == PatchFit::dokken ? dokken_matrix(normalised, exponents, degree)
+                                                         : conic_matrix(normalised, exponents, degree);
+  const auto [singular_value, b] = least_singular(matrix);
+  if (!std::all_of(b.begin(), b.end(), [](double c) { return std::isfinite(c); }))
+    throw std::domain_error("approximate equation: the net exceeds the range of doubles");
   const SpacePolynomial fitted = rounded(b, exponents, singular_value);
   const RationalInterval range = range_bound(compose(fitted, normalised), {}, 2);
   const Rational scale = 1 / local.unit;

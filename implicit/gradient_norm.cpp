@@ -1,6 +1,7 @@
 #include "gradient_norm.h"
 
-#include <Eigen/Dense>
+#include <exsect/algebra/double_matrix.h>
+
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -58,19 +59,25 @@ Rule rule(const RationalInterval& side) {
 }
 
 /// x^i y^j, i + j <= degree, ordered by i + j, then by j.
-void set_monomials(Eigen::VectorXd& values, int degree, double x, double y) {
-  Eigen::Index k = 0;
+void set_monomials(std::vector<double>& values, int degree, double x, double y) {
+  std::size_t k = 0;
   for (int total = 0; total <= degree; ++total)
     for (int j = 0; j <= total; ++j) values[k++] = std::pow(x, total - j) * std::pow(y, j);
 }
 
-BivariatePolynomial from_monomials(const Eigen::VectorXd& c, int degree) {
-  const double largest = c.cwiseAbs().maxCoeff();
+double largest_magnitude(const std::vector<double>& c) {
+  double largest = 0;
+  for (const double e : c) largest = std::max(largest, std::fabs(e));
+  return largest;
+}
+
+BivariatePolynomial from_monomials(const std::vector<double>& c, int degree) {
+  const double largest = largest_magnitude(c);
   const int digits = 9 - static_cast<int>(std::ceil(std::log10(largest)));
   const Rational scale = digits >= 0 ? Rational(pow(Integer(10), static_cast<unsigned>(digits)))
                                      : Rational(1, pow(Integer(10), static_cast<unsigned>(-digits)));
   std::vector<Rational> scaled;
-  for (Eigen::Index i = 0; i < c.size(); ++i) scaled.push_back(from_double(c[i]) * scale);
+  for (const double e : c) scaled.push_back(from_double(e) * scale);
   scaled = rounded_coefficients(scaled, 0);
   BivariatePolynomial f;
   std::size_t k = 0;
@@ -98,21 +105,25 @@ BivariatePolynomial fitted_gradient_norm(const BivariatePolynomial& f, const Pla
   const Table values = in_doubles(f), dx = in_doubles(f.derivative_r()), dy = in_doubles(f.derivative_s());
   const Rule in_x = rule(box.x), in_y = rule(box.y);
   const double e = to_double(epsilon);
-  const Eigen::Index n = (degree + 1) * (degree + 2) / 2;
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(n, n);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(n), basis(n);
+  const std::size_t n = static_cast<std::size_t>((degree + 1) * (degree + 2) / 2);
+  DoubleMatrix gram(n, n);
+  std::vector<double> right(n, 0.0), basis(n);
   for (std::size_t i = 0; i < in_x.at.size(); ++i) {
     for (std::size_t j = 0; j < in_y.at.size(); ++j) {
       const double x = in_x.at[i], y = in_y.at[j];
       const double at = value(values, x, y);
       const double weight = in_x.weight[i] * in_y.weight[j] / (at * at + e);
       set_monomials(basis, degree, x, y);
-      gram.selfadjointView<Eigen::Lower>().rankUpdate(basis, weight);
-      right += weight * std::hypot(value(dx, x, y), value(dy, x, y)) * basis;
+      const double target = weight * std::hypot(value(dx, x, y), value(dy, x, y));
+      for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t l = 0; l <= k; ++l) gram(k, l) += weight * basis[k] * basis[l];
+        right[k] += target * basis[k];
+      }
     }
   }
-  const Eigen::VectorXd c = gram.selfadjointView<Eigen::Lower>().ldlt().solve(right);
-  if (!c.allFinite() || c.cwiseAbs().maxCoeff() == 0)
+  const std::vector<double> c = symmetric_solution(gram, right);
+  const bool is_finite = std::all_of(c.begin(), c.end(), [](double k) { return std::isfinite(k); });
+  if (!is_finite || largest_magnitude(c) == 0)
     throw std::invalid_argument("gradient norm: f is beyond the range of doubles");
   return from_monomials(c, degree);
 }

@@ -1,10 +1,10 @@
 #include "null_space_fit.h"
 
 #include <exsect/algebra/bernstein.h>
+#include <exsect/algebra/double_matrix.h>
 #include <exsect/algebra/rational_matrix.h>
 #include <exsect/geometry/homogeneous_composition.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -106,16 +106,13 @@ Rational squared_residual(const WeightedMatrix& d, const std::vector<Rational>& 
 }
 
 std::vector<Rational> singular_vector(const WeightedMatrix& d) {
-  const auto at = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
-  Eigen::MatrixXd m(at(d.rows.rows()), at(d.rows.columns()));
+  DoubleMatrix m(d.rows.rows(), d.rows.columns());
   for (std::size_t i = 0; i < d.rows.rows(); ++i)
     for (std::size_t j = 0; j < d.rows.columns(); ++j)
-      m(at(i), at(j)) = std::sqrt(to_double(d.weights[i])) * to_double(d.rows(i, j));
-  if (!m.allFinite()) throw std::invalid_argument("null space: a coordinate is beyond the range of doubles");
-  const Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(m, Eigen::ComputeFullV);
-  const Eigen::VectorXd last = decomposition.matrixV().rightCols<1>();
+      m(i, j) = std::sqrt(to_double(d.weights[i])) * to_double(d.rows(i, j));
+  if (!m.is_finite()) throw std::invalid_argument("null space: a coordinate is beyond the range of doubles");
   std::vector<Rational> b;
-  for (Eigen::Index i = 0; i < last.size(); ++i) b.push_back(from_double(last[i]));
+  for (const double c : least_singular(m).vector) b.push_back(from_double(c));
   return b;
 }
 

@@ -1,9 +1,8 @@
 #include "planar_fit.h"
 
+#include <exsect/algebra/double_matrix.h>
 #include <exsect/algebra/rational_matrix.h>
 
-#include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -82,62 +81,54 @@ PlanarFit exact_fit(const PlanarSpace& space, const std::vector<Equation>& list,
   return {any_solution(equations), false};
 }
 
-std::vector<Rational> to_rationals(const Eigen::VectorXd& v) {
+std::vector<Rational> to_rationals(const std::vector<double>& v) {
   std::vector<Rational> result;
-  for (Eigen::Index i = 0; i < v.size(); ++i) {
-    if (!std::isfinite(v[i])) throw std::domain_error("least squares: the solution is not finite");
-    result.push_back(from_double(v[i]));
+  for (const double c : v) {
+    if (!std::isfinite(c)) throw std::domain_error("least squares: the solution is not finite");
+    result.push_back(from_double(c));
   }
   return result;
 }
 
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
-
 /// Rows of R with R' R = w2 H.
-Eigen::MatrixXd tension_rows(const PlanarSpace& space, const Rational& w2) {
+DoubleMatrix tension_rows(const PlanarSpace& space, const Rational& w2) {
   const std::size_t n = space.dimension();
-  if (w2 == 0) return Eigen::MatrixXd(0, at(n));
+  if (w2 == 0) return DoubleMatrix(0, n);
   const RationalMatrix tension = space.tension();
-  Eigen::MatrixXd h(at(n), at(n));
+  DoubleMatrix h(n, n);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) h(at(i), at(j)) = to_double(Rational(w2 * tension(i, j)));
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(h);
-  const Eigen::VectorXd roots = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  return roots.asDiagonal() * solver.eigenvectors().transpose();
+    for (std::size_t j = 0; j < n; ++j) h(i, j) = to_double(Rational(w2 * tension(i, j)));
+  return square_root_rows(h);
 }
 
 PlanarFit dense_fit(const PlanarSpace& space, const std::vector<Equation>& list, const Rational& w2) {
-  const Eigen::MatrixXd tension = tension_rows(space, w2);
-  const Eigen::Index rows = at(list.size());
-  Eigen::MatrixXd a(rows + tension.rows(), at(space.dimension()));
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(a.rows());
+  const DoubleMatrix tension = tension_rows(space, w2);
+  DoubleMatrix a(list.size(), space.dimension());
+  std::vector<double> b(list.size() + tension.rows(), 0.0);
   for (std::size_t i = 0; i < list.size(); ++i) {
     const double weight = std::sqrt(to_double(list[i].weight));
-    for (std::size_t j = 0; j < list[i].row.size(); ++j) a(at(i), at(j)) = weight * to_double(list[i].row[j]);
-    b[at(i)] = weight * to_double(list[i].target);
+    for (std::size_t j = 0; j < list[i].row.size(); ++j) a(i, j) = weight * to_double(list[i].row[j]);
+    b[i] = weight * to_double(list[i].target);
   }
-  a.bottomRows(tension.rows()) = tension;
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(a);
-  return {to_rationals(decomposition.solve(b)), decomposition.rank() == a.cols()};
+  a.append(tension);
+  const LeastSquares found = least_squares(a, b);
+  return {to_rationals(found.solution), found.is_unique};
 }
 
 PlanarFit sparse_fit(const PlanarSpace& space, const std::vector<Equation>& list, const Rational& w2) {
   const NormalEquations equations = normal_equations(space, list, w2);
   const std::size_t n = space.dimension();
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::VectorXd right(at(n));
+  std::vector<SparseEntry> entries;
+  std::vector<double> right(n);
   for (std::size_t i = 0; i < n; ++i) {
-    right[at(i)] = to_double(equations.right[i]);
+    right[i] = to_double(equations.right[i]);
     for (std::size_t j = 0; j < n; ++j)
-      if (equations.matrix(i, j) != 0)
-        entries.emplace_back(static_cast<int>(i), static_cast<int>(j), to_double(equations.matrix(i, j)));
+      if (equations.matrix(i, j) != 0) entries.push_back({i, j, to_double(equations.matrix(i, j))});
   }
-  Eigen::SparseMatrix<double> matrix(at(n), at(n));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> decomposition(matrix);
-  if (decomposition.info() != Eigen::Success)
+  const std::vector<double> found = sparse_solution(entries, right);
+  if (found.empty())
     throw std::domain_error("least squares: the samples do not determine the spline; more samples or w2 > 0");
-  return {to_rationals(decomposition.solve(right)), true};
+  return {to_rationals(found), true};
 }
 
 /// floor(2^40 / sqrt(square)) 2^-40 for square > 0.

@@ -1,6 +1,7 @@
 #include "filter/double_point.h"
 
-#include <Eigen/Dense>
+#include <exsect/algebra/double_matrix.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,22 +27,25 @@ std::optional<Vec4> common_normal(const Pair& pair, Vec4 w) {
     const Vec3 n = cross(y[3], y[1]);
     const Vec3 nr = 2.0 * cross(y[6], y[1]) + cross(y[3], y[4]);
     const Vec3 ns = cross(y[4], y[1]) + 2.0 * cross(y[3], y[2]);
-    Eigen::Matrix4d jacobian;
-    jacobian << dot(x[3], y[3]), dot(x[1], y[3]), 2 * dot(d, y[6]) - dot(y[3], y[3]),
-        dot(d, y[4]) - dot(y[1], y[3]),  //
-        dot(x[3], y[1]), dot(x[1], y[1]), dot(d, y[4]) - dot(y[3], y[1]),
-        2 * dot(d, y[2]) - dot(y[1], y[1]),                            //
-        2 * dot(x[6], n), dot(x[4], n), dot(x[3], nr), dot(x[3], ns),  //
-        dot(x[4], n), 2 * dot(x[2], n), dot(x[1], nr), dot(x[1], ns);
-    const Eigen::Vector4d value(dot(d, y[3]), dot(d, y[1]), dot(x[3], n), dot(x[1], n));
-    const Eigen::Vector4d change = jacobian.partialPivLu().solve(value);
+    const std::array<std::array<double, 4>, 4> jacobian = {
+        {{dot(x[3], y[3]), dot(x[1], y[3]), 2 * dot(d, y[6]) - dot(y[3], y[3]),
+          dot(d, y[4]) - dot(y[1], y[3])},
+         {dot(x[3], y[1]), dot(x[1], y[1]), dot(d, y[4]) - dot(y[3], y[1]),
+          2 * dot(d, y[2]) - dot(y[1], y[1])},
+         {2 * dot(x[6], n), dot(x[4], n), dot(x[3], nr), dot(x[3], ns)},
+         {dot(x[4], n), 2 * dot(x[2], n), dot(x[1], nr), dot(x[1], ns)}}};
+    DoubleMatrix matrix(4, 4);
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j) matrix(i, j) = jacobian[i][j];
+    const std::vector<double> change =
+        solution(matrix, {dot(d, y[3]), dot(d, y[1]), dot(x[3], n), dot(x[1], n)});
     double size = 0;
     for (std::size_t j = 0; j < 4; ++j) {
-      w[j] -= change[static_cast<Eigen::Index>(j)];
+      w[j] -= change[j];
       if (!(std::fabs(w[j]) < 0.75)) {
         return std::nullopt;
       }
-      size = std::max(size, std::fabs(change[static_cast<Eigen::Index>(j)]));
+      size = std::max(size, std::fabs(change[j]));
     }
     if (size < kSettled) {
       return largest(expand(pair.x, w[0], w[1])[0] - expand(pair.y, w[2], w[3])[0]) < kClose
