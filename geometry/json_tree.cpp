@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <unordered_set>
 
 #include "text_file.h"
 
@@ -37,10 +38,9 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool end_array() override { return close(); }
 
   bool key(string_t& key) override {
-    std::vector<std::string>& keys = open_.back()->keys;
-    if (std::find(keys.begin(), keys.end(), key) != keys.end())
+    if (!keys_.back().insert(key).second)
       throw InputError(file_, path(), "key \"" + printable(key) + "\" given twice");
-    keys.push_back(key);
+    open_.back()->keys.push_back(key);
     return true;
   }
 
@@ -69,11 +69,13 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
       throw InputError(file_, path(), "nested deeper than " + std::to_string(max_depth_) + " levels");
     // Stays where it is while it is open: its parent gets no further element meanwhile.
     open_.push_back(&place({kind, "", {}, {}}));
+    keys_.emplace_back();
     return true;
   }
 
   bool close() {
     open_.pop_back();
+    keys_.pop_back();
     return true;
   }
 
@@ -96,6 +98,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   std::size_t max_depth_;
   JsonTree root_;
   std::vector<JsonTree*> open_;
+  std::vector<std::unordered_set<std::string>> keys_;  // of each open value, to find one that comes again
 };
 
 }  // namespace
