@@ -76,6 +76,8 @@ NamedPatch read_named_patch(const JsonValue& value, NumberReader read) {
   value.require_object({"name", "degree", "points"});
   const JsonValue name = value.member("name");
   if (name.string().empty()) name.fail("must not be empty");
+  if (name.string().size() > max_name_bytes)
+    name.fail("must not be longer than " + std::to_string(max_name_bytes) + " bytes");
   const JsonValue degrees = value.member("degree");
   degrees.require_size(2, "degrees");
   const std::array<int, 2> degree = {read_degree(degrees.at(0)), read_degree(degrees.at(1))};
@@ -121,6 +123,9 @@ std::string format_patches(const PatchFile& file) {
   for (const NamedPatch& named : file.patches) {
     if (named.name.empty() || !names.insert(named.name).second)
       throw std::invalid_argument("patch file: names must be distinct and not empty");
+    if (named.name.size() > max_name_bytes)
+      throw std::invalid_argument("patch file: names must not be longer than " +
+                                  std::to_string(max_name_bytes) + " bytes");
     text += before_patch + format_patch(named);
     before_patch = ",\n";
   }

@@ -20,7 +20,11 @@ struct NamedPatch {
   friend bool operator==(const NamedPatch&, const NamedPatch&) = default;
 };
 
-/// Title and source are free text, possibly empty. Names are not empty and distinct.
+/// Names longer than this, in bytes of UTF-8, are refused: each is written with many parts of a result.
+inline constexpr std::size_t max_name_bytes = 1000;
+
+/// Title and source are free text, possibly empty. Names are not empty, at most `max_name_bytes` long and
+/// distinct.
 struct PatchFile {
   std::string title;
   std::string source;
@@ -42,16 +46,17 @@ inline constexpr std::size_t max_patch_file_bytes = std::size_t{8} << 20;
 /// text, means the decimal as written. With "numbers": "binary64" decimals, in strings or bare, mean the
 /// nearest IEEE double. Degree [m,n] goes with m+1 rows of n+1 points. Throws InputError (file, JSON path,
 /// reason) for anything else: wrong shape, NaN, infinity, zero denominator, numbers beyond the sizes in
-/// number.h, empty or duplicate names, duplicate, unknown or missing keys, another version, no patch at all,
-/// truncated text, text after the end, deep nesting, excessive length.
+/// number.h, empty, too long or duplicate names, duplicate, unknown or missing keys, another version, no
+/// patch at all, truncated text, text after the end, deep nesting, excessive length.
 PatchFile parse_patches(const std::string& text, const std::string& filename);
 
 /// The same from a file; InputError also if it is missing, a directory or unreadable.
 PatchFile read_patches(const std::string& path);
 
 /// The text of a patch file with exact rationals in lowest terms: parse_patches gives the same PatchFile
-/// back. Throws std::invalid_argument if there is none: no patch, empty or duplicate names, a degree other
-/// than 1 or 2 or below the patch's true degree, text that is not UTF-8, a number beyond `max_number_digits`.
+/// back. Throws std::invalid_argument if there is none: no patch, empty, too long or duplicate names, a
+/// degree other than 1 or 2 or below the patch's true degree, text that is not UTF-8, a number beyond
+/// `max_number_digits`.
 std::string format_patches(const PatchFile& file);
 
 /// format_patches written by write_file_atomically.

@@ -1,6 +1,7 @@
 #include <exsect/geometry/patch_file.h>
 
 #include <clocale>
+#include <ctime>
 #include <random>
 #include <utility>
 
@@ -272,4 +273,30 @@ TEST_CASE("damaged files are refused or read, never anything else", "[patch_file
     }
   }
   CHECK(readable > 100);
+}
+
+TEST_CASE("an object with very many keys takes linear time", "[patch_file]") {
+  const auto seconds = [](int keys) {
+    std::string text = "{";
+    for (int i = 0; i < keys; ++i) text += "\"key" + std::to_string(i) + "\": 1, ";
+    const std::clock_t begun = std::clock();
+    CHECK_THAT(refusal(text + "\"key0\": 1}").reason(), Contains("given twice"));
+    return static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+  };
+  seconds(1000);
+  // Quadratic, it would be 256 times as long.
+  CHECK(seconds(160000) < 64 * (seconds(10000) + 0.01));
+}
+
+TEST_CASE("names have a greatest length", "[patch_file]") {
+  const auto named = [](const std::string& name) {
+    return replaced(file_with(bilinear("0")), "\"x\"", "\"" + name + "\"");
+  };
+  CHECK(parse_patches(named(std::string(max_name_bytes, 'n')), "f").patches[0].name.size() == max_name_bytes);
+  const InputError error = refusal(named(std::string(max_name_bytes + 1, 'n')));
+  CHECK(error.where() == "$.patches[0].name");
+  CHECK_THAT(error.reason(), Contains("longer than 1000 bytes"));
+  PatchFile file = parse_patches(named("x"), "f");
+  file.patches[0].name = std::string(max_name_bytes + 1, 'n');
+  CHECK_THROWS_AS(format_patches(file), std::invalid_argument);
 }
