@@ -7,15 +7,51 @@
 #include <cmath>
 
 namespace exsect::cli {
+namespace {
+
+/// A code point of Unicode and the number of bytes it takes; 0 and one byte where the bytes are no UTF-8.
+struct Character {
+  char32_t code;
+  std::size_t bytes;
+};
+
+Character character_at(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(at);
+  if (lead < 0x80) return {lead, 1};
+  const std::size_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || at + bytes > text.size()) return {0, 1};
+  char32_t code = lead & (0xFFU >> (bytes + 1));
+  for (std::size_t i = at + 1; i < at + bytes; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80) return {0, 1};
+    code = code << 6U | (byte(i) & 0x3FU);
+  }
+  constexpr char32_t least[] = {0x80, 0x800, 0x10000};
+  if (code < least[bytes - 2] || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return {0, 1};
+  return {code, bytes};
+}
+
+/// Whether a terminal obeys the character instead of showing it.
+bool steers(char32_t c) {
+  const bool control = c < 0x20 || (c >= 0x7F && c < 0xA0);
+  const bool separator = c == 0x2028 || c == 0x2029;
+  const bool mark = c == 0x061C || c == 0x200E || c == 0x200F;
+  const bool embedding_or_override = c >= 0x202A && c <= 0x202E;
+  const bool isolate = c >= 0x2066 && c <= 0x2069;
+  return control || separator || mark || embedding_or_override || isolate;
+}
+
+}  // namespace
 
 std::string printable(const std::string& text) {
-  std::string plain = text;
-  for (std::size_t i = 0; i < plain.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(plain[i]);
-    const bool second_control = byte == 0xC2 && i + 1 < plain.size() &&
-                                static_cast<unsigned char>(plain[i + 1]) < 0xA0;  // U+0080 to U+009F
-    if (byte < 0x20 || byte == 0x7F) plain[i] = ' ';
-    if (second_control) plain.replace(i, 2, " ");
+  std::string plain;
+  for (std::size_t i = 0; i < text.size();) {
+    const Character character = character_at(text, i);
+    if (steers(character.code))
+      plain += ' ';
+    else
+      plain.append(text, i, character.bytes);
+    i += character.bytes;
   }
   return plain;
 }

@@ -10,8 +10,9 @@
 
 namespace exsect::cli {
 
-/// The text with every control character replaced by a blank, so that a title in a file cannot steer a
-/// terminal.
+/// The text with everything that can steer a terminal or reorder its text replaced by a blank: control
+/// characters, the marks, embeddings, overrides and isolates of bidirectional text, line and paragraph
+/// separators, and bytes that are no UTF-8.
 std::string printable(const std::string& text);
 
 /// Twelve decimals.

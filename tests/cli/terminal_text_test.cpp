@@ -32,7 +32,19 @@ TEST_CASE("no control character of a file reaches the terminal") {
   CHECK(printable("a\x1b[31mb\nc\td\x7f") == "a [31mb c d ");
   CHECK(printable("Jüttler \u2264 \u4e2d") == "Jüttler \u2264 \u4e2d");
   CHECK(printable("\u009b31m\u00a0") == " 31m\u00a0");
-  CHECK(printable("cut \xc2") == "cut \xc2");
+  CHECK(printable("cut \xc2") == "cut  ");
+  CHECK(printable("\xff\x9b"
+                  "31m \xe2\x82 \xed\xa0\x80 \xc0\xaf") ==
+        "  31m       "
+        "  ");
+  CHECK(printable("\U0001F600 \u0627\u0644") == "\U0001F600 \u0627\u0644");
+}
+
+TEST_CASE("no name turns the direction of the text around it") {
+  for (const char* mark : {"\u061c", "\u200e", "\u200f", "\u202a", "\u202b", "\u202c", "\u202d", "\u202e",
+                           "\u2066", "\u2067", "\u2068", "\u2069", "\u2028", "\u2029"}) {
+    CHECK(printable("a" + std::string(mark) + "b") == "a b");
+  }
 }
 
 TEST_CASE("tables align their columns") {
