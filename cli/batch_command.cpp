@@ -7,11 +7,11 @@
 #include <memory>
 #include <thread>
 
-#include "batch/batch_input.h"
-#include "batch/batch_line.h"
-#include "batch/batch_output.h"
-#include "batch/batch_summary.h"
-#include "batch/worker_pool.h"
+#include "cli/batch/batch_input.h"
+#include "cli/batch/batch_line.h"
+#include "cli/batch/batch_output.h"
+#include "cli/batch/batch_summary.h"
+#include "cli/batch/worker_pool.h"
 #include "cli/progress.h"
 #include "output/options/implicitize_options.h"
 #include "output/options/option_values.h"
@@ -30,8 +30,6 @@ struct Options {
   PoolLimits limits;
   Shard shard;
 };
-
-constexpr int most_shards = 1000000;
 
 Shard parsed_shard(const std::string& text) {
   const auto slash = text.find('/');
@@ -186,7 +184,8 @@ ExitStatus run(const BatchCommand& command, const Streams& streams) {
   const Options options = parsed(command);
   if (!command.output.empty()) check_output("--output", command.output, command.inputs);
   const std::unique_ptr<BatchInput> input = read_input(command, options.shard);
-  BatchOutput output(command.output, header(command, *input, options.shard), command.resume);
+  BatchOutput output(command.output, header(command, *input, options.shard),
+                     command.resume ? BatchOutput::Journal::resume : BatchOutput::Journal::begin);
   Run run(options, *input, output);
   const BatchClock::time_point begun = BatchClock::now();
   const std::uint64_t earlier = run.tally().lines;

@@ -1,14 +1,16 @@
 #include <exsect/geometry/text_file.h>
 #include <fcntl.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <cstring>
 #include <memory>
 
-#include "batch/batch_line.h"
-#include "batch/batch_output.h"
-#include "batch/batch_summary.h"
-#include "batch/line_reader.h"
+#include "cli/batch/batch_line.h"
+#include "cli/batch/batch_output.h"
+#include "cli/batch/batch_summary.h"
+#include "cli/batch/line_reader.h"
+#include "cli/batch/natural.h"
 #include "cli/batch_command.h"
 #include "output/options/output_files.h"
 #include "output/text/terminal_text.h"
@@ -58,15 +60,22 @@ class ShardFile {
     try {
       Json header = Json::parse(reader_->next());
       if (header.at("exsect") != "batch/1") fail("is not of the form batch/1");
-      shard_ = {header.at("shard").at(0).get<std::uint64_t>(), header.at("shard").at(1).get<std::uint64_t>()};
-      lines_ = header.at("lines").get<std::uint64_t>();
-      if (header.contains("model")) apart_ = header.at("model").at("apart").get<std::uint64_t>();
+      shard_ = {natural(header.at("shard").at(0)), natural(header.at("shard").at(1))};
+      lines_ = natural(header.at("lines"));
+      if (header.contains("model")) apart_ = natural(header.at("model").at("apart"));
       header["shard"] = {1, 1};
       whole_header_ = header.dump() + "\n";
     } catch (const Json::exception&) {
       fail("is not of the form batch/1");
+    } catch (const std::invalid_argument& error) {
+      fail(error.what());
     }
-    if (shard_.index < 1 || shard_.index > shard_.count) fail("names no shard");
+    if (shard_.index < 1 || shard_.index > shard_.count || shard_.count > std::uint64_t{most_shards})
+      fail("names no shard");
+    struct stat status = {};
+    const bool measured = fstat(file_.get(), &status) == 0;
+    if (measured && shard_.size(lines_) > static_cast<std::uint64_t>(status.st_size))
+      fail("names more lines than the file can hold");
   }
 
   std::string path_;
@@ -124,7 +133,7 @@ Tally merged(Shards& shards, BatchOutput& output) {
 ExitStatus run(const BatchMergeCommand& command, const Streams& streams) {
   if (!command.output.empty()) check_output("--output", command.output, command.shards);
   Shards shards = opened(command.shards);
-  BatchOutput output(command.output, shards[0]->whole_header(), false);
+  BatchOutput output(command.output, shards[0]->whole_header(), BatchOutput::Journal::none);
   const Tally tally = merged(shards, output);
   output.finish(streams.out);
   if (!command.quiet && !command.output.empty()) streams.out << batch_summary(tally, shards[0]->apart(), {});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "output/text/terminal_text.h"
@@ -61,6 +62,28 @@ PatchPair read_pair(const std::string& path, const std::string& first, const std
   if (x == nullptr) x = y == front ? &file.patches.back() : front;
   if (y == nullptr) y = x == front ? &file.patches.back() : front;
   return {*x, *y, file.title};
+}
+
+std::string place_beyond_doubles(const NamedPatch& named) {
+  const auto row_step = static_cast<std::size_t>(3 - named.degree[0]);
+  const auto column_step = static_cast<std::size_t>(3 - named.degree[1]);
+  for (std::size_t i = 0; i < 3; i += row_step) {
+    for (std::size_t j = 0; j < 3; j += column_step) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (!std::isfinite(to_double(named.patch.net()[i][j][c])))
+          return fmt::format("points[{}][{}][{}]", i / row_step, j / column_step, c);
+      }
+    }
+  }
+  return "";
+}
+
+void refuse_beyond_doubles(const std::string& path, const std::string& reason) {
+  const PatchFile file = read_patches(path);
+  for (std::size_t k = 0; k < file.patches.size(); ++k) {
+    const std::string place = place_beyond_doubles(file.patches[k]);
+    if (!place.empty()) throw InputError(path, fmt::format("$.patches[{}].{}", k, place), reason);
+  }
 }
 
 ChosenPatch read_patch(const std::string& path, const std::string& name) {

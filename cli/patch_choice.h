@@ -32,4 +32,11 @@ struct ChosenPatch {
 /// Throws InputError for a bad file, an unknown name, or no clear choice.
 ChosenPatch read_patch(const std::string& path, const std::string& name);
 
+/// "points[i][j][c]", as in a patch file, of the first coordinate beyond the range of doubles; "" if there is
+/// none.
+std::string place_beyond_doubles(const NamedPatch& named);
+/// Throws InputError that names the first control point of the file with a coordinate beyond the range of
+/// doubles, and `reason`; returns if there is none.
+void refuse_beyond_doubles(const std::string& path, const std::string& reason);
+
 }  // namespace exsect::cli

@@ -1,5 +1,6 @@
 #include "cli/program.h"
 
+#include <exsect/geometry/beyond_doubles.h>
 #include <exsect/geometry/text_file.h>
 
 #include <CLI/CLI.hpp>
@@ -17,6 +18,7 @@
 #include "cli/self_command.h"
 #include "cli/verify_command.h"
 #include "output/text/terminal_text.h"
+#include "cli/patch_choice.h"
 
 namespace exsect::cli {
 namespace {
@@ -359,6 +361,18 @@ void refuse_empty_values(const CLI::App& app) {
   }
 }
 
+/// Runs a command on a patch file; where a control point is beyond the range of doubles the refusal says
+/// which.
+template <class Command>
+ExitStatus run_on_patches(const Command& command, const Streams& streams) {
+  try {
+    return run(command, streams);
+  } catch (const BeyondDoubles& error) {
+    refuse_beyond_doubles(command.file, error.what());
+    throw;
+  }
+}
+
 ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   CLI::App app(about, "exsect");
   IntersectCommand intersect;
@@ -396,19 +410,19 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
         "a command is needed: intersect, line, self, compare, verify, implicitize, revolve, batch, "
         "batch-merge or check (see exsect --help)");
   refuse_empty_values(app);
-  if (app.got_subcommand("self")) return run(self, streams);
-  if (app.got_subcommand("compare")) return run(compare, streams);
-  if (app.got_subcommand("verify")) return run(verify, streams);
+  if (app.got_subcommand("self")) return run_on_patches(self, streams);
+  if (app.got_subcommand("compare")) return run_on_patches(compare, streams);
+  if (app.got_subcommand("verify")) return run_on_patches(verify, streams);
   if (app.got_subcommand("implicitize")) return run(implicitize, streams);
   if (app.got_subcommand("batch")) return run(batch, streams);
   if (app.got_subcommand("batch-merge")) return run(batch_merge, streams);
   if (app.got_subcommand("revolve")) return run(revolve, streams);
   if (app.got_subcommand("check")) return run(check, streams);
-  return app.got_subcommand("intersect") ? run(intersect, streams) : run(line, streams);
+  return app.got_subcommand("intersect") ? run_on_patches(intersect, streams) : run_on_patches(line, streams);
 }
 
 ExitStatus fail(const Streams& streams, const std::string& message) {
-  streams.err << "exsect: " << message << std::endl;
+  streams.err << "exsect: " << printable(message) << std::endl;
   return ExitStatus::failed;
 }
 
@@ -420,9 +434,9 @@ ExitStatus guarded(int argc, const char* const* argv, const Streams& streams) {
   } catch (const UsageError& error) {
     return fail(streams, error.what());
   } catch (const InputError& error) {
-    return fail(streams, printable(error.what()));
+    return fail(streams, error.what());
   } catch (const OutputError& error) {
-    return fail(streams, printable(error.what()));
+    return fail(streams, error.what());
   } catch (const std::invalid_argument& error) {
     return fail(streams, error.what());
   } catch (const std::bad_alloc&) {

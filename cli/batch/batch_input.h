@@ -12,6 +12,9 @@
 
 namespace exsect::cli {
 
+/// A batch has no more parts than this.
+inline constexpr int most_shards = 1000000;
+
 /// Part `index` of `count`, 1 <= index <= count. Lines are dealt out in blocks of 64.
 struct Shard {
   std::uint64_t index = 1;
@@ -67,8 +70,5 @@ std::vector<std::string> read_list(const std::string& path);
 /// Whether the file's first character that is not blank is "{": patches, not a list. Throws InputError if it
 /// cannot be read.
 bool holds_patches(const std::string& path);
-
-/// CRC-64 of the bytes, 16 hexadecimal digits.
-std::string checksum(const std::string& bytes);
 
 }  // namespace exsect::cli

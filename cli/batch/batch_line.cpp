@@ -1,5 +1,6 @@
 #include "cli/batch/batch_line.h"
 
+#include <exsect/geometry/beyond_doubles.h>
 #include <exsect/geometry/bounding_box.h>
 #include <exsect/geometry/text_file.h>
 #include <exsect/solver/self_intersect.h>
@@ -8,18 +9,15 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "cli/patch_choice.h"
+#include "output/text/terminal_text.h"
 #include "output/text/intersection_json.h"
 
 namespace exsect::cli {
 namespace {
 
-constexpr const char* form = "batch-line/1";
-
-/// The last key of a line, which the summary does not need.
-constexpr std::string_view result_key = ",\"result\":{";
-
 Json head(const BatchInput& input, const Shard& shard, std::uint64_t local, const Subject* subject) {
-  Json line = {{"exsect", form}, {"line", shard.global(local)}};
+  Json line = {{"exsect", batch_line_form}, {"line", shard.global(local)}};
   line.update(input.names(local));
   if (subject != nullptr && subject->self) line["patch"] = subject->x.name;
   if (subject != nullptr && !subject->self) {
@@ -45,60 +43,26 @@ const char* decided_by(const IntersectResult& result, bool meet) {
   return result.work.steps.count("filtered") != 0 ? "doubles" : "exact";
 }
 
-void count_summary(const Json& summary, Tally& tally) {
-  const auto number = [&](const char* key) { return summary.at(key).get<std::uint64_t>(); };
-  if (number("components") + number("isolated") + number("overlaps") > 0) ++tally.meeting;
-  tally.open += number("open");
-  tally.closed += number("closed");
-  tally.branched += number("branched");
-  tally.isolated += number("isolated");
-  tally.overlaps += number("overlaps");
-}
-
-void count_complete(const std::string& by, Tally& tally) {
-  ++tally.complete;
-  ++(by == "boxes" ? tally.by_boxes : by == "doubles" ? tally.by_doubles : tally.by_exact);
-}
-
-/// Counts a line, of which the result may be missing; its number.
-std::uint64_t count(const Json& line, Tally& tally) {
-  const std::string status = line.at("status").get<std::string>();
-  ++tally.lines;
-  if (line.contains("patch")) ++tally.selves;
-  if (status == "failed") {
-    ++tally.failed;
-  } else {
-    count_summary(line.at("summary"), tally);
-    if (status == "complete")
-      count_complete(line.at("by").get<std::string>(), tally);
-    else
-      ++tally.incomplete;
-  }
-  return line.at("line").get<std::uint64_t>();
-}
-
 BatchLine counted_line(const Json& line) {
   BatchLine result;
   // Invalid UTF-8, which only paths can hold, is replaced.
   result.text = line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  count(line, result.tally);
+  count_line(line, result.tally);
   return result;
 }
 
-/// Every number of a tally.
-constexpr std::uint64_t Tally::*numbers[] = {
-    &Tally::lines,    &Tally::selves,     &Tally::complete, &Tally::incomplete, &Tally::failed,
-    &Tally::by_boxes, &Tally::by_doubles, &Tally::by_exact, &Tally::meeting,    &Tally::open,
-    &Tally::closed,   &Tally::branched,   &Tally::isolated, &Tally::overlaps};
-static_assert(sizeof numbers / sizeof numbers[0] == sizeof(Tally) / sizeof(std::uint64_t));
+/// Which control point is beyond the range of doubles, with a colon; empty if each one for itself is not.
+std::string beyond_doubles(const Subject& subject) {
+  for (const NamedPatch* patch : {&subject.x, &subject.y}) {
+    const std::string place = place_beyond_doubles(*patch);
+    if (!place.empty()) return "patch \"" + printable(patch->name) + "\": " + place + ": ";
+  }
+  return "";
+}
+
 static_assert(std::is_trivially_copyable_v<Tally>);
 
 }  // namespace
-
-Tally& operator+=(Tally& sum, const Tally& more) {
-  for (const auto number : numbers) sum.*number += more.*number;
-  return sum;
-}
 
 BatchLine failed_line(const BatchInput& input, const Shard& shard, std::uint64_t local,
                       const std::string& why) {
@@ -121,7 +85,9 @@ BatchLine solved_line(const BatchInput& input, const Shard& shard, std::uint64_t
   IntersectResult result;
   try {
     result = solved_pair(*subject, meet, options.solver);
-  } catch (const std::invalid_argument& error) {  // control points out of range
+  } catch (const BeyondDoubles& error) {
+    return failed_line(input, shard, local, beyond_doubles(*subject) + error.what());
+  } catch (const std::invalid_argument& error) {  // options out of range for this pair
     return failed_line(input, shard, local, error.what());
   }
   const ParameterNames& names = subject->self ? self_names : pair_names;
@@ -148,19 +114,6 @@ BatchLine unpacked(std::string_view bytes) {
   std::memcpy(&line.tally, bytes.data(), sizeof line.tally);
   line.text = bytes.substr(sizeof line.tally);
   return line;
-}
-
-std::uint64_t count_line(std::string_view line, Tally& tally) {
-  const std::size_t result = line.find(result_key);
-  std::string needed(line.substr(0, result));
-  if (result != std::string_view::npos) needed += "}";
-  try {
-    const Json json = Json::parse(needed);
-    if (json.at("exsect") != form) throw std::invalid_argument("not a line of the form batch-line/1");
-    return count(json, tally);
-  } catch (const Json::exception&) {
-    throw std::invalid_argument("not a line of the form batch-line/1");
-  }
 }
 
 }  // namespace exsect::cli

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cli/batch/checksum.h"
 #include "cli/batch/batch_input.h"
 #include "cli/patch_choice.h"
 

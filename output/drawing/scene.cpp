@@ -1,5 +1,6 @@
 #include "output/drawing/scene.h"
 
+#include <exsect/geometry/beyond_doubles.h>
 #include <exsect/geometry/number.h>
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ std::array<double, 3> rounded(const Point& p) {
   const std::array<double, 3> point = {to_double(p[0]), to_double(p[1]), to_double(p[2])};
   for (double coordinate : point) {
     if (!std::isfinite(coordinate))
-      throw std::invalid_argument("export: a patch has coordinates beyond the range of doubles");
+      throw BeyondDoubles("export: a patch has coordinates beyond the range of doubles");
   }
   return point;
 }

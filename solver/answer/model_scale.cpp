@@ -1,8 +1,9 @@
 #include "answer/model_scale.h"
 
+#include <exsect/geometry/beyond_doubles.h>
+
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace exsect {
 
@@ -22,7 +23,7 @@ ModelScale model_scale(const BezierPatch& x, const BezierPatch& y) {
     }
     result.frame.origin[c] = to_double((lower + upper) / 2);
     if (!std::isfinite(result.frame.origin[c])) {
-      throw std::invalid_argument("control points must lie in the range of doubles");
+      throw BeyondDoubles("control points must lie in the range of doubles");
     }
     result.origin[c] = from_double(result.frame.origin[c]);
     largest = std::max(largest, to_double(upper - lower));

@@ -22,7 +22,7 @@ struct ModelScale {
   double extent;
 };
 
-/// Throws std::invalid_argument if control points lie beyond the range of doubles.
+/// Throws BeyondDoubles if control points lie beyond the range of doubles.
 ModelScale model_scale(const BezierPatch& x, const BezierPatch& y);
 
 }  // namespace exsect

@@ -52,6 +52,21 @@ PAIRS = crossings(seed=20260, count=24)
 SLOWLY = ["--exact", "--tolerance", "1e-10"]  # long enough to be interrupted
 
 
+def crc64(text):
+    """CRC-64/XZ, bit by bit."""
+    crc = 2**64 - 1
+    for byte in text:
+        crc ^= byte
+        for _ in range(8):
+            crc = crc >> 1 ^ (0xC96C5795D7870F42 if crc & 1 else 0)
+    return crc ^ 2**64 - 1
+
+
+def journal_line(line):
+    """A line of a result as it stands in the journal."""
+    return b"%s\t%016x\n" % (line.rstrip(b"\n"), crc64(line.rstrip(b"\n")))
+
+
 def model_of(path, pairs):
     return write_model(path, [p for pair in pairs for p in pair])
 
@@ -213,7 +228,7 @@ def test_merged_shards_are_the_one_run(tmp_path, count):
     assert (tmp_path / "merged").read_bytes() == whole
 
 
-def test_merging_refuses_missing_repeated_and_foreign_shards(model, tmp_path):
+def test_merging_refuses_missing_repeated_and_foreign_shards(model, whole, tmp_path):
     one, two, other = tmp_path / "1", tmp_path / "2", tmp_path / "3"
     run("batch", model, "--shard", "1/2", "-o", one)
     run("batch", model, "--shard", "2/2", "-o", two)
@@ -224,8 +239,40 @@ def test_merging_refuses_missing_repeated_and_foreign_shards(model, tmp_path):
     text = one.read_bytes()
     one.write_bytes(text[: text.rindex(b"\n", 0, -1) + 1])
     assert "not finished" in run("batch-merge", one, two, status=2).stderr
+    merged = tmp_path / "merged"
+    assert "not finished" in run("batch-merge", one, two, "-o", merged, status=2).stderr
     one.write_bytes(text + text.splitlines(True)[-1])
     assert "follows the end" in run("batch-merge", one, two, status=2).stderr
+    assert "follows the end" in run("batch-merge", one, two, "-o", merged, status=2).stderr
+    one.write_bytes(text)
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["1", "2", "3", "model.ndjson"]
+    run("batch-merge", one, two, "-o", merged)  # the refused ones left nothing in its way
+    assert merged.read_bytes() == whole
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["1", "2", "3", "merged", "model.ndjson"]
+
+
+@pytest.mark.parametrize(
+    "part, broken",
+    [
+        (b'"shard":[1,2]', b'"shard":[1,18446744073709551615]'),
+        (b'"shard":[1,2]', b'"shard":[1,1e300]'),
+        (b'"shard":[1,2]', b'"shard":[-1,2]'),
+        (b'"lines":24', b'"lines":1000000000000000000'),
+        (b'"lines":24', b'"lines":24.5'),
+        (b'"line":0', b'"line":1e300'),
+        (b'"line":0', b'"line":-1'),
+        (b'"line":0', b'"line":0.5'),
+        (b'"status":"complete"', b'"status":"solved"'),
+    ],
+)
+def test_numbers_in_a_shard_are_not_trusted(model, tmp_path, part, broken):
+    one, two = tmp_path / "1", tmp_path / "2"
+    run("batch", model, "--shard", "1/2", "-o", one)
+    run("batch", model, "--shard", "2/2", "-o", two)
+    assert part in one.read_bytes()
+    one.write_bytes(one.read_bytes().replace(part, broken, 1))
+    refusal = run("batch-merge", one, two, status=2, timeout=20).stderr
+    assert refusal.startswith(f"exsect: {one}: line ")
 
 
 # Interruption
@@ -237,7 +284,7 @@ def test_a_torn_journal_is_continued(model, whole, tmp_path):
         rng = random.Random(seed)
         header, *rows = whole.splitlines(True)
         rng.shuffle(rows)
-        text = b"".join([header, *rows])
+        text = b"".join([header, *map(journal_line, rows)])
         output.unlink(missing_ok=True)
         journal.write_bytes(text[: rng.choice([0, 5, len(header), rng.randrange(len(text)), len(text) - 1, len(text)])])
         run("batch", model, "--output", output, "--resume")
@@ -264,9 +311,36 @@ def test_a_journal_is_not_overwritten(model, whole, tmp_path):
     assert "--resume" in run("batch", model, "-o", tmp_path / "out.ndjson", status=2).stderr
     assert journal.read_bytes() == whole
     rows = whole.splitlines(True)
-    for broken in ([b"{}\n"], [rows[1]], [rows[1].replace(b'"line":0', b'"line":24')], [b"\xff\n"]):
-        journal.write_bytes(b"".join([rows[0], rows[1], *broken]))
+    for broken in (b"{}\n", rows[1], rows[1].replace(b'"line":0', b'"line":24'), b"\xff\n"):
+        journal.write_bytes(b"".join([rows[0], journal_line(rows[1]), journal_line(broken)]))
         assert "line 3" in run("batch", model, "-o", tmp_path / "new.ndjson", "--resume", status=2).stderr if journal.rename(tmp_path / "new.ndjson.partial") else True
+
+
+def test_a_damaged_journal_is_not_believed(model, whole, tmp_path):
+    assert crc64(b"123456789") == 0x995DC9BBDF1939FA  # the check value of the catalogue
+    output, journal = tmp_path / "new.ndjson", tmp_path / "new.ndjson.partial"
+    header, *rows = whole.splitlines(True)
+    good = [journal_line(row) for row in rows[:3]]
+    assert b'"closed":0' in good[1]
+    for damaged in (good[1].replace(b'"closed":0', b'"closed":1'), rows[1], good[1][:-2] + b"\n", b"\0" * 80 + b"\n"):
+        journal.write_bytes(b"".join([header, good[0], damaged, good[2]]))
+        assert "line 3" in (refusal := run("batch", model, "-o", output, "--resume", status=2).stderr) and "checksum" in refusal
+    journal.write_bytes(b"".join([header, good[0], good[2]]))
+    run("batch", model, "-o", output, "--resume")
+    assert output.read_bytes() == whole
+
+
+def test_a_link_in_the_place_of_the_journal_is_not_followed(model, whole, tmp_path):
+    output, journal, victim = tmp_path / "new.ndjson", tmp_path / "new.ndjson.partial", tmp_path / "victim"
+    for content in (b"", whole):
+        victim.write_bytes(content)
+        journal.symlink_to(victim)
+        for resume in ([], ["--resume"]):
+            assert "symbolic link" in run("batch", model, "-o", output, *resume, status=2).stderr
+        assert victim.read_bytes() == content and not output.exists()
+        journal.unlink()
+    os.mkfifo(journal)
+    assert "no regular file" in run("batch", model, "-o", output, status=2, timeout=20).stderr
 
 
 @pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
@@ -354,8 +428,18 @@ def test_a_file_that_cannot_be_read_is_one_failed_line(tmp_path, pairs):
     listed.write_text("\n".join(str(f) for f in [files[0], bad, tmp_path, tmp_path / "none.json", three, twice, huge, *files[1:]]))
     rows = lines(run("batch", listed, status=3).stdout)[1:]
     assert [row["status"] for row in rows] == ["complete", *["failed"] * 6, "complete", "complete"]
-    for row, reason in zip(rows[1:7], ["not valid JSON", "directory", "No such file", "3 patches", "given to two patches", ""]):
+    for row, reason in zip(rows[1:7], ["not valid JSON", "directory", "No such file", "3 patches", "given to two patches", 'patch "1": points[0][0][0]: ']):
         assert reason in row["error"] and row["first"] is None
+
+
+def test_a_coordinate_beyond_doubles_is_refused_with_its_place(tmp_path):
+    points = [[["0", "0", "0"], ["0", "1", "0"]], [["1", "0", "0"], ["1", "1e309", "0"]]]
+    small = [[["0", "0", "0"], ["0", "1", "0"]], [["1", "0", "0"], ["1", "1", "1"]]]
+    path = write_pair(tmp_path / "huge.json", [{"name": "x", "degree": [1, 1], "points": small}, {"name": "y", "degree": [1, 1], "points": points}])
+    for command in (["intersect", path], ["self", path, "--patch", "y"]):
+        refusal = subprocess.run([PROGRAM, *map(str, command)], capture_output=True, text=True)
+        if refusal.returncode == 2:  # else it is solved
+            assert f"{path}: $.patches[1].points[1][1][1]: " in refusal.stderr, refusal.stderr
 
 
 def test_a_bad_model_is_refused_with_its_line(tmp_path, pairs):
@@ -393,12 +477,13 @@ def test_two_runs_do_not_write_one_output(model, whole_exact, tmp_path):
     assert output.read_bytes() == whole_exact
 
 
-def test_a_full_disk_loses_nothing_that_was_written(model, whole, tmp_path):
+@pytest.mark.parametrize("signals", [True, False])  # SIGXFSZ as it is in a shell, or ignored as in Python
+def test_a_full_disk_loses_nothing_that_was_written(model, whole, tmp_path, signals):
     def small_files():
         resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))
 
     output = tmp_path / "new.ndjson"
-    full = start("batch", model, "-o", output, restore_signals=False, preexec_fn=small_files)
+    full = start("batch", model, "-o", output, restore_signals=signals, preexec_fn=small_files)
     out, err = full.communicate(timeout=60)
     assert full.returncode == 2 and out == "" and "cannot be written: File too large" in err
     assert not output.exists() and (tmp_path / "new.ndjson.partial").stat().st_size == 5000
@@ -408,6 +493,26 @@ def test_a_full_disk_loses_nothing_that_was_written(model, whole, tmp_path):
     with open("/dev/full", "w") as device:
         ended = subprocess.run([PROGRAM, "batch", model], stdout=device, stderr=subprocess.PIPE, text=True)
     assert ended.returncode == 2 and "standard output cannot be written" in ended.stderr
+
+
+def test_no_command_leaves_a_file_where_the_disk_is_full(tmp_path):
+    def small_files():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+
+    example = ROOT / "examples/chapter9-first.json"
+    for option in ("--json", "--svg", "--report", "--certificate", "--obj", "--ply", "--vtp", "--csv"):
+        written = tmp_path / "written"
+        refusal = run("intersect", example, option, written, "--quiet", status=2, preexec_fn=small_files).stderr
+        assert "cannot be written: File too large" in refusal, option
+        assert not list(tmp_path.iterdir()), option
+        written.write_text("old")
+        run("intersect", example, option, written, "--quiet", status=2, preexec_fn=small_files)
+        assert written.read_text() == "old" and len(list(tmp_path.iterdir())) == 1
+        written.unlink()
+    with open("/dev/full", "w") as device:
+        for arguments in (["intersect", example], ["intersect", example, "--json", "-"], ["line", example, "--u", "1/2"]):
+            ended = subprocess.run([PROGRAM, *map(str, arguments)], stdout=device, stderr=subprocess.PIPE, text=True)
+            assert ended.returncode == 2 and "standard output cannot be written" in ended.stderr
 
 
 def test_a_directory_that_is_read_only_is_refused(model, tmp_path, tmp_path_factory):
