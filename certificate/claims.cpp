@@ -3,6 +3,7 @@
 #include <exsect/geometry/number.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace exsect::cli {
 
@@ -105,18 +106,27 @@ NoCertificate not_accepted(const checker::Rejected& rejected) {
 
 namespace {
 
-/// An arc whose error bound the check, with enclosures of its own, cannot confirm gets a larger one.
-bool enlarge_bound(Json& document, const Rational& factor, const std::string& where,
-                   const std::string& reason) {
-  if (reason != "the error bound is too small") return false;
+/// A number of ten bits that is by an eighth or more above `needed`: another check's enclosures may be wider.
+double clearly_above(double needed) {
+  int exponent = 0;
+  const double mantissa = std::frexp(needed * 1.125, &exponent);
+  return std::ldexp(std::ceil(mantissa * 1024), exponent - 10);
+}
+
+/// An arc whose error bound the check, with enclosures of its own, cannot confirm gets one that it can, and
+/// so do the edges of an overlap. False if the claim was rejected for another reason.
+bool enlarge_bound(Json& document, const checker::Rejected& rejected) {
+  if (rejected.kind() != checker::Rejected::Kind::error_bound || !rejected.needed()) return false;
+  const double enough = clearly_above(*rejected.needed());
+  if (!std::isfinite(enough)) return false;
   const auto enlarge = [&](Json& arc) {
     const Rational bound = checker::number_of(arc["error_bound"].get<std::string>());
-    arc["error_bound"] = to_string(bound * factor);
+    if (bound < from_double(enough)) arc["error_bound"] = exact_number(enough);
   };
   for (const char* list : {"arcs", "overlaps"}) {
     for (std::size_t i = 0; i < document[list].size(); ++i) {
       const std::string place = in_list(list, i);
-      if (where.substr(0, place.size()) != place) continue;
+      if (rejected.place().substr(0, place.size()) != place) continue;
       Json claim = document[list][i];
       claim.erase("seal");
       if (claim.contains("edges"))
@@ -133,20 +143,22 @@ bool enlarge_bound(Json& document, const Rational& factor, const std::string& wh
 }  // namespace
 
 std::string accepted_text(Json document) {
-  for (int trials = 0; trials < 60; ++trials) {
+  // Each arc and each edge gets a larger bound once, or twice where doubles do not confirm another claim.
+  std::size_t trials = 2 * document["arcs"].size() + 1;
+  for (const Json& overlap : document["overlaps"]) trials += 2 * overlap["edges"].size();
+  for (; trials > 0; --trials) {
     std::string certificate = claims_text(document);
-    const Rational factor = trials < 20 ? Rational(5, 4) : Rational(4);
     try {
       checker::check_in_doubles(certificate);
       return certificate;
     } catch (const checker::Rejected& rejected) {
-      if (enlarge_bound(document, factor, rejected.place(), rejected.what())) continue;
+      if (enlarge_bound(document, rejected)) continue;
     }
     try {
       checker::check_certificate(certificate);
       return certificate;
     } catch (const checker::Rejected& rejected) {
-      if (!enlarge_bound(document, factor, rejected.place(), rejected.what())) throw not_accepted(rejected);
+      if (!enlarge_bound(document, rejected)) throw not_accepted(rejected);
     }
   }
   throw NoCertificate("an arc whose polyline's error bound cannot be confirmed");

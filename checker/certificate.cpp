@@ -61,9 +61,18 @@ std::string hexadecimal(std::uint64_t hash) {
   for (std::size_t i = 16; i-- > 0; hash >>= 4) result[i] = "0123456789abcdef"[hash & 15];
   return result;
 }
+bool is_json(const std::string& text) { return nlohmann::json::accept(text); }
 std::string seal(std::string_view text) { return hexadecimal(hash(text)); }
 
+const char* name(Violation kind) {
+  constexpr std::array<const char*, 7> names = {"form",  "seal",  "claim",  "error-bound",
+                                                "cover", "graph", "summary"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
 Rational number_of(std::string_view text) {
+  if (text.size() > max_number_characters)
+    throw std::invalid_argument("a number of more than 6100 characters");
   const std::optional<NumberParts> found = parts(text);
   if (!found) throw std::invalid_argument("must be p/q in lowest terms, p/2^n with p odd, or p");
   const Integer p{std::string(found->p)};
@@ -78,7 +87,11 @@ Rational number_of(std::string_view text) {
 }
 
 static void read(Reader& in, std::size_t& n) { n = in.count(); }
-static void read(Reader& in, int& n) { n = static_cast<int>(in.count()); }
+static void read(Reader& in, int& n) {
+  const std::size_t count = in.count();
+  require(count <= 0x7fffffff, "must be below 2^31");
+  n = static_cast<int>(count);
+}
 static void read(Reader& in, std::string& text) { text = in.string(); }
 static void read(Reader& in, Rational& q) {
   try {
@@ -121,10 +134,14 @@ static void read(Reader& in, Map<Rational>& map) {
   const auto term = [&](std::size_t d) {
     Rational c;
     Power power = {};
+    int degree = 0;
     const std::size_t size = in.list([&](std::size_t i) {
       require(i < 5, "must be a coefficient and four exponents");
-      i == 0 ? read(in, c) : read(in, power[i - 1]);
-      require(i == 0 || power[i - 1] <= 12, "an exponent above 12");
+      if (i == 0) return read(in, c);
+      read(in, power[i - 1]);
+      require(power[i - 1] <= max_factor_degree, "an exponent above 12");
+      degree += power[i - 1];
+      require(degree <= max_factor_degree, "exponents with a sum above 12");
     });
     require(size == 5, "must be a coefficient and four exponents");
     map.coefficient(power)[d] += c;
@@ -182,15 +199,16 @@ static Cell cell(std::string_view text, std::size_t row) {
 }
 
 /// Entries with one blank between them, or none.
-static void read_cells(std::string_view text, std::size_t row, std::vector<Cell>& cells) {
+static void read_cells(Reader& in, std::string_view text, std::size_t row, std::vector<Cell>& cells) {
   while (!text.empty()) {
+    in.count_entry();
     const std::size_t end = std::min(text.find(' '), text.size());
     cells.push_back(cell(text.substr(0, end), row));
     require(end + 1 != text.size(), "must have no blank at its end");
     text.remove_prefix(std::min(end + 1, text.size()));
   }
 }
-static void read(Reader& in, std::vector<Cell>& cells) { read_cells(in.string(), 0, cells); }
+static void read(Reader& in, std::vector<Cell>& cells) { read_cells(in, in.string(), 0, cells); }
 
 /// Entries, and their seal after a blank and "#".
 static void read_row(Reader& in, std::size_t row, std::vector<Cell>& cells) {
@@ -198,16 +216,22 @@ static void read_row(Reader& in, std::size_t row, std::vector<Cell>& cells) {
   const std::size_t mark = text.find(" #");
   require(mark != std::string_view::npos, "must end with a seal");
   const std::string_view entries = text.substr(0, mark);
-  require(text.substr(mark + 2) == seal(in.place() + std::string(entries)),
-          "the seal does not fit the claim");
+  require(text.substr(mark + 2) == seal(in.place() + std::string(entries)), "the seal does not fit the claim",
+          Violation::seal);
   require(!entries.empty(), "must be one of the documented words");
-  read_cells(entries, row, cells);
+  read_cells(in, entries, row, cells);
 }
 
 /// One rational, or those of a polynomial.
 static void read(Reader& in, Algebraic& number) {
   std::vector<Rational> c;
-  in.at_list() ? read(in, c) : read(in, c.emplace_back());
+  if (in.at_list())
+    in.list([&](std::size_t i) {
+      require(i < max_modulus_degree, "a number of a degree above 64");
+      read(in, c.emplace_back());
+    });
+  else
+    read(in, c.emplace_back());
   number = Algebraic(std::move(c), nullptr);
 }
 static void read(Reader& in, Star& star) {
@@ -215,6 +239,7 @@ static void read(Reader& in, Star& star) {
   in.claim({"modulus", "between", "at", "axes", "coordinates", "weights", "rows", "orders", "charts"},
            root->modulus, root->between, star.at, star.axes, star.coordinates, star.weights, star.rows,
            star.orders, star.charts);
+  require(root->modulus.size() <= max_modulus_degree + 1, "its modulus has a degree above 64");
   root->check();
   star.root = root;
   const auto belongs = [&](Algebraic& number) { number = Algebraic(number.coefficients(), root); };
@@ -343,9 +368,10 @@ void require_ends(const Certificate<N>& certificate) {
     for (const auto& [node, e, i] :
          {std::tuple{arc.from, std::size_t{0}, std::size_t{0}}, {arc.to, 1, arc.points.size() - 1}}) {
       const std::string place = "$.arcs[" + std::to_string(a) + "]";
-      if (node >= certificate.nodes.size()) throw Rejected(place, "names no node");
+      if (node >= certificate.nodes.size()) throw Rejected(place, "names no node", Violation::graph);
       if (!is_at(certificate, certificate.nodes[node], arc.ends[e]))
-        throw Rejected(place + ".points[" + std::to_string(i) + "]", "must be where the node is");
+        throw Rejected(place + ".points[" + std::to_string(i) + "]", "must be where the node is",
+                       Violation::graph);
     }
   }
 }
@@ -354,7 +380,7 @@ template <class N>
 void read_patches(Reader& in, Certificate<N>& c) {
   const auto patch = [&](std::size_t n) {
     in.claim(
-        {"name", "points"}, [&] { in.string(); }, c.nets[n]);
+        {"name", "points"}, [&] { in.text(); }, c.nets[n]);
   };
   in.members({"first"}, [&] { patch(0); });
   if (!c.self) in.members({"second"}, [&] { patch(1); });
@@ -416,9 +442,10 @@ Certificate<N> read_certificate(const std::string& text) {
     in.end();
     in.finish();
   } catch (const Failed& failed) {
-    if (!nlohmann::json::accept(text)) throw Unreadable("not valid JSON");
+    if (!is_json(text)) throw Unreadable("not valid JSON");
     if (form != "certificate/1") throw Unreadable("not of the form certificate/1");
-    throw Rejected(in.place(), failed.what());
+    throw Rejected(in.place(), failed.what(),
+                   failed.kind == Violation::seal ? Violation::seal : Violation::form);
   }
   if (form != "certificate/1") throw Unreadable("not of the form certificate/1");
   require_ends(result);

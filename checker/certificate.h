@@ -25,13 +25,20 @@ class Unreadable : public std::runtime_error {
 /// A claim that does not hold, or is not written as it has to be.
 class Rejected : public std::runtime_error {
  public:
-  Rejected(std::string place, const std::string& reason)
-      : std::runtime_error(reason), place_(std::move(place)) {}
+  using Kind = Violation;
+
+  Rejected(std::string place, const std::string& reason, Kind kind, std::optional<double> needed = {})
+      : std::runtime_error(reason), place_(std::move(place)), kind_(kind), needed_(needed) {}
   /// JSON path such as $.tubes[3].
   const std::string& place() const { return place_; }
+  Kind kind() const { return kind_; }
+  /// Of Kind::error_bound: at least the distance that is proved; nothing if none is.
+  const std::optional<double>& needed() const { return needed_; }
 
  private:
   std::string place_;
+  Kind kind_;
+  std::optional<double> needed_;
 };
 
 struct Side {
@@ -170,8 +177,15 @@ struct Certificate {
 /// The seal of a claim: FNV-1a, 64 bits, 16 hexadecimal digits.
 std::string seal(std::string_view text);
 
-/// The number p/q in lowest terms, p/2^n with p odd and 1 <= n <= 2000, or p, that the text is; throws
-/// std::invalid_argument for any other text, and for p/3/2^n.
+/// Sizes beyond which a certificate is rejected: characters of a number, the degree of a star's number,
+/// the sum of a monomial's exponents in a factor, entries of all subdivisions together.
+inline constexpr std::size_t max_number_characters = 6100;
+inline constexpr std::size_t max_modulus_degree = 64;
+inline constexpr int max_factor_degree = 12;
+inline constexpr std::size_t max_entries = std::size_t{1} << 20;
+
+/// The number p/q in lowest terms, p/2^n with p odd and 1 <= n <= 2000, or p, that the text of at most
+/// max_number_characters is; throws std::invalid_argument for any other text, and for p/3/2^n.
 Rational number_of(std::string_view text);
 
 /// Throws Unreadable, or Rejected with the place where the form is violated or a seal is broken.

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 
 #include "check_stars.h"
+#include "polynomials.h"
 
 namespace exsect::checker {
 
@@ -48,14 +48,19 @@ class ErrorBound {
     places_.push_back(difference(*points.back().vertex, origin_));
   }
 
-  /// The steps between the points first, ... of a piece, at `at` in the variables of the tube's map, each
-  /// within `near` of the curve; four steps together.
-  void check(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
-             const std::vector<N>& near) const {
-    for (std::size_t j = 0; j + 1 < at.size(); j += 4) {
-      const std::size_t last = std::min(j + 4, at.size() - 1);
-      require(over(tube, first, at, near, j, last) <= arc_.error_bound, "the error bound is too small");
-    }
+  /// Adds the steps between the points first, ... of a piece, at `at` in the variables of the tube's map,
+  /// each within `near` of the curve; four steps together.
+  void add(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
+           const std::vector<N>& near) {
+    for (std::size_t j = 0; j + 1 < at.size(); j += 4)
+      most_ = larger(most_, over(tube, first, at, near, j, std::min(j + 4, at.size() - 1)));
+  }
+  /// What was added is within the error bound.
+  void check() const {
+    if (most_ <= arc_.error_bound) return;
+    Failed failed("the error bound is too small", Violation::error_bound);
+    if (const double needed = above(most_); std::isfinite(needed)) failed.needed = needed;
+    throw failed;
   }
 
  private:
@@ -88,19 +93,24 @@ class ErrorBound {
     return result;
   }
 
-  /// The greatest distance on the steps j, ..., last - 1.
+  /// The greatest distance on the steps j, ..., last - 1. The parameters are monotone on the curve, so that
+  /// it lies in the hull of both ends; the variables of a chart need not be: on a step d of the axis they
+  /// leave the chord by at most d/2 times the radius of a ball that holds their derivatives.
   N over(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
          const std::vector<N>& near, std::size_t j, std::size_t last) const {
     N margin = 0;
     for (std::size_t i = j; i <= last; ++i) margin = larger(margin, near[i]);
     Vector4<N> middle;  // of a box that holds the curve on these steps
     Vector4<N> half;
+    const std::size_t k = tube.claim.axis;
     for (std::size_t i = 0; i < 4; ++i) {
+      N beyond = 2 * margin;  // the hull of both ends
+      if (tube.claim.chart != Chart::pair)
+        beyond += magnitude(N(at[j][k] - at[last][k])) / 2 * tube.bounds.first[i].radius;
       middle[i] = rounded_down(N((at[j][i] + at[last][i]) / 2));
-      half[i] = rounded_down(N(magnitude(N(at[j][i] - at[last][i])) / 2 + 2 * margin)) + N(0x1p-23);
+      half[i] = rounded_down(N(magnitude(N(at[j][i] - at[last][i])) / 2 + beyond)) + N(0x1p-23);
     }
     const Map<N> here = tube.map.at(middle);
-    const std::size_t k = tube.claim.axis;
     const CurveBounds<N> bounds = curve_bounds(here.times(near_inverse(here, k)), k, half);
     require(bounds.defect < 1, "no derivative over a step of the polyline");
     const Map<N>& space = replay_.space_map(tube.claim);
@@ -133,29 +143,23 @@ class ErrorBound {
   const Arc<N>& arc_;
   Vector3<N> origin_;
   std::vector<Vector3<N>> places_;  // on the polyline
+  N most_ = 0;                      // the greatest distance so far
 };
 
-/// T_i vanishes wherever the parameters are on the sides: it is of degree <= n in each of the others, if n is
-/// the sum of the map's degrees.
+/// T_i vanishes wherever the parameters are on the sides, as a polynomial in the others.
 inline bool turns_on_sides(const Map<Rational>& map, std::size_t i, const std::vector<Side>& sides) {
-  Vector4<Rational> w = {};
-  std::vector<std::size_t> free = {0, 1, 2, 3};
-  for (const Side& side : sides) {
-    w[side.parameter] = side.value;
-    free.erase(std::remove(free.begin(), free.end(), side.parameter.index), free.end());
+  std::array<Vector3<Polynomial>, 3> column;
+  for (std::size_t n = 0; n < 3; ++n)
+    for (std::size_t d = 0; d < 3; ++d) column[n][d] = on_sides(derivative(map, d, others(i)[n]), sides);
+  const auto& [a, b, c] = column;
+  Polynomial sum;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const std::size_t e = (d + 1) % 3;
+    const std::size_t f = (d + 2) % 3;
+    add(sum, product(a[d], product(b[e], c[f])), 1);
+    add(sum, product(a[d], product(b[f], c[e])), -1);
   }
-  int degree = 0;
-  for (const auto& term : map.terms())
-    degree = std::max(degree, *std::max_element(term.power.begin(), term.power.end()));
-  const std::function<bool(std::size_t)> vanishes = [&](std::size_t n) {
-    if (n == free.size()) return tangent(map.at(w), {})[i].middle == 0;
-    for (int t = 0; t <= 3 * degree; ++t) {
-      w[free[n]] = t;
-      if (!vanishes(n + 1)) return false;
-    }
-    return true;
-  };
-  return vanishes(0);
+  return is_zero(sum);
 }
 
 template <class N>
@@ -183,6 +187,7 @@ class ArcCheck {
       if (begins == 0) begins = ends;
       first = piece.last;
     }
+    bound_.check();
     return {ArcEnd{begins, arc_.pieces.front().tube}, ArcEnd{-ends, arc_.pieces.back().tube}};
   }
 
@@ -231,7 +236,7 @@ class ArcCheck {
       require((grows[i] != 0 || tube.constant[i]) && direction * grows[i] == grows_[i],
               "not monotone in a parameter");
     }
-    bound_.check(tube, first, at, near);
+    bound_.add(tube, first, at, near);
     entered = out_of_chart(tube.claim, piece.last, out);
     return direction;
   }

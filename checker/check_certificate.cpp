@@ -6,6 +6,7 @@
 #include "check_cover.h"
 #include "check_nodes.h"
 #include "check_overlaps.h"
+#include "floating_point.h"
 
 namespace exsect::checker {
 namespace {
@@ -15,10 +16,13 @@ using Ends = std::vector<std::vector<ArcEnd>>;
 
 /// check(i) for each node, those of stars last.
 template <class N, class Check>
-void each_node(const Certificate<N>& certificate, const Check& check) {
+void each_node(const Certificate<N>& certificate, const Check& check, Violation kind = Violation::claim) {
   const std::size_t listed = certificate.nodes.size() - certificate.stars.size();
-  for (std::size_t i = 0; i < listed; ++i) replayed("$.nodes", i, [&] { check(i); });
-  each("$.stars", certificate.stars, [&](std::size_t i) { check(listed + i); });
+  for (std::size_t i = 0; i < listed; ++i)
+    replayed(
+        "$.nodes", i, [&] { check(i); }, kind);
+  each(
+      "$.stars", certificate.stars, [&](std::size_t i) { check(listed + i); }, kind);
 }
 
 /// Turning points are the ends of an arc on either side, each half branch of a star inside is the end of one,
@@ -93,11 +97,14 @@ Summary counted(const Replay<N>& all, const Ends& ends) {
 template <class N>
 void check_graph(const Replay<N>& all, const Ends& ends) {
   const Certificate<N>& certificate = all.certificate;
-  each_node(certificate, [&](std::size_t i) { check_ends(certificate.nodes[i], ends[i]); });
+  each_node(
+      certificate, [&](std::size_t i) { check_ends(certificate.nodes[i], ends[i]); }, Violation::graph);
   std::vector<bool> listed(certificate.arcs.size());
-  each("$.components", certificate.components,
-       [&](std::size_t c) { check_component(certificate, c, ends, listed); });
-  each("$.arcs", listed, [&](std::size_t i) { require(listed[i], "in no component"); });
+  each(
+      "$.components", certificate.components,
+      [&](std::size_t c) { check_component(certificate, c, ends, listed); }, Violation::graph);
+  each(
+      "$.arcs", listed, [&](std::size_t i) { require(listed[i], "in no component"); }, Violation::graph);
 }
 
 /// The claims about curves, tubes apart.
@@ -116,9 +123,10 @@ Ends check_curves(const Replay<N>& all) {
     ends[arc.to].push_back(both[1]);
     for (const Piece& piece : arc.pieces) used[piece.tube] = true;
   });
-  each("$.tubes", used, [&](std::size_t i) {
-    require(used[i] || leaves_domain(all, all.tubes[i]), "no arc runs through it");
-  });
+  each(
+      "$.tubes", used,
+      [&](std::size_t i) { require(used[i] || leaves_domain(all, all.tubes[i]), "no arc runs through it"); },
+      Violation::graph);
   return ends;
 }
 
@@ -131,7 +139,8 @@ Summary check_points(const Replay<N>& all) {
     check_point(all, i);
     used[c.nodes[i].tube] = true;
   });
-  each("$.tubes", used, [&](std::size_t i) { require(used[i], "no point is in it"); });
+  each(
+      "$.tubes", used, [&](std::size_t i) { require(used[i], "no point is in it"); }, Violation::graph);
   return {{0, 0, c.tubes.size(), c.nodes.size(), 0, c.cover.size(), 0}};
 }
 
@@ -152,7 +161,7 @@ Report check(const Certificate<N>& certificate) {
     count = counted(all, ends);
   }
   if (count != certificate.summary)
-    throw Rejected("$.summary", "does not agree with the claims and their graph");
+    throw Rejected("$.summary", "does not agree with the claims and their graph", Violation::summary);
   Report report = {certificate.summary, certificate.fixed, certificate.self};
   Cover<N>(all).check(report.covered, report.exclusions);
   return report;
@@ -160,9 +169,13 @@ Report check(const Certificate<N>& certificate) {
 
 }  // namespace
 
-Report check_in_doubles(const std::string& text) { return check(read_certificate<Enclosure>(text)); }
+Report check_in_doubles(const std::string& text) {
+  const FloatingPoint arithmetic;
+  return check(read_certificate<Enclosure>(text));
+}
 
 Report check_certificate(const std::string& text) {
+  const FloatingPoint arithmetic;
   const Certificate<Enclosure> in_doubles = read_certificate<Enclosure>(text);
   try {
     return check(in_doubles);

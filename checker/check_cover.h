@@ -22,7 +22,8 @@ class Cover {
   /// Counts the cells that lie in something, and the other leaves.
   void check(std::size_t& covered, std::size_t& excluded) {
     check(whole_);
-    if (next_ != certificate_.cover.size()) throw Rejected("$.cover", "beyond the end of the subdivision");
+    if (next_ != certificate_.cover.size())
+      throw Rejected("$.cover", "beyond the end of the subdivision", Violation::cover);
     for (const Cell& cell : certificate_.cover) {
       if (cell.kind == Kind::tube || cell.kind == Kind::mirrored || cell.kind == Kind::star ||
           cell.kind == Kind::sheet)
@@ -40,7 +41,8 @@ class Cover {
   };
 
   void check(const Region& region) {
-    if (next_ == certificate_.cover.size()) throw Rejected("$.cover", "the subdivision is not complete");
+    if (next_ == certificate_.cover.size())
+      throw Rejected("$.cover", "the subdivision is not complete", Violation::cover);
     const Cell& cell = certificate_.cover[next_++];
     if (cell.kind == Kind::split) {
       for (const bool upper : {false, true}) check(half_of(region, cell, upper));
@@ -50,7 +52,7 @@ class Cover {
   }
 
   void leaf(const Cell& cell, const Region& region) const {
-    replayed("$.cover", cell.row, [&] {
+    const auto check = [&] {
       if (cell.kind == Kind::excluded)
         require(separated(region, cell.direction),
                 "the direction does not separate the patches over the cell");
@@ -62,7 +64,8 @@ class Cover {
         check_on_plane(box_of(region), element(certificate_.overlaps, cell.index, "names no overlap").factor);
       else
         of_one_patch(cell, box_of(region));
-    });
+    };
+    replayed("$.cover", cell.row, check, Violation::cover);
   }
 
   void of_one_patch(const Cell& cell, const Box<N>& box) const {
@@ -110,8 +113,12 @@ class Cover {
 
   /// The lower or upper half of the region, by de Casteljau's algorithm.
   Region half_of(const Region& region, const Cell& cell, bool upper) const {
-    Region result = {region.nets, replayed("$.cover", cell.row,
-                                           [&] { return checker::half_of(region.box, cell.index, upper); })};
+    const auto box = [&] {
+      require(!certificate_.fixed || certificate_.fixed->parameter != cell.index,
+              "halved in the fixed parameter");
+      return checker::half_of(region.box, cell.index, upper);
+    };
+    Region result = {region.nets, replayed("$.cover", cell.row, box, Violation::cover)};
     Net<N>& net = result.nets[cell.index / 2];
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t d = 0; d < 3; ++d) {

@@ -119,7 +119,8 @@ class OverlapCheck {
     }
     ErrorBound<N> bound(replay_, edge);
     bound.place_on_polyline();
-    bound.check(line, 0, at, near);
+    bound.add(line, 0, at, near);
+    bound.check();
   }
 
   const Replay<N>& replay_;

@@ -150,9 +150,12 @@ class ChartCover {
 template <class N>
 void check_charts(const Replay<N>& replay, std::size_t star) {
   for (std::size_t direction = 0; direction < 8; ++direction)
-    replayed(place("$.stars", star) + ".charts", direction, [&] {
-      ChartCover<N>(replay, {Chart::star, star, direction}).check();
-    });
+    replayed(
+        place("$.stars", star) + ".charts", direction,
+        [&] {
+          ChartCover<N>(replay, {Chart::star, star, direction}).check();
+        },
+        Violation::cover);
 }
 
 }  // namespace exsect::checker

@@ -54,6 +54,7 @@ void check_tube(Replay<N>& replay, const Tube<N>& tube) {
   const Map<N> local = map.at(tube.centre).times(tube.inverse);
   for (const N& slack : contraction(tube, local)) require(slack > 0, "no contraction");
   bounds = curve_bounds(local, tube.axis, extent);
+  require(bounds.defect < 1, "no contraction");  // without it the bounds say nothing
   if (tube.chart == Chart::first || tube.chart == Chart::second)
     return require(monotone_pairs(tube, bounds, N(tube.centre[3] + tube.reach)), "a parameter may turn");
   constant = constant_parameters(replay, tube);

@@ -5,9 +5,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "enclosure.h"
+#include "require.h"
 
 namespace exsect::checker {
 
@@ -28,6 +30,16 @@ N magnitude(const N& a) {
 template <class N>
 const N& larger(const N& a, const N& b) {
   return a < b ? b : a;
+}
+/// The integer n.
+template <class N>
+N whole(std::int64_t n) {
+  if constexpr (std::is_same_v<N, Enclosure>)
+    return Enclosure::whole(n);
+  else if constexpr (std::is_same_v<N, double>)
+    return static_cast<double>(n);
+  else
+    return N(Rational(n));
 }
 /// -1, 0, 1.
 template <class N>
@@ -63,8 +75,9 @@ struct Ball {
   friend Ball operator*(const Ball& a, const Ball& b) {
     return {a.middle * b.middle, checker::magnitude(a.middle) * b.radius + a.radius * b.magnitude()};
   }
-  /// For b.sign() != 0: |a/b - q| = |a - q b| / |b|, q the quotient of the middles.
+  /// |a/b - q| = |a - q b| / |b|, q the quotient of the middles; fails where b may be 0.
   friend Ball operator/(const Ball& a, const Ball& b) {
+    require(b.sign() != 0, "a divisor that may be 0");
     const N q = a.middle / b.middle;
     return {q, (a.radius + checker::magnitude(q) * b.radius) / b.least()};
   }
@@ -126,9 +139,10 @@ class Map {
     for (Term& lower : result.terms_) {
       for (const Term& term : terms_) {
         if (!divides(lower.power, term.power) || term.power == lower.power) continue;
-        int binomial = 1;
+        std::int64_t binomial = 1;
         for (std::size_t j = 0; j < 4; ++j)
-          for (int i = 0; i < lower.power[j]; ++i) binomial = binomial * (term.power[j] - i) / (i + 1);
+          for (int i = 0; i < lower.power[j]; ++i)
+            binomial = multiplied(binomial, term.power[j] - i) / (i + 1);
         add_to(lower.c, term.c, product(binomial, w, term.power, lower.power));
       }
     }
@@ -144,18 +158,6 @@ class Map {
     for (Term& term : result.terms_) term.c = {dot(m[0], term.c), dot(m[1], term.c), dot(m[2], term.c)};
     return result;
   }
-  /// The map times component d of the other one.
-  Map times(const Map& other, std::size_t d) const {
-    Map result;
-    for (const Term& a : terms_) {
-      for (const Term& b : other.terms_) {
-        Power sum = a.power;
-        for (std::size_t j = 0; j < 4; ++j) sum[j] += b.power[j];
-        if (b.c[d] != 0) result.add(sum, a.c, b.c[d]);
-      }
-    }
-    return result;
-  }
   /// Component d at the point.
   const N& value(std::size_t d) const { return terms_[0].c[d]; }
 
@@ -164,9 +166,9 @@ class Map {
     Balls<N> result;
     for (const Term& term : terms_) {
       if (!divides(a, term.power)) continue;
-      int factor = 1;
+      std::int64_t factor = 1;
       for (std::size_t j = 0; j < 4; ++j)
-        for (int i = 0; i < a[j]; ++i) factor *= term.power[j] - i;
+        for (int i = 0; i < a[j]; ++i) factor = multiplied(factor, term.power[j] - i);
       const N size = product(factor, h, term.power, a);
       for (std::size_t d = 0; d < 3; ++d)
         term.power == a ? result[d].middle = size * term.c[d]
@@ -203,9 +205,15 @@ class Map {
   static void add_to(Vector3<N>& sum, const Vector3<N>& c, const N& factor) {
     for (std::size_t d = 0; d < 3; ++d) sum[d] += factor * c[d];
   }
+  /// Exactly: the binomial coefficients of four exponents leave 64 bits.
+  static std::int64_t multiplied(std::int64_t a, int b) {
+    std::int64_t result = 0;
+    require(!__builtin_mul_overflow(a, b, &result), "the exponents of a map are too large");
+    return result;
+  }
   /// factor w^(power - lower)
-  static N product(int factor, const Vector4<N>& w, const Power& power, const Power& lower) {
-    N result = factor;
+  static N product(std::int64_t factor, const Vector4<N>& w, const Power& power, const Power& lower) {
+    N result = whole<N>(factor);
     for (std::size_t j = 0; j < 4; ++j)
       for (int i = lower[j]; i < power[j]; ++i) result = result * w[j];
     return result;

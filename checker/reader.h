@@ -16,6 +16,7 @@ inline std::uint64_t hash(std::string_view text, std::uint64_t before = 0xcbf29c
   return before;
 }
 std::string hexadecimal(std::uint64_t hash);
+bool is_json(const std::string& text);
 
 /// A word such as star0u+, u=0 or t5, taken apart from left to right.
 class Word {
@@ -76,6 +77,13 @@ class Reader {
     take('"', "");
     return result;
   }
+  /// A string that need not be of any form: JSON's own.
+  void text() {
+    const std::string content(string());
+    require(is_json("\"" + content + "\""), "must be a text of JSON");
+  }
+  /// One more entry of a subdivision.
+  void count_entry() { require(++entries_ <= max_entries, "more than 1048576 entries of subdivisions"); }
   bool at_list() { return next() == '['; }
   std::size_t count() {
     next();
@@ -83,6 +91,7 @@ class Reader {
     const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), n);
     require(error == std::errc(), "must be an integer >= 0");
     const auto length = static_cast<std::size_t>(end - text_.data()) - at_;
+    require(length == 1 || text_[at_] != '0', "must be an integer without leading zeros");
     hash_ = hash(text_.substr(at_, length), hash_);
     at_ += length;
     return n;
@@ -119,7 +128,7 @@ class Reader {
     const std::string expected = hexadecimal(hash("}", hash_));
     std::string_view said;
     members({"seal"}, [&] { said = string(); });
-    require(said == expected, "the seal does not fit the claim");
+    require(said == expected, "the seal does not fit the claim", Violation::seal);
     end();
   }
   /// What is read again, from the position on.
@@ -158,6 +167,7 @@ class Reader {
   std::string_view text_;
   std::size_t at_ = 0;
   std::uint64_t hash_ = 0;
+  std::size_t entries_ = 0;
   std::vector<std::pair<const char*, std::size_t>> path_;  // keys, or indices
 };
 

@@ -12,20 +12,23 @@ namespace exsect::checker {
 inline std::string place(const std::string& list, std::size_t i) {
   return list + "[" + std::to_string(i) + "]";
 }
-/// check(), which is rejected here if it fails.
+/// check(), which is rejected here if it fails: as a violation of this kind if it says no other one.
 template <class Check>
-auto replayed(const std::string& list, std::size_t i, const Check& check) {
+auto replayed(const std::string& list, std::size_t i, const Check& check, Violation kind = Violation::claim) {
   try {
     return check();
   } catch (const Failed& failed) {
-    throw Rejected(place(list, i), failed.what());
+    throw Rejected(place(list, i), failed.what(), failed.kind == Violation::claim ? kind : failed.kind,
+                   failed.needed);
   }
 }
 
 /// check(i) for each element.
 template <class List, class Check>
-void each(const std::string& name, const List& list, const Check& check) {
-  for (std::size_t i = 0; i < list.size(); ++i) replayed(name, i, [&] { check(i); });
+void each(const std::string& name, const List& list, const Check& check, Violation kind = Violation::claim) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    replayed(
+        name, i, [&] { check(i); }, kind);
 }
 
 /// A tube that is proved to hold one curve, with the derivatives on it.
@@ -71,7 +74,7 @@ struct Replay {
 inline Box<double> half_of(Box<double> box, std::size_t parameter, bool upper) {
   auto& [middle, half] = box[parameter];
   half /= 2;
-  require(half > 0x1p-51, "halved more than 50 times");
+  require(half >= 0x1p-51, "a half edge below 2^-51");
   middle += upper ? half : -half;
   return box;
 }

@@ -84,11 +84,9 @@ ExitStatus run(const CheckCommand& command, const Streams& streams) {
     throw InputError(command.file, "", unreadable.what());
   } catch (const checker::Rejected& rejected) {
     status = ExitStatus::negative;
-    json = {{"exsect", "check/1"},
-            {"status", "complete"},
-            {"accepted", false},
-            {"place", rejected.place()},
-            {"reason", rejected.what()}};
+    json = {{"exsect", "check/1"},       {"status", "complete"},          {"accepted", false},
+            {"place", rejected.place()}, {"kind", name(rejected.kind())}, {"reason", rejected.what()}};
+    if (rejected.needed()) json["needed"] = *rejected.needed();
     text = fmt::format("rejected: {}: {}\n", rejected.place(), rejected.what());
   }
   if (files.json_to_stdout()) {

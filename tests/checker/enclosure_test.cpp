@@ -1,5 +1,7 @@
 // Doubles with bounds of their errors: never wrong, and narrow.
-#include <exsect/checker/enclosure.h>
+#include <exsect/checker/map.h>
+
+#include <cmath>
 
 #include "support/catch.h"
 #include "support/random_pairs.h"
@@ -49,6 +51,45 @@ TEST_CASE("where doubles overflow, underflow or divide by zero nothing wrong is 
   CHECK(may_be(tiny * tiny, from_double(1e-300) * from_double(1e-300)));
   CHECK_FALSE(half(Enclosure(5e-324)) == Enclosure(5e-324) - Enclosure(5e-324));
   CHECK(may_be(half(Enclosure(5e-324)), from_double(5e-324) / 2));
+}
+
+TEST_CASE("what is not known makes every result unknown, in either order") {
+  const Enclosure unknown = Enclosure(1) / Enclosure(0);
+  const Enclosure nan(std::numeric_limits<double>::quiet_NaN());
+  const Enclosure infinite(std::numeric_limits<double>::infinity());
+  const Enclosure one(1);
+  for (const Enclosure& a : {unknown, nan, infinite, Enclosure(1e200) * Enclosure(1e200)}) {
+    for (const Enclosure& b : {larger(a, one), larger(one, a), a + one, one - a, a * Enclosure(0), one / a,
+                               a / one, magnitude(a), half(a), root_above(a), -a, a - a}) {
+      for (const Enclosure& c : {one, Enclosure(-1), Enclosure(0), Enclosure(1e308), a}) {
+        CHECK_FALSE(b < c);
+        CHECK_FALSE(b > c);
+        CHECK_FALSE(b <= c);
+        CHECK_FALSE(b >= c);
+        CHECK_FALSE(b == c);
+      }
+    }
+    CHECK_FALSE(std::isfinite(checker::above(a)));
+  }
+}
+
+TEST_CASE("a number of unknown sign has its whole magnitude") {
+  // -1 ± 2^11: at least 2^10, whatever the sign is.
+  const Enclosure a(Rational(-1), Rational(2048));
+  for (const Enclosure& size : {magnitude(a), checker::magnitude(a), checker::Ball<Enclosure>(a).magnitude()})
+    CHECK_FALSE(size < Enclosure(2047));
+  CHECK_FALSE(checker::Ball<Enclosure>(a).magnitude() <= Enclosure(2046));
+}
+
+TEST_CASE("numbers near the greatest double compare only where it is certain") {
+  const Enclosure wide(from_double(0x1p1023), from_double(0x1.8p1023));
+  CHECK_FALSE(-wide <= wide);
+  CHECK_FALSE(-wide < wide);
+  CHECK(Enclosure(-0x1.8p1023) < Enclosure(0x1.8p1023));
+  CHECK(Enclosure::whole(std::int64_t{1} << 53) == Enclosure(0x1p53));
+  const std::int64_t n = (std::int64_t{1} << 62) + 1;
+  CHECK_FALSE(Enclosure::whole(n) < Enclosure(Rational(Integer(n))));
+  CHECK_FALSE(Enclosure::whole(n) > Enclosure(Rational(Integer(n))));
 }
 
 TEST_CASE("enclosures hold the results of exact arithmetic") {
