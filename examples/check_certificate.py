@@ -12,6 +12,11 @@ import re
 import sys
 from fractions import Fraction
 
+MAX_BYTES = 256 << 20
+MAX_ENTRIES = 1 << 20
+MAX_CHARACTERS = 6100  # of a number
+MAX_DEPTH = 16  # of lists and objects in each other
+LEAST_HALF_EDGE = Fraction(1, 2**51)
 LETTERS = "uvrs"
 DIRECTIONS = [p + sign for p in LETTERS for sign in "+-"]
 DYADIC = re.compile(r"(-?[1-9][0-9]*)/2\^([1-9][0-9]*)")
@@ -37,23 +42,87 @@ def seal(text):
     return f"{value:016x}"
 
 
+class Raw(str):
+    """A string as it stands between its quotation marks, nothing of it decoded."""
+
+
+TOKEN = re.compile(r"""[ \t\r\n]*(?:"([^"\\]*(?:\\.[^"\\]*)*)"|(0|[1-9][0-9]*)|([][{}:,]))""", re.DOTALL)
+
+
+def parsed(text):
+    """Objects, lists, strings and integers >= 0: all that certificates consist of. ValueError for anything else."""
+    tokens, at, text = [], 0, text.rstrip(" \t\r\n")
+    while at < len(text):
+        match = TOKEN.match(text, at)
+        if not match or len(match[2] or "") > 20:
+            raise ValueError(f"neither a list, an object, a string nor an integer >= 0, at character {at}")
+        tokens.append(Raw(match[1]) if match[1] is not None else int(match[2]) if match[2] is not None else (match[3],))
+        at = match.end()
+    tokens.append(None)
+    tokens.reverse()
+
+    def value(depth):
+        token = tokens.pop()
+        if token is None or depth > MAX_DEPTH:
+            raise ValueError("nested too deeply" if token else "ends too early")
+        if not isinstance(token, tuple):
+            return token
+        if token[0] not in "[{":
+            raise ValueError(f"{token[0]} where a value must be")
+        result, end = ([], ("]",)) if token[0] == "[" else ({}, ("}",))
+        while tokens[-1] != end:
+            if result:
+                if tokens.pop() != (",",):
+                    raise ValueError("no comma between two values")
+            key = None
+            if isinstance(result, dict):
+                key = tokens.pop()
+                if not isinstance(key, Raw) or key in result or tokens.pop() != (":",):
+                    raise ValueError("no key, or a key twice")
+            inner = value(depth + 1)
+            result.append(inner) if key is None else result.__setitem__(key, inner)
+        tokens.pop()
+        return result
+
+    result = value(0)
+    if tokens.pop() is not None:
+        raise ValueError("more than one value")
+    return result
+
+
+def is_json(text):
+    try:
+        json.loads(text)
+    except ValueError:
+        return False
+    return True
+
+
 def compact(value):
-    return json.dumps(value, separators=(",", ":"), ensure_ascii=False)
+    """The text of a value without blanks outside of strings."""
+    if isinstance(value, Raw):
+        return f'"{value}"'
+    if isinstance(value, list):
+        return "[" + ",".join(map(compact, value)) + "]"
+    if isinstance(value, dict):
+        return "{" + ",".join(f'"{key}":{compact(inner)}' for key, inner in value.items()) + "}"
+    return str(value)
 
 
 def claim(value, place, keys):
-    require(isinstance(value, dict) and "seal" in value, place, "not a claim with a seal")
-    rest = {key: value[key] for key in value if key != "seal"}
-    require(list(rest) == keys, place, "not the documented keys")
+    require(isinstance(value, dict) and list(value) == [*keys, "seal"], place, "not the documented keys")
+    rest = {key: value[key] for key in keys}
     require(value["seal"] == seal(place + compact(rest)), place, "the seal does not fit the claim")
     return rest
 
 
 def number(text, place):
+    require(not isinstance(text, str) or len(text) <= MAX_CHARACTERS, place, "a number of more than 6100 characters")
     dyadic = DYADIC.fullmatch(text) if isinstance(text, str) else None
     if dyadic:
-        p, n = int(dyadic[1]), int(dyadic[2])
-        require(p % 2 == 1 and n <= 2000, place, "not in lowest terms")
+        p = int(dyadic[1])
+        require(p % 2 == 1 and len(dyadic[2]) <= 4 and int(dyadic[2]) <= 2000, place, "not in lowest terms")
+        n = int(dyadic[2])
         return Fraction(p, 2**n)
     require(isinstance(text, str) and NUMBER.fullmatch(text), place, "not a number")
     value = Fraction(text)
@@ -67,12 +136,12 @@ def numbers(value, size, place):
 
 
 def count(value, place):
-    require(type(value) is int and value >= 0, place, "not an integer >= 0")
+    require(type(value) is int and 0 <= value < 2**64, place, "not an integer from 0 to 2^64 - 1")
     return value
 
 
 def parameter(text, place):
-    require(text in list(LETTERS), place, "not a parameter")
+    require(isinstance(text, str) and text in list(LETTERS), place, "not a parameter")
     return LETTERS.index(text)
 
 
@@ -81,10 +150,12 @@ def element(values, i, place):
     return values[i]
 
 
-def no_key_twice(pairs):
-    if len({key for key, _ in pairs}) != len(pairs):
-        raise ValueError("a key is given twice")
-    return dict(pairs)
+def near(q):
+    """A double near the rational number, as a fraction; 0 if there is none."""
+    try:
+        return Fraction(float(q))
+    except OverflowError:
+        return Fraction(0)
 
 
 # ---- Balls (middle, radius) and the derivatives of F
@@ -110,8 +181,8 @@ def subtract(a, b):
     return a[0] - b[0], a[1] + b[1]
 
 
-def divide(a, b):
-    """b without 0"""
+def divide(a, b, place):
+    require(sign(b), place, "a divisor that may be 0")
     q = a[0] / b[0]
     return q, (a[1] + abs(q) * b[1]) / (abs(b[0]) - b[1])
 
@@ -123,7 +194,7 @@ class Root:
     """A real root of the modulus between two numbers at which it has opposite signs."""
 
     def __init__(self, modulus, between, place):
-        require(isinstance(modulus, list) and len(modulus) >= 2, place, "not a modulus")
+        require(isinstance(modulus, list) and 2 <= len(modulus) <= 65, place, "not a modulus")
         self.modulus = numbers(modulus, len(modulus), place)
         require(self.modulus[-1] == 1, place, "its modulus has no leading coefficient 1")
         lower, upper = numbers(between, 2, place)
@@ -135,6 +206,7 @@ class Root:
         """A rational number, or a polynomial in the root."""
         if not isinstance(value, list):
             return number(value, place)
+        require(len(value) <= 64, place, "a number of a degree above 64")
         return Algebraic(numbers(value, len(value), place), self).simplest()
 
     def numbers(self, value, size, place):
@@ -251,10 +323,6 @@ class Map:
             return total
         return self.mapped(coefficient)
 
-    def multiplied(self, other, d):
-        """By component d of the other one."""
-        return Map((tuple(map(sum, zip(p, q))), b[d], a) for p, a in self.terms.items() for q, b in other.terms.items() if b[d])
-
     def times(self, matrix):
         return self.mapped(lambda _, c: [sum(m * q for m, q in zip(row, c)) for row in matrix])
 
@@ -343,7 +411,7 @@ def near_inverse(local, k):
     cofactors = [[m[(j + 1) % 3][(i + 1) % 3] * m[(j + 2) % 3][(i + 2) % 3] - m[(j + 1) % 3][(i + 2) % 3] * m[(j + 2) % 3][(i + 1) % 3]
                   for j in range(3)] for i in range(3)]
     det = sum(cofactors[0][j] * m[j][0] for j in range(3))
-    return [[Fraction(float(c / det)) if det else Fraction(0) for c in row] for row in cofactors]
+    return [[near(c / det) if det else Fraction(0) for c in row] for row in cofactors]
 
 
 # ---- Pairs of points of one patch: boxes of (U,V,a,b)
@@ -376,7 +444,7 @@ def volume(n, h, pairs):
     """n . (P x Q)"""
     p, q = divided(h, pairs, Fraction(0))
     pq, qq = (sum(a[0] * b[0] for a, b in zip(c, q)) for c in (p, q))
-    r = divided(h, pairs, Fraction(float(-pq / qq)) if qq else Fraction(0))[0]
+    r = divided(h, pairs, near(-pq / qq) if qq else Fraction(0))[0]
     total = (Fraction(0), Fraction(0))
     for d in range(3):
         e, f = (d + 1) % 3, (d + 2) % 3
@@ -427,7 +495,7 @@ class Tube:
     def __init__(self, value, place):
         value = claim(value, place, ["centre", "axis", "slope", "reach", "width", "inverse", "curve"])
         self.curve = value["curve"]
-        require(isinstance(self.curve, str) and re.fullmatch("pair|first|second|(star(0|[1-9][0-9]*)[uvrs][+-])?(factor(0|[1-9][0-9]*))?", self.curve)
+        require(isinstance(self.curve, str) and re.fullmatch("pair|first|second|(star(0|[1-9][0-9]{0,9})[uvrs][+-])?(factor(0|[1-9][0-9]{0,9}))?", self.curve)
                 and self.curve, place, "not a curve")
         self.charted = self.curve in ("first", "second")
         star, factor = (re.search(text, self.curve) for text in ("star([0-9]+)(..)", "factor([0-9]+)"))
@@ -509,8 +577,8 @@ class Tube:
             parameters = self.star.from_chart(self.direction, box)
             self.map, columns = self.star.factor(factor, self.direction)
         require(independent(columns, factor.surface, box), place, "there may be other solutions")
-        local, half = self.exact.at([Fraction(float(b[0])) for b in parameters]), [b[1] for b in parameters]
-        half = [h + abs(Fraction(float(b[0])) - b[0]) for h, b in zip(half, parameters)]
+        local, half = self.exact.at([near(b[0]) for b in parameters]), [b[1] for b in parameters]
+        half = [h + abs(near(b[0]) - b[0]) for h, b in zip(half, parameters)]
         for _, d, i in itertools.product(range(4), range(3), range(4)):
             alone = all(j == i or j in self.constant or not occurs(self.exact, d, j) for j in range(4))
             if alone and i not in self.constant and sign(local.first(d, i, half)):
@@ -559,9 +627,9 @@ class Tube:
             return w
         u, v, a, b = halves(self.curve == "second", w)
         require(sign(a), place, "a pair of points that may be one")
-        return [u, v, divide(b, a), times(a, a)]
+        return [u, v, divide(b, a, place), times(a, a)]
 
-    def cell_in_chart(self, w):
+    def cell_in_chart(self, w, place):
         """The same for all solutions in a cell."""
         if not self.charted:
             return w
@@ -571,7 +639,7 @@ class Tube:
         most = magnitude(pairs[2]) ** 2
         least = (abs(pairs[2][0]) - pairs[2][1]) ** 2 if sign(pairs[2]) else Fraction(0)
         any_m = (m, self.width + 1)
-        return [pairs[0], pairs[1], subtract((m, Fraction(0)), divide(r[2], q[2])) if sign(q[2]) else any_m,
+        return [pairs[0], pairs[1], subtract((m, Fraction(0)), divide(r[2], q[2], place)) if sign(q[2]) else any_m,
                 ((most + least) / 2, (most - least) / 2)]
 
     def node_box(self, node, place):
@@ -602,6 +670,7 @@ class Edge(Tube):
         for d, p in enumerate(others(k)):
             slope, one = (b[p] - a[p]) / (b[k] - a[k]), [Fraction(d == i) for i in range(3)]
             terms += [((0, 0, 0, 0), slope * a[k] - a[p], one), (unit[p], 1, one), (unit[k], -slope, one)]
+        self.charted, self.star = False, None
         self.map, self.inverse, self.bounds = Map(terms), [[Fraction(i == j) for j in range(3)] for i in range(3)], Bounds.__new__(Bounds)
         self.bounds.defect = 0
 
@@ -610,6 +679,24 @@ class Edge(Tube):
 
 
 # ---- Factors
+
+
+def component(polynomials, d):
+    """Component d as {exponents: coefficient}."""
+    return {power: c[d] for power, c in polynomials.terms.items() if c[d]}
+
+
+def degree(polynomial):
+    return max((sum(power) for power, c in polynomial.items() if c), default=0)
+
+
+def product(a, b):
+    result = {}
+    for p, c in a.items():
+        for q, d in b.items():
+            power = tuple(map(sum, zip(p, q)))
+            result[power] = result.get(power, 0) + c * d
+    return result
 
 
 def occurs(polynomials, d, j):
@@ -628,7 +715,7 @@ def independent(columns, surface, box):
     a, b, c = ([local.derivative(d, (0, 0, 0, 0), half) for d in range(3)] for local in (column.at(middle) for column in columns))
     normal = [subtract(times(a[d - 2], b[d - 1]), times(a[d - 1], b[d - 2])) for d in range(3)]
     if surface:
-        c = [(Fraction(float(q[0])), Fraction(0)) for q in normal]
+        c = [(near(q[0]), Fraction(0)) for q in normal]
     total = (Fraction(0), Fraction(0))
     for p, q in zip(normal, c):
         total = add(total, times(p, q))
@@ -645,12 +732,17 @@ class Factor:
         self.columns = [self.polynomials(column, place) for column in value["columns"]]
         self.surface = not any(value["columns"][2])
         require(all(1 <= n <= 6 for n in self.powers), place, "a power is not in 1, ..., 6")
-        terms = [(power, -1, c) for power, c in system.equation["pair"].terms.items()]
-        for d, column in enumerate(self.columns):
-            for _ in range(self.powers[d]):
-                column = column.multiplied(self.map, d)
-            terms += [(power, 1, c) for power, c in column.terms.items()]
-        require(not any(map(any, Map(terms).terms.values())), place, "not a sum of multiples of its map")
+        rests = [component(system.equation["pair"], d) for d in range(3)]
+        for j, column in enumerate(self.columns):
+            g = component(self.map, j)
+            for d, rest in enumerate(rests):
+                term = component(column, d)
+                require(degree(term) + self.powers[j] * degree(g) <= 24, place, "a product of a degree above 24")
+                for _ in range(self.powers[j]):
+                    term = product(term, g)
+                for power, c in term.items():
+                    rest[power] = rest.get(power, 0) - c
+        require(not any(any(rest.values()) for rest in rests), place, "not a sum of multiples of its map")
 
     @staticmethod
     def polynomials(value, place):
@@ -661,7 +753,7 @@ class Factor:
             for term in polynomial:
                 require(isinstance(term, list) and len(term) == 5, place, "not a coefficient and four exponents")
                 power = tuple(count(n, place) for n in term[1:])
-                require(max(power) <= 12, place, "an exponent above 12")
+                require(sum(power) <= 12, place, "exponents with a sum above 12")
                 terms.append((power, number(term[0], place), [Fraction(d == i) for i in range(3)]))
         return Map(terms)
 
@@ -714,6 +806,7 @@ class Star:
         self.weights, self.orders = ([count(n, place) for n in value[key]] for key in ("weights", "orders"))
         self.charts = value["charts"]
         require(all(isinstance(text, str) for text in self.charts), place, "not eight subdivisions")
+        require(sum(text.count(" ") + 1 for text in self.charts) <= MAX_ENTRIES, place, "more than 1048576 entries of subdivisions")
         require(all(1 <= w <= 6 for w in self.weights) and min(self.orders) >= 1, place, "not a weight, or not an order")
         for i in range(4):
             for j in range(4):
@@ -787,10 +880,10 @@ class Star:
         k, e = direction // 2, self.box(w)
         size = times((self.side(direction), 0), e[k])
         require(sign(size) > 0, place, "not on its side of the star's point")
-        t = root(size, self.weights[k])
+        t = root(size, self.weights[k], place)
         for j in others(k):
             for _ in range(self.weights[j]):
-                e[j] = divide(e[j], t)
+                e[j] = divide(e[j], t, place)
         return e[:k] + [t] + e[k + 1 :]
 
     def from_chart(self, direction, z):
@@ -816,9 +909,10 @@ class Star:
                 if len(entry) == 1 and entry in LETTERS:
                     p = LETTERS.index(entry)
                     less = [h / 2 if j == p else h for j, h in enumerate(half)]
+                    require(less[p] >= LEAST_HALF_EDGE, place, "a half edge below 2^-51")
                     for step in (less[p], -less[p]):
                         waiting.append(([m + step if j == p else m for j, m in enumerate(middle)], less))
-                elif re.fullmatch("t(0|[1-9][0-9]*)", entry):
+                elif re.fullmatch("t(0|[1-9][0-9]{0,9})", entry):
                     tube = element(tubes, int(entry[1:]), place)
                     require(tube.star is self and tube.direction == direction, place, "a tube of another chart")
                     require(tube.contains(list(zip(middle, half))), place, "a cell is not in its tube")
@@ -829,17 +923,19 @@ class Star:
             require(not waiting, place, "the subdivision is not complete")
 
 
-def root(ball, n):
+def root(ball, n, place):
     """t > 0 with t^n in the ball"""
     if n == 1:
         return ball
-    q = Fraction(float(ball[0]) ** (1 / n))
+    q = Fraction(float(near(ball[0])) ** (1 / n))
+    require(q > 0, place, "no root")
     return q, (abs(q**n - ball[0]) + ball[1]) / q ** (n - 1)
 
 
 def direction_of(text, place):
     require(re.fullmatch("-?[0-9]+,-?[0-9]+,-?[0-9]+", text), place, "not a cell")
-    direction = [int(part) for part in text.split(",")]
+    direction = [int(part) for part in text.split(",") if len(part) <= 11]
+    require(all(-(2**31) <= n < 2**31 for n in direction), place, "not a direction")
     require(",".join(map(str, direction)) == text, place, "not a direction")
     return direction
 
@@ -853,7 +949,7 @@ class Node:
         self.tube, self.at, self.radius = value["tube"], numbers(value["at"], 4, place), number(value["radius"], place)
         require(isinstance(value["on"], list) and isinstance(value["wrt"], list), place, "not lists")
         for side in value["on"]:
-            require(side in [f"{p}={c}" for p in LETTERS for c in (0, 1)], place, "not a side")
+            require(isinstance(side, str) and side in [f"{p}={c}" for p in LETTERS for c in (0, 1)], place, "not a side")
         self.on = {LETTERS.index(side[0]): int(side[2]) for side in value["on"]}
         require(len(self.on) == len(value["on"]), place, "on two sides of one parameter")
         self.wrt = [parameter(p, place) for p in value["wrt"]]
@@ -861,7 +957,7 @@ class Node:
 
 class Checker:
     def __init__(self, root):
-        require(root.get("command") in ("intersect", "line", "self"), "$.command", "neither intersect, line nor self")
+        require(isinstance(root.get("command"), str) and root["command"] in ("intersect", "line", "self"), "$.command", "neither intersect, line nor self")
         self.alone = root["command"] == "self"
         lists = ["factors", "stars", "tubes", "nodes", "arcs", "components", "overlaps", "cover"]
         names = ["first"] if self.alone else ["first", "second"]
@@ -878,7 +974,9 @@ class Checker:
             self.fixed = parameter(value["parameter"], "$.fixed"), number(value["value"], "$.fixed")
             require(0 <= self.fixed[1] <= 1, "$.fixed", "not in [0,1]")
         self.root = root
-        self.cells = sum(row.count(" ") for row in root["cover"] if isinstance(row, str))
+        for i, row in enumerate(root["cover"]):
+            require(isinstance(row, str) and " #" in row, f"$.cover[{i}]", "no seal")
+        self.cells = sum(row.split(" #", 1)[0].count(" ") + 1 for row in root["cover"])
         self.nets = [self.net(root[key], "$." + key) for key in names]
         self.nets = [self.nets[0], self.nets[-1]]
         self.power = [self.power_basis(net) for net in self.nets]
@@ -891,8 +989,11 @@ class Checker:
 
     @staticmethod
     def net(value, place):
-        points = claim(value, place, ["name", "points"])["points"]
-        require(isinstance(points, list) and [len(row) for row in points] == [3, 3, 3], place, "not 3 x 3 points")
+        value = claim(value, place, ["name", "points"])
+        name, points = value["name"], value["points"]
+        require(isinstance(name, str) and is_json(f'"{name}"'), place, "not a name")
+        require(isinstance(points, list) and len(points) == 3, place, "not 3 x 3 points")
+        require(all(isinstance(row, list) and len(row) == 3 for row in points), place, "not 3 x 3 points")
         return [[numbers(p, 3, place) for p in row] for row in points]
 
     @staticmethod
@@ -1139,10 +1240,22 @@ class Checker:
 
     @staticmethod
     def turns_on_sides(polynomials, i, sides):
-        """T_i vanishes wherever the parameters are on the sides."""
-        degree = 3 * max(map(max, polynomials.terms))
-        values = [[sides[j]] if j in sides else range(degree + 1) for j in range(4)]
-        return not any(tangent(polynomials.at([Fraction(a) for a in w]), [Fraction(0)] * 4)[i][0] for w in itertools.product(*values))
+        """T_i vanishes wherever the parameters are on the sides, as a polynomial in the others."""
+        def entry(d, j):
+            result = {}
+            for power, c in component(polynomials, d).items():
+                lower = [p - (n == j) for n, p in enumerate(power)]
+                if power[j] and all(sides.get(n) != 0 or p == 0 for n, p in enumerate(lower)):
+                    rest = tuple(0 if n in sides else p for n, p in enumerate(lower))
+                    result[rest] = result.get(rest, 0) + power[j] * c
+            return result
+
+        e = [[entry(d, j) for j in others(i)] for d in range(3)]
+        total = {}
+        for a, b, c, s in ((0, 1, 2, 1), (1, 2, 0, 1), (2, 0, 1, 1), (0, 2, 1, -1), (1, 0, 2, -1), (2, 1, 0, -1)):
+            for power, q in product(e[0][a], product(e[1][b], e[2][c])).items():
+                total[power] = total.get(power, 0) + s * q
+        return not any(total.values())
 
     def places_on_polyline(self, points, vertices, place):
         require(vertices[0] and vertices[-1], place, "an end of the polyline is missing")
@@ -1171,8 +1284,12 @@ class Checker:
             stop = min(begin + 4, len(points) - 1)
             margin = max(near[begin : stop + 1])
             unit = Fraction(1, 2**24)
+            beyond = [2 * margin] * 4  # the hull of both ends
+            if tube.charted or tube.star:  # whose variables need not be monotone
+                step = abs(points[begin][tube.axis] - points[stop][tube.axis])
+                beyond = [2 * margin + step / 2 * b[1] for b in tube.bounds.first]
             middle = [unit * math.floor((p + q) / 2 / unit) for p, q in zip(points[begin], points[stop])]
-            half = [unit * (math.floor((abs(p - q) / 2 + 2 * margin) / unit) + 2) for p, q in zip(points[begin], points[stop])]
+            half = [unit * (math.floor((abs(p - q) / 2 + more) / unit) + 2) for p, q, more in zip(points[begin], points[stop], beyond)]
             bounds = tube.derivatives(middle, half)
             require(bounds.defect < 1, place, "no derivative over a step of the polyline")
             local = tube.space.at(middle)
@@ -1237,7 +1354,6 @@ class Checker:
         cover = []
         for i, row in enumerate(self.root["cover"]):
             place = f"$.cover[{i}]"
-            require(isinstance(row, str) and " #" in row, place, "no seal")
             text, mark = row.split(" #", 1)
             require(mark == seal(place + text), place, "the seal does not fit the claim")
             cover += [(place, entry) for entry in text.split(" ")]
@@ -1259,6 +1375,7 @@ class Checker:
             nets, levels, middle, width = waiting.pop()
             if len(text) == 1 and text in LETTERS:
                 p = LETTERS.index(text)
+                require(width[p] / 2 >= LEAST_HALF_EDGE, place, "a half edge below 2^-51, or the fixed parameter")
                 for upper in (True, False):
                     parts, deeper = list(nets), list(levels)
                     parts[p // 2] = halved(nets[p // 2], p % 2, upper)
@@ -1268,15 +1385,15 @@ class Checker:
                     waiting.append((parts, deeper, m, h))
                 continue
             box = list(zip(middle, width))
-            if re.fullmatch("[tm](0|[1-9][0-9]*)", text):
+            if re.fullmatch("[tm](0|[1-9][0-9]{0,9})", text):
                 require(text[0] == "t" or self.alone, place, "of one patch only")
                 tube = element(self.tubes, int(text[1:]), place)
                 require(tube.star is None, place, "a tube of a star")
-                require(tube.contains(tube.cell_in_chart(box if text[0] == "t" else box[2:] + box[:2])), place, "the cell is not in the tube")
-            elif re.fullmatch("p(0|[1-9][0-9]*)", text):
+                require(tube.contains(tube.cell_in_chart(box if text[0] == "t" else box[2:] + box[:2], place)), place, "the cell is not in the tube")
+            elif re.fullmatch("p(0|[1-9][0-9]{0,9})", text):
                 e = element(self.stars, int(text[1:]), place).box(box)
                 require(all(magnitude(b) <= 1 for b in e), place, "the cell is not in the star")
-            elif re.fullmatch("s(0|[1-9][0-9]*)", text):
+            elif re.fullmatch("s(0|[1-9][0-9]{0,9})", text):
                 require(not self.fixed, place, "of curves only")
                 require(independent(element(self.planes, int(text[1:]), place).columns, True, box), place, "there may be solutions beside the plane")
             elif text == "lower":
@@ -1323,20 +1440,48 @@ def halved(net, second, upper):
     return [[columns[j][i] for j in range(3)] for i in range(3)]
 
 
+def calls_itself_certificate(text):
+    """A text of JSON that is no certificate."""
+    try:
+        root = json.loads(text)
+        return isinstance(root, dict) and root.get("exsect") == "certificate/1"
+    except ValueError:
+        return False
+    except RecursionError:
+        return re.match(r'\s*{\s*"exsect"\s*:\s*"certificate/1"', text) is not None
+
+
+def verdict(text):
+    """(summary, None) if every claim holds, otherwise (None, (place, reason)); ValueError if the text is no certificate."""
+    try:
+        root = parsed(text)
+    except ValueError as error:
+        if calls_itself_certificate(text):
+            return None, ("$", str(error))
+        raise
+    if not isinstance(root, dict) or root.get("exsect") != "certificate/1":
+        raise ValueError("not of the form certificate/1")
+    try:
+        checker = Checker(root)
+        checker.check()
+    except Rejected as rejected:
+        return None, rejected.args
+    return checker.root["summary"], None
+
+
 def main():
     sys.set_int_max_str_digits(0)
     try:
-        with open(sys.argv[1], encoding="utf-8") as file:
-            root = json.load(file, object_pairs_hook=no_key_twice)
-        if not isinstance(root, dict) or root.get("exsect") != "certificate/1":
-            raise ValueError("not of the form certificate/1")
+        with open(sys.argv[1], encoding="utf-8", newline="") as file:
+            text = file.read(MAX_BYTES + 1)
+        if len(text) > MAX_BYTES:
+            raise ValueError("longer than 256 MiB")
+        said, rejected = verdict(text)
     except (OSError, ValueError, IndexError) as error:
         print(f"{sys.argv[1:]}: {error}", file=sys.stderr)
         return 2
-    try:
-        said = Checker(root).check()
-    except Rejected as rejected:
-        print("rejected: {}: {}".format(*rejected.args))
+    if rejected:
+        print("rejected: {}: {}".format(*rejected))
         return 1
     print("accepted:", f"{said['closed']} closed, {said['open']} open, {said['branched']} branched" if "closed" in said else f"{said['claims'][3]} points")
     return 0
