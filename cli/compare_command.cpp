@@ -64,9 +64,9 @@ ExitStatus run(const CompareCommand& command, const Streams& streams) {
     write_file_atomically(command.output.svg, comparison_svg(comparison, pair.title));
   }
   if (!command.output.report.empty()) {
-    write_file_atomically(
-        command.output.report,
-        comparison_report_html(comparison, pair.x.patch, pair.y.patch, names, {pair.title, command.file}));
+    write_file_atomically(command.output.report,
+                          comparison_report_html(comparison, pair.x.patch, pair.y.patch, names,
+                                                 origin_of(pair.title, command.output.line, {command.file})));
   }
   if (command.output.json_to_stdout()) {
     streams.out << json;

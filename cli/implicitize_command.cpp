@@ -32,7 +32,9 @@ struct Shown {
 Shown shown(const ImplicitizeCommand& command, const std::string& title, bool is_complete,
             std::string summary, const Json& json, const ImplicitSubject& subject) {
   return {is_complete, std::move(summary), command.output.json.empty() ? "" : json_text(json), subject.svg,
-          command.output.report.empty() ? "" : implicit_report_html(json, subject, {title, command.file})};
+          command.output.report.empty()
+              ? ""
+              : implicit_report_html(json, subject, origin_of(title, command.output.line, {command.file}))};
 }
 
 bool has_picture(const OutputFiles& output) { return !output.svg.empty() || !output.report.empty(); }

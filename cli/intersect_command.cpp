@@ -72,7 +72,8 @@ ExitStatus run(const IntersectCommand& command, const Streams& streams) {
   }
   if (!command.output.report.empty()) {
     write_file_atomically(command.output.report,
-                          report_html(result, pair.x.patch, pair.y.patch, names, {pair.title, command.file}));
+                          report_html(result, pair.x.patch, pair.y.patch, names,
+                                      origin_of(pair.title, command.output.line, {command.file})));
   }
   if (command.output.json_to_stdout()) {
     streams.out << json;

@@ -69,7 +69,7 @@ ExitStatus run(const LineCommand& command, const Streams& streams) {
   if (!command.output.report.empty()) {
     write_file_atomically(command.output.report,
                           line_report_html(line, pair.x.patch, pair.y.patch, {pair.x.name, pair.y.name},
-                                           {pair.title, command.file}));
+                                           origin_of(pair.title, command.output.line, {command.file})));
   }
   if (command.output.json_to_stdout()) {
     streams.out << json;

@@ -14,11 +14,12 @@
 #include "cli/implicitize_command.h"
 #include "cli/intersect_command.h"
 #include "cli/line_command.h"
+#include "cli/patch_choice.h"
 #include "cli/revolve_command.h"
 #include "cli/self_command.h"
 #include "cli/verify_command.h"
 #include "output/text/terminal_text.h"
-#include "cli/patch_choice.h"
+#include "cli/shell_command.h"
 
 namespace exsect::cli {
 namespace {
@@ -410,6 +411,9 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
         "a command is needed: intersect, line, self, compare, verify, implicitize, revolve, batch, "
         "batch-merge or check (see exsect --help)");
   refuse_empty_values(app);
+  for (OutputFiles* output : {&intersect.output, &line.output, &self.output, &compare.output, &verify.output,
+                              &implicitize.output, &revolve.output})
+    output->line = shell_command(argc, argv);
   if (app.got_subcommand("self")) return run_on_patches(self, streams);
   if (app.got_subcommand("compare")) return run_on_patches(compare, streams);
   if (app.got_subcommand("verify")) return run_on_patches(verify, streams);

@@ -100,8 +100,11 @@ ExitStatus run(const RevolveCommand& command, const Streams& streams) {
     write_file_atomically(command.output.json, json);
   }
   if (!svg.empty()) write_file_atomically(command.output.svg, svg);
+  std::vector<std::string> inputs = {command.file};
+  if (!command.patch_file.empty()) inputs.push_back(command.patch_file);
   if (!command.output.report.empty())
-    write_file_atomically(command.output.report, revolution_report_html(shown, {file.title, command.file}));
+    write_file_atomically(command.output.report,
+                          revolution_report_html(shown, origin_of(file.title, command.output.line, inputs)));
   if (!mesh.empty()) write_file_atomically(command.mesh, mesh);
   if (command.output.json_to_stdout()) {
     streams.out << json;

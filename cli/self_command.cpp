@@ -71,9 +71,9 @@ ExitStatus run(const SelfCommand& command, const Streams& streams) {
     write_file_atomically(command.output.svg, intersection_svg(result, names, chosen.title));
   }
   if (!command.output.report.empty()) {
-    write_file_atomically(
-        command.output.report,
-        self_report_html(result, chosen.patch.patch, chosen.patch.name, {chosen.title, command.file}));
+    write_file_atomically(command.output.report,
+                          self_report_html(result, chosen.patch.patch, chosen.patch.name,
+                                           origin_of(chosen.title, command.output.line, {command.file})));
   }
   if (command.output.json_to_stdout()) {
     streams.out << json;

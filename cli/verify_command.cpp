@@ -52,9 +52,10 @@ ExitStatus run(const VerifyCommand& command, const Streams& streams) {
   if (!command.output.svg.empty())
     write_file_atomically(command.output.svg, verdict_svg(result, candidate, names, pair.title));
   if (!command.output.report.empty())
-    write_file_atomically(command.output.report,
-                          verdict_report_html(result, candidate, pair.x.patch, pair.y.patch, names,
-                                              {pair.title, command.candidate}));
+    write_file_atomically(
+        command.output.report,
+        verdict_report_html(result, candidate, pair.x.patch, pair.y.patch, names,
+                            origin_of(pair.title, command.output.line, {command.candidate, command.file})));
   if (command.output.json_to_stdout())
     streams.out << json;
   else if (!command.quiet)

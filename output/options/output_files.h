@@ -24,13 +24,14 @@ struct ExportFiles {
 };
 
 /// Paths given by --json, --svg, --report and --certificate; empty where the option is not given. "-" is the
-/// standard output, for JSON only.
+/// standard output, for JSON only. `line` is the command line as a report shows it (shell_command.h).
 struct OutputFiles {
   std::string json;
   std::string svg;
   std::string report;
   std::string certificate;
   ExportFiles exports;
+  std::string line;
 
   bool json_to_stdout() const { return json == "-"; }
 };

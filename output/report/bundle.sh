@@ -10,8 +10,10 @@ echo '{"private": true}' >package.json
 version=0.187.0
 npm install --silent --no-audit --no-fund "three@$version" esbuild@0.28.2
 cat >three-parts.js <<'PARTS'
-export { AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, LineBasicMaterial,
-         LineSegments, Mesh, MeshPhongMaterial, PerspectiveCamera, Scene, Spherical, Vector3, WebGLRenderer } from 'three';
+export { AmbientLight, BufferAttribute, BufferGeometry, Color, CustomBlending, AddEquation, DepthTexture, DirectionalLight,
+         DoubleSide, FloatType, GreaterDepth, Group, Mesh, MeshPhongMaterial, NearestFilter, OneFactor, OrthographicCamera,
+         PerspectiveCamera, Scene, ShaderMaterial, Spherical, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
+         WebGLRenderTarget, ZeroFactor } from 'three';
 export { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 export { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 export { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';

@@ -33,12 +33,14 @@ function short(x) {
   return String(Number(x.toFixed(12)));
 }
 
-/** Three digits, not below x. */
+/** Three digits, not below x, as the program writes them: "8.40e-07". */
 function boundText(x) {
   if (!(x > 0)) return '0';
-  const digits = Math.floor(Math.log10(x)) - 2;
-  const scaled = Math.ceil(x / 10 ** digits - 1e-9);
-  return Number(`${scaled}e${digits}`).toPrecision(3);
+  let [digits, exponent] = x.toExponential(2).split('e').map(Number);
+  digits = Math.round(100 * digits);
+  if (Number(`${digits}e${exponent - 2}`) < x) ++digits;
+  if (digits === 1000) [digits, exponent] = [100, exponent + 1];
+  return `${Math.floor(digits / 100)}.${String(digits % 100).padStart(2, '0')}e${exponent < 0 ? '-' : '+'}${String(Math.abs(exponent)).padStart(2, '0')}`;
 }
 
 /** k if the denominator of "p/q" is 2^k, else -1. */

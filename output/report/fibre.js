@@ -115,7 +115,7 @@ function fibrePicture(fibre) {
   const curves = lineCurves(fibre);
   const present = ['second', 'start', 'end', 'branch1', 'branch2'].filter((name) => curves[name].length);
   for (const name of present)
-    square.content.append(drawing('path', {class: `curve ${name}`, d: curves[name].map((curve) => pathThrough(square, simplified(curve, 4e-4))).join('')}));
+    square.lines.append(drawing('path', {class: `curve ${name}`, d: curves[name].map((curve) => pathThrough(square, simplified(curve, 4e-4))).join('')}));
   for (const {branch, intervals} of fibre.result.feasible)
     for (const {from, to} of intervals) {
       const y = square.y(0) - (branch === 2 ? 11 : 4);
@@ -180,14 +180,12 @@ function pointTable(line, fixed) {
     columns.map((p) => valueCell(point.approx[p], point.box[p])),
     element('td', {class: 'number'}, String(point.multiplicity)), element('td', {class: 'number'}, point.branch ? String(point.branch) : '–'),
     element('td', {}, point.on.join(' '))));
-  return element('div', {class: 'scroll'}, element('table', {class: 'points'},
-    element('thead', {}, element('tr', {}, ['point', ...columns, 'multiplicity', 'branch', 'on'].map((head) => element('th', {scope: 'col'}, head)))),
-    element('tbody', {}, rows)));
+  return tableOf({class: 'points cards'}, 'Each box holds exactly one point', [['point'], ...columns.map((name) => [name]), ['multiplicity', 'number'], ['branch', 'number'], ['on']], rows);
 }
 
 /** A decimal and, below it, the exact interval that holds the true value. */
 function valueCell(approx, box) {
-  return element('td', {}, element('span', {class: 'decimal'}, approx === null ? '' : String(approx)), exactInterval(box));
+  return element('td', {class: 'value-cell'}, element('span', {class: 'decimal'}, approx === null ? '' : String(approx)), exactInterval(box));
 }
 
 /** The line of space of a fixed parameter: points, and the coefficients of 1, t, t². */
@@ -202,8 +200,7 @@ function lineInSpace(fixed, value) {
 
 /** The plane of a line as a translucent piece, cut off at the box. */
 function planePiece(line, ball, normal) {
-  const margin = 0.06 * ball.radius;
-  const [low, high] = [plus(ball.low, [margin, margin, margin], -1), plus(ball.high, [margin, margin, margin])];
+  const {low, high} = ball;
   const corner = (i) => [0, 1, 2].map((k) => (i >> k & 1 ? high[k] : low[k]));
   const points = [];
   for (let i = 0; i < 8; ++i)
@@ -237,9 +234,16 @@ function planePiece(line, ball, normal) {
 /** The quadratic cylinder over the line along the normal of its plane. */
 function cylinderPiece(line, ball, normal) {
   const height = 0.32 * ball.radius;
+  const pointAt = (t) => {
+    const s = -0.12 + 1.24 * t;
+    return line.a0.map((_, k) => line.a0[k] + line.a1[k] * s + line.a2[k] * s * s);
+  };
   return gridPiece(14, 70, (h, t) => {
     const s = -0.12 + 1.24 * t;
-    const at = line.a0.map((_, k) => line.a0[k] + line.a1[k] * s + line.a2[k] * s * s + normal[k] * height * (2 * h - 1));
+    const middle = pointAt(t);
+    // Cut off at the box, so that all of it is in the picture.
+    const reach = [1, -1].map((sign) => Math.max(0, Math.min(height, ...normal.map((n, k) => sign * n > 0 ? (ball.high[k] - middle[k]) / (sign * n) : sign * n < 0 ? (ball.low[k] - middle[k]) / (sign * n) : Infinity))));
+    const at = plus(middle, normal, reach[0] * h - reach[1] * (1 - h));
     return {at, normal: unit(cross(normal, line.a1.map((c, k) => c + 2 * line.a2[k] * s)))};
   }, '--cylinder', 0.34);
 }
@@ -248,30 +252,36 @@ function cylinderPiece(line, ball, normal) {
 function showLine(view, squares, fixed, value, points, shown) {
   const index = parameters.indexOf(fixed);
   squares.forEach((square, which) => {
-    square.fibre.replaceChildren();
-    if (!shown.line) return;
-    const sameSquare = Math.floor(index / 2) === which;
-    if (sameSquare) square.fibre.append(drawing('path', {class: 'fibre-line', d: pathThrough(square, index % 2 === 0 ? [[value, 0], [value, 1]] : [[0, value], [1, value]])}));
-    points.forEach((point, i) => {
-      const at = [square.x(point[2 * which]), square.y(point[2 * which + 1])];
-      square.fibre.append(drawing('circle', {class: 'fibre-point', 'data-point': i, cx: at[0], cy: at[1], r: 3.8}),
-        drawing('circle', {class: 'hit point', 'data-point': i, cx: at[0], cy: at[1], r: 9}));
-    });
+    square.line = () => {
+      square.fibre.replaceChildren();
+      if (!shown.line) return;
+      const sameSquare = Math.floor(index / 2) === which;
+      const ends = square.domain[1 - index % 2];
+      if (sameSquare) square.fibre.append(drawing('path', {class: 'fibre-line', d: pathThrough(square, index % 2 === 0 ? ends.map((t) => [value, t]) : ends.map((t) => [t, value]))}));
+      points.forEach((point, i) => {
+        if (!square.shows([point[2 * which], point[2 * which + 1]])) return;
+        const at = [square.x(point[2 * which]), square.y(point[2 * which + 1])];
+        square.fibre.append(drawing('circle', {class: 'fibre-point', 'data-point': i, cx: at[0], cy: at[1], r: 3.8}),
+          drawing('circle', {class: 'hit point', 'data-point': i, cx: at[0], cy: at[1], r: 9}));
+      });
+    };
+    square.line();
   });
   if (!view) return;
   const line = lineInSpace(fixed, value);
   const normal = unit(cross(line.a1, line.a2));
-  const pieces = [];
-  if (dot(normal, normal) > 0) {
-    if (shown.plane) pieces.push(planePiece(line, view.ball, normal));
-    if (shown.cylinder) pieces.push(cylinderPiece(line, view.ball, normal));
-  }
-  for (const mark of view.extraMarks) mark.node.remove();
-  const wires = shown.line ? [view.wire(Array.from({length: 65}, (_, i) => line.at(i / 64)), '--line', 2.2, {order: 3})] : [];
-  const marks = !shown.line ? [] : points.map((point, i) => {
-    const node = drawing('circle', {class: 'fibre-point', 'data-point': i, r: 4});
-    view.overlay.append(node);
-    return {node, at: point.slice(4), point: i};
+  view.showExtra(() => {
+    const surfaces = [];
+    if (dot(normal, normal) > 0) {
+      if (shown.plane) surfaces.push(planePiece(line, view.whole, normal));
+      if (shown.cylinder) surfaces.push(cylinderPiece(line, view.whole, normal));
+    }
+    const wires = shown.line ? [view.wire(Array.from({length: 65}, (_, i) => line.at(i / 64)), '--line', 2.2)] : [];
+    const marks = !shown.line ? [] : points.map((point, i) => {
+      const node = drawing('circle', {class: 'fibre-point', 'data-point': i, r: 4});
+      view.overlay.append(node);
+      return {node, at: point.slice(4), point: i};
+    });
+    return {surfaces: surfaces.filter(Boolean), wires, marks};
   });
-  view.showExtra(pieces.filter(Boolean), wires, marks);
 }

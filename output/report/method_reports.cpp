@@ -45,16 +45,14 @@ Json patch_curve_data(const ShownRevolutionPatch& patch) {
 std::string implicit_report_html(const Json& result, const ImplicitSubject& subject,
                                  const ReportOrigin& origin) {
   Json data = report_data("implicitize", origin, result);
-  if (!subject.svg.empty()) data["picture"] = subject.svg;
   if (subject.curve) data["curve"] = curve_data(*subject.curve);
   if (subject.patch) data["patches"] = Json::array({patch_data(subject.patch->name, subject.patch->patch)});
-  return page_of(data);
+  return page_of(data, subject.svg);
 }
 
 std::string revolution_report_html(const ShownRevolution& shown, const ReportOrigin& origin) {
   Json data = report_data("revolve", origin, revolution_json(shown));
   const HalfPlaneCurves curves = half_plane_curves(shown);
-  data["picture"] = revolution_svg(shown, origin.title);
   data["profile"] = curves.profile;
   data["own"] = polylines_data(curves.own.following);
   data["further"] = polylines_data(curves.own.further);
@@ -63,7 +61,7 @@ std::string revolution_report_html(const ShownRevolution& shown, const ReportOri
     data["patches"] = Json::array({patch_data(shown.patch->name, shown.patch->patch)});
     data["patch_curve"] = patch_curve_data(*shown.patch);
   }
-  return page_of(data);
+  return page_of(data, revolution_svg(shown, origin.title));
 }
 
 std::string comparison_report_html(const Comparison& comparison, const BezierPatch& x, const BezierPatch& y,
@@ -72,8 +70,7 @@ std::string comparison_report_html(const Comparison& comparison, const BezierPat
   data["parameters"] = pair_names;
   data["patches"] = {patch_data(names.first, x), patch_data(names.second, y)};
   data["graph"] = intersection_json(comparison.parameter_lines, names);
-  data["picture"] = comparison_svg(comparison, origin.title);
-  return page_of(data);
+  return page_of(data, comparison_svg(comparison, origin.title));
 }
 
 }  // namespace exsect::cli

@@ -1,30 +1,27 @@
 // The pages of implicitize, revolve and compare.
 
-/** A picture that the program drew, with white paper as in print. */
-function programPicture(svg) {
-  const root = document.importNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement, true);
-  root.removeAttribute('width');
-  root.removeAttribute('height');
-  root.style.maxWidth = `${root.viewBox.baseVal.width}px`;
-  root.setAttribute('role', 'img');
-  root.setAttribute('aria-label', 'Picture of the result');
-  return element('figure', {}, element('div', {class: 'picture'}, root),
-    element('div', {class: 'controls'}, textButton('save as SVG', () => saveFile(filename('.svg'), 'image/svg+xml', [svg]))));
+/** The picture that the program drew and the HTML holds. */
+function programPicture() {
+  const svg = still.querySelector('svg');
+  const text = new XMLSerializer().serializeToString(svg);
+  svg.style.maxWidth = `${svg.viewBox.baseVal.width}px`;
+  svg.setAttribute('role', 'img');
+  svg.setAttribute('aria-label', 'Picture of the result');
+  return element('figure', {}, still.querySelector('.picture'),
+    element('div', {class: 'controls'}, textButton('save as SVG', () => saveFile(filename('.svg'), 'image/svg+xml', [text]))));
 }
 
-/** A view of space, beside it the program's picture if there is one; the caller adds what is in the view. */
-function plainSpace(seen, aim, caption) {
+/** A view of space, beside it the program's picture if there is one; `build` adds what is in the view. */
+function plainSpace(seen, aim, caption, build) {
   const {figure, box, controls} = spaceFigure(caption);
-  page.append(element('div', {class: report.picture ? 'views pair' : 'views flat'}, figure, ...(report.picture ? [programPicture(report.picture)] : [])));
+  page.append(element('div', {class: still ? 'views pair' : 'views flat'}, figure, ...(still ? [programPicture()] : [])));
   view = spaceView(box, seen, aim);
+  if (view) view.build(build);
   return controls;
 }
 
 function finishSpace(controls, nets) {
-  if (view) {
-    view.repaint();
-    view.resize();
-  }
+  if (view) view.resize();
   spaceControls(controls, nets);
 }
 
@@ -50,32 +47,37 @@ function provedSection(how) {
   section('What was proved, and how', 'proofs', ...how.map((text) => element('p', {}, text)), statementTable(), proofSection([]));
 }
 
+/** The zero sets of the equations in a box; they are sampled once. */
+function zeroSurfaces(box, properties, opacity) {
+  return properties.map((property, i) => zeroSurface(polynomialFunction(result.equations[i].terms), box, 40, property, opacity));
+}
+
 function implicitizePage() {
-  counts([['method', result.method], ['exact', result.exact ? 'yes' : 'no'], ...result.equations.map(({name, degree}) => [`degree of ${name}`, degree])]);
   if (report.patches) {
     const points = gridOf(report.patches[0].points, 10);
     const box = boxAround(points, 0.12);
-    const controls = plainSpace(box.corners, points, 'The patch in blue, the zero set of the equation around it in orange. Drawn in double precision; decides nothing.');
-    if (view) {
-      showPatches();
-      view.surfaces.push(zeroSurface(polynomialFunction(result.equations[0].terms), box, 40, '--patch1', 0.5));
-    }
+    const zeros = zeroSurfaces(box, ['--patch1'], 0.5);
+    const controls = plainSpace(box.corners, points, `The patch in blue, the zero set of the equation around it in orange. ${drawnInDoubles}`, () => {
+      buildPatches();
+      zeros.forEach((piece) => view.addSurface(piece));
+    });
     finishSpace(controls, true);
   } else if (report.curve) {
     const box = boxAround(report.curve, 0.3);
-    const controls = plainSpace(box.corners, report.curve, 'The curve, and the zero sets of f (blue) and g (orange) around it. Drawn in double precision; decides nothing.');
-    if (view) {
-      result.equations.forEach(({terms}, i) => view.surfaces.push(zeroSurface(polynomialFunction(terms), box, 40, `--patch${i}`, 0.55)));
-      view.wireGroup.add(view.wire(report.curve, '--c1', 4));
-    }
+    const zeros = zeroSurfaces(box, ['--patch0', '--patch1'].slice(0, result.equations.length), 0.55);
+    const controls = plainSpace(box.corners, report.curve, `The curve, and the zero sets of f (blue) and g (orange) around it. ${drawnInDoubles}`, () => {
+      zeros.forEach((piece) => view.addSurface(piece));
+      view.addWire(report.curve, '--c1', 4);
+    });
     finishSpace(controls, false);
   } else {
-    page.append(programPicture(report.picture));
+    page.append(programPicture());
   }
   if (result.equations.length) section('Equations', 'equations', ...equationBoxes());
   else if (result.cells) section('Equations', 'equations', element('p', {}, `The equation is a spline of ${counted(result.cells.length, 'cell')}; the JSON result has the polynomial of each.`));
   provedSection([result.exact ? 'The equations vanish identically on the curve or patch: shown by exact elimination over the rational numbers.'
     : 'The equations were found in floating point and then rounded to short rational numbers. Everything below was proved afterwards, for these exact numbers, by Bernstein coefficients with rational arithmetic.']);
+  paperSection();
   dataSection();
 }
 
@@ -94,33 +96,36 @@ function branchTable() {
   return [tableOf({id: 'branches'}, 'Branches over each interval of heights: of the profile\'s equation, and of its mirror image, which belong to no revolved profile (phantoms)', [['from z', 'number'], ['to z', 'number'], ['own', 'number'], ['mirrored', 'number']], rows)];
 }
 
+/** The revolved profile, rings, and the patch that it is intersected with; phantom branches if they are asked for. */
+function buildRevolution(phantoms) {
+  view.addSurface(turnedPiece(report.profile, '--patch1', 0.5));
+  for (const polyline of phantoms) view.addSurface(turnedPiece(polyline, '--phantom', 0.22));
+  (report.patches || []).forEach((patch) => {
+    const rectangle = view.rectangle(patch.points);
+    if (!rectangle) return;
+    view.addSurface(patchPiece(patch.points, 0, rectangle));
+    patchWires(patch.points, 0, rectangle);
+    netWires(patch.points, 0);
+  });
+  for (const {sheet, polyline} of report.patch_curve || [])
+    if (polyline.length > 1) view.addWire(polyline.map(([u, v]) => patchAt(report.patches[0].points, u, v).at), sheet === 'own' ? '--c0' : '--phantom', 3.4, sheet === 'own' ? {} : {dashes: [0.03, 0.02]});
+  for (const ring of result.rings || []) view.addWire(circle(ring.r.approx, ring.z.approx), '--c3', 3.2);
+  for (const height of [report.profile[0], report.profile.at(-1)]) view.addWire(circle(...height), '--soft', 1.4);
+  for (let k = 0; k < 12; ++k)
+    view.addWire(report.profile.map(([r, z]) => [r * Math.cos(k * Math.PI / 6), r * Math.sin(k * Math.PI / 6), z]), k ? '--wire1' : '--c1', k ? 1 : 3.2);
+}
+
 function revolvePage() {
   const rings = result.rings || [];
-  counts([['method', result.method], ['exact', result.exact ? 'yes' : 'no'], ['singular rings', result.rings ? rings.length : 'none'], ...result.equations.map(({name, degree}) => [`degree of the ${name}`, degree])]);
   const seen = [...report.profile.flatMap(([r, z]) => circle(r, z).filter((_, i) => i % 8 === 0)), ...(report.patches || []).flatMap((patch) => gridOf(patch.points, 8))];
-  const controls = plainSpace(seen, [], 'The revolved profile; with mirrored and further branches, in grey, where the method makes them. Drawn in double precision; decides nothing.');
   const phantoms = [...report.mirrored, ...report.further].filter((polyline) => polyline.length > 1);
-  if (view) {
-    const solid = [turnedPiece(report.profile, '--patch1', 0.5)];
-    if (report.patches) {
-      report.patches.forEach((patch) => {
-        solid.push(patchPiece(patch.points, 0));
-        view.wireGroup.add(...patchWires(patch.points, 0));
-      });
-      for (const {sheet, polyline} of report.patch_curve)
-        if (polyline.length > 1) view.wireGroup.add(view.wire(polyline.map(([u, v]) => patchAt(report.patches[0].points, u, v).at), sheet === 'own' ? '--c0' : '--phantom', 3.4, sheet === 'own' ? {} : {dashes: [0.03, 0.02]}));
-    }
-    for (const ring of rings) view.wireGroup.add(view.wire(circle(ring.r.approx, ring.z.approx), '--c3', 3.2));
-    for (const height of [report.profile[0], report.profile.at(-1)]) view.wireGroup.add(view.wire(circle(...height), '--soft', 1.4));
-    for (let k = 0; k < 12; ++k)
-      view.wireGroup.add(view.wire(report.profile.map(([r, z]) => [r * Math.cos(k * Math.PI / 6), r * Math.sin(k * Math.PI / 6), z]), k ? '--patch1' : '--c1', k ? 1 : 3.2, {order: 3}));
-    const drawn = (on) => {
-      view.surfaces = on ? [...solid, ...phantoms.map((polyline) => turnedPiece(polyline, '--phantom', 0.22))] : solid;
-      view.repaint();
-    };
-    drawn(false);
-    if (phantoms.length) controls.append(checkbox('phantom branches', false, drawn, 'phantoms'));
-  }
+  let seenPhantoms = [];
+  const controls = plainSpace(seen, [], `The revolved profile; with mirrored and further branches, in grey, where the method makes them. ${drawnInDoubles}`, () => buildRevolution(seenPhantoms));
+  if (view && phantoms.length)
+    controls.append(checkbox('phantom branches', false, (on) => {
+      seenPhantoms = on ? phantoms : [];
+      view.rebuild();
+    }, 'phantoms'));
   finishSpace(controls, Boolean(report.patches));
   page.append(legendList([[drawing('path', {class: 'arc', d: 'M1,8H33', stroke: 'var(--c1)'}), 'profile'],
     ...(rings.length ? [[drawing('path', {class: 'arc', d: 'M1,8H33', stroke: 'var(--c3)'}), 'singular ring']] : []),
@@ -130,6 +135,7 @@ function revolvePage() {
   if (result.equations.length) section('Equations', 'equations', ...equationBoxes());
   provedSection([result.exact ? 'The profile\'s equation vanishes identically on the profile.' : 'The profile\'s equation was found in floating point and rounded to short rational numbers; what follows was proved for these exact numbers.',
     rings.length || result.branches ? 'Singular rings and branches were counted with exact real root isolation.' : ''].filter(Boolean));
+  paperSection();
   dataSection();
 }
 
@@ -143,13 +149,13 @@ function methodTable() {
 }
 
 function comparePage() {
-  counts([['components', graph.summary.components], ['methods', result.methods.length], ['check lines', result.check_lines]]);
   pictures(true);
-  section('The methods side by side', 'methods-section', methodTable(), programPicture(report.picture));
+  section('The methods side by side', 'methods-section', methodTable(), programPicture());
   graphTables();
   section('What was proved, and how', 'proofs', proofSection([...intersectionProofs(true),
     ['The resultant\'s curve is exact; its phantom branches are removed with a proof, up to isolated points.', 'Whole arcs of the curve are accepted or refused by exact fibres over rational samples.'],
     ['Outside of the regions of the quartics there is no point of the intersection.', 'By Bernstein coefficients and a proved bound of the quartic on its piece of the patch. What quartics find inside is measured on the check lines and proves nothing.']]));
+  paperSection();
   dataSection();
   listenForSelection();
   markSelected();

@@ -43,8 +43,8 @@ function markSelected() {
     }
   }
   if (view) {
-    for (const line of view.wireGroup.children) {
-      const chosen = selected && selected.kind === 'arc' && line.userData.arc === selected.id;
+    for (const line of view.lines()) {
+      const chosen = selected && line.userData[selected.kind] === selected.id;
       line.material.linewidth = line.userData.width * (chosen ? 2.1 : 1);
     }
     view.render();
@@ -56,11 +56,13 @@ function markSelected() {
 
 function select(kind, id) {
   selected = selected && selected.kind === kind && selected.id === id ? null : {kind, id};
+  if (kind === 'difference') showDifference(selected ? id : null);
   markSelected();
 }
 
 function selectionWords() {
   if (!selected) return [`Choose ${nodes.length ? 'a node or an arc' : 'a point'}, in a table, a square or in space: it is marked everywhere.`];
+  if (selected.kind === 'difference') return differenceWords(selected.id);
   if (selected.kind === 'arc') {
     const arc = arcs[selected.id];
     return [element('b', {}, `Arc ${arc.id}`), ` of component ${arc.component}, from node ${arc.from} to node ${arc.to}, ${arc.contact}, ${arc.on === 'interior' ? 'interior' : 'along a side of a patch'}; within ${boundText(arc.error_bound)} of its polyline of ${arc.polyline.length} vertices.`];
@@ -77,11 +79,11 @@ function selectionWords() {
 
 /** Clicks and keys on anything that stands for a node or an arc. */
 function listenForSelection() {
-  const chosen = (target) => target.closest('tr[data-node], tr[data-arc], tr[data-point], .node, .hit[data-arc], .hit[data-point]');
+  const chosen = (target) => target.closest('tr[data-node], tr[data-arc], tr[data-point], tr[data-difference], .node, .hit[data-arc], .hit[data-point]');
   page.addEventListener('click', (event) => {
     const target = chosen(event.target);
     if (!target || event.target.closest('.polynomial')) return;
-    const kind = ['node', 'arc', 'point'].find((name) => name in target.dataset);
+    const kind = ['node', 'arc', 'point', 'difference'].find((name) => name in target.dataset);
     select(kind, Number(target.dataset[kind]));
   });
   page.addEventListener('keydown', (event) => {
@@ -135,15 +137,15 @@ function spaceView(box, seen, aim) {
   }
 }
 
-/** Lines u = k/8 and v = k/8 of a patch, its sides thicker. */
-function patchWires(points, which) {
-  const wires = [];
+/** Lines u = k/8 and v = k/8 of a patch, its sides thicker; of a part of it as many. */
+function patchWires(points, which, [[a, b], [c, d]] = wholeSquare) {
   for (let k = 0; k <= 8; ++k)
     for (const along of [0, 1]) {
-      const line = Array.from({length: 33}, (_, i) => patchAt(points, ...(along ? [i / 32, k / 8] : [k / 8, i / 32])).at);
-      wires.push(view.wire(line, k % 8 ? `--patch${which}` : '--soft', k % 8 ? 1 : 1.6, {opacity: k % 8 ? 0.75 : 0.9, order: 3}));
+      const value = along ? c + (d - c) * k / 8 : a + (b - a) * k / 8;
+      const isSide = value === 0 || value === 1;
+      const line = Array.from({length: 33}, (_, i) => patchAt(points, ...(along ? [a + (b - a) * i / 32, value] : [value, c + (d - c) * i / 32])).at);
+      view.addWire(line, isSide ? '--soft' : `--wire${which}`, isSide ? 1.6 : 1, {patch: which});
     }
-  return wires;
 }
 
 function gridOf(points, cells) {
@@ -153,66 +155,98 @@ function gridOf(points, cells) {
 }
 
 function netWires(points, which) {
-  const rows = [0, 1, 2].flatMap((i) => [points[i], points.map((row) => row[i])]);
-  return rows.map((row) => view.wire(row, `--patch${which}`, 2, {order: 3, dashes: [0.03, 0.02]}));
+  for (const row of [0, 1, 2].flatMap((i) => [points[i], points.map((row) => row[i])])) view.addWire(row, `--patch${which}`, 2, {patch: which, net: which, front: true, dashes: [0.03, 0.02]});
 }
 
-function showPatches() {
-  report.patches.forEach((patch, which) => {
-    view.surfaces.push(patchPiece(patch.points, which));
-    view.wireGroup.add(...patchWires(patch.points, which));
+/** All patches, with their control nets, which are seen if they are asked for. */
+function buildPatches() {
+  report.patches.forEach(({points}, which) => {
+    const rectangle = view.rectangle(points);
+    if (!rectangle) return;
+    view.addSurface(patchPiece(points, which, rectangle));
+    patchWires(points, which, rectangle);
+    netWires(points, which);
   });
 }
+
+/** Not the bare name, which is often that of an axis. */
+const patchTitle = (patch) => /^patch\b/i.test(patch.name) ? patch.name : `patch ${patch.name}`;
 
 /** Names of patches and of their parameters at the corner (0,0) and the ends of the sides from there. */
 function patchLabels() {
   return report.patches.flatMap((patch, which) => {
     const at = (u, v) => patchAt(patch.points, u, v).at;
     const [first, second] = parameters.slice(2 * which, 2 * which + 2);
-    return [[patch.name.slice(0, 24), plus(at(0, 0), minus(at(0, 0), at(0.5, 0.5)), 0.1)], [first, plus(at(0.5, 0), minus(at(0.5, 0), at(0.5, 0.5)), 0.09)],
+    const name = patchTitle(patch).slice(0, 30);
+    return [[name, plus(at(0, 0), minus(at(0, 0), at(0.5, 0.5)), 0.1)], [first, plus(at(0.5, 0), minus(at(0.5, 0), at(0.5, 0.5)), 0.09)],
       [second, plus(at(0, 0.5), minus(at(0, 0.5), at(0.5, 0.5)), 0.09)]].map(([text, place]) => {
-      const node = drawing('g', {}, drawing('text', {class: 'label', 'text-anchor': 'middle', y: 4, 'font-style': text === patch.name.slice(0, 24) ? null : 'italic'}, text));
+      const node = drawing('g', {'data-patch': which}, drawing('text', {class: 'label', 'text-anchor': 'middle', y: 4, 'font-style': text === name ? null : 'italic'}, text));
       view.overlay.append(node);
       return {node, at: place};
     });
   });
 }
 
-function curveWires() {
+function buildCurve() {
   const rims = (graph.overlaps || []).flatMap((overlap) => overlap.chains.flat());
   for (const arc of [...arcs, ...rims]) {
     const dashes = componentDashes(arc.component).split(' ').map((d) => 0.0065 * d);
-    view.wireGroup.add(view.wire(arc.polyline.map((vertex) => vertex.slice(4)), arc.component < 0 ? '--ink' : `--c${arc.component % 7}`, arc.component < 0 ? 2 : 3.4,
-      {arc: arc.component < 0 ? undefined : arc.id, dashes: dashes.length > 1 ? [dashes[0], dashes[1]] : null}));
+    view.addWire(arc.polyline.map((vertex) => vertex.slice(4)), arc.component < 0 ? '--ink' : `--c${arc.component % 7}`, arc.component < 0 ? 2 : 3.4,
+      {arc: arc.component < 0 ? undefined : arc.id, dashes: dashes.length > 1 ? [dashes[0], dashes[1]] : null});
   }
 }
 
 function nodeMarks() {
   return nodes.map((node) => {
     const mark = drawing('g', {class: 'node', 'data-node': node.id}, drawing('circle', {class: 'ringed', r: 9.5}),
-      glyphPath(glyphName(node), nodeColour(node)), drawing('text', {class: 'number', x: 9, y: -7}, String(node.id)));
+      glyphPath(glyphName(node), nodeColour(node)), drawing('text', {class: 'number', 'text-anchor': 'middle'}, String(node.id)));
     view.overlay.append(mark);
     return {node: mark, at: node.approx.point, id: node.id};
   });
 }
 
+/** The figure fills the screen, by the browser or, where it cannot, by the style sheet. */
+function fullScreenButton(figure) {
+  const button = textButton('full screen', () => {
+    if (document.fullscreenElement) return document.exitFullscreen();
+    if (figure.classList.contains('large') || !document.fullscreenEnabled) return show(!figure.classList.contains('large'));
+    return figure.requestFullscreen().catch(() => show(true));
+  }, {id: 'full-screen', 'aria-pressed': 'false'});
+  const show = (on) => {
+    figure.classList.toggle('large', on);
+    button.setAttribute('aria-pressed', String(on));
+  };
+  document.addEventListener('fullscreenchange', () => show(document.fullscreenElement === figure));
+  document.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape' && figure.classList.contains('large') && !document.fullscreenElement) show(false);
+  });
+  return button;
+}
+
 function spaceControls(controls, nets) {
   if (!view) return;
-  const netGroup = new THREE.Group();
-  controls.append(
-    ...(nets ? [checkbox('control nets', false, (on) => {
-      netGroup.visible = on;
+  const redraw = (change) => (on) => {
+    change(on);
+    view.repaint();
+  };
+  const solidity = element('input', {type: 'range', min: 10, max: 100, step: 1, id: 'solidity', 'aria-label': 'opacity of the surfaces, in percent'});
+  solidity.value = 62;
+  solidity.addEventListener('input', () => redraw((value) => { view.solidity = value; })(Number(solidity.value) / 100));
+  const patches = report.patches && report.patches.length > 1 ? report.patches.map((patch, which) =>
+    checkbox(patchTitle(patch), true, redraw((on) => on ? view.hidden.delete(which) : view.hidden.add(which)), `patch-${which}`)) : [];
+  controls.append(...patches,
+    ...(nets ? [checkbox('control nets', false, redraw((on) => { view.netsShown = on; }), 'nets')] : []),
+    ...(nodes.length ? [checkbox('node numbers', false, (on) => {
+      page.classList.toggle('numbered', on);
       view.render();
-    }, 'nets')] : []),
-    ...(nodes.length ? [checkbox('node numbers', false, (on) => page.classList.toggle('numbered', on), 'numbers')] : []),
-    textButton('turn back', () => view.home()), textButton('+', () => view.zoom(0.85), {'aria-label': 'closer'}), textButton('−', () => view.zoom(1 / 0.85), {'aria-label': 'further'}),
-    textButton('save picture', () => view.save(filename('.png'))));
-  if (!nets) return;
-  netGroup.visible = false;
-  report.patches.forEach((patch, which) => netGroup.add(...netWires(patch.points, which)));
-  for (const line of netGroup.children) line.material.color.set(colour(line.userData.property));
-  onColoursChanged(() => netGroup.children.forEach((line) => line.material.color.set(colour(line.userData.property))));
-  view.scene.add(netGroup);
+    }, 'numbers')] : []),
+    checkbox('axes', true, redraw((on) => { view.hasAxes = on; }), 'axes'),
+    element('label', {}, 'opacity', solidity),
+    element('span', {class: 'group', role: 'group', 'aria-label': 'view along an axis'}, ...['x', 'y', 'z'].map((name, k) => textButton(name, () => view.along(k), {'aria-label': `view along ${name}`, class: 'axis-button'}))),
+    element('span', {class: 'group'}, textButton('turn back', () => view.home()), textButton('+', () => view.zoom(0.85), {'aria-label': 'closer'}), textButton('−', () => view.zoom(1 / 0.85), {'aria-label': 'further'}),
+      fullScreenButton(controls.closest('figure'))),
+    element('span', {class: 'group'}, textButton('save picture', () => view.save(filename('.png')), {'aria-label': 'save picture as PNG'}),
+      textButton('save drawing', () => saveFile(filename('-space.svg'), 'image/svg+xml', [vectorPicture(view)]), {'aria-label': 'save drawing: SVG, hidden lines removed'})));
 }
 
 function listenForPicks() {
@@ -232,12 +266,24 @@ function listenForPicks() {
 
 function patchCaption(which) {
   const patch = report.patches[Math.min(which, report.patches.length - 1)];
-  return element('figcaption', {}, element('b', {}, patch.name), ` (${parameters[2 * which]}, ${parameters[2 * which + 1]})`);
+  return element('figcaption', {}, element('b', {}, patchTitle(patch)), ` (${parameters[2 * which]}, ${parameters[2 * which + 1]})`);
 }
 
-function pictures(withSquares) {
-  const {figure, box, controls} = spaceFigure('Drag or use the arrow keys to turn; with the view in focus the wheel zooms. Pictures are drawn in double precision and decide nothing.');
-  const views = element('div', {class: withSquares ? 'views' : 'views flat'}, figure);
+const drawnInDoubles = 'Coordinates are in the units of the file. Pictures are drawn in double precision and decide nothing.';
+
+/** A square with its buttons. */
+function squareFigure(square, which) {
+  zoomable(square, () => markSelected());
+  return element('figure', {}, patchCaption(which), square.svg, element('div', {class: 'controls'},
+    textButton('+', () => square.zoom(0.6), {'aria-label': `closer in the square of ${parameters[2 * which]} and ${parameters[2 * which + 1]}`}),
+    textButton('−', () => square.zoom(1 / 0.6), {'aria-label': 'further'}), textButton('whole square', () => square.whole(), {class: 'whole'}),
+    textButton('save as SVG', () => saveFile(filename(`-${parameters[2 * which]}${parameters[2 * which + 1]}.svg`), 'image/svg+xml', [standaloneSvg(square.svg)]))));
+}
+
+/** The view of space, and beside it both squares, or what is given. */
+function pictures(withSquares, beside = []) {
+  const {figure, box, controls} = spaceFigure(`Drag or use the arrow keys to turn; with a picture in focus the wheel zooms. ${drawnInDoubles}`);
+  const views = element('div', {class: withSquares ? 'views' : 'views pair'}, figure, ...beside);
   page.append(views);
   const curve = [...arcs, ...(graph.overlaps || []).flatMap((overlap) => overlap.chains.flat())].flatMap((arc) => arc.polyline.map((vertex) => vertex.slice(4)));
   view = spaceView(box, report.patches.flatMap((patch) => gridOf(patch.points, 10)), curve);
@@ -245,17 +291,15 @@ function pictures(withSquares) {
     const right = element('div', {class: 'squares'});
     views.append(right);
     squares = [0, 1].map((which) => resultSquare(which, report.patches[Math.min(which, report.patches.length - 1)].name));
-    squares.forEach((square, which) => right.append(element('figure', {}, patchCaption(which), square.svg,
-      element('div', {class: 'controls'}, textButton('save as SVG', () => saveFile(filename(`-${parameters[2 * which]}${parameters[2 * which + 1]}.svg`), 'image/svg+xml', [standaloneSvg(square.svg)]))))));
+    squares.forEach((square, which) => right.append(squareFigure(square, which)));
     page.append(resultLegend());
   }
   page.append(element('div', {id: 'selection', role: 'status', 'aria-live': 'polite'}));
   if (view) {
-    showPatches();
-    if (withSquares) curveWires();
+    view.build(buildPatches);
+    if (withSquares) view.build(buildCurve);
     view.marks = withSquares ? nodeMarks() : [];
-    view.marks.push(...patchLabels());
-    view.repaint();
+    view.labels.push(...patchLabels());
     view.resize();
     listenForPicks();
   }
@@ -335,44 +379,7 @@ function fibreBody(fibre) {
   return element('div', {class: 'fibre'}, element('figure', {}, svg, legend), element('div', {}, fibreFacts(fibre), ...linePolynomials(fibre.result)));
 }
 
-// Head and data.
-
-function header() {
-  const complete = result.status === 'complete';
-  document.getElementById('title').textContent = report.title || `exsect ${report.command}`;
-  document.getElementById('origin').textContent = [`exsect ${report.command}`, report.file].filter(Boolean).join(' · ');
-  const verdicts = {agrees: 'Agrees, proved.', disagrees: 'Disagrees, proved.', undecided: 'Not decided.'};
-  const word = result.verdict ? verdicts[result.verdict] : complete ? report.command === 'compare' ? 'Complete.' : 'Complete, proved.' : 'Incomplete.';
-  const good = result.verdict ? result.verdict === 'agrees' : complete;
-  document.getElementById('answer').replaceChildren(element('span', {class: good ? 'complete' : 'incomplete'}, word), ' ', answerWords());
-  document.getElementById('footer').textContent = `Made by ${report.program}. The page holds its data and loads nothing.`;
-}
-
-function counts(pairs) {
-  document.getElementById('counts').append(...pairs.map(([name, value]) => element('div', {}, element('dt', {}, name), element('dd', {}, String(value)))));
-}
-
-function shapeWords() {
-  const shapes = ['closed', 'open', 'branched'].filter((shape) => graph.summary[shape]).map((shape) => `${graph.summary[shape]} ${shape}`);
-  const more = [graph.summary.isolated ? counted(graph.summary.isolated, 'isolated point') : '', graph.summary.overlaps ? counted(graph.summary.overlaps, 'overlap') : ''].filter(Boolean);
-  return [`${counted(graph.summary.components, 'component')}${shapes.length ? ` (${shapes.join(', ')})` : ''}`, ...more].join(', ');
-}
-
-function answerWords() {
-  const names = report.patches ? report.patches.map((patch) => patch.name) : [];
-  if (report.command === 'intersect') return `${names[0]} and ${names[1]} intersect in ${shapeWords()}.`;
-  if (report.command === 'self') return `${names[0]} meets itself in ${shapeWords()}.`;
-  if (report.command === 'line') {
-    const [fixed, value] = Object.entries(result.fixed)[0];
-    return `The line ${fixed} = ${value} meets the other patch in ${counted(result.points.length, 'point')}${result.on_patch.length ? ` and ${counted(result.on_patch.length, 'piece')}` : ''}.`;
-  }
-  if (report.command === 'verify') return verdictWords();
-  if (report.command === 'compare') return `${names[0]} and ${names[1]} intersect in ${shapeWords()}; ${result.methods.length} methods side by side.`;
-  const last = result.equations.at(-1);
-  const bound = result.proved.find(({name}) => name === 'two-sided') || result.proved.find(({name}) => name === 'one-sided');
-  return [result.exact ? 'Exact' : 'Approximate', report.command === 'revolve' ? `surface of revolution by ${result.method}` : `implicit ${result.equations.length === 1 ? 'equation' : 'equations'}`,
-    last ? `of degree ${last.degree}` : ''].join(' ').trim() + (bound && bound.approx !== undefined && !result.exact ? `, distance at most ${boundText(bound.approx)}.` : '.');
-}
+// Data.
 
 function netTable(patch) {
   const rows = patch.net.map((row, i) => element('tr', {}, element('th', {scope: 'row'}, `row ${i}`), row.map((point) => element('td', {}, `(${point.join(', ')})`))));
@@ -387,14 +394,11 @@ function dataSection() {
 // The pages.
 
 function graphPage() {
-  const {summary} = graph;
-  counts([['nodes', nodes.length], ['arcs', arcs.length], ['boundary points', summary.boundary],
-    ...parameters.map((p) => [`turning in ${p}`, summary.turning[p]]), ['largest distance of a polyline', boundText(worstBound())],
-    ['computed in', `${Math.round(graph.work.milliseconds)} ms`]]);
   pictures(true);
   sliderSection();
   graphTables();
   section('What was proved, and how', 'proofs', proofSection(intersectionProofs(report.command === 'intersect')));
+  paperSection();
   dataSection();
   listenForSelection();
   markSelected();
@@ -415,23 +419,39 @@ function worstBound() {
 function linePage() {
   const fibre = {...report.fibres[0], result, polynomials: true};
   const [fixed, value] = Object.entries(result.fixed)[0];
-  counts([['points', result.points.length], ['phantom roots', fibre.phantoms.length], ['shape of the line', result.shape], ['degree of the eliminant', result.eliminant.degree]]);
-  pictures(false);
+  const {svg, legend} = fibrePicture(fibre);
+  pictures(false, [element('div', {class: 'fibre-facts'}, fibreFacts(fibre))]);
   Object.assign(shownParts, {line: true, plane: true, cylinder: true});
   shownPoints = pointsOfFibre(fibre);
+  const own = Math.floor(parameters.indexOf(fixed) / 2);
+  const square = unitSquare(parameters[2 * own], parameters[2 * own + 1], `The line in the square of ${report.patches[own].name}`);
+  square.paint(() => {
+    square.fibre = drawing('g', {class: 'fibre-layer'});
+    square.marks.append(square.fibre);
+    if (square.line) square.line();
+  });
+  squares = own === 0 ? [square] : [];
   const update = () => {
-    showLine(view, [], fixed, toDouble(value), shownPoints, shownParts);
+    showLine(view, own === 0 ? [square] : [{...noSquare}, square], fixed, toDouble(value), shownPoints, shownParts);
     markSelected();
   };
   document.querySelector('.views .controls').prepend(...lineSwitches(update));
+  section('The line in both squares', 'line', element('div', {class: 'views pair fibre'}, element('figure', {}, patchCaption(own), square.svg),
+    element('figure', {}, patchCaption(1 - own), svg, legend)));
   update();
-  section('The line on the other patch', 'line', fibreBody(fibre));
+  section('Equations', 'equations', ...linePolynomials(fibre.result));
   section('What was proved, and how', 'proofs', proofSection(lineProofs()));
+  paperSection();
   dataSection();
   listenForSelection();
   markSelected();
 }
 
-header();
+/** Stands for a square that the page does not show. */
+const noSquare = {fibre: element('g'), domain: wholeSquare, shows: () => false};
+
+const still = document.getElementById('still');  // the picture that is seen without a script
+if (still) still.remove();
+document.getElementById('footer').textContent = `Made by ${report.program}. The page holds its data and loads nothing.`;
 ({intersect: graphPage, self: graphPage, line: linePage, implicitize: implicitizePage, revolve: revolvePage, compare: comparePage, verify: verifyPage})[report.command]();
 document.documentElement.dataset.ready = 'true';

@@ -1,4 +1,4 @@
-// The files of cli/report/ that make up a page; embed.cmake writes their content into the program.
+// The files of output/report/ that make up a page; embed.cmake writes their content into the program.
 #pragma once
 
 #include <string_view>

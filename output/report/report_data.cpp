@@ -63,10 +63,12 @@ Json phantom_roots(const LineIntersection& line) {
 }  // namespace
 
 Json report_data(const std::string& command, const ReportOrigin& origin, Json result) {
-  return {{"command", command},
-          {"program", "exsect " EXSECT_VERSION},
-          {"title", origin.title},
-          {"file", origin.file},
+  Json inputs = Json::array();
+  for (const ReportInput& input : origin.inputs)
+    inputs.push_back({{"file", input.file}, {"sha256", input.sha256}});
+  return {{"command", command},         {"program", "exsect " EXSECT_VERSION},
+          {"title", origin.title},      {"file", origin.file},
+          {"line", origin.command},     {"inputs", std::move(inputs)},
           {"result", std::move(result)}};
 }
 
@@ -100,9 +102,9 @@ Json fibre_data(const LineIntersection& line, const BezierPatch& x) {
           {"phantoms", phantom_roots(line)}};
 }
 
-std::string page_of(const Json& data) {
+std::string page_of(const Json& data, const std::string& picture) {
   const std::string title = data["title"].get<std::string>();
-  return report_page(title.empty() ? "exsect " + data["command"].get<std::string>() : title, data);
+  return report_page(title.empty() ? "exsect " + data["command"].get<std::string>() : title, data, picture);
 }
 
 }  // namespace exsect::cli

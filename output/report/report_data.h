@@ -10,7 +10,8 @@
 
 namespace exsect::cli {
 
-/// {"command": .., "program": "exsect 0.1.0", "title": .., "file": .., "result": ..}; the page of a command
+/// {"command": .., "program": "exsect 0.1.0", "title": .., "file": .., "line": the command line, "inputs":
+/// [{"file": .., "sha256": ..}], "result": ..}; the page of a command
 /// shows what else is added.
 Json report_data(const std::string& command, const ReportOrigin& origin, Json result);
 
@@ -24,7 +25,7 @@ Json patch_data(const std::string& name, const BezierPatch& patch);
 /// "polynomials" is then false.
 Json fibre_data(const LineIntersection& line, const BezierPatch& x);
 
-/// The page of the data.
-std::string page_of(const Json& data);
+/// The page of the data, with a picture, an SVG document, that is seen without a script; or none.
+std::string page_of(const Json& data, const std::string& picture);
 
 }  // namespace exsect::cli

@@ -1,5 +1,7 @@
 #include "output/report/report_html.h"
 
+#include "output/drawing/intersection_svg.h"
+#include "output/drawing/line_svg.h"
 #include "output/report/report_data.h"
 #include "output/text/line_json.h"
 
@@ -24,7 +26,7 @@ std::string report_html(const IntersectResult& result, const BezierPatch& x, con
   data["parameters"] = pair_names;
   data["patches"] = {patch_data(names.first, x), patch_data(names.second, y)};
   data["fibres"] = fibres(x, y);
-  return page_of(data);
+  return page_of(data, intersection_svg(result, names, origin.title));
 }
 
 std::string self_report_html(const IntersectResult& result, const BezierPatch& x, const std::string& name,
@@ -32,7 +34,7 @@ std::string self_report_html(const IntersectResult& result, const BezierPatch& x
   Json data = report_data("self", origin, self_json(result, name));
   data["parameters"] = self_names;
   data["patches"] = Json::array({patch_data(name, x)});
-  return page_of(data);
+  return page_of(data, intersection_svg(result, {name, name, self_names}, origin.title));
 }
 
 std::string line_report_html(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
@@ -41,7 +43,7 @@ std::string line_report_html(const LineIntersection& line, const BezierPatch& x,
   data["parameters"] = pair_names;
   data["patches"] = {patch_data(names.first, x), patch_data(names.second, y)};
   data["fibres"] = Json::array({fibre_data(line, x)});
-  return page_of(data);
+  return page_of(data, line_svg(line, x, origin.title));
 }
 
 }  // namespace exsect::cli

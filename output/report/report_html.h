@@ -9,14 +9,9 @@
 #include <string>
 
 #include "output/text/intersection_json.h"
+#include "output/report/report_origin.h"
 
 namespace exsect::cli {
-
-/// What a page says about where its result comes from; any of them may be empty, all may hold any characters.
-struct ReportOrigin {
-  std::string title;  // of the patches, as in their file
-  std::string file;
-};
 
 /// The page of an intersection x(u,v) = y(r,s): both patches and the curve in space, both parameter squares,
 /// the tables of nodes and arcs, the exact fibres of the lines u = 0, 1/40, ..., 1 (each as `exsect line`

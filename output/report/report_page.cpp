@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "output/report/report_assets.h"
+#include "output/report/report_words.h"
 
 namespace exsect::cli {
 namespace {
@@ -73,6 +74,20 @@ std::string script_data(const Json& data) {
   return text;
 }
 
+std::string counts_html(const ReportWords& words) {
+  std::string html;
+  for (const auto& [name, value] : words.counts)
+    html += "<div><dt>" + html_escaped(name) + "</dt><dd>" + html_escaped(value) + "</dd></div>";
+  return html;
+}
+
+/// An SVG document as an element of the page, without the XML declaration; its text is escaped already.
+std::string picture_html(const std::string& svg) {
+  const std::size_t begin = svg.find("<svg");
+  if (begin == std::string::npos) return "";
+  return "<figure id=\"still\"><div class=\"picture\">" + svg.substr(begin) + "</div></figure>";
+}
+
 /// The template with every {{name}} replaced; what is put in is not looked at again.
 std::string filled(std::string_view page, const std::map<std::string_view, std::string>& values) {
   std::string result;
@@ -89,9 +104,16 @@ std::string filled(std::string_view page, const std::map<std::string_view, std::
 
 }  // namespace
 
-std::string report_page(const std::string& title, const Json& data) {
+std::string report_page(const std::string& title, const Json& data, const std::string& picture) {
+  const ReportWords words = report_words(data);
   return filled(report_template.text, {{"policy", policy()},
                                        {"title", html_escaped(title)},
+                                       {"origin", html_escaped(words.origin)},
+                                       {"grade", words.good ? "complete" : "incomplete"},
+                                       {"verdict", html_escaped(words.verdict)},
+                                       {"answer", html_escaped(words.answer)},
+                                       {"counts", counts_html(words)},
+                                       {"picture", picture_html(picture)},
                                        {"style", std::string(report_style.text)},
                                        {"data", script_data(data)},
                                        {"three", std::string(report_three.text)},

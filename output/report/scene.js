@@ -2,94 +2,13 @@
 
 const meshCells = 44;
 
-/** The piece with every triangle turned so that its corners go round the normal at the first one counterclockwise. */
-function oriented(piece) {
-  const {positions, normals, triangles} = piece;
-  const corner = (list, i) => list.slice(3 * i, 3 * i + 3);
-  for (let t = 0; t < triangles.length; t += 3) {
-    const [p, q, r] = [0, 1, 2].map((k) => corner(positions, triangles[t + k]));
-    if (dot(cross(minus(q, p), minus(r, p)), corner(normals, triangles[t])) < 0) [triangles[t + 1], triangles[t + 2]] = [triangles[t + 2], triangles[t + 1]];
-  }
-  return piece;
-}
-
-/** Triangles of a grid of points with normals, for the translucent surfaces. */
-function gridPiece(rows, columns, pointAt, property, opacity) {
-  const piece = {positions: [], normals: [], triangles: [], property, opacity};
-  for (let i = 0; i <= rows; ++i)
-    for (let j = 0; j <= columns; ++j) {
-      const {at, normal} = pointAt(i / rows, j / columns);
-      piece.positions.push(...at);
-      piece.normals.push(...normal);
-    }
-  for (let i = 0; i < rows; ++i)
-    for (let j = 0; j < columns; ++j) {
-      const a = i * (columns + 1) + j;
-      const b = a + columns + 1;
-      piece.triangles.push(a, b, a + 1, b, b + 1, a + 1);
-    }
-  return oriented(piece);
-}
-
-function patchPiece(points, which) {
-  return gridPiece(meshCells, meshCells, (u, v) => {
-    const {at, first, second} = patchAt(points, u, v);
+/** A patch over a rectangle of its square, by default all of it. */
+function patchPiece(points, which, [[a, b], [c, d]] = [[0, 1], [0, 1]]) {
+  const piece = gridPiece(meshCells, meshCells, (s, t) => {
+    const {at, first, second} = patchAt(points, a + (b - a) * s, c + (d - c) * t);
     return {at, normal: unit(cross(first, second))};
   }, `--patch${which}`, 0.62);
-}
-
-/** All translucent triangles in one mesh, sorted from back to front whenever the camera moves. */
-class Translucent {
-  constructor() {
-    this.geometry = new THREE.BufferGeometry();
-    const material = new THREE.MeshPhongMaterial({vertexColors: true, transparent: true, side: THREE.DoubleSide, depthWrite: false,
-      shininess: 18, specular: 0x202020, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2});
-    material.forceSinglePass = true;
-    this.mesh = new THREE.Mesh(this.geometry, material);
-    this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = 2;
-  }
-
-  show(pieces) {
-    const count = pieces.reduce((n, piece) => n + piece.positions.length / 3, 0);
-    const positions = new Float32Array(3 * count);
-    const normals = new Float32Array(3 * count);
-    const colours = new Float32Array(4 * count);
-    const triangles = [];
-    let offset = 0;
-    for (const piece of pieces) {
-      positions.set(piece.positions, 3 * offset);
-      normals.set(piece.normals, 3 * offset);
-      const tint = new THREE.Color(colour(piece.property));
-      const size = piece.positions.length / 3;
-      for (let i = 0; i < size; ++i) colours.set([tint.r, tint.g, tint.b, piece.opacity], 4 * (offset + i));
-      for (const corner of piece.triangles) triangles.push(corner + offset);
-      offset += size;
-    }
-    this.geometry.dispose();
-    this.geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
-    this.geometry.setAttribute('normal', new THREE.BufferAttribute(normals, 3));
-    this.geometry.setAttribute('color', new THREE.BufferAttribute(colours, 4));
-    this.triangles = Uint32Array.from(triangles);
-    this.centres = new Float32Array(triangles.length);
-    for (let t = 0; t < triangles.length; t += 3)
-      for (let k = 0; k < 3; ++k)
-        this.centres[t + k] = (positions[3 * triangles[t] + k] + positions[3 * triangles[t + 1] + k] + positions[3 * triangles[t + 2] + k]) / 3;
-    this.geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(triangles.length), 1));
-  }
-
-  sort(camera) {
-    const [x, y, z] = camera.position.toArray();
-    const number = this.triangles.length / 3;
-    const depth = new Float32Array(number);
-    for (let t = 0; t < number; ++t)
-      depth[t] = (this.centres[3 * t] - x) ** 2 + (this.centres[3 * t + 1] - y) ** 2 + (this.centres[3 * t + 2] - z) ** 2;
-    const order = Uint32Array.from(depth.keys()).sort((a, b) => depth[b] - depth[a]);
-    const index = this.geometry.index;
-    for (let i = 0; i < number; ++i)
-      for (let k = 0; k < 3; ++k) index.array[3 * i + k] = this.triangles[3 * order[i] + k];
-    index.needsUpdate = true;
-  }
+  return {...piece, patch: which};
 }
 
 /** The box around points, and the ball around the box. */
@@ -115,47 +34,108 @@ function spread(points, right, up) {
   return Math.sqrt(Math.max(a * c - b * b, 0));
 }
 
+/** Round numbers in [low, high], some `count` of them, as [number, text]. */
+function roundTicks(low, high, count) {
+  const rough = (high - low) / count;
+  if (!(rough > 0)) return [];
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].map((k) => k * power).find((width) => width >= rough * 0.999);
+  const digits = Math.min(17, Math.max(1, Math.ceil(Math.log10(Math.max(Math.abs(low), Math.abs(high)) / step)) + 2));
+  const ticks = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step && ticks.length < 50; ++k) ticks.push([k * step, String(Number((k * step).toPrecision(digits)))]);
+  return ticks;
+}
+
+/** Where a text of some size goes beside a point so that it covers no obstacle ([x, y, radius]) and stays in the picture. */
+function freePlace([x, y], [width, height], obstacles, [right, bottom], taken = [], reach = 11) {
+  const candidates = [[1, -0.7], [1, 0.7], [-1, -0.7], [-1, 0.7], [0, -1], [0, 1], [1.2, 0], [-1.2, 0], [1.7, -1.2], [-1.7, -1.2], [1.7, 1.2], [-1.7, 1.2]];
+  let best = null;
+  candidates.forEach(([dx, dy], order) => {
+    const centre = [x + dx * (reach + width / 2) * (Math.abs(dx) > 0 ? 1 : 0), y + dy * (reach + height / 2)];
+    let cost = order * 0.01;
+    for (const [a, b, radius] of obstacles)
+      if (Math.abs(a - centre[0]) < width / 2 + radius && Math.abs(b - centre[1]) < height / 2 + radius) cost += 1;
+    for (const [a, b, w, h] of taken)
+      if (Math.abs(a - centre[0]) < (width + w) / 2 && Math.abs(b - centre[1]) < (height + h) / 2) cost += 2;
+    if (centre[0] < width / 2 || centre[0] > right - width / 2 || centre[1] < height / 2 || centre[1] > bottom - height / 2) cost += 1.5;
+    if (!best || cost < best.cost) best = {cost, centre};
+  });
+  return best.centre;
+}
+
+/** The smallest rectangle of halved and quartered parameters outside of which a patch does not meet a ball. */
+function rectangleInBall(points, centre, radius) {
+  const halves = (net, along) => {
+    const split = ([p, q, r]) => [[p, mid(p, q), mid(mid(p, q), mid(q, r))], [mid(mid(p, q), mid(q, r)), mid(q, r), r]];
+    const mid = (a, b) => plus(a, minus(b, a), 0.5);
+    const rows = (along ? net : [0, 1, 2].map((j) => net.map((row) => row[j]))).map(split);
+    return [0, 1].map((k) => along ? rows.map((row) => row[k]) : [0, 1, 2].map((i) => rows.map((row) => row[k][i])));
+  };
+  const found = [[1, 0], [1, 0]];
+  const stack = [{net: points, at: [0, 0], size: 1}];
+  while (stack.length) {
+    const {net, at, size} = stack.pop();
+    const {low, high} = ballAround(net.flat());
+    if (low.some((t, k) => t > centre[k] + radius || high[k] < centre[k] - radius)) continue;
+    if (found.every(([a, b], k) => a <= at[k] && b >= at[k] + size)) continue;
+    if (Math.max(...minus(high, low)) < radius / 2 || size < 1e-9) {
+      found.forEach((range, k) => range.splice(0, 2, Math.min(range[0], at[k]), Math.max(range[1], at[k] + size)));
+      continue;
+    }
+    halves(net, false).forEach((half, i) => halves(half, true).forEach((quarter, j) =>
+      stack.push({net: quarter, at: [at[0] + i * size / 2, at[1] + j * size / 2], size: size / 2})));
+  }
+  return found[0][0] < found[0][1] ? found : null;
+}
+
 /**
  * The view of space. All of `seen` is in the picture at first, from a side where the points `aim` spread most.
- * Coordinates are scaled to a ball of radius 1, so that any model fits into single precision.
+ * Coordinates are scaled to a ball of radius 1, so that any model fits into single precision; a place that is flown to
+ * becomes that ball. What is in the view is made by builders, anew for every ball.
  */
 class SpaceView {
   constructor(box, seen, aim) {
     this.seen = seen;
     this.aim = aim;
-    this.ball = ballAround(seen);
+    this.whole = ballAround(seen);
+    this.ball = this.whole;
+    this.focused = false;
     this.canvas = element('canvas', {tabindex: 0, role: 'img', 'aria-label': 'View of space. Arrow keys turn it, plus and minus zoom, 0 goes back.'});
     this.overlay = drawing('svg', {'aria-hidden': 'true'});
+    this.axesLayer = drawing('g', {class: 'axes'});
+    this.overlay.append(this.axesLayer);
     box.append(this.canvas, this.overlay);
     this.box = box;
     this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, antialias: true, preserveDrawingBuffer: true});
     this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2));
-    this.scene = new THREE.Scene();
+    this.renderer.autoClear = false;
     this.camera = new THREE.PerspectiveCamera(26, 1, 0.05, 60);
     this.camera.up.set(0, 0, 1);
-    this.headlight = new THREE.DirectionalLight(0xffffff, 2.1);
-    this.scene.add(new THREE.AmbientLight(0xffffff, 1.35), this.headlight);
+    this.scene = new THREE.Scene();
+    this.front = new THREE.Scene();
     this.translucent = new Translucent();
     this.wireGroup = new THREE.Group();
     this.extraGroup = new THREE.Group();
-    this.scene.add(this.translucent.mesh, this.wireGroup, this.extraGroup);
+    this.frontGroup = new THREE.Group();
+    this.axisGroup = new THREE.Group();
+    this.scene.add(this.axisGroup, this.wireGroup, this.extraGroup);
+    this.front.add(this.frontGroup);
     this.controls = new THREE.OrbitControls(this.camera, this.canvas);
     this.controls.enablePan = false;
     this.controls.enableZoom = false;
     this.controls.minDistance = 1.2;
-    this.controls.maxDistance = 14;
+    this.controls.maxDistance = 20;
     this.canvas.style.touchAction = 'pan-y';
     this.controls.addEventListener('change', () => this.render());
-    this.marks = [];
-    this.extraMarks = [];
-    this.surfaces = [];
-    this.extraSurfaces = [];
+    Object.assign(this, {marks: [], extraMarks: [], labels: [], surfaces: [], extraSurfaces: [], builders: [], hidden: new Set(), solidity: 0.62, hasAxes: true});
     this.home();
     this.listen();
   }
 
   /** The first view: from above, where the area that the points of the curve cover is largest, as near as can be. */
   home() {
+    this.flight = null;
+    this.refocus(this.whole);
     let best = {area: -1};
     for (let i = 0; i < 24; ++i)
       for (const height of [0.35, 0.6, 0.85]) {
@@ -166,20 +146,39 @@ class SpaceView {
         const area = spread(this.aim.map((p) => this.scaled(p)), right, up) * (height === 0.85 ? 0.8 : 1) * (i === 0 ? 1.15 : 1);
         if (area > best.area) best = {area, direction};
       }
-    this.camera.position.set(...best.direction.map((t) => 5 * t));
+    this.lookFrom(best.direction);
+  }
+
+  /** Along a direction, with everything in the picture. */
+  lookFrom(direction) {
+    this.camera.position.set(...direction.map((t) => 5 * t));
     this.controls.target.set(0, 0, 0);
     this.controls.update();
     this.fit();
   }
 
-  /** As near as all of `seen` is in the picture. */
+  /** Along an axis; from above the first parameter of space runs to the right. */
+  along(axis) {
+    this.refocus(this.ball);
+    this.lookFrom([[1, 0, 0], [0, -1, 0], [0, -1e-4, 1]][axis]);
+  }
+
+  /** The corners of the box of axes. */
+  corners() {
+    const {low, high} = this.ball;
+    return Array.from({length: 8}, (_, i) => [0, 1, 2].map((k) => (i >> k & 1 ? high[k] : low[k])));
+  }
+
+  /** As near as all of `seen` is in the picture, and the box of axes with its numbers. */
   fit() {
-    for (let step = 0; step < 6; ++step) {
+    const points = this.focused ? this.corners() : [...this.seen, ...this.corners()];
+    const [width, height] = this.size || [640, 480];
+    for (let step = 0; step < 8; ++step) {
       this.camera.updateMatrixWorld();
       let most = 0;
-      for (const p of this.seen) {
+      for (const p of points) {
         const q = new THREE.Vector3(...this.scaled(p)).project(this.camera);
-        most = Math.max(most, Math.abs(q.x) * 1.12, Math.abs(q.y) * 1.16);
+        most = Math.max(most, Math.abs(q.x) / (1 - 2 * Math.min(46, width / 9) / width), Math.abs(q.y) / (1 - 2 * Math.min(34, height / 9) / height));
       }
       if (!(most > 0)) return;
       this.zoom(Math.max(most, 0.3));
@@ -216,7 +215,7 @@ class SpaceView {
   }
 
   zoom(factor) {
-    this.camera.position.multiplyScalar(Math.min(14, Math.max(1.2, this.camera.position.length() * factor)) / this.camera.position.length());
+    this.camera.position.multiplyScalar(Math.min(20, Math.max(1.2, this.camera.position.length() * factor)) / this.camera.position.length());
     this.controls.update();
     this.render();
   }
@@ -228,14 +227,82 @@ class SpaceView {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.overlay.setAttribute('viewBox', `0 0 ${width} ${height}`);
+    const grown = this.size && (Math.abs(this.size[0] - width) > 1 || Math.abs(this.size[1] - height) > 1);
     const first = !this.size;
     this.size = [width, height];
-    if (first) this.fit();
+    if (first || grown) this.fit();
     this.render();
   }
 
   scaled(p) {
     return minus(p, this.ball.centre).map((t) => t / this.ball.radius);
+  }
+
+  /** Another ball to scale to: everything is built anew. */
+  refocus(ball) {
+    this.ball = ball;
+    this.focused = ball !== this.whole;
+    if (this.builders.length) this.rebuild();
+  }
+
+  /** Flies to a ball around a place of space. */
+  fly(centre, radius) {
+    const goal = {centre, radius, low: centre.map((t) => t - radius / 1.8), high: centre.map((t) => t + radius / 1.8)};
+    const from = this.ball;
+    const duration = matchMedia('(prefers-reduced-motion: reduce)').matches ? 0 : 450;  // milliseconds
+    const start = performance.now();
+    const flight = this.flight = {};
+    const step = () => {
+      if (this.flight !== flight) return;
+      const t = duration ? Math.min(1, (performance.now() - start) / duration) : 1;
+      const size = from.radius * (radius / from.radius) ** t;
+      // The place comes to the middle as the ball shrinks.
+      const along = from.radius === radius ? t : (from.radius - size) / (from.radius - radius);
+      const between = plus(from.centre, minus(centre, from.centre), along);
+      this.refocus(t === 1 ? goal : {centre: between, radius: size, low: between.map((a) => a - size / 1.8), high: between.map((a) => a + size / 1.8)});
+      if (t === 1) this.fit();
+      else requestAnimationFrame(step);
+    };
+    step();
+  }
+
+  /** Adds what `builder` makes, with add-functions of this view, now and for every other ball. */
+  build(builder) {
+    this.builders.push(builder);
+    this.rebuild();
+  }
+
+  rebuild() {
+    for (const group of [this.axisGroup, this.wireGroup, this.frontGroup]) this.clear(group);
+    const corners = this.corners();
+    for (let i = 0; i < 8; ++i)
+      for (let k = 0; k < 3; ++k) if (!(i >> k & 1)) this.axisGroup.add(this.wire([corners[i], corners[i | 1 << k]], '--rule', 1, {edge: [i, i | 1 << k]}));
+    this.surfaces = [];
+    for (const builder of this.builders) builder(this);
+    if (this.extraBuilder) this.rebuildExtra();
+    this.repaint();
+  }
+
+  clear(group) {
+    for (const line of [...group.children]) {
+      line.geometry.dispose();
+      line.material.dispose();
+      group.remove(line);
+    }
+  }
+
+  /** The part of a patch that is drawn: near a place that was flown to, with all its cells. */
+  rectangle(points) {
+    return this.focused ? rectangleInBall(points, this.ball.centre, 1.6 * this.ball.radius) : [[0, 1], [0, 1]];
+  }
+
+  addSurface(piece) {
+    this.surfaces.push(piece);
+  }
+
+  addWire(points, property, width, options = {}) {
+    const line = this.wire(points, property, width, options);
+    (options.front ? this.frontGroup : this.wireGroup).add(line);
   }
 
   /** Fat lines through points of space; the group remembers how to paint them. */
@@ -249,35 +316,50 @@ class SpaceView {
     if (dashes) [material.dashSize, material.gapSize] = dashes;
     const line = new THREE.LineSegments2(geometry, material);
     if (dashes) line.computeLineDistances();
-    line.renderOrder = options.order || 1;
     line.frustumCulled = false;
-    line.userData = {property, width, arc: options.arc};
+    line.userData = {property, width, points, ...options};
     return line;
   }
 
-  /** Replaces what belongs to the shown line: surfaces, lines, points. */
-  showExtra(surfaces, wires, marks) {
+  /** Replaces what belongs to the shown line; `make` returns {surfaces, wires, marks}. */
+  showExtra(make) {
+    this.extraBuilder = make;
+    this.rebuildExtra();
+    this.repaint();
+  }
+
+  rebuildExtra() {
+    for (const mark of this.extraMarks) mark.node.remove();
+    this.clear(this.extraGroup);
+    const {surfaces, wires, marks} = this.extraBuilder();
     this.extraSurfaces = surfaces;
     this.extraMarks = marks;
-    for (const line of [...this.extraGroup.children]) {
-      line.geometry.dispose();
-      line.material.dispose();
-      this.extraGroup.remove(line);
-    }
     for (const line of wires) this.extraGroup.add(line);
-    this.repaint();
+  }
+
+  /** Surfaces that are not hidden, as opaque as asked for. */
+  shownSurfaces() {
+    const opacity = (usual) => this.solidity <= 0.62 ? usual * this.solidity / 0.62 : usual + (1 - usual) * (this.solidity - 0.62) / 0.38;
+    return [...this.surfaces, ...this.extraSurfaces].filter((piece) => piece && !this.hidden.has(piece.patch)).map((piece) => ({...piece, opacity: opacity(piece.opacity)}));
+  }
+
+  lines() {
+    return [...this.axisGroup.children, ...this.wireGroup.children, ...this.extraGroup.children, ...this.frontGroup.children];
   }
 
   /** Colours anew, after light and dark have changed or pieces were exchanged. */
   repaint() {
-    this.scene.background = new THREE.Color(colour('--panel'));
+    this.paper = new THREE.Color(colour('--panel'));
     const scale = (piece) => {
       const positions = new Array(piece.positions.length);
       for (let i = 0; i < positions.length; ++i) positions[i] = (piece.positions[i] - this.ball.centre[i % 3]) / this.ball.radius;
       return {...piece, positions};
     };
-    this.translucent.show([...this.surfaces, ...this.extraSurfaces].map(scale));
-    for (const line of [...this.wireGroup.children, ...this.extraGroup.children]) line.material.color.set(colour(line.userData.property));
+    this.translucent.show(this.shownSurfaces().map(scale));
+    for (const line of this.lines()) {
+      line.material.color.set(colour(line.userData.property));
+      line.visible = !this.hidden.has(line.userData.patch) && !(line.userData.net !== undefined && !this.netsShown);
+    }
     this.render();
   }
 
@@ -292,15 +374,22 @@ class SpaceView {
   }
 
   draw() {
-    if (!this.size || !this.translucent.triangles) return;
-    this.headlight.position.copy(this.camera.position).add(new THREE.Vector3(0.6, 0.2, 1.2));
-    this.translucent.sort(this.camera);
+    if (!this.size || !this.paper) return;
+    this.renderer.setRenderTarget(null);
+    this.renderer.setClearColor(this.paper, 1);
+    this.renderer.clear();
+    this.showFarEdges();
     this.renderer.render(this.scene, this.camera);
-    for (const mark of [...this.marks, ...this.extraMarks]) {
-      const [x, y] = this.onScreen(mark.at);
-      mark.node.setAttribute('transform', `translate(${x.toFixed(1)},${y.toFixed(1)})`);
-    }
+    this.translucent.draw(this.renderer, this.camera);
+    this.renderer.render(this.front, this.camera);
     this.drawAxes();
+    this.placeMarks();
+  }
+
+  /** Of the box of axes the edges that do not end in the corner before everything. */
+  showFarEdges() {
+    const nearest = this.camera.position.toArray().reduce((sum, t, k) => sum | (t > 0 ? 1 << k : 0), 0);
+    for (const line of this.axisGroup.children) line.visible = this.hasAxes && !line.userData.edge.includes(nearest);
   }
 
   /** Where a point of space is seen, in units of the overlay. */
@@ -309,21 +398,77 @@ class SpaceView {
     return [(q.x + 1) / 2 * this.size[0], (1 - q.y) / 2 * this.size[1]];
   }
 
-  /** Directions of the coordinates, in the lower left corner. */
-  drawAxes() {
-    if (!this.axes) {
-      this.axes = ['x', 'y', 'z'].map((name) => ({line: drawing('path', {stroke: 'var(--soft)', 'stroke-width': 1.4, fill: 'none'}),
-        text: drawing('text', {class: 'soft', 'font-size': 12, 'font-style': 'italic', 'text-anchor': 'middle'}, name)}));
-      for (const axis of this.axes) this.overlay.append(axis.line, axis.text);
+  /** The same with the reciprocal of the distance along the view, not positive behind the eye. */
+  placed(p) {
+    const q = new THREE.Vector3(...this.scaled(p)).applyMatrix4(this.camera.matrixWorldInverse);
+    return [...this.onScreen(p), -1 / q.z];
+  }
+
+  /** Marks stand at their points; numbers and names beside them, where nothing is covered. */
+  placeMarks() {
+    const obstacles = [];
+    for (const mark of [...this.marks, ...this.extraMarks]) {
+      mark.seen = this.onScreen(mark.at);
+      mark.node.setAttribute('transform', `translate(${mark.seen[0].toFixed(1)},${mark.seen[1].toFixed(1)})`);
+      mark.node.style.display = this.focused && mark.seen.some((t, k) => t < 0 || t > this.size[k]) ? 'none' : null;
+      obstacles.push([...mark.seen, 7]);
     }
-    const origin = [40, this.size[1] - 38];
-    const inverse = this.camera.matrixWorldInverse.elements;
-    this.axes.forEach((axis, k) => {
-      const direction = [inverse[4 * k], -inverse[4 * k + 1]];
-      axis.line.setAttribute('d', `M${origin}l${direction[0] * 24},${direction[1] * 24}`);
-      axis.text.setAttribute('x', origin[0] + direction[0] * 33);
-      axis.text.setAttribute('y', origin[1] + direction[1] * 33 + 4);
-    });
+    const taken = [];
+    for (const {node, at} of this.labels) {
+      const wanted = this.onScreen(at);
+      const size = [7.6 * node.textContent.length + 4, 15];
+      const free = (place) => obstacles.every(([a, b, r]) => Math.abs(a - place[0]) > size[0] / 2 + r || Math.abs(b - place[1]) > size[1] / 2 + r);
+      const place = free(wanted) ? wanted : freePlace(wanted, size, obstacles, this.size, taken, 4);
+      taken.push([...place, ...size]);
+      node.setAttribute('transform', `translate(${place.map((t) => t.toFixed(1))})`);
+      node.style.display = this.focused || this.hidden.has(node.dataset.patch === undefined ? -1 : Number(node.dataset.patch)) ? 'none' : null;
+    }
+    for (const mark of this.marks) {
+      const number = mark.node.querySelector('.number');
+      if (!number) continue;
+      const size = [7 * number.textContent.length + 2, 12];
+      const place = freePlace(mark.seen, size, obstacles.filter(([a, b]) => a !== mark.seen[0] || b !== mark.seen[1]), this.size, taken);
+      if (page.classList.contains('numbered')) taken.push([...place, ...size]);
+      number.setAttribute('x', (place[0] - mark.seen[0]).toFixed(1));
+      number.setAttribute('y', (place[1] - mark.seen[1] + 4).toFixed(1));
+    }
+  }
+
+  /** The box of coordinates, with numbers along an edge for each that lies at the rim of the picture. */
+  drawAxes() {
+    this.axesLayer.replaceChildren();
+    if (!this.hasAxes) return;
+    const {low, high} = this.ball;
+    const corners = this.corners().map((p) => this.onScreen(p));
+    const middle = corners.reduce((sum, p) => plus(sum, p), [0, 0]).map((t) => t / 8);
+    for (let k = 0; k < 3; ++k) {
+      const edges = [0, 1, 2, 3].map((i) => {
+        const others = [0, 1, 2].filter((m) => m !== k);
+        const from = (i & 1) << others[0] | (i >> 1) << others[1];
+        return {from, to: from | 1 << k};
+      });
+      const outer = ({from, to}) => k < 2 ? corners[from][1] + corners[to][1] : -(corners[from][0] + corners[to][0]);
+      const edge = edges.sort((a, b) => outer(b) - outer(a))[0];
+      const [p, q] = [corners[edge.from], corners[edge.to]];
+      const length = Math.hypot(...minus(q, p));
+      if (length < 44) continue;
+      const along = unit(minus(q, p));
+      let out = [-along[1], along[0]];
+      if (dot([...out, 0], [...minus(plus(p, q).map((t) => t / 2), middle), 0]) < 0) out = out.map((t) => -t);
+      const at = (t) => plus(p, minus(q, p), (t - low[k]) / (high[k] - low[k]));
+      let ticks = '';
+      const anchor = out[0] > 0.5 ? 'start' : out[0] < -0.5 ? 'end' : 'middle';
+      for (const [value, text] of roundTicks(low[k], high[k], Math.max(1, Math.min(5, length / 62)))) {
+        const place = at(value);
+        const end = plus(place, out, 5);
+        ticks += `M${place.map((t) => t.toFixed(1))}L${end.map((t) => t.toFixed(1))}`;
+        const where = plus(place, out, 11);
+        this.axesLayer.append(drawing('text', {class: 'tick', x: where[0].toFixed(1), y: (where[1] + 4).toFixed(1), 'text-anchor': anchor}, text));
+      }
+      this.axesLayer.append(drawing('path', {class: 'axis-line', d: `M${p.map((t) => t.toFixed(1))}L${q.map((t) => t.toFixed(1))}${ticks}`}));
+      const name = plus(plus(p, minus(q, p), 0.5), out, anchor === 'middle' ? 28 : 40);
+      this.axesLayer.append(drawing('text', {class: 'axis-name', x: name[0].toFixed(1), y: (name[1] + 5).toFixed(1), 'text-anchor': 'middle'}, ['x', 'y', 'z'][k]));
+    }
   }
 
   /** The picture as it stands, marks included, at `scale` pixels for one. */

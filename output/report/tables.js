@@ -1,6 +1,8 @@
 // Tables of nodes, arcs and components; what each row shows is in the JSON result under the same id.
 
+/** The cells know their heads, which they show where there is no room for columns (class "cards"). */
 function tableOf(attributes, caption, heads, rows) {
+  for (const row of rows) [...row.cells].forEach((cell, i) => cell.setAttribute('data-head', heads[i] ? heads[i][0] : ''));
   return element('div', {class: 'scroll'}, element('table', attributes, element('caption', {}, caption),
     element('thead', {}, element('tr', {}, heads.map(([head, kind]) => element('th', {scope: 'col', class: kind || null}, head)))),
     element('tbody', {}, rows)));
@@ -18,7 +20,7 @@ function nodeTable() {
     element('td', {class: 'place'}, [...node.on, ...node.wrt.map((p) => `turns in ${p}`), ...node.free.map((p) => `${p} free`)].join(', ') || '–'),
     parameters.map((p) => valueCell(node.approx[p], node.box[p])),
     element('td', {class: 'point'}, node.approx.point.map((c) => element('span', {class: 'decimal'}, c === null ? '' : String(Number(c.toPrecision(9))), element('br'))))));
-  return tableOf({id: 'nodes'}, 'Decimals are the doubles of the JSON result. Below each stands the exact interval that is proved to hold the true value.',
+  return tableOf({id: 'nodes', class: 'cards'}, 'Decimals are the doubles of the JSON result. Below each stands the exact interval that is proved to hold the true value.',
     [['node'], ['kind'], ['on, turns in'], ...parameters.map((p) => [p]), ['x, y, z']], rows);
 }
 
@@ -33,7 +35,7 @@ function arcTable() {
     element('td', {class: 'kinds'}, [arc.on === 'interior' ? 'interior' : 'along a side of a patch', arc.contact, ...arc.free.map((p) => `${p} free`)].join(', ')),
     element('td', {class: 'number vertices'}, String(arc.polyline.length)),
     element('td', {class: 'number bound'}, boundText(arc.error_bound))));
-  return tableOf({id: 'arcs'}, 'Every point of the true arc is within the proved bound of the polyline, and the other way round.',
+  return tableOf({id: 'arcs', class: 'cards'}, 'Every point of the true arc is within the proved bound of the polyline, and the other way round.',
     [['arc'], ['component', 'number'], ['from node', 'number'], ['to node', 'number'], ['kind'], ['vertices', 'number'], ['distance at most', 'number']], rows);
 }
 

@@ -203,7 +203,7 @@ std::string verdict_report_html(const Verification& verification, const Candidat
     }
     data["gaps"].push_back(std::move(line));
   }
-  return page_of(data);
+  return page_of(data, verdict_svg(verification, candidate, names, origin.title));
 }
 
 }  // namespace exsect::cli

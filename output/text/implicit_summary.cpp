@@ -88,7 +88,7 @@ std::string planar_subtitle(const PlanarImplicit& implicit, const PlanarOptions&
   const auto& distance = implicit.bounds.one_sided.distance;
   return fmt::format(
       "{} of degree {}: {}", name(options.method), options.degree,
-      distance ? "curve within " + value_text(*distance) + " of the zero set" : "no distance proved");
+      distance ? "one-sided distance at most " + value_text(*distance) : "no distance proved");
 }
 
 std::string planar_implicit_summary(const PlanarImplicit& implicit, const PlanarOptions& options,

@@ -1,5 +1,6 @@
 // The page of `exsect intersect --report`.
 import assert from 'node:assert/strict';
+import {createHash} from 'node:crypto';
 import {readFileSync} from 'node:fs';
 
 import {assertQuiet, canvasPixels, example, exsect, launch, open, report, runTests, sameRational, settled, writeScratch} from './browser.mjs';
@@ -200,6 +201,158 @@ await runTests({
     assertQuiet(page);
   },
 
+  async 'patches are hidden, made opaque, and seen along the axes'() {
+    const blue = (pixels) => pixels.filter(([r, g, b]) => b > r + 40 && b > 150 && r > 90).length;
+    const before = await canvasPixels(page);
+    await page.locator('#patch-0').click();
+    assert.ok(blue(await canvasPixels(page)) < blue(before) / 4);
+    await page.locator('#patch-0').click();
+    await page.locator('#solidity').fill('100');
+    const solid = await canvasPixels(page);
+    assert.ok(solid.some((pixel, i) => pixel.some((c, k) => Math.abs(c - before[i][k]) > 25)));
+    await page.locator('#solidity').fill('62');
+    for (const [k, name] of ['x', 'y', 'z'].entries()) {
+      await page.getByRole('button', {name: `view along ${name}`}).click();
+      await settled(page);
+      const seen = await page.evaluate((k) => {
+        const {low, high} = view.ball;
+        const other = [0, 1, 2].filter((m) => m !== k);
+        const ends = [low, low.map((t, m) => m === k ? high[m] : t)].map((p) => view.onScreen(p));
+        return {along: Math.hypot(ends[0][0] - ends[1][0], ends[0][1] - ends[1][1]), inside: view.seen.every((p) => view.onScreen(p).every((t, m) => t >= 0 && t <= view.size[m])), names: [...document.querySelectorAll('.axis-name')].map((text) => text.textContent), other};
+      }, k);
+      assert.ok(seen.inside, 'everything is in the frame');
+      assert.ok(seen.along < 80, `the axis ${name} is seen from its end: ${seen.along}`);
+      assert.deepEqual(seen.names, ['x', 'y', 'z'].filter((other) => other !== name));
+    }
+    await page.getByRole('button', {name: 'turn back'}).click();
+    assert.ok(await page.locator('.axes .tick').count() >= 6);
+    await page.locator('#axes').click();
+    await settled(page);
+    assert.equal(await page.locator('.axes .tick').count(), 0);
+    await page.locator('#axes').click();
+    await page.locator('#full-screen').click();
+    await page.waitForSelector('figure.large');
+    await page.locator('#full-screen').click();
+    await page.waitForSelector('figure:not(.large)');
+    assertQuiet(page);
+  },
+
+  async 'numbers of nodes cover no node'() {
+    await page.locator('#numbers').click();
+    await settled(page);
+    for (const picture of ['.space', '.views .square >> nth=0', '.views .square >> nth=1']) {
+      const covered = await page.locator(picture).evaluate((root) => {
+        const places = [...root.querySelectorAll('.node')].map((node) => node.getAttribute('transform').match(/-?[\d.]+/g).map(Number));
+        return [...root.querySelectorAll('.node')].filter((node, i) => {
+          const number = node.querySelector('.number');
+          const at = [places[i][0] + Number(number.getAttribute('x')), places[i][1] + Number(number.getAttribute('y')) - 4];
+          return places.some((place) => Math.hypot(place[0] - at[0], place[1] - at[1]) < 6);
+        }).length;
+      });
+      assert.equal(covered, 0, picture);
+    }
+    await page.locator('#numbers').click();
+  },
+
+  async 'a square is zoomed with the wheel once it has the focus'() {
+    const square = page.locator('.views .square').first();
+    await square.scrollIntoViewIfNeeded();
+    const domain = () => page.evaluate(() => squares[0].domain.flat());
+    const box = await square.boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.wheel(0, -100);
+    assert.deepEqual(await domain(), [0, 1, 0, 1]);
+    await square.focus();
+    await square.scrollIntoViewIfNeeded();
+    const now = await square.boundingBox();
+    await page.mouse.move(now.x + now.width / 2, now.y + now.height / 2);
+    await page.mouse.wheel(0, -100);
+    await page.waitForFunction(() => squares[0].width() < 0.9);
+    const [a, b, c, d] = await domain();
+    assert.ok(a > 0 && b < 1 && Math.abs(b - a - (d - c)) < 1e-12);
+    await page.locator('#nodes tr[data-node="9"]').click();
+    assert.equal(await page.locator('.views .square').nth(1).locator('.node.selected').count(), 1);
+    await unmark();
+    await square.focus();
+    await page.keyboard.press('0');
+    assert.deepEqual(await domain(), [0, 1, 0, 1]);
+  },
+
+  async 'tables, citation and origin for a paper'() {
+    const copied = async (name) => {
+      await page.getByRole('button', {name, exact: true}).click();
+      return page.evaluate(() => navigator.clipboard.readText());
+    };
+    const markdown = (await copied('nodes as Markdown')).trim().split('\n').map((line) => line.split('|').slice(1, -1).map((cell) => cell.trim()));
+    assert.deepEqual(markdown[0], ['node', 'kind', 'u', 'v', 'r', 's', 'x', 'y', 'z']);
+    const patch = JSON.parse(readFileSync(example('chapter9-first.json'), 'utf8')).patches[0].points;
+    const number = (text) => text.split('/').map(Number).reduce((p, q) => p / q);
+    first.json.nodes.forEach((node, i) => {
+      const row = markdown[i + 2];
+      assert.equal(row[0], String(node.id));
+      ['u', 'v', 'r', 's'].forEach((p, k) => assert.ok(Math.abs(Number(row[2 + k]) - node.approx[p]) <= 2 * 10 ** -(row[2 + k].split('.')[1] || '').length, `${p}: ${row[2 + k]}`));
+      const [u, v] = [node.approx.u, node.approx.v].map((t) => [(1 - t) ** 2, 2 * t * (1 - t), t * t]);
+      [0, 1, 2].forEach((k) => {
+        const exact = patch.reduce((sum, line, m) => sum + u[m] * line.reduce((inner, point, n) => inner + v[n] * number(String(point[k])), 0), 0);
+        assert.ok(Math.abs(Number(row[6 + k]) - exact) < 1e-9, `node ${i}: ${row[6 + k]} instead of ${exact}`);
+      });
+    });
+    const latex = await copied('nodes as LaTeX');
+    assert.equal(latex.match(/\\\\/g).length, first.json.nodes.length + 1);
+    assert.match(latex, /\\begin\{tabular\}\{llrrrrrrr\}/);
+    const bibtex = await copied('BibTeX');
+    const citation = readFileSync(example('../CITATION.cff'), 'utf8');
+    for (const words of ['Chau', 'Oberneder', 'Galligo', 'Intersecting Biquadratic', 'Springer', '2008', citation.match(/version: (\S+)$/m)[1]]) assert.ok(bibtex.includes(words), words);
+    assert.equal(await copied('command line'), `exsect intersect ${example('chapter9-first.json')}\n`);
+    const hash = createHash('sha256').update(readFileSync(example('chapter9-first.json'))).digest('hex');
+    assert.ok((await page.locator('.origin').textContent()).includes(hash));
+  },
+
+  async 'the view of space as lines, hidden ones removed'() {
+    const saved = async () => {
+      const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', {name: 'drawing of space as SVG'}).click()]);
+      return readFileSync(await download.path(), 'utf8');
+    };
+    const svg = await saved();
+    assert.ok(svg.startsWith('<svg') && !svg.includes('var(') && !svg.includes('<image') && svg.length < 400000, String(svg.length));
+    assert.equal(svg, await saved());
+    const ink = (text) => (text.match(/[ML]/g) || []).length;
+    await page.locator('#patch-0').click();
+    await page.locator('#patch-1').click();
+    await settled(page);
+    assert.ok(/stroke="#d55e00"/.test(svg) && /stroke="#0072b2"/.test(svg));
+    // with one patch less in front more of the other one is seen
+    const without = await saved();
+    assert.ok(ink(without) < ink(svg));
+    await page.locator('#patch-1').click();
+    await settled(page);
+    const drawnLength = await page.evaluate(() => {
+      const map = new DepthMap(view, view.shownSurfaces(), 2);
+      const all = view.lines().filter(({visible, userData}) => visible && userData.patch === 1);
+      const length = (runs) => runs.reduce((sum, run) => sum + run.slice(1).reduce((s, p, i) => s + Math.hypot(p[0] - run[i][0], p[1] - run[i][1]), 0), 0);
+      const alone = all.reduce((sum, {userData}) => sum + length(seenRuns(view, map, userData.points)), 0);
+      view.hidden.delete(0);
+      const both = new DepthMap(view, view.shownSurfaces(), 2);
+      const covered = all.reduce((sum, {userData}) => sum + length(seenRuns(view, both, userData.points)), 0);
+      view.repaint();
+      return {alone, covered};
+    });
+    assert.ok(drawnLength.covered < 0.9 * drawnLength.alone && drawnLength.covered > 0.2 * drawnLength.alone, JSON.stringify(drawnLength));
+    await page.locator('#patch-0').evaluate((box) => { box.checked = true; });
+    assertQuiet(page);
+  },
+
+  async 'without a script verdict, counts and picture are there'() {
+    const still = await browser.newContext({javaScriptEnabled: false});
+    const plain = await still.newPage();
+    await plain.goto('file://' + first.path);
+    assert.match(await plain.locator('#answer').textContent(), /^Complete, proved\. Patches x and y intersect in 2 components \(1 closed, 1 open\)\.$/);
+    assert.match(await plain.locator('#counts').textContent(), /12nodes|nodes12/);
+    assert.equal(await plain.locator('#still svg').count(), 1);
+    assert.ok((await plain.locator('#still svg').boundingBox()).height > 200);
+    await still.close();
+  },
+
   async 'text from files is only text'() {
     const model = JSON.parse(readFileSync(example('chapter9-first.json'), 'utf8'));
     const name = '</script><img src=x onerror="window.hacked=1"><!-- {{data}} \u2028 &amp;';
@@ -239,6 +392,9 @@ await runTests({
     assert.equal(await small.evaluate(() => document.documentElement.scrollWidth), 400);
     const box = await small.locator('.space canvas').boundingBox();
     assert.ok(box.width > 350 && box.x >= 0 && box.x + box.width <= 400);
+    const card = await small.locator('#nodes tbody tr').first().boundingBox();
+    assert.ok(card.x >= 0 && card.x + card.width <= 400 && card.height > 150, 'a node is a card');
+    assert.equal(await small.locator('#nodes').evaluate((table) => table.scrollWidth <= table.clientWidth + 1), true);
     await small.context().close();
   },
 

@@ -17,7 +17,7 @@ await runTests({
     assertQuiet(page);
     assert.match(await page.locator('#answer').textContent(), /^Complete, proved\. The line u = 1\/2 meets the other patch in 2 points\.$/);
     assert.deepEqual((await page.locator('.points .decimal').allTextContents()).map(Number), json.points.flatMap((point) => ['v', 'r', 's'].map((p) => point.approx[p])));
-    assert.equal(await page.locator('.fibre .square .fibre-point').count(), 2);
+    assert.equal(await page.locator('.fibre .square .fibre-point').count(), 4);
     assert.equal(await page.locator('.fibre .square [data-feasible="1"]').count(), 1);
     assert.equal(await page.locator('.fibre .square .phantom').count(), 1);
     for (const curve of ['branch1', 'second', 'start', 'end']) assert.equal(await page.locator(`.fibre .square .curve.${curve}`).count(), 1, curve);
@@ -29,11 +29,11 @@ await runTests({
   async 'a click on a row, in the square, in space marks the same point everywhere'() {
     const {page} = await shown(example('chapter9-first.json'), '--u', '1/2');
     const marked = () => page.locator('.selected').evaluateAll((all) => all.map((one) => [one.tagName.toLowerCase(), one.dataset.point]).sort());
-    const everywhere = (i) => [['circle', i], ['circle', i], ['tr', i]];
+    const everywhere = (i) => [['circle', i], ['circle', i], ['circle', i], ['tr', i]];  // in space, in both squares, in the table
     await page.locator('tr[data-point="1"]').click();
     assert.deepEqual(await marked(), everywhere('1'));
     assert.match(await page.locator('#selection').textContent(), /^Point b of the line: u = 0\.5, v = 0\.5336587579289931, /);
-    await page.locator('.fibre .square .hit[data-point="0"]').click();
+    await page.locator('.fibre .square .hit[data-point="0"]').last().click();
     assert.deepEqual(await marked(), everywhere('0'));
     const [x, y] = await page.locator('.space [data-point="1"]').evaluate((mark) => mark.getAttribute('transform').match(/-?[\d.]+/g).map(Number));
     await page.locator('.space canvas').click({position: {x, y}});
@@ -46,7 +46,7 @@ await runTests({
 
   async 'the curves pass through the points'() {
     const {page} = await shown(example('chapter9-first.json'), '--u', '1/2');
-    const distances = await page.evaluate(() => [...document.querySelectorAll('.fibre .square .fibre-point')].map((point) => ['branch1', 'second'].map((name) => {
+    const distances = await page.evaluate(() => [...[...document.querySelectorAll('.fibre .square')].at(-1).querySelectorAll('.fibre-point')].map((point) => ['branch1', 'second'].map((name) => {
       const path = document.querySelector(`.fibre .square .curve.${name}`);
       let least = Infinity;
       for (let t = 0; t <= path.getTotalLength(); t += 0.2) {
@@ -76,8 +76,8 @@ await runTests({
     for (const [option, value] of [['--v', '3/10'], ['--r', '1/3'], ['--s', '1']]) {
       const {page, json} = await shown(example('chapter9-first.json'), option, value);
       assertQuiet(page);
-      assert.equal(await page.locator('.fibre .square .fibre-point').count(), json.points.length);
-      assert.equal(await page.locator('.fibre .square .axis').first().textContent(), json.eliminant.variable);
+      assert.equal(await page.locator('.fibre .square').last().locator('.fibre-point').count(), json.points.length);
+      assert.equal(await page.locator('.fibre .square').last().locator('.axis').first().textContent(), json.eliminant.variable);
       await page.context().close();
     }
   },
@@ -92,7 +92,7 @@ await runTests({
       assertQuiet(page);
       assert.equal(json.shape, shape);
       assert.equal(await page.locator('.points tbody tr').count(), json.points.length);
-      if (json.on_patch.length) assert.match(await page.locator('.fibre').textContent(), /The line lies on the other patch for v in \[0, 1\]/);
+      if (json.on_patch.length) assert.match(await page.locator('.fibre-facts').textContent(), /The line lies on the other patch for v in \[0, 1\]/);
       await page.context().close();
     }
     assert.ok(exsect('line', file, '--first', 'wall', '--second', 'flat', '--u', '0').includes('on the other patch'));

@@ -12,7 +12,7 @@ await runTests({
     const {path, json} = report('self', example('chapter9-second.json'), '--patch', 'y');
     const page = await open(browser, path);
     assertQuiet(page);
-    assert.match(await page.locator('#answer').textContent(), /y meets itself in 3 components \(3 open\)\./);
+    assert.match(await page.locator('#answer').textContent(), /Patch y meets itself in 3 components \(3 open\)\./);
     assert.equal(await page.locator('#nodes tbody tr').count(), json.nodes.length);
     assert.deepEqual(await page.locator('.views .axis').allTextContents(), ['u1', 'v1', 'u2', 'v2']);
     const cusp = json.nodes.find((node) => node.kinds.includes('cusp'));

@@ -1,7 +1,7 @@
 // The page of verify.
 import assert from 'node:assert/strict';
 
-import {assertQuiet, canvasPixels, example, launch, open, report, runTests} from './browser.mjs';
+import {assertQuiet, canvasPixels, example, launch, open, report, runTests, settled} from './browser.mjs';
 
 const browser = await launch();
 const red = ([r, g, b]) => r > g + 60 && r > b + 60 && r > 150;
@@ -9,7 +9,7 @@ const red = ([r, g, b]) => r > g + 60 && r > b + 60 && r > 150;
 async function shown(name) {
   const {path, json, bytes} = report('verify', example(`candidates/${name}.candidate.json`), example(`candidates/${name}.json`), '--tolerance', '1e-4');
   assert.ok(bytes < 3e6, `${bytes} bytes`);
-  const page = await open(browser, path);
+  const page = await open(browser, path, {reducedMotion: 'reduce'});
   assertQuiet(page);
   return {page, json};
 }
@@ -32,6 +32,43 @@ await runTests({
       json.differences.map(({kind, text}) => [kind, text]));
     assert.ok(await page.locator('.square .gap').count() >= 2);
     assert.ok((await canvasPixels(page)).filter(red).length > 100, 'the lost curve is marked in space');
+    await page.context().close();
+  },
+
+  async 'every difference is flown to, in space and in both squares'() {
+    const {page, json} = await shown('sisl-parameter-curve-off');
+    const ticks = (square) => page.locator('.views .square').nth(square).locator('.soft').allTextContents();
+    const whole = [await ticks(0), await ticks(1)];
+    for (let id = 0; id < Math.min(3, json.differences.length); ++id) {
+      await page.locator('#differences .pick').nth(id).click();
+      await settled(page);
+      assert.match(await page.locator('#selection').textContent(), new RegExp(`^Difference ${id + 1}, `));
+      // the places of the difference fill a good part of either square, and all of them are in it
+      const found = await page.evaluate((id) => [0, 1].map((which) => {
+        const places = differencePlaces[id].squares[which];
+        return {inside: places.every(squares[which].shows), part: extentOf(places) / squares[which].width()};
+      }), id);
+      for (const {inside, part} of found) assert.ok(inside && (part > 0.4 || part === 0), JSON.stringify(found));
+      const onScreen = await page.evaluate((id) => differencePlaces[id].space.every((p) => view.onScreen(p).every((t, k) => t > 0 && t < view.size[k])), id);
+      assert.ok(onScreen, 'in the picture of space');
+      await page.locator('#differences .pick').nth(id).click();
+      assert.deepEqual([await ticks(0), await ticks(1)], whole);
+    }
+    assertQuiet(page);
+    await page.context().close();
+  },
+
+  async 'a difference smaller than a pixel has an inset'() {
+    const {page} = await shown('sisl-nearly-crossing-lost');
+    const small = await page.evaluate(() => [0, 1].map((which) => differencePlaces.filter((places) => side * extentOf(places.squares[which]) < leastSeen).length));
+    const insets = await page.evaluate(() => squares.map(({svg}) => svg.querySelectorAll('.inset').length));
+    assert.deepEqual(insets, small.map((number) => Math.min(number, 4)));
+    // an isolated point that was not claimed
+    const lost = await shown('occt-touch-point-lost');
+    assert.ok(await lost.page.locator('.views .square .inset').count() > 0);
+    await lost.page.locator('.views .square .inset').first().click();
+    assert.match(await lost.page.locator('#selection').textContent(), /^Difference 1, /);
+    await lost.page.context().close();
     await page.context().close();
   },
 });

@@ -173,7 +173,7 @@ TEST_CASE("pictures and summaries") {
   CHECK(run.out.find("least-squares, 6 functions (monomial, degree 2)") != std::string::npos);
   CHECK(run.out.find("proved      one-sided 6.") != std::string::npos);
   const std::string svg = content(scratch.path("p.svg"));
-  CHECK(svg.find(">least-squares of degree 2: curve within 6.") != std::string::npos);
+  CHECK(svg.find(">least-squares of degree 2: one-sided distance at most 6.") != std::string::npos);
   CHECK(svg.find(">zero set</text>") != std::string::npos);
   CHECK(Json::parse(content(scratch.path("p.json")))["exsect"] == "implicit/1");
 }

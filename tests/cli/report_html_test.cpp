@@ -46,7 +46,9 @@ void check_page(const std::string& page) {
   CHECK(occurrences(page, "<!--") == 0);
   for (const char* attribute : {" src=\"", "@import", "url(http", "url(\"http"})
     CHECK(page.find(attribute) == std::string::npos);
-  for (const char* name : {"{{policy}}", "{{title}}", "{{style}}", "{{data}}", "{{three}}", "{{script}}"})
+  for (const char* name :
+       {"{{policy}}", "{{title}}", "{{style}}", "{{data}}", "{{three}}", "{{script}}", "{{origin}}",
+        "{{grade}}", "{{verdict}}", "{{answer}}", "{{counts}}", "{{picture}}"})
     CHECK(page.find(name) == std::string::npos);
 }
 

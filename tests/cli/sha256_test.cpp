@@ -1,5 +1,5 @@
 // The hash of input files: the examples of FIPS 180-4, and every length around the ends of a block.
-#include "cli/sha256.h"
+#include "output/report/sha256.h"
 
 #include "support/catch.h"
 

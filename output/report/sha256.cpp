@@ -1,4 +1,4 @@
-#include "cli/sha256.h"
+#include "output/report/sha256.h"
 
 #include <array>
 #include <bit>
