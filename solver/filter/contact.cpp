@@ -135,13 +135,8 @@ bool may_touch(const SideContact& contact, const SideIntervals& on_x, const Side
          y_along.lower - error <= on_x.along.upper;
 }
 
-// (14.11) to (14.13). Computed control vectors of X are differences of control points, which err by 2 e0 + 2u
-// and are of size 2, twice that, and after three means by 9 u times the size 4 more: by 4 net_error in all,
-// as net_error >= e0 + 160 u; those of C by 2 net_error. A coordinate of w = C x n errs by 4 net_error |n|
-// and 8 u |n| of its own, |n| the largest coordinate, so w.X by 4 net_error |w|_1 + 12 (4 net_error + 8 u)
-// |n| + 5 u 4 |w|_1 < 5 net_error (|w|_1 + 10 |n|). Where the parametrisations differ, a mean m errs by less
-// than mean_error, C(m) by 4 times that, w.X by 96 |n| times that; and the errors of C are those of its
-// control vectors times |1-m| + |m| <= stretch.
+// (14.11) to (14.13). Where the parametrisations differ, a mean m errs by less than mean_error, C(m) by 4 times that, w.X
+// by 96 |n| times that; and the errors of C are those of its control vectors times |1-m| + |m| <= stretch.
 bool meet_in_side(const SideContact& contact, const SideIntervals& on_x, const SideIntervals& on_y,
                   double net_error) {
   const AcrossField fx = restricted(contact.x_across, on_x);
@@ -160,7 +155,8 @@ bool meet_in_side(const SideContact& contact, const SideIntervals& on_x, const S
   for (const Vec3& tangent : c) {
     const Vec3 w = cross(tangent, n);
     const double error =
-        kSlack * (5 * net_error * (size1(w) + 10 * stretch * largest(n)) + extra * largest(n)) + kTiny;
+        kSlack * (kSideError * net_error * (size1(w) + kSideNormal * stretch * largest(n)) + extra * largest(n)) +
+        kTiny;
     for (std::size_t k = 0; k < 6; ++k) {
       if (!(dot(w, fx[k]) > error && dot(w, fy[k]) < -error)) {
         return false;
@@ -236,7 +232,7 @@ bool meet_in_corner(const Vec3& p, std::size_t corner_x, std::size_t corner_y, c
   }
   std::transform(vectors.begin(), vectors.begin() + count, units.begin(), unit);
   const Vec3 d = positive_direction(units, count);
-  const double error = kSlack * 2.5 * net_error * size1(d) + kTiny;
+  const double error = kSlack * kSeparation * net_error * size1(d) + kTiny;
   return std::all_of(vectors.begin(), vectors.begin() + count,
                      [&](const Vec3& v) { return dot(d, v) > error; });
 }

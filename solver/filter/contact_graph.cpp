@@ -66,13 +66,6 @@ std::array<Number, 6> tangent_along(const std::array<Vector, 2>& direction, cons
   return sum;
 }
 
-/// Differences of control points are of size 2 and err by less than 2.1 net_error, (14.2): a product of
-/// three, of which a determinant has 6, by 3 * 4 * 2.1 net_error and, as net_error >= 160 u, half a net_error
-/// by rounding.
-constexpr double kDeterminantError = 160;
-/// Those restricted to a part of a side, by two means with a rounded parameter, err by 2.3 net_error.
-constexpr double kPartDeterminantError = 170;
-
 template <class Number>
 Number as(const Rational& q) {
   if constexpr (std::is_same_v<Number, double>) {
@@ -243,7 +236,7 @@ class ContactGraph {
     const Vec3& c = pair_.x.net[side.x.index(0, 2)];
     const auto& o = pair_.frame.origin;
     const double size = std::max({std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])}) / scale_ + 2;
-    const double vertex_error = 1.75 * (pair_.net_error + 2 * kUnit * size);
+    const double vertex_error = kDiagonal * (pair_.net_error + 2 * kUnit * size);
     const double second = 2 * length((a - b) + (c - b)) + 16 * pair_.net_error;
     const double wanted = std::ceil(std::sqrt(second * scale_ / (8 * 0.95 * tolerance_)));
     const int n = static_cast<int>(std::clamp(wanted, 1.0, kMostChords));
@@ -257,7 +250,7 @@ class ContactGraph {
       place(side.x, t, &vertex.parameters[0]);
       place(side.y, t, &vertex.parameters[2]);
     }
-    const double step = 1.0 / n + 0x1p-51;
+    const double step = 1.0 / n + kSumRounding;
     arc.error_bound = kSlack * scale_ * (second * step * step / 8 + 2 * vertex_error);
   }
 

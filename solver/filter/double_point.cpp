@@ -104,12 +104,13 @@ LocalPlace local_place(const DoublePoint& point, const Vec4& middle, const Vec4&
     place.t[i] = rows[i][0] * a[0] + rows[i][1] * a[1];
     place.error[i] = 0;
     for (std::size_t j = 0; j < 2; ++j) {
-      place.error[i] += std::fabs(rows[i][j]) * (half[2 + j] + 0x1p-36 * std::fabs(a[j]) + 0x1p-50);
+      place.error[i] +=
+          std::fabs(rows[i][j]) * (half[2 + j] + kInverseError * std::fabs(a[j]) + kPlaceRounding);
     }
-    place.error[i] *= 1 + 0x1p-30;
+    place.error[i] *= kInverseSlack;
   }
   const auto within = [&](std::size_t i) {
-    return kSlack * (std::fabs(middle[i] - point.centre[i]) + half[i] + 0x1p-50) <= point.width[i];
+    return kSlack * (std::fabs(middle[i] - point.centre[i]) + half[i] + kPlaceRounding) <= point.width[i];
   };
   place.has_width = within(0) && within(1);
   return place;

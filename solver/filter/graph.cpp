@@ -14,7 +14,8 @@ constexpr std::size_t kMostVertices = 4000000;
 constexpr double kChordShare = 0.93;
 constexpr double kVertexShare = 0.015;
 
-double length(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+/// At least |v| but for roundings: kTiny for squares that underflow.
+double length(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + kTiny); }
 
 /// Bounds on a tube, in scaled space: |X(w) - X(w~)| <= speed |w - w~| for the space point X = x(u,v), and
 /// |X''| <= curvature along the arc.
@@ -34,7 +35,7 @@ SpaceBounds space_bounds(const Pair& pair, const Tube& tube) {
   const double h0 = tube.offset[0];
   const double h1 = tube.offset[1];
   const double steep = std::max(std::fabs(d[0]) + tube.slope_error[0], std::fabs(d[1]) + tube.slope_error[1]);
-  const double error = (u2 + v2 + 12 * steep * steep) * pair.total_error;
+  const double error = (u2 + v2 + kSecondWeight * steep * steep) * pair.total_error;
   const Vec3 form = quadratic_deviation(c, &d[0], &tube.slope_error[0], &tube.offset[0]);
   Vec3 speed;
   Vec3 second;
@@ -77,7 +78,7 @@ class GraphMaker {
     const auto& o = pair.frame.origin;
     // The values of x: Patch::error; origin + scaled point: two roundings of each coordinate's size.
     const double size = std::max({std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])}) / scale_ + 2;
-    place_error_ = kSlack * 1.75 * (pair.total_error + 2 * kUnit * size);
+    place_error_ = kSlack * kDiagonal * (pair.total_error + 2 * kUnit * size);
   }
 
   void add_double_points() {
@@ -142,12 +143,12 @@ class GraphMaker {
             centre < 0 ? nullptr : &double_points_[static_cast<std::size_t>(centre)].ports[points_[i].port]};
   }
 
-  /// Parameters in [0,1]: the middle, in [-1/2,1/2] up to the radius, plus 1/2. 2^-50: the roundings.
+  /// Parameters in [0,1]: the middle, in [-1/2,1/2] up to the radius, plus 1/2.
   Node& add_node(NodeKind kind, const Ball& ball) {
     Node& node = graph_.nodes.emplace_back();
     node.id = static_cast<int>(graph_.nodes.size()) - 1;
     node.kinds = {kind};
-    const double radius = kSlack * ball.radius + 0x1p-50;
+    const double radius = kSlack * ball.radius + kPlaceRounding;
     for (std::size_t j = 0; j < 4; ++j) {
       const double t = std::clamp(ball.middle[j] + 0.5, 0.0, 1.0);
       node.approx[j] = t;
@@ -264,11 +265,11 @@ class GraphMaker {
     return point;
   }
 
-  /// The node's box, of radius at most 2^-31, contains points of the tube: at its other points |x_u| + |x_v|
-  /// is greater by at most 2^-31 times |x_uu| + 2 |x_uv| + |x_vv|, which is below 2^8 near the square.
+  /// The node's box contains points of the tube; elsewhere in it |x_u| + |x_v| is greater by kSpeedChange at
+  /// most.
   void cover(const Stop& stop) {
     const double radius = node_radius_[static_cast<std::size_t>(stop.node)];
-    vertex_error_ = std::max(vertex_error_, 2 * (bounds_[stop.piece].speed + 0x1p-22) * radius);
+    vertex_error_ = std::max(vertex_error_, 2 * (bounds_[stop.piece].speed + kSpeedChange) * radius);
   }
 
   /// n chords over equal steps of tau; the vertices between them, and the last one if `with_end`. After a
@@ -278,7 +279,7 @@ class GraphMaker {
     const double h = (b - a) / n;
     const double width = kSlack * std::fabs(h);
     chord_error_ = std::max(chord_error_, bounds.curvature * width * width / 8);
-    const double rounding = kSlack * tube.value_error / (1 - tube.contraction) + 0x1p-51;
+    const double rounding = kSlack * tube.value_error / (1 - tube.contraction) + kSumRounding;
     const double allowed = vertex_tolerance_ / (bounds.speed + kTiny);
     const VertexForms forms =
         vertex_forms(pair_, tube, allowed * (1 - tube.contraction) / (kSlack * tube.contraction));

@@ -13,10 +13,8 @@ constexpr int kLast = 36;
 constexpr long kMostBoxes = 3000;
 constexpr long kMostBoxesToPlace = 400;  // that is enough to come near one
 
-/// Bound of the error of the control points computed below, for an inner line. They are means (1-t) a + t b
-/// of points of size 1, twice, computed as a + t (b - a): 5 u each time by their roundings, and 2 |dt|, where
-/// |dt| <= line.error + u with the rounding of value + 1/2.
-double line_error(const Line& line) { return 16 * kUnit + 4 * line.error; }
+/// Bound of the error of the control points computed below, for an inner line.
+double line_error(const Line& line) { return kLineRounding + kLineError * line.error; }
 
 Vec3 between(const Vec3& a, const Vec3& b, double t) { return a + t * (b - a); }
 
@@ -160,7 +158,7 @@ class LineSearch {
   double farthest(const Tube& tube, const Box& box, std::size_t j) const {
     return kSlack * (std::fabs(box.centre[j] - tube.centre[j]) + box.half[j] +
                      line_.error * std::fabs(tube.slope[j])) +
-           0x1p-50;
+           kPlaceRounding;
   }
 
   bool covers(const Tube& tube, const Box& box) const {
@@ -206,7 +204,7 @@ class LineSearch {
   /// The root of a new certificate, unless an older one is it.
   bool add(Root& root) {
     root.ball = point_on_line(root.tube);
-    const double margin = root.ball.radius + 0x1p-48;  // the node's box must be in the region
+    const double margin = root.ball.radius + kPlacing;  // the node's box must be in the region
     if (!(root.ball.radius < 0.25 * kEndMargin) ||
         !covers(root.tube, {root.ball.middle, {margin, margin, margin, margin}})) {
       return false;
@@ -219,7 +217,7 @@ class LineSearch {
       const bool different =
           std::any_of(root.tube.others.begin(), root.tube.others.end(), [&](std::size_t j) {
             return std::fabs(old.ball.middle[j] - root.ball.middle[j]) >
-                   kSlack * (old.ball.radius + root.ball.radius) + 0x1p-50;
+                   kSlack * (old.ball.radius + root.ball.radius) + kPlaceRounding;
           });
       if (!different) {
         return false;
@@ -229,7 +227,7 @@ class LineSearch {
     bool inside = true;
     for (const std::size_t j : root.tube.others) {
       const double from_centre = std::fabs(root.ball.middle[j]);
-      const double error = kSlack * root.ball.radius + 0x1p-52;
+      const double error = kSlack * root.ball.radius + kSumRounding;
       outside = outside || from_centre - 0.5 > error;
       inside = inside && 0.5 - from_centre > error;
     }

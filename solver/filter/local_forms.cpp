@@ -12,10 +12,6 @@ using exsect::operator*;
 using exsect::cross;
 using exsect::dot;
 
-/// Covers the few dozen roundings of sums of nonnegative terms, and of the coefficients in them.
-constexpr double kRounding = 1 + 0x1p-40;
-constexpr double kLeastDeterminant = 0x1p-10;
-
 using Net = std::array<Point, 9>;
 using FormTable = std::array<Rational, 9>;
 
@@ -41,10 +37,26 @@ FormTable along(const Point& form, const Net& c) {
   return table;
 }
 
-ScalarTable rounded(const FormTable& table, double factor = 1) {
+ScalarTable rounded(const FormTable& table) {
   ScalarTable result{};
-  for (std::size_t i = 1; i < 9; ++i) result[i] = factor * to_double(table[i]);
+  for (std::size_t i = 1; i < 9; ++i) result[i] = to_double(table[i]);
   return result;
+}
+ScalarTable rounded(FormTable table, const Rational& factor) {
+  for (Rational& c : table) c *= factor;
+  return rounded(table);
+}
+
+bool is_moderate(const ScalarTable& table) {
+  return std::all_of(table.begin(), table.end(),
+                     [](double c) { return std::fabs(c) < kGreatestCoefficient; });
+}
+
+/// 2^k with 1/4 < 2^k |q| < 4 for the largest coefficient of a form that is not zero.
+Rational to_size_one(const std::array<Rational, 3>& form) {
+  const Rational largest = std::max({Rational(abs(form[0])), Rational(abs(form[1])), Rational(abs(form[2]))});
+  return power_of_two(static_cast<long>(msb(denominator(largest))) -
+                      static_cast<long>(msb(numerator(largest))));
 }
 
 /// f_0 r² + f_1 r s + f_2 s²
@@ -92,15 +104,14 @@ double value(const Form<double>& f, const Matrix2& s, std::size_t i, std::size_t
 }
 
 double magnitude(const ScalarTable& table, std::size_t i, double p, double q) {
-  double product = std::fabs(table[i]);
+  double product = std::fabs(table[i]) + kTiny;
   for (std::size_t n = 0; n < i / 3; ++n) product *= p;
   for (std::size_t n = 0; n < i % 3; ++n) product *= q;
   return product;
 }
 
-/// A bound of the terms of orders `least` to 4, divided by |t|^least, for parameters of sizes p |t| and q
-/// |t|, |t|
-/// <= reach.
+/// A bound, but for roundings, of the terms of orders `least` to 4, divided by |t|^least, for parameters of
+/// sizes p |t| and q |t|, |t| <= reach: p, q >= 2^-11 and reach >= 2^-20, so that no product underflows.
 double bound(const ScalarTable& table, std::size_t least, double p, double q, double reach) {
   double sum = 0;
   for (std::size_t i = 1; i < 9; ++i) {
@@ -126,7 +137,10 @@ std::optional<LocalForms> local_forms(const BezierPatch& x, const BezierPatch& y
   const std::array<FormTable, 2> y_across = {along(dual[0], cy), along(dual[1], cy)};
   const FormTable nx = along(n, cx);
   const FormTable ny = along(n, cy);
-  const Form<Rational> q = leading_form(nx, ny, y_across);
+  Form<Rational> q = leading_form(nx, ny, y_across);
+  if (q[0] == 0 && q[1] == 0 && q[2] == 0) return std::nullopt;
+  const Rational scale = to_size_one(q);
+  for (Rational& c : q) c *= scale;
   const Rational discriminant = q[1] * q[1] - 4 * q[0] * q[2];
   if (discriminant == 0) return std::nullopt;
   LocalForms f;
@@ -134,20 +148,23 @@ std::optional<LocalForms> local_forms(const BezierPatch& x, const BezierPatch& y
   const Form<double> form = {to_double(q[0]), to_double(q[1]), to_double(q[2])};
   f.s = (f.crossing ? null_directions : conjugate_directions)(form, to_double(discriminant));
   const double factor = 1 / (f.crossing ? 2 * value(form, f.s, 0, 1) : value(form, f.s, 0, 0));
+  if (!(std::fabs(factor) < kGreatestCoefficient)) return std::nullopt;
   for (std::size_t i = 0; i < 2; ++i) {
     f.x[i] = rounded(along(dual[i], cx));
     f.y[i] = rounded(y_across[i]);
     for (std::size_t j = 0; j < 2; ++j) f.bs[i][j] = f.y[i][3] * f.s[0][j] + f.y[i][1] * f.s[1][j];
-    f.bs_error[i] = 0x1p-50 * (std::fabs(f.y[i][3]) + std::fabs(f.y[i][1]));
+    f.bs_error[i] = kLocalError * (std::fabs(f.y[i][3]) + std::fabs(f.y[i][1])) + kTiny;
   }
-  f.normal_x = rounded(nx, factor);
-  f.normal_y = rounded(ny, factor);
+  f.normal_x = rounded(nx, scale * from_double(factor));
+  f.normal_y = rounded(ny, scale * from_double(factor));
+  for (const ScalarTable* table : {&f.x[0], &f.x[1], &f.y[0], &f.y[1], &f.normal_x, &f.normal_y}) {
+    if (!is_moderate(*table)) return std::nullopt;
+  }
   const double size = std::fabs(factor) * (std::fabs(form[0]) + std::fabs(form[1]) + std::fabs(form[2]));
   const double first = factor * value(form, f.s, 0, 0) - (f.crossing ? 0 : 1);
   const double mixed = 2 * factor * value(form, f.s, 0, 1) - (f.crossing ? 1 : 0);
   const double last = factor * value(form, f.s, 1, 1) - (f.crossing ? 0 : 1);
-  // 2^-46: the form in t has coefficients below 2 |f|, |S| <= 1, each computed with some ten roundings.
-  f.rest = kRounding * (std::fabs(first) + std::fabs(mixed) + std::fabs(last) + 0x1p-46 * size);
+  f.rest = kSlack * (std::fabs(first) + std::fabs(mixed) + std::fabs(last) + kFormError * size);
   const double determinant = f.s[0][0] * f.s[1][1] - f.s[0][1] * f.s[1][0];
   return std::fabs(determinant) > kLeastDeterminant && f.rest < 0x1p-10 ? std::optional(f) : std::nullopt;
 }
@@ -157,7 +174,7 @@ std::optional<LocalBounds> local_bounds(const LocalForms& f, double reach) {
                                    std::fabs(f.s[1][0]) + std::fabs(f.s[1][1])};
   std::array<double, 2> b;
   for (std::size_t i = 0; i < 2; ++i) {
-    b[i] = kRounding * (std::fabs(f.bs[i][0]) + std::fabs(f.bs[i][1]) + 2 * f.bs_error[i]);
+    b[i] = kSlack * (std::fabs(f.bs[i][0]) + std::fabs(f.bs[i][1]) + 2 * f.bs_error[i]);
   }
   LocalBounds r;
   const double margin = 0.125 * (b[0] + b[1]) + 0x1p-10;
@@ -168,25 +185,25 @@ std::optional<LocalBounds> local_bounds(const LocalForms& f, double reach) {
   double steepness = 0;
   double contraction = 0;
   for (std::size_t i = 0; i < 2; ++i) {
-    chi[i] = kRounding * bound(f.x[i], 2, k[0], k[1], reach);
-    eta[i] = kRounding * bound(f.y[i], 2, s[0], s[1], reach);
+    chi[i] = kSlack * bound(f.x[i], 2, k[0], k[1], reach);
+    eta[i] = kSlack * bound(f.y[i], 2, s[0], s[1], reach);
     if (!(b[i] + reach * (chi[i] + eta[i]) <= k[i])) return std::nullopt;  // (14.18)
     steepness = std::max(steepness, (b[i] + 4 * reach * eta[i]) / k[i]);
     contraction = std::max(contraction, 4 * reach * chi[i] / k[i]);
   }
   if (!(contraction < 0.5)) return std::nullopt;
-  const double z = kRounding * steepness / (1 - contraction);          // |c_t| <= z k
+  const double z = kSlack * steepness / (1 - contraction);             // |c_t| <= z k
   const std::array<double, 2> e = {chi[0] + eta[0], chi[1] + eta[1]};  // |c - B S t| <= e |t|²
-  r.turn = {kRounding * 4 * (chi[0] * z + eta[0]), kRounding * 4 * (chi[1] * z + eta[1])};
+  r.turn = {kSlack * 4 * (chi[0] * z + eta[0]), kSlack * 4 * (chi[1] * z + eta[1])};
   const auto& d = r.turn;
-  const double uu = std::fabs(f.normal_x[6]);
-  const double uv = std::fabs(f.normal_x[4]);
-  const double vv = std::fabs(f.normal_x[2]);
+  const double uu = std::fabs(f.normal_x[6]) + kTiny;
+  const double uv = std::fabs(f.normal_x[4]) + kTiny;
+  const double vv = std::fabs(f.normal_x[2]) + kTiny;
   const double high_x = bound(f.normal_x, 3, k[0], k[1], reach);
   const double high_y = bound(f.normal_y, 3, s[0], s[1], reach);
-  r.value = kRounding * (uu * e[0] * (k[0] + b[0]) + uv * (e[0] * k[1] + b[0] * e[1]) +
-                         vv * e[1] * (k[1] + b[1]) + high_x + high_y);  // (14.19)
-  r.slope = kRounding *
+  r.value = kSlack * (uu * e[0] * (k[0] + b[0]) + uv * (e[0] * k[1] + b[0] * e[1]) +
+                      vv * e[1] * (k[1] + b[1]) + high_x + high_y);  // (14.19)
+  r.slope = kSlack *
             (2 * uu * (e[0] * z * k[0] + b[0] * d[0]) + 2 * vv * (e[1] * z * k[1] + b[1] * d[1]) +
              uv * (d[0] * k[1] + b[0] * e[1] + e[0] * z * k[1] + b[0] * d[1]) + 4 * z * high_x + 4 * high_y);
   return r;

@@ -14,9 +14,9 @@ using Matrix2 = std::array<std::array<double, 2>, 2>;
 using ScalarTable = std::array<double, 9>;
 
 /// The equations (14.17) at a solution p where x is regular and both tangent planes agree, up to one rounding
-/// of each coefficient. With a = S t, q is alpha² + beta² or, if `crossing`, alpha beta, t = (alpha,beta),
-/// apart from a form whose coefficients have a sum below `rest`. The entries of S are at most 1, its
-/// determinant is not small.
+/// of each coefficient, all of which are below kGreatestCoefficient. With a = S t, q is alpha² + beta² or, if
+/// `crossing`, alpha beta, t = (alpha,beta), apart from a form whose coefficients have a sum below `rest`.
+/// The entries of S are at most 1, its determinant is not small.
 struct LocalForms {
   std::array<ScalarTable, 2> x;  // of X: orders 2 to 4
   std::array<ScalarTable, 2> y;  // of Y, and B in order 1

@@ -163,7 +163,7 @@ class LoopSearch {
     for (std::size_t j = 0; j < 4; ++j) {
       width[j] =
           kSlack * (std::fabs(centre[j] - middle[j]) + half[j] + std::fabs(tube.slope[j]) * half[axis]) +
-          0x1p-49;
+          kPlacing;
     }
     return certify(pair_, tube, -half[axis], half[axis], width);
   }
@@ -174,10 +174,10 @@ class LoopSearch {
     const Ball seed = point_at(tube, 0);
     bool inside = true;
     for (const double w : seed.middle) {
-      if (std::fabs(w) > 0.5 + kSlack * seed.radius + 0x1p-50) {
+      if (std::fabs(w) > 0.5 + kSlack * seed.radius + kPlaceRounding) {
         return true;
       }
-      inside = inside && std::fabs(w) < 0.5 - kSlack * seed.radius - 0x1p-50;
+      inside = inside && std::fabs(w) < 0.5 - kSlack * seed.radius - kPlaceRounding;
     }
     for (const Trace& trace : traces_) {
       if (std::any_of(trace.pieces.begin(), trace.pieces.end(),

@@ -17,7 +17,7 @@ std::optional<RectangleExpansion> expand(const Patch& patch, const Rectangle& wh
   std::array<double, 2> half;
   for (std::size_t i = 0; i < 2; ++i) {
     middle[i] = 0.5 * (where.lower[i] + where.upper[i]);
-    half[i] = kSlack * (0.5 * (where.upper[i] - where.lower[i]) + 0x1p-52);
+    half[i] = kSlack * (0.5 * (where.upper[i] - where.lower[i]) + kSumRounding);
     if (!(std::fabs(middle[i]) + half[i] <= kReach)) {
       return std::nullopt;
     }

@@ -88,12 +88,15 @@ class InjectivityProof {
       const AffineMap& map = pieces.maps[i];
       offset_[i] = to_double(map(Rational(1, 2)) - Rational(1, 2));
       factor_[i] = to_double(map.factor);
-      error_[i] = 0x1p-50 * (1 + std::fabs(offset_[i]) + std::fabs(factor_[i]));
+      error_[i] = kPlaceRounding * (1 + std::fabs(offset_[i]) + std::fabs(factor_[i]));
     }
   }
 
   /// Different points of the surface, in the first square and in the second one, are different in space.
   bool run() {
+    if (!(error_[0] < 1 && error_[1] < 1)) {
+      return false;
+    }
     std::vector<PiecePair> stack = {{0, 0}};
     for (long count = 0; !stack.empty(); ++count) {
       const PiecePair item = stack.back();

@@ -7,8 +7,6 @@ namespace exsect::filter {
 
 namespace {
 
-constexpr double kReach = 0.75;  // of h and k
-
 /// The control net in doubles; `exact` becomes false if a coordinate is not known to be a double.
 std::array<Vec3, 9> rounded(const BezierPatch& patch, bool& exact) {
   std::array<Vec3, 9> net;
@@ -63,7 +61,8 @@ void shift(Bound& c0, Bound& c1, const Bound& c2) {
 constexpr std::array<double, 9> kConversion = {3, 5, 12, 5, 8, 20, 12, 20, 48};
 constexpr std::array<double, 3> kSize = {1, 2, 4};
 
-/// Patch::error: 2^-40 for all terms of second order in u.
+/// Patch::error: kSlack for all terms of second order in u, kTiny for underflow: an expansion and the values
+/// from it are fewer than 100 products, which are multiplied by parameters alone.
 std::array<double, 9> coefficient_errors(const Coefficients& power, double input_error) {
   std::array<Bound, 9> b;
   for (std::size_t i = 0; i < 9; ++i) {
@@ -77,7 +76,7 @@ std::array<double, 9> coefficient_errors(const Coefficients& power, double input
   }
   std::array<double, 9> error;
   std::transform(b.begin(), b.end(), error.begin(),
-                 [](const Bound& c) { return kSlack * (c.error + 24 * kUnit * c.size) + kTiny; });
+                 [](const Bound& c) { return kSlack * (c.error + kValueRounding * kUnit * c.size) + kTiny; });
   return error;
 }
 
@@ -142,12 +141,10 @@ std::optional<Pair> make_pair(const BezierPatch& x, const BezierPatch& y) {
       }
     }
   }
-  // Rounding to doubles: u |coordinate|; the difference: u |difference|; scaling is exact.
-  const double input_error = kSlack * kUnit * ((exact ? 0 : size * scale) + 1) + kTiny;
+  const double input_error = kInputError * ((exact ? 0 : size * scale) + 1);
   fill(pair.x, input_error);
   fill(pair.y, input_error);
-  // One level halves both parameters by two means (a + b)/2 of numbers of size 1 on each path: 4 u at most.
-  pair.net_error = kSlack * (input_error + 4 * kDeepestLevel * kUnit);
+  pair.net_error = kSlack * (input_error + kNetError);
   pair.order_error = {};
   pair.total_error = 0;
   for (std::size_t i = 0; i < 9; ++i) {

@@ -1,9 +1,8 @@
 // A pair of patches in doubles, with proved bounds of every rounding error. Internal to solver/; the notation
 // is that of docs/method.md, section 14.
 //
-// Rounding: u = 2^-53. Everything is scaled to size 1 and far from underflow, which is covered by kTiny; the
-// library is compiled without contraction. A computed sum of nonnegative terms, at most 1000 operations deep,
-// is at least (1 - 2^-42) times the true one, so that a factor kSlack makes it an upper bound.
+// Everything is scaled to size 1; the roundings, underflow included, are covered by the constants of
+// filter_error_bounds.h.
 #pragma once
 
 #include <exsect/algebra/nearest_double.h>
@@ -13,12 +12,9 @@
 #include <optional>
 
 #include "answer/model_scale.h"
+#include "filter/error_bounds.h"
 
 namespace exsect::filter {
-
-inline constexpr double kUnit = 0x1p-53;
-inline constexpr double kSlack = 1 + 0x1p-40;
-inline constexpr double kTiny = 0x1p-900;
 
 using Vec3 = std::array<double, 3>;
 /// Parameters (u,v,r,s), each minus 1/2: the domain is [-1/2,1/2]^4.
@@ -39,8 +35,8 @@ inline double largest(const Vec3& a) { return std::max({std::fabs(a[0]), std::fa
 struct Patch {
   std::array<Vec3, 9> net;  // row index = first parameter
   Coefficients power;       // in h = u - 1/2, k = v - 1/2
-  /// For all |h|, |k| <= 3/4: expand() errs by less than error[i] in every coordinate of coefficient i, and
-  /// the values computed from the coefficients c by at most 20 roundings each that contain c as a factor
+  /// For all |h|, |k| <= kReach: expand() errs by less than error[i] in every coordinate of coefficient i,
+  /// and the values computed from the coefficients c by at most 20 roundings each that contain c as a factor
   /// (products with numbers of size at most 1) err by less than the sum of the error[i].
   std::array<double, 9> error;
 };
@@ -61,9 +57,8 @@ struct Pair {
   double total_error;
 };
 
-inline constexpr int kDeepestLevel = 40;
-
-/// Empty for coordinates beyond the range in which the error bounds hold.
+/// Empty for coordinates beyond the range in which the error bounds hold: those of size 2^300 and more, or
+/// 2^40 and more times the half of the extent, and extents below 2^-300.
 std::optional<Pair> make_pair(const BezierPatch& x, const BezierPatch& y);
 
 }  // namespace exsect::filter

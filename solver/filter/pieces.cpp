@@ -40,15 +40,13 @@ std::array<Vec3, 5> divided(const Vec3& a, const Vec3& b, const Vec3& c) {
 void fill(SubPatch& p) {
   enclose(p.net, p.lower, p.upper);
   p.normal = cross(p.net[8] - p.net[0], p.net[6] - p.net[2]);
-  p.normal_size = kSlack * (std::fabs(p.normal[0]) + std::fabs(p.normal[1]) + std::fabs(p.normal[2]));
+  p.normal_size = kSlack * (std::fabs(p.normal[0]) + std::fabs(p.normal[1]) + std::fabs(p.normal[2]) + kTiny);
   project(p.net, p.normal, p.normal_lower, p.normal_upper);
   p.children = 0;
 }
 
-/// The exact difference of a coordinate of two points is at most 2 net_error from that of the nets, whose
-/// rounded value is off by 2u; a product n.P, |P| <= 1, is off by 3.01 u |n|_1, a difference of two of them
-/// by 2 u |n|_1. As net_error >= 160 u, 5/2 net_error covers everything.
-bool apart(double gap, double size, double net_error) { return gap > 2.5 * net_error * size; }
+/// (14.2) for a gap between values of a linear form n.P, size >= |n|_1 + kTiny, or of a coordinate, size 1.
+bool apart(double gap, double size, double net_error) { return gap > kSeparation * net_error * size; }
 
 bool boxes_apart(const Vec3& lower_a, const Vec3& upper_a, const Vec3& lower_b, const Vec3& upper_b,
                  double net_error) {
@@ -155,8 +153,6 @@ bool separated(const SubCurve& curve, const SubPatch& patch, double net_error) {
          apart_along_normal(patch, curve.net, net_error);
 }
 
-// With e = net_error >= 160 u: differences of neighbouring points, of size s <= 2, err by 2 e + u s, their
-// means by as much and another u s; c_u a - c_v b, |c| <= 1, by 4 e + 4 u s + 4 u s < 5 e in all.
 DirectionNet direction_net(const SubPatch& x, const std::array<double, 2>& c, double net_error) {
   DirectionNet d;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -175,15 +171,11 @@ DirectionNet direction_net(const SubPatch& x, const std::array<double, 2>& c, do
     d.vectors[6 + j] = d.vectors[6 + j] - c[1] * last;
   }
   enclose(d.vectors, d.lower, d.upper);
-  d.error = 5 * net_error;
+  d.error = kDirectionError * net_error;
   d.size = largest_of(d.vectors.data(), 9) + d.error;
   return d;
 }
 
-// The control vectors are means, with weights from products of binomials, of cross products a x b of
-// differences. With |a| <= A, |b| <= B and errors t = 2 e + 2 u < 2.02 e of a and b, a coordinate of a x b
-// errs by 2 (A + B) t + 2 t² and 3 u 2 A B by its own rounding; the means by at most 12 roundings of numbers
-// below 2 A B.
 NormalNet normal_net(const SubPatch& y, double net_error) {
   std::array<Vec3, 6> a;  // y_r: index 3 i + j, i < 2
   std::array<Vec3, 6> b;  // y_s: index 2 i + j, j < 2
@@ -207,16 +199,17 @@ NormalNet normal_net(const SubPatch& y, double net_error) {
   const double size_a = largest_of(a.data(), 6);
   const double size_b = largest_of(b.data(), 6);
   enclose(n.vectors, n.lower, n.upper);
-  n.error = 5 * net_error * (size_a + size_b + 3 * net_error) + 40 * kUnit * size_a * size_b + kTiny;
+  n.error = kNormalError * net_error * (size_a + size_b + 3 * net_error) +
+            kNormalRounding * kUnit * size_a * size_b + kTiny;
   n.size = largest_of(n.vectors.data(), 16) + n.error;
   return n;
 }
 
-// d.n = sum B_i(u,v) B_j(r,s) d_i.n_j, so the signs of the d_i.n_j decide. A computed one errs by 3 (size_d
-// error_n + size_n error_d), sizes with their errors, and 3 u times 3 size_d size_n.
+// d.n = sum B_i(u,v) B_j(r,s) d_i.n_j, so the signs of the d_i.n_j decide.
 bool never_orthogonal(const DirectionNet& d, const NormalNet& n) {
-  const double error =
-      kSlack * (3 * (d.size * n.error + n.size * d.error) + 10 * kUnit * d.size * n.size) + kTiny;
+  const double error = kSlack * (kProducts * (d.size * n.error + n.size * d.error) +
+                                 kProductRounding * kUnit * d.size * n.size) +
+                       kTiny;
   double lower = 0;
   double upper = 0;
   for (std::size_t c = 0; c < 3; ++c) {

@@ -14,7 +14,7 @@ struct SubPatch {
   std::array<Vec3, 9> net;
   Vec3 lower;  // box of the net
   Vec3 upper;
-  Vec3 normal;  // any direction; and the interval of normal.P over the net, and |normal|_1
+  Vec3 normal;  // any direction; and the interval of normal.P over the net, and a bound of |normal|_1 + kTiny
   double normal_lower;
   double normal_upper;
   double normal_size;

@@ -150,16 +150,19 @@ class Branch {
         return std::nullopt;
       }
       const double farthest = point->t + point->error;
-      port.chord = std::max(port.chord, kSlack * turn_bound(farthest, slope->across) * (farthest - last) / 2);
+      const double chord = kSlack * turn_bound(farthest, slope->across) * (farthest - last) / 2;
+      if (!(chord <= tolerance)) {
+        return std::nullopt;
+      }
+      port.chord = std::max(port.chord, chord);
       port.vertex_error = std::max(port.vertex_error, kSlack * kFastest * point->ball.radius);
       port.approach.push_back(point->ball.middle);
       port.ball = point->ball;
       last = point->t - point->error;
     }
     port.approach.pop_back();
-    return port.chord <= tolerance && port.ball.radius < kRadiusShare * 0.25 * kEndMargin
-               ? std::optional(std::move(port))
-               : std::nullopt;
+    return port.ball.radius < kRadiusShare * 0.25 * kEndMargin ? std::optional(std::move(port))
+                                                               : std::nullopt;
   }
 
   /// All of the ball, and of its hull with the centre, is inside the domain and in this arc's part of the

@@ -115,8 +115,7 @@ VertexForms vertex_forms(const Pair& pair, const Tube& tube, double greatest) {
       forms.series[k + 2][j] = tube.further[k][row];
     }
     forms.others[row] = static_cast<int>(j);
-    // 2^-51: the rounding of the difference, and of tau slope, both below 1.
-    forms.farthest[row] = tube.halfwidth[j] / kSlack - 0x1p-50;
+    forms.farthest[row] = tube.halfwidth[j] / kSlack - kPlaceRounding;
   }
   std::copy(tube.centre.begin(), tube.centre.end(), forms.centre);
   std::copy(pair.frame.origin.begin(), pair.frame.origin.end(), forms.origin);

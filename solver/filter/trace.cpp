@@ -144,12 +144,12 @@ class Tracer {
         continue;
       }
       const double at = offset(tube, ball);
-      const double doubt = 2 * (ball.radius + position_.radius) + 0x1p-48;
+      const double doubt = 2 * (ball.radius + position_.radius) + kPlacing;
       if (direction * (at - here) < -doubt) {
         continue;
       }
       if (direction * (at - here) <= doubt || !contains(tube, ball) ||
-          (met >= 0 && std::fabs(at - met_at) <= ball.radius + met_radius + 0x1p-48)) {
+          (met >= 0 && std::fabs(at - met_at) <= ball.radius + met_radius + kPlacing)) {
         return false;
       }
       if (met < 0 || direction * (at - met_at) < 0) {
@@ -160,7 +160,7 @@ class Tracer {
     }
     if (closing_ && !excludes(tube, *closing_)) {
       const double ahead = direction * (offset(tube, *closing_) - here);
-      const double doubt = 2 * (closing_->radius + position_.radius) + 0x1p-48;
+      const double doubt = 2 * (closing_->radius + position_.radius) + kPlacing;
       if (ahead >= -doubt) {
         if (ahead <= doubt || met >= 0 || !contains(tube, *closing_)) {
           return false;

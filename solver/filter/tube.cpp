@@ -9,10 +9,6 @@ namespace exsect::filter {
 
 namespace {
 
-constexpr double kReach = 0.75;
-/// Covers the rounding of middle - centre - tau slope: at most 5 operations on numbers below 4.
-constexpr double kPlacing = 0x1p-48;
-
 constexpr std::array<std::array<std::size_t, 3>, 4> kOthers = {{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
 /// The Taylor coefficient that is column j of DF.
 constexpr std::size_t first_order(std::size_t j) { return j % 2 == 0 ? 3 : 1; }
@@ -27,7 +23,7 @@ bool within_reach(const Vec4& p) {
 bool invert(const Vec3& a, const Vec3& b, const Vec3& c, std::array<Vec3, 3>& rows) {
   rows = {cross(b, c), cross(c, a), cross(a, b)};
   const double inverse = 1 / dot(a, rows[0]);
-  if (!(std::fabs(inverse) < 0x1p200)) {
+  if (!(std::fabs(inverse) < kGreatestInverse)) {
     return false;
   }
   for (Vec3& row : rows) {
@@ -163,16 +159,20 @@ bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec
                  residual_bound(pair, tube, std::max(std::fabs(lower), std::fabs(upper))));
 }
 
+// Underflow: where this holds, every row of |C| has a sum of at least 2^-10, because a column of DF is at
+// most 2^7, and times C at least 1/10 in its own row. So every bound here and below has a term |C_row|_1
+// Patch::error >= 2^-62, and kSlack times it covers all products that underflow, with C, offsets and slopes
+// as later factors.
 bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec4& halfwidth, const Vec3& f) {
   const double reach = std::max(std::fabs(lower), std::fabs(upper));
   double farthest = 0;
   for (std::size_t j = 0; j < 4; ++j) {
     tube.halfwidth[j] = j == tube.axis ? 0 : halfwidth[j];
     tube.offset[j] = kSlack * (std::fabs(tube.slope[j]) * reach + tube.halfwidth[j]);
+    if (!(tube.offset[j] <= 1)) {
+      return false;
+    }
     farthest = std::max(farthest, tube.offset[j]);
-  }
-  if (!(farthest <= 1)) {
-    return false;
   }
   const Variation vx = variation(tube.g, tube.offset[0], tube.offset[1]);
   const Variation vy = variation(tube.h, tube.offset[2], tube.offset[3]);
@@ -259,8 +259,7 @@ void bound_derivatives(const Pair& pair, Tube& tube) {
   const Vec3 form = second_order(tube.g, d[0], d[1]) + second_order(tube.h, d[2], d[3]);
   Vec3 deviation = quadratic_deviation(tube.g, &d[0], &tube.slope_error[0], &tube.offset[0]) +
                    quadratic_deviation(tube.h, &d[2], &tube.slope_error[2], &tube.offset[2]);
-  // 12: the sum of the weights of any coefficient of order 2, 3, 4 in the second derivative is at most that.
-  deviation = deviation + (12 * steep * steep * pair.total_error) * tube.norm;
+  deviation = deviation + (kSecondWeight * steep * steep * pair.total_error) * tube.norm;
   // |w'' + 2 F2| <= deviation + E |w''|, and |w''| <= 2 |F2| + |w'' + 2 F2|.
   Vec3 rest = deviation;
   for (std::size_t row = 0; row < 3; ++row) {
@@ -299,8 +298,7 @@ Ball point_at(const Tube& tube, double tau, Vec4* offset) {
     }
     bool inside = true;
     for (const std::size_t j : tube.others) {
-      // 2^-51: the rounding of the difference, and of tau slope, both below 1.
-      inside = inside && kSlack * (std::fabs(o[j] - tau * tube.slope[j]) + 0x1p-51) <= tube.halfwidth[j];
+      inside = inside && kSlack * (std::fabs(o[j] - tau * tube.slope[j]) + kSumRounding) <= tube.halfwidth[j];
     }
     if (!inside) {
       break;
@@ -321,8 +319,7 @@ Ball point_at(const Tube& tube, double tau, Vec4* offset) {
   for (std::size_t j = 0; j < 4; ++j) {
     result.middle[j] = tube.centre[j] + best[j];
   }
-  // 2^-51: the rounding of the sums, numbers below 2.
-  result.radius = kSlack * (least + tube.value_error) / (1 - tube.contraction) + 0x1p-51;
+  result.radius = kSlack * (least + tube.value_error) / (1 - tube.contraction) + kSumRounding;
   return result;
 }
 

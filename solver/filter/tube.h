@@ -15,11 +15,6 @@ struct Ball {
 /// The values from 0 to 1 of a parameter in the ball.
 RationalInterval interval(const Ball& ball, std::size_t parameter);
 
-/// Balls of points where pieces of a curve end are smaller than a quarter of this.
-inline constexpr double kEndMargin = 0x1p-28;
-/// Of tubes along the curve: below this nothing is gained, and boxes of nodes would not fit in.
-inline constexpr double kLeastHalfwidth = 0x1p-26;
-
 /// F and its derivatives at a point, approximately.
 struct Linearisation {
   Vec3 value;

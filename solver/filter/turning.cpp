@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kDeepestSplit = 30;
 constexpr std::size_t kMostPieces = 4000;
-constexpr double kLargestBox = 0x1p-31;
 
 /// w'(tau) is within `radius` of `middle`.
 struct Direction {
@@ -84,10 +83,10 @@ Direction direction_at(const Tube& tube, double tau) {
   for (const double t : d.middle) {
     size += std::fabs(t);
   }
-  // |C F_j| < 2 in the region but for the axis, where it is |slope|; 2^-46 covers the rounding of the sum.
-  const double column_error =
-      steepest_change(tube) * ball.radius + 2 * tube.column_error +
-      0x1p-46 * (2 + largest({tube.slope[0], tube.slope[1], 0}) + largest({tube.slope[2], tube.slope[3], 0}));
+  // |C F_j| < 2 in the region but for the axis, where it is |slope|.
+  const double column_error = steepest_change(tube) * ball.radius + 2 * tube.column_error +
+                              kDirectionRounding * (2 + largest({tube.slope[0], tube.slope[1], 0}) +
+                                                    largest({tube.slope[2], tube.slope[3], 0}));
   d.radius = kSlack * (least + size * column_error) / (1 - tube.contraction);
   return d;
 }
@@ -299,12 +298,12 @@ class TurnFinder {
       d = direction_at(tube, t);
     }
     const double farthest = kSlack * (std::fabs(d.middle[i]) + d.radius);
-    const double bound = 1.05 * farthest / (std::fabs(tube.second[i]) - tube.second_error[i]) + 0x1p-48;
+    const double bound = 1.05 * farthest / (std::fabs(tube.second[i]) - tube.second_error[i]) + kPlacing;
     if (bound < 4 * d.radius / std::fabs(tube.second[i])) {
       const auto [from, to] = around(piece, t, bound);
       return record(k, i, from, to);
     }
-    for (double delta = 2.5 * d.radius / std::fabs(tube.second[i]) + 0x1p-48; delta < kLargestBox;
+    for (double delta = 2.5 * d.radius / std::fabs(tube.second[i]) + kPlacing; delta < kLargestBox;
          delta *= 2) {
       const auto [from, to] = around(piece, t, delta);
       const int before = sign_of(direction_at(tube, from), i);
@@ -352,11 +351,10 @@ class TurnFinder {
       steep = std::max(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
     }
     Turn turn = {i, k, from, to, point_at(tube, 0.5 * (from + to))};
-    // 2^-51: the rounding of the middle.
-    turn.ball.radius = kSlack * (turn.ball.radius + steep * (0.5 * std::fabs(to - from) + 0x1p-51));
+    turn.ball.radius = kSlack * (turn.ball.radius + steep * (0.5 * std::fabs(to - from) + kSumRounding));
     turns_.push_back(turn);
     // All of the node's box in the region: no other turning point with respect to i is there.
-    return turn.ball.radius < kLargestBox && contains(tube, {turn.ball.middle, turn.ball.radius + 0x1p-48});
+    return turn.ball.radius < kLargestBox && contains(tube, {turn.ball.middle, turn.ball.radius + kPlacing});
   }
 
   /// In the order of the trace; the brackets of one piece must be disjoint.

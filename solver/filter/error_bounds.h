@@ -1,0 +1,178 @@
+// Every number that bounds an error of the solution in doubles: value, what it covers, and where that is
+// proved. The table of docs/method.md, section 14.1, is this one. Internal to solver/.
+//
+// Arithmetic, u = 2^-53, to nearest (algebra/nearest_rounding.h), no contraction: a computed sum or
+// difference is the exact one times 1 + d, |d| <= u, also where it is subnormal, because there it is exact. A
+// computed product or quotient is the exact one times 1 + d, or differs from it by at most 2^-1075, if it is
+// subnormal or zero.
+//
+// Sizes: `make_pair` takes models whose coordinates are below 2^300 and at most 2^40 times the half of the
+// extent, which is above 2^-300, and scales them by a power of two to at most 1; `invert` refuses inverses
+// above 2^200. So the coordinates of control points are at most 1, parameters at most 3/4 in absolute value,
+// Taylor coefficients below 2^7, the entries of C below 2^215, those of C x_ij and slopes below 2^223.
+// Products of these may overflow, and then a bound is infinite or NaN: all comparisons are such that they
+// fail. Where (14.5) holds, slopes are at most one over the length of the tube, 2^32 for those along a curve,
+// and nothing overflows.
+#pragma once
+
+#include <exsect/algebra/floating_point.h>
+
+namespace exsect::filter {
+
+// One operation, and sums.
+
+/// u: of a sum, and of a product that is not subnormal, relative to it.
+inline constexpr double kUnit = 0x1p-53;
+/// At least what a product or quotient loses by underflow, 2^-1075, which is no double.
+inline constexpr double kUnderflow = 0x1p-1074;
+/// Makes a computed sum of nonnegative terms, with at most 1000 roundings on the way to each, an upper bound.
+inline constexpr double kSlack = 1 + 0x1p-40;
+static_assert((1 - 1024 * kUnit) * kSlack > 1 + 512 * 1024 * kUnit * kUnit);
+/// Added where all terms of a bound may underflow: 1000 underflows, also if each is multiplied by 2^128
+/// afterwards. A bound with a term of at least that size needs no other one: kSlack times this term covers
+/// them, multiplied by 2^100.
+inline constexpr double kTiny = 0x1p-900;
+static_assert(kTiny > 1000 * 0x1p128 * kUnderflow && kTiny * (kSlack - 1) / 2 > 1000 * 0x1p100 * kUnderflow);
+
+// Parameters, numbers of size 1: 14.2 to 14.5.
+
+/// A sum or difference of two numbers below 2 and a product below 1.
+inline constexpr double kSumRounding = 0x1p-51;
+static_assert(kSumRounding >= 3 * kUnit);
+/// Two of these, and the change from centred parameters to those in [0,1].
+inline constexpr double kPlaceRounding = 0x1p-50;
+static_assert(kPlaceRounding >= 2 * kSumRounding);
+/// middle - centre - tau slope and its comparison: at most 5 operations on numbers below 4.
+inline constexpr double kPlacing = 0x1p-48;
+static_assert(kPlacing >= 5 * 4 * kUnit);
+
+// Nets: 14.1, 14.4.
+
+/// Scaled coordinates err by kSlack (u |coordinate| + u) at most: their rounding to doubles, that of the
+/// difference from the origin, of size 1. Coordinates that are rounded to subnormal numbers err by 2^-1075
+/// times the scale, which is at most 2^300, those scaled to such numbers by 2^-1075 more, which kSlack
+/// covers.
+inline constexpr double kInputError = kSlack * kUnit;
+static_assert(kInputError - kUnit > 4 * 0x1p300 * kUnderflow);
+
+inline constexpr int kDeepestLevel = 40;
+/// (14.1): a level halves both parameters by two means (a + b)/2 of numbers of size 1 on each path, u each;
+/// what the products by 1/2 lose in subnormal numbers is 2^-1075, which the factor kSlack covers.
+inline constexpr double kNetError = 4 * kDeepestLevel * kUnit;
+/// net_error is at least that: lemmas below that use e >= 160 u.
+static_assert(kNetError >= 160 * kUnit);
+/// (14.2): the exact difference of a coordinate of two points is at most 2 e from that of the nets, whose
+/// rounded value is off by 2 u; a product n.P, |P| <= 1, is off by 3.01 u |n|_1, a difference of two of them
+/// by 2 u |n|_1: 9 u |n|_1 in all, and the comparison itself.
+inline constexpr double kSeparation = 2.5;
+static_assert((kSeparation - 2.25) * kNetError > 16 * kUnit);
+/// In (14.2) the six products of n.P and n.Q lose 2^-1075 each. |n|_1 is replaced by |n|_1 + kTiny, of which
+/// 1/4 e is left for them.
+static_assert(0.25 * kNetError * kTiny > 16 * kUnderflow);
+/// c_u x_v - c_v x_u, |c| <= 1, times e: differences of neighbouring points, of size s <= 2, err by 2 e + u
+/// s, their means by as much and another u s; in all 4 e + 8 u s.
+inline constexpr double kDirectionError = 5;
+static_assert((kDirectionError - 4) * kNetError >= 8 * kUnit * 2);
+/// y_r x y_s: control vectors are means, with weights from products of binomials, of cross products a x b of
+/// differences. With |a| <= A, |b| <= B and errors t = 2 e + 2 u < 2.02 e of a and b, a coordinate of a x b
+/// errs by 2 (A + B) t + 2 t² < kNormalError e (A + B + 3 e), and by its own rounding and that of the means,
+/// 12 roundings of numbers below 2 A B, by less than kNormalRounding u A B. The last term of the bound is
+/// kTiny.
+inline constexpr double kNormalError = 5;
+static_assert(kNormalError > 2 * 2.02 && 3 * kNormalError > 2 * 2.02 * 2.02 &&
+              2.02 * kNetError > 2 * kNetError + 2 * kUnit);
+inline constexpr double kNormalRounding = 40;
+static_assert(kNormalRounding > 3 * 2 + 12 * 2);
+/// d.n, three products: kProducts (size_d error_n + size_n error_d), sizes with their errors, and 3 u times 3
+/// size_d size_n for its rounding, and kTiny.
+inline constexpr double kProducts = 3;
+inline constexpr double kProductRounding = 10;
+static_assert(kProductRounding > 3 * kProducts);
+
+// Taylor coefficients: 14.1.
+
+/// |h|, |k| of `expand`.
+inline constexpr double kReach = 0.75;
+/// Roundings of a value that is computed from coefficients, each of which is counted at most 20 times as a
+/// factor, times u times their sizes; the rest for terms of second order.
+inline constexpr double kValueRounding = 24;
+static_assert(kValueRounding > 20);
+
+// Tubes: 14.2.
+
+/// Of 1 / det: the largest for which nothing overflows later.
+inline constexpr double kGreatestInverse = 0x1p200;
+/// The sum of the weights of any coefficient of order 2, 3, 4 in the second derivative along a direction with
+/// components at most 1, offsets at most 1: 2 for a² and a b, 2 + 4 for a² b, 2 + 8 + 2 for a² b².
+inline constexpr double kSecondWeight = 12;
+/// (14.9): the rounding of the sum, relative to |C F_j| |d_j|: 20 roundings of each.
+inline constexpr double kDirectionRounding = 0x1p-46;
+static_assert(kDirectionRounding > 2 * 20 * kUnit);
+/// Vectors: |v| <= kDiagonal max |v_i|.
+inline constexpr double kDiagonal = 1.75;
+static_assert(kDiagonal * kDiagonal > 3);
+
+/// Balls of points where pieces of a curve end are smaller than a quarter of this.
+inline constexpr double kEndMargin = 0x1p-28;
+/// Of balls around turning points.
+inline constexpr double kLargestBox = 0x1p-31;
+static_assert(kLargestBox <= kEndMargin / 4);
+/// Of tubes along the curve: below this nothing is gained, and boxes of nodes would not fit in.
+inline constexpr double kLeastHalfwidth = 0x1p-26;
+static_assert(kLeastHalfwidth > 2 * kEndMargin);
+/// |x_u| + |x_v| changes by that much at most within a node's box: |x_uu| + 2 |x_uv| + |x_vv| < 2^8 near the
+/// square.
+inline constexpr double kSpeedChange = 0x1p-22;
+static_assert(kSpeedChange >= 0x1p8 * kEndMargin / 4);
+
+// Lines: 14.3.
+
+/// Control points of an inner line are means (1-t) a + t b of points of size 1, twice, computed as a + t (b -
+/// a): 5 u each time by their roundings, and 2 |dt|, where |dt| <= error + u with the rounding of value +
+/// 1/2.
+inline constexpr double kLineRounding = 16 * kUnit;
+static_assert(kLineRounding >= 10 * kUnit + 4 * kUnit);
+inline constexpr double kLineError = 4;
+/// A number in [-1/2,1/2] rounded to a double.
+inline constexpr double kValueError = 0x1p-54;
+
+// Contacts: 14.7.
+
+/// (14.13): computed control vectors of X are differences of control points, which err by 2 e0 + 2 u and are
+/// of size 2, twice that, and after three means by 9 u times the size 4 more: by 4 net_error in all, as
+/// net_error >= e0 + 160 u; those of C by 2 net_error. A coordinate of w = C x n errs by 4 net_error |n| and
+/// 8 u |n| of its own, |n| the largest coordinate, so w.X by 4 net_error |w|_1 + 12 (4 net_error + 8 u) |n| +
+/// 5 u 4 |w|_1 < kSideError net_error
+/// (|w|_1 + kSideNormal |n|), and kTiny.
+inline constexpr double kSideError = 5;
+inline constexpr double kSideNormal = 10;
+static_assert((kSideError - 4) * kNetError > 20 * kUnit);
+static_assert(kSideError * kSideNormal * kNetError > 12 * (4 * kNetError + 8 * kUnit));
+/// Differences of control points are of size 2 and err by less than 2.1 net_error, (14.2): a product of
+/// three, of which a determinant has 6, by 3 * 4 * 2.1 net_error and half a net_error by rounding.
+inline constexpr double kDeterminantError = 160;
+static_assert(kDeterminantError > 6 * (3 * 4 * 2.1 + 0.5) && 0.5 * kNetError > 6 * 8 * kUnit);
+/// The same of points that are restricted to a part of a side, by two means with a rounded parameter: they err
+/// by 2.3 net_error.
+inline constexpr double kPartDeterminantError = 170;
+static_assert(kPartDeterminantError > 6 * (3 * 4 * 2.3 + 0.5));
+
+// Double points: 14.9.
+
+/// The entries of B S, sums of two products with |S| <= 1, relative to the row sum of B.
+inline constexpr double kLocalError = 0x1p-50;
+static_assert(kLocalError > 4 * kUnit);
+/// The form in t has coefficients below 2 |f|, |S| <= 1, each computed with some ten roundings.
+inline constexpr double kFormError = 0x1p-46;
+static_assert(kFormError > 3 * 2 * 12 * kUnit);
+inline constexpr double kLeastDeterminant = 0x1p-10;  // of S
+/// Of the inverse of S: entries and determinant err by 4 u, which the determinant above 2^-10 magnifies.
+inline constexpr double kInverseError = 0x1p-36;
+static_assert(kInverseError > 16 * kUnit / kLeastDeterminant);
+/// Of sums with entries of that inverse.
+inline constexpr double kInverseSlack = 1 + 0x1p-30;
+static_assert(kInverseSlack - 1 > 2 * kInverseError);
+/// Larger coefficients are refused: then (14.18) bounds all others by 2^70, and nothing overflows.
+inline constexpr double kGreatestCoefficient = 0x1p40;
+
+}  // namespace exsect::filter
