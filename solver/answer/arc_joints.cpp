@@ -86,33 +86,34 @@ bool divide(const std::vector<Node>& nodes, std::vector<Arc>& arcs, const Node& 
     found = true;
     ++i;
   }
-  for (std::size_t i = 0; i < arcs.size(); ++i) arcs[i].id = static_cast<int>(i);
   return found;
 }
 
 }  // namespace
 
-bool divide_at(IntersectionGraph& graph, int node, double error) {
-  const Node& at = graph.nodes[static_cast<std::size_t>(node)];
-  bool found = divide(graph.nodes, graph.arcs, at, error);
-  for (Overlap& overlap : graph.overlaps)
-    for (std::vector<Arc>& chain : overlap.chains) found = divide(graph.nodes, chain, at, error) || found;
+bool divide_at(GraphBuilder& graph, int node, double error) {
+  const Node& at = graph.node(node);
+  std::vector<Arc> arcs = graph.take_arcs(0);
+  bool found = divide(graph.nodes(), arcs, at, error);
+  for (Arc& arc : arcs) graph.add_arc(std::move(arc));
+  for (Overlap& overlap : graph.take_overlaps()) {
+    for (std::vector<Arc>& chain : overlap.chains) found = divide(graph.nodes(), chain, at, error) || found;
+    graph.add_overlap(std::move(overlap.chains));
+  }
   return found;
 }
 
-void join_at_other_turning_points(IntersectionGraph& graph, std::size_t first_node, std::size_t first_arc,
+void join_at_other_turning_points(GraphBuilder& graph, int first_node, int first_arc,
                                   const std::vector<Parameter>& wanted) {
   std::map<int, std::vector<Parameter>> kept;
-  for (std::size_t i = first_node; i < graph.nodes.size(); ++i) {
-    const Node& node = graph.nodes[i];
+  for (auto i = static_cast<std::size_t>(first_node); i < graph.nodes().size(); ++i) {
+    const Node& node = graph.nodes()[i];
     if (std::ranges::count(node.kinds, NodeKind::turning) == 0) continue;
     std::ranges::copy_if(node.wrt, std::back_inserter(kept[node.id]),
                          [&](Parameter p) { return std::ranges::count(wanted, p) > 0; });
   }
   const auto is_unwanted = [&](int id) { return kept.contains(id) && kept[id].empty(); };
-  std::vector<Arc> arcs(std::make_move_iterator(graph.arcs.begin() + static_cast<std::ptrdiff_t>(first_arc)),
-                        std::make_move_iterator(graph.arcs.end()));
-  graph.arcs.resize(first_arc);
+  std::vector<Arc> arcs = graph.take_arcs(first_arc);
   while (!arcs.empty()) {
     std::vector<Arc> run = take_run(arcs, is_unwanted);
     if (run.front().from != run.back().to || !is_unwanted(run.front().from)) {
@@ -121,13 +122,10 @@ void join_at_other_turning_points(IntersectionGraph& graph, std::size_t first_no
     } else {
       for (const Arc& arc : run) kept.erase(arc.from);
     }
-    for (Arc& arc : run) {
-      arc.id = static_cast<int>(graph.arcs.size());
-      graph.arcs.push_back(std::move(arc));
-    }
+    for (Arc& arc : run) graph.add_arc(std::move(arc));
   }
   for (auto& [id, wrt] : kept)
-    if (!wrt.empty()) graph.nodes[static_cast<std::size_t>(id)].wrt = wrt;
+    if (!wrt.empty()) graph.set_turning(id, wrt);
 }
 
 }  // namespace exsect

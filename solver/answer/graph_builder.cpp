@@ -1,12 +1,20 @@
 #include "answer/graph_builder.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
-#include <vector>
+#include <utility>
+
+#include "side/boundary_lines.h"
 
 namespace exsect {
 
 namespace {
+
+template <class T>
+int next_id(const std::vector<T>& items) {
+  return static_cast<int>(items.size());
+}
 
 int find_root(std::vector<int>& parent, int i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
@@ -16,7 +24,7 @@ int find_root(std::vector<int>& parent, int i) {
   return i;
 }
 
-/// Applies `change` to every node id in arcs, isolated points and overlaps.
+/// Applies `change` to the node ids of every arc, isolated point and arc of an overlap.
 template <class Change>
 void for_each_node_id(IntersectionGraph& graph, const Change& change) {
   const auto change_ends = [&](std::vector<Arc>& arcs) {
@@ -32,63 +40,184 @@ void for_each_node_id(IntersectionGraph& graph, const Change& change) {
   }
 }
 
-/// Removes the nodes that no arc, no isolated point and no overlap names, and renumbers.
-void drop_unused_nodes(IntersectionGraph& graph) {
-  std::vector<int> renamed(graph.nodes.size(), -1);
-  for_each_node_id(graph, [&](const int& id) { renamed[static_cast<std::size_t>(id)] = 0; });
-  std::vector<Node> kept;
-  for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
-    if (renamed[i] == 0) {
-      renamed[i] = static_cast<int>(kept.size());
-      kept.push_back(std::move(graph.nodes[i]));
-      kept.back().id = renamed[i];
-    }
-  }
-  graph.nodes = std::move(kept);
-  for_each_node_id(graph, [&](int& id) { id = renamed[static_cast<std::size_t>(id)]; });
-}
-
 }  // namespace
 
-std::optional<Incomplete> too_coarse(const IntersectionGraph& graph, const Arc& arc, double tolerance) {
-  if (arc.error_bound <= tolerance) {
-    return std::nullopt;
-  }
-  return Incomplete{
-      graph.nodes[static_cast<std::size_t>(arc.from)].box,
-      "the tolerance is below what a polyline in doubles can be proved to keep on the arc from here"};
+GraphBuilder::GraphBuilder(IntersectionGraph graph) : graph_(std::move(graph)) {
+  graph_.components.clear();
+  reach_.assign(graph_.nodes.size(), -1);
+  for (Arc& arc : graph_.arcs) arc.component = -1;
 }
 
-void finish_components(IntersectionGraph& graph) {
-  std::vector<int> parent(graph.nodes.size());
+int GraphBuilder::add_node(Node node, double reach) {
+  node.id = next_id(graph_.nodes);
+  reach_.push_back(reach);
+  graph_.nodes.push_back(std::move(node));
+  return graph_.nodes.back().id;
+}
+
+int GraphBuilder::add_arc(Arc arc) {
+  arc.id = next_id(graph_.arcs);
+  arc.component = -1;
+  graph_.arcs.push_back(std::move(arc));
+  return graph_.arcs.back().id;
+}
+
+void GraphBuilder::add_overlap(std::vector<std::vector<Arc>> chains) {
+  int id = 0;
+  for (std::vector<Arc>& chain : chains) {
+    for (Arc& arc : chain) {
+      arc.id = id++;
+      arc.component = -1;
+    }
+  }
+  graph_.overlaps.push_back({next_id(graph_.overlaps), std::move(chains)});
+}
+
+void GraphBuilder::add_kind(int node, NodeKind kind) {
+  std::vector<NodeKind>& kinds = graph_.nodes[static_cast<std::size_t>(node)].kinds;
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+    kinds.push_back(kind);
+  }
+}
+
+void GraphBuilder::set_turning(int node, std::vector<Parameter> wrt) {
+  graph_.nodes[static_cast<std::size_t>(node)].wrt = std::move(wrt);
+}
+
+void GraphBuilder::move_node(int node, const ParameterBox& box, const std::array<double, 4>& approx) {
+  Node& moved = graph_.nodes[static_cast<std::size_t>(node)];
+  moved.box = box;
+  moved.approx = approx;
+  reach_[static_cast<std::size_t>(node)] = -1;
+}
+
+void GraphBuilder::set_contact(int arc, Contact contact) {
+  graph_.arcs[static_cast<std::size_t>(arc)].contact = contact;
+}
+
+std::vector<Arc> GraphBuilder::take_arcs(int first) {
+  const auto from = graph_.arcs.begin() + first;
+  std::vector<Arc> taken(std::make_move_iterator(from), std::make_move_iterator(graph_.arcs.end()));
+  graph_.arcs.erase(from, graph_.arcs.end());
+  return taken;
+}
+
+std::vector<Overlap> GraphBuilder::take_overlaps() { return std::exchange(graph_.overlaps, {}); }
+
+void GraphBuilder::contract(const std::vector<int>& nodes, Node replacement) {
+  const auto replaced = [&](int id) { return std::find(nodes.begin(), nodes.end(), id) != nodes.end(); };
+  const int id = add_node(std::move(replacement));
+  bool used = false;
+  for (Arc& arc : graph_.arcs) {
+    for (int* end : {&arc.from, &arc.to}) {
+      if (replaced(*end)) {
+        *end = id;
+        used = true;
+      }
+    }
+  }
+  std::erase_if(graph_.isolated_points, replaced);
+  if (!used) {
+    add_isolated(id);
+  }
+}
+
+FinishedGraph GraphBuilder::finish(const GraphFacts& facts) && {
+  std::vector<Incomplete> violations = drop_dangling();
+  drop_unused_nodes();
+  form_components();
+  std::vector<Incomplete> found = violations_of(graph_, reach_, facts);
+  violations.insert(violations.end(), std::make_move_iterator(found.begin()),
+                    std::make_move_iterator(found.end()));
+  return {std::move(graph_), std::move(violations)};
+}
+
+/// What names a node that does not exist.
+std::vector<Incomplete> GraphBuilder::drop_dangling() {
+  const int count = next_id(graph_.nodes);
+  const auto exists = [&](int id) { return id >= 0 && id < count; };
+  std::size_t dropped = 0;
+  const auto drop_arcs = [&](std::vector<Arc>& arcs) {
+    dropped += std::erase_if(arcs, [&](const Arc& arc) { return !exists(arc.from) || !exists(arc.to); });
+  };
+  drop_arcs(graph_.arcs);
+  for (Overlap& overlap : graph_.overlaps) {
+    std::for_each(overlap.chains.begin(), overlap.chains.end(), drop_arcs);
+  }
+  dropped += std::erase_if(graph_.isolated_points, [&](int id) { return !exists(id); });
+  if (dropped == 0) {
+    return {};
+  }
+  for (std::size_t i = 0; i < graph_.arcs.size(); ++i) {
+    graph_.arcs[i].id = static_cast<int>(i);
+  }
+  return {{whole_domain(), "an arc or an isolated point without a node"}};
+}
+
+void GraphBuilder::form_components() {
+  std::vector<int> parent(graph_.nodes.size());
   std::iota(parent.begin(), parent.end(), 0);
-  std::vector<int> degree(graph.nodes.size(), 0);
-  for (const Arc& arc : graph.arcs) {
-    ++degree[static_cast<std::size_t>(arc.from)];
-    ++degree[static_cast<std::size_t>(arc.to)];
+  const std::vector<int> degree = degrees(graph_);
+  for (const Arc& arc : graph_.arcs) {
     parent[static_cast<std::size_t>(find_root(parent, arc.from))] = find_root(parent, arc.to);
   }
-  std::vector<int> component_of(graph.nodes.size(), -1);
-  for (Arc& arc : graph.arcs) {
+  std::vector<int> component_of(graph_.nodes.size(), -1);
+  for (Arc& arc : graph_.arcs) {
     int& id = component_of[static_cast<std::size_t>(find_root(parent, arc.from))];
     if (id < 0) {
-      id = static_cast<int>(graph.components.size());
-      graph.components.push_back({id, ComponentShape::closed, {}});
+      id = next_id(graph_.components);
+      graph_.components.push_back({id, ComponentShape::closed, {}});
     }
     arc.component = id;
-    Component& component = graph.components[static_cast<std::size_t>(id)];
+    Component& component = graph_.components[static_cast<std::size_t>(id)];
     component.arcs.push_back(arc.id);
-    const int most =
-        std::max(degree[static_cast<std::size_t>(arc.from)], degree[static_cast<std::size_t>(arc.to)]);
-    const int least =
-        std::min(degree[static_cast<std::size_t>(arc.from)], degree[static_cast<std::size_t>(arc.to)]);
+    const auto [least, most] =
+        std::minmax({degree[static_cast<std::size_t>(arc.from)], degree[static_cast<std::size_t>(arc.to)]});
     if (most > 2) {
       component.shape = ComponentShape::branched;
     } else if (least == 1 && component.shape != ComponentShape::branched) {
       component.shape = ComponentShape::open;
     }
   }
-  drop_unused_nodes(graph);
+}
+
+void GraphBuilder::drop_unused_nodes() {
+  std::vector<int> renamed(graph_.nodes.size(), -1);
+  for_each_node_id(graph_, [&](const int& id) { renamed[static_cast<std::size_t>(id)] = 0; });
+  int count = 0;
+  for (std::size_t i = 0; i < renamed.size(); ++i) {
+    if (renamed[i] < 0) {
+      continue;
+    }
+    const auto to = static_cast<std::size_t>(count);
+    if (to != i) {
+      graph_.nodes[to] = std::move(graph_.nodes[i]);
+      reach_[to] = reach_[i];
+    }
+    graph_.nodes[to].id = renamed[i] = count++;
+  }
+  graph_.nodes.resize(static_cast<std::size_t>(count));
+  reach_.resize(static_cast<std::size_t>(count));
+  for_each_node_id(graph_, [&](int& id) { id = renamed[static_cast<std::size_t>(id)]; });
+}
+
+std::optional<Incomplete> too_coarse(const GraphBuilder& graph, const Arc& arc, double tolerance) {
+  if (arc.error_bound <= tolerance) {
+    return std::nullopt;
+  }
+  return Incomplete{
+      graph.node(arc.from).box,
+      "the tolerance is below what a polyline in doubles can be proved to keep on the arc from here"};
+}
+
+std::vector<Incomplete> coarse_arcs(const GraphBuilder& graph, double tolerance) {
+  std::vector<Incomplete> result;
+  for (const Arc& arc : graph.arcs()) {
+    if (auto coarse = too_coarse(graph, arc, tolerance)) {
+      result.push_back(std::move(*coarse));
+    }
+  }
+  return result;
 }
 
 }  // namespace exsect

@@ -106,7 +106,7 @@ std::array<std::array<Rational, 2>, 2> common_part(const SideContact& side, cons
 class ContactGraph {
  public:
   ContactGraph(const BezierPatch& x, const BezierPatch& y, const Pair& pair, double tolerance,
-               IntersectionGraph& graph)
+               GraphBuilder& graph)
       : x_(x),
         y_(y),
         pair_(pair),
@@ -117,25 +117,24 @@ class ContactGraph {
   void add(const CornerContact& corner) {
     const int id = add_node(corner);
     if (touches(corner)) {
-      graph_.nodes.back().kinds.push_back(NodeKind::touch);
+      graph_.add_kind(id, NodeKind::touch);
     }
-    graph_.isolated_points.push_back(id);
+    graph_.add_isolated(id);
   }
 
   bool add(const SideContact& side) {
     if (side.path) {
       return add(*side.path, contact_along(side));
     }
-    Arc arc;
-    arc.id = static_cast<int>(graph_.arcs.size());
-    arc.component = -1;
+    Arc arc{};
     arc.from = add_node({side.x.index(0, 0), side.y.index(0, 0)});
     arc.to = add_node({side.x.index(0, 2), side.y.index(0, 2)});
     arc.place = ArcPlace::patch_boundary;
     arc.contact = contact_along(side);
     add_polyline(side, arc);
-    graph_.arcs.push_back(std::move(arc));
-    return graph_.arcs.back().error_bound <= tolerance_;
+    const bool proved = arc.error_bound <= tolerance_;
+    graph_.add_arc(std::move(arc));
+    return proved;
   }
 
   bool add(const SidePath& path, Contact contact) {
@@ -158,8 +157,7 @@ class ContactGraph {
   }
 
   int add_node(const CornerContact& corner) {
-    Node& node = graph_.nodes.emplace_back();
-    node.id = static_cast<int>(graph_.nodes.size()) - 1;
+    Node node{};
     node.kinds = {NodeKind::boundary, NodeKind::corner};
     const std::array<bool, 4> upper = {corner.x >= 6, corner.x % 3 == 2, corner.y >= 6, corner.y % 3 == 2};
     for (std::size_t j = 0; j < 4; ++j) {
@@ -169,7 +167,7 @@ class ContactGraph {
       node.approx[j] = value;
     }
     node.point = position(pair_.x.net[corner.x]);
-    return node.id;
+    return graph_.add_node(std::move(node), 0);
   }
 
   std::array<double, 3> position(const Vec3& scaled) const {
@@ -264,13 +262,13 @@ class ContactGraph {
   const Pair& pair_;
   double scale_;
   double tolerance_;
-  IntersectionGraph& graph_;
+  GraphBuilder& graph_;
 };
 
 }  // namespace
 
 bool append_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pair, const Contacts& contacts,
-                     double tolerance, IntersectionGraph& graph) {
+                     double tolerance, GraphBuilder& graph) {
   ContactGraph maker(x, y, pair, tolerance, graph);
   for (const CornerContact& corner : contacts.corners) {
     maker.add(corner);

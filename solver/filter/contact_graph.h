@@ -2,9 +2,8 @@
 // docs/method.md, section 14.7.
 #pragma once
 
-#include <exsect/solver/intersection_graph.h>
-
 #include "filter/contact.h"
+#include "answer/graph_builder.h"
 
 namespace exsect::filter {
 
@@ -12,6 +11,6 @@ namespace exsect::filter {
 /// solution is near. False if a polyline cannot be proved to keep within `tolerance` (space units); then the
 /// graph is not to be used.
 bool append_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pair, const Contacts& contacts,
-                     double tolerance, IntersectionGraph& graph);
+                     double tolerance, GraphBuilder& graph);
 
 }  // namespace exsect::filter

@@ -8,6 +8,7 @@
 #include "filter/graph.h"
 #include "filter/loops.h"
 #include "filter/overlap.h"
+#include "answer/finished_result.h"
 #include "shape/coincident_parameters.h"
 #include "trace/turning_points.h"
 
@@ -23,6 +24,12 @@ constexpr std::size_t kMostDoublePoints = 8;
 /// Of the tolerance, for the chords from ports to double points.
 constexpr double kPortShare = 0.9;
 constexpr std::array<std::size_t, 4> kNoneCoincident = {0, 1, 2, 3};
+
+/// One arc ends in a BoundaryPoint.
+std::optional<int> arcs_at_sides(const Node& node) {
+  const bool corner = std::find(node.kinds.begin(), node.kinds.end(), NodeKind::corner) != node.kinds.end();
+  return node.on.empty() || corner ? std::nullopt : std::optional(1);
+}
 
 class FilteredIntersection {
  public:
@@ -92,14 +99,16 @@ class FilteredIntersection {
   }
 
   std::optional<IntersectResult> with_contacts(const filter::Pair& pair, const filter::Contacts& contacts,
-                                               IntersectionGraph graph,
+                                               GraphBuilder graph,
                                                const std::vector<AnalysedTrace>& curves) const {
     if (!filter::append_contacts(x_, y_, pair, contacts, run_.tolerance(pair.extent), graph) ||
         run_.out_of_time()) {
       return std::nullopt;
     }
-    finish_components(graph);
-    IntersectResult result{Status::complete, std::move(graph), {}, {}};
+    IntersectResult result = finished(std::move(graph), {run_.turning(), arcs_at_sides}, {});
+    if (result.status != Status::complete) {
+      return std::nullopt;
+    }
     record(curves, result.graph);
     return result;
   }

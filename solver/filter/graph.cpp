@@ -84,12 +84,14 @@ class GraphMaker {
   void add_double_points() {
     for (const DoublePoint& point : double_points_) {
       const bool crossing = point.forms.crossing;
-      Node& node = add_node(crossing ? NodeKind::crossing : NodeKind::touch, {point.centre, 0});
+      const Ball ball = {point.centre, 0};
+      Node node = node_at(crossing ? NodeKind::crossing : NodeKind::touch, ball);
       for (std::size_t j = 0; j < 4; ++j) {
         node.box[j] = {point.at[j], point.at[j]};
       }
+      const int id = add_node(std::move(node), ball);
       if (!crossing) {
-        graph_.isolated_points.push_back(node.id);
+        graph_.add_isolated(id);
       }
     }
   }
@@ -101,11 +103,11 @@ class GraphMaker {
         node_of_.push_back(point.centre);
         continue;
       }
-      node_of_.push_back(static_cast<int>(graph_.nodes.size()));
-      Node& node = add_node(NodeKind::boundary, point.ball);
+      Node node = node_at(NodeKind::boundary, point.ball);
       const bool upper = point.side > 0;
       node.on = {{static_cast<Parameter>(point.parameter), upper ? 1 : 0}};
       node.box[point.parameter] = {upper ? 1 : 0, upper ? 1 : 0};
+      node_of_.push_back(add_node(std::move(node), point.ball));
     }
   }
 
@@ -133,7 +135,7 @@ class GraphMaker {
     return proved && (trace.start >= 0 || add_arc(trace, stops_.back(), stops_.front()));
   }
 
-  IntersectionGraph take() { return std::move(graph_); }
+  GraphBuilder take() { return std::move(graph_); }
 
  private:
   Stop stop_at(int point, std::size_t piece, double tau) const {
@@ -143,12 +145,19 @@ class GraphMaker {
             centre < 0 ? nullptr : &double_points_[static_cast<std::size_t>(centre)].ports[points_[i].port]};
   }
 
+  /// With the roundings of parameters.
+  static double radius_of(const Ball& ball) { return kSlack * ball.radius + kPlaceRounding; }
+
+  int add_node(Node node, const Ball& ball) {
+    node_radius_.push_back(radius_of(ball));
+    return graph_.add_node(std::move(node), node_radius_.back());
+  }
+
   /// Parameters in [0,1]: the middle, in [-1/2,1/2] up to the radius, plus 1/2.
-  Node& add_node(NodeKind kind, const Ball& ball) {
-    Node& node = graph_.nodes.emplace_back();
-    node.id = static_cast<int>(graph_.nodes.size()) - 1;
+  Node node_at(NodeKind kind, const Ball& ball) const {
+    Node node{};
     node.kinds = {kind};
-    const double radius = kSlack * ball.radius + kPlaceRounding;
+    const double radius = radius_of(ball);
     for (std::size_t j = 0; j < 4; ++j) {
       const double t = std::clamp(ball.middle[j] + 0.5, 0.0, 1.0);
       node.approx[j] = t;
@@ -156,7 +165,6 @@ class GraphMaker {
       node.box[j].upper = from_double(std::min(t + radius, 1.0));
     }
     node.point = position(expand(pair_.x, ball.middle[0], ball.middle[1])[0]);
-    node_radius_.push_back(radius);
     return node;
   }
 
@@ -170,9 +178,10 @@ class GraphMaker {
         }
       }
       if (!wrt.empty()) {
-        Node& node = add_node(NodeKind::turning, turn.ball);
+        Node node = node_at(NodeKind::turning, turn.ball);
         node.wrt = std::move(wrt);
-        stops_.push_back({node.id, turn.piece, 0.5 * (turn.from + turn.to), nullptr});
+        const int id = add_node(std::move(node), turn.ball);
+        stops_.push_back({id, turn.piece, 0.5 * (turn.from + turn.to), nullptr});
       }
     }
   }
@@ -212,9 +221,7 @@ class GraphMaker {
     if (vertices_ > kMostVertices) {
       return false;
     }
-    Arc& arc = graph_.arcs.emplace_back();
-    arc.id = static_cast<int>(graph_.arcs.size()) - 1;
-    arc.component = -1;
+    Arc arc{};
     arc.from = from.node;
     arc.to = to.node;
     arc.place = ArcPlace::interior;
@@ -234,11 +241,13 @@ class GraphMaker {
     push_node(arc, to.node);
     // An end of the arc is anywhere in its node's box, and the vertex there too: twice.
     arc.error_bound = kSlack * scale_ * (chord_error_ + 2 * vertex_error_ + 2 * place_error_);
-    return arc.error_bound <= tolerance_;
+    const bool proved = arc.error_bound <= tolerance_;
+    graph_.add_arc(std::move(arc));
+    return proved;
   }
 
   void push_node(Arc& arc, int id) const {
-    const Node& node = graph_.nodes[static_cast<std::size_t>(id)];
+    const Node& node = graph_.node(id);
     arc.polyline.push_back({node.approx, node.point});
   }
 
@@ -339,7 +348,7 @@ class GraphMaker {
   double vertex_tolerance_;
   double place_error_;
   std::size_t vertices_ = 0;
-  IntersectionGraph graph_;
+  GraphBuilder graph_;
   std::vector<int> node_of_;  // of boundary points
   std::vector<double> node_radius_;
   std::vector<Stop> stops_;
@@ -350,12 +359,12 @@ class GraphMaker {
 
 }  // namespace
 
-std::optional<IntersectionGraph> make_graph(const Pair& pair, const std::vector<BoundaryPoint>& points,
-                                            const std::vector<DoublePoint>& double_points,
-                                            const std::vector<AnalysedTrace>& traces,
-                                            const std::vector<Parameter>& wanted,
-                                            const std::array<std::size_t, 4>& coincident, double tolerance,
-                                            double vertex_tolerance) {
+std::optional<GraphBuilder> make_graph(const Pair& pair, const std::vector<BoundaryPoint>& points,
+                                       const std::vector<DoublePoint>& double_points,
+                                       const std::vector<AnalysedTrace>& traces,
+                                       const std::vector<Parameter>& wanted,
+                                       const std::array<std::size_t, 4>& coincident, double tolerance,
+                                       double vertex_tolerance) {
   GraphMaker maker(pair, points, double_points, coincident, tolerance, vertex_tolerance);
   maker.add_double_points();
   maker.add_boundary_nodes();

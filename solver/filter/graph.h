@@ -2,10 +2,9 @@
 // 14.6.
 #pragma once
 
-#include <exsect/solver/intersection_graph.h>
-
 #include "filter/double_point.h"
 #include "filter/turning.h"
+#include "answer/graph_builder.h"
 
 namespace exsect::filter {
 
@@ -19,11 +18,11 @@ struct AnalysedTrace {
 /// to `wanted` parameters are nodes, all of them on a closed curve that has no other. coincident[i] turns
 /// where i does. Vertices are within `vertex_tolerance` of the curve, or as near as doubles can be. Empty if
 /// a polyline cannot be proved to keep within `tolerance` (space units).
-std::optional<IntersectionGraph> make_graph(const Pair& pair, const std::vector<BoundaryPoint>& points,
-                                            const std::vector<DoublePoint>& double_points,
-                                            const std::vector<AnalysedTrace>& traces,
-                                            const std::vector<Parameter>& wanted,
-                                            const std::array<std::size_t, 4>& coincident, double tolerance,
-                                            double vertex_tolerance);
+std::optional<GraphBuilder> make_graph(const Pair& pair, const std::vector<BoundaryPoint>& points,
+                                       const std::vector<DoublePoint>& double_points,
+                                       const std::vector<AnalysedTrace>& traces,
+                                       const std::vector<Parameter>& wanted,
+                                       const std::array<std::size_t, 4>& coincident, double tolerance,
+                                       double vertex_tolerance);
 
 }  // namespace exsect::filter

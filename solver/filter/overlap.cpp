@@ -177,18 +177,17 @@ class OverlapGraph {
   OverlapGraph(const BezierPatch& x, const Pieces& pieces, double tolerance)
       : x_(x), pieces_(pieces), tolerance_(tolerance) {}
 
-  std::optional<IntersectionGraph> run(const RationalInterval& u, const RationalInterval& v) {
+  std::optional<GraphBuilder> run(const RationalInterval& u, const RationalInterval& v) {
     const std::array<RimEnd, 4> ends = {add_node(u.lower, v.lower), add_node(u.upper, v.lower),
                                         add_node(u.upper, v.upper), add_node(u.lower, v.upper)};
     std::vector<Arc> chain;
     for (std::size_t i = 0; i < 4; ++i) {
       chain.push_back(rim_arc(x_, ends[i], ends[(i + 1) % 4], ArcPlace::patch_boundary, tolerance_));
-      chain.back().id = static_cast<int>(i);
       if (!(chain.back().error_bound <= tolerance_)) {
         return std::nullopt;
       }
     }
-    graph_.overlaps.push_back({0, {std::move(chain)}});
+    graph_.add_overlap({std::move(chain)});
     return std::move(graph_);
   }
 
@@ -197,26 +196,24 @@ class OverlapGraph {
     std::array<Rational, 4> at = {u, v, 0, 0};
     at[2 + pieces_.parameter(0)] = pieces_.maps[0].inverse(u);
     at[2 + pieces_.parameter(1)] = pieces_.maps[1].inverse(v);
-    Node& node = graph_.nodes.emplace_back(rim_node(at));
-    node.id = static_cast<int>(graph_.nodes.size()) - 1;
+    Node node = rim_node(at);
     const Point p = x_(u, v);
     for (std::size_t c = 0; c < 3; ++c) {
       node.point[c] = to_double(p[c]);
     }
-    return {at, node.id};
+    return {at, graph_.add_node(std::move(node), 0x1p-53)};
   }
 
   const BezierPatch& x_;
   const Pieces& pieces_;
   double tolerance_;
-  IntersectionGraph graph_;
+  GraphBuilder graph_;
 };
 
 }  // namespace
 
-std::optional<IntersectionGraph> overlap_of_pieces(const BezierPatch& x, const BezierPatch& y,
-                                                   const Pair& pair, Trees& trees, double tolerance,
-                                                   long& boxes) {
+std::optional<GraphBuilder> overlap_of_pieces(const BezierPatch& x, const BezierPatch& y, const Pair& pair,
+                                              Trees& trees, double tolerance, long& boxes) {
   const auto pieces = find_pieces(x, y, pair);
   if (!pieces) {
     return std::nullopt;

@@ -2,9 +2,8 @@
 // section 14.10.
 #pragma once
 
-#include <exsect/solver/intersection_graph.h>
-
 #include "filter/pieces.h"
+#include "answer/graph_builder.h"
 
 namespace exsect::filter {
 
@@ -12,8 +11,7 @@ namespace exsect::filter {
 /// both squares together, and these have a rectangle in common: that is an overlap and there is nothing else.
 /// Empty if that is not so, or not proved, or a polyline cannot keep within `tolerance` (space units).
 /// `boxes` counts the pairs looked at.
-std::optional<IntersectionGraph> overlap_of_pieces(const BezierPatch& x, const BezierPatch& y,
-                                                   const Pair& pair, Trees& trees, double tolerance,
-                                                   long& boxes);
+std::optional<GraphBuilder> overlap_of_pieces(const BezierPatch& x, const BezierPatch& y, const Pair& pair,
+                                              Trees& trees, double tolerance, long& boxes);
 
 }  // namespace exsect::filter

@@ -6,6 +6,8 @@
 #include "answer/model_scale.h"
 #include "answer/parameter_names.h"
 #include "answer/rim_arc.h"
+#include "answer/finished_result.h"
+#include "trace/regular_degree.h"
 #include "self/self_intersect_within.h"
 #include "trace/landmark_node.h"
 
@@ -39,24 +41,23 @@ constexpr const char* kTooFine = "the tolerance is below what a polyline in doub
 
 class ItselfBuilder {
  public:
-  ItselfBuilder(const BezierPatch& x, const Run& run) : x_(x), run_(run), scale_(model_scale(x, x)) {
-    std::vector<Parameter> both = run.turning();
-    for (const Parameter p : run.turning()) both.push_back(all_parameters[index(p) ^ 2]);
-    result_ = self_intersect_within(run.with_turning(std::move(both)), x);
+  ItselfBuilder(const BezierPatch& x, const Run& run)
+      : x_(x), run_(run), scale_(model_scale(x, x)), turning_(run.turning()) {
+    for (const Parameter p : run.turning()) turning_.push_back(all_parameters[index(p) ^ 2]);
+    itself_ = self_intersect_within(run.with_turning(turning_), x);
+    graph_ = GraphBuilder(itself_.graph);
   }
 
   IntersectResult run() {
     add_mirrored();
     add_overlap();
-    result_.graph.components.clear();
-    finish_components(result_.graph);
-    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    return std::move(result_);
+    return finished(std::move(graph_), {turning_, RegularDegree(x_, x_)}, std::move(itself_.incomplete),
+                    std::move(itself_.work));
   }
 
  private:
   void incomplete(const ParameterBox& where, const std::string& why) {
-    result_.incomplete.push_back({where, why});
+    itself_.incomplete.push_back({where, why});
   }
 
   /// The pairs in the other order. A cuspidal point has equal parameters: there the two orders of a curve
@@ -64,42 +65,37 @@ class ItselfBuilder {
   /// free parameters, meets its rim.
   void add_mirrored() {
     using enum Parameter;
-    IntersectResult mirrored = result_;
+    IntersectResult mirrored = itself_;
     rename_parameters(mirrored, {r, s, u, v});
-    IntersectionGraph& graph = result_.graph;
     std::vector<int> mirror;
     for (Node& copy : mirrored.graph.nodes) {
-      std::vector<NodeKind>& kinds = graph.nodes[static_cast<std::size_t>(copy.id)].kinds;
-      if (std::count(kinds.begin(), kinds.end(), NodeKind::cusp) > 0 || !copy.free.empty()) {
-        kinds.push_back(NodeKind::end_of_overlap);
+      const std::vector<Node>& nodes = graph_.nodes();
+      if (std::ranges::count(copy.kinds, NodeKind::cusp) > 0 || !copy.free.empty()) {
+        graph_.add_kind(copy.id, NodeKind::end_of_overlap);
         mirror.push_back(copy.id);
       } else if (const auto known = std::ranges::find_if(
-                     graph.nodes, [&](const Node& node) { return is_same_point(node.box, copy.box); });
-                 known != graph.nodes.end()) {
+                     nodes, [&](const Node& node) { return is_same_point(node.box, copy.box); });
+                 known != nodes.end()) {
         mirror.push_back(known->id);
       } else {
-        copy.id = static_cast<int>(graph.nodes.size());
-        mirror.push_back(copy.id);
-        graph.nodes.push_back(std::move(copy));
+        mirror.push_back(graph_.add_node(std::move(copy)));
       }
     }
     const auto mirrored_id = [&](int id) { return mirror[static_cast<std::size_t>(id)]; };
     for (Arc& arc : mirrored.graph.arcs) {
-      arc.id = static_cast<int>(graph.arcs.size());
       arc.from = mirrored_id(arc.from);
       arc.to = mirrored_id(arc.to);
-      graph.arcs.push_back(std::move(arc));
+      graph_.add_arc(std::move(arc));
     }
     for (Overlap& overlap : mirrored.graph.overlaps) {
-      overlap.id = static_cast<int>(graph.overlaps.size());
       for (Arc& arc : overlap.chains.front()) {
         arc.from = mirrored_id(arc.from);
         arc.to = mirrored_id(arc.to);
       }
-      graph.overlaps.push_back(std::move(overlap));
+      graph_.add_overlap(std::move(overlap.chains));
     }
     for (const int id : mirrored.graph.isolated_points)
-      if (mirrored_id(id) != id) graph.isolated_points.push_back(mirrored_id(id));
+      if (mirrored_id(id) != id) graph_.add_isolated(mirrored_id(id));
   }
 
   /// Equal parameters: the rim runs once around both squares.
@@ -112,25 +108,24 @@ class ItselfBuilder {
       const auto at = [](int c) { return DoubleBall(static_cast<double>(c)); };
       Node node = landmark_node(system, scale_.frame, {at(u), at(v), at(u), at(v)}, box,
                                 {{Parameter::u, u}, {Parameter::v, v}, {Parameter::r, u}, {Parameter::s, v}});
-      node.id = static_cast<int>(result_.graph.nodes.size());
-      ends.push_back({{u, v, u, v}, node.id});
-      result_.graph.nodes.push_back(std::move(node));
+      ends.push_back({{u, v, u, v}, graph_.add_node(std::move(node))});
     }
     std::vector<Arc> chain;
     for (std::size_t i = 0; i < 4; ++i) {
       chain.push_back(rim_arc(x_, ends[i], ends[(i + 1) % 4], ArcPlace::patch_boundary,
                               run_.drawn_tolerance(scale_.extent)));
-      chain.back().id = static_cast<int>(i);
       if (!(chain.back().error_bound <= run_.tolerance(scale_.extent)))
-        incomplete(result_.graph.nodes[static_cast<std::size_t>(ends[i].node)].box, kTooFine);
+        incomplete(graph_.node(ends[i].node).box, kTooFine);
     }
-    result_.graph.overlaps.push_back({static_cast<int>(result_.graph.overlaps.size()), {std::move(chain)}});
+    graph_.add_overlap({std::move(chain)});
   }
 
   const BezierPatch& x_;
   const Run& run_;
   ModelScale scale_;
-  IntersectResult result_;
+  std::vector<Parameter> turning_;
+  IntersectResult itself_;  // pairs in one order
+  GraphBuilder graph_;
 };
 
 }  // namespace

@@ -7,12 +7,14 @@
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
 #include "answer/parameter_names.h"
+#include "answer/finished_result.h"
 #include "overlap/common_sheet.h"
 #include "overlap/identical_patches.h"
 #include "overlap/overlap_boundary.h"
 #include "overlap/two_piece_clip.h"
 #include "overlap/two_piece_curves.h"
 #include "overlap/two_piece_graph.h"
+#include "trace/regular_degree.h"
 #include "shape/coincident_parameters.h"
 #include "shape/planar_patch.h"
 #include "sweep/traced_curves.h"
@@ -43,9 +45,8 @@ class OneSurface {
     regular_ = surface_.planar() && !planar_patch_folds(x_) && !planar_patch_folds(y_);
     find_other_curves();
     timed("graph", [this] { add_boundary(); });
-    finish_components(result_.graph);
-    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    return std::move(result_);
+    return finished(std::move(graph_), {run_.turning(), RegularDegree(x_, y_)},
+                    std::move(result_.incomplete));
   }
 
  private:
@@ -100,11 +101,11 @@ class OneSurface {
       traced.problems.clear();
     }
     add_boundary_nodes(system, landmarks, traced);
-    result_.graph.isolated_points = traced.isolated;
+    for (const int id : traced.isolated) graph_.add_isolated(id);
     for (const AnalysedTrace<Ball>& curve : traced.curves)
-      append_trace(result_.graph, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame,
+      append_trace(graph_, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame,
                    run_.turning(), tolerance_);
-    for (const Arc& arc : result_.graph.arcs) check_bound(arc);
+    check_bounds();
     return true;
   }
 
@@ -119,9 +120,8 @@ class OneSurface {
                          scale_.frame.exponent, width, stop_);
     if (!traced.problems.empty() && !last) return clip_curves();
     add_boundary_nodes(system, traced.landmarks, traced);
-    append_two_pieces(result_.graph, *pieces_, shared, system, traced, scale_.frame, run_.turning(),
-                      tolerance_);
-    for (const Arc& arc : result_.graph.arcs) check_bound(arc);
+    append_two_pieces(graph_, *pieces_, shared, system, traced, scale_.frame, run_.turning(), tolerance_);
+    check_bounds();
     return true;
   }
 
@@ -132,24 +132,22 @@ class OneSurface {
     const auto& [u, v] = pieces_->hull;
     const BezierPatch hull = x_.restricted_to(u(0), u(1), v(0), v(1));
     const Run for_hull = run_.with_tolerance(0.99 * tolerance_ / model_scale(hull, hull).extent);
-    IntersectionGraph graph;
+    GraphBuilder graph;
     std::vector<int> nodes;
     for (const BoundaryPoint& point : boundary_.points) nodes.push_back(add_node(graph, point));
     const auto divided = append_clipped_curves(graph, *pieces_, boundary_, nodes, for_hull);
     if (!divided) return false;
-    result_.graph = std::move(graph);
+    graph_ = std::move(graph);
     nodes_ = std::move(nodes);
     dividing_ = *divided;
-    for (const Arc& arc : result_.graph.arcs) check_bound(arc);
+    check_bounds();
     return true;
   }
 
-  int add_node(IntersectionGraph& graph, const BoundaryPoint& point) const {
+  int add_node(GraphBuilder& graph, const BoundaryPoint& point) const {
     const PairSystem<ArbBall<256>> system(x_, y_, scale_.origin, scale_.frame.exponent);
     const auto ball = enclose<ArbBall<256>>(point.at, power_of_two(-200));
-    graph.nodes.push_back(landmark_node(system, scale_.frame, ball, point.at.box(), point.at.sides()));
-    graph.nodes.back().id = static_cast<int>(graph.nodes.size()) - 1;
-    return graph.nodes.back().id;
+    return graph.add_node(landmark_node(system, scale_.frame, ball, point.at.box(), point.at.sides()));
   }
 
   std::vector<CertifiedPoint> ends_of_branches() const {
@@ -170,14 +168,17 @@ class OneSurface {
     run_.count("searched boxes", static_cast<double>(traced.searched_boxes));
     for (std::size_t i = 0; i < sweep_.landmarks.size(); ++i) {
       const CertifiedPoint& point = sweep_.landmarks[i].point;
-      result_.graph.nodes.push_back(
-          landmark_node(system, scale_.frame, landmarks[i], point.box(), point.sides()));
-      result_.graph.nodes.back().id = static_cast<int>(i);
+      graph_.add_node(landmark_node(system, scale_.frame, landmarks[i], point.box(), point.sides()));
     }
   }
 
+  void check_bounds() {
+    for (Incomplete& coarse : coarse_arcs(graph_, tolerance_))
+      result_.incomplete.push_back(std::move(coarse));
+  }
+
   void check_bound(const Arc& arc) {
-    if (auto coarse = too_coarse(result_.graph, arc, run_.tolerance(scale_.extent)))
+    if (auto coarse = too_coarse(graph_, arc, run_.tolerance(scale_.extent)))
       result_.incomplete.push_back(std::move(*coarse));
   }
 
@@ -185,31 +186,27 @@ class OneSurface {
     if (nodes_.empty()) {
       int ordinary = 0;
       for (const BoundaryPoint& point : boundary_.points)
-        nodes_.push_back(point.kind == BoundaryPointKind::other ? ordinary++
-                                                                : add_node(result_.graph, point));
+        nodes_.push_back(point.kind == BoundaryPointKind::other ? ordinary++ : add_node(graph_, point));
     }
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (boundary_.points[i].kind != BoundaryPointKind::touch) continue;
-      result_.graph.nodes[static_cast<std::size_t>(nodes_[i])].kinds.push_back(NodeKind::touch);
-      result_.graph.isolated_points.push_back(nodes_[i]);
+      graph_.add_kind(nodes_[i], NodeKind::touch);
+      graph_.add_isolated(nodes_[i]);
     }
     for (const BoundaryArc& arc : boundary_.arcs)
-      if (arc.kind == BoundaryArcKind::edge || arc.kind == BoundaryArcKind::branch)
-        result_.graph.arcs.push_back(made(arc, result_.graph.arcs.size()));
+      if (arc.kind == BoundaryArcKind::edge || arc.kind == BoundaryArcKind::branch) graph_.add_arc(made(arc));
     add_chains();
     const PairSystem<DoubleBall> system(x_, y_, scale_.origin, scale_.frame.exponent);
     for (const int id : dividing_) {
-      const ParameterBox& box = result_.graph.nodes[static_cast<std::size_t>(id)].box;
-      if (!divide_at(result_.graph, id, chord_bound(system, scale_.frame, box)))
+      const ParameterBox& box = graph_.node(id).box;
+      if (!divide_at(graph_, id, chord_bound(system, scale_.frame, box)))
         result_.incomplete.push_back({box, "a cuspidal point on a side"});
     }
     mark_ends_of_overlaps();
   }
 
-  Arc made(const BoundaryArc& from, std::size_t id) {
+  Arc made(const BoundaryArc& from) {
     Arc arc{};
-    arc.id = static_cast<int>(id);
-    arc.component = -1;
     arc.from = nodes_[from.from];
     arc.to = nodes_[from.to];
     arc.place = ArcPlace::patch_boundary;
@@ -236,20 +233,15 @@ class OneSurface {
     const auto odd = std::find_if(degree.begin(), degree.end(), [](int d) { return d != 0 && d != 2; });
     if (odd == degree.end() && boundary_.incomplete.empty()) {
       check_annuli(rim);
-      while (!rim.empty()) add_overlap({closed_chain(rim)});
+      while (!rim.empty()) graph_.add_overlap({closed_chain(rim)});
       return;
     }
     if (result_.incomplete.empty())
       result_.incomplete.push_back({boundary_.points[static_cast<std::size_t>(odd - degree.begin())].at.box(),
                                     "the boundary arcs of overlaps that meet here could not be joined"});
     std::vector<std::vector<Arc>> pieces;
-    for (const BoundaryArc* arc : rim) pieces.push_back({made(*arc, pieces.size())});
-    add_overlap(std::move(pieces));
-  }
-
-  void add_overlap(std::vector<std::vector<Arc>> chains) {
-    const int id = static_cast<int>(result_.graph.overlaps.size());
-    result_.graph.overlaps.push_back({id, std::move(chains)});
+    for (const BoundaryArc* arc : rim) pieces.push_back({made(*arc)});
+    graph_.add_overlap(std::move(pieces));
   }
 
   /// Takes one closed chain out of the arcs.
@@ -261,7 +253,7 @@ class OneSurface {
       const auto next = std::find_if(
           left.begin(), left.end(), [&](const BoundaryArc* arc) { return arc->from == at || arc->to == at; });
       const BoundaryArc& arc = **next;
-      chain.push_back(made(arc, chain.size()));
+      chain.push_back(made(arc));
       const bool forward = arc.from == at;
       if (!forward) {
         std::swap(chain.back().from, chain.back().to);
@@ -303,19 +295,14 @@ class OneSurface {
   }
 
   void mark_ends_of_overlaps() {
-    std::vector<int> on_rim(result_.graph.nodes.size(), 0);
-    for (const Overlap& overlap : result_.graph.overlaps)
+    std::vector<bool> on_rim(graph_.nodes().size(), false);
+    for (const Overlap& overlap : graph_.overlaps())
       for (const std::vector<Arc>& chain : overlap.chains)
         for (const Arc& arc : chain)
-          on_rim[static_cast<std::size_t>(arc.from)] = on_rim[static_cast<std::size_t>(arc.to)] = 1;
-    for (const Arc& arc : result_.graph.arcs)
-      for (const int end : {arc.from, arc.to}) {
-        Node& node = result_.graph.nodes[static_cast<std::size_t>(end)];
-        const auto& kinds = node.kinds;
-        if (on_rim[static_cast<std::size_t>(end)] != 0 &&
-            std::count(kinds.begin(), kinds.end(), NodeKind::end_of_overlap) == 0)
-          node.kinds.push_back(NodeKind::end_of_overlap);
-      }
+          on_rim[static_cast<std::size_t>(arc.from)] = on_rim[static_cast<std::size_t>(arc.to)] = true;
+    for (const Arc& arc : graph_.arcs())
+      for (const int end : {arc.from, arc.to})
+        if (on_rim[static_cast<std::size_t>(end)]) graph_.add_kind(end, NodeKind::end_of_overlap);
   }
 
   const BezierPatch& x_;
@@ -332,6 +319,7 @@ class OneSurface {
   SweepData sweep_;
   std::vector<int> nodes_;     // of the boundary points
   std::vector<int> dividing_;  // nodes inside arcs on sides
+  GraphBuilder graph_;
   IntersectResult result_{};
 };
 

@@ -21,7 +21,7 @@ bool has(const std::vector<Side>& sides, const Side& side) { return std::ranges:
 
 class Clip {
  public:
-  Clip(IntersectionGraph& graph, const TwoPieces& pieces, const OverlapBoundary& boundary,
+  Clip(GraphBuilder& graph, const TwoPieces& pieces, const OverlapBoundary& boundary,
        const std::vector<int>& nodes, const Run& run)
       : graph_(graph),
         pieces_(pieces),
@@ -40,13 +40,13 @@ class Clip {
     if (!self) return std::nullopt;
     points_ = std::move(cuts->points);
     self_ = *std::move(self);
-    const std::size_t first_node = graph_.nodes.size();
-    const std::size_t first_arc = graph_.arcs.size();
+    const auto first_node = static_cast<int>(graph_.nodes().size());
+    const auto first_arc = static_cast<int>(graph_.arcs().size());
     for (const bool exchanged : {false, true}) {
       place_nodes(exchanged);
-      for (const Arc& arc : self_.graph.arcs)
+      for (const Arc& arc : self_.graph.arcs())
         if (!append(arc, exchanged)) return std::nullopt;
-      for (const int node : self_.graph.isolated_points)
+      for (const int node : self_.graph.isolated_points())
         if (!append_isolated(node, exchanged)) return std::nullopt;
     }
     join_at_other_turning_points(graph_, first_node, first_arc, run_.turning());
@@ -64,7 +64,7 @@ class Clip {
 
   void place_nodes(bool exchanged) {
     places_.clear();
-    for (const Node& node : self_.graph.nodes) places_.push_back(place_of(node, exchanged));
+    for (const Node& node : self_.graph.nodes()) places_.push_back(place_of(node, exchanged));
     for (std::size_t k = 0; k < points_.size(); ++k)
       for (const auto& at : self_.cuts[k]) {
         if (at.exchanged != exchanged) continue;
@@ -113,7 +113,7 @@ class Clip {
     const RationalInterval& at = node.box[fixed];
     const RationalInterval& along = node.box[1 - fixed];
     if (at.width() == 0) return at.lower == value;
-    const auto near = std::ranges::count_if(self_.graph.nodes, [&](const Node& other) {
+    const auto near = std::ranges::count_if(self_.graph.nodes(), [&](const Node& other) {
       return is_cuspidal(other) && meet(other.box, node.box);
     });
     if (near > 1 || value <= 0 || value >= 1 || cuspidal_points(fixed, value, along) != 1) return false;
@@ -139,7 +139,6 @@ class Clip {
     const auto end = node_at(arc.to, exchanged);
     if (!start || !end) return false;
     Arc made = arc;
-    made.id = static_cast<int>(graph_.arcs.size());
     made.place = ArcPlace::interior;
     made.from = *start;
     made.to = *end;
@@ -147,12 +146,12 @@ class Clip {
       vertex.parameters = from_hull_(exchanged ? exchanged_pair(vertex.parameters) : vertex.parameters);
     move_to_node(made, made.polyline.front(), made.from);
     move_to_node(made, made.polyline.back(), made.to);
-    graph_.arcs.push_back(std::move(made));
+    graph_.add_arc(std::move(made));
     return true;
   }
 
   void move_to_node(Arc& arc, PolylineVertex& vertex, int id) const {
-    const Node& node = graph_.nodes[static_cast<std::size_t>(id)];
+    const Node& node = graph_.node(id);
     double distance2 = 0;
     for (std::size_t c = 0; c < 3; ++c) {
       const double d = node.point[c] - vertex.point[c];
@@ -166,20 +165,19 @@ class Clip {
     const Place& place = places_[static_cast<std::size_t>(node)];
     if (place.where == Place::outside || place.point) return true;
     if (place.where == Place::unknown) return false;
-    graph_.isolated_points.push_back(*node_at(node, exchanged));
+    graph_.add_isolated(*node_at(node, exchanged));
     return true;
   }
 
   /// Empty if it is not decided which point of the boundary this is.
   std::optional<int> node_at(int id, bool exchanged) {
-    const Node& node = self_.graph.nodes[static_cast<std::size_t>(id)];
+    const Node& node = self_.graph.node(id);
     const Place& place = places_[static_cast<std::size_t>(id)];
     if (place.point) {
-      Node& known = graph_.nodes[static_cast<std::size_t>(nodes_[*place.point])];
+      const int known = nodes_[*place.point];
       for (const NodeKind kind : {NodeKind::crossing, NodeKind::touch})
-        if (std::ranges::count(node.kinds, kind) > std::ranges::count(known.kinds, kind))
-          known.kinds.push_back(kind);
-      return known.id;
+        if (std::ranges::count(node.kinds, kind) > 0) graph_.add_kind(known, kind);
+      return known;
     }
     const bool cuspidal = is_cuspidal(node);
     const auto known = made_.find({id, exchanged && !cuspidal});
@@ -205,9 +203,8 @@ class Clip {
       return std::ranges::any_of(sides, [&](const Side& side) { return index(side.parameter) % 2 == k; });
     };
     if (near.size() > 1 || !in_direction(0) || !in_direction(1)) return std::nullopt;
-    Node& corner = graph_.nodes[static_cast<std::size_t>(nodes_[near.front()])];
-    corner.kinds.push_back(NodeKind::cusp);
-    return corner.id;
+    graph_.add_kind(nodes_[near.front()], NodeKind::cusp);
+    return nodes_[near.front()];
   }
 
   int add_node(Node node, bool exchanged, const std::vector<Side>& sides) {
@@ -223,23 +220,21 @@ class Clip {
       node.approx[index(side.parameter)] = side.value;
     }
     if (!sides.empty()) node.kinds.push_back(NodeKind::boundary);
-    if (is_cuspidal(self_.graph.nodes[static_cast<std::size_t>(node.id)]) && sides.empty())
+    if (is_cuspidal(self_.graph.node(node.id)) && sides.empty())
       node.kinds.push_back(NodeKind::end_of_overlap);
-    node.id = static_cast<int>(graph_.nodes.size());
-    graph_.nodes.push_back(std::move(node));
-    return graph_.nodes.back().id;
+    return graph_.add_node(std::move(node));
   }
 
   void add_isolated_cuts() {
     for (const std::size_t i : points_) {
       if (boundary_.points[i].kind != BoundaryPointKind::other) continue;
       const bool used = std::ranges::any_of(
-          graph_.arcs, [&](const Arc& arc) { return arc.from == nodes_[i] || arc.to == nodes_[i]; });
-      if (!used) graph_.isolated_points.push_back(nodes_[i]);
+          graph_.arcs(), [&](const Arc& arc) { return arc.from == nodes_[i] || arc.to == nodes_[i]; });
+      if (!used) graph_.add_isolated(nodes_[i]);
     }
   }
 
-  IntersectionGraph& graph_;
+  GraphBuilder& graph_;
   const TwoPieces& pieces_;
   const OverlapBoundary& boundary_;
   const std::vector<int>& nodes_;
@@ -256,7 +251,7 @@ class Clip {
 
 }  // namespace
 
-std::optional<std::vector<int>> append_clipped_curves(IntersectionGraph& graph, const TwoPieces& pieces,
+std::optional<std::vector<int>> append_clipped_curves(GraphBuilder& graph, const TwoPieces& pieces,
                                                       const OverlapBoundary& boundary,
                                                       const std::vector<int>& nodes, const Run& run) {
   return Clip(graph, pieces, boundary, nodes, run).run();

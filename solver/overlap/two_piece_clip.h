@@ -14,7 +14,7 @@ namespace exsect {
 /// Appends the arcs, apart from those on sides, and the isolated points. `nodes`: the nodes of the points of
 /// `boundary`, whose arcs are complete. Returns the nodes of cuspidal points that lie inside of arcs of the
 /// boundary and in which an arc ends; empty if the curves are not decided this way.
-std::optional<std::vector<int>> append_clipped_curves(IntersectionGraph& graph, const TwoPieces& pieces,
+std::optional<std::vector<int>> append_clipped_curves(GraphBuilder& graph, const TwoPieces& pieces,
                                                       const OverlapBoundary& boundary,
                                                       const std::vector<int>& nodes, const Run& run);
 

@@ -1,9 +1,6 @@
-#include "overlap/two_piece_graph.h"
-
-#include <iterator>
-
 #include "answer/graph_builder.h"
 #include "overlap/pair_map.h"
+#include "overlap/two_piece_graph.h"
 #include "self/graph.h"
 #include "trace/landmark_node.h"
 
@@ -14,7 +11,7 @@ namespace {
 template <class Ball>
 class TwoPieceGraph {
  public:
-  TwoPieceGraph(IntersectionGraph& graph, const TwoPieces& pieces, const SelfSystem<Ball>& shared,
+  TwoPieceGraph(GraphBuilder& graph, const TwoPieces& pieces, const SelfSystem<Ball>& shared,
                 const PairSystem<Ball>& system, const TwoPieceCurves<Ball>& found, const ModelFrame& frame,
                 const std::vector<Parameter>& wanted, double tolerance)
       : graph_(graph),
@@ -28,17 +25,17 @@ class TwoPieceGraph {
         from_common_(pieces.copy, pieces.common) {}
 
   void run() {
-    graph_.isolated_points = found_.isolated;
+    for (const int id : found_.isolated) {
+      graph_.add_isolated(id);
+    }
     for (std::size_t i = boundary_points_; i < found_.landmarks.size(); ++i) {
       add_gate(found_.landmarks[i]);
     }
-    first_cusp_ = static_cast<int>(graph_.nodes.size());
+    first_cusp_ = static_cast<int>(graph_.nodes().size());
     for (const CuspArc<Ball>& cusp : found_.near.cusps) {
       Node node = cusp_node(shared_.chart(cusp.chart), cusp, frame_);
       node.kinds.push_back(NodeKind::end_of_overlap);
-      node.id = static_cast<int>(graph_.nodes.size());
-      move(node);
-      graph_.nodes.push_back(std::move(node));
+      move(graph_.add_node(std::move(node)));
     }
     for (const ChartTrace<Ball>& trace : found_.near.chart_traces) {
       if (trace.end >= 0) {
@@ -60,25 +57,26 @@ class TwoPieceGraph {
     for (std::size_t j = 0; j < 4; ++j) {
       box[j] = gate[j].interval();
     }
-    graph_.nodes.push_back(landmark_node(system_, frame_, gate, box, {}));
-    graph_.nodes.back().id = static_cast<int>(graph_.nodes.size()) - 1;
+    graph_.add_node(landmark_node(system_, frame_, gate, box, {}));
   }
 
-  void move(Node& node) const {
+  void move(int id) {
+    const Node& node = graph_.node(id);
+    ParameterBox box;
     for (std::size_t j = 0; j < 4; ++j) {
-      node.box[j] = from_common_(node.box[j], j);
+      box[j] = from_common_(node.box[j], j);
     }
-    node.approx = from_common_(node.approx);
+    graph_.move_node(id, box, from_common_(node.approx));
   }
 
   /// From the cuspidal point of a trace in the charts on, in one of the two orders.
   std::vector<Arc> near_arcs(const ChartTrace<Ball>& trace, bool exchanged) {
-    const std::size_t before = graph_.nodes.size();
+    const std::size_t before = graph_.nodes().size();
     const int end = trace.end < 0 ? -1 : first_cusp_ + trace.end;
     std::vector<Arc> arcs = chart_arcs(graph_, shared_, trace, exchanged, frame_, wanted_, tolerance_,
                                        first_cusp_ + trace.start, end);
-    for (std::size_t i = before; i < graph_.nodes.size(); ++i) {
-      move(graph_.nodes[i]);
+    for (std::size_t i = before; i < graph_.nodes().size(); ++i) {
+      move(static_cast<int>(i));
     }
     for (Arc& arc : arcs) {
       for (PolylineVertex& vertex : arc.polyline) {
@@ -98,12 +96,10 @@ class TwoPieceGraph {
   }
 
   std::vector<Arc> joined_arcs(const AnalysedTrace<Ball>& curve) {
-    const auto before = static_cast<std::ptrdiff_t>(graph_.arcs.size());
+    const auto before = static_cast<int>(graph_.arcs().size());
     append_trace(graph_, curve, found_.landmarks, nodes_of_landmarks(found_.landmarks.size()), frame_,
                  wanted_, tolerance_);
-    std::vector<Arc> arcs(std::make_move_iterator(graph_.arcs.begin() + before),
-                          std::make_move_iterator(graph_.arcs.end()));
-    graph_.arcs.resize(static_cast<std::size_t>(before));
+    std::vector<Arc> arcs = graph_.take_arcs(before);
     if (const auto lead = arcs_to_gate(curve.trace.start)) {
       arcs = joined(*lead, std::move(arcs));
     }
@@ -116,12 +112,11 @@ class TwoPieceGraph {
 
   void append(std::vector<Arc> arcs) {
     for (Arc& arc : arcs) {
-      arc.id = static_cast<int>(graph_.arcs.size());
-      graph_.arcs.push_back(std::move(arc));
+      graph_.add_arc(std::move(arc));
     }
   }
 
-  IntersectionGraph& graph_;
+  GraphBuilder& graph_;
   const SelfSystem<Ball>& shared_;
   const PairSystem<Ball>& system_;
   const TwoPieceCurves<Ball>& found_;
@@ -136,14 +131,14 @@ class TwoPieceGraph {
 }  // namespace
 
 template <class Ball>
-void append_two_pieces(IntersectionGraph& graph, const TwoPieces& pieces, const SelfSystem<Ball>& shared,
+void append_two_pieces(GraphBuilder& graph, const TwoPieces& pieces, const SelfSystem<Ball>& shared,
                        const PairSystem<Ball>& system, const TwoPieceCurves<Ball>& found,
                        const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance) {
   TwoPieceGraph<Ball>(graph, pieces, shared, system, found, frame, wanted, tolerance).run();
 }
 
 #define EXSECT_INSTANTIATE_TWO_PIECES(Ball)                                                                \
-  template void append_two_pieces(IntersectionGraph&, const TwoPieces&, const SelfSystem<Ball>&,           \
+  template void append_two_pieces(GraphBuilder&, const TwoPieces&, const SelfSystem<Ball>&,                \
                                   const PairSystem<Ball>&, const TwoPieceCurves<Ball>&, const ModelFrame&, \
                                   const std::vector<Parameter>&, double);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "curve/half_space.h"
+#include "answer/finished_result.h"
 #include "self/degenerate.h"
 #include "self/self_intersect_within.h"
 #include "shape/special_cusps.h"
@@ -73,14 +74,10 @@ std::optional<IntersectResult> self_intersect_collapsed(const BezierPatch& x, co
   for (const std::size_t fixed : {1, 0}) {
     const std::vector<Rational> lines = tips(fixed == 1 ? x : x.exchanged(), run);
     if (lines.empty()) continue;
-    IntersectResult result{};
-    for (const Rational& line : lines) {
-      Node node = collapsed_line_node(x, fixed, line);
-      node.id = static_cast<int>(result.graph.nodes.size());
-      result.graph.isolated_points.push_back(node.id);
-      result.graph.nodes.push_back(std::move(node));
-    }
-    return result;
+    GraphBuilder graph;
+    for (const Rational& line : lines)
+      graph.add_isolated(graph.add_node(collapsed_line_node(x, fixed, line)));
+    return finished(std::move(graph), {}, {});
   }
   return std::nullopt;
 }

@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "answer/run.h"
+#include "answer/graph_builder.h"
 #include "self/cuts.h"
 
 namespace exsect {
 
-/// The graph of self_intersect() with a node at every cut; its components are not filled in. Every arc is
+/// The graph of self_intersect() with a node at every cut, before it is finished. Every arc is
 /// strictly monotone or constant in each of the four parameters.
 struct CutSelfIntersection {
   struct NodeOfCut {
@@ -20,7 +21,7 @@ struct CutSelfIntersection {
     bool exchanged;  // the pair of the node is the cut's in the other order
   };
 
-  IntersectionGraph graph;
+  GraphBuilder graph;
   std::vector<std::vector<NodeOfCut>> cuts;
 };
 

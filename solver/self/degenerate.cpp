@@ -7,6 +7,7 @@
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
+#include "answer/finished_result.h"
 #include "self/collapsed.h"
 #include "self/overlaps.h"
 #include "self/self_intersect_within.h"
@@ -70,20 +71,15 @@ std::optional<std::vector<Node>> collapsed_lines(const BezierPatch& x, const Quo
 /// The overlaps, and the lines; without these the other pairs are not decided.
 IntersectResult symmetric_result(const BezierPatch& x, const std::vector<Symmetry>& symmetries,
                                  std::optional<std::vector<Node>> lines, const Run& run) {
-  IntersectResult result = symmetric_overlaps(x, symmetries, run);
+  SymmetricOverlaps result = symmetric_overlaps(x, symmetries, run);
   if (!lines) {
     std::string why = "the patch covers its image more than once: (u, v)";
     for (const Symmetry& symmetry : symmetries) why += " and " + image_text(symmetry);
     result.incomplete.push_back({whole_domain(), why + " are one point; its other pairs are not decided"});
-    result.status = Status::incomplete;
-    return result;
+  } else {
+    for (Node& line : *lines) result.graph.add_isolated(result.graph.add_node(std::move(line)));
   }
-  for (Node& line : *lines) {
-    line.id = static_cast<int>(result.graph.nodes.size());
-    result.graph.isolated_points.push_back(line.id);
-    result.graph.nodes.push_back(std::move(line));
-  }
-  return result;
+  return finished(std::move(result.graph), {}, std::move(result.incomplete));
 }
 
 /// Empty if x has no symmetry, and is not folded outside of the square or meets itself.
@@ -130,17 +126,14 @@ bool is_planar_bilinear(const ControlNet& c) {
 /// Of a planar bilinear patch; empty for all others, and without c11.
 std::optional<IntersectResult> self_intersect_planar(const BezierPatch& x, const Run& run) {
   if (const auto fold = planar_fold(x))
-    return symmetric_overlaps(x, is_inside(*fold) ? std::vector{symmetry(*fold)} : std::vector<Symmetry>{},
-                              run);
+    return symmetric_result(x, is_inside(*fold) ? std::vector{symmetry(*fold)} : std::vector<Symmetry>{},
+                            std::vector<Node>{}, run);
   for (const std::size_t fixed : {0, 1}) {
     const std::optional<Rational> value = collapsed_line(fixed == 0 ? x : x.exchanged());
     if (!value) continue;
-    IntersectResult result{};
-    if (*value >= 0 && *value <= 1) {
-      result.graph.nodes.push_back(collapsed_line_node(x, fixed, *value));
-      result.graph.isolated_points.push_back(0);
-    }
-    return result;
+    GraphBuilder graph;
+    if (*value >= 0 && *value <= 1) graph.add_isolated(graph.add_node(collapsed_line_node(x, fixed, *value)));
+    return finished(std::move(graph), {}, {});
   }
   return std::nullopt;
 }
@@ -164,10 +157,7 @@ std::optional<IntersectResult> self_intersect_folded_plane(const BezierPatch& x)
       "the patch lies in a plane and folds over where x_u x x_v = 0: regions it covers more than once are "
       "not "
       "decided";
-  IntersectResult result{};
-  result.status = Status::incomplete;
-  result.incomplete.push_back({whole_domain(), why});
-  return result;
+  return undecided(whole_domain(), why);
 }
 
 }  // namespace
@@ -213,7 +203,6 @@ Node collapsed_line_node(const BezierPatch& x, std::size_t fixed, const Rational
   node.kinds.clear();
   if (!sides.empty()) node.kinds.push_back(NodeKind::boundary);
   node.free = {static_cast<Parameter>(1 - fixed), static_cast<Parameter>(3 - fixed)};
-  node.id = 0;
   return node;
 }
 

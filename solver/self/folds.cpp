@@ -35,7 +35,7 @@ Rational last_along(const FoldExpansion& fold) { return std::min<Rational>(1, 2 
 template <class Ball>
 class FoldArcs {
  public:
-  FoldArcs(IntersectionGraph& graph, const BezierPatch& x, const SelfSystem<Ball>& system,
+  FoldArcs(GraphBuilder& graph, const BezierPatch& x, const SelfSystem<Ball>& system,
            const ExactPlaces& exact, const SelfCurves<Ball>& found, const std::vector<TraceEnd>& ends,
            const ModelFrame& frame, double tolerance)
       : graph_(graph),
@@ -58,10 +58,9 @@ class FoldArcs {
     if (!has(last)) stations.push_back({last, static_cast<int>(*fold.end)});
     std::ranges::sort(stations, {}, &Station::at);
     for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
-      graph_.arcs.push_back(rim_arc(x_, {pair_at(fold, stations[i].at), stations[i].node},
-                                    {pair_at(fold, stations[i + 1].at), stations[i + 1].node},
-                                    fold.side ? ArcPlace::patch_boundary : ArcPlace::interior, tolerance_));
-      graph_.arcs.back().id = static_cast<int>(graph_.arcs.size()) - 1;
+      graph_.add_arc(rim_arc(x_, {pair_at(fold, stations[i].at), stations[i].node},
+                             {pair_at(fold, stations[i + 1].at), stations[i + 1].node},
+                             fold.side ? ArcPlace::patch_boundary : ArcPlace::interior, tolerance_));
     }
   }
 
@@ -98,12 +97,10 @@ class FoldArcs {
     }
     Node node = landmark_node(system_.pair, frame_, at, box, sides);
     node.kinds.push_back(NodeKind::cusp);
-    node.id = static_cast<int>(graph_.nodes.size());
-    graph_.nodes.push_back(std::move(node));
-    return graph_.nodes.back().id;
+    return graph_.add_node(std::move(node));
   }
 
-  IntersectionGraph& graph_;
+  GraphBuilder& graph_;
   const BezierPatch& x_;
   const SelfSystem<Ball>& system_;
   const ExactPlaces& exact_;
@@ -165,18 +162,18 @@ bool lies_on(const MultipleFold& fold, const SelfStar& star, std::size_t port) {
 }
 
 template <class Ball>
-void append_folds(IntersectionGraph& graph, const BezierPatch& x, const SelfSystem<Ball>& system,
+void append_folds(GraphBuilder& graph, const BezierPatch& x, const SelfSystem<Ball>& system,
                   const ExactPlaces& exact, const SelfCurves<Ball>& found, const std::vector<TraceEnd>& ends,
                   const ModelFrame& frame, double tolerance) {
   FoldArcs<Ball> arcs(graph, x, system, exact, found, ends, frame, tolerance);
   for (const MultipleFold& fold : exact.folds) arcs.append(fold);
 }
 
-#define EXSECT_INSTANTIATE_SELF_FOLDS(Ball)                                                             \
-  template class FoldNeighbourhoods<Ball>;                                                              \
-  template void append_folds(IntersectionGraph&, const BezierPatch&, const SelfSystem<Ball>&,           \
-                             const ExactPlaces&, const SelfCurves<Ball>&, const std::vector<TraceEnd>&, \
-                             const ModelFrame&, double);
+#define EXSECT_INSTANTIATE_SELF_FOLDS(Ball)                                                                  \
+  template class FoldNeighbourhoods<Ball>;                                                                   \
+  template void append_folds(GraphBuilder&, const BezierPatch&, const SelfSystem<Ball>&, const ExactPlaces&, \
+                             const SelfCurves<Ball>&, const std::vector<TraceEnd>&, const ModelFrame&,       \
+                             double);
 
 EXSECT_INSTANTIATE_SELF_FOLDS(DoubleBall)
 EXSECT_INSTANTIATE_SELF_FOLDS(ArbBall<256>)

@@ -34,7 +34,7 @@ bool lies_on(const MultipleFold& fold, const SelfStar& star, std::size_t port);
 /// turn. The nodes of turns that are no centres of stars are appended; `ends`: what the landmarks of `found`
 /// lead to.
 template <class Ball>
-void append_folds(IntersectionGraph& graph, const BezierPatch& x, const SelfSystem<Ball>& system,
+void append_folds(GraphBuilder& graph, const BezierPatch& x, const SelfSystem<Ball>& system,
                   const ExactPlaces& exact, const SelfCurves<Ball>& found, const std::vector<TraceEnd>& ends,
                   const ModelFrame& frame, double tolerance);
 

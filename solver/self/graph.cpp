@@ -46,8 +46,8 @@ struct ChartStop {
 template <class Ball>
 class ChartArcs {
  public:
-  ChartArcs(IntersectionGraph& graph, const SelfSystem<Ball>& system, const ChartTrace<Ball>& trace,
-            bool exchange, const ModelFrame& frame, double tolerance)
+  ChartArcs(GraphBuilder& graph, const SelfSystem<Ball>& system, const ChartTrace<Ball>& trace, bool exchange,
+            const ModelFrame& frame, double tolerance)
       : graph_(graph),
         system_(system),
         trace_(trace),
@@ -95,7 +95,7 @@ class ChartArcs {
   }
 
   void add_turning(const ChartTurningPoint<Ball>& point, const std::vector<Parameter>& wanted) {
-    Node node;
+    Node node{};
     for (const std::size_t j : point.parameters) {
       const auto p = static_cast<Parameter>(exchange_ ? (j + 2) % 4 : j);
       if (std::count(wanted.begin(), wanted.end(), p) > 0) {
@@ -109,7 +109,6 @@ class ChartArcs {
     const ChartPiece<Ball>& piece = trace_.pieces[point.piece];
     const BoundedVertex at =
         vertex_at(system_.chart(piece.chart), point.box, piece.exchanged != exchange_, frame_);
-    node.id = static_cast<int>(graph_.nodes.size());
     node.kinds = {NodeKind::turning};
     BallPoint<Ball> pair = pair_on(piece, point.box);
     exchange_if(exchange_, pair);
@@ -118,14 +117,12 @@ class ChartArcs {
     }
     node.approx = at.vertex.parameters;
     node.point = at.vertex.point;
-    graph_.nodes.push_back(node);
-    stops_.push_back({node.id, point.piece, 0.5 * (point.from + point.to), at});
+    const int id = graph_.add_node(std::move(node));
+    stops_.push_back({id, point.piece, 0.5 * (point.from + point.to), at});
   }
 
   Arc arc(const ChartStop& from, const ChartStop& to) const {
-    Arc result;
-    result.id = 0;
-    result.component = -1;
+    Arc result{};
     result.from = from.node;
     result.to = to.node;
     result.place = ArcPlace::interior;
@@ -165,7 +162,7 @@ class ChartArcs {
     return k * step * step / 8 * (1 + 0x1p-30);
   }
 
-  IntersectionGraph& graph_;
+  GraphBuilder& graph_;
   const SelfSystem<Ball>& system_;
   const ChartTrace<Ball>& trace_;
   bool exchange_;
@@ -182,8 +179,7 @@ Node cusp_node(const ChartSystem<Ball>& system, const CuspArc<Ball>& arc, const 
   const std::size_t first = arc.chart == Chart::first ? 0 : 1;
   const RationalInterval u = arc.cusp[first].interval();
   const RationalInterval v = arc.cusp[1 - first].interval();
-  Node node;
-  node.id = 0;
+  Node node{};
   node.kinds = {NodeKind::cusp};
   node.box = {u, v, u, v};
   node.approx = vertex.parameters;
@@ -203,7 +199,7 @@ Node cusp_node(const ChartSystem<Ball>& system, const CuspArc<Ball>& arc, const 
 }
 
 template <class Ball>
-std::vector<Arc> chart_arcs(IntersectionGraph& graph, const SelfSystem<Ball>& system,
+std::vector<Arc> chart_arcs(GraphBuilder& graph, const SelfSystem<Ball>& system,
                             const ChartTrace<Ball>& trace, bool exchange, const ModelFrame& frame,
                             const std::vector<Parameter>& wanted, double tolerance, int start, int end) {
   return ChartArcs<Ball>(graph, system, trace, exchange, frame, tolerance).run(wanted, start, end);
@@ -233,7 +229,7 @@ namespace {
 template <class Ball>
 class SelfGraph {
  public:
-  SelfGraph(IntersectionGraph& graph, const SelfSystem<Ball>& system, const SelfCurves<Ball>& found,
+  SelfGraph(GraphBuilder& graph, const SelfSystem<Ball>& system, const SelfCurves<Ball>& found,
             const std::vector<TraceEnd>& ends, const ModelFrame& frame, const std::vector<Parameter>& wanted,
             double tolerance)
       : graph_(graph),
@@ -243,10 +239,9 @@ class SelfGraph {
         frame_(frame),
         wanted_(wanted),
         tolerance_(tolerance) {
-    first_cusp_ = static_cast<int>(graph.nodes.size());
+    first_cusp_ = static_cast<int>(graph.nodes().size());
     for (const CuspArc<Ball>& cusp : found.cusps) {
-      graph.nodes.push_back(cusp_node(system.chart(cusp.chart), cusp, frame));
-      graph.nodes.back().id = static_cast<int>(graph.nodes.size()) - 1;
+      graph.add_node(cusp_node(system.chart(cusp.chart), cusp, frame));
     }
   }
 
@@ -257,12 +252,9 @@ class SelfGraph {
       }
     }
     for (const SelfCurve<Ball>& curve : found_.curves) {
-      const std::size_t before = graph_.arcs.size();
+      const auto before = static_cast<int>(graph_.arcs().size());
       append_trace(graph_, curve.analysed, found_.landmarks, ends_, frame_, wanted_, tolerance_);
-      std::vector<Arc> arcs(
-          std::make_move_iterator(graph_.arcs.begin() + static_cast<std::ptrdiff_t>(before)),
-          std::make_move_iterator(graph_.arcs.end()));
-      graph_.arcs.resize(before);
+      std::vector<Arc> arcs = graph_.take_arcs(before);
       if (const auto lead = arcs_to_gate(curve.analysed.trace.start)) {
         arcs = joined(*lead, std::move(arcs));
       }
@@ -292,11 +284,10 @@ class SelfGraph {
 
   void append(std::vector<Arc> arcs, const std::vector<Side>& on) {
     for (Arc& arc : arcs) {
-      arc.id = static_cast<int>(graph_.arcs.size());
       for (const Side& side : on) {
         put_on_side(arc, side);
       }
-      graph_.arcs.push_back(std::move(arc));
+      graph_.add_arc(std::move(arc));
     }
   }
 
@@ -308,7 +299,7 @@ class SelfGraph {
     }
   }
 
-  IntersectionGraph& graph_;
+  GraphBuilder& graph_;
   const SelfSystem<Ball>& system_;
   const SelfCurves<Ball>& found_;
   const std::vector<TraceEnd>& ends_;
@@ -321,19 +312,19 @@ class SelfGraph {
 }  // namespace
 
 template <class Ball>
-void append_self_curves(IntersectionGraph& graph, const SelfSystem<Ball>& system,
-                        const SelfCurves<Ball>& found, const std::vector<TraceEnd>& ends,
-                        const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance) {
+void append_self_curves(GraphBuilder& graph, const SelfSystem<Ball>& system, const SelfCurves<Ball>& found,
+                        const std::vector<TraceEnd>& ends, const ModelFrame& frame,
+                        const std::vector<Parameter>& wanted, double tolerance) {
   SelfGraph<Ball>(graph, system, found, ends, frame, wanted, tolerance).run();
 }
 
-#define EXSECT_INSTANTIATE_SELF_GRAPH(Ball)                                                                  \
-  template void append_self_curves(IntersectionGraph&, const SelfSystem<Ball>&, const SelfCurves<Ball>&,     \
-                                   const std::vector<TraceEnd>&, const ModelFrame&,                          \
-                                   const std::vector<Parameter>&, double);                                   \
-  template Node cusp_node(const ChartSystem<Ball>&, const CuspArc<Ball>&, const ModelFrame&);                \
-  template std::vector<Arc> chart_arcs(IntersectionGraph&, const SelfSystem<Ball>&, const ChartTrace<Ball>&, \
-                                       bool, const ModelFrame&, const std::vector<Parameter>&, double, int,  \
+#define EXSECT_INSTANTIATE_SELF_GRAPH(Ball)                                                                 \
+  template void append_self_curves(GraphBuilder&, const SelfSystem<Ball>&, const SelfCurves<Ball>&,         \
+                                   const std::vector<TraceEnd>&, const ModelFrame&,                         \
+                                   const std::vector<Parameter>&, double);                                  \
+  template Node cusp_node(const ChartSystem<Ball>&, const CuspArc<Ball>&, const ModelFrame&);               \
+  template std::vector<Arc> chart_arcs(GraphBuilder&, const SelfSystem<Ball>&, const ChartTrace<Ball>&,     \
+                                       bool, const ModelFrame&, const std::vector<Parameter>&, double, int, \
                                        int);
 
 EXSECT_INSTANTIATE_SELF_GRAPH(DoubleBall)

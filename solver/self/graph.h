@@ -9,18 +9,18 @@ namespace exsect {
 /// each other along each curve. Turning points with respect to `wanted` become nodes, polylines keep within
 /// `tolerance` (space units) of the curve where doubles can express that; Arc::error_bound is what is proved.
 template <class Ball>
-void append_self_curves(IntersectionGraph& graph, const SelfSystem<Ball>& system,
-                        const SelfCurves<Ball>& found, const std::vector<TraceEnd>& ends,
-                        const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance);
+void append_self_curves(GraphBuilder& graph, const SelfSystem<Ball>& system, const SelfCurves<Ball>& found,
+                        const std::vector<TraceEnd>& ends, const ModelFrame& frame,
+                        const std::vector<Parameter>& wanted, double tolerance);
 
-/// The node of a cuspidal point, with id 0.
+/// The node of a cuspidal point.
 template <class Ball>
 Node cusp_node(const ChartSystem<Ball>& system, const CuspArc<Ball>& arc, const ModelFrame& frame);
 
 /// The arcs of a trace in the charts, in the order of its pairs or exchanged, from node `start` to node `end`
 /// (-1: a gate); its turning points become nodes as above.
 template <class Ball>
-std::vector<Arc> chart_arcs(IntersectionGraph& graph, const SelfSystem<Ball>& system,
+std::vector<Arc> chart_arcs(GraphBuilder& graph, const SelfSystem<Ball>& system,
                             const ChartTrace<Ball>& trace, bool exchange, const ModelFrame& frame,
                             const std::vector<Parameter>& wanted, double tolerance, int start, int end);
 

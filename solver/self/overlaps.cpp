@@ -28,25 +28,21 @@ class OverlapBuilder {
       const ArcPlace place =
           is_on_cut(symmetry, ends[i].at, to.at) ? ArcPlace::interior : ArcPlace::patch_boundary;
       chain.push_back(rim_arc(x_, ends[i], to, place, run_.drawn_tolerance(scale_.extent)));
-      chain.back().id = static_cast<int>(i);
       if (!(chain.back().error_bound <= run_.tolerance(scale_.extent)))
-        incomplete(result_.graph.nodes[static_cast<std::size_t>(ends[i].node)].box, kTooFine);
+        incomplete(made_.graph.node(ends[i].node).box, kTooFine);
     }
-    result_.graph.overlaps.push_back({static_cast<int>(result_.graph.overlaps.size()), {std::move(chain)}});
+    made_.graph.add_overlap({std::move(chain)});
   }
 
-  IntersectResult result() {
-    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    return std::move(result_);
-  }
+  SymmetricOverlaps take() { return std::move(made_); }
 
  private:
   void incomplete(const ParameterBox& where, const std::string& why) {
-    result_.incomplete.push_back({where, why});
+    made_.incomplete.push_back({where, why});
   }
 
   int node(const ParameterPair& at) {
-    const auto [known, is_new] = nodes_.try_emplace(at, static_cast<int>(result_.graph.nodes.size()));
+    const auto [known, is_new] = nodes_.try_emplace(at, static_cast<int>(made_.graph.nodes().size()));
     if (!is_new) return known->second;
     ParameterBox box;
     BallPoint<DoubleBall> ball;
@@ -59,9 +55,7 @@ class OverlapBuilder {
     }
     Node node = landmark_node(system_, scale_.frame, ball, box, sides);
     if (at[0] == at[2] && at[1] == at[3]) node.kinds.push_back(NodeKind::cusp);
-    node.id = known->second;
-    result_.graph.nodes.push_back(node);
-    return node.id;
+    return made_.graph.add_node(std::move(node));
   }
 
   const BezierPatch& x_;
@@ -69,16 +63,16 @@ class OverlapBuilder {
   ModelScale scale_;
   PairSystem<DoubleBall> system_;
   std::map<ParameterPair, int> nodes_;
-  IntersectResult result_{};
+  SymmetricOverlaps made_;
 };
 
 }  // namespace
 
-IntersectResult symmetric_overlaps(const BezierPatch& x, const std::vector<Symmetry>& symmetries,
-                                   const Run& run) {
+SymmetricOverlaps symmetric_overlaps(const BezierPatch& x, const std::vector<Symmetry>& symmetries,
+                                     const Run& run) {
   OverlapBuilder overlaps(x, run);
   for (const Symmetry& symmetry : symmetries) overlaps.add(symmetry);
-  return overlaps.result();
+  return overlaps.take();
 }
 
 }  // namespace exsect

@@ -10,6 +10,8 @@
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
+#include "answer/finished_result.h"
+#include "trace/regular_degree.h"
 #include "self/curves.h"
 #include "self/cut_self_intersection.h"
 #include "self/degenerate.h"
@@ -38,18 +40,16 @@ class SelfIntersection {
 
   IntersectResult run() {
     find();
-    finish_components(result_.graph);
-    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    return std::move(result_);
+    return finished(std::move(graph_), {run_.turning(), RegularDegree(x_, x_), true},
+                    std::move(result_.incomplete));
   }
 
   std::optional<CutSelfIntersection> run_with_cuts() {
     find();
-    const bool collapsed =
-        std::ranges::any_of(result_.graph.nodes, [](const Node& n) { return !n.free.empty(); });
+    const bool collapsed = std::ranges::any_of(graph_.nodes(), [](const Node& n) { return !n.free.empty(); });
     if (!result_.incomplete.empty() || collapsed || nodes_of_cuts_.size() != cuts_.size())
       return std::nullopt;
-    return CutSelfIntersection{std::move(result_.graph), std::move(nodes_of_cuts_)};
+    return CutSelfIntersection{std::move(graph_), std::move(nodes_of_cuts_)};
   }
 
  private:
@@ -139,7 +139,6 @@ class SelfIntersection {
 
   template <class Ball>
   void build_graph(const SelfSystem<Ball>& system, const SelfCurves<Ball>& found) {
-    IntersectionGraph& graph = result_.graph;
     const std::size_t boundary = exact_.boundary.points.size();
     for (std::size_t i = 0; i < found.landmarks.size(); ++i) {
       ParameterBox box;
@@ -147,24 +146,23 @@ class SelfIntersection {
         box[j] = i < boundary ? exact_.boundary.points[i].box()[j] : found.landmarks[i][j].interval();
       }
       const std::vector<Side> sides = i < boundary ? exact_.boundary.points[i].sides() : std::vector<Side>{};
-      graph.nodes.push_back(landmark_node(system.pair, scaling_.frame, found.landmarks[i], box, sides));
-      graph.nodes.back().id = static_cast<int>(i);
+      graph_.add_node(landmark_node(system.pair, scaling_.frame, found.landmarks[i], box, sides));
     }
-    graph.isolated_points = found.isolated;
+    for (const int id : found.isolated) graph_.add_isolated(id);
     const double tolerance = run_.tolerance(scaling_.extent);
     const double used = run_.drawn_tolerance(scaling_.extent);
-    const std::vector<TraceEnd> ends = ends_at_stars(graph, x_, system, exact_, found, scaling_.frame);
-    append_folds(graph, x_, system, exact_, found, ends, scaling_.frame, used);
-    append_self_curves(graph, system, found, ends, scaling_.frame, run_.turning(), used);
+    const std::vector<TraceEnd> ends = ends_at_stars(graph_, x_, system, exact_, found, scaling_.frame);
+    append_folds(graph_, x_, system, exact_, found, ends, scaling_.frame, used);
+    append_self_curves(graph_, system, found, ends, scaling_.frame, run_.turning(), used);
     for (const SelfCurve<Ball>& curve : found.curves) {
       run_.count("tubes", static_cast<double>(curve.analysed.trace.pieces.size()));
     }
     for (const ChartTrace<Ball>& trace : found.chart_traces) {
       run_.count("tubes", static_cast<double>(trace.pieces.size()));
     }
-    for (const Arc& arc : graph.arcs) {
+    for (const Arc& arc : graph_.arcs()) {
       run_.count("vertices", static_cast<double>(arc.polyline.size()));
-      if (auto coarse = too_coarse(graph, arc, tolerance)) {
+      if (auto coarse = too_coarse(graph_, arc, tolerance)) {
         result_.incomplete.push_back(std::move(*coarse));
       }
     }
@@ -181,7 +179,7 @@ class SelfIntersection {
     const ParameterBox centre = star.star.centre.box();
     const ParameterBox box = place.landmark == 0 ? centre : exchanged_pair(centre);
     return std::ranges::find_if(
-               result_.graph.nodes,
+               graph_.nodes(),
                [&](const Node& node) { return lies_in(node.box, box) && lies_in(box, node.box); })
         ->id;
   }
@@ -191,10 +189,7 @@ class SelfIntersection {
     for (const auto& [fixed, value] : exact_.injective.along_sides) {
       const auto j = static_cast<std::size_t>(fixed);
       if (!is_collapsed_side(x_, j, value)) continue;
-      Node node = collapsed_line_node(x_, j, value);
-      node.id = static_cast<int>(result_.graph.nodes.size());
-      result_.graph.isolated_points.push_back(node.id);
-      result_.graph.nodes.push_back(std::move(node));
+      graph_.add_isolated(graph_.add_node(collapsed_line_node(x_, j, value)));
     }
   }
 
@@ -208,6 +203,7 @@ class SelfIntersection {
   std::vector<ParameterBox> undecided_;  // by all attempts
   TurningPairs pairs_;
   std::vector<std::vector<CutSelfIntersection::NodeOfCut>> nodes_of_cuts_;
+  GraphBuilder graph_;
   IntersectResult result_{};
 };
 
@@ -219,10 +215,8 @@ IntersectResult self_intersect(const BezierPatch& x, const IntersectOptions& opt
 }
 
 IntersectResult self_intersect_within(const Run& run, const BezierPatch& x) {
-  if (std::optional<IntersectResult> result = self_intersect_degenerate(x, run)) {
-    return std::move(*result);
-  }
-  return SelfIntersection(x, run, {}).run();
+  auto result = self_intersect_degenerate(x, run);
+  return result ? std::move(*result) : SelfIntersection(x, run, {}).run();
 }
 
 std::optional<CutSelfIntersection> cut_self_intersection(const BezierPatch& x, const Run& run,

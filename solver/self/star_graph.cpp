@@ -20,7 +20,7 @@ std::array<T, 4> in_order(const std::array<T, 4>& p, bool exchange) {
 template <class Ball>
 class StarEnds {
  public:
-  StarEnds(IntersectionGraph& graph, const BezierPatch& x, const SelfSystem<Ball>& system,
+  StarEnds(GraphBuilder& graph, const BezierPatch& x, const SelfSystem<Ball>& system,
            const ExactPlaces& exact, const SelfCurves<Ball>& found, const ModelFrame& frame)
       : graph_(graph), x_(x), system_(system), exact_(exact), found_(found), frame_(frame) {}
 
@@ -48,17 +48,15 @@ class StarEnds {
       result[1] = star.cuspidal ? result[0] : add_node(star, true);
     }
     for (const int id : star.cuspidal ? std::vector{result[0]} : std::vector{result[0], result[1]})
-      classify(graph_.nodes[static_cast<std::size_t>(id)], star);
-    if (star.star.ports.empty() && !star.cuspidal) graph_.isolated_points.push_back(result[0]);
+      classify(id, star);
+    if (star.star.ports.empty() && !star.cuspidal) graph_.add_isolated(result[0]);
     return result;
   }
 
   int add_node(const SelfStar& star, bool exchange) {
     const BallPoint<Ball> at = in_order(enclose<Ball>(star.star.centre, power_of_two(-100)), exchange);
-    graph_.nodes.push_back(landmark_node(system_.pair, frame_, at, in_order(star.star.centre.box(), exchange),
+    return graph_.add_node(landmark_node(system_.pair, frame_, at, in_order(star.star.centre.box(), exchange),
                                          sides(star.star.centre, exchange)));
-    graph_.nodes.back().id = static_cast<int>(graph_.nodes.size()) - 1;
-    return graph_.nodes.back().id;
   }
 
   static std::vector<Side> sides(const CertifiedPoint& point, bool exchange) {
@@ -69,14 +67,15 @@ class StarEnds {
     return result;
   }
 
-  void classify(Node& node, const SelfStar& star) const {
+  void classify(int id, const SelfStar& star) const {
     const std::size_t degree = star.star.ports.size();
     if (star.cuspidal) {
-      node.kinds.push_back(NodeKind::cusp);
+      graph_.add_kind(id, NodeKind::cusp);
     } else if (degree >= 3 || is_known_singular(x_, x_, star.star.centre)) {
-      node.kinds.push_back(degree == 0                      ? NodeKind::touch
-                           : node.on.empty() && degree == 2 ? NodeKind::cusp
-                                                            : NodeKind::crossing);
+      const bool inside = graph_.node(id).on.empty();
+      graph_.add_kind(id, degree == 0             ? NodeKind::touch
+                          : inside && degree == 2 ? NodeKind::cusp
+                                                  : NodeKind::crossing);
     }
   }
 
@@ -95,7 +94,7 @@ class StarEnds {
     return result;
   }
 
-  IntersectionGraph& graph_;
+  GraphBuilder& graph_;
   const BezierPatch& x_;
   const SelfSystem<Ball>& system_;
   const ExactPlaces& exact_;
@@ -106,16 +105,16 @@ class StarEnds {
 }  // namespace
 
 template <class Ball>
-std::vector<TraceEnd> ends_at_stars(IntersectionGraph& graph, const BezierPatch& x,
-                                    const SelfSystem<Ball>& system, const ExactPlaces& exact,
-                                    const SelfCurves<Ball>& found, const ModelFrame& frame) {
+std::vector<TraceEnd> ends_at_stars(GraphBuilder& graph, const BezierPatch& x, const SelfSystem<Ball>& system,
+                                    const ExactPlaces& exact, const SelfCurves<Ball>& found,
+                                    const ModelFrame& frame) {
   return StarEnds<Ball>(graph, x, system, exact, found, frame).run();
 }
 
-#define EXSECT_INSTANTIATE_SELF_STAR_GRAPH(Ball)                                            \
-  template std::vector<TraceEnd> ends_at_stars(IntersectionGraph&, const BezierPatch&,      \
-                                               const SelfSystem<Ball>&, const ExactPlaces&, \
-                                               const SelfCurves<Ball>&, const ModelFrame&);
+#define EXSECT_INSTANTIATE_SELF_STAR_GRAPH(Ball)                                                           \
+  template std::vector<TraceEnd> ends_at_stars(GraphBuilder&, const BezierPatch&, const SelfSystem<Ball>&, \
+                                               const ExactPlaces&, const SelfCurves<Ball>&,                \
+                                               const ModelFrame&);
 
 EXSECT_INSTANTIATE_SELF_STAR_GRAPH(DoubleBall)
 EXSECT_INSTANTIATE_SELF_STAR_GRAPH(ArbBall<256>)

@@ -9,8 +9,8 @@ namespace exsect {
 /// stars whose centres are not among them, two unless the centre is a cuspidal point: the pair in both
 /// orders. Isolated centres are listed as such.
 template <class Ball>
-std::vector<TraceEnd> ends_at_stars(IntersectionGraph& graph, const BezierPatch& x,
-                                    const SelfSystem<Ball>& system, const ExactPlaces& exact,
-                                    const SelfCurves<Ball>& found, const ModelFrame& frame);
+std::vector<TraceEnd> ends_at_stars(GraphBuilder& graph, const BezierPatch& x, const SelfSystem<Ball>& system,
+                                    const ExactPlaces& exact, const SelfCurves<Ball>& found,
+                                    const ModelFrame& frame);
 
 }  // namespace exsect

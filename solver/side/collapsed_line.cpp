@@ -92,19 +92,4 @@ Node collapsed_node(const CertifiedPoint& inside, const Node& at_inside, Paramet
   return node;
 }
 
-void contract(IntersectionGraph& graph, const std::vector<int>& nodes, Node replacement) {
-  const auto replaced = [&](int id) { return std::find(nodes.begin(), nodes.end(), id) != nodes.end(); };
-  replacement.id = static_cast<int>(graph.nodes.size());
-  bool used = false;
-  for (Arc& arc : graph.arcs)
-    for (int* end : {&arc.from, &arc.to})
-      if (replaced(*end)) {
-        *end = replacement.id;
-        used = true;
-      }
-  std::erase_if(graph.isolated_points, replaced);
-  if (!used) graph.isolated_points.push_back(replacement.id);
-  graph.nodes.push_back(std::move(replacement));
-}
-
 }  // namespace exsect

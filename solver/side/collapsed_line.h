@@ -16,8 +16,4 @@ LineArcs arcs_of_collapsed_line(const BezierPatch& x, const BezierPatch& y, cons
 /// point of the arc.
 Node collapsed_node(const CertifiedPoint& inside, const Node& at_inside, Parameter along);
 
-/// Puts one node in the place of others: the ends of arcs are moved to it, and the others are no isolated
-/// points any more; it is one if no arc ends in it.
-void contract(IntersectionGraph& graph, const std::vector<int>& nodes, Node replacement);
-
 }  // namespace exsect

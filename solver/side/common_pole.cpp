@@ -3,6 +3,7 @@
 #include <array>
 
 #include "answer/exact_source.h"
+#include "answer/finished_result.h"
 #include "line/line_place.h"
 #include "side/collapsed_line.h"
 #include "trace/landmark_node.h"

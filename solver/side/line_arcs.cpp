@@ -335,12 +335,12 @@ class LineArcSearch {
     const BezierPatch carrier = ribbon(problem_.line, normal);
     const PairSystem<Ball> system(carrier, problem_.patch, scale_.origin, scale_.frame.exponent);
     Landmarks<Ball> landmarks;
-    IntersectionGraph scratch;
+    GraphBuilder scratch;
     const auto add = [&](const CertifiedPoint& point) {
       const ParameterBox box = on_ribbon(point, width);
       landmarks.push_back({Ball::enclosing(box[0]), Ball::enclosing(box[1]), Ball::enclosing(box[2]),
                            Ball::enclosing(box[3])});
-      scratch.nodes.push_back(landmark_node(system, scale_.frame, landmarks.back(), box, {}));
+      scratch.add_node(landmark_node(system, scale_.frame, landmarks.back(), box, {}));
     };
     std::for_each(result_.ends.begin(), result_.ends.end(), add);
     std::for_each(targets.begin(), targets.end(), add);
@@ -359,7 +359,8 @@ class LineArcSearch {
     AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
     append_trace(scratch, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame, {},
                  tolerance_);
-    Run run{curve.trace.end, std::move(scratch.arcs.front().polyline), scratch.arcs.front().error_bound, {}};
+    Arc arc = std::move(scratch.take_arcs(0).front());
+    Run run{curve.trace.end, std::move(arc.polyline), arc.error_bound, {}};
     for (const Piece<Ball>& piece : curve.trace.pieces) run.hulls.push_back(hull_of(piece));
     return run;
   }

@@ -7,6 +7,8 @@
 #include "answer/model_scale.h"
 #include "curve/plane_curve.h"
 #include "curve/polynomial_vector.h"
+#include "answer/finished_result.h"
+#include "trace/regular_degree.h"
 #include "side/common_pole.h"
 #include "trace/bounded_vertex.h"
 #include "trace/enclose.h"
@@ -66,12 +68,10 @@ class TwoCones {
     if (many || have_common_zero({c_.begin(), c_.end()}) || have_common_zero({d_.begin(), d_.end()}))
       return std::nullopt;
     const CertifiedPoint inside = pair_on(apex_, Rational(1, 2), Rational(1, 2));
-    result_.graph.nodes = {pole_node(apex_, inside, node_of(inside))};
-    for (const TriangularPoint& at : common.points) add_ruling(at);
-    if (result_.graph.arcs.empty()) result_.graph.isolated_points = {0};
-    finish_components(result_.graph);
-    result_.status = Status::complete;
-    return std::move(result_);
+    const int apex = graph_.add_node(pole_node(apex_, inside, node_of(inside)));
+    for (const TriangularPoint& at : common.points) add_ruling(at, apex);
+    if (graph_.arcs().empty()) graph_.add_isolated(apex);
+    return finished(std::move(graph_), {{}, RegularDegree(x_, y_)}, {});
   }
 
  private:
@@ -104,7 +104,7 @@ class TwoCones {
   }
 
   /// c(v) = f d(s), f > 0: from the apex to u = 1, r = f or u = 1/f, r = 1.
-  void add_ruling(const TriangularPoint& at) {
+  void add_ruling(const TriangularPoint& at, int apex) {
     std::size_t k = 0;
     while (sign_at(d_[k], at) == 0) ++k;
     if (sign_at(c_[k], at) != sign_at(d_[k], at)) return;
@@ -125,16 +125,13 @@ class TwoCones {
         cross(c_, PolynomialVector{c_[0].derivative_r(), c_[1].derivative_r(), c_[2].derivative_r()});
     const bool touch = sign_at(dot(normal, turn), at) == 0;
     Arc arc{};
-    arc.id = static_cast<int>(result_.graph.arcs.size());
-    arc.component = -1;
-    arc.to = static_cast<int>(result_.graph.nodes.size());
+    arc.from = apex;
+    arc.to = graph_.add_node(node_of(end));
     arc.place = on_side ? ArcPlace::patch_boundary : ArcPlace::interior;
     arc.contact = touch ? Contact::tangential : Contact::transversal;
     arc.polyline = {from.vertex, to.vertex};
     arc.error_bound = std::max(from.error, to.error);
-    result_.graph.arcs.push_back(std::move(arc));
-    result_.graph.nodes.push_back(node_of(end));
-    result_.graph.nodes.back().id = result_.graph.arcs.back().to;
+    graph_.add_arc(std::move(arc));
   }
 
   const BezierPatch& x_;
@@ -145,7 +142,7 @@ class TwoCones {
   PolynomialVector d_;
   ModelScale scale_ = model_scale(x_, y_);
   PairSystem<DoubleBall> system_{x_, y_, scale_.origin, scale_.frame.exponent};
-  IntersectResult result_{};
+  GraphBuilder graph_;
 };
 
 }  // namespace

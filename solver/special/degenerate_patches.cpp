@@ -12,6 +12,7 @@
 #include "answer/parameter_box.h"
 #include "answer/parameter_names.h"
 #include "curve/plane_curve.h"
+#include "answer/finished_result.h"
 #include "line/exact_line_points.h"
 #include "line/line_system.h"
 #include "shape/patch_shape.h"
@@ -97,9 +98,7 @@ class DegeneratePair {
     } else {
       second == PatchShape::surface ? curve_on_surface() : curve_on_curve();
     }
-    finish_components(result_.graph);
-    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    return std::move(result_);
+    return finished(std::move(graph_), {}, std::move(result_.incomplete));
   }
 
  private:
@@ -117,6 +116,10 @@ class DegeneratePair {
   }
 
   void add_point(ParameterBox box, std::vector<Parameter> free) {
+    graph_.add_isolated(add_node(std::move(box), std::move(free)));
+  }
+
+  int add_node(ParameterBox box, std::vector<Parameter> free) {
     for (const Parameter p : free) box[index(p)] = {0, 1};
     const PairSystem<DoubleBall> system(x_, y_, scale_.origin, scale_.frame.exponent);
     const BallPoint<DoubleBall> ball = {DoubleBall::enclosing(box[0]), DoubleBall::enclosing(box[1]),
@@ -124,9 +127,7 @@ class DegeneratePair {
     Node node = landmark_node(system, scale_.frame, ball, box, sides_of(box));
     if (node.on.empty()) node.kinds.clear();
     node.free = std::move(free);
-    node.id = static_cast<int>(result_.graph.nodes.size());
-    result_.graph.isolated_points.push_back(node.id);
-    result_.graph.nodes.push_back(std::move(node));
+    return graph_.add_node(std::move(node));
   }
 
   void point_on_curve(PatchShape second) {
@@ -220,11 +221,7 @@ class DegeneratePair {
                 const std::function<bool(const LineArc&)>& wanted) {
     std::vector<int> nodes(arcs.ends.size(), -1);
     const auto node = [&](std::size_t end) {
-      if (nodes[end] < 0) {
-        add_point(arcs.ends[end].box(), free);
-        nodes[end] = result_.graph.isolated_points.back();
-        result_.graph.isolated_points.pop_back();
-      }
+      if (nodes[end] < 0) nodes[end] = add_node(arcs.ends[end].box(), free);
       return nodes[end];
     };
     for (const LineArc& arc : arcs.arcs)
@@ -234,8 +231,6 @@ class DegeneratePair {
 
   void add_arc(const LineArc& line_arc, int from, int to, const std::vector<Parameter>& free) {
     Arc arc{};
-    arc.id = static_cast<int>(result_.graph.arcs.size());
-    arc.component = -1;
     arc.from = from;
     arc.to = to;
     const auto runs_along = [&](const Side& side) {
@@ -252,7 +247,7 @@ class DegeneratePair {
     if (!(arc.error_bound <= run_.tolerance(scale_.extent)))
       incomplete("the tolerance is below what a polyline in doubles can be proved to keep");
     arc.free = free;
-    result_.graph.arcs.push_back(std::move(arc));
+    graph_.add_arc(std::move(arc));
   }
 
   const BezierPatch& x_;
@@ -260,6 +255,7 @@ class DegeneratePair {
   const Run& run_;
   ModelScale scale_;
   StopRequest stop_ = run_.stop();
+  GraphBuilder graph_;
   IntersectResult result_{};
 };
 

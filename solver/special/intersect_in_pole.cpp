@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "answer/graph_builder.h"
+#include "answer/finished_result.h"
 #include "answer/model_scale.h"
 #include "curve/half_space.h"
 #include "side/common_pole.h"
@@ -41,13 +42,10 @@ std::optional<IntersectResult> intersect_in_pole(const BezierPatch& x, const Bez
   const ModelScale scale = model_scale(x, y);
   const PairSystem<DoubleBall> system(x, y, scale.origin, scale.frame.exponent);
   const auto ball = enclose<DoubleBall>(inside, power_of_two(-50));
-  IntersectResult result{};
-  result.graph.nodes = {pole_node(poles.front(), inside,
-                                  landmark_node(system, scale.frame, ball, inside.box(), inside.sides()))};
-  result.graph.isolated_points = {result.graph.nodes.front().id};
-  finish_components(result.graph);
-  result.status = Status::complete;
-  return result;
+  GraphBuilder graph;
+  graph.add_isolated(graph.add_node(pole_node(
+      poles.front(), inside, landmark_node(system, scale.frame, ball, inside.box(), inside.sides()))));
+  return finished(std::move(graph), {}, {});
 }
 
 }  // namespace exsect

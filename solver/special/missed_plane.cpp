@@ -3,6 +3,7 @@
 #include <exsect/algebra/real_algebraic.h>
 #include <exsect/geometry/pull_back.h>
 
+#include "answer/finished_result.h"
 #include "shape/planar_patch.h"
 
 namespace exsect {
@@ -30,8 +31,7 @@ bool misses_plane_of(const BezierPatch& planar, const BezierPatch& other) {
 
 std::optional<IntersectResult> intersect_missed_plane(const BezierPatch& x, const BezierPatch& y) {
   if (!misses_plane_of(x, y) && !misses_plane_of(y, x)) return std::nullopt;
-  IntersectResult result{};
-  result.status = Status::complete;
+  return finished({}, {}, {});
   return result;
 }
 

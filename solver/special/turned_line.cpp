@@ -38,15 +38,15 @@ TurnedLine::TurnedLine(const BezierPatch& x, const BezierPatch& y, Side side, co
     arcs_ = line_arcs(x, y, {side.parameter, side.value}, scale, tolerance, stop, false);
 }
 
-std::optional<std::vector<bool>> TurnedLine::arcs_along(const IntersectionGraph& graph) const {
+std::optional<std::vector<bool>> TurnedLine::arcs_along(const GraphBuilder& graph) const {
   if (isolated_.incomplete || arcs_.incomplete) return std::nullopt;
-  std::vector<bool> along(graph.arcs.size(), false);
+  std::vector<bool> along(graph.arcs().size(), false);
   if (arcs_.arcs.empty()) return along;
-  std::vector<RationalInterval> ranges(graph.arcs.size());
+  std::vector<RationalInterval> ranges(graph.arcs().size());
   for (std::size_t i = 0; i < along.size(); ++i) {
-    const Arc& arc = graph.arcs[i];
-    const Node& from = graph.nodes[static_cast<std::size_t>(arc.from)];
-    const Node& to = graph.nodes[static_cast<std::size_t>(arc.to)];
+    const Arc& arc = graph.arcs()[i];
+    const Node& from = graph.node(arc.from);
+    const Node& to = graph.node(arc.to);
     along[i] = arc.place == ArcPlace::patch_boundary && lies_on(from, side_) && lies_on(to, side_) &&
                std::all_of(arc.polyline.begin(), arc.polyline.end(), [&](const PolylineVertex& vertex) {
                  return vertex.parameters[index(side_.parameter)] == side_.value;
@@ -81,33 +81,35 @@ bool TurnedLine::is_singular(const Node& node) const {
   return near.size() == 1 && is_known_singular(x_, y_, *near.front());
 }
 
-void mark_turned_line(IntersectResult& result, const BezierPatch& x, const BezierPatch& y, Side side,
-                      const ModelScale& scale, double tolerance, const StopRequest& stop) {
-  IntersectionGraph& graph = result.graph;
-  if (std::none_of(graph.nodes.begin(), graph.nodes.end(), [&](const Node& n) { return lies_on(n, side); }))
+void mark_turned_line(GraphBuilder& graph, std::vector<Incomplete>& undecided, const BezierPatch& x,
+                      const BezierPatch& y, Side side, const ModelScale& scale, double tolerance,
+                      const StopRequest& stop) {
+  if (std::none_of(graph.nodes().begin(), graph.nodes().end(),
+                   [&](const Node& n) { return lies_on(n, side); }))
     return;
   const TurnedLine line(x, y, side, scale, tolerance, stop);
   const auto along = line.arcs_along(graph);
   if (!along) {
     Incomplete unknown = {whole_domain(), kNotToldApart};
     unknown.where[index(side.parameter)] = {side.value, side.value};
-    result.incomplete.push_back(std::move(unknown));
+    undecided.push_back(std::move(unknown));
     return;
   }
-  std::vector<std::size_t> degree(graph.nodes.size(), 0);
-  std::vector<bool> touching(graph.nodes.size(), false);  // an arc whose points are all singular ends here
-  for (std::size_t i = 0; i < graph.arcs.size(); ++i) {
-    Arc& arc = graph.arcs[i];
-    if ((*along)[i]) arc.contact = Contact::tangential;
+  std::vector<std::size_t> degree(graph.nodes().size(), 0);
+  std::vector<bool> touching(graph.nodes().size(), false);  // an arc whose points are all singular ends here
+  for (std::size_t i = 0; i < graph.arcs().size(); ++i) {
+    if ((*along)[i]) graph.set_contact(static_cast<int>(i), Contact::tangential);
+    const Arc& arc = graph.arcs()[i];
     for (const int end : {arc.from, arc.to}) {
       ++degree[static_cast<std::size_t>(end)];
       if (arc.contact == Contact::tangential) touching[static_cast<std::size_t>(end)] = true;
     }
   }
-  for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
-    Node& node = graph.nodes[i];
+  for (std::size_t i = 0; i < graph.nodes().size(); ++i) {
+    const Node& node = graph.nodes()[i];
     if (!lies_on(node, side) || touching[i] || !node.free.empty() || has_singular_kind(node)) continue;
-    if (line.is_singular(node)) node.kinds.push_back(degree[i] == 0 ? NodeKind::touch : NodeKind::crossing);
+    if (line.is_singular(node))
+      graph.add_kind(node.id, degree[i] == 0 ? NodeKind::touch : NodeKind::crossing);
   }
 }
 

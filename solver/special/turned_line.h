@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "answer/graph_builder.h"
 #include "side/line_arcs.h"
 
 namespace exsect {
@@ -18,7 +19,7 @@ class TurnedLine {
              const StopRequest& stop);
 
   /// Which arcs of the graph of x = y lie on the line; empty if that is not decided.
-  std::optional<std::vector<bool>> arcs_along(const IntersectionGraph& graph) const;
+  std::optional<std::vector<bool>> arcs_along(const GraphBuilder& graph) const;
   /// The node's point, on the line but on none of its arcs, is known to be singular.
   bool is_singular(const Node& node) const;
 
@@ -34,8 +35,10 @@ class TurnedLine {
 bool lies_on(const Node& node, const Side& side);
 
 /// Marks in the graph of x = y that one patch is singular along the side: arcs on it are tangential, and its
-/// points at which the curve is singular have a kind, apart from ends of tangential arcs.
-void mark_turned_line(IntersectResult& result, const BezierPatch& x, const BezierPatch& y, Side side,
-                      const ModelScale& scale, double tolerance, const StopRequest& stop);
+/// points at which the curve is singular have a kind, apart from ends of tangential arcs. What is not decided
+/// is appended to `undecided`.
+void mark_turned_line(GraphBuilder& graph, std::vector<Incomplete>& undecided, const BezierPatch& x,
+                      const BezierPatch& y, Side side, const ModelScale& scale, double tolerance,
+                      const StopRequest& stop);
 
 }  // namespace exsect

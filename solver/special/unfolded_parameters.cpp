@@ -7,6 +7,8 @@
 
 #include "answer/model_scale.h"
 #include "answer/parameter_names.h"
+#include "answer/finished_result.h"
+#include "trace/regular_degree.h"
 #include "shape/folded_patch.h"
 #include "special/turned_line.h"
 
@@ -105,11 +107,12 @@ IntersectResult folded_back(const UnfoldedPair& pair, IntersectResult of_squares
     if (unfolding.reversed) reverse_parameter(of_squares, unfolding.parameter);
   }
   const ModelScale scale = model_scale(x, y);
+  GraphBuilder graph(std::move(of_squares.graph));
   for (const Unfolding& unfolding : pair.unfoldings)
     if (const auto side = unfolding.turned_side())
-      mark_turned_line(of_squares, x, y, *side, scale, run.drawn_tolerance(scale.extent), run.stop());
-  of_squares.status = of_squares.incomplete.empty() ? Status::complete : Status::incomplete;
-  return of_squares;
+      mark_turned_line(graph, of_squares.incomplete, x, y, *side, scale, run.drawn_tolerance(scale.extent),
+                       run.stop());
+  return finished(std::move(graph), {run.turning(), RegularDegree(x, y)}, std::move(of_squares.incomplete));
 }
 
 }  // namespace exsect

@@ -18,7 +18,7 @@ bool leaves_sides(const StarNeighbourhood& star) {
 
 template <class Ball>
 void BoundaryGraph<Ball>::incomplete(const ParameterBox& where, const std::string& why) {
-  result_.incomplete.push_back({where, why});
+  undecided_.push_back({where, why});
 }
 
 template <class Ball>
@@ -55,7 +55,7 @@ void BoundaryGraph<Ball>::add_side_arc(const SideArc& whole) {
   std::size_t cut = 0;
   for (std::size_t i = 1; i < whole.polyline.size(); ++i) {
     for (; cut < cuts.size() && cuts[cut].first <= whole.polyline[i].parameters[along]; ++cut) {
-      const Node& node = result_.graph.nodes[static_cast<std::size_t>(cuts[cut].second)];
+      const Node& node = graph_.node(cuts[cut].second);
       polyline.push_back({node.approx, node.point});
       finish(node.id);
       polyline = {{node.approx, node.point}};
@@ -78,7 +78,7 @@ void BoundaryGraph<Ball>::contract_side(const SideArc& arc) {
   }
   const auto ball = enclose<Ball>(arc.inside, power_of_two(-50));
   const Node inside = landmark_node(system_, frame_, ball, arc.inside.box(), arc.inside.sides());
-  exsect::contract(result_.graph, nodes, collapsed_node(arc.inside, inside, along));
+  graph_.contract(nodes, collapsed_node(arc.inside, inside, along));
 }
 
 /// All landmarks on the pole are one node.
@@ -93,7 +93,7 @@ void BoundaryGraph<Ball>::contract_pole(const CommonPole& pole) {
   const CertifiedPoint inside = pair_on(pole, Rational(1, 2), Rational(1, 2));
   const Node node =
       landmark_node(system_, frame_, enclose<Ball>(inside, power_of_two(-50)), inside.box(), inside.sides());
-  exsect::contract(result_.graph, nodes, pole_node(pole, inside, node));
+  graph_.contract(nodes, pole_node(pole, inside, node));
 }
 
 /// The star's centre is a point of the arc, not an end: the only arc on that side that can reach it.
@@ -120,16 +120,14 @@ bool BoundaryGraph<Ball>::lies_inside(const CertifiedPoint& centre, const SideAr
 template <class Ball>
 void BoundaryGraph<Ball>::push_side_arc(int from, int to, const SideArc& whole,
                                         const std::vector<PolylineVertex>& polyline, bool tangential) {
-  Arc arc;
-  arc.id = static_cast<int>(result_.graph.arcs.size());
-  arc.component = -1;
+  Arc arc{};
   arc.from = from;
   arc.to = to;
   arc.place = ArcPlace::patch_boundary;
   arc.contact = tangential ? Contact::tangential : Contact::transversal;
   arc.polyline = polyline;
   arc.error_bound = 2 * whole.error_bound;  // a node in the middle is within the bound of the chord it splits
-  result_.graph.arcs.push_back(std::move(arc));
+  graph_.add_arc(std::move(arc));
 }
 
 namespace {

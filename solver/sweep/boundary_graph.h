@@ -28,14 +28,15 @@ class BoundaryGraph {
 
   BoundaryGraph(const Patches& pair, const PairSystem<Ball>& system, const ModelFrame& frame,
                 const BoundaryLines& sides, const std::vector<StarNeighbourhood>& stars,
-                const std::vector<int>& star_nodes, IntersectResult& result)
+                const std::vector<int>& star_nodes, GraphBuilder& graph, std::vector<Incomplete>& undecided)
       : pair_(pair),
         system_(system),
         frame_(frame),
         sides_(sides),
         stars_(stars),
         star_nodes_(star_nodes),
-        result_(result) {}
+        graph_(graph),
+        undecided_(undecided) {}
 
   /// The arcs on sides that are curves.
   void add_arcs();
@@ -59,7 +60,8 @@ class BoundaryGraph {
   const BoundaryLines& sides_;
   const std::vector<StarNeighbourhood>& stars_;
   const std::vector<int>& star_nodes_;
-  IntersectResult& result_;
+  GraphBuilder& graph_;
+  std::vector<Incomplete>& undecided_;
 };
 
 }  // namespace exsect

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trace/regular_degree.h"
+#include "answer/finished_result.h"
 #include "answer/exact_source.h"
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
@@ -80,9 +82,8 @@ class Intersection {
         trace_and_build<ArbBall<256>>(power_of_two(-200), true);
       }
     }
-    finish_components(result_.graph);
-    result_.status = result_.incomplete.empty() ? Status::complete : Status::incomplete;
-    return std::move(result_);
+    return finished(std::move(graph_), {run_.turning(), RegularDegree(x_, y_)},
+                    std::move(result_.incomplete));
   }
 
  private:
@@ -215,10 +216,10 @@ class Intersection {
       return false;
     }
     timed("graph", [&] { build_graph(system, landmarks, traced); });
-    const std::vector<Incomplete> coarse = coarse_arcs();
+    const std::vector<Incomplete> coarse = coarse_arcs(graph_, run_.tolerance(scaling_.extent));
     const bool precision_may_help = traced.problems.empty() && run_.can_keep_tolerance();
     if (!coarse.empty() && !last && precision_may_help && result_.incomplete.empty()) {
-      result_.graph = {};
+      graph_ = {};
       return false;
     }
     result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
@@ -227,26 +228,13 @@ class Intersection {
     return true;
   }
 
-  std::vector<Incomplete> coarse_arcs() const {
-    std::vector<Incomplete> result;
-    for (const Arc& arc : result_.graph.arcs) {
-      if (auto coarse = too_coarse(result_.graph, arc, run_.tolerance(scaling_.extent))) {
-        result.push_back(std::move(*coarse));
-      }
-    }
-    return result;
-  }
-
   /// The nodes of boundary points and stars, and what the landmarks lead to.
   template <class Ball>
   std::vector<TraceEnd> add_landmark_nodes(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks) {
-    IntersectionGraph& graph = result_.graph;
     std::vector<std::optional<int>> star_nodes(sweep_.stars.size());
     star_nodes_.assign(sweep_.stars.size(), 0);
     const auto add = [&](const BallPoint<Ball>& ball, const CertifiedPoint& point) {
-      graph.nodes.push_back(landmark_node(system, scaling_.frame, ball, point.box(), point.sides()));
-      graph.nodes.back().id = static_cast<int>(graph.nodes.size()) - 1;
-      return graph.nodes.back().id;
+      return graph_.add_node(landmark_node(system, scaling_.frame, ball, point.box(), point.sides()));
     };
     std::vector<TraceEnd> ends;
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
@@ -267,7 +255,7 @@ class Intersection {
       }
       star_nodes_[k] = *star_nodes[k];
       if (star.ports.empty() || leaves_sides(star)) {
-        classify(graph.nodes[static_cast<std::size_t>(*star_nodes[k])], star);
+        classify(*star_nodes[k], star);
       }
       for (std::size_t i = 0; i < landmarks.size(); ++i) {
         if (sweep_.landmarks[i].side != 0 && sweep_.landmarks[i].star == k) {
@@ -295,60 +283,63 @@ class Intersection {
   }
 
   /// The node of a regular point inside both squares with two arcs.
-  void add_turning(Node& node, const StarNeighbourhood& star) {
+  void add_turning(int node, const StarNeighbourhood& star) {
     const auto turning = turning_parameters(star);
     if (!turning) {
-      incomplete(node.box, "whether a parameter turns at this point is not decided");
+      incomplete(graph_.node(node).box, "whether a parameter turns at this point is not decided");
       return;
     }
+    std::vector<Parameter> wrt;
     for (const Parameter p : *turning) {
       if (std::count(run_.turning().begin(), run_.turning().end(), p) > 0) {
-        node.wrt.push_back(p);
+        wrt.push_back(p);
       }
     }
-    if (!node.wrt.empty()) {
-      node.kinds.push_back(NodeKind::turning);
+    if (!wrt.empty()) {
+      graph_.add_kind(node, NodeKind::turning);
+      graph_.set_turning(node, std::move(wrt));
     }
   }
 
   /// The kind of a star's node; an isolated point is listed as such.
-  void classify(Node& node, const StarNeighbourhood& star) {
+  void classify(int node, const StarNeighbourhood& star) {
     const std::size_t degree = star.ports.size();
     if (degree == 0) {
-      result_.graph.isolated_points.push_back(node.id);
+      graph_.add_isolated(node);
     }
-    const bool inside = node.on.empty();  // on a side further branches may lie outside
+    const bool inside = graph_.node(node).on.empty();  // on a side further branches may lie outside
     if (degree < 3 && !is_known_singular(x_, y_, star.centre)) {
       if (inside && degree == 2) {
         add_turning(node, star);
       }
       return;
     }
-    node.kinds.push_back(degree == 0             ? NodeKind::touch
-                         : inside && degree == 2 ? NodeKind::cusp
-                                                 : NodeKind::crossing);
+    graph_.add_kind(node, degree == 0             ? NodeKind::touch
+                          : inside && degree == 2 ? NodeKind::cusp
+                                                  : NodeKind::crossing);
   }
 
   template <class Ball>
   void build_graph(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
                    const TracedCurves<Ball>& traced) {
-    IntersectionGraph& graph = result_.graph;
-    graph.isolated_points = traced.isolated;
+    for (const int id : traced.isolated) {
+      graph_.add_isolated(id);
+    }
     const std::vector<TraceEnd> ends = add_landmark_nodes(system, landmarks);
-    BoundaryGraph<Ball> boundary({x_, y_}, system, scaling_.frame, sides_, sweep_.stars, star_nodes_,
-                                 result_);
+    BoundaryGraph<Ball> boundary({x_, y_}, system, scaling_.frame, sides_, sweep_.stars, star_nodes_, graph_,
+                                 result_.incomplete);
     boundary.add_arcs();
     for (const AnalysedTrace<Ball>& curve : traced.curves) {
-      append_trace(graph, curve, landmarks, ends, scaling_.frame, run_.turning(),
+      append_trace(graph_, curve, landmarks, ends, scaling_.frame, run_.turning(),
                    run_.drawn_tolerance(scaling_.extent));
       run_.count("tubes", static_cast<double>(curve.trace.pieces.size()));
     }
     for (const AnalysedContact<Ball>& contact : traced.contacts) {
-      append_contact(graph, system, contact, landmarks, ends, scaling_.frame, run_.turning(),
+      append_contact(graph_, system, contact, landmarks, ends, scaling_.frame, run_.turning(),
                      run_.drawn_tolerance(scaling_.extent));
     }
     boundary.contract();
-    for (const Arc& arc : graph.arcs) {
+    for (const Arc& arc : graph_.arcs()) {
       run_.count("vertices", static_cast<double>(arc.polyline.size()));
     }
   }
@@ -366,6 +357,7 @@ class Intersection {
   std::array<std::optional<std::optional<TurningValues>>, 4> turning_;  // outer: computed
   std::optional<std::optional<ExchangingSymmetry>> symmetry_;           // outer: computed
   const std::optional<TurningValues> unknown_ = std::nullopt;
+  GraphBuilder graph_;
   IntersectResult result_{};
   bool cut_short_ = false;  // the last attempt's searches were, and something is left
 };

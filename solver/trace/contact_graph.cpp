@@ -94,8 +94,8 @@ struct ContactStop {
 template <class Ball>
 class ContactAppender {
  public:
-  ContactAppender(IntersectionGraph& graph, const PairSystem<Ball>& system,
-                  const AnalysedContact<Ball>& contact, const ModelFrame& frame, double tolerance)
+  ContactAppender(GraphBuilder& graph, const PairSystem<Ball>& system, const AnalysedContact<Ball>& contact,
+                  const ModelFrame& frame, double tolerance)
       : graph_(graph), system_(system), contact_(contact), frame_(frame), tolerance_(tolerance) {}
 
   void run(const Landmarks<Ball>& landmarks, const std::vector<TraceEnd>& ends,
@@ -132,11 +132,10 @@ class ContactAppender {
         box[j] = turn.box[j].interval();
       }
       Node node = landmark_node(system_, frame_, turn.box, box, {});
-      node.id = static_cast<int>(graph_.nodes.size());
       node.kinds = {NodeKind::turning};
       node.wrt = {turn.parameter};
-      graph_.nodes.push_back(node);
-      stops_.push_back({node.id, turn.piece, 0.5 * (turn.from + turn.to), turn.box, nullptr});
+      const int id = graph_.add_node(std::move(node));
+      stops_.push_back({id, turn.piece, 0.5 * (turn.from + turn.to), turn.box, nullptr});
     }
   }
 
@@ -155,20 +154,18 @@ class ContactAppender {
     }
     polyline.add_chords(pieces[piece].tube, tau, to.tau);
     add_end(polyline, to, false);
-    Arc arc;
-    arc.id = static_cast<int>(graph_.arcs.size());
-    arc.component = -1;
+    Arc arc{};
     arc.from = from.node;
     arc.to = to.node;
     arc.place = ArcPlace::interior;
     arc.contact = Contact::tangential;
     arc.polyline = polyline.take_vertices();
     arc.error_bound = polyline.bound();
-    graph_.arcs.push_back(std::move(arc));
+    graph_.add_arc(std::move(arc));
   }
 
   void add_end(ContactPolyline<Ball>& polyline, const ContactStop<Ball>& stop, bool leaving) const {
-    const Node& node = graph_.nodes[static_cast<std::size_t>(stop.node)];
+    const Node& node = graph_.node(stop.node);
     if (stop.approach == nullptr) {
       polyline.add_node(node, stop.box);
       return;
@@ -186,7 +183,7 @@ class ContactAppender {
     }
   }
 
-  IntersectionGraph& graph_;
+  GraphBuilder& graph_;
   const PairSystem<Ball>& system_;
   const AnalysedContact<Ball>& contact_;
   const ModelFrame& frame_;
@@ -197,16 +194,15 @@ class ContactAppender {
 }  // namespace
 
 template <class Ball>
-void append_contact(IntersectionGraph& graph, const PairSystem<Ball>& system,
-                    const AnalysedContact<Ball>& contact, const Landmarks<Ball>& landmarks,
-                    const std::vector<TraceEnd>& ends, const ModelFrame& frame,
-                    const std::vector<Parameter>& wanted, double tolerance) {
+void append_contact(GraphBuilder& graph, const PairSystem<Ball>& system, const AnalysedContact<Ball>& contact,
+                    const Landmarks<Ball>& landmarks, const std::vector<TraceEnd>& ends,
+                    const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance) {
   ContactAppender<Ball>(graph, system, contact, frame, tolerance).run(landmarks, ends, wanted);
 }
 
-#define EXSECT_INSTANTIATE_CONTACT(Ball)                                                                  \
-  template void append_contact(IntersectionGraph&, const PairSystem<Ball>&, const AnalysedContact<Ball>&, \
-                               const Landmarks<Ball>&, const std::vector<TraceEnd>&, const ModelFrame&,   \
+#define EXSECT_INSTANTIATE_CONTACT(Ball)                                                                \
+  template void append_contact(GraphBuilder&, const PairSystem<Ball>&, const AnalysedContact<Ball>&,    \
+                               const Landmarks<Ball>&, const std::vector<TraceEnd>&, const ModelFrame&, \
                                const std::vector<Parameter>&, double);
 
 EXSECT_INSTANTIATE_CONTACT(DoubleBall)

@@ -18,9 +18,8 @@ struct AnalysedContact {
 /// TangentialArc::start. Polylines keep within `tolerance` (space units) of the curve where doubles can
 /// express that; Arc::error_bound is what is proved.
 template <class Ball>
-void append_contact(IntersectionGraph& graph, const PairSystem<Ball>& system,
-                    const AnalysedContact<Ball>& contact, const Landmarks<Ball>& landmarks,
-                    const std::vector<TraceEnd>& ends, const ModelFrame& frame,
-                    const std::vector<Parameter>& wanted, double tolerance);
+void append_contact(GraphBuilder& graph, const PairSystem<Ball>& system, const AnalysedContact<Ball>& contact,
+                    const Landmarks<Ball>& landmarks, const std::vector<TraceEnd>& ends,
+                    const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance);
 
 }  // namespace exsect

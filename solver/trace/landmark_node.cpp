@@ -7,8 +7,7 @@ namespace exsect {
 template <class Ball>
 Node landmark_node(const PairSystem<Ball>& system, const ModelFrame& frame, const BallPoint<Ball>& ball,
                    const ParameterBox& box, const std::vector<Side>& sides) {
-  Node node;
-  node.id = 0;
+  Node node{};
   if (!sides.empty()) {
     node.kinds = {NodeKind::boundary};
   }

@@ -81,7 +81,7 @@ class PolylineBuilder {
 template <class Ball>
 class TraceAppender {
  public:
-  TraceAppender(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve, const Landmarks<Ball>& landmarks,
+  TraceAppender(GraphBuilder& graph, const AnalysedTrace<Ball>& curve, const Landmarks<Ball>& landmarks,
                 const std::vector<TraceEnd>& ends, const ModelFrame& frame, double tolerance)
       : graph_(graph),
         curve_(curve),
@@ -135,8 +135,7 @@ class TraceAppender {
 
   Stop turning_stop(const TurningPoint<Ball>& point, const std::vector<Parameter>& wrt) {
     const BoundedVertex vertex = to_vertex(curve_.trace.pieces[point.piece].tube, point.box, frame_);
-    Node node;
-    node.id = static_cast<int>(graph_.nodes.size());
+    Node node{};
     node.kinds = {NodeKind::turning};
     node.wrt = wrt;
     for (std::size_t j = 0; j < 4; ++j) {
@@ -144,8 +143,7 @@ class TraceAppender {
     }
     node.approx = vertex.vertex.parameters;
     node.point = vertex.vertex.point;
-    graph_.nodes.push_back(node);
-    return {node.id, {point.piece, 0.5 * (point.from + point.to)}, vertex, nullptr};
+    return {graph_.add_node(std::move(node)), {point.piece, 0.5 * (point.from + point.to)}, vertex, nullptr};
   }
 
   Stop landmark_stop(int landmark, std::size_t piece, double tau) const {
@@ -153,7 +151,7 @@ class TraceAppender {
     const Tube<Ball>& tube = curve_.trace.pieces[piece].tube;
     BoundedVertex vertex = to_vertex(tube, landmarks_[static_cast<std::size_t>(landmark)], frame_);
     if (!end.approach) {
-      const Node& node = graph_.nodes[static_cast<std::size_t>(end.node)];
+      const Node& node = graph_.node(end.node);
       vertex.vertex = {node.approx, node.point};
       vertex.error *= 2;  // the node's own vertex stands for the same box
     }
@@ -161,7 +159,7 @@ class TraceAppender {
   }
 
   BoundedVertex node_vertex(const Stop& stop) const {
-    const Node& node = graph_.nodes[static_cast<std::size_t>(stop.node)];
+    const Node& node = graph_.node(stop.node);
     return {{node.approx, node.point}, 0};
   }
 
@@ -199,16 +197,14 @@ class TraceAppender {
       builder.add_path(paths[i].first, paths[i].second);
     }
     enter_node(builder, to);
-    Arc arc;
-    arc.id = static_cast<int>(graph_.arcs.size());
-    arc.component = -1;
+    Arc arc{};
     arc.from = from.node;
     arc.to = to.node;
     arc.place = ArcPlace::interior;
     arc.contact = Contact::transversal;
     arc.polyline = builder.take_vertices();
     arc.error_bound = builder.bound();
-    graph_.arcs.push_back(std::move(arc));
+    graph_.add_arc(std::move(arc));
   }
 
   void add_open() {
@@ -230,7 +226,7 @@ class TraceAppender {
     add_arc(stops_.back(), stops_.front(), {{stops_.back().station, end}, {begin, stops_.front().station}});
   }
 
-  IntersectionGraph& graph_;
+  GraphBuilder& graph_;
   const AnalysedTrace<Ball>& curve_;
   const Landmarks<Ball>& landmarks_;
   const std::vector<TraceEnd>& ends_;
@@ -242,9 +238,9 @@ class TraceAppender {
 }  // namespace
 
 template <class Ball>
-void append_trace(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve,
-                  const Landmarks<Ball>& landmarks, const std::vector<TraceEnd>& ends,
-                  const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance) {
+void append_trace(GraphBuilder& graph, const AnalysedTrace<Ball>& curve, const Landmarks<Ball>& landmarks,
+                  const std::vector<TraceEnd>& ends, const ModelFrame& frame,
+                  const std::vector<Parameter>& wanted, double tolerance) {
   TraceAppender<Ball>(graph, curve, landmarks, ends, frame, tolerance).run(wanted);
 }
 
@@ -257,7 +253,7 @@ std::vector<TraceEnd> nodes_of_landmarks(std::size_t count) {
 }
 
 #define EXSECT_INSTANTIATE_TRACE_GRAPH(Ball)                                                                 \
-  template void append_trace(IntersectionGraph&, const AnalysedTrace<Ball>&, const Landmarks<Ball>&,         \
+  template void append_trace(GraphBuilder&, const AnalysedTrace<Ball>&, const Landmarks<Ball>&,              \
                              const std::vector<TraceEnd>&, const ModelFrame&, const std::vector<Parameter>&, \
                              double);
 

@@ -1,12 +1,11 @@
 // From traced curves to nodes and arcs with polylines. Internal to solver/.
 #pragma once
 
-#include <exsect/solver/intersection_graph.h>
-
 #include <optional>
 #include <vector>
 
 #include "answer/model_scale.h"
+#include "answer/graph_builder.h"
 #include "trace/turning_points.h"
 
 namespace exsect {
@@ -40,8 +39,8 @@ std::vector<TraceEnd> nodes_of_landmarks(std::size_t count);
 /// keep within `tolerance` (space units) of the curve where doubles can express that; Arc::error_bound is
 /// what is proved.
 template <class Ball>
-void append_trace(IntersectionGraph& graph, const AnalysedTrace<Ball>& curve,
-                  const Landmarks<Ball>& landmarks, const std::vector<TraceEnd>& ends,
-                  const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance);
+void append_trace(GraphBuilder& graph, const AnalysedTrace<Ball>& curve, const Landmarks<Ball>& landmarks,
+                  const std::vector<TraceEnd>& ends, const ModelFrame& frame,
+                  const std::vector<Parameter>& wanted, double tolerance);
 
 }  // namespace exsect
