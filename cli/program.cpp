@@ -445,10 +445,13 @@ ExitStatus guarded(int argc, const char* const* argv, const Streams& streams) {
     return fail(streams, error.what());
   } catch (const std::bad_alloc&) {
     return fail(streams, "out of memory");
+  } catch (const std::logic_error& error) {
+    fail(streams, std::string("not decided: ") + error.what());
+    return ExitStatus::incomplete;
   } catch (const std::exception& error) {
-    return fail(streams, std::string("internal error: ") + error.what());
+    return fail(streams, error.what());
   } catch (...) {
-    return fail(streams, "internal error of unknown kind");
+    return fail(streams, "an exception of unknown type");
   }
 }
 

@@ -9,7 +9,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "side/boundary_lines.h"
 #include "curve/short_rational.h"
+#include "answer/proof_failure.h"
 
 namespace exsect {
 namespace {
@@ -133,7 +135,7 @@ std::vector<Rational> refined_vector(const WeightedMatrix& d, std::vector<Ration
       for (std::size_t j = 0; j < n; ++j) gram(i, j) += d.weights[k] * d.rows(k, i) * d.rows(k, j);
   for (int step = 0; step < 4; ++step) {
     const auto next = solve(gram, b);
-    if (!next) throw std::logic_error("null space: a singular matrix of full rank");
+    if (!next) throw ProofFailure(whole_domain(), "null space: a singular matrix of full rank");
     const Rational length = root_above(squared_length(*next));
     for (std::size_t i = 0; i < n; ++i) b[i] = (*next)[i] / length;
     const long bits = useful_bits(squared_residual(d, b));

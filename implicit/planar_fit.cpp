@@ -7,6 +7,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "side/boundary_lines.h"
+#include "answer/proof_failure.h"
+
 namespace exsect {
 namespace {
 
@@ -72,7 +75,7 @@ std::vector<Rational> any_solution(const NormalEquations& equations) {
     for (std::size_t i = 0; i < n; ++i) solution.emplace_back(vector[i], vector[n]);
     return solution;
   }
-  throw std::logic_error("least squares: normal equations without solution");
+  throw ProofFailure(whole_domain(), "least squares: normal equations without solution");
 }
 
 PlanarFit exact_fit(const PlanarSpace& space, const std::vector<Equation>& list, const Rational& w2) {

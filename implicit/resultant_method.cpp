@@ -12,6 +12,7 @@
 #include "curve/plane_curve.h"
 #include "eliminant/fibre_projection.h"
 #include "line/exact_line_points.h"
+#include "answer/proof_failure.h"
 
 namespace exsect {
 namespace {
@@ -38,7 +39,7 @@ std::vector<std::size_t> roots_of(const std::vector<CertifiedPoint>& points,
       for (std::size_t i = 0; i < roots.size(); ++i)
         if (overlap(roots[i].interval(), point.box()[r])) candidates.push_back(i);
       if (candidates.empty())
-        throw std::logic_error("resultant method: a point of the intersection is no root");
+        throw ProofFailure(point.box(), "a point of the intersection lies over no root of the resultant");
       if (candidates.size() == 1) {
         result.push_back(candidates.front());
         break;
@@ -160,20 +161,18 @@ std::vector<bool> opposite(std::vector<bool> flags) {
   return flags;
 }
 
-}  // namespace
-
-ResultantMethod intersect_by_resultant(const BezierPatch& x, const BezierPatch& y) {
-  ResultantMethod result{{}, {}, {}, {}, {}, 0, std::nullopt};
+/// Fills in the result as far as it can be known.
+void solve(const BezierPatch& x, const BezierPatch& y, ResultantMethod& result) {
   const BivariatePolynomial g = eliminant(x, y.exchanged());
   if (g.is_zero()) {
     result.incomplete = "the resultant vanishes identically";
-    return result;
+    return;
   }
   result.curve = primitive(squarefree(g));
   const std::vector<RationalInterval> events = boundary_events(x, y, result.incomplete);
   if (result.curve.at_s(0).is_zero() || result.curve.at_s(1).is_zero()) {
     result.incomplete = "a side r = 0 or r = 1 belongs to the curve";
-    return result;
+    return;
   }
   result.arcs = curve_arcs(result.curve, events);
   result.is_true.assign(result.arcs.arcs.size(), false);
@@ -194,6 +193,13 @@ ResultantMethod intersect_by_resultant(const BezierPatch& x, const BezierPatch& 
   if (!result.arcs.vertical.empty() && !result.incomplete)
     result.incomplete =
         "a line u = const belongs to the curve; whether it belongs to the intersection is not decided";
+}
+
+}  // namespace
+
+ResultantMethod intersect_by_resultant(const BezierPatch& x, const BezierPatch& y) {
+  ResultantMethod result{{}, {}, {}, {}, {}, 0, std::nullopt};
+  if (auto why = failure_of([&] { solve(x, y, result); })) result.incomplete = std::move(why);
   return result;
 }
 

@@ -11,7 +11,7 @@
 namespace exsect {
 
 /// The complete intersection; empty if doubles do not find it or the eliminant does not prove that nothing is
-/// missing. Throws std::logic_error if the two proofs contradict each other.
+/// missing. Throws ProofFailure if the two proofs contradict each other.
 std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y, const Run& run);
 
 }  // namespace exsect

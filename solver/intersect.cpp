@@ -9,7 +9,7 @@ namespace exsect {
 
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
   const Run run(options);
-  return run.finished(intersect_within(run, x, y));
+  return run.finished(answered([&] { return intersect_within(run, x, y); }));
 }
 
 IntersectResult intersect_within(const Run& run, const BezierPatch& x, const BezierPatch& y) {

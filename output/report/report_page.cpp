@@ -95,7 +95,7 @@ std::string filled(std::string_view page, const std::map<std::string_view, std::
     const std::size_t open = page.find("{{");
     if (open == std::string_view::npos) return result += page;
     const std::size_t close = page.find("}}", open);
-    if (close == std::string_view::npos) throw std::logic_error("page.html: \"{{\" is not closed");
+    if (close == std::string_view::npos) throw std::invalid_argument("page.html: \"{{\" is not closed");
     result += page.substr(0, open);
     result += values.at(page.substr(open + 2, close - open - 2));
     page.remove_prefix(close + 2);

@@ -75,7 +75,7 @@ const Arc& arc_of(const IntersectionGraph& graph, int arc, int overlap) {
   for (const auto& chain : graph.overlaps[static_cast<std::size_t>(overlap)].chains)
     for (const Arc& rim : chain)
       if (rim.id == arc) return rim;
-  throw std::logic_error("an arc of the verdict is not in the graph");
+  throw std::invalid_argument("an arc of the verdict is not in the graph");
 }
 
 std::vector<PolylineVertex> vertices_of(const IntersectionGraph& graph, const ArcGap& gap) {

@@ -22,7 +22,7 @@ CertifiedPoint::CertifiedPoint(std::shared_ptr<const Source> source, ParameterBo
       multiplicity_(multiplicity) {}
 
 int CertifiedPoint::Source::branch() const {
-  throw std::logic_error("certified point: the branch is not known");
+  throw std::invalid_argument("certified point: the branch is not known");
 }
 
 CertifiedPoint CertifiedPoint::refined_to(const Rational& width) const {

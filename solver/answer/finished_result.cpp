@@ -1,6 +1,10 @@
 #include "answer/finished_result.h"
 
+#include <stdexcept>
 #include <utility>
+
+#include "side/boundary_lines.h"
+#include "answer/proof_failure.h"
 
 namespace exsect {
 
@@ -10,6 +14,18 @@ IntersectResult finished(GraphBuilder graph, const GraphFacts& facts, std::vecto
   if (incomplete.empty()) incomplete = std::move(made.violations);
   const Status status = incomplete.empty() ? Status::complete : Status::incomplete;
   return {status, std::move(made.graph), std::move(incomplete), std::move(work)};
+}
+
+IntersectResult answered(const std::function<IntersectResult()>& solve) {
+  try {
+    return solve();
+  } catch (const ProofFailure& failure) {
+    return undecided(failure.where(), failure.what());
+  } catch (const std::invalid_argument&) {
+    throw;
+  } catch (const std::logic_error& error) {
+    return undecided(whole_domain(), std::string("a proof failed: ") + error.what());
+  }
 }
 
 IntersectResult undecided(const ParameterBox& where, std::string why, Work work) {

@@ -3,6 +3,7 @@
 
 #include <exsect/solver/result.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace exsect {
 /// violation is a place that is not decided. To be called with all that is known to be undecided.
 IntersectResult finished(GraphBuilder graph, const GraphFacts& facts, std::vector<Incomplete> incomplete,
                          Work work = {});
+
+/// What `solve` returns. Where it throws a ProofFailure, or another std::logic_error than
+/// std::invalid_argument, a result without a graph says where and why.
+IntersectResult answered(const std::function<IntersectResult()>& solve);
 
 /// No graph, and why.
 IntersectResult undecided(const ParameterBox& where, std::string why, Work work = {});

@@ -6,9 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "side/boundary_lines.h"
 #include "curve/no_zero.h"
 #include "curve/plane_curve.h"
 #include "curve/turning_resultant.h"
+#include "answer/proof_failure.h"
 
 namespace exsect {
 namespace {
@@ -218,7 +220,7 @@ class ArcJoiner {
     const auto& left = has_left ? result_.gaps[i - 1].arcs : none;
     const auto& right = has_right ? result_.gaps[i].arcs : none;
     if (found.back().left_to != left.size() || found.back().right_to != right.size())
-      throw std::logic_error("curve_arcs: the number of points changes between two events");
+      throw ProofFailure(whole_domain(), "curve_arcs: the number of points changes between two events");
     const RationalInterval on = interval_around(i, 0);
     const bool between_sides = has_no_zero(f_.at_s(0), on) || has_no_zero(f_.at_s(1), on);
     CurveEvent event{place.interval(), place.multiplicity, place.turning_values > 1, {}};

@@ -1,7 +1,10 @@
 #include "eliminant/eliminant_proof.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <string>
+
+#include "side/boundary_lines.h"
+#include "answer/proof_failure.h"
 
 namespace exsect {
 
@@ -14,8 +17,8 @@ bool meet(const RationalInterval& a, const RationalInterval& b) {
 class EliminantProof {
  public:
   EliminantProof(const std::vector<RationalInterval>& roots, const std::vector<Stations>& curves,
-                 const FibreCount& fibre)
-      : roots_(roots), curves_(curves), fibre_(fibre), taken_(roots.size(), false) {}
+                 const FibreCount& fibre, Parameter sweep)
+      : roots_(roots), curves_(curves), fibre_(fibre), sweep_(sweep), taken_(roots.size(), false) {}
 
   bool run() { return match_turning_points() && count_fibres(); }
 
@@ -28,7 +31,7 @@ class EliminantProof {
         const auto root = root_at(curve.at[i]);
         if (!root) return false;
         if (taken_[*root]) {
-          throw std::logic_error("two turning points lie over a simple root of the eliminant");
+          contradiction(curve.at[i], "two turning points lie over a simple root of the eliminant");
         }
         taken_[*root] = true;
       }
@@ -44,7 +47,7 @@ class EliminantProof {
       if (found) return std::nullopt;
       found = i;
     }
-    if (!found) throw std::logic_error("no root of the eliminant lies under a turning point");
+    if (!found) contradiction(place, "no root of the eliminant lies under a turning point");
     return found;
   }
 
@@ -64,7 +67,7 @@ class EliminantProof {
     const auto sample = sample_between(left, right);
     const auto count = sample ? fibre_(*sample) : std::nullopt;
     if (count && *count != crossings(*sample)) {
-      throw std::logic_error("the known curves and a fibre are not in bijection");
+      contradiction({*sample, *sample}, "the known curves and a fibre are not in bijection");
     }
     return count.has_value();
   }
@@ -121,17 +124,24 @@ class EliminantProof {
     return count;
   }
 
+  [[noreturn]] void contradiction(const RationalInterval& at, const std::string& why) const {
+    ParameterBox where = whole_domain();
+    where[index(sweep_)] = at;
+    throw ProofFailure(where, why);
+  }
+
   const std::vector<RationalInterval>& roots_;
   const std::vector<Stations>& curves_;
   const FibreCount& fibre_;
+  Parameter sweep_;
   std::vector<bool> taken_;  // a turning point of a known curve lies over the root
 };
 
 }  // namespace
 
 bool no_curve_is_missing(const std::vector<RationalInterval>& roots, const std::vector<Stations>& curves,
-                         const FibreCount& fibre) {
-  return EliminantProof(roots, curves, fibre).run();
+                         const FibreCount& fibre, Parameter sweep) {
+  return EliminantProof(roots, curves, fibre, sweep).run();
 }
 
 }  // namespace exsect

@@ -2,7 +2,7 @@
 // docs/method.md, section 14.8.
 #pragma once
 
-#include <exsect/algebra/rational.h>
+#include <exsect/solver/parameter.h>
 
 #include <functional>
 #include <optional>
@@ -25,9 +25,9 @@ using FibreCount = std::function<std::optional<std::size_t>(const Rational&)>;
 /// True: `curves` are the whole intersection. They are different, and all solutions on sides lie on them.
 /// `roots` of the turning eliminant are ascending and disjoint: exactly one, a simple one, in each open
 /// interval, or the rational in one of width zero; there are no others in [0,1]. False if the enclosures are
-/// too wide for a proof, or a fibre is not known. Throws std::logic_error if roots or fibres contradict the
+/// too wide for a proof, or a fibre is not known. Throws ProofFailure if roots or fibres contradict the
 /// curves.
 bool no_curve_is_missing(const std::vector<RationalInterval>& roots, const std::vector<Stations>& curves,
-                         const FibreCount& fibre);
+                         const FibreCount& fibre, Parameter sweep = Parameter::u);
 
 }  // namespace exsect

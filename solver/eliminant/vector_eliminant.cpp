@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "side/boundary_lines.h"
 #include "eliminant/turning_eliminant_lanes.h"
+#include "answer/proof_failure.h"
 
 namespace exsect {
 
@@ -111,7 +113,7 @@ class LaneResidues {
     for (std::size_t i = 0; i < points; ++i) {
       const auto c = static_cast<std::int64_t>(coefficients[i][lane]);
       if (i > degree && c != 0)
-        throw std::logic_error("vector_eliminant: the values exceed the stated degree");
+        throw ProofFailure(whole_domain(), "the values of the turning eliminant exceed its degree");
       if (i <= degree)
         row.push_back(c < 0 ? p - static_cast<std::uint64_t>(-c) : static_cast<std::uint64_t>(c));
     }

@@ -27,7 +27,7 @@ class LanePrimes {
 /// coefficients are less than 2^bits in modulus: as interpolate_modular_polynomial, a proof included. Nothing
 /// if has_vector_eliminant() is false, or if E(u) at some node is undefined modulo four successive primes:
 /// then a leading coefficient of a remainder sequence vanishes over the integers as well. Throws
-/// std::logic_error if the values do not belong to a polynomial of degree 128.
+/// ProofFailure if the values do not belong to a polynomial of degree 128.
 std::optional<ModularIntegers> vector_eliminant(const IntegerPair& pair, std::size_t bits);
 
 }  // namespace exsect

@@ -15,6 +15,7 @@
 #include "line/line_point.h"
 #include "line/line_system.h"
 #include "line/system_point.h"
+#include "answer/proof_failure.h"
 
 namespace exsect {
 namespace {
@@ -132,9 +133,7 @@ LinePoints points_of_collapsed_line(const LineAndPatch& problem) {
   return result;
 }
 
-}  // namespace
-
-LinePoints exact_line_points(const BezierPatch& x, const BezierPatch& y, const LineQuery& query) {
+LinePoints points_on_line(const BezierPatch& x, const BezierPatch& y, const LineQuery& query) {
   const LinePlace place = line_place(query);
   const auto problem = [&] { return line_and_patch(x, y, query); };
   const IntegerLineAndPatch integers = integer_line_and_patch(x, y, query);
@@ -147,6 +146,15 @@ LinePoints exact_line_points(const BezierPatch& x, const BezierPatch& y, const L
   if (shape(general.line) == LineShape::point) return points_of_collapsed_line(general);
   LinePoints result = points_by_system(place, general);
   separate(result.points);
+  return result;
+}
+
+}  // namespace
+
+LinePoints exact_line_points(const BezierPatch& x, const BezierPatch& y, const LineQuery& query) {
+  LinePoints result;
+  if (auto why = failure_of([&] { result = points_on_line(x, y, query); }))
+    result.incomplete = std::move(why);
   return result;
 }
 

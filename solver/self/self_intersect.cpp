@@ -211,7 +211,7 @@ class SelfIntersection {
 
 IntersectResult self_intersect(const BezierPatch& x, const IntersectOptions& options) {
   const Run run(options);
-  return run.finished(self_intersect_within(run, x));
+  return run.finished(answered([&] { return self_intersect_within(run, x); }));
 }
 
 IntersectResult self_intersect_within(const Run& run, const BezierPatch& x) {

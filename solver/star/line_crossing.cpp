@@ -7,9 +7,11 @@
 #include "answer/exact_source.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
+#include "side/boundary_lines.h"
 #include "eliminant/algebraic_fibre.h"
 #include "line/exact_line_points.h"
 #include "line/line_points_in.h"
+#include "answer/proof_failure.h"
 #include "trace/sheet_graph.h"
 
 namespace exsect {
@@ -49,7 +51,9 @@ class GraphPointSource : public CertifiedPoint::Source {
       }
       if (fits) return result;
     }
-    throw std::runtime_error("a point on a graph cannot be enclosed so closely");
+    ParameterBox where = whole_domain();
+    for (std::size_t k = 0; k < 2; ++k) where[first_ + k] = over_[k].interval();
+    throw ProofFailure(where, "a point on a graph cannot be enclosed so closely");
   }
 
  private:

@@ -8,6 +8,7 @@
 #include "answer/parameter_box.h"
 #include "line/half_rational_point.h"
 #include "line/line_place.h"
+#include "answer/proof_failure.h"
 #include "star/star_neighbourhood.h"
 #include "trace/pair_system.h"
 
@@ -126,7 +127,7 @@ class PointOnLineSource : public CertifiedPoint::Source {
         }
       }
     }
-    throw std::runtime_error("a point on a line cannot be enclosed so closely");
+    throw ProofFailure(first_, "a point on a line cannot be enclosed so closely");
   }
 
  private:

@@ -2,7 +2,6 @@
 
 // The arcs of a star between its ports and its centre.
 #include <algorithm>
-#include <stdexcept>
 
 #include "answer/exact_source.h"
 #include "answer/parameter_box.h"
@@ -27,7 +26,7 @@ bool add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch
       const Rational value = end + (limit - end) * Rational(i, count + 1);
       auto points = line_points_in(x, y, {star.sweep, value}, star.box);
       if (!points || static_cast<std::ptrdiff_t>(points->size()) != ports) {
-        throw std::logic_error("internal error: the fibres of a star differ");
+        return false;
       }
       star.layers[side < 0 ? 0 : 1].push_back(*std::move(points));
     }

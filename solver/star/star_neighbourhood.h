@@ -64,8 +64,8 @@ struct StarProblem {
 std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, const CertifiedPoint& centre,
                                                     const RealAlgebraic& at);
 
-/// Fills in layers, `count` on each side that has ports; false if `stop` came in between. Throws
-/// std::logic_error if a fibre has another number of points in the star than there are ports.
+/// Fills in layers, `count` on each side that has ports; false if `stop` came in between, or if a fibre has
+/// another number of points in the star than there are ports, as it must not.
 bool add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const RealAlgebraic& at,
                 int count, const StopRequest& stop = {});
 
