@@ -17,9 +17,9 @@
 #include "cli/patch_choice.h"
 #include "cli/revolve_command.h"
 #include "cli/self_command.h"
+#include "cli/shell_command.h"
 #include "cli/verify_command.h"
 #include "output/text/terminal_text.h"
-#include "cli/shell_command.h"
 
 namespace exsect::cli {
 namespace {

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "side/boundary_lines.h"
-#include "curve/short_rational.h"
+#include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
+#include "curve/short_rational.h"
 
 namespace exsect {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "side/boundary_lines.h"
+#include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
 
 namespace exsect {

@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "answer/proof_failure.h"
 #include "curve/no_zero.h"
 #include "curve/plane_curve.h"
 #include "eliminant/fibre_projection.h"
 #include "line/exact_line_points.h"
-#include "answer/proof_failure.h"
 
 namespace exsect {
 namespace {

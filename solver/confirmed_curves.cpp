@@ -6,12 +6,12 @@
 
 #include <algorithm>
 
+#include "answer/finished_result.h"
 #include "answer/parameter_box.h"
-#include "side/boundary_lines.h"
 #include "eliminant/critical_values.h"
 #include "filter/filter.h"
-#include "answer/finished_result.h"
 #include "line/exact_line_points.h"
+#include "side/boundary_lines.h"
 
 namespace exsect {
 

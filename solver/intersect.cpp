@@ -1,5 +1,6 @@
 #include "intersect.h"
 
+#include "answer/finished_result.h"
 #include "confirmed_curves.h"
 #include "filter/filter.h"
 #include "intersect_exactly.h"

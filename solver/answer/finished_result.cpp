@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "side/boundary_lines.h"
+#include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
 
 namespace exsect {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "side/boundary_lines.h"
+#include "answer/parameter_box.h"
 
 namespace exsect {
 

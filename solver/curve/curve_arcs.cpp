@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "side/boundary_lines.h"
+#include "answer/parameter_box.h"
+#include "answer/proof_failure.h"
 #include "curve/no_zero.h"
 #include "curve/plane_curve.h"
 #include "curve/turning_resultant.h"
-#include "answer/proof_failure.h"
 
 namespace exsect {
 namespace {

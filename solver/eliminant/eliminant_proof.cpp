@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "side/boundary_lines.h"
+#include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
 
 namespace exsect {

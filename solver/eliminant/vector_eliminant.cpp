@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "side/boundary_lines.h"
-#include "eliminant/turning_eliminant_lanes.h"
+#include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
+#include "eliminant/turning_eliminant_lanes.h"
 
 namespace exsect {
 

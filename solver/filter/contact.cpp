@@ -135,8 +135,9 @@ bool may_touch(const SideContact& contact, const SideIntervals& on_x, const Side
          y_along.lower - error <= on_x.along.upper;
 }
 
-// (14.11) to (14.13). Where the parametrisations differ, a mean m errs by less than mean_error, C(m) by 4 times that, w.X
-// by 96 |n| times that; and the errors of C are those of its control vectors times |1-m| + |m| <= stretch.
+// (14.11) to (14.13). Where the parametrisations differ, a mean m errs by less than mean_error, C(m) by 4
+// times that, w.X by 96 |n| times that; and the errors of C are those of its control vectors times |1-m| +
+// |m| <= stretch.
 bool meet_in_side(const SideContact& contact, const SideIntervals& on_x, const SideIntervals& on_y,
                   double net_error) {
   const AcrossField fx = restricted(contact.x_across, on_x);
@@ -154,9 +155,9 @@ bool meet_in_side(const SideContact& contact, const SideIntervals& on_x, const S
   const Vec3 n = cross(unit_across(fx[1] + fx[4], middle) - unit_across(fy[1] + fy[4], middle), middle);
   for (const Vec3& tangent : c) {
     const Vec3 w = cross(tangent, n);
-    const double error =
-        kSlack * (kSideError * net_error * (size1(w) + kSideNormal * stretch * largest(n)) + extra * largest(n)) +
-        kTiny;
+    const double error = kSlack * (kSideError * net_error * (size1(w) + kSideNormal * stretch * largest(n)) +
+                                   extra * largest(n)) +
+                         kTiny;
     for (std::size_t k = 0; k < 6; ++k) {
       if (!(dot(w, fx[k]) > error && dot(w, fy[k]) < -error)) {
         return false;

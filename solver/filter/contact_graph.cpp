@@ -138,22 +138,22 @@ class ContactGraph {
   }
 
   bool add(const SidePath& path, Contact contact) {
-    const RimEnd from = add_end(path.at(path.common.lower));
-    const RimEnd to = add_end(path.at(path.common.upper));
+    const RimEnd from = {path.at(path.common.lower), 0};
+    const RimEnd to = {path.at(path.common.upper), 0};
     Arc arc = rim_arc(x_, from, to, ArcPlace::patch_boundary, tolerance_);
-    arc.id = static_cast<int>(graph_.arcs.size());
+    arc.from = add_end(from, arc.polyline.front());
+    arc.to = add_end(to, arc.polyline.back());
     arc.contact = contact;
-    graph_.nodes[static_cast<std::size_t>(from.node)].point = arc.polyline.front().point;
-    graph_.nodes[static_cast<std::size_t>(to.node)].point = arc.polyline.back().point;
-    graph_.arcs.push_back(std::move(arc));
-    return graph_.arcs.back().error_bound <= tolerance_;
+    const bool proved = arc.error_bound <= tolerance_;
+    graph_.add_arc(std::move(arc));
+    return proved;
   }
 
  private:
-  RimEnd add_end(const std::array<Rational, 4>& at) {
-    Node& node = graph_.nodes.emplace_back(rim_node(at));
-    node.id = static_cast<int>(graph_.nodes.size()) - 1;
-    return {at, node.id};
+  int add_end(const RimEnd& end, const PolylineVertex& vertex) {
+    Node node = rim_node(end.at);
+    node.point = vertex.point;
+    return graph_.add_node(std::move(node));
   }
 
   int add_node(const CornerContact& corner) {

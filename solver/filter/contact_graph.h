@@ -2,8 +2,8 @@
 // docs/method.md, section 14.7.
 #pragma once
 
-#include "filter/contact.h"
 #include "answer/graph_builder.h"
+#include "filter/contact.h"
 
 namespace exsect::filter {
 

@@ -152,8 +152,8 @@ static_assert(kSideError * kSideNormal * kNetError > 12 * (4 * kNetError + 8 * k
 /// three, of which a determinant has 6, by 3 * 4 * 2.1 net_error and half a net_error by rounding.
 inline constexpr double kDeterminantError = 160;
 static_assert(kDeterminantError > 6 * (3 * 4 * 2.1 + 0.5) && 0.5 * kNetError > 6 * 8 * kUnit);
-/// The same of points that are restricted to a part of a side, by two means with a rounded parameter: they err
-/// by 2.3 net_error.
+/// The same of points that are restricted to a part of a side, by two means with a rounded parameter: they
+/// err by 2.3 net_error.
 inline constexpr double kPartDeterminantError = 170;
 static_assert(kPartDeterminantError > 6 * (3 * 4 * 2.3 + 0.5));
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "filter/contact_graph.h"
 #include "filter/graph.h"
 #include "filter/loops.h"
 #include "filter/overlap.h"
-#include "answer/finished_result.h"
 #include "shape/coincident_parameters.h"
 #include "trace/turning_points.h"
 

@@ -2,9 +2,9 @@
 // 14.6.
 #pragma once
 
+#include "answer/graph_builder.h"
 #include "filter/double_point.h"
 #include "filter/turning.h"
-#include "answer/graph_builder.h"
 
 namespace exsect::filter {
 

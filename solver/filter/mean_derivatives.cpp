@@ -6,8 +6,6 @@ namespace exsect::filter {
 
 namespace {
 
-constexpr double kReach = 0.75;  // of expand()
-
 double size(const Vec3& row, const Vec3& v) { return std::fabs(dot(row, v)); }
 
 }  // namespace

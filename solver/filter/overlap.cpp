@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "answer/rim_arc.h"
-#include "filter/tube.h"
 #include "filter/mean_derivatives.h"
+#include "filter/tube.h"
 #include "shape/shifted_copy.h"
 
 namespace exsect::filter {

@@ -2,8 +2,8 @@
 // section 14.10.
 #pragma once
 
-#include "filter/pieces.h"
 #include "answer/graph_builder.h"
+#include "filter/pieces.h"
 
 namespace exsect::filter {
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "answer/proof_failure.h"
 #include "curve/plane_curve.h"
 #include "line/line_curve.h"
 #include "line/line_forms.h"
@@ -15,7 +16,6 @@
 #include "line/line_point.h"
 #include "line/line_system.h"
 #include "line/system_point.h"
-#include "answer/proof_failure.h"
 
 namespace exsect {
 namespace {

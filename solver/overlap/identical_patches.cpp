@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_names.h"
 #include "answer/rim_arc.h"
-#include "answer/finished_result.h"
-#include "trace/regular_degree.h"
 #include "self/self_intersect_within.h"
 #include "trace/landmark_node.h"
+#include "trace/regular_degree.h"
 
 namespace exsect {
 

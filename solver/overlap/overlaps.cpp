@@ -3,24 +3,24 @@
 #include <algorithm>
 
 #include "answer/arc_joints.h"
+#include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
 #include "answer/parameter_names.h"
-#include "answer/finished_result.h"
 #include "overlap/common_sheet.h"
 #include "overlap/identical_patches.h"
 #include "overlap/overlap_boundary.h"
 #include "overlap/two_piece_clip.h"
 #include "overlap/two_piece_curves.h"
 #include "overlap/two_piece_graph.h"
-#include "trace/regular_degree.h"
 #include "shape/coincident_parameters.h"
 #include "shape/planar_patch.h"
 #include "sweep/traced_curves.h"
 #include "trace/bounded_vertex.h"
 #include "trace/enclose.h"
 #include "trace/landmark_node.h"
+#include "trace/regular_degree.h"
 
 namespace exsect {
 

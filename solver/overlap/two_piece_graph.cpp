@@ -1,6 +1,7 @@
+#include "overlap/two_piece_graph.h"
+
 #include "answer/graph_builder.h"
 #include "overlap/pair_map.h"
-#include "overlap/two_piece_graph.h"
 #include "self/graph.h"
 #include "trace/landmark_node.h"
 

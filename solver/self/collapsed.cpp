@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "curve/half_space.h"
 #include "answer/finished_result.h"
+#include "curve/half_space.h"
 #include "self/degenerate.h"
 #include "self/self_intersect_within.h"
 #include "shape/special_cusps.h"

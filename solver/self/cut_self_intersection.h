@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "answer/run.h"
 #include "answer/graph_builder.h"
+#include "answer/run.h"
 #include "self/cuts.h"
 
 namespace exsect {

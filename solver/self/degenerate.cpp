@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
+#include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
-#include "answer/finished_result.h"
 #include "self/collapsed.h"
 #include "self/overlaps.h"
 #include "self/self_intersect_within.h"

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "answer/run.h"
 #include "answer/graph_builder.h"
+#include "answer/run.h"
 #include "shape/self_symmetry.h"
 
 namespace exsect {

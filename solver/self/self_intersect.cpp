@@ -7,11 +7,10 @@
 #include <string>
 #include <utility>
 
+#include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
-#include "answer/finished_result.h"
-#include "trace/regular_degree.h"
 #include "self/curves.h"
 #include "self/cut_self_intersection.h"
 #include "self/degenerate.h"
@@ -22,6 +21,7 @@
 #include "self/turning_pairs.h"
 #include "shape/coincident_parameters.h"
 #include "trace/landmark_node.h"
+#include "trace/regular_degree.h"
 #include "trace/turning_points.h"
 
 namespace exsect {

@@ -3,16 +3,16 @@
 #include <algorithm>
 
 #include "answer/exact_source.h"
+#include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "curve/plane_curve.h"
 #include "curve/polynomial_vector.h"
-#include "answer/finished_result.h"
-#include "trace/regular_degree.h"
 #include "side/common_pole.h"
 #include "trace/bounded_vertex.h"
 #include "trace/enclose.h"
 #include "trace/landmark_node.h"
+#include "trace/regular_degree.h"
 
 namespace exsect {
 

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <functional>
 
+#include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
 #include "answer/parameter_names.h"
 #include "curve/plane_curve.h"
-#include "answer/finished_result.h"
 #include "line/exact_line_points.h"
 #include "line/line_system.h"
 #include "shape/patch_shape.h"

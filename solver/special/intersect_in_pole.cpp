@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "answer/graph_builder.h"
 #include "answer/finished_result.h"
+#include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "curve/half_space.h"
 #include "side/common_pole.h"

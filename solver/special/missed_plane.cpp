@@ -32,7 +32,6 @@ bool misses_plane_of(const BezierPatch& planar, const BezierPatch& other) {
 std::optional<IntersectResult> intersect_missed_plane(const BezierPatch& x, const BezierPatch& y) {
   if (!misses_plane_of(x, y) && !misses_plane_of(y, x)) return std::nullopt;
   return finished({}, {}, {});
-  return result;
 }
 
 }  // namespace exsect

@@ -5,12 +5,12 @@
 #include <limits>
 #include <numeric>
 
+#include "answer/finished_result.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_names.h"
-#include "answer/finished_result.h"
-#include "trace/regular_degree.h"
 #include "shape/folded_patch.h"
 #include "special/turned_line.h"
+#include "trace/regular_degree.h"
 
 namespace exsect {
 

@@ -7,11 +7,10 @@
 #include "answer/exact_source.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
-#include "side/boundary_lines.h"
+#include "answer/proof_failure.h"
 #include "eliminant/algebraic_fibre.h"
 #include "line/exact_line_points.h"
 #include "line/line_points_in.h"
-#include "answer/proof_failure.h"
 #include "trace/sheet_graph.h"
 
 namespace exsect {

@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "answer/parameter_box.h"
+#include "answer/proof_failure.h"
 #include "line/half_rational_point.h"
 #include "line/line_place.h"
-#include "answer/proof_failure.h"
 #include "star/star_neighbourhood.h"
 #include "trace/pair_system.h"
 

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trace/regular_degree.h"
-#include "answer/finished_result.h"
 #include "answer/exact_source.h"
+#include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
@@ -28,6 +27,7 @@
 #include "trace/bounded_vertex.h"
 #include "trace/enclose.h"
 #include "trace/landmark_node.h"
+#include "trace/regular_degree.h"
 
 namespace exsect {
 

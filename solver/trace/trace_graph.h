@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "answer/model_scale.h"
 #include "answer/graph_builder.h"
+#include "answer/model_scale.h"
 #include "trace/turning_points.h"
 
 namespace exsect {

@@ -19,7 +19,8 @@ INCLUDE = re.compile(r'^#include (?:"([^"]+)"|<(exsect/[^>]+)>)', re.M)
 # From the ground up; rooms of one floor do not know each other. "" is the folder itself, the front.
 FLOORS = {
     "solver": [
-        ["answer", "curve"],
+        ["answer"],
+        ["curve"],
         ["shape", "line"],
         ["eliminant"],
         ["trace"],

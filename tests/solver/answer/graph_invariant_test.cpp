@@ -9,9 +9,9 @@
 #include <string>
 
 #include "answer/finished_result.h"
-#include "trace/regular_degree.h"
 #include "support/catch.h"
 #include "support/random_pairs.h"
+#include "trace/regular_degree.h"
 
 using namespace exsect;
 using random_pairs::Generator;
