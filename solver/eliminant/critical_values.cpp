@@ -120,9 +120,35 @@ std::optional<TurningValues> turning_values(const BezierPatch& x, const BezierPa
   return turning_values_of(eliminant, sweep);
 }
 
+namespace {
+
+/// How hard a sweep will be: the least comes first.
+struct Difficulty {
+  bool touching;
+  int unweighted;  // roots without a multiplicity, complex ones too
+  /// Values inside of [0,1] of a high multiplicity, which come of lines that lie on the other patch, or
+  /// nearly, and double ones that are rational, which may.
+  std::ptrdiff_t lines;
+  std::ptrdiff_t multiple;  // all values without a multiplicity of one
+  auto operator<=>(const Difficulty&) const = default;
+};
+
+Difficulty difficulty(const TurningEliminant& eliminant, const TurningValues& turning) {
+  const auto may_be_line = [](const TurningValue& value) {
+    return value.multiplicity != 1 && (value.multiplicity != 2 || value.value.is_rational()) &&
+           value.value.compare(0) > 0 && value.value.compare(1) < 0;
+  };
+  const auto is_multiple = [](const TurningValue& value) { return value.multiplicity != 1; };
+  return {eliminant.touching, eliminant.unweighted.degree(),
+          std::count_if(turning.values.begin(), turning.values.end(), may_be_line),
+          std::count_if(turning.values.begin(), turning.values.end(), is_multiple)};
+}
+
+}  // namespace
+
 SweepChoice choose_sweep(const BezierPatch& x, const BezierPatch& y, const StopRequest& stop) {
   SweepChoice choice;
-  int fewest = 0;  // roots without a multiplicity, complex ones too
+  std::optional<Difficulty> least;
   for (const Parameter sweep : all_parameters) {
     if (is_stopped(stop)) {
       break;
@@ -135,13 +161,14 @@ SweepChoice choose_sweep(const BezierPatch& x, const BezierPatch& y, const StopR
       continue;
     }
     tried = turning_values_of(eliminant, sweep);
-    const int unweighted = eliminant.unweighted.degree();
-    if (!choice.turning || !eliminant.touching || unweighted < fewest) {
+    const Difficulty here = difficulty(eliminant, *tried);
+    const bool first = !least;
+    if (first || here < *least) {
       choice.turning = tried;
-      fewest = unweighted;
+      least = here;
     }
-    if (!eliminant.touching) {
-      return choice;
+    if (!here.touching && here.lines == 0 && (first || here.multiple == 0)) {
+      break;
     }
   }
   return choice;

@@ -31,11 +31,11 @@ struct TurningValues {
 std::optional<TurningValues> turning_values(const BezierPatch& x, const BezierPatch& y, Parameter sweep);
 
 /// Roots in [0,1] of the turning eliminant E of the sweep along u; where E is not defined for this pair, of
-/// the sweep along v, r or s; one along which not every fibre has multiple points is preferred, or else one
-/// with few turning values without a multiplicity. Every closed component of the intersection has at least
-/// two of them as extreme values of the sweep parameter. Empty optional if none of the four is defined, or
-/// none before `stop`; `why` then says why. `tried`: turning_values of the sweeps that were looked at, by
-/// parameter.
+/// the sweep along v, r or s; one along which not every fibre has multiple points is preferred, then one with
+/// few turning values without a multiplicity, then one with few values over which there may be a line that
+/// lies on the other patch. Every closed component of the intersection has at least two of them as extreme
+/// values of the sweep parameter. Empty optional if none of the four is defined, or none before `stop`; `why`
+/// then says why. `tried`: turning_values of the sweeps that were looked at, by parameter.
 struct SweepChoice {
   std::optional<TurningValues> turning;
   std::string why;

@@ -11,6 +11,7 @@
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
 #include "eliminant/critical_values.h"
+#include "filter/contact_regions.h"
 #include "line/exact_line_points.h"
 #include "line/known_tangent.h"
 #include "line/line_place.h"
@@ -66,6 +67,10 @@ class Intersection {
              });
     };
     sweep_.line = [this](const LineQuery& query) { return exact_line_points(x_, y_, query); };
+    sweep_.settled = [this](const SearchRegion& region) {
+      if (!contacts_) contacts_.emplace(x_, y_);
+      return contacts_->settles(region);
+    };
   }
 
   IntersectResult run() {
@@ -351,7 +356,8 @@ class Intersection {
   StopRequest stop_ = run_.stop();
   SweepData sweep_;
   BoundaryLines sides_;
-  std::vector<bool> on_side_arc_;  // per point
+  std::optional<ContactRegions> contacts_;  // once asked for
+  std::vector<bool> on_side_arc_;           // per point
   std::vector<CertifiedPoint> pinches_;
   std::vector<int> star_nodes_;
   std::array<std::optional<std::optional<TurningValues>>, 4> turning_;  // outer: computed
