@@ -1,5 +1,7 @@
 #include "check_certificate.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
 #include <set>
 
 #include "check_arcs.h"

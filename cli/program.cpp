@@ -1,5 +1,6 @@
 #include "cli/program.h"
 
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/geometry/beyond_doubles.h>
 #include <exsect/geometry/text_file.h>
 
@@ -458,7 +459,7 @@ ExitStatus guarded(int argc, const char* const* argv, const Streams& streams) {
 }  // namespace
 
 int run(int argc, const char* const* argv, const Streams& streams) {
-  return static_cast<int>(guarded(argc, argv, streams));
+  return in_nearest_rounding([&] { return static_cast<int>(guarded(argc, argv, streams)); });
 }
 
 }  // namespace exsect::cli

@@ -2,6 +2,7 @@
 
 #include <exsect/algebra/bernstein.h>
 #include <exsect/algebra/double_matrix.h>
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/algebra/tensor_bernstein.h>
 
 #include <algorithm>
@@ -113,25 +114,27 @@ SpacePolynomial rounded(const std::vector<double>& b, const std::vector<Exponent
 const char* name(PatchFit method) { return method == PatchFit::dokken ? "dokken" : "conics"; }
 
 ApproximateEquation approximate_equation(const BezierPatch& x, int degree, PatchFit method) {
-  const int most = method == PatchFit::dokken ? 7 : 5;
-  if (degree < 1 || degree > most)
-    throw std::invalid_argument(std::string("approximate equation, method ") + name(method) +
-                                ": the degree must be 1, ..., " + std::to_string(most));
-  const Frame local = frame(x);
-  const std::vector<SpacePolynomial> exact = vanishing_equations(x, degree);
-  if (!exact.empty()) return {exact.front(), 0, local.centre, local.unit, 0};
-  const BezierPatch normalised = in_frame(x, local);
-  const std::vector<Exponents> exponents = exponents_up_to(degree);
-  const DoubleMatrix matrix = method == PatchFit::dokken ? dokken_matrix(normalised, exponents, degree)
-                                                         : conic_matrix(normalised, exponents, degree);
-  const auto [singular_value, b] = least_singular(matrix);
-  if (!std::all_of(b.begin(), b.end(), [](double c) { return std::isfinite(c); }))
-    throw std::domain_error("approximate equation: the net exceeds the range of doubles");
-  const SpacePolynomial fitted = rounded(b, exponents, singular_value);
-  const RationalInterval range = range_bound(compose(fitted, normalised), {}, 2);
-  const Rational scale = 1 / local.unit;
-  return {affinely_substituted(fitted, local.centre, {scale, scale, scale}),
-          std::max(Rational(-range.lower), range.upper), local.centre, local.unit, singular_value};
+  return in_nearest_rounding([&]() -> ApproximateEquation {
+    const int most = method == PatchFit::dokken ? 7 : 5;
+    if (degree < 1 || degree > most)
+      throw std::invalid_argument(std::string("approximate equation, method ") + name(method) +
+                                  ": the degree must be 1, ..., " + std::to_string(most));
+    const Frame local = frame(x);
+    const std::vector<SpacePolynomial> exact = vanishing_equations(x, degree);
+    if (!exact.empty()) return {exact.front(), 0, local.centre, local.unit, 0};
+    const BezierPatch normalised = in_frame(x, local);
+    const std::vector<Exponents> exponents = exponents_up_to(degree);
+    const DoubleMatrix matrix = method == PatchFit::dokken ? dokken_matrix(normalised, exponents, degree)
+                                                           : conic_matrix(normalised, exponents, degree);
+    const auto [singular_value, b] = least_singular(matrix);
+    if (!std::all_of(b.begin(), b.end(), [](double c) { return std::isfinite(c); }))
+      throw std::domain_error("approximate equation: the net exceeds the range of doubles");
+    const SpacePolynomial fitted = rounded(b, exponents, singular_value);
+    const RationalInterval range = range_bound(compose(fitted, normalised), {}, 2);
+    const Rational scale = 1 / local.unit;
+    return {affinely_substituted(fitted, local.centre, {scale, scale, scale}),
+            std::max(Rational(-range.lower), range.upper), local.centre, local.unit, singular_value};
+  });
 }
 
 }  // namespace exsect

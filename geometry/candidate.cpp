@@ -1,5 +1,7 @@
 #include "candidate.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -15,27 +17,29 @@ SplineCurve polyline(std::vector<std::array<double, 3>> vertices) {
 }
 
 std::array<double, 3> point_of(const SplineCurve& curve, double t) {
-  const auto d = static_cast<std::size_t>(curve.degree);
-  const auto first = curve.knots.begin() + curve.degree;
-  const auto last = curve.knots.begin() + static_cast<std::ptrdiff_t>(curve.points.size());
-  auto k = static_cast<std::size_t>(std::upper_bound(first, last, t) - curve.knots.begin()) - 1;
-  while (curve.knots[k] == curve.knots[k + 1]) --k;  // t is the end of the last span
-  std::vector<std::array<double, 4>> net;
-  for (std::size_t i = k - d; i <= k; ++i) {
-    const double w = curve.weights.empty() ? 1 : curve.weights[i];
-    const auto& p = curve.points[i];
-    net.push_back({w * p[0], w * p[1], w * p[2], w});
-  }
-  for (std::size_t level = 1; level <= d; ++level) {
-    for (std::size_t i = d; i >= level; --i) {
-      const double a = curve.knots[k - d + i];
-      const double b = curve.knots[k + i + 1 - level];
-      for (std::size_t c = 0; c < 4; ++c)
-        net[i][c] = ((b - t) * net[i - 1][c] + (t - a) * net[i][c]) / (b - a);
+  return in_nearest_rounding([&]() -> std::array<double, 3> {
+    const auto d = static_cast<std::size_t>(curve.degree);
+    const auto first = curve.knots.begin() + curve.degree;
+    const auto last = curve.knots.begin() + static_cast<std::ptrdiff_t>(curve.points.size());
+    auto k = static_cast<std::size_t>(std::upper_bound(first, last, t) - curve.knots.begin()) - 1;
+    while (curve.knots[k] == curve.knots[k + 1]) --k;  // t is the end of the last span
+    std::vector<std::array<double, 4>> net;
+    for (std::size_t i = k - d; i <= k; ++i) {
+      const double w = curve.weights.empty() ? 1 : curve.weights[i];
+      const auto& p = curve.points[i];
+      net.push_back({w * p[0], w * p[1], w * p[2], w});
     }
-  }
-  const auto& p = net[d];
-  return {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+    for (std::size_t level = 1; level <= d; ++level) {
+      for (std::size_t i = d; i >= level; --i) {
+        const double a = curve.knots[k - d + i];
+        const double b = curve.knots[k + i + 1 - level];
+        for (std::size_t c = 0; c < 4; ++c)
+          net[i][c] = ((b - t) * net[i - 1][c] + (t - a) * net[i][c]) / (b - a);
+      }
+    }
+    const auto& p = net[d];
+    return {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+  });
 }
 
 std::string violation(const SplineCurve& curve) {

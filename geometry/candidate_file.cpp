@@ -1,5 +1,7 @@
 #include "candidate_file.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
 #include <algorithm>
 #include <set>
 #include <stdexcept>
@@ -370,19 +372,21 @@ CandidateFormat candidate_format(const std::string& filename) {
 }
 
 Candidate parse_candidate(const std::string& text, const std::string& filename, CandidateFormat format) {
-  if (text.size() > max_candidate_file_bytes)
-    throw InputError(filename, "", "longer than " + std::to_string(max_candidate_file_bytes) + " bytes");
-  switch (format) {
-    case CandidateFormat::json:
-      return parse_json_candidate(text, filename);
-    case CandidateFormat::csv:
-      return CsvReader(text, filename)();
-    case CandidateFormat::obj:
-      return ObjReader(text, filename)();
-    case CandidateFormat::g2:
-      return G2Reader(text, filename)();
-  }
-  throw std::invalid_argument("unknown format of a candidate");
+  return in_nearest_rounding([&]() -> Candidate {
+    if (text.size() > max_candidate_file_bytes)
+      throw InputError(filename, "", "longer than " + std::to_string(max_candidate_file_bytes) + " bytes");
+    switch (format) {
+      case CandidateFormat::json:
+        return parse_json_candidate(text, filename);
+      case CandidateFormat::csv:
+        return CsvReader(text, filename)();
+      case CandidateFormat::obj:
+        return ObjReader(text, filename)();
+      case CandidateFormat::g2:
+        return G2Reader(text, filename)();
+    }
+    throw std::invalid_argument("unknown format of a candidate");
+  });
 }
 
 Candidate read_candidate(const std::string& path) {

@@ -2,6 +2,7 @@
 
 #include <exsect/algebra/bernstein.h>
 #include <exsect/algebra/bernstein_box.h>
+#include <exsect/algebra/nearest_rounding.h>
 
 #include <algorithm>
 #include <cmath>
@@ -353,18 +354,21 @@ FurtherBranch branch_of(const std::vector<Cell>& group, const SurfacePair& surfa
 
 FurtherBranches further_branches(const SurfacePair& surfaces, const BezierCurve& curve, int axis,
                                  const SpaceBox& box, int depth) {
-  if (depth < 1 || depth > 7) throw std::invalid_argument("further branches: the depth must be from 1 to 7");
-  for (const RationalInterval& side : box)
-    if (side.lower >= side.upper)
-      throw std::invalid_argument("further branches: the box must have positive sides");
-  const Tube tube(surfaces, curve, static_cast<std::size_t>(axis), box, depth);
-  std::vector<Cell> cells = cells_met(surfaces, box, depth);
-  if (tube.exists()) std::erase_if(cells, [&](const Cell& cell) { return tube.covers(cell.box); });
-  FurtherBranches result = {{}, tube.exists()};
-  const HomogeneousCurve reduced = homogeneous(curve);
-  for (const std::vector<Cell>& group : grouped(std::move(cells)))
-    result.branches.push_back(branch_of(group, surfaces, reduced));
-  return result;
+  return in_nearest_rounding([&]() -> FurtherBranches {
+    if (depth < 1 || depth > 7)
+      throw std::invalid_argument("further branches: the depth must be from 1 to 7");
+    for (const RationalInterval& side : box)
+      if (side.lower >= side.upper)
+        throw std::invalid_argument("further branches: the box must have positive sides");
+    const Tube tube(surfaces, curve, static_cast<std::size_t>(axis), box, depth);
+    std::vector<Cell> cells = cells_met(surfaces, box, depth);
+    if (tube.exists()) std::erase_if(cells, [&](const Cell& cell) { return tube.covers(cell.box); });
+    FurtherBranches result = {{}, tube.exists()};
+    const HomogeneousCurve reduced = homogeneous(curve);
+    for (const std::vector<Cell>& group : grouped(std::move(cells)))
+      result.branches.push_back(branch_of(group, surfaces, reduced));
+    return result;
+  });
 }
 
 }  // namespace exsect

@@ -1,6 +1,7 @@
 #include "gradient_norm.h"
 
 #include <exsect/algebra/double_matrix.h>
+#include <exsect/algebra/nearest_rounding.h>
 
 #include <array>
 #include <cmath>
@@ -97,35 +98,38 @@ BivariatePolynomial from_monomials(const std::vector<double>& c, int degree) {
 
 BivariatePolynomial fitted_gradient_norm(const BivariatePolynomial& f, const PlanarBox& box, int degree,
                                          const Rational& epsilon) {
-  if (degree < 0 || degree > 8) throw std::invalid_argument("gradient norm: the degree must be from 0 to 8");
-  if (epsilon <= 0) throw std::invalid_argument("gradient norm: epsilon must be > 0");
-  if (f.total_degree() < 1) throw std::invalid_argument("gradient norm: f is constant");
-  if (box.x.lower >= box.x.upper || box.y.lower >= box.y.upper)
-    throw std::invalid_argument("gradient norm: the box must have positive sides");
-  const Table values = in_doubles(f), dx = in_doubles(f.derivative_r()), dy = in_doubles(f.derivative_s());
-  const Rule in_x = rule(box.x), in_y = rule(box.y);
-  const double e = to_double(epsilon);
-  const std::size_t n = static_cast<std::size_t>((degree + 1) * (degree + 2) / 2);
-  DoubleMatrix gram(n, n);
-  std::vector<double> right(n, 0.0), basis(n);
-  for (std::size_t i = 0; i < in_x.at.size(); ++i) {
-    for (std::size_t j = 0; j < in_y.at.size(); ++j) {
-      const double x = in_x.at[i], y = in_y.at[j];
-      const double at = value(values, x, y);
-      const double weight = in_x.weight[i] * in_y.weight[j] / (at * at + e);
-      set_monomials(basis, degree, x, y);
-      const double target = weight * std::hypot(value(dx, x, y), value(dy, x, y));
-      for (std::size_t k = 0; k < n; ++k) {
-        for (std::size_t l = 0; l <= k; ++l) gram(k, l) += weight * basis[k] * basis[l];
-        right[k] += target * basis[k];
+  return in_nearest_rounding([&]() -> BivariatePolynomial {
+    if (degree < 0 || degree > 8)
+      throw std::invalid_argument("gradient norm: the degree must be from 0 to 8");
+    if (epsilon <= 0) throw std::invalid_argument("gradient norm: epsilon must be > 0");
+    if (f.total_degree() < 1) throw std::invalid_argument("gradient norm: f is constant");
+    if (box.x.lower >= box.x.upper || box.y.lower >= box.y.upper)
+      throw std::invalid_argument("gradient norm: the box must have positive sides");
+    const Table values = in_doubles(f), dx = in_doubles(f.derivative_r()), dy = in_doubles(f.derivative_s());
+    const Rule in_x = rule(box.x), in_y = rule(box.y);
+    const double e = to_double(epsilon);
+    const std::size_t n = static_cast<std::size_t>((degree + 1) * (degree + 2) / 2);
+    DoubleMatrix gram(n, n);
+    std::vector<double> right(n, 0.0), basis(n);
+    for (std::size_t i = 0; i < in_x.at.size(); ++i) {
+      for (std::size_t j = 0; j < in_y.at.size(); ++j) {
+        const double x = in_x.at[i], y = in_y.at[j];
+        const double at = value(values, x, y);
+        const double weight = in_x.weight[i] * in_y.weight[j] / (at * at + e);
+        set_monomials(basis, degree, x, y);
+        const double target = weight * std::hypot(value(dx, x, y), value(dy, x, y));
+        for (std::size_t k = 0; k < n; ++k) {
+          for (std::size_t l = 0; l <= k; ++l) gram(k, l) += weight * basis[k] * basis[l];
+          right[k] += target * basis[k];
+        }
       }
     }
-  }
-  const std::vector<double> c = symmetric_solution(gram, right);
-  const bool is_finite = std::all_of(c.begin(), c.end(), [](double k) { return std::isfinite(k); });
-  if (!is_finite || largest_magnitude(c) == 0)
-    throw std::invalid_argument("gradient norm: f is beyond the range of doubles");
-  return from_monomials(c, degree);
+    const std::vector<double> c = symmetric_solution(gram, right);
+    const bool is_finite = std::all_of(c.begin(), c.end(), [](double k) { return std::isfinite(k); });
+    if (!is_finite || largest_magnitude(c) == 0)
+      throw std::invalid_argument("gradient norm: f is beyond the range of doubles");
+    return from_monomials(c, degree);
+  });
 }
 
 }  // namespace exsect

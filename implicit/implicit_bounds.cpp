@@ -2,6 +2,7 @@
 
 #include <exsect/algebra/bernstein.h>
 #include <exsect/algebra/bernstein_box.h>
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/geometry/homogeneous_composition.h>
 #include <exsect/geometry/implicit_curve.h>
 #include <exsect/geometry/planar_space.h>
@@ -262,36 +263,42 @@ std::vector<PlanarBox> parts_in_cell(const PlanarBox& box, const RationalInterva
 }  // namespace
 
 OneSidedBound one_sided_bound(const PlanarFunction& f, const BezierCurve& curve) {
-  const HomogeneousCurve reduced = planar(curve);
-  return OneSided(f, reduced).bound();
+  return in_nearest_rounding([&] {
+    const HomogeneousCurve reduced = planar(curve);
+    return OneSided(f, reduced).bound();
+  });
 }
 
 std::vector<PlanarBox> possibly_singular(const PlanarFunction& f, const PlanarBox& box, int max_boxes) {
-  if (f.is_polynomial()) return undecided(f.polynomial(), box, max_boxes);
-  std::vector<PlanarBox> result;
-  const PlanarFunction::Grid& grid = f.grid();
-  for (std::size_t i = 0; i < f.cells().size(); ++i) {
-    for (std::size_t j = 0; j < f.cells()[i].size(); ++j) {
-      if (!f.cells()[i][j]) continue;
-      const RationalInterval x = {grid.breaks_x[i], grid.breaks_x[i + 1]};
-      const RationalInterval y = {grid.breaks_y[j], grid.breaks_y[j + 1]};
-      for (const PlanarBox& part : parts_in_cell(box, x, y, grid.squared))
-        for (const PlanarBox& left : undecided(*f.cells()[i][j], part, max_boxes)) result.push_back(left);
+  return in_nearest_rounding([&]() -> std::vector<PlanarBox> {
+    if (f.is_polynomial()) return undecided(f.polynomial(), box, max_boxes);
+    std::vector<PlanarBox> result;
+    const PlanarFunction::Grid& grid = f.grid();
+    for (std::size_t i = 0; i < f.cells().size(); ++i) {
+      for (std::size_t j = 0; j < f.cells()[i].size(); ++j) {
+        if (!f.cells()[i][j]) continue;
+        const RationalInterval x = {grid.breaks_x[i], grid.breaks_x[i + 1]};
+        const RationalInterval y = {grid.breaks_y[j], grid.breaks_y[j + 1]};
+        for (const PlanarBox& part : parts_in_cell(box, x, y, grid.squared))
+          for (const PlanarBox& left : undecided(*f.cells()[i][j], part, max_boxes)) result.push_back(left);
+      }
     }
-  }
-  return result;
+    return result;
+  });
 }
 
 DistanceBounds distance_bounds(const PlanarFunction& f, const BezierCurve& curve) {
-  DistanceBounds bounds = {one_sided_bound(f, curve), two_sided_bound(f, curve)};
-  // The strip bounds the distance in both directions.
-  const auto& strip = bounds.two_sided.strip;
-  std::optional<Rational>& distance = bounds.one_sided.distance;
-  if (strip && (!distance || strip->distance < *distance)) {
-    distance = strip->distance;
-    bounds.one_sided.unproved.clear();
-  }
-  return bounds;
+  return in_nearest_rounding([&] {
+    DistanceBounds bounds = {one_sided_bound(f, curve), two_sided_bound(f, curve)};
+    // The strip bounds the distance in both directions.
+    const auto& strip = bounds.two_sided.strip;
+    std::optional<Rational>& distance = bounds.one_sided.distance;
+    if (strip && (!distance || strip->distance < *distance)) {
+      distance = strip->distance;
+      bounds.one_sided.unproved.clear();
+    }
+    return bounds;
+  });
 }
 
 }  // namespace exsect

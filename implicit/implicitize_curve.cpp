@@ -1,5 +1,7 @@
 #include "implicitize_curve.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -101,33 +103,37 @@ const char* name(SpaceKind kind) {
 }
 
 PlanarBox enlarged_box(const BezierCurve& planar) {
-  const PlanarBox box = control_box(homogeneous(planar), 0, 1);
-  const Rational margin = std::max(box.x.width(), box.y.width()) / 4;
-  const auto enlarged = [&](const RationalInterval& side) {
-    return RationalInterval{rounded_down(side.lower - margin, 6), rounded_up(side.upper + margin, 6)};
-  };
-  return {enlarged(box.x), enlarged(box.y)};
+  return in_nearest_rounding([&]() -> PlanarBox {
+    const PlanarBox box = control_box(homogeneous(planar), 0, 1);
+    const Rational margin = std::max(box.x.width(), box.y.width()) / 4;
+    const auto enlarged = [&](const RationalInterval& side) {
+      return RationalInterval{rounded_down(side.lower - margin, 6), rounded_up(side.upper + margin, 6)};
+    };
+    return {enlarged(box.x), enlarged(box.y)};
+  });
 }
 
 PlanarImplicit implicitize(const BezierCurve& curve, const PlanarOptions& options) {
-  require_options(options);
-  const ImplicitCurve exact = implicit_curve(curve);
-  const PlanarBox box = options.box.value_or(enlarged_box(curve));
-  PlanarImplicit result = {exact.equation, box, true, exact.power, exact.equation.total_degree(), 0, {}, {},
-                           true,           {},  {}};
-  if (options.method == PlanarMethod::exact) return certified(std::move(result), curve);
-  const PlanarSpace space = space_of(curve, options, box);
-  result.dimension = space.dimension();
-  const std::vector<FitSample> samples = fit_samples(curve, options.samples);
-  Found found = find(space, curve, samples, options);
-  result.singular_value = found.singular_value;
-  result.is_unique = found.is_unique;
-  if (found.vanishes) return certified(std::move(result), curve);
-  result.is_exact = false;
-  result.digits = options.digits ? options.digits : rounding_digits(space, samples, found.coefficients);
-  if (result.digits) found.coefficients = rounded_coefficients(found.coefficients, *result.digits);
-  result.function = space.combination(found.coefficients);
-  return certified(std::move(result), curve);
+  return in_nearest_rounding([&]() -> PlanarImplicit {
+    require_options(options);
+    const ImplicitCurve exact = implicit_curve(curve);
+    const PlanarBox box = options.box.value_or(enlarged_box(curve));
+    PlanarImplicit result = {exact.equation, box, true, exact.power, exact.equation.total_degree(), 0, {}, {},
+                             true,           {},  {}};
+    if (options.method == PlanarMethod::exact) return certified(std::move(result), curve);
+    const PlanarSpace space = space_of(curve, options, box);
+    result.dimension = space.dimension();
+    const std::vector<FitSample> samples = fit_samples(curve, options.samples);
+    Found found = find(space, curve, samples, options);
+    result.singular_value = found.singular_value;
+    result.is_unique = found.is_unique;
+    if (found.vanishes) return certified(std::move(result), curve);
+    result.is_exact = false;
+    result.digits = options.digits ? options.digits : rounding_digits(space, samples, found.coefficients);
+    if (result.digits) found.coefficients = rounded_coefficients(found.coefficients, *result.digits);
+    result.function = space.combination(found.coefficients);
+    return certified(std::move(result), curve);
+  });
 }
 
 }  // namespace exsect

@@ -1,5 +1,7 @@
 #include "implicitize_space_curve.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
 #include <stdexcept>
 
 #include "curve/short_rational.h"
@@ -59,30 +61,32 @@ const char* name(SpaceMethod method) {
 }
 
 SpaceImplicit implicitize_space(const BezierCurve& curve, const SpaceOptions& options) {
-  const AxisChoice choice = options.axis
-                                ? AxisChoice{*options.axis, is_strictly_monotone(curve, *options.axis)}
-                                : choose_axis(curve);
-  const int axis = choice.axis, second = axis == 0 ? 1 : 0, third = axis == 2 ? 1 : 2;
-  const SpaceBox box = options.box.value_or(enlarged_box(curve, choice));
-  const PlanarImplicit f = projection(curve, options, box, axis, second);
-  const PlanarImplicit g = projection(curve, options, box, axis, third);
-  ProjectedPair pair = {axis, second, third, f.function.polynomial(), g.function.polynomial()};
-  SpaceImplicit result = {axis, choice.is_regular, box, {f, g}, cylinders(pair), {}, true, {}, {}};
-  if (options.method == SpaceMethod::root_free) result.surfaces = orthogonal(pair);
-  if (options.method == SpaceMethod::orthogonal) {
-    pair.f = with_unit_gradients(pair.f, curve.projected(axis, second));
-    pair.g = with_unit_gradients(pair.g, curve.projected(axis, third));
-    result.norms = {fitted_gradient_norm(pair.f, f.box, options.factor_degree, options.epsilon),
-                    fitted_gradient_norm(pair.g, g.box, options.factor_degree, options.epsilon)};
-    result.surfaces = nearly_orthogonal(pair, (*result.norms)[0], (*result.norms)[1]);
-    result.norms_are_positive =
-        is_positive_on((*result.norms)[0], f.box) && is_positive_on((*result.norms)[1], g.box);
-  }
-  result.surfaces = {result.surfaces.first.primitive(), result.surfaces.second.primitive()};
-  result.angle = largest_cosine(result.surfaces, curve);
-  result.further = further_branches(meeting_as_cylinders(result, options) ? cylinders(pair) : result.surfaces,
-                                    curve, axis, box);
-  return result;
+  return in_nearest_rounding([&] {
+    const AxisChoice choice = options.axis
+                                  ? AxisChoice{*options.axis, is_strictly_monotone(curve, *options.axis)}
+                                  : choose_axis(curve);
+    const int axis = choice.axis, second = axis == 0 ? 1 : 0, third = axis == 2 ? 1 : 2;
+    const SpaceBox box = options.box.value_or(enlarged_box(curve, choice));
+    const PlanarImplicit f = projection(curve, options, box, axis, second);
+    const PlanarImplicit g = projection(curve, options, box, axis, third);
+    ProjectedPair pair = {axis, second, third, f.function.polynomial(), g.function.polynomial()};
+    SpaceImplicit result = {axis, choice.is_regular, box, {f, g}, cylinders(pair), {}, true, {}, {}};
+    if (options.method == SpaceMethod::root_free) result.surfaces = orthogonal(pair);
+    if (options.method == SpaceMethod::orthogonal) {
+      pair.f = with_unit_gradients(pair.f, curve.projected(axis, second));
+      pair.g = with_unit_gradients(pair.g, curve.projected(axis, third));
+      result.norms = {fitted_gradient_norm(pair.f, f.box, options.factor_degree, options.epsilon),
+                      fitted_gradient_norm(pair.g, g.box, options.factor_degree, options.epsilon)};
+      result.surfaces = nearly_orthogonal(pair, (*result.norms)[0], (*result.norms)[1]);
+      result.norms_are_positive =
+          is_positive_on((*result.norms)[0], f.box) && is_positive_on((*result.norms)[1], g.box);
+    }
+    result.surfaces = {result.surfaces.first.primitive(), result.surfaces.second.primitive()};
+    result.angle = largest_cosine(result.surfaces, curve);
+    result.further = further_branches(
+        meeting_as_cylinders(result, options) ? cylinders(pair) : result.surfaces, curve, axis, box);
+    return result;
+  });
 }
 
 }  // namespace exsect

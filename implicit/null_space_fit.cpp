@@ -2,6 +2,7 @@
 
 #include <exsect/algebra/bernstein.h>
 #include <exsect/algebra/double_matrix.h>
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/algebra/rational_matrix.h>
 #include <exsect/geometry/homogeneous_composition.h>
 
@@ -165,16 +166,20 @@ const char* name(CurveBasis basis) {
 
 NullSpaceFit fit_null_space(const PlanarSpace& space, const BezierCurve& curve, CurveBasis basis,
                             Arithmetic arithmetic) {
-  if (!space.is_polynomial()) throw std::invalid_argument("null space: the space must be one of polynomials");
-  if (curve.dimension() != 2) throw std::invalid_argument("null space: the curve must be planar");
-  if (curve.is_point()) throw std::invalid_argument("null space: all points are equal");
-  const WeightedMatrix d = collocation(space, homogeneous(curve), basis);
-  const std::vector<std::vector<Integer>> vanishing = null_space(d.rows);
-  if (!vanishing.empty()) return {{vanishing.front().begin(), vanishing.front().end()}, 0, vanishing.size()};
-  std::vector<Rational> b = singular_vector(d);
-  if (arithmetic == Arithmetic::exact) b = refined_vector(d, std::move(b));
-  const double sigma = std::sqrt(to_double(Rational(squared_residual(d, b) / squared_length(b))));
-  return {std::move(b), sigma, 0};
+  return in_nearest_rounding([&]() -> NullSpaceFit {
+    if (!space.is_polynomial())
+      throw std::invalid_argument("null space: the space must be one of polynomials");
+    if (curve.dimension() != 2) throw std::invalid_argument("null space: the curve must be planar");
+    if (curve.is_point()) throw std::invalid_argument("null space: all points are equal");
+    const WeightedMatrix d = collocation(space, homogeneous(curve), basis);
+    const std::vector<std::vector<Integer>> vanishing = null_space(d.rows);
+    if (!vanishing.empty())
+      return {{vanishing.front().begin(), vanishing.front().end()}, 0, vanishing.size()};
+    std::vector<Rational> b = singular_vector(d);
+    if (arithmetic == Arithmetic::exact) b = refined_vector(d, std::move(b));
+    const double sigma = std::sqrt(to_double(Rational(squared_residual(d, b) / squared_length(b))));
+    return {std::move(b), sigma, 0};
+  });
 }
 
 }  // namespace exsect

@@ -1,6 +1,7 @@
 #include "planar_fit.h"
 
 #include <exsect/algebra/double_matrix.h>
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/algebra/rational_matrix.h>
 
 #include <algorithm>
@@ -143,35 +144,39 @@ Rational inverse_root(const Rational& square) {
 }  // namespace
 
 std::vector<FitSample> fit_samples(const BezierCurve& curve, int count) {
-  if (curve.dimension() != 2) throw std::invalid_argument("least squares: the curve must be planar");
-  if (curve.is_point()) throw std::invalid_argument("least squares: all points are equal");
-  if (count < 2) throw std::invalid_argument("least squares: at least 2 samples are needed");
-  const HomogeneousCurve reduced = homogeneous(curve);
-  std::vector<FitSample> samples;
-  for (int k = 0; k < count; ++k) {
-    const Rational t(k, count - 1);
-    const Rational w = reduced.denominator(t);
-    const Rational dw = reduced.denominator.derivative()(t);
-    std::array<Rational, 2> point, tangent;
-    for (std::size_t i = 0; i < 2; ++i) {
-      point[i] = reduced.numerators[i](t) / w;
-      tangent[i] = (reduced.numerators[i].derivative()(t) - point[i] * dw) / w;
+  return in_nearest_rounding([&] {
+    if (curve.dimension() != 2) throw std::invalid_argument("least squares: the curve must be planar");
+    if (curve.is_point()) throw std::invalid_argument("least squares: all points are equal");
+    if (count < 2) throw std::invalid_argument("least squares: at least 2 samples are needed");
+    const HomogeneousCurve reduced = homogeneous(curve);
+    std::vector<FitSample> samples;
+    for (int k = 0; k < count; ++k) {
+      const Rational t(k, count - 1);
+      const Rational w = reduced.denominator(t);
+      const Rational dw = reduced.denominator.derivative()(t);
+      std::array<Rational, 2> point, tangent;
+      for (std::size_t i = 0; i < 2; ++i) {
+        point[i] = reduced.numerators[i](t) / w;
+        tangent[i] = (reduced.numerators[i].derivative()(t) - point[i] * dw) / w;
+      }
+      const Rational square = tangent[0] * tangent[0] + tangent[1] * tangent[1];
+      const Rational q = square == 0 ? Rational(0) : inverse_root(square);
+      samples.push_back({point[0], point[1], -q * tangent[1], q * tangent[0]});
     }
-    const Rational square = tangent[0] * tangent[0] + tangent[1] * tangent[1];
-    const Rational q = square == 0 ? Rational(0) : inverse_root(square);
-    samples.push_back({point[0], point[1], -q * tangent[1], q * tangent[0]});
-  }
-  return samples;
+    return samples;
+  });
 }
 
 PlanarFit fit_points_and_normals(const PlanarSpace& space, const std::vector<FitSample>& samples,
                                  const FitWeights& weights, Arithmetic arithmetic) {
-  if (weights.w1 <= 0) throw std::invalid_argument("least squares: w1 must be > 0");
-  if (weights.w2 < 0) throw std::invalid_argument("least squares: w2 must be >= 0");
-  if (samples.empty()) throw std::invalid_argument("least squares: no samples");
-  const std::vector<Equation> list = equations(space, samples, weights);
-  if (arithmetic == Arithmetic::exact) return exact_fit(space, list, weights.w2);
-  return space.is_polynomial() ? dense_fit(space, list, weights.w2) : sparse_fit(space, list, weights.w2);
+  return in_nearest_rounding([&]() -> PlanarFit {
+    if (weights.w1 <= 0) throw std::invalid_argument("least squares: w1 must be > 0");
+    if (weights.w2 < 0) throw std::invalid_argument("least squares: w2 must be >= 0");
+    if (samples.empty()) throw std::invalid_argument("least squares: no samples");
+    const std::vector<Equation> list = equations(space, samples, weights);
+    if (arithmetic == Arithmetic::exact) return exact_fit(space, list, weights.w2);
+    return space.is_polynomial() ? dense_fit(space, list, weights.w2) : sparse_fit(space, list, weights.w2);
+  });
 }
 
 std::vector<Rational> rounded_coefficients(const std::vector<Rational>& coefficients, int digits) {

@@ -1,6 +1,7 @@
 #include "quartic_method.h"
 
 #include <exsect/algebra/bernstein_box.h>
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/algebra/real_algebraic.h>
 #include <exsect/geometry/bounding_box.h>
 
@@ -133,32 +134,34 @@ QuarticCheck measured(const BezierPatch& x, const std::vector<QuarticPiece>& pie
 
 QuarticMethod intersect_by_quartics(const BezierPatch& x, const BezierPatch& y, const QuarticOptions& options,
                                     const std::vector<CheckLine>& lines) {
-  if (options.pieces < 0 || options.pieces > 3)
-    throw std::invalid_argument("quartics: pieces must be 0, ..., 3");
-  if (options.boxes < 3 || options.boxes > 8)
-    throw std::invalid_argument("quartics: boxes must be 3, ..., 8");
-  QuarticMethod result;
-  std::vector<BoundingBox> around;
-  std::set<Box> marked;
-  const int parts = 1 << options.pieces;
-  for (int i = 0; i < parts; ++i)
-    for (int j = 0; j < parts; ++j) {
-      const RationalInterval r = {Rational(i, parts), Rational(i + 1, parts)},
-                             s = {Rational(j, parts), Rational(j + 1, parts)};
-      const BezierPatch part = y.restricted_to(r.lower, r.upper, s.lower, s.upper);
-      around.push_back(bounding_box(part));
-      const ApproximateEquation q = approximate_equation(part, 4, options.fit);
-      result.pieces.push_back({r, s, compose(q.equation, x), q.bound, {}});
-      QuarticPiece& piece = result.pieces.back();
-      Cover(piece, around.back(), options.boxes, piece.boxes)
-          .search(BernsteinBox(piece.composed, {0, 1}, {0, 1}), x, 0, {0, 0});
-      marked.insert(piece.boxes.begin(), piece.boxes.end());
-    }
-  const Rational size(1, 1 << options.boxes);
-  result.regions = regions(std::move(marked));
-  mark_true(result.regions, lines, size);
-  result.check = measured(x, result.pieces, around, lines, to_double(size));
-  return result;
+  return in_nearest_rounding([&] {
+    if (options.pieces < 0 || options.pieces > 3)
+      throw std::invalid_argument("quartics: pieces must be 0, ..., 3");
+    if (options.boxes < 3 || options.boxes > 8)
+      throw std::invalid_argument("quartics: boxes must be 3, ..., 8");
+    QuarticMethod result;
+    std::vector<BoundingBox> around;
+    std::set<Box> marked;
+    const int parts = 1 << options.pieces;
+    for (int i = 0; i < parts; ++i)
+      for (int j = 0; j < parts; ++j) {
+        const RationalInterval r = {Rational(i, parts), Rational(i + 1, parts)},
+                               s = {Rational(j, parts), Rational(j + 1, parts)};
+        const BezierPatch part = y.restricted_to(r.lower, r.upper, s.lower, s.upper);
+        around.push_back(bounding_box(part));
+        const ApproximateEquation q = approximate_equation(part, 4, options.fit);
+        result.pieces.push_back({r, s, compose(q.equation, x), q.bound, {}});
+        QuarticPiece& piece = result.pieces.back();
+        Cover(piece, around.back(), options.boxes, piece.boxes)
+            .search(BernsteinBox(piece.composed, {0, 1}, {0, 1}), x, 0, {0, 0});
+        marked.insert(piece.boxes.begin(), piece.boxes.end());
+      }
+    const Rational size(1, 1 << options.boxes);
+    result.regions = regions(std::move(marked));
+    mark_true(result.regions, lines, size);
+    result.check = measured(x, result.pieces, around, lines, to_double(size));
+    return result;
+  });
 }
 
 }  // namespace exsect

@@ -1,6 +1,7 @@
 #include "resultant_method.h"
 
 #include <exsect/algebra/determinant.h>
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/algebra/real_algebraic.h>
 #include <exsect/geometry/integer_pair.h>
 
@@ -198,24 +199,28 @@ void solve(const BezierPatch& x, const BezierPatch& y, ResultantMethod& result) 
 }  // namespace
 
 ResultantMethod intersect_by_resultant(const BezierPatch& x, const BezierPatch& y) {
-  ResultantMethod result{{}, {}, {}, {}, {}, 0, std::nullopt};
-  if (auto why = failure_of([&] { solve(x, y, result); })) result.incomplete = std::move(why);
-  return result;
+  return in_nearest_rounding([&]() -> ResultantMethod {
+    ResultantMethod result{{}, {}, {}, {}, {}, 0, std::nullopt};
+    if (auto why = failure_of([&] { solve(x, y, result); })) result.incomplete = std::move(why);
+    return result;
+  });
 }
 
 ResultantCheck check(const ResultantMethod& method, const std::vector<CheckLine>& lines) {
-  ResultantCheck result{0, 0};
-  for (const CheckLine& line : lines) {
-    const Polynomial in_r = method.curve.at_r(line.u);
-    if (in_r.degree() < 1) continue;
-    const std::vector<RealAlgebraic> roots = real_roots(in_r, 0, 1);
-    std::vector<std::size_t> matched = roots_of(line.points, roots);
-    std::sort(matched.begin(), matched.end());
-    matched.erase(std::unique(matched.begin(), matched.end()), matched.end());
-    result.points += line.points.size();
-    result.phantoms += roots.size() - matched.size();
-  }
-  return result;
+  return in_nearest_rounding([&] {
+    ResultantCheck result{0, 0};
+    for (const CheckLine& line : lines) {
+      const Polynomial in_r = method.curve.at_r(line.u);
+      if (in_r.degree() < 1) continue;
+      const std::vector<RealAlgebraic> roots = real_roots(in_r, 0, 1);
+      std::vector<std::size_t> matched = roots_of(line.points, roots);
+      std::sort(matched.begin(), matched.end());
+      matched.erase(std::unique(matched.begin(), matched.end()), matched.end());
+      result.points += line.points.size();
+      result.phantoms += roots.size() - matched.size();
+    }
+    return result;
+  });
 }
 
 }  // namespace exsect

@@ -1,5 +1,6 @@
 #include "revolution_audit.h"
 
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/algebra/resultant.h>
 #include <exsect/algebra/sturm.h>
 
@@ -68,22 +69,24 @@ BranchCount count_at(const BivariatePolynomial& f, const Rational& z, const Rati
 }  // namespace
 
 SingularRings singular_rings(const BivariatePolynomial& f, const Rectangle& on) {
-  check(f, on, "singular rings");
-  const ParityParts parts = parity_parts(f);
-  const BivariatePolynomial common = gcd(parts.even, parts.odd);
-  SingularRings result{{}, common.degree_r() > 0 || common.degree_s() > 0};
-  const Rectangle in_squares = {{0, on.r.upper * on.r.upper}, on.s};
-  const BivariatePolynomial even = on_unit_square(exact_quotient(parts.even, common), in_squares);
-  const BivariatePolynomial odd = on_unit_square(exact_quotient(parts.odd, common), in_squares);
-  for (const TriangularPoint& p : common_points(even, odd)) {
-    if (sign_at(BivariatePolynomial::r(), p) == 0) continue;  // on the axis
-    TriangularPoint fine = p.refined_to(power_of_two(-40));
-    while (fine.r_interval().lower <= 0) fine = fine.refined_to(fine.r_interval().width() / 4);
-    const RationalInterval squared = mapped(fine.r_interval(), in_squares.r);
-    result.rings.push_back(
-        {{root_below(squared.lower), root_above(squared.upper)}, mapped(interval_of_s(fine), in_squares.s)});
-  }
-  return result;
+  return in_nearest_rounding([&] {
+    check(f, on, "singular rings");
+    const ParityParts parts = parity_parts(f);
+    const BivariatePolynomial common = gcd(parts.even, parts.odd);
+    SingularRings result{{}, common.degree_r() > 0 || common.degree_s() > 0};
+    const Rectangle in_squares = {{0, on.r.upper * on.r.upper}, on.s};
+    const BivariatePolynomial even = on_unit_square(exact_quotient(parts.even, common), in_squares);
+    const BivariatePolynomial odd = on_unit_square(exact_quotient(parts.odd, common), in_squares);
+    for (const TriangularPoint& p : common_points(even, odd)) {
+      if (sign_at(BivariatePolynomial::r(), p) == 0) continue;  // on the axis
+      TriangularPoint fine = p.refined_to(power_of_two(-40));
+      while (fine.r_interval().lower <= 0) fine = fine.refined_to(fine.r_interval().width() / 4);
+      const RationalInterval squared = mapped(fine.r_interval(), in_squares.r);
+      result.rings.push_back({{root_below(squared.lower), root_above(squared.upper)},
+                              mapped(interval_of_s(fine), in_squares.s)});
+    }
+    return result;
+  });
 }
 
 bool BranchAudit::has_unwanted() const {
@@ -92,26 +95,28 @@ bool BranchAudit::has_unwanted() const {
 }
 
 BranchAudit audit_branches(const BivariatePolynomial& f, const Rectangle& on) {
-  check(f, on, "branch audit");
-  const Rational& b = on.r.upper;
-  const BivariatePolynomial simple = squarefree(f);
-  std::vector<RealAlgebraic> ends;
-  if (simple.degree_r() >= 1) {
-    add_roots(ends, discriminant_r(simple), on.s);
-    add_roots(ends, simple.coefficient(simple.degree_r()), on.s);
-    for (const Rational& r : {Rational(0), b, Rational(-b)}) add_roots(ends, simple.at_r(r), on.s);
-  }
-  std::sort(ends.begin(), ends.end());
-  BranchAudit result;
-  for (RealAlgebraic& z : ends)
-    if (z.compare(on.s.lower) > 0 && z.compare(on.s.upper) < 0) result.critical.push_back(std::move(z));
-  const bool even = parity_parts(f).odd.is_zero();
-  for (std::size_t i = 0; i <= result.critical.size(); ++i) {
-    const RealAlgebraic from = i == 0 ? RealAlgebraic(on.s.lower) : result.critical[i - 1];
-    const RealAlgebraic to = i == result.critical.size() ? RealAlgebraic(on.s.upper) : result.critical[i];
-    result.gaps.push_back(count_at(f, sample_between(from, to), b, even));
-  }
-  return result;
+  return in_nearest_rounding([&] {
+    check(f, on, "branch audit");
+    const Rational& b = on.r.upper;
+    const BivariatePolynomial simple = squarefree(f);
+    std::vector<RealAlgebraic> ends;
+    if (simple.degree_r() >= 1) {
+      add_roots(ends, discriminant_r(simple), on.s);
+      add_roots(ends, simple.coefficient(simple.degree_r()), on.s);
+      for (const Rational& r : {Rational(0), b, Rational(-b)}) add_roots(ends, simple.at_r(r), on.s);
+    }
+    std::sort(ends.begin(), ends.end());
+    BranchAudit result;
+    for (RealAlgebraic& z : ends)
+      if (z.compare(on.s.lower) > 0 && z.compare(on.s.upper) < 0) result.critical.push_back(std::move(z));
+    const bool even = parity_parts(f).odd.is_zero();
+    for (std::size_t i = 0; i <= result.critical.size(); ++i) {
+      const RealAlgebraic from = i == 0 ? RealAlgebraic(on.s.lower) : result.critical[i - 1];
+      const RealAlgebraic to = i == result.critical.size() ? RealAlgebraic(on.s.upper) : result.critical[i];
+      result.gaps.push_back(count_at(f, sample_between(from, to), b, even));
+    }
+    return result;
+  });
 }
 
 }  // namespace exsect

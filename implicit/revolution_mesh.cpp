@@ -1,6 +1,7 @@
 #include "revolution_mesh.h"
 
 #include <exsect/algebra/bernstein.h>
+#include <exsect/algebra/nearest_rounding.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,43 +83,48 @@ Rational sagitta(const std::vector<PlanePoint>& circle) {
 }  // namespace
 
 TriangleMesh revolution_mesh(const BezierCurve& profile, int along, int around) {
-  if (along < 1 || around < 4)
-    throw std::invalid_argument("revolution mesh: along >= 1 and around >= 4 are needed");
-  const HomogeneousCurve curve = homogeneous(profile);
-  const std::vector<PlanePoint> circle = circle_points(around);
-  TriangleMesh mesh;
-  Rational largest_r = 0, largest = 0;
-  for (int i = 0; i <= along; ++i) {
-    const std::vector<Rational> p = profile(Rational(i, along));
-    if (p[0] < 0) throw std::invalid_argument("revolution mesh: the profile leaves r >= 0");
-    largest_r = std::max(largest_r, p[0]);
-    largest = std::max({largest, p[0], Rational(abs(p[1]))});
-    for (const PlanePoint& c : circle)
-      mesh.vertices.push_back({to_double(p[0] * c.r), to_double(p[0] * c.z), to_double(p[1])});
-  }
-  for (int i = 0; i < along; ++i)
-    for (int k = 0; k < around; ++k) {
-      const int a = i * around + k, b = i * around + (k + 1) % around;
-      mesh.triangles.push_back({a, b, b + around});
-      mesh.triangles.push_back({a, b + around, a + around});
+  return in_nearest_rounding([&] {
+    if (along < 1 || around < 4)
+      throw std::invalid_argument("revolution mesh: along >= 1 and around >= 4 are needed");
+    const HomogeneousCurve curve = homogeneous(profile);
+    const std::vector<PlanePoint> circle = circle_points(around);
+    TriangleMesh mesh;
+    Rational largest_r = 0, largest = 0;
+    for (int i = 0; i <= along; ++i) {
+      const std::vector<Rational> p = profile(Rational(i, along));
+      if (p[0] < 0) throw std::invalid_argument("revolution mesh: the profile leaves r >= 0");
+      largest_r = std::max(largest_r, p[0]);
+      largest = std::max({largest, p[0], Rational(abs(p[1]))});
+      for (const PlanePoint& c : circle)
+        mesh.vertices.push_back({to_double(p[0] * c.r), to_double(p[0] * c.z), to_double(p[1])});
     }
-  // A point of a triangle is a mean of points (r_k, z_k) turned by angles at most D apart: its own r is
-  // between cos(D/2) m and m, m the same mean of the r_k, and (m, mean of the z_k) lies on a chord. The
-  // corners are rounded by at most 2^-53 of their coordinates, or half the least positive double.
-  const int degree = std::max(profile.degree(), curve.degree());
-  const Rational rounding = 2 * (power_of_two(-53) * largest + power_of_two(-1074));
-  mesh.distance = rounded_up(Rational(root_above(squared_chord_error(curve, along, degree)) +
-                                      largest_r * sagitta(circle) + rounding));
-  return mesh;
+    for (int i = 0; i < along; ++i)
+      for (int k = 0; k < around; ++k) {
+        const int a = i * around + k, b = i * around + (k + 1) % around;
+        mesh.triangles.push_back({a, b, b + around});
+        mesh.triangles.push_back({a, b + around, a + around});
+      }
+    // A point of a triangle is a mean of points (r_k, z_k) turned by angles at most D apart: its own r is
+    // between cos(D/2) m and m, m the same mean of the r_k, and (m, mean of the z_k) lies on a chord. The
+    // corners are rounded by at most 2^-53 of their coordinates, or half the least positive double.
+    const int degree = std::max(profile.degree(), curve.degree());
+    const Rational rounding = 2 * (power_of_two(-53) * largest + power_of_two(-1074));
+    mesh.distance = rounded_up(Rational(root_above(squared_chord_error(curve, along, degree)) +
+                                        largest_r * sagitta(circle) + rounding));
+    return mesh;
+  });
 }
 
 std::string obj_text(const TriangleMesh& mesh, const std::vector<std::string>& comments) {
-  std::ostringstream text;
-  text.precision(std::numeric_limits<double>::max_digits10);
-  for (const std::string& line : comments) text << "# " << line << "\n";
-  for (const auto& v : mesh.vertices) text << "v " << v[0] << " " << v[1] << " " << v[2] << "\n";
-  for (const auto& t : mesh.triangles) text << "f " << t[0] + 1 << " " << t[1] + 1 << " " << t[2] + 1 << "\n";
-  return text.str();
+  return in_nearest_rounding([&] {
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    for (const std::string& line : comments) text << "# " << line << "\n";
+    for (const auto& v : mesh.vertices) text << "v " << v[0] << " " << v[1] << " " << v[2] << "\n";
+    for (const auto& t : mesh.triangles)
+      text << "f " << t[0] + 1 << " " << t[1] + 1 << " " << t[2] + 1 << "\n";
+    return text.str();
+  });
 }
 
 }  // namespace exsect

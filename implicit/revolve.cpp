@@ -1,6 +1,7 @@
 #include "revolve.h"
 
 #include <exsect/algebra/bernstein.h>
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/algebra/real_algebraic.h>
 #include <exsect/geometry/implicit_curve.h>
 #include <exsect/geometry/number.h>
@@ -173,23 +174,26 @@ const char* name(RevolutionMethod method) {
 }
 
 Revolution revolve(const BezierCurve& profile, const RevolveOptions& options) {
-  check(profile, options);
-  const Rectangle region = options.region.value_or(default_region(profile));
-  const bool exact = !options.degree;
-  PlanarFunction f =
-      exact ? PlanarFunction(implicit_curve(profile).equation) : fitted(profile, options, region);
-  Revolution result{f, exact, region, {}, std::nullopt, std::nullopt, distance_bounds(f, profile)};
-  if (f.is_polynomial()) {
-    result.surfaces = {revolved(f.polynomial(), options.method)};
-    result.rings = options.method == RevolutionMethod::substitution ? SingularRings{{}, false}
-                                                                    : singular_rings(f.polynomial(), region);
-    result.audit = audit_branches(f.polynomial(), region);
-  } else {
-    for (const auto& row : f.cells())
-      for (const auto& cell : row)
-        if (cell) result.surfaces.push_back(revolved_by_substitution(*cell));
-  }
-  return result;
+  return in_nearest_rounding([&]() -> Revolution {
+    check(profile, options);
+    const Rectangle region = options.region.value_or(default_region(profile));
+    const bool exact = !options.degree;
+    PlanarFunction f =
+        exact ? PlanarFunction(implicit_curve(profile).equation) : fitted(profile, options, region);
+    Revolution result{f, exact, region, {}, std::nullopt, std::nullopt, distance_bounds(f, profile)};
+    if (f.is_polynomial()) {
+      result.surfaces = {revolved(f.polynomial(), options.method)};
+      result.rings = options.method == RevolutionMethod::substitution
+                         ? SingularRings{{}, false}
+                         : singular_rings(f.polynomial(), region);
+      result.audit = audit_branches(f.polynomial(), region);
+    } else {
+      for (const auto& row : f.cells())
+        for (const auto& cell : row)
+          if (cell) result.surfaces.push_back(revolved_by_substitution(*cell));
+    }
+    return result;
+  });
 }
 
 }  // namespace exsect

@@ -1,6 +1,7 @@
 #include "space_curve_surfaces.h"
 
 #include <exsect/algebra/bernstein_box.h>
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/geometry/homogeneous_composition.h>
 #include <exsect/geometry/implicit_curve.h>
 
@@ -136,21 +137,23 @@ SpacePolynomial cylinder(const BivariatePolynomial& f, int first_axis, int secon
 }
 
 BivariatePolynomial with_unit_gradients(const BivariatePolynomial& f, const BezierCurve& projection) {
-  const HomogeneousCurve curve = homogeneous(projection);
-  const BivariatePolynomial dx = f.derivative_r(), dy = f.derivative_s();
-  constexpr int steps = 100;
-  Rational sum = 0;
-  for (int k = 0; k <= steps; ++k) {
-    const Rational t(k, steps);
-    const Rational w = curve.denominator(t);
-    const Rational x = curve.numerators[0](t) / w, y = curve.numerators[1](t) / w;
-    const Rational a = dx(x, y), b = dy(x, y);
-    sum += root_above(a * a + b * b);
-  }
-  if (sum == 0) return f;
-  BivariatePolynomial scaled = f;
-  scaled *= Polynomial(rounded_down(Rational(steps + 1) / sum, 16));
-  return scaled;
+  return in_nearest_rounding([&]() -> BivariatePolynomial {
+    const HomogeneousCurve curve = homogeneous(projection);
+    const BivariatePolynomial dx = f.derivative_r(), dy = f.derivative_s();
+    constexpr int steps = 100;
+    Rational sum = 0;
+    for (int k = 0; k <= steps; ++k) {
+      const Rational t(k, steps);
+      const Rational w = curve.denominator(t);
+      const Rational x = curve.numerators[0](t) / w, y = curve.numerators[1](t) / w;
+      const Rational a = dx(x, y), b = dy(x, y);
+      sum += root_above(a * a + b * b);
+    }
+    if (sum == 0) return f;
+    BivariatePolynomial scaled = f;
+    scaled *= Polynomial(rounded_down(Rational(steps + 1) / sum, 16));
+    return scaled;
+  });
 }
 
 SurfacePair cylinders(const ProjectedPair& pair) {
@@ -177,38 +180,42 @@ SurfacePair orthogonal(const ProjectedPair& pair) {
 }
 
 bool is_positive_on(const BivariatePolynomial& f, const PlanarBox& box) {
-  const BernsteinBox whole(f, box.x, box.y);
-  const auto positive = [](const auto& self, const BernsteinBox& part, int depth) -> bool {
-    const int sign = part.sign();
-    if (sign != 0 || depth == 0) return sign > 0;
-    const auto [a, b] = depth % 2 == 0 ? part.split_r() : part.split_s();
-    return self(self, a, depth - 1) && self(self, b, depth - 1);
-  };
-  return positive(positive, whole, 10);
+  return in_nearest_rounding([&]() -> bool {
+    const BernsteinBox whole(f, box.x, box.y);
+    const auto positive = [](const auto& self, const BernsteinBox& part, int depth) -> bool {
+      const int sign = part.sign();
+      if (sign != 0 || depth == 0) return sign > 0;
+      const auto [a, b] = depth % 2 == 0 ? part.split_r() : part.split_s();
+      return self(self, a, depth - 1) && self(self, b, depth - 1);
+    };
+    return positive(positive, whole, 10);
+  });
 }
 
 GradientAngle largest_cosine(const SurfacePair& surfaces, const BezierCurve& curve) {
-  require_spatial(curve);
-  const HomogeneousCurve reduced = homogeneous(curve);
-  const Gradient a = gradient_along(surfaces.first, reduced), b = gradient_along(surfaces.second, reduced);
-  const Polynomial ab = dot(a, b), aa = dot(a, a), bb = dot(b, b);
-  const bool regular = !not_positive(aa, {0, 1}) && !not_positive(bb, {0, 1});
-  if (ab.is_zero()) return {regular ? std::optional(Rational(0)) : std::nullopt, 0};
-  const Rational t = best_parameter(ab, aa, bb);
-  const Rational lengths = aa(t) * bb(t);
-  const Rational product = ab(t);
-  const Rational largest = lengths == 0 ? Rational(0) : Rational(product * product / lengths);
-  GradientAngle result = {std::nullopt, rounded_down(root_below(largest))};
-  if (!regular) return result;
-  // c^2 |a|^2 |b|^2 - (a.b)^2 > 0 on [0,1] proves |cos| < c.
-  for (int bits = 24; bits >= 4; bits -= 4) {
-    const Rational squared = rounded_up(largest * (1 + power_of_two(-bits)));
-    if (not_positive(Polynomial(squared) * aa * bb - ab * ab, {0, 1})) continue;
-    result.upper = std::min<Rational>(1, root_above(squared));
-    break;
-  }
-  if (!result.upper) result.upper = 1;  // Cauchy and Schwarz
-  return result;
+  return in_nearest_rounding([&]() -> GradientAngle {
+    require_spatial(curve);
+    const HomogeneousCurve reduced = homogeneous(curve);
+    const Gradient a = gradient_along(surfaces.first, reduced), b = gradient_along(surfaces.second, reduced);
+    const Polynomial ab = dot(a, b), aa = dot(a, a), bb = dot(b, b);
+    const bool regular = !not_positive(aa, {0, 1}) && !not_positive(bb, {0, 1});
+    if (ab.is_zero()) return {regular ? std::optional(Rational(0)) : std::nullopt, 0};
+    const Rational t = best_parameter(ab, aa, bb);
+    const Rational lengths = aa(t) * bb(t);
+    const Rational product = ab(t);
+    const Rational largest = lengths == 0 ? Rational(0) : Rational(product * product / lengths);
+    GradientAngle result = {std::nullopt, rounded_down(root_below(largest))};
+    if (!regular) return result;
+    // c^2 |a|^2 |b|^2 - (a.b)^2 > 0 on [0,1] proves |cos| < c.
+    for (int bits = 24; bits >= 4; bits -= 4) {
+      const Rational squared = rounded_up(largest * (1 + power_of_two(-bits)));
+      if (not_positive(Polynomial(squared) * aa * bb - ab * ab, {0, 1})) continue;
+      result.upper = std::min<Rational>(1, root_above(squared));
+      break;
+    }
+    if (!result.upper) result.upper = 1;  // Cauchy and Schwarz
+    return result;
+  });
 }
 
 std::optional<Rational> first_order_squared_distance(const SurfacePair& surfaces, const Point& p) {

@@ -1,6 +1,7 @@
 #include "two_sided_bound.h"
 
 #include <exsect/algebra/bernstein.h>
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/geometry/homogeneous_composition.h>
 #include <exsect/geometry/planar_space.h>
 
@@ -169,31 +170,33 @@ bool Strip::is_exact() { return f_.is_polynomial() && pulled(f_.polynomial()).al
 }  // namespace
 
 TwoSidedBound two_sided_bound(const PlanarFunction& f, const BezierCurve& curve) {
-  if (curve.dimension() != 2) throw std::invalid_argument("distance bound: the curve must be planar");
-  if (curve.is_point()) throw std::invalid_argument("distance bound: all points are equal");
-  const HomogeneousCurve reduced = homogeneous(curve);
-  Strip strip(f, reduced);
-  const Rational reach = strip.reach();
-  const bool exact = strip.is_exact();
-  // An exact equation is tried with strips that become narrower, others with strips that become wider.
-  std::vector<Rational> widths;
-  if (exact) {
-    const PlanarBox box = control_box(reduced, 0, 1);
-    const Rational size = std::max(box.x.width(), box.y.width());
-    for (int k = 4; k <= 12; k += 2) widths.push_back(rounded_down(size * power_of_two(-k) / reach, 12));
-  } else {
-    const Rational least = strip.estimate();
-    for (const Rational& factor : {Rational(2001, 2000), Rational(501, 500), Rational(101, 100),
-                                   Rational(26, 25), Rational(6, 5), Rational(2), Rational(4)})
-      widths.push_back(least == 0 ? Rational(0) : rounded_up(least * factor, 14));
-  }
-  TwoSidedBound result;
-  for (const Rational& d : widths) {
-    const auto obstacle = d > 0 ? strip.obstacle(d) : Unproved{{0, 1}, "f does not grow across the curve"};
-    if (!obstacle) return {TwoSidedBound::Strip{d, exact ? Rational(0) : rounded_up(d * reach)}, {}};
-    result.unproved = {*obstacle};
-  }
-  return result;
+  return in_nearest_rounding([&]() -> TwoSidedBound {
+    if (curve.dimension() != 2) throw std::invalid_argument("distance bound: the curve must be planar");
+    if (curve.is_point()) throw std::invalid_argument("distance bound: all points are equal");
+    const HomogeneousCurve reduced = homogeneous(curve);
+    Strip strip(f, reduced);
+    const Rational reach = strip.reach();
+    const bool exact = strip.is_exact();
+    // An exact equation is tried with strips that become narrower, others with strips that become wider.
+    std::vector<Rational> widths;
+    if (exact) {
+      const PlanarBox box = control_box(reduced, 0, 1);
+      const Rational size = std::max(box.x.width(), box.y.width());
+      for (int k = 4; k <= 12; k += 2) widths.push_back(rounded_down(size * power_of_two(-k) / reach, 12));
+    } else {
+      const Rational least = strip.estimate();
+      for (const Rational& factor : {Rational(2001, 2000), Rational(501, 500), Rational(101, 100),
+                                     Rational(26, 25), Rational(6, 5), Rational(2), Rational(4)})
+        widths.push_back(least == 0 ? Rational(0) : rounded_up(least * factor, 14));
+    }
+    TwoSidedBound result;
+    for (const Rational& d : widths) {
+      const auto obstacle = d > 0 ? strip.obstacle(d) : Unproved{{0, 1}, "f does not grow across the curve"};
+      if (!obstacle) return {TwoSidedBound::Strip{d, exact ? Rational(0) : rounded_up(d * reach)}, {}};
+      result.unproved = {*obstacle};
+    }
+    return result;
+  });
 }
 
 }  // namespace exsect

@@ -1,5 +1,7 @@
 #include "intersect.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
 #include "answer/finished_result.h"
 #include "confirmed_curves.h"
 #include "filter/filter.h"
@@ -9,8 +11,10 @@
 namespace exsect {
 
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
-  const Run run(options);
-  return run.finished(answered([&] { return intersect_within(run, x, y); }));
+  return in_nearest_rounding([&]() -> IntersectResult {
+    const Run run(options);
+    return run.finished(answered([&] { return intersect_within(run, x, y); }));
+  });
 }
 
 IntersectResult intersect_within(const Run& run, const BezierPatch& x, const BezierPatch& y) {

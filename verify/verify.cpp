@@ -1,5 +1,6 @@
 #include "verify.h"
 
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/solver/intersect.h>
 
 #include <array>
@@ -13,28 +14,32 @@ namespace exsect {
 
 Verdict verify(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
                const IntersectResult& exact, double tolerance) {
-  if (!(tolerance > 0) || !std::isfinite(tolerance))
-    throw std::invalid_argument("the tolerance must be positive and finite");
-  return Verifier(candidate, x, y, exact, tolerance)();
+  return in_nearest_rounding([&] {
+    if (!(tolerance > 0) || !std::isfinite(tolerance))
+      throw std::invalid_argument("the tolerance must be positive and finite");
+    return Verifier(candidate, x, y, exact, tolerance)();
+  });
 }
 
 Verification verify(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
                     const VerifyOptions& options) {
-  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
-    throw std::invalid_argument("the tolerance must be positive and finite");
-  const double extent = model_scale(x, y).extent;
-  const double tolerance = options.tolerance * (extent > 0 ? extent : 1);
-  IntersectOptions fine;
-  fine.max_seconds = options.max_seconds;
-  fine.progress = options.progress;
-  constexpr int most_rounds = 3;
-  for (int round = 1;; ++round) {
-    fine.tolerance = std::ldexp(options.tolerance, -1 - 3 * round);
-    IntersectResult exact = intersect(x, y, fine);
-    Verdict verdict = verify(candidate, x, y, exact, tolerance);
-    if (verdict.agreement != Agreement::undecided || !verdict.exact_is_complete || round == most_rounds)
-      return {std::move(verdict), std::move(exact)};
-  }
+  return in_nearest_rounding([&]() -> Verification {
+    if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
+      throw std::invalid_argument("the tolerance must be positive and finite");
+    const double extent = model_scale(x, y).extent;
+    const double tolerance = options.tolerance * (extent > 0 ? extent : 1);
+    IntersectOptions fine;
+    fine.max_seconds = options.max_seconds;
+    fine.progress = options.progress;
+    constexpr int most_rounds = 3;
+    for (int round = 1;; ++round) {
+      fine.tolerance = std::ldexp(options.tolerance, -1 - 3 * round);
+      IntersectResult exact = intersect(x, y, fine);
+      Verdict verdict = verify(candidate, x, y, exact, tolerance);
+      if (verdict.agreement != Agreement::undecided || !verdict.exact_is_complete || round == most_rounds)
+        return {std::move(verdict), std::move(exact)};
+    }
+  });
 }
 
 const char* name(Agreement agreement) {

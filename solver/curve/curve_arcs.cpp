@@ -1,5 +1,7 @@
 #include "curve/curve_arcs.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
 #include <algorithm>
 #include <numeric>
 #include <optional>
@@ -254,11 +256,13 @@ class ArcJoiner {
 }  // namespace
 
 CurveArcs curve_arcs(const BivariatePolynomial& f, const std::vector<RationalInterval>& extra) {
-  // The content in u of the polynomial with exchanged variables.
-  const ContentAndPart parts = split_content(f.exchanged());
-  CurveArcs result = ArcJoiner(parts.primitive.exchanged(), extra).run();
-  if (parts.content.degree() > 0) result.vertical = real_roots(parts.content, 0, 1);
-  return result;
+  return in_nearest_rounding([&] {
+    // The content in u of the polynomial with exchanged variables.
+    const ContentAndPart parts = split_content(f.exchanged());
+    CurveArcs result = ArcJoiner(parts.primitive.exchanged(), extra).run();
+    if (parts.content.degree() > 0) result.vertical = real_roots(parts.content, 0, 1);
+    return result;
+  });
 }
 
 std::vector<CurveComponent> components(const CurveArcs& curve, const std::vector<bool>& kept) {

@@ -1,6 +1,7 @@
 #include "eliminant/algebraic_place.h"
 
 #include <exsect/algebra/integer_relation.h>
+#include <exsect/algebra/nearest_rounding.h>
 
 #include <algorithm>
 #include <vector>
@@ -105,26 +106,28 @@ std::optional<AlgebraicPlace> place_over(const Rational& a, const std::array<Rat
 
 std::optional<AlgebraicPlace> algebraic_place(const BezierPatch& x, const BezierPatch& y,
                                               const ParameterBox& box) {
-  std::array<Rational, 4> near;
-  for (const Parameter p : all_parameters) {
-    const auto value = parameter_in(x, y, p, box[index(p)]);
-    if (!value) return std::nullopt;
-    near[index(p)] = value->refined_to(power_of_two(-kBits - 20)).interval().lower;
-  }
-  std::vector<std::array<int, 4>> generators;
-  for (std::size_t i = 0; i < 4; ++i) generators.emplace_back()[i] = 1;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      std::array<int, 4>& sum = generators.emplace_back();
-      sum[i] = sum[j] = 1;
+  return in_nearest_rounding([&]() -> std::optional<AlgebraicPlace> {
+    std::array<Rational, 4> near;
+    for (const Parameter p : all_parameters) {
+      const auto value = parameter_in(x, y, p, box[index(p)]);
+      if (!value) return std::nullopt;
+      near[index(p)] = value->refined_to(power_of_two(-kBits - 20)).interval().lower;
     }
-  }
-  generators.push_back({1, 2, 3, 5});
-  for (const auto& [a, b, c, d] : generators) {
-    const auto place = place_over(a * near[0] + b * near[1] + c * near[2] + d * near[3], near);
-    if (place && is_solution(x, y, *place)) return place;
-  }
-  return std::nullopt;
+    std::vector<std::array<int, 4>> generators;
+    for (std::size_t i = 0; i < 4; ++i) generators.emplace_back()[i] = 1;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        std::array<int, 4>& sum = generators.emplace_back();
+        sum[i] = sum[j] = 1;
+      }
+    }
+    generators.push_back({1, 2, 3, 5});
+    for (const auto& [a, b, c, d] : generators) {
+      const auto place = place_over(a * near[0] + b * near[1] + c * near[2] + d * near[3], near);
+      if (place && is_solution(x, y, *place)) return place;
+    }
+    return std::nullopt;
+  });
 }
 
 }  // namespace exsect

@@ -1,6 +1,7 @@
 #include "eliminant/turning_eliminant.h"
 
 #include <exsect/algebra/fixed_point_interval.h>
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/geometry/integer_pair.h>
 
 #include <algorithm>
@@ -81,29 +82,35 @@ ModularIntegers modular_eliminant(const IntegerPair& pair) {
 }  // namespace
 
 TurningEliminant turning_eliminant(const BezierPatch& x, const BezierPatch& y) {
-  const IntegerPair pair = integer_pair(x, y);
-  if (estimated_bits(pair) > max_bits)
-    return {std::nullopt, "the numbers are too long: E would have over 2^19 bits", false};
-  if (!is_generic(pair)) return special_eliminant(pair);
-  const Polynomial e = polynomial_of(chinese_remainder(modular_eliminant(pair)));
-  return {primitive_with_positive_lead(e), {}, false};
+  return in_nearest_rounding([&]() -> TurningEliminant {
+    const IntegerPair pair = integer_pair(x, y);
+    if (estimated_bits(pair) > max_bits)
+      return {std::nullopt, "the numbers are too long: E would have over 2^19 bits", false};
+    if (!is_generic(pair)) return special_eliminant(pair);
+    const Polynomial e = polynomial_of(chinese_remainder(modular_eliminant(pair)));
+    return {primitive_with_positive_lead(e), {}, false};
+  });
 }
 
 std::optional<EnclosedPolynomial> enclosed_turning_eliminant(const BezierPatch& x, const BezierPatch& y) {
-  const IntegerPair pair = integer_pair(x, y);
-  if (estimated_bits(pair) > max_bits || !is_generic(pair)) return std::nullopt;
-  LeadingParts parts = leading_parts(modular_eliminant(pair), leading_bits);
-  return EnclosedPolynomial{std::move(parts.leading), std::move(parts.error)};
+  return in_nearest_rounding([&]() -> std::optional<EnclosedPolynomial> {
+    const IntegerPair pair = integer_pair(x, y);
+    if (estimated_bits(pair) > max_bits || !is_generic(pair)) return std::nullopt;
+    LeadingParts parts = leading_parts(modular_eliminant(pair), leading_bits);
+    return EnclosedPolynomial{std::move(parts.leading), std::move(parts.error)};
+  });
 }
 
 std::optional<std::vector<RationalInterval>> enclosed_turning_roots(const BezierPatch& x,
                                                                     const BezierPatch& y) {
-  const IntegerPair pair = integer_pair(x, y);
-  if (estimated_bits(pair) > long_bits) {
-    if (auto roots = turning_roots_in_balls(pair)) return roots;
-  }
-  const auto e = enclosed_turning_eliminant(x, y);
-  return e ? isolate_enclosed_roots(*e) : std::nullopt;
+  return in_nearest_rounding([&]() -> std::optional<std::vector<RationalInterval>> {
+    const IntegerPair pair = integer_pair(x, y);
+    if (estimated_bits(pair) > long_bits) {
+      if (auto roots = turning_roots_in_balls(pair)) return roots;
+    }
+    const auto e = enclosed_turning_eliminant(x, y);
+    return e ? isolate_enclosed_roots(*e) : std::nullopt;
+  });
 }
 
 }  // namespace exsect

@@ -1,6 +1,7 @@
 #include "line/enclosed_line_points.h"
 
 #include <exsect/algebra/ball_roots.h>
+#include <exsect/algebra/nearest_rounding.h>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 #include "line/feasible_intervals.h"
 
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/algebra/quadratic_sign.h>
 #include <exsect/algebra/resultant.h>
 #include <exsect/algebra/triangular_point.h>
@@ -190,11 +191,13 @@ FeasibleBranch feasible_branch(const Branches& b, const PullBack& p, int branch,
 }  // namespace
 
 std::vector<FeasibleBranch> feasible_intervals(const PullBack& pullback) {
-  const Branches b = branches_of(pullback);
-  const std::vector<RealAlgebraic> events = all_events(b, pullback);
-  std::vector<FeasibleBranch> result = {feasible_branch(b, pullback, 1, events)};
-  if (!b.a.is_zero()) result.push_back(feasible_branch(b, pullback, 2, events));
-  return result;
+  return in_nearest_rounding([&] {
+    const Branches b = branches_of(pullback);
+    const std::vector<RealAlgebraic> events = all_events(b, pullback);
+    std::vector<FeasibleBranch> result = {feasible_branch(b, pullback, 1, events)};
+    if (!b.a.is_zero()) result.push_back(feasible_branch(b, pullback, 2, events));
+    return result;
+  });
 }
 
 }  // namespace exsect

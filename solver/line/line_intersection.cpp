@@ -1,5 +1,6 @@
 #include "line/line_intersection.h"
 
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/algebra/resultant.h>
 #include <exsect/geometry/straight_line.h>
 
@@ -42,21 +43,23 @@ void describe_straight(LineIntersection& result, const LineAndPatch& problem, co
 }  // namespace
 
 LineIntersection intersect_line(const BezierPatch& x, const BezierPatch& y, const LineQuery& query) {
-  const LineAndPatch problem = line_and_patch(x, y, query);
-  LineIntersection result;
-  result.query = query;
-  result.shape = shape(problem.line);
-  result.eliminant_variable = line_place(query).roles.second;
-  result.solution = exact_line_points(x, y, query);
-  if (result.shape == LineShape::point) return result;
-  const LineSystem system = line_system(problem);
-  if (result.shape == LineShape::conic)
-    describe_conic(result, problem);
-  else
-    describe_straight(result, problem, system);
-  result.eliminant = eliminant(integer_line_and_patch(x, y, query), system);
-  if (!result.pullback.plane.is_zero()) result.feasible = feasible_intervals(result.pullback);
-  return result;
+  return in_nearest_rounding([&]() -> LineIntersection {
+    const LineAndPatch problem = line_and_patch(x, y, query);
+    LineIntersection result;
+    result.query = query;
+    result.shape = shape(problem.line);
+    result.eliminant_variable = line_place(query).roles.second;
+    result.solution = exact_line_points(x, y, query);
+    if (result.shape == LineShape::point) return result;
+    const LineSystem system = line_system(problem);
+    if (result.shape == LineShape::conic)
+      describe_conic(result, problem);
+    else
+      describe_straight(result, problem, system);
+    result.eliminant = eliminant(integer_line_and_patch(x, y, query), system);
+    if (!result.pullback.plane.is_zero()) result.feasible = feasible_intervals(result.pullback);
+    return result;
+  });
 }
 
 }  // namespace exsect

@@ -1,5 +1,6 @@
 #include "self/self_intersect.h"
 
+#include <exsect/algebra/nearest_rounding.h>
 #include <exsect/geometry/bounding_box.h>
 
 #include <algorithm>
@@ -210,8 +211,10 @@ class SelfIntersection {
 }  // namespace
 
 IntersectResult self_intersect(const BezierPatch& x, const IntersectOptions& options) {
-  const Run run(options);
-  return run.finished(answered([&] { return self_intersect_within(run, x); }));
+  return in_nearest_rounding([&]() -> IntersectResult {
+    const Run run(options);
+    return run.finished(answered([&] { return self_intersect_within(run, x); }));
+  });
 }
 
 IntersectResult self_intersect_within(const Run& run, const BezierPatch& x) {
