@@ -5,6 +5,7 @@
 // operands' members.
 #pragma once
 
+#include <exsect/algebra/floating_point.h>
 #include <exsect/algebra/rational.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ namespace exsect {
 /// u|m| + eta (IEEE 754, round to nearest, no contraction). A radius is a sum of at most six nonnegative
 /// terms, each a product of at most two rounded factors, so its computed value is at least (1 - 2^-49) times
 /// the true one apart from underflow; `up` multiplies by 1 + 2^-48 and adds 2^-1000, which covers both and
-/// every eta above.
+/// every eta above. The thread rounds to nearest (nearest_rounding.h).
 class DoubleBall {
  public:
   DoubleBall() : mid_(0), rad_(0) {}

@@ -1,6 +1,7 @@
 // Enclosures of real numbers: balls whose midpoints have 256 bits, without memory of their own.
 #pragma once
 
+#include <exsect/algebra/floating_point.h>
 #include <exsect/algebra/modular.h>
 #include <exsect/algebra/rational.h>
 
@@ -18,7 +19,8 @@ namespace exsect {
 /// `magnitude` >= |m| and the radius are doubles, at least 2^-1000 where they are not exactly zero; after
 /// overflow they are infinite or NaN, and every predicate is false. A sum is kept in units of
 /// 2^(exponent-256) of its largest term so far; each term loses at most 4 units in the product and 1 when it
-/// is aligned, and everything before it at most 1 when the exponent grows.
+/// is aligned, and everything before it at most 1 when the exponent grows. The thread rounds to nearest
+/// (nearest_rounding.h).
 class WideBall {
  public:
   WideBall() = default;

@@ -1,6 +1,5 @@
 #include "check_certificate.h"
 
-#include <exsect/algebra/nearest_rounding.h>
 
 #include <set>
 

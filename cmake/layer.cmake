@@ -78,6 +78,8 @@ function(exsect_layer name)
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${forward}>"
                                               "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
   target_compile_features(${target} PUBLIC cxx_std_20)
+  # For the arithmetic of balls, in headers, that others compile.
+  target_compile_options(${target} INTERFACE $<INSTALL_INTERFACE:-ffp-contract=off>)
   exsect_precompile(${target} library)
   target_link_libraries(${target} PUBLIC ${LAYER_DEPENDS} PRIVATE ${LAYER_PRIVATE_DEPENDS}
                                                                   $<BUILD_INTERFACE:exsect_options>)
