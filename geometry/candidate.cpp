@@ -23,9 +23,14 @@ std::array<double, 3> point_of(const SplineCurve& curve, double t) {
     const auto last = curve.knots.begin() + static_cast<std::ptrdiff_t>(curve.points.size());
     auto k = static_cast<std::size_t>(std::upper_bound(first, last, t) - curve.knots.begin()) - 1;
     while (curve.knots[k] == curve.knots[k + 1]) --k;  // t is the end of the last span
+    // Of weights only the ratios matter: by one power of two the greatest is near 1.
+    const auto begin =
+        curve.weights.begin() + (curve.weights.empty() ? 0 : static_cast<std::ptrdiff_t>(k - d));
+    const int scale =
+        curve.weights.empty() ? 0 : std::ilogb(*std::max_element(begin, begin + curve.degree + 1));
     std::vector<std::array<double, 4>> net;
     for (std::size_t i = k - d; i <= k; ++i) {
-      const double w = curve.weights.empty() ? 1 : curve.weights[i];
+      const double w = curve.weights.empty() ? 1 : std::ldexp(curve.weights[i], -scale);
       const auto& p = curve.points[i];
       net.push_back({w * p[0], w * p[1], w * p[2], w});
     }
@@ -50,18 +55,18 @@ std::string violation(const SplineCurve& curve) {
     return "degree " + std::to_string(d) + " needs at least " + std::to_string(d + 1) + " points";
   if (curve.knots.size() != n + d + 1)
     return "there must be " + std::to_string(n + d + 1) + " knots (points + degree + 1)";
-  const auto finite = [](double x) { return std::isfinite(x); };
-  if (!std::all_of(curve.knots.begin(), curve.knots.end(), finite)) return "a knot is not finite";
+  const auto small = [](double x) { return std::fabs(x) <= max_candidate_number; };
+  if (!std::all_of(curve.knots.begin(), curve.knots.end(), small)) return "a knot is beyond 2^500";
   if (!std::is_sorted(curve.knots.begin(), curve.knots.end())) return "the knots must ascend";
   if (!(curve.from() < curve.to())) return "the parameter interval must not be empty";
   for (std::size_t i = 1; i + d < n + d; ++i)
     if (curve.knots[i] == curve.knots[i + d] && curve.knots[i] > curve.from() && curve.knots[i] < curve.to())
       return "an interior knot may occur at most " + std::to_string(d) + " times";
   for (const auto& point : curve.points)
-    if (!std::all_of(point.begin(), point.end(), finite)) return "a coordinate is not finite";
+    if (!std::all_of(point.begin(), point.end(), small)) return "a coordinate is beyond 2^500";
   if (!curve.weights.empty() && curve.weights.size() != n) return "there must be as many weights as points";
   for (const double weight : curve.weights)
-    if (!(weight > 0) || !finite(weight)) return "a weight must be > 0";
+    if (!(weight > 0) || !std::isfinite(weight)) return "a weight must be > 0";
   return "";
 }
 

@@ -8,10 +8,13 @@
 
 namespace exsect {
 
+/// Larger numbers are refused: differences of such ones have squares that are doubles.
+inline constexpr double max_candidate_number = 0x1p500;
+
 /// A polynomial or rational B-spline curve of the plane (third coordinate 0) or of space.
 /// Invariant: degree >= 1, at least degree+1 points; knots.size() == points.size() + degree + 1, ascending,
 /// interior ones at most `degree` times, knots[degree] < knots[points.size()]; weights empty (all 1) or one
-/// for each point, all > 0; all numbers finite.
+/// for each point, all > 0 and finite; no knot and no coordinate beyond max_candidate_number in magnitude.
 struct SplineCurve {
   int degree;
   std::vector<double> knots;

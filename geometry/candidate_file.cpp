@@ -3,6 +3,7 @@
 #include <exsect/algebra/nearest_rounding.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -66,7 +67,9 @@ class Lines {
 
   double number(std::size_t line, std::string_view text) const {
     try {
-      return to_double(parse_binary64(text));
+      const double value = to_double(parse_binary64(text));
+      if (!(std::fabs(value) <= max_candidate_number)) fail(line, "a number beyond 2^500");
+      return value;
     } catch (const std::invalid_argument& error) {
       fail(line, error.what());
     }

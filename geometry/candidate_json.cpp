@@ -1,5 +1,7 @@
 #include "candidate_json.h"
 
+#include <cmath>
+
 #include "json_value.h"
 #include "number.h"
 
@@ -17,6 +19,7 @@ std::array<double, 3> read_vertex(const JsonValue& value, std::size_t dimension)
   std::array<double, 3> point = {0, 0, 0};
   for (std::size_t k = 0; k < dimension; ++k) {
     point[k] = read_double(value.at(k));
+    if (!(std::fabs(point[k]) <= max_candidate_number)) value.at(k).fail("a coordinate is beyond 2^500");
     if (dimension == 2 && !(point[k] >= -1 && point[k] <= 2))
       value.at(k).fail("a parameter must be in [-1,2]");
   }

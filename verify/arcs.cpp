@@ -30,10 +30,11 @@ void Verifier::judge_arcs() {
     const Chain& chain = truth_.chains()[a];
     ArcFinding finding{arc.arc->id, arc.overlap, arc.arc->component, Coverage::undecided, {}, {}};
     const auto length = static_cast<double>(chain.pieces());
-    const std::vector<Interval> open = remaining(united(covered_[a]), length);
+    const std::vector<Interval> open = remaining(covered_[a].intervals(), length);
     std::vector<Interval> far;
     for (const Interval& interval : open) {
       for (auto i = static_cast<std::size_t>(interval.first); static_cast<double>(i) < interval.second; ++i) {
+        require_time(stop_);
         FarParts parts(*claimed_, tolerance_, tolerance_ / 8);
         const auto at = static_cast<double>(i);
         // Twice the bound more: the vertices' parameters then bracket what is meant.
@@ -47,7 +48,7 @@ void Verifier::judge_arcs() {
                        : finding.gaps.empty() ? Coverage::undecided
                        : touched              ? Coverage::partly
                                               : Coverage::missed;
-    finding.distance = largest_distance(chain, *claimed_, tolerance_ / 8);
+    finding.distance = largest_distance(chain, *claimed_, tolerance_ / 8, stop_);
     verdict_.arcs.push_back(std::move(finding));
   }
 }

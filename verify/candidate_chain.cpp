@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace exsect {
 namespace {
@@ -10,6 +11,7 @@ constexpr double unit_roundoff = 0x1p-53;
 constexpr double upwards = 1 + 0x1p-40;  // covers the rounding of a few hundred operations on numbers >= 0
 constexpr int deepest = 40;
 constexpr std::size_t most_pieces = std::size_t{1} << 20;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double norm(const SpacePoint& a) { return std::hypot(a[0], a[1], a[2]); }
 
@@ -48,7 +50,8 @@ Homogeneous blossom(const SplineCurve& curve, std::size_t k, const std::vector<R
   return net[d];
 }
 
-/// The control points of one span, each rounded once.
+/// The control points of one span, each rounded once, and the weights times one power of two: the greatest is
+/// between 1/2 and 1.
 Segment span(const SplineCurve& curve, std::size_t k) {
   Segment result{curve.knots[k], curve.knots[k + 1], {}, {}};
   if (curve.degree == 1 && curve.weights.empty()) {
@@ -59,14 +62,18 @@ Segment span(const SplineCurve& curve, std::size_t k) {
   const auto d = static_cast<std::size_t>(curve.degree);
   const Rational from = from_double(result.from);
   const Rational to = from_double(result.to);
+  std::vector<Rational> weights;
   for (std::size_t j = 0; j <= d; ++j) {
     std::vector<Rational> arguments(d - j, from);
     arguments.resize(d, to);
     const Homogeneous point = blossom(curve, k, arguments);
     result.points.push_back(
         {to_double(point[0] / point[3]), to_double(point[1] / point[3]), to_double(point[2] / point[3])});
-    result.weights.push_back(to_double(point[3]));
+    weights.push_back(point[3]);
   }
+  int exponent = 0;
+  std::frexp(to_double(*std::max_element(weights.begin(), weights.end())), &exponent);
+  for (const Rational& w : weights) result.weights.push_back(to_double(w * power_of_two(-exponent)));
   return result;
 }
 
@@ -80,9 +87,19 @@ double deviation(const Segment& s) {
   if (!std::is_sorted(places.begin(), places.end()))
     for (std::size_t i = 0; i <= d; ++i) places[i] = static_cast<double>(i) / static_cast<double>(d);
   double result = 0;
-  for (std::size_t i = 1; i < d; ++i)
-    result = std::max(result, distance(s.points[i], between(s.points.front(), s.points.back(), places[i])));
+  for (std::size_t i = 1; i < d; ++i) {
+    const double off = distance(s.points[i], between(s.points.front(), s.points.back(), places[i]));
+    if (!(off <= std::numeric_limits<double>::max())) return infinite;
+    result = std::max(result, off);
+  }
   return result;
+}
+
+/// Means of weights that are so near to each other keep their relative accuracy; where they are not, a
+/// segment is not halved.
+bool has_even_weights(const Segment& s) {
+  const auto [least, most] = std::minmax_element(s.weights.begin(), s.weights.end());
+  return *least >= *most * 0x1p-500;
 }
 
 /// Both halves by de Casteljau's algorithm.
@@ -116,10 +133,12 @@ struct StraightPiece {
   double bound;
 };
 
-/// Each of at most 40 levels moves a point by at most 4 (degree + 1) roundings of its size.
+/// Each of at most 40 levels moves a point by at most 4 (degree + 1) roundings of its size. Halves are no
+/// nearer to their chords than `rounding`.
 void cut(const Segment& s, double flat, int depth, double rounding, std::vector<StraightPiece>& pieces) {
   const double bound = s.points.size() == 2 ? 0 : deviation(s) * upwards + rounding;
-  if (bound <= flat || depth == 0 || pieces.size() > most_pieces) {
+  const bool is_last = depth == 0 || pieces.size() > most_pieces || !has_even_weights(s);
+  if (is_last || !(bound > std::max(flat, 2 * rounding))) {
     pieces.push_back({s.from, s.to, s.points.front(), s.points.back(), bound + rounding});
     return;
   }
@@ -148,8 +167,12 @@ Chain started(const SpacePoint& point, double at) {
   return chain;
 }
 
+/// `bound`, and what the rounding of distances from the piece may be.
 void add(Chain& chain, const SpacePoint& point, double at, double bound) {
-  chain.points.push_back(point);
+  const bool known = std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+  bound += 0x1p-48 * std::max(largest(chain.points.back()), largest(point));
+  if (!known || !(bound <= std::numeric_limits<double>::max())) bound = infinite;
+  chain.points.push_back(known ? point : chain.points.back());
   chain.at.push_back(at);
   chain.bound.push_back(bound);
 }
@@ -278,7 +301,8 @@ Chain chain_on_patch(const SplineCurve& curve, bool closed, const PatchInDoubles
     const double dv = piece.b[1] - piece.a[1];
     const double k = patch.second_derivative(du, dv);
     // a chord over 1/n of the segment is within k / (8 n^2) of its image (5.4)
-    const double n = std::clamp(std::ceil(std::sqrt(k / (4 * flat))), 1.0, 4096.0);
+    const double most = std::clamp(static_cast<double>(most_pieces / pieces.size()), 1.0, 4096.0);
+    const double n = std::clamp(std::ceil(std::sqrt(k / (4 * flat))), 1.0, most);
     const double bound = (k / (8 * n * n) + speed * piece.bound) * upwards + 2 * patch.rounding();
     for (double i = 1; i <= n; ++i) {
       const double t = i / n;

@@ -5,8 +5,15 @@
 
 #include "interval_lists.h"
 #include "piece_tree.h"
+#include "answer/stop_request.h"
 
 namespace exsect {
+
+/// The time for a verdict is over.
+struct OutOfTime {};
+inline void require_time(const StopRequest& stop) {
+  if (is_stopped(stop)) throw OutOfTime();
+}
 
 /// The part of a piece, in [0,1], whose points are all farther than a distance from a set of curves.
 class FarParts {
@@ -14,7 +21,8 @@ class FarParts {
   FarParts(const PieceTree& others, double least, double smallest)
       : others_(others), least_(least), smallest_(smallest) {}
 
-  /// In the parameter from..to of the segment from a to b; `slack` is added to the distance asked for.
+  /// In the parameter from..to of the segment from a to b; `slack` is added to the distance asked for. Parts
+  /// shorter than it, or than `smallest`, are not told apart.
   void find(const SpacePoint& a, const SpacePoint& b, double from, double to, double slack);
   std::vector<Interval> parts() const { return united(parts_); }
 
@@ -26,7 +34,8 @@ class FarParts {
 };
 
 /// Bounds of the largest distance of a point of the chain from the nearest of the others; where it is below
-/// `fine` the upper one need not be sharp. Infinite if there are no others.
-DistanceEnclosure largest_distance(const Chain& chain, const PieceTree& others, double fine);
+/// `fine` the upper one need not be sharp. Infinite if there are no others. Throws OutOfTime.
+DistanceEnclosure largest_distance(const Chain& chain, const PieceTree& others, double fine,
+                                   const StopRequest& stop = {});
 
 }  // namespace exsect

@@ -37,6 +37,7 @@ std::optional<int> Verifier::certain_component(const Strand& strand, const Walk&
 }
 
 void Verifier::judge_join(std::size_t c, const Strand& strand, const Walk& before, const Walk& after) {
+  require_time(stop_);
   const auto from = certain_component(strand, before);
   const auto to = certain_component(strand, after);
   if (!from || !to || *from < 0 || *to < 0) return;
@@ -72,7 +73,7 @@ bool Verifier::is_shortcut(const Chain& chain, const Walk& before, const Walk& a
   for (const int direction : {1, -1}) {
     const auto farthest = farthest_between(tree, from, to, direction);
     if (!farthest) continue;
-    if (*farthest <= length) return false;
+    if (!(*farthest > length + rounding_)) return false;
     ++found;
   }
   return found > 0;

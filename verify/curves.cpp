@@ -1,6 +1,7 @@
 // The candidate's curves: what of the truth they follow, and what of them is no intersection.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "chain_distances.h"
@@ -8,8 +9,20 @@
 
 namespace exsect {
 
+namespace {
+
+/// A hundred at most: a part of an arc that a curve repeats is not reported for each of a thousand others.
+std::vector<std::size_t> first_of(std::vector<std::size_t> numbers) {
+  constexpr std::size_t most = 100;
+  if (numbers.size() > most) numbers.resize(most);
+  return numbers;
+}
+
+}  // namespace
+
 void Verifier::read_curves() {
   for (const CandidateCurve& curve : candidate_.curves) {
+    require_time(stop_);
     CurveData data;
     const double flat = tolerance_ / 8;
     if (curve.space)
@@ -27,12 +40,13 @@ void Verifier::read_curves() {
   claimed_.emplace(strands_);
   covered_.resize(truth_.arcs().size());
   kernel_.resize(truth_.arcs().size());
+  kernel_index_.resize(truth_.arcs().size());
 }
 
 void Verifier::judge_curve(std::size_t c) {
   CurveFinding& finding = verdict_.curves.emplace_back();
   for (Strand& strand : curves_[c].strands) {
-    WalkSearch search{tolerance_, rounding_, {}, {}};
+    WalkSearch search{tolerance_, rounding_, {}, {}, stop_};
     search.rank = [&](std::size_t arc, double position, std::size_t vertex) {
       return parameters_apart(candidate_.curves[c], strand.chain.at[vertex], arc, position);
     };
@@ -41,7 +55,7 @@ void Verifier::judge_curve(std::size_t c) {
       return if_covered * covered_share(walk);
     };
     strand.walks = find_walks(truth_, strand.chain, search);
-    const DistanceEnclosure distance = largest_distance(strand.chain, *near_, tolerance_ / 8);
+    const DistanceEnclosure distance = largest_distance(strand.chain, *near_, tolerance_ / 8, stop_);
     finding.distance.lower = std::max(finding.distance.lower, distance.lower);
     finding.distance.upper = std::max(finding.distance.upper, distance.upper);
     find_spurious(c, strand, finding);
@@ -59,8 +73,8 @@ double Verifier::covered_share(const Walk& walk) const {
   for (const Leg& leg : walk.legs) {
     const auto [from, to] = std::minmax(leg.from, leg.to);
     length += to - from;
-    covered += covered_length(covered_[leg.arc], from, to);
-    stands_on_covered = stands_on_covered && contains(covered_[leg.arc], from);
+    covered += covered_[leg.arc].length(from, to);
+    stands_on_covered = stands_on_covered && covered_[leg.arc].contains(from);
   }
   if (length > 0) return covered / length;
   return stands_on_covered ? 1 : 0;
@@ -79,7 +93,8 @@ double Verifier::parameters_apart(const CandidateCurve& curve, double t, std::si
     for (std::size_t k = 0; k < 2; ++k) {
       const double from = line[i].parameters[2 * square + k];
       const double to = line[i + 1].parameters[2 * square + k];
-      result = std::max(result, std::fabs(p[k] - from - part * (to - from)));
+      const double apart = std::fabs(p[k] - from - part * (to - from));
+      if (!(apart <= result)) result = std::isnan(apart) ? std::numeric_limits<double>::infinity() : apart;
     }
   }
   return result;
@@ -93,6 +108,7 @@ void Verifier::find_spurious(std::size_t c, const Strand& strand, CurveFinding& 
   std::vector<Interval> parts;
   for (const Interval& open : remaining(united(followed), static_cast<double>(chain.pieces()))) {
     for (auto i = static_cast<std::size_t>(open.first); i < static_cast<std::size_t>(open.second); ++i) {
+      require_time(stop_);
       FarParts far(*near_, tolerance_, tolerance_ / 8);
       far.find(chain.points[i], chain.points[i + 1], chain.at[i], chain.at[i + 1],
                chain.bound[i] + rounding_);
@@ -113,10 +129,10 @@ void Verifier::find_spurious(std::size_t c, const Strand& strand, CurveFinding& 
 
 bool Verifier::is_off(const Chain& chain, const Interval& part) const {
   if (verdict_.exact_is_complete && graph_.overlaps.empty()) return true;
-  for (std::size_t i = 0; i < chain.points.size(); ++i)
-    if (part.first <= chain.at[i] && chain.at[i] <= part.second &&
-        is_off_a_patch(chain.points[i], chain.bound[std::min(i, chain.pieces() - 1)]))
-      return true;
+  const auto first = std::lower_bound(chain.at.begin(), chain.at.end(), part.first);
+  for (auto i = static_cast<std::size_t>(first - chain.at.begin());
+       i < chain.points.size() && chain.at[i] <= part.second; ++i)
+    if (is_off_a_patch(chain.points[i], chain.bound[std::min(i, chain.pieces() - 1)])) return true;
   return false;
 }
 
@@ -139,16 +155,27 @@ void Verifier::note_coverage(std::size_t c, CurveFinding& finding) {
           if (leg.arc == arc && leg.from != leg.to) inner.push_back(std::minmax(leg.from, leg.to));
       }
       if (s == 0) {
-        for (std::size_t i = 0; i < inner.size(); ++i)
-          for (std::size_t j = 0; j < i; ++j) note_repetition(arc, inner[i], inner[j], c, c);
+        IntervalIndex before;
+        for (const Interval& own : inner) {
+          for (const std::size_t j : first_of(before.crossing(own)))
+            note_repetition(arc, own, inner[j], c, c);
+          before.add(own);
+        }
       }
       reached = s == 0 ? united(of_strand) : common(reached, united(of_strand));
       kernel = s == 0 ? united(inner) : common(kernel, united(inner));
     }
-    for (const auto& [other, interval] : kernel_[arc])
-      for (const Interval& own : kernel) note_repetition(arc, own, interval, other, c);
-    for (const Interval& i : kernel) kernel_[arc].push_back({c, i});
-    covered_[arc].insert(covered_[arc].end(), reached.begin(), reached.end());
+    for (const Interval& own : kernel) {
+      for (const std::size_t j : first_of(kernel_index_[arc].crossing(own))) {
+        const auto& [other, interval] = kernel_[arc][j];
+        note_repetition(arc, own, interval, other, c);
+      }
+    }
+    for (const Interval& i : kernel) {
+      kernel_[arc].push_back({c, i});
+      kernel_index_[arc].add(i);
+    }
+    for (const Interval& i : reached) covered_[arc].add(i);
   }
   for (const Strand& strand : curves_[c].strands)
     for (const Walk& walk : strand.walks)
@@ -170,7 +197,7 @@ void Verifier::note_repetition(std::size_t arc, const Interval& a, const Interva
        ++i)
     length += distance(chain.points[i], chain.points[i + 1]) *
               (std::min(to, static_cast<double>(i + 1)) - std::max(from, static_cast<double>(i)));
-  if (length <= 8 * tolerance_) return;
+  if (!(length > 8 * tolerance_)) return;
   const std::string text = "curves " + std::to_string(other) + " and " + std::to_string(c) +
                            " both run along arc " + arc_name(arc);
   const auto middle = static_cast<std::size_t>((from + to) / 2);

@@ -8,6 +8,10 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+/// What is not a number bounds nothing.
+double lower_bound(double x) { return std::isnan(x) ? PieceTree::never : x; }
+double upper_bound(double x) { return std::isnan(x) ? infinite : x; }
+
 double dot(const SpacePoint& a, const SpacePoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 SpacePoint minus(const SpacePoint& a, const SpacePoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
@@ -41,8 +45,10 @@ double segments_apart(const SpacePoint& a, const SpacePoint& b, const SpacePoint
   const SpacePoint n = minus(q, p);
   const double length = std::sqrt(dot(n, n));
   if (!(length > 0)) return 0;
-  const double width = std::min(dot(n, minus(c, a)), dot(n, minus(d, a))) - std::max(0.0, dot(n, e));
-  return std::max(0.0, width / length);
+  const double at_c = dot(n, minus(c, a));
+  const double at_d = dot(n, minus(d, a));
+  const double width = (at_c <= at_d ? at_c : at_d) - std::max(dot(n, e), 0.0);
+  return std::max(0.0, width / length);  // 0 for NaN
 }
 
 }  // namespace
@@ -126,9 +132,10 @@ void PieceTree::descend(std::size_t node, std::size_t from, std::size_t to, doub
   const std::size_t middle = from + (to - from) / 2;
   const double left = boxes_[2 * node + 1].square_of_distance(search.box);
   const double right = boxes_[2 * node + 2].square_of_distance(search.box);
-  if (left <= right) descend(2 * node + 1, from, middle, left, search);
+  const bool right_first = left > right;
+  if (!right_first) descend(2 * node + 1, from, middle, left, search);
   descend(2 * node + 2, middle, to, right, search);
-  if (left > right) descend(2 * node + 1, from, middle, left, search);
+  if (right_first) descend(2 * node + 1, from, middle, left, search);
 }
 
 template <class Value>
@@ -145,14 +152,14 @@ double PieceTree::least(const Box& box, double enough, std::size_t* first, const
 double PieceTree::distance_from_below(const SpacePoint& p, double enough, std::size_t* first) const {
   return least({p, p}, enough, first, [&](const Piece& piece) {
     const ChainPlace found = place(piece, p);
-    return found.distance - found.bound;
+    return lower_bound(found.distance - found.bound);
   });
 }
 
 double PieceTree::distance_from_above(const SpacePoint& p) const {
   return least({p, p}, never, nullptr, [&](const Piece& piece) {
     const ChainPlace found = place(piece, p);
-    return found.distance + found.bound;
+    return upper_bound(found.distance + found.bound);
   });
 }
 
@@ -164,8 +171,8 @@ double PieceTree::distance_from_below(const SpacePoint& a, const SpacePoint& b, 
   }
   return least(box, enough, nullptr, [&](const Piece& piece) {
     const Chain& chain = chains_[piece.chain];
-    return segments_apart(a, b, chain.points[piece.index], chain.points[piece.index + 1]) -
-           chain.bound[piece.index];
+    return lower_bound(segments_apart(a, b, chain.points[piece.index], chain.points[piece.index + 1]) -
+                       chain.bound[piece.index]);
   });
 }
 
@@ -176,8 +183,9 @@ double PieceTree::distance_from_above(const SpacePoint& a, const SpacePoint& b, 
     const Chain& chain = chains_[piece.chain];
     const SpacePoint& c = chain.points[piece.index];
     const SpacePoint& d = chain.points[piece.index + 1];
-    return std::max(distance(a, between(c, d, foot(a, c, d))), distance(b, between(c, d, foot(b, c, d)))) +
-           chain.bound[piece.index];
+    const double at_a = distance(a, between(c, d, foot(a, c, d)));
+    const double at_b = distance(b, between(c, d, foot(b, c, d)));
+    return upper_bound((at_a <= at_b ? at_b : at_a) + chain.bound[piece.index]);
   });
 }
 

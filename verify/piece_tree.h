@@ -19,7 +19,8 @@ double foot(const SpacePoint& p, const SpacePoint& a, const SpacePoint& b);
 
 /// A curve cut into consecutive pieces: piece i is within bound[i] of the segment from points[i] to
 /// points[i+1], by a matching of the two that runs forward from end to end (Fréchet distance). at[i] is the
-/// curve's own parameter at points[i], exactly.
+/// curve's own parameter at points[i], exactly. All numbers are finite but bounds, which are never NaN: an
+/// infinite one says that nothing is known.
 struct Chain {
   std::vector<SpacePoint> points;
   std::vector<double> at;
@@ -84,7 +85,7 @@ class PieceTree {
     std::size_t piece = 0;
 
     void look_at(const std::vector<Piece>& pieces, std::size_t i) {
-      const double found = value(pieces[i]);
+      const double found = value(pieces[i]);  // never NaN
       if (found < best) best = found, piece = i;
     }
   };

@@ -18,10 +18,11 @@ Rational margin(const Candidate& candidate) {
 }  // namespace
 
 Verifier::Verifier(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
-                   const IntersectResult& exact, double tolerance)
+                   const IntersectResult& exact, double tolerance, StopRequest stop)
     : candidate_(candidate),
       graph_(exact.graph),
       tolerance_(tolerance),
+      stop_(std::move(stop)),
       x_(x, margin(candidate)),
       y_(y, margin(candidate)),
       truth_(exact.graph) {
@@ -33,6 +34,18 @@ Verifier::Verifier(const Candidate& candidate, const BezierPatch& x, const Bezie
 }
 
 Verdict Verifier::operator()() {
+  try {
+    judge();
+    conclude();
+  } catch (const OutOfTime&) {
+    verdict_.undecided = {"what the time was not enough for"};
+    verdict_.curves.resize(candidate_.curves.size());
+    if (!verdict_.differences.empty()) verdict_.agreement = Agreement::disagrees;
+  }
+  return std::move(verdict_);
+}
+
+void Verifier::judge() {
   read_curves();
   for (std::size_t c = 0; c < curves_.size(); ++c) judge_curve(c);
   judge_points();
@@ -43,8 +56,6 @@ Verdict Verifier::operator()() {
     judge_connections();
     judge_contacts();
   }
-  conclude();
-  return std::move(verdict_);
 }
 
 void Verifier::add_points() {

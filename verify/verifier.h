@@ -31,7 +31,8 @@ struct CurveData {
 class Verifier {
  public:
   Verifier(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
-           const IntersectResult& exact, double tolerance);
+           const IntersectResult& exact, double tolerance, StopRequest stop = {});
+  /// What is proved when `stop` ends it; the rest is undecided.
   Verdict operator()();
 
  private:
@@ -39,6 +40,8 @@ class Verifier {
 
   /// Isolated points as chains of one piece of length 0.
   void add_points();
+
+  void judge();
 
   // Candidate curves: verify_curves.cpp
 
@@ -110,6 +113,7 @@ class Verifier {
   const Candidate& candidate_;
   const IntersectionGraph& graph_;
   double tolerance_;
+  StopRequest stop_;
   PatchInDoubles x_;
   PatchInDoubles y_;
   TrueCurve truth_;
@@ -119,8 +123,9 @@ class Verifier {
   std::vector<CurveData> curves_;
   std::vector<Chain> strands_;
   std::optional<PieceTree> claimed_;
-  std::vector<std::vector<Interval>> covered_;                         // by arc
+  std::vector<IntervalSet> covered_;                                   // by arc
   std::vector<std::vector<std::pair<std::size_t, Interval>>> kernel_;  // by arc, with the curve
+  std::vector<IntervalIndex> kernel_index_;                            // the same intervals
   std::set<std::size_t> not_followed_;                                 // curves that leave the truth
   Verdict verdict_;
 };

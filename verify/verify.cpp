@@ -3,40 +3,91 @@
 #include <exsect/algebra/nearest_rounding.h>
 #include <exsect/solver/intersect.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
 #include "answer/model_scale.h"
+#include "scale.h"
 #include "verifier.h"
 
 namespace exsect {
 
+namespace {
+
+void require_tolerance(double tolerance) {
+  if (!(tolerance > 0) || !std::isfinite(tolerance))
+    throw std::invalid_argument("the tolerance must be positive and finite");
+}
+
+/// Throws std::invalid_argument where an invariant of the candidate is broken.
+void check(const Candidate& candidate) {
+  const auto check_square = [](double p) {
+    if (!(p >= -1 && p <= 2)) throw std::invalid_argument("a parameter of the candidate is not in [-1,2]");
+  };
+  for (const CandidateCurve& curve : candidate.curves) {
+    for (const auto* spline : {&curve.space, &curve.first, &curve.second}) {
+      if (!*spline) continue;
+      const std::string wrong = violation(**spline);
+      if (!wrong.empty()) throw std::invalid_argument("a curve of the candidate: " + wrong);
+      for (const auto& point : (*spline)->points)
+        for (std::size_t k = 0; spline != &curve.space && k < 2; ++k) check_square(point[k]);
+    }
+  }
+  for (const CandidatePoint& point : candidate.points) {
+    for (std::size_t k = 0; point.point && k < 3; ++k)
+      if (!(std::fabs((*point.point)[k]) <= max_candidate_number))
+        throw std::invalid_argument("a coordinate of the candidate is beyond 2^500");
+    for (const auto* square : {&point.first, &point.second})
+      if (*square) std::for_each((*square)->begin(), (*square)->end(), check_square);
+  }
+}
+
+Verdict judged(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
+               const IntersectResult& exact, double tolerance, const StopRequest& stop) {
+  require_tolerance(tolerance);
+  check(candidate);
+  const int e = exponent_of_size(x, y);
+  if (e == 0) return Verifier(candidate, x, y, exact, tolerance, stop)();
+  const double scaled = std::ldexp(tolerance, -e);
+  require_tolerance(scaled);
+  const Candidate near_unit = scaled_down(candidate, e);
+  const IntersectResult truth = scaled_down(exact, e);
+  return scaled_up(Verifier(near_unit, scaled_down(x, e), scaled_down(y, e), truth, scaled, stop)(), e);
+}
+
+}  // namespace
+
 Verdict verify(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
                const IntersectResult& exact, double tolerance) {
-  return in_nearest_rounding([&] {
-    if (!(tolerance > 0) || !std::isfinite(tolerance))
-      throw std::invalid_argument("the tolerance must be positive and finite");
-    return Verifier(candidate, x, y, exact, tolerance)();
-  });
+  return in_nearest_rounding([&] { return judged(candidate, x, y, exact, tolerance, {}); });
 }
 
 Verification verify(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
                     const VerifyOptions& options) {
   return in_nearest_rounding([&]() -> Verification {
-    if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
-      throw std::invalid_argument("the tolerance must be positive and finite");
+    require_tolerance(options.tolerance);
+    check(candidate);
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const auto left = [&] {
+      return *options.max_seconds - std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    const StopRequest stop = options.max_seconds ? StopRequest([&] { return left() <= 0; }) : StopRequest();
     const double extent = model_scale(x, y).extent;
     const double tolerance = options.tolerance * (extent > 0 ? extent : 1);
     IntersectOptions fine;
-    fine.max_seconds = options.max_seconds;
     fine.progress = options.progress;
     constexpr int most_rounds = 3;
     for (int round = 1;; ++round) {
       fine.tolerance = std::ldexp(options.tolerance, -1 - 3 * round);
+      if (options.max_seconds) fine.max_seconds = std::max(0.75 * left(), 1e-9);  // the rest to compare
       IntersectResult exact = intersect(x, y, fine);
-      Verdict verdict = verify(candidate, x, y, exact, tolerance);
-      if (verdict.agreement != Agreement::undecided || !verdict.exact_is_complete || round == most_rounds)
+      Verdict verdict = judged(candidate, x, y, exact, tolerance, stop);
+      if (verdict.agreement != Agreement::undecided || !verdict.exact_is_complete || round == most_rounds ||
+          is_stopped(stop))
         return {std::move(verdict), std::move(exact)};
     }
   });

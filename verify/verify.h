@@ -106,12 +106,15 @@ struct Verdict {
 };
 
 /// The verdict from one exact result of the patches, with turning points of all parameters as nodes.
-/// `tolerance` > 0 is a length. Throws std::invalid_argument for a candidate that breaks its invariants.
+/// `tolerance` > 0 is a length. Throws std::invalid_argument for a candidate that breaks its invariants, or
+/// that is more than 2^500 times larger than the patches.
 Verdict verify(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
                const IntersectResult& exact, double tolerance);
 
 struct VerifyOptions {
   double tolerance = 1e-6;  // relative to the size of the model, as in IntersectOptions
+  /// Cap of the work altogether, the exact intersections and the comparison; when it is exceeded what is not
+  /// proved until then is undecided.
   std::optional<double> max_seconds;
   std::function<void(double, const char*)> progress;
 };
@@ -122,7 +125,7 @@ struct Verification {
 };
 
 /// Intersects the patches, with polylines fine enough for the tolerance and finer ones where the verdict
-/// needs them. Throws std::invalid_argument for options out of range.
+/// needs them. Throws std::invalid_argument for options out of range, and as above.
 Verification verify(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
                     const VerifyOptions& options = {});
 

@@ -107,7 +107,7 @@ class Follower {
   /// Whether matched points may be that far apart; records it.
   bool accepts(Walk& walk, double computed, double bound) const {
     const double proved = computed + bound + search_.rounding;
-    if (proved > search_.tolerance) return false;
+    if (!(proved <= search_.tolerance)) return false;
     walk.distance = std::max(walk.distance, proved);
     return true;
   }
@@ -221,7 +221,7 @@ std::vector<ChainPlace> starts(const TrueCurve& truth, const Chain& chain, std::
   double last = -infinite;
   const double own = chain.bound[std::min(vertex, chain.pieces() - 1)];
   truth.tree().within(chain.points[vertex], search.tolerance, [&](const ChainPlace& found) {
-    if (found.distance + found.bound + own + search.rounding > search.tolerance) return;
+    if (!(found.distance + found.bound + own + search.rounding <= search.tolerance)) return;
     const bool goes_on = !result.empty() && result.back().chain == found.chain && found.position - last <= 1;
     last = found.position;
     if (!goes_on)
@@ -256,6 +256,7 @@ std::vector<Walk> find_walks(const TrueCurve& truth, const Chain& chain, const W
   std::vector<Walk> walks;
   std::size_t vertex = 0;
   while (vertex < chain.pieces()) {
+    require_time(search.stop);
     std::optional<Walk> best;
     std::tuple<std::size_t, double, double> best_rank;
     std::vector<ChainPlace> places = starts(truth, chain, vertex, search);

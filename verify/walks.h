@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "piece_tree.h"
+#include "chain_distances.h"
 
 namespace exsect {
 
@@ -64,9 +64,11 @@ struct WalkSearch {
   std::function<double(std::size_t arc, double position, std::size_t vertex)> rank;
   /// Added to the rank of the place where a walk starts.
   std::function<double(const Walk&)> rank_of_walk;
+  StopRequest stop;
 };
 
 /// Maximal walks along a chain, one after the other: a vertex that is on none is where no walk could start.
+/// Throws OutOfTime.
 std::vector<Walk> find_walks(const TrueCurve& truth, const Chain& chain, const WalkSearch& search);
 
 }  // namespace exsect

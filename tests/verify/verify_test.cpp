@@ -307,7 +307,7 @@ TEST_CASE("verify: an incomplete exact answer is never agreement") {
   CHECK(incomplete.verdict.agreement == Agreement::undecided);
   // a point that is on neither patch is wrong whatever the missing part is
   candidate.points.push_back({std::array<double, 3>{0.5, 0.5, 100}, {}, {}});
-  const Verdict off = verify(candidate, pair.x, pair.y, options).verdict;
+  const Verdict off = verify(candidate, pair.x, pair.y, incomplete.exact, 1e-6);
   CHECK(off.agreement == Agreement::disagrees);
   CHECK(has(off, DifferenceKind::false_point));
   CHECK_THROWS_AS(verdict_of(candidate, pair, 0), std::invalid_argument);

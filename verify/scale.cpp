@@ -1,0 +1,82 @@
+#include "scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace exsect {
+namespace {
+
+constexpr double underflow = 0x1p-1000;  // more than an operation that underflows loses
+
+void scale_down(Arc& arc, int e) {
+  for (PolylineVertex& vertex : arc.polyline)
+    for (double& c : vertex.point) c = std::ldexp(c, -e);
+  arc.error_bound = std::ldexp(arc.error_bound, -e) + underflow;
+}
+
+void scale_down(std::array<double, 3>& point, int e) {
+  for (double& c : point) {
+    c = std::ldexp(c, -e);
+    if (!(std::fabs(c) <= max_candidate_number))
+      throw std::invalid_argument("a coordinate of the candidate is 2^500 times larger than the model");
+  }
+}
+
+void scale_up(DistanceEnclosure& distance, int e) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  distance.lower = std::nextafter(std::ldexp(distance.lower, e), 0);
+  distance.upper = std::nextafter(std::ldexp(distance.upper, e), infinite);
+}
+
+}  // namespace
+
+int exponent_of_size(const BezierPatch& x, const BezierPatch& y) {
+  Rational most = 0;
+  for (const BezierPatch* patch : {&x, &y})
+    for (const auto& row : patch->net())
+      for (const Point& p : row)
+        for (std::size_t k = 0; k < 3; ++k) most = std::max(most, Rational(abs(p[k])));
+  if (most == 0) return 0;
+  const auto bits = [](const Integer& n) { return static_cast<int>(msb(n)); };
+  const int e = bits(numerator(most)) - bits(denominator(most));
+  return std::abs(e) <= 200 ? 0 : e;
+}
+
+BezierPatch scaled_down(const BezierPatch& x, int e) {
+  ControlNet net = x.net();
+  for (auto& row : net)
+    for (Point& p : row)
+      for (std::size_t k = 0; k < 3; ++k) p[k] *= power_of_two(-e);
+  return BezierPatch(net);
+}
+
+IntersectResult scaled_down(IntersectResult exact, int e) {
+  for (Arc& arc : exact.graph.arcs) scale_down(arc, e);
+  for (Overlap& overlap : exact.graph.overlaps)
+    for (auto& loop : overlap.chains)
+      for (Arc& arc : loop) scale_down(arc, e);
+  return exact;
+}
+
+Candidate scaled_down(Candidate candidate, int e) {
+  for (CandidateCurve& curve : candidate.curves)
+    if (curve.space)
+      for (auto& point : curve.space->points) scale_down(point, e);
+  for (CandidatePoint& point : candidate.points)
+    if (point.point) scale_down(*point.point, e);
+  return candidate;
+}
+
+Verdict scaled_up(Verdict verdict, int e) {
+  verdict.tolerance = std::ldexp(verdict.tolerance, e);
+  for (ArcFinding& arc : verdict.arcs) scale_up(arc.distance, e);
+  for (CurveFinding& curve : verdict.curves) {
+    scale_up(curve.distance, e);
+    scale_up(curve.true_distance, e);
+  }
+  return verdict;
+}
+
+}  // namespace exsect
