@@ -165,12 +165,13 @@ void Verifier::note_coverage(std::size_t c, CurveFinding& finding) {
       reached = s == 0 ? united(of_strand) : common(reached, united(of_strand));
       kernel = s == 0 ? united(inner) : common(kernel, united(inner));
     }
-    for (const Interval& own : kernel) {
-      for (const std::size_t j : first_of(kernel_index_[arc].crossing(own))) {
-        const auto& [other, interval] = kernel_[arc][j];
-        note_repetition(arc, own, interval, other, c);
-      }
-    }
+    std::vector<std::pair<std::size_t, std::size_t>> crossings;
+    for (std::size_t k = 0; k < kernel.size(); ++k)
+      for (const std::size_t j : first_of(kernel_index_[arc].crossing(kernel[k])))
+        crossings.push_back({j, k});
+    std::sort(crossings.begin(), crossings.end());
+    for (const auto& [j, k] : crossings)
+      note_repetition(arc, kernel[k], kernel_[arc][j].second, kernel_[arc][j].first, c);
     for (const Interval& i : kernel) {
       kernel_[arc].push_back({c, i});
       kernel_index_[arc].add(i);
