@@ -270,8 +270,18 @@ def pool(path, value):
     return COUNTS if isinstance(value, int) else WORDS if value and value[0] not in "-0123456789" else NUMBERS
 
 
+class Forged:
+    """A certificate that gets its seals when it is asked for."""
+
+    def __init__(self, root):
+        self.root = root
+
+    def text(self):
+        return sealed(self.root)
+
+
 def hand_made(base):
-    """(what, text) of all forgeries by hand."""
+    """(what, Forged) of all forgeries by hand."""
     seen = collections.Counter()
     for path, value in list(leaves(base)):
         seen[kind(path)] += 1
@@ -281,7 +291,7 @@ def hand_made(base):
             if other != value or isinstance(other, Raw):
                 root = copy(base)
                 put(root, path, other)
-                yield f"{path}: {other!s:.40}", sealed(recounted(root) if path[0] != "summary" else root)
+                yield f"{path}: {other!s:.40}", Forged(recounted(root) if path[0] != "summary" else root)
     seen.clear()
     for path, value in list(containers(base)):
         seen[kind(path)] += 1
@@ -290,22 +300,22 @@ def hand_made(base):
         for other in LISTS:
             root = copy(base)
             put(root, path, other)
-            yield f"{path}: {other!s:.20}", sealed(root if path[0] == "summary" else recounted(root))
+            yield f"{path}: {other!s:.20}", Forged(root if path[0] == "summary" else recounted(root))
         if isinstance(value, list) and value and path[0] != "cover":
             for what, change in (("repeated", lambda l: l.append(copy(l[0]))), ("dropped", lambda l: l.pop()), ("reversed", lambda l: l.reverse()),
                                  ("first dropped", lambda l: l.pop(0))):
                 root = copy(base)
                 change(at(root, path))
-                yield f"{path}: {what}", sealed(recounted(root) if path[0] != "summary" else root)
+                yield f"{path}: {what}", Forged(recounted(root) if path[0] != "summary" else root)
         if isinstance(value, dict):
             for key in value:
                 body = compact({k: v for k, v in value.items() if k != "seal"})
                 root = copy(base)
                 put(root, path, Raw(body[:-1] + f',"{key}":{compact(value[key])}' + "}"))
-                yield f"{path}: {key} twice", sealed(root)
+                yield f"{path}: {key} twice", Forged(root)
                 root = copy(base)
                 at(root, path).pop(key)
-                yield f"{path}: without {key}", sealed(root)
+                yield f"{path}: without {key}", Forged(root)
     rows = " ".join(row.split(" #")[0] for row in base["cover"])
     entries = rows.split(" ")
     for entry in CELLS:
@@ -317,18 +327,18 @@ def hand_made(base):
             elif what.startswith("all"):
                 changed = [entry if "," in e else e for e in entries]
             root["cover"] = cover or [" ".join(changed)]
-            yield what, sealed(recounted(root))
+            yield what, Forged(recounted(root))
     for i in range(0, len(entries), max(1, len(entries) // 12)):
         for what, changed in (("dropped", entries[:i] + entries[i + 1 :]), ("twice", entries[: i + 1] + entries[i:]),
                               ("turned", entries[:i] + [turned(entries[i])] + entries[i + 1 :])):
             root = copy(base)
             root["cover"] = [" ".join(changed)]
-            yield f"entry {i} {what}", sealed(recounted(root))
+            yield f"entry {i} {what}", Forged(recounted(root))
     for key in ("first", "second"):
         for what, change in NET_CHANGES if key in base else ():
             root = copy(base)
             root[key]["points"] = [[change(list(map(Fraction, p)), i, j) for j, p in enumerate(row)] for i, row in enumerate(root[key]["points"])]
-            yield f"{key}: {what}", sealed(root)
+            yield f"{key}: {what}", Forged(root)
     for key in base:
         for what, factor in (("twice", 2), ("a millionth", Fraction(1, 10**6)), ("2^40 times", 2**40), ("minus", -1)):
             for field in ("reach", "width", "radius", "error_bound", "inverse", "slope"):
@@ -337,7 +347,7 @@ def hand_made(base):
                 for claim in found:
                     claim[field] = scaled(claim[field], factor)
                 if found:
-                    yield f"{key}: {what} {field}", sealed(root)
+                    yield f"{key}: {what} {field}", Forged(root)
     yield from without_a_component(base)
 
 
@@ -381,7 +391,7 @@ def without_a_component(base):
             root["tubes"] = [base["tubes"][t] for t in tubes]
             rename = {f"t{t}": f"t{i}" for i, t in enumerate(tubes)}
             root["cover"] = [" ".join(rename.get(e, instead) if e[0] == "t" else e for e in row.split(" #")[0].split(" ")) for row in base["cover"]]
-            yield f"without component {lost}, {instead}", sealed(recounted(root))
+            yield f"without component {lost}, {instead}", Forged(recounted(root))
 
 
 # ---- Random changes
@@ -608,9 +618,9 @@ def main():
         if options.command == "hand-made":
             done = 0
             for which, base in enumerate(campaign.bases):
-                for what, text in hand_made(base):
+                for what, forged in hand_made(base):
                     if done % options.every == 0:
-                        campaign.judge(which, what, text)
+                        campaign.judge(which, what, forged.text())
                     done += 1
         else:
             weights = [1 / (3000 + len(text)) for text in texts]
