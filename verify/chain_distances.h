@@ -1,11 +1,11 @@
 // How far a chain is from others. Internal to solver/; docs/method.md, section 15.
 #pragma once
 
-#include <exsect/verify/verify.h>
+#include <exsect/verify/verdict.h>
 
+#include "answer/stop_request.h"
 #include "interval_lists.h"
 #include "piece_tree.h"
-#include "answer/stop_request.h"
 
 namespace exsect {
 

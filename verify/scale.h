@@ -2,7 +2,7 @@
 // 15.
 #pragma once
 
-#include <exsect/solver/verify.h>
+#include <exsect/verify/verdict.h>
 
 namespace exsect {
 

@@ -1,7 +1,7 @@
 // One candidate held against one exact result, step by step. Internal to solver/; docs/method.md, section 15.
 #pragma once
 
-#include <exsect/verify/verify.h>
+#include <exsect/verify/verdict.h>
 
 #include <optional>
 #include <set>
