@@ -18,6 +18,8 @@
 namespace exsect::cli {
 namespace {
 
+constexpr std::size_t max_header_bytes = std::size_t{1} << 16;
+
 /// The finished output of one shard.
 class ShardFile {
  public:
@@ -58,7 +60,9 @@ class ShardFile {
 
   void read_header() {
     try {
-      Json header = Json::parse(reader_->next());
+      const std::string_view text = reader_->next();
+      if (text.size() > max_header_bytes) fail("is not of the form batch/1");
+      Json header = Json::parse(text);
       if (header.at("exsect") != "batch/1") fail("is not of the form batch/1");
       shard_ = {natural(header.at("shard").at(0)), natural(header.at("shard").at(1))};
       lines_ = natural(header.at("lines"));

@@ -275,6 +275,14 @@ def test_numbers_in_a_shard_are_not_trusted(model, tmp_path, part, broken):
     assert refusal.startswith(f"exsect: {one}: line ")
 
 
+def test_a_header_of_very_many_keys_is_refused_at_once(model, tmp_path):
+    one = tmp_path / "1"
+    run("batch", model, "-o", one)
+    keys = b",".join(b'"key%d":0' % i for i in range(80000))
+    one.write_bytes(one.read_bytes().replace(b'"lines":24', b'"lines":24,' + keys, 1))
+    assert "not of the form batch/1" in run("batch-merge", one, status=2, timeout=20).stderr
+
+
 # Interruption
 
 
