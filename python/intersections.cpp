@@ -3,6 +3,8 @@
 #include <exsect/solver/self_intersect.h>
 #include <pybind11/stl.h>
 
+#include "certificate/certificate_text.h"
+#include "forms.h"
 #include "numbers.h"
 #include "output/drawing/intersection_svg.h"
 #include "output/drawing/line_svg.h"
@@ -43,6 +45,10 @@ struct SolvedPair {
     return second ? cli::report_html(result, first, *second, names, {title, ""})
                   : cli::self_report_html(result, first, names.first, {title, ""});
   }
+  std::string certificate() const {
+    return second ? cli::certificate_text(first, *second, names, result)
+                  : cli::self_certificate_text(first, names, result);
+  }
   std::string exported(const std::string& format, const std::string& title, int cells) const {
     if (format == "csv") return cli::node_csv(result.graph, names.parameters);
     return scene_text(second ? cli::intersection_scene(result, first, *second, names, title, cells)
@@ -62,6 +68,7 @@ struct SolvedLine {
   std::string report(const std::string& title) const {
     return cli::line_report_html(line, first, second, names, {title, ""});
   }
+  std::string certificate() const { return cli::certificate_text(first, second, names, line); }
   std::string exported(const std::string& format, const std::string& title, int cells) const {
     if (format == "csv") return cli::point_csv(line, first);
     return scene_text(cli::line_scene(line, first, second, names, title, cells), format);
@@ -129,23 +136,21 @@ SolvedLine intersect_parameter_line(const BezierPatch& x, const BezierPatch& y,
   return {intersect_line(x, y, query), x, y, {names[0], names[1]}};
 }
 
-/// The forms that every result has.
+/// What intersections and lines have beside the common forms.
 template <class Solved>
-void add_forms(py::class_<Solved>& type) {
-  type.def("tree", [](const Solved& solved) { return python_of(solved.json()); });
-  type.def("json", [](const Solved& solved) { return cli::json_text(solved.json()); });
-  type.def("svg", &Solved::svg, py::arg("title"));
-  type.def("report", &Solved::report, py::arg("title"), py::call_guard<py::gil_scoped_release>());
+void add_exports(py::class_<Solved>& type) {
+  add_forms(type);
   type.def("exported", &Solved::exported, py::arg("format"), py::arg("title"), py::arg("cells"));
+  type.def("certificate", &Solved::certificate, py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace
 
 void add_intersections(py::module_& module) {
   py::class_<SolvedPair> pair(module, "SolvedPair");
-  add_forms(pair);
+  add_exports(pair);
   py::class_<SolvedLine> line(module, "SolvedLine");
-  add_forms(line);
+  add_exports(line);
   line.def("box", &SolvedLine::box, py::arg("index"), py::arg("width"));
   module.def("intersect", &intersect_patches);
   module.def("self_intersect", &self_intersect_patch);

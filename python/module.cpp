@@ -1,8 +1,12 @@
 // The compiled part of the Python module exsect; python/exsect/__init__.py is what users import.
 #include <exsect/geometry/curve_file.h>
+#include <exsect/geometry/number.h>
 #include <exsect/geometry/patch_file.h>
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include "certificate/search.h"
+#include <cctype>
 #include "numbers.h"
 #include "output/options/output_files.h"
 #include "solutions.h"
@@ -31,6 +35,31 @@ py::tuple points_of(const BezierCurve& curve) {
   return points;
 }
 
+/// "(0, 1/2, 0.123457)": what is long as an exact number is rounded to six digits.
+std::string short_point(const std::vector<Rational>& point) {
+  std::string text = "(";
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const std::string exact = to_string(point[i]);
+    text += (i == 0 ? "" : ", ");
+    text += exact.size() <= 8 ? exact : fmt::format("{:.6g}", to_double(point[i]));
+  }
+  return text + ")";
+}
+
+std::string short_patch(const BezierPatch& patch) {
+  const ControlNet& net = patch.net();
+  const auto corner = [&](std::size_t i, std::size_t j) {
+    return short_point({net[i][j][0], net[i][j][1], net[i][j][2]});
+  };
+  return "<Patch with corners " + corner(0, 0) + ", " + corner(0, 2) + ", " + corner(2, 0) + ", " +
+         corner(2, 2) + ">";
+}
+
+std::string short_curve(const BezierCurve& curve) {
+  return fmt::format("<{} curve of degree {} from {} to {}>", curve.dimension() == 2 ? "Planar" : "Space",
+                     curve.degree(), short_point(curve.points().front()), short_point(curve.points().back()));
+}
+
 void add_patch(py::module_& module) {
   py::class_<BezierPatch>(module, "Patch", R"(A biquadratic Bezier patch with exact control points.
 
@@ -56,8 +85,7 @@ see from_floats.)")
           py::arg("first"), py::arg("second"), "The point at exact parameters, in the square or not.")
       .def(
           "__eq__", [](const BezierPatch& a, const BezierPatch& b) { return a == b; }, py::is_operator())
-      .def("__repr__",
-           [](const BezierPatch& patch) { return "Patch(" + std::string(py::repr(net_of(patch))) + ")"; })
+      .def("__repr__", &short_patch)
       .def(py::pickle([](const BezierPatch& patch) { return net_of(patch); },
                       [](const py::tuple& points) { return patch_of(points, Numbers::exact); }));
 }
@@ -92,11 +120,7 @@ without weights all are 1.)")
           py::arg("t"), "The point at an exact parameter.")
       .def(
           "__eq__", [](const BezierCurve& a, const BezierCurve& b) { return a == b; }, py::is_operator())
-      .def("__repr__",
-           [](const BezierCurve& curve) {
-             return "Curve(" + std::string(py::repr(points_of(curve))) + ", " +
-                    std::string(py::repr(fractions_of(curve.weights()))) + ")";
-           })
+      .def("__repr__", &short_curve)
       .def(py::pickle(
           [](const BezierCurve& curve) {
             return py::make_tuple(points_of(curve), fractions_of(curve.weights()));
@@ -120,7 +144,29 @@ void add_files(py::module_& module) {
   module.def("read_curve", [](const std::string& path) { return read_curve(path).curve; });
 }
 
+/// The options of the program as arguments of functions: "--max-seconds" is max_seconds.
+std::string in_python(const std::string& message) {
+  std::string text;
+  for (std::size_t i = 0; i < message.size(); ++i) {
+    const bool begins_option = message.compare(i, 2, "--") == 0 && i + 2 < message.size() &&
+                               std::isalpha(static_cast<unsigned char>(message[i + 2])) != 0;
+    if (!begins_option) {
+      text += message[i];
+      continue;
+    }
+    for (i += 2; i < message.size(); ++i) {
+      const auto c = static_cast<unsigned char>(message[i]);
+      if (std::isalnum(c) == 0 && c != '-') break;
+      text += c == '-' ? '_' : message[i];
+    }
+    --i;
+  }
+  return text;
+}
+
 void add_exceptions(py::module_& module) {
+  static py::exception<cli::NoCertificate> no_certificate(module, "NoCertificate", PyExc_ValueError);
+  no_certificate.attr("__doc__") = "A result that no certificate can say, and why.";
   static py::exception<InputError> input_error(module, "InputError", PyExc_ValueError);
   input_error.attr("__doc__") = "A bad file: what is wrong, in which file, and where in it.";
   py::register_exception_translator([](std::exception_ptr pointer) {
@@ -129,7 +175,9 @@ void add_exceptions(py::module_& module) {
     } catch (const InputError& error) {
       input_error(error.what());
     } catch (const cli::UsageError& error) {
-      PyErr_SetString(PyExc_ValueError, error.what());
+      PyErr_SetString(PyExc_ValueError, in_python(error.what()).c_str());
+    } catch (const cli::NoCertificate& error) {
+      no_certificate(error.what());
     } catch (const OutputError& error) {
       PyErr_SetString(PyExc_OSError, error.what());
     }
@@ -148,4 +196,5 @@ PYBIND11_MODULE(_core, module) {
   add_files(module);
   add_intersections(module);
   add_implicitizations(module);
+  add_verifications(module);
 }

@@ -16,14 +16,18 @@ lock while they work and raise ValueError with the library's own text.
 
 from __future__ import annotations
 
+import itertools
+import json
 import os
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
-from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._core import Curve, InputError, Patch
+from ._core import Curve, InputError, NoCertificate, Patch
 from ._core import __version__ as __version__
 from ._results import (
+    Again,
     Arc,
     Branch,
     Component,
@@ -42,12 +46,16 @@ from ._results import (
     Statement,
     Unproved,
 )
+from ._verdict import Check, Comparison, Difference, Verdict
 
 __all__ = [
     "Arc",
     "Branch",
+    "Check",
+    "Comparison",
     "Component",
     "Curve",
+    "Difference",
     "End",
     "Implicit",
     "Incomplete",
@@ -56,6 +64,7 @@ __all__ = [
     "Interval",
     "Line",
     "LinePoint",
+    "NoCertificate",
     "Node",
     "Overlap",
     "Patch",
@@ -64,15 +73,25 @@ __all__ = [
     "Revolution",
     "Statement",
     "Unproved",
+    "Verdict",
+    "check",
+    "compare",
     "implicitize",
     "intersect",
+    "intersect_all",
     "line",
     "read_curve",
     "read_patches",
     "revolve",
     "self_intersect",
+    "verify",
     "write_patches",
 ]
+
+
+def __dir__() -> List[str]:
+    return sorted(__all__)
+
 
 Number = Union[int, str, Fraction]
 Progress = Callable[[float, str], object]
@@ -93,12 +112,37 @@ def _turning(parameters: Union[str, Iterable[str], None]) -> str:
     return parameters if isinstance(parameters, str) else ",".join(parameters) or "none"
 
 
+def _relative(tolerance: Any, absolute: Any, *patches: Patch) -> str:
+    """The tolerance relative to the size of the model: the largest extent of all control points, taken exactly."""
+    if absolute is None:
+        return _text(tolerance)
+    points = [point for patch in patches for row in patch.points for point in row]
+    size = max(max(p[k] for p in points) - min(p[k] for p in points) for k in range(3))
+    try:
+        length = Fraction(absolute)
+    except (TypeError, ValueError, ZeroDivisionError, OverflowError):
+        raise ValueError(f"absolute_tolerance: {absolute!r} is not a number") from None
+    if length <= 0:
+        raise ValueError("absolute_tolerance: must be > 0")
+    if size == 0:
+        return _text(tolerance)
+    # Rounded down by more than the conversion to a double can round up.
+    return _text(length / size * (1 - Fraction(1, 2**50)))
+
+
+def _same_again(function: str, *arguments: Any, progress: Any = ()) -> Tuple[Any, Again]:
+    """The compiled result, and what computes it again after pickling: without a progress function."""
+    again = Again(function, arguments if progress == () else (*arguments, None))
+    return getattr(_core, function)(*arguments, *((progress,) if progress != () else ())), again
+
+
 def intersect(
     x: Patch,
     y: Patch,
     *,
     turning: Union[str, Iterable[str], None] = "u,v,r,s",
     tolerance: Union[Number, float] = "1e-6",
+    absolute_tolerance: Union[Number, float, None] = None,
     max_seconds: Union[Number, float, None] = None,
     exact: bool = False,
     names: Tuple[str, str] = ("x", "y"),
@@ -108,14 +152,106 @@ def intersect(
     """Every point of x(u,v) = y(r,s), as a graph of nodes and arcs.
 
     `turning`: parameters whose turning points become nodes. `tolerance` bounds the proved distance of polylines,
-    relative to the size of the model. After `max_seconds` the result is incomplete. `exact` skips the solution in
+    relative to the size of the model (the largest extent of all control points); `absolute_tolerance`, if it is
+    given, in the units of the model instead. After `max_seconds` the result is incomplete. `exact` skips the solution in
     floating point with proved errors; the graph is the same. `progress` is called now and then with a fraction and
     the name of the step; an interrupt from the keyboard is seen at these times.
     ValueError for options out of range.
     """
     limit = "" if max_seconds is None else _text(max_seconds)
-    core = _core.intersect(x, y, list(names), _turning(turning), _text(tolerance), limit, exact, progress)
-    return Intersection(core, title)
+    relative = _relative(tolerance, absolute_tolerance, x, y)
+    core, again = _same_again(
+        "intersect", x, y, list(names), _turning(turning), relative, limit, exact, progress=progress
+    )
+    return Intersection(core, title, again)
+
+
+def intersect_all(
+    patches: Union[Mapping[str, Patch], Sequence[Patch]],
+    pairs: Optional[Iterable[Tuple[Any, Any]]] = None,
+    *,
+    jobs: Optional[int] = None,
+    **options: Any,
+) -> Iterator[Tuple[Any, Any, Intersection]]:
+    """Intersects many pairs in `jobs` threads (one for each processor): (first, second, result), in order.
+
+    `patches` by name, as read_patches gives them, or in a list, where names are indices. Without `pairs` all pairs
+    of different patches, the first before the second. Options as for intersect; errors are raised when their
+    pair's turn comes. A batch that is written to a file, resumable and in shards, is `exsect batch`.
+    """
+    named: Dict[Any, Patch] = dict(patches) if isinstance(patches, Mapping) else dict(enumerate(patches))
+    chosen = list(itertools.combinations(named, 2)) if pairs is None else [(first, second) for first, second in pairs]
+    for name in itertools.chain.from_iterable(chosen):
+        if name not in named:
+            raise ValueError(f"there is no patch {name!r}")
+
+    def solve(pair: Tuple[Any, Any]) -> Intersection:
+        first, second = pair
+        return intersect(named[first], named[second], **{"names": (str(first), str(second)), **options})
+
+    def results() -> Iterator[Tuple[Any, Any, Intersection]]:
+        with ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
+            for (first, second), result in zip(chosen, pool.map(solve, chosen)):
+                yield first, second, result
+
+    return results()
+
+
+def verify(
+    candidate: Union[str, "os.PathLike[str]", Mapping[str, Any]],
+    x: Patch,
+    y: Patch,
+    *,
+    tolerance: Union[Number, float] = "1e-6",
+    absolute_tolerance: Union[Number, float, None] = None,
+    max_seconds: Union[Number, float, None] = None,
+    names: Tuple[str, str] = ("x", "y"),
+    title: str = "",
+) -> Verdict:
+    """Holds what another program computed against the proved intersection of x and y.
+
+    `candidate`: a file of form candidate/1, CSV, OBJ or g2 (formats.md), or a dictionary in the shape of
+    candidate/1. Tolerances and `max_seconds` as for intersect. InputError, with file and place, for a candidate
+    that is not of its form.
+    """
+    if isinstance(candidate, Mapping):
+        text, filename = json.dumps(candidate).encode(), "candidate.json"
+    else:
+        filename = os.fspath(candidate)
+        text = _core.candidate_bytes(filename)
+    limit = "" if max_seconds is None else _text(max_seconds)
+    relative = _relative(tolerance, absolute_tolerance, x, y)
+    return Verdict(*_titled("verify", title, text, filename, x, y, list(names), relative, limit))
+
+
+def compare(
+    x: Patch,
+    y: Patch,
+    *,
+    lines: int = 64,
+    pieces: int = 2,
+    fit: str = "conics",
+    plane: str = "u,r",
+    names: Tuple[str, str] = ("x", "y"),
+    title: str = "",
+) -> Comparison:
+    """The methods of the chapter side by side on one pair; the options are those of `exsect compare`."""
+    return Comparison(*_titled("compare", title, x, y, list(names), lines, pieces, fit, plane))
+
+
+def check(certificate: str) -> Check:
+    """Replays the proof in a certificate, given as its text (Intersection.to_certificate, or the content of a file).
+
+    Every polynomial is computed anew from the control points in it, by code that shares nothing with the solver.
+    ValueError for text that is no certificate.
+    """
+    found = _core.check(certificate)
+    return Check(found["accepted"], found["place"], found["reason"], dict(found["summary"]))
+
+
+def _titled(function: str, title: str, *arguments: Any) -> Tuple[Any, str, Again]:
+    core, again = _same_again(function, *arguments)
+    return core, title, again
 
 
 def self_intersect(
@@ -123,6 +259,7 @@ def self_intersect(
     *,
     turning: Union[str, Iterable[str], None] = "u1,v1,u2,v2",
     tolerance: Union[Number, float] = "1e-6",
+    absolute_tolerance: Union[Number, float, None] = None,
     max_seconds: Union[Number, float, None] = None,
     name: str = "x",
     title: str = "",
@@ -133,8 +270,9 @@ def self_intersect(
     Nodes of kind "cusp" are the cuspidal points in which such curves end. Options as for intersect.
     """
     limit = "" if max_seconds is None else _text(max_seconds)
-    core = _core.self_intersect(x, name, _turning(turning), _text(tolerance), limit, progress)
-    return Intersection(core, title)
+    relative = _relative(tolerance, absolute_tolerance, x)
+    core, again = _same_again("self_intersect", x, name, _turning(turning), relative, limit, progress=progress)
+    return Intersection(core, title, again)
 
 
 def line(
@@ -156,7 +294,7 @@ def line(
     if len(given) != 1:
         raise ValueError("give only one of u, v, r, s" if given else "give one of u, v, r, s")
     ((name, value),) = given.items()
-    return Line(_core.line(x, y, list(names), name, value), title)
+    return Line(*_titled("line", title, x, y, list(names), name, value))
 
 
 def implicitize(
@@ -202,7 +340,7 @@ def implicitize(
         "exact_arithmetic": exact_arithmetic or None,
     }
     options = {name: _text(value) for name, value in given.items() if value is not None}
-    return Implicit(_core.implicitize(shape, options), title)
+    return Implicit(*_titled("implicitize", title, shape, options))
 
 
 def revolve(
@@ -241,8 +379,8 @@ def revolve(
         "region": region,
     }
     options = {name: _text(value) for name, value in given.items() if value is not None}
-    core = _core.revolve(profile, options, patch, patch_name, [_text(u) for u in lines])
-    return Revolution(core, title)
+    texts = [_text(u) for u in lines]
+    return Revolution(*_titled("revolve", title, profile, options, patch, patch_name, texts))
 
 
 def read_patches(path: Union[str, "os.PathLike[str]"]) -> Dict[str, Patch]:
@@ -258,3 +396,27 @@ def write_patches(path: Union[str, "os.PathLike[str]"], patches: Mapping[str, Pa
 def read_curve(path: Union[str, "os.PathLike[str]"]) -> Curve:
     """The curve of a file curve/1. InputError names file, place and reason."""
     return _core.read_curve(os.fspath(path))
+
+
+def _evaluate(patch: Patch, first: Any, second: Any) -> Any:
+    """Points in doubles at arrays of parameters: an array of the broadcast shape with x, y, z in the last axis.
+
+    Needs numpy; ImportError where it is not installed. The error is that of the doubles: patch(u, v) is exact.
+    """
+    from ._plot import evaluated
+
+    return evaluated(patch, first, second)
+
+
+def _plot_patch(patch: Patch, axes: Any = None, **options: Any) -> Any:
+    """Draws the patch by matplotlib in axes of projection "3d", by default new ones, and returns them.
+
+    Options go to plot_surface. ImportError where matplotlib is not installed.
+    """
+    from ._plot import draw_patch
+
+    return draw_patch(patch, axes, options)
+
+
+Patch.evaluate = _evaluate  # type: ignore[method-assign]
+Patch.plot = _plot_patch  # type: ignore[method-assign]

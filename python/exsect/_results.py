@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
 try:
     import numpy
@@ -82,7 +82,40 @@ class Polynomial(Dict[Exponents, Fraction]):
         return text or "0"
 
     def __repr__(self) -> str:
-        return f"Polynomial({self.variables!r}, {str(self)!r})"
+        text = str(self)
+        if len(text) > 80:
+            return f"<Polynomial in {', '.join(self.variables)} of degree {self.degree} with {len(self)} terms>"
+        return f"Polynomial({self.variables!r}, {text!r})"
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return Polynomial, (self.variables, list(self.items()))
+
+    def _repr_latex_(self) -> str:
+        """For notebooks: the polynomial in LaTeX, between dollars."""
+        parts = []
+        for exponents, coefficient in self.items():
+            factors = "".join(
+                _latex_name(name) + (f"^{{{exponent}}}" if exponent > 1 else "")
+                for name, exponent in zip(self.variables, exponents)
+                if exponent
+            )
+            size = abs(coefficient)
+            number = str(size) if size.denominator == 1 else rf"\frac{{{size.numerator}}}{{{size.denominator}}}"
+            parts.append(("-" if coefficient < 0 else "+") + ("" if factors and size == 1 else number) + factors)
+        return "$" + ("".join(parts).lstrip("+") or "0") + "$"
+
+    def sympy(self) -> Any:
+        """The same as a sympy.Poly over QQ; ImportError where SymPy is not installed."""
+        import sympy
+
+        symbols = sympy.symbols(list(self.variables))
+        terms = {exponents: sympy.Rational(c.numerator, c.denominator) for exponents, c in self.items()}
+        return sympy.Poly.from_dict(terms, *symbols, domain=sympy.QQ)
+
+
+def _latex_name(name: str) -> str:
+    head, tail = name.rstrip("0123456789"), name[len(name.rstrip("0123456789")) :]
+    return head + (f"_{{{tail}}}" if tail else "")
 
 
 def _interval(pair: Sequence[Fraction]) -> Interval:
@@ -99,6 +132,28 @@ def _box(tree: Mapping[str, Sequence[Fraction]]) -> Dict[str, Interval]:
 
 def _polynomial(variables: Sequence[str], terms: Iterable[Any]) -> Polynomial:
     return Polynomial(variables, [(exponents, coefficient) for coefficient, exponents in terms])
+
+
+def _columns(rows: Any, start: int, stop: int) -> Any:
+    return [row[start:stop] for row in rows] if numpy is None or isinstance(rows, list) else rows[:, start:stop]
+
+
+def _joined(arcs: Sequence["Arc"]) -> Any:
+    """The polylines of arcs that follow each other, run through in their order."""
+    rows: List[Any] = []
+    end: Optional[int] = None
+    for i, arc in enumerate(arcs):
+        first, last = arc.ends
+        if end is None:
+            following = arcs[i + 1].ends if i + 1 < len(arcs) else (last,)
+            # Two arcs with both ends in common are told apart by nothing: the first one is taken forwards.
+            forwards = last in following
+        else:
+            forwards = first == end
+        piece = list(arc.polyline) if forwards else list(arc.polyline)[::-1]
+        rows += piece if end is None else piece[1:]
+        end = last if forwards else first
+    return rows if numpy is None else numpy.array(rows, dtype=float)
 
 
 @dataclass(frozen=True)
@@ -121,6 +176,11 @@ class Node:
     #: The approximate point of space.
     point: Tuple[float, float, float]
 
+    def __repr__(self) -> str:
+        words = [", ".join(self.kinds) or "point", *self.on] + [f"turns in {p}" for p in self.wrt]
+        places = ", ".join(f"{name}={value:.6g}" for name, value in self.parameters.items())
+        return f"<Node {self.id}: {', '.join(words)}; {places}>"
+
 
 @dataclass(frozen=True)
 class Arc:
@@ -141,6 +201,27 @@ class Arc:
     #: Proved: true arc and polyline are within this distance of each other in space.
     error_bound: float
 
+    @property
+    def uv(self) -> Any:
+        """The two parameters of the first patch (of a self-intersection: u1, v1) at every vertex."""
+        return _columns(self.polyline, 0, 2)
+
+    @property
+    def rs(self) -> Any:
+        """The two parameters of the second patch (of a self-intersection: u2, v2) at every vertex."""
+        return _columns(self.polyline, 2, 4)
+
+    @property
+    def xyz(self) -> Any:
+        """The points of space."""
+        return _columns(self.polyline, 4, 7)
+
+    def __repr__(self) -> str:
+        return (
+            f"<Arc {self.id} of component {self.component}: node {self.ends[0]} to {self.ends[1]}, {self.on}, "
+            f"{self.contact}, {len(self.polyline)} vertices within {self.error_bound:.3g}>"
+        )
+
 
 @dataclass(frozen=True)
 class Component:
@@ -151,6 +232,32 @@ class Component:
     shape: str
     #: Ids of arcs; of an open or closed one in order along the curve.
     arcs: Tuple[int, ...]
+    _members: Tuple[Arc, ...] = field(default=(), repr=False, compare=False)
+
+    @property
+    def closed(self) -> bool:
+        """A simple closed curve."""
+        return self.shape == "closed"
+
+    @property
+    def tangential(self) -> bool:
+        """The patches touch along all of it; False where they do so along a part only."""
+        return bool(self._members) and all(arc.contact == "tangential" for arc in self._members)
+
+    @property
+    def error_bound(self) -> float:
+        """Proved: curve and polyline are within this distance of each other in space."""
+        return max((arc.error_bound for arc in self._members), default=0.0)
+
+    def polyline(self) -> Any:
+        """One polyline of the whole component: its arcs joined in order, each node once.
+
+        Rows as of Arc.polyline; of a closed component the last row is the first one. ValueError for a branched
+        component, which is no single curve.
+        """
+        if self.shape == "branched":
+            raise ValueError(f"component {self.id} is branched: take the polylines of its arcs")
+        return _joined(self._members)
 
 
 @dataclass(frozen=True)
@@ -169,6 +276,38 @@ class Incomplete:
     why: str
 
 
+class Again(NamedTuple):
+    """What computes a result: a function of the compiled module, by its name, and its arguments."""
+
+    function: str
+    arguments: Tuple[Any, ...]
+
+    def __call__(self) -> Any:
+        from . import _core
+
+        return getattr(_core, self.function)(*self.arguments)
+
+
+class _Pickled(NamedTuple):
+    """Stands for the compiled result after unpickling."""
+
+    again: Again
+    saved_tree: Dict[str, Any]
+
+    def tree(self) -> Dict[str, Any]:
+        return self.saved_tree
+
+
+def _unpickled(kind: Type["Result"], again: Again, title: str, tree: Dict[str, Any], json: str) -> "Result":
+    result = kind(_Pickled(again, tree), title, again)
+    result._json = json
+    return result
+
+
+def _without_work(tree: Mapping[str, Any]) -> Dict[str, Any]:
+    return {name: value for name, value in tree.items() if name != "work"}
+
+
 class Result:
     """What all results share.
 
@@ -177,10 +316,28 @@ class Result:
 
     tree: Dict[str, Any]
 
-    def __init__(self, core: Any, title: str):
-        self._core = core
+    def __init__(self, core: Any, title: str, again: Optional[Again] = None):
+        self._made: Any = core
         self._title = title
+        self._again = again
+        self._json: Optional[str] = None
         self.tree = core.tree()
+
+    @property
+    def _core(self) -> Any:
+        """The compiled result; after unpickling it is computed again, and must be the same."""
+        if isinstance(self._made, _Pickled):
+            kept = self._made
+            core = kept.again()
+            if _without_work(core.tree()) != _without_work(kept.saved_tree):
+                raise RuntimeError("the result cannot be computed again: it was cut short by max_seconds, or by another version")
+            self._made = core
+        return self._made
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        if self._again is None:
+            raise TypeError(f"this {type(self).__name__} cannot be pickled")
+        return _unpickled, (type(self), self._again, self._title, self.tree, self.to_json())
 
     @property
     def complete(self) -> bool:
@@ -189,7 +346,9 @@ class Result:
 
     def to_json(self) -> str:
         """The text that the program writes for --json."""
-        return str(self._core.json())
+        if self._json is None:
+            self._json = str(self._core.json())
+        return self._json
 
     def to_svg(self, title: Optional[str] = None) -> str:
         """The picture that the program draws for --svg."""
@@ -216,6 +375,13 @@ class Result:
 
 
 class _Exportable(Result):
+    def to_certificate(self) -> str:
+        """The proof that `check` replays, as the program writes it for --certificate.
+
+        NoCertificate, a ValueError, for a result that is incomplete or has no certificate.
+        """
+        return str(self._core.certificate())
+
     def to_obj(self, grid: int = 32) -> str:
         """Wavefront OBJ of patches on a grid of grid x grid cells, curves and points."""
         return str(self._core.exported("obj", self._title, grid))
@@ -247,13 +413,16 @@ class Intersection(_Exportable):
     #: Empty if the result is complete.
     incomplete: Tuple[Incomplete, ...]
 
-    def __init__(self, core: Any, title: str):
-        super().__init__(core, title)
+    def __init__(self, core: Any, title: str, again: Optional[Again] = None):
+        super().__init__(core, title, again)
         tree = self.tree
         self.parameters = tuple(tree["summary"]["turning"])
         self.nodes = tuple(self._node(node) for node in tree["nodes"])
         self.arcs = tuple(self._arc(arc) for arc in tree["arcs"])
-        self.components = tuple(Component(c["id"], c["shape"], tuple(c["arcs"])) for c in tree["components"])
+        self.components = tuple(
+            Component(c["id"], c["shape"], tuple(c["arcs"]), tuple(self.arcs[i] for i in c["arcs"]))
+            for c in tree["components"]
+        )
         self.isolated_points = tuple(tree["isolated_points"])
         self.overlaps = tuple(
             Overlap(o["id"], tuple(tuple(self._arc(arc) for arc in chain) for chain in o["chains"]))
@@ -286,6 +455,22 @@ class Intersection(_Exportable):
             _array(arc["polyline"]),
             arc["error_bound"],
         )
+
+    @property
+    def patches(self) -> Tuple[Any, ...]:
+        """The patches that were intersected: two, or one of a self-intersection."""
+        if self._again is None:
+            return ()
+        return tuple(self._again.arguments[: 1 if self.parameters[0] == "u1" else 2])
+
+    def plot(self, **options: Any) -> Any:
+        """A figure of matplotlib: patches and curve in space, and both parameter squares.
+
+        Options go to matplotlib.pyplot.figure. Returns the figure; ImportError where matplotlib is not installed.
+        """
+        from ._plot import result_figure
+
+        return result_figure(self, options)
 
     def count(self, shape: str) -> int:
         """The number of components that are "open", "closed" or "branched"."""
@@ -350,12 +535,16 @@ class LinePoint:
     multiplicity: int
     #: 1 or 2; 0 where the branches meet or are not defined.
     branch: int
-    _core: Any = field(repr=False, compare=False)
+    _line: Any = field(repr=False, compare=False)
     _index: int = field(repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        places = ", ".join(f"{name}={value:.6g}" for name, value in self.parameters.items())
+        return f"<LinePoint: {places}; multiplicity {self.multiplicity}>"
 
     def refined(self, width: Union[int, str, Fraction]) -> Dict[str, Interval]:
         """A box around the same point, at most `width` wide in every parameter: any width is possible."""
-        return {name: _interval(pair) for name, pair in zip("uvrs", self._core.box(self._index, width))}
+        return {name: _interval(pair) for name, pair in zip("uvrs", self._line._core.box(self._index, width))}
 
 
 class Line(_Exportable):
@@ -379,8 +568,8 @@ class Line(_Exportable):
     on_patch: Tuple[Tuple[End, End], ...]
     incomplete: Tuple[Incomplete, ...]
 
-    def __init__(self, core: Any, title: str):
-        super().__init__(core, title)
+    def __init__(self, core: Any, title: str, again: Optional[Again] = None):
+        super().__init__(core, title, again)
         tree = self.tree
         self.fixed = next(iter(tree["fixed"].items()))
         self.shape = tree["shape"]
@@ -421,7 +610,7 @@ class Line(_Exportable):
             _triple(point["approx"]["point"]),
             point["multiplicity"],
             point["branch"],
-            self._core,
+            self,
             index,
         )
 
@@ -464,8 +653,8 @@ class _Implicit(Result):
     proved: Tuple[Statement, ...]
     not_proved: Tuple[Unproved, ...]
 
-    def __init__(self, core: Any, title: str, variables: Mapping[str, Sequence[str]]):
-        super().__init__(core, title)
+    def __init__(self, core: Any, title: str, again: Optional[Again], variables: Mapping[str, Sequence[str]]):
+        super().__init__(core, title, again)
         tree = self.tree
         self.method = tree["method"]
         self.exact = tree["exact"]
@@ -500,8 +689,8 @@ class Implicit(_Implicit):
     #: "planar-curve", "space-curve" or "patch".
     kind: str
 
-    def __init__(self, core: Any, title: str):
-        super().__init__(core, title, {})
+    def __init__(self, core: Any, title: str, again: Optional[Again] = None):
+        super().__init__(core, title, again, {})
         self.kind = self.tree["kind"]
 
     @property
@@ -513,8 +702,8 @@ class Implicit(_Implicit):
 class Revolution(_Implicit):
     """An implicit surface of revolution: `equations` holds the profile in r, z and the surface in x, y, z."""
 
-    def __init__(self, core: Any, title: str):
-        super().__init__(core, title, {"profile": "rz", "surface": "xyz"})
+    def __init__(self, core: Any, title: str, again: Optional[Again] = None):
+        super().__init__(core, title, again, {"profile": "rz", "surface": "xyz"})
 
     @property
     def profile(self) -> Polynomial:

@@ -118,7 +118,7 @@ def test_shapes_that_are_no_patch_are_refused(points):
 def test_a_patch_is_what_it_was_given_as(tmp_path):
     patch = exsect.Patch(UNIT)
     assert patch("1/3", Fraction(1, 5)) == (Fraction(1, 3), Fraction(1, 5), Fraction(1, 15))
-    assert eval(repr(patch), {"Patch": exsect.Patch, "Fraction": Fraction}) == patch
+    assert exsect.Patch(patch.points) == patch
     assert pickle.loads(pickle.dumps(patch)) == patch
     exsect.write_patches(tmp_path / "p.json", {"a": patch}, title="t")
     assert exsect.read_patches(tmp_path / "p.json") == {"a": patch}
@@ -227,7 +227,7 @@ def test_bad_files_are_refused_in_the_programs_words(tmp_path):
     file.write_text('{"exsect": "patches/1", "patches": [{"name": "x", "degree": [1,1], "points": [[[0,0,0]]]}]}')
     with pytest.raises(exsect.InputError) as caught:
         exsect.read_patches(file)
-    assert program("intersect", file).stderr == f"exsect: {caught.value}\n"
+    assert program("intersect", file).stderr == f"exsect: --{caught.value}\n"
     assert isinstance(caught.value, ValueError)
     with pytest.raises(OSError):
         exsect.write_patches(tmp_path / "missing" / "p.json", {"x": exsect.Patch(UNIT)})
@@ -400,3 +400,248 @@ def test_everything_public_is_documented():
     for name in exsect.__all__:
         assert getattr(exsect, name).__doc__, name
     assert exsect.__version__
+
+
+# Pickling, other programs' answers, certificates, many pairs
+
+
+def kept(value):
+    return pickle.loads(pickle.dumps(value))
+
+
+def solve(pair):
+    return exsect.intersect(*pair)
+
+
+def test_results_are_pickled_with_all_their_forms(first, result):
+    profile = exsect.read_curve(EXAMPLES / "profile.json")
+    line = exsect.line(first["x"], first["y"], u="1/2")
+    shown = [result, exsect.self_intersect(first["x"]), line, exsect.implicitize(profile, degree=3)]
+    shown += [exsect.revolve(profile, method="product", degree=3, region=(2, 0, 2))]
+    for each in shown:
+        again = kept(each)
+        assert type(again) is type(each) and again.tree == each.tree and repr(again) == repr(each)
+        assert again.to_json() == each.to_json() and again.to_svg() == each.to_svg()
+    assert kept(result).nodes == result.nodes and kept(result).arcs == result.arcs
+    assert kept(result).to_csv() == result.to_csv()
+    assert kept(line).points[1].refined("1e-40") == line.points[1].refined("1e-40")
+    assert kept(line.eliminant) == line.eliminant and kept(line.eliminant).variables == line.eliminant.variables
+    assert kept(kept(result)).to_csv() == result.to_csv()
+
+
+def test_a_result_that_was_cut_short_is_pickled_as_it_is(first):
+    short = exsect.intersect(first["x"], first["y"], max_seconds="1e-9", progress=lambda fraction, step: None)
+    again = kept(short)
+    assert not again.complete and again.incomplete == short.incomplete and again.to_json() == short.to_json()
+
+
+def test_a_pool_of_processes_maps_over_pairs(first, result):
+    multiprocessing = pytest.importorskip("multiprocessing")
+    pair = (first["x"], first["y"])
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        found = pool.map(solve, [pair, pair[::-1]])
+    assert found[0].nodes == result.nodes
+    assert [found[1].turning_points(p) for p in "uvrs"] == [result.turning_points(p) for p in "rsuv"]
+
+
+def test_all_pairs_on_several_threads(first, result):
+    flat = exsect.Patch([[[0, 0, "1/2"], [0, 1, "1/2"]], [[1, 0, "1/2"], [1, 1, "1/2"]]])
+    patches = {**first, "flat": flat}
+    found = list(exsect.intersect_all(patches, jobs=3))
+    assert [(a, b) for a, b, _ in found] == [("x", "y"), ("x", "flat"), ("y", "flat")]
+    assert found[0][2].nodes == result.nodes and json.loads(found[1][2].to_json())["second"] == "flat"
+    chosen = list(exsect.intersect_all([flat, first["x"]], [(1, 0)], tolerance="1e-3"))
+    assert chosen[0][:2] == (1, 0)
+    with pytest.raises(ValueError, match="there is no patch 'z'"):
+        exsect.intersect_all(first, [("x", "z")])
+
+
+def candidate_case(name):
+    folder = EXAMPLES / "candidates"
+    model = exsect.read_patches(folder / f"{name}.json")
+    return folder / f"{name}.candidate.json", *model.values()
+
+
+@pytest.mark.parametrize("name", ["sisl-right", "sisl-lost-curve", "occt-touch-point-lost"])
+def test_verify_says_what_the_program_says(name):
+    path, first, second = candidate_case(name)
+    verdict = exsect.verify(path, first, second, tolerance="1e-4")
+    mine, theirs = same(verdict), run("verify", path, EXAMPLES / "candidates" / f"{name}.json", "--tolerance", "1e-4")
+    for key in ("verdict", "differences", "tolerance", "curves"):
+        assert mine[key] == theirs[key], key
+    assert verdict.agrees == (name == "sisl-right") == (not verdict.differences)
+    assert [d.text for d in verdict.differences] == [d["text"] for d in theirs["differences"]]
+    assert verdict.to_report().startswith("<!DOCTYPE html>") and verdict.to_svg().startswith("<?xml")
+    assert kept(verdict).differences == verdict.differences and kept(verdict).to_svg() == verdict.to_svg()
+    same_again = exsect.verify(json.loads(path.read_text()), first, second, absolute_tolerance=verdict.absolute_tolerance)
+    assert same_again.verdict == verdict.verdict
+    assert same_again.absolute_tolerance == pytest.approx(verdict.absolute_tolerance, rel=1e-12)
+
+
+def test_bad_candidates_are_refused():
+    _, first, second = candidate_case("sisl-right")
+    with pytest.raises(exsect.InputError, match="candidate"):
+        exsect.verify({"exsect": "candidate/1"}, first, second)
+    with pytest.raises(exsect.InputError):
+        exsect.verify("no-such-file.json", first, second)
+    with pytest.raises(exsect.InputError):
+        exsect.verify("a.txt", first, second)
+
+
+def test_certificates_are_written_and_replayed(first, result):
+    proof = result.to_certificate()
+    found = exsect.check(proof)
+    assert found and found.accepted and found.summary["closed"] == 1 and found.summary["open"] == 1
+    assert found.summary["nodes"] == len(result.nodes)
+    assert exsect.check(exsect.line(first["x"], first["y"], u="1/2").to_certificate()).summary == {"points": 2}
+    forged = proof.replace("3/7", "4/7")
+    if forged != proof:
+        try:
+            rejected = exsect.check(forged)
+            assert not rejected and rejected.reason
+        except ValueError:
+            pass
+    with pytest.raises(ValueError):
+        exsect.check("{}")
+    cut = exsect.intersect(first["x"], first["y"], max_seconds="1e-9")
+    with pytest.raises(exsect.NoCertificate):
+        cut.to_certificate()
+
+
+def test_compare_gives_a_row_for_each_method(first):
+    found = exsect.compare(first["x"], first["y"], lines=8)
+    theirs = run("compare", EXAMPLES / "chapter9-first.json", "--lines", 8)
+    assert [(m["method"], m["detail"], m["answer"]) for m in found.methods] == [
+        (m["method"], m["detail"], m["answer"]) for m in theirs["methods"]
+    ]
+    with pytest.raises(ValueError, match="^lines: "):
+        exsect.compare(first["x"], first["y"], lines=0)
+
+
+# Shapes and curves in doubles
+
+
+def test_components_are_joined(first, result):
+    for component in result.components:
+        points = [tuple(row) for row in component.polyline()]
+        parts = [result.arcs[i] for i in component.arcs]
+        assert len(points) == sum(len(arc.polyline) for arc in parts) - len(parts) + 1
+        assert component.error_bound == max(arc.error_bound for arc in parts)
+        assert (points[0] == points[-1]) == component.closed and not component.tangential
+        places = [points.index(tuple(arc.polyline[len(arc.polyline) // 2])) for arc in parts]
+        assert places == sorted(places)
+    # as few rows as there can be: no vertex is far from the one before
+    closed = next(component for component in result.components if component.closed)
+    rows = [list(row) for row in closed.polyline()]
+    assert max(math.dist(a[4:], b[4:]) for a, b in zip(rows, rows[1:])) < 0.05
+
+
+def test_touching_patches_have_tangential_components():
+    patches = exsect.read_patches(EXAMPLES / "touching-curve.json")
+    found = exsect.intersect(*patches.values())
+    for component in found.components:
+        assert component.tangential == all(found.arcs[i].contact == "tangential" for i in component.arcs)
+    assert any(component.tangential for component in found.components)
+
+
+def test_a_branched_component_has_no_polyline():
+    patches = exsect.read_patches(ROOT / "tests" / "cases" / "crossing.json")
+    found = exsect.intersect(*patches.values())
+    branched = next(component for component in found.components if component.shape == "branched")
+    with pytest.raises(ValueError, match="branched"):
+        branched.polyline()
+
+
+def test_columns_of_an_arc(first, result):
+    arc = result.arcs[0]
+    for row, uv, rs, xyz in zip(arc.polyline, arc.uv, arc.rs, arc.xyz):
+        assert list(row) == [*uv, *rs, *xyz]
+        exact = first["x"](Fraction(uv[0]), Fraction(uv[1]))
+        assert math.dist([float(c) for c in exact], xyz) < 1e-5
+
+
+def test_absolute_tolerances(first):
+    points = [p for patch in first.values() for row in patch.points for p in row]
+    size = max(max(p[k] for p in points) - min(p[k] for p in points) for k in range(3))
+    wanted = Fraction(1, 1000)
+    found = exsect.intersect(first["x"], first["y"], absolute_tolerance=wanted)
+    assert found.complete and max(arc.error_bound for arc in found.arcs) <= wanted
+    relative = exsect.intersect(first["x"], first["y"], tolerance=wanted / size)
+    assert sum(len(arc.polyline) for arc in found.arcs) == sum(len(arc.polyline) for arc in relative.arcs)
+    for bad in (0, -1, "x", math.nan, math.inf):
+        with pytest.raises(ValueError, match="^absolute_tolerance: "):
+            exsect.intersect(first["x"], first["y"], absolute_tolerance=bad)
+
+
+def test_representations_are_short(first, result):
+    line = exsect.line(first["x"], first["y"], u="1/2")
+    curve = exsect.read_curve(EXAMPLES / "profile.json")
+    for each in [first["x"], curve, result, result.nodes[0], result.arcs[0], line, line.points[0], line.eliminant]:
+        assert len(repr(each)) < 200 and "\n" not in repr(each), repr(each)
+    assert repr(exsect.Patch(UNIT)) == "<Patch with corners (0, 0, 0), (0, 1, 0), (1, 0, 0), (1, 1, 1)>"
+
+
+def test_errors_are_in_the_terms_of_python(first):
+    profile = exsect.read_curve(EXAMPLES / "profile.json")
+    with pytest.raises(ValueError) as error:
+        exsect.implicitize(profile, degree=99)
+    assert "--" not in str(error.value) and "degree" in str(error.value)
+    with pytest.raises(ValueError) as error:
+        exsect.revolve(profile, method="product", degree=3, lines=["1/2", "2"], patch=first["x"])
+    assert "--" not in str(error.value)
+
+
+def test_polynomials_in_latex_and_sympy():
+    polynomial = exsect.Polynomial(("x", "u1"), [((2, 0), Fraction(-3, 7)), ((1, 12), Fraction(1)), ((0, 0), Fraction(-2))])
+    assert polynomial._repr_latex_() == r"$-\frac{3}{7}x^{2}+xu_{1}^{12}-2$"
+    assert exsect.Polynomial("x", [])._repr_latex_() == "$0$"
+    sympy = pytest.importorskip("sympy")
+    x, u1 = sympy.symbols("x u1")
+    assert polynomial.sympy().as_expr() == -sympy.Rational(3, 7) * x**2 + x * u1**12 - 2
+
+
+def test_evaluation_by_numpy(first):
+    numpy = pytest.importorskip("numpy")
+    u = numpy.linspace(0, 1, 7)
+    points = first["x"].evaluate(u[:, None], u[None, :])
+    assert points.shape == (7, 7, 3) and first["x"].evaluate(0.5, 0.25).shape == (3,)
+    for i, a in enumerate(u):
+        for j, b in enumerate(u):
+            exact = first["x"](Fraction(float(a)), Fraction(float(b)))
+            assert max(abs(float(c) - d) for c, d in zip(exact, points[i, j])) < 1e-15 * 8
+
+
+def test_plots_by_matplotlib(first, result):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    figure = result.plot()
+    assert [axes.name for axes in figure.axes] == ["3d", "rectilinear", "rectilinear"]
+    for axes, names in zip(figure.axes[1:], ("uv", "rs")):
+        assert (axes.get_xlabel(), axes.get_ylabel()) == tuple(names)
+        assert len(axes.lines) == len(result.arcs) + len(result.nodes)
+    assert kept(result).plot() is not None and first["x"].plot().name == "3d"
+
+
+def test_dir_shows_what_is_public():
+    assert dir(exsect) == sorted(exsect.__all__)
+
+
+def test_the_notebook_runs(monkeypatch):
+    """Every cell in one namespace; those that need matplotlib where it is installed."""
+    monkeypatch.chdir(ROOT)
+    notebook = json.loads((EXAMPLES / "intersections.ipynb").read_text())
+    assert notebook["nbformat"] == 4
+    try:
+        import matplotlib
+
+        matplotlib.use("Agg")
+        missing = set()
+    except ImportError:
+        missing = {"matplotlib"}
+    namespace = {}
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code" and not missing & set(cell["metadata"].get("tags", ())):
+            assert not cell["outputs"] and cell["execution_count"] is None
+            exec(compile("".join(cell["source"]), cell["id"], "exec"), namespace)
+    nbformat = pytest.importorskip("nbformat", reason="the notebook's form is checked where nbformat is installed")
+    nbformat.validate(nbformat.read(EXAMPLES / "intersections.ipynb", as_version=4))
