@@ -46,10 +46,10 @@ function statedPlaces(difference) {
 /** Parameters of a patch near a point of space, by samples that close in on it; for the eye. */
 function parametersNear(points, place) {
   let best = {at: [0.5, 0.5], distance: Infinity};
-  for (let reach = 0.5, middle = [0.5, 0.5]; reach > 1e-7; reach /= 4) {
-    for (let i = -8; i <= 8; ++i)
-      for (let j = -8; j <= 8; ++j) {
-        const at = [i, j].map((k, n) => Math.min(1, Math.max(0, middle[n] + k * reach / 8)));
+  for (let reach = 0.5, middle = [0.5, 0.5]; reach > 1e-7; reach /= 3) {
+    for (let i = -5; i <= 5; ++i)
+      for (let j = -5; j <= 5; ++j) {
+        const at = [i, j].map((k, n) => Math.min(1, Math.max(0, middle[n] + k * reach / 5)));
         const distance = Math.hypot(...minus(patchAt(points, ...at).at, place));
         if (distance < best.distance) best = {at, distance};
       }
@@ -66,7 +66,7 @@ function some(list, most) {
 /** The places of every difference, in space and in both squares. */
 const differencePlaces = (report.command === 'verify' ? result.differences : []).map((difference) => {
   const places = statedPlaces(difference);
-  const filled = (name, which) => places[name].length ? places[name] : some(places.space, 24).map((p) => parametersNear(report.patches[which].points, p));
+  const filled = (name, which) => places[name].length ? places[name] : some(places.space, 6).map((p) => parametersNear(report.patches[which].points, p));
   return {space: places.space, squares: [filled('first', 0), filled('second', 1)]};
 });
 

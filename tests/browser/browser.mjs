@@ -61,7 +61,7 @@ export function launch({webgl = true} = {}) {
 /** Opens a page file; `page.errors` and `page.requests` collect what must not happen. */
 export async function open(browser, path, options = {}) {
   const context = await browser.newContext({viewport: {width: 1280, height: 900}, permissions: ['clipboard-read', 'clipboard-write'], ...options});
-  context.setDefaultTimeout(60000);
+  context.setDefaultTimeout(180000);
   const page = await context.newPage();
   page.errors = [];
   page.requests = [];
@@ -71,7 +71,7 @@ export async function open(browser, path, options = {}) {
   page.on('pageerror', (error) => page.errors.push(error.message));
   page.on('request', (request) => page.requests.push(request.url()));
   await page.goto('file://' + path);
-  await page.waitForSelector('html[data-ready]', {timeout: 60000});
+  await page.waitForSelector('html[data-ready]', {timeout: 180000});
   await settled(page);
   return page;
 }
