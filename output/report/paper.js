@@ -41,7 +41,7 @@ const floored = (a, b) => a >= 0n ? a / b : -((-a + b - 1n) / b);
 
 /**
  * The decimal with as many digits after the point, at most `most`, as the interval proves: every number of it is
- * within one unit of the last digit. Empty if not even the units are known.
+ * within one unit of the last digit; a single number that the decimal gives exactly has no zeros at its end. Empty if not even the units are known.
  */
 function provedDecimal([low, high], most = 12) {
   for (let digits = most; digits >= 0; --digits) {
@@ -49,8 +49,10 @@ function provedDecimal([low, high], most = 12) {
     const middle = exactSum(exactProduct(low, [1n, 2n]), exactProduct(high, [1n, 2n]));
     const nearest = floored(2n * middle[0] * scale + middle[1], 2n * middle[1]);
     if (isLess([nearest + 1n, scale], high) || isLess(low, [nearest - 1n, scale])) continue;
+    const isExact = !isLess(low, high) && !isLess([nearest, scale], low) && !isLess(low, [nearest, scale]);
     const size = String(nearest < 0n ? -nearest : nearest).padStart(digits + 1, '0');
-    return (nearest < 0n ? '-' : '') + (digits ? `${size.slice(0, -digits)}.${size.slice(-digits)}` : size);
+    const text = (nearest < 0n ? '-' : '') + (digits ? `${size.slice(0, -digits)}.${size.slice(-digits)}` : size);
+    return isExact && digits ? text.replace(/\.?0+$/, '') : text;
   }
   return '';
 }

@@ -440,6 +440,7 @@ class SpaceView {
     if (!this.hasAxes) return;
     const {low, high} = this.ball;
     const corners = this.corners().map((p) => this.onScreen(p));
+    const eye = unit(this.camera.position.toArray());
     const middle = corners.reduce((sum, p) => plus(sum, p), [0, 0]).map((t) => t / 8);
     for (let k = 0; k < 3; ++k) {
       const edges = [0, 1, 2, 3].map((i) => {
@@ -451,7 +452,7 @@ class SpaceView {
       const edge = edges.sort((a, b) => outer(b) - outer(a))[0];
       const [p, q] = [corners[edge.from], corners[edge.to]];
       const length = Math.hypot(...minus(q, p));
-      if (length < 44) continue;
+      if (length < 44 || Math.abs(eye[k]) > 0.99) continue;  // seen from its end
       const along = unit(minus(q, p));
       let out = [-along[1], along[0]];
       if (dot([...out, 0], [...minus(plus(p, q).map((t) => t / 2), middle), 0]) < 0) out = out.map((t) => -t);

@@ -58,7 +58,8 @@ function drawGrid(square) {
   }
   for (const [t, text] of ticks[1]) {
     lines += `M${left},${square.y(t)}h${side}`;
-    if (t > 0 || !isWhole(square)) square.back.append(drawing('text', {x: left - 6, y: square.y(t) + 4, 'text-anchor': 'end', class: 'soft'}, text));
+    const coversName = text.length > 3 && Math.abs(square.y(t) - top_ - side / 2) < 12;
+    if ((t > 0 || !isWhole(square)) && !coversName) square.back.append(drawing('text', {x: left - 6, y: square.y(t) + 4, 'text-anchor': 'end', class: 'soft'}, text));
   }
   square.back.append(drawing('path', {class: 'grid', d: lines}));
   if (!isWhole(square)) square.lines.append(drawing('path', {class: 'sides', d: rectanglePath(square, wholeSquare)}));
