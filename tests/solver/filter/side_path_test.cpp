@@ -59,7 +59,46 @@ void check_families(std::uint64_t first, std::uint64_t count, int least_decided,
   }
 }
 
+BezierPatch square() {
+  ControlNet net;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) net[i][j] = {Rational(i) - 1, Rational(j) - 1, 0};
+  return BezierPatch(net);
+}
+
+/// Over x = 0, |y| <= 1/3 in the plane of the square, with these heights one step away from it, and twice
+/// that at the other end.
+BezierPatch standing(const std::array<Rational, 3>& heights, const Rational& lift = 0) {
+  ControlNet net;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      net[i][j] = {Rational(i, 4), Rational(j, 3) - Rational(1, 3), Rational(i) * heights[j] + lift};
+  return BezierPatch(net);
+}
+
 }  // namespace
+
+TEST_CASE("filter side path: a side next to a line has no path") {
+  const BezierPatch x = square();
+  const std::array<Rational, 3> heights = {1, Rational(1, 2), 1};
+  const auto on_line = intersect_filtered(x, standing(heights), {});
+  REQUIRE(on_line);
+  REQUIRE(on_line->graph.arcs.size() == 1);
+  CHECK(on_line->graph.arcs[0].place == ArcPlace::patch_boundary);
+  for (const long bits : {-30, -52, -80, -200}) {
+    INFO("2^" << bits);
+    const auto above = intersect_filtered(x, standing(heights, power_of_two(bits)), {});
+    CHECK((!above || above->graph.arcs.empty()));
+    const auto below = intersect_filtered(x, standing(heights, -power_of_two(bits)), {});
+    CHECK((!below || (below->graph.arcs.size() == 1 && below->graph.arcs[0].place == ArcPlace::interior)));
+  }
+}
+
+TEST_CASE("filter side path: a sheet that leaves its line on both sides of a plane is not decided") {
+  // Another curve crosses the line where the sheet is tangent to the plane.
+  CHECK_FALSE(intersect_filtered(square(), standing({1, 0, -1}), {}));
+  CHECK_FALSE(intersect_filtered(standing({1, 0, -1}), square(), {}));
+}
 
 TEST_CASE("filter side path: agrees with the exact solution, in both orders") {
   check_families(1, 4, 6, true);
