@@ -2,7 +2,9 @@
 
 #include <exsect/algebra/nearest_rounding.h>
 
+#include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
+#include "answer/placement.h"
 #include "confirmed_curves.h"
 #include "filter/filter.h"
 #include "intersect_exactly.h"
@@ -10,18 +12,44 @@
 
 namespace exsect {
 
+namespace {
+
+/// Where doubles cannot decide, or are not asked.
+IntersectResult intersect_beyond_filter(const Run& run, const BezierPatch& x, const BezierPatch& y) {
+  if (!run.exact()) {
+    run.add_time_until_now("filter");
+  } else if (auto found = confirmed_curves(x, y, run)) {
+    return *std::move(found);
+  }
+  return intersect_exactly(x, y, run);
+}
+
+/// The model is moved and scaled where that helps.
+IntersectResult intersect_in_place(const Run& run, const BezierPatch& x, const BezierPatch& y) {
+  if (!run.exact())
+    if (auto found = intersect_filtered(x, y, run)) return *std::move(found);
+  const auto place = Placement::of(x, y);
+  IntersectResult result = place ? intersect_within(run.with_tolerance(place->left_of(run.tolerance(1))),
+                                                    place->placed(x), place->placed(y))
+                                 : intersect_beyond_filter(run, x, y);
+  if (place) place->restore(result.graph);
+  result.coarse = coarse_drawing(result.graph, run.tolerance(to_double(model_extent(x, y))));
+  return result;
+}
+
+}  // namespace
+
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
-    return run.finished(answered([&] { return intersect_within(run, x, y); }));
+    return run.finished(answered([&] { return intersect_in_place(run, x, y); }));
   });
 }
 
 IntersectResult intersect_within(const Run& run, const BezierPatch& x, const BezierPatch& y) {
-  auto result = run.exact() ? confirmed_curves(x, y, run) : intersect_filtered(x, y, run);
-  if (result) return std::move(*result);
-  if (!run.exact()) run.add_time_until_now("filter");
-  return intersect_exactly(x, y, run);
+  if (!run.exact())
+    if (auto found = intersect_filtered(x, y, run)) return *std::move(found);
+  return intersect_beyond_filter(run, x, y);
 }
 
 }  // namespace exsect

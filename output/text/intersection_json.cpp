@@ -94,6 +94,9 @@ Json& append_result(Json& json, const IntersectResult& result, const ParameterNa
       list(graph.overlaps, [&](const Overlap& overlap) { return overlap_json(overlap, names); });
   json["summary"] = summary_json(graph, names);
   json["incomplete"] = incomplete_json(result.incomplete, names);
+  if (result.coarse)
+    json["coarse"] = {{"tolerance", result.coarse->tolerance},
+                      {"bound", decimal_not_below(result.coarse->bound)}};
   json["work"] = {{"milliseconds", result.work.milliseconds}, {"steps", result.work.steps}};
   return json;
 }

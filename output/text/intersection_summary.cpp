@@ -131,6 +131,12 @@ std::string incomplete_text(const std::vector<Incomplete>& regions, const Parame
   return text;
 }
 
+std::string coarse_text(const std::optional<CoarseDrawing>& coarse) {
+  if (!coarse) return "";
+  return fmt::format("\nDrawn to {}: polylines of doubles do not keep the tolerance {} here\n",
+                     rounded_up(coarse->bound), decimal(coarse->tolerance));
+}
+
 std::string section(const std::string& text) { return text.empty() ? "" : "\n" + text; }
 
 }  // namespace
@@ -142,7 +148,7 @@ std::string intersection_summary(const IntersectResult& result, const PatchNames
          section(overlaps_text(graph)) +
          (graph.isolated_points.empty() ? ""
                                         : "\n  isolated points: nodes " + ids(graph.isolated_points) + "\n") +
-         incomplete_text(result.incomplete, names.parameters) + "\n" + work_text(result.work);
+         incomplete_text(result.incomplete, names.parameters) + coarse_text(result.coarse) + "\n" + work_text(result.work);
 }
 
 }  // namespace exsect::cli

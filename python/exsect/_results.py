@@ -126,6 +126,10 @@ def _triple(values: Sequence[Any]) -> Tuple[Any, Any, Any]:
     return values[0], values[1], values[2]
 
 
+def _bound(bound: Optional[float]) -> float:
+    return float("inf") if bound is None else bound
+
+
 def _box(tree: Mapping[str, Sequence[Fraction]]) -> Dict[str, Interval]:
     return {name: _interval(pair) for name, pair in tree.items()}
 
@@ -198,7 +202,8 @@ class Arc:
     free: Tuple[str, ...]
     #: Rows of four parameters and x, y, z: an array of numpy where numpy is installed, else lists.
     polyline: Any = field(compare=False)
-    #: Proved: true arc and polyline are within this distance of each other in space.
+    #: Proved: true arc and polyline are within this distance of each other in space. Infinite if a coordinate of the
+    #: polyline is beyond the range of floats.
     error_bound: float
 
     @property
@@ -412,6 +417,9 @@ class Intersection(_Exportable):
     overlaps: Tuple[Overlap, ...]
     #: Empty if the result is complete.
     incomplete: Tuple[Incomplete, ...]
+    #: The largest error bound of an arc, if it is above the tolerance because floats cannot write the polylines more
+    #: finely; else None. The result is not incomplete for it.
+    drawn_to: Optional[float]
 
     def __init__(self, core: Any, title: str, again: Optional[Again] = None):
         super().__init__(core, title, again)
@@ -429,6 +437,7 @@ class Intersection(_Exportable):
             for o in tree["overlaps"]
         )
         self.incomplete = tuple(Incomplete(_box(i["where"]), i["why"]) for i in tree["incomplete"])
+        self.drawn_to = _bound(tree["coarse"]["bound"]) if "coarse" in tree else None
 
     def _node(self, node: Mapping[str, Any]) -> Node:
         approx = node["approx"]
@@ -453,7 +462,7 @@ class Intersection(_Exportable):
             arc["contact"],
             tuple(arc["free"]),
             _array(arc["polyline"]),
-            arc["error_bound"],
+            _bound(arc["error_bound"]),
         )
 
     @property

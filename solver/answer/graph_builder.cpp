@@ -201,23 +201,4 @@ void GraphBuilder::drop_unused_nodes() {
   for_each_node_id(graph_, [&](int& id) { id = renamed[static_cast<std::size_t>(id)]; });
 }
 
-std::optional<Incomplete> too_coarse(const GraphBuilder& graph, const Arc& arc, double tolerance) {
-  if (arc.error_bound <= tolerance) {
-    return std::nullopt;
-  }
-  return Incomplete{
-      graph.node(arc.from).box,
-      "the tolerance is below what a polyline in doubles can be proved to keep on the arc from here"};
-}
-
-std::vector<Incomplete> coarse_arcs(const GraphBuilder& graph, double tolerance) {
-  std::vector<Incomplete> result;
-  for (const Arc& arc : graph.arcs()) {
-    if (auto coarse = too_coarse(graph, arc, tolerance)) {
-      result.push_back(std::move(*coarse));
-    }
-  }
-  return result;
-}
-
 }  // namespace exsect

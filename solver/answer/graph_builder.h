@@ -70,9 +70,4 @@ class GraphBuilder {
   std::vector<double> reach_;  // of nodes
 };
 
-/// If the arc's polyline is not proved to keep within `tolerance` (space units): where it starts, and that.
-std::optional<Incomplete> too_coarse(const GraphBuilder& graph, const Arc& arc, double tolerance);
-/// The same for all arcs.
-std::vector<Incomplete> coarse_arcs(const GraphBuilder& graph, double tolerance);
-
 }  // namespace exsect

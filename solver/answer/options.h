@@ -13,8 +13,9 @@ struct IntersectOptions {
   /// Turning points with respect to these parameters become nodes.
   std::vector<Parameter> turning = {Parameter::u, Parameter::v, Parameter::r, Parameter::s};
   /// Bound of the distance between each polyline and its true arc, relative to the size of the model (the
-  /// largest extent of the common bounding box of both patches); > 0, else std::invalid_argument. Below 1e-12
-  /// vertices in doubles cannot keep it: the result is then incomplete, with the bounds that are proved.
+  /// largest extent of the common bounding box of both patches); > 0, else std::invalid_argument. Where
+  /// vertices in doubles cannot keep it, below 1.5e-11 or far from the origin, IntersectResult::coarse says
+  /// what they keep.
   double tolerance = 1e-6;
   /// Work cap of the whole call; when it is exceeded the result is incomplete.
   std::optional<double> max_seconds;

@@ -4,6 +4,7 @@
 #include <exsect/solver/intersection_graph.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,13 @@ struct Work {
   std::map<std::string, double> steps;
 };
 
+/// As lengths: the tolerance, and the largest error bound of an arc, on rims of overlaps too, which is above
+/// it. The bound is infinite if a coordinate is beyond the range of doubles.
+struct CoarseDrawing {
+  double tolerance;
+  double bound;
+};
+
 /// complete: the graph is the whole intersection, proved. incomplete: the graph holds what is proved and
 /// `incomplete` says what is not known, and why.
 struct IntersectResult {
@@ -30,6 +38,9 @@ struct IntersectResult {
   IntersectionGraph graph;
   std::vector<Incomplete> incomplete;
   Work work;
+  /// Polylines do not all keep within the tolerance, because doubles cannot write or draw them that finely.
+  /// It does not make the result incomplete: nodes, arcs and their parameters are proved all the same.
+  std::optional<CoarseDrawing> coarse = {};
 };
 
 }  // namespace exsect

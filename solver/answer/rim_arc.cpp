@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answer/chord_count.h"
+
 namespace exsect {
 namespace {
 
@@ -86,7 +88,7 @@ Arc rim_arc(const BezierPatch& x, const RimEnd& from, const RimEnd& to, ArcPlace
   for (std::size_t i = 0; i + 2 <= kDegree; ++i)
     second = std::max(second, 12 * length(control[i] - Rational(2) * control[i + 1] + control[i + 2]));
   const double wanted = std::ceil(std::sqrt(second / (8 * 0.9 * tolerance)));
-  const int n = tolerance > 0 ? static_cast<int>(std::clamp(wanted, 1.0, 1e6)) : 1;
+  const int n = tolerance > 0 ? chord_count(wanted) : 1;
   Arc arc{};
   arc.component = -1;
   arc.from = from.node;

@@ -1,5 +1,6 @@
 #include "answer/run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -8,9 +9,8 @@ namespace exsect {
 
 namespace {
 
-/// Polylines finer than this are not made; where one is asked for, they are as fine as the coarse tolerance.
-constexpr double kFinestTolerance = 1e-12;
-constexpr double kCoarseTolerance = 1e-9;
+/// Polylines finer than this are not made.
+constexpr double kFinestTolerance = 0x1p-36;
 
 /// How much of what is left each step is in the progress that is reported: how many follow is not known.
 constexpr double kShare = 0.25;
@@ -47,11 +47,7 @@ Run Run::with_tolerance(double tolerance) const {
 
 bool Run::exact() const { return call_->options.exact; }
 
-bool Run::can_keep_tolerance() const { return tolerance_ >= kFinestTolerance; }
-
-double Run::drawn_tolerance(double extent) const {
-  return (can_keep_tolerance() ? tolerance_ : kCoarseTolerance) * extent;
-}
+double Run::drawn_tolerance(double extent) const { return std::max(tolerance_, kFinestTolerance) * extent; }
 
 bool Run::Call::is_over() const {
   return options.max_seconds && milliseconds(Clock::now() - start) > 1000 * *options.max_seconds;

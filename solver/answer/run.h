@@ -30,11 +30,8 @@ class Run {
 
   /// The tolerance that is asked for, as a length in a model of this extent.
   double tolerance(double extent) const { return tolerance_ * extent; }
-  /// The one that polylines are made to keep. Vertices are doubles: below the finest tolerance polylines stay
-  /// coarse, and the result says so.
+  /// The one that polylines are made to keep: not below 2^-36 of the extent, since vertices are doubles.
   double drawn_tolerance(double extent) const;
-  /// They are the same.
-  bool can_keep_tolerance() const;
 
   bool out_of_time() const { return call_->is_over(); }
   StopRequest stop() const {

@@ -6,6 +6,8 @@
 
 #include "answer/rim_arc.h"
 
+#include "answer/chord_count.h"
+
 namespace exsect::filter {
 
 namespace {
@@ -21,8 +23,6 @@ using filter::operator-;
 using filter::operator*;
 using filter::cross;
 using filter::dot;
-
-constexpr double kMostChords = 1e6;
 
 double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 double determinant(const Vec3& a, const Vec3& b, const Vec3& c) { return dot(cross(a, b), c); }
@@ -237,7 +237,7 @@ class ContactGraph {
     const double vertex_error = kDiagonal * (pair_.net_error + 2 * kUnit * size);
     const double second = 2 * length((a - b) + (c - b)) + 16 * pair_.net_error;
     const double wanted = std::ceil(std::sqrt(second * scale_ / (8 * 0.95 * tolerance_)));
-    const int n = static_cast<int>(std::clamp(wanted, 1.0, kMostChords));
+    const int n = chord_count(wanted);
     arc.polyline.reserve(static_cast<std::size_t>(n) + 1);
     for (int i = 0; i <= n; ++i) {
       const double t = static_cast<double>(i) / n;

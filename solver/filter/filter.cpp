@@ -5,6 +5,7 @@
 
 #include "answer/finished_result.h"
 #include "answer/graph_builder.h"
+#include "answer/coarse_drawing.h"
 #include "filter/contact_graph.h"
 #include "filter/graph.h"
 #include "filter/loops.h"
@@ -47,7 +48,7 @@ class FilteredIntersection {
 
   std::optional<IntersectResult> run() {
     const auto pair = filter::make_pair(x_, y_);
-    if (!pair || !run_.can_keep_tolerance()) {
+    if (!pair) {
       return std::nullopt;
     }
     filter::Trees trees{filter::PatchTree(pair->x), filter::PatchTree(pair->y)};
@@ -77,9 +78,9 @@ class FilteredIntersection {
     if (!find_turns(*pair, traces, curves)) {
       return std::nullopt;
     }
-    auto graph =
-        filter::make_graph(*pair, *points, double_points_, curves, run_.turning(), coincident_,
-                           run_.tolerance(pair->extent), with_stations_ ? 0 : run_.tolerance(pair->extent));
+    auto graph = filter::make_graph(*pair, *points, double_points_, curves, run_.turning(), coincident_,
+                                    run_.drawn_tolerance(pair->extent),
+                                    with_stations_ ? 0 : run_.drawn_tolerance(pair->extent));
     if (!graph) {
       return std::nullopt;
     }
@@ -94,14 +95,14 @@ class FilteredIntersection {
     if (with_stations_) {
       return std::nullopt;
     }
-    auto graph = filter::overlap_of_pieces(x_, y_, pair, trees, run_.tolerance(pair.extent), boxes_);
+    auto graph = filter::overlap_of_pieces(x_, y_, pair, trees, run_.drawn_tolerance(pair.extent), boxes_);
     return graph ? with_contacts(pair, {}, std::move(*graph), {}) : std::nullopt;
   }
 
   std::optional<IntersectResult> with_contacts(const filter::Pair& pair, const filter::Contacts& contacts,
                                                GraphBuilder graph,
                                                const std::vector<AnalysedTrace>& curves) const {
-    if (!filter::append_contacts(x_, y_, pair, contacts, run_.tolerance(pair.extent), graph) ||
+    if (!filter::append_contacts(x_, y_, pair, contacts, run_.drawn_tolerance(pair.extent), graph) ||
         run_.out_of_time()) {
       return std::nullopt;
     }
@@ -109,6 +110,7 @@ class FilteredIntersection {
     if (result.status != Status::complete) {
       return std::nullopt;
     }
+    result.coarse = coarse_drawing(result.graph, run_.tolerance(pair.extent));
     record(curves, result.graph);
     return result;
   }
@@ -133,7 +135,7 @@ class FilteredIntersection {
   bool add_double_point(const filter::Pair& pair, const filter::Vec4& stuck,
                         std::vector<BoundaryPoint>& points) {
     const double tolerance =
-        std::ldexp(kPortShare * run_.tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
+        std::ldexp(kPortShare * run_.drawn_tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
     auto point = filter::double_point_near(x_, y_, pair, stuck, tolerance);
     if (!point || std::any_of(double_points_.begin(), double_points_.end(),
                               [&](const filter::DoublePoint& known) { return known.at == point->at; })) {

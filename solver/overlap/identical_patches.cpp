@@ -37,8 +37,6 @@ bool is_same_point(const ParameterBox& a, const ParameterBox& b) {
   });
 }
 
-constexpr const char* kTooFine = "the tolerance is below what a polyline in doubles can be proved to keep";
-
 class ItselfBuilder {
  public:
   ItselfBuilder(const BezierPatch& x, const Run& run)
@@ -56,10 +54,6 @@ class ItselfBuilder {
   }
 
  private:
-  void incomplete(const ParameterBox& where, const std::string& why) {
-    itself_.incomplete.push_back({where, why});
-  }
-
   /// The pairs in the other order. A cuspidal point has equal parameters: there the two orders of a curve
   /// meet, inside the overlap, as do the two orders of the pairs of a fold. A side that is one point, with
   /// free parameters, meets its rim.
@@ -114,8 +108,6 @@ class ItselfBuilder {
     for (std::size_t i = 0; i < 4; ++i) {
       chain.push_back(rim_arc(x_, ends[i], ends[(i + 1) % 4], ArcPlace::patch_boundary,
                               run_.drawn_tolerance(scale_.extent)));
-      if (!(chain.back().error_bound <= run_.tolerance(scale_.extent)))
-        incomplete(graph_.node(ends[i].node).box, kTooFine);
     }
     graph_.add_overlap({std::move(chain)});
   }

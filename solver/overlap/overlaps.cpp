@@ -105,7 +105,6 @@ class OneSurface {
     for (const AnalysedTrace<Ball>& curve : traced.curves)
       append_trace(graph_, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame,
                    run_.turning(), tolerance_);
-    check_bounds();
     return true;
   }
 
@@ -121,7 +120,6 @@ class OneSurface {
     if (!traced.problems.empty() && !last) return clip_curves();
     add_boundary_nodes(system, traced.landmarks, traced);
     append_two_pieces(graph_, *pieces_, shared, system, traced, scale_.frame, run_.turning(), tolerance_);
-    check_bounds();
     return true;
   }
 
@@ -140,7 +138,6 @@ class OneSurface {
     graph_ = std::move(graph);
     nodes_ = std::move(nodes);
     dividing_ = *divided;
-    check_bounds();
     return true;
   }
 
@@ -170,16 +167,6 @@ class OneSurface {
       const CertifiedPoint& point = sweep_.landmarks[i].point;
       graph_.add_node(landmark_node(system, scale_.frame, landmarks[i], point.box(), point.sides()));
     }
-  }
-
-  void check_bounds() {
-    for (Incomplete& coarse : coarse_arcs(graph_, tolerance_))
-      result_.incomplete.push_back(std::move(coarse));
-  }
-
-  void check_bound(const Arc& arc) {
-    if (auto coarse = too_coarse(graph_, arc, run_.tolerance(scale_.extent)))
-      result_.incomplete.push_back(std::move(*coarse));
   }
 
   void add_boundary() {
@@ -213,7 +200,6 @@ class OneSurface {
     arc.contact = from.kind == BoundaryArcKind::branch ? Contact::transversal : Contact::tangential;
     arc.polyline = from.polyline;
     arc.error_bound = from.error_bound;
-    check_bound(arc);
     return arc;
   }
 

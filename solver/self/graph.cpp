@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "answer/graph_builder.h"
+#include "answer/chord_count.h"
 #include "trace/bounded_vertex.h"
 #include "trace/tube_points.h"
 namespace exsect {
@@ -151,7 +152,7 @@ class ChartArcs {
                                 static_cast<int>(frame_.exponent));
     const double length = std::fabs(b - a) * (1 + 0x1p-40);
     const double wanted = std::ceil(length * std::sqrt(k / (8 * 0.9 * tolerance_)));
-    const int n = static_cast<int>(std::clamp(wanted, 1.0, 1e6));
+    const int n = chord_count(wanted);
     const double step = length / n;
     for (int i = 1; i <= (with_end ? n : n - 1); ++i) {
       const double tau = i == n ? b : a + (b - a) * (static_cast<double>(i) / n);

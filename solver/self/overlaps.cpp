@@ -12,8 +12,6 @@
 namespace exsect {
 namespace {
 
-constexpr const char* kTooFine = "the tolerance is below what a polyline in doubles can be proved to keep";
-
 class OverlapBuilder {
  public:
   OverlapBuilder(const BezierPatch& x, const Run& run)
@@ -28,8 +26,6 @@ class OverlapBuilder {
       const ArcPlace place =
           is_on_cut(symmetry, ends[i].at, to.at) ? ArcPlace::interior : ArcPlace::patch_boundary;
       chain.push_back(rim_arc(x_, ends[i], to, place, run_.drawn_tolerance(scale_.extent)));
-      if (!(chain.back().error_bound <= run_.tolerance(scale_.extent)))
-        incomplete(made_.graph.node(ends[i].node).box, kTooFine);
     }
     made_.graph.add_overlap({std::move(chain)});
   }
@@ -37,10 +33,6 @@ class OverlapBuilder {
   SymmetricOverlaps take() { return std::move(made_); }
 
  private:
-  void incomplete(const ParameterBox& where, const std::string& why) {
-    made_.incomplete.push_back({where, why});
-  }
-
   int node(const ParameterPair& at) {
     const auto [known, is_new] = nodes_.try_emplace(at, static_cast<int>(made_.graph.nodes().size()));
     if (!is_new) return known->second;

@@ -12,6 +12,8 @@
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
+#include "answer/coarse_drawing.h"
+#include "answer/placement.h"
 #include "self/curves.h"
 #include "self/cut_self_intersection.h"
 #include "self/degenerate.h"
@@ -73,17 +75,11 @@ class SelfIntersection {
       result_.incomplete.push_back({whole_domain(), "the work cap was reached"});
       return;
     }
-    timed("exact places", [this] {
-      exact_.injective = injective_rectangles(x_);
-      exact_.boundary = self_boundary(x_, exact_.injective);
-      exact_.cusps = special_cusps(x_);
-      exact_.folds = multiple_folds(x_, exact_.cusps, exact_.boundary.points);
-      exact_.coincident = coincident_parameters(x_, x_);
-      exact_.zero_tangent = [this](const CertifiedPoint& point) { return pairs_.zero_at(point); };
-      exact_.common_zero = [this](const ParameterBox& where, std::size_t i, std::size_t j) {
-        return pairs_.common_zero(where, i, j);
-      };
-    });
+    timed("exact places", [this] { find_exact_places(); });
+    if (run_.out_of_time()) {
+      result_.incomplete.push_back({whole_domain(), "the work cap was reached"});
+      return;
+    }
     if (!exact_.boundary.problems.empty()) {
       result_.incomplete = exact_.boundary.problems;
       return;
@@ -91,6 +87,22 @@ class SelfIntersection {
     if (trace_and_build(in_doubles_, power_of_two(-50), false)) return;
     const SelfSystem<ArbBall<256>> system(x_, scaling_.origin, scaling_.frame.exponent);
     trace_and_build(system, power_of_two(-200), true);
+  }
+
+  /// All of them, or some if the time is over.
+  void find_exact_places() {
+    exact_.injective = injective_rectangles(x_);
+    if (run_.out_of_time()) return;
+    exact_.boundary = self_boundary(x_, exact_.injective);
+    if (run_.out_of_time()) return;
+    exact_.cusps = special_cusps(x_);
+    if (run_.out_of_time()) return;
+    exact_.folds = multiple_folds(x_, exact_.cusps, exact_.boundary.points);
+    exact_.coincident = coincident_parameters(x_, x_);
+    exact_.zero_tangent = [this](const CertifiedPoint& point) { return pairs_.zero_at(point); };
+    exact_.common_zero = [this](const ParameterBox& where, std::size_t i, std::size_t j) {
+      return pairs_.common_zero(where, i, j);
+    };
   }
 
   /// Near what the attempts so far left undecided; false if there are no more than before: those stay, to
@@ -150,11 +162,10 @@ class SelfIntersection {
       graph_.add_node(landmark_node(system.pair, scaling_.frame, found.landmarks[i], box, sides));
     }
     for (const int id : found.isolated) graph_.add_isolated(id);
-    const double tolerance = run_.tolerance(scaling_.extent);
-    const double used = run_.drawn_tolerance(scaling_.extent);
+    const double tolerance = run_.drawn_tolerance(scaling_.extent);
     const std::vector<TraceEnd> ends = ends_at_stars(graph_, x_, system, exact_, found, scaling_.frame);
-    append_folds(graph_, x_, system, exact_, found, ends, scaling_.frame, used);
-    append_self_curves(graph_, system, found, ends, scaling_.frame, run_.turning(), used);
+    append_folds(graph_, x_, system, exact_, found, ends, scaling_.frame, tolerance);
+    append_self_curves(graph_, system, found, ends, scaling_.frame, run_.turning(), tolerance);
     for (const SelfCurve<Ball>& curve : found.curves) {
       run_.count("tubes", static_cast<double>(curve.analysed.trace.pieces.size()));
     }
@@ -163,9 +174,6 @@ class SelfIntersection {
     }
     for (const Arc& arc : graph_.arcs()) {
       run_.count("vertices", static_cast<double>(arc.polyline.size()));
-      if (auto coarse = too_coarse(graph_, arc, tolerance)) {
-        result_.incomplete.push_back(std::move(*coarse));
-      }
     }
   }
 
@@ -213,7 +221,15 @@ class SelfIntersection {
 IntersectResult self_intersect(const BezierPatch& x, const IntersectOptions& options) {
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
-    return run.finished(answered([&] { return self_intersect_within(run, x); }));
+    return run.finished(answered([&] {
+      const auto place = Placement::of(x, x);
+      IntersectResult result =
+          place ? self_intersect_within(run.with_tolerance(place->left_of(run.tolerance(1))), place->placed(x))
+                : self_intersect_within(run, x);
+      if (place) place->restore(result.graph);
+      result.coarse = coarse_drawing(result.graph, run.tolerance(to_double(model_extent(x, x))));
+      return result;
+    }));
   });
 }
 

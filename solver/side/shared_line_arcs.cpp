@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "answer/parameter_box.h"
+#include "answer/chord_count.h"
 #include "curve/plane_curve.h"
 #include "line/line_point.h"
 #include "line/system_point.h"
@@ -14,8 +15,6 @@
 namespace exsect {
 
 namespace {
-
-constexpr double kMostChords = 1e6;
 
 std::vector<Rational> rational_roots(const Polynomial& f) {
   std::vector<Rational> roots;
@@ -153,7 +152,7 @@ class ArcsOnLine {
     const double first = std::max(upper_norm(line[1]), upper_norm(line[1] + Rational(2) * line[2]));
     const double length = std::fabs(to.value - from.value) * (1 + 0x1p-40);
     const double wanted = std::ceil(length * std::sqrt(second / (8 * 0.9 * tolerance_)));
-    const int n = static_cast<int>(std::clamp(wanted, fewest_chords(), kMostChords));
+    const int n = chord_count(wanted, fewest_chords());
     const double step = length / n + 0x1p-51;
     const Polynomial place({from_double(from.value), from_double(to.value) - from_double(from.value)});
     std::vector<RoundedPolynomial> coordinates;

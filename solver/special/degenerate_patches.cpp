@@ -244,8 +244,6 @@ class DegeneratePair {
     for (PolylineVertex& vertex : arc.polyline)
       for (const Parameter p : free) vertex.parameters[index(p)] = 0.5;
     arc.error_bound = line_arc.error_bound;
-    if (!(arc.error_bound <= run_.tolerance(scale_.extent)))
-      incomplete("the tolerance is below what a polyline in doubles can be proved to keep");
     arc.free = free;
     graph_.add_arc(std::move(arc));
   }

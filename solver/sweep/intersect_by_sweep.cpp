@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "answer/exact_source.h"
 #include "answer/finished_result.h"
@@ -221,16 +222,21 @@ class Intersection {
       return false;
     }
     timed("graph", [&] { build_graph(system, landmarks, traced); });
-    const std::vector<Incomplete> coarse = coarse_arcs(graph_, run_.tolerance(scaling_.extent));
-    const bool precision_may_help = traced.problems.empty() && run_.can_keep_tolerance();
-    if (!coarse.empty() && !last && precision_may_help && result_.incomplete.empty()) {
+    // The vertices of the others are as near to the curve as doubles can write them.
+    const bool precision_may_help = std::is_same_v<Ball, DoubleBall> && traced.problems.empty();
+    if (precision_may_help && is_coarse() && result_.incomplete.empty()) {
       graph_ = {};
       return false;
     }
     result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
-    result_.incomplete.insert(result_.incomplete.end(), coarse.begin(), coarse.end());
     run_.count("searched boxes", static_cast<double>(traced.searched_boxes));
     return true;
+  }
+
+  bool is_coarse() const {
+    const double tolerance = run_.drawn_tolerance(scaling_.extent);
+    return std::ranges::any_of(graph_.arcs(),
+                               [&](const Arc& arc) { return !(arc.error_bound <= tolerance); });
   }
 
   /// The nodes of boundary points and stars, and what the landmarks lead to.

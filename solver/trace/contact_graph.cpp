@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answer/chord_count.h"
 #include "trace/bounded_vertex.h"
 #include "trace/landmark_node.h"
 #include "trace/tangential_enclosure.h"
 #include "trace/tube_points.h"
-
 namespace exsect {
 
 namespace {
 
 constexpr double kChordsTogether = 64;
-constexpr std::size_t kMostVertices = 1000000;
+constexpr std::size_t kMostVertices = kMostChords;
 constexpr double kShortest = 0x1p-40;
 
 /// Collects the polyline of one arc and its proved bound.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answer/chord_count.h"
 #include "trace/bounded_vertex.h"
 #include "trace/tube_points.h"
 
@@ -44,7 +45,7 @@ class PolylineBuilder {
     const double k = std::ldexp(tube.space_second_derivative, static_cast<int>(frame_.exponent));
     const double length = std::fabs(b - a) * (1 + 0x1p-40);
     const double wanted = std::ceil(length * std::sqrt(k / (8 * 0.9 * tolerance_)));
-    const int n = static_cast<int>(std::clamp(wanted, 1.0, 1e6));
+    const int n = chord_count(wanted);
     const double step = length / n;
     chord_error_ = std::max(chord_error_, k * step * step / 8 * (1 + 0x1p-40));
     for (int i = 1; i <= (with_end ? n : n - 1); ++i) {

@@ -122,15 +122,3 @@ TEST_CASE("graph builder: what names no node is dropped, which is a violation") 
     CHECK(violations[0].why == "an arc or an isolated point without a node");
   }
 }
-
-TEST_CASE("graph builder: coarse arcs are named by where they start") {
-  GraphBuilder graph = with_nodes(3);
-  for (const double bound : {0.5, 2.0, std::nan("")}) {
-    Arc arc = arc_between(graph, bound == 0.5 ? 0 : 1, 2);
-    arc.error_bound = bound;
-    graph.add_arc(arc);
-  }
-  const auto coarse = coarse_arcs(graph, 1);
-  REQUIRE(coarse.size() == 2);
-  CHECK(coarse[0].where[0].lower == Rational(1, 16));
-}

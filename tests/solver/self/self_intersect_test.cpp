@@ -187,7 +187,10 @@ TEST_CASE("self_intersect: options") {
   CHECK(result.graph.nodes.size() == 6);
   for (const Arc& arc : result.graph.arcs) CHECK(arc.error_bound <= 1e-9);
   options.tolerance = 1e-15;
-  CHECK(self_intersect(y, options).status == Status::incomplete);
+  const auto coarse = self_intersect(y, options);
+  CHECK(coarse.status == Status::complete);
+  REQUIRE(coarse.coarse);
+  CHECK(coarse.coarse->bound < 1e-10);
   options.tolerance = 0;
   CHECK_THROWS_AS(self_intersect(y, options), std::invalid_argument);
   options = {};

@@ -1,0 +1,48 @@
+// Models that are far from the origin for their size, or of a size that doubles hardly hold, solved about the
+// origin. Internal to solver/; docs/method.md, section 8.
+#pragma once
+
+#include <exsect/geometry/bezier_patch.h>
+#include <exsect/solver/intersection_graph.h>
+
+#include <array>
+#include <optional>
+
+namespace exsect {
+
+/// The largest extent of the common box of the control points.
+Rational model_extent(const BezierPatch& x, const BezierPatch& y);
+
+/// The exact map q -> origin + 2^exponent q from a model about the origin, of extent in [1/2, 1), to the
+/// model that is given. The same rational points of the parameter squares solve both.
+class Placement {
+ public:
+  /// Empty where doubles hold the model well as it is: neither far from the origin for its extent, nor large
+  /// or small.
+  static std::optional<Placement> of(const BezierPatch& x, const BezierPatch& y);
+
+  /// A patch of the given model, moved and scaled.
+  BezierPatch placed(const BezierPatch& patch) const;
+
+  /// What rounding the points that are put back leaves of a tolerance, relative to the extent; at least half
+  /// of it.
+  double left_of(double tolerance) const;
+
+  /// Puts points and error bounds of a solution into the given model. A coordinate is one of the doubles next
+  /// to the true one, infinite beyond their range; bounds count the rounding, and are infinite for an arc
+  /// with such a coordinate.
+  void restore(IntersectionGraph& graph) const;
+
+ private:
+  Placement(Point origin, long exponent);
+  /// Restores the point; returns a bound of the distance that rounding moves it.
+  double restore(std::array<double, 3>& point) const;
+  void restore(Arc& arc) const;
+
+  Point origin_;
+  long exponent_;
+  std::array<double, 3> high_;  // of the origin, in doubles
+  std::array<double, 3> low_;   // what `high_` lacks
+};
+
+}  // namespace exsect
