@@ -148,7 +148,8 @@ std::string intersection_summary(const IntersectResult& result, const PatchNames
          section(overlaps_text(graph)) +
          (graph.isolated_points.empty() ? ""
                                         : "\n  isolated points: nodes " + ids(graph.isolated_points) + "\n") +
-         incomplete_text(result.incomplete, names.parameters) + coarse_text(result.coarse) + "\n" + work_text(result.work);
+         incomplete_text(result.incomplete, names.parameters) + coarse_text(result.coarse) + "\n" +
+         work_text(result.work);
 }
 
 }  // namespace exsect::cli

@@ -78,11 +78,23 @@ bool is_in_square(const ExactParameters& pair) {
   return true;
 }
 
+/// Arithmetic with such numbers in a number field would take minutes, which no work cap ends.
+bool is_long(const Polynomial& f) {
+  constexpr std::size_t most_bits = 4000;
+  for (int i = 0; i <= f.degree(); ++i) {
+    const Rational c = abs(f.coefficient(i));
+    if (c != 0 && std::max(msb(numerator(c)), msb(denominator(c))) > most_bits) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<TurningPair> turning_pairs_over(const BezierPatch& x, const SelfProjection& projection,
                                             const RealAlgebraic& value) {
   Form q = projection.curve;
+  for (int i = 0; i <= q.degree_r(); ++i)
+    if (is_long(q.coefficient(i))) return {};
   while (is_factor(value.polynomial(), q)) q = exact_quotient(q, Form({value.polynomial()}));
   const auto bound = gcd_degree_bound(q, q.derivative_r(), value.polynomial());
   if (!bound || *bound < 1) return {};

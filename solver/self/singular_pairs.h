@@ -18,7 +18,8 @@ struct TurningPair {
 };
 
 /// The pairs over v1 = value at which the curve turns with respect to v1, or is singular, but for those over
-/// a (u2,v1) with infinitely many, and where Q has roots of multiplicity above 2.
+/// a (u2,v1) with infinitely many, where Q has roots of multiplicity above 2, and where
+/// its coefficients have more than 4000 bits.
 std::vector<TurningPair> turning_pairs_over(const BezierPatch& x, const SelfProjection& projection,
                                             const RealAlgebraic& value);
 

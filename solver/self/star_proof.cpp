@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "answer/parameter_box.h"
 #include "self/chart.h"
 #include "self/pairs.h"
 #include "shape/injective_rectangle.h"
 #include "shape/special_cusps.h"
+#include "curve/short_rational.h"
 
 namespace exsect {
 namespace {
@@ -67,10 +69,12 @@ bool SelfStarProof::add_layers(SelfStar& star, int count) const {
     const auto ports = static_cast<std::size_t>(
         std::ranges::count_if(star.star.ports, [&](const Port& port) { return port.side == side; }));
     const Rational end = side < 0 ? slab.lower : slab.upper;
+    const Rational step = (centre - end) / (count + 1);
     for (int i = 1; i <= count && ports > 0; ++i) {
       if (is_stopped(problem_.stop)) return false;
-      auto points = oriented(
-          pairs_in(problem_.x, {sweep(), end + (centre - end) * Rational(i, count + 1)}, star.star.box));
+      const Rational about = end + step * i;
+      const Rational value = simplest_between(about - abs(step) / 4, about + abs(step) / 4);
+      auto points = oriented(pairs_in(problem_.x, {sweep(), value}, star.star.box));
       if (!points || points->size() != ports) return false;
       star.star.layers[side < 0 ? 0 : 1].push_back(*std::move(points));
     }
@@ -105,9 +109,12 @@ void SelfStarProof::keep_away(const std::vector<RealAlgebraic>& values) {
 /// differ in that parameter, if possible: then only the pairs whose second point is nearer to the side
 /// count, none of which lies on it, and the slab holds both points.
 void SelfStarProof::set_box(double halfwidth, double slab) {
+  // The fibres over the faces are computed exactly: their numbers are short, and h is h (1 + 1/16) at most.
   const auto range = [&](std::size_t j, double h) {
     const double middle = to_double(near(j).midpoint());
-    return RationalInterval{from_double(std::max(0.0, middle - h)), from_double(std::min(1.0, middle + h))};
+    const int bits = 5 - std::ilogb(h);
+    return RationalInterval{std::max<Rational>(0, rounded_down(from_double(middle - h), bits)),
+                            std::min<Rational>(1, rounded_up(from_double(middle + h), bits))};
   };
   for (std::size_t j = 0; j < 4; ++j) box_[j] = range(j, j == sweep_ ? slab : halfwidth);
   const bool on_side = at_.compare(0) == 0 || at_.compare(1) == 0;

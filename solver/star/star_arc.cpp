@@ -18,12 +18,13 @@ bool add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch
     });
     const RationalInterval& slab = star.box[index(star.sweep)];
     const Rational end = side < 0 ? slab.lower : slab.upper;
+    const Rational step = ((side < 0 ? centre.lower : centre.upper) - end) / (count + 1);
     for (int i = 1; i <= count && ports > 0; ++i) {
       if (is_stopped(stop)) {
         return false;
       }
-      const Rational& limit = side < 0 ? centre.lower : centre.upper;
-      const Rational value = end + (limit - end) * Rational(i, count + 1);
+      const Rational about = end + step * i;
+      const Rational value = simplest_between(about - abs(step) / 4, about + abs(step) / 4);
       auto points = line_points_in(x, y, {star.sweep, value}, star.box);
       if (!points || static_cast<std::ptrdiff_t>(points->size()) != ports) {
         return false;
