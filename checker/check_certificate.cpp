@@ -1,6 +1,5 @@
 #include "check_certificate.h"
 
-
 #include <set>
 
 #include "check_arcs.h"

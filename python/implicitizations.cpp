@@ -4,12 +4,12 @@
 
 #include <map>
 
-#include "output/options/revolve_options.h"
 #include "numbers.h"
 #include "output/drawing/implicit_svg.h"
 #include "output/drawing/revolution_svg.h"
 #include "output/drawing/space_implicit_svg.h"
 #include "output/options/implicitize_options.h"
+#include "output/options/revolve_options.h"
 #include "output/report/method_reports.h"
 #include "output/text/implicit_json.h"
 #include "output/text/implicit_summary.h"

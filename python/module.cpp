@@ -5,8 +5,9 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
-#include "certificate/search.h"
 #include <cctype>
+
+#include "certificate/search.h"
 #include "numbers.h"
 #include "output/options/output_files.h"
 #include "solutions.h"

@@ -3,14 +3,14 @@
 #include <exsect/solver/verify.h>
 #include <pybind11/stl.h>
 
+#include "forms.h"
+#include "output/drawing/comparison_svg.h"
+#include "output/options/option_values.h"
+#include "output/report/method_reports.h"
+#include "output/report/verdict_picture.h"
 #include "output/text/comparison.h"
 #include "output/text/comparison_json.h"
-#include "output/drawing/comparison_svg.h"
-#include "output/report/method_reports.h"
-#include "output/options/option_values.h"
 #include "output/text/verdict_json.h"
-#include "output/report/verdict_picture.h"
-#include "forms.h"
 #include "solutions.h"
 
 namespace exsect::python {

@@ -96,11 +96,13 @@ class Confirmation {
 
   /// Doubles decide the exchanged pair as well in most cases: a tenth of what the proof costs.
   std::vector<Incomplete> compare_with_exchanged(const IntersectionGraph& graph) const {
-    std::vector<Parameter> exchanged = run_.turning();
-    for (Parameter& p : exchanged) {
+    IntersectOptions exchanged;  // of a call of its own: its work is not on this call's record
+    exchanged.tolerance = run_.tolerance(1);
+    exchanged.turning = run_.turning();
+    for (Parameter& p : exchanged.turning) {
       p = all_parameters[index(p) ^ 2];
     }
-    const auto other = intersect_filtered(y_, x_, run_.with_turning(std::move(exchanged)));
+    const auto other = intersect_filtered(y_, x_, exchanged);
     if (!other || have_same_counts(graph, other->graph)) {
       return {};
     }

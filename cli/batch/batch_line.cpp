@@ -10,8 +10,8 @@
 #include <type_traits>
 
 #include "cli/patch_choice.h"
-#include "output/text/terminal_text.h"
 #include "output/text/intersection_json.h"
+#include "output/text/terminal_text.h"
 
 namespace exsect::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <sstream>
 #include <utility>
 
-#include "cli/batch/checksum.h"
 #include "cli/batch/batch_input.h"
+#include "cli/batch/checksum.h"
 #include "cli/patch_choice.h"
 
 namespace exsect::cli {

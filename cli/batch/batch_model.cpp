@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "cli/batch/checksum.h"
 #include "cli/batch/batch_input.h"
+#include "cli/batch/checksum.h"
 
 namespace exsect::cli {
 namespace {

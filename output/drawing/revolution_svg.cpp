@@ -71,9 +71,9 @@ std::string revolution_svg(const ShownRevolution& shown, const std::string& titl
   picture.element("<g fill=\"#000000\">");
   picture.text(width / 2, 26, fitted(title, 15, width - 30), 15, TextAnchor::middle);
   const auto& bound = shown.revolution.bounds.one_sided.distance;
-  const std::string subtitle =
-      fmt::format("{}: {}", name(shown.method),
-                  bound ? "one-sided distance at most " + rounded_up(to_double(*bound)) : "no distance proved");
+  const std::string subtitle = fmt::format(
+      "{}: {}", name(shown.method),
+      bound ? "one-sided distance at most " + rounded_up(to_double(*bound)) : "no distance proved");
   picture.text(width / 2, 48, fitted(subtitle, 13, width - 30), 13, TextAnchor::middle);
   picture.element("</g>");
   SvgPlane plane(picture, plane_margin, plane_top, view, "r", "z");

@@ -8,8 +8,8 @@
 
 #include <string>
 
-#include "output/text/intersection_json.h"
 #include "output/report/report_origin.h"
+#include "output/text/intersection_json.h"
 
 namespace exsect::cli {
 

@@ -86,9 +86,8 @@ std::string equation_text(const std::string& name, const PolynomialTerms& polyno
 std::string planar_subtitle(const PlanarImplicit& implicit, const PlanarOptions& options) {
   if (implicit.is_exact) return fmt::format("exact equation of degree {}", implicit.exact_degree);
   const auto& distance = implicit.bounds.one_sided.distance;
-  return fmt::format(
-      "{} of degree {}: {}", name(options.method), options.degree,
-      distance ? "one-sided distance at most " + value_text(*distance) : "no distance proved");
+  return fmt::format("{} of degree {}: {}", name(options.method), options.degree,
+                     distance ? "one-sided distance at most " + value_text(*distance) : "no distance proved");
 }
 
 std::string planar_implicit_summary(const PlanarImplicit& implicit, const PlanarOptions& options,

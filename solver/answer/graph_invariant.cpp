@@ -144,6 +144,9 @@ class Invariant {
   void check_order(const Node& node) {
     const auto [first, second] = neighbours_[at(node.id)];
     if (degree_[at(node.id)] != 2 || is_singular(node) || first == second) return;
+    // On a side, and where a patch meets itself, a singular point of a patch has no kind of its own.
+    const bool is_regular = facts_.degree && facts_.degree(node);
+    if ((!node.on.empty() || facts_.one_order) && !is_regular) return;
     for (const Parameter p : facts_.turning) {
       const int before = order(node.id, first, p);
       const int behind = order(node.id, second, p);

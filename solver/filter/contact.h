@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "filter/part.h"
-#include "filter/pieces.h"
 #include "filter/path_contact.h"
+#include "filter/pieces.h"
 
 namespace exsect::filter {
 

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <type_traits>
 
-#include "answer/rim_arc.h"
-
 #include "answer/chord_count.h"
+#include "answer/rim_arc.h"
 
 namespace exsect::filter {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
 #include "answer/graph_builder.h"
-#include "answer/coarse_drawing.h"
 #include "filter/contact_graph.h"
 #include "filter/graph.h"
 #include "filter/loops.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "answer/graph_builder.h"
 #include "answer/chord_count.h"
+#include "answer/graph_builder.h"
 #include "trace/bounded_vertex.h"
 #include "trace/tube_points.h"
 namespace exsect {

@@ -8,11 +8,11 @@
 #include <string>
 #include <utility>
 
+#include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
-#include "answer/coarse_drawing.h"
 #include "answer/placement.h"
 #include "self/curves.h"
 #include "self/cut_self_intersection.h"
@@ -224,8 +224,9 @@ IntersectResult self_intersect(const BezierPatch& x, const IntersectOptions& opt
     return run.finished(answered([&] {
       const auto place = Placement::of(x, x);
       IntersectResult result =
-          place ? self_intersect_within(run.with_tolerance(place->left_of(run.tolerance(1))), place->placed(x))
-                : self_intersect_within(run, x);
+          place
+              ? self_intersect_within(run.with_tolerance(place->left_of(run.tolerance(1))), place->placed(x))
+              : self_intersect_within(run, x);
       if (place) place->restore(result.graph);
       result.coarse = coarse_drawing(result.graph, run.tolerance(to_double(model_extent(x, x))));
       return result;

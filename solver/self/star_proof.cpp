@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "answer/parameter_box.h"
+#include "curve/short_rational.h"
 #include "self/chart.h"
 #include "self/pairs.h"
 #include "shape/injective_rectangle.h"
 #include "shape/special_cusps.h"
-#include "curve/short_rational.h"
 
 namespace exsect {
 namespace {

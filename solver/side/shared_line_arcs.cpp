@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "answer/parameter_box.h"
 #include "answer/chord_count.h"
+#include "answer/parameter_box.h"
 #include "curve/plane_curve.h"
 #include "line/line_point.h"
 #include "line/system_point.h"

@@ -9,8 +9,8 @@
 #include <limits>
 #include <string>
 
-#include "answer/parameter_box.h"
 #include "answer/finished_result.h"
+#include "answer/parameter_box.h"
 #include "support/catch.h"
 #include "support/random_pairs.h"
 #include "trace/regular_degree.h"
@@ -127,7 +127,7 @@ const std::vector<Forgery> kForgeries = {
          g.arcs.push_back(arc);
        }
      }},
-    {"end in a turning point",
+    {"arcs end in a regular point",
      [](IntersectionGraph& g) {
        Arc& arc = arc_of(g, closed);
        arc.to = arc_of(g, open).to;

@@ -1,8 +1,8 @@
 // Sides that lie on the other patch, in doubles: found, proved, and the same graph as the exact solution.
 #include "filter/side_path.h"
 
-#include "filter/filter.h"
 #include "filter/contact.h"
+#include "filter/filter.h"
 #include "intersect_exactly.h"
 #include "support/catch.h"
 #include "support/graph_checks.h"
