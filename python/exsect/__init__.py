@@ -187,7 +187,8 @@ def intersect_all(
 
     def solve(pair: Tuple[Any, Any]) -> Intersection:
         first, second = pair
-        return intersect(named[first], named[second], **{"names": (str(first), str(second)), **options})
+        chosen_options: Dict[str, Any] = {"names": (str(first), str(second)), **options}
+        return intersect(named[first], named[second], **chosen_options)
 
     def results() -> Iterator[Tuple[Any, Any, Intersection]]:
         with ThreadPoolExecutor(jobs or os.cpu_count() or 1) as pool:
@@ -418,5 +419,5 @@ def _plot_patch(patch: Patch, axes: Any = None, **options: Any) -> Any:
     return draw_patch(patch, axes, options)
 
 
-Patch.evaluate = _evaluate  # type: ignore[method-assign]
-Patch.plot = _plot_patch  # type: ignore[method-assign]
+setattr(Patch, "evaluate", _evaluate)
+setattr(Patch, "plot", _plot_patch)

@@ -32,7 +32,7 @@ def _style(component: int) -> Dict[str, Any]:
 def draw_patch(patch: Any, axes: Any, options: Dict[str, Any]) -> Any:
     """The patch as a surface in axes of projection "3d", new ones if there are none."""
     import numpy
-    from matplotlib import pyplot
+    from matplotlib import pyplot  # type: ignore[import]
 
     if axes is None:
         axes = pyplot.figure().add_subplot(projection="3d")

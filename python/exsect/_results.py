@@ -106,7 +106,7 @@ class Polynomial(Dict[Exponents, Fraction]):
 
     def sympy(self) -> Any:
         """The same as a sympy.Poly over QQ; ImportError where SymPy is not installed."""
-        import sympy
+        import sympy  # type: ignore[import]
 
         symbols = sympy.symbols(list(self.variables))
         terms = {exponents: sympy.Rational(c.numerator, c.denominator) for exponents, c in self.items()}

@@ -227,7 +227,7 @@ def test_bad_files_are_refused_in_the_programs_words(tmp_path):
     file.write_text('{"exsect": "patches/1", "patches": [{"name": "x", "degree": [1,1], "points": [[[0,0,0]]]}]}')
     with pytest.raises(exsect.InputError) as caught:
         exsect.read_patches(file)
-    assert program("intersect", file).stderr == f"exsect: --{caught.value}\n"
+    assert program("intersect", file).stderr == f"exsect: {caught.value}\n"
     assert isinstance(caught.value, ValueError)
     with pytest.raises(OSError):
         exsect.write_patches(tmp_path / "missing" / "p.json", {"x": exsect.Patch(UNIT)})
@@ -330,7 +330,7 @@ def test_a_patch_and_a_curve_of_space_have_equations(first):
 def test_options_of_implicitize_have_the_programs_words():
     with pytest.raises(ValueError) as caught:
         exsect.implicitize(exsect.read_curve(EXAMPLES / "profile.json"), method="dokken")
-    assert program("implicitize", EXAMPLES / "profile.json", "--method", "dokken").stderr == f"exsect: {caught.value}\n"
+    assert program("implicitize", EXAMPLES / "profile.json", "--method", "dokken").stderr == f"exsect: --{caught.value}\n"
 
 
 def test_revolve_gives_what_the_program_gives(first):
