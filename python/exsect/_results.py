@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import importlib
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Type, Union
@@ -106,7 +107,7 @@ class Polynomial(Dict[Exponents, Fraction]):
 
     def sympy(self) -> Any:
         """The same as a sympy.Poly over QQ; ImportError where SymPy is not installed."""
-        import sympy  # type: ignore[import]
+        sympy: Any = importlib.import_module("sympy")
 
         symbols = sympy.symbols(list(self.variables))
         terms = {exponents: sympy.Rational(c.numerator, c.denominator) for exponents, c in self.items()}
