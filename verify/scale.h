@@ -2,6 +2,7 @@
 // 15.
 #pragma once
 
+#include <exsect/geometry/bezier_patch.h>
 #include <exsect/verify/verdict.h>
 
 namespace exsect {

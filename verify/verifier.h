@@ -1,6 +1,7 @@
 // One candidate held against one exact result, step by step. Internal to solver/; docs/method.md, section 15.
 #pragma once
 
+#include <exsect/geometry/bezier_patch.h>
 #include <exsect/verify/verdict.h>
 
 #include <optional>
