@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "certificate/certificate_text.h"
+#include "certificate/line.h"
 #include "forms.h"
 #include "numbers.h"
 #include "output/drawing/intersection_svg.h"
