@@ -7,9 +7,6 @@ namespace exsect::filter {
 
 namespace {
 
-constexpr double kLargestExtent = 0x1p70;
-constexpr double kFarthest = 0x1p12;  // coordinates, over the extent
-
 /// The control net in doubles; `exact` becomes false if a coordinate is not known to be a double.
 std::array<Vec3, 9> rounded(const BezierPatch& patch, bool& exact) {
   std::array<Vec3, 9> net;
@@ -131,7 +128,7 @@ std::optional<Pair> make_pair(const BezierPatch& x, const BezierPatch& y) {
     pair.extent = std::max(pair.extent, upper - lower);
   }
   // Such models are solved about the origin (placement.h).
-  if (!(size < kLargestExtent * kFarthest) || !(reach > 1 / kLargestExtent) || !(size < kFarthest * reach)) {
+  if (!(size < 0x1p300) || !(reach > 0x1p-300) || !(size < 0x1p40 * reach)) {
     return std::nullopt;
   }
   // reach <= 2^exponent (1 - u) or the rounded differences are at most 2^exponent all the same.
