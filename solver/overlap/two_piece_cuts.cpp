@@ -61,7 +61,9 @@ class Search {
     for (std::size_t i = 0; i < diagonal.size(); ++i) {
       if (diagonal[i] || boundary_.points[i].kind == BoundaryPointKind::touch) continue;
       const CertifiedPoint& point = boundary_.points[i].at;
-      cuts_.push_back({in_hull(point), {}, [&] { return known_zero_tangent(pieces_.x, pieces_.y, point); }});
+      cuts_.push_back({in_hull(point), {}, [&pieces = pieces_, &point] {
+                         return known_zero_tangent(pieces.x, pieces.y, point);
+                       }});
       point_of_cut_.push_back(i);
       if (!is_off_diagonal(cuts_.back().at)) return false;
     }

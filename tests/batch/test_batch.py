@@ -435,7 +435,7 @@ def test_a_file_that_cannot_be_read_is_one_failed_line(tmp_path, pairs):
     listed = tmp_path / "list"
     listed.write_text("\n".join(str(f) for f in [files[0], bad, tmp_path, tmp_path / "none.json", three, twice, huge, *files[1:]]))
     rows = lines(run("batch", listed, status=3).stdout)[1:]
-    assert [row["status"] for row in rows] == ["complete", *["failed"] * 5, "complete", "complete", "complete"]
+    assert [row["status"] for row in rows] == ["complete", *["failed"] * 5, "incomplete", "complete", "complete"]
     for row, reason in zip(rows[1:6], ["not valid JSON", "directory", "No such file", "3 patches", "given to two patches"]):
         assert reason in row["error"] and row["first"] is None
 

@@ -78,7 +78,7 @@ TEST_CASE("the schema refuses what is not the documented form") {
   CHECK(refused("/nodes/0/kinds/0", "end_of_overlap"));
   CHECK(refused("/nodes/0/on", "u=0"));
   CHECK(refused("/nodes/0/free/0", "t"));
-  CHECK(refused("/arcs/0/error_bound", nullptr));
+  CHECK(refused("/arcs/0/error_bound", "0"));
   CHECK(refused("/arcs/0/polyline/0", nlohmann::json({0, 0, 0, 0})));
   CHECK(refused("/summary/turning/u", -1));
 }
