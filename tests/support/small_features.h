@@ -18,7 +18,7 @@ struct Feature {
 struct Family {
   const char* name;
   Feature (*make)(const Rational& size, random_pairs::Generator& generator);
-  int most_bits = 300;  // of the size; for smaller ones the answer may be incomplete
+  int most_bits = 300;  // of the size; smaller ones take seconds, or end incomplete
 };
 const std::vector<Family>& families();
 
