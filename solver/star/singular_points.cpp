@@ -9,7 +9,6 @@
 #include "answer/parameter_box.h"
 #include "line/exact_line_points.h"
 #include "line/line_place.h"
-#include "line/line_points_in.h"
 #include "star/line_crossing.h"
 #include "star/point_on_line.h"
 #include "star/star_arc.h"
@@ -136,25 +135,14 @@ class StarSearch {
       const bool crosses = std::all_of(point.sides().begin(), point.sides().end(), [&](const Side& side) {
         return here.slope[index(side.parameter)].certain_sign() != 0;
       });
-      const double centre = tube->centre[tube->axis].approximation();
-      return crosses && (has_contact_over(*tube, turning, from_double(centre - 0.5 * reach)) ||
-                         has_contact_over(*tube, turning, from_double(centre + 0.5 * reach)) ||
-                         has_contact_over_sample(*tube, turning));
+      return crosses &&
+             (has_contact_at(*tube, turning, -0.5 * reach) || has_contact_at(*tube, turning, 0.5 * reach));
     }
     return false;
   }
 
-  /// A curve across a corner may be as short as it likes: but a sample is between its ends.
-  bool has_contact_over_sample(const TangentialTube<Ball>& tube, const TurningValues& turning) const {
-    return turning.sweep == problem_.sampled &&
-           std::any_of(problem_.samples.begin(), problem_.samples.end(), [&](const Rational& sample) {
-             const Ball tau = Ball::enclosing(sample) - tube.centre[tube.axis];
-             return tau.upper_magnitude() <= tube.reach && has_contact_over(tube, turning, sample);
-           });
-  }
-
-  bool has_contact_over(const TangentialTube<Ball>& tube, const TurningValues& turning,
-                        const Rational& at) const {
+  bool has_contact_at(const TangentialTube<Ball>& tube, const TurningValues& turning, double tau) const {
+    const Rational at = from_double(tube.centre[tube.axis].approximation() + tau);
     const bool regular =
         at > 0 && at < 1 &&
         std::none_of(turning.values.begin(), turning.values.end(),
@@ -169,8 +157,7 @@ class StarSearch {
   }
 
   bool is_covered(const CertifiedPoint& point) const {
-    return std::any_of(stars_.begin(), stars_.end(),
-                       [&](const StarNeighbourhood& star) { return surely_lies_in(point, star.box); });
+    return is_covered(point.refined_to(fine_width()).box());
   }
   bool is_covered(const ParameterBox& box) const {
     return std::any_of(stars_.begin(), stars_.end(),

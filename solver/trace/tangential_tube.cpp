@@ -205,7 +205,6 @@ bool excludes(const TangentialTube<Ball>& tube, const BallPoint<Ball>& box) {
 EXSECT_INSTANTIATE_TANGENTIAL(DoubleBall)
 EXSECT_INSTANTIATE_TANGENTIAL(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TANGENTIAL(ArbBall<256>)
-EXSECT_INSTANTIATE_TANGENTIAL(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_TANGENTIAL
 
 }  // namespace exsect

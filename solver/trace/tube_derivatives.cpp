@@ -186,7 +186,6 @@ ValueRange second_between(const Tube<Ball>& tube, std::size_t i, double from, do
 EXSECT_INSTANTIATE_DERIVATIVES(DoubleBall)
 EXSECT_INSTANTIATE_DERIVATIVES(DoubleDoubleBall)
 EXSECT_INSTANTIATE_DERIVATIVES(ArbBall<256>)
-EXSECT_INSTANTIATE_DERIVATIVES(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_DERIVATIVES
 
 }  // namespace exsect

@@ -302,6 +302,5 @@ std::optional<LineRemainder<Ball>> fit_line(Tube<Ball>& tube) {
 template std::optional<LineRemainder<DoubleBall>> fit_line(Tube<DoubleBall>&);
 template std::optional<LineRemainder<DoubleDoubleBall>> fit_line(Tube<DoubleDoubleBall>&);
 template std::optional<LineRemainder<ArbBall<256>>> fit_line(Tube<ArbBall<256>>&);
-template std::optional<LineRemainder<ArbBall<1024>>> fit_line(Tube<ArbBall<1024>>&);
 
 }  // namespace exsect

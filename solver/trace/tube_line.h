@@ -12,7 +12,7 @@ namespace exsect {
 
 /// Factor that covers rounding in sums of nonnegative terms: fewer than 128 terms, each a product of at most
 /// 64 factors, lose less than (1 - 2^-53)^200 > 1 - 2^-45; underflow loses less than 2^-1000, far below every
-/// half width (2^-699).
+/// half width (2^-199).
 inline constexpr double kSlack = 1 + 0x1p-40;
 
 /// Upper bounds of |g|, |dg/dtau| and |d²g/dtau²| over the tube for a polynomial g in sigma.

@@ -90,6 +90,5 @@ AlongLine along_line(const Tube<Ball>& tube, const LineRemainder<Ball>& left) {
 template AlongLine along_line(const Tube<DoubleBall>&, const LineRemainder<DoubleBall>&);
 template AlongLine along_line(const Tube<DoubleDoubleBall>&, const LineRemainder<DoubleDoubleBall>&);
 template AlongLine along_line(const Tube<ArbBall<256>>&, const LineRemainder<ArbBall<256>>&);
-template AlongLine along_line(const Tube<ArbBall<1024>>&, const LineRemainder<ArbBall<1024>>&);
 
 }  // namespace exsect
