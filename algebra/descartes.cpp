@@ -4,6 +4,7 @@
 
 #include "fixed_point_bernstein.h"
 #include "flint_polynomial.h"
+#include "interruption.h"
 
 namespace exsect {
 namespace {
@@ -67,6 +68,7 @@ class Isolator {
   std::vector<IsolatingInterval> run() {
     const bool root_at_one = start();
     while (!open_.empty()) {
+      interruption_point();
       Node node = std::move(open_.back());
       open_.pop_back();
       process(std::move(node));

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "flint.h"
+#include "interruption.h"
 
 namespace exsect {
 
@@ -274,6 +275,7 @@ ModularIntegers interpolate_modular_polynomial(std::size_t degree, std::size_t b
   std::vector<std::vector<std::uint64_t>> residues;
   Integer product = 1;
   for (std::uint64_t p = prime_field_limit; msb(product) < bits + 2;) {
+    interruption_point();
     p = prime_below(p);
     const PrimeField field(p);
     auto coefficients = interpolated(field, degree + 1 + (primes.empty() ? spare_points : 0), values);

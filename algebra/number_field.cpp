@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "flint_polynomial.h"
+#include "interruption.h"
 
 // after flint.h, which includes what this needs
 #include <flint/nmod_poly_factor.h>
@@ -33,6 +34,7 @@ bool make_monic(Coefficients& f, const Polynomial& g) {
 /// f modulo the monic h.
 void reduce(Coefficients& f, const Coefficients& h, const Polynomial& g) {
   while (f.size() >= h.size()) {
+    interruption_point();
     const Polynomial leading = f.back();
     const std::size_t shift = f.size() - h.size();
     for (std::size_t i = 0; i < h.size(); ++i)
@@ -121,6 +123,7 @@ std::optional<BivariatePolynomial> gcd_modulo(const BivariatePolynomial& f, cons
   Coefficients a = reduced(f, g);
   Coefficients b = reduced(h, g);
   while (!b.empty()) {
+    interruption_point();
     if (!make_monic(b, g)) return std::nullopt;
     reduce(a, b, g);
     std::swap(a, b);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "flint_polynomial.h"
+#include "interruption.h"
 #include "polynomial.h"
 
 namespace exsect {
@@ -98,6 +99,7 @@ std::vector<PolynomialPower> squarefree_factors(const Polynomial& f) {
 
 std::vector<PolynomialPower> irreducible_factors(const Polynomial& f) {
   require_nonzero(f, "irreducible_factors");
+  interruption_point();
   FlintFactorisation factorisation;
   fmpz_poly_factor(factorisation.value, NumeratorView(f).get());
   return to_powers(factorisation.value);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "flint_polynomial.h"
+#include "interruption.h"
 
 namespace exsect {
 namespace {
@@ -71,6 +72,7 @@ class Refinement {
       f_.evaluate(right_.value, end.value, exponent_, 2 * step);
     }
     while (exponent_ < target_) {
+      interruption_point();
       step = std::min(step, target_ - exponent_);
       const bool success = try_step(step);
       if (exact_) return *exact_;

@@ -10,6 +10,7 @@
 
 #include "descartes.h"
 #include "flint_polynomial.h"
+#include "interruption.h"
 #include "quadratic_refinement.h"
 
 namespace exsect {
@@ -141,7 +142,10 @@ double RealAlgebraic::to_double() const {
   if (is_rational()) return exsect::to_double(lower_);
   if (lower_ < 0 && upper_ > 0 && polynomial_->coefficient(0) == 0) return 0;
   RealAlgebraic a = *this;
-  while (!a.is_rational() && a.lower_ <= 0 && a.upper_ >= 0) a = a.refined_to((a.upper_ - a.lower_) / 16);
+  while (!a.is_rational() && a.lower_ <= 0 && a.upper_ >= 0) {
+    interruption_point();
+    a = a.refined_to((a.upper_ - a.lower_) / 16);
+  }
   // Both ends have the sign of the number: relative width 2^-54.
   a = a.refined_to(std::max<Rational>(std::min<Rational>(abs(a.lower_), abs(a.upper_)), power_of_two(-1074)) *
                    power_of_two(-54));

@@ -42,7 +42,7 @@ IntersectResult intersect_in_place(const Run& run, const BezierPatch& x, const B
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
-    return run.finished(answered([&] { return intersect_in_place(run, x, y); }));
+    return run.finished(answered(run, [&] { return intersect_in_place(run, x, y); }));
   });
 }
 

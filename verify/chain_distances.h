@@ -1,6 +1,7 @@
 // How far a chain is from others. Internal to solver/; docs/method.md, section 15.
 #pragma once
 
+#include <exsect/algebra/interruption.h>
 #include <exsect/verify/verdict.h>
 
 #include "answer/stop_request.h"
@@ -9,10 +10,9 @@
 
 namespace exsect {
 
-/// The time for a verdict is over.
-struct OutOfTime {};
+/// Throws Interrupted if the time for a verdict is over.
 inline void require_time(const StopRequest& stop) {
-  if (is_stopped(stop)) throw OutOfTime();
+  if (is_stopped(stop)) throw Interrupted();
 }
 
 /// The part of a piece, in [0,1], whose points are all farther than a distance from a set of curves.
@@ -34,7 +34,7 @@ class FarParts {
 };
 
 /// Bounds of the largest distance of a point of the chain from the nearest of the others; where it is below
-/// `fine` the upper one need not be sharp. Infinite if there are no others. Throws OutOfTime.
+/// `fine` the upper one need not be sharp. Infinite if there are no others. Throws Interrupted.
 DistanceEnclosure largest_distance(const Chain& chain, const PieceTree& others, double fine,
                                    const StopRequest& stop = {});
 

@@ -34,10 +34,11 @@ Verifier::Verifier(const Candidate& candidate, const BezierPatch& x, const Bezie
 }
 
 Verdict Verifier::operator()() {
+  const InterruptionScope scope(stop_);
   try {
     judge();
     conclude();
-  } catch (const OutOfTime&) {
+  } catch (const Interrupted&) {
     verdict_.undecided = {"what the time was not enough for"};
     verdict_.curves.resize(candidate_.curves.size());
     if (!verdict_.differences.empty()) verdict_.agreement = Agreement::disagrees;

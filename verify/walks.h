@@ -68,7 +68,7 @@ struct WalkSearch {
 };
 
 /// Maximal walks along a chain, one after the other: a vertex that is on none is where no walk could start.
-/// Throws OutOfTime.
+/// Throws Interrupted.
 std::vector<Walk> find_walks(const TrueCurve& truth, const Chain& chain, const WalkSearch& search);
 
 }  // namespace exsect

@@ -1,5 +1,7 @@
 #include "answer/finished_result.h"
 
+#include <exsect/algebra/interruption.h>
+
 #include <stdexcept>
 #include <utility>
 
@@ -16,9 +18,12 @@ IntersectResult finished(GraphBuilder graph, const GraphFacts& facts, std::vecto
   return {status, std::move(made.graph), std::move(incomplete), std::move(work)};
 }
 
-IntersectResult answered(const std::function<IntersectResult()>& solve) {
+IntersectResult answered(const Run& run, const std::function<IntersectResult()>& solve) {
+  const InterruptionScope scope(run.stop());
   try {
     return solve();
+  } catch (const Interrupted&) {
+    return undecided(whole_domain(), "the work cap was reached");
   } catch (const ProofFailure& failure) {
     return undecided(failure.where(), failure.what());
   } catch (const std::invalid_argument&) {

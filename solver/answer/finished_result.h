@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "answer/graph_builder.h"
+#include "answer/run.h"
 
 namespace exsect {
 
@@ -16,9 +17,10 @@ namespace exsect {
 IntersectResult finished(GraphBuilder graph, const GraphFacts& facts, std::vector<Incomplete> incomplete,
                          Work work = {});
 
-/// What `solve` returns. Where it throws a ProofFailure, or another std::logic_error than
-/// std::invalid_argument, a result without a graph says where and why.
-IntersectResult answered(const std::function<IntersectResult()>& solve);
+/// What `solve` returns; without a graph if the time of the call is over in the middle of one long
+/// computation. Where it throws a ProofFailure, or another std::logic_error than std::invalid_argument, a
+/// result without a graph says where and why.
+IntersectResult answered(const Run& run, const std::function<IntersectResult()>& solve);
 
 /// No graph, and why.
 IntersectResult undecided(const ParameterBox& where, std::string why, Work work = {});

@@ -1,5 +1,6 @@
 #include "eliminant/vector_eliminant.h"
 
+#include <exsect/algebra/interruption.h>
 #include <exsect/algebra/modular.h>
 
 #include <array>
@@ -134,6 +135,7 @@ std::optional<ModularIntegers> vector_eliminant(const IntegerPair& pair, std::si
   LanePrimes primes;
   LaneResidues residues(pair);
   while (msb(residues.product()) < bits + 2) {
+    interruption_point();
     LaneRow row;
     for (auto& p : row) p = primes.next();
     if (!residues.add_primes(row)) return std::nullopt;

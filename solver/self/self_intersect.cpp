@@ -221,7 +221,7 @@ class SelfIntersection {
 IntersectResult self_intersect(const BezierPatch& x, const IntersectOptions& options) {
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
-    return run.finished(answered([&] {
+    return run.finished(answered(run, [&] {
       const auto place = Placement::of(x, x);
       IntersectResult result =
           place

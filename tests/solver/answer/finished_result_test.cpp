@@ -47,22 +47,23 @@ TEST_CASE("finished result: the status follows from what is not decided") {
 
 TEST_CASE("finished result: a failed proof is an incomplete answer with its place") {
   const IntersectResult failed =
-      answered([]() -> IntersectResult { throw ProofFailure(kPlace, "two proofs disagree"); });
+      answered(Run(), []() -> IntersectResult { throw ProofFailure(kPlace, "two proofs disagree"); });
   CHECK(failed.status == Status::incomplete);
   CHECK(failed.graph.nodes.empty());
   REQUIRE(failed.incomplete.size() == 1);
   CHECK(same(failed.incomplete[0].where, kPlace));
   CHECK(failed.incomplete[0].why == "two proofs disagree");
-  const IntersectResult other = answered([]() -> IntersectResult { throw std::domain_error("no carrier"); });
+  const IntersectResult other =
+      answered(Run(), []() -> IntersectResult { throw std::domain_error("no carrier"); });
   REQUIRE(other.incomplete.size() == 1);
   CHECK(other.incomplete[0].why == "a proof failed: no carrier");
   CHECK(other.incomplete[0].where[1].lower == 0);
 }
 
 TEST_CASE("finished result: what the caller does wrong, or stops, is thrown on") {
-  CHECK_THROWS_AS(answered([]() -> IntersectResult { throw std::invalid_argument("tolerance"); }),
+  CHECK_THROWS_AS(answered(Run(), []() -> IntersectResult { throw std::invalid_argument("tolerance"); }),
                   std::invalid_argument);
-  CHECK_THROWS_AS(answered([]() -> IntersectResult { throw std::runtime_error("stopped"); }),
+  CHECK_THROWS_AS(answered(Run(), []() -> IntersectResult { throw std::runtime_error("stopped"); }),
                   std::runtime_error);
   CHECK(failure_of([] { throw std::out_of_range("index"); }) == "a proof failed: index");
   CHECK(!failure_of([] {}));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <string>
 
 #include "support/catch.h"
@@ -200,4 +201,16 @@ TEST_CASE("self_intersect: options") {
   CHECK(stopped.incomplete.front().why.find("work cap") != std::string::npos);
   options.max_seconds = -1;
   CHECK_THROWS_AS(self_intersect(y, options), std::invalid_argument);
+}
+
+TEST_CASE("a control point at -10^300: the cap is kept in the middle of long exact computations") {
+  const BezierPatch x =
+      read_patches(std::string(EXSECT_CASES) + "/found/corner-at-1e300.json").patches[0].patch;
+  IntersectOptions options;
+  options.tolerance = 0.1;
+  options.max_seconds = 0.25;
+  const std::clock_t begin = std::clock();
+  const IntersectResult result = self_intersect(x, options);
+  CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 5);
+  CHECK(result.status == Status::incomplete);
 }
