@@ -88,7 +88,7 @@ Verification verify(const Candidate& candidate, const BezierPatch& x, const Bezi
       Verdict verdict = judged(candidate, x, y, exact, tolerance, stop);
       if (verdict.agreement != Agreement::undecided || !verdict.exact_is_complete || round == most_rounds ||
           is_stopped(stop))
-        return {std::move(verdict), std::move(exact)};
+        return {std::move(verdict), std::move(exact), fine.tolerance};
     }
   });
 }

@@ -28,6 +28,8 @@ struct VerifyOptions {
 struct Verification {
   Verdict verdict;
   IntersectResult exact;
+  /// What `exact` was asked for, relative: intersect() with it gives the same graph, ids included.
+  double exact_tolerance;
 };
 
 /// Intersects the patches, with polylines fine enough for the tolerance and finer ones where the verdict

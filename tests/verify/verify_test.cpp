@@ -297,6 +297,30 @@ TEST_CASE("verify: what was changed on purpose is found") {
   }
 }
 
+TEST_CASE("verify: its ids are those of the intersection with the tolerance that it names") {
+  const PatchFile file = read_patches(std::string(EXSECT_CASES) + "/found/ids-with-tolerance.json");
+  const BezierPatch& x = file.patches.at(0).patch;
+  const BezierPatch& y = file.patches.at(1).patch;
+  const Candidate candidate = candidate_of(intersect(x, y).graph);
+  VerifyOptions options;
+  options.tolerance = 1e-4;
+  const Verification found = verify(candidate, x, y, options);
+  CHECK(found.verdict.agreement == Agreement::agrees);
+  IntersectOptions same;
+  same.tolerance = found.exact_tolerance;
+  const IntersectionGraph& a = found.exact.graph;
+  const IntersectionGraph b = intersect(x, y, same).graph;
+  REQUIRE(a.nodes.size() == b.nodes.size());
+  REQUIRE(a.arcs.size() == b.arcs.size());
+  for (std::size_t i = 0; i < a.nodes.size(); ++i) CHECK(a.nodes[i].approx == b.nodes[i].approx);
+  for (std::size_t i = 0; i < a.arcs.size(); ++i) {
+    CHECK(a.arcs[i].from == b.arcs[i].from);
+    CHECK(a.arcs[i].to == b.arcs[i].to);
+    CHECK(a.arcs[i].component == b.arcs[i].component);
+    CHECK(a.arcs[i].polyline.size() == b.arcs[i].polyline.size());
+  }
+}
+
 TEST_CASE("verify: an incomplete exact answer is never agreement") {
   const Subject pair = example("chapter9-first.json");
   Candidate candidate = candidate_of(fine(pair).graph);
