@@ -21,12 +21,13 @@ template <class Ball>
 class SelfTracing {
  public:
   SelfTracing(const SelfSystem<Ball>& system, const Charts<DoubleBall>& charts, const ExactPlaces& exact,
-              const Rational& width, const StopRequest& stop)
+              const Rational& width, SearchEffort effort, const StopRequest& stop)
       : system_(system),
         charts_(charts),
         exact_(exact),
         boundary_(exact.boundary),
         width_(width),
+        effort_(effort),
         stop_(stop),
         places_(exact.injective.rectangles, boxes_of(exact.stars)),
         directions_(system, exact, result_) {
@@ -241,8 +242,9 @@ class SelfTracing {
       add(std::move(outcome));
       return result_.problems.size() == before;
     };
-    for (const ParameterBox& where : search_closed_curves(
-             system_, charts_, exact_, places_, search_direction(tangents()), result_, handler, stop_))
+    for (const ParameterBox& where :
+         search_closed_curves(system_, charts_, exact_, places_, search_direction(tangents()), effort_,
+                              result_, handler, stop_))
       problem(where, "a closed curve or a singular point of the self-intersection is not excluded here");
   }
 
@@ -251,6 +253,7 @@ class SelfTracing {
   const ExactPlaces& exact_;
   const SelfBoundary& boundary_;
   const Rational& width_;
+  SearchEffort effort_;
   const StopRequest& stop_;
   KnownPlaces places_;
   SelfCurves<Ball> result_;
@@ -261,8 +264,9 @@ class SelfTracing {
 
 template <class Ball>
 SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const Charts<DoubleBall>& charts,
-                                   const ExactPlaces& exact, const Rational& width, const StopRequest& stop) {
-  return SelfTracing<Ball>(system, charts, exact, width, stop).run();
+                                   const ExactPlaces& exact, const Rational& width, SearchEffort effort,
+                                   const StopRequest& stop) {
+  return SelfTracing<Ball>(system, charts, exact, width, effort, stop).run();
 }
 
 bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopRequest& stop) {
@@ -273,7 +277,8 @@ bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopReques
 
 #define EXSECT_INSTANTIATE_SELF_CURVES(Ball)                                                      \
   template SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>&, const Charts<DoubleBall>&, \
-                                              const ExactPlaces&, const Rational&, const StopRequest&);
+                                              const ExactPlaces&, const Rational&, SearchEffort,  \
+                                              const StopRequest&);
 
 EXSECT_INSTANTIATE_SELF_CURVES(DoubleBall)
 EXSECT_INSTANTIATE_SELF_CURVES(ArbBall<256>)

@@ -13,6 +13,9 @@
 namespace exsect {
 namespace {
 
+/// Of a brief search: what most searches need that succeed.
+constexpr long kBriefBoxes = 6000;
+
 template <class Ball, class SearchBall>
 BallPoint<Ball> in_arithmetic(const BallPoint<SearchBall>& p) {
   if constexpr (std::is_same_v<Ball, SearchBall>) {
@@ -28,13 +31,24 @@ template <class Ball>
 class SelfLoops {
  public:
   SelfLoops(const SelfSystem<Ball>& system, const ExactPlaces& exact, const KnownPlaces& places,
-            SelfCurves<Ball>& found, const LoopHandler<Ball>& add, const StopRequest& stop)
-      : system_(system), exact_(exact), places_(places), found_(found), add_(add), stop_(stop) {}
+            SearchEffort effort, SelfCurves<Ball>& found, const LoopHandler<Ball>& add,
+            const StopRequest& stop)
+      : system_(system),
+        exact_(exact),
+        places_(places),
+        effort_(effort),
+        found_(found),
+        add_(add),
+        stop_(stop) {}
 
   /// Every direction is complete for a chart; `c` in terms of u and v.
   template <class SearchBall>
   ChartSearchOutcome search(const ChartSystem<SearchBall>& chart, const std::array<double, 2>& c) {
     ChartSearchOutcome outcome = search_along(chart, c);
+    if (effort_ == SearchEffort::brief) {
+      found_.is_cut_short = found_.is_cut_short || !outcome.undecided.empty();
+      return outcome;
+    }
     for (const double turned : {1.0, 2.0}) {
       if (outcome.undecided.empty() || is_stopped(stop_)) break;
       const double angle = turned * std::numbers::pi / 3;
@@ -53,9 +67,15 @@ class SelfLoops {
       return is_known(which, in_arithmetic<Ball>(p));
     };
     const std::array<double, 2> own = which == Chart::first ? c : std::array<double, 2>{c[1], c[0]};
-    ChartSearchOutcome outcome = search_chart(chart, places_, own, known, kMostChartBoxes<SearchBall>, stop_);
+    ChartSearchOutcome outcome = search_chart(chart, places_, own, known, most_boxes<SearchBall>(), stop_);
     found_.searched_boxes += outcome.boxes;
     return outcome;
+  }
+
+  template <class SearchBall>
+  long most_boxes() const {
+    return effort_ == SearchEffort::brief ? std::min(kBriefBoxes, kMostChartBoxes<SearchBall>)
+                                          : kMostChartBoxes<SearchBall>;
   }
 
   bool is_known(Chart chart, const BallPoint<Ball>& p) {
@@ -69,6 +89,7 @@ class SelfLoops {
   }
 
   bool is_near_star(const BallPoint<Ball>& pair) const {
+    if (exact_.stars.empty()) return false;
     ParameterBox box;
     for (std::size_t j = 0; j < 4; ++j) box[j] = pair[j].interval();
     return std::ranges::any_of(exact_.stars, [&](const SelfStar& star) {
@@ -85,6 +106,7 @@ class SelfLoops {
   const SelfSystem<Ball>& system_;
   const ExactPlaces& exact_;
   const KnownPlaces& places_;
+  SearchEffort effort_;
   SelfCurves<Ball>& found_;
   const LoopHandler<Ball>& add_;
   const StopRequest& stop_;
@@ -97,10 +119,10 @@ template <class Ball>
 std::vector<ParameterBox> search_closed_curves(const SelfSystem<Ball>& system,
                                                const Charts<DoubleBall>& charts, const ExactPlaces& exact,
                                                const KnownPlaces& places,
-                                               const std::array<double, 2>& direction,
+                                               const std::array<double, 2>& direction, SearchEffort effort,
                                                SelfCurves<Ball>& found, const LoopHandler<Ball>& add,
                                                const StopRequest& stop) {
-  SelfLoops<Ball> loops(system, exact, places, found, add, stop);
+  SelfLoops<Ball> loops(system, exact, places, effort, found, add, stop);
   std::vector<ParameterBox> undecided;
   for (const ChartSystem<DoubleBall>& chart : charts) {
     ChartSearchOutcome outcome = loops.search(chart, direction);
@@ -115,7 +137,8 @@ std::vector<ParameterBox> search_closed_curves(const SelfSystem<Ball>& system,
 #define EXSECT_INSTANTIATE_SELF_LOOPS(Ball)                                                       \
   template std::vector<ParameterBox> search_closed_curves(                                        \
       const SelfSystem<Ball>&, const Charts<DoubleBall>&, const ExactPlaces&, const KnownPlaces&, \
-      const std::array<double, 2>&, SelfCurves<Ball>&, const LoopHandler<Ball>&, const StopRequest&);
+      const std::array<double, 2>&, SearchEffort, SelfCurves<Ball>&, const LoopHandler<Ball>&,    \
+      const StopRequest&);
 
 EXSECT_INSTANTIATE_SELF_LOOPS(DoubleBall)
 EXSECT_INSTANTIATE_SELF_LOOPS(ArbBall<256>)

@@ -11,6 +11,10 @@
 
 namespace exsect {
 
+/// How much work the search for further pairs may be. A short one ends at most places where a star is wanted,
+/// in a small part of the time.
+enum class SearchEffort { brief, whole };
+
 /// Takes a closed curve that was traced, or why it could not be: true if it is a curve of `found` now.
 template <class Ball>
 using LoopHandler = std::function<bool(std::variant<Trace<Ball>, TraceFailure>)>;
@@ -22,7 +26,7 @@ template <class Ball>
 std::vector<ParameterBox> search_closed_curves(const SelfSystem<Ball>& system,
                                                const Charts<DoubleBall>& charts, const ExactPlaces& exact,
                                                const KnownPlaces& places,
-                                               const std::array<double, 2>& direction,
+                                               const std::array<double, 2>& direction, SearchEffort effort,
                                                SelfCurves<Ball>& found, const LoopHandler<Ball>& add,
                                                const StopRequest& stop);
 

@@ -89,6 +89,7 @@ struct SelfCurves {
   std::vector<int> isolated;  // boundary points at which no curve enters the domain, in one order
   std::vector<Incomplete> problems;
   long searched_boxes = 0;
+  bool is_cut_short = false;  // the search ended undecided with less than its whole effort
 
   /// Empty for a boundary point or a port, and for the "landmark" -1 of a closed curve.
   std::optional<Gate> gate(int landmark) const {

@@ -119,15 +119,24 @@ class SelfIntersection {
     return true;
   }
 
+  /// With more stars, or with more effort where a brief search left something undecided.
+  template <class Ball>
+  bool can_try_again(const SelfCurves<Ball>& found, SearchEffort& effort) {
+    effort = find_stars() ? SearchEffort::brief : SearchEffort::whole;
+    return effort == SearchEffort::brief || found.is_cut_short;
+  }
+
   /// In one arithmetic, again as long as more stars are found near what is undecided; false if something is
   /// left that more precision may decide and `last` is not set.
   template <class Ball>
   bool trace_and_build(const SelfSystem<Ball>& system, const Rational& width, bool last) {
     SelfCurves<Ball> found;
+    auto effort = SearchEffort::brief;
     do {
-      timed("tracing", [&] { found = trace_self_curves(system, in_doubles_.charts, exact_, width, stop_); });
+      timed("tracing",
+            [&] { found = trace_self_curves(system, in_doubles_.charts, exact_, width, effort, stop_); });
       for (const Incomplete& problem : found.problems) undecided_.push_back(problem.where);
-    } while (!found.problems.empty() && !run_.out_of_time() && find_stars());
+    } while (!found.problems.empty() && !run_.out_of_time() && can_try_again(found, effort));
     std::vector<std::vector<CutPlace>> places;
     if (found.problems.empty()) {
       if (auto cut = cut_curves(found, exact_, cuts_, width)) {

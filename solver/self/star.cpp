@@ -31,7 +31,7 @@ class SelfStarSearch {
 
   std::vector<SelfStar> run() {
     for (const GluedFold& fold : glued_folds(problem_.x)) add(fold);
-    const double first = std::clamp(8 * problem_.tolerance, 0x1p-36, 0x1p-5);
+    const double first = std::clamp(problem_.tolerance, 0x1p-36, 0x1p-5);
     const std::vector<SelfCentre> centres =
         self_star_centres(problem_.x, problem_.boundary, problem_.where, problem_.values);
     for (const double halfwidth : {first, 0x1p-4 * first, 0x1p-9 * first, 0x1p-14 * first, 0x1p-20 * first})

@@ -1,10 +1,13 @@
 // Laws that hold for every patch against itself, closed curves, and agreement with exact fibres and with the
 // oracle for pairs.
+#include <exsect/geometry/patch_file.h>
 #include <exsect/solver/self_intersect.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "support/catch.h"
@@ -324,6 +327,27 @@ TEST_CASE("self_intersect: a side that lies on another one") {
     check_fibres(x, 4);
     CHECK(self_intersect(x.exchanged()).graph.arcs.size() == result.graph.arcs.size());
     CHECK(self_intersect(x.reversed_first()).graph.arcs.size() == result.graph.arcs.size());
+  }
+}
+
+TEST_CASE("self_intersect: scattered patches with glued opposite sides") {
+  for (const std::string file : {"glued-seam", "glued-kind0", "glued-kind3"}) {
+    CAPTURE(file);
+    const BezierPatch x =
+        read_patches(std::string(EXSECT_CASES) + "/found/" + file + ".json").patches.at(0).patch;
+    const std::clock_t begin = std::clock();
+    const IntersectionGraph graph = self_intersect(x).graph;
+    CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 15);
+    check_fibres(x, 4);
+    const auto same = [&](const BezierPatch& image) {
+      const IntersectResult other = self_intersect(image);
+      CHECK(other.status == Status::complete);
+      CHECK(other.graph.nodes.size() == graph.nodes.size());
+      CHECK(other.graph.arcs.size() == graph.arcs.size());
+      CHECK(other.graph.components.size() == graph.components.size());
+    };
+    same(x.exchanged());
+    same(x.reversed_second());
   }
 }
 
