@@ -19,6 +19,22 @@ bool meets_curve(const LinePoints& line, const LineQuery& query, const Parameter
 
 }  // namespace
 
+std::optional<CertifiedPoint> decided(CertifiedPoint point, const ParameterBox& region) {
+  for (Rational width = power_of_two(-100); meet(point.box(), region) && !lies_in(point.box(), region);
+       width *= width) {
+    if (width < power_of_two(-2000)) {
+      return std::nullopt;
+    }
+    point = point.refined_to(width);
+  }
+  return point;
+}
+
+bool surely_lies_in(const CertifiedPoint& point, const ParameterBox& region) {
+  const auto refined = decided(point, region);
+  return refined && lies_in(refined->box(), region);
+}
+
 std::optional<std::vector<CertifiedPoint>> line_points_in(const BezierPatch& x, const BezierPatch& y,
                                                           const LineQuery& query,
                                                           const ParameterBox& region) {
@@ -27,16 +43,13 @@ std::optional<std::vector<CertifiedPoint>> line_points_in(const BezierPatch& x, 
     return std::nullopt;
   }
   std::vector<CertifiedPoint> inside;
-  for (CertifiedPoint point : line.points) {
-    for (Rational width = power_of_two(-100); meet(point.box(), region) && !lies_in(point.box(), region);
-         width *= width) {
-      if (width < power_of_two(-2000)) {
-        return std::nullopt;
-      }
-      point = point.refined_to(width);
+  for (const CertifiedPoint& point : line.points) {
+    const auto refined = decided(point, region);
+    if (!refined) {
+      return std::nullopt;
     }
-    if (meet(point.box(), region)) {
-      inside.push_back(point);
+    if (meet(refined->box(), region)) {
+      inside.push_back(*refined);
     }
   }
   return inside;

@@ -8,6 +8,12 @@
 
 namespace exsect {
 
+/// The point with a box so narrow that it lies in the closed region or does not meet it; empty if that is not
+/// reached at the width 2^-2000.
+std::optional<CertifiedPoint> decided(CertifiedPoint point, const ParameterBox& region);
+/// False: it does not, or that is not known.
+bool surely_lies_in(const CertifiedPoint& point, const ParameterBox& region);
+
 /// The points of a parameter line in a closed box; empty if there may be infinitely many, or if that cannot
 /// be decided.
 std::optional<std::vector<CertifiedPoint>> line_points_in(const BezierPatch& x, const BezierPatch& y,

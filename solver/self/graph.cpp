@@ -7,6 +7,7 @@
 #include "answer/chord_count.h"
 #include "answer/graph_builder.h"
 #include "trace/bounded_vertex.h"
+#include "trace/in_domain.h"
 #include "trace/tube_points.h"
 namespace exsect {
 
@@ -114,7 +115,7 @@ class ChartArcs {
     BallPoint<Ball> pair = pair_on(piece, point.box);
     exchange_if(exchange_, pair);
     for (std::size_t j = 0; j < 4; ++j) {
-      node.box[j] = pair[j].interval();
+      node.box[j] = in_domain(pair[j].interval());
     }
     node.approx = at.vertex.parameters;
     node.point = at.vertex.point;

@@ -9,6 +9,7 @@
 #include "answer/parameter_box.h"
 #include "line/exact_line_points.h"
 #include "line/line_place.h"
+#include "line/line_points_in.h"
 #include "star/line_crossing.h"
 #include "star/point_on_line.h"
 #include "star/star_arc.h"
@@ -135,14 +136,25 @@ class StarSearch {
       const bool crosses = std::all_of(point.sides().begin(), point.sides().end(), [&](const Side& side) {
         return here.slope[index(side.parameter)].certain_sign() != 0;
       });
-      return crosses &&
-             (has_contact_at(*tube, turning, -0.5 * reach) || has_contact_at(*tube, turning, 0.5 * reach));
+      const double centre = tube->centre[tube->axis].approximation();
+      return crosses && (has_contact_over(*tube, turning, from_double(centre - 0.5 * reach)) ||
+                         has_contact_over(*tube, turning, from_double(centre + 0.5 * reach)) ||
+                         has_contact_over_sample(*tube, turning));
     }
     return false;
   }
 
-  bool has_contact_at(const TangentialTube<Ball>& tube, const TurningValues& turning, double tau) const {
-    const Rational at = from_double(tube.centre[tube.axis].approximation() + tau);
+  /// A curve across a corner may be as short as it likes: but a sample is between its ends.
+  bool has_contact_over_sample(const TangentialTube<Ball>& tube, const TurningValues& turning) const {
+    return turning.sweep == problem_.sampled &&
+           std::any_of(problem_.samples.begin(), problem_.samples.end(), [&](const Rational& sample) {
+             const Ball tau = Ball::enclosing(sample) - tube.centre[tube.axis];
+             return tau.upper_magnitude() <= tube.reach && has_contact_over(tube, turning, sample);
+           });
+  }
+
+  bool has_contact_over(const TangentialTube<Ball>& tube, const TurningValues& turning,
+                        const Rational& at) const {
     const bool regular =
         at > 0 && at < 1 &&
         std::none_of(turning.values.begin(), turning.values.end(),
@@ -157,7 +169,8 @@ class StarSearch {
   }
 
   bool is_covered(const CertifiedPoint& point) const {
-    return is_covered(point.refined_to(fine_width()).box());
+    return std::any_of(stars_.begin(), stars_.end(),
+                       [&](const StarNeighbourhood& star) { return surely_lies_in(point, star.box); });
   }
   bool is_covered(const ParameterBox& box) const {
     return std::any_of(stars_.begin(), stars_.end(),

@@ -11,7 +11,8 @@ namespace exsect {
 
 bool add_layers(StarNeighbourhood& star, const BezierPatch& x, const BezierPatch& y, const RealAlgebraic& at,
                 int count, const StopRequest& stop) {
-  const RationalInterval centre = at.refined_to(power_of_two(-100)).interval();
+  const Rational fine = star.box[index(star.sweep)].width() * power_of_two(-20);
+  const RationalInterval centre = at.refined_to(std::min<Rational>(fine, power_of_two(-100))).interval();
   for (const int side : {-1, 1}) {
     const auto ports = std::count_if(star.ports.begin(), star.ports.end(), [&](const Port& port) {
       return port.across == star.sweep && port.side == side;

@@ -41,12 +41,12 @@ class StarProof {
     if (!bound_halfwidth() || !bound_slab() || !keep_samples_away() || !keep_turning_values_away()) {
       return std::nullopt;
     }
-    for (std::size_t j = 0; j < 4; ++j) {
-      middle_[j] = to_double(centre_.box()[j].midpoint());
-    }
-    for (double halfwidth = power_of_two_below(room_); halfwidth >= 0x1p-40; halfwidth *= 0x1p-6) {
+    // The room left by other points may be as small as it likes: the sizes tried start from there.
+    const double room = power_of_two_below(room_);
+    for (double halfwidth = room; halfwidth >= std::min(0x1p-40, 0x1p-24 * room); halfwidth *= 0x1p-6) {
       double slab = std::min(halfwidth, power_of_two_below(slab_room_));
-      for (int i = 0; i < kMostSlabs && slab >= 0x1p-48; ++i, slab *= 0.25) {
+      const double least_slab = std::min(0x1p-48, 0x1p-24 * slab);
+      for (int i = 0; i < kMostSlabs && slab >= least_slab; ++i, slab *= 0.25) {
         if (is_stopped(problem_.stop)) {
           return std::nullopt;
         }
@@ -69,31 +69,32 @@ class StarProof {
   bool bound_halfwidth() {
     room_ = from_double(problem_.largest_halfwidth);
     if (!at_.is_rational()) {
-      return problem_.singular && keep_away(problem_.boundary) == 0;
+      return problem_.singular && keep_away(problem_.boundary, 0) == 0;
     }
     const LinePoints fibre = exact_line_points(problem_.x, problem_.y, {sweep_, at_.rational()});
     if (fibre.incomplete) {
       return false;
     }
     // The centre is in the first list, and in the second one only if it lies on a side.
-    const int on_side = keep_away(problem_.boundary);
+    const int expected = centre_.sides().empty() ? 0 : 1;
+    const int on_side = keep_away(problem_.boundary, expected);
     for (const AlgebraicInterval& part : fibre.on_patch) {
       if (!keep_away_or_enter(part)) {
         return false;
       }
     }
-    return keep_away(fibre.points) == (line_ ? 0 : 1) && on_side <= (centre_.sides().empty() ? 0 : 1);
+    return keep_away(fibre.points, line_ ? 0 : 1) == (line_ ? 0 : 1) && on_side <= expected;
   }
 
   /// Of the fibre over an irrational value; for a rational one bound_halfwidth sees to it.
-  bool centre_is_alone() const { return at_.is_rational() || problem_.singular->is_alone_in(box()); }
+  bool centre_is_alone() const { return at_.is_rational() || problem_.singular->is_alone_in(region_); }
 
   /// A part of the line over the centre's value that lies on the other patch: away from the box, or it runs
   /// right through it.
   bool keep_away_or_enter(const AlgebraicInterval& part) {
     const Parameter along = line_place({sweep_, at_.rational()}).roles.line;
-    const RationalInterval from = part.from.refined_to(power_of_two(-60)).interval();
-    const RationalInterval to = part.to.refined_to(power_of_two(-60)).interval();
+    const RationalInterval from = part.from.refined_to(centre_width_).interval();
+    const RationalInterval to = part.to.refined_to(centre_width_).interval();
     const RationalInterval& centre = centre_.box()[index(along)];
     const Rational d = gap({from.lower, to.upper}, centre);
     if (d > 0) {
@@ -117,18 +118,36 @@ class StarProof {
     return true;
   }
 
-  /// The number of points that cannot be told from the centre.
-  int keep_away(const std::vector<CertifiedPoint>& points) {
+  /// The number of points that cannot be told from the centre, at a width at which it is `expected`, if there
+  /// is one.
+  int keep_away(const std::vector<CertifiedPoint>& points, int expected) {
     int near = 0;
-    for (const CertifiedPoint& point : points) {
-      const Rational d = distance(point.refined_to(power_of_two(-100)).box(), centre_.box());
-      if (d > 0) {
-        room_ = std::min<Rational>(room_, d / 2);
-      } else {
-        ++near;
+    Rational room;
+    for (Rational width = power_of_two(-100); width > power_of_two(-2000); width *= width) {
+      refine_centre(width);
+      near = 0;
+      room = room_;
+      for (const CertifiedPoint& point : points) {
+        const Rational d = distance(point.refined_to(width).box(), centre_.box());
+        if (d > 0) {
+          room = std::min<Rational>(room, d / 2);
+        } else {
+          ++near;
+        }
+      }
+      if (near <= expected) {
+        break;
       }
     }
+    room_ = room;
     return near;
+  }
+
+  void refine_centre(const Rational& width) {
+    if (width < centre_width_) {
+      centre_width_ = width;
+      centre_ = centre_.refined_to(width);
+    }
   }
 
   /// Keeps every other turning value away from the slab.
@@ -148,13 +167,13 @@ class StarProof {
       }
       slab_room_ = std::min<Rational>(slab_room_, d / 2);
     }
-    return slab_room_ > power_of_two(-100);
+    return slab_room_ > power_of_two(-900);
   }
 
   bool keep_samples_away() {
     Rational& room = problem_.sampled == sweep_ ? slab_room_ : room_;
     for (const Rational& sample : problem_.samples) {
-      const Rational d = gap({sample, sample}, centre_.box()[index(problem_.sampled)]);
+      const Rational d = gap_to_centre({sample, sample}, problem_.sampled);
       if (d == 0) {
         return false;
       }
@@ -163,12 +182,41 @@ class StarProof {
     return true;
   }
 
+  /// From the centre's value of the parameter; 0 if that cannot be told from those in the interval.
+  Rational gap_to_centre(const RationalInterval& at, Parameter p) {
+    for (Rational width = power_of_two(-200); width > power_of_two(-2000); width *= width) {
+      const Rational d = gap(at, centre_.box()[index(p)]);
+      if (d > 0) {
+        return d;
+      }
+      refine_centre(width);
+    }
+    return gap(at, centre_.box()[index(p)]);
+  }
+
+  /// A width at which one of the values at most cannot be told from the centre's, if there is one; the
+  /// centre is known as well.
+  Rational separating_width(const TurningValues& other) {
+    Rational width = power_of_two(-100);
+    for (; width > power_of_two(-2000); width *= width) {
+      refine_centre(width);
+      const auto near =
+          std::count_if(other.values.begin(), other.values.end(), [&](const TurningValue& value) {
+            return gap(value.value.refined_to(width).interval(), centre_.box()[index(other.sweep)]) == 0;
+          });
+      if (near <= 1) {
+        break;
+      }
+    }
+    return width;
+  }
+
   /// Turning values of the other parameters: away from the box, or rational and that of the centre.
   bool keep_turning_values_away() {
     for (const TurningValues* other : problem_.others) {
+      const Rational width = separating_width(*other);
       for (const TurningValue& value : other->values) {
-        const RationalInterval interval = value.value.refined_to(power_of_two(-100)).interval();
-        const Rational d = gap(interval, centre_.box()[index(other->sweep)]);
+        const Rational d = gap(value.value.refined_to(width).interval(), centre_.box()[index(other->sweep)]);
         if (d > 0) {
           room_ = std::min<Rational>(room_, d / 2);
         } else if (value.value.is_rational()) {
@@ -211,8 +259,8 @@ class StarProof {
              const LinePoints line = exact_line_points(problem_.x, problem_.y, query);
              return !line.incomplete &&
                     std::none_of(line.points.begin(), line.points.end(), [this](const CertifiedPoint& point) {
-                      const ParameterBox at = point.refined_to(power_of_two(-100)).box();
-                      return meet(at, box()) && distance(at, centre_.box()) > 0;
+                      const ParameterBox at = point.refined_to(centre_width_).box();
+                      return meet(at, region_) && distance(at, centre_.box()) > 0;
                     });
            });
   }
@@ -224,12 +272,24 @@ class StarProof {
   }
 
   void set_region(double halfwidth, double slab) {
+    refine_centre(from_double(0x1p-30 * std::min(kNarrowLine * halfwidth, slab)));
     for (std::size_t j = 0; j < 4; ++j) {
       const bool along = line_ && j == index(*line_);  // so that the line leaves across this parameter
       const double h = j == index(sweep_) ? slab : along ? halfwidth * kNarrowLine : halfwidth;
-      region_.lower[j] = std::max(0.0, middle_[j] - h);
-      region_.upper[j] = std::min(1.0, middle_[j] + h);
+      const Rational half = from_double(h);
+      const Rational middle = short_near(centre_.box()[j].midpoint(), half);
+      region_[j] = {std::max<Rational>(0, middle - half), std::min<Rational>(1, middle + half)};
     }
+  }
+
+  /// Within 2^-20 of `room`, with as few bits as that allows, so that faces are short numbers.
+  static Rational short_near(const Rational& at, const Rational& room) {
+    Rational grid = power_of_two(-52);
+    while (grid > room * power_of_two(-20)) {
+      grid *= power_of_two(-64);
+    }
+    const Rational steps = at / grid + Rational(1, 2);
+    return grid * Rational(Integer(numerator(steps) / denominator(steps)));
   }
 
   /// The faces of the box across the other three parameters hold no point of the intersection, apart from the
@@ -240,14 +300,12 @@ class StarProof {
       if (p == sweep_) {
         continue;
       }
-      const double lower = region_.lower[index(p)];
-      const double upper = region_.upper[index(p)];
       const std::size_t expected = p == line_ ? 1 : 0;  // the line itself
-      for (const double face : {lower, upper}) {
+      for (const Rational& face : {region_[index(p)].lower, region_[index(p)].upper}) {
         if (face == 0 || face == 1) {
           continue;
         }
-        const auto points = points_in_box({p, from_double(face)}, expected);
+        const auto points = points_in_box({p, face}, expected);
         if (!points || points->size() != expected) {
           return false;
         }
@@ -256,16 +314,8 @@ class StarProof {
     return true;
   }
 
-  ParameterBox box() const {
-    ParameterBox result;
-    for (std::size_t j = 0; j < 4; ++j) {
-      result[j] = {from_double(region_.lower[j]), from_double(region_.upper[j])};
-    }
-    return result;
-  }
-
   std::optional<StarNeighbourhood> with_ports() const {
-    StarNeighbourhood star{centre_, sweep_, box(), {}, {}};
+    StarNeighbourhood star{centre_, sweep_, region_, {}, {}};
     const RationalInterval slab = star.box[index(sweep_)];
     const auto is_centre = [&](const Rational& end) { return at_.compare(end) == 0; };
     if (!lies_in(centre_.box(), star.box) || (is_centre(slab.lower) && slab.lower != 0) ||
@@ -293,12 +343,13 @@ class StarProof {
 
   bool add_line_ports(StarNeighbourhood& star) const {
     for (const int side : {-1, 1}) {
-      const double face = (side < 0 ? region_.lower : region_.upper)[index(*line_)];
+      const RationalInterval& ends = region_[index(*line_)];
+      const Rational& face = side < 0 ? ends.lower : ends.upper;
       if (face == 0 || face == 1) {
         continue;  // the line begins in the centre
       }
-      const auto points = points_in_box({*line_, from_double(face)}, 1);
-      if (!points || points->size() != 1 || !has_point_on_line(from_double(face))) {
+      const auto points = points_in_box({*line_, face}, 1);
+      if (!points || points->size() != 1 || !has_point_on_line(face)) {
         return false;
       }
       star.ports.push_back({points->front(), *line_, side});
@@ -313,15 +364,14 @@ class StarProof {
     at[index(sweep_) % 2] = at_.rational();
     at[index(*line_) % 2] = along;
     const auto points = half_rational_points(problem_.x, problem_.y, index(sweep_) < 2, at);
-    return std::any_of(points.begin(), points.end(), [&](const HalfRationalPoint& p) {
-      return lies_in(p.point.refined_to(power_of_two(-100)).box(), box());
-    });
+    return std::any_of(points.begin(), points.end(),
+                       [&](const HalfRationalPoint& p) { return surely_lies_in(p.point, region_); });
   }
 
   /// The points of a parameter line that lie in the box; empty if there are more than `most`, infinitely
   /// many, or if that cannot be decided.
   std::optional<std::vector<CertifiedPoint>> points_in_box(const LineQuery& query, std::size_t most) const {
-    auto inside = line_points_in(problem_.x, problem_.y, query, box());
+    auto inside = line_points_in(problem_.x, problem_.y, query, region_);
     return inside && inside->size() <= most ? inside : std::nullopt;
   }
 
@@ -332,13 +382,10 @@ class StarProof {
   Rational room_;
   Rational slab_room_;
   std::optional<Parameter> line_;  // that runs along the line over `at`, if this lies on the other patch
-  std::vector<LineQuery> through_centre_;  // turning values of other parameters that the centre has
-  std::array<int, 4> irrational_near_{};   // turning values that cannot be told from the centre's
-  std::array<double, 4> middle_{};
-  struct {
-    std::array<double, 4> lower;
-    std::array<double, 4> upper;
-  } region_{};
+  std::vector<LineQuery> through_centre_;       // turning values of other parameters that the centre has
+  std::array<int, 4> irrational_near_{};        // turning values that cannot be told from the centre's
+  Rational centre_width_ = power_of_two(-100);  // of the centre's box
+  ParameterBox region_;
 };
 
 }  // namespace

@@ -158,5 +158,6 @@ bool BoundaryGraph<Ball>::tangential_at(const CertifiedPoint& inside) {
 template class BoundaryGraph<DoubleBall>;
 template class BoundaryGraph<DoubleDoubleBall>;
 template class BoundaryGraph<ArbBall<256>>;
+template class BoundaryGraph<ArbBall<1024>>;
 
 }  // namespace exsect

@@ -186,9 +186,11 @@ bool meets_line(const SweepData& sweep, const Curve& curve, const LineQuery& acr
 EXSECT_INSTANTIATE_CONSTANT(DoubleBall, Trace)
 EXSECT_INSTANTIATE_CONSTANT(DoubleDoubleBall, Trace)
 EXSECT_INSTANTIATE_CONSTANT(ArbBall<256>, Trace)
+EXSECT_INSTANTIATE_CONSTANT(ArbBall<1024>, Trace)
 EXSECT_INSTANTIATE_CONSTANT(DoubleBall, TangentialArc)
 EXSECT_INSTANTIATE_CONSTANT(DoubleDoubleBall, TangentialArc)
 EXSECT_INSTANTIATE_CONSTANT(ArbBall<256>, TangentialArc)
+EXSECT_INSTANTIATE_CONSTANT(ArbBall<1024>, TangentialArc)
 #undef EXSECT_INSTANTIATE_CONSTANT
 
 }  // namespace exsect

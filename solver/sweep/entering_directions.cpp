@@ -74,6 +74,7 @@ std::optional<std::vector<int>> entering_directions(const PairSystem<Ball>& syst
 EXSECT_INSTANTIATE_DIRECTIONS(DoubleBall)
 EXSECT_INSTANTIATE_DIRECTIONS(DoubleDoubleBall)
 EXSECT_INSTANTIATE_DIRECTIONS(ArbBall<256>)
+EXSECT_INSTANTIATE_DIRECTIONS(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_DIRECTIONS
 
 }  // namespace exsect

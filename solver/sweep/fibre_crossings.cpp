@@ -13,25 +13,52 @@ int side_of(const RationalInterval& interval, const Rational& sample) {
   return interval.upper < sample ? -1 : interval.lower > sample ? 1 : 0;
 }
 
-/// The values of the sweep parameter at the ends and turning points of a curve, in order; a closed curve's
-/// first turning point is repeated at the end. Ends close to the sample are enclosed more narrowly.
+/// On which side of the sample, -1 or +1, a boundary point or port is; 0: not known.
+int side_of(const CertifiedPoint& point, std::size_t parameter, const Rational& sample) {
+  int side = side_of(point.box()[parameter], sample);
+  for (Rational width = power_of_two(-200); side == 0 && width > power_of_two(-2000); width *= width) {
+    side = side_of(point.refined_to(width).box()[parameter], sample);
+  }
+  return side;
+}
+
+/// The same for a turning point with respect to the sweep parameter: that takes a turning value there, and
+/// no turning value is a sample.
+int side_of_turning_point(const RationalInterval& at, const TurningValues& turning, const Rational& sample) {
+  int side = side_of(at, sample);
+  if (side != 0) {
+    return side;
+  }
+  for (const TurningValue& value : turning.values) {
+    if (value.value.compare(at.lower) < 0 || value.value.compare(at.upper) > 0) {
+      continue;
+    }
+    const int other = value.value.compare(sample) < 0 ? -1 : 1;
+    if (side == -other) {
+      return 0;
+    }
+    side = other;
+  }
+  return side;
+}
+
+/// On which side of the sample the ends and turning points of a curve are, in order; a closed curve's first
+/// turning point is repeated at the end.
 template <class Ball>
-std::vector<RationalInterval> monotone_stations(const SweepData& sweep, const AnalysedTrace<Ball>& curve,
-                                                const Rational& sample) {
+std::vector<int> monotone_stations(const SweepData& sweep, const AnalysedTrace<Ball>& curve,
+                                   const Rational& sample) {
   const std::size_t parameter = index(sweep.turning->sweep);
   const auto at_landmark = [&](int i) {
-    const CertifiedPoint& point = sweep.landmarks[static_cast<std::size_t>(i)].point;
-    const RationalInterval& at = point.box()[parameter];
-    return side_of(at, sample) != 0 ? at : point.refined_to(power_of_two(-200)).box()[parameter];
+    return side_of(sweep.landmarks[static_cast<std::size_t>(i)].point, parameter, sample);
   };
-  std::vector<RationalInterval> stations;
+  std::vector<int> stations;
   const bool open = curve.trace.start >= 0;
   if (open) {
     stations.push_back(at_landmark(curve.trace.start));
   }
   for (const TurningPoint<Ball>& point : curve.turning) {
     if (turns_in(point, parameter)) {
-      stations.push_back(point.box[parameter].interval());
+      stations.push_back(side_of_turning_point(point.box[parameter].interval(), *sweep.turning, sample));
     }
   }
   if (open) {
@@ -50,12 +77,10 @@ std::optional<std::size_t> crossings(const SweepData& sweep, const AnalysedTrace
   const auto stations = monotone_stations(sweep, curve, sample);
   std::size_t count = 0;
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
-    const int a = side_of(stations[i], sample);
-    const int b = side_of(stations[i + 1], sample);
-    if (a == 0 || b == 0) {
+    if (stations[i] == 0 || stations[i + 1] == 0) {
       return std::nullopt;
     }
-    count += a != b ? 1 : 0;
+    count += stations[i] != stations[i + 1] ? 1 : 0;
   }
   return count;
 }
@@ -67,6 +92,7 @@ std::optional<std::size_t> crossings(const SweepData& sweep, const AnalysedTrace
 EXSECT_INSTANTIATE_CROSSINGS(DoubleBall)
 EXSECT_INSTANTIATE_CROSSINGS(DoubleDoubleBall)
 EXSECT_INSTANTIATE_CROSSINGS(ArbBall<256>)
+EXSECT_INSTANTIATE_CROSSINGS(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_CROSSINGS
 
 }  // namespace exsect

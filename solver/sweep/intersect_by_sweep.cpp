@@ -16,6 +16,7 @@
 #include "line/exact_line_points.h"
 #include "line/known_tangent.h"
 #include "line/line_place.h"
+#include "line/line_points_in.h"
 #include "shape/coincident_parameters.h"
 #include "side/boundary_lines.h"
 #include "side/collapsed_line.h"
@@ -34,6 +35,22 @@
 namespace exsect {
 
 namespace {
+
+/// Of boxes of landmarks: polylines in doubles do not get better beyond.
+Rational vertex_width() { return power_of_two(-200); }
+
+/// A box of the point, number `own` among them, that meets no box of another one at the same width.
+ParameterBox box_apart(CertifiedPoint point, std::size_t own, const std::vector<CertifiedPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    CertifiedPoint other = points[i];
+    for (Rational width = power_of_two(-100);
+         i != own && meet(point.box(), other.box()) && width > power_of_two(-2000); width *= width) {
+      point = point.refined_to(width);
+      other = other.refined_to(width);
+    }
+  }
+  return point.box();
+}
 
 class Intersection {
  public:
@@ -84,8 +101,9 @@ class Intersection {
       const bool again = !sweep_.stars.empty() || cut_short_;
       sweep_.quick = false;
       if ((!again || !trace_and_build<DoubleBall>(power_of_two(-50), false)) &&
-          !trace_and_build<DoubleDoubleBall>(power_of_two(-100), false)) {
-        trace_and_build<ArbBall<256>>(power_of_two(-200), true);
+          !trace_and_build<DoubleDoubleBall>(power_of_two(-100), false) &&
+          !trace_and_build<ArbBall<256>>(vertex_width(), false)) {
+        trace_and_build<ArbBall<1024>>(power_of_two(-700), true);
       }
     }
     return finished(std::move(graph_), {run_.turning(), RegularDegree(x_, y_)},
@@ -193,7 +211,7 @@ class Intersection {
     for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
       const StarNeighbourhood& star = sweep_.stars[k];
       for (LandmarkPoint& landmark : sweep_.landmarks) {
-        if (landmark.side == 0 && lies_in(landmark.point.refined_to(power_of_two(-100)).box(), star.box)) {
+        if (landmark.side == 0 && surely_lies_in(landmark.point, star.box)) {
           landmark.star = k;
         }
       }
@@ -218,7 +236,9 @@ class Intersection {
     sweep_.exact = result_.incomplete.empty();
     timed("tracing", [&] { traced = trace_curves(system, landmarks, sweep_, width, stop_); });
     cut_short_ = traced.cut_short;
-    if (!traced.problems.empty() && sweep_.exact && !last) {
+    // What a search has left open in balls of many bits stays open with more.
+    const bool searched_in_vain = traced.searched_boxes > 0 && width <= vertex_width();
+    if (!traced.problems.empty() && sweep_.exact && !last && !searched_in_vain) {
       return false;
     }
     timed("graph", [&] { build_graph(system, landmarks, traced); });
@@ -244,14 +264,15 @@ class Intersection {
   std::vector<TraceEnd> add_landmark_nodes(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks) {
     std::vector<std::optional<int>> star_nodes(sweep_.stars.size());
     star_nodes_.assign(sweep_.stars.size(), 0);
-    const auto add = [&](const BallPoint<Ball>& ball, const CertifiedPoint& point) {
-      return graph_.add_node(landmark_node(system, scaling_.frame, ball, point.box(), point.sides()));
+    const auto add = [&](const BallPoint<Ball>& ball, const CertifiedPoint& point, std::size_t own) {
+      return graph_.add_node(
+          landmark_node(system, scaling_.frame, ball, box_apart(point, own, sides_.points), point.sides()));
     };
     std::vector<TraceEnd> ends;
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
       const LandmarkPoint& landmark = sweep_.landmarks[i];
       if (landmark.side == 0) {
-        ends.push_back({add(landmarks[i], landmark.point), std::nullopt});
+        ends.push_back({add(landmarks[i], landmark.point, i), std::nullopt});
         if (landmark.star) {
           star_nodes[*landmark.star] = ends.back().node;
         }
@@ -262,7 +283,8 @@ class Intersection {
     for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
       const StarNeighbourhood& star = sweep_.stars[k];
       if (!star_nodes[k]) {
-        star_nodes[k] = add(enclose<Ball>(star.centre, power_of_two(-100)), star.centre);
+        star_nodes[k] =
+            add(enclose<Ball>(star.centre, power_of_two(-100)), star.centre, sides_.points.size());
       }
       star_nodes_[k] = *star_nodes[k];
       if (star.ports.empty() || leaves_sides(star)) {

@@ -113,8 +113,7 @@ class MultipleTurningValues {
   int singular_stars(const TurningValue& turning) const {
     return static_cast<int>(
         std::count_if(sweep_.stars.begin(), sweep_.stars.end(), [&](const StarNeighbourhood& star) {
-          const ParameterBox centre = star.centre.refined_to(power_of_two(-100)).box();
-          return lies_over_only(turning, centre[index(sweep_.turning->sweep)]) && is_singular_star(star) &&
+          return lies_over_only(turning, star.centre) && is_singular_star(star) &&
                  (!sweep_.turning->touching ||
                   std::any_of(star.ports.begin(), star.ports.end(),
                               [](const Port& port) { return port.point.multiplicity() == 1; }));
@@ -127,12 +126,26 @@ class MultipleTurningValues {
     return is_singular(star) || std::count(zero.begin(), zero.end(), true) == 4;
   }
 
+  /// True if the point, over some turning value, can lie over no other one than this.
+  bool lies_over_only(const TurningValue& turning, const CertifiedPoint& point) const {
+    const std::size_t sweep = index(sweep_.turning->sweep);
+    for (Rational width = power_of_two(-100); width > power_of_two(-2000); width *= width) {
+      const RationalInterval at = point.refined_to(width).box()[sweep];
+      if (lies_over_only(turning, at)) {
+        return true;
+      }
+      if (turning.value.compare(at.lower) < 0 || turning.value.compare(at.upper) > 0) {
+        return false;
+      }
+    }
+    return false;
+  }
+
   /// True if `at`, which holds some turning value, can hold no other one than this.
   bool lies_over_only(const TurningValue& turning, const RationalInterval& at) const {
     const auto& all = sweep_.turning->values;
     return std::all_of(all.begin(), all.end(), [&](const TurningValue& other) {
-      const RationalInterval interval = other.value.interval();
-      const bool meets = at.lower <= interval.upper && at.upper >= interval.lower;
+      const bool meets = other.value.compare(at.lower) >= 0 && other.value.compare(at.upper) <= 0;
       return meets == (&other == &turning);
     });
   }
@@ -158,6 +171,7 @@ std::vector<const TurningValue*> undecided_turning_values(const SweepData& sweep
 EXSECT_INSTANTIATE_VALUES(DoubleBall)
 EXSECT_INSTANTIATE_VALUES(DoubleDoubleBall)
 EXSECT_INSTANTIATE_VALUES(ArbBall<256>)
+EXSECT_INSTANTIATE_VALUES(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_VALUES
 
 }  // namespace exsect

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include "answer/parameter_box.h"
+#include "line/line_points_in.h"
 
 namespace exsect {
 
 bool in_star(const SweepData& sweep, const CertifiedPoint& point) {
-  return std::any_of(sweep.stars.begin(), sweep.stars.end(), [&](const StarNeighbourhood& star) {
-    return lies_in(point.refined_to(power_of_two(-100)).box(), star.box);
-  });
+  return std::any_of(sweep.stars.begin(), sweep.stars.end(),
+                     [&](const StarNeighbourhood& star) { return surely_lies_in(point, star.box); });
 }
 
 }  // namespace exsect

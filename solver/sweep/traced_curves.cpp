@@ -5,6 +5,7 @@
 
 #include "answer/parameter_box.h"
 #include "line/line_place.h"
+#include "line/line_points_in.h"
 #include "sweep/constant_parameter.h"
 #include "sweep/entering_directions.h"
 #include "sweep/fibre_crossings.h"
@@ -246,6 +247,27 @@ class CurveTracing {
     return sweep_.symmetry && sweep_.symmetry() && exsect::is_fixed(*sweep_.symmetry(), trace);
   }
 
+  /// All points over values of one parameter in an interval. The search sees it as [0,1].
+  struct Window {
+    Parameter across;
+    RationalInterval range;
+
+    Rational at(double t) const { return range.lower + range.width() * from_double(t); }
+    ParameterBox box(const SearchRegion& region) const {
+      ParameterBox result;
+      for (std::size_t j = 0; j < 4; ++j) {
+        result[j] = {from_double(region.lower[j]), from_double(region.upper[j])};
+      }
+      result[index(across)] = {at(region.lower[index(across)]), at(region.upper[index(across)])};
+      return result;
+    }
+    BallPoint<Ball> point(BallPoint<Ball> seen) const {
+      Ball& t = seen[index(across)];
+      t = Ball::enclosing(range.lower) + Ball::enclosing(range.width()) * t;
+      return seen;
+    }
+  };
+
   /// (u',v') on the pieces of the curves traced so far.
   std::vector<std::array<double, 2>> tangents() const {
     std::vector<std::array<double, 2>> result;
@@ -255,49 +277,70 @@ class CurveTracing {
     return result;
   }
 
+  /// c.T is the same linear form as without the window: beside the curve its small factor keeps a component
+  /// of T small that the window enlarges.
+  std::array<double, 2> direction_seen(const Window& window) const {
+    std::array<double, 2> c = search_direction(tangents());
+    if (index(window.across) < 2) {
+      c[index(window.across)] *= to_double(window.range.width());
+    }
+    return c;
+  }
+
   void search_everywhere() {
-    search({{0, 0, 0, 0}, {1, 1, 1, 1}},
+    search({Parameter::u, {0, 1}},
            "a closed curve or singular point of the intersection is not excluded here");
   }
 
-  void search(const SearchRegion& region, const char* why) {
-    const SeedHandler<Ball> known = [this](const BallPoint<Ball>& seed) { return known_or_traced(seed); };
-    const SettledRegion settled = [this](const SearchRegion& box) {
-      return (sweep_.settled && sweep_.settled(box)) || is_in_star(box) || is_on_contact(box);
+  void search(const Window& window, const char* why) {
+    const SeedHandler<Ball> known = [&](const BallPoint<Ball>& seed) {
+      const BallPoint<Ball> point = window.point(seed);
+      return is_outside(point) || known_or_traced(point);
     };
+    const SettledRegion settled = [&](const SearchRegion& seen) {
+      const ParameterBox box = window.box(seen);
+      return (sweep_.settled && sweep_.settled(rounded_outwards(box))) || is_in_star(box) ||
+             is_on_contact(box);
+    };
+    const bool whole = window.range.width() == 1;
+    const PairSystem<Ball> seen = whole ? system_ : system_.restricted(index(window.across), window.range);
     const StopRequest soon = [this, asked = 0]() mutable {
       return is_stopped(stop_) || (sweep_.quick && ++asked > kQuickSearch);
     };
-    const SearchOutcome outcome =
-        search_closed_curves(system_, region, search_direction(tangents()), known, settled, soon);
+    const SearchOutcome outcome = search_closed_curves(seen, {{0, 0, 0, 0}, {1, 1, 1, 1}},
+                                                       direction_seen(window), known, settled, soon);
     result_.cut_short = result_.cut_short || (sweep_.quick && !outcome.undecided.empty());
     result_.searched_boxes += outcome.boxes;
     for (const SearchRegion& box : merged(outcome.undecided)) {
-      ParameterBox where;
-      for (std::size_t j = 0; j < 4; ++j) {
-        where[j] = {from_double(box.lower[j]), from_double(box.upper[j])};
-      }
-      problem(where, stop_ && stop_() ? "the work cap was reached" : why);
+      problem(window.box(box), stop_ && stop_() ? "the work cap was reached" : why);
     }
   }
 
-  bool is_in_star(const SearchRegion& region) const {
-    ParameterBox box;
+  static bool is_outside(const BallPoint<Ball>& point) {
+    return std::ranges::any_of(point,
+                               [](const Ball& c) { return c.is_negative() || (c - Ball(1)).is_positive(); });
+  }
+
+  static SearchRegion rounded_outwards(const ParameterBox& box) {
+    SearchRegion region{};
     for (std::size_t j = 0; j < 4; ++j) {
-      box[j] = {from_double(region.lower[j]), from_double(region.upper[j])};
+      const double lower = to_double(box[j].lower);
+      const double upper = to_double(box[j].upper);
+      region.lower[j] = from_double(lower) <= box[j].lower ? lower : std::nextafter(lower, -1.0);
+      region.upper[j] = from_double(upper) >= box[j].upper ? upper : std::nextafter(upper, 2.0);
     }
+    return region;
+  }
+
+  bool is_in_star(const ParameterBox& box) const {
     return std::any_of(sweep_.stars.begin(), sweep_.stars.end(),
                        [&](const StarNeighbourhood& star) { return lies_in(box, star.box); });
   }
 
-  bool is_on_contact(const SearchRegion& region) const {
-    BallPoint<Ball> box;
-    for (std::size_t j = 0; j < 4; ++j) {
-      const double middle = 0.5 * (region.lower[j] + region.upper[j]);
-      box[j] =
-          Ball(middle).widened(std::max(region.upper[j] - middle, middle - region.lower[j]) * (1 + 0x1p-50));
-    }
-    return contacts_through(result_, box) > 0;
+  bool is_on_contact(const ParameterBox& box) const {
+    return !result_.contacts.empty() &&
+           contacts_through(result_, BallPoint<Ball>{Ball::enclosing(box[0]), Ball::enclosing(box[1]),
+                                                     Ball::enclosing(box[2]), Ball::enclosing(box[3])}) > 0;
   }
 
   bool known_or_traced(const BallPoint<Ball>& seed) {
@@ -350,20 +393,41 @@ class CurveTracing {
     }
   }
 
-  /// Searches the slabs around roots of E over which a further singular point is not excluded.
+  /// Searches slabs around roots of E over which a further singular point is not excluded.
   void check_multiple_turning_values() {
     for (const TurningValue* turning : undecided_turning_values(sweep_, result_, width_)) {
-      SearchRegion slab = {{0, 0, 0, 0}, {1, 1, 1, 1}};
-      const std::size_t sweep = index(sweep_.turning->sweep);
-      const RationalInterval at = turning->value.refined_to(power_of_two(-40)).interval();
-      const double grid = 0x1p-24;  // dyadic ends, so that the slab can be halved often
-      slab.lower[sweep] = std::max(0.0, grid * (std::ceil(to_double(at.lower) / grid) - 1));
-      slab.upper[sweep] = std::min(1.0, grid * (std::floor(to_double(at.upper) / grid) + 1));
-      search(
-          slab,
-          "a multiple root of the turning eliminant: a singular or isolated point of the intersection is not "
-          "excluded here");
+      search({sweep_.turning->sweep, slab_around(turning->value)},
+             "a multiple root of the turning eliminant: a singular or isolated point of the intersection is "
+             "not excluded here");
     }
+  }
+
+  /// Thin beside what is over other values: other turning points and points on sides are far away, as the
+  /// search sees it.
+  RationalInterval slab_around(const RealAlgebraic& value) const {
+    Rational half = power_of_two(-24);
+    const auto keep_away = [&](const auto& interval_at) {
+      for (const Rational& width : {power_of_two(-60), power_of_two(-400)}) {
+        const Rational d = gap(interval_at(width), value.refined_to(width).interval());
+        if (d > 0) {
+          half = std::min<Rational>(half, d / 64);
+          return;
+        }
+      }
+    };
+    for (const TurningValue& other : sweep_.turning->values) {
+      if (&other.value != &value) {
+        keep_away([&](const Rational& width) { return other.value.refined_to(width).interval(); });
+      }
+    }
+    for (const LandmarkPoint& landmark : sweep_.landmarks) {
+      keep_away([&](const Rational& width) {
+        return landmark.point.refined_to(width).box()[index(sweep_.turning->sweep)];
+      });
+    }
+    const RationalInterval at = value.refined_to(half * power_of_two(-20)).interval();
+    const Rational middle = simplest_between(at.lower - half / 64, at.upper + half / 64);
+    return {std::max<Rational>(0, middle - half), std::min<Rational>(1, middle + half)};
   }
 
   const PairSystem<Ball>& system_;
@@ -390,6 +454,7 @@ TracedCurves<Ball> trace_curves(const PairSystem<Ball>& system, const Landmarks<
 EXSECT_INSTANTIATE_CURVES(DoubleBall)
 EXSECT_INSTANTIATE_CURVES(DoubleDoubleBall)
 EXSECT_INSTANTIATE_CURVES(ArbBall<256>)
+EXSECT_INSTANTIATE_CURVES(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_CURVES
 
 }  // namespace exsect

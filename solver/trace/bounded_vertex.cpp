@@ -68,6 +68,7 @@ double chord_bound(const PairSystem<Ball>& system, const ModelFrame& frame, cons
 EXSECT_INSTANTIATE_BOUNDED_VERTEX(DoubleBall)
 EXSECT_INSTANTIATE_BOUNDED_VERTEX(DoubleDoubleBall)
 EXSECT_INSTANTIATE_BOUNDED_VERTEX(ArbBall<256>)
+EXSECT_INSTANTIATE_BOUNDED_VERTEX(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_BOUNDED_VERTEX
 
 }  // namespace exsect

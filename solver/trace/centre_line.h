@@ -15,8 +15,8 @@ template <class Ball>
 inline constexpr std::size_t kLineDegree = 3;
 template <>
 inline constexpr std::size_t kLineDegree<DoubleDoubleBall> = 6;
-template <>
-inline constexpr std::size_t kLineDegree<ArbBall<256>> = 12;
+template <long Bits>
+inline constexpr std::size_t kLineDegree<ArbBall<Bits>> = 12;
 
 /// l(sigma) = c[0] sigma + c[1] sigma² + ..., all coefficients of radius 0.
 template <class Ball>

@@ -5,6 +5,7 @@
 
 #include "answer/chord_count.h"
 #include "trace/bounded_vertex.h"
+#include "trace/in_domain.h"
 #include "trace/landmark_node.h"
 #include "trace/tangential_enclosure.h"
 #include "trace/tube_points.h"
@@ -129,7 +130,7 @@ class ContactAppender {
       }
       ParameterBox box;
       for (std::size_t j = 0; j < 4; ++j) {
-        box[j] = turn.box[j].interval();
+        box[j] = in_domain(turn.box[j].interval());
       }
       Node node = landmark_node(system_, frame_, turn.box, box, {});
       node.kinds = {NodeKind::turning};
@@ -208,6 +209,7 @@ void append_contact(GraphBuilder& graph, const PairSystem<Ball>& system, const A
 EXSECT_INSTANTIATE_CONTACT(DoubleBall)
 EXSECT_INSTANTIATE_CONTACT(DoubleDoubleBall)
 EXSECT_INSTANTIATE_CONTACT(ArbBall<256>)
+EXSECT_INSTANTIATE_CONTACT(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_CONTACT
 
 }  // namespace exsect

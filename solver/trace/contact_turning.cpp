@@ -194,6 +194,7 @@ bool may_be_constant(const PairSystem<Ball>& system, const TangentialArc<Ball>& 
 EXSECT_INSTANTIATE_CONTACT(DoubleBall)
 EXSECT_INSTANTIATE_CONTACT(DoubleDoubleBall)
 EXSECT_INSTANTIATE_CONTACT(ArbBall<256>)
+EXSECT_INSTANTIATE_CONTACT(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_CONTACT
 
 }  // namespace exsect

@@ -135,5 +135,6 @@ bool is_fixed(const ExchangingSymmetry& symmetry, const Tube<Ball>& tube) {
 template bool is_fixed(const ExchangingSymmetry&, const Tube<DoubleBall>&);
 template bool is_fixed(const ExchangingSymmetry&, const Tube<DoubleDoubleBall>&);
 template bool is_fixed(const ExchangingSymmetry&, const Tube<ArbBall<256>>&);
+template bool is_fixed(const ExchangingSymmetry&, const Tube<ArbBall<1024>>&);
 
 }  // namespace exsect

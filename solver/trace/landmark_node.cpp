@@ -37,6 +37,7 @@ Node landmark_node(const PairSystem<Ball>& system, const ModelFrame& frame, cons
 EXSECT_INSTANTIATE_LANDMARK_NODE(DoubleBall)
 EXSECT_INSTANTIATE_LANDMARK_NODE(DoubleDoubleBall)
 EXSECT_INSTANTIATE_LANDMARK_NODE(ArbBall<256>)
+EXSECT_INSTANTIATE_LANDMARK_NODE(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_LANDMARK_NODE
 
 }  // namespace exsect

@@ -48,6 +48,7 @@ int arriving_direction(const Trace<Ball>& trace) {
 EXSECT_INSTANTIATE_TANGENT(DoubleBall)
 EXSECT_INSTANTIATE_TANGENT(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TANGENT(ArbBall<256>)
+EXSECT_INSTANTIATE_TANGENT(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_TANGENT
 
 }  // namespace exsect

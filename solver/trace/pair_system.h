@@ -65,6 +65,22 @@ class PairSystem {
   TaylorNet<Ball> taylor_x(const BallPoint<Ball>& p) const { return shifted(x_, p[0], p[1]); }
   TaylorNet<Ball> taylor_y(const BallPoint<Ball>& p) const { return shifted(y_, p[2], p[3]); }
 
+  /// The pair over a part of the range of parameter j, which is [0,1] in it: a zoom, exact but for rounding.
+  PairSystem restricted(std::size_t j, const RationalInterval& to) const {
+    BallPoint<Ball> at;
+    at[j] = Ball::enclosing(to.lower);
+    const Ball width = Ball::enclosing(to.width());
+    PairSystem result = *this;
+    TaylorNet<Ball>& net = j < 2 ? result.x_ : result.y_;
+    net = j < 2 ? taylor_x(at) : taylor_y(at);
+    for (std::size_t i = 0; i < 9; ++i) {
+      for (std::size_t power = j % 2 == 0 ? i / 3 : i % 3; power > 0; --power) {
+        for (Ball& c : net[i]) c *= width;
+      }
+    }
+    return result;
+  }
+
  private:
   static TaylorNet<Ball> enclose(const BezierPatch& patch, const Point& origin, long exponent) {
     const Rational scale = power_of_two(-exponent);

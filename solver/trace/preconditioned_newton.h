@@ -64,6 +64,12 @@ BallVector<Ball> preconditioned(const Matrix3& c, const BallVector<Ball>& v) {
 template <class Ball>
 using BallMatrix = std::array<BallVector<Ball>, 3>;
 
+/// Bits to which reciprocals are found: nearly those of the balls.
+template <class Ball>
+constexpr int kReciprocalBits = 212;
+template <long Bits>
+inline constexpr int kReciprocalBits<ArbBall<Bits>> = static_cast<int>(Bits - Bits / 5);
+
 /// 1/a at the precision of the balls, approximately; empty if that exceeds the range of doubles.
 template <class Ball>
 std::optional<Ball> approximate_reciprocal(const Ball& a) {
@@ -73,7 +79,7 @@ std::optional<Ball> approximate_reciprocal(const Ball& a) {
   }
   const Ball middle = a.midpoint();
   Ball result(first);
-  for (int correct_bits = 53; correct_bits < 212; correct_bits *= 2) {
+  for (int correct_bits = 53; correct_bits < kReciprocalBits<Ball>; correct_bits *= 2) {
     result = (result * (Ball(2) - middle * result)).midpoint();
   }
   return result;

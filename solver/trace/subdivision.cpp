@@ -19,8 +19,8 @@ template <class Ball>
 constexpr long kMostBoxes = 200000;
 template <>
 inline constexpr long kMostBoxes<DoubleDoubleBall> = 40000;
-template <>
-inline constexpr long kMostBoxes<ArbBall<256>> = 10000;
+template <long Bits>
+inline constexpr long kMostBoxes<ArbBall<Bits>> = Bits > 256 ? 1000 : 10000;
 constexpr int kFirstCertificateDepth = 4;
 constexpr int kDeepest = 24;  // halvings of either cell
 
@@ -143,8 +143,8 @@ class Search {
     return settled_ && a.depth + b.depth >= kFirstCertificateDepth && settled_(region_of(a, b));
   }
 
-  /// A tube whose region contains the whole box, and whose arc is outside the domain somewhere or on a known
-  /// curve.
+  /// A tube whose region contains the whole box, and whose arc is outside the domain somewhere, which traced
+  /// curves alone are, or on a known curve.
   bool covered(const Cell<Ball>& a, const Cell<Ball>& b) const {
     if (a.depth + b.depth < kFirstCertificateDepth || !some_tangent_component_cannot_vanish(a, b)) {
       return false;
@@ -195,14 +195,8 @@ class Search {
   }
 
   bool settled(const Tube<Ball>& tube) const {
-    for (const double tau : {0.0, -tube.reach, tube.reach}) {
-      for (const Ball& c : point_at(tube, tau)) {
-        if (c.is_negative() || (c - Ball(1)).is_positive()) {
-          return true;
-        }
-      }
-    }
-    return known_(point_at(tube, 0));
+    return std::ranges::any_of(std::array{0.0, -tube.reach, tube.reach},
+                               [&](double tau) { return known_(point_at(tube, tau)); });
   }
 
   const PairSystem<Ball>& system_;
@@ -232,6 +226,7 @@ SearchOutcome search_closed_curves(const PairSystem<Ball>& system, const SearchR
 EXSECT_INSTANTIATE_SEARCH(DoubleBall)
 EXSECT_INSTANTIATE_SEARCH(DoubleDoubleBall)
 EXSECT_INSTANTIATE_SEARCH(ArbBall<256>)
+EXSECT_INSTANTIATE_SEARCH(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_SEARCH
 
 }  // namespace exsect

@@ -21,8 +21,8 @@ struct SearchOutcome {
   long boxes = 0;
 };
 
-/// What the search asks about a curve point it found: true if the point lies on a curve known by now (the
-/// callee may trace a new one), false if that could not be settled.
+/// What the search asks about a curve point it found: true if it is outside the domain or on a curve known by
+/// now (the callee may trace a new one), false if that could not be settled.
 template <class Ball>
 using SeedHandler = std::function<bool(const BallPoint<Ball>&)>;
 
@@ -33,8 +33,8 @@ using SettledRegion = std::function<bool(const SearchRegion&)>;
 /// Looks for the points of the intersection in `region` where c.T = 0, c = (direction[0], direction[1], 0, 0)
 /// and T the tangent field: every closed curve and every singular point of the intersection has one (a closed
 /// curve where c_u u + c_v v is largest; if `region` is not the whole domain, only those curves that have
-/// such a point in it). A box is done if hulls are separated, if c.T cannot vanish, or if a certified tube
-/// contains it whose arc leaves the domain or is on a known curve, or if `settled`, unless empty, says so.
+/// such a point in it). A box is done if hulls are separated, if c.T cannot vanish, if a certified tube
+/// contains it of whose arc one of three points is `known`, or if `settled`, unless empty, says so.
 template <class Ball>
 SearchOutcome search_closed_curves(const PairSystem<Ball>& system, const SearchRegion& region,
                                    const std::array<double, 2>& direction, const SeedHandler<Ball>& known,

@@ -11,7 +11,10 @@ namespace exsect {
 namespace {
 
 constexpr double kFirstStep = 0.1;
+template <class Ball>
 constexpr double kLeastStep = 0x1p-30;
+template <long Bits>
+inline constexpr double kLeastStep<ArbBall<Bits>> = Bits > 256 ? 0x1p-450 : 0x1p-110;
 constexpr double kGoodContraction = 0.3;
 constexpr std::size_t kMostPieces = 20000;
 
@@ -48,7 +51,7 @@ class ContactTracer {
 
  private:
   bool advance() {
-    for (; step_ >= kLeastStep; step_ *= 0.5) {
+    for (; step_ >= kLeastStep<Ball>; step_ *= 0.5) {
       for (const bool keep_axis : {false, true}) {
         if (keep_axis && arc_.pieces.empty()) {
           continue;
@@ -87,7 +90,7 @@ class ContactTracer {
 
   /// A tube around the position, which gives axis and direction.
   std::optional<TangentialTube<Ball>> certify_direction(std::optional<std::size_t> axis) const {
-    for (double reach = 0.25 * step_; reach >= 0.25 * kLeastStep; reach *= 0.25) {
+    for (double reach = 0.25 * step_; reach >= 0.25 * kLeastStep<Ball>; reach *= 0.25) {
       auto tube = certify_tangential_tube(system_, position_, reach, axis);
       if (tube && contains(*tube, position_)) {
         return tube;
@@ -242,6 +245,7 @@ int certain_direction(const PairSystem<Ball>& system, const TangentialArc<Ball>&
 EXSECT_INSTANTIATE_TANGENTIAL(DoubleBall)
 EXSECT_INSTANTIATE_TANGENTIAL(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TANGENTIAL(ArbBall<256>)
+EXSECT_INSTANTIATE_TANGENTIAL(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_TANGENTIAL
 
 }  // namespace exsect

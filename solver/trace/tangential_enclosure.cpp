@@ -182,6 +182,7 @@ double second_derivative_bound(const PairSystem<Ball>& system, const TangentialT
 EXSECT_INSTANTIATE_TANGENTIAL(DoubleBall)
 EXSECT_INSTANTIATE_TANGENTIAL(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TANGENTIAL(ArbBall<256>)
+EXSECT_INSTANTIATE_TANGENTIAL(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_TANGENTIAL
 
 }  // namespace exsect

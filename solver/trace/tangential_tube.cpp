@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "trace/contact_jacobian.h"
 
@@ -71,7 +72,7 @@ double residual_on_line(const ContactEquations<Ball>& g, std::size_t axis, const
     double scale = 1;
     for (const Ball& coefficient : by_degree) {
       sum += coefficient.upper_magnitude() * scale;
-      scale *= reach;
+      scale = std::max(scale * reach, std::numeric_limits<double>::min());
     }
     largest = std::max(largest, sum);
   }
@@ -205,6 +206,7 @@ bool excludes(const TangentialTube<Ball>& tube, const BallPoint<Ball>& box) {
 EXSECT_INSTANTIATE_TANGENTIAL(DoubleBall)
 EXSECT_INSTANTIATE_TANGENTIAL(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TANGENTIAL(ArbBall<256>)
+EXSECT_INSTANTIATE_TANGENTIAL(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_TANGENTIAL
 
 }  // namespace exsect

@@ -5,6 +5,7 @@
 
 #include "answer/chord_count.h"
 #include "trace/bounded_vertex.h"
+#include "trace/in_domain.h"
 #include "trace/tube_points.h"
 
 namespace exsect {
@@ -140,7 +141,7 @@ class TraceAppender {
     node.kinds = {NodeKind::turning};
     node.wrt = wrt;
     for (std::size_t j = 0; j < 4; ++j) {
-      node.box[j] = point.box[j].interval();
+      node.box[j] = in_domain(point.box[j].interval());
     }
     node.approx = vertex.vertex.parameters;
     node.point = vertex.vertex.point;
@@ -261,6 +262,7 @@ std::vector<TraceEnd> nodes_of_landmarks(std::size_t count) {
 EXSECT_INSTANTIATE_TRACE_GRAPH(DoubleBall)
 EXSECT_INSTANTIATE_TRACE_GRAPH(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TRACE_GRAPH(ArbBall<256>)
+EXSECT_INSTANTIATE_TRACE_GRAPH(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_TRACE_GRAPH
 
 }  // namespace exsect

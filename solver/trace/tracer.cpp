@@ -5,6 +5,7 @@
 
 #include "trace/preconditioned_newton.h"
 #include "trace/tube_points.h"
+#include "trace/tube_prediction.h"
 
 namespace exsect {
 
@@ -33,15 +34,15 @@ template <class Ball>
 constexpr double kLeastStep = 0x1p-40;
 template <>
 inline constexpr double kLeastStep<DoubleDoubleBall> = 0x1p-70;
-template <>
-inline constexpr double kLeastStep<ArbBall<256>> = 0x1p-110;
+template <long Bits>
+inline constexpr double kLeastStep<ArbBall<Bits>> = Bits > 256 ? 0x1p-450 : 0x1p-110;
 
 template <class Ball>
 constexpr int kNewtonSteps = 2;
 template <>
 inline constexpr int kNewtonSteps<DoubleDoubleBall> = 3;
-template <>
-inline constexpr int kNewtonSteps<ArbBall<256>> = 4;
+template <long Bits>
+inline constexpr int kNewtonSteps<ArbBall<Bits>> = Bits > 256 ? 6 : 4;
 
 template <class Ball>
 TraceFailure failure(const BallPoint<Ball>& at, const char* why) {
@@ -102,7 +103,7 @@ class Tracer {
     const double before = growth_;
     double hopeless = 0;
     for (bool first = true; step_ >= kLeastStep<Ball>; first = false) {
-      const auto tube = next_tube(tangent, axis);
+      const auto tube = next_tube(tangent, axis, first);
       growth_ = first                   ? std::min(kMostGrowth, kMoreGrowth * before)
                 : trace_.pieces.empty() ? 1
                                         : std::max(kLeastGrowth, before * step_ / planned);
@@ -124,7 +125,8 @@ class Tracer {
     return false;
   }
 
-  std::optional<Tube<Ball>> next_tube(const BallPoint<Ball>& tangent, std::size_t axis) const {
+  /// Half a step ahead on the tangent.
+  std::optional<BallPoint<Ball>> on_tangent(const BallPoint<Ball>& tangent, std::size_t axis) const {
     const auto reciprocal = approximate_reciprocal(tangent[axis]);
     if (!reciprocal) {
       return std::nullopt;
@@ -134,7 +136,16 @@ class Tracer {
       const Ball slope = j == axis ? Ball(1) : tangent[j] * *reciprocal;
       guess[j] = (position_[j] + Ball(0.5 * direction_ * step_) * slope).midpoint();
     }
-    const auto centre = newton_corrected(system_, guess, axis, kNewtonSteps<Ball>);
+    return guess;
+  }
+
+  /// The tube of the next step, about a point that is found from the tangent, or with more work.
+  std::optional<Tube<Ball>> next_tube(const BallPoint<Ball>& tangent, std::size_t axis,
+                                      bool by_tangent) const {
+    const auto guess = by_tangent ? on_tangent(tangent, axis)
+                                  : predicted(system_, position_, axis, 0.5 * direction_ * step_);
+    const auto centre = guess ? newton_corrected(system_, *guess, axis, kNewtonSteps<Ball>)
+                              : std::optional<BallPoint<Ball>>();
     if (!centre) {
       return std::nullopt;
     }
@@ -301,6 +312,7 @@ bool passes_through(const Trace<Ball>& trace, const BallPoint<Ball>& box) {
 EXSECT_INSTANTIATE_TRACER(DoubleBall)
 EXSECT_INSTANTIATE_TRACER(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TRACER(ArbBall<256>)
+EXSECT_INSTANTIATE_TRACER(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_TRACER
 
 }  // namespace exsect

@@ -6,6 +6,7 @@
 #include "trace/tube_derivatives.h"
 #include "trace/tube_evaluation.h"
 #include "trace/tube_line_bounds.h"
+#include "trace/tube_prediction.h"
 
 namespace exsect {
 
@@ -13,14 +14,14 @@ namespace {
 
 using namespace tubes;
 
-/// Tubes are wide enough to contain the boxes of landmarks and fibre points, of widths 2^-50, 2^-100 and
-/// 2^-200.
+/// Tubes are wide enough to contain the boxes of landmarks and fibre points, of widths 2^-50, 2^-100, 2^-200
+/// and 2^-700.
 template <class Ball>
 constexpr double kLeastHalfwidth = 0x1p-49;
 template <>
 inline constexpr double kLeastHalfwidth<DoubleDoubleBall> = 0x1p-99;
-template <>
-inline constexpr double kLeastHalfwidth<ArbBall<256>> = 0x1p-199;
+template <long Bits>
+inline constexpr double kLeastHalfwidth<ArbBall<Bits>> = Bits > 256 ? 0x1p-699 : 0x1p-199;
 
 /// Half widths that are tried, each time this much wider than the image of the last ones.
 constexpr int kMostWidths = 5;
@@ -48,7 +49,7 @@ BallMatrix<Ball> normal_basis(const Expansion<Ball>& at) {
     basis[k][k] = Ball(1);
   }
   const double length = std::fabs(n[largest].approximation());
-  if (length > 0x1p-100) {
+  if (length > 0x1p-900) {
     const Ball scale(std::ldexp(1.0, -std::ilogb(length)));
     basis[largest] = {(scale * n[0]).midpoint(), (scale * n[1]).midpoint(), (scale * n[2]).midpoint()};
   }
@@ -188,6 +189,7 @@ double largest_reach(const PairSystem<Ball>& system, const BallPoint<Ball>& cent
   if (!fitted) {
     return 0;
   }
+  fitted->left.underflow = 0;  // the answer is an estimate
   const auto certified = [&](int halvings) {
     fitted->tube.reach = std::ldexp(most, -halvings);
     return certify(fitted->tube, along_line(fitted->tube, fitted->left), least_halfwidth) &&
@@ -208,6 +210,21 @@ double largest_reach(const PairSystem<Ball>& system, const BallPoint<Ball>& cent
 }
 
 template <class Ball>
+std::optional<BallPoint<Ball>> predicted(const PairSystem<Ball>& system, const BallPoint<Ball>& from,
+                                         std::size_t axis, double tau) {
+  const auto fitted = fit_tube(system, from, axis, std::fabs(tau));
+  if (!fitted) {
+    return std::nullopt;
+  }
+  const Tube<Ball>& tube = fitted->tube;
+  BallPoint<Ball> point;
+  for (std::size_t j = 0; j < 4; ++j) {
+    point[j] = (tube.centre[j] + on_line(tube, j, Ball(tau / tube.scale))).midpoint();
+  }
+  return point;
+}
+
+template <class Ball>
 std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>& system, const BallPoint<Ball>& start,
                                                 std::size_t axis, int steps) {
   const auto others = other_axes(axis);
@@ -224,12 +241,15 @@ std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>& system, 
                                                   std::size_t, double, double);                             \
   template double largest_reach(const PairSystem<Ball>&, const BallPoint<Ball>&, std::size_t, double,       \
                                 double, double, double);                                                    \
+  template std::optional<BallPoint<Ball>> predicted(const PairSystem<Ball>&, const BallPoint<Ball>&,        \
+                                                    std::size_t, double);                                   \
   template std::optional<BallPoint<Ball>> newton_corrected(const PairSystem<Ball>&, const BallPoint<Ball>&, \
                                                            std::size_t, int);
 
 EXSECT_INSTANTIATE_TUBE(DoubleBall)
 EXSECT_INSTANTIATE_TUBE(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TUBE(ArbBall<256>)
+EXSECT_INSTANTIATE_TUBE(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_TUBE
 
 }  // namespace exsect

@@ -103,8 +103,9 @@ ValueRange line_derivative(const Tube<Ball>& tube, std::size_t i, int order, dou
     variation += power * (j == 0 ? 0 : std::fabs(a[j]));
     power *= half;
   }
-  // |middle| + half <= 1: fewer than 2^5 roundings in each of the terms whose magnitudes sum to `magnitude`.
-  return {a[0], kSlack * (variation + remainder) + 0x1p-46 * magnitude};
+  // |middle| + half <= 1: fewer than 2^5 roundings in each of the terms whose magnitudes sum to `magnitude`;
+  // a coefficient that underflows is multiplied by less than 2^20.
+  return {a[0], kSlack * (variation + remainder) + 0x1p-46 * magnitude + kUnderflow * unit};
 }
 
 }  // namespace
@@ -157,12 +158,14 @@ void bound_derivatives(Tube<Ball>& tube, const AlongLine& along) {
   for (std::size_t row = 0; row < 3; ++row) {
     const std::size_t j = others[row];
     const double rounding = 0x1p-51;  // of d and of the coefficient of sigma² to doubles
+    const double lost = kUnderflow / tube.scale;
     tube.slope_remainder[j] = first[row];
     tube.second_remainder[j] = second[row];
-    tube.slope_error[j] = kSlack * (along.bend[j].first + first[row] + rounding * std::fabs(tube.slope[j]));
+    tube.slope_error[j] =
+        kSlack * (along.bend[j].first + first[row] + rounding * std::fabs(tube.slope[j]) + lost);
     tube.second[j] = 2 * tube.line[1][j].approximation() / (tube.scale * tube.scale);
-    tube.second_error[j] =
-        kSlack * (along.higher_bend[j].second + second[row] + rounding * std::fabs(tube.second[j]));
+    tube.second_error[j] = kSlack * (along.higher_bend[j].second + second[row] +
+                                     rounding * std::fabs(tube.second[j]) + lost / tube.scale);
   }
   tube.space_second_derivative = bound_space_second_derivative(tube, farthest(tube, along));
 }
@@ -186,6 +189,7 @@ ValueRange second_between(const Tube<Ball>& tube, std::size_t i, double from, do
 EXSECT_INSTANTIATE_DERIVATIVES(DoubleBall)
 EXSECT_INSTANTIATE_DERIVATIVES(DoubleDoubleBall)
 EXSECT_INSTANTIATE_DERIVATIVES(ArbBall<256>)
+EXSECT_INSTANTIATE_DERIVATIVES(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_DERIVATIVES
 
 }  // namespace exsect

@@ -101,6 +101,7 @@ class LineFit {
     bound_residual(left);
     bound_columns(left);
     bound_higher(left);
+    left.underflow = underflow(left);
     return true;
   }
 
@@ -281,6 +282,21 @@ class LineFit {
     }
   }
 
+  /// Behind a product that underflows there are at most one factor of C, one of the nets, and three of the
+  /// line's powers and products.
+  double underflow(const LineRemainder<Ball>& left) const {
+    double c = 1, net = 1, line = 1;
+    for (const Matrix3& m : left.preconditioner)
+      for (const Row3& row : m) c = std::max({c, row[0], row[1], row[2]});
+    for (std::size_t p = 0; p < 2; ++p) {
+      for (const NetRow<double>& row : row_bounds_[p]) net = std::max(net, *std::ranges::max_element(row));
+      const Monomials<double, kDegree>& m = monomial_bounds_[p];
+      for (std::size_t k = 1; k <= 4 * kDegree; ++k)
+        line = std::max({line, m.a[k], m.b[k], m.aa[k], m.ab[k], m.bb[k], m.aab[k], m.abb[k], m.aabb[k]});
+    }
+    return kUnderflow * c * net * line * line * line;
+  }
+
   Tube<Ball>& tube_;
   std::array<std::size_t, 3> others_;
   std::array<std::array<NetRow<Ball>, 3>, 2> rows_;
@@ -302,5 +318,6 @@ std::optional<LineRemainder<Ball>> fit_line(Tube<Ball>& tube) {
 template std::optional<LineRemainder<DoubleBall>> fit_line(Tube<DoubleBall>&);
 template std::optional<LineRemainder<DoubleDoubleBall>> fit_line(Tube<DoubleDoubleBall>&);
 template std::optional<LineRemainder<ArbBall<256>>> fit_line(Tube<ArbBall<256>>&);
+template std::optional<LineRemainder<ArbBall<1024>>> fit_line(Tube<ArbBall<1024>>&);
 
 }  // namespace exsect

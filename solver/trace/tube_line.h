@@ -11,9 +11,11 @@
 namespace exsect {
 
 /// Factor that covers rounding in sums of nonnegative terms: fewer than 128 terms, each a product of at most
-/// 64 factors, lose less than (1 - 2^-53)^200 > 1 - 2^-45; underflow loses less than 2^-1000, far below every
-/// half width (2^-199).
+/// 64 factors, lose less than (1 - 2^-53)^200 > 1 - 2^-45. What is lost by underflow stands apart.
 inline constexpr double kSlack = 1 + 0x1p-40;
+/// A product loses at most 2^-1074 by underflow, times the factors that follow. A bound along the line is the
+/// sum of fewer than 2^25 products, of at most 2^3 steps each: together 2^-1040, times the greatest factors.
+inline constexpr double kUnderflow = 0x1p-1040;
 
 /// Upper bounds of |g|, |dg/dtau| and |d²g/dtau²| over the tube for a polynomial g in sigma.
 struct SeriesBound {
@@ -56,6 +58,8 @@ struct LineRemainder {
   std::array<Matrix3, 4 * kDegree + 1> columns;
   std::array<Matrix3, kDegree + 1> preconditioner;
   std::array<std::array<std::array<NetRow<double>, 3>, 2>, 2 * kDegree + 1> higher;
+  /// Bound of what underflow takes from each of these, times any powers of sigma.
+  double underflow;
 };
 
 /// Fills in scale, line, slope and preconditioner for the tube's axis, reach and nets: the Taylor polynomials

@@ -62,7 +62,12 @@ AlongLine along_line(const Tube<Ball>& tube, const LineRemainder<Ball>& left) {
   for (std::size_t k = 0; k < powers.size(); ++k) {
     powers[k] = SeriesBound::of_power(k, tube.reach / tube.scale, tube.scale);
   }
+  const SeriesBound lost = {left.underflow, left.underflow / tube.scale,
+                            left.underflow / tube.scale / tube.scale};
   AlongLine bounds;
+  for (auto& bound : bounds.residual) bound = lost;
+  for (auto& patch : bounds.derivative)
+    for (auto& row : patch) row.fill(lost);
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t k = 0; k <= 5 * degree; ++k) {
       bounds.residual[row].add_multiple(left.residual[k][row], powers[k]);
@@ -75,6 +80,9 @@ AlongLine along_line(const Tube<Ball>& tube, const LineRemainder<Ball>& left) {
     }
   }
   bound_higher(bounds, left, powers);
+  for (const std::size_t j : others) {
+    bounds.bend[j] = bounds.higher_bend[j] = lost;
+  }
   for (std::size_t k = 2; k <= degree; ++k) {
     for (const std::size_t j : others) {
       const double magnitude = tube.line[k - 1][j].upper_magnitude();
@@ -90,5 +98,6 @@ AlongLine along_line(const Tube<Ball>& tube, const LineRemainder<Ball>& left) {
 template AlongLine along_line(const Tube<DoubleBall>&, const LineRemainder<DoubleBall>&);
 template AlongLine along_line(const Tube<DoubleDoubleBall>&, const LineRemainder<DoubleDoubleBall>&);
 template AlongLine along_line(const Tube<ArbBall<256>>&, const LineRemainder<ArbBall<256>>&);
+template AlongLine along_line(const Tube<ArbBall<1024>>&, const LineRemainder<ArbBall<1024>>&);
 
 }  // namespace exsect

@@ -93,6 +93,7 @@ bool excludes(const Tube<Ball>& tube, const BallPoint<Ball>& box) {
 EXSECT_INSTANTIATE_POINTS(DoubleBall)
 EXSECT_INSTANTIATE_POINTS(DoubleDoubleBall)
 EXSECT_INSTANTIATE_POINTS(ArbBall<256>)
+EXSECT_INSTANTIATE_POINTS(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_POINTS
 
 }  // namespace exsect

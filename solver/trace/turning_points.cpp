@@ -16,22 +16,29 @@ template <class Ball>
 constexpr std::size_t kMostPieces = 100000;
 template <>
 inline constexpr std::size_t kMostPieces<DoubleDoubleBall> = 20000;
-template <>
-inline constexpr std::size_t kMostPieces<ArbBall<256>> = 3000;
+template <long Bits>
+inline constexpr std::size_t kMostPieces<ArbBall<Bits>> = 3000;
 
 /// Width of the smallest brackets; 0: as narrow as doubles tell offsets apart on the tube.
 template <class Ball>
 constexpr double kUnit = 0x1p-50;
 template <>
 inline constexpr double kUnit<DoubleDoubleBall> = 0;
-template <>
-inline constexpr double kUnit<ArbBall<256>> = 0;
+template <long Bits>
+inline constexpr double kUnit<ArbBall<Bits>> = 0;
 
 /// The part of a piece that is given a tube of its own where turning points are close together, and its least
 /// length.
 constexpr double kMagnified = 0x1p-30;
+template <class Ball>
 constexpr double kLeastMagnified = 0x1p-110;
+template <long Bits>
+inline constexpr double kLeastMagnified<ArbBall<Bits>> = Bits > 256 ? 0x1p-500 : 0x1p-160;
 constexpr int kMostMagnified = 64;  // times, of one trace
+
+/// An arc that ends within this part of the reach of its only tube is short.
+constexpr double kShort = 0x1p-10;
+constexpr int kNewtonSteps = 8;
 
 /// By this part of the tube's reach the ends of pieces are padded.
 constexpr double kPad = 1.0 / 1024;
@@ -71,25 +78,24 @@ class TurningSearch {
       : system_(system), trace_(trace), coincident_(coincident), known_(known) {}
 
   std::variant<TurningPoints<Ball>, TraceFailure> run() {
+    resolve_short_arc();
     if (!split()) {
       return failure_;
     }
     for (std::size_t k = 0; k < trace_.pieces.size(); ++k) {
       const std::size_t before = found_.size();
-      for (std::size_t i = 0; i < 4; ++i) {
-        if (!known_.constant[i] && (i < 2 || coincident_[i] == i) && !search(k, i)) {
-          return failure_;
-        }
+      std::optional<double> close = search(k);
+      if (!close) {
+        close = order(before);
       }
-      if (const auto close = order(before)) {
-        if (!magnify(k, *close)) {
-          fail(point_at(trace_.pieces[k].tube, *close),
-               "turning points with respect to two parameters cannot be separated");
-          return failure_;
-        }
-        found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(before), found_.end());
-        --k;
+      if (!close) {
+        continue;
       }
+      if (hopeless_ || !magnify(k, *close)) {
+        return failure_;
+      }
+      found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(before), found_.end());
+      --k;
     }
     return std::move(found_);
   }
@@ -113,16 +119,20 @@ class TurningSearch {
 
   /// The part of the piece between two offsets, on a tube of its own.
   std::optional<Piece<Ball>> part(const Piece<Ball>& piece, double from, double to) const {
-    const Tube<Ball>& tube = piece.tube;
-    const BallPoint<Ball> centre = point_at(tube, 0.5 * (from + to));
-    const BallPoint<Ball> start = point_at(tube, from);
-    const BallPoint<Ball> end = point_at(tube, to);
+    return part(piece, point_at(piece.tube, from), point_at(piece.tube, to),
+                point_at(piece.tube, 0.5 * (from + to)));
+  }
+
+  /// The part of the piece between two points of it, on a tube of its own around a point of the curve.
+  std::optional<Piece<Ball>> part(const Piece<Ball>& piece, const BallPoint<Ball>& start,
+                                  const BallPoint<Ball>& end, const BallPoint<Ball>& centre) const {
     double radius = 0;
     for (std::size_t j = 0; j < 4; ++j) {
       radius = std::max({radius, centre[j].radius(), start[j].radius(), end[j].radius()});
     }
-    const auto result =
-        certify_tube(system_, centre, tube.axis, 0.505 * std::fabs(to - from) + 2 * radius, 4 * radius);
+    const std::size_t axis = piece.tube.axis;
+    const double length = std::fabs((end[axis] - start[axis]).approximation());
+    const auto result = certify_tube(system_, centre, axis, 0.505 * length + 2 * radius, 4 * radius);
     if (!result || !contains(*result, centre) || !contains(*result, start) || !contains(*result, end)) {
       return std::nullopt;
     }
@@ -133,30 +143,66 @@ class TurningSearch {
     return Piece<Ball>{*result, *range};
   }
 
-  /// Finds the turning point with respect to parameter i on piece k, if there is one.
-  bool search(std::size_t k, std::size_t i) {
+  /// An arc whose ends can hardly be told apart as offsets is given a tube of its size, around its middle, if
+  /// there is one: the step that found its end may have been as long as the patch.
+  void resolve_short_arc() {
+    const Piece<Ball> piece = trace_.pieces.front();
+    if (trace_.start < 0 || trace_.pieces.size() > 1 || kUnit < Ball >> 0 ||
+        piece.range.length() > kShort * piece.tube.reach) {
+      return;
+    }
+    BallPoint<Ball> middle;
+    for (std::size_t j = 0; j < 4; ++j) {
+      middle[j] = (Ball(0.5) * (trace_.ends[0][j] + trace_.ends[1][j])).midpoint();
+    }
+    const auto centre = newton_corrected(system_, middle, piece.tube.axis, kNewtonSteps);
+    const auto resolved =
+        centre ? part(piece, trace_.ends[0], trace_.ends[1], *centre) : std::optional<Piece<Ball>>();
+    if (resolved) {
+      trace_.pieces.front() = *resolved;
+    }
+  }
+
+  /// Finds the turning points on piece k. Otherwise an offset about which a shorter tube may tell more.
+  std::optional<double> search(std::size_t k) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!known_.constant[i] && (i < 2 || coincident_[i] == i)) {
+        if (const auto close = search(k, i)) {
+          return close;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// With respect to parameter i.
+  std::optional<double> search(std::size_t k, std::size_t i) {
     const Piece<Ball>& piece = trace_.pieces[k];
     if (is_monotone(piece, i)) {
-      return true;
+      return std::nullopt;
     }
     const std::optional<int> first = sign_at(k, i, false);
     const std::optional<int> last = sign_at(k, i, true);
     if (!first || !last) {
-      fail(point_at(piece.tube, !first ? piece.range.from() : piece.range.to()),
+      const bool at_end = first.has_value();
+      hopeless_ = is_joint(k, at_end) || !(at_end ? known_.at_end : known_.at_start)[i];
+      const double at = !first ? piece.range.from() : piece.range.to();
+      fail(point_at(piece.tube, at),
            "a turning point cannot be separated from the end of a step or a boundary point");
-      return false;
+      return at;
     }
-    if (*first == 0 || *last == 0) {
-      return true;  // the parameter turns at most once on the piece: there, at the end of the trace
+    // If it is 0 at an end, the parameter turns at most once on the piece: there, at the end of the trace.
+    if (*first * *last >= 0 || bracket(k, i, *first)) {
+      return std::nullopt;
     }
-    if (*first == *last) {
-      return true;
-    }
-    if (!bracket(k, i, *first)) {
-      fail(point_at(piece.tube, piece.range.at(0.5)), "a turning point could not be enclosed");
-      return false;
-    }
-    return true;
+    hopeless_ = true;
+    fail(point_at(piece.tube, piece.range.at(0.5)), "a turning point could not be enclosed");
+    return piece.range.at(0.5);
+  }
+
+  /// Where piece k begins, or ends, another one ends or begins.
+  bool is_joint(std::size_t k, bool at_end) const {
+    return trace_.start < 0 || (at_end ? k + 1 < trace_.pieces.size() : k > 0);
   }
 
   /// The sign of T_i where piece k begins or ends. At an end of an open trace 0 if T_i is known to vanish
@@ -166,8 +212,7 @@ class TurningSearch {
     const Piece<Ball>& piece = trace_.pieces[k];
     const int sign =
         tangent_signs(system_, point_at(piece.tube, at_end ? piece.range.to() : piece.range.from()))[i];
-    const bool inner = at_end ? k + 1 < trace_.pieces.size() : k > 0;
-    if (inner || trace_.start < 0) {
+    if (is_joint(k, at_end)) {
       return sign == 0 ? std::nullopt : std::optional(sign);
     }
     const std::optional<int> known = (at_end ? known_.at_end : known_.at_start)[i];
@@ -231,7 +276,7 @@ class TurningSearch {
   bool magnify(std::size_t k, double at) {
     const Piece<Ball> piece = trace_.pieces[k];
     const double half = kMagnified * piece.range.length();
-    if (kUnit < Ball >> 0 || !(half > kLeastMagnified) || ++magnified_ > kMostMagnified) {
+    if (kUnit < Ball >> 0 || !(half > kLeastMagnified<Ball>) || ++magnified_ > kMostMagnified) {
       return false;
     }
     const double last = piece.range.to();
@@ -242,7 +287,11 @@ class TurningSearch {
       if (!piece.range.precedes(cuts[i], cuts[i + 1])) {
         continue;  // close to an end of the piece
       }
-      const auto result = part(piece, cuts[i], cuts[i + 1]);
+      const bool starts = parts.empty() && !is_joint(k, false);
+      const bool ends = !piece.range.precedes(cuts[i + 1], last) && !is_joint(k, true);
+      const auto result = part(piece, starts ? trace_.ends[0] : point_at(piece.tube, cuts[i]),
+                               ends ? trace_.ends[1] : point_at(piece.tube, cuts[i + 1]),
+                               point_at(piece.tube, 0.5 * (cuts[i] + cuts[i + 1])));
       if (!result) {
         return false;
       }
@@ -278,7 +327,10 @@ class TurningSearch {
         continue;
       }
       if (!apart) {
-        return 0.5 * (point->from + next.to);
+        const double at = 0.5 * (point->from + next.to);
+        fail(point_at(trace_.pieces[point->piece].tube, at),
+             "turning points with respect to two parameters cannot be separated");
+        return at;
       }
     }
     found_.erase(std::remove_if(first, found_.end(),
@@ -353,6 +405,7 @@ class TurningSearch {
   TurningPoints<Ball> found_;
   int magnified_ = 0;
   TraceFailure failure_;
+  bool hopeless_ = false;  // no shorter tube would help
 };
 
 }  // namespace
@@ -378,6 +431,7 @@ bool may_be_constant(const Trace<Ball>& trace, std::size_t parameter) {
 EXSECT_INSTANTIATE_TURNING(DoubleBall)
 EXSECT_INSTANTIATE_TURNING(DoubleDoubleBall)
 EXSECT_INSTANTIATE_TURNING(ArbBall<256>)
+EXSECT_INSTANTIATE_TURNING(ArbBall<1024>)
 #undef EXSECT_INSTANTIATE_TURNING
 
 }  // namespace exsect

@@ -2,7 +2,8 @@
 // target takes them, or patch files
 // (*.json). replay --random KIND FIRST COUNT: checks COUNT random pairs of the kind (a first byte; -1: of all
 // kinds) and reports how many end incomplete, by reason; --random-self: of the first patch with itself;
-// --sides FAMILY FIRST COUNT: of pairs with a side on the other patch (a place in side_pairs::all). Exit
+// --sides FAMILY FIRST COUNT: of pairs with a side on the other patch (a place in side_pairs::all);
+// --features FIRST COUNT: pairs with a feature of a size from 2^-20 to 2^-300 and a known answer. Exit
 // status 1 if something does not hold.
 #include <exsect/geometry/patch_file.h>
 #include <exsect/geometry/text_file.h>
@@ -18,6 +19,7 @@
 
 #include "fuzz/fuzzed_pair.h"
 #include "support/side_pairs.h"
+#include "support/small_features.h"
 
 namespace {
 
@@ -102,6 +104,26 @@ int statistics(const std::string& mode, int kind, std::uint64_t first, std::uint
   return sum.wrong == 0 ? 0 : 1;
 }
 
+/// Seed by seed the next family, of a random size.
+int features(std::uint64_t first, std::uint64_t count) {
+  const auto& families = small_features::families();
+  std::uint64_t failures = 0;
+  double slowest = 0;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    const auto& family = families[seed % families.size()];
+    const int bits = 20 + static_cast<int>(std::mt19937_64(seed)() % 281);
+    const auto start = std::chrono::steady_clock::now();
+    const std::string failure = small_features::failure(family, bits, seed, false);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    slowest = std::max(slowest, time.count());
+    if (failure.empty()) continue;
+    ++failures;
+    std::cout << "seed " << seed << ", " << family.name << ", 2^-" << bits << ": " << failure << std::endl;
+  }
+  std::cout << count << " features, " << failures << " not as expected; slowest " << slowest << " s\n";
+  return failures == 0 ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -110,6 +132,9 @@ int main(int argc, char** argv) try {
       (arguments[0] == "--random" || arguments[0] == "--random-self" || arguments[0] == "--sides")) {
     return statistics(arguments[0], std::stoi(arguments[1]), std::stoull(arguments[2]),
                       std::stoull(arguments[3]));
+  }
+  if (arguments.size() == 3 && arguments[0] == "--features") {
+    return features(std::stoull(arguments[1]), std::stoull(arguments[2]));
   }
   if (arguments.size() == 3 && (arguments[0] == "--show" || arguments[0] == "--show-sides")) {
     const auto pair = random_pair(arguments[0] == "--show" ? "--random" : "--sides", std::stoi(arguments[1]),
