@@ -78,7 +78,8 @@ ExitStatus run(const IntersectCommand& command, const Streams& streams) {
   if (command.output.json_to_stdout()) {
     streams.out << json;
   } else if (!command.quiet) {
-    streams.out << heading(command.file, pair.title) << intersection_summary(result, names);
+    streams.out << heading(command.file, pair.title)
+                << intersection_summary(result, names, pair.x.patch, pair.y.patch, command.verbose);
   }
   if (proof.empty() && !command.output.certificate.empty()) return ExitStatus::incomplete;
   return result.status == Status::complete ? ExitStatus::complete : ExitStatus::incomplete;

@@ -20,6 +20,7 @@ struct IntersectCommand {
   bool exact = false;
   OutputFiles output;
   bool quiet = false;
+  bool verbose = false;
 };
 
 /// complete or incomplete. Throws UsageError, InputError or OutputError before anything is written to `out`.

@@ -74,7 +74,8 @@ ExitStatus run(const LineCommand& command, const Streams& streams) {
   if (command.output.json_to_stdout()) {
     streams.out << json;
   } else if (!command.quiet) {
-    streams.out << heading(command.file, pair.title) << line_summary(line, pair.x.patch);
+    streams.out << heading(command.file, pair.title)
+                << line_summary(line, pair.x.patch, pair.y.patch, command.verbose);
   }
   const bool unproved = proof.empty() && !command.output.certificate.empty();
   return unproved || line.solution.incomplete ? ExitStatus::incomplete : ExitStatus::complete;

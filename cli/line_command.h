@@ -18,6 +18,7 @@ struct LineCommand {
   std::array<std::string, 4> fixed;  // values of --u, --v, --r, --s; exactly one is given
   OutputFiles output;
   bool quiet = false;
+  bool verbose = false;
 };
 
 /// complete or incomplete. Throws UsageError, InputError or OutputError before anything is written to `out`.

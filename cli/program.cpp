@@ -94,6 +94,10 @@ void add_output(CLI::App& app, OutputFiles& output, bool& quiet) {
   app.add_flag("--quiet", quiet, "No summary, no progress");
 }
 
+void add_verbose(CLI::App& app, bool& verbose) {
+  app.add_flag("--verbose", verbose, "A summary with more digits, all proved, and with what the work was");
+}
+
 void add_exports(CLI::App& app, ExportFiles& files, const std::string& table) {
   app.add_option("--obj", files.obj, "Write patches, curves and points as Wavefront OBJ")->type_name("FILE");
   app.add_option("--ply", files.ply, "The same as PLY")->type_name("FILE");
@@ -134,6 +138,7 @@ void add_certificate(CLI::App& sub, OutputFiles& output) {
 void add_intersect(CLI::App& app, IntersectCommand& command) {
   CLI::App* sub = app.add_subcommand("intersect", "Intersect two patches completely");
   add_common(*sub, command.file, command.first, command.second, command.output, command.quiet);
+  add_verbose(*sub, command.verbose);
   add_exports(*sub, command.output.exports, "Write the nodes as a table");
   add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
   sub->add_flag("--exact", command.exact, "Prove completeness in exact arithmetic as well");
@@ -144,6 +149,7 @@ void add_intersect(CLI::App& app, IntersectCommand& command) {
 void add_line(CLI::App& app, LineCommand& command) {
   CLI::App* sub = app.add_subcommand("line", line_about);
   add_common(*sub, command.file, command.first, command.second, command.output, command.quiet);
+  add_verbose(*sub, command.verbose);
   add_exports(*sub, command.output.exports, "Write the points as a table");
   for (Parameter p : all_parameters) {
     const std::string parameter = name(p);
@@ -160,6 +166,7 @@ void add_self(CLI::App& app, SelfCommand& command) {
   sub->add_option("FILE", command.file, "Patch file")->required()->type_name("");
   sub->add_option("--patch", command.patch, "The patch, if FILE holds more than one")->type_name("NAME");
   add_output(*sub, command.output, command.quiet);
+  add_verbose(*sub, command.verbose);
   add_exports(*sub, command.output.exports, "Write the nodes as a table");
   add_curve_options(*sub, command.turning, command.tolerance, command.max_seconds);
   add_certificate(*sub, command.output);

@@ -78,7 +78,9 @@ ExitStatus run(const SelfCommand& command, const Streams& streams) {
   if (command.output.json_to_stdout()) {
     streams.out << json;
   } else if (!command.quiet) {
-    streams.out << heading(command.file, chosen.title) << intersection_summary(result, names);
+    streams.out << heading(command.file, chosen.title)
+                << intersection_summary(result, names, chosen.patch.patch, chosen.patch.patch,
+                                        command.verbose);
   }
   if (proof.empty() && !command.output.certificate.empty()) return ExitStatus::incomplete;
   return result.status == Status::complete ? ExitStatus::complete : ExitStatus::incomplete;

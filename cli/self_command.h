@@ -18,6 +18,7 @@ struct SelfCommand {
   std::string max_seconds;
   OutputFiles output;
   bool quiet = false;
+  bool verbose = false;
 };
 
 /// complete or incomplete. Throws UsageError, InputError or OutputError before anything is written to `out`.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "output/text/node_place.h"
 #include "output/text/terminal_text.h"
 
 namespace exsect::cli {
@@ -25,7 +26,7 @@ std::string shapes_text(const IntersectionGraph& graph) {
 
 std::string headline(const IntersectResult& result, const PatchNames& names) {
   const IntersectionGraph& graph = result.graph;
-  std::string text = fmt::format("{} with {}: {}, {}{}", printable(names.first),
+  std::string text = fmt::format("{} with {}: {}, proved: {}{}", printable(names.first),
                                  names.parameters == self_names ? "itself" : printable(names.second),
                                  result.status == Status::complete ? "complete" : "incomplete",
                                  counted(graph.components.size(), "component"), shapes_text(graph));
@@ -51,28 +52,29 @@ std::string components_text(const IntersectionGraph& graph) {
   return table({"component", "shape", "arcs"}, rows);
 }
 
-bool has_free(const Node& node, Parameter p) {
-  return std::find(node.free.begin(), node.free.end(), p) != node.free.end();
-}
-
-std::vector<std::string> node_row(const Node& node, const ParameterNames& names) {
+std::vector<std::string> node_words(const Node& node, const ParameterNames& names) {
   std::vector<std::string> kinds;
   for (NodeKind kind : node.kinds) kinds.push_back(name(kind));
   std::vector<std::string> places;
   for (Side side : node.on) places.push_back(side_name(side, names));
   std::vector<std::string> wrt;
   for (Parameter p : node.wrt) wrt.push_back(name(p, names));
-  std::vector<std::string> row = {std::to_string(node.id), joined(kinds, ", "), joined(places, " "),
-                                  joined(wrt, " ")};
-  for (Parameter p : all_parameters)
-    row.push_back(has_free(node, p) ? interval_text(node.box[index(p)]) : decimal(node.approx[index(p)]));
-  return row;
+  return {std::to_string(node.id), joined(kinds, ", "), joined(places, " "), joined(wrt, " ")};
 }
 
-std::string nodes_text(const IntersectionGraph& graph, const ParameterNames& names) {
+std::string nodes_text(const IntersectionGraph& graph, const ParameterNames& names, const BezierPatch& x,
+                       const BezierPatch& y, bool verbose) {
+  std::vector<ParameterBox> boxes;
   std::vector<std::vector<std::string>> rows;
-  for (const Node& node : graph.nodes) rows.push_back(node_row(node, names));
-  return table({"node", "kind", "on", "turns in", names[0], names[1], names[2], names[3]}, rows);
+  for (const Node& node : graph.nodes) {
+    boxes.push_back(node.box);
+    rows.push_back(node_words(node, names));
+  }
+  const auto places = place_rows(boxes, x, y, shown_decimals(verbose));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    rows[i].insert(rows[i].end(), places[i].begin(), places[i].end());
+  return table({"node", "kind", "on", "turns in", names[0], names[1], names[2], names[3], "x", "y", "z"},
+               rows);
 }
 
 std::vector<std::string> arc_row(const Arc& arc, const ParameterNames& names) {
@@ -94,7 +96,11 @@ std::vector<std::string> arc_row(const Arc& arc, const ParameterNames& names) {
 std::string arcs_text(const IntersectionGraph& graph, const ParameterNames& names) {
   std::vector<std::vector<std::string>> rows;
   for (const Arc& arc : graph.arcs) rows.push_back(arc_row(arc, names));
-  return table({"arc", "component", "from", "to", "vertices", "error at most", ""}, rows);
+  if (rows.empty()) return "";
+  return table({"arc", "component", "from", "to", "vertices", "error at most", ""}, rows) +
+         "  error: largest distance of polyline and true arc from each other in space, in the unit of the "
+         "control "
+         "points\n";
 }
 
 std::string overlaps_text(const IntersectionGraph& graph) {
@@ -114,12 +120,16 @@ std::string overlaps_text(const IntersectionGraph& graph) {
   return table({"overlap", "nodes of the rim", "error at most"}, rows);
 }
 
-std::string work_text(const Work& work) {
+/// Which arithmetic decided; its counts and times follow where they are asked for.
+std::string work_text(const Work& work, bool verbose) {
+  const char* arithmetic =
+      work.steps.count("filtered") > 0 ? "in doubles with proved error bounds" : "in exact arithmetic";
+  const std::string text = fmt::format("{:.1f} ms, {}\n", work.milliseconds, arithmetic);
+  if (!verbose || work.steps.empty()) return text;
   std::vector<std::string> steps;
   for (const auto& [step, count] : work.steps)
     steps.push_back(fmt::format("{} {:.6g}", printable(step), count));
-  return fmt::format("{:.1f} ms{}{}\n", work.milliseconds, steps.empty() ? "" : ": ",
-                     steps.empty() ? "" : joined(steps, ", "));
+  return text + "  " + joined(steps, ", ") + "\n";
 }
 
 std::string incomplete_text(const std::vector<Incomplete>& regions, const ParameterNames& names) {
@@ -134,22 +144,23 @@ std::string incomplete_text(const std::vector<Incomplete>& regions, const Parame
 std::string coarse_text(const std::optional<CoarseDrawing>& coarse) {
   if (!coarse) return "";
   return fmt::format("\nDrawn to {}: polylines of doubles do not keep the tolerance {} here\n",
-                     rounded_up(coarse->bound), decimal(coarse->tolerance));
+                     rounded_up(coarse->bound), rounded_up(coarse->tolerance));
 }
 
 std::string section(const std::string& text) { return text.empty() ? "" : "\n" + text; }
 
 }  // namespace
 
-std::string intersection_summary(const IntersectResult& result, const PatchNames& names) {
+std::string intersection_summary(const IntersectResult& result, const PatchNames& names, const BezierPatch& x,
+                                 const BezierPatch& y, bool verbose) {
   const IntersectionGraph& graph = result.graph;
   return headline(result, names) + turning_text(graph, names.parameters) + section(components_text(graph)) +
-         section(nodes_text(graph, names.parameters)) + section(arcs_text(graph, names.parameters)) +
-         section(overlaps_text(graph)) +
+         section(nodes_text(graph, names.parameters, x, y, verbose)) +
+         section(arcs_text(graph, names.parameters)) + section(overlaps_text(graph)) +
          (graph.isolated_points.empty() ? ""
                                         : "\n  isolated points: nodes " + ids(graph.isolated_points) + "\n") +
          incomplete_text(result.incomplete, names.parameters) + coarse_text(result.coarse) + "\n" +
-         work_text(result.work);
+         work_text(result.work, verbose);
 }
 
 }  // namespace exsect::cli

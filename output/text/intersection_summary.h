@@ -1,6 +1,7 @@
 // The result of `exsect intersect` as text for a reader.
 #pragma once
 
+#include <exsect/geometry/bezier_patch.h>
 #include <exsect/solver/result.h>
 
 #include <string>
@@ -9,7 +10,10 @@
 
 namespace exsect::cli {
 
-/// Status, components, nodes, arcs, times and what is not known, ending with a line feed.
-std::string intersection_summary(const IntersectResult& result, const PatchNames& names);
+/// Status, components, nodes, arcs, time and what is not known, ending with a line feed. Digits of nodes are
+/// proved, more of them where `verbose`, which adds what was counted on the way. For a patch and itself x and
+/// y are that patch.
+std::string intersection_summary(const IntersectResult& result, const PatchNames& names, const BezierPatch& x,
+                                 const BezierPatch& y, bool verbose);
 
 }  // namespace exsect::cli

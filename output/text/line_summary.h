@@ -8,8 +8,9 @@
 
 namespace exsect::cli {
 
-/// Shape, pull-back, eliminant, feasible intervals, points and what is not known, ending with a line feed. x
-/// is the patch of (u,v).
-std::string line_summary(const LineIntersection& line, const BezierPatch& x);
+/// Shape, pull-back, eliminant, feasible intervals, points and what is not known, ending with a line feed.
+/// Digits are proved, more of them where `verbose`. x is the patch of (u,v), y that of (r,s).
+std::string line_summary(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
+                         bool verbose);
 
 }  // namespace exsect::cli

@@ -9,6 +9,8 @@
 
 #include "output/text/implicit_json.h"
 #include "output/text/implicit_summary.h"
+#include "output/text/node_place.h"
+#include "output/text/proved_decimal.h"
 #include "output/text/terminal_text.h"
 
 namespace exsect::cli {
@@ -44,7 +46,17 @@ Statements revolution_statements(const Revolution& revolution) {
   return result;
 }
 
-std::string shown_number(const RationalInterval& interval) { return decimal(to_double(interval.midpoint())); }
+/// Proved digits of a coordinate.
+std::string shown_number(const RationalInterval& interval) {
+  const Rational largest = std::max(abs(interval.lower), abs(interval.upper));
+  const long scale = largest == 0 ? 0 : decimal_exponent(largest);
+  return proved_decimal(interval, scale - shown_decimals(false), scale);
+}
+
+std::string shown_number(const Rational& value) { return shown_number(RationalInterval{value, value}); }
+std::string shown_number(const RealAlgebraic& value) {
+  return shown_number(value.refined_to(shown_width()).interval());
+}
 
 std::string degrees_text(const std::vector<int>& degrees) {
   std::vector<std::string> texts;
@@ -80,13 +92,13 @@ std::string audit_text(const BranchAudit& audit, const Rectangle& region) {
   for (std::size_t i = 0; i < audit.gaps.size(); ++i) {
     const auto end = [&](bool first) {
       if (first ? i == 0 : i == audit.critical.size())
-        return fmt::format("{:.6g}", to_double(first ? region.s.lower : region.s.upper));
-      return fmt::format("{:.6g}", audit.critical[first ? i - 1 : i].to_double());
+        return shown_number(first ? region.s.lower : region.s.upper);
+      return shown_number(audit.critical[first ? i - 1 : i]);
     };
     rows.push_back(
         {end(true), end(false), std::to_string(audit.gaps[i].own), std::to_string(audit.gaps[i].mirrored)});
   }
-  return fmt::format("branches with 0 < r < {:.6g}\n", to_double(region.r.upper)) +
+  return "branches with 0 < r < " + shown_number(region.r.upper) + "\n" +
          table({"from z", "to z", "own", "mirrored"}, rows);
 }
 
@@ -118,8 +130,7 @@ std::string patch_text(const ShownRevolutionPatch& patch) {
       is_resolved(patch.curve) ? "complete up to isolated points" : "some meetings not resolved");
   for (const ShownRevolutionLine& line : patch.lines) {
     std::vector<std::vector<std::string>> rows;
-    for (const RevolutionPatchPoint& p : line.line.points)
-      rows.push_back({decimal(p.v.to_double()), name(p.sheet)});
+    for (const RevolutionPatchPoint& p : line.line.points) rows.push_back({shown_number(p.v), name(p.sheet)});
     text += fmt::format("u = {}: {}\n", to_string(line.u),
                         line.line.whole_line ? "lies on the surface" : counted(rows.size(), "point")) +
             table({"v", "sheet"}, rows);

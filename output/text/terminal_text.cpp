@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/text/proved_decimal.h"
+
 namespace exsect::cli {
 namespace {
 
@@ -56,8 +58,6 @@ std::string printable(const std::string& text) {
   return plain;
 }
 
-std::string decimal(double x) { return fmt::format("{:.12f}", x); }
-
 std::string rounded_up(double x) {
   if (!std::isfinite(x)) return fmt::format("{}", x);
   const std::string nearest = fmt::format("{:.2e}", x);
@@ -77,11 +77,7 @@ std::string joined(const std::vector<std::string>& texts, const std::string& sep
   return fmt::format("{}", fmt::join(texts, separator));
 }
 
-std::string interval_text(const RationalInterval& interval) {
-  const double lower = std::floor(to_double(interval.lower) * 1e6) / 1e6;
-  const double upper = std::ceil(to_double(interval.upper) * 1e6) / 1e6;
-  return fmt::format("[{}, {}]", lower, upper);
-}
+std::string interval_text(const RationalInterval& interval) { return outward_decimal(interval, -6); }
 
 std::string box_text(const ParameterBox& box, const ParameterNames& names) {
   std::vector<std::string> ranges;

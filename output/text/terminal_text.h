@@ -15,8 +15,6 @@ namespace exsect::cli {
 /// separators, and bytes that are no UTF-8.
 std::string printable(const std::string& text);
 
-/// Twelve decimals.
-std::string decimal(double x);
 /// Three significant digits, never below x: the decimal is at least x. Requires x >= 0.
 std::string rounded_up(double x);
 /// The numbers with `separator` between them; "-" for none.

@@ -122,7 +122,7 @@ TEST_CASE("files and standard output hold the same result") {
       run_program({"intersect", first, "--json", scratch.path("a.json"), "--svg", scratch.path("a.svg")});
   CHECK(run.status == 0);
   CHECK(run.err.empty());
-  CHECK(run.out.find("x with y: complete, 2 components (1 open, 1 closed)\n") != std::string::npos);
+  CHECK(run.out.find("x with y: complete, proved: 2 components (1 open, 1 closed)\n") != std::string::npos);
   CHECK(run.out.find("First example: one closed loop and one open arc") != std::string::npos);
   CHECK(scratch.number_of_files() == 2);
   Json written = Json::parse(content(scratch.path("a.json")));
@@ -133,6 +133,45 @@ TEST_CASE("files and standard output hold the same result") {
   const std::string svg = content(scratch.path("a.svg"));
   CHECK(svg.find("component 1, closed") != std::string::npos);
   CHECK(svg.size() < 200000);
+}
+
+TEST_CASE("every digit of a node in the summary is proved by its box") {
+  for (const std::string name : {"chapter9-first.json", "chapter9-second.json", "touching-curve.json"}) {
+    for (const std::string more : {"--verbose", "--turning=u,v,r,s"}) {
+      const Json json = intersection({example(name)});
+      const ProgramRun run = run_program({"intersect", example(name), more});
+      std::istringstream lines(run.out);
+      std::string line;
+      while (std::getline(lines, line) && line.find("turns in") == std::string::npos) {
+      }
+      for (const Json& node : json["nodes"]) {
+        REQUIRE(std::getline(lines, line));
+        std::istringstream words(line);
+        const std::vector<std::string> cells{std::istream_iterator<std::string>(words), {}};
+        REQUIRE(cells.size() >= 11);
+        for (std::size_t k = 0; k < 4; ++k) {
+          const std::string shown = cells[cells.size() - 7 + k];
+          const std::size_t point = shown.find('.');
+          const auto decimals = point == std::string::npos ? 0 : shown.size() - point - 1;
+          const Rational half = parse_number("0.5e-" + std::to_string(decimals));
+          INFO(name << " node " << node["id"] << " "
+                    << "uvrs"[k] << " = " << shown);
+          for (const Json& end : node["box"][std::string(1, "uvrs"[k])])
+            CHECK(abs(Rational(parse_number(end.get<std::string>()) - parse_number(shown))) <= half);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("the summary says which arithmetic decided, and counts only where it is asked for") {
+  const std::string plain = run_program({"intersect", first}).out;
+  CHECK(plain.find(" ms, in doubles with proved error bounds\n") != std::string::npos);
+  CHECK(plain.find("in the unit of the control points\n") != std::string::npos);
+  CHECK(plain.find("tubes") == std::string::npos);
+  CHECK(run_program({"intersect", first, "--verbose"}).out.find("tubes") != std::string::npos);
+  CHECK(run_program({"intersect", first, "--exact"}).out.find(" ms, in exact arithmetic\n") !=
+        std::string::npos);
 }
 
 TEST_CASE("quiet prints nothing") {

@@ -58,7 +58,7 @@ TEST_CASE("self: files, summary and picture") {
   const std::string json = scratch.path("self.json");
   const ProgramRun run = run_program({"self", second, "--patch", "y", "--svg", svg, "--json", json});
   CHECK(run.status == 0);
-  CHECK(run.out.find("y with itself: complete, 3 components (3 open)") != std::string::npos);
+  CHECK(run.out.find("y with itself: complete, proved: 3 components (3 open)") != std::string::npos);
   CHECK(run.out.find("v1=1") != std::string::npos);
   CHECK(content(svg).find("y(u2, v2)") != std::string::npos);
   CHECK(content(svg).find(">cusp</text>") != std::string::npos);

@@ -1,0 +1,54 @@
+#include "output/text/node_place.h"
+
+#include <exsect/geometry/bounding_box.h>
+
+#include <algorithm>
+
+#include "output/text/proved_decimal.h"
+
+namespace exsect::cli {
+namespace {
+
+BoundingBox piece_box(const BezierPatch& patch, const RationalInterval& first,
+                      const RationalInterval& second) {
+  return bounding_box(patch.restricted_to(first.lower, first.upper, second.lower, second.upper));
+}
+
+/// The power of ten that the largest coordinate reaches; 0 if all of them are zero.
+long scale_of(const std::vector<SpaceBox>& places) {
+  Rational largest = 0;
+  for (const SpaceBox& place : places)
+    for (const RationalInterval& side : place)
+      largest = std::max({largest, Rational(abs(side.lower)), Rational(abs(side.upper))});
+  return largest == 0 ? 0 : decimal_exponent(largest);
+}
+
+}  // namespace
+
+SpaceBox space_box(const ParameterBox& box, const BezierPatch& x, const BezierPatch& y) {
+  const BoundingBox a = piece_box(x, box[index(Parameter::u)], box[index(Parameter::v)]);
+  const BoundingBox b = piece_box(y, box[index(Parameter::r)], box[index(Parameter::s)]);
+  SpaceBox place;
+  for (std::size_t k = 0; k < 3; ++k)
+    place[k] = {std::max(a.lower[k], b.lower[k]), std::min(a.upper[k], b.upper[k])};
+  return place;
+}
+
+std::vector<std::vector<std::string>> place_rows(const std::vector<ParameterBox>& boxes, const BezierPatch& x,
+                                                 const BezierPatch& y, int decimals) {
+  std::vector<SpaceBox> places;
+  places.reserve(boxes.size());
+  for (const ParameterBox& box : boxes) places.push_back(space_box(box, x, y));
+  const long scale = scale_of(places);
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    std::vector<std::string> row;
+    for (const RationalInterval& side : boxes[i]) row.push_back(proved_decimal(side, -decimals));
+    for (const RationalInterval& side : places[i])
+      row.push_back(proved_decimal(side, scale - decimals, scale));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace exsect::cli
