@@ -9,6 +9,7 @@
 #include "output/report/verdict_picture.h"
 #include "output/text/terminal_text.h"
 #include "output/text/verdict_json.h"
+#include "output/text/verdict_summary.h"
 
 namespace exsect::cli {
 namespace {
@@ -59,7 +60,8 @@ ExitStatus run(const VerifyCommand& command, const Streams& streams) {
   if (command.output.json_to_stdout())
     streams.out << json;
   else if (!command.quiet)
-    streams.out << heading(command.candidate, pair.title) << verdict_summary(result, candidate);
+    streams.out << heading(command.candidate, pair.title)
+                << verdict_summary(result, candidate, command.tolerance, pair.x.patch, pair.y.patch);
   return status(result.verdict.agreement);
 }
 

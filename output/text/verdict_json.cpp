@@ -63,12 +63,6 @@ Json curve_json(std::size_t index, const CurveFinding& curve) {
           {"true_distance", bounds_json(curve.true_distance)}};
 }
 
-std::string bounds_text(const DistanceEnclosure& bounds) {
-  return std::isfinite(bounds.upper)
-             ? fmt::format("{:.3g} to {}", std::nextafter(bounds.lower, 0.0), rounded_up(bounds.upper))
-             : "-";
-}
-
 }  // namespace
 
 Json verdict_json(const Verification& verification, const Candidate& candidate, const PatchNames& names) {
@@ -100,31 +94,6 @@ Json verdict_json(const Verification& verification, const Candidate& candidate, 
   for (std::size_t c = 0; c < verdict.curves.size(); ++c)
     json["curves"].push_back(curve_json(c, verdict.curves[c]));
   return json;
-}
-
-std::string verdict_summary(const Verification& verification, const Candidate& candidate) {
-  const Verdict& verdict = verification.verdict;
-  std::string text = fmt::format("{}: within {} of the true curve\n", name(verdict.agreement),
-                                 rounded_up(verdict.tolerance));
-  if (!candidate.source.empty()) text = "candidate of " + printable(candidate.source) + "\n" + text;
-  for (const Difference& difference : verdict.differences)
-    text += fmt::format("  {}: {}\n", name(difference.kind), difference.text);
-  for (const std::string& open : verdict.undecided) text += "  not decided: " + open + "\n";
-  std::vector<std::vector<std::string>> rows;
-  for (const ComponentFinding& component : verdict.components) {
-    std::vector<std::string> curves;
-    for (const std::size_t c : component.curves) curves.push_back(std::to_string(c));
-    rows.push_back(
-        {std::to_string(component.component),
-         name(verification.exact.graph.components[static_cast<std::size_t>(component.component)].shape),
-         name(component.coverage), curves.empty() ? "-" : joined(curves, ", ")});
-  }
-  text += table({"component", "shape", "", "curves"}, rows);
-  rows.clear();
-  for (std::size_t c = 0; c < verdict.curves.size(); ++c)
-    rows.push_back({std::to_string(c), bounds_text(verdict.curves[c].distance),
-                    bounds_text(verdict.curves[c].true_distance)});
-  return text + table({"curve", "largest distance from the true curve", "of the true curve from it"}, rows);
 }
 
 }  // namespace exsect::cli

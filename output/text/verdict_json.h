@@ -1,4 +1,4 @@
-// A verdict on a candidate as JSON, form verdict/1 (docs/formats.md), and in words.
+// A verdict on a candidate as JSON, form verdict/1 (docs/formats.md).
 #pragma once
 
 #include <exsect/geometry/candidate.h>
@@ -10,8 +10,5 @@ namespace exsect::cli {
 
 /// The verdict on a candidate for patches of these names.
 Json verdict_json(const Verification& verification, const Candidate& candidate, const PatchNames& names);
-
-/// The verdict, every reason, and a table of the curves and of the components.
-std::string verdict_summary(const Verification& verification, const Candidate& candidate);
 
 }  // namespace exsect::cli

@@ -96,7 +96,7 @@ TEST_CASE("verify: what exsect exports agrees with itself, in every format") {
   REQUIRE(run_program({"intersect", file, "--tolerance", "1e-5", "--obj", obj, "--quiet"}).status == 0);
   const ProgramRun agrees = run_program({"verify", obj, file, "--tolerance", "1e-4"});
   CHECK(agrees.status == 0);
-  CHECK(agrees.out.find("agrees: within") != std::string::npos);
+  CHECK(agrees.out.find("agrees\n  tolerance") != std::string::npos);
   // the same polylines as a table, in the parameters of the first patch
   const Json result = Json::parse(run_program({"intersect", file, "--tolerance", "1e-5", "--json", "-"}).out);
   std::string table = "curve,u,v\n";
@@ -119,6 +119,41 @@ TEST_CASE("verify: what exsect exports agrees with itself, in every format") {
     const ProgramRun run = run_program({"verify", scratch.path(name), file, "--tolerance", "1e-4"});
     INFO(name << run.out << run.err);
     CHECK(run.status == 0);
+  }
+}
+
+TEST_CASE("verify: the summary tells both tolerances and one line of a difference in three representations") {
+  const std::string bridge = example("candidates/occt-section-bridge");
+  const ProgramRun run =
+      run_program({"verify", bridge + ".candidate.json", bridge + ".json", "--tolerance", "1e-4"});
+  CHECK(
+      run.out.find("disagrees: 2 differences\n"
+                   "  tolerance 1e-4 of the size of the model: 2.24e-04 in the unit of its control points\n"
+                   "  largest distance of the curves given, proved: 0.000548 to 5.76e-04\n"
+                   "  spurious-curve: curve 2 is no intersection, vertices 14 to 50 in space, (u,v), (r,s), "
+                   "from near (") != std::string::npos);
+  CHECK(run.out.find(
+            "  wrong-connection: curve 2 joins component 0 to component 1, vertices 12 to 52 in space, "
+            "(u,v), (r,s), from near (") != std::string::npos);
+  const std::string right = example("candidates/sisl-right");
+  CHECK(
+      run_program({"verify", right + ".candidate.json", right + ".json", "--tolerance", "1e-4"})
+          .out.find("agrees\n"
+                    "  tolerance 1e-4 of the size of the model: 2.14e-04 in the unit of its control points\n"
+                    "  largest distance, proved: at most 4.47e-05\n") != std::string::npos);
+}
+
+TEST_CASE("verify: a difference has a place") {
+  for (const auto& [name, words] :
+       {std::pair{"occt-loop-lost", "lost-curve: component 0 (closed) is missing, through near ("},
+        std::pair{"occt-touch-point-lost", "lost-point: isolated point 0 is not claimed, near ("},
+        std::pair{"occt-section-false-points", "false-point: point 1 is no intersection, near ("},
+        std::pair{"sisl-loop-repeated", "repeated: curves 0 and 2 both run along arc 0, in 3 places\n"}}) {
+    const std::string pair = example(std::string("candidates/") + name);
+    const ProgramRun run =
+        run_program({"verify", pair + ".candidate.json", pair + ".json", "--tolerance", "1e-4"});
+    INFO(run.out);
+    CHECK(run.out.find(words) != std::string::npos);
   }
 }
 
