@@ -16,7 +16,8 @@ static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<doub
 static_assert(FLT_EVAL_METHOD == 0, "doubles are computed as doubles");
 
 /// Round to nearest, no exception traps, subnormal numbers kept (no flush to zero), whatever the caller has
-/// set; the caller's environment comes back at the end.
+/// set; the caller's environment comes back at the end. Not NearestRounding of algebra/: the checker shares
+/// no code with what it checks.
 class FloatingPoint {
  public:
   FloatingPoint() {
