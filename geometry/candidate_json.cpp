@@ -104,9 +104,8 @@ CandidatePoint read_point(const JsonValue& value) {
 Candidate parse_json_candidate(const std::string& text, const std::string& filename) {
   const JsonTree tree = parse_json(text, filename, max_depth);
   const JsonValue root(tree, filename, "$");
+  root.require_form(version);
   root.require_object({"exsect", "patches", "source", "curves", "points"});
-  if (root.member("exsect").string() != version)
-    root.member("exsect").fail("unknown version, must be \"" + std::string(version) + "\"");
   Candidate candidate;
   const JsonValue patches = root.member("patches");
   patches.require_size(2, "names");

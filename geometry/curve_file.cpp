@@ -51,9 +51,8 @@ CurveFile parse_curve(const std::string& text, const std::string& filename) {
     throw InputError(filename, "", "longer than " + std::to_string(max_curve_file_bytes) + " bytes");
   const JsonTree tree = parse_json(text, filename, max_depth);
   const JsonValue root(tree, filename, "$");
+  root.require_form(version);
   root.require_object({"exsect", "title", "source", "numbers", "degree", "points", "weights"});
-  if (root.member("exsect").string() != version)
-    root.member("exsect").fail("unknown version, must be \"" + std::string(version) + "\"");
   const NumberReader read = number_reader(root);
   const int degree = root.member("degree").small_integer(1, max_curve_degree, "the degree of a curve");
   const std::size_t count = static_cast<std::size_t>(degree) + 1;

@@ -9,8 +9,14 @@
 namespace exsect {
 namespace {
 
+/// The parser reads each number as a long double before it hands over its text, and refuses an infinite one.
+/// So a bare number may be as long as a quoted one where a long double reaches 10^4932 (max_number_digits is
+/// 3000).
+using ParsedJson =
+    nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
+
 /// Builds the tree from nlohmann's events; knows at every event where in the text's structure it is.
-class Builder : public nlohmann::json_sax<nlohmann::json> {
+class Builder : public nlohmann::json_sax<ParsedJson> {
  public:
   Builder(const std::string& file, std::size_t max_depth) : file_(file), max_depth_(max_depth) {}
 
@@ -113,7 +119,7 @@ std::string printable(std::string_view text) {
 
 JsonTree parse_json(const std::string& text, const std::string& file, std::size_t max_depth) {
   Builder builder(file, max_depth);
-  nlohmann::json::sax_parse(text, &builder);
+  ParsedJson::sax_parse(text, &builder);
   return builder.take();
 }
 

@@ -21,7 +21,7 @@ struct JsonTree {
 
 /// Throws InputError with the JSON path for anything that is not one JSON value: syntax errors with line and
 /// column, invalid UTF-8, truncated text, anything but blanks after the value, an object key given twice,
-/// arrays and objects nested deeper than max_depth, a number beyond 1.8e308 without quotes.
+/// arrays and objects nested deeper than max_depth, a number beyond the range of long double without quotes.
 JsonTree parse_json(const std::string& text, const std::string& file, std::size_t max_depth);
 
 /// What a message may repeat of bad input: the first 300 characters, anything but printable ASCII replaced by

@@ -68,6 +68,12 @@ void JsonValue::require_object(std::initializer_list<std::string_view> known) co
       fail("unknown key \"" + printable(key) + "\"");
 }
 
+void JsonValue::require_form(const char* form) const {
+  if (tree_.kind != Kind::object) fail("must be an object");
+  const JsonValue stated = member("exsect");
+  if (stated.string() != form) stated.fail(wrong_form(stated.string(), form));
+}
+
 std::vector<std::string>::const_iterator JsonValue::find(std::string_view key) const {
   return std::find(tree_.keys.begin(), tree_.keys.end(), key);
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "file_form.h"
 #include "json_tree.h"
 
 namespace exsect {
@@ -39,6 +40,8 @@ class JsonValue {
   bool has(std::string_view key) const { return find(key) != tree_.keys.end(); }
   JsonValue member(const char* key) const;
   void require_object(std::initializer_list<std::string_view> known) const;
+  /// Refuses anything but an object whose key "exsect" is `form`; the refusal says what another file holds.
+  void require_form(const char* form) const;
 
  private:
   std::vector<std::string>::const_iterator find(std::string_view key) const;

@@ -89,9 +89,8 @@ PatchFile parse_patches(const std::string& text, const std::string& filename) {
     throw InputError(filename, "", "longer than " + std::to_string(max_patch_file_bytes) + " bytes");
   const JsonTree tree = parse_json(text, filename, max_depth);
   const JsonValue root(tree, filename, "$");
+  root.require_form(version);
   root.require_object({"exsect", "title", "source", "numbers", "patches"});
-  if (root.member("exsect").string() != version)
-    root.member("exsect").fail("unknown version, must be \"" + std::string(version) + "\"");
   PatchFile file;
   if (root.has("title")) file.title = root.member("title").string();
   if (root.has("source")) file.source = root.member("source").string();

@@ -45,7 +45,7 @@ std::string scientific(const Integer& n, long k) {
 }
 
 /// No zeros are added that would look proved.
-std::string rounded(const Integer& n, long k, long scale) {
+std::string proved_text(const Integer& n, long k, long scale) {
   return is_plain(scale) && k <= 0 ? plain(n, k) : scientific(n, k);
 }
 
@@ -95,7 +95,7 @@ std::string proved_decimal(const RationalInterval& interval, long finest, long s
     const Rational units = power_of_ten(-k);
     const Integer nearest = floor_of(interval.midpoint() * units + half);
     if (interval.lower * units >= nearest - half && interval.upper * units <= nearest + half)
-      return rounded(nearest, k, scale);
+      return proved_text(nearest, k, scale);
   }
   return outward_decimal(interval, std::max(finest, decimal_exponent(interval.width()) - 1), scale);
 }

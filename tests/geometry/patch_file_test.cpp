@@ -1,3 +1,4 @@
+#include <exsect/geometry/number.h>
 #include <exsect/geometry/patch_file.h>
 
 #include <clocale>
@@ -129,6 +130,9 @@ TEST_CASE("every kind of bad file is refused with path and reason", "[patch_file
       {R"({"exsect": "patches/1"})", "$", "key \"patches\" is missing"},
       {R"({"exsect": "patches/2", "patches": []})", "$.exsect", "unknown version"},
       {R"({"exsect": 1, "patches": []})", "$.exsect", "must be a string"},
+      {R"({"exsect": "curve/1", "degree": 1})", "$.exsect", "holds a curve, curve/1; needed is patches/1"},
+      {R"({"exsect": "candidate/1"})", "$.exsect", "holds curves of another program, candidate/1"},
+      {R"({"nodes": [], "exsect": "intersection/1"})", "$.exsect", "holds a result of exsect intersect"},
       {file_with(R"("patches": {})"), "$.patches", "must be an array"},
       {patches(""), "$.patches", "at least one"},
       {patches(x) + "x", "$", "not valid JSON"},
@@ -164,7 +168,7 @@ TEST_CASE("every kind of bad file is refused with path and reason", "[patch_file
       {patches(replaced(x, "[1,0,0]", "[0,NaN,0]")), "$.patches[0].points[1][0][1]", "not valid JSON"},
       {patches(replaced(x, "[1,0,0]", "[0,0,Infinity]")), "$.patches[0].points[1][0][2]", "not valid JSON"},
       {patches(replaced(x, "[1,0,0]", "[0,0,.5]")), "$.patches[0].points[1][0][2]", "not valid JSON"},
-      {patches(replaced(x, "[1,0,0]", "[0,0,1e400]")), "$.patches[0].points[1][0][2]", "overflow"},
+      {patches(replaced(x, "[1,0,0]", "[0,0,1e5000]")), "$.patches[0].points[1][0][2]", "overflow"},
       {patches(replaced(x, "[1,0,0]", "[0,0,1e-3001]")), "$.patches[0].points[1][0][2]", "exponent beyond"},
       {patches(replaced(x, "[1,0,0]", "[0,0,\"\xff\"]")), "$.patches[0].points[1][0][2]", "UTF-8"},
       {patches(replaced(x, "[1,0,0]", "[0,0,0,]")), "$.patches[0].points[1][0][3]", "not valid JSON"},
@@ -181,6 +185,24 @@ TEST_CASE("every kind of bad file is refused with path and reason", "[patch_file
     CHECK(std::string(error.what()) == "f.json: " + error.where() + ": " + error.reason());
   }
   CHECK_THAT(refusal(std::string(max_patch_file_bytes + 1, ' ')).what(), Contains("f.json: longer than"));
+}
+
+TEST_CASE("bare numbers may be as long as quoted ones", "[patch_file]") {
+  const auto with = [](const std::string& number) {
+    return parse_patches(
+        file_with(
+            R"("patches": [{"name": "x", "degree": [1, 1], "points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,)" +
+            number + "]]]}]"),
+        "f");
+  };
+  for (const std::string& number :
+       {"1" + std::string(400, '7'), std::string("-1e400"), "0." + std::string(2900, '3'),
+        "9" + std::string(2999, '9'), std::string("1e-400"),
+        "-" + std::string(1000, '1') + "." + std::string(900, '9') + "e-1000"}) {
+    INFO(number);
+    CHECK(with(number) == with("\"" + number + "\""));
+    CHECK(with(number).patches[0].patch.net()[2][2][2] == parse_number(number));
+  }
 }
 
 TEST_CASE("files that cannot be read are refused by name", "[patch_file]") {
