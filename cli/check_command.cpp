@@ -5,6 +5,7 @@
 #include <exsect/geometry/text_file.h>
 #include <fmt/format.h>
 
+#include "cli/input_file.h"
 #include "output/options/output_files.h"
 #include "output/text/json_forms.h"
 #include "output/text/terminal_text.h"
@@ -72,7 +73,7 @@ ExitStatus run(const CheckCommand& command, const Streams& streams) {
   OutputFiles files;
   files.json = command.json;
   check(files, command.file);
-  const std::string certificate = read_text_file(command.file, max_certificate_bytes);
+  const std::string certificate = input_text(command.file, max_certificate_bytes);
   Json json;
   std::string text;
   ExitStatus status = ExitStatus::complete;
@@ -81,7 +82,7 @@ ExitStatus run(const CheckCommand& command, const Streams& streams) {
     json = accepted_json(report);
     text = accepted_text(report);
   } catch (const checker::Unreadable& unreadable) {
-    throw InputError(command.file, "", unreadable.what());
+    throw InputError(input_name(command.file), "", unreadable.what());
   } catch (const checker::Rejected& rejected) {
     status = ExitStatus::negative;
     json = {{"exsect", "check/1"},       {"status", "complete"},          {"accepted", false},

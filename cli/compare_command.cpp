@@ -3,6 +3,7 @@
 #include <exsect/geometry/text_file.h>
 #include <fmt/format.h>
 
+#include "cli/input_file.h"
 #include "cli/patch_choice.h"
 #include "output/drawing/comparison_svg.h"
 #include "output/options/implicitize_options.h"
@@ -71,7 +72,7 @@ ExitStatus run(const CompareCommand& command, const Streams& streams) {
   if (command.output.json_to_stdout()) {
     streams.out << json;
   } else if (!command.quiet) {
-    streams.out << heading(command.file, pair.title) << comparison_table(comparison);
+    streams.out << heading(input_name(command.file), pair.title) << comparison_table(comparison);
   }
   return comparison.is_complete() ? ExitStatus::complete : ExitStatus::incomplete;
 }

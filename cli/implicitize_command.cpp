@@ -1,10 +1,12 @@
 #include "cli/implicitize_command.h"
 
 #include <exsect/geometry/curve_file.h>
+#include <exsect/geometry/file_form.h>
 #include <exsect/geometry/patch_file.h>
 
 #include <stdexcept>
 
+#include "cli/input_file.h"
 #include "cli/patch_choice.h"
 #include "output/drawing/implicit_svg.h"
 #include "output/drawing/space_implicit_svg.h"
@@ -85,8 +87,8 @@ Shown patch(const ImplicitizeCommand& command, const ChosenPatch& chosen) {
 
 ExitStatus run(const ImplicitizeCommand& command, const Streams& streams) {
   check(command.output, command.file);
-  const std::string text = read_text_file(command.file, max_curve_file_bytes);
-  const std::string version = file_version(text, command.file);
+  const std::string text = input_text(command.file, max_curve_file_bytes);
+  const std::string version = file_version(text, input_name(command.file));
   std::string title;
   Shown result;
   if (version == "patches/1") {
@@ -95,11 +97,11 @@ ExitStatus run(const ImplicitizeCommand& command, const Streams& streams) {
     title = chosen.title;
     result = patch(command, chosen);
   } else if (version == "curve/1") {
-    const CurveFile file = parse_curve(text, command.file);
+    const CurveFile file = parse_curve(text, input_name(command.file));
     title = file.title;
     result = file.curve.dimension() == 2 ? planar(command, file) : spatial(command, file);
   } else {
-    throw InputError(command.file, "$.exsect", "must be \"curve/1\" or \"patches/1\"");
+    throw InputError(input_name(command.file), "$.exsect", wrong_form(version, "curve/1 or patches/1"));
   }
   if (!command.output.json.empty() && !command.output.json_to_stdout())
     write_file_atomically(command.output.json, result.json);
@@ -108,7 +110,7 @@ ExitStatus run(const ImplicitizeCommand& command, const Streams& streams) {
   if (command.output.json_to_stdout())
     streams.out << result.json;
   else if (!command.quiet)
-    streams.out << heading(command.file, title) << result.summary;
+    streams.out << heading(input_name(command.file), title) << result.summary;
   return result.is_complete ? ExitStatus::complete : ExitStatus::incomplete;
 }
 

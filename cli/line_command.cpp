@@ -7,6 +7,7 @@
 
 #include "certificate/line.h"
 #include "cli/export_files.h"
+#include "cli/input_file.h"
 #include "cli/patch_choice.h"
 #include "output/drawing/line_svg.h"
 #include "output/options/option_values.h"
@@ -74,7 +75,7 @@ ExitStatus run(const LineCommand& command, const Streams& streams) {
   if (command.output.json_to_stdout()) {
     streams.out << json;
   } else if (!command.quiet) {
-    streams.out << heading(command.file, pair.title)
+    streams.out << heading(input_name(command.file), pair.title)
                 << line_summary(line, pair.x.patch, pair.y.patch, command.verbose);
   }
   const bool unproved = proof.empty() && !command.output.certificate.empty();

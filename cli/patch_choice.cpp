@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/input_file.h"
 #include "output/text/terminal_text.h"
 
 namespace exsect::cli {
@@ -26,7 +27,7 @@ const NamedPatch& named(const PatchFile& file, const std::string& path, const st
                                   [&](const NamedPatch& candidate) { return candidate.name == name; });
   if (patch == file.patches.end()) {
     throw InputError(
-        path, "$.patches",
+        input_name(path), "$.patches",
         fmt::format("{}: no patch is named \"{}\"; there are {}", option, printable(name), names(file)));
   }
   return *patch;
@@ -36,24 +37,24 @@ const NamedPatch& named(const PatchFile& file, const std::string& path, const st
 
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second,
                     const char* chosen_by) {
-  const PatchFile file = read_patches(path);
+  const PatchFile file = input_patches(path);
   for (const std::string& name : {first, second})
     if (!name.empty()) named(file, path, name, chosen_by);
   return read_pair(path, first, second);
 }
 
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second) {
-  const PatchFile file = read_patches(path);
+  const PatchFile file = input_patches(path);
   const std::size_t count = file.patches.size();
   if (!first.empty() && first == second) {
-    throw InputError(path, "$.patches",
+    throw InputError(input_name(path), "$.patches",
                      fmt::format("--first and --second both name \"{}\"; two different patches are needed",
                                  printable(first)));
   }
   const NamedPatch* x = first.empty() ? nullptr : &named(file, path, first, "--first");
   const NamedPatch* y = second.empty() ? nullptr : &named(file, path, second, "--second");
   if ((x == nullptr || y == nullptr) && count != 2) {
-    throw InputError(path, "$.patches",
+    throw InputError(input_name(path), "$.patches",
                      count < 2 ? "holds one patch; two are needed"
                                : fmt::format("holds {} patches ({}): choose with --first and --second", count,
                                              names(file)));
@@ -79,18 +80,18 @@ std::string place_beyond_doubles(const NamedPatch& named) {
 }
 
 void refuse_beyond_doubles(const std::string& path, const std::string& reason) {
-  const PatchFile file = read_patches(path);
+  const PatchFile file = input_patches(path);
   for (std::size_t k = 0; k < file.patches.size(); ++k) {
     const std::string place = place_beyond_doubles(file.patches[k]);
-    if (!place.empty()) throw InputError(path, fmt::format("$.patches[{}].{}", k, place), reason);
+    if (!place.empty()) throw InputError(input_name(path), fmt::format("$.patches[{}].{}", k, place), reason);
   }
 }
 
 ChosenPatch read_patch(const std::string& path, const std::string& name) {
-  const PatchFile file = read_patches(path);
+  const PatchFile file = input_patches(path);
   if (name.empty() && file.patches.size() != 1) {
     throw InputError(
-        path, "$.patches",
+        input_name(path), "$.patches",
         fmt::format("holds {} patches ({}): choose with --patch", file.patches.size(), names(file)));
   }
   return {name.empty() ? file.patches.front() : named(file, path, name, "--patch"), file.title};

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "cli/export_files.h"
+#include "cli/input_file.h"
 #include "cli/patch_choice.h"
 #include "output/drawing/revolution_svg.h"
 #include "output/drawing/scene_obj.h"
@@ -85,7 +86,7 @@ void check_more(const RevolveCommand& command) {
 ExitStatus run(const RevolveCommand& command, const Streams& streams) {
   const RevolveOptions checked = revolve_options(command);
   check_more(command);
-  const CurveFile file = read_curve(command.file);
+  const CurveFile file = input_curve(command.file);
   ShownRevolution shown{checked.method, file.curve, solved(command.file, file.curve, checked), std::nullopt};
   if (!command.patch_file.empty())
     shown.patch =
@@ -109,7 +110,7 @@ ExitStatus run(const RevolveCommand& command, const Streams& streams) {
   if (command.output.json_to_stdout()) {
     streams.out << json;
   } else if (!command.quiet) {
-    streams.out << heading(command.file, file.title) << revolution_summary(shown);
+    streams.out << heading(input_name(command.file), file.title) << revolution_summary(shown);
   }
   return shown.is_complete() ? ExitStatus::complete : ExitStatus::incomplete;
 }

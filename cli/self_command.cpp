@@ -5,6 +5,7 @@
 
 #include "certificate/certificate_text.h"
 #include "cli/export_files.h"
+#include "cli/input_file.h"
 #include "cli/patch_choice.h"
 #include "cli/progress.h"
 #include "output/drawing/intersection_svg.h"
@@ -78,7 +79,7 @@ ExitStatus run(const SelfCommand& command, const Streams& streams) {
   if (command.output.json_to_stdout()) {
     streams.out << json;
   } else if (!command.quiet) {
-    streams.out << heading(command.file, chosen.title)
+    streams.out << heading(input_name(command.file), chosen.title)
                 << intersection_summary(result, names, chosen.patch.patch, chosen.patch.patch,
                                         command.verbose);
   }

@@ -1,8 +1,8 @@
 #include "cli/verify_command.h"
 
-#include <exsect/geometry/candidate_file.h>
 #include <exsect/verify/verify.h>
 
+#include "cli/input_file.h"
 #include "cli/patch_choice.h"
 #include "cli/progress.h"
 #include "output/options/option_values.h"
@@ -19,6 +19,28 @@ PatchPair chosen_pair(const VerifyCommand& command, const Candidate& candidate) 
   if (!command.first.empty() || !command.second.empty())
     return read_pair(command.file, command.first, command.second);
   return read_pair(command.file, candidate.patches[0], candidate.patches[1], "the candidate's patches");
+}
+
+/// Whether the file is JSON that says to hold patches.
+bool is_patch_file(const std::string& path) {
+  try {
+    return file_version(input_text(path, max_patch_file_bytes), path) == "patches/1";
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+Candidate candidate_of(const VerifyCommand& command) {
+  if (command.candidate == "-" && command.file == "-")
+    throw UsageError("CANDIDATE and FILE cannot both be the standard input");
+  try {
+    return input_candidate(command.candidate);
+  } catch (const InputError&) {
+    if (is_patch_file(command.candidate))
+      throw UsageError(input_name(command.candidate) +
+                       " holds patches, not a candidate: are CANDIDATE and FILE the other way round?");
+    throw;
+  }
 }
 
 Verification solve_candidate(const PatchPair& pair, const Candidate& candidate, VerifyOptions options,
@@ -42,7 +64,7 @@ ExitStatus run(const VerifyCommand& command, const Streams& streams) {
     options.max_seconds = positive_value("--max-seconds", command.max_seconds);
   check(command.output, command.file);
   check(command.output, command.candidate);
-  const Candidate candidate = read_candidate(command.candidate);
+  const Candidate candidate = candidate_of(command);
   const PatchPair pair = chosen_pair(command, candidate);
   const PatchNames names = {pair.x.name, pair.y.name};
   const Verification result = solve_candidate(pair, candidate, options, streams, command.quiet);
@@ -60,7 +82,7 @@ ExitStatus run(const VerifyCommand& command, const Streams& streams) {
   if (command.output.json_to_stdout())
     streams.out << json;
   else if (!command.quiet)
-    streams.out << heading(command.candidate, pair.title)
+    streams.out << heading(input_name(command.candidate), pair.title)
                 << verdict_summary(result, candidate, command.tolerance, pair.x.patch, pair.y.patch);
   return status(result.verdict.agreement);
 }

@@ -40,6 +40,10 @@ std::string equation_headline(const PlanarImplicit& implicit, const PlanarOption
   text = fmt::format("{}, {} functions ({}, degree {}), an equation is exact from degree {} on\n",
                      name(options.method), implicit.dimension, name(options.space), options.degree,
                      implicit.exact_degree);
+  if (options.degree >= implicit.exact_degree)
+    text +=
+        fmt::format("  this is a fit; the curve has an exact equation of degree {}, found without --degree\n",
+                    implicit.exact_degree);
   if (implicit.singular_value)
     text += fmt::format("  least singular value {:.3g}\n", *implicit.singular_value);
   if (!implicit.is_unique) text += "  the samples leave some coefficients open: other fits are as good\n";

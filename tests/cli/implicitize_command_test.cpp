@@ -178,6 +178,15 @@ TEST_CASE("pictures and summaries") {
   CHECK(Json::parse(content(scratch.path("p.json")))["exsect"] == "implicit/1");
 }
 
+TEST_CASE("a fit of a degree at which there is an exact equation says so") {
+  const std::string told =
+      "this is a fit; the curve has an exact equation of degree 3, found without --degree";
+  CHECK(run_program({"implicitize", profile, "--degree", "3"}).out.find(told) != std::string::npos);
+  CHECK(run_program({"implicitize", profile, "--degree", "2"}).out.find("this is a fit") ==
+        std::string::npos);
+  CHECK(run_program({"implicitize", profile}).out.find("exact equation of degree 3;") != std::string::npos);
+}
+
 TEST_CASE("bad input is refused with the reason") {
   CHECK(refusal({profile, "--method", "magic"}).find("--method: \"magic\" is not one of exact, ") !=
         std::string::npos);
@@ -206,7 +215,9 @@ TEST_CASE("bad input is refused with the reason") {
   CHECK(curve(R"("degree": 1, "points": [[0,0],[1,1]], "weights": [1,0])").find("$.weights[1]") !=
         std::string::npos);
   write(file, R"({"exsect": "line/1"})");
-  CHECK(refusal({file}).find("$.exsect: must be \"curve/1\" or \"patches/1\"") != std::string::npos);
+  CHECK(refusal({file}).find(
+            "$.exsect: holds a result of exsect line, line/1; needed is curve/1 or patches/1") !=
+        std::string::npos);
 }
 
 }  // namespace

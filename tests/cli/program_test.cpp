@@ -81,6 +81,70 @@ TEST_CASE("turning parameters are a list of u, v, r, s") {
   }
 }
 
+TEST_CASE("misspelt commands and options are met with the nearest ones") {
+  check_refused({"intersct", first}, "\"intersct\" is no command; did you mean intersect?");
+  check_refused({"verfy"}, "did you mean verify?");
+  check_refused({first}, "is no command; these are: intersect, line, ");
+  check_refused({"intersect", first, "--tolerence", "1e-3"}, "did you mean --tolerance?");
+  check_refused({"intersect", first, "--tolerence=1e-3"}, "did you mean --tolerance?");
+  check_refused({"help", "intersct"}, "did you mean intersect?");
+}
+
+TEST_CASE("help is what --help shows") {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{}, {"intersect"}, {"batch-merge"}}) {
+    std::vector<std::string> help = {"help"};
+    help.insert(help.end(), words.begin(), words.end());
+    std::vector<std::string> option = words;
+    option.emplace_back("--help");
+    const ProgramRun run = run_program(help);
+    CHECK(run.status == 0);
+    CHECK(run.out == run_program(option).out);
+    CHECK(run.out.size() > 400);
+  }
+}
+
+TEST_CASE("the standard input is a file by the name -") {
+  const auto piped = [](const std::string& file, const std::string& command) {
+    const ScratchDirectory scratch;
+    const std::string line = "cat " + quoted(file) + " | " + quoted(EXSECT_PROGRAM) + " " + command + " >" +
+                             quoted(scratch.path("out")) + " 2>" + quoted(scratch.path("err"));
+    const int ended = std::system(line.c_str());
+    return ProgramRun{WEXITSTATUS(ended), content(scratch.path("out")), content(scratch.path("err"))};
+  };
+  const ProgramRun run = piped(first, "intersect -");
+  CHECK(run.status == 0);
+  CHECK(run.out.starts_with("standard input: First example"));
+  CHECK(piped(first, "line - --u 1/2").status == 0);
+  CHECK(piped(example("profile.json"), "implicitize -").status == 0);
+  CHECK(piped(example("profile.json"), "revolve - --method product").status == 0);
+  CHECK(piped(example("profile.json"), "intersect -").err ==
+        "exsect: standard input: $.exsect: holds a curve, curve/1; needed is patches/1\n");
+  const std::string right = example("candidates/sisl-right");
+  CHECK(
+      piped(right + ".candidate.json", "verify - " + quoted(right + ".json") + " --tolerance 1e-4").status ==
+      0);
+  CHECK(
+      piped(right + ".json", "verify " + quoted(right + ".candidate.json") + " - --tolerance 1e-4").status ==
+      0);
+  CHECK(piped(right + ".json", "verify - -").err ==
+        "exsect: CANDIDATE and FILE cannot both be the standard input\n");
+  const ScratchDirectory scratch;
+  const std::string proof = scratch.path("proof.json");
+  REQUIRE(run_program({"intersect", first, "--certificate", proof, "--quiet"}).status == 0);
+  CHECK(piped(proof, "check -").status == 0);
+}
+
+TEST_CASE("files of another kind are refused by what they hold") {
+  const std::string pair = example("candidates/sisl-right");
+  check_refused({"verify", pair + ".json", pair + ".candidate.json"},
+                pair + ".json holds patches, not a candidate: are CANDIDATE and FILE the other way round?");
+  check_refused({"intersect", example("profile.json")},
+                "$.exsect: holds a curve, curve/1; needed is patches/1");
+  check_refused({"revolve", first, "--method", "product"},
+                "$.exsect: holds patches, patches/1; needed is curve/1");
+  check_refused({"implicitize", pair + ".candidate.json"}, "holds curves of another program, candidate/1");
+}
+
 TEST_CASE("a line needs one parameter in [0,1]") {
   check_refused({"line", first}, "give one of --u, --v, --r, --s");
   check_refused({"line", first, "--u", "1/2", "--v", "1/2"}, "only one of");
