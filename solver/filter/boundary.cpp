@@ -4,17 +4,19 @@
 
 namespace exsect::filter {
 
-std::optional<std::vector<BoundaryPoint>> boundary_points(const Pair& pair, const Contacts& contacts,
-                                                          Trees& trees, long& boxes) {
-  std::vector<BoundaryPoint> points;
+template <class K>
+std::optional<std::vector<BoundaryPointOf<K>>> boundary_points(const PairOf<K>& pair,
+                                                               const ContactsOf<K>& contacts,
+                                                               TreesOf<K>& trees, long& boxes) {
+  std::vector<BoundaryPointOf<K>> points;
   for (std::size_t fixed = 0; fixed < 4; ++fixed) {
     for (const double side : {-0.5, 0.5}) {
       const auto on_side =
-          points_on_line(pair, {fixed, side, 0}, contacts, fixed < 2 ? trees.y : trees.x, boxes);
+          points_on_line<K>(pair, {fixed, side, 0}, contacts, fixed < 2 ? trees.y : trees.x, boxes);
       if (!on_side) {
         return std::nullopt;
       }
-      for (const Ball& ball : *on_side) {
+      for (const BallOf<K>& ball : *on_side) {
         points.push_back({ball, fixed, side});
       }
     }
@@ -36,5 +38,11 @@ bool add_side_paths(const BezierPatch& x, const BezierPatch& y, const Pair& pair
   }
   return contacts.sides.size() + contacts.paths.size() > known.sides.size() + known.paths.size();
 }
+
+#define EXSECT_INSTANTIATE(K)                                                 \
+  template std::optional<std::vector<BoundaryPointOf<K>>> boundary_points<K>( \
+      const PairOf<K>&, const ContactsOf<K>&, TreesOf<K>&, long&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

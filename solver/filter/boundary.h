@@ -12,18 +12,22 @@ namespace exsect::filter {
 /// Exactly one solution of x = y in the ball has `parameter` (centred) equal to `side`, which is 1/2 or -1/2,
 /// as ball.middle has. It lies in the interior of the other three intervals, and the curve crosses the side.
 /// Or, if `centre` is not -1, it is a port of that double point: see Port.
-struct BoundaryPoint {
-  Ball ball;
+template <class K>
+struct BoundaryPointOf {
+  BallOf<K> ball;
   std::size_t parameter;
   double side;
   int centre = -1;
   std::size_t port = 0;
 };
+using BoundaryPoint = BoundaryPointOf<Biquadratic>;
 
 /// Every solution on a side but the contacts, which no other one is near; empty if that is not decided:
 /// corners, tangents and sides on the other patch among other reasons. `boxes` counts the pairs looked at.
-std::optional<std::vector<BoundaryPoint>> boundary_points(const Pair& pair, const Contacts& contacts,
-                                                          Trees& trees, long& boxes);
+template <class K>
+std::optional<std::vector<BoundaryPointOf<K>>> boundary_points(const PairOf<K>& pair,
+                                                               const ContactsOf<K>& contacts,
+                                                               TreesOf<K>& trees, long& boxes);
 
 /// Adds to the contacts the sides of one patch that lie on the other one along a straight line of its
 /// parameters, if `boundary_points` fails for that reason. False if there are none that it does not know.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace exsect::filter {
 
@@ -11,16 +12,14 @@ constexpr long kMostBoxes = 600;
 constexpr int kDeepest = 24;  // levels of both patches together
 constexpr int kMostDirections = 12;
 
-constexpr std::array<std::size_t, 4> kCorners = {0, 2, 6, 8};
+template <class K>
+constexpr std::array<std::size_t, 4> kCorners = {0, K::degree, K::degree* K::side, K::count - 1};
 constexpr std::array<SquareSide, 4> kSides = {{{0, false}, {0, true}, {1, false}, {1, true}}};
 
-const Point& control_point(const BezierPatch& patch, std::size_t i) { return patch.net()[i / 3][i % 3]; }
-
-double size1(const Vec3& a) { return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]); }
-
-SideContact side_contact(const Pair& pair, const SideView& x, const SideView& y) {
-  SideContact contact{x, y, {}, across_field(pair.x.net, x), across_field(pair.y.net, y)};
-  for (std::size_t j = 0; j < 2; ++j) {
+template <class K>
+SideContactOf<K> side_contact(const PairOf<K>& pair, const SideView& x, const SideView& y) {
+  SideContactOf<K> contact{x, y, {}, across_field<K>(pair.x.net, x), across_field<K>(pair.y.net, y)};
+  for (std::size_t j = 0; j < K::degree; ++j) {
     contact.direction[j] = pair.x.net[x.index(0, j + 1)] - pair.x.net[x.index(0, j)];
   }
   return contact;
@@ -35,25 +34,27 @@ std::optional<std::size_t> corner_of(const Rational& first, const Rational& seco
   return (first == 1 ? 6U : 0U) + (second == 1 ? 2U : 0U);
 }
 
+template <class K>
 class ContactFinder {
  public:
-  ContactFinder(const BezierPatch& x, const BezierPatch& y, const Pair& pair) : x_(x), y_(y), pair_(pair) {}
+  ContactFinder(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair)
+      : x_(x), y_(y), pair_(pair) {}
 
-  std::optional<Contacts> run() {
+  std::optional<ContactsOf<K>> run() {
     if (!find_corners()) {
       return std::nullopt;
     }
-    Contacts contacts;
+    ContactsOf<K> contacts;
     std::vector<bool> on_side(corners_.size(), false);
     for (const SquareSide& a : kSides) {
       for (const SquareSide& b : kSides) {
         for (const bool reversed : {false, true}) {
-          const SideView x = {a, false};
-          const SideView y = {b, reversed};
+          const SideView x = {a, false, K::degree};
+          const SideView y = {b, reversed, K::degree};
           if (same_side(x, y)) {
-            contacts.sides.push_back(side_contact(pair_, x, y));
+            contacts.sides.push_back(side_contact<K>(pair_, x, y));
             for (std::size_t k = 0; k < corners_.size(); ++k) {
-              on_side[k] = on_side[k] || is_end(corners_[k], x, y, 0) || is_end(corners_[k], x, y, 2);
+              on_side[k] = on_side[k] || is_end(corners_[k], x, y, 0) || is_end(corners_[k], x, y, K::degree);
             }
           }
         }
@@ -70,8 +71,8 @@ class ContactFinder {
  private:
   /// False if a corner is two corners of the other patch, or perhaps one of them but for rounding.
   bool find_corners() {
-    for (const std::size_t i : kCorners) {
-      for (const std::size_t j : kCorners) {
+    for (const std::size_t i : kCorners<K>) {
+      for (const std::size_t j : kCorners<K>) {
         if (pair_.x.net[i] != pair_.y.net[j]) {
           continue;
         }
@@ -87,7 +88,8 @@ class ContactFinder {
   }
 
   bool same_side(const SideView& x, const SideView& y) const {
-    for (const std::size_t along : {0, 2, 1}) {
+    for (std::size_t k = 0; k < K::side; ++k) {
+      const std::size_t along = k == 1 ? K::degree : k == K::degree ? 1 : k;  // first the ends
       const std::size_t i = x.index(0, along);
       const std::size_t j = y.index(0, along);
       if (pair_.x.net[i] != pair_.y.net[j] || control_point(x_, i) != control_point(y_, j)) {
@@ -101,9 +103,9 @@ class ContactFinder {
     return corner.x == x.index(0, along) && corner.y == y.index(0, along);
   }
 
-  const BezierPatch& x_;
-  const BezierPatch& y_;
-  const Pair& pair_;
+  const ExactPatch<K>& x_;
+  const ExactPatch<K>& y_;
+  const PairOf<K>& pair_;
   std::vector<CornerContact> corners_;
 };
 
@@ -118,47 +120,82 @@ Vec3 unit_across(const Vec3& v, const Vec3& c) {
 
 /// Of a mean of parameters, if those of y are taken to those of x: each of offset and factor errs by u times
 /// its size, and the product, the sums and the mean by as much.
-double mean_error(const SideContact& contact) {
+template <class K>
+double mean_error(const SideContactOf<K>& contact) {
   return contact.path ? 4 * kUnit * (1 + std::fabs(contact.offset) + std::fabs(contact.factor)) : 0;
 }
 
 /// What is along y, in the parameter along x.
-Interval along_on_x(const SideContact& contact, const SideIntervals& on_y) {
+template <class K>
+Interval along_on_x(const SideContactOf<K>& contact, const SideIntervals& on_y) {
   return {contact.offset + contact.factor * on_y.along.lower,
           contact.offset + contact.factor * on_y.along.upper};
 }
 
-bool may_touch(const SideContact& contact, const SideIntervals& on_x, const SideIntervals& on_y) {
+template <class K>
+bool may_touch(const SideContactOf<K>& contact, const SideIntervals& on_x, const SideIntervals& on_y) {
   const Interval y_along = along_on_x(contact, on_y);
   const double error = 2 * mean_error(contact);
   return on_x.across.lower == 0 && on_y.across.lower == 0 && on_x.along.lower <= y_along.upper + error &&
          y_along.lower - error <= on_x.along.upper;
 }
 
+/// Control vectors of D(t,t')/n where c(t) - c(t') = (t - t') D(t,t'): a convex set that contains all of its
+/// values for t in the one, t' in the other interval. For a parabola D is c' at the mean, (14.12).
+std::array<Vec3, 2> secant_net(const std::array<Vec3, 2>& d, const Interval& t, const Interval& other) {
+  const Interval means = {0.5 * (t.lower + other.lower), 0.5 * (t.upper + other.upper)};
+  return {between(d[0], d[1], means.lower), between(d[0], d[1], means.upper)};
+}
+/// (14.27): q(t,t) + q(t,t') + q(t',t'), q the blossom of d, divided by 3.
+std::array<Vec3, 9> secant_net(const std::array<Vec3, 3>& d, const Interval& t, const Interval& other) {
+  const auto q = [&](double a, double b) {
+    return between(between(d[0], d[1], a), between(d[1], d[2], a), b);
+  };
+  const std::array<std::array<double, 2>, 3> first = {
+      {{t.lower, t.lower}, {t.lower, t.upper}, {t.upper, t.upper}}};
+  const std::array<std::array<double, 2>, 3> second = {
+      {{other.lower, other.lower}, {other.lower, other.upper}, {other.upper, other.upper}}};
+  std::array<Vec3, 9> net;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto& a = first[i];
+      const auto& b = second[j];
+      const Vec3 mixed = 0.25 * ((q(a[0], b[0]) + q(a[0], b[1])) + (q(a[1], b[0]) + q(a[1], b[1])));
+      net[3 * i + j] = (1.0 / 3) * ((q(a[0], a[1]) + q(b[0], b[1])) + mixed);
+    }
+  }
+  return net;
+}
+
 // (14.11) to (14.13). Where the parametrisations differ, a mean m errs by less than mean_error, C(m) by 4
 // times that, w.X by 96 |n| times that; and the errors of C are those of its control vectors times |1-m| +
 // |m| <= stretch.
-bool meet_in_side(const SideContact& contact, const SideIntervals& on_x, const SideIntervals& on_y,
+template <class K>
+bool meet_in_side(const SideContactOf<K>& contact, const SideIntervals& on_x, const SideIntervals& on_y,
                   double net_error) {
-  const AcrossField fx = restricted(contact.x_across, on_x);
-  const AcrossField fy = restricted(contact.y_across, on_y);
-  const auto& d = contact.direction;
+  const AcrossFieldOf<K> fx = restricted<K>(contact.x_across, on_x);
+  const AcrossFieldOf<K> fy = restricted<K>(contact.y_across, on_y);
   const Interval y_along = along_on_x(contact, on_y);
   const Interval means = {0.5 * (on_x.along.lower + y_along.lower), 0.5 * (on_x.along.upper + y_along.upper)};
   const double stretch = 1 + 2 * std::max({0.0, -means.lower, means.upper - 1});
   const double extra = 100 * mean_error(contact);
-  const std::array<Vec3, 2> c = {between(d[0], d[1], means.lower), between(d[0], d[1], means.upper)};
-  const Vec3 middle = c[0] + c[1];
+  const auto c = secant_net(contact.direction, on_x.along, y_along);
+  const Vec3 middle = c.front() + c.back();
   if (!(dot(middle, middle) > 0x1p-60)) {
     return false;
   }
-  const Vec3 n = cross(unit_across(fx[1] + fx[4], middle) - unit_across(fy[1] + fy[4], middle), middle);
+  constexpr std::size_t inner = K::degree / 2;  // about the middle of the side
+  const auto central = [&](const AcrossFieldOf<K>& f) {
+    return f[inner] + f[K::side * (K::degree - 1) + inner];
+  };
+  const Vec3 n = cross(unit_across(central(fx), middle) - unit_across(central(fy), middle), middle);
   for (const Vec3& tangent : c) {
     const Vec3 w = cross(tangent, n);
-    const double error = kSlack * (kSideError * net_error * (size1(w) + kSideNormal * stretch * largest(n)) +
+    const double error = kSlack * (kSideError<K::degree> * net_error *
+                                       (size1(w) + kSideNormal<K::degree> * stretch * largest(n)) +
                                    extra * largest(n)) +
                          kTiny;
-    for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t k = 0; k < fx.size(); ++k) {
       if (!(dot(w, fx[k]) > error && dot(w, fy[k]) < -error)) {
         return false;
       }
@@ -174,7 +211,8 @@ Vec3 unit(const Vec3& v) {
 }
 
 /// A guess of d with d.v > 0 for all v: Gilbert's method for the point of the convex hull nearest to zero.
-Vec3 positive_direction(const std::array<Vec3, 18>& vectors, std::size_t count) {
+template <std::size_t N>
+Vec3 positive_direction(const std::array<Vec3, N>& vectors, std::size_t count) {
   Vec3 d = {0, 0, 0};
   for (std::size_t k = 0; k < count; ++k) {
     d = d + (1.0 / static_cast<double>(count)) * vectors[k];
@@ -200,26 +238,28 @@ Vec3 positive_direction(const std::array<Vec3, 18>& vectors, std::size_t count) 
 }
 
 /// The index in the part's net of a corner of the square; `count` if it does not reach that far.
+template <class K>
 std::size_t own_corner(const Part& part, std::size_t corner) {
   const auto reaches = [](const Interval& range, bool upper) {
     return upper ? range.upper == 1 : range.lower == 0;
   };
-  const std::array<bool, 2> upper = {corner >= 6, corner % 3 == 2};
+  const std::array<bool, 2> upper = corner_ends<K>(corner);
   if (!reaches(part.range[0], upper[0]) || !reaches(part.range[1], upper[1])) {
     return part.points.size();
   }
-  if (part.points.size() == 9) {
+  if (part.points.size() == K::count) {
     return corner;
   }
   const std::size_t along = part.range[0].lower == part.range[0].upper ? 1 : 0;
-  return upper[along] ? 2 : 0;
+  return upper[along] ? K::degree : 0;
 }
 
 // (14.14). De Casteljau's algorithm keeps the corner's double. The bound is that of (14.2).
+template <class K>
 bool meet_in_corner(const Vec3& p, std::size_t corner_x, std::size_t corner_y, const Part& x, const Part& y,
                     double net_error) {
-  std::array<Vec3, 18> vectors;
-  std::array<Vec3, 18> units;
+  std::array<Vec3, 2 * K::count> vectors;
+  std::array<Vec3, 2 * K::count> units{};
   std::size_t count = 0;
   for (std::size_t k = 0; k < x.points.size(); ++k) {
     if (k != corner_x) {
@@ -255,7 +295,7 @@ SideContact part_of_side(const SidePath& path, const std::array<SquareSide, 2>& 
   const Rational& from = path.ends[0][along];
   const Rational& to = path.ends[1][along];
   const bool reversed = to < from;
-  SideContact contact = side_contact(pair, {sides[0], false}, {sides[1], reversed});
+  SideContact contact = side_contact<Biquadratic>(pair, {sides[0], false}, {sides[1], reversed});
   contact.path = path;
   const Rational length = abs(to - from);
   // Along the line the parameter is from + (to - from) t; t of x and t' of y, 1 - t' if reversed.
@@ -286,13 +326,16 @@ void add_path(const SidePath& path, const Pair& pair, Contacts& contacts) {
   }
 }
 
-std::optional<Contacts> find_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pair) {
-  return ContactFinder(x, y, pair).run();
+template <class K>
+std::optional<ContactsOf<K>> find_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                           const PairOf<K>& pair) {
+  return ContactFinder<K>(x, y, pair).run();
 }
 
-Meeting meeting(const Pair& pair, const Contacts& contacts, const Part& x, const Part& y) {
+template <class K>
+Meeting meeting(const PairOf<K>& pair, const ContactsOf<K>& contacts, const Part& x, const Part& y) {
   bool touching = false;
-  for (const SideContact& side : contacts.sides) {
+  for (const SideContactOf<K>& side : contacts.sides) {
     const SideIntervals on_x = intervals(side.x, x);
     const SideIntervals on_y = intervals(side.y, y);
     if (meet_in_side(side, on_x, on_y, pair.net_error)) {
@@ -300,16 +343,18 @@ Meeting meeting(const Pair& pair, const Contacts& contacts, const Part& x, const
     }
     touching = touching || may_touch(side, on_x, on_y);
   }
-  for (const PathContact& path : contacts.paths) {
-    if (meet_on_line(pair, path, x, y)) {
-      return Meeting::contact;
+  if constexpr (std::is_same_v<K, Biquadratic>) {
+    for (const PathContact& path : contacts.paths) {
+      if (meet_on_line(pair, path, x, y)) {
+        return Meeting::contact;
+      }
+      touching = touching || may_touch(path, x, y);
     }
-    touching = touching || may_touch(path, x, y);
   }
   for (const CornerContact& corner : contacts.corners) {
-    const std::size_t i = own_corner(x, corner.x);
-    const std::size_t j = own_corner(y, corner.y);
-    if (meet_in_corner(pair.x.net[corner.x], i, j, x, y, pair.net_error)) {
+    const std::size_t i = own_corner<K>(x, corner.x);
+    const std::size_t j = own_corner<K>(y, corner.y);
+    if (meet_in_corner<K>(pair.x.net[corner.x], i, j, x, y, pair.net_error)) {
       return Meeting::contact;
     }
     touching = touching || (i < x.points.size() && j < y.points.size());
@@ -317,16 +362,18 @@ Meeting meeting(const Pair& pair, const Contacts& contacts, const Part& x, const
   return touching ? Meeting::touching : Meeting::unknown;
 }
 
-bool meet_in_contacts_only(const Pair& pair, Trees& trees, const Contacts& contacts, long& boxes) {
+template <class K>
+bool meet_in_contacts_only(const PairOf<K>& pair, TreesOf<K>& trees, const ContactsOf<K>& contacts,
+                           long& boxes) {
   std::vector<PiecePair> stack = {{0, 0}};
   for (long count = 0; !stack.empty(); ++count) {
     const PiecePair item = stack.back();
     stack.pop_back();
     ++boxes;
-    const SubPatch& x = trees.x[item.x];
-    const SubPatch& y = trees.y[item.y];
+    const SubPatchOf<K>& x = trees.x[item.x];
+    const SubPatchOf<K>& y = trees.y[item.y];
     if (separated(x, y, pair.net_error) ||
-        meeting(pair, contacts, part_of(x), part_of(y)) == Meeting::contact) {
+        meeting<K>(pair, contacts, part_of(x), part_of(y)) == Meeting::contact) {
       continue;
     }
     if (count > kMostBoxes || x.level + y.level >= kDeepest) {
@@ -336,5 +383,13 @@ bool meet_in_contacts_only(const Pair& pair, Trees& trees, const Contacts& conta
   }
   return true;
 }
+
+#define EXSECT_INSTANTIATE(K)                                                                        \
+  template std::optional<ContactsOf<K>> find_contacts<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
+                                                         const PairOf<K>&);                          \
+  template Meeting meeting<K>(const PairOf<K>&, const ContactsOf<K>&, const Part&, const Part&);     \
+  template bool meet_in_contacts_only<K>(const PairOf<K>&, TreesOf<K>&, const ContactsOf<K>&, long&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

@@ -14,33 +14,44 @@ namespace exsect::filter {
 /// The side of x and that of y are one curve or parts of one: x(.,t) = y(.,t') for t = offset + factor t', t
 /// and t' counted as the views do; factor > 0. Both sides are the whole curve, with the same parametrisation,
 /// unless there is a `path`.
-struct SideContact {
+template <class K>
+struct SideContactOf {
   SideView x;
   SideView y;
-  std::array<Vec3, 2> direction;  // control vectors of half the derivative of the common curve
-  AcrossField x_across;
-  AcrossField y_across;
+  std::array<Vec3, K::degree> direction;  // control vectors of 1/n of the derivative of the common curve
+  AcrossFieldOf<K> x_across;
+  AcrossFieldOf<K> y_across;
   double offset = 0;
   double factor = 1;
   std::optional<SidePath> path = std::nullopt;
 };
+using SideContact = SideContactOf<Biquadratic>;
 
-/// A corner of x, index 0, 2, 6 or 8 of the net, is one of y.
+/// A corner of x, by its index in the net, is one of y.
 struct CornerContact {
   std::size_t x;
   std::size_t y;
 };
+/// Whether a corner is at the end of the first, the second parameter's interval.
+template <class K>
+std::array<bool, 2> corner_ends(std::size_t corner) {
+  return {corner >= K::degree * K::side, corner % K::side == K::degree};
+}
 
 /// Each is a point or an arc of solutions; no corner is an end of one of the others.
-struct Contacts {
-  std::vector<SideContact> sides;
-  std::vector<PathContact> paths;  // sides of one patch only
+template <class K>
+struct ContactsOf {
+  std::vector<SideContactOf<K>> sides;
+  std::vector<PathContact> paths;  // sides of one patch only; biquadratic pairs
   std::vector<CornerContact> corners;
   bool empty() const { return sides.empty() && paths.empty() && corners.empty(); }
 };
+using Contacts = ContactsOf<Biquadratic>;
 
 /// All that the control points show, compared exactly. Empty if there may be more, or a patch closes up.
-std::optional<Contacts> find_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pair);
+template <class K>
+std::optional<ContactsOf<K>> find_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                           const PairOf<K>& pair);
 
 /// Adds the side of one patch that lies on the other one in part; nothing if it is known already.
 void add_path(const SidePath& path, const Pair& pair, Contacts& contacts);
@@ -50,9 +61,12 @@ enum class Meeting {
   touching,  // the same contact is on both; nothing is proved
   unknown
 };
-Meeting meeting(const Pair& pair, const Contacts& contacts, const Part& x, const Part& y);
+template <class K>
+Meeting meeting(const PairOf<K>& pair, const ContactsOf<K>& contacts, const Part& x, const Part& y);
 
 /// True only if all solutions belong to the contacts. `boxes` counts the pairs looked at.
-bool meet_in_contacts_only(const Pair& pair, Trees& trees, const Contacts& contacts, long& boxes);
+template <class K>
+bool meet_in_contacts_only(const PairOf<K>& pair, TreesOf<K>& trees, const ContactsOf<K>& contacts,
+                           long& boxes);
 
 }  // namespace exsect::filter

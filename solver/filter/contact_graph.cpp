@@ -26,39 +26,52 @@ using filter::dot;
 double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 double determinant(const Vec3& a, const Vec3& b, const Vec3& c) { return dot(cross(a, b), c); }
 
-Vec3 difference(const Patch& patch, std::size_t a, std::size_t b) { return patch.net[a] - patch.net[b]; }
-Point difference(const BezierPatch& patch, std::size_t a, std::size_t b) {
-  return patch.net()[a / 3][a % 3] - patch.net()[b / 3][b % 3];
+template <class K>
+Vec3 difference(const PatchOf<K>& patch, std::size_t a, std::size_t b) {
+  return patch.net[a] - patch.net[b];
+}
+template <class Exact>
+Point difference(const Exact& patch, std::size_t a, std::size_t b) {
+  return control_point(patch, a) - control_point(patch, b);
 }
 
 /// The determinants of the first derivatives, three by three, at a common corner, up to positive factors:
 /// zero if and only if the tangent (5.1) is.
-template <class Vector, class Net>
+template <class K, class Vector, class Net>
 auto tangent_at(const Net& x, const Net& y, const CornerContact& at) {
   const auto neighbour = [](std::size_t corner, std::size_t across) {
-    const bool upper = across == 3 ? corner >= 6 : corner % 3 == 2;
+    const bool upper = corner_ends<K>(corner)[across == kFirst<K> ? 0 : 1];
     return upper ? corner - across : corner + across;
   };
-  const Vector u = difference(x, neighbour(at.x, 3), at.x);
+  const Vector u = difference(x, neighbour(at.x, kFirst<K>), at.x);
   const Vector v = difference(x, neighbour(at.x, 1), at.x);
-  const Vector r = difference(y, neighbour(at.y, 3), at.y);
+  const Vector r = difference(y, neighbour(at.y, kFirst<K>), at.y);
   const Vector s = difference(y, neighbour(at.y, 1), at.y);
   return std::array{determinant(v, r, s), determinant(u, r, s), determinant(u, v, s), determinant(u, v, r)};
 }
 
-/// The Bernstein coefficients, times 10, of det(C, x_across, y_across) along a common side: degree 5.
-template <class Number, class Vector>
-std::array<Number, 6> tangent_along(const std::array<Vector, 2>& direction, const std::array<Vector, 3>& x,
-                                    const std::array<Vector, 3>& y) {
-  constexpr std::array<int, 3> binomial = {1, 2, 1};
-  constexpr std::array<int, 6> inverse = {10, 2, 1, 1, 2, 10};  // 10 / (5 over k)
-  std::array<Number, 6> sum;
+/// n over k.
+constexpr int binomial(std::size_t n, std::size_t k) {
+  int result = 1;
+  for (std::size_t i = 1; i <= k; ++i) result = result * static_cast<int>(n + 1 - i) / static_cast<int>(i);
+  return result;
+}
+
+/// The Bernstein coefficients, coefficient k times (3n-1 over k), of det(C, x_across, y_across) along a
+/// common side: degree 3n-1.
+template <class K, class Number, class Vector>
+std::array<Number, 3 * K::degree> tangent_along(const std::array<Vector, K::degree>& direction,
+                                                const std::array<Vector, K::side>& x,
+                                                const std::array<Vector, K::side>& y) {
+  constexpr std::size_t n = K::degree;
+  std::array<Number, 3 * n> sum;
   sum.fill(Number(0));
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
+  for (std::size_t i = 0; i <= n; ++i) {
+    for (std::size_t j = 0; j <= n; ++j) {
       const Vector normal = cross(x[i], y[j]);
-      for (std::size_t k = 0; k < 2; ++k) {
-        sum[i + j + k] += Number(binomial[i] * binomial[j] * inverse[i + j + k]) * dot(direction[k], normal);
+      for (std::size_t k = 0; k < n; ++k) {
+        sum[i + j + k] +=
+            Number(binomial(n, i) * binomial(n, j) * binomial(n - 1, k)) * dot(direction[k], normal);
       }
     }
   }
@@ -91,7 +104,8 @@ std::array<Vector, 3> restricted(const std::array<Vector, 3>& c, const std::arra
 }
 
 /// The ends of the common part of two sides, as the views of x and of y count.
-std::array<std::array<Rational, 2>, 2> common_part(const SideContact& side, const SidePath& path) {
+template <class K>
+std::array<std::array<Rational, 2>, 2> common_part(const SideContactOf<K>& side, const SidePath& path) {
   std::array<std::array<Rational, 4>, 2> ends = {path.at(path.common.lower), path.at(path.common.upper)};
   const std::size_t along_x = 1 - side.x.side.parameter;
   const std::size_t along_y = 3 - side.y.side.parameter;
@@ -102,9 +116,10 @@ std::array<std::array<Rational, 2>, 2> common_part(const SideContact& side, cons
   return {{{ends[0][along_x], ends[1][along_x]}, {on_y(ends[0][along_y]), on_y(ends[1][along_y])}}};
 }
 
+template <class K>
 class ContactGraph {
  public:
-  ContactGraph(const BezierPatch& x, const BezierPatch& y, const Pair& pair, double tolerance,
+  ContactGraph(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair, double tolerance,
                GraphBuilder& graph)
       : x_(x),
         y_(y),
@@ -121,13 +136,15 @@ class ContactGraph {
     graph_.add_isolated(id);
   }
 
-  bool add(const SideContact& side) {
-    if (side.path) {
-      return add(*side.path, contact_along(side));
+  bool add(const SideContactOf<K>& side) {
+    if constexpr (std::is_same_v<K, Biquadratic>) {
+      if (side.path) {
+        return add(*side.path, contact_along(side));
+      }
     }
     Arc arc{};
     arc.from = add_node({side.x.index(0, 0), side.y.index(0, 0)});
-    arc.to = add_node({side.x.index(0, 2), side.y.index(0, 2)});
+    arc.to = add_node({side.x.index(0, K::degree), side.y.index(0, K::degree)});
     arc.place = ArcPlace::patch_boundary;
     arc.contact = contact_along(side);
     add_polyline(side, arc);
@@ -136,7 +153,7 @@ class ContactGraph {
     return proved;
   }
 
-  bool add(const SidePath& path, Contact contact) {
+  bool add(const SidePath& path, Contact contact) requires std::is_same_v<K, Biquadratic> {
     const RimEnd from = {path.at(path.common.lower), 0};
     const RimEnd to = {path.at(path.common.upper), 0};
     Arc arc = rim_arc(x_, from, to, ArcPlace::patch_boundary, tolerance_);
@@ -158,7 +175,9 @@ class ContactGraph {
   int add_node(const CornerContact& corner) {
     Node node{};
     node.kinds = {NodeKind::boundary, NodeKind::corner};
-    const std::array<bool, 4> upper = {corner.x >= 6, corner.x % 3 == 2, corner.y >= 6, corner.y % 3 == 2};
+    const auto [u, v] = corner_ends<K>(corner.x);
+    const auto [r, s] = corner_ends<K>(corner.y);
+    const std::array<bool, 4> upper = {u, v, r, s};
     for (std::size_t j = 0; j < 4; ++j) {
       const int value = upper[j] ? 1 : 0;
       node.on.push_back({static_cast<Parameter>(j), value});
@@ -180,21 +199,24 @@ class ContactGraph {
   /// The tangent planes are the same, or there is none.
   bool touches(const CornerContact& corner) const {
     const auto certain = [&](double t) { return std::fabs(t) > kDeterminantError * pair_.net_error; };
-    const auto rounded = tangent_at<Vec3>(pair_.x, pair_.y, corner);
+    const auto rounded = tangent_at<K, Vec3>(pair_.x, pair_.y, corner);
     if (std::any_of(rounded.begin(), rounded.end(), certain)) {
       return false;
     }
-    const auto exact = tangent_at<Point>(x_, y_, corner);
+    const auto exact = tangent_at<K, Point>(x_, y_, corner);
     return std::all_of(exact.begin(), exact.end(), [](const Rational& t) { return t == 0; });
   }
 
   /// Tangential if (14.15) vanishes all along the side; exactly, where doubles do not tell, as on nearly
-  /// smooth edges. The weights in each of the sums of `tangent_along` add up to 10.
-  Contact contact_along(const SideContact& side) const {
-    const double error = 10 * (side.path ? kPartDeterminantError : kDeterminantError) * pair_.net_error;
+  /// smooth edges. The weights in the sums of `tangent_along` add up to
+  /// (3n-1 over k).
+  Contact contact_along(const SideContactOf<K>& side) const {
+    const double error = (side.path ? kPartDeterminantError : kDeterminantError) * pair_.net_error;
     const auto rounded = along<double, Vec3>(pair_.x, pair_.y, side);
-    if (std::any_of(rounded.begin(), rounded.end(), [&](double t) { return std::fabs(t) > error; })) {
-      return Contact::transversal;
+    for (std::size_t k = 0; k < rounded.size(); ++k) {
+      if (std::fabs(rounded[k]) > error * binomial(3 * K::degree - 1, k)) {
+        return Contact::transversal;
+      }
     }
     const auto exact = along<Rational, Point>(x_, y_, side);
     const bool touch = std::all_of(exact.begin(), exact.end(), [](const Rational& t) { return t == 0; });
@@ -203,51 +225,60 @@ class ContactGraph {
 
   /// On the part that both sides have in common.
   template <class Number, class Vector, class Net>
-  static std::array<Number, 6> along(const Net& x, const Net& y, const SideContact& side) {
-    std::array<Vector, 2> direction;
-    std::array<Vector, 3> across_x;
-    std::array<Vector, 3> across_y;
-    for (std::size_t j = 0; j < 3; ++j) {
+  static std::array<Number, 3 * K::degree> along(const Net& x, const Net& y, const SideContactOf<K>& side) {
+    std::array<Vector, K::degree> direction;
+    std::array<Vector, K::side> across_x;
+    std::array<Vector, K::side> across_y;
+    for (std::size_t j = 0; j < K::side; ++j) {
       across_x[j] = difference(x, side.x.index(1, j), side.x.index(0, j));
       across_y[j] = difference(y, side.y.index(1, j), side.y.index(0, j));
-      if (j < 2) {
+      if (j < K::degree) {
         direction[j] = difference(x, side.x.index(0, j + 1), side.x.index(0, j));
       }
     }
-    if (side.path) {
-      const auto [on_x, on_y] = common_part(side, *side.path);
-      const std::array<Number, 2> t = {as<Number>(on_x[0]), as<Number>(on_x[1])};
-      direction = restricted(direction, t);
-      across_x = restricted(across_x, t);
-      across_y = restricted(across_y, std::array<Number, 2>{as<Number>(on_y[0]), as<Number>(on_y[1])});
+    if constexpr (std::is_same_v<K, Biquadratic>) {
+      if (side.path) {
+        const auto [on_x, on_y] = common_part(side, *side.path);
+        const std::array<Number, 2> t = {as<Number>(on_x[0]), as<Number>(on_x[1])};
+        direction = restricted(direction, t);
+        across_x = restricted(across_x, t);
+        across_y = restricted(across_y, std::array<Number, 2>{as<Number>(on_y[0]), as<Number>(on_y[1])});
+      }
     }
-    return tangent_along<Number>(direction, across_x, across_y);
+    return tangent_along<K, Number>(direction, across_x, across_y);
   }
 
-  /// Chords of a parabola with second derivative X'' over steps h keep within |X''| h²/8. A vertex errs by
-  /// e0 and, after two means a + t (b - a), by 12 u in each coordinate, less than net_error; and by 2 u times
-  /// the coordinate when it is moved to its place.
-  void add_polyline(const SideContact& side, Arc& arc) const {
-    const Vec3& a = pair_.x.net[side.x.index(0, 0)];
-    const Vec3& b = pair_.x.net[side.x.index(0, 1)];
-    const Vec3& c = pair_.x.net[side.x.index(0, 2)];
+  /// Chords of a curve with second derivative X'' over steps h keep within |X''| h²/8. A vertex errs by e0
+  /// and, after n means a + t (b - a), by 6 n u in each coordinate, less than net_error; and by 2 u times the
+  /// coordinate when it is moved to its place. X'' is a mean of n (n-1) times second differences, each of
+  /// which errs by 7 net_error in length.
+  void add_polyline(const SideContactOf<K>& side, Arc& arc) const {
+    constexpr std::size_t n = K::degree;
+    std::array<Vec3, K::side> points;
+    for (std::size_t j = 0; j <= n; ++j) points[j] = pair_.x.net[side.x.index(0, j)];
     const auto& o = pair_.frame.origin;
     const double size = std::max({std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])}) / scale_ + 2;
     const double vertex_error = kDiagonal * (pair_.net_error + 2 * kUnit * size);
-    const double second = 2 * length((a - b) + (c - b)) + 16 * pair_.net_error;
+    double bend = 0;
+    for (std::size_t j = 1; j < n; ++j) {
+      bend = std::max(bend, length((points[j - 1] - points[j]) + (points[j + 1] - points[j])));
+    }
+    const double second = static_cast<double>(n * (n - 1)) * (bend + 8 * pair_.net_error);
     const double wanted = std::ceil(std::sqrt(second * scale_ / (8 * 0.95 * tolerance_)));
-    const int n = chord_count(wanted);
-    arc.polyline.reserve(static_cast<std::size_t>(n) + 1);
-    for (int i = 0; i <= n; ++i) {
-      const double t = static_cast<double>(i) / n;
-      const Vec3 first = a + t * (b - a);
-      const Vec3 last = b + t * (c - b);
+    const int count = chord_count(wanted);
+    arc.polyline.reserve(static_cast<std::size_t>(count) + 1);
+    for (int i = 0; i <= count; ++i) {
+      const double t = static_cast<double>(i) / count;
+      std::array<Vec3, K::side> p = points;
+      for (std::size_t level = 1; level <= n; ++level) {
+        for (std::size_t j = 0; j + level <= n; ++j) p[j] = p[j] + t * (p[j + 1] - p[j]);
+      }
       PolylineVertex& vertex = arc.polyline.emplace_back();
-      vertex.point = position(i == n ? c : first + t * (last - first));
+      vertex.point = position(i == count ? points[n] : p[0]);
       place(side.x, t, &vertex.parameters[0]);
       place(side.y, t, &vertex.parameters[2]);
     }
-    const double step = 1.0 / n + kSumRounding;
+    const double step = 1.0 / count + kSumRounding;
     arc.error_bound = kSlack * scale_ * (second * step * step / 8 + 2 * vertex_error);
   }
 
@@ -256,9 +287,9 @@ class ContactGraph {
     parameters[1 - view.side.parameter] = view.reversed ? 1 - t : t;
   }
 
-  const BezierPatch& x_;
-  const BezierPatch& y_;
-  const Pair& pair_;
+  const ExactPatch<K>& x_;
+  const ExactPatch<K>& y_;
+  const PairOf<K>& pair_;
   double scale_;
   double tolerance_;
   GraphBuilder& graph_;
@@ -266,17 +297,28 @@ class ContactGraph {
 
 }  // namespace
 
-bool append_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pair, const Contacts& contacts,
-                     double tolerance, GraphBuilder& graph) {
-  ContactGraph maker(x, y, pair, tolerance, graph);
+template <class K>
+bool append_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                     const ContactsOf<K>& contacts, double tolerance, GraphBuilder& graph) {
+  ContactGraph<K> maker(x, y, pair, tolerance, graph);
   for (const CornerContact& corner : contacts.corners) {
     maker.add(corner);
   }
-  return std::all_of(contacts.sides.begin(), contacts.sides.end(),
-                     [&](const SideContact& side) { return maker.add(side); }) &&
-         std::all_of(contacts.paths.begin(), contacts.paths.end(), [&](const PathContact& contact) {
-           return maker.add(contact.path, Contact::transversal);
-         });
+  bool proved = std::all_of(contacts.sides.begin(), contacts.sides.end(),
+                            [&](const SideContactOf<K>& side) { return maker.add(side); });
+  if constexpr (std::is_same_v<K, Biquadratic>) {
+    proved =
+        proved && std::all_of(contacts.paths.begin(), contacts.paths.end(), [&](const PathContact& contact) {
+          return maker.add(contact.path, Contact::transversal);
+        });
+  }
+  return proved;
 }
+
+#define EXSECT_INSTANTIATE(K)                                                                    \
+  template bool append_contacts<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, \
+                                   const ContactsOf<K>&, double, GraphBuilder&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

@@ -10,7 +10,8 @@ namespace exsect::filter {
 /// Appends an isolated node for each corner, two nodes and an arc for each side: contacts that no other
 /// solution is near. False if a polyline cannot be proved to keep within `tolerance` (space units); then the
 /// graph is not to be used.
-bool append_contacts(const BezierPatch& x, const BezierPatch& y, const Pair& pair, const Contacts& contacts,
-                     double tolerance, GraphBuilder& graph);
+template <class K>
+bool append_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                     const ContactsOf<K>& contacts, double tolerance, GraphBuilder& graph);
 
 }  // namespace exsect::filter

@@ -94,7 +94,8 @@ std::optional<DoublePoint> double_point_near(const BezierPatch& x, const BezierP
   return std::nullopt;
 }
 
-LocalPlace local_place(const DoublePoint& point, const Vec4& middle, const Vec4& half) {
+template <class K>
+LocalPlace local_place(const DoublePointOf<K>& point, const Vec4& middle, const Vec4& half) {
   const Matrix2& s = point.forms.s;
   const std::array<double, 2> a = {middle[2] - point.centre[2], middle[3] - point.centre[3]};
   const double inverse = 1 / (s[0][0] * s[1][1] - s[0][1] * s[1][0]);
@@ -116,10 +117,17 @@ LocalPlace local_place(const DoublePoint& point, const Vec4& middle, const Vec4&
   return place;
 }
 
-bool lies_in_region(const DoublePoint& point, const Vec4& middle, const Vec4& half) {
+template <class K>
+bool lies_in_region(const DoublePointOf<K>& point, const Vec4& middle, const Vec4& half) {
   const LocalPlace at = local_place(point, middle, half);
   const auto within = [&](std::size_t i) { return std::fabs(at.t[i]) + at.error[i] <= point.reach; };
   return at.has_width && within(0) && within(1);
 }
+
+#define EXSECT_INSTANTIATE(K)                                                            \
+  template LocalPlace local_place<K>(const DoublePointOf<K>&, const Vec4&, const Vec4&); \
+  template bool lies_in_region<K>(const DoublePointOf<K>&, const Vec4&, const Vec4&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

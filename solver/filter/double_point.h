@@ -14,28 +14,32 @@ namespace exsect::filter {
 /// away from it `parameter` moves as from the end side = -+1/2 to the other one. The arc keeps within `chord`
 /// (scaled space) of the chords from the centre through points near `approach` to one in the ball; the
 /// vertices, x at `approach` and at ball.middle, are within `vertex_error` of these points but for rounding.
-struct Port {
-  Ball ball;
+template <class K>
+struct PortOf {
+  BallOf<K> ball;
   std::size_t parameter;
   double side;
   std::vector<Vec4> approach;
   double chord;
   double vertex_error;
 };
+using Port = PortOf<Biquadratic>;
 
 /// Invariant: `at` is a solution inside the domain, and singular. It is the only one in the region |t| <=
 /// reach, |c_i| <= width[i], (r,s) - p = S t, (u,v) - p = c; or, if forms.crossing, four arcs that end in it
 /// are all others, one with alpha > 0, one with alpha < 0, both with |beta| <= |alpha|/2, and two with
 /// |alpha| <= |beta|/2. Each is a regular graph over the larger coordinate. Ports: for each of these arcs
 /// one.
-struct DoublePoint {
+template <class K>
+struct DoublePointOf {
   std::array<Rational, 4> at;
   Vec4 centre;  // `at`, centred; errs by kUnit
   LocalForms forms;
   double reach;
   std::array<double, 2> width;
-  std::vector<Port> ports;
+  std::vector<PortOf<K>> ports;
 };
+using DoublePoint = DoublePointOf<Biquadratic>;
 
 /// The double point where Newton's method for a common normal leads from `guess`, with ports as near to its
 /// chords as `tolerance` says; empty if there is none of this kind, or something is not proved.
@@ -49,9 +53,11 @@ struct LocalPlace {
   std::array<double, 2> error;
   bool has_width;  // |c_i| <= width[i] for all of them
 };
-LocalPlace local_place(const DoublePoint& point, const Vec4& middle, const Vec4& half);
+template <class K>
+LocalPlace local_place(const DoublePointOf<K>& point, const Vec4& middle, const Vec4& half);
 
 /// True only if all points of the box are in the region.
-bool lies_in_region(const DoublePoint& point, const Vec4& middle, const Vec4& half);
+template <class K>
+bool lies_in_region(const DoublePointOf<K>& point, const Vec4& middle, const Vec4& half);
 
 }  // namespace exsect::filter

@@ -9,13 +9,17 @@
 // Sizes: `make_pair` takes models whose coordinates are below 2^300 and at most 2^40 times the half of the
 // extent, which is above 2^-300, and scales them by a power of two to at most 1; `invert` refuses inverses
 // above 2^200. So the coordinates of control points are at most 1, parameters at most 3/4 in absolute value,
-// Taylor coefficients below 2^7, the entries of C below 2^215, those of C x_ij and slopes below 2^223.
-// Products of these may overflow, and then a bound is infinite or NaN: all comparisons are such that they
-// fail. Where (14.5) holds, slopes are at most one over the length of the tube, 2^32 for those along a curve,
-// and nothing overflows.
+// Taylor coefficients below 2^10 (2^7 for degree 2), the entries of C below 2^221, those of C x_ij and slopes
+// below 2^233. Products of these may overflow, and then a bound is infinite or NaN: all comparisons are such
+// that they fail. Where (14.5) holds, slopes are at most one over the length of the tube, 2^32 for those
+// along a curve, and nothing overflows.
+//
+// Constants that depend on the bidegree (n,n) of the patches, n in {2,3}, are templates.
 #pragma once
 
 #include <exsect/algebra/floating_point.h>
+
+#include <cstddef>
 
 namespace exsect::filter {
 
@@ -56,11 +60,13 @@ inline constexpr double kInputError = kSlack * kUnit;
 static_assert(kInputError - kUnit > 4 * 0x1p300 * kUnderflow);
 
 inline constexpr int kDeepestLevel = 40;
-/// (14.1): a level halves both parameters by two means (a + b)/2 of numbers of size 1 on each path, u each;
+/// (14.1): a level halves both parameters by n means (a + b)/2 of numbers of size 1 on each path, u each;
 /// what the products by 1/2 lose in subnormal numbers is 2^-1075, which the factor kSlack covers.
-inline constexpr double kNetError = 4 * kDeepestLevel * kUnit;
-/// net_error is at least that: lemmas below that use e >= 160 u.
-static_assert(kNetError >= 160 * kUnit);
+template <std::size_t Degree>
+inline constexpr double kDegreeNetError = 2 * Degree* kDeepestLevel* kUnit;
+/// The least net_error: lemmas below that use e >= 160 u.
+inline constexpr double kNetError = kDegreeNetError<2>;
+static_assert(kNetError >= 160 * kUnit && kDegreeNetError<3> >= kNetError);
 /// (14.2): the exact difference of a coordinate of two points is at most 2 e from that of the nets, whose
 /// rounded value is off by 2 u; a product n.P, |P| <= 1, is off by 3.01 u |n|_1, a difference of two of them
 /// by 2 u |n|_1: 9 u |n|_1 in all, and the comparison itself.
@@ -70,19 +76,20 @@ static_assert((kSeparation - 2.25) * kNetError > 16 * kUnit);
 /// 1/4 e is left for them.
 static_assert(0.25 * kNetError * kTiny > 16 * kUnderflow);
 /// c_u x_v - c_v x_u, |c| <= 1, times e: differences of neighbouring points, of size s <= 2, err by 2 e + u
-/// s, their means by as much and another u s; in all 4 e + 8 u s.
+/// s, their means (1-t) a + t b, t = k/n rounded, by as much and another 4 u s; in all 4 e + 16 u s.
 inline constexpr double kDirectionError = 5;
-static_assert((kDirectionError - 4) * kNetError >= 8 * kUnit * 2);
+static_assert((kDirectionError - 4) * kNetError >= 16 * kUnit * 2);
 /// y_r x y_s: control vectors are means, with weights from products of binomials, of cross products a x b of
 /// differences. With |a| <= A, |b| <= B and errors t = 2 e + 2 u < 2.02 e of a and b, a coordinate of a x b
 /// errs by 2 (A + B) t + 2 t² < kNormalError e (A + B + 3 e), and by its own rounding and that of the means,
-/// 12 roundings of numbers below 2 A B, by less than kNormalRounding u A B. The last term of the bound is
-/// kTiny.
+/// 5 + n² roundings of numbers below 2 A B (a weight, the product with it, a sum of n² at most), by less than
+/// kNormalRounding u A B. The last term of the bound is kTiny.
 inline constexpr double kNormalError = 5;
 static_assert(kNormalError > 2 * 2.02 && 3 * kNormalError > 2 * 2.02 * 2.02 &&
               2.02 * kNetError > 2 * kNetError + 2 * kUnit);
-inline constexpr double kNormalRounding = 40;
-static_assert(kNormalRounding > 3 * 2 + 12 * 2);
+template <std::size_t Degree>
+inline constexpr double kNormalRounding = 20 * Degree;
+static_assert(kNormalRounding<2> > 3 * 2 + (5 + 4) * 2 && kNormalRounding<3> > 3 * 2 + (5 + 9) * 2);
 /// d.n, three products: kProducts (size_d error_n + size_n error_d), sizes with their errors, and 3 u times 3
 /// size_d size_n for its rounding, and kTiny.
 inline constexpr double kProducts = 3;
@@ -93,21 +100,27 @@ static_assert(kProductRounding > 3 * kProducts);
 
 /// |h|, |k| of `expand`.
 inline constexpr double kReach = 0.75;
-/// Roundings of a value that is computed from coefficients, each of which is counted at most 20 times as a
-/// factor, times u times their sizes; the rest for terms of second order.
-inline constexpr double kValueRounding = 24;
-static_assert(kValueRounding > 20);
+/// At most so many roundings of a value contain a coefficient as a factor. In (14.4) these are 3 of the
+/// product with C, 2 n - 1 of the product with slopes, n + 1 of a sum over one order and both patches, and 4
+/// n of the sum over orders; elsewhere fewer.
+template <std::size_t Degree>
+inline constexpr double kValueRoundings = 8 * Degree + 4;
+static_assert(kValueRoundings<2> >= 3 + 3 + 3 + 8 && kValueRoundings<3> >= 3 + 5 + 4 + 12);
+/// That times u times their sizes; the rest for terms of second order.
+template <std::size_t Degree>
+inline constexpr double kValueRounding = kValueRoundings<Degree> + 4;
 
 // Tubes: 14.2.
 
 /// Of 1 / det: the largest for which nothing overflows later.
 inline constexpr double kGreatestInverse = 0x1p200;
-/// The sum of the weights of any coefficient of order 2, 3, 4 in the second derivative along a direction with
-/// components at most 1, offsets at most 1: 2 for a² and a b, 2 + 4 for a² b, 2 + 8 + 2 for a² b².
-inline constexpr double kSecondWeight = 12;
-/// (14.9): the rounding of the sum, relative to |C F_j| |d_j|: 20 roundings of each.
+/// The sum of the weights of any coefficient of order 2 to 2 n in the second derivative along a direction
+/// with components at most 1, offsets at most 1: i (i-1) + 2 i j + j (j-1) = (i + j) (i + j - 1) for a^i b^j.
+template <std::size_t Degree>
+inline constexpr double kSecondWeight = 2 * Degree*(2 * Degree - 1);
+/// (14.9): the rounding of the sum, relative to |C F_j| |d_j|.
 inline constexpr double kDirectionRounding = 0x1p-46;
-static_assert(kDirectionRounding > 2 * 20 * kUnit);
+static_assert(kDirectionRounding > 2 * kValueRoundings<3> * kUnit);
 /// Vectors: |v| <= kDiagonal max |v_i|.
 inline constexpr double kDiagonal = 1.75;
 static_assert(kDiagonal * kDiagonal > 3);
@@ -121,18 +134,20 @@ static_assert(kLargestBox <= kEndMargin / 4);
 inline constexpr double kLeastHalfwidth = 0x1p-26;
 static_assert(kLeastHalfwidth > 2 * kEndMargin);
 /// |x_u| + |x_v| changes by that much at most within a node's box: |x_uu| + 2 |x_uv| + |x_vv| < 2^8 near the
-/// square.
+/// square, as second differences are at most 4 in each coordinate: 1.74 (24 + 2 * 36 + 24) for n = 3.
 inline constexpr double kSpeedChange = 0x1p-22;
 static_assert(kSpeedChange >= 0x1p8 * kEndMargin / 4);
 
 // Lines: 14.3.
 
-/// Control points of an inner line are means (1-t) a + t b of points of size 1, twice, computed as a + t (b -
-/// a): 5 u each time by their roundings, and 2 |dt|, where |dt| <= error + u with the rounding of value +
+/// Control points of an inner line are means (1-t) a + t b of points of size 1, n times, computed as a + t (b
+/// - a): 5 u each time by their roundings, and 2 |dt|, where |dt| <= error + u with the rounding of value +
 /// 1/2.
-inline constexpr double kLineRounding = 16 * kUnit;
-static_assert(kLineRounding >= 10 * kUnit + 4 * kUnit);
-inline constexpr double kLineError = 4;
+template <std::size_t Degree>
+inline constexpr double kLineRounding = 8 * Degree* kUnit;
+static_assert(kLineRounding<1> >= 5 * kUnit + 2 * kUnit);
+template <std::size_t Degree>
+inline constexpr double kLineError = 2 * Degree;
 /// A number in [-1/2,1/2] rounded to a double.
 inline constexpr double kValueError = 0x1p-54;
 
@@ -144,18 +159,32 @@ inline constexpr double kValueError = 0x1p-54;
 /// 8 u |n| of its own, |n| the largest coordinate, so w.X by 4 net_error |w|_1 + 12 (4 net_error + 8 u) |n| +
 /// 5 u 4 |w|_1 < kSideError net_error
 /// (|w|_1 + kSideNormal |n|), and kTiny.
+template <std::size_t Degree>
 inline constexpr double kSideError = 5;
+template <std::size_t Degree>
 inline constexpr double kSideNormal = 10;
-static_assert((kSideError - 4) * kNetError > 20 * kUnit);
-static_assert(kSideError * kSideNormal * kNetError > 12 * (4 * kNetError + 8 * kUnit));
+static_assert((kSideError<2> - 4) * kNetError > 20 * kUnit);
+static_assert(kSideError<2> * kSideNormal<2> * kNetError > 12 * (4 * kNetError + 8 * kUnit));
+/// For n = 3, (14.27): control vectors of X are of size 6, err by 3 (2 e0 + 2 u) and after five means by 15 u
+/// times the size more, by 7 net_error in all, as net_error >= e0 + 240 u; those of D / 3, of size 2, by 2 e0
+/// + 2 u, and after two means, sums and products by 16 u times the size more, by 2 net_error. A coordinate of
+/// w errs by 4 net_error |n| and 12 u |n|, and w.X by 7 net_error |w|_1 + 18 (4 net_error + 12 u) |n| + 5 u 6
+/// |w|_1.
+template <>
+inline constexpr double kSideError<3> = 8;
+static_assert((kSideError<3> - 7) * kDegreeNetError<3> > 30 * kUnit &&
+              7 * kDegreeNetError<3> > 6 * kUnit + 6 * 15 * kUnit && 2 * kDegreeNetError<3> > 34 * kUnit);
+static_assert(kSideError<3> * kSideNormal<3> * kDegreeNetError<3> >
+              18 * (4 * kDegreeNetError<3> + 12 * kUnit));
 /// Differences of control points are of size 2 and err by less than 2.1 net_error, (14.2): a product of
-/// three, of which a determinant has 6, by 3 * 4 * 2.1 net_error and half a net_error by rounding.
+/// three, of which a determinant has 6, by 3 * 4 * 2.1 net_error. Its value, of size 48, and a mean of at
+/// most ten values of that size err by 17 roundings more.
 inline constexpr double kDeterminantError = 160;
-static_assert(kDeterminantError > 6 * (3 * 4 * 2.1 + 0.5) && 0.5 * kNetError > 6 * 8 * kUnit);
+static_assert((kDeterminantError - 6 * 3 * 4 * 2.1) * kNetError > 17 * 48 * kUnit);
 /// The same of points that are restricted to a part of a side, by two means with a rounded parameter: they
 /// err by 2.3 net_error.
 inline constexpr double kPartDeterminantError = 170;
-static_assert(kPartDeterminantError > 6 * (3 * 4 * 2.3 + 0.5));
+static_assert((kPartDeterminantError - 6 * 3 * 4 * 2.3) * kNetError > 13 * 48 * kUnit);
 
 // Double points: 14.9.
 

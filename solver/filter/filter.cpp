@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
@@ -17,9 +18,11 @@ namespace exsect {
 
 namespace {
 
-using filter::AnalysedTrace;
-using filter::BoundaryPoint;
-using filter::Trace;
+using filter::AnalysedTraceOf;
+using filter::Biquadratic;
+using filter::BoundaryPointOf;
+using filter::ExactPatch;
+using filter::TraceOf;
 
 constexpr std::size_t kMostDoublePoints = 8;
 /// Of the tolerance, for the chords from ports to double points.
@@ -32,9 +35,10 @@ std::optional<int> arcs_at_sides(const Node& node) {
   return node.on.empty() || corner ? std::nullopt : std::optional(1);
 }
 
+template <class K>
 class FilteredIntersection {
  public:
-  FilteredIntersection(const BezierPatch& x, const BezierPatch& y, const Run& run)
+  FilteredIntersection(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run)
       : x_(x), y_(y), run_(run) {}
 
   std::optional<FilteredCurves> run_with_stations() {
@@ -47,13 +51,15 @@ class FilteredIntersection {
   }
 
   std::optional<IntersectResult> run() {
-    const auto pair = filter::make_pair(x_, y_);
+    const auto pair = filter::make_pair_of<K>(x_, y_);
     if (!pair) {
       return std::nullopt;
     }
-    filter::Trees trees{filter::PatchTree(pair->x), filter::PatchTree(pair->y)};
-    if (auto overlap = overlap_of_pieces(*pair, trees)) {
-      return overlap;
+    filter::TreesOf<K> trees{filter::PatchTreeOf<K>(pair->x), filter::PatchTreeOf<K>(pair->y)};
+    if constexpr (kExactBehind) {
+      if (auto overlap = overlap_of_pieces(*pair, trees)) {
+        return overlap;
+      }
     }
     auto contacts = filter::find_contacts(x_, y_, *pair);
     if (!contacts || (with_stations_ && !contacts->empty())) {
@@ -63,18 +69,18 @@ class FilteredIntersection {
       return with_contacts(*pair, *contacts, {}, {});
     }
     auto points = filter::boundary_points(*pair, *contacts, trees, boxes_);
-    if (!points && !with_stations_ && filter::add_side_paths(x_, y_, *pair, trees, *contacts)) {
+    if (!points && !with_stations_ && add_side_paths(*pair, trees, *contacts)) {
       boxes_ = 0;
       if (filter::meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
         return with_contacts(*pair, *contacts, {}, {});
       }
       points = filter::boundary_points(*pair, *contacts, trees, boxes_);
     }
-    std::vector<Trace> traces;
+    std::vector<TraceOf<K>> traces;
     if (!points || !find_curves(*pair, *contacts, trees, *points, traces)) {
       return std::nullopt;
     }
-    std::vector<AnalysedTrace> curves;
+    std::vector<AnalysedTraceOf<K>> curves;
     if (!find_turns(*pair, traces, curves)) {
       return std::nullopt;
     }
@@ -91,7 +97,19 @@ class FilteredIntersection {
   }
 
  private:
-  std::optional<IntersectResult> overlap_of_pieces(const filter::Pair& pair, filter::Trees& trees) {
+  /// Whether the questions are answered that need exact forms of the patches.
+  static constexpr bool kExactBehind = std::is_same_v<K, Biquadratic>;
+
+  bool add_side_paths(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees,
+                      filter::ContactsOf<K>& contacts) const {
+    if constexpr (kExactBehind) {
+      return filter::add_side_paths(x_, y_, pair, trees, contacts);
+    } else {
+      return false;
+    }
+  }
+
+  std::optional<IntersectResult> overlap_of_pieces(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees) {
     if (with_stations_) {
       return std::nullopt;
     }
@@ -99,9 +117,9 @@ class FilteredIntersection {
     return graph ? with_contacts(pair, {}, std::move(*graph), {}) : std::nullopt;
   }
 
-  std::optional<IntersectResult> with_contacts(const filter::Pair& pair, const filter::Contacts& contacts,
-                                               GraphBuilder graph,
-                                               const std::vector<AnalysedTrace>& curves) const {
+  std::optional<IntersectResult> with_contacts(const filter::PairOf<K>& pair,
+                                               const filter::ContactsOf<K>& contacts, GraphBuilder graph,
+                                               const std::vector<AnalysedTraceOf<K>>& curves) const {
     if (!filter::append_contacts(x_, y_, pair, contacts, run_.drawn_tolerance(pair.extent), graph) ||
         run_.out_of_time()) {
       return std::nullopt;
@@ -116,8 +134,9 @@ class FilteredIntersection {
   }
 
   /// Anew after each double point that is found where this fails.
-  bool find_curves(const filter::Pair& pair, const filter::Contacts& contacts, filter::Trees& trees,
-                   std::vector<BoundaryPoint>& points, std::vector<Trace>& traces) {
+  bool find_curves(const filter::PairOf<K>& pair, const filter::ContactsOf<K>& contacts,
+                   filter::TreesOf<K>& trees, std::vector<BoundaryPointOf<K>>& points,
+                   std::vector<TraceOf<K>>& traces) {
     for (;;) {
       filter::Vec4 stuck = {1, 1, 1, 1};
       if (trace_arcs(pair, points, traces, stuck) &&
@@ -132,26 +151,31 @@ class FilteredIntersection {
     }
   }
 
-  bool add_double_point(const filter::Pair& pair, const filter::Vec4& stuck,
-                        std::vector<BoundaryPoint>& points) {
-    const double tolerance =
-        std::ldexp(kPortShare * run_.drawn_tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
-    auto point = filter::double_point_near(x_, y_, pair, stuck, tolerance);
-    if (!point || std::any_of(double_points_.begin(), double_points_.end(),
-                              [&](const filter::DoublePoint& known) { return known.at == point->at; })) {
+  bool add_double_point(const filter::PairOf<K>& pair, const filter::Vec4& stuck,
+                        std::vector<BoundaryPointOf<K>>& points) {
+    if constexpr (!kExactBehind) {
       return false;
+    } else {
+      const double tolerance =
+          std::ldexp(kPortShare * run_.drawn_tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
+      auto point = filter::double_point_near(x_, y_, pair, stuck, tolerance);
+      if (!point ||
+          std::any_of(double_points_.begin(), double_points_.end(),
+                      [&](const filter::DoublePointOf<K>& known) { return known.at == point->at; })) {
+        return false;
+      }
+      for (std::size_t i = 0; i < point->ports.size(); ++i) {
+        const filter::PortOf<K>& port = point->ports[i];
+        points.push_back({port.ball, port.parameter, port.side, static_cast<int>(double_points_.size()), i});
+      }
+      double_points_.push_back(std::move(*point));
+      return true;
     }
-    for (std::size_t i = 0; i < point->ports.size(); ++i) {
-      const filter::Port& port = point->ports[i];
-      points.push_back({port.ball, port.parameter, port.side, static_cast<int>(double_points_.size()), i});
-    }
-    double_points_.push_back(std::move(*point));
-    return true;
   }
 
   /// Every boundary point, and every port, is an end of exactly one arc.
-  static bool trace_arcs(const filter::Pair& pair, const std::vector<BoundaryPoint>& points,
-                         std::vector<Trace>& traces, filter::Vec4& stuck) {
+  static bool trace_arcs(const filter::PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
+                         std::vector<TraceOf<K>>& traces, filter::Vec4& stuck) {
     std::vector<bool> used(points.size(), false);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (used[i]) {
@@ -167,16 +191,19 @@ class FilteredIntersection {
     return true;
   }
 
-  bool find_turns(const filter::Pair& pair, std::vector<Trace>& traces, std::vector<AnalysedTrace>& curves) {
+  bool find_turns(const filter::PairOf<K>& pair, std::vector<TraceOf<K>>& traces,
+                  std::vector<AnalysedTraceOf<K>>& curves) {
     coincident_ = kNoneCoincident;
-    for (Trace& trace : traces) {
-      AnalysedTrace& curve = curves.emplace_back(AnalysedTrace{std::move(trace), {}});
+    for (TraceOf<K>& trace : traces) {
+      AnalysedTraceOf<K>& curve = curves.emplace_back(AnalysedTraceOf<K>{std::move(trace), {}});
       if (run_.turning().empty() && curve.trace.start >= 0 && !with_stations_) {
         continue;
       }
       auto found = filter::find_turns(pair, curve.trace, coincident_, curve.turns);
       if (found == filter::TurnSearch::not_separated && coincident_ == kNoneCoincident) {
-        coincident_ = coincident_parameters(x_, y_);
+        if constexpr (kExactBehind) {
+          coincident_ = coincident_parameters(x_, y_);
+        }
         if (coincident_ != kNoneCoincident) {
           curve.turns.clear();
           found = filter::find_turns(pair, curve.trace, coincident_, curve.turns);
@@ -189,9 +216,10 @@ class FilteredIntersection {
     return true;
   }
 
-  void find_stations(const std::vector<BoundaryPoint>& points, const std::vector<AnalysedTrace>& curves) {
+  void find_stations(const std::vector<BoundaryPointOf<K>>& points,
+                     const std::vector<AnalysedTraceOf<K>>& curves) {
     for (std::size_t p = 0; p < 4; ++p) {
-      for (const AnalysedTrace& curve : curves) {
+      for (const AnalysedTraceOf<K>& curve : curves) {
         const bool open = curve.trace.start >= 0;
         Stations& stations = stations_[p].emplace_back(Stations{{}, !open});
         const auto add_end = [&](int point) {
@@ -200,7 +228,7 @@ class FilteredIntersection {
           }
         };
         add_end(curve.trace.start);
-        for (const filter::Turn& turn : curve.turns) {
+        for (const filter::TurnOf<K>& turn : curve.turns) {
           if (turn.parameter == p || coincident_[p] == turn.parameter) {
             stations.at.push_back(filter::interval(turn.ball, p));
           }
@@ -210,9 +238,9 @@ class FilteredIntersection {
     }
   }
 
-  void record(const std::vector<AnalysedTrace>& curves, const IntersectionGraph& graph) const {
+  void record(const std::vector<AnalysedTraceOf<K>>& curves, const IntersectionGraph& graph) const {
     std::size_t tubes = 0;
-    for (const AnalysedTrace& curve : curves) {
+    for (const AnalysedTraceOf<K>& curve : curves) {
       tubes += curve.trace.pieces.size();
     }
     std::size_t vertices = 0;
@@ -225,12 +253,12 @@ class FilteredIntersection {
     run_.count("vertices", static_cast<double>(vertices));
   }
 
-  const BezierPatch& x_;
-  const BezierPatch& y_;
+  const ExactPatch<K>& x_;
+  const ExactPatch<K>& y_;
   const Run& run_;
   long boxes_ = 0;
   std::array<std::size_t, 4> coincident_ = kNoneCoincident;
-  std::vector<filter::DoublePoint> double_points_;
+  std::vector<filter::DoublePointOf<K>> double_points_;
   bool with_stations_ = false;
   std::array<std::vector<Stations>, 4> stations_;
 };
@@ -239,11 +267,11 @@ class FilteredIntersection {
 
 std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const BezierPatch& y,
                                                   const Run& run) {
-  return FilteredIntersection(x, y, run).run();
+  return FilteredIntersection<Biquadratic>(x, y, run).run();
 }
 
 std::optional<FilteredCurves> filtered_curves(const BezierPatch& x, const BezierPatch& y, const Run& run) {
-  return FilteredIntersection(x, y, run).run_with_stations();
+  return FilteredIntersection<Biquadratic>(x, y, run).run_with_stations();
 }
 
 }  // namespace exsect

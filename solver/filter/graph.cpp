@@ -27,45 +27,45 @@ struct SpaceBounds {
 /// (14.10) with w', w'' in slope +- slope_error, second +- second_error: X'' at the centre, a vector sum, and
 /// how far it can be from that. The errors of the coefficients have weights of at most |u''| + |v''| + 12
 /// |w'|² in all, times 1 + i + j.
-SpaceBounds space_bounds(const Pair& pair, const Tube& tube) {
-  const Coefficients& c = tube.space;
-  const Vec4& d = tube.slope;
+template <class K>
+SpaceBounds space_bounds(const PairOf<K>& pair, const TubeOf<K>& tube) {
+  const CoefficientsOf<K>& c = tube.space;
+  const Unknowns<K>& d = tube.slope;
   const double u2 = std::fabs(tube.second[0]) + tube.second_error[0];
   const double v2 = std::fabs(tube.second[1]) + tube.second_error[1];
-  const double h0 = tube.offset[0];
-  const double h1 = tube.offset[1];
   const double steep = std::max(std::fabs(d[0]) + tube.slope_error[0], std::fabs(d[1]) + tube.slope_error[1]);
-  const double error = (u2 + v2 + kSecondWeight * steep * steep) * pair.total_error;
-  const Vec3 form = quadratic_deviation(c, &d[0], &tube.slope_error[0], &tube.offset[0]);
-  Vec3 speed;
-  Vec3 second;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto m = [&](std::size_t k) { return std::fabs(c[k][i]); };
-    const double xu_change =
-        2 * m(6) * h0 + m(4) * h1 + 2 * m(7) * h0 * h1 + (m(5) + 2 * m(8) * h0) * h1 * h1;
-    const double xv_change =
-        2 * m(2) * h1 + m(4) * h0 + 2 * m(5) * h0 * h1 + (m(7) + 2 * m(8) * h1) * h0 * h0;
-    const double at_centre = c[3][i] * tube.second[0] + c[1][i] * tube.second[1] +
-                             2 * (d[0] * d[0] * c[6][i] + d[0] * d[1] * c[4][i] + d[1] * d[1] * c[2][i]);
-    speed[i] = m(3) + xu_change + m(1) + xv_change + 2 * pair.total_error;
-    second[i] = std::fabs(at_centre) + xu_change * u2 + m(3) * tube.second_error[0] + xv_change * v2 +
-                m(1) * tube.second_error[1] + form[i] + error;
+  const double error = (u2 + v2 + kSecondWeight<K::degree> * steep * steep) * pair.total_error;
+  const Row<K> deviation = quadratic_deviation<K>(c, &d[0], &tube.slope_error[0], &tube.offset[0]);
+  const Row<K> form = form_of_order<K, 2>(c, powers<K>(d[0]), powers<K>(d[1]));
+  const Variation<K> change = variation<K>(c, tube.offset[0], tube.offset[1]);
+  Row<K> speed;
+  Row<K> second;
+  for (std::size_t i = 0; i < K::rows; ++i) {
+    const double first_u = c[kFirst<K>][i];
+    const double first_v = c[kSecond][i];
+    const double at_centre = first_u * tube.second[0] + first_v * tube.second[1] + 2 * form[i];
+    speed[i] =
+        std::fabs(first_u) + change.first[i] + std::fabs(first_v) + change.second[i] + 2 * pair.total_error;
+    second[i] = std::fabs(at_centre) + change.first[i] * u2 + std::fabs(first_u) * tube.second_error[0] +
+                change.second[i] * v2 + std::fabs(first_v) * tube.second_error[1] + deviation[i] + error;
   }
   return {kSlack * length(speed), kSlack * length(second)};
 }
 
 /// A place on the trace where an arc begins or ends.
+template <class K>
 struct Stop {
   int node;
   std::size_t piece;
   double tau;
-  const Port* port = nullptr;  // the node is the centre of this port's double point
+  const PortOf<K>* port = nullptr;  // the node is the centre of this port's double point
 };
 
+template <class K>
 class GraphMaker {
  public:
-  GraphMaker(const Pair& pair, const std::vector<BoundaryPoint>& points,
-             const std::vector<DoublePoint>& double_points, const std::array<std::size_t, 4>& coincident,
+  GraphMaker(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
+             const std::vector<DoublePointOf<K>>& double_points, const std::array<std::size_t, 4>& coincident,
              double tolerance, double vertex_tolerance)
       : pair_(pair),
         points_(points),
@@ -82,9 +82,10 @@ class GraphMaker {
   }
 
   void add_double_points() {
-    for (const DoublePoint& point : double_points_) {
+    for (const DoublePointOf<K>& point : double_points_) {
       const bool crossing = point.forms.crossing;
-      const Ball ball = {point.centre, 0};
+      BallOf<K> ball{};
+      std::copy(point.centre.begin(), point.centre.end(), ball.middle.begin());
       Node node = node_at(crossing ? NodeKind::crossing : NodeKind::touch, ball);
       for (std::size_t j = 0; j < 4; ++j) {
         node.box[j] = {point.at[j], point.at[j]};
@@ -98,7 +99,7 @@ class GraphMaker {
 
   /// After the double points.
   void add_boundary_nodes() {
-    for (const BoundaryPoint& point : points_) {
+    for (const BoundaryPointOf<K>& point : points_) {
       if (point.centre >= 0) {
         node_of_.push_back(point.centre);
         continue;
@@ -111,9 +112,9 @@ class GraphMaker {
     }
   }
 
-  bool add(const AnalysedTrace& curve, const std::vector<Parameter>& wanted) {
+  bool add(const AnalysedTraceOf<K>& curve, const std::vector<Parameter>& wanted) {
     stops_.clear();
-    const Trace& trace = curve.trace;
+    const TraceOf<K>& trace = curve.trace;
     if (trace.start >= 0) {
       stops_.push_back(stop_at(trace.start, 0, trace.pieces.front().range.from()));
     }
@@ -125,7 +126,7 @@ class GraphMaker {
       stops_.push_back(stop_at(trace.end, trace.pieces.size() - 1, trace.pieces.back().range.to()));
     }
     bounds_.clear();
-    for (const Piece& piece : trace.pieces) {
+    for (const PieceOf<K>& piece : trace.pieces) {
       bounds_.push_back(space_bounds(pair_, piece.tube));
     }
     bool proved = !stops_.empty();
@@ -138,7 +139,7 @@ class GraphMaker {
   GraphBuilder take() { return std::move(graph_); }
 
  private:
-  Stop stop_at(int point, std::size_t piece, double tau) const {
+  Stop<K> stop_at(int point, std::size_t piece, double tau) const {
     const auto i = static_cast<std::size_t>(point);
     const int centre = points_[i].centre;
     return {node_of_[i], piece, tau,
@@ -146,15 +147,15 @@ class GraphMaker {
   }
 
   /// With the roundings of parameters.
-  static double radius_of(const Ball& ball) { return kSlack * ball.radius + kPlaceRounding; }
+  static double radius_of(const BallOf<K>& ball) { return kSlack * ball.radius + kPlaceRounding; }
 
-  int add_node(Node node, const Ball& ball) {
+  int add_node(Node node, const BallOf<K>& ball) {
     node_radius_.push_back(radius_of(ball));
     return graph_.add_node(std::move(node), node_radius_.back());
   }
 
   /// Parameters in [0,1]: the middle, in [-1/2,1/2] up to the radius, plus 1/2.
-  Node node_at(NodeKind kind, const Ball& ball) const {
+  Node node_at(NodeKind kind, const BallOf<K>& ball) const {
     Node node{};
     node.kinds = {kind};
     const double radius = radius_of(ball);
@@ -168,8 +169,8 @@ class GraphMaker {
     return node;
   }
 
-  void add_turning_stops(const AnalysedTrace& curve, const std::vector<Parameter>& wanted) {
-    for (const Turn& turn : curve.turns) {
+  void add_turning_stops(const AnalysedTraceOf<K>& curve, const std::vector<Parameter>& wanted) {
+    for (const TurnOf<K>& turn : curve.turns) {
       std::vector<Parameter> wrt;
       for (const Parameter p : all_parameters) {
         const bool turns = index(p) == turn.parameter || coincident_[index(p)] == turn.parameter;
@@ -194,24 +195,25 @@ class GraphMaker {
 
   /// The pieces from one stop to the next, which for the last arc of a closed curve pass its seam.
   template <class Visit>
-  void visit(const Trace& trace, const Stop& from, const Stop& to, const Visit& visit_piece) const {
+  void visit(const TraceOf<K>& trace, const Stop<K>& from, const Stop<K>& to,
+             const Visit& visit_piece) const {
     const std::size_t count = trace.pieces.size();
     const bool around = to.piece < from.piece || (to.piece == from.piece && is_behind(trace, from, to));
     const std::size_t last = to.piece + (around ? count : 0);
     for (std::size_t k = from.piece; k <= last; ++k) {
-      const Piece& piece = trace.pieces[k % count];
+      const PieceOf<K>& piece = trace.pieces[k % count];
       visit_piece(k % count, k == from.piece ? from.tau : piece.range.from(),
                   k == last ? to.tau : piece.range.to(), k == last);
     }
   }
 
-  static bool is_behind(const Trace& trace, const Stop& from, const Stop& to) {
+  static bool is_behind(const TraceOf<K>& trace, const Stop<K>& from, const Stop<K>& to) {
     return trace.start < 0 && !trace.pieces[from.piece].range.precedes(from.tau, to.tau);
   }
 
-  bool add_arc(const Trace& trace, const Stop& from, const Stop& to) {
+  bool add_arc(const TraceOf<K>& trace, const Stop<K>& from, const Stop<K>& to) {
     std::size_t count = 2;
-    for (const Stop* stop : {&from, &to}) {
+    for (const Stop<K>* stop : {&from, &to}) {
       count += stop->port == nullptr ? 0 : stop->port->approach.size() + 1;
     }
     visit(trace, from, to, [&](std::size_t piece, double a, double b, bool) {
@@ -252,7 +254,7 @@ class GraphMaker {
   }
 
   /// From the centre of the stop's port to the port.
-  void push_approach(Arc& arc, const Stop& stop) {
+  void push_approach(Arc& arc, const Stop<K>& stop) {
     if (stop.port == nullptr) {
       return;
     }
@@ -261,7 +263,7 @@ class GraphMaker {
           {{w[0] + 0.5, w[1] + 0.5, w[2] + 0.5, w[3] + 0.5}, position(expand(pair_.x, w[0], w[1])[0])});
     };
     std::for_each(stop.port->approach.begin(), stop.port->approach.end(), push);
-    push(stop.port->ball.middle);
+    push(parameters_of(stop.port->ball));
     chord_error_ = std::max(chord_error_, stop.port->chord);
     vertex_error_ = std::max(vertex_error_, stop.port->vertex_error);
   }
@@ -276,21 +278,21 @@ class GraphMaker {
 
   /// The node's box contains points of the tube; elsewhere in it |x_u| + |x_v| is greater by kSpeedChange at
   /// most.
-  void cover(const Stop& stop) {
+  void cover(const Stop<K>& stop) {
     const double radius = node_radius_[static_cast<std::size_t>(stop.node)];
     vertex_error_ = std::max(vertex_error_, 2 * (bounds_[stop.piece].speed + kSpeedChange) * radius);
   }
 
   /// n chords over equal steps of tau; the vertices between them, and the last one if `with_end`. After a
   /// step w - C F(w) from a point of the region |w - w*| <= rho/(1 - rho) |C F(w)|, and the rounding.
-  void add_chords(Arc& arc, const Tube& tube, const SpaceBounds& bounds, double a, double b, int n,
+  void add_chords(Arc& arc, const TubeOf<K>& tube, const SpaceBounds& bounds, double a, double b, int n,
                   bool with_end) {
     const double h = (b - a) / n;
     const double width = kSlack * std::fabs(h);
     chord_error_ = std::max(chord_error_, bounds.curvature * width * width / 8);
     const double rounding = kSlack * tube.value_error / (1 - tube.contraction) + kSumRounding;
     const double allowed = vertex_tolerance_ / (bounds.speed + kTiny);
-    const VertexForms forms =
+    const VertexFormsOf<K::degree> forms =
         vertex_forms(pair_, tube, allowed * (1 - tube.contraction) / (kSlack * tube.contraction));
     double worst = allowed;
     VertexBlock block;
@@ -324,23 +326,24 @@ class GraphMaker {
   }
 
   /// A vertex where the polynomial of the arc is not good enough; returns the radius of its ball.
-  double push_improved(Arc& arc, const Tube& tube, const VertexForms& forms, double tau) const {
-    Vec4 o;
+  double push_improved(Arc& arc, const TubeOf<K>& tube, const VertexFormsOf<K::degree>& forms,
+                       double tau) const {
+    Unknowns<K> o;
     const double radius = point_at(tube, tau, &o).radius;
     PolylineVertex& vertex = arc.polyline.emplace_back();
     for (std::size_t j = 0; j < 4; ++j) {
       vertex.parameters[j] = (tube.centre[j] + o[j]) + 0.5;
     }
-    const Vec3 x = value_at(tube.space, o[0], o[1]);
+    const Vec3 x = value_at<K>(tube.space, o[0], o[1]);
     for (std::size_t c = 0; c < 3; ++c) {
       vertex.point[c] = forms.origin[c] + forms.scale * x[c];
     }
     return radius;
   }
 
-  const Pair& pair_;
-  const std::vector<BoundaryPoint>& points_;
-  const std::vector<DoublePoint>& double_points_;
+  const PairOf<K>& pair_;
+  const std::vector<BoundaryPointOf<K>>& points_;
+  const std::vector<DoublePointOf<K>>& double_points_;
   const std::array<std::size_t, 4>& coincident_;
   double scale_;
   double tolerance_;
@@ -351,7 +354,7 @@ class GraphMaker {
   GraphBuilder graph_;
   std::vector<int> node_of_;  // of boundary points
   std::vector<double> node_radius_;
-  std::vector<Stop> stops_;
+  std::vector<Stop<K>> stops_;
   std::vector<SpaceBounds> bounds_;
   double chord_error_ = 0;
   double vertex_error_ = 0;
@@ -359,21 +362,30 @@ class GraphMaker {
 
 }  // namespace
 
-std::optional<GraphBuilder> make_graph(const Pair& pair, const std::vector<BoundaryPoint>& points,
-                                       const std::vector<DoublePoint>& double_points,
-                                       const std::vector<AnalysedTrace>& traces,
+template <class K>
+std::optional<GraphBuilder> make_graph(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
+                                       const std::vector<DoublePointOf<K>>& double_points,
+                                       const std::vector<AnalysedTraceOf<K>>& traces,
                                        const std::vector<Parameter>& wanted,
                                        const std::array<std::size_t, 4>& coincident, double tolerance,
                                        double vertex_tolerance) {
-  GraphMaker maker(pair, points, double_points, coincident, tolerance, vertex_tolerance);
+  GraphMaker<K> maker(pair, points, double_points, coincident, tolerance, vertex_tolerance);
   maker.add_double_points();
   maker.add_boundary_nodes();
-  for (const AnalysedTrace& curve : traces) {
+  for (const AnalysedTraceOf<K>& curve : traces) {
     if (!maker.add(curve, wanted)) {
       return std::nullopt;
     }
   }
   return maker.take();
 }
+
+#define EXSECT_INSTANTIATE(K)                                                                         \
+  template std::optional<GraphBuilder> make_graph<K>(                                                 \
+      const PairOf<K>&, const std::vector<BoundaryPointOf<K>>&, const std::vector<DoublePointOf<K>>&, \
+      const std::vector<AnalysedTraceOf<K>>&, const std::vector<Parameter>&,                          \
+      const std::array<std::size_t, 4>&, double, double);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

@@ -9,18 +9,21 @@
 namespace exsect::filter {
 
 /// A traced curve with its turning points in order.
-struct AnalysedTrace {
-  Trace trace;
-  std::vector<Turn> turns;
+template <class K>
+struct AnalysedTraceOf {
+  TraceOf<K> trace;
+  std::vector<TurnOf<K>> turns;
 };
+using AnalysedTrace = AnalysedTraceOf<Biquadratic>;
 
 /// The graph of these curves and double points, which are the whole intersection; turning points with respect
 /// to `wanted` parameters are nodes, all of them on a closed curve that has no other. coincident[i] turns
 /// where i does. Vertices are within `vertex_tolerance` of the curve, or as near as doubles can be. Empty if
 /// a polyline cannot be proved to keep within `tolerance` (space units).
-std::optional<GraphBuilder> make_graph(const Pair& pair, const std::vector<BoundaryPoint>& points,
-                                       const std::vector<DoublePoint>& double_points,
-                                       const std::vector<AnalysedTrace>& traces,
+template <class K>
+std::optional<GraphBuilder> make_graph(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
+                                       const std::vector<DoublePointOf<K>>& double_points,
+                                       const std::vector<AnalysedTraceOf<K>>& traces,
                                        const std::vector<Parameter>& wanted,
                                        const std::array<std::size_t, 4>& coincident, double tolerance,
                                        double vertex_tolerance);

@@ -14,35 +14,43 @@ constexpr long kMostBoxes = 3000;
 constexpr long kMostBoxesToPlace = 400;  // that is enough to come near one
 
 /// Bound of the error of the control points computed below, for an inner line.
-double line_error(const Line& line) { return kLineRounding + kLineError * line.error; }
+template <class K>
+double line_error(const Line& line) {
+  return kLineRounding<K::degree> + kLineError<K::degree> * line.error;
+}
 
 Vec3 between(const Vec3& a, const Vec3& b, double t) { return a + t * (b - a); }
 
 /// Exactly those of the net on a side.
-std::array<Vec3, 3> control_points(const Patch& patch, std::size_t fixed, double value) {
-  const std::size_t across = fixed % 2 == 0 ? 3 : 1;
-  const std::size_t along = 4 - across;
-  std::array<Vec3, 3> points;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3& a = patch.net[along * k];
-    const Vec3& b = patch.net[along * k + across];
-    const Vec3& c = patch.net[along * k + 2 * across];
+template <class K>
+std::array<Row<K>, K::side> control_points(const PatchOf<K>& patch, std::size_t fixed, double value) {
+  constexpr std::size_t n = K::degree;
+  const std::size_t across = fixed % 2 == 0 ? kFirst<K> : kSecond;
+  const std::size_t along = kFirst<K> + kSecond - across;
+  std::array<Row<K>, K::side> result;
+  for (std::size_t k = 0; k <= n; ++k) {
+    std::array<Row<K>, K::side> p;
+    for (std::size_t i = 0; i <= n; ++i) p[i] = patch.net[along * k + across * i];
     const double t = value + 0.5;
-    points[k] =
-        std::fabs(value) == 0.5 ? (value < 0 ? a : c) : between(between(a, b, t), between(b, c, t), t);
+    for (std::size_t level = 1; std::fabs(value) != 0.5 && level <= n; ++level) {
+      for (std::size_t i = 0; i + level <= n; ++i) p[i] = between(p[i], p[i + 1], t);
+    }
+    result[k] = value == 0.5 ? p[n] : p[0];
   }
-  return points;
+  return result;
 }
 
 /// A piece of the line and a sub-patch as a box of parameters, with width 0 in the fixed one.
+template <class K>
 struct Box {
-  Vec4 centre;
-  Vec4 half;
+  Unknowns<K> centre;
+  Unknowns<K> half;
 };
-Box box_of(const Line& line, const SubCurve& curve, const SubPatch& patch) {
+template <class K>
+Box<K> box_of(const Line& line, const SubCurveOf<K>& curve, const SubPatchOf<K>& patch) {
   const std::size_t along = line.fixed ^ 1U;
   const std::size_t first = line.fixed < 2 ? 2 : 0;
-  Box box;
+  Box<K> box;
   box.centre[line.fixed] = line.value;
   box.half[line.fixed] = 0;
   box.half[along] = 0.5 * curve.width;
@@ -53,20 +61,22 @@ Box box_of(const Line& line, const SubCurve& curve, const SubPatch& patch) {
   return box;
 }
 
+template <class K>
 class LineSearch {
  public:
-  LineSearch(const Pair& pair, const Line& line, const Contacts& contacts, PatchTree& tree, long& boxes)
+  LineSearch(const PairOf<K>& pair, const Line& line, const ContactsOf<K>& contacts, PatchTreeOf<K>& tree,
+             long& boxes)
       : pair_(pair),
         line_(line),
         contacts_(contacts),
         tree_(tree),
         boxes_(boxes),
-        error_(kSlack * (pair.net_error + line_error(line))) {}
+        error_(kSlack * (pair.net_error + line_error<K>(line))) {}
 
   /// The points on the line; empty if undecided.
-  std::optional<std::vector<Ball>> run(long most_boxes) {
-    const Patch& owner = line_.fixed < 2 ? pair_.x : pair_.y;
-    stack_.push_back({make_curve(control_points(owner, line_.fixed, line_.value), -0.5, 1, 0), 0});
+  std::optional<std::vector<BallOf<K>>> run(long most_boxes) {
+    const PatchOf<K>& owner = line_.fixed < 2 ? pair_.x : pair_.y;
+    stack_.push_back({make_curve<K>(control_points(owner, line_.fixed, line_.value), -0.5, 1, 0), 0});
     while (!stack_.empty()) {
       const Item item = stack_.back();
       stack_.pop_back();
@@ -75,7 +85,7 @@ class LineSearch {
         return std::nullopt;
       }
     }
-    std::vector<Ball> points;
+    std::vector<BallOf<K>> points;
     for (const Root& root : roots_) {
       if (root.inside) {
         points.push_back(root.ball);
@@ -89,17 +99,17 @@ class LineSearch {
 
  private:
   struct Item {
-    SubCurve curve;
+    SubCurveOf<K> curve;
     std::size_t patch;
   };
   struct Root {
-    Tube tube;  // tau in [-line.error, line.error] only
-    Ball ball;
+    TubeOf<K> tube;  // tau in [-line.error, line.error] only
+    BallOf<K> ball;
     bool inside;
   };
 
   bool process(const Item& item) {
-    const SubPatch& patch = tree_[item.patch];
+    const SubPatchOf<K>& patch = tree_[item.patch];
     if (separated(item.curve, patch, error_)) {
       return true;
     }
@@ -109,7 +119,7 @@ class LineSearch {
     }
     const int depth = item.curve.level + patch.level;
     if (depth >= kFirstTry && meeting == Meeting::unknown) {
-      const Box box = box_of(line_, item.curve, patch);
+      const Box<K> box = box_of(line_, item.curve, patch);
       if (std::any_of(roots_.begin(), roots_.end(),
                       [&](const Root& root) { return covers(root.tube, box); })) {
         return true;
@@ -131,19 +141,19 @@ class LineSearch {
     return true;
   }
 
-  Meeting meeting_of(const SubCurve& curve, const SubPatch& patch) const {
+  Meeting meeting_of(const SubCurveOf<K>& curve, const SubPatchOf<K>& patch) const {
     if (contacts_.empty()) {
       return Meeting::unknown;
     }
     const Part on_line = part_of(curve, line_.fixed % 2, line_.value);
     const Part other = part_of(patch);
-    return line_.fixed < 2 ? meeting(pair_, contacts_, on_line, other)
-                           : meeting(pair_, contacts_, other, on_line);
+    return line_.fixed < 2 ? meeting<K>(pair_, contacts_, on_line, other)
+                           : meeting<K>(pair_, contacts_, other, on_line);
   }
 
-  void subdivide(const Item& item, const SubPatch& patch) {
+  void subdivide(const Item& item, const SubPatchOf<K>& patch) {
     if (extent(item.curve.lower, item.curve.upper) > extent(patch.lower, patch.upper)) {
-      for (const SubCurve& half : halves(item.curve)) {
+      for (const SubCurveOf<K>& half : halves(item.curve)) {
         stack_.push_back({half, item.patch});
       }
       return;
@@ -155,20 +165,20 @@ class LineSearch {
   }
 
   /// Bounds of |w_j - centre_j - tau slope_j| over the box and the line's tau.
-  double farthest(const Tube& tube, const Box& box, std::size_t j) const {
+  double farthest(const TubeOf<K>& tube, const Box<K>& box, std::size_t j) const {
     return kSlack * (std::fabs(box.centre[j] - tube.centre[j]) + box.half[j] +
                      line_.error * std::fabs(tube.slope[j])) +
            kPlaceRounding;
   }
 
-  bool covers(const Tube& tube, const Box& box) const {
+  bool covers(const TubeOf<K>& tube, const Box<K>& box) const {
     return std::all_of(tube.others.begin(), tube.others.end(),
                        [&](std::size_t j) { return farthest(tube, box, j) <= tube.halfwidth[j]; });
   }
 
   /// A certificate on the line whose region contains the box.
-  bool covered(const Box& box, Tube& tube) const {
-    Vec4 centre = box.centre;
+  bool covered(const Box<K>& box, TubeOf<K>& tube) const {
+    Unknowns<K> centre = box.centre;
     if (!improve(pair_, centre, line_.fixed, 3)) {
       return false;
     }
@@ -180,7 +190,7 @@ class LineSearch {
     if (!prepare(pair_, centre, line_.fixed, tube)) {
       return false;
     }
-    Vec4 halfwidth;
+    Unknowns<K> halfwidth;
     for (std::size_t j = 0; j < 4; ++j) {
       halfwidth[j] = farthest(tube, box, j);
     }
@@ -188,8 +198,8 @@ class LineSearch {
   }
 
   /// The point on the line, wherever the line is within its error.
-  Ball point_on_line(Tube& tube) const {
-    Ball ball = point_at(tube, 0);
+  BallOf<K> point_on_line(TubeOf<K>& tube) const {
+    BallOf<K> ball = point_at(tube, 0);
     if (line_.error > 0) {
       bound_derivatives(pair_, tube);
       double steep = 1;
@@ -201,17 +211,21 @@ class LineSearch {
     return ball;
   }
 
+  static Box<K> around(const Unknowns<K>& middle, double radius) {
+    Box<K> box{middle, {}};
+    box.half.fill(radius);
+    return box;
+  }
+
   /// The root of a new certificate, unless an older one is it.
   bool add(Root& root) {
     root.ball = point_on_line(root.tube);
     const double margin = root.ball.radius + kPlacing;  // the node's box must be in the region
-    if (!(root.ball.radius < 0.25 * kEndMargin) ||
-        !covers(root.tube, {root.ball.middle, {margin, margin, margin, margin}})) {
+    if (!(root.ball.radius < 0.25 * kEndMargin) || !covers(root.tube, around(root.ball.middle, margin))) {
       return false;
     }
     for (const Root& old : roots_) {
-      const Vec4 old_radius = {old.ball.radius, old.ball.radius, old.ball.radius, old.ball.radius};
-      if (covers(root.tube, {old.ball.middle, old_radius})) {
+      if (covers(root.tube, around(old.ball.middle, old.ball.radius))) {
         return true;
       }
       const bool different =
@@ -239,11 +253,11 @@ class LineSearch {
     return true;
   }
 
-  const Pair& pair_;
+  const PairOf<K>& pair_;
   Line line_;
   std::optional<Vec4> undecided_;
-  const Contacts& contacts_;
-  PatchTree& tree_;
+  const ContactsOf<K>& contacts_;
+  PatchTreeOf<K>& tree_;
   long& boxes_;
   double error_;  // of the line's control points and sub-patches
   std::vector<Item> stack_;
@@ -252,17 +266,28 @@ class LineSearch {
 
 }  // namespace
 
-std::optional<std::vector<Ball>> points_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
-                                                PatchTree& other, long& boxes) {
-  return LineSearch(pair, line, contacts, other, boxes).run(kMostBoxes);
+template <class K>
+std::optional<std::vector<BallOf<K>>> points_on_line(const PairOf<K>& pair, const Line& line,
+                                                     const ContactsOf<K>& contacts, PatchTreeOf<K>& other,
+                                                     long& boxes) {
+  return LineSearch<K>(pair, line, contacts, other, boxes).run(kMostBoxes);
 }
 
-std::optional<Vec4> undecided_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
-                                      PatchTree& other) {
+template <class K>
+std::optional<Vec4> undecided_on_line(const PairOf<K>& pair, const Line& line, const ContactsOf<K>& contacts,
+                                      PatchTreeOf<K>& other) {
   long boxes = 0;
-  LineSearch search(pair, line, contacts, other, boxes);
+  LineSearch<K> search(pair, line, contacts, other, boxes);
   search.run(kMostBoxesToPlace);
   return search.undecided();
 }
+
+#define EXSECT_INSTANTIATE(K)                                                                            \
+  template std::optional<std::vector<BallOf<K>>> points_on_line<K>(                                      \
+      const PairOf<K>&, const Line&, const ContactsOf<K>&, PatchTreeOf<K>&, long&);                      \
+  template std::optional<Vec4> undecided_on_line<K>(const PairOf<K>&, const Line&, const ContactsOf<K>&, \
+                                                    PatchTreeOf<K>&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

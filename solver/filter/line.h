@@ -22,11 +22,14 @@ struct Line {
 /// lie inside these intervals and are disjoint. Empty if that is not decided: points on sides, tangents and
 /// lines on the other patch among other reasons. `other` is the tree of the patch that does not have the
 /// line; `boxes` counts the pairs looked at.
-std::optional<std::vector<Ball>> points_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
-                                                PatchTree& other, long& boxes);
+template <class K>
+std::optional<std::vector<BallOf<K>>> points_on_line(const PairOf<K>& pair, const Line& line,
+                                                     const ContactsOf<K>& contacts, PatchTreeOf<K>& other,
+                                                     long& boxes);
 
 /// Near where this search does not come to an end soon, (u,v,r,s) centred; empty if it does.
-std::optional<Vec4> undecided_on_line(const Pair& pair, const Line& line, const Contacts& contacts,
-                                      PatchTree& other);
+template <class K>
+std::optional<Vec4> undecided_on_line(const PairOf<K>& pair, const Line& line, const ContactsOf<K>& contacts,
+                                      PatchTreeOf<K>& other);
 
 }  // namespace exsect::filter

@@ -37,14 +37,15 @@ class NetCache {
 
 /// The direction c for which c.(u',v') keeps clearest away from zero on the curves known: any c is legal, a
 /// good one leaves fewer boxes.
-std::array<double, 2> search_direction(const std::vector<Trace>& traces) {
+template <class K>
+std::array<double, 2> search_direction(const std::vector<TraceOf<K>>& traces) {
   std::array<double, 2> best = {1, 0.375};
   double best_value = -1;
   for (int i = 0; i < 16; ++i) {
     const std::array<double, 2> c = {std::cos(0.19 * i), std::sin(0.19 * i)};
     double least = 1;
-    for (const Trace& trace : traces) {
-      for (const Piece& piece : trace.pieces) {
+    for (const TraceOf<K>& trace : traces) {
+      for (const PieceOf<K>& piece : trace.pieces) {
         const double u = piece.tube.slope[0];
         const double v = piece.tube.slope[1];
         const double along = c[0] * u + c[1] * v;
@@ -59,10 +60,12 @@ std::array<double, 2> search_direction(const std::vector<Trace>& traces) {
   return best;
 }
 
+template <class K>
 class LoopSearch {
  public:
-  LoopSearch(const Pair& pair, const Contacts& contacts, const std::vector<DoublePoint>& double_points,
-             Trees& trees, const std::vector<BoundaryPoint>& points, std::vector<Trace>& traces, long& boxes)
+  LoopSearch(const PairOf<K>& pair, const ContactsOf<K>& contacts,
+             const std::vector<DoublePointOf<K>>& double_points, TreesOf<K>& trees,
+             const std::vector<BoundaryPointOf<K>>& points, std::vector<TraceOf<K>>& traces, long& boxes)
       : pair_(pair),
         contacts_(contacts),
         double_points_(double_points),
@@ -89,13 +92,13 @@ class LoopSearch {
 
  private:
   bool process(const PiecePair& item) {
-    const SubPatch& x = trees_.x[item.x];
-    const SubPatch& y = trees_.y[item.y];
+    const SubPatchOf<K>& x = trees_.x[item.x];
+    const SubPatchOf<K>& y = trees_.y[item.y];
     if (separated(x, y, pair_.net_error)) {
       return true;
     }
     const Meeting at =
-        contacts_.empty() ? Meeting::unknown : meeting(pair_, contacts_, part_of(x), part_of(y));
+        contacts_.empty() ? Meeting::unknown : meeting<K>(pair_, contacts_, part_of(x), part_of(y));
     if (at == Meeting::contact || (at == Meeting::unknown && keeps_direction(item, x, y))) {
       return true;
     }
@@ -103,7 +106,7 @@ class LoopSearch {
       return true;
     }
     const int depth = x.level + y.level;
-    Tube tube;
+    TubeOf<K> tube;
     if (depth >= kFirstTry && at == Meeting::unknown && covered(x, y, tube)) {
       const std::optional<bool> known = known_or_traced(tube);
       if (known) {
@@ -118,36 +121,36 @@ class LoopSearch {
   }
 
   /// c.T has no zero on the two.
-  bool keeps_direction(const PiecePair& item, const SubPatch& x, const SubPatch& y) {
-    const DirectionNet& d = directions_.get(item.x, [&] { return direction_net(x, c_, pair_.net_error); });
-    const NormalNet& n = normals_.get(item.y, [&] { return normal_net(y, pair_.net_error); });
+  bool keeps_direction(const PiecePair& item, const SubPatchOf<K>& x, const SubPatchOf<K>& y) {
+    const DirectionNetOf<K>& d =
+        directions_.get(item.x, [&] { return direction_net(x, c_, pair_.net_error); });
+    const NormalNetOf<K>& n = normals_.get(item.y, [&] { return normal_net(y, pair_.net_error); });
     return never_orthogonal(d, n);
   }
 
   struct Box {
-    Vec4 middle;
-    Vec4 half;
+    Unknowns<K> middle;
+    Unknowns<K> half;
   };
-  static Box box_of(const SubPatch& x, const SubPatch& y) {
+  static Box box_of(const SubPatchOf<K>& x, const SubPatchOf<K>& y) {
     const double hx = 0.5 * x.width;
     const double hy = 0.5 * y.width;
     return {{x.first + hx, x.second + hx, y.first + hy, y.second + hy}, {hx, hx, hy, hy}};
   }
 
-  bool is_at_double_point(const SubPatch& x, const SubPatch& y) const {
-    return std::any_of(double_points_.begin(), double_points_.end(), [&](const DoublePoint& point) {
+  bool is_at_double_point(const SubPatchOf<K>& x, const SubPatchOf<K>& y) const {
+    return std::any_of(double_points_.begin(), double_points_.end(), [&](const DoublePointOf<K>& point) {
       const Box box = box_of(x, y);
       return lies_in_region(point, box.middle, box.half);
     });
   }
 
   /// A tube whose region contains the box.
-  bool covered(const SubPatch& x, const SubPatch& y, Tube& tube) const {
+  bool covered(const SubPatchOf<K>& x, const SubPatchOf<K>& y, TubeOf<K>& tube) const {
     const auto [middle, half] = box_of(x, y);
-    const Linearisation at =
-        linearise(expand(pair_.x, middle[0], middle[1]), expand(pair_.y, middle[2], middle[3]));
+    const Linearisation<K> at = linearise(pair_, middle);
     const std::size_t axis = steepest(at.tangent, half);
-    Vec4 centre = middle;
+    Unknowns<K> centre = middle;
     if (!improve(pair_, centre, axis, 2)) {
       return false;
     }
@@ -159,7 +162,7 @@ class LoopSearch {
     if (!prepare(pair_, centre, axis, tube)) {
       return false;
     }
-    Vec4 width;
+    Unknowns<K> width;
     for (std::size_t j = 0; j < 4; ++j) {
       width[j] =
           kSlack * (std::fabs(centre[j] - middle[j]) + half[j] + std::fabs(tube.slope[j]) * half[axis]) +
@@ -170,8 +173,8 @@ class LoopSearch {
 
   /// True: the tube's arc is known, or is outside the domain at one point, or on a closed curve that is now
   /// traced. False: the search has failed. Empty: undecided.
-  std::optional<bool> known_or_traced(const Tube& tube) {
-    const Ball seed = point_at(tube, 0);
+  std::optional<bool> known_or_traced(const TubeOf<K>& tube) {
+    const BallOf<K> seed = point_at(tube, 0);
     bool inside = true;
     for (const double w : seed.middle) {
       if (std::fabs(w) > 0.5 + kSlack * seed.radius + kPlaceRounding) {
@@ -179,16 +182,16 @@ class LoopSearch {
       }
       inside = inside && std::fabs(w) < 0.5 - kSlack * seed.radius - kPlaceRounding;
     }
-    for (const Trace& trace : traces_) {
+    for (const TraceOf<K>& trace : traces_) {
       if (std::any_of(trace.pieces.begin(), trace.pieces.end(),
-                      [&](const Piece& piece) { return contains(piece.tube, seed); })) {
+                      [&](const PieceOf<K>& piece) { return contains(piece.tube, seed); })) {
         return true;
       }
     }
     if (!inside) {
       return std::nullopt;
     }
-    std::optional<Trace> loop = trace_loop(pair_, points_, tube, 0);
+    std::optional<TraceOf<K>> loop = trace_loop(pair_, points_, tube, 0);
     if (!loop || !differs_from_known_loops(*loop)) {
       return false;
     }
@@ -197,36 +200,45 @@ class LoopSearch {
   }
 
   /// True only if a point of every known closed curve is not on this one.
-  bool differs_from_known_loops(const Trace& loop) const {
-    return std::all_of(traces_.begin(), traces_.end(), [&](const Trace& known) {
+  bool differs_from_known_loops(const TraceOf<K>& loop) const {
+    return std::all_of(traces_.begin(), traces_.end(), [&](const TraceOf<K>& known) {
       if (known.start >= 0) {
         return true;
       }
-      const Ball point = point_at(known.pieces.front().tube, known.pieces.front().range.from());
+      const BallOf<K> point = point_at(known.pieces.front().tube, known.pieces.front().range.from());
       return std::all_of(loop.pieces.begin(), loop.pieces.end(),
-                         [&](const Piece& piece) { return excludes(piece.tube, point); });
+                         [&](const PieceOf<K>& piece) { return excludes(piece.tube, point); });
     });
   }
 
-  const Pair& pair_;
-  const Contacts& contacts_;
-  const std::vector<DoublePoint>& double_points_;
-  Trees& trees_;
-  const std::vector<BoundaryPoint>& points_;
-  std::vector<Trace>& traces_;
+  const PairOf<K>& pair_;
+  const ContactsOf<K>& contacts_;
+  const std::vector<DoublePointOf<K>>& double_points_;
+  TreesOf<K>& trees_;
+  const std::vector<BoundaryPointOf<K>>& points_;
+  std::vector<TraceOf<K>>& traces_;
   long& boxes_;
   std::array<double, 2> c_;
-  NetCache<DirectionNet> directions_;
-  NetCache<NormalNet> normals_;
+  NetCache<DirectionNetOf<K>> directions_;
+  NetCache<NormalNetOf<K>> normals_;
   std::vector<PiecePair> stack_;
 };
 
 }  // namespace
 
-bool add_loops(const Pair& pair, const Contacts& contacts, const std::vector<DoublePoint>& double_points,
-               Trees& trees, const std::vector<BoundaryPoint>& points, std::vector<Trace>& traces,
-               long& boxes, Vec4& stuck) {
-  return LoopSearch(pair, contacts, double_points, trees, points, traces, boxes).run(stuck);
+template <class K>
+bool add_loops(const PairOf<K>& pair, const ContactsOf<K>& contacts,
+               const std::vector<DoublePointOf<K>>& double_points, TreesOf<K>& trees,
+               const std::vector<BoundaryPointOf<K>>& points, std::vector<TraceOf<K>>& traces, long& boxes,
+               Vec4& stuck) {
+  return LoopSearch<K>(pair, contacts, double_points, trees, points, traces, boxes).run(stuck);
 }
+
+#define EXSECT_INSTANTIATE(K)                                                                               \
+  template bool add_loops<K>(const PairOf<K>&, const ContactsOf<K>&, const std::vector<DoublePointOf<K>>&,  \
+                             TreesOf<K>&, const std::vector<BoundaryPointOf<K>>&, std::vector<TraceOf<K>>&, \
+                             long&, Vec4&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

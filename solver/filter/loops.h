@@ -12,8 +12,10 @@ namespace exsect::filter {
 /// Appends to `traces`, which hold every curve with boundary points or ports, all closed curves inside the
 /// domain. True only if these, the contacts and the double points are now the whole intersection, no curve
 /// meets a contact, and no other point of a curve is singular. If not, `stuck` is where the search failed.
-bool add_loops(const Pair& pair, const Contacts& contacts, const std::vector<DoublePoint>& double_points,
-               Trees& trees, const std::vector<BoundaryPoint>& points, std::vector<Trace>& traces,
-               long& boxes, Vec4& stuck);
+template <class K>
+bool add_loops(const PairOf<K>& pair, const ContactsOf<K>& contacts,
+               const std::vector<DoublePointOf<K>>& double_points, TreesOf<K>& trees,
+               const std::vector<BoundaryPointOf<K>>& points, std::vector<TraceOf<K>>& traces, long& boxes,
+               Vec4& stuck);
 
 }  // namespace exsect::filter

@@ -62,7 +62,9 @@ bool may_overlap(const Pair& pair, bool exchanged) {
     for (const double s : {-0.5, 0.5}) {
       const double u = maps[0].offset + maps[0].factor * r;
       const double v = maps[1].offset + maps[1].factor * s;
-      if (!(largest(value_at(x, u, v) - (exchanged ? value_at(y, s, r) : value_at(y, r, s))) < kClose)) {
+      if (!(largest(value_at<Biquadratic>(x, u, v) -
+                    (exchanged ? value_at<Biquadratic>(y, s, r) : value_at<Biquadratic>(y, r, s))) <
+            kClose)) {
         return false;
       }
     }

@@ -13,17 +13,19 @@ Interval counted(const Interval& range, bool backwards) {
 }  // namespace
 
 std::size_t SideView::index(std::size_t across, std::size_t along) const {
-  const std::size_t a = side.upper ? 2 - across : across;
-  const std::size_t b = reversed ? 2 - along : along;
-  return side.parameter == 0 ? 3 * a + b : 3 * b + a;
+  const std::size_t a = side.upper ? degree - across : across;
+  const std::size_t b = reversed ? degree - along : along;
+  return side.parameter == 0 ? (degree + 1) * a + b : (degree + 1) * b + a;
 }
 
-Part part_of(const SubPatch& patch) {
+template <class K>
+Part part_of(const SubPatchOf<K>& patch) {
   const auto from = [&](double lower) { return Interval{lower + 0.5, lower + 0.5 + patch.width}; };
   return {{from(patch.first), from(patch.second)}, patch.net};
 }
 
-Part part_of(const SubCurve& curve, std::size_t fixed, double value) {
+template <class K>
+Part part_of(const SubCurveOf<K>& curve, std::size_t fixed, double value) {
   Part part{{}, curve.net};
   part.range[fixed] = {value + 0.5, value + 0.5};
   part.range[1 - fixed] = {curve.from + 0.5, curve.from + 0.5 + curve.width};
@@ -35,32 +37,57 @@ SideIntervals intervals(const SideView& view, const Part& part) {
   return {counted(part.range[across], view.side.upper), counted(part.range[1 - across], view.reversed)};
 }
 
-/// x(a,.) = (1-a)² P0 + 2 a (1-a) P1 + a² P2 = P0 + a ((1-a) 2 (P1 - P0) + a (P2 - P0)).
-AcrossField across_field(const std::array<Vec3, 9>& net, const SideView& view) {
-  AcrossField result;
-  for (std::size_t j = 0; j < 3; ++j) {
+/// (B_i^n(a) - B_i^n(0)) / a is n/i B_(i-1)^(n-1)(a).
+template <class K>
+AcrossFieldOf<K> across_field(const CoefficientsOf<K>& net, const SideView& view) {
+  AcrossFieldOf<K> result;
+  for (std::size_t j = 0; j < K::side; ++j) {
     const Vec3& on_side = net[view.index(0, j)];
-    result[j] = 2.0 * (net[view.index(1, j)] - on_side);
-    result[3 + j] = net[view.index(2, j)] - on_side;
+    for (std::size_t i = 1; i <= K::degree; ++i) {
+      const double factor = static_cast<double>(K::degree) / static_cast<double>(i);
+      result[K::side * (i - 1) + j] = factor * (net[view.index(i, j)] - on_side);
+    }
   }
   return result;
 }
 
-/// By the blossom.
-AcrossField restricted(const AcrossField& field, const SideIntervals& to) {
-  AcrossField result;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double a = i == 0 ? to.across.lower : to.across.upper;
-    const Vec3 p = between(field[0], field[3], a);
-    const Vec3 q = between(field[1], field[4], a);
-    const Vec3 r = between(field[2], field[5], a);
-    const Vec3 first = between(p, q, to.along.lower);
-    const Vec3 last = between(q, r, to.along.lower);
-    result[3 * i] = between(first, last, to.along.lower);
-    result[3 * i + 1] = between(first, last, to.along.upper);
-    result[3 * i + 2] = between(between(p, q, to.along.upper), between(q, r, to.along.upper), to.along.upper);
+namespace {
+
+/// Control point k on the interval of the curve with these control points: the blossom with k arguments
+/// `upper`, the others `lower`, these first.
+template <std::size_t Count>
+Vec3 restricted_point(std::array<Vec3, Count> p, const Interval& to, std::size_t k) {
+  constexpr std::size_t degree = Count - 1;
+  for (std::size_t level = 1; level <= degree; ++level) {
+    const double t = level + k <= degree ? to.lower : to.upper;
+    for (std::size_t i = 0; i + level <= degree; ++i) p[i] = between(p[i], p[i + 1], t);
+  }
+  return p[0];
+}
+
+}  // namespace
+
+template <class K>
+AcrossFieldOf<K> restricted(const AcrossFieldOf<K>& field, const SideIntervals& to) {
+  AcrossFieldOf<K> result;
+  for (std::size_t i = 0; i < K::degree; ++i) {
+    std::array<Vec3, K::side> row;
+    for (std::size_t j = 0; j < K::side; ++j) {
+      std::array<Vec3, K::degree> column;
+      for (std::size_t k = 0; k < K::degree; ++k) column[k] = field[K::side * k + j];
+      row[j] = restricted_point(column, to.across, i);
+    }
+    for (std::size_t j = 0; j < K::side; ++j) result[K::side * i + j] = restricted_point(row, to.along, j);
   }
   return result;
 }
+
+#define EXSECT_INSTANTIATE(K)                                                           \
+  template Part part_of<K>(const SubPatchOf<K>&);                                       \
+  template Part part_of<K>(const SubCurveOf<K>&, std::size_t, double);                  \
+  template AcrossFieldOf<K> across_field<K>(const CoefficientsOf<K>&, const SideView&); \
+  template AcrossFieldOf<K> restricted<K>(const AcrossFieldOf<K>&, const SideIntervals&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

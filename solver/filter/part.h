@@ -24,6 +24,7 @@ struct SquareSide {
 struct SideView {
   SquareSide side;
   bool reversed;
+  std::size_t degree = 2;
   std::size_t index(std::size_t across, std::size_t along) const;
 };
 
@@ -36,9 +37,11 @@ struct Part {
   std::array<Interval, 2> range;  // parameters, not centred
   std::span<const Vec3> points;
 };
-Part part_of(const SubPatch& patch);
+template <class K>
+Part part_of(const SubPatchOf<K>& patch);
 /// The curve is on the line where the first (0) or second (1) parameter is `value`, centred, of a square.
-Part part_of(const SubCurve& curve, std::size_t fixed, double value);
+template <class K>
+Part part_of(const SubCurveOf<K>& curve, std::size_t fixed, double value);
 
 /// The part's intervals counted from the side, and along it.
 struct SideIntervals {
@@ -47,10 +50,15 @@ struct SideIntervals {
 };
 SideIntervals intervals(const SideView& view, const Part& part);
 
-/// Control vectors of (x(a,t) - x(0,t)) / a, a and t counted as the view does: bidegree (1,2), index 3 i + j.
-using AcrossField = std::array<Vec3, 6>;
-AcrossField across_field(const std::array<Vec3, 9>& net, const SideView& view);
+/// Control vectors of (x(a,t) - x(0,t)) / a, a and t counted as the view does: bidegree (n-1,n), index
+/// side i + j.
+template <class K>
+using AcrossFieldOf = std::array<Vec3, K::degree * K::side>;
+using AcrossField = AcrossFieldOf<Biquadratic>;
+template <class K>
+AcrossFieldOf<K> across_field(const CoefficientsOf<K>& net, const SideView& view);
 /// Those on a rectangle.
-AcrossField restricted(const AcrossField& field, const SideIntervals& to);
+template <class K>
+AcrossFieldOf<K> restricted(const AcrossFieldOf<K>& field, const SideIntervals& to);
 
 }  // namespace exsect::filter

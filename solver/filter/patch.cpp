@@ -8,11 +8,12 @@ namespace exsect::filter {
 namespace {
 
 /// The control net in doubles; `exact` becomes false if a coordinate is not known to be a double.
-std::array<Vec3, 9> rounded(const BezierPatch& patch, bool& exact) {
-  std::array<Vec3, 9> net;
-  for (std::size_t i = 0; i < 9; ++i) {
+template <class K>
+CoefficientsOf<K> rounded(const ExactPatch<K>& patch, bool& exact) {
+  CoefficientsOf<K> net;
+  for (std::size_t i = 0; i < K::count; ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
-      const NearestDouble d = nearest_double(patch.net()[i / 3][i % 3][c]);
+      const NearestDouble d = nearest_double(control_point(patch, i)[c]);
       net[i][c] = d.value;
       exact = exact && d.exact;
     }
@@ -20,21 +21,40 @@ std::array<Vec3, 9> rounded(const BezierPatch& patch, bool& exact) {
   return net;
 }
 
-/// a polynomial in Bernstein form to powers of t - 1/2: (P0 + 2 P1 + P2)/4, P2 - P0, P0 - 2 P1 + P2.
-void to_centred_powers(Vec3& c0, Vec3& c1, Vec3& c2) {
-  const Vec3 ends = c0 + c2;
-  const Vec3 middle = 2.0 * c1;
-  const Vec3 difference = c2 - c0;
-  c0 = 0.25 * (ends + middle);
-  c1 = difference;
-  c2 = ends - middle;
+/// A polynomial in Bernstein form to powers of t - 1/2; the coefficients stand `step` apart.
+template <class K>
+void to_centred_powers(Row<K>* c, std::size_t step) {
+  if constexpr (K::degree == 2) {  // (P0 + 2 P1 + P2)/4, P2 - P0, P0 - 2 P1 + P2
+    Row<K>&c0 = c[0], &c1 = c[step], &c2 = c[2 * step];
+    const Row<K> ends = c0 + c2;
+    const Row<K> middle = 2.0 * c1;
+    const Row<K> difference = c2 - c0;
+    c0 = 0.25 * (ends + middle);
+    c1 = difference;
+    c2 = ends - middle;
+  } else {  // (P0 + 3 P1 + 3 P2 + P3)/8, 3 (P3 - P0 + P2 - P1)/4, 3 (P0 + P3 - P1 - P2)/2, P3 - P0 - 3 (P2 -
+            // P1)
+    static_assert(K::degree == 3);
+    Row<K>&c0 = c[0], &c1 = c[step], &c2 = c[2 * step], &c3 = c[3 * step];
+    const Row<K> ends = c0 + c3;
+    const Row<K> inner = c1 + c2;
+    const Row<K> far = c3 - c0;
+    const Row<K> near = c2 - c1;
+    c0 = 0.125 * (ends + 3.0 * inner);
+    c1 = 0.75 * (far + near);
+    c2 = 1.5 * (ends - inner);
+    c3 = far - 3.0 * near;
+  }
 }
 
-void shift(Vec3& c0, Vec3& c1, const Vec3& c2, double t) {
-  const Vec3 second = t * c2;
-  const Vec3 half = c1 + second;
-  c0 = c0 + t * half;
-  c1 = half + second;
+/// The powers of t - 1/2 to those of t - 1/2 - `by`, by repeated synthetic division.
+template <class K>
+void shift(Row<K>* c, std::size_t step, double by) {
+  for (std::size_t pass = 0; pass < K::degree; ++pass) {
+    for (std::size_t i = K::degree; i-- > pass;) {
+      c[i * step] = c[i * step] + by * c[(i + 1) * step];
+    }
+  }
 }
 
 /// Magnitude of a coefficient and bound of its error.
@@ -43,81 +63,104 @@ struct Bound {
   double error;
 };
 
-/// What `shift` makes of bounds for |t| <= H = kReach. Computed: a = t c2, b = c1 + a, c1' = b + a, c0' = c0
-/// + t b; errors of a, b, c1', t b, c0' from these operations alone, for sizes m: u H m2; + u (m1 + H m2); +
-/// u H m2 + u (m1 + 2 H m2) = u (2 m1 + 5 H m2) in all; H u (m1 + 2 H m2) + u H (m1 + H m2); + u (m0 + H m1 +
-/// H² m2) = u (m0 + 3 H m1 + 4 H² m2) in all.
-void shift(Bound& c0, Bound& c1, const Bound& c2) {
-  constexpr double h = kReach;
-  c0.error += h * c1.error + h * h * c2.error + kUnit * (c0.size + 3 * h * c1.size + 4 * h * h * c2.size);
-  c1.error += 2 * h * c2.error + kUnit * (2 * c1.size + 5 * h * c2.size);
-  c0.size += h * c1.size + h * h * c2.size;
-  c1.size += 2 * h * c2.size;
+/// What `shift` makes of bounds for |t| <= H = kReach, (14.3): each sum c_i + t c_(i+1) adds u H m_(i+1) and
+/// u (m_i + H m_(i+1)).
+template <class K>
+void shift(Bound* c, std::size_t step) {
+  for (std::size_t pass = 0; pass < K::degree; ++pass) {
+    for (std::size_t i = K::degree; i-- > pass;) {
+      Bound& low = c[i * step];
+      const Bound& high = c[(i + 1) * step];
+      low.error += kReach * high.error + kUnit * (low.size + 2 * kReach * high.size);
+      low.size += kReach * high.size;
+    }
+  }
 }
 
-/// to_centred_powers in one parameter, control points of size m with error e: the coefficients have sizes m,
-/// 2 m, 4 m and errors e + 3/2 u m, 2 e + 2 u m, 4 e + 6 u m (the sums are of size 2 m, 4 m, and divided by
-/// 4; 2 m; 2 m, 4 m). Twice, from m = 1: sizes s_i s_j, errors growth s_i s_j + u conversion[3 i + j].
-constexpr std::array<double, 9> kConversion = {3, 5, 12, 5, 8, 20, 12, 20, 48};
-constexpr std::array<double, 3> kSize = {1, 2, 4};
+/// to_centred_powers in one parameter, control points of size m with error e: the coefficients have sizes
+/// kSize m and errors kSize e + kConversion u m. For n = 2 the sums are of size 2 m, 4 m, and divided by 4; 2
+/// m; 2 m, 4 m. For n = 3 they are 2 m, 2 m, 6 m, 8 m, in all 22 u m / 8; 3/4 (2 m, 2 m, 4 m) and 3 m; 3/2 of
+/// these and 6 m; 2 m, 3 times 2 m, 6 m, 8 m.
+template <std::size_t Degree>
+constexpr std::array<double, Degree + 1> kSize;
+template <>
+constexpr std::array<double, 3> kSize<2> = {1, 2, 4};
+template <>
+constexpr std::array<double, 4> kSize<3> = {1, 3, 6, 8};
+template <std::size_t Degree>
+constexpr std::array<double, Degree + 1> kConversion;
+template <>
+constexpr std::array<double, 3> kConversion<2> = {1.5, 2, 6};
+template <>
+constexpr std::array<double, 4> kConversion<3> = {3, 9, 18, 22};
 
 /// Patch::error: kSlack for all terms of second order in u, kTiny for underflow: an expansion and the values
 /// from it are fewer than 100 products, which are multiplied by parameters alone.
-std::array<double, 9> coefficient_errors(const Coefficients& power, double input_error) {
-  std::array<Bound, 9> b;
-  for (std::size_t i = 0; i < 9; ++i) {
-    b[i] = {largest(power[i]), kConversion[i] * kUnit + kSize[i / 3] * kSize[i % 3] * input_error};
+template <class K>
+std::array<double, K::count> coefficient_errors(const CoefficientsOf<K>& power, double input_error) {
+  constexpr auto& size = kSize<K::degree>;
+  constexpr auto& conversion = kConversion<K::degree>;
+  std::array<Bound, K::count> b;
+  for (std::size_t k = 0; k < K::count; ++k) {
+    const std::size_t i = k / K::side;
+    const std::size_t j = k % K::side;
+    b[k] = {largest(power[k]),
+            (size[i] * conversion[j] + size[j] * conversion[i]) * kUnit + size[i] * size[j] * input_error};
   }
-  for (std::size_t i = 0; i < 9; i += 3) {
-    shift(b[i], b[i + 1], b[i + 2]);
+  for (std::size_t i = 0; i < K::side; ++i) {
+    shift<K>(&b[K::side * i], 1);
   }
-  for (std::size_t j = 0; j < 3; ++j) {
-    shift(b[j], b[3 + j], b[6 + j]);
+  for (std::size_t j = 0; j < K::side; ++j) {
+    shift<K>(&b[j], K::side);
   }
-  std::array<double, 9> error;
-  std::transform(b.begin(), b.end(), error.begin(),
-                 [](const Bound& c) { return kSlack * (c.error + kValueRounding * kUnit * c.size) + kTiny; });
+  std::array<double, K::count> error;
+  std::transform(b.begin(), b.end(), error.begin(), [](const Bound& c) {
+    return kSlack * (c.error + kValueRounding<K::degree> * kUnit * c.size) + kTiny;
+  });
   return error;
 }
 
-void fill(Patch& patch, double input_error) {
-  Coefficients& c = patch.power;
+template <class K>
+void fill(PatchOf<K>& patch, double input_error) {
+  CoefficientsOf<K>& c = patch.power;
   c = patch.net;
-  for (std::size_t i = 0; i < 9; i += 3) {
-    to_centred_powers(c[i], c[i + 1], c[i + 2]);
+  for (std::size_t i = 0; i < K::side; ++i) {
+    to_centred_powers<K>(&c[K::side * i], 1);
   }
-  for (std::size_t j = 0; j < 3; ++j) {
-    to_centred_powers(c[j], c[3 + j], c[6 + j]);
+  for (std::size_t j = 0; j < K::side; ++j) {
+    to_centred_powers<K>(&c[j], K::side);
   }
-  patch.error = coefficient_errors(c, input_error);
+  patch.error = coefficient_errors<K>(c, input_error);
 }
 
 }  // namespace
 
-Coefficients expand(const Patch& patch, double h, double k) {
-  Coefficients c = patch.power;
-  for (std::size_t i = 0; i < 9; i += 3) {
-    shift(c[i], c[i + 1], c[i + 2], k);
+template <class K>
+CoefficientsOf<K> expand(const PatchOf<K>& patch, double h, double k) {
+  CoefficientsOf<K> c = patch.power;
+  for (std::size_t i = 0; i < K::side; ++i) {
+    shift<K>(&c[K::side * i], 1, k);
   }
-  for (std::size_t j = 0; j < 3; ++j) {
-    shift(c[j], c[3 + j], c[6 + j], h);
+  for (std::size_t j = 0; j < K::side; ++j) {
+    shift<K>(&c[j], K::side, h);
   }
   return c;
 }
 
-std::optional<Pair> make_pair(const BezierPatch& x, const BezierPatch& y) {
-  Pair pair;
+template <class K>
+std::optional<PairOf<K>> make_pair_of(const ExactPatch<K>& x, const ExactPatch<K>& y) {
+  PairOf<K> pair;
   bool exact = true;
-  pair.x.net = rounded(x, exact);
-  pair.y.net = rounded(y, exact);
+  pair.x.net = rounded<K>(x, exact);
+  pair.y.net = rounded<K>(y, exact);
   double size = 0;   // of the unscaled coordinates
   double reach = 0;  // from the origin of the frame
   pair.extent = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     double lower = pair.x.net[0][c];
     double upper = lower;
-    for (const Patch* patch : {&pair.x, &pair.y}) {
-      for (const Vec3& p : patch->net) {
+    for (const PatchOf<K>* patch : {&pair.x, &pair.y}) {
+      for (const Row<K>& p : patch->net) {
         lower = std::min(lower, p[c]);
         upper = std::max(upper, p[c]);
         size = std::max(size, std::fabs(p[c]));
@@ -135,25 +178,32 @@ std::optional<Pair> make_pair(const BezierPatch& x, const BezierPatch& y) {
   const int exponent = std::ilogb(reach) + 1;
   pair.frame.exponent = exponent;
   const double scale = std::ldexp(1.0, -exponent);
-  for (Patch* patch : {&pair.x, &pair.y}) {
-    for (Vec3& p : patch->net) {
+  for (PatchOf<K>* patch : {&pair.x, &pair.y}) {
+    for (Row<K>& p : patch->net) {
       for (std::size_t c = 0; c < 3; ++c) {
         p[c] = (p[c] - pair.frame.origin[c]) * scale;
       }
     }
   }
   const double input_error = kInputError * ((exact ? 0 : size * scale) + 1);
-  fill(pair.x, input_error);
-  fill(pair.y, input_error);
-  pair.net_error = kSlack * (input_error + kNetError);
+  fill<K>(pair.x, input_error);
+  fill<K>(pair.y, input_error);
+  pair.net_error = kSlack * (input_error + kDegreeNetError<K::degree>);
   pair.order_error = {};
   pair.total_error = 0;
-  for (std::size_t i = 0; i < 9; ++i) {
+  for (std::size_t i = 0; i < K::count; ++i) {
     const double e = pair.x.error[i] + pair.y.error[i];
-    pair.order_error[i / 3 + i % 3] += e;
-    pair.total_error += static_cast<double>(1 + i / 3 + i % 3) * e;
+    const std::size_t order = i / K::side + i % K::side;
+    pair.order_error[order] += e;
+    pair.total_error += static_cast<double>(1 + order) * e;
   }
   return pair;
 }
+
+#define EXSECT_INSTANTIATE(K)                                              \
+  template CoefficientsOf<K> expand<K>(const PatchOf<K>&, double, double); \
+  template std::optional<PairOf<K>> make_pair_of<K>(const ExactPatch<K>&, const ExactPatch<K>&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

@@ -21,13 +21,11 @@ std::array<Vec3, 3> inverse_rows(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {inverse * bc, inverse * cross(c, a), inverse * cross(a, b)};
 }
 
-double size1(const Vec3& a) { return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]); }
-
 }  // namespace
 
 PathContact path_contact(const SidePath& path, const Pair& pair) {
   const SideView side = {path.side, false};
-  PathContact contact{path, side, {}, across_field((path.of_x ? pair.x : pair.y).net, side)};
+  PathContact contact{path, side, {}, across_field<Biquadratic>((path.of_x ? pair.x : pair.y).net, side)};
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
       contact.ends[i][j] = to_double(path.ends[i][j] - Rational(1, 2));
@@ -67,7 +65,7 @@ bool meet_on_line(const Pair& pair, const PathContact& contact, const Part& x, c
     return false;
   }
   const Coefficients& c = carrier->at_middle;
-  const AcrossField field = restricted(contact.across, on_owner);
+  const AcrossField field = restricted<Biquadratic>(contact.across, on_owner);
   const std::array<Vec3, 3> rows = inverse_rows(c[3], c[1], 0.5 * (field[1] + field[4]));
   for (std::size_t i = 0; i < 3; ++i) {
     const double size = size1(rows[i]);

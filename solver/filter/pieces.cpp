@@ -30,17 +30,29 @@ void project(const std::array<Vec3, N>& points, const Vec3& normal, double& lowe
 
 Vec3 mean(const Vec3& a, const Vec3& b) { return 0.5 * (a + b); }
 
-/// The five points of a quadratic curve divided in the middle.
-std::array<Vec3, 5> divided(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 left = mean(a, b);
-  const Vec3 right = mean(b, c);
-  return {a, left, mean(left, right), right, c};
+/// The 2 n + 1 points of a curve of degree n divided in the middle.
+template <std::size_t Points>
+std::array<Vec3, 2 * Points - 1> divided(std::array<Vec3, Points> p) {
+  constexpr std::size_t n = Points - 1;
+  std::array<Vec3, 2 * Points - 1> result;
+  result[0] = p[0];
+  result[2 * n] = p[n];
+#pragma GCC unroll 4
+  for (std::size_t level = 1; level <= n; ++level) {
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i + level <= n; ++i) p[i] = mean(p[i], p[i + 1]);
+    result[level] = p[0];
+    result[2 * n - level] = p[n - level];
+  }
+  return result;
 }
 
-void fill(SubPatch& p) {
+template <class K>
+void fill(SubPatchOf<K>& p) {
+  constexpr std::size_t n = K::degree;
   enclose(p.net, p.lower, p.upper);
-  p.normal = cross(p.net[8] - p.net[0], p.net[6] - p.net[2]);
-  p.normal_size = kSlack * (std::fabs(p.normal[0]) + std::fabs(p.normal[1]) + std::fabs(p.normal[2]) + kTiny);
+  p.normal = cross(p.net[K::count - 1] - p.net[0], p.net[K::side * n] - p.net[n]);
+  p.normal_size = kSlack * (size1(p.normal) + kTiny);
   project(p.net, p.normal, p.normal_lower, p.normal_upper);
   p.children = 0;
 }
@@ -58,8 +70,8 @@ bool boxes_apart(const Vec3& lower_a, const Vec3& upper_a, const Vec3& lower_b, 
   return false;
 }
 
-template <std::size_t N>
-bool apart_along_normal(const SubPatch& patch, const std::array<Vec3, N>& points, double net_error) {
+template <class K, std::size_t N>
+bool apart_along_normal(const SubPatchOf<K>& patch, const std::array<Vec3, N>& points, double net_error) {
   double lower = 0;
   double upper = 0;
   project(points, patch.normal, lower, upper);
@@ -77,9 +89,10 @@ double largest_of(const Vec3* begin, std::size_t count) {
 
 }  // namespace
 
-PatchTree::PatchTree(const Patch& patch) {
+template <class K>
+PatchTreeOf<K>::PatchTreeOf(const PatchOf<K>& patch) {
   nodes_.reserve(128);
-  SubPatch root;
+  SubPatchOf<K> root;
   root.net = patch.net;
   root.first = root.second = -0.5;
   root.width = 1;
@@ -88,28 +101,34 @@ PatchTree::PatchTree(const Patch& patch) {
   nodes_.push_back(root);
 }
 
-std::size_t PatchTree::split(std::size_t i) {
+template <class K>
+std::size_t PatchTreeOf<K>::split(std::size_t i) {
+  constexpr std::size_t n = K::degree;
   if (nodes_[i].children != 0) {
     return nodes_[i].children;
   }
   const std::size_t begin = nodes_.size();
   nodes_.resize(begin + 4);
-  SubPatch& parent = nodes_[i];
+  SubPatchOf<K>& parent = nodes_[i];
   parent.children = begin;
-  std::array<std::array<Vec3, 5>, 3> rows;
-  for (std::size_t row = 0; row < 3; ++row) {
-    rows[row] = divided(parent.net[3 * row], parent.net[3 * row + 1], parent.net[3 * row + 2]);
+  std::array<std::array<Row<K>, 2 * n + 1>, n + 1> rows;
+  for (std::size_t row = 0; row <= n; ++row) {
+    std::array<Row<K>, n + 1> points;
+    std::copy_n(&parent.net[K::side * row], n + 1, points.begin());
+    rows[row] = divided(points);
   }
-  std::array<std::array<Vec3, 5>, 5> grid;  // by columns
-  for (std::size_t column = 0; column < 5; ++column) {
-    grid[column] = divided(rows[0][column], rows[1][column], rows[2][column]);
+  std::array<std::array<Row<K>, 2 * n + 1>, 2 * n + 1> grid;  // by columns
+  for (std::size_t column = 0; column <= 2 * n; ++column) {
+    std::array<Row<K>, n + 1> points;
+    for (std::size_t row = 0; row <= n; ++row) points[row] = rows[row][column];
+    grid[column] = divided(points);
   }
   for (std::size_t quarter = 0; quarter < 4; ++quarter) {
     const std::size_t row = quarter / 2;
     const std::size_t column = quarter % 2;
-    SubPatch& child = nodes_[begin + quarter];
-    for (std::size_t k = 0; k < 9; ++k) {
-      child.net[k] = grid[2 * column + k % 3][2 * row + k / 3];
+    SubPatchOf<K>& child = nodes_[begin + quarter];
+    for (std::size_t k = 0; k < K::count; ++k) {
+      child.net[k] = grid[n * column + k % K::side][n * row + k / K::side];
     }
     child.width = 0.5 * parent.width;
     child.first = parent.first + static_cast<double>(row) * child.width;
@@ -120,9 +139,10 @@ std::size_t PatchTree::split(std::size_t i) {
   return begin;
 }
 
-void Trees::split_larger(const PiecePair& pair, std::vector<PiecePair>& pairs) {
-  const SubPatch& a = x[pair.x];
-  const SubPatch& b = y[pair.y];
+template <class K>
+void TreesOf<K>::split_larger(const PiecePair& pair, std::vector<PiecePair>& pairs) {
+  const SubPatchOf<K>& a = x[pair.x];
+  const SubPatchOf<K>& b = y[pair.y];
   const bool first = extent(a.lower, a.upper) > extent(b.lower, b.upper);
   const std::size_t children = first ? x.split(pair.x) : y.split(pair.y);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -130,83 +150,123 @@ void Trees::split_larger(const PiecePair& pair, std::vector<PiecePair>& pairs) {
   }
 }
 
-SubCurve make_curve(const std::array<Vec3, 3>& net, double from, double width, int level) {
-  SubCurve curve{net, {}, {}, from, width, level};
+template <class K>
+SubCurveOf<K> make_curve(const std::array<Row<K>, K::side>& net, double from, double width, int level) {
+  SubCurveOf<K> curve{net, {}, {}, from, width, level};
   enclose(curve.net, curve.lower, curve.upper);
   return curve;
 }
 
-std::array<SubCurve, 2> halves(const SubCurve& curve) {
-  const std::array<Vec3, 5> p = divided(curve.net[0], curve.net[1], curve.net[2]);
+template <class K>
+std::array<SubCurveOf<K>, 2> halves(const SubCurveOf<K>& curve) {
+  const auto p = divided(curve.net);
+  std::array<Row<K>, K::side> left;
+  std::array<Row<K>, K::side> right;
+  std::copy_n(p.begin(), K::side, left.begin());
+  std::copy_n(p.begin() + K::degree, K::side, right.begin());
   const double width = 0.5 * curve.width;
-  return {make_curve({p[0], p[1], p[2]}, curve.from, width, curve.level + 1),
-          make_curve({p[2], p[3], p[4]}, curve.from + width, width, curve.level + 1)};
+  return {make_curve<K>(left, curve.from, width, curve.level + 1),
+          make_curve<K>(right, curve.from + width, width, curve.level + 1)};
 }
 
-bool separated(const SubPatch& x, const SubPatch& y, double net_error) {
+template <class K>
+bool separated(const SubPatchOf<K>& x, const SubPatchOf<K>& y, double net_error) {
   return boxes_apart(x.lower, x.upper, y.lower, y.upper, net_error) ||
          apart_along_normal(x, y.net, net_error) || apart_along_normal(y, x.net, net_error);
 }
 
-bool separated(const SubCurve& curve, const SubPatch& patch, double net_error) {
+template <class K>
+bool separated(const SubCurveOf<K>& curve, const SubPatchOf<K>& patch, double net_error) {
   return boxes_apart(curve.lower, curve.upper, patch.lower, patch.upper, net_error) ||
          apart_along_normal(patch, curve.net, net_error);
 }
 
-DirectionNet direction_net(const SubPatch& x, const std::array<double, 2>& c, double net_error) {
-  DirectionNet d;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3* p = &x.net[3 * i];
-    const Vec3 first = p[1] - p[0];
-    const Vec3 last = p[2] - p[1];
-    d.vectors[3 * i] = c[0] * first;
-    d.vectors[3 * i + 1] = c[0] * mean(first, last);
-    d.vectors[3 * i + 2] = c[0] * last;
+namespace {
+
+/// Control point j, 0 <= j <= n, of a curve of degree n - 1 with n points, `step` apart, elevated; t = j / n.
+template <std::size_t Degree>
+Vec3 elevated(const Vec3* points, std::size_t j) {
+  if (j == 0) return points[0];
+  if (j == Degree) return points[Degree - 1];
+  if constexpr (Degree == 2) {
+    return mean(points[0], points[1]);
+  } else {
+    const double t = static_cast<double>(j) / static_cast<double>(Degree);
+    return t * points[j - 1] + (1 - t) * points[j];
   }
-  for (std::size_t j = 0; j < 3; ++j) {
-    const Vec3 first = x.net[3 + j] - x.net[j];
-    const Vec3 last = x.net[6 + j] - x.net[3 + j];
-    d.vectors[j] = d.vectors[j] - c[1] * first;
-    d.vectors[3 + j] = d.vectors[3 + j] - c[1] * mean(first, last);
-    d.vectors[6 + j] = d.vectors[6 + j] - c[1] * last;
+}
+
+template <std::size_t Degree>
+constexpr std::array<double, Degree + 1> binomials() {
+  std::array<double, Degree + 1> b{};
+  b[0] = 1;
+  for (std::size_t k = 1; k <= Degree; ++k)
+    b[k] = b[k - 1] * static_cast<double>(Degree + 1 - k) / static_cast<double>(k);
+  return b;
+}
+
+}  // namespace
+
+template <class K>
+DirectionNetOf<K> direction_net(const SubPatchOf<K>& x, const std::array<double, 2>& c, double net_error) {
+  constexpr std::size_t n = K::degree;
+  DirectionNetOf<K> d;
+  std::array<Vec3, n> steps;
+  for (std::size_t i = 0; i <= n; ++i) {
+    const Vec3* p = &x.net[K::side * i];
+    for (std::size_t j = 0; j < n; ++j) steps[j] = p[j + 1] - p[j];
+    for (std::size_t j = 0; j <= n; ++j) d.vectors[K::side * i + j] = c[0] * elevated<n>(steps.data(), j);
+  }
+  for (std::size_t j = 0; j <= n; ++j) {
+    for (std::size_t i = 0; i < n; ++i) steps[i] = x.net[K::side * (i + 1) + j] - x.net[K::side * i + j];
+    for (std::size_t i = 0; i <= n; ++i) {
+      Vec3& sum = d.vectors[K::side * i + j];
+      sum = sum - c[1] * elevated<n>(steps.data(), i);
+    }
   }
   enclose(d.vectors, d.lower, d.upper);
   d.error = kDirectionError * net_error;
-  d.size = largest_of(d.vectors.data(), 9) + d.error;
+  d.size = largest_of(d.vectors.data(), d.vectors.size()) + d.error;
   return d;
 }
 
-NormalNet normal_net(const SubPatch& y, double net_error) {
-  std::array<Vec3, 6> a;  // y_r: index 3 i + j, i < 2
-  std::array<Vec3, 6> b;  // y_s: index 2 i + j, j < 2
-  for (std::size_t k = 0; k < 6; ++k) {
-    a[k] = y.net[k + 3] - y.net[k];
-    b[k] = y.net[3 * (k / 2) + k % 2 + 1] - y.net[3 * (k / 2) + k % 2];
+template <class K>
+NormalNetOf<K> normal_net(const SubPatchOf<K>& y, double net_error) {
+  constexpr std::size_t n = K::degree;
+  constexpr std::size_t m = n + 1;
+  std::array<Vec3, n * m> a;  // y_r: index m i + j, i < n
+  std::array<Vec3, n * m> b;  // y_s: index n i + j, j < n
+  for (std::size_t k = 0; k < n * m; ++k) {
+    a[k] = y.net[k + m] - y.net[k];
+    b[k] = y.net[m * (k / n) + k % n + 1] - y.net[m * (k / n) + k % n];
   }
-  constexpr std::array<double, 3> binomial = {1, 2, 1};
-  constexpr std::array<double, 4> third = {1, 1.0 / 3, 1.0 / 3, 1};
-  NormalNet n;
-  n.vectors.fill(Vec3{0, 0, 0});
-  for (std::size_t p = 0; p < 6; ++p) {
-    for (std::size_t q = 0; q < 6; ++q) {
-      const std::size_t i = p / 3 + q / 2;
-      const std::size_t j = p % 3 + q % 2;
-      const double weight = binomial[q / 2] * binomial[p % 3] * (third[i] * third[j]);
-      Vec3& sum = n.vectors[4 * i + j];
+  constexpr auto low = binomials<n - 1>();
+  constexpr auto high = binomials<n>();
+  constexpr auto both = binomials<2 * n - 1>();
+  NormalNetOf<K> result;
+  result.vectors.fill(Vec3{0, 0, 0});
+  for (std::size_t p = 0; p < n * m; ++p) {
+    for (std::size_t q = 0; q < n * m; ++q) {
+      const std::size_t i = p / m + q / n;
+      const std::size_t j = p % m + q % n;
+      const double weight =
+          (low[p / m] * high[q / n]) * (high[p % m] * low[q % n]) * ((1 / both[i]) * (1 / both[j]));
+      Vec3& sum = result.vectors[2 * n * i + j];
       sum = sum + weight * cross(a[p], b[q]);
     }
   }
-  const double size_a = largest_of(a.data(), 6);
-  const double size_b = largest_of(b.data(), 6);
-  enclose(n.vectors, n.lower, n.upper);
-  n.error = kNormalError * net_error * (size_a + size_b + 3 * net_error) +
-            kNormalRounding * kUnit * size_a * size_b + kTiny;
-  n.size = largest_of(n.vectors.data(), 16) + n.error;
-  return n;
+  const double size_a = largest_of(a.data(), a.size());
+  const double size_b = largest_of(b.data(), b.size());
+  enclose(result.vectors, result.lower, result.upper);
+  result.error = kNormalError * net_error * (size_a + size_b + 3 * net_error) +
+                 kNormalRounding<n> * kUnit * size_a * size_b + kTiny;
+  result.size = largest_of(result.vectors.data(), result.vectors.size()) + result.error;
+  return result;
 }
 
 // d.n = sum B_i(u,v) B_j(r,s) d_i.n_j, so the signs of the d_i.n_j decide.
-bool never_orthogonal(const DirectionNet& d, const NormalNet& n) {
+template <std::size_t M, std::size_t N>
+bool never_orthogonal(const VectorNet<M>& d, const VectorNet<N>& n) {
   const double error = kSlack * (kProducts * (d.size * n.error + n.size * d.error) +
                                  kProductRounding * kUnit * d.size * n.size) +
                        kTiny;
@@ -221,7 +281,7 @@ bool never_orthogonal(const DirectionNet& d, const NormalNet& n) {
   if (lower > error || upper < -error) {
     return true;
   }
-  const bool positive = dot(d.vectors[4], n.vectors[5]) > 0;
+  const bool positive = dot(d.vectors[M / 2], n.vectors[N / 3]) > 0;
   for (const Vec3& a : d.vectors) {
     for (const Vec3& b : n.vectors) {
       const double t = dot(a, b);
@@ -232,5 +292,18 @@ bool never_orthogonal(const DirectionNet& d, const NormalNet& n) {
   }
   return true;
 }
+
+#define EXSECT_INSTANTIATE(K)                                                                              \
+  template class PatchTreeOf<K>;                                                                           \
+  template struct TreesOf<K>;                                                                              \
+  template SubCurveOf<K> make_curve<K>(const std::array<Row<K>, K::side>&, double, double, int);           \
+  template std::array<SubCurveOf<K>, 2> halves<K>(const SubCurveOf<K>&);                                   \
+  template bool separated<K>(const SubPatchOf<K>&, const SubPatchOf<K>&, double);                          \
+  template bool separated<K>(const SubCurveOf<K>&, const SubPatchOf<K>&, double);                          \
+  template DirectionNetOf<K> direction_net<K>(const SubPatchOf<K>&, const std::array<double, 2>&, double); \
+  template NormalNetOf<K> normal_net<K>(const SubPatchOf<K>&, double);                                     \
+  template bool never_orthogonal(const DirectionNetOf<K>&, const NormalNetOf<K>&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

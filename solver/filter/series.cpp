@@ -29,40 +29,47 @@ void add_product(Series& sum, const Series& f, std::size_t m, const Series& g, s
 }  // namespace
 
 // C F_j is the unit vector of j's row but for rounding, so that the coefficient of C F at tau^k is that of w
-// plus what products of lower ones give.
-void expand_arc(Tube& tube) {
-  Series a{}, b{}, aa{}, ab{}, bb{}, aab{}, abb{}, aabb{};
+// plus what products of lower ones give. Those of a^i b^j: a^2, ..., then times b.
+template <class K>
+void expand_arc(TubeOf<K>& tube) {
+  std::array<Series, K::count> product{};  // of a^i b^j at side i + j
+  Series& a = product[kFirst<K>];
+  Series& b = product[kSecond];
   const std::array<Series*, 4> coordinate = {&a, &b, &a, &b};
   for (std::size_t j = 0; j < 4; ++j) {
     (*coordinate[j])[1][j / 2] = tube.slope[j];
   }
   for (std::size_t k = 2; k <= kDegree; ++k) {
-    add_product(aa, a, 1, a, 1, k);
-    add_product(ab, a, 1, b, 1, k);
-    add_product(bb, b, 1, b, 1, k);
-    add_product(aab, aa, 2, b, 1, k);
-    add_product(abb, bb, 2, a, 1, k);
-    add_product(aabb, aa, 2, bb, 2, k);
-    for (std::size_t row = 0; row < 3; ++row) {
-      double sum = 0;
-      for (std::size_t side = 0; side < 2; ++side) {
-        const Coefficients& c = side == 0 ? tube.g : tube.h;
-        sum += c[6][row] * aa[k][side] + c[4][row] * ab[k][side] + c[2][row] * bb[k][side] +
-               c[7][row] * aab[k][side] + c[5][row] * abb[k][side] + c[8][row] * aabb[k][side];
+    std::array<double, K::rows> sum{};
+    for_each_index<K::count>([&](auto index) EXSECT_INLINE {
+      constexpr std::size_t i = index / K::side;
+      constexpr std::size_t j = index % K::side;
+      if constexpr (i + j >= 2) {
+        if constexpr (j == 0) {
+          add_product(product[index], product[index - K::side], i - 1, a, 1, k);
+        } else {
+          add_product(product[index], product[index - 1], i + j - 1, b, 1, k);
+        }
+        for (std::size_t row = 0; row < K::rows; ++row) {
+          sum[row] += tube.g[index][row] * product[index][k][0] + tube.h[index][row] * product[index][k][1];
+        }
       }
+    });
+    for (std::size_t row = 0; row < K::rows; ++row) {
       const std::size_t j = tube.others[row];
-      (*coordinate[j])[k][j / 2] = -sum;
+      (*coordinate[j])[k][j / 2] = -sum[row];
       if (k > 2) {
-        tube.further[k - 3][row] = -sum;
+        tube.further[k - 3][row] = -sum[row];
       }
     }
   }
 }
 
-Vec4 arc_offset(const Tube& tube, double tau) {
-  Vec4 offset;
+template <class K>
+Unknowns<K> arc_offset(const TubeOf<K>& tube, double tau) {
+  Unknowns<K> offset;
   offset[tube.axis] = tau;
-  for (std::size_t row = 0; row < 3; ++row) {
+  for (std::size_t row = 0; row < K::rows; ++row) {
     const std::size_t j = tube.others[row];
     double sum = 0;
     for (std::size_t k = tube.further.size(); k-- > 0;) {
@@ -73,10 +80,11 @@ Vec4 arc_offset(const Tube& tube, double tau) {
   return offset;
 }
 
-Vec4 arc_slope(const Tube& tube, double tau) {
-  Vec4 slope;
+template <class K>
+Unknowns<K> arc_slope(const TubeOf<K>& tube, double tau) {
+  Unknowns<K> slope;
   slope[tube.axis] = 1;
-  for (std::size_t row = 0; row < 3; ++row) {
+  for (std::size_t row = 0; row < K::rows; ++row) {
     const std::size_t j = tube.others[row];
     double sum = 0;
     for (std::size_t k = tube.further.size(); k-- > 0;) {
@@ -87,7 +95,8 @@ Vec4 arc_slope(const Tube& tube, double tau) {
   return slope;
 }
 
-double arc_second(const Tube& tube, double tau, std::size_t i) {
+template <class K>
+double arc_second(const TubeOf<K>& tube, double tau, std::size_t i) {
   const std::size_t row = i < tube.axis ? i : i - 1;
   double sum = 0;
   for (std::size_t k = tube.further.size(); k-- > 0;) {
@@ -96,9 +105,10 @@ double arc_second(const Tube& tube, double tau, std::size_t i) {
   return tube.second[i] + sum;
 }
 
-VertexForms vertex_forms(const Pair& pair, const Tube& tube, double greatest) {
-  VertexForms forms;
-  for (std::size_t i = 0; i < 9; ++i) {
+template <class K>
+VertexFormsOf<K::degree> vertex_forms(const PairOf<K>& pair, const TubeOf<K>& tube, double greatest) {
+  VertexFormsOf<K::degree> forms;
+  for (std::size_t i = 0; i < K::count; ++i) {
     std::copy(tube.g[i].begin(), tube.g[i].end(), forms.g[i]);
     std::copy(tube.h[i].begin(), tube.h[i].end(), forms.h[i]);
     std::copy(tube.space[i].begin(), tube.space[i].end(), forms.space[i]);
@@ -107,7 +117,7 @@ VertexForms vertex_forms(const Pair& pair, const Tube& tube, double greatest) {
     std::fill(std::begin(term), std::end(term), 0.0);
   }
   forms.series[0][tube.axis] = 1;
-  for (std::size_t row = 0; row < 3; ++row) {
+  for (std::size_t row = 0; row < K::rows; ++row) {
     const std::size_t j = tube.others[row];
     forms.series[0][j] = tube.slope[j];
     forms.series[1][j] = 0.5 * tube.second[j];
@@ -132,7 +142,8 @@ bool has_vertex_lanes() {
 #endif
 }
 
-void evaluate_vertices(const VertexForms& forms, VertexBlock& block) {
+template <int Degree>
+void evaluate_vertices(const VertexFormsOf<Degree>& forms, VertexBlock& block) {
 #ifdef __x86_64__
   static const bool lanes = has_vertex_lanes();
   if (lanes) {
@@ -142,5 +153,15 @@ void evaluate_vertices(const VertexForms& forms, VertexBlock& block) {
 #endif
   evaluate_vertices_scalar(forms, block);
 }
+
+#define EXSECT_INSTANTIATE(K)                                                                    \
+  template void expand_arc<K>(TubeOf<K>&);                                                       \
+  template Unknowns<K> arc_offset<K>(const TubeOf<K>&, double);                                  \
+  template Unknowns<K> arc_slope<K>(const TubeOf<K>&, double);                                   \
+  template double arc_second<K>(const TubeOf<K>&, double, std::size_t);                          \
+  template VertexFormsOf<K::degree> vertex_forms<K>(const PairOf<K>&, const TubeOf<K>&, double); \
+  template void evaluate_vertices<K::degree>(const VertexFormsOf<K::degree>&, VertexBlock&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

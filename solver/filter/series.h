@@ -8,20 +8,26 @@
 namespace exsect::filter {
 
 /// Fills in tube.further, after `bound_derivatives`.
-void expand_arc(Tube& tube);
+template <class K>
+void expand_arc(TubeOf<K>& tube);
 
 /// About w(tau) - centre; tau itself at the axis.
-Vec4 arc_offset(const Tube& tube, double tau);
+template <class K>
+Unknowns<K> arc_offset(const TubeOf<K>& tube, double tau);
 /// About w'(tau); 1 at the axis.
-Vec4 arc_slope(const Tube& tube, double tau);
+template <class K>
+Unknowns<K> arc_slope(const TubeOf<K>& tube, double tau);
 /// About w_i''(tau), i not the axis.
-double arc_second(const Tube& tube, double tau, std::size_t i);
+template <class K>
+double arc_second(const TubeOf<K>& tube, double tau, std::size_t i);
 
 /// For points of this tube's arc, `greatest` as there.
-VertexForms vertex_forms(const Pair& pair, const Tube& tube, double greatest);
+template <class K>
+VertexFormsOf<K::degree> vertex_forms(const PairOf<K>& pair, const TubeOf<K>& tube, double greatest);
 
 /// evaluate_vertices_lanes where the processor has them, else evaluate_vertices_scalar.
-void evaluate_vertices(const VertexForms& forms, VertexBlock& block);
+template <int Degree>
+void evaluate_vertices(const VertexFormsOf<Degree>& forms, VertexBlock& block);
 bool has_vertex_lanes();
 
 }  // namespace exsect::filter

@@ -16,11 +16,13 @@ constexpr double kGoodContraction = 0.2;
 constexpr double kWorstContraction = 0.32;
 constexpr std::size_t kMostPieces = 2000;
 
+template <class K>
 class Tracer {
  public:
-  Tracer(const Pair& pair, const std::vector<BoundaryPoint>& points) : pair_(pair), points_(points) {}
+  Tracer(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points)
+      : pair_(pair), points_(points) {}
 
-  bool run(const Ball& position, int start) {
+  bool run(const BallOf<K>& position, int start) {
     position_ = position;
     trace_.start = start;
     trace_.end = -1;
@@ -33,13 +35,13 @@ class Tracer {
     return true;
   }
 
-  Trace take() { return std::move(trace_); }
-  const Vec4& position() const { return position_.middle; }
+  TraceOf<K> take() { return std::move(trace_); }
+  Vec4 position() const { return parameters_of(position_); }
 
  private:
   /// The next piece, with smaller steps until it is proved.
   bool advance() {
-    const Vec4 tangent = tangent_here();
+    const Unknowns<K> tangent = tangent_here();
     std::size_t axis = steepest(tangent);
     int direction = wanted_direction(tangent, axis);
     if (direction == 0) {  // turned so much that the last tube does not tell: its own axis, once more
@@ -47,8 +49,8 @@ class Tracer {
       direction = wanted_direction(tangent, axis);
     }
     for (; step_ >= kLeastStep; step_ *= 0.5) {
-      const Vec4 centre = centre_ahead(tangent, axis, direction);
-      Piece& piece = trace_.pieces.emplace_back();
+      const Unknowns<K> centre = centre_ahead(tangent, axis, direction);
+      PieceOf<K>& piece = trace_.pieces.emplace_back();
       if (next_tube(centre, axis, piece.tube) && accept(piece, direction)) {
         return true;
       }
@@ -58,26 +60,25 @@ class Tracer {
   }
 
   /// Along the curve, one way or the other.
-  Vec4 tangent_here() const {
+  Unknowns<K> tangent_here() const {
     if (!trace_.pieces.empty()) {
       return arc_slope(trace_.pieces.back().tube, trace_.pieces.back().range.to());
     }
-    const Vec4& p = position_.middle;
-    return linearise(expand(pair_.x, p[0], p[1]), expand(pair_.y, p[2], p[3])).tangent;
+    return linearise(pair_, position_.middle).tangent;
   }
 
   /// About the point of the curve half a step ahead.
-  Vec4 centre_ahead(const Vec4& tangent, std::size_t axis, int direction) const {
+  Unknowns<K> centre_ahead(const Unknowns<K>& tangent, std::size_t axis, int direction) const {
     const double ahead = 0.5 * direction * step_;
-    Vec4 centre = position_.middle;
+    Unknowns<K> centre = position_.middle;
     if (trace_.pieces.empty()) {
       for (std::size_t j = 0; j < 4; ++j) {
         centre[j] += ahead * (tangent[j] / tangent[axis]);
       }
       return centre;
     }
-    const Piece& last = trace_.pieces.back();
-    const Vec4 offset = arc_offset(last.tube, last.range.to() + ahead / tangent[axis]);
+    const PieceOf<K>& last = trace_.pieces.back();
+    const Unknowns<K> offset = arc_offset(last.tube, last.range.to() + ahead / tangent[axis]);
     for (std::size_t j = 0; j < 4; ++j) {
       centre[j] = j == axis ? centre[j] + ahead : last.tube.centre[j] + offset[j];
     }
@@ -87,15 +88,15 @@ class Tracer {
   /// The sign of the step in the axis that goes on along the curve, 0 if the last tube does not prove it. At
   /// the start of a closed curve along the tangent field; at a boundary point a guess, proved by
   /// `starts_inward`.
-  int wanted_direction(const Vec4& tangent, std::size_t axis) const {
+  int wanted_direction(const Unknowns<K>& tangent, std::size_t axis) const {
     if (trace_.pieces.empty()) {
       if (trace_.start < 0) {
         return tangent[axis] > 0 ? 1 : -1;
       }
-      const BoundaryPoint& start = points_[static_cast<std::size_t>(trace_.start)];
+      const BoundaryPointOf<K>& start = points_[static_cast<std::size_t>(trace_.start)];
       return (tangent[start.parameter] * start.side > 0) == (tangent[axis] > 0) ? -1 : 1;
     }
-    const Piece& last = trace_.pieces.back();
+    const PieceOf<K>& last = trace_.pieces.back();
     const double along = last.tube.slope[axis];
     if (!(std::fabs(along) > last.tube.slope_error[axis])) {
       return 0;
@@ -104,15 +105,15 @@ class Tracer {
   }
 
   /// A tube around the centre, half a step ahead, that contains the position.
-  bool next_tube(Vec4 centre, std::size_t axis, Tube& tube) const {
+  bool next_tube(Unknowns<K> centre, std::size_t axis, TubeOf<K>& tube) const {
     if (!improve(pair_, centre, axis, 3) || !prepare(pair_, centre, axis, tube)) {
       return false;
     }
     const double reach = 0.51 * step_ + 2 * position_.radius;
-    const Vec3 residual = residual_bound(pair_, tube, reach);
+    const Row<K> residual = residual_bound(pair_, tube, reach);
     const double width = std::max(2 * largest(residual), kLeastHalfwidth);
     if (position_.radius > 0.25 * kEndMargin ||
-        !certify(pair_, tube, -reach, reach, {width, width, width, width}, residual) ||
+        !certify(pair_, tube, -reach, reach, filled<K>(width), residual) ||
         tube.contraction > kWorstContraction || !contains(tube, position_)) {
       return false;
     }
@@ -121,15 +122,15 @@ class Tracer {
     return true;
   }
 
-  bool starts_inward(const Tube& tube, int direction) const {
-    const BoundaryPoint& start = points_[static_cast<std::size_t>(trace_.start)];
+  bool starts_inward(const TubeOf<K>& tube, int direction) const {
+    const BoundaryPointOf<K>& start = points_[static_cast<std::size_t>(trace_.start)];
     const double along = tube.slope[start.parameter];
     return std::fabs(along) > tube.slope_error[start.parameter] && along * direction * start.side < 0;
   }
 
   /// Decides every boundary point on the tube; ends at the first one ahead, else goes on to the far end.
-  bool accept(Piece& piece, int direction) {
-    const Tube& tube = piece.tube;
+  bool accept(PieceOf<K>& piece, int direction) {
+    const TubeOf<K>& tube = piece.tube;
     const bool first = trace_.pieces.size() == 1;
     if (first && trace_.start >= 0 && !starts_inward(tube, direction)) {
       return false;
@@ -139,7 +140,7 @@ class Tracer {
     double met_at = 0;
     double met_radius = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const Ball& ball = points_[i].ball;
+      const BallOf<K>& ball = points_[i].ball;
       if ((first && static_cast<int>(i) == trace_.start) || excludes(tube, ball)) {
         continue;
       }
@@ -179,7 +180,7 @@ class Tracer {
 
   /// The part of the piece's tube between two offsets, the difference of which is known up to `doubt`; false
   /// if it is not certainly in this direction.
-  static bool use(Piece& piece, double from, double to, double doubt, int direction) {
+  static bool use(PieceOf<K>& piece, double from, double to, double doubt, int direction) {
     const auto range = PieceRange::between(from, to, 0.5 * doubt);
     if (!range || range->direction() != direction) {
       return false;
@@ -188,13 +189,13 @@ class Tracer {
     return true;
   }
 
-  static double offset(const Tube& tube, const Ball& ball) {
+  static double offset(const TubeOf<K>& tube, const BallOf<K>& ball) {
     return ball.middle[tube.axis] - tube.centre[tube.axis];
   }
 
   /// To an odd place near the far end, so that pieces of symmetric curves do not end at turning points. A
   /// closed curve starts inside its first piece for the same reason.
-  bool move_on(Piece& piece, double here, int direction) {
+  bool move_on(PieceOf<K>& piece, double here, int direction) {
     const double to = 0.4931 * direction * step_;
     const bool starts_loop = trace_.start < 0 && trace_.pieces.size() == 1;
     const double from = starts_loop ? here + 0.61803 * (to - here) : here;
@@ -210,20 +211,21 @@ class Tracer {
     return true;
   }
 
-  const Pair& pair_;
-  const std::vector<BoundaryPoint>& points_;
-  Trace trace_;
-  Ball position_;
-  std::optional<Ball> closing_;
+  const PairOf<K>& pair_;
+  const std::vector<BoundaryPointOf<K>>& points_;
+  TraceOf<K> trace_;
+  BallOf<K> position_;
+  std::optional<BallOf<K>> closing_;
   double step_ = kFirstStep;
   bool finished_ = false;
 };
 
 }  // namespace
 
-std::optional<Trace> trace_arc(const Pair& pair, const std::vector<BoundaryPoint>& points, std::size_t start,
-                               Vec4* stuck) {
-  Tracer tracer(pair, points);
+template <class K>
+std::optional<TraceOf<K>> trace_arc(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
+                                    std::size_t start, Vec4* stuck) {
+  Tracer<K> tracer(pair, points);
   if (!tracer.run(points[start].ball, static_cast<int>(start))) {
     if (stuck != nullptr) {
       *stuck = tracer.position();
@@ -233,14 +235,23 @@ std::optional<Trace> trace_arc(const Pair& pair, const std::vector<BoundaryPoint
   return tracer.take();
 }
 
-std::optional<Trace> trace_loop(const Pair& pair, const std::vector<BoundaryPoint>& points, const Tube& tube,
-                                double tau) {
-  Tracer tracer(pair, points);
+template <class K>
+std::optional<TraceOf<K>> trace_loop(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
+                                     const TubeOf<K>& tube, double tau) {
+  Tracer<K> tracer(pair, points);
   if (!tracer.run(point_at(tube, tau), -1)) {
     return std::nullopt;
   }
-  Trace trace = tracer.take();
+  TraceOf<K> trace = tracer.take();
   return trace.end < 0 ? std::optional(std::move(trace)) : std::nullopt;
 }
+
+#define EXSECT_INSTANTIATE(K)                                                                                \
+  template std::optional<TraceOf<K>> trace_arc<K>(const PairOf<K>&, const std::vector<BoundaryPointOf<K>>&,  \
+                                                  std::size_t, Vec4*);                                       \
+  template std::optional<TraceOf<K>> trace_loop<K>(const PairOf<K>&, const std::vector<BoundaryPointOf<K>>&, \
+                                                   const TubeOf<K>&, double);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

@@ -9,27 +9,38 @@
 namespace exsect::filter {
 
 /// The part of a tube's arc that is used, in the direction of the trace.
-struct Piece {
-  Tube tube;
+template <class K>
+struct PieceOf {
+  TubeOf<K> tube;
   PieceRange range;
 };
+using Piece = PieceOf<Biquadratic>;
 
 /// Consecutive pieces end and begin in the same point of the curve. `start` and `end` are indices of boundary
 /// points, or -1 for a closed curve, whose last piece ends where the first one begins.
-struct Trace {
-  std::vector<Piece> pieces;
+template <class K>
+struct TraceOf {
+  std::vector<PieceOf<K>> pieces;
   int start;
   int end;
 };
+using Trace = TraceOf<Biquadratic>;
 
 /// From a boundary point into the domain, to the next boundary point; empty if undecided: then `stuck`, if
 /// given, is where it got to.
-std::optional<Trace> trace_arc(const Pair& pair, const std::vector<BoundaryPoint>& points, std::size_t start,
-                               Vec4* stuck = nullptr);
+template <class K>
+std::optional<TraceOf<K>> trace_arc(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
+                                    std::size_t start, Vec4* stuck);
+template <class K>
+std::optional<TraceOf<K>> trace_arc(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
+                                    std::size_t start) {
+  return trace_arc<K>(pair, points, start, nullptr);
+}
 
 /// The closed curve through the solution on the tube's arc at tau; empty if undecided, in particular if it
 /// meets a boundary point.
-std::optional<Trace> trace_loop(const Pair& pair, const std::vector<BoundaryPoint>& points, const Tube& tube,
-                                double tau);
+template <class K>
+std::optional<TraceOf<K>> trace_loop(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
+                                     const TubeOf<K>& tube, double tau);
 
 }  // namespace exsect::filter

@@ -11,9 +11,10 @@ namespace {
 
 constexpr std::array<std::array<std::size_t, 3>, 4> kOthers = {{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
 /// The Taylor coefficient that is column j of DF.
-constexpr std::size_t first_order(std::size_t j) { return j % 2 == 0 ? 3 : 1; }
-
-Vec3 absolute(const Vec3& a) { return {std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2])}; }
+template <class K>
+constexpr std::size_t first_order(std::size_t j) {
+  return j % 2 == 0 ? kFirst<K> : kSecond;
+}
 
 bool within_reach(const Vec4& p) {
   return std::all_of(p.begin(), p.end(), [](double t) { return std::fabs(t) <= kReach; });
@@ -32,62 +33,30 @@ bool invert(const Vec3& a, const Vec3& b, const Vec3& c, std::array<Vec3, 3>& ro
   return true;
 }
 
-Vec3 product(const std::array<Vec3, 3>& rows, const Vec3& v) {
+inline Vec3 product(const std::array<Vec3, 3>& rows, const Vec3& v) {
   return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
-}
-
-/// Bounds of |p_a(a,b) - p_a(0,0)|, |p_b(a,b) - p_b(0,0)| over |a| <= ha, |b| <= hb.
-struct Variation {
-  Vec3 first;
-  Vec3 second;
-};
-Variation variation(const Coefficients& c, double ha, double hb) {
-  Variation v{};
-  const double ab = ha * hb;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double c11 = std::fabs(c[4][i]);
-    const double c12 = std::fabs(c[5][i]);
-    const double c21 = std::fabs(c[7][i]);
-    const double c22 = 2 * std::fabs(c[8][i]) * ab;
-    v.first[i] = 2 * std::fabs(c[6][i]) * ha + c11 * hb + 2 * c21 * ab + c12 * hb * hb + c22 * hb;
-    v.second[i] = 2 * std::fabs(c[2][i]) * hb + c11 * ha + 2 * c12 * ab + c21 * ha * ha + c22 * ha;
-  }
-  return v;
-}
-
-/// Coefficients of tau², tau³, tau⁴ of p(tau a, tau b).
-Vec3 second_order(const Coefficients& c, double a, double b) {
-  return (a * a) * c[6] + (a * b) * c[4] + (b * b) * c[2];
-}
-Vec3 third_order(const Coefficients& c, double a, double b) {
-  return (a * a * b) * c[7] + (a * b * b) * c[5];
-}
-Vec3 fourth_order(const Coefficients& c, double a, double b) { return (a * a * b * b) * c[8]; }
-
-double power_sum(const std::array<double, 5>& e, double t) {
-  return e[0] + t * (e[1] + t * (e[2] + t * (e[3] + t * e[4])));
-}
-
-/// The same for derivatives: the coefficient of a^i b^j appears in them max(i,j) times at most.
-double derivative_power_sum(const std::array<double, 5>& e, double t) {
-  return e[1] + t * (2 * e[2] + t * (3 * e[3] + t * 4 * e[4]));
 }
 
 }  // namespace
 
-RationalInterval interval(const Ball& ball, std::size_t parameter) {
+template <class K>
+RationalInterval interval(const BallOf<K>& ball, std::size_t parameter) {
   const Rational middle = from_double(ball.middle[parameter]) + Rational(1, 2);
   const Rational radius = from_double(ball.radius);
   return {middle - radius, middle + radius};
 }
 
-Linearisation linearise(const Coefficients& x, const Coefficients& y) {
-  Linearisation at;
+template <class K>
+Linearisation<K> linearise(const PairOf<K>& pair, const Unknowns<K>& w) {
+  const CoefficientsOf<K> x = expand(pair.x, w[0], w[1]);
+  const CoefficientsOf<K> y = expand(pair.y, w[2], w[3]);
+  Linearisation<K> at;
   at.value = x[0] - y[0];
-  at.column = {x[3], x[1], -1.0 * y[3], -1.0 * y[1]};
-  const Vec3 nx = cross(x[3], x[1]);
-  const Vec3 ny = cross(y[3], y[1]);
-  at.tangent = {dot(x[1], ny), -dot(x[3], ny), -dot(y[1], nx), dot(y[3], nx)};
+  const Row<K>&xu = x[kFirst<K>], &xv = x[kSecond], &yr = y[kFirst<K>], &ys = y[kSecond];
+  at.column = {xu, xv, -1.0 * yr, -1.0 * ys};
+  const Vec3 nx = cross(xu, xv);
+  const Vec3 ny = cross(yr, ys);
+  at.tangent = {dot(xv, ny), -dot(xu, ny), -dot(ys, nx), dot(yr, nx)};
   return at;
 }
 
@@ -101,7 +70,8 @@ std::size_t steepest(const Vec4& tangent, const Vec4& weight) {
   return axis;
 }
 
-bool prepare(const Pair& pair, const Vec4& centre, std::size_t axis, Tube& tube) {
+template <class K>
+bool prepare(const PairOf<K>& pair, const Unknowns<K>& centre, std::size_t axis, TubeOf<K>& tube) {
   if (!within_reach(centre)) {
     return false;
   }
@@ -109,61 +79,70 @@ bool prepare(const Pair& pair, const Vec4& centre, std::size_t axis, Tube& tube)
   tube.axis = axis;
   tube.others = kOthers[axis];
   tube.space = expand(pair.x, centre[0], centre[1]);
-  const Coefficients y = expand(pair.y, centre[2], centre[3]);
-  const std::array<Vec3, 4> column = {tube.space[3], tube.space[1], -1.0 * y[3], -1.0 * y[1]};
-  std::array<Vec3, 3> c;
+  const CoefficientsOf<K> y = expand(pair.y, centre[2], centre[3]);
+  const std::array<Row<K>, 4> column = {tube.space[kFirst<K>], tube.space[kSecond], -1.0 * y[kFirst<K>],
+                                        -1.0 * y[kSecond]};
+  std::array<Row<K>, K::rows> c;
   if (!invert(column[tube.others[0]], column[tube.others[1]], column[tube.others[2]], c)) {
     return false;
   }
-  for (std::size_t i = 0; i < 9; ++i) {
+  for (std::size_t i = 0; i < K::count; ++i) {
     tube.g[i] = product(c, tube.space[i]);
     tube.h[i] = -1.0 * product(c, y[i]);
   }
-  for (std::size_t row = 0; row < 3; ++row) {
-    tube.norm[row] = kSlack * (std::fabs(c[row][0]) + std::fabs(c[row][1]) + std::fabs(c[row][2]));
+  for (std::size_t row = 0; row < K::rows; ++row) {
+    tube.norm[row] = kSlack * size1(c[row]);
   }
-  const Coefficients& along = axis < 2 ? tube.g : tube.h;
+  const CoefficientsOf<K>& along = axis < 2 ? tube.g : tube.h;
   tube.second = {};
   tube.further = {};
   tube.slope[axis] = 1;
-  for (std::size_t row = 0; row < 3; ++row) {
-    tube.slope[tube.others[row]] = -along[first_order(axis)][row];
+  for (std::size_t row = 0; row < K::rows; ++row) {
+    tube.slope[tube.others[row]] = -along[first_order<K>(axis)][row];
   }
   return true;
 }
 
-// (14.4): |F| along the line is a quartic in tau; its coefficients are sums of Taylor coefficients times
+// (14.4): F along the line is a polynomial in tau; its coefficients are sums of Taylor coefficients times
 // products of slopes, so that Patch::error, times the row sum of |C|, bounds their errors.
-Vec3 residual_bound(const Pair& pair, const Tube& tube, double reach) {
-  const Vec4& d = tube.slope;
-  const Vec3 constant = tube.g[0] + tube.h[0];
-  const Vec3 linear = d[0] * tube.g[3] + d[1] * tube.g[1] + d[2] * tube.h[3] + d[3] * tube.h[1];
-  const Vec3 quadratic = second_order(tube.g, d[0], d[1]) + second_order(tube.h, d[2], d[3]);
-  const Vec3 cubic = third_order(tube.g, d[0], d[1]) + third_order(tube.h, d[2], d[3]);
-  const Vec3 quartic = fourth_order(tube.g, d[0], d[1]) + fourth_order(tube.h, d[2], d[3]);
+template <class K>
+Row<K> residual_bound(const PairOf<K>& pair, const TubeOf<K>& tube, double reach) {
+  const Unknowns<K>& d = tube.slope;
+  const Vec<K::side> u = powers<K>(d[0]);
+  const Vec<K::side> v = powers<K>(d[1]);
+  const Vec<K::side> r = powers<K>(d[2]);
+  const Vec<K::side> s = powers<K>(d[3]);
   const double steep = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2]), std::fabs(d[3])});
   const double error = power_sum(pair.order_error, reach * steep);
-  Vec3 bound;
-  for (std::size_t row = 0; row < 3; ++row) {
-    const double sum = std::fabs(constant[row]) +
-                       reach * (std::fabs(linear[row]) +
-                                reach * (std::fabs(quadratic[row]) +
-                                         reach * (std::fabs(cubic[row]) + reach * std::fabs(quartic[row]))));
-    bound[row] = kSlack * (sum + tube.norm[row] * error) + kTiny;
+  Row<K> sum{};
+  for_each_index<K::orders>([&](auto down) EXSECT_INLINE {
+    constexpr std::size_t order = K::orders - 1 - down;
+    const Row<K> term = form_of_order<K, order>(tube.g, u, v) + form_of_order<K, order>(tube.h, r, s);
+    for (std::size_t row = 0; row < K::rows; ++row) {
+      sum[row] = std::fabs(term[row]) + reach * sum[row];
+    }
+  });
+  Row<K> bound;
+  for (std::size_t row = 0; row < K::rows; ++row) {
+    bound[row] = kSlack * (sum[row] + tube.norm[row] * error) + kTiny;
   }
   return bound;
 }
 
-bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec4& halfwidth) {
-  return certify(pair, tube, lower, upper, halfwidth,
-                 residual_bound(pair, tube, std::max(std::fabs(lower), std::fabs(upper))));
+template <class K>
+bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper,
+             const Unknowns<K>& halfwidth) {
+  return certify<K>(pair, tube, lower, upper, halfwidth,
+                    residual_bound(pair, tube, std::max(std::fabs(lower), std::fabs(upper))));
 }
 
-// Underflow: where this holds, every row of |C| has a sum of at least 2^-10, because a column of DF is at
-// most 2^7, and times C at least 1/10 in its own row. So every bound here and below has a term |C_row|_1
-// Patch::error >= 2^-62, and kSlack times it covers all products that underflow, with C, offsets and slopes
+// Underflow: where this holds, every row of |C| has a sum of at least 2^-12, because a column of DF is at
+// most 2^8, and times C at least 1/10 in its own row. So every bound here and below has a term |C_row|_1
+// Patch::error >= 2^-64, and kSlack times it covers all products that underflow, with C, offsets and slopes
 // as later factors.
-bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec4& halfwidth, const Vec3& f) {
+template <class K>
+bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper, const Unknowns<K>& halfwidth,
+             const Row<K>& f) {
   const double reach = std::max(std::fabs(lower), std::fabs(upper));
   double farthest = 0;
   for (std::size_t j = 0; j < 4; ++j) {
@@ -174,13 +153,13 @@ bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec
     }
     farthest = std::max(farthest, tube.offset[j]);
   }
-  const Variation vx = variation(tube.g, tube.offset[0], tube.offset[1]);
-  const Variation vy = variation(tube.h, tube.offset[2], tube.offset[3]);
+  const Variation<K> vx = variation<K>(tube.g, tube.offset[0], tube.offset[1]);
+  const Variation<K> vy = variation<K>(tube.h, tube.offset[2], tube.offset[3]);
   const double column_error = derivative_power_sum(pair.order_error, farthest);
-  const std::array<const Vec3*, 4> varied = {&vx.first, &vx.second, &vy.first, &vy.second};
+  const std::array<const Row<K>*, 4> varied = {&vx.first, &vx.second, &vy.first, &vy.second};
   for (std::size_t j = 0; j < 4; ++j) {
-    const Vec3& at_centre = (j < 2 ? tube.g : tube.h)[first_order(j)];
-    for (std::size_t row = 0; row < 3; ++row) {
+    const Row<K>& at_centre = (j < 2 ? tube.g : tube.h)[first_order<K>(j)];
+    for (std::size_t row = 0; row < K::rows; ++row) {
       const double ideal = j == tube.axis ? -tube.slope[tube.others[row]] : tube.others[row] == j ? 1 : 0;
       tube.deviation[j][row] =
           kSlack * (std::fabs(at_centre[row] - ideal) + (*varied[j])[row] + tube.norm[row] * column_error);
@@ -188,7 +167,7 @@ bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec
   }
   tube.contraction = 0;
   tube.inner[tube.axis] = 0;
-  for (std::size_t row = 0; row < 3; ++row) {
+  for (std::size_t row = 0; row < K::rows; ++row) {
     double sum = 0;
     double image = f[row];
     for (const std::size_t j : tube.others) {
@@ -209,25 +188,12 @@ bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec
   return tube.contraction < 0.9;
 }
 
-Vec3 quadratic_deviation(const Coefficients& c, const double* d, const double* delta, const double* h) {
-  const double a0 = std::fabs(d[0]) + delta[0];
-  const double a1 = std::fabs(d[1]) + delta[1];
-  const double d0 = std::fabs(d[0]);
-  const double d1 = std::fabs(d[1]);
-  const Vec3 at_centre = (2 * delta[0] * (a0 + d0)) * absolute(c[6]) +
-                         (2 * (delta[0] * d1 + a0 * delta[1])) * absolute(c[4]) +
-                         (2 * delta[1] * (a1 + d1)) * absolute(c[2]);
-  const double c7 = 2 * h[1] * a0 * a0 + 4 * h[0] * a0 * a1;
-  const double c5 = 4 * h[1] * a0 * a1 + 2 * h[0] * a1 * a1;
-  const double c8 = 2 * h[1] * h[1] * a0 * a0 + 8 * h[0] * h[1] * a0 * a1 + 2 * h[0] * h[0] * a1 * a1;
-  return at_centre + c7 * absolute(c[7]) + c5 * absolute(c[5]) + c8 * absolute(c[8]);
-}
-
 namespace {
 
 /// Bounds x, by rows, of any nonnegative t with t <= b + E t, E the deviations of the columns other than the
 /// axis: at first t <= b + rho/(1 - rho) max b, then twice the right side for what is known of t.
-Vec3 solved(const Tube& tube, const Vec3& b) {
+template <class K>
+Vec3 solved(const TubeOf<K>& tube, const Vec3& b) {
   const double most = kSlack * tube.contraction / (1 - tube.contraction) * largest(b);
   Vec3 x = {b[0] + most, b[1] + most, b[2] + most};
   for (int round = 0; round < 2; ++round) {
@@ -241,14 +207,15 @@ Vec3 solved(const Tube& tube, const Vec3& b) {
 }  // namespace
 
 // (14.6), (14.7).
-void bound_derivatives(const Pair& pair, Tube& tube) {
+template <class K>
+void bound_derivatives(const PairOf<K>& pair, TubeOf<K>& tube) {
   Vec3 first{};
   for (std::size_t j = 0; j < 4; ++j) {
     first = first + std::fabs(tube.slope[j]) * tube.deviation[j];
   }
   first = solved(tube, first);
   tube.slope_error[tube.axis] = 0;
-  for (std::size_t row = 0; row < 3; ++row) {
+  for (std::size_t row = 0; row < K::rows; ++row) {
     tube.slope_error[tube.others[row]] = first[row];
   }
   double steep = 1;
@@ -256,43 +223,37 @@ void bound_derivatives(const Pair& pair, Tube& tube) {
     steep = std::max(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
   }
   const Vec4& d = tube.slope;
-  const Vec3 form = second_order(tube.g, d[0], d[1]) + second_order(tube.h, d[2], d[3]);
-  Vec3 deviation = quadratic_deviation(tube.g, &d[0], &tube.slope_error[0], &tube.offset[0]) +
-                   quadratic_deviation(tube.h, &d[2], &tube.slope_error[2], &tube.offset[2]);
-  deviation = deviation + (kSecondWeight * steep * steep * pair.total_error) * tube.norm;
+  const Vec3 form = form_of_order<K, 2>(tube.g, powers<K>(d[0]), powers<K>(d[1])) +
+                    form_of_order<K, 2>(tube.h, powers<K>(d[2]), powers<K>(d[3]));
+  Vec3 deviation = quadratic_deviation<K>(tube.g, &d[0], &tube.slope_error[0], &tube.offset[0]) +
+                   quadratic_deviation<K>(tube.h, &d[2], &tube.slope_error[2], &tube.offset[2]);
+  deviation = deviation + (kSecondWeight<K::degree> * steep * steep * pair.total_error) * tube.norm;
   // |w'' + 2 F2| <= deviation + E |w''|, and |w''| <= 2 |F2| + |w'' + 2 F2|.
   Vec3 rest = deviation;
-  for (std::size_t row = 0; row < 3; ++row) {
+  for (std::size_t row = 0; row < K::rows; ++row) {
     rest = rest + (2 * std::fabs(form[row])) * tube.deviation[tube.others[row]];
   }
   rest = solved(tube, rest);
   tube.second[tube.axis] = tube.second_error[tube.axis] = 0;
-  for (std::size_t row = 0; row < 3; ++row) {
+  for (std::size_t row = 0; row < K::rows; ++row) {
     tube.second[tube.others[row]] = -2 * form[row];
     tube.second_error[tube.others[row]] = rest[row];
   }
 }
 
-Vec3 value_at(const Coefficients& c, double a, double b) {
-  Vec3 result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = (c[0][i] + b * (c[1][i] + b * c[2][i])) +
-                a * ((c[3][i] + b * (c[4][i] + b * c[5][i])) + a * (c[6][i] + b * (c[7][i] + b * c[8][i])));
-  }
-  return result;
-}
-
-Vec3 premultiplied_value(const Tube& tube, const Vec4& o) {
-  return value_at(tube.g, o[0], o[1]) + value_at(tube.h, o[2], o[3]);
+template <class K>
+Row<K> premultiplied_value(const TubeOf<K>& tube, const Unknowns<K>& o) {
+  return value_at<K>(tube.g, o[0], o[1]) + value_at<K>(tube.h, o[2], o[3]);
 }
 
 // (14.8): |w - w*| <= |C F(w)| / (1 - rho) for every w in the region.
-Ball point_at(const Tube& tube, double tau, Vec4* offset) {
-  Vec4 o = arc_offset(tube, tau);
-  Vec4 best = o;
+template <class K>
+BallOf<K> point_at(const TubeOf<K>& tube, double tau, Unknowns<K>* offset) {
+  Unknowns<K> o = arc_offset(tube, tau);
+  Unknowns<K> best = o;
   double least = HUGE_VAL;
   for (int step = 0; step < 40; ++step) {
-    const Vec3 value = premultiplied_value(tube, o);
+    const Row<K> value = premultiplied_value<K>(tube, o);
     if (!(largest(value) < 0.75 * least)) {
       break;
     }
@@ -308,22 +269,23 @@ Ball point_at(const Tube& tube, double tau, Vec4* offset) {
     if (least <= 0.125 * tube.value_error) {
       break;
     }
-    for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t row = 0; row < K::rows; ++row) {
       o[tube.others[row]] -= value[row];
     }
   }
   if (offset != nullptr) {
     *offset = best;
   }
-  Ball result;
-  for (std::size_t j = 0; j < 4; ++j) {
+  BallOf<K> result;
+  for (std::size_t j = 0; j < K::unknowns; ++j) {
     result.middle[j] = tube.centre[j] + best[j];
   }
   result.radius = kSlack * (least + tube.value_error) / (1 - tube.contraction) + kSumRounding;
   return result;
 }
 
-bool contains(const Tube& tube, const Ball& ball) {
+template <class K>
+bool contains(const TubeOf<K>& tube, const BallOf<K>& ball) {
   const double tau = ball.middle[tube.axis] - tube.centre[tube.axis];
   if (!(tau - ball.radius - kPlacing >= tube.lower && tau + ball.radius + kPlacing <= tube.upper)) {
     return false;
@@ -335,7 +297,8 @@ bool contains(const Tube& tube, const Ball& ball) {
   });
 }
 
-bool excludes(const Tube& tube, const Ball& ball) {
+template <class K>
+bool excludes(const TubeOf<K>& tube, const BallOf<K>& ball) {
   const double tau = ball.middle[tube.axis] - tube.centre[tube.axis];
   if (tau + ball.radius + kPlacing < tube.lower || tau - ball.radius - kPlacing > tube.upper) {
     return true;
@@ -348,42 +311,37 @@ bool excludes(const Tube& tube, const Ball& ball) {
 
 namespace {
 
+template <class K>
 struct FirstOrder {
-  Vec3 value;
-  Vec3 first;
-  Vec3 second;
+  Row<K> value;
+  Row<K> first;
+  Row<K> second;
 };
 
 /// A patch and its derivatives at (h,k), approximately.
-FirstOrder first_order_at(const Patch& patch, double h, double k) {
-  const Coefficients& c = patch.power;
-  FirstOrder at;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double a0 = c[0][i] + k * (c[1][i] + k * c[2][i]);
-    const double a1 = c[3][i] + k * (c[4][i] + k * c[5][i]);
-    const double a2 = c[6][i] + k * (c[7][i] + k * c[8][i]);
-    at.value[i] = a0 + h * (a1 + h * a2);
-    at.first[i] = a1 + 2 * h * a2;
-    at.second[i] =
-        (c[1][i] + 2 * k * c[2][i]) + h * ((c[4][i] + 2 * k * c[5][i]) + h * (c[7][i] + 2 * k * c[8][i]));
-  }
+template <class K>
+FirstOrder<K> first_order_at(const PatchOf<K>& patch, double h, double k) {
+  FirstOrder<K> at;
+  at.value = value_at<K>(patch.power, h, k);
+  derivatives<K>(patch.power, h, k, at.first, at.second);
   return at;
 }
 
 }  // namespace
 
-bool improve(const Pair& pair, Vec4& point, std::size_t axis, int steps) {
+template <class K>
+bool improve(const PairOf<K>& pair, Unknowns<K>& point, std::size_t axis, int steps) {
   const auto& others = kOthers[axis];
   for (int step = 0; step < steps; ++step) {
-    const FirstOrder x = first_order_at(pair.x, point[0], point[1]);
-    const FirstOrder y = first_order_at(pair.y, point[2], point[3]);
+    const FirstOrder<K> x = first_order_at(pair.x, point[0], point[1]);
+    const FirstOrder<K> y = first_order_at(pair.y, point[2], point[3]);
     const std::array<Vec3, 4> column = {x.first, x.second, -1.0 * y.first, -1.0 * y.second};
     std::array<Vec3, 3> c;
     if (!invert(column[others[0]], column[others[1]], column[others[2]], c)) {
       return false;
     }
     const Vec3 correction = product(c, x.value - y.value);
-    for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t row = 0; row < K::rows; ++row) {
       point[others[row]] -= correction[row];
     }
     if (!within_reach(point)) {
@@ -395,5 +353,21 @@ bool improve(const Pair& pair, Vec4& point, std::size_t axis, int steps) {
   }
   return true;
 }
+
+#define EXSECT_INSTANTIATE(K)                                                                                \
+  template RationalInterval interval<K>(const BallOf<K>&, std::size_t);                                      \
+  template Linearisation<K> linearise<K>(const PairOf<K>&, const Unknowns<K>&);                              \
+  template bool prepare<K>(const PairOf<K>&, const Unknowns<K>&, std::size_t, TubeOf<K>&);                   \
+  template Row<K> residual_bound<K>(const PairOf<K>&, const TubeOf<K>&, double);                             \
+  template bool certify<K>(const PairOf<K>&, TubeOf<K>&, double, double, const Unknowns<K>&);                \
+  template bool certify<K>(const PairOf<K>&, TubeOf<K>&, double, double, const Unknowns<K>&, const Row<K>&); \
+  template void bound_derivatives<K>(const PairOf<K>&, TubeOf<K>&);                                          \
+  template Row<K> premultiplied_value<K>(const TubeOf<K>&, const Unknowns<K>&);                              \
+  template BallOf<K> point_at<K>(const TubeOf<K>&, double, Unknowns<K>*);                                    \
+  template bool contains<K>(const TubeOf<K>&, const BallOf<K>&);                                             \
+  template bool excludes<K>(const TubeOf<K>&, const BallOf<K>&);                                             \
+  template bool improve<K>(const PairOf<K>&, Unknowns<K>&, std::size_t, int);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

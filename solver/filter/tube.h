@@ -2,26 +2,42 @@
 // section 14.2.
 #pragma once
 
-#include "filter/patch.h"
+#include "filter/polynomial.h"
 
 namespace exsect::filter {
 
 /// All points within `radius` of `middle` in every parameter.
-struct Ball {
-  Vec4 middle;
+template <class K>
+struct BallOf {
+  Unknowns<K> middle;
   double radius;
 };
+using Ball = BallOf<Biquadratic>;
+
+template <class K>
+Unknowns<K> filled(double value) {
+  Unknowns<K> result;
+  result.fill(value);
+  return result;
+}
+template <class K>
+Vec4 parameters_of(const BallOf<K>& ball) {
+  return {ball.middle[0], ball.middle[1], ball.middle[2], ball.middle[3]};
+}
 
 /// The values from 0 to 1 of a parameter in the ball.
-RationalInterval interval(const Ball& ball, std::size_t parameter);
+template <class K>
+RationalInterval interval(const BallOf<K>& ball, std::size_t parameter);
 
 /// F and its derivatives at a point, approximately.
+template <class K>
 struct Linearisation {
-  Vec3 value;
-  std::array<Vec3, 4> column;  // F_u, F_v, F_r, F_s
-  Vec4 tangent;                // (5.1)
+  Row<K> value;
+  std::array<Row<K>, K::unknowns> column;  // F_u, F_v, F_r, F_s
+  Vec4 tangent;                            // (5.1)
 };
-Linearisation linearise(const Coefficients& x, const Coefficients& y);
+template <class K>
+Linearisation<K> linearise(const PairOf<K>& pair, const Unknowns<K>& at);
 
 /// Where in the tangent the largest component is, each divided by its weight.
 std::size_t steepest(const Vec4& tangent, const Vec4& weight = {1, 1, 1, 1});
@@ -30,68 +46,79 @@ std::size_t steepest(const Vec4& tangent, const Vec4& weight = {1, 1, 1, 1});
 /// slope + e of F = 0 with e_axis = 0, |e_i| <= halfwidth_i; it satisfies |e_i| <= inner_i < halfwidth_i. The
 /// columns of DF other than `axis` are independent on this region: it holds one regular arc, a graph over
 /// tau. After `bound_derivatives` also w' in slope +- slope_error, w'' in second +- second_error.
-struct Tube {
-  Vec4 centre;
+template <class K>
+struct TubeOf {
+  Unknowns<K> centre;
   std::size_t axis;
-  std::array<std::size_t, 3> others;
-  Vec4 slope;  // 1 at axis
+  std::array<std::size_t, K::rows> others;
+  Unknowns<K> slope;  // 1 at axis
   double lower;
   double upper;
-  Vec4 halfwidth;  // 0 at axis
-  Vec4 inner;
+  Unknowns<K> halfwidth;  // 0 at axis
+  Unknowns<K> inner;
   double contraction;  // rho: row sum bound of C DF - 1 on the region, < 1
 
-  Coefficients g;                 // C x(.)
-  Coefficients h;                 // -C y(.)
-  Coefficients space;             // x(.)
-  Vec3 norm;                      // bounds of the row sums of |C|
-  Vec4 offset;                    // bound of |w_i - centre_i| in the region
-  double value_error;             // of every row of C F computed at an offset in the region
-  double column_error;            // of every row of every C F_j computed there
-  std::array<Vec3, 4> deviation;  // bounds of |C F_j - C F_j(centre)| + rounding, C F_j(centre) idealised
+  CoefficientsOf<K> g;      // C x(.)
+  CoefficientsOf<K> h;      // -C y(.)
+  CoefficientsOf<K> space;  // x(.)
+  Row<K> norm;              // bounds of the row sums of |C|
+  Unknowns<K> offset;       // bound of |w_i - centre_i| in the region
+  double value_error;       // of every row of C F computed at an offset in the region
+  double column_error;      // of every row of every C F_j computed there
+  std::array<Row<K>, K::unknowns>
+      deviation;  // bounds of |C F_j - C F_j(centre)| + rounding, C F_j(centre) idealised
 
-  Vec4 slope_error;
-  Vec4 second;
-  Vec4 second_error;
-  std::array<Vec3, 6> further;  // about the coefficients of tau^3, tau^4, ... of w, by rows
+  Unknowns<K> slope_error;
+  Unknowns<K> second;
+  Unknowns<K> second_error;
+  std::array<Row<K>, 6> further;  // about the coefficients of tau^3, tau^4, ... of w, by rows
 };
+using Tube = TubeOf<Biquadratic>;
 
 /// Everything about the tube around `centre` that does not depend on its size; false if the columns other
 /// than `axis` are numerically dependent, or the centre is not in [-3/4,3/4]^4.
-bool prepare(const Pair& pair, const Vec4& centre, std::size_t axis, Tube& tube);
+template <class K>
+bool prepare(const PairOf<K>& pair, const Unknowns<K>& centre, std::size_t axis, TubeOf<K>& tube);
 
 /// Bound of |C F(centre + tau slope)| for |tau| <= reach, by rows.
-Vec3 residual_bound(const Pair& pair, const Tube& tube, double reach);
+template <class K>
+Row<K> residual_bound(const PairOf<K>& pair, const TubeOf<K>& tube, double reach);
 
 /// Proves the invariant for these tau and half widths (that of the axis is not used), or returns false.
-bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec4& halfwidth);
+template <class K>
+bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper,
+             const Unknowns<K>& halfwidth);
 /// The same with the residual bound for these tau.
-bool certify(const Pair& pair, Tube& tube, double lower, double upper, const Vec4& halfwidth,
-             const Vec3& residual);
+template <class K>
+bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper, const Unknowns<K>& halfwidth,
+             const Row<K>& residual);
 
-void bound_derivatives(const Pair& pair, Tube& tube);
-
-/// |p''(w)[w',w'] - p''(0)[d,d]| for |w_0| <= h[0], |w_1| <= h[1], w' in d +- delta; p has the magnitudes of
-/// coefficients c, the errors of which are left out.
-Vec3 quadratic_deviation(const Coefficients& c, const double* d, const double* delta, const double* h);
-
-/// sum c[3 i + j] a^i b^j.
-Vec3 value_at(const Coefficients& c, double a, double b);
+template <class K>
+void bound_derivatives(const PairOf<K>& pair, TubeOf<K>& tube);
 
 /// C F at centre + offset.
-Vec3 premultiplied_value(const Tube& tube, const Vec4& offset);
+template <class K>
+Row<K> premultiplied_value(const TubeOf<K>& tube, const Unknowns<K>& offset);
 
 /// The point of the curve at tau, in [lower, upper]; `offset` receives the approximate offset from the
 /// centre.
-Ball point_at(const Tube& tube, double tau, Vec4* offset = nullptr);
+template <class K>
+BallOf<K> point_at(const TubeOf<K>& tube, double tau, Unknowns<K>* offset);
+template <class K>
+BallOf<K> point_at(const TubeOf<K>& tube, double tau) {
+  return point_at<K>(tube, tau, nullptr);
+}
 
 /// True only if all of the ball is in the region: a point of F = 0 known to be in the ball is on the arc.
-bool contains(const Tube& tube, const Ball& ball);
+template <class K>
+bool contains(const TubeOf<K>& tube, const BallOf<K>& ball);
 /// True only if no point of the ball is on the arc.
-bool excludes(const Tube& tube, const Ball& ball);
+template <class K>
+bool excludes(const TubeOf<K>& tube, const BallOf<K>& ball);
 
 /// Newton's method in the parameters other than `axis`, at most `steps` times; a guess and no more. False if
 /// it leaves [-3/4,3/4]^4.
-bool improve(const Pair& pair, Vec4& point, std::size_t axis, int steps);
+template <class K>
+bool improve(const PairOf<K>& pair, Unknowns<K>& point, std::size_t axis, int steps);
 
 }  // namespace exsect::filter

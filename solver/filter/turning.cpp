@@ -16,54 +16,34 @@ constexpr int kDeepestSplit = 30;
 constexpr std::size_t kMostPieces = 4000;
 
 /// w'(tau) is within `radius` of `middle`.
+template <class K>
 struct Direction {
-  Vec4 middle;
+  Unknowns<K> middle;
   double radius;
 };
 
-/// p_a and p_b at (a,b).
-void derivatives(const Coefficients& c, double a, double b, Vec3& first, Vec3& second) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    first[i] = (c[3][i] + b * (c[4][i] + b * c[5][i])) + 2 * a * (c[6][i] + b * (c[7][i] + b * c[8][i]));
-    second[i] = (c[1][i] + a * (c[4][i] + a * c[7][i])) + 2 * b * (c[2][i] + a * (c[5][i] + a * c[8][i]));
-  }
-}
-
-/// Bound of |p_aa| + |p_ab|, |p_ab| + |p_bb| over |a| <= ha, |b| <= hb.
-double second_derivatives(const Coefficients& c, double ha, double hb) {
-  double result = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double c12 = std::fabs(c[5][i]);
-    const double c21 = std::fabs(c[7][i]);
-    const double c22 = std::fabs(c[8][i]);
-    const double ab = std::fabs(c[4][i]) + 2 * c21 * ha + 2 * c12 * hb + 4 * c22 * ha * hb;
-    const double aa = 2 * (std::fabs(c[6][i]) + c21 * hb + c22 * hb * hb);
-    const double bb = 2 * (std::fabs(c[2][i]) + c12 * ha + c22 * ha * ha);
-    result = std::max(result, ab + std::max(aa, bb));
-  }
-  return result;
-}
-
 /// Bound of the change of any C F_j, row by row, per unit of distance in the region. The errors of the
 /// coefficients, times the distance, are below column_error, which is added once more.
-double steepest_change(const Tube& tube) {
-  return kSlack * std::max(second_derivatives(tube.g, tube.offset[0], tube.offset[1]),
-                           second_derivatives(tube.h, tube.offset[2], tube.offset[3]));
+template <class K>
+double steepest_change(const TubeOf<K>& tube) {
+  return kSlack * std::max(second_derivatives<K>(tube.g, tube.offset[0], tube.offset[1]),
+                           second_derivatives<K>(tube.h, tube.offset[2], tube.offset[3]));
 }
 
 /// (14.9): for d near w', d_axis = 1, |w' - d| <= |sum C F_j d_j| / (1 - rho), C F_j at the true point.
-Direction direction_at(const Tube& tube, double tau) {
-  Vec4 o;
-  const Ball ball = point_at(tube, tau, &o);
-  std::array<Vec3, 4> column;
-  derivatives(tube.g, o[0], o[1], column[0], column[1]);
-  derivatives(tube.h, o[2], o[3], column[2], column[3]);
-  Direction d;
+template <class K>
+Direction<K> direction_at(const TubeOf<K>& tube, double tau) {
+  Unknowns<K> o;
+  const BallOf<K> ball = point_at(tube, tau, &o);
+  std::array<Row<K>, 4> column;
+  derivatives<K>(tube.g, o[0], o[1], column[0], column[1]);
+  derivatives<K>(tube.h, o[2], o[3], column[2], column[3]);
+  Direction<K> d;
   d.middle = arc_slope(tube, tau);
   double least = HUGE_VAL;
-  Vec4 next = d.middle;
+  Unknowns<K> next = d.middle;
   for (int step = 0; step < 30; ++step) {
-    Vec3 rest{};
+    Row<K> rest{};
     for (std::size_t j = 0; j < 4; ++j) {
       rest = rest + next[j] * column[j];
     }
@@ -75,7 +55,7 @@ Direction direction_at(const Tube& tube, double tau) {
     if (least <= 0.125 * tube.column_error) {
       break;
     }
-    for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t row = 0; row < K::rows; ++row) {
       next[tube.others[row]] -= rest[row];
     }
   }
@@ -85,27 +65,30 @@ Direction direction_at(const Tube& tube, double tau) {
   }
   // |C F_j| < 2 in the region but for the axis, where it is |slope|.
   const double column_error = steepest_change(tube) * ball.radius + 2 * tube.column_error +
-                              kDirectionRounding * (2 + largest({tube.slope[0], tube.slope[1], 0}) +
-                                                    largest({tube.slope[2], tube.slope[3], 0}));
+                              kDirectionRounding * (2 + largest<3>({tube.slope[0], tube.slope[1], 0}) +
+                                                    largest<3>({tube.slope[2], tube.slope[3], 0}));
   d.radius = kSlack * (least + size * column_error) / (1 - tube.contraction);
   return d;
 }
 
 /// At the end of a piece: w_i' has this sign within kEndMargin of it as well, where the neighbouring piece,
 /// or the boundary point itself, begins.
-int sign_near(const Tube& tube, Direction d, std::size_t i) {
+template <class K>
+int sign_near(const TubeOf<K>& tube, Direction<K> d, std::size_t i) {
   d.radius = kSlack * (d.radius + kEndMargin * (std::fabs(tube.second[i]) + tube.second_error[i]));
   return d.middle[i] > d.radius ? 1 : d.middle[i] < -d.radius ? -1 : 0;
 }
 
-int sign_of(const Direction& d, std::size_t i) {
+template <class K>
+int sign_of(const Direction<K>& d, std::size_t i) {
   return d.middle[i] > d.radius ? 1 : d.middle[i] < -d.radius ? -1 : 0;
 }
 
+template <class K>
 class TurnFinder {
  public:
-  TurnFinder(const Pair& pair, Trace& trace, const std::array<std::size_t, 4>& coincident,
-             std::vector<Turn>& turns)
+  TurnFinder(const PairOf<K>& pair, TraceOf<K>& trace, const std::array<std::size_t, 4>& coincident,
+             std::vector<TurnOf<K>>& turns)
       : pair_(pair), trace_(trace), coincident_(coincident), turns_(turns) {}
 
   TurnSearch run() {
@@ -148,10 +131,10 @@ class TurnFinder {
     return trace_.start >= 0 || ends_.back().last == ends_.front().first;
   }
 
-  static bool monotone(const Tube& tube, std::size_t i) {
+  static bool monotone(const TubeOf<K>& tube, std::size_t i) {
     return std::fabs(tube.slope[i]) > tube.slope_error[i];
   }
-  static bool turns_once_at_most(const Tube& tube, std::size_t i) {
+  static bool turns_once_at_most(const TubeOf<K>& tube, std::size_t i) {
     return std::fabs(tube.second[i]) > tube.second_error[i];
   }
 
@@ -166,7 +149,7 @@ class TurnFinder {
       return true;
     }
     ends_.pop_back();
-    std::vector<Piece> done;
+    std::vector<PieceOf<K>> done;
     done.reserve(2 * trace_.pieces.size() + 8);
     done.assign(trace_.pieces.begin(), trace_.pieces.begin() + static_cast<std::ptrdiff_t>(k));
     for (; k < trace_.pieces.size(); ++k) {
@@ -178,7 +161,7 @@ class TurnFinder {
     return true;
   }
 
-  bool split(const Piece& piece, int depth, std::vector<Piece>& done) {
+  bool split(const PieceOf<K>& piece, int depth, std::vector<PieceOf<K>>& done) {
     Ends ends;
     switch (decide(piece, ends)) {
       case Decision::done:
@@ -193,23 +176,23 @@ class TurnFinder {
     return false;
   }
 
-  bool halve(const Piece& piece, int depth, std::vector<Piece>& done) {
+  bool halve(const PieceOf<K>& piece, int depth, std::vector<PieceOf<K>>& done) {
     if (depth >= kDeepestSplit || done.size() > kMostPieces) {
       return false;
     }
     const double middle = piece.range.at(0.4853);
-    Piece half;
+    PieceOf<K> half;
     return part(piece, piece.range.from(), middle, half) && split(half, depth + 1, done) &&
            part(piece, middle, piece.range.to(), half) && split(half, depth + 1, done);
   }
 
   enum class Decision { done, divide, never };
 
-  Decision decide(const Piece& piece, Ends& ends) const {
+  Decision decide(const PieceOf<K>& piece, Ends& ends) const {
     ends = {};
     const int sense = piece.range.direction();
-    std::optional<Direction> first;
-    std::optional<Direction> last;
+    std::optional<Direction<K>> first;
+    std::optional<Direction<K>> last;
     for (std::size_t i = 0; i < 4; ++i) {
       if (coincident_[i] < i) {
         continue;
@@ -239,13 +222,14 @@ class TurnFinder {
   /// (14.16): w_i' with one sign at both ends has no zero if by its least and greatest derivative it cannot
   /// reach zero from one end before the place from which it could have come to the other. Requires that zero
   /// is between these derivatives.
-  static bool keeps_sign(const Piece& piece, const Direction& first, const Direction& last, std::size_t i) {
+  static bool keeps_sign(const PieceOf<K>& piece, const Direction<K>& first, const Direction<K>& last,
+                         std::size_t i) {
     if (sign_of(first, i) != sign_of(last, i)) {
       return false;
     }
     const bool forward = piece.range.direction() > 0;
-    const Direction& left = forward ? first : last;
-    const Direction& right = forward ? last : first;
+    const Direction<K>& left = forward ? first : last;
+    const Direction<K>& right = forward ? last : first;
     const double second = sign_of(first, i) * piece.tube.second[i];
     const double descent = piece.tube.second_error[i] - second;
     const double ascent = piece.tube.second_error[i] + second;
@@ -256,20 +240,20 @@ class TurnFinder {
 
   /// A part of the piece on a tube of its own, with the same axis: both arcs start in the same point and go
   /// the same way.
-  bool part(const Piece& piece, double from, double to, Piece& result) const {
-    const Tube& tube = piece.tube;
-    const Ball start = point_at(tube, from);
-    const Ball end = point_at(tube, to);
-    const Ball centre = point_at(tube, 0.5 * (from + to));
+  bool part(const PieceOf<K>& piece, double from, double to, PieceOf<K>& result) const {
+    const TubeOf<K>& tube = piece.tube;
+    const BallOf<K> start = point_at(tube, from);
+    const BallOf<K> end = point_at(tube, to);
+    const BallOf<K> centre = point_at(tube, 0.5 * (from + to));
     const double radius = std::max({start.radius, end.radius, centre.radius});
     if (!prepare(pair_, centre.middle, tube.axis, result.tube)) {
       return false;
     }
     const double reach = 0.505 * std::fabs(to - from) + 4 * radius;
-    const Vec3 residual = residual_bound(pair_, result.tube, reach);
+    const Row<K> residual = residual_bound(pair_, result.tube, reach);
     const double width = std::max(2 * largest(residual), kLeastHalfwidth);
     if (radius > 0x1p-2 * kEndMargin ||
-        !certify(pair_, result.tube, -reach, reach, {width, width, width, width}, residual) ||
+        !certify(pair_, result.tube, -reach, reach, filled<K>(width), residual) ||
         !contains(result.tube, start) || !contains(result.tube, end)) {
       return false;
     }
@@ -289,10 +273,10 @@ class TurnFinder {
   /// then an interval around it that must hold the zero because |w_i''| has a lower bound, or, if that is too
   /// wide, one with certain signs on both sides.
   bool bracket(std::size_t k, std::size_t i) {
-    const Piece& piece = trace_.pieces[k];
-    const Tube& tube = piece.tube;
+    const PieceOf<K>& piece = trace_.pieces[k];
+    const TubeOf<K>& tube = piece.tube;
     double t = zero_of_polynomial(piece, i);
-    Direction d = direction_at(tube, t);
+    Direction<K> d = direction_at(tube, t);
     for (int step = 0; step < 8 && std::fabs(d.middle[i]) > 0.02 * d.radius; ++step) {
       t = piece.range.clamped(t - d.middle[i] / arc_second(tube, t, i));
       d = direction_at(tube, t);
@@ -315,11 +299,11 @@ class TurnFinder {
   }
 
   /// The offsets t -+ delta, as far as they are on the piece, in the direction of the trace.
-  static std::pair<double, double> around(const Piece& piece, double t, double delta) {
+  static std::pair<double, double> around(const PieceOf<K>& piece, double t, double delta) {
     return {piece.range.ahead_of(t, -delta), piece.range.ahead_of(t, delta)};
   }
 
-  static double zero_of_polynomial(const Piece& piece, std::size_t i) {
+  static double zero_of_polynomial(const PieceOf<K>& piece, std::size_t i) {
     double a = piece.range.from();
     double b = piece.range.to();
     double fa = arc_slope(piece.tube, a)[i];
@@ -345,12 +329,12 @@ class TurnFinder {
   }
 
   bool record(std::size_t k, std::size_t i, double from, double to) {
-    const Tube& tube = trace_.pieces[k].tube;
+    const TubeOf<K>& tube = trace_.pieces[k].tube;
     double steep = 1;
     for (std::size_t j = 0; j < 4; ++j) {
       steep = std::max(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
     }
-    Turn turn = {i, k, from, to, point_at(tube, 0.5 * (from + to))};
+    TurnOf<K> turn = {i, k, from, to, point_at(tube, 0.5 * (from + to))};
     turn.ball.radius = kSlack * (turn.ball.radius + steep * (0.5 * std::fabs(to - from) + kSumRounding));
     turns_.push_back(turn);
     // All of the node's box in the region: no other turning point with respect to i is there.
@@ -365,9 +349,9 @@ class TurnFinder {
     }
     const PieceRange& range = trace_.pieces[first->piece].range;
     std::sort(first, turns_.end(),
-              [&](const Turn& a, const Turn& b) { return range.precedes(a.from, b.from); });
+              [&](const TurnOf<K>& a, const TurnOf<K>& b) { return range.precedes(a.from, b.from); });
     for (auto turn = first; turn + 1 != turns_.end(); ++turn) {
-      const Turn& next = *(turn + 1);
+      const TurnOf<K>& next = *(turn + 1);
       if (!range.precedes(turn->to, next.from)) {
         return turn->parameter / 2 != next.parameter / 2 ? TurnSearch::not_separated : TurnSearch::undecided;
       }
@@ -375,18 +359,25 @@ class TurnFinder {
     return TurnSearch::done;
   }
 
-  const Pair& pair_;
-  Trace& trace_;
+  const PairOf<K>& pair_;
+  TraceOf<K>& trace_;
   const std::array<std::size_t, 4>& coincident_;
-  std::vector<Turn>& turns_;
+  std::vector<TurnOf<K>>& turns_;
   std::vector<Ends> ends_;  // of trace_.pieces
 };
 
 }  // namespace
 
-TurnSearch find_turns(const Pair& pair, Trace& trace, const std::array<std::size_t, 4>& coincident,
-                      std::vector<Turn>& turns) {
-  return TurnFinder(pair, trace, coincident, turns).run();
+template <class K>
+TurnSearch find_turns(const PairOf<K>& pair, TraceOf<K>& trace, const std::array<std::size_t, 4>& coincident,
+                      std::vector<TurnOf<K>>& turns) {
+  return TurnFinder<K>(pair, trace, coincident, turns).run();
 }
+
+#define EXSECT_INSTANTIATE(K)                                                                         \
+  template TurnSearch find_turns<K>(const PairOf<K>&, TraceOf<K>&, const std::array<std::size_t, 4>&, \
+                                    std::vector<TurnOf<K>>&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

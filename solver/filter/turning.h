@@ -10,13 +10,15 @@ namespace exsect::filter {
 
 /// Exactly one point with w_i' = 0, i = parameter, lies on the piece between the offsets `from` and `to`, in
 /// the direction of the trace; `ball` holds that part of the curve.
-struct Turn {
+template <class K>
+struct TurnOf {
   std::size_t parameter;
   std::size_t piece;
   double from;
   double to;
-  Ball ball;
+  BallOf<K> ball;
 };
+using Turn = TurnOf<Biquadratic>;
 
 enum class TurnSearch {
   done,
@@ -26,7 +28,8 @@ enum class TurnSearch {
 
 /// All turning points in the order of the trace, apart from its end points, into `turns`; divides pieces
 /// where that is needed. Parameters with coincident[i] < i are left out: they turn where coincident[i] does.
-TurnSearch find_turns(const Pair& pair, Trace& trace, const std::array<std::size_t, 4>& coincident,
-                      std::vector<Turn>& turns);
+template <class K>
+TurnSearch find_turns(const PairOf<K>& pair, TraceOf<K>& trace, const std::array<std::size_t, 4>& coincident,
+                      std::vector<TurnOf<K>>& turns);
 
 }  // namespace exsect::filter

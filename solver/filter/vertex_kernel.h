@@ -8,18 +8,26 @@ namespace exsect::filter::kernel {
 
 using Lanes = double[kVertexBlock];
 
-/// sum c[3 i + j][row] a^i b^j.
-static inline void biquadratic(const double (&c)[9][3], int row, const Lanes& a, const Lanes& b,
-                               Lanes& result) {
-  const double c0 = c[0][row], c1 = c[1][row], c2 = c[2][row], c3 = c[3][row], c4 = c[4][row], c5 = c[5][row],
-               c6 = c[6][row], c7 = c[7][row], c8 = c[8][row];
+/// sum c[side i + j][row] a^i b^j, by Horner's rule.
+template <int Degree>
+static inline void patch_value(const double (&c)[(Degree + 1) * (Degree + 1)][3], int row, const Lanes& a,
+                               const Lanes& b, Lanes& result) {
+  constexpr int n = Degree;
   for (int l = 0; l < kVertexBlock; ++l) {
-    result[l] = (c0 + b[l] * (c1 + b[l] * c2)) +
-                a[l] * ((c3 + b[l] * (c4 + b[l] * c5)) + a[l] * (c6 + b[l] * (c7 + b[l] * c8)));
+    double sum = 0;
+#pragma GCC unroll 4
+    for (int i = n; i >= 0; --i) {
+      double inner = c[(n + 1) * i + n][row];
+#pragma GCC unroll 4
+      for (int j = n - 1; j >= 0; --j) inner = c[(n + 1) * i + j][row] + b[l] * inner;
+      sum = i == n ? inner : inner + a[l] * sum;
+    }
+    result[l] = sum;
   }
 }
 
-static inline void polynomial(const VertexForms& forms, int j, const Lanes& tau, Lanes& result) {
+template <int Degree>
+static inline void polynomial(const VertexFormsOf<Degree>& forms, int j, const Lanes& tau, Lanes& result) {
   for (int l = 0; l < kVertexBlock; ++l) {
     double sum = forms.series[kSeriesDegree - 1][j];
     for (int k = kSeriesDegree - 2; k >= 0; --k) sum = forms.series[k][j] + tau[l] * sum;
@@ -35,15 +43,16 @@ static inline void mark_beyond(const Lanes& value, double limit, Lanes& doubt) {
   }
 }
 
-static inline void evaluate_vertices(const VertexForms& forms, VertexBlock& block) {
+template <int Degree>
+static inline void evaluate_vertices(const VertexFormsOf<Degree>& forms, VertexBlock& block) {
   Lanes offset[4];
   for (int j = 0; j < 4; ++j) polynomial(forms, j, block.tau, offset[j]);
   for (double& doubt : block.doubt) doubt = 0;
   Lanes value[3];
   for (int row = 0; row < 3; ++row) {
     Lanes part;
-    biquadratic(forms.g, row, offset[0], offset[1], value[row]);
-    biquadratic(forms.h, row, offset[2], offset[3], part);
+    patch_value<Degree>(forms.g, row, offset[0], offset[1], value[row]);
+    patch_value<Degree>(forms.h, row, offset[2], offset[3], part);
     for (int l = 0; l < kVertexBlock; ++l) value[row][l] += part[l];
     mark_beyond(value[row], forms.greatest, block.doubt);
   }
@@ -61,7 +70,7 @@ static inline void evaluate_vertices(const VertexForms& forms, VertexBlock& bloc
     for (int l = 0; l < kVertexBlock; ++l) block.parameters[j][l] = (forms.centre[j] + offset[j][l]) + 0.5;
   }
   for (int c = 0; c < 3; ++c) {
-    biquadratic(forms.space, c, offset[0], offset[1], block.point[c]);
+    patch_value<Degree>(forms.space, c, offset[0], offset[1], block.point[c]);
     for (int l = 0; l < kVertexBlock; ++l) {
       block.point[c][l] = forms.origin[c] + forms.scale * block.point[c][l];
     }

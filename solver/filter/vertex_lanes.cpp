@@ -6,9 +6,13 @@
 
 namespace exsect::filter {
 
-void evaluate_vertices_lanes(const VertexForms& forms, VertexBlock& block) {
+template <int Degree>
+void evaluate_vertices_lanes(const VertexFormsOf<Degree>& forms, VertexBlock& block) {
   kernel::evaluate_vertices(forms, block);
 }
+
+template void evaluate_vertices_lanes<2>(const VertexFormsOf<2>&, VertexBlock&);
+template void evaluate_vertices_lanes<3>(const VertexFormsOf<3>&, VertexBlock&);
 
 }  // namespace exsect::filter
 

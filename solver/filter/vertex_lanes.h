@@ -8,10 +8,11 @@ inline constexpr int kSeriesDegree = 8;
 inline constexpr int kVertexBlock = 8;
 
 /// What the points of one tube have in common; see Tube.
-struct VertexForms {
-  double g[9][3];
-  double h[9][3];
-  double space[9][3];
+template <int Degree>
+struct VertexFormsOf {
+  double g[(Degree + 1) * (Degree + 1)][3];
+  double h[(Degree + 1) * (Degree + 1)][3];
+  double space[(Degree + 1) * (Degree + 1)][3];
   double series[kSeriesDegree]
                [4];  // w - centre is about the sum of series[k] tau^(k+1); 1, 0, 0, ... at axis
   double centre[4];
@@ -21,6 +22,7 @@ struct VertexForms {
   double farthest[3];  // of |w_i - centre_i - tau slope_i|, by rows
   double greatest;     // of |C F(w)|, by rows, before the last step
 };
+using VertexForms = VertexFormsOf<2>;
 
 /// In: offsets tau. Out: parameters in [0,1]^4 and points of space after a step w - C F(w) from the
 /// polynomial's value w. doubt is 0 where w and C F(w), as computed, keep within the limits of the forms, and
@@ -33,6 +35,7 @@ struct VertexBlock {
 };
 
 /// The same operations, and so the same results, in AVX2 registers. Exists only for x86-64 (__x86_64__).
-void evaluate_vertices_lanes(const VertexForms& forms, VertexBlock& block);
+template <int Degree>
+void evaluate_vertices_lanes(const VertexFormsOf<Degree>& forms, VertexBlock& block);
 
 }  // namespace exsect::filter

@@ -5,6 +5,7 @@
 
 namespace exsect::filter {
 
-void evaluate_vertices_scalar(const VertexForms& forms, VertexBlock& block);
+template <int Degree>
+void evaluate_vertices_scalar(const VertexFormsOf<Degree>& forms, VertexBlock& block);
 
 }  // namespace exsect::filter
