@@ -1,5 +1,6 @@
 #include "cli/implicitize_command.h"
 
+#include <exsect/geometry/bpt_file.h>
 #include <exsect/geometry/curve_file.h>
 #include <exsect/geometry/file_form.h>
 #include <exsect/geometry/patch_file.h>
@@ -88,7 +89,8 @@ Shown patch(const ImplicitizeCommand& command, const ChosenPatch& chosen) {
 ExitStatus run(const ImplicitizeCommand& command, const Streams& streams) {
   check(command.output, command.file);
   const std::string text = input_text(command.file, max_curve_file_bytes);
-  const std::string version = file_version(text, input_name(command.file));
+  const std::string version =
+      is_bpt(command.file) ? "patches/1" : file_version(text, input_name(command.file));
   std::string title;
   Shown result;
   if (version == "patches/1") {

@@ -31,8 +31,9 @@ std::string input_text(const std::string& path, std::size_t max_bytes) {
   return text;
 }
 
-PatchFile input_patches(const std::string& path) {
-  return parse_patches(input_text(path, max_patch_file_bytes), input_name(path));
+RationalPatchFile input_patches(const std::string& path) {
+  if (path != standard_input) return read_rational_patches(path);
+  return parse_rational_patches(input_text(path, max_patch_file_bytes), input_name(path));
 }
 
 CurveFile input_curve(const std::string& path) {

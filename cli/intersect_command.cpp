@@ -1,7 +1,8 @@
 #include "cli/intersect_command.h"
 
 #include <exsect/geometry/text_file.h>
-#include <exsect/solver/intersect.h>
+#include <exsect/solver/intersect_rational.h>
+#include <fmt/format.h>
 
 #include "certificate/certificate_text.h"
 #include "cli/export_files.h"
@@ -29,18 +30,48 @@ IntersectOptions options(const IntersectCommand& command) {
   return options;
 }
 
-IntersectResult solve(const PatchPair& pair, IntersectOptions options, const Streams& streams, bool quiet) {
-  Progress progress(streams.err, streams.watched && !quiet);
+/// The two patches, where all methods take them: polynomial, of bidegree at most (2,2).
+struct BiquadraticPair {
+  BezierPatch x;
+  BezierPatch y;
+};
+
+std::optional<BiquadraticPair> biquadratic(const RationalPair& pair) {
+  const std::optional<BezierPatch> x = pair.x.patch.biquadratic(), y = pair.y.patch.biquadratic();
+  if (!x || !y) return std::nullopt;
+  return BiquadraticPair{*x, *y};
+}
+
+/// What there is for biquadratic patches only.
+void refuse_for_others(const IntersectCommand& command, const RationalPair& pair) {
+  const NamedRationalPatch& patch = pair.x.patch.biquadratic() ? pair.y : pair.x;
+  const auto refuse = [&](const char* option) {
+    throw InputError(input_name(command.file), "",
+                     fmt::format("patch \"{}\": not supported yet with {}: {}", printable(patch.name), option,
+                                 kind_of(patch.patch)));
+  };
+  if (command.exact) refuse("--exact");
+  if (!command.output.report.empty()) refuse("--report");
+  if (!command.output.certificate.empty()) refuse("--certificate");
+}
+
+IntersectResult solve(const IntersectCommand& command, const RationalPair& pair, IntersectOptions options,
+                      const Streams& streams) {
+  Progress progress(streams.err, streams.watched && !command.quiet);
   options.progress = [&](double fraction, const char* step) { progress.report(fraction, step); };
-  return intersect(pair.x.patch, pair.y.patch, options);
+  try {
+    return intersect(pair.x.patch, pair.y.patch, options);
+  } catch (const NotSupported& error) {
+    throw InputError(input_name(command.file), "", error.what());
+  }
 }
 
 /// What --certificate writes; empty where it is not given, or, with a message, where there is no certificate.
-std::string certificate(const IntersectCommand& command, const PatchPair& pair, const PatchNames& names,
+std::string certificate(const IntersectCommand& command, const BiquadraticPair& pair, const PatchNames& names,
                         const IntersectResult& result, const Streams& streams) {
   if (command.output.certificate.empty()) return "";
   try {
-    return certificate_text(pair.x.patch, pair.y.patch, names, result);
+    return certificate_text(pair.x, pair.y, names, result);
   } catch (const NoCertificate& reason) {
     streams.err << "exsect: no certificate: " << printable(reason.what()) << std::endl;
     return "";
@@ -55,11 +86,14 @@ ExitStatus run(const IntersectCommand& command, const Streams& streams) {
   if (!command.output.certificate.empty() && checked.turning.size() != 4)
     throw UsageError("--certificate: needs all turning points, --turning u,v,r,s");
   const int cells = grid_cells(command.output.exports);
-  const PatchPair pair = read_pair(command.file, command.first, command.second);
+  const RationalPair pair = read_rational_pair(command.file, command.first, command.second);
+  const std::optional<BiquadraticPair> biquadratic_pair = biquadratic(pair);
+  if (!biquadratic_pair) refuse_for_others(command, pair);
   const PatchNames names = {pair.x.name, pair.y.name};
-  const IntersectResult result = solve(pair, checked, streams, command.quiet);
+  const IntersectResult result = solve(command, pair, checked, streams);
   const std::string json = command.output.json.empty() ? "" : json_text(intersection_json(result, names));
-  const std::string proof = certificate(command, pair, names, result, streams);
+  const std::string proof =
+      biquadratic_pair ? certificate(command, *biquadratic_pair, names, result, streams) : "";
   write_exports(
       command.output.exports,
       [&] { return intersection_scene(result, pair.x.patch, pair.y.patch, names, pair.title, cells); },
@@ -73,7 +107,7 @@ ExitStatus run(const IntersectCommand& command, const Streams& streams) {
   }
   if (!command.output.report.empty()) {
     write_file_atomically(command.output.report,
-                          report_html(result, pair.x.patch, pair.y.patch, names,
+                          report_html(result, biquadratic_pair->x, biquadratic_pair->y, names,
                                       origin_of(pair.title, command.output.line, {command.file})));
   }
   if (command.output.json_to_stdout()) {

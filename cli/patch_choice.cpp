@@ -12,19 +12,20 @@
 namespace exsect::cli {
 namespace {
 
-std::string names(const PatchFile& file) {
+std::string names(const RationalPatchFile& file) {
   constexpr std::size_t most = 20;
   std::vector<std::string> quoted;
-  for (const NamedPatch& patch : file.patches) {
+  for (const NamedRationalPatch& patch : file.patches) {
     if (quoted.size() < most) quoted.push_back("\"" + printable(patch.name) + "\"");
   }
   return joined(quoted, ", ") + (file.patches.size() > most ? ", ..." : "");
 }
 
-const NamedPatch& named(const PatchFile& file, const std::string& path, const std::string& name,
-                        const char* option) {
-  const auto patch = std::find_if(file.patches.begin(), file.patches.end(),
-                                  [&](const NamedPatch& candidate) { return candidate.name == name; });
+const NamedRationalPatch& named(const RationalPatchFile& file, const std::string& path,
+                                const std::string& name, const char* option) {
+  const auto patch =
+      std::find_if(file.patches.begin(), file.patches.end(),
+                   [&](const NamedRationalPatch& candidate) { return candidate.name == name; });
   if (patch == file.patches.end()) {
     throw InputError(
         input_name(path), "$.patches",
@@ -37,64 +38,70 @@ const NamedPatch& named(const PatchFile& file, const std::string& path, const st
 
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second,
                     const char* chosen_by) {
-  const PatchFile file = input_patches(path);
+  const RationalPatchFile file = input_patches(path);
   for (const std::string& name : {first, second})
     if (!name.empty()) named(file, path, name, chosen_by);
   return read_pair(path, first, second);
 }
 
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second) {
-  const PatchFile file = input_patches(path);
+  const RationalPair pair = read_rational_pair(path, first, second);
+  return {biquadratic(pair.x, input_name(path), ""), biquadratic(pair.y, input_name(path), ""), pair.title};
+}
+
+RationalPair read_rational_pair(const std::string& path, const std::string& first,
+                                const std::string& second) {
+  const RationalPatchFile file = input_patches(path);
   const std::size_t count = file.patches.size();
   if (!first.empty() && first == second) {
     throw InputError(input_name(path), "$.patches",
                      fmt::format("--first and --second both name \"{}\"; two different patches are needed",
                                  printable(first)));
   }
-  const NamedPatch* x = first.empty() ? nullptr : &named(file, path, first, "--first");
-  const NamedPatch* y = second.empty() ? nullptr : &named(file, path, second, "--second");
+  const NamedRationalPatch* x = first.empty() ? nullptr : &named(file, path, first, "--first");
+  const NamedRationalPatch* y = second.empty() ? nullptr : &named(file, path, second, "--second");
   if ((x == nullptr || y == nullptr) && count != 2) {
     throw InputError(input_name(path), "$.patches",
                      count < 2 ? "holds one patch; two are needed"
                                : fmt::format("holds {} patches ({}): choose with --first and --second", count,
                                              names(file)));
   }
-  const NamedPatch* front = &file.patches.front();
+  const NamedRationalPatch* front = &file.patches.front();
   if (x == nullptr) x = y == front ? &file.patches.back() : front;
   if (y == nullptr) y = x == front ? &file.patches.back() : front;
   return {*x, *y, file.title};
 }
 
-std::string place_beyond_doubles(const NamedPatch& named) {
-  const auto row_step = static_cast<std::size_t>(3 - named.degree[0]);
-  const auto column_step = static_cast<std::size_t>(3 - named.degree[1]);
-  for (std::size_t i = 0; i < 3; i += row_step) {
-    for (std::size_t j = 0; j < 3; j += column_step) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        if (!std::isfinite(to_double(named.patch.net()[i][j][c])))
-          return fmt::format("points[{}][{}][{}]", i / row_step, j / column_step, c);
-      }
+std::string place_beyond_doubles(const RationalPatch& patch) {
+  const auto beyond = [](const Rational& number) { return !std::isfinite(to_double(number)); };
+  for (int i = 0; i <= patch.degree_u(); ++i) {
+    for (int j = 0; j <= patch.degree_v(); ++j) {
+      if (beyond(patch.weight(i, j))) return fmt::format("weights[{}][{}]", i, j);
+      const Point point = patch.point(i, j);
+      for (std::size_t c = 0; c < 3; ++c)
+        if (beyond(point[c])) return fmt::format("points[{}][{}][{}]", i, j, c);
     }
   }
   return "";
 }
 
 void refuse_beyond_doubles(const std::string& path, const std::string& reason) {
-  const PatchFile file = input_patches(path);
+  const RationalPatchFile file = input_patches(path);
   for (std::size_t k = 0; k < file.patches.size(); ++k) {
-    const std::string place = place_beyond_doubles(file.patches[k]);
+    const std::string place = place_beyond_doubles(file.patches[k].patch);
     if (!place.empty()) throw InputError(input_name(path), fmt::format("$.patches[{}].{}", k, place), reason);
   }
 }
 
 ChosenPatch read_patch(const std::string& path, const std::string& name) {
-  const PatchFile file = input_patches(path);
+  const RationalPatchFile file = input_patches(path);
   if (name.empty() && file.patches.size() != 1) {
     throw InputError(
         input_name(path), "$.patches",
         fmt::format("holds {} patches ({}): choose with --patch", file.patches.size(), names(file)));
   }
-  return {name.empty() ? file.patches.front() : named(file, path, name, "--patch"), file.title};
+  const NamedRationalPatch& patch = name.empty() ? file.patches.front() : named(file, path, name, "--patch");
+  return {biquadratic(patch, input_name(path), ""), file.title};
 }
 
 }  // namespace exsect::cli

@@ -1,7 +1,7 @@
 // Which patches of a file are meant.
 #pragma once
 
-#include <exsect/geometry/patch_file.h>
+#include <exsect/geometry/rational_patch_file.h>
 
 #include <string>
 
@@ -14,9 +14,18 @@ struct PatchPair {
   std::string title;
 };
 
+/// The same for methods that take patches of every kind.
+struct RationalPair {
+  NamedRationalPatch x;
+  NamedRationalPatch y;
+  std::string title;
+};
+
 /// Reads the file and chooses: by name where a name is not empty, else in the order of the file, which then
 /// must hold exactly two patches. Throws InputError for a bad file, an unknown name, the same name twice, or
 /// no clear choice.
+RationalPair read_rational_pair(const std::string& path, const std::string& first, const std::string& second);
+/// The same for methods that take polynomial patches of bidegree at most (2,2) only; InputError for others.
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second);
 /// The same where `chosen_by`, and not --first and --second, gives the names.
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second,
@@ -29,12 +38,13 @@ struct ChosenPatch {
 };
 
 /// Reads the file and chooses the patch of the given name; without a name the file must hold exactly one.
-/// Throws InputError for a bad file, an unknown name, or no clear choice.
+/// Throws InputError for a bad file, an unknown name, no clear choice, or a patch that is not polynomial of
+/// bidegree at most (2,2).
 ChosenPatch read_patch(const std::string& path, const std::string& name);
 
-/// "points[i][j][c]", as in a patch file, of the first coordinate beyond the range of doubles; "" if there is
-/// none.
-std::string place_beyond_doubles(const NamedPatch& named);
+/// "points[i][j][c]" or "weights[i][j]", as in a patch file, of the first coordinate or weight beyond the
+/// range of doubles; "" if there is none.
+std::string place_beyond_doubles(const RationalPatch& patch);
 /// Throws InputError that names the first control point of the file with a coordinate beyond the range of
 /// doubles, and `reason`; returns if there is none.
 void refuse_beyond_doubles(const std::string& path, const std::string& reason);

@@ -23,8 +23,8 @@ const std::string& JsonValue::number_text() const {
   return tree_.text;
 }
 
-bool JsonValue::is_bare(std::string_view number) const {
-  return tree_.kind == Kind::number && tree_.text == number;
+std::string_view JsonValue::bare_number() const {
+  return tree_.kind == Kind::number ? std::string_view(tree_.text) : std::string_view();
 }
 
 bool JsonValue::boolean() const {

@@ -26,7 +26,9 @@ class JsonValue {
   const std::string& string() const;
   /// The text of a number, quoted or bare.
   const std::string& number_text() const;
-  bool is_bare(std::string_view number) const;
+  bool is_bare(std::string_view number) const { return bare_number() == number; }
+  /// The text of a number that is not quoted; empty for any other value.
+  std::string_view bare_number() const;
   bool is_array() const { return tree_.kind == JsonTree::Kind::array; }
   /// true or false.
   bool boolean() const;

@@ -62,7 +62,7 @@ class LineReader {
   std::size_t number_ = 0;
 };
 
-NamedPatch parse_line(const std::string& text, const std::string& name, NumberReader read) {
+NamedRationalPatch parse_line(const std::string& text, const std::string& name, NumberReader read) {
   const JsonTree tree = parse_json(text, name, max_depth);
   return read_named_patch(JsonValue(tree, name, "$"), read);
 }
@@ -98,7 +98,7 @@ class Descriptor {
 struct ModelFile::State {
   std::string path;
   std::string title;
-  std::vector<NamedPatch> patches;  // of a patches/1
+  std::vector<NamedRationalPatch> patches;  // of a patches/1
   // Of a model/1:
   NumberReader read = nullptr;
   std::optional<Descriptor> file;
@@ -123,12 +123,12 @@ struct ModelFile::State {
     return true;
   }
 
-  void read_lines(LineReader& reader, const std::function<void(const NamedPatch&)>& each) {
+  void read_lines(LineReader& reader, const std::function<void(const NamedRationalPatch&)>& each) {
     file.emplace(path);
     std::unordered_set<std::string> names;
     for (std::string text; reader.next(text);) {
       if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-      const NamedPatch patch = parse_line(text, reader.name(), read);
+      const NamedRationalPatch patch = parse_line(text, reader.name(), read);
       if (!names.insert(patch.name).second)
         throw InputError(reader.name(), "$.name",
                          "name \"" + printable(patch.name) + "\" given to two patches");
@@ -139,7 +139,7 @@ struct ModelFile::State {
   }
 };
 
-ModelFile::ModelFile(const std::string& path, const std::function<void(const NamedPatch&)>& each)
+ModelFile::ModelFile(const std::string& path, const std::function<void(const NamedRationalPatch&)>& each)
     : state_(std::make_unique<State>()) {
   state_->path = path;
   std::string text;
@@ -148,10 +148,10 @@ ModelFile::ModelFile(const std::string& path, const std::function<void(const Nam
     state_->read_lines(reader, each);
     return;
   }
-  PatchFile file = read_patches(path);
+  RationalPatchFile file = read_rational_patches(path);
   state_->title = file.title;
   state_->patches = std::move(file.patches);
-  for (const NamedPatch& patch : state_->patches) each(patch);
+  for (const NamedRationalPatch& patch : state_->patches) each(patch);
 }
 
 ModelFile::~ModelFile() = default;
@@ -162,7 +162,7 @@ std::size_t ModelFile::size() const { return state_->patches.size() + state_->li
 
 const std::string& ModelFile::title() const { return state_->title; }
 
-NamedPatch ModelFile::patch(std::size_t i) const {
+NamedRationalPatch ModelFile::patch(std::size_t i) const {
   if (!state_->patches.empty()) return state_->patches.at(i);
   std::string text;
   if (!state_->file->read(state_->lines.at(i), text))

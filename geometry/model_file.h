@@ -1,7 +1,7 @@
 // Model files (docs/formats.md): many patches, one on each line, read without holding them all.
 #pragma once
 
-#include <exsect/geometry/patch_file.h>
+#include <exsect/geometry/rational_patch_file.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -29,7 +29,7 @@ class ModelFile {
   /// Reads the whole file once and gives each patch to `each`, in order. Throws InputError (file and line,
   /// JSON path, reason) for whatever parse_patches refuses in a patch, a line that is too long, no patch at
   /// all, or a file that cannot be read.
-  ModelFile(const std::string& path, const std::function<void(const NamedPatch&)>& each);
+  ModelFile(const std::string& path, const std::function<void(const NamedRationalPatch&)>& each);
   ~ModelFile();
   ModelFile(ModelFile&&) noexcept;
   ModelFile& operator=(ModelFile&&) noexcept;
@@ -38,7 +38,7 @@ class ModelFile {
   const std::string& title() const;
   /// Safe to call from several threads, and from a process that was forked after the file was read. Throws
   /// InputError if the line cannot be read again.
-  NamedPatch patch(std::size_t i) const;
+  NamedRationalPatch patch(std::size_t i) const;
 
  private:
   struct State;

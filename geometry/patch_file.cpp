@@ -1,44 +1,12 @@
 #include "patch_file.h"
 
-#include <cstddef>
-#include <set>
+#include <algorithm>
 
-#include "json_value.h"
-#include "patch_value.h"
+#include "json_tree.h"
+#include "rational_patch_file.h"
 
 namespace exsect {
 namespace {
-
-constexpr const char* version = "patches/1";
-constexpr std::size_t max_depth = 16;
-
-int read_degree(const JsonValue& value) {
-  if (value.is_bare("1")) return 1;
-  if (value.is_bare("2")) return 2;
-  value.fail("degree must be 1 or 2");
-}
-
-BezierPatch read_points(const JsonValue& points, const std::array<int, 2>& degree, NumberReader read) {
-  std::vector<std::vector<Point>> rows;
-  points.require_size(static_cast<std::size_t>(degree[0]) + 1, "rows for this degree");
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const JsonValue row = points.at(i);
-    row.require_size(static_cast<std::size_t>(degree[1]) + 1, "points for this degree");
-    rows.emplace_back();
-    for (std::size_t j = 0; j < row.size(); ++j) {
-      const JsonValue point = row.at(j);
-      point.require_size(3, "coordinates");
-      rows.back().push_back(Point{read_number(point.at(0), read), read_number(point.at(1), read),
-                                  read_number(point.at(2), read)});
-    }
-  }
-  return BezierPatch::elevated(rows);
-}
-
-std::string format_point(const Point& p) {
-  return "[" + format_json_number(p[0]) + ", " + format_json_number(p[1]) + ", " + format_json_number(p[2]) +
-         "]";
-}
 
 /// Index of the control point of the elevated net that is control point i for the given degree.
 std::size_t elevated_index(std::size_t i, int degree) { return degree == 1 ? 2 * i : i; }
@@ -56,82 +24,37 @@ std::vector<std::vector<Point>> points_of_degree(const NamedPatch& named) {
   return points;
 }
 
-std::string format_patch(const NamedPatch& named) {
-  std::string text = "  {\"name\": " + json_string(named.name) + ", \"degree\": [" +
-                     std::to_string(named.degree[0]) + ", " + std::to_string(named.degree[1]) +
-                     "], \"points\": [";
-  const char* before_row = "\n   [";
-  for (const std::vector<Point>& row : points_of_degree(named)) {
-    text += before_row;
-    before_row = ",\n   [";
-    for (std::size_t j = 0; j < row.size(); ++j) text += (j == 0 ? "" : ", ") + format_point(row[j]);
-    text += "]";
-  }
-  return text + "]}";
+PatchFile biquadratic(const RationalPatchFile& file, const std::string& filename) {
+  PatchFile result{file.title, file.source, {}};
+  for (std::size_t i = 0; i < file.patches.size(); ++i)
+    result.patches.push_back(biquadratic(file.patches[i], filename, "$.patches[" + std::to_string(i) + "]"));
+  return result;
 }
 
 }  // namespace
 
-NamedPatch read_named_patch(const JsonValue& value, NumberReader read) {
-  value.require_object({"name", "degree", "points"});
-  const JsonValue name = value.member("name");
-  if (name.string().empty()) name.fail("must not be empty");
-  if (name.string().size() > max_name_bytes)
-    name.fail("must not be longer than " + std::to_string(max_name_bytes) + " bytes");
-  const JsonValue degrees = value.member("degree");
-  degrees.require_size(2, "degrees");
-  const std::array<int, 2> degree = {read_degree(degrees.at(0)), read_degree(degrees.at(1))};
-  return {name.string(), degree, read_points(value.member("points"), degree, read)};
+NamedPatch biquadratic(const NamedRationalPatch& named, const std::string& file, const std::string& where) {
+  const RationalPatch& patch = named.patch;
+  const std::optional<BezierPatch> biquadratic = patch.biquadratic();
+  if (!biquadratic)
+    throw InputError(file, where,
+                     "patch \"" + printable(named.name) + "\": not supported here: " + kind_of(patch) +
+                         ", only polynomial patches of bidegree up to (2,2)");
+  const RationalPatch& shape = std::max(patch.degree_u(), patch.degree_v()) <= 2 ? patch : patch.reduced();
+  return {named.name, {shape.degree_u(), shape.degree_v()}, *biquadratic};
 }
 
 PatchFile parse_patches(const std::string& text, const std::string& filename) {
-  if (text.size() > max_patch_file_bytes)
-    throw InputError(filename, "", "longer than " + std::to_string(max_patch_file_bytes) + " bytes");
-  const JsonTree tree = parse_json(text, filename, max_depth);
-  const JsonValue root(tree, filename, "$");
-  root.require_form(version);
-  root.require_object({"exsect", "title", "source", "numbers", "patches"});
-  PatchFile file;
-  if (root.has("title")) file.title = root.member("title").string();
-  if (root.has("source")) file.source = root.member("source").string();
-  const NumberReader read = number_reader(root);
-  const JsonValue patches = root.member("patches");
-  if (patches.size() == 0) patches.fail("must hold at least one patch");
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < patches.size(); ++i) {
-    file.patches.push_back(read_named_patch(patches.at(i), read));
-    if (!names.insert(file.patches.back().name).second)
-      patches.at(i).member("name").fail("name \"" + printable(file.patches.back().name) +
-                                        "\" given to two patches");
-  }
-  return file;
+  return biquadratic(parse_rational_patches(text, filename), filename);
 }
 
-PatchFile read_patches(const std::string& path) {
-  return parse_patches(read_text_file(path, max_patch_file_bytes), path);
-}
+PatchFile read_patches(const std::string& path) { return biquadratic(read_rational_patches(path), path); }
 
 std::string format_patches(const PatchFile& file) {
-  if (file.patches.empty()) throw std::invalid_argument("patch file: must hold at least one patch");
-  std::string text = "{\n \"exsect\": " + json_string(version);
-  if (!file.title.empty()) text += ",\n \"title\": " + json_string(file.title);
-  if (!file.source.empty()) text += ",\n \"source\": " + json_string(file.source);
-  text += ",\n \"patches\": [\n";
-  std::set<std::string> names;
-  const char* before_patch = "";
-  for (const NamedPatch& named : file.patches) {
-    if (named.name.empty() || !names.insert(named.name).second)
-      throw std::invalid_argument("patch file: names must be distinct and not empty");
-    if (named.name.size() > max_name_bytes)
-      throw std::invalid_argument("patch file: names must not be longer than " +
-                                  std::to_string(max_name_bytes) + " bytes");
-    text += before_patch + format_patch(named);
-    before_patch = ",\n";
-  }
-  text += "\n ]\n}\n";
-  if (text.size() > max_patch_file_bytes)
-    throw std::invalid_argument("patch file: longer than " + std::to_string(max_patch_file_bytes) + " bytes");
-  return text;
+  RationalPatchFile general{file.title, file.source, {}};
+  for (const NamedPatch& named : file.patches)
+    general.patches.push_back({named.name, RationalPatch(points_of_degree(named))});
+  return format_patches(general);
 }
 
 void write_patches(const PatchFile& file, const std::string& path) {

@@ -44,10 +44,12 @@ inline constexpr std::size_t max_patch_file_bytes = std::size_t{8} << 20;
 ///
 /// title, source and numbers may be missing. A string is read by parse_number; a bare number, read from its
 /// text, means the decimal as written. With "numbers": "binary64" decimals, in strings or bare, mean the
-/// nearest IEEE double. Degree [m,n] goes with m+1 rows of n+1 points. Throws InputError (file, JSON path,
+/// nearest IEEE double. Degree [m,n] goes with m+1 rows of n+1 points. A patch of a higher degree or with
+/// weights (rational_patch_file.h) is taken where it is the same as one without, in the degree that it has
+/// then. Throws InputError (file, JSON path,
 /// reason) for anything else: wrong shape, NaN, infinity, zero denominator, numbers beyond the sizes in
 /// number.h, empty, too long or duplicate names, duplicate, unknown or missing keys, another version, no
-/// patch at all, truncated text, text after the end, deep nesting, excessive length.
+/// patch at all, a patch of another kind, truncated text, text after the end, deep nesting, excessive length.
 PatchFile parse_patches(const std::string& text, const std::string& filename);
 
 /// The same from a file; InputError also if it is missing, a directory or unreadable.

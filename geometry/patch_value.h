@@ -2,11 +2,12 @@
 #pragma once
 
 #include "json_value.h"
-#include "patch_file.h"
+#include "rational_patch_file.h"
 
 namespace exsect {
 
-/// {"name": "x", "degree": [2,2], "points": [...]}; InputError with file, path and reason for anything else.
-NamedPatch read_named_patch(const JsonValue& value, NumberReader read);
+/// {"name": "x", "degree": [2,2], "points": [...], "weights": [...]}; InputError with file, path and reason
+/// for anything else.
+NamedRationalPatch read_named_patch(const JsonValue& value, NumberReader read);
 
 }  // namespace exsect

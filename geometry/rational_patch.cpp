@@ -287,8 +287,8 @@ bool operator==(const RationalPatch& a, const RationalPatch& b) {
 
 std::string kind_of(const RationalPatch& patch) {
   const RationalPatch& reduced = patch.reduced();
-  return std::string(reduced.is_polynomial() ? "" : "weighted, of ") + "bidegree (" +
-         std::to_string(reduced.degree_u()) + "," + std::to_string(reduced.degree_v()) + ")";
+  return "bidegree (" + std::to_string(reduced.degree_u()) + "," + std::to_string(reduced.degree_v()) + ")" +
+         (reduced.is_polynomial() ? "" : " with weights");
 }
 
 }  // namespace exsect

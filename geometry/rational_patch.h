@@ -109,7 +109,7 @@ class RationalPatch {
   std::shared_ptr<const State> state_;
 };
 
-/// "bidegree (3,2)", or "weighted, of bidegree (3,2)": how messages speak of a patch; of the reduced one.
+/// "bidegree (3,2)", or "bidegree (3,2) with weights": how messages speak of a patch; of the reduced one.
 std::string kind_of(const RationalPatch& patch);
 
 }  // namespace exsect

@@ -1,7 +1,7 @@
 // What a batch is about: the pairs of a model or of a list of files, and which of them a shard does.
 #pragma once
 
-#include <exsect/geometry/patch_file.h>
+#include <exsect/geometry/rational_patch_file.h>
 
 #include <cstdint>
 #include <memory>
@@ -31,8 +31,8 @@ struct Shard {
 
 /// A pair of patches, or twice the same patch for its self-intersection.
 struct Subject {
-  NamedPatch x;
-  NamedPatch y;
+  NamedRationalPatch x;
+  NamedRationalPatch y;
   bool self;
 };
 
@@ -67,7 +67,7 @@ std::unique_ptr<BatchInput> list_of_pairs(std::vector<std::string> files, bool s
 /// empty lines are skipped. Throws InputError if there is none, or for a line with a NUL.
 std::vector<std::string> read_list(const std::string& path);
 
-/// Whether the file's first character that is not blank is "{": patches, not a list. Throws InputError if it
+/// Whether it is a BPT file, or its first character that is not blank is "{": patches, not a list. Throws InputError if it
 /// cannot be read.
 bool holds_patches(const std::string& path);
 

@@ -3,7 +3,7 @@
 #include <exsect/geometry/beyond_doubles.h>
 #include <exsect/geometry/bounding_box.h>
 #include <exsect/geometry/text_file.h>
-#include <exsect/solver/self_intersect.h>
+#include <exsect/solver/intersect_rational.h>
 
 #include <cstring>
 #include <stdexcept>
@@ -53,8 +53,8 @@ BatchLine counted_line(const Json& line) {
 
 /// Which control point is beyond the range of doubles, with a colon; empty if each one for itself is not.
 std::string beyond_doubles(const Subject& subject) {
-  for (const NamedPatch* patch : {&subject.x, &subject.y}) {
-    const std::string place = place_beyond_doubles(*patch);
+  for (const NamedRationalPatch* patch : {&subject.x, &subject.y}) {
+    const std::string place = place_beyond_doubles(patch->patch);
     if (!place.empty()) return "patch \"" + printable(patch->name) + "\": " + place + ": ";
   }
   return "";

@@ -1,3 +1,4 @@
+#include <exsect/geometry/bpt_file.h>
 #include <exsect/geometry/text_file.h>
 
 #include <filesystem>
@@ -36,9 +37,9 @@ class List : public BatchInput {
   bool self(std::uint64_t local) const override { return lines_of_a_file_ == 3 && part(local) != 1; }
   bool pairs_meet() const override { return false; }
   Subject load(std::uint64_t local) const override {
-    const PatchPair pair = read_pair(file(local), "", "");
+    const RationalPair pair = read_rational_pair(file(local), "", "");
     if (!self(local)) return {pair.x, pair.y, false};
-    const NamedPatch& patch = part(local) == 0 ? pair.x : pair.y;
+    const NamedRationalPatch& patch = part(local) == 0 ? pair.x : pair.y;
     return {patch, patch, true};
   }
   std::uint64_t apart() const override { return 0; }
@@ -84,6 +85,7 @@ bool holds_patches(const std::string& path) {
     read_text_file(path, 0);  // says why
     return false;
   }
+  if (is_bpt(path)) return true;
   char first = ' ';
   file >> std::ws;
   return file.get(first) && first == '{';

@@ -14,7 +14,7 @@ class RecentPatches {
  public:
   explicit RecentPatches(const ModelFile& file) : file_(file), places_(size) {}
 
-  const NamedPatch& patch(std::uint32_t i) {
+  const NamedRationalPatch& patch(std::uint32_t i) {
     auto& place = places_[i % size];
     if (!place || place->first != i) place.emplace(i, file_.patch(i));
     return place->second;
@@ -24,7 +24,7 @@ class RecentPatches {
   static constexpr std::size_t size = 4096;
 
   const ModelFile& file_;
-  std::vector<std::optional<std::pair<std::uint32_t, NamedPatch>>> places_;
+  std::vector<std::optional<std::pair<std::uint32_t, NamedRationalPatch>>> places_;
 };
 
 class Model : public BatchInput {
@@ -32,7 +32,7 @@ class Model : public BatchInput {
   Model(const std::string& path, bool self, const Shard& shard)
       : checksum_(file_checksum(path)),
         file_(path,
-              [this](const NamedPatch& patch) {
+              [this](const NamedRationalPatch& patch) {
                 names_.push_back(patch.name);
                 boxes_.push_back(rounded_outwards(bounding_box(patch.patch)));
               }),

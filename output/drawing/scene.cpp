@@ -26,7 +26,7 @@ std::array<double, 3> rounded(const Point& p) {
 }
 
 /// `place` is 0 for the patch of (u,v), 2 for that of (r,s).
-SceneMesh sampled(const BezierPatch& patch, const std::string& name, int cells, std::size_t place) {
+SceneMesh sampled(const RationalPatch& patch, const std::string& name, int cells, std::size_t place) {
   SceneMesh mesh{"patch " + name, {}, {}, nothing_proved};
   for (int i = 0; i <= cells; ++i) {
     for (int j = 0; j <= cells; ++j) {
@@ -121,7 +121,7 @@ SceneCurve parameter_line(const LineQuery& query, const BezierPatch& owner) {
 
 }  // namespace
 
-Scene intersection_scene(const IntersectResult& result, const BezierPatch& x, const BezierPatch& y,
+Scene intersection_scene(const IntersectResult& result, const RationalPatch& x, const RationalPatch& y,
                          const PatchNames& names, const std::string& title, int cells) {
   Scene scene{title, names.parameters, {}, {}, {}};
   scene.meshes = {sampled(x, names.first, cells, 0), sampled(y, names.second, cells, 2)};

@@ -1,7 +1,7 @@
 // What the files for other tools show: sampled patches, polylines and nodes, in doubles.
 #pragma once
 
-#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 #include <exsect/implicit/revolution_mesh.h>
 #include <exsect/solver/line_patch.h>
 #include <exsect/solver/result.h>
@@ -56,7 +56,7 @@ struct Scene {
 };
 
 /// Throws std::invalid_argument if a coordinate of a patch is beyond the range of doubles.
-Scene intersection_scene(const IntersectResult& result, const BezierPatch& x, const BezierPatch& y,
+Scene intersection_scene(const IntersectResult& result, const RationalPatch& x, const RationalPatch& y,
                          const PatchNames& names, const std::string& title, int cells);
 Scene self_scene(const IntersectResult& result, const BezierPatch& x, const std::string& name,
                  const std::string& title, int cells);

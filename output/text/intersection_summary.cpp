@@ -62,8 +62,8 @@ std::vector<std::string> node_words(const Node& node, const ParameterNames& name
   return {std::to_string(node.id), joined(kinds, ", "), joined(places, " "), joined(wrt, " ")};
 }
 
-std::string nodes_text(const IntersectionGraph& graph, const ParameterNames& names, const BezierPatch& x,
-                       const BezierPatch& y, bool verbose) {
+std::string nodes_text(const IntersectionGraph& graph, const ParameterNames& names, const RationalPatch& x,
+                       const RationalPatch& y, bool verbose) {
   std::vector<ParameterBox> boxes;
   std::vector<std::vector<std::string>> rows;
   for (const Node& node : graph.nodes) {
@@ -151,8 +151,8 @@ std::string section(const std::string& text) { return text.empty() ? "" : "\n" +
 
 }  // namespace
 
-std::string intersection_summary(const IntersectResult& result, const PatchNames& names, const BezierPatch& x,
-                                 const BezierPatch& y, bool verbose) {
+std::string intersection_summary(const IntersectResult& result, const PatchNames& names,
+                                 const RationalPatch& x, const RationalPatch& y, bool verbose) {
   const IntersectionGraph& graph = result.graph;
   return headline(result, names) + turning_text(graph, names.parameters) + section(components_text(graph)) +
          section(nodes_text(graph, names.parameters, x, y, verbose)) +

@@ -1,7 +1,7 @@
 // The result of `exsect intersect` as text for a reader.
 #pragma once
 
-#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/result.h>
 
 #include <string>
@@ -13,7 +13,7 @@ namespace exsect::cli {
 /// Status, components, nodes, arcs, time and what is not known, ending with a line feed. Digits of nodes are
 /// proved, more of them where `verbose`, which adds what was counted on the way. For a patch and itself x and
 /// y are that patch.
-std::string intersection_summary(const IntersectResult& result, const PatchNames& names, const BezierPatch& x,
-                                 const BezierPatch& y, bool verbose);
+std::string intersection_summary(const IntersectResult& result, const PatchNames& names,
+                                 const RationalPatch& x, const RationalPatch& y, bool verbose);
 
 }  // namespace exsect::cli

@@ -9,9 +9,15 @@
 namespace exsect::cli {
 namespace {
 
-BoundingBox piece_box(const BezierPatch& patch, const RationalInterval& first,
+/// The part of a box of solutions that lies in the parameters' domain.
+RationalInterval in_domain(const RationalInterval& t) {
+  return {std::max<Rational>(t.lower, 0), std::min<Rational>(t.upper, 1)};
+}
+
+BoundingBox piece_box(const RationalPatch& patch, const RationalInterval& first,
                       const RationalInterval& second) {
-  return bounding_box(patch.restricted_to(first.lower, first.upper, second.lower, second.upper));
+  const RationalInterval a = in_domain(first), b = in_domain(second);
+  return bounding_box(patch.restricted_to(a.lower, a.upper, b.lower, b.upper));
 }
 
 /// The power of ten that the largest coordinate reaches; 0 if all of them are zero.
@@ -25,7 +31,7 @@ long scale_of(const std::vector<SpaceBox>& places) {
 
 }  // namespace
 
-SpaceBox space_box(const ParameterBox& box, const BezierPatch& x, const BezierPatch& y) {
+SpaceBox space_box(const ParameterBox& box, const RationalPatch& x, const RationalPatch& y) {
   const BoundingBox a = piece_box(x, box[index(Parameter::u)], box[index(Parameter::v)]);
   const BoundingBox b = piece_box(y, box[index(Parameter::r)], box[index(Parameter::s)]);
   SpaceBox place;
@@ -34,8 +40,9 @@ SpaceBox space_box(const ParameterBox& box, const BezierPatch& x, const BezierPa
   return place;
 }
 
-std::vector<std::vector<std::string>> place_rows(const std::vector<ParameterBox>& boxes, const BezierPatch& x,
-                                                 const BezierPatch& y, int decimals) {
+std::vector<std::vector<std::string>> place_rows(const std::vector<ParameterBox>& boxes,
+                                                 const RationalPatch& x, const RationalPatch& y,
+                                                 int decimals) {
   std::vector<SpaceBox> places;
   places.reserve(boxes.size());
   for (const ParameterBox& box : boxes) places.push_back(space_box(box, x, y));

@@ -454,7 +454,7 @@ def test_a_bad_model_is_refused_with_its_line(tmp_path, pairs):
     patches = [p for pair in pairs for p in pair]
     for broken, reason in [
         ([*patches[:5], patches[2]], ":7: $.name: name \"flat1\" given to two patches"),
-        ([patches[0], {**patches[1], "degree": [3, 3]}], ":3: $.degree[0]"),
+        ([patches[0], {**patches[1], "degree": [3, 4]}], ":3: $.degree[1]: degree 4 is not supported"),
         ([patches[0], {**patches[1], "extra": 1}], ":3: $: unknown key"),
         ([], "at least one patch"),
     ]:

@@ -3,6 +3,7 @@
 #include <cli/batch/batch_output.h>
 #include <cli/batch/tally.h>
 #include <exsect/checker/check_certificate.h>
+#include <exsect/geometry/bpt_file.h>
 #include <exsect/geometry/candidate_file.h>
 #include <exsect/geometry/curve_file.h>
 #include <exsect/geometry/model_file.h>
@@ -59,10 +60,25 @@ void read_number(std::string_view text) {
   read_one_number(parse_binary64, text);
 }
 
+void require_same_when_written(const RationalPatchFile& patches) {
+  require(parse_rational_patches(format_patches(patches), file) == patches,
+          "patches are written as they were read");
+}
+
 void read_patch_file(std::string_view text) {
   try {
+    require_same_when_written(parse_rational_patches(std::string(text), file));
     const PatchFile patches = parse_patches(std::string(text), file);
-    require(parse_patches(format_patches(patches), file) == patches, "patches are written as they were read");
+    require(parse_patches(format_patches(patches), file) == patches,
+            "biquadratic patches are written as they were read");
+  } catch (const InputError&) {
+    return;
+  }
+}
+
+void read_bpt_file(std::string_view text) {
+  try {
+    require_same_when_written(parse_bpt(std::string(text), file));
   } catch (const InputError&) {
     return;
   }
@@ -72,7 +88,7 @@ void read_model(std::string_view text) {
   const MemoryFile model(text);
   try {
     std::size_t count = 0;
-    const ModelFile read(model.path(), [&](const NamedPatch&) { ++count; });
+    const ModelFile read(model.path(), [&](const NamedRationalPatch&) { ++count; });
     require(count == read.size() && count > 0, "a model tells how many patches it has");
     for (std::size_t i = 0; i < count; ++i) require(!read.patch(i).name.empty(), "a patch is read twice");
   } catch (const InputError&) {
@@ -146,6 +162,7 @@ void read_journal(std::string_view text) {
 
 constexpr Reader all[] = {{"number", read_number},
                           {"patches", read_patch_file},
+                          {"bpt", read_bpt_file},
                           {"model", read_model},
                           {"curve", read_curve_file},
                           {"candidate-json", read_candidate_file<CandidateFormat::json>},

@@ -14,7 +14,7 @@ struct Reader {
   void (*read)(std::string_view text);
 };
 
-/// number, patches, model, curve, candidate-json, candidate-csv, candidate-obj, candidate-g2, certificate,
+/// number, patches, bpt, model, curve, candidate-json, candidate-csv, candidate-obj, candidate-g2, certificate,
 /// batch-line and journal.
 std::span<const Reader> readers();
 

@@ -15,13 +15,13 @@ std::string patch(const std::string& name) {
 }
 
 struct Content {
-  std::vector<NamedPatch> patches;
+  std::vector<NamedRationalPatch> patches;
   ModelFile file;
 };
 
 Content read(const std::string& path) {
-  std::vector<NamedPatch> patches;
-  ModelFile file(path, [&](const NamedPatch& p) { patches.push_back(p); });
+  std::vector<NamedRationalPatch> patches;
+  ModelFile file(path, [&](const NamedRationalPatch& p) { patches.push_back(p); });
   return {std::move(patches), std::move(file)};
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("a model has the patches of the patch file with the same lines") {
   const ScratchDirectory scratch;
   for (const char* numbers : {"decimal", "binary64"}) {
     const std::string kind = R"("title": "t", "numbers": ")" + std::string(numbers) + "\"";
-    const PatchFile expected = parse_patches(
+    const RationalPatchFile expected = parse_rational_patches(
         R"({"exsect": "patches/1", )" + kind + R"(, "patches": [)" + patch("a") + "," + patch("b") + "]}",
         "");
     for (const char* end : {"\n", "\r\n", "\n\n"}) {
@@ -68,7 +68,7 @@ TEST_CASE("a patch file is a model, on one line too") {
     const std::string text =
         std::string("{\"exsect\": \"patches/1\",") + space + "\"patches\": [" + patch("a") + "]}";
     const Content content = read(written(scratch, text));
-    CHECK(content.patches == parse_patches(text, "").patches);
+    CHECK(content.patches == parse_rational_patches(text, "").patches);
     CHECK(content.file.patch(0) == content.patches[0]);
   }
 }

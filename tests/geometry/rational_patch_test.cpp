@@ -208,7 +208,7 @@ TEST_CASE("a half circle has a control point at infinity in its true degree", "[
   CHECK(reduced.weight(1, 0) == 0);
   CHECK_THROWS_AS(reduced.point(1, 0), std::domain_error);
   CHECK(reduced.elevated(3, 1) == cylinder);
-  CHECK(kind_of(cylinder) == "weighted, of bidegree (2,1)");
+  CHECK(kind_of(cylinder) == "bidegree (2,1) with weights");
   for (const Rational& u : parameters) {
     const Point p = cylinder(u, Rational(1, 2));
     CHECK(p[0] * p[0] + p[1] * p[1] == 1);

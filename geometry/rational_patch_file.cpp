@@ -1,0 +1,169 @@
+#include "rational_patch_file.h"
+
+#include <cstddef>
+#include <set>
+
+#include "bpt_file.h"
+#include "json_value.h"
+#include "patch_value.h"
+
+namespace exsect {
+namespace {
+
+constexpr const char* version = "patches/1";
+constexpr std::size_t max_depth = 16;
+
+int read_degree(const JsonValue& value) {
+  for (int degree = 1; degree <= max_patch_degree; ++degree)
+    if (value.is_bare(std::to_string(degree))) return degree;
+  const std::string given(value.bare_number());
+  value.fail(given.empty() ? "degree must be 1, 2 or 3"
+                           : "degree " + given.substr(0, 20) + " is not supported: must be 1, 2 or 3");
+}
+
+std::vector<std::vector<Point>> read_points(const JsonValue& points, const std::array<int, 2>& degree,
+                                            NumberReader read) {
+  std::vector<std::vector<Point>> rows;
+  points.require_size(static_cast<std::size_t>(degree[0]) + 1, "rows for this degree");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const JsonValue row = points.at(i);
+    row.require_size(static_cast<std::size_t>(degree[1]) + 1, "points for this degree");
+    rows.emplace_back();
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      const JsonValue point = row.at(j);
+      point.require_size(3, "coordinates");
+      rows.back().push_back(Point{read_number(point.at(0), read), read_number(point.at(1), read),
+                                  read_number(point.at(2), read)});
+    }
+  }
+  return rows;
+}
+
+std::vector<std::vector<Rational>> read_weights(const JsonValue& weights, const std::array<int, 2>& degree,
+                                                NumberReader read) {
+  std::vector<std::vector<Rational>> rows;
+  weights.require_size(static_cast<std::size_t>(degree[0]) + 1, "rows for this degree");
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const JsonValue row = weights.at(i);
+    row.require_size(static_cast<std::size_t>(degree[1]) + 1, "weights for this degree");
+    rows.emplace_back();
+    for (std::size_t j = 0; j < row.size(); ++j) rows.back().push_back(read_number(row.at(j), read));
+  }
+  return rows;
+}
+
+std::string format_point(const Point& p) {
+  return "[" + format_json_number(p[0]) + ", " + format_json_number(p[1]) + ", " + format_json_number(p[2]) +
+         "]";
+}
+
+/// Rows of numbers or points, [[...], [...]], each row on a line of its own.
+template <class Format>
+std::string format_rows(const RationalPatch& patch, Format format) {
+  std::string text = "[";
+  for (int i = 0; i <= patch.degree_u(); ++i) {
+    text += i == 0 ? "\n   [" : ",\n   [";
+    for (int j = 0; j <= patch.degree_v(); ++j) text += (j == 0 ? "" : ", ") + format(i, j);
+    text += "]";
+  }
+  return text + "]";
+}
+
+std::string format_patch(const NamedRationalPatch& named) {
+  const RationalPatch& patch = named.patch;
+  bool has_weights = false;
+  for (int i = 0; i <= patch.degree_u(); ++i)
+    for (int j = 0; j <= patch.degree_v(); ++j) {
+      const HomogeneousPoint& p = patch.homogeneous(i, j);
+      const bool at_infinity = p[3] == 0 && !is_zero({p[0], p[1], p[2]});
+      if (at_infinity)
+        throw std::invalid_argument("patch file: \"" + named.name + "\" has a control point at infinity");
+      has_weights = has_weights || p[3] != 1;
+    }
+  std::string text =
+      "  {\"name\": " + json_string(named.name) + ", \"degree\": [" + std::to_string(patch.degree_u()) +
+      ", " + std::to_string(patch.degree_v()) +
+      "], \"points\": " + format_rows(patch, [&](int i, int j) { return format_point(patch.point(i, j)); });
+  if (has_weights)
+    text += ",\n   \"weights\": " +
+            format_rows(patch, [&](int i, int j) { return format_json_number(patch.weight(i, j)); });
+  return text + "}";
+}
+
+}  // namespace
+
+NamedRationalPatch read_named_patch(const JsonValue& value, NumberReader read) {
+  value.require_object({"name", "degree", "points", "weights"});
+  const JsonValue name = value.member("name");
+  if (name.string().empty()) name.fail("must not be empty");
+  if (name.string().size() > max_name_bytes)
+    name.fail("must not be longer than " + std::to_string(max_name_bytes) + " bytes");
+  const JsonValue degrees = value.member("degree");
+  degrees.require_size(2, "degrees");
+  const std::array<int, 2> degree = {read_degree(degrees.at(0)), read_degree(degrees.at(1))};
+  const auto points = read_points(value.member("points"), degree, read);
+  const auto weights = value.has("weights") ? read_weights(value.member("weights"), degree, read)
+                                            : std::vector<std::vector<Rational>>();
+  try {
+    return {name.string(), RationalPatch(points, weights)};
+  } catch (const PatchError& error) {
+    value.member(error.where().c_str()).fail(error.reason());
+  }
+}
+
+RationalPatchFile parse_rational_patches(const std::string& text, const std::string& filename) {
+  if (text.size() > max_patch_file_bytes)
+    throw InputError(filename, "", "longer than " + std::to_string(max_patch_file_bytes) + " bytes");
+  const JsonTree tree = parse_json(text, filename, max_depth);
+  const JsonValue root(tree, filename, "$");
+  root.require_form(version);
+  root.require_object({"exsect", "title", "source", "numbers", "patches"});
+  RationalPatchFile file;
+  if (root.has("title")) file.title = root.member("title").string();
+  if (root.has("source")) file.source = root.member("source").string();
+  const NumberReader read = number_reader(root);
+  const JsonValue patches = root.member("patches");
+  if (patches.size() == 0) patches.fail("must hold at least one patch");
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    file.patches.push_back(read_named_patch(patches.at(i), read));
+    if (!names.insert(file.patches.back().name).second)
+      patches.at(i).member("name").fail("name \"" + printable(file.patches.back().name) +
+                                        "\" given to two patches");
+  }
+  return file;
+}
+
+RationalPatchFile read_rational_patches(const std::string& path) {
+  const std::string text = read_text_file(path, max_patch_file_bytes);
+  return is_bpt(path) ? parse_bpt(text, path) : parse_rational_patches(text, path);
+}
+
+std::string format_patches(const RationalPatchFile& file) {
+  if (file.patches.empty()) throw std::invalid_argument("patch file: must hold at least one patch");
+  std::string text = "{\n \"exsect\": " + json_string(version);
+  if (!file.title.empty()) text += ",\n \"title\": " + json_string(file.title);
+  if (!file.source.empty()) text += ",\n \"source\": " + json_string(file.source);
+  text += ",\n \"patches\": [\n";
+  std::set<std::string> names;
+  const char* before_patch = "";
+  for (const NamedRationalPatch& named : file.patches) {
+    if (named.name.empty() || !names.insert(named.name).second)
+      throw std::invalid_argument("patch file: names must be distinct and not empty");
+    if (named.name.size() > max_name_bytes)
+      throw std::invalid_argument("patch file: names must not be longer than " +
+                                  std::to_string(max_name_bytes) + " bytes");
+    text += before_patch + format_patch(named);
+    before_patch = ",\n";
+  }
+  text += "\n ]\n}\n";
+  if (text.size() > max_patch_file_bytes)
+    throw std::invalid_argument("patch file: longer than " + std::to_string(max_patch_file_bytes) + " bytes");
+  return text;
+}
+
+void write_patches(const RationalPatchFile& file, const std::string& path) {
+  write_file_atomically(path, format_patches(file));
+}
+
+}  // namespace exsect

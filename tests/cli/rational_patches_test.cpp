@@ -1,0 +1,110 @@
+// Patches of bidegrees up to (3,3), with and without weights, before all commands.
+#include <exsect/geometry/rational_patch_file.h>
+
+#include <nlohmann/json.hpp>
+
+#include "run_program.h"
+#include "support/catch.h"
+
+namespace exsect {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string teapot = example("teapot.bpt");
+
+/// A quarter of a cylinder with weights 1, 1, 2, and a plane through it of bidegree (1,1).
+const std::string weighted = R"({"exsect": "patches/1", "patches": [
+  {"name": "quarter", "degree": [2, 1], "points": [[[1,0,0],[1,0,1]], [[1,1,0],[1,1,1]], [[0,1,0],[0,1,1]]],
+   "weights": [[1, 1], [1, 1], [2, 2]]},
+  {"name": "plane", "degree": [1, 1], "points": [[[0,0,"1/2"],[0,2,"1/2"]], [[2,0,"1/2"],[2,2,"1/2"]]]}]})";
+
+void check_refused(const std::vector<std::string>& arguments, const std::string& reason) {
+  const ProgramRun run = run_program(arguments);
+  INFO(run.err);
+  CHECK(run.status == 2);
+  CHECK(run.out.empty());
+  CHECK(run.err.find(reason) != std::string::npos);
+}
+
+/// Every example of two patches, with both patches in the net of another shape, or with equal weights.
+RationalPatchFile reshaped(const RationalPatchFile& file, bool weights) {
+  RationalPatchFile result = file;
+  for (NamedRationalPatch& named : result.patches) {
+    const RationalPatch elevated =
+        named.patch.elevated(3, 3 - static_cast<int>(&named - result.patches.data()) % 2);
+    std::vector<std::vector<Point>> points;
+    std::vector<std::vector<Rational>> fifths;
+    for (int i = 0; i <= elevated.degree_u(); ++i) {
+      points.emplace_back();
+      fifths.emplace_back(static_cast<std::size_t>(elevated.degree_v()) + 1, Rational(7, 5));
+      for (int j = 0; j <= elevated.degree_v(); ++j) points.back().push_back(elevated.point(i, j));
+    }
+    named.patch = weights ? RationalPatch(points, fifths) : RationalPatch(points);
+  }
+  return result;
+}
+
+Json result_of(const std::vector<std::string>& arguments) {
+  const ProgramRun run = run_program(arguments);
+  INFO(run.err);
+  CHECK(run.status == 0);
+  Json json = Json::parse(run.out);
+  json.erase("work");
+  return json;
+}
+
+TEST_CASE("a biquadratic patch of another shape has the same results") {
+  const ScratchDirectory scratch;
+  for (const char* name : {"chapter9-first.json", "touching-curve.json"}) {
+    for (const bool weights : {false, true}) {
+      const std::string file = scratch.path("elevated.json");
+      write_patches(reshaped(read_rational_patches(example(name)), weights), file);
+      CHECK(result_of({"intersect", file, "--json", "-"}) ==
+            result_of({"intersect", example(name), "--json", "-"}));
+      CHECK(result_of({"line", file, "--u", "1/3", "--json", "-"}) ==
+            result_of({"line", example(name), "--u", "1/3", "--json", "-"}));
+    }
+  }
+}
+
+TEST_CASE("what patches of higher degree or with weights cannot have is refused with their kind") {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.path("weighted.json");
+  write(file, weighted);
+  const std::string here =
+      ": patch \"quarter\": not supported here: bidegree (2,1) with weights, only polynomial";
+  check_refused({"line", file, "--u", "1/2"}, file + here);
+  check_refused({"compare", file}, file + here);
+  check_refused({"self", file, "--patch", "quarter"}, file + here);
+  check_refused({"implicitize", file, "--patch", "quarter"}, file + here);
+  check_refused({"revolve", example("profile.json"), "--method", "elimination", "--patch-file", file,
+                 "--patch", "quarter"},
+                file + here);
+  const std::string candidate = scratch.path("c.csv");
+  write(candidate, "x,y,z\n0,0,0\n1,1,1\n");
+  check_refused({"verify", candidate, file, "--first", "quarter", "--second", "plane", "--tolerance", "1e-3"},
+                file + here);
+  for (const char* option : {"--report", "--certificate"})
+    check_refused(
+        {"intersect", file, option, scratch.path("out")},
+        file + ": patch \"quarter\": not supported yet with " + option + ": bidegree (2,1) with weights");
+  check_refused({"intersect", file, "--exact"},
+                "not supported yet with --exact: bidegree (2,1) with weights");
+  check_refused({"intersect", teapot, "--first", "13", "--second", "5", "--exact"},
+                teapot + ": patch \"13\": not supported yet with --exact: bidegree (3,3)");
+  check_refused({"line", teapot, "--first", "13", "--second", "5", "--u", "0"},
+                teapot + ": patch \"13\": not supported here: bidegree (3,3)");
+  CHECK(run_program({"self", file, "--patch", "plane"}).status == 0);
+}
+
+TEST_CASE("the teapot is a model with its 32 patches") {
+  const ProgramRun run = run_program({"batch", teapot});
+  INFO(run.err);
+  const Json header = Json::parse(run.out.substr(0, run.out.find('\n')));
+  CHECK(header["model"]["patches"] == 32);
+  CHECK(header["lines"].get<int>() + header["model"]["apart"].get<int>() == 32 * 31 / 2);
+}
+
+}  // namespace
+}  // namespace exsect
