@@ -92,7 +92,8 @@ Solved implicitize_curve(const BezierCurve& curve, const Options& given) {
   return solved(cli::planar_implicit_json(result, options, variables), picture, std::nullopt, std::nullopt);
 }
 
-Solved implicitize_one_patch(const BezierPatch& patch, const Options& given) {
+Solved implicitize_one_patch(const RationalPatch& shape, const Options& given) {
+  const BezierPatch patch = biquadratic_of(shape, "patch");
   const cli::PatchOptions options = cli::patch_options(implicitize_command(given));
   const py::gil_scoped_release release;
   const cli::Json json = cli::patch_implicit_json(cli::implicitize_patch(patch, options), options);
@@ -100,7 +101,7 @@ Solved implicitize_one_patch(const BezierPatch& patch, const Options& given) {
 }
 
 Solved revolve_profile(const BezierCurve& profile, const Options& given,
-                       const std::optional<BezierPatch>& patch, const std::string& patch_name,
+                       const std::optional<RationalPatch>& patch, const std::string& patch_name,
                        const std::vector<std::string>& lines) {
   cli::RevolveCommand command;
   const std::map<std::string, std::string*> texts = {
@@ -109,10 +110,12 @@ Solved revolve_profile(const BezierCurve& profile, const Options& given,
       {"region", &command.region}};
   for (const auto& [key, text] : given) *texts.at(key) = text;
   command.lines = lines;
+  std::optional<NamedPatch> named;
+  if (patch) named.emplace(NamedPatch{patch_name, {2, 2}, biquadratic_of(*patch, patch_name)});
   const py::gil_scoped_release release;
   const RevolveOptions options = cli::revolve_options(command);
   cli::ShownRevolution shown{options.method, profile, revolve(profile, options), std::nullopt};
-  if (patch) shown.patch = cli::shown_on_patch(command.lines, shown.revolution, {patch_name, {2, 2}, *patch});
+  if (named) shown.patch = cli::shown_on_patch(command.lines, shown.revolution, *named);
   return {cli::revolution_json(shown),
           [shown](const std::string& title) { return cli::revolution_svg(shown, title); },
           [shown](const std::string& title) {

@@ -1,6 +1,5 @@
-#include <exsect/solver/intersect.h>
+#include <exsect/solver/intersect_rational.h>
 #include <exsect/solver/line_patch.h>
-#include <exsect/solver/self_intersect.h>
 #include <pybind11/stl.h>
 
 #include "certificate/certificate_text.h"
@@ -34,26 +33,29 @@ std::string scene_text(const cli::Scene& scene, const std::string& format) {
 /// Of two patches, or of one patch with itself: then `second` is empty.
 struct SolvedPair {
   IntersectResult result;
-  BezierPatch first;
-  std::optional<BezierPatch> second;
+  RationalPatch first;
+  std::optional<RationalPatch> second;
   cli::PatchNames names;
+
+  BezierPatch biquadratic_first() const { return biquadratic_of(first, names.first); }
+  BezierPatch biquadratic_second() const { return biquadratic_of(*second, names.second); }
 
   cli::Json json() const {
     return second ? cli::intersection_json(result, names) : cli::self_json(result, names.first);
   }
   std::string svg(const std::string& title) const { return cli::intersection_svg(result, names, title); }
   std::string report(const std::string& title) const {
-    return second ? cli::report_html(result, first, *second, names, {title, ""})
-                  : cli::self_report_html(result, first, names.first, {title, ""});
+    return second ? cli::report_html(result, biquadratic_first(), biquadratic_second(), names, {title, ""})
+                  : cli::self_report_html(result, biquadratic_first(), names.first, {title, ""});
   }
   std::string certificate() const {
-    return second ? cli::certificate_text(first, *second, names, result)
-                  : cli::self_certificate_text(first, names, result);
+    return second ? cli::certificate_text(biquadratic_first(), biquadratic_second(), names, result)
+                  : cli::self_certificate_text(biquadratic_first(), names, result);
   }
   std::string exported(const std::string& format, const std::string& title, int cells) const {
     if (format == "csv") return cli::node_csv(result.graph, names.parameters);
     return scene_text(second ? cli::intersection_scene(result, first, *second, names, title, cells)
-                             : cli::self_scene(result, first, names.first, title, cells),
+                             : cli::self_scene(result, biquadratic_first(), names.first, title, cells),
                       format);
   }
 };
@@ -107,18 +109,22 @@ std::function<void(double, const char*)> watched(const py::object& progress) {
   };
 }
 
-SolvedPair intersect_patches(const BezierPatch& x, const BezierPatch& y,
+SolvedPair intersect_patches(const RationalPatch& x, const RationalPatch& y,
                              const std::array<std::string, 2>& names, const std::string& turning,
                              const std::string& tolerance, const std::string& max_seconds, bool exact,
                              const py::object& progress) {
   IntersectOptions options = options_of(turning, tolerance, max_seconds, cli::pair_names);
   options.exact = exact;
+  if (exact) {
+    biquadratic_of(x, names[0]);
+    biquadratic_of(y, names[1]);
+  }
   options.progress = watched(progress);
   const py::gil_scoped_release release;
   return {intersect(x, y, options), x, y, {names[0], names[1]}};
 }
 
-SolvedPair self_intersect_patch(const BezierPatch& x, const std::string& name, const std::string& turning,
+SolvedPair self_intersect_patch(const RationalPatch& x, const std::string& name, const std::string& turning,
                                 const std::string& tolerance, const std::string& max_seconds,
                                 const py::object& progress) {
   IntersectOptions options = options_of(turning, tolerance, max_seconds, cli::self_names);
@@ -127,11 +133,12 @@ SolvedPair self_intersect_patch(const BezierPatch& x, const std::string& name, c
   return {self_intersect(x, options), x, std::nullopt, {name, name, cli::self_names}};
 }
 
-SolvedLine intersect_parameter_line(const BezierPatch& x, const BezierPatch& y,
+SolvedLine intersect_parameter_line(const RationalPatch& first, const RationalPatch& second,
                                     const std::array<std::string, 2>& names, const std::string& parameter,
                                     const py::object& value) {
   const std::vector<Parameter> fixed = cli::parameter_list("parameter", parameter);
   if (fixed.size() != 1) throw std::invalid_argument("parameter: one of u, v, r, s is needed");
+  const BezierPatch x = biquadratic_of(first, names[0]), y = biquadratic_of(second, names[1]);
   const LineQuery query{fixed.front(), rational_of(value, Numbers::exact, parameter)};
   const py::gil_scoped_release release;
   return {intersect_line(x, y, query), x, y, {names[0], names[1]}};

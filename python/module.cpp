@@ -1,7 +1,7 @@
 // The compiled part of the Python module exsect; python/exsect/__init__.py is what users import.
 #include <exsect/geometry/curve_file.h>
 #include <exsect/geometry/number.h>
-#include <exsect/geometry/patch_file.h>
+#include <exsect/geometry/rational_patch_file.h>
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
@@ -17,17 +17,34 @@ namespace {
 
 namespace py = pybind11;
 
-py::tuple net_of(const BezierPatch& patch) {
-  py::tuple rows(3);
-  for (std::size_t i = 0; i < 3; ++i) {
-    py::tuple row(3);
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Point& p = patch.net()[i][j];
-      row[j] = fractions_of({p[0], p[1], p[2]});
-    }
-    rows[i] = row;
+/// Rows of what `element` makes of i and j.
+template <class Element>
+py::tuple rows_of(const RationalPatch& patch, Element element) {
+  py::tuple rows(static_cast<std::size_t>(patch.degree_u()) + 1);
+  for (int i = 0; i <= patch.degree_u(); ++i) {
+    py::tuple row(static_cast<std::size_t>(patch.degree_v()) + 1);
+    for (int j = 0; j <= patch.degree_v(); ++j) row[static_cast<std::size_t>(j)] = element(i, j);
+    rows[static_cast<std::size_t>(i)] = row;
   }
   return rows;
+}
+
+py::tuple net_of(const RationalPatch& patch) {
+  return rows_of(patch, [&](int i, int j) {
+    const Point p = patch.point(i, j);
+    return fractions_of({p[0], p[1], p[2]});
+  });
+}
+
+py::tuple weights_of(const RationalPatch& patch) {
+  return rows_of(patch, [&](int i, int j) { return fraction_of(patch.weight(i, j)); });
+}
+
+bool has_weights(const RationalPatch& patch) {
+  for (int i = 0; i <= patch.degree_u(); ++i)
+    for (int j = 0; j <= patch.degree_v(); ++j)
+      if (patch.weight(i, j) != 1) return true;
+  return false;
 }
 
 py::tuple points_of(const BezierCurve& curve) {
@@ -47,13 +64,16 @@ std::string short_point(const std::vector<Rational>& point) {
   return text + ")";
 }
 
-std::string short_patch(const BezierPatch& patch) {
-  const ControlNet& net = patch.net();
-  const auto corner = [&](std::size_t i, std::size_t j) {
-    return short_point({net[i][j][0], net[i][j][1], net[i][j][2]});
+std::string short_patch(const RationalPatch& patch) {
+  const int m = patch.degree_u(), n = patch.degree_v();
+  const auto corner = [&](int i, int j) {
+    const Point p = patch.point(i, j);
+    return short_point({p[0], p[1], p[2]});
   };
-  return "<Patch with corners " + corner(0, 0) + ", " + corner(0, 2) + ", " + corner(2, 0) + ", " +
-         corner(2, 2) + ">";
+  std::string kind = m == 2 && n == 2 ? "" : fmt::format("of bidegree ({}, {}) ", m, n);
+  if (has_weights(patch)) kind += "with weights, ";
+  return "<Patch " + kind + "with corners " + corner(0, 0) + ", " + corner(0, n) + ", " + corner(m, 0) +
+         ", " + corner(m, n) + ">";
 }
 
 std::string short_curve(const BezierCurve& curve) {
@@ -62,33 +82,59 @@ std::string short_curve(const BezierCurve& curve) {
 }
 
 void add_patch(py::module_& module) {
-  py::class_<BezierPatch>(module, "Patch", R"(A biquadratic Bezier patch with exact control points.
+  py::class_<RationalPatch>(module, "Patch",
+                            R"(A Bezier patch with exact control points, with or without weights.
 
-Patch(points) takes m+1 rows of n+1 points [x, y, z], m and n in {1, 2}; the row belongs to the first
-parameter (u or r), the column to the second (v or s). Lower degrees are raised exactly. Coordinates are int,
-fractions.Fraction, decimal.Decimal, or strings: "3/7", "0.1" (exactly 1/10), "0x1.8p-3". Floats are refused:
-see from_floats.)")
-      .def(py::init([](const py::object& points) { return patch_of(points, Numbers::exact); }),
-           py::arg("points"))
+Patch(points, weights=None) takes m+1 rows of n+1 points [x, y, z], m and n in {1, 2, 3}; the row belongs to the
+first parameter (u or r), the column to the second (v or s). Coordinates are int, fractions.Fraction,
+decimal.Decimal, or strings: "3/7", "0.1" (exactly 1/10), "0x1.8p-3". Floats are refused: see from_floats.
+Weights are m+1 rows of n+1 numbers; points are not multiplied by them. Without weights lower degrees than 2
+are raised exactly, if none is above. ValueError for other shapes, and for weights with which the denominator
+is not positive on the whole square.)")
+      .def(py::init([](const py::object& points, const py::object& weights) {
+             return patch_of(points, weights, Numbers::exact);
+           }),
+           py::arg("points"), py::arg("weights") = py::none())
       .def_static(
-          "from_floats", [](const py::object& points) { return patch_of(points, Numbers::floats); },
-          py::arg("points"),
-          "The patch whose coordinates are the binary64 numbers that the floats are, exactly: 0.1 is\n"
-          "3602879701896397/2**55. Lists, or an array of numpy.")
-      .def_property_readonly("points", &net_of, "The 3 x 3 control points, tuples of Fraction.")
+          "from_floats",
+          [](const py::object& points, const py::object& weights) {
+            return patch_of(points, weights, Numbers::floats);
+          },
+          py::arg("points"), py::arg("weights") = py::none(),
+          "The patch whose coordinates and weights are the binary64 numbers that the floats are, exactly: "
+          "0.1 is\n"
+          "3602879701896397/2**55. Lists, or arrays of numpy.")
+      .def_property_readonly("points", &net_of, "The rows of control points, tuples of Fraction.")
+      .def_property_readonly("weights", &weights_of,
+                             "The rows of weights, tuples of Fraction; 1 without weights.")
+      .def_property_readonly(
+          "degree",
+          [](const RationalPatch& patch) { return py::make_tuple(patch.degree_u(), patch.degree_v()); },
+          "The degrees of the net in the first and in the second parameter.")
       .def(
           "__call__",
-          [](const BezierPatch& patch, const py::object& first, const py::object& second) {
-            const Point p = patch(rational_of(first, Numbers::exact, "first parameter"),
-                                  rational_of(second, Numbers::exact, "second parameter"));
+          [](const RationalPatch& patch, const py::object& first, const py::object& second) {
+            const Rational u = rational_of(first, Numbers::exact, "first parameter");
+            const Rational v = rational_of(second, Numbers::exact, "second parameter");
+            if (patch.homogeneous_at(u, v)[3] == 0)
+              throw std::invalid_argument("the denominator vanishes at these parameters");
+            const Point p = patch(u, v);
             return fractions_of({p[0], p[1], p[2]});
           },
           py::arg("first"), py::arg("second"), "The point at exact parameters, in the square or not.")
       .def(
-          "__eq__", [](const BezierPatch& a, const BezierPatch& b) { return a == b; }, py::is_operator())
+          "__eq__", [](const RationalPatch& a, const RationalPatch& b) { return a == b; }, py::is_operator())
       .def("__repr__", &short_patch)
-      .def(py::pickle([](const BezierPatch& patch) { return net_of(patch); },
-                      [](const py::tuple& points) { return patch_of(points, Numbers::exact); }));
+      .def(py::pickle(
+          [](const RationalPatch& patch) {
+            return py::make_tuple(net_of(patch),
+                                  has_weights(patch) ? py::object(weights_of(patch)) : py::none());
+          },
+          [](const py::tuple& state) {
+            // Before there were weights, the state was the 3 rows of points.
+            if (state.size() == 3) return patch_of(state, py::none(), Numbers::exact);
+            return patch_of(state[0], state[1], Numbers::exact);
+          }));
 }
 
 void add_curve(py::module_& module) {
@@ -131,15 +177,19 @@ without weights all are 1.)")
 
 void add_files(py::module_& module) {
   module.def("read_patches", [](const std::string& path) {
-    const PatchFile file = read_patches(path);
+    const RationalPatchFile file = read_rational_patches(path);
     py::dict patches;
-    for (const NamedPatch& named : file.patches) patches[py::str(named.name)] = named.patch;
+    for (const NamedRationalPatch& named : file.patches) {
+      const bool raised =
+          std::max(named.patch.degree_u(), named.patch.degree_v()) <= 2 && !has_weights(named.patch);
+      patches[py::str(named.name)] = raised ? named.patch.elevated(2, 2) : named.patch;
+    }
     return patches;
   });
   module.def("write_patches", [](const std::string& path, const py::dict& patches, const std::string& title) {
-    PatchFile file{title, "", {}};
+    RationalPatchFile file{title, "", {}};
     for (const auto& [name, patch] : patches)
-      file.patches.push_back({name.cast<std::string>(), {2, 2}, patch.cast<BezierPatch>()});
+      file.patches.push_back({name.cast<std::string>(), patch.cast<RationalPatch>()});
     write_patches(file, path);
   });
   module.def("read_curve", [](const std::string& path) { return read_curve(path).curve; });

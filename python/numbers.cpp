@@ -129,7 +129,7 @@ py::tuple fractions_of(const std::vector<Rational>& values) {
   return result;
 }
 
-BezierPatch patch_of(const py::object& points, Numbers numbers) {
+RationalPatch patch_of(const py::object& points, const py::object& weights, Numbers numbers) {
   std::vector<std::vector<Point>> net;
   for (const py::object& row : elements(points, "points")) {
     const std::string where = at("points", net.size());
@@ -141,7 +141,23 @@ BezierPatch patch_of(const py::object& points, Numbers numbers) {
       net.back().push_back({coordinates[0], coordinates[1], coordinates[2]});
     }
   }
-  return BezierPatch::elevated(net);
+  if (!weights.is_none()) {
+    std::vector<std::vector<Rational>> rows;
+    for (const py::object& row : elements(weights, "weights"))
+      rows.push_back(numbers_of(row, numbers, at("weights", rows.size())));
+    if (rows.empty()) throw std::invalid_argument("weights: must be as many rows as there are of points");
+    return RationalPatch(net, rows);
+  }
+  const RationalPatch patch(net);
+  return std::max(patch.degree_u(), patch.degree_v()) > 2 ? patch : patch.elevated(2, 2);
+}
+
+BezierPatch biquadratic_of(const RationalPatch& patch, const std::string& name) {
+  const std::optional<BezierPatch> result = patch.biquadratic();
+  if (!result)
+    throw std::invalid_argument("patch \"" + name + "\": not supported here: " + kind_of(patch) +
+                                ", only polynomial patches of bidegree up to (2,2)");
+  return *result;
 }
 
 BezierCurve curve_of(const py::object& points, const py::object& weights, Numbers numbers) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <exsect/geometry/bezier_curve.h>
-#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 #include <pybind11/pybind11.h>
 
 #include <string>
@@ -24,8 +24,11 @@ Rational rational_of(pybind11::handle number, Numbers numbers, const std::string
 pybind11::object fraction_of(const Rational& value);
 pybind11::tuple fractions_of(const std::vector<Rational>& values);
 
-/// m+1 rows of n+1 points of 3 coordinates, m and n in {1,2}.
-BezierPatch patch_of(const pybind11::object& points, Numbers numbers);
+/// m+1 rows of n+1 points of 3 coordinates, m and n from 1 to 3; weights are None or as many numbers. A patch
+/// without weights of bidegree below (2,2) is elevated to it. Throws std::invalid_argument as RationalPatch.
+RationalPatch patch_of(const pybind11::object& points, const pybind11::object& weights, Numbers numbers);
+/// The patch for methods that take no other; std::invalid_argument that names it and its kind for any other.
+BezierPatch biquadratic_of(const RationalPatch& patch, const std::string& name);
 /// n+1 points of 2 or 3 coordinates; weights are None or n+1 numbers.
 BezierCurve curve_of(const pybind11::object& points, const pybind11::object& weights, Numbers numbers);
 

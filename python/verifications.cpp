@@ -49,10 +49,12 @@ struct SolvedComparison {
 };
 
 /// The text of a candidate file, in the form that the end of its name says.
-SolvedVerdict verify_candidate(const std::string& text, const std::string& filename, const BezierPatch& x,
-                               const BezierPatch& y, const std::array<std::string, 2>& names,
-                               const std::string& tolerance, const std::string& max_seconds) {
+SolvedVerdict verify_candidate(const std::string& text, const std::string& filename,
+                               const RationalPatch& first, const RationalPatch& second,
+                               const std::array<std::string, 2>& names, const std::string& tolerance,
+                               const std::string& max_seconds) {
   const Candidate candidate = parse_candidate(text, filename, candidate_format(filename));
+  const BezierPatch x = biquadratic_of(first, names[0]), y = biquadratic_of(second, names[1]);
   VerifyOptions options;
   options.tolerance = cli::positive_value("tolerance", tolerance);
   if (!max_seconds.empty()) options.max_seconds = cli::positive_value("max_seconds", max_seconds);
@@ -64,9 +66,10 @@ SolvedVerdict verify_candidate(const std::string& text, const std::string& filen
   return {verify(candidate, x, y, options), candidate, x, y, {names[0], names[1]}};
 }
 
-SolvedComparison compare_methods(const BezierPatch& x, const BezierPatch& y,
+SolvedComparison compare_methods(const RationalPatch& first, const RationalPatch& second,
                                  const std::array<std::string, 2>& names, int lines, int pieces,
                                  const std::string& fit, const std::string& plane) {
+  const BezierPatch x = biquadratic_of(first, names[0]), y = biquadratic_of(second, names[1]);
   cli::ComparisonOptions options;
   if (lines < 1 || lines > 10000) throw std::invalid_argument("lines: must be in 1..10000");
   if (pieces < 0 || pieces > 3) throw std::invalid_argument("pieces: must be in 0..3");

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Dict, Tuple
 
 #: Of components in their order, and of the two patches; told apart by readers who see no colours as well.
@@ -16,11 +17,13 @@ def evaluated(patch: Any, first: Any, second: Any) -> Any:
 
     u, v = numpy.broadcast_arrays(numpy.asarray(first, dtype=float), numpy.asarray(second, dtype=float))
     net = numpy.array([[[float(c) for c in point] for point in row] for row in patch.points])
+    weights = numpy.array([[float(w) for w in row] for row in patch.weights])
 
-    def basis(t: Any) -> Any:
-        return numpy.stack([(1 - t) ** 2, 2 * t * (1 - t), t**2], axis=-1)
+    def basis(t: Any, n: int) -> Any:
+        return numpy.stack([math.comb(n, i) * t**i * (1 - t) ** (n - i) for i in range(n + 1)], axis=-1)
 
-    return numpy.einsum("...i,...j,ijk->...k", basis(u), basis(v), net)
+    blend = numpy.einsum("...i,...j,ij->...ij", basis(u, patch.degree[0]), basis(v, patch.degree[1]), weights)
+    return numpy.einsum("...ij,ijk->...k", blend, net) / blend.sum(axis=(-2, -1))[..., None]
 
 
 def _style(component: int) -> Dict[str, Any]:

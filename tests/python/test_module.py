@@ -115,6 +115,73 @@ def test_shapes_that_are_no_patch_are_refused(points):
         exsect.Patch(points)
 
 
+def quarter_of_a_cylinder():
+    return exsect.Patch([[[1, 0, 0], [1, 0, 1]], [[1, 1, 0], [1, 1, 1]], [[0, 1, 0], [0, 1, 1]]], [[1, 1], ["1", 1], [2, "2"]])
+
+
+def cubic():
+    return exsect.Patch([[[i, j, i * j % 3] for j in range(4)] for i in range(3)])
+
+
+def test_weights_and_higher_degrees(tmp_path):
+    patch = quarter_of_a_cylinder()
+    assert patch.degree == (2, 1) and patch.weights == ((1, 1), (1, 1), (2, 2))
+    assert patch("1/2", "1/3") == (Fraction(3, 5), Fraction(4, 5), Fraction(1, 3))
+    assert cubic().degree == (2, 3) and cubic().weights == ((1, 1, 1, 1),) * 3
+    assert cubic()(0, "1/3") == (0, 1, 0)
+    assert exsect.Patch.from_floats([[[0.5, 0, 0], [0, 1, 0]], UNIT[1]], [[0.1, 1], [1, 1]]).weights[0][0] == Fraction(0.1)
+    for each in (patch, cubic()):
+        assert exsect.Patch(each.points, weights=each.weights) == each and pickle.loads(pickle.dumps(each)) == each
+        exsect.write_patches(tmp_path / "p.json", {"a": each})
+        assert exsect.read_patches(tmp_path / "p.json") == {"a": each}
+    assert repr(patch) == "<Patch of bidegree (2, 1) with weights, with corners (1, 0, 0), (1, 0, 1), (0, 1, 0), (0, 1, 1)>"
+    assert patch != exsect.Patch(patch.points)
+    assert list(exsect.read_patches(EXAMPLES / "teapot.bpt")) == [str(k) for k in range(1, 33)]
+
+
+@pytest.mark.parametrize(
+    "weights, reason",
+    [
+        ([], "weights: must be as many rows"),
+        ([[1, 1]], "weights: must be 2 rows as the points, has 1"),
+        ([[1, 1], [1]], r"weights\[1\]: must be 2 weights as the points in a row, has 1"),
+        ([[1, 1], [1, "nan"]], r"weights\[1\]\[1\]: "),
+        ([[1, 1], [1, 0]], r"weights: the denominator vanishes at \(u,v\) = \(1, 1\)"),
+        ([[1, -2], [1, 1]], r"weights: the denominator vanishes at \(u,v\) = \(0, 1/3\)"),
+        ([[-1, -1], [-1, -1]], r"weights: the denominator is negative at \(u,v\) = \(0, 0\)"),
+    ],
+)
+def test_weights_that_are_not_legal_are_refused(weights, reason):
+    with pytest.raises(ValueError, match=reason):
+        exsect.Patch(UNIT, weights)
+    with pytest.raises((ValueError, TypeError), match="float|" + reason):
+        exsect.Patch.from_floats(UNIT, weights)
+
+
+def test_degrees_beyond_three_are_refused_by_name():
+    with pytest.raises(ValueError, match="degree 4 is not supported"):
+        exsect.Patch([[[i, j, 0] for j in range(5)] for i in range(2)])
+    with pytest.raises(ValueError, match="degree 0 is not supported"):
+        exsect.Patch([[[0, 0, 0], [1, 0, 0]]])
+
+
+def test_functions_for_biquadratic_patches_name_the_kind_of_others(first):
+    others = [(quarter_of_a_cylinder(), r"bidegree \(2,1\) with weights"), (cubic(), r"bidegree \(2,3\)")]
+    for patch, kind in others:
+        calls = [
+            lambda p: exsect.line(first["x"], p, u="1/2"),
+            lambda p: exsect.implicitize(p),
+            lambda p: exsect.compare(first["x"], p),
+            lambda p: exsect.verify(EXAMPLES / "candidates/sisl-right.candidate.json", p, first["x"]),
+            lambda p: exsect.intersect(p, first["x"], exact=True),
+        ]
+        for call in calls:
+            with pytest.raises(ValueError, match="not supported here: " + kind + ", only polynomial"):
+                call(patch)
+        # The same patch with equal weights of another shape is taken.
+        assert exsect.line(first["x"], exsect.Patch(UNIT, [[3, 3], [3, 3]]), u="1/2").complete
+
+
 def test_a_patch_is_what_it_was_given_as(tmp_path):
     patch = exsect.Patch(UNIT)
     assert patch("1/3", Fraction(1, 5)) == (Fraction(1, 3), Fraction(1, 5), Fraction(1, 15))
@@ -603,12 +670,13 @@ def test_polynomials_in_latex_and_sympy():
 def test_evaluation_by_numpy(first):
     numpy = pytest.importorskip("numpy")
     u = numpy.linspace(0, 1, 7)
-    points = first["x"].evaluate(u[:, None], u[None, :])
-    assert points.shape == (7, 7, 3) and first["x"].evaluate(0.5, 0.25).shape == (3,)
-    for i, a in enumerate(u):
-        for j, b in enumerate(u):
-            exact = first["x"](Fraction(float(a)), Fraction(float(b)))
-            assert max(abs(float(c) - d) for c, d in zip(exact, points[i, j])) < 1e-15 * 8
+    for patch in (first["x"], quarter_of_a_cylinder(), cubic()):
+        points = patch.evaluate(u[:, None], u[None, :])
+        assert points.shape == (7, 7, 3) and patch.evaluate(0.5, 0.25).shape == (3,)
+        for i, a in enumerate(u):
+            for j, b in enumerate(u):
+                exact = patch(Fraction(float(a)), Fraction(float(b)))
+                assert max(abs(float(c) - d) for c, d in zip(exact, points[i, j])) < 1e-15 * 8
 
 
 def test_plots_by_matplotlib(first, result):
@@ -620,6 +688,7 @@ def test_plots_by_matplotlib(first, result):
         assert (axes.get_xlabel(), axes.get_ylabel()) == tuple(names)
         assert len(axes.lines) == len(result.arcs) + len(result.nodes)
     assert kept(result).plot() is not None and first["x"].plot().name == "3d"
+    assert quarter_of_a_cylinder().plot().name == "3d"
 
 
 def test_dir_shows_what_is_public():
