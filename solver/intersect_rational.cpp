@@ -1,25 +1,31 @@
 #include "intersect_rational.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
+#include "answer/finished_result.h"
+#include "answer/run.h"
+#include "filter/filter.h"
 #include "intersect.h"
 #include "self/self_intersect.h"
 
 namespace exsect {
-namespace {
-
-BezierPatch biquadratic(const RationalPatch& patch) {
-  const std::optional<BezierPatch> result = patch.biquadratic();
-  if (!result) throw NotSupported(patch);
-  return *result;
-}
-
-}  // namespace
 
 IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const IntersectOptions& options) {
-  return intersect(biquadratic(x), biquadratic(y), options);
+  const auto first = x.biquadratic();
+  const auto second = y.biquadratic();
+  if (first && second) return intersect(*first, *second, options);
+  if (!x.is_polynomial() || (options.exact && !first)) throw NotSupported(x);
+  if (!y.is_polynomial() || options.exact) throw NotSupported(y);
+  return in_nearest_rounding([&]() -> IntersectResult {
+    const Run run(options);
+    return run.finished(answered(run, [&] { return intersect_in_doubles(x, y, run); }));
+  });
 }
 
 IntersectResult self_intersect(const RationalPatch& x, const IntersectOptions& options) {
-  return self_intersect(biquadratic(x), options);
+  const auto patch = x.biquadratic();
+  if (!patch) throw NotSupported(x);
+  return self_intersect(*patch, options);
 }
 
 }  // namespace exsect

@@ -1,4 +1,4 @@
-// Intersections of patches of any bidegree up to (3,3), with or without weights.
+// Intersections of patches of any bidegrees up to (3,3), with or without weights.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>
@@ -16,11 +16,15 @@ class NotSupported : public std::invalid_argument {
       : std::invalid_argument("not supported yet: " + kind_of(patch)) {}
 };
 
-/// As intersect() of two BezierPatch, for two patches that are polynomial of bidegree at most (2,2), in
-/// whatever shape they are given. Throws NotSupported for others.
+/// Every point of x(u,v) = y(r,s) in [0,1]^4, as for biquadratic patches: two patches that are polynomial and
+/// of bidegree at most (2,2) take that way. Others are solved in doubles with proved errors (method, section
+/// 14): completely in general position; where doubles do not decide, the result is incomplete and says where
+/// and why. Safe to call from several threads. Throws NotSupported for weighted patches and, with
+/// options.exact, for all that are not biquadratic, and std::invalid_argument for options out of range.
 IntersectResult intersect(const RationalPatch& x, const RationalPatch& y,
                           const IntersectOptions& options = {});
-/// The same for self_intersect().
+/// As self_intersect() of a BezierPatch. Throws NotSupported unless the patch is polynomial and of bidegree at
+/// most (2,2), in whatever shape it is given.
 IntersectResult self_intersect(const RationalPatch& x, const IntersectOptions& options = {});
 
 }  // namespace exsect

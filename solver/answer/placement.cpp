@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace exsect {
 
@@ -25,14 +26,12 @@ struct Box {
   Point lower;
   Point upper;
 
-  Box(const BezierPatch& x, const BezierPatch& y) : lower(x.net()[0][0]), upper(lower) {
-    for (const BezierPatch* patch : {&x, &y})
-      for (const auto& row : patch->net())
-        for (const Point& p : row)
-          for (std::size_t c = 0; c < 3; ++c) {
-            lower[c] = std::min(lower[c], p[c]);
-            upper[c] = std::max(upper[c], p[c]);
-          }
+  explicit Box(std::span<const Point> points) : lower(points.front()), upper(lower) {
+    for (const Point& p : points)
+      for (std::size_t c = 0; c < 3; ++c) {
+        lower[c] = std::min(lower[c], p[c]);
+        upper[c] = std::max(upper[c], p[c]);
+      }
   }
 
   Rational extent() const {
@@ -56,9 +55,19 @@ Rational floor_to(const Rational& q, long exponent) {
   return Rational(whole) * power_of_two(exponent);
 }
 
+std::vector<Point> control_points(const BezierPatch& x, const BezierPatch& y) {
+  std::vector<Point> points;
+  for (const BezierPatch* patch : {&x, &y})
+    for (const auto& row : patch->net()) points.insert(points.end(), row.begin(), row.end());
+  return points;
+}
+
 }  // namespace
 
-Rational model_extent(const BezierPatch& x, const BezierPatch& y) { return Box(x, y).extent(); }
+Rational model_extent(const BezierPatch& x, const BezierPatch& y) {
+  return model_extent(control_points(x, y));
+}
+Rational model_extent(std::span<const Point> points) { return Box(points).extent(); }
 
 Placement::Placement(Point origin, long exponent) : origin_(std::move(origin)), exponent_(exponent) {
   for (std::size_t c = 0; c < 3; ++c) {
@@ -68,7 +77,11 @@ Placement::Placement(Point origin, long exponent) : origin_(std::move(origin)), 
 }
 
 std::optional<Placement> Placement::of(const BezierPatch& x, const BezierPatch& y) {
-  const Box box(x, y);
+  return of(control_points(x, y));
+}
+
+std::optional<Placement> Placement::of(std::span<const Point> points) {
+  const Box box(points);
   const Rational reach = box.reach();
   if (reach == 0) return std::nullopt;
   const Rational extent = box.extent();
@@ -83,12 +96,13 @@ std::optional<Placement> Placement::of(const BezierPatch& x, const BezierPatch& 
 }
 
 BezierPatch Placement::placed(const BezierPatch& patch) const {
-  const Rational scale = power_of_two(-exponent_);
   ControlNet net = patch.net();
   for (auto& row : net)
-    for (Point& p : row) p = scale * (p - origin_);
+    for (Point& p : row) p = placed(p);
   return BezierPatch(net);
 }
+
+Point Placement::placed(const Point& point) const { return power_of_two(-exponent_) * (point - origin_); }
 
 double Placement::left_of(double tolerance) const {
   double rounding = 0;  // as in restore(), where the extent is 1/2

@@ -7,11 +7,14 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 namespace exsect {
 
 /// The largest extent of the common box of the control points.
 Rational model_extent(const BezierPatch& x, const BezierPatch& y);
+/// That of the box of these points, at least one.
+Rational model_extent(std::span<const Point> points);
 
 /// The exact map q -> origin + 2^exponent q from a model about the origin, of extent in [1/2, 1), to the
 /// model that is given. The same rational points of the parameter squares solve both.
@@ -20,9 +23,12 @@ class Placement {
   /// Empty where doubles hold the model well as it is: neither far from the origin for its extent, nor large
   /// or small.
   static std::optional<Placement> of(const BezierPatch& x, const BezierPatch& y);
+  /// The same for a model with these control points, at least one.
+  static std::optional<Placement> of(std::span<const Point> points);
 
   /// A patch of the given model, moved and scaled.
   BezierPatch placed(const BezierPatch& patch) const;
+  Point placed(const Point& point) const;
 
   /// What rounding the points that are put back leaves of a tolerance, relative to the extent; at least half
   /// of it.

@@ -125,18 +125,26 @@ static_assert(kDirectionRounding > 2 * kValueRoundings<3> * kUnit);
 inline constexpr double kDiagonal = 1.75;
 static_assert(kDiagonal * kDiagonal > 3);
 
+// Sizes of what is kept around points of curves; larger, if `Wide`, for pairs that are not biquadratic: the
+// errors of values and derivatives are larger there.
+
 /// Balls of points where pieces of a curve end are smaller than a quarter of this.
-inline constexpr double kEndMargin = 0x1p-28;
+template <bool Wide>
+inline constexpr double kEndMargin = Wide ? 0x1p-25 : 0x1p-28;
 /// Of balls around turning points.
-inline constexpr double kLargestBox = 0x1p-31;
-static_assert(kLargestBox <= kEndMargin / 4);
+template <bool Wide>
+inline constexpr double kLargestBox = Wide ? 0x1p-27 : 0x1p-31;
+static_assert(kLargestBox<false> <= kEndMargin<false> / 4 && kLargestBox<true> <= kEndMargin<true> / 4);
 /// Of tubes along the curve: below this nothing is gained, and boxes of nodes would not fit in.
-inline constexpr double kLeastHalfwidth = 0x1p-26;
-static_assert(kLeastHalfwidth > 2 * kEndMargin);
+template <bool Wide>
+inline constexpr double kLeastHalfwidth = Wide ? 0x1p-23 : 0x1p-26;
+static_assert(kLeastHalfwidth<false> > 2 * kEndMargin<false> && kLeastHalfwidth<true> > 2 * kEndMargin<true>);
 /// |x_u| + |x_v| changes by that much at most within a node's box: |x_uu| + 2 |x_uv| + |x_vv| < 2^8 near the
 /// square, as second differences are at most 4 in each coordinate: 1.74 (24 + 2 * 36 + 24) for n = 3.
-inline constexpr double kSpeedChange = 0x1p-22;
-static_assert(kSpeedChange >= 0x1p8 * kEndMargin / 4);
+template <bool Wide>
+inline constexpr double kSpeedChange = Wide ? 0x1p-19 : 0x1p-22;
+static_assert(kSpeedChange<false> >= 0x1p8 * kEndMargin<false> / 4 &&
+              kSpeedChange<true> >= 0x1p8 * kEndMargin<true> / 4);
 
 // Lines: 14.3.
 

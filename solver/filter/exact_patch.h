@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 
 #include <array>
 #include <type_traits>
@@ -24,6 +25,19 @@ inline const Point& control_point(const BezierPatch& patch, std::size_t i) {
 template <class K>
 const Point& control_point(const ElevatedPatch<K>& patch, std::size_t i) {
   return patch.points[i];
+}
+
+/// The patch with the net of bidegree (K::degree,K::degree). Requires a polynomial patch of no higher
+/// degrees.
+template <class K>
+ElevatedPatch<K> elevated(const RationalPatch& patch) {
+  constexpr int n = static_cast<int>(K::degree);
+  const RationalPatch net = patch.reduced().elevated(n, n);
+  ElevatedPatch<K> result;
+  for (std::size_t k = 0; k < K::count; ++k) {
+    result.points[k] = net.point(static_cast<int>(k / K::side), static_cast<int>(k % K::side));
+  }
+  return result;
 }
 
 }  // namespace exsect::filter

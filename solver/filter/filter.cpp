@@ -7,8 +7,11 @@
 #include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
 #include "answer/graph_builder.h"
+#include "answer/parameter_box.h"
+#include "answer/placement.h"
 #include "filter/contact_graph.h"
 #include "filter/graph.h"
+#include "filter/line.h"
 #include "filter/loops.h"
 #include "filter/overlap.h"
 #include "shape/coincident_parameters.h"
@@ -76,8 +79,12 @@ class FilteredIntersection {
       }
       points = filter::boundary_points(*pair, *contacts, trees, boxes_);
     }
+    if (!points) {
+      stuck_ = place_on_sides(*pair, trees, *contacts);
+      return std::nullopt;
+    }
     std::vector<TraceOf<K>> traces;
-    if (!points || !find_curves(*pair, *contacts, trees, *points, traces)) {
+    if (!find_curves(*pair, *contacts, trees, *points, traces)) {
       return std::nullopt;
     }
     std::vector<AnalysedTraceOf<K>> curves;
@@ -96,7 +103,28 @@ class FilteredIntersection {
     return with_contacts(*pair, *contacts, std::move(*graph), curves);
   }
 
+  /// Where the search ended undecided, centred; empty if that is no place.
+  std::optional<filter::Vec4> stuck() const {
+    const auto is_inside = [](double w) { return std::fabs(w) <= 0.5; };
+    const bool is_place = stuck_ && std::all_of(stuck_->begin(), stuck_->end(), is_inside);
+    return is_place ? stuck_ : std::nullopt;
+  }
+
  private:
+  /// Where the search for boundary points ends.
+  static std::optional<filter::Vec4> place_on_sides(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees,
+                                                    const filter::ContactsOf<K>& contacts) {
+    for (std::size_t fixed = 0; fixed < 4; ++fixed) {
+      for (const double side : {-0.5, 0.5}) {
+        if (const auto at =
+                filter::undecided_on_line(pair, {fixed, side, 0}, contacts, fixed < 2 ? trees.y : trees.x)) {
+          return at;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
   /// Whether the questions are answered that need exact forms of the patches.
   static constexpr bool kExactBehind = std::is_same_v<K, Biquadratic>;
 
@@ -143,6 +171,7 @@ class FilteredIntersection {
           filter::add_loops(pair, contacts, double_points_, trees, points, traces, boxes_, stuck)) {
         return true;
       }
+      stuck_ = stuck;
       if (with_stations_ || double_points_.size() == kMostDoublePoints ||
           !add_double_point(pair, stuck, points)) {
         return false;
@@ -257,17 +286,80 @@ class FilteredIntersection {
   const ExactPatch<K>& y_;
   const Run& run_;
   long boxes_ = 0;
+  std::optional<filter::Vec4> stuck_;
   std::array<std::size_t, 4> coincident_ = kNoneCoincident;
   std::vector<filter::DoublePointOf<K>> double_points_;
   bool with_stations_ = false;
   std::array<std::vector<Stations>, 4> stations_;
 };
 
+/// Of the parameters: what is called the same place in messages.
+constexpr double kNear = 0x1p-16;
+
+/// Why no subdivision decides: a word about the pair at a place, approximately.
+template <class K>
+const char* reason_at(const filter::PairOf<K>& pair, const filter::Unknowns<K>& at) {
+  const auto on_side = [&](std::size_t j) { return std::fabs(std::fabs(at[j]) - 0.5) < kNear; };
+  const int sides = on_side(0) + on_side(1) + on_side(2) + on_side(3);
+  if (sides > 1) return "curve through a corner, or along a side, not decided";
+  const filter::Linearisation<K> here = filter::linearise(pair, at);
+  double tangent = 0;
+  double columns = 1;
+  for (std::size_t j = 0; j < 4; ++j) {
+    tangent = std::max(tangent, std::fabs(here.tangent[j]));
+    columns *= std::sqrt(std::sqrt(filter::dot(here.column[j], here.column[j])));
+  }
+  if (tangent < kNear * columns * std::sqrt(columns)) return "tangency or crossing not decided";
+  return sides > 0 ? "tangency with a side not decided" : "not decided";
+}
+
+/// A box around the place, and all of the domain for what has not been searched.
+template <class K>
+IntersectResult ended_at(const filter::PairOf<K>& pair, const filter::Vec4& place) {
+  filter::Unknowns<K> at{};
+  std::copy(place.begin(), place.end(), at.begin());
+  const char* reason = reason_at<K>(pair, at);
+  IntersectResult result = undecided(whole_domain(), "the search in doubles ended at a place in it");
+  result.incomplete.insert(result.incomplete.begin(), Incomplete{filter::box_around(place, kNear), reason});
+  return result;
+}
+
+template <class K>
+IntersectResult solved(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run) {
+  FilteredIntersection<K> intersection(x, y, run);
+  if (auto found = intersection.run()) return *std::move(found);
+  if (run.out_of_time()) return undecided(whole_domain(), "the work cap was reached");
+  const auto pair = filter::make_pair_of<K>(x, y);
+  const auto place = intersection.stuck();
+  return pair && place ? ended_at<K>(*pair, *place) : undecided(whole_domain(), "not decided in doubles");
+}
+
+/// As it is, and moved and scaled where that helps.
+template <class K>
+IntersectResult intersect_elevated(ExactPatch<K> x, ExactPatch<K> y, const Run& run) {
+  IntersectResult result = solved<K>(x, y, run);
+  std::vector<Point> points(x.points.begin(), x.points.end());
+  points.insert(points.end(), y.points.begin(), y.points.end());
+  const auto place = Placement::of(points);
+  if (result.status == Status::complete || !place) return result;
+  for (ExactPatch<K>* patch : {&x, &y})
+    for (Point& p : patch->points) p = place->placed(p);
+  result = solved<K>(x, y, run.with_tolerance(place->left_of(run.tolerance(1))));
+  place->restore(result.graph);
+  result.coarse = coarse_drawing(result.graph, run.tolerance(to_double(model_extent(points))));
+  return result;
+}
+
 }  // namespace
 
 std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const BezierPatch& y,
                                                   const Run& run) {
   return FilteredIntersection<Biquadratic>(x, y, run).run();
+}
+
+IntersectResult intersect_in_doubles(const RationalPatch& x, const RationalPatch& y, const Run& run) {
+  using filter::Bicubic;
+  return intersect_elevated<Bicubic>(filter::elevated<Bicubic>(x), filter::elevated<Bicubic>(y), run);
 }
 
 std::optional<FilteredCurves> filtered_curves(const BezierPatch& x, const BezierPatch& y, const Run& run) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 
 #include <optional>
 
@@ -14,6 +15,10 @@ namespace exsect {
 /// The complete intersection, with the same proof and the same graph as the exact solution; empty if doubles
 /// do not decide it, after a bounded amount of work.
 std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const BezierPatch& y, const Run& run);
+
+/// The same for any two polynomial patches; where doubles do not decide, an incomplete result says where the
+/// search ended.
+IntersectResult intersect_in_doubles(const RationalPatch& x, const RationalPatch& y, const Run& run);
 
 /// The same with what the curves do, for each sweep parameter; empty also where the patches share a corner or
 /// a part of a side.

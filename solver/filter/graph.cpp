@@ -276,11 +276,11 @@ class GraphMaker {
     return point;
   }
 
-  /// The node's box contains points of the tube; elsewhere in it |x_u| + |x_v| is greater by kSpeedChange at
-  /// most.
+  /// The node's box contains points of the tube; elsewhere in it |x_u| + |x_v| is greater by
+  /// kSpeedChange<K::wide> at most.
   void cover(const Stop<K>& stop) {
     const double radius = node_radius_[static_cast<std::size_t>(stop.node)];
-    vertex_error_ = std::max(vertex_error_, 2 * (bounds_[stop.piece].speed + kSpeedChange) * radius);
+    vertex_error_ = std::max(vertex_error_, 2 * (bounds_[stop.piece].speed + kSpeedChange<K::wide>)*radius);
   }
 
   /// n chords over equal steps of tau; the vertices between them, and the last one if `with_end`. After a

@@ -18,6 +18,7 @@ struct Kind {
   static constexpr std::size_t unknowns = Rows + 1;  // u, v, r, s
   static constexpr std::size_t side = Degree + 1;    // control points along a side
   static constexpr std::size_t count = side * side;
+  static constexpr bool wide = Degree > 2;               // see error_bounds.h
   static constexpr std::size_t orders = 2 * Degree + 1;  // 0 to the greatest total degree
 };
 using Biquadratic = Kind<2, 3>;

@@ -221,7 +221,8 @@ class LineSearch {
   bool add(Root& root) {
     root.ball = point_on_line(root.tube);
     const double margin = root.ball.radius + kPlacing;  // the node's box must be in the region
-    if (!(root.ball.radius < 0.25 * kEndMargin) || !covers(root.tube, around(root.ball.middle, margin))) {
+    if (!(root.ball.radius < 0.25 * kEndMargin<K::wide>) ||
+        !covers(root.tube, around(root.ball.middle, margin))) {
       return false;
     }
     for (const Root& old : roots_) {

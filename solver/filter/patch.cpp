@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace exsect::filter {
 
@@ -19,6 +20,23 @@ CoefficientsOf<K> rounded(const ExactPatch<K>& patch, bool& exact) {
     }
   }
   return net;
+}
+
+/// The rounded net, moved and scaled. Elevated control points are hardly ever doubles: their exact
+/// differences from the origin are rounded, unless these are given.
+template <class K>
+void place(const ExactPatch<K>& patch, const ModelFrame& frame, bool exact, CoefficientsOf<K>& net) {
+  const double scale = std::ldexp(1.0, -static_cast<int>(frame.exponent));
+  for (std::size_t i = 0; i < K::count; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (exact) {
+        net[i][c] = (net[i][c] - frame.origin[c]) * scale;
+      } else {
+        const Rational moved = control_point(patch, i)[c] - from_double(frame.origin[c]);
+        net[i][c] = to_double(moved * power_of_two(-frame.exponent));
+      }
+    }
+  }
 }
 
 /// A polynomial in Bernstein form to powers of t - 1/2; the coefficients stand `step` apart.
@@ -174,18 +192,15 @@ std::optional<PairOf<K>> make_pair_of(const ExactPatch<K>& x, const ExactPatch<K
   if (!(size < 0x1p300) || !(reach > 0x1p-300) || !(size < 0x1p40 * reach)) {
     return std::nullopt;
   }
-  // reach <= 2^exponent (1 - u) or the rounded differences are at most 2^exponent all the same.
-  const int exponent = std::ilogb(reach) + 1;
+  // reach <= 2^exponent (1 - u) or the rounded differences are at most 2^exponent all the same. Where they
+  // are rounded after the subtraction, reach is too small by 2^-12 of itself at most.
+  constexpr bool is_given = std::is_same_v<K, Biquadratic>;  // and not elevated
+  const int exponent = std::ilogb(reach) + (exact || is_given ? 1 : 2);
   pair.frame.exponent = exponent;
-  const double scale = std::ldexp(1.0, -exponent);
-  for (PatchOf<K>* patch : {&pair.x, &pair.y}) {
-    for (Row<K>& p : patch->net) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        p[c] = (p[c] - pair.frame.origin[c]) * scale;
-      }
-    }
-  }
-  const double input_error = kInputError * ((exact ? 0 : size * scale) + 1);
+  place<K>(x, pair.frame, exact || is_given, pair.x.net);
+  place<K>(y, pair.frame, exact || is_given, pair.y.net);
+  const double inexact = exact || !is_given ? 0 : std::ldexp(size, -exponent);
+  const double input_error = kInputError * (inexact + 1);
   fill<K>(pair.x, input_error);
   fill<K>(pair.y, input_error);
   pair.net_error = kSlack * (input_error + kDegreeNetError<K::degree>);

@@ -111,8 +111,8 @@ class Tracer {
     }
     const double reach = 0.51 * step_ + 2 * position_.radius;
     const Row<K> residual = residual_bound(pair_, tube, reach);
-    const double width = std::max(2 * largest(residual), kLeastHalfwidth);
-    if (position_.radius > 0.25 * kEndMargin ||
+    const double width = std::max(2 * largest(residual), kLeastHalfwidth<K::wide>);
+    if (position_.radius > 0.25 * kEndMargin<K::wide> ||
         !certify(pair_, tube, -reach, reach, filled<K>(width), residual) ||
         tube.contraction > kWorstContraction || !contains(tube, position_)) {
       return false;

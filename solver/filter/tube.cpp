@@ -46,6 +46,15 @@ RationalInterval interval(const BallOf<K>& ball, std::size_t parameter) {
   return {middle - radius, middle + radius};
 }
 
+ParameterBox box_around(const Vec4& place, double radius) {
+  ParameterBox box;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const double t = place[j] + 0.5;
+    box[j] = {from_double(std::clamp(t - radius, 0.0, 1.0)), from_double(std::clamp(t + radius, 0.0, 1.0))};
+  }
+  return box;
+}
+
 template <class K>
 Linearisation<K> linearise(const PairOf<K>& pair, const Unknowns<K>& w) {
   const CoefficientsOf<K> x = expand(pair.x, w[0], w[1]);

@@ -2,6 +2,7 @@
 // section 14.2.
 #pragma once
 
+#include "answer/parameter_box.h"
 #include "filter/polynomial.h"
 
 namespace exsect::filter {
@@ -28,6 +29,9 @@ Vec4 parameters_of(const BallOf<K>& ball) {
 /// The values from 0 to 1 of a parameter in the ball.
 template <class K>
 RationalInterval interval(const BallOf<K>& ball, std::size_t parameter);
+
+/// The part of [0,1]^4 within `radius` of a centred place, but for rounding.
+ParameterBox box_around(const Vec4& place, double radius);
 
 /// F and its derivatives at a point, approximately.
 template <class K>

@@ -71,11 +71,11 @@ Direction<K> direction_at(const TubeOf<K>& tube, double tau) {
   return d;
 }
 
-/// At the end of a piece: w_i' has this sign within kEndMargin of it as well, where the neighbouring piece,
-/// or the boundary point itself, begins.
+/// At the end of a piece: w_i' has this sign within kEndMargin<K::wide> of it as well, where the neighbouring
+/// piece, or the boundary point itself, begins.
 template <class K>
 int sign_near(const TubeOf<K>& tube, Direction<K> d, std::size_t i) {
-  d.radius = kSlack * (d.radius + kEndMargin * (std::fabs(tube.second[i]) + tube.second_error[i]));
+  d.radius = kSlack * (d.radius + kEndMargin<K::wide> * (std::fabs(tube.second[i]) + tube.second_error[i]));
   return d.middle[i] > d.radius ? 1 : d.middle[i] < -d.radius ? -1 : 0;
 }
 
@@ -120,8 +120,8 @@ class TurnFinder {
   };
 
   /// Pieces end and begin at offsets of one point in doubles, so with different points of the curve, less
-  /// than kEndMargin apart. What is between them lies on the arcs of both tubes, on which a parameter turns
-  /// once at most, so not at all if it changes in the same sense on both sides.
+  /// than kEndMargin<K::wide> apart. What is between them lies on the arcs of both tubes, on which a
+  /// parameter turns once at most, so not at all if it changes in the same sense on both sides.
   bool joined() const {
     for (std::size_t k = 0; k + 1 < ends_.size(); ++k) {
       if (ends_[k].last != ends_[k + 1].first) {
@@ -251,8 +251,8 @@ class TurnFinder {
     }
     const double reach = 0.505 * std::fabs(to - from) + 4 * radius;
     const Row<K> residual = residual_bound(pair_, result.tube, reach);
-    const double width = std::max(2 * largest(residual), kLeastHalfwidth);
-    if (radius > 0x1p-2 * kEndMargin ||
+    const double width = std::max(2 * largest(residual), kLeastHalfwidth<K::wide>);
+    if (radius > 0x1p-2 * kEndMargin<K::wide> ||
         !certify(pair_, result.tube, -reach, reach, filled<K>(width), residual) ||
         !contains(result.tube, start) || !contains(result.tube, end)) {
       return false;
@@ -287,7 +287,7 @@ class TurnFinder {
       const auto [from, to] = around(piece, t, bound);
       return record(k, i, from, to);
     }
-    for (double delta = 2.5 * d.radius / std::fabs(tube.second[i]) + kPlacing; delta < kLargestBox;
+    for (double delta = 2.5 * d.radius / std::fabs(tube.second[i]) + kPlacing; delta < kLargestBox<K::wide>;
          delta *= 2) {
       const auto [from, to] = around(piece, t, delta);
       const int before = sign_of(direction_at(tube, from), i);
@@ -338,7 +338,8 @@ class TurnFinder {
     turn.ball.radius = kSlack * (turn.ball.radius + steep * (0.5 * std::fabs(to - from) + kSumRounding));
     turns_.push_back(turn);
     // All of the node's box in the region: no other turning point with respect to i is there.
-    return turn.ball.radius < kLargestBox && contains(tube, {turn.ball.middle, turn.ball.radius + kPlacing});
+    return turn.ball.radius < kLargestBox<K::wide> &&
+           contains(tube, {turn.ball.middle, turn.ball.radius + kPlacing});
   }
 
   /// In the order of the trace; the brackets of one piece must be disjoint.

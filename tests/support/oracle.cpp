@@ -291,7 +291,7 @@ int Intersection::closed() const {
 
 int Intersection::open() const { return static_cast<int>(curves.size()) - closed(); }
 
-Intersection intersect(const BezierPatch& x, const BezierPatch& y) {
+Intersection intersect(const RationalPatch& x, const RationalPatch& y) {
   Intersection result;
   try {
     find_curves(System(x, y), result);
@@ -301,7 +301,7 @@ Intersection intersect(const BezierPatch& x, const BezierPatch& y) {
   return result;
 }
 
-LinePoints line_points(const BezierPatch& x, const BezierPatch& y, std::size_t i, double value) {
+LinePoints line_points(const RationalPatch& x, const RationalPatch& y, std::size_t i, double value) {
   LinePoints result;
   try {
     Cell line = {{0.5, 0.5, 0.5, 0.5}, {0.5, 0.5, 0.5, 0.5}, 0};

@@ -32,8 +32,10 @@ std::optional<Vector4> solve(std::array<Vector4, 4> m, Vector4 b) {
   return b;
 }
 
-double power(double a, std::size_t n) { return n == 0 ? 1 : n == 1 ? a : a * a; }
-double binomial(std::size_t n, std::size_t k) { return n == 2 && k == 1 ? 2 : 1; }
+double power(double a, std::size_t n) { return n == 0 ? 1 : n == 1 ? a : n == 2 ? a * a : a * a * a; }
+long binomial(std::size_t n, std::size_t k) {
+  return k == 0 || k == n ? 1 : static_cast<long>(n);  // n <= 3
+}
 
 }  // namespace
 
@@ -77,8 +79,8 @@ std::optional<Matrix3> inverse_of_columns(const Vector3& a, const Vector3& b, co
 Vector3 Expansion::remainder(const Vector4& w) const {
   Vector3 result{};
   for (std::size_t patch = 0; patch < 2; ++patch) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i <= degrees_[patch][0]; ++i) {
+      for (std::size_t j = 0; j <= degrees_[patch][1]; ++j) {
         if (i + j < 2) continue;
         const double f = power(w[2 * patch], i) * power(w[2 * patch + 1], j);
         for (std::size_t k = 0; k < n3; ++k) result[k] += f * std::abs(taylor_[patch][i][j][k]);
@@ -93,8 +95,8 @@ Vector3 Expansion::deviation(std::size_t column_index, const Vector4& w) const {
   const std::size_t first = column_index % 2 == 0 ? 1 : 0;  // derivative orders
   const std::size_t second = 1 - first;
   Vector3 result{};
-  for (std::size_t i = first; i < 3; ++i) {
-    for (std::size_t j = second; j < 3; ++j) {
+  for (std::size_t i = first; i <= degrees_[patch][0]; ++i) {
+    for (std::size_t j = second; j <= degrees_[patch][1]; ++j) {
       if (i == first && j == second) continue;
       const double factor = static_cast<double>(first == 1 ? i : j);
       const double f = factor * power(w[2 * patch], i - first) * power(w[2 * patch + 1], j - second);
@@ -104,15 +106,26 @@ Vector3 Expansion::deviation(std::size_t column_index, const Vector4& w) const {
   return result;
 }
 
-System::System(const BezierPatch& x, const BezierPatch& y) {
+/// The coefficient of u^i v^j is a sum of differences of the control points.
+System::System(const RationalPatch& x, const RationalPatch& y) {
   for (std::size_t patch = 0; patch < 2; ++patch) {
-    const BezierPatch& p = patch == 0 ? x : y;
-    const ControlNet basis = p.power_basis();
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
+    const RationalPatch& p = (patch == 0 ? x : y).reduced();
+    const auto m = static_cast<std::size_t>(p.degree_u());
+    const auto n = static_cast<std::size_t>(p.degree_v());
+    degrees_[patch] = {m, n};
+    for (std::size_t i = 0; i <= m; ++i) {
+      for (std::size_t j = 0; j <= n; ++j) {
+        Point sum = {0, 0, 0};
+        for (std::size_t a = 0; a <= i; ++a) {
+          for (std::size_t b = 0; b <= j; ++b) {
+            const long sign = (i - a + j - b) % 2 == 0 ? 1 : -1;
+            sum = sum + Rational(sign * binomial(i, a) * binomial(j, b)) *
+                            p.point(static_cast<int>(a), static_cast<int>(b));
+          }
+        }
         for (std::size_t k = 0; k < n3; ++k) {
-          power_[patch][i][j][k] = to_double(basis[i][j][k]);
-          size_ = std::max(size_, std::abs(to_double(p.net()[i][j][k])));
+          power_[patch][i][j][k] = to_double(Rational(binomial(m, i) * binomial(n, j)) * sum[k]);
+          size_ = std::max(size_, std::abs(to_double(p.point(static_cast<int>(i), static_cast<int>(j))[k])));
         }
       }
     }
@@ -121,16 +134,19 @@ System::System(const BezierPatch& x, const BezierPatch& y) {
 
 Expansion System::at(const Vector4& z) const {
   Expansion e;
+  e.taylor_ = {};
+  e.degrees_ = degrees_;
   for (std::size_t patch = 0; patch < 2; ++patch) {
     const double a = z[2 * patch];
     const double b = z[2 * patch + 1];
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
+    const auto [last_m, last_n] = degrees_[patch];
+    for (std::size_t i = 0; i <= last_m; ++i) {
+      for (std::size_t j = 0; j <= last_n; ++j) {
         Vector3& t = e.taylor_[patch][i][j];
-        t = {};
-        for (std::size_t m = i; m < 3; ++m) {
-          for (std::size_t n = j; n < 3; ++n) {
-            const double f = binomial(m, i) * binomial(n, j) * power(a, m - i) * power(b, n - j);
+        for (std::size_t m = i; m <= last_m; ++m) {
+          for (std::size_t n = j; n <= last_n; ++n) {
+            const double f =
+                static_cast<double>(binomial(m, i) * binomial(n, j)) * power(a, m - i) * power(b, n - j);
             for (std::size_t k = 0; k < n3; ++k) t[k] += f * power_[patch][m][n][k];
           }
         }

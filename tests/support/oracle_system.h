@@ -1,7 +1,7 @@
 // The equations F(u,v,r,s) = x(u,v) - y(r,s) = 0 in doubles: values, derivatives, Taylor bounds over a cell.
 #pragma once
 
-#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 
 #include <array>
 #include <cstddef>
@@ -39,13 +39,15 @@ class Expansion {
 
  private:
   friend class System;
-  using Taylor = std::array<std::array<Vector3, 3>, 3>;
+  using Taylor = std::array<std::array<Vector3, 4>, 4>;
   std::array<Taylor, 2> taylor_;  // of x at (u,v) and of y at (r,s)
+  std::array<std::array<std::size_t, 2>, 2> degrees_;
 };
 
 class System {
  public:
-  System(const BezierPatch& x, const BezierPatch& y);
+  /// Polynomial patches.
+  System(const RationalPatch& x, const RationalPatch& y);
 
   Expansion at(const Vector4& z) const;
   /// The unit tangent of the curve F = 0 at or near z, oriented by the determinants of the Jacobian, so that
@@ -57,7 +59,8 @@ class System {
   double size() const { return size_; }
 
  private:
-  std::array<Expansion::Taylor, 2> power_;
+  std::array<Expansion::Taylor, 2> power_{};
+  std::array<std::array<std::size_t, 2>, 2> degrees_{};
   double size_ = 0;
 };
 

@@ -1,0 +1,246 @@
+// Pairs of any bidegrees up to (3,3): against the oracle, against biquadratic pairs that are elevated, and
+// under maps that rename only.
+#include <exsect/solver/intersect.h>
+#include <exsect/solver/intersect_rational.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "filter/filter.h"
+#include "support/catch.h"
+#include "support/graph_isomorphism.h"
+#include "support/oracle.h"
+#include "support/random_nets.h"
+#include "support/random_pairs.h"
+
+namespace exsect {
+namespace {
+
+using random_nets::Generator;
+using random_nets::Net;
+using random_nets::Nets;
+
+using Degrees = std::array<int, 4>;
+const std::array<Degrees, 7> many_degrees = {
+    {{3, 3, 3, 3}, {3, 3, 2, 2}, {1, 3, 3, 1}, {3, 2, 1, 1}, {3, 3, 1, 2}, {2, 3, 2, 3}, {1, 1, 3, 3}}};
+
+std::array<double, 3> rounded(const Point& p) { return {to_double(p[0]), to_double(p[1]), to_double(p[2])}; }
+
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                   (a[2] - b[2]) * (a[2] - b[2]));
+}
+
+/// Every vertex of every arc is, as a point and by its parameters, on both patches within twice its bound.
+void check_vertices(const RationalPatch& x, const RationalPatch& y, const IntersectionGraph& graph) {
+  for (const Arc& arc : graph.arcs) {
+    const std::size_t step = std::max<std::size_t>(1, arc.polyline.size() / 5);
+    for (std::size_t i = 0; i < arc.polyline.size(); i += step) {
+      const auto& [w, p] = arc.polyline[i];
+      const auto on_x = rounded(x(from_double(w[0]), from_double(w[1])));
+      const auto on_y = rounded(y(from_double(w[2]), from_double(w[3])));
+      const double rounding = 1e-13 * (1 + distance(p, {0, 0, 0}));
+      CHECK(distance(p, on_x) <= 2 * arc.error_bound + rounding);
+      CHECK(distance(p, on_y) <= 2 * arc.error_bound + rounding);
+    }
+  }
+}
+
+void check_boundary(const IntersectionGraph& graph, const oracle::Intersection& expected) {
+  const auto is_on_side = [](const Node& node) { return !node.on.empty(); };
+  CHECK(static_cast<std::size_t>(std::count_if(graph.nodes.begin(), graph.nodes.end(), is_on_side)) ==
+        expected.boundary_points.size());
+  for (const oracle::Vector4& z : expected.boundary_points) {
+    const auto near = [&](const Node& node) {
+      return is_on_side(node) && std::equal(z.begin(), z.end(), node.approx.begin(),
+                                            [](double a, double b) { return std::abs(a - b) < 1e-7; });
+    };
+    CHECK(std::count_if(graph.nodes.begin(), graph.nodes.end(), near) == 1);
+  }
+}
+
+struct Tally {
+  int complete = 0;
+  int compared = 0;
+  int curves = 0;
+};
+
+void compare_with_oracle(const Nets& nets, Tally& tally) {
+  const RationalPatch x = nets.first();
+  const RationalPatch y = nets.second();
+  const IntersectResult result = intersect(x, y);
+  if (result.status != Status::complete) return;
+  ++tally.complete;
+  check_vertices(x, y, result.graph);
+  const auto expected = oracle::intersect(x, y);
+  if (!expected.conclusive()) return;
+  ++tally.compared;
+  tally.curves += static_cast<int>(result.graph.components.size());
+  CHECK(result.graph.count(ComponentShape::closed) == expected.closed());
+  CHECK(result.graph.count(ComponentShape::open) == expected.open());
+  CHECK(result.graph.isolated_points.empty());
+  check_boundary(result.graph, expected);
+}
+
+/// Complete, `least` of them but for rare near degeneracies, and right.
+void compare_many(int count, int least, const std::function<Nets(Generator&, const Degrees&)>& family) {
+  for (const Degrees& degrees : many_degrees) {
+    Tally tally;
+    for (int seed = 1; seed <= count; ++seed) {
+      INFO("seed " << seed << ", degrees " << degrees[0] << degrees[1] << degrees[2] << degrees[3]);
+      Generator generator(static_cast<std::uint64_t>(seed));
+      compare_with_oracle(family(generator, degrees), tally);
+    }
+    INFO("degrees " << degrees[0] << degrees[1] << degrees[2] << degrees[3] << ": complete " << tally.complete
+                    << ", compared " << tally.compared << ", curves " << tally.curves);
+    CHECK(tally.complete >= least);
+    CHECK(tally.compared >= least / 2);
+    CHECK(tally.curves >= count / 4);
+  }
+}
+
+Net scaled(const Net& net, const Rational& scale, const Point& shift) {
+  Net result = net;
+  for (auto& row : result)
+    for (Point& p : row) p = scale * p + shift;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("intersect rational: agrees with the oracle on doubles") {
+  compare_many(12, 12, [](Generator& g, const Degrees& d) { return random_nets::crossing(g, d, true); });
+}
+
+TEST_CASE("intersect rational: agrees with the oracle on small rationals") {
+  compare_many(12, 11, [](Generator& g, const Degrees& d) { return random_nets::crossing(g, d, false); });
+}
+
+TEST_CASE("intersect rational: agrees with the oracle on scattered control points") {
+  compare_many(8, 6, [](Generator& g, const Degrees& d) { return random_nets::scattered(g, d); });
+}
+
+TEST_CASE("intersect rational: biquadratic pairs that are elevated have the same graph") {
+  int complete = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    const random_pairs::Pair pair = seed % 4 == 0   ? random_pairs::loop(generator)
+                                    : seed % 4 == 1 ? random_pairs::doubles(generator)
+                                    : seed % 4 == 2 ? random_pairs::small_rationals(generator)
+                                                    : random_pairs::scattered(generator);
+    const IntersectResult elevated = intersect_in_doubles(pair.x, pair.y, {});
+    if (elevated.status != Status::complete) continue;
+    ++complete;
+    CHECK(difference(intersect(pair.x, pair.y).graph, elevated.graph, {}) == "");
+  }
+  CHECK(complete >= 57);  // errors are larger than those of biquadratic pairs
+}
+
+TEST_CASE("intersect rational: the same graph of a model that is exchanged, scaled and far away") {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    const Nets nets = random_nets::crossing(generator, many_degrees[seed % many_degrees.size()], true);
+    const RationalPatch x = nets.first();
+    const RationalPatch y = nets.second();
+    const IntersectResult expected = intersect(x, y);
+    REQUIRE(expected.status == Status::complete);
+    const auto agrees = [&](const RationalPatch& a, const RationalPatch& b, const Renaming& renaming) {
+      const IntersectResult other = intersect(a, b);
+      CAPTURE(other.incomplete.empty() ? "" : other.incomplete[0].why);
+      CHECK(other.status == Status::complete);
+      CHECK(difference(expected.graph, other.graph, renaming) == "");
+    };
+    agrees(y, x, {{2, 3, 0, 1}, {}});
+    agrees(x.transposed(), y, {{1, 0, 2, 3}, {}});
+    agrees(x.restricted_to(1, 0, 0, 1), y, {{0, 1, 2, 3}, {true, false, false, false}});
+    for (const auto& [scale, shift] :
+         {std::pair{Rational(127, 5), Rational(0)}, std::pair{Rational(1, 3), Rational(100000000)},
+          std::pair{power_of_two(-150), Rational(0)}}) {
+      const Point by = {shift, -shift, shift / 7};
+      agrees(RationalPatch(scaled(nets.x, scale, by)), RationalPatch(scaled(nets.y, scale, by)), {});
+    }
+  }
+}
+
+TEST_CASE("intersect rational: small closed curves") {
+  int closed = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    Tally tally;
+    const Nets nets = random_nets::loop(generator, seed % 2 == 0 ? Degrees{3, 3, 1, 1} : Degrees{3, 2, 3, 3});
+    compare_with_oracle(nets, tally);
+    CHECK(tally.complete == 1);
+    closed += intersect(nets.first(), nets.second()).graph.count(ComponentShape::closed);
+  }
+  CHECK(closed >= 6);
+}
+
+TEST_CASE("intersect rational: neighbours that share a side or a corner meet there only") {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    // A sheet over [0,2] x [0,2], 7 x 7 points of it, in four patches.
+    const auto height = [&] { return Rational(random_pairs::integer(generator, -8, 8), 64); };
+    std::vector<std::vector<Point>> sheet(7);
+    for (int i = 0; i < 7; ++i)
+      for (int j = 0; j < 7; ++j)
+        sheet[static_cast<std::size_t>(i)].push_back({Rational(i, 3), Rational(j, 3), height()});
+    const auto patch = [&](std::size_t a, std::size_t b) {
+      Net net;
+      for (std::size_t i = 0; i < 4; ++i)
+        net.emplace_back(sheet[3 * a + i].begin() + static_cast<std::ptrdiff_t>(3 * b),
+                         sheet[3 * a + i].begin() + static_cast<std::ptrdiff_t>(3 * b + 4));
+      return RationalPatch(net);
+    };
+    const IntersectResult side = intersect(patch(0, 0), patch(1, 0));
+    REQUIRE(side.status == Status::complete);
+    REQUIRE(side.graph.arcs.size() == 1);
+    CHECK(side.graph.arcs[0].place == ArcPlace::patch_boundary);
+    CHECK(side.graph.arcs[0].contact == Contact::transversal);
+    CHECK(side.graph.nodes.size() == 2);
+    check_vertices(patch(0, 0), patch(1, 0), side.graph);
+    const IntersectResult reversed =
+        intersect(patch(0, 0), patch(1, 0).restricted_to(0, 1, 1, 0).transposed());
+    CHECK(difference(side.graph, reversed.graph, {{0, 1, 3, 2}, {false, false, false, true}}) == "");
+    const IntersectResult corner = intersect(patch(0, 0), patch(1, 1));
+    REQUIRE(corner.status == Status::complete);
+    CHECK(corner.graph.isolated_points.size() == 1);
+    CHECK(corner.graph.arcs.empty());
+  }
+}
+
+TEST_CASE("intersect rational: what doubles do not decide is incomplete, with the place") {
+  // A bicubic graph of height a^2 + b^2 + a^3 above its tangent plane at the middle.
+  Net cup(4);
+  Net plane(2);
+  const auto third = [](int i) { return Rational(i, 3) - Rational(1, 2); };
+  const auto square = [&](int i) { return Rational(i == 0 || i == 3 ? 1 : -1, i == 0 || i == 3 ? 4 : 12); };
+  const auto cube = [&](int i) { return Rational(i == 0 ? -3 : i == 1 ? 3 : i == 2 ? -3 : 3, 24); };
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      cup[static_cast<std::size_t>(i)].push_back({third(i), third(j), square(i) + square(j) + cube(i)});
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      plane[static_cast<std::size_t>(i)].push_back(
+          {Rational(3 * i - 1, 2), Rational(5 * j - 2, 2), Rational(0)});
+  const IntersectResult result = intersect(RationalPatch(cup), RationalPatch(plane));
+  REQUIRE(result.status == Status::incomplete);
+  CHECK(result.incomplete[0].why == "tangency or crossing not decided");
+  CHECK(result.incomplete[0].where[0].lower <= Rational(1, 2));
+  CHECK(result.incomplete[0].where[0].upper >= Rational(1, 2));
+  CHECK(result.graph.nodes.empty());
+}
+
+TEST_CASE("intersect rational: biquadratic pairs take their own way") {
+  Generator generator(3);
+  const random_pairs::Pair pair = random_pairs::doubles(generator);
+  const IntersectResult expected = intersect(pair.x, pair.y);
+  const IntersectResult same = intersect(RationalPatch(pair.x).elevated(3, 3), RationalPatch(pair.y));
+  CHECK(difference(expected.graph, same.graph, {}) == "");
+}
+
+}  // namespace exsect

@@ -1,0 +1,66 @@
+#include "support/random_nets.h"
+
+#include <functional>
+
+namespace exsect::random_nets {
+namespace {
+
+using random_pairs::integer;
+
+template <class Make>
+Net net_of(int m, int n, const Make& make) {
+  Net net(static_cast<std::size_t>(m) + 1);
+  for (int i = 0; i <= m; ++i)
+    for (int j = 0; j <= n; ++j)
+      net[static_cast<std::size_t>(i)].push_back(make(Rational(i, m), Rational(j, n)));
+  return net;
+}
+
+Rational sixteenths(Generator& generator, long largest) {
+  return Rational(integer(generator, -largest, largest), 16);
+}
+
+}  // namespace
+
+Nets crossing(Generator& generator, std::array<int, 4> degrees, bool doubles) {
+  const Rational half(1, 2);
+  const long placement = integer(generator, 0, 2);
+  const auto move = [&](long largest) {
+    const double unit = static_cast<double>(generator() >> 11U) * 0x1p-52 - 1;  // in [-1,1)
+    return doubles ? from_double(unit * static_cast<double>(largest) / 16) : sixteenths(generator, largest);
+  };
+  const auto moved = [&](const Point& p, long bend) { return p + Point{move(2), move(2), move(bend)}; };
+  const auto x = [&](const Rational& a, const Rational& b) { return moved({a, b, Rational(0)}, 5); };
+  const auto y = [&](const Rational& a, const Rational& b) {
+    if (placement == 0) return moved({a, half, b - half}, 4);
+    if (placement == 1) return moved({a, (a + b) * half, b - half}, 4);
+    return moved({b, a, (a - half) * Rational(1, 4)}, 9);
+  };
+  return {net_of(degrees[0], degrees[1], x), net_of(degrees[2], degrees[3], y)};
+}
+
+Nets scattered(Generator& generator, std::array<int, 4> degrees) {
+  const auto anywhere = [&](const Rational&, const Rational&) {
+    const auto coordinate = [&] { return Rational(integer(generator, 0, 16), 16); };
+    return Point{coordinate(), coordinate(), coordinate()};
+  };
+  Nets nets;
+  nets.x = net_of(degrees[0], degrees[1], anywhere);
+  nets.y = net_of(degrees[2], degrees[3], anywhere);
+  return nets;
+}
+
+Nets loop(Generator& generator, std::array<int, 4> degrees) {
+  const Rational height = Rational(integer(generator, 4, 40), 100);
+  const auto cap = [&](const Rational& a, const Rational& b) {
+    const bool inner = a != 0 && a != 1 && b != 0 && b != 1;
+    return Point{a, b, inner ? Rational(1) : Rational(0)} +
+           Point{sixteenths(generator, 1), sixteenths(generator, 1), sixteenths(generator, 1) / 8};
+  };
+  const auto flat = [&](const Rational& a, const Rational& b) {
+    return Point{a * 2 - Rational(1, 2), b * 2 - Rational(1, 2), height + sixteenths(generator, 1) / 4};
+  };
+  return {net_of(degrees[0], degrees[1], cap), net_of(degrees[2], degrees[3], flat)};
+}
+
+}  // namespace exsect::random_nets
