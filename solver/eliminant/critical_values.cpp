@@ -80,8 +80,6 @@ struct Event {
 
 /// Sorts and merges overlapping events; false if two turning values would be merged.
 bool merge_events(std::vector<Event>& events) {
-  std::sort(events.begin(), events.end(),
-            [](const Event& a, const Event& b) { return a.interval.lower < b.interval.lower; });
   std::vector<Event> merged;
   for (const Event& event : events) {
     if (merged.empty() || merged.back().interval.upper < event.interval.lower) {
@@ -109,7 +107,18 @@ std::vector<Event> events_within(TurningValues& turning, const std::vector<Certi
   for (const CertifiedPoint& point : boundary) {
     events.push_back({point.refined_to(width).box()[index(turning.sweep)], -1});
   }
+  std::sort(events.begin(), events.end(),
+            [](const Event& a, const Event& b) { return a.interval.lower < b.interval.lower; });
   return events;
+}
+
+/// A curve of contact is found by a fibre between its ends: two boundary points that cannot be told apart may
+/// be these.
+bool may_hide_contact(const std::vector<Event>& events) {
+  return std::adjacent_find(events.begin(), events.end(), [](const Event& a, const Event& b) {
+           return b.interval.lower <= a.interval.upper && a.turning < 0 && b.turning < 0 &&
+                  a.interval.width() + b.interval.width() > 0;
+         }) != events.end();
 }
 
 }  // namespace
@@ -177,7 +186,8 @@ SweepChoice choose_sweep(const BezierPatch& x, const BezierPatch& y, const StopR
 std::vector<Rational> sweep_samples(TurningValues& turning, const std::vector<CertifiedPoint>& boundary) {
   Rational width = power_of_two(-50);
   std::vector<Event> events = events_within(turning, boundary, width);
-  while (!merge_events(events)) {
+  while ((turning.touching && width > power_of_two(-800) && may_hide_contact(events)) ||
+         !merge_events(events)) {
     width *= width;
     events = events_within(turning, boundary, width);
   }

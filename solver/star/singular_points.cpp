@@ -11,13 +11,12 @@
 #include "line/line_place.h"
 #include "line/line_points_in.h"
 #include "star/line_crossing.h"
+#include "star/on_contact.h"
 #include "star/point_on_line.h"
 #include "star/star_arc.h"
 #include "star/symmetric_crossing.h"
 #include "trace/bounded_vertex.h"
 #include "trace/enclose.h"
-#include "trace/tangential_enclosure.h"
-#include "trace/tangential_tube.h"
 #include "trace/tube_points.h"
 
 namespace exsect {
@@ -115,57 +114,8 @@ class StarSearch {
            !is_on_contact(point);
   }
 
-  /// A regular point of a curve along which the patches touch, and not tangent to a side there: a multiple
-  /// point of a fibre nearby over no turning value is in the same tube.
   bool is_on_contact(const CertifiedPoint& point) const {
-    return std::any_of(all_parameters.begin(), all_parameters.end(), [&](Parameter axis) {
-      const auto& turning = problem_.turning(axis);
-      return turning && turning->touching && is_on_contact(point, *turning);
-    });
-  }
-
-  bool is_on_contact(const CertifiedPoint& point, const TurningValues& turning) const {
-    const BallPoint<Ball> box = enclose<Ball>(point, fine_width());
-    for (double reach = 0x1p-6; reach >= 0x1p-22; reach *= 0x1p-4) {
-      const auto tube = certify_tangential_tube(system_, box, reach, index(turning.sweep));
-      if (!tube || !contains(*tube, box)) {
-        continue;
-      }
-      const double tau = offset(*tube, box).approximation();
-      const ArcEnclosure<Ball> here = enclosure_between(system_, *tube, tau - 0x1p-60, tau + 0x1p-60);
-      const bool crosses = std::all_of(point.sides().begin(), point.sides().end(), [&](const Side& side) {
-        return here.slope[index(side.parameter)].certain_sign() != 0;
-      });
-      const double centre = tube->centre[tube->axis].approximation();
-      return crosses && (has_contact_over(*tube, turning, from_double(centre - 0.5 * reach)) ||
-                         has_contact_over(*tube, turning, from_double(centre + 0.5 * reach)) ||
-                         has_contact_over_sample(*tube, turning));
-    }
-    return false;
-  }
-
-  /// A curve across a corner may be as short as it likes: but a sample is between its ends.
-  bool has_contact_over_sample(const TangentialTube<Ball>& tube, const TurningValues& turning) const {
-    return turning.sweep == problem_.sampled &&
-           std::any_of(problem_.samples.begin(), problem_.samples.end(), [&](const Rational& sample) {
-             const Ball tau = Ball::enclosing(sample) - tube.centre[tube.axis];
-             return tau.upper_magnitude() <= tube.reach && has_contact_over(tube, turning, sample);
-           });
-  }
-
-  bool has_contact_over(const TangentialTube<Ball>& tube, const TurningValues& turning,
-                        const Rational& at) const {
-    const bool regular =
-        at > 0 && at < 1 &&
-        std::none_of(turning.values.begin(), turning.values.end(),
-                     [&](const TurningValue& value) { return value.value.compare(at) == 0; });
-    if (!regular) {
-      return false;
-    }
-    const LinePoints fibre = exact_line_points(problem_.x, problem_.y, {turning.sweep, at});
-    return std::any_of(fibre.points.begin(), fibre.points.end(), [&](const CertifiedPoint& point) {
-      return point.multiplicity() >= 2 && contains(tube, enclose<Ball>(point, fine_width()));
-    });
+    return exsect::is_on_contact(problem_, system_, point);
   }
 
   bool is_covered(const CertifiedPoint& point) const {

@@ -106,21 +106,33 @@ int statistics(const std::string& mode, int kind, std::uint64_t first, std::uint
 
 /// Seed by seed the next family, of a random size.
 int features(std::uint64_t first, std::uint64_t count) {
+  struct Sum {
+    int count = 0;
+    double seconds = 0;
+    double slowest = 0;
+  };
   const auto& families = small_features::families();
+  std::vector<Sum> sums(families.size());
   std::uint64_t failures = 0;
-  double slowest = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const auto& family = families[seed % families.size()];
     const int bits = 20 + static_cast<int>(std::mt19937_64(seed)() % 281);
     const auto start = std::chrono::steady_clock::now();
     const std::string failure = small_features::failure(family, bits, seed, false);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    slowest = std::max(slowest, time.count());
+    Sum& sum = sums[seed % families.size()];
+    ++sum.count;
+    sum.seconds += time.count();
+    sum.slowest = std::max(sum.slowest, time.count());
     if (failure.empty()) continue;
     ++failures;
     std::cout << "seed " << seed << ", " << family.name << ", 2^-" << bits << ": " << failure << std::endl;
   }
-  std::cout << count << " features, " << failures << " not as expected; slowest " << slowest << " s\n";
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    std::cout << families[i].name << ": " << sums[i].count << " pairs, " << sums[i].seconds / sums[i].count
+              << " s each, slowest " << sums[i].slowest << " s\n";
+  }
+  std::cout << count << " features, " << failures << " not as expected\n";
   return failures == 0 ? 0 : 1;
 }
 

@@ -172,7 +172,7 @@ const std::vector<Family>& families() {
       {"order of turning points", order_of_turning_points},
       {"crossing at a side", crossing_at_a_side, 60},
       {"crossing at a corner", crossing_at_a_corner, 20},
-      {"contact across a corner", contact_across_a_corner, 20},
+      {"contact across a corner", contact_across_a_corner},
       {"curve along a side", curve_along_a_side},
       {"touch at a corner", touch_at_a_corner},
   };
