@@ -6,6 +6,7 @@
 #   ./setup.sh docs     make the documentation, build/docs/html/index.html
 #   ./setup.sh documents  run the install commands of docs/*.md as they are written; changes this machine
 #   ./setup.sh cluster  run batches by Slurm, GNU parallel and Snakemake on this machine (docs/batch.md)
+#   ./setup.sh ssi      build SSI-Bench 1, build/ssi-bench-1.tar (docs/ssi-bench.md)
 #   ./setup.sh peers    build the comparison with SISL and Open CASCADE, then run it (bench/README.md)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -153,8 +154,14 @@ case "${1:-}" in
     install_packages "The build takes about 5 minutes on two cores, the comparison an hour."
     bench/peers/run
     ;;
+  ssi)
+    packages+=(python3)
+    install_packages "The build takes about 5 minutes on two cores, the 1000 pairs 3 more, and build/ 700 MB."
+    build release --target exsect exsect_peer_pairs
+    bench/ssi/build.py
+    ;;
   *)
-    sed -n '2,9s/^# \{0,1\}//p' setup.sh >&2
+    sed -n '2,10s/^# \{0,1\}//p' setup.sh >&2
     exit 2
     ;;
 esac
