@@ -16,7 +16,7 @@ packages=(cmake ninja-build g++ catch2 libboost-dev libcli11-dev libeigen3-dev l
 packages_if_known=(libflint-arb-dev)  # from version 3 FLINT contains Arb
 module_packages=(pybind11-dev python3-dev)
 test_packages=(dpkg-dev file mypy pkg-config python3-jsonschema python3-numpy python3-pip python3-pytest python3-setuptools
-               python3-venv python3-wheel)  # file: CPack asks it which files are programs
+               python3-venv python3-wheel python3-yaml)  # file: CPack asks it which files are programs
 docs_packages=(doxygen python3-myst-parser python3-sphinx)
 test_packages_if_known=(clang-format-14)
 peer_packages=(libsisl-dev libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
@@ -120,16 +120,21 @@ case "${1:-}" in
       packages+=("${docs_packages[@]}")
     fi
     packages_if_known+=("${test_packages_if_known[@]}")
-    mapfile -t -O "${#packages[@]}" packages < <(missing_browser_packages)
+    browser=${EXSECT_BROWSER:-required}  # none: without the tests in a browser, which Ubuntu has as a snap only
+    if [[ $browser == required ]]; then
+      mapfile -t -O "${#packages[@]}" packages < <(missing_browser_packages)
+    fi
     if [[ $1 == test ]]; then
       install_packages "Build and tests take about 15 minutes on two cores, and build/release 1 GB."
     else
       install_packages "Build and tests take about an hour on two cores, and build/asan 4 GB."
     fi
-    install_browser_driver
+    if [[ $browser == required ]]; then
+      install_browser_driver
+    fi
     preset=${1/test/release}
     build "$preset"
-    EXSECT_BROWSER=required ctest --preset "$preset" --parallel "$(nproc)"
+    EXSECT_BROWSER=$browser ctest --preset "$preset" --parallel "$(nproc)"
     ;;
   docs)
     packages+=("${module_packages[@]}" "${docs_packages[@]}")
