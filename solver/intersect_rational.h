@@ -23,8 +23,8 @@ class NotSupported : public std::invalid_argument {
 /// options.exact, for all that are not biquadratic, and std::invalid_argument for options out of range.
 IntersectResult intersect(const RationalPatch& x, const RationalPatch& y,
                           const IntersectOptions& options = {});
-/// As self_intersect() of a BezierPatch. Throws NotSupported unless the patch is polynomial and of bidegree at
-/// most (2,2), in whatever shape it is given.
+/// As self_intersect() of a BezierPatch. Throws NotSupported unless the patch is polynomial and of bidegree
+/// at most (2,2), in whatever shape it is given.
 IntersectResult self_intersect(const RationalPatch& x, const IntersectOptions& options = {});
 
 }  // namespace exsect
