@@ -112,6 +112,12 @@ std::vector<Event> events_within(TurningValues& turning, const std::vector<Certi
   return events;
 }
 
+/// Away from both ends: beside one of them what is over the sample is close to what is over a critical value.
+Rational sample_between(const Rational& left, const Rational& right) {
+  const Rational quarter = (right - left) / 4;
+  return simplest_between(left + quarter, right - quarter);
+}
+
 /// A curve of contact is found by a fibre between its ends: two boundary points that cannot be told apart may
 /// be these.
 bool may_hide_contact(const std::vector<Event>& events) {
@@ -196,12 +202,12 @@ std::vector<Rational> sweep_samples(TurningValues& turning, const std::vector<Ce
   for (const Event& event : events) {
     const Rational right = std::min<Rational>(event.interval.lower, 1);
     if (left < right) {
-      samples.push_back(simplest_between(left, right));
+      samples.push_back(sample_between(left, right));
     }
     left = std::max<Rational>(event.interval.upper, left);
   }
   if (left < 1) {
-    samples.push_back(simplest_between(left, 1));
+    samples.push_back(sample_between(left, 1));
   }
   return samples;
 }

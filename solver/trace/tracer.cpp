@@ -15,11 +15,19 @@ constexpr double kFirstStep = 0.1;
 constexpr double kGoodContraction = 0.25;  // steps are chosen to end near this value
 constexpr double kWorstContraction = 0.5;
 constexpr double kOverlap = 1.02;
-/// A tube that ends at a point is longer than one whose centre the point is, by about this factor.
+/// A tube that ends at a point is longer than one whose centre the point is, by about this factor on the way
+/// out of a narrow place, and on the way in.
 constexpr double kAhead = 4;
+constexpr double kAheadInwards = 1.4;
 /// Where one as short as this cannot be proved, the numbers are too rough.
 constexpr double kBehind = 0.25;
-constexpr double kLeastContraction = 0x1p-10;  // steps that end below it were too cautious
+/// The contraction grows with the reach's power m + 1, m the degree of the line: the numbers here are made
+/// for the degree 3.
+template <class Ball>
+constexpr double kDegreeRatio = kLineDegree<Ball> == 3 ? 1 : kLineDegree<Ball> + 1;
+/// Room from which steps were too cautious.
+template <class Ball>
+constexpr double kMuchRoom = kLineDegree<Ball> == 3 ? 0x1p8 : 4;
 /// Steps grow or shrink as the last ones did, and more boldly after one that was proved at once.
 constexpr double kLeastGrowth = 0.4;
 constexpr double kMostGrowth = 2;
@@ -103,11 +111,13 @@ class Tracer {
     const double before = growth_;
     double hopeless = 0;
     for (bool first = true; step_ >= kLeastStep<Ball>; first = false) {
-      const auto tube = next_tube(tangent, axis, first);
+      const bool by_tangent = first && !tangent_misses_;
+      const auto tube = next_tube(tangent, axis, by_tangent);
       growth_ = first                   ? std::min(kMostGrowth, kMoreGrowth * before)
                 : trace_.pieces.empty() ? 1
                                         : std::max(kLeastGrowth, before * step_ / planned);
       if (tube && accept(*tube)) {
+        tangent_misses_ = !by_tangent && kLineDegree<Ball> > 3;
         return true;
       }
       if (!tube && step_ < hopeless) {
@@ -117,7 +127,7 @@ class Tracer {
       if (!tube && first) {
         const double reach = largest_reach(system_, position_, axis, kLeastStep<Ball>, step_,
                                            4 * largest_radius(position_), kWorstContraction);
-        step_ = std::min(step_, kAhead * reach);
+        step_ = std::min(step_, (before < 1 ? kAheadInwards : kAhead) * reach);
         hopeless = kBehind * reach;
       }
     }
@@ -239,8 +249,9 @@ class Tracer {
       closing_ = point_at(tube, trace_.pieces.front().range.from());
     }
     position_ = end;
-    const double growth = tube.contraction < kLeastContraction ? kMostGrowth : growth_;
-    step_ = std::min(growth * step_, step_ * std::max(0.5, kGoodContraction / tube.contraction));
+    const double room = std::pow(kGoodContraction / tube.contraction, 1 / kDegreeRatio<Ball>);
+    const double growth = room > kMuchRoom<Ball> ? kMostGrowth : growth_;
+    step_ = std::min(growth * step_, step_ * std::max(0.5, room));
     step_ = std::min(step_, 0.5);
     return true;
   }
@@ -261,6 +272,7 @@ class Tracer {
   double step_ = kFirstStep;
   double growth_ = kMostGrowth;
   int direction_ = 1;
+  bool tangent_misses_ = false;  // the curve, so widely that Newton's method does not find it
   bool finished_ = false;
   const char* failure_ = "";
 };

@@ -141,9 +141,10 @@ struct FittedTube {
   LineRemainder<Ball> left;
 };
 
+/// A tube with nothing but its place and its nets.
 template <class Ball>
-std::optional<FittedTube<Ball>> fit_tube(const PairSystem<Ball>& system, const BallPoint<Ball>& centre,
-                                         std::size_t axis, double reach) {
+std::optional<Tube<Ball>> tube_without_line(const PairSystem<Ball>& system, const BallPoint<Ball>& centre,
+                                            std::size_t axis, double reach) {
   Tube<Ball> tube;
   tube.axis = axis;
   tube.reach = reach;
@@ -161,8 +162,15 @@ std::optional<FittedTube<Ball>> fit_tube(const PairSystem<Ball>& system, const B
     tube.nets[0][i] = preconditioned(basis, at.x[i]);
     tube.nets[1][i] = preconditioned(basis, BallVector<Ball>{-at.y[i][0], -at.y[i][1], -at.y[i][2]});
   }
-  auto left = fit_line(tube);
-  return left ? std::optional(FittedTube<Ball>{std::move(tube), std::move(*left)}) : std::nullopt;
+  return tube;
+}
+
+template <class Ball>
+std::optional<FittedTube<Ball>> fit_tube(const PairSystem<Ball>& system, const BallPoint<Ball>& centre,
+                                         std::size_t axis, double reach) {
+  auto tube = tube_without_line(system, centre, axis, reach);
+  auto left = tube ? fit_line(*tube) : std::nullopt;
+  return left ? std::optional(FittedTube<Ball>{std::move(*tube), std::move(*left)}) : std::nullopt;
 }
 
 }  // namespace
@@ -212,14 +220,13 @@ double largest_reach(const PairSystem<Ball>& system, const BallPoint<Ball>& cent
 template <class Ball>
 std::optional<BallPoint<Ball>> predicted(const PairSystem<Ball>& system, const BallPoint<Ball>& from,
                                          std::size_t axis, double tau) {
-  const auto fitted = fit_tube(system, from, axis, std::fabs(tau));
-  if (!fitted) {
+  auto tube = tube_without_line(system, from, axis, std::fabs(tau));
+  if (!tube || !fit_line_alone(*tube)) {
     return std::nullopt;
   }
-  const Tube<Ball>& tube = fitted->tube;
   BallPoint<Ball> point;
   for (std::size_t j = 0; j < 4; ++j) {
-    point[j] = (tube.centre[j] + on_line(tube, j, Ball(tau / tube.scale))).midpoint();
+    point[j] = (tube->centre[j] + on_line(*tube, j, Ball(tau / tube->scale))).midpoint();
   }
   return point;
 }

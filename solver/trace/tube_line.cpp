@@ -81,7 +81,8 @@ class LineFit {
     }
   }
 
-  bool run(LineRemainder<Ball>& left) {
+  /// The line alone.
+  bool begin() {
     for (std::size_t row = 0; row < 3; ++row) {
       for (std::size_t i = 0; i < 3; ++i) {
         columns_[0][row][i] = rows_[others_[i] / 2][row][column_index(others_[i])];
@@ -96,13 +97,17 @@ class LineFit {
     }
     tube_.preconditioner[0] = *inverse;
     fit_line();
+    return true;
+  }
+
+  /// All the rest, after the line.
+  void finish(LineRemainder<Ball>& left) {
     fit_preconditioner();
     extend_bounds(left);
     bound_residual(left);
     bound_columns(left);
     bound_higher(left);
     left.underflow = underflow(left);
-    return true;
   }
 
  private:
@@ -310,14 +315,30 @@ class LineFit {
 
 template <class Ball>
 std::optional<LineRemainder<Ball>> fit_line(Tube<Ball>& tube) {
-  LineRemainder<Ball> left;
   tube.scale = std::ldexp(1.0, std::ilogb(tube.reach) + 1);
-  return LineFit<Ball>(tube).run(left) ? std::optional(left) : std::nullopt;
+  LineFit<Ball> fit(tube);
+  if (!fit.begin()) {
+    return std::nullopt;
+  }
+  LineRemainder<Ball> left;
+  fit.finish(left);
+  return left;
 }
 
-template std::optional<LineRemainder<DoubleBall>> fit_line(Tube<DoubleBall>&);
-template std::optional<LineRemainder<DoubleDoubleBall>> fit_line(Tube<DoubleDoubleBall>&);
-template std::optional<LineRemainder<ArbBall<256>>> fit_line(Tube<ArbBall<256>>&);
-template std::optional<LineRemainder<ArbBall<1024>>> fit_line(Tube<ArbBall<1024>>&);
+template <class Ball>
+bool fit_line_alone(Tube<Ball>& tube) {
+  tube.scale = std::ldexp(1.0, std::ilogb(tube.reach) + 1);
+  return LineFit<Ball>(tube).begin();
+}
+
+#define EXSECT_INSTANTIATE_LINE(Ball)                                \
+  template std::optional<LineRemainder<Ball>> fit_line(Tube<Ball>&); \
+  template bool fit_line_alone(Tube<Ball>&);
+
+EXSECT_INSTANTIATE_LINE(DoubleBall)
+EXSECT_INSTANTIATE_LINE(DoubleDoubleBall)
+EXSECT_INSTANTIATE_LINE(ArbBall<256>)
+EXSECT_INSTANTIATE_LINE(ArbBall<1024>)
+#undef EXSECT_INSTANTIATE_LINE
 
 }  // namespace exsect

@@ -67,6 +67,9 @@ struct LineRemainder {
 /// what is left; empty if there is no inverse.
 template <class Ball>
 std::optional<LineRemainder<Ball>> fit_line(Tube<Ball>& tube);
+/// Fills in scale, line and slope, in a fifth of the time; false if there is no inverse.
+template <class Ball>
+bool fit_line_alone(Tube<Ball>& tube);
 
 /// C F and its derivatives at e, |e_i| <= z_i, bounded by those along the centre line: one patch, one row.
 /// `part` selects the derivative with respect to tau.
