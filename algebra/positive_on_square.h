@@ -15,10 +15,10 @@ struct NotPositive {
   int sign;
 };
 
-/// Nothing if f > 0 on [0,1]^2, else where it is not: the corner (0,0) if f <= 0 there, otherwise a zero of
-/// f. Subdivision decides unless f has a zero and no negative value near by; then the zeros are found: on the
-/// four sides by real roots, inside by the extreme points of the curve, which are zeros of the squarefree
-/// part and of its derivative in s.
+/// Lemma 16.1: nothing if f > 0 on [0,1]^2, else where it is not: the corner (0,0) if f <= 0 there, otherwise
+/// a zero of f. Subdivision decides unless f has a zero and no negative value near by; then the zeros are
+/// found: on the four sides by real roots, inside by the extreme points of the curve, which are zeros of the
+/// squarefree part and of its derivative in s.
 std::optional<NotPositive> not_positive_on_square(const BivariatePolynomial& f);
 
 }  // namespace exsect

@@ -38,7 +38,8 @@ BoundingBox bounding_box(const BezierPatch& x) {
 
 BoundingBox bounding_box(const RationalPatch& x) {
   if (!has_positive_weights(x)) {
-    // Ends: the weights of small parts are near to the values of the denominator, which is positive.
+    // Method, section 16: the weights of small parts are near to the values of the denominator, which is
+    // positive.
     const Rational half(1, 2);
     const auto part = [&](int i, int j) {
       return bounding_box(x.restricted_to(i * half, (i + 1) * half, j * half, (j + 1) * half));

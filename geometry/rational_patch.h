@@ -34,7 +34,7 @@ class PatchError : public std::invalid_argument {
 /// (w x, w y, w z, w): a control point times its weight, and the weight.
 using HomogeneousPoint = std::array<Rational, 4>;
 
-/// x(u,v) = (X_1, X_2, X_3) / X_4 over (u,v) in [0,1]^2, X = sum_ij B_i^m(u) B_j^n(v) w_ij (P_ij, 1).
+/// x(u,v) = (X_1, X_2, X_3) / X_4 over (u,v) in [0,1]^2, X = sum_ij B_i^m(u) B_j^n(v) w_ij (P_ij, 1) (16.1).
 /// Invariant: 1 <= m, n <= 3, and the denominator X_4 is positive on the closed square; single weights may be
 /// zero or negative. Immutable: copies share the net.
 class RationalPatch {
@@ -71,10 +71,10 @@ class RationalPatch {
 
   /// No weights are needed: the denominator of reduced() is constant.
   bool is_polynomial() const;
-  /// The same map of the same parameters, the common factor of the four components divided out, of the true
-  /// bidegree (at least 1 each) that then shows in the power basis; weights 1 if the map is polynomial.
-  /// Single control points may be at infinity, as the middle one of the half circle (1 - t^2, 2 t) / (1 +
-  /// t^2), -1 <= t
+  /// (16.2): the same map of the same parameters, the common factor of the four components divided out, of
+  /// the true bidegree (at least 1 each) that then shows in the power basis; weights 1 if the map is
+  /// polynomial. Single control points may be at infinity, as the middle one of the half circle (1 - t^2, 2
+  /// t) / (1 + t^2), -1 <= t
   /// <= 1, of degree 2. Computed once for all copies; any number of threads may ask.
   const RationalPatch& reduced() const;
   /// The same patch as one of bidegree (2,2), if it is polynomial of true bidegree at most (2,2).
