@@ -1,9 +1,12 @@
 """Every command and code block of README.md, CONTRIBUTING.md and docs/*.md is run, or is what a tested file holds.
 
-sh: every line is run, `exsect` being the program just built. python: run with the module just built. cpp: the text of
+sh: every line is run, `exsect` being the program just built; pictures that it writes into docs/images say what those say that
+are there. console: lines that begin with "$ " are run, and the others are what they print, times apart; "..." stands for any
+lines. python: run with the module just built. cpp: the text of
 one of docs/examples, which are built, run and compared by tests of their own. cmake: configured, built and run
 against the installed tree. json: parsed, and validated where it names its form. text: the output of an example. In
-blocks without a fence the lines that begin with "exsect " are run, the others are output. A comment
+blocks without a fence the lines that begin with "exsect " are run, and whole files, from {"exsect" on, are
+json. A comment
 <!-- not run: reason --> exempts the block after it.
 """
 
@@ -45,6 +48,8 @@ def blocks(page):
             text = "\n".join(row[4:] for row in lines[start:i])
             if not exempt and re.search(r"^exsect ", text, re.M):
                 found.append((start + 1, "indented", text))
+            elif not exempt and text.startswith('{"exsect"') and "..." not in text:
+                found.append((start + 1, "json", text))
             i, exempt = i - 1, False
         elif line.strip():
             exempt = bool(MARKER.fullmatch(line))
@@ -83,7 +88,7 @@ def environment():
 
 
 def test_only_known_languages_occur():
-    assert {block[2] for block in ALL} <= {"sh", "python", "cpp", "cmake", "json", "text", "indented", "{toctree}", "{eval-rst}"}
+    assert {block[2] for block in ALL} <= {"sh", "python", "cpp", "cmake", "json", "text", "console", "indented", "{toctree}", "{eval-rst}"}
     assert len(ALL) > 20
 
 
@@ -100,6 +105,85 @@ def test_commands_run(page, line, language, text, scratch):
         ended = subprocess.run(["bash", "-c", command], cwd=scratch, env=environment(), capture_output=True, text=True)
         statuses = (0, 1, 3) if words[:2] == ["exsect", "verify"] else (0, 3)
         assert ended.returncode in statuses, f"{command}\n{ended.stderr}"
+        picture = re.search(r"--svg (docs/images/\S+)", command)
+        if picture and words[1] != "compare":  # whose pictures tell times
+            assert words_in(scratch / picture[1]) == words_in(ROOT / picture[1]), f"{picture[1]} is not up to date"
+
+
+def words_in(picture):
+    """Titles, labels and numbers: lines may differ by rounding from processor to processor."""
+    return re.findall(r">([^<>]+)</t", picture.read_text())
+
+
+def shell(command, folder):
+    return subprocess.run(["bash", "-c", command], cwd=folder, env=environment(), capture_output=True, text=True).stdout
+
+
+def without_times(text):
+    return re.sub(r"\b[0-9.]+ ms\b", "some ms", text).splitlines()
+
+
+def prints(shown, expected):
+    """Whether the lines are those expected, where "..." stands for any number of them."""
+    if not expected:
+        return not shown
+    if expected[0] == "...":
+        return any(prints(shown[i:], expected[1:]) for i in range(len(shown) + 1))
+    return bool(shown) and shown[0] == expected[0] and prints(shown[1:], expected[1:])
+
+
+@pytest.mark.parametrize("page", sorted({block[0] for block in ALL if block[2] == "console"}), ids=lambda page: page.name)
+def test_commands_print_what_is_shown(page, scratch):
+    """The blocks of a page one after the other, in one folder."""
+    text = "".join(block[3] for block in ALL if block[0] == page and block[2] == "console")
+    for part in re.split(r"^\$ ", text, flags=re.M)[1:]:
+        command, _, expected = part.partition("\n")
+        shown = shell(command, scratch)
+        assert prints(without_times(shown), without_times(expected)), f"{command}\n{shown}"
+
+
+def test_what_is_not_printed_is_found():
+    assert prints(["a", "b", "c"], ["a", "...", "c"]) and prints([], []) and prints(["a"], ["...", "a", "..."])
+    assert not prints(["a", "b"], ["a"]) and not prints(["a"], ["b"]) and not prints(["b", "a"], ["...", "b"])
+    assert without_times("0.7 ms, x") == without_times("12 ms, x")
+
+
+PROGRAMS = ("exsect", "SISL", "GeomAPI_IntSS", "BRepAlgoAPI_Section")
+
+
+def cells(row):
+    return [cell.strip() for cell in row.strip("|").split("|")]
+
+
+def measured(family):
+    """The rows of a family of pairs in bench/README.md, in the order of PROGRAMS, as the cells after the program's name."""
+    table = (ROOT / "bench/README.md").read_text().split(f"**{family}**: ")[1].split("\n\n")[1].splitlines()[2:]
+    rows = [cells(row) for row in table if "--exact" not in row]
+    return [next(row[1:] for row in rows if program in row[0]) for program in PROGRAMS]
+
+
+def numbers(families, column, part):
+    """The number at a place of a cell, "a / b / c", for every program: a list over the families."""
+    tables = [measured(family) for family in families]
+    return [[float(table[k][column].split(" / ")[part]) for table in tables] for k in range(len(PROGRAMS))]
+
+
+@pytest.mark.parametrize(
+    "families, curves, medians",
+    [
+        (["random-rational", "random-double"], "| 600 random pairs", "| median time"),
+        (["loop", "tangent", "near", "overlap"], "| 160 loops", "| medians by family"),
+    ],
+)
+def test_the_comparison_in_the_readme_is_that_of_the_benchmarks(families, curves, medians):
+    def shown(start):
+        return cells(next(row for row in (ROOT / "README.md").read_text().splitlines() if row.startswith(start)))[1:]
+
+    lost, invented, times = numbers(families, 5, 2), numbers(families, 6, 0), numbers(families, 0, 0)
+    assert shown(curves) == [f"{sum(a):g} / {sum(b):g}" for a, b in zip(lost, invented)]
+    assert shown(medians) == [f"{min(row):g} to {max(row):g}" for row in times]
+    if "loop" in families:
+        assert shown("| no answer") == [f"{sum(row):g}" for row in numbers(families, 4, 0)]
 
 
 @of("python")
