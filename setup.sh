@@ -15,8 +15,9 @@ packages=(cmake ninja-build g++ catch2 libboost-dev libcli11-dev libeigen3-dev l
           libmpfr-dev libtbb-dev nlohmann-json3-dev)
 packages_if_known=(libflint-arb-dev)  # from version 3 FLINT contains Arb
 module_packages=(pybind11-dev python3-dev)
-test_packages=(dpkg-dev file mypy pkg-config python3-jsonschema python3-numpy python3-pip python3-pytest python3-setuptools
-               python3-venv python3-wheel python3-yaml)  # file: CPack asks it which files are programs
+test_packages=(dpkg-dev file groff-base mypy pkg-config python3-jsonschema python3-matplotlib python3-nbformat python3-numpy
+               python3-pip python3-pytest python3-setuptools python3-venv python3-wheel
+               python3-yaml)  # file: CPack asks it what is a program
 docs_packages=(doxygen python3-myst-parser python3-sphinx)
 test_packages_if_known=(clang-format-14)
 peer_packages=(libsisl-dev libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
@@ -56,6 +57,12 @@ size_of() {
       -e 's|^After this operation, (.*) of additional disk.*|, \1 on the disk|p' | tr -d '\n'
 }
 
+# What apt-get says, shortened to one line for each tenth of the packages that it sets up: they are named already.
+tenths_of() {
+  awk -v count="$1" '/^Setting up / { done += 1; if (int(10 * done / count) > tenth) {
+    tenth = int(10 * done / count); print "  " done " of " count " packages"; fflush() } }'
+}
+
 # Installs all of `packages` and, where the release has them, of `packages_if_known`. The argument says what the work
 # after that takes; both are told before anything is installed.
 install_packages() {
@@ -78,7 +85,11 @@ install_packages() {
   fi
   echo "$1"
   if ((${#required[@]} > 0)); then
-    DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${required[@]}"
+    local count
+    count=$(LC_ALL=C apt-get install --simulate --no-install-recommends "${required[@]}" | grep -c '^Inst ' || true)
+    echo "Downloading and installing $count packages"
+    LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${required[@]}" |
+      tenths_of "$count"
   fi
 }
 
