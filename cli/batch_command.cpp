@@ -3,6 +3,8 @@
 #include <exsect/geometry/text_file.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <cmath>
 #include <memory>
 #include <thread>
@@ -182,6 +184,8 @@ ExitStatus interrupted(const BatchCommand& command, const Run& run, std::uint64_
 
 ExitStatus run(const BatchCommand& command, const Streams& streams) {
   const Options options = parsed(command);
+  if (std::ranges::find(command.inputs, "-") != command.inputs.end())
+    throw UsageError("INPUT: the standard input cannot be read again, as a batch does; write it to a file");
   if (!command.output.empty()) check_output("--output", command.output, command.inputs);
   const std::unique_ptr<BatchInput> input = read_input(command, options.shard);
   BatchOutput output(command.output, header(command, *input, options.shard),

@@ -30,7 +30,9 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
     least = distance;
     nearest = candidate;
   }
-  return nearest;
+  if (!nearest.empty() || word.size() < 3) return nearest;
+  const auto longer = std::ranges::find_if(known, [&](const std::string& k) { return k.starts_with(word); });
+  return longer == known.end() ? "" : *longer;
 }
 
 }  // namespace exsect::cli

@@ -11,7 +11,7 @@ namespace exsect::cli {
 std::size_t edit_distance(const std::string& a, const std::string& b);
 
 /// The first of the known words with the least distance from `word`, if that is at most a third of its
-/// length; "" if there is none.
+/// length; else the first that begins with it, if it has three letters or more; "" if there is none.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace exsect::cli

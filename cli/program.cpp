@@ -84,18 +84,28 @@ void require_command(const CLI::App& app, const std::vector<const char*>& words)
                        : "\"" + word + "\" is no command; did you mean " + near + "? (see exsect --help)");
 }
 
-/// What a misspelt option of the command may have meant, as a question; "" where nothing is near.
+/// What a misspelt option of the program or of its command may have meant, as a question; "" where nothing is
+/// near.
 std::string meant_option(const CLI::App& app) {
-  for (const CLI::App* command : app.get_subcommands()) {
+  std::vector<const CLI::App*> places = {&app};
+  for (const CLI::App* command : app.get_subcommands()) places.push_back(command);
+  for (const CLI::App* place : places) {
     std::vector<std::string> names;
-    for (const CLI::Option* option : command->get_options())
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    for (const std::string& word : command->remaining()) {
-      const std::string near = nearest_word(word.substr(0, word.find('=')), names);
-      if (!near.empty()) return "; did you mean " + near + "?";
+    for (const CLI::Option* option : place->get_options())
+      for (const std::string& name : option->get_lnames()) names.push_back(name);
+    for (const std::string& word : place->remaining()) {
+      if (!word.starts_with("--")) continue;
+      const std::string near = nearest_word(word.substr(2, word.find('=') - 2), names);
+      if (!near.empty()) return "; did you mean --" + near + "?";
     }
   }
   return "";
+}
+
+/// Where to read on: the help of the command that is named, or that of the program.
+std::string see_help(const CLI::App& app) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  return " (see exsect " + (commands.empty() ? "" : commands.front()->get_name() + " ") + "--help)";
 }
 
 ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
@@ -108,7 +118,7 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
     app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0)
-      throw UsageError(printable(error.what()) + meant_option(app) + " (see exsect --help)");
+      throw UsageError(printable(error.what()) + meant_option(app) + see_help(app));
     app.exit(error, streams.out, streams.err);
     return ExitStatus::complete;
   }

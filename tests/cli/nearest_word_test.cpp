@@ -23,6 +23,9 @@ TEST_CASE("a misspelt word is near a known one, another word is not") {
   CHECK(nearest_word("bach", known) == "batch");
   CHECK(nearest_word("batchmerge", known) == "batch-merge");
   CHECK(nearest_word("model.json", known).empty());
+  CHECK(nearest_word("inter", known) == "intersect");
+  CHECK(nearest_word("in", known).empty());
+  CHECK(nearest_word("x", {"u", "v"}).empty());
   CHECK(nearest_word("", known).empty());
   CHECK(nearest_word(std::string(5000, 'a'), known).empty());
 }

@@ -87,6 +87,10 @@ TEST_CASE("misspelt commands and options are met with the nearest ones") {
   check_refused({first}, "is no command; these are: intersect, line, ");
   check_refused({"intersect", first, "--tolerence", "1e-3"}, "did you mean --tolerance?");
   check_refused({"intersect", first, "--tolerence=1e-3"}, "did you mean --tolerance?");
+  check_refused({"intersect", first, "--tol", "1e-3"},
+                "did you mean --tolerance? (see exsect intersect --help)");
+  check_refused({"--verson"}, "did you mean --version? (see exsect --help)");
+  check_refused({"batch", "-"}, "INPUT: the standard input cannot be read again");
   check_refused({"help", "intersct"}, "did you mean intersect?");
 }
 
