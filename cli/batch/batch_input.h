@@ -67,8 +67,8 @@ std::unique_ptr<BatchInput> list_of_pairs(std::vector<std::string> files, bool s
 /// empty lines are skipped. Throws InputError if there is none, or for a line with a NUL.
 std::vector<std::string> read_list(const std::string& path);
 
-/// Whether it is a BPT file, or its first character that is not blank is "{": patches, not a list. Throws InputError if it
-/// cannot be read.
+/// Whether it is a BPT file, or its first character that is not blank is "{": patches, not a list. Throws
+/// InputError if it cannot be read.
 bool holds_patches(const std::string& path);
 
 }  // namespace exsect::cli

@@ -1,6 +1,6 @@
-// The hash that names an input file in a report. Own code, since no library that exsect needs anyhow has it: Boost has
-// SHA-1 and checksums only, and liblzma and FLINT keep theirs to themselves. libmd, the smallest in Debian, would be one more
-// shared library to find, to install and to load for these eighty lines.
+// The hash that names an input file in a report. Own code, since no library that exsect needs anyhow has it:
+// Boost has SHA-1 and checksums only, and liblzma and FLINT keep theirs to themselves. libmd, the smallest in
+// Debian, would be one more shared library to find, to install and to load for these eighty lines.
 #pragma once
 
 #include <string>

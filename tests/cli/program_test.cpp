@@ -183,7 +183,8 @@ TEST_CASE("a file that is no patch file is refused with path and reason") {
   refused(
       patches(R"({"name": "x", "degree": [1,1], "points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,NaN]]]},)" + y),
       "");
-  refused(patches(R"({"name": "x", "degree": [4,1], "points": []},)" + y), "$.patches[0].degree[0]: degree 4");
+  refused(patches(R"({"name": "x", "degree": [4,1], "points": []},)" + y),
+          "$.patches[0].degree[0]: degree 4");
   refused(patches(x + "," + y) + "}", "");
   refused(patches(x), "$.patches: holds one patch; two are needed");
   refused(patches(x + "," + y + R"(, {"name": "z", )" + patch), "$.patches: holds 3 patches");

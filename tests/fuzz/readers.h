@@ -14,8 +14,8 @@ struct Reader {
   void (*read)(std::string_view text);
 };
 
-/// number, patches, bpt, model, curve, candidate-json, candidate-csv, candidate-obj, candidate-g2, certificate,
-/// batch-line and journal.
+/// number, patches, bpt, model, curve, candidate-json, candidate-csv, candidate-obj, candidate-g2,
+/// certificate, batch-line and journal.
 std::span<const Reader> readers();
 
 }  // namespace exsect::fuzz
