@@ -38,10 +38,11 @@ class StarProof {
         sweep_(problem.turning.sweep) {}
 
   std::optional<StarNeighbourhood> run() {
-    if (!bound_halfwidth() || !bound_slab() || !keep_samples_away() || !keep_turning_values_away()) {
+    if (!bound_halfwidth() || !bound_slab() || !keep_samples_away() || !keep_turning_values_away() ||
+        room_ <= power_of_two(-900)) {
       return std::nullopt;
     }
-    // The room left by other points may be as small as it likes: the sizes tried start from there.
+    // The room left by other points may be smaller than 2^-40: the sizes tried start from there.
     const double room = power_of_two_below(room_);
     for (double halfwidth = room; halfwidth >= std::min(0x1p-40, 0x1p-24 * room); halfwidth *= 0x1p-6) {
       double slab = std::min(halfwidth, power_of_two_below(slab_room_));
