@@ -16,7 +16,7 @@ constexpr double kWorstContraction = 0.5;
 template <class Ball>
 constexpr double kLeastGate = 0x1p-60;
 template <>
-inline constexpr double kLeastGate<ArbBall<256>> = 0x1p-190;
+inline constexpr double kLeastGate<ArbBall<256>> = 0x1p-230;
 
 /// The magnitude of z_j over the tube is at most |p_j| plus this.
 template <class Ball>

@@ -46,7 +46,7 @@ class NearCusps {
         return;
       }
     }
-    if (passes_near_cusp(result_, chart.chart(), cusp.at)) {
+    if (is_in_star(chart.chart(), cusp.at) || passes_near_cusp(result_, chart.chart(), cusp.at)) {
       return;  // |m| = 1 belongs to both charts
     }
     const auto arc = cusp_arc(chart, cusp, exact_place(chart, cusp, exact_.cusps, width_));
@@ -59,6 +59,15 @@ class NearCusps {
     } else {
       result_.cusps.push_back(*arc);
     }
+  }
+
+  /// Of which it is the centre then. Boxes of the search may all be larger than such a star.
+  bool is_in_star(Chart chart, const BallPoint<Ball>& cusp) const {
+    const std::size_t own = chart == Chart::first ? 0 : 1;
+    const RationalInterval u = cusp[own].interval(), v = cusp[1 - own].interval();
+    return std::ranges::any_of(exact_.stars, [&](const SelfStar& star) {
+      return star.cuspidal && lies_in({u, v, u, v}, star.star.box);
+    });
   }
 
   void add_problem(Chart chart, const BallPoint<Ball>& cusp, const char* why) {
