@@ -35,6 +35,18 @@ bool surely_lies_in(const CertifiedPoint& point, const ParameterBox& region) {
   return refined && lies_in(refined->box(), region);
 }
 
+ParameterBox box_apart(CertifiedPoint point, std::size_t own, const std::vector<CertifiedPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    CertifiedPoint other = points[i];
+    for (Rational width = power_of_two(-100);
+         i != own && meet(point.box(), other.box()) && width > power_of_two(-2000); width *= width) {
+      point = point.refined_to(width);
+      other = other.refined_to(width);
+    }
+  }
+  return point.box();
+}
+
 std::optional<std::vector<CertifiedPoint>> line_points_in(const BezierPatch& x, const BezierPatch& y,
                                                           const LineQuery& query,
                                                           const ParameterBox& region) {

@@ -39,19 +39,6 @@ namespace {
 /// Of boxes of landmarks: polylines in doubles do not get better beyond.
 Rational vertex_width() { return power_of_two(-200); }
 
-/// A box of the point, number `own` among them, that meets no box of another one at the same width.
-ParameterBox box_apart(CertifiedPoint point, std::size_t own, const std::vector<CertifiedPoint>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    CertifiedPoint other = points[i];
-    for (Rational width = power_of_two(-100);
-         i != own && meet(point.box(), other.box()) && width > power_of_two(-2000); width *= width) {
-      point = point.refined_to(width);
-      other = other.refined_to(width);
-    }
-  }
-  return point.box();
-}
-
 class Intersection {
  public:
   Intersection(const BezierPatch& x, const BezierPatch& y, const Run& run)

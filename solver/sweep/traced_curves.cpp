@@ -10,6 +10,7 @@
 #include "sweep/entering_directions.h"
 #include "sweep/fibre_crossings.h"
 #include "sweep/multiple_turning_values.h"
+#include "sweep/search_window.h"
 #include "trace/enclose.h"
 #include "trace/landmark_tangent.h"
 #include "trace/search_direction.h"
@@ -247,27 +248,6 @@ class CurveTracing {
     return sweep_.symmetry && sweep_.symmetry() && exsect::is_fixed(*sweep_.symmetry(), trace);
   }
 
-  /// All points over values of one parameter in an interval. The search sees it as [0,1].
-  struct Window {
-    Parameter across;
-    RationalInterval range;
-
-    Rational at(double t) const { return range.lower + range.width() * from_double(t); }
-    ParameterBox box(const SearchRegion& region) const {
-      ParameterBox result;
-      for (std::size_t j = 0; j < 4; ++j) {
-        result[j] = {from_double(region.lower[j]), from_double(region.upper[j])};
-      }
-      result[index(across)] = {at(region.lower[index(across)]), at(region.upper[index(across)])};
-      return result;
-    }
-    BallPoint<Ball> point(BallPoint<Ball> seen) const {
-      Ball& t = seen[index(across)];
-      t = Ball::enclosing(range.lower) + Ball::enclosing(range.width()) * t;
-      return seen;
-    }
-  };
-
   /// (u',v') on the pieces of the curves traced so far.
   std::vector<std::array<double, 2>> tangents() const {
     std::vector<std::array<double, 2>> result;
@@ -277,22 +257,12 @@ class CurveTracing {
     return result;
   }
 
-  /// c.T is the same linear form as without the window: beside the curve its small factor keeps a component
-  /// of T small that the window enlarges.
-  std::array<double, 2> direction_seen(const Window& window) const {
-    std::array<double, 2> c = search_direction(tangents());
-    if (index(window.across) < 2) {
-      c[index(window.across)] *= to_double(window.range.width());
-    }
-    return c;
-  }
-
   void search_everywhere() {
     search({Parameter::u, {0, 1}},
            "a closed curve or singular point of the intersection is not excluded here");
   }
 
-  void search(const Window& window, const char* why) {
+  void search(const SearchWindow& window, const char* why) {
     const SeedHandler<Ball> known = [&](const BallPoint<Ball>& seed) {
       const BallPoint<Ball> point = window.point(seed);
       return is_outside(point) || known_or_traced(point);
@@ -307,8 +277,9 @@ class CurveTracing {
     const StopRequest soon = [this, asked = 0]() mutable {
       return is_stopped(stop_) || (sweep_.quick && ++asked > kQuickSearch);
     };
-    const SearchOutcome outcome = search_closed_curves(seen, {{0, 0, 0, 0}, {1, 1, 1, 1}},
-                                                       direction_seen(window), known, settled, soon);
+    const SearchOutcome outcome =
+        search_closed_curves(seen, {{0, 0, 0, 0}, {1, 1, 1, 1}},
+                             window.direction(search_direction(tangents())), known, settled, soon);
     result_.cut_short = result_.cut_short || (sweep_.quick && !outcome.undecided.empty());
     result_.searched_boxes += outcome.boxes;
     for (const SearchRegion& box : merged(outcome.undecided)) {
@@ -319,17 +290,6 @@ class CurveTracing {
   static bool is_outside(const BallPoint<Ball>& point) {
     return std::ranges::any_of(point,
                                [](const Ball& c) { return c.is_negative() || (c - Ball(1)).is_positive(); });
-  }
-
-  static SearchRegion rounded_outwards(const ParameterBox& box) {
-    SearchRegion region{};
-    for (std::size_t j = 0; j < 4; ++j) {
-      const double lower = to_double(box[j].lower);
-      const double upper = to_double(box[j].upper);
-      region.lower[j] = from_double(lower) <= box[j].lower ? lower : std::nextafter(lower, -1.0);
-      region.upper[j] = from_double(upper) >= box[j].upper ? upper : std::nextafter(upper, 2.0);
-    }
-    return region;
   }
 
   bool is_in_star(const ParameterBox& box) const {
@@ -396,38 +356,10 @@ class CurveTracing {
   /// Searches slabs around roots of E over which a further singular point is not excluded.
   void check_multiple_turning_values() {
     for (const TurningValue* turning : undecided_turning_values(sweep_, result_, width_)) {
-      search({sweep_.turning->sweep, slab_around(turning->value)},
+      search(window_around(sweep_, turning->value),
              "a multiple root of the turning eliminant: a singular or isolated point of the intersection is "
              "not excluded here");
     }
-  }
-
-  /// Thin beside what is over other values: other turning points and points on sides are far away, as the
-  /// search sees it.
-  RationalInterval slab_around(const RealAlgebraic& value) const {
-    Rational half = power_of_two(-24);
-    const auto keep_away = [&](const auto& interval_at) {
-      for (const Rational& width : {power_of_two(-60), power_of_two(-400)}) {
-        const Rational d = gap(interval_at(width), value.refined_to(width).interval());
-        if (d > 0) {
-          half = std::min<Rational>(half, d / 64);
-          return;
-        }
-      }
-    };
-    for (const TurningValue& other : sweep_.turning->values) {
-      if (&other.value != &value) {
-        keep_away([&](const Rational& width) { return other.value.refined_to(width).interval(); });
-      }
-    }
-    for (const LandmarkPoint& landmark : sweep_.landmarks) {
-      keep_away([&](const Rational& width) {
-        return landmark.point.refined_to(width).box()[index(sweep_.turning->sweep)];
-      });
-    }
-    const RationalInterval at = value.refined_to(half * power_of_two(-20)).interval();
-    const Rational middle = simplest_between(at.lower - half / 64, at.upper + half / 64);
-    return {std::max<Rational>(0, middle - half), std::min<Rational>(1, middle + half)};
   }
 
   const PairSystem<Ball>& system_;

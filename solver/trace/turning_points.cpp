@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "answer/parameter_box.h"
+#include "trace/shorter_piece.h"
 #include "trace/split_pieces.h"
 #include "trace/tube_points.h"
 
@@ -35,10 +36,6 @@ constexpr double kLeastMagnified = 0x1p-110;
 template <long Bits>
 inline constexpr double kLeastMagnified<ArbBall<Bits>> = Bits > 256 ? 0x1p-500 : 0x1p-160;
 constexpr int kMostMagnified = 64;  // times, of one trace
-
-/// An arc that ends within this part of the reach of its only tube is short.
-constexpr double kShort = 0x1p-10;
-constexpr int kNewtonSteps = 8;
 
 /// By this part of the tube's reach the ends of pieces are padded.
 constexpr double kPad = 1.0 / 1024;
@@ -78,7 +75,9 @@ class TurningSearch {
       : system_(system), trace_(trace), coincident_(coincident), known_(known) {}
 
   std::variant<TurningPoints<Ball>, TraceFailure> run() {
-    resolve_short_arc();
+    if (kUnit<Ball> == 0) {
+      resolve_short_arc(system_, trace_);
+    }
     if (!split()) {
       return failure_;
     }
@@ -110,57 +109,11 @@ class TurningSearch {
       });
     };
     const auto part_of = [this](const Piece<Ball>& piece, double from, double to) {
-      return part(piece, from, to);
+      return shorter_piece(system_, piece, from, to);
     };
     const auto failure = split_pieces(trace_.pieces, kMostPieces<Ball>, is_simple, part_of);
     if (failure) fail(point_at(failure->piece.tube, failure->at), failure->why);
     return !failure;
-  }
-
-  /// The part of the piece between two offsets, on a tube of its own.
-  std::optional<Piece<Ball>> part(const Piece<Ball>& piece, double from, double to) const {
-    return part(piece, point_at(piece.tube, from), point_at(piece.tube, to),
-                point_at(piece.tube, 0.5 * (from + to)));
-  }
-
-  /// The part of the piece between two points of it, on a tube of its own around a point of the curve.
-  std::optional<Piece<Ball>> part(const Piece<Ball>& piece, const BallPoint<Ball>& start,
-                                  const BallPoint<Ball>& end, const BallPoint<Ball>& centre) const {
-    double radius = 0;
-    for (std::size_t j = 0; j < 4; ++j) {
-      radius = std::max({radius, centre[j].radius(), start[j].radius(), end[j].radius()});
-    }
-    const std::size_t axis = piece.tube.axis;
-    const double length = std::fabs((end[axis] - start[axis]).approximation());
-    const auto result = certify_tube(system_, centre, axis, 0.505 * length + 2 * radius, 4 * radius);
-    if (!result || !contains(*result, centre) || !contains(*result, start) || !contains(*result, end)) {
-      return std::nullopt;
-    }
-    const auto range = PieceRange::between(offset(*result, start), offset(*result, end));
-    if (!range || range->direction() != piece.range.direction()) {
-      return std::nullopt;
-    }
-    return Piece<Ball>{*result, *range};
-  }
-
-  /// An arc whose ends can hardly be told apart as offsets is given a tube of its size, around its middle, if
-  /// there is one: the step that found its end may have been as long as the patch.
-  void resolve_short_arc() {
-    const Piece<Ball> piece = trace_.pieces.front();
-    if (trace_.start < 0 || trace_.pieces.size() > 1 || kUnit < Ball >> 0 ||
-        piece.range.length() > kShort * piece.tube.reach) {
-      return;
-    }
-    BallPoint<Ball> middle;
-    for (std::size_t j = 0; j < 4; ++j) {
-      middle[j] = (Ball(0.5) * (trace_.ends[0][j] + trace_.ends[1][j])).midpoint();
-    }
-    const auto centre = newton_corrected(system_, middle, piece.tube.axis, kNewtonSteps);
-    const auto resolved =
-        centre ? part(piece, trace_.ends[0], trace_.ends[1], *centre) : std::optional<Piece<Ball>>();
-    if (resolved) {
-      trace_.pieces.front() = *resolved;
-    }
   }
 
   /// Finds the turning points on piece k. Otherwise an offset about which a shorter tube may tell more.
@@ -289,9 +242,10 @@ class TurningSearch {
       }
       const bool starts = parts.empty() && !is_joint(k, false);
       const bool ends = !piece.range.precedes(cuts[i + 1], last) && !is_joint(k, true);
-      const auto result = part(piece, starts ? trace_.ends[0] : point_at(piece.tube, cuts[i]),
-                               ends ? trace_.ends[1] : point_at(piece.tube, cuts[i + 1]),
-                               point_at(piece.tube, 0.5 * (cuts[i] + cuts[i + 1])));
+      const auto result =
+          shorter_piece(system_, piece, starts ? trace_.ends[0] : point_at(piece.tube, cuts[i]),
+                        ends ? trace_.ends[1] : point_at(piece.tube, cuts[i + 1]),
+                        point_at(piece.tube, 0.5 * (cuts[i] + cuts[i + 1])));
       if (!result) {
         return false;
       }
