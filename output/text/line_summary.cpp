@@ -15,7 +15,7 @@ namespace {
 std::string line_headline(const LineIntersection& line) {
   const std::string value = to_string(line.query.value);
   std::string text = fmt::format(
-      "{} = {}: {}, {}", name(line.query.fixed),
+      "{} = {}: {}, proved: {}", name(line.query.fixed),
       value.size() <= 40 ? value
                          : proved_decimal({line.query.value, line.query.value}, -shown_decimals(true)),
       line.solution.incomplete ? "incomplete" : "complete", counted(line.solution.points.size(), "point"));

@@ -135,7 +135,7 @@ TEST_CASE("straight, folded and collapsed lines and lines on the patch") {
 TEST_CASE("the summary shows points with six proved decimals, or with fifteen") {
   const ProgramRun run = run_program({"line", first, "--u", "1/2"});
   CHECK(run.status == 0);
-  CHECK(run.out.find("u = 1/2: complete, 2 points\n") != std::string::npos);
+  CHECK(run.out.find("u = 1/2: complete, proved: 2 points\n") != std::string::npos);
   CHECK(run.out.find("eliminant  degree 16 in s\n") != std::string::npos);
   CHECK(run.out.find("0.122378  0.507744  0.144959") != std::string::npos);
   CHECK(run_program({"line", first, "--u", "1/2", "--verbose"})
