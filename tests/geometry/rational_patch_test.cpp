@@ -213,6 +213,12 @@ TEST_CASE("a half circle has a control point at infinity in its true degree", "[
     const Point p = cylinder(u, Rational(1, 2));
     CHECK(p[0] * p[0] + p[1] * p[1] == 1);
   }
+  // The axis first: the denominator divides this component, and no other.
+  for (auto& row : points)
+    for (Point& p : row) p = {p[2], p[0], p[1]};
+  const RationalPatch turned(points, {{1, 1}, {third, third}, {third, third}, {1, 1}});
+  CHECK(turned.reduced().elevated(3, 1) == turned);
+  CHECK(kind_of(turned) == kind_of(cylinder));
 }
 
 TEST_CASE("illegal nets are refused with place and statement", "[rational_patch]") {
