@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Builds SSI-Bench 1, the folder and the tar file, and compares it with what is frozen (docs/ssi-bench.md).
 
-    build.py [--output build/ssi-bench-1] [--members N] [--second-checker]
+    build.py [--output build/ssi-bench-1] [--members N] [--second-checker] [--freeze]
 
 --members N takes the first N pairs of each family only. The status is 1 if pairs or counts are not those of
 frozen.json and counts.csv, or if a certificate is rejected.
@@ -117,7 +117,7 @@ def main():
     parser.add_argument("--members", type=int)
     parser.add_argument("--jobs", type=int)
     parser.add_argument("--second-checker", action="store_true", help="examples/check_certificate.py as well; an hour")
-    parser.add_argument("--freeze", action="store_true", help="write frozen.json and counts.csv instead")
+    parser.add_argument("--freeze", action="store_true", help="renew the digests of truth and certificates")
     arguments = parser.parse_args()
     output = arguments.output
     shutil.rmtree(output, ignore_errors=True)
@@ -130,11 +130,11 @@ def main():
     write(output / "LICENSE", (archive.ROOT / "LICENSE").read_text())
     tar = write_tar(output)
     found = digests(output, tar, pair_digests)
-    if arguments.freeze:
-        write(HERE / "frozen.json", json.dumps(found, indent=1) + "\n")
-        write(HERE / "counts.csv", counts(lines))
     frozen = json.loads((HERE / "frozen.json").read_text())
     wrong = differences(frozen, found, lines, not arguments.members)
+    if arguments.freeze and not arguments.members and not wrong:
+        write(HERE / "frozen.json", json.dumps(found, indent=1) + "\n")
+        frozen = found
     same = "the frozen bytes" if found["archive"] == frozen["archive"] else "not the frozen bytes"
     print(f"{len(names)} pairs, {sum(line['certificate'] == 'accepted' for line in lines)} certificates, all accepted")
     print(f"{tar}: sha256 {found['archive']}" + ("" if arguments.members else f", {same}"))
