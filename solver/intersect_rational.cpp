@@ -14,8 +14,7 @@ IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const 
   const auto first = x.biquadratic();
   const auto second = y.biquadratic();
   if (first && second) return intersect(*first, *second, options);
-  if (!x.is_polynomial() || (options.exact && !first)) throw NotSupported(x);
-  if (!y.is_polynomial() || options.exact) throw NotSupported(y);
+  if (options.exact) throw NotSupported(first ? y : x);
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
     return run.finished(answered(run, [&] { return intersect_in_doubles(x, y, run); }));

@@ -329,37 +329,46 @@ void add_path(const SidePath& path, const Pair& pair, Contacts& contacts) {
 template <class K>
 std::optional<ContactsOf<K>> find_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y,
                                            const PairOf<K>& pair) {
-  return ContactFinder<K>(x, y, pair).run();
+  if constexpr (K::weighted) {
+    return ContactsOf<K>{};  // the searches find no way past one
+  } else {
+    return ContactFinder<K>(x, y, pair).run();
+  }
 }
 
 template <class K>
-Meeting meeting(const PairOf<K>& pair, const ContactsOf<K>& contacts, const Part& x, const Part& y) {
-  bool touching = false;
-  for (const SideContactOf<K>& side : contacts.sides) {
-    const SideIntervals on_x = intervals(side.x, x);
-    const SideIntervals on_y = intervals(side.y, y);
-    if (meet_in_side(side, on_x, on_y, pair.net_error)) {
-      return Meeting::contact;
-    }
-    touching = touching || may_touch(side, on_x, on_y);
-  }
-  if constexpr (std::is_same_v<K, Biquadratic>) {
-    for (const PathContact& path : contacts.paths) {
-      if (meet_on_line(pair, path, x, y)) {
+Meeting meeting([[maybe_unused]] const PairOf<K>& pair, [[maybe_unused]] const ContactsOf<K>& contacts,
+                [[maybe_unused]] const Part& x, [[maybe_unused]] const Part& y) {
+  if constexpr (!K::weighted) {
+    bool touching = false;
+    for (const SideContactOf<K>& side : contacts.sides) {
+      const SideIntervals on_x = intervals(side.x, x);
+      const SideIntervals on_y = intervals(side.y, y);
+      if (meet_in_side(side, on_x, on_y, pair.net_error)) {
         return Meeting::contact;
       }
-      touching = touching || may_touch(path, x, y);
+      touching = touching || may_touch(side, on_x, on_y);
     }
-  }
-  for (const CornerContact& corner : contacts.corners) {
-    const std::size_t i = own_corner<K>(x, corner.x);
-    const std::size_t j = own_corner<K>(y, corner.y);
-    if (meet_in_corner<K>(pair.x.net[corner.x], i, j, x, y, pair.net_error)) {
-      return Meeting::contact;
+    if constexpr (std::is_same_v<K, Biquadratic>) {
+      for (const PathContact& path : contacts.paths) {
+        if (meet_on_line(pair, path, x, y)) {
+          return Meeting::contact;
+        }
+        touching = touching || may_touch(path, x, y);
+      }
     }
-    touching = touching || (i < x.points.size() && j < y.points.size());
+    for (const CornerContact& corner : contacts.corners) {
+      const std::size_t i = own_corner<K>(x, corner.x);
+      const std::size_t j = own_corner<K>(y, corner.y);
+      if (meet_in_corner<K>(pair.x.net[corner.x], i, j, x, y, pair.net_error)) {
+        return Meeting::contact;
+      }
+      touching = touching || (i < x.points.size() && j < y.points.size());
+    }
+    return touching ? Meeting::touching : Meeting::unknown;
+  } else {
+    return Meeting::unknown;
   }
-  return touching ? Meeting::touching : Meeting::unknown;
 }
 
 template <class K>

@@ -90,11 +90,14 @@ static_assert(kNormalError > 2 * 2.02 && 3 * kNormalError > 2 * 2.02 * 2.02 &&
 template <std::size_t Degree>
 inline constexpr double kNormalRounding = 20 * Degree;
 static_assert(kNormalRounding<2> > 3 * 2 + (5 + 4) * 2 && kNormalRounding<3> > 3 * 2 + (5 + 9) * 2);
-/// d.n, three products: kProducts (size_d error_n + size_n error_d), sizes with their errors, and 3 u times 3
-/// size_d size_n for its rounding, and kTiny.
-inline constexpr double kProducts = 3;
-inline constexpr double kProductRounding = 10;
-static_assert(kProductRounding > 3 * kProducts);
+/// d.n, k products: k (size_d error_n + size_n error_d), sizes with their errors, and k u times k size_d
+/// size_n for its rounding, and kTiny.
+template <std::size_t Rows>
+inline constexpr double kProductRounding = Rows* Rows + 1;
+/// Y ^ Y_r ^ Y_s in R^4: a coordinate is a mean of sums of three products Y_i B_jk, where |Y_i| <= 1 errs by
+/// e, B of size S by error_B: 3 (error_B + e (S + error_B)), and 8 + (n+1)^2 roundings of numbers below 3 S.
+inline constexpr double kCovectorRounding = 80;
+static_assert(kCovectorRounding > 3 * (8 + 16));
 
 // Taylor coefficients: 14.1.
 
@@ -102,13 +105,15 @@ static_assert(kProductRounding > 3 * kProducts);
 inline constexpr double kReach = 0.75;
 /// At most so many roundings of a value contain a coefficient as a factor. In (14.4) these are 3 of the
 /// product with C, 2 n - 1 of the product with slopes, n + 1 of a sum over one order and both patches, and 4
-/// n of the sum over orders; elsewhere fewer.
-template <std::size_t Degree>
-inline constexpr double kValueRoundings = 8 * Degree + 4;
-static_assert(kValueRoundings<2> >= 3 + 3 + 3 + 8 && kValueRoundings<3> >= 3 + 5 + 4 + 12);
+/// n of the sum over orders; elsewhere fewer. With four rows, 4 of the product with C, one of that with the
+/// scale, 2 for the terms of its change, and one order more.
+template <std::size_t Degree, std::size_t Rows>
+inline constexpr double kValueRoundings = 8 * Degree + 4 + 4 * (Rows - 3);
+static_assert(kValueRoundings<2, 3> >= 3 + 3 + 3 + 8 && kValueRoundings<3, 3> >= 3 + 5 + 4 + 12);
+static_assert(kValueRoundings<2, 4> >= 5 + 3 + 3 + 2 + 10 && kValueRoundings<3, 4> >= 5 + 5 + 4 + 2 + 14);
 /// That times u times their sizes; the rest for terms of second order.
-template <std::size_t Degree>
-inline constexpr double kValueRounding = kValueRoundings<Degree> + 4;
+template <std::size_t Degree, std::size_t Rows>
+inline constexpr double kValueRounding = kValueRoundings<Degree, Rows> + 4;
 
 // Tubes: 14.2.
 
@@ -120,31 +125,41 @@ template <std::size_t Degree>
 inline constexpr double kSecondWeight = 2 * Degree*(2 * Degree - 1);
 /// (14.9): the rounding of the sum, relative to |C F_j| |d_j|.
 inline constexpr double kDirectionRounding = 0x1p-46;
-static_assert(kDirectionRounding > 2 * kValueRoundings<3> * kUnit);
+static_assert(kDirectionRounding > 2 * kValueRoundings<3, 4> * kUnit);
 /// Vectors: |v| <= kDiagonal max |v_i|.
 inline constexpr double kDiagonal = 1.75;
 static_assert(kDiagonal * kDiagonal > 3);
 
-// Sizes of what is kept around points of curves; larger, if `Wide`, for pairs that are not biquadratic: the
-// errors of values and derivatives are larger there.
+// Sizes of what is kept around points of curves: larger where errors of values and derivatives are larger, by
+// Width, which is 0 for biquadratic pairs, 1 for bicubic and 2 for weighted ones.
 
 /// Balls of points where pieces of a curve end are smaller than a quarter of this.
-template <bool Wide>
-inline constexpr double kEndMargin = Wide ? 0x1p-25 : 0x1p-28;
+template <int Width>
+inline constexpr double kEndMargin = Width == 0   ? 0x1p-28
+                                     : Width == 1 ? 0x1p-25
+                                                  : 0x1p-23;
 /// Of balls around turning points.
-template <bool Wide>
-inline constexpr double kLargestBox = Wide ? 0x1p-27 : 0x1p-31;
-static_assert(kLargestBox<false> <= kEndMargin<false> / 4 && kLargestBox<true> <= kEndMargin<true> / 4);
+template <int Width>
+inline constexpr double kLargestBox = Width == 0   ? 0x1p-31
+                                      : Width == 1 ? 0x1p-27
+                                                   : 0x1p-25;
+static_assert(kLargestBox<0> <= kEndMargin<0> / 4 && kLargestBox<1> <= kEndMargin<1> / 4 &&
+              kLargestBox<2> <= kEndMargin<2> / 4);
 /// Of tubes along the curve: below this nothing is gained, and boxes of nodes would not fit in.
-template <bool Wide>
-inline constexpr double kLeastHalfwidth = Wide ? 0x1p-23 : 0x1p-26;
-static_assert(kLeastHalfwidth<false> > 2 * kEndMargin<false> && kLeastHalfwidth<true> > 2 * kEndMargin<true>);
+template <int Width>
+inline constexpr double kLeastHalfwidth = Width == 0   ? 0x1p-26
+                                          : Width == 1 ? 0x1p-23
+                                                       : 0x1p-21;
+static_assert(kLeastHalfwidth<0> > 2 * kEndMargin<0> && kLeastHalfwidth<1> > 2 * kEndMargin<1> &&
+              kLeastHalfwidth<2> > 2 * kEndMargin<2>);
 /// |x_u| + |x_v| changes by that much at most within a node's box: |x_uu| + 2 |x_uv| + |x_vv| < 2^8 near the
 /// square, as second differences are at most 4 in each coordinate: 1.74 (24 + 2 * 36 + 24) for n = 3.
-template <bool Wide>
-inline constexpr double kSpeedChange = Wide ? 0x1p-19 : 0x1p-22;
-static_assert(kSpeedChange<false> >= 0x1p8 * kEndMargin<false> / 4 &&
-              kSpeedChange<true> >= 0x1p8 * kEndMargin<true> / 4);
+template <int Width>
+inline constexpr double kSpeedChange = Width == 0   ? 0x1p-22
+                                       : Width == 1 ? 0x1p-19
+                                                    : 0x1p-17;
+static_assert(kSpeedChange<0> >= 0x1p8 * kEndMargin<0> / 4 && kSpeedChange<1> >= 0x1p8 * kEndMargin<1> / 4 &&
+              kSpeedChange<2> >= 0x1p8 * kEndMargin<2> / 4);
 
 // Lines: 14.3.
 
@@ -158,6 +173,15 @@ template <std::size_t Degree>
 inline constexpr double kLineError = 2 * Degree;
 /// A number in [-1/2,1/2] rounded to a double.
 inline constexpr double kValueError = 0x1p-54;
+
+// Weighted patches: 14.11.
+
+/// The fifth unknown is the scale divided by this: numbers of size 1, as the parameters are, for weights that
+/// are not more than 1/64 and 64 times those of the other patch.
+inline constexpr double kScaleUnit = 64;
+inline constexpr double kLeastScale = 0x1p-12;
+/// The least weight for which affine points are computed.
+inline constexpr double kLeastWeight = 0x1p-12;
 
 // Contacts: 14.7.
 

@@ -6,15 +6,19 @@
 
 #include <array>
 #include <type_traits>
+#include <vector>
 
+#include "answer/placement.h"
 #include "filter/kind.h"
 
 namespace exsect::filter {
 
-/// Control points of a polynomial patch of bidegree (K::degree,K::degree), row index = first parameter.
+/// Control points of a patch of bidegree (K::degree,K::degree), row index = first parameter, times their
+/// weights; these are 1 unless K::weighted.
 template <class K>
 struct ElevatedPatch {
   std::array<Point, K::count> points;
+  std::array<Rational, K::count> weights;
 };
 template <class K>
 using ExactPatch = std::conditional_t<std::is_same_v<K, Biquadratic>, BezierPatch, ElevatedPatch<K>>;
@@ -27,17 +31,54 @@ const Point& control_point(const ElevatedPatch<K>& patch, std::size_t i) {
   return patch.points[i];
 }
 
-/// The patch with the net of bidegree (K::degree,K::degree). Requires a polynomial patch of no higher
-/// degrees.
+/// The patch with the net of bidegree (K::degree,K::degree), weights of size 1. Requires a patch of no higher
+/// degrees, polynomial unless K::weighted.
 template <class K>
 ElevatedPatch<K> elevated(const RationalPatch& patch) {
+  using exsect::operator*;
   constexpr int n = static_cast<int>(K::degree);
   const RationalPatch net = patch.reduced().elevated(n, n);
   ElevatedPatch<K> result;
+  Rational greatest = 0;
   for (std::size_t k = 0; k < K::count; ++k) {
-    result.points[k] = net.point(static_cast<int>(k / K::side), static_cast<int>(k % K::side));
+    const HomogeneousPoint& p = net.homogeneous(static_cast<int>(k / K::side), static_cast<int>(k % K::side));
+    result.points[k] = {p[0], p[1], p[2]};
+    result.weights[k] = p[3];
+    greatest = std::max(greatest, Rational(abs(p[3])));
+  }
+  const auto bits = [](const Integer& number) { return static_cast<long>(msb(number)); };
+  const Rational scale = K::weighted
+                             ? power_of_two(bits(denominator(greatest)) - bits(numerator(greatest)) - 1)
+                             : Rational(1 / greatest);
+  for (std::size_t k = 0; k < K::count; ++k) {
+    result.points[k] = scale * result.points[k];
+    result.weights[k] *= scale;
   }
   return result;
+}
+
+/// The patch moved and scaled.
+template <class K>
+ElevatedPatch<K> placed(const ElevatedPatch<K>& patch, const Placement& place) {
+  using exsect::operator*;
+  using exsect::operator+;
+  ElevatedPatch<K> result = patch;
+  const Point origin = place.placed(Point{0, 0, 0});  // (P - o) s = P s + (0 - o) s
+  for (std::size_t k = 0; k < K::count; ++k) {
+    result.points[k] = place.placed(patch.points[k]) + (patch.weights[k] - 1) * origin;
+  }
+  return result;
+}
+
+/// The control points that are points of space, those with positive weights.
+template <class K>
+std::vector<Point> affine_points(const ElevatedPatch<K>& patch) {
+  using exsect::operator*;
+  std::vector<Point> points;
+  for (std::size_t k = 0; k < K::count; ++k) {
+    if (patch.weights[k] > 0) points.push_back(Rational(1 / patch.weights[k]) * patch.points[k]);
+  }
+  return points;
 }
 
 }  // namespace exsect::filter

@@ -58,7 +58,8 @@ class FilteredIntersection {
     if (!pair) {
       return std::nullopt;
     }
-    filter::TreesOf<K> trees{filter::PatchTreeOf<K>(pair->x), filter::PatchTreeOf<K>(pair->y)};
+    filter::TreesOf<K> trees{filter::PatchTreeOf<K>(pair->x, pair->net_error),
+                             filter::PatchTreeOf<K>(pair->y, pair->net_error)};
     if constexpr (kExactBehind) {
       if (auto overlap = overlap_of_pieces(*pair, trees)) {
         return overlap;
@@ -298,11 +299,11 @@ constexpr double kNear = 0x1p-16;
 
 /// Why no subdivision decides: a word about the pair at a place, approximately.
 template <class K>
-const char* reason_at(const filter::PairOf<K>& pair, const filter::Unknowns<K>& at) {
+const char* reason_at(const filter::PairOf<K>& pair, const filter::Vec4& at) {
   const auto on_side = [&](std::size_t j) { return std::fabs(std::fabs(at[j]) - 0.5) < kNear; };
   const int sides = on_side(0) + on_side(1) + on_side(2) + on_side(3);
   if (sides > 1) return "curve through a corner, or along a side, not decided";
-  const filter::Linearisation<K> here = filter::linearise(pair, at);
+  const filter::Linearisation<K> here = filter::linearise(pair, filter::with_scale(pair, at));
   double tangent = 0;
   double columns = 1;
   for (std::size_t j = 0; j < 4; ++j) {
@@ -316,9 +317,7 @@ const char* reason_at(const filter::PairOf<K>& pair, const filter::Unknowns<K>& 
 /// A box around the place, and all of the domain for what has not been searched.
 template <class K>
 IntersectResult ended_at(const filter::PairOf<K>& pair, const filter::Vec4& place) {
-  filter::Unknowns<K> at{};
-  std::copy(place.begin(), place.end(), at.begin());
-  const char* reason = reason_at<K>(pair, at);
+  const char* reason = reason_at<K>(pair, place);
   IntersectResult result = undecided(whole_domain(), "the search in doubles ended at a place in it");
   result.incomplete.insert(result.incomplete.begin(), Incomplete{filter::box_around(place, kNear), reason});
   return result;
@@ -338,12 +337,12 @@ IntersectResult solved(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run
 template <class K>
 IntersectResult intersect_elevated(ExactPatch<K> x, ExactPatch<K> y, const Run& run) {
   IntersectResult result = solved<K>(x, y, run);
-  std::vector<Point> points(x.points.begin(), x.points.end());
-  points.insert(points.end(), y.points.begin(), y.points.end());
+  std::vector<Point> points = filter::affine_points(x);
+  const std::vector<Point> others = filter::affine_points(y);
+  points.insert(points.end(), others.begin(), others.end());
   const auto place = Placement::of(points);
   if (result.status == Status::complete || !place) return result;
-  for (ExactPatch<K>* patch : {&x, &y})
-    for (Point& p : patch->points) p = place->placed(p);
+  for (ExactPatch<K>* patch : {&x, &y}) *patch = filter::placed(*patch, *place);
   result = solved<K>(x, y, run.with_tolerance(place->left_of(run.tolerance(1))));
   place->restore(result.graph);
   result.coarse = coarse_drawing(result.graph, run.tolerance(to_double(model_extent(points))));
@@ -358,8 +357,14 @@ std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const Be
 }
 
 IntersectResult intersect_in_doubles(const RationalPatch& x, const RationalPatch& y, const Run& run) {
-  using filter::Bicubic;
-  return intersect_elevated<Bicubic>(filter::elevated<Bicubic>(x), filter::elevated<Bicubic>(y), run);
+  const RationalPatch& first = x.reduced();
+  const RationalPatch& second = y.reduced();
+  const auto intersect_as = [&]<class K>(K) {
+    return intersect_elevated<K>(filter::elevated<K>(first), filter::elevated<K>(second), run);
+  };
+  if (first.is_polynomial() && second.is_polynomial()) return intersect_as(filter::Bicubic());
+  const int degree = std::max({first.degree_u(), first.degree_v(), second.degree_u(), second.degree_v()});
+  return degree <= 2 ? intersect_as(filter::WeightedBiquadratic()) : intersect_as(filter::WeightedBicubic());
 }
 
 std::optional<FilteredCurves> filtered_curves(const BezierPatch& x, const BezierPatch& y, const Run& run) {

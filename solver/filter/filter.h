@@ -16,7 +16,7 @@ namespace exsect {
 /// do not decide it, after a bounded amount of work.
 std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const BezierPatch& y, const Run& run);
 
-/// The same for any two polynomial patches; where doubles do not decide, an incomplete result says where the
+/// The same for any two patches; where doubles do not decide, an incomplete result says where the
 /// search ended.
 IntersectResult intersect_in_doubles(const RationalPatch& x, const RationalPatch& y, const Run& run);
 

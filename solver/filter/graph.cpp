@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "filter/series.h"
+#include "filter/space_bounds.h"
 
 namespace exsect::filter {
 
@@ -13,44 +14,6 @@ constexpr std::size_t kMostVertices = 4000000;
 /// Parts of the tolerance that are left to chords and, twice, to vertices.
 constexpr double kChordShare = 0.93;
 constexpr double kVertexShare = 0.015;
-
-/// At least |v| but for roundings: kTiny for squares that underflow.
-double length(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + kTiny); }
-
-/// Bounds on a tube, in scaled space: |X(w) - X(w~)| <= speed |w - w~| for the space point X = x(u,v), and
-/// |X''| <= curvature along the arc.
-struct SpaceBounds {
-  double speed;
-  double curvature;
-};
-
-/// (14.10) with w', w'' in slope +- slope_error, second +- second_error: X'' at the centre, a vector sum, and
-/// how far it can be from that. The errors of the coefficients have weights of at most |u''| + |v''| + 12
-/// |w'|² in all, times 1 + i + j.
-template <class K>
-SpaceBounds space_bounds(const PairOf<K>& pair, const TubeOf<K>& tube) {
-  const CoefficientsOf<K>& c = tube.space;
-  const Unknowns<K>& d = tube.slope;
-  const double u2 = std::fabs(tube.second[0]) + tube.second_error[0];
-  const double v2 = std::fabs(tube.second[1]) + tube.second_error[1];
-  const double steep = std::max(std::fabs(d[0]) + tube.slope_error[0], std::fabs(d[1]) + tube.slope_error[1]);
-  const double error = (u2 + v2 + kSecondWeight<K::degree> * steep * steep) * pair.total_error;
-  const Row<K> deviation = quadratic_deviation<K>(c, &d[0], &tube.slope_error[0], &tube.offset[0]);
-  const Row<K> form = form_of_order<K, 2>(c, powers<K>(d[0]), powers<K>(d[1]));
-  const Variation<K> change = variation<K>(c, tube.offset[0], tube.offset[1]);
-  Row<K> speed;
-  Row<K> second;
-  for (std::size_t i = 0; i < K::rows; ++i) {
-    const double first_u = c[kFirst<K>][i];
-    const double first_v = c[kSecond][i];
-    const double at_centre = first_u * tube.second[0] + first_v * tube.second[1] + 2 * form[i];
-    speed[i] =
-        std::fabs(first_u) + change.first[i] + std::fabs(first_v) + change.second[i] + 2 * pair.total_error;
-    second[i] = std::fabs(at_centre) + change.first[i] * u2 + std::fabs(first_u) * tube.second_error[0] +
-                change.second[i] * v2 + std::fabs(first_v) * tube.second_error[1] + deviation[i] + error;
-  }
-  return {kSlack * length(speed), kSlack * length(second)};
-}
 
 /// A place on the trace where an arc begins or ends.
 template <class K>
@@ -79,6 +42,7 @@ class GraphMaker {
     // The values of x: Patch::error; origin + scaled point: two roundings of each coordinate's size.
     const double size = std::max({std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])}) / scale_ + 2;
     place_error_ = kSlack * kDiagonal * (pair.total_error + 2 * kUnit * size);
+    origin_size_ = size;
   }
 
   void add_double_points() {
@@ -129,6 +93,15 @@ class GraphMaker {
     for (const PieceOf<K>& piece : trace.pieces) {
       bounds_.push_back(space_bounds(pair_, piece.tube));
     }
+    if constexpr (K::weighted) {
+      place_error_ = 0;
+      for (const SpaceBounds& bounds : bounds_) {
+        const double w = bounds.least_weight;
+        place_error_ = std::max(
+            place_error_, kSlack * kDiagonal *
+                              (pair_.x_total_error * (1 + 1 / w) / w + 4 * kUnit * (origin_size_ + 1 / w)));
+      }
+    }
     bool proved = !stops_.empty();
     for (std::size_t i = 0; proved && i + 1 < stops_.size(); ++i) {
       proved = add_arc(trace, stops_[i], stops_[i + 1]);
@@ -165,7 +138,7 @@ class GraphMaker {
       node.box[j].lower = from_double(std::max(t - radius, 0.0));
       node.box[j].upper = from_double(std::min(t + radius, 1.0));
     }
-    node.point = position(expand(pair_.x, ball.middle[0], ball.middle[1])[0]);
+    node.point = position(affine(expand(pair_.x, ball.middle[0], ball.middle[1])[0]));
     return node;
   }
 
@@ -259,8 +232,8 @@ class GraphMaker {
       return;
     }
     const auto push = [&](const Vec4& w) {
-      arc.polyline.push_back(
-          {{w[0] + 0.5, w[1] + 0.5, w[2] + 0.5, w[3] + 0.5}, position(expand(pair_.x, w[0], w[1])[0])});
+      arc.polyline.push_back({{w[0] + 0.5, w[1] + 0.5, w[2] + 0.5, w[3] + 0.5},
+                              position(affine(expand(pair_.x, w[0], w[1])[0]))});
     };
     std::for_each(stop.port->approach.begin(), stop.port->approach.end(), push);
     push(parameters_of(stop.port->ball));
@@ -277,10 +250,18 @@ class GraphMaker {
   }
 
   /// The node's box contains points of the tube; elsewhere in it |x_u| + |x_v| is greater by
-  /// kSpeedChange<K::wide> at most.
+  /// kSpeedChange<K::width> at most.
   void cover(const Stop<K>& stop) {
     const double radius = node_radius_[static_cast<std::size_t>(stop.node)];
-    vertex_error_ = std::max(vertex_error_, 2 * (bounds_[stop.piece].speed + kSpeedChange<K::wide>)*radius);
+    const SpaceBounds& bounds = bounds_[stop.piece];
+    double change = kSpeedChange<K::width>;
+    if constexpr (K::weighted) {
+      // |x''| <= (|X''| + 2 |w'| |x'| + |w''| |x|) / w, |X''|, |w''| < 2^8, |X'|, |w'| < 2^4, |x| <= 1/w, and
+      // w is above half of its bound on the tube.
+      const double inverse = 2 / bounds.least_weight;
+      change *= 4 * inverse * (1 + inverse) * (1 + inverse);
+    }
+    vertex_error_ = std::max(vertex_error_, 2 * (bounds.speed + change) * radius);
   }
 
   /// n chords over equal steps of tau; the vertices between them, and the last one if `with_end`. After a
@@ -292,7 +273,7 @@ class GraphMaker {
     chord_error_ = std::max(chord_error_, bounds.curvature * width * width / 8);
     const double rounding = kSlack * tube.value_error / (1 - tube.contraction) + kSumRounding;
     const double allowed = vertex_tolerance_ / (bounds.speed + kTiny);
-    const VertexFormsOf<K::degree> forms =
+    const VertexFormsOf<K::degree, K::rows> forms =
         vertex_forms(pair_, tube, allowed * (1 - tube.contraction) / (kSlack * tube.contraction));
     double worst = allowed;
     VertexBlock block;
@@ -326,7 +307,7 @@ class GraphMaker {
   }
 
   /// A vertex where the polynomial of the arc is not good enough; returns the radius of its ball.
-  double push_improved(Arc& arc, const TubeOf<K>& tube, const VertexFormsOf<K::degree>& forms,
+  double push_improved(Arc& arc, const TubeOf<K>& tube, const VertexFormsOf<K::degree, K::rows>& forms,
                        double tau) const {
     Unknowns<K> o;
     const double radius = point_at(tube, tau, &o).radius;
@@ -334,7 +315,7 @@ class GraphMaker {
     for (std::size_t j = 0; j < 4; ++j) {
       vertex.parameters[j] = (tube.centre[j] + o[j]) + 0.5;
     }
-    const Vec3 x = value_at<K>(tube.space, o[0], o[1]);
+    const Vec3 x = affine(value_at<K>(tube.space, o[0], o[1]));
     for (std::size_t c = 0; c < 3; ++c) {
       vertex.point[c] = forms.origin[c] + forms.scale * x[c];
     }
@@ -350,6 +331,7 @@ class GraphMaker {
   double scaled_tolerance_;
   double vertex_tolerance_;
   double place_error_;
+  double origin_size_;
   std::size_t vertices_ = 0;
   GraphBuilder graph_;
   std::vector<int> node_of_;  // of boundary points

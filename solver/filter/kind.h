@@ -9,23 +9,29 @@
 
 namespace exsect::filter {
 
-/// Pairs of patches of bidegree (Degree,Degree), those of lower degrees being elevated, exactly, and Rows
-/// coordinates: 3.
+/// Pairs of patches of bidegree (Degree,Degree), those of lower degrees being elevated, exactly. Rows: 3
+/// coordinates, or 4 homogeneous ones of weighted patches; then the scale between them is a fifth unknown.
 template <std::size_t Degree, std::size_t Rows>
 struct Kind {
   static constexpr std::size_t degree = Degree;
   static constexpr std::size_t rows = Rows;
-  static constexpr std::size_t unknowns = Rows + 1;  // u, v, r, s
+  static constexpr bool weighted = Rows == 4;
+  static constexpr std::size_t unknowns = Rows + 1;  // u, v, r, s, and the scale
   static constexpr std::size_t side = Degree + 1;    // control points along a side
   static constexpr std::size_t count = side * side;
-  static constexpr bool wide = Degree > 2;               // see error_bounds.h
-  static constexpr std::size_t orders = 2 * Degree + 1;  // 0 to the greatest total degree
+  static constexpr int width = Rows > 3 ? 2 : Degree > 2 ? 1 : 0;  // see error_bounds.h
+  static constexpr std::size_t orders = 2 * Degree + 1;            // 0 to the greatest total degree
 };
 using Biquadratic = Kind<2, 3>;
 using Bicubic = Kind<3, 3>;
+using WeightedBiquadratic = Kind<2, 4>;
+using WeightedBicubic = Kind<3, 4>;
 
 /// Explicit instantiations, at the end of a source.
-#define EXSECT_FILTER_KINDS(INSTANTIATE) INSTANTIATE(Biquadratic) INSTANTIATE(Bicubic)
+#define EXSECT_FILTER_POLYNOMIAL_KINDS(INSTANTIATE) INSTANTIATE(Biquadratic) INSTANTIATE(Bicubic)
+#define EXSECT_FILTER_KINDS(INSTANTIATE)      \
+  EXSECT_FILTER_POLYNOMIAL_KINDS(INSTANTIATE) \
+  INSTANTIATE(WeightedBiquadratic) INSTANTIATE(WeightedBicubic)
 
 template <std::size_t N>
 using Vec = std::array<double, N>;
@@ -107,5 +113,9 @@ double size1(const Vec<N>& a) {
 inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+
+/// The point of space.
+inline Vec3 affine(const Vec3& p) { return p; }
+inline Vec3 affine(const Vec4& p) { return {p[0] / p[3], p[1] / p[3], p[2] / p[3]}; }
 
 }  // namespace exsect::filter

@@ -19,7 +19,10 @@ double line_error(const Line& line) {
   return kLineRounding<K::degree> + kLineError<K::degree> * line.error;
 }
 
-Vec3 between(const Vec3& a, const Vec3& b, double t) { return a + t * (b - a); }
+template <std::size_t Rows>
+Vec<Rows> between(const Vec<Rows>& a, const Vec<Rows>& b, double t) {
+  return a + t * (b - a);
+}
 
 /// Exactly those of the net on a side.
 template <class K>
@@ -58,6 +61,11 @@ Box<K> box_of(const Line& line, const SubCurveOf<K>& curve, const SubPatchOf<K>&
   box.half[first] = box.half[first + 1] = 0.5 * patch.width;
   box.centre[first] = patch.first + 0.5 * patch.width;
   box.centre[first + 1] = patch.second + 0.5 * patch.width;
+  if constexpr (K::weighted) {
+    const RangeOfScale scale = line.fixed < 2 ? range_of_scale(curve, patch) : range_of_scale(patch, curve);
+    box.centre[4] = scale.middle;
+    box.half[4] = scale.half;
+  }
   return box;
 }
 
@@ -76,12 +84,12 @@ class LineSearch {
   /// The points on the line; empty if undecided.
   std::optional<std::vector<BallOf<K>>> run(long most_boxes) {
     const PatchOf<K>& owner = line_.fixed < 2 ? pair_.x : pair_.y;
-    stack_.push_back({make_curve<K>(control_points(owner, line_.fixed, line_.value), -0.5, 1, 0), 0});
+    stack_.push_back({make_curve<K>(control_points(owner, line_.fixed, line_.value), -0.5, 1, 0, error_), 0});
     while (!stack_.empty()) {
       const Item item = stack_.back();
       stack_.pop_back();
       if (++boxes_ > most_boxes || !process(item)) {
-        undecided_ = box_of(line_, item.curve, tree_[item.patch]).centre;
+        undecided_ = first_four<K>(box_of(line_, item.curve, tree_[item.patch]).centre);
         return std::nullopt;
       }
     }
@@ -153,7 +161,7 @@ class LineSearch {
 
   void subdivide(const Item& item, const SubPatchOf<K>& patch) {
     if (extent(item.curve.lower, item.curve.upper) > extent(patch.lower, patch.upper)) {
-      for (const SubCurveOf<K>& half : halves(item.curve)) {
+      for (const SubCurveOf<K>& half : halves(item.curve, error_)) {
         stack_.push_back({half, item.patch});
       }
       return;
@@ -178,6 +186,11 @@ class LineSearch {
 
   /// A certificate on the line whose region contains the box.
   bool covered(const Box<K>& box, TubeOf<K>& tube) const {
+    if constexpr (K::weighted) {
+      if (!(box.half[4] <= 1)) {
+        return false;
+      }
+    }
     Unknowns<K> centre = box.centre;
     if (!improve(pair_, centre, line_.fixed, 3)) {
       return false;
@@ -191,9 +204,10 @@ class LineSearch {
       return false;
     }
     Unknowns<K> halfwidth;
-    for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t j = 0; j < K::unknowns; ++j) {
       halfwidth[j] = farthest(tube, box, j);
     }
+    widen_scale<K>(halfwidth, box.centre[K::unknowns - 1]);
     return certify(pair_, tube, -line_.error, line_.error, halfwidth);
   }
 
@@ -221,7 +235,7 @@ class LineSearch {
   bool add(Root& root) {
     root.ball = point_on_line(root.tube);
     const double margin = root.ball.radius + kPlacing;  // the node's box must be in the region
-    if (!(root.ball.radius < 0.25 * kEndMargin<K::wide>) ||
+    if (!(root.ball.radius < 0.25 * kEndMargin<K::width>) ||
         !covers(root.tube, around(root.ball.middle, margin))) {
       return false;
     }
@@ -241,6 +255,9 @@ class LineSearch {
     bool outside = false;
     bool inside = true;
     for (const std::size_t j : root.tube.others) {
+      if (j == 4) {
+        continue;
+      }
       const double from_centre = std::fabs(root.ball.middle[j]);
       const double error = kSlack * root.ball.radius + kSumRounding;
       outside = outside || from_centre - 0.5 > error;

@@ -83,7 +83,7 @@ class LoopSearch {
       const PiecePair item = stack_.back();
       stack_.pop_back();
       if (++boxes_ > most || !process(item)) {
-        stuck = box_of(trees_.x[item.x], trees_.y[item.y]).middle;
+        stuck = first_four<K>(box_of(trees_.x[item.x], trees_.y[item.y]).middle);
         return false;
       }
     }
@@ -135,21 +135,37 @@ class LoopSearch {
   static Box box_of(const SubPatchOf<K>& x, const SubPatchOf<K>& y) {
     const double hx = 0.5 * x.width;
     const double hy = 0.5 * y.width;
-    return {{x.first + hx, x.second + hx, y.first + hy, y.second + hy}, {hx, hx, hy, hy}};
+    Box box{{x.first + hx, x.second + hx, y.first + hy, y.second + hy}, {hx, hx, hy, hy}};
+    if constexpr (K::weighted) {
+      const RangeOfScale scale = range_of_scale(x, y);
+      box.middle[4] = scale.middle;
+      box.half[4] = scale.half;
+    }
+    return box;
   }
 
-  bool is_at_double_point(const SubPatchOf<K>& x, const SubPatchOf<K>& y) const {
-    return std::any_of(double_points_.begin(), double_points_.end(), [&](const DoublePointOf<K>& point) {
-      const Box box = box_of(x, y);
-      return lies_in_region(point, box.middle, box.half);
-    });
+  bool is_at_double_point([[maybe_unused]] const SubPatchOf<K>& x,
+                          [[maybe_unused]] const SubPatchOf<K>& y) const {
+    if constexpr (K::weighted) {
+      return false;
+    } else {
+      return std::any_of(double_points_.begin(), double_points_.end(), [&](const DoublePointOf<K>& point) {
+        const Box box = box_of(x, y);
+        return lies_in_region(point, box.middle, box.half);
+      });
+    }
   }
 
   /// A tube whose region contains the box.
   bool covered(const SubPatchOf<K>& x, const SubPatchOf<K>& y, TubeOf<K>& tube) const {
     const auto [middle, half] = box_of(x, y);
+    if constexpr (K::weighted) {
+      if (!(half[4] <= 1)) {
+        return false;
+      }
+    }
     const Linearisation<K> at = linearise(pair_, middle);
-    const std::size_t axis = steepest(at.tangent, half);
+    const std::size_t axis = steepest(first_four<K>(at.tangent), first_four<K>(half));
     Unknowns<K> centre = middle;
     if (!improve(pair_, centre, axis, 2)) {
       return false;
@@ -163,11 +179,12 @@ class LoopSearch {
       return false;
     }
     Unknowns<K> width;
-    for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t j = 0; j < K::unknowns; ++j) {
       width[j] =
           kSlack * (std::fabs(centre[j] - middle[j]) + half[j] + std::fabs(tube.slope[j]) * half[axis]) +
           kPlacing;
     }
+    widen_scale<K>(width, middle[K::unknowns - 1]);
     return certify(pair_, tube, -half[axis], half[axis], width);
   }
 
@@ -176,7 +193,7 @@ class LoopSearch {
   std::optional<bool> known_or_traced(const TubeOf<K>& tube) {
     const BallOf<K> seed = point_at(tube, 0);
     bool inside = true;
-    for (const double w : seed.middle) {
+    for (const double w : parameters_of(seed)) {
       if (std::fabs(w) > 0.5 + kSlack * seed.radius + kPlaceRounding) {
         return true;
       }

@@ -21,12 +21,12 @@ std::size_t SideView::index(std::size_t across, std::size_t along) const {
 template <class K>
 Part part_of(const SubPatchOf<K>& patch) {
   const auto from = [&](double lower) { return Interval{lower + 0.5, lower + 0.5 + patch.width}; };
-  return {{from(patch.first), from(patch.second)}, patch.net};
+  return {{from(patch.first), from(patch.second)}, patch.points()};
 }
 
 template <class K>
 Part part_of(const SubCurveOf<K>& curve, std::size_t fixed, double value) {
-  Part part{{}, curve.net};
+  Part part{{}, curve.points()};
   part.range[fixed] = {value + 0.5, value + 0.5};
   part.range[1 - fixed] = {curve.from + 0.5, curve.from + 0.5 + curve.width};
   return part;
@@ -82,12 +82,16 @@ AcrossFieldOf<K> restricted(const AcrossFieldOf<K>& field, const SideIntervals& 
   return result;
 }
 
+#define EXSECT_INSTANTIATE(K)                     \
+  template Part part_of<K>(const SubPatchOf<K>&); \
+  template Part part_of<K>(const SubCurveOf<K>&, std::size_t, double);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
+
 #define EXSECT_INSTANTIATE(K)                                                           \
-  template Part part_of<K>(const SubPatchOf<K>&);                                       \
-  template Part part_of<K>(const SubCurveOf<K>&, std::size_t, double);                  \
   template AcrossFieldOf<K> across_field<K>(const CoefficientsOf<K>&, const SideView&); \
   template AcrossFieldOf<K> restricted<K>(const AcrossFieldOf<K>&, const SideIntervals&);
-EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+EXSECT_FILTER_POLYNOMIAL_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

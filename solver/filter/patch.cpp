@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <vector>
 
 namespace exsect::filter {
 
@@ -133,7 +134,7 @@ std::array<double, K::count> coefficient_errors(const CoefficientsOf<K>& power, 
   }
   std::array<double, K::count> error;
   std::transform(b.begin(), b.end(), error.begin(), [](const Bound& c) {
-    return kSlack * (c.error + kValueRounding<K::degree> * kUnit * c.size) + kTiny;
+    return kSlack * (c.error + kValueRounding<K::degree, K::rows> * kUnit * c.size) + kTiny;
   });
   return error;
 }
@@ -165,8 +166,32 @@ CoefficientsOf<K> expand(const PatchOf<K>& patch, double h, double k) {
   return c;
 }
 
+namespace {
+
 template <class K>
-std::optional<PairOf<K>> make_pair_of(const ExactPatch<K>& x, const ExactPatch<K>& y) {
+void finish(PairOf<K>& pair, double input_error) {
+  fill<K>(pair.x, input_error);
+  fill<K>(pair.y, input_error);
+  pair.net_error = kSlack * (input_error + kDegreeNetError<K::degree>);
+  pair.order_error = {};
+  pair.x_order_error = pair.y_order_error = {};
+  pair.total_error = pair.x_total_error = pair.y_total_error = 0;
+  for (std::size_t i = 0; i < K::count; ++i) {
+    const double e = pair.x.error[i] + pair.y.error[i];
+    const std::size_t order = i / K::side + i % K::side;
+    pair.order_error[order] += e;
+    pair.total_error += static_cast<double>(1 + order) * e;
+    if constexpr (K::weighted) {
+      pair.x_order_error[order] += pair.x.error[i];
+      pair.y_order_error[order] += pair.y.error[i];
+      pair.x_total_error += static_cast<double>(1 + order) * pair.x.error[i];
+      pair.y_total_error += static_cast<double>(1 + order) * pair.y.error[i];
+    }
+  }
+}
+
+template <class K>
+std::optional<PairOf<K>> polynomial_pair(const ExactPatch<K>& x, const ExactPatch<K>& y) {
   PairOf<K> pair;
   bool exact = true;
   pair.x.net = rounded<K>(x, exact);
@@ -201,18 +226,74 @@ std::optional<PairOf<K>> make_pair_of(const ExactPatch<K>& x, const ExactPatch<K
   place<K>(y, pair.frame, exact || is_given, pair.y.net);
   const double inexact = exact || !is_given ? 0 : std::ldexp(size, -exponent);
   const double input_error = kInputError * (inexact + 1);
-  fill<K>(pair.x, input_error);
-  fill<K>(pair.y, input_error);
-  pair.net_error = kSlack * (input_error + kDegreeNetError<K::degree>);
-  pair.order_error = {};
-  pair.total_error = 0;
-  for (std::size_t i = 0; i < K::count; ++i) {
-    const double e = pair.x.error[i] + pair.y.error[i];
-    const std::size_t order = i / K::side + i % K::side;
-    pair.order_error[order] += e;
-    pair.total_error += static_cast<double>(1 + order) * e;
-  }
+  finish<K>(pair, input_error);
   return pair;
+}
+
+/// The frame is that of the control points with positive weights, its scale such that all homogeneous
+/// coordinates about its origin are at most 1. They are rounded once.
+template <class K>
+std::optional<PairOf<K>> weighted_pair(const ExactPatch<K>& x, const ExactPatch<K>& y) {
+  PairOf<K> pair;
+  double size = 0;
+  pair.extent = 0;
+  std::vector<Point> points = affine_points(x);
+  const std::vector<Point> others = affine_points(y);
+  points.insert(points.end(), others.begin(), others.end());
+  for (std::size_t c = 0; c < 3; ++c) {
+    double lower = HUGE_VAL;
+    double upper = -HUGE_VAL;
+    for (const Point& p : points) {
+      lower = std::min(lower, to_double(p[c]));
+      upper = std::max(upper, to_double(p[c]));
+    }
+    pair.frame.origin[c] = 0.5 * lower + 0.5 * upper;
+    size = std::max({size, std::fabs(lower), std::fabs(upper)});
+    pair.extent = std::max(pair.extent, upper - lower);
+  }
+  if (!(size < 0x1p300)) {
+    return std::nullopt;
+  }
+  Point origin;
+  for (std::size_t c = 0; c < 3; ++c) origin[c] = from_double(pair.frame.origin[c]);
+  double reach = 0;
+  const auto moved = [&](const ExactPatch<K>& patch, std::size_t i) {
+    using exsect::operator*;
+    using exsect::operator-;
+    return patch.points[i] - patch.weights[i] * origin;
+  };
+  for (const ExactPatch<K>* patch : {&x, &y}) {
+    for (std::size_t i = 0; i < K::count; ++i) {
+      for (const Rational& c : moved(*patch, i)) reach = std::max(reach, std::fabs(to_double(c)));
+    }
+  }
+  if (!(reach > 0x1p-300) || !(size < 0x1p40 * reach)) {
+    return std::nullopt;
+  }
+  pair.frame.exponent = std::ilogb(reach) + 1;
+  const Rational scale = power_of_two(-pair.frame.exponent);
+  const auto round = [&](const ExactPatch<K>& patch, CoefficientsOf<K>& net) {
+    for (std::size_t i = 0; i < K::count; ++i) {
+      const Point p = moved(patch, i);
+      for (std::size_t c = 0; c < 3; ++c) net[i][c] = to_double(p[c] * scale);
+      net[i][3] = to_double(patch.weights[i]);
+    }
+  };
+  round(x, pair.x.net);
+  round(y, pair.y.net);
+  finish<K>(pair, kInputError);
+  return pair;
+}
+
+}  // namespace
+
+template <class K>
+std::optional<PairOf<K>> make_pair_of(const ExactPatch<K>& x, const ExactPatch<K>& y) {
+  if constexpr (K::weighted) {
+    return weighted_pair<K>(x, y);
+  } else {
+    return polynomial_pair<K>(x, y);
+  }
 }
 
 #define EXSECT_INSTANTIATE(K)                                              \

@@ -2,7 +2,7 @@
 // is that of docs/method.md, section 14.
 //
 // Everything is scaled to size 1; the roundings, underflow included, are covered by the constants of
-// filter_error_bounds.h.
+// filter/error_bounds.h.
 #pragma once
 
 #include <exsect/algebra/nearest_double.h>
@@ -46,6 +46,11 @@ struct PairOf {
   /// Sums of x.error and y.error: order_error[n] over i + j = n; `total` over all, with weight 1 + i + j.
   std::array<double, K::orders> order_error;
   double total_error;
+  /// Of weighted patches the same of x and of y alone; y counts as often as the scale says.
+  std::array<double, K::weighted ? K::orders : 0> x_order_error;
+  std::array<double, K::weighted ? K::orders : 0> y_order_error;
+  double x_total_error;
+  double y_total_error;
 };
 using Pair = PairOf<Biquadratic>;
 

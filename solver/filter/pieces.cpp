@@ -8,17 +8,6 @@ namespace exsect::filter {
 namespace {
 
 template <std::size_t N>
-void enclose(const std::array<Vec3, N>& points, Vec3& lower, Vec3& upper) {
-  lower = upper = points[0];
-  for (std::size_t i = 1; i < N; ++i) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      lower[c] = std::min(lower[c], points[i][c]);
-      upper[c] = std::max(upper[c], points[i][c]);
-    }
-  }
-}
-
-template <std::size_t N>
 void project(const std::array<Vec3, N>& points, const Vec3& normal, double& lower, double& upper) {
   lower = upper = dot(points[0], normal);
   for (std::size_t i = 1; i < N; ++i) {
@@ -28,13 +17,16 @@ void project(const std::array<Vec3, N>& points, const Vec3& normal, double& lowe
   }
 }
 
-Vec3 mean(const Vec3& a, const Vec3& b) { return 0.5 * (a + b); }
+template <std::size_t Rows>
+Vec<Rows> mean(const Vec<Rows>& a, const Vec<Rows>& b) {
+  return 0.5 * (a + b);
+}
 
 /// The 2 n + 1 points of a curve of degree n divided in the middle.
-template <std::size_t Points>
-std::array<Vec3, 2 * Points - 1> divided(std::array<Vec3, Points> p) {
+template <std::size_t Points, std::size_t Rows>
+std::array<Vec<Rows>, 2 * Points - 1> divided(std::array<Vec<Rows>, Points> p) {
   constexpr std::size_t n = Points - 1;
-  std::array<Vec3, 2 * Points - 1> result;
+  std::array<Vec<Rows>, 2 * Points - 1> result;
   result[0] = p[0];
   result[2 * n] = p[n];
 #pragma GCC unroll 4
@@ -47,13 +39,45 @@ std::array<Vec3, 2 * Points - 1> divided(std::array<Vec3, Points> p) {
   return result;
 }
 
+/// (14.28): with weights of at least w > 0, a quotient of two numbers that err by e is off by e (1 + |x|) /
+/// w, and its rounding by u |x|. The bound is also above 160 u |x|, as (14.2) needs for points beyond size 1.
+template <class K, std::size_t Count>
+void fill_affine([[maybe_unused]] AffineNet<K, Count>& p,
+                 [[maybe_unused]] const std::array<Row<K>, Count>& net, [[maybe_unused]] double net_error) {
+  if constexpr (K::weighted) {
+    double least = HUGE_VAL;
+    double greatest = 0;
+    for (const Row<K>& point : net) {
+      least = std::min(least, point[3]);
+      greatest = std::max(greatest, point[3]);
+    }
+    p.least_weight = least - kSlack * net_error - kUnit;
+    p.greatest_weight = kSlack * (greatest + net_error);
+    if (!(p.least_weight > kLeastWeight)) {
+      for (std::size_t i = 0; i < Count; ++i)
+        p.affine[i] = {4.0 * (i % 2 == 0 ? 1 : -1), 4, i == 0 ? -4.0 : 4.0};
+      p.affine_error = HUGE_VAL;
+      p.least_weight = 0;
+      return;
+    }
+    double size = 0;
+    for (std::size_t i = 0; i < Count; ++i) {
+      p.affine[i] = affine(net[i]);
+      size = std::max(size, largest(p.affine[i]));
+    }
+    p.affine_error = kSlack * (net_error * (1 + size) / p.least_weight + 2 * kUnit * size);
+  }
+}
+
 template <class K>
-void fill(SubPatchOf<K>& p) {
+void fill(SubPatchOf<K>& p, double net_error) {
   constexpr std::size_t n = K::degree;
-  enclose(p.net, p.lower, p.upper);
-  p.normal = cross(p.net[K::count - 1] - p.net[0], p.net[K::side * n] - p.net[n]);
+  fill_affine<K, K::count>(p, p.net, net_error);
+  const auto& points = p.points();
+  enclose(points, p.lower, p.upper);
+  p.normal = cross(points[K::count - 1] - points[0], points[K::side * n] - points[n]);
   p.normal_size = kSlack * (size1(p.normal) + kTiny);
-  project(p.net, p.normal, p.normal_lower, p.normal_upper);
+  project(points, p.normal, p.normal_lower, p.normal_upper);
   p.children = 0;
 }
 
@@ -79,25 +103,17 @@ bool apart_along_normal(const SubPatchOf<K>& patch, const std::array<Vec3, N>& p
                net_error);
 }
 
-double largest_of(const Vec3* begin, std::size_t count) {
-  double result = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    result = std::max(result, largest(begin[i]));
-  }
-  return result;
-}
-
 }  // namespace
 
 template <class K>
-PatchTreeOf<K>::PatchTreeOf(const PatchOf<K>& patch) {
+PatchTreeOf<K>::PatchTreeOf(const PatchOf<K>& patch, double net_error) : net_error_(net_error) {
   nodes_.reserve(128);
   SubPatchOf<K> root;
   root.net = patch.net;
   root.first = root.second = -0.5;
   root.width = 1;
   root.level = 0;
-  fill(root);
+  fill(root, net_error_);
   nodes_.push_back(root);
 }
 
@@ -134,7 +150,7 @@ std::size_t PatchTreeOf<K>::split(std::size_t i) {
     child.first = parent.first + static_cast<double>(row) * child.width;
     child.second = parent.second + static_cast<double>(column) * child.width;
     child.level = parent.level + 1;
-    fill(child);
+    fill(child, net_error_);
   }
   return begin;
 }
@@ -151,158 +167,47 @@ void TreesOf<K>::split_larger(const PiecePair& pair, std::vector<PiecePair>& pai
 }
 
 template <class K>
-SubCurveOf<K> make_curve(const std::array<Row<K>, K::side>& net, double from, double width, int level) {
-  SubCurveOf<K> curve{net, {}, {}, from, width, level};
-  enclose(curve.net, curve.lower, curve.upper);
+SubCurveOf<K> make_curve(const std::array<Row<K>, K::side>& net, double from, double width, int level,
+                         double net_error) {
+  SubCurveOf<K> curve{{}, net, {}, {}, from, width, level};
+  fill_affine<K, K::side>(curve, net, net_error);
+  enclose(curve.points(), curve.lower, curve.upper);
   return curve;
 }
 
 template <class K>
-std::array<SubCurveOf<K>, 2> halves(const SubCurveOf<K>& curve) {
+std::array<SubCurveOf<K>, 2> halves(const SubCurveOf<K>& curve, double net_error) {
   const auto p = divided(curve.net);
   std::array<Row<K>, K::side> left;
   std::array<Row<K>, K::side> right;
   std::copy_n(p.begin(), K::side, left.begin());
   std::copy_n(p.begin() + K::degree, K::side, right.begin());
   const double width = 0.5 * curve.width;
-  return {make_curve<K>(left, curve.from, width, curve.level + 1),
-          make_curve<K>(right, curve.from + width, width, curve.level + 1)};
+  return {make_curve<K>(left, curve.from, width, curve.level + 1, net_error),
+          make_curve<K>(right, curve.from + width, width, curve.level + 1, net_error)};
 }
 
 template <class K>
 bool separated(const SubPatchOf<K>& x, const SubPatchOf<K>& y, double net_error) {
-  return boxes_apart(x.lower, x.upper, y.lower, y.upper, net_error) ||
-         apart_along_normal(x, y.net, net_error) || apart_along_normal(y, x.net, net_error);
+  const double error = std::max(x.error(net_error), y.error(net_error));
+  return boxes_apart(x.lower, x.upper, y.lower, y.upper, error) || apart_along_normal(x, y.points(), error) ||
+         apart_along_normal(y, x.points(), error);
 }
 
 template <class K>
 bool separated(const SubCurveOf<K>& curve, const SubPatchOf<K>& patch, double net_error) {
-  return boxes_apart(curve.lower, curve.upper, patch.lower, patch.upper, net_error) ||
-         apart_along_normal(patch, curve.net, net_error);
+  const double error = std::max(curve.error(net_error), patch.error(net_error));
+  return boxes_apart(curve.lower, curve.upper, patch.lower, patch.upper, error) ||
+         apart_along_normal(patch, curve.points(), error);
 }
 
-namespace {
-
-/// Control point j, 0 <= j <= n, of a curve of degree n - 1 with n points, `step` apart, elevated; t = j / n.
-template <std::size_t Degree>
-Vec3 elevated(const Vec3* points, std::size_t j) {
-  if (j == 0) return points[0];
-  if (j == Degree) return points[Degree - 1];
-  if constexpr (Degree == 2) {
-    return mean(points[0], points[1]);
-  } else {
-    const double t = static_cast<double>(j) / static_cast<double>(Degree);
-    return t * points[j - 1] + (1 - t) * points[j];
-  }
-}
-
-template <std::size_t Degree>
-constexpr std::array<double, Degree + 1> binomials() {
-  std::array<double, Degree + 1> b{};
-  b[0] = 1;
-  for (std::size_t k = 1; k <= Degree; ++k)
-    b[k] = b[k - 1] * static_cast<double>(Degree + 1 - k) / static_cast<double>(k);
-  return b;
-}
-
-}  // namespace
-
-template <class K>
-DirectionNetOf<K> direction_net(const SubPatchOf<K>& x, const std::array<double, 2>& c, double net_error) {
-  constexpr std::size_t n = K::degree;
-  DirectionNetOf<K> d;
-  std::array<Vec3, n> steps;
-  for (std::size_t i = 0; i <= n; ++i) {
-    const Vec3* p = &x.net[K::side * i];
-    for (std::size_t j = 0; j < n; ++j) steps[j] = p[j + 1] - p[j];
-    for (std::size_t j = 0; j <= n; ++j) d.vectors[K::side * i + j] = c[0] * elevated<n>(steps.data(), j);
-  }
-  for (std::size_t j = 0; j <= n; ++j) {
-    for (std::size_t i = 0; i < n; ++i) steps[i] = x.net[K::side * (i + 1) + j] - x.net[K::side * i + j];
-    for (std::size_t i = 0; i <= n; ++i) {
-      Vec3& sum = d.vectors[K::side * i + j];
-      sum = sum - c[1] * elevated<n>(steps.data(), i);
-    }
-  }
-  enclose(d.vectors, d.lower, d.upper);
-  d.error = kDirectionError * net_error;
-  d.size = largest_of(d.vectors.data(), d.vectors.size()) + d.error;
-  return d;
-}
-
-template <class K>
-NormalNetOf<K> normal_net(const SubPatchOf<K>& y, double net_error) {
-  constexpr std::size_t n = K::degree;
-  constexpr std::size_t m = n + 1;
-  std::array<Vec3, n * m> a;  // y_r: index m i + j, i < n
-  std::array<Vec3, n * m> b;  // y_s: index n i + j, j < n
-  for (std::size_t k = 0; k < n * m; ++k) {
-    a[k] = y.net[k + m] - y.net[k];
-    b[k] = y.net[m * (k / n) + k % n + 1] - y.net[m * (k / n) + k % n];
-  }
-  constexpr auto low = binomials<n - 1>();
-  constexpr auto high = binomials<n>();
-  constexpr auto both = binomials<2 * n - 1>();
-  NormalNetOf<K> result;
-  result.vectors.fill(Vec3{0, 0, 0});
-  for (std::size_t p = 0; p < n * m; ++p) {
-    for (std::size_t q = 0; q < n * m; ++q) {
-      const std::size_t i = p / m + q / n;
-      const std::size_t j = p % m + q % n;
-      const double weight =
-          (low[p / m] * high[q / n]) * (high[p % m] * low[q % n]) * ((1 / both[i]) * (1 / both[j]));
-      Vec3& sum = result.vectors[2 * n * i + j];
-      sum = sum + weight * cross(a[p], b[q]);
-    }
-  }
-  const double size_a = largest_of(a.data(), a.size());
-  const double size_b = largest_of(b.data(), b.size());
-  enclose(result.vectors, result.lower, result.upper);
-  result.error = kNormalError * net_error * (size_a + size_b + 3 * net_error) +
-                 kNormalRounding<n> * kUnit * size_a * size_b + kTiny;
-  result.size = largest_of(result.vectors.data(), result.vectors.size()) + result.error;
-  return result;
-}
-
-// d.n = sum B_i(u,v) B_j(r,s) d_i.n_j, so the signs of the d_i.n_j decide.
-template <std::size_t M, std::size_t N>
-bool never_orthogonal(const VectorNet<M>& d, const VectorNet<N>& n) {
-  const double error = kSlack * (kProducts * (d.size * n.error + n.size * d.error) +
-                                 kProductRounding * kUnit * d.size * n.size) +
-                       kTiny;
-  double lower = 0;
-  double upper = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto range = std::minmax(
-        {d.lower[c] * n.lower[c], d.lower[c] * n.upper[c], d.upper[c] * n.lower[c], d.upper[c] * n.upper[c]});
-    lower += range.first;
-    upper += range.second;
-  }
-  if (lower > error || upper < -error) {
-    return true;
-  }
-  const bool positive = dot(d.vectors[M / 2], n.vectors[N / 3]) > 0;
-  for (const Vec3& a : d.vectors) {
-    for (const Vec3& b : n.vectors) {
-      const double t = dot(a, b);
-      if (!(positive ? t > error : t < -error)) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-#define EXSECT_INSTANTIATE(K)                                                                              \
-  template class PatchTreeOf<K>;                                                                           \
-  template struct TreesOf<K>;                                                                              \
-  template SubCurveOf<K> make_curve<K>(const std::array<Row<K>, K::side>&, double, double, int);           \
-  template std::array<SubCurveOf<K>, 2> halves<K>(const SubCurveOf<K>&);                                   \
-  template bool separated<K>(const SubPatchOf<K>&, const SubPatchOf<K>&, double);                          \
-  template bool separated<K>(const SubCurveOf<K>&, const SubPatchOf<K>&, double);                          \
-  template DirectionNetOf<K> direction_net<K>(const SubPatchOf<K>&, const std::array<double, 2>&, double); \
-  template NormalNetOf<K> normal_net<K>(const SubPatchOf<K>&, double);                                     \
-  template bool never_orthogonal(const DirectionNetOf<K>&, const NormalNetOf<K>&);
+#define EXSECT_INSTANTIATE(K)                                                                            \
+  template class PatchTreeOf<K>;                                                                         \
+  template struct TreesOf<K>;                                                                            \
+  template SubCurveOf<K> make_curve<K>(const std::array<Row<K>, K::side>&, double, double, int, double); \
+  template std::array<SubCurveOf<K>, 2> halves<K>(const SubCurveOf<K>&, double);                         \
+  template bool separated<K>(const SubPatchOf<K>&, const SubPatchOf<K>&, double);                        \
+  template bool separated<K>(const SubCurveOf<K>&, const SubPatchOf<K>&, double);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

@@ -9,10 +9,30 @@
 
 namespace exsect::filter {
 
+/// Points of space whose convex hull contains a curve or patch, but for an error of each coordinate: for
+/// polynomial ones the control points themselves, for weighted ones these divided by their weights, as long
+/// as all of these are positive; otherwise the error is infinite. The scale of a solution is between
+/// quotients of the weights' bounds.
+template <class K, std::size_t Count>
+struct AffineNet {
+  const std::array<Vec3, Count>& points(const std::array<Row<K>, Count>& net) const { return net; }
+  double error(double net_error) const { return net_error; }
+};
+template <class K, std::size_t Count>
+requires K::weighted struct AffineNet<K, Count> {
+  std::array<Vec3, Count> affine;
+  double affine_error;
+  double least_weight;
+  double greatest_weight;
+  const std::array<Vec3, Count>& points(const std::array<Row<K>, Count>&) const { return affine; }
+  double error(double) const { return affine_error; }
+};
+
 /// Its exact control points are within Pair::net_error of `net`.
 template <class K>
-struct SubPatchOf {
+struct SubPatchOf : AffineNet<K, K::count> {
   CoefficientsOf<K> net;
+  const std::array<Vec3, K::count>& points() const { return AffineNet<K, K::count>::points(net); }
   Vec3 lower;  // box of the net
   Vec3 upper;
   Vec3 normal;  // any direction; and the interval of normal.P over the net, and a bound of |normal|_1 + kTiny
@@ -31,7 +51,8 @@ using SubPatch = SubPatchOf<Biquadratic>;
 template <class K>
 class PatchTreeOf {
  public:
-  explicit PatchTreeOf(const PatchOf<K>& patch);
+  /// `net_error` as in Pair: of all nets of the tree.
+  explicit PatchTreeOf(const PatchOf<K>& patch, double net_error = 0);
   const SubPatchOf<K>& operator[](std::size_t i) const { return nodes_[i]; }
   std::size_t size() const { return nodes_.size(); }
   /// Index of the first of four children. Requires level < kDeepestLevel.
@@ -39,6 +60,7 @@ class PatchTreeOf {
 
  private:
   std::vector<SubPatchOf<K>> nodes_;
+  double net_error_;
 };
 using PatchTree = PatchTreeOf<Biquadratic>;
 
@@ -60,10 +82,23 @@ struct TreesOf {
 };
 using Trees = TreesOf<Biquadratic>;
 
+/// The box of some vectors.
+template <std::size_t N, std::size_t Rows>
+void enclose(const std::array<Vec<Rows>, N>& points, Vec<Rows>& lower, Vec<Rows>& upper) {
+  lower = upper = points[0];
+  for (std::size_t i = 1; i < N; ++i) {
+    for (std::size_t c = 0; c < Rows; ++c) {
+      lower[c] = std::min(lower[c], points[i][c]);
+      upper[c] = std::max(upper[c], points[i][c]);
+    }
+  }
+}
+
 /// A piece of a boundary line.
 template <class K>
-struct SubCurveOf {
+struct SubCurveOf : AffineNet<K, K::side> {
   std::array<Row<K>, K::side> net;
+  const std::array<Vec3, K::side>& points() const { return AffineNet<K, K::side>::points(net); }
   Vec3 lower;
   Vec3 upper;
   double from;
@@ -71,15 +106,41 @@ struct SubCurveOf {
   int level;
 };
 template <class K>
-SubCurveOf<K> make_curve(const std::array<Row<K>, K::side>& net, double from, double width, int level);
+SubCurveOf<K> make_curve(const std::array<Row<K>, K::side>& net, double from, double width, int level,
+                         double net_error);
 template <class K>
-std::array<SubCurveOf<K>, 2> halves(const SubCurveOf<K>& curve);
+std::array<SubCurveOf<K>, 2> halves(const SubCurveOf<K>& curve, double net_error);
 
 /// True only if the two have no point in common.
 template <class K>
 bool separated(const SubPatchOf<K>& x, const SubPatchOf<K>& y, double net_error);
 template <class K>
 bool separated(const SubCurveOf<K>& curve, const SubPatchOf<K>& patch, double net_error);
+
+/// The scale of solutions on two pieces, x_4 / (kScaleUnit y_4), as an interval that is infinite where
+/// weights are not proved positive.
+struct RangeOfScale {
+  double middle;
+  double half;
+};
+template <class X, class Y>
+RangeOfScale range_of_scale(const X& x, const Y& y) {
+  if (!(x.least_weight > 0 && y.least_weight > 0)) {
+    return {1, HUGE_VAL};
+  }
+  const double lower = x.least_weight / (kScaleUnit * y.greatest_weight);
+  const double upper = x.greatest_weight / (kScaleUnit * y.least_weight);
+  return {0.5 * (lower + upper), kSlack * 0.5 * (upper - lower) + 8 * kUnit * upper};
+}
+
+/// Where weights hardly vary the range of the scale is far smaller than those of the parameters: a region has
+/// some room beyond it. Nothing for polynomial patches.
+template <class K>
+void widen_scale([[maybe_unused]] Unknowns<K>& halfwidth, [[maybe_unused]] double scale) {
+  if constexpr (K::weighted) {
+    halfwidth[4] += 0.25 * scale * std::max({halfwidth[0], halfwidth[1], halfwidth[2], halfwidth[3]});
+  }
+}
 
 /// The largest extent of the box.
 inline double extent(const Vec3& lower, const Vec3& upper) {
@@ -88,18 +149,19 @@ inline double extent(const Vec3& lower, const Vec3& upper) {
 
 /// Control vectors, all divided by the same positive number, of c_u x_v - c_v x_u, bidegree (n,n), or of y_r
 /// x y_s, bidegree (2n-1,2n-1), on a sub-patch, with their box and a bound of the error of every coordinate.
-template <std::size_t N>
+/// Of weighted patches: in R^4, and the covector [. Y Y_r Y_s], bidegree (3n-1,3n-1).
+template <std::size_t N, std::size_t Rows>
 struct VectorNet {
-  std::array<Vec3, N> vectors;
-  Vec3 lower;
-  Vec3 upper;
+  std::array<Vec<Rows>, N> vectors;
+  Vec<Rows> lower;
+  Vec<Rows> upper;
   double size;  // bound of all coordinates
   double error;
 };
 template <class K>
-using DirectionNetOf = VectorNet<K::count>;
+using DirectionNetOf = VectorNet<K::count, K::rows>;
 template <class K>
-using NormalNetOf = VectorNet<4 * K::degree * K::degree>;
+using NormalNetOf = VectorNet<K::weighted ? 9 * K::degree * K::degree : 4 * K::degree * K::degree, K::rows>;
 using NormalNet = NormalNetOf<Biquadratic>;
 template <class K>
 DirectionNetOf<K> direction_net(const SubPatchOf<K>& x, const std::array<double, 2>& c, double net_error);
@@ -107,7 +169,7 @@ template <class K>
 NormalNetOf<K> normal_net(const SubPatchOf<K>& y, double net_error);
 
 /// True only if (c_u x_v - c_v x_u).(y_r x y_s) has no zero on the two sub-patches.
-template <std::size_t M, std::size_t N>
-bool never_orthogonal(const VectorNet<M>& d, const VectorNet<N>& n);
+template <std::size_t M, std::size_t N, std::size_t Rows>
+bool never_orthogonal(const VectorNet<M, Rows>& d, const VectorNet<N, Rows>& n);
 
 }  // namespace exsect::filter

@@ -96,6 +96,20 @@ template <class K>
   return v;
 }
 
+/// Bounds of |p(a,b) - p(0,0)| over |a| <= ha, |b| <= hb.
+template <class K>
+Row<K> value_variation(const CoefficientsOf<K>& c, double ha, double hb) {
+  const Vec<K::side> a = powers<K>(ha);
+  const Vec<K::side> b = powers<K>(hb);
+  Row<K> sum{};
+  for (std::size_t k = 1; k < K::count; ++k) {
+    for (std::size_t row = 0; row < K::rows; ++row) {
+      sum[row] += std::fabs(c[k][row]) * (a[k / K::side] * b[k % K::side]);
+    }
+  }
+  return sum;
+}
+
 /// p_a and p_b at (a,b).
 template <class K>
 [[gnu::always_inline]] inline void derivatives(const CoefficientsOf<K>& c, double a, double b, Row<K>& first,

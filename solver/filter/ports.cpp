@@ -161,8 +161,8 @@ class Branch {
       last = point->t - point->error;
     }
     port.approach.pop_back();
-    return port.ball.radius < kRadiusShare * 0.25 * kEndMargin<false> ? std::optional(std::move(port))
-                                                                      : std::nullopt;
+    return port.ball.radius < kRadiusShare * 0.25 * kEndMargin<0> ? std::optional(std::move(port))
+                                                                  : std::nullopt;
   }
 
   /// All of the ball, and of its hull with the centre, is inside the domain and in this arc's part of the

@@ -29,7 +29,8 @@ void add_product(Series& sum, const Series& f, std::size_t m, const Series& g, s
 }  // namespace
 
 // C F_j is the unit vector of j's row but for rounding, so that the coefficient of C F at tau^k is that of w
-// plus what products of lower ones give. Those of a^i b^j: a^2, ..., then times b.
+// plus what products of lower ones give. Those of a^i b^j: a^2, ..., then times b. The scale's own series
+// times that of h comes to this.
 template <class K>
 void expand_arc(TubeOf<K>& tube) {
   std::array<Series, K::count> product{};  // of a^i b^j at side i + j
@@ -39,8 +40,14 @@ void expand_arc(TubeOf<K>& tube) {
   for (std::size_t j = 0; j < 4; ++j) {
     (*coordinate[j])[1][j / 2] = tube.slope[j];
   }
+  [[maybe_unused]] std::array<double, kDegree + 1> scale{};
+  [[maybe_unused]] std::array<Row<K>, kDegree + 1> h{};  // of h(r,s) - h(0,0)
+  if constexpr (K::weighted) {
+    scale[1] = tube.per_scale * tube.slope[4];
+    h[1] = tube.slope[2] * tube.h[kFirst<K>] + tube.slope[3] * tube.h[kSecond];
+  }
   for (std::size_t k = 2; k <= kDegree; ++k) {
-    std::array<double, K::rows> sum{};
+    Row<K> sum{};
     for_each_index<K::count>([&](auto index) EXSECT_INLINE {
       constexpr std::size_t i = index / K::side;
       constexpr std::size_t j = index % K::side;
@@ -52,15 +59,28 @@ void expand_arc(TubeOf<K>& tube) {
         }
         for (std::size_t row = 0; row < K::rows; ++row) {
           sum[row] += tube.g[index][row] * product[index][k][0] + tube.h[index][row] * product[index][k][1];
+          if constexpr (K::weighted) {
+            h[k][row] += tube.h[index][row] * product[index][k][1];
+          }
         }
       }
     });
+    if constexpr (K::weighted) {
+      for (std::size_t m = 1; m < k; ++m) sum = sum + scale[m] * h[k - m];
+    }
     for (std::size_t row = 0; row < K::rows; ++row) {
       const std::size_t j = tube.others[row];
-      (*coordinate[j])[k][j / 2] = -sum[row];
+      if (j < 4) {
+        (*coordinate[j])[k][j / 2] = -sum[row];
+      } else {
+        scale[k] = tube.per_scale * -sum[row];
+      }
       if (k > 2) {
         tube.further[k - 3][row] = -sum[row];
       }
+    }
+    if constexpr (K::weighted) {
+      h[k] = h[k] + a[k][1] * tube.h[kFirst<K>] + b[k][1] * tube.h[kSecond];
     }
   }
 }
@@ -106,8 +126,9 @@ double arc_second(const TubeOf<K>& tube, double tau, std::size_t i) {
 }
 
 template <class K>
-VertexFormsOf<K::degree> vertex_forms(const PairOf<K>& pair, const TubeOf<K>& tube, double greatest) {
-  VertexFormsOf<K::degree> forms;
+VertexFormsOf<K::degree, K::rows> vertex_forms(const PairOf<K>& pair, const TubeOf<K>& tube,
+                                               double greatest) {
+  VertexFormsOf<K::degree, K::rows> forms;
   for (std::size_t i = 0; i < K::count; ++i) {
     std::copy(tube.g[i].begin(), tube.g[i].end(), forms.g[i]);
     std::copy(tube.h[i].begin(), tube.h[i].end(), forms.h[i]);
@@ -131,6 +152,7 @@ VertexFormsOf<K::degree> vertex_forms(const PairOf<K>& pair, const TubeOf<K>& tu
   std::copy(pair.frame.origin.begin(), pair.frame.origin.end(), forms.origin);
   forms.scale = std::ldexp(1.0, static_cast<int>(pair.frame.exponent));
   forms.greatest = greatest;
+  forms.per_scale = tube.per_scale;
   return forms;
 }
 
@@ -142,8 +164,8 @@ bool has_vertex_lanes() {
 #endif
 }
 
-template <int Degree>
-void evaluate_vertices(const VertexFormsOf<Degree>& forms, VertexBlock& block) {
+template <int Degree, int Rows>
+void evaluate_vertices(const VertexFormsOf<Degree, Rows>& forms, VertexBlock& block) {
 #ifdef __x86_64__
   static const bool lanes = has_vertex_lanes();
   if (lanes) {
@@ -154,13 +176,13 @@ void evaluate_vertices(const VertexFormsOf<Degree>& forms, VertexBlock& block) {
   evaluate_vertices_scalar(forms, block);
 }
 
-#define EXSECT_INSTANTIATE(K)                                                                    \
-  template void expand_arc<K>(TubeOf<K>&);                                                       \
-  template Unknowns<K> arc_offset<K>(const TubeOf<K>&, double);                                  \
-  template Unknowns<K> arc_slope<K>(const TubeOf<K>&, double);                                   \
-  template double arc_second<K>(const TubeOf<K>&, double, std::size_t);                          \
-  template VertexFormsOf<K::degree> vertex_forms<K>(const PairOf<K>&, const TubeOf<K>&, double); \
-  template void evaluate_vertices<K::degree>(const VertexFormsOf<K::degree>&, VertexBlock&);
+#define EXSECT_INSTANTIATE(K)                                                                             \
+  template void expand_arc<K>(TubeOf<K>&);                                                                \
+  template Unknowns<K> arc_offset<K>(const TubeOf<K>&, double);                                           \
+  template Unknowns<K> arc_slope<K>(const TubeOf<K>&, double);                                            \
+  template double arc_second<K>(const TubeOf<K>&, double, std::size_t);                                   \
+  template VertexFormsOf<K::degree, K::rows> vertex_forms<K>(const PairOf<K>&, const TubeOf<K>&, double); \
+  template void evaluate_vertices<K::degree, K::rows>(const VertexFormsOf<K::degree, K::rows>&, VertexBlock&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

@@ -23,11 +23,11 @@ double arc_second(const TubeOf<K>& tube, double tau, std::size_t i);
 
 /// For points of this tube's arc, `greatest` as there.
 template <class K>
-VertexFormsOf<K::degree> vertex_forms(const PairOf<K>& pair, const TubeOf<K>& tube, double greatest);
+VertexFormsOf<K::degree, K::rows> vertex_forms(const PairOf<K>& pair, const TubeOf<K>& tube, double greatest);
 
 /// evaluate_vertices_lanes where the processor has them, else evaluate_vertices_scalar.
-template <int Degree>
-void evaluate_vertices(const VertexFormsOf<Degree>& forms, VertexBlock& block);
+template <int Degree, int Rows>
+void evaluate_vertices(const VertexFormsOf<Degree, Rows>& forms, VertexBlock& block);
 bool has_vertex_lanes();
 
 }  // namespace exsect::filter

@@ -42,7 +42,7 @@ class Tracer {
   /// The next piece, with smaller steps until it is proved.
   bool advance() {
     const Unknowns<K> tangent = tangent_here();
-    std::size_t axis = steepest(tangent);
+    std::size_t axis = steepest(first_four<K>(tangent));
     int direction = wanted_direction(tangent, axis);
     if (direction == 0) {  // turned so much that the last tube does not tell: its own axis, once more
       axis = trace_.pieces.back().tube.axis;
@@ -72,14 +72,14 @@ class Tracer {
     const double ahead = 0.5 * direction * step_;
     Unknowns<K> centre = position_.middle;
     if (trace_.pieces.empty()) {
-      for (std::size_t j = 0; j < 4; ++j) {
+      for (std::size_t j = 0; j < K::unknowns; ++j) {
         centre[j] += ahead * (tangent[j] / tangent[axis]);
       }
       return centre;
     }
     const PieceOf<K>& last = trace_.pieces.back();
     const Unknowns<K> offset = arc_offset(last.tube, last.range.to() + ahead / tangent[axis]);
-    for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t j = 0; j < K::unknowns; ++j) {
       centre[j] = j == axis ? centre[j] + ahead : last.tube.centre[j] + offset[j];
     }
     return centre;
@@ -111,8 +111,8 @@ class Tracer {
     }
     const double reach = 0.51 * step_ + 2 * position_.radius;
     const Row<K> residual = residual_bound(pair_, tube, reach);
-    const double width = std::max(2 * largest(residual), kLeastHalfwidth<K::wide>);
-    if (position_.radius > 0.25 * kEndMargin<K::wide> ||
+    const double width = std::max(2 * largest(residual), kLeastHalfwidth<K::width>);
+    if (position_.radius > 0.25 * kEndMargin<K::width> ||
         !certify(pair_, tube, -reach, reach, filled<K>(width), residual) ||
         tube.contraction > kWorstContraction || !contains(tube, position_)) {
       return false;

@@ -2,39 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "filter/series.h"
+#include "filter/tube_columns.h"
 
 namespace exsect::filter {
 
 namespace {
 
-constexpr std::array<std::array<std::size_t, 3>, 4> kOthers = {{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
-/// The Taylor coefficient that is column j of DF.
+/// Pair::order_error and total_error at the tube's scale; those of y are counted twice, as the scale changes
+/// by a half of itself at most on both sides and |1 + per_scale e_4| <= 2.
 template <class K>
-constexpr std::size_t first_order(std::size_t j) {
-  return j % 2 == 0 ? kFirst<K> : kSecond;
-}
-
-bool within_reach(const Vec4& p) {
-  return std::all_of(p.begin(), p.end(), [](double t) { return std::fabs(t) <= kReach; });
-}
-
-/// Rows of the inverse of the matrix with these columns, in plain doubles: any matrix is a legal C.
-bool invert(const Vec3& a, const Vec3& b, const Vec3& c, std::array<Vec3, 3>& rows) {
-  rows = {cross(b, c), cross(c, a), cross(a, b)};
-  const double inverse = 1 / dot(a, rows[0]);
-  if (!(std::fabs(inverse) < kGreatestInverse)) {
-    return false;
+auto order_error(const PairOf<K>& pair, [[maybe_unused]] const TubeOf<K>& tube)
+    -> std::conditional_t<K::weighted, std::array<double, K::orders>, const std::array<double, K::orders>&> {
+  if constexpr (K::weighted) {
+    std::array<double, K::orders> error;
+    for (std::size_t k = 0; k < K::orders; ++k) {
+      error[k] = kSlack * (pair.x_order_error[k] + 2 * kScaleUnit * tube.centre[4] * pair.y_order_error[k]);
+    }
+    return error;
+  } else {
+    return pair.order_error;
   }
-  for (Vec3& row : rows) {
-    row = inverse * row;
-  }
-  return true;
-}
-
-inline Vec3 product(const std::array<Vec3, 3>& rows, const Vec3& v) {
-  return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
 }
 
 }  // namespace
@@ -56,48 +46,30 @@ ParameterBox box_around(const Vec4& place, double radius) {
 }
 
 template <class K>
-Linearisation<K> linearise(const PairOf<K>& pair, const Unknowns<K>& w) {
-  const CoefficientsOf<K> x = expand(pair.x, w[0], w[1]);
-  const CoefficientsOf<K> y = expand(pair.y, w[2], w[3]);
-  Linearisation<K> at;
-  at.value = x[0] - y[0];
-  const Row<K>&xu = x[kFirst<K>], &xv = x[kSecond], &yr = y[kFirst<K>], &ys = y[kSecond];
-  at.column = {xu, xv, -1.0 * yr, -1.0 * ys};
-  const Vec3 nx = cross(xu, xv);
-  const Vec3 ny = cross(yr, ys);
-  at.tangent = {dot(xv, ny), -dot(xu, ny), -dot(ys, nx), dot(yr, nx)};
-  return at;
-}
-
-std::size_t steepest(const Vec4& tangent, const Vec4& weight) {
-  std::size_t axis = 0;
-  for (std::size_t j = 1; j < 4; ++j) {
-    if (std::fabs(tangent[j]) * weight[axis] > std::fabs(tangent[axis]) * weight[j]) {
-      axis = j;
-    }
-  }
-  return axis;
-}
-
-template <class K>
 bool prepare(const PairOf<K>& pair, const Unknowns<K>& centre, std::size_t axis, TubeOf<K>& tube) {
-  if (!within_reach(centre)) {
+  if (!within_reach<K>(centre)) {
     return false;
   }
   tube.centre = centre;
   tube.axis = axis;
-  tube.others = kOthers[axis];
+  tube.others = kOthers<K>[axis];
   tube.space = expand(pair.x, centre[0], centre[1]);
   const CoefficientsOf<K> y = expand(pair.y, centre[2], centre[3]);
-  const std::array<Row<K>, 4> column = {tube.space[kFirst<K>], tube.space[kSecond], -1.0 * y[kFirst<K>],
-                                        -1.0 * y[kSecond]};
+  const auto column =
+      columns_of<K>(tube.space[kFirst<K>], tube.space[kSecond], y[0], y[kFirst<K>], y[kSecond], centre);
   std::array<Row<K>, K::rows> c;
-  if (!invert(column[tube.others[0]], column[tube.others[1]], column[tube.others[2]], c)) {
+  if (!invert_others<K>(column, axis, c)) {
     return false;
+  }
+  double scale = 1;
+  tube.per_scale = 0;
+  if constexpr (K::weighted) {
+    scale = kScaleUnit * centre[4];
+    tube.per_scale = 1 / centre[4];
   }
   for (std::size_t i = 0; i < K::count; ++i) {
     tube.g[i] = product(c, tube.space[i]);
-    tube.h[i] = -1.0 * product(c, y[i]);
+    tube.h[i] = -scale * product(c, y[i]);
   }
   for (std::size_t row = 0; row < K::rows; ++row) {
     tube.norm[row] = kSlack * size1(c[row]);
@@ -122,11 +94,20 @@ Row<K> residual_bound(const PairOf<K>& pair, const TubeOf<K>& tube, double reach
   const Vec<K::side> r = powers<K>(d[2]);
   const Vec<K::side> s = powers<K>(d[3]);
   const double steep = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2]), std::fabs(d[3])});
-  const double error = power_sum(pair.order_error, reach * steep);
+  const double error = power_sum(order_error(pair, tube), reach * steep);
   Row<K> sum{};
+  [[maybe_unused]] double rate = 0;  // of the scale, relative: a term per_scale d_4 tau h
+  if constexpr (K::weighted) {
+    rate = tube.per_scale * d[4];
+    const Row<K> last = rate * form_of_order<K, K::orders - 1>(tube.h, r, s);
+    for (std::size_t row = 0; row < K::rows; ++row) sum[row] = std::fabs(last[row]);
+  }
   for_each_index<K::orders>([&](auto down) EXSECT_INLINE {
     constexpr std::size_t order = K::orders - 1 - down;
-    const Row<K> term = form_of_order<K, order>(tube.g, u, v) + form_of_order<K, order>(tube.h, r, s);
+    Row<K> term = form_of_order<K, order>(tube.g, u, v) + form_of_order<K, order>(tube.h, r, s);
+    if constexpr (K::weighted && order > 0) {
+      term = term + rate * form_of_order<K, order - 1>(tube.h, r, s);
+    }
     for (std::size_t row = 0; row < K::rows; ++row) {
       sum[row] = std::fabs(term[row]) + reach * sum[row];
     }
@@ -154,17 +135,27 @@ bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper,
              const Row<K>& f) {
   const double reach = std::max(std::fabs(lower), std::fabs(upper));
   double farthest = 0;
-  for (std::size_t j = 0; j < 4; ++j) {
+  for (std::size_t j = 0; j < K::unknowns; ++j) {
     tube.halfwidth[j] = j == tube.axis ? 0 : halfwidth[j];
     tube.offset[j] = kSlack * (std::fabs(tube.slope[j]) * reach + tube.halfwidth[j]);
     if (!(tube.offset[j] <= 1)) {
       return false;
     }
-    farthest = std::max(farthest, tube.offset[j]);
+    if (j < 4) {
+      farthest = std::max(farthest, tube.offset[j]);
+    }
+  }
+  [[maybe_unused]] const double change = relative_change(tube);
+  if (!(change <= 0.5)) {
+    return false;
   }
   const Variation<K> vx = variation<K>(tube.g, tube.offset[0], tube.offset[1]);
   const Variation<K> vy = variation<K>(tube.h, tube.offset[2], tube.offset[3]);
-  const double column_error = derivative_power_sum(pair.order_error, farthest);
+  const auto& errors = order_error(pair, tube);
+  double column_error = derivative_power_sum(errors, farthest);
+  if constexpr (K::weighted) {
+    column_error = std::max(column_error, kScaleUnit * power_sum(pair.y_order_error, farthest));
+  }
   const std::array<const Row<K>*, 4> varied = {&vx.first, &vx.second, &vy.first, &vy.second};
   for (std::size_t j = 0; j < 4; ++j) {
     const Row<K>& at_centre = (j < 2 ? tube.g : tube.h)[first_order<K>(j)];
@@ -172,6 +163,19 @@ bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper,
       const double ideal = j == tube.axis ? -tube.slope[tube.others[row]] : tube.others[row] == j ? 1 : 0;
       tube.deviation[j][row] =
           kSlack * (std::fabs(at_centre[row] - ideal) + (*varied[j])[row] + tube.norm[row] * column_error);
+      if constexpr (K::weighted) {
+        if (j >= 2) {
+          tube.deviation[j][row] += kSlack * change * (std::fabs(at_centre[row]) + (*varied[j])[row]);
+        }
+      }
+    }
+  }
+  if constexpr (K::weighted) {
+    const Row<K> varied_value = value_variation<K>(tube.h, tube.offset[2], tube.offset[3]);
+    for (std::size_t row = 0; row < K::rows; ++row) {
+      const double ideal = tube.others[row] == 4 ? 1 : 0;
+      tube.deviation[4][row] = kSlack * (std::fabs(tube.per_scale * tube.h[0][row] - ideal) +
+                                         tube.per_scale * varied_value[row] + tube.norm[row] * column_error);
     }
   }
   tube.contraction = 0;
@@ -192,67 +196,18 @@ bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper,
   }
   tube.lower = lower;
   tube.upper = upper;
-  tube.value_error = kSlack * largest(tube.norm) * power_sum(pair.order_error, farthest);
+  tube.value_error = kSlack * largest(tube.norm) * power_sum(errors, farthest);
   tube.column_error = kSlack * largest(tube.norm) * column_error;
   return tube.contraction < 0.9;
 }
 
-namespace {
-
-/// Bounds x, by rows, of any nonnegative t with t <= b + E t, E the deviations of the columns other than the
-/// axis: at first t <= b + rho/(1 - rho) max b, then twice the right side for what is known of t.
-template <class K>
-Vec3 solved(const TubeOf<K>& tube, const Vec3& b) {
-  const double most = kSlack * tube.contraction / (1 - tube.contraction) * largest(b);
-  Vec3 x = {b[0] + most, b[1] + most, b[2] + most};
-  for (int round = 0; round < 2; ++round) {
-    const Vec3 next = b + x[0] * tube.deviation[tube.others[0]] + x[1] * tube.deviation[tube.others[1]] +
-                      x[2] * tube.deviation[tube.others[2]];
-    x = kSlack * next;
-  }
-  return x;
-}
-
-}  // namespace
-
-// (14.6), (14.7).
-template <class K>
-void bound_derivatives(const PairOf<K>& pair, TubeOf<K>& tube) {
-  Vec3 first{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    first = first + std::fabs(tube.slope[j]) * tube.deviation[j];
-  }
-  first = solved(tube, first);
-  tube.slope_error[tube.axis] = 0;
-  for (std::size_t row = 0; row < K::rows; ++row) {
-    tube.slope_error[tube.others[row]] = first[row];
-  }
-  double steep = 1;
-  for (std::size_t j = 0; j < 4; ++j) {
-    steep = std::max(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
-  }
-  const Vec4& d = tube.slope;
-  const Vec3 form = form_of_order<K, 2>(tube.g, powers<K>(d[0]), powers<K>(d[1])) +
-                    form_of_order<K, 2>(tube.h, powers<K>(d[2]), powers<K>(d[3]));
-  Vec3 deviation = quadratic_deviation<K>(tube.g, &d[0], &tube.slope_error[0], &tube.offset[0]) +
-                   quadratic_deviation<K>(tube.h, &d[2], &tube.slope_error[2], &tube.offset[2]);
-  deviation = deviation + (kSecondWeight<K::degree> * steep * steep * pair.total_error) * tube.norm;
-  // |w'' + 2 F2| <= deviation + E |w''|, and |w''| <= 2 |F2| + |w'' + 2 F2|.
-  Vec3 rest = deviation;
-  for (std::size_t row = 0; row < K::rows; ++row) {
-    rest = rest + (2 * std::fabs(form[row])) * tube.deviation[tube.others[row]];
-  }
-  rest = solved(tube, rest);
-  tube.second[tube.axis] = tube.second_error[tube.axis] = 0;
-  for (std::size_t row = 0; row < K::rows; ++row) {
-    tube.second[tube.others[row]] = -2 * form[row];
-    tube.second_error[tube.others[row]] = rest[row];
-  }
-}
-
 template <class K>
 Row<K> premultiplied_value(const TubeOf<K>& tube, const Unknowns<K>& o) {
-  return value_at<K>(tube.g, o[0], o[1]) + value_at<K>(tube.h, o[2], o[3]);
+  if constexpr (K::weighted) {
+    return value_at<K>(tube.g, o[0], o[1]) + (1 + tube.per_scale * o[4]) * value_at<K>(tube.h, o[2], o[3]);
+  } else {
+    return value_at<K>(tube.g, o[0], o[1]) + value_at<K>(tube.h, o[2], o[3]);
+  }
 }
 
 // (14.8): |w - w*| <= |C F(w)| / (1 - rho) for every w in the region.
@@ -318,64 +273,16 @@ bool excludes(const TubeOf<K>& tube, const BallOf<K>& ball) {
   });
 }
 
-namespace {
-
-template <class K>
-struct FirstOrder {
-  Row<K> value;
-  Row<K> first;
-  Row<K> second;
-};
-
-/// A patch and its derivatives at (h,k), approximately.
-template <class K>
-FirstOrder<K> first_order_at(const PatchOf<K>& patch, double h, double k) {
-  FirstOrder<K> at;
-  at.value = value_at<K>(patch.power, h, k);
-  derivatives<K>(patch.power, h, k, at.first, at.second);
-  return at;
-}
-
-}  // namespace
-
-template <class K>
-bool improve(const PairOf<K>& pair, Unknowns<K>& point, std::size_t axis, int steps) {
-  const auto& others = kOthers[axis];
-  for (int step = 0; step < steps; ++step) {
-    const FirstOrder<K> x = first_order_at(pair.x, point[0], point[1]);
-    const FirstOrder<K> y = first_order_at(pair.y, point[2], point[3]);
-    const std::array<Vec3, 4> column = {x.first, x.second, -1.0 * y.first, -1.0 * y.second};
-    std::array<Vec3, 3> c;
-    if (!invert(column[others[0]], column[others[1]], column[others[2]], c)) {
-      return false;
-    }
-    const Vec3 correction = product(c, x.value - y.value);
-    for (std::size_t row = 0; row < K::rows; ++row) {
-      point[others[row]] -= correction[row];
-    }
-    if (!within_reach(point)) {
-      return false;
-    }
-    if (largest(correction) < 0x1p-16) {
-      break;
-    }
-  }
-  return true;
-}
-
 #define EXSECT_INSTANTIATE(K)                                                                                \
   template RationalInterval interval<K>(const BallOf<K>&, std::size_t);                                      \
-  template Linearisation<K> linearise<K>(const PairOf<K>&, const Unknowns<K>&);                              \
   template bool prepare<K>(const PairOf<K>&, const Unknowns<K>&, std::size_t, TubeOf<K>&);                   \
   template Row<K> residual_bound<K>(const PairOf<K>&, const TubeOf<K>&, double);                             \
   template bool certify<K>(const PairOf<K>&, TubeOf<K>&, double, double, const Unknowns<K>&);                \
   template bool certify<K>(const PairOf<K>&, TubeOf<K>&, double, double, const Unknowns<K>&, const Row<K>&); \
-  template void bound_derivatives<K>(const PairOf<K>&, TubeOf<K>&);                                          \
   template Row<K> premultiplied_value<K>(const TubeOf<K>&, const Unknowns<K>&);                              \
   template BallOf<K> point_at<K>(const TubeOf<K>&, double, Unknowns<K>*);                                    \
   template bool contains<K>(const TubeOf<K>&, const BallOf<K>&);                                             \
-  template bool excludes<K>(const TubeOf<K>&, const BallOf<K>&);                                             \
-  template bool improve<K>(const PairOf<K>&, Unknowns<K>&, std::size_t, int);
+  template bool excludes<K>(const TubeOf<K>&, const BallOf<K>&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

@@ -26,6 +26,14 @@ Vec4 parameters_of(const BallOf<K>& ball) {
   return {ball.middle[0], ball.middle[1], ball.middle[2], ball.middle[3]};
 }
 
+template <class K>
+Vec4 first_four(const Unknowns<K>& w) {
+  return {w[0], w[1], w[2], w[3]};
+}
+/// A place with the scale that belongs to it, approximately: x_4 = kScaleUnit w_4 y_4.
+template <class K>
+Unknowns<K> with_scale(const PairOf<K>& pair, const Vec4& place);
+
 /// The values from 0 to 1 of a parameter in the ball.
 template <class K>
 RationalInterval interval(const BallOf<K>& ball, std::size_t parameter);
@@ -38,7 +46,7 @@ template <class K>
 struct Linearisation {
   Row<K> value;
   std::array<Row<K>, K::unknowns> column;  // F_u, F_v, F_r, F_s
-  Vec4 tangent;                            // (5.1)
+  Unknowns<K> tangent;                     // (5.1), and the change of the scale along it
 };
 template <class K>
 Linearisation<K> linearise(const PairOf<K>& pair, const Unknowns<K>& at);
@@ -63,6 +71,7 @@ struct TubeOf {
   double contraction;  // rho: row sum bound of C DF - 1 on the region, < 1
 
   CoefficientsOf<K> g;      // C x(.)
+  double per_scale;         // of weighted patches, 1 / centre[4]: F = x(.) - (1 + per_scale e_4) y(.)
   CoefficientsOf<K> h;      // -C y(.)
   CoefficientsOf<K> space;  // x(.)
   Row<K> norm;              // bounds of the row sums of |C|

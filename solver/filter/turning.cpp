@@ -7,6 +7,7 @@
 
 #include "answer/parameter_box.h"
 #include "filter/series.h"
+#include "filter/tube_direction.h"
 
 namespace exsect::filter {
 
@@ -15,67 +16,11 @@ namespace {
 constexpr int kDeepestSplit = 30;
 constexpr std::size_t kMostPieces = 4000;
 
-/// w'(tau) is within `radius` of `middle`.
-template <class K>
-struct Direction {
-  Unknowns<K> middle;
-  double radius;
-};
-
-/// Bound of the change of any C F_j, row by row, per unit of distance in the region. The errors of the
-/// coefficients, times the distance, are below column_error, which is added once more.
-template <class K>
-double steepest_change(const TubeOf<K>& tube) {
-  return kSlack * std::max(second_derivatives<K>(tube.g, tube.offset[0], tube.offset[1]),
-                           second_derivatives<K>(tube.h, tube.offset[2], tube.offset[3]));
-}
-
-/// (14.9): for d near w', d_axis = 1, |w' - d| <= |sum C F_j d_j| / (1 - rho), C F_j at the true point.
-template <class K>
-Direction<K> direction_at(const TubeOf<K>& tube, double tau) {
-  Unknowns<K> o;
-  const BallOf<K> ball = point_at(tube, tau, &o);
-  std::array<Row<K>, 4> column;
-  derivatives<K>(tube.g, o[0], o[1], column[0], column[1]);
-  derivatives<K>(tube.h, o[2], o[3], column[2], column[3]);
-  Direction<K> d;
-  d.middle = arc_slope(tube, tau);
-  double least = HUGE_VAL;
-  Unknowns<K> next = d.middle;
-  for (int step = 0; step < 30; ++step) {
-    Row<K> rest{};
-    for (std::size_t j = 0; j < 4; ++j) {
-      rest = rest + next[j] * column[j];
-    }
-    if (!(largest(rest) < 0.75 * least)) {
-      break;
-    }
-    least = largest(rest);
-    d.middle = next;
-    if (least <= 0.125 * tube.column_error) {
-      break;
-    }
-    for (std::size_t row = 0; row < K::rows; ++row) {
-      next[tube.others[row]] -= rest[row];
-    }
-  }
-  double size = 0;
-  for (const double t : d.middle) {
-    size += std::fabs(t);
-  }
-  // |C F_j| < 2 in the region but for the axis, where it is |slope|.
-  const double column_error = steepest_change(tube) * ball.radius + 2 * tube.column_error +
-                              kDirectionRounding * (2 + largest<3>({tube.slope[0], tube.slope[1], 0}) +
-                                                    largest<3>({tube.slope[2], tube.slope[3], 0}));
-  d.radius = kSlack * (least + size * column_error) / (1 - tube.contraction);
-  return d;
-}
-
-/// At the end of a piece: w_i' has this sign within kEndMargin<K::wide> of it as well, where the neighbouring
-/// piece, or the boundary point itself, begins.
+/// At the end of a piece: w_i' has this sign within kEndMargin<K::width> of it as well, where the
+/// neighbouring piece, or the boundary point itself, begins.
 template <class K>
 int sign_near(const TubeOf<K>& tube, Direction<K> d, std::size_t i) {
-  d.radius = kSlack * (d.radius + kEndMargin<K::wide> * (std::fabs(tube.second[i]) + tube.second_error[i]));
+  d.radius = kSlack * (d.radius + kEndMargin<K::width> * (std::fabs(tube.second[i]) + tube.second_error[i]));
   return d.middle[i] > d.radius ? 1 : d.middle[i] < -d.radius ? -1 : 0;
 }
 
@@ -120,7 +65,7 @@ class TurnFinder {
   };
 
   /// Pieces end and begin at offsets of one point in doubles, so with different points of the curve, less
-  /// than kEndMargin<K::wide> apart. What is between them lies on the arcs of both tubes, on which a
+  /// than kEndMargin<K::width> apart. What is between them lies on the arcs of both tubes, on which a
   /// parameter turns once at most, so not at all if it changes in the same sense on both sides.
   bool joined() const {
     for (std::size_t k = 0; k + 1 < ends_.size(); ++k) {
@@ -251,8 +196,8 @@ class TurnFinder {
     }
     const double reach = 0.505 * std::fabs(to - from) + 4 * radius;
     const Row<K> residual = residual_bound(pair_, result.tube, reach);
-    const double width = std::max(2 * largest(residual), kLeastHalfwidth<K::wide>);
-    if (radius > 0x1p-2 * kEndMargin<K::wide> ||
+    const double width = std::max(2 * largest(residual), kLeastHalfwidth<K::width>);
+    if (radius > 0x1p-2 * kEndMargin<K::width> ||
         !certify(pair_, result.tube, -reach, reach, filled<K>(width), residual) ||
         !contains(result.tube, start) || !contains(result.tube, end)) {
       return false;
@@ -287,7 +232,7 @@ class TurnFinder {
       const auto [from, to] = around(piece, t, bound);
       return record(k, i, from, to);
     }
-    for (double delta = 2.5 * d.radius / std::fabs(tube.second[i]) + kPlacing; delta < kLargestBox<K::wide>;
+    for (double delta = 2.5 * d.radius / std::fabs(tube.second[i]) + kPlacing; delta < kLargestBox<K::width>;
          delta *= 2) {
       const auto [from, to] = around(piece, t, delta);
       const int before = sign_of(direction_at(tube, from), i);
@@ -338,7 +283,7 @@ class TurnFinder {
     turn.ball.radius = kSlack * (turn.ball.radius + steep * (0.5 * std::fabs(to - from) + kSumRounding));
     turns_.push_back(turn);
     // All of the node's box in the region: no other turning point with respect to i is there.
-    return turn.ball.radius < kLargestBox<K::wide> &&
+    return turn.ball.radius < kLargestBox<K::width> &&
            contains(tube, {turn.ball.middle, turn.ball.radius + kPlacing});
   }
 

@@ -6,13 +6,15 @@
 
 namespace exsect::filter {
 
-template <int Degree>
-void evaluate_vertices_lanes(const VertexFormsOf<Degree>& forms, VertexBlock& block) {
+template <int Degree, int Rows>
+void evaluate_vertices_lanes(const VertexFormsOf<Degree, Rows>& forms, VertexBlock& block) {
   kernel::evaluate_vertices(forms, block);
 }
 
-template void evaluate_vertices_lanes<2>(const VertexFormsOf<2>&, VertexBlock&);
-template void evaluate_vertices_lanes<3>(const VertexFormsOf<3>&, VertexBlock&);
+template void evaluate_vertices_lanes<2, 3>(const VertexFormsOf<2, 3>&, VertexBlock&);
+template void evaluate_vertices_lanes<2, 4>(const VertexFormsOf<2, 4>&, VertexBlock&);
+template void evaluate_vertices_lanes<3, 3>(const VertexFormsOf<3, 3>&, VertexBlock&);
+template void evaluate_vertices_lanes<3, 4>(const VertexFormsOf<3, 4>&, VertexBlock&);
 
 }  // namespace exsect::filter
 

@@ -5,7 +5,7 @@
 
 namespace exsect::filter {
 
-template <int Degree>
-void evaluate_vertices_scalar(const VertexFormsOf<Degree>& forms, VertexBlock& block);
+template <int Degree, int Rows>
+void evaluate_vertices_scalar(const VertexFormsOf<Degree, Rows>& forms, VertexBlock& block);
 
 }  // namespace exsect::filter

@@ -243,4 +243,141 @@ TEST_CASE("intersect rational: biquadratic pairs take their own way") {
   CHECK(difference(expected.graph, same.graph, {}) == "");
 }
 
+namespace {
+
+/// A projective map of space, given by a matrix of R^4, applied to the homogeneous control points.
+RationalPatch image(const RationalPatch& patch, const std::array<HomogeneousPoint, 4>& rows) {
+  std::vector<std::vector<HomogeneousPoint>> net;
+  for (int i = 0; i <= patch.degree_u(); ++i) {
+    net.emplace_back();
+    for (int j = 0; j <= patch.degree_v(); ++j) {
+      HomogeneousPoint p;
+      for (std::size_t k = 0; k < 4; ++k) {
+        p[k] = 0;
+        for (std::size_t l = 0; l < 4; ++l) p[k] += rows[k][l] * patch.homogeneous(i, j)[l];
+      }
+      net.back().push_back(p);
+    }
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+
+/// Near the identity: no point of the models below goes to infinity.
+std::array<HomogeneousPoint, 4> projective_map(Generator& generator) {
+  std::array<HomogeneousPoint, 4> rows;
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t l = 0; l < 4; ++l)
+      rows[k][l] = Rational(random_pairs::integer(generator, -3, 3), k == 3 ? 32 : 16) + (k == l ? 1 : 0);
+  return rows;
+}
+
+/// t -> t / (t + k (1 - t)) in the first parameter: weights alone change, by powers of k.
+RationalPatch reparametrised(const RationalPatch& patch, const Rational& k) {
+  std::vector<std::vector<HomogeneousPoint>> net;
+  Rational factor = 1;
+  for (int i = patch.degree_u(); i >= 0; --i) {
+    std::vector<HomogeneousPoint> row;
+    for (int j = 0; j <= patch.degree_v(); ++j) {
+      HomogeneousPoint p = patch.homogeneous(i, j);
+      for (Rational& c : p) c *= factor;
+      row.push_back(p);
+    }
+    net.insert(net.begin(), row);
+    factor *= k;
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+
+RationalPatch weighted(Generator& generator, const Net& net) {
+  random_nets::Weights weights;
+  for (const auto& row : net) {
+    weights.emplace_back();
+    for (std::size_t j = 0; j < row.size(); ++j)
+      weights.back().push_back(Rational(random_pairs::integer(generator, 5, 16), 8));
+  }
+  return RationalPatch(net, weights);
+}
+
+}  // namespace
+
+TEST_CASE("intersect rational: a projective map of both patches keeps the graph") {
+  const std::array<Degrees, 4> degrees = {{{2, 2, 2, 2}, {3, 3, 3, 3}, {1, 2, 2, 1}, {3, 2, 1, 3}}};
+  int complete = 0;
+  for (std::uint64_t seed = 1; seed <= 32; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    const Nets nets = seed % 3 == 0 ? random_nets::loop(generator, degrees[seed % 4])
+                                    : random_nets::crossing(generator, degrees[seed % 4], seed % 2 == 0);
+    const IntersectResult expected = intersect(nets.first(), nets.second());
+    const auto map = projective_map(generator);
+    const RationalPatch x = image(nets.first(), map);
+    const RationalPatch y = image(nets.second(), map);
+    REQUIRE_FALSE(x.is_polynomial());
+    const IntersectResult result = intersect(x, y);
+    if (result.status != Status::complete || expected.status != Status::complete) continue;
+    ++complete;
+    CHECK(difference(expected.graph, result.graph, {}) == "");
+    check_vertices(x, y, result.graph);
+  }
+  CHECK(complete >= 30);
+}
+
+TEST_CASE("intersect rational: weights are homogeneous, and a parameter may be changed projectively") {
+  int complete = 0;
+  int others = 0;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    const Nets nets =
+        random_nets::crossing(generator, seed % 2 == 0 ? Degrees{2, 2, 2, 1} : Degrees{3, 3, 2, 3}, true);
+    const RationalPatch x = weighted(generator, nets.x);
+    const RationalPatch y = weighted(generator, nets.y);
+    const IntersectResult expected = intersect(x, y);
+    if (expected.status != Status::complete) continue;
+    ++complete;
+    check_vertices(x, y, expected.graph);
+    const auto scale = [](const RationalPatch& p, const Rational& by) {
+      return image(p, {{{by, 0, 0, 0}, {0, by, 0, 0}, {0, 0, by, 0}, {0, 0, 0, by}}});
+    };
+    const auto agrees = [&](const IntersectResult& other, const Renaming& renaming) {
+      if (other.status == Status::complete) {
+        ++others;
+        CHECK(difference(expected.graph, other.graph, renaming) == "");
+      }
+    };
+    agrees(intersect(scale(x, Rational(1, 3)), scale(y, 1000)), {});
+    agrees(intersect(y, x), {{2, 3, 0, 1}, {}});
+    agrees(intersect(x.elevated(3, 3), y.elevated(3, 3)), {});
+    const IntersectResult changed = intersect(reparametrised(x, 2), y);
+    if (changed.status != Status::complete) continue;
+    ++others;
+    CHECK(changed.graph.count(ComponentShape::closed) == expected.graph.count(ComponentShape::closed));
+    CHECK(changed.graph.count(ComponentShape::open) == expected.graph.count(ComponentShape::open));
+    for (const Parameter p : all_parameters)
+      CHECK(changed.graph.turning_points(p) == expected.graph.turning_points(p));
+  }
+  CHECK(complete >= 15);
+  CHECK(others >= 60);  // of 64
+}
+
+TEST_CASE("intersect rational: a quarter of a cylinder and a plane meet in an ellipse") {
+  // x^2 + y^2 = 1, 0 <= z <= 2, weights 1, 1, 2, and z = x/2 + y/3 + 1/3 over a turned square.
+  const RationalPatch cylinder({{{1, 0, 0}, {1, 0, 2}}, {{1, 1, 0}, {1, 1, 2}}, {{0, 1, 0}, {0, 1, 2}}},
+                               {{1, 1}, {1, 1}, {2, 2}});
+  const Rational third(1, 3);
+  const auto on_plane = [&](long x, long y) { return Point{x, y, Rational(x, 2) + Rational(y, 3) + third}; };
+  const RationalPatch plane({{on_plane(-2, -1), on_plane(0, 3)}, {on_plane(1, -2), on_plane(3, 2)}});
+  const IntersectResult result = intersect(cylinder, plane);
+  REQUIRE(result.status == Status::complete);
+  CHECK(result.graph.count(ComponentShape::open) == 1);
+  CHECK(result.graph.components.size() == 1);
+  for (const Arc& arc : result.graph.arcs) {
+    for (const PolylineVertex& vertex : arc.polyline) {
+      const auto& p = vertex.point;
+      CHECK(std::abs(p[0] * p[0] + p[1] * p[1] - 1) <= 2 * arc.error_bound + 1e-12);
+      CHECK(std::abs(p[0] / 2 + p[1] / 3 + 1.0 / 3 - p[2]) <= 2 * arc.error_bound + 1e-12);
+    }
+  }
+}
+
 }  // namespace exsect
