@@ -3,8 +3,6 @@
 #include <exsect/geometry/candidate_file.h>
 #include <exsect/geometry/text_file.h>
 
-#include <algorithm>
-
 namespace exsect::cli {
 namespace {
 
@@ -13,9 +11,17 @@ constexpr const char* standard_input = "-";
 /// The largest of all files that a command reads as a whole, and one byte more.
 constexpr std::size_t most_bytes = (std::size_t{256} << 20) + 1;
 
+std::string read_standard_input() {
+  try {
+    return read_text_file("/dev/stdin", most_bytes);
+  } catch (const InputError& error) {
+    throw InputError(input_name(standard_input), error.where(), error.reason());
+  }
+}
+
 /// The standard input cannot be read again, and a refusal may have to look for a place in it.
 const std::string& standard_input_text() {
-  static const std::string text = read_text_file("/dev/stdin", most_bytes);
+  static const std::string text = read_standard_input();
   return text;
 }
 

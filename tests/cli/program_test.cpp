@@ -133,6 +133,9 @@ TEST_CASE("the standard input is a file by the name -") {
   CHECK(piped(right + ".json", "verify - -").err ==
         "exsect: CANDIDATE and FILE cannot both be the standard input\n");
   const ScratchDirectory scratch;
+  const std::string closed = quoted(EXSECT_PROGRAM) + " intersect - <&- 2>" + quoted(scratch.path("closed"));
+  CHECK(WEXITSTATUS(std::system(closed.c_str())) == 2);
+  CHECK(content(scratch.path("closed")).starts_with("exsect: standard input: cannot be opened"));
   const std::string proof = scratch.path("proof.json");
   REQUIRE(run_program({"intersect", first, "--certificate", proof, "--quiet"}).status == 0);
   CHECK(piped(proof, "check -").status == 0);
