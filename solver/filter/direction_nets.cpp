@@ -1,9 +1,9 @@
+#include "filter/direction_nets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <type_traits>
-
-#include "filter/pieces.h"
 
 namespace exsect::filter {
 

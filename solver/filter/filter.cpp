@@ -14,6 +14,7 @@
 #include "filter/line.h"
 #include "filter/loops.h"
 #include "filter/overlap.h"
+#include "filter/tube_newton.h"
 #include "shape/coincident_parameters.h"
 #include "trace/turning_points.h"
 

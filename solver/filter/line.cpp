@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter/tube_derivatives.h"
+#include "filter/tube_newton.h"
+
 namespace exsect::filter {
 
 namespace {

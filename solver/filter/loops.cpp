@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter/direction_nets.h"
+#include "filter/tube_newton.h"
+
 namespace exsect::filter {
 
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter/tube_newton.h"
+
 namespace exsect::filter {
 
 namespace {

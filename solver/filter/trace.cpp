@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "filter/series.h"
+#include "filter/tube_derivatives.h"
+#include "filter/tube_newton.h"
 
 namespace exsect::filter {
 

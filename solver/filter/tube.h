@@ -30,29 +30,12 @@ template <class K>
 Vec4 first_four(const Unknowns<K>& w) {
   return {w[0], w[1], w[2], w[3]};
 }
-/// A place with the scale that belongs to it, approximately: x_4 = kScaleUnit w_4 y_4.
-template <class K>
-Unknowns<K> with_scale(const PairOf<K>& pair, const Vec4& place);
-
 /// The values from 0 to 1 of a parameter in the ball.
 template <class K>
 RationalInterval interval(const BallOf<K>& ball, std::size_t parameter);
 
 /// The part of [0,1]^4 within `radius` of a centred place, but for rounding.
 ParameterBox box_around(const Vec4& place, double radius);
-
-/// F and its derivatives at a point, approximately.
-template <class K>
-struct Linearisation {
-  Row<K> value;
-  std::array<Row<K>, K::unknowns> column;  // F_u, F_v, F_r, F_s
-  Unknowns<K> tangent;                     // (5.1), and the change of the scale along it
-};
-template <class K>
-Linearisation<K> linearise(const PairOf<K>& pair, const Unknowns<K>& at);
-
-/// Where in the tangent the largest component is, each divided by its weight.
-std::size_t steepest(const Vec4& tangent, const Vec4& weight = {1, 1, 1, 1});
 
 /// Invariant after `certify`: for every tau in [lower, upper] there is exactly one point w = centre + tau
 /// slope + e of F = 0 with e_axis = 0, |e_i| <= halfwidth_i; it satisfies |e_i| <= inner_i < halfwidth_i. The
@@ -106,9 +89,6 @@ template <class K>
 bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper, const Unknowns<K>& halfwidth,
              const Row<K>& residual);
 
-template <class K>
-void bound_derivatives(const PairOf<K>& pair, TubeOf<K>& tube);
-
 /// C F at centre + offset.
 template <class K>
 Row<K> premultiplied_value(const TubeOf<K>& tube, const Unknowns<K>& offset);
@@ -128,10 +108,5 @@ bool contains(const TubeOf<K>& tube, const BallOf<K>& ball);
 /// True only if no point of the ball is on the arc.
 template <class K>
 bool excludes(const TubeOf<K>& tube, const BallOf<K>& ball);
-
-/// Newton's method in the parameters other than `axis`, at most `steps` times; a guess and no more. False if
-/// it leaves [-3/4,3/4]^4.
-template <class K>
-bool improve(const PairOf<K>& pair, Unknowns<K>& point, std::size_t axis, int steps);
 
 }  // namespace exsect::filter

@@ -1,3 +1,5 @@
+#include "filter/tube_derivatives.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,3 +1,5 @@
+#include "filter/tube_newton.h"
+
 #include <algorithm>
 #include <cmath>
 

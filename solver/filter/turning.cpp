@@ -7,6 +7,7 @@
 
 #include "answer/parameter_box.h"
 #include "filter/series.h"
+#include "filter/tube_derivatives.h"
 #include "filter/tube_direction.h"
 
 namespace exsect::filter {

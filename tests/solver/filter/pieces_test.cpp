@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "filter/boundary.h"
+#include "filter/direction_nets.h"
 #include "support/catch.h"
 #include "support/random_pairs.h"
 
