@@ -315,9 +315,24 @@ const char* reason_at(const filter::PairOf<K>& pair, const filter::Vec4& at) {
   return sides > 0 ? "tangency with a side not decided" : "not decided";
 }
 
+/// The solution on a side near a place on it, if Newton's method finds one close by; else the place.
+template <class K>
+filter::Vec4 on_side_near(const filter::PairOf<K>& pair, const filter::Vec4& place) {
+  for (std::size_t j = 0; j < 4; ++j) {
+    if (std::fabs(place[j]) != 0.5) continue;
+    filter::Unknowns<K> at = filter::with_scale(pair, place);
+    if (!filter::improve(pair, at, j, 20)) continue;
+    const bool close = std::equal(place.begin(), place.end(), at.begin(),
+                                  [](double a, double b) { return std::fabs(a - b) < 0.125; });
+    if (close) return filter::first_four<K>(at);
+  }
+  return place;
+}
+
 /// A box around the place, and all of the domain for what has not been searched.
 template <class K>
-IntersectResult ended_at(const filter::PairOf<K>& pair, const filter::Vec4& place) {
+IntersectResult ended_at(const filter::PairOf<K>& pair, const filter::Vec4& searched) {
+  const filter::Vec4 place = on_side_near(pair, searched);
   const char* reason = reason_at<K>(pair, place);
   IntersectResult result = undecided(whole_domain(), "the search in doubles ended at a place in it");
   result.incomplete.insert(result.incomplete.begin(), Incomplete{filter::box_around(place, kNear), reason});

@@ -235,6 +235,25 @@ TEST_CASE("intersect rational: what doubles do not decide is incomplete, with th
   CHECK(result.graph.nodes.empty());
 }
 
+TEST_CASE("intersect rational: the place of a curve that ends on sides of both patches") {
+  Net sheet(4);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      sheet[static_cast<std::size_t>(i)].push_back(
+          {Rational(i, 3), Rational(j, 3), i == 0 ? Rational(0) : Rational(i * i - j, 20)});
+  const Rational third(1, 3);
+  const Rational half(1, 2);
+  const Net wall = {{{0, third, -half}, {1, Rational(2, 5), -half}}, {{0, third, half}, {1, half, half}}};
+  const IntersectResult result = intersect(RationalPatch(sheet), RationalPatch(wall));
+  REQUIRE(result.status == Status::incomplete);
+  CHECK(result.incomplete[0].why == "curve through a corner, or along a side, not decided");
+  const ParameterBox& where = result.incomplete[0].where;
+  CHECK(where[0].lower == 0);
+  CHECK(where[1].lower <= third);
+  CHECK(where[1].upper >= third);
+  CHECK(where[3].lower == 0);
+}
+
 TEST_CASE("intersect rational: biquadratic pairs take their own way") {
   Generator generator(3);
   const random_pairs::Pair pair = random_pairs::doubles(generator);
