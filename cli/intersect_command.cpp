@@ -51,7 +51,6 @@ void refuse_for_others(const IntersectCommand& command, const RationalPair& pair
                                  kind_of(patch.patch)));
   };
   if (command.exact) refuse("--exact");
-  if (!command.output.report.empty()) refuse("--report");
   if (!command.output.certificate.empty()) refuse("--certificate");
 }
 
@@ -107,7 +106,8 @@ ExitStatus run(const IntersectCommand& command, const Streams& streams) {
   }
   if (!command.output.report.empty()) {
     write_file_atomically(command.output.report,
-                          report_html(result, biquadratic_pair->x, biquadratic_pair->y, names,
+                          report_html(result, biquadratic_pair ? biquadratic_pair->x : pair.x.patch,
+                                      biquadratic_pair ? biquadratic_pair->y : pair.y.patch, names,
                                       origin_of(pair.title, command.output.line, {command.file})));
   }
   if (command.output.json_to_stdout()) {

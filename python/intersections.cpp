@@ -45,7 +45,7 @@ struct SolvedPair {
   }
   std::string svg(const std::string& title) const { return cli::intersection_svg(result, names, title); }
   std::string report(const std::string& title) const {
-    return second ? cli::report_html(result, biquadratic_first(), biquadratic_second(), names, {title, ""})
+    return second ? cli::report_html(result, first, *second, names, {title, ""})
                   : cli::self_report_html(result, biquadratic_first(), names.first, {title, ""});
   }
   std::string certificate() const {

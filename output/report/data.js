@@ -67,14 +67,32 @@ function exactInterval([lower, upper]) {
   return shown;
 }
 
-/** The value of a patch at (u,v), and its derivatives, from its control points. */
-function patchAt(points, u, v) {
-  const basis = (t) => [(1 - t) * (1 - t), 2 * t * (1 - t), t * t];
-  const slope = (t) => [2 * t - 2, 2 - 4 * t, 2 * t];
-  const sum = (a, b) => [0, 1, 2].map((k) => points.reduce((total, row, i) =>
-    total + a[i] * row.reduce((inner, point, j) => inner + b[j] * point[k], 0), 0));
-  return {at: sum(basis(u), basis(v)), first: sum(slope(u), basis(v)), second: sum(basis(u), slope(v))};
+/** The Bernstein polynomials of degree n at t. */
+function bernstein(n, t) {
+  let basis = [1];
+  for (let k = 1; k <= n; ++k) basis = Array.from({length: k + 1}, (_, i) => (i < k ? (1 - t) * basis[i] : 0) + (i > 0 ? t * basis[i - 1] : 0));
+  return basis;
 }
+
+/** Their derivatives. */
+function bernsteinSlopes(n, t) {
+  const lower = bernstein(n - 1, t);
+  return Array.from({length: n + 1}, (_, i) => n * ((i > 0 ? lower[i - 1] : 0) - (i < n ? lower[i] : 0)));
+}
+
+/** The value of a patch at (u,v), and its derivatives, from its control points [x, y, z] or, with weights, [x, y, z, w]. */
+function patchAt(points, u, v) {
+  const [m, n] = [points.length - 1, points[0].length - 1];
+  const sum = (a, b) => [0, 1, 2, 3].map((k) => points.reduce((total, row, i) =>
+    total + a[i] * row.reduce((inner, point, j) => inner + b[j] * (k < 3 ? point[k] : 1) * (point[3] ?? 1), 0), 0));
+  const value = sum(bernstein(m, u), bernstein(n, v));
+  const at = value.slice(0, 3).map((t) => t / value[3]);
+  const slope = (d) => at.map((t, k) => (d[k] - t * d[3]) / value[3]);
+  return {at, first: slope(sum(bernsteinSlopes(m, u), bernstein(n, v))), second: slope(sum(bernstein(m, u), bernsteinSlopes(n, v)))};
+}
+
+/** Whether the parameter lines of a patch are conics with a plane and a quadratic cylinder of their own. */
+const isBiquadratic = ({net, weights}) => !weights && net.length <= 3 && net[0].length <= 3;
 
 function cross(a, b) {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];

@@ -272,7 +272,7 @@ function showLine(view, squares, fixed, value, points, shown) {
   const normal = unit(cross(line.a1, line.a2));
   view.showExtra(() => {
     const surfaces = [];
-    if (dot(normal, normal) > 0) {
+    if (report.patches.every(isBiquadratic) && dot(normal, normal) > 0) {
       if (shown.plane) surfaces.push(planePiece(line, view.whole, normal));
       if (shown.cylinder) surfaces.push(cylinderPiece(line, view.whole, normal));
     }

@@ -155,7 +155,8 @@ function gridOf(points, cells) {
 }
 
 function netWires(points, which) {
-  for (const row of [0, 1, 2].flatMap((i) => [points[i], points.map((row) => row[i])])) view.addWire(row, `--patch${which}`, 2, {patch: which, net: which, front: true, dashes: [0.03, 0.02]});
+  const columns = points[0].map((_, j) => points.map((row) => row[j]));
+  for (const row of [...points, ...columns]) view.addWire(row.map((p) => p.slice(0, 3)), `--patch${which}`, 2, {patch: which, net: which, front: true, dashes: [0.03, 0.02]});
 }
 
 /** All patches, with their control nets, which are seen if they are asked for. */
@@ -328,7 +329,8 @@ function pointsOfFibre(fibre) {
 const shownParts = {line: false, plane: false, cylinder: false};
 
 function lineSwitches(update) {
-  return Object.entries({line: 'line and points', plane: 'its plane', cylinder: 'its cylinder'}).map(([part, text]) => checkbox(text, shownParts[part], (on) => {
+  const surfaces = report.patches.every(isBiquadratic) ? {plane: 'its plane', cylinder: 'its cylinder'} : {};
+  return Object.entries({line: 'line and points', ...surfaces}).map(([part, text]) => checkbox(text, shownParts[part], (on) => {
     shownParts[part] = on;
     update();
   }, `show-${part}`));
@@ -369,7 +371,8 @@ function sliderSection() {
   });
   section(`A parameter line ${fixed} = const`, 'line',
     element('p', {}, report.fibres ? `The line ${fixed} = const of the first patch is cut out of space by a plane and a quadratic cylinder. Pulled back to the other patch, they leave an equation in one variable. The points below are exact, for each of 41 values of ${fixed}.`
-      : `The line ${fixed} = const of the patch, its plane and quadratic cylinder, and where it meets other parts of the patch.`),
+      : report.command === 'intersect' ? `The line ${fixed} = const of the first patch, and where it meets the other one.`
+        : `The line ${fixed} = const of the patch, its plane and quadratic cylinder, and where it meets other parts of the patch.`),
     element('div', {class: 'controls'}, value, slider, ...lineSwitches(update)), body);
   update();
 }
@@ -382,8 +385,8 @@ function fibreBody(fibre) {
 // Data.
 
 function netTable(patch) {
-  const rows = patch.net.map((row, i) => element('tr', {}, element('th', {scope: 'row'}, `row ${i}`), row.map((point) => element('td', {}, `(${point.join(', ')})`))));
-  return tableOf({class: 'net'}, `Control points of ${patch.name}; the row belongs to the first parameter`, [[''], ['column 0'], ['column 1'], ['column 2']], rows);
+  const rows = patch.net.map((row, i) => element('tr', {}, element('th', {scope: 'row'}, `row ${i}`), row.map((point, j) => element('td', {}, `(${point.join(', ')})${patch.weights ? `, weight ${patch.weights[i][j]}` : ''}`))));
+  return tableOf({class: 'net'}, `Control points of ${patch.name}; the row belongs to the first parameter`, [[''], ...patch.net[0].map((_, j) => [`column ${j}`])], rows);
 }
 
 function dataSection() {

@@ -15,25 +15,35 @@ function scaledInterval(c, [low, high]) {
   return c[0] < 0n ? ends.reverse() : ends;
 }
 
-/** Intervals of (1-t)², 2t(1-t), t² for t in [low, high], a part of [0,1]. */
-function bernsteinIntervals([low, high]) {
+/** Intervals of the Bernstein polynomials of degree n for t in [low, high], a part of [0,1]. */
+function bernsteinIntervals(n, [low, high]) {
   const rest = [high, low].map(([a, b]) => [b - a, b]);
-  const square = (t) => exactProduct(t, t);
-  const twice = (s, t) => exactProduct([2n, 1n], exactProduct(s, t));
-  return [rest.map(square), [twice(low, rest[0]), twice(high, rest[1])], [low, high].map(square)];
+  const power = (t, k) => k > 0 ? exactProduct(t, power(t, k - 1)) : [1n, 1n];
+  const binomials = [[1n], [1n, 1n], [1n, 2n, 1n], [1n, 3n, 3n, 1n]][n];
+  return binomials.map((c, i) => [0, 1].map((end) => exactProduct([c, 1n], exactProduct(power([low, high][end], i), power(rest[end], n - i)))));
 }
 
-/** Proved intervals of x, y, z over a box of two parameters of a patch. */
-function exactPoint(net, box) {
-  const [first, second] = box.map((interval) => bernsteinIntervals(interval.map(exactNumber)));
-  return [0, 1, 2].map((k) => {
+/** [low, high] divided by an interval of positive numbers. */
+function dividedInterval([low, high], below) {
+  const divided = ([a, b], [c, d]) => [a * d, b * c];
+  return [divided(low, below[low[0] < 0n ? 0 : 1]), divided(high, below[high[0] < 0n ? 1 : 0])];
+}
+
+/** Proved intervals of x, y, z over a box of two parameters of a patch; null where the denominator's is not positive. */
+function exactPoint({net, weights}, box) {
+  const [first, second] = box.map((interval, which) => bernsteinIntervals((which ? net[0].length : net.length) - 1, interval.map(exactNumber)));
+  const sumOf = (coefficient) => {
     let sum = [[0n, 1n], [0n, 1n]];
-    net.forEach((row, i) => row.forEach((point, j) => {
-      const weight = [0, 1].map((end) => exactProduct(first[i][end], second[j][end]));
-      sum = scaledInterval(exactNumber(point[k]), weight).map((end, n) => exactSum(sum[n], end));
+    net.forEach((row, i) => row.forEach((_, j) => {
+      const basis = [0, 1].map((end) => exactProduct(first[i][end], second[j][end]));
+      sum = scaledInterval(coefficient(i, j), basis).map((end, n) => exactSum(sum[n], end));
     }));
     return sum;
-  });
+  };
+  if (!weights) return [0, 1, 2].map((k) => sumOf((i, j) => exactNumber(net[i][j][k])));
+  const below = sumOf((i, j) => exactNumber(weights[i][j]));
+  if (below[0][0] <= 0n) return [null, null, null];
+  return [0, 1, 2].map((k) => dividedInterval(sumOf((i, j) => exactProduct(exactNumber(weights[i][j]), exactNumber(net[i][j][k]))), below));
 }
 
 /** floor(a/b) for b > 0. */
@@ -62,7 +72,7 @@ function printedNodes() {
   const columns = (box) => parameters.map((p) => box[p] ? provedDecimal(box[p].map(exactNumber)) : '');
   if (nodes.length)
     return {heads: ['node', 'kind', ...parameters, 'x', 'y', 'z'], rows: nodes.map((node) => [String(node.id), nodeWords(node), ...columns(node.box),
-      ...exactPoint(report.patches[0].net, parameters.slice(0, 2).map((p) => node.box[p])).map((interval) => provedDecimal(interval))])};
+      ...exactPoint(report.patches[0], parameters.slice(0, 2).map((p) => node.box[p])).map((interval) => interval ? provedDecimal(interval) : '')])};
   if (report.command !== 'line' || !result.points.length) return null;
   const known = parameters.filter((p) => result.points[0].box[p]);
   return {heads: ['point', ...known], rows: result.points.map((point, i) => [pointLetter(i), ...known.map((p) => provedDecimal(point.box[p].map(exactNumber)))])};

@@ -72,20 +72,30 @@ Json report_data(const std::string& command, const ReportOrigin& origin, Json re
           {"result", std::move(result)}};
 }
 
-Json patch_data(const std::string& name, const BezierPatch& patch) {
-  Json net = Json::array();
-  Json points = Json::array();
-  for (const auto& row : patch.net()) {
-    Json exact_row = Json::array();
-    Json row_in_doubles = Json::array();
-    for (const Point& point : row) {
+Json patch_data(const std::string& name, const RationalPatch& patch) {
+  Json net = Json::array(), points = Json::array(), weights = Json::array();
+  bool weighted = false;
+  for (int i = 0; i <= patch.degree_u(); ++i) {
+    Json exact_row = Json::array(), row_in_doubles = Json::array(), weight_row = Json::array();
+    for (int j = 0; j <= patch.degree_v(); ++j) {
+      const Point point = patch.point(i, j);
       exact_row.push_back({json_number(point[0]), json_number(point[1]), json_number(point[2])});
       row_in_doubles.push_back({to_double(point[0]), to_double(point[1]), to_double(point[2])});
+      weight_row.push_back(json_number(patch.weight(i, j)));
+      weighted = weighted || patch.weight(i, j) != 1;
     }
     net.push_back(std::move(exact_row));
     points.push_back(std::move(row_in_doubles));
+    weights.push_back(std::move(weight_row));
   }
-  return {{"name", name}, {"net", std::move(net)}, {"points", std::move(points)}};
+  Json data = {{"name", name}, {"net", std::move(net)}, {"points", std::move(points)}};
+  if (!weighted) return data;
+  data["weights"] = std::move(weights);
+  for (int i = 0; i <= patch.degree_u(); ++i)
+    for (int j = 0; j <= patch.degree_v(); ++j)
+      data["points"][static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].push_back(
+          to_double(patch.weight(i, j)));
+  return data;
 }
 
 Json fibre_data(const LineIntersection& line, const BezierPatch& x) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <exsect/geometry/bezier_curve.h>
-#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/line_patch.h>
 
 #include "output/report/report_html.h"
@@ -15,8 +15,9 @@ namespace exsect::cli {
 /// shows what else is added.
 Json report_data(const std::string& command, const ReportOrigin& origin, Json result);
 
-/// {"name": .., "net": exact control points, "points": the same in doubles}.
-Json patch_data(const std::string& name, const BezierPatch& patch);
+/// {"name": .., "net": exact control points, "points": the same in doubles}; with weights also "weights",
+/// exact, and as fourth coordinates of "points".
+Json patch_data(const std::string& name, const RationalPatch& patch);
 
 /// {"result": the line as `exsect line` gives it, "forms": the pulled-back forms in doubles, "phantoms":
 /// [..]}. Forms are lists of rows, power of r, of coefficients by the power of s, scaled so that the largest

@@ -20,12 +20,13 @@ Json fibres(const BezierPatch& x, const BezierPatch& y) {
 
 }  // namespace
 
-std::string report_html(const IntersectResult& result, const BezierPatch& x, const BezierPatch& y,
+std::string report_html(const IntersectResult& result, const RationalPatch& x, const RationalPatch& y,
                         const PatchNames& names, const ReportOrigin& origin) {
   Json data = report_data("intersect", origin, intersection_json(result, names));
   data["parameters"] = pair_names;
   data["patches"] = {patch_data(names.first, x), patch_data(names.second, y)};
-  data["fibres"] = fibres(x, y);
+  const std::optional<BezierPatch> first = x.biquadratic(), second = y.biquadratic();
+  if (first && second) data["fibres"] = fibres(*first, *second);
   return page_of(data, intersection_svg(result, names, origin.title));
 }
 

@@ -2,7 +2,7 @@
 // program nor its options; link exsect_report.
 #pragma once
 
-#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/line_patch.h>
 #include <exsect/solver/result.h>
 
@@ -15,9 +15,10 @@ namespace exsect::cli {
 
 /// The page of an intersection x(u,v) = y(r,s): both patches and the curve in space, both parameter squares,
 /// the tables of nodes and arcs, the exact fibres of the lines u = 0, 1/40, ..., 1 (each as `exsect line`
-/// gives it), and what is proved. Holds the whole "intersection/1" result. Deterministic but for the result's
-/// "work". Everything drawn is in doubles and decides nothing.
-std::string report_html(const IntersectResult& result, const BezierPatch& x, const BezierPatch& y,
+/// gives it; only of polynomial patches of bidegree at most (2,2)), and what is proved. Holds the whole
+/// "intersection/1" result. Deterministic but for the result's "work". Everything drawn is in doubles and
+/// decides nothing.
+std::string report_html(const IntersectResult& result, const RationalPatch& x, const RationalPatch& y,
                         const PatchNames& names, const ReportOrigin& origin);
 
 /// The page of the self-intersection of x, with the whole "self/1" result. Its lines have no fibres: a line

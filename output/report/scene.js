@@ -65,17 +65,24 @@ function freePlace([x, y], [width, height], obstacles, [right, bottom], taken = 
 
 /** The smallest rectangle of halved and quartered parameters outside of which a patch does not meet a ball. */
 function rectangleInBall(points, centre, radius) {
+  const transposed = (net) => net[0].map((_, j) => net.map((row) => row[j]));
+  const split = (row) => {
+    const levels = [row];
+    while (levels.at(-1).length > 1) levels.push(levels.at(-1).slice(1).map((q, i) => plus(levels.at(-1)[i], minus(q, levels.at(-1)[i]), 0.5)));
+    return [levels.map((level) => level[0]), levels.map((level) => level.at(-1)).reverse()];
+  };
   const halves = (net, along) => {
-    const split = ([p, q, r]) => [[p, mid(p, q), mid(mid(p, q), mid(q, r))], [mid(mid(p, q), mid(q, r)), mid(q, r), r]];
-    const mid = (a, b) => plus(a, minus(b, a), 0.5);
-    const rows = (along ? net : [0, 1, 2].map((j) => net.map((row) => row[j]))).map(split);
-    return [0, 1].map((k) => along ? rows.map((row) => row[k]) : [0, 1, 2].map((i) => rows.map((row) => row[k][i])));
+    const rows = (along ? net : transposed(net)).map(split);
+    return [0, 1].map((k) => along ? rows.map((row) => row[k]) : transposed(rows.map((row) => row[k])));
   };
   const found = [[1, 0], [1, 0]];
-  const stack = [{net: points, at: [0, 0], size: 1}];
+  // In homogeneous coordinates. A weight that is not positive has no place in a hull: such parts are halved.
+  const homogeneous = points.map((row) => row.map(([x, y, z, w = 1]) => [w * x, w * y, w * z, w]));
+  const stack = [{net: homogeneous, at: [0, 0], size: 1}];
   while (stack.length) {
     const {net, at, size} = stack.pop();
-    const {low, high} = ballAround(net.flat());
+    const isHull = net.flat().every((p) => p[3] > 0);
+    const {low, high} = isHull ? ballAround(net.flat().map((p) => p.slice(0, 3).map((t) => t / p[3]))) : {low: centre.map((t) => t - radius), high: centre.map((t) => t + radius)};
     if (low.some((t, k) => t > centre[k] + radius || high[k] < centre[k] - radius)) continue;
     if (found.every(([a, b], k) => a <= at[k] && b >= at[k] + size)) continue;
     if (Math.max(...minus(high, low)) < radius / 2 || size < 1e-9) {
