@@ -19,7 +19,7 @@ import archive
 
 TOLERANCE = "1e-4"
 COARSER = 100  # an answer that agrees at so many tolerances is inaccurate, but right in its parts
-MOST_SECONDS = "20"
+MOST_SECONDS = "60"
 ENDINGS = [".candidate.json", ".json", ".csv", ".obj", ".g2"]
 KINDS = {"lost": {"lost-curve", "lost-point", "gap", "curve-as-points"},
          "invented": {"spurious-curve", "false-point", "point-on-curve", "repeated", "repeated-point"},
