@@ -17,7 +17,11 @@ IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const 
   if (options.exact) throw NotSupported(first ? y : x);
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
-    return run.finished(answered(run, [&] { return intersect_in_doubles(x, y, run); }));
+    return run.finished(answered(run, [&] {
+      IntersectResult result = intersect_in_doubles(x, y, run);
+      if (result.status != Status::complete) run.count("filtered", 1);
+      return result;
+    }));
   });
 }
 

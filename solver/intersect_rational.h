@@ -19,8 +19,9 @@ class NotSupported : public std::invalid_argument {
 /// Every point of x(u,v) = y(r,s) in [0,1]^4, as for biquadratic patches: two patches that are polynomial and
 /// of bidegree at most (2,2) take that way. Others, with weights or not, are solved in doubles with proved
 /// errors (method, section 14): completely in general position; where doubles do not decide, the result is
-/// incomplete and says where and why. Safe to call from several threads. Throws NotSupported with
-/// options.exact unless both are biquadratic, and std::invalid_argument for options out of range.
+/// incomplete and says where and why; Work::steps has the entry "filtered" in both cases. Safe to call from
+/// several threads. Throws NotSupported with options.exact unless both are biquadratic, and
+/// std::invalid_argument for options out of range.
 IntersectResult intersect(const RationalPatch& x, const RationalPatch& y,
                           const IntersectOptions& options = {});
 /// As self_intersect() of a BezierPatch. Throws NotSupported unless the patch is polynomial and of bidegree

@@ -103,6 +103,8 @@ TEST_CASE("the teapot is a model with its 32 patches") {
   const Json header = Json::parse(run.out.substr(0, run.out.find('\n')));
   CHECK(header["model"]["patches"] == 32);
   CHECK(header["lines"].get<int>() + header["model"]["apart"].get<int>() == 32 * 31 / 2);
+  CHECK(run.out.find("\"by\":\"doubles\"") != std::string::npos);
+  CHECK(run.out.find("\"by\":\"exact\"") == std::string::npos);
 }
 
 }  // namespace
