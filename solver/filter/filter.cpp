@@ -353,11 +353,12 @@ IntersectResult solved(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run
 template <class K>
 IntersectResult intersect_elevated(ExactPatch<K> x, ExactPatch<K> y, const Run& run) {
   IntersectResult result = solved<K>(x, y, run);
+  if (result.status == Status::complete) return result;
   std::vector<Point> points = filter::affine_points(x);
   const std::vector<Point> others = filter::affine_points(y);
   points.insert(points.end(), others.begin(), others.end());
   const auto place = Placement::of(points);
-  if (result.status == Status::complete || !place) return result;
+  if (!place) return result;
   for (ExactPatch<K>* patch : {&x, &y}) *patch = filter::placed(*patch, *place);
   result = solved<K>(x, y, run.with_tolerance(place->left_of(run.tolerance(1))));
   place->restore(result.graph);
