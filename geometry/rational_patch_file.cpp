@@ -21,33 +21,24 @@ int read_degree(const JsonValue& value) {
                            : "degree " + given.substr(0, 20) + " is not supported: must be 1, 2 or 3");
 }
 
-std::vector<std::vector<Point>> read_points(const JsonValue& points, const std::array<int, 2>& degree,
-                                            NumberReader read) {
-  std::vector<std::vector<Point>> rows;
-  points.require_size(static_cast<std::size_t>(degree[0]) + 1, "rows for this degree");
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const JsonValue row = points.at(i);
-    row.require_size(static_cast<std::size_t>(degree[1]) + 1, "points for this degree");
-    rows.emplace_back();
-    for (std::size_t j = 0; j < row.size(); ++j) {
-      const JsonValue point = row.at(j);
-      point.require_size(3, "coordinates");
-      rows.back().push_back(Point{read_number(point.at(0), read), read_number(point.at(1), read),
-                                  read_number(point.at(2), read)});
-    }
-  }
-  return rows;
+Point read_point(const JsonValue& point, NumberReader read) {
+  point.require_size(3, "coordinates");
+  return {read_number(point.at(0), read), read_number(point.at(1), read), read_number(point.at(2), read)};
 }
 
-std::vector<std::vector<Rational>> read_weights(const JsonValue& weights, const std::array<int, 2>& degree,
-                                                NumberReader read) {
-  std::vector<std::vector<Rational>> rows;
-  weights.require_size(static_cast<std::size_t>(degree[0]) + 1, "rows for this degree");
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    const JsonValue row = weights.at(i);
-    row.require_size(static_cast<std::size_t>(degree[1]) + 1, "weights for this degree");
+/// The entries of a net of this bidegree; `row_holds` says what is missing where their number is wrong.
+template <class Entry>
+std::vector<std::vector<Entry>> read_net(const JsonValue& net, const std::array<int, 2>& degree,
+                                         NumberReader read,
+                                         Entry (*read_entry)(const JsonValue&, NumberReader),
+                                         const char* row_holds) {
+  std::vector<std::vector<Entry>> rows;
+  net.require_size(static_cast<std::size_t>(degree[0]) + 1, "rows for this degree");
+  for (std::size_t i = 0; i < net.size(); ++i) {
+    const JsonValue row = net.at(i);
+    row.require_size(static_cast<std::size_t>(degree[1]) + 1, row_holds);
     rows.emplace_back();
-    for (std::size_t j = 0; j < row.size(); ++j) rows.back().push_back(read_number(row.at(j), read));
+    for (std::size_t j = 0; j < row.size(); ++j) rows.back().push_back(read_entry(row.at(j), read));
   }
   return rows;
 }
@@ -101,8 +92,9 @@ NamedRationalPatch read_named_patch(const JsonValue& value, NumberReader read) {
   const JsonValue degrees = value.member("degree");
   degrees.require_size(2, "degrees");
   const std::array<int, 2> degree = {read_degree(degrees.at(0)), read_degree(degrees.at(1))};
-  const auto points = read_points(value.member("points"), degree, read);
-  const auto weights = value.has("weights") ? read_weights(value.member("weights"), degree, read)
+  const auto points = read_net(value.member("points"), degree, read, read_point, "points for this degree");
+  const auto weights = value.has("weights") ? read_net(value.member("weights"), degree, read, read_number,
+                                                       "weights for this degree")
                                             : std::vector<std::vector<Rational>>();
   try {
     return {name.string(), RationalPatch(points, weights)};
