@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "check_refused.h"
 #include "run_program.h"
 #include "support/catch.h"
 
@@ -11,17 +12,6 @@ namespace {
 using Arguments = std::vector<std::string>;
 
 const std::string first = example("chapter9-first.json");
-
-/// Bad input or usage: exit status 2, nothing on the standard output, one line on the standard error.
-void check_refused(const Arguments& arguments, const std::string& reason) {
-  const ProgramRun run = run_program(arguments);
-  INFO("arguments " << Catch::rangeToString(arguments) << "\nstderr " << run.err);
-  CHECK(run.status == 2);
-  CHECK(run.out.empty());
-  CHECK(run.err.starts_with("exsect: "));
-  CHECK(run.err.find(reason) != std::string::npos);
-  CHECK(run.err.find('\n') == run.err.size() - 1);
-}
 
 const std::string patch = R"("degree": [1,1], "points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]]})";
 

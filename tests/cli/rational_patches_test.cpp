@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "check_refused.h"
 #include "run_program.h"
 #include "support/catch.h"
 
@@ -18,14 +19,6 @@ const std::string weighted = R"({"exsect": "patches/1", "patches": [
   {"name": "quarter", "degree": [2, 1], "points": [[[1,0,0],[1,0,1]], [[1,1,0],[1,1,1]], [[0,1,0],[0,1,1]]],
    "weights": [[1, 1], [1, 1], [2, 2]]},
   {"name": "plane", "degree": [1, 1], "points": [[[0,0,"1/2"],[0,2,"1/2"]], [[2,0,"1/2"],[2,2,"1/2"]]]}]})";
-
-void check_refused(const std::vector<std::string>& arguments, const std::string& reason) {
-  const ProgramRun run = run_program(arguments);
-  INFO(run.err);
-  CHECK(run.status == 2);
-  CHECK(run.out.empty());
-  CHECK(run.err.find(reason) != std::string::npos);
-}
 
 /// Every example of two patches, with both patches in the net of another shape, or with equal weights.
 RationalPatchFile reshaped(const RationalPatchFile& file, bool weights) {

@@ -1,5 +1,6 @@
 // exsect self, end to end.
 
+#include "check_refused.h"
 #include "json_schema.h"
 #include "run_program.h"
 #include "support/catch.h"
@@ -24,14 +25,6 @@ Json self(const std::vector<std::string>& arguments, int status = 0) {
   CHECK(json["exsect"] == "self/1");
   CHECK(json["status"] == (status == 0 ? "complete" : "incomplete"));
   return json;
-}
-
-void check_refused(const std::vector<std::string>& arguments, const std::string& reason) {
-  const ProgramRun run = run_program(arguments);
-  INFO(run.err);
-  CHECK(run.status == 2);
-  CHECK(run.out.empty());
-  CHECK(run.err.find(reason) != std::string::npos);
 }
 
 TEST_CASE("self: the second example's patches") {
