@@ -63,4 +63,14 @@ Nets loop(Generator& generator, std::array<int, 4> degrees) {
   return {net_of(degrees[0], degrees[1], cap), net_of(degrees[2], degrees[3], flat)};
 }
 
+RationalPatch weighted(Generator& generator, const Net& net) {
+  Weights weights;
+  for (const auto& row : net) {
+    weights.emplace_back();
+    for (std::size_t j = 0; j < row.size(); ++j)
+      weights.back().push_back(Rational(random_pairs::integer(generator, 5, 16), 8));
+  }
+  return RationalPatch(net, weights);
+}
+
 }  // namespace exsect::random_nets

@@ -26,5 +26,7 @@ Nets crossing(Generator& generator, std::array<int, 4> degrees, bool doubles);
 Nets scattered(Generator& generator, std::array<int, 4> degrees);
 /// A cap and a nearly flat patch that meet in a small closed curve.
 Nets loop(Generator& generator, std::array<int, 4> degrees);
+/// The net with weights 5/8, 6/8, ..., 2.
+RationalPatch weighted(Generator& generator, const Net& net);
 
 }  // namespace exsect::random_nets

@@ -307,16 +307,6 @@ RationalPatch reparametrised(const RationalPatch& patch, const Rational& k) {
   return RationalPatch::from_homogeneous(net);
 }
 
-RationalPatch weighted(Generator& generator, const Net& net) {
-  random_nets::Weights weights;
-  for (const auto& row : net) {
-    weights.emplace_back();
-    for (std::size_t j = 0; j < row.size(); ++j)
-      weights.back().push_back(Rational(random_pairs::integer(generator, 5, 16), 8));
-  }
-  return RationalPatch(net, weights);
-}
-
 }  // namespace
 
 TEST_CASE("intersect rational: a projective map of both patches keeps the graph") {
@@ -349,8 +339,8 @@ TEST_CASE("intersect rational: weights are homogeneous, and a parameter may be c
     Generator generator(seed);
     const Nets nets =
         random_nets::crossing(generator, seed % 2 == 0 ? Degrees{2, 2, 2, 1} : Degrees{3, 3, 2, 3}, true);
-    const RationalPatch x = weighted(generator, nets.x);
-    const RationalPatch y = weighted(generator, nets.y);
+    const RationalPatch x = random_nets::weighted(generator, nets.x);
+    const RationalPatch y = random_nets::weighted(generator, nets.y);
     const IntersectResult expected = intersect(x, y);
     if (expected.status != Status::complete) continue;
     ++complete;
