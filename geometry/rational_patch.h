@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace exsect {
@@ -96,6 +97,7 @@ class RationalPatch {
  private:
   using Net = std::vector<HomogeneousPoint>;  // X_ij at i (n+1) + j
   struct State {
+    State(int rows, int columns, Net points) : m(rows), n(columns), net(std::move(points)) {}
     int m;
     int n;
     Net net;
