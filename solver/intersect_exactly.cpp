@@ -1,5 +1,6 @@
 #include "intersect_exactly.h"
 
+#include "intersect_divided.h"
 #include "intersect_unfolded.h"
 #include "overlap/overlaps.h"
 #include "special/common_apex.h"
@@ -19,7 +20,7 @@ IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y, co
       return std::move(*result);
     }
   }
-  for (const auto& method : {intersect_unfolded, intersect_on_one_surface}) {
+  for (const auto& method : {intersect_divided, intersect_unfolded, intersect_on_one_surface}) {
     if (std::optional<IntersectResult> result = method(x, y, run)) {
       return std::move(*result);
     }
