@@ -84,9 +84,11 @@ class SelfIntersection {
       result_.incomplete = exact_.boundary.problems;
       return;
     }
-    if (trace_and_build(in_doubles_, power_of_two(-50), false)) return;
-    const SelfSystem<ArbBall<256>> system(x_, scaling_.origin, scaling_.frame.exponent);
-    trace_and_build(system, power_of_two(-200), true);
+    const SelfSystem<ArbBall<256>> in_balls(x_, scaling_.origin, scaling_.frame.exponent);
+    for (const SearchEffort effort : {SearchEffort::brief, SearchEffort::whole}) {
+      if (trace_and_build(in_doubles_, power_of_two(-50), effort, false)) return;
+      if (trace_and_build(in_balls, power_of_two(-200), effort, true)) return;
+    }
   }
 
   /// All of them, or some if the time is over.
@@ -119,24 +121,28 @@ class SelfIntersection {
     return true;
   }
 
-  /// With more stars, or with more effort where a brief search left something undecided.
+  /// With more stars, or with the effort that is allowed where a brief search left something undecided.
   template <class Ball>
-  bool can_try_again(const SelfCurves<Ball>& found, SearchEffort& effort) {
-    effort = find_stars() ? SearchEffort::brief : SearchEffort::whole;
-    return effort == SearchEffort::brief || found.is_cut_short;
+  bool can_try_again(const SelfCurves<Ball>& found, SearchEffort allowed, SearchEffort& effort) {
+    const bool stars = find_stars();
+    effort = stars ? SearchEffort::brief : allowed;
+    return stars || (found.is_cut_short && allowed == SearchEffort::whole);
   }
 
   /// In one arithmetic, again as long as more stars are found near what is undecided; false if something is
-  /// left that more precision may decide and `last` is not set.
+  /// left that more effort may decide, or more precision unless these are the longest numbers.
   template <class Ball>
-  bool trace_and_build(const SelfSystem<Ball>& system, const Rational& width, bool last) {
+  bool trace_and_build(const SelfSystem<Ball>& system, const Rational& width, SearchEffort allowed,
+                       bool longest) {
     SelfCurves<Ball> found;
-    auto effort = SearchEffort::brief;
+    SearchEffort effort = allowed;
     do {
       timed("tracing",
             [&] { found = trace_self_curves(system, in_doubles_.charts, exact_, width, effort, stop_); });
       for (const Incomplete& problem : found.problems) undecided_.push_back(problem.where);
-    } while (!found.problems.empty() && !run_.out_of_time() && can_try_again(found, effort));
+    } while (!found.problems.empty() && !run_.out_of_time() && can_try_again(found, allowed, effort));
+    cut_short_ = cut_short_ || found.is_cut_short;
+    const bool last = longest && (allowed == SearchEffort::whole || !cut_short_);
     std::vector<std::vector<CutPlace>> places;
     if (found.problems.empty()) {
       if (auto cut = cut_curves(found, exact_, cuts_, width)) {
@@ -220,6 +226,7 @@ class SelfIntersection {
   ExactPlaces exact_{};
   std::vector<ParameterBox> undecided_;  // by all attempts
   TurningPairs pairs_;
+  bool cut_short_ = false;  // a brief search of an attempt
   std::vector<std::vector<CutSelfIntersection::NodeOfCut>> nodes_of_cuts_;
   GraphBuilder graph_;
   IntersectResult result_{};
