@@ -120,12 +120,13 @@ template <class K>
 class ContactGraph {
  public:
   ContactGraph(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair, double tolerance,
-               GraphBuilder& graph)
+               double accepted, GraphBuilder& graph)
       : x_(x),
         y_(y),
         pair_(pair),
         scale_(std::ldexp(1.0, static_cast<int>(pair.frame.exponent))),
         tolerance_(tolerance),
+        accepted_(accepted),
         graph_(graph) {}
 
   void add(const CornerContact& corner) {
@@ -148,7 +149,7 @@ class ContactGraph {
     arc.place = ArcPlace::patch_boundary;
     arc.contact = contact_along(side);
     add_polyline(side, arc);
-    const bool proved = arc.error_bound <= tolerance_;
+    const bool proved = arc.error_bound <= accepted_;
     graph_.add_arc(std::move(arc));
     return proved;
   }
@@ -160,7 +161,7 @@ class ContactGraph {
     arc.from = add_end(from, arc.polyline.front());
     arc.to = add_end(to, arc.polyline.back());
     arc.contact = contact;
-    const bool proved = arc.error_bound <= tolerance_;
+    const bool proved = arc.error_bound <= accepted_;
     graph_.add_arc(std::move(arc));
     return proved;
   }
@@ -292,6 +293,7 @@ class ContactGraph {
   const PairOf<K>& pair_;
   double scale_;
   double tolerance_;
+  double accepted_;
   GraphBuilder& graph_;
 };
 
@@ -300,11 +302,12 @@ class ContactGraph {
 template <class K>
 bool append_contacts([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] const ExactPatch<K>& y,
                      [[maybe_unused]] const PairOf<K>& pair, const ContactsOf<K>& contacts,
-                     [[maybe_unused]] double tolerance, [[maybe_unused]] GraphBuilder& graph) {
+                     [[maybe_unused]] double tolerance, [[maybe_unused]] double accepted,
+                     [[maybe_unused]] GraphBuilder& graph) {
   if constexpr (K::weighted) {
     return contacts.empty();
   } else {
-    ContactGraph<K> maker(x, y, pair, tolerance, graph);
+    ContactGraph<K> maker(x, y, pair, tolerance, accepted, graph);
     for (const CornerContact& corner : contacts.corners) {
       maker.add(corner);
     }
@@ -322,7 +325,7 @@ bool append_contacts([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] c
 
 #define EXSECT_INSTANTIATE(K)                                                                    \
   template bool append_contacts<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, \
-                                   const ContactsOf<K>&, double, GraphBuilder&);
+                                   const ContactsOf<K>&, double, double, GraphBuilder&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

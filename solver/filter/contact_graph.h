@@ -8,10 +8,10 @@
 namespace exsect::filter {
 
 /// Appends an isolated node for each corner, two nodes and an arc for each side: contacts that no other
-/// solution is near. False if a polyline cannot be proved to keep within `tolerance` (space units); then the
-/// graph is not to be used.
+/// solution is near. Polylines are to keep within `tolerance` (space units). False if one cannot be proved to
+/// keep within `accepted`; then the graph is not to be used.
 template <class K>
 bool append_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
-                     const ContactsOf<K>& contacts, double tolerance, GraphBuilder& graph);
+                     const ContactsOf<K>& contacts, double tolerance, double accepted, GraphBuilder& graph);
 
 }  // namespace exsect::filter

@@ -31,6 +31,9 @@ using filter::TraceOf;
 constexpr std::size_t kMostDoublePoints = 8;
 /// Of the tolerance, for the chords from ports to double points.
 constexpr double kPortShare = 0.9;
+/// Relative to the extent, of polylines with too many vertices; and by how much the next ones are coarser.
+constexpr double kCoarsest = 1e-3;
+constexpr double kCoarser = 64;
 constexpr std::array<std::size_t, 4> kNoneCoincident = {0, 1, 2, 3};
 
 /// One arc ends in a BoundaryPoint.
@@ -93,9 +96,7 @@ class FilteredIntersection {
     if (!find_turns(*pair, traces, curves)) {
       return std::nullopt;
     }
-    auto graph = filter::make_graph(*pair, *points, double_points_, curves, run_.turning(), coincident_,
-                                    run_.drawn_tolerance(pair->extent),
-                                    with_stations_ ? 0 : run_.drawn_tolerance(pair->extent));
+    auto graph = drawn(*pair, *points, curves);
     if (!graph) {
       return std::nullopt;
     }
@@ -130,6 +131,23 @@ class FilteredIntersection {
   /// Whether the questions are answered that need exact forms of the patches.
   static constexpr bool kExactBehind = std::is_same_v<K, Biquadratic>;
 
+  /// What polylines keep within is no question of topology: with nothing behind, any bound is taken.
+  std::optional<GraphBuilder> drawn(const filter::PairOf<K>& pair,
+                                    const std::vector<BoundaryPointOf<K>>& points,
+                                    const std::vector<AnalysedTraceOf<K>>& curves) const {
+    const auto graph_within = [&](double tolerance) {
+      return filter::make_graph(
+          pair, points, double_points_, curves, run_.turning(), coincident_,
+          {tolerance, with_stations_ ? 0 : tolerance, kExactBehind ? tolerance : pair.extent});
+    };
+    double tolerance = run_.drawn_tolerance(pair.extent);
+    auto graph = graph_within(tolerance);
+    for (; !kExactBehind && !graph && tolerance < kCoarsest * pair.extent; tolerance *= kCoarser) {
+      graph = graph_within(kCoarser * tolerance);
+    }
+    return graph;
+  }
+
   bool add_side_paths(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees,
                       filter::ContactsOf<K>& contacts) const {
     if constexpr (kExactBehind) {
@@ -150,8 +168,9 @@ class FilteredIntersection {
   std::optional<IntersectResult> with_contacts(const filter::PairOf<K>& pair,
                                                const filter::ContactsOf<K>& contacts, GraphBuilder graph,
                                                const std::vector<AnalysedTraceOf<K>>& curves) const {
-    if (!filter::append_contacts(x_, y_, pair, contacts, run_.drawn_tolerance(pair.extent), graph) ||
-        run_.out_of_time()) {
+    const double tolerance = run_.drawn_tolerance(pair.extent);
+    const double accepted = kExactBehind ? tolerance : pair.extent;
+    if (!filter::append_contacts(x_, y_, pair, contacts, tolerance, accepted, graph) || run_.out_of_time()) {
       return std::nullopt;
     }
     IntersectResult result = finished(std::move(graph), {run_.turning(), arcs_at_sides}, {});

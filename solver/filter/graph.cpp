@@ -29,15 +29,15 @@ class GraphMaker {
  public:
   GraphMaker(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
              const std::vector<DoublePointOf<K>>& double_points, const std::array<std::size_t, 4>& coincident,
-             double tolerance, double vertex_tolerance)
+             const Drawing& drawing)
       : pair_(pair),
         points_(points),
         double_points_(double_points),
         coincident_(coincident),
         scale_(std::ldexp(1.0, static_cast<int>(pair.frame.exponent))),
-        tolerance_(tolerance),
-        scaled_tolerance_(tolerance / scale_),
-        vertex_tolerance_(std::min(kVertexShare * scaled_tolerance_, vertex_tolerance / scale_)) {
+        accepted_(drawing.accepted),
+        scaled_tolerance_(drawing.tolerance / scale_),
+        vertex_tolerance_(std::min(kVertexShare * scaled_tolerance_, drawing.vertex_tolerance / scale_)) {
     const auto& o = pair.frame.origin;
     // The values of x: Patch::error; origin + scaled point: two roundings of each coordinate's size.
     const double size = std::max({std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])}) / scale_ + 2;
@@ -103,6 +103,7 @@ class GraphMaker {
       }
     }
     bool proved = !stops_.empty();
+    choose_chord_error();
     for (std::size_t i = 0; proved && i + 1 < stops_.size(); ++i) {
       proved = add_arc(trace, stops_[i], stops_[i + 1]);
     }
@@ -160,9 +161,16 @@ class GraphMaker {
     }
   }
 
+  /// Chords finer than the ends of the arcs can be told are no use.
+  void choose_chord_error() {
+    vertex_error_ = 0;
+    for (const Stop<K>& stop : stops_) cover(stop);
+    wanted_chord_error_ = std::max(kChordShare * scaled_tolerance_, 2 * (vertex_error_ + place_error_));
+  }
+
   /// Chords over the offsets between a and b on a piece.
   int chords(std::size_t piece, double a, double b) const {
-    const double step = std::sqrt(8 * kChordShare * scaled_tolerance_ / (bounds_[piece].curvature + kTiny));
+    const double step = std::sqrt(8 * wanted_chord_error_ / (bounds_[piece].curvature + kTiny));
     return static_cast<int>(std::min(std::ceil(std::fabs(b - a) / step), 1e7)) + (a == b ? 1 : 0);
   }
 
@@ -216,7 +224,7 @@ class GraphMaker {
     push_node(arc, to.node);
     // An end of the arc is anywhere in its node's box, and the vertex there too: twice.
     arc.error_bound = kSlack * scale_ * (chord_error_ + 2 * vertex_error_ + 2 * place_error_);
-    const bool proved = arc.error_bound <= tolerance_;
+    const bool proved = arc.error_bound <= accepted_;
     graph_.add_arc(std::move(arc));
     return proved;
   }
@@ -327,8 +335,9 @@ class GraphMaker {
   const std::vector<DoublePointOf<K>>& double_points_;
   const std::array<std::size_t, 4>& coincident_;
   double scale_;
-  double tolerance_;
+  double accepted_;
   double scaled_tolerance_;
+  double wanted_chord_error_ = 0;
   double vertex_tolerance_;
   double place_error_;
   double origin_size_;
@@ -349,9 +358,8 @@ std::optional<GraphBuilder> make_graph(const PairOf<K>& pair, const std::vector<
                                        const std::vector<DoublePointOf<K>>& double_points,
                                        const std::vector<AnalysedTraceOf<K>>& traces,
                                        const std::vector<Parameter>& wanted,
-                                       const std::array<std::size_t, 4>& coincident, double tolerance,
-                                       double vertex_tolerance) {
-  GraphMaker<K> maker(pair, points, double_points, coincident, tolerance, vertex_tolerance);
+                                       const std::array<std::size_t, 4>& coincident, const Drawing& drawing) {
+  GraphMaker<K> maker(pair, points, double_points, coincident, drawing);
   maker.add_double_points();
   maker.add_boundary_nodes();
   for (const AnalysedTraceOf<K>& curve : traces) {
@@ -366,7 +374,7 @@ std::optional<GraphBuilder> make_graph(const PairOf<K>& pair, const std::vector<
   template std::optional<GraphBuilder> make_graph<K>(                                                 \
       const PairOf<K>&, const std::vector<BoundaryPointOf<K>>&, const std::vector<DoublePointOf<K>>&, \
       const std::vector<AnalysedTraceOf<K>>&, const std::vector<Parameter>&,                          \
-      const std::array<std::size_t, 4>&, double, double);
+      const std::array<std::size_t, 4>&, const Drawing&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

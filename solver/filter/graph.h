@@ -16,16 +16,22 @@ struct AnalysedTraceOf {
 };
 using AnalysedTrace = AnalysedTraceOf<Biquadratic>;
 
+/// How finely polylines are drawn, in space units: within `tolerance` of the curve, their vertices within
+/// `vertex_tolerance`, or as near as doubles can be; a bound above `accepted` is refused.
+struct Drawing {
+  double tolerance;
+  double vertex_tolerance;
+  double accepted;
+};
+
 /// The graph of these curves and double points, which are the whole intersection; turning points with respect
 /// to `wanted` parameters are nodes, all of them on a closed curve that has no other. coincident[i] turns
-/// where i does. Vertices are within `vertex_tolerance` of the curve, or as near as doubles can be. Empty if
-/// a polyline cannot be proved to keep within `tolerance` (space units).
+/// where i does. Empty if a polyline cannot be proved to keep within what is accepted.
 template <class K>
 std::optional<GraphBuilder> make_graph(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
                                        const std::vector<DoublePointOf<K>>& double_points,
                                        const std::vector<AnalysedTraceOf<K>>& traces,
                                        const std::vector<Parameter>& wanted,
-                                       const std::array<std::size_t, 4>& coincident, double tolerance,
-                                       double vertex_tolerance);
+                                       const std::array<std::size_t, 4>& coincident, const Drawing& drawing);
 
 }  // namespace exsect::filter

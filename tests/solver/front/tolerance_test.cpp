@@ -2,6 +2,7 @@
 #include <exsect/geometry/bounding_box.h>
 #include <exsect/geometry/patch_file.h>
 #include <exsect/solver/intersect.h>
+#include <exsect/solver/intersect_rational.h>
 #include <exsect/solver/self_intersect.h>
 
 #include <cmath>
@@ -11,6 +12,7 @@
 
 #include "answer/model_scale.h"
 #include "support/catch.h"
+#include "support/random_nets.h"
 
 using namespace exsect;
 
@@ -68,7 +70,63 @@ void for_each_arc(const IntersectionGraph& graph, const Visit& visit) {
       for (const Arc& arc : chain) visit(arc);
 }
 
+double extent_of(const random_nets::Nets& nets) {
+  double extent = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    Rational lower = nets.x[0][0][c];
+    Rational upper = lower;
+    for (const random_nets::Net* net : {&nets.x, &nets.y})
+      for (const auto& row : *net)
+        for (const Point& p : row) {
+          lower = std::min(lower, p[c]);
+          upper = std::max(upper, p[c]);
+        }
+    extent = std::max(extent, to_double(upper - lower));
+  }
+  return extent;
+}
+
+/// Pairs behind which there is no exact arithmetic: bicubic ones, and weighted ones of both degrees.
+std::vector<Subject> subjects_in_doubles() {
+  std::vector<Subject> result;
+  for (const int kind : {0, 1, 2}) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      random_nets::Generator generator(seed);
+      const int n = kind == 1 ? 2 : 3;
+      const auto nets = random_nets::crossing(generator, {n, n, n, n}, true);
+      const RationalPatch x = kind == 0 ? nets.first() : random_nets::weighted(generator, nets.x);
+      const RationalPatch y = kind == 0 ? nets.second() : random_nets::weighted(generator, nets.y);
+      result.push_back({std::to_string(kind) + " seed " + std::to_string(seed), extent_of(nets),
+                        [=](const IntersectOptions& o) { return intersect(x, y, o); }});
+    }
+  }
+  return result;
+}
+
 }  // namespace
+
+TEST_CASE("tolerances from 1e-3 to 1e-16 in doubles alone: one topology, honest bounds") {
+  for (const Subject& subject : subjects_in_doubles()) {
+    CAPTURE(subject.name);
+    IntersectOptions options;
+    options.tolerance = 1e-2;
+    const Counts counts(subject.solve(options).graph);
+    for (const double tolerance : {1e-3, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-12, 1e-16}) {
+      CAPTURE(tolerance);
+      options.tolerance = tolerance;
+      const IntersectResult result = subject.solve(options);
+      CHECK(result.status == Status::complete);
+      CHECK(Counts(result.graph) == counts);
+      double worst = 0;
+      for_each_arc(result.graph, [&](const Arc& arc) { worst = std::max(worst, arc.error_bound); });
+      CHECK(result.coarse.has_value() == (worst > tolerance * subject.extent * (1 + 1e-9)));
+      if (result.coarse) {
+        CHECK(worst <= result.coarse->bound);
+        CHECK(worst < 1e-6 * subject.extent);
+      }
+    }
+  }
+}
 
 TEST_CASE("tolerances from 1e-3 to 1e-16: one topology, honest bounds, cost like the square root") {
   for (const Subject& subject : subjects()) {
