@@ -34,14 +34,80 @@ std::optional<std::size_t> corner_of(const Rational& first, const Rational& seco
   return (first == 1 ? 6U : 0U) + (second == 1 ? 2U : 0U);
 }
 
+/// (14.32): the field divided by t if it is zero at the lower end of the side, by 1 - t if at the upper one,
+/// of degree n in t again. Coefficient j of degree n-1 is n/j times that of degree n.
+template <class K>
+void divide_at(AcrossFieldOf<K>& field, bool upper) {
+  constexpr std::size_t n = K::degree;
+  for (std::size_t i = 0; i < n; ++i) {
+    std::array<Vec3, K::side> row;
+    for (std::size_t j = 0; j <= n; ++j) row[j] = field[K::side * i + (upper ? n - j : j)];
+    for (std::size_t j = 0; j < n; ++j) {
+      row[j] = (static_cast<double>(n) / static_cast<double>(j + 1)) * row[j + 1];
+    }
+    row[n] = row[n - 1];
+    for (std::size_t j = n - 1; j > 0; --j) {
+      row[j] = between(row[j], row[j - 1], static_cast<double>(j) / static_cast<double>(n));
+    }
+    for (std::size_t j = 0; j <= n; ++j) field[K::side * i + (upper ? n - j : j)] = row[j];
+  }
+}
+
+/// The corners of a patch: those at the ends of a side that is one point are one.
+template <class K>
+class Corners {
+ public:
+  explicit Corners(const ExactPatch<K>& patch) {
+    for (std::size_t i = 0; i < 4; ++i) first_[i] = kCorners<K>[i];
+    if constexpr (std::is_same_v<K, Biquadratic>) return;  // exact arithmetic is behind these
+    for (const SquareSide& side : kSides) {
+      const SideView view = {side, false, K::degree};
+      const auto is_first = [&](std::size_t k) {
+        return control_point(patch, view.index(0, k)) == control_point(patch, view.index(0, 0));
+      };
+      bool is_pole = true;
+      for (std::size_t k = 1; is_pole && k <= K::degree; ++k) is_pole = is_first(k);
+      if (!is_pole) continue;
+      poles_.push_back(side);
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (kCorners<K>[i] == view.index(0, K::degree)) first_[i] = view.index(0, 0);
+      }
+    }
+  }
+
+  /// Sides that are one point each have no corner in common.
+  bool are_sound() const {
+    return poles_.size() < 2 || (poles_.size() == 2 && poles_[0].parameter == poles_[1].parameter);
+  }
+  bool is_pole(const SquareSide& side) const {
+    return std::find(poles_.begin(), poles_.end(), side) != poles_.end();
+  }
+  /// That stands for this one.
+  std::size_t operator()(std::size_t corner) const {
+    const auto& all = kCorners<K>;
+    return first_[static_cast<std::size_t>(std::find(all.begin(), all.end(), corner) - all.begin())];
+  }
+  std::optional<SquareSide> pole_at(std::size_t corner) const {
+    const std::array<bool, 2> upper = corner_ends<K>(corner);
+    for (const SquareSide& side : poles_) {
+      if (upper[side.parameter] == side.upper) return side;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::array<std::size_t, 4> first_;
+  std::vector<SquareSide> poles_;
+};
+
 template <class K>
 class ContactFinder {
  public:
   ContactFinder(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair)
-      : x_(x), y_(y), pair_(pair) {}
+      : x_(x), y_(y), pair_(pair), corners_of_x_(x), corners_of_y_(y) {}
 
   std::optional<ContactsOf<K>> run() {
-    if (!find_corners()) {
+    if (!corners_of_x_.are_sound() || !corners_of_y_.are_sound() || !find_corners()) {
       return std::nullopt;
     }
     ContactsOf<K> contacts;
@@ -52,9 +118,13 @@ class ContactFinder {
           const SideView x = {a, false, K::degree};
           const SideView y = {b, reversed, K::degree};
           if (same_side(x, y)) {
-            contacts.sides.push_back(side_contact<K>(pair_, x, y));
-            for (std::size_t k = 0; k < corners_.size(); ++k) {
-              on_side[k] = on_side[k] || is_end(corners_[k], x, y, 0) || is_end(corners_[k], x, y, K::degree);
+            SideContactOf<K>& contact = contacts.sides.emplace_back(side_contact<K>(pair_, x, y));
+            for (const std::size_t end : {std::size_t{0}, K::degree}) {
+              for (std::size_t k = 0; k < corners_.size(); ++k) {
+                if (!is_end(corners_[k], x, y, end)) continue;
+                on_side[k] = true;
+                add_end(contact, corners_[k], end != 0);
+              }
             }
           }
         }
@@ -73,7 +143,7 @@ class ContactFinder {
   bool find_corners() {
     for (const std::size_t i : kCorners<K>) {
       for (const std::size_t j : kCorners<K>) {
-        if (pair_.x.net[i] != pair_.y.net[j]) {
+        if (corners_of_x_(i) != i || corners_of_y_(j) != j || pair_.x.net[i] != pair_.y.net[j]) {
           continue;
         }
         const bool again = std::any_of(corners_.begin(), corners_.end(),
@@ -81,13 +151,22 @@ class ContactFinder {
         if (again || control_point(x_, i) != control_point(y_, j)) {
           return false;
         }
-        corners_.push_back({i, j});
+        corners_.push_back({i, j, corners_of_x_.pole_at(i), corners_of_y_.pole_at(j)});
       }
     }
     return true;
   }
 
+  /// A patch with a pole there has a field that is zero there.
+  static void add_end(SideContactOf<K>& contact, const CornerContact& corner, bool upper) {
+    contact.ends.push_back(corner);
+    if (corner.pole_of_x) divide_at<K>(contact.x_across, upper);
+    if (corner.pole_of_y) divide_at<K>(contact.y_across, upper);
+    if (corner.is_pole()) contact.growth *= static_cast<double>(K::degree);
+  }
+
   bool same_side(const SideView& x, const SideView& y) const {
+    if (corners_of_x_.is_pole(x.side) || corners_of_y_.is_pole(y.side)) return false;
     for (std::size_t k = 0; k < K::side; ++k) {
       const std::size_t along = k == 1 ? K::degree : k == K::degree ? 1 : k;  // first the ends
       const std::size_t i = x.index(0, along);
@@ -99,13 +178,15 @@ class ContactFinder {
     return true;
   }
 
-  static bool is_end(const CornerContact& corner, const SideView& x, const SideView& y, std::size_t along) {
-    return corner.x == x.index(0, along) && corner.y == y.index(0, along);
+  bool is_end(const CornerContact& corner, const SideView& x, const SideView& y, std::size_t along) const {
+    return corner.x == corners_of_x_(x.index(0, along)) && corner.y == corners_of_y_(y.index(0, along));
   }
 
   const ExactPatch<K>& x_;
   const ExactPatch<K>& y_;
   const PairOf<K>& pair_;
+  Corners<K> corners_of_x_;
+  Corners<K> corners_of_y_;
   std::vector<CornerContact> corners_;
 };
 
@@ -130,6 +211,21 @@ template <class K>
 Interval along_on_x(const SideContactOf<K>& contact, const SideIntervals& on_y) {
   return {contact.offset + contact.factor * on_y.along.lower,
           contact.offset + contact.factor * on_y.along.upper};
+}
+
+/// The part reaches this end of a side, or all of the pole there.
+template <class K>
+bool reaches(const Part& part, std::size_t corner, const std::optional<SquareSide>& pole) {
+  const std::array<bool, 2> upper = corner_ends<K>(corner);
+  const auto at_end = [&](std::size_t i) {
+    return upper[i] ? part.range[i].upper == 1 : part.range[i].lower == 0;
+  };
+  return pole ? at_end(pole->parameter) : at_end(0) && at_end(1);
+}
+
+template <class K>
+bool may_touch(const CornerContact& corner, const Part& x, const Part& y) {
+  return reaches<K>(x, corner.x, corner.pole_of_x) && reaches<K>(y, corner.y, corner.pole_of_y);
 }
 
 template <class K>
@@ -191,10 +287,11 @@ bool meet_in_side(const SideContactOf<K>& contact, const SideIntervals& on_x, co
   const Vec3 n = cross(unit_across(central(fx), middle) - unit_across(central(fy), middle), middle);
   for (const Vec3& tangent : c) {
     const Vec3 w = cross(tangent, n);
-    const double error = kSlack * (kSideError<K::degree> * net_error *
-                                       (size1(w) + kSideNormal<K::degree> * stretch * largest(n)) +
-                                   extra * largest(n)) +
-                         kTiny;
+    const double error =
+        kSlack * contact.growth *
+            (kSideError<K::degree> * net_error * (size1(w) + kSideNormal<K::degree> * stretch * largest(n)) +
+             extra * largest(n)) +
+        kTiny;
     for (std::size_t k = 0; k < fx.size(); ++k) {
       if (!(dot(w, fx[k]) > error && dot(w, fy[k]) < -error)) {
         return false;
@@ -237,41 +334,53 @@ Vec3 positive_direction(const std::array<Vec3, N>& vectors, std::size_t count) {
   return d;
 }
 
-/// The index in the part's net of a corner of the square; `count` if it does not reach that far.
+/// Which control points of the part are the corner, or on the pole, exactly.
 template <class K>
-std::size_t own_corner(const Part& part, std::size_t corner) {
-  const auto reaches = [](const Interval& range, bool upper) {
-    return upper ? range.upper == 1 : range.lower == 0;
-  };
+std::array<bool, K::count> own_points(const Part& part, std::size_t corner,
+                                      const std::optional<SquareSide>& pole) {
+  std::array<bool, K::count> own{};
+  if (!reaches<K>(part, corner, pole)) {
+    return own;
+  }
   const std::array<bool, 2> upper = corner_ends<K>(corner);
-  if (!reaches(part.range[0], upper[0]) || !reaches(part.range[1], upper[1])) {
-    return part.points.size();
+  const auto is_at = [&](std::size_t parameter, std::size_t index) {
+    return index == (upper[parameter] ? K::degree : 0);
+  };
+  for (std::size_t k = 0; k < part.points.size(); ++k) {
+    const bool is_curve = part.points.size() == K::side;
+    const std::size_t along = part.range[0].lower == part.range[0].upper ? 1 : 0;
+    const std::array<std::size_t, 2> at = {k / K::side, k % K::side};
+    if (is_curve) {  // on a line where the other parameter is fixed
+      own[k] = pole && pole->parameter != along ? true : is_at(along, k);
+    } else {
+      own[k] = pole ? is_at(pole->parameter, at[pole->parameter]) : is_at(0, at[0]) && is_at(1, at[1]);
+    }
   }
-  if (part.points.size() == K::count) {
-    return corner;
-  }
-  const std::size_t along = part.range[0].lower == part.range[0].upper ? 1 : 0;
-  return upper[along] ? K::degree : 0;
+  return own;
 }
 
-// (14.14). De Casteljau's algorithm keeps the corner's double. The bound is that of (14.2).
+// (14.14). De Casteljau's algorithm keeps the corner's double, and those of a pole. The bound is that of
+// (14.2).
 template <class K>
-bool meet_in_corner(const Vec3& p, std::size_t corner_x, std::size_t corner_y, const Part& x, const Part& y,
+bool meet_in_corner(const Vec3& p, const CornerContact& corner, const Part& x, const Part& y,
                     double net_error) {
+  const auto own_x = own_points<K>(x, corner.x, corner.pole_of_x);
+  const auto own_y = own_points<K>(y, corner.y, corner.pole_of_y);
   std::array<Vec3, 2 * K::count> vectors;
   std::array<Vec3, 2 * K::count> units{};
   std::size_t count = 0;
   for (std::size_t k = 0; k < x.points.size(); ++k) {
-    if (k != corner_x) {
+    if (!own_x[k]) {
       vectors[count++] = x.points[k] - p;
     }
   }
   for (std::size_t k = 0; k < y.points.size(); ++k) {
-    if (k != corner_y) {
+    if (!own_y[k]) {
       vectors[count++] = p - y.points[k];
     }
   }
   std::transform(vectors.begin(), vectors.begin() + count, units.begin(), unit);
+  if (count == 0) return true;  // both are the pole alone
   const Vec3 d = positive_direction(units, count);
   const double error = kSlack * kSeparation * net_error * size1(d) + kTiny;
   return std::all_of(vectors.begin(), vectors.begin() + count,
@@ -347,7 +456,9 @@ Meeting meeting([[maybe_unused]] const PairOf<K>& pair, [[maybe_unused]] const C
       if (meet_in_side(side, on_x, on_y, pair.net_error)) {
         return Meeting::contact;
       }
-      touching = touching || may_touch(side, on_x, on_y);
+      touching = touching || may_touch(side, on_x, on_y) ||
+                 std::any_of(side.ends.begin(), side.ends.end(),
+                             [&](const CornerContact& end) { return may_touch<K>(end, x, y); });
     }
     if constexpr (std::is_same_v<K, Biquadratic>) {
       for (const PathContact& path : contacts.paths) {
@@ -358,12 +469,10 @@ Meeting meeting([[maybe_unused]] const PairOf<K>& pair, [[maybe_unused]] const C
       }
     }
     for (const CornerContact& corner : contacts.corners) {
-      const std::size_t i = own_corner<K>(x, corner.x);
-      const std::size_t j = own_corner<K>(y, corner.y);
-      if (meet_in_corner<K>(pair.x.net[corner.x], i, j, x, y, pair.net_error)) {
+      if (meet_in_corner<K>(pair.x.net[corner.x], corner, x, y, pair.net_error)) {
         return Meeting::contact;
       }
-      touching = touching || (i < x.points.size() && j < y.points.size());
+      touching = touching || may_touch<K>(corner, x, y);
     }
     return touching ? Meeting::touching : Meeting::unknown;
   } else {

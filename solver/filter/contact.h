@@ -11,6 +11,16 @@
 
 namespace exsect::filter {
 
+/// A corner of x, by its index in the net, is one of y. If a side of a patch is one point, a pole, the corner
+/// stands for all of it: then it is the lower one of its two ends.
+struct CornerContact {
+  std::size_t x;
+  std::size_t y;
+  std::optional<SquareSide> pole_of_x = std::nullopt;
+  std::optional<SquareSide> pole_of_y = std::nullopt;
+  bool is_pole() const { return pole_of_x || pole_of_y; }
+};
+
 /// The side of x and that of y are one curve or parts of one: x(.,t) = y(.,t') for t = offset + factor t', t
 /// and t' counted as the views do; factor > 0. Both sides are the whole curve, with the same parametrisation,
 /// unless there is a `path`.
@@ -24,14 +34,13 @@ struct SideContactOf {
   double offset = 0;
   double factor = 1;
   std::optional<SidePath> path = std::nullopt;
+  /// Its ends; poles where a patch has one there. Nothing if there is a `path`.
+  std::vector<CornerContact> ends = {};
+  /// By how much the fields and their errors grow when they are divided at poles, (14.32).
+  double growth = 1;
 };
 using SideContact = SideContactOf<Biquadratic>;
 
-/// A corner of x, by its index in the net, is one of y.
-struct CornerContact {
-  std::size_t x;
-  std::size_t y;
-};
 /// Whether a corner is at the end of the first, the second parameter's interval.
 template <class K>
 std::array<bool, 2> corner_ends(std::size_t corner) {

@@ -130,8 +130,8 @@ class ContactGraph {
         graph_(graph) {}
 
   void add(const CornerContact& corner) {
-    const int id = add_node(corner);
-    if (touches(corner)) {
+    const int id = node(corner);
+    if (!corner.is_pole() && touches(corner)) {
       graph_.add_kind(id, NodeKind::touch);
     }
     graph_.add_isolated(id);
@@ -144,8 +144,8 @@ class ContactGraph {
       }
     }
     Arc arc{};
-    arc.from = add_node({side.x.index(0, 0), side.y.index(0, 0)});
-    arc.to = add_node({side.x.index(0, K::degree), side.y.index(0, K::degree)});
+    arc.from = node(side.ends[0]);
+    arc.to = node(side.ends[1]);
     arc.place = ArcPlace::patch_boundary;
     arc.contact = contact_along(side);
     add_polyline(side, arc);
@@ -173,18 +173,37 @@ class ContactGraph {
     return graph_.add_node(std::move(node));
   }
 
+  /// That of the corner; a new one where sides do not have it already.
+  int node(const CornerContact& corner) {
+    const auto known = std::find_if(nodes_.begin(), nodes_.end(), [&](const auto& entry) {
+      return entry.first.x == corner.x && entry.first.y == corner.y;
+    });
+    if (known != nodes_.end()) return known->second;
+    nodes_.emplace_back(corner, add_node(corner));
+    return nodes_.back().second;
+  }
+
   int add_node(const CornerContact& corner) {
     Node node{};
-    node.kinds = {NodeKind::boundary, NodeKind::corner};
     const auto [u, v] = corner_ends<K>(corner.x);
     const auto [r, s] = corner_ends<K>(corner.y);
     const std::array<bool, 4> upper = {u, v, r, s};
     for (std::size_t j = 0; j < 4; ++j) {
+      const auto& pole = j < 2 ? corner.pole_of_x : corner.pole_of_y;
+      const Parameter parameter = static_cast<Parameter>(j);
+      if (pole && pole->parameter != j % 2) {
+        node.free.push_back(parameter);
+        node.box[j] = {0, 1};
+        node.approx[j] = 0.5;
+        continue;
+      }
       const int value = upper[j] ? 1 : 0;
-      node.on.push_back({static_cast<Parameter>(j), value});
+      node.on.push_back({parameter, value});
       node.box[j] = {value, value};
       node.approx[j] = value;
     }
+    node.kinds = {NodeKind::boundary};
+    if (!corner.pole_of_x || !corner.pole_of_y) node.kinds.push_back(NodeKind::corner);
     node.point = position(pair_.x.net[corner.x]);
     return graph_.add_node(std::move(node), 0);
   }
@@ -295,6 +314,7 @@ class ContactGraph {
   double tolerance_;
   double accepted_;
   GraphBuilder& graph_;
+  std::vector<std::pair<CornerContact, int>> nodes_;
 };
 
 }  // namespace

@@ -36,10 +36,9 @@ constexpr double kCoarsest = 1e-3;
 constexpr double kCoarser = 64;
 constexpr std::array<std::size_t, 4> kNoneCoincident = {0, 1, 2, 3};
 
-/// One arc ends in a BoundaryPoint.
+/// One arc ends in a BoundaryPoint on a single side.
 std::optional<int> arcs_at_sides(const Node& node) {
-  const bool corner = std::find(node.kinds.begin(), node.kinds.end(), NodeKind::corner) != node.kinds.end();
-  return node.on.empty() || corner ? std::nullopt : std::optional(1);
+  return node.on.size() == 1 ? std::optional(1) : std::nullopt;
 }
 
 template <class K>
