@@ -36,14 +36,6 @@ const NamedRationalPatch& named(const RationalPatchFile& file, const std::string
 
 }  // namespace
 
-PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second,
-                    const char* chosen_by) {
-  const RationalPatchFile file = input_patches(path);
-  for (const std::string& name : {first, second})
-    if (!name.empty()) named(file, path, name, chosen_by);
-  return read_pair(path, first, second);
-}
-
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second) {
   const RationalPair pair = read_rational_pair(path, first, second);
   return {biquadratic(pair.x, input_name(path), ""), biquadratic(pair.y, input_name(path), ""), pair.title};
@@ -70,6 +62,14 @@ RationalPair read_rational_pair(const std::string& path, const std::string& firs
   if (x == nullptr) x = y == front ? &file.patches.back() : front;
   if (y == nullptr) y = x == front ? &file.patches.back() : front;
   return {*x, *y, file.title};
+}
+
+RationalPair read_rational_pair(const std::string& path, const std::string& first, const std::string& second,
+                                const char* chosen_by) {
+  const RationalPatchFile file = input_patches(path);
+  for (const std::string& name : {first, second})
+    if (!name.empty()) named(file, path, name, chosen_by);
+  return read_rational_pair(path, first, second);
 }
 
 std::string place_beyond_doubles(const RationalPatch& patch) {

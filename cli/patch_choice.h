@@ -25,11 +25,11 @@ struct RationalPair {
 /// must hold exactly two patches. Throws InputError for a bad file, an unknown name, the same name twice, or
 /// no clear choice.
 RationalPair read_rational_pair(const std::string& path, const std::string& first, const std::string& second);
+/// The same where `chosen_by`, and not --first and --second, gives the names.
+RationalPair read_rational_pair(const std::string& path, const std::string& first, const std::string& second,
+                                const char* chosen_by);
 /// The same for methods that take polynomial patches of bidegree at most (2,2) only; InputError for others.
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second);
-/// The same where `chosen_by`, and not --first and --second, gives the names.
-PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second,
-                    const char* chosen_by);
 
 /// One patch, and the title of its file.
 struct ChosenPatch {

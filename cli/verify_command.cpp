@@ -15,10 +15,11 @@ namespace exsect::cli {
 namespace {
 
 /// The patches that the options name, else those that the candidate names.
-PatchPair chosen_pair(const VerifyCommand& command, const Candidate& candidate) {
+RationalPair chosen_pair(const VerifyCommand& command, const Candidate& candidate) {
   if (!command.first.empty() || !command.second.empty())
-    return read_pair(command.file, command.first, command.second);
-  return read_pair(command.file, candidate.patches[0], candidate.patches[1], "the candidate's patches");
+    return read_rational_pair(command.file, command.first, command.second);
+  return read_rational_pair(command.file, candidate.patches[0], candidate.patches[1],
+                            "the candidate's patches");
 }
 
 /// Whether the file is JSON that says to hold patches.
@@ -43,7 +44,7 @@ Candidate candidate_of(const VerifyCommand& command) {
   }
 }
 
-Verification solve_candidate(const PatchPair& pair, const Candidate& candidate, VerifyOptions options,
+Verification solve_candidate(const RationalPair& pair, const Candidate& candidate, VerifyOptions options,
                              const Streams& streams, bool quiet) {
   Progress progress(streams.err, streams.watched && !quiet);
   options.progress = [&](double fraction, const char* step) { progress.report(fraction, step); };
@@ -65,7 +66,7 @@ ExitStatus run(const VerifyCommand& command, const Streams& streams) {
   check(command.output, command.file);
   check(command.output, command.candidate);
   const Candidate candidate = candidate_of(command);
-  const PatchPair pair = chosen_pair(command, candidate);
+  const RationalPair pair = chosen_pair(command, candidate);
   const PatchNames names = {pair.x.name, pair.y.name};
   const Verification result = solve_candidate(pair, candidate, options, streams, command.quiet);
   const std::string json =

@@ -22,8 +22,8 @@ namespace py = pybind11;
 struct SolvedVerdict {
   Verification verification;
   Candidate candidate;
-  BezierPatch first;
-  BezierPatch second;
+  RationalPatch first;
+  RationalPatch second;
   cli::PatchNames names;
 
   cli::Json json() const { return cli::verdict_json(verification, candidate, names); }
@@ -54,7 +54,6 @@ SolvedVerdict verify_candidate(const std::string& text, const std::string& filen
                                const std::array<std::string, 2>& names, const std::string& tolerance,
                                const std::string& max_seconds) {
   const Candidate candidate = parse_candidate(text, filename, candidate_format(filename));
-  const BezierPatch x = biquadratic_of(first, names[0]), y = biquadratic_of(second, names[1]);
   VerifyOptions options;
   options.tolerance = cli::positive_value("tolerance", tolerance);
   if (!max_seconds.empty()) options.max_seconds = cli::positive_value("max_seconds", max_seconds);
@@ -63,7 +62,7 @@ SolvedVerdict verify_candidate(const std::string& text, const std::string& filen
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   };
   const py::gil_scoped_release release;
-  return {verify(candidate, x, y, options), candidate, x, y, {names[0], names[1]}};
+  return {verify(candidate, first, second, options), candidate, first, second, {names[0], names[1]}};
 }
 
 SolvedComparison compare_methods(const RationalPatch& first, const RationalPatch& second,

@@ -13,8 +13,6 @@ constexpr int deepest = 40;
 constexpr std::size_t most_pieces = std::size_t{1} << 20;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double norm(const SpacePoint& a) { return std::hypot(a[0], a[1], a[2]); }
-
 double largest(const SpacePoint& a) { return std::max({std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2])}); }
 
 /// A Bézier curve with weights over [from, to].
@@ -178,110 +176,6 @@ void add(Chain& chain, const SpacePoint& point, double at, double bound) {
 }
 
 }  // namespace
-
-PatchInDoubles::PatchInDoubles(const BezierPatch& patch, const Rational& margin) {
-  const ControlNet power = patch.power_basis();
-  double size = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        power_[i][j][k] = to_double(power[i][j][k]);
-        net_[i][j][k] = to_double(patch.net()[i][j][k]);
-      }
-      size += std::ldexp(norm(power_[i][j]) * upwards, static_cast<int>(i + j));
-    }
-  }
-  // nine terms of at most five rounded operations each, and the rounding of the coefficients
-  rounding_ = 32 * size * unit_roundoff;
-  // Derivatives lie in the hulls of differences of the net over the square.
-  const Rational width = 1 + 2 * margin;
-  const ControlNet net = patch.restricted_to(-margin, 1 + margin, -margin, 1 + margin).net();
-  const auto length = [](const Point& p) {
-    return norm({to_double(p[0]), to_double(p[1]), to_double(p[2])}) * upwards;
-  };
-  speed_ = {0, 0};
-  second_ = {0, 0, 0};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 2; ++j) {
-      speed_[0] = std::max(speed_[0], length(Rational(2 / width) * (net[j + 1][i] - net[j][i])));
-      speed_[1] = std::max(speed_[1], length(Rational(2 / width) * (net[i][j + 1] - net[i][j])));
-      if (i == 2) continue;
-      const Point mixed = (net[i + 1][j + 1] - net[i + 1][j]) - (net[i][j + 1] - net[i][j]);
-      second_[1] = std::max(second_[1], length(Rational(4 / (width * width)) * mixed));
-    }
-    const Rational twice = 2 / (width * width);
-    second_[0] = std::max(second_[0], length(twice * ((net[2][i] - net[1][i]) - (net[1][i] - net[0][i]))));
-    second_[2] = std::max(second_[2], length(twice * ((net[i][2] - net[i][1]) - (net[i][1] - net[i][0]))));
-  }
-}
-
-SpacePoint PatchInDoubles::operator()(double u, double v) const {
-  SpacePoint result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    double value = 0;
-    for (std::size_t i = 3; i-- > 0;)
-      value = value * u + (power_[i][0][k] + v * (power_[i][1][k] + v * power_[i][2][k]));
-    result[k] = value;
-  }
-  return result;
-}
-
-double PatchInDoubles::second_derivative(double du, double dv) const {
-  return (second_[0] * du * du + 2 * second_[1] * std::fabs(du * dv) + second_[2] * dv * dv) * upwards;
-}
-
-bool PatchInDoubles::certainly_farther(const SpacePoint& p, double radius) const {
-  struct Piece {
-    std::array<std::array<SpacePoint, 3>, 3> net;
-    int depth;
-  };
-  std::vector<Piece> waiting = {{net_, 0}};
-  constexpr std::size_t most_steps = 4096;
-  for (std::size_t step = 0; step < most_steps; ++step) {
-    if (waiting.empty()) return true;
-    const Piece piece = waiting.back();
-    waiting.pop_back();
-    SpacePoint centre = between(piece.net[0][0], piece.net[2][2], 0.5);
-    double reach = 0;  // all points of the piece are within it of the centre
-    double gap = 0;    // the box of the net is at least that far
-    for (std::size_t k = 0; k < 3; ++k) {
-      double lower = piece.net[0][0][k];
-      double upper = lower;
-      for (const auto& row : piece.net) {
-        for (const SpacePoint& q : row) {
-          lower = std::min(lower, q[k]);
-          upper = std::max(upper, q[k]);
-        }
-      }
-      const double outside = std::max({lower - p[k], p[k] - upper, 0.0});
-      gap += outside * outside;
-    }
-    for (const auto& row : piece.net)
-      for (const SpacePoint& q : row) reach = std::max(reach, distance(q, centre));
-    const double slack = (rounding_ + radius) * upwards;
-    if (std::max(std::sqrt(gap), distance(p, centre) - reach) * (1 - 0x1p-40) > slack) continue;
-    if (piece.depth == deepest) return false;
-    const auto halved = [](const SpacePoint& a, const SpacePoint& b, const SpacePoint& c) {
-      const SpacePoint ab = between(a, b, 0.5);
-      const SpacePoint bc = between(b, c, 0.5);
-      return std::array<SpacePoint, 5>{a, ab, between(ab, bc, 0.5), bc, c};
-    };
-    Piece left{piece.net, piece.depth + 1};
-    Piece right{piece.net, piece.depth + 1};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& n = piece.net;
-      const bool rows = piece.depth % 2 == 0;
-      const auto five = rows ? halved(n[0][i], n[1][i], n[2][i]) : halved(n[i][0], n[i][1], n[i][2]);
-      for (std::size_t j = 0; j < 3; ++j) {
-        (rows ? left.net[j][i] : left.net[i][j]) = five[j];
-        (rows ? right.net[j][i] : right.net[i][j]) = five[j + 2];
-      }
-    }
-    waiting.push_back(left);
-    waiting.push_back(right);
-  }
-  return false;
-}
 
 Chain chain_in_space(const SplineCurve& curve, bool closed, double flat) {
   const std::vector<StraightPiece> pieces = straight_pieces(curve, closed, flat);

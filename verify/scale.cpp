@@ -1,9 +1,12 @@
 #include "scale.h"
 
+#include <exsect/geometry/bounding_box.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace exsect {
 namespace {
@@ -32,24 +35,28 @@ void scale_up(DistanceEnclosure& distance, int e) {
 
 }  // namespace
 
-int exponent_of_size(const BezierPatch& x, const BezierPatch& y) {
+int exponent_of_size(const RationalPatch& x, const RationalPatch& y) {
   Rational most = 0;
-  for (const BezierPatch* patch : {&x, &y})
-    for (const auto& row : patch->net())
-      for (const Point& p : row)
-        for (std::size_t k = 0; k < 3; ++k) most = std::max(most, Rational(abs(p[k])));
+  const BoundingBox box = united(bounding_box(x), bounding_box(y));
+  for (const Point& p : {box.lower, box.upper})
+    for (const Rational& c : p) most = std::max(most, Rational(abs(c)));
   if (most == 0) return 0;
   const auto bits = [](const Integer& n) { return static_cast<int>(msb(n)); };
   const int e = bits(numerator(most)) - bits(denominator(most));
   return std::abs(e) <= 200 ? 0 : e;
 }
 
-BezierPatch scaled_down(const BezierPatch& x, int e) {
-  ControlNet net = x.net();
-  for (auto& row : net)
-    for (Point& p : row)
+RationalPatch scaled_down(const RationalPatch& x, int e) {
+  std::vector<std::vector<HomogeneousPoint>> net;
+  for (int i = 0; i <= x.degree_u(); ++i) {
+    net.emplace_back();
+    for (int j = 0; j <= x.degree_v(); ++j) {
+      HomogeneousPoint p = x.homogeneous(i, j);
       for (std::size_t k = 0; k < 3; ++k) p[k] *= power_of_two(-e);
-  return BezierPatch(net);
+      net.back().push_back(p);
+    }
+  }
+  return RationalPatch::from_homogeneous(net);
 }
 
 IntersectResult scaled_down(IntersectResult exact, int e) {

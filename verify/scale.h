@@ -2,17 +2,17 @@
 // 15.
 #pragma once
 
-#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 #include <exsect/verify/verdict.h>
 
 namespace exsect {
 
 /// The power of two 2^e by which the patches have to be divided so that squares of distances are doubles: 0
 /// as long as the greatest coordinate is between 2^-200 and 2^200, or 0.
-int exponent_of_size(const BezierPatch& x, const BezierPatch& y);
+int exponent_of_size(const RationalPatch& x, const RationalPatch& y);
 
 /// Divided by 2^e, exactly.
-BezierPatch scaled_down(const BezierPatch& x, int e);
+RationalPatch scaled_down(const RationalPatch& x, int e);
 /// Divided by 2^e; what underflows in a polyline is added to its bound. Only what a Verifier looks at.
 IntersectResult scaled_down(IntersectResult exact, int e);
 /// Divided by 2^e, but for what underflows. Throws std::invalid_argument if a coordinate is then beyond

@@ -1,9 +1,12 @@
 #include "verifier.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace exsect {
 namespace {
+
+bool is_outside(double a, double b) { return !(std::min(a, b) >= -0.01 && std::max(a, b) <= 1.01); }
 
 /// How far parameters leave [0,1]: a little, or up to 1.
 Rational margin(const Candidate& candidate) {
@@ -11,13 +14,16 @@ Rational margin(const Candidate& candidate) {
     for (const auto* spline : {&curve.first, &curve.second})
       if (*spline)
         for (const auto& p : (*spline)->points)
-          if (std::min(p[0], p[1]) < -0.01 || std::max(p[0], p[1]) > 1.01) return 1;
+          if (is_outside(p[0], p[1])) return 1;
+  for (const CandidatePoint& point : candidate.points)
+    for (const auto* square : {&point.first, &point.second})
+      if (*square && is_outside((**square)[0], (**square)[1])) return 1;
   return Rational(1, 64);
 }
 
 }  // namespace
 
-Verifier::Verifier(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
+Verifier::Verifier(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
                    const IntersectResult& exact, double tolerance, StopRequest stop)
     : candidate_(candidate),
       graph_(exact.graph),
@@ -30,13 +36,16 @@ Verifier::Verifier(const Candidate& candidate, const BezierPatch& x, const Bezie
   verdict_.exact_is_complete = exact.status == Status::complete;
   verdict_.tolerance = tolerance;
   rounding_ = 4 * (x_.rounding() + y_.rounding());
-  add_points();
+  if (std::isfinite(rounding_)) add_points();
 }
 
 Verdict Verifier::operator()() {
   const InterruptionScope scope(stop_);
   try {
-    judge();
+    if (std::isfinite(rounding_))
+      judge();
+    else
+      without_bounds();
     conclude();
   } catch (const Interrupted&) {
     verdict_.undecided = {"what the time was not enough for"};
@@ -44,6 +53,13 @@ Verdict Verifier::operator()() {
     if (!verdict_.differences.empty()) verdict_.agreement = Agreement::disagrees;
   }
   return std::move(verdict_);
+}
+
+/// A denominator may vanish next to the square, where the candidate may be.
+void Verifier::without_bounds() {
+  verdict_.curves.resize(candidate_.curves.size());
+  verdict_.undecided.push_back(
+      "the denominator of a patch is not proved positive where the candidate may be");
 }
 
 void Verifier::judge() {

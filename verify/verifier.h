@@ -1,7 +1,7 @@
 // One candidate held against one exact result, step by step. Internal to solver/; docs/method.md, section 15.
 #pragma once
 
-#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 #include <exsect/verify/verdict.h>
 
 #include <optional>
@@ -31,7 +31,7 @@ struct CurveData {
 /// Of one candidate and one exact result, which must outlive it; called once.
 class Verifier {
  public:
-  Verifier(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
+  Verifier(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
            const IntersectResult& exact, double tolerance, StopRequest stop = {});
   /// What is proved when `stop` ends it; the rest is undecided.
   Verdict operator()();
@@ -43,6 +43,7 @@ class Verifier {
   void add_points();
 
   void judge();
+  void without_bounds();
 
   // Candidate curves: verify_curves.cpp
 

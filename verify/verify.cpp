@@ -1,7 +1,9 @@
 #include "verify.h"
 
 #include <exsect/algebra/nearest_rounding.h>
-#include <exsect/solver/intersect.h>
+#include <exsect/geometry/beyond_doubles.h>
+#include <exsect/geometry/bounding_box.h>
+#include <exsect/solver/intersect_rational.h>
 
 #include <algorithm>
 #include <array>
@@ -9,7 +11,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "answer/model_scale.h"
 #include "scale.h"
 #include "verifier.h"
 
@@ -45,7 +46,17 @@ void check(const Candidate& candidate) {
   }
 }
 
-Verdict judged(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
+/// Throws BeyondDoubles if a patch is not in the range of doubles.
+double extent_of(const RationalPatch& x, const RationalPatch& y) {
+  const BoundingBox box = united(bounding_box(x), bounding_box(y));
+  for (const Point& p : {box.lower, box.upper})
+    for (const Rational& c : p)
+      if (!std::isfinite(to_double(c)))
+        throw BeyondDoubles("control points must lie in the range of doubles");
+  return to_double(largest_extent(box));
+}
+
+Verdict judged(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
                const IntersectResult& exact, double tolerance, const StopRequest& stop) {
   require_tolerance(tolerance);
   check(candidate);
@@ -60,12 +71,12 @@ Verdict judged(const Candidate& candidate, const BezierPatch& x, const BezierPat
 
 }  // namespace
 
-Verdict verify(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
+Verdict verify(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
                const IntersectResult& exact, double tolerance) {
   return in_nearest_rounding([&] { return judged(candidate, x, y, exact, tolerance, {}); });
 }
 
-Verification verify(const Candidate& candidate, const BezierPatch& x, const BezierPatch& y,
+Verification verify(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
                     const VerifyOptions& options) {
   return in_nearest_rounding([&]() -> Verification {
     require_tolerance(options.tolerance);
@@ -76,19 +87,26 @@ Verification verify(const Candidate& candidate, const BezierPatch& x, const Bezi
       return *options.max_seconds - std::chrono::duration<double>(Clock::now() - start).count();
     };
     const StopRequest stop = options.max_seconds ? StopRequest([&] { return left() <= 0; }) : StopRequest();
-    const double extent = model_scale(x, y).extent;
+    const double extent = extent_of(x, y);
     const double tolerance = options.tolerance * (extent > 0 ? extent : 1);
     IntersectOptions fine;
     fine.progress = options.progress;
+    const bool in_doubles_alone = !x.biquadratic() || !y.biquadratic();
     constexpr int most_rounds = 3;
     for (int round = 1;; ++round) {
       fine.tolerance = std::ldexp(options.tolerance, -1 - 3 * round);
       if (options.max_seconds) fine.max_seconds = std::max(0.75 * left(), 1e-9);  // the rest to compare
       IntersectResult exact = intersect(x, y, fine);
+      if (exact.status == Status::incomplete && in_doubles_alone && !fine.turning.empty() &&
+          !is_stopped(stop)) {
+        fine.turning = {};
+        --round;
+        continue;
+      }
       Verdict verdict = judged(candidate, x, y, exact, tolerance, stop);
       if (verdict.agreement != Agreement::undecided || !verdict.exact_is_complete || round == most_rounds ||
           is_stopped(stop))
-        return {std::move(verdict), std::move(exact), fine.tolerance};
+        return {std::move(verdict), std::move(exact), fine.tolerance, fine.turning};
     }
   });
 }

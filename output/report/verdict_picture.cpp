@@ -186,7 +186,7 @@ std::string verdict_svg(const Verification& verification, const Candidate& candi
 }
 
 std::string verdict_report_html(const Verification& verification, const Candidate& candidate,
-                                const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
+                                const RationalPatch& x, const RationalPatch& y, const PatchNames& names,
                                 const ReportOrigin& origin) {
   Json data = report_data("verify", origin, verdict_json(verification, candidate, names));
   data["parameters"] = pair_names;

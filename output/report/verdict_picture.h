@@ -18,7 +18,7 @@ std::string verdict_svg(const Verification& verification, const Candidate& candi
 /// The page of a verdict, with the whole "verdict/1" result and the exact intersection as "intersection/1";
 /// differences are marked in space and in the squares.
 std::string verdict_report_html(const Verification& verification, const Candidate& candidate,
-                                const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
+                                const RationalPatch& x, const RationalPatch& y, const PatchNames& names,
                                 const ReportOrigin& origin);
 
 }  // namespace exsect::cli

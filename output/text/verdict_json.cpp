@@ -76,11 +76,13 @@ Json verdict_json(const Verification& verification, const Candidate& candidate, 
                {"tolerance", verdict.tolerance},
                {"exact", verification.exact.status == Status::complete ? "complete" : "incomplete"},
                {"exact_tolerance", verification.exact_tolerance},
+               {"exact_turning", Json::array()},
                {"differences", Json::array()},
                {"undecided", verdict.undecided},
                {"components", Json::array()},
                {"arcs", Json::array()},
                {"curves", Json::array()}};
+  for (const Parameter p : verification.exact_turning) json["exact_turning"].push_back(name(p));
   for (const Difference& difference : verdict.differences)
     json["differences"].push_back(difference_json(difference));
   for (const ComponentFinding& component : verdict.components)

@@ -61,8 +61,8 @@ std::vector<Finding> findings(const Verdict& verdict) {
 /// Where things lie, in floating point: for the eye.
 class Places {
  public:
-  Places(const Verification& verification, const Candidate& candidate, const BezierPatch& x,
-         const BezierPatch& y)
+  Places(const Verification& verification, const Candidate& candidate, const RationalPatch& x,
+         const RationalPatch& y)
       : graph_(verification.exact.graph), candidate_(candidate), x_(x), y_(y) {}
 
   std::string of(const Finding& finding) const {
@@ -88,7 +88,7 @@ class Places {
   static std::string from_to(const Place& a, const Place& b) {
     return ", from near " + text(a) + " to near " + text(b);
   }
-  static Place on(const BezierPatch& patch, double first, double second) {
+  static Place on(const RationalPatch& patch, double first, double second) {
     const Point p = patch(from_double(first), from_double(second));
     return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
   }
@@ -118,8 +118,8 @@ class Places {
 
   const IntersectionGraph& graph_;
   const Candidate& candidate_;
-  const BezierPatch& x_;
-  const BezierPatch& y_;
+  const RationalPatch& x_;
+  const RationalPatch& y_;
 };
 
 /// What is wrong with a part of a curve, without where.
@@ -204,7 +204,7 @@ std::string curve_table(const Verdict& verdict) {
 }  // namespace
 
 std::string verdict_summary(const Verification& verification, const Candidate& candidate,
-                            const std::string& asked, const BezierPatch& x, const BezierPatch& y) {
+                            const std::string& asked, const RationalPatch& x, const RationalPatch& y) {
   const Verdict& verdict = verification.verdict;
   const std::vector<Finding> found = findings(verdict);
   const Places places(verification, candidate, x, y);

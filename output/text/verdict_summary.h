@@ -12,6 +12,6 @@ namespace exsect::cli {
 /// is, the largest proved distance, one line for each difference with the vertices and a place near it, what
 /// is not decided, and tables of the components and the curves. x and y are the patches of (u,v) and (r,s).
 std::string verdict_summary(const Verification& verification, const Candidate& candidate,
-                            const std::string& asked, const BezierPatch& x, const BezierPatch& y);
+                            const std::string& asked, const RationalPatch& x, const RationalPatch& y);
 
 }  // namespace exsect::cli

@@ -74,10 +74,6 @@ TEST_CASE("what patches of higher degree or with weights cannot have is refused 
   check_refused({"revolve", example("profile.json"), "--method", "elimination", "--patch-file", file,
                  "--patch", "quarter"},
                 file + here);
-  const std::string candidate = scratch.path("c.csv");
-  write(candidate, "x,y,z\n0,0,0\n1,1,1\n");
-  check_refused({"verify", candidate, file, "--first", "quarter", "--second", "plane", "--tolerance", "1e-3"},
-                file + here);
   check_refused(
       {"intersect", file, "--certificate", scratch.path("out")},
       file + ": patch \"quarter\": not supported yet with --certificate: bidegree (2,1) with weights");
@@ -88,6 +84,39 @@ TEST_CASE("what patches of higher degree or with weights cannot have is refused 
   check_refused({"line", teapot, "--first", "13", "--second", "5", "--u", "0"},
                 teapot + ": patch \"13\": not supported here: bidegree (3,3)");
   CHECK(run_program({"self", file, "--patch", "plane"}).status == 0);
+}
+
+TEST_CASE("verify takes patches of higher degree and with weights") {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.path("weighted.json");
+  const std::string candidate = scratch.path("c.json");
+  const std::string report = scratch.path("report.html");
+  std::string tilted = weighted;  // z = 1/2 + x/4
+  tilted.replace(tilted.rfind("[[[0,0"), std::string::npos,
+                 R"([[[-1,-1,"1/4"],[-1,2,"1/4"]], [[2,-1,1],[2,2,1]]]}]})");
+  write(file, tilted);
+  // A quarter of an ellipse: (1 - t^2, 2 t) / (1 + t^2) lifted into the plane.
+  const auto agreement = [&](const std::string& second_weight) {
+    write(candidate, R"({"exsect": "candidate/1", "patches": ["quarter", "plane"], "curves": [{"points":
+      {"degree": 2, "knots": [0,0,0,1,1,1], "points": [[1,0,0.75],[1,1,0.75],[0,1,0.5]], "weights": [1,)" +
+                         second_weight + R"(,2]}}]})");
+    const ProgramRun run =
+        run_program({"verify", candidate, file, "--tolerance", "1e-4", "--json", "-", "--report", report});
+    INFO(run.err);
+    CHECK(run.err.empty());
+    return Json::parse(run.out)["verdict"];
+  };
+  CHECK(agreement("1") == "agrees");
+  CHECK(agreement("1.01") == "disagrees");
+  const ProgramRun right =
+      run_program({"intersect", teapot, "--first", "1", "--second", "4", "--obj", scratch.path("c.obj")});
+  CHECK(right.status == 0);
+  CHECK(run_program(
+            {"verify", scratch.path("c.obj"), teapot, "--first", "1", "--second", "4", "--tolerance", "1e-3"})
+            .status == 0);
+  CHECK(run_program(
+            {"verify", scratch.path("c.obj"), teapot, "--first", "2", "--second", "3", "--tolerance", "1e-3"})
+            .status == 1);
 }
 
 TEST_CASE("the teapot is a model with its 32 patches") {

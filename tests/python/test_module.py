@@ -172,7 +172,6 @@ def test_functions_for_biquadratic_patches_name_the_kind_of_others(first):
             lambda p: exsect.line(first["x"], p, u="1/2"),
             lambda p: exsect.implicitize(p),
             lambda p: exsect.compare(first["x"], p),
-            lambda p: exsect.verify(EXAMPLES / "candidates/sisl-right.candidate.json", p, first["x"]),
             lambda p: exsect.intersect(p, first["x"], exact=True),
         ]
         for call in calls:
@@ -543,6 +542,16 @@ def test_verify_says_what_the_program_says(name):
     same_again = exsect.verify(json.loads(path.read_text()), first, second, absolute_tolerance=verdict.absolute_tolerance)
     assert same_again.verdict == verdict.verdict
     assert same_again.absolute_tolerance == pytest.approx(verdict.absolute_tolerance, rel=1e-12)
+
+
+def test_verify_takes_weights():
+    plane = exsect.Patch([[[-1, -1, "1/4"], [-1, 2, "1/4"]], [[2, -1, 1], [2, 2, 1]]])  # z = 1/2 + x/4
+    ellipse = {"degree": 2, "knots": [0, 0, 0, 1, 1, 1], "points": [[1, 0, 0.75], [1, 1, 0.75], [0, 1, 0.5]], "weights": [1, 1, 2]}
+    candidate = {"exsect": "candidate/1", "patches": ["x", "y"], "curves": [{"points": ellipse}]}
+    verdict = exsect.verify(candidate, quarter_of_a_cylinder(), plane, tolerance="1e-4")
+    assert verdict.agrees and verdict.to_report().startswith("<!DOCTYPE html>")
+    ellipse["points"][1][2] = 0.7
+    assert exsect.verify(candidate, quarter_of_a_cylinder(), plane, tolerance="1e-4").differences
 
 
 def test_bad_candidates_are_refused():
