@@ -57,6 +57,18 @@ ElevatedPatch<K> elevated(const RationalPatch& patch) {
   return result;
 }
 
+/// The same patch by its maker, which proves again that the weight is positive.
+inline RationalPatch rational_patch(const BezierPatch& patch) { return patch; }
+template <class K>
+RationalPatch rational_patch(const ElevatedPatch<K>& patch) {
+  std::vector<std::vector<HomogeneousPoint>> net(K::side);
+  for (std::size_t k = 0; k < K::count; ++k) {
+    const Point& p = patch.points[k];
+    net[k / K::side].push_back({p[0], p[1], p[2], patch.weights[k]});
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+
 /// The patch moved and scaled.
 template <class K>
 ElevatedPatch<K> placed(const ElevatedPatch<K>& patch, const Placement& place) {

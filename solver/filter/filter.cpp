@@ -10,12 +10,12 @@
 #include "answer/parameter_box.h"
 #include "answer/placement.h"
 #include "filter/contact_graph.h"
+#include "filter/exact_turning.h"
 #include "filter/graph.h"
 #include "filter/line.h"
 #include "filter/loops.h"
 #include "filter/overlap.h"
 #include "filter/tube_newton.h"
-#include "shape/coincident_parameters.h"
 #include "trace/turning_points.h"
 
 namespace exsect {
@@ -92,7 +92,7 @@ class FilteredIntersection {
       return std::nullopt;
     }
     std::vector<AnalysedTraceOf<K>> curves;
-    if (!find_turns(*pair, traces, curves)) {
+    if (!find_turns(*pair, *points, traces, curves)) {
       return std::nullopt;
     }
     auto graph = drawn(*pair, *points, curves);
@@ -240,23 +240,32 @@ class FilteredIntersection {
     return true;
   }
 
-  bool find_turns(const filter::PairOf<K>& pair, std::vector<TraceOf<K>>& traces,
-                  std::vector<AnalysedTraceOf<K>>& curves) {
+  /// Of an open curve those that are not asked for; a closed one needs a node.
+  std::array<bool, 4> left_out(const TraceOf<K>& trace) const {
+    std::array<bool, 4> result = {};
+    if (with_stations_ || trace.start < 0) return result;
+    result.fill(true);
+    for (const Parameter p : run_.turning()) result[index(p)] = result[coincident_[index(p)]] = false;
+    return result;
+  }
+
+  bool find_turns(const filter::PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
+                  std::vector<TraceOf<K>>& traces, std::vector<AnalysedTraceOf<K>>& curves) {
     coincident_ = kNoneCoincident;
+    filter::ExactTurning<K> exact(x_, y_);
     for (TraceOf<K>& trace : traces) {
       AnalysedTraceOf<K>& curve = curves.emplace_back(AnalysedTraceOf<K>{std::move(trace), {}});
       if (run_.turning().empty() && curve.trace.start >= 0 && !with_stations_) {
         continue;
       }
-      auto found = filter::find_turns(pair, curve.trace, coincident_, curve.turns);
-      if (found == filter::TurnSearch::not_separated && coincident_ == kNoneCoincident) {
-        if constexpr (kExactBehind) {
-          coincident_ = coincident_parameters(x_, y_);
-        }
-        if (coincident_ != kNoneCoincident) {
-          curve.turns.clear();
-          found = filter::find_turns(pair, curve.trace, coincident_, curve.turns);
-        }
+      const std::array<bool, 4> unasked = left_out(curve.trace);
+      auto found = filter::find_turns<K>(pair, curve.trace, {coincident_, unasked}, curve.turns);
+      if (found != filter::TurnSearch::done) {
+        filter::KnownTurning<K> known = exact.known_of(curve.trace, points);
+        coincident_ = known.coincident;
+        for (std::size_t i = 0; i < 4; ++i) known.left_out[i] = known.left_out[i] || unasked[i];
+        curve.turns.clear();
+        found = filter::find_turns(pair, curve.trace, known, curve.turns);
       }
       if (found != filter::TurnSearch::done) {
         return false;

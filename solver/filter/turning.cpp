@@ -33,9 +33,9 @@ int sign_of(const Direction<K>& d, std::size_t i) {
 template <class K>
 class TurnFinder {
  public:
-  TurnFinder(const PairOf<K>& pair, TraceOf<K>& trace, const std::array<std::size_t, 4>& coincident,
+  TurnFinder(const PairOf<K>& pair, TraceOf<K>& trace, const KnownTurning<K>& known,
              std::vector<TurnOf<K>>& turns)
-      : pair_(pair), trace_(trace), coincident_(coincident), turns_(turns) {}
+      : pair_(pair), trace_(trace), known_(known), turns_(turns) {}
 
   TurnSearch run() {
     if (!decide_pieces()) {
@@ -140,7 +140,7 @@ class TurnFinder {
     std::optional<Direction<K>> first;
     std::optional<Direction<K>> last;
     for (std::size_t i = 0; i < 4; ++i) {
-      if (coincident_[i] < i) {
+      if (known_.coincident[i] < i || known_.left_out[i]) {
         continue;
       }
       if (monotone(piece.tube, i)) {
@@ -153,6 +153,9 @@ class TurnFinder {
       }
       ends.first[i] = sense * sign_near(piece.tube, *first, i);
       ends.last[i] = sense * sign_near(piece.tube, *last, i);
+      if (turns_once_at_most(piece.tube, i)) {
+        leave_out_end_points(piece, i, ends);
+      }
       const bool known = ends.first[i] != 0 && ends.last[i] != 0;
       if (turns_once_at_most(piece.tube, i)) {
         if (!known) {
@@ -163,6 +166,16 @@ class TurnFinder {
       }
     }
     return Decision::done;
+  }
+
+  /// Where the only zero of w_i' on the tube's arc is an end point of the trace, there is none on the piece:
+  /// the sign at the other end is that all along.
+  void leave_out_end_points(const PieceOf<K>& piece, std::size_t i, Ends& ends) const {
+    if (known_.at_start[i] && contains(piece.tube, *known_.start)) {
+      ends.first[i] = ends.last[i];
+    } else if (known_.at_end[i] && contains(piece.tube, *known_.end)) {
+      ends.last[i] = ends.first[i];
+    }
   }
 
   /// (14.16): w_i' with one sign at both ends has no zero if by its least and greatest derivative it cannot
@@ -308,7 +321,7 @@ class TurnFinder {
 
   const PairOf<K>& pair_;
   TraceOf<K>& trace_;
-  const std::array<std::size_t, 4>& coincident_;
+  const KnownTurning<K>& known_;
   std::vector<TurnOf<K>>& turns_;
   std::vector<Ends> ends_;  // of trace_.pieces
 };
@@ -316,13 +329,13 @@ class TurnFinder {
 }  // namespace
 
 template <class K>
-TurnSearch find_turns(const PairOf<K>& pair, TraceOf<K>& trace, const std::array<std::size_t, 4>& coincident,
+TurnSearch find_turns(const PairOf<K>& pair, TraceOf<K>& trace, const KnownTurning<K>& known,
                       std::vector<TurnOf<K>>& turns) {
-  return TurnFinder<K>(pair, trace, coincident, turns).run();
+  return TurnFinder<K>(pair, trace, known, turns).run();
 }
 
-#define EXSECT_INSTANTIATE(K)                                                                         \
-  template TurnSearch find_turns<K>(const PairOf<K>&, TraceOf<K>&, const std::array<std::size_t, 4>&, \
+#define EXSECT_INSTANTIATE(K)                                                              \
+  template TurnSearch find_turns<K>(const PairOf<K>&, TraceOf<K>&, const KnownTurning<K>&, \
                                     std::vector<TurnOf<K>>&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE

@@ -2,6 +2,8 @@
 // section 14.5.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "filter/trace.h"
@@ -26,10 +28,24 @@ enum class TurnSearch {
   not_separated  // turning points with respect to one parameter of each patch may be the same ones
 };
 
-/// All turning points in the order of the trace, apart from its end points, into `turns`; divides pieces
-/// where that is needed. Parameters with coincident[i] < i are left out: they turn where coincident[i] does.
+/// What is known of the turning points of a trace beforehand.
 template <class K>
-TurnSearch find_turns(const PairOf<K>& pair, TraceOf<K>& trace, const std::array<std::size_t, 4>& coincident,
+struct KnownTurning {
+  /// Parameters with coincident[i] < i are left out: they turn where coincident[i] does.
+  std::array<std::size_t, 4> coincident = {0, 1, 2, 3};
+  /// Also left out: constant along the trace, or not asked for.
+  std::array<bool, 4> left_out = {};
+  /// w_i' = 0 at the first and at the last point of the trace, the solutions in these balls.
+  std::array<bool, 4> at_start = {};
+  std::array<bool, 4> at_end = {};
+  std::optional<BallOf<K>> start = {};
+  std::optional<BallOf<K>> end = {};
+};
+
+/// All turning points in the order of the trace, apart from its end points, into `turns`; divides pieces
+/// where that is needed.
+template <class K>
+TurnSearch find_turns(const PairOf<K>& pair, TraceOf<K>& trace, const KnownTurning<K>& known,
                       std::vector<TurnOf<K>>& turns);
 
 }  // namespace exsect::filter

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 
 #include <array>
 #include <cstddef>
@@ -9,10 +10,19 @@
 
 namespace exsect {
 
-/// For each parameter the parameter of the other patch that turns at the same points for a proved reason, or
-/// the parameter itself: there is a linear form of space that on x is a strictly monotone function of the one
-/// alone, and on y of the other alone.
-std::array<std::size_t, 4> coincident_parameters(const BezierPatch& x, const BezierPatch& y);
+/// Parameters that turn together: a linear form of space is on x a strictly monotone function of one
+/// parameter alone, and on y of another one alone.
+struct CoincidentParameters {
+  /// Of each parameter that of the other patch, or the parameter itself.
+  std::array<std::size_t, 4> partner = {0, 1, 2, 3};
+  /// The derivative of the function is zero at this end, 0 or 1, of the parameter; nowhere else in [0,1]. At
+  /// a solution there the partner does not change either, if it is in (0,1).
+  std::array<std::array<bool, 2>, 4> flat = {};
+};
+CoincidentParameters coincidence(const RationalPatch& x, const RationalPatch& y);
+
+/// The partners alone.
+std::array<std::size_t, 4> coincident_parameters(const RationalPatch& x, const RationalPatch& y);
 
 /// For x and y a coordinate of space in which the normal of the patch is not zero, if the patch lies in a
 /// plane: the patch's normal field N is then this coordinate times a constant vector.

@@ -1,0 +1,37 @@
+// What exact arithmetic knows of turning points that doubles do not decide. Internal to solver/;
+// docs/method.md, section 14.12.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "filter/boundary.h"
+#include "filter/exact_patch.h"
+#include "filter/turning.h"
+#include "shape/coincident_parameters.h"
+#include "shape/section.h"
+
+namespace exsect::filter {
+
+/// Of one pair; nothing is computed before the first question.
+template <class K>
+class ExactTurning {
+ public:
+  ExactTurning(const ExactPatch<K>& x, const ExactPatch<K>& y) : x_(x), y_(y) {}
+
+  /// Parameters that turn together; those that are constant along the trace, or turn exactly at its ends,
+  /// where a patch lies on a plane or a quadric.
+  KnownTurning<K> known_of(const TraceOf<K>& trace, const std::vector<BoundaryPointOf<K>>& points);
+
+ private:
+  void ask();
+  std::array<bool, 4> turning_at(const BoundaryPointOf<K>& point) const;
+
+  const ExactPatch<K>& x_;
+  const ExactPatch<K>& y_;
+  bool is_asked_ = false;
+  CoincidentParameters coincident_;
+  std::vector<Section> sections_;
+};
+
+}  // namespace exsect::filter
