@@ -21,6 +21,13 @@ std::optional<std::vector<BoundaryPointOf<K>>> boundary_points(const PairOf<K>& 
       }
     }
   }
+  for (const SidePointOf<K>& point : contacts.points) {
+    BoundaryPointOf<K> end{point.ball, point.leaving, point.on[point.leaving]};
+    end.on = point.on;
+    end.isolated = !point.enters;
+    end.still = point.still;
+    points.push_back(end);
+  }
   return points;
 }
 

@@ -11,7 +11,8 @@ namespace exsect::filter {
 
 /// Exactly one solution of x = y in the ball has `parameter` (centred) equal to `side`, which is 1/2 or -1/2,
 /// as ball.middle has. It lies in the interior of the other three intervals, and the curve crosses the side.
-/// Or, if `centre` is not -1, it is a port of that double point: see Port.
+/// Or, if `centre` is not -1, it is a port of that double point: see Port. Or, if on[j] is not 0 for several
+/// j, it is a side point: see there; if it is `isolated` no curve ends in it.
 template <class K>
 struct BoundaryPointOf {
   BallOf<K> ball;
@@ -19,10 +20,14 @@ struct BoundaryPointOf {
   double side;
   int centre = -1;
   std::size_t port = 0;
+  Vec4 on = {};
+  bool isolated = false;
+  std::array<bool, 4> still = {};  // w_j' = 0 there, exactly
 };
 using BoundaryPoint = BoundaryPointOf<Biquadratic>;
 
-/// Every solution on a side but the contacts, which no other one is near; empty if that is not decided:
+/// Every solution on a side but the contacts, which no other one is near, and the side points among these;
+/// empty if that is not decided:
 /// corners, tangents and sides on the other patch among other reasons. `boxes` counts the pairs looked at.
 template <class K>
 std::optional<std::vector<BoundaryPointOf<K>>> boundary_points(const PairOf<K>& pair,

@@ -446,10 +446,13 @@ std::optional<ContactsOf<K>> find_contacts(const ExactPatch<K>& x, const ExactPa
 }
 
 template <class K>
-Meeting meeting([[maybe_unused]] const PairOf<K>& pair, [[maybe_unused]] const ContactsOf<K>& contacts,
-                [[maybe_unused]] const Part& x, [[maybe_unused]] const Part& y) {
+Meeting meeting(const PairOf<K>& pair, const ContactsOf<K>& contacts, const Part& x, const Part& y) {
+  if (std::any_of(contacts.points.begin(), contacts.points.end(),
+                  [&](const SidePointOf<K>& point) { return lies_in_region(point, x, y); })) {
+    return Meeting::contact;
+  }
+  bool touching = false;
   if constexpr (!K::weighted) {
-    bool touching = false;
     for (const SideContactOf<K>& side : contacts.sides) {
       const SideIntervals on_x = intervals(side.x, x);
       const SideIntervals on_y = intervals(side.y, y);
@@ -474,10 +477,8 @@ Meeting meeting([[maybe_unused]] const PairOf<K>& pair, [[maybe_unused]] const C
       }
       touching = touching || may_touch<K>(corner, x, y);
     }
-    return touching ? Meeting::touching : Meeting::unknown;
-  } else {
-    return Meeting::unknown;
   }
+  return touching ? Meeting::touching : Meeting::unknown;
 }
 
 template <class K>

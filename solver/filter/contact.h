@@ -8,6 +8,7 @@
 #include "filter/part.h"
 #include "filter/path_contact.h"
 #include "filter/pieces.h"
+#include "filter/side_point.h"
 
 namespace exsect::filter {
 
@@ -47,13 +48,14 @@ std::array<bool, 2> corner_ends(std::size_t corner) {
   return {corner >= K::degree * K::side, corner % K::side == K::degree};
 }
 
-/// Each is a point or an arc of solutions; no corner is an end of one of the others.
+/// Each is a point or an arc of solutions; no corner is an end of one of the others, or a side point.
 template <class K>
 struct ContactsOf {
   std::vector<SideContactOf<K>> sides;
   std::vector<PathContact> paths;  // sides of one patch only; biquadratic pairs
   std::vector<CornerContact> corners;
-  bool empty() const { return sides.empty() && paths.empty() && corners.empty(); }
+  std::vector<SidePointOf<K>> points;  // where a curve may end, alone among these
+  bool empty() const { return sides.empty() && paths.empty() && corners.empty() && points.empty(); }
 };
 using Contacts = ContactsOf<Biquadratic>;
 
@@ -62,11 +64,21 @@ template <class K>
 std::optional<ContactsOf<K>> find_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y,
                                            const PairOf<K>& pair);
 
+/// The side point is the corner.
+template <class K>
+bool is_at(const SidePointOf<K>& point, const CornerContact& corner) {
+  const auto x = corner_ends<K>(corner.x);
+  const auto y = corner_ends<K>(corner.y);
+  const std::array<bool, 4> upper = {x[0], x[1], y[0], y[1]};
+  return std::equal(upper.begin(), upper.end(), point.on.begin(),
+                    [](bool end, double side) { return side == (end ? 0.5 : -0.5); });
+}
+
 /// Adds the side of one patch that lies on the other one in part; nothing if it is known already.
 void add_path(const SidePath& path, const Pair& pair, Contacts& contacts);
 
 enum class Meeting {
-  contact,   // all solutions on the two parts belong to one of the contacts
+  contact,   // all solutions on the two parts belong to one of the contacts, or to the arc of a side point
   touching,  // the same contact is on both; nothing is proved
   unknown
 };

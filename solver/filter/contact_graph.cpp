@@ -325,7 +325,7 @@ bool append_contacts([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] c
                      [[maybe_unused]] double tolerance, [[maybe_unused]] double accepted,
                      [[maybe_unused]] GraphBuilder& graph) {
   if constexpr (K::weighted) {
-    return contacts.empty();
+    return contacts.sides.empty() && contacts.corners.empty();
   } else {
     ContactGraph<K> maker(x, y, pair, tolerance, accepted, graph);
     for (const CornerContact& corner : contacts.corners) {

@@ -35,40 +35,33 @@ void ExactTurning<K>::ask() {
 }
 
 template <class K>
-std::array<bool, 4> ExactTurning<K>::turning_at(const BoundaryPointOf<K>& point) const {
-  std::array<bool, 4> result = {};
-  if (point.centre >= 0) return result;
+void ExactTurning<K>::add_turning_at(const BoundaryPointOf<K>& point, std::array<bool, 4>& turning) const {
+  if (point.centre >= 0) return;
   const Side side = {all_parameters[point.parameter], point.side > 0 ? 1 : 0};
   const std::size_t partner = coincident_.partner[point.parameter];
-  if (partner != point.parameter)
-    result[partner] = coincident_.flat[point.parameter][static_cast<std::size_t>(side.value)];
+  if (partner != point.parameter && point.on[partner] == 0 &&
+      coincident_.flat[point.parameter][static_cast<std::size_t>(side.value)])
+    turning[partner] = true;
   for (const Section& section : sections_) {
     if (point.parameter / 2 != section.first / 2) continue;
     const RationalInterval other = interval(point.ball, 2 * section.first + 1 - point.parameter);
-    for (std::size_t i = 0; i < 4; ++i) result[i] = result[i] || turns_on_side(section, i, side, other);
+    for (std::size_t i = 0; i < 4; ++i) turning[i] = turning[i] || turns_on_side(section, i, side, other);
   }
-  return result;
 }
 
 template <class K>
-KnownTurning<K> ExactTurning<K>::known_of(const TraceOf<K>& trace,
-                                          const std::vector<BoundaryPointOf<K>>& points) {
+void ExactTurning<K>::add_to(KnownTurning<K>& known, const TraceOf<K>& trace,
+                             const std::vector<BoundaryPointOf<K>>& points) {
   ask();
-  KnownTurning<K> known{coincident_.partner};
+  known.coincident = coincident_.partner;
   for (const Section& section : sections_) {
     const auto boxes = boxes_of(trace, section.first);
     for (std::size_t i = 0; i < 4; ++i)
-      known.left_out[i] = known.left_out[i] || is_constant_in(section, i, boxes);
+      known.constant[i] = known.constant[i] || is_constant_in(section, i, boxes);
   }
-  if (trace.start >= 0) {
-    const BoundaryPointOf<K>& start = points[static_cast<std::size_t>(trace.start)];
-    const BoundaryPointOf<K>& end = points[static_cast<std::size_t>(trace.end)];
-    known.at_start = turning_at(start);
-    known.at_end = turning_at(end);
-    known.start = start.ball;
-    known.end = end.ball;
-  }
-  return known;
+  if (trace.start < 0) return;
+  add_turning_at(points[static_cast<std::size_t>(trace.start)], known.at_start);
+  add_turning_at(points[static_cast<std::size_t>(trace.end)], known.at_end);
 }
 
 #define EXSECT_INSTANTIATE(K) template class ExactTurning<K>;

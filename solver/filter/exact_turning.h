@@ -1,5 +1,5 @@
 // What exact arithmetic knows of turning points that doubles do not decide. Internal to solver/;
-// docs/method.md, section 14.12.
+// docs/method.md, section 14.13.
 #pragma once
 
 #include <array>
@@ -21,11 +21,12 @@ class ExactTurning {
 
   /// Parameters that turn together; those that are constant along the trace, or turn exactly at its ends,
   /// where a patch lies on a plane or a quadric.
-  KnownTurning<K> known_of(const TraceOf<K>& trace, const std::vector<BoundaryPointOf<K>>& points);
+  void add_to(KnownTurning<K>& known, const TraceOf<K>& trace, const std::vector<BoundaryPointOf<K>>& points);
 
  private:
   void ask();
-  std::array<bool, 4> turning_at(const BoundaryPointOf<K>& point) const;
+  /// Sets what turns at the point.
+  void add_turning_at(const BoundaryPointOf<K>& point, std::array<bool, 4>& turning) const;
 
   const ExactPatch<K>& x_;
   const ExactPatch<K>& y_;

@@ -29,6 +29,7 @@ using filter::ExactPatch;
 using filter::TraceOf;
 
 constexpr std::size_t kMostDoublePoints = 8;
+constexpr std::size_t kMostSidePoints = 16;
 /// Of the tolerance, for the chords from ports to double points.
 constexpr double kPortShare = 0.9;
 /// Relative to the extent, of polylines with too many vertices; and by how much the next ones are coarser.
@@ -83,9 +84,12 @@ class FilteredIntersection {
       }
       points = filter::boundary_points(*pair, *contacts, trees, boxes_);
     }
-    if (!points) {
+    while (!points) {
       stuck_ = place_on_sides(*pair, trees, *contacts);
-      return std::nullopt;
+      if (!stuck_ || !add_side_point(*pair, *stuck_, *contacts)) {
+        return std::nullopt;
+      }
+      points = filter::boundary_points(*pair, *contacts, trees, boxes_);
     }
     std::vector<TraceOf<K>> traces;
     if (!find_curves(*pair, *contacts, trees, *points, traces)) {
@@ -154,6 +158,24 @@ class FilteredIntersection {
     } else {
       return false;
     }
+  }
+
+  /// False if it is known already, or not proved. A corner where a curve ends is no contact.
+  bool add_side_point(const filter::PairOf<K>& pair, const filter::Vec4& place,
+                      filter::ContactsOf<K>& contacts) const {
+    const auto point = filter::side_point_near<K>(x_, y_, pair, place);
+    const auto is_same = [&](const filter::SidePointOf<K>& known) {
+      return point->on == known.on && contains(known.tube, point->ball);
+    };
+    if (!point || contacts.points.size() == kMostSidePoints ||
+        std::any_of(contacts.points.begin(), contacts.points.end(), is_same)) {
+      return false;
+    }
+    std::erase_if(contacts.corners, [&](const filter::CornerContact& corner) {
+      return !corner.is_pole() && filter::is_at(*point, corner);
+    });
+    contacts.points.push_back(*point);
+    return true;
   }
 
   std::optional<IntersectResult> overlap_of_pieces(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees) {
@@ -227,11 +249,12 @@ class FilteredIntersection {
                          std::vector<TraceOf<K>>& traces, filter::Vec4& stuck) {
     std::vector<bool> used(points.size(), false);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (used[i]) {
+      if (used[i] || points[i].isolated) {
         continue;
       }
       auto trace = filter::trace_arc(pair, points, i, &stuck);
-      if (!trace || used[static_cast<std::size_t>(trace->end)]) {
+      if (!trace || used[static_cast<std::size_t>(trace->end)] ||
+          points[static_cast<std::size_t>(trace->end)].isolated) {
         return false;
       }
       used[i] = used[static_cast<std::size_t>(trace->end)] = true;
@@ -240,13 +263,22 @@ class FilteredIntersection {
     return true;
   }
 
-  /// Of an open curve those that are not asked for; a closed one needs a node.
-  std::array<bool, 4> left_out(const TraceOf<K>& trace) const {
-    std::array<bool, 4> result = {};
-    if (with_stations_ || trace.start < 0) return result;
-    result.fill(true);
-    for (const Parameter p : run_.turning()) result[index(p)] = result[coincident_[index(p)]] = false;
-    return result;
+  /// Without exact arithmetic. Of an open curve all that are not asked for are left out; a closed one needs a
+  /// node.
+  filter::KnownTurning<K> known_turning(const TraceOf<K>& trace,
+                                        const std::vector<BoundaryPointOf<K>>& points) const {
+    filter::KnownTurning<K> known{coincident_};
+    if (trace.start < 0) return known;
+    const BoundaryPointOf<K>& start = points[static_cast<std::size_t>(trace.start)];
+    const BoundaryPointOf<K>& end = points[static_cast<std::size_t>(trace.end)];
+    known.at_start = start.still;
+    known.at_end = end.still;
+    known.start = start.ball;
+    known.end = end.ball;
+    if (with_stations_) return known;
+    known.unasked.fill(true);
+    for (const Parameter p : run_.turning()) known.unasked[index(p)] = false;
+    return known;
   }
 
   bool find_turns(const filter::PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
@@ -258,12 +290,11 @@ class FilteredIntersection {
       if (run_.turning().empty() && curve.trace.start >= 0 && !with_stations_) {
         continue;
       }
-      const std::array<bool, 4> unasked = left_out(curve.trace);
-      auto found = filter::find_turns<K>(pair, curve.trace, {coincident_, unasked}, curve.turns);
+      filter::KnownTurning<K> known = known_turning(curve.trace, points);
+      auto found = filter::find_turns(pair, curve.trace, known, curve.turns);
       if (found != filter::TurnSearch::done) {
-        filter::KnownTurning<K> known = exact.known_of(curve.trace, points);
+        exact.add_to(known, curve.trace, points);
         coincident_ = known.coincident;
-        for (std::size_t i = 0; i < 4; ++i) known.left_out[i] = known.left_out[i] || unasked[i];
         curve.turns.clear();
         found = filter::find_turns(pair, curve.trace, known, curve.turns);
       }

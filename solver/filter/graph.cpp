@@ -72,7 +72,26 @@ class GraphMaker {
       const bool upper = point.side > 0;
       node.on = {{static_cast<Parameter>(point.parameter), upper ? 1 : 0}};
       node.box[point.parameter] = {upper ? 1 : 0, upper ? 1 : 0};
+      if (point.on != Vec4{}) {
+        put_on_sides(node, point.on);
+      }
       node_of_.push_back(add_node(std::move(node), point.ball));
+      if (point.isolated) {
+        graph_.add_isolated(node_of_.back());
+      }
+    }
+  }
+
+  static void put_on_sides(Node& node, const Vec4& on) {
+    node.on.clear();
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (on[j] == 0) continue;
+      const int value = on[j] > 0 ? 1 : 0;
+      node.on.push_back({static_cast<Parameter>(j), value});
+      node.box[j] = {value, value};
+    }
+    if ((on[0] != 0 && on[1] != 0) || (on[2] != 0 && on[3] != 0)) {
+      node.kinds.push_back(NodeKind::corner);
     }
   }
 

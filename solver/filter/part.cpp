@@ -10,6 +10,14 @@ Interval counted(const Interval& range, bool backwards) {
   return backwards ? Interval{1 - range.upper, 1 - range.lower} : range;
 }
 
+template <class K, class Piece>
+void add_weights([[maybe_unused]] const Piece& piece, [[maybe_unused]] Part& part) {
+  if constexpr (K::weighted) {
+    part.least_weight = piece.least_weight;
+    part.greatest_weight = piece.greatest_weight;
+  }
+}
+
 }  // namespace
 
 std::size_t SideView::index(std::size_t across, std::size_t along) const {
@@ -21,7 +29,9 @@ std::size_t SideView::index(std::size_t across, std::size_t along) const {
 template <class K>
 Part part_of(const SubPatchOf<K>& patch) {
   const auto from = [&](double lower) { return Interval{lower + 0.5, lower + 0.5 + patch.width}; };
-  return {{from(patch.first), from(patch.second)}, patch.points()};
+  Part part{{from(patch.first), from(patch.second)}, patch.points()};
+  add_weights<K>(patch, part);
+  return part;
 }
 
 template <class K>
@@ -29,6 +39,7 @@ Part part_of(const SubCurveOf<K>& curve, std::size_t fixed, double value) {
   Part part{{}, curve.points()};
   part.range[fixed] = {value + 0.5, value + 0.5};
   part.range[1 - fixed] = {curve.from + 0.5, curve.from + 0.5 + curve.width};
+  add_weights<K>(curve, part);
   return part;
 }
 

@@ -36,6 +36,8 @@ struct Part {
   };
   std::array<Interval, 2> range;  // parameters, not centred
   std::span<const Vec3> points;
+  double least_weight = 1;  // bounds of the weights on it
+  double greatest_weight = 1;
 };
 template <class K>
 Part part_of(const SubPatchOf<K>& patch);

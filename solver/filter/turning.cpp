@@ -77,6 +77,13 @@ class TurnFinder {
     return trace_.start >= 0 || ends_.back().last == ends_.front().first;
   }
 
+  bool is_left_out(std::size_t i) const {
+    if (known_.coincident[i] < i || known_.constant[i]) {
+      return true;
+    }
+    return known_.unasked[i] && known_.unasked[known_.coincident[i]];
+  }
+
   static bool monotone(const TubeOf<K>& tube, std::size_t i) {
     return std::fabs(tube.slope[i]) > tube.slope_error[i];
   }
@@ -140,7 +147,7 @@ class TurnFinder {
     std::optional<Direction<K>> first;
     std::optional<Direction<K>> last;
     for (std::size_t i = 0; i < 4; ++i) {
-      if (known_.coincident[i] < i || known_.left_out[i]) {
+      if (is_left_out(i)) {
         continue;
       }
       if (monotone(piece.tube, i)) {

@@ -33,8 +33,10 @@ template <class K>
 struct KnownTurning {
   /// Parameters with coincident[i] < i are left out: they turn where coincident[i] does.
   std::array<std::size_t, 4> coincident = {0, 1, 2, 3};
-  /// Also left out: constant along the trace, or not asked for.
-  std::array<bool, 4> left_out = {};
+  /// Left out unless a parameter that turns with them is asked for.
+  std::array<bool, 4> unasked = {};
+  /// Also left out: constant along the trace.
+  std::array<bool, 4> constant = {};
   /// w_i' = 0 at the first and at the last point of the trace, the solutions in these balls.
   std::array<bool, 4> at_start = {};
   std::array<bool, 4> at_end = {};

@@ -181,6 +181,20 @@ TEST_CASE("round patches and planes along the axes, in both orders, rotated") {
   }
 }
 
+TEST_CASE("round patches: some turning points asked for are those of all") {
+  for (const Scene& scene : scenes()) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      INFO(scene.name << ", parameter " << k);
+      IntersectOptions options;
+      options.turning = {all_parameters[k]};
+      const IntersectResult result = intersect(scene.x, scene.y, options);
+      CHECK(result.status == Status::complete);
+      for (std::size_t j = 0; j < 4; ++j)
+        CHECK(result.graph.turning_points(all_parameters[j]) == (j == k ? scene.turning[j] : 0));
+    }
+  }
+}
+
 TEST_CASE("round patches beside special position turn where they do") {
   // The height of the ellipse turns 1/1000 inside, or not at all.
   for (const int side : {-1, 0, 1}) {

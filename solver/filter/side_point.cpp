@@ -1,0 +1,181 @@
+#include "filter/side_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "filter/exact_meeting.h"
+#include "filter/tube_derivatives.h"
+#include "filter/tube_newton.h"
+
+namespace exsect::filter {
+
+namespace {
+
+/// Nearer than this to a side a parameter is asked to be at it.
+constexpr double kNearSide = 0x1p-24;
+/// The same of the place where a search has ended.
+constexpr double kNearPlace = 0x1p-8;
+/// Half lengths of the tube, the first that can be proved.
+constexpr double kLongest = 0x1p-3;
+constexpr double kShortest = 0x1p-20;
+
+/// The sides that a solution next to the place is near; all zero if there are not two.
+template <class K>
+Vec4 sides_near(const PairOf<K>& pair, Vec4& place) {
+  const auto distance = [&](std::size_t j) { return std::fabs(std::fabs(place[j]) - 0.5); };
+  // Newton's method along the side that the curve crosses best.
+  const Vec4 tangent = first_four<K>(linearise(pair, with_scale(pair, place)).tangent);
+  std::size_t fixed = 4;
+  for (std::size_t j = 0; j < 4; ++j) {
+    if (distance(j) > kNearPlace) continue;
+    if (fixed == 4 || std::fabs(tangent[j]) > std::fabs(tangent[fixed])) fixed = j;
+  }
+  if (fixed == 4) return {};
+  place[fixed] = std::copysign(0.5, place[fixed]);
+  Unknowns<K> at = with_scale(pair, place);
+  if (!improve(pair, at, fixed, 20)) return {};
+  place = first_four<K>(at);
+  Vec4 on{};
+  int count = 0;
+  for (std::size_t j = 0; j < 4; ++j) {
+    if (distance(j) > kNearSide) continue;
+    on[j] = std::copysign(0.5, place[j]);
+    ++count;
+  }
+  return count > 1 ? on : Vec4{};
+}
+
+/// A ball that contains the solution, with the scale. X_4 and Y_4, of size 1, change by 2 n at most along
+/// each parameter.
+template <class K>
+std::optional<BallOf<K>> ball_around(const PairOf<K>& pair, const ExactMeeting& meeting) {
+  BallOf<K> ball{with_scale(pair, meeting.at), meeting.radius};
+  if constexpr (K::weighted) {
+    const double scale = ball.middle[4];
+    const double weight = value_at<K>(pair.y.power, meeting.at[2], meeting.at[3])[3];
+    const double change = 4 * static_cast<double>(K::degree) * meeting.radius + 64 * kUnit +
+                          pair.x_total_error + pair.y_total_error;
+    const double least = kScaleUnit * (weight - change);
+    if (!(least > kLeastWeight)) return std::nullopt;
+    ball.radius = std::max(ball.radius, kSlack * 2 * change * (1 + kScaleUnit * scale) / least);
+  }
+  return ball;
+}
+
+template <class K>
+class SidePointProof {
+ public:
+  SidePointProof(const PairOf<K>& pair, SidePointOf<K>& point) : pair_(pair), point_(point) {}
+
+  bool run() {
+    const Linearisation<K> at = linearise(pair_, point_.ball.middle);
+    const std::size_t axis = steepest(first_four<K>(at.tangent));
+    if (!prepare(pair_, point_.ball.middle, axis, point_.tube)) return false;
+    for (double reach = kLongest; reach >= kShortest; reach *= 0.5) {
+      Unknowns<K> halfwidth = filled<K>(reach);
+      if constexpr (K::weighted) halfwidth[4] *= point_.ball.middle[4];
+      if (certify(pair_, point_.tube, -reach, reach, halfwidth) && is_inside() && leaves_sides()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  /// The point is on the arc, and the parameters that are not at sides stay inside.
+  bool is_inside() const {
+    const TubeOf<K>& tube = point_.tube;
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (point_.on[j] == 0 && !(std::fabs(tube.centre[j]) + tube.offset[j] < 0.5 - kPlacing)) return false;
+    }
+    return contains(tube, point_.ball);
+  }
+
+  /// Sign of a parameter at a side, less its value there, on the arc ahead of the point and behind it; 0 if
+  /// not proved.
+  std::array<int, 2> signs(std::size_t j) const {
+    const TubeOf<K>& tube = point_.tube;
+    if (std::fabs(tube.slope[j]) > tube.slope_error[j]) {
+      const int sign = tube.slope[j] > 0 ? 1 : -1;
+      return {sign, -sign};
+    }
+    if (!point_.still[j] || !(std::fabs(tube.second[j]) > tube.second_error[j])) return {0, 0};
+    const int sign = tube.second[j] > 0 ? 1 : -1;
+    return {sign, sign};
+  }
+
+  bool leaves_sides() {
+    bound_derivatives(pair_, point_.tube);
+    std::array<bool, 2> inside = {true, true};
+    bool is_transversal = false;
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (point_.on[j] == 0) continue;
+      const auto sign = signs(j);
+      if (sign[0] == 0) return false;
+      for (std::size_t way = 0; way < 2; ++way) {
+        inside[way] = inside[way] && (sign[way] > 0) != (point_.on[j] > 0);
+      }
+      if (sign[0] != sign[1]) {
+        is_transversal = true;
+        point_.leaving = j;
+      }
+    }
+    point_.enters = inside[0] || inside[1];
+    return is_transversal;
+  }
+
+  const PairOf<K>& pair_;
+  SidePointOf<K>& point_;
+};
+
+}  // namespace
+
+template <class K>
+std::optional<SidePointOf<K>> side_point_near([[maybe_unused]] const ExactPatch<K>& x,
+                                              [[maybe_unused]] const ExactPatch<K>& y,
+                                              [[maybe_unused]] const PairOf<K>& pair,
+                                              [[maybe_unused]] const Vec4& place) {
+  if constexpr (std::is_same_v<K, Biquadratic>) {
+    return std::nullopt;
+  } else {
+    Vec4 near = place;
+    const Vec4 on = sides_near<K>(pair, near);
+    if (on == Vec4{}) return std::nullopt;
+    const auto meeting = exact_meeting<K>(x, y, near, on);
+    if (!meeting) return std::nullopt;
+    const auto ball = ball_around<K>(pair, *meeting);
+    if (!ball || !(ball->radius < 0.25 * kEndMargin<K::width>)) return std::nullopt;
+    SidePointOf<K> point{*ball, on, {}, false, 0, meeting->still};
+    return SidePointProof<K>(pair, point).run() ? std::optional(point) : std::nullopt;
+  }
+}
+
+template <class K>
+bool lies_in_region(const SidePointOf<K>& point, const Part& x, const Part& y) {
+  const TubeOf<K>& tube = point.tube;
+  Unknowns<K> far;  // from the centre
+  for (std::size_t j = 0; j < 4; ++j) {
+    const Part::Interval& range = (j < 2 ? x : y).range[j % 2];
+    far[j] = std::max(std::fabs(range.lower - 0.5 - tube.centre[j]),
+                      std::fabs(range.upper - 0.5 - tube.centre[j]));
+  }
+  if constexpr (K::weighted) {
+    const RangeOfScale scale = range_of_scale(x, y);
+    far[4] = std::fabs(scale.middle - tube.centre[4]) + scale.half;
+  }
+  const double along = kSlack * (far[tube.axis] + kPlacing);
+  return along <= tube.upper && -along >= tube.lower &&
+         std::all_of(tube.others.begin(), tube.others.end(), [&](std::size_t j) {
+           return kSlack * (far[j] + kPlacing + along * std::fabs(tube.slope[j])) <= tube.halfwidth[j];
+         });
+}
+
+#define EXSECT_INSTANTIATE(K)                                                                           \
+  template std::optional<SidePointOf<K>> side_point_near<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
+                                                            const PairOf<K>&, const Vec4&);             \
+  template bool lies_in_region<K>(const SidePointOf<K>&, const Part&, const Part&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
+
+}  // namespace exsect::filter
