@@ -176,9 +176,10 @@ inline constexpr double kValueError = 0x1p-54;
 
 // Weighted patches: 14.11.
 
-/// The fifth unknown is the scale divided by this: numbers of size 1, as the parameters are, for weights that
-/// are not more than 1/64 and 64 times those of the other patch.
-inline constexpr double kScaleUnit = 64;
+/// The fifth unknown is the scale divided by this: numbers of size 1, as the parameters are. Pairs whose
+/// scale may be greater have their first patch divided by 2^kMostReduction at most.
+inline constexpr double kScaleUnit = 4;
+inline constexpr int kMostReduction = 6;
 inline constexpr double kLeastScale = 0x1p-12;
 /// The least weight for which affine points are computed.
 inline constexpr double kLeastWeight = 0x1p-12;

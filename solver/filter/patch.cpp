@@ -230,6 +230,20 @@ std::optional<PairOf<K>> polynomial_pair(const ExactPatch<K>& x, const ExactPatc
   return pair;
 }
 
+/// The least k for which 2^-k x_4 / y_4 is at most kScaleUnit, as far as the weights tell, and allowed.
+template <class K>
+int reduction(const ExactPatch<K>& x, const ExactPatch<K>& y) {
+  double greatest = 0;
+  double least = HUGE_VAL;
+  for (const Rational& w : x.weights) greatest = std::max(greatest, to_double(w));
+  for (const Rational& w : y.weights) {
+    if (w > 0) least = std::min(least, to_double(w));
+  }
+  int k = 0;
+  while (k < kMostReduction && std::ldexp(greatest, -k) > kScaleUnit * least) ++k;
+  return k;
+}
+
 /// The frame is that of the control points with positive weights, its scale such that all homogeneous
 /// coordinates about its origin are at most 1. They are rounded once.
 template <class K>
@@ -272,15 +286,15 @@ std::optional<PairOf<K>> weighted_pair(const ExactPatch<K>& x, const ExactPatch<
   }
   pair.frame.exponent = std::ilogb(reach) + 1;
   const Rational scale = power_of_two(-pair.frame.exponent);
-  const auto round = [&](const ExactPatch<K>& patch, CoefficientsOf<K>& net) {
+  const auto round = [&](const ExactPatch<K>& patch, const Rational& by, CoefficientsOf<K>& net) {
     for (std::size_t i = 0; i < K::count; ++i) {
       const Point p = moved(patch, i);
-      for (std::size_t c = 0; c < 3; ++c) net[i][c] = to_double(p[c] * scale);
-      net[i][3] = to_double(patch.weights[i]);
+      for (std::size_t c = 0; c < 3; ++c) net[i][c] = to_double(p[c] * (scale * by));
+      net[i][3] = to_double(patch.weights[i] * by);
     }
   };
-  round(x, pair.x.net);
-  round(y, pair.y.net);
+  round(x, power_of_two(-reduction<K>(x, y)), pair.x.net);
+  round(y, 1, pair.y.net);
   finish<K>(pair, kInputError);
   return pair;
 }

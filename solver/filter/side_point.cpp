@@ -73,9 +73,8 @@ class SidePointProof {
     const std::size_t axis = steepest(first_four<K>(at.tangent));
     if (!prepare(pair_, point_.ball.middle, axis, point_.tube)) return false;
     for (double reach = kLongest; reach >= kShortest; reach *= 0.5) {
-      Unknowns<K> halfwidth = filled<K>(reach);
-      if constexpr (K::weighted) halfwidth[4] *= point_.ball.middle[4];
-      if (certify(pair_, point_.tube, -reach, reach, halfwidth) && is_inside() && leaves_sides()) {
+      if (certify(pair_, point_.tube, -reach, reach, halfwidths<K>(point_.tube.centre, reach)) &&
+          is_inside() && leaves_sides()) {
         return true;
       }
     }

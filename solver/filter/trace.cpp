@@ -113,9 +113,9 @@ class Tracer {
     }
     const double reach = 0.51 * step_ + 2 * position_.radius;
     const Row<K> residual = residual_bound(pair_, tube, reach);
-    const double width = std::max(2 * largest(residual), kLeastHalfwidth<K::width>);
     if (position_.radius > 0.25 * kEndMargin<K::width> ||
-        !certify(pair_, tube, -reach, reach, filled<K>(width), residual) ||
+        !certify(pair_, tube, -reach, reach, halfwidths(tube, residual, kLeastHalfwidth<K::width>),
+                 residual) ||
         tube.contraction > kWorstContraction || !contains(tube, position_)) {
       return false;
     }

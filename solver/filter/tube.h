@@ -21,6 +21,13 @@ Unknowns<K> filled(double value) {
   result.fill(value);
   return result;
 }
+/// The same width in all parameters, and relative to the scale in that.
+template <class K>
+Unknowns<K> halfwidths([[maybe_unused]] const Unknowns<K>& centre, double width) {
+  Unknowns<K> result = filled<K>(width);
+  if constexpr (K::weighted) result[4] *= centre[4];
+  return result;
+}
 template <class K>
 Vec4 parameters_of(const BallOf<K>& ball) {
   return {ball.middle[0], ball.middle[1], ball.middle[2], ball.middle[3]};
@@ -75,6 +82,17 @@ using Tube = TubeOf<Biquadratic>;
 /// than `axis` are numerically dependent, or the centre is not in [-3/4,3/4]^4.
 template <class K>
 bool prepare(const PairOf<K>& pair, const Unknowns<K>& centre, std::size_t axis, TubeOf<K>& tube);
+
+/// Half widths for a tube with this residual: twice as wide, at least `least`.
+template <class K>
+Unknowns<K> halfwidths(const TubeOf<K>& tube, const Row<K>& residual, double least) {
+  if constexpr (K::weighted) {
+    const double in_parameters = std::max({residual[0], residual[1], residual[2]});
+    return halfwidths<K>(tube.centre, std::max({2 * in_parameters, 2 * residual[3] / tube.centre[4], least}));
+  } else {
+    return filled<K>(std::max(2 * largest(residual), least));
+  }
+}
 
 /// Bound of |C F(centre + tau slope)| for |tau| <= reach, by rows.
 template <class K>
