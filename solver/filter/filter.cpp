@@ -294,6 +294,9 @@ class FilteredIntersection {
       auto found = filter::find_turns(pair, curve.trace, known, curve.turns);
       if (found != filter::TurnSearch::done) {
         exact.add_to(known, curve.trace, points);
+        if (known.is_one_point()) {
+          return false;
+        }
         coincident_ = known.coincident;
         curve.turns.clear();
         found = filter::find_turns(pair, curve.trace, known, curve.turns);

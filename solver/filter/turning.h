@@ -2,6 +2,7 @@
 // section 14.5.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -42,6 +43,9 @@ struct KnownTurning {
   std::array<bool, 4> at_end = {};
   std::optional<BallOf<K>> start = {};
   std::optional<BallOf<K>> end = {};
+
+  /// A line of parameters that is one point of space: no curve, but a node with a free parameter.
+  bool is_one_point() const { return std::count(constant.begin(), constant.end(), true) > 2; }
 };
 
 /// All turning points in the order of the trace, apart from its end points, into `turns`; divides pieces
