@@ -275,7 +275,7 @@ class FilteredIntersection {
     known.at_end = end.still;
     known.start = start.ball;
     known.end = end.ball;
-    if (with_stations_) return known;
+    if (with_stations_ || !filter::moves(trace)) return known;
     known.unasked.fill(true);
     for (const Parameter p : run_.turning()) known.unasked[index(p)] = false;
     return known;
@@ -287,7 +287,7 @@ class FilteredIntersection {
     filter::ExactTurning<K> exact(x_, y_);
     for (TraceOf<K>& trace : traces) {
       AnalysedTraceOf<K>& curve = curves.emplace_back(AnalysedTraceOf<K>{std::move(trace), {}});
-      if (run_.turning().empty() && curve.trace.start >= 0 && !with_stations_) {
+      if (run_.turning().empty() && curve.trace.start >= 0 && !with_stations_ && filter::moves(curve.trace)) {
         continue;
       }
       filter::KnownTurning<K> known = known_turning(curve.trace, points);

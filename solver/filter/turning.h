@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -47,6 +48,17 @@ struct KnownTurning {
   /// A line of parameters that is one point of space: no curve, but a node with a free parameter.
   bool is_one_point() const { return std::count(constant.begin(), constant.end(), true) > 2; }
 };
+
+/// Somewhere on the trace two parameters certainly change. If not it may be a line that is one point.
+template <class K>
+bool moves(const TraceOf<K>& trace) {
+  return std::any_of(trace.pieces.begin(), trace.pieces.end(), [](const PieceOf<K>& piece) {
+    int count = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (std::fabs(piece.tube.slope[i]) > piece.tube.slope_error[i]) ++count;
+    return count > 1;
+  });
+}
 
 /// All turning points in the order of the trace, apart from its end points, into `turns`; divides pieces
 /// where that is needed.

@@ -117,6 +117,13 @@ TEST_CASE("points and curves") {
 TEST_CASE("a curve through a surface") {
   const BezierPatch line = power({{{0, 0}, {Rational(1, 3), Rational(1, 4), 0}}, {{1, 0}, {0, 0, 1}}});
   check_one_node({line, saddle()}, {Rational(1, 12), -1, Rational(1, 3), Rational(1, 4)});
+  for (const std::vector<Parameter>& asked : {std::vector<Parameter>{}, {Parameter::u}, {Parameter::v}}) {
+    IntersectOptions options;
+    options.turning = asked;
+    const IntersectResult result = intersect(line, saddle(), options);
+    CHECK(result.graph.arcs.empty());
+    CHECK(result.graph.nodes.size() == 1);
+  }
 }
 
 /// The only component, complete: one open arc with the given parameters of its ends (ascending in u).
