@@ -16,8 +16,6 @@ Integer floor_quotient(const Integer& a, const Integer& b) {
   return result;
 }
 
-long bit_length(const Integer& n) { return static_cast<long>(mpz_sizeinbase(n.backend().data(), 2)); }
-
 /// 0 <= a < b. The continued fraction of the answer is the common beginning of those of a and b.
 Rational simplest_between_positive(const Rational& a, const Rational& b) {
   const Integer whole = floor_quotient(numerator(a), denominator(a));
@@ -52,28 +50,32 @@ int sign(const Rational& q) { return q.sign(); }
 
 double to_double(const Rational& q) {
   if (q == 0) return 0;
-  Integer n = abs(numerator(q));
-  const Integer& d = denominator(q);
+  const mpz_srcptr n = mpq_numref(q.backend().data());
+  mpz_srcptr d = mpq_denref(q.backend().data());
   // n/d has its leading bit at 2^(top-1) or 2^top; 2^shift is the last place of 55 or 56 bits of it, or a
   // quarter of the last place of a subnormal number.
-  const long top = bit_length(n) - bit_length(d);
+  const long top = static_cast<long>(mpz_sizeinbase(n, 2)) - static_cast<long>(mpz_sizeinbase(d, 2));
   if (top > 1100) return q.sign() * std::numeric_limits<double>::infinity();
   const long shift = std::max(top - 55, -1074L - 2);
-  Integer scaled_d = d;
-  if (shift < 0)
-    n <<= static_cast<unsigned long>(-shift);
-  else
-    scaled_d <<= static_cast<unsigned long>(shift);
-  const Integer quotient = floor_quotient(n, scaled_d);
-  Integer mantissa = quotient;
+  Integer quotient;
+  Integer scaled;
+  const mpz_ptr a = quotient.backend().data();
+  const mpz_ptr b = scaled.backend().data();
+  mpz_abs(a, n);
+  if (shift < 0) {
+    mpz_mul_2exp(a, a, static_cast<unsigned long>(-shift));
+  } else {
+    mpz_mul_2exp(b, d, static_cast<unsigned long>(shift));
+    d = b;
+  }
+  mpz_tdiv_qr(a, b, a, d);
   // Sticky bit: a nonzero remainder keeps a tie from looking exact.
-  if (mantissa * scaled_d != n) mantissa |= 1;
+  const std::uint64_t bits = mpz_get_ui(a) | static_cast<std::uint64_t>(mpz_sgn(b) != 0);
   // The mantissa is below 2^57; round to 53 bits (fewer for subnormals), ties to even, in integers.
-  const auto bits = static_cast<unsigned long long>(mantissa);
-  const long excess = std::max(bit_length(mantissa) - 53, -1074 - shift);
-  const unsigned long long unit = 1ULL << excess;
-  const unsigned long long rest = bits & (unit - 1);
-  unsigned long long rounded = bits >> excess;
+  const long excess = std::max(static_cast<long>(std::bit_width(bits)) - 53, -1074 - shift);
+  const std::uint64_t unit = std::uint64_t{1} << excess;
+  const std::uint64_t rest = bits & (unit - 1);
+  std::uint64_t rounded = bits >> excess;
   if (2 * rest > unit || (2 * rest == unit && (rounded & 1) != 0)) ++rounded;
   return double_of(rounded, shift + excess, q.sign() < 0);
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
-#include <vector>
 
 namespace exsect::filter {
 
@@ -230,18 +229,43 @@ std::optional<PairOf<K>> polynomial_pair(const ExactPatch<K>& x, const ExactPatc
   return pair;
 }
 
+/// The homogeneous control points, each coordinate rounded once.
+template <class K>
+CoefficientsOf<K> approximate(const ExactPatch<K>& patch) {
+  CoefficientsOf<K> net;
+  for (std::size_t i = 0; i < K::count; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) net[i][c] = nearest_double(patch.points[i][c]).value;
+    net[i][3] = nearest_double(patch.weights[i]).value;
+  }
+  return net;
+}
+
 /// The least k for which 2^-k x_4 / y_4 is at most kScaleUnit, as far as the weights tell, and allowed.
 template <class K>
-int reduction(const ExactPatch<K>& x, const ExactPatch<K>& y) {
+int reduction(const PatchOf<K>& x, const PatchOf<K>& y) {
   double greatest = 0;
   double least = HUGE_VAL;
-  for (const Rational& w : x.weights) greatest = std::max(greatest, to_double(w));
-  for (const Rational& w : y.weights) {
-    if (w > 0) least = std::min(least, to_double(w));
+  for (const Row<K>& p : x.net) greatest = std::max(greatest, p[3]);
+  for (const Row<K>& p : y.net) {
+    if (p[3] > 0) least = std::min(least, p[3]);
   }
   int k = 0;
   while (k < kMostReduction && std::ldexp(greatest, -k) > kScaleUnit * least) ++k;
   return k;
+}
+
+/// The homogeneous control points about the origin, exactly, times 2^-exponent in space, and all of that
+/// times 2^-reduced; rounded once.
+template <class K>
+void round_net(const ExactPatch<K>& patch, const ModelFrame& frame, int reduced, CoefficientsOf<K>& net) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Rational origin = from_double(frame.origin[c]);
+    for (std::size_t i = 0; i < K::count; ++i) {
+      const Rational moved = patch.points[i][c] - patch.weights[i] * origin;
+      net[i][c] = std::ldexp(nearest_double(moved).value, -static_cast<int>(frame.exponent) - reduced);
+    }
+  }
+  for (Row<K>& p : net) p[3] = std::ldexp(p[3], -reduced);
 }
 
 /// The frame is that of the control points with positive weights, its scale such that all homogeneous
@@ -249,17 +273,19 @@ int reduction(const ExactPatch<K>& x, const ExactPatch<K>& y) {
 template <class K>
 std::optional<PairOf<K>> weighted_pair(const ExactPatch<K>& x, const ExactPatch<K>& y) {
   PairOf<K> pair;
+  pair.x.net = approximate<K>(x);
+  pair.y.net = approximate<K>(y);
   double size = 0;
   pair.extent = 0;
-  std::vector<Point> points = affine_points(x);
-  const std::vector<Point> others = affine_points(y);
-  points.insert(points.end(), others.begin(), others.end());
   for (std::size_t c = 0; c < 3; ++c) {
     double lower = HUGE_VAL;
     double upper = -HUGE_VAL;
-    for (const Point& p : points) {
-      lower = std::min(lower, to_double(p[c]));
-      upper = std::max(upper, to_double(p[c]));
+    for (const PatchOf<K>* patch : {&pair.x, &pair.y}) {
+      for (const Row<K>& p : patch->net) {
+        if (!(p[3] > 0)) continue;
+        lower = std::min(lower, p[c] / p[3]);
+        upper = std::max(upper, p[c] / p[3]);
+      }
     }
     pair.frame.origin[c] = 0.5 * lower + 0.5 * upper;
     size = std::max({size, std::fabs(lower), std::fabs(upper)});
@@ -268,33 +294,23 @@ std::optional<PairOf<K>> weighted_pair(const ExactPatch<K>& x, const ExactPatch<
   if (!(size < 0x1p300)) {
     return std::nullopt;
   }
-  Point origin;
-  for (std::size_t c = 0; c < 3; ++c) origin[c] = from_double(pair.frame.origin[c]);
+  // At least the size of all coordinates about the origin: the two roundings and those of p and w o are u
+  // each.
   double reach = 0;
-  const auto moved = [&](const ExactPatch<K>& patch, std::size_t i) {
-    using exsect::operator*;
-    using exsect::operator-;
-    return patch.points[i] - patch.weights[i] * origin;
-  };
-  for (const ExactPatch<K>* patch : {&x, &y}) {
-    for (std::size_t i = 0; i < K::count; ++i) {
-      for (const Rational& c : moved(*patch, i)) reach = std::max(reach, std::fabs(to_double(c)));
+  for (const PatchOf<K>* patch : {&pair.x, &pair.y}) {
+    for (const Row<K>& p : patch->net) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double turned = p[3] * pair.frame.origin[c];
+        reach = std::max(reach, std::fabs(p[c] - turned) + 8 * kUnit * (std::fabs(p[c]) + std::fabs(turned)));
+      }
     }
   }
   if (!(reach > 0x1p-300) || !(size < 0x1p40 * reach)) {
     return std::nullopt;
   }
   pair.frame.exponent = std::ilogb(reach) + 1;
-  const Rational scale = power_of_two(-pair.frame.exponent);
-  const auto round = [&](const ExactPatch<K>& patch, const Rational& by, CoefficientsOf<K>& net) {
-    for (std::size_t i = 0; i < K::count; ++i) {
-      const Point p = moved(patch, i);
-      for (std::size_t c = 0; c < 3; ++c) net[i][c] = to_double(p[c] * (scale * by));
-      net[i][3] = to_double(patch.weights[i] * by);
-    }
-  };
-  round(x, power_of_two(-reduction<K>(x, y)), pair.x.net);
-  round(y, 1, pair.y.net);
+  round_net<K>(x, pair.frame, reduction<K>(pair.x, pair.y), pair.x.net);
+  round_net<K>(y, pair.frame, 0, pair.y.net);
   finish<K>(pair, kInputError);
   return pair;
 }
