@@ -195,6 +195,8 @@ class Invariant {
       const Node& from = node(arc.from);
       for (const Node* end : {&from, &node(arc.to)}) {
         if (is_special(*end) || is_singular(*end) || has(end->kinds, NodeKind::corner)) return;
+        // On a side a singular point of a patch, at which anything may turn, has no kind of its own.
+        if (!end->on.empty() && facts_.degree && !facts_.degree(*end)) return;
       }
       if (arc.place != ArcPlace::interior || !arc.free.empty()) return;
       // every node has two arc ends
