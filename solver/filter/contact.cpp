@@ -4,6 +4,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "filter/contact_finder.h"
+
 namespace exsect::filter {
 
 namespace {
@@ -11,19 +13,6 @@ namespace {
 constexpr long kMostBoxes = 600;
 constexpr int kDeepest = 24;  // levels of both patches together
 constexpr int kMostDirections = 12;
-
-template <class K>
-constexpr std::array<std::size_t, 4> kCorners = {0, K::degree, K::degree* K::side, K::count - 1};
-constexpr std::array<SquareSide, 4> kSides = {{{0, false}, {0, true}, {1, false}, {1, true}}};
-
-template <class K>
-SideContactOf<K> side_contact(const PairOf<K>& pair, const SideView& x, const SideView& y) {
-  SideContactOf<K> contact{x, y, {}, across_field<K>(pair.x.net, x), across_field<K>(pair.y.net, y)};
-  for (std::size_t j = 0; j < K::degree; ++j) {
-    contact.direction[j] = pair.x.net[x.index(0, j + 1)] - pair.x.net[x.index(0, j)];
-  }
-  return contact;
-}
 
 /// The index in the net of the corner with these parameters; empty if it is none.
 std::optional<std::size_t> corner_of(const Rational& first, const Rational& second) {
@@ -33,162 +22,6 @@ std::optional<std::size_t> corner_of(const Rational& first, const Rational& seco
   }
   return (first == 1 ? 6U : 0U) + (second == 1 ? 2U : 0U);
 }
-
-/// (14.32): the field divided by t if it is zero at the lower end of the side, by 1 - t if at the upper one,
-/// of degree n in t again. Coefficient j of degree n-1 is n/j times that of degree n.
-template <class K>
-void divide_at(AcrossFieldOf<K>& field, bool upper) {
-  constexpr std::size_t n = K::degree;
-  for (std::size_t i = 0; i < n; ++i) {
-    std::array<Vec3, K::side> row;
-    for (std::size_t j = 0; j <= n; ++j) row[j] = field[K::side * i + (upper ? n - j : j)];
-    for (std::size_t j = 0; j < n; ++j) {
-      row[j] = (static_cast<double>(n) / static_cast<double>(j + 1)) * row[j + 1];
-    }
-    row[n] = row[n - 1];
-    for (std::size_t j = n - 1; j > 0; --j) {
-      row[j] = between(row[j], row[j - 1], static_cast<double>(j) / static_cast<double>(n));
-    }
-    for (std::size_t j = 0; j <= n; ++j) field[K::side * i + (upper ? n - j : j)] = row[j];
-  }
-}
-
-/// The corners of a patch: those at the ends of a side that is one point are one.
-template <class K>
-class Corners {
- public:
-  explicit Corners(const ExactPatch<K>& patch) {
-    for (std::size_t i = 0; i < 4; ++i) first_[i] = kCorners<K>[i];
-    if constexpr (std::is_same_v<K, Biquadratic>) return;  // exact arithmetic is behind these
-    for (const SquareSide& side : kSides) {
-      const SideView view = {side, false, K::degree};
-      const auto is_first = [&](std::size_t k) {
-        return control_point(patch, view.index(0, k)) == control_point(patch, view.index(0, 0));
-      };
-      bool is_pole = true;
-      for (std::size_t k = 1; is_pole && k <= K::degree; ++k) is_pole = is_first(k);
-      if (!is_pole) continue;
-      poles_.push_back(side);
-      for (std::size_t i = 0; i < 4; ++i) {
-        if (kCorners<K>[i] == view.index(0, K::degree)) first_[i] = view.index(0, 0);
-      }
-    }
-  }
-
-  /// Sides that are one point each have no corner in common.
-  bool are_sound() const {
-    return poles_.size() < 2 || (poles_.size() == 2 && poles_[0].parameter == poles_[1].parameter);
-  }
-  bool is_pole(const SquareSide& side) const {
-    return std::find(poles_.begin(), poles_.end(), side) != poles_.end();
-  }
-  /// That stands for this one.
-  std::size_t operator()(std::size_t corner) const {
-    const auto& all = kCorners<K>;
-    return first_[static_cast<std::size_t>(std::find(all.begin(), all.end(), corner) - all.begin())];
-  }
-  std::optional<SquareSide> pole_at(std::size_t corner) const {
-    const std::array<bool, 2> upper = corner_ends<K>(corner);
-    for (const SquareSide& side : poles_) {
-      if (upper[side.parameter] == side.upper) return side;
-    }
-    return std::nullopt;
-  }
-
- private:
-  std::array<std::size_t, 4> first_;
-  std::vector<SquareSide> poles_;
-};
-
-template <class K>
-class ContactFinder {
- public:
-  ContactFinder(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair)
-      : x_(x), y_(y), pair_(pair), corners_of_x_(x), corners_of_y_(y) {}
-
-  std::optional<ContactsOf<K>> run() {
-    if (!corners_of_x_.are_sound() || !corners_of_y_.are_sound() || !find_corners()) {
-      return std::nullopt;
-    }
-    ContactsOf<K> contacts;
-    std::vector<bool> on_side(corners_.size(), false);
-    for (const SquareSide& a : kSides) {
-      for (const SquareSide& b : kSides) {
-        for (const bool reversed : {false, true}) {
-          const SideView x = {a, false, K::degree};
-          const SideView y = {b, reversed, K::degree};
-          if (same_side(x, y)) {
-            SideContactOf<K>& contact = contacts.sides.emplace_back(side_contact<K>(pair_, x, y));
-            for (const std::size_t end : {std::size_t{0}, K::degree}) {
-              for (std::size_t k = 0; k < corners_.size(); ++k) {
-                if (!is_end(corners_[k], x, y, end)) continue;
-                on_side[k] = true;
-                add_end(contact, corners_[k], end != 0);
-              }
-            }
-          }
-        }
-      }
-    }
-    for (std::size_t k = 0; k < corners_.size(); ++k) {
-      if (!on_side[k]) {
-        contacts.corners.push_back(corners_[k]);
-      }
-    }
-    return contacts;
-  }
-
- private:
-  /// False if a corner is two corners of the other patch, or perhaps one of them but for rounding.
-  bool find_corners() {
-    for (const std::size_t i : kCorners<K>) {
-      for (const std::size_t j : kCorners<K>) {
-        if (corners_of_x_(i) != i || corners_of_y_(j) != j || pair_.x.net[i] != pair_.y.net[j]) {
-          continue;
-        }
-        const bool again = std::any_of(corners_.begin(), corners_.end(),
-                                       [&](const CornerContact& c) { return c.x == i || c.y == j; });
-        if (again || control_point(x_, i) != control_point(y_, j)) {
-          return false;
-        }
-        corners_.push_back({i, j, corners_of_x_.pole_at(i), corners_of_y_.pole_at(j)});
-      }
-    }
-    return true;
-  }
-
-  /// A patch with a pole there has a field that is zero there.
-  static void add_end(SideContactOf<K>& contact, const CornerContact& corner, bool upper) {
-    contact.ends.push_back(corner);
-    if (corner.pole_of_x) divide_at<K>(contact.x_across, upper);
-    if (corner.pole_of_y) divide_at<K>(contact.y_across, upper);
-    if (corner.is_pole()) contact.growth *= static_cast<double>(K::degree);
-  }
-
-  bool same_side(const SideView& x, const SideView& y) const {
-    if (corners_of_x_.is_pole(x.side) || corners_of_y_.is_pole(y.side)) return false;
-    for (std::size_t k = 0; k < K::side; ++k) {
-      const std::size_t along = k == 1 ? K::degree : k == K::degree ? 1 : k;  // first the ends
-      const std::size_t i = x.index(0, along);
-      const std::size_t j = y.index(0, along);
-      if (pair_.x.net[i] != pair_.y.net[j] || control_point(x_, i) != control_point(y_, j)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  bool is_end(const CornerContact& corner, const SideView& x, const SideView& y, std::size_t along) const {
-    return corner.x == corners_of_x_(x.index(0, along)) && corner.y == corners_of_y_(y.index(0, along));
-  }
-
-  const ExactPatch<K>& x_;
-  const ExactPatch<K>& y_;
-  const PairOf<K>& pair_;
-  Corners<K> corners_of_x_;
-  Corners<K> corners_of_y_;
-  std::vector<CornerContact> corners_;
-};
 
 using Interval = Part::Interval;
 
@@ -202,13 +35,13 @@ Vec3 unit_across(const Vec3& v, const Vec3& c) {
 /// Of a mean of parameters, if those of y are taken to those of x: each of offset and factor errs by u times
 /// its size, and the product, the sums and the mean by as much.
 template <class K>
-double mean_error(const SideContactOf<K>& contact) {
+requires(!K::weighted) double mean_error(const SideContactOf<K>& contact) {
   return contact.path ? 4 * kUnit * (1 + std::fabs(contact.offset) + std::fabs(contact.factor)) : 0;
 }
 
 /// What is along y, in the parameter along x.
 template <class K>
-Interval along_on_x(const SideContactOf<K>& contact, const SideIntervals& on_y) {
+requires(!K::weighted) Interval along_on_x(const SideContactOf<K>& contact, const SideIntervals& on_y) {
   return {contact.offset + contact.factor * on_y.along.lower,
           contact.offset + contact.factor * on_y.along.upper};
 }
@@ -229,7 +62,8 @@ bool may_touch(const CornerContact& corner, const Part& x, const Part& y) {
 }
 
 template <class K>
-bool may_touch(const SideContactOf<K>& contact, const SideIntervals& on_x, const SideIntervals& on_y) {
+requires(!K::weighted) bool may_touch(const SideContactOf<K>& contact, const SideIntervals& on_x,
+                                      const SideIntervals& on_y) {
   const Interval y_along = along_on_x(contact, on_y);
   const double error = 2 * mean_error(contact);
   return on_x.across.lower == 0 && on_y.across.lower == 0 && on_x.along.lower <= y_along.upper + error &&
@@ -267,8 +101,8 @@ std::array<Vec3, 9> secant_net(const std::array<Vec3, 3>& d, const Interval& t, 
 // times that, w.X by 96 |n| times that; and the errors of C are those of its control vectors times |1-m| +
 // |m| <= stretch.
 template <class K>
-bool meet_in_side(const SideContactOf<K>& contact, const SideIntervals& on_x, const SideIntervals& on_y,
-                  double net_error) {
+requires(!K::weighted) bool meet_in_side(const SideContactOf<K>& contact, const SideIntervals& on_x,
+                                         const SideIntervals& on_y, double net_error) {
   const AcrossFieldOf<K> fx = restricted<K>(contact.x_across, on_x);
   const AcrossFieldOf<K> fy = restricted<K>(contact.y_across, on_y);
   const Interval y_along = along_on_x(contact, on_y);
@@ -294,6 +128,80 @@ bool meet_in_side(const SideContactOf<K>& contact, const SideIntervals& on_x, co
         kTiny;
     for (std::size_t k = 0; k < fx.size(); ++k) {
       if (!(dot(w, fx[k]) > error && dot(w, fy[k]) < -error)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// What is along y, t', in the parameter along x: ratio t' / (1 - t' + ratio t'), by five operations.
+template <class K>
+requires K::weighted Interval along_on_x(const SideContactOf<K>& contact, const SideIntervals& on_y) {
+  const double ratio = to_double(contact.ratio);
+  if (ratio == 1) return on_y.along;
+  const auto at = [&](double t) { return ratio * t / ((1 - t) + ratio * t); };
+  return {std::max(0.0, at(on_y.along.lower) - 16 * kUnit), std::min(1.0, at(on_y.along.upper) + 16 * kUnit)};
+}
+
+template <class K>
+requires K::weighted bool may_touch(const SideContactOf<K>& contact, const SideIntervals& on_x,
+                                    const SideIntervals& on_y) {
+  const Interval y_along = along_on_x<K>(contact, on_y);
+  return on_x.across.lower == 0 && on_y.across.lower == 0 && on_x.along.lower <= y_along.upper &&
+         y_along.lower <= on_x.along.upper;
+}
+
+/// A net of bidegree (n-1,n-1) in (t,t') on two intervals.
+template <std::size_t N>
+std::array<Vec3, N * N> on_intervals(const std::array<Vec3, N * N>& net, const Interval& t,
+                                     const Interval& other) {
+  std::array<Vec3, N * N> rows;
+  for (std::size_t i = 0; i < N; ++i) {
+    std::array<Vec3, N> row;
+    std::copy_n(&net[N * i], N, row.begin());
+    for (std::size_t j = 0; j < N; ++j) rows[N * i + j] = restricted_point(row, other, j);
+  }
+  std::array<Vec3, N * N> result;
+  for (std::size_t j = 0; j < N; ++j) {
+    std::array<Vec3, N> column;
+    for (std::size_t i = 0; i < N; ++i) column[i] = rows[N * i + j];
+    for (std::size_t i = 0; i < N; ++i) result[N * i + j] = restricted_point(column, t, i);
+  }
+  return result;
+}
+
+// (14.35), (14.36).
+template <class K>
+requires K::weighted bool meet_in_side(const SideContactOf<K>& contact, const SideIntervals& on_x,
+                                       const SideIntervals& on_y, double net_error) {
+  constexpr std::size_t n = K::degree;
+  const AcrossFieldOf<K> fx = restricted<K>(contact.x_across, on_x);
+  const AcrossFieldOf<K> fy = restricted<K>(contact.y_across, on_y);
+  const Interval y_along = along_on_x<K>(contact, on_y);
+  const auto line = on_intervals<n>(contact.line, on_x.along, y_along);
+  const auto moment = on_intervals<n>(contact.line_moment, on_x.along, y_along);
+  const Vec3 along = line.front() + line.back();
+  if (!(dot(along, along) > 0x1p-60)) {
+    return false;
+  }
+  const double middle = 0.5 * (on_x.along.lower + on_x.along.upper);
+  const Vec3 point = affine(restricted_point(contact.own, {middle, middle}, 0));
+  const auto across = [&](const AcrossFieldOf<K>& f) {
+    constexpr std::size_t inner = n / 2;  // about the middle of the side
+    const Row<K> v = f[inner] + f[K::side * (n - 1) + inner];
+    return unit_across({v[0] - point[0] * v[3], v[1] - point[1] * v[3], v[2] - point[2] * v[3]}, along);
+  };
+  const Vec3 normal = cross(across(fx) - across(fy), along);
+  for (std::size_t k = 0; k < n * n; ++k) {
+    const Vec3 part = cross(line[k], normal);
+    const Vec4 plane = {part[0], part[1], part[2], dot(moment[k], normal)};
+    const double error = kSlack * contact.growth * net_error *
+                             (size1(plane) + kPlaneError * (std::fabs(normal[0]) + std::fabs(normal[1]) +
+                                                            std::fabs(normal[2]))) +
+                         kTiny;
+    for (std::size_t i = 0; i < fx.size(); ++i) {
+      if (!(dot(plane, fx[i]) > error && dot(plane, fy[i]) < -error)) {
         return false;
       }
     }
@@ -364,6 +272,7 @@ std::array<bool, K::count> own_points(const Part& part, std::size_t corner,
 template <class K>
 bool meet_in_corner(const Vec3& p, const CornerContact& corner, const Part& x, const Part& y,
                     double net_error) {
+  const double points_error = std::max({net_error, x.error, y.error});
   const auto own_x = own_points<K>(x, corner.x, corner.pole_of_x);
   const auto own_y = own_points<K>(y, corner.y, corner.pole_of_y);
   std::array<Vec3, 2 * K::count> vectors;
@@ -382,7 +291,7 @@ bool meet_in_corner(const Vec3& p, const CornerContact& corner, const Part& x, c
   std::transform(vectors.begin(), vectors.begin() + count, units.begin(), unit);
   if (count == 0) return true;  // both are the pole alone
   const Vec3 d = positive_direction(units, count);
-  const double error = kSlack * kSeparation * net_error * size1(d) + kTiny;
+  const double error = kSlack * kSeparation * points_error * size1(d) + kTiny;
   return std::all_of(vectors.begin(), vectors.begin() + count,
                      [&](const Vec3& v) { return dot(d, v) > error; });
 }
@@ -436,23 +345,13 @@ void add_path(const SidePath& path, const Pair& pair, Contacts& contacts) {
 }
 
 template <class K>
-std::optional<ContactsOf<K>> find_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y,
-                                           const PairOf<K>& pair) {
-  if constexpr (K::weighted) {
-    return ContactsOf<K>{};  // the searches find no way past one
-  } else {
-    return ContactFinder<K>(x, y, pair).run();
-  }
-}
-
-template <class K>
 Meeting meeting(const PairOf<K>& pair, const ContactsOf<K>& contacts, const Part& x, const Part& y) {
   if (std::any_of(contacts.points.begin(), contacts.points.end(),
                   [&](const SidePointOf<K>& point) { return lies_in_region(point, x, y); })) {
     return Meeting::contact;
   }
   bool touching = false;
-  if constexpr (!K::weighted) {
+  {
     for (const SideContactOf<K>& side : contacts.sides) {
       const SideIntervals on_x = intervals(side.x, x);
       const SideIntervals on_y = intervals(side.y, y);
@@ -472,7 +371,7 @@ Meeting meeting(const PairOf<K>& pair, const ContactsOf<K>& contacts, const Part
       }
     }
     for (const CornerContact& corner : contacts.corners) {
-      if (meet_in_corner<K>(pair.x.net[corner.x], corner, x, y, pair.net_error)) {
+      if (meet_in_corner<K>(affine(pair.x.net[corner.x]), corner, x, y, pair.net_error)) {
         return Meeting::contact;
       }
       touching = touching || may_touch<K>(corner, x, y);
@@ -503,10 +402,8 @@ bool meet_in_contacts_only(const PairOf<K>& pair, TreesOf<K>& trees, const Conta
   return true;
 }
 
-#define EXSECT_INSTANTIATE(K)                                                                        \
-  template std::optional<ContactsOf<K>> find_contacts<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
-                                                         const PairOf<K>&);                          \
-  template Meeting meeting<K>(const PairOf<K>&, const ContactsOf<K>&, const Part&, const Part&);     \
+#define EXSECT_INSTANTIATE(K)                                                                    \
+  template Meeting meeting<K>(const PairOf<K>&, const ContactsOf<K>&, const Part&, const Part&); \
   template bool meet_in_contacts_only<K>(const PairOf<K>&, TreesOf<K>&, const ContactsOf<K>&, long&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE

@@ -42,6 +42,23 @@ struct SideContactOf {
 };
 using SideContact = SideContactOf<Biquadratic>;
 
+/// Of weighted patches: the sides are one curve, from end to end, y's at t' that of x at ratio t' / (1 - t' +
+/// ratio t').
+template <class K>
+requires K::weighted struct SideContactOf<K> {
+  SideView x;
+  SideView y;
+  Rational ratio;
+  std::array<Row<K>, K::side> own;                      // control vectors of the side of x
+  std::array<Row<K>, K::side> own_of_y;                 // and of y
+  std::array<Vec3, K::degree * K::degree> line;         // of C(t) ^ C(t') / (t' - t): w' p - w p'
+  std::array<Vec3, K::degree * K::degree> line_moment;  // and p x p'
+  AcrossFieldOf<K> x_across;
+  AcrossFieldOf<K> y_across;
+  std::vector<CornerContact> ends = {};
+  double growth = 1;
+};
+
 /// Whether a corner is at the end of the first, the second parameter's interval.
 template <class K>
 std::array<bool, 2> corner_ends(std::size_t corner) {
@@ -58,11 +75,6 @@ struct ContactsOf {
   bool empty() const { return sides.empty() && paths.empty() && corners.empty() && points.empty(); }
 };
 using Contacts = ContactsOf<Biquadratic>;
-
-/// All that the control points show, compared exactly. Empty if there may be more, or a patch closes up.
-template <class K>
-std::optional<ContactsOf<K>> find_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y,
-                                           const PairOf<K>& pair);
 
 /// The side point is the corner.
 template <class K>

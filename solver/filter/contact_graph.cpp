@@ -6,6 +6,7 @@
 
 #include "answer/chord_count.h"
 #include "answer/rim_arc.h"
+#include "filter/homogeneous.h"
 
 namespace exsect::filter {
 
@@ -204,7 +205,7 @@ class ContactGraph {
     }
     node.kinds = {NodeKind::boundary};
     if (!corner.pole_of_x || !corner.pole_of_y) node.kinds.push_back(NodeKind::corner);
-    node.point = position(pair_.x.net[corner.x]);
+    node.point = position(affine(pair_.x.net[corner.x]));
     return graph_.add_node(std::move(node), 0);
   }
 
@@ -217,7 +218,21 @@ class ContactGraph {
   }
 
   /// The tangent planes are the same, or there is none.
-  bool touches(const CornerContact& corner) const {
+  bool touches(const CornerContact& corner) const requires K::weighted {
+    const auto exactly = [](bool upper) { return Rational(upper ? 1 : 0); };
+    const auto [u, v] = corner_ends<K>(corner.x);
+    const auto [r, s] = corner_ends<K>(corner.y);
+    const FirstOrder<K> x(x_, exactly(u), exactly(v));
+    const FirstOrder<K> y(y_, exactly(r), exactly(s));
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (filter::determinant(x.value, x.derivative[i], y.derivative[0], y.derivative[1]) != 0 ||
+          filter::determinant(x.value, y.derivative[i], x.derivative[0], x.derivative[1]) != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+  bool touches(const CornerContact& corner) const requires(!K::weighted) {
     const auto certain = [&](double t) { return std::fabs(t) > kDeterminantError * pair_.net_error; };
     const auto rounded = tangent_at<K, Vec3>(pair_.x, pair_.y, corner);
     if (std::any_of(rounded.begin(), rounded.end(), certain)) {
@@ -230,7 +245,7 @@ class ContactGraph {
   /// Tangential if (14.15) vanishes all along the side; exactly, where doubles do not tell, as on nearly
   /// smooth edges. The weights in the sums of `tangent_along` add up to
   /// (3n-1 over k).
-  Contact contact_along(const SideContactOf<K>& side) const {
+  Contact contact_along(const SideContactOf<K>& side) const requires(!K::weighted) {
     const double error = (side.path ? kPartDeterminantError : kDeterminantError) * pair_.net_error;
     const auto rounded = along<double, Vec3>(pair_.x, pair_.y, side);
     for (std::size_t k = 0; k < rounded.size(); ++k) {
@@ -241,6 +256,35 @@ class ContactGraph {
     const auto exact = along<Rational, Point>(x_, y_, side);
     const bool touch = std::all_of(exact.begin(), exact.end(), [](const Rational& t) { return t == 0; });
     return touch ? Contact::tangential : Contact::transversal;
+  }
+
+  /// [C C' X^ Y^] has degree 4n-2 along the side: tangential if it is zero at so many points and one more.
+  Contact contact_along(const SideContactOf<K>& side) const requires K::weighted {
+    const int count = 4 * static_cast<int>(K::degree) - 1;
+    for (int i = 0; i < count; ++i) {
+      const Rational t(2 * i + 1, 2 * count);
+      const auto x = first_order(x_, side.x, t);
+      const auto y = first_order(y_, side.y, on_y(side, t));
+      const std::size_t across_x = side.x.side.parameter;
+      if (filter::determinant(x.value, x.derivative[1 - across_x], x.derivative[across_x],
+                              y.derivative[side.y.side.parameter]) != 0) {
+        return Contact::transversal;
+      }
+    }
+    return Contact::tangential;
+  }
+
+  static FirstOrder<K> first_order(const ExactPatch<K>& patch, const SideView& view, const Rational& t) {
+    const Rational along = view.reversed ? Rational(1 - t) : t;
+    const Rational across = view.side.upper ? 1 : 0;
+    return view.side.parameter == 0 ? FirstOrder<K>(patch, across, along)
+                                    : FirstOrder<K>(patch, along, across);
+  }
+  /// t = ratio t' / (1 - t' + ratio t').
+  template <class Number>
+  static Number on_y(const SideContactOf<K>& side, const Number& t) {
+    const Number ratio = as<Number>(side.ratio);
+    return t / (ratio * (1 - t) + t);
   }
 
   /// On the part that both sides have in common.
@@ -272,7 +316,7 @@ class ContactGraph {
   /// and, after n means a + t (b - a), by 6 n u in each coordinate, less than net_error; and by 2 u times the
   /// coordinate when it is moved to its place. X'' is a mean of n (n-1) times second differences, each of
   /// which errs by 7 net_error in length.
-  void add_polyline(const SideContactOf<K>& side, Arc& arc) const {
+  void add_polyline(const SideContactOf<K>& side, Arc& arc) const requires(!K::weighted) {
     constexpr std::size_t n = K::degree;
     std::array<Vec3, K::side> points;
     for (std::size_t j = 0; j <= n; ++j) points[j] = pair_.x.net[side.x.index(0, j)];
@@ -302,6 +346,70 @@ class ContactGraph {
     arc.error_bound = kSlack * scale_ * (second * step * step / 8 + 2 * vertex_error);
   }
 
+  /// (14.38): the side in 16 pieces, each about its middle. Control vectors err by e = 8 net_error where they
+  /// are moved, first and second differences by two and four times that.
+  double second_derivative(const SideContactOf<K>& side) const requires K::weighted {
+    constexpr std::size_t n = K::degree;
+    constexpr int kPieces = 16;
+    double most = 0;
+    for (int piece = 0; piece < kPieces; ++piece) {
+      const Part::Interval range = {static_cast<double>(piece) / kPieces,
+                                    static_cast<double>(piece + 1) / kPieces};
+      std::array<Row<K>, K::side> c;
+      for (std::size_t k = 0; k <= n; ++k) c[k] = restricted_point(side.own, range, k);
+      const Vec3 middle = affine(c[n / 2]);
+      const double e = 8 * pair_.net_error * (1 + largest(middle));
+      for (Row<K>& p : c) {
+        for (std::size_t i = 0; i < 3; ++i) p[i] -= middle[i] * p[3];
+      }
+      double least = c[0][3];
+      std::array<double, 3> space{};   // of N, N', N''
+      std::array<double, 3> weight{};  // of w, w', w''
+      double factor = 1;
+      for (std::size_t order = 0; order < 3; ++order) {
+        for (std::size_t k = 0; k + order <= n; ++k) {
+          space[order] = std::max(space[order], length({c[k][0], c[k][1], c[k][2]}));
+          weight[order] = std::max(weight[order], std::fabs(c[k][3]));
+          if (order == 0) least = std::min(least, c[k][3]);
+        }
+        const double error = std::ldexp(e, static_cast<int>(order));
+        space[order] = factor * (space[order] + 2 * error);
+        weight[order] = factor * (weight[order] + error);
+        factor *= kPieces * static_cast<double>(n - order);
+        for (std::size_t k = 0; k + 1 + order <= n; ++k) c[k] = c[k + 1] - c[k];
+      }
+      const double w = least - e;
+      if (!(w > kLeastWeight)) return HUGE_VAL;
+      const double rate = (space[1] + weight[1] * space[0] / w) / w;
+      most = std::max(most, (space[2] + 2 * weight[1] * rate + weight[2] * space[0] / w) / w);
+    }
+    return kSlack * most;
+  }
+
+  /// A vertex errs by e (1 + |x|) / w and its rounding, (14.28).
+  void add_polyline(const SideContactOf<K>& side, Arc& arc) const requires K::weighted {
+    const double second = second_derivative(side);
+    const double wanted = std::ceil(std::sqrt(second * scale_ / (8 * 0.95 * tolerance_)));
+    const int count = chord_count(wanted);
+    arc.polyline.reserve(static_cast<std::size_t>(count) + 1);
+    const auto& o = pair_.frame.origin;
+    const double size = std::max({std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])}) / scale_;
+    double vertex_error = 0;
+    for (int i = 0; i <= count; ++i) {
+      const double t = static_cast<double>(i) / count;
+      const Row<K> c = i == count ? side.own.back() : restricted_point(side.own, {t, t}, 0);
+      const Vec3 x = affine(c);
+      vertex_error = std::max(vertex_error, pair_.net_error * (1 + largest(x)) / (c[3] - pair_.net_error) +
+                                                4 * kUnit * (size + largest(x)));
+      PolylineVertex& vertex = arc.polyline.emplace_back();
+      vertex.point = position(x);
+      place(side.x, t, &vertex.parameters[0]);
+      place(side.y, i == count ? 1 : on_y(side, t), &vertex.parameters[2]);
+    }
+    const double step = 1.0 / count + kSumRounding;
+    arc.error_bound = kSlack * scale_ * (second * step * step / 8 + 2 * kDiagonal * vertex_error);
+  }
+
   static void place(const SideView& view, double t, double* parameters) {
     parameters[view.side.parameter] = view.side.upper ? 1 : 0;
     parameters[1 - view.side.parameter] = view.reversed ? 1 - t : t;
@@ -324,9 +432,7 @@ bool append_contacts([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] c
                      [[maybe_unused]] const PairOf<K>& pair, const ContactsOf<K>& contacts,
                      [[maybe_unused]] double tolerance, [[maybe_unused]] double accepted,
                      [[maybe_unused]] GraphBuilder& graph) {
-  if constexpr (K::weighted) {
-    return contacts.sides.empty() && contacts.corners.empty();
-  } else {
+  {
     ContactGraph<K> maker(x, y, pair, tolerance, accepted, graph);
     for (const CornerContact& corner : contacts.corners) {
       maker.add(corner);

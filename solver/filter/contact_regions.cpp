@@ -1,6 +1,7 @@
 #include "filter/contact_regions.h"
 
 #include "filter/boundary.h"
+#include "filter/contact_finder.h"
 
 namespace exsect {
 

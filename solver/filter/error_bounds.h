@@ -219,6 +219,15 @@ static_assert((kDeterminantError - 6 * 3 * 4 * 2.1) * kNetError > 17 * 48 * kUni
 inline constexpr double kPartDeterminantError = 170;
 static_assert((kPartDeterminantError - 6 * 3 * 4 * 2.3) * kNetError > 13 * 48 * kUnit);
 
+/// (14.36): C(t) ^ C(t') / (t' - t) has control vectors of size 6, sums of products of numbers of size 1 that
+/// err by u each, with weights of 6 in all: 6 (4 u + 3 u) + 20 u, and after four means 72 u more. A
+/// coordinate of the plane errs by 3 |q| times that and 9 roundings of size 18 |q|. Control vectors of X, of
+/// size 6, err by 12 u + 8 u, and after five means by 90 u more, less than net_error; so the product of four
+/// of them by net_error |plane|_1 and 4 * 6 times the plane's error, |q| the sum of the coordinates of q.
+inline constexpr double kPlaneError = 90;
+static_assert(kPlaneError * kNetError > 4 * 6 * (3 * (6 * 7 + 20 + 72) + 9 * 18) * kUnit &&
+              kNetError > (12 + 8 + 90 + 30) * kUnit);
+
 // Double points: 14.9.
 
 /// The entries of B S, sums of two products with |S| <= 1, relative to the row sum of B.

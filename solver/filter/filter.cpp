@@ -9,6 +9,7 @@
 #include "answer/graph_builder.h"
 #include "answer/parameter_box.h"
 #include "answer/placement.h"
+#include "filter/contact_finder.h"
 #include "filter/contact_graph.h"
 #include "filter/exact_turning.h"
 #include "filter/graph.h"

@@ -13,6 +13,7 @@ Interval counted(const Interval& range, bool backwards) {
 template <class K, class Piece>
 void add_weights([[maybe_unused]] const Piece& piece, [[maybe_unused]] Part& part) {
   if constexpr (K::weighted) {
+    part.error = piece.affine_error;
     part.least_weight = piece.least_weight;
     part.greatest_weight = piece.greatest_weight;
   }
@@ -53,7 +54,7 @@ template <class K>
 AcrossFieldOf<K> across_field(const CoefficientsOf<K>& net, const SideView& view) {
   AcrossFieldOf<K> result;
   for (std::size_t j = 0; j < K::side; ++j) {
-    const Vec3& on_side = net[view.index(0, j)];
+    const Row<K>& on_side = net[view.index(0, j)];
     for (std::size_t i = 1; i <= K::degree; ++i) {
       const double factor = static_cast<double>(K::degree) / static_cast<double>(i);
       result[K::side * (i - 1) + j] = factor * (net[view.index(i, j)] - on_side);
@@ -62,29 +63,13 @@ AcrossFieldOf<K> across_field(const CoefficientsOf<K>& net, const SideView& view
   return result;
 }
 
-namespace {
-
-/// Control point k on the interval of the curve with these control points: the blossom with k arguments
-/// `upper`, the others `lower`, these first.
-template <std::size_t Count>
-Vec3 restricted_point(std::array<Vec3, Count> p, const Interval& to, std::size_t k) {
-  constexpr std::size_t degree = Count - 1;
-  for (std::size_t level = 1; level <= degree; ++level) {
-    const double t = level + k <= degree ? to.lower : to.upper;
-    for (std::size_t i = 0; i + level <= degree; ++i) p[i] = between(p[i], p[i + 1], t);
-  }
-  return p[0];
-}
-
-}  // namespace
-
 template <class K>
 AcrossFieldOf<K> restricted(const AcrossFieldOf<K>& field, const SideIntervals& to) {
   AcrossFieldOf<K> result;
   for (std::size_t i = 0; i < K::degree; ++i) {
-    std::array<Vec3, K::side> row;
+    std::array<Row<K>, K::side> row;
     for (std::size_t j = 0; j < K::side; ++j) {
-      std::array<Vec3, K::degree> column;
+      std::array<Row<K>, K::degree> column;
       for (std::size_t k = 0; k < K::degree; ++k) column[k] = field[K::side * k + j];
       row[j] = restricted_point(column, to.across, i);
     }
@@ -102,7 +87,7 @@ EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #define EXSECT_INSTANTIATE(K)                                                           \
   template AcrossFieldOf<K> across_field<K>(const CoefficientsOf<K>&, const SideView&); \
   template AcrossFieldOf<K> restricted<K>(const AcrossFieldOf<K>&, const SideIntervals&);
-EXSECT_FILTER_POLYNOMIAL_KINDS(EXSECT_INSTANTIATE)
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

@@ -1,9 +1,8 @@
 // Common corners and sides in doubles: the same graph as the exact solution, or none.
-#include "filter/contact.h"
-
 #include <cmath>
 #include <set>
 
+#include "filter/contact_finder.h"
 #include "filter/filter.h"
 #include "intersect_exactly.h"
 #include "support/catch.h"
