@@ -1,30 +1,19 @@
 // Traces curves along which the two patches touch by certified tubes. Internal to solver/.
 #pragma once
 
-#include <array>
 #include <variant>
-#include <vector>
 
+#include "answer/stop_request.h"
 #include "trace/tangential_tube.h"
-#include "trace/tracer.h"
+#include "trace/tube_trace.h"
 
 namespace exsect {
 
-/// A part of the curve on one tube.
 template <class Ball>
-struct TangentialPiece {
-  TangentialTube<Ball> tube;
-  PieceRange range;
-};
-
-/// A connected piece of a curve with F = 0 and tangent field 0: every piece's end point is on the next
-/// piece's arc. start and end are indices of landmarks, -1 for a closed curve.
+using TangentialPiece = TubePiece<TangentialTube<Ball>>;
+/// Of a connected piece of a curve with F = 0 and tangent field 0.
 template <class Ball>
-struct TangentialArc {
-  std::vector<TangentialPiece<Ball>> pieces;
-  int start = -1;
-  int end = -1;
-};
+using TangentialArc = TubeTrace<TangentialTube<Ball>>;
 
 /// The curve through the point in `seed` on which F and the tangent field are known to vanish, in both
 /// directions to the first landmarks. Everything follows from that: two analytic arcs that agree near a point
