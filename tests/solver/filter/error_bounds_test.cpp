@@ -231,6 +231,32 @@ TEST_CASE("filter error bounds: double points of surfaces scaled in one coordina
   }
 }
 
+TEST_CASE("filter error bounds: what one operation loses by rounding and by underflow") {
+  using filter::kUnderflow;
+  using filter::kUnit;
+  Generator generator(23);
+  const auto number = [&](int exponent) {
+    return std::ldexp(static_cast<double>(integer(generator, (1L << 52) + 1, (1L << 53) - 1)), exponent);
+  };
+  // Within the bound; whether also without the term for underflow.
+  const auto is_relative = [](const Rational& exact, double computed) {
+    const Rational error = abs(exact - from_double(computed));
+    const Rational rounding = from_double(kUnit) * abs(exact);
+    CHECK(error <= rounding + from_double(kUnderflow));
+    return error <= rounding;
+  };
+  // A tie: 2^-1075 is lost, half of the term.
+  CHECK(!is_relative(power_of_two(-1075), 0x1p-537 * 0x1p-538));
+  int beyond = 0;
+  for (int exponent = -1130; exponent <= -1000; ++exponent) {
+    // A product and a quotient of size 2^exponent, as far as they are doubles.
+    const double a = number(-400), b = number(exponent + 296), c = number(-exponent - 400);
+    beyond += !is_relative(from_double(a) * from_double(b), a * b);
+    beyond += !is_relative(from_double(a) / from_double(c), a / c);
+  }
+  CHECK(beyond > 60);
+}
+
 TEST_CASE("filter error bounds: a normal that underflows separates nothing") {
   // The points of y are inside x's bag, the normal of which has components of 2^-1074: what is left of the
   // products is rounding alone.
