@@ -6,17 +6,11 @@
 #include "filter/series.h"
 #include "filter/tube_derivatives.h"
 #include "filter/tube_newton.h"
+#include "trace/steps.h"
 
 namespace exsect::filter {
 
 namespace {
-
-constexpr double kFirstStep = 0x1p-3;
-constexpr double kLeastStep = 0x1p-30;
-constexpr double kLongestStep = 0.5;
-constexpr double kGoodContraction = 0.2;
-constexpr double kWorstContraction = 0.32;
-constexpr std::size_t kMostPieces = 2000;
 
 template <class K>
 class Tracer {
@@ -30,7 +24,7 @@ class Tracer {
     trace_.end = -1;
     trace_.pieces.reserve(16);
     while (!finished_) {
-      if (trace_.pieces.size() > kMostPieces || !advance()) {
+      if (trace_.pieces.size() > kFilterSteps.most_pieces || !advance()) {
         return false;
       }
     }
@@ -50,7 +44,7 @@ class Tracer {
       axis = trace_.pieces.back().tube.axis;
       direction = wanted_direction(tangent, axis);
     }
-    for (; step_ >= kLeastStep; step_ *= 0.5) {
+    for (; step_ >= kFilterSteps.least; step_ *= 0.5) {
       const Unknowns<K> centre = centre_ahead(tangent, axis, direction);
       PieceOf<K>& piece = trace_.pieces.emplace_back();
       if (next_tube(centre, axis, piece.tube) && accept(piece, direction)) {
@@ -116,7 +110,7 @@ class Tracer {
     if (position_.radius > 0.25 * kEndMargin<K::width> ||
         !certify(pair_, tube, -reach, reach, halfwidths(tube, residual, kLeastHalfwidth<K::width>),
                  residual) ||
-        tube.contraction > kWorstContraction || !contains(tube, position_)) {
+        tube.contraction > kFilterSteps.worst || !contains(tube, position_)) {
       return false;
     }
     bound_derivatives(pair_, tube);
@@ -204,12 +198,12 @@ class Tracer {
     if (!use(piece, from, to, position_.radius, direction)) {
       return false;
     }
-    const double fast = std::clamp(kGoodContraction / piece.tube.contraction, 0.5, 2.0);
+    const double fast = std::clamp(kFilterSteps.good / piece.tube.contraction, 0.5, 2.0);
     position_ = point_at(piece.tube, to);
     if (starts_loop) {
       closing_ = point_at(piece.tube, from);
     }
-    step_ = std::min(fast * step_, kLongestStep);
+    step_ = std::min(fast * step_, kFilterSteps.longest);
     return true;
   }
 
@@ -218,7 +212,7 @@ class Tracer {
   TraceOf<K> trace_;
   BallOf<K> position_;
   std::optional<BallOf<K>> closing_;
-  double step_ = kFirstStep;
+  double step_ = kFilterSteps.first;
   bool finished_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "self/pair_rates.h"
+#include "trace/steps.h"
 #include "trace/tube_points.h"
 
 namespace exsect {
@@ -11,13 +12,7 @@ namespace exsect {
 namespace {
 
 constexpr double kHandOver = 0x1p-8;  // w from which on the pairs are well apart
-constexpr double kFirstStep = 0x1p-6;
-constexpr double kLeastStep = 0x1p-24;  // or a small part of w, if that is less
-constexpr double kLongestStep = 0.25;
-constexpr double kGoodContraction = 0.25;  // steps are chosen to end near this value
-constexpr double kWorstContraction = 0.5;
 constexpr double kSwitchChart = 1.5;  // |m|
-constexpr int kMostPieces = 2000;
 
 /// All pairs over the box, which has w > 0, are inside the domain, not on its boundary.
 template <class Ball>
@@ -60,7 +55,8 @@ class ChartTracer {
   }
 
   ChartTrace<Ball> run() {
-    while (extend_ && trace_.pieces.size() < kMostPieces && !(position_[3] - Ball(kHandOver)).is_positive()) {
+    while (extend_ && trace_.pieces.size() < kChartSteps.most_pieces &&
+           !(position_[3] - Ball(kHandOver)).is_positive()) {
       if (is_stopped(stop_) || reached_cusp() || !advance()) {
         break;
       }
@@ -78,7 +74,7 @@ class ChartTracer {
     if (direction == 0) {
       return false;
     }
-    const double least = std::min(kLeastStep, 0x1p-10 * position_[3].lower_magnitude());
+    const double least = std::min(kChartSteps.least, 0x1p-10 * position_[3].lower_magnitude());
     for (; step_ >= least; step_ *= 0.6) {
       const auto tube = next_tube(tangent, axis, direction);
       if (!tube || !is_inside(chart_, box_of(*tube))) {
@@ -92,8 +88,8 @@ class ChartTracer {
       }
       trace_.pieces.push_back({chart_, exchanged_, false, *tube, *range});
       position_ = point_at(*tube, to);
-      step_ =
-          std::min({2 * step_, step_ * std::max(0.5, kGoodContraction / tube->contraction), kLongestStep});
+      step_ = std::min(
+          {2 * step_, step_ * std::max(0.5, kChartSteps.good / tube->contraction), kChartSteps.longest});
       return true;
     }
     return false;
@@ -114,7 +110,7 @@ class ChartTracer {
     const double radius = largest_radius(position_);
     auto tube = certify_chart_tube(system, *centre, axis, 0.51 * step_ + 2 * radius,
                                    std::max(4 * radius, kChartTubeRoom * step_));
-    if (!tube || tube->contraction > kWorstContraction || !contains(*tube, position_)) {
+    if (!tube || tube->contraction > kChartSteps.worst || !contains(*tube, position_)) {
       return std::nullopt;
     }
     return tube;
@@ -190,7 +186,7 @@ class ChartTracer {
   bool exchanged_ = false;
   BallPoint<Ball> position_;
   int sign_;
-  double step_ = kFirstStep;
+  double step_ = kChartSteps.first;
   bool extend_;
 };
 

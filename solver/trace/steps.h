@@ -20,5 +20,9 @@ struct Steps {
 inline constexpr Steps kPairSteps = {0.1, 0x1p-40, 0x1p-70, 0.5, 0.25, 0.5, 200000};
 /// The tubes of contact curves have no larger contraction than `worst`.
 inline constexpr Steps kContactSteps = {0.1, 0x1p-30, 0x1p-30, 0.25, 0.3, 0.5, 20000};
+/// Of curves in the charts of one patch; the least step is a small part of w, if that is less.
+inline constexpr Steps kChartSteps = {0x1p-6, 0x1p-24, 0x1p-24, 0.25, 0.25, 0.5, 2000};
+/// Of the filter, whose tubes have error bounds that do not shrink with them.
+inline constexpr Steps kFilterSteps = {0x1p-3, 0x1p-30, 0x1p-30, 0.5, 0.2, 0.32, 2000};
 
 }  // namespace exsect
