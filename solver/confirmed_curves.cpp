@@ -23,7 +23,8 @@ constexpr long kRefined = 40;
 
 class Confirmation {
  public:
-  Confirmation(const BezierPatch& x, const BezierPatch& y, const Run& run) : x_(x), y_(y), run_(run) {}
+  Confirmation(const BezierPatch& x, const BezierPatch& y, const Run& run, PairTurning& turning)
+      : x_(x), y_(y), run_(run), turning_(turning) {}
 
   std::optional<IntersectResult> run() {
     auto found = filtered_curves(x_, y_, run_);
@@ -59,7 +60,7 @@ class Confirmation {
     if (run_.out_of_time()) {
       return false;
     }
-    auto turning = timed("turning eliminant", [&] { return choose_sweep(x_, y_).turning; });
+    const auto turning = timed("turning eliminant", [&] { return turning_.choice().turning; });
     if (!turning || turning->touching ||
         std::any_of(turning->values.begin(), turning->values.end(),
                     [](const TurningValue& turn) { return turn.multiplicity != 1; })) {
@@ -132,12 +133,14 @@ class Confirmation {
   const BezierPatch& x_;
   const BezierPatch& y_;
   const Run& run_;
+  PairTurning& turning_;
 };
 
 }  // namespace
 
-std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y, const Run& run) {
-  return Confirmation(x, y, run).run();
+std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y, const Run& run,
+                                                PairTurning& turning) {
+  return Confirmation(x, y, run, turning).run();
 }
 
 }  // namespace exsect

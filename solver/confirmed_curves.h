@@ -7,11 +7,14 @@
 #include <optional>
 
 #include "answer/run.h"
+#include "eliminant/pair_turning.h"
 
 namespace exsect {
 
 /// The complete intersection; empty if doubles do not find it or the eliminant does not prove that nothing is
-/// missing. Throws ProofFailure if the two proofs contradict each other.
-std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y, const Run& run);
+/// missing: then `turning`, of this pair, may hold its eliminant. Throws ProofFailure if the two proofs
+/// contradict each other.
+std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y, const Run& run,
+                                                PairTurning& turning);
 
 }  // namespace exsect

@@ -16,12 +16,13 @@ namespace {
 
 /// Where doubles cannot decide, or are not asked.
 IntersectResult intersect_beyond_filter(const Run& run, const BezierPatch& x, const BezierPatch& y) {
+  PairTurning turning(x, y);
   if (!run.exact()) {
     run.add_time_until_now("filter");
-  } else if (auto found = confirmed_curves(x, y, run)) {
+  } else if (auto found = confirmed_curves(x, y, run, turning)) {
     return *std::move(found);
   }
-  return intersect_exactly(x, y, run);
+  return intersect_exactly(x, y, run, turning);
 }
 
 /// The model is moved and scaled where that helps.

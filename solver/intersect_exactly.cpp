@@ -12,6 +12,12 @@
 namespace exsect {
 
 IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y, const Run& run) {
+  PairTurning turning(x, y);
+  return intersect_exactly(x, y, run, turning);
+}
+
+IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y, const Run& run,
+                                  PairTurning& turning) {
   if (std::optional<IntersectResult> result = intersect_degenerate(x, y, run)) {
     return std::move(*result);
   }
@@ -25,7 +31,7 @@ IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y, co
       return std::move(*result);
     }
   }
-  return intersect_by_sweep(x, y, run);
+  return intersect_by_sweep(x, y, run, turning);
 }
 
 }  // namespace exsect

@@ -5,10 +5,15 @@
 #include <exsect/solver/result.h>
 
 #include "answer/run.h"
+#include "eliminant/pair_turning.h"
 
 namespace exsect {
 
 /// As intersect() in exact mode, with nothing taken from the solution in doubles.
 IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y, const Run& run);
+
+/// The same with turning eliminants of the pair that may be known already.
+IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y, const Run& run,
+                                  PairTurning& turning);
 
 }  // namespace exsect

@@ -41,8 +41,8 @@ Rational vertex_width() { return power_of_two(-200); }
 
 class Intersection {
  public:
-  Intersection(const BezierPatch& x, const BezierPatch& y, const Run& run)
-      : x_(x), y_(y), run_(run), scaling_(model_scale(x, y)) {
+  Intersection(const BezierPatch& x, const BezierPatch& y, const Run& run, PairTurning& turning)
+      : x_(x), y_(y), run_(run), turning_(turning), scaling_(model_scale(x, y)) {
     sweep_.coincident = coincident_parameters(x, y);
     sweep_.plane = plane_coordinates(x, y);
     sweep_.symmetry = [this]() -> const std::optional<ExchangingSymmetry>& {
@@ -129,20 +129,12 @@ class Intersection {
       incomplete(whole_domain(), "the work cap was reached before closed curves were excluded");
       return;
     }
-    SweepChoice choice = choose_sweep(x_, y_, stop_);
-    sweep_.turning = std::move(choice.turning);  // without one, closed curves are found by subdivision
-    turning_ = std::move(choice.tried);
+    sweep_.turning = turning_.choice(stop_).turning;  // without one, closed curves are found by subdivision
   }
 
   const std::optional<TurningValues>& turning_values_of(Parameter sweep) {
-    auto& known = turning_[index(sweep)];
-    if (!known && run_.out_of_time()) {
-      return unknown_;
-    }
-    if (!known) {
-      known = turning_values(x_, y_, sweep);
-    }
-    return *known;
+    const auto* known = turning_.values(sweep, !run_.out_of_time());
+    return known != nullptr ? *known : unknown_;
   }
 
   /// Exact fibres at samples between all critical values, where no parameter is that of a pinch point.
@@ -367,6 +359,7 @@ class Intersection {
   const BezierPatch& x_;
   const BezierPatch& y_;
   const Run& run_;
+  PairTurning& turning_;
   ModelScale scaling_;
   StopRequest stop_ = run_.stop();
   SweepData sweep_;
@@ -375,8 +368,7 @@ class Intersection {
   std::vector<bool> on_side_arc_;           // per point
   std::vector<CertifiedPoint> pinches_;
   std::vector<int> star_nodes_;
-  std::array<std::optional<std::optional<TurningValues>>, 4> turning_;  // outer: computed
-  std::optional<std::optional<ExchangingSymmetry>> symmetry_;           // outer: computed
+  std::optional<std::optional<ExchangingSymmetry>> symmetry_;  // outer: computed
   const std::optional<TurningValues> unknown_ = std::nullopt;
   GraphBuilder graph_;
   IntersectResult result_{};
@@ -385,8 +377,9 @@ class Intersection {
 
 }  // namespace
 
-IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y, const Run& run) {
-  return Intersection(x, y, run).run();
+IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y, const Run& run,
+                                   PairTurning& turning) {
+  return Intersection(x, y, run, turning).run();
 }
 
 }  // namespace exsect

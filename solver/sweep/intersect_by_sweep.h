@@ -6,11 +6,14 @@
 #include <exsect/solver/result.h>
 
 #include "answer/run.h"
+#include "eliminant/pair_turning.h"
 
 namespace exsect {
 
 /// The sweep: boundary points, turning eliminant, fibres, curves, stars, graph, from exact data alone.
+/// `turning` is of this pair.
 /// Precondition: both patches are surfaces, and not pieces of one surface.
-IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y, const Run& run);
+IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y, const Run& run,
+                                   PairTurning& turning);
 
 }  // namespace exsect
