@@ -11,12 +11,12 @@
 #include "answer/placement.h"
 #include "filter/contact_finder.h"
 #include "filter/contact_graph.h"
+#include "filter/ended_search.h"
 #include "filter/exact_turning.h"
 #include "filter/graph.h"
 #include "filter/line.h"
 #include "filter/loops.h"
 #include "filter/overlap.h"
-#include "filter/tube_newton.h"
 #include "trace/turning_points.h"
 
 namespace exsect {
@@ -357,50 +357,6 @@ class FilteredIntersection {
   std::array<std::vector<Stations>, 4> stations_;
 };
 
-/// Of the parameters: what is called the same place in messages.
-constexpr double kNear = 0x1p-16;
-
-/// Why no subdivision decides: a word about the pair at a place, approximately.
-template <class K>
-const char* reason_at(const filter::PairOf<K>& pair, const filter::Vec4& at) {
-  const auto on_side = [&](std::size_t j) { return std::fabs(std::fabs(at[j]) - 0.5) < kNear; };
-  const int sides = on_side(0) + on_side(1) + on_side(2) + on_side(3);
-  if (sides > 1) return "curve through a corner, or along a side, not decided";
-  const filter::Linearisation<K> here = filter::linearise(pair, filter::with_scale(pair, at));
-  double tangent = 0;
-  double columns = 1;
-  for (std::size_t j = 0; j < 4; ++j) {
-    tangent = std::max(tangent, std::fabs(here.tangent[j]));
-    columns *= std::sqrt(std::sqrt(filter::dot(here.column[j], here.column[j])));
-  }
-  if (tangent < kNear * columns * std::sqrt(columns)) return "tangency or crossing not decided";
-  return sides > 0 ? "tangency with a side not decided" : "not decided";
-}
-
-/// The solution on a side near a place on it, if Newton's method finds one close by; else the place.
-template <class K>
-filter::Vec4 on_side_near(const filter::PairOf<K>& pair, const filter::Vec4& place) {
-  for (std::size_t j = 0; j < 4; ++j) {
-    if (std::fabs(place[j]) != 0.5) continue;
-    filter::Unknowns<K> at = filter::with_scale(pair, place);
-    if (!filter::improve(pair, at, j, 20)) continue;
-    const bool close = std::equal(place.begin(), place.end(), at.begin(),
-                                  [](double a, double b) { return std::fabs(a - b) < 0.125; });
-    if (close) return filter::first_four<K>(at);
-  }
-  return place;
-}
-
-/// A box around the place, and all of the domain for what has not been searched.
-template <class K>
-IntersectResult ended_at(const filter::PairOf<K>& pair, const filter::Vec4& searched) {
-  const filter::Vec4 place = on_side_near(pair, searched);
-  const char* reason = reason_at<K>(pair, place);
-  IntersectResult result = undecided(whole_domain(), "the search in doubles ended at a place in it");
-  result.incomplete.insert(result.incomplete.begin(), Incomplete{filter::box_around(place, kNear), reason});
-  return result;
-}
-
 template <class K>
 IntersectResult solved(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run) {
   FilteredIntersection<K> intersection(x, y, run);
@@ -408,7 +364,8 @@ IntersectResult solved(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run
   if (run.out_of_time()) return undecided(whole_domain(), "the work cap was reached");
   const auto pair = filter::make_pair_of<K>(x, y);
   const auto place = intersection.stuck();
-  return pair && place ? ended_at<K>(*pair, *place) : undecided(whole_domain(), "not decided in doubles");
+  return pair && place ? filter::ended_at<K>(*pair, *place)
+                       : undecided(whole_domain(), "not decided in doubles");
 }
 
 /// As it is, and moved and scaled where that helps.
