@@ -2,13 +2,34 @@
 
 #include <exsect/algebra/nearest_rounding.h>
 
+#include <utility>
+#include <vector>
+
 #include "answer/finished_result.h"
+#include "answer/parameter_names.h"
 #include "answer/run.h"
 #include "filter/filter.h"
 #include "intersect.h"
 #include "self/self_intersect.h"
 
 namespace exsect {
+
+namespace {
+
+/// Doubles may decide in one order of the patches what they do not in the other one.
+IntersectResult intersect_in_either_order(const RationalPatch& x, const RationalPatch& y, const Run& run) {
+  IntersectResult result = intersect_in_doubles(x, y, run);
+  if (result.status == Status::complete || run.out_of_time()) return result;
+  const auto exchanged = [](Parameter p) { return all_parameters[(index(p) + 2) % 4]; };
+  std::vector<Parameter> turning;
+  for (const Parameter p : run.turning()) turning.push_back(exchanged(p));
+  IntersectResult other = intersect_in_doubles(y, x, run.with_turning(std::move(turning)));
+  if (other.status != Status::complete) return result;
+  rename_parameters(other, {Parameter::r, Parameter::s, Parameter::u, Parameter::v});
+  return other;
+}
+
+}  // namespace
 
 IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const IntersectOptions& options) {
   const auto first = x.biquadratic();
@@ -18,7 +39,7 @@ IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const 
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
     return run.finished(answered(run, [&] {
-      IntersectResult result = intersect_in_doubles(x, y, run);
+      IntersectResult result = intersect_in_either_order(x, y, run);
       if (result.status != Status::complete) run.count("filtered", 1);
       return result;
     }));

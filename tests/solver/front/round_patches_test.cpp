@@ -195,6 +195,20 @@ TEST_CASE("round patches: some turning points asked for are those of all") {
   }
 }
 
+TEST_CASE("round patches: a curve, and a corner of the torus on the plane, in both orders") {
+  const RationalPatch tilted = plane({-1, -1, 0}, {9, 0, 2}, {0, 9, 1});
+  for (const bool exchanged : {false, true}) {
+    const IntersectResult result = exchanged ? intersect(tilted, torus()) : intersect(torus(), tilted);
+    CHECK(result.status == Status::complete);
+    CHECK(result.graph.count(ComponentShape::open) == 1);
+    REQUIRE(result.graph.isolated_points.size() == 1);
+    const Node& node = result.graph.nodes[static_cast<std::size_t>(result.graph.isolated_points[0])];
+    const std::size_t of_torus = exchanged ? 2 : 0;
+    CHECK(node.box[of_torus].upper == 0);
+    CHECK(node.box[of_torus + 1].lower == 1);
+  }
+}
+
 TEST_CASE("round patches beside special position turn where they do") {
   // The height of the ellipse turns 1/1000 inside, or not at all.
   for (const int side : {-1, 0, 1}) {
