@@ -1,6 +1,6 @@
 #include "derivative_bounds.h"
 
-#include <exsect/algebra/bernstein.h>
+#include <exsect/algebra/tensor_bernstein.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,22 +19,12 @@ using Vector4 = std::array<Rational, 4>;
 using Net = std::vector<std::vector<Vector4>>;
 
 /// Of the polynomials in (r,s) = (u,v), of degree m in u and n in v.
-Net net_over(const std::array<BivariatePolynomial, 4>& components, int m, int n,
-             const std::array<RationalInterval, 2>& part) {
-  const auto rows = static_cast<std::size_t>(m) + 1;
-  const auto columns = static_cast<std::size_t>(n) + 1;
-  Net net(rows, std::vector<Vector4>(columns));
+Net net_over(const std::array<BivariatePolynomial, 4>& components, int m, int n, const Rectangle& part) {
+  Net net(static_cast<std::size_t>(m) + 1, std::vector<Vector4>(static_cast<std::size_t>(n) + 1));
   for (std::size_t k = 0; k < 4; ++k) {
-    std::vector<std::vector<Rational>> of_power;  // of u
-    for (int i = 0; i <= m; ++i)
-      of_power.push_back(
-          bernstein_coefficients(components[k].coefficient(i), n, part[1].lower, part[1].upper));
-    for (std::size_t j = 0; j < columns; ++j) {
-      std::vector<Rational> in_u;
-      for (const auto& row : of_power) in_u.push_back(row[j]);
-      const auto column = bernstein_coefficients(Polynomial(in_u), m, part[0].lower, part[0].upper);
-      for (std::size_t i = 0; i < rows; ++i) net[i][j][k] = column[i];
-    }
+    const auto coefficients = tensor_bernstein(components[k], m, n, part);
+    for (std::size_t i = 0; i < net.size(); ++i)
+      for (std::size_t j = 0; j < net[i].size(); ++j) net[i][j][k] = coefficients[i][j];
   }
   return net;
 }

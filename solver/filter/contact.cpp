@@ -351,31 +351,29 @@ Meeting meeting(const PairOf<K>& pair, const ContactsOf<K>& contacts, const Part
     return Meeting::contact;
   }
   bool touching = false;
-  {
-    for (const SideContactOf<K>& side : contacts.sides) {
-      const SideIntervals on_x = intervals(side.x, x);
-      const SideIntervals on_y = intervals(side.y, y);
-      if (meet_in_side(side, on_x, on_y, pair.net_error)) {
+  for (const SideContactOf<K>& side : contacts.sides) {
+    const SideIntervals on_x = intervals(side.x, x);
+    const SideIntervals on_y = intervals(side.y, y);
+    if (meet_in_side(side, on_x, on_y, pair.net_error)) {
+      return Meeting::contact;
+    }
+    touching = touching || may_touch(side, on_x, on_y) ||
+               std::any_of(side.ends.begin(), side.ends.end(),
+                           [&](const CornerContact& end) { return may_touch<K>(end, x, y); });
+  }
+  if constexpr (std::is_same_v<K, Biquadratic>) {
+    for (const PathContact& path : contacts.paths) {
+      if (meet_on_line(pair, path, x, y)) {
         return Meeting::contact;
       }
-      touching = touching || may_touch(side, on_x, on_y) ||
-                 std::any_of(side.ends.begin(), side.ends.end(),
-                             [&](const CornerContact& end) { return may_touch<K>(end, x, y); });
+      touching = touching || may_touch(path, x, y);
     }
-    if constexpr (std::is_same_v<K, Biquadratic>) {
-      for (const PathContact& path : contacts.paths) {
-        if (meet_on_line(pair, path, x, y)) {
-          return Meeting::contact;
-        }
-        touching = touching || may_touch(path, x, y);
-      }
+  }
+  for (const CornerContact& corner : contacts.corners) {
+    if (meet_in_corner<K>(affine(pair.x.net[corner.x]), corner, x, y, pair.net_error)) {
+      return Meeting::contact;
     }
-    for (const CornerContact& corner : contacts.corners) {
-      if (meet_in_corner<K>(affine(pair.x.net[corner.x]), corner, x, y, pair.net_error)) {
-        return Meeting::contact;
-      }
-      touching = touching || may_touch<K>(corner, x, y);
-    }
+    touching = touching || may_touch<K>(corner, x, y);
   }
   return touching ? Meeting::touching : Meeting::unknown;
 }

@@ -428,25 +428,21 @@ class ContactGraph {
 }  // namespace
 
 template <class K>
-bool append_contacts([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] const ExactPatch<K>& y,
-                     [[maybe_unused]] const PairOf<K>& pair, const ContactsOf<K>& contacts,
-                     [[maybe_unused]] double tolerance, [[maybe_unused]] double accepted,
-                     [[maybe_unused]] GraphBuilder& graph) {
-  {
-    ContactGraph<K> maker(x, y, pair, tolerance, accepted, graph);
-    for (const CornerContact& corner : contacts.corners) {
-      maker.add(corner);
-    }
-    bool proved = std::all_of(contacts.sides.begin(), contacts.sides.end(),
-                              [&](const SideContactOf<K>& side) { return maker.add(side); });
-    if constexpr (std::is_same_v<K, Biquadratic>) {
-      proved = proved &&
-               std::all_of(contacts.paths.begin(), contacts.paths.end(), [&](const PathContact& contact) {
-                 return maker.add(contact.path, Contact::transversal);
-               });
-    }
-    return proved;
+bool append_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                     const ContactsOf<K>& contacts, double tolerance, double accepted, GraphBuilder& graph) {
+  ContactGraph<K> maker(x, y, pair, tolerance, accepted, graph);
+  for (const CornerContact& corner : contacts.corners) {
+    maker.add(corner);
   }
+  bool proved = std::all_of(contacts.sides.begin(), contacts.sides.end(),
+                            [&](const SideContactOf<K>& side) { return maker.add(side); });
+  if constexpr (std::is_same_v<K, Biquadratic>) {
+    proved =
+        proved && std::all_of(contacts.paths.begin(), contacts.paths.end(), [&](const PathContact& contact) {
+          return maker.add(contact.path, Contact::transversal);
+        });
+  }
+  return proved;
 }
 
 #define EXSECT_INSTANTIATE(K)                                                                    \

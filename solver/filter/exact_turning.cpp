@@ -15,8 +15,8 @@ RationalInterval values_in(const TubeOf<K>& tube, std::size_t i) {
 }
 
 template <class K>
-std::vector<SectionBox> boxes_of(const TraceOf<K>& trace, std::size_t first) {
-  std::vector<SectionBox> boxes;
+std::vector<exsect::Rectangle> boxes_of(const TraceOf<K>& trace, std::size_t first) {
+  std::vector<exsect::Rectangle> boxes;
   for (const PieceOf<K>& piece : trace.pieces)
     boxes.push_back({values_in<K>(piece.tube, first), values_in<K>(piece.tube, first + 1)});
   return boxes;

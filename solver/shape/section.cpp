@@ -1,6 +1,5 @@
 #include "shape/section.h"
 
-#include <exsect/algebra/bernstein.h>
 #include <exsect/algebra/rational_matrix.h>
 #include <exsect/algebra/real_algebraic.h>
 
@@ -115,25 +114,6 @@ std::optional<Section> section_of(const RationalPatch& x, const RationalPatch& y
   return result;
 }
 
-/// By the signs of Bernstein coefficients over the box.
-bool has_no_zero(const BivariatePolynomial& f, const SectionBox& box) {
-  const int m = std::max(f.degree_r(), 0);
-  const int n = std::max(f.degree_s(), 0);
-  std::vector<std::vector<Rational>> of_power;  // of r
-  for (int i = 0; i <= m; ++i)
-    of_power.push_back(bernstein_coefficients(f.coefficient(i), n, box[1].lower, box[1].upper));
-  int common = 0;
-  for (std::size_t j = 0; j <= static_cast<std::size_t>(n); ++j) {
-    std::vector<Rational> in_r;
-    for (const auto& row : of_power) in_r.push_back(row[j]);
-    for (const Rational& c : bernstein_coefficients(Polynomial(in_r), m, box[0].lower, box[0].upper)) {
-      if (sign(c) == 0 || sign(c) == -common) return false;
-      common = sign(c);
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 std::vector<Section> sections(const RationalPatch& x, const RationalPatch& y) {
@@ -143,13 +123,16 @@ std::vector<Section> sections(const RationalPatch& x, const RationalPatch& y) {
   return result;
 }
 
-bool is_constant_in(const Section& section, std::size_t parameter, const std::vector<SectionBox>& boxes) {
+bool is_constant_in(const Section& section, std::size_t parameter, const std::vector<Rectangle>& boxes) {
   const auto& turning = section.turning[parameter];
   if (!turning) return false;
   const BivariatePolynomial common = gcd(section.f, turning->rate);
   if (common.total_degree() <= 0) return false;
   const BivariatePolynomial rest = exact_quotient(section.f, common) * turning->valid;
-  return std::ranges::all_of(boxes, [&](const SectionBox& box) { return has_no_zero(rest, box); });
+  return std::ranges::all_of(boxes, [&](const Rectangle& box) {
+    const RationalInterval values = range_bound(rest, box);
+    return values.lower > 0 || values.upper < 0;
+  });
 }
 
 bool turns_on_side(const Section& section, std::size_t parameter, const Side& side,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exsect/algebra/bivariate_polynomial.h>
+#include <exsect/algebra/tensor_bernstein.h>
 #include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/parameter.h>
 
@@ -32,12 +33,9 @@ struct Section {
 /// forms of space, as on parallelograms, and cylinders, cones and spheres in their usual parameters.
 std::vector<Section> sections(const RationalPatch& x, const RationalPatch& y);
 
-/// Intervals of the section's parameters.
-using SectionBox = std::array<RationalInterval, 2>;
-
 /// The parameter is constant on a regular arc of solutions in the union of the closed boxes. False: not
 /// known.
-bool is_constant_in(const Section& section, std::size_t parameter, const std::vector<SectionBox>& boxes);
+bool is_constant_in(const Section& section, std::size_t parameter, const std::vector<Rectangle>& boxes);
 
 /// At the regular solution on the side, of which the section's other parameter is in the closed interval,
 /// w_i' = 0. False: not known.

@@ -21,7 +21,7 @@ RationalPatch plane(const Rational& height, const Rational& slope) {
       std::vector<std::vector<Point>>{{point(-1, -1), point(-1, 2)}, {point(2, -1), point(2, 2)}});
 }
 
-const SectionBox whole = {{{0, 1}, {0, 1}}};
+const Rectangle whole = {};
 
 }  // namespace
 
@@ -44,7 +44,7 @@ TEST_CASE("section: equations vanish at all common points, and there are both") 
 
 TEST_CASE("section: what is constant, and what is not") {
   for (const auto& section : sections(cylinder(), plane(Rational(1, 2), 0))) {
-    const std::vector<SectionBox> boxes = {{{{0, 1}, {Rational(1, 4), Rational(1, 3)}}}};
+    const std::vector<Rectangle> boxes = {{{0, 1}, {Rational(1, 4), Rational(1, 3)}}};
     if (section.first == 0) CHECK(is_constant_in(section, 1, boxes));
     for (const std::size_t other : {0U, 2U, 3U}) CHECK_FALSE(is_constant_in(section, other, boxes));
   }
