@@ -2,7 +2,6 @@
 
 #include <exsect/algebra/fixed_point_interval.h>
 #include <exsect/algebra/resultant.h>
-#include <exsect/geometry/pull_back.h>
 
 #include <algorithm>
 #include <memory>
@@ -10,6 +9,7 @@
 
 #include "answer/proof_failure.h"
 #include "curve/plane_curve.h"
+#include "curve/polynomial_vector.h"
 #include "line/line_curve.h"
 #include "line/line_forms.h"
 #include "line/line_place.h"
@@ -122,14 +122,10 @@ LinePoints points_by_system(const LinePlace& place, const LineAndPatch& problem)
 
 /// A line that is one point: every t, if the point lies on the patch.
 LinePoints points_of_collapsed_line(const LineAndPatch& problem) {
-  std::vector<BivariatePolynomial> equations;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Point axis = {0, 0, 0};
-    axis[k] = 1;
-    equations.push_back(pull_back(AffineForm{axis, -problem.line.a[0][k]}, problem.patch));
-  }
+  const PolynomialVector equations = coordinates_from(problem.patch, problem.line.a[0]);
   LinePoints result;
-  if (have_common_zero(equations)) result.on_patch.push_back({RealAlgebraic(0), RealAlgebraic(1)});
+  if (have_common_zero({equations.begin(), equations.end()}))
+    result.on_patch.push_back({RealAlgebraic(0), RealAlgebraic(1)});
   return result;
 }
 

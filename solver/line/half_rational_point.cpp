@@ -1,7 +1,5 @@
 #include "line/half_rational_point.h"
 
-#include <exsect/geometry/pull_back.h>
-
 #include <algorithm>
 
 #include "curve/plane_curve.h"
@@ -12,17 +10,6 @@ namespace exsect {
 namespace {
 
 using Equations = PolynomialVector;
-
-/// The coordinates of patch - origin.
-Equations coordinates(const BezierPatch& patch, const Point& origin) {
-  Equations result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Point axis = {0, 0, 0};
-    axis[k] = 1;
-    result[k] = pull_back(AffineForm{axis, -origin[k]}, patch);
-  }
-  return result;
-}
 
 BivariatePolynomial scalar_product(const Point& a, const Equations& b) {
   BivariatePolynomial sum;
@@ -97,7 +84,7 @@ std::optional<int> side_of(const BivariatePolynomial& variable, const Triangular
 std::vector<HalfRationalPoint> half_rational_points(const BezierPatch& x, const BezierPatch& y, bool of_x,
                                                     const std::array<Rational, 2>& at) {
   const BezierPatch& own = of_x ? x : y;
-  const Equations other = coordinates(of_x ? y : x, own(at[0], at[1]));
+  const Equations other = coordinates_from(of_x ? y : x, own(at[0], at[1]));
   const Point first = own.derivative_first(at[0], at[1]);
   const Point second = own.derivative_second(at[0], at[1]);
   std::vector<HalfRationalPoint> result;

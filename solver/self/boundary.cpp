@@ -1,7 +1,6 @@
 #include "self/boundary.h"
 
 #include <exsect/algebra/bivariate_polynomial.h>
-#include <exsect/geometry/pull_back.h>
 #include <exsect/solver/line_query.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
 #include "curve/plane_curve.h"
+#include "curve/polynomial_vector.h"
 #include "line/exact_line_points.h"
 #include "line/line_curve.h"
 #include "line/line_place.h"
@@ -84,11 +84,7 @@ BivariatePolynomial without_sides(BivariatePolynomial f, const InjectiveRectangl
 /// A side that is one point Q: whether Q = x(r,s) for other (r,s) as well.
 std::string obstacle_at_point(const BezierPatch& x, const Point& q, const BivariatePolynomial& side) {
   std::vector<BivariatePolynomial> equations;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Point axis = {0, 0, 0};
-    axis[k] = 1;
-    equations.push_back(without_line(pull_back(AffineForm{axis, -q[k]}, x), side));
-  }
+  for (const BivariatePolynomial& e : coordinates_from(x, q)) equations.push_back(without_line(e, side));
   return have_common_zero(equations) ? "is one point, and so are other points of the patch" : "";
 }
 

@@ -1,12 +1,11 @@
 #include "side/collapsed_line.h"
 
-#include <exsect/geometry/pull_back.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "answer/parameter_box.h"
 #include "curve/plane_curve.h"
+#include "curve/polynomial_vector.h"
 #include "line/half_rational_point.h"
 #include "line/line_place.h"
 
@@ -16,13 +15,8 @@ namespace {
 
 /// Whether a whole curve of the patch's parameters, apart from its sides, is mapped to the point.
 bool has_curve_at(const BezierPatch& patch, const Point& point) {
-  std::vector<BivariatePolynomial> equations;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Point axis = {0, 0, 0};
-    axis[k] = 1;
-    equations.push_back(pull_back(AffineForm{axis, -point[k]}, patch));
-  }
-  BivariatePolynomial curve = common_zeros(equations).curve;
+  const PolynomialVector equations = coordinates_from(patch, point);
+  BivariatePolynomial curve = common_zeros({equations.begin(), equations.end()}).curve;
   if (curve.is_zero()) return true;
   curve = squarefree(curve);
   for (const BivariatePolynomial& parameter : {BivariatePolynomial::r(), BivariatePolynomial::s()})
@@ -79,13 +73,17 @@ LineArcs arcs_of_collapsed_line(const BezierPatch& x, const BezierPatch& y, cons
   return result;
 }
 
+bool is_corner(const std::vector<Side>& on) {
+  std::array<int, 2> sides_of_patch{};
+  for (const Side& side : on) ++sides_of_patch[index(side.parameter) / 2];
+  return sides_of_patch[0] == 2 || sides_of_patch[1] == 2;
+}
+
 Node collapsed_node(const CertifiedPoint& inside, const Node& at_inside, Parameter along) {
   Node node = at_inside;
   node.kinds = {NodeKind::boundary};
   node.on = inside.sides();
-  std::array<int, 2> sides_of_patch{};
-  for (const Side& side : node.on) ++sides_of_patch[index(side.parameter) / 2];
-  if (sides_of_patch[0] == 2 || sides_of_patch[1] == 2) node.kinds.push_back(NodeKind::corner);
+  if (is_corner(node.on)) node.kinds.push_back(NodeKind::corner);
   node.box = inside.box();
   node.box[index(along)] = {0, 1};
   node.free = {along};

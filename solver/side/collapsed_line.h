@@ -12,6 +12,9 @@ namespace exsect {
 /// point (common_pole.h).
 LineArcs arcs_of_collapsed_line(const BezierPatch& x, const BezierPatch& y, const LineQuery& query);
 
+/// Two sides of one patch.
+bool is_corner(const std::vector<Side>& on);
+
 /// The node of such an arc: one point of space, at which the parameter along the line is free. `inside` is a
 /// point of the arc.
 Node collapsed_node(const CertifiedPoint& inside, const Node& at_inside, Parameter along);

@@ -1,7 +1,6 @@
 #include "special/degenerate_patches.h"
 
 #include <exsect/algebra/real_algebraic.h>
-#include <exsect/geometry/pull_back.h>
 #include <exsect/solver/line_query.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "answer/parameter_box.h"
 #include "answer/parameter_names.h"
 #include "curve/plane_curve.h"
+#include "curve/polynomial_vector.h"
 #include "line/exact_line_points.h"
 #include "line/line_system.h"
 #include "shape/patch_shape.h"
@@ -106,13 +106,8 @@ class DegeneratePair {
 
   /// x - y along coordinate k, with x the point (0 at x(0,0)), on the square of y.
   std::vector<BivariatePolynomial> equations() const {
-    std::vector<BivariatePolynomial> result;
-    for (std::size_t k = 0; k < 3; ++k) {
-      Point axis = {0, 0, 0};
-      axis[k] = 1;
-      result.push_back(pull_back(AffineForm{axis, -x_.net()[0][0][k]}, y_));
-    }
-    return result;
+    const PolynomialVector result = coordinates_from(y_, x_.net()[0][0]);
+    return {result.begin(), result.end()};
   }
 
   void add_point(ParameterBox box, std::vector<Parameter> free) {

@@ -1,7 +1,5 @@
 #include "special/divided_patches.h"
 
-#include <exsect/geometry/pull_back.h>
-
 #include <algorithm>
 #include <array>
 #include <map>
@@ -10,7 +8,9 @@
 #include "answer/finished_result.h"
 #include "answer/parameter_box.h"
 #include "curve/plane_curve.h"
+#include "curve/polynomial_vector.h"
 #include "shape/special_cusps.h"
+#include "side/collapsed_line.h"
 #include "trace/regular_degree.h"
 
 namespace exsect {
@@ -21,13 +21,8 @@ namespace {
 using Ends = std::array<std::vector<Rational>, 4>;
 
 bool contains(const BezierPatch& patch, const Point& point) {
-  std::vector<BivariatePolynomial> equations;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Point axis = {0, 0, 0};
-    axis[k] = 1;
-    equations.push_back(pull_back(AffineForm{axis, -point[k]}, patch));
-  }
-  return have_common_zero(equations);
+  const PolynomialVector equations = coordinates_from(patch, point);
+  return have_common_zero({equations.begin(), equations.end()});
 }
 
 /// The lines second = constant inside the square that are one point of `other`. Empty if one is irrational.
@@ -98,12 +93,6 @@ class Lift {
 
 /// The lines of division that a node lies on.
 using Lines = std::vector<std::pair<Parameter, Rational>>;
-
-bool is_corner(const std::vector<Side>& on) {
-  std::array<int, 2> sides_of_patch{};
-  for (const Side& side : on) ++sides_of_patch[index(side.parameter) / 2];
-  return sides_of_patch[0] == 2 || sides_of_patch[1] == 2;
-}
 
 class Joint {
  public:

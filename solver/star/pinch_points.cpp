@@ -1,9 +1,8 @@
 #include "star/pinch_points.h"
 
-#include <exsect/geometry/pull_back.h>
-
 #include "answer/parameter_box.h"
 #include "curve/plane_curve.h"
+#include "curve/polynomial_vector.h"
 #include "line/half_rational_point.h"
 
 namespace exsect {
@@ -12,12 +11,7 @@ namespace {
 
 /// The coordinates of the product of both derivatives.
 std::vector<BivariatePolynomial> normal(const BezierPatch& patch) {
-  const auto coordinate = [&](std::size_t k) {
-    Point axis = {0, 0, 0};
-    axis[k] = 1;
-    return pull_back(AffineForm{axis, 0}, patch);
-  };
-  const std::array<BivariatePolynomial, 3> c = {coordinate(0), coordinate(1), coordinate(2)};
+  const PolynomialVector c = coordinates_from(patch, {0, 0, 0});
   return {jacobian(c[1], c[2]), jacobian(c[2], c[0]), jacobian(c[0], c[1])};
 }
 
