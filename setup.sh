@@ -118,7 +118,7 @@ build() {
 
 case "${1:-}" in
   run)
-    install_packages "The build takes about 5 minutes on two cores, and build/release 300 MB."
+    install_packages "The build takes about 4 minutes on two cores, and build/release 300 MB."
     build release --target exsect
     echo
     build/release/cli/exsect intersect examples/chapter9-first.json --svg build/chapter9-first.svg \
@@ -149,7 +149,7 @@ case "${1:-}" in
     ;;
   docs)
     packages+=("${module_packages[@]}" "${docs_packages[@]}")
-    install_packages "The build takes about 5 minutes on two cores, and build/release 500 MB."
+    install_packages "The build takes about 4 minutes on two cores, and build/release 500 MB."
     build release --target docs
     echo "Documentation: build/docs/html/index.html"
     ;;
@@ -161,18 +161,18 @@ case "${1:-}" in
     ;;
   cluster)
     packages+=("${cluster_packages[@]}")
-    install_packages "The build takes about 5 minutes on two cores, the runs 2 minutes."
+    install_packages "The build takes about 4 minutes on two cores, the runs 2 minutes."
     build release --target exsect
     tests/cluster/run build/release/cli/exsect
     ;;
   peers)
     packages+=("${peer_packages[@]}")
-    install_packages "The build takes about 5 minutes on two cores, the comparison an hour."
+    install_packages "The build takes about 4 minutes on two cores, the comparison an hour."
     bench/peers/run
     ;;
   ssi)
     packages+=(python3)
-    install_packages "The build takes about 5 minutes on two cores, the 1000 pairs 3 more, and build/ 700 MB."
+    install_packages "The build takes about 4 minutes on two cores, the 1000 pairs 3 more, and build/ 700 MB."
     build release --target exsect exsect_peer_pairs
     bench/ssi/build.py
     ;;

@@ -16,23 +16,23 @@ namespace {
 using Ball = DoubleDoubleBall;
 
 constexpr std::size_t kDegree = 16;
-constexpr int kDeepest = 40;
+constexpr int kDeepestPiece = 40;
 
 /// lcm_i binom(16,i) / binom(16,j).
 constexpr std::array<double, kDegree + 1> kMultipliers = {
     720720, 45045, 6006, 1287, 396, 165, 90, 63, 56, 63, 90, 165, 396, 1287, 6006, 45045, 720720};
 
-using Coefficients = std::array<Ball, kDegree + 1>;
+using BallCoefficients = std::array<Ball, kDegree + 1>;
 
 /// The polynomial over (lower, lower + width), in the Bernstein basis up to a positive factor.
-struct Piece {
+struct BallPiece {
   double lower;  // as width, a dyadic number of at most 40 bits
   double width;
-  Coefficients b;
+  BallCoefficients b;
 };
 
-Coefficients bernstein_basis(std::span<const Ball> f) {
-  Coefficients b;
+BallCoefficients bernstein_basis(std::span<const Ball> f) {
+  BallCoefficients b;
   for (std::size_t j = 0; j < f.size(); ++j) b[j] = f[j] * Ball(kMultipliers[j]);
   // lasti = sum_j binom(i,j) a_j / binom(16,j)
   for (std::size_t k = 1; k <= kDegree; ++k)
@@ -42,7 +42,7 @@ Coefficients bernstein_basis(std::span<const Ball> f) {
 
 /// Sign changes of the coefficients, whatever the signs that are not certain: 0, 1, or nothing if there may
 /// be more. A coefficient between two of opposite signs may have any sign.
-std::optional<int> variations(const Coefficients& b) {
+std::optional<int> sign_changes(const BallCoefficients& b) {
   int last = b[0].certain_sign();
   if (last == 0) return std::nullopt;
   int changes = 0;
@@ -63,8 +63,8 @@ std::optional<int> variations(const Coefficients& b) {
 }
 
 /// De Casteljau's algorithm at the middle: `right` becomes the right half.
-Coefficients split(Coefficients& right) {
-  Coefficients left;
+BallCoefficients split(BallCoefficients& right) {
+  BallCoefficients left;
   left[0] = right[0];
   for (std::size_t k = 1; k <= kDegree; ++k) {
     for (std::size_t i = 0; i + k <= kDegree; ++i) right[i] += right[i + 1];
@@ -79,7 +79,7 @@ Coefficients split(Coefficients& right) {
 }
 
 /// Approximately, in (0,1): a root of the polynomial in the Bernstein basis, of opposite signs at 0 and 1.
-double approximate_root(const Coefficients& b) {
+double approximate_root(const BallCoefficients& b) {
   const auto value = [&](double t) {
     std::array<double, kDegree + 1> c;
     for (std::size_t i = 0; i <= kDegree; ++i) c[i] = b[i].approximation();
@@ -115,9 +115,9 @@ class BallIsolator {
   std::optional<std::vector<Ball>> run() {
     open_.push_back({0, 1, bernstein_basis(f_)});
     while (!open_.empty()) {
-      Piece piece = open_.back();
+      BallPiece piece = open_.back();
       open_.pop_back();
-      const std::optional<int> changes = variations(piece.b);
+      const std::optional<int> changes = sign_changes(piece.b);
       if (!changes) {
         if (!halve(piece)) return std::nullopt;
       } else if (*changes == 1) {
@@ -131,18 +131,18 @@ class BallIsolator {
 
  private:
   /// False if the sign at an end is not certain or the piece is too short.
-  bool halve(Piece& piece) {
+  bool halve(BallPiece& piece) {
     const bool ends = piece.b.front().certain_sign() != 0 && piece.b.back().certain_sign() != 0;
-    if (!ends || piece.width < std::ldexp(1, 1 - kDeepest)) return false;
+    if (!ends || piece.width < std::ldexp(1, 1 - kDeepestPiece)) return false;
     const double half = piece.width / 2;
-    const Coefficients left = split(piece.b);
+    const BallCoefficients left = split(piece.b);
     open_.push_back({piece.lower + half, half, piece.b});
     open_.push_back({piece.lower, half, left});
     return true;
   }
 
   /// A small ball around the only root of the piece.
-  std::optional<Ball> refined(const Piece& piece) const {
+  std::optional<Ball> refined(const BallPiece& piece) const {
     Ball s = piece.lower + piece.width * approximate_root(piece.b);
     double slope = 0;
     for (int step = 0; step < 3; ++step) {
@@ -167,7 +167,7 @@ class BallIsolator {
   }
 
   /// True if the polynomial certainly has the signs of the piece's ends at two points inside the piece.
-  bool changes_sign(const Piece& piece, const Ball& below, const Ball& above) const {
+  bool changes_sign(const BallPiece& piece, const Ball& below, const Ball& above) const {
     return (below - Ball(piece.lower)).is_positive() &&
            (Ball(piece.lower + piece.width) - above).is_positive() &&
            evaluate(f_, below).certain_sign() == piece.b.front().certain_sign() &&
@@ -175,7 +175,7 @@ class BallIsolator {
   }
 
   std::span<const Ball> f_;
-  std::vector<Piece> open_;  // the rightmost first
+  std::vector<BallPiece> open_;  // the rightmost first
   std::vector<Ball> roots_;
 };
 

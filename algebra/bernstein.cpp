@@ -8,7 +8,7 @@
 namespace exsect {
 namespace {
 
-std::size_t at(slong i) { return static_cast<std::size_t>(i); }
+std::size_t index(slong i) { return static_cast<std::size_t>(i); }
 
 /// numerators[i] / denominator = coefficients[i].
 void to_common_denominator(FlintVector& numerators, fmpz_t denominator,
@@ -20,7 +20,7 @@ void to_common_denominator(FlintVector& numerators, fmpz_t denominator,
     fmpz_lcm(denominator, denominator, part.value);
   }
   for (slong i = 0; i < numerators.size; ++i) {
-    const mpq_srcptr c = coefficients[at(i)].backend().data();
+    const mpq_srcptr c = coefficients[index(i)].backend().data();
     fmpz_set_mpz(part.value, mpq_denref(c));
     fmpz_divexact(part.value, denominator, part.value);
     fmpz_set_mpz(numerators[i], mpq_numref(c));
@@ -108,7 +108,7 @@ std::vector<Rational> bernstein_coefficients(const Polynomial& f, int n, const R
                                              const Rational& b) {
   if (n < f.degree()) throw std::invalid_argument("bernstein_coefficients: n is below the degree");
   if (a >= b) throw std::invalid_argument("bernstein_coefficients: a < b is required");
-  if (f.is_zero()) return std::vector<Rational>(at(n + 1));
+  if (f.is_zero()) return std::vector<Rational>(index(n + 1));
   const Integer common = lcm(denominator(a), denominator(b));
   const FlintInteger q(common), p(numerator(a * common)), w(numerator((b - a) * common));
   FlintPolynomial on_unit;
@@ -120,7 +120,7 @@ std::vector<Rational> bernstein_coefficients(const Polynomial& f, int n, const R
   fmpz_pow_ui(scale.value, q.value, static_cast<ulong>(f.degree()));
   fmpz_mul(scale.value, scale.value, f.rep().value->den);
   std::vector<Rational> result;
-  result.reserve(at(n + 1));
+  result.reserve(index(n + 1));
   for (slong i = 0; i <= n; ++i) {
     fmpz_bin_uiui(denominator_i.value, static_cast<ulong>(n), static_cast<ulong>(i));
     fmpz_mul(denominator_i.value, denominator_i.value, scale.value);
@@ -157,7 +157,7 @@ BernsteinHalves split_bernstein(const std::vector<Rational>& coefficients, const
   FlintVector scales(length);
   to_common_denominator(row, scales[0], coefficients);
   for (slong j = 1; j < length; ++j) fmpz_mul(scales[j], scales[j - 1], q.value);
-  halves.left.reserve(at(length));
+  halves.left.reserve(index(length));
   halves.left.push_back(coefficients.front());
   for (slong j = 1; j < length; ++j) {
     for (slong i = 0; i < length - j; ++i) {
@@ -166,7 +166,7 @@ BernsteinHalves split_bernstein(const std::vector<Rational>& coefficients, const
     }
     halves.left.push_back(quotient(row[0], scales[j]));
   }
-  halves.right.reserve(at(length));
+  halves.right.reserve(index(length));
   for (slong i = 0; i < length; ++i) halves.right.push_back(quotient(row[i], scales[length - 1 - i]));
   return halves;
 }

@@ -16,15 +16,15 @@ constexpr long suspicious_depth = 12;
   throw std::invalid_argument("isolate_roots: the polynomial has a multiple root in the interval");
 }
 
-/// The dyadic interval [index, index + 1] / 2^depth of [0,1].
-struct DyadicInterval {
+/// The dyadic interval [index, index + 1] / 2^depth of [0,1], of any depth.
+struct DeepDyadicInterval {
   Integer index;
   long depth;
 
   Rational lower() const { return at(index); }
   Rational upper() const { return at(index + 1); }
-  DyadicInterval left_half() const { return {index * 2, depth + 1}; }
-  DyadicInterval right_half() const { return {index * 2 + 1, depth + 1}; }
+  DeepDyadicInterval left_half() const { return {index * 2, depth + 1}; }
+  DeepDyadicInterval right_half() const { return {index * 2 + 1, depth + 1}; }
 
   /// n / 2^depth.
   Rational at(const Integer& n) const {
@@ -35,7 +35,7 @@ struct DyadicInterval {
 };
 
 struct Node {
-  DyadicInterval where;
+  DeepDyadicInterval where;
   FixedPointBernstein coefficients;
 };
 
@@ -108,7 +108,7 @@ class Isolator {
 
   /// Reports a root at the left end (once: a node knows of a root found before). The root at the right end of
   /// a node is the left end of its neighbour, whose sign there is as uncertain.
-  void visit_exactly(const DyadicInterval& where, bool left_root_reported) {
+  void visit_exactly(const DeepDyadicInterval& where, bool left_root_reported) {
     FlintVector c(on_unit_.value->length);
     exact_coefficients(c, where);
     const slong n = c.size - 1;
@@ -126,7 +126,7 @@ class Isolator {
   }
 
   /// t^i (1-t)^(n-i) coefficients on the interval, up to a positive factor.
-  void exact_coefficients(FlintVector& c, const DyadicInterval& where) const {
+  void exact_coefficients(FlintVector& c, const DeepDyadicInterval& where) const {
     if (where.depth == 0) return to_homogeneous(c, on_unit_.value);
     const FlintInteger p(where.index), q(Integer(1) << static_cast<unsigned long>(where.depth));
     FlintInteger one;
@@ -154,7 +154,8 @@ class Isolator {
 
   /// One root in the open interval, where f has the given sign near the left end. An end that is itself a
   /// root is moved inwards by bisection.
-  void report_interval(const DyadicInterval& where, int sign_left, bool zero_at_left, bool zero_at_right) {
+  void report_interval(const DeepDyadicInterval& where, int sign_left, bool zero_at_left,
+                       bool zero_at_right) {
     Rational lower = from_unit(where.lower());
     Rational upper = from_unit(where.upper());
     while (zero_at_left || zero_at_right) {

@@ -89,15 +89,15 @@ BivariatePolynomial determinant(const Matrix& matrix) {
 }
 
 BivariatePolynomial primitive(const BivariatePolynomial& f) {
-  if (f.is_zero()) return f;
-  const Integer common = common_denominator(f, 1);
-  Integer content = 0;
-  for (int i = 0; i <= f.degree_r(); ++i)
-    for (const Rational& c : f.coefficient(i).coefficients())
-      content = gcd(content, Integer(numerator(Rational(c * common))));
-  BivariatePolynomial result = f;
-  result *= Polynomial(Rational(common) / content);
-  return result;
+  FlintRational content, next;
+  for (int i = 0; i <= f.degree_r(); ++i) {
+    const Polynomial c = f.coefficient(i);
+    fmpq_poly_content(next.value, c.rep().value);
+    fmpq_gcd(content.value, content.value, next.value);
+  }
+  if (fmpq_is_zero(content.value)) return f;
+  fmpq_inv(content.value, content.value);
+  return f * Polynomial(content.to_rational());
 }
 
 }  // namespace exsect

@@ -11,14 +11,14 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
+Eigen::Index entry_index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 Eigen::MatrixXd to_eigen(const DoubleMatrix& m) {
-  return Eigen::Map<const RowMajor>(m.data(), at(m.rows()), at(m.columns()));
+  return Eigen::Map<const RowMajor>(m.data(), entry_index(m.rows()), entry_index(m.columns()));
 }
 
 Eigen::VectorXd to_eigen(const std::vector<double>& v) {
-  return Eigen::Map<const Eigen::VectorXd>(v.data(), at(v.size()));
+  return Eigen::Map<const Eigen::VectorXd>(v.data(), entry_index(v.size()));
 }
 
 std::vector<double> from_eigen(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
@@ -35,7 +35,7 @@ bool DoubleMatrix::is_finite() const {
 
 LeastSingular least_singular(const DoubleMatrix& m) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(to_eigen(m), Eigen::ComputeFullV);
-  return {decomposition.singularValues()[at(m.columns() - 1)],
+  return {decomposition.singularValues()[entry_index(m.columns() - 1)],
           from_eigen(decomposition.matrixV().rightCols<1>())};
 }
 
@@ -45,13 +45,13 @@ DoubleMatrix square_root_rows(const DoubleMatrix& m) {
   const Eigen::MatrixXd rows = roots.asDiagonal() * solver.eigenvectors().transpose();
   DoubleMatrix result(m.rows(), m.columns());
   for (std::size_t i = 0; i < m.rows(); ++i)
-    for (std::size_t j = 0; j < m.columns(); ++j) result(i, j) = rows(at(i), at(j));
+    for (std::size_t j = 0; j < m.columns(); ++j) result(i, j) = rows(entry_index(i), entry_index(j));
   return result;
 }
 
 LeastSquares least_squares(const DoubleMatrix& m, const std::vector<double>& right) {
   const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(to_eigen(m));
-  return {from_eigen(decomposition.solve(to_eigen(right))), decomposition.rank() == at(m.columns())};
+  return {from_eigen(decomposition.solve(to_eigen(right))), decomposition.rank() == entry_index(m.columns())};
 }
 
 std::vector<double> solution(const DoubleMatrix& m, const std::vector<double>& right) {
@@ -68,7 +68,7 @@ std::vector<double> sparse_solution(const std::vector<SparseEntry>& entries,
   std::vector<Eigen::Triplet<double>> triplets;
   for (const SparseEntry& e : entries)
     triplets.emplace_back(static_cast<int>(e.row), static_cast<int>(e.column), e.value);
-  Eigen::SparseMatrix<double> matrix(at(right.size()), at(right.size()));
+  Eigen::SparseMatrix<double> matrix(entry_index(right.size()), entry_index(right.size()));
   matrix.setFromTriplets(triplets.begin(), triplets.end());
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> decomposition(matrix);
   if (decomposition.info() != Eigen::Success) return {};

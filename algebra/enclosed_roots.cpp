@@ -11,7 +11,7 @@ namespace {
 
 constexpr int deepest = 48;
 
-struct Node {
+struct EnclosedNode {
   DyadicInterval where;
   FixedPointBernstein coefficients;
   bool fresh;  // made from the polynomial itself
@@ -33,7 +33,7 @@ class EnclosedIsolator {
   std::optional<std::vector<RationalInterval>> run() {
     open_.push_back(fresh_node({0, 0}));
     while (!open_.empty()) {
-      Node node = std::move(open_.back());
+      EnclosedNode node = std::move(open_.back());
       open_.pop_back();
       if (!process(node) && (node.fresh || !process(node = fresh_node(node.where)))) return std::nullopt;
     }
@@ -43,7 +43,7 @@ class EnclosedIsolator {
  private:
   /// False if the signs do not suffice. A certain number of changes implies certain signs at the ends: either
   /// choice would change it.
-  bool process(Node& node) {
+  bool process(EnclosedNode& node) {
     const VariationBounds bounds = node.coefficients.variations();
     if (bounds.least == bounds.most && bounds.most <= 1) {
       if (bounds.most == 1) found_.push_back(node.where.interval());
@@ -59,7 +59,7 @@ class EnclosedIsolator {
   /// Of q^n f((p + t)/q), p = index, q = 2^depth, times lcm_j binom(n,j). Its powers of t have an error of at
   /// most (n + 1) q^n error, because p + 1 <= q. A Bernstein coefficient is sum_j binom(n-j,i-j) c_j /
   /// binom(n,i), whose weights add up to binom(n+1,i) / binom(n,i) <= n + 1.
-  Node fresh_node(const DyadicInterval& where) const {
+  EnclosedNode fresh_node(const DyadicInterval& where) const {
     const slong length = multipliers_.size;
     FlintInteger p(where.index), q(Integer(1) << static_cast<unsigned>(where.depth)), one,
         error(error_ * length);
@@ -84,7 +84,7 @@ class EnclosedIsolator {
   FlintPolynomial f_;
   Integer error_;
   FlintVector multipliers_;
-  std::vector<Node> open_;  // the rightmost first
+  std::vector<EnclosedNode> open_;  // the rightmost first
   std::vector<RationalInterval> found_;
 };
 

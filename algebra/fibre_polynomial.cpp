@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "determinant.h"
 #include "flint_polynomial.h"
 #include "quadratic_refinement.h"
 #include "resultant.h"
@@ -29,19 +30,6 @@ std::vector<Polynomial> remainders(const BivariatePolynomial& f, const RealAlgeb
     result.push_back(std::move(c));
   }
   return result;
-}
-
-/// f times a positive rational: integer coefficients without a common divisor.
-BivariatePolynomial primitive(const BivariatePolynomial& f) {
-  FlintRational content, next;
-  for (int i = 0; i <= f.degree_r(); ++i) {
-    const Polynomial c = f.coefficient(i);
-    fmpq_poly_content(next.value, c.rep().value);
-    fmpq_gcd(content.value, content.value, next.value);
-  }
-  if (fmpq_is_zero(content.value)) return f;
-  fmpq_inv(content.value, content.value);
-  return f * Polynomial(content.to_rational());
 }
 
 /// Euclid's algorithm in balls. True proves that f(., s) and g(., s) have no common root; false proves

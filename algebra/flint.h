@@ -59,4 +59,13 @@ struct FlintRational {
   }
 };
 
+/// Owner of one arb.
+struct FlintBall {
+  arb_t value;
+  FlintBall() { arb_init(value); }
+  ~FlintBall() { arb_clear(value); }
+  FlintBall(const FlintBall&) = delete;
+  FlintBall& operator=(const FlintBall&) = delete;
+};
+
 }  // namespace exsect

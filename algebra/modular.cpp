@@ -203,7 +203,8 @@ constexpr std::size_t spare_points = 8;
 constexpr std::int64_t first_node = 0x2f61c3e8d9a75b4;
 
 /// Interpolated coefficients, or nothing if a value is undefined.
-std::vector<Residue> interpolated(const PrimeField& field, std::size_t points, const ModularValues& values) {
+std::vector<Residue> modular_interpolant(const PrimeField& field, std::size_t points,
+                                         const ModularValues& values) {
   const Residue first = field.residue(first_node);
   const std::vector<ResidueFraction> fractions = values(field, first, points);
   std::vector<Residue> coefficients;
@@ -278,7 +279,7 @@ ModularIntegers interpolate_modular_polynomial(std::size_t degree, std::size_t b
     interruption_point();
     p = prime_below(p);
     const PrimeField field(p);
-    auto coefficients = interpolated(field, degree + 1 + (primes.empty() ? spare_points : 0), values);
+    auto coefficients = modular_interpolant(field, degree + 1 + (primes.empty() ? spare_points : 0), values);
     if (coefficients.empty()) continue;
     for (std::size_t i = degree + 1; i < coefficients.size(); ++i)
       if (coefficients[i] != 0)

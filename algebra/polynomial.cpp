@@ -11,15 +11,6 @@ namespace {
 /// From this size of the exact value on (bits that t alone contributes) balls are tried first.
 constexpr slong ball_threshold = 2048;
 
-struct FlintBall {
-  arb_t value;
-
-  FlintBall() { arb_init(value); }
-  ~FlintBall() { arb_clear(value); }
-  FlintBall(const FlintBall&) = delete;
-  FlintBall& operator=(const FlintBall&) = delete;
-};
-
 /// p^n f(t) for t = p / 2^k: Horner's rule with shifts.
 void evaluate_dyadic(fmpz_t sum, const fmpz_poly_t f, const fmpz_t p, ulong k) {
   const slong n = f->length - 1;

@@ -9,15 +9,6 @@
 
 namespace exsect {
 
-/// Owner of one arb.
-struct FlintBall {
-  arb_t value;
-  FlintBall() { arb_init(value); }
-  ~FlintBall() { arb_clear(value); }
-  FlintBall(const FlintBall&) = delete;
-  FlintBall& operator=(const FlintBall&) = delete;
-};
-
 /// A ball that contains the closed interval; its ends are rounded to `precision` bits.
 void set_ball(arb_t ball, const RationalInterval& interval, slong precision);
 

@@ -10,7 +10,7 @@
 namespace exsect {
 namespace {
 
-Integer floor_quotient(const Integer& a, const Integer& b) {
+Integer floored_quotient(const Integer& a, const Integer& b) {
   Integer result;
   mpz_fdiv_q(result.backend().data(), a.backend().data(), b.backend().data());
   return result;
@@ -18,12 +18,12 @@ Integer floor_quotient(const Integer& a, const Integer& b) {
 
 /// 0 <= a < b. The continued fraction of the answer is the common beginning of those of a and b.
 Rational simplest_between_positive(const Rational& a, const Rational& b) {
-  const Integer whole = floor_quotient(numerator(a), denominator(a));
+  const Integer whole = floored_quotient(numerator(a), denominator(a));
   if (Rational(whole + 1) < b) return whole + 1;
   // a and b lie in [whole, whole + 1]; b may be the upper end.
   const Rational low = a - whole;
   const Rational high = b - whole;
-  if (low == 0) return whole + Rational(1, floor_quotient(denominator(high), numerator(high)) + 1);
+  if (low == 0) return whole + Rational(1, floored_quotient(denominator(high), numerator(high)) + 1);
   return whole + 1 / simplest_between_positive(1 / high, 1 / low);
 }
 

@@ -49,7 +49,7 @@ void set_integer_rows(FlintMatrix& to, const RationalMatrix& a) {
   for (std::size_t i = 0; i < a.rows(); ++i) set_row(to, a, i, row_denominator(a, i));
 }
 
-std::vector<Integer> primitive(std::vector<Integer> vector) {
+std::vector<Integer> without_common_factor(std::vector<Integer> vector) {
   Integer common = 0;
   int sign = 1;
   for (const Integer& n : vector) {
@@ -88,7 +88,7 @@ std::vector<std::vector<Integer>> null_space(const RationalMatrix& a) {
     std::vector<Integer> vector(a.columns());
     vector[free] = pivot.to_integer();
     for (std::size_t i = 0; i < rank; ++i) vector[leading[i]] = -to_integer(reduced.at(i, free));
-    basis.push_back(primitive(std::move(vector)));
+    basis.push_back(without_common_factor(std::move(vector)));
   }
   return basis;
 }

@@ -62,7 +62,7 @@ bool common_root(const Polynomial& f, const Polynomial& g, const RationalInterva
 /// i + 1) u |a_i| |m|^i in term i, to first order, and |f(s) - f(m)| <= h f~'(M), f~ with coefficients |a_i|:
 /// in all by less than 1.01 (h f~'(M) + 2 u M f~'(M) + 4 u f~(M)) + 2^-900 for degrees up to 1000.
 int sign_in_doubles(const Polynomial& f, const RationalInterval& interval) {
-  constexpr double unit = 0x1p-53;
+  constexpr double roundoff = 0x1p-53;
   const double lower = mpq_get_d(interval.lower.backend().data());
   const double upper = mpq_get_d(interval.upper.backend().data());
   if (!(lower >= -1 && upper <= 1) || f.degree() > 1000) return 0;
@@ -71,8 +71,8 @@ int sign_in_doubles(const Polynomial& f, const RationalInterval& interval) {
   for (slong i = 0; i <= f.degree(); ++i)
     exponent = std::max<slong>(exponent, static_cast<slong>(fmpz_bits(coefficients + i)));
   const double middle = 0.5 * (lower + upper);
-  const double half = (0.5 * (upper - lower) + 8 * unit) * (1 + 4 * unit);
-  const double size = (std::fabs(middle) + half) * (1 + 4 * unit);
+  const double half = (0.5 * (upper - lower) + 8 * roundoff) * (1 + 4 * roundoff);
+  const double size = (std::fabs(middle) + half) * (1 + 4 * roundoff);
   double value = 0, bound = 0, slope = 0;
   for (slong i = f.degree(); i >= 0; --i) {
     slong e = 0;
@@ -82,12 +82,12 @@ int sign_in_doubles(const Polynomial& f, const RationalInterval& interval) {
     slope = slope * size + bound;
     bound = bound * size + std::fabs(a);
   }
-  const double error = 1.01 * ((half + 2 * unit * size) * slope + 4 * unit * bound) + 0x1p-900;
+  const double error = 1.01 * ((half + 2 * roundoff * size) * slope + 4 * roundoff * bound) + 0x1p-900;
   return value > error ? 1 : value < -error ? -1 : 0;
 }
 
 /// The sign of f on the whole interval, or 0 if an enclosure does not show it.
-int enclosed_sign(const Polynomial& f, const RationalInterval& interval) {
+int sign_on(const Polynomial& f, const RationalInterval& interval) {
   if (const int s = in_nearest_rounding([&] { return sign_in_doubles(f, interval); })) return s;
   const fmpz* coefficients = f.rep().value->coeffs;
   // Rounding errors stay below the effect of the width of the interval.
@@ -190,7 +190,7 @@ std::strong_ordering operator<=>(const RealAlgebraic& a, const RealAlgebraic& b)
 int sign_at(const Polynomial& f, const RealAlgebraic& alpha) {
   if (alpha.is_rational()) return f.sign_at(alpha.rational());
   if (f.degree() <= 0) return sign(f.coefficient(0));
-  if (const int s = enclosed_sign(f, alpha.interval())) return s;
+  if (const int s = sign_on(f, alpha.interval())) return s;
   const Rational width = alpha.interval().width();
   RealAlgebraic a = alpha;
   // Zero is likely only where a narrow enclosure fails.
@@ -199,7 +199,7 @@ int sign_at(const Polynomial& f, const RealAlgebraic& alpha) {
     if (bits > 0) {
       a = a.refined_to(width * power_of_two(-bits));
       if (a.is_rational()) return f.sign_at(a.rational());
-      if (const int s = enclosed_sign(f, a.interval())) return s;
+      if (const int s = sign_on(f, a.interval())) return s;
     }
     if (may_vanish && common_root(f, a.polynomial(), a.interval())) return 0;
     may_vanish = false;

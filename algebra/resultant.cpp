@@ -143,7 +143,7 @@ Polynomial resultant_modular(const IntegerForm& f, const IntegerForm& g) {
   return Polynomial(std::vector<Rational>(coefficients.begin(), coefficients.end()));
 }
 
-BivariatePolynomial in_r(const Polynomial& f) {
+BivariatePolynomial constant_in_s(const Polynomial& f) {
   std::vector<Polynomial> coefficients;
   for (int i = 0; i <= f.degree(); ++i) coefficients.emplace_back(f.coefficient(i));
   return BivariatePolynomial(std::move(coefficients));
@@ -187,7 +187,7 @@ Polynomial discriminant_r(const BivariatePolynomial& f) {
 std::vector<Polynomial> subresultants(const Polynomial& f, const Polynomial& g) {
   std::vector<Polynomial> result;
   // Over Q[s] with all coefficients constant.
-  for (const BivariatePolynomial& member : subresultants_r(in_r(f), in_r(g)))
+  for (const BivariatePolynomial& member : subresultants_r(constant_in_s(f), constant_in_s(g)))
     result.push_back(member.at_s(0));
   return result;
 }

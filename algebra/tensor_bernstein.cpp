@@ -10,10 +10,10 @@
 namespace exsect {
 namespace {
 
-using Coefficients = std::vector<std::vector<Rational>>;
+using TensorCoefficients = std::vector<std::vector<Rational>>;
 
-Coefficients transposed(const Coefficients& b) {
-  Coefficients result(b.front().size(), std::vector<Rational>(b.size()));
+TensorCoefficients transposed(const TensorCoefficients& b) {
+  TensorCoefficients result(b.front().size(), std::vector<Rational>(b.size()));
   for (std::size_t i = 0; i < b.size(); ++i)
     for (std::size_t j = 0; j < b[i].size(); ++j) result[j][i] = b[i][j];
   return result;
@@ -35,13 +35,13 @@ void extend(RationalInterval& range, const BernsteinBox& part, int depth) {
 
 }  // namespace
 
-Coefficients tensor_bernstein(const BivariatePolynomial& f, int m, int n, const Rectangle& on) {
+TensorCoefficients tensor_bernstein(const BivariatePolynomial& f, int m, int n, const Rectangle& on) {
   if (m < 0 || n < 0 || m < f.degree_r())
     throw std::invalid_argument("tensor_bernstein: the degree is less than that of the polynomial");
-  Coefficients in_s;
+  TensorCoefficients in_s;
   for (int i = 0; i <= m; ++i)
     in_s.push_back(bernstein_coefficients(f.coefficient(i), n, on.s.lower, on.s.upper));
-  Coefficients columns;
+  TensorCoefficients columns;
   for (const std::vector<Rational>& powers : transposed(in_s))
     columns.push_back(bernstein_coefficients(Polynomial(powers), m, on.r.lower, on.r.upper));
   return transposed(columns);

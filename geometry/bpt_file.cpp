@@ -71,7 +71,7 @@ class Words {
   std::size_t line_of_word_ = 1;
 };
 
-int read_degree(Words& words) {
+int read_bpt_degree(Words& words) {
   constexpr int readable = 1000;
   const int degree = words.natural("degree", readable);
   if (degree < 1 || degree > max_patch_degree)
@@ -80,8 +80,8 @@ int read_degree(Words& words) {
 }
 
 RationalPatch read_patch(Words& words) {
-  const int m = read_degree(words);
-  const int n = read_degree(words);
+  const int m = read_bpt_degree(words);
+  const int n = read_bpt_degree(words);
   std::vector<std::vector<Point>> points(static_cast<std::size_t>(m) + 1);
   for (std::vector<Point>& row : points)
     for (int j = 0; j <= n; ++j) {

@@ -101,7 +101,7 @@ class Lines {
 // CSV
 
 /// One row: what of x, y, z, u, v, r, s the columns give.
-struct Row {
+struct TableRow {
   std::string curve;
   std::array<double, 7> values;
 };
@@ -112,13 +112,13 @@ class CsvReader {
 
   Candidate operator()() {
     read_head();
-    std::vector<Row> block;
+    std::vector<TableRow> block;
     for (std::size_t i = head_ + 1; i < lines_.size(); ++i) {
       if (trimmed(lines_[i]).empty()) {
         finish(block);
         continue;
       }
-      Row row = read_row(i);
+      TableRow row = read_row(i);
       if (!block.empty() && block.back().curve != row.curve) finish(block);
       block.push_back(std::move(row));
     }
@@ -153,12 +153,12 @@ class CsvReader {
     if (!space_ && !first_ && !second_) lines_.fail(head_, "no coordinates: x,y,z, u,v or r,s are needed");
   }
 
-  Row read_row(std::size_t line) const {
+  TableRow read_row(std::size_t line) const {
     const auto cells = split(lines_[line], ',');
     if (cells.size() != columns_.size())
       lines_.fail(line, "has " + std::to_string(cells.size()) + " cells, must have " +
                             std::to_string(columns_.size()));
-    Row row{"", {}};
+    TableRow row{"", {}};
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (columns_[i] == names.size())
         row.curve = cells[i];
@@ -170,7 +170,7 @@ class CsvReader {
   }
 
   /// A block of one row is an isolated point.
-  void finish(std::vector<Row>& block) {
+  void finish(std::vector<TableRow>& block) {
     if (block.size() == 1) {
       const auto& v = block[0].values;
       CandidatePoint point;
@@ -181,7 +181,7 @@ class CsvReader {
     } else if (!block.empty()) {
       const auto line = [&](std::size_t at, std::size_t dimension) {
         std::vector<std::array<double, 3>> vertices;
-        for (const Row& row : block)
+        for (const TableRow& row : block)
           vertices.push_back({row.values[at], row.values[at + 1], dimension == 3 ? row.values[at + 2] : 0});
         return polyline(std::move(vertices));
       };

@@ -8,8 +8,7 @@
 namespace exsect {
 namespace {
 
-constexpr const char* version = "candidate/1";
-constexpr std::size_t max_depth = 16;
+constexpr const char* candidate_version = "candidate/1";
 
 double read_double(const JsonValue& value) { return to_double(read_number(value, parse_binary64)); }
 
@@ -88,7 +87,7 @@ std::array<double, 2> read_pair(const JsonValue& value) {
   return {point[0], point[1]};
 }
 
-CandidatePoint read_point(const JsonValue& value) {
+CandidatePoint read_candidate_point(const JsonValue& value) {
   value.require_object({"point", "first", "second"});
   CandidatePoint point;
   if (value.has("point")) point.point = read_vertex(value.member("point"), 3);
@@ -102,9 +101,9 @@ CandidatePoint read_point(const JsonValue& value) {
 }  // namespace
 
 Candidate parse_json_candidate(const std::string& text, const std::string& filename) {
-  const JsonTree tree = parse_json(text, filename, max_depth);
+  const JsonTree tree = parse_json(text, filename, max_depth_of_files);
   const JsonValue root(tree, filename, "$");
-  root.require_form(version);
+  root.require_form(candidate_version);
   root.require_object({"exsect", "patches", "source", "curves", "points"});
   Candidate candidate;
   const JsonValue patches = root.member("patches");
@@ -118,7 +117,8 @@ Candidate parse_json_candidate(const std::string& text, const std::string& filen
   for (std::size_t i = 0; i < curves.size(); ++i) candidate.curves.push_back(read_curve(curves.at(i)));
   if (!root.has("points")) return candidate;
   const JsonValue points = root.member("points");
-  for (std::size_t i = 0; i < points.size(); ++i) candidate.points.push_back(read_point(points.at(i)));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    candidate.points.push_back(read_candidate_point(points.at(i)));
   return candidate;
 }
 

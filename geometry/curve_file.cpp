@@ -7,8 +7,7 @@
 namespace exsect {
 namespace {
 
-constexpr const char* version = "curve/1";
-constexpr std::size_t max_depth = 16;
+constexpr const char* curve_version = "curve/1";
 
 std::vector<Rational> read_numbers(const JsonValue& values, NumberReader read) {
   std::vector<Rational> numbers;
@@ -49,9 +48,9 @@ std::string format_numbers(const std::vector<Rational>& numbers) {
 CurveFile parse_curve(const std::string& text, const std::string& filename) {
   if (text.size() > max_curve_file_bytes)
     throw InputError(filename, "", "longer than " + std::to_string(max_curve_file_bytes) + " bytes");
-  const JsonTree tree = parse_json(text, filename, max_depth);
+  const JsonTree tree = parse_json(text, filename, max_depth_of_files);
   const JsonValue root(tree, filename, "$");
-  root.require_form(version);
+  root.require_form(curve_version);
   root.require_object({"exsect", "title", "source", "numbers", "degree", "points", "weights"});
   const NumberReader read = number_reader(root);
   const int degree = root.member("degree").small_integer(1, max_curve_degree, "the degree of a curve");
@@ -70,7 +69,7 @@ CurveFile read_curve(const std::string& path) {
 std::string format_curve(const CurveFile& file) {
   if (file.curve.degree() > max_curve_degree)
     throw std::invalid_argument("curve file: the degree is above " + std::to_string(max_curve_degree));
-  std::string text = "{\n \"exsect\": " + json_string(version);
+  std::string text = "{\n \"exsect\": " + json_string(curve_version);
   if (!file.title.empty()) text += ",\n \"title\": " + json_string(file.title);
   if (!file.source.empty()) text += ",\n \"source\": " + json_string(file.source);
   text += ",\n \"degree\": " + std::to_string(file.curve.degree()) + ",\n \"points\": [";
@@ -87,7 +86,7 @@ std::string format_curve(const CurveFile& file) {
 }
 
 std::string file_version(const std::string& text, const std::string& filename) {
-  const JsonTree tree = parse_json(text, filename, max_depth);
+  const JsonTree tree = parse_json(text, filename, max_depth_of_files);
   if (tree.kind != JsonTree::Kind::object) return "";
   for (std::size_t i = 0; i < tree.keys.size(); ++i)
     if (tree.keys[i] == "exsect" && tree.elements[i].kind == JsonTree::Kind::string)

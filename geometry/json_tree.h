@@ -19,6 +19,9 @@ struct JsonTree {
   std::vector<std::string> keys;   // object: keys[i] belongs to elements[i], all distinct
 };
 
+/// Enough for every file that exsect reads.
+inline constexpr std::size_t max_depth_of_files = 16;
+
 /// Throws InputError with the JSON path for anything that is not one JSON value: syntax errors with line and
 /// column, invalid UTF-8, truncated text, anything but blanks after the value, an object key given twice,
 /// arrays and objects nested deeper than max_depth, a number beyond the range of long double without quotes.

@@ -14,8 +14,7 @@
 namespace exsect {
 namespace {
 
-constexpr const char* version = "model/1";
-constexpr std::size_t max_depth = 16;
+constexpr const char* model_version = "model/1";
 
 struct Line {
   std::uint64_t offset;
@@ -63,7 +62,7 @@ class LineReader {
 };
 
 NamedRationalPatch parse_line(const std::string& text, const std::string& name, NumberReader read) {
-  const JsonTree tree = parse_json(text, name, max_depth);
+  const JsonTree tree = parse_json(text, name, max_depth_of_files);
   return read_named_patch(JsonValue(tree, name, "$"), read);
 }
 
@@ -108,13 +107,13 @@ struct ModelFile::State {
   bool is_header(const std::string& text, const std::string& name) {
     std::optional<JsonTree> tree;
     try {
-      tree = parse_json(text, name, max_depth);
+      tree = parse_json(text, name, max_depth_of_files);
     } catch (const InputError&) {
       return false;  // a patches/1 over several lines, or nothing known: parse_patches says what is wrong
     }
     const JsonValue root(*tree, name, "$");
     if (tree->kind != JsonTree::Kind::object || !root.has("exsect") ||
-        root.member("exsect").string() != version)
+        root.member("exsect").string() != model_version)
       return false;
     root.require_object({"exsect", "title", "source", "numbers"});
     if (root.has("title")) title = root.member("title").string();

@@ -20,7 +20,7 @@ void require_box(const PlanarBox& box) {
 }
 
 /// 1, t, ..., t^degree on one interval.
-Piecewise powers(int degree, const Polynomial& t) {
+Piecewise piecewise_powers(int degree, const Polynomial& t) {
   Piecewise functions;
   Polynomial power = 1;
   for (int i = 0; i <= degree; ++i) {
@@ -210,8 +210,8 @@ PlanarSpace PlanarSpace::powers_of(int degree, const PlanarBox& box, const Polyn
   PlanarSpace space;
   space.breaks_x_ = {box.x.lower, box.x.upper};
   space.breaks_y_ = {box.y.lower, box.y.upper};
-  space.in_x_ = powers(degree, x);
-  space.in_y_ = powers(degree, y);
+  space.in_x_ = piecewise_powers(degree, x);
+  space.in_y_ = piecewise_powers(degree, y);
   space.active_ = {{true}};
   for (int total = 0; total <= degree; ++total)
     for (int j = 0; j <= total; ++j)

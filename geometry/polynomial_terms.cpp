@@ -8,7 +8,7 @@
 namespace exsect {
 namespace {
 
-int total(const PolynomialTerm& term) {
+int total_degree_of(const PolynomialTerm& term) {
   return std::accumulate(term.exponents.begin(), term.exponents.end(), 0);
 }
 
@@ -18,7 +18,8 @@ void add_term(PolynomialTerms& list, const Rational& coefficient, std::vector<in
 
 void sort(PolynomialTerms& list) {
   std::sort(list.terms.begin(), list.terms.end(), [](const PolynomialTerm& a, const PolynomialTerm& b) {
-    return total(a) != total(b) ? total(a) > total(b) : a.exponents > b.exponents;
+    return total_degree_of(a) != total_degree_of(b) ? total_degree_of(a) > total_degree_of(b)
+                                                    : a.exponents > b.exponents;
   });
 }
 
@@ -38,7 +39,7 @@ std::string monomial(const PolynomialTerm& term, const std::vector<std::string>&
 
 int PolynomialTerms::total_degree() const {
   int degree = -1;
-  for (const PolynomialTerm& term : terms) degree = std::max(degree, total(term));
+  for (const PolynomialTerm& term : terms) degree = std::max(degree, total_degree_of(term));
   return degree;
 }
 

@@ -17,7 +17,8 @@ using Row = std::vector<HomogeneousPoint>;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-HomogeneousPoint between(const HomogeneousPoint& a, const HomogeneousPoint& b, const Rational& t) {
+HomogeneousPoint homogeneous_between(const HomogeneousPoint& a, const HomogeneousPoint& b,
+                                     const Rational& t) {
   HomogeneousPoint p;
   for (std::size_t k = 0; k < 4; ++k) p[k] = a[k] + t * (b[k] - a[k]);
   return p;
@@ -28,15 +29,15 @@ bool is_zero(const HomogeneousPoint& p) {
 }
 
 /// Polar form of the row: at[k] is the argument of level k.
-HomogeneousPoint blossom(Row row, const std::vector<Rational>& arguments) {
+HomogeneousPoint homogeneous_blossom(Row row, const std::vector<Rational>& arguments) {
   for (std::size_t level = 0; level + 1 < row.size(); ++level)
     for (std::size_t i = 0; i + level + 1 < row.size(); ++i)
-      row[i] = between(row[i], row[i + 1], arguments[level]);
+      row[i] = homogeneous_between(row[i], row[i + 1], arguments[level]);
   return row[0];
 }
 
 HomogeneousPoint value(const Row& row, const Rational& t) {
-  return blossom(row, std::vector<Rational>(row.size() - 1, t));
+  return homogeneous_blossom(row, std::vector<Rational>(row.size() - 1, t));
 }
 
 Row piece(const Row& row, const Rational& from, const Rational& to) {
@@ -44,7 +45,7 @@ Row piece(const Row& row, const Rational& from, const Rational& to) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     std::vector<Rational> arguments(row.size() - 1, from);
     std::fill_n(arguments.begin(), i, to);
-    result.push_back(blossom(row, arguments));
+    result.push_back(homogeneous_blossom(row, arguments));
   }
   return result;
 }
@@ -52,7 +53,8 @@ Row piece(const Row& row, const Rational& from, const Rational& to) {
 Row elevated_once(const Row& row) {
   const int n = static_cast<int>(row.size());
   Row result = {row.front()};
-  for (int i = 1; i < n; ++i) result.push_back(between(row[at(i)], row[at(i - 1)], Rational(i, n)));
+  for (int i = 1; i < n; ++i)
+    result.push_back(homogeneous_between(row[at(i)], row[at(i - 1)], Rational(i, n)));
   result.push_back(row.back());
   return result;
 }

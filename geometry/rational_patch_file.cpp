@@ -10,8 +10,7 @@
 namespace exsect {
 namespace {
 
-constexpr const char* version = "patches/1";
-constexpr std::size_t max_depth = 16;
+constexpr const char* patches_version = "patches/1";
 
 int read_degree(const JsonValue& value) {
   for (int degree = 1; degree <= max_patch_degree; ++degree)
@@ -106,9 +105,9 @@ NamedRationalPatch read_named_patch(const JsonValue& value, NumberReader read) {
 RationalPatchFile parse_rational_patches(const std::string& text, const std::string& filename) {
   if (text.size() > max_patch_file_bytes)
     throw InputError(filename, "", "longer than " + std::to_string(max_patch_file_bytes) + " bytes");
-  const JsonTree tree = parse_json(text, filename, max_depth);
+  const JsonTree tree = parse_json(text, filename, max_depth_of_files);
   const JsonValue root(tree, filename, "$");
-  root.require_form(version);
+  root.require_form(patches_version);
   root.require_object({"exsect", "title", "source", "numbers", "patches"});
   RationalPatchFile file;
   if (root.has("title")) file.title = root.member("title").string();
@@ -133,7 +132,7 @@ RationalPatchFile read_rational_patches(const std::string& path) {
 
 std::string format_patches(const RationalPatchFile& file) {
   if (file.patches.empty()) throw std::invalid_argument("patch file: must hold at least one patch");
-  std::string text = "{\n \"exsect\": " + json_string(version);
+  std::string text = "{\n \"exsect\": " + json_string(patches_version);
   if (!file.title.empty()) text += ",\n \"title\": " + json_string(file.title);
   if (!file.source.empty()) text += ",\n \"source\": " + json_string(file.source);
   text += ",\n \"patches\": [\n";

@@ -205,7 +205,7 @@ struct Candidate {
 };
 
 /// The lower and the upper half along the longer side.
-std::array<Candidate, 2> halves(const Candidate& c) {
+std::array<Candidate, 2> halves_of(const Candidate& c) {
   const bool across = c.box.x.width() >= c.box.y.width();
   const auto divide = [&](std::size_t i) {
     return across ? c.functions[i].split_r() : c.functions[i].split_s();
@@ -233,7 +233,7 @@ std::vector<PlanarBox> undecided(const BivariatePolynomial& f, const PlanarBox& 
       left.push_back(next.box);
       continue;
     }
-    for (Candidate& half : halves(next)) queue.push_back(std::move(half));
+    for (Candidate& half : halves_of(next)) queue.push_back(std::move(half));
   }
   return left;
 }

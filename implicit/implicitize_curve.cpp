@@ -10,7 +10,7 @@
 namespace exsect {
 namespace {
 
-constexpr int most_degree = 12;
+constexpr int most_curve_degree = 12;
 constexpr int most_samples = 10000;
 constexpr int most_cells = 64;
 
@@ -19,7 +19,7 @@ void require(bool statement, const char* message) {
 }
 
 void require_options(const PlanarOptions& options) {
-  require(options.degree >= 1 && options.degree <= most_degree, "the degree must be from 1 to 12");
+  require(options.degree >= 1 && options.degree <= most_curve_degree, "the degree must be from 1 to 12");
   require(options.samples >= 2 && options.samples <= most_samples,
           "the number of samples must be from 2 to 10000");
   require(options.cells >= 1 && options.cells <= most_cells, "the number of cells must be from 1 to 64");

@@ -70,7 +70,7 @@ std::vector<QuarticRegion> regions(std::set<Box> marked) {
 }
 
 /// Whether the closed box of the given number meets the interval of v on the line u.
-bool meets(const Box& box, const Rational& size, const Rational& u, const RationalInterval& v) {
+bool meets_on_line(const Box& box, const Rational& size, const Rational& u, const RationalInterval& v) {
   return box[0] * size <= u && u <= (box[0] + 1) * size && box[1] * size <= v.upper &&
          v.lower <= (box[1] + 1) * size;
 }
@@ -82,7 +82,7 @@ void mark_true(std::vector<QuarticRegion>& regions, const std::vector<CheckLine>
     for (const CheckLine& line : lines)
       for (const CertifiedPoint& point : line.points)
         if (std::any_of(region.boxes.begin(), region.boxes.end(),
-                        [&](const Box& box) { return meets(box, size, line.u, point.box()[v]); }))
+                        [&](const Box& box) { return meets_on_line(box, size, line.u, point.box()[v]); }))
           region.is_phantom = false;
 }
 

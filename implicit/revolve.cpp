@@ -14,7 +14,7 @@
 namespace exsect {
 namespace {
 
-constexpr int most_degree = 10;
+constexpr int most_profile_degree = 10;
 
 [[noreturn]] void refuse(const std::string& reason) { throw std::invalid_argument("revolve: " + reason); }
 
@@ -60,15 +60,15 @@ void check_axis(const HomogeneousCurve& curve) {
              " there, so its zero curves cross the axis at right angles; use elimination or product");
 }
 
-void check(const BezierCurve& profile, const RevolveOptions& options) {
+void check_options(const BezierCurve& profile, const RevolveOptions& options) {
   const bool substitution = options.method == RevolutionMethod::substitution;
   if (profile.dimension() != 2) refuse("the profile must be planar, with coordinates (r,z)");
   if (profile.is_point()) refuse("all points of the profile are equal");
   if (substitution && !options.degree) refuse("substitution needs a degree");
   if (options.degree_z && !options.degree) refuse("a degree in z needs a degree in r");
   for (const auto& degree : {options.degree, options.degree_z})
-    if (degree && (*degree < 1 || *degree > most_degree))
-      refuse("the degree must be 1, ..., " + std::to_string(most_degree));
+    if (degree && (*degree < 1 || *degree > most_profile_degree))
+      refuse("the degree must be 1, ..., " + std::to_string(most_profile_degree));
   if (options.cells) {
     if (!substitution)
       refuse(
@@ -175,7 +175,7 @@ const char* name(RevolutionMethod method) {
 
 Revolution revolve(const BezierCurve& profile, const RevolveOptions& options) {
   return in_nearest_rounding([&]() -> Revolution {
-    check(profile, options);
+    check_options(profile, options);
     const Rectangle region = options.region.value_or(default_region(profile));
     const bool exact = !options.degree;
     PlanarFunction f =

@@ -1,17 +1,13 @@
 // What of the true arcs and components the candidate covers.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "chain_distances.h"
+#include "rounding.h"
 #include "verifier.h"
 
 namespace exsect {
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 std::string Verifier::arc_name(std::size_t arc) const {
   const TrueArc& named = truth_.arcs()[arc];

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "rounding.h"
+
 namespace exsect {
 namespace {
 
-constexpr double unit_roundoff = 0x1p-53;
-constexpr double upwards = 1 + 0x1p-40;  // covers the rounding of a few hundred operations on numbers >= 0
 constexpr int deepest = 40;
 constexpr std::size_t most_pieces = std::size_t{1} << 20;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double largest(const SpacePoint& a) { return std::max({std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2])}); }
 

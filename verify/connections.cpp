@@ -1,16 +1,12 @@
 // Joins that the truth does not have, splits where it has none, and stated contacts.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "rounding.h"
 #include "verifier.h"
 
 namespace exsect {
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 void Verifier::judge_connections() {
   for (std::size_t c = 0; c < curves_.size(); ++c)

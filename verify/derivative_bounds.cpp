@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include "rounding.h"
 
 namespace exsect {
 namespace {
 
-constexpr double upwards = 1 + 0x1p-40;  // covers the rounding of a few dozen operations on numbers >= 0
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int parts_of_weighted = 4;  // of each parameter
 
 using Vector4 = std::array<Rational, 4>;

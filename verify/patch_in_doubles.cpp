@@ -2,25 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "derivative_bounds.h"
+#include "rounding.h"
 
 namespace exsect {
 namespace {
 
-constexpr double unit_roundoff = 0x1p-53;
-constexpr double upwards = 1 + 0x1p-40;  // covers the rounding of a few hundred operations on numbers >= 0
 constexpr double downwards = 1 - 0x1p-40;
-constexpr double underflow = 0x1p-1000;  // more than the operations of one evaluation lose by underflow
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr int deepest = 40;  // halvings of a net
+constexpr int deepest_halving = 40;  // halvings of a net
 /// A coefficient is rounded, and passes at most six times through a product and a sum.
 constexpr double errors_of_value = 16;
 /// A control point is rounded, and each halving takes three means.
-constexpr double errors_of_net = 3 * deepest + 8;
+constexpr double errors_of_net = 3 * deepest_halving + 8;
 
 /// At least the length.
 double norm(const SpacePoint& a) { return std::hypot(a[0], a[1], a[2]) * upwards; }
@@ -176,7 +172,7 @@ bool PatchInDoubles::certainly_farther(const SpacePoint& p, double radius) const
     const Piece piece = waiting.back();
     waiting.pop_back();
     if (distance_from_hull(p, piece.net) > radius * upwards) continue;
-    if (piece.depth == deepest) return false;
+    if (piece.depth == deepest_halving) return false;
     for (const Net& half : halves(piece.net, piece.depth % 2 == 0))
       waiting.push_back({half, piece.depth + 1});
   }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rounding.h"
+
 namespace exsect {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// What is not a number bounds nothing.
 double lower_bound(double x) { return std::isnan(x) ? PieceTree::never : x; }

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
+#include "rounding.h"
+
 namespace exsect {
 namespace {
-
-constexpr double underflow = 0x1p-1000;  // more than an operation that underflows loses
 
 void scale_down(Arc& arc, int e) {
   for (PolylineVertex& vertex : arc.polyline)
@@ -28,7 +27,6 @@ void scale_down(std::array<double, 3>& point, int e) {
 }
 
 void scale_up(DistanceEnclosure& distance, int e) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   distance.lower = std::nextafter(std::ldexp(distance.lower, e), 0);
   distance.upper = std::nextafter(std::ldexp(distance.upper, e), infinite);
 }

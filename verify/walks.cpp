@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
+
+#include "rounding.h"
 
 namespace exsect {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A vertex of a result is rounded to doubles after its bound was proved.
 double with_rounding(const Arc& arc) {

@@ -6,7 +6,7 @@ namespace exsect::cli {
 namespace {
 
 constexpr double text_size = 13;
-constexpr double row_height = 20;
+constexpr double entry_height = 20;
 constexpr double key_width = 34;
 constexpr double entry_gap = 16;
 
@@ -21,7 +21,7 @@ std::size_t SvgLegend::columns(double width) const {
 
 double SvgLegend::height(double width) const {
   const std::size_t rows = (entries_.size() + columns(width) - 1) / columns(width);
-  return row_height * static_cast<double>(rows);
+  return entry_height * static_cast<double>(rows);
 }
 
 void SvgLegend::draw(SvgPicture& picture, double left, double top, double width) const {
@@ -30,7 +30,7 @@ void SvgLegend::draw(SvgPicture& picture, double left, double top, double width)
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const Entry& entry = entries_[i];
     const double x = left + width / static_cast<double>(count) * static_cast<double>(i / rows);
-    const double y = top + row_height * (static_cast<double>(i % rows) + 0.5);
+    const double y = top + entry_height * (static_cast<double>(i % rows) + 0.5);
     if (entry.mark) {
       picture.mark(*entry.mark, x + 13, y, entry.stroke.colour);
     } else {

@@ -16,11 +16,11 @@
 namespace exsect::cli {
 namespace {
 
-constexpr const char* vanishes = "the equation vanishes on the profile";
-constexpr const char* residual = "|f| is at most this on the profile";
-constexpr const char* one_sided =
+constexpr const char* profile_vanishes = "the equation vanishes on the profile";
+constexpr const char* profile_residual = "|f| is at most this on the profile";
+constexpr const char* profile_one_sided =
     "every point of the revolved profile is within this distance of the surface";
-constexpr const char* two_sided =
+constexpr const char* profile_two_sided =
     "near the profile the zero set is one regular arc; its surface and that of the profile are within this "
     "distance of each other";
 
@@ -33,12 +33,13 @@ Statements revolution_statements(const Revolution& revolution) {
   Statements result;
   const DistanceBounds& bounds = revolution.bounds;
   const auto where = [](const RationalInterval& t) { return Json{{"t", json_interval(t)}}; };
-  if (revolution.exact) result.proved.push_back({"exact", vanishes, std::nullopt});
-  if (bounds.one_sided.residual) result.proved.push_back({"residual", residual, *bounds.one_sided.residual});
+  if (revolution.exact) result.proved.push_back({"exact", profile_vanishes, std::nullopt});
+  if (bounds.one_sided.residual)
+    result.proved.push_back({"residual", profile_residual, *bounds.one_sided.residual});
   if (bounds.one_sided.distance)
-    result.proved.push_back({"one-sided", one_sided, *bounds.one_sided.distance});
+    result.proved.push_back({"one-sided", profile_one_sided, *bounds.one_sided.distance});
   if (bounds.two_sided.strip)
-    result.proved.push_back({"two-sided", two_sided, bounds.two_sided.strip->distance});
+    result.proved.push_back({"two-sided", profile_two_sided, bounds.two_sided.strip->distance});
   for (const Unproved& gap : bounds.one_sided.unproved)
     result.not_proved.push_back({"one-sided", where(gap.t), gap.why});
   for (const Unproved& gap : bounds.two_sided.unproved)

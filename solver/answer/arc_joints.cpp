@@ -38,7 +38,9 @@ void extend(Arc& arc, const Arc& by) {
   arc.error_bound = std::max(arc.error_bound, by.error_bound);
 }
 
-bool has(const std::vector<Side>& sides, const Side& side) { return std::ranges::count(sides, side) > 0; }
+bool has_side(const std::vector<Side>& sides, const Side& side) {
+  return std::ranges::count(sides, side) > 0;
+}
 
 /// The parameter along a side in which the node lies strictly between the ends of the arc, which is on that
 /// side.
@@ -47,7 +49,7 @@ std::optional<std::size_t> along_arc(const std::vector<Node>& nodes, const Arc& 
   const Node& from = nodes[static_cast<std::size_t>(arc.from)];
   const Node& to = nodes[static_cast<std::size_t>(arc.to)];
   for (const Side& side : node.on) {
-    if (!has(from.on, side) || !has(to.on, side)) continue;
+    if (!has_side(from.on, side) || !has_side(to.on, side)) continue;
     const std::size_t j = index(side.parameter);
     const std::size_t along = j < 2 ? 1 - j : 5 - j;
     const RationalInterval& at = node.box[along];

@@ -37,8 +37,8 @@ struct Segment {
 using ControlPoints = std::array<Point, kDegree + 1>;
 
 /// From the values at t = 0, 1/4, ..., 1.
-ControlPoints control_points(const BezierPatch& x, const std::array<Rational, 4>& from,
-                             const std::array<Rational, 4>& to) {
+ControlPoints arc_control_points(const BezierPatch& x, const std::array<Rational, 4>& from,
+                                 const std::array<Rational, 4>& to) {
   ControlPoints p;
   for (std::size_t i = 0; i <= kDegree; ++i) {
     const Rational t(i, kDegree);
@@ -77,7 +77,7 @@ Node rim_node(const std::array<Rational, 4>& at) {
 /// control points: a chord over a step h deviates by at most |p''| h^2 / 8. The bound adds the rounding of
 /// both ends' coordinates and covers its own rounding (2^-40).
 Arc rim_arc(const BezierPatch& x, const RimEnd& from, const RimEnd& to, ArcPlace place, double tolerance) {
-  const ControlPoints control = control_points(x, from.at, to.at);
+  const ControlPoints control = arc_control_points(x, from.at, to.at);
   Segment segment{};
   for (std::size_t i = 0; i <= kDegree; ++i) segment.points[i] = rounded(control[i]);
   for (std::size_t j = 0; j < 4; ++j) {

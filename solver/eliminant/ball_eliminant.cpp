@@ -26,8 +26,8 @@ struct BallArithmetic {
   static WideBall multiply(const WideBall& a, const WideBall& b) { return a * b; }
 };
 
-using Forms = EliminantForms<BallArithmetic>;
-using Fibre = Forms::Fibre;
+using BallForms = EliminantForms<BallArithmetic>;
+using Fibre = BallForms::Fibre;
 
 /// p(1/2 + t/2) for p(w) = c[0] + c[1] w + c[2] w^2, times 4.
 std::array<IntegerVector, 3> centred(const std::array<IntegerVector, 3>& c) {
@@ -48,7 +48,7 @@ IntegerNet centred(IntegerNet net) {
   return exchanged(net);
 }
 
-Forms forms(const IntegerPair& pair) {
+BallForms forms(const IntegerPair& pair) {
   const IntegerNet x = centred(pair.x), y = centred(pair.y);
   std::array<long, 3> bits = {};  // of each coordinate
   for (const IntegerNet* net : {&x, &y})
@@ -57,7 +57,7 @@ Forms forms(const IntegerPair& pair) {
         for (std::size_t k = 0; k < 3; ++k)
           if (c[k] != 0) bits[k] = std::max(bits[k], static_cast<long>(msb(abs(c[k]))) + 1);
   const auto balls = [&](const IntegerNet& net) {
-    Forms::Net result;
+    BallForms::Net result;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t k = 0; k < 3; ++k) result.c[i][j].c[k] = WideBall::enclosing(net[i][j][k], -bits[k]);
@@ -65,7 +65,7 @@ Forms forms(const IntegerPair& pair) {
   };
   WideBall small[17];
   for (int i = 0; i < 17; ++i) small[i] = WideBall(i);
-  return Forms(BallArithmetic(), balls(x), balls(y), small);
+  return BallForms(BallArithmetic(), balls(x), balls(y), small);
 }
 
 /// The numbers of a fibre, polynomials in u of degree at most 16, in a row.
@@ -152,7 +152,7 @@ void scale(std::span<std::vector<WideBall>> entries) {
 }
 
 /// The Chebyshev coefficients of each entry of the fibres.
-std::array<std::vector<WideBall>, kEntries> fibre_expansions(const Forms& forms) {
+std::array<std::vector<WideBall>, kEntries> fibre_expansions(const BallForms& forms) {
   const ChebyshevNodes& nodes = fibre_nodes();
   std::array<std::vector<WideBall>, kEntries> values;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -171,7 +171,7 @@ std::array<std::vector<WideBall>, kEntries> fibre_expansions(const Forms& forms)
   return values;
 }
 
-std::vector<WideBall> eliminant_values(const Forms& forms) {
+std::vector<WideBall> values_at_nodes(const BallForms& forms) {
   const auto expansions = fibre_expansions(forms);
   const ChebyshevNodes& nodes = eliminant_nodes();
   std::vector<WideBall> values(nodes.size());
@@ -194,7 +194,7 @@ std::vector<WideBall> eliminant_values(const Forms& forms) {
 }  // namespace
 
 std::optional<std::vector<RationalInterval>> turning_roots_in_balls(const IntegerPair& pair) {
-  return isolate_chebyshev_roots(eliminant_nodes().coefficients(eliminant_values(forms(pair))));
+  return isolate_chebyshev_roots(eliminant_nodes().coefficients(values_at_nodes(forms(pair))));
 }
 
 }  // namespace exsect

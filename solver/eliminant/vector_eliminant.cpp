@@ -46,10 +46,10 @@ std::uint64_t LanePrimes::next() {
 
 namespace {
 
-constexpr std::size_t degree = 128;
-/// Points beyond degree + 1 for the first primes, which check the degree.
+constexpr std::size_t full_degree = 128;
+/// Points beyond full_degree + 1 for the first primes, which check the degree.
 constexpr std::size_t spare_points = 9;
-static_assert(degree + 1 + spare_points <= max_lane_points);
+static_assert(full_degree + 1 + spare_points <= max_lane_points);
 /// The nodes are consecutive and start here, far from zero: at small integers structured input often makes an
 /// expression undefined for every prime.
 constexpr std::uint64_t first_node = 0x2f61c3e8d9a75b4;
@@ -84,7 +84,7 @@ class LaneResidues {
 
   /// Four more primes; false if E is undefined at some node modulo all four.
   bool add_primes(const LaneRow& primes) {
-    const std::size_t points = degree + 1 + (residues_.primes.empty() ? spare_points : 0);
+    const std::size_t points = full_degree + 1 + (residues_.primes.empty() ? spare_points : 0);
     LanePair lanes;
     double first[4];
     for (std::size_t lane = 0; lane < 4; ++lane) {
@@ -113,9 +113,9 @@ class LaneResidues {
     std::vector<std::uint64_t> row;
     for (std::size_t i = 0; i < points; ++i) {
       const auto c = static_cast<std::int64_t>(coefficients[i][lane]);
-      if (i > degree && c != 0)
+      if (i > full_degree && c != 0)
         throw ProofFailure(whole_domain(), "the values of the turning eliminant exceed its degree");
-      if (i <= degree)
+      if (i <= full_degree)
         row.push_back(c < 0 ? p - static_cast<std::uint64_t>(-c) : static_cast<std::uint64_t>(c));
     }
     residues_.primes.push_back(p);

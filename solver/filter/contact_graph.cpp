@@ -24,7 +24,7 @@ using filter::operator*;
 using filter::cross;
 using filter::dot;
 
-double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
+double bend_length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 double determinant(const Vec3& a, const Vec3& b, const Vec3& c) { return dot(cross(a, b), c); }
 
 template <class K>
@@ -106,7 +106,7 @@ std::array<Vector, 3> restricted(const std::array<Vector, 3>& c, const std::arra
 
 /// The ends of the common part of two sides, as the views of x and of y count.
 template <class K>
-std::array<std::array<Rational, 2>, 2> common_part(const SideContactOf<K>& side, const SidePath& path) {
+std::array<std::array<Rational, 2>, 2> contact_part(const SideContactOf<K>& side, const SidePath& path) {
   std::array<std::array<Rational, 4>, 2> ends = {path.at(path.common.lower), path.at(path.common.upper)};
   const std::size_t along_x = 1 - side.x.side.parameter;
   const std::size_t along_y = 3 - side.y.side.parameter;
@@ -302,7 +302,7 @@ class ContactGraph {
     }
     if constexpr (std::is_same_v<K, Biquadratic>) {
       if (side.path) {
-        const auto [on_x, on_y] = common_part(side, *side.path);
+        const auto [on_x, on_y] = contact_part(side, *side.path);
         const std::array<Number, 2> t = {as<Number>(on_x[0]), as<Number>(on_x[1])};
         direction = restricted(direction, t);
         across_x = restricted(across_x, t);
@@ -325,7 +325,7 @@ class ContactGraph {
     const double vertex_error = kDiagonal * (pair_.net_error + 2 * kUnit * size);
     double bend = 0;
     for (std::size_t j = 1; j < n; ++j) {
-      bend = std::max(bend, length((points[j - 1] - points[j]) + (points[j + 1] - points[j])));
+      bend = std::max(bend, bend_length((points[j - 1] - points[j]) + (points[j + 1] - points[j])));
     }
     const double second = static_cast<double>(n * (n - 1)) * (bend + 8 * pair_.net_error);
     const double wanted = std::ceil(std::sqrt(second * scale_ / (8 * 0.95 * tolerance_)));
@@ -368,7 +368,7 @@ class ContactGraph {
       double factor = 1;
       for (std::size_t order = 0; order < 3; ++order) {
         for (std::size_t k = 0; k + order <= n; ++k) {
-          space[order] = std::max(space[order], length({c[k][0], c[k][1], c[k][2]}));
+          space[order] = std::max(space[order], bend_length({c[k][0], c[k][1], c[k][2]}));
           weight[order] = std::max(weight[order], std::fabs(c[k][3]));
           if (order == 0) least = std::min(least, c[k][3]);
         }

@@ -10,7 +10,7 @@ namespace exsect::filter {
 namespace {
 
 template <std::size_t Rows>
-Vec<Rows> mean(const Vec<Rows>& a, const Vec<Rows>& b) {
+Vec<Rows> mean_rows(const Vec<Rows>& a, const Vec<Rows>& b) {
   return 0.5 * (a + b);
 }
 
@@ -29,7 +29,7 @@ Vec<Rows> elevated(const Vec<Rows>* points, std::size_t j) {
   if (j == 0) return points[0];
   if (j == Degree) return points[Degree - 1];
   if constexpr (Degree == 2) {
-    return mean(points[0], points[1]);
+    return mean_rows(points[0], points[1]);
   } else {
     const double t = static_cast<double>(j) / static_cast<double>(Degree);
     return t * points[j - 1] + (1 - t) * points[j];

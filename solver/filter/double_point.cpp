@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostSteps = 12;
 constexpr double kSettled = 0x1p-44;
 /// Of a parameter from the rational number it stands for, and of both patches from each other.
-constexpr double kClose = 0x1p-40;
+constexpr double kCloseSheets = 0x1p-40;
 constexpr double kFirstReach = 0x1p-1;
 constexpr double kLeastReach = 0x1p-12;
 
@@ -48,7 +48,7 @@ std::optional<Vec4> common_normal(const Pair& pair, Vec4 w) {
       size = std::max(size, std::fabs(change[j]));
     }
     if (size < kSettled) {
-      return largest(expand(pair.x, w[0], w[1])[0] - expand(pair.y, w[2], w[3])[0]) < kClose
+      return largest(expand(pair.x, w[0], w[1])[0] - expand(pair.y, w[2], w[3])[0]) < kCloseSheets
                  ? std::optional(w)
                  : std::nullopt;
     }
@@ -73,7 +73,7 @@ std::optional<DoublePoint> double_point_near(const BezierPatch& x, const BezierP
   DoublePoint point;
   for (std::size_t j = 0; j < 4; ++j) {
     const Rational near = from_double((*w)[j] + 0.5);
-    point.at[j] = simplest_between(near - from_double(kClose), near + from_double(kClose));
+    point.at[j] = simplest_between(near - from_double(kCloseSheets), near + from_double(kCloseSheets));
     if (point.at[j] <= 0 || point.at[j] >= 1) {
       return std::nullopt;
     }

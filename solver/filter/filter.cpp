@@ -358,7 +358,7 @@ class FilteredIntersection {
 };
 
 template <class K>
-IntersectResult solved(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run) {
+IntersectResult solved_pair(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run) {
   FilteredIntersection<K> intersection(x, y, run);
   if (auto found = intersection.run()) return *std::move(found);
   if (run.out_of_time()) return undecided(whole_domain(), "the work cap was reached");
@@ -371,7 +371,7 @@ IntersectResult solved(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run
 /// As it is, and moved and scaled where that helps.
 template <class K>
 IntersectResult intersect_elevated(ExactPatch<K> x, ExactPatch<K> y, const Run& run) {
-  IntersectResult result = solved<K>(x, y, run);
+  IntersectResult result = solved_pair<K>(x, y, run);
   if (result.status == Status::complete) return result;
   std::vector<Point> points = filter::affine_points(x);
   const std::vector<Point> others = filter::affine_points(y);
@@ -379,7 +379,7 @@ IntersectResult intersect_elevated(ExactPatch<K> x, ExactPatch<K> y, const Run& 
   const auto place = Placement::of(points);
   if (!place) return result;
   for (ExactPatch<K>* patch : {&x, &y}) *patch = filter::placed(*patch, *place);
-  result = solved<K>(x, y, run.with_tolerance(place->left_of(run.tolerance(1))));
+  result = solved_pair<K>(x, y, run.with_tolerance(place->left_of(run.tolerance(1))));
   place->restore(result.graph);
   result.coarse = coarse_drawing(result.graph, run.tolerance(to_double(model_extent(points))));
   return result;

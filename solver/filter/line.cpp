@@ -11,9 +11,9 @@ namespace exsect::filter {
 namespace {
 
 /// Levels of curve and patch together at which certificates are tried, and the search is given up.
-constexpr int kFirstTry = 6;
-constexpr int kLast = 36;
-constexpr long kMostBoxes = 3000;
+constexpr int kFirstLineTry = 6;
+constexpr int kLastLineLevel = 36;
+constexpr long kMostLineBoxes = 3000;
 constexpr long kMostBoxesToPlace = 400;  // that is enough to come near one
 
 /// Bound of the error of the control points computed below, for an inner line.
@@ -23,7 +23,7 @@ double line_error(const Line& line) {
 }
 
 template <std::size_t Rows>
-Vec<Rows> between(const Vec<Rows>& a, const Vec<Rows>& b, double t) {
+Vec<Rows> curve_between(const Vec<Rows>& a, const Vec<Rows>& b, double t) {
   return a + t * (b - a);
 }
 
@@ -39,7 +39,7 @@ std::array<Row<K>, K::side> control_points(const PatchOf<K>& patch, std::size_t 
     for (std::size_t i = 0; i <= n; ++i) p[i] = patch.net[along * k + across * i];
     const double t = value + 0.5;
     for (std::size_t level = 1; std::fabs(value) != 0.5 && level <= n; ++level) {
-      for (std::size_t i = 0; i + level <= n; ++i) p[i] = between(p[i], p[i + 1], t);
+      for (std::size_t i = 0; i + level <= n; ++i) p[i] = curve_between(p[i], p[i + 1], t);
     }
     result[k] = value == 0.5 ? p[n] : p[0];
   }
@@ -129,7 +129,7 @@ class LineSearch {
       return true;
     }
     const int depth = item.curve.level + patch.level;
-    if (depth >= kFirstTry && meeting == Meeting::unknown) {
+    if (depth >= kFirstLineTry && meeting == Meeting::unknown) {
       const Box<K> box = box_of(line_, item.curve, patch);
       if (std::any_of(roots_.begin(), roots_.end(),
                       [&](const Root& root) { return covers(root.tube, box); })) {
@@ -145,7 +145,7 @@ class LineSearch {
         }  // else it may be the end of one nearby
       }
     }
-    if (depth >= kLast) {
+    if (depth >= kLastLineLevel) {
       return false;
     }
     subdivide(item, patch);
@@ -291,7 +291,7 @@ template <class K>
 std::optional<std::vector<BallOf<K>>> points_on_line(const PairOf<K>& pair, const Line& line,
                                                      const ContactsOf<K>& contacts, PatchTreeOf<K>& other,
                                                      long& boxes) {
-  return LineSearch<K>(pair, line, contacts, other, boxes).run(kMostBoxes);
+  return LineSearch<K>(pair, line, contacts, other, boxes).run(kMostLineBoxes);
 }
 
 template <class K>

@@ -27,7 +27,7 @@ bool sort_along(std::vector<filter::Ball>& balls, std::size_t kept) {
          }) == balls.end();
 }
 
-ParameterBox box_of(const filter::Ball& ball, const LineQuery& query) {
+ParameterBox query_box(const filter::Ball& ball, const LineQuery& query) {
   ParameterBox box;
   for (std::size_t j = 0; j < 4; ++j) box[j] = filter::interval(ball, j);
   box[index(query.fixed)] = {query.value, query.value};
@@ -50,7 +50,7 @@ LinePoints line_points_filtered(const BezierPatch& x, const BezierPatch& y, cons
     if (balls->empty()) return result;
     const auto problem = std::make_shared<const LineProblem>(LineProblem{x, y, query});
     for (const filter::Ball& ball : *balls) {
-      result.points.push_back(point_in_box(problem, box_of(ball, query)));
+      result.points.push_back(point_in_box(problem, query_box(ball, query)));
     }
     return result;
   });

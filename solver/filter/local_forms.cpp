@@ -37,14 +37,14 @@ FormTable along(const Point& form, const Net& c) {
   return table;
 }
 
-ScalarTable rounded(const FormTable& table) {
+ScalarTable rounded_table(const FormTable& table) {
   ScalarTable result{};
   for (std::size_t i = 1; i < 9; ++i) result[i] = to_double(table[i]);
   return result;
 }
-ScalarTable rounded(FormTable table, const Rational& factor) {
+ScalarTable rounded_table(FormTable table, const Rational& factor) {
   for (Rational& c : table) c *= factor;
-  return rounded(table);
+  return rounded_table(table);
 }
 
 bool is_moderate(const ScalarTable& table) {
@@ -150,13 +150,13 @@ std::optional<LocalForms> local_forms(const BezierPatch& x, const BezierPatch& y
   const double factor = 1 / (f.crossing ? 2 * value(form, f.s, 0, 1) : value(form, f.s, 0, 0));
   if (!(std::fabs(factor) < kGreatestCoefficient)) return std::nullopt;
   for (std::size_t i = 0; i < 2; ++i) {
-    f.x[i] = rounded(along(dual[i], cx));
-    f.y[i] = rounded(y_across[i]);
+    f.x[i] = rounded_table(along(dual[i], cx));
+    f.y[i] = rounded_table(y_across[i]);
     for (std::size_t j = 0; j < 2; ++j) f.bs[i][j] = f.y[i][3] * f.s[0][j] + f.y[i][1] * f.s[1][j];
     f.bs_error[i] = kLocalError * (std::fabs(f.y[i][3]) + std::fabs(f.y[i][1])) + kTiny;
   }
-  f.normal_x = rounded(nx, scale * from_double(factor));
-  f.normal_y = rounded(ny, scale * from_double(factor));
+  f.normal_x = rounded_table(nx, scale * from_double(factor));
+  f.normal_y = rounded_table(ny, scale * from_double(factor));
   for (const ScalarTable* table : {&f.x[0], &f.x[1], &f.y[0], &f.y[1], &f.normal_x, &f.normal_y}) {
     if (!is_moderate(*table)) return std::nullopt;
   }

@@ -11,9 +11,9 @@ namespace exsect::filter {
 namespace {
 
 /// Levels of both patches together at which certificates are tried, and the search is given up.
-constexpr int kFirstTry = 6;
-constexpr int kLast = 40;
-constexpr long kMostBoxes = 6000;
+constexpr int kFirstLoopTry = 6;
+constexpr int kLastLoopLevel = 40;
+constexpr long kMostLoopBoxes = 6000;
 constexpr long kMostBoxesAround = 20000;  // around double points
 
 /// One net for every sub-patch that asks for it.
@@ -81,7 +81,7 @@ class LoopSearch {
   bool run(Vec4& stuck) {
     stack_.reserve(64);
     stack_.push_back({0, 0});
-    const long most = boxes_ + (double_points_.empty() ? kMostBoxes : kMostBoxesAround);
+    const long most = boxes_ + (double_points_.empty() ? kMostLoopBoxes : kMostBoxesAround);
     while (!stack_.empty()) {
       const PiecePair item = stack_.back();
       stack_.pop_back();
@@ -110,13 +110,13 @@ class LoopSearch {
     }
     const int depth = x.level + y.level;
     TubeOf<K> tube;
-    if (depth >= kFirstTry && at == Meeting::unknown && covered(x, y, tube)) {
+    if (depth >= kFirstLoopTry && at == Meeting::unknown && covered(x, y, tube)) {
       const std::optional<bool> known = known_or_traced(tube);
       if (known) {
         return *known;
       }
     }
-    if (depth >= kLast) {
+    if (depth >= kLastLoopLevel) {
       return false;
     }
     trees_.split_larger(item, stack_);

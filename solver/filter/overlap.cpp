@@ -12,10 +12,10 @@ namespace exsect::filter {
 
 namespace {
 
-constexpr long kMostBoxes = 6000;
-constexpr int kDeepest = 24;  // levels of both patches together
+constexpr long kMostBoxesApart = 6000;
+constexpr int kDeepestApart = 24;  // levels of both patches together
 /// How near to each other numbers are in doubles that would be the same in exact arithmetic.
-constexpr double kClose = 0x1p-30;
+constexpr double kClosePieces = 0x1p-30;
 /// Of the rectangle that both squares have in common: below, other ways may be shorter.
 constexpr double kLeastWidth = 0x1p-20;
 
@@ -36,7 +36,7 @@ struct Guess {
 /// The map A with h = k g(A(t)) for some number k, up to rounding, if there is one: as shifted_copy does.
 Guess guess_between(const std::array<Vec3, 3>& g, const std::array<Vec3, 3>& h) {
   const auto ratio = [](const Vec3& a, const Vec3& b) { return dot(a, b) / dot(b, b); };
-  if (largest(g[2]) < kClose * (largest(g[0]) + largest(g[1]))) {
+  if (largest(g[2]) < kClosePieces * (largest(g[0]) + largest(g[1]))) {
     const double k = ratio(cross(h[0], g[1]), cross(g[0], g[1]));
     return {ratio(h[0] - k * g[0], k * g[1]), ratio(h[1], g[1]) / k};
   }
@@ -64,7 +64,7 @@ bool may_overlap(const Pair& pair, bool exchanged) {
       const double v = maps[1].offset + maps[1].factor * s;
       if (!(largest(value_at<Biquadratic>(x, u, v) -
                     (exchanged ? value_at<Biquadratic>(y, s, r) : value_at<Biquadratic>(y, r, s))) <
-            kClose)) {
+            kClosePieces)) {
         return false;
       }
     }
@@ -109,7 +109,7 @@ class InjectivityProof {
       if (separated(x, y, pair_.net_error) || is_injective(hull(x, y))) {
         continue;
       }
-      if (count > kMostBoxes || x.level + y.level >= kDeepest) {
+      if (count > kMostBoxesApart || x.level + y.level >= kDeepestApart) {
         return false;
       }
       trees_.split_larger(item, stack);
@@ -168,7 +168,7 @@ class InjectivityProof {
 };
 
 /// [0,1] and its image.
-RationalInterval common_part(const AffineMap& map) {
+RationalInterval part_in_square(const AffineMap& map) {
   const Rational from = map(0);
   const Rational to = map(1);
   return {std::max(std::min(from, to), Rational(0)), std::min(std::max(from, to), Rational(1))};
@@ -220,8 +220,8 @@ std::optional<GraphBuilder> overlap_of_pieces(const BezierPatch& x, const Bezier
   if (!pieces) {
     return std::nullopt;
   }
-  const RationalInterval u = common_part(pieces->maps[0]);
-  const RationalInterval v = common_part(pieces->maps[1]);
+  const RationalInterval u = part_in_square(pieces->maps[0]);
+  const RationalInterval v = part_in_square(pieces->maps[1]);
   if (!(u.lower < u.upper && v.lower < v.upper) || !InjectivityProof(pair, *pieces, trees, boxes).run()) {
     return std::nullopt;
   }

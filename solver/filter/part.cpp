@@ -4,10 +4,10 @@ namespace exsect::filter {
 
 namespace {
 
-using Interval = Part::Interval;
+using PartInterval = Part::Interval;
 
-Interval counted(const Interval& range, bool backwards) {
-  return backwards ? Interval{1 - range.upper, 1 - range.lower} : range;
+PartInterval counted(const PartInterval& range, bool backwards) {
+  return backwards ? PartInterval{1 - range.upper, 1 - range.lower} : range;
 }
 
 template <class K, class Piece>
@@ -29,7 +29,7 @@ std::size_t SideView::index(std::size_t across, std::size_t along) const {
 
 template <class K>
 Part part_of(const SubPatchOf<K>& patch) {
-  const auto from = [&](double lower) { return Interval{lower + 0.5, lower + 0.5 + patch.width}; };
+  const auto from = [&](double lower) { return PartInterval{lower + 0.5, lower + 0.5 + patch.width}; };
   Part part{{from(patch.first), from(patch.second)}, patch.points()};
   add_weights<K>(patch, part);
   return part;

@@ -70,7 +70,7 @@ void fill_affine([[maybe_unused]] AffineNet<K, Count>& p,
 }
 
 template <class K>
-void fill(SubPatchOf<K>& p, double net_error) {
+void fill_bounds(SubPatchOf<K>& p, double net_error) {
   constexpr std::size_t n = K::degree;
   fill_affine<K, K::count>(p, p.net, net_error);
   const auto& points = p.points();
@@ -113,7 +113,7 @@ PatchTreeOf<K>::PatchTreeOf(const PatchOf<K>& patch, double net_error) : net_err
   root.first = root.second = -0.5;
   root.width = 1;
   root.level = 0;
-  fill(root, net_error_);
+  fill_bounds(root, net_error_);
   nodes_.push_back(root);
 }
 
@@ -150,7 +150,7 @@ std::size_t PatchTreeOf<K>::split(std::size_t i) {
     child.first = parent.first + static_cast<double>(row) * child.width;
     child.second = parent.second + static_cast<double>(column) * child.width;
     child.level = parent.level + 1;
-    fill(child, net_error_);
+    fill_bounds(child, net_error_);
   }
   return begin;
 }

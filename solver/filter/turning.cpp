@@ -15,7 +15,7 @@ namespace exsect::filter {
 namespace {
 
 constexpr int kDeepestSplit = 30;
-constexpr std::size_t kMostPieces = 4000;
+constexpr std::size_t kMostTurningPieces = 4000;
 
 /// At the end of a piece: w_i' has this sign within kEndMargin<K::width> of it as well, where the
 /// neighbouring piece, or the boundary point itself, begins.
@@ -130,7 +130,7 @@ class TurnFinder {
   }
 
   bool halve(const PieceOf<K>& piece, int depth, std::vector<PieceOf<K>>& done) {
-    if (depth >= kDeepestSplit || done.size() > kMostPieces) {
+    if (depth >= kDeepestSplit || done.size() > kMostTurningPieces) {
       return false;
     }
     const double middle = piece.range.at(0.4853);

@@ -92,7 +92,7 @@ std::optional<Place> place(double middle, double radius) {
 }
 
 /// -n/d, d certainly not zero: |-n/d - q| = |n + q d| / |d|. Far outside, where that is too large, by signs.
-std::optional<Place> place_of_ratio(const Ball& n, const Ball& d) {
+std::optional<Place> place_of_ball_ratio(const Ball& n, const Ball& d) {
   if (d.certain_sign() == 0) return std::nullopt;
   const double q = -n.approximation() / d.approximation();
   if (n.certain_sign() == d.certain_sign() || (n + d).certain_sign() == -d.certain_sign())
@@ -128,9 +128,9 @@ class EnclosedPoints {
   /// A simple root s of the eliminant with s1 != 0; false if it is not certain whether the point is inside.
   bool add_point(const Forms& forms, const Ball& s) {
     const Ball s1 = value(forms.s1, s);
-    const auto r = place_of_ratio(value(forms.s0, s), s1);
+    const auto r = place_of_ball_ratio(value(forms.s0, s), s1);
     if (!r || !r->inside) return r.has_value();
-    const auto t = place_of_ratio(value(forms.t_numerator, s), s1);
+    const auto t = place_of_ball_ratio(value(forms.t_numerator, s), s1);
     if (!t || !t->inside) return t.has_value();
     const auto second = place(s.approximation(), std::fabs(s.remainder()) + s.radius() + 0x1p-60);
     if (!second || !second->inside) return false;

@@ -153,7 +153,7 @@ bool feasible(const Branches& b, const PullBack& p, int branch, const RealAlgebr
   return holds([&](const BranchForm& form) { return sign_on_line(form.f, b, at); });
 }
 
-Rational sample_between(RealAlgebraic a, RealAlgebraic b) {
+Rational rational_between(RealAlgebraic a, RealAlgebraic b) {
   for (Rational width = power_of_two(-8);; width *= width) {
     if (a.interval().upper < b.interval().lower)
       return simplest_between(a.interval().upper, b.interval().lower);
@@ -176,7 +176,7 @@ FeasibleBranch feasible_branch(const Branches& b, const PullBack& p, int branch,
       open_run = false;
     }
     if (i + 1 == events.size()) break;
-    if (feasible(b, p, branch, RealAlgebraic(sample_between(events[i], events[i + 1])))) {
+    if (feasible(b, p, branch, RealAlgebraic(rational_between(events[i], events[i + 1])))) {
       if (!open_run) result.intervals.push_back({events[i], events[i], false, false});
       result.intervals.back().to = events[i + 1];
       result.intervals.back().to_closed = false;

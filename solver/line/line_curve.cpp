@@ -14,7 +14,7 @@ namespace {
 
 using Values = std::vector<RealAlgebraic>;
 
-BivariatePolynomial shifted(const BivariatePolynomial& f, const Rational& c) {
+BivariatePolynomial shifted_by(const BivariatePolynomial& f, const Rational& c) {
   return f - BivariatePolynomial::constant(c);
 }
 
@@ -54,7 +54,7 @@ std::vector<AlgebraicInterval> covered(const BivariatePolynomial& f, const Bivar
   std::vector<AlgebraicInterval> result;
   for (std::size_t i = 0; i + 1 < events.size(); ++i) {
     const Rational sample = sample_between(events[i], events[i + 1]);
-    if (!common_points(f, shifted(lambda, sample)).empty()) result.push_back({events[i], events[i + 1]});
+    if (!common_points(f, shifted_by(lambda, sample)).empty()) result.push_back({events[i], events[i + 1]});
   }
   return result;
 }
@@ -131,7 +131,7 @@ CurveOnLine square_on_line(const BivariatePolynomial& lambda, const RationalInte
   const RealAlgebraic to = std::min(values.back(), RealAlgebraic(range.upper));
   if (from < to || (from == to && common.is_zero())) return {{{from, to}}, {}};
   if (from == to)
-    return curve_on_line(shifted(lambda, from == range.lower ? range.lower : range.upper), lambda, range);
+    return curve_on_line(shifted_by(lambda, from == range.lower ? range.lower : range.upper), lambda, range);
   return {};
 }
 

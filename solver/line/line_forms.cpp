@@ -9,11 +9,11 @@
 namespace exsect {
 namespace {
 
-using Forms = ConicEliminant<Integer>;
+using IntegerForms = ConicEliminant<Integer>;
 
 /// w[i]: the coefficient of r^i in weight y - a0.
-std::array<Forms::FormVector, 3> coefficients_of_r(const IntegerLineAndPatch& problem) {
-  std::array<Forms::FormVector, 3> w;
+std::array<IntegerForms::FormVector, 3> coefficients_of_r(const IntegerLineAndPatch& problem) {
+  std::array<IntegerForms::FormVector, 3> w;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t j = 0; j < 3; ++j) w[i][k].push_back(problem.line.weight * problem.patch[i][j][k]);
@@ -25,8 +25,8 @@ std::array<Forms::FormVector, 3> coefficients_of_r(const IntegerLineAndPatch& pr
 }  // namespace
 
 ConicForms conic_forms(const IntegerLineAndPatch& problem) {
-  const Forms forms(problem.line.a[1], problem.line.a[2], coefficients_of_r(problem));
-  const auto polynomial = [](const Forms::Form& f) {
+  const IntegerForms forms(problem.line.a[1], problem.line.a[2], coefficients_of_r(problem));
+  const auto polynomial = [](const IntegerForms::Form& f) {
     return polynomial_of(std::vector<Integer>(f.begin(), f.end()));
   };
   return {polynomial(forms.a),          polynomial(forms.b),  polynomial(forms.c),

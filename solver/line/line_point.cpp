@@ -62,7 +62,7 @@ UnitPlace place_of_ratio(const Polynomial& n, const Polynomial& d, int sign_d, c
   return at_one == 0 ? UnitPlace::at_one : UnitPlace::inside;
 }
 
-std::optional<int> side_of(UnitPlace place) {
+std::optional<int> side_at(UnitPlace place) {
   if (place == UnitPlace::at_zero) return 0;
   if (place == UnitPlace::at_one) return 1;
   return std::nullopt;
@@ -80,7 +80,7 @@ std::vector<CertifiedPoint> conic_point(const LinePlace& place,
   if (r == UnitPlace::outside) return {};
   const UnitPlace t = place_of_ratio(forms->t_numerator, forms->s1, sign_d, s);
   if (t == UnitPlace::outside) return {};
-  const LocalSides sides = {side_of(t), side_of(r), side_of(s)};
+  const LocalSides sides = {side_at(t), side_at(r), side_of(s)};
   const int multiplicity = root_multiplicity(forms->eliminant, s);
   const Polynomial derivative = forms->b * forms->s1 - Polynomial(2) * forms->a * forms->s0;
   const int branch = branch_from(sign_at(derivative, s) * sign_d, forms->a.is_zero());

@@ -15,7 +15,7 @@
 namespace exsect {
 namespace {
 
-constexpr int kFinestBits = 256;
+constexpr int kFinestBoxBits = 256;
 
 bool has(const std::vector<Side>& sides, const Side& side) { return std::ranges::count(sides, side) > 0; }
 
@@ -197,7 +197,8 @@ class Clip {
     std::vector<std::size_t> near;
     const ParameterBox box = box_of(node, false);
     for (std::size_t i = 0; i < boundary_.points.size() && !sides.empty(); ++i)
-      if (meet(boundary_.points[i].at.refined_to(power_of_two(-kFinestBits)).box(), box)) near.push_back(i);
+      if (meet(boundary_.points[i].at.refined_to(power_of_two(-kFinestBoxBits)).box(), box))
+        near.push_back(i);
     if (near.empty()) return -1;
     const auto in_direction = [&](std::size_t k) {
       return std::ranges::any_of(sides, [&](const Side& side) { return index(side.parameter) % 2 == k; });

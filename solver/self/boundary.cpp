@@ -64,13 +64,13 @@ BivariatePolynomial side_form(std::size_t fixed, const Rational& value) {
          BivariatePolynomial::constant(value);
 }
 
-bool divides(const BivariatePolynomial& line, const BivariatePolynomial& f) {
+bool divides_evenly(const BivariatePolynomial& line, const BivariatePolynomial& f) {
   return gcd(line, f).degree_r() + gcd(line, f).degree_s() > 0;
 }
 
 /// f without its factors that vanish on the line.
 BivariatePolynomial without_line(BivariatePolynomial f, const BivariatePolynomial& line) {
-  while (!f.is_zero() && divides(line, f)) f = exact_quotient(f, line);
+  while (!f.is_zero() && divides_evenly(line, f)) f = exact_quotient(f, line);
   return f;
 }
 

@@ -12,7 +12,7 @@ namespace exsect {
 namespace {
 
 constexpr std::size_t kAxisW = 3;
-constexpr double kWorstContraction = 0.5;
+constexpr double kWorstCuspContraction = 0.5;
 template <class Ball>
 constexpr double kLeastGate = 0x1p-60;
 template <>
@@ -107,7 +107,7 @@ std::optional<ChartTube<Ball>> tube_to(const ChartSystem<Ball>& system, const Ch
   }
   auto tube = certify_chart_tube(system, *centre, kAxisW, 0.53 * w_end,
                                  std::max(4 * largest_radius(cusp.at), kChartTubeRoom * w_end));
-  if (!tube || tube->contraction > kWorstContraction || !contains(*tube, cusp.at)) {
+  if (!tube || tube->contraction > kWorstCuspContraction || !contains(*tube, cusp.at)) {
     return std::nullopt;
   }
   return tube;

@@ -108,7 +108,7 @@ Symmetry symmetry(const PlanarFold& fold) {
 }
 
 /// The fold runs through the inside of the square.
-bool is_inside(const PlanarFold& fold) {
+bool folds_inside(const PlanarFold& fold) {
   std::array<bool, 2> taken = {};
   for (const int u : {0, 1})
     for (const int v : {0, 1}) {
@@ -126,7 +126,7 @@ bool is_planar_bilinear(const ControlNet& c) {
 /// Of a planar bilinear patch; empty for all others, and without c11.
 std::optional<IntersectResult> self_intersect_planar(const BezierPatch& x, const Run& run) {
   if (const auto fold = planar_fold(x))
-    return symmetric_result(x, is_inside(*fold) ? std::vector{symmetry(*fold)} : std::vector<Symmetry>{},
+    return symmetric_result(x, folds_inside(*fold) ? std::vector{symmetry(*fold)} : std::vector<Symmetry>{},
                             std::vector<Node>{}, run);
   for (const std::size_t fixed : {0, 1}) {
     const std::optional<Rational> value = collapsed_line(fixed == 0 ? x : x.exchanged());

@@ -23,7 +23,7 @@ std::array<Rational, 4> pair_at(const MultipleFold& fold, const Rational& t) {
   return pair;
 }
 
-ParameterBox box_of(const std::array<Rational, 4>& pair) {
+ParameterBox box_of_pair(const std::array<Rational, 4>& pair) {
   ParameterBox box;
   for (std::size_t j = 0; j < 4; ++j) box[j] = {pair[j], pair[j]};
   return box;
@@ -88,7 +88,7 @@ class FoldArcs {
   }
 
   int add_turn(const MultipleFold& fold) {
-    const ParameterBox box = box_of(pair_at(fold, fold.expansion.turn));
+    const ParameterBox box = box_of_pair(pair_at(fold, fold.expansion.turn));
     BallPoint<Ball> at;
     std::vector<Side> sides;
     for (const Parameter p : all_parameters) {
@@ -129,7 +129,7 @@ std::vector<MultipleFold> multiple_folds(const BezierPatch& x, const SpecialCusp
       const auto expansion = fold_expansion(k == 0 ? x : x.exchanged(), (*turn)[0], (*turn)[1]);
       if (!expansion || !expansion->is_multiple()) continue;
       MultipleFold fold{*expansion, chart, line.side[1], {}};
-      const ParameterBox last = box_of(pair_at(fold, last_along(fold.expansion)));
+      const ParameterBox last = box_of_pair(pair_at(fold, last_along(fold.expansion)));
       for (std::size_t i = 0; i < boundary.size() && !line.side[0]; ++i)
         if (lies_in(last, boundary[i].box())) fold.end = i;
       result.push_back(std::move(fold));

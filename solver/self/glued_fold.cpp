@@ -12,7 +12,7 @@
 namespace exsect {
 namespace {
 
-constexpr double kLeastSurroundings = 0x1p-12;
+constexpr double kLeastFoldSurroundings = 0x1p-12;
 
 /// Zero at the values of v for which the line v = constant begins and ends in one point.
 Polynomial closed_lines(const BezierPatch& x) {
@@ -72,7 +72,7 @@ ParameterBox pairs_of(const ParameterBox& box) { return {box[0], box[1], reverse
 /// With double ends, and as large as can be proved.
 std::optional<ParameterBox> surroundings(const GluedFold& fold) {
   const double middle = to_double(fold.constant);
-  for (double width = 0.25; width >= kLeastSurroundings; width *= 0.5) {
+  for (double width = 0.25; width >= kLeastFoldSurroundings; width *= 0.5) {
     const RationalInterval across = {0, from_double(width)};
     const RationalInterval along = clipped(from_double(middle - width), from_double(middle + width));
     const ParameterBox box = {across, along, across, along};

@@ -15,7 +15,7 @@ constexpr std::size_t kMostWaiting = 20000;
 constexpr int kDeepest = 200;  // halvings, all variables together
 constexpr int kFirstCertificateDepth = 6;
 
-using Direction = std::array<double, 3>;
+using Column = std::array<double, 3>;
 
 template <class Ball>
 BallPoint<Ball> ball_box(const ChartBox& box) {
@@ -39,7 +39,7 @@ std::optional<ChartTube<Ball>> tube_around(const ChartSystem<Ball>& system, cons
     half[j] = 0.5 * (box.upper[j] - box.lower[j]) * (1 + 0x1p-40);
   }
   const ChartNet<Ball, 2> taylor = system.taylor(centre);
-  std::array<Direction, 4> column;
+  std::array<Column, 4> column;
   for (std::size_t j = 0; j < 4; ++j) {
     const BallVector<Ball>& c = taylor[chart_strides(2)[j]];
     column[j] = {c[0].approximation(), c[1].approximation(), c[2].approximation()};

@@ -12,15 +12,13 @@
 namespace exsect {
 namespace {
 
-using Form = BivariatePolynomial;
-
 /// Arithmetic at the common roots of an irreducible polynomial of s and a polynomial of r over its field.
 class Residues {
  public:
-  Residues(Polynomial of_s, Form of_r) : of_s_(std::move(of_s)), of_r_(std::move(of_r)) {}
+  Residues(Polynomial of_s, BivariatePolynomial of_r) : of_s_(std::move(of_s)), of_r_(std::move(of_r)) {}
 
   /// of_r has the leading coefficient 1.
-  Form operator()(const Form& f) const {
+  BivariatePolynomial operator()(const BivariatePolynomial& f) const {
     std::vector<Polynomial> rest;
     for (int i = 0; i <= f.degree_r(); ++i) rest.push_back(divide(f.coefficient(i), of_s_).remainder);
     const int n = of_r_.degree_r();
@@ -30,31 +28,31 @@ class Residues {
         const Polynomial top = k < n ? rest[static_cast<std::size_t>(i)] : Polynomial();
         entry = k < n ? divide(entry - top * of_r_.coefficient(k), of_s_).remainder : Polynomial();
       }
-    return Form(std::move(rest));
+    return BivariatePolynomial(std::move(rest));
   }
 
  private:
   Polynomial of_s_;
-  Form of_r_;
+  BivariatePolynomial of_r_;
 };
 
 /// u1 = u2 + d, v2 = v1 + e with the minors proportional to d, d^2, e, e^2; empty where they say nothing.
-std::optional<ExactParameters> pair_over(const std::array<Form, 4>& minors, const TriangularPoint& at,
-                                         const Residues& residue) {
+std::optional<ExactParameters> pair_over(const std::array<BivariatePolynomial, 4>& minors,
+                                         const TriangularPoint& at, const Residues& residue) {
   const auto& [k1, k2, k3, k4] = minors;
   ExactParameters pair{at, {}, {}};
-  pair.denominator.fill(Form::constant(1));
-  pair.numerator[1] = Form::s();
-  pair.numerator[2] = residue(Form::r());
+  pair.denominator.fill(BivariatePolynomial::constant(1));
+  pair.numerator[1] = BivariatePolynomial::s();
+  pair.numerator[2] = residue(BivariatePolynomial::r());
   if (sign_at(k1, at) != 0) {  // d = k2/k1, e = d k3/k1
     pair.denominator[0] = k1;
-    pair.numerator[0] = residue(Form::r() * k1 + k2);
+    pair.numerator[0] = residue(BivariatePolynomial::r() * k1 + k2);
     pair.denominator[3] = residue(k1 * k1);
-    pair.numerator[3] = residue(Form::s() * k1 * k1 + k2 * k3);
+    pair.numerator[3] = residue(BivariatePolynomial::s() * k1 * k1 + k2 * k3);
   } else if (sign_at(k3, at) != 0) {  // d = 0, e = k4/k3
     pair.numerator[0] = pair.numerator[2];
     pair.denominator[3] = k3;
-    pair.numerator[3] = residue(Form::s() * k3 + k4);
+    pair.numerator[3] = residue(BivariatePolynomial::s() * k3 + k4);
   } else {
     return std::nullopt;
   }
@@ -62,7 +60,7 @@ std::optional<ExactParameters> pair_over(const std::array<Form, 4>& minors, cons
 }
 
 /// A polynomial of s alone divides f.
-bool is_factor(const Polynomial& of_s, const Form& f) {
+bool is_factor(const Polynomial& of_s, const BivariatePolynomial& f) {
   for (int i = 0; i <= f.degree_r(); ++i)
     if (!divide(f.coefficient(i), of_s).remainder.is_zero()) return false;
   return !f.is_zero();
@@ -92,10 +90,10 @@ bool is_long(const Polynomial& f) {
 
 std::vector<TurningPair> turning_pairs_over(const BezierPatch& x, const SelfProjection& projection,
                                             const RealAlgebraic& value) {
-  Form q = projection.curve;
+  BivariatePolynomial q = projection.curve;
   for (int i = 0; i <= q.degree_r(); ++i)
     if (is_long(q.coefficient(i))) return {};
-  while (is_factor(value.polynomial(), q)) q = exact_quotient(q, Form({value.polynomial()}));
+  while (is_factor(value.polynomial(), q)) q = exact_quotient(q, BivariatePolynomial({value.polynomial()}));
   const auto bound = gcd_degree_bound(q, q.derivative_r(), value.polynomial());
   if (!bound || *bound < 1) return {};
   const auto multiple = gcd_modulo(q, q.derivative_r(), value.polynomial());
@@ -103,7 +101,7 @@ std::vector<TurningPair> turning_pairs_over(const BezierPatch& x, const SelfProj
   const auto repeated = gcd_modulo(*multiple, multiple->derivative_r(), value.polynomial());
   if (!repeated || repeated->degree_r() > 0) return {};
   const Residues residue(value.polynomial(), *multiple);
-  std::array<Form, 4> minors;
+  std::array<BivariatePolynomial, 4> minors;
   for (std::size_t k = 0; k < 4; ++k) minors[k] = residue(projection.minors[k]);
   std::vector<TurningPair> result;
   for (const TriangularPoint& at : roots_at(*multiple, value, 0, 1)) {
@@ -131,8 +129,8 @@ bool has_value(const ExactParameters& point, std::size_t j, const RealAlgebraic&
   };
   if (!near(power_of_two(-60))) return false;
   const Polynomial& f = value.polynomial();
-  Form sum;  // of f_i numerator^i denominator^(n - i)
-  Form power = Form::constant(1);
+  BivariatePolynomial sum;  // of f_i numerator^i denominator^(n - i)
+  BivariatePolynomial power = BivariatePolynomial::constant(1);
   for (int i = f.degree(); i >= 0; --i) {
     sum = sum * point.numerator[j] + power * Polynomial(f.coefficient(i));
     power = power * point.denominator[j];

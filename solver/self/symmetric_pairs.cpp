@@ -9,7 +9,7 @@
 namespace exsect {
 namespace {
 
-constexpr int kDeepest = 12;
+constexpr int kDeepestSquare = 12;
 
 const Rational half(1, 2);
 
@@ -17,7 +17,7 @@ bool is_away(const BezierPatch& n, int depth) {
   std::vector<Point> points;
   for (const auto& row : n.net()) points.insert(points.end(), row.begin(), row.end());
   if (lie_in_half_space(points)) return true;
-  if (depth == kDeepest) return false;
+  if (depth == kDeepestSquare) return false;
   return depth % 2 == 0 ? is_away(n.restricted_to(0, half, 0, 1), depth + 1) &&
                               is_away(n.restricted_to(half, 1, 0, 1), depth + 1)
                         : is_away(n.restricted_to(0, 1, 0, half), depth + 1) &&

@@ -4,23 +4,19 @@
 #include <cmath>
 
 #include "trace/preconditioned_newton.h"
+#include "trace/slack.h"
 
 namespace exsect {
 
 namespace {
 
-// Covers rounding in sums of nonnegative terms: fewer than 1000 terms, each a product of at most ten factors,
-// lose less than (1 - 2^-53)^1030 > 1 - 2^-42; underflow loses less than 2^-1000, far below every half width
-// accepted (2^-500).
-constexpr double kSlack = 1 + 0x1p-40;
+// Underflow loses less than 2^-1000, far below.
 constexpr double kLeastHalfwidth = 0x1p-500;
-
-using Row = Row3;
 
 template <class Ball>
 std::optional<Matrix3> preconditioner(const ChartNet<Ball, 2>& taylor,
                                       const std::array<std::size_t, 3>& others) {
-  std::array<Row, 3> columns;
+  std::array<Row3, 3> columns;
   for (std::size_t i = 0; i < 3; ++i) {
     const BallVector<Ball>& c = taylor[chart_strides(2)[others[i]]];
     columns[i] = {c[0].approximation(), c[1].approximation(), c[2].approximation()};
@@ -75,15 +71,15 @@ struct Monomial {
 };
 
 template <class Ball>
-Row magnitudes(const BallVector<Ball>& v) {
+Row3 magnitudes(const BallVector<Ball>& v) {
   return {v[0].upper_magnitude(), v[1].upper_magnitude(), v[2].upper_magnitude()};
 }
 
 /// |C H(p + tau d)| for |tau| <= reach.
 template <class Ball>
-Row residual_bounds(const ChartTube<Ball>& tube) {
+Row3 residual_bounds(const ChartTube<Ball>& tube) {
   BallVector<Ball> linear;
-  Row higher{};
+  Row3 higher{};
   std::array<double, 4> d{};
   for (std::size_t j = 0; j < 4; ++j) {
     d[j] = std::fabs(tube.slope[j]) * tube.reach;
@@ -96,13 +92,13 @@ Row residual_bounds(const ChartTube<Ball>& tube) {
     if (monomial.degree < 2) {
       continue;
     }
-    const Row m = magnitudes(tube.premultiplied[i]);
+    const Row3 m = magnitudes(tube.premultiplied[i]);
     const double at = monomial.at(d);
     for (std::size_t row = 0; row < 3; ++row) {
       higher[row] += m[row] * at;
     }
   }
-  Row result{};
+  Row3 result{};
   for (std::size_t row = 0; row < 3; ++row) {
     result[row] = kSlack * (tube.premultiplied[0][row].upper_magnitude() +
                             tube.reach * linear[row].upper_magnitude() + higher[row]);
@@ -112,15 +108,15 @@ Row residual_bounds(const ChartTube<Ball>& tube) {
 
 /// Bounds of |C D_j(box) - ideal|, ideal = identity for j != axis and -d for j = axis: e[j][row].
 template <class Ball>
-std::array<Row, 4> jacobian_deviation(const ChartTube<Ball>& tube, const std::array<std::size_t, 3>& others,
-                                      const std::array<double, 4>& h) {
-  std::array<Row, 4> e{};
+std::array<Row3, 4> jacobian_deviation(const ChartTube<Ball>& tube, const std::array<std::size_t, 3>& others,
+                                       const std::array<double, 4>& h) {
+  std::array<Row3, 4> e{};
   for (const std::size_t i : chart_support) {
     const Monomial<2> monomial(i);
     if (monomial.degree < 2) {
       continue;
     }
-    const Row m = magnitudes(tube.premultiplied[i]);
+    const Row3 m = magnitudes(tube.premultiplied[i]);
     for (std::size_t j = 0; j < 4; ++j) {
       const double derivative = monomial.derivative(h, j);
       for (std::size_t row = 0; row < 3; ++row) {
@@ -141,9 +137,9 @@ std::array<Row, 4> jacobian_deviation(const ChartTube<Ball>& tube, const std::ar
 /// C DH z' = 0 and C (DH z'' + D2H[z',z']) = 0 with C DH = 1 + E on the columns other than k.
 template <class Ball>
 void bound_derivatives(ChartTube<Ball>& tube, const std::array<std::size_t, 3>& others,
-                       const std::array<double, 4>& h, const std::array<Row, 4>& e) {
+                       const std::array<double, 4>& h, const std::array<Row3, 4>& e) {
   const double amplification = tube.contraction / (1 - tube.contraction) * kSlack;
-  Row first{};
+  Row3 first{};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t j = 0; j < 4; ++j) {
       first[row] += e[j][row] * std::fabs(tube.slope[j]);
@@ -165,7 +161,7 @@ void bound_derivatives(ChartTube<Ball>& tube, const std::array<std::size_t, 3>& 
     magnitude[j] = std::fabs(tube.slope[j]);
   }
   BallVector<Ball> centre;
-  Row deviation{};
+  Row3 deviation{};
   for (const std::size_t i : chart_support) {
     const Monomial<2> monomial(i);
     if (monomial.degree < 2) {
@@ -176,7 +172,7 @@ void bound_derivatives(ChartTube<Ball>& tube, const std::array<std::size_t, 3>& 
     const double form = at_centre ? monomial.second(h, tube.slope) : 0;
     const double bound =
         monomial.second(h, a) - (at_centre ? monomial.second(h, magnitude) : 0) * (1 - 0x1p-45);
-    const Row m = magnitudes(tube.premultiplied[i]);
+    const Row3 m = magnitudes(tube.premultiplied[i]);
     for (std::size_t row = 0; row < 3; ++row) {
       centre[row] += tube.premultiplied[i][row] * Ball(form).widened(0x1p-50 * monomial.second(h, magnitude));
       deviation[row] += m[row] * bound;
@@ -251,7 +247,7 @@ std::optional<ChartTube<Ball>> certify_chart_tube(const ChartSystem<Ball>& syste
   for (std::size_t row = 0; row < 3; ++row) {
     tube.slope[others[row]] = -tube.premultiplied[chart_strides(2)[axis]][row].approximation();
   }
-  const Row f = residual_bounds(tube);
+  const Row3 f = residual_bounds(tube);
   tube.halfwidth = std::max({2 * *std::max_element(f.begin(), f.end()), least_halfwidth, kLeastHalfwidth});
   const std::array<double, 4> h = half_widths(tube);
   const auto e = jacobian_deviation(tube, others, h);
@@ -332,14 +328,14 @@ double space_second_derivative(const ChartSystem<Ball>& system, const ChartTube<
   for (std::size_t j = 0; j < 4; ++j) {
     a[j] = std::fabs(tube.slope[j]) + tube.slope_error[j];
   }
-  Row sum{};
+  Row3 sum{};
   for (std::size_t i = 0; i < net.size(); ++i) {
     const Monomial<3> monomial(i);
     double term = monomial.second(h, a);
     for (std::size_t j = 0; j < 4; ++j) {
       term += monomial.derivative(h, j) * (std::fabs(tube.second[j]) + tube.second_error[j]);
     }
-    const Row m = magnitudes(net[i]);
+    const Row3 m = magnitudes(net[i]);
     for (std::size_t c = 0; c < 3; ++c) {
       sum[c] += m[c] * term;
     }

@@ -50,7 +50,7 @@ Polynomial content(const Form& f) {
 Form without_content(const Form& f) { return exact_quotient(f, Form({content(f)})); }
 
 /// r or s (fixed: 0 or 1) minus the value of a side.
-Form side_form(std::size_t fixed, int value) {
+Form side_factor(std::size_t fixed, int value) {
   return (fixed == 0 ? Form::r() : Form::s()) - Form::constant(value);
 }
 
@@ -105,7 +105,7 @@ SelfProjection self_projection(const BezierPatch& x) {
   // The alternating minors of (b a d c).
   SelfProjection result{{dot(a, dc), dot(times(-1, b), dc), dot(ba, c), dot(times(-1, ba), d)}, {}};
   for (const int end : {0, 1})
-    if (is_collapsed_side(x, 0, end)) divide_out(result.minors, side_form(0, end));
+    if (is_collapsed_side(x, 0, end)) divide_out(result.minors, side_factor(0, end));
   const auto& [k_b, k_a, k_d, k_c] = result.minors;
   result.curve = k_b * k_b * k_c - k_d * k_d * k_a;
   return result;
@@ -136,7 +136,7 @@ std::optional<std::vector<RealAlgebraic>> cuspidal_values(const BezierPatch& x) 
   for (const std::size_t fixed : {0, 1})
     for (const int side : {0, 1}) {
       if (!is_cuspidal_side(x, fixed, side)) continue;
-      divide_out(normal, side_form(fixed, side));
+      divide_out(normal, side_factor(fixed, side));
       if (fixed == 1) values.emplace_back(side);
     }
   for (std::size_t i = 0; i < 3; ++i)

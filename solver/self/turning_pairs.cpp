@@ -10,7 +10,7 @@ namespace exsect {
 namespace {
 
 /// Of the polynomial of a value.
-constexpr int kLargestDegree = 16;
+constexpr int kLargestValueDegree = 16;
 
 Rational fine_width() { return power_of_two(-200); }
 
@@ -35,7 +35,7 @@ TurningPair with_points_exchanged(TurningPair turning) {
   return turning;
 }
 
-ParameterBox box_of(const ExactParameters& pair) {
+ParameterBox box_of_turning(const ExactParameters& pair) {
   ParameterBox box;
   for (std::size_t j = 0; j < 4; ++j) box[j] = enclosure(pair, j, fine_width());
   return box;
@@ -76,7 +76,7 @@ std::array<bool, 4> TurningPairs::zero_at(const CertifiedPoint& point) {
 std::optional<ParameterBox> TurningPairs::common_zero(const ParameterBox& where, std::size_t i,
                                                       std::size_t j) {
   for (const TurningPair& turning : near(where)) {
-    const ParameterBox box = box_of(turning.pair);
+    const ParameterBox box = box_of_turning(turning.pair);
     if (turning.zero[i] && turning.zero[j] && lies_in(box, where)) return box;
   }
   return std::nullopt;
@@ -101,7 +101,7 @@ std::vector<TurningPair> TurningPairs::near(const ParameterBox& box) {
       for (const bool exchanged : {false, true}) {
         const RealAlgebraic& value = (*turning)[k];
         const RationalInterval& range = box[exchanged ? sweep + 2 : sweep];
-        if (value.polynomial().degree() > kLargestDegree || value.compare(range.lower) < 0 ||
+        if (value.polynomial().degree() > kLargestValueDegree || value.compare(range.lower) < 0 ||
             value.compare(range.upper) > 0)
           continue;
         for (const TurningPair& pair : over(sweep, k))

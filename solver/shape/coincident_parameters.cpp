@@ -12,14 +12,14 @@ namespace exsect {
 namespace {
 
 /// X_a W - X W_a for a patch x = X/W and a parameter a: W² times the derivative of x, three polynomials.
-using Derivative = std::array<BivariatePolynomial, 3>;
+using DerivativeVector = std::array<BivariatePolynomial, 3>;
 
-Derivative derivative_by(const RationalPatch& x, std::size_t parameter) {
+DerivativeVector derivative_by(const RationalPatch& x, std::size_t parameter) {
   const auto by = [&](const BivariatePolynomial& f) {
     return parameter == 0 ? f.derivative_r() : f.derivative_s();
   };
   const BivariatePolynomial weight = x.component(3);
-  Derivative result;
+  DerivativeVector result;
   for (int k = 0; k < 3; ++k) {
     const BivariatePolynomial part = x.component(k);
     result[static_cast<std::size_t>(k)] = by(part) * weight - part * by(weight);
@@ -28,7 +28,7 @@ Derivative derivative_by(const RationalPatch& x, std::size_t parameter) {
 }
 
 /// The vectors that a linear form must annihilate to be independent of the parameter of the derivative.
-void append_constraints(std::vector<Point>& constraints, const Derivative& d) {
+void append_constraints(std::vector<Point>& constraints, const DerivativeVector& d) {
   for (int i = 0; i <= std::max({d[0].degree_r(), d[1].degree_r(), d[2].degree_r()}); ++i) {
     for (int j = 0; j <= std::max({d[0].degree_s(), d[1].degree_s(), d[2].degree_s()}); ++j) {
       const Point c = {d[0].coefficient(i, j), d[1].coefficient(i, j), d[2].coefficient(i, j)};
@@ -39,7 +39,8 @@ void append_constraints(std::vector<Point>& constraints, const Derivative& d) {
 
 /// The form is a function of the parameter alone. Whether its derivative is zero at 0 and at 1; empty if it
 /// is elsewhere in [0,1].
-std::optional<std::array<bool, 2>> flat_ends(const Point& form, const Derivative& by, std::size_t parameter) {
+std::optional<std::array<bool, 2>> flat_ends(const Point& form, const DerivativeVector& by,
+                                             std::size_t parameter) {
   BivariatePolynomial rate;
   for (std::size_t k = 0; k < 3; ++k) rate += by[k] * BivariatePolynomial::constant(form[k]);
   const Polynomial on_line = parameter == 0 ? rate.at_s(0) : rate.at_r(0);
@@ -56,8 +57,8 @@ std::optional<std::array<bool, 2>> flat_ends(const Point& form, const Derivative
 
 CoincidentParameters coincidence(const RationalPatch& x, const RationalPatch& y) {
   CoincidentParameters result;
-  const std::array<Derivative, 2> of_x = {derivative_by(x, 0), derivative_by(x, 1)};
-  const std::array<Derivative, 2> of_y = {derivative_by(y, 0), derivative_by(y, 1)};
+  const std::array<DerivativeVector, 2> of_x = {derivative_by(x, 0), derivative_by(x, 1)};
+  const std::array<DerivativeVector, 2> of_y = {derivative_by(y, 0), derivative_by(y, 1)};
   for (std::size_t a = 0; a < 2; ++a) {
     for (std::size_t b = 0; b < 2; ++b) {
       std::vector<Point> constraints;

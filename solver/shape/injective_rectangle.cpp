@@ -13,7 +13,7 @@ using Vector = std::array<double, 3>;
 
 constexpr int kMostTests = 120;
 
-Vector cross(const Vector& a, const Vector& b) {
+Vector approximate_cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
@@ -64,12 +64,12 @@ class Certificate {
   bool holds() const {
     std::vector<Vector> guesses;
     for (const Point& a : all(a_))
-      for (const Point& b : all(b_)) guesses.push_back(cross(approximate(a), approximate(b)));
+      for (const Point& b : all(b_)) guesses.push_back(approximate_cross(approximate(a), approximate(b)));
     const std::optional<Point> n = positive_direction(std::move(guesses));
     if (!n) return false;
     std::vector<Point> products;
     for (const Point& a : all(a_))
-      for (const Point& b : all(b_)) products.push_back(exsect::cross(a, b));
+      for (const Point& b : all(b_)) products.push_back(cross(a, b));
     if (!all_positive(*n, products)) return false;
     for (const std::size_t fixed : {0, 1})
       for (const std::size_t value : {0, 1})
@@ -96,7 +96,7 @@ class Certificate {
     return std::ranges::any_of(all(fixed == 0 ? a_ : b_), [&](const Point& c) {
       std::array<int, 2> signs{};
       for (std::size_t k = 0; k < 2; ++k) {
-        signs[k] = sign(dot(n, exsect::cross(tangent[k], c)));
+        signs[k] = sign(dot(n, cross(tangent[k], c)));
         if (signs[k] == 0 && !is_zero(tangent[k])) return false;
       }
       return signs[0] * signs[1] >= 0;
@@ -225,7 +225,7 @@ bool is_cuspidal_side(const BezierPatch& x, std::size_t fixed, int value) {
     const Rational t(k, 3);
     const Rational u = fixed == 0 ? Rational(value) : t;
     const Rational v = fixed == 0 ? t : Rational(value);
-    if (!is_zero(exsect::cross(x.derivative_first(u, v), x.derivative_second(u, v)))) return false;
+    if (!is_zero(cross(x.derivative_first(u, v), x.derivative_second(u, v)))) return false;
   }
   return true;
 }

@@ -11,7 +11,7 @@ namespace exsect {
 
 namespace {
 
-constexpr const char* kWorkCap = "the work cap was reached while boundary points were computed";
+constexpr const char* kPointsWorkCap = "the work cap was reached while boundary points were computed";
 constexpr const char* kTwoPoles =
     "two adjacent sides of a patch and a side of the other one are the same point";
 constexpr const char* kLostEnd = "an end of a boundary arc was not found on the other side";
@@ -27,7 +27,7 @@ class BoundarySearch {
     for (const Parameter p : all_parameters)
       for (const int value : {0, 1}) {
         if (stop_ && stop_()) {
-          incomplete(whole_domain(), kWorkCap);
+          incomplete(whole_domain(), kPointsWorkCap);
           return std::move(result_);
         }
         find_on_line({p, value});

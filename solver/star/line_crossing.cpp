@@ -11,7 +11,9 @@
 #include "eliminant/algebraic_fibre.h"
 #include "line/exact_line_points.h"
 #include "line/line_points_in.h"
+#include "star/fine_width.h"
 #include "trace/sheet_graph.h"
+#include "trace/slack.h"
 
 namespace exsect {
 
@@ -22,9 +24,6 @@ constexpr int kPointsOnLine = 17;  // more than a fibre has isolated points
 constexpr std::size_t kMostPorts = 64;
 
 constexpr int kNewtonSteps = 64;
-constexpr double kSlack = 1 + 0x1p-40;  // covers the rounding of a few nonnegative terms
-
-Rational fine_width() { return power_of_two(-200); }
 
 /// The point of a graph over two algebraic numbers.
 class GraphPointSource : public CertifiedPoint::Source {

@@ -6,6 +6,7 @@
 
 #include "answer/parameter_box.h"
 #include "line/exact_line_points.h"
+#include "star/fine_width.h"
 #include "trace/enclose.h"
 #include "trace/tangential_enclosure.h"
 #include "trace/tangential_tube.h"
@@ -13,8 +14,6 @@
 namespace exsect {
 
 namespace {
-
-Rational fine_width() { return power_of_two(-200); }
 
 /// Whether the arc of Phi = 0 in a tube around the point is a curve of contact: F is analytic along it, so
 /// that it vanishes on all of it if it does on a part. A multiple point of a fibre over no turning value is

@@ -10,6 +10,7 @@
 #include "line/exact_line_points.h"
 #include "line/line_place.h"
 #include "line/line_points_in.h"
+#include "star/fine_width.h"
 #include "star/line_crossing.h"
 #include "star/on_contact.h"
 #include "star/point_on_line.h"
@@ -30,8 +31,6 @@ constexpr double kLayersPerTolerance = 8;
 /// Of algebraic values over which singular points are looked for. Those without a multiplicity are many.
 constexpr int kHighestDegree = 8;
 constexpr int kHighestDegreeUnweighted = 3;
-
-Rational fine_width() { return power_of_two(-200); }
 
 template <class Ball>
 class StarSearch {

@@ -16,7 +16,7 @@ namespace exsect {
 
 namespace {
 
-constexpr std::size_t kMostPorts = 64;  // a fibre has at most 16 points
+constexpr std::size_t kMostFibrePorts = 64;  // a fibre has at most 16 points
 constexpr int kMostSlabs = 24;
 constexpr double kNarrowLine = 0x1p-4;
 
@@ -328,7 +328,7 @@ class StarProof {
       if (is_centre(value)) {
         continue;
       }
-      const auto points = points_in_box({sweep_, value}, kMostPorts);
+      const auto points = points_in_box({sweep_, value}, kMostFibrePorts);
       if (!points) {
         return std::nullopt;
       }

@@ -11,7 +11,7 @@ namespace exsect {
 
 namespace {
 
-constexpr int kSlabs = 6;
+constexpr int kSymmetricSlabs = 6;
 
 /// The conditions of Lemma 6.4.
 class SymmetricCrossingProof {
@@ -28,7 +28,7 @@ class SymmetricCrossingProof {
     if (!problem_.others_complete) return std::nullopt;
     for (double half = problem_.largest_halfwidth; half >= 0x1p-40; half *= 0x1p-6) {
       double slab = half / 4;
-      for (int i = 0; i < kSlabs; ++i, slab *= 0.25) {
+      for (int i = 0; i < kSymmetricSlabs; ++i, slab *= 0.25) {
         if (is_stopped(problem_.stop)) return std::nullopt;
         set_box(slab, half);
         if (!is_small_enough()) break;

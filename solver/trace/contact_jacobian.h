@@ -5,11 +5,9 @@
 #include <algorithm>
 
 #include "trace/contact_expansion.h"
+#include "trace/slack.h"
 
 namespace exsect {
-
-// Covers the rounding of sums of fewer than 1000 nonnegative terms, each a product of at most 16 factors.
-inline constexpr double kSlack = 1 + 0x1p-40;
 
 /// C and the slope for one axis.
 struct Linearisation {

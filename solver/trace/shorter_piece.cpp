@@ -12,7 +12,7 @@ namespace {
 
 /// An arc that ends within this part of the reach of its only tube is short.
 constexpr double kShort = 0x1p-10;
-constexpr int kNewtonSteps = 8;
+constexpr int kMiddleSteps = 8;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void resolve_short_arc(const PairSystem<Ball>& system, Trace<Ball>& trace) {
   for (std::size_t j = 0; j < 4; ++j) {
     middle[j] = (Ball(0.5) * (trace.ends[0][j] + trace.ends[1][j])).midpoint();
   }
-  const auto centre = newton_corrected(system, middle, piece.tube.axis, kNewtonSteps);
+  const auto centre = newton_corrected(system, middle, piece.tube.axis, kMiddleSteps);
   const auto resolved = centre ? shorter_piece(system, piece, trace.ends[0], trace.ends[1], *centre)
                                : std::optional<Piece<Ball>>();
   if (resolved) {

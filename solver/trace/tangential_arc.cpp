@@ -10,7 +10,7 @@ namespace exsect {
 namespace {
 
 template <class Ball>
-constexpr double kLeastStep = LeastStep<Ball>::of(kContactSteps);
+constexpr double kLeastArcStep = LeastStep<Ball>::of(kContactSteps);
 
 /// The tubes of the trace in one direction from the seed (tube_tracer.h).
 template <class Ball>
@@ -33,7 +33,7 @@ class ContactCourse {
     return nullptr;
   }
 
-  bool may_try() const { return step_ >= kLeastStep<Ball>; }
+  bool may_try() const { return step_ >= kLeastArcStep<Ball>; }
 
   /// With the last tube's axis, then with half the step.
   void shorter(bool /*had*/) {
@@ -85,7 +85,7 @@ class ContactCourse {
 
   /// A tube around the position, which gives axis and direction.
   std::optional<TangentialTube<Ball>> certify_direction(std::optional<std::size_t> axis) const {
-    for (double reach = 0.25 * step_; reach >= 0.25 * kLeastStep<Ball>; reach *= 0.25) {
+    for (double reach = 0.25 * step_; reach >= 0.25 * kLeastArcStep<Ball>; reach *= 0.25) {
       auto tube = certify_tangential_tube(system_, position_, reach, axis);
       if (tube && contains(*tube, position_)) {
         return tube;

@@ -11,7 +11,7 @@ namespace exsect {
 namespace {
 
 constexpr double kWidthOfReach = 1;
-constexpr double kWorstContraction = 0.5;
+constexpr double kWorstTangentialContraction = 0.5;
 
 template <class Ball>
 BallVector<Ball> contact_value(const Expansion<Ball>& at, const std::array<std::size_t, 2>& rows,
@@ -121,7 +121,7 @@ std::optional<TangentialTube<Ball>> certify_tangential_tube(const PairSystem<Bal
   const JacobianDeviation e = jacobian_deviation(g, tube.axis, tube.slope, h);
   tube.contraction = largest_row_sum(e, tube.axis);
   const double f = residual_on_line(g, tube.axis, tube.slope, reach);
-  if (!(tube.contraction <= kWorstContraction) || !(16 * f <= tube.halfwidth)) {
+  if (!(tube.contraction <= kWorstTangentialContraction) || !(16 * f <= tube.halfwidth)) {
     return std::nullopt;
   }
   tube.core = (tube.halfwidth - 8 * f) / (3 * kSlack);

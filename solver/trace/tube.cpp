@@ -29,8 +29,6 @@ constexpr double kWidening = 1.5;
 /// Tubes are wider than their points are uncertain, by this factor, so that these are known to be inside.
 constexpr double kRoom = 8;
 
-using Row = Row3;
-
 /// The longer one of the two normal vectors, of length about 1, and two axes of space: an invertible matrix,
 /// or the identity where both normal vectors vanish.
 template <class Ball>
@@ -75,13 +73,13 @@ double uncertainty(const Tube<Ball>& tube) {
 /// The image f + E Z of Krawczyk's operator by rows, whether it lies strictly inside Z, and the largest row
 /// sum of E.
 struct Image {
-  Row bound;
+  Row3 bound;
   bool inside;
   double contraction;
 };
 template <class Ball>
-Image krawczyk_image(const Tube<Ball>& tube, const std::array<std::size_t, 3>& others, const Row& f,
-                     const std::array<Row, 4>& e) {
+Image krawczyk_image(const Tube<Ball>& tube, const std::array<std::size_t, 3>& others, const Row3& f,
+                     const std::array<Row3, 4>& e) {
   Image image{{}, true, 0};
   for (std::size_t row = 0; row < 3; ++row) {
     double sum = 0;
@@ -102,7 +100,7 @@ template <class Ball>
 bool certify(Tube<Ball>& tube, const AlongLine& along, double least_halfwidth) {
   const auto others = other_axes(tube.axis);
   const double least = std::max({least_halfwidth, kLeastHalfwidth<Ball>, kRoom * uncertainty(tube)});
-  Row f{};
+  Row3 f{};
   tube.halfwidth = {};
   for (std::size_t row = 0; row < 3; ++row) {
     f[row] = kSlack * along.residual[row].value;

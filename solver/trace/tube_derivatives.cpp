@@ -22,7 +22,7 @@ OffLine off_line(const Tube<Ball>& tube, const AlongLine& along, std::size_t p, 
 using Magnitudes = std::array<Row, 9>;
 
 template <class Ball>
-Magnitudes magnitudes(const TaylorNet<Ball>& net) {
+Magnitudes net_magnitudes(const TaylorNet<Ball>& net) {
   Magnitudes m{};
   for (std::size_t i = 0; i < 9; ++i) {
     m[i] = {net[i][0].upper_magnitude(), net[i][1].upper_magnitude(), net[i][2].upper_magnitude()};
@@ -46,7 +46,7 @@ Variation variation(const Magnitudes& m, std::size_t row, double ha, double hb) 
 /// X'' = x_u u'' + x_v v'' + x_uu u'^2 + 2 x_uv u'v' + x_vv v'^2, bounded term by term.
 template <class Ball>
 double bound_space_second_derivative(const Tube<Ball>& tube, const std::array<double, 4>& h) {
-  const Magnitudes m = magnitudes(tube.space);
+  const Magnitudes m = net_magnitudes(tube.space);
   const double a0 = std::fabs(tube.slope[0]) + tube.slope_error[0];
   const double a1 = std::fabs(tube.slope[1]) + tube.slope_error[1];
   const double u2 = std::fabs(tube.second[0]) + tube.second_error[0];

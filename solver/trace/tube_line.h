@@ -6,13 +6,11 @@
 #include <optional>
 
 #include "trace/preconditioned_newton.h"
+#include "trace/slack.h"
 #include "trace/tube_type.h"
 
 namespace exsect {
 
-/// Factor that covers rounding in sums of nonnegative terms: fewer than 128 terms, each a product of at most
-/// 64 factors, lose less than (1 - 2^-53)^200 > 1 - 2^-45. What is lost by underflow stands apart.
-inline constexpr double kSlack = 1 + 0x1p-40;
 /// A product loses at most 2^-1074 by underflow, times the factors that follow. A bound along the line is the
 /// sum of fewer than 2^25 products, of at most 2^3 steps each: together 2^-1040, times the greatest factors.
 inline constexpr double kUnderflow = 0x1p-1040;

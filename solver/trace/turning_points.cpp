@@ -14,11 +14,11 @@ namespace {
 
 /// Pieces of one trace beyond which splitting is given up: a parameter that is nearly constant.
 template <class Ball>
-constexpr std::size_t kMostPieces = 100000;
+constexpr std::size_t kMostTurningPieces = 100000;
 template <>
-inline constexpr std::size_t kMostPieces<DoubleDoubleBall> = 20000;
+inline constexpr std::size_t kMostTurningPieces<DoubleDoubleBall> = 20000;
 template <long Bits>
-inline constexpr std::size_t kMostPieces<ArbBall<Bits>> = 3000;
+inline constexpr std::size_t kMostTurningPieces<ArbBall<Bits>> = 3000;
 
 /// Width of the smallest brackets; 0: as narrow as doubles tell offsets apart on the tube.
 template <class Ball>
@@ -111,7 +111,7 @@ class TurningSearch {
     const auto part_of = [this](const Piece<Ball>& piece, double from, double to) {
       return shorter_piece(system_, piece, from, to);
     };
-    const auto failure = split_pieces(trace_.pieces, kMostPieces<Ball>, is_simple, part_of);
+    const auto failure = split_pieces(trace_.pieces, kMostTurningPieces<Ball>, is_simple, part_of);
     if (failure) fail(point_at(failure->piece.tube, failure->at), failure->why);
     return !failure;
   }

@@ -5,7 +5,7 @@
 
 A module is a header with the source of the same name. Of a library with rooms every include runs down a floor or stays
 in its room; modules of one room include each other in circles of at most three; every source has its header; no two
-sources of a library that is compiled in groups have a local name in common. Exit status 1 if one of these is violated.
+sources of a folder, which compile in groups, have a local name in common. Exit status 1 if one of these is violated.
 """
 
 import re
@@ -37,7 +37,7 @@ GUESTS = {"verify": {"answer"}, "implicit": {"answer", "curve", "line", "elimina
 # Sources of one class, by what its members do: their header is that of the class.
 PARTS = {"verify/verifier.h": {"arcs", "connections", "curves", "points"}}
 LARGEST_CIRCLE = 3
-COMPILED_IN_GROUPS = ["output", "certificate", "cli"]
+COMPILED_IN_GROUPS = ["algebra", "geometry", "solver", "verify", "implicit", "checker", "output", "certificate", "cli"]
 LIBRARIES = ["solver", "verify", "implicit", "output", "certificate"]
 
 
@@ -129,18 +129,22 @@ def circles(edges):
     return found
 
 
-LOCAL = re.compile(r"^(?:struct|class|enum class|enum) (\w+)|^using (\w+) =|^[A-Za-z][\w:<>,&* ]*[ &*](\w+)\(", re.M)
+LOCAL = re.compile(
+    r"^(?:struct|class|enum class|enum) (\w+)|^using (\w+) =|^constexpr [\w:<>* ]*[ *](\w+)(?: =|\{)"
+    r"|^[A-Za-z][\w:<>,&* ]*[ &*](\w+)\(",
+    re.M,
+)
 
 
 def local_names(library):
-    """Names that anonymous namespaces of more than one source define, by signature up to the parameters' names."""
+    """By folder and name, names that anonymous namespaces of more than one source there define."""
     where = defaultdict(set)
     for path in sources(library):
         if path.suffix != ".cpp":
             continue
         for body in re.findall(r"^namespace \{\n(.*?)^\}  // namespace$", path.read_text(), re.S | re.M):
             for name in re.findall(LOCAL, body):
-                where[next(part for part in name if part)].add(str(path.relative_to(ROOT)))
+                where[path.parent, next(part for part in name if part)].add(str(path.relative_to(ROOT)))
     return {name: files for name, files in where.items() if len(files) > 1}
 
 
@@ -166,8 +170,8 @@ def violations(found):
         if len(circle) > LARGEST_CIRCLE:
             wrong.append(f"a circle of {len(circle)} modules: {' '.join(circle)}")
     for library in COMPILED_IN_GROUPS:
-        for name, files in sorted(local_names(library).items()):
-            wrong.append(f"{library}/: the local name {name} stands in {' '.join(sorted(files))}")
+        for (folder, name), files in sorted(local_names(library).items()):
+            wrong.append(f"{folder.relative_to(ROOT)}/: the local name {name} stands in {' '.join(sorted(files))}")
     for library in LIBRARIES:
         for path in sources(library):
             own = {path.with_suffix(".h")} | {ROOT / h for h, parts in PARTS.items() if path.stem in parts and h.startswith(library)}
