@@ -1,0 +1,117 @@
+#include "implicit_surface.h"
+
+#include <utility>
+
+namespace exsect {
+namespace {
+
+void require_direction(const char* key, const Point& direction) {
+  if (is_zero(direction)) throw SurfaceError(key, "the vector is zero");
+}
+
+void require_positive(const char* key, const Length& length) {
+  if (!length.is_positive()) throw SurfaceError(key, "not positive");
+}
+
+SpacePolynomial affine(const Point& normal, const Rational& constant) {
+  SpacePolynomial form = SpacePolynomial::constant(constant);
+  for (std::size_t k = 0; k < 3; ++k) form += normal[k] * SpacePolynomial::variable(k);
+  return form;
+}
+
+/// |p - c|^2
+SpacePolynomial squared_distance(const Point& c) {
+  SpacePolynomial sum;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SpacePolynomial difference = SpacePolynomial::variable(k) - SpacePolynomial::constant(c[k]);
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+/// (p - c) . d
+SpacePolynomial height(const Point& c, const Point& d) { return affine(d, -dot(c, d)); }
+
+/// |d|^2 times the squared distance from the axis through c along d.
+SpacePolynomial axis_distance(const Point& c, const Point& d) {
+  const SpacePolynomial h = height(c, d);
+  return dot(d, d) * squared_distance(c) - h * h;
+}
+
+}  // namespace
+
+const char* name(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::plane:
+      return "plane";
+    case SurfaceKind::cylinder:
+      return "cylinder";
+    case SurfaceKind::cone:
+      return "cone";
+    case SurfaceKind::sphere:
+      return "sphere";
+    case SurfaceKind::torus:
+      return "torus";
+    case SurfaceKind::polynomial:
+      break;
+  }
+  return "implicit";
+}
+
+Length Length::of_squared(const Rational& q) { return {abs(q), sign(q)}; }
+
+ImplicitSurface ImplicitSurface::plane(const Point& point, const Point& normal) {
+  require_direction("normal", normal);
+  return {SurfaceKind::plane, height(point, normal)};
+}
+
+ImplicitSurface ImplicitSurface::cylinder(const Point& point, const Point& axis, const Length& radius) {
+  require_direction("axis", axis);
+  require_positive("radius", radius);
+  return {SurfaceKind::cylinder,
+          axis_distance(point, axis) - SpacePolynomial::constant(radius.squared() * dot(axis, axis))};
+}
+
+ImplicitSurface ImplicitSurface::cone(const Point& apex, const Point& axis, const Length& slope, int nappes) {
+  require_direction("axis", axis);
+  require_positive("slope", slope);
+  if (nappes != 1 && nappes != 2) throw SurfaceError("nappes", "neither 1 nor 2");
+  const SpacePolynomial h = height(apex, axis);
+  ImplicitSurface cone(SurfaceKind::cone, axis_distance(apex, axis) - slope.squared() * h * h);
+  if (nappes == 1) cone.bound_ = HalfSpaceBound{axis, -dot(apex, axis)};
+  return cone;
+}
+
+ImplicitSurface ImplicitSurface::sphere(const Point& centre, const Length& radius) {
+  require_positive("radius", radius);
+  return {SurfaceKind::sphere, squared_distance(centre) - SpacePolynomial::constant(radius.squared())};
+}
+
+ImplicitSurface ImplicitSurface::torus(const Point& centre, const Point& axis, const Length& major,
+                                       const Length& minor) {
+  require_direction("axis", axis);
+  require_positive("major", major);
+  require_positive("minor", minor);
+  if (minor.squared() == major.squared()) {
+    throw SurfaceError("minor", "as great as major: a horn torus, which meets itself in its centre");
+  }
+  if (minor.squared() > major.squared()) {
+    throw SurfaceError("minor", "greater than major: a spindle torus, which meets itself on its axis");
+  }
+  const SpacePolynomial s =
+      squared_distance(centre) + SpacePolynomial::constant(major.squared() - minor.squared());
+  return {SurfaceKind::torus,
+          dot(axis, axis) * (s * s) - Rational(4 * major.squared()) * axis_distance(centre, axis)};
+}
+
+ImplicitSurface ImplicitSurface::polynomial(const SpacePolynomial& f) {
+  if (f.degree() < 1) throw SurfaceError("terms", "the polynomial is constant");
+  if (f.degree() > 4) throw SurfaceError("terms", "the degree is above 4");
+  return {SurfaceKind::polynomial, f};
+}
+
+bool ImplicitSurface::contains(const Point& p) const {
+  return equation_(p) == 0 && (!bound_ || (*bound_)(p) >= 0);
+}
+
+}  // namespace exsect
