@@ -1,0 +1,379 @@
+#include "curve/curve_graph.h"
+
+#include <exsect/algebra/nearest_rounding.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include "answer/parameter_box.h"
+#include "answer/proof_failure.h"
+#include "curve/curve_factors.h"
+#include "curve/curve_values.h"
+#include "curve/no_zero.h"
+#include "curve/plane_curve.h"
+
+namespace exsect {
+namespace {
+
+/// A rational number between the two points over the same u.
+Rational cut_between(TriangularPoint a, TriangularPoint b) {
+  for (Rational width = power_of_two(-10); a.r_interval().upper >= b.r_interval().lower; width *= width) {
+    a = a.refined_to(width);
+    b = b.refined_to(width);
+  }
+  return simplest_between(a.r_interval().upper, b.r_interval().lower);
+}
+
+/// The point (u,v) for rational v.
+TriangularPoint point_over(const RealAlgebraic& u, const Rational& v) {
+  return {u, BivariatePolynomial::r() - BivariatePolynomial::constant(v), {v, v}};
+}
+
+bool is_at(const TriangularPoint& p, const Rational& v) {
+  return p.r_interval().lower == v && p.r_interval().upper == v;
+}
+
+/// Sweeps the curve in the direction of u. In polynomials of points v is the first variable.
+class CurveSweep {
+ public:
+  CurveSweep(const BivariatePolynomial& f, const std::optional<BivariatePolynomial>& h)
+      : factors_(curve_factors(f)), h_(h) {
+    radical_ = squarefree(f);
+    const ContentAndPart parts = split_content(radical_.exchanged());
+    graph_part_ = parts.primitive.exchanged();
+    swept_ = parts.primitive;
+    f_u_ = radical_.derivative_r().exchanged();
+    f_v_ = radical_.derivative_s().exchanged();
+    values_ = curve_values(graph_part_, parts.content, h_);
+  }
+
+  CurveGraph run() {
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const std::vector<RealAlgebraic> next =
+          i + 1 < values_.size() ? points_after(i) : std::vector<RealAlgebraic>{};
+      pass(i, next.size());
+      open_arcs(i, next);
+    }
+    return keep_half();
+  }
+
+ private:
+  /// An arc on its way: which one, or none yet.
+  struct Front {
+    std::optional<std::size_t> arc;
+    std::optional<std::size_t> from;
+  };
+
+  std::vector<RealAlgebraic> points_at(const Rational& u) const {
+    const Polynomial in_v = graph_part_.at_r(u);
+    return in_v.degree() < 1 ? std::vector<RealAlgebraic>{} : real_roots(in_v, 0, 1);
+  }
+
+  Rational sample_after(std::size_t i) const {
+    return simplest_between(values_[i].u.interval().upper, values_[i + 1].u.interval().lower);
+  }
+  std::vector<RealAlgebraic> points_after(std::size_t i) const { return points_at(sample_after(i)); }
+
+  /// Closed, with the value inside, or at its end for 0 and 1, and no other one; smaller with every round.
+  RationalInterval window_around(std::size_t i, int round) const {
+    const Rational reach = power_of_two(-(16L << round));
+    const RationalInterval at = values_[i].u.refined_to(reach).interval();
+    if (at.lower < at.upper) return at;
+    RationalInterval window = at;
+    if (i > 0)
+      window.lower = std::max<Rational>(at.lower - reach, (at.lower + values_[i - 1].u.interval().upper) / 2);
+    if (i + 1 < values_.size())
+      window.upper = std::min<Rational>(at.upper + reach, (at.upper + values_[i + 1].u.interval().lower) / 2);
+    return window;
+  }
+
+  /// Rational numbers between the points over value i, and a window in which f(u,c) != 0 for each of them.
+  RationalInterval window_between(std::size_t i, const std::vector<Rational>& cuts) const {
+    for (int round = 0;; ++round) {
+      const RationalInterval window = window_around(i, round);
+      if (std::all_of(cuts.begin(), cuts.end(),
+                      [&](const Rational& c) { return has_no_zero(graph_part_.at_s(c), window); }))
+        return window;
+    }
+  }
+
+  /// The `total` points over u, on an end of a window; none beyond the square, where the window ends in the
+  /// value itself.
+  std::vector<RealAlgebraic> points_before(const Rational& u, std::size_t total) const {
+    if (total == 0) return {};
+    std::vector<RealAlgebraic> points = points_at(u);
+    if (points.size() != total)
+      throw ProofFailure(whole_domain(), "the number of points of a curve changes between critical values");
+    return points;
+  }
+
+  /// Their number below each cut, and of all.
+  static std::vector<std::size_t> counts_below(const std::vector<RealAlgebraic>& points,
+                                               const std::vector<Rational>& cuts) {
+    std::vector<std::size_t> counts;
+    for (const Rational& c : cuts)
+      counts.push_back(static_cast<std::size_t>(std::count_if(
+          points.begin(), points.end(), [&](const RealAlgebraic& v) { return v.compare(c) < 0; })));
+    counts.push_back(points.size());
+    return counts;
+  }
+
+  /// On a line of the curve also the points where h = 0.
+  std::vector<TriangularPoint> points_over(const CriticalValue& value) const {
+    BivariatePolynomial f = swept_;
+    if (value.is_vertical && h_ && !reduced_at(h_->exchanged(), value.u).is_zero()) f = f * h_->exchanged();
+    return f.degree_r() > 0 ? roots_at(f, value.u, 0, 1) : std::vector<TriangularPoint>{};
+  }
+
+  /// The points over value i, their order among the arcs on both sides, and where they lie.
+  struct Meeting {
+    std::size_t left_from, left_to, right_from, right_to;
+    RationalInterval v;
+    std::optional<TriangularPoint> at;  // empty: a regular point inside the square
+    bool is_on_side;
+  };
+
+  /// Joins the arcs on both sides of value i in the points over it.
+  void pass(std::size_t i, std::size_t next) {
+    std::vector<Meeting> meetings;
+    if (values_[i].is_exact || !meet_in_strips(i, next, meetings)) meetings = meet_in_points(i, next);
+    const std::vector<Front> before = std::move(fronts_);
+    fronts_.assign(next, {});
+    std::vector<std::size_t> on_line;
+    for (const Meeting& meeting : meetings) {
+      const std::optional<std::size_t> node = join(i, meeting, before);
+      if (node) on_line.push_back(*node);
+    }
+    if (values_[i].is_vertical) add_line(i, std::move(on_line));
+  }
+
+  /// Whatever happens over value i (Lemma 17.1).
+  std::vector<Meeting> meet_in_points(std::size_t i, std::size_t next) const {
+    const std::vector<TriangularPoint> over = points_over(values_[i]);
+    std::vector<Rational> cuts;
+    for (std::size_t k = 0; k + 1 < over.size(); ++k) cuts.push_back(cut_between(over[k], over[k + 1]));
+    const RationalInterval window = window_between(i, cuts);
+    const std::vector<std::size_t> left = counts_below(points_before(window.lower, fronts_.size()), cuts);
+    const std::vector<std::size_t> right = counts_below(points_before(window.upper, next), cuts);
+    if (over.empty() && !(fronts_.empty() && next == 0))
+      throw ProofFailure(whole_domain(), "arcs of a curve end where it has no point");
+    const bool at_end = i == 0 || i + 1 == values_.size();
+    std::vector<Meeting> meetings;
+    for (std::size_t k = 0; k < over.size(); ++k)
+      meetings.push_back({k > 0 ? left[k - 1] : 0, left[k], k > 0 ? right[k - 1] : 0, right[k],
+                          over[k].r_interval(), over[k], at_end || is_at(over[k], 0) || is_at(over[k], 1)});
+    return meetings;
+  }
+
+  /// The same by counting arcs in strips alone (Lemma 17.2); false if strips with three arcs remain.
+  bool meet_in_strips(std::size_t i, std::size_t next, std::vector<Meeting>& meetings) const {
+    for (int round = 0; round < strip_rounds; ++round) {
+      const RationalInterval window = window_around(i, round);
+      const std::vector<RealAlgebraic> left = points_before(window.lower, fronts_.size());
+      const std::vector<RealAlgebraic> right = points_before(window.upper, next);
+      const std::vector<Rational> cuts = strip_cuts(window, left, right);
+      if (values_[i].side && cuts.empty() && left.size() + right.size() > 1) continue;
+      meetings = strips_between(cuts, counts_below(left, cuts), counts_below(right, cuts));
+      const std::optional<int> side = values_[i].side;
+      bool settled = true;
+      for (std::size_t k = 0; k < meetings.size(); ++k) {
+        Meeting& strip = meetings[k];
+        const std::size_t arcs = strip.left_to - strip.left_from + strip.right_to - strip.right_from;
+        strip.is_on_side = side && k == (*side == 0 ? 0 : meetings.size() - 1);
+        if (strip.is_on_side) {
+          strip.at = point_over(values_[i].u, *side);
+          strip.v = {*side, *side};
+        }
+        settled = settled && (strip.is_on_side ? arcs == 1 : arcs == 0 || arcs == 2);
+      }
+      if (!settled) continue;
+      std::erase_if(meetings, [](const Meeting& strip) {
+        return strip.left_from == strip.left_to && strip.right_from == strip.right_to;
+      });
+      return true;
+    }
+    return false;
+  }
+
+  /// Numbers between the points on both ends of a window, ascending, with f(u,c) != 0 in it.
+  std::vector<Rational> strip_cuts(const RationalInterval& window, const std::vector<RealAlgebraic>& left,
+                                   const std::vector<RealAlgebraic>& right) const {
+    std::vector<RealAlgebraic> points = left;
+    points.insert(points.end(), right.begin(), right.end());
+    std::sort(points.begin(), points.end());
+    std::vector<Rational> cuts;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+      RealAlgebraic a = points[k], b = points[k + 1];
+      if (a == b) continue;
+      for (Rational width = power_of_two(-10); !are_apart(a, b); width *= width) {
+        a = a.refined_to(width);
+        b = b.refined_to(width);
+      }
+      const Rational c = simplest_between(a.interval().upper, b.interval().lower);
+      if (has_no_zero(graph_part_.at_s(c), window)) cuts.push_back(c);
+    }
+    return cuts;
+  }
+
+  static std::vector<Meeting> strips_between(const std::vector<Rational>& cuts,
+                                             const std::vector<std::size_t>& left,
+                                             const std::vector<std::size_t>& right) {
+    std::vector<Meeting> strips;
+    for (std::size_t k = 0; k <= cuts.size(); ++k)
+      strips.push_back({k > 0 ? left[k - 1] : 0,
+                        left[k],
+                        k > 0 ? right[k - 1] : 0,
+                        right[k],
+                        {k > 0 ? cuts[k - 1] : Rational(0), k < cuts.size() ? cuts[k] : Rational(1)},
+                        std::nullopt,
+                        false});
+    return strips;
+  }
+
+  /// The node, unless one regular arc passes there.
+  std::optional<std::size_t> join(std::size_t i, const Meeting& meeting, const std::vector<Front>& before) {
+    const CriticalValue& value = values_[i];
+    const int left = static_cast<int>(meeting.left_to - meeting.left_from);
+    const int right = static_cast<int>(meeting.right_to - meeting.right_from);
+    const bool singular =
+        value.is_exact && sign_at(f_u_, *meeting.at) == 0 && sign_at(f_v_, *meeting.at) == 0;
+    const bool passes = left == 1 && right == 1 && !singular && !value.is_vertical &&
+                        !(meeting.is_on_side && !runs_along_side(before[meeting.left_from], meeting)) &&
+                        !(value.is_exact && changes_half(*meeting.at));
+    if (passes) {
+      fronts_[meeting.right_from] = before[meeting.left_from];
+      return std::nullopt;
+    }
+    const std::size_t node = graph_.nodes.size();
+    graph_.nodes.push_back({value.u, meeting.v, meeting.at, singular, meeting.is_on_side, left, right, 0});
+    for (std::size_t k = meeting.left_from; k < meeting.left_to; ++k) graph_.arcs[*before[k].arc].to = node;
+    for (std::size_t k = meeting.right_from; k < meeting.right_to; ++k) fronts_[k].from = node;
+    return node;
+  }
+
+  bool runs_along_side(const Front& front, const Meeting& meeting) const {
+    const TriangularPoint& inside = graph_.arcs[*front.arc].inside;
+    return (is_at(*meeting.at, 0) && is_at(inside, 0)) || (is_at(*meeting.at, 1) && is_at(inside, 1));
+  }
+
+  bool changes_half(const TriangularPoint& at) const { return h_ && sign_at(h_->exchanged(), at) == 0; }
+
+  /// The line u = const through these nodes, and through the ends of the square.
+  void add_line(std::size_t i, std::vector<std::size_t> nodes) {
+    const RealAlgebraic& u = values_[i].u;
+    const auto add_end = [&](int v) {
+      graph_.nodes.push_back({u, {v, v}, point_over(u, v), false, true, 0, 0, 0});
+      return graph_.nodes.size() - 1;
+    };
+    if (nodes.empty() || !is_at(*graph_.nodes[nodes.front()].exact, 0))
+      nodes.insert(nodes.begin(), add_end(0));
+    if (!is_at(*graph_.nodes[nodes.back()].exact, 1)) nodes.push_back(add_end(1));
+    for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+      CurveNode &from = graph_.nodes[nodes[k]], &to = graph_.nodes[nodes[k + 1]];
+      const TriangularPoint inside = point_over(u, cut_between(*from.exact, *to.exact));
+      ++from.vertical;
+      ++to.vertical;
+      graph_.arcs.push_back({nodes[k], nodes[k + 1], multiplicity_at(inside), inside});
+    }
+  }
+
+  /// Arcs that start at value i; v of each over the sample after it.
+  void open_arcs(std::size_t i, const std::vector<RealAlgebraic>& points) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (fronts_[k].arc) continue;
+      const BivariatePolynomial in_v =
+          BivariatePolynomial(std::vector<Polynomial>(1, points[k].polynomial())).exchanged();
+      const TriangularPoint inside = points[k].is_rational()
+                                         ? point_over(sample_after(i), points[k].rational())
+                                         : TriangularPoint(sample_after(i), in_v, points[k].interval());
+      fronts_[k].arc = graph_.arcs.size();
+      graph_.arcs.push_back({*fronts_[k].from, 0, multiplicity_at(inside), inside});
+    }
+  }
+
+  int multiplicity_at(const TriangularPoint& inside) const {
+    if (factors_.size() == 1) return factors_.front().multiplicity;
+    for (const CurveFactor& factor : factors_)
+      if (sign_at(factor.factor.exchanged(), inside) == 0) return factor.multiplicity;
+    throw ProofFailure(whole_domain(), "an arc of a curve is on none of its factors");
+  }
+
+  /// What lies in h >= 0. An arc has one sign of h inside, and so has a node that is not exact as its arcs
+  /// have.
+  CurveGraph keep_half() {
+    if (!h_) return std::move(graph_);
+    const BivariatePolynomial half = h_->exchanged();
+    CurveGraph kept;
+    std::vector<bool> is_kept(graph_.nodes.size(), false);
+    for (std::size_t i = 0; i < graph_.nodes.size(); ++i)
+      is_kept[i] = graph_.nodes[i].exact && sign_at(half, *graph_.nodes[i].exact) >= 0;
+    for (CurveBranch& arc : graph_.arcs) {
+      CurveNode &from = graph_.nodes[arc.from], &to = graph_.nodes[arc.to];
+      if (sign_at(half, arc.inside) >= 0) {
+        is_kept[arc.from] = is_kept[arc.to] = true;
+        kept.arcs.push_back(arc);
+      } else if (from.u == to.u) {
+        --from.vertical;
+        --to.vertical;
+      } else {
+        --from.right;
+        --to.left;
+      }
+    }
+    std::vector<std::size_t> position(graph_.nodes.size(), 0);
+    for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
+      position[i] = kept.nodes.size();
+      if (is_kept[i]) kept.nodes.push_back(graph_.nodes[i]);
+    }
+    for (CurveBranch& arc : kept.arcs) {
+      arc.from = position[arc.from];
+      arc.to = position[arc.to];
+    }
+    return kept;
+  }
+
+  static constexpr int strip_rounds = 4;
+
+  std::vector<CurveFactor> factors_;
+  std::optional<BivariatePolynomial> h_;
+  BivariatePolynomial radical_;     // every factor of f once
+  BivariatePolynomial graph_part_;  // without lines u = const
+  BivariatePolynomial swept_;       // the same with v in the place of r
+  BivariatePolynomial f_u_;
+  BivariatePolynomial f_v_;
+  std::vector<CriticalValue> values_;
+  std::vector<Front> fronts_;  // ascending in v
+  CurveGraph graph_;
+};
+
+}  // namespace
+
+int CurveGraph::isolated_points() const {
+  return static_cast<int>(
+      std::count_if(nodes.begin(), nodes.end(), [](const CurveNode& node) { return node.degree() == 0; }));
+}
+
+int CurveGraph::components() const {
+  std::vector<std::size_t> parent(nodes.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](std::size_t node) {
+    while (parent[node] != node) node = parent[node];
+    return node;
+  };
+  int count = static_cast<int>(nodes.size());
+  for (const CurveBranch& arc : arcs) {
+    const std::size_t a = root(arc.from), b = root(arc.to);
+    if (a == b) continue;
+    parent[a] = b;
+    --count;
+  }
+  return count;
+}
+
+CurveGraph curve_graph(const BivariatePolynomial& f, const std::optional<BivariatePolynomial>& h) {
+  if (f.is_zero()) throw std::domain_error("curve_graph: the zero polynomial");
+  return in_nearest_rounding([&] { return CurveSweep(f, h).run(); });
+}
+
+}  // namespace exsect

@@ -1,0 +1,51 @@
+// A plane algebraic curve f(u,v) = 0 in the closed unit square as a graph, exact: every singular and isolated
+// point, multiple factors, parts on the sides. docs/method.md, section 17.1.
+#pragma once
+
+#include <exsect/algebra/triangular_point.h>
+
+#include <optional>
+#include <vector>
+
+namespace exsect {
+
+/// A point (u,v) of the curve.
+struct CurveNode {
+  RealAlgebraic u;
+  RationalInterval v;                    // closed, no other point of the curve over u in it
+  std::optional<TriangularPoint> exact;  // with u as its s and v as its r; not of most turning points
+  bool is_singular;                      // f_u = f_v = 0 for the product of the irreducible factors of f
+  bool is_on_side;                       // of the square
+  int left, right;                       // ends of arcs that come from smaller and from greater u
+  int vertical;                          // ends of arcs on u = const
+  int degree() const { return left + right + vertical; }
+};
+
+/// A connected piece of the curve without a node inside: the graph of a function of u from node `from` to
+/// node `to`, of greater u, or a piece of a line u = const from smaller to greater v.
+struct CurveBranch {
+  std::size_t from;
+  std::size_t to;
+  int multiplicity;        // the exponent in f of the factor that vanishes on it
+  TriangularPoint inside;  // one of its inner points
+};
+
+/// Of {f = 0}, or of {f = 0, h >= 0}, in [0,1]^2. Nodes: singular points, isolated ones among them; turning
+/// points u = const, which have two arcs from one side; points on the sides, but for inner points of arcs
+/// that lie on v = 0 or v = 1; points where h = 0, all of them unless h vanishes on a whole arc. Ascending in
+/// u. All other points of the curve are in exactly one arc.
+struct CurveGraph {
+  std::vector<CurveNode> nodes;
+  std::vector<CurveBranch> arcs;
+
+  /// Nodes of degree 0.
+  int isolated_points() const;
+  /// Connected parts, isolated points among them.
+  int components() const;
+};
+
+/// Throws std::domain_error for f = 0.
+CurveGraph curve_graph(const BivariatePolynomial& f,
+                       const std::optional<BivariatePolynomial>& h = std::nullopt);
+
+}  // namespace exsect

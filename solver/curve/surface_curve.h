@@ -1,0 +1,28 @@
+// The intersection of a surface given by its equation with a patch, exact: a plane curve of the patch's
+// parameters. docs/method.md, section 17.1.
+#pragma once
+
+#include <exsect/geometry/implicit_surface.h>
+#include <exsect/geometry/rational_patch.h>
+#include <exsect/solver/curve_graph.h>
+
+#include <optional>
+
+namespace exsect {
+
+/// Invariant: the points (u,v) of [0,1]^2 with x(u,v) on the surface are those of `graph`, or, if
+/// contains_patch, all with half >= 0 where there is a `half`, and the graph is empty. A node of degree 0 is
+/// where patch and surface touch in a point or meet in a corner or side of the patch alone; an arc of
+/// multiplicity above 1 is a curve along which they touch, unless the patch or the equation is singular
+/// there.
+struct SurfaceCurve {
+  BivariatePolynomial section;              // G of (17.2), u in the place of r and v in that of s
+  std::optional<BivariatePolynomial> half;  // the same of the bound of a cone of one nappe
+  bool contains_patch;
+  CurveGraph graph;
+};
+
+/// For every patch, of every degree and with weights or without.
+SurfaceCurve surface_curve(const ImplicitSurface& surface, const RationalPatch& x);
+
+}  // namespace exsect
