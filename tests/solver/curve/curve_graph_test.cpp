@@ -93,6 +93,17 @@ TEST_CASE("singular points of every kind") {
   CHECK(shape(left * circle(Rational(7, 10), Rational(1, 2), Rational(1, 100))) == Shape{4, 4, 2, 0, 0});
 }
 
+TEST_CASE("a turning point beside a steep arc") {
+  // B^3 - p B + e: a fold at p of about e^(2/3), a third branch at a distance of about e^(1/3)
+  const BivariatePolynomial p = u * u - number(Rational(1, 2)), steep = b + number(5) * p;
+  for (const int k : {30, 60, 90, 150})
+    for (const int sign : {-1, 1}) {
+      INFO("2^-" << k << ", sign " << sign);
+      const BivariatePolynomial f = steep * steep * steep - p * steep + number(sign * power_of_two(-k));
+      CHECK(shape(f) == Shape{5, 3, 2, 0, 0});
+    }
+}
+
 TEST_CASE("lines along the axes, sides and multiple factors") {
   CHECK(shape(u) == Shape{2, 1, 1, 0, 0});
   CHECK(shape(v) == Shape{2, 1, 1, 0, 0});
