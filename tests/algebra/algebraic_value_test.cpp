@@ -3,7 +3,7 @@
 #include "random_numbers.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::algebraic_value_test {
 
 namespace {
 
@@ -75,3 +75,5 @@ TEST_CASE("enclosures have the width asked for and agree with the exact value") 
     CHECK(sign_at(h, p) == value.compare(0));
   }
 }
+
+}  // namespace exsect::algebraic_value_test

@@ -7,7 +7,7 @@
 #include "algebra/random_numbers.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::ball_roots_test {
 using namespace exsect::test;
 
 namespace {
@@ -126,3 +126,5 @@ TEST_CASE("roots in balls: where they decide nothing", "[ball_roots]") {
   CHECK_THROWS_AS(isolate_ball_roots(std::vector<DoubleDoubleBall>(18, 1.0)), std::invalid_argument);
   CHECK(isolate_ball_roots(std::vector<DoubleDoubleBall>(17, 1.0))->empty());
 }
+
+}  // namespace exsect::ball_roots_test

@@ -6,11 +6,7 @@
 
 #include "support/catch.h"
 
-using exsect::ArbBall;
-using exsect::DoubleBall;
-using exsect::DoubleDoubleBall;
-using exsect::Rational;
-using exsect::RationalInterval;
+namespace exsect::ball_test {
 
 namespace {
 
@@ -129,3 +125,5 @@ TEST_CASE("balls enclose exact results", "[ball]") {
     check_chain<ArbBall<256>>(seed);
   }
 }
+
+}  // namespace exsect::ball_test

@@ -3,7 +3,7 @@
 #include "random_numbers.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::bernstein_box_test {
 using exsect::test::Random;
 
 TEST_CASE("Bernstein boxes of special polynomials", "[bernstein_box]") {
@@ -53,3 +53,5 @@ TEST_CASE("divided boxes have the coefficients of the parts", "[bernstein_box]")
     same(whole.split_r().second.split_s().second, {r.midpoint(), r.upper}, {s.midpoint(), s.upper});
   }
 }
+
+}  // namespace exsect::bernstein_box_test

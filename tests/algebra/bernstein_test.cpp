@@ -5,7 +5,7 @@
 #include "algebra/random_numbers.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::bernstein_test {
 
 namespace {
 
@@ -101,3 +101,5 @@ TEST_CASE("sign variations skip zeros") {
   CHECK(sign_variations({1, 0, -2, 0, 0, 3, -1}) == 3);
   CHECK(sign_variations({-1, 0, 1}) == 1);
 }
+
+}  // namespace exsect::bernstein_test

@@ -5,7 +5,7 @@
 #include "algebra/random_numbers.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::bivariate_polynomial_test {
 
 namespace {
 
@@ -108,3 +108,5 @@ TEST_CASE("bivariate: gcd") {
     CHECK(sign(g.coefficient(g.degree_r()).leading_coefficient()) == 1);
   }
 }
+
+}  // namespace exsect::bivariate_polynomial_test

@@ -9,7 +9,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::chebyshev_roots_test {
 
 namespace {
 
@@ -123,3 +123,5 @@ TEST_CASE("Chebyshev roots: those of the exact polynomial", "[chebyshev_roots]")
   CHECK(decided >= 40);
   CHECK(intervals >= 100);
 }
+
+}  // namespace exsect::chebyshev_roots_test

@@ -5,7 +5,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::chebyshev_test {
 
 namespace {
 
@@ -67,3 +67,5 @@ TEST_CASE("Chebyshev nodes: interpolation gives back the coefficients", "[chebys
     }
   }
 }
+
+}  // namespace exsect::chebyshev_test

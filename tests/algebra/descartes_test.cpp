@@ -7,7 +7,7 @@
 #include "algebra/root_checks.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::descartes_test {
 using test::check_roots;
 using test::with_roots;
 
@@ -149,3 +149,5 @@ TEST_CASE("isolate_roots: parts, mirror image and scaling have the same roots") 
     CHECK(isolate_roots(stretched, 3, 10).size() == all.size());
   }
 }
+
+}  // namespace exsect::descartes_test

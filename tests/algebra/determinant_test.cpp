@@ -3,7 +3,7 @@
 #include "random_numbers.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::determinant_test {
 using exsect::test::Random;
 
 namespace {
@@ -72,3 +72,5 @@ TEST_CASE("primitive multiples are positive, integer and coprime", "[determinant
   CHECK(primitive(BivariatePolynomial()).is_zero());
   CHECK(primitive(primitive(f)) == primitive(f));
 }
+
+}  // namespace exsect::determinant_test

@@ -7,7 +7,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::double_matrix_test {
 
 namespace {
 
@@ -113,3 +113,5 @@ TEST_CASE("least singular values and square roots satisfy what defines them", "[
       for (std::size_t k = 0; k < 4; ++k) CHECK(again(j, k) == Approx(g(j, k)).margin(1e-8));
   }
 }
+
+}  // namespace exsect::double_matrix_test

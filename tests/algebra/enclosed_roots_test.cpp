@@ -6,7 +6,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::enclosed_roots_test {
 
 namespace {
 
@@ -104,3 +104,5 @@ TEST_CASE("enclosed roots: random polynomials and errors", "[enclosed_roots]") {
   CHECK(decided >= 100);
   CHECK(with_roots_found >= 60);
 }
+
+}  // namespace exsect::enclosed_roots_test

@@ -5,7 +5,7 @@
 #include "random_numbers.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::fixed_point_interval_test {
 
 namespace {
 
@@ -87,3 +87,5 @@ TEST_CASE("fixed point: rounding outward to short dyadics") {
   CHECK(rounded.width() <= Rational(1, 1000));
   CHECK(4096 % denominator(rounded.lower) == 0);
 }
+
+}  // namespace exsect::fixed_point_interval_test

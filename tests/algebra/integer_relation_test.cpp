@@ -4,7 +4,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::integer_relation_test {
 namespace {
 
 constexpr int kBits = 600;
@@ -50,4 +50,4 @@ TEST_CASE("numbers of different fields have no short relation") {
   CHECK_FALSE(integer_relation(powers(a, 2), kBits));
 }
 
-}  // namespace exsect
+}  // namespace exsect::integer_relation_test

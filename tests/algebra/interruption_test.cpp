@@ -4,7 +4,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::interruption_test {
 
 namespace {
 
@@ -86,3 +86,5 @@ TEST_CASE(
   CHECK(real_roots(f, 0, 1) == roots);
   CHECK(discriminant_r(g) == eliminant);
 }
+
+}  // namespace exsect::interruption_test

@@ -5,7 +5,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::modular_test {
 
 namespace {
 
@@ -310,3 +310,5 @@ TEST_CASE("interpolate_integer_polynomial leaves out primes where a value is und
   };
   CHECK(interpolate_integer_polynomial(2, 200, sometimes) == f);
 }
+
+}  // namespace exsect::modular_test

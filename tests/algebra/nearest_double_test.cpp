@@ -4,7 +4,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::nearest_double_test {
 namespace {
 
 void check(const Rational& q) {
@@ -39,4 +39,4 @@ TEST_CASE("nearest double: random numbers") {
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::nearest_double_test

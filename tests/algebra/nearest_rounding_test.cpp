@@ -11,7 +11,7 @@
 #include "support/catch.h"
 #include "support/float_environments.h"
 
-using namespace exsect;
+namespace exsect::nearest_rounding_test {
 
 namespace {
 
@@ -133,3 +133,5 @@ TEST_CASE("nearest rounding: numbers and roots are the same in every environment
     CHECK(after == environment);
   }
 }
+
+}  // namespace exsect::nearest_rounding_test

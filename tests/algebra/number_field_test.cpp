@@ -7,7 +7,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::number_field_test {
 namespace {
 
 const Polynomial kCubic({-2, 1, 0, 1});  // s³ + s - 2 ... with a root 1: not irreducible
@@ -85,4 +85,4 @@ TEST_CASE("degrees of common divisors modulo a prime") {
   CHECK_THROWS_AS(gcd_degree_bound(r, r, Polynomial(3)), std::domain_error);
 }
 
-}  // namespace exsect
+}  // namespace exsect::number_field_test

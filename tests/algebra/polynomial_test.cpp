@@ -5,7 +5,7 @@
 #include "algebra/random_numbers.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::polynomial_test {
 
 namespace {
 
@@ -239,3 +239,5 @@ TEST_CASE("polynomial: factors multiply back") {
     CHECK(sign(part.leading_coefficient()) == sign(f.leading_coefficient()));
   }
 }
+
+}  // namespace exsect::polynomial_test

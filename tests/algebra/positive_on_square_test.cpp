@@ -5,7 +5,7 @@
 #include "random_numbers.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::positive_on_square_test {
 using exsect::test::Random;
 
 namespace {
@@ -125,3 +125,5 @@ TEST_CASE("random polynomials agree with subdivision and with Sturm chains on li
   CHECK(positive > 50);
   CHECK(negative > 50);
 }
+
+}  // namespace exsect::positive_on_square_test

@@ -5,7 +5,7 @@
 #include "algebra/algebraic_specimens.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::quadratic_sign_test {
 using namespace exsect::test;
 
 TEST_CASE("quadratic sign: each combination of signs, and exact cancellation") {
@@ -69,3 +69,5 @@ TEST_CASE("quadratic sign: random polynomials at quadratic numbers, against nest
           sign_of_sum(expected.a, expected.b, expected.c, 0, 0));
   }
 }
+
+}  // namespace exsect::quadratic_sign_test

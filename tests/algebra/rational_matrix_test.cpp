@@ -4,7 +4,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::rational_matrix_test {
 namespace {
 
 RationalMatrix random_matrix(std::mt19937_64& random, std::size_t rows, std::size_t columns) {
@@ -90,4 +90,4 @@ TEST_CASE("solutions satisfy their system") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::rational_matrix_test

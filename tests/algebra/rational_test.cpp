@@ -7,7 +7,7 @@
 #include "algebra/random_numbers.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::rational_test {
 
 namespace {
 
@@ -127,3 +127,5 @@ TEST_CASE("power_of_two and interval helpers") {
   CHECK(interval.midpoint() == Rational(1, 2));
   CHECK(sign(Rational(-2, 7)) == -1);
 }
+
+}  // namespace exsect::rational_test

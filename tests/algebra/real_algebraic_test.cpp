@@ -7,7 +7,7 @@
 #include "algebra/algebraic_specimens.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::real_algebraic_test {
 using namespace exsect::test;
 
 namespace {
@@ -338,3 +338,5 @@ TEST_CASE("real algebraic: random polynomials of high degree, order and refineme
     }
   }
 }
+
+}  // namespace exsect::real_algebraic_test

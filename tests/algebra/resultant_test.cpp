@@ -5,7 +5,7 @@
 #include "algebra/random_numbers.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::resultant_test {
 using test::with_roots;
 
 namespace {
@@ -278,3 +278,5 @@ TEST_CASE("resultant in r: high degrees, from its values") {
       check_by_values(of_degrees(random, m, p, bits) * scale, of_degrees(random, n, q, bits), m * q + n * p);
     }
 }
+
+}  // namespace exsect::resultant_test

@@ -4,7 +4,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::simplex_interpolation_test {
 namespace {
 
 Residue value(const PrimeField& field, const SimplexTable& f, Residue x, Residue y, Residue z) {
@@ -46,4 +46,4 @@ TEST_CASE("polynomials in three variables are found from their values") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::simplex_interpolation_test

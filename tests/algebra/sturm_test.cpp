@@ -9,7 +9,7 @@
 #include "algebra/root_checks.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::sturm_test {
 using test::linear_factor;
 using test::with_roots;
 
@@ -200,3 +200,5 @@ TEST_CASE("sturm and descartes agree: products with known roots and clusters") {
     CHECK(sturm.count_closed(roots.front(), roots.back()) == static_cast<int>(roots.size()));
   }
 }
+
+}  // namespace exsect::sturm_test

@@ -4,7 +4,7 @@
 #include "algebra/random_numbers.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::tensor_bernstein_test {
 namespace {
 
 const BivariatePolynomial r = BivariatePolynomial::r();
@@ -59,4 +59,4 @@ TEST_CASE("tensor Bernstein coefficients give the polynomial back and bound it")
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::tensor_bernstein_test

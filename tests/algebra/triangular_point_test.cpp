@@ -8,7 +8,7 @@
 #include "algebra/algebraic_specimens.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::triangular_point_test {
 using namespace exsect::test;
 
 namespace {
@@ -285,3 +285,5 @@ TEST_CASE("triangular point: random fibres against Newton's iteration in doubles
     }
   }
 }
+
+}  // namespace exsect::triangular_point_test

@@ -5,7 +5,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::trivariate_gcd_test {
 namespace {
 
 TrivariateCoefficients product(const TrivariateCoefficients& a, const TrivariateCoefficients& b) {
@@ -75,4 +75,4 @@ TEST_CASE("the common divisor of random products is the common factor") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::trivariate_gcd_test

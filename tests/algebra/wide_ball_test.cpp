@@ -6,7 +6,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::wide_ball_test {
 
 namespace {
 
@@ -132,3 +132,5 @@ TEST_CASE("wide ball: sums cancel exactly and lose little", "[wide_ball]") {
   CHECK((b.ball * b.ball).radius() <=
         (b.ball * b.ball).magnitude() * (0x1p-250 + 3 * b.ball.radius() / b.ball.magnitude()));
 }
+
+}  // namespace exsect::wide_ball_test

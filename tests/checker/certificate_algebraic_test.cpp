@@ -5,7 +5,7 @@
 #include "support/families.h"
 #include "support/graph_patches.h"
 
-namespace exsect {
+namespace exsect::certificate_algebraic_test {
 namespace {
 
 using namespace certificates;
@@ -143,4 +143,4 @@ TEST_CASE("a forged irrational star is rejected, or says the same as the true on
   CHECK(rejected_forgeries(crossing_text(), {"stars"}, generator, 40) > 20);
 }
 
-}  // namespace exsect
+}  // namespace exsect::certificate_algebraic_test

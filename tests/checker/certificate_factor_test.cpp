@@ -6,7 +6,7 @@
 #include "certificate_changes.h"
 #include "support/families.h"
 
-namespace exsect {
+namespace exsect::certificate_factor_test {
 namespace {
 
 using namespace certificates;
@@ -159,4 +159,4 @@ TEST_CASE("a forged factor is rejected, or says the same as the true one") {
   CHECK(rejected_forgeries(touching_text(), {"factors", "tubes"}, generator, 60) > 30);
 }
 
-}  // namespace exsect
+}  // namespace exsect::certificate_factor_test

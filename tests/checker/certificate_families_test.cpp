@@ -6,7 +6,7 @@
 #include "certificate_changes.h"
 #include "support/families.h"
 
-namespace exsect {
+namespace exsect::certificate_families_test {
 namespace {
 
 using namespace certificates;
@@ -81,4 +81,4 @@ TEST_CASE("every member of the families has a certificate with each regular plan
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::certificate_families_test

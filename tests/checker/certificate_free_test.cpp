@@ -2,7 +2,7 @@
 #include "certificate_changes.h"
 #include "support/families.h"
 
-namespace exsect {
+namespace exsect::certificate_free_test {
 
 using namespace certificates;
 
@@ -38,4 +38,4 @@ TEST_CASE("an arc that turns where it meets a side has a certificate") {
   });
 }
 
-}  // namespace exsect
+}  // namespace exsect::certificate_free_test

@@ -5,7 +5,7 @@
 #include "certificate/line.h"
 #include "certificate_changes.h"
 
-namespace exsect {
+namespace exsect::certificate_line_test {
 namespace {
 
 using namespace certificates;
@@ -65,4 +65,4 @@ TEST_CASE("false claims about a line are rejected where they stand") {
   reason("$.tubes[0]", [](Json& j) { j["tubes"][0]["axis"] = "v"; });
 }
 
-}  // namespace exsect
+}  // namespace exsect::certificate_line_test

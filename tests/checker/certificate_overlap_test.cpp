@@ -4,7 +4,7 @@
 #include "certificate_changes.h"
 #include "support/families.h"
 
-namespace exsect {
+namespace exsect::certificate_overlap_test {
 namespace {
 
 using namespace certificates;
@@ -129,4 +129,4 @@ TEST_CASE("no random single change of a certificate with an overlap is accepted"
   reject_changes(overlap_text(), generator, 30);
 }
 
-}  // namespace exsect
+}  // namespace exsect::certificate_overlap_test

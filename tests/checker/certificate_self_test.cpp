@@ -4,7 +4,7 @@
 
 #include "certificate_changes.h"
 
-namespace exsect {
+namespace exsect::certificate_self_test {
 namespace {
 
 using namespace certificates;
@@ -87,4 +87,4 @@ TEST_CASE("self-intersections of random patches have certificates, none of which
   reject_changes(text, generator, 60);
 }
 
-}  // namespace exsect
+}  // namespace exsect::certificate_self_test

@@ -2,7 +2,7 @@
 #include "certificate_changes.h"
 #include "support/families.h"
 
-namespace exsect {
+namespace exsect::certificate_star_test {
 
 using namespace certificates;
 
@@ -198,4 +198,4 @@ TEST_CASE("an event without a certificate is named") {
   CHECK(reason == "an overlap of patches whose parameters do not depend on each other linearly");
 }
 
-}  // namespace exsect
+}  // namespace exsect::certificate_star_test

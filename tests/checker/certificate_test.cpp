@@ -5,7 +5,7 @@
 #include "support/families.h"
 #include "support/graph_patches.h"
 
-namespace exsect {
+namespace exsect::certificate_test {
 namespace {
 
 using namespace certificates;
@@ -195,4 +195,4 @@ TEST_CASE("a curve that begins in a common corner has a certificate") {
   CHECK(verdict(certificate(x, y)) == "");
 }
 
-}  // namespace exsect
+}  // namespace exsect::certificate_test

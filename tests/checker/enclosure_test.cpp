@@ -6,7 +6,7 @@
 #include "support/catch.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::enclosure_test {
 namespace {
 
 using checker::Enclosure;
@@ -119,4 +119,4 @@ TEST_CASE("enclosures hold the results of exact arithmetic") {
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::enclosure_test

@@ -12,7 +12,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace exsect {
+namespace exsect::forged_certificate_test {
 namespace {
 
 using namespace certificates;
@@ -200,4 +200,4 @@ TEST_CASE("the caller's rounding mode and flushing to zero change no verdict, an
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::forged_certificate_test

@@ -4,7 +4,7 @@
 #include "run_program.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::compare_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -60,4 +60,4 @@ TEST_CASE("compare: bad options") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::compare_command_test

@@ -5,7 +5,7 @@
 #include "run_program.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::implicitize_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -221,4 +221,4 @@ TEST_CASE("bad input is refused with the reason") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::implicitize_command_test

@@ -8,7 +8,7 @@
 #include "run_program.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::intersect_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -213,4 +213,4 @@ TEST_CASE("a cap on the time ends as incomplete") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::intersect_command_test

@@ -9,7 +9,7 @@
 #include "sample_result.h"
 #include "support/catch.h"
 
-namespace exsect::cli {
+namespace exsect::cli::intersection_json_test {
 namespace {
 
 const PatchNames names = {"first \"quoted\"", "zweite"};
@@ -118,4 +118,4 @@ TEST_CASE("the text breaks lines only where they grow too long") {
 }
 
 }  // namespace
-}  // namespace exsect::cli
+}  // namespace exsect::cli::intersection_json_test

@@ -7,7 +7,7 @@
 #include "sample_result.h"
 #include "support/catch.h"
 
-namespace exsect::cli {
+namespace exsect::cli::intersection_svg_test {
 namespace {
 
 /// Throws unless the text is a well-formed XML document.
@@ -65,4 +65,4 @@ TEST_CASE("long polylines and many components stay small") {
 }
 
 }  // namespace
-}  // namespace exsect::cli
+}  // namespace exsect::cli::intersection_svg_test

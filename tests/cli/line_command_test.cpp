@@ -7,7 +7,7 @@
 #include "run_program.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::line_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -150,4 +150,4 @@ TEST_CASE("pictures of lines are written") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::line_command_test

@@ -8,7 +8,7 @@
 #include "run_program.h"
 #include "support/catch.h"
 
-namespace exsect::cli {
+namespace exsect::cli::line_svg_test {
 namespace {
 
 bool shows(const std::string& svg, const std::string& text) {
@@ -67,4 +67,4 @@ TEST_CASE("lines of every shape and special position have a picture") {
 }
 
 }  // namespace
-}  // namespace exsect::cli
+}  // namespace exsect::cli::line_svg_test

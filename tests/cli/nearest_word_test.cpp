@@ -2,7 +2,7 @@
 
 #include "support/catch.h"
 
-namespace exsect::cli {
+namespace exsect::cli::nearest_word_test {
 namespace {
 
 TEST_CASE("the edit distance of words") {
@@ -31,4 +31,4 @@ TEST_CASE("a misspelt word is near a known one, another word is not") {
 }
 
 }  // namespace
-}  // namespace exsect::cli
+}  // namespace exsect::cli::nearest_word_test

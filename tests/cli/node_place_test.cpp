@@ -7,7 +7,7 @@
 #include "cli/run_program.h"
 #include "support/catch.h"
 
-namespace exsect::cli {
+namespace exsect::cli::node_place_test {
 namespace {
 
 const BezierPatch& patch_of(const PatchFile& file, std::size_t i) { return file.patches[i].patch; }
@@ -49,4 +49,4 @@ TEST_CASE(
 }
 
 }  // namespace
-}  // namespace exsect::cli
+}  // namespace exsect::cli::node_place_test

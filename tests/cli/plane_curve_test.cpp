@@ -6,7 +6,7 @@
 
 #include "support/catch.h"
 
-namespace exsect::cli {
+namespace exsect::cli::plane_curve_test {
 namespace {
 
 double distance(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b) {
@@ -85,4 +85,4 @@ TEST_CASE("no curve where the sign does not change") {
 }
 
 }  // namespace
-}  // namespace exsect::cli
+}  // namespace exsect::cli::plane_curve_test

@@ -6,7 +6,7 @@
 #include "run_program.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::program_test {
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -268,4 +268,4 @@ TEST_CASE("bad input leaves existing output alone") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::program_test

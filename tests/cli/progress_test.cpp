@@ -5,7 +5,7 @@
 
 #include "support/catch.h"
 
-namespace exsect::cli {
+namespace exsect::cli::progress_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -42,4 +42,4 @@ TEST_CASE("short work and unwatched streams show nothing") {
 }
 
 }  // namespace
-}  // namespace exsect::cli
+}  // namespace exsect::cli::progress_test

@@ -6,7 +6,7 @@
 
 #include "support/catch.h"
 
-namespace exsect::cli {
+namespace exsect::cli::proved_decimal_test {
 namespace {
 
 Rational number(const char* text) { return parse_number(text); }
@@ -148,4 +148,4 @@ TEST_CASE("digits: one more digit than is shown is not true of the whole interva
 }
 
 }  // namespace
-}  // namespace exsect::cli
+}  // namespace exsect::cli::proved_decimal_test

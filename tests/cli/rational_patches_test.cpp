@@ -7,7 +7,7 @@
 #include "run_program.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::rational_patches_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -130,4 +130,4 @@ TEST_CASE("the teapot is a model with its 32 patches") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::rational_patches_test

@@ -13,7 +13,7 @@
 #include "sample_result.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::report_html_test {
 namespace {
 
 using cli::Json;
@@ -134,4 +134,4 @@ TEST_CASE("long polynomials are left out of a page") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::report_html_test

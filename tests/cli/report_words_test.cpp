@@ -12,7 +12,7 @@
 #include "run_program.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::report_words_test {
 namespace {
 
 TEST_CASE("durations have two digits below ten") {
@@ -69,4 +69,4 @@ TEST_CASE("an approximate equation is not called complete") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::report_words_test

@@ -5,7 +5,7 @@
 #include "run_program.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::revolve_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -122,4 +122,4 @@ TEST_CASE("revolve: bad input is refused with the reason") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::revolve_command_test

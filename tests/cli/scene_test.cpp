@@ -12,7 +12,7 @@
 #include "sample_result.h"
 #include "support/catch.h"
 
-namespace exsect::cli {
+namespace exsect::cli::scene_test {
 namespace {
 
 /// (u, v, u v): its values and derivatives are read off.
@@ -232,4 +232,4 @@ TEST_CASE("a patch beyond the range of doubles is refused") {
 }
 
 }  // namespace
-}  // namespace exsect::cli
+}  // namespace exsect::cli::scene_test

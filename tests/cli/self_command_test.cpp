@@ -5,7 +5,7 @@
 #include "run_program.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::self_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -74,4 +74,4 @@ TEST_CASE("self: bad usage is refused") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::self_command_test

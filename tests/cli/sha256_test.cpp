@@ -3,7 +3,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::sha256_test {
 namespace {
 
 TEST_CASE("the hash of known texts") {
@@ -23,4 +23,4 @@ TEST_CASE("the hash of texts whose length is near a block's") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::sha256_test

@@ -5,7 +5,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::shell_command_test {
 namespace {
 
 std::string shown(std::vector<const char*> arguments) {
@@ -30,4 +30,4 @@ TEST_CASE("arguments that a shell would change are quoted") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::shell_command_test

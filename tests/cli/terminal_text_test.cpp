@@ -7,7 +7,7 @@
 
 #include "support/catch.h"
 
-namespace exsect::cli {
+namespace exsect::cli::terminal_text_test {
 namespace {
 
 TEST_CASE("a rounded error bound is at least the bound and at most one unit of its last digit above") {
@@ -71,4 +71,4 @@ TEST_CASE("counts and lists") {
 }
 
 }  // namespace
-}  // namespace exsect::cli
+}  // namespace exsect::cli::terminal_text_test

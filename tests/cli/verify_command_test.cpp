@@ -5,7 +5,7 @@
 #include "run_program.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::verify_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -209,4 +209,4 @@ TEST_CASE("verify: bad input") {
         2);
 }
 
-}  // namespace exsect
+}  // namespace exsect::verify_command_test

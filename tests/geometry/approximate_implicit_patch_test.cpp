@@ -8,7 +8,7 @@
 #include "geometry/random_shapes.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::approximate_implicit_patch_test {
 namespace {
 
 BezierPatch bent(int bend) {
@@ -85,4 +85,4 @@ TEST_CASE("smaller pieces are approximated better") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::approximate_implicit_patch_test

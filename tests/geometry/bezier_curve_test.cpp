@@ -4,7 +4,7 @@
 #include "curve_specimens.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::bezier_curve_test {
 
 namespace {
 
@@ -72,3 +72,5 @@ TEST_CASE("values are those of the definition", "[bezier_curve]") {
   }
   CHECK_THROWS_AS(profile_cubic().projected(0, 2), std::invalid_argument);
 }
+
+}  // namespace exsect::bezier_curve_test

@@ -5,7 +5,7 @@
 #include "random_shapes.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::bezier_patch_test {
 
 namespace {
 
@@ -139,3 +139,5 @@ TEST_CASE("lower degrees are elevated exactly", "[bezier_patch]") {
   CHECK_THROWS_AS(BezierPatch::elevated({{a, b, c, d}, {a, b, c, d}}), std::invalid_argument);
   CHECK_THROWS_AS(BezierPatch::elevated({{a, b}, {a, b}, {a, b}, {a, b}}), std::invalid_argument);
 }
+
+}  // namespace exsect::bezier_patch_test

@@ -3,7 +3,7 @@
 #include "random_shapes.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::bounding_box_test {
 
 TEST_CASE("closed boxes meet on their rims", "[bounding_box]") {
   const BoundingBox unit = {{0, 0, 0}, {1, 1, 1}};
@@ -47,3 +47,5 @@ TEST_CASE("the box of a patch is the tightest around its net and holds the patch
       for (int j = 0; j <= 4; ++j) CHECK(box.contains(x(Rational(i, 4), Rational(j, 4))));
   }
 }
+
+}  // namespace exsect::bounding_box_test

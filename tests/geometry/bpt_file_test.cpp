@@ -6,7 +6,7 @@
 #include "scratch_directory.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::bpt_file_test {
 using Catch::Matchers::Contains;
 
 namespace {
@@ -146,3 +146,5 @@ TEST_CASE("a file is BPT by its name", "[bpt_file]") {
   write_file_atomically(directory.path("c.json"), small);
   CHECK_THROWS_WITH(read_rational_patches(directory.path("c.json")), Contains("not valid JSON"));
 }
+
+}  // namespace exsect::bpt_file_test

@@ -6,7 +6,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::broad_phase_test {
 namespace {
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -95,4 +95,4 @@ TEST_CASE("all pairs of random boxes that meet are found, and certain ones do") 
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::broad_phase_test

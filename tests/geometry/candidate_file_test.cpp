@@ -2,7 +2,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::candidate_file_test {
 namespace {
 
 Candidate parsed(const std::string& text, CandidateFormat format) {
@@ -153,4 +153,4 @@ TEST_CASE("candidate file: the name tells the format") {
   CHECK_THROWS_AS(read_candidate("/no/such/file.csv"), InputError);
 }
 
-}  // namespace exsect
+}  // namespace exsect::candidate_file_test

@@ -3,7 +3,7 @@
 #include "curve_specimens.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::curve_file_test {
 
 namespace {
 
@@ -78,3 +78,5 @@ TEST_CASE("the version of a file is found", "[curve_file]") {
   CHECK(file_version("[1]", "f").empty());
   CHECK_THROWS_AS(file_version("{", "f"), InputError);
 }
+
+}  // namespace exsect::curve_file_test

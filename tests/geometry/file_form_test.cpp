@@ -4,7 +4,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::file_form_test {
 namespace {
 
 TEST_CASE("every form that has a schema is told by what it holds") {
@@ -28,4 +28,4 @@ TEST_CASE("a form that is not known is an unknown version") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::file_form_test

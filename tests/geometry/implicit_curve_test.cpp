@@ -6,7 +6,7 @@
 #include "curve_specimens.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::implicit_curve_test {
 
 namespace {
 
@@ -112,3 +112,5 @@ TEST_CASE("base points lower the degree", "[implicit_curve]") {
   CHECK(raised.power == 1);
   CHECK(to_text(terms_of(raised.equation, "x", "y")) == "x^2+y^2-1");
 }
+
+}  // namespace exsect::implicit_curve_test

@@ -5,7 +5,7 @@
 #include "geometry/random_shapes.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::implicit_patch_test {
 namespace {
 
 const SpacePolynomial x = SpacePolynomial::variable(0);
@@ -118,4 +118,4 @@ TEST_CASE("affine substitution agrees with evaluation") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::implicit_patch_test

@@ -3,7 +3,7 @@
 #include "random_shapes.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::implicit_surface_test {
 namespace {
 
 const SpacePolynomial x = SpacePolynomial::variable(0);
@@ -135,4 +135,4 @@ TEST_CASE("rational points of round surfaces in a turned frame lie on them, thei
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::implicit_surface_test

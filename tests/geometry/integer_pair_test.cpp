@@ -4,7 +4,7 @@
 #include "random_shapes.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::integer_pair_test {
 
 namespace {
 
@@ -106,3 +106,5 @@ TEST_CASE("integer lines are the parameter lines of the scaled patch", "[integer
     }
   }
 }
+
+}  // namespace exsect::integer_pair_test

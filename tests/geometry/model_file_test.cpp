@@ -5,7 +5,7 @@
 #include "scratch_directory.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::model_file_test {
 namespace {
 
 const std::string points = R"([[[0,0,0],[0,1,0.1]],[[1,0,0],["1/3",1,0]]])";
@@ -98,4 +98,4 @@ TEST_CASE("a model that is cut while it is open is refused") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::model_file_test

@@ -10,7 +10,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::number_test {
 
 namespace {
 
@@ -252,3 +252,5 @@ TEST_CASE("damaged numbers are refused or read, never anything else", "[number]"
   }
   CHECK(readable > 1000);
 }
+
+}  // namespace exsect::number_test

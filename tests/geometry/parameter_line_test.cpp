@@ -3,7 +3,7 @@
 #include "random_shapes.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::parameter_line_test {
 
 TEST_CASE("parameter lines are the patch with one parameter fixed", "[parameter_line]") {
   const auto seed = 6u;
@@ -38,3 +38,5 @@ TEST_CASE("the shape of a parameter line is exact", "[parameter_line]") {
   CHECK(shape_of(p, {1, -2, 4}) == LineShape::conic);
   CHECK(shape_of(p, {1, -2, 3 + power_of_two(-200)}) == LineShape::conic);
 }
+
+}  // namespace exsect::parameter_line_test

@@ -10,7 +10,7 @@
 #include "scratch_directory.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::patch_file_test {
 using Catch::Matchers::Contains;
 
 namespace {
@@ -322,3 +322,5 @@ TEST_CASE("names have a greatest length", "[patch_file]") {
   file.patches[0].name = std::string(max_name_bytes + 1, 'n');
   CHECK_THROWS_AS(format_patches(file), std::invalid_argument);
 }
+
+}  // namespace exsect::patch_file_test

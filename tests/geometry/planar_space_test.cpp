@@ -3,7 +3,7 @@
 #include "curve_specimens.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::planar_space_test {
 
 namespace {
 
@@ -144,3 +144,5 @@ TEST_CASE("the parts of a curve lie in their boxes", "[planar_space]") {
   CHECK(p[0] <= part.x.upper);
   CHECK(part.x.width() < Rational(3, 5));
 }
+
+}  // namespace exsect::planar_space_test

@@ -3,7 +3,7 @@
 #include "random_shapes.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::plane_test {
 
 TEST_CASE("a form through a point vanishes there and measures along its normal", "[plane]") {
   const auto seed = 21u;
@@ -19,3 +19,5 @@ TEST_CASE("a form through a point vanishes there and measures along its normal",
   }
   CHECK(form_through({1, 2, 3}, {0, 0, 0}) == AffineForm{{0, 0, 0}, 0});
 }
+
+}  // namespace exsect::plane_test

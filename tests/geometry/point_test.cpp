@@ -3,7 +3,7 @@
 #include "random_shapes.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::point_test {
 
 TEST_CASE("products of vectors obey their laws", "[point]") {
   const Point ex = {1, 0, 0};
@@ -30,3 +30,5 @@ TEST_CASE("products of vectors obey their laws", "[point]") {
     CHECK(determinant(a, b, Rational(2) * a - Rational(1, 3) * b) == 0);
   }
 }
+
+}  // namespace exsect::point_test

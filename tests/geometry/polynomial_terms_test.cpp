@@ -2,7 +2,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::polynomial_terms_test {
 
 TEST_CASE("polynomials print as computer algebra systems read them", "[polynomial_terms]") {
   const BivariatePolynomial x = BivariatePolynomial::r(), y = BivariatePolynomial::s();
@@ -27,3 +27,5 @@ TEST_CASE("terms are sorted by total degree, the first variable first", "[polyno
   CHECK(zero.total_degree() == -1);
   CHECK(zero.degrees() == std::vector<int>{-1, -1, -1});
 }
+
+}  // namespace exsect::polynomial_terms_test

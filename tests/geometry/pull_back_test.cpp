@@ -4,7 +4,7 @@
 #include "awkward_lines.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::pull_back_test {
 
 TEST_CASE("the forms are 0 and 1 : t : t^2 on their line", "[pull_back]") {
   const auto seed = 7u;
@@ -113,3 +113,5 @@ TEST_CASE("the first example pulls back to bidegrees (2,2) and (4,4)", "[pull_ba
     }
   }
 }
+
+}  // namespace exsect::pull_back_test

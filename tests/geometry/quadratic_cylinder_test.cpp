@@ -5,7 +5,7 @@
 #include "awkward_lines.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::quadratic_cylinder_test {
 
 namespace {
 
@@ -102,3 +102,5 @@ TEST_CASE("the bounding planes cut out 0 <= t <= 1", "[quadratic_cylinder]") {
   forms.e0 = {{1, 0, 0}, 1};
   CHECK_THROWS_AS(bounding_planes(forms), std::domain_error);
 }
+
+}  // namespace exsect::quadratic_cylinder_test

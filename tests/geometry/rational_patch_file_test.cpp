@@ -5,7 +5,7 @@
 #include "scratch_directory.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::rational_patch_file_test {
 using Catch::Matchers::Contains;
 
 namespace {
@@ -197,3 +197,5 @@ TEST_CASE("boxes hold weighted patches", "[bounding_box]") {
   check(far);
   CHECK(bounding_box(far).upper[0] < 10);
 }
+
+}  // namespace exsect::rational_patch_file_test

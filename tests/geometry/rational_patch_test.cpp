@@ -3,7 +3,7 @@
 #include "random_shapes.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::rational_patch_test {
 using Catch::Matchers::Contains;
 
 namespace {
@@ -276,3 +276,5 @@ TEST_CASE("illegal nets are refused with place and statement", "[rational_patch]
   CHECK_THROWS_AS(good.elevated(2, 4), std::invalid_argument);
   CHECK_THROWS_AS(good.restricted_to(0, 2, 0, 1), std::invalid_argument);
 }
+
+}  // namespace exsect::rational_patch_test

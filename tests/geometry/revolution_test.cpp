@@ -3,7 +3,7 @@
 #include "geometry/random_shapes.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::revolution_test {
 namespace {
 
 const BivariatePolynomial r = BivariatePolynomial::r();
@@ -125,4 +125,4 @@ TEST_CASE("the sign of even times odd tells the sheets apart") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::revolution_test

@@ -6,7 +6,7 @@
 #include "geometry/random_shapes.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::space_polynomial_test {
 namespace {
 
 const SpacePolynomial x = SpacePolynomial::variable(0);
@@ -74,4 +74,4 @@ TEST_CASE("composition with a patch agrees with evaluation") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::space_polynomial_test

@@ -3,7 +3,7 @@
 #include "random_shapes.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::straight_line_test {
 
 namespace {
 
@@ -69,3 +69,5 @@ TEST_CASE("conics and points have no direction", "[straight_line]") {
     CHECK_THROWS_AS(straight_forms(line), std::domain_error);
   }
 }
+
+}  // namespace exsect::straight_line_test

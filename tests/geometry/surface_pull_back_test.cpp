@@ -4,7 +4,7 @@
 #include "random_shapes.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::surface_pull_back_test {
 namespace {
 
 Rational power(const Rational& base, int exponent) {
@@ -73,4 +73,4 @@ TEST_CASE("the pull back to a line is the value at its points") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::surface_pull_back_test

@@ -7,7 +7,7 @@
 #include "random_shapes.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::symbolic_line_test {
 
 namespace {
 
@@ -133,3 +133,5 @@ TEST_CASE("degrees drop for special patches and straight lines are refused", "[s
                                                    {random_point(random), random_point(random)}});
   CHECK_THROWS_AS(orthogonal_forms(symbolic_line(ruled)), std::domain_error);
 }
+
+}  // namespace exsect::symbolic_line_test

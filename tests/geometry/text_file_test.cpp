@@ -8,7 +8,7 @@
 #include "scratch_directory.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::text_file_test {
 namespace fs = std::filesystem;
 
 TEST_CASE("a file is written whole and read back", "[text_file]") {
@@ -92,3 +92,5 @@ TEST_CASE("devices, links and permissions survive a write", "[text_file]") {
   CHECK(read_text_file(target, 10) == "new");
   CHECK(fs::status(target).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
 }
+
+}  // namespace exsect::text_file_test

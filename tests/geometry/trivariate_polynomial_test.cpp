@@ -3,7 +3,7 @@
 #include "random_shapes.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::trivariate_polynomial_test {
 
 namespace {
 
@@ -57,3 +57,5 @@ TEST_CASE("arithmetic commutes with setting u", "[trivariate_polynomial]") {
     CHECK(a * b == b * a);
   }
 }
+
+}  // namespace exsect::trivariate_polynomial_test

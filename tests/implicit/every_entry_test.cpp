@@ -27,7 +27,7 @@
 #include "support/float_environments.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::every_entry_test {
 namespace {
 
 using random_pairs::Generator;
@@ -289,4 +289,4 @@ TEST_CASE("nearest rounding: boxes of subnormal size") {
   });
 }
 
-}  // namespace exsect
+}  // namespace exsect::every_entry_test

@@ -3,7 +3,7 @@
 #include "geometry/curve_specimens.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::further_branches_test {
 
 namespace {
 
@@ -93,3 +93,5 @@ TEST_CASE("without a monotone coordinate there is no tube", "[further_branches]"
   CHECK_THROWS_AS(further_branches(surfaces, turning, 0, cube(0, 1), 0), std::invalid_argument);
   CHECK_THROWS_AS(further_branches(surfaces, turning, 0, cube(0, 0), 3), std::invalid_argument);
 }
+
+}  // namespace exsect::further_branches_test

@@ -6,7 +6,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::gradient_norm_test {
 
 namespace {
 
@@ -90,3 +90,5 @@ TEST_CASE("norms that are not defined are refused", "[gradient_norm]") {
   CHECK_THROWS_AS(fitted_gradient_norm(ellipse(), {{Rational(1), Rational(1)}, region.y}, 2, 1),
                   std::invalid_argument);
 }
+
+}  // namespace exsect::gradient_norm_test

@@ -9,7 +9,7 @@
 #include "geometry/curve_specimens.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::implicit_bounds_test {
 
 namespace {
 
@@ -222,3 +222,5 @@ TEST_CASE("singular points are excluded or enclosed", "[implicit_bounds]") {
   // The exact equation of the profile has its double point outside the square of the fit.
   CHECK(possibly_singular(cubic_fit(false), box).empty());
 }
+
+}  // namespace exsect::implicit_bounds_test

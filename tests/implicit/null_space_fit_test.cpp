@@ -9,7 +9,7 @@
 #include "geometry/curve_specimens.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::null_space_fit_test {
 
 namespace {
 
@@ -129,3 +129,5 @@ TEST_CASE("what has no null space fit is refused", "[null_space_fit]") {
   CHECK_THROWS_AS(fit(PlanarSpace::b_splines(2, 2, box, 4, 4, profile_cubic()), profile_cubic()),
                   std::invalid_argument);
 }
+
+}  // namespace exsect::null_space_fit_test

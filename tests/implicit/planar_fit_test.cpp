@@ -6,7 +6,7 @@
 #include "geometry/curve_specimens.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::planar_fit_test {
 
 namespace {
 
@@ -151,3 +151,5 @@ TEST_CASE("coefficients are rounded to the nearest decimal", "[planar_fit]") {
   const PlanarSpace space = PlanarSpace::monomials(1, box);
   CHECK_FALSE(rounding_digits(space, fit_samples(BezierCurve({{0, 0}, {1, 1}}), 3), {0, 1, -1}));
 }
+
+}  // namespace exsect::planar_fit_test

@@ -5,7 +5,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::quartic_method_test {
 namespace {
 
 struct Patches {
@@ -68,4 +68,4 @@ TEST_CASE("patches far apart leave no region", "[quartic_method]") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::quartic_method_test

@@ -6,7 +6,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::resultant_method_test {
 namespace {
 
 struct Patches {
@@ -133,4 +133,4 @@ TEST_CASE("check lines are equally spaced and exact", "[resultant_method]") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::resultant_method_test

@@ -5,7 +5,7 @@
 #include "geometry/random_shapes.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::revolution_audit_test {
 namespace {
 
 const BivariatePolynomial r = BivariatePolynomial::r();
@@ -94,4 +94,4 @@ TEST_CASE("the counts are those of the sheets of the surface") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::revolution_audit_test

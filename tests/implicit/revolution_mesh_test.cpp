@@ -6,7 +6,7 @@
 #include "geometry/curve_specimens.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::revolution_mesh_test {
 namespace {
 
 TEST_CASE("meshes need at least four sectors and a chord", "[revolution_mesh]") {
@@ -61,4 +61,4 @@ TEST_CASE("meshes are written as OBJ", "[revolution_mesh]") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::revolution_mesh_test

@@ -6,7 +6,7 @@
 #include "geometry/random_shapes.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::revolution_patch_test {
 namespace {
 
 const BivariatePolynomial r = BivariatePolynomial::r();
@@ -99,4 +99,4 @@ TEST_CASE("points on lines lie on the surface and count as the arcs say", "[revo
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::revolution_patch_test

@@ -8,7 +8,7 @@
 #include "geometry/curve_specimens.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::revolve_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -189,4 +189,4 @@ TEST_CASE("profiles that cannot be revolved are refused with the reason", "[revo
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::revolve_test

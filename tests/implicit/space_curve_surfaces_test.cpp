@@ -6,7 +6,7 @@
 #include "geometry/curve_specimens.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::space_curve_surfaces_test {
 
 namespace {
 
@@ -119,3 +119,5 @@ TEST_CASE("the first-order distance is that from the line of two planes", "[spac
   REQUIRE(near);
   CHECK(abs(*near / (h * h) - 1) < 3 * h);
 }
+
+}  // namespace exsect::space_curve_surfaces_test

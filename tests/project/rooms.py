@@ -5,7 +5,8 @@
 
 A module is a header with the source of the same name. Of a library with rooms every include runs down a floor or stays
 in its room; modules of one room include each other in circles of at most three; every source has its header; no two
-sources of a folder, which compile in groups, have a local name in common. Exit status 1 if one of these is violated.
+sources of a folder, which compile in groups, have a local name in common, and every test has a namespace of the name of
+its file. Exit status 1 if one of these is violated.
 """
 
 import re
@@ -38,6 +39,7 @@ GUESTS = {"verify": {"answer"}, "implicit": {"answer", "curve", "line", "elimina
 PARTS = {"verify/verifier.h": {"arcs", "connections", "curves", "points"}}
 LARGEST_CIRCLE = 3
 COMPILED_IN_GROUPS = ["algebra", "geometry", "solver", "verify", "implicit", "checker", "output", "certificate", "cli"]
+TESTS_IN_GROUPS = ["algebra", "geometry", "solver", "verify", "implicit", "support", "cli", "checker"]
 LIBRARIES = ["solver", "verify", "implicit", "output", "certificate"]
 
 
@@ -172,6 +174,9 @@ def violations(found):
     for library in COMPILED_IN_GROUPS:
         for (folder, name), files in sorted(local_names(library).items()):
             wrong.append(f"{folder.relative_to(ROOT)}/: the local name {name} stands in {' '.join(sorted(files))}")
+    for test in sorted(path for folder in TESTS_IN_GROUPS for path in (ROOT / "tests" / folder).rglob("*_test.cpp")):
+        if not re.search(rf"^namespace exsect::(\w+::)?{test.stem} {{$", test.read_text(), re.M):
+            wrong.append(f"{test.relative_to(ROOT)}: no namespace exsect::{test.stem}")
     for library in LIBRARIES:
         for path in sources(library):
             own = {path.with_suffix(".h")} | {ROOT / h for h, parts in PARTS.items() if path.stem in parts and h.startswith(library)}

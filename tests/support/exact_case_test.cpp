@@ -6,7 +6,7 @@
 #include "support/catch.h"
 #include "support/families.h"
 
-namespace exsect {
+namespace exsect::exact_case_test {
 namespace {
 
 /// Every one of these differs from the cap's loop, and is told from it.
@@ -69,4 +69,4 @@ TEST_CASE("exact case: files keep every family") {
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::exact_case_test

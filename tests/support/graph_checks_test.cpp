@@ -12,7 +12,7 @@
 #include "support/oracle.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::graph_checks_test {
 namespace {
 
 using random_pairs::Generator;
@@ -117,4 +117,4 @@ TEST_CASE("graph checks: lines across singular situations are conclusive") {
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::graph_checks_test

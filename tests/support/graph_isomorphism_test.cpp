@@ -7,7 +7,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::graph_isomorphism_test {
 namespace {
 
 IntersectionGraph first_example() {
@@ -48,4 +48,4 @@ TEST_CASE("graph isomorphism: every kind of change is noticed") {
   CHECK(changed([](auto& g) { g.isolated_points.push_back(0); }) != "");
 }
 
-}  // namespace exsect
+}  // namespace exsect::graph_isomorphism_test

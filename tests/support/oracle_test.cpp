@@ -9,7 +9,7 @@
 #include "support/graph_patches.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::oracle_test {
 namespace {
 
 using testing::plane;
@@ -119,4 +119,4 @@ TEST_CASE("oracle: random pairs give curves on both patches, most of them withou
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::oracle_test

@@ -6,7 +6,7 @@
 #include "support/catch.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::interval_lists_test {
 namespace {
 
 constexpr int cells = 40;
@@ -76,4 +76,4 @@ TEST_CASE("an index of intervals finds those that have a part in common with ano
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::interval_lists_test

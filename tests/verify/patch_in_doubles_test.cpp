@@ -9,7 +9,7 @@
 #include "support/catch.h"
 #include "support/random_nets.h"
 
-namespace exsect {
+namespace exsect::patch_in_doubles_test {
 namespace {
 
 using random_nets::Generator;
@@ -154,4 +154,4 @@ TEST_CASE("patch in doubles: any size of space and of weights") {
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::patch_in_doubles_test

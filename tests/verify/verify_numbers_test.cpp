@@ -11,7 +11,7 @@
 #include "support/catch.h"
 #include "support/graph_patches.h"
 
-namespace exsect {
+namespace exsect::verify_numbers_test {
 namespace {
 
 using Vertices = std::vector<std::array<double, 3>>;
@@ -149,4 +149,4 @@ TEST_CASE("the time for a polyline grows with its length, not with its square, a
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::verify_numbers_test

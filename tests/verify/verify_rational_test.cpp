@@ -10,7 +10,7 @@
 #include "support/catch.h"
 #include "support/random_nets.h"
 
-namespace exsect {
+namespace exsect::verify_rational_test {
 namespace {
 
 using random_nets::Generator;
@@ -145,4 +145,4 @@ TEST_CASE(
   CHECK(text(verdict_of(candidate, {projected.x.elevated(3, 2), projected.y.elevated(2, 3)})) == "agrees");
 }
 
-}  // namespace exsect
+}  // namespace exsect::verify_rational_test

@@ -11,7 +11,7 @@
 #include "support/families.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::verify_test {
 namespace {
 
 using Vertices = std::vector<std::array<double, 3>>;
@@ -486,4 +486,4 @@ TEST_CASE("verify: bounds of distances hold for random pairs and random errors")
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::verify_test

@@ -4,7 +4,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::certified_point_test {
 
 namespace {
 
@@ -37,3 +37,5 @@ TEST_CASE("a certified point keeps its boxes nested") {
   CHECK(!coarse.on({Parameter::s, 0}));
   CHECK(!coarse.on({Parameter::u, 0}));
 }
+
+}  // namespace exsect::certified_point_test

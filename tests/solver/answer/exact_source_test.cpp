@@ -2,7 +2,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::exact_source_test {
 
 TEST_CASE("fractions at a triangular set are enclosed") {
   using Form = BivariatePolynomial;
@@ -31,3 +31,5 @@ TEST_CASE("fractions at a triangular set are enclosed") {
         }
     }
 }
+
+}  // namespace exsect::exact_source_test

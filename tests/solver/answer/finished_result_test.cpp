@@ -6,7 +6,7 @@
 #include "answer/proof_failure.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::finished_result_test {
 
 namespace {
 
@@ -69,3 +69,5 @@ TEST_CASE("finished result: what the caller does wrong, or stops, is thrown on")
   CHECK(!failure_of([] {}));
   CHECK_THROWS_AS(failure_of([] { throw std::invalid_argument("value"); }), std::invalid_argument);
 }
+
+}  // namespace exsect::finished_result_test

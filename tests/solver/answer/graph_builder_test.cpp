@@ -6,7 +6,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::graph_builder_test {
 
 namespace {
 
@@ -122,3 +122,5 @@ TEST_CASE("graph builder: what names no node is dropped, which is a violation") 
     CHECK(violations[0].why == "an arc or an isolated point without a node");
   }
 }
+
+}  // namespace exsect::graph_builder_test

@@ -15,7 +15,7 @@
 #include "support/random_pairs.h"
 #include "trace/regular_degree.h"
 
-using namespace exsect;
+namespace exsect::graph_invariant_test {
 using random_pairs::Generator;
 using random_pairs::Pair;
 
@@ -290,3 +290,5 @@ TEST_CASE("graph invariant: counts of exchanged patches") {
   }
   CHECK(compared >= 5);
 }
+
+}  // namespace exsect::graph_invariant_test

@@ -14,7 +14,7 @@
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::placement_test {
 namespace {
 
 Rational number(const std::string& text) { return Rational(text); }
@@ -221,4 +221,4 @@ TEST_CASE("placement: what doubles cannot write is drawn coarsely, and complete"
   CHECK(std::isfinite(beyond.graph.nodes.front().point[1]));
 }
 
-}  // namespace exsect
+}  // namespace exsect::placement_test

@@ -10,7 +10,7 @@
 #include "support/catch.h"
 #include "support/families.h"
 
-namespace exsect {
+namespace exsect::run_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -75,4 +75,4 @@ TEST_CASE("run: progress grows to 1, through all stages of a call") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::run_test

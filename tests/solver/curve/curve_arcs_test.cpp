@@ -5,7 +5,7 @@
 #include "algebra/random_numbers.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::curve_arcs_test {
 namespace {
 
 const BivariatePolynomial u = BivariatePolynomial::r();
@@ -125,4 +125,4 @@ TEST_CASE("extra events split arcs and nothing else") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::curve_arcs_test

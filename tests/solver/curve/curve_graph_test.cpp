@@ -6,7 +6,7 @@
 #include "curve/curve_factors.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::curve_graph_test {
 namespace {
 
 const BivariatePolynomial u = BivariatePolynomial::r();
@@ -180,4 +180,4 @@ TEST_CASE("random products have the points over u that Sturm counts, and the sam
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::curve_graph_test

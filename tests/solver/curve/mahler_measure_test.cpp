@@ -5,7 +5,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::mahler_measure_test {
 
 TEST_CASE("bounds of logarithms enclose them tightly", "[mahler_measure]") {
   std::mt19937_64 random(1);
@@ -53,3 +53,5 @@ TEST_CASE("the measure of a polynomial lies between its bounds", "[mahler_measur
     CHECK(log2_norm_upper(f) >= measure);
   }
 }
+
+}  // namespace exsect::mahler_measure_test

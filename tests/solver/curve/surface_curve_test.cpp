@@ -6,7 +6,7 @@
 #include "geometry/random_shapes.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::surface_curve_test {
 namespace {
 
 /// Nodes, arcs, components, isolated points, singular points.
@@ -176,4 +176,4 @@ TEST_CASE("motions over Q, inches and exchanged parameters change nothing") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::surface_curve_test

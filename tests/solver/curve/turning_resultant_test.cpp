@@ -6,7 +6,7 @@
 #include "algebra/random_numbers.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::turning_resultant_test {
 namespace {
 
 const BivariatePolynomial u = BivariatePolynomial::r();
@@ -34,4 +34,4 @@ TEST_CASE("turning resultants agree with the multivariate resultant") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::turning_resultant_test

@@ -14,7 +14,7 @@
 #include "support/random_pairs.h"
 #include "support/renaming_checks.h"
 
-namespace exsect {
+namespace exsect::algebraic_fibre_test {
 namespace {
 
 using testing::graph;
@@ -138,4 +138,4 @@ TEST_CASE("irrational crossings keep under exchange, reversal and affine maps") 
         "");
 }
 
-}  // namespace exsect
+}  // namespace exsect::algebraic_fibre_test

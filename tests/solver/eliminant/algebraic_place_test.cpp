@@ -8,7 +8,7 @@
 #include "support/catch.h"
 #include "support/families.h"
 
-namespace exsect {
+namespace exsect::algebraic_place_test {
 namespace {
 
 using families::Plane;
@@ -82,4 +82,4 @@ TEST_CASE("a place of which each parameter is in another field") {
   check_root(*place, 1, Polynomial({-1, 0, 3}), box[1]);
 }
 
-}  // namespace exsect
+}  // namespace exsect::algebraic_place_test

@@ -10,8 +10,8 @@
 #include "eliminant_pairs.h"
 #include "support/catch.h"
 
-using namespace exsect;
-using namespace exsect::testing;
+namespace exsect::eliminant_height_test {
+using namespace exsect::eliminant_pairs;
 
 namespace {
 
@@ -125,3 +125,5 @@ TEST_CASE("the fast and the slow value of E agree, also modulo a prime that was 
     }
   }
 }
+
+}  // namespace exsect::eliminant_height_test

@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace exsect::testing {
+namespace exsect::eliminant_pairs {
 
 using Random = std::mt19937_64;
 
@@ -71,4 +71,4 @@ inline BezierPatch osculating(const BezierPatch& x, const Rational& u, const Rat
   return BezierPatch::from_power_basis(c);
 }
 
-}  // namespace exsect::testing
+}  // namespace exsect::eliminant_pairs

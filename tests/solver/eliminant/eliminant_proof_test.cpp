@@ -17,7 +17,7 @@
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::eliminant_proof_test {
 namespace {
 
 using random_pairs::Generator;
@@ -274,4 +274,4 @@ TEST_CASE("eliminant proof: rational boundary points are known as such") {
   CHECK(rational >= 3);
 }
 
-}  // namespace exsect
+}  // namespace exsect::eliminant_proof_test

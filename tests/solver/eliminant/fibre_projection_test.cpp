@@ -8,8 +8,8 @@
 #include "eliminant_pairs.h"
 #include "support/catch.h"
 
-using namespace exsect;
-using namespace exsect::testing;
+namespace exsect::fibre_projection_test {
+using namespace exsect::eliminant_pairs;
 
 namespace {
 
@@ -116,3 +116,5 @@ TEST_CASE("points at infinity are taken out of the fibre", "[fibre_projection]")
   const FibreProjection to_r = project(x, field.exchanged());
   CHECK(degree_s(to_r.finite) == 8);
 }
+
+}  // namespace exsect::fibre_projection_test

@@ -4,7 +4,7 @@
 #include "support/catch.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::pair_turning_test {
 namespace {
 
 void check_same(const std::optional<TurningValues>& a, const std::optional<TurningValues>& b) {
@@ -58,4 +58,4 @@ TEST_CASE("a turning eliminant is computed once", "[pair_turning]") {
   CHECK(turning.values(Parameter::s, false) == other);
 }
 
-}  // namespace exsect
+}  // namespace exsect::pair_turning_test

@@ -15,9 +15,9 @@
 #pragma GCC target("avx2,fma")
 #include "eliminant/residue_lanes.h"
 
-namespace {
+namespace exsect::residue_lanes_test {
 
-using namespace exsect;
+namespace {
 
 struct Results {
   double few[4];
@@ -109,4 +109,7 @@ TEST_CASE("sums of products in lanes are exact up to the largest residues", "[ve
     }
   }
 }
+
+}  // namespace exsect::residue_lanes_test
+
 #endif

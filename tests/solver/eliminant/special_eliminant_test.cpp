@@ -8,8 +8,8 @@
 #include "eliminant_pairs.h"
 #include "support/catch.h"
 
-using namespace exsect;
-using namespace exsect::testing;
+namespace exsect::special_eliminant_test {
+using namespace exsect::eliminant_pairs;
 
 namespace {
 
@@ -314,3 +314,5 @@ TEST_CASE("parallel planes and walls have no turning points", "[special_eliminan
   REQUIRE(e);
   CHECK(*e == (Polynomial::variable() - Polynomial(2)) * (Polynomial::variable() - Polynomial(2)));
 }
+
+}  // namespace exsect::special_eliminant_test

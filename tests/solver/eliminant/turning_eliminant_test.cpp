@@ -13,8 +13,8 @@
 #include "eliminant_pairs.h"
 #include "support/catch.h"
 
-using namespace exsect;
-using namespace exsect::testing;
+namespace exsect::turning_eliminant_test {
+using namespace exsect::eliminant_pairs;
 
 namespace {
 
@@ -271,3 +271,5 @@ TEST_CASE("tiny integer nets, where degeneracies are common, end one way or the 
   }
   CHECK(defined >= 30);
 }
+
+}  // namespace exsect::turning_eliminant_test

@@ -14,8 +14,8 @@
 #include "eliminant_pairs.h"
 #include "support/catch.h"
 
-using namespace exsect;
-using namespace exsect::testing;
+namespace exsect::vector_eliminant_test {
+using namespace exsect::eliminant_pairs;
 
 namespace {
 
@@ -217,3 +217,5 @@ TEST_CASE("the vector code leaves to the scalar code what it cannot divide", "[v
 }
 
 #endif
+
+}  // namespace exsect::vector_eliminant_test

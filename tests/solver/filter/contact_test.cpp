@@ -11,7 +11,7 @@
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::contact_test {
 namespace {
 
 using random_pairs::Generator;
@@ -288,4 +288,4 @@ TEST_CASE("filter contact: corners that agree but for rounding are left to the e
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::contact_test

@@ -7,7 +7,7 @@
 #include "support/catch.h"
 #include "support/random_nets.h"
 
-namespace exsect {
+namespace exsect::direction_nets_test {
 namespace {
 
 using filter::Vec;
@@ -131,4 +131,4 @@ TEST_CASE("filter direction nets: polynomials agree with derivatives and determi
   check_nets<filter::WeightedBicubic>({3, 3, 2, 3});
 }
 
-}  // namespace exsect
+}  // namespace exsect::direction_nets_test

@@ -13,7 +13,7 @@
 #include "support/graph_patches.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::double_point_test {
 namespace {
 
 using random_pairs::Generator;
@@ -300,4 +300,4 @@ TEST_CASE("filter double point: no double point is taken where it is none") {
   CHECK_FALSE(found(apart));
 }
 
-}  // namespace exsect
+}  // namespace exsect::double_point_test

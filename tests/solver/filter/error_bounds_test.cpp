@@ -16,7 +16,7 @@
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::error_bounds_test {
 namespace {
 
 using random_pairs::Generator;
@@ -282,4 +282,4 @@ TEST_CASE("filter error bounds: a normal that underflows separates nothing") {
   CHECK(!filter::separated(tree[0], other[0], pair->net_error));
 }
 
-}  // namespace exsect
+}  // namespace exsect::error_bounds_test

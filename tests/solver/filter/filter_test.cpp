@@ -15,7 +15,7 @@
 #include "trace/pair_system.h"
 #include "trace/tube.h"
 
-namespace exsect {
+namespace exsect::filter_test {
 namespace {
 
 using random_pairs::Generator;
@@ -193,4 +193,4 @@ TEST_CASE("filter: curves of contact, cusps and lifted sides are left to the exa
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::filter_test

@@ -7,7 +7,7 @@
 #include "support/line_checks.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::line_points_filtered_test {
 namespace {
 
 using random_pairs::Generator;
@@ -94,4 +94,4 @@ TEST_CASE("line in doubles: what they do not decide is exact", "[filter]") {
   CHECK_THROWS_AS(line_points_filtered(pair.x, pair.y, {Parameter::u, 2}), std::invalid_argument);
 }
 
-}  // namespace exsect
+}  // namespace exsect::line_points_filtered_test

@@ -9,7 +9,7 @@
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::overlap_test {
 namespace {
 
 using random_pairs::Generator;
@@ -114,4 +114,4 @@ TEST_CASE("filter overlap: surfaces that are not injective") {
                 surface.restricted_to(Rational(3, 4), Rational(5, 4), Rational(1, 4), Rational(3, 4))}));
 }
 
-}  // namespace exsect
+}  // namespace exsect::overlap_test

@@ -6,7 +6,7 @@
 #include "support/catch.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::patch_test {
 namespace {
 
 using random_pairs::Generator;
@@ -120,4 +120,4 @@ TEST_CASE("filter patch: pairs out of range are left to the exact solution") {
   CHECK_FALSE(declined(pair));
 }
 
-}  // namespace exsect
+}  // namespace exsect::patch_test

@@ -7,7 +7,7 @@
 #include "support/catch.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::pieces_test {
 namespace {
 
 using filter::Vec3;
@@ -157,4 +157,4 @@ TEST_CASE("filter pieces: control vectors of the normal are within the stated er
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::pieces_test

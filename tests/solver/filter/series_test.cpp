@@ -10,7 +10,7 @@
 #include "support/catch.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::series_test {
 namespace {
 
 using random_pairs::Generator;
@@ -160,4 +160,4 @@ TEST_CASE("filter series: vector and scalar code agree in every bit") {
 #endif
 }
 
-}  // namespace exsect
+}  // namespace exsect::series_test

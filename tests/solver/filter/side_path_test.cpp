@@ -9,7 +9,7 @@
 #include "support/graph_isomorphism.h"
 #include "support/side_pairs.h"
 
-namespace exsect {
+namespace exsect::side_path_test {
 namespace {
 
 using random_pairs::Generator;
@@ -108,4 +108,4 @@ TEST_CASE("filter side path: hundreds of pairs, in both orders", "[.slow]") {
   check_families(1000, 200, 360, false);
 }
 
-}  // namespace exsect
+}  // namespace exsect::side_path_test

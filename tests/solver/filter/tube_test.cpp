@@ -10,7 +10,7 @@
 #include "support/random_pairs.h"
 #include "trace/tube.h"
 
-namespace exsect {
+namespace exsect::tube_test {
 namespace {
 
 using Fine = ArbBall<256>;
@@ -170,4 +170,4 @@ TEST_CASE("filter tube: a certificate fails where the curve is not alone or not 
   CHECK_FALSE(certified(0));
 }
 
-}  // namespace exsect
+}  // namespace exsect::tube_test

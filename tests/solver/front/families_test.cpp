@@ -10,7 +10,7 @@
 #include "support/catch.h"
 #include "support/family_checks.h"
 
-namespace exsect {
+namespace exsect::families_test {
 namespace {
 
 using families::Plane;
@@ -249,4 +249,4 @@ TEST_CASE("family: coordinates mapped by dyadic numbers are doubles") {
   CHECK_FALSE(in_doubles(families::tangent_curve(Rational(1, 3), Plane::square)));
 }
 
-}  // namespace exsect
+}  // namespace exsect::families_test

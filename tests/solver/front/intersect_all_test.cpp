@@ -5,7 +5,7 @@
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::intersect_all_test {
 namespace {
 
 std::vector<PatchPair> pairs(std::uint64_t seed, std::size_t count) {
@@ -43,4 +43,4 @@ TEST_CASE("intersect_all: what is refused, and no pair at all") {
   CHECK(intersect_all({}, {}, 2).empty());
 }
 
-}  // namespace exsect
+}  // namespace exsect::intersect_all_test

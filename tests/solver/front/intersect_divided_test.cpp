@@ -10,7 +10,7 @@
 #include "support/graph_patches.h"
 #include "support/random_nets.h"
 
-namespace exsect {
+namespace exsect::intersect_divided_test {
 namespace {
 
 using enum Parameter;
@@ -152,4 +152,4 @@ TEST_CASE("a line that is one point off the other patch divides nothing") {
   CHECK(divided_pair(double_cone({0, 0, 0}, Rational(1, 3)), plane)->size() == 2);
 }
 
-}  // namespace exsect
+}  // namespace exsect::intersect_divided_test

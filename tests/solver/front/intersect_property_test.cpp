@@ -12,7 +12,7 @@
 #include "support/oracle.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::intersect_property_test {
 namespace {
 
 using random_pairs::Generator;
@@ -168,4 +168,4 @@ TEST_CASE("intersect: renames only when a pair of small rationals is changed") {
 
 TEST_CASE("intersect: renames only when a small loop is changed") { check_changes(random_pairs::loop, 10); }
 
-}  // namespace exsect
+}  // namespace exsect::intersect_property_test

@@ -14,7 +14,7 @@
 #include "support/random_nets.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::intersect_rational_test {
 namespace {
 
 using random_nets::Generator;
@@ -389,4 +389,4 @@ TEST_CASE("intersect rational: a quarter of a cylinder and a plane meet in an el
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::intersect_rational_test

@@ -8,7 +8,7 @@
 #include "support/catch.h"
 #include "support/graph_patches.h"
 
-using namespace exsect;
+namespace exsect::intersect_test {
 using exsect::testing::graph_patch;
 using exsect::testing::HeightCoefficients;
 using exsect::testing::plane_patch;
@@ -368,3 +368,5 @@ TEST_CASE("options are checked and obeyed", "[intersect]") {
   intersect(pair, options);
   CHECK(calls > 0);
 }
+
+}  // namespace exsect::intersect_test

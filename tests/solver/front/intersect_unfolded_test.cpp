@@ -11,7 +11,7 @@
 #include "support/graph_patches.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::intersect_unfolded_test {
 namespace {
 
 using random_pairs::Generator;
@@ -104,4 +104,4 @@ TEST_CASE("an arc that touches a side on which a patch is singular", "[unfolded_
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::intersect_unfolded_test

@@ -10,7 +10,7 @@
 #include "support/catch.h"
 #include "support/graph_checks.h"
 
-namespace exsect {
+namespace exsect::moved_control_point_test {
 namespace {
 
 /// The polynomial (x_u × x_v)·d along the side v = 1 (or u = 0), by interpolation; its degree is at most 4.
@@ -118,4 +118,4 @@ TEST_CASE("a corner is moved: arcs leave both sides where the patches touch") {
   check_side(BezierPatch(x), d, result.graph, {Parameter::v, 1});
 }
 
-}  // namespace exsect
+}  // namespace exsect::moved_control_point_test

@@ -10,7 +10,7 @@
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::poles_in_doubles_test {
 namespace {
 
 using random_pairs::Generator;
@@ -137,4 +137,4 @@ TEST_CASE("poles in doubles: of a sector that folds back the seam is not all") {
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::poles_in_doubles_test

@@ -7,7 +7,7 @@
 #include "support/catch.h"
 #include "support/random_nets.h"
 
-namespace exsect {
+namespace exsect::rational_polyline_test {
 namespace {
 
 using random_pairs::Generator;
@@ -65,4 +65,4 @@ TEST_CASE("intersect rational: polylines keep within their bounds") {
   CHECK(compared >= 22);  // of 24
 }
 
-}  // namespace exsect
+}  // namespace exsect::rational_polyline_test

@@ -7,7 +7,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::round_patches_test {
 namespace {
 
 using Profile = std::vector<std::array<Rational, 2>>;  // radius, height
@@ -218,4 +218,4 @@ TEST_CASE("round patches beside special position turn where they do") {
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::round_patches_test

@@ -11,7 +11,7 @@
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::side_points_test {
 namespace {
 
 using random_pairs::Generator;
@@ -169,4 +169,4 @@ TEST_CASE("side points: all pairs of the teapot are complete, and its curves clo
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::side_points_test

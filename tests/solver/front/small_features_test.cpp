@@ -4,7 +4,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::small_features_test {
 
 namespace {
 
@@ -39,3 +39,5 @@ TEST_CASE("a wrong number of a feature is noticed", "[features]") {
   ++feature.numbers.closed;
   CHECK_FALSE(counted_failure(feature.pair, feature.numbers, false).empty());
 }
+
+}  // namespace exsect::small_features_test

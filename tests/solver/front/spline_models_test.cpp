@@ -1,7 +1,7 @@
 // All pairs of patches of models made of biquadratic B-splines: rings, balls, tubes, and how they meet.
 #include "support/renaming_checks.h"
 
-using namespace exsect;
+namespace exsect::spline_models_test {
 
 namespace {
 
@@ -132,3 +132,5 @@ TEST_CASE("spline models: a ring whose edges agree but for rounding") {
   const std::vector<BezierPatch> ring = rounded(turned({{3, 0}, {2, 1}, {1, 0}, {2, -1}}, true), seed);
   CHECK(check_pairs(ring, ring).components > 8);
 }
+
+}  // namespace exsect::spline_models_test

@@ -14,7 +14,7 @@
 #include "support/catch.h"
 #include "support/random_nets.h"
 
-using namespace exsect;
+namespace exsect::tolerance_test {
 
 namespace {
 
@@ -162,3 +162,5 @@ TEST_CASE("tolerances from 1e-3 to 1e-16: one topology, honest bounds, cost like
     }
   }
 }
+
+}  // namespace exsect::tolerance_test

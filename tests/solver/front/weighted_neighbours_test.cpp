@@ -9,7 +9,7 @@
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::weighted_neighbours_test {
 namespace {
 
 using random_pairs::Generator;
@@ -176,4 +176,4 @@ TEST_CASE("weighted neighbours: quarters of a cylinder, and a patch that crosses
   CHECK((crossing.status == Status::incomplete || crossing.graph.arcs.size() == 2));
 }
 
-}  // namespace exsect
+}  // namespace exsect::weighted_neighbours_test

@@ -8,7 +8,7 @@
 #include "support/line_checks.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::enclosed_line_points_test {
 namespace {
 
 using random_pairs::Generator;
@@ -82,4 +82,4 @@ TEST_CASE("line in balls: a point on a side of the other patch is left to intege
   CHECK(undecided > 0);
 }
 
-}  // namespace exsect
+}  // namespace exsect::enclosed_line_points_test

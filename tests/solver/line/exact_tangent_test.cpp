@@ -10,7 +10,7 @@
 #include "trace/enclose.h"
 #include "trace/pair_system.h"
 
-namespace exsect {
+namespace exsect::exact_tangent_test {
 namespace {
 
 using Ball = ArbBall<256>;
@@ -61,4 +61,4 @@ TEST_CASE("zeros of the tangent agree with enclosures at random points on sides"
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::exact_tangent_test

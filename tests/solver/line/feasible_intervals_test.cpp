@@ -6,7 +6,7 @@
 #include "point_checks.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::feasible_intervals_test {
 
 namespace {
 
@@ -164,3 +164,5 @@ TEST_CASE("feasible intervals of the first example and of random pairs") {
     check_grid(pull_back(axis_forms(line_at_second(a, Rational(i, 7))), b), 15);
   }
 }
+
+}  // namespace exsect::feasible_intervals_test

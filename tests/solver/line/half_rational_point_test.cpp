@@ -7,7 +7,7 @@
 #include "support/families.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::half_rational_point_test {
 
 TEST_CASE("a node with irrational parameters on one patch", "[half_rational_point]") {
   const Rational half(1, 2);
@@ -94,4 +94,4 @@ TEST_CASE("points on a line have no second rational parameter by chance", "[half
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::half_rational_point_test

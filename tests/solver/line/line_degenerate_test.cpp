@@ -6,7 +6,7 @@
 #include "point_checks.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::line_degenerate_test {
 
 namespace {
 
@@ -206,3 +206,5 @@ TEST_CASE("a straight line against the first example's patch") {
     CHECK(abs(sum - 1) < power_of_two(-45));
   }
 }
+
+}  // namespace exsect::line_degenerate_test

@@ -8,7 +8,7 @@
 #include "line_shapes.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::line_forms_test {
 
 namespace {
 
@@ -83,3 +83,5 @@ TEST_CASE("the closed formula on random lines and patches") {
     for (const Parameter fixed : all_parameters) check_against_pull_back(pair, {fixed, Rational(i, 9)});
   }
 }
+
+}  // namespace exsect::line_forms_test

@@ -5,7 +5,7 @@
 #include "point_checks.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::line_on_patch_test {
 
 namespace {
 
@@ -163,3 +163,5 @@ TEST_CASE("a patch degenerated to a curve that is the line") {
       power_patch({{{q, q * q, 0}, {h, q, 0}, {0, q, 0}}, {{h, q, 0}, {0, h, 0}}, {{0, q, 0}}});
   check_interval(line_points(x, y, {Parameter::u, 0}), Rational(1, 4), 1);
 }
+
+}  // namespace exsect::line_on_patch_test

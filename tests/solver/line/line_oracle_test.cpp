@@ -13,7 +13,7 @@
 #include "point_checks.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::line_oracle_test {
 
 namespace {
 
@@ -261,3 +261,5 @@ TEST_CASE("the points of lines on special shapes are those a search in doubles f
   CHECK(tally.decided > 30);
   CHECK(tally.points > 15);
 }
+
+}  // namespace exsect::line_oracle_test

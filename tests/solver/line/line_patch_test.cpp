@@ -7,7 +7,7 @@
 #include "point_checks.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::line_patch_test {
 
 namespace {
 
@@ -141,3 +141,5 @@ TEST_CASE("a parameter outside [0,1] is refused") {
   CHECK_THROWS_AS(line_points(x, y, {Parameter::u, Rational(-1, 100)}), std::invalid_argument);
   CHECK_THROWS_AS(intersect_line(x, y, {Parameter::s, Rational(101, 100)}), std::invalid_argument);
 }
+
+}  // namespace exsect::line_patch_test

@@ -12,7 +12,7 @@
 #include "point_checks.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::line_symmetry_test {
 
 namespace {
 
@@ -160,3 +160,5 @@ TEST_CASE("lines full of coincidences keep the symmetries") {
   }
   CHECK(intervals + points > 10);
 }
+
+}  // namespace exsect::line_symmetry_test

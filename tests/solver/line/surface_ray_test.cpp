@@ -3,7 +3,7 @@
 #include "geometry/random_shapes.h"
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::surface_ray_test {
 namespace {
 
 const Point origin = {0, 0, 0}, up = {0, 0, 1};
@@ -113,4 +113,4 @@ TEST_CASE("irrational hits are on the surface between their neighbours in double
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::surface_ray_test

@@ -7,7 +7,7 @@
 #include "support/catch.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::common_surface_test {
 namespace {
 
 Rational q(int a, int b) { return {a, b}; }
@@ -149,4 +149,4 @@ TEST_CASE("a graph over a rectangle holds the points over it, well inside") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::common_surface_test

@@ -15,7 +15,7 @@
 #include "support/random_pairs.h"
 #include "support/renaming_checks.h"
 
-namespace exsect {
+namespace exsect::overlaps_test {
 namespace {
 
 using random_pairs::Pair;
@@ -373,4 +373,4 @@ TEST_CASE("patches that are close but not on one surface have no overlap") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::overlaps_test

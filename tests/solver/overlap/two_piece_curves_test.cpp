@@ -15,7 +15,7 @@
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 
-namespace exsect {
+namespace exsect::two_piece_curves_test {
 namespace {
 
 Rational q(int a, int b) { return {a, b}; }
@@ -314,4 +314,4 @@ TEST_CASE("two pieces of random crumpled patches") {
   CHECK(complete == kPairs);
 }
 
-}  // namespace exsect
+}  // namespace exsect::two_piece_curves_test

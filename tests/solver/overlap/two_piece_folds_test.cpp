@@ -11,7 +11,7 @@
 #include "support/random_pairs.h"
 #include "support/renaming_checks.h"
 
-namespace exsect {
+namespace exsect::two_piece_folds_test {
 namespace {
 
 Rational q(int a, int b) { return {a, b}; }
@@ -119,4 +119,4 @@ TEST_CASE("two pieces: pairs on a folded line, wherever the fold is") {
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::two_piece_folds_test

@@ -7,7 +7,7 @@
 #include "support/catch.h"
 #include "support/random_pairs.h"
 
-using namespace exsect;
+namespace exsect::chart_test {
 
 namespace {
 
@@ -138,3 +138,5 @@ TEST_CASE("chart tubes: points on the tube solve H = 0, one for every offset") {
   }
   CHECK(certified >= 3);
 }
+
+}  // namespace exsect::chart_test

@@ -8,7 +8,7 @@
 #include "support/catch.h"
 #include "support/self_checks.h"
 
-using namespace exsect;
+namespace exsect::chart_trace_test {
 
 namespace {
 
@@ -42,3 +42,5 @@ TEST_CASE("charts: a trace from a cuspidal point stops when it must") {
   CHECK(std::string(stopped->why).find("work cap") != std::string::npos);
   CHECK_FALSE(find_chart_turning_points(system.charts, trace, exact.coincident, {}));
 }
+
+}  // namespace exsect::chart_trace_test

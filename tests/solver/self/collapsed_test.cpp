@@ -10,7 +10,7 @@
 #include "support/catch.h"
 #include "support/preimages.h"
 
-using namespace exsect;
+namespace exsect::collapsed_test {
 
 namespace {
 
@@ -136,3 +136,5 @@ TEST_CASE("self_intersect: random cones") {
   CAPTURE(proved);
   CHECK(proved >= 8);
 }
+
+}  // namespace exsect::collapsed_test

@@ -9,7 +9,7 @@
 #include "support/catch.h"
 #include "support/graph_patches.h"
 
-using namespace exsect;
+namespace exsect::cusp_arc_test {
 
 namespace {
 
@@ -62,3 +62,5 @@ TEST_CASE("a cuspidal point near a side has a short curve", "[cusp]") {
       read_patches(std::string(EXSECT_CASES) + "/found/pinch-point-at-a-side.json").patches.at(0).patch,
       1e-12);
 }
+
+}  // namespace exsect::cusp_arc_test

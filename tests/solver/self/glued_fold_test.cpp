@@ -9,7 +9,7 @@
 #include "support/catch.h"
 #include "support/self_checks.h"
 
-using namespace exsect;
+namespace exsect::glued_fold_test {
 using exsect::testing::checked;
 using exsect::testing::degrees;
 
@@ -150,3 +150,5 @@ TEST_CASE("strips with glued opposite sides") {
     CHECK(std::ranges::count(crossings, boundary == 2 ? 3 : 2) >= 1);
   }
 }
+
+}  // namespace exsect::glued_fold_test

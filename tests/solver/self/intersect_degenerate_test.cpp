@@ -12,7 +12,7 @@
 #include "shape/special_cusps.h"
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::intersect_degenerate_test {
 
 namespace {
 
@@ -363,3 +363,5 @@ TEST_CASE("self_intersect: folds that meet themselves are incomplete with a reas
   check_incomplete(planar(2), "lies in a plane and folds over");
   check_nothing(planar(Rational(1, 4)));
 }
+
+}  // namespace exsect::intersect_degenerate_test

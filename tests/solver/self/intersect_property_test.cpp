@@ -16,7 +16,7 @@
 #include "support/random_pairs.h"
 #include "support/self_locus.h"
 
-namespace exsect {
+namespace exsect::intersect_property_test {
 namespace {
 
 using random_pairs::Generator;
@@ -387,4 +387,4 @@ TEST_CASE("self_intersect: closed curves") {
   }
 }
 
-}  // namespace exsect
+}  // namespace exsect::intersect_property_test

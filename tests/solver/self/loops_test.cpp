@@ -5,7 +5,7 @@
 #include "support/catch.h"
 #include "support/self_checks.h"
 
-using namespace exsect;
+namespace exsect::loops_test {
 using exsect::testing::checked;
 using exsect::testing::degrees;
 using exsect::testing::patch;
@@ -24,3 +24,5 @@ TEST_CASE("closed curves: searched in doubles though the curves are traced in 25
   CHECK(std::ranges::count(graph.arcs, ArcPlace::patch_boundary, &Arc::place) == 2);
   CHECK(degrees(graph, NodeKind::crossing) == std::vector{2});
 }
+
+}  // namespace exsect::loops_test

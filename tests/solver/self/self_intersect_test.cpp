@@ -10,7 +10,7 @@
 #include "support/catch.h"
 #include "support/self_locus.h"
 
-using namespace exsect;
+namespace exsect::self_intersect_test {
 using exsect::testing::polyline_crossings;
 using exsect::testing::self_fibre;
 using exsect::testing::self_locus;
@@ -214,3 +214,5 @@ TEST_CASE("a control point at -10^300: the cap is kept in the middle of long exa
   CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 5);
   CHECK(result.status == Status::incomplete);
 }
+
+}  // namespace exsect::self_intersect_test

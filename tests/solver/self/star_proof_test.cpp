@@ -8,7 +8,7 @@
 #include "support/catch.h"
 #include "support/self_checks.h"
 
-using namespace exsect;
+namespace exsect::star_proof_test {
 using exsect::testing::checked;
 using exsect::testing::degrees;
 using exsect::testing::patch;
@@ -125,3 +125,5 @@ TEST_CASE("star proof: glued sides that end in corners with one tangent plane") 
   const IntersectionGraph graph = checked(patch(kSingularCorner));
   CHECK(std::ranges::count(graph.arcs, ArcPlace::patch_boundary, &Arc::place) == 1);
 }
+
+}  // namespace exsect::star_proof_test

@@ -14,7 +14,7 @@
 #include "support/catch.h"
 #include "support/self_checks.h"
 
-using namespace exsect;
+namespace exsect::star_test {
 using exsect::testing::checked;
 using exsect::testing::degrees;
 using exsect::testing::patch;
@@ -399,3 +399,5 @@ TEST_CASE("a curve that ends in a cuspidal corner") {
   REQUIRE(at_corner != graph.nodes.end());
   CHECK(at_corner->approx == std::array<double, 4>{0, 0, 0, 0});
 }
+
+}  // namespace exsect::star_test

@@ -4,7 +4,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::fold_expansion_test {
 
 namespace {
 
@@ -116,3 +116,5 @@ TEST_CASE("a patch whose lines are all folded has no expansion") {
   CHECK_FALSE(fold_expansion(BezierPatch::from_power_basis(c), 0, 0));
   CHECK_FALSE(fold_expansion(BezierPatch::from_power_basis(c), Rational(1, 3), Rational(1, 3)));
 }
+
+}  // namespace exsect::fold_expansion_test

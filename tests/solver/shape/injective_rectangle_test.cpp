@@ -3,7 +3,7 @@
 #include "support/catch.h"
 #include "support/random_pairs.h"
 
-using namespace exsect;
+namespace exsect::injective_rectangle_test {
 
 namespace {
 
@@ -97,3 +97,5 @@ TEST_CASE("injective rectangles: of small integer nets with a side that is a poi
   }
   CHECK(proved >= 30);
 }
+
+}  // namespace exsect::injective_rectangle_test

@@ -7,7 +7,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::monotone_quadratic_test {
 
 namespace {
 
@@ -80,3 +80,5 @@ TEST_CASE("random preimages", "[monotone_quadratic]") {
     }
   }
 }
+
+}  // namespace exsect::monotone_quadratic_test

@@ -7,7 +7,7 @@
 #include "support/family_checks.h"
 #include "support/graph_patches.h"
 
-using namespace exsect;
+namespace exsect::planar_patch_test {
 using exsect::testing::graph_patch;
 using exsect::testing::HeightCoefficients;
 using families::Plane;
@@ -139,3 +139,5 @@ TEST_CASE("planar_patch: near a cusp, and near branches that touch") {
   check_near_curve(kBranches, Plane::square);
   check_near_curve(kBranches, Plane::quadratic);
 }
+
+}  // namespace exsect::planar_patch_test

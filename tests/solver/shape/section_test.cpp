@@ -5,7 +5,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::section_test {
 namespace {
 
 /// x² + y² = 1, x, y >= 0, 0 <= z <= 2.
@@ -70,4 +70,4 @@ TEST_CASE("section: what turns on a side, and what does not") {
   CHECK_FALSE(turns_on_side(near.at(0), 1, at_x, {0, 1}));
 }
 
-}  // namespace exsect
+}  // namespace exsect::section_test

@@ -14,7 +14,7 @@
 #include "support/catch.h"
 #include "support/preimages.h"
 
-using namespace exsect;
+namespace exsect::self_symmetry_test {
 
 namespace {
 
@@ -272,3 +272,5 @@ TEST_CASE("self_intersect: another pair on a patch with a symmetry is not overlo
   }
   CHECK(tried > 40);
 }
+
+}  // namespace exsect::self_symmetry_test

@@ -10,7 +10,7 @@
 #include "support/random_pairs.h"
 #include "trace/tube_points.h"
 
-namespace exsect {
+namespace exsect::line_arcs_test {
 namespace {
 
 Rational q(int a, int b) { return {a, b}; }
@@ -245,4 +245,4 @@ TEST_CASE("a line through a collapsed line of the other patch") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::line_arcs_test

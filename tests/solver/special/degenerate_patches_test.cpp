@@ -12,7 +12,7 @@
 #include "support/random_pairs.h"
 #include "support/renaming_checks.h"
 
-namespace exsect {
+namespace exsect::degenerate_patches_test {
 namespace {
 
 using random_pairs::Pair;
@@ -187,4 +187,4 @@ TEST_CASE("two curves with an arc in common, or a point") {
 }
 
 }  // namespace
-}  // namespace exsect
+}  // namespace exsect::degenerate_patches_test

@@ -3,7 +3,7 @@
 #include "support/catch.h"
 #include "support/families.h"
 
-using namespace exsect;
+namespace exsect::missed_plane_test {
 
 TEST_CASE("a plane that is missed, touched, crossed") {
   const Rational tiny = Rational(1) / pow(Integer(10), 40);
@@ -28,3 +28,5 @@ TEST_CASE("a plane that is missed, touched, crossed") {
   const ExactCase twice = families::coplanar_squares();
   CHECK(!intersect_missed_plane(twice.x, twice.y));
 }
+
+}  // namespace exsect::missed_plane_test

@@ -4,7 +4,7 @@
 #include "support/families.h"
 #include "support/random_pairs.h"
 
-using namespace exsect;
+namespace exsect::pinch_points_test {
 
 namespace {
 
@@ -76,3 +76,5 @@ TEST_CASE("pinch points: random, both derivatives parallel there", "[pinch]") {
     CHECK(std::any_of(points.begin(), points.end(), is_here));
   }
 }
+
+}  // namespace exsect::pinch_points_test

@@ -4,7 +4,7 @@
 #include "support/catch.h"
 #include "support/families.h"
 
-namespace exsect {
+namespace exsect::point_on_line_test {
 namespace {
 
 /// The root 1/sqrt(2) of 2 t^2 - 1.
@@ -62,4 +62,4 @@ TEST_CASE("a line that is not on the patch has none, a side inside one", "[point
   CHECK(inside[0].sides() == std::vector<Side>{{Parameter::r, 0}});
 }
 
-}  // namespace exsect
+}  // namespace exsect::point_on_line_test

@@ -6,7 +6,7 @@
 #include "support/catch.h"
 #include "support/graph_patches.h"
 
-using namespace exsect;
+namespace exsect::star_neighbourhood_test {
 
 namespace {
 
@@ -99,3 +99,5 @@ TEST_CASE("stars: as many arcs as branches meet at the point", "[star]") {
     }
   }
 }
+
+}  // namespace exsect::star_neighbourhood_test

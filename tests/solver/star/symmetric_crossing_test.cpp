@@ -3,7 +3,7 @@
 #include "support/families.h"
 #include "support/renaming_checks.h"
 
-using namespace exsect;
+namespace exsect::symmetric_crossing_test {
 
 namespace {
 
@@ -70,3 +70,5 @@ TEST_CASE("symmetric crossings: random patches and their images", "[symmetry]") 
   }
   CHECK(found >= 3);
 }
+
+}  // namespace exsect::symmetric_crossing_test

@@ -9,7 +9,7 @@
 #include "support/graph_checks.h"
 #include "support/graph_patches.h"
 
-namespace exsect {
+namespace exsect::constant_parameter_test {
 namespace {
 
 BezierPatch graph(const testing::HeightCoefficients& h) { return testing::graph_patch(h); }
@@ -89,4 +89,4 @@ TEST_CASE("a nearly constant parameter turns or not, but is not constant") {
         }) == 1);
 }
 
-}  // namespace exsect
+}  // namespace exsect::constant_parameter_test

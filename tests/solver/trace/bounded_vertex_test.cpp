@@ -6,7 +6,7 @@
 #include "support/catch.h"
 #include "support/self_checks.h"
 
-using namespace exsect;
+namespace exsect::bounded_vertex_test {
 using exsect::testing::random_patch;
 
 namespace {
@@ -61,3 +61,5 @@ TEST_CASE("chord bound: small where a line turns") {
   CHECK(bound(x, box) < 4 * 0x1p-16);
   CHECK(bound(x.exchanged(), {box[1], box[0], box[3], box[2]}) < 4 * 0x1p-16);
 }
+
+}  // namespace exsect::bounded_vertex_test

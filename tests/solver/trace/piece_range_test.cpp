@@ -8,7 +8,7 @@
 
 #include "support/catch.h"
 
-using namespace exsect;
+namespace exsect::piece_range_test {
 
 namespace {
 
@@ -107,3 +107,5 @@ TEST_CASE("piece range: random ends, against exact numbers") {
 }
 
 }  // namespace
+
+}  // namespace exsect::piece_range_test

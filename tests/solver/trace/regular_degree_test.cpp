@@ -7,7 +7,7 @@
 #include "support/graph_patches.h"
 #include "support/random_pairs.h"
 
-using namespace exsect;
+namespace exsect::regular_degree_test {
 using exsect::testing::graph_patch;
 
 namespace {
@@ -88,3 +88,5 @@ TEST_CASE("regular degree: as many arcs as the graphs of random pairs have") {
   CHECK(known > 100);
   CHECK(unknown == 0);
 }
+
+}  // namespace exsect::regular_degree_test

@@ -6,7 +6,7 @@
 #include "support/graph_patches.h"
 #include "trace/search_regions.h"
 
-using namespace exsect;
+namespace exsect::subdivision_test {
 using exsect::testing::graph_patch;
 using exsect::testing::plane_patch;
 
@@ -141,3 +141,5 @@ TEST_CASE("touching regions are merged, distant ones are not", "[subdivision]") 
   REQUIRE(merged({a, c, bridge, b}).size() == 1);
   CHECK(merged({a, c, bridge, b})[0].upper[0] == 4);
 }
+
+}  // namespace exsect::subdivision_test

@@ -11,7 +11,7 @@
 #include "trace/tangential_enclosure.h"
 #include "trace/tube_points.h"
 
-namespace exsect {
+namespace exsect::tangential_tube_test {
 namespace {
 
 using System = PairSystem<DoubleBall>;
@@ -152,4 +152,4 @@ TEST_CASE("a contact curve is traced to both its ends", "[tangential_tube]") {
   CHECK(std::holds_alternative<TraceFailure>(trace_contact(system, {ends[0]}, around(at(0.4)), {})));
 }
 
-}  // namespace exsect
+}  // namespace exsect::tangential_tube_test

@@ -11,7 +11,7 @@
 #include "trace/tube_points.h"
 #include "trace/turning_points.h"
 
-using namespace exsect;
+namespace exsect::tracer_test {
 using exsect::testing::graph_patch;
 using exsect::testing::HeightCoefficients;
 using exsect::testing::plane_patch;
@@ -321,3 +321,5 @@ TEST_CASE("coincident parameters are found exactly", "[turning]") {
   net[0][2][1] += q(1, 5);
   CHECK(coincident_parameters(BezierPatch(net), plane) == std::array<std::size_t, 4>{0, 1, 2, 3});
 }
+
+}  // namespace exsect::tracer_test

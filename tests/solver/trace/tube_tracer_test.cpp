@@ -5,7 +5,7 @@
 
 #include "support/catch.h"
 
-namespace exsect {
+namespace exsect::tube_tracer_test {
 namespace {
 
 using Point4 = BallPoint<DoubleBall>;
@@ -141,4 +141,4 @@ TEST_CASE("a closed curve ends where it began", "[tube_tracer]") {
   closes(follow<false>({at(0.1)}, at(0.3), -1, 1, 0.55), 0.3, 0.3);
 }
 
-}  // namespace exsect
+}  // namespace exsect::tube_tracer_test
