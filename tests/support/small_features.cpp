@@ -1,6 +1,5 @@
 #include "support/small_features.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "support/graph_patches.h"
@@ -167,11 +166,11 @@ const std::vector<Family>& families() {
       {"loop at a side", loop_at_a_side},
       {"loop cut by a side", loop_cut_by_a_side},
       {"twin arcs", twin_arcs},
-      {"hyperbola", hyperbola, 60},
+      {"hyperbola", hyperbola},
       {"two arcs across a corner", two_arcs_across_a_corner},
       {"order of turning points", order_of_turning_points},
-      {"crossing at a side", crossing_at_a_side, 60},
-      {"crossing at a corner", crossing_at_a_corner, 20},
+      {"crossing at a side", crossing_at_a_side},
+      {"crossing at a corner", crossing_at_a_corner},
       {"contact across a corner", contact_across_a_corner},
       {"curve along a side", curve_along_a_side},
       {"touch at a corner", touch_at_a_corner},
@@ -210,8 +209,7 @@ Feature disguised(Feature feature, Generator& g) {
 
 Feature example(const Family& family, int bits, std::uint64_t seed) {
   Generator generator(seed);
-  const Rational size =
-      power_of_two(-std::min(bits, family.most_bits)) * Rational(integer(generator, 16, 31), 16);
+  const Rational size = power_of_two(-bits) * Rational(integer(generator, 16, 31), 16);
   return disguised(family.make(size, generator), generator);
 }
 

@@ -18,7 +18,6 @@ struct Feature {
 struct Family {
   const char* name;
   Feature (*make)(const Rational& size, random_pairs::Generator& generator);
-  int most_bits = 300;  // of the size; smaller ones take seconds, or end incomplete
 };
 const std::vector<Family>& families();
 
@@ -27,7 +26,7 @@ const std::vector<Family>& families();
 /// random.
 Feature disguised(Feature feature, random_pairs::Generator& generator);
 
-/// Of a size of 2^-bits, or 2^-most_bits if that is larger, times a random factor in [1, 2), disguised.
+/// Of a size of 2^-bits times a random factor in [1, 2), disguised.
 Feature example(const Family& family, int bits, std::uint64_t seed);
 /// counted_failure() of that example.
 std::string failure(const Family& family, int bits, std::uint64_t seed, bool exact);
