@@ -9,7 +9,7 @@ void require_direction(const char* key, const Point& direction) {
   if (is_zero(direction)) throw SurfaceError(key, "the vector is zero");
 }
 
-void require_positive_square(const char* key, const Length& length) {
+void require_positive_length(const char* key, const Length& length) {
   if (!length.is_positive()) throw SurfaceError(key, "not positive");
 }
 
@@ -67,14 +67,14 @@ ImplicitSurface ImplicitSurface::plane(const Point& point, const Point& normal) 
 
 ImplicitSurface ImplicitSurface::cylinder(const Point& point, const Point& axis, const Length& radius) {
   require_direction("axis", axis);
-  require_positive_square("radius", radius);
+  require_positive_length("radius", radius);
   return {SurfaceKind::cylinder,
           axis_distance(point, axis) - SpacePolynomial::constant(radius.squared() * dot(axis, axis))};
 }
 
 ImplicitSurface ImplicitSurface::cone(const Point& apex, const Point& axis, const Length& slope, int nappes) {
   require_direction("axis", axis);
-  require_positive_square("slope", slope);
+  require_positive_length("slope", slope);
   if (nappes != 1 && nappes != 2) throw SurfaceError("nappes", "neither 1 nor 2");
   const SpacePolynomial h = height(apex, axis);
   ImplicitSurface cone(SurfaceKind::cone, axis_distance(apex, axis) - slope.squared() * h * h);
@@ -83,15 +83,15 @@ ImplicitSurface ImplicitSurface::cone(const Point& apex, const Point& axis, cons
 }
 
 ImplicitSurface ImplicitSurface::sphere(const Point& centre, const Length& radius) {
-  require_positive_square("radius", radius);
+  require_positive_length("radius", radius);
   return {SurfaceKind::sphere, squared_distance(centre) - SpacePolynomial::constant(radius.squared())};
 }
 
 ImplicitSurface ImplicitSurface::torus(const Point& centre, const Point& axis, const Length& major,
                                        const Length& minor) {
   require_direction("axis", axis);
-  require_positive_square("major", major);
-  require_positive_square("minor", minor);
+  require_positive_length("major", major);
+  require_positive_length("minor", minor);
   if (minor.squared() == major.squared()) {
     throw SurfaceError("minor", "as great as major: a horn torus, which meets itself in its centre");
   }
