@@ -21,10 +21,10 @@ Sheet sheet_of(const SheetContraction& over) {
   for (std::size_t l = 0; l < 2; ++l) {
     const double largest = std::max(upper(result.derivative[0][l]) / over.width[0],
                                     upper(result.derivative[1][l]) / over.width[1]);
-    const double m = kSheetSlack * largest / (1 - over.contraction());
+    const double m = kSlack * largest / (1 - over.contraction());
     for (std::size_t k = 0; k < 2; ++k)
       result.derivative[k][l] = result.derivative[k][l].widened(
-          kSheetSlack * m * (over.e[k][0] * over.width[0] + over.e[k][1] * over.width[1]));
+          kSlack * m * (over.e[k][0] * over.width[0] + over.e[k][1] * over.width[1]));
   }
   return result;
 }

@@ -50,10 +50,10 @@ std::array<double, 9> row_magnitudes(const Matrix& c, std::size_t k, const Net& 
 
 /// Bound of the deviation of the two first derivatives from their values at the centre over |a_i| <= h_i.
 Pair row_variation(const std::array<double, 9>& m, const Pair& h) {
-  return {kSheetSlack * (2 * m[6] * h[0] + m[4] * h[1] + 2 * m[7] * h[0] * h[1] + m[5] * h[1] * h[1] +
-                         2 * m[8] * h[0] * h[1] * h[1]),
-          kSheetSlack * (2 * m[2] * h[1] + m[4] * h[0] + 2 * m[5] * h[0] * h[1] + m[7] * h[0] * h[0] +
-                         2 * m[8] * h[0] * h[0] * h[1])};
+  return {kSlack * (2 * m[6] * h[0] + m[4] * h[1] + 2 * m[7] * h[0] * h[1] + m[5] * h[1] * h[1] +
+                    2 * m[8] * h[0] * h[1] * h[1]),
+          kSlack * (2 * m[2] * h[1] + m[4] * h[0] + 2 * m[5] * h[0] * h[1] + m[7] * h[0] * h[0] +
+                    2 * m[8] * h[0] * h[0] * h[1])};
 }
 
 /// Bound of the deviation of the value.
@@ -65,7 +65,7 @@ double deviation(const std::array<double, 9>& m, const Pair& h) {
     for (std::size_t j = 0; j < 3; ++j, power *= h[1])
       if (i + j > 0) sum += m[3 * i + j] * power;
   }
-  return kSheetSlack * sum;
+  return kSlack * sum;
 }
 
 }  // namespace
@@ -73,9 +73,9 @@ double deviation(const std::array<double, 9>& m, const Pair& h) {
 SheetContraction::SheetContraction(const SearchRegion& region) {
   for (std::size_t k = 0; k < 2; ++k) {
     c[k] = 0.5 * (region.lower[k] + region.upper[k]);
-    reach[k] = kSheetSlack * 0.5 * (region.upper[k] - region.lower[k]);
+    reach[k] = kSlack * 0.5 * (region.upper[k] - region.lower[k]);
     middle[k] = 0.5 * (region.lower[k + 2] + region.upper[k + 2]);
-    half[k] = kSheetSlack * 0.5 * (region.upper[k + 2] - region.lower[k + 2]);
+    half[k] = kSlack * 0.5 * (region.upper[k + 2] - region.lower[k + 2]);
   }
 }
 
@@ -109,17 +109,17 @@ bool SheetContraction::is_near() const {
 bool SheetContraction::contracts() {
   Pair residual{};
   for (std::size_t k = 0; k < 2; ++k) {
-    residual[k] = kSheetSlack * (upper(row(inverse, k, x[0]) - row(inverse, k, y[0])) +
-                                 deviation(row_magnitudes(inverse, k, x), reach));
-    const double needed = kSheetSlack * (std::fabs(w0[k] - middle[k]) + half[k]);
+    residual[k] = kSlack * (upper(row(inverse, k, x[0]) - row(inverse, k, y[0])) +
+                            deviation(row_magnitudes(inverse, k, x), reach));
+    const double needed = kSlack * (std::fabs(w0[k] - middle[k]) + half[k]);
     width[k] = std::max(needed, 1.5 * residual[k]);
   }
   for (std::size_t k = 0; k < 2; ++k) {
     const Pair change = row_variation(row_magnitudes(inverse, k, y), width);
     const std::array<std::size_t, 2> column = {3, 1};
     for (std::size_t l = 0; l < 2; ++l)
-      e[k][l] = kSheetSlack * (upper(row(inverse, k, y[column[l]]) - DoubleBall(k == l ? 1 : 0)) + change[l]);
-    image[k] = kSheetSlack * (residual[k] + e[k][0] * width[0] + e[k][1] * width[1]);
+      e[k][l] = kSlack * (upper(row(inverse, k, y[column[l]]) - DoubleBall(k == l ? 1 : 0)) + change[l]);
+    image[k] = kSlack * (residual[k] + e[k][0] * width[0] + e[k][1] * width[1]);
     if (!(image[k] < width[k])) return false;
   }
   return true;
@@ -128,18 +128,17 @@ bool SheetContraction::contracts() {
 double SheetContraction::contraction() const {
   double result = 0;
   for (std::size_t k = 0; k < 2; ++k)
-    result = std::max(result, kSheetSlack * (e[k][0] * width[0] + e[k][1] * width[1]) / width[k]);
+    result = std::max(result, kSlack * (e[k][0] * width[0] + e[k][1] * width[1]) / width[k]);
   return result;
 }
 
 std::optional<SheetGraph> SheetContraction::graph() const {
-  SheetGraph result{{}, inverse, width, kSheetSlack * contraction()};
+  SheetGraph result{{}, inverse, width, kSlack * contraction()};
   for (std::size_t k = 0; k < 2; ++k) {
     const double reach_out = 0.5 * (image[k] + width[k]);
     const Pair ends = {w0[k] - reach_out, w0[k] + reach_out};
     for (const double end : ends)
-      if (!(std::fabs(end - w0[k]) > kSheetSlack * image[k] &&
-            kSheetSlack * std::fabs(end - w0[k]) < width[k]))
+      if (!(std::fabs(end - w0[k]) > kSlack * image[k] && kSlack * std::fabs(end - w0[k]) < width[k]))
         return std::nullopt;
     result.range[k] = {from_double(ends[0]), from_double(ends[1])};
   }
@@ -148,7 +147,7 @@ std::optional<SheetGraph> SheetContraction::graph() const {
 
 bool SheetContraction::leaves_region() const {
   for (std::size_t k = 0; k < 2; ++k)
-    if (std::fabs(w0[k] - middle[k]) > kSheetSlack * (image[k] + half[k])) return true;
+    if (std::fabs(w0[k] - middle[k]) > kSlack * (image[k] + half[k])) return true;
   return false;
 }
 

@@ -8,12 +8,10 @@
 
 #include "trace/pair_system.h"
 #include "trace/sheet_graph.h"
+#include "trace/slack.h"
 #include "trace/subdivision.h"
 
 namespace exsect {
-
-/// Covers the rounding of sums of fewer than 100 nonnegative terms.
-inline constexpr double kSheetSlack = 1 + 0x1p-40;
 
 /// One region: (u,v) = c + a in A, |a_i| <= reach_i; (r,s) = w0 + b, |b_k| <= width_k. The matrix C,
 /// `inverse`, is near the left inverse of (y_r, y_s)(w0). For fixed a the map b -> b + C(x(c + a) - y(w0 +
