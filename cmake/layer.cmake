@@ -22,8 +22,8 @@ if(EXSECT_FUZZ)
 endif()
 
 # The headers that nearly every file includes, parsed once for each kind of target: Boost's GMP numbers alone cost
-# seconds a file. The kinds: `library` for the layers, `program` with JSON, formatting and the command
-# line besides, `tests` with Catch2, `numbers` with nothing else.
+# seconds a file. The kinds: `library` for the layers and the program, `tests` with Catch2 and JSON besides, `numbers`
+# with nothing else.
 # exsect_precompiled(<kind> HEADERS <headers> LIBRARIES <targets> OPTIONS <compile options>)
 function(exsect_precompiled kind)
   cmake_parse_arguments(KIND "" "" "HEADERS;LIBRARIES;OPTIONS" ${ARGN})
@@ -44,7 +44,7 @@ function(exsect_precompile target kind)
   target_precompile_headers(${target} REUSE_FROM exsect_precompiled_${kind})
 endfunction()
 
-# The sources of one room, up to eight of them, compile as one file: together they take half of the processor time,
+# The sources of one room, up to 24 of them, compile as one file: together they take a third of the processor time,
 # for they instantiate the same templates. No two files of a room have a local name in common (tests/project/rooms.py).
 # Sources with options of their own stay alone.
 option(EXSECT_GROUPS "Compile sources in groups: a clean build is faster, one after a change slower" ON)
@@ -56,7 +56,7 @@ function(exsect_grouped target)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY "${directory}")
     cmake_path(GET source PARENT_PATH room)
     string(MAKE_C_IDENTIFIER "${room}" room)
-    math(EXPR group "0${size_${room}} / 8")
+    math(EXPR group "0${size_${room}} / 24")
     math(EXPR size_${room} "0${size_${room}} + 1")
     cmake_path(GET source PARENT_PATH folder)
     cmake_path(GET folder FILENAME folder)

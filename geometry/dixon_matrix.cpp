@@ -11,27 +11,27 @@
 namespace exsect {
 namespace {
 
-constexpr int size = 8;
+constexpr int matrix_size = 8;
 
-using ModularMatrix = std::array<std::array<Residue, size>, size>;
+using ModularMatrix = std::array<std::array<Residue, matrix_size>, matrix_size>;
 
 /// By elimination; the matrix is used up.
 Residue determinant(const PrimeField& field, ModularMatrix& m) {
   Residue result = field.one();
-  for (std::size_t k = 0; k < size; ++k) {
+  for (std::size_t k = 0; k < matrix_size; ++k) {
     std::size_t pivot = k;
-    while (pivot < size && m[pivot][k] == 0) ++pivot;
-    if (pivot == size) return field.zero();
+    while (pivot < matrix_size && m[pivot][k] == 0) ++pivot;
+    if (pivot == matrix_size) return field.zero();
     if (pivot != k) {
       std::swap(m[pivot], m[k]);
       result = field.negate(result);
     }
     result = field.multiply(result, m[k][k]);
     const Residue inverse = field.inverse(m[k][k]);
-    for (std::size_t i = k + 1; i < size; ++i) {
+    for (std::size_t i = k + 1; i < matrix_size; ++i) {
       if (m[i][k] == 0) continue;
       const Residue factor = field.multiply(m[i][k], inverse);
-      for (std::size_t j = k + 1; j < size; ++j)
+      for (std::size_t j = k + 1; j < matrix_size; ++j)
         m[i][j] = field.subtract(m[i][j], field.multiply(factor, m[k][j]));
     }
   }
@@ -42,20 +42,20 @@ Residue determinant(const PrimeField& field, ModularMatrix& m) {
 SimplexTable determinant(const PrimeField& field, const DixonMatrix& m) {
   std::array<ModularMatrix, 4> part;
   for (std::size_t e = 0; e < 4; ++e)
-    for (std::size_t i = 0; i < size; ++i)
-      for (std::size_t j = 0; j < size; ++j) part[e][i][j] = field.residue(m[i][j][e]);
+    for (std::size_t i = 0; i < matrix_size; ++i)
+      for (std::size_t j = 0; j < matrix_size; ++j) part[e][i][j] = field.residue(m[i][j][e]);
   const auto add = [&](ModularMatrix to, const ModularMatrix& other) {
-    for (std::size_t i = 0; i < size; ++i)
-      for (std::size_t j = 0; j < size; ++j) to[i][j] = field.add(to[i][j], other[i][j]);
+    for (std::size_t i = 0; i < matrix_size; ++i)
+      for (std::size_t j = 0; j < matrix_size; ++j) to[i][j] = field.add(to[i][j], other[i][j]);
     return to;
   };
-  SimplexTable values(size);
+  SimplexTable values(matrix_size);
   ModularMatrix at_x = part[0];
-  for (int x = 0; x <= size; ++x, at_x = add(at_x, part[1])) {
+  for (int x = 0; x <= matrix_size; ++x, at_x = add(at_x, part[1])) {
     ModularMatrix at_y = at_x;
-    for (int y = 0; x + y <= size; ++y, at_y = add(at_y, part[2])) {
+    for (int y = 0; x + y <= matrix_size; ++y, at_y = add(at_y, part[2])) {
       ModularMatrix at_z = at_y;
-      for (int z = 0; x + y + z <= size; ++z, at_z = add(at_z, part[3])) {
+      for (int z = 0; x + y + z <= matrix_size; ++z, at_z = add(at_z, part[3])) {
         ModularMatrix matrix = at_z;
         values(x, y, z) = determinant(field, matrix);
       }
@@ -123,9 +123,9 @@ SpacePolynomial determinant(const DixonMatrix& m) {
   if (!modular.primes.empty()) {
     const std::vector<Integer> coefficients = chinese_remainder(modular);
     std::size_t next = 0;
-    for (int x = 0; x <= size; ++x)
-      for (int y = 0; x + y <= size; ++y)
-        for (int z = 0; x + y + z <= size; ++z) terms[{x, y, z}] = coefficients[next++];
+    for (int x = 0; x <= matrix_size; ++x)
+      for (int y = 0; x + y <= matrix_size; ++y)
+        for (int z = 0; x + y + z <= matrix_size; ++z) terms[{x, y, z}] = coefficients[next++];
   }
   return SpacePolynomial(terms);
 }

@@ -185,7 +185,7 @@ Json audit_json(const BranchAudit& audit) {
   return json;
 }
 
-const char* name(MeetingKind kind) {
+const char* meeting_name(MeetingKind kind) {
   constexpr std::array<const char*, 5> names = {"passes", "folds", "ends", "crosses", "unresolved"};
   return names[static_cast<std::size_t>(kind)];
 }
@@ -207,7 +207,7 @@ Json meetings_json(const CurveArcs& arcs) {
   Json list = Json::array();
   for (const CurveEvent& event : arcs.events)
     for (const CurveMeeting& meeting : event.meetings)
-      list.push_back({{"kind", name(meeting.kind)},
+      list.push_back({{"kind", meeting_name(meeting.kind)},
                       {"u", json_interval(event.u)},
                       {"v", json_interval(meeting.v)},
                       {"left", meeting.left},

@@ -63,17 +63,17 @@ Complex root_of_unity(std::size_t k) {
 }
 constexpr double half_of_the_roots = 16;
 
-using IntegerPolynomial = FormalPolynomial<Integer>;
+using FormalIntegerPolynomial = FormalPolynomial<Integer>;
 
 /// n = a_1 x a_2, g_r and g_s as polynomials in u (4.5).
 struct LeadingForms {
-  SpaceVector<IntegerPolynomial> n;
-  IntegerPolynomial g_r;
-  IntegerPolynomial g_s;
+  SpaceVector<FormalIntegerPolynomial> n;
+  FormalIntegerPolynomial g_r;
+  FormalIntegerPolynomial g_s;
 
   explicit LeadingForms(const IntegerPair& pair) {
     const auto line = [&](std::size_t j) {
-      SpaceVector<IntegerPolynomial> a;
+      SpaceVector<FormalIntegerPolynomial> a;
       for (std::size_t k = 0; k < 3; ++k)
         a[k].coefficients = {pair.x[0][j][k], pair.x[1][j][k], pair.x[2][j][k]};
       return a;

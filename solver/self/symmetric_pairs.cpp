@@ -11,17 +11,17 @@ namespace {
 
 constexpr int kDeepestSquare = 12;
 
-const Rational half(1, 2);
+const Rational one_half(1, 2);
 
 bool is_away(const BezierPatch& n, int depth) {
   std::vector<Point> points;
   for (const auto& row : n.net()) points.insert(points.end(), row.begin(), row.end());
   if (lie_in_half_space(points)) return true;
   if (depth == kDeepestSquare) return false;
-  return depth % 2 == 0 ? is_away(n.restricted_to(0, half, 0, 1), depth + 1) &&
-                              is_away(n.restricted_to(half, 1, 0, 1), depth + 1)
-                        : is_away(n.restricted_to(0, 1, 0, half), depth + 1) &&
-                              is_away(n.restricted_to(0, 1, half, 1), depth + 1);
+  return depth % 2 == 0 ? is_away(n.restricted_to(0, one_half, 0, 1), depth + 1) &&
+                              is_away(n.restricted_to(one_half, 1, 0, 1), depth + 1)
+                        : is_away(n.restricted_to(0, 1, 0, one_half), depth + 1) &&
+                              is_away(n.restricted_to(0, 1, one_half, 1), depth + 1);
 }
 
 /// x = y(u + v, u v), y = c00 + c10 s + c20 (s^2 - 2 p) + c11 p + c21 s p + c22 p^2: the cross product of y_s

@@ -35,7 +35,7 @@ FormVector times(const Rational& factor, FormVector f) {
   return f;
 }
 
-FormVector cross(const FormVector& a, const FormVector& b) {
+FormVector cross_of_forms(const FormVector& a, const FormVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 Form dot(const FormVector& a, const FormVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -100,8 +100,8 @@ SelfProjection self_projection(const BezierPatch& x) {
   const FormVector a = times(Rational(1, 2), derivative_r(b));
   const FormVector d = times(-1, derivative_s(value));
   const FormVector c = times(Rational(1, 2), derivative_s(d));
-  const FormVector dc = cross(d, c);
-  const FormVector ba = cross(b, a);
+  const FormVector dc = cross_of_forms(d, c);
+  const FormVector ba = cross_of_forms(b, a);
   // The alternating minors of (b a d c).
   SelfProjection result{{dot(a, dc), dot(times(-1, b), dc), dot(ba, c), dot(times(-1, ba), d)}, {}};
   for (const int end : {0, 1})
@@ -131,7 +131,7 @@ std::optional<std::vector<RealAlgebraic>> self_turning_values(const BezierPatch&
 
 std::optional<std::vector<RealAlgebraic>> cuspidal_values(const BezierPatch& x) {
   const FormVector value = forms(x);
-  FormVector normal = cross(derivative_r(value), derivative_s(value));
+  FormVector normal = cross_of_forms(derivative_r(value), derivative_s(value));
   std::vector<RealAlgebraic> values;
   for (const std::size_t fixed : {0, 1})
     for (const int side : {0, 1}) {

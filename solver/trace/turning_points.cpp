@@ -41,7 +41,7 @@ constexpr int kMostMagnified = 64;  // times, of one trace
 constexpr double kPad = 1.0 / 1024;
 
 template <class Ball>
-std::array<int, 4> tangent_signs(const PairSystem<Ball>& system, const BallPoint<Ball>& at) {
+std::array<int, 4> signs_of_tangent(const PairSystem<Ball>& system, const BallPoint<Ball>& at) {
   const BallPoint<Ball> t = Expansion<Ball>(system, at).tangent();
   return {t[0].certain_sign(), t[1].certain_sign(), t[2].certain_sign(), t[3].certain_sign()};
 }
@@ -164,7 +164,7 @@ class TurningSearch {
   std::optional<int> sign_at(std::size_t k, std::size_t i, bool at_end) const {
     const Piece<Ball>& piece = trace_.pieces[k];
     const int sign =
-        tangent_signs(system_, point_at(piece.tube, at_end ? piece.range.to() : piece.range.from()))[i];
+        signs_of_tangent(system_, point_at(piece.tube, at_end ? piece.range.to() : piece.range.from()))[i];
     if (is_joint(k, at_end)) {
       return sign == 0 ? std::nullopt : std::optional(sign);
     }
@@ -206,8 +206,8 @@ class TurningSearch {
     for (double delta = 2 * unit; delta < 1; delta *= 4) {
       const double from = piece.range.ahead_of(t, -delta);
       const double to = piece.range.ahead_of(t, delta);
-      const int s0 = tangent_signs(system_, point_at(piece.tube, from))[i];
-      const int s1 = tangent_signs(system_, point_at(piece.tube, to))[i];
+      const int s0 = signs_of_tangent(system_, point_at(piece.tube, from))[i];
+      const int s1 = signs_of_tangent(system_, point_at(piece.tube, to))[i];
       if (s0 == first_sign && s1 == -first_sign) {
         record(k, i, from, to);
         return true;

@@ -31,7 +31,7 @@ ParameterBox renamed(const ParameterBox& box, const Renaming& names) {
   return result;
 }
 
-bool meet(const ParameterBox& a, const ParameterBox& b) {
+bool have_common_point(const ParameterBox& a, const ParameterBox& b) {
   for (std::size_t i = 0; i < 4; ++i)
     if (a[i].upper < b[i].lower || b[i].upper < a[i].lower) return false;
   return true;
@@ -42,8 +42,8 @@ void check_renamed(const LinePoints& a, const LinePoints& b, const Renaming& nam
   REQUIRE(a.points.size() == b.points.size());
   for (const CertifiedPoint& p : a.points)
     CHECK(std::ranges::count_if(b.points, [&](const CertifiedPoint& q) {
-            return meet(p.box(), renamed(q.box(), names)) && p.sides().size() == q.sides().size() &&
-                   (p.multiplicity() == 1) == (q.multiplicity() == 1);
+            return have_common_point(p.box(), renamed(q.box(), names)) &&
+                   p.sides().size() == q.sides().size() && (p.multiplicity() == 1) == (q.multiplicity() == 1);
           }) == 1);
   REQUIRE(a.on_patch.size() == b.on_patch.size());
   const bool reversed = names.reversed[1];
