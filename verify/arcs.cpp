@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "chain_distances.h"
-#include "rounding.h"
+#include "infinite.h"
 #include "verifier.h"
 
 namespace exsect {

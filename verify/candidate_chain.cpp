@@ -1,10 +1,12 @@
 #include "candidate_chain.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "rounding.h"
+#include "infinite.h"
 
 namespace exsect {
 namespace {
@@ -133,7 +135,7 @@ struct StraightPiece {
 /// Each of at most 40 levels moves a point by at most 4 (degree + 1) roundings of its size. Halves are no
 /// nearer to their chords than `rounding`.
 void cut(const Segment& s, double flat, int depth, double rounding, std::vector<StraightPiece>& pieces) {
-  const double bound = s.points.size() == 2 ? 0 : deviation(s) * upwards + rounding;
+  const double bound = s.points.size() == 2 ? 0 : deviation(s) * kSlack + rounding;
   const bool is_last = depth == 0 || pieces.size() > most_pieces || !has_even_weights(s);
   if (is_last || !(bound > std::max(flat, 2 * rounding))) {
     pieces.push_back({s.from, s.to, s.points.front(), s.points.back(), bound + rounding});
@@ -148,7 +150,7 @@ std::vector<StraightPiece> straight_pieces(const SplineCurve& curve, bool closed
   for (const auto& p : curve.points) size = std::max(size, largest(p));
   const double rounding = curve.degree == 1 && curve.weights.empty()
                               ? 0
-                              : 4 * deepest * static_cast<double>(d + 1) * 4 * size * unit_roundoff;
+                              : 4 * deepest * static_cast<double>(d + 1) * 4 * size * kUnitRoundoff;
   std::vector<StraightPiece> pieces;
   for (std::size_t k = d; k < curve.points.size(); ++k)
     if (curve.knots[k] < curve.knots[k + 1]) cut(span(curve, k), flat, deepest, rounding, pieces);
@@ -196,7 +198,7 @@ Chain chain_on_patch(const SplineCurve& curve, bool closed, const PatchInDoubles
     // a chord over 1/n of the segment is within k / (8 n^2) of its image (5.4)
     const double most = std::clamp(static_cast<double>(most_pieces / pieces.size()), 1.0, 4096.0);
     const double n = std::clamp(std::ceil(std::sqrt(k / (4 * flat))), 1.0, most);
-    const double bound = (k / (8 * n * n) + speed * piece.bound) * upwards + 2 * patch.rounding();
+    const double bound = (k / (8 * n * n) + speed * piece.bound) * kSlack + 2 * patch.rounding();
     for (double i = 1; i <= n; ++i) {
       const double t = i / n;
       const double at = i == n ? piece.to : piece.from + t * (piece.to - piece.from);

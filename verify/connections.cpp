@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rounding.h"
+#include "infinite.h"
 #include "verifier.h"
 
 namespace exsect {

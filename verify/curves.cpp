@@ -1,4 +1,6 @@
 // The candidate's curves: what of the truth they follow, and what of them is no intersection.
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -137,7 +139,7 @@ bool Verifier::is_off(const Chain& chain, const Interval& part) const {
 }
 
 bool Verifier::is_off_a_patch(const SpacePoint& p, double bound) const {
-  const double radius = (tolerance_ + bound + rounding_) * (1 + 0x1p-40);
+  const double radius = (tolerance_ + bound + rounding_) * kSlack;
   return x_.certainly_farther(p, radius) || y_.certainly_farther(p, radius);
 }
 

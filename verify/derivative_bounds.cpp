@@ -1,12 +1,13 @@
 #include "derivative_bounds.h"
 
+#include <exsect/algebra/rounding_bounds.h>
 #include <exsect/algebra/tensor_bernstein.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "rounding.h"
+#include "infinite.h"
 
 namespace exsect {
 namespace {
@@ -45,9 +46,7 @@ Net transposed(const Net& net) {
   return result;
 }
 
-double length(const Vector4& p) {
-  return std::hypot(to_double(p[0]), to_double(p[1]), to_double(p[2])) * upwards;
-}
+double length(const Vector4& p) { return length_bound(to_double(p[0]), to_double(p[1]), to_double(p[2])); }
 
 /// Of the vectors (first three entries) and of the weights: upper bounds of their sizes in a net.
 struct Sizes {
@@ -59,7 +58,7 @@ Sizes sizes(const Net& net) {
   for (const auto& row : net) {
     for (const Vector4& p : row) {
       result.vector = std::max(result.vector, length(p));
-      result.weight = std::max(result.weight, std::fabs(to_double(p[3])) * upwards);
+      result.weight = std::max(result.weight, std::fabs(to_double(p[3])) * kSlack);
     }
   }
   return result;
@@ -72,19 +71,19 @@ DerivativeBounds bounds_over(const Net& net, const std::array<Rational, 2>& widt
   for (const auto& row : net)
     for (const Vector4& p : row) least = std::min(least, p[3]);
   if (!(least > 0)) return {infinite, 0, {infinite, infinite}, {infinite, infinite, infinite}};
-  result.least_weight = to_double(least) / upwards;
+  result.least_weight = to_double(least) / kSlack;
   for (const auto& row : net)
     for (const Vector4& p : row)
-      result.reach = std::max(result.reach, length(p) / (to_double(p[3]) / upwards));
+      result.reach = std::max(result.reach, length(p) / (to_double(p[3]) / kSlack));
   const double w = result.least_weight;
   const Net by_u = differentiated(net, width[0]);
   const Net by_v = differentiated(transposed(net), width[1]);
   const Sizes u = sizes(by_u);
   const Sizes v = sizes(by_v);
-  result.first = {(u.vector + result.reach * u.weight) / w * upwards,
-                  (v.vector + result.reach * v.weight) / w * upwards};
+  result.first = {(u.vector + result.reach * u.weight) / w * kSlack,
+                  (v.vector + result.reach * v.weight) / w * kSlack};
   const auto second = [&](const Sizes& both, double mixed) {
-    return (both.vector + mixed + result.reach * both.weight) / w * upwards;
+    return (both.vector + mixed + result.reach * both.weight) / w * kSlack;
   };
   if (by_u.size() > 1)
     result.second[0] = second(sizes(differentiated(by_u, width[0])), 2 * result.first[0] * u.weight);

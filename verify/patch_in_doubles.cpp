@@ -1,17 +1,18 @@
 #include "patch_in_doubles.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "derivative_bounds.h"
-#include "rounding.h"
+#include "infinite.h"
 
 namespace exsect {
 namespace {
 
-constexpr double downwards = 1 - 0x1p-40;
 constexpr int deepest_halving = 40;  // halvings of a net
 /// A coefficient is rounded, and passes at most six times through a product and a sum.
 constexpr double errors_of_value = 16;
@@ -19,7 +20,7 @@ constexpr double errors_of_value = 16;
 constexpr double errors_of_net = 3 * deepest_halving + 8;
 
 /// At least the length.
-double norm(const SpacePoint& a) { return std::hypot(a[0], a[1], a[2]) * upwards; }
+double norm(const SpacePoint& a) { return length_bound(a[0], a[1], a[2]); }
 
 SpacePoint vector_of(const std::array<double, 4>& a) { return {a[0], a[1], a[2]}; }
 
@@ -66,8 +67,8 @@ PatchInDoubles::PatchInDoubles(const RationalPatch& given, const Rational& margi
   }
   for (const auto& [error, count] :
        {std::pair(&value, errors_of_value), std::pair(&net_error_, errors_of_net)}) {
-    error->vector = count * unit_roundoff * error->vector * upwards + underflow;
-    error->weight = polynomial_ ? 0 : count * unit_roundoff * error->weight * upwards + underflow;
+    error->vector = count * kUnitRoundoff * error->vector * kSlack + kUnderflowLoss;
+    error->weight = polynomial_ ? 0 : count * kUnitRoundoff * error->weight * kSlack + kUnderflowLoss;
   }
   bound_derivatives(patch, margin, value);
 }
@@ -86,7 +87,7 @@ void PatchInDoubles::bound_derivatives(const RationalPatch& patch, const Rationa
   if (polynomial_)
     rounding_ = error.vector;
   else if (least > error.weight)
-    rounding_ = ((error.vector + far * error.weight) / least + 4 * unit_roundoff * far) * upwards;
+    rounding_ = ((error.vector + far * error.weight) / least + 4 * kUnitRoundoff * far) * kSlack;
 }
 
 SpacePoint PatchInDoubles::operator()(double u, double v) const {
@@ -103,7 +104,7 @@ SpacePoint PatchInDoubles::operator()(double u, double v) const {
 }
 
 double PatchInDoubles::second_derivative(double du, double dv) const {
-  return (second_[0] * du * du + 2 * second_[1] * std::fabs(du * dv) + second_[2] * dv * dv) * upwards;
+  return (second_[0] * du * du + 2 * second_[1] * std::fabs(du * dv) + second_[2] * dv * dv) * kSlack;
 }
 
 double PatchInDoubles::distance_from_hull(const SpacePoint& p, const Net& net) const {
@@ -120,7 +121,7 @@ double PatchInDoubles::distance_from_hull(const SpacePoint& p, const Net& net) c
       const SpacePoint point = {q[0] / q[3], q[1] / q[3], q[2] / q[3]};
       const double far = norm(point);
       const double error =
-          (net_error_.vector + 2 * far * net_error_.weight) / least + 4 * unit_roundoff * far;
+          (net_error_.vector + 2 * far * net_error_.weight) / least + 4 * kUnitRoundoff * far;
       slack = std::max(slack, 2 * error);
       for (std::size_t k = 0; k < 3; ++k) {
         lower[k] = std::min(lower[k], point[k]);
@@ -137,7 +138,7 @@ double PatchInDoubles::distance_from_hull(const SpacePoint& p, const Net& net) c
   const SpacePoint centre = between(points[0], points[count - 1], 0.5);
   double reach = 0;  // all points are within it of the centre
   for (std::size_t i = 0; i < count; ++i) reach = std::max(reach, distance(points[i], centre));
-  return std::max(std::sqrt(gap), distance(p, centre) - reach) * downwards - slack - underflow;
+  return std::max(std::sqrt(gap), distance(p, centre) - reach) * kReduced - slack - kUnderflowLoss;
 }
 
 /// Both halves by de Casteljau's algorithm, of the first parameter or of the second.
@@ -171,7 +172,7 @@ bool PatchInDoubles::certainly_farther(const SpacePoint& p, double radius) const
     if (waiting.empty()) return true;
     const Piece piece = waiting.back();
     waiting.pop_back();
-    if (distance_from_hull(p, piece.net) > radius * upwards) continue;
+    if (distance_from_hull(p, piece.net) > radius * kSlack) continue;
     if (piece.depth == deepest_halving) return false;
     for (const Net& half : halves(piece.net, piece.depth % 2 == 0))
       waiting.push_back({half, piece.depth + 1});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rounding.h"
+#include "infinite.h"
 
 namespace exsect {
 namespace {

@@ -1,5 +1,6 @@
 #include "scale.h"
 
+#include <exsect/algebra/rounding_bounds.h>
 #include <exsect/geometry/bounding_box.h>
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "rounding.h"
+#include "infinite.h"
 
 namespace exsect {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 void scale_down(Arc& arc, int e) {
   for (PolylineVertex& vertex : arc.polyline)
     for (double& c : vertex.point) c = std::ldexp(c, -e);
-  arc.error_bound = std::ldexp(arc.error_bound, -e) + underflow;
+  arc.error_bound = std::ldexp(arc.error_bound, -e) + kUnderflowLoss;
 }
 
 void scale_down(std::array<double, 3>& point, int e) {

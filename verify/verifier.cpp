@@ -1,5 +1,7 @@
 #include "verifier.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,7 +90,7 @@ void Verifier::add_points() {
                                        : y_(middle(Parameter::r), middle(Parameter::s));
     chain.points = {at, at};
     chain.at = {0, 0};
-    chain.bound = {std::min(in_x, in_y) * (1 + 0x1p-40) + rounding_};
+    chain.bound = {std::min(in_x, in_y) * kSlack + rounding_};
     everything_.push_back(chain);
   }
   near_.emplace(everything_);

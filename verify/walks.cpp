@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "rounding.h"
+#include "infinite.h"
 
 namespace exsect {
 namespace {

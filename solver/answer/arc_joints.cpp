@@ -1,5 +1,7 @@
 #include "answer/arc_joints.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -35,7 +37,7 @@ std::vector<Arc> take_run(std::vector<Arc>& arcs, const IsUnwanted& is_unwanted)
 void extend(Arc& arc, const Arc& by) {
   arc.polyline.insert(arc.polyline.end(), by.polyline.begin() + 1, by.polyline.end());
   arc.to = by.to;
-  arc.error_bound = std::max(arc.error_bound, by.error_bound);
+  arc.error_bound = larger_bound(arc.error_bound, by.error_bound);
 }
 
 bool has_side(const std::vector<Side>& sides, const Side& side) {

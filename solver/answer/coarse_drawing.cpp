@@ -1,5 +1,7 @@
 #include "answer/coarse_drawing.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +10,7 @@ namespace exsect {
 std::optional<CoarseDrawing> coarse_drawing(const IntersectionGraph& graph, double tolerance) {
   double bound = 0;
   const auto cover = [&](const std::vector<Arc>& arcs) {
-    for (const Arc& arc : arcs) bound = std::max(bound, arc.error_bound);
+    for (const Arc& arc : arcs) bound = larger_bound(bound, arc.error_bound);
   };
   cover(graph.arcs);
   for (const Overlap& overlap : graph.overlaps) std::ranges::for_each(overlap.chains, cover);

@@ -1,5 +1,7 @@
 #include "answer/placement.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -111,6 +113,9 @@ double Placement::left_of(double tolerance) const {
   return std::max(tolerance - rounding, 0.5 * tolerance);
 }
 
+/// What the scaling loses below the normal range, in user's coordinates.
+constexpr double kRestoring = 0x1p-1072;
+
 /// A coordinate is fl(high + fl(low + fl(2^exponent q))). Each sum errs by at most 2^-53 of its value and the
 /// origin by 2^-106 of its own, which 2^-52 of both sums covers; below the normal range sums are exact, and
 /// the scaling, `low` and the lost part of the origin err by 2^-1075 each: 2^-1072 for three coordinates.
@@ -119,19 +124,19 @@ double Placement::restore(std::array<double, 3>& point) const {
   for (std::size_t c = 0; c < 3; ++c) {
     const double rest = low_[c] + std::ldexp(point[c], static_cast<int>(exponent_));
     point[c] = high_[c] + rest;
-    error += (std::fabs(point[c]) + std::fabs(rest)) * 0x1p-52;
+    error += (std::fabs(point[c]) + std::fabs(rest)) * 2 * kUnitRoundoff;
   }
-  return error + 0x1p-1072;
+  return error + kRestoring;
 }
 
 void Placement::restore(Arc& arc) const {
   double moved = 0;
   for (PolylineVertex& vertex : arc.polyline) {
     const double error = restore(vertex.point);
-    moved = moved >= error ? moved : error;  // also where the error is none
+    moved = larger_bound(moved, error);
   }
   const double bound = std::ldexp(arc.error_bound, static_cast<int>(exponent_)) + moved;
-  arc.error_bound = std::isfinite(bound) ? bound * (1 + 0x1p-40) + 0x1p-1072 : HUGE_VAL;
+  arc.error_bound = std::isfinite(bound) ? bound * kSlack + kRestoring : HUGE_VAL;
 }
 
 void Placement::restore(IntersectionGraph& graph) const {

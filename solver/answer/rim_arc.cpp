@@ -1,5 +1,7 @@
 #include "answer/rim_arc.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -86,7 +88,7 @@ Arc rim_arc(const BezierPatch& x, const RimEnd& from, const RimEnd& to, ArcPlace
   }
   double second = 0;
   for (std::size_t i = 0; i + 2 <= kDegree; ++i)
-    second = std::max(second, 12 * length(control[i] - Rational(2) * control[i + 1] + control[i + 2]));
+    second = larger_bound(second, 12 * length(control[i] - Rational(2) * control[i + 1] + control[i + 2]));
   const double wanted = std::ceil(std::sqrt(second / (8 * 0.9 * tolerance)));
   const int n = tolerance > 0 ? chord_count(wanted) : 1;
   Arc arc{};
@@ -97,12 +99,12 @@ Arc rim_arc(const BezierPatch& x, const RimEnd& from, const RimEnd& to, ArcPlace
   arc.contact = Contact::tangential;
   double largest = 0;
   for (const auto& p : segment.points)
-    for (const double c : p) largest = std::max(largest, std::fabs(c));
+    for (const double c : p) largest = larger_bound(largest, std::fabs(c));
   arc.polyline.reserve(static_cast<std::size_t>(n) + 1);
   for (int i = 0; i <= n; ++i) arc.polyline.push_back(segment.vertex(static_cast<double>(i) / n));
   const double step = 1.0 / n + 0x1p-51;
   // 2^-47 = 64 u: 16 u times the square root of 3 at both ends of a chord.
-  arc.error_bound = (second * step * step / 8 + largest * 0x1p-47) * (1 + 0x1p-40);
+  arc.error_bound = (second * step * step / 8 + largest * 0x1p-47) * kSlack;
   return arc;
 }
 

@@ -1,5 +1,7 @@
 #include "eliminant/eliminant_height.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -160,7 +162,7 @@ auto log2_mean_norms(const ScaledPair& pair, const Forms& forms) {
         sums[k] += weight * modulus * modulus;
       }
   }
-  for (double& sum : sums) sum = log2_upper(sum * (1 + 0x1p-40) / half_of_the_roots) / 2;
+  for (double& sum : sums) sum = log2_upper(sum * kSlack / half_of_the_roots) / 2;
   return sums;
 }
 

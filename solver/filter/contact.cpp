@@ -1,5 +1,7 @@
 #include "filter/contact.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -272,7 +274,7 @@ std::array<bool, K::count> own_points(const Part& part, std::size_t corner,
 template <class K>
 bool meet_in_corner(const Vec3& p, const CornerContact& corner, const Part& x, const Part& y,
                     double net_error) {
-  const double points_error = std::max({net_error, x.error, y.error});
+  const double points_error = larger_bound(net_error, x.error, y.error);
   const auto own_x = own_points<K>(x, corner.x, corner.pole_of_x);
   const auto own_y = own_points<K>(y, corner.y, corner.pole_of_y);
   std::array<Vec3, 2 * K::count> vectors;

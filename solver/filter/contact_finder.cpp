@@ -1,5 +1,7 @@
 #include "filter/contact_finder.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -35,7 +37,7 @@ double subtract_own(AcrossFieldOf<K>& field, const std::array<Row<K>, K::side>& 
   double most = 0;
   for (std::size_t i = 0; i < K::degree; ++i) {
     const double factor = field[K::side * i + end][3] / own[end][3];
-    most = std::max(most, std::fabs(factor));
+    most = larger_bound(most, std::fabs(factor));
     for (std::size_t j = 0; j < K::side; ++j) {
       field[K::side * i + j] = field[K::side * i + j] - factor * own[j];
     }
@@ -199,7 +201,7 @@ class ContactFinder {
       double growth = 1;
       if (corner.pole_of_x) growth = subtract_own<K>(contact.x_across, contact.own, upper);
       if (corner.pole_of_y) {
-        growth = std::max(growth, subtract_own<K>(contact.y_across, contact.own_of_y, upper));
+        growth = larger_bound(growth, subtract_own<K>(contact.y_across, contact.own_of_y, upper));
       }
       contact.growth *= growth;
     }

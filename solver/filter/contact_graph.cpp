@@ -1,5 +1,7 @@
 #include "filter/contact_graph.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -321,11 +323,11 @@ class ContactGraph {
     std::array<Vec3, K::side> points;
     for (std::size_t j = 0; j <= n; ++j) points[j] = pair_.x.net[side.x.index(0, j)];
     const auto& o = pair_.frame.origin;
-    const double size = std::max({std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])}) / scale_ + 2;
+    const double size = larger_bound(std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])) / scale_ + 2;
     const double vertex_error = kDiagonal * (pair_.net_error + 2 * kUnit * size);
     double bend = 0;
     for (std::size_t j = 1; j < n; ++j) {
-      bend = std::max(bend, bend_length((points[j - 1] - points[j]) + (points[j + 1] - points[j])));
+      bend = larger_bound(bend, bend_length((points[j - 1] - points[j]) + (points[j + 1] - points[j])));
     }
     const double second = static_cast<double>(n * (n - 1)) * (bend + 8 * pair_.net_error);
     const double wanted = std::ceil(std::sqrt(second * scale_ / (8 * 0.95 * tolerance_)));
@@ -368,8 +370,8 @@ class ContactGraph {
       double factor = 1;
       for (std::size_t order = 0; order < 3; ++order) {
         for (std::size_t k = 0; k + order <= n; ++k) {
-          space[order] = std::max(space[order], bend_length({c[k][0], c[k][1], c[k][2]}));
-          weight[order] = std::max(weight[order], std::fabs(c[k][3]));
+          space[order] = larger_bound(space[order], bend_length({c[k][0], c[k][1], c[k][2]}));
+          weight[order] = larger_bound(weight[order], std::fabs(c[k][3]));
           if (order == 0) least = std::min(least, c[k][3]);
         }
         const double error = std::ldexp(e, static_cast<int>(order));
@@ -381,7 +383,7 @@ class ContactGraph {
       const double w = least - e;
       if (!(w > kLeastWeight)) return HUGE_VAL;
       const double rate = (space[1] + weight[1] * space[0] / w) / w;
-      most = std::max(most, (space[2] + 2 * weight[1] * rate + weight[2] * space[0] / w) / w);
+      most = larger_bound(most, (space[2] + 2 * weight[1] * rate + weight[2] * space[0] / w) / w);
     }
     return kSlack * most;
   }
@@ -393,14 +395,15 @@ class ContactGraph {
     const int count = chord_count(wanted);
     arc.polyline.reserve(static_cast<std::size_t>(count) + 1);
     const auto& o = pair_.frame.origin;
-    const double size = std::max({std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])}) / scale_;
+    const double size = larger_bound(std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])) / scale_;
     double vertex_error = 0;
     for (int i = 0; i <= count; ++i) {
       const double t = static_cast<double>(i) / count;
       const Row<K> c = i == count ? side.own.back() : restricted_point(side.own, {t, t}, 0);
       const Vec3 x = affine(c);
-      vertex_error = std::max(vertex_error, pair_.net_error * (1 + largest(x)) / (c[3] - pair_.net_error) +
-                                                4 * kUnit * (size + largest(x)));
+      vertex_error =
+          larger_bound(vertex_error, pair_.net_error * (1 + largest(x)) / (c[3] - pair_.net_error) +
+                                         4 * kUnit * (size + largest(x)));
       PolylineVertex& vertex = arc.polyline.emplace_back();
       vertex.point = position(x);
       place(side.x, t, &vertex.parameters[0]);

@@ -1,5 +1,7 @@
 #include "filter/direction_nets.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -18,7 +20,7 @@ template <std::size_t Rows>
 double largest_of(const Vec<Rows>* begin, std::size_t count) {
   double result = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    result = std::max(result, largest(begin[i]));
+    result = larger_bound(result, largest(begin[i]));
   }
   return result;
 }
@@ -84,7 +86,7 @@ void add(Vec<6>& sum, double weight, const Vec<6>& v) {
 }
 double size_of(const Vec<6>& v) {
   return std::accumulate(v.begin(), v.end(), 0.0,
-                         [](double most, double t) { return std::max(most, std::fabs(t)); });
+                         [](double most, double t) { return larger_bound(most, std::fabs(t)); });
 }
 
 /// y_r ^ y_s, bidegree (2n-1,2n-1), with a bound of the error of each coordinate.
@@ -145,7 +147,7 @@ NormalNetOf<K> normal_net(const SubPatchOf<K>& y, double net_error) {
     result.vectors.fill({});
     double size = 0;
     for (std::size_t q = 0; q < tangents.vectors.size(); ++q) {
-      size = std::max(size, size_of(tangents.vectors[q]));
+      size = larger_bound(size, size_of(tangents.vectors[q]));
       for (std::size_t p = 0; p < K::count; ++p) {
         const std::size_t i = p / K::side + q / (2 * n);
         const std::size_t j = p % K::side + q % (2 * n);

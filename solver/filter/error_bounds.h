@@ -17,7 +17,7 @@
 // Constants that depend on the bidegree (n,n) of the patches, n in {2,3}, are templates.
 #pragma once
 
-#include <exsect/algebra/floating_point.h>
+#include <exsect/algebra/rounding_bounds.h>
 
 #include <cstddef>
 
@@ -26,11 +26,11 @@ namespace exsect::filter {
 // One operation, and sums.
 
 /// u: of a sum, and of a product that is not subnormal, relative to it.
-inline constexpr double kUnit = 0x1p-53;
+inline constexpr double kUnit = kUnitRoundoff;
 /// At least what a product or quotient loses by underflow, 2^-1075, which is no double.
 inline constexpr double kUnderflow = 0x1p-1074;
 /// Makes a computed sum of nonnegative terms, with at most 1000 roundings on the way to each, an upper bound.
-inline constexpr double kSlack = 1 + 0x1p-40;
+using exsect::kSlack;
 static_assert((1 - 1024 * kUnit) * kSlack > 1 + 512 * 1024 * kUnit * kUnit);
 /// Added where all terms of a bound may underflow: 1000 underflows, also if each is multiplied by 2^128
 /// afterwards. A bound with a term of at least that size needs no other one: kSlack times this term covers

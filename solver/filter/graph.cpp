@@ -1,5 +1,7 @@
 #include "filter/graph.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,7 +42,7 @@ class GraphMaker {
         vertex_tolerance_(std::min(kVertexShare * scaled_tolerance_, drawing.vertex_tolerance / scale_)) {
     const auto& o = pair.frame.origin;
     // The values of x: Patch::error; origin + scaled point: two roundings of each coordinate's size.
-    const double size = std::max({std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])}) / scale_ + 2;
+    const double size = larger_bound(std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])) / scale_ + 2;
     place_error_ = kSlack * kDiagonal * (pair.total_error + 2 * kUnit * size);
     origin_size_ = size;
   }
@@ -116,7 +118,7 @@ class GraphMaker {
       place_error_ = 0;
       for (const SpaceBounds& bounds : bounds_) {
         const double w = bounds.least_weight;
-        place_error_ = std::max(
+        place_error_ = larger_bound(
             place_error_, kSlack * kDiagonal *
                               (pair_.x_total_error * (1 + 1 / w) / w + 4 * kUnit * (origin_size_ + 1 / w)));
       }
@@ -264,8 +266,8 @@ class GraphMaker {
     };
     std::for_each(stop.port->approach.begin(), stop.port->approach.end(), push);
     push(parameters_of(stop.port->ball));
-    chord_error_ = std::max(chord_error_, stop.port->chord);
-    vertex_error_ = std::max(vertex_error_, stop.port->vertex_error);
+    chord_error_ = larger_bound(chord_error_, stop.port->chord);
+    vertex_error_ = larger_bound(vertex_error_, stop.port->vertex_error);
   }
 
   std::array<double, 3> position(const Vec3& scaled) const {
@@ -288,7 +290,7 @@ class GraphMaker {
       const double inverse = 2 / bounds.least_weight;
       change *= 4 * inverse * (1 + inverse) * (1 + inverse);
     }
-    vertex_error_ = std::max(vertex_error_, 2 * (bounds.speed + change) * radius);
+    vertex_error_ = larger_bound(vertex_error_, 2 * (bounds.speed + change) * radius);
   }
 
   /// n chords over equal steps of tau; the vertices between them, and the last one if `with_end`. After a
@@ -297,7 +299,7 @@ class GraphMaker {
                   bool with_end) {
     const double h = (b - a) / n;
     const double width = kSlack * std::fabs(h);
-    chord_error_ = std::max(chord_error_, bounds.curvature * width * width / 8);
+    chord_error_ = larger_bound(chord_error_, bounds.curvature * width * width / 8);
     const double rounding = kSlack * tube.value_error / (1 - tube.contraction) + kSumRounding;
     const double allowed = vertex_tolerance_ / (bounds.speed + kTiny);
     const VertexFormsOf<K::degree, K::rows> forms =
@@ -316,11 +318,11 @@ class GraphMaker {
         if (block.doubt[l] == 0) {
           push_vertex(arc, block, l);
         } else {
-          worst = std::max(worst, push_improved(arc, tube, forms, block.tau[l]));
+          worst = larger_bound(worst, push_improved(arc, tube, forms, block.tau[l]));
         }
       }
     }
-    vertex_error_ = std::max(vertex_error_, bounds.speed * (worst + rounding));
+    vertex_error_ = larger_bound(vertex_error_, bounds.speed * (worst + rounding));
   }
 
   static void push_vertex(Arc& arc, const VertexBlock& block, int l) {

@@ -2,10 +2,13 @@
 // Internal to solver/; docs/method.md, section 14.
 #pragma once
 
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace exsect::filter {
 
@@ -92,12 +95,11 @@ double dot(const Vec<N>& a, const Vec<N>& b) {
 template <std::size_t N>
 double largest(const Vec<N>& a) {
   static_assert(N == 3 || N == 4);
-  const double most = std::max({std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2])});
-  if constexpr (N == 3) {
-    return most;
-  } else {
-    return std::max(most, std::fabs(a[3]));
-  }
+  // Nonnegative doubles are ordered as the integers with their bits are, and NaN is above infinity.
+  const auto bits = [](double size) { return std::bit_cast<std::int64_t>(std::fabs(size)); };
+  std::int64_t most = std::max({bits(a[0]), bits(a[1]), bits(a[2])});
+  if constexpr (N == 4) most = std::max(most, bits(a[3]));
+  return std::bit_cast<double>(most);
 }
 /// |a_0| + |a_1| + ...
 template <std::size_t N>

@@ -1,5 +1,7 @@
 #include "filter/line.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -221,7 +223,7 @@ class LineSearch {
       bound_derivatives(pair_, tube);
       double steep = 1;
       for (std::size_t j = 0; j < 4; ++j) {
-        steep = std::max(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
+        steep = larger_bound(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
       }
       ball.radius = kSlack * (ball.radius + line_.error * steep);
     }

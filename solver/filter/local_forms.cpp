@@ -1,5 +1,7 @@
 #include "filter/local_forms.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -188,8 +190,8 @@ std::optional<LocalBounds> local_bounds(const LocalForms& f, double reach) {
     chi[i] = kSlack * bound(f.x[i], 2, k[0], k[1], reach);
     eta[i] = kSlack * bound(f.y[i], 2, s[0], s[1], reach);
     if (!(b[i] + reach * (chi[i] + eta[i]) <= k[i])) return std::nullopt;  // (14.18)
-    steepness = std::max(steepness, (b[i] + 4 * reach * eta[i]) / k[i]);
-    contraction = std::max(contraction, 4 * reach * chi[i] / k[i]);
+    steepness = larger_bound(steepness, (b[i] + 4 * reach * eta[i]) / k[i]);
+    contraction = larger_bound(contraction, 4 * reach * chi[i] / k[i]);
   }
   if (!(contraction < 0.5)) return std::nullopt;
   const double z = kSlack * steepness / (1 - contraction);             // |c_t| <= z k

@@ -1,5 +1,7 @@
 #include "filter/path_contact.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,7 +75,7 @@ bool meet_on_line(const Pair& pair, const PathContact& contact, const Part& x, c
     const MeanDerivative second = mean_second(*carrier, rows[i]);
     double across = 0;
     for (const Vec3& v : field) {
-      across = std::max(across, std::fabs(dot(rows[i], v) - (i == 2 ? 1 : 0)));
+      across = larger_bound(across, std::fabs(dot(rows[i], v) - (i == 2 ? 1 : 0)));
     }
     const double sum = std::fabs(first.middle - (i == 0 ? 1 : 0)) + first.deviation +
                        std::fabs(second.middle - (i == 1 ? 1 : 0)) + second.deviation + across +

@@ -1,5 +1,7 @@
 #include "filter/pieces.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -63,7 +65,7 @@ void fill_affine([[maybe_unused]] AffineNet<K, Count>& p,
     double size = 0;
     for (std::size_t i = 0; i < Count; ++i) {
       p.affine[i] = affine(net[i]);
-      size = std::max(size, largest(p.affine[i]));
+      size = larger_bound(size, largest(p.affine[i]));
     }
     p.affine_error = kSlack * (net_error * (1 + size) / p.least_weight + 2 * kUnit * size);
   }
@@ -189,14 +191,14 @@ std::array<SubCurveOf<K>, 2> halves(const SubCurveOf<K>& curve, double net_error
 
 template <class K>
 bool separated(const SubPatchOf<K>& x, const SubPatchOf<K>& y, double net_error) {
-  const double error = std::max(x.error(net_error), y.error(net_error));
+  const double error = larger_bound(x.error(net_error), y.error(net_error));
   return boxes_apart(x.lower, x.upper, y.lower, y.upper, error) || apart_along_normal(x, y.points(), error) ||
          apart_along_normal(y, x.points(), error);
 }
 
 template <class K>
 bool separated(const SubCurveOf<K>& curve, const SubPatchOf<K>& patch, double net_error) {
-  const double error = std::max(curve.error(net_error), patch.error(net_error));
+  const double error = larger_bound(curve.error(net_error), patch.error(net_error));
   return boxes_apart(curve.lower, curve.upper, patch.lower, patch.upper, error) ||
          apart_along_normal(patch, curve.points(), error);
 }

@@ -2,6 +2,8 @@
 // are unrolled for the compiler: the degree is a constant. Internal to solver/; docs/method.md, section 14.2.
 #pragma once
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <utility>
 
 #include "filter/patch.h"
@@ -161,7 +163,7 @@ double second_derivatives(const CoefficientsOf<K>& c, double ha, double hb) {
       if constexpr (i > 0 && j > 0) ab += static_cast<double>(i * j) * (size * (a[i - 1] * b[j - 1]));
       if constexpr (j > 1) bb += static_cast<double>(j * (j - 1)) * (size * (a[i] * b[j - 2]));
     });
-    result = std::max(result, ab + std::max(aa, bb));
+    result = larger_bound(result, ab + larger_bound(aa, bb));
   }
   return result;
 }

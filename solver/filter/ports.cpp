@@ -1,5 +1,7 @@
 #include "filter/ports.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -156,8 +158,8 @@ class Branch {
       if (!(chord <= tolerance)) {
         return std::nullopt;
       }
-      port.chord = std::max(port.chord, chord);
-      port.vertex_error = std::max(port.vertex_error, kSlack * kFastest * point->ball.radius);
+      port.chord = larger_bound(port.chord, chord);
+      port.vertex_error = larger_bound(port.vertex_error, kSlack * kFastest * point->ball.radius);
       port.approach.push_back(point->ball.middle);
       port.ball = point->ball;
       last = point->t - point->error;

@@ -1,5 +1,7 @@
 #include "filter/side_point.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -58,7 +60,7 @@ std::optional<BallOf<K>> ball_around(const PairOf<K>& pair, const ExactMeeting& 
                           pair.x_total_error + pair.y_total_error;
     const double least = kScaleUnit * (weight - change);
     if (!(least > kLeastWeight)) return std::nullopt;
-    ball.radius = std::max(ball.radius, kSlack * 2 * change * (1 + kScaleUnit * scale) / least);
+    ball.radius = larger_bound(ball.radius, kSlack * 2 * change * (1 + kScaleUnit * scale) / least);
   }
   return ball;
 }

@@ -1,5 +1,7 @@
 #include "filter/space_bounds.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +21,8 @@ SpaceBounds polynomial_bounds(const PairOf<K>& pair, const TubeOf<K>& tube) {
   const Unknowns<K>& d = tube.slope;
   const double u2 = std::fabs(tube.second[0]) + tube.second_error[0];
   const double v2 = std::fabs(tube.second[1]) + tube.second_error[1];
-  const double steep = std::max(std::fabs(d[0]) + tube.slope_error[0], std::fabs(d[1]) + tube.slope_error[1]);
+  const double steep =
+      larger_bound(std::fabs(d[0]) + tube.slope_error[0], std::fabs(d[1]) + tube.slope_error[1]);
   const double error = (u2 + v2 + kSecondWeight<K::degree> * steep * steep) * pair.total_error;
   const Row<K> deviation = quadratic_deviation<K>(c, &d[0], &tube.slope_error[0], &tube.offset[0]);
   const Row<K> form = form_of_order<K, 2>(c, powers<K>(d[0]), powers<K>(d[1]));
@@ -55,7 +58,7 @@ SpaceBounds weighted_bounds(const PairOf<K>& pair, const TubeOf<K>& tube) {
   const double v1 = std::fabs(d[1]) + tube.slope_error[1];
   const double u2 = std::fabs(tube.second[0]) + tube.second_error[0];
   const double v2 = std::fabs(tube.second[1]) + tube.second_error[1];
-  const double steep = std::max(u1, v1);
+  const double steep = larger_bound(u1, v1);
   const double total = 2 * far * pair.x_total_error;  // of the moved coefficients as well
   const double error = (u2 + v2 + kSecondWeight<K::degree> * steep * steep) * total;
   const Row<K> deviation = quadratic_deviation<K>(moved, &d[0], &tube.slope_error[0], &tube.offset[0]);

@@ -1,5 +1,7 @@
 #include "filter/tube.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -142,7 +144,7 @@ bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper,
       return false;
     }
     if (j < 4) {
-      farthest = std::max(farthest, tube.offset[j]);
+      farthest = larger_bound(farthest, tube.offset[j]);
     }
   }
   [[maybe_unused]] const double change = relative_change(tube);
@@ -154,7 +156,7 @@ bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper,
   const auto& errors = order_error(pair, tube);
   double column_error = derivative_power_sum(errors, farthest);
   if constexpr (K::weighted) {
-    column_error = std::max(column_error, kScaleUnit * power_sum(pair.y_order_error, farthest));
+    column_error = larger_bound(column_error, kScaleUnit * power_sum(pair.y_order_error, farthest));
   }
   const std::array<const Row<K>*, 4> varied = {&vx.first, &vx.second, &vy.first, &vy.second};
   for (std::size_t j = 0; j < 4; ++j) {
@@ -192,7 +194,7 @@ bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper,
     if (!(tube.inner[i] < tube.halfwidth[i])) {  // (14.5)
       return false;
     }
-    tube.contraction = std::max(tube.contraction, kSlack * sum);
+    tube.contraction = larger_bound(tube.contraction, kSlack * sum);
   }
   tube.lower = lower;
   tube.upper = upper;

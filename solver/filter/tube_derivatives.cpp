@@ -1,5 +1,7 @@
 #include "filter/tube_derivatives.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -80,7 +82,7 @@ void bound_derivatives(const PairOf<K>& pair, TubeOf<K>& tube) {
   }
   double steep = 1;
   for (std::size_t j = 0; j < 4; ++j) {
-    steep = std::max(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
+    steep = larger_bound(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
   }
   const Unknowns<K>& d = tube.slope;
   Row<K> form = form_of_order<K, 2>(tube.g, powers<K>(d[0]), powers<K>(d[1])) +

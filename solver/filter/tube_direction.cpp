@@ -1,5 +1,7 @@
 #include "filter/tube_direction.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,12 +22,12 @@ double steepest_change(const TubeOf<K>& tube) {
     const Variation<K> v = variation<K>(tube.h, tube.offset[2], tube.offset[3]);
     double slope = 0;
     for (std::size_t row = 0; row < K::rows; ++row) {
-      slope = std::max(slope, std::fabs(tube.h[kFirst<K>][row]) + v.first[row] +
-                                  std::fabs(tube.h[kSecond][row]) + v.second[row]);
+      slope = larger_bound(slope, std::fabs(tube.h[kFirst<K>][row]) + v.first[row] +
+                                      std::fabs(tube.h[kSecond][row]) + v.second[row]);
     }
     y = 1.5 * y + tube.per_scale * slope;
   }
-  return kSlack * std::max(x, y);
+  return kSlack * larger_bound(x, y);
 }
 
 /// C F_j at an offset, approximately.

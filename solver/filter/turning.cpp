@@ -1,5 +1,7 @@
 #include "filter/turning.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -211,7 +213,7 @@ class TurnFinder {
     const BallOf<K> start = point_at(tube, from);
     const BallOf<K> end = point_at(tube, to);
     const BallOf<K> centre = point_at(tube, 0.5 * (from + to));
-    const double radius = std::max({start.radius, end.radius, centre.radius});
+    const double radius = larger_bound(start.radius, end.radius, centre.radius);
     if (!prepare(pair_, centre.middle, tube.axis, result.tube)) {
       return false;
     }
@@ -298,7 +300,7 @@ class TurnFinder {
     const TubeOf<K>& tube = trace_.pieces[k].tube;
     double steep = 1;
     for (std::size_t j = 0; j < 4; ++j) {
-      steep = std::max(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
+      steep = larger_bound(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
     }
     TurnOf<K> turn = {i, k, from, to, point_at(tube, 0.5 * (from + to))};
     turn.ball.radius = kSlack * (turn.ball.radius + steep * (0.5 * std::fabs(to - from) + kSumRounding));

@@ -2,6 +2,7 @@
 
 #include <exsect/algebra/ball_roots.h>
 #include <exsect/algebra/nearest_rounding.h>
+#include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
 #include <array>
@@ -98,7 +99,7 @@ std::optional<Place> place_of_ball_ratio(const Ball& n, const Ball& d) {
   if (n.certain_sign() == d.certain_sign() || (n + d).certain_sign() == -d.certain_sign())
     return Place{q, false};
   const Ball error = n + Ball(q) * d;
-  return place(q, error.upper_magnitude() / d.lower_magnitude() * (1 + 0x1p-50));
+  return place(q, error.upper_magnitude() / d.lower_magnitude() * kSlack);
 }
 
 /// A dyadic box around the middle, cut to [0,1].

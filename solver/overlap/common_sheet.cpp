@@ -1,5 +1,7 @@
 #include "overlap/common_sheet.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,8 +21,8 @@ double on_grid(double value, double grid) { return grid * std::round(value / gri
 Sheet sheet_of(const SheetContraction& over) {
   Sheet result{over.first_derivatives()};
   for (std::size_t l = 0; l < 2; ++l) {
-    const double largest = std::max(upper(result.derivative[0][l]) / over.width[0],
-                                    upper(result.derivative[1][l]) / over.width[1]);
+    const double largest = larger_bound(upper(result.derivative[0][l]) / over.width[0],
+                                        upper(result.derivative[1][l]) / over.width[1]);
     const double m = kSlack * largest / (1 - over.contraction());
     for (std::size_t k = 0; k < 2; ++k)
       result.derivative[k][l] = result.derivative[k][l].widened(

@@ -1,5 +1,7 @@
 #include "overlap/two_piece_clip.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -152,12 +154,9 @@ class Clip {
 
   void move_to_node(Arc& arc, PolylineVertex& vertex, int id) const {
     const Node& node = graph_.node(id);
-    double distance2 = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double d = node.point[c] - vertex.point[c];
-      distance2 += d * d;
-    }
-    arc.error_bound += std::sqrt(distance2) * (1 + 0x1p-40);
+    arc.error_bound += length_bound(node.point[0] - vertex.point[0], node.point[1] - vertex.point[1],
+                                    node.point[2] - vertex.point[2]);
+    arc.error_bound *= kSlack;
     vertex = {node.approx, node.point};
   }
 

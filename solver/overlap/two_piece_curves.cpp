@@ -1,5 +1,7 @@
 #include "overlap/two_piece_curves.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -137,9 +139,9 @@ class TwoPieceTracing {
 
   /// No two points U ± t, V ± m t are one in the first piece and one in the second, w = t² >= 0.
   bool is_near_diagonal_outside(Chart chart, const BallPoint<Ball>& p) const {
-    const double t = std::sqrt(p[3].upper_magnitude()) * (1 + 0x1p-40);
+    const double t = std::sqrt(p[3].upper_magnitude()) * kSlack;
     Ball a = p[0].widened(t);
-    Ball b = p[1].widened(t * p[2].upper_magnitude() * (1 + 0x1p-40));
+    Ball b = p[1].widened(t * p[2].upper_magnitude() * kSlack);
     if (chart == Chart::second) {
       std::swap(a, b);
     }

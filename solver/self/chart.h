@@ -6,6 +6,7 @@
 //   H = x_u + m x_v + w m (c21 + 2 c22 V + m (c12 + 2 c22 U)).                                       (7.3)
 #pragma once
 
+#include <exsect/algebra/rounding_bounds.h>
 #include <exsect/geometry/bezier_patch.h>
 
 #include <cmath>
@@ -185,7 +186,7 @@ Ball square_root(const Ball& x) {
     s = next;
     error = finer;
   }
-  return s.widened(error * (1 + 0x1p-29));
+  return s.widened(error * kSlack);
 }
 
 /// Encloses the reciprocals; requires a certain sign.
@@ -204,7 +205,7 @@ Ball reciprocal(const Ball& x) {
     y = next;
     error = finer;
   }
-  return y.widened(error / x.lower_magnitude() * (1 + 0x1p-40));
+  return y.widened(error / x.lower_magnitude() * kSlack);
 }
 
 /// The parameters (u1,v1,u2,v2) with t = sqrt w > 0; requires p[3].is_positive().

@@ -1,5 +1,7 @@
 #include "self/chart_cell.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -184,7 +186,7 @@ BallVector<Ball> derivative_over(const ChartCell<Ball>& cell, std::size_t j) {
     }
     const double mid = 0.5 * (lower + upper);
     const double radius = 0.5 * (upper - lower) + 0x1p-50 * (std::fabs(lower) + std::fabs(upper));
-    result[k] = Ball(mid).widened(radius * (1 + 0x1p-40)) * Ball(2) * reciprocal(Ball(width));
+    result[k] = Ball(mid).widened(radius * kSlack) * Ball(2) * reciprocal(Ball(width));
   }
   return result;
 }

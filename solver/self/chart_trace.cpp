@@ -1,5 +1,7 @@
 #include "self/chart_trace.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +33,7 @@ BallPoint<Ball> box_of(const ChartTube<Ball>& tube) {
   BallPoint<Ball> box;
   for (std::size_t j = 0; j < 4; ++j) {
     const double width = std::fabs(tube.slope[j]) * tube.reach + (j == tube.axis ? 0 : tube.halfwidth);
-    box[j] = tube.centre[j].widened(width * (1 + 0x1p-40));
+    box[j] = tube.centre[j].widened(width * kSlack);
   }
   return box;
 }

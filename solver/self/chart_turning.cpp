@@ -1,5 +1,7 @@
 #include "self/chart_turning.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -96,7 +98,7 @@ class ChartTurningSearch {
     const BallPoint<Ball> centre = point_at(piece.tube, 0.5 * (from + to));
     const BallPoint<Ball> start = point_at(piece.tube, from);
     const BallPoint<Ball> end = point_at(piece.tube, to);
-    const double radius = std::max({largest_radius(centre), largest_radius(start), largest_radius(end)});
+    const double radius = larger_bound(largest_radius(centre), largest_radius(start), largest_radius(end));
     const std::size_t axis = piece.tube.axis;
     const double length = std::fabs(to - from);
     const auto tube =

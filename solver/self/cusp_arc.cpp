@@ -1,5 +1,7 @@
 #include "self/cusp_arc.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +23,7 @@ inline constexpr double kLeastGate<ArbBall<256>> = 0x1p-230;
 /// The magnitude of z_j over the tube is at most |p_j| plus this.
 template <class Ball>
 double reach_of(const ChartTube<Ball>& tube, std::size_t j) {
-  return (std::fabs(tube.slope[j]) * tube.reach + tube.halfwidth) * (1 + 0x1p-40);
+  return (std::fabs(tube.slope[j]) * tube.reach + tube.halfwidth) * kSlack;
 }
 
 template <class Ball>
@@ -32,10 +34,10 @@ double largest_slope(const ChartTube<Ball>& tube, std::size_t j) {
 /// U +- t (j = 0) or V +- m t (j = 1) stays in (0,1) for all w in [0, w_end].
 template <class Ball>
 bool stays_inside(const ChartTube<Ball>& tube, std::size_t j, double w_end) {
-  const double t = std::sqrt(w_end) * (1 + 0x1p-40);
+  const double t = std::sqrt(w_end) * kSlack;
   const Ball m = tube.centre[2].widened(reach_of(tube, 2));
   const double span = j == 0 ? t : t * m.upper_magnitude();
-  const Ball range = tube.centre[j].widened((reach_of(tube, j) + span) * (1 + 0x1p-40));
+  const Ball range = tube.centre[j].widened((reach_of(tube, j) + span) * kSlack);
   return range.is_positive() && (Ball(1) - range).is_positive();
 }
 
@@ -44,20 +46,20 @@ bool stays_inside(const ChartTube<Ball>& tube, std::size_t j, double w_end) {
 /// <= w_end, so that one point of the pair is outside.
 template <class Ball>
 bool leaves_side(const ChartTube<Ball>& tube, std::size_t j, double w_end) {
-  const double t = std::sqrt(w_end) * (1 + 0x1p-40);
+  const double t = std::sqrt(w_end) * kSlack;
   const Ball m = tube.centre[2].widened(reach_of(tube, 2));
-  return largest_slope(tube, j) * t < (j == 0 ? 1 : m.lower_magnitude()) * (1 - 0x1p-40);
+  return largest_slope(tube, j) * t < (j == 0 ? 1 : m.lower_magnitude()) * kReduced;
 }
 
 /// With w = t^2: d(U +- t)/dt = 2t U' +- 1 or d(V +- m t)/dt = 2t V' +- (m + 2 w m') does not vanish for t <=
 /// sqrt(w_end).
 template <class Ball>
 bool is_monotone(const ChartTube<Ball>& tube, std::size_t j, double w_end) {
-  const double t = std::sqrt(w_end) * (1 + 0x1p-40);
+  const double t = std::sqrt(w_end) * kSlack;
   const Ball m = tube.centre[2].widened(reach_of(tube, 2));
   return j == 0 ? 2 * t * largest_slope(tube, 0) < 1 - 0x1p-40
                 : 2 * t * largest_slope(tube, 1) + 2 * w_end * largest_slope(tube, 2) <
-                      m.lower_magnitude() * (1 - 0x1p-40);
+                      m.lower_magnitude() * kReduced;
 }
 
 /// Whether the tube up to w_end leaves the domain at once, stays in it properly, or neither is proved.

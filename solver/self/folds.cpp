@@ -1,5 +1,7 @@
 #include "self/folds.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 
 #include "answer/graph_builder.h"
@@ -113,7 +115,7 @@ class FoldArcs {
 template <class Ball>
 Ball between(double lower, double upper) {
   const double middle = 0.5 * lower + 0.5 * upper;
-  return Ball(middle).widened(std::max(upper - middle, middle - lower) * (1 + 0x1p-50));
+  return Ball(middle).widened(larger_bound(upper - middle, middle - lower) * kSlack);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "self/graph.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -86,7 +88,7 @@ class ChartArcs {
       BallPoint<Ball> at = point_at(piece.tube, cut.tau);
       for (std::size_t j = 0; j < 4; ++j) {
         const double slope = std::fabs(piece.tube.slope[j]) + piece.tube.slope_error[j];
-        at[j] = at[j].widened(slope * cut.radius * (1 + 0x1p-40));
+        at[j] = at[j].widened(slope * cut.radius * kSlack);
       }
       stops_.push_back({cut.landmark, cut.piece, cut.tau,
                         vertex_at(system_.chart(piece.chart), at, piece.exchanged != exchange_, frame_)});
@@ -130,18 +132,18 @@ class ChartArcs {
     result.place = ArcPlace::interior;
     result.contact = Contact::transversal;
     result.polyline.push_back(from.vertex.vertex);
-    double vertex_error = std::max(from.vertex.error, to.vertex.error);
+    double vertex_error = larger_bound(from.vertex.error, to.vertex.error);
     double chord_error = 0;
     for (std::size_t p = from.piece; p <= to.piece; ++p) {
       const ChartPiece<Ball>& piece = trace_.pieces[p];
       const double a = p == from.piece ? from.tau : piece.range.from();
       const double b = p == to.piece ? to.tau : piece.range.to();
       chord_error =
-          std::max(chord_error, add_chords(result.polyline, vertex_error, piece, a, b, p != to.piece));
+          larger_bound(chord_error, add_chords(result.polyline, vertex_error, piece, a, b, p != to.piece));
     }
     result.polyline.push_back(to.vertex.vertex);
     // Twice, because the true end of an arc may be anywhere in its node's box.
-    result.error_bound = (chord_error + 2 * vertex_error) * (1 + 0x1p-40);
+    result.error_bound = (chord_error + 2 * vertex_error) * kSlack;
     return result;
   }
 
@@ -151,7 +153,7 @@ class ChartArcs {
                     const ChartPiece<Ball>& piece, double a, double b, bool with_end) const {
     const double k = std::ldexp(space_second_derivative(system_.chart(piece.chart), piece.tube),
                                 static_cast<int>(frame_.exponent));
-    const double length = std::fabs(b - a) * (1 + 0x1p-40);
+    const double length = std::fabs(b - a) * kSlack;
     const double wanted = std::ceil(length * std::sqrt(k / (8 * 0.9 * tolerance_)));
     const int n = chord_count(wanted);
     const double step = length / n;
@@ -159,9 +161,9 @@ class ChartArcs {
       const double tau = i == n ? b : a + (b - a) * (static_cast<double>(i) / n);
       const BoundedVertex v = vertex(piece, tau);
       vertices.push_back(v.vertex);
-      vertex_error = std::max(vertex_error, v.error);
+      vertex_error = larger_bound(vertex_error, v.error);
     }
-    return k * step * step / 8 * (1 + 0x1p-30);
+    return k * step * step / 8 * kSlack;
   }
 
   GraphBuilder& graph_;
@@ -220,7 +222,7 @@ std::vector<Arc> joined(std::vector<Arc> first, std::vector<Arc> second) {
   const Arc& after = second.front();
   before.polyline.insert(before.polyline.end(), after.polyline.begin() + 1, after.polyline.end());
   before.to = after.to;
-  before.error_bound = std::max(before.error_bound, after.error_bound);
+  before.error_bound = larger_bound(before.error_bound, after.error_bound);
   first.insert(first.end(), std::make_move_iterator(second.begin() + 1),
                std::make_move_iterator(second.end()));
   return first;

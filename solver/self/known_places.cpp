@@ -1,5 +1,7 @@
 #include "self/known_places.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,11 +10,11 @@ namespace exsect {
 
 /// Sums of two doubles and products of at most three: the relative slack covers their rounding.
 bool outside(const ChartBox& box) {
-  const double w = box.lower[3] * (1 - 0x1p-40);
+  const double w = box.lower[3] * kReduced;
   const double least_m = box.lower[2] > 0 ? box.lower[2] : box.upper[2] < 0 ? -box.upper[2] : 0;
   const auto reach2 = [](double lower, double upper) {
     const double reach = std::max(0.0, std::min(upper, 1 - lower));
-    return reach * reach * (1 + 0x1p-40);
+    return reach * reach * kSlack + kUnderflowLoss;
   };
   return reach2(box.lower[0], box.upper[0]) < w ||
          reach2(box.lower[1], box.upper[1]) < least_m * least_m * w || box.upper[3] < 0;
@@ -37,8 +39,8 @@ KnownPlaces::KnownPlaces(const std::vector<ParameterRectangle>& rectangles,
 }
 
 SearchRegion pair_bounds(Chart chart, const ChartBox& box) {
-  const double t0 = std::sqrt(std::max(0.0, box.lower[3])) * (1 - 0x1p-40);
-  const double t1 = std::sqrt(std::max(0.0, box.upper[3])) * (1 + 0x1p-40);
+  const double t0 = std::sqrt(std::max(0.0, box.lower[3])) * kReduced;
+  const double t1 = std::sqrt(std::max(0.0, box.upper[3])) * kSlack;
   const auto products = {box.lower[2] * t0, box.lower[2] * t1, box.upper[2] * t0, box.upper[2] * t1};
   const double least = std::min(products);
   const double most = std::max(products);

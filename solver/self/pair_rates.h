@@ -1,6 +1,8 @@
 // How a pair of parameters moves along a curve in a chart. Internal to solver/.
 #pragma once
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 
 #include "self/chart.h"
@@ -12,7 +14,7 @@ inline constexpr double kChartTubeRoom = 0x1p-8;
 
 template <class Ball>
 double largest_radius(const BallPoint<Ball>& box) {
-  return std::max({box[0].radius(), box[1].radius(), box[2].radius(), box[3].radius()});
+  return larger_bound(box[0].radius(), box[1].radius(), box[2].radius(), box[3].radius());
 }
 
 /// The kernel of DH at a point, a continuous field on a chart.

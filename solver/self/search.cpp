@@ -1,5 +1,7 @@
 #include "self/search.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -23,7 +25,7 @@ BallPoint<Ball> ball_box(const ChartBox& box) {
   for (std::size_t j = 0; j < 4; ++j) {
     const double half = 0.5 * (box.upper[j] - box.lower[j]);
     const double mid = 0.5 * (box.lower[j] + box.upper[j]);
-    result[j] = Ball(mid).widened(half * (1 + 0x1p-40) + 0x1p-50 * std::fabs(mid));
+    result[j] = Ball(mid).widened(half * kSlack + 0x1p-50 * std::fabs(mid));
   }
   return result;
 }
@@ -36,7 +38,7 @@ std::optional<ChartTube<Ball>> tube_around(const ChartSystem<Ball>& system, cons
   std::array<double, 4> half{};
   for (std::size_t j = 0; j < 4; ++j) {
     centre[j] = Ball(0.5 * (box.lower[j] + box.upper[j]));
-    half[j] = 0.5 * (box.upper[j] - box.lower[j]) * (1 + 0x1p-40);
+    half[j] = 0.5 * (box.upper[j] - box.lower[j]) * kSlack;
   }
   const ChartNet<Ball, 2> taylor = system.taylor(centre);
   std::array<Column, 4> column;

@@ -1,5 +1,7 @@
 #include "self/star_graph.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 
 #include "answer/graph_builder.h"
@@ -90,7 +92,7 @@ class StarEnds {
     }
     for (const ParameterBox& hull : arc.hulls)
       result.bound =
-          std::max(result.bound, chord_bound(system_.pair, frame_, in_order(hull, port.exchanged)));
+          larger_bound(result.bound, chord_bound(system_.pair, frame_, in_order(hull, port.exchanged)));
     return result;
   }
 

@@ -1,10 +1,11 @@
 #include "self/tube.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "trace/preconditioned_newton.h"
-#include "trace/slack.h"
 
 namespace exsect {
 
@@ -182,7 +183,7 @@ void bound_derivatives(ChartTube<Ball>& tube, const std::array<std::size_t, 3>& 
   for (std::size_t row = 0; row < 3; ++row) {
     tube.second[others[row]] = -centre[row].approximation();
     deviation[row] += (centre[row] - Ball(centre[row].approximation())).upper_magnitude();
-    largest = std::max(largest, std::fabs(tube.second[others[row]]) + deviation[row]);
+    largest = larger_bound(largest, std::fabs(tube.second[others[row]]) + deviation[row]);
   }
   for (std::size_t row = 0; row < 3; ++row) {
     tube.second_error[others[row]] = kSlack * (deviation[row] + amplification * largest);
@@ -258,7 +259,7 @@ std::optional<ChartTube<Ball>> certify_chart_tube(const ChartSystem<Ball>& syste
     if (!((f[row] + sum * tube.halfwidth) * kSlack < tube.halfwidth)) {
       return std::nullopt;
     }
-    tube.contraction = std::max(tube.contraction, sum);
+    tube.contraction = larger_bound(tube.contraction, sum);
   }
   bound_derivatives(tube, others, h, e);
   return tube;
@@ -340,7 +341,7 @@ double space_second_derivative(const ChartSystem<Ball>& system, const ChartTube<
       sum[c] += m[c] * term;
     }
   }
-  return kSlack * std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+  return kSlack * length_bound(sum[0], sum[1], sum[2]);
 }
 
 template <class Ball>

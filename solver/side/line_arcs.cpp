@@ -1,6 +1,7 @@
 #include "side/line_arcs.h"
 
 #include <exsect/algebra/algebraic_value.h>
+#include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
 #include <cmath>
@@ -232,7 +233,7 @@ class LineArcSearch {
     starts_.push_back(back->end);
     back->hulls.insert(back->hulls.end(), ahead->hulls.begin(), ahead->hulls.end());
     result_.arcs.push_back({static_cast<std::size_t>(back->end), static_cast<std::size_t>(ahead->end), inside,
-                            std::move(polyline), std::max(back->error_bound, ahead->error_bound),
+                            std::move(polyline), larger_bound(back->error_bound, ahead->error_bound),
                             std::move(back->hulls)});
   }
 
@@ -254,7 +255,7 @@ class LineArcSearch {
       if (!run) return std::nullopt;
       all.polyline.insert(all.polyline.end(), run->polyline.begin() + (runs == 0 ? 0 : 1),
                           run->polyline.end());
-      all.error_bound = std::max(all.error_bound, run->error_bound);
+      all.error_bound = larger_bound(all.error_bound, run->error_bound);
       all.hulls.insert(all.hulls.end(), run->hulls.begin(), run->hulls.end());
       all.end = run->end;
       const auto events = static_cast<int>(result_.ends.size());
@@ -373,7 +374,7 @@ class LineArcSearch {
     const auto around = [&](std::size_t i) {
       const double slope = std::fabs(tube.slope[i]) + tube.slope_error[i];
       const Rational centre = tube.centre[i].interval().midpoint();
-      const Rational radius = from_double((tube.halfwidth[i] + slope * reach) * (1 + 0x1p-50));
+      const Rational radius = from_double((tube.halfwidth[i] + slope * reach) * kSlack);
       return RationalInterval{std::max<Rational>(0, centre - radius), std::min<Rational>(1, centre + radius)};
     };
     ParameterBox box;

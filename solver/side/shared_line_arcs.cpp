@@ -1,6 +1,7 @@
 #include "side/shared_line_arcs.h"
 
 #include <exsect/algebra/algebraic_value.h>
+#include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +30,7 @@ BivariatePolynomial shifted(const BivariatePolynomial& f, const Rational& c) {
   return f - BivariatePolynomial::constant(c);
 }
 
-double upper_norm(const Point& p) {
-  return std::hypot(to_double(p[0]), to_double(p[1]), to_double(p[2])) * (1 + 0x1p-40);
-}
+double upper_norm(const Point& p) { return length_bound(to_double(p[0]), to_double(p[1]), to_double(p[2])); }
 
 using Parabola = std::array<Point, 3>;
 using LineParameter = std::function<double(double)>;  // of tau in [0,1]
@@ -52,7 +51,7 @@ NearDouble near(const RealAlgebraic& number) {
   const double value = std::clamp(to_double(i.midpoint()), 0.0, 1.0);
   const Rational at = from_double(value);
   const Rational error = std::max<Rational>(abs(Rational(at - i.lower)), abs(Rational(i.upper - at)));
-  return {value, to_double(error) * (1 + 0x1p-50)};
+  return {value, to_double(error) * kSlack};
 }
 
 /// A polynomial on [0,1], in doubles. `error` bounds that of all values: each of the n coefficients c_i and
@@ -65,7 +64,7 @@ class RoundedPolynomial {
       coefficients_.push_back(to_double(f.coefficient(i)));
       sum += std::fabs(coefficients_.back());
     }
-    error = static_cast<double>(coefficients_.size()) * sum * 0x1p-51 + 0x1p-1000;
+    error = static_cast<double>(coefficients_.size()) * sum * 0x1p-51 + kUnderflowLoss;
   }
 
   double operator()(double tau) const {
@@ -149,8 +148,8 @@ class ArcsOnLine {
   void add_polyline(LineArc& arc, const NearDouble& from, const NearDouble& to, std::size_t piece) const {
     const Parabola line = parabola();
     const double second = 2 * upper_norm(line[2]);
-    const double first = std::max(upper_norm(line[1]), upper_norm(line[1] + Rational(2) * line[2]));
-    const double length = std::fabs(to.value - from.value) * (1 + 0x1p-40);
+    const double first = larger_bound(upper_norm(line[1]), upper_norm(line[1] + Rational(2) * line[2]));
+    const double length = std::fabs(to.value - from.value) * kSlack;
     const double wanted = std::ceil(length * std::sqrt(second / (8 * 0.9 * tolerance_)));
     const int n = chord_count(wanted, fewest_chords());
     const double step = length / n + 0x1p-51;
@@ -169,7 +168,7 @@ class ArcsOnLine {
       for (std::size_t k = 0; k < 3; ++k) arc.polyline.back().point[k] = coordinates[k](tau);
     }
     arc.error_bound =
-        (second * step * step / 8 + 2 * (rounding + first * std::max(from.error, to.error))) * (1 + 0x1p-40);
+        (second * step * step / 8 + 2 * (rounding + first * larger_bound(from.error, to.error))) * kSlack;
   }
 
   /// The line of the other patch, by powers of the parameter along it.

@@ -1,5 +1,7 @@
 #include "special/common_apex.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 
 #include "answer/exact_source.h"
@@ -130,7 +132,7 @@ class TwoCones {
     arc.place = on_side ? ArcPlace::patch_boundary : ArcPlace::interior;
     arc.contact = touch ? Contact::tangential : Contact::transversal;
     arc.polyline = {from.vertex, to.vertex};
-    arc.error_bound = std::max(from.error, to.error);
+    arc.error_bound = larger_bound(from.error, to.error);
     graph_.add_arc(std::move(arc));
   }
 

@@ -1,5 +1,7 @@
 #include "special/unfolded_parameters.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,7 +59,7 @@ class Preimage {
     double largest = 0;
     for (std::size_t i = 1; i < arc.polyline.size(); ++i) append(polyline, arc.polyline[i], 0);
     for (const PolylineVertex& vertex : polyline)
-      for (const double c : vertex.point) largest = std::max(largest, std::fabs(c));
+      for (const double c : vertex.point) largest = larger_bound(largest, std::fabs(c));
     if (polyline.size() > arc.polyline.size())  // a point halfway is rounded, kLargestDepth times at most
       arc.error_bound += 2 * kLargestDepth * std::numeric_limits<double>::epsilon() * largest;
     for (PolylineVertex& vertex : polyline) vertex.parameters[k_] = square_.inverse(vertex.parameters[k_]);

@@ -1,5 +1,7 @@
 #include "star/line_crossing.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
@@ -13,7 +15,6 @@
 #include "line/line_points_in.h"
 #include "star/fine_width.h"
 #include "trace/sheet_graph.h"
-#include "trace/slack.h"
 
 namespace exsect {
 
@@ -99,8 +100,8 @@ class GraphPointSource : public CertifiedPoint::Source {
   }
 
   double norm(const std::array<Ball, 2>& step) const {
-    return kSlack *
-           std::max(step[0].upper_magnitude() / graph_.width[0], step[1].upper_magnitude() / graph_.width[1]);
+    return kSlack * larger_bound(step[0].upper_magnitude() / graph_.width[0],
+                                 step[1].upper_magnitude() / graph_.width[1]);
   }
 
   std::array<RealAlgebraic, 2> over_;

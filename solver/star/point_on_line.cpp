@@ -1,5 +1,7 @@
 #include "star/point_on_line.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -46,7 +48,7 @@ class Sheet {
     double radius = 0;
     for (std::size_t j = 0; j < 4; ++j) {
       centre[j] = Ball::enclosing(known[j]).midpoint();
-      radius = std::max(radius, Ball::enclosing(known[j]).radius());
+      radius = larger_bound(radius, Ball::enclosing(known[j]).radius());
     }
     BallPoint<Ball> over = centre;
     over[index(along_)] = Ball::enclosing(range);
@@ -67,7 +69,7 @@ class Sheet {
         return Ball(c[2 * row]) * first + Ball(c[2 * row + 1]) * second;
       };
       const double residual =
-          std::max(mapped(0, f[a], f[b]).upper_magnitude(), mapped(1, f[a], f[b]).upper_magnitude());
+          larger_bound(mapped(0, f[a], f[b]).upper_magnitude(), mapped(1, f[a], f[b]).upper_magnitude());
       const double z = 4 * (residual + radius) + 0x1p-240;
       BallPoint<Ball> box = over;
       box[other] = centre[other].widened(z);
@@ -78,9 +80,9 @@ class Sheet {
       for (std::size_t row = 0; row < 2; ++row) {
         const Ball first = mapped(row, net[3][a], net[3][b]) - Ball(row == 0 ? 1.0 : 0.0);
         const Ball second = mapped(row, net[1][a], net[1][b]) - Ball(row == 1 ? 1.0 : 0.0);
-        rho = std::max(rho, first.upper_magnitude() + second.upper_magnitude());
+        rho = larger_bound(rho, first.upper_magnitude() + second.upper_magnitude());
       }
-      if (!((residual + rho * z) * (1 + 0x1p-40) < z)) {
+      if (!((residual + rho * z) * kSlack < z)) {
         continue;
       }
       ParameterBox result;

@@ -1,5 +1,6 @@
 #include "sweep/intersect_by_sweep.h"
 
+#include <exsect/algebra/rounding_bounds.h>
 #include <exsect/solver/line_query.h>
 
 #include <algorithm>
@@ -289,7 +290,7 @@ class Intersection {
       result.vertices.push_back({vertex.approx, vertex.point});
     }
     for (const ParameterBox& hull : arc.hulls) {
-      result.bound = std::max(result.bound, chord_bound(system, scaling_.frame, hull));
+      result.bound = larger_bound(result.bound, chord_bound(system, scaling_.frame, hull));
     }
     return result;
   }

@@ -1,5 +1,7 @@
 #include "trace/bounded_vertex.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,17 +10,15 @@ namespace exsect {
 template <class Ball>
 BoundedVertex bounded_position(const BallVector<Ball>& position, const ModelFrame& frame) {
   BoundedVertex result{};
-  double radius2 = 0;
+  std::array<double, 3> radius{};
   double rounding = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     const double scaled = position[c].approximation();
-    const double radius =
-        std::ldexp((position[c] - Ball(scaled)).upper_magnitude(), static_cast<int>(frame.exponent));
+    radius[c] = std::ldexp((position[c] - Ball(scaled)).upper_magnitude(), static_cast<int>(frame.exponent));
     result.vertex.point[c] = frame.origin[c] + std::ldexp(scaled, static_cast<int>(frame.exponent));
-    radius2 += radius * radius;
-    rounding += std::fabs(result.vertex.point[c]) * 0x1p-52;  // one sum of doubles
+    rounding += std::fabs(result.vertex.point[c]) * 2 * kUnitRoundoff;  // one sum of doubles
   }
-  result.error = (std::sqrt(radius2) + rounding) * (1 + 0x1p-40) + 0x1p-1000;
+  result.error = (length_bound(radius[0], radius[1], radius[2]) + rounding) * kSlack + kUnderflowLoss;
   return result;
 }
 
@@ -45,19 +45,21 @@ double chord_bound(const PairSystem<Ball>& system, const ModelFrame& frame, cons
   const TaylorNet<Ball> x = system.taylor_x(middle);
   const std::array<double, 3> u = {1, half[0], half[0] * half[0]};
   const std::array<double, 3> v = {1, half[1], half[1] * half[1]};
-  double radius2 = 0;
+  std::array<double, 3> radius{};
   double rounding = 0;
   for (std::size_t c = 0; c < 3; ++c) {
-    double radius = x[0][c].radius();
+    radius[c] = x[0][c].radius();
     for (std::size_t i = 1; i < 9; ++i) {
-      radius += x[i][c].upper_magnitude() * u[i / 3] * v[i % 3];
+      radius[c] += x[i][c].upper_magnitude() * u[i / 3] * v[i % 3];
     }
-    radius2 += radius * radius;
-    const double largest = std::ldexp(x[0][c].upper_magnitude() + radius, static_cast<int>(frame.exponent));
-    rounding += (std::fabs(frame.origin[c]) + largest) * 0x1p-50;
+    const double largest =
+        std::ldexp(x[0][c].upper_magnitude() + radius[c], static_cast<int>(frame.exponent));
+    rounding += (std::fabs(frame.origin[c]) + largest) * 8 * kUnitRoundoff;
   }
   // The ball's diameter, once more its radius for the vertices, which are in the ball up to rounding.
-  return std::ldexp(3 * std::sqrt(radius2), static_cast<int>(frame.exponent)) * (1 + 0x1p-40) + rounding;
+  return std::ldexp(3 * length_bound(radius[0], radius[1], radius[2]), static_cast<int>(frame.exponent)) *
+             kSlack +
+         rounding + kUnderflowLoss;
 }
 
 #define EXSECT_INSTANTIATE_BOUNDED_VERTEX(Ball)                                                              \

@@ -1,5 +1,7 @@
 #include "trace/contact_graph.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,18 +30,18 @@ class ContactPolyline {
   void add_point(const BallPoint<Ball>& parameters) {
     const BoundedVertex v = bounded_vertex(parameters, system_.taylor_x(parameters)[0], frame_);
     vertices_.push_back(v.vertex);
-    vertex_error_ = std::max(vertex_error_, v.error);
+    vertex_error_ = larger_bound(vertex_error_, v.error);
   }
 
   /// The vertex of the node that stands for the point in this box.
   void add_node(const Node& node, const BallPoint<Ball>& parameters) {
     const BoundedVertex v = bounded_vertex(parameters, system_.taylor_x(parameters)[0], frame_);
     vertices_.push_back({node.approx, node.point});
-    vertex_error_ = std::max(vertex_error_, 2 * v.error);
+    vertex_error_ = larger_bound(vertex_error_, 2 * v.error);
   }
   void add_approach(const Approach& approach) {
     vertices_.insert(vertices_.end(), approach.vertices.begin(), approach.vertices.end());
-    chord_error_ = std::max(chord_error_, approach.bound);
+    chord_error_ = larger_bound(chord_error_, approach.bound);
   }
   void add_vertex(const Node& node) { vertices_.push_back({node.approx, node.point}); }
 
@@ -61,7 +63,7 @@ class ContactPolyline {
     double from = first;
     for (int i = 1; i <= n; ++i) {
       const double to = i == n ? last : first + (last - first) * (static_cast<double>(i) / n);
-      chord_error_ = std::max(chord_error_, second * (to - from) * (to - from) / 8 * (1 + 0x1p-40));
+      chord_error_ = larger_bound(chord_error_, second * (to - from) * (to - from) / 8 * kSlack);
       if (i < n) {
         add_point(point_at(system_, tube, to));
       }
@@ -71,7 +73,7 @@ class ContactPolyline {
 
   std::vector<PolylineVertex> take_vertices() { return std::move(vertices_); }
   /// Vertices, joints included, stand for true points within vertex_error.
-  double bound() const { return (chord_error_ + 2 * vertex_error_) * (1 + 0x1p-40); }
+  double bound() const { return (chord_error_ + 2 * vertex_error_) * kSlack; }
 
  private:
   const PairSystem<Ball>& system_;

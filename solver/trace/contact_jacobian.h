@@ -2,10 +2,11 @@
 // a point. Internal to solver/; docs/method.md, section 6.6.
 #pragma once
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 
 #include "trace/contact_expansion.h"
-#include "trace/slack.h"
 
 namespace exsect {
 
@@ -103,7 +104,7 @@ inline double largest_row_sum(const JacobianDeviation& e, std::size_t axis) {
     for (const std::size_t j : other_axes(axis)) {
       sum += row[j];
     }
-    largest = std::max(largest, sum);
+    largest = larger_bound(largest, sum);
   }
   return kSlack * largest;
 }
@@ -116,7 +117,7 @@ inline double direction_residual(const JacobianDeviation& e, const std::array<do
     for (std::size_t j = 0; j < 4; ++j) {
       sum += row[j] * std::fabs(d[j]);
     }
-    largest = std::max(largest, sum);
+    largest = larger_bound(largest, sum);
   }
   return kSlack * largest;
 }

@@ -1,6 +1,8 @@
 // Which part of a tube's arc a trace uses, and in which direction. Internal to solver/.
 #pragma once
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <compare>
@@ -40,14 +42,14 @@ class PieceRange {
     const double last = to.approximation();
     if (direction == 0 || !(direction * last >= direction * first)) return std::nullopt;
     const double doubt =
-        std::max((from - Ball(first)).upper_magnitude(), (to - Ball(last)).upper_magnitude());
+        larger_bound((from - Ball(first)).upper_magnitude(), (to - Ball(last)).upper_magnitude());
     return PieceRange(first, last, doubt, direction);
   }
 
   /// Between two offsets in doubles, each within `doubt` of the true one; empty if their order is not
   /// certain.
   static std::optional<PieceRange> between(double from, double to, double doubt = 0) {
-    if (!(std::fabs(to - from) > 2 * doubt * (1 + 0x1p-50))) return std::nullopt;
+    if (!(std::fabs(to - from) > 2 * doubt * kSlack)) return std::nullopt;
     return PieceRange(from, to, doubt, to > from ? 1 : -1);
   }
 

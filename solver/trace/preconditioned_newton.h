@@ -3,6 +3,8 @@
 // solver/.
 #pragma once
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -115,7 +117,7 @@ BallVector<Ball> preconditioned(const BallMatrix<Ball>& c, const BallVector<Ball
 
 template <class Ball>
 double largest_magnitude(const BallVector<Ball>& v) {
-  return std::max({v[0].upper_magnitude(), v[1].upper_magnitude(), v[2].upper_magnitude()});
+  return larger_bound(v[0].upper_magnitude(), v[1].upper_magnitude(), v[2].upper_magnitude());
 }
 
 /// Approximate Newton steps from the midpoints of `start` (an estimate, not a proof) in the coordinates other

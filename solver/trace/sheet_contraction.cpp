@@ -1,5 +1,7 @@
 #include "trace/sheet_contraction.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -103,7 +105,7 @@ bool SheetContraction::find_centre(const PairSystem<DoubleBall>& system) {
 
 bool SheetContraction::is_near() const {
   const BallVector<DoubleBall> d = {x[0][0] - y[0][0], x[0][1] - y[0][1], x[0][2] - y[0][2]};
-  return std::max({upper(d[0]), upper(d[1]), upper(d[2])}) < kSameSheet;
+  return larger_bound(upper(d[0]), upper(d[1]), upper(d[2])) < kSameSheet;
 }
 
 bool SheetContraction::contracts() {
@@ -112,7 +114,7 @@ bool SheetContraction::contracts() {
     residual[k] = kSlack * (upper(row(inverse, k, x[0]) - row(inverse, k, y[0])) +
                             deviation(row_magnitudes(inverse, k, x), reach));
     const double needed = kSlack * (std::fabs(w0[k] - middle[k]) + half[k]);
-    width[k] = std::max(needed, 1.5 * residual[k]);
+    width[k] = larger_bound(needed, 1.5 * residual[k]);
   }
   for (std::size_t k = 0; k < 2; ++k) {
     const Pair change = row_variation(row_magnitudes(inverse, k, y), width);
@@ -128,7 +130,7 @@ bool SheetContraction::contracts() {
 double SheetContraction::contraction() const {
   double result = 0;
   for (std::size_t k = 0; k < 2; ++k)
-    result = std::max(result, kSlack * (e[k][0] * width[0] + e[k][1] * width[1]) / width[k]);
+    result = larger_bound(result, kSlack * (e[k][0] * width[0] + e[k][1] * width[1]) / width[k]);
   return result;
 }
 

@@ -8,7 +8,6 @@
 
 #include "trace/pair_system.h"
 #include "trace/sheet_graph.h"
-#include "trace/slack.h"
 #include "trace/subdivision.h"
 
 namespace exsect {

@@ -1,5 +1,7 @@
 #include "trace/shorter_piece.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +24,7 @@ std::optional<Piece<Ball>> shorter_piece(const PairSystem<Ball>& system, const P
                                          const BallPoint<Ball>& centre) {
   double radius = 0;
   for (std::size_t j = 0; j < 4; ++j) {
-    radius = std::max({radius, centre[j].radius(), start[j].radius(), end[j].radius()});
+    radius = larger_bound(radius, centre[j].radius(), start[j].radius(), end[j].radius());
   }
   const std::size_t axis = piece.tube.axis;
   const double length = std::fabs((end[axis] - start[axis]).approximation());

@@ -1,6 +1,8 @@
 // Pieces of a traced curve, split until turning points on them can be told apart. Internal to solver/.
 #pragma once
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -62,10 +64,10 @@ BallPoint<Ball> box_between(const AnyTube<Ball>& tube, double from, double to) {
   // The second term covers the rounding of `middle` and of the difference (each below 2^-52 times the larger
   // end).
   const double half =
-      0.5 * std::fabs(to - from) + 0x1p-50 * std::max(std::fabs(from), std::fabs(to)) + 0x1p-1000;
+      0.5 * std::fabs(to - from) + 0x1p-50 * larger_bound(std::fabs(from), std::fabs(to)) + kUnderflowLoss;
   BallPoint<Ball> box = point_at(tube, middle);
   for (std::size_t j = 0; j < 4; ++j) {
-    box[j] = box[j].widened(half * (std::fabs(tube.slope[j]) + tube.slope_error[j]) * (1 + 0x1p-40));
+    box[j] = box[j].widened(half * (std::fabs(tube.slope[j]) + tube.slope_error[j]) * kSlack);
   }
   return box;
 }

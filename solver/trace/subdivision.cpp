@@ -1,5 +1,7 @@
 #include "trace/subdivision.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -154,7 +156,7 @@ class Search {
     std::array<double, 4> half{};
     for (std::size_t j = 0; j < 4; ++j) {
       centre[j] = Ball(0.5 * (box.lower[j] + box.upper[j]));
-      half[j] = 0.5 * (box.upper[j] - box.lower[j]) * (1 + 0x1p-40);
+      half[j] = 0.5 * (box.upper[j] - box.lower[j]) * kSlack;
     }
     const BallPoint<Ball> tangent = Expansion<Ball>(system_, centre).tangent();
     std::size_t axis = 0;

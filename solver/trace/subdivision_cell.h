@@ -2,6 +2,8 @@
 // their sub-patches, boxes and derivatives. Internal to solver/.
 #pragma once
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,14 +24,14 @@ struct Bounds {
 template <class Ball>
 Bounds bounds(const Ball& b) {
   const double a = b.approximation();
-  const double r = b.radius() * (1 + 0x1p-50) + 0x1p-50 * std::fabs(a) + 0x1p-1000;
+  const double r = b.radius() * kSlack + 0x1p-50 * std::fabs(a) + kUnderflowLoss;
   return {a - r, a + r};
 }
 
 inline DoubleBall enclose(const Bounds& b) {
   const double mid = 0.5 * (b.lower + b.upper);
   const double rad = std::max(b.upper - mid, mid - b.lower);
-  return DoubleBall(mid, 0).widened(rad * (1 + 0x1p-50) + 0x1p-50 * std::fabs(mid));
+  return DoubleBall(mid, 0).widened(rad * kSlack + 0x1p-50 * std::fabs(mid));
 }
 
 inline Bounds hull(const Bounds& a, const Bounds& b) {
@@ -181,8 +183,8 @@ class CellTree {
   static constexpr double kThin = 4;
 
   static double extent(const DirectionBox& derivative) {
-    return std::max(
-        {derivative[0].upper_magnitude(), derivative[1].upper_magnitude(), derivative[2].upper_magnitude()});
+    return larger_bound(derivative[0].upper_magnitude(), derivative[1].upper_magnitude(),
+                        derivative[2].upper_magnitude());
   }
 
   /// Power to Bernstein, degree 2: b0 = a0, b1 = a0 + a1/2, b2 = a0 + a1 + a2, along `stride`.

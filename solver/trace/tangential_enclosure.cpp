@@ -1,5 +1,7 @@
 #include "trace/tangential_enclosure.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,7 +30,7 @@ class LocalPart {
     BallPoint<Ball> centre;
     for (std::size_t j = 0; j < 4; ++j) {
       centre[j] = middle_[j].midpoint();
-      radius_ = std::max(radius_, (middle_[j] - centre[j]).upper_magnitude());
+      radius_ = larger_bound(radius_, (middle_[j] - centre[j]).upper_magnitude());
     }
     const auto phi = contact_equations(Expansion<Ball>(system, centre), tube.rows, axis_);
     const Linearisation local =
@@ -70,7 +72,7 @@ class LocalPart {
     for (std::size_t row = 0; row < 3; ++row) {
       double sum = form_deviation(row);
       for (const std::size_t j : others) sum += e[row][j] * result[j].upper_magnitude();
-      largest = std::max(largest, sum);
+      largest = larger_bound(largest, sum);
     }
     for (const std::size_t j : others) result[j] = result[j].widened(kSlack * largest / (1 - sigma));
     return result;
@@ -162,15 +164,14 @@ double second_derivative_bound(const PairSystem<Ball>& system, const TangentialT
   if (!second) return std::numeric_limits<double>::infinity();
   const auto [at, slope] = part.enclosure();
   const TaylorNet<Ball> x = system.taylor_x(at);
-  double square = 0;
+  std::array<double, 3> bound{};
   for (std::size_t c = 0; c < 3; ++c) {
     const Ball form =
         x[6][c] * slope[0] * slope[0] + x[4][c] * slope[0] * slope[1] + x[2][c] * slope[1] * slope[1];
     const Ball sum = Ball(2) * form + x[3][c] * (*second)[0] + x[1][c] * (*second)[1];
-    const double bound = sum.upper_magnitude();
-    square += bound * bound;
+    bound[c] = sum.upper_magnitude();
   }
-  return std::sqrt(square) * kSlack;
+  return length_bound(bound[0], bound[1], bound[2]);
 }
 
 #define EXSECT_INSTANTIATE_TANGENTIAL(Ball)                                                             \

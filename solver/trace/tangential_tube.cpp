@@ -1,5 +1,7 @@
 #include "trace/tangential_tube.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,8 +36,8 @@ std::array<std::size_t, 2> tangent_rows(const Expansion<Ball>& at) {
 }
 
 double steepness(const Linearisation& l) {
-  return std::max(
-      {std::fabs(l.slope[0]), std::fabs(l.slope[1]), std::fabs(l.slope[2]), std::fabs(l.slope[3])});
+  return larger_bound(std::fabs(l.slope[0]), std::fabs(l.slope[1]), std::fabs(l.slope[2]),
+                      std::fabs(l.slope[3]));
 }
 
 template <class Ball>
@@ -74,7 +76,7 @@ double residual_on_line(const ContactEquations<Ball>& g, std::size_t axis, const
       sum += coefficient.upper_magnitude() * scale;
       scale = std::max(scale * reach, std::numeric_limits<double>::min());
     }
-    largest = std::max(largest, sum);
+    largest = larger_bound(largest, sum);
   }
   return kSlack * largest;
 }

@@ -1,5 +1,7 @@
 #include "trace/trace_graph.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,7 +37,7 @@ class PolylineBuilder {
 
   void add_vertex(const BoundedVertex& v) {
     vertices_.push_back(v.vertex);
-    vertex_error_ = std::max(vertex_error_, v.error);
+    vertex_error_ = larger_bound(vertex_error_, v.error);
   }
 
   /// Chords on one piece, from offset a (whose vertex is already there) to offset b; the vertex at b is added
@@ -44,11 +46,11 @@ class PolylineBuilder {
   void add_piece(std::size_t piece, double a, double b, bool with_end) {
     const Tube<Ball>& tube = trace_.pieces[piece].tube;
     const double k = std::ldexp(tube.space_second_derivative, static_cast<int>(frame_.exponent));
-    const double length = std::fabs(b - a) * (1 + 0x1p-40);
+    const double length = std::fabs(b - a) * kSlack;
     const double wanted = std::ceil(length * std::sqrt(k / (8 * 0.9 * tolerance_)));
     const int n = chord_count(wanted);
     const double step = length / n;
-    chord_error_ = std::max(chord_error_, k * step * step / 8 * (1 + 0x1p-40));
+    chord_error_ = larger_bound(chord_error_, k * step * step / 8 * kSlack);
     for (int i = 1; i <= (with_end ? n : n - 1); ++i) {
       const double tau = i == n ? b : a + (b - a) * (static_cast<double>(i) / n);
       add_vertex(to_vertex(tube, point_at(tube, tau, kVertexRadius), frame_));
@@ -65,11 +67,11 @@ class PolylineBuilder {
 
   std::vector<PolylineVertex> take_vertices() { return std::move(vertices_); }
   /// A chord inside a star's box stands for an arc inside it.
-  void cover(double bound) { chord_error_ = std::max(chord_error_, bound); }
+  void cover(double bound) { chord_error_ = larger_bound(chord_error_, bound); }
 
   /// The polyline's end offsets, joints and vertices stand for true points within vertex_error; twice,
   /// because the true end of an arc may be anywhere in its node's box.
-  double bound() const { return (chord_error_ + 2 * vertex_error_) * (1 + 0x1p-40); }
+  double bound() const { return (chord_error_ + 2 * vertex_error_) * kSlack; }
 
  private:
   const Trace<Ball>& trace_;

@@ -1,5 +1,7 @@
 #include "trace/tracer.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,7 +49,7 @@ inline constexpr int kNewtonSteps<ArbBall<Bits>> = Bits > 256 ? 6 : 4;
 
 template <class Ball>
 double largest_radius(const BallPoint<Ball>& box) {
-  return std::max({box[0].radius(), box[1].radius(), box[2].radius(), box[3].radius()});
+  return larger_bound(box[0].radius(), box[1].radius(), box[2].radius(), box[3].radius());
 }
 
 template <class Ball>

@@ -1,5 +1,7 @@
 #include "trace/tube.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -65,7 +67,7 @@ double uncertainty(const Tube<Ball>& tube) {
       at[j] = on_line(tube, j, sigma).midpoint();
     }
     const BallVector<Ball> f = premultiplied_value(tube, preconditioner_at(tube, sigma), at);
-    largest = std::max({largest, f[0].radius(), f[1].radius(), f[2].radius()});
+    largest = larger_bound(largest, f[0].radius(), f[1].radius(), f[2].radius());
   }
   return largest;
 }
@@ -90,7 +92,7 @@ Image krawczyk_image(const Tube<Ball>& tube, const std::array<std::size_t, 3>& o
     }
     image.bound[row] = kSlack * reached;
     image.inside = image.inside && image.bound[row] < tube.halfwidth[others[row]];
-    image.contraction = std::max(image.contraction, kSlack * sum);
+    image.contraction = larger_bound(image.contraction, kSlack * sum);
   }
   return image;
 }

@@ -1,5 +1,7 @@
 #include "trace/tube_derivatives.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <cmath>
 
 #include "trace/tube.h"
@@ -51,17 +53,16 @@ double bound_space_second_derivative(const Tube<Ball>& tube, const std::array<do
   const double a1 = std::fabs(tube.slope[1]) + tube.slope_error[1];
   const double u2 = std::fabs(tube.second[0]) + tube.second_error[0];
   const double v2 = std::fabs(tube.second[1]) + tube.second_error[1];
-  double sum = 0;
+  Row3 bound{};
   for (std::size_t c = 0; c < 3; ++c) {
     const Variation v = variation(m, c, h[0], h[1]);
     const double xuu = 2 * (m[6][c] + m[7][c] * h[1] + m[8][c] * h[1] * h[1]);
     const double xuv = m[4][c] + 2 * m[7][c] * h[0] + 2 * m[5][c] * h[1] + 4 * m[8][c] * h[0] * h[1];
     const double xvv = 2 * (m[2][c] + m[5][c] * h[0] + m[8][c] * h[0] * h[0]);
-    const double bound = (m[3][c] + v.first) * u2 + (m[1][c] + v.second) * v2 + xuu * a0 * a0 +
-                         2 * xuv * a0 * a1 + xvv * a1 * a1;
-    sum += bound * bound;
+    bound[c] = (m[3][c] + v.first) * u2 + (m[1][c] + v.second) * v2 + xuu * a0 * a0 + 2 * xuv * a0 * a1 +
+               xvv * a1 * a1;
   }
-  return kSlack * std::sqrt(sum);
+  return kSlack * length_bound(bound[0], bound[1], bound[2]);
 }
 
 /// Bounds of |w_j - p_j| over the tube's region.

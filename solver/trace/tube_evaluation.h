@@ -2,6 +2,8 @@
 // to solver/.
 #pragma once
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <array>
 

@@ -1,5 +1,7 @@
 #include "trace/tube_line.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -292,12 +294,12 @@ class LineFit {
   double underflow(const LineRemainder<Ball>& left) const {
     double c = 1, net = 1, line = 1;
     for (const Matrix3& m : left.preconditioner)
-      for (const Row3& row : m) c = std::max({c, row[0], row[1], row[2]});
+      for (const Row3& row : m) c = larger_bound(c, row[0], row[1], row[2]);
     for (std::size_t p = 0; p < 2; ++p) {
       for (const NetRow<double>& row : row_bounds_[p]) net = std::max(net, *std::ranges::max_element(row));
       const Monomials<double, kDegree>& m = monomial_bounds_[p];
       for (std::size_t k = 1; k <= 4 * kDegree; ++k)
-        line = std::max({line, m.a[k], m.b[k], m.aa[k], m.ab[k], m.bb[k], m.aab[k], m.abb[k], m.aabb[k]});
+        line = larger_bound(line, m.a[k], m.b[k], m.aa[k], m.ab[k], m.bb[k], m.aab[k], m.abb[k], m.aabb[k]);
     }
     return kUnderflow * c * net * line * line * line;
   }

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "trace/preconditioned_newton.h"
-#include "trace/slack.h"
 #include "trace/tube_type.h"
 
 namespace exsect {

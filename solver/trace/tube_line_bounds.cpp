@@ -1,5 +1,7 @@
 #include "trace/tube_line_bounds.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 namespace exsect {
 
 namespace {

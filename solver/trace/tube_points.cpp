@@ -1,5 +1,7 @@
 #include "trace/tube_points.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 
