@@ -1,5 +1,7 @@
 #include "algebraic_value.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -29,18 +31,19 @@ Polynomial minimal_polynomial(const RealAlgebraic& s) {
   return s.polynomial();
 }
 
-/// A nonzero polynomial in T with the root h(p): Res_s(m, Res_r(g, h - T)) over the minimal polynomial m of
-/// s. It is not zero: m is irreducible, so the leading coefficient of g vanishes at no conjugate of s, and
-/// the resultant is up to a nonzero constant the product of h(p') - T over all conjugate points p'.
-Polynomial annihilator(const BivariatePolynomial& h, const TriangularPoint& p) {
+/// A polynomial in T with the root h(p)/w(p): Res_s(m, Res_r(g, h - T w)) over the minimal polynomial m of s.
+/// m is irreducible, so the leading coefficient of g vanishes at no conjugate of s, and the resultant is up
+/// to a nonzero constant the product of h(p') - T w(p') over all conjugate points p': it is zero only if h
+/// and w have one of them in common, never for w = 1.
+Polynomial annihilator(const BivariatePolynomial& h, const BivariatePolynomial& w, const TriangularPoint& p) {
   const Polynomial minimal = minimal_polynomial(p.s());
-  // Monic: the degree in s of Res_r(g, h - T) may drop at some T, and the resultant of the actual degrees
+  // Monic: the degree in s of Res_r(g, h - T w) may drop at some T, and the resultant of the actual degrees
   // would lose a power of the leading coefficient there.
   const Polynomial m = minimal * Polynomial(Rational(1 / minimal.leading_coefficient()));
   const int degree = m.degree() * p.g().degree_r();
   std::vector<Rational> values;
   for (int t = 0; t <= degree; ++t) {
-    const BivariatePolynomial difference = h - BivariatePolynomial::constant(t);
+    const BivariatePolynomial difference = h - BivariatePolynomial::constant(t) * w;
     if (difference.is_zero()) {
       values.emplace_back(0);
       continue;
@@ -48,6 +51,36 @@ Polynomial annihilator(const BivariatePolynomial& h, const TriangularPoint& p) {
     values.push_back(resultant(m, resultant_r(p.g(), difference)));
   }
   return interpolated(std::move(values));
+}
+
+/// The root of f that is the value, which is enclosed as narrowly as is asked for.
+template <class Enclosure>
+RealAlgebraic enclosed_root(const Polynomial& f, const Enclosure& enclosure) {
+  std::vector<RealAlgebraic> roots;
+  Rational width = power_of_two(-20);
+  do {
+    const RationalInterval value = enclosure(width);
+    roots = real_roots(f, value.lower, value.upper);
+    if (roots.empty())
+      throw std::logic_error("value_at: the annihilating polynomial has no root at the value");
+    width *= power_of_two(-20);
+  } while (roots.size() != 1);
+  const Polynomial m = minimal_polynomial(roots.front());
+  if (m.degree() == 1) return RealAlgebraic(-m.coefficient(0) / m.coefficient(1));
+  return roots.front();
+}
+
+/// A closed interval with h(p)/w(p) inside, of width at most `width`.
+RationalInterval enclosed_quotient(const BivariatePolynomial& h, const BivariatePolynomial& w,
+                                   const TriangularPoint& p, const Rational& width) {
+  for (Rational part = width;; part *= power_of_two(-20)) {
+    const RationalInterval a = enclosure_at(h, p, part), b = enclosure_at(w, p, part);
+    if (b.lower <= 0 && b.upper >= 0) continue;
+    const std::array<Rational, 4> ends = {a.lower / b.lower, a.lower / b.upper, a.upper / b.lower,
+                                          a.upper / b.upper};
+    const auto [least, greatest] = std::minmax_element(ends.begin(), ends.end());
+    if (*greatest - *least <= width / 2) return {*least - width / 4, *greatest + width / 4};
+  }
 }
 
 }  // namespace
@@ -64,19 +97,15 @@ RationalInterval enclosure_at(const BivariatePolynomial& h, const TriangularPoin
 }
 
 RealAlgebraic value_at(const BivariatePolynomial& h, const TriangularPoint& p) {
-  const Polynomial f = annihilator(h, p);
-  std::vector<RealAlgebraic> roots;
-  Rational width = power_of_two(-20);
-  do {
-    const RationalInterval value = enclosure_at(h, p, width);
-    roots = real_roots(f, value.lower, value.upper);
-    if (roots.empty())
-      throw std::logic_error("value_at: the annihilating polynomial has no root at the value");
-    width *= power_of_two(-20);
-  } while (roots.size() != 1);
-  const Polynomial m = minimal_polynomial(roots.front());
-  if (m.degree() == 1) return RealAlgebraic(-m.coefficient(0) / m.coefficient(1));
-  return roots.front();
+  return enclosed_root(annihilator(h, BivariatePolynomial::constant(1), p),
+                       [&](const Rational& width) { return enclosure_at(h, p, width); });
+}
+
+std::optional<RealAlgebraic> quotient_at(const BivariatePolynomial& h, const BivariatePolynomial& w,
+                                         const TriangularPoint& p) {
+  const Polynomial f = annihilator(h, w, p);
+  if (f.is_zero()) return std::nullopt;
+  return enclosed_root(f, [&](const Rational& width) { return enclosed_quotient(h, w, p, width); });
 }
 
 }  // namespace exsect

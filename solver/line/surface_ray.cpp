@@ -34,6 +34,17 @@ std::optional<RayOverlap> where_not_negative(const Polynomial& linear) {
 
 }  // namespace
 
+const char* name(RayContact contact) {
+  switch (contact) {
+    case RayContact::transversal:
+      return "transversal";
+    case RayContact::tangential:
+      return "tangential";
+    default:
+      return "singular";
+  }
+}
+
 RayIntersection intersect_ray(const Point& origin, const Point& direction, const ImplicitSurface& surface) {
   if (is_zero(direction)) throw std::invalid_argument("intersect_ray: the direction is zero");
   return in_nearest_rounding([&] {
@@ -41,7 +52,7 @@ RayIntersection intersect_ray(const Point& origin, const Point& direction, const
     const Polynomial bound = bound_on_ray(origin, direction, surface), f = on_ray(surface.equation());
     RayIntersection result;
     if (f.is_zero()) {
-      result.overlap = where_not_negative(bound);
+      if (const std::optional<RayOverlap> overlap = where_not_negative(bound)) result.overlaps = {*overlap};
       return result;
     }
     if (f.degree() == 0) return result;

@@ -2,36 +2,47 @@
 #pragma once
 
 #include <exsect/algebra/real_algebraic.h>
+#include <exsect/algebra/triangular_point.h>
 #include <exsect/geometry/implicit_surface.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace exsect {
 
 enum class RayContact {
   transversal,  // the ray crosses the surface
-  tangential,   // the direction is tangent to the surface in a regular point of the equation
-  singular,     // the gradient of the equation vanishes: the apex of a cone
+  tangential,   // the direction is tangent to the surface in a regular point
+  singular,  // the gradient of the equation, or the normal x_u x x_v of the patch, vanishes: an apex, a pole
 };
+/// "transversal", ...
+const char* name(RayContact contact);
 
 /// The point origin + t direction.
 struct RayHit {
-  RealAlgebraic t;   // >= 0
-  int multiplicity;  // of t as a root of F(origin + t direction), F the equation
+  RealAlgebraic t;  // >= 0
+  /// 1 if transversal. Of t as a root of F(origin + t direction), F the equation; of the parameters as a
+  /// common zero of two planes through the ray; 0 where all of a curve of parameters is the one point.
+  int multiplicity;
   RayContact contact;
+  /// On a patch, r = u and s = v; empty for an equation, and where there is a curve of them.
+  std::optional<TriangularPoint> parameters = {};
 };
 
-/// All t in the closed interval; without `to`, all from `from` on.
+/// All t in the closed interval, which is more than a number; without `to`, all from `from` on.
 struct RayOverlap {
   RealAlgebraic from;
   std::optional<RealAlgebraic> to;
 };
 
-/// Either hits, ascending in t, or a part of the ray that lies on the surface and all of their common points.
+/// Hits, ascending in t, and the parts of the ray on the surface, ascending and disjoint. On an equation
+/// there are no hits beside an overlap; on a patch those of other parameters, which may lie in it.
 struct RayIntersection {
   std::vector<RayHit> hits;
-  std::optional<RayOverlap> overlap;
+  std::vector<RayOverlap> overlaps;
+  /// Why something may be missing; empty if all points are there.
+  std::optional<std::string> incomplete = {};
 };
 
 /// All points of the closed ray origin + t direction, t >= 0, on the surface. Throws std::invalid_argument

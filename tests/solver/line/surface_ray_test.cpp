@@ -38,26 +38,26 @@ TEST_CASE("rays on surfaces, along rulings, through apexes") {
   const ImplicitSurface one = ImplicitSurface::cone(origin, up, 1),
                         two = ImplicitSurface::cone(origin, up, 1, 2);
   const RayIntersection upwards = intersect_ray({-1, 0, -1}, {1, 0, 1}, one);
-  REQUIRE(upwards.overlap);
-  CHECK(upwards.overlap->from == RealAlgebraic(1));
-  CHECK_FALSE(upwards.overlap->to);
+  REQUIRE(upwards.overlaps.size() == 1);
+  CHECK(upwards.overlaps[0].from == RealAlgebraic(1));
+  CHECK_FALSE(upwards.overlaps[0].to);
   const RayIntersection downwards = intersect_ray({3, 0, 3}, {-2, 0, -2}, one);
-  REQUIRE(downwards.overlap);
-  CHECK(downwards.overlap->from == RealAlgebraic(0));
-  REQUIRE(downwards.overlap->to);
-  CHECK(*downwards.overlap->to == RealAlgebraic(Rational(3, 2)));
-  CHECK_FALSE(intersect_ray({-1, 0, -1}, {-1, 0, -1}, one).overlap);
-  CHECK(intersect_ray({-1, 0, -1}, {-1, 0, -1}, two).overlap);
+  REQUIRE(downwards.overlaps.size() == 1);
+  CHECK(downwards.overlaps[0].from == RealAlgebraic(0));
+  REQUIRE(downwards.overlaps[0].to);
+  CHECK(*downwards.overlaps[0].to == RealAlgebraic(Rational(3, 2)));
+  CHECK(intersect_ray({-1, 0, -1}, {-1, 0, -1}, one).overlaps.empty());
+  CHECK(intersect_ray({-1, 0, -1}, {-1, 0, -1}, two).overlaps.size() == 1);
   const RayIntersection apex = intersect_ray({-1, 0, 0}, {1, 0, 0}, one);
   REQUIRE(multiplicities(apex) == std::vector<int>{2});
   CHECK(apex.hits[0].contact == RayContact::singular);
   CHECK(multiplicities(intersect_ray({0, 0, -1}, {1, 0, 0}, one)).empty());
   CHECK(multiplicities(intersect_ray({0, 0, -1}, {1, 0, 0}, two)) == std::vector<int>{1});
   const ImplicitSurface plane = ImplicitSurface::plane(origin, up);
-  CHECK(intersect_ray(origin, {1, 2, 0}, plane).overlap);
+  CHECK(intersect_ray(origin, {1, 2, 0}, plane).overlaps.size() == 1);
   CHECK(intersect_ray({0, 0, 1}, {1, 2, 0}, plane).hits.empty());
   const ImplicitSurface cylinder = ImplicitSurface::cylinder(origin, {1, 1, 1}, Length::of_squared(2));
-  CHECK(intersect_ray({1, -1, 0}, {-1, -1, -1}, cylinder).overlap);
+  CHECK(intersect_ray({1, -1, 0}, {-1, -1, -1}, cylinder).overlaps.size() == 1);
 }
 
 TEST_CASE("rays and a torus: four points, the inner equator, its top") {
