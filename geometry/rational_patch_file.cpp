@@ -6,11 +6,10 @@
 #include "bpt_file.h"
 #include "json_value.h"
 #include "patch_value.h"
+#include "surface_file.h"
 
 namespace exsect {
 namespace {
-
-constexpr const char* patches_version = "patches/1";
 
 int read_degree(const JsonValue& value) {
   for (int degree = 1; degree <= max_patch_degree; ++degree)
@@ -82,12 +81,17 @@ std::string format_patch(const NamedRationalPatch& named) {
 
 }  // namespace
 
-NamedRationalPatch read_named_patch(const JsonValue& value, NumberReader read) {
-  value.require_object({"name", "degree", "points", "weights"});
+const std::string& read_name(const JsonValue& value) {
   const JsonValue name = value.member("name");
   if (name.string().empty()) name.fail("must not be empty");
   if (name.string().size() > max_name_bytes)
     name.fail("must not be longer than " + std::to_string(max_name_bytes) + " bytes");
+  return name.string();
+}
+
+NamedRationalPatch read_named_patch(const JsonValue& value, NumberReader read) {
+  value.require_object({"name", "degree", "points", "weights"});
+  const std::string& name = read_name(value);
   const JsonValue degrees = value.member("degree");
   degrees.require_size(2, "degrees");
   const std::array<int, 2> degree = {read_degree(degrees.at(0)), read_degree(degrees.at(1))};
@@ -96,33 +100,31 @@ NamedRationalPatch read_named_patch(const JsonValue& value, NumberReader read) {
                                                        "weights for this degree")
                                             : std::vector<std::vector<Rational>>();
   try {
-    return {name.string(), RationalPatch(points, weights)};
+    return {name, RationalPatch(points, weights)};
   } catch (const PatchError& error) {
     value.member(error.where().c_str()).fail(error.reason());
   }
 }
 
-RationalPatchFile parse_rational_patches(const std::string& text, const std::string& filename) {
-  if (text.size() > max_patch_file_bytes)
-    throw InputError(filename, "", "longer than " + std::to_string(max_patch_file_bytes) + " bytes");
-  const JsonTree tree = parse_json(text, filename, max_depth_of_files);
-  const JsonValue root(tree, filename, "$");
-  root.require_form(patches_version);
-  root.require_object({"exsect", "title", "source", "numbers", "patches"});
-  RationalPatchFile file;
-  if (root.has("title")) file.title = root.member("title").string();
-  if (root.has("source")) file.source = root.member("source").string();
-  const NumberReader read = number_reader(root);
-  const JsonValue patches = root.member("patches");
-  if (patches.size() == 0) patches.fail("must hold at least one patch");
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < patches.size(); ++i) {
-    file.patches.push_back(read_named_patch(patches.at(i), read));
-    if (!names.insert(file.patches.back().name).second)
-      patches.at(i).member("name").fail("name \"" + printable(file.patches.back().name) +
-                                        "\" given to two patches");
+namespace {
+
+RationalPatchFile patches_only(SurfaceFile file, const std::string& filename) {
+  RationalPatchFile result = {std::move(file.title), std::move(file.source), {}};
+  for (std::size_t i = 0; i < file.surfaces.size(); ++i) {
+    const NamedSurface& named = file.surfaces[i];
+    if (named.equation() != nullptr)
+      throw InputError(filename, "$.patches[" + std::to_string(i) + "]",
+                       "\"" + printable(named.name) + "\" is given by its equation (" +
+                           name(named.equation()->kind()) + "); only patches are taken here");
+    result.patches.push_back({named.name, *named.patch()});
   }
-  return file;
+  return result;
+}
+
+}  // namespace
+
+RationalPatchFile parse_rational_patches(const std::string& text, const std::string& filename) {
+  return patches_only(parse_surfaces(text, filename), filename);
 }
 
 RationalPatchFile read_rational_patches(const std::string& path) {

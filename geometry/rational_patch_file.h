@@ -28,7 +28,8 @@ struct RationalPatchFile {
 
 /// The content of a patches/1 as parse_patches describes it, with degrees from 1 to 3 and, where a patch has
 /// them, "weights": [[...n+1 numbers], ...m+1 rows]. Points are Cartesian, not multiplied by their weights.
-/// Throws InputError for what parse_patches refuses, and for what RationalPatch refuses.
+/// Throws InputError for what parse_patches refuses, for what RationalPatch refuses, and for a surface given
+/// by its equation (geometry/surface_file.h reads these).
 RationalPatchFile parse_rational_patches(const std::string& text, const std::string& filename);
 
 /// The same from a file, of the form patches/1, or BPT (geometry/bpt_file.h) if its name ends in ".bpt".
