@@ -42,6 +42,18 @@ constexpr const char* line_footer =
     "  exsect line examples/chapter9-first.json --u 1/2\n"
     "  exsect line examples/chapter9-first.json --s 0.7 --json - --svg line.svg";
 
+constexpr const char* ray_footer =
+    "All points origin + t direction, t >= 0, on the surfaces of FILE, in their exact order along the ray, "
+    "with\n"
+    "multiplicities; points in which the ray touches, and the parts of it that lie on a surface, are named. "
+    "Beside\n"
+    "patches FILE may hold planes, cylinders, cones, spheres, tori and polynomials by their equations:\n"
+    "  {\"name\": \"c\", \"type\": \"cylinder\", \"point\": [0,0,0], \"axis\": [1,1,1], \"radius\": "
+    "\"1/2\"}\n"
+    "Examples:\n"
+    "  exsect ray examples/surfaces.json --origin=-5,0,0 --direction 1,0,0\n"
+    "  exsect ray examples/surfaces.json --origin 1/3,0.1,-5 --direction 0,0,1 --surface torus --json -";
+
 constexpr const char* self_footer =
     "All pairs x(u1,v1) = x(u2,v2) of different parameters of one patch, each curve once, and the cuspidal "
     "points\n"
@@ -139,6 +151,22 @@ void add_line(CLI::App& app, LineCommand& command) {
   }
   add_certificate(*sub, command.output);
   sub->footer(line_footer);
+}
+
+void add_ray(CLI::App& app, RayCommand& command) {
+  CLI::App* sub = app.add_subcommand("ray", "Find where a ray meets patches and surfaces given by equations");
+  sub->add_option("FILE", command.file, "Patch file, or - for the standard input")->required()->type_name("");
+  sub->add_option("--origin", command.origin, "Where the ray starts: x,y,z")->required()->type_name("POINT");
+  sub->add_option("--direction", command.direction, "Its direction x,y,z, of any length but 0")
+      ->required()
+      ->type_name("VECTOR");
+  sub->add_option("--surface", command.surface, "Only this one of FILE; all of them if not given")
+      ->type_name("NAME");
+  sub->add_option("--json", command.output.json, "Write the result as JSON; - for standard output")
+      ->type_name("FILE");
+  sub->add_flag("--quiet", command.quiet, "No summary");
+  add_verbose(*sub, command.verbose);
+  sub->footer(ray_footer);
 }
 
 void add_self(CLI::App& app, SelfCommand& command) {
@@ -355,6 +383,7 @@ void add_commands(CLI::App& app, Commands& commands) {
   app.footer(statuses);
   add_intersect(app, commands.intersect);
   add_line(app, commands.line);
+  add_ray(app, commands.ray);
   add_self(app, commands.self);
   add_compare(app, commands.compare);
   add_verify(app, commands.verify);

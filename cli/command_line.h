@@ -9,6 +9,7 @@
 #include "cli/implicitize_command.h"
 #include "cli/intersect_command.h"
 #include "cli/line_command.h"
+#include "cli/ray_command.h"
 #include "cli/revolve_command.h"
 #include "cli/self_command.h"
 #include "cli/verify_command.h"
@@ -19,6 +20,7 @@ namespace exsect::cli {
 struct Commands {
   IntersectCommand intersect;
   LineCommand line;
+  RayCommand ray;
   SelfCommand self;
   CompareCommand compare;
   VerifyCommand verify;

@@ -42,6 +42,11 @@ RationalPatchFile input_patches(const std::string& path) {
   return parse_rational_patches(input_text(path, max_patch_file_bytes), input_name(path));
 }
 
+SurfaceFile input_surfaces(const std::string& path) {
+  if (path != standard_input) return read_surfaces(path);
+  return parse_surfaces(input_text(path, max_patch_file_bytes), input_name(path));
+}
+
 CurveFile input_curve(const std::string& path) {
   return parse_curve(input_text(path, max_curve_file_bytes), input_name(path));
 }

@@ -46,6 +46,7 @@ ExitStatus run_on_patches(const Command& command, const Streams& streams) {
 ExitStatus run_chosen(const CLI::App& app, const Commands& commands, const Streams& streams) {
   if (app.got_subcommand("intersect")) return run_on_patches(commands.intersect, streams);
   if (app.got_subcommand("line")) return run_on_patches(commands.line, streams);
+  if (app.got_subcommand("ray")) return run(commands.ray, streams);
   if (app.got_subcommand("self")) return run_on_patches(commands.self, streams);
   if (app.got_subcommand("compare")) return run_on_patches(commands.compare, streams);
   if (app.got_subcommand("verify")) return run_on_patches(commands.verify, streams);
@@ -125,7 +126,7 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   if (app.get_subcommands().empty()) throw UsageError("a command is needed (see exsect --help)");
   refuse_empty_values(app);
   for (OutputFiles* output :
-       {&commands.intersect.output, &commands.line.output, &commands.self.output, &commands.compare.output,
+       {&commands.intersect.output, &commands.line.output, &commands.ray.output, &commands.self.output, &commands.compare.output,
         &commands.verify.output, &commands.implicitize.output, &commands.revolve.output})
     output->line = shell_command(argc, argv);
   return run_chosen(app, commands, streams);

@@ -43,6 +43,19 @@ double positive_value(const std::string& option, const std::string& text) {
   return below;
 }
 
+Point vector_value(const std::string& option, const std::string& text) {
+  std::vector<Rational> numbers;
+  std::istringstream stream(text + ",");
+  for (std::string item; std::getline(stream, item, ',');) {
+    if (numbers.size() < 3)
+      numbers.push_back(number(option, item));
+    else
+      throw UsageError(option + ": " + shortened(text) + " has more than three coordinates");
+  }
+  if (numbers.size() != 3) throw UsageError(option + ": " + shortened(text) + " is not x,y,z");
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
 std::vector<Parameter> parameter_list(const std::string& option, const std::string& text,
                                       const ParameterNames& names) {
   std::vector<Parameter> list;

@@ -1,6 +1,7 @@
 // Values of command line options.
 #pragma once
 
+#include <exsect/geometry/point.h>
 #include <exsect/solver/parameter.h>
 
 #include <string>
@@ -19,6 +20,9 @@ Rational parameter_value(const std::string& option, const std::string& text);
 /// A number > 0 in the same syntax as the greatest double that is not above it. Throws UsageError if that is
 /// not positive and finite.
 double positive_value(const std::string& option, const std::string& text);
+
+/// "x,y,z", numbers in the same syntax. Throws UsageError.
+Point vector_value(const std::string& option, const std::string& text);
 
 /// "u,v,r,s" (or other names) or any part of it, or "none". Throws UsageError.
 std::vector<Parameter> parameter_list(const std::string& option, const std::string& text,

@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SHARE = Path(os.environ["EXSECT_PREFIX"]) / "share"
 PROGRAM = Path(os.environ["EXSECT_PREFIX"]) / "bin/exsect"
 COMPLETION = SHARE / "bash-completion/completions/exsect"
-COMMANDS = "intersect line self compare verify implicitize revolve batch batch-merge check".split()
+COMMANDS = "intersect line ray self compare verify implicitize revolve batch batch-merge check".split()
 
 
 def help_of(*words):
