@@ -1,5 +1,6 @@
 #include "curve/curve_graph.h"
 
+#include <exsect/algebra/interruption.h>
 #include <exsect/algebra/nearest_rounding.h>
 
 #include <algorithm>
@@ -50,11 +51,15 @@ class CurveSweep {
 
   CurveGraph run() {
     for (std::size_t i = 0; i < values_.size(); ++i) {
+      interruption_point();
       const std::vector<RealAlgebraic> next =
           i + 1 < values_.size() ? points_after(i) : std::vector<RealAlgebraic>{};
       pass(i, next.size());
       open_arcs(i, next);
+      graph_.values.push_back(values_[i].u);
+      if (i + 1 < values_.size()) add_column();
     }
+    graph_.swept = graph_part_;
     return keep_half();
   }
 
@@ -292,6 +297,12 @@ class CurveSweep {
     }
   }
 
+  void add_column() {
+    CurveColumn column;
+    for (const Front& front : fronts_) column.push_back(*front.arc);
+    graph_.columns.push_back(std::move(column));
+  }
+
   int multiplicity_at(const TriangularPoint& inside) const {
     if (factors_.size() == 1) return factors_.front().multiplicity;
     for (const CurveFactor& factor : factors_)
@@ -304,14 +315,17 @@ class CurveSweep {
   CurveGraph keep_half() {
     if (!h_) return std::move(graph_);
     const BivariatePolynomial half = h_->exchanged();
-    CurveGraph kept;
+    CurveGraph kept{{}, {}, graph_.swept, graph_.values, graph_.columns};
+    std::vector<std::size_t> arc_position(graph_.arcs.size(), CurveGraph::dropped);
     std::vector<bool> is_kept(graph_.nodes.size(), false);
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i)
       is_kept[i] = graph_.nodes[i].exact && sign_at(half, *graph_.nodes[i].exact) >= 0;
-    for (CurveBranch& arc : graph_.arcs) {
+    for (std::size_t i = 0; i < graph_.arcs.size(); ++i) {
+      const CurveBranch& arc = graph_.arcs[i];
       CurveNode &from = graph_.nodes[arc.from], &to = graph_.nodes[arc.to];
       if (sign_at(half, arc.inside) >= 0) {
         is_kept[arc.from] = is_kept[arc.to] = true;
+        arc_position[i] = kept.arcs.size();
         kept.arcs.push_back(arc);
       } else if (from.u == to.u) {
         --from.vertical;
@@ -330,6 +344,8 @@ class CurveSweep {
       arc.from = position[arc.from];
       arc.to = position[arc.to];
     }
+    for (CurveColumn& column : kept.columns)
+      for (std::size_t& arc : column) arc = arc_position[arc];
     return kept;
   }
 

@@ -30,13 +30,23 @@ struct CurveBranch {
   TriangularPoint inside;  // one of its inner points
 };
 
+/// The curve over an open interval between neighbouring critical values: of every zero of the swept curve in
+/// [0,1], ascending in v, the position of its arc in CurveGraph::arcs, or CurveGraph::dropped.
+using CurveColumn = std::vector<std::size_t>;
+
 /// Of {f = 0}, or of {f = 0, h >= 0}, in [0,1]^2. Nodes: singular points, isolated ones among them; turning
 /// points u = const, which have two arcs from one side; points on the sides, but for inner points of arcs
 /// that lie on v = 0 or v = 1; points where h = 0, all of them unless h vanishes on a whole arc. Ascending in
 /// u. All other points of the curve are in exactly one arc.
 struct CurveGraph {
+  /// In a column: an arc with h < 0.
+  static constexpr std::size_t dropped = static_cast<std::size_t>(-1);
+
   std::vector<CurveNode> nodes;
   std::vector<CurveBranch> arcs;
+  BivariatePolynomial swept;          // the irreducible factors of f but those in u alone, each once
+  std::vector<RealAlgebraic> values;  // critical ones: ascending from 0 to 1, with disjoint closed intervals
+  std::vector<CurveColumn> columns;   // one fewer; column i lies between values i and i + 1
 
   /// Nodes of degree 0.
   int isolated_points() const;

@@ -18,7 +18,7 @@ namespace exsect {
 struct SurfaceCurve {
   BivariatePolynomial section;              // G of (17.2), u in the place of r and v in that of s
   std::optional<BivariatePolynomial> half;  // the same of the bound of a cone of one nappe
-  bool contains_patch;
+  bool contains_patch = false;
   CurveGraph graph;
 };
 

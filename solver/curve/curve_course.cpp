@@ -1,0 +1,280 @@
+#include "curve/curve_course.h"
+
+#include <exsect/algebra/interruption.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "answer/parameter_box.h"
+#include "answer/proof_failure.h"
+#include "curve/curve_place.h"
+#include "curve/plane_strip.h"
+
+namespace exsect {
+namespace {
+
+/// The shares of a tolerance: the strip, and the chord in space.
+constexpr double kStripShare = 0.55;
+constexpr double kChordShare = 0.3;
+/// The greatest half width of strips in v.
+constexpr double kWidestStrip = 0x1p-5;
+constexpr double kLongestStep = 0x1p-3;
+/// After so many halved steps arcs are told apart exactly.
+constexpr int kPatience = 8;
+/// Steps shorter than this, in doubles and with more bits, are left to longer numbers.
+constexpr double kLeastStep = 0x1p-46;
+constexpr double kLeastLongStep = 0x1p-900;
+
+double strip_width(const DrawnPatch& patch, double tolerance) {
+  const double w = kStripShare * tolerance / patch.rates().v;
+  return w < kWidestStrip ? w : kWidestStrip;
+}
+
+/// Where the drawing of an arc has come: the arc over u is within `reach` of v.
+struct Front {
+  Rational u;
+  Rational v;
+  double reach;
+};
+
+/// What is drawn of an arc from a place inside it to one of its nodes.
+struct HalfCourse {
+  std::vector<std::array<Rational, 2>> vertices;
+  double strip = 0;  // the greatest distance in v between a chord and the arc
+  double chord = 0;  // the greatest bound of the chords in space
+};
+
+/// Follows one arc from a front to a node.
+class Follower {
+ public:
+  Follower(const CurveGraph& graph, std::size_t arc, const NodePlace& node, const DrawnPatch& patch,
+           double tolerance)
+      : graph_(graph), arc_(arc), node_(node), patch_(patch), tolerance_(tolerance) {
+    widest_ = strip_width(patch, tolerance);
+  }
+
+  HalfCourse run(Front front) {
+    if (!follow<DoubleBall>(front, kLeastStep) && !follow<ArbBall<256>>(front, 0x1p-200) &&
+        !follow<ArbBall<1024>>(front, kLeastLongStep))
+      throw ProofFailure(whole_domain(), "an arc of a plane curve cannot be drawn");
+    return std::move(course_);
+  }
+
+ private:
+  template <class Ball>
+  static Ball rounded(const Rational& q) {
+    return Ball::enclosing(q).midpoint();
+  }
+  template <class Ball>
+  static Rational exact(const Ball& ball) {
+    return ball.interval().lower;
+  }
+  template <class Ball>
+  static Ball in_square(const Ball& v) {
+    return (v - Ball(1)).approximation() > 0 ? Ball(1) : v.approximation() < 0 ? Ball(0) : v;
+  }
+
+  /// True when the node is reached; otherwise the front is as far as these numbers lead.
+  template <class Ball>
+  bool follow(Front& front, double least) {
+    const PlaneStrip<Ball> curve(graph_.swept);
+    StripPoint<Ball> at{rounded<Ball>(front.u), rounded<Ball>(front.v)};
+    if (exact(at.u) != front.u || exact(at.v) != front.v) return false;
+    const StripPoint<Ball> end{rounded<Ball>(node_[0].midpoint()), rounded<Ball>(node_[1].midpoint())};
+    const double slack = place_slack(0, exact(end.u));
+    const double direction = (end.u - at.u).approximation() > 0 ? 1 : -1;
+    double step = 0x1p-8, width = widest_;
+    int failures = 0;  // since the last chord
+    for (;;) {
+      interruption_point();
+      const double left = std::fabs((end.u - at.u).approximation());
+      if (!(left > 4 * slack)) return false;
+      if (step >= 0.75 * left) {
+        if (advance(curve, front, at, end, widest_, slack)) return true;
+        step = left / 2;
+        width = std::min(width, widest_ / 4);
+      }
+      if (step < least) return false;
+      StripPoint<Ball> next{(at.u + Ball(direction * step)).midpoint(), at.v};
+      const StripPoint<Ball> before = at;
+      const std::optional<Ball> v = guess(curve, at, next.u, width, failures >= kPatience);
+      if (v && (next.v = *v, advance(curve, front, at, next, width, 0))) {
+        slope_ = (next.v - before.v).approximation() / (next.u - before.u).approximation();
+        at = next;
+        failures = 0;
+        step = std::min(step * 1.5, kLongestStep);
+        width = std::min(width * 2, widest_);
+      } else {
+        step /= 2;
+        width /= 2;
+        ++failures;
+      }
+    }
+  }
+
+  /// About the v of the arc over u. Newton's method starts from the last chord; where it does not come to
+  /// rest, as beside another arc, the arc is isolated if `isolate`.
+  template <class Ball>
+  std::optional<Ball> guess(const PlaneStrip<Ball>& curve, const StripPoint<Ball>& at, const Ball& u,
+                            double width, bool isolate) const {
+    const double move = slope_ * (u - at.u).approximation();
+    const std::optional<Ball> v = curve.zero_near(u, (at.v + Ball(move)).midpoint(), width / 8);
+    if (v) return in_square(*v);
+    if (!isolate) return std::nullopt;
+    const std::optional<RationalInterval> found = arc_over(graph_, arc_, exact(u), from_double(width / 8));
+    if (!found) return std::nullopt;
+    return in_square(rounded<Ball>(found->midpoint()));
+  }
+
+  /// A bound of the distance of the node's coordinate from `middle`.
+  double place_slack(std::size_t k, const Rational& middle) const {
+    return to_double(std::max<Rational>(middle - node_[k].lower, node_[k].upper - middle)) * (1 + 0x1p-40) +
+           0x1p-1000;
+  }
+
+  /// The chord from `at`, which is the front, to `to`, if it is proved; the front is there then.
+  template <class Ball>
+  bool advance(const PlaneStrip<Ball>& curve, Front& front, StripPoint<Ball>& at, const StripPoint<Ball>& to,
+               double width, double slack) {
+    const double chord =
+        patch_.chord_bound((to.u - at.u).upper_magnitude(), (to.v - at.v).upper_magnitude()) +
+        patch_.rates().u * slack;
+    if (!(chord <= kChordShare * tolerance_)) return false;
+    if (!(front.reach < width / 2) && !narrow(curve, front, at)) return false;
+    const std::optional<double> off = curve.clear(at, to, width, slack);
+    if (!off || !(front.reach + *off < width)) return false;
+    front = {exact(to.u), exact(to.v), (width + *off) * (1 + 0x1p-40)};
+    course_.vertices.push_back({front.u, front.v});
+    course_.strip = std::max(course_.strip, front.reach);
+    course_.chord = std::max(course_.chord, chord);
+    return true;
+  }
+
+  /// Makes the reach of the front small, by moving it in v where it has to be.
+  template <class Ball>
+  bool narrow(const PlaneStrip<Ball>& curve, Front& front, StripPoint<Ball>& at) {
+    if (const std::optional<Ball> v = curve.zero_near(at.u, at.v, front.reach * 0x1p-16)) {
+      const StripPoint<Ball> moved{at.u, in_square(*v)};
+      const double both = front.reach + (moved.v - at.v).upper_magnitude();
+      const std::optional<double> distance = curve.distance_of_zero(moved, both);
+      if (distance && *distance < front.reach / 2) {
+        move(front, at, exact(moved.v), *distance);
+        return true;
+      }
+    }
+    const Rational fine = from_double(front.reach) * power_of_two(-30);
+    const std::optional<RationalInterval> found = arc_over(graph_, arc_, front.u, fine);
+    if (!found) return false;
+    const Rational v = exact(in_square(rounded<Ball>(found->midpoint())));
+    const Rational off = std::max<Rational>(abs(found->lower - v), abs(found->upper - v));
+    move(front, at, v, to_double(off) * (1 + 0x1p-40) + 0x1p-1000);
+    return true;
+  }
+
+  template <class Ball>
+  void move(Front& front, StripPoint<Ball>& at, const Rational& v, double reach) {
+    const double moved = to_double(abs(v - front.v)) * (1 + 0x1p-40);
+    if (!course_.vertices.empty() && moved <= widest_ / 16) {  // the last chord turns a little
+      course_.vertices.back()[1] = v;
+      course_.strip = std::max(course_.strip, (front.reach + moved) * (1 + 0x1p-40));
+    } else {
+      course_.vertices.push_back({front.u, v});
+    }
+    front.v = v;
+    front.reach = reach;
+    at.v = rounded<Ball>(v);
+  }
+
+  const CurveGraph& graph_;
+  std::size_t arc_;
+  const NodePlace& node_;
+  const DrawnPatch& patch_;
+  double tolerance_;
+  double widest_;
+  double slope_ = 0;  // of the last chord
+  HalfCourse course_;
+};
+
+/// A dyadic number of few bits in the widest of the arc's columns.
+Rational inner_place(const CurveGraph& graph, const ArcColumns& columns) {
+  Rational lower = 0, upper = 0;
+  for (std::size_t i = columns.first; i <= columns.last; ++i) {
+    const Rational a = graph.values[i].interval().upper, b = graph.values[i + 1].interval().lower;
+    if (b - a > upper - lower) lower = a, upper = b;
+  }
+  for (long bits = 8;; bits *= 2) {
+    const Rational units = (lower + upper) / 2 * power_of_two(bits);
+    const Rational middle = Rational(Integer(numerator(units) / denominator(units))) * power_of_two(-bits);
+    if (lower < middle && middle < upper) return middle;
+  }
+}
+
+/// Vertices in doubles; the bound covers those of the chords in space and of the strips.
+CurveCourse drawn(const std::vector<std::array<Rational, 2>>& vertices, double bound,
+                  const DrawnPatch& patch) {
+  CurveCourse course{};
+  double error = 0;
+  for (const auto& [u, v] : vertices) {
+    const DrawnPoint point = patch.at(DoubleBall::enclosing(u), DoubleBall::enclosing(v));
+    course.parameters.push_back({to_double(u), to_double(v)});
+    course.points.push_back(point.point);
+    error = std::max(error, point.error);
+  }
+  course.error_bound = (bound + error) * (1 + 0x1p-40);
+  return course;
+}
+
+bool is_on_side(const TriangularPoint& inside) {
+  const RationalInterval& v = inside.r_interval();
+  return v.lower == v.upper && (v.lower == 0 || v.lower == 1);
+}
+
+}  // namespace
+
+Rational place_width(const DrawnPatch& patch, double tolerance) {
+  const double w = std::min(strip_width(patch, tolerance), kChordShare * tolerance / patch.rates().u);
+  if (!(w > 0)) throw ProofFailure(whole_domain(), "the tolerance is below the range of doubles");
+  return std::min<Rational>(power_of_two(-60), power_of_two(std::ilogb(w) - 12));
+}
+
+CurveCourse curve_course(const CurveGraph& graph, const std::vector<NodePlace>& places, std::size_t arc,
+                         const DrawnPatch& patch, double tolerance) {
+  const CurveBranch& branch = graph.arcs[arc];
+  const NodePlace &from = places[branch.from], &to = places[branch.to];
+  const std::optional<ArcColumns> columns = columns_of_arcs(graph)[arc];
+  if (!columns || is_on_side(branch.inside)) return straight_course(from, to, patch, tolerance);
+  const Rational u = inner_place(graph, *columns);
+  const double fine = strip_width(patch, tolerance) * 0x1p-10;
+  const RationalInterval at =
+      *arc_over(graph, arc, u, std::min<Rational>(from_double(fine), power_of_two(-60)));
+  const Rational v = from_double(to_double(at.midpoint()));
+  const double reach =
+      to_double(std::max<Rational>(abs(at.lower - v), abs(at.upper - v))) * (1 + 0x1p-40) + 0x1p-1000;
+  HalfCourse left = Follower(graph, arc, from, patch, tolerance).run({u, v, reach});
+  const HalfCourse right = Follower(graph, arc, to, patch, tolerance).run({u, v, reach});
+  std::vector<std::array<Rational, 2>> vertices(left.vertices.rbegin(), left.vertices.rend());
+  vertices.push_back({u, v});
+  vertices.insert(vertices.end(), right.vertices.begin(), right.vertices.end());
+  const double bound =
+      patch.rates().v * std::max(left.strip, right.strip) + std::max(left.chord, right.chord);
+  return drawn(vertices, bound, patch);
+}
+
+CurveCourse straight_course(const NodePlace& from, const NodePlace& to, const DrawnPatch& patch,
+                            double tolerance) {
+  const Rational u0 = from[0].midpoint(), v0 = from[1].midpoint();
+  const Rational du = to[0].midpoint() - u0, dv = to[1].midpoint() - v0;
+  const double whole = patch.chord_bound(to_double(du), to_double(dv));
+  const double wanted = std::ceil(std::sqrt(whole / (kChordShare * tolerance)));
+  const int count = wanted < 100000 ? std::max(1, static_cast<int>(wanted)) : 100000;
+  std::vector<std::array<Rational, 2>> vertices;
+  for (int i = 0; i <= count; ++i)
+    vertices.push_back({u0 + du * Rational(i, count), v0 + dv * Rational(i, count)});
+  double slack = 0;
+  for (const NodePlace& place : {from, to})
+    slack = std::max(
+        slack, patch.rates().u * to_double(place[0].width()) + patch.rates().v * to_double(place[1].width()));
+  return drawn(vertices, whole / count / count + slack, patch);
+}
+
+}  // namespace exsect

@@ -1,0 +1,121 @@
+#include "curve/drawn_patch.h"
+
+#include <exsect/algebra/tensor_bernstein.h>
+#include <exsect/geometry/beyond_doubles.h>
+#include <exsect/geometry/bounding_box.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect {
+namespace {
+
+/// Covers the roundings of a few sums, products and a root of nonnegative doubles.
+constexpr double kRatesSlack = 1 + 0x1p-40;
+
+using Components = std::array<BivariatePolynomial, 4>;
+
+/// An upper bound of the length of (f_1, f_2, f_3) on the square, and of |f_4|.
+struct LengthBounds {
+  double vector;
+  double weight;
+};
+LengthBounds length_bounds(const Components& f) {
+  std::array<double, 4> most{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (f[k].is_zero()) continue;
+    const RationalInterval range = range_bound(f[k]);
+    most[k] = to_double(std::max<Rational>(abs(range.lower), abs(range.upper)));
+  }
+  return {std::hypot(most[0], most[1], most[2]) * kRatesSlack, most[3] * kRatesSlack};
+}
+
+Components derived(const Components& f, bool in_u) {
+  Components result;
+  for (std::size_t k = 0; k < 4; ++k) result[k] = in_u ? f[k].derivative_r() : f[k].derivative_s();
+  return result;
+}
+
+/// A lower bound of f on the square; positive if f is.
+double least_value(const BivariatePolynomial& f) {
+  for (int depth = 0; depth <= 8; ++depth) {
+    const Rational lower = range_bound(f, {}, depth).lower;
+    if (lower > 0) return to_double(lower) / kRatesSlack;
+  }
+  return 0;
+}
+
+/// From X = w x about the centre by Leibniz's rule: w x_u = X_u - w_u x, and so on.
+PatchRates rates_of(const Components& x) {
+  const double w = least_value(x[3]);
+  const Components x_u = derived(x, true), x_v = derived(x, false);
+  const LengthBounds none = length_bounds(x), u = length_bounds(x_u), v = length_bounds(x_v);
+  const double size = none.vector / w;
+  const auto second = [&](const Components& f, double rate_a, double weight_a, double rate_b,
+                          double weight_b) {
+    const LengthBounds of = length_bounds(f);
+    return (of.vector + of.weight * size + rate_a * weight_b + rate_b * weight_a) / w * kRatesSlack;
+  };
+  PatchRates rates{};
+  rates.u = (u.vector + u.weight * size) / w * kRatesSlack;
+  rates.v = (v.vector + v.weight * size) / w * kRatesSlack;
+  rates.uu = second(derived(x_u, true), rates.u, u.weight, rates.u, u.weight);
+  rates.uv = second(derived(x_u, false), rates.u, u.weight, rates.v, v.weight);
+  rates.vv = second(derived(x_v, false), rates.v, v.weight, rates.v, v.weight);
+  return rates;
+}
+
+}  // namespace
+
+DrawnPatch::DrawnPatch(const RationalPatch& patch) {
+  const BoundingBox box = bounding_box(patch);
+  extent_ = to_double(largest_extent(box));
+  Point centre;
+  for (std::size_t k = 0; k < 3; ++k) {
+    centre_[k] = to_double((box.lower[k] + box.upper[k]) / 2);
+    if (!std::isfinite(centre_[k]) || !std::isfinite(extent_))
+      throw BeyondDoubles("control points must lie in the range of doubles");
+    centre[k] = from_double(centre_[k]);
+  }
+  Components x;
+  for (int k = 0; k < 4; ++k) x[static_cast<std::size_t>(k)] = patch.component(k);
+  for (std::size_t k = 0; k < 3; ++k) x[k] -= x[3] * BivariatePolynomial::constant(centre[k]);
+  rates_ = rates_of(x);
+  m_ = patch.degree_u();
+  n_ = patch.degree_v();
+  for (std::size_t k = 0; k < 4; ++k)
+    for (int i = 0; i <= m_; ++i)
+      for (int j = 0; j <= n_; ++j) components_[k].push_back(DoubleBall::enclosing(x[k].coefficient(i, j)));
+}
+
+DrawnPoint DrawnPatch::at(const DoubleBall& u, const DoubleBall& v) const {
+  std::array<DoubleBall, 4> x;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::vector<DoubleBall>& c = components_[k];
+    for (std::size_t i = static_cast<std::size_t>(m_) + 1; i-- > 0;) {
+      const std::size_t row = i * (static_cast<std::size_t>(n_) + 1);
+      DoubleBall in_v;
+      for (std::size_t j = static_cast<std::size_t>(n_) + 1; j-- > 0;) in_v = in_v * v + c[row + j];
+      x[k] = x[k] * u + in_v;
+    }
+  }
+  DrawnPoint result{};
+  double squared = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double quotient = x[k].approximation() / x[3].approximation();
+    const double off = (x[k] - x[3] * DoubleBall(quotient)).upper_magnitude() / x[3].lower_magnitude();
+    result.point[k] = centre_[k] + quotient;
+    const double rounding = std::fabs(result.point[k]) * 0x1p-52 + 0x1p-1000;
+    squared += (off + rounding) * (off + rounding);
+  }
+  result.error = std::sqrt(squared) * kRatesSlack + 0x1p-500;
+  return result;
+}
+
+double DrawnPatch::chord_bound(double du, double dv) const {
+  du = std::fabs(du);
+  dv = std::fabs(dv);
+  return (rates_.uu * du * du + 2 * rates_.uv * du * dv + rates_.vv * dv * dv) / 8 * kRatesSlack;
+}
+
+}  // namespace exsect

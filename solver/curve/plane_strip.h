@@ -1,0 +1,130 @@
+// A plane curve f(u,v) = 0 in ball arithmetic: strips whose edges it does not meet. Internal to solver/;
+// docs/method.md, section 17.3.
+#pragma once
+
+#include <exsect/algebra/ball.h>
+#include <exsect/algebra/bivariate_polynomial.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace exsect {
+
+/// A point (u,v), both of radius 0.
+template <class Ball>
+struct StripPoint {
+  Ball u;
+  Ball v;
+};
+
+template <class Ball>
+class PlaneStrip {
+ public:
+  /// Of f != 0, u in the place of r and v in that of s.
+  explicit PlaneStrip(const BivariatePolynomial& f)
+      : m_(static_cast<std::size_t>(f.degree_r())), n_(static_cast<std::size_t>(f.degree_s())) {
+    Rational most = 0;
+    for (int i = 0; i <= f.degree_r(); ++i)
+      for (int j = 0; j <= f.degree_s(); ++j) most = std::max<Rational>(most, abs(f.coefficient(i, j)));
+    for (int i = 0; i <= f.degree_r(); ++i)
+      for (int j = 0; j <= f.degree_s(); ++j) c_.push_back(Ball::enclosing(f.coefficient(i, j) / most));
+  }
+
+  /// About the zero of f(u,.) near v, by Newton's method; empty if it does not come to rest within `rest`.
+  std::optional<Ball> zero_near(const Ball& u, Ball v, double rest) const {
+    for (int step = 0; step < 16; ++step) {
+      Ball value, slope;
+      for (std::size_t j = n_ + 1; j-- > 0;) {
+        Ball in_u;
+        for (std::size_t i = m_ + 1; i-- > 0;) in_u = in_u * u + c_[i * (n_ + 1) + j];
+        slope = slope * v + value;
+        value = value * v + in_u;
+      }
+      const double move = -value.approximation() / slope.approximation();
+      if (!(std::fabs(move) <= 1)) return std::nullopt;
+      v = (v + Ball(move)).midpoint();
+      if (std::fabs(move) <= rest) return v;
+    }
+    return std::nullopt;
+  }
+
+  /// Proves that f has no zero on the two edges v = l(u) - w and v = l(u) + w of the strip around a line l,
+  /// as far as they are in the square, for u from a.u to b.u and `slack` beyond both; a bound of |l - v| in a
+  /// and b, less than w. Empty if it is not proved.
+  std::optional<double> clear(const StripPoint<Ball>& a, const StripPoint<Ball>& b, double w,
+                              double slack) const {
+    const Ball half(0.5);
+    const Ball u = ((a.u + b.u) * half).midpoint(), v = ((a.v + b.v) * half).midpoint();
+    const Ball du = b.u - a.u, dv = b.v - a.v;
+    const Ball slope(dv.approximation() / du.approximation());
+    const double reach =
+        std::max((a.u - u).upper_magnitude(), (b.u - u).upper_magnitude()) * (1 + 0x1p-40) + slack;
+    const double off = std::max((a.v - v - slope * (a.u - u)).upper_magnitude(),
+                                (b.v - v - slope * (b.u - u)).upper_magnitude());
+    const std::vector<Ball> c = shifted(u, v);
+    const double rise = std::fabs(slope.approximation()) * reach * (1 + 0x1p-40);
+    for (const double edge : {-w, w}) {
+      const double at = v.approximation() + edge;
+      if (at - rise > 1 + 0x1p-48 || at + rise < -0x1p-48) continue;  // outside the square throughout
+      if (!has_sign(along(c, slope, Ball(edge)), reach)) return std::nullopt;
+    }
+    if (!(off < w)) return std::nullopt;
+    return off;
+  }
+
+  /// f(u, v + e) for |e| <= w is monotone in e; a bound of |e| for its zero. Empty if that is not proved.
+  std::optional<double> distance_of_zero(const StripPoint<Ball>& at, double w) const {
+    const std::vector<Ball> c = shifted(at.u, at.v);
+    double least = n_ > 0 ? c[1].lower_magnitude() : 0, power = w;
+    for (std::size_t j = 2; j <= n_; ++j, power *= w)
+      least -= static_cast<double>(j) * c[j].upper_magnitude() * power * (1 + 0x1p-40);
+    if (n_ == 0 || !(least > c[1].lower_magnitude() * 0x1p-30)) return std::nullopt;
+    return c[0].upper_magnitude() / least * (1 + 0x1p-40) + 0x1p-1000;
+  }
+
+ private:
+  /// Coefficients of f(u + x, v + y), in the same order.
+  std::vector<Ball> shifted(const Ball& u, const Ball& v) const {
+    std::vector<Ball> c = c_;
+    const std::size_t row = n_ + 1;
+    for (std::size_t k = 0; k < m_; ++k)
+      for (std::size_t i = m_; i-- > k;)
+        for (std::size_t j = 0; j < row; ++j) c[i * row + j] += u * c[(i + 1) * row + j];
+    for (std::size_t i = 0; i <= m_; ++i)
+      for (std::size_t k = 0; k < n_; ++k)
+        for (std::size_t j = n_; j-- > k;) c[i * row + j] += v * c[i * row + j + 1];
+    return c;
+  }
+
+  /// Coefficients of f(x, slope x + edge) in x.
+  std::vector<Ball> along(const std::vector<Ball>& c, const Ball& slope, const Ball& edge) const {
+    std::vector<Ball> result(m_ + n_ + 1);
+    for (std::size_t j = n_ + 1, used = 0; j-- > 0;) {
+      if (used > 0) {
+        for (std::size_t i = used + 1; i-- > 0;)
+          result[i] = i > 0 ? result[i] * edge + result[i - 1] * slope : result[i] * edge;
+        ++used;
+      } else {
+        used = m_ + 1;
+      }
+      for (std::size_t i = 0; i <= m_; ++i) result[i] += c[i * (n_ + 1) + j];
+    }
+    return result;
+  }
+
+  /// The polynomial has one sign, and no zero, for |x| <= reach.
+  static bool has_sign(const std::vector<Ball>& f, double reach) {
+    double others = 0, power = reach;
+    for (std::size_t i = 1; i < f.size(); ++i, power *= reach * (1 + 0x1p-50))
+      others += f[i].upper_magnitude() * power;
+    return f[0].lower_magnitude() > others * (1 + 0x1p-40) + 0x1p-1000;
+  }
+
+  std::size_t m_;
+  std::size_t n_;
+  std::vector<Ball> c_;  // of u^i v^j at i (n + 1) + j
+};
+
+}  // namespace exsect

@@ -1,0 +1,164 @@
+#include "intersect_surface.h"
+
+#include <exsect/algebra/nearest_rounding.h>
+#include <exsect/algebra/tensor_bernstein.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "answer/coarse_drawing.h"
+#include "answer/finished_result.h"
+#include "answer/graph_builder.h"
+#include "answer/parameter_box.h"
+#include "answer/proof_failure.h"
+#include "answer/run.h"
+#include "curve/curve_course.h"
+#include "curve/curve_place.h"
+#include "curve/surface_curve.h"
+
+namespace exsect {
+namespace {
+
+ParameterBox box_of(const NodePlace& place) { return {place[0], place[1], {0, 0}, {0, 0}}; }
+
+std::vector<Side> sides_of(const NodePlace& place) {
+  std::vector<Side> sides;
+  for (const Parameter p : {Parameter::u, Parameter::v})
+    for (const int value : {0, 1}) {
+      const RationalInterval& at = place[index(p)];
+      if (at.lower == value && at.upper == value) sides.push_back({p, value});
+    }
+  return sides;
+}
+
+Node node_at(const NodePlace& place, const DrawnPatch& patch) {
+  const std::array<double, 4> approx = {to_double(place[0].midpoint()), to_double(place[1].midpoint()), 0, 0};
+  const DrawnPoint point = patch.at(DoubleBall(approx[0]), DoubleBall(approx[1]));
+  return {0, {}, sides_of(place), {}, box_of(place), approx, point.point};
+}
+
+std::vector<NodeKind> kinds_of(const CurveNode& at, const Node& node) {
+  std::vector<NodeKind> kinds;
+  if (!node.on.empty()) kinds.push_back(NodeKind::boundary);
+  if (node.on.size() > 1) kinds.push_back(NodeKind::corner);
+  if (!node.wrt.empty()) kinds.push_back(NodeKind::turning);
+  const bool begins = at.degree() == 1 && node.on.empty();  // in the apex of one nappe
+  if (at.is_singular || begins)
+    kinds.push_back(at.degree() == 0                                         ? NodeKind::touch
+                    : at.degree() > 2 || (at.degree() == 2 && at.is_on_side) ? NodeKind::crossing
+                                                                             : NodeKind::cusp);
+  return kinds;
+}
+
+bool turns(const CurveNode& node) {
+  return !node.is_singular && !node.is_on_side && node.vertical == 0 && (node.left == 2 || node.right == 2);
+}
+
+std::vector<PolylineVertex> polyline_of(const CurveCourse& course) {
+  std::vector<PolylineVertex> polyline;
+  for (std::size_t i = 0; i < course.points.size(); ++i)
+    polyline.push_back({{course.parameters[i][0], course.parameters[i][1], 0, 0}, course.points[i]});
+  return polyline;
+}
+
+bool lie_on_one_side(const Node& a, const Node& b) {
+  return std::any_of(a.on.begin(), a.on.end(), [&](const Side& side) {
+    return std::find(b.on.begin(), b.on.end(), side) != b.on.end();
+  });
+}
+
+/// The arc lies on a side: on a line of the square through its nodes on which its inner point lies.
+ArcPlace place_of_arc(const CurveBranch& arc, const Node& from, const Node& to) {
+  const RationalInterval v = arc.inside.r_interval();
+  const RealAlgebraic& u = arc.inside.s();
+  const bool on_v = v.lower == v.upper && (v.lower == 0 || v.lower == 1);
+  const bool on_u = u == RealAlgebraic(0) || u == RealAlgebraic(1);
+  return (on_u || on_v) && lie_on_one_side(from, to) ? ArcPlace::patch_boundary : ArcPlace::interior;
+}
+
+void add_nodes(GraphBuilder& builder, const CurveGraph& curve, const std::vector<NodePlace>& places,
+               const DrawnPatch& patch) {
+  for (std::size_t i = 0; i < curve.nodes.size(); ++i) {
+    Node node = node_at(places[i], patch);
+    if (turns(curve.nodes[i])) node.wrt = {Parameter::u};
+    node.kinds = kinds_of(curve.nodes[i], node);
+    const Rational width = std::max<Rational>(places[i][0].width(), places[i][1].width());
+    const int id = builder.add_node(std::move(node), to_double(width) + 0x1p-53);
+    if (curve.nodes[i].degree() == 0) builder.add_isolated(id);
+  }
+}
+
+GraphBuilder drawn_graph(const CurveGraph& curve, const DrawnPatch& patch, double tolerance) {
+  std::vector<NodePlace> places;
+  for (std::size_t i = 0; i < curve.nodes.size(); ++i)
+    places.push_back(place_of(curve, i, place_width(patch, tolerance)));
+  GraphBuilder builder;
+  add_nodes(builder, curve, places, patch);
+  for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
+    const CurveBranch& arc = curve.arcs[i];
+    const CurveCourse course = curve_course(curve, places, i, patch, tolerance);
+    const int from = static_cast<int>(arc.from), to = static_cast<int>(arc.to);
+    builder.add_arc({0, 0, from, to, place_of_arc(arc, builder.node(from), builder.node(to)),
+                     arc.multiplicity > 1 ? Contact::tangential : Contact::transversal, polyline_of(course),
+                     course.error_bound});
+  }
+  return builder;
+}
+
+/// The whole patch: its four sides in order around the square.
+GraphBuilder whole_patch(const DrawnPatch& patch, double tolerance) {
+  GraphBuilder builder;
+  std::vector<NodePlace> corners;
+  for (const auto& [u, v] : {std::array{0, 0}, std::array{1, 0}, std::array{1, 1}, std::array{0, 1}}) {
+    corners.push_back({RationalInterval{u, u}, RationalInterval{v, v}});
+    Node node = node_at(corners.back(), patch);
+    node.kinds = {NodeKind::boundary, NodeKind::corner, NodeKind::end_of_overlap};
+    builder.add_node(std::move(node), 0);
+  }
+  std::vector<Arc> chain;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const CurveCourse course = straight_course(corners[i], corners[(i + 1) % 4], patch, tolerance);
+    chain.push_back({0, -1, static_cast<int>(i), static_cast<int>((i + 1) % 4), ArcPlace::patch_boundary,
+                     Contact::tangential, polyline_of(course), course.error_bound});
+  }
+  builder.add_overlap({std::move(chain)});
+  return builder;
+}
+
+/// 1 and -1: the polynomial has no zero, or none but on the rim of what is below 0, in the square.
+int sign_on_square(const BivariatePolynomial& f) {
+  const RationalInterval range = range_bound(f, {}, 4);
+  return range.lower >= 0 ? 1 : range.upper < 0 ? -1 : 0;
+}
+
+IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, const Run& run) {
+  SurfaceCurve curve;
+  run.timed("curve", [&] { curve = surface_curve(surface, x); });
+  const DrawnPatch patch(x.reduced());
+  const double tolerance = run.drawn_tolerance(patch.extent());
+  GraphBuilder builder;
+  std::vector<Incomplete> incomplete;
+  run.timed("drawing", [&] {
+    if (!curve.contains_patch)
+      builder = drawn_graph(curve.graph, patch, tolerance);
+    else if (const int half = curve.half ? sign_on_square(*curve.half) : 1; half > 0)
+      builder = whole_patch(patch, tolerance);
+    else if (half == 0)
+      incomplete.push_back({whole_domain(), "a patch on both nappes of the cone of which one is meant"});
+  });
+  IntersectResult result = finished(std::move(builder), {{Parameter::u}}, std::move(incomplete));
+  result.coarse = coarse_drawing(result.graph, run.tolerance(patch.extent()));
+  return result;
+}
+
+}  // namespace
+
+IntersectResult intersect(const ImplicitSurface& surface, const RationalPatch& x,
+                          const IntersectOptions& options) {
+  return in_nearest_rounding([&] {
+    const Run run(options);
+    return run.finished(answered(run, [&] { return solved(surface, x, run); }));
+  });
+}
+
+}  // namespace exsect

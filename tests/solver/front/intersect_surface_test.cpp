@@ -1,0 +1,234 @@
+#include <exsect/geometry/surface_pull_back.h>
+#include <exsect/solver/intersect_surface.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+#include "support/catch.h"
+
+namespace exsect::intersect_surface_test {
+namespace {
+
+const Point origin = {0, 0, 0}, up = {0, 0, 1};
+const std::vector<int> near = {3, 6, 10, 20};
+Rational tenth_to(int k) {
+  Rational value = 1;
+  for (int i = 0; i < k; ++i) value /= 10;
+  return value;
+}
+
+/// The half u -> (1 - t^2, 2 t) / (1 + t^2), t = 2 u - 1, of the circle about (x,y), extruded from z to z'.
+RationalPatch half_cylinder(const Rational& x, const Rational& y, const Rational& z, const Rational& to) {
+  std::vector<std::vector<HomogeneousPoint>> net(3);
+  for (const Rational& height : {z, to}) {
+    net[0].push_back({2 * x, 2 * y - 2, 2 * height, 2});
+    net[1].push_back({2, 0, 0, 0});
+    net[2].push_back({2 * x, 2 * y + 2, 2 * height, 2});
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+
+RationalPatch bilinear(const Point& a, const Point& b, const Point& c, const Point& d) {
+  return RationalPatch({{a, b}, {c, d}});
+}
+
+using Vector = std::array<double, 3>;
+
+double distance(const Vector& p, const Vector& a, const Vector& b) {
+  double along = 0, length = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    along += (p[k] - a[k]) * (b[k] - a[k]);
+    length += (b[k] - a[k]) * (b[k] - a[k]);
+  }
+  const double t = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
+  double squared = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double d = p[k] - a[k] - t * (b[k] - a[k]);
+    squared += d * d;
+  }
+  return std::sqrt(squared);
+}
+
+/// The distance of p from the polylines less the bound of the nearest one, and from the points without arcs.
+double excess(const IntersectionGraph& graph, const Vector& p) {
+  double least = 1e300;
+  for (const Arc& arc : graph.arcs)
+    for (std::size_t i = 0; i + 1 < arc.polyline.size(); ++i)
+      least =
+          std::min(least, distance(p, arc.polyline[i].point, arc.polyline[i + 1].point) - arc.error_bound);
+  for (const int id : graph.isolated_points) {
+    const Vector& q = graph.nodes[static_cast<std::size_t>(id)].point;
+    least = std::min(least, distance(p, q, q));
+  }
+  return least;
+}
+
+Vector in_doubles(const Point& p) { return {to_double(p[0]), to_double(p[1]), to_double(p[2])}; }
+
+/// Points of the intersection over lines u = const and v = const, by real roots of one polynomial each.
+std::vector<Vector> true_points(const ImplicitSurface& surface, const RationalPatch& x, int lines) {
+  const BivariatePolynomial f = pull_back(surface.equation(), x);
+  std::vector<Vector> points;
+  const auto add = [&](const Polynomial& g, const Rational& fixed, bool is_u) {
+    if (g.degree() < 1) return;
+    for (const RealAlgebraic& root : real_roots(g, 0, 1)) {
+      const Rational t = root.refined_to(power_of_two(-70)).interval().midpoint();
+      const Point p = is_u ? x(fixed, t) : x(t, fixed);
+      if (!surface.bound() || (*surface.bound())(p) >= 0) points.push_back(in_doubles(p));
+    }
+  };
+  for (int i = 0; i <= lines; ++i) {
+    const Rational at = i == 0 || i == lines ? Rational(i / lines) : Rational(7 * i + 1, 7 * lines + 3);
+    add(f.at_r(at), at, true);
+    add(f.at_s(at), at, false);
+  }
+  return points;
+}
+
+/// Complete, every true point is within the bounds, the bounds keep the tolerance, and every vertex lies on
+/// the patch and, to first order, on the surface.
+IntersectResult checked(const ImplicitSurface& surface, const RationalPatch& x, double tolerance = 1e-6,
+                        bool has_arcs = true) {
+  IntersectOptions options;
+  options.tolerance = tolerance;
+  const IntersectResult result = intersect(surface, x, options);
+  for (const Incomplete& reason : result.incomplete) UNSCOPED_INFO(reason.why);
+  REQUIRE(result.status == Status::complete);
+  CHECK_FALSE(result.coarse);
+  CHECK(result.graph.arcs.empty() != has_arcs);
+  double size = 0;
+  for (const Arc& arc : result.graph.arcs)
+    for (const PolylineVertex& vertex : arc.polyline)
+      for (const double c : vertex.point) size = std::max(size, std::fabs(c));
+  for (const Vector& p : true_points(surface, x, 12)) CHECK(excess(result.graph, p) <= 1e-14 * size);
+  for (const Arc& arc : result.graph.arcs)
+    for (std::size_t i = 0; i < arc.polyline.size(); i += 1 + arc.polyline.size() / 16) {
+      const PolylineVertex& vertex = arc.polyline[i];
+      const Rational u = from_double(vertex.parameters[0]), v = from_double(vertex.parameters[1]);
+      const Vector on_patch = in_doubles(x(u, v));
+      CHECK(distance(vertex.point, on_patch, on_patch) <= arc.error_bound);
+      const Point p = {from_double(vertex.point[0]), from_double(vertex.point[1]),
+                       from_double(vertex.point[2])};
+      double gradient = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        gradient += std::pow(to_double(surface.equation().derivative(k)(p)), 2);
+      if (gradient > 0 && surface.kind() != SurfaceKind::polynomial)
+        CHECK(std::fabs(to_double(surface.equation()(p))) <=
+              1.5 * arc.error_bound * std::sqrt(gradient) + 50 * arc.error_bound * arc.error_bound);
+    }
+  return result;
+}
+
+/// Nodes, arcs, components, isolated points.
+using Shape = std::array<std::size_t, 4>;
+Shape shape(const IntersectResult& result) {
+  const IntersectionGraph& g = result.graph;
+  return {g.nodes.size(), g.arcs.size(), g.components.size(), g.isolated_points.size()};
+}
+std::size_t with(const IntersectResult& result, NodeKind kind) {
+  return static_cast<std::size_t>(
+      std::count_if(result.graph.nodes.begin(), result.graph.nodes.end(), [&](const Node& node) {
+        return std::find(node.kinds.begin(), node.kinds.end(), kind) != node.kinds.end();
+      }));
+}
+
+TEST_CASE("Viviani's curve by its equation is drawn through its node") {
+  const RationalPatch x = half_cylinder(1, 0, -2, 2);
+  const IntersectResult viviani = checked(ImplicitSurface::sphere(origin, 2), x);
+  CHECK(shape(viviani) == Shape{5, 4, 1, 0});
+  CHECK(with(viviani, NodeKind::crossing) == 1);
+  for (const int k : near) {
+    CHECK(shape(checked(ImplicitSurface::sphere(origin, Length::of_squared(4 + tenth_to(k))), x))[2] == 2);
+    CHECK(shape(checked(ImplicitSurface::sphere(origin, Length::of_squared(4 - tenth_to(k))), x))[2] == 2);
+  }
+}
+
+TEST_CASE("contact along circles is drawn and named") {
+  const RationalPatch x = half_cylinder(0, 0, -1, 1);
+  const IntersectResult bore = checked(ImplicitSurface::sphere(origin, 1), x);
+  REQUIRE(shape(bore) == Shape{2, 1, 1, 0});
+  CHECK(bore.graph.arcs[0].contact == Contact::tangential);
+  const RationalPatch top = bilinear({-9, -9, 3}, {-9, 9, 3}, {9, -9, 3}, {9, 9, 3});
+  const IntersectResult circle = checked(ImplicitSurface::torus(origin, up, 5, 3), top);
+  REQUIRE(circle.graph.components.size() == 1);
+  CHECK(circle.graph.components[0].shape == ComponentShape::closed);
+  CHECK(circle.graph.arcs[0].contact == Contact::tangential);
+  for (const int k : near) {
+    CHECK(shape(checked(ImplicitSurface::sphere(origin, 1 + tenth_to(k)), x)) == Shape{4, 2, 2, 0});
+    CHECK(shape(checked(ImplicitSurface::sphere(origin, 1 - tenth_to(k)), x, 1e-6, false)) == Shape{});
+    CHECK(shape(checked(ImplicitSurface::torus(origin, up, 5, 3 + tenth_to(k)), top))[2] == 2);
+  }
+}
+
+TEST_CASE("equal cylinders, Villarceau's circles, touch points and apexes are drawn") {
+  const RationalPatch x = half_cylinder(0, 0, -2, 2);
+  CHECK(checked(ImplicitSurface::cylinder(origin, {1, 0, 0}, 1), x).graph.components.size() == 1);
+  CHECK(with(checked(ImplicitSurface::cylinder(origin, {0, 1, 0}, 1), x), NodeKind::crossing) == 1);
+  const auto in_plane = [](const Rational& a, const Rational& b) {
+    return Point{Rational(4, 5) * a, b, Rational(3, 5) * a};
+  };
+  const RationalPatch plane =
+      bilinear(in_plane(-10, -10), in_plane(-10, 10), in_plane(10, -10), in_plane(10, 10));
+  const IntersectResult circles = checked(ImplicitSurface::torus(origin, up, 5, 3), plane);
+  CHECK(with(circles, NodeKind::crossing) == 2);
+  CHECK(circles.graph.components.size() == 1);
+  for (const int k : near)
+    CHECK(checked(ImplicitSurface::torus(origin, up, 5, 3 + tenth_to(k)), plane).graph.components.size() ==
+          2);
+  const RationalPatch level = bilinear({-1, -1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, 1});
+  const IntersectResult touch = checked(ImplicitSurface::sphere(origin, 1), level, 1e-6, false);
+  CHECK(shape(touch) == Shape{1, 0, 0, 1});
+  CHECK(with(touch, NodeKind::touch) == 1);
+  const RationalPatch through = bilinear({0, -1, -1}, {0, -1, 1}, {0, 1, -1}, {0, 1, 1});
+  CHECK(with(checked(ImplicitSurface::cone(origin, up, 1, 2), through), NodeKind::crossing) == 1);
+  CHECK(checked(ImplicitSurface::cone(origin, up, 1), through).graph.arcs.size() == 2);
+  const RationalPatch tangent = bilinear({-1, -1, -1}, {1, -1, 1}, {-1, 1, -1}, {1, 1, 1});
+  const IntersectResult ruling = checked(ImplicitSurface::cone(origin, up, 1), tangent);
+  REQUIRE(shape(ruling) == Shape{2, 1, 1, 0});
+  CHECK(ruling.graph.arcs[0].contact == Contact::tangential);
+}
+
+TEST_CASE("a patch on the surface is an overlap with its sides") {
+  const RationalPatch x = half_cylinder(0, 0, -1, 1);
+  const IntersectResult result = intersect(ImplicitSurface::cylinder(origin, up, 1), x);
+  CHECK(result.status == Status::complete);
+  REQUIRE(result.graph.overlaps.size() == 1);
+  CHECK(result.graph.overlaps[0].chains.at(0).size() == 4);
+  CHECK_FALSE(result.coarse);
+}
+
+TEST_CASE("finer tolerances, other sizes and places are kept to") {
+  const ImplicitSurface sphere = ImplicitSurface::sphere({Rational(1, 3), 0, 0}, Rational(11, 10));
+  const RationalPatch x = half_cylinder(0, 0, -2, 2);
+  for (const double tolerance : {1e-3, 1e-6, 1e-9}) checked(sphere, x, tolerance);
+  std::vector<std::vector<Point>> net(3);
+  const Point far = {from_double(1e8 + 0.1), from_double(-1e8 / 3), from_double(0.7)};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      net[static_cast<std::size_t>(i)].push_back(far + Point{from_double(0.51 * i), from_double(0.49 * j),
+                                                             from_double(0.1 * ((i * 5 + j * 7) % 4))});
+  const IntersectResult result =
+      intersect(ImplicitSurface::sphere(far + Point{Rational(1, 2), Rational(1, 2), 0}, Rational(1, 3)),
+                RationalPatch(net));
+  CHECK(result.status == Status::complete);
+  CHECK(result.graph.arcs.size() > 0);
+}
+
+TEST_CASE("the work cap and bad options are obeyed") {
+  IntersectOptions options;
+  options.max_seconds = 1e-9;
+  const IntersectResult result =
+      intersect(ImplicitSurface::sphere(origin, 2), half_cylinder(1, 0, -2, 2), options);
+  CHECK(result.status == Status::incomplete);
+  REQUIRE(result.incomplete.size() == 1);
+  CHECK(result.incomplete[0].why == "the work cap was reached");
+  options.tolerance = 0;
+  CHECK_THROWS_AS(intersect(ImplicitSurface::sphere(origin, 2), half_cylinder(1, 0, -2, 2), options),
+                  std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace exsect::intersect_surface_test
