@@ -4,6 +4,7 @@
 #include <exsect/algebra/tensor_bernstein.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "answer/coarse_drawing.h"
@@ -15,6 +16,7 @@
 #include "curve/curve_course.h"
 #include "curve/curve_place.h"
 #include "curve/surface_curve.h"
+#include "curve/turning_in_v.h"
 
 namespace exsect {
 namespace {
@@ -81,6 +83,7 @@ void add_nodes(GraphBuilder& builder, const CurveGraph& curve, const std::vector
   for (std::size_t i = 0; i < curve.nodes.size(); ++i) {
     Node node = node_at(places[i], patch);
     if (turns(curve.nodes[i])) node.wrt = {Parameter::u};
+    if (curve.nodes[i].turns_in_v) node.wrt = {Parameter::v};
     node.kinds = kinds_of(curve.nodes[i], node);
     const Rational width = std::max<Rational>(places[i][0].width(), places[i][1].width());
     const int id = builder.add_node(std::move(node), to_double(width) + 0x1p-53);
@@ -134,6 +137,11 @@ int sign_on_square(const BivariatePolynomial& f) {
 IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, const Run& run) {
   SurfaceCurve curve;
   run.timed("curve", [&] { curve = surface_curve(surface, x); });
+  std::vector<Parameter> turning = {Parameter::u};
+  if (std::ranges::find(run.turning(), Parameter::v) != run.turning().end()) {
+    turning.push_back(Parameter::v);
+    run.timed("turning", [&] { curve.graph = with_turning_in_v(std::move(curve.graph)); });
+  }
   const DrawnPatch patch(x.reduced());
   const double tolerance = run.drawn_tolerance(patch.extent());
   GraphBuilder builder;
@@ -146,7 +154,7 @@ IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, c
     else if (half == 0)
       incomplete.push_back({whole_domain(), "a patch on both nappes of the cone of which one is meant"});
   });
-  IntersectResult result = finished(std::move(builder), {{Parameter::u}}, std::move(incomplete));
+  IntersectResult result = finished(std::move(builder), {std::move(turning)}, std::move(incomplete));
   result.coarse = coarse_drawing(result.graph, run.tolerance(patch.extent()));
   return result;
 }

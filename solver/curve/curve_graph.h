@@ -18,6 +18,7 @@ struct CurveNode {
   bool is_on_side;                       // of the square
   int left, right;                       // ends of arcs that come from smaller and from greater u
   int vertical;                          // ends of arcs on u = const
+  bool turns_in_v = false;               // added by with_turning_in_v()
   int degree() const { return left + right + vertical; }
 };
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "answer/parameter_box.h"
+#include "answer/proof_failure.h"
 #include "curve/no_zero.h"
 
 namespace exsect {
@@ -17,11 +19,8 @@ std::optional<std::size_t> column_over(const CurveGraph& graph, const Rational& 
 }
 
 std::size_t value_of(const CurveGraph& graph, const RealAlgebraic& u) {
-  for (std::size_t i = 0; i < graph.values.size(); ++i) {
-    const RationalInterval a = graph.values[i].interval(), b = u.interval();
-    if (a.lower <= b.upper && b.lower <= a.upper) return i;
-  }
-  return 0;
+  return static_cast<std::size_t>(std::find(graph.values.begin(), graph.values.end(), u) -
+                                  graph.values.begin());
 }
 
 /// A rational number at most `reach` away from value i, in the column before or after it.
@@ -33,34 +32,47 @@ Rational beside(const CurveGraph& graph, std::size_t i, bool before, const Ratio
                 : std::min<Rational>(at.upper + reach, (at.upper + next) / 2);
 }
 
-/// A fold: the node lies between bounds that the curve does not meet between its u and a place beside it,
-/// where its two arcs are between them.
-std::array<RationalInterval, 2> fold_place(const CurveGraph& graph, std::size_t node, const Rational& width) {
-  const CurveNode& fold = graph.nodes[node];
-  const std::size_t i = value_of(graph, fold.u);
-  const bool before = fold.left == 2;
-  const CurveColumn& column = graph.columns[before ? i - 1 : i];
-  const auto is_end = [&](std::size_t arc) {
-    return arc != CurveGraph::dropped && (before ? graph.arcs[arc].to : graph.arcs[arc].from) == node;
-  };
-  const auto lower =
-      static_cast<std::size_t>(std::find_if(column.begin(), column.end(), is_end) - column.begin());
+/// The closed interval around the v of all arcs of the column over u that have the node at this end.
+RationalInterval ends_over(const CurveGraph& graph, std::size_t column, bool at_upper_end, std::size_t node,
+                           const Rational& u, const Rational& width) {
+  const std::vector<RealAlgebraic> points = real_roots(graph.swept.at_r(u), 0, 1);
+  std::optional<RationalInterval> all;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::size_t arc = graph.columns[column][k];
+    if (arc == CurveGraph::dropped || (at_upper_end ? graph.arcs[arc].to : graph.arcs[arc].from) != node)
+      continue;
+    const RationalInterval at = points[k].refined_to(width).interval();
+    all = all ? hull(*all, at) : at;
+  }
+  if (!all) throw ProofFailure(whole_domain(), "a node of a curve without its arcs");
+  return *all;
+}
+
+/// A node that is not exact, with arcs alone that are monotone beside it: it lies between bounds that the
+/// curve does not meet between its u and places beside it, where its arcs are between them.
+std::array<RationalInterval, 2> enclosed_place(const CurveGraph& graph, std::size_t node,
+                                               const Rational& width) {
+  const CurveNode& at = graph.nodes[node];
+  const std::size_t i = value_of(graph, at.u);
   for (Rational reach = width * width;; reach = reach * reach) {
     interruption_point();
-    const Rational u = beside(graph, i, before, reach);
-    const RationalInterval at = graph.values[i].refined_to(reach).interval();
-    const RationalInterval window = before ? RationalInterval{u, at.upper} : RationalInterval{at.lower, u};
-    const std::vector<RealAlgebraic> points = real_roots(graph.swept.at_r(u), 0, 1);
-    const RationalInterval a = points[lower].refined_to(width / 8).interval();
-    const RationalInterval b = points[lower + 1].refined_to(width / 8).interval();
-    const Rational room = b.upper - a.lower + width / 4;
-    const RationalInterval v = {std::max<Rational>(a.lower - room, fold.v.lower),
-                                std::min<Rational>(b.upper + room, fold.v.upper)};
-    if (v.width() > 2 * width) continue;
+    RationalInterval window = graph.values[i].refined_to(reach).interval();
+    const RationalInterval u = window;
+    std::optional<RationalInterval> v;
+    for (const bool before : {true, false}) {
+      if ((before ? at.left : at.right) == 0) continue;
+      const Rational place = beside(graph, i, before, reach);
+      (before ? window.lower : window.upper) = place;
+      const RationalInterval ends = ends_over(graph, before ? i - 1 : i, before, node, place, width / 8);
+      v = v ? hull(*v, ends) : ends;
+    }
+    const Rational room = v->width() + width / 4;
+    const RationalInterval wider = {std::max<Rational>(v->lower - room, at.v.lower),
+                                    std::min<Rational>(v->upper + room, at.v.upper)};
     const auto is_clear = [&](const Rational& edge) {
       return edge <= 0 || edge >= 1 || has_no_zero(graph.swept.at_s(edge), window);
     };
-    if (is_clear(v.lower) && is_clear(v.upper)) return {at, v};
+    if (wider.width() <= 2 * width && is_clear(wider.lower) && is_clear(wider.upper)) return {u, wider};
   }
 }
 
@@ -95,7 +107,7 @@ std::array<RationalInterval, 2> place_of(const CurveGraph& graph, std::size_t no
     const Rational squared = width * width;
     return {at.u.refined_to(squared * squared).interval(), at.exact->refined_to(width).r_interval()};
   }
-  return fold_place(graph, node, width);
+  return enclosed_place(graph, node, width);
 }
 
 }  // namespace exsect

@@ -1,12 +1,11 @@
 #include <exsect/geometry/surface_pull_back.h>
+#include <exsect/solver/intersect_rational.h>
 #include <exsect/solver/intersect_surface.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdlib>
-#include <iostream>
 
+#include "geometry/random_shapes.h"
 #include "support/catch.h"
 
 namespace exsect::intersect_surface_test {
@@ -27,6 +26,17 @@ RationalPatch half_cylinder(const Rational& x, const Rational& y, const Rational
     net[0].push_back({2 * x, 2 * y - 2, 2 * height, 2});
     net[1].push_back({2, 0, 0, 0});
     net[2].push_back({2 * x, 2 * y + 2, 2 * height, 2});
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+
+/// About (-2,0), of radius 2, from z = -5 to z = 5.
+RationalPatch half_cylinder_of_radius_2() {
+  std::vector<std::vector<HomogeneousPoint>> net(3);
+  for (const int height : {-5, 5}) {
+    net[0].push_back({-4, -4, 2 * height, 2});
+    net[1].push_back({4, 0, 0, 0});
+    net[2].push_back({-4, 4, 2 * height, 2});
   }
   return RationalPatch::from_homogeneous(net);
 }
@@ -189,6 +199,83 @@ TEST_CASE("equal cylinders, Villarceau's circles, touch points and apexes are dr
   const IntersectResult ruling = checked(ImplicitSurface::cone(origin, up, 1), tangent);
   REQUIRE(shape(ruling) == Shape{2, 1, 1, 0});
   CHECK(ruling.graph.arcs[0].contact == Contact::tangential);
+}
+
+/// Open, closed, branched components, isolated points, boundary points, turning points in u and in v.
+using Counts = std::array<int, 7>;
+Counts counts(const IntersectionGraph& g) {
+  return {g.count(ComponentShape::open),
+          g.count(ComponentShape::closed),
+          g.count(ComponentShape::branched),
+          static_cast<int>(g.isolated_points.size()),
+          g.boundary_points(),
+          g.turning_points(Parameter::u),
+          g.turning_points(Parameter::v)};
+}
+
+void check_drawn_alike(const IntersectionGraph& a, const IntersectionGraph& b) {
+  for (const Arc& arc : a.arcs)
+    for (std::size_t i = 0; i < arc.polyline.size(); i += 1 + arc.polyline.size() / 8)
+      CHECK(excess(b, arc.polyline[i].point) <= arc.error_bound);
+}
+
+/// 53-bit numbers around a net of the square [-1,1]^2.
+RationalPatch wavy(Random& random, int m, int n) {
+  std::uniform_real_distribution<double> between(-1, 1);
+  std::vector<std::vector<Point>> net(static_cast<std::size_t>(m) + 1);
+  for (int i = 0; i <= m; ++i)
+    for (int j = 0; j <= n; ++j)
+      net[static_cast<std::size_t>(i)].push_back({from_double(-1 + 2.0 * i / m + 0.2 * between(random)),
+                                                  from_double(-1 + 2.0 * j / n + 0.2 * between(random)),
+                                                  from_double(0.6 * between(random))});
+  return RationalPatch(net);
+}
+
+TEST_CASE("the parameters of the patch may be exchanged") {
+  const std::uint64_t seed = 26031;
+  INFO("seed " << seed);
+  Random random(seed);
+  int turning = 0;
+  for (int round = 0; round < 8; ++round) {
+    INFO("round " << round);
+    const RationalPatch x = wavy(random, 1 + round % 3, 2);
+    const ImplicitSurface surface =
+        round < 3   ? ImplicitSurface::sphere({0, 0, Rational(1, 9)}, Rational(3, 4))
+        : round < 6 ? ImplicitSurface::cone({0, 0, -1}, {Rational(1, 7), 0, 1}, Rational(2, 3))
+                    : ImplicitSurface::torus(origin, {1, 2, 3}, Rational(3, 5), Rational(1, 5));
+    const IntersectResult result = checked(surface, x);
+    const IntersectResult exchanged = checked(surface, x.transposed());
+    Counts expected = counts(result.graph);
+    turning += expected[6];
+    std::swap(expected[5], expected[6]);
+    CHECK(counts(exchanged.graph) == expected);
+    check_drawn_alike(result.graph, exchanged.graph);
+    check_drawn_alike(exchanged.graph, result.graph);
+  }
+  CHECK(turning > 8);
+}
+
+TEST_CASE("planes and cylinders as patches give the same curves") {
+  const std::uint64_t seed = 26032;
+  INFO("seed " << seed);
+  Random random(seed);
+  IntersectOptions options;
+  options.turning = {Parameter::u, Parameter::v};
+  const auto agree = [&](const ImplicitSurface& surface, const RationalPatch& x, const RationalPatch& y) {
+    const IntersectResult one = checked(surface, x), two = intersect(x, y, options);
+    REQUIRE(two.status == Status::complete);
+    CHECK(counts(one.graph) == counts(two.graph));
+    check_drawn_alike(one.graph, two.graph);
+    check_drawn_alike(two.graph, one.graph);
+  };
+  for (int round = 0; round < 6; ++round) {
+    INFO("round " << round);
+    const RationalPatch x = wavy(random, 2, 2);
+    const Rational z(round, 40);
+    agree(ImplicitSurface::plane({0, 0, z}, {Rational(1, 5), 0, 1}), x,
+          bilinear({-5, -5, z + 1}, {-5, 5, z + 1}, {5, -5, z - 1}, {5, 5, z - 1}));
+    agree(ImplicitSurface::cylinder({-2, 0, 0}, up, 2), x, half_cylinder_of_radius_2());
+  }
 }
 
 TEST_CASE("a patch on the surface is an overlap with its sides") {
