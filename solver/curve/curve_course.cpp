@@ -14,7 +14,7 @@ namespace exsect {
 namespace {
 
 /// The shares of a tolerance: the strip, and the chord in space.
-constexpr double kStripShare = 0.55;
+constexpr double kStripShare = 0.5;
 constexpr double kChordShare = 0.3;
 /// The greatest half width of strips in v.
 constexpr double kWidestStrip = 0x1p-5;
@@ -40,8 +40,7 @@ struct Front {
 /// What is drawn of an arc from a place inside it to one of its nodes.
 struct HalfCourse {
   std::vector<std::array<Rational, 2>> vertices;
-  double strip = 0;  // the greatest distance in v between a chord and the arc
-  double chord = 0;  // the greatest bound of the chords in space
+  double bound = 0;  // of the distance in space between arc and chords
 };
 
 /// Follows one arc from a front to a node.
@@ -51,6 +50,8 @@ class Follower {
            double tolerance)
       : graph_(graph), arc_(arc), node_(node), patch_(patch), tolerance_(tolerance) {
     widest_ = strip_width(patch, tolerance);
+    steepness_ = graph.is_monotone_in_v ? patch.rates().v / patch.rates().u : 0;
+    if (!std::isfinite(steepness_)) steepness_ = 0;
   }
 
   HalfCourse run(Front front) {
@@ -83,30 +84,30 @@ class Follower {
     const StripPoint<Ball> end{rounded<Ball>(node_[0].midpoint()), rounded<Ball>(node_[1].midpoint())};
     const double slack = place_slack(0, exact(end.u));
     const double direction = (end.u - at.u).approximation() > 0 ? 1 : -1;
-    double step = 0x1p-8, width = widest_;
+    double step = 0x1p-8, share = 1;
     int failures = 0;  // since the last chord
     for (;;) {
       interruption_point();
       const double left = std::fabs((end.u - at.u).approximation());
       if (!(left > 4 * slack)) return false;
       if (step >= 0.75 * left) {
-        if (advance(curve, front, at, end, widest_, slack)) return true;
+        if (advance(curve, front, at, end, 1, slack)) return true;
         step = left / 2;
-        width = std::min(width, widest_ / 4);
+        share = std::min(share, 0.25);
       }
       if (step < least) return false;
       StripPoint<Ball> next{(at.u + Ball(direction * step)).midpoint(), at.v};
       const StripPoint<Ball> before = at;
-      const std::optional<Ball> v = guess(curve, at, next.u, width, failures >= kPatience);
-      if (v && (next.v = *v, advance(curve, front, at, next, width, 0))) {
+      const std::optional<Ball> v = guess(curve, at, next.u, share * widest_ / 16, failures >= kPatience);
+      if (v && (next.v = *v, advance(curve, front, at, next, share, 0))) {
         slope_ = (next.v - before.v).approximation() / (next.u - before.u).approximation();
         at = next;
         failures = 0;
         step = std::min(step * 1.5, kLongestStep);
-        width = std::min(width * 2, widest_);
+        share = std::min(share * 2, 1.0);
       } else {
         step /= 2;
-        width /= 2;
+        share /= 2;
         ++failures;
       }
     }
@@ -116,12 +117,12 @@ class Follower {
   /// rest, as beside another arc, the arc is isolated if `isolate`.
   template <class Ball>
   std::optional<Ball> guess(const PlaneStrip<Ball>& curve, const StripPoint<Ball>& at, const Ball& u,
-                            double width, bool isolate) const {
+                            double rest, bool isolate) const {
     const double move = slope_ * (u - at.u).approximation();
-    const std::optional<Ball> v = curve.zero_near(u, (at.v + Ball(move)).midpoint(), width / 8);
+    const std::optional<Ball> v = curve.zero_near(u, (at.v + Ball(move)).midpoint(), rest);
     if (v) return in_square(*v);
     if (!isolate) return std::nullopt;
-    const std::optional<RationalInterval> found = arc_over(graph_, arc_, exact(u), from_double(width / 8));
+    const std::optional<RationalInterval> found = arc_over(graph_, arc_, exact(u), from_double(rest));
     if (!found) return std::nullopt;
     return in_square(rounded<Ball>(found->midpoint()));
   }
@@ -132,22 +133,42 @@ class Follower {
            0x1p-1000;
   }
 
-  /// The chord from `at`, which is the front, to `to`, if it is proved; the front is there then.
+  /// The chord from `at`, which is the front, to `to`, if it is proved with this share of the widest strip;
+  /// the front is there then. Slack: of the node, which `to` stands for; 0 for other points.
   template <class Ball>
   bool advance(const PlaneStrip<Ball>& curve, Front& front, StripPoint<Ball>& at, const StripPoint<Ball>& to,
-               double width, double slack) {
-    const double chord =
-        patch_.chord_bound((to.u - at.u).upper_magnitude(), (to.v - at.v).upper_magnitude()) +
-        patch_.rates().u * slack;
+               double share, double slack) {
+    const double du = (to.u - at.u).upper_magnitude(), dv = (to.v - at.v).upper_magnitude();
+    const double chord = patch_.chord_bound(du, dv) + patch_.rates().u * slack;
     if (!(chord <= kChordShare * tolerance_)) return false;
-    if (!(front.reach < width / 2) && !narrow(curve, front, at)) return false;
+    const double slope = (to.v - at.v).lower_magnitude() / du * (1 - 0x1p-40);
+    const double width = std::min(share * widest_ * std::max(1.0, slope * steepness_), kWidestStrip);
+    if (!(front.reach < std::min(width, widest_) / 4) && !narrow(curve, front, at)) return false;
     const std::optional<double> off = curve.clear(at, to, width, slack);
     if (!off || !(front.reach + *off < width)) return false;
-    front = {exact(to.u), exact(to.v), (width + *off) * (1 + 0x1p-40)};
+    double reach = (width + *off) * (1 + 0x1p-40);
+    double strip = patch_.rates().v * reach;
+    if (width > widest_) {
+      std::optional<double> at_end =
+          slack > 0 ? place_slack(1, exact(to.v)) : curve.distance_of_zero(to, reach);
+      if (!at_end) at_end = exact_distance(exact(to.u), exact(to.v), widest_);
+      if (!at_end || !(*at_end < widest_ / 4) || !(dv > 2 * (front.reach + *at_end))) return false;
+      strip = patch_.rates().u * reach / slope + patch_.rates().v * std::max(front.reach, *at_end);
+      reach = *at_end;
+    }
+    front = {exact(to.u), exact(to.v), reach};
     course_.vertices.push_back({front.u, front.v});
-    course_.strip = std::max(course_.strip, front.reach);
-    course_.chord = std::max(course_.chord, chord);
+    last_ = {du, dv, strip + patch_.rates().u * slack};
+    course_.bound = std::max(course_.bound, strip + chord);
     return true;
+  }
+
+  /// A bound of the distance in v between the arc and a point, up to 2^-10 of `unit`.
+  std::optional<double> exact_distance(const Rational& u, const Rational& v, double unit) const {
+    const std::optional<RationalInterval> at =
+        arc_over(graph_, arc_, u, from_double(unit) * power_of_two(-10));
+    if (!at) return std::nullopt;
+    return to_double(std::max<Rational>(abs(at->lower - v), abs(at->upper - v))) * (1 + 0x1p-40) + 0x1p-1000;
   }
 
   /// Makes the reach of the front small, by moving it in v where it has to be.
@@ -176,7 +197,8 @@ class Follower {
     const double moved = to_double(abs(v - front.v)) * (1 + 0x1p-40);
     if (!course_.vertices.empty() && moved <= widest_ / 16) {  // the last chord turns a little
       course_.vertices.back()[1] = v;
-      course_.strip = std::max(course_.strip, (front.reach + moved) * (1 + 0x1p-40));
+      course_.bound = std::max(course_.bound, last_.strip + patch_.rates().v * moved +
+                                                  patch_.chord_bound(last_.du, last_.dv + moved));
     } else {
       course_.vertices.push_back({front.u, v});
     }
@@ -191,7 +213,11 @@ class Follower {
   const DrawnPatch& patch_;
   double tolerance_;
   double widest_;
+  double steepness_;  // D_v / D_u if the arc is monotone in v, else 0
   double slope_ = 0;  // of the last chord
+  struct {
+    double du, dv, strip;
+  } last_{};  // chord
   HalfCourse course_;
 };
 
@@ -255,9 +281,7 @@ CurveCourse curve_course(const CurveGraph& graph, const std::vector<NodePlace>& 
   std::vector<std::array<Rational, 2>> vertices(left.vertices.rbegin(), left.vertices.rend());
   vertices.push_back({u, v});
   vertices.insert(vertices.end(), right.vertices.begin(), right.vertices.end());
-  const double bound =
-      patch.rates().v * std::max(left.strip, right.strip) + std::max(left.chord, right.chord);
-  return drawn(vertices, bound, patch);
+  return drawn(vertices, std::max(left.bound, right.bound), patch);
 }
 
 CurveCourse straight_course(const NodePlace& from, const NodePlace& to, const DrawnPatch& patch,

@@ -315,7 +315,7 @@ class CurveSweep {
   CurveGraph keep_half() {
     if (!h_) return std::move(graph_);
     const BivariatePolynomial half = h_->exchanged();
-    CurveGraph kept{{}, {}, graph_.swept, graph_.values, graph_.columns};
+    CurveGraph kept{{}, {}, graph_.swept, graph_.values, graph_.columns, false};
     std::vector<std::size_t> arc_position(graph_.arcs.size(), CurveGraph::dropped);
     std::vector<bool> is_kept(graph_.nodes.size(), false);
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i)

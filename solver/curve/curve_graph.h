@@ -48,6 +48,7 @@ struct CurveGraph {
   BivariatePolynomial swept;          // the irreducible factors of f but those in u alone, each once
   std::vector<RealAlgebraic> values;  // critical ones: ascending from 0 to 1, with disjoint closed intervals
   std::vector<CurveColumn> columns;   // one fewer; column i lies between values i and i + 1
+  bool is_monotone_in_v = false;      // every arc is known to be, as after with_turning_in_v()
 
   /// Nodes of degree 0.
   int isolated_points() const;

@@ -40,6 +40,7 @@ class Cutter {
     f_v_ = old_.swept.derivative_s();
     new_.nodes = old_.nodes;
     new_.swept = old_.swept;
+    new_.is_monotone_in_v = true;
   }
 
   CurveGraph run(const std::vector<RealAlgebraic>& turning) {
@@ -105,6 +106,7 @@ class Cutter {
 }  // namespace
 
 CurveGraph with_turning_in_v(CurveGraph graph) {
+  graph.is_monotone_in_v = true;
   if (graph.columns.empty() || graph.swept.degree_r() < 1) return graph;
   const std::vector<RealAlgebraic> turning = turning_values(graph.swept);
   return turning.empty() ? graph : Cutter(std::move(graph)).run(turning);
