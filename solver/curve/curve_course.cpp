@@ -14,7 +14,7 @@ namespace exsect {
 namespace {
 
 /// The shares of a tolerance: the strip, and the chord in space.
-constexpr double kStripShare = 0.5;
+constexpr double kStripShare = 0.55;
 constexpr double kChordShare = 0.3;
 /// The greatest half width of strips in v.
 constexpr double kWidestStrip = 0x1p-5;
@@ -103,12 +103,12 @@ class Follower {
         slope_ = (next.v - before.v).approximation() / (next.u - before.u).approximation();
         at = next;
         failures = 0;
-        step = std::min(step * 1.5, kLongestStep);
-        share = std::min(share * 2, 1.0);
+        step = std::min(step * 1.25, kLongestStep);
+        share = std::min(share * 1.6, 1.0);
       } else {
-        step /= 2;
-        share /= 2;
-        ++failures;
+        const double less = failures++ == 0 ? 0.7 : 0.4;
+        step *= less;
+        share *= less;
       }
     }
   }
@@ -143,7 +143,7 @@ class Follower {
     if (!(chord <= kChordShare * tolerance_)) return false;
     const double slope = (to.v - at.v).lower_magnitude() / du * (1 - 0x1p-40);
     const double width = std::min(share * widest_ * std::max(1.0, slope * steepness_), kWidestStrip);
-    if (!(front.reach < std::min(width, widest_) / 4) && !narrow(curve, front, at)) return false;
+    if (!(front.reach < std::min(width, widest_) / 8) && !narrow(curve, front, at)) return false;
     const std::optional<double> off = curve.clear(at, to, width, slack);
     if (!off || !(front.reach + *off < width)) return false;
     double reach = (width + *off) * (1 + 0x1p-40);
@@ -152,7 +152,7 @@ class Follower {
       std::optional<double> at_end =
           slack > 0 ? place_slack(1, exact(to.v)) : curve.distance_of_zero(to, reach);
       if (!at_end) at_end = exact_distance(exact(to.u), exact(to.v), widest_);
-      if (!at_end || !(*at_end < widest_ / 4) || !(dv > 2 * (front.reach + *at_end))) return false;
+      if (!at_end || !(*at_end < widest_ / 8) || !(dv > 2 * (front.reach + *at_end))) return false;
       strip = patch_.rates().u * reach / slope + patch_.rates().v * std::max(front.reach, *at_end);
       reach = *at_end;
     }

@@ -114,11 +114,14 @@ class PlaneStrip {
     return result;
   }
 
-  /// The polynomial has one sign, and no zero, for |x| <= reach.
+  /// The polynomial has one sign, and no zero, for |x| <= reach. A square of that sign is left out: it only
+  /// helps.
   static bool has_sign(const std::vector<Ball>& f, double reach) {
     double others = 0, power = reach;
-    for (std::size_t i = 1; i < f.size(); ++i, power *= reach * (1 + 0x1p-50))
-      others += f[i].upper_magnitude() * power;
+    for (std::size_t i = 1; i < f.size(); ++i, power *= reach * (1 + 0x1p-50)) {
+      const bool helps = i == 2 && f[2].certain_sign() != 0 && f[2].certain_sign() == f[0].certain_sign();
+      if (!helps) others += f[i].upper_magnitude() * power;
+    }
     return f[0].lower_magnitude() > others * (1 + 0x1p-40) + 0x1p-1000;
   }
 
