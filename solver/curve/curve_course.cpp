@@ -37,9 +37,20 @@ struct Front {
   double reach;
 };
 
+/// A point (u,v) of the square.
+using Vertex = std::array<DoubleBall, 2>;
+Vertex vertex_at(const Rational& u, const Rational& v) {
+  return {DoubleBall::enclosing(u), DoubleBall::enclosing(v)};
+}
+Vertex vertex_at(const DoubleBall& u, const DoubleBall& v) { return {u, v}; }
+template <class Ball>
+Vertex vertex_at(const Ball& u, const Ball& v) {
+  return vertex_at(u.interval().lower, v.interval().lower);
+}
+
 /// What is drawn of an arc from a place inside it to one of its nodes.
 struct HalfCourse {
-  std::vector<std::array<Rational, 2>> vertices;
+  std::vector<Vertex> vertices;
   double bound = 0;  // of the distance in space between arc and chords
 };
 
@@ -78,9 +89,16 @@ class Follower {
   /// True when the node is reached; otherwise the front is as far as these numbers lead.
   template <class Ball>
   bool follow(Front& front, double least) {
-    const PlaneStrip<Ball> curve(graph_.swept);
     StripPoint<Ball> at{rounded<Ball>(front.u), rounded<Ball>(front.v)};
     if (exact(at.u) != front.u || exact(at.v) != front.v) return false;
+    const bool arrived = follow(PlaneStrip<Ball>(graph_.swept), at, front.reach, least);
+    front.u = exact(at.u);
+    front.v = exact(at.v);
+    return arrived;
+  }
+
+  template <class Ball>
+  bool follow(const PlaneStrip<Ball>& curve, StripPoint<Ball>& at, double& at_reach, double least) {
     const StripPoint<Ball> end{rounded<Ball>(node_[0].midpoint()), rounded<Ball>(node_[1].midpoint())};
     const double slack = place_slack(0, exact(end.u));
     const double direction = (end.u - at.u).approximation() > 0 ? 1 : -1;
@@ -91,7 +109,7 @@ class Follower {
       const double left = std::fabs((end.u - at.u).approximation());
       if (!(left > 4 * slack)) return false;
       if (step >= 0.75 * left) {
-        if (advance(curve, front, at, end, 1, slack)) return true;
+        if (advance(curve, at, at_reach, end, 1, slack)) return true;
         step = left / 2;
         share = std::min(share, 0.25);
       }
@@ -99,9 +117,8 @@ class Follower {
       StripPoint<Ball> next{(at.u + Ball(direction * step)).midpoint(), at.v};
       const StripPoint<Ball> before = at;
       const std::optional<Ball> v = guess(curve, at, next.u, share * widest_ / 16, failures >= kPatience);
-      if (v && (next.v = *v, advance(curve, front, at, next, share, 0))) {
+      if (v && (next.v = *v, advance(curve, at, at_reach, next, share, 0))) {
         slope_ = (next.v - before.v).approximation() / (next.u - before.u).approximation();
-        at = next;
         failures = 0;
         step = std::min(step * 1.25, kLongestStep);
         share = std::min(share * 1.6, 1.0);
@@ -133,31 +150,32 @@ class Follower {
            0x1p-1000;
   }
 
-  /// The chord from `at`, which is the front, to `to`, if it is proved with this share of the widest strip;
-  /// the front is there then. Slack: of the node, which `to` stands for; 0 for other points.
+  /// The chord from `at`, with the arc up to `at_reach` away, to `to`, if it is proved with this share of the
+  /// widest strip; then `at` is there. Slack: of the node, which `to` stands for; 0 for other points.
   template <class Ball>
-  bool advance(const PlaneStrip<Ball>& curve, Front& front, StripPoint<Ball>& at, const StripPoint<Ball>& to,
-               double share, double slack) {
+  bool advance(const PlaneStrip<Ball>& curve, StripPoint<Ball>& at, double& at_reach,
+               const StripPoint<Ball>& to, double share, double slack) {
     const double du = (to.u - at.u).upper_magnitude(), dv = (to.v - at.v).upper_magnitude();
     const double chord = patch_.chord_bound(du, dv) + patch_.rates().u * slack;
     if (!(chord <= kChordShare * tolerance_)) return false;
     const double slope = (to.v - at.v).lower_magnitude() / du * (1 - 0x1p-40);
     const double width = std::min(share * widest_ * std::max(1.0, slope * steepness_), kWidestStrip);
-    if (!(front.reach < std::min(width, widest_) / 8) && !narrow(curve, front, at)) return false;
+    if (!(at_reach < std::min(width, widest_) / 8) && !narrow(curve, at, at_reach)) return false;
     const std::optional<double> off = curve.clear(at, to, width, slack);
-    if (!off || !(front.reach + *off < width)) return false;
+    if (!off || !(at_reach + *off < width)) return false;
     double reach = (width + *off) * (1 + 0x1p-40);
     double strip = patch_.rates().v * reach;
     if (width > widest_) {
       std::optional<double> at_end =
           slack > 0 ? place_slack(1, exact(to.v)) : curve.distance_of_zero(to, reach);
       if (!at_end) at_end = exact_distance(exact(to.u), exact(to.v), widest_);
-      if (!at_end || !(*at_end < widest_ / 8) || !(dv > 2 * (front.reach + *at_end))) return false;
-      strip = patch_.rates().u * reach / slope + patch_.rates().v * std::max(front.reach, *at_end);
+      if (!at_end || !(*at_end < widest_ / 8) || !(dv > 2 * (at_reach + *at_end))) return false;
+      strip = patch_.rates().u * reach / slope + patch_.rates().v * std::max(at_reach, *at_end);
       reach = *at_end;
     }
-    front = {exact(to.u), exact(to.v), reach};
-    course_.vertices.push_back({front.u, front.v});
+    at = to;
+    at_reach = reach;
+    course_.vertices.push_back(vertex_at(at.u, at.v));
     last_ = {du, dv, strip + patch_.rates().u * slack};
     course_.bound = std::max(course_.bound, strip + chord);
     return true;
@@ -171,40 +189,41 @@ class Follower {
     return to_double(std::max<Rational>(abs(at->lower - v), abs(at->upper - v))) * (1 + 0x1p-40) + 0x1p-1000;
   }
 
-  /// Makes the reach of the front small, by moving it in v where it has to be.
+  /// Makes the reach small, by moving the point in v where it has to be.
   template <class Ball>
-  bool narrow(const PlaneStrip<Ball>& curve, Front& front, StripPoint<Ball>& at) {
-    if (const std::optional<Ball> v = curve.zero_near(at.u, at.v, front.reach * 0x1p-16)) {
+  bool narrow(const PlaneStrip<Ball>& curve, StripPoint<Ball>& at, double& reach) {
+    if (const std::optional<Ball> v = curve.zero_near(at.u, at.v, reach * 0x1p-16)) {
       const StripPoint<Ball> moved{at.u, in_square(*v)};
-      const double both = front.reach + (moved.v - at.v).upper_magnitude();
+      const double both = reach + (moved.v - at.v).upper_magnitude();
       const std::optional<double> distance = curve.distance_of_zero(moved, both);
-      if (distance && *distance < front.reach / 2) {
-        move(front, at, exact(moved.v), *distance);
+      if (distance && *distance < reach / 2) {
+        move(at, moved.v);
+        reach = *distance;
         return true;
       }
     }
-    const Rational fine = from_double(front.reach) * power_of_two(-30);
-    const std::optional<RationalInterval> found = arc_over(graph_, arc_, front.u, fine);
+    const Rational fine = from_double(reach) * power_of_two(-30);
+    const std::optional<RationalInterval> found = arc_over(graph_, arc_, exact(at.u), fine);
     if (!found) return false;
-    const Rational v = exact(in_square(rounded<Ball>(found->midpoint())));
+    move(at, in_square(rounded<Ball>(found->midpoint())));
+    const Rational v = exact(at.v);
     const Rational off = std::max<Rational>(abs(found->lower - v), abs(found->upper - v));
-    move(front, at, v, to_double(off) * (1 + 0x1p-40) + 0x1p-1000);
+    reach = to_double(off) * (1 + 0x1p-40) + 0x1p-1000;
     return true;
   }
 
   template <class Ball>
-  void move(Front& front, StripPoint<Ball>& at, const Rational& v, double reach) {
-    const double moved = to_double(abs(v - front.v)) * (1 + 0x1p-40);
+  void move(StripPoint<Ball>& at, const Ball& v) {
+    const double moved = (v - at.v).upper_magnitude();
+    at.v = v;
     if (!course_.vertices.empty() && moved <= widest_ / 16) {  // the last chord turns a little
-      course_.vertices.back()[1] = v;
-      course_.bound = std::max(course_.bound, last_.strip + patch_.rates().v * moved +
-                                                  patch_.chord_bound(last_.du, last_.dv + moved));
+      course_.vertices.back() = vertex_at(at.u, at.v);
+      last_.dv += moved * (1 + 0x1p-40);
+      last_.strip += patch_.rates().v * moved * (1 + 0x1p-40);
+      course_.bound = std::max(course_.bound, last_.strip + patch_.chord_bound(last_.du, last_.dv));
     } else {
-      course_.vertices.push_back({front.u, v});
+      course_.vertices.push_back(vertex_at(at.u, at.v));
     }
-    front.v = v;
-    front.reach = reach;
-    at.v = rounded<Ball>(v);
   }
 
   const CurveGraph& graph_;
@@ -236,13 +255,12 @@ Rational inner_place(const CurveGraph& graph, const ArcColumns& columns) {
 }
 
 /// Vertices in doubles; the bound covers those of the chords in space and of the strips.
-CurveCourse drawn(const std::vector<std::array<Rational, 2>>& vertices, double bound,
-                  const DrawnPatch& patch) {
+CurveCourse drawn(const std::vector<Vertex>& vertices, double bound, const DrawnPatch& patch) {
   CurveCourse course{};
   double error = 0;
   for (const auto& [u, v] : vertices) {
-    const DrawnPoint point = patch.at(DoubleBall::enclosing(u), DoubleBall::enclosing(v));
-    course.parameters.push_back({to_double(u), to_double(v)});
+    const DrawnPoint point = patch.at(u, v);
+    course.parameters.push_back({u.approximation(), v.approximation()});
     course.points.push_back(point.point);
     error = std::max(error, point.error);
   }
@@ -278,8 +296,8 @@ CurveCourse curve_course(const CurveGraph& graph, const std::vector<NodePlace>& 
       to_double(std::max<Rational>(abs(at.lower - v), abs(at.upper - v))) * (1 + 0x1p-40) + 0x1p-1000;
   HalfCourse left = Follower(graph, arc, from, patch, tolerance).run({u, v, reach});
   const HalfCourse right = Follower(graph, arc, to, patch, tolerance).run({u, v, reach});
-  std::vector<std::array<Rational, 2>> vertices(left.vertices.rbegin(), left.vertices.rend());
-  vertices.push_back({u, v});
+  std::vector<Vertex> vertices(left.vertices.rbegin(), left.vertices.rend());
+  vertices.push_back(vertex_at(u, v));
   vertices.insert(vertices.end(), right.vertices.begin(), right.vertices.end());
   return drawn(vertices, std::max(left.bound, right.bound), patch);
 }
@@ -291,9 +309,10 @@ CurveCourse straight_course(const NodePlace& from, const NodePlace& to, const Dr
   const double whole = patch.chord_bound(to_double(du), to_double(dv));
   const double wanted = std::ceil(std::sqrt(whole / (kChordShare * tolerance)));
   const int count = wanted < 100000 ? std::max(1, static_cast<int>(wanted)) : 100000;
-  std::vector<std::array<Rational, 2>> vertices;
+  std::vector<Vertex> vertices;
   for (int i = 0; i <= count; ++i)
-    vertices.push_back({u0 + du * Rational(i, count), v0 + dv * Rational(i, count)});
+    vertices.push_back(
+        vertex_at(Rational(u0 + du * Rational(i, count)), Rational(v0 + dv * Rational(i, count))));
   double slack = 0;
   for (const NodePlace& place : {from, to})
     slack = std::max(
