@@ -278,6 +278,69 @@ TEST_CASE("planes and cylinders as patches give the same curves") {
   }
 }
 
+/// A biquadratic patch with the given rational expansion about (u0,v0): p + a du + b dv + c0 du² + c1 du dv +
+/// c2 dv².
+RationalPatch expanded(const Rational& u0, const Rational& v0, const Point& p, const Point& a, const Point& b,
+                       const std::array<Point, 3>& c) {
+  std::vector<std::vector<Point>> net(3, std::vector<Point>(3));
+  // The blossom: the control point ij has arguments of i ones and 2 - i zeros, and so in v.
+  const auto pair = [](int ones, const Rational& about) {
+    const Rational s = (ones > 1 ? 1 : 0) - about, t = (ones > 0 ? 1 : 0) - about;
+    return std::array<Rational, 2>{(s + t) / 2, s * t};
+  };
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const auto [du, du2] = pair(i, u0);
+      const auto [dv, dv2] = pair(j, v0);
+      net[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
+          p + du * a + dv * b + du2 * c[0] + du * dv * c[1] + dv2 * c[2];
+    }
+  return RationalPatch(net);
+}
+
+TEST_CASE("patches that touch a round surface, and nearly do") {
+  const std::uint64_t seed = 26033;
+  INFO("seed " << seed);
+  Random random(seed);
+  std::uniform_real_distribution<double> between(-2, 2);
+  const auto any = [&] { return from_double(between(random)); };
+  const Point p = {1, 2, 2};
+  const auto tangent = [&] { return any() * Point{2, -1, 0} + any() * Point{0, 1, -1}; };
+  for (int round = 0; round < 32; ++round) {
+    INFO("round " << round);
+    const Rational u0(1 + round % 7, 8), v0(1 + round % 5, 6);
+    const Point a = tangent(), b = tangent();
+    const RationalPatch x =
+        expanded(u0, v0, p, a, b,
+                 {Point{any(), any(), any()}, Point{any(), any(), any()}, Point{any(), any(), any()}});
+    REQUIRE(x(u0, v0) == p);
+    const auto at_contact = [&](const Rational& off) {
+      const ImplicitSurface surface =
+          round % 4 == 0   ? ImplicitSurface::sphere(origin, 3 + off)
+          : round % 4 == 1 ? ImplicitSurface::plane({1 + off, 2, 2}, {1, 2, 2})
+          : round % 4 == 2 ? ImplicitSurface::cylinder(origin, {2, -1, 0}, 3 + off)
+                           : ImplicitSurface::torus({Rational(1, 6), Rational(1, 3), Rational(1, 3)},
+                                                    {2, 1, -2}, Rational(3, 2), 1 + off);
+      const IntersectResult result = intersect(surface, x);
+      CHECK(result.status == Status::complete);
+      CHECK_FALSE(result.coarse);
+      return std::count_if(result.graph.nodes.begin(), result.graph.nodes.end(), [&](const Node& node) {
+        const auto has = [&](NodeKind kind) {
+          return std::find(node.kinds.begin(), node.kinds.end(), kind) != node.kinds.end();
+        };
+        const auto in = [&](std::size_t k, const Rational& t) {
+          return node.box[k].lower <= t && t <= node.box[k].upper;
+        };
+        return in(0, u0) && in(1, v0) && (has(NodeKind::touch) || has(NodeKind::crossing));
+      });
+    };
+    CHECK(at_contact(0) == 1);
+    const Rational off = tenth_to(near[static_cast<std::size_t>(round) % near.size()]);
+    CHECK(at_contact(off) == 0);
+    CHECK(at_contact(-off) == 0);
+  }
+}
+
 TEST_CASE("a patch on the surface is an overlap with its sides") {
   const RationalPatch x = half_cylinder(0, 0, -1, 1);
   const IntersectResult result = intersect(ImplicitSurface::cylinder(origin, up, 1), x);
