@@ -20,7 +20,8 @@ std::vector<RealAlgebraic> turning_values(const BivariatePolynomial& f) {
 }
 
 /// Both lists as one, ascending, with disjoint closed intervals.
-std::vector<RealAlgebraic> merged(std::vector<RealAlgebraic> values, const std::vector<RealAlgebraic>& more) {
+std::vector<RealAlgebraic> all_values(std::vector<RealAlgebraic> values,
+                                      const std::vector<RealAlgebraic>& more) {
   values.insert(values.end(), more.begin(), more.end());
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -44,7 +45,7 @@ class Cutter {
   }
 
   CurveGraph run(const std::vector<RealAlgebraic>& turning) {
-    new_.values = merged(old_.values, turning);
+    new_.values = all_values(old_.values, turning);
     for (std::size_t i = 0, column = 0; i + 1 < new_.values.size(); ++i) {
       interruption_point();
       if (i > 0 && new_.values[i] == old_.values[column + 1]) ++column;
