@@ -2,6 +2,7 @@
 
 #include <exsect/geometry/text_file.h>
 #include <exsect/solver/intersect_rational.h>
+#include <exsect/solver/intersect_surface.h>
 #include <fmt/format.h>
 
 #include "certificate/certificate_text.h"
@@ -54,12 +55,14 @@ void refuse_for_others(const IntersectCommand& command, const RationalPair& pair
   if (!command.output.certificate.empty()) refuse("--certificate");
 }
 
-IntersectResult solve(const IntersectCommand& command, const RationalPair& pair, IntersectOptions options,
-                      const Streams& streams) {
+/// intersect() of two patches, or of a surface given by its equation and a patch.
+template <class First>
+IntersectResult solve(const IntersectCommand& command, const First& first, const RationalPatch& second,
+                      IntersectOptions options, const Streams& streams) {
   Progress progress(streams.err, streams.watched && !command.quiet);
   options.progress = [&](double fraction, const char* step) { progress.report(fraction, step); };
   try {
-    return intersect(pair.x.patch, pair.y.patch, options);
+    return intersect(first, second, options);
   } catch (const NotSupported& error) {
     throw InputError(input_name(command.file), "", error.what());
   }
@@ -77,19 +80,70 @@ std::string certificate(const IntersectCommand& command, const BiquadraticPair& 
   }
 }
 
-}  // namespace
+/// The patch and the surface given by its equation, whichever comes first.
+struct PatchAndEquation {
+  NamedRationalPatch patch;
+  std::string surface;
+  ImplicitSurface equation;
+  std::string title;
+};
 
-ExitStatus run(const IntersectCommand& command, const Streams& streams) {
-  const IntersectOptions checked = options(command);
-  check(command.output, command.file);
-  if (!command.output.certificate.empty() && checked.turning.size() != 4)
-    throw UsageError("--certificate: needs all turning points, --turning u,v,r,s");
+std::optional<PatchAndEquation> patch_and_equation(const IntersectCommand& command, const SurfacePair& pair) {
+  if (pair.x.patch() != nullptr && pair.y.patch() != nullptr) return std::nullopt;
+  if (pair.x.patch() == nullptr && pair.y.patch() == nullptr)
+    throw InputError(input_name(command.file), "$.patches",
+                     fmt::format("\"{}\" and \"{}\" are both given by equations: not supported yet, one of "
+                                 "the two must be a patch",
+                                 printable(pair.x.name), printable(pair.y.name)));
+  const NamedSurface& patch = pair.x.patch() != nullptr ? pair.x : pair.y;
+  const NamedSurface& other = pair.x.patch() != nullptr ? pair.y : pair.x;
+  return PatchAndEquation{{patch.name, *patch.patch()}, other.name, *other.equation(), pair.title};
+}
+
+void refuse_for_equations(const IntersectCommand& command, const PatchAndEquation& pair) {
+  const auto refuse = [&](const char* option) {
+    throw InputError(input_name(command.file), "",
+                     fmt::format("\"{}\": not supported yet with {}: a surface given by its equation",
+                                 printable(pair.surface), option));
+  };
+  if (!command.output.certificate.empty()) refuse("--certificate");
+  if (!command.output.report.empty()) refuse("--report");
+}
+
+ExitStatus status_of(const IntersectResult& result) {
+  return result.status == Status::complete ? ExitStatus::complete : ExitStatus::incomplete;
+}
+
+ExitStatus run_with_equation(const IntersectCommand& command, const PatchAndEquation& pair,
+                             const IntersectOptions& options, const Streams& streams) {
+  refuse_for_equations(command, pair);
   const int cells = grid_cells(command.output.exports);
-  const RationalPair pair = read_rational_pair(command.file, command.first, command.second);
+  const PatchNames names = {pair.patch.name, pair.surface, one_patch_names, name(pair.equation.kind())};
+  const IntersectResult result = solve(command, pair.equation, pair.patch.patch, options, streams);
+  const std::string json = command.output.json.empty() ? "" : json_text(intersection_json(result, names));
+  write_exports(
+      command.output.exports,
+      [&] { return surface_scene(result, pair.patch.patch, names, pair.title, cells); },
+      [&] { return node_csv(result.graph, one_patch_names); });
+  if (!command.output.json.empty() && !command.output.json_to_stdout())
+    write_file_atomically(command.output.json, json);
+  if (!command.output.svg.empty())
+    write_file_atomically(command.output.svg, intersection_svg(result, names, pair.title));
+  if (command.output.json_to_stdout())
+    streams.out << json;
+  else if (!command.quiet)
+    streams.out << heading(input_name(command.file), pair.title)
+                << intersection_summary(result, names, pair.patch.patch, command.verbose);
+  return status_of(result);
+}
+
+ExitStatus run_with_patches(const IntersectCommand& command, const RationalPair& pair,
+                            const IntersectOptions& options, const Streams& streams) {
+  const int cells = grid_cells(command.output.exports);
   const std::optional<BiquadraticPair> biquadratic_pair = biquadratic(pair);
   if (!biquadratic_pair) refuse_for_others(command, pair);
   const PatchNames names = {pair.x.name, pair.y.name};
-  const IntersectResult result = solve(command, pair, checked, streams);
+  const IntersectResult result = solve(command, pair.x.patch, pair.y.patch, options, streams);
   const std::string json = command.output.json.empty() ? "" : json_text(intersection_json(result, names));
   const std::string proof =
       biquadratic_pair ? certificate(command, *biquadratic_pair, names, result, streams) : "";
@@ -117,7 +171,22 @@ ExitStatus run(const IntersectCommand& command, const Streams& streams) {
                 << intersection_summary(result, names, pair.x.patch, pair.y.patch, command.verbose);
   }
   if (proof.empty() && !command.output.certificate.empty()) return ExitStatus::incomplete;
-  return result.status == Status::complete ? ExitStatus::complete : ExitStatus::incomplete;
+  return status_of(result);
+}
+
+}  // namespace
+
+ExitStatus run(const IntersectCommand& command, const Streams& streams) {
+  const IntersectOptions checked = options(command);
+  check(command.output, command.file);
+  if (!command.output.certificate.empty() && checked.turning.size() != 4)
+    throw UsageError("--certificate: needs all turning points, --turning u,v,r,s");
+  const SurfacePair pair = read_surface_pair(command.file, command.first, command.second);
+  if (const std::optional<PatchAndEquation> mixed = patch_and_equation(command, pair))
+    return run_with_equation(command, *mixed, checked, streams);
+  return run_with_patches(command,
+                          {{pair.x.name, *pair.x.patch()}, {pair.y.name, *pair.y.patch()}, pair.title},
+                          checked, streams);
 }
 
 }  // namespace exsect::cli

@@ -12,26 +12,40 @@
 namespace exsect::cli {
 namespace {
 
-std::string names(const RationalPatchFile& file) {
+std::string shown_names(const std::vector<std::string>& names) {
   constexpr std::size_t most = 20;
   std::vector<std::string> quoted;
-  for (const NamedRationalPatch& patch : file.patches) {
-    if (quoted.size() < most) quoted.push_back("\"" + printable(patch.name) + "\"");
-  }
-  return joined(quoted, ", ") + (file.patches.size() > most ? ", ..." : "");
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    quoted.push_back("\"" + printable(names[i]) + "\"");
+  return joined(quoted, ", ") + (names.size() > most ? ", ..." : "");
 }
 
-const NamedRationalPatch& named(const RationalPatchFile& file, const std::string& path,
-                                const std::string& name, const char* option) {
-  const auto patch =
-      std::find_if(file.patches.begin(), file.patches.end(),
-                   [&](const NamedRationalPatch& candidate) { return candidate.name == name; });
-  if (patch == file.patches.end()) {
+template <class Named>
+std::string names(const std::vector<Named>& entries) {
+  std::vector<std::string> names;
+  for (const Named& entry : entries) names.push_back(entry.name);
+  return shown_names(names);
+}
+
+template <class Named>
+const Named& named(const std::vector<Named>& entries, const std::string& path, const std::string& name,
+                   const char* option) {
+  const auto entry = std::find_if(entries.begin(), entries.end(),
+                                  [&](const Named& candidate) { return candidate.name == name; });
+  if (entry == entries.end()) {
     throw InputError(
         input_name(path), "$.patches",
-        fmt::format("{}: no patch is named \"{}\"; there are {}", option, printable(name), names(file)));
+        fmt::format("{}: no patch is named \"{}\"; there are {}", option, printable(name), names(entries)));
   }
-  return *patch;
+  return *entry;
+}
+
+NamedRationalPatch patch_only(const NamedSurface& named, const std::string& path) {
+  if (named.equation() != nullptr)
+    throw InputError(input_name(path), "$.patches",
+                     fmt::format("\"{}\" is given by its equation ({}); only patches are taken here",
+                                 printable(named.name), name(named.equation()->kind())));
+  return {named.name, *named.patch()};
 }
 
 }  // namespace
@@ -41,34 +55,40 @@ PatchPair read_pair(const std::string& path, const std::string& first, const std
   return {biquadratic(pair.x, input_name(path), ""), biquadratic(pair.y, input_name(path), ""), pair.title};
 }
 
-RationalPair read_rational_pair(const std::string& path, const std::string& first,
-                                const std::string& second) {
-  const RationalPatchFile file = input_patches(path);
-  const std::size_t count = file.patches.size();
+SurfacePair read_surface_pair(const std::string& path, const std::string& first, const std::string& second) {
+  const SurfaceFile file = input_surfaces(path);
+  const std::vector<NamedSurface>& entries = file.surfaces;
   if (!first.empty() && first == second) {
     throw InputError(input_name(path), "$.patches",
                      fmt::format("--first and --second both name \"{}\"; two different patches are needed",
                                  printable(first)));
   }
-  const NamedRationalPatch* x = first.empty() ? nullptr : &named(file, path, first, "--first");
-  const NamedRationalPatch* y = second.empty() ? nullptr : &named(file, path, second, "--second");
-  if ((x == nullptr || y == nullptr) && count != 2) {
+  const NamedSurface* x = first.empty() ? nullptr : &named(entries, path, first, "--first");
+  const NamedSurface* y = second.empty() ? nullptr : &named(entries, path, second, "--second");
+  if ((x == nullptr || y == nullptr) && entries.size() != 2) {
     throw InputError(input_name(path), "$.patches",
-                     count < 2 ? "holds one patch; two are needed"
-                               : fmt::format("holds {} patches ({}): choose with --first and --second", count,
-                                             names(file)));
+                     entries.size() < 2
+                         ? "holds one patch; two are needed"
+                         : fmt::format("holds {} patches ({}): choose with --first and --second",
+                                       entries.size(), names(entries)));
   }
-  const NamedRationalPatch* front = &file.patches.front();
-  if (x == nullptr) x = y == front ? &file.patches.back() : front;
-  if (y == nullptr) y = x == front ? &file.patches.back() : front;
+  const NamedSurface* front = &entries.front();
+  if (x == nullptr) x = y == front ? &entries.back() : front;
+  if (y == nullptr) y = x == front ? &entries.back() : front;
   return {*x, *y, file.title};
+}
+
+RationalPair read_rational_pair(const std::string& path, const std::string& first,
+                                const std::string& second) {
+  const SurfacePair pair = read_surface_pair(path, first, second);
+  return {patch_only(pair.x, path), patch_only(pair.y, path), pair.title};
 }
 
 RationalPair read_rational_pair(const std::string& path, const std::string& first, const std::string& second,
                                 const char* chosen_by) {
-  const RationalPatchFile file = input_patches(path);
+  const SurfaceFile file = input_surfaces(path);
   for (const std::string& name : {first, second})
-    if (!name.empty()) named(file, path, name, chosen_by);
+    if (!name.empty()) named(file.surfaces, path, name, chosen_by);
   return read_rational_pair(path, first, second);
 }
 
@@ -86,22 +106,24 @@ std::string place_beyond_doubles(const RationalPatch& patch) {
 }
 
 void refuse_beyond_doubles(const std::string& path, const std::string& reason) {
-  const RationalPatchFile file = input_patches(path);
-  for (std::size_t k = 0; k < file.patches.size(); ++k) {
-    const std::string place = place_beyond_doubles(file.patches[k].patch);
+  const SurfaceFile file = input_surfaces(path);
+  for (std::size_t k = 0; k < file.surfaces.size(); ++k) {
+    if (file.surfaces[k].patch() == nullptr) continue;
+    const std::string place = place_beyond_doubles(*file.surfaces[k].patch());
     if (!place.empty()) throw InputError(input_name(path), fmt::format("$.patches[{}].{}", k, place), reason);
   }
 }
 
 ChosenPatch read_patch(const std::string& path, const std::string& name) {
-  const RationalPatchFile file = input_patches(path);
-  if (name.empty() && file.patches.size() != 1) {
+  const SurfaceFile file = input_surfaces(path);
+  const std::vector<NamedSurface>& entries = file.surfaces;
+  if (name.empty() && entries.size() != 1) {
     throw InputError(
         input_name(path), "$.patches",
-        fmt::format("holds {} patches ({}): choose with --patch", file.patches.size(), names(file)));
+        fmt::format("holds {} patches ({}): choose with --patch", entries.size(), names(entries)));
   }
-  const NamedRationalPatch& patch = name.empty() ? file.patches.front() : named(file, path, name, "--patch");
-  return {biquadratic(patch, input_name(path), ""), file.title};
+  const NamedSurface& chosen = name.empty() ? entries.front() : named(entries, path, name, "--patch");
+  return {biquadratic(patch_only(chosen, path), input_name(path), ""), file.title};
 }
 
 }  // namespace exsect::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exsect/geometry/rational_patch_file.h>
+#include <exsect/geometry/surface_file.h>
 
 #include <string>
 
@@ -21,9 +22,18 @@ struct RationalPair {
   std::string title;
 };
 
+/// Two surfaces, patches or given by their equations.
+struct SurfacePair {
+  NamedSurface x;
+  NamedSurface y;
+  std::string title;
+};
+
 /// Reads the file and chooses: by name where a name is not empty, else in the order of the file, which then
 /// must hold exactly two patches. Throws InputError for a bad file, an unknown name, the same name twice, or
 /// no clear choice.
+SurfacePair read_surface_pair(const std::string& path, const std::string& first, const std::string& second);
+/// The same of patches; InputError if one of them is given by its equation.
 RationalPair read_rational_pair(const std::string& path, const std::string& first, const std::string& second);
 /// The same where `chosen_by`, and not --first and --second, gives the names.
 RationalPair read_rational_pair(const std::string& path, const std::string& first, const std::string& second,

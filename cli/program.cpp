@@ -125,9 +125,9 @@ ExitStatus dispatch(int argc, const char* const* argv, const Streams& streams) {
   }
   if (app.get_subcommands().empty()) throw UsageError("a command is needed (see exsect --help)");
   refuse_empty_values(app);
-  for (OutputFiles* output :
-       {&commands.intersect.output, &commands.line.output, &commands.ray.output, &commands.self.output, &commands.compare.output,
-        &commands.verify.output, &commands.implicitize.output, &commands.revolve.output})
+  for (OutputFiles* output : {&commands.intersect.output, &commands.line.output, &commands.ray.output,
+                              &commands.self.output, &commands.compare.output, &commands.verify.output,
+                              &commands.implicitize.output, &commands.revolve.output})
     output->line = shell_command(argc, argv);
   return run_chosen(app, commands, streams);
 }

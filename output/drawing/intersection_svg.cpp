@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "output/drawing/svg_legend.h"
@@ -165,7 +166,7 @@ void draw_square(const IntersectResult& result, SvgSquare& drawn, std::size_t sq
   draw_nodes(result.graph, drawn, square);
 }
 
-SvgLegend legend(const IntersectResult& result) {
+SvgLegend legend(const IntersectResult& result, bool two_squares) {
   const IntersectionGraph& graph = result.graph;
   SvgLegend legend;
   for (std::size_t i = 0; i < std::min(graph.components.size(), most_listed); ++i) {
@@ -190,7 +191,8 @@ SvgLegend legend(const IntersectResult& result) {
                                     [&](const Node& node) { return has(node, entry.kind); });
     if (!occurs) continue;
     legend.add(entry.mark, "#404040", entry.text);
-    if (entry.kind == NodeKind::turning) legend.add(Mark::point, "#404040", "turns in the other square");
+    if (entry.kind == NodeKind::turning && two_squares)
+      legend.add(Mark::point, "#404040", "turns in the other square");
   }
   if (std::any_of(graph.nodes.begin(), graph.nodes.end(), [](const Node& n) { return !n.free.empty(); })) {
     legend.add(Stroke{"#404040", 5}, "one point of space");
@@ -216,7 +218,8 @@ std::string intersection_svg(const IntersectResult& result, const PatchNames& na
 
 std::string intersection_svg(const IntersectResult& result, const PatchNames& names, const std::string& title,
                              const SquareAdditions& additions) {
-  SvgLegend entries = legend(result);
+  const bool two_squares = names.equation.empty();
+  SvgLegend entries = legend(result, two_squares);
   for (const auto& [stroke, text] : additions.legend) entries.add(stroke, text);
   const double legend_width = pair_width - pair_left - 24;
   const double legend_top = squares_top + SvgSquare::size + 56;
@@ -225,7 +228,9 @@ std::string intersection_svg(const IntersectResult& result, const PatchNames& na
   const double title_size = text_width(title, 16) <= pair_width - 40 ? 16 : 13;
   picture.text(pair_width / 2, 28, fitted(title, title_size, pair_width - 40), title_size,
                TextAnchor::middle);
-  const std::array<std::string, 2> heads = {square_heading(names, 0), square_heading(names, 1)};
+  const std::array<std::string, 2> heads = {
+      square_heading(names, 0),
+      two_squares ? square_heading(names, 1) : fmt::format("{} by its equation", printable(names.second))};
   const std::array<double, 2> lefts = {pair_left, pair_left + SvgSquare::size + pair_between};
   for (std::size_t square : {0, 1}) {
     picture.text(lefts[square] + SvgSquare::size / 2, squares_top - 14,
@@ -233,16 +238,21 @@ std::string intersection_svg(const IntersectResult& result, const PatchNames& na
   }
   picture.element("</g>");
   SvgSquare first(picture, lefts[0], squares_top, names.parameters[0], names.parameters[1]);
-  SvgSquare second(picture, lefts[1], squares_top, names.parameters[2], names.parameters[3]);
+  const auto add_second = [&] {
+    return two_squares ? std::optional<SvgSquare>(std::in_place, picture, lefts[1], squares_top,
+                                                  names.parameters[2], names.parameters[3])
+                       : std::nullopt;
+  };
+  std::optional<SvgSquare> second = add_second();
   const auto draw_lines = [&](const std::vector<SquareAdditions::Line>& lines) {
-    for (const auto& line : lines) (line.square == 0 ? first : second).polyline(line.points, line.stroke);
+    for (const auto& line : lines) (line.square == 0 ? first : *second).polyline(line.points, line.stroke);
   };
   draw_lines(additions.below);
   draw_square(result, first, 0);
-  draw_square(result, second, 1);
+  if (second) draw_square(result, *second, 1);
   draw_lines(additions.above);
   for (const auto& mark : additions.marks)
-    (mark.square == 0 ? first : second).mark(Mark::cross, mark.at, "#d00000");
+    (mark.square == 0 ? first : *second).mark(Mark::cross, mark.at, "#d00000");
   entries.draw(picture, pair_left, legend_top, legend_width);
   return picture.document();
 }

@@ -12,7 +12,8 @@
 namespace exsect::cli {
 
 /// The squares (u,v) and (r,s) side by side: arcs coloured by component, nodes marked by kind, undecided
-/// regions in grey, and a legend. Polylines are simplified to `drawing_tolerance`.
+/// regions in grey, and a legend; the square (u,v) alone beside a surface given by its equation. Polylines
+/// are simplified to `drawing_tolerance`.
 std::string intersection_svg(const IntersectResult& result, const PatchNames& names,
                              const std::string& title);
 

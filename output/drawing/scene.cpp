@@ -129,6 +129,20 @@ Scene intersection_scene(const IntersectResult& result, const RationalPatch& x, 
   return scene;
 }
 
+Scene surface_scene(const IntersectResult& result, const RationalPatch& x, const PatchNames& names,
+                    const std::string& title, int cells) {
+  Scene scene{title, pair_names, {sampled(x, names.first, cells, 0)}, {}, {}};
+  IntersectionGraph graph = result.graph;
+  const auto leave_out = [](std::array<double, 4>& parameters) {
+    parameters[index(Parameter::r)] = parameters[index(Parameter::s)] = no_parameter;
+  };
+  for (Node& node : graph.nodes) leave_out(node.approx);
+  for (Arc& arc : graph.arcs)
+    for (PolylineVertex& vertex : arc.polyline) leave_out(vertex.parameters);
+  add_graph(scene, graph);
+  return scene;
+}
+
 Scene self_scene(const IntersectResult& result, const BezierPatch& x, const std::string& name,
                  const std::string& title, int cells) {
   Scene scene{title, self_names, {sampled(x, name, cells, 0)}, {}, {}};

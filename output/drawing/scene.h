@@ -58,6 +58,9 @@ struct Scene {
 /// Throws std::invalid_argument if a coordinate of a patch is beyond the range of doubles.
 Scene intersection_scene(const IntersectResult& result, const RationalPatch& x, const RationalPatch& y,
                          const PatchNames& names, const std::string& title, int cells);
+/// The patch x and the curves and nodes; the surface given by its equation is not sampled.
+Scene surface_scene(const IntersectResult& result, const RationalPatch& x, const PatchNames& names,
+                    const std::string& title, int cells);
 Scene self_scene(const IntersectResult& result, const BezierPatch& x, const std::string& name,
                  const std::string& title, int cells);
 /// A surface of revolution with its distance from the true surface; names of parameters are those of a pair.

@@ -26,7 +26,8 @@ Json node_json(const Node& node, const ParameterNames& names) {
 Json arc_json(const Arc& arc, const ParameterNames& names) {
   Json polyline = Json::array();
   for (const PolylineVertex& vertex : arc.polyline) {
-    Json row = vertex.parameters;
+    Json row = Json::array();
+    for (Parameter p : named_parameters(names)) row.push_back(vertex.parameters[index(p)]);
     for (double coordinate : vertex.point) row.push_back(coordinate);
     polyline.push_back(std::move(row));
   }
@@ -62,7 +63,7 @@ Json list(const std::vector<T>& values, Form form) {
 
 Json summary_json(const IntersectionGraph& graph, const ParameterNames& names) {
   Json turning = Json::object();
-  for (Parameter p : all_parameters) turning[name(p, names)] = graph.turning_points(p);
+  for (Parameter p : named_parameters(names)) turning[name(p, names)] = graph.turning_points(p);
   return {{"components", graph.components.size()},
           {"closed", graph.count(ComponentShape::closed)},
           {"open", graph.count(ComponentShape::open)},
@@ -112,6 +113,7 @@ Json intersection_json(const IntersectResult& result, const PatchNames& names) {
                {"status", status_name(result)},
                {"first", names.first},
                {"second", names.second}};
+  if (!names.equation.empty()) json["equation"] = names.equation;
   return append_result(json, result, names.parameters);
 }
 

@@ -10,11 +10,12 @@
 namespace exsect::cli {
 
 /// Names of the two patches, in the order of the parameters (u,v) and (r,s), and what the parameters are
-/// called.
+/// called. Where the second is a surface given by its equation `equation` is its kind, as "torus".
 struct PatchNames {
   std::string first;
   std::string second;
   ParameterNames parameters = pair_names;
+  std::string equation = {};
 };
 
 /// Deterministic but for "work": keys in the order of docs/formats.md, nodes, arcs and components by id.

@@ -37,7 +37,7 @@ std::string headline(const IntersectResult& result, const PatchNames& names) {
 
 std::string turning_text(const IntersectionGraph& graph, const ParameterNames& names) {
   std::vector<std::string> counts;
-  for (Parameter p : all_parameters)
+  for (Parameter p : named_parameters(names))
     counts.push_back(fmt::format("{} in {}", graph.turning_points(p), name(p, names)));
   return fmt::format("{} on the boundary; turning points: {}\n",
                      counted(static_cast<std::size_t>(graph.boundary_points()), "point"),
@@ -62,19 +62,24 @@ std::vector<std::string> node_words(const Node& node, const ParameterNames& name
   return {std::to_string(node.id), joined(kinds, ", "), joined(places, " "), joined(wrt, " ")};
 }
 
-std::string nodes_text(const IntersectionGraph& graph, const ParameterNames& names, const RationalPatch& x,
-                       const RationalPatch& y, bool verbose) {
+std::vector<ParameterBox> node_boxes(const IntersectionGraph& graph) {
   std::vector<ParameterBox> boxes;
+  for (const Node& node : graph.nodes) boxes.push_back(node.box);
+  return boxes;
+}
+
+/// `places`: what place_rows gives for the nodes.
+std::string nodes_text(const IntersectionGraph& graph, const ParameterNames& names,
+                       const std::vector<std::vector<std::string>>& places) {
   std::vector<std::vector<std::string>> rows;
-  for (const Node& node : graph.nodes) {
-    boxes.push_back(node.box);
-    rows.push_back(node_words(node, names));
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+    rows.push_back(node_words(graph.nodes[i], names));
+    rows.back().insert(rows.back().end(), places[i].begin(), places[i].end());
   }
-  const auto places = place_rows(boxes, x, y, shown_decimals(verbose));
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    rows[i].insert(rows[i].end(), places[i].begin(), places[i].end());
-  return table({"node", "kind", "on", "turns in", names[0], names[1], names[2], names[3], "x", "y", "z"},
-               rows);
+  std::vector<std::string> heads = {"node", "kind", "on", "turns in"};
+  for (const Parameter p : named_parameters(names)) heads.emplace_back(name(p, names));
+  heads.insert(heads.end(), {"x", "y", "z"});
+  return table(heads, rows);
 }
 
 std::vector<std::string> arc_row(const Arc& arc, const ParameterNames& names) {
@@ -149,18 +154,29 @@ std::string coarse_text(const std::optional<CoarseDrawing>& coarse) {
 
 std::string section(const std::string& text) { return text.empty() ? "" : "\n" + text; }
 
-}  // namespace
-
-std::string intersection_summary(const IntersectResult& result, const PatchNames& names,
-                                 const RationalPatch& x, const RationalPatch& y, bool verbose) {
+std::string summary_of(const IntersectResult& result, const PatchNames& names,
+                       const std::vector<std::vector<std::string>>& places, bool verbose) {
   const IntersectionGraph& graph = result.graph;
   return headline(result, names) + turning_text(graph, names.parameters) + section(components_text(graph)) +
-         section(nodes_text(graph, names.parameters, x, y, verbose)) +
-         section(arcs_text(graph, names.parameters)) + section(overlaps_text(graph)) +
+         section(nodes_text(graph, names.parameters, places)) + section(arcs_text(graph, names.parameters)) +
+         section(overlaps_text(graph)) +
          (graph.isolated_points.empty() ? ""
                                         : "\n  isolated points: nodes " + ids(graph.isolated_points) + "\n") +
          incomplete_text(result.incomplete, names.parameters) + coarse_text(result.coarse) + "\n" +
          work_text(result.work, verbose);
+}
+
+}  // namespace
+
+std::string intersection_summary(const IntersectResult& result, const PatchNames& names,
+                                 const RationalPatch& x, const RationalPatch& y, bool verbose) {
+  return summary_of(result, names, place_rows(node_boxes(result.graph), x, y, shown_decimals(verbose)),
+                    verbose);
+}
+
+std::string intersection_summary(const IntersectResult& result, const PatchNames& names,
+                                 const RationalPatch& x, bool verbose) {
+  return summary_of(result, names, place_rows(node_boxes(result.graph), x, shown_decimals(verbose)), verbose);
 }
 
 }  // namespace exsect::cli

@@ -15,5 +15,8 @@ namespace exsect::cli {
 /// y are that patch.
 std::string intersection_summary(const IntersectResult& result, const PatchNames& names,
                                  const RationalPatch& x, const RationalPatch& y, bool verbose);
+/// The same for a patch and a surface given by its equation.
+std::string intersection_summary(const IntersectResult& result, const PatchNames& names,
+                                 const RationalPatch& x, bool verbose);
 
 }  // namespace exsect::cli

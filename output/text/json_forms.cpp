@@ -55,14 +55,14 @@ Json json_interval(const RationalInterval& interval) {
 
 Json json_box(const ParameterBox& box, const ParameterNames& names) {
   Json json = Json::object();
-  for (Parameter p : all_parameters) json[name(p, names)] = json_interval(box[index(p)]);
+  for (Parameter p : named_parameters(names)) json[name(p, names)] = json_interval(box[index(p)]);
   return json;
 }
 
 Json json_approx(const std::array<double, 4>& parameters, const std::array<double, 3>& point,
                  const ParameterNames& names) {
   Json json = Json::object();
-  for (Parameter p : all_parameters) json[name(p, names)] = parameters[index(p)];
+  for (Parameter p : named_parameters(names)) json[name(p, names)] = parameters[index(p)];
   json["point"] = point;
   return json;
 }

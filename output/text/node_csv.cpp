@@ -13,17 +13,18 @@ namespace {
 
 std::string box_heads(const ParameterNames& names) {
   std::string heads;
-  for (const char* parameter : names) heads += fmt::format(",{0}_lower,{0}_upper", parameter);
-  for (const char* parameter : names) heads += fmt::format(",{}", parameter);
+  for (const Parameter p : named_parameters(names))
+    heads += fmt::format(",{0}_lower,{0}_upper", name(p, names));
+  for (const Parameter p : named_parameters(names)) heads += fmt::format(",{}", name(p, names));
   return heads + ",x,y,z\n";
 }
 
 std::string box_cells(const ParameterBox& box, const std::array<double, 4>& approx,
-                      const std::array<double, 3>& point) {
+                      const std::array<double, 3>& point, const ParameterNames& names) {
   std::string cells;
-  for (const RationalInterval& interval : box)
-    cells += "," + to_string(interval.lower) + "," + to_string(interval.upper);
-  for (double parameter : approx) cells += fmt::format(",{}", parameter);
+  for (const Parameter p : named_parameters(names))
+    cells += "," + to_string(box[index(p)].lower) + "," + to_string(box[index(p)].upper);
+  for (const Parameter p : named_parameters(names)) cells += fmt::format(",{}", approx[index(p)]);
   for (double coordinate : point) cells += fmt::format(",{}", coordinate);
   return cells + "\n";
 }
@@ -45,7 +46,7 @@ std::string node_csv(const IntersectionGraph& graph, const ParameterNames& names
                         blank_separated(node.kinds, [](NodeKind kind) { return name(kind); }),
                         blank_separated(node.on, [&](Side side) { return side_name(side, names); }),
                         blank_separated(node.wrt, parameter), blank_separated(node.free, parameter));
-    text += box_cells(node.box, node.approx, node.point);
+    text += box_cells(node.box, node.approx, node.point, names);
   }
   return text;
 }
@@ -57,7 +58,7 @@ std::string point_csv(const LineIntersection& line, const BezierPatch& x) {
     text += fmt::format("{},{},{},{}", id++,
                         blank_separated(shown.point.sides(), [](Side side) { return side_name(side); }),
                         shown.point.multiplicity(), shown.point.branch());
-    text += box_cells(shown.point.box(), shown.parameters, shown.space);
+    text += box_cells(shown.point.box(), shown.parameters, shown.space, pair_names);
   }
   return text;
 }

@@ -40,22 +40,48 @@ SpaceBox space_box(const ParameterBox& box, const RationalPatch& x, const Ration
   return place;
 }
 
+SpaceBox space_box(const ParameterBox& box, const RationalPatch& x) {
+  const BoundingBox a = piece_box(x, box[index(Parameter::u)], box[index(Parameter::v)]);
+  SpaceBox place;
+  for (std::size_t k = 0; k < 3; ++k) place[k] = {a.lower[k], a.upper[k]};
+  return place;
+}
+
+namespace {
+
+/// Of the first `count` parameters.
+std::vector<std::vector<std::string>> rows_of_places(const std::vector<ParameterBox>& boxes,
+                                                     const std::vector<SpaceBox>& places, std::size_t count,
+                                                     int decimals) {
+  const long scale = scale_of(places);
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    std::vector<std::string> row;
+    for (std::size_t k = 0; k < count; ++k) row.push_back(proved_decimal(boxes[i][k], -decimals));
+    for (const RationalInterval& side : places[i])
+      row.push_back(proved_decimal(side, scale - decimals, scale));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
 std::vector<std::vector<std::string>> place_rows(const std::vector<ParameterBox>& boxes,
                                                  const RationalPatch& x, const RationalPatch& y,
                                                  int decimals) {
   std::vector<SpaceBox> places;
   places.reserve(boxes.size());
   for (const ParameterBox& box : boxes) places.push_back(space_box(box, x, y));
-  const long scale = scale_of(places);
-  std::vector<std::vector<std::string>> rows;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    std::vector<std::string> row;
-    for (const RationalInterval& side : boxes[i]) row.push_back(proved_decimal(side, -decimals));
-    for (const RationalInterval& side : places[i])
-      row.push_back(proved_decimal(side, scale - decimals, scale));
-    rows.push_back(std::move(row));
-  }
-  return rows;
+  return rows_of_places(boxes, places, 4, decimals);
+}
+
+std::vector<std::vector<std::string>> place_rows(const std::vector<ParameterBox>& boxes,
+                                                 const RationalPatch& x, int decimals) {
+  std::vector<SpaceBox> places;
+  places.reserve(boxes.size());
+  for (const ParameterBox& box : boxes) places.push_back(space_box(box, x));
+  return rows_of_places(boxes, places, 2, decimals);
 }
 
 }  // namespace exsect::cli

@@ -17,11 +17,17 @@ using SpaceBox = std::array<RationalInterval, 3>;
 /// points of both pieces enclose. Requires that there is such a point.
 SpaceBox space_box(const ParameterBox& box, const RationalPatch& x, const RationalPatch& y);
 
+/// The same for a point of x alone.
+SpaceBox space_box(const ParameterBox& box, const RationalPatch& x);
+
 /// Proved digits (proved_decimal.h) of u, v, r, s, x, y, z for each box: at most `decimals` decimals of a
 /// parameter, and as many of a coordinate after the first digit of the largest coordinate of all.
 std::vector<std::vector<std::string>> place_rows(const std::vector<ParameterBox>& boxes,
                                                  const RationalPatch& x, const RationalPatch& y,
                                                  int decimals);
+/// The same of u, v, x, y, z for points of x alone.
+std::vector<std::vector<std::string>> place_rows(const std::vector<ParameterBox>& boxes,
+                                                 const RationalPatch& x, int decimals);
 
 /// Decimals on the screen, and with --verbose.
 constexpr int shown_decimals(bool verbose) { return verbose ? 15 : 6; }

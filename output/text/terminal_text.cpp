@@ -81,7 +81,7 @@ std::string interval_text(const RationalInterval& interval) { return outward_dec
 
 std::string box_text(const ParameterBox& box, const ParameterNames& names) {
   std::vector<std::string> ranges;
-  for (Parameter p : all_parameters)
+  for (Parameter p : named_parameters(names))
     ranges.push_back(fmt::format("{} in {}", name(p, names), interval_text(box[index(p)])));
   return joined(ranges, ", ");
 }

@@ -1,0 +1,87 @@
+// exsect intersect of a patch and a surface given by its equation, end to end.
+#include "check_refused.h"
+#include "json_schema.h"
+#include "run_program.h"
+#include "support/catch.h"
+
+namespace exsect::intersect_equation_test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string surfaces = example("surfaces.json");
+
+Json intersect(const std::string& first, const std::string& second) {
+  const ProgramRun run =
+      run_program({"intersect", surfaces, "--first", first, "--second", second, "--json", "-"});
+  INFO(run.err);
+  CHECK(run.status == 0);
+  CHECK(run.err.empty());
+  Json json = Json::parse(run.out);
+  CHECK(JsonSchema::named("intersection-1").violation(json) == "");
+  json.erase("work");
+  return json;
+}
+
+}  // namespace
+
+TEST_CASE("intersect: a saddle and a torus, in either order") {
+  const Json json = intersect("saddle", "torus");
+  CHECK(json["status"] == "complete");
+  CHECK(json["first"] == "saddle");
+  CHECK(json["second"] == "torus");
+  CHECK(json["equation"] == "torus");
+  // z = xy/16 is inside the torus over rings around its equators: two closed curves, one of which touches all
+  // sides.
+  CHECK(json["summary"]["components"] == 2);
+  CHECK(json["summary"]["closed"] == 2);
+  CHECK(json["summary"]["boundary"] == 4);
+  CHECK(json["summary"]["turning"] == Json::parse(R"({"u": 2, "v": 2})"));
+  for (const Json& node : json["nodes"]) {
+    CHECK_FALSE(node["box"].contains("r"));
+    CHECK_FALSE(node["approx"].contains("s"));
+  }
+  for (const Json& arc : json["arcs"]) CHECK(arc["polyline"][0].size() == 5);
+  CHECK(intersect("torus", "saddle") == json);
+}
+
+TEST_CASE("intersect: every kind of surface with a patch") {
+  CHECK(intersect("saddle", "floor")["summary"]["isolated"] == 2);  // its lowest corners
+  CHECK(intersect("saddle", "oblique")["summary"]["components"] > 0);
+  CHECK(intersect("saddle", "cone")["equation"] == "cone");
+  CHECK(intersect("ball", "saddle")["summary"]["closed"] == 1);
+  CHECK(intersect("saddle", "quartic")["equation"] == "implicit");
+}
+
+TEST_CASE("intersect: pictures, tables and scenes of one patch") {
+  const ScratchDirectory scratch;
+  const ProgramRun run =
+      run_program({"intersect", surfaces, "--first", "saddle", "--second", "ball", "--svg",
+                   scratch.path("a.svg"), "--csv", scratch.path("a.csv"), "--obj", scratch.path("a.obj"),
+                   "--vtp", scratch.path("a.vtp"), "--ply", scratch.path("a.ply")});
+  INFO(run.err);
+  CHECK(run.status == 0);
+  CHECK(run.out.find("saddle with ball: complete, proved: 1 component (1 closed)") != std::string::npos);
+  CHECK(run.out.find("in exact arithmetic") != std::string::npos);
+  const std::string svg = content(scratch.path("a.svg"));
+  CHECK(svg.find("ball by its equation") != std::string::npos);
+  CHECK(svg.find("other square") == std::string::npos);
+  const std::string csv = content(scratch.path("a.csv"));
+  CHECK(csv.starts_with("id,kinds,on,wrt,free,u_lower,u_upper,v_lower,v_upper,u,v,x,y,z\n"));
+  for (const char* file : {"a.obj", "a.vtp", "a.ply"}) CHECK(content(scratch.path(file)).size() > 1000);
+}
+
+TEST_CASE("intersect: what is not there yet for equations is refused by name") {
+  check_refused({"intersect", surfaces, "--first", "torus", "--second", "ball"}, "both given by equations");
+  check_refused(
+      {"intersect", surfaces, "--first", "saddle", "--second", "ball", "--report", "/tmp/page.html"},
+      "not supported yet with --report");
+  check_refused(
+      {"intersect", surfaces, "--first", "saddle", "--second", "ball", "--certificate", "/tmp/proof"},
+      "not supported yet with --certificate");
+  check_refused({"line", surfaces, "--first", "saddle", "--second", "ball", "--u", "1/2"},
+                "only patches are taken");
+  check_refused({"intersect", surfaces}, "holds 7 patches");
+}
+
+}  // namespace exsect::intersect_equation_test
