@@ -246,6 +246,7 @@ PYBIND11_MODULE(_core, module) {
   add_curve(module);
   add_files(module);
   add_intersections(module);
+  add_surfaces(module);
   add_implicitizations(module);
   add_verifications(module);
 }

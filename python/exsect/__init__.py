@@ -24,7 +24,7 @@ from fractions import Fraction
 from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._core import Curve, InputError, NoCertificate, Patch
+from ._core import Curve, InputError, NoCertificate, Patch, Surface
 from ._core import __version__ as __version__
 from ._results import (
     Again,
@@ -42,6 +42,9 @@ from ._results import (
     Overlap,
     Plane,
     Polynomial,
+    RayHit,
+    RayIntersection,
+    RayOverlap,
     Revolution,
     Statement,
     Unproved,
@@ -70,20 +73,31 @@ __all__ = [
     "Patch",
     "Plane",
     "Polynomial",
+    "RayHit",
+    "RayIntersection",
+    "RayOverlap",
     "Revolution",
     "Statement",
+    "Surface",
     "Unproved",
     "Verdict",
     "check",
     "compare",
+    "cone",
+    "cylinder",
+    "implicit",
     "implicitize",
     "intersect",
     "intersect_all",
     "line",
+    "plane",
+    "ray",
     "read_curve",
     "read_patches",
     "revolve",
     "self_intersect",
+    "sphere",
+    "torus",
     "verify",
     "write_patches",
 ]
@@ -136,9 +150,113 @@ def _same_again(function: str, *arguments: Any, progress: Any = ()) -> Tuple[Any
     return getattr(_core, function)(*arguments, *((progress,) if progress != () else ())), again
 
 
+def _entry_number(value: Any, where: str) -> str:
+    """An exact number as the text of a patch file."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, float):
+        raise TypeError(f"{where}: a float is not taken, give an int, a Fraction or a string")
+    return str(Fraction(value))
+
+
+def _entry_vector(values: Sequence[Any], where: str) -> List[str]:
+    return [_entry_number(value, where) for value in values]
+
+
+def _lengths(**given: Any) -> Dict[str, str]:
+    return {key: _entry_number(value, key) for key, value in given.items() if value is not None}
+
+
+def _surface(kind: str, **members: Any) -> Surface:
+    return Surface(json.dumps({"name": kind, "type": kind, **members}))
+
+
+Vector = Sequence[Number]
+
+
+def plane(point: Vector, normal: Vector) -> Surface:
+    """The plane through the point; directions here and below are of any length but 0."""
+    return _surface("plane", point=_entry_vector(point, "point"), normal=_entry_vector(normal, "normal"))
+
+
+def cylinder(
+    point: Vector, axis: Vector, radius: Optional[Number] = None, *, radius_squared: Optional[Number] = None
+) -> Surface:
+    """The whole cylinder about the line through the point; the radius, or its square where it is irrational."""
+    lengths = _lengths(radius=radius, radius_squared=radius_squared)
+    return _surface("cylinder", point=_entry_vector(point, "point"), axis=_entry_vector(axis, "axis"), **lengths)
+
+
+def cone(
+    apex: Vector,
+    axis: Vector,
+    slope: Optional[Number] = None,
+    *,
+    slope_squared: Optional[Number] = None,
+    nappes: int = 1,
+) -> Surface:
+    """The cone of radius slope * height; one nappe, the one that the axis points to, or both."""
+    lengths = _lengths(slope=slope, slope_squared=slope_squared)
+    vectors = {"apex": _entry_vector(apex, "apex"), "axis": _entry_vector(axis, "axis")}
+    return _surface("cone", **vectors, **lengths, nappes=nappes)
+
+
+def sphere(
+    centre: Vector, radius: Optional[Number] = None, *, radius_squared: Optional[Number] = None
+) -> Surface:
+    """The sphere; the radius, or its square where it is irrational."""
+    lengths = _lengths(radius=radius, radius_squared=radius_squared)
+    return _surface("sphere", centre=_entry_vector(centre, "centre"), **lengths)
+
+
+def torus(
+    centre: Vector,
+    axis: Vector,
+    major: Optional[Number] = None,
+    minor: Optional[Number] = None,
+    *,
+    major_squared: Optional[Number] = None,
+    minor_squared: Optional[Number] = None,
+) -> Surface:
+    """The torus of radii 0 < minor < major."""
+    lengths = _lengths(major=major, major_squared=major_squared, minor=minor, minor_squared=minor_squared)
+    return _surface("torus", centre=_entry_vector(centre, "centre"), axis=_entry_vector(axis, "axis"), **lengths)
+
+
+def implicit(terms: Mapping[Tuple[int, int, int], Number]) -> Surface:
+    """The zeros of a polynomial of degree 1 to 4: coefficients by exponents of x, y, z, as in Polynomial."""
+    return _surface("implicit", terms=[[_entry_number(c, "terms"), list(e)] for e, c in terms.items()])
+
+
+def ray(
+    origin: Vector, direction: Vector, surfaces: Union[Patch, Surface, Mapping[str, Union[Patch, Surface]]]
+) -> RayIntersection:
+    """All points origin + t direction, t >= 0, on one surface or on several by name, in exact order along the ray.
+
+    The surfaces are patches of every kind and surfaces given by their equations. ValueError for a direction of
+    length 0.
+    """
+    named = surfaces if isinstance(surfaces, Mapping) else {"surface": surfaces}
+    if not named:
+        raise ValueError("surfaces: at least one is needed")
+    return RayIntersection(_core.ray(list(origin), list(direction), dict(named)))
+
+
+def _intersect_equation(
+    x: Any, y: Any, turning: str, tolerance: str, limit: str, names: Tuple[str, str], title: str, progress: Any
+) -> Intersection:
+    if isinstance(x, Surface) and isinstance(y, Surface):
+        raise ValueError("two surfaces given by equations: not supported yet, one of the two must be a patch")
+    surface, patch, ordered = (x, y, names[::-1]) if isinstance(x, Surface) else (y, x, names)
+    core, again = _same_again(
+        "intersect_equation", surface, patch, list(ordered), turning, tolerance, limit, progress=progress
+    )
+    return Intersection(core, title, again)
+
+
 def intersect(
-    x: Patch,
-    y: Patch,
+    x: Union[Patch, Surface],
+    y: Union[Patch, Surface],
     *,
     turning: Union[str, Iterable[str], None] = "u,v,r,s",
     tolerance: Union[Number, float] = "1e-6",
@@ -151,6 +269,9 @@ def intersect(
 ) -> Intersection:
     """Every point of x(u,v) = y(r,s), as a graph of nodes and arcs.
 
+    One of the two may be a surface given by its equation: then the patch has the parameters u and v, there are no
+    others, and the solution is exact.
+
     `turning`: parameters whose turning points become nodes. `tolerance` bounds the proved distance of polylines,
     relative to the size of the model (the largest extent of all control points); `absolute_tolerance`, if it is
     given, in the units of the model instead. After `max_seconds` the result is incomplete. `exact` skips the solution in
@@ -159,7 +280,10 @@ def intersect(
     ValueError for options out of range.
     """
     limit = "" if max_seconds is None else _text(max_seconds)
-    relative = _relative(tolerance, absolute_tolerance, x, y)
+    patches = [shape for shape in (x, y) if isinstance(shape, Patch)]
+    relative = _relative(tolerance, absolute_tolerance, *patches) if patches else ""
+    if not (isinstance(x, Patch) and isinstance(y, Patch)):
+        return _intersect_equation(x, y, _turning(turning), relative, limit, names, title, progress)
     core, again = _same_again(
         "intersect", x, y, list(names), _turning(turning), relative, limit, exact, progress=progress
     )

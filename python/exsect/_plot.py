@@ -71,7 +71,7 @@ def result_figure(result: Any, options: Dict[str, Any]) -> Any:
     for arc in result.arcs:
         points = arc.xyz
         space.plot(*([p[k] for p in points] for k in range(3)), **_style(arc.component))
-    for which in (0, 1):
+    for which in range(len(result.parameters) // 2):
         names = (result.parameters[2 * which], result.parameters[2 * which + 1])
         _draw_square(figure.add_subplot(1, 3, 2 + which), result, which, names)
     return figure

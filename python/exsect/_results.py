@@ -139,7 +139,7 @@ def _polynomial(variables: Sequence[str], terms: Iterable[Any]) -> Polynomial:
     return Polynomial(variables, [(exponents, coefficient) for coefficient, exponents in terms])
 
 
-def _columns(rows: Any, start: int, stop: int) -> Any:
+def _columns(rows: Any, start: int, stop: Optional[int]) -> Any:
     return [row[start:stop] for row in rows] if numpy is None or isinstance(rows, list) else rows[:, start:stop]
 
 
@@ -201,7 +201,7 @@ class Arc:
     #: "transversal" or "tangential".
     contact: str
     free: Tuple[str, ...]
-    #: Rows of four parameters and x, y, z: an array of numpy where numpy is installed, else lists.
+    #: Rows of four parameters and x, y, z, or of two with a surface given by its equation: an array of numpy where numpy is installed, else lists.
     polyline: Any = field(compare=False)
     #: Proved: true arc and polyline are within this distance of each other in space. Infinite if a coordinate of the
     #: polyline is beyond the range of floats.
@@ -214,13 +214,13 @@ class Arc:
 
     @property
     def rs(self) -> Any:
-        """The two parameters of the second patch (of a self-intersection: u2, v2) at every vertex."""
-        return _columns(self.polyline, 2, 4)
+        """The two parameters of the second patch (of a self-intersection: u2, v2) at every vertex; none of an equation."""
+        return _columns(self.polyline, 2, -3)
 
     @property
     def xyz(self) -> Any:
         """The points of space."""
-        return _columns(self.polyline, 4, 7)
+        return _columns(self.polyline, -3, None)
 
     def __repr__(self) -> str:
         return (
@@ -408,7 +408,7 @@ class _Exportable(Result):
 class Intersection(_Exportable):
     """The intersection of two patches, or of a patch with itself, as a graph of nodes and arcs."""
 
-    #: Names of the parameters: u, v, r, s, or u1, v1, u2, v2.
+    #: Names of the parameters: u, v, r, s, or u1, v1, u2, v2, or u, v with a surface given by its equation.
     parameters: Tuple[str, ...]
     nodes: Tuple[Node, ...]
     arcs: Tuple[Arc, ...]
@@ -468,9 +468,11 @@ class Intersection(_Exportable):
 
     @property
     def patches(self) -> Tuple[Any, ...]:
-        """The patches that were intersected: two, or one of a self-intersection."""
+        """The patches that were intersected: two, or one of a self-intersection or with an equation."""
         if self._again is None:
             return ()
+        if len(self.parameters) == 2:
+            return (self._again.arguments[1],)
         return tuple(self._again.arguments[: 1 if self.parameters[0] == "u1" else 2])
 
     def plot(self, **options: Any) -> Any:
@@ -730,3 +732,74 @@ class Revolution(_Implicit):
         if rings is None:
             return None
         return tuple((_interval(ring["r"]["box"]), _interval(ring["z"]["box"])) for ring in rings)
+
+
+@dataclass(frozen=True)
+class RayHit:
+    """A point of a ray on a surface."""
+
+    surface: str
+    #: The number of the point along the ray, from 1 on: equal for hits in one point.
+    place: int
+    #: Encloses the ray's parameter; both ends are the number itself if it is rational.
+    t: Interval
+    #: 0 where a curve of parameters of a patch, as a collapsed side, is the one point.
+    multiplicity: int
+    #: "transversal", "tangential" or "singular".
+    contact: str
+    #: Of a patch: u and v, if they are not a whole curve.
+    parameters: Optional[Dict[str, Interval]]
+    #: Approximate.
+    point: Tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class RayOverlap:
+    """A closed part of a ray on a surface; without `end` it goes on for ever."""
+
+    surface: str
+    begin: Interval
+    end: Optional[Interval]
+
+
+class RayIntersection:
+    """All points of a ray on surfaces."""
+
+    #: In exact order along the ray.
+    hits: Tuple[RayHit, ...]
+    overlaps: Tuple[RayOverlap, ...]
+    #: Surfaces on which something may be missing, and why.
+    incomplete: Dict[str, str]
+
+    def __init__(self, tree: Mapping[str, Any]):
+        #: The content of ray/1 (formats.md).
+        self.tree = tree
+        self.hits = tuple(
+            RayHit(
+                hit["surface"],
+                hit["place"],
+                _interval(hit["t"]["box"]),
+                hit["multiplicity"],
+                hit["contact"],
+                {key: _interval(box) for key, box in hit["parameters"].items()} if "parameters" in hit else None,
+                _triple(hit["point"]),
+            )
+            for hit in tree["hits"]
+        )
+        self.overlaps = tuple(
+            RayOverlap(
+                overlap["surface"],
+                _interval(overlap["from"]["box"]),
+                None if overlap["to"] is None else _interval(overlap["to"]["box"]),
+            )
+            for overlap in tree["overlaps"]
+        )
+        self.incomplete = {entry["surface"]: entry["why"] for entry in tree["incomplete"]}
+
+    @property
+    def complete(self) -> bool:
+        return not self.incomplete
+
+    def __repr__(self) -> str:
+        state = "complete" if self.complete else "incomplete"
+        return f"<RayIntersection {state}: {len(self.hits)} hits, {len(self.overlaps)} overlaps>"

@@ -723,3 +723,87 @@ def test_the_notebook_runs(monkeypatch):
             exec(compile("".join(cell["source"]), cell["id"], "exec"), namespace)
     nbformat = pytest.importorskip("nbformat", reason="the notebook's form is checked where nbformat is installed")
     nbformat.validate(nbformat.read(EXAMPLES / "intersections.ipynb", as_version=4))
+
+
+SADDLE = [[[-4, -4, 1], [-4, 4, -1]], [[4, -4, -1], [4, 4, 1]]]  # z = x y / 16
+
+
+def surfaces():
+    return {
+        "floor": exsect.plane([0, 0, -1], [0, 0, 1]),
+        "oblique": exsect.cylinder([0, 0, 0], [1, 1, 1], 1),
+        "cone": exsect.cone([0, 0, 3], [0, 0, -1], "1/2"),
+        "ball": exsect.sphere([1, 0, 0], radius_squared=2),
+        "torus": exsect.torus([0, 0, 0], [0, 0, 1], 3, 1),
+        "quartic": exsect.implicit({(4, 0, 0): 1, (0, 4, 0): 1, (0, 0, 4): 1, (0, 0, 0): -81}),
+    }
+
+
+def test_a_patch_and_an_equation_give_what_the_program_gives():
+    saddle = exsect.Patch(SADDLE)
+    for name, surface in surfaces().items():
+        result = exsect.intersect(saddle, surface, names=("saddle", name))
+        ran = program("intersect", EXAMPLES / "surfaces.json", "--first", "saddle", "--second", name, "--json", "-")
+        expected = json.loads(ran.stdout)
+        given = json.loads(result.to_json())
+        del expected["work"], given["work"]
+        assert given == expected
+        assert result.complete and result.parameters == ("u", "v")
+        exchanged = json.loads(exsect.intersect(surface, saddle, names=(name, "saddle")).to_json())
+        del exchanged["work"]
+        assert exchanged == expected
+
+
+def test_arcs_of_a_patch_and_an_equation_have_no_parameters_of_the_equation():
+    result = exsect.intersect(exsect.Patch(SADDLE), surfaces()["ball"])
+    arc = result.arcs[0]
+    assert len(arc.polyline[0]) == 5 and len(arc.uv[0]) == 2 and len(arc.rs[0]) == 0
+    for x, y, z in arc.xyz:
+        assert abs((x - 1) ** 2 + y**2 + z**2 - 2) < 1e-4
+    assert "v" in result.to_vtp() and result.to_svg().startswith("<")
+    assert result.patches == (exsect.Patch(SADDLE),)
+    again = pickle.loads(pickle.dumps(result))
+    assert again.arcs == result.arcs
+    with pytest.raises(ValueError, match="not supported yet"):
+        result.to_report()
+
+
+def test_rays_give_what_the_program_gives():
+    named = {"saddle": exsect.Patch(SADDLE), **surfaces()}
+    ray = exsect.ray([-5, 0, 0], [1, 0, 0], named)
+    ran = program("ray", EXAMPLES / "surfaces.json", "--origin=-5,0,0", "--direction", "1,0,0", "--json", "-")
+    expected = json.loads(ran.stdout)
+    assert [hit.surface for hit in ray.hits] == [hit["surface"] for hit in expected["hits"]]
+    assert [hit.place for hit in ray.hits] == list(range(1, 13))
+    assert all(Fraction(hit["t"]["box"][0]) == own.t.lower for hit, own in zip(expected["hits"], ray.hits))
+    assert ray.complete and ray.overlaps == (exsect.RayOverlap("saddle", exsect.Interval(1, 1), exsect.Interval(9, 9)),)
+    hit = exsect.ray([1, 2, -9], [0, 0, 1], exsect.Patch(SADDLE)).hits[0]
+    assert hit.parameters == {"u": (Fraction(5, 8), Fraction(5, 8)), "v": (Fraction(3, 4), Fraction(3, 4))}
+    assert hit.t.lower == Fraction(73, 8) and hit.contact == "transversal"
+    assert exsect.ray([0, 0, -1], [1, 0, 0], surfaces()["floor"]).overlaps[0].end is None
+
+
+def test_surfaces_are_exact_values():
+    torus = surfaces()["torus"]
+    assert torus.kind == "torus" and (4, 0, 0) in torus and (Fraction(4), 0, "1/10") not in torus
+    assert pickle.loads(pickle.dumps(torus)) == torus == surfaces()["torus"] != surfaces()["ball"]
+    assert "torus" in repr(torus)
+    assert exsect.cone([0, 0, 0], [0, 0, 1], slope_squared=2, nappes=2).kind == "cone"
+    with pytest.raises(ValueError, match="axis: the vector is zero"):
+        exsect.cylinder([0, 0, 0], [0, 0, 0], 1)
+    with pytest.raises(ValueError, match="radius: not positive"):
+        exsect.sphere([0, 0, 0], -1)
+    with pytest.raises(ValueError, match="radius_squared"):
+        exsect.sphere([0, 0, 0], 1, radius_squared=1)
+    with pytest.raises(ValueError, match="spindle"):
+        exsect.torus([0, 0, 0], [0, 0, 1], 1, 2)
+    with pytest.raises(TypeError, match="float"):
+        exsect.sphere([0, 0, 0], 0.5)
+    with pytest.raises(ValueError, match="not supported yet"):
+        exsect.intersect(torus, surfaces()["ball"])
+    with pytest.raises(ValueError, match="direction: the vector is zero"):
+        exsect.ray([0, 0, 0], [0, 0, 0], torus)
+    with pytest.raises(ValueError, match="origin"):
+        exsect.ray([0, 0], [0, 0, 1], torus)
+    with pytest.raises(ValueError, match="degree is above 4"):
+        exsect.implicit({(3, 2, 0): 1})

@@ -1,0 +1,123 @@
+#include <exsect/geometry/surface_file.h>
+#include <exsect/solver/intersect_surface.h>
+#include <exsect/solver/patch_ray.h>
+#include <pybind11/stl.h>
+
+#include "forms.h"
+#include "numbers.h"
+#include "output/drawing/intersection_svg.h"
+#include "output/text/node_csv.h"
+#include "output/text/ray_output.h"
+#include "run_options.h"
+#include "solutions.h"
+
+namespace exsect::python {
+namespace {
+
+namespace py = pybind11;
+
+/// A surface given by its equation, with the entry of a patch file that says which.
+struct Equation {
+  std::string entry;
+  ImplicitSurface surface;
+};
+
+/// Throws std::invalid_argument with the key at fault and the reason.
+Equation equation_of(const std::string& entry) {
+  const std::string place = "$.patches[0].";
+  try {
+    const SurfaceFile file =
+        parse_surfaces(R"({"exsect": "patches/1", "patches": [)" + entry + "]}", "surface");
+    if (const ImplicitSurface* surface = file.surfaces.front().equation()) return {entry, *surface};
+  } catch (const InputError& error) {
+    const std::string& where = error.where();
+    throw std::invalid_argument((where.starts_with(place) ? where.substr(place.size()) : where) + ": " +
+                                error.reason());
+  }
+  throw std::invalid_argument("type: a surface given by its equation is needed");
+}
+
+struct SolvedEquation {
+  IntersectResult result;
+  RationalPatch patch;
+  cli::PatchNames names;
+
+  cli::Json json() const { return cli::intersection_json(result, names); }
+  std::string svg(const std::string& title) const { return cli::intersection_svg(result, names, title); }
+  std::string report(const std::string&) const {
+    throw std::invalid_argument("report: not supported yet with a surface given by its equation");
+  }
+  std::string certificate() const {
+    throw std::invalid_argument("certificate: not supported yet with a surface given by its equation");
+  }
+  std::string exported(const std::string& format, const std::string& title, int cells) const {
+    if (format == "csv") return cli::node_csv(result.graph, names.parameters);
+    return scene_text(cli::surface_scene(result, patch, names, title, cells), format);
+  }
+};
+
+SolvedEquation intersect_equation(const Equation& equation, const RationalPatch& patch,
+                                  const std::array<std::string, 2>& names, const std::string& turning,
+                                  const std::string& tolerance, const std::string& max_seconds,
+                                  const py::object& progress) {
+  IntersectOptions options = options_of(turning, tolerance, max_seconds, cli::pair_names);
+  options.progress = watched(progress);
+  const py::gil_scoped_release release;
+  return {intersect(equation.surface, patch, options),
+          patch,
+          {names[0], names[1], cli::one_patch_names, name(equation.surface.kind())}};
+}
+
+Point vector_of(const py::sequence& numbers, const std::string& where) {
+  if (numbers.size() != 3) throw std::invalid_argument(where + ": must be three numbers");
+  Point p;
+  for (std::size_t k = 0; k < 3; ++k) p[k] = rational_of(numbers[k], Numbers::exact, where);
+  return p;
+}
+
+py::object ray_tree(const py::sequence& origin, const py::sequence& direction, const py::dict& surfaces) {
+  cli::ShownRay ray = {vector_of(origin, "origin"), vector_of(direction, "direction"), {}};
+  if (is_zero(ray.direction)) throw std::invalid_argument("direction: the vector is zero");
+  for (const auto& [name, surface] : surfaces) {
+    const bool is_patch = py::isinstance<RationalPatch>(surface);
+    const auto common = [&](const auto& shape) {
+      const py::gil_scoped_release release;
+      return intersect_ray(ray.origin, ray.direction, shape);
+    };
+    ray.surfaces.push_back({py::str(name), is_patch ? common(surface.cast<const RationalPatch&>())
+                                                    : common(surface.cast<const Equation&>().surface)});
+  }
+  return python_of(cli::ray_json(ray));
+}
+
+}  // namespace
+
+void add_surfaces(py::module_& module) {
+  py::class_<Equation>(module, "Surface",
+                       "A surface given by its exact equation: made by plane, cylinder, cone, sphere, torus "
+                       "and implicit.")
+      .def(py::init(&equation_of), py::arg("entry"))
+      .def_readonly("entry", &Equation::entry, "The entry of a patch file (formats.md), as JSON.")
+      .def_property_readonly(
+          "kind", [](const Equation& equation) { return name(equation.surface.kind()); },
+          "plane, cylinder, cone, sphere, torus or implicit.")
+      .def(
+          "__contains__",
+          [](const Equation& equation, const py::sequence& point) {
+            return equation.surface.contains(vector_of(point, "point"));
+          },
+          py::arg("point"), "Whether the exact point is on it.")
+      .def(
+          "__eq__", [](const Equation& a, const Equation& b) { return a.entry == b.entry; },
+          py::is_operator())
+      .def("__repr__", [](const Equation& equation) { return "<Surface " + equation.entry + ">"; })
+      .def(py::pickle([](const Equation& equation) { return equation.entry; }, &equation_of));
+  py::class_<SolvedEquation> solved(module, "SolvedEquation");
+  add_forms(solved);
+  solved.def("exported", &SolvedEquation::exported, py::arg("format"), py::arg("title"), py::arg("cells"));
+  solved.def("certificate", &SolvedEquation::certificate);
+  module.def("intersect_equation", &intersect_equation);
+  module.def("ray", &ray_tree);
+}
+
+}  // namespace exsect::python
