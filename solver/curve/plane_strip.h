@@ -34,13 +34,12 @@ class PlaneStrip {
 
   /// About the zero of f(u,.) near v, by Newton's method; empty if it does not come to rest within `rest`.
   std::optional<Ball> zero_near(const Ball& u, Ball v, double rest) const {
+    const std::vector<Ball> c = over(u);
     for (int step = 0; step < 16; ++step) {
       Ball value, slope;
       for (std::size_t j = n_ + 1; j-- > 0;) {
-        Ball in_u;
-        for (std::size_t i = m_ + 1; i-- > 0;) in_u = in_u * u + c_[i * (n_ + 1) + j];
         slope = slope * v + value;
-        value = value * v + in_u;
+        value = value * v + c[j];
       }
       const double move = -value.approximation() / slope.approximation();
       if (!(std::fabs(move) <= 1)) return std::nullopt;
@@ -76,7 +75,9 @@ class PlaneStrip {
 
   /// f(u, v + e) for |e| <= w is monotone in e; a bound of |e| for its zero. Empty if that is not proved.
   std::optional<double> distance_of_zero(const StripPoint<Ball>& at, double w) const {
-    const std::vector<Ball> c = shifted(at.u, at.v);
+    std::vector<Ball> c = over(at.u);
+    for (std::size_t k = 0; k < n_; ++k)
+      for (std::size_t j = n_; j-- > k;) c[j] += at.v * c[j + 1];
     double least = n_ > 0 ? c[1].lower_magnitude() : 0, power = w;
     for (std::size_t j = 2; j <= n_; ++j, power *= w)
       least -= static_cast<double>(j) * c[j].upper_magnitude() * power * (1 + 0x1p-40);
@@ -85,6 +86,14 @@ class PlaneStrip {
   }
 
  private:
+  /// Coefficients of f(u,.).
+  std::vector<Ball> over(const Ball& u) const {
+    std::vector<Ball> c(n_ + 1);
+    for (std::size_t i = m_ + 1; i-- > 0;)
+      for (std::size_t j = 0; j <= n_; ++j) c[j] = c[j] * u + c_[i * (n_ + 1) + j];
+    return c;
+  }
+
   /// Coefficients of f(u + x, v + y), in the same order.
   std::vector<Ball> shifted(const Ball& u, const Ball& v) const {
     std::vector<Ball> c = c_;
