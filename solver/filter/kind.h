@@ -2,7 +2,6 @@
 // Internal to solver/; docs/method.md, section 14.
 #pragma once
 
-
 #include <algorithm>
 #include <array>
 #include <bit>
