@@ -1,5 +1,6 @@
 #include "implicit_surface.h"
 
+#include <array>
 #include <utility>
 
 namespace exsect {
@@ -112,6 +113,22 @@ ImplicitSurface ImplicitSurface::polynomial(const SpacePolynomial& f) {
 
 bool ImplicitSurface::contains(const Point& p) const {
   return equation_(p) == 0 && (!bound_ || (*bound_)(p) >= 0);
+}
+
+ImplicitSurface ImplicitSurface::seen_from(const Point& origin, const Rational& scale) const {
+  std::array<SpacePolynomial, 3> coordinate;
+  for (std::size_t k = 0; k < 3; ++k)
+    coordinate[k] = SpacePolynomial::constant(origin[k]) + scale * SpacePolynomial::variable(k);
+  SpacePolynomial moved;
+  for (const auto& [exponents, coefficient] : equation_.terms()) {
+    SpacePolynomial term = SpacePolynomial::constant(coefficient);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (int i = 0; i < exponents[k]; ++i) term = term * coordinate[k];
+    moved += term;
+  }
+  ImplicitSurface result(kind_, std::move(moved));
+  if (bound_) result.bound_ = HalfSpaceBound{scale * bound_->normal, (*bound_)(origin)};
+  return result;
 }
 
 }  // namespace exsect

@@ -77,6 +77,8 @@ class ImplicitSurface {
   /// Of one nappe of a cone.
   const std::optional<HalfSpaceBound>& bound() const { return bound_; }
   bool contains(const Point& p) const;
+  /// The surface of the points q with origin + scale q on this one, of the same kind. Requires scale > 0.
+  ImplicitSurface seen_from(const Point& origin, const Rational& scale) const;
 
  private:
   ImplicitSurface(SurfaceKind kind, SpacePolynomial equation) : kind_(kind), equation_(std::move(equation)) {}

@@ -104,6 +104,23 @@ BezierPatch Placement::placed(const BezierPatch& patch) const {
   return BezierPatch(net);
 }
 
+RationalPatch Placement::placed(const RationalPatch& patch) const {
+  std::vector<std::vector<HomogeneousPoint>> net;
+  for (int i = 0; i <= patch.degree_u(); ++i) {
+    net.emplace_back();
+    for (int j = 0; j <= patch.degree_v(); ++j) {
+      HomogeneousPoint p = patch.homogeneous(i, j);
+      for (std::size_t c = 0; c < 3; ++c) p[c] = power_of_two(-exponent_) * (p[c] - p[3] * origin_[c]);
+      net.back().push_back(std::move(p));
+    }
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+
+ImplicitSurface Placement::placed(const ImplicitSurface& surface) const {
+  return surface.seen_from(origin_, power_of_two(exponent_));
+}
+
 Point Placement::placed(const Point& point) const { return power_of_two(-exponent_) * (point - origin_); }
 
 double Placement::left_of(double tolerance) const {

@@ -2,7 +2,8 @@
 // origin. Internal to solver/; docs/method.md, section 8.
 #pragma once
 
-#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/implicit_surface.h>
+#include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/intersection_graph.h>
 
 #include <array>
@@ -28,6 +29,9 @@ class Placement {
 
   /// A patch of the given model, moved and scaled.
   BezierPatch placed(const BezierPatch& patch) const;
+  RationalPatch placed(const RationalPatch& patch) const;
+  /// The same for a surface given by its equation.
+  ImplicitSurface placed(const ImplicitSurface& surface) const;
   Point placed(const Point& point) const;
 
   /// What rounding the points that are put back leaves of a tolerance, relative to the extent; at least half
