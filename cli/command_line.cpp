@@ -26,6 +26,7 @@ constexpr const char* intersect_footer =
     "                                                     [[\"1\",\"0\",\"0\"], [\"1\",\"1\",\"1/2\"]]]}, "
     "...]}\n"
     "The two patches are x(u,v) and y(r,s), in the order of the file or as chosen by --first and --second.\n"
+    "One of them may be a surface given by its equation (exsect ray --help).\n"
     "A node is a point where the curve meets a side of a parameter square or turns in one of the parameters; "
     "an\n"
     "arc joins two nodes; a component is open, closed, or branched.\n"

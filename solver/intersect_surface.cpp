@@ -2,6 +2,7 @@
 
 #include <exsect/algebra/nearest_rounding.h>
 #include <exsect/algebra/tensor_bernstein.h>
+#include <exsect/geometry/bounding_box.h>
 
 #include <algorithm>
 #include <utility>
@@ -11,10 +12,12 @@
 #include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/parameter_box.h"
+#include "answer/placement.h"
 #include "answer/proof_failure.h"
 #include "answer/run.h"
 #include "curve/curve_course.h"
 #include "curve/curve_place.h"
+#include "curve/curve_sides.h"
 #include "curve/surface_curve.h"
 #include "curve/turning_in_v.h"
 
@@ -78,32 +81,42 @@ ArcPlace place_of_arc(const CurveBranch& arc, const Node& from, const Node& to) 
   return (on_u || on_v) && lie_on_one_side(from, to) ? ArcPlace::patch_boundary : ArcPlace::interior;
 }
 
-void add_nodes(GraphBuilder& builder, const CurveGraph& curve, const std::vector<NodePlace>& places,
+void add_nodes(GraphBuilder& builder, const SurfaceCurve& common, const std::vector<NodePlace>& places,
                const DrawnPatch& patch) {
+  const CurveGraph& curve = common.graph;
   for (std::size_t i = 0; i < curve.nodes.size(); ++i) {
     Node node = node_at(places[i], patch);
     if (turns(curve.nodes[i])) node.wrt = {Parameter::u};
     if (curve.nodes[i].turns_in_v) node.wrt = {Parameter::v};
     node.kinds = kinds_of(curve.nodes[i], node);
+    if (curve.nodes[i].degree() == 0) node.around = sign_around(common.section, curve.nodes[i]);
     const Rational width = std::max<Rational>(places[i][0].width(), places[i][1].width());
     const int id = builder.add_node(std::move(node), to_double(width) + 0x1p-53);
     if (curve.nodes[i].degree() == 0) builder.add_isolated(id);
   }
 }
 
-GraphBuilder drawn_graph(const CurveGraph& curve, const DrawnPatch& patch, double tolerance) {
+GraphBuilder drawn_graph(const SurfaceCurve& common, const DrawnPatch& patch, double tolerance) {
+  const CurveGraph& curve = common.graph;
   std::vector<NodePlace> places;
   for (std::size_t i = 0; i < curve.nodes.size(); ++i)
     places.push_back(place_of(curve, i, place_width(patch, tolerance)));
   GraphBuilder builder;
-  add_nodes(builder, curve, places, patch);
+  add_nodes(builder, common, places, patch);
   for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
     const CurveBranch& arc = curve.arcs[i];
     const CurveCourse course = curve_course(curve, places, i, patch, tolerance);
     const int from = static_cast<int>(arc.from), to = static_cast<int>(arc.to);
-    builder.add_arc({0, 0, from, to, place_of_arc(arc, builder.node(from), builder.node(to)),
-                     arc.multiplicity > 1 ? Contact::tangential : Contact::transversal, polyline_of(course),
-                     course.error_bound});
+    builder.add_arc({0,
+                     0,
+                     from,
+                     to,
+                     place_of_arc(arc, builder.node(from), builder.node(to)),
+                     arc.multiplicity > 1 ? Contact::tangential : Contact::transversal,
+                     polyline_of(course),
+                     course.error_bound,
+                     {},
+                     signs_beside(common.section, curve, arc)});
   }
   return builder;
 }
@@ -148,7 +161,7 @@ IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, c
   std::vector<Incomplete> incomplete;
   run.timed("drawing", [&] {
     if (!curve.contains_patch)
-      builder = drawn_graph(curve.graph, patch, tolerance);
+      builder = drawn_graph(curve, patch, tolerance);
     else if (const int half = curve.half ? sign_on_square(*curve.half) : 1; half > 0)
       builder = whole_patch(patch, tolerance);
     else if (half == 0)
@@ -159,13 +172,26 @@ IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, c
   return result;
 }
 
+/// The model is moved and scaled where that helps.
+IntersectResult solved_in_place(const ImplicitSurface& surface, const RationalPatch& x, const Run& run) {
+  const BoundingBox box = bounding_box(x);
+  const std::array<Point, 2> corners = {box.lower, box.upper};
+  const auto place = Placement::of(corners);
+  if (!place) return solved(surface, x, run);
+  IntersectResult result =
+      solved(place->placed(surface), place->placed(x), run.with_tolerance(place->left_of(run.tolerance(1))));
+  place->restore(result.graph);
+  result.coarse = coarse_drawing(result.graph, run.tolerance(to_double(model_extent(corners))));
+  return result;
+}
+
 }  // namespace
 
 IntersectResult intersect(const ImplicitSurface& surface, const RationalPatch& x,
                           const IntersectOptions& options) {
   return in_nearest_rounding([&] {
     const Run run(options);
-    return run.finished(answered(run, [&] { return solved(surface, x, run); }));
+    return run.finished(answered(run, [&] { return solved_in_place(surface, x, run); }));
   });
 }
 

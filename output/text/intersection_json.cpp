@@ -20,6 +20,7 @@ Json node_json(const Node& node, const ParameterNames& names) {
   json["free"] = names_json(node.free, names);
   json["box"] = json_box(node.box, names);
   json["approx"] = json_approx(node.approx, node.point, names);
+  if (node.around) json["around"] = *node.around;
   return json;
 }
 
@@ -31,15 +32,20 @@ Json arc_json(const Arc& arc, const ParameterNames& names) {
     for (double coordinate : vertex.point) row.push_back(coordinate);
     polyline.push_back(std::move(row));
   }
-  return {{"id", arc.id},
-          {"component", arc.component},
-          {"from", arc.from},
-          {"to", arc.to},
-          {"on", name(arc.place)},
-          {"contact", name(arc.contact)},
-          {"free", names_json(arc.free, names)},
-          {"polyline", std::move(polyline)},
-          {"error_bound", decimal_not_below(arc.error_bound)}};
+  Json json = {{"id", arc.id},
+               {"component", arc.component},
+               {"from", arc.from},
+               {"to", arc.to},
+               {"on", name(arc.place)},
+               {"contact", name(arc.contact)},
+               {"free", names_json(arc.free, names)},
+               {"polyline", std::move(polyline)},
+               {"error_bound", decimal_not_below(arc.error_bound)}};
+  if (arc.beside) {
+    json["left"] = arc.beside->left;
+    json["right"] = arc.beside->right;
+  }
+  return json;
 }
 
 Json overlap_json(const Overlap& overlap, const ParameterNames& names) {

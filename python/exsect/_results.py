@@ -206,6 +206,10 @@ class Arc:
     #: Proved: true arc and polyline are within this distance of each other in space. Infinite if a coordinate of the
     #: polyline is beyond the range of floats.
     error_bound: float
+    #: Only with a surface given by its equation: the equation's signs, -1 or 1, to the left and to the right of the
+    #: arc from its first end, in the square with u to the right and v upwards (-1: inside).
+    left: Optional[int] = None
+    right: Optional[int] = None
 
     @property
     def uv(self) -> Any:
@@ -464,6 +468,8 @@ class Intersection(_Exportable):
             tuple(arc["free"]),
             _array(arc["polyline"]),
             _bound(arc["error_bound"]),
+            arc.get("left"),
+            arc.get("right"),
         )
 
     @property

@@ -4,6 +4,7 @@
 #include <exsect/solver/parameter.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace exsect {
@@ -24,6 +25,9 @@ struct Node {
   std::array<double, 4> approx;  // (u,v,r,s), inside the box up to rounding
   std::array<double, 3> point;   // approximate point of space
   std::vector<Parameter> free = {};
+  /// Of an isolated point of a patch and a surface given by its equation: the equation's sign around it, on
+  /// the patch, -1 or 1.
+  std::optional<int> around = {};
 };
 
 /// Parameters (u,v,r,s) and the point of space.
@@ -34,6 +38,15 @@ struct PolylineVertex {
 
 enum class ArcPlace { interior, patch_boundary };
 enum class Contact { transversal, tangential };
+
+/// Signs, -1 or 1, of the equation of a surface on both sides of an arc of a patch, near it: seen from `from`
+/// to `to` in the square, u to the right and v upwards. Equal if patch and surface touch without crossing.
+struct EquationSigns {
+  int left;
+  int right;
+
+  friend bool operator==(const EquationSigns&, const EquationSigns&) = default;
+};
 
 /// A piece of the intersection curve between two nodes, with no node inside. Every point of the true arc is
 /// within `error_bound` (in space) of the polyline and every point of the polyline within it of the true arc.
@@ -49,6 +62,7 @@ struct Arc {
   std::vector<PolylineVertex> polyline;  // from `from` to `to`
   double error_bound;
   std::vector<Parameter> free = {};
+  std::optional<EquationSigns> beside = {};  // only of a patch and a surface given by its equation
 };
 
 /// open: a simple path; closed: a simple loop; branched: anything with a node of degree above two.

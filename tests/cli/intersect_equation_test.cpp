@@ -41,12 +41,17 @@ TEST_CASE("intersect: a saddle and a torus, in either order") {
     CHECK_FALSE(node["box"].contains("r"));
     CHECK_FALSE(node["approx"].contains("s"));
   }
-  for (const Json& arc : json["arcs"]) CHECK(arc["polyline"][0].size() == 5);
+  for (const Json& arc : json["arcs"]) {
+    CHECK(arc["polyline"][0].size() == 5);
+    CHECK(arc["left"].get<int>() == -arc["right"].get<int>());
+  }
   CHECK(intersect("torus", "saddle") == json);
 }
 
 TEST_CASE("intersect: every kind of surface with a patch") {
-  CHECK(intersect("saddle", "floor")["summary"]["isolated"] == 2);  // its lowest corners
+  const Json floor = intersect("saddle", "floor");
+  CHECK(floor["summary"]["isolated"] == 2);  // its lowest corners, above the plane
+  for (const Json& node : floor["nodes"]) CHECK(node["around"] == 1);
   CHECK(intersect("saddle", "oblique")["summary"]["components"] > 0);
   CHECK(intersect("saddle", "cone")["equation"] == "cone");
   CHECK(intersect("ball", "saddle")["summary"]["closed"] == 1);

@@ -380,5 +380,106 @@ TEST_CASE("the work cap and bad options are obeyed") {
                   std::invalid_argument);
 }
 
+/// The sign of the equation at a point of the patch a little beside the middle of the arc.
+int sign_beside(const ImplicitSurface& surface, const RationalPatch& x, const Arc& arc, int side) {
+  const std::size_t middle = arc.polyline.size() / 2;
+  const auto& a = arc.polyline[middle - 1].parameters;
+  const auto& b = arc.polyline[middle].parameters;
+  const double du = b[0] - a[0], dv = b[1] - a[1], length = std::hypot(du, dv), step = side * 1e-4 / length;
+  const Rational u = from_double(0.5 * (a[0] + b[0]) - step * dv),
+                 v = from_double(0.5 * (a[1] + b[1]) + step * du);
+  return sign(surface.equation()(x(u, v)));
+}
+
+TEST_CASE("on which side of the surface the patch lies beside arcs and around points") {
+  const std::uint64_t seed = 26120;
+  INFO("seed " << seed);
+  Random random(seed);
+  const std::vector<ImplicitSurface> surfaces = {
+      ImplicitSurface::plane({0, 0, Rational(1, 50)}, {Rational(1, 3), -1, 2}),
+      ImplicitSurface::sphere(origin, Rational(1, 2)),
+      ImplicitSurface::cylinder(origin, {1, 1, 1}, Rational(1, 3)),
+      ImplicitSurface::cone({0, 0, -2}, up, Rational(1, 4)),
+      ImplicitSurface::torus(origin, {0, 1, 3}, Rational(1, 2), Rational(1, 5))};
+  int arcs = 0;
+  for (int round = 0; round < 4; ++round)
+    for (const ImplicitSurface& surface : surfaces) {
+      const RationalPatch x = wavy(random, 2, 2);
+      const IntersectResult result = intersect(surface, x, {});
+      REQUIRE(result.status == Status::complete);
+      for (const Arc& arc : result.graph.arcs) {
+        REQUIRE(arc.beside);
+        CHECK(arc.beside->left == sign_beside(surface, x, arc, 1));
+        CHECK(arc.beside->right == sign_beside(surface, x, arc, -1));
+        CHECK(arc.beside->left == -arc.beside->right);
+        ++arcs;
+      }
+    }
+  CHECK(arcs > 40);
+  // Contact from outside: a bore around a ball of its radius, a plane on a ball and one in which it would
+  // end.
+  const IntersectResult bore = intersect(ImplicitSurface::sphere(origin, 1), half_cylinder(0, 0, -1, 1), {});
+  REQUIRE(bore.graph.arcs.size() == 1);
+  CHECK(bore.graph.arcs[0].beside == EquationSigns{1, 1});
+  const RationalPatch level = bilinear({-1, -1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, 1});
+  const IntersectResult touch = intersect(ImplicitSurface::sphere(origin, 1), level, {});
+  REQUIRE(touch.graph.isolated_points.size() == 1);
+  CHECK(touch.graph.nodes[0].around == 1);
+  const RationalPatch bowl({{{-1, -1, 1}, {-1, 0, -1}, {-1, 1, 1}},
+                            {{0, -1, -1}, {0, 0, -3}, {0, 1, -1}},
+                            {{1, -1, 1}, {1, 0, -1}, {1, 1, 1}}});
+  const ImplicitSurface below =
+      ImplicitSurface::plane({0, 0, bowl(Rational(1, 2), Rational(1, 2))[2]}, {0, 0, -1});
+  const IntersectResult rests = intersect(below, bowl, {});
+  REQUIRE(rests.graph.isolated_points.size() == 1);
+  CHECK(rests.graph.nodes[0].around == -1);
+  // A crossing of third order: the inflection z = u^3 of a sheet in the plane z = 0; and lines u = const.
+  const RationalPatch inflected(
+      {{{0, 0, -1}, {0, 1, -1}}, {{1, 0, 1}, {1, 1, 1}}, {{2, 0, -1}, {2, 1, -1}}, {{3, 0, 1}, {3, 1, 1}}});
+  const IntersectResult line = intersect(ImplicitSurface::plane(origin, up), inflected, {});
+  REQUIRE(line.graph.arcs.size() == 1);
+  CHECK(line.graph.arcs[0].contact == Contact::tangential);
+  CHECK(line.graph.arcs[0].beside == EquationSigns{-1, 1});
+}
+
+/// The point of the model before it was scaled and shifted.
+Point moved_point(const Rational& scale, const Point& shift, const Vector& at) {
+  const Point given = {from_double(at[0]), from_double(at[1]), from_double(at[2])};
+  return Rational(1 / scale) * (given - shift);
+}
+
+TEST_CASE("surfaces and patches of any size and place: the same graph") {
+  const auto scaled = [](const Rational& scale, const Point& shift) {
+    const auto at = [&](int a, int b, int c) { return scale * Point{a, b, c} + shift; };
+    const RationalPatch saddle({{at(-4, -4, 1), at(-4, 4, -1)}, {at(4, -4, -1), at(4, 4, 1)}});
+    return std::pair(intersect(ImplicitSurface::torus(shift, up, 3 * scale, scale), saddle, {}),
+                     intersect(ImplicitSurface::cone(shift, {0, 1, 1}, 1), saddle, {}));
+  };
+  const auto [torus, cone] = scaled(1, origin);
+  REQUIRE(torus.status == Status::complete);
+  REQUIRE(cone.status == Status::complete);
+  const std::vector<std::pair<Rational, Point>> places = {
+      {power_of_two(-1030), origin},
+      {power_of_two(1000), origin},
+      {from_double(25.4), {from_double(1e8 + 0.1), from_double(-1e8), 7}},
+      {power_of_two(-30), {from_double(1e8), 1, 2}}};
+  for (const auto& [scale, shift] : places) {
+    INFO(to_double(scale) << " at " << to_double(shift[0]));
+    const auto [moved_torus, moved_cone] = scaled(scale, shift);
+    for (const auto& [given, moved] : {std::pair(&torus, &moved_torus), std::pair(&cone, &moved_cone)}) {
+      CHECK(moved->status == Status::complete);
+      CHECK(shape(*moved) == shape(*given));
+      for (std::size_t i = 0; i < given->graph.arcs.size(); ++i) {
+        CHECK(moved->graph.arcs[i].beside == given->graph.arcs[i].beside);
+        for (const PolylineVertex& vertex : moved->graph.arcs[i].polyline) {
+          const Point p = moved_point(scale, shift, vertex.point);
+          CHECK(excess(given->graph, in_doubles(p)) <=
+                1e-5 + 1e-7 / to_double(scale) * (shift[0] == 0 ? 0 : 1));
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace exsect::intersect_surface_test
