@@ -81,6 +81,11 @@ ArcPlace place_of_arc(const CurveBranch& arc, const Node& from, const Node& to) 
   return (on_u || on_v) && lie_on_one_side(from, to) ? ArcPlace::patch_boundary : ArcPlace::interior;
 }
 
+/// In the apex of a cone of one nappe the other one may meet the patch: the equation has no sign around it.
+bool is_on_bound(const SurfaceCurve& common, const CurveNode& node) {
+  return common.half && !(node.exact && sign_at(common.half->exchanged(), *node.exact) > 0);
+}
+
 void add_nodes(GraphBuilder& builder, const SurfaceCurve& common, const std::vector<NodePlace>& places,
                const DrawnPatch& patch) {
   const CurveGraph& curve = common.graph;
@@ -89,7 +94,8 @@ void add_nodes(GraphBuilder& builder, const SurfaceCurve& common, const std::vec
     if (turns(curve.nodes[i])) node.wrt = {Parameter::u};
     if (curve.nodes[i].turns_in_v) node.wrt = {Parameter::v};
     node.kinds = kinds_of(curve.nodes[i], node);
-    if (curve.nodes[i].degree() == 0) node.around = sign_around(common.section, curve.nodes[i]);
+    if (curve.nodes[i].degree() == 0 && !is_on_bound(common, curve.nodes[i]))
+      node.around = sign_around(common.section, curve.nodes[i]);
     const Rational width = std::max<Rational>(places[i][0].width(), places[i][1].width());
     const int id = builder.add_node(std::move(node), to_double(width) + 0x1p-53);
     if (curve.nodes[i].degree() == 0) builder.add_isolated(id);

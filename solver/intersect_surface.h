@@ -14,7 +14,9 @@ namespace exsect {
 /// which the patch touches the surface, or which belong to a multiple factor of its equation, are
 /// `tangential`. A node where an arc begins in a singular point alone (the apex of one nappe) is a `cusp`.
 /// Turning points with respect to u are always nodes. A patch that lies on the surface is one Overlap, whose
-/// chain is its four sides. The work cap, progress and errors are those of intersect() for two patches.
+/// chain is its four sides. Arcs have the equation's signs beside them, isolated points the sign around them,
+/// but not the apex of a cone of one nappe, where there may be both. The work cap, progress and errors are
+/// those of intersect() for two patches.
 IntersectResult intersect(const ImplicitSurface& surface, const RationalPatch& x,
                           const IntersectOptions& options = {});
 

@@ -757,6 +757,7 @@ def test_a_patch_and_an_equation_give_what_the_program_gives():
 def test_arcs_of_a_patch_and_an_equation_have_no_parameters_of_the_equation():
     result = exsect.intersect(exsect.Patch(SADDLE), surfaces()["ball"])
     arc = result.arcs[0]
+    assert {arc.left, arc.right} == {-1, 1}
     assert len(arc.polyline[0]) == 5 and len(arc.uv[0]) == 2 and len(arc.rs[0]) == 0
     for x, y, z in arc.xyz:
         assert abs((x - 1) ** 2 + y**2 + z**2 - 2) < 1e-4

@@ -433,6 +433,11 @@ TEST_CASE("on which side of the surface the patch lies beside arcs and around po
   const IntersectResult rests = intersect(below, bowl, {});
   REQUIRE(rests.graph.isolated_points.size() == 1);
   CHECK(rests.graph.nodes[0].around == -1);
+  // Only the other nappe goes on from the apex: no sign is that of all points around it.
+  const RationalPatch under = bilinear({0, -1, -1}, {0, -1, 0}, {0, 1, -1}, {0, 1, 0});
+  const IntersectResult apex = intersect(ImplicitSurface::cone(origin, up, Rational(1, 2)), under, {});
+  REQUIRE(apex.graph.isolated_points.size() == 1);
+  CHECK_FALSE(apex.graph.nodes[0].around);
   // A crossing of third order: the inflection z = u^3 of a sheet in the plane z = 0; and lines u = const.
   const RationalPatch inflected(
       {{{0, 0, -1}, {0, 1, -1}}, {{1, 0, 1}, {1, 1, 1}}, {{2, 0, -1}, {2, 1, -1}}, {{3, 0, 1}, {3, 1, 1}}});
