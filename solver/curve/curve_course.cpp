@@ -1,6 +1,7 @@
 #include "curve/curve_course.h"
 
 #include <exsect/algebra/interruption.h>
+#include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
 #include <cmath>
@@ -146,8 +147,8 @@ class Follower {
 
   /// A bound of the distance of the node's coordinate from `middle`.
   double place_slack(std::size_t k, const Rational& middle) const {
-    return to_double(std::max<Rational>(middle - node_[k].lower, node_[k].upper - middle)) * (1 + 0x1p-40) +
-           0x1p-1000;
+    return to_double(std::max<Rational>(middle - node_[k].lower, node_[k].upper - middle)) * kSlack +
+           kUnderflowLoss;
   }
 
   /// The chord from `at`, with the arc up to `at_reach` away, to `to`, if it is proved with this share of the
@@ -158,26 +159,26 @@ class Follower {
     const double du = (to.u - at.u).upper_magnitude(), dv = (to.v - at.v).upper_magnitude();
     const double chord = patch_.chord_bound(du, dv) + patch_.rates().u * slack;
     if (!(chord <= kChordShare * tolerance_)) return false;
-    const double slope = (to.v - at.v).lower_magnitude() / du * (1 - 0x1p-40);
+    const double slope = (to.v - at.v).lower_magnitude() / du * kReduced;
     const double width = std::min(share * widest_ * std::max(1.0, slope * steepness_), kWidestStrip);
     if (!(at_reach < std::min(width, widest_) / 8) && !narrow(curve, at, at_reach)) return false;
     const std::optional<double> off = curve.clear(at, to, width, slack);
     if (!off || !(at_reach + *off < width)) return false;
-    double reach = (width + *off) * (1 + 0x1p-40);
+    double reach = (width + *off) * kSlack;
     double strip = patch_.rates().v * reach;
     if (width > widest_) {
       std::optional<double> at_end =
           slack > 0 ? place_slack(1, exact(to.v)) : curve.distance_of_zero(to, reach);
       if (!at_end) at_end = exact_distance(exact(to.u), exact(to.v), widest_);
       if (!at_end || !(*at_end < widest_ / 8) || !(dv > 2 * (at_reach + *at_end))) return false;
-      strip = patch_.rates().u * reach / slope + patch_.rates().v * std::max(at_reach, *at_end);
+      strip = patch_.rates().u * reach / slope + patch_.rates().v * larger_bound(at_reach, *at_end);
       reach = *at_end;
     }
     at = to;
     at_reach = reach;
     course_.vertices.push_back(vertex_at(at.u, at.v));
     last_ = {du, dv, strip + patch_.rates().u * slack};
-    course_.bound = std::max(course_.bound, strip + chord);
+    course_.bound = larger_bound(course_.bound, strip + chord);
     return true;
   }
 
@@ -186,7 +187,7 @@ class Follower {
     const std::optional<RationalInterval> at =
         arc_over(graph_, arc_, u, from_double(unit) * power_of_two(-10));
     if (!at) return std::nullopt;
-    return to_double(std::max<Rational>(abs(at->lower - v), abs(at->upper - v))) * (1 + 0x1p-40) + 0x1p-1000;
+    return to_double(std::max<Rational>(abs(at->lower - v), abs(at->upper - v))) * kSlack + kUnderflowLoss;
   }
 
   /// Makes the reach small, by moving the point in v where it has to be.
@@ -208,7 +209,7 @@ class Follower {
     move(at, in_square(rounded<Ball>(found->midpoint())));
     const Rational v = exact(at.v);
     const Rational off = std::max<Rational>(abs(found->lower - v), abs(found->upper - v));
-    reach = to_double(off) * (1 + 0x1p-40) + 0x1p-1000;
+    reach = to_double(off) * kSlack + kUnderflowLoss;
     return true;
   }
 
@@ -218,9 +219,9 @@ class Follower {
     at.v = v;
     if (!course_.vertices.empty() && moved <= widest_ / 16) {  // the last chord turns a little
       course_.vertices.back() = vertex_at(at.u, at.v);
-      last_.dv += moved * (1 + 0x1p-40);
-      last_.strip += patch_.rates().v * moved * (1 + 0x1p-40);
-      course_.bound = std::max(course_.bound, last_.strip + patch_.chord_bound(last_.du, last_.dv));
+      last_.dv += moved * kSlack;
+      last_.strip += patch_.rates().v * moved * kSlack;
+      course_.bound = larger_bound(course_.bound, last_.strip + patch_.chord_bound(last_.du, last_.dv));
     } else {
       course_.vertices.push_back(vertex_at(at.u, at.v));
     }
@@ -262,9 +263,9 @@ CurveCourse drawn(const std::vector<Vertex>& vertices, double bound, const Drawn
     const DrawnPoint point = patch.at(u, v);
     course.parameters.push_back({u.approximation(), v.approximation()});
     course.points.push_back(point.point);
-    error = std::max(error, point.error);
+    error = larger_bound(error, point.error);
   }
-  course.error_bound = (bound + error) * (1 + 0x1p-40);
+  course.error_bound = (bound + error) * kSlack;
   return course;
 }
 
@@ -293,13 +294,13 @@ CurveCourse curve_course(const CurveGraph& graph, const std::vector<NodePlace>& 
       *arc_over(graph, arc, u, std::min<Rational>(from_double(fine), power_of_two(-60)));
   const Rational v = from_double(to_double(at.midpoint()));
   const double reach =
-      to_double(std::max<Rational>(abs(at.lower - v), abs(at.upper - v))) * (1 + 0x1p-40) + 0x1p-1000;
+      to_double(std::max<Rational>(abs(at.lower - v), abs(at.upper - v))) * kSlack + kUnderflowLoss;
   HalfCourse left = Follower(graph, arc, from, patch, tolerance).run({u, v, reach});
   const HalfCourse right = Follower(graph, arc, to, patch, tolerance).run({u, v, reach});
   std::vector<Vertex> vertices(left.vertices.rbegin(), left.vertices.rend());
   vertices.push_back(vertex_at(u, v));
   vertices.insert(vertices.end(), right.vertices.begin(), right.vertices.end());
-  return drawn(vertices, std::max(left.bound, right.bound), patch);
+  return drawn(vertices, larger_bound(left.bound, right.bound), patch);
 }
 
 CurveCourse straight_course(const NodePlace& from, const NodePlace& to, const DrawnPatch& patch,

@@ -1,5 +1,6 @@
 #include "curve/drawn_patch.h"
 
+#include <exsect/algebra/rounding_bounds.h>
 #include <exsect/algebra/tensor_bernstein.h>
 #include <exsect/geometry/beyond_doubles.h>
 #include <exsect/geometry/bounding_box.h>
@@ -9,9 +10,6 @@
 
 namespace exsect {
 namespace {
-
-/// Covers the roundings of a few sums, products and a root of nonnegative doubles.
-constexpr double kRatesSlack = 1 + 0x1p-40;
 
 using Components = std::array<BivariatePolynomial, 4>;
 
@@ -27,7 +25,7 @@ LengthBounds length_bounds(const Components& f) {
     const RationalInterval range = range_bound(f[k]);
     most[k] = to_double(std::max<Rational>(abs(range.lower), abs(range.upper)));
   }
-  return {std::hypot(most[0], most[1], most[2]) * kRatesSlack, most[3] * kRatesSlack};
+  return {length_bound(most[0], most[1], most[2]), most[3] * kSlack};
 }
 
 Components derived(const Components& f, bool in_u) {
@@ -40,7 +38,7 @@ Components derived(const Components& f, bool in_u) {
 double least_value(const BivariatePolynomial& f) {
   for (int depth = 0; depth <= 8; ++depth) {
     const Rational lower = range_bound(f, {}, depth).lower;
-    if (lower > 0) return to_double(lower) / kRatesSlack;
+    if (lower > 0) return to_double(lower) / kSlack;
   }
   return 0;
 }
@@ -54,11 +52,11 @@ PatchRates rates_of(const Components& x) {
   const auto second = [&](const Components& f, double rate_a, double weight_a, double rate_b,
                           double weight_b) {
     const LengthBounds of = length_bounds(f);
-    return (of.vector + of.weight * size + rate_a * weight_b + rate_b * weight_a) / w * kRatesSlack;
+    return (of.vector + of.weight * size + rate_a * weight_b + rate_b * weight_a) / w * kSlack;
   };
   PatchRates rates{};
-  rates.u = (u.vector + u.weight * size) / w * kRatesSlack;
-  rates.v = (v.vector + v.weight * size) / w * kRatesSlack;
+  rates.u = (u.vector + u.weight * size) / w * kSlack;
+  rates.v = (v.vector + v.weight * size) / w * kSlack;
   rates.uu = second(derived(x_u, true), rates.u, u.weight, rates.u, u.weight);
   rates.uv = second(derived(x_u, false), rates.u, u.weight, rates.v, v.weight);
   rates.vv = second(derived(x_v, false), rates.v, v.weight, rates.v, v.weight);
@@ -100,22 +98,22 @@ DrawnPoint DrawnPatch::at(const DoubleBall& u, const DoubleBall& v) const {
     }
   }
   DrawnPoint result{};
-  double squared = 0;
+  std::array<double, 3> off{};
   for (std::size_t k = 0; k < 3; ++k) {
     const double quotient = x[k].approximation() / x[3].approximation();
-    const double off = (x[k] - x[3] * DoubleBall(quotient)).upper_magnitude() / x[3].lower_magnitude();
+    const double lost = (x[k] - x[3] * DoubleBall(quotient)).upper_magnitude() / x[3].lower_magnitude();
     result.point[k] = centre_[k] + quotient;
-    const double rounding = std::fabs(result.point[k]) * 0x1p-52 + 0x1p-1000;
-    squared += (off + rounding) * (off + rounding);
+    const double rounding = std::fabs(result.point[k]) * 2 * kUnitRoundoff + kUnderflowLoss;
+    off[k] = lost + rounding;
   }
-  result.error = std::sqrt(squared) * kRatesSlack + 0x1p-500;
+  result.error = length_bound(off[0], off[1], off[2]) + kUnderflowLoss;
   return result;
 }
 
 double DrawnPatch::chord_bound(double du, double dv) const {
   du = std::fabs(du);
   dv = std::fabs(dv);
-  return (rates_.uu * du * du + 2 * rates_.uv * du * dv + rates_.vv * dv * dv) / 8 * kRatesSlack;
+  return (rates_.uu * du * du + 2 * rates_.uv * du * dv + rates_.vv * dv * dv) / 8 * kSlack;
 }
 
 }  // namespace exsect

@@ -4,6 +4,7 @@
 
 #include <exsect/algebra/ball.h>
 #include <exsect/algebra/bivariate_polynomial.h>
+#include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,11 +60,11 @@ class PlaneStrip {
     const Ball du = b.u - a.u, dv = b.v - a.v;
     const Ball slope(dv.approximation() / du.approximation());
     const double reach =
-        std::max((a.u - u).upper_magnitude(), (b.u - u).upper_magnitude()) * (1 + 0x1p-40) + slack;
-    const double off = std::max((a.v - v - slope * (a.u - u)).upper_magnitude(),
-                                (b.v - v - slope * (b.u - u)).upper_magnitude());
+        larger_bound((a.u - u).upper_magnitude(), (b.u - u).upper_magnitude()) * kSlack + slack;
+    const double off = larger_bound((a.v - v - slope * (a.u - u)).upper_magnitude(),
+                                    (b.v - v - slope * (b.u - u)).upper_magnitude());
     const std::vector<Ball> c = shifted(u, v);
-    const double rise = std::fabs(slope.approximation()) * reach * (1 + 0x1p-40);
+    const double rise = std::fabs(slope.approximation()) * reach * kSlack;
     for (const double edge : {-w, w}) {
       const double at = v.approximation() + edge;
       if (at - rise > 1 + 0x1p-48 || at + rise < -0x1p-48) continue;  // outside the square throughout
@@ -80,9 +81,9 @@ class PlaneStrip {
       for (std::size_t j = n_; j-- > k;) c[j] += at.v * c[j + 1];
     double least = n_ > 0 ? c[1].lower_magnitude() : 0, power = w;
     for (std::size_t j = 2; j <= n_; ++j, power *= w)
-      least -= static_cast<double>(j) * c[j].upper_magnitude() * power * (1 + 0x1p-40);
+      least -= static_cast<double>(j) * c[j].upper_magnitude() * power * kSlack;
     if (n_ == 0 || !(least > c[1].lower_magnitude() * 0x1p-30)) return std::nullopt;
-    return c[0].upper_magnitude() / least * (1 + 0x1p-40) + 0x1p-1000;
+    return c[0].upper_magnitude() / least * kSlack + kUnderflowLoss;
   }
 
  private:
@@ -127,11 +128,11 @@ class PlaneStrip {
   /// helps.
   static bool has_sign(const std::vector<Ball>& f, double reach) {
     double others = 0, power = reach;
-    for (std::size_t i = 1; i < f.size(); ++i, power *= reach * (1 + 0x1p-50)) {
+    for (std::size_t i = 1; i < f.size(); ++i, power *= reach * kSlack) {
       const bool helps = i == 2 && f[2].certain_sign() != 0 && f[2].certain_sign() == f[0].certain_sign();
       if (!helps) others += f[i].upper_magnitude() * power;
     }
-    return f[0].lower_magnitude() > others * (1 + 0x1p-40) + 0x1p-1000;
+    return f[0].lower_magnitude() > others * kSlack + kUnderflowLoss;
   }
 
   std::size_t m_;
