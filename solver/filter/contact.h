@@ -76,14 +76,18 @@ struct ContactsOf {
 };
 using Contacts = ContactsOf<Biquadratic>;
 
+/// Its parameters, centred. Requires that it is no pole.
+template <class K>
+Vec4 place_of(const CornerContact& corner) {
+  const auto x = corner_ends<K>(corner.x);
+  const auto y = corner_ends<K>(corner.y);
+  const auto place = [](bool end) { return end ? 0.5 : -0.5; };
+  return {place(x[0]), place(x[1]), place(y[0]), place(y[1])};
+}
 /// The side point is the corner.
 template <class K>
 bool is_at(const SidePointOf<K>& point, const CornerContact& corner) {
-  const auto x = corner_ends<K>(corner.x);
-  const auto y = corner_ends<K>(corner.y);
-  const std::array<bool, 4> upper = {x[0], x[1], y[0], y[1]};
-  return std::equal(upper.begin(), upper.end(), point.on.begin(),
-                    [](bool end, double side) { return side == (end ? 0.5 : -0.5); });
+  return point.on == place_of<K>(corner);
 }
 
 /// Adds the side of one patch that lies on the other one in part; nothing if it is known already.

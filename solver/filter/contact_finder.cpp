@@ -151,14 +151,16 @@ class ContactFinder {
   }
 
  private:
-  /// False if a corner is two corners of the other patch, or perhaps one of them but for rounding.
+  /// False if a corner is perhaps one of the other patch but for rounding; or, of biquadratic pairs, behind
+  /// which there is exact arithmetic, if it is two of them: a pole's, perhaps.
   bool find_corners() {
     for (const std::size_t i : kCorners<K>) {
       for (const std::size_t j : kCorners<K>) {
         if (corners_of_x_(i) != i || corners_of_y_(j) != j || !may_be_same(i, j)) {
           continue;
         }
-        const bool again = std::any_of(corners_.begin(), corners_.end(),
+        const bool again = std::is_same_v<K, Biquadratic> &&
+                           std::any_of(corners_.begin(), corners_.end(),
                                        [&](const CornerContact& c) { return c.x == i || c.y == j; });
         if (again || !same_point<K>(x_, i, y_, j)) {
           return false;

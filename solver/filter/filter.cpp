@@ -14,9 +14,9 @@
 #include "filter/ended_search.h"
 #include "filter/exact_turning.h"
 #include "filter/graph.h"
-#include "filter/line.h"
 #include "filter/loops.h"
 #include "filter/overlap.h"
+#include "filter/side_point_search.h"
 #include "trace/turning_points.h"
 
 namespace exsect {
@@ -30,7 +30,6 @@ using filter::ExactPatch;
 using filter::TraceOf;
 
 constexpr std::size_t kMostDoublePoints = 8;
-constexpr std::size_t kMostSidePoints = 16;
 /// Of the tolerance, for the chords from ports to double points.
 constexpr double kPortShare = 0.9;
 /// Relative to the extent, of polylines with too many vertices; and by how much the next ones are coarser.
@@ -85,16 +84,15 @@ class FilteredIntersection {
       }
       points = filter::boundary_points(*pair, *contacts, trees, boxes_);
     }
-    while (!points) {
-      stuck_ = place_on_sides(*pair, trees, *contacts);
-      if (!stuck_ || !add_side_point(*pair, *stuck_, *contacts)) {
+    std::vector<TraceOf<K>> traces;
+    while (!points || !find_curves(*pair, *contacts, trees, *points, traces)) {
+      if (!points) stuck_ = filter::undecided_on_sides(*pair, trees, *contacts);
+      const bool is_added = !points && stuck_ && filter::add_side_point(x_, y_, *pair, *stuck_, *contacts);
+      if (!is_added && !filter::add_corner_points(x_, y_, *pair, *contacts)) {
         return std::nullopt;
       }
       points = filter::boundary_points(*pair, *contacts, trees, boxes_);
-    }
-    std::vector<TraceOf<K>> traces;
-    if (!find_curves(*pair, *contacts, trees, *points, traces)) {
-      return std::nullopt;
+      traces.clear();
     }
     std::vector<AnalysedTraceOf<K>> curves;
     if (!find_turns(*pair, *points, traces, curves)) {
@@ -118,20 +116,6 @@ class FilteredIntersection {
   }
 
  private:
-  /// Where the search for boundary points ends.
-  static std::optional<filter::Vec4> place_on_sides(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees,
-                                                    const filter::ContactsOf<K>& contacts) {
-    for (std::size_t fixed = 0; fixed < 4; ++fixed) {
-      for (const double side : {-0.5, 0.5}) {
-        if (const auto at =
-                filter::undecided_on_line(pair, {fixed, side, 0}, contacts, fixed < 2 ? trees.y : trees.x)) {
-          return at;
-        }
-      }
-    }
-    return std::nullopt;
-  }
-
   /// Whether the questions are answered that need exact forms of the patches.
   static constexpr bool kExactBehind = std::is_same_v<K, Biquadratic>;
 
@@ -159,24 +143,6 @@ class FilteredIntersection {
     } else {
       return false;
     }
-  }
-
-  /// False if it is known already, or not proved. A corner where a curve ends is no contact.
-  bool add_side_point(const filter::PairOf<K>& pair, const filter::Vec4& place,
-                      filter::ContactsOf<K>& contacts) const {
-    const auto point = filter::side_point_near<K>(x_, y_, pair, place);
-    const auto is_same = [&](const filter::SidePointOf<K>& known) {
-      return point->on == known.on && contains(known.tube, point->ball);
-    };
-    if (!point || contacts.points.size() == kMostSidePoints ||
-        std::any_of(contacts.points.begin(), contacts.points.end(), is_same)) {
-      return false;
-    }
-    std::erase_if(contacts.corners, [&](const filter::CornerContact& corner) {
-      return !corner.is_pole() && filter::is_at(*point, corner);
-    });
-    contacts.points.push_back(*point);
-    return true;
   }
 
   std::optional<IntersectResult> overlap_of_pieces(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "filter/tube_derivatives.h"
 #include "filter/tube_newton.h"
@@ -15,7 +16,9 @@ namespace {
 /// Levels of curve and patch together at which certificates are tried, and the search is given up.
 constexpr int kFirstLineTry = 6;
 constexpr int kLastLineLevel = 36;
-constexpr long kMostLineBoxes = 3000;
+/// Of all searches of a pair. Nothing is behind the pairs that are not biquadratic.
+template <class K>
+constexpr long kMostLineBoxes = std::is_same_v<K, Biquadratic> ? 3000 : 40000;
 constexpr long kMostBoxesToPlace = 400;  // that is enough to come near one
 
 /// Bound of the error of the control points computed below, for an inner line.
@@ -293,7 +296,7 @@ template <class K>
 std::optional<std::vector<BallOf<K>>> points_on_line(const PairOf<K>& pair, const Line& line,
                                                      const ContactsOf<K>& contacts, PatchTreeOf<K>& other,
                                                      long& boxes) {
-  return LineSearch<K>(pair, line, contacts, other, boxes).run(kMostLineBoxes);
+  return LineSearch<K>(pair, line, contacts, other, boxes).run(kMostLineBoxes<K>);
 }
 
 template <class K>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "filter/direction_nets.h"
 #include "filter/tube_newton.h"
@@ -13,7 +14,9 @@ namespace {
 /// Levels of both patches together at which certificates are tried, and the search is given up.
 constexpr int kFirstLoopTry = 6;
 constexpr int kLastLoopLevel = 40;
-constexpr long kMostLoopBoxes = 6000;
+/// Nothing is behind the pairs that are not biquadratic.
+template <class K>
+constexpr long kMostLoopBoxes = std::is_same_v<K, Biquadratic> ? 6000 : 40000;
 constexpr long kMostBoxesAround = 20000;  // around double points
 
 /// One net for every sub-patch that asks for it.
@@ -81,7 +84,7 @@ class LoopSearch {
   bool run(Vec4& stuck) {
     stack_.reserve(64);
     stack_.push_back({0, 0});
-    const long most = boxes_ + (double_points_.empty() ? kMostLoopBoxes : kMostBoxesAround);
+    const long most = boxes_ + (double_points_.empty() ? kMostLoopBoxes<K> : kMostBoxesAround);
     while (!stack_.empty()) {
       const PiecePair item = stack_.back();
       stack_.pop_back();

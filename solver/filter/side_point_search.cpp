@@ -1,0 +1,65 @@
+#include "filter/side_point_search.h"
+
+#include <algorithm>
+
+#include "filter/line.h"
+
+namespace exsect::filter {
+
+namespace {
+
+constexpr std::size_t kMostSidePoints = 16;
+
+}  // namespace
+
+template <class K>
+std::optional<Vec4> undecided_on_sides(const PairOf<K>& pair, TreesOf<K>& trees,
+                                       const ContactsOf<K>& contacts) {
+  for (std::size_t fixed = 0; fixed < 4; ++fixed) {
+    for (const double side : {-0.5, 0.5}) {
+      if (const auto at =
+              undecided_on_line(pair, {fixed, side, 0}, contacts, fixed < 2 ? trees.y : trees.x)) {
+        return at;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+template <class K>
+bool add_side_point(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair, const Vec4& place,
+                    ContactsOf<K>& contacts) {
+  const auto point = side_point_near<K>(x, y, pair, place);
+  const auto is_same = [&](const SidePointOf<K>& known) {
+    return point->on == known.on && contains(known.tube, point->ball);
+  };
+  if (!point || contacts.points.size() == kMostSidePoints ||
+      std::any_of(contacts.points.begin(), contacts.points.end(), is_same)) {
+    return false;
+  }
+  std::erase_if(contacts.corners,
+                [&](const CornerContact& corner) { return !corner.is_pole() && is_at(*point, corner); });
+  contacts.points.push_back(*point);
+  return true;
+}
+
+template <class K>
+bool add_corner_points(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                       ContactsOf<K>& contacts) {
+  bool added = false;
+  for (const CornerContact& corner : std::vector(contacts.corners)) {
+    added = (!corner.is_pole() && add_side_point(x, y, pair, place_of<K>(corner), contacts)) || added;
+  }
+  return added;
+}
+
+#define EXSECT_INSTANTIATE(K)                                                                                \
+  template std::optional<Vec4> undecided_on_sides<K>(const PairOf<K>&, TreesOf<K>&, const ContactsOf<K>&);   \
+  template bool add_side_point<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, const Vec4&, \
+                                  ContactsOf<K>&);                                                           \
+  template bool add_corner_points<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&,           \
+                                     ContactsOf<K>&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
+
+}  // namespace exsect::filter

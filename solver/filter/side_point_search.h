@@ -1,0 +1,28 @@
+// Points where curves may end on sides of both patches, found where searches end undecided. Internal to
+// solver/; docs/method.md, section 14.12.
+#pragma once
+
+#include <optional>
+
+#include "filter/contact.h"
+
+namespace exsect::filter {
+
+/// Where the search for boundary points ends undecided, centred; empty if that is not found again.
+template <class K>
+std::optional<Vec4> undecided_on_sides(const PairOf<K>& pair, TreesOf<K>& trees,
+                                       const ContactsOf<K>& contacts);
+
+/// Adds the side point near a place. False if it is known already, or not proved. A corner where a curve ends
+/// is no contact.
+template <class K>
+bool add_side_point(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair, const Vec4& place,
+                    ContactsOf<K>& contacts);
+
+/// Adds the common corners that are side points: a curve ends there, or passes outside. False if there are
+/// none.
+template <class K>
+bool add_corner_points(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                       ContactsOf<K>& contacts);
+
+}  // namespace exsect::filter
