@@ -268,6 +268,13 @@ class FilteredIntersection {
         curve.turns.clear();
         found = filter::find_turns(pair, curve.trace, known, curve.turns);
       }
+      if constexpr (!kExactBehind) {
+        if (found != filter::TurnSearch::done) {
+          const auto directions = filter::exact_directions<K>(x_, y_, pair);
+          curve.turns.clear();
+          found = filter::find_turns(pair, curve.trace, known, curve.turns, &directions);
+        }
+      }
       if (found != filter::TurnSearch::done) {
         return false;
       }

@@ -10,7 +10,6 @@
 #include "answer/parameter_box.h"
 #include "filter/series.h"
 #include "filter/tube_derivatives.h"
-#include "filter/tube_direction.h"
 
 namespace exsect::filter {
 
@@ -18,6 +17,7 @@ namespace {
 
 constexpr int kDeepestSplit = 30;
 constexpr std::size_t kMostTurningPieces = 4000;
+constexpr int kMostFromSource = 1000;
 
 /// At the end of a piece: w_i' has this sign within kEndMargin<K::width> of it as well, where the
 /// neighbouring piece, or the boundary point itself, begins.
@@ -36,8 +36,8 @@ template <class K>
 class TurnFinder {
  public:
   TurnFinder(const PairOf<K>& pair, TraceOf<K>& trace, const KnownTurning<K>& known,
-             std::vector<TurnOf<K>>& turns)
-      : pair_(pair), trace_(trace), known_(known), turns_(turns) {}
+             std::vector<TurnOf<K>>& turns, const DirectionSource<K>* source)
+      : pair_(pair), trace_(trace), known_(known), turns_(turns), source_(source) {}
 
   TurnSearch run() {
     if (!decide_pieces()) {
@@ -77,6 +77,12 @@ class TurnFinder {
       }
     }
     return trace_.start >= 0 || ends_.back().last == ends_.front().first;
+  }
+
+  Direction<K> direction(const TubeOf<K>& tube, double tau) const {
+    const bool from_source = source_ != nullptr && left_ > 0;
+    if (from_source) --left_;
+    return from_source ? (*source_)(tube, tau) : direction_at(tube, tau);
   }
 
   bool is_left_out(std::size_t i) const {
@@ -157,8 +163,8 @@ class TurnFinder {
         continue;
       }
       if (!first) {
-        first = direction_at(piece.tube, piece.range.from());
-        last = direction_at(piece.tube, piece.range.to());
+        first = direction(piece.tube, piece.range.from());
+        last = direction(piece.tube, piece.range.to());
       }
       ends.first[i] = sense * sign_near(piece.tube, *first, i);
       ends.last[i] = sense * sign_near(piece.tube, *last, i);
@@ -244,10 +250,10 @@ class TurnFinder {
     const PieceOf<K>& piece = trace_.pieces[k];
     const TubeOf<K>& tube = piece.tube;
     double t = zero_of_polynomial(piece, i);
-    Direction<K> d = direction_at(tube, t);
+    Direction<K> d = direction(tube, t);
     for (int step = 0; step < 8 && std::fabs(d.middle[i]) > 0.02 * d.radius; ++step) {
       t = piece.range.clamped(t - d.middle[i] / arc_second(tube, t, i));
-      d = direction_at(tube, t);
+      d = direction(tube, t);
     }
     const double farthest = kSlack * (std::fabs(d.middle[i]) + d.radius);
     const double bound = 1.05 * farthest / (std::fabs(tube.second[i]) - tube.second_error[i]) + kPlacing;
@@ -258,8 +264,8 @@ class TurnFinder {
     for (double delta = 2.5 * d.radius / std::fabs(tube.second[i]) + kPlacing; delta < kLargestBox<K::width>;
          delta *= 2) {
       const auto [from, to] = around(piece, t, delta);
-      const int before = sign_of(direction_at(tube, from), i);
-      if (before != 0 && before == -sign_of(direction_at(tube, to), i)) {
+      const int before = sign_of(direction(tube, from), i);
+      if (before != 0 && before == -sign_of(direction(tube, to), i)) {
         return record(k, i, from, to);
       }
     }
@@ -332,6 +338,8 @@ class TurnFinder {
   TraceOf<K>& trace_;
   const KnownTurning<K>& known_;
   std::vector<TurnOf<K>>& turns_;
+  const DirectionSource<K>* source_;
+  mutable int left_ = kMostFromSource;
   std::vector<Ends> ends_;  // of trace_.pieces
 };
 
@@ -339,13 +347,13 @@ class TurnFinder {
 
 template <class K>
 TurnSearch find_turns(const PairOf<K>& pair, TraceOf<K>& trace, const KnownTurning<K>& known,
-                      std::vector<TurnOf<K>>& turns) {
-  return TurnFinder<K>(pair, trace, known, turns).run();
+                      std::vector<TurnOf<K>>& turns, const DirectionSource<K>* source) {
+  return TurnFinder<K>(pair, trace, known, turns, source).run();
 }
 
 #define EXSECT_INSTANTIATE(K)                                                              \
   template TurnSearch find_turns<K>(const PairOf<K>&, TraceOf<K>&, const KnownTurning<K>&, \
-                                    std::vector<TurnOf<K>>&);
+                                    std::vector<TurnOf<K>>&, const DirectionSource<K>*);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "filter/exact_direction.h"
 #include "filter/trace.h"
 
 namespace exsect::filter {
@@ -61,9 +62,15 @@ bool moves(const TraceOf<K>& trace) {
 }
 
 /// All turning points in the order of the trace, apart from its end points, into `turns`; divides pieces
-/// where that is needed.
+/// where that is needed. The first thousand directions are those of the source, if there
+/// is one, others of direction_at().
 template <class K>
 TurnSearch find_turns(const PairOf<K>& pair, TraceOf<K>& trace, const KnownTurning<K>& known,
-                      std::vector<TurnOf<K>>& turns);
+                      std::vector<TurnOf<K>>& turns, const DirectionSource<K>* source);
+template <class K>
+TurnSearch find_turns(const PairOf<K>& pair, TraceOf<K>& trace, const KnownTurning<K>& known,
+                      std::vector<TurnOf<K>>& turns) {
+  return find_turns<K>(pair, trace, known, turns, nullptr);
+}
 
 }  // namespace exsect::filter

@@ -331,6 +331,19 @@ TEST_CASE("intersect rational: a projective map of both patches keeps the graph"
   CHECK(complete >= 30);
 }
 
+TEST_CASE("intersect rational: turning points of a parameter that is nearly still") {
+  // Doubles leave 2^-26 around them, or more; exact directions decide.
+  Generator generator(171);
+  const Nets nets = random_nets::scattered(generator, {3, 3, 3, 3});
+  const IntersectResult result = intersect(nets.first(), nets.second());
+  REQUIRE(result.status == Status::complete);
+  const IntersectResult turned = intersect(nets.second(), nets.first().transposed());
+  REQUIRE(turned.status == Status::complete);
+  CHECK(difference(result.graph, turned.graph, {{3, 2, 0, 1}, {}}) == "");
+  CHECK(result.graph.turning_points(Parameter::r) > 0);
+  check_vertices(nets.first(), nets.second(), result.graph);
+}
+
 TEST_CASE("intersect rational: weights are homogeneous, and a parameter may be changed projectively") {
   int complete = 0;
   int others = 0;
