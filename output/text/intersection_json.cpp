@@ -82,7 +82,8 @@ Json summary_json(const IntersectionGraph& graph, const ParameterNames& names) {
 
 Json incomplete_json(const std::vector<Incomplete>& incomplete, const ParameterNames& names) {
   return list(incomplete, [&](const Incomplete& region) {
-    return Json{{"where", json_box(region.where, names)}, {"why", region.why}};
+    return Json{
+        {"where", json_box(region.where, names)}, {"why", region.why}, {"reason", name(region.reason)}};
   });
 }
 

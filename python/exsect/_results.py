@@ -280,10 +280,12 @@ class Overlap:
 
 @dataclass(frozen=True)
 class Incomplete:
-    """Parameters that are not decided, and why."""
+    """Parameters that are not decided, and why: `reason` is "tangency", "crossing", "corner", "time",
+    "failed proof", or "not decided" where none of these is known to be it."""
 
     where: Dict[str, Interval]
     why: str
+    reason: str
 
 
 class Again(NamedTuple):
@@ -441,7 +443,7 @@ class Intersection(_Exportable):
             Overlap(o["id"], tuple(tuple(self._arc(arc) for arc in chain) for chain in o["chains"]))
             for o in tree["overlaps"]
         )
-        self.incomplete = tuple(Incomplete(_box(i["where"]), i["why"]) for i in tree["incomplete"])
+        self.incomplete = tuple(Incomplete(_box(i["where"]), i["why"], i["reason"]) for i in tree["incomplete"])
         self.drawn_to = _bound(tree["coarse"]["bound"]) if "coarse" in tree else None
 
     def _node(self, node: Mapping[str, Any]) -> Node:
@@ -604,7 +606,7 @@ class Line(_Exportable):
         )
         self.points = tuple(self._point(i, point) for i, point in enumerate(tree["points"]))
         self.on_patch = self._intervals(tree["on_patch"])
-        self.incomplete = tuple(Incomplete(_box(i["where"]), i["why"]) for i in tree["incomplete"])
+        self.incomplete = tuple(Incomplete(_box(i["where"]), i["why"], i["reason"]) for i in tree["incomplete"])
 
     @staticmethod
     def _plane(tree: Optional[Mapping[str, Any]]) -> Optional[Plane]:

@@ -13,7 +13,10 @@ namespace exsect {
 IntersectResult finished(GraphBuilder graph, const GraphFacts& facts, std::vector<Incomplete> incomplete,
                          Work work) {
   FinishedGraph made = std::move(graph).finish(facts);
-  if (incomplete.empty()) incomplete = std::move(made.violations);
+  if (incomplete.empty()) {
+    incomplete = std::move(made.violations);
+    for (Incomplete& violation : incomplete) violation.reason = Reason::failed_proof;
+  }
   const Status status = incomplete.empty() ? Status::complete : Status::incomplete;
   return {status, std::move(made.graph), std::move(incomplete), std::move(work)};
 }
@@ -23,18 +26,18 @@ IntersectResult answered(const Run& run, const std::function<IntersectResult()>&
   try {
     return solve();
   } catch (const Interrupted&) {
-    return undecided(whole_domain(), "the work cap was reached");
+    return undecided(whole_domain(), "the work cap was reached", Reason::time);
   } catch (const ProofFailure& failure) {
-    return undecided(failure.where(), failure.what());
+    return undecided(failure.where(), failure.what(), Reason::failed_proof);
   } catch (const std::invalid_argument&) {
     throw;
   } catch (const std::logic_error& error) {
-    return undecided(whole_domain(), std::string("a proof failed: ") + error.what());
+    return undecided(whole_domain(), std::string("a proof failed: ") + error.what(), Reason::failed_proof);
   }
 }
 
-IntersectResult undecided(const ParameterBox& where, std::string why, Work work) {
-  return {Status::incomplete, {}, {{where, std::move(why)}}, std::move(work)};
+IntersectResult undecided(const ParameterBox& where, std::string why, Reason reason) {
+  return {Status::incomplete, {}, {{where, std::move(why), reason}}, {}};
 }
 
 }  // namespace exsect

@@ -23,6 +23,6 @@ IntersectResult finished(GraphBuilder graph, const GraphFacts& facts, std::vecto
 IntersectResult answered(const Run& run, const std::function<IntersectResult()>& solve);
 
 /// No graph, and why.
-IntersectResult undecided(const ParameterBox& where, std::string why, Work work = {});
+IntersectResult undecided(const ParameterBox& where, std::string why, Reason reason = Reason::not_decided);
 
 }  // namespace exsect

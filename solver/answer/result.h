@@ -1,6 +1,7 @@
 // What an intersection run returns: complete, or incomplete with place and reason. There is no third answer.
 #pragma once
 
+#include <exsect/solver/incomplete.h>
 #include <exsect/solver/intersection_graph.h>
 
 #include <map>
@@ -11,12 +12,6 @@
 namespace exsect {
 
 enum class Status { complete, incomplete };
-
-/// A region of the parameter domain [0,1]^4 that is undecided, and why.
-struct Incomplete {
-  ParameterBox where;
-  std::string why;
-};
 
 /// Milliseconds spent and counts of steps ("tubes", "fibres", ...), for reports and benchmarks.
 struct Work {

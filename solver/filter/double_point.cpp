@@ -1,60 +1,19 @@
 #include "filter/double_point.h"
 
-#include <exsect/algebra/double_matrix.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "filter/common_normal.h"
 #include "filter/ports.h"
 
 namespace exsect::filter {
 
 namespace {
 
-constexpr int kMostSteps = 12;
-constexpr double kSettled = 0x1p-44;
 /// Of a parameter from the rational number it stands for, and of both patches from each other.
 constexpr double kCloseSheets = 0x1p-40;
 constexpr double kFirstReach = 0x1p-1;
 constexpr double kLeastReach = 0x1p-12;
-
-/// Newton's method for (x - y).y_r = (x - y).y_s = x_u.(y_r x y_s) = x_v.(y_r x y_s) = 0.
-std::optional<Vec4> common_normal(const Pair& pair, Vec4 w) {
-  for (int step = 0; step < kMostSteps; ++step) {
-    const Coefficients x = expand(pair.x, w[0], w[1]);
-    const Coefficients y = expand(pair.y, w[2], w[3]);
-    const Vec3 d = x[0] - y[0];
-    const Vec3 n = cross(y[3], y[1]);
-    const Vec3 nr = 2.0 * cross(y[6], y[1]) + cross(y[3], y[4]);
-    const Vec3 ns = cross(y[4], y[1]) + 2.0 * cross(y[3], y[2]);
-    const std::array<std::array<double, 4>, 4> jacobian = {
-        {{dot(x[3], y[3]), dot(x[1], y[3]), 2 * dot(d, y[6]) - dot(y[3], y[3]),
-          dot(d, y[4]) - dot(y[1], y[3])},
-         {dot(x[3], y[1]), dot(x[1], y[1]), dot(d, y[4]) - dot(y[3], y[1]),
-          2 * dot(d, y[2]) - dot(y[1], y[1])},
-         {2 * dot(x[6], n), dot(x[4], n), dot(x[3], nr), dot(x[3], ns)},
-         {dot(x[4], n), 2 * dot(x[2], n), dot(x[1], nr), dot(x[1], ns)}}};
-    DoubleMatrix matrix(4, 4);
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) matrix(i, j) = jacobian[i][j];
-    const std::vector<double> change =
-        solution(matrix, {dot(d, y[3]), dot(d, y[1]), dot(x[3], n), dot(x[1], n)});
-    double size = 0;
-    for (std::size_t j = 0; j < 4; ++j) {
-      w[j] -= change[j];
-      if (!(std::fabs(w[j]) < 0.75)) {
-        return std::nullopt;
-      }
-      size = std::max(size, std::fabs(change[j]));
-    }
-    if (size < kSettled) {
-      return largest(expand(pair.x, w[0], w[1])[0] - expand(pair.y, w[2], w[3])[0]) < kCloseSheets
-                 ? std::optional(w)
-                 : std::nullopt;
-    }
-  }
-  return std::nullopt;
-}
 
 /// (14.20), (14.21).
 bool has_star(const LocalForms& forms, const LocalBounds& bounds, double reach) {
@@ -67,12 +26,12 @@ bool has_star(const LocalForms& forms, const LocalBounds& bounds, double reach) 
 std::optional<DoublePoint> double_point_near(const BezierPatch& x, const BezierPatch& y, const Pair& pair,
                                              const Vec4& guess, double tolerance) {
   const auto w = common_normal(pair, guess);
-  if (!w) {
+  if (!w || !(w->distance < kCloseSheets)) {
     return std::nullopt;
   }
   DoublePoint point;
   for (std::size_t j = 0; j < 4; ++j) {
-    const Rational near = from_double((*w)[j] + 0.5);
+    const Rational near = from_double(w->at[j] + 0.5);
     point.at[j] = simplest_between(near - from_double(kCloseSheets), near + from_double(kCloseSheets));
     if (point.at[j] <= 0 || point.at[j] >= 1) {
       return std::nullopt;

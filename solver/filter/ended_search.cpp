@@ -5,6 +5,7 @@
 
 #include "answer/finished_result.h"
 #include "answer/parameter_box.h"
+#include "filter/common_normal.h"
 #include "filter/tube_newton.h"
 
 namespace exsect::filter {
@@ -13,22 +14,46 @@ namespace {
 
 /// Of the parameters: what is called the same place in messages.
 constexpr double kNear = 0x1p-16;
+/// Of the points of both patches that are called one point.
+constexpr double kMeet = 0x1p-30;
 
-/// Why no subdivision decides: a word about the pair at a place, approximately.
+/// A component of the tangent that is smaller than this, relative to the greatest one, is called zero.
+constexpr double kNearlyStill = 0x1p-8;
+
+/// Why no subdivision decides, and a word about it: what the pair is like at a place, approximately.
+struct Ending {
+  Reason reason;
+  const char* why;
+};
 template <class K>
-const char* reason_at(const PairOf<K>& pair, const Vec4& at) {
-  const auto on_side = [&](std::size_t j) { return std::fabs(std::fabs(at[j]) - 0.5) < kNear; };
-  const int sides = on_side(0) + on_side(1) + on_side(2) + on_side(3);
-  if (sides > 1) return "curve through a corner, or along a side, not decided";
-  const Linearisation<K> here = linearise(pair, with_scale(pair, at));
-  double tangent = 0;
-  double columns = 1;
+Ending ending_at(const PairOf<K>& pair, const Vec4& at) {
+  int sides = 0;
+  std::size_t side = 4;
   for (std::size_t j = 0; j < 4; ++j) {
-    tangent = std::max(tangent, std::fabs(here.tangent[j]));
-    columns *= std::sqrt(std::sqrt(dot(here.column[j], here.column[j])));
+    if (!(std::fabs(std::fabs(at[j]) - 0.5) < kNear)) continue;
+    ++sides;
+    side = j;
   }
-  if (tangent < kNear * columns * std::sqrt(columns)) return "tangency or crossing not decided";
-  return sides > 0 ? "tangency with a side not decided" : "not decided";
+  if (sides > 1) return {Reason::corner, "curve through a corner, or along a side, not decided"};
+  const Vec4 tangent = first_four<K>(linearise(pair, with_scale(pair, at)).tangent);
+  const bool is_still = sides > 0 && std::fabs(tangent[side]) < kNearlyStill * largest(tangent);
+  return is_still ? Ending{Reason::tangency, "tangency with a side not decided"}
+                  : Ending{Reason::not_decided, "not decided"};
+}
+
+bool are_near(const Vec4& a, const Vec4& b) {
+  return std::equal(a.begin(), a.end(), b.begin(),
+                    [](double s, double t) { return std::fabs(s - t) < 0.125; });
+}
+
+/// The point with T = 0 close by, as far as doubles tell, in the domain.
+template <class K>
+std::optional<Vec4> singular_near(const PairOf<K>& pair, const Vec4& place) {
+  const auto found = common_normal(pair, place);
+  if (!found || !(found->distance < kMeet) || !are_near(found->at, place)) return std::nullopt;
+  const bool is_inside =
+      std::all_of(found->at.begin(), found->at.end(), [](double w) { return std::fabs(w) < 0.5 + kNear; });
+  return is_inside ? std::optional(found->at) : std::nullopt;
 }
 
 /// The solution on a side near a place on it, if Newton's method finds one close by; else the place.
@@ -38,9 +63,7 @@ Vec4 on_side_near(const PairOf<K>& pair, const Vec4& place) {
     if (std::fabs(place[j]) != 0.5) continue;
     Unknowns<K> at = with_scale(pair, place);
     if (!improve(pair, at, j, 20)) continue;
-    const bool close = std::equal(place.begin(), place.end(), at.begin(),
-                                  [](double a, double b) { return std::fabs(a - b) < 0.125; });
-    if (close) return first_four<K>(at);
+    if (are_near(place, first_four<K>(at))) return first_four<K>(at);
   }
   return place;
 }
@@ -49,10 +72,19 @@ Vec4 on_side_near(const PairOf<K>& pair, const Vec4& place) {
 
 template <class K>
 IntersectResult ended_at(const PairOf<K>& pair, const Vec4& searched) {
-  const Vec4 place = on_side_near(pair, searched);
-  const char* reason = reason_at<K>(pair, place);
+  Vec4 place;
+  Ending ending;
+  if (const auto singular = singular_near(pair, searched)) {
+    place = *singular;
+    ending = looks_like_crossing(pair, place) ? Ending{Reason::crossing, "crossing not decided"}
+                                              : Ending{Reason::tangency, "tangency not decided"};
+  } else {
+    place = on_side_near(pair, searched);
+    ending = ending_at<K>(pair, place);
+  }
   IntersectResult result = undecided(whole_domain(), "the search in doubles ended at a place in it");
-  result.incomplete.insert(result.incomplete.begin(), Incomplete{box_around(place, kNear), reason});
+  result.incomplete.insert(result.incomplete.begin(),
+                           Incomplete{box_around(place, kNear), ending.why, ending.reason});
   return result;
 }
 

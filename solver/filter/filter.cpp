@@ -334,7 +334,7 @@ template <class K>
 IntersectResult solved_pair(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run) {
   FilteredIntersection<K> intersection(x, y, run);
   if (auto found = intersection.run()) return *std::move(found);
-  if (run.out_of_time()) return undecided(whole_domain(), "the work cap was reached");
+  if (run.out_of_time()) return undecided(whole_domain(), "the work cap was reached", Reason::time);
   const auto pair = filter::make_pair_of<K>(x, y);
   const auto place = intersection.stuck();
   return pair && place ? filter::ended_at<K>(*pair, *place)

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "answer/left_open.h"
 #include "answer/parameter_box.h"
 #include "side/boundary_lines.h"
 #include "trace/enclose.h"
@@ -77,7 +78,7 @@ OverlapBoundary overlap_boundary(const BezierPatch& x, const BezierPatch& y, con
   for (const CertifiedPoint& point : lines.points) result.points.push_back({point, BoundaryPointKind::other});
   for (SideArc& arc : lines.arcs) {
     if (is_stopped(stop)) {
-      report(result, arc.inside.box(), kWorkCap);
+      result.incomplete.push_back(out_of_time(arc.inside.box(), kWorkCap));
       return result;
     }
     for (const std::size_t end : {arc.from, arc.to}) result.points[end].kind = BoundaryPointKind::on_arc;

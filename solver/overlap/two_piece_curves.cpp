@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "answer/graph_builder.h"
+#include "answer/left_open.h"
 #include "answer/parameter_box.h"
 #include "overlap/pair_map.h"
 #include "overlap/two_piece_landmarks.h"
@@ -55,7 +56,7 @@ class TwoPieceTracing {
 
  private:
   void problem(const ParameterBox& where, const std::string& why) {
-    result_.problems.push_back({where, is_stopped(stop_) ? "the work cap was reached" : why});
+    result_.problems.push_back(left_open(where, why, stop_));
   }
 
   void trace_open_curves() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "answer/left_open.h"
 #include "answer/parameter_box.h"
 #include "self/near_cusps.h"
 #include "shape/coincident_parameters.h"
@@ -44,7 +45,7 @@ void TwoPieceLandmarks<Ball>::run() {
 
 template <class Ball>
 void TwoPieceLandmarks<Ball>::problem(const ParameterBox& where, const std::string& why) {
-  found_.problems.push_back({where, is_stopped(stop_) ? "the work cap was reached" : why});
+  found_.problems.push_back(left_open(where, why, stop_));
 }
 
 template <class Ball>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "answer/left_open.h"
 #include "answer/parameter_box.h"
 #include "self/directions.h"
 #include "self/folds.h"
@@ -80,7 +81,7 @@ class SelfTracing {
   }
 
   void problem(const ParameterBox& where, const std::string& why) {
-    result_.problems.push_back({where, stop_ && stop_() ? "the work cap was reached" : why});
+    result_.problems.push_back(left_open(where, why, stop_));
   }
 
   /// The arc is regular apart from the stars on it: its parts lead from one to the next and are all of it.

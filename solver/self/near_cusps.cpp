@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "answer/left_open.h"
 #include "answer/parameter_box.h"
 #include "self/chart_turning.h"
 #include "self/undecided_places.h"
@@ -25,7 +26,7 @@ class NearCusps {
 
  private:
   void problem(const ParameterBox& where, const std::string& why) {
-    result_.problems.push_back({where, is_stopped(stop_) ? "the work cap was reached" : why});
+    result_.problems.push_back(left_open(where, why, stop_));
   }
 
   void find_cusps() {

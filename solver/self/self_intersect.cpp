@@ -11,6 +11,7 @@
 #include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
 #include "answer/graph_builder.h"
+#include "answer/left_open.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
 #include "answer/placement.h"
@@ -72,12 +73,12 @@ class SelfIntersection {
 
   void find_curves() {
     if (run_.out_of_time()) {
-      result_.incomplete.push_back({whole_domain(), "the work cap was reached"});
+      result_.incomplete.push_back(out_of_time(whole_domain()));
       return;
     }
     timed("exact places", [this] { find_exact_places(); });
     if (run_.out_of_time()) {
-      result_.incomplete.push_back({whole_domain(), "the work cap was reached"});
+      result_.incomplete.push_back(out_of_time(whole_domain()));
       return;
     }
     if (!exact_.boundary.problems.empty()) {
@@ -154,7 +155,7 @@ class SelfIntersection {
     const bool stopped = run_.out_of_time();
     if (!found.problems.empty() && !last && !stopped) return false;
     if (stopped)
-      for (Incomplete& problem : found.problems) problem.why = "the work cap was reached";
+      for (Incomplete& problem : found.problems) problem = out_of_time(problem.where);
     result_.incomplete.insert(result_.incomplete.end(), found.problems.begin(), found.problems.end());
     run_.count("searched boxes", static_cast<double>(found.searched_boxes));
     timed("graph", [&] { build_graph(system, found); });

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "answer/left_open.h"
 #include "answer/parameter_box.h"
 #include "line/exact_line_points.h"
 
@@ -27,7 +28,7 @@ class BoundarySearch {
     for (const Parameter p : all_parameters)
       for (const int value : {0, 1}) {
         if (stop_ && stop_()) {
-          incomplete(whole_domain(), kPointsWorkCap);
+          result_.incomplete.push_back(out_of_time(whole_domain(), kPointsWorkCap));
           return std::move(result_);
         }
         find_on_line({p, value});
@@ -49,7 +50,7 @@ class BoundarySearch {
   };
 
   void incomplete(const ParameterBox& where, const std::string& why) {
-    result_.incomplete.push_back({where, why});
+    result_.incomplete.push_back({where, why, is_stopped(stop_) ? Reason::time : Reason::not_decided});
   }
 
   /// Keeps the arcs whose first side this is; an arc may lie on two.

@@ -150,7 +150,9 @@ bool BoundaryGraph<Ball>::tangential_at(const CertifiedPoint& inside) {
     return false;
   }
   if (!is_known_singular(pair_.x, pair_.y, inside)) {
-    incomplete(inside.box(), "whether the patches touch along the arc through this point is not decided");
+    undecided_.push_back({inside.box(),
+                          "whether the patches touch along the arc through this point is not decided",
+                          Reason::tangency});
   }
   return true;
 }

@@ -10,6 +10,7 @@
 #include "answer/exact_source.h"
 #include "answer/finished_result.h"
 #include "answer/graph_builder.h"
+#include "answer/left_open.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
 #include "eliminant/critical_values.h"
@@ -127,7 +128,8 @@ class Intersection {
 
   void find_turning_values() {
     if (run_.out_of_time()) {
-      incomplete(whole_domain(), "the work cap was reached before closed curves were excluded");
+      result_.incomplete.push_back(
+          out_of_time(whole_domain(), "the work cap was reached before closed curves were excluded"));
       return;
     }
     sweep_.turning = turning_.choice(stop_).turning;  // without one, closed curves are found by subdivision
@@ -153,7 +155,8 @@ class Intersection {
     sweep_.fibres.clear();
     for (const Rational& sample : sweep_.samples) {
       if (run_.out_of_time()) {
-        incomplete(whole_domain(), "the work cap was reached while fibres were computed");
+        result_.incomplete.push_back(
+            out_of_time(whole_domain(), "the work cap was reached while fibres were computed"));
         return;
       }
       LinePoints fibre = exact_line_points(x_, y_, {sweep_.turning->sweep, sample});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answer/left_open.h"
 #include "answer/parameter_box.h"
 #include "line/line_place.h"
 #include "line/line_points_in.h"
@@ -46,8 +47,8 @@ class CurveTracing {
   }
 
  private:
-  void problem(const ParameterBox& where, const std::string& why) {
-    result_.problems.push_back({where, why});
+  void problem(const ParameterBox& where, const std::string& why, Reason reason = Reason::not_decided) {
+    result_.problems.push_back({where, why, reason});
   }
 
   /// Curves along which the patches touch: through the multiple points of the fibres, and the parameter lines
@@ -145,7 +146,8 @@ class CurveTracing {
       for (const Side& side : point.sides()) {
         const int outward = (which == 0 ? -1 : 1) * (side.value == 0 ? -1 : 1);
         if (certain_direction(system_, curve, which, index(side.parameter)) != outward) {
-          problem(point.box(), "a curve along which the patches touch does not cross the side here");
+          problem(point.box(), "a curve along which the patches touch does not cross the side here",
+                  Reason::tangency);
         }
       }
     }
@@ -177,7 +179,8 @@ class CurveTracing {
     if (!directions) {
       if (last_pass) {
         problem(sweep_.landmarks[landmark].point.box(),
-                "the intersection is tangent to a side of a patch, or singular, at this boundary point");
+                "the intersection is tangent to a side of a patch, or singular, at this boundary point",
+                Reason::tangency);
       }
       return;
     }
@@ -283,7 +286,7 @@ class CurveTracing {
     result_.cut_short = result_.cut_short || (sweep_.quick && !outcome.undecided.empty());
     result_.searched_boxes += outcome.boxes;
     for (const SearchRegion& box : merged(outcome.undecided)) {
-      problem(window.box(box), stop_ && stop_() ? "the work cap was reached" : why);
+      result_.problems.push_back(left_open(window.box(box), why, stop_));
     }
   }
 

@@ -209,7 +209,8 @@ TEST_CASE("what is not decided is incomplete with place and reason, exit status 
 
 TEST_CASE("a cap on the time ends as incomplete") {
   const Json json = intersection({first, "--max-seconds", "1e-9"}, 3);
-  CHECK_FALSE(json["incomplete"].empty());
+  REQUIRE_FALSE(json["incomplete"].empty());
+  CHECK(json["incomplete"][0]["reason"] == "time");
 }
 
 }  // namespace

@@ -37,11 +37,13 @@ TEST_CASE("finished result: the status follows from what is not decided") {
   CHECK(open.status == Status::incomplete);
   REQUIRE(open.incomplete.size() == 1);
   CHECK(open.incomplete[0].why == "a reason");
+  CHECK(open.incomplete[0].reason == Reason::not_decided);
   graph.add_isolated(graph.add_node(isolated()));
   const IntersectResult violated = finished(graph, {}, {});
   CHECK(violated.status == Status::incomplete);
   REQUIRE(violated.incomplete.size() == 1);
   CHECK(violated.incomplete[0].why == "two nodes for one point");
+  CHECK(violated.incomplete[0].reason == Reason::failed_proof);
   CHECK(same(violated.incomplete[0].where, isolated().box));
 }
 
@@ -53,6 +55,7 @@ TEST_CASE("finished result: a failed proof is an incomplete answer with its plac
   REQUIRE(failed.incomplete.size() == 1);
   CHECK(same(failed.incomplete[0].where, kPlace));
   CHECK(failed.incomplete[0].why == "two proofs disagree");
+  CHECK(failed.incomplete[0].reason == Reason::failed_proof);
   const IntersectResult other =
       answered(Run(), []() -> IntersectResult { throw std::domain_error("no carrier"); });
   REQUIRE(other.incomplete.size() == 1);

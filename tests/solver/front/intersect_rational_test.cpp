@@ -107,6 +107,24 @@ Net scaled(const Net& net, const Rational& scale, const Point& shift) {
   return result;
 }
 
+/// A bicubic graph of height a^2 + sign b^2 + a^3 over the middle, and a plane at this height.
+IntersectResult graph_and_plane(int sign, const Rational& left_of_middle) {
+  Net graph(4);
+  Net plane(2);
+  const auto third = [](int i) { return Rational(i, 3) - Rational(1, 2); };
+  const auto square = [&](int i) { return Rational(i == 0 || i == 3 ? 1 : -1, i == 0 || i == 3 ? 4 : 12); };
+  const auto cube = [&](int i) { return Rational(i == 0 ? -3 : i == 1 ? 3 : i == 2 ? -3 : 3, 24); };
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      graph[static_cast<std::size_t>(i)].push_back(
+          {third(i), third(j), square(i) + sign * square(j) + cube(i)});
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      plane[static_cast<std::size_t>(i)].push_back(
+          {i == 0 ? Rational(-left_of_middle) : Rational(3, 2), Rational(5 * j - 2, 2), Rational(0)});
+  return intersect(RationalPatch(graph), RationalPatch(plane));
+}
+
 }  // namespace
 
 TEST_CASE("intersect rational: agrees with the oracle on doubles") {
@@ -213,26 +231,19 @@ TEST_CASE("intersect rational: neighbours that share a side or a corner meet the
   }
 }
 
-TEST_CASE("intersect rational: what doubles do not decide is incomplete, with the place") {
-  // A bicubic graph of height a^2 + b^2 + a^3 above its tangent plane at the middle.
-  Net cup(4);
-  Net plane(2);
-  const auto third = [](int i) { return Rational(i, 3) - Rational(1, 2); };
-  const auto square = [&](int i) { return Rational(i == 0 || i == 3 ? 1 : -1, i == 0 || i == 3 ? 4 : 12); };
-  const auto cube = [&](int i) { return Rational(i == 0 ? -3 : i == 1 ? 3 : i == 2 ? -3 : 3, 24); };
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      cup[static_cast<std::size_t>(i)].push_back({third(i), third(j), square(i) + square(j) + cube(i)});
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j)
-      plane[static_cast<std::size_t>(i)].push_back(
-          {Rational(3 * i - 1, 2), Rational(5 * j - 2, 2), Rational(0)});
-  const IntersectResult result = intersect(RationalPatch(cup), RationalPatch(plane));
-  REQUIRE(result.status == Status::incomplete);
-  CHECK(result.incomplete[0].why == "tangency or crossing not decided");
-  CHECK(result.incomplete[0].where[0].lower <= Rational(1, 2));
-  CHECK(result.incomplete[0].where[0].upper >= Rational(1, 2));
-  CHECK(result.graph.nodes.empty());
+TEST_CASE("intersect rational: what doubles do not decide is incomplete, with place and reason") {
+  const IntersectResult touch = graph_and_plane(1, Rational(1, 2));
+  const IntersectResult crossing = graph_and_plane(-1, Rational(1, 2));
+  CHECK(touch.incomplete.at(0).reason == Reason::tangency);
+  CHECK(crossing.incomplete.at(0).reason == Reason::crossing);
+  for (const IntersectResult& result : {touch, crossing}) {
+    REQUIRE(result.status == Status::incomplete);
+    CHECK(result.incomplete[0].where[0].lower <= Rational(1, 2));
+    CHECK(result.incomplete[0].where[0].upper >= Rational(1, 2));
+    CHECK(result.graph.nodes.empty());
+  }
+  // The plane begins where the patches touch, or branches cross.
+  CHECK(graph_and_plane(1, 0).incomplete.at(0).reason == Reason::tangency);
 }
 
 TEST_CASE("intersect rational: a curve that ends on sides of both patches") {

@@ -1,0 +1,100 @@
+#include "filter/common_normal.h"
+
+#include <exsect/algebra/double_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect::filter {
+
+namespace {
+
+constexpr int kMostSteps = 12;
+constexpr double kSettled = 0x1p-44;
+
+}  // namespace
+
+template <class K>
+SecondOrder second_order(const PatchOf<K>& patch, double h, double k) {
+  const CoefficientsOf<K> c = expand(patch, h, k);
+  constexpr std::size_t u = kFirst<K>;
+  constexpr std::size_t v = kSecond;
+  const auto space = [](const Row<K>& p) { return Vec3{p[0], p[1], p[2]}; };
+  SecondOrder at = {affine(c[0]),    space(c[u]),     space(c[v]),
+                    space(c[2 * u]), space(c[u + v]), space(c[2 * v])};
+  if constexpr (K::weighted) {  // x = x(p) + (X - x(p) w)/w
+    const double per_weight = 1 / c[0][3];
+    at.u = per_weight * (at.u - c[u][3] * at.value);
+    at.v = per_weight * (at.v - c[v][3] * at.value);
+    at.uu = per_weight * (at.uu - c[2 * u][3] * at.value - c[u][3] * at.u);
+    at.uv = per_weight * (at.uv - c[u + v][3] * at.value - c[v][3] * at.u - c[u][3] * at.v);
+    at.vv = per_weight * (at.vv - c[2 * v][3] * at.value - c[v][3] * at.v);
+  }
+  return at;
+}
+
+template <class K>
+std::optional<CommonNormal> common_normal(const PairOf<K>& pair, Vec4 w) {
+  for (int step = 0; step < kMostSteps; ++step) {
+    const SecondOrder x = second_order(pair.x, w[0], w[1]);
+    const SecondOrder y = second_order(pair.y, w[2], w[3]);
+    const Vec3 d = x.value - y.value;
+    const Vec3 n = cross(y.u, y.v);
+    const Vec3 nr = 2.0 * cross(y.uu, y.v) + cross(y.u, y.uv);
+    const Vec3 ns = cross(y.uv, y.v) + 2.0 * cross(y.u, y.vv);
+    const std::array<std::array<double, 4>, 4> jacobian = {
+        {{dot(x.u, y.u), dot(x.v, y.u), 2 * dot(d, y.uu) - dot(y.u, y.u), dot(d, y.uv) - dot(y.v, y.u)},
+         {dot(x.u, y.v), dot(x.v, y.v), dot(d, y.uv) - dot(y.u, y.v), 2 * dot(d, y.vv) - dot(y.v, y.v)},
+         {2 * dot(x.uu, n), dot(x.uv, n), dot(x.u, nr), dot(x.u, ns)},
+         {dot(x.uv, n), 2 * dot(x.vv, n), dot(x.v, nr), dot(x.v, ns)}}};
+    DoubleMatrix matrix(4, 4);
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j) matrix(i, j) = jacobian[i][j];
+    const std::vector<double> change = solution(matrix, {dot(d, y.u), dot(d, y.v), dot(x.u, n), dot(x.v, n)});
+    double size = 0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      w[j] -= change[j];
+      if (!(std::fabs(w[j]) < 0.75)) {
+        return std::nullopt;
+      }
+      size = std::max(size, std::fabs(change[j]));
+    }
+    if (size < kSettled) {
+      const Vec3 gap = second_order(pair.x, w[0], w[1]).value - second_order(pair.y, w[2], w[3]).value;
+      return CommonNormal{w, largest(gap)};
+    }
+  }
+  return std::nullopt;
+}
+
+template <class K>
+bool looks_like_crossing(const PairOf<K>& pair, const Vec4& w) {
+  const SecondOrder x = second_order(pair.x, w[0], w[1]);
+  const SecondOrder y = second_order(pair.y, w[2], w[3]);
+  const Vec3 n = cross(y.u, y.v);
+  const Vec3 along_u = cross(y.v, n);
+  const Vec3 along_v = cross(n, y.u);
+  const double square = dot(n, n);
+  const auto in_plane = [&](const Vec3& d) {
+    return std::array{dot(along_u, d) / square, dot(along_v, d) / square};
+  };
+  const auto a = in_plane(x.u);
+  const auto b = in_plane(x.v);
+  // Of y above the plane, the polar form of order two.
+  const auto height = [&](const std::array<double, 2>& p, const std::array<double, 2>& q) {
+    return dot(n, (2 * p[0] * q[0]) * y.uu + (p[0] * q[1] + p[1] * q[0]) * y.uv + (2 * p[1] * q[1]) * y.vv);
+  };
+  const double uu = dot(n, x.uu) - 0.5 * height(a, a);
+  const double uv = dot(n, x.uv) - height(a, b);
+  const double vv = dot(n, x.vv) - 0.5 * height(b, b);
+  return uv * uv > 4 * uu * vv;
+}
+
+#define EXSECT_INSTANTIATE(K)                                                    \
+  template SecondOrder second_order<K>(const PatchOf<K>&, double, double);       \
+  template std::optional<CommonNormal> common_normal<K>(const PairOf<K>&, Vec4); \
+  template bool looks_like_crossing<K>(const PairOf<K>&, const Vec4&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
+
+}  // namespace exsect::filter
