@@ -31,15 +31,16 @@ std::optional<std::vector<BoundaryPointOf<K>>> boundary_points(const PairOf<K>& 
   return points;
 }
 
-bool add_side_paths(const BezierPatch& x, const BezierPatch& y, const Pair& pair, Trees& trees,
-                    Contacts& contacts) {
-  const Contacts known = contacts;
+template <class K>
+bool add_side_paths(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair, TreesOf<K>& trees,
+                    ContactsOf<K>& contacts) {
+  const ContactsOf<K> known = contacts;
   for (std::size_t fixed = 0; fixed < 4; ++fixed) {
     for (const double side : {-0.5, 0.5}) {
       const auto near = undecided_on_line(pair, {fixed, side, 0}, known, fixed < 2 ? trees.y : trees.x);
-      const auto path = near ? side_path_near(x, y, pair, fixed, side > 0, *near) : std::nullopt;
+      const auto path = near ? side_path_near<K>(x, y, pair, fixed, side > 0, *near) : std::nullopt;
       if (path) {
-        add_path(*path, pair, contacts);
+        add_path<K>(*path, pair, contacts);
       }
     }
   }
@@ -50,6 +51,11 @@ bool add_side_paths(const BezierPatch& x, const BezierPatch& y, const Pair& pair
   template std::optional<std::vector<BoundaryPointOf<K>>> boundary_points<K>( \
       const PairOf<K>&, const ContactsOf<K>&, TreesOf<K>&, long&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
+#define EXSECT_INSTANTIATE(K)                                                                                \
+  template bool add_side_paths<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, TreesOf<K>&, \
+                                  ContactsOf<K>&);
+EXSECT_FILTER_POLYNOMIAL_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

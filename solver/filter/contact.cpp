@@ -17,12 +17,13 @@ constexpr int kDeepest = 24;  // levels of both patches together
 constexpr int kMostDirections = 12;
 
 /// The index in the net of the corner with these parameters; empty if it is none.
+template <class K>
 std::optional<std::size_t> corner_of(const Rational& first, const Rational& second) {
   const auto is_end = [](const Rational& t) { return t == 0 || t == 1; };
   if (!is_end(first) || !is_end(second)) {
     return std::nullopt;
   }
-  return (first == 1 ? 6U : 0U) + (second == 1 ? 2U : 0U);
+  return (first == 1 ? K::degree * K::side : 0) + (second == 1 ? K::degree : 0);
 }
 
 using Interval = Part::Interval;
@@ -101,7 +102,9 @@ std::array<Vec3, 9> secant_net(const std::array<Vec3, 3>& d, const Interval& t, 
 
 // (14.11) to (14.13). Where the parametrisations differ, a mean m errs by less than mean_error, C(m) by 4
 // times that, w.X by 96 |n| times that; and the errors of C are those of its control vectors times |1-m| +
-// |m| <= stretch.
+// |m| <= stretch. Of cubics an error of t' changes D/3 by (4 + 8)/3 = 4 times that and |1-t'| + |t'|, and w.X
+// with control vectors of size 6 by 144 |n| times that; and control vectors of D are means of products of two
+// such sums.
 template <class K>
 requires(!K::weighted) bool meet_in_side(const SideContactOf<K>& contact, const SideIntervals& on_x,
                                          const SideIntervals& on_y, double net_error) {
@@ -109,8 +112,11 @@ requires(!K::weighted) bool meet_in_side(const SideContactOf<K>& contact, const 
   const AcrossFieldOf<K> fy = restricted<K>(contact.y_across, on_y);
   const Interval y_along = along_on_x(contact, on_y);
   const Interval means = {0.5 * (on_x.along.lower + y_along.lower), 0.5 * (on_x.along.upper + y_along.upper)};
-  const double stretch = 1 + 2 * std::max({0.0, -means.lower, means.upper - 1});
-  const double extra = 100 * mean_error(contact);
+  // For cubics D is quadratic in a point t of x's side and one of y's, which may be beyond it.
+  const Interval& farthest = K::degree == 2 ? means : y_along;
+  const double linear = 1 + 2 * std::max({0.0, -farthest.lower, farthest.upper - 1});
+  const double stretch = K::degree == 2 ? linear : linear * linear;
+  const double extra = (K::degree == 2 ? 100 : 150 * linear) * mean_error(contact);
   const auto c = secant_net(contact.direction, on_x.along, y_along);
   const Vec3 middle = c.front() + c.back();
   if (!(dot(middle, middle) > 0x1p-60)) {
@@ -310,12 +316,15 @@ std::optional<std::array<SquareSide, 2>> common_sides(const SidePath& path) {
   return std::nullopt;
 }
 
-SideContact part_of_side(const SidePath& path, const std::array<SquareSide, 2>& sides, const Pair& pair) {
+template <class K>
+SideContactOf<K> part_of_side(const SidePath& path, const std::array<SquareSide, 2>& sides,
+                              const PairOf<K>& pair) {
   const std::size_t along = 1 - sides[path.of_x ? 1 : 0].parameter;
   const Rational& from = path.ends[0][along];
   const Rational& to = path.ends[1][along];
   const bool reversed = to < from;
-  SideContact contact = side_contact<Biquadratic>(pair, {sides[0], false}, {sides[1], reversed});
+  SideContactOf<K> contact =
+      side_contact<K>(pair, {sides[0], false, K::degree}, {sides[1], reversed, K::degree});
   contact.path = path;
   const Rational length = abs(to - from);
   // Along the line the parameter is from + (to - from) t; t of x and t' of y, 1 - t' if reversed.
@@ -327,21 +336,24 @@ SideContact part_of_side(const SidePath& path, const std::array<SquareSide, 2>& 
 
 }  // namespace
 
-void add_path(const SidePath& path, const Pair& pair, Contacts& contacts) {
+template <class K>
+void add_path(const SidePath& path, const PairOf<K>& pair, ContactsOf<K>& contacts) {
   if (const auto sides = common_sides(path)) {
-    const auto is_same = [&](const SideContact& known) {
+    const auto is_same = [&](const SideContactOf<K>& known) {
       return known.x.side == (*sides)[0] && known.y.side == (*sides)[1];
     };
     if (std::none_of(contacts.sides.begin(), contacts.sides.end(), is_same)) {
-      contacts.sides.push_back(part_of_side(path, *sides, pair));
+      contacts.sides.push_back(part_of_side<K>(path, *sides, pair));
     }
-  } else {
+  } else if constexpr (std::is_same_v<K, Biquadratic>) {
     contacts.paths.push_back(path_contact(path, pair));
+  } else {
+    return;
   }
   for (const Rational& t : {path.common.lower, path.common.upper}) {
     const auto at = path.at(t);
     std::erase_if(contacts.corners, [&](const CornerContact& corner) {
-      return corner_of(at[0], at[1]) == corner.x && corner_of(at[2], at[3]) == corner.y;
+      return corner_of<K>(at[0], at[1]) == corner.x && corner_of<K>(at[2], at[3]) == corner.y;
     });
   }
 }
@@ -406,6 +418,9 @@ bool meet_in_contacts_only(const PairOf<K>& pair, TreesOf<K>& trees, const Conta
   template Meeting meeting<K>(const PairOf<K>&, const ContactsOf<K>&, const Part&, const Part&); \
   template bool meet_in_contacts_only<K>(const PairOf<K>&, TreesOf<K>&, const ContactsOf<K>&, long&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
+#define EXSECT_INSTANTIATE(K) template void add_path<K>(const SidePath&, const PairOf<K>&, ContactsOf<K>&);
+EXSECT_FILTER_POLYNOMIAL_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

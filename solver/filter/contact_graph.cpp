@@ -90,25 +90,25 @@ Number as(const Rational& q) {
   }
 }
 
-/// Control vectors of a polynomial of degree one or two on the interval.
-template <class Number, class Vector>
-std::array<Vector, 2> restricted(const std::array<Vector, 2>& c, const std::array<Number, 2>& to) {
-  const auto at = [&](const Number& t) { return (1 - t) * c[0] + t * c[1]; };
-  return {at(to[0]), at(to[1])};
-}
-template <class Number, class Vector>
-std::array<Vector, 3> restricted(const std::array<Vector, 3>& c, const std::array<Number, 2>& to) {
-  const auto at = [&](const Number& a, const Number& b) {
-    const Vector first = (1 - a) * c[0] + a * c[1];
-    const Vector last = (1 - a) * c[1] + a * c[2];
-    return (1 - b) * first + b * last;
-  };
-  return {at(to[0], to[0]), at(to[0], to[1]), at(to[1], to[1])};
+/// Control vectors on the interval: the blossom.
+template <class Number, class Vector, std::size_t Count>
+std::array<Vector, Count> restricted(const std::array<Vector, Count>& c, const std::array<Number, 2>& to) {
+  std::array<Vector, Count> result;
+  for (std::size_t k = 0; k < Count; ++k) {
+    std::array<Vector, Count> p = c;
+    for (std::size_t level = 1; level < Count; ++level) {
+      const Number& t = level + k < Count ? to[0] : to[1];
+      for (std::size_t i = 0; i + level < Count; ++i) p[i] = (1 - t) * p[i] + t * p[i + 1];
+    }
+    result[k] = p[0];
+  }
+  return result;
 }
 
 /// The ends of the common part of two sides, as the views of x and of y count.
 template <class K>
-std::array<std::array<Rational, 2>, 2> contact_part(const SideContactOf<K>& side, const SidePath& path) {
+requires(!K::weighted) std::array < std::array<Rational, 2>,
+2 > contact_part(const SideContactOf<K>& side, const SidePath& path) {
   std::array<std::array<Rational, 4>, 2> ends = {path.at(path.common.lower), path.at(path.common.upper)};
   const std::size_t along_x = 1 - side.x.side.parameter;
   const std::size_t along_y = 3 - side.y.side.parameter;
@@ -147,11 +147,22 @@ class ContactGraph {
       }
     }
     Arc arc{};
-    arc.from = node(side.ends[0]);
-    arc.to = node(side.ends[1]);
     arc.place = ArcPlace::patch_boundary;
     arc.contact = contact_along(side);
-    add_polyline(side, arc);
+    if constexpr (K::weighted) {
+      add_polyline(side, arc);
+    } else if (side.path) {
+      const auto part = contact_part(side, *side.path);
+      add_polyline(side, {rounded(part[0]), rounded(part[1])}, arc);
+      arc.from = add_end({end_of(side, part, 0), 0}, arc.polyline.front());
+      arc.to = add_end({end_of(side, part, 1), 0}, arc.polyline.back());
+    } else {
+      add_polyline(side, {{{0, 1}, {0, 1}}}, arc);
+    }
+    if (!side.ends.empty()) {
+      arc.from = node(side.ends[0]);
+      arc.to = node(side.ends[1]);
+    }
     const bool proved = arc.error_bound <= accepted_;
     graph_.add_arc(std::move(arc));
     return proved;
@@ -170,6 +181,21 @@ class ContactGraph {
   }
 
  private:
+  static Part::Interval rounded(const std::array<Rational, 2>& ends) {
+    return {to_double(ends[0]), to_double(ends[1])};
+  }
+  /// (u,v,r,s) at the first or the last end of the common part.
+  static std::array<Rational, 4> end_of(const SideContactOf<K>& side,
+                                        const std::array<std::array<Rational, 2>, 2>& part, std::size_t end) {
+    std::array<Rational, 4> at;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const SideView& view = i == 0 ? side.x : side.y;
+      at[2 * i + view.side.parameter] = view.side.upper ? 1 : 0;
+      at[2 * i + 1 - view.side.parameter] = view.reversed ? Rational(1 - part[i][end]) : part[i][end];
+    }
+    return at;
+  }
+
   int add_end(const RimEnd& end, const PolylineVertex& vertex) {
     Node node = rim_node(end.at);
     node.point = vertex.point;
@@ -248,11 +274,13 @@ class ContactGraph {
   /// smooth edges. The weights in the sums of `tangent_along` add up to
   /// (3n-1 over k).
   Contact contact_along(const SideContactOf<K>& side) const requires(!K::weighted) {
-    const double error = (side.path ? kPartDeterminantError : kDeterminantError) * pair_.net_error;
-    const auto rounded = along<double, Vec3>(pair_.x, pair_.y, side);
-    for (std::size_t k = 0; k < rounded.size(); ++k) {
-      if (std::fabs(rounded[k]) > error * binomial(3 * K::degree - 1, k)) {
-        return Contact::transversal;
+    if (K::degree == 2 || !side.path) {
+      const double error = (side.path ? kPartDeterminantError : kDeterminantError) * pair_.net_error;
+      const auto rounded = along<double, Vec3>(pair_.x, pair_.y, side);
+      for (std::size_t k = 0; k < rounded.size(); ++k) {
+        if (std::fabs(rounded[k]) > error * binomial(3 * K::degree - 1, k)) {
+          return Contact::transversal;
+        }
       }
     }
     const auto exact = along<Rational, Point>(x_, y_, side);
@@ -302,23 +330,22 @@ class ContactGraph {
         direction[j] = difference(x, side.x.index(0, j + 1), side.x.index(0, j));
       }
     }
-    if constexpr (std::is_same_v<K, Biquadratic>) {
-      if (side.path) {
-        const auto [on_x, on_y] = contact_part(side, *side.path);
-        const std::array<Number, 2> t = {as<Number>(on_x[0]), as<Number>(on_x[1])};
-        direction = restricted(direction, t);
-        across_x = restricted(across_x, t);
-        across_y = restricted(across_y, std::array<Number, 2>{as<Number>(on_y[0]), as<Number>(on_y[1])});
-      }
+    if (side.path) {
+      const auto [on_x, on_y] = contact_part(side, *side.path);
+      const std::array<Number, 2> t = {as<Number>(on_x[0]), as<Number>(on_x[1])};
+      direction = restricted(direction, t);
+      across_x = restricted(across_x, t);
+      across_y = restricted(across_y, std::array<Number, 2>{as<Number>(on_y[0]), as<Number>(on_y[1])});
     }
     return tangent_along<K, Number>(direction, across_x, across_y);
   }
 
   /// Chords of a curve with second derivative X'' over steps h keep within |X''| h²/8. A vertex errs by e0
-  /// and, after n means a + t (b - a), by 6 n u in each coordinate, less than net_error; and by 2 u times the
-  /// coordinate when it is moved to its place. X'' is a mean of n (n-1) times second differences, each of
-  /// which errs by 7 net_error in length.
-  void add_polyline(const SideContactOf<K>& side, Arc& arc) const requires(!K::weighted) {
+  /// and, after n means a + t (b - a), by 6 n u in each coordinate, and by 6 n u for t of a part, less than
+  /// net_error; and by 2 u times the coordinate when it is moved to its place. X'' is a mean of n (n-1) times
+  /// second differences, each of which errs by 7 net_error in length.
+  void add_polyline(const SideContactOf<K>& side, const std::array<Part::Interval, 2>& part, Arc& arc) const
+      requires(!K::weighted) {
     constexpr std::size_t n = K::degree;
     std::array<Vec3, K::side> points;
     for (std::size_t j = 0; j <= n; ++j) points[j] = pair_.x.net[side.x.index(0, j)];
@@ -330,21 +357,26 @@ class ContactGraph {
       bend = larger_bound(bend, bend_length((points[j - 1] - points[j]) + (points[j + 1] - points[j])));
     }
     const double second = static_cast<double>(n * (n - 1)) * (bend + 8 * pair_.net_error);
-    const double wanted = std::ceil(std::sqrt(second * scale_ / (8 * 0.95 * tolerance_)));
+    const double length = part[0].upper - part[0].lower;
+    const double wanted = std::ceil(length * std::sqrt(second * scale_ / (8 * 0.95 * tolerance_)));
     const int count = chord_count(wanted);
     arc.polyline.reserve(static_cast<std::size_t>(count) + 1);
+    const auto at = [&](const Part::Interval& range, int i) {
+      return i == count ? range.upper
+                        : range.lower + (range.upper - range.lower) * (static_cast<double>(i) / count);
+    };
     for (int i = 0; i <= count; ++i) {
-      const double t = static_cast<double>(i) / count;
+      const double t = at(part[0], i);
       std::array<Vec3, K::side> p = points;
       for (std::size_t level = 1; level <= n; ++level) {
         for (std::size_t j = 0; j + level <= n; ++j) p[j] = p[j] + t * (p[j + 1] - p[j]);
       }
       PolylineVertex& vertex = arc.polyline.emplace_back();
-      vertex.point = position(i == count ? points[n] : p[0]);
+      vertex.point = position(t == 1 ? points[n] : p[0]);
       place(side.x, t, &vertex.parameters[0]);
-      place(side.y, t, &vertex.parameters[2]);
+      place(side.y, at(part[1], i), &vertex.parameters[2]);
     }
-    const double step = 1.0 / count + kSumRounding;
+    const double step = length / count + 2 * kSumRounding;
     arc.error_bound = kSlack * scale_ * (second * step * step / 8 + 2 * vertex_error);
   }
 

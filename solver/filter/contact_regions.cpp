@@ -9,7 +9,7 @@ ContactRegions::ContactRegions(const BezierPatch& x, const BezierPatch& y) : pai
   auto contacts = pair_ ? filter::find_contacts(x, y, *pair_) : std::nullopt;
   if (!contacts) return;
   filter::Trees trees{filter::PatchTree(pair_->x), filter::PatchTree(pair_->y)};
-  filter::add_side_paths(x, y, *pair_, trees, *contacts);
+  filter::add_side_paths<filter::Biquadratic>(x, y, *pair_, trees, *contacts);
   contacts_ = std::move(*contacts);
   contacts_.corners.clear();
 }

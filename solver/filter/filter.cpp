@@ -138,8 +138,8 @@ class FilteredIntersection {
 
   bool add_side_paths(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees,
                       filter::ContactsOf<K>& contacts) const {
-    if constexpr (kExactBehind) {
-      return filter::add_side_paths(x_, y_, pair, trees, contacts);
+    if constexpr (!K::weighted) {
+      return filter::add_side_paths<K>(x_, y_, pair, trees, contacts);
     } else {
       return false;
     }

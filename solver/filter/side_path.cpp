@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter/homogeneous.h"
 #include "filter/tube_newton.h"
 
 namespace exsect::filter {
@@ -48,37 +49,74 @@ ExactPlace between(const ExactPlace& a, const ExactPlace& b, const Rational& t) 
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1]};
 }
 
+/// A polynomial patch and its derivatives.
+struct PointAndDerivatives {
+  Point point, first, second;
+};
+PointAndDerivatives exact_first_order(const BezierPatch& patch, const ExactPlace& at) {
+  return {patch(at[0], at[1]), patch.derivative_first(at[0], at[1]), patch.derivative_second(at[0], at[1])};
+}
+template <class K>
+PointAndDerivatives exact_first_order(const ElevatedPatch<K>& patch, const ExactPlace& at) {
+  const FirstOrder<K> order(patch, at[0], at[1]);
+  const auto space = [](const HomogeneousPoint& p, long factor) {
+    return Point{factor * p[0], factor * p[1], factor * p[2]};
+  };
+  constexpr auto n = static_cast<long>(K::degree);
+  return {space(order.value, 1), space(order.derivative[0], n), space(order.derivative[1], n)};
+}
+
+/// Means with (1-t) and t, one control point fewer each time.
+template <class Vector, std::size_t Count, class Number>
+std::array<Vector, Count - 1> curve_means(const std::array<Vector, Count>& c, const Number& t) {
+  std::array<Vector, Count - 1> result;
+  for (std::size_t k = 0; k + 1 < Count; ++k) result[k] = (1 - t) * c[k] + t * c[k + 1];
+  return result;
+}
+/// The curve's point.
+template <class Vector, std::size_t Count, class Number>
+Vector curve_point(const std::array<Vector, Count>& c, const Number& t) {
+  if constexpr (Count == 1) {
+    return c[0];
+  } else {
+    return curve_point(curve_means(c, t), t);
+  }
+}
+
+template <class K>
 class PathSearch {
  public:
-  PathSearch(const Patch& owner, const Patch& carrier, const BezierPatch& exact_owner,
-             const BezierPatch& exact_carrier, const SquareSide& side)
+  PathSearch(const PatchOf<K>& owner, const PatchOf<K>& carrier, const ExactPatch<K>& exact_owner,
+             const ExactPatch<K>& exact_carrier, const SquareSide& side)
       : carrier_(carrier), exact_carrier_(exact_carrier) {
-    const SideView view = {side, false};
-    for (std::size_t k = 0; k < 3; ++k) {
+    const SideView view = {side, false, K::degree};
+    for (std::size_t k = 0; k < K::side; ++k) {
       const std::size_t i = view.index(0, k);
       side_[k] = owner.net[i];
-      exact_side_[k] = exact_owner.net()[i / 3][i % 3];
+      exact_side_[k] = control_point(exact_owner, i);
     }
   }
 
   /// From a t, and a centred place nearby.
   std::optional<std::array<ExactPlace, 2>> run(double t, Place near) const {
-    const Vec3 first = 2.0 * (side_[1] - side_[0]);
-    const Vec3 second = 2.0 * (side_[2] - side_[1]);
-    if (!improve(near, filter::between(filter::between(side_[0], side_[1], t),
-                                       filter::between(side_[1], side_[2], t), t))) {
+    std::array<Vec3, K::degree> tangent;
+    for (std::size_t k = 0; k < K::degree; ++k) {
+      tangent[k] = static_cast<double>(K::degree) * (side_[k + 1] - side_[k]);
+    }
+    if (!improve(near, curve_point(side_, t))) {
       return std::nullopt;
     }
-    const Coefficients c = expand(carrier_, near[0], near[1]);
-    const Place rate = coordinates(c[3], c[1], filter::between(first, second, t));
+    const CoefficientsOf<K> c = expand(carrier_, near[0], near[1]);
+    const Place rate = coordinates(c[kFirst<K>], c[kSecond], curve_point(tangent, t));
     std::array<ExactPlace, 2> ends;
     for (std::size_t i = 0; i < 2; ++i) {
       const double step = static_cast<double>(i) - t;
       Place end = {near[0] + step * rate[0], near[1] + step * rate[1]};
-      if (!improve(end, side_[2 * i])) {
+      const std::size_t corner = K::degree * i;
+      if (!improve(end, side_[corner])) {
         return std::nullopt;
       }
-      const auto exact = exactly(end, exact_side_[2 * i]);
+      const auto exact = exactly(end, exact_side_[corner]);
       if (!exact) {
         return std::nullopt;
       }
@@ -94,9 +132,9 @@ class PathSearch {
       if (!(std::fabs(at[0]) < kFarthest && std::fabs(at[1]) < kFarthest)) {
         return false;
       }
-      const Coefficients c = expand(carrier_, at[0], at[1]);
+      const CoefficientsOf<K> c = expand(carrier_, at[0], at[1]);
       const Vec3 miss = point - c[0];
-      const Place by = coordinates(c[3], c[1], miss);
+      const Place by = coordinates(c[kFirst<K>], c[kSecond], miss);
       at = {at[0] + by[0], at[1] + by[1]};
       if (std::fabs(by[0]) + std::fabs(by[1]) < 0x1p-40 * (1 + std::fabs(at[0]) + std::fabs(at[1]))) {
         return largest(miss) < kClose;
@@ -115,7 +153,7 @@ class PathSearch {
       const ExactPlace simple = {simplest_between(at[0] - room, at[0] + room),
                                  simplest_between(at[1] - room, at[1] + room)};
       for (const ExactPlace& candidate : {at, simple}) {
-        if (exact_carrier_(candidate[0], candidate[1]) == point) {
+        if (exact_first_order(exact_carrier_, candidate).point == point) {
           return candidate;
         }
       }
@@ -129,8 +167,7 @@ class PathSearch {
 
   /// In the two coordinates in which the tangent plane is projected best.
   bool step(ExactPlace& at, const Point& point) const {
-    const Point u = exact_carrier_.derivative_first(at[0], at[1]);
-    const Point v = exact_carrier_.derivative_second(at[0], at[1]);
+    const auto [now, u, v] = exact_first_order(exact_carrier_, at);
     const Point normal = cross(u, v);
     std::size_t k = 0;
     for (std::size_t i = 1; i < 3; ++i) {
@@ -139,37 +176,34 @@ class PathSearch {
     if (normal[k] == 0) {
       return false;
     }
-    const Point miss = point - exact_carrier_(at[0], at[1]);
+    const Point miss = point - now;
     at[0] += cross(miss, v)[k] / normal[k];
     at[1] += cross(u, miss)[k] / normal[k];
     return true;
   }
 
-  /// A patch has degree four along a line, or two where a parameter is constant: so many points decide, of
-  /// which the ends are known.
+  /// A patch has degree 2 n along a line, or n where a parameter is constant: so many points decide, of which
+  /// the ends are known.
   bool is_path(const std::array<ExactPlace, 2>& ends) const {
     const bool along_parameter = ends[0][0] == ends[1][0] || ends[0][1] == ends[1][1];
-    const int degree = along_parameter ? 2 : 4;
+    const int degree = static_cast<int>(along_parameter ? K::degree : 2 * K::degree);
     if (ends[0] == ends[1]) {
       return false;
     }
     for (int k = 1; k < degree; ++k) {
       const Rational t(k, degree);
       const ExactPlace at = between(ends[0], ends[1], t);
-      const Rational s = 1 - t;
-      const Point on_side =
-          (s * s) * exact_side_[0] + (2 * s * t) * exact_side_[1] + (t * t) * exact_side_[2];
-      if (exact_carrier_(at[0], at[1]) != on_side) {
+      if (exact_first_order(exact_carrier_, at).point != curve_point(exact_side_, t)) {
         return false;
       }
     }
     return true;
   }
 
-  const Patch& carrier_;
-  const BezierPatch& exact_carrier_;
-  std::array<Vec3, 3> side_;
-  std::array<Point, 3> exact_side_;
+  const PatchOf<K>& carrier_;
+  const ExactPatch<K>& exact_carrier_;
+  std::array<Vec3, K::side> side_;
+  std::array<Point, K::side> exact_side_;
 };
 
 /// The t in [0,1] for which the line is in the square; lower > upper if there are none.
@@ -205,12 +239,13 @@ std::array<Rational, 4> SidePath::at(const Rational& t) const {
   return result;
 }
 
-std::optional<SidePath> side_path_near(const BezierPatch& x, const BezierPatch& y, const Pair& pair,
+template <class K>
+std::optional<SidePath> side_path_near(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
                                        std::size_t fixed, bool upper, const Vec4& near) {
   const bool of_x = fixed < 2;
   const SquareSide side = {fixed % 2, upper};
-  const PathSearch search =
-      of_x ? PathSearch(pair.x, pair.y, x, y, side) : PathSearch(pair.y, pair.x, y, x, side);
+  const PathSearch<K> search =
+      of_x ? PathSearch<K>(pair.x, pair.y, x, y, side) : PathSearch<K>(pair.y, pair.x, y, x, side);
   const std::size_t other = of_x ? 2 : 0;
   const auto ends = search.run(near[fixed ^ 1U] + 0.5, {near[other], near[other + 1]});
   if (!ends) {
@@ -219,5 +254,11 @@ std::optional<SidePath> side_path_near(const BezierPatch& x, const BezierPatch& 
   const RationalInterval common = common_part(*ends);
   return common.lower < common.upper ? std::optional(SidePath{of_x, side, *ends, common}) : std::nullopt;
 }
+
+#define EXSECT_INSTANTIATE(K)                                                                    \
+  template std::optional<SidePath> side_path_near<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
+                                                     const PairOf<K>&, std::size_t, bool, const Vec4&);
+EXSECT_FILTER_POLYNOMIAL_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "filter/exact_patch.h"
 #include "filter/part.h"
 
 namespace exsect::filter {
@@ -25,7 +26,8 @@ struct SidePath {
 /// The path of the side that parameter `fixed` (0..3) has at 1 or, unless `upper`, at 0, if it has one that
 /// passes near the solution `near` (centred) on it. Looks for it in doubles first, and proves it by
 /// substitution.
-std::optional<SidePath> side_path_near(const BezierPatch& x, const BezierPatch& y, const Pair& pair,
+template <class K>
+std::optional<SidePath> side_path_near(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
                                        std::size_t fixed, bool upper, const Vec4& near);
 
 }  // namespace exsect::filter
