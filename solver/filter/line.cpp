@@ -19,7 +19,9 @@ constexpr int kLastLineLevel = 36;
 /// Of all searches of a pair. Nothing is behind the pairs that are not biquadratic.
 template <class K>
 constexpr long kMostLineBoxes = std::is_same_v<K, Biquadratic> ? 3000 : 40000;
-constexpr long kMostBoxesToPlace = 400;  // that is enough to come near one
+/// Of biquadratic pairs: enough to come near one.
+template <class K>
+constexpr long kMostBoxesToPlace = std::is_same_v<K, Biquadratic> ? 400 : kMostLineBoxes<K>;
 
 /// Bound of the error of the control points computed below, for an inner line.
 template <class K>
@@ -304,7 +306,7 @@ std::optional<Vec4> undecided_on_line(const PairOf<K>& pair, const Line& line, c
                                       PatchTreeOf<K>& other) {
   long boxes = 0;
   LineSearch<K> search(pair, line, contacts, other, boxes);
-  search.run(kMostBoxesToPlace);
+  search.run(kMostBoxesToPlace<K>);
   return search.undecided();
 }
 

@@ -36,7 +36,8 @@ Vec4 sides_near(const PairOf<K>& pair, Vec4& place) {
   if (fixed == 4) return {};
   place[fixed] = std::copysign(0.5, place[fixed]);
   Unknowns<K> at = with_scale(pair, place);
-  if (!improve(pair, at, fixed, 20)) return {};
+  // The second time because the last step of the first one is below 2^-16 only.
+  if (!improve(pair, at, fixed, 20) || !improve(pair, at, fixed, 1)) return {};
   place = first_four<K>(at);
   Vec4 on{};
   int count = 0;

@@ -120,7 +120,7 @@ void check(const std::string& family, std::uint64_t seed, DegreeTally& tally) {
   if (complete) {
     ++tally.complete;
   } else {
-    ++tally.reasons.try_emplace(result.incomplete.at(0).why, 0, seed).first->second.first;
+    ++tally.reasons.try_emplace(name(result.incomplete.at(0).reason), 0, seed).first->second.first;
   }
   for (const Variant& variant : variants(pair)) {
     const IntersectResult other = intersect(variant.pair.x, variant.pair.y);

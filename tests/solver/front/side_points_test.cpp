@@ -9,6 +9,7 @@
 #include "filter/filter.h"
 #include "support/catch.h"
 #include "support/graph_isomorphism.h"
+#include "support/random_nets.h"
 #include "support/random_pairs.h"
 
 namespace exsect::side_points_test {
@@ -122,6 +123,35 @@ TEST_CASE("side points: common corners of small integers, as exact arithmetic ha
   INFO(complete << " complete, " << entering << " arcs end in a common corner");
   CHECK(complete >= 57);
   CHECK(entering >= 6);
+}
+
+TEST_CASE("side points: sides of cubic patches that meet half-way along both") {
+  int ends = 0;
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    random_nets::Nets nets = random_nets::scattered(generator, {3, 3, 3, 3});
+    const Point target = nets.first()(1, Rational(1, 2));
+    const Point from = nets.second()(Rational(1, 2), 1);
+    for (auto& row : nets.y)
+      for (Point& p : row)
+        for (std::size_t c = 0; c < 3; ++c) p[c] += target[c] - from[c];
+    const IntersectResult result = intersect(nets.first(), nets.second());
+    REQUIRE(result.status == Status::complete);
+    const auto is_there = [](const Node& node) {
+      return node.on == std::vector<Side>{{Parameter::u, 1}, {Parameter::s, 1}} &&
+             node.box[1].lower <= Rational(1, 2) && node.box[1].upper >= Rational(1, 2);
+    };
+    const auto& nodes = result.graph.nodes;
+    const auto node = std::find_if(nodes.begin(), nodes.end(), is_there);
+    REQUIRE(node != nodes.end());
+    const auto& arcs = result.graph.arcs;
+    ends += static_cast<int>(std::count_if(arcs.begin(), arcs.end(), [&](const Arc& arc) {
+      return arc.from == node->id || arc.to == node->id;
+    }));
+  }
+  CHECK(ends >= 6);
+  CHECK(ends <= 18);
 }
 
 TEST_CASE("side points: next to a point on two sides, but not on them") {
