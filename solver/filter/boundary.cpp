@@ -1,5 +1,6 @@
 #include "filter/boundary.h"
 
+#include "filter/added_path.h"
 #include "filter/line.h"
 
 namespace exsect::filter {

@@ -90,11 +90,6 @@ bool is_at(const SidePointOf<K>& point, const CornerContact& corner) {
   return point.on == place_of<K>(corner);
 }
 
-/// Adds the side of one patch that lies on the other one in part; nothing if it is known already, or of cubic
-/// patches if it is inside of the other one.
-template <class K>
-void add_path(const SidePath& path, const PairOf<K>& pair, ContactsOf<K>& contacts);
-
 enum class Meeting {
   contact,   // all solutions on the two parts belong to one of the contacts, or to the arc of a side point
   touching,  // the same contact is on both; nothing is proved

@@ -8,6 +8,7 @@
 
 #include "answer/chord_count.h"
 #include "answer/rim_arc.h"
+#include "filter/common_side.h"
 #include "filter/homogeneous.h"
 
 namespace exsect::filter {
@@ -29,15 +30,6 @@ using filter::dot;
 double bend_length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 double determinant(const Vec3& a, const Vec3& b, const Vec3& c) { return dot(cross(a, b), c); }
 
-template <class K>
-Vec3 difference(const PatchOf<K>& patch, std::size_t a, std::size_t b) {
-  return patch.net[a] - patch.net[b];
-}
-template <class Exact>
-Point difference(const Exact& patch, std::size_t a, std::size_t b) {
-  return control_point(patch, a) - control_point(patch, b);
-}
-
 /// The determinants of the first derivatives, three by three, at a common corner, up to positive factors:
 /// zero if and only if the tangent (5.1) is.
 template <class K, class Vector, class Net>
@@ -46,77 +38,11 @@ auto tangent_at(const Net& x, const Net& y, const CornerContact& at) {
     const bool upper = corner_ends<K>(corner)[across == kFirst<K> ? 0 : 1];
     return upper ? corner - across : corner + across;
   };
-  const Vector u = difference(x, neighbour(at.x, kFirst<K>), at.x);
-  const Vector v = difference(x, neighbour(at.x, 1), at.x);
-  const Vector r = difference(y, neighbour(at.y, kFirst<K>), at.y);
-  const Vector s = difference(y, neighbour(at.y, 1), at.y);
+  const Vector u = step_between(x, neighbour(at.x, kFirst<K>), at.x);
+  const Vector v = step_between(x, neighbour(at.x, 1), at.x);
+  const Vector r = step_between(y, neighbour(at.y, kFirst<K>), at.y);
+  const Vector s = step_between(y, neighbour(at.y, 1), at.y);
   return std::array{determinant(v, r, s), determinant(u, r, s), determinant(u, v, s), determinant(u, v, r)};
-}
-
-/// n over k.
-constexpr int binomial(std::size_t n, std::size_t k) {
-  int result = 1;
-  for (std::size_t i = 1; i <= k; ++i) result = result * static_cast<int>(n + 1 - i) / static_cast<int>(i);
-  return result;
-}
-
-/// The Bernstein coefficients, coefficient k times (3n-1 over k), of det(C, x_across, y_across) along a
-/// common side: degree 3n-1.
-template <class K, class Number, class Vector>
-std::array<Number, 3 * K::degree> tangent_along(const std::array<Vector, K::degree>& direction,
-                                                const std::array<Vector, K::side>& x,
-                                                const std::array<Vector, K::side>& y) {
-  constexpr std::size_t n = K::degree;
-  std::array<Number, 3 * n> sum;
-  sum.fill(Number(0));
-  for (std::size_t i = 0; i <= n; ++i) {
-    for (std::size_t j = 0; j <= n; ++j) {
-      const Vector normal = cross(x[i], y[j]);
-      for (std::size_t k = 0; k < n; ++k) {
-        sum[i + j + k] +=
-            Number(binomial(n, i) * binomial(n, j) * binomial(n - 1, k)) * dot(direction[k], normal);
-      }
-    }
-  }
-  return sum;
-}
-
-template <class Number>
-Number as(const Rational& q) {
-  if constexpr (std::is_same_v<Number, double>) {
-    return to_double(q);
-  } else {
-    return q;
-  }
-}
-
-/// Control vectors on the interval: the blossom.
-template <class Number, class Vector, std::size_t Count>
-std::array<Vector, Count> restricted(const std::array<Vector, Count>& c, const std::array<Number, 2>& to) {
-  std::array<Vector, Count> result;
-  for (std::size_t k = 0; k < Count; ++k) {
-    std::array<Vector, Count> p = c;
-    for (std::size_t level = 1; level < Count; ++level) {
-      const Number& t = level + k < Count ? to[0] : to[1];
-      for (std::size_t i = 0; i + level < Count; ++i) p[i] = (1 - t) * p[i] + t * p[i + 1];
-    }
-    result[k] = p[0];
-  }
-  return result;
-}
-
-/// The ends of the common part of two sides, as the views of x and of y count.
-template <class K>
-requires(!K::weighted) std::array < std::array<Rational, 2>,
-2 > contact_part(const SideContactOf<K>& side, const SidePath& path) {
-  std::array<std::array<Rational, 4>, 2> ends = {path.at(path.common.lower), path.at(path.common.upper)};
-  const std::size_t along_x = 1 - side.x.side.parameter;
-  const std::size_t along_y = 3 - side.y.side.parameter;
-  if (ends[1][along_x] < ends[0][along_x]) {
-    std::swap(ends[0], ends[1]);
-  }
-  const auto on_y = [&](const Rational& t) { return side.y.reversed ? 1 - t : t; };
-  return {{{ends[0][along_x], ends[1][along_x]}, {on_y(ends[0][along_y]), on_y(ends[1][along_y])}}};
 }
 
 template <class K>
@@ -143,16 +69,16 @@ class ContactGraph {
   bool add(const SideContactOf<K>& side) {
     if constexpr (std::is_same_v<K, Biquadratic>) {
       if (side.path) {
-        return add(*side.path, contact_along(side));
+        return add(*side.path, contact_along<K>(x_, y_, pair_, side));
       }
     }
     Arc arc{};
     arc.place = ArcPlace::patch_boundary;
-    arc.contact = contact_along(side);
+    arc.contact = contact_along<K>(x_, y_, pair_, side);
     if constexpr (K::weighted) {
       add_polyline(side, arc);
     } else if (side.path) {
-      const auto part = contact_part(side, *side.path);
+      const auto part = common_part<K>(side, *side.path);
       add_polyline(side, {rounded(part[0]), rounded(part[1])}, arc);
       arc.from = add_end({end_of(side, part, 0), 0}, arc.polyline.front());
       arc.to = add_end({end_of(side, part, 1), 0}, arc.polyline.back());
@@ -185,8 +111,8 @@ class ContactGraph {
     return {to_double(ends[0]), to_double(ends[1])};
   }
   /// (u,v,r,s) at the first or the last end of the common part.
-  static std::array<Rational, 4> end_of(const SideContactOf<K>& side,
-                                        const std::array<std::array<Rational, 2>, 2>& part, std::size_t end) {
+  static std::array<Rational, 4> end_of(const SideContactOf<K>& side, const CommonPart& part,
+                                        std::size_t end) {
     std::array<Rational, 4> at;
     for (std::size_t i = 0; i < 2; ++i) {
       const SideView& view = i == 0 ? side.x : side.y;
@@ -268,76 +194,6 @@ class ContactGraph {
     }
     const auto exact = tangent_at<K, Point>(x_, y_, corner);
     return std::all_of(exact.begin(), exact.end(), [](const Rational& t) { return t == 0; });
-  }
-
-  /// Tangential if (14.15) vanishes all along the side; exactly, where doubles do not tell, as on nearly
-  /// smooth edges. The weights in the sums of `tangent_along` add up to
-  /// (3n-1 over k).
-  Contact contact_along(const SideContactOf<K>& side) const requires(!K::weighted) {
-    if (K::degree == 2 || !side.path) {
-      const double error = (side.path ? kPartDeterminantError : kDeterminantError) * pair_.net_error;
-      const auto rounded = along<double, Vec3>(pair_.x, pair_.y, side);
-      for (std::size_t k = 0; k < rounded.size(); ++k) {
-        if (std::fabs(rounded[k]) > error * binomial(3 * K::degree - 1, k)) {
-          return Contact::transversal;
-        }
-      }
-    }
-    const auto exact = along<Rational, Point>(x_, y_, side);
-    const bool touch = std::all_of(exact.begin(), exact.end(), [](const Rational& t) { return t == 0; });
-    return touch ? Contact::tangential : Contact::transversal;
-  }
-
-  /// [C C' X^ Y^] has degree 4n-2 along the side: tangential if it is zero at so many points and one more.
-  Contact contact_along(const SideContactOf<K>& side) const requires K::weighted {
-    const int count = 4 * static_cast<int>(K::degree) - 1;
-    for (int i = 0; i < count; ++i) {
-      const Rational t(2 * i + 1, 2 * count);
-      const auto x = first_order(x_, side.x, t);
-      const auto y = first_order(y_, side.y, on_y(side, t));
-      const std::size_t across_x = side.x.side.parameter;
-      if (filter::determinant(x.value, x.derivative[1 - across_x], x.derivative[across_x],
-                              y.derivative[side.y.side.parameter]) != 0) {
-        return Contact::transversal;
-      }
-    }
-    return Contact::tangential;
-  }
-
-  static FirstOrder<K> first_order(const ExactPatch<K>& patch, const SideView& view, const Rational& t) {
-    const Rational along = view.reversed ? Rational(1 - t) : t;
-    const Rational across = view.side.upper ? 1 : 0;
-    return view.side.parameter == 0 ? FirstOrder<K>(patch, across, along)
-                                    : FirstOrder<K>(patch, along, across);
-  }
-  /// t = ratio t' / (1 - t' + ratio t').
-  template <class Number>
-  static Number on_y(const SideContactOf<K>& side, const Number& t) {
-    const Number ratio = as<Number>(side.ratio);
-    return t / (ratio * (1 - t) + t);
-  }
-
-  /// On the part that both sides have in common.
-  template <class Number, class Vector, class Net>
-  static std::array<Number, 3 * K::degree> along(const Net& x, const Net& y, const SideContactOf<K>& side) {
-    std::array<Vector, K::degree> direction;
-    std::array<Vector, K::side> across_x;
-    std::array<Vector, K::side> across_y;
-    for (std::size_t j = 0; j < K::side; ++j) {
-      across_x[j] = difference(x, side.x.index(1, j), side.x.index(0, j));
-      across_y[j] = difference(y, side.y.index(1, j), side.y.index(0, j));
-      if (j < K::degree) {
-        direction[j] = difference(x, side.x.index(0, j + 1), side.x.index(0, j));
-      }
-    }
-    if (side.path) {
-      const auto [on_x, on_y] = contact_part(side, *side.path);
-      const std::array<Number, 2> t = {as<Number>(on_x[0]), as<Number>(on_x[1])};
-      direction = restricted(direction, t);
-      across_x = restricted(across_x, t);
-      across_y = restricted(across_y, std::array<Number, 2>{as<Number>(on_y[0]), as<Number>(on_y[1])});
-    }
-    return tangent_along<K, Number>(direction, across_x, across_y);
   }
 
   /// Chords of a curve with second derivative X'' over steps h keep within |X''| h²/8. A vertex errs by e0
@@ -439,7 +295,7 @@ class ContactGraph {
       PolylineVertex& vertex = arc.polyline.emplace_back();
       vertex.point = position(x);
       place(side.x, t, &vertex.parameters[0]);
-      place(side.y, i == count ? 1 : on_y(side, t), &vertex.parameters[2]);
+      place(side.y, i == count ? 1 : on_y<K>(to_double(side.ratio), t), &vertex.parameters[2]);
     }
     const double step = 1.0 / count + kSumRounding;
     arc.error_bound = kSlack * scale_ * (second * step * step / 8 + 2 * kDiagonal * vertex_error);

@@ -1,0 +1,80 @@
+#include "filter/added_path.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "filter/contact_finder.h"
+
+namespace exsect::filter {
+
+namespace {
+
+/// The index in the net of the corner with these parameters; empty if it is none.
+template <class K>
+std::optional<std::size_t> corner_of(const Rational& first, const Rational& second) {
+  const auto is_end = [](const Rational& t) { return t == 0 || t == 1; };
+  if (!is_end(first) || !is_end(second)) {
+    return std::nullopt;
+  }
+  return (first == 1 ? K::degree * K::side : 0) + (second == 1 ? K::degree : 0);
+}
+
+/// The sides of both patches that the path runs along; empty if it is inside of one.
+std::optional<std::array<SquareSide, 2>> common_sides(const SidePath& path) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Rational& value = path.ends[0][i];
+    if (value == path.ends[1][i] && (value == 0 || value == 1)) {
+      const SquareSide other = {i, value == 1};
+      return path.of_x ? std::array{path.side, other} : std::array{other, path.side};
+    }
+  }
+  return std::nullopt;
+}
+
+template <class K>
+SideContactOf<K> part_of_side(const SidePath& path, const std::array<SquareSide, 2>& sides,
+                              const PairOf<K>& pair) {
+  const std::size_t along = 1 - sides[path.of_x ? 1 : 0].parameter;
+  const Rational& from = path.ends[0][along];
+  const Rational& to = path.ends[1][along];
+  const bool reversed = to < from;
+  SideContactOf<K> contact =
+      side_contact<K>(pair, {sides[0], false, K::degree}, {sides[1], reversed, K::degree});
+  contact.path = path;
+  const Rational length = abs(to - from);
+  // Along the line the parameter is from + (to - from) t; t of x and t' of y, 1 - t' if reversed.
+  contact.factor = to_double(path.of_x ? 1 / length : length);
+  contact.offset =
+      path.of_x ? to_double(-(reversed ? 1 - from : from) / length) : to_double(reversed ? to : from);
+  return contact;
+}
+
+}  // namespace
+
+template <class K>
+void add_path(const SidePath& path, const PairOf<K>& pair, ContactsOf<K>& contacts) {
+  if (const auto sides = common_sides(path)) {
+    const auto is_same = [&](const SideContactOf<K>& known) {
+      return known.x.side == (*sides)[0] && known.y.side == (*sides)[1];
+    };
+    if (std::none_of(contacts.sides.begin(), contacts.sides.end(), is_same)) {
+      contacts.sides.push_back(part_of_side<K>(path, *sides, pair));
+    }
+  } else if constexpr (std::is_same_v<K, Biquadratic>) {
+    contacts.paths.push_back(path_contact(path, pair));
+  } else {
+    return;
+  }
+  for (const Rational& t : {path.common.lower, path.common.upper}) {
+    const auto at = path.at(t);
+    std::erase_if(contacts.corners, [&](const CornerContact& corner) {
+      return corner_of<K>(at[0], at[1]) == corner.x && corner_of<K>(at[2], at[3]) == corner.y;
+    });
+  }
+}
+
+#define EXSECT_INSTANTIATE(K) template void add_path<K>(const SidePath&, const PairOf<K>&, ContactsOf<K>&);
+EXSECT_FILTER_POLYNOMIAL_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
+
+}  // namespace exsect::filter

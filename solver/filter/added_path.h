@@ -1,0 +1,13 @@
+// Sides of one patch on the other one, as contacts. Internal to solver/; docs/method.md, section 14.7.
+#pragma once
+
+#include "filter/contact.h"
+
+namespace exsect::filter {
+
+/// Adds the side of one patch that lies on the other one in part; nothing if it is known already, or of cubic
+/// patches if it is inside of the other one.
+template <class K>
+void add_path(const SidePath& path, const PairOf<K>& pair, ContactsOf<K>& contacts);
+
+}  // namespace exsect::filter
