@@ -38,8 +38,15 @@ SideContactOf<K> part_of_side(const SidePath& path, const std::array<SquareSide,
   const Rational& from = path.ends[0][along];
   const Rational& to = path.ends[1][along];
   const bool reversed = to < from;
-  SideContactOf<K> contact =
-      side_contact<K>(pair, {sides[0], false, K::degree}, {sides[1], reversed, K::degree});
+  const SideView x = {sides[0], false, K::degree};
+  const SideView y = {sides[1], reversed, K::degree};
+  SideContactOf<K> contact = [&] {
+    if constexpr (K::weighted) {
+      return weighted_side_contact<K>(pair, x, y, 1);
+    } else {
+      return side_contact<K>(pair, x, y);
+    }
+  }();
   contact.path = path;
   const Rational length = abs(to - from);
   // Along the line the parameter is from + (to - from) t; t of x and t' of y, 1 - t' if reversed.
@@ -74,7 +81,7 @@ void add_path(const SidePath& path, const PairOf<K>& pair, ContactsOf<K>& contac
 }
 
 #define EXSECT_INSTANTIATE(K) template void add_path<K>(const SidePath&, const PairOf<K>&, ContactsOf<K>&);
-EXSECT_FILTER_POLYNOMIAL_KINDS(EXSECT_INSTANTIATE)
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

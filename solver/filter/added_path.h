@@ -5,8 +5,8 @@
 
 namespace exsect::filter {
 
-/// Adds the side of one patch that lies on the other one in part; nothing if it is known already, or of cubic
-/// patches if it is inside of the other one.
+/// Adds the side of one patch that lies on the other one in part; nothing if it is known already, or of
+/// patches that are not biquadratic if it is inside of the other one.
 template <class K>
 void add_path(const SidePath& path, const PairOf<K>& pair, ContactsOf<K>& contacts);
 

@@ -56,7 +56,7 @@ EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #define EXSECT_INSTANTIATE(K)                                                                                \
   template bool add_side_paths<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, TreesOf<K>&, \
                                   ContactsOf<K>&);
-EXSECT_FILTER_POLYNOMIAL_KINDS(EXSECT_INSTANTIATE)
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

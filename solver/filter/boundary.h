@@ -35,8 +35,8 @@ std::optional<std::vector<BoundaryPointOf<K>>> boundary_points(const PairOf<K>& 
                                                                TreesOf<K>& trees, long& boxes);
 
 /// Adds to the contacts the sides of one patch that lie on the other one along a straight line of its
-/// parameters, of cubic patches along a side of it, if `boundary_points` fails for that reason. False if
-/// there are none that it does not know.
+/// parameters, of patches that are not biquadratic along a side of it, if `boundary_points` fails for that
+/// reason. False if there are none that it does not know.
 template <class K>
 bool add_side_paths(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair, TreesOf<K>& trees,
                     ContactsOf<K>& contacts);

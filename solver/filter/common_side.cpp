@@ -123,6 +123,18 @@ FirstOrder<K> first_order(const ExactPatch<K>& patch, const SideView& view, cons
   return view.side.parameter == 0 ? FirstOrder<K>(patch, across, along) : FirstOrder<K>(patch, along, across);
 }
 
+/// The point of y's side at t of x's, as the views count.
+template <class K>
+requires K::weighted Rational exactly_on_y(const SideContactOf<K>& side, const Rational& t) {
+  if (!side.path) return on_y<K>(side.ratio, t);
+  const SidePath& path = *side.path;
+  const std::size_t along = 1 - (path.of_x ? side.y : side.x).side.parameter;
+  const Rational& from = path.ends[0][along];
+  const Rational rate = path.ends[1][along] - from;
+  const Rational result = path.of_x ? from + rate * t : (t - from) / rate;
+  return side.y.reversed ? Rational(1 - result) : result;
+}
+
 /// [C C' X^ Y^] has degree 4n-2 along the side: tangential if it is zero at so many points and one more.
 template <class K>
 requires K::weighted Contact touches_along(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>&,
@@ -131,7 +143,7 @@ requires K::weighted Contact touches_along(const ExactPatch<K>& x, const ExactPa
   for (int i = 0; i < count; ++i) {
     const Rational t(2 * i + 1, 2 * count);
     const auto a = first_order<K>(x, side.x, t);
-    const auto b = first_order<K>(y, side.y, on_y<K>(side.ratio, t));
+    const auto b = first_order<K>(y, side.y, exactly_on_y<K>(side, t));
     const std::size_t across_x = side.x.side.parameter;
     if (filter::determinant(a.value, a.derivative[1 - across_x], a.derivative[across_x],
                             b.derivative[side.y.side.parameter]) != 0) {
@@ -144,7 +156,7 @@ requires K::weighted Contact touches_along(const ExactPatch<K>& x, const ExactPa
 }  // namespace
 
 template <class K>
-requires(!K::weighted) CommonPart common_part(const SideContactOf<K>& side, const SidePath& path) {
+CommonPart common_part(const SideContactOf<K>& side, const SidePath& path) {
   std::array<std::array<Rational, 4>, 2> ends = {path.at(path.common.lower), path.at(path.common.upper)};
   const std::size_t along_x = 1 - side.x.side.parameter;
   const std::size_t along_y = 3 - side.y.side.parameter;
@@ -167,7 +179,7 @@ Contact contact_along(const ExactPatch<K>& x, const ExactPatch<K>& y, const Pair
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 #define EXSECT_INSTANTIATE(K) template CommonPart common_part<K>(const SideContactOf<K>&, const SidePath&);
-EXSECT_FILTER_POLYNOMIAL_KINDS(EXSECT_INSTANTIATE)
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

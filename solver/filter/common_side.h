@@ -25,7 +25,7 @@ Contact contact_along(const ExactPatch<K>& x, const ExactPatch<K>& y, const Pair
 /// The ends of the common part of two sides, as the views of x and of y count.
 using CommonPart = std::array<std::array<Rational, 2>, 2>;
 template <class K>
-requires(!K::weighted) CommonPart common_part(const SideContactOf<K>& side, const SidePath& path);
+CommonPart common_part(const SideContactOf<K>& side, const SidePath& path);
 
 /// Of weighted sides, t' on y of the point t on x: t = ratio t' / (1 - t' + ratio t').
 template <class K, class Number>

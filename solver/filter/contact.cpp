@@ -26,7 +26,7 @@ Vec3 unit_across(const Vec3& v, const Vec3& c) {
 /// Of a mean of parameters, if those of y are taken to those of x: each of offset and factor errs by u times
 /// its size, and the product, the sums and the mean by as much.
 template <class K>
-requires(!K::weighted) double mean_error(const SideContactOf<K>& contact) {
+double mean_error(const SideContactOf<K>& contact) {
   return contact.path ? 4 * kUnit * (1 + std::fabs(contact.offset) + std::fabs(contact.factor)) : 0;
 }
 
@@ -134,6 +134,10 @@ requires(!K::weighted) bool meet_in_side(const SideContactOf<K>& contact, const 
 /// What is along y, t', in the parameter along x: ratio t' / (1 - t' + ratio t'), by five operations.
 template <class K>
 requires K::weighted Interval along_on_x(const SideContactOf<K>& contact, const SideIntervals& on_y) {
+  if (contact.path) {
+    return {contact.offset + contact.factor * on_y.along.lower,
+            contact.offset + contact.factor * on_y.along.upper};
+  }
   const double ratio = to_double(contact.ratio);
   if (ratio == 1) return on_y.along;
   const auto at = [&](double t) { return ratio * t / ((1 - t) + ratio * t); };
@@ -144,8 +148,9 @@ template <class K>
 requires K::weighted bool may_touch(const SideContactOf<K>& contact, const SideIntervals& on_x,
                                     const SideIntervals& on_y) {
   const Interval y_along = along_on_x<K>(contact, on_y);
-  return on_x.across.lower == 0 && on_y.across.lower == 0 && on_x.along.lower <= y_along.upper &&
-         y_along.lower <= on_x.along.upper;
+  const double error = 2 * mean_error(contact);
+  return on_x.across.lower == 0 && on_y.across.lower == 0 && on_x.along.lower <= y_along.upper + error &&
+         y_along.lower - error <= on_x.along.upper;
 }
 
 /// A net of bidegree (n-1,n-1) in (t,t') on two intervals.
@@ -167,7 +172,9 @@ std::array<Vec3, N * N> on_intervals(const std::array<Vec3, N * N>& net, const I
   return result;
 }
 
-// (14.35), (14.36).
+// (14.35), (14.36). Of parts of sides t' may be beyond x's side: the control vectors of K are means with
+// weights of sums stretch^(n-1), and an error of t' changes them by 2 (n-1) stretch^(n-2) times that and
+// their size; a plane and a field of size 2 n have products with 7 times that and |normal|.
 template <class K>
 requires K::weighted bool meet_in_side(const SideContactOf<K>& contact, const SideIntervals& on_x,
                                        const SideIntervals& on_y, double net_error) {
@@ -189,12 +196,22 @@ requires K::weighted bool meet_in_side(const SideContactOf<K>& contact, const Si
     return unit_across({v[0] - point[0] * v[3], v[1] - point[1] * v[3], v[2] - point[2] * v[3]}, along);
   };
   const Vec3 normal = cross(across(fx) - across(fy), along);
+  double stretch = 1;
+  double shifted = 0;
+  if (contact.path) {
+    const double linear = 1 + 2 * std::max({0.0, -y_along.lower, y_along.upper - 1});
+    stretch = n == 2 ? linear : linear * linear;
+    for (std::size_t k = 0; k < n * n; ++k) {
+      shifted = larger_bound(shifted, largest(contact.line[k]), largest(contact.line_moment[k]));
+    }
+    shifted *= 7 * 2 * n * 2 * (n - 1) * (n == 2 ? 1 : linear) * mean_error(contact);
+  }
   for (std::size_t k = 0; k < n * n; ++k) {
     const Vec3 part = cross(line[k], normal);
     const Vec4 plane = {part[0], part[1], part[2], dot(moment[k], normal)};
-    const double error = kSlack * contact.growth * net_error *
-                             (size1(plane) + kPlaneError * (std::fabs(normal[0]) + std::fabs(normal[1]) +
-                                                            std::fabs(normal[2]))) +
+    const double size = std::fabs(normal[0]) + std::fabs(normal[1]) + std::fabs(normal[2]);
+    const double error = kSlack * contact.growth *
+                             (net_error * (size1(plane) + kPlaneError * stretch * size) + shifted * size) +
                          kTiny;
     for (std::size_t i = 0; i < fx.size(); ++i) {
       if (!(dot(plane, fx[i]) > error && dot(plane, fy[i]) < -error)) {

@@ -42,8 +42,8 @@ struct SideContactOf {
 };
 using SideContact = SideContactOf<Biquadratic>;
 
-/// Of weighted patches: the sides are one curve, from end to end, y's at t' that of x at ratio t' / (1 - t' +
-/// ratio t').
+/// Of weighted patches: the sides are one curve, from end to end unless there is a `path`, y's at t' that of
+/// x at ratio t' / (1 - t' + ratio t').
 template <class K>
 requires K::weighted struct SideContactOf<K> {
   SideView x;
@@ -57,6 +57,10 @@ requires K::weighted struct SideContactOf<K> {
   AcrossFieldOf<K> y_across;
   std::vector<CornerContact> ends = {};
   double growth = 1;
+  /// If there is a path the sides are parts of one curve: t = offset + factor t', and ratio is 1.
+  double offset = 0;
+  double factor = 1;
+  std::optional<SidePath> path = std::nullopt;
 };
 
 /// Whether a corner is at the end of the first, the second parameter's interval.

@@ -75,9 +75,7 @@ class ContactGraph {
     Arc arc{};
     arc.place = ArcPlace::patch_boundary;
     arc.contact = contact_along<K>(x_, y_, pair_, side);
-    if constexpr (K::weighted) {
-      add_polyline(side, arc);
-    } else if (side.path) {
+    if (side.path) {
       const auto part = common_part<K>(side, *side.path);
       add_polyline(side, {rounded(part[0]), rounded(part[1])}, arc);
       arc.from = add_end({end_of(side, part, 0), 0}, arc.polyline.front());
@@ -217,12 +215,8 @@ class ContactGraph {
     const double wanted = std::ceil(length * std::sqrt(second * scale_ / (8 * 0.95 * tolerance_)));
     const int count = chord_count(wanted);
     arc.polyline.reserve(static_cast<std::size_t>(count) + 1);
-    const auto at = [&](const Part::Interval& range, int i) {
-      return i == count ? range.upper
-                        : range.lower + (range.upper - range.lower) * (static_cast<double>(i) / count);
-    };
     for (int i = 0; i <= count; ++i) {
-      const double t = at(part[0], i);
+      const double t = part_of_way(part[0], i, count);
       std::array<Vec3, K::side> p = points;
       for (std::size_t level = 1; level <= n; ++level) {
         for (std::size_t j = 0; j + level <= n; ++j) p[j] = p[j] + t * (p[j + 1] - p[j]);
@@ -230,7 +224,7 @@ class ContactGraph {
       PolylineVertex& vertex = arc.polyline.emplace_back();
       vertex.point = position(t == 1 ? points[n] : p[0]);
       place(side.x, t, &vertex.parameters[0]);
-      place(side.y, at(part[1], i), &vertex.parameters[2]);
+      place(side.y, part_of_way(part[1], i, count), &vertex.parameters[2]);
     }
     const double step = length / count + 2 * kSumRounding;
     arc.error_bound = kSlack * scale_ * (second * step * step / 8 + 2 * vertex_error);
@@ -277,17 +271,19 @@ class ContactGraph {
   }
 
   /// A vertex errs by e (1 + |x|) / w and its rounding, (14.28).
-  void add_polyline(const SideContactOf<K>& side, Arc& arc) const requires K::weighted {
+  void add_polyline(const SideContactOf<K>& side, const std::array<Part::Interval, 2>& part,
+                    Arc& arc) const requires K::weighted {
     const double second = second_derivative(side);
-    const double wanted = std::ceil(std::sqrt(second * scale_ / (8 * 0.95 * tolerance_)));
+    const double length = part[0].upper - part[0].lower;
+    const double wanted = std::ceil(length * std::sqrt(second * scale_ / (8 * 0.95 * tolerance_)));
     const int count = chord_count(wanted);
     arc.polyline.reserve(static_cast<std::size_t>(count) + 1);
     const auto& o = pair_.frame.origin;
     const double size = larger_bound(std::fabs(o[0]), std::fabs(o[1]), std::fabs(o[2])) / scale_;
     double vertex_error = 0;
     for (int i = 0; i <= count; ++i) {
-      const double t = static_cast<double>(i) / count;
-      const Row<K> c = i == count ? side.own.back() : restricted_point(side.own, {t, t}, 0);
+      const double t = part_of_way(part[0], i, count);
+      const Row<K> c = t == 1 ? side.own.back() : restricted_point(side.own, {t, t}, 0);
       const Vec3 x = affine(c);
       vertex_error =
           larger_bound(vertex_error, pair_.net_error * (1 + largest(x)) / (c[3] - pair_.net_error) +
@@ -295,10 +291,16 @@ class ContactGraph {
       PolylineVertex& vertex = arc.polyline.emplace_back();
       vertex.point = position(x);
       place(side.x, t, &vertex.parameters[0]);
-      place(side.y, i == count ? 1 : on_y<K>(to_double(side.ratio), t), &vertex.parameters[2]);
+      const double on_other = side.path ? part_of_way(part[1], i, count) : on_y<K>(to_double(side.ratio), t);
+      place(side.y, i == count ? part[1].upper : on_other, &vertex.parameters[2]);
     }
-    const double step = 1.0 / count + kSumRounding;
+    const double step = length / count + 2 * kSumRounding;
     arc.error_bound = kSlack * scale_ * (second * step * step / 8 + 2 * kDiagonal * vertex_error);
+  }
+
+  static double part_of_way(const Part::Interval& range, int i, int count) {
+    return i == count ? range.upper
+                      : range.lower + (range.upper - range.lower) * (static_cast<double>(i) / count);
   }
 
   static void place(const SideView& view, double t, double* parameters) {

@@ -138,11 +138,7 @@ class FilteredIntersection {
 
   bool add_side_paths(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees,
                       filter::ContactsOf<K>& contacts) const {
-    if constexpr (!K::weighted) {
-      return filter::add_side_paths<K>(x_, y_, pair, trees, contacts);
-    } else {
-      return false;
-    }
+    return filter::add_side_paths<K>(x_, y_, pair, trees, contacts);
   }
 
   std::optional<IntersectResult> overlap_of_pieces(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter/common_normal.h"
 #include "filter/homogeneous.h"
 #include "filter/tube_newton.h"
 
@@ -49,21 +50,52 @@ ExactPlace between(const ExactPlace& a, const ExactPlace& b, const Rational& t) 
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1]};
 }
 
-/// A polynomial patch and its derivatives.
-struct PointAndDerivatives {
-  Point point, first, second;
+/// Homogeneous coordinates of a patch, and 1/n of its derivatives.
+struct ExactOrder {
+  HomogeneousPoint value;
+  std::array<HomogeneousPoint, 2> derivative;
 };
-PointAndDerivatives exact_first_order(const BezierPatch& patch, const ExactPlace& at) {
-  return {patch(at[0], at[1]), patch.derivative_first(at[0], at[1]), patch.derivative_second(at[0], at[1])};
+ExactOrder exact_first_order(const BezierPatch& patch, const ExactPlace& at) {
+  const auto vector = [](const Point& p, long factor, long weight) {
+    return HomogeneousPoint{p[0] / factor, p[1] / factor, p[2] / factor, weight};
+  };
+  return {vector(patch(at[0], at[1]), 1, 1),
+          {vector(patch.derivative_first(at[0], at[1]), 2, 0),
+           vector(patch.derivative_second(at[0], at[1]), 2, 0)}};
 }
 template <class K>
-PointAndDerivatives exact_first_order(const ElevatedPatch<K>& patch, const ExactPlace& at) {
+ExactOrder exact_first_order(const ElevatedPatch<K>& patch, const ExactPlace& at) {
   const FirstOrder<K> order(patch, at[0], at[1]);
-  const auto space = [](const HomogeneousPoint& p, long factor) {
-    return Point{factor * p[0], factor * p[1], factor * p[2]};
-  };
-  constexpr auto n = static_cast<long>(K::degree);
-  return {space(order.value, 1), space(order.derivative[0], n), space(order.derivative[1], n)};
+  return {order.value, order.derivative};
+}
+
+HomogeneousPoint exact_control_vector(const BezierPatch& patch, std::size_t i) {
+  const Point& p = control_point(patch, i);
+  return {p[0], p[1], p[2], 1};
+}
+template <class K>
+HomogeneousPoint exact_control_vector(const ElevatedPatch<K>& patch, std::size_t i) {
+  return homogeneous<K>(patch, i);
+}
+
+/// Also if one is zero, or both are at infinity.
+bool are_parallel(const HomogeneousPoint& a, const HomogeneousPoint& b) {
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j)
+      if (minor(a, b, i, j) != 0) return false;
+  return true;
+}
+
+/// Of a point with a positive weight.
+Point affine_point(const HomogeneousPoint& p) { return {p[0] / p[3], p[1] / p[3], p[2] / p[3]}; }
+
+/// The derivative in space, from the value and the derivative.
+Vec3 affine_rate(const Vec3&, const Vec3& derivative) { return derivative; }
+Vec3 affine_rate(const Vec4& value, const Vec4& derivative) {
+  const Vec3 x = affine(value);
+  return {(derivative[0] - x[0] * derivative[3]) / value[3],
+          (derivative[1] - x[1] * derivative[3]) / value[3],
+          (derivative[2] - x[2] * derivative[3]) / value[3]};
 }
 
 /// Means with (1-t) and t, one control point fewer each time.
@@ -93,27 +125,28 @@ class PathSearch {
     for (std::size_t k = 0; k < K::side; ++k) {
       const std::size_t i = view.index(0, k);
       side_[k] = owner.net[i];
-      exact_side_[k] = control_point(exact_owner, i);
+      exact_side_[k] = exact_control_vector(exact_owner, i);
     }
   }
 
   /// From a t, and a centred place nearby.
   std::optional<std::array<ExactPlace, 2>> run(double t, Place near) const {
-    std::array<Vec3, K::degree> tangent;
+    std::array<Row<K>, K::degree> tangent;
     for (std::size_t k = 0; k < K::degree; ++k) {
       tangent[k] = static_cast<double>(K::degree) * (side_[k + 1] - side_[k]);
     }
-    if (!improve(near, curve_point(side_, t))) {
+    const Row<K> start = curve_point(side_, t);
+    if (!improve(near, affine(start))) {
       return std::nullopt;
     }
-    const CoefficientsOf<K> c = expand(carrier_, near[0], near[1]);
-    const Place rate = coordinates(c[kFirst<K>], c[kSecond], curve_point(tangent, t));
+    const SecondOrder c = second_order(carrier_, near[0], near[1]);
+    const Place rate = coordinates(c.u, c.v, affine_rate(start, curve_point(tangent, t)));
     std::array<ExactPlace, 2> ends;
     for (std::size_t i = 0; i < 2; ++i) {
       const double step = static_cast<double>(i) - t;
       Place end = {near[0] + step * rate[0], near[1] + step * rate[1]};
       const std::size_t corner = K::degree * i;
-      if (!improve(end, side_[corner])) {
+      if (!improve(end, affine(side_[corner]))) {
         return std::nullopt;
       }
       const auto exact = exactly(end, exact_side_[corner]);
@@ -132,9 +165,9 @@ class PathSearch {
       if (!(std::fabs(at[0]) < kFarthest && std::fabs(at[1]) < kFarthest)) {
         return false;
       }
-      const CoefficientsOf<K> c = expand(carrier_, at[0], at[1]);
-      const Vec3 miss = point - c[0];
-      const Place by = coordinates(c[kFirst<K>], c[kSecond], miss);
+      const SecondOrder c = second_order(carrier_, at[0], at[1]);
+      const Vec3 miss = point - c.value;
+      const Place by = coordinates(c.u, c.v, miss);
       at = {at[0] + by[0], at[1] + by[1]};
       if (std::fabs(by[0]) + std::fabs(by[1]) < 0x1p-40 * (1 + std::fabs(at[0]) + std::fabs(at[1]))) {
         return largest(miss) < kClose;
@@ -145,7 +178,7 @@ class PathSearch {
 
   /// The parameters of a point on the other patch near `guess`, centred: simple numbers, the numbers that one
   /// of Newton's steps leads to, as on a plane, or simple ones near these.
-  std::optional<ExactPlace> exactly(const Place& guess, const Point& point) const {
+  std::optional<ExactPlace> exactly(const Place& guess, const HomogeneousPoint& point) const {
     const Rational half(1, 2);
     ExactPlace at = {from_double(guess[0]) + half, from_double(guess[1]) + half};
     for (const long bits : kRightBits) {
@@ -153,7 +186,8 @@ class PathSearch {
       const ExactPlace simple = {simplest_between(at[0] - room, at[0] + room),
                                  simplest_between(at[1] - room, at[1] + room)};
       for (const ExactPlace& candidate : {at, simple}) {
-        if (exact_first_order(exact_carrier_, candidate).point == point) {
+        const HomogeneousPoint value = exact_first_order(exact_carrier_, candidate).value;
+        if (value[3] != 0 && are_parallel(value, point)) {
           return candidate;
         }
       }
@@ -166,8 +200,19 @@ class PathSearch {
   }
 
   /// In the two coordinates in which the tangent plane is projected best.
-  bool step(ExactPlace& at, const Point& point) const {
-    const auto [now, u, v] = exact_first_order(exact_carrier_, at);
+  bool step(ExactPlace& at, const HomogeneousPoint& point) const {
+    const ExactOrder order = exact_first_order(exact_carrier_, at);
+    if (order.value[3] == 0) return false;
+    const Point now = affine_point(order.value);
+    const auto derivative = [&](const HomogeneousPoint& d) {
+      Point result;
+      for (std::size_t k = 0; k < 3; ++k) {
+        result[k] = static_cast<long>(K::degree) * (d[k] - now[k] * d[3]) / order.value[3];
+      }
+      return result;
+    };
+    const Point u = derivative(order.derivative[0]);
+    const Point v = derivative(order.derivative[1]);
     const Point normal = cross(u, v);
     std::size_t k = 0;
     for (std::size_t i = 1; i < 3; ++i) {
@@ -176,24 +221,25 @@ class PathSearch {
     if (normal[k] == 0) {
       return false;
     }
-    const Point miss = point - now;
+    const Point miss = affine_point(point) - now;
     at[0] += cross(miss, v)[k] / normal[k];
     at[1] += cross(u, miss)[k] / normal[k];
     return true;
   }
 
-  /// A patch has degree 2 n along a line, or n where a parameter is constant: so many points decide, of which
-  /// the ends are known.
+  /// A patch has degree 2 n along a line, or n where a parameter is constant, and with weights the products
+  /// with the side n more: so many points decide, of which the ends are known.
   bool is_path(const std::array<ExactPlace, 2>& ends) const {
     const bool along_parameter = ends[0][0] == ends[1][0] || ends[0][1] == ends[1][1];
-    const int degree = static_cast<int>(along_parameter ? K::degree : 2 * K::degree);
+    const int degree =
+        static_cast<int>((along_parameter ? K::degree : 2 * K::degree) + (K::weighted ? K::degree : 0));
     if (ends[0] == ends[1]) {
       return false;
     }
     for (int k = 1; k < degree; ++k) {
       const Rational t(k, degree);
       const ExactPlace at = between(ends[0], ends[1], t);
-      if (exact_first_order(exact_carrier_, at).point != curve_point(exact_side_, t)) {
+      if (!are_parallel(exact_first_order(exact_carrier_, at).value, tangent_and_value(exact_side_, t)[1])) {
         return false;
       }
     }
@@ -202,8 +248,8 @@ class PathSearch {
 
   const PatchOf<K>& carrier_;
   const ExactPatch<K>& exact_carrier_;
-  std::array<Vec3, K::side> side_;
-  std::array<Point, K::side> exact_side_;
+  std::array<Row<K>, K::side> side_;
+  std::array<HomogeneousPoint, K::side> exact_side_;
 };
 
 /// The t in [0,1] for which the line is in the square; lower > upper if there are none.
@@ -258,7 +304,7 @@ std::optional<SidePath> side_path_near(const ExactPatch<K>& x, const ExactPatch<
 #define EXSECT_INSTANTIATE(K)                                                                    \
   template std::optional<SidePath> side_path_near<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
                                                      const PairOf<K>&, std::size_t, bool, const Vec4&);
-EXSECT_FILTER_POLYNOMIAL_KINDS(EXSECT_INSTANTIATE)
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

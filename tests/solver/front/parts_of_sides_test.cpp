@@ -1,4 +1,4 @@
-// T-junctions of cubic patches: parts of sides in common.
+// T-junctions of cubic and of weighted patches: parts of sides in common.
 #include <exsect/solver/intersect.h>
 #include <exsect/solver/intersect_rational.h>
 
@@ -8,7 +8,7 @@
 #include "support/random_nets.h"
 #include "support/side_pairs.h"
 
-namespace exsect::cubic_parts_of_sides_test {
+namespace exsect::parts_of_sides_test {
 namespace {
 
 using random_nets::Generator;
@@ -36,6 +36,18 @@ Net sheet(Generator& generator) {
            Rational(j, 3) + Rational(random_pairs::integer(generator, -8, 8), 128),
            Rational(random_pairs::integer(generator, -16, 16), 64)});
   return net;
+}
+
+/// Under a projective map of space: the same pairs of parameters.
+RationalPatch image(const RationalPatch& patch) {
+  std::vector<std::vector<HomogeneousPoint>> net(static_cast<std::size_t>(patch.degree_u()) + 1);
+  for (int i = 0; i <= patch.degree_u(); ++i)
+    for (int j = 0; j <= patch.degree_v(); ++j) {
+      const HomogeneousPoint& p = patch.homogeneous(i, j);
+      net[static_cast<std::size_t>(i)].push_back(
+          {p[0] + p[1] / 3, p[1] - p[2] / 5, p[2] + p[3], p[3] + (p[0] + p[1] - p[2]) / 16});
+    }
+  return RationalPatch::from_homogeneous(net);
 }
 
 /// The arc of the common part, alone, between these values of v and s.
@@ -72,7 +84,7 @@ void check(const RationalPatch& x, const RationalPatch& y, const RationalInterva
 
 }  // namespace
 
-TEST_CASE("cubic parts of sides: a sheet cut in three, smoothly and along an edge") {
+TEST_CASE("parts of sides: a sheet cut in three, smoothly and along an edge") {
   const Rational half(1, 2);
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     INFO("seed " << seed);
@@ -85,11 +97,13 @@ TEST_CASE("cubic parts of sides: a sheet cut in three, smoothly and along an edg
     const bool smooth = seed % 2 == 0;
     for (std::size_t i = smooth ? 2 : 1; i < 4; ++i)
       for (Point& p : net[i]) p[2] += Rational(static_cast<long>(i), 12);
-    check(x, RationalPatch(net), other, {0, 1}, smooth ? Contact::tangential : Contact::transversal);
+    const Contact contact = smooth ? Contact::tangential : Contact::transversal;
+    check(x, RationalPatch(net), other, {0, 1}, contact);
+    check(image(x), image(RationalPatch(net)), other, {0, 1}, contact);
   }
 }
 
-TEST_CASE("cubic parts of sides: a side that goes on beyond the other one at both ends") {
+TEST_CASE("parts of sides: a side that goes on beyond the other one at both ends") {
   Generator generator(7);
   const Net whole = sheet(generator);
   const RationalInterval lower = {0, Rational(3, 4)};
@@ -99,33 +113,44 @@ TEST_CASE("cubic parts of sides: a side that goes on beyond the other one at bot
   for (std::size_t i = 1; i < 4; ++i)
     for (Point& p : net[i]) p[2] += Rational(static_cast<long>(i), 12);
   check(x, RationalPatch(net), {Rational(1, 3), 1}, {0, Rational(2, 3)}, Contact::transversal);
+  check(image(x), image(RationalPatch(net)), {Rational(1, 3), 1}, {0, Rational(2, 3)}, Contact::transversal);
 }
 
-TEST_CASE("cubic parts of sides: biquadratic T-junctions that are elevated, as exact arithmetic has them") {
+TEST_CASE("parts of sides: biquadratic T-junctions with weights or elevated, as exact arithmetic has them") {
   int complete = 0;
+  int weighted = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     INFO("seed " << seed);
     side_pairs::Generator generator(seed);
     const side_pairs::Pair pair =
         seed % 2 == 0 ? side_pairs::parts_of_sides(generator) : side_pairs::half_sides(generator);
     const IntersectResult expected = intersect(pair.x, pair.y);
-    const IntersectResult result = intersect_in_doubles(pair.x, pair.y, {});
     REQUIRE(expected.status == Status::complete);
+    for (const int degree : {2, 3}) {
+      const IntersectResult other = intersect(image(pair.x).elevated(degree, degree), image(pair.y));
+      if (other.status != Status::complete) continue;
+      ++weighted;
+      CHECK(difference(expected.graph, other.graph, {}) == "");
+    }
+    const IntersectResult result = intersect_in_doubles(pair.x, pair.y, {});
     if (result.status != Status::complete) continue;
     ++complete;
     CHECK(difference(expected.graph, result.graph, {}) == "");
   }
   CHECK(complete >= 38);
+  CHECK(weighted >= 76);
 }
 
-TEST_CASE("cubic parts of sides: parts that agree but for 2^-60 are not taken for one") {
+TEST_CASE("parts of sides: parts that agree but for 2^-60 are not taken for one") {
   Generator generator(3);
   const Net whole = sheet(generator);
   const RationalPatch x(part(whole, {0, Rational(1, 2)}, {0, 1}));
   Net net = part(whole, {Rational(1, 2), 1}, {0, Rational(1, 3)});
   net[0][1][2] += power_of_two(-60);
-  const IntersectResult result = intersect(x, RationalPatch(net));
-  for (const Arc& arc : result.graph.arcs) CHECK(arc.place != ArcPlace::patch_boundary);
+  for (const IntersectResult& result :
+       {intersect(x, RationalPatch(net)), intersect(image(x), image(RationalPatch(net)))}) {
+    for (const Arc& arc : result.graph.arcs) CHECK(arc.place != ArcPlace::patch_boundary);
+  }
 }
 
-}  // namespace exsect::cubic_parts_of_sides_test
+}  // namespace exsect::parts_of_sides_test
