@@ -311,6 +311,7 @@ def test_an_incomplete_result_says_where_and_why(first):
     result = exsect.intersect(first["x"], first["y"], max_seconds="1e-9")
     assert not result.complete
     assert set(result.incomplete[0].where) == set("uvrs") and result.incomplete[0].why
+    assert result.incomplete[0].reason == "time"
 
 
 # The interpreter
