@@ -69,6 +69,21 @@ function(exsect_grouped target)
   endif()
 endfunction()
 
+# exsect_brief(<target> <rooms>): what is seldom waited for compiles in a quarter less time with -O1: the whole target, or
+# of its sources only the groups of these rooms.
+function(exsect_brief target)
+  set(option "$<$<CONFIG:Release>:-O1>")
+  if(NOT ARGN)
+    target_compile_options(${target} PRIVATE ${option})
+  endif()
+  foreach(room IN LISTS ARGN)
+    foreach(group 0 1 2)
+      set_source_files_properties("${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/Unity/unity_${room}_${group}_cxx.cxx"
+                                  PROPERTIES COMPILE_OPTIONS "${option}")
+    endforeach()
+  endforeach()
+endfunction()
+
 # exsect_layer(<name> HEADERS <public headers> FORMER <layer> DEPENDS <targets> PRIVATE_DEPENDS <targets>)
 # builds and installs the library of one layer from the sources beside it and in its rooms, the folders below. A
 # public header room/name.h is included as <exsect/layer/name.h>: it gets a one-line forwarding header that only this
