@@ -4,7 +4,6 @@
 #include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "answer/graph_builder.h"
@@ -15,6 +14,7 @@
 #include "line/line_system.h"
 #include "line/system_point.h"
 #include "side/collapsed_line.h"
+#include "side/ribbon.h"
 #include "side/shared_line_arcs.h"
 #include "trace/landmark_node.h"
 #include "trace/trace_graph.h"
@@ -27,30 +27,6 @@ namespace exsect {
 
 namespace {
 
-using RibbonNormal = std::array<Point, 3>;  // coefficients of 1, t, t^2
-
-Point rounded(const std::array<double, 3>& v, double length) {
-  Point result;
-  for (std::size_t c = 0; c < 3; ++c)
-    result[c] = from_double(std::ldexp(std::round(std::ldexp(v[c], 16)), -16)) * from_double(length);
-  return result;
-}
-
-/// The direction of the vector in doubles, of the given length; zero for zero.
-Point with_length(const Point& v, double length) {
-  std::array<double, 3> d = {to_double(v[0]), to_double(v[1]), to_double(v[2])};
-  const double norm = std::hypot(d[0], d[1], d[2]);
-  if (!(norm > 0)) return {0, 0, 0};
-  for (double& c : d) c /= norm;
-  return rounded(d, length);
-}
-
-BezierPatch ribbon(const ParameterLine& line, const RibbonNormal& n) {
-  ControlNet c;
-  for (std::size_t i = 0; i < 3; ++i) c[i] = {line.a[i] - Rational(1, 2) * n[i], n[i], Point{0, 0, 0}};
-  return BezierPatch::from_power_basis(c);
-}
-
 Point normal_at(const BezierPatch& patch, const Rational& a, const Rational& b) {
   return cross(patch.derivative_first(a, b), patch.derivative_second(a, b));
 }
@@ -58,6 +34,7 @@ Point normal_at(const BezierPatch& patch, const Rational& a, const Rational& b) 
 constexpr int kMostRuns = 64;
 constexpr const char* kWorkCap = "the work cap was reached";
 constexpr int kMostHalvings = 6;
+constexpr int kHullsOfPiece = 8;
 
 class LineArcSearch {
  public:
@@ -155,13 +132,19 @@ class LineArcSearch {
     for (const Rational& end : piece_ends()) append(common_points(moving_, shifted(system_->lambda, end)));
     const RationalInterval range = lambda_range(*system_);
     values_ = {RealAlgebraic(range.lower), RealAlgebraic(range.upper)};
+    std::vector<RealAlgebraic> value_of_end;
     for (std::size_t i = 0; i < points.size() && !is_stopped(stop_); ++i) {
-      add_event(points[i], i < on_all_pieces);
       values_.push_back(value_at(system_->lambda, points[i]));
+      add_event(points[i], i < on_all_pieces);
+      value_of_end.resize(result_.ends.size(), values_.back());
     }
     separate(result_.ends);
     std::sort(values_.begin(), values_.end());
     values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
+    for (const RealAlgebraic& value : value_of_end) {
+      const auto place = std::lower_bound(values_.begin(), values_.end(), value);
+      value_of_end_.push_back(static_cast<std::size_t>(place - values_.begin()));
+    }
     return !is_stopped(stop_);
   }
 
@@ -201,7 +184,7 @@ class LineArcSearch {
     const Rational sample = rational_between(values_[i], values_[i + 1]);
     for (const CertifiedPoint& inside : points_over(sample)) {
       if (result_.incomplete) return;
-      trace_through(inside);
+      trace_through(inside, i);
     }
   }
 
@@ -212,10 +195,17 @@ class LineArcSearch {
     return points;
   }
 
-  /// The arc through a point, unless it is known: exactly one begins at a regular event.
-  void trace_through(const CertifiedPoint& inside) {
+  /// Whether the event is over an end of this gap.
+  bool is_beside(int event, std::size_t gap) const {
+    const std::size_t value = value_of_end_[static_cast<std::size_t>(event)];
+    return value == gap || value == gap + 1;
+  }
+
+  /// The arc through a point over a gap, if it begins there: lambda is strictly monotone along an arc, which
+  /// has one point over each gap that it crosses. (Several arcs can begin in one event, at a fold.)
+  void trace_through(const CertifiedPoint& inside, std::size_t gap) {
     auto back = run_from(inside, -1);
-    if (back && std::count(starts_.begin(), starts_.end(), back->end) > 0) return;
+    if (back && !is_beside(back->end, gap)) return;
     const auto ahead = back ? run_from(inside, 1) : std::nullopt;
     if (!ahead) {
       result_.incomplete = "a part of the line on the patch could not be traced: " + why_;
@@ -230,7 +220,6 @@ class LineArcSearch {
       vertex.parameters[index(place_.roles.first)] = p[2];
       vertex.parameters[index(place_.roles.second)] = p[3];
     }
-    starts_.push_back(back->end);
     back->hulls.insert(back->hulls.end(), ahead->hulls.begin(), ahead->hulls.end());
     result_.arcs.push_back({static_cast<std::size_t>(back->end), static_cast<std::size_t>(ahead->end), inside,
                             std::move(polyline), larger_bound(back->error_bound, ahead->error_bound),
@@ -311,17 +300,6 @@ class LineArcSearch {
     return result;
   }
 
-  /// The quadratic polynomial with the given values at `from`, the middle and `to`.
-  static RibbonNormal interpolated(const std::array<Point, 3>& at, const Rational& from, const Rational& to) {
-    const auto& [a, m, b] = at;  // at tau = 0, 1/2, 1, t = from + tau (to - from)
-    const Point linear = Rational(4) * m - Rational(3) * a - b;
-    const Point quadratic = Rational(2) * (a + b) - Rational(4) * m;
-    const Rational scale = 1 / (to - from);
-    const Rational shift = -from * scale;  // tau = shift + scale t
-    return {a + shift * (linear + shift * quadratic), scale * (linear + (2 * shift) * quadratic),
-            scale * scale * quadratic};
-  }
-
   /// The point's box in the ribbon's parameters (t, h, r, s).
   ParameterBox on_ribbon(const CertifiedPoint& point, const Rational& width) const {
     const ParameterBox box = point.refined_to(width).box();
@@ -362,20 +340,35 @@ class LineArcSearch {
                  tolerance_);
     Arc arc = std::move(scratch.take_arcs(0).front());
     Run run{curve.trace.end, std::move(arc.polyline), arc.error_bound, {}};
-    for (const Piece<Ball>& piece : curve.trace.pieces) run.hulls.push_back(hull_of(piece));
+    for (const Piece<Ball>& piece : curve.trace.pieces) add_hulls(piece, run.hulls);
     return run;
   }
 
-  /// Around the piece, by its bounds of positions at tau = 0 and of slopes.
+  /// Around the piece, by parts: arcs beside each other have hulls that are apart.
   template <class Ball>
-  ParameterBox hull_of(const Piece<Ball>& piece) const {
-    const Tube<Ball>& tube = piece.tube;
-    const double reach = std::max(std::fabs(piece.range.from()), std::fabs(piece.range.to()));
+  void add_hulls(const Piece<Ball>& piece, std::vector<ParameterBox>& hulls) const {
+    const double from = std::min<double>(piece.range.from(), piece.range.to()) - piece.range.doubt();
+    const double to = std::max<double>(piece.range.from(), piece.range.to()) + piece.range.doubt();
+    for (int i = 0; i < kHullsOfPiece; ++i) {
+      const auto cut = [&](int k) {
+        return from_double(from) + Rational(k, kHullsOfPiece) * (from_double(to) - from_double(from));
+      };
+      hulls.push_back(box_between(piece.tube, cut(i), cut(i + 1)));
+    }
+  }
+
+  /// Around the arc for tau from `from` to `to`, by the tube's bounds of positions at tau = 0 and of slopes.
+  template <class Ball>
+  ParameterBox box_between(const Tube<Ball>& tube, const Rational& from, const Rational& to) const {
     const auto around = [&](std::size_t i) {
-      const double slope = std::fabs(tube.slope[i]) + tube.slope_error[i];
       const Rational centre = tube.centre[i].interval().midpoint();
-      const Rational radius = from_double((tube.halfwidth[i] + slope * reach) * kSlack);
-      return RationalInterval{std::max<Rational>(0, centre - radius), std::min<Rational>(1, centre + radius)};
+      const Rational radius = from_double(tube.halfwidth[i]);
+      if (i == tube.axis) return clipped(centre + from, centre + to);
+      const Rational slope = from_double(tube.slope[i]);
+      const Rational error = from_double(tube.slope_error[i]) * std::max(abs(from), abs(to));
+      const Rational middle = centre + slope * (from + to) / 2;
+      const Rational spread = abs(slope) * (to - from) / 2 + error + radius;
+      return clipped(middle - spread, middle + spread);
     };
     ParameterBox box;
     box[index(place_.roles.fixed)] = {place_.value, place_.value};
@@ -383,6 +376,11 @@ class LineArcSearch {
     box[index(place_.roles.first)] = around(2);
     box[index(place_.roles.second)] = around(3);
     return box;
+  }
+
+  /// The part of the interval that is in [0,1], which both ends are near.
+  static RationalInterval clipped(const Rational& lower, const Rational& upper) {
+    return {std::clamp<Rational>(lower, 0, 1), std::clamp<Rational>(upper, 0, 1)};
   }
 
   LinePlace place_;
@@ -395,8 +393,8 @@ class LineArcSearch {
   std::shared_ptr<const LineSystem> system_;
   BivariatePolynomial moving_;  // the curve without the parts where lambda is constant
   std::vector<LineEvent> events_;
-  std::vector<RealAlgebraic> values_;  // lambda at the events and at both ends
-  std::vector<int> starts_;            // events at which a known arc begins
+  std::vector<RealAlgebraic> values_;      // lambda at the events and at both ends
+  std::vector<std::size_t> value_of_end_;  // for each of result_.ends
   std::string why_;
   LineArcs result_;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answer/parameter_box.h"
 #include "support/catch.h"
 #include "support/random_pairs.h"
 #include "trace/tube_points.h"
@@ -164,6 +165,48 @@ TEST_CASE("parts of a side that folds back on itself") {
       for (const ParameterBox& hull : arc.hulls) CHECK(hull[1].width() <= to - from + q(1, 1000));
     }
   }
+}
+
+TEST_CASE("at a fold of the other patch two arcs begin, or end") {
+  // r = 0 is (s, 0, 0); the other patch is (1/4 + 2 (u - 1/2)², v - 1/2 - (u - 1/2) / 4, 0) or its mirror
+  // image.
+  const BezierPatch own = patch_of({{{0, 1}, {1, 0, 0}}, {{1, 0}, {0, 0, 1}}});
+  for (const int sign : {1, -1}) {
+    const BezierPatch folded = patch_of({{{0, 0}, {q(1, 2) + sign * q(1, 4), q(-3, 8), 0}},
+                                         {{1, 0}, {-2 * sign, q(-1, 4), 0}},
+                                         {{2, 0}, {2 * sign, 0, 0}},
+                                         {{0, 1}, {0, 1, 0}}});
+    const LineArcs found = arcs_of(folded, own, {Parameter::r, 0});
+    CHECK(!found.incomplete);
+    REQUIRE(found.arcs.size() == 2);
+    const Rational fold = q(1, 2) - sign * q(1, 4);
+    for (const LineArc& arc : found.arcs) {
+      const ParameterBox& at_fold = found.ends[sign > 0 ? arc.from : arc.to].box();
+      CHECK(contains(at_fold[3], fold));
+      CHECK(contains(at_fold[0], q(1, 2)));
+    }
+    const auto far_u = [&](const LineArc& arc) {
+      return found.ends[sign > 0 ? arc.to : arc.from].box()[0].lower;
+    };
+    CHECK(far_u(found.arcs[0]) != far_u(found.arcs[1]));
+  }
+}
+
+TEST_CASE("arcs beside each other on one line have hulls that are apart") {
+  // r = 0 is (s, 0, 0); the other patch comes there twice, on the lines v = u / 2 + 1/4 and v = u / 2 + 3/8.
+  const BezierPatch own = patch_of({{{0, 1}, {1, 0, 0}}, {{1, 0}, {0, 0, 1}}});
+  // v² - v (u + 5/8) + (u/2 + 1/4)(u/2 + 3/8)
+  const BezierPatch other = patch_of({{{0, 0}, {0, q(3, 32), 0}},
+                                      {{1, 0}, {1, q(5, 16), 0}},
+                                      {{2, 0}, {0, q(1, 4), 0}},
+                                      {{0, 1}, {0, q(-5, 8), 0}},
+                                      {{1, 1}, {0, -1, 0}},
+                                      {{0, 2}, {0, 1, 0}}});
+  const LineArcs found = arcs_of(other, own, {Parameter::r, 0});
+  CHECK(!found.incomplete);
+  REQUIRE(found.arcs.size() == 2);
+  for (const ParameterBox& a : found.arcs[0].hulls)
+    for (const ParameterBox& b : found.arcs[1].hulls) CHECK(!meet(a, b));
 }
 
 TEST_CASE("the polyline of a common line keeps its bound") {
