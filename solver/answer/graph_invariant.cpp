@@ -50,6 +50,7 @@ class Invariant {
         reach_(std::move(reach)),
         facts_(facts),
         degree_(degrees(graph)),
+        on_side_(graph.nodes.size(), 0),
         on_overlap_(graph.nodes.size(), false),
         neighbours_(graph.nodes.size(), {-1, -1}) {
     for (std::size_t i = 0; i < reach_.size(); ++i) {
@@ -63,6 +64,10 @@ class Invariant {
     for (const Arc& arc : graph.arcs) {
       add_neighbour(arc.from, arc.to);
       add_neighbour(arc.to, arc.from);
+      if (arc.place == ArcPlace::patch_boundary) {
+        ++on_side_[at(arc.from)];
+        ++on_side_[at(arc.to)];
+      }
     }
   }
 
@@ -111,6 +116,7 @@ class Invariant {
     }
     if (is_special(node)) return;
     check_degree(node);
+    check_on_side(node);
     check_order(node);
   }
 
@@ -128,12 +134,22 @@ class Invariant {
     } else if (has(node.kinds, NodeKind::turning) && degree != 2) {
       wrong("a turning point");
     } else if (!is_singular(node)) {
-      if (degree > 2) wrong("a point that is no crossing");
+      // On a side a singular point of a patch, from which more arcs can come, has no kind of its own.
+      if (inside && degree > 2) wrong("a point that is no crossing");
       if (inside && degree == 1 && !facts_.one_order) wrong("an inner point");
     } else if (!facts_.one_order && !has(node.kinds, NodeKind::cusp)) {
       const bool crossing = has(node.kinds, NodeKind::crossing);
       if (!crossing && degree != 0) wrong("a point where the patches touch");
       if (crossing && inside && (degree < 3 || degree % 2 != 0)) wrong("an inner crossing");
+    }
+  }
+
+  /// Points of one patch on a side of the other are a curve in the parameters of the first. Its half branches
+  /// at a point inside are even in number, and so are the arcs over them.
+  void check_on_side(const Node& node) {
+    const int count = on_side_[at(node.id)];
+    if (node.on.size() == 1 && count % 2 != 0 && !facts_.one_order) {
+      violated(node.id, std::to_string(count) + " arcs on a side end in a point inside that side");
     }
   }
 
@@ -287,6 +303,7 @@ class Invariant {
   std::vector<double> reach_;
   const GraphFacts& facts_;
   std::vector<int> degree_;
+  std::vector<int> on_side_;  // ends of arcs on sides at every node
   std::vector<bool> on_overlap_;
   std::vector<std::array<int, 2>> neighbours_;  // other ends of the first arc and the last one
   std::vector<Incomplete> violations_;

@@ -249,6 +249,34 @@ TEST_CASE("graph invariant: arcs between two crossings are different, and even i
   CHECK(finished(twice, {}, {}).incomplete[0].why == "an arc that is shown twice");
 }
 
+TEST_CASE("graph invariant: arcs on a side are even in number inside it") {
+  GraphBuilder graph;
+  for (const double v : {0.0, 0.5, 1.0}) {
+    Node node{};
+    node.kinds = {NodeKind::boundary};
+    node.on = {{Parameter::u, 0}};
+    if (v != 0.5) node.on.push_back({Parameter::v, static_cast<int>(v)});
+    node.approx = {0, v, 0.5, 0.25 + 0.5 * v};
+    for (std::size_t i = 0; i < 4; ++i)
+      node.box[i] = {from_double(node.approx[i]), from_double(node.approx[i])};
+    graph.add_node(node);
+  }
+  const auto add = [&](int from, int to) {
+    Arc arc{};
+    arc.from = from;
+    arc.to = to;
+    arc.place = ArcPlace::patch_boundary;
+    arc.polyline = {{graph.node(from).approx, {}}, {graph.node(to).approx, {}}};
+    graph.add_arc(arc);
+  };
+  add(0, 1);
+  REQUIRE(finished(graph, {}, {}).incomplete.size() == 1);
+  CHECK(finished(graph, {}, {}).incomplete[0].why == "1 arcs on a side end in a point inside that side");
+  CHECK(finished(graph, {{}, {}, true}, {}).status == Status::complete);
+  add(1, 2);
+  CHECK(finished(graph, {}, {}).status == Status::complete);
+}
+
 TEST_CASE("graph invariant: a closed curve without turning points") {
   GraphBuilder graph;
   Node node{};
