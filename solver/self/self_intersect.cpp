@@ -113,13 +113,21 @@ class SelfIntersection {
   bool find_stars() {
     std::vector<SelfStar> stars;
     timed("stars", [&] {
+      std::vector<SelfCentre> centres =
+          self_star_centres(x_, exact_.boundary.points, undecided_, pairs_.values());
+      if (centres_ && have_same_values(*centres_, centres)) return;
+      centres_ = std::move(centres);
       const double scaled =
           std::ldexp(run_.drawn_tolerance(scaling_.extent), -static_cast<int>(scaling_.frame.exponent));
-      stars = self_stars({x_, exact_.boundary.points, undecided_, pairs_.values(), scaled, stop_});
+      stars = self_stars({x_, exact_.boundary.points, *centres_, pairs_.values(), scaled, stop_});
     });
     if (stars.size() <= exact_.stars.size()) return false;
     exact_.stars = std::move(stars);
     return true;
+  }
+
+  static bool have_same_values(const std::vector<SelfCentre>& a, const std::vector<SelfCentre>& b) {
+    return std::ranges::equal(a, b, {}, &SelfCentre::value, &SelfCentre::value);
   }
 
   /// With more stars, or with the effort that is allowed where a brief search left something undecided.
@@ -225,7 +233,8 @@ class SelfIntersection {
   StopRequest stop_ = run_.stop();
   SelfSystem<DoubleBall> in_doubles_;
   ExactPlaces exact_{};
-  std::vector<ParameterBox> undecided_;  // by all attempts
+  std::vector<ParameterBox> undecided_;             // by all attempts
+  std::optional<std::vector<SelfCentre>> centres_;  // near these, tried as stars
   TurningPairs pairs_;
   bool cut_short_ = false;  // a brief search of an attempt
   std::vector<std::vector<CutSelfIntersection::NodeOfCut>> nodes_of_cuts_;

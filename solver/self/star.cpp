@@ -11,7 +11,6 @@
 #include "answer/parameter_box.h"
 #include "self/chart.h"
 #include "self/glued_fold.h"
-#include "self/star_centres.h"
 #include "self/star_proof.h"
 #include "star/star_arc.h"
 #include "trace/bounded_vertex.h"
@@ -32,10 +31,8 @@ class SelfStarSearch {
   std::vector<SelfStar> run() {
     for (const GluedFold& fold : glued_folds(problem_.x)) add(fold);
     const double first = std::clamp(problem_.tolerance, 0x1p-36, 0x1p-5);
-    const std::vector<SelfCentre> centres =
-        self_star_centres(problem_.x, problem_.boundary, problem_.where, problem_.values);
     for (const double halfwidth : {first, 0x1p-4 * first, 0x1p-9 * first, 0x1p-14 * first, 0x1p-20 * first})
-      for (const SelfCentre& centre : centres)
+      for (const SelfCentre& centre : problem_.centres)
         if (!is_known(centre)) add(centre, halfwidth);
     return std::move(stars_);
   }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "answer/stop_request.h"
-#include "self/turning.h"
+#include "self/star_centres.h"
 #include "star/star_neighbourhood.h"
 
 namespace exsect {
@@ -36,15 +36,14 @@ struct SelfStar {
 struct SelfStarProblem {
   const BezierPatch& x;
   const std::vector<CertifiedPoint>& boundary;  // SelfBoundary::points
-  const std::vector<ParameterBox>& where;       // centres are looked for in these boxes only
+  const std::vector<SelfCentre>& centres;
   const SelfValues& values;
   double tolerance;  // of polylines, the patch scaled to unit size
   StopRequest stop;
 };
 
-/// Stars with disjoint boxes, in either order of the pairs, around rational cuspidal points, the points of
-/// folded parameter lines at which both tangent planes agree, rational multiple points of fibres, and
-/// boundary points over rational values, and where a folded line ends in glued sides. Centres for which no
+/// Stars with disjoint boxes, in either order of the pairs, around centres, and where a folded line ends in
+/// glued sides. Centres for which no
 /// star can be proved are left out.
 std::vector<SelfStar> self_stars(const SelfStarProblem& problem);
 

@@ -52,6 +52,13 @@ bool may_be(const ParameterBox& box, const std::array<RealAlgebraic, 4>& value) 
   return true;
 }
 
+/// All of them, narrow enough to be told from the ends of most boxes.
+std::vector<TriangularPoint> pairs_over(const BivariatePolynomial& projection, const RealAlgebraic& value) {
+  std::vector<TriangularPoint> points = roots_at(projection, value, 0, 1);
+  for (TriangularPoint& point : points) point = point.refined_to(power_of_two(-40));
+  return points;
+}
+
 class CentreSearch {
  public:
   CentreSearch(const BezierPatch& x, const std::vector<CertifiedPoint>& boundary,
@@ -127,7 +134,7 @@ class CentreSearch {
         return sign_at(minor.at_r(c), t) != 0;
       });
       if (!alone || reduced_at(projection.curve, t).is_zero()) return;
-      centre.projection = projection.curve;
+      centre.over_value = pairs_over(projection.curve, t);
     }
     centres_.push_back(std::move(centre));
   }
@@ -196,7 +203,9 @@ class CentreSearch {
       value[j] = *own;
     }
     const CertifiedPoint point = certified(std::move(pair), sides_at(value));
-    if (is_near(point.box())) centres_.push_back({point, value, false, {sweep}, landmark(value), projection});
+    if (is_near(point.box()))
+      centres_.push_back(
+          {point, value, false, {sweep}, landmark(value), pairs_over(projection, value[sweep])});
   }
 
   std::optional<std::size_t> landmark(const std::array<RealAlgebraic, 4>& value) const {
@@ -236,7 +245,16 @@ std::optional<std::size_t> boundary_point(const std::vector<CertifiedPoint>& bou
 bool is_only_root(const SelfCentre& centre, const ParameterBox& box) {
   const std::size_t sweep = centre.sweeps.front();
   const RationalInterval& range = box[3 - sweep];
-  return roots_at(*centre.projection, centre.value[sweep], range.lower, range.upper).size() == 1;
+  const auto is_inside = [&](const TriangularPoint& p) {
+    const RationalInterval& r = p.r_interval();
+    if (r.upper < range.lower || r.lower > range.upper) return false;
+    if (range.lower <= r.lower && r.upper <= range.upper) return true;
+    const auto from = [](const Rational& c) {
+      return BivariatePolynomial::r() - BivariatePolynomial::constant(c);
+    };
+    return sign_at(from(range.lower), p) >= 0 && sign_at(from(range.upper), p) <= 0;
+  };
+  return std::ranges::count_if(*centre.over_value, is_inside) == 1;
 }
 
 std::vector<SelfCentre> self_star_centres(const BezierPatch& x, const std::vector<CertifiedPoint>& boundary,

@@ -2,8 +2,8 @@
 // docs/method.md, section 7.6.
 #pragma once
 
-#include <exsect/algebra/bivariate_polynomial.h>
 #include <exsect/algebra/real_algebraic.h>
+#include <exsect/algebra/triangular_point.h>
 #include <exsect/geometry/bezier_patch.h>
 #include <exsect/solver/certified_point.h>
 
@@ -21,9 +21,9 @@ struct SelfCentre {
   bool cuspidal;                        // x_u x x_v = 0, the two points of the pair agree
   std::vector<std::size_t> sweeps;      // parameters (u: 0, v: 1) to be tried
   std::optional<std::size_t> landmark;  // the boundary point it is
-  /// For an irrational value of the one sweep parameter: vanishes over it at the other point's other
-  /// parameter for all pairs, and only the centre has its root.
-  std::optional<BivariatePolynomial> projection;
+  /// For an irrational value of the one sweep parameter: all pairs over it have one of these at the other
+  /// point's other parameter, and only the centre has its own.
+  std::optional<std::vector<TriangularPoint>> over_value;
 };
 
 /// The pair with these parameters; within 2^-100.
@@ -34,7 +34,7 @@ CertifiedPoint certified_pair(const std::array<RealAlgebraic, 4>& value);
 std::optional<std::size_t> boundary_point(const std::vector<CertifiedPoint>& boundary,
                                           const std::array<RealAlgebraic, 4>& value);
 
-/// Requires SelfCentre::projection: over the centre's value the box holds no other pair.
+/// Requires SelfCentre::over_value: over the centre's value the box holds no other pair.
 bool is_only_root(const SelfCentre& centre, const ParameterBox& box);
 
 /// Candidates near the boxes: rational cuspidal points, points of folded lines u = c and v = c, c rational,

@@ -39,7 +39,8 @@ std::vector<SelfStar> stars_of(const BezierPatch& x) {
   const SelfBoundary boundary = self_boundary(x, injective_rectangles(x));
   const SelfValues values = self_values(x);
   const std::vector<ParameterBox> everywhere = {{{{0, 1}, {0, 1}, {0, 1}, {0, 1}}}};
-  return self_stars({x, boundary.points, everywhere, values, 1e-3, {}});
+  const std::vector<SelfCentre> centres = self_star_centres(x, boundary.points, everywhere, values);
+  return self_stars({x, boundary.points, centres, values, 1e-3, {}});
 }
 
 /// Pairs over the value of the star's sweep parameter in a box, by the line itself.
