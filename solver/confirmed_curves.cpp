@@ -23,8 +23,8 @@ constexpr long kRefined = 40;
 
 class Confirmation {
  public:
-  Confirmation(const BezierPatch& x, const BezierPatch& y, const Run& run, PairTurning& turning)
-      : x_(x), y_(y), run_(run), turning_(turning) {}
+  Confirmation(const BezierPatch& x, const BezierPatch& y, const Run& run, ExactPair& pair)
+      : x_(x), y_(y), run_(run), pair_(pair) {}
 
   std::optional<IntersectResult> run() {
     auto found = filtered_curves(x_, y_, run_);
@@ -60,7 +60,7 @@ class Confirmation {
     if (run_.out_of_time()) {
       return false;
     }
-    const auto turning = timed("turning eliminant", [&] { return turning_.choice().turning; });
+    const auto turning = timed("turning eliminant", [&] { return pair_.choice().turning; });
     if (!turning || turning->touching ||
         std::any_of(turning->values.begin(), turning->values.end(),
                     [](const TurningValue& turn) { return turn.multiplicity != 1; })) {
@@ -133,14 +133,14 @@ class Confirmation {
   const BezierPatch& x_;
   const BezierPatch& y_;
   const Run& run_;
-  PairTurning& turning_;
+  ExactPair& pair_;
 };
 
 }  // namespace
 
 std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y, const Run& run,
-                                                PairTurning& turning) {
-  return Confirmation(x, y, run, turning).run();
+                                                ExactPair& pair) {
+  return Confirmation(x, y, run, pair).run();
 }
 
 }  // namespace exsect

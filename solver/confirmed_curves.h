@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "answer/run.h"
-#include "eliminant/pair_turning.h"
+#include "eliminant/exact_pair.h"
 
 namespace exsect {
 
@@ -15,6 +15,6 @@ namespace exsect {
 /// missing: then `turning`, of this pair, may hold its eliminant. Throws ProofFailure if the two proofs
 /// contradict each other.
 std::optional<IntersectResult> confirmed_curves(const BezierPatch& x, const BezierPatch& y, const Run& run,
-                                                PairTurning& turning);
+                                                ExactPair& pair);
 
 }  // namespace exsect

@@ -16,13 +16,13 @@ namespace {
 
 /// Where doubles cannot decide, or are not asked.
 IntersectResult intersect_beyond_filter(const Run& run, const BezierPatch& x, const BezierPatch& y) {
-  PairTurning turning(x, y);
+  ExactPair pair(x, y, run.stop());
   if (!run.exact()) {
     run.add_time_until_now("filter");
-  } else if (auto found = confirmed_curves(x, y, run, turning)) {
+  } else if (auto found = confirmed_curves(x, y, run, pair)) {
     return *std::move(found);
   }
-  return intersect_exactly(x, y, run, turning);
+  return intersect_exactly(x, y, run, pair);
 }
 
 /// The model is moved and scaled where that helps.

@@ -12,12 +12,12 @@
 namespace exsect {
 
 IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y, const Run& run) {
-  PairTurning turning(x, y);
-  return intersect_exactly(x, y, run, turning);
+  ExactPair pair(x, y, run.stop());
+  return intersect_exactly(x, y, run, pair);
 }
 
 IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y, const Run& run,
-                                  PairTurning& turning) {
+                                  ExactPair& pair) {
   if (std::optional<IntersectResult> result = intersect_degenerate(x, y, run)) {
     return std::move(*result);
   }
@@ -31,7 +31,7 @@ IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y, co
       return std::move(*result);
     }
   }
-  return intersect_by_sweep(x, y, run, turning);
+  return intersect_by_sweep(x, y, run, pair);
 }
 
 }  // namespace exsect

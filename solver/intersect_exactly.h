@@ -5,7 +5,7 @@
 #include <exsect/solver/result.h>
 
 #include "answer/run.h"
-#include "eliminant/pair_turning.h"
+#include "eliminant/exact_pair.h"
 
 namespace exsect {
 
@@ -14,6 +14,6 @@ IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y, co
 
 /// The same with turning eliminants of the pair that may be known already.
 IntersectResult intersect_exactly(const BezierPatch& x, const BezierPatch& y, const Run& run,
-                                  PairTurning& turning);
+                                  ExactPair& pair);
 
 }  // namespace exsect

@@ -54,7 +54,6 @@ class OneSurface {
   void find_other_curves() {
     for (const BoundaryPoint& point : boundary_.points)
       if (point.kind == BoundaryPointKind::other) sweep_.landmarks.push_back({point.at, std::nullopt});
-    sweep_.coincident = coincident_parameters(x_, y_);
     sweep_.settled = [this](const SearchRegion& region) { return sheets_.settles(region); };
     sweep_.exact = result_.incomplete.empty();
     if (!surface_.planar()) pieces_ = two_pieces(x_, y_);
@@ -302,7 +301,8 @@ class OneSurface {
   OverlapBoundary boundary_;
   bool regular_ = false;  // in a plane, and neither patch is singular
   std::optional<TwoPieces> pieces_;
-  SweepData sweep_;
+  ExactPair pair_{x_, y_, stop_};
+  SweepData sweep_{pair_};
   std::vector<int> nodes_;     // of the boundary points
   std::vector<int> dividing_;  // nodes inside arcs on sides
   GraphBuilder graph_;

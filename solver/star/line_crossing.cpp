@@ -113,20 +113,21 @@ class GraphPointSource : public CertifiedPoint::Source {
 /// The conditions of Lemma 6.3.
 class LineCrossingProof {
  public:
-  LineCrossingProof(const StarProblem& problem, const LineCrossing& crossing)
-      : problem_(problem),
+  LineCrossingProof(const StarQuery& query, const LineCrossing& crossing)
+      : query_(query),
+        others_(other_turning(query.pair, query.turning.sweep)),
         crossing_(crossing),
-        sweep_(problem.turning.sweep),
+        sweep_(query.turning.sweep),
         along_(static_cast<Parameter>(index(sweep_) ^ 1U)),
         first_other_(index(sweep_) < 2 ? 2 : 0),
-        scale_(model_scale(problem.x, problem.y)) {}
+        scale_(model_scale(query.pair.x(), query.pair.y())) {}
 
   std::optional<StarNeighbourhood> run() {
-    if (!problem_.others_complete) return std::nullopt;
-    for (double half = problem_.largest_halfwidth; half >= 0x1p-40; half *= 0x1p-6) {
+    if (!others_.complete) return std::nullopt;
+    for (double half = query_.largest_halfwidth; half >= 0x1p-40; half *= 0x1p-6) {
       double slab = half;
       for (int i = 0; i < kSlabs; ++i, slab *= 0.25) {
-        if (is_stopped(problem_.stop)) return std::nullopt;
+        if (is_stopped(query_.pair.stop())) return std::nullopt;
         if (!set_box(slab, half)) break;
         if (!has_one_event()) break;
         StarNeighbourhood star{centre(), sweep_, box_, {}, {}};
@@ -139,8 +140,8 @@ class LineCrossingProof {
   }
 
  private:
-  const BezierPatch& own() const { return first_other_ == 2 ? problem_.x : problem_.y; }
-  const BezierPatch& other() const { return first_other_ == 2 ? problem_.y : problem_.x; }
+  const BezierPatch& own() const { return first_other_ == 2 ? query_.pair.x() : query_.pair.y(); }
+  const BezierPatch& other() const { return first_other_ == 2 ? query_.pair.y() : query_.pair.x(); }
 
   /// A box in which all solutions are on a graph over the sweep parameter and the one along the line.
   bool set_box(double slab, double half) {
@@ -171,17 +172,17 @@ class LineCrossingProof {
       return meet(p.refined_to(fine_width()).box(), box_);
     };
     const auto is_sampled = [&](const Rational& sample) {
-      return is_in(sample, box_[index(problem_.sampled)]);
+      return is_in(sample, box_[index(query_.places.sampled)]);
     };
     const auto has_one_value = [&](const TurningValues* turning) {
       return std::count_if(turning->values.begin(), turning->values.end(), [&](const TurningValue& value) {
                return is_in(value.value, box_[index(turning->sweep)]);
              }) <= 1;
     };
-    return std::none_of(problem_.boundary.begin(), problem_.boundary.end(), meets_box) &&
-           std::none_of(problem_.samples.begin(), problem_.samples.end(), is_sampled) &&
-           has_one_value(&problem_.turning) &&
-           std::all_of(problem_.others.begin(), problem_.others.end(), has_one_value);
+    return std::none_of(query_.places.boundary.begin(), query_.places.boundary.end(), meets_box) &&
+           std::none_of(query_.places.samples.begin(), query_.places.samples.end(), is_sampled) &&
+           has_one_value(&query_.turning) &&
+           std::all_of(others_.values.begin(), others_.values.end(), has_one_value);
   }
 
   CertifiedPoint centre() const {
@@ -205,8 +206,8 @@ class LineCrossingProof {
   bool add_ports_on_line(StarNeighbourhood& star) const {
     for (const int side : {-1, 1}) {
       const RationalInterval& range = box_[index(along_)];
-      const auto points =
-          line_points_in(problem_.x, problem_.y, {along_, side < 0 ? range.lower : range.upper}, box_);
+      const auto points = line_points_in(query_.pair.x(), query_.pair.y(),
+                                         {along_, side < 0 ? range.lower : range.upper}, box_);
       if (!points || points->size() != 1 || !is_on_line(points->front())) return false;
       star.ports.push_back({points->front(), along_, side});
     }
@@ -216,8 +217,8 @@ class LineCrossingProof {
   bool add_ports(StarNeighbourhood& star) const {
     for (const int side : {-1, 1}) {
       const RationalInterval& range = box_[index(sweep_)];
-      const auto points =
-          line_points_in(problem_.x, problem_.y, {sweep_, side < 0 ? range.lower : range.upper}, box_);
+      const auto points = line_points_in(query_.pair.x(), query_.pair.y(),
+                                         {sweep_, side < 0 ? range.lower : range.upper}, box_);
       if (!points || points->size() > kMostPorts) return false;
       for (const CertifiedPoint& point : *points) star.ports.push_back({point, sweep_, side});
     }
@@ -231,7 +232,7 @@ class LineCrossingProof {
     const Rational step = range.width() / (kPointsOnLine + 1);
     for (int i = 1; i <= kPointsOnLine; ++i) {
       const Rational at = range.lower + i * step;
-      const auto points = line_points_in(problem_.x, problem_.y,
+      const auto points = line_points_in(query_.pair.x(), query_.pair.y(),
                                          {along_, simplest_between(at - step / 4, at + step / 4)}, box_);
       if (!points || std::none_of(points->begin(), points->end(),
                                   [&](const CertifiedPoint& p) { return is_on_line(p); }))
@@ -240,7 +241,8 @@ class LineCrossingProof {
     return true;
   }
 
-  const StarProblem& problem_;
+  const StarQuery& query_;
+  OtherTurning others_;
   const LineCrossing& crossing_;
   Parameter sweep_;
   Parameter along_;
@@ -272,9 +274,8 @@ std::vector<LineCrossing> line_crossings(const BezierPatch& x, const BezierPatch
   return result;
 }
 
-std::optional<StarNeighbourhood> line_crossing_star(const StarProblem& problem,
-                                                    const LineCrossing& crossing) {
-  return LineCrossingProof(problem, crossing).run();
+std::optional<StarNeighbourhood> line_crossing_star(const StarQuery& query, const LineCrossing& crossing) {
+  return LineCrossingProof(query, crossing).run();
 }
 
 }  // namespace exsect

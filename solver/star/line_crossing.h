@@ -27,6 +27,6 @@ std::vector<LineCrossing> line_crossings(const BezierPatch& x, const BezierPatch
 
 /// The star of three arcs or more around the point, two of them on the line: `problem` with the turning
 /// values of all four parameters. Empty if it cannot be proved.
-std::optional<StarNeighbourhood> line_crossing_star(const StarProblem& problem, const LineCrossing& crossing);
+std::optional<StarNeighbourhood> line_crossing_star(const StarQuery& problem, const LineCrossing& crossing);
 
 }  // namespace exsect

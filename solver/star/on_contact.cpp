@@ -21,9 +21,9 @@ namespace {
 template <class Ball>
 class ContactAt {
  public:
-  ContactAt(const SingularPointProblem& problem, const PairSystem<Ball>& system, const CertifiedPoint& point,
+  ContactAt(const SingularPointQuery& query, const PairSystem<Ball>& system, const CertifiedPoint& point,
             const TurningValues& turning)
-      : problem_(problem),
+      : query_(query),
         system_(system),
         point_(point),
         turning_(turning),
@@ -58,18 +58,19 @@ class ContactAt {
 
   /// Across a corner the curve may be as short as it likes.
   bool has_contact_between_ends(const TangentialTube<Ball>& tube) const {
-    return std::any_of(problem_.boundary.begin(), problem_.boundary.end(), [&](const CertifiedPoint& other) {
-      if (!contains(tube, enclose<Ball>(other, fine_width()))) {
-        return false;
-      }
-      const std::optional<RationalInterval> range = between(other);
-      if (!range) {
-        return false;
-      }
-      const Rational quarter = range->width() / 4;
-      return has_contact_over(tube, simplest_between(range->lower, range->upper)) ||
-             has_contact_over(tube, simplest_between(range->lower, range->lower + quarter));
-    });
+    return std::any_of(
+        query_.places.boundary.begin(), query_.places.boundary.end(), [&](const CertifiedPoint& other) {
+          if (!contains(tube, enclose<Ball>(other, fine_width()))) {
+            return false;
+          }
+          const std::optional<RationalInterval> range = between(other);
+          if (!range) {
+            return false;
+          }
+          const Rational quarter = range->width() / 4;
+          return has_contact_over(tube, simplest_between(range->lower, range->upper)) ||
+                 has_contact_over(tube, simplest_between(range->lower, range->lower + quarter));
+        });
   }
 
   /// The values of the swept parameter between those of the two points; empty if these cannot be told apart.
@@ -95,13 +96,13 @@ class ContactAt {
     if (!regular) {
       return false;
     }
-    const LinePoints fibre = exact_line_points(problem_.x, problem_.y, {turning_.sweep, at});
+    const LinePoints& fibre = query_.pair.fibre({turning_.sweep, at});
     return std::any_of(fibre.points.begin(), fibre.points.end(), [&](const CertifiedPoint& point) {
       return point.multiplicity() >= 2 && contains(tube, enclose<Ball>(point, fine_width()));
     });
   }
 
-  const SingularPointProblem& problem_;
+  const SingularPointQuery& query_;
   const PairSystem<Ball>& system_;
   const CertifiedPoint& point_;
   const TurningValues& turning_;
@@ -112,16 +113,16 @@ class ContactAt {
 }  // namespace
 
 template <class Ball>
-bool is_on_contact(const SingularPointProblem& problem, const PairSystem<Ball>& system,
+bool is_on_contact(const SingularPointQuery& query, const PairSystem<Ball>& system,
                    const CertifiedPoint& point) {
   return std::any_of(all_parameters.begin(), all_parameters.end(), [&](Parameter axis) {
-    const auto& turning = problem.turning(axis);
-    return turning && turning->touching && ContactAt<Ball>(problem, system, point, *turning).is_proved();
+    const auto& turning = query.pair.turning(axis);
+    return turning && turning->touching && ContactAt<Ball>(query, system, point, *turning).is_proved();
   });
 }
 
 #define EXSECT_INSTANTIATE_ON_CONTACT(Ball) \
-  template bool is_on_contact(const SingularPointProblem&, const PairSystem<Ball>&, const CertifiedPoint&);
+  template bool is_on_contact(const SingularPointQuery&, const PairSystem<Ball>&, const CertifiedPoint&);
 
 EXSECT_INSTANTIATE_ON_CONTACT(DoubleBall)
 EXSECT_INSTANTIATE_ON_CONTACT(ArbBall<256>)

@@ -8,7 +8,7 @@ namespace exsect {
 /// True only if the point is a regular point of a curve along which the patches touch, and this is not
 /// tangent there to a side that the point lies on. Such a point needs no star.
 template <class Ball>
-bool is_on_contact(const SingularPointProblem& problem, const PairSystem<Ball>& system,
+bool is_on_contact(const SingularPointQuery& query, const PairSystem<Ball>& system,
                    const CertifiedPoint& point);
 
 }  // namespace exsect

@@ -35,17 +35,17 @@ constexpr int kHighestDegreeUnweighted = 3;
 template <class Ball>
 class StarSearch {
  public:
-  StarSearch(const SingularPointProblem& problem, const PairSystem<Ball>& system)
-      : problem_(problem), system_(system) {}
+  StarSearch(const SingularPointQuery& query, const PairSystem<Ball>& system)
+      : query_(query), pair_(query.pair), system_(system) {}
 
   std::vector<StarNeighbourhood> run() {
-    for (std::size_t i = 0; i < problem_.boundary.size(); ++i) {
-      const CertifiedPoint& point = problem_.boundary[i];
-      if (!stopped() && (problem_.on_side_arc[i] ? may_be_singular(point) : needs_star(point))) {
+    for (std::size_t i = 0; i < query_.places.boundary.size(); ++i) {
+      const CertifiedPoint& point = query_.places.boundary[i];
+      if (!stopped() && (query_.on_side_arc[i] ? may_be_singular(point) : needs_star(point))) {
         try_all_sweeps(point);
       }
     }
-    for (const CertifiedPoint& point : problem_.pinches) {
+    for (const CertifiedPoint& point : query_.pinches) {
       if (!stopped() && !is_covered(point)) {
         try_rational_sweeps(point);
       }
@@ -54,23 +54,23 @@ class StarSearch {
       return std::move(stars_);
     }
     for (const Parameter sweep : all_parameters) {
-      if (const auto& turning = problem_.turning(sweep)) {
+      if (const auto& turning = pair_.turning(sweep)) {
         try_multiple_values(*turning);
       }
     }
     for (const Parameter sweep : all_parameters) {
-      if (const auto& turning = problem_.turning(sweep)) {
+      if (const auto& turning = pair_.turning(sweep)) {
         try_algebraic_values(*turning);
       }
     }
     for (const Parameter sweep : {Parameter::u, Parameter::v}) {
-      const auto& turning = problem_.turning(sweep);
+      const auto& turning = pair_.turning(sweep);
       if (turning && !turning->touching) {
         try_fixed_points(*turning);
       }
     }
     for (const Parameter sweep : all_parameters) {  // last: these stars are narrow
-      if (const auto& turning = problem_.turning(sweep)) {
+      if (const auto& turning = pair_.turning(sweep)) {
         try_points_on_lines(*turning);
         try_crossings_of_lines(*turning);
       }
@@ -79,11 +79,11 @@ class StarSearch {
   }
 
  private:
-  bool stopped() const { return is_stopped(problem_.stop); }
+  bool stopped() const { return is_stopped(pair_.stop()); }
 
   /// A simple root of E lies under no singular point (method.md, Theorem 4.4).
   bool no_point_is_singular() const {
-    const auto& turning = problem_.turning(problem_.sampled);
+    const auto& turning = pair_.turning(query_.places.sampled);
     return turning && !turning->touching &&
            std::all_of(turning->values.begin(), turning->values.end(),
                        [](const TurningValue& value) { return value.multiplicity == 1; });
@@ -114,7 +114,7 @@ class StarSearch {
   }
 
   bool is_on_contact(const CertifiedPoint& point) const {
-    return exsect::is_on_contact(problem_, system_, point);
+    return exsect::is_on_contact(query_, system_, point);
   }
 
   bool is_covered(const CertifiedPoint& point) const {
@@ -142,7 +142,7 @@ class StarSearch {
       if (stopped()) {
         return;
       }
-      const LinePoints fibre = exact_line_points(problem_.x, problem_.y, query);
+      const LinePoints& fibre = pair_.fibre(query);
       for (const CertifiedPoint& point : fibre.points) {
         if (!stopped() && point.multiplicity() != 1 && !is_covered(point) && needs_star(point) &&
             !try_sweep(point, turning, query.value)) {
@@ -161,7 +161,7 @@ class StarSearch {
         continue;
       }
       for (const SingularFibrePoint& point :
-           singular_points_over(problem_.x, problem_.y, turning.sweep, value.value)) {
+           singular_points_over(pair_.x(), pair_.y(), turning.sweep, value.value)) {
         if (!stopped() && !is_covered(point.at)) {
           try_sweep(point.at, turning, value.value, {}, &point);
         }
@@ -175,8 +175,8 @@ class StarSearch {
       if (stopped()) {
         return;
       }
-      const LinePoints fibre = exact_line_points(problem_.x, problem_.y, line);
-      const auto& along = problem_.turning(line_place(line).roles.line);
+      const LinePoints& fibre = pair_.fibre(line);
+      const auto& along = pair_.turning(line_place(line).roles.line);
       if (fibre.on_patch.empty() || !along) {
         continue;
       }
@@ -193,7 +193,7 @@ class StarSearch {
   }
 
   void try_point_on_line(const TurningValues& turning, const LineQuery& line, const RealAlgebraic& along) {
-    for (const CertifiedPoint& point : points_on_line(problem_.x, problem_.y, line, along)) {
+    for (const CertifiedPoint& point : points_on_line(pair_.x(), pair_.y(), line, along)) {
       if (!stopped() && !is_covered(point) && may_be_singular(point)) {  // else the line is all there is
         try_sweep(point, turning, line.value, along);
       }
@@ -202,16 +202,16 @@ class StarSearch {
 
   /// Points of lines over irrational turning values, irrational along the line as well.
   void try_crossings_of_lines(const TurningValues& turning) {
-    const auto& along = problem_.turning(static_cast<Parameter>(index(turning.sweep) ^ 1U));
+    const auto& along = pair_.turning(static_cast<Parameter>(index(turning.sweep) ^ 1U));
     for (const TurningValue& value : turning.values) {
       if (value.multiplicity == 1 || value.value.polynomial().degree() > kHighestDegree || !along ||
           stopped())
         continue;
       for (const LineCrossing& crossing :
-           line_crossings(problem_.x, problem_.y, turning.sweep, value.value, *along)) {
-        StarProblem problem = star_problem(turning);
+           line_crossings(pair_.x(), pair_.y(), turning.sweep, value.value, *along)) {
+        StarQuery query = star_query(turning);
         if (!stopped() && !is_covered(crossing.near))
-          try_star(problem, value.value, [&] { return line_crossing_star(problem, crossing); });
+          try_star(query, value.value, [&] { return line_crossing_star(query, crossing); });
       }
     }
   }
@@ -219,14 +219,14 @@ class StarSearch {
   /// Crossings with the curve that a symmetry fixes, of any degree.
   void try_fixed_points(const TurningValues& turning) {
     for (const TurningValue& value : turning.values) {
-      if (value.multiplicity != 2 || value.value.is_rational() || stopped() || !problem_.symmetry()) {
+      if (value.multiplicity != 2 || value.value.is_rational() || stopped() || !pair_.symmetry()) {
         continue;
       }
-      const ExchangingSymmetry& symmetry = *problem_.symmetry();
+      const ExchangingSymmetry& symmetry = *pair_.symmetry();
       for (const CertifiedPoint& centre : fixed_points_over(symmetry, turning.sweep, value.value)) {
-        StarProblem problem = star_problem(turning);
+        StarQuery query = star_query(turning);
         if (!stopped() && !is_covered(centre) && may_be_singular(centre)) {
-          try_star(problem, value.value, [&] { return symmetric_crossing_star(problem, symmetry, centre); });
+          try_star(query, value.value, [&] { return symmetric_crossing_star(query, symmetry, centre); });
         }
       }
     }
@@ -235,14 +235,14 @@ class StarSearch {
   /// Over sides first, then over rational turning values.
   void try_all_sweeps(const CertifiedPoint& point) {
     for (const Side& side : point.sides()) {
-      const auto& turning = problem_.turning(side.parameter);
+      const auto& turning = pair_.turning(side.parameter);
       if (turning && try_sweep(point, *turning, side.value)) {
         return;
       }
     }
     const ParameterBox box = point.refined_to(fine_width()).box();
     for (const Parameter sweep : all_parameters) {
-      const auto& turning = problem_.turning(sweep);
+      const auto& turning = pair_.turning(sweep);
       if (!turning) {
         continue;
       }
@@ -260,7 +260,7 @@ class StarSearch {
   void try_rational_sweeps(const CertifiedPoint& point) {
     for (const Parameter sweep : all_parameters) {
       const RationalInterval& at = point.box()[index(sweep)];
-      const auto& turning = problem_.turning(sweep);
+      const auto& turning = pair_.turning(sweep);
       if (at.width() == 0 && turning && try_sweep(point, *turning, at.lower)) {
         return;
       }
@@ -270,38 +270,22 @@ class StarSearch {
   bool try_sweep(const CertifiedPoint& point, const TurningValues& turning, const RealAlgebraic& at,
                  const std::optional<RealAlgebraic>& along = {},
                  const SingularFibrePoint* singular = nullptr) {
-    StarProblem problem = star_problem(turning);
-    problem.along = along;
-    problem.singular = singular;
-    return try_star(problem, at, [&] { return star_neighbourhood(problem, point, at); });
+    StarQuery query = star_query(turning);
+    query.along = along;
+    query.singular = singular;
+    return try_star(query, at, [&] { return star_neighbourhood(query, point, at); });
   }
 
-  StarProblem star_problem(const TurningValues& turning) const {
-    StarProblem problem{problem_.x, problem_.y,   turning,          problem_.boundary, 0,
-                        {},         true,         problem_.sampled, problem_.samples,  {},
-                        nullptr,    problem_.stop};
-    for (const Parameter p : all_parameters) {
-      if (p == turning.sweep || problem_.coincident[index(p)] == index(turning.sweep)) {
-        continue;
-      }
-      const auto& other = problem_.turning(p);
-      if (other) {
-        problem.others.push_back(&*other);
-      }
-      problem.others_complete = problem.others_complete &&
-                                (other || problem_.turning(all_parameters[problem_.coincident[index(p)]]));
-    }
-    return problem;
-  }
+  StarQuery star_query(const TurningValues& turning) const { return {pair_, query_.places, turning}; }
 
-  /// Keeps a star over the value `at` that `proved`, which looks at problem.largest_halfwidth, returns.
-  bool try_star(StarProblem& problem, const RealAlgebraic& at,
+  /// Keeps a star over the value `at` that `proved`, which looks at query.largest_halfwidth, returns.
+  bool try_star(StarQuery& query, const RealAlgebraic& at,
                 const std::function<std::optional<StarNeighbourhood>()>& proved) {
     // As large as layers of exact fibres can bound the arcs: tracing from close to the centre is slow.
-    const double first = std::clamp(8 * problem_.tolerance, 0x1p-36, 0x1p-5);
+    const double first = std::clamp(8 * query_.tolerance, 0x1p-36, 0x1p-5);
     std::optional<StarNeighbourhood> star;
     for (const double halfwidth : {std::max(first, kWideHalfwidth), first, first / 16, first / 512}) {
-      problem.largest_halfwidth = halfwidth;
+      query.largest_halfwidth = halfwidth;
       star = proved();
       if (!star) {
         return false;
@@ -310,8 +294,8 @@ class StarSearch {
         continue;
       }
       const double slab = to_double(star->box[index(star->sweep)].width() / 2);
-      const double layers = std::clamp(kLayersPerTolerance * slab / problem_.tolerance, 1.0, kMostLayers);
-      if (!add_layers(*star, problem_.x, problem_.y, at, static_cast<int>(layers), problem_.stop)) {
+      const double layers = std::clamp(kLayersPerTolerance * slab / query_.tolerance, 1.0, kMostLayers);
+      if (!add_layers(*star, pair_.x(), pair_.y(), at, static_cast<int>(layers), pair_.stop())) {
         return false;
       }
       if (arcs_keep_tolerance(*star)) {
@@ -330,7 +314,7 @@ class StarSearch {
     return std::all_of(star.ports.begin(), star.ports.end(), [&](const Port& port) {
       const StarArc arc = star_arc(star, port);
       return std::all_of(arc.hulls.begin(), arc.hulls.end(), [&](const ParameterBox& hull) {
-        return chord_bound(system_, unit, hull) <= 0.9 * problem_.tolerance;
+        return chord_bound(system_, unit, hull) <= 0.9 * query_.tolerance;
       });
     });
   }
@@ -358,7 +342,8 @@ class StarSearch {
     return false;
   }
 
-  const SingularPointProblem& problem_;
+  const SingularPointQuery& query_;
+  ExactPair& pair_;
   const PairSystem<Ball>& system_;
   std::vector<StarNeighbourhood> stars_;
 };
@@ -366,14 +351,13 @@ class StarSearch {
 }  // namespace
 
 template <class Ball>
-std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem& problem,
+std::vector<StarNeighbourhood> singular_stars(const SingularPointQuery& query,
                                               const PairSystem<Ball>& system) {
-  return StarSearch<Ball>(problem, system).run();
+  return StarSearch<Ball>(query, system).run();
 }
 
-#define EXSECT_INSTANTIATE_SINGULAR(Ball)                                             \
-  template std::vector<StarNeighbourhood> singular_stars(const SingularPointProblem&, \
-                                                         const PairSystem<Ball>&);
+#define EXSECT_INSTANTIATE_SINGULAR(Ball) \
+  template std::vector<StarNeighbourhood> singular_stars(const SingularPointQuery&, const PairSystem<Ball>&);
 
 EXSECT_INSTANTIATE_SINGULAR(DoubleBall)
 EXSECT_INSTANTIATE_SINGULAR(ArbBall<256>)

@@ -31,11 +31,12 @@ double power_of_two_below(const Rational& q) {
 
 class StarProof {
  public:
-  StarProof(const StarProblem& problem, const CertifiedPoint& centre, const RealAlgebraic& at)
-      : problem_(problem),
+  StarProof(const StarQuery& query, const CertifiedPoint& centre, const RealAlgebraic& at)
+      : query_(query),
+        others_(other_turning(query.pair, query.turning.sweep)),
         centre_(centre.refined_to(power_of_two(-100))),
         at_(at.refined_to(power_of_two(-100))),
-        sweep_(problem.turning.sweep) {}
+        sweep_(query.turning.sweep) {}
 
   std::optional<StarNeighbourhood> run() {
     if (!bound_halfwidth() || !bound_slab() || !keep_samples_away() || !keep_turning_values_away() ||
@@ -48,7 +49,7 @@ class StarProof {
       double slab = std::min(halfwidth, power_of_two_below(slab_room_));
       const double least_slab = std::min(0x1p-48, 0x1p-24 * slab);
       for (int i = 0; i < kMostSlabs && slab >= least_slab; ++i, slab *= 0.25) {
-        if (is_stopped(problem_.stop)) {
+        if (is_stopped(query_.pair.stop())) {
           return std::nullopt;
         }
         set_region(halfwidth, slab);
@@ -68,17 +69,17 @@ class StarProof {
  private:
   /// Keeps every other point of the fibre and every other boundary point away from the box.
   bool bound_halfwidth() {
-    room_ = from_double(problem_.largest_halfwidth);
+    room_ = from_double(query_.largest_halfwidth);
     if (!at_.is_rational()) {
-      return problem_.singular && keep_away(problem_.boundary, 0) == 0;
+      return query_.singular && keep_away(query_.places.boundary, 0) == 0;
     }
-    const LinePoints fibre = exact_line_points(problem_.x, problem_.y, {sweep_, at_.rational()});
+    const LinePoints& fibre = query_.pair.fibre({sweep_, at_.rational()});
     if (fibre.incomplete) {
       return false;
     }
     // The centre is in the first list, and in the second one only if it lies on a side.
     const int expected = centre_.sides().empty() ? 0 : 1;
-    const int on_side = keep_away(problem_.boundary, expected);
+    const int on_side = keep_away(query_.places.boundary, expected);
     for (const AlgebraicInterval& part : fibre.on_patch) {
       if (!keep_away_or_enter(part)) {
         return false;
@@ -88,7 +89,7 @@ class StarProof {
   }
 
   /// Of the fibre over an irrational value; for a rational one bound_halfwidth sees to it.
-  bool centre_is_alone() const { return at_.is_rational() || problem_.singular->is_alone_in(region_); }
+  bool centre_is_alone() const { return at_.is_rational() || query_.singular->is_alone_in(region_); }
 
   /// A part of the line over the centre's value that lies on the other patch: away from the box, or it runs
   /// right through it.
@@ -154,7 +155,7 @@ class StarProof {
   /// Keeps every other turning value away from the slab.
   bool bound_slab() {
     slab_room_ = 1;
-    for (const TurningValue& value : problem_.turning.values) {
+    for (const TurningValue& value : query_.turning.values) {
       if (value.value == at_) {
         continue;
       }
@@ -172,9 +173,9 @@ class StarProof {
   }
 
   bool keep_samples_away() {
-    Rational& room = problem_.sampled == sweep_ ? slab_room_ : room_;
-    for (const Rational& sample : problem_.samples) {
-      const Rational d = gap_to_centre({sample, sample}, problem_.sampled);
+    Rational& room = query_.places.sampled == sweep_ ? slab_room_ : room_;
+    for (const Rational& sample : query_.places.samples) {
+      const Rational d = gap_to_centre({sample, sample}, query_.places.sampled);
       if (d == 0) {
         return false;
       }
@@ -214,7 +215,7 @@ class StarProof {
 
   /// Turning values of the other parameters: away from the box, or rational and that of the centre.
   bool keep_turning_values_away() {
-    for (const TurningValues* other : problem_.others) {
+    for (const TurningValues* other : others_.values) {
       const Rational width = separating_width(*other);
       for (const TurningValue& value : other->values) {
         const Rational d = gap(value.value.refined_to(width).interval(), centre_.box()[index(other->sweep)]);
@@ -225,7 +226,7 @@ class StarProof {
         } else {
           ++irrational_near_[index(other->sweep)];
         }
-        if (d == 0 && other->sweep == line_ && !(problem_.along && value.value == *problem_.along)) {
+        if (d == 0 && other->sweep == line_ && !(query_.along && value.value == *query_.along)) {
           return false;
         }
       }
@@ -233,7 +234,7 @@ class StarProof {
     // Of the turning values along the line, the box now holds the centre's at most. So all arcs in the box
     // that are not the line meet it in the centre only: through a point of the fibre over another value one
     // arc passes, and that is the line.
-    return !line_ || std::any_of(problem_.others.begin(), problem_.others.end(),
+    return !line_ || std::any_of(others_.values.begin(), others_.values.end(),
                                  [&](const TurningValues* other) { return other->sweep == *line_; });
   }
 
@@ -243,21 +244,21 @@ class StarProof {
   /// a parameter only, it is the centre's, and an arc that turned there would turn over another one on its
   /// way to the centre.
   bool arcs_are_monotone(std::size_t ports) const {
-    const bool singular = ports >= 3 || problem_.singular;
+    const bool singular = ports >= 3 || query_.singular;
     const bool all_rational =
         std::all_of(irrational_near_.begin(), irrational_near_.end(), [](int near) { return near == 0; });
     const std::array<bool, 4> zero = singular || all_rational
                                          ? std::array<bool, 4>{}
-                                         : known_zero_tangent(problem_.x, problem_.y, centre_);
+                                         : known_zero_tangent(query_.pair.x(), query_.pair.y(), centre_);
     const auto is_known = [&](Parameter p) {
       const auto rational = std::count_if(through_centre_.begin(), through_centre_.end(),
                                           [&](const LineQuery& query) { return query.fixed == p; });
       return irrational_near_[index(p)] == 0 ||
              ((singular || zero[index(p)]) && irrational_near_[index(p)] == 1 && rational == 0);
     };
-    return problem_.others_complete && std::all_of(all_parameters.begin(), all_parameters.end(), is_known) &&
+    return others_.complete && std::all_of(all_parameters.begin(), all_parameters.end(), is_known) &&
            std::all_of(through_centre_.begin(), through_centre_.end(), [this](const LineQuery& query) {
-             const LinePoints line = exact_line_points(problem_.x, problem_.y, query);
+             const LinePoints& line = query_.pair.fibre(query);
              return !line.incomplete &&
                     std::none_of(line.points.begin(), line.points.end(), [this](const CertifiedPoint& point) {
                       const ParameterBox at = point.refined_to(centre_width_).box();
@@ -364,7 +365,7 @@ class StarProof {
     std::array<Rational, 2> at;
     at[index(sweep_) % 2] = at_.rational();
     at[index(*line_) % 2] = along;
-    const auto points = half_rational_points(problem_.x, problem_.y, index(sweep_) < 2, at);
+    const auto points = half_rational_points(query_.pair.x(), query_.pair.y(), index(sweep_) < 2, at);
     return std::any_of(points.begin(), points.end(),
                        [&](const HalfRationalPoint& p) { return surely_lies_in(p.point, region_); });
   }
@@ -372,11 +373,12 @@ class StarProof {
   /// The points of a parameter line that lie in the box; empty if there are more than `most`, infinitely
   /// many, or if that cannot be decided.
   std::optional<std::vector<CertifiedPoint>> points_in_box(const LineQuery& query, std::size_t most) const {
-    auto inside = line_points_in(problem_.x, problem_.y, query, region_);
+    auto inside = line_points_in(query_.pair.x(), query_.pair.y(), query, region_);
     return inside && inside->size() <= most ? inside : std::nullopt;
   }
 
-  const StarProblem& problem_;
+  const StarQuery& query_;
+  OtherTurning others_;
   CertifiedPoint centre_;
   RealAlgebraic at_;
   Parameter sweep_;
@@ -391,9 +393,21 @@ class StarProof {
 
 }  // namespace
 
-std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, const CertifiedPoint& centre,
+OtherTurning other_turning(ExactPair& pair, Parameter sweep) {
+  OtherTurning others;
+  for (const Parameter p : all_parameters) {
+    const std::size_t twin = pair.coincident()[index(p)];
+    if (p == sweep || twin == index(sweep)) continue;
+    const auto& turning = pair.turning(p);
+    if (turning) others.values.push_back(&*turning);
+    others.complete = others.complete && (turning || pair.turning(all_parameters[twin]));
+  }
+  return others;
+}
+
+std::optional<StarNeighbourhood> star_neighbourhood(const StarQuery& query, const CertifiedPoint& centre,
                                                     const RealAlgebraic& at) {
-  return StarProof(problem, centre, at).run();
+  return StarProof(query, centre, at).run();
 }
 
 }  // namespace exsect

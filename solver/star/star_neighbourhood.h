@@ -10,7 +10,7 @@
 
 #include "answer/stop_request.h"
 #include "eliminant/algebraic_fibre.h"
-#include "eliminant/critical_values.h"
+#include "eliminant/exact_pair.h"
 
 namespace exsect {
 
@@ -38,30 +38,37 @@ struct StarNeighbourhood {
 /// True only if the centre is a singular point: three arcs or more end in it.
 inline bool is_singular(const StarNeighbourhood& star) { return star.ports.size() >= 3; }
 
-/// What the proof needs to know about the pair.
-struct StarProblem {
-  const BezierPatch& x;
-  const BezierPatch& y;
-  const TurningValues& turning;                 // of the sweep
+/// What the stars of a pair must keep away from.
+struct StarPlaces {
   const std::vector<CertifiedPoint>& boundary;  // all isolated points on sides
-  double largest_halfwidth;
-  std::vector<const TurningValues*> others;  // of the other sweeps
-  bool others_complete;  // every other parameter has turning values, or turns with another
-  /// The box must contain no point over these values of `sampled`.
-  Parameter sampled;
+  Parameter sampled;                            // no star contains a point over these of its values
   const std::vector<Rational>& samples;
+};
+
+/// Where a star is asked for. After ExactPair::stop() nothing is proved.
+struct StarQuery {
+  ExactPair& pair;
+  const StarPlaces& places;
+  const TurningValues& turning;  // of the sweep
+  double largest_halfwidth = 0;
   /// The centre's value of the parameter along the line over `at`, if it is given by that.
   std::optional<RealAlgebraic> along = {};
   /// The centre, where the value of the sweep parameter is irrational.
   const SingularFibrePoint* singular = nullptr;
-  StopRequest stop = {};  // then nothing is proved
 };
 
+/// The turning values of the sweeps of a pair along the other parameters.
+struct OtherTurning {
+  std::vector<const TurningValues*> values;  // of those that do not turn with the sweep
+  bool complete = true;                      // every one of these has some, or turns with one that has
+};
+OtherTurning other_turning(ExactPair& pair, Parameter sweep);
+
 /// The star around `centre`, a point of the intersection over the value `at` of the sweep parameter, rational
-/// unless StarProblem::singular is given; empty if it cannot be proved. If the line over `at` lies on the
-/// other patch around the centre, StarProblem::along must be given, or the centre must lie over no turning
+/// unless StarQuery::singular is given; empty if it cannot be proved. If the line over `at` lies on the
+/// other patch around the centre, StarQuery::along must be given, or the centre must lie over no turning
 /// value of the parameter along it.
-std::optional<StarNeighbourhood> star_neighbourhood(const StarProblem& problem, const CertifiedPoint& centre,
+std::optional<StarNeighbourhood> star_neighbourhood(const StarQuery& query, const CertifiedPoint& centre,
                                                     const RealAlgebraic& at);
 
 /// Fills in layers, `count` on each side that has ports; false if `stop` came in between, or if a fibre has

@@ -16,24 +16,25 @@ constexpr int kSymmetricSlabs = 6;
 /// The conditions of Lemma 6.4.
 class SymmetricCrossingProof {
  public:
-  SymmetricCrossingProof(const StarProblem& problem, const ExchangingSymmetry& symmetry,
+  SymmetricCrossingProof(const StarQuery& query, const ExchangingSymmetry& symmetry,
                          const CertifiedPoint& centre)
-      : problem_(problem),
+      : query_(query),
+        others_(other_turning(query.pair, query.turning.sweep)),
         symmetry_(symmetry),
         centre_(centre),
-        sweep_(index(problem.turning.sweep)),
+        sweep_(index(query.turning.sweep)),
         other_(1 - sweep_) {}
 
   std::optional<StarNeighbourhood> run() {
-    if (!problem_.others_complete) return std::nullopt;
-    for (double half = problem_.largest_halfwidth; half >= 0x1p-40; half *= 0x1p-6) {
+    if (!others_.complete) return std::nullopt;
+    for (double half = query_.largest_halfwidth; half >= 0x1p-40; half *= 0x1p-6) {
       double slab = half / 4;
       for (int i = 0; i < kSymmetricSlabs; ++i, slab *= 0.25) {
-        if (is_stopped(problem_.stop)) return std::nullopt;
+        if (is_stopped(query_.pair.stop())) return std::nullopt;
         set_box(slab, half);
         if (!is_small_enough()) break;
         if (!section_crosses() || !lateral_faces_are_free()) continue;
-        StarNeighbourhood star{centre_, problem_.turning.sweep, box_, {}, {}};
+        StarNeighbourhood star{centre_, query_.turning.sweep, box_, {}, {}};
         return add_ports(star, -1) && add_ports(star, 1) ? std::optional(star) : std::nullopt;
       }
     }
@@ -64,11 +65,12 @@ class SymmetricCrossingProof {
       return std::ranges::count_if(turning.values,
                                    [&](const TurningValue& v) { return is_in(v.value, range); }) <= 1;
     };
-    return std::ranges::all_of(box_, is_inside) && std::ranges::none_of(problem_.boundary, meets_box) &&
-           std::ranges::none_of(problem_.samples,
-                                [&](const Rational& t) { return is_in(t, box_[index(problem_.sampled)]); }) &&
-           has_one(problem_.turning, symmetry_.partner_range(sweep_, box_[partner(sweep_)])) &&
-           std::ranges::all_of(problem_.others, [&](const TurningValues* turning) {
+    return std::ranges::all_of(box_, is_inside) && std::ranges::none_of(query_.places.boundary, meets_box) &&
+           std::ranges::none_of(
+               query_.places.samples,
+               [&](const Rational& t) { return is_in(t, box_[index(query_.places.sampled)]); }) &&
+           has_one(query_.turning, symmetry_.partner_range(sweep_, box_[partner(sweep_)])) &&
+           std::ranges::all_of(others_.values, [&](const TurningValues* turning) {
              return has_one(*turning, box_[index(turning->sweep)]);
            });
   }
@@ -86,7 +88,7 @@ class SymmetricCrossingProof {
   bool lateral_faces_are_free() const {
     return std::ranges::all_of(all_parameters, [&](Parameter p) {
       const auto is_free = [&](const Rational& value) {
-        const auto points = line_points_in(problem_.x, problem_.y, {p, value}, box_);
+        const auto points = line_points_in(query_.pair.x(), query_.pair.y(), {p, value}, box_);
         return points && points->empty();
       };
       return index(p) == sweep_ || (is_free(box_[index(p)].lower) && is_free(box_[index(p)].upper));
@@ -96,19 +98,20 @@ class SymmetricCrossingProof {
   /// Two points of the fibre, one of them on the other side of it than its image.
   bool add_ports(StarNeighbourhood& star, int side) const {
     const Rational value = side < 0 ? box_[sweep_].lower : box_[sweep_].upper;
-    const auto points = line_points_in(problem_.x, problem_.y, {problem_.turning.sweep, value}, box_);
+    const auto points = line_points_in(query_.pair.x(), query_.pair.y(), {query_.turning.sweep, value}, box_);
     if (!points || points->size() != 2) return false;
     bool reversed = false;
     for (const CertifiedPoint& point : *points) {
       const RationalInterval image =
           symmetry_.partner_range(sweep_, point.refined_to(power_of_two(-100)).box()[partner(sweep_)]);
       reversed = reversed || (side < 0 ? image.lower > value : image.upper < value);
-      star.ports.push_back({point, problem_.turning.sweep, side});
+      star.ports.push_back({point, query_.turning.sweep, side});
     }
     return reversed;
   }
 
-  const StarProblem& problem_;
+  const StarQuery& query_;
+  OtherTurning others_;
   const ExchangingSymmetry& symmetry_;
   const CertifiedPoint& centre_;
   std::size_t sweep_;
@@ -137,10 +140,10 @@ std::vector<CertifiedPoint> fixed_points_over(const ExchangingSymmetry& symmetry
   return result;
 }
 
-std::optional<StarNeighbourhood> symmetric_crossing_star(const StarProblem& problem,
+std::optional<StarNeighbourhood> symmetric_crossing_star(const StarQuery& query,
                                                          const ExchangingSymmetry& symmetry,
                                                          const CertifiedPoint& centre) {
-  return SymmetricCrossingProof(problem, symmetry, centre).run();
+  return SymmetricCrossingProof(query, symmetry, centre).run();
 }
 
 }  // namespace exsect

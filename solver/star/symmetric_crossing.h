@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "shape/exchanging_symmetry.h"
 #include "star/star_neighbourhood.h"
-#include "trace/exchanging_symmetry.h"
 
 namespace exsect {
 
@@ -18,7 +18,7 @@ std::vector<CertifiedPoint> fixed_points_over(const ExchangingSymmetry& symmetry
 
 /// The star of four arcs around such a point, `problem` with the turning values of all four parameters. Empty
 /// if it cannot be proved, or if the point is no crossing.
-std::optional<StarNeighbourhood> symmetric_crossing_star(const StarProblem& problem,
+std::optional<StarNeighbourhood> symmetric_crossing_star(const StarQuery& problem,
                                                          const ExchangingSymmetry& symmetry,
                                                          const CertifiedPoint& centre);
 

@@ -55,7 +55,7 @@ class ConstantParameter {
     if (value < 0 || value > 1) {
       return false;
     }
-    const LinePoints line = sweep_.line({p_, value});
+    const LinePoints& line = sweep_.pair.fibre({p_, value});
     const auto lies_on_line = [&](const Rational& at) {
       return std::any_of(line.on_patch.begin(), line.on_patch.end(),
                          [&](const AlgebraicInterval& part) {
@@ -70,7 +70,7 @@ class ConstantParameter {
 
   /// It has a multiple root of E, rational or not, as its value.
   bool has_turning_value() const {
-    const auto& turning = sweep_.turning_of(p_);
+    const auto& turning = sweep_.pair.turning(p_);
     return turning && std::any_of(turning->values.begin(), turning->values.end(), [&](const TurningValue& v) {
              const RationalInterval at = v.value.interval();
              if (v.multiplicity == 1 || at.upper < near_.lower || near_.upper < at.lower) {
@@ -126,7 +126,7 @@ class ConstantParameter {
     if (at <= 0 || at >= 1) {
       return false;
     }
-    const LinePoints line = sweep_.line({along_, at});
+    const LinePoints& line = sweep_.pair.fibre({along_, at});
     return !line.incomplete && line.on_patch.empty() &&
            std::any_of(line.points.begin(), line.points.end(), [&](const CertifiedPoint& point) {
              const RationalInterval around = value.interval();
@@ -160,7 +160,7 @@ bool is_constant(const PairSystem<Ball>& system, const SweepData& sweep, const C
 template <class Ball, class Curve>
 bool meets_line(const SweepData& sweep, const Curve& curve, const LineQuery& across, Parameter p,
                 const Rational& value, const Rational& width) {
-  const LinePoints line = sweep.line(across);
+  const LinePoints& line = sweep.pair.fibre(across);
   if (line.incomplete || !line.on_patch.empty()) {
     return false;
   }
@@ -172,7 +172,7 @@ bool meets_line(const SweepData& sweep, const Curve& curve, const LineQuery& acr
     }
   }
   return std::any_of(found.begin(), found.end(), [&](const CertifiedPoint* point) {
-    return (found.size() == 1 || sweep.has_value(*point, p, value)) &&
+    return (found.size() == 1 || sweep.pair.surely_takes(*point, p, value)) &&
            passes_through(curve, enclose<Ball>(*point, width));
   });
 }

@@ -1,5 +1,6 @@
 #include "sweep/entering_directions.h"
 
+#include "line/known_tangent.h"
 #include "trace/landmark_tangent.h"
 
 namespace exsect {
@@ -12,7 +13,7 @@ TangentSigns tangent_signs_at(const PairSystem<Ball>& system, const Landmarks<Ba
   }
   const auto i = static_cast<std::size_t>(landmark);
   return tangent_signs(system, landmarks[i], [&] {
-    return sweep.zero_tangent ? sweep.zero_tangent(sweep.landmarks[i].point) : std::array<bool, 4>{};
+    return known_zero_tangent(sweep.pair.x(), sweep.pair.y(), sweep.landmarks[i].point);
   });
 }
 

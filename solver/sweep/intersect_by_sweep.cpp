@@ -7,23 +7,17 @@
 #include <cmath>
 #include <type_traits>
 
-#include "answer/exact_source.h"
 #include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/left_open.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
-#include "eliminant/critical_values.h"
 #include "filter/contact_regions.h"
-#include "line/exact_line_points.h"
 #include "line/known_tangent.h"
-#include "line/line_place.h"
 #include "line/line_points_in.h"
-#include "shape/coincident_parameters.h"
 #include "side/boundary_lines.h"
 #include "side/collapsed_line.h"
 #include "side/common_pole.h"
-#include "side/line_arcs.h"
 #include "star/pinch_points.h"
 #include "star/singular_points.h"
 #include "star/star_arc.h"
@@ -43,37 +37,8 @@ Rational vertex_width() { return power_of_two(-200); }
 
 class Intersection {
  public:
-  Intersection(const BezierPatch& x, const BezierPatch& y, const Run& run, PairTurning& turning)
-      : x_(x), y_(y), run_(run), turning_(turning), scaling_(model_scale(x, y)) {
-    sweep_.coincident = coincident_parameters(x, y);
-    sweep_.plane = plane_coordinates(x, y);
-    sweep_.symmetry = [this]() -> const std::optional<ExchangingSymmetry>& {
-      if (!symmetry_) symmetry_ = exchanging_symmetry(x_, y_);
-      return *symmetry_;
-    };
-    sweep_.has_value = [this](const CertifiedPoint& point, Parameter p, const Rational& value) {
-      if (const auto exact = point.exact()) {
-        return takes_value(*exact, index(p), value);
-      }
-      const auto solution = rational_solution(x_, y_, point);
-      return solution && (*solution)[index(p)] == value;
-    };
-    sweep_.turning_of = [this](Parameter p) -> const std::optional<TurningValues>& {
-      return turning_values_of(p);
-    };
-    sweep_.zero_tangent = [this](const CertifiedPoint& point) { return known_zero_tangent(x_, y_, point); };
-    sweep_.common_zero = [this](const ParameterBox& where, std::size_t i, std::size_t j) {
-      return common_tangent_zero(x_, y_, where, i, j);
-    };
-    sweep_.is_on_sides = [this](const LineQuery& query, const RealAlgebraic& at) {
-      const LineArcs arcs =
-          line_arcs(x_, y_, query, scaling_, run_.drawn_tolerance(scaling_.extent), stop_, false);
-      return !arcs.incomplete &&
-             std::all_of(arcs.collapsed.begin(), arcs.collapsed.end(), [&](const CollapsedLine& other) {
-               return !(other.t == at) || other.value.compare(0) == 0 || other.value.compare(1) == 0;
-             });
-    };
-    sweep_.line = [this](const LineQuery& query) { return exact_line_points(x_, y_, query); };
+  Intersection(const BezierPatch& x, const BezierPatch& y, const Run& run, ExactPair& pair)
+      : x_(x), y_(y), run_(run), pair_(pair), scaling_(model_scale(x, y)), sweep_{pair} {
     sweep_.settled = [this](const SearchRegion& region) {
       if (!contacts_) contacts_.emplace(x_, y_);
       return contacts_->settles(region);
@@ -132,12 +97,7 @@ class Intersection {
           out_of_time(whole_domain(), "the work cap was reached before closed curves were excluded"));
       return;
     }
-    sweep_.turning = turning_.choice(stop_).turning;  // without one, closed curves are found by subdivision
-  }
-
-  const std::optional<TurningValues>& turning_values_of(Parameter sweep) {
-    const auto* known = turning_.values(sweep, !run_.out_of_time());
-    return known != nullptr ? *known : unknown_;
+    sweep_.turning = pair_.choice().turning;  // without one, closed curves are found by subdivision
   }
 
   /// Exact fibres at samples between all critical values, where no parameter is that of a pinch point.
@@ -159,13 +119,13 @@ class Intersection {
             out_of_time(whole_domain(), "the work cap was reached while fibres were computed"));
         return;
       }
-      LinePoints fibre = exact_line_points(x_, y_, {sweep_.turning->sweep, sample});
+      const LinePoints& fibre = pair_.fibre({sweep_.turning->sweep, sample});
       ParameterBox where = whole_domain();
       where[index(sweep_.turning->sweep)] = {sample, sample};
       if (fibre.incomplete || !fibre.on_patch.empty()) {
         incomplete(where, fibre.incomplete ? *fibre.incomplete : "a parameter line lies on the other patch");
       }
-      sweep_.fibres.push_back(std::move(fibre.points));
+      sweep_.fibres.push_back(fibre.points);
     }
     run_.count("fibres", static_cast<double>(sweep_.fibres.size()));
   }
@@ -176,21 +136,14 @@ class Intersection {
     if (!pinches_.empty()) {
       compute_fibres();
     }
-    const SingularPointProblem problem = {
-        x_,
-        y_,
-        sides_.points,
+    const SingularPointQuery query = {
+        pair_,
+        {sides_.points, sweep_.turning ? sweep_.turning->sweep : Parameter::u, sweep_.samples},
         on_side_arc_,
         pinches_,
-        std::ldexp(run_.drawn_tolerance(scaling_.extent), static_cast<int>(-scaling_.frame.exponent)),
-        sweep_.turning ? sweep_.turning->sweep : Parameter::u,
-        sweep_.samples,
-        [this](Parameter p) -> const std::optional<TurningValues>& { return turning_values_of(p); },
-        sweep_.coincident,
-        sweep_.symmetry,
-        stop_};
+        std::ldexp(run_.drawn_tolerance(scaling_.extent), static_cast<int>(-scaling_.frame.exponent))};
     const PairSystem<ArbBall<256>> system(x_, y_, scaling_.origin, scaling_.frame.exponent);
-    sweep_.stars = singular_stars(problem, system);
+    sweep_.stars = singular_stars(query, system);
     for (std::size_t k = 0; k < sweep_.stars.size(); ++k) {
       const StarNeighbourhood& star = sweep_.stars[k];
       for (LandmarkPoint& landmark : sweep_.landmarks) {
@@ -363,7 +316,7 @@ class Intersection {
   const BezierPatch& x_;
   const BezierPatch& y_;
   const Run& run_;
-  PairTurning& turning_;
+  ExactPair& pair_;
   ModelScale scaling_;
   StopRequest stop_ = run_.stop();
   SweepData sweep_;
@@ -372,8 +325,6 @@ class Intersection {
   std::vector<bool> on_side_arc_;           // per point
   std::vector<CertifiedPoint> pinches_;
   std::vector<int> star_nodes_;
-  std::optional<std::optional<ExchangingSymmetry>> symmetry_;  // outer: computed
-  const std::optional<TurningValues> unknown_ = std::nullopt;
   GraphBuilder graph_;
   IntersectResult result_{};
   bool cut_short_ = false;  // the last attempt's searches were, and something is left
@@ -382,8 +333,8 @@ class Intersection {
 }  // namespace
 
 IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y, const Run& run,
-                                   PairTurning& turning) {
-  return Intersection(x, y, run, turning).run();
+                                   ExactPair& pair) {
+  return Intersection(x, y, run, pair).run();
 }
 
 }  // namespace exsect

@@ -6,7 +6,7 @@
 #include <exsect/solver/result.h>
 
 #include "answer/run.h"
-#include "eliminant/pair_turning.h"
+#include "eliminant/exact_pair.h"
 
 namespace exsect {
 
@@ -14,6 +14,6 @@ namespace exsect {
 /// `turning` is of this pair.
 /// Precondition: both patches are surfaces, and not pieces of one surface.
 IntersectResult intersect_by_sweep(const BezierPatch& x, const BezierPatch& y, const Run& run,
-                                   PairTurning& turning);
+                                   ExactPair& pair);
 
 }  // namespace exsect

@@ -3,14 +3,20 @@
 #include <algorithm>
 
 #include "answer/graph_builder.h"
+#include "answer/model_scale.h"
 #include "answer/parameter_box.h"
+#include "line/known_tangent.h"
 #include "line/line_place.h"
+#include "side/line_arcs.h"
 #include "sweep/constant_parameter.h"
 #include "trace/enclose.h"
 
 namespace exsect {
 
 namespace {
+
+/// Of polylines that nobody sees, relative to the model.
+constexpr double kCoarse = 0x1p-7;
 
 template <class Ball>
 class MultipleTurningValues {
@@ -37,7 +43,7 @@ class MultipleTurningValues {
       return false;
     }
     const LineQuery query = {sweep_.turning->sweep, turning.value.rational()};
-    const LinePoints fibre = sweep_.line(query);
+    const LinePoints& fibre = sweep_.pair.fibre(query);
     return !fibre.incomplete &&
            std::all_of(fibre.on_patch.begin(), fibre.on_patch.end(),
                        [&](const AlgebraicInterval& part) { return is_traced(query, part); }) &&
@@ -56,7 +62,7 @@ class MultipleTurningValues {
     }
     const Parameter along = line_place(query).roles.line;
     if (part.from == part.to) {
-      return sweep_.is_on_sides && sweep_.is_on_sides(query, part.from);
+      return collapsed_lines_are_sides(query, part.from);
     }
     std::vector<RationalInterval> ends = {part.from.refined_to(power_of_two(-60)).interval(),
                                           part.to.refined_to(power_of_two(-60)).interval()};
@@ -83,6 +89,18 @@ class MultipleTurningValues {
       covered = std::max(covered, end.upper);
     }
     return true;
+  }
+
+  /// All lines of the other patch that are one point of this line, at this value along it, are sides of the
+  /// square; false: or not known.
+  bool collapsed_lines_are_sides(const LineQuery& query, const RealAlgebraic& at) const {
+    const BezierPatch& x = sweep_.pair.x();
+    const BezierPatch& y = sweep_.pair.y();
+    const ModelScale scale = model_scale(x, y);
+    const LineArcs arcs = line_arcs(x, y, query, scale, kCoarse * scale.extent, sweep_.pair.stop(), false);
+    return !arcs.incomplete && std::ranges::all_of(arcs.collapsed, [&](const CollapsedLine& other) {
+      return !(other.t == at) || other.value.compare(0) == 0 || other.value.compare(1) == 0;
+    });
   }
 
   /// A point of `line` across the line `across` is on a traced curve.
@@ -121,8 +139,9 @@ class MultipleTurningValues {
   }
 
   bool is_singular_star(const StarNeighbourhood& star) const {
-    const std::array<bool, 4> zero =
-        !is_singular(star) && sweep_.zero_tangent ? sweep_.zero_tangent(star.centre) : std::array<bool, 4>{};
+    const std::array<bool, 4> zero = is_singular(star)
+                                         ? std::array<bool, 4>{}
+                                         : known_zero_tangent(sweep_.pair.x(), sweep_.pair.y(), star.centre);
     return is_singular(star) || std::count(zero.begin(), zero.end(), true) == 4;
   }
 

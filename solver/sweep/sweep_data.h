@@ -2,17 +2,13 @@
 #pragma once
 
 #include <exsect/solver/certified_point.h>
-#include <exsect/solver/line_query.h>
 #include <exsect/solver/result.h>
 
-#include <functional>
 #include <optional>
 #include <vector>
 
-#include "eliminant/critical_values.h"
+#include "eliminant/exact_pair.h"
 #include "star/star_neighbourhood.h"
-#include "trace/contact_turning.h"
-#include "trace/exchanging_symmetry.h"
 #include "trace/subdivision.h"
 
 namespace exsect {
@@ -30,26 +26,14 @@ struct LandmarkPoint {
 
 /// The exact part of the sweep: what the tracer joins.
 struct SweepData {
-  std::vector<LandmarkPoint> landmarks;             // every intersection point on a side once; then all ports
-  std::vector<StarNeighbourhood> stars;             // pairwise disjoint
-  std::optional<TurningValues> turning;             // empty where no turning eliminant is defined
-  std::vector<Rational> samples;                    // of the sweep parameter
-  std::vector<std::vector<CertifiedPoint>> fibres;  // exact, one per sample
-  std::function<LinePoints(const LineQuery&)> line;  // line_points of the pair
-  /// All lines of the other patch that are one point of this line, at a value along it, are sides of the
-  /// square; false: or not known.
-  std::function<bool(const LineQuery&, const RealAlgebraic&)> is_on_sides;
-  std::function<bool(const CertifiedPoint&, Parameter, const Rational&)> has_value;  // false: or not known
-  TurningValuesOf turning_of;
-  /// Components of T that are known to vanish at a point.
-  std::function<std::array<bool, 4>(const CertifiedPoint&)> zero_tangent;
-  /// KnownTangent::common_zero.
-  std::function<std::optional<ParameterBox>(const ParameterBox&, std::size_t, std::size_t)> common_zero;
-  std::array<std::size_t, 4> coincident;            // coincident_parameters(x, y)
-  std::array<std::optional<std::size_t>, 2> plane;  // plane_coordinates(x, y)
-  SymmetryOf symmetry;                              // unless empty
-  SettledRegion settled;                            // what a search may leave out
-  bool quick = false;                               // searches are cut short: stars may help
+  ExactPair& pair;
+  std::vector<LandmarkPoint> landmarks = {};  // every intersection point on a side once; then all ports
+  std::vector<StarNeighbourhood> stars = {};  // pairwise disjoint
+  std::optional<TurningValues> turning = {};  // empty where no turning eliminant is defined
+  std::vector<Rational> samples = {};         // of the sweep parameter
+  std::vector<std::vector<CertifiedPoint>> fibres = {};  // exact, one per sample
+  SettledRegion settled = {};                            // what a search may leave out
+  bool quick = false;                                    // searches are cut short: stars may help
   bool exact = true;  // false: boundary points or fibres are known not to be complete
 };
 

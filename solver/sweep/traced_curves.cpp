@@ -5,6 +5,7 @@
 
 #include "answer/left_open.h"
 #include "answer/parameter_box.h"
+#include "line/known_tangent.h"
 #include "line/line_place.h"
 #include "line/line_points_in.h"
 #include "sweep/constant_parameter.h"
@@ -13,6 +14,7 @@
 #include "sweep/multiple_turning_values.h"
 #include "sweep/search_window.h"
 #include "trace/enclose.h"
+#include "trace/fixed_arc.h"
 #include "trace/landmark_tangent.h"
 #include "trace/search_direction.h"
 #include "trace/search_regions.h"
@@ -29,7 +31,12 @@ class CurveTracing {
  public:
   CurveTracing(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks, const SweepData& sweep,
                const Rational& width, const StopRequest& stop)
-      : system_(system), landmarks_(landmarks), sweep_(sweep), width_(width), stop_(stop) {}
+      : system_(system),
+        landmarks_(landmarks),
+        sweep_(sweep),
+        pair_(sweep.pair),
+        width_(width),
+        stop_(stop) {}
 
   TracedCurves<Ball> run() {
     if (sweep_.turning && sweep_.exact) {
@@ -73,24 +80,24 @@ class CurveTracing {
     if (query.value == 0 || query.value == 1) {
       return;
     }
-    const LinePoints line = sweep_.line(query);
+    const LinePoints& line = pair_.fibre(query);
     const Parameter along = line_place(query).roles.line;
-    if (line.incomplete || line.on_patch.empty() || !sweep_.turning_of(along) ||
-        !sweep_.turning_of(along)->touching) {
+    const auto& turning = pair_.turning(along);
+    if (line.incomplete || line.on_patch.empty() || !turning || !turning->touching) {
       return;
     }
     std::vector<CertifiedPoint> boundary;
     for (const LandmarkPoint& landmark : sweep_.landmarks) {
       boundary.push_back(landmark.point);
     }
-    TurningValues across = *sweep_.turning_of(along);
+    TurningValues across = *turning;
     for (const Rational& sample : sweep_samples(across, boundary)) {
       const bool on_line =
           std::any_of(line.on_patch.begin(), line.on_patch.end(), [&](const AlgebraicInterval& part) {
             return part.from.compare(sample) < 0 && part.to.compare(sample) > 0;
           });
-      const LinePoints fibre = on_line ? sweep_.line({along, sample}) : LinePoints();
-      for (const CertifiedPoint& point : fibre.points) {
+      if (!on_line) continue;
+      for (const CertifiedPoint& point : pair_.fibre({along, sample}).points) {
         const RationalInterval& at = point.box()[index(query.fixed)];
         if (at.lower <= query.value && query.value <= at.upper) {
           trace_contact_through(point);
@@ -118,7 +125,7 @@ class CurveTracing {
                            is_constant(system_, sweep_, contact.curve, p, width_);
     }
     mark_coincident(constant);
-    auto turns = find_contact_turns(system_, contact.curve, sweep_.turning_of, constant);
+    auto turns = find_contact_turns(system_, contact.curve, pair_, constant);
     if (const auto* failure = std::get_if<TraceFailure>(&turns)) {
       problem(around(failure->where), failure->why);
       return;
@@ -131,7 +138,7 @@ class CurveTracing {
   /// A parameter that is a function of a constant one is constant.
   void mark_coincident(std::array<bool, 4>& constant) const {
     for (std::size_t j = 0; j < 4; ++j) {
-      constant[j] = constant[j] || constant[sweep_.coincident[j]];
+      constant[j] = constant[j] || constant[pair_.coincident()[j]];
     }
   }
 
@@ -226,17 +233,19 @@ class CurveTracing {
     AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
     KnownTangent known;
     for (const Parameter p : all_parameters) {
-      known.constant[index(p)] = sweep_.line && may_be_constant(curve.trace, index(p)) &&
-                                 is_constant(system_, sweep_, curve.trace, p, width_);
+      known.constant[index(p)] =
+          may_be_constant(curve.trace, index(p)) && is_constant(system_, sweep_, curve.trace, p, width_);
     }
     mark_coincident(known.constant);
-    known.plane = sweep_.plane;
-    known.common_zero = sweep_.common_zero;
+    known.plane = pair_.plane();
+    known.common_zero = [this](const ParameterBox& where, std::size_t i, std::size_t j) {
+      return common_tangent_zero(pair_.x(), pair_.y(), where, i, j);
+    };
     known.at_start = tangent_signs_at(system_, landmarks_, sweep_, curve.trace.start);
     known.at_end = tangent_signs_at(system_, landmarks_, sweep_, curve.trace.end);
-    auto turning = find_turning_points(system_, curve.trace, sweep_.coincident, known);
+    auto turning = find_turning_points(system_, curve.trace, pair_.coincident(), known);
     if (std::holds_alternative<TraceFailure>(turning) && is_fixed(curve.trace)) {
-      turning = find_turning_points(system_, curve.trace, sweep_.symmetry()->partner, known);
+      turning = find_turning_points(system_, curve.trace, pair_.symmetry()->partner, known);
     }
     if (const auto* failure = std::get_if<TraceFailure>(&turning)) {
       problem(around(failure->where), failure->why);
@@ -248,7 +257,7 @@ class CurveTracing {
 
   /// By a symmetry that exchanges the patches: then parameters turn together with their partners.
   bool is_fixed(const Trace<Ball>& trace) const {
-    return sweep_.symmetry && sweep_.symmetry() && exsect::is_fixed(*sweep_.symmetry(), trace);
+    return pair_.symmetry() && exsect::is_fixed(*pair_.symmetry(), trace);
   }
 
   /// (u',v') on the pieces of the curves traced so far.
@@ -368,6 +377,7 @@ class CurveTracing {
   const PairSystem<Ball>& system_;
   const Landmarks<Ball>& landmarks_;
   const SweepData& sweep_;
+  ExactPair& pair_;
   const Rational& width_;
   const StopRequest& stop_;
   std::vector<std::vector<int>> used_;  // directions of T in which a curve leaves each landmark

@@ -155,14 +155,14 @@ class TurnSearch {
 
 template <class Ball>
 std::variant<std::vector<ContactTurn<Ball>>, TraceFailure> find_contact_turns(
-    const PairSystem<Ball>& system, const TangentialArc<Ball>& curve, const TurningValuesOf& turning,
+    const PairSystem<Ball>& system, const TangentialArc<Ball>& curve, ExactPair& pair,
     const std::array<bool, 4>& constant) {
   std::vector<ContactTurn<Ball>> turns;
   for (const Parameter p : all_parameters) {
     if (constant[index(p)]) {
       continue;
     }
-    if (auto failure = TurnSearch<Ball>(system, curve, p, turning(p)).append_to(turns)) {
+    if (auto failure = TurnSearch<Ball>(system, curve, p, pair.turning(p)).append_to(turns)) {
       return *failure;
     }
   }
@@ -185,10 +185,9 @@ bool may_be_constant(const PairSystem<Ball>& system, const TangentialArc<Ball>& 
   });
 }
 
-#define EXSECT_INSTANTIATE_CONTACT(Ball)                                                  \
-  template std::variant<std::vector<ContactTurn<Ball>>, TraceFailure> find_contact_turns( \
-      const PairSystem<Ball>&, const TangentialArc<Ball>&, const TurningValuesOf&,        \
-      const std::array<bool, 4>&);                                                        \
+#define EXSECT_INSTANTIATE_CONTACT(Ball)                                                            \
+  template std::variant<std::vector<ContactTurn<Ball>>, TraceFailure> find_contact_turns(           \
+      const PairSystem<Ball>&, const TangentialArc<Ball>&, ExactPair&, const std::array<bool, 4>&); \
   template bool may_be_constant(const PairSystem<Ball>&, const TangentialArc<Ball>&, std::size_t);
 
 EXSECT_INSTANTIATE_CONTACT(DoubleBall)

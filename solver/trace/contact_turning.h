@@ -1,12 +1,11 @@
 // Turning points of curves along which the patches touch. Internal to solver/.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
 
-#include "eliminant/critical_values.h"
+#include "eliminant/exact_pair.h"
 #include "trace/tangential_arc.h"
 
 namespace exsect {
@@ -22,16 +21,13 @@ struct ContactTurn {
   BallPoint<Ball> box;
 };
 
-/// The turning values of a sweep; empty if they are not defined.
-using TurningValuesOf = std::function<const std::optional<TurningValues>&(Parameter)>;
-
 /// All turning points, in order. Where the derivative of a parameter cannot be told from zero, at most one
 /// turning value of it may lie: between two zeros of the derivative there is another one with another value,
 /// so that the derivative vanishes there at most once. The parameters marked `constant` do not turn. Fails
 /// where a turning point cannot be decided.
 template <class Ball>
 std::variant<std::vector<ContactTurn<Ball>>, TraceFailure> find_contact_turns(
-    const PairSystem<Ball>& system, const TangentialArc<Ball>& curve, const TurningValuesOf& turning,
+    const PairSystem<Ball>& system, const TangentialArc<Ball>& curve, ExactPair& pair,
     const std::array<bool, 4>& constant);
 
 /// False only if the parameter is proved to change along the curve.

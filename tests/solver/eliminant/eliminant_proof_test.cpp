@@ -25,8 +25,8 @@ using random_pairs::Pair;
 using Family = Pair (*)(Generator&);
 
 std::optional<IntersectResult> confirmed(const BezierPatch& x, const BezierPatch& y) {
-  PairTurning turning(x, y);
-  return confirmed_curves(x, y, {}, turning);
+  ExactPair pair(x, y);
+  return confirmed_curves(x, y, {}, pair);
 }
 
 FibreCount exact_count(const Pair& pair, Parameter sweep) {

@@ -15,7 +15,8 @@ const Rational half(1, 2);
 /// The star of G[h] and the plane at u = v = 1/2, where both sweeps have a turning value.
 std::optional<StarNeighbourhood> star_at_centre(const BezierPatch& x, const BezierPatch& y, Parameter sweep,
                                                 double halfwidth) {
-  const auto turning = turning_values(x, y, sweep);
+  ExactPair pair(x, y);
+  const auto& turning = pair.turning(sweep);
   REQUIRE(turning);
   std::vector<CertifiedPoint> boundary;
   for (const Parameter p : all_parameters) {
@@ -27,15 +28,12 @@ std::optional<StarNeighbourhood> star_at_centre(const BezierPatch& x, const Bezi
       }
     }
   }
-  const Parameter other = sweep == Parameter::u ? Parameter::v : Parameter::u;
-  const auto other_turning = turning_values(x, y, other);
-  REQUIRE(other_turning);
-  const StarProblem problem = {x, y, *turning, boundary, halfwidth, {&*other_turning}, true, Parameter::s,
-                               {}};
+  const StarPlaces places = {boundary, Parameter::s, {}};
+  const StarQuery query = {pair, places, *turning, halfwidth};
   for (const CertifiedPoint& point : line_points(x, y, {sweep, half}).points) {
     const ParameterBox box = point.box();
     if (box[0].lower <= half && half <= box[0].upper && box[1].lower <= half && half <= box[1].upper) {
-      return star_neighbourhood(problem, point, half);
+      return star_neighbourhood(query, point, half);
     }
   }
   return std::nullopt;

@@ -1,4 +1,4 @@
-#include "trace/exchanging_symmetry.h"
+#include "shape/exchanging_symmetry.h"
 
 #include <exsect/geometry/pull_back.h>
 
@@ -7,9 +7,9 @@ namespace exsect {
 namespace {
 
 /// The affine map from(p_k) = q_k given by four points in general position.
-class AffineMap {
+class AffineMapOfSpace {
  public:
-  AffineMap(const std::array<Point, 4>& from, const std::array<Point, 4>& to)
+  AffineMapOfSpace(const std::array<Point, 4>& from, const std::array<Point, 4>& to)
       : origin_(from[0]), image_(to[0]) {
     for (std::size_t i = 0; i < 3; ++i) {
       from_[i] = from[i + 1] - from[0];
@@ -50,7 +50,7 @@ std::optional<std::array<std::size_t, 4>> frame_of(const std::array<Point, 9>& p
 
 /// The form that is zero at the fixed points of an involution, if these are a plane: A p - p is the form
 /// times a vector.
-std::optional<AffineForm> fixed_plane(const AffineMap& map) {
+std::optional<AffineForm> fixed_plane(const AffineMapOfSpace& map) {
   std::array<Point, 3> moved;  // the columns of A - 1
   for (std::size_t j = 0; j < 3; ++j) {
     Point axis = {0, 0, 0};
@@ -76,7 +76,7 @@ std::optional<AffineForm> plane_of_exchange(const std::array<Point, 9>& x,
     from[i] = x[frame[i]];
     to[i] = y[frame[i]];
   }
-  const AffineMap map(from, to);
+  const AffineMapOfSpace map(from, to);
   for (std::size_t k = 0; k < 9; ++k)
     if (map(x[k]) != y[k] || map(y[k]) != x[k]) return std::nullopt;
   return fixed_plane(map);
@@ -105,36 +105,5 @@ std::optional<ExchangingSymmetry> exchanging_symmetry(const BezierPatch& x, cons
   }
   return std::nullopt;
 }
-
-template <class Ball>
-bool is_fixed(const ExchangingSymmetry& symmetry, const Tube<Ball>& tube) {
-  const auto centre = [&](std::size_t j) { return tube.centre[j].interval().lower; };
-  // A fixed point over the tube's centre: one parameter of x is given, the other one is a zero of the
-  // section.
-  const std::size_t partner = symmetry.partner[tube.axis];
-  const std::size_t given = tube.axis < 2 ? tube.axis : partner;
-  const std::size_t other = 1 - given;
-  const RationalInterval middle = {centre(tube.axis), centre(tube.axis)};
-  const Rational room = from_double(tube.halfwidth[other]) / 2;
-  std::array<RationalInterval, 4> at;
-  at[given] = tube.axis < 2 ? middle : symmetry.partner_range(tube.axis, middle);
-  at[other] = {centre(other) - room, centre(other) + room};
-  const auto value = [&](const Rational& t) {
-    return given == 0 ? symmetry.section(at[0].lower, t) : symmetry.section(t, at[1].lower);
-  };
-  if (!(value(at[other].lower) * value(at[other].upper) < 0)) return false;
-  for (const std::size_t j : {0U, 1U}) at[symmetry.partner[j]] = symmetry.partner_range(j, at[j]);
-  for (std::size_t j = 0; j < 4; ++j) {
-    const Rational width = j == tube.axis ? Rational(0) : from_double(tube.halfwidth[j]);
-    if (at[j].lower < centre(j) - width || at[j].upper > centre(j) + width) return false;
-  }
-  const double sign = symmetry.reversed[tube.axis] ? -1 : 1;
-  return sign * tube.slope[partner] > tube.slope_error[partner];
-}
-
-template bool is_fixed(const ExchangingSymmetry&, const Tube<DoubleBall>&);
-template bool is_fixed(const ExchangingSymmetry&, const Tube<DoubleDoubleBall>&);
-template bool is_fixed(const ExchangingSymmetry&, const Tube<ArbBall<256>>&);
-template bool is_fixed(const ExchangingSymmetry&, const Tube<ArbBall<1024>>&);
 
 }  // namespace exsect
