@@ -18,7 +18,9 @@ namespace {
 constexpr double kStripShare = 0.55;
 constexpr double kChordShare = 0.3;
 /// The greatest half width of strips in v.
-constexpr double kWidestStrip = 0x1p-5;
+constexpr double kWidestStrip = 0x1p-9;
+/// Bounds of derivatives are for what is as near as this to a chord: more than strips, and moved ends.
+constexpr double kNear = 0x1p-8;
 constexpr double kLongestStep = 0x1p-3;
 /// After so many halved steps arcs are told apart exactly.
 constexpr int kPatience = 8;
@@ -26,8 +28,8 @@ constexpr int kPatience = 8;
 constexpr double kLeastStep = 0x1p-46;
 constexpr double kLeastLongStep = 0x1p-900;
 
-double strip_width(const DrawnPatch& patch, double tolerance) {
-  const double w = kStripShare * tolerance / patch.rates().v;
+double strip_width(const PatchRates& rates, double tolerance) {
+  const double w = kStripShare * tolerance / rates.v;
   return w < kWidestStrip ? w : kWidestStrip;
 }
 
@@ -61,9 +63,7 @@ class Follower {
   Follower(const CurveGraph& graph, std::size_t arc, const NodePlace& node, const DrawnPatch& patch,
            double tolerance)
       : graph_(graph), arc_(arc), node_(node), patch_(patch), tolerance_(tolerance) {
-    widest_ = strip_width(patch, tolerance);
-    steepness_ = graph.is_monotone_in_v ? patch.rates().v / patch.rates().u : 0;
-    if (!std::isfinite(steepness_)) steepness_ = 0;
+    use(patch.rates());
   }
 
   HalfCourse run(Front front) {
@@ -74,6 +74,19 @@ class Follower {
   }
 
  private:
+  /// Bounds for the next chord, and what follows from them.
+  void use(const PatchRates& rates) {
+    rates_ = rates;
+    widest_ = strip_width(rates, tolerance_);
+    steepness_ = graph_.is_monotone_in_v ? rates.v / rates.u : 0;
+    if (!std::isfinite(steepness_)) steepness_ = 0;
+  }
+
+  PatchRates rates_near(double u0, double u1, double v0, double v1) const {
+    return patch_.rates_in(std::min(u0, u1) - kNear, std::max(u0, u1) + kNear, std::min(v0, v1) - kNear,
+                           std::max(v0, v1) + kNear);
+  }
+
   template <class Ball>
   static Ball rounded(const Rational& q) {
     return Ball::enclosing(q).midpoint();
@@ -157,7 +170,8 @@ class Follower {
   bool advance(const PlaneStrip<Ball>& curve, StripPoint<Ball>& at, double& at_reach,
                const StripPoint<Ball>& to, double share, double slack) {
     const double du = (to.u - at.u).upper_magnitude(), dv = (to.v - at.v).upper_magnitude();
-    const double chord = patch_.chord_bound(du, dv) + patch_.rates().u * slack;
+    use(rates_near(at.u.approximation(), to.u.approximation(), at.v.approximation(), to.v.approximation()));
+    const double chord = chord_bound(rates_, du, dv) + rates_.u * slack;
     if (!(chord <= kChordShare * tolerance_)) return false;
     const double slope = (to.v - at.v).lower_magnitude() / du * kReduced;
     const double width = std::min(share * widest_ * std::max(1.0, slope * steepness_), kWidestStrip);
@@ -165,19 +179,19 @@ class Follower {
     const std::optional<double> off = curve.clear(at, to, width, slack);
     if (!off || !(at_reach + *off < width)) return false;
     double reach = (width + *off) * kSlack;
-    double strip = patch_.rates().v * reach;
+    double strip = rates_.v * reach;
     if (width > widest_) {
       std::optional<double> at_end =
           slack > 0 ? place_slack(1, exact(to.v)) : curve.distance_of_zero(to, reach);
       if (!at_end) at_end = exact_distance(exact(to.u), exact(to.v), widest_);
       if (!at_end || !(*at_end < widest_ / 8) || !(dv > 2 * (at_reach + *at_end))) return false;
-      strip = patch_.rates().u * reach / slope + patch_.rates().v * larger_bound(at_reach, *at_end);
+      strip = rates_.u * reach / slope + rates_.v * larger_bound(at_reach, *at_end);
       reach = *at_end;
     }
     at = to;
     at_reach = reach;
     course_.vertices.push_back(vertex_at(at.u, at.v));
-    last_ = {du, dv, strip + patch_.rates().u * slack};
+    last_ = {du, dv, strip + rates_.u * slack, rates_};
     course_.bound = larger_bound(course_.bound, strip + chord);
     return true;
   }
@@ -220,8 +234,8 @@ class Follower {
     if (!course_.vertices.empty() && moved <= widest_ / 16) {  // the last chord turns a little
       course_.vertices.back() = vertex_at(at.u, at.v);
       last_.dv += moved * kSlack;
-      last_.strip += patch_.rates().v * moved * kSlack;
-      course_.bound = larger_bound(course_.bound, last_.strip + patch_.chord_bound(last_.du, last_.dv));
+      last_.strip += last_.rates.v * moved * kSlack;
+      course_.bound = larger_bound(course_.bound, last_.strip + chord_bound(last_.rates, last_.du, last_.dv));
     } else {
       course_.vertices.push_back(vertex_at(at.u, at.v));
     }
@@ -232,11 +246,13 @@ class Follower {
   const NodePlace& node_;
   const DrawnPatch& patch_;
   double tolerance_;
+  PatchRates rates_;
   double widest_;
   double steepness_;  // D_v / D_u if the arc is monotone in v, else 0
   double slope_ = 0;  // of the last chord
   struct {
     double du, dv, strip;
+    PatchRates rates;
   } last_{};  // chord
   HalfCourse course_;
 };
@@ -277,7 +293,7 @@ bool is_on_side(const TriangularPoint& inside) {
 }  // namespace
 
 Rational place_width(const DrawnPatch& patch, double tolerance) {
-  const double w = std::min(strip_width(patch, tolerance), kChordShare * tolerance / patch.rates().u);
+  const double w = std::min(strip_width(patch.rates(), tolerance), kChordShare * tolerance / patch.rates().u);
   if (!(w > 0)) throw ProofFailure(whole_domain(), "the tolerance is below the range of doubles");
   return std::min<Rational>(power_of_two(-60), power_of_two(std::ilogb(w) - 12));
 }
@@ -289,7 +305,7 @@ CurveCourse curve_course(const CurveGraph& graph, const std::vector<NodePlace>& 
   const std::optional<ArcColumns> columns = columns_of_arcs(graph)[arc];
   if (!columns || is_on_side(branch.inside)) return straight_course(from, to, patch, tolerance);
   const Rational u = inner_place(graph, *columns);
-  const double fine = strip_width(patch, tolerance) * 0x1p-10;
+  const double fine = strip_width(patch.rates(), tolerance) * 0x1p-10;
   const RationalInterval at =
       *arc_over(graph, arc, u, std::min<Rational>(from_double(fine), power_of_two(-60)));
   const Rational v = from_double(to_double(at.midpoint()));
@@ -307,7 +323,7 @@ CurveCourse straight_course(const NodePlace& from, const NodePlace& to, const Dr
                             double tolerance) {
   const Rational u0 = from[0].midpoint(), v0 = from[1].midpoint();
   const Rational du = to[0].midpoint() - u0, dv = to[1].midpoint() - v0;
-  const double whole = patch.chord_bound(to_double(du), to_double(dv));
+  const double whole = chord_bound(patch.rates(), to_double(du), to_double(dv));
   const double wanted = std::ceil(std::sqrt(whole / (kChordShare * tolerance)));
   const int count = wanted < 100000 ? std::max(1, static_cast<int>(wanted)) : 100000;
   std::vector<Vertex> vertices;

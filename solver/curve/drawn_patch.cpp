@@ -43,24 +43,32 @@ double least_value(const BivariatePolynomial& f) {
   return 0;
 }
 
-/// From X = w x about the centre by Leibniz's rule: w x_u = X_u - w_u x, and so on.
-PatchRates rates_of(const Components& x) {
-  const double w = least_value(x[3]);
-  const Components x_u = derived(x, true), x_v = derived(x, false);
-  const LengthBounds none = length_bounds(x), u = length_bounds(x_u), v = length_bounds(x_v);
-  const double size = none.vector / w;
-  const auto second = [&](const Components& f, double rate_a, double weight_a, double rate_b,
+/// From X = w x about the centre by Leibniz's rule: w x_u = X_u - w_u x, and so on. `bounds` of the
+/// derivatives of X by numbers of times in u and v; `w`: the least weight.
+template <class Bounds>
+PatchRates rates_from(double w, const Bounds& bounds) {
+  const LengthBounds u = bounds(1, 0), v = bounds(0, 1);
+  const double size = bounds(0, 0).vector / w;
+  const auto second = [&](const LengthBounds& of, double rate_a, double weight_a, double rate_b,
                           double weight_b) {
-    const LengthBounds of = length_bounds(f);
     return (of.vector + of.weight * size + rate_a * weight_b + rate_b * weight_a) / w * kSlack;
   };
   PatchRates rates{};
   rates.u = (u.vector + u.weight * size) / w * kSlack;
   rates.v = (v.vector + v.weight * size) / w * kSlack;
-  rates.uu = second(derived(x_u, true), rates.u, u.weight, rates.u, u.weight);
-  rates.uv = second(derived(x_u, false), rates.u, u.weight, rates.v, v.weight);
-  rates.vv = second(derived(x_v, false), rates.v, v.weight, rates.v, v.weight);
+  rates.uu = second(bounds(2, 0), rates.u, u.weight, rates.u, u.weight);
+  rates.uv = second(bounds(1, 1), rates.u, u.weight, rates.v, v.weight);
+  rates.vv = second(bounds(0, 2), rates.v, v.weight, rates.v, v.weight);
   return rates;
+}
+
+PatchRates rates_of(const Components& x) {
+  return rates_from(least_value(x[3]), [&](int a, int b) {
+    Components f = x;
+    for (int k = 0; k < a; ++k) f = derived(f, true);
+    for (int k = 0; k < b; ++k) f = derived(f, false);
+    return length_bounds(f);
+  });
 }
 
 }  // namespace
@@ -79,6 +87,7 @@ DrawnPatch::DrawnPatch(const RationalPatch& patch) {
   for (int k = 0; k < 4; ++k) x[static_cast<std::size_t>(k)] = patch.component(k);
   for (std::size_t k = 0; k < 3; ++k) x[k] -= x[3] * BivariatePolynomial::constant(centre[k]);
   rates_ = rates_of(x);
+  cells_.resize(std::size_t{kCells} * kCells);
   m_ = patch.degree_u();
   n_ = patch.degree_v();
   for (std::size_t k = 0; k < 4; ++k)
@@ -110,10 +119,60 @@ DrawnPoint DrawnPatch::at(const DoubleBall& u, const DoubleBall& v) const {
   return result;
 }
 
-double DrawnPatch::chord_bound(double du, double dv) const {
+DoubleBall DrawnPatch::derivative(std::size_t k, int a, int b, const DoubleBall& u,
+                                  const DoubleBall& v) const {
+  const auto factor = [](int power, int times) {
+    double result = 1;
+    for (int t = 0; t < times; ++t) result *= power - t;
+    return DoubleBall(result);
+  };
+  DoubleBall result;
+  for (int i = m_; i >= a; --i) {
+    DoubleBall in_v;
+    for (int j = n_; j >= b; --j)
+      in_v = in_v * v + factor(j, b) * components_[k][static_cast<std::size_t>(i * (n_ + 1) + j)];
+    result = result * u + factor(i, a) * in_v;
+  }
+  return result;
+}
+
+/// As rates_of(), in ball arithmetic; the rates on the square where that does not keep the weight positive.
+PatchRates DrawnPatch::rates_of_cell(int i, int j) const {
+  const double half = 0.5 / kCells;
+  const DoubleBall u = DoubleBall((i + 0.5) / kCells).widened(half),
+                   v = DoubleBall((j + 0.5) / kCells).widened(half);
+  const auto bounds = [&](int a, int b) {
+    std::array<double, 4> most{};
+    for (std::size_t k = 0; k < 4; ++k) most[k] = derivative(k, a, b, u, v).upper_magnitude();
+    return LengthBounds{length_bound(most[0], most[1], most[2]), most[3]};
+  };
+  const DoubleBall weight = derivative(3, 0, 0, u, v);
+  if (!weight.is_positive()) return rates_;
+  return rates_from(weight.lower_magnitude(), bounds);
+}
+
+PatchRates DrawnPatch::rates_in(double u0, double u1, double v0, double v1) const {
+  const auto cell = [](double t) {
+    return std::clamp(static_cast<int>(std::floor(t * kCells)), 0, kCells - 1);
+  };
+  PatchRates result{};
+  for (int i = cell(u0); i <= cell(u1); ++i)
+    for (int j = cell(v0); j <= cell(v1); ++j) {
+      std::optional<PatchRates>& known = cells_[static_cast<std::size_t>(i * kCells + j)];
+      if (!known) known = rates_of_cell(i, j);
+      result.u = larger_bound(result.u, known->u);
+      result.v = larger_bound(result.v, known->v);
+      result.uu = larger_bound(result.uu, known->uu);
+      result.uv = larger_bound(result.uv, known->uv);
+      result.vv = larger_bound(result.vv, known->vv);
+    }
+  return result;
+}
+
+double chord_bound(const PatchRates& rates, double du, double dv) {
   du = std::fabs(du);
   dv = std::fabs(dv);
-  return (rates_.uu * du * du + 2 * rates_.uv * du * dv + rates_.vv * dv * dv) / 8 * kSlack;
+  return (rates.uu * du * du + 2 * rates.uv * du * dv + rates.vv * dv * dv) / 8 * kSlack;
 }
 
 }  // namespace exsect
