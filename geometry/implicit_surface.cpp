@@ -63,13 +63,13 @@ Length Length::of_squared(const Rational& q) { return {abs(q), sign(q)}; }
 
 ImplicitSurface ImplicitSurface::plane(const Point& point, const Point& normal) {
   require_direction("normal", normal);
-  return {SurfaceKind::plane, height(point, normal)};
+  return {SurfaceKind::plane, SurfaceData{point, normal, 0, 0}, height(point, normal)};
 }
 
 ImplicitSurface ImplicitSurface::cylinder(const Point& point, const Point& axis, const Length& radius) {
   require_direction("axis", axis);
   require_positive_length("radius", radius);
-  return {SurfaceKind::cylinder,
+  return {SurfaceKind::cylinder, SurfaceData{point, axis, radius.squared(), 0},
           axis_distance(point, axis) - SpacePolynomial::constant(radius.squared() * dot(axis, axis))};
 }
 
@@ -78,14 +78,16 @@ ImplicitSurface ImplicitSurface::cone(const Point& apex, const Point& axis, cons
   require_positive_length("slope", slope);
   if (nappes != 1 && nappes != 2) throw SurfaceError("nappes", "neither 1 nor 2");
   const SpacePolynomial h = height(apex, axis);
-  ImplicitSurface cone(SurfaceKind::cone, axis_distance(apex, axis) - slope.squared() * h * h);
+  ImplicitSurface cone(SurfaceKind::cone, SurfaceData{apex, axis, slope.squared(), 0},
+                       axis_distance(apex, axis) - slope.squared() * h * h);
   if (nappes == 1) cone.bound_ = HalfSpaceBound{axis, -dot(apex, axis)};
   return cone;
 }
 
 ImplicitSurface ImplicitSurface::sphere(const Point& centre, const Length& radius) {
   require_positive_length("radius", radius);
-  return {SurfaceKind::sphere, squared_distance(centre) - SpacePolynomial::constant(radius.squared())};
+  return {SurfaceKind::sphere, SurfaceData{centre, {0, 0, 0}, radius.squared(), 0},
+          squared_distance(centre) - SpacePolynomial::constant(radius.squared())};
 }
 
 ImplicitSurface ImplicitSurface::torus(const Point& centre, const Point& axis, const Length& major,
@@ -101,14 +103,14 @@ ImplicitSurface ImplicitSurface::torus(const Point& centre, const Point& axis, c
   }
   const SpacePolynomial s =
       squared_distance(centre) + SpacePolynomial::constant(major.squared() - minor.squared());
-  return {SurfaceKind::torus,
+  return {SurfaceKind::torus, SurfaceData{centre, axis, major.squared(), minor.squared()},
           dot(axis, axis) * (s * s) - Rational(4 * major.squared()) * axis_distance(centre, axis)};
 }
 
 ImplicitSurface ImplicitSurface::polynomial(const SpacePolynomial& f) {
   if (f.degree() < 1) throw SurfaceError("terms", "the polynomial is constant");
   if (f.degree() > 4) throw SurfaceError("terms", "the degree is above 4");
-  return {SurfaceKind::polynomial, f};
+  return {SurfaceKind::polynomial, std::nullopt, f};
 }
 
 bool ImplicitSurface::contains(const Point& p) const {
@@ -126,7 +128,13 @@ ImplicitSurface ImplicitSurface::seen_from(const Point& origin, const Rational& 
       for (int i = 0; i < exponents[k]; ++i) term = term * coordinate[k];
     moved += term;
   }
-  ImplicitSurface result(kind_, std::move(moved));
+  std::optional<SurfaceData> data = data_;
+  if (data) {
+    data->point = 1 / scale * (data->point - origin);
+    data->minor_squared /= scale * scale;
+    if (kind_ != SurfaceKind::cone) data->squared /= scale * scale;
+  }
+  ImplicitSurface result(kind_, std::move(data), std::move(moved));
   if (bound_) result.bound_ = HalfSpaceBound{scale * bound_->normal, (*bound_)(origin)};
   return result;
 }

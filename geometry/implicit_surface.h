@@ -54,6 +54,15 @@ struct HalfSpaceBound {
   Rational operator()(const Point& p) const { return dot(normal, p) + constant; }
 };
 
+/// What a maker was given. The directions are not normalised.
+struct SurfaceData {
+  Point point;  // of the plane or of the axis; the apex, the centre
+  Point axis;   // of a plane its normal; zero for a sphere
+  /// Of the radius, of the slope of a cone, of the major radius of a torus; 0 for a plane.
+  Rational squared;
+  Rational minor_squared;  // 0 unless it is a torus
+};
+
 /// The real points of equation() = 0, and of one nappe only those in the half space bound(). Invariant: the
 /// degree is 1 to 4, and every kind but `polynomial` has real points, a surface that is smooth apart from the
 /// apex of a cone. Directions are any rational vectors other than zero, not normalised. The makers throw
@@ -72,6 +81,8 @@ class ImplicitSurface {
   static ImplicitSurface polynomial(const SpacePolynomial& f);
 
   SurfaceKind kind() const { return kind_; }
+  /// Empty for a polynomial.
+  const std::optional<SurfaceData>& data() const { return data_; }
   /// F of (17.1), not divided by common factors of its coefficients.
   const SpacePolynomial& equation() const { return equation_; }
   /// Of one nappe of a cone.
@@ -81,9 +92,11 @@ class ImplicitSurface {
   ImplicitSurface seen_from(const Point& origin, const Rational& scale) const;
 
  private:
-  ImplicitSurface(SurfaceKind kind, SpacePolynomial equation) : kind_(kind), equation_(std::move(equation)) {}
+  ImplicitSurface(SurfaceKind kind, std::optional<SurfaceData> data, SpacePolynomial equation)
+      : kind_(kind), data_(std::move(data)), equation_(std::move(equation)) {}
 
   SurfaceKind kind_;
+  std::optional<SurfaceData> data_;
   SpacePolynomial equation_;
   std::optional<HalfSpaceBound> bound_;
 };

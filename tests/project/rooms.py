@@ -22,7 +22,7 @@ FLOORS = {
     "solver": [
         ["answer"],
         ["curve"],
-        ["shape", "line"],
+        ["shape", "line", "lift"],
         ["eliminant"],
         ["trace"],
         ["side", "star", "filter"],

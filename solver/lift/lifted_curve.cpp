@@ -1,0 +1,209 @@
+#include "lift/lifted_curve.h"
+
+#include <exsect/algebra/bivariate_factors.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "answer/parameter_box.h"
+#include "answer/proof_failure.h"
+#include "curve/plane_curve.h"
+#include "curve/turning_in_v.h"
+
+namespace exsect {
+namespace {
+
+int sign_of(const BivariatePolynomial& f, const TriangularPoint& p) {
+  return f.is_zero() ? 0 : sign_at(f.exchanged(), p);
+}
+
+std::vector<ShadowFactor> factors_of(const Shadow& shadow) {
+  std::vector<ShadowFactor> result;
+  for (const BivariatePower& power : irreducible_factors(shadow.common))
+    result.push_back({power.factor, power.multiplicity, 0});
+  for (const BivariatePower& power : irreducible_factors(shadow.norm)) {
+    const auto same = std::find_if(result.begin(), result.end(),
+                                   [&](const ShadowFactor& known) { return known.factor == power.factor; });
+    if (same == result.end())
+      result.push_back({power.factor, 0, power.multiplicity});
+    else
+      same->in_norm = power.multiplicity;
+  }
+  return result;
+}
+
+/// The linear function of a half space bound.
+SpacePolynomial form_of(const HalfSpaceBound& bound) {
+  SpacePolynomial form = SpacePolynomial::constant(bound.constant);
+  for (std::size_t k = 0; k < 3; ++k) form += bound.normal[k] * SpacePolynomial::variable(k);
+  return form;
+}
+
+/// u of the point in the chart.
+Rational parameter_of(const Point& p, const SurfaceChart& chart) {
+  return dot(p - chart.origin, chart.along_u) / dot(chart.along_u, chart.along_u);
+}
+
+class Lifting {
+ public:
+  Lifting(const ImplicitSurface& surface, const ImplicitSurface& other, LiftedCurve& result)
+      : result_(result) {
+    marks_ = BivariatePolynomial::constant(1);
+    for (const ImplicitSurface* cone : {&surface, &other}) {
+      if (!cone->bound()) continue;
+      bounds_.push_back(on_chart(form_of(*cone->bound()), result.chart));
+      const Rational at = parameter_of(cone->data()->point, result.chart);
+      if (at > 0 && at < 1) marks_ = marks_ * (BivariatePolynomial::r() - BivariatePolynomial::constant(at));
+    }
+    for (const ShadowFactor& factor : result.factors) {
+      shadow_ = shadow_.is_zero() ? factor.factor : shadow_ * factor.factor;
+    }
+    shadow_u_ = shadow_.derivative_r();
+    shadow_v_ = shadow_.derivative_s();
+  }
+
+  void run() {
+    if (result_.factors.empty()) return;
+    const std::optional<BivariatePolynomial> half =
+        result_.chart.is_flat() ? std::nullopt : std::optional(result_.chart.radicand);
+    result_.below = with_turning_in_v(curve_graph(shadow_ * marks_, half));
+    for (std::size_t i = 0; i < result_.below.arcs.size(); ++i) lift_arc(i);
+    for (std::size_t i = 0; i < result_.below.nodes.size(); ++i) lift_node(i);
+    drop_loose_nodes();
+  }
+
+ private:
+  /// y of the rest's zero over p, where its b is not 0.
+  int own_sheet(const TriangularPoint& p) const {
+    return -sign_of(result_.shadow.rest.a, p) * sign_of(result_.shadow.rest.b, p);
+  }
+
+  bool is_kept(const TriangularPoint& p, int sheet) const {
+    return std::all_of(bounds_.begin(), bounds_.end(), [&](const SheetFunction& bound) {
+      return sign_on_sheet(bound, result_.chart, p, sheet) >= 0;
+    });
+  }
+
+  void lift_arc(std::size_t i) {
+    const TriangularPoint& inside = result_.below.arcs[i].inside;
+    for (std::size_t k = 0; k < result_.factors.size(); ++k) {
+      const ShadowFactor& factor = result_.factors[k];
+      if (sign_of(factor.factor, inside) != 0) continue;
+      if (sign_of(result_.chart.radicand, inside) == 0) {
+        add_arc(i, 0, k, result_.chart.is_flat() ? factor.in_norm : 2 * factor.in_common + factor.in_norm);
+        return;
+      }
+      const int own = factor.in_norm > 0 ? own_sheet(inside) : 0;
+      for (const int sheet : {-1, 1}) {
+        const int multiplicity = factor.in_common + (sheet == own ? factor.in_norm : 0);
+        if (multiplicity > 0) add_arc(i, sheet, k, multiplicity);
+      }
+      return;
+    }
+  }
+
+  void add_arc(std::size_t i, int sheet, std::size_t factor, int multiplicity) {
+    const CurveBranch& arc = result_.below.arcs[i];
+    if (!is_kept(arc.inside, sheet)) return;
+    result_.arcs.push_back(
+        {i, sheet, node_over(arc.from, sheet), node_over(arc.to, sheet), factor, multiplicity});
+    ++result_.nodes[result_.arcs.back().from].degree;
+    ++result_.nodes[result_.arcs.back().to].degree;
+  }
+
+  /// The radicand has no zero at a node that is not exact, unless it vanishes on its arcs.
+  std::size_t node_over(std::size_t below, int sheet) {
+    const CurveNode& node = result_.below.nodes[below];
+    if (sheet != 0 && node.exact && sign_of(result_.chart.radicand, *node.exact) == 0) sheet = 0;
+    for (std::size_t i = 0; i < result_.nodes.size(); ++i)
+      if (result_.nodes[i].below == below && result_.nodes[i].sheet == sheet) return i;
+    const bool goes_on = node.is_on_side && (node.u == RealAlgebraic(0) || node.u == RealAlgebraic(1));
+    result_.nodes.push_back({below, sheet, 0, false, goes_on});
+    return result_.nodes.size() - 1;
+  }
+
+  /// Common points over an exact node without arcs on their sheet, and what kind of point the others are.
+  void lift_node(std::size_t below) {
+    const CurveNode& node = result_.below.nodes[below];
+    if (!node.exact || sign_of(shadow_, *node.exact) != 0) return;
+    const TriangularPoint& p = *node.exact;
+    const SheetFunction& rest = result_.shadow.rest;
+    const bool on_common = sign_of(result_.shadow.common, p) == 0;
+    const bool is_free = on_common || (sign_of(rest.a, p) == 0 && sign_of(rest.b, p) == 0);
+    const bool is_smooth = sign_of(shadow_u_, p) != 0 || sign_of(shadow_v_, p) != 0;
+    const bool on_silhouette = sign_of(result_.chart.radicand, p) == 0;
+    const int own = is_free ? 0 : own_sheet(p);
+    for (const int sheet : {-1, 0, 1}) {
+      if ((sheet == 0) != on_silhouette) continue;
+      if (sheet != 0 && !is_free && sheet != own) continue;
+      if (!is_kept(p, sheet)) continue;
+      LiftedNode& at = result_.nodes[node_over(below, sheet)];
+      at.is_singular = at.degree == 2 && !is_smooth && !is_regular(p, sheet, on_common);
+    }
+  }
+
+  /// The other equation, restricted to the surface of the chart and without the factors that do not vanish
+  /// here, has a derivative other than 0. Of a point where the shadow is singular.
+  bool is_regular(const TriangularPoint& p, int sheet, bool on_common) const {
+    const SheetFunction& rest = result_.shadow.rest;
+    const BivariatePolynomial& y2 = result_.chart.radicand;
+    if (on_common || result_.chart.is_flat()) return false;
+    const auto is_zero = [&](const SheetFunction& f) {
+      return sign_on_sheet(f, result_.chart, p, sheet) == 0;
+    };
+    if (sheet == 0) {
+      if (sign_of(y2.derivative_r(), p) == 0 && sign_of(y2.derivative_s(), p) == 0) return false;
+      return sign_of(rest.b, p) != 0 || sign_of(jacobian(rest.a, y2), p) != 0;
+    }
+    if (sign_of(rest.b, p) != 0) return false;
+    return !is_zero({rest.a.derivative_r(), rest.b.derivative_r()}) ||
+           !is_zero({rest.a.derivative_s(), rest.b.derivative_s()});
+  }
+
+  /// Nodes without arcs that are not exact belonged to arcs that are not kept.
+  void drop_loose_nodes() {
+    std::vector<std::size_t> position(result_.nodes.size(), 0);
+    std::vector<LiftedNode> kept;
+    for (std::size_t i = 0; i < result_.nodes.size(); ++i) {
+      const LiftedNode& node = result_.nodes[i];
+      position[i] = kept.size();
+      if (node.degree > 0 || result_.below.nodes[node.below].exact) kept.push_back(node);
+    }
+    result_.nodes = std::move(kept);
+    for (LiftedArc& arc : result_.arcs) {
+      arc.from = position[arc.from];
+      arc.to = position[arc.to];
+    }
+  }
+
+  LiftedCurve& result_;
+  BivariatePolynomial marks_;  // lines u = const through the apexes of one nappe
+  std::vector<SheetFunction> bounds_;
+  BivariatePolynomial shadow_;  // every factor once
+  BivariatePolynomial shadow_u_;
+  BivariatePolynomial shadow_v_;
+};
+
+}  // namespace
+
+int sign_on_sheet(const SheetFunction& f, const SurfaceChart& chart, const TriangularPoint& p, int sheet) {
+  const int a = sign_of(f.a, p), b = sheet * (sheet == 0 ? 0 : sign_of(f.b, p));
+  if (a * b >= 0) return a != 0 ? a : b;
+  return a * sign_of(f.a * f.a - f.b * f.b * chart.radicand, p);
+}
+
+std::optional<LiftedCurve> lifted_curve(const ImplicitSurface& surface, const ImplicitSurface& other) {
+  std::optional<SurfaceChart> chart = chart_of(surface, other);
+  if (!chart) return std::nullopt;
+  LiftedCurve result;
+  result.chart = std::move(*chart);
+  const SheetFunction f = on_chart(other.equation(), result.chart);
+  result.is_same = f.is_zero();
+  if (result.is_same) return result;
+  result.shadow = shadow(f, result.chart);
+  result.factors = factors_of(result.shadow);
+  Lifting(surface, other, result).run();
+  return result;
+}
+
+}  // namespace exsect

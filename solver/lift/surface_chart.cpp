@@ -1,0 +1,245 @@
+#include "lift/surface_chart.h"
+
+#include <exsect/algebra/real_algebraic.h>
+#include <exsect/algebra/resultant.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "curve/plane_curve.h"
+#include "curve/short_rational.h"
+#include "curve/turning_resultant.h"
+
+namespace exsect {
+namespace {
+
+/// What is left of a vector orthogonally to another one, up to a positive factor.
+Point orthogonal_part(const Point& of, const Point& to) { return dot(to, to) * of - dot(of, to) * to; }
+
+/// A multiple of moderate length, with coprime integers.
+Point shortened(const Point& direction) {
+  const Polynomial multiple = Polynomial({direction[0], direction[1], direction[2]}).primitive();
+  return {multiple.coefficient(0), multiple.coefficient(1), multiple.coefficient(2)};
+}
+
+Point any_orthogonal(const Point& axis) {
+  std::size_t least = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (abs(axis[k]) < abs(axis[least])) least = k;
+  Point unit = {0, 0, 0};
+  unit[least] = 1;
+  return cross(axis, unit);
+}
+
+/// The first of the vectors that has a part orthogonal to the axis.
+Point orthogonal_direction(const Point& axis, const std::vector<Point>& vectors) {
+  for (const Point& vector : vectors)
+    if (const Point part = orthogonal_part(vector, axis); !is_zero(part)) return shortened(part);
+  return shortened(any_orthogonal(axis));
+}
+
+bool is_bounded(SurfaceKind kind) { return kind == SurfaceKind::sphere || kind == SurfaceKind::torus; }
+
+/// Above the greatest distance of a point of a bounded surface from its centre, over a length of this square.
+Rational reach_of(const SurfaceData& data, const Rational& squared_unit) {
+  return Rational(9, 8) *
+         (root_above(data.squared / squared_unit) + root_above(data.minor_squared / squared_unit));
+}
+
+/// Coordinates h, x, y along three orthogonal vectors about the surface's point.
+class Frame {
+ public:
+  Frame(const ImplicitSurface& surface, const ImplicitSurface& other) : kind_(surface.kind()) {
+    const SurfaceData& data = *surface.data();
+    const std::optional<SurfaceData>& beside = other.data();
+    origin_ = data.point;
+    squared_ = data.squared;
+    const Point offset = beside ? beside->point - data.point : Point{0, 0, 0};
+    const Point direction = beside ? beside->axis : Point{0, 0, 0};
+    axis_ = data.axis;
+    if (kind_ == SurfaceKind::plane) axis_ = orthogonal_direction(data.axis, {cross(data.axis, direction)});
+    if (kind_ == SurfaceKind::sphere)
+      axis_ = !is_zero(direction) ? direction : !is_zero(offset) ? offset : Point{0, 0, 1};
+    axis_ = shortened(axis_);
+    const bool is_plane = kind_ == SurfaceKind::plane;
+    e1_ = is_plane ? shortened(cross(data.axis, axis_))
+                   : orthogonal_direction(axis_, beside && other.kind() == SurfaceKind::plane
+                                                     ? std::vector<Point>{direction}
+                                                     : std::vector<Point>{direction, offset});
+    e2_ = shortened(cross(axis_, e1_));
+  }
+
+  /// For h and x in these intervals.
+  SurfaceChart chart(const RationalInterval& h, const RationalInterval& x) const {
+    const BivariatePolynomial at_h = along(BivariatePolynomial::r(), h);
+    const BivariatePolynomial at_x = along(BivariatePolynomial::s(), x);
+    const Rational hh = dot(axis_, axis_), xx = dot(e1_, e1_), yy = dot(e2_, e2_);
+    BivariatePolynomial radicand;
+    if (kind_ != SurfaceKind::plane) {
+      radicand = BivariatePolynomial::constant(-xx / yy) * at_x * at_x;
+      const Rational& rate = kind_ == SurfaceKind::sphere ? Rational(-1) : squared_;
+      if (kind_ != SurfaceKind::cylinder)
+        radicand += BivariatePolynomial::constant(rate * hh / yy) * at_h * at_h;
+      if (kind_ != SurfaceKind::cone) radicand += BivariatePolynomial::constant(squared_ / yy);
+    }
+    return {origin_ + h.lower * axis_ + x.lower * e1_, h.width() * axis_, x.width() * e1_, e2_,
+            std::move(radicand)};
+  }
+
+  /// Where x is, for h in the interval; wider than that.
+  RationalInterval width(const RationalInterval& h) const {
+    Rational most = squared_ / dot(e1_, e1_);
+    if (kind_ == SurfaceKind::cone) {
+      const Rational highest = std::max<Rational>(abs(h.lower), abs(h.upper));
+      most *= highest * highest * dot(axis_, axis_);
+    }
+    const Rational reach = Rational(9, 8) * root_above(most);
+    return {-reach, reach};
+  }
+
+  /// Where another bounded surface has its h, or its coordinate along e1.
+  RationalInterval range_of(const SurfaceData& other, const Point& along) const {
+    const Rational squared = dot(along, along);
+    const Rational at = dot(other.point - origin_, along) / squared, reach = reach_of(other, squared);
+    return {at - reach, at + reach};
+  }
+
+  Rational height(const Point& p) const { return dot(p - origin_, axis_) / dot(axis_, axis_); }
+  /// A length by which the surface may be measured, as a difference of heights.
+  Rational unit() const {
+    return kind_ == SurfaceKind::cone ? Rational(1) : root_above(squared_ / dot(axis_, axis_));
+  }
+  const Point& axis() const { return axis_; }
+  const Point& e1() const { return e1_; }
+
+ private:
+  static BivariatePolynomial along(const BivariatePolynomial& t, const RationalInterval& range) {
+    return BivariatePolynomial::constant(range.lower) + BivariatePolynomial::constant(range.width()) * t;
+  }
+
+  SurfaceKind kind_;
+  Point origin_;
+  Rational squared_;
+  Point axis_;
+  Point e1_;
+  Point e2_;
+};
+
+/// Greater than every root in absolute value (Cauchy).
+Rational above_all_roots(const Polynomial& f) {
+  Rational greatest = 0;
+  for (const Rational& c : f.coefficients()) greatest = std::max<Rational>(greatest, abs(c));
+  return 1 + greatest / abs(f.leading_coefficient());
+}
+
+/// The heights h of everything that ends or turns on the curve of the shadow, as roots of these polynomials.
+std::vector<Polynomial> critical_heights(const Shadow& of, const BivariatePolynomial& radicand) {
+  const BivariatePolynomial all = of.common * of.norm;
+  if (all.degree_r() < 1 && all.degree_s() < 1) return {};
+  const ContentAndPart parts = split_content(squarefree(all).exchanged());
+  const BivariatePolynomial& in_x = parts.primitive;
+  std::vector<Polynomial> result = {parts.content};
+  if (in_x.degree_r() < 1) return result;
+  const BivariatePolynomial curve = in_x.exchanged();
+  result.push_back(turning_resultant(curve));
+  result.push_back(in_x.coefficient(in_x.degree_r()));
+  const BivariatePolynomial cut = exact_quotient(radicand, gcd(radicand, curve));
+  if (cut.degree_s() > 0) result.push_back(resultant_s(curve, cut));
+  return result;
+}
+
+/// The closed interval from the least to the greatest of the roots and the other numbers, and beyond.
+RationalInterval interval_around(const std::vector<Polynomial>& polynomials, std::vector<Rational> others,
+                                 const Rational& room) {
+  for (const Polynomial& f : polynomials) {
+    if (f.degree() < 1) continue;
+    const Rational beyond = above_all_roots(f);
+    const std::vector<RealAlgebraic> roots = real_roots(f, -beyond, beyond);
+    if (roots.empty()) continue;
+    others.push_back(roots.front().refined_to(room / 16).interval().lower);
+    others.push_back(roots.back().refined_to(room / 16).interval().upper);
+  }
+  if (others.empty()) others = {0};
+  const auto [least, most] = std::minmax_element(others.begin(), others.end());
+  const Rational width = std::max<Rational>((*most - *least) / 2, room);
+  return {simplest_between(*least - width, *least - width / 2),
+          simplest_between(*most + width / 2, *most + width)};
+}
+
+/// All heights at which an unbounded surface and another one have more than arcs that go on.
+RationalInterval heights(const Frame& frame, const ImplicitSurface& surface, const ImplicitSurface& other) {
+  if (other.data() && is_bounded(other.kind())) return frame.range_of(*other.data(), frame.axis());
+  const SurfaceChart whole = frame.chart({0, 1}, {0, 1});
+  const SheetFunction f = on_chart(other.equation(), whole);
+  std::vector<Rational> marked;
+  for (const ImplicitSurface* cone : {&surface, &other})
+    if (cone->kind() == SurfaceKind::cone) marked.push_back(frame.height(cone->data()->point));
+  if (f.is_zero()) return interval_around({}, marked, frame.unit());
+  return interval_around(critical_heights(shadow(f, whole), whole.radicand), marked, frame.unit());
+}
+
+}  // namespace
+
+SheetFunction on_chart(const SpacePolynomial& f, const SurfaceChart& chart) {
+  const auto product = [&](const SheetFunction& p, const SheetFunction& q) {
+    SheetFunction result{p.a * q.a, p.a * q.b + p.b * q.a};
+    if (!p.b.is_zero() && !q.b.is_zero()) result.a += p.b * q.b * chart.radicand;
+    return result;
+  };
+  const SheetFunction one{BivariatePolynomial::constant(1), {}};
+  std::array<std::vector<SheetFunction>, 3> powers;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SheetFunction coordinate{
+        BivariatePolynomial::constant(chart.origin[k]) +
+            BivariatePolynomial::constant(chart.along_u[k]) * BivariatePolynomial::r() +
+            BivariatePolynomial::constant(chart.along_v[k]) * BivariatePolynomial::s(),
+        chart.is_flat() ? BivariatePolynomial() : BivariatePolynomial::constant(chart.along_y[k])};
+    powers[k] = {one};
+    for (int i = 0; i < f.degree_in(k); ++i) powers[k].push_back(product(powers[k].back(), coordinate));
+  }
+  SheetFunction sum;
+  for (const auto& [exponents, coefficient] : f.terms()) {
+    SheetFunction term = one;
+    for (std::size_t k = 0; k < 3; ++k)
+      term = product(term, powers[k][static_cast<std::size_t>(exponents[k])]);
+    sum.a += BivariatePolynomial::constant(coefficient) * term.a;
+    sum.b += BivariatePolynomial::constant(coefficient) * term.b;
+  }
+  return sum;
+}
+
+Shadow shadow(const SheetFunction& f, const SurfaceChart& chart) {
+  if (chart.is_flat()) return {f, BivariatePolynomial::constant(1), f.a};
+  const BivariatePolynomial common = gcd(f.a, f.b);
+  SheetFunction rest{exact_quotient(f.a, common), exact_quotient(f.b, common)};
+  BivariatePolynomial norm = rest.a * rest.a - chart.radicand * rest.b * rest.b;
+  return {std::move(rest), common, std::move(norm)};
+}
+
+std::optional<SurfaceChart> chart_of(const ImplicitSurface& surface, const ImplicitSurface& other) {
+  switch (surface.kind()) {
+    case SurfaceKind::plane: {
+      if (other.kind() != SurfaceKind::torus) return std::nullopt;
+      const Frame frame(surface, other);
+      return frame.chart(frame.range_of(*other.data(), frame.axis()),
+                         frame.range_of(*other.data(), frame.e1()));
+    }
+    case SurfaceKind::sphere: {
+      const Frame frame(surface, other);
+      const RationalInterval h = {-reach_of(*surface.data(), dot(frame.axis(), frame.axis())),
+                                  reach_of(*surface.data(), dot(frame.axis(), frame.axis()))};
+      return frame.chart(h, frame.width(h));
+    }
+    case SurfaceKind::cylinder:
+    case SurfaceKind::cone: {
+      const Frame frame(surface, other);
+      const RationalInterval h = heights(frame, surface, other);
+      return frame.chart(h, frame.width(h));
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace exsect
