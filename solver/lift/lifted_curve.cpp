@@ -130,32 +130,42 @@ class Lifting {
     const SheetFunction& rest = result_.shadow.rest;
     const bool on_common = sign_of(result_.shadow.common, p) == 0;
     const bool is_free = on_common || (sign_of(rest.a, p) == 0 && sign_of(rest.b, p) == 0);
-    const bool is_smooth = sign_of(shadow_u_, p) != 0 || sign_of(shadow_v_, p) != 0;
     const bool on_silhouette = sign_of(result_.chart.radicand, p) == 0;
     const int own = is_free ? 0 : own_sheet(p);
     for (const int sheet : {-1, 0, 1}) {
       if ((sheet == 0) != on_silhouette) continue;
       if (sheet != 0 && !is_free && sheet != own) continue;
       if (!is_kept(p, sheet)) continue;
-      LiftedNode& at = result_.nodes[node_over(below, sheet)];
-      at.is_singular = at.degree == 2 && !is_smooth && !is_regular(p, sheet, on_common);
+      const std::size_t i = node_over(below, sheet);
+      LiftedNode& at = result_.nodes[i];
+      at.is_singular = at.degree == 2 && !is_regular(p, sheet, on_common, runs_in_plane(i));
     }
   }
 
-  /// The other equation, restricted to the surface of the chart and without the factors that do not vanish
-  /// here, has a derivative other than 0. Of a point where the shadow is singular.
-  bool is_regular(const TriangularPoint& p, int sheet, bool on_common) const {
+  /// An arc that ends in the node keeps y = 0.
+  bool runs_in_plane(std::size_t node) const {
+    return std::any_of(result_.arcs.begin(), result_.arcs.end(), [&](const LiftedArc& arc) {
+      return arc.sheet == 0 && (arc.from == node || arc.to == node);
+    });
+  }
+
+  /// The curve is proved to be regular where two of its arcs meet: as its shadow is where y is a function of
+  /// u and v on it, or else as the zeros of the other equation on the surface, where this is regular.
+  bool is_regular(const TriangularPoint& p, int sheet, bool on_common, bool in_plane) const {
     const SheetFunction& rest = result_.shadow.rest;
     const BivariatePolynomial& y2 = result_.chart.radicand;
-    if (on_common || result_.chart.is_flat()) return false;
+    const bool is_smooth = sign_of(shadow_u_, p) != 0 || sign_of(shadow_v_, p) != 0;
+    if (result_.chart.is_flat()) return is_smooth;
+    if (sheet == 0) {
+      if (sign_of(y2.derivative_r(), p) == 0 && sign_of(y2.derivative_s(), p) == 0) return false;
+      if (!on_common && sign_of(rest.b, p) != 0) return is_smooth;
+      if (is_smooth) return in_plane || sign_of(jacobian(shadow_, y2), p) != 0;
+      return !on_common && sign_of(jacobian(rest.a, y2), p) != 0;
+    }
+    if (is_smooth || on_common || sign_of(rest.b, p) != 0) return is_smooth;
     const auto is_zero = [&](const SheetFunction& f) {
       return sign_on_sheet(f, result_.chart, p, sheet) == 0;
     };
-    if (sheet == 0) {
-      if (sign_of(y2.derivative_r(), p) == 0 && sign_of(y2.derivative_s(), p) == 0) return false;
-      return sign_of(rest.b, p) != 0 || sign_of(jacobian(rest.a, y2), p) != 0;
-    }
-    if (sign_of(rest.b, p) != 0) return false;
     return !is_zero({rest.a.derivative_r(), rest.b.derivative_r()}) ||
            !is_zero({rest.a.derivative_s(), rest.b.derivative_s()});
   }

@@ -1,0 +1,160 @@
+#include "intersect_equations.h"
+
+#include <exsect/algebra/interruption.h>
+#include <exsect/algebra/nearest_rounding.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "answer/run.h"
+#include "lift/curve_names.h"
+#include "lift/lifted_course.h"
+#include "lift/lifted_curve.h"
+
+namespace exsect {
+namespace {
+
+/// Surfaces of smaller rank have the simpler charts.
+int rank(const ImplicitSurface& surface) {
+  switch (surface.kind()) {
+    case SurfaceKind::cylinder:
+      return 0;
+    case SurfaceKind::sphere:
+      return 1;
+    case SurfaceKind::cone:
+      return 2;
+    case SurfaceKind::plane:
+      return 3;
+    case SurfaceKind::torus:
+      return 4;
+    default:
+      return 5;
+  }
+}
+
+SpaceNodeKind kind_of(const LiftedNode& node) {
+  if (node.goes_on && node.degree == 1) return SpaceNodeKind::cut;
+  if (node.degree == 0) return SpaceNodeKind::touch;
+  if (node.degree == 1) return SpaceNodeKind::end;
+  if (node.degree > 2) return SpaceNodeKind::crossing;
+  return node.is_singular ? SpaceNodeKind::cusp : SpaceNodeKind::joint;
+}
+
+void add_node(SurfaceIntersection& result, SpaceNodeKind kind, int degree, SpaceBox box) {
+  std::array<double, 3> approx{};
+  for (std::size_t k = 0; k < 3; ++k) approx[k] = to_double(box[k].midpoint());
+  result.nodes.push_back({static_cast<int>(result.nodes.size()), kind, degree, std::move(box), approx});
+}
+
+/// Every node of the curve has two ends of its arcs.
+bool is_closed(const SurfaceIntersection& result, const SpaceCurve& curve) {
+  std::vector<int> ends(result.nodes.size(), 0);
+  for (const int arc : curve.arcs) {
+    ++ends[static_cast<std::size_t>(result.arcs[static_cast<std::size_t>(arc)].from)];
+    ++ends[static_cast<std::size_t>(result.arcs[static_cast<std::size_t>(arc)].to)];
+  }
+  return std::all_of(ends.begin(), ends.end(), [](int count) { return count % 2 == 0; });
+}
+
+void draw(SurfaceIntersection& result, const LiftedCurve& curve, const Run& run) {
+  const double extent = extent_of(curve.chart), tolerance = run.drawn_tolerance(extent);
+  const Rational width = std::min<Rational>(power_of_two(-80), from_double(tolerance / extent));
+  for (std::size_t i = 0; i < curve.nodes.size(); ++i)
+    add_node(result, kind_of(curve.nodes[i]), curve.nodes[i].degree, place_in_space(curve, i, width));
+  for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
+    const LiftedArc& arc = curve.arcs[i];
+    SpaceCourse course = course_in_space(curve, i, tolerance);
+    result.arcs.push_back({static_cast<int>(i), 0, static_cast<int>(arc.from), static_cast<int>(arc.to),
+                           arc.multiplicity, std::move(course.points), course.error_bound});
+  }
+  result.curves = named_curves(curve);
+  for (SpaceCurve& named : result.curves) {
+    for (const int arc : named.arcs) result.arcs[static_cast<std::size_t>(arc)].curve = named.id;
+    named.is_closed = is_closed(result, named);
+  }
+}
+
+SpaceBox point_box(const Point& p) {
+  return {RationalInterval{p[0], p[0]}, RationalInterval{p[1], p[1]}, RationalInterval{p[2], p[2]}};
+}
+
+/// Two planes: a line is shown from one side of the point next to the first one's to the other.
+SurfaceIntersection planes(const SurfaceData& first, const SurfaceData& second) {
+  SurfaceIntersection result{Status::complete};
+  const Point along = cross(first.axis, second.axis);
+  const Rational off = dot(second.axis, second.point - first.point);
+  if (is_zero(along)) {
+    result.is_same = off == 0;
+    return result;
+  }
+  const Point down = cross(along, first.axis);
+  const Point point = first.point + off / dot(second.axis, down) * down;
+  const std::array<Point, 2> ends = {point - along, point + along};
+  for (const Point& end : ends) add_node(result, SpaceNodeKind::cut, 1, point_box(end));
+  double error = 0;
+  for (const SpaceNode& node : result.nodes)
+    for (std::size_t k = 0; k < 3; ++k)
+      error += to_double(abs(node.box[k].lower - from_double(node.approx[k]))) * (1 + 0x1p-50);
+  result.arcs.push_back({0, 0, 0, 1, 1, {result.nodes[0].approx, result.nodes[1].approx}, error});
+  result.curves.push_back({0, SpaceCurveKind::line, {0}, false, 1, point, along});
+  return result;
+}
+
+/// Two surfaces with one equation: nappes of one cone that face away from each other share the apex.
+SurfaceIntersection same(const ImplicitSurface& first, const ImplicitSurface& second) {
+  SurfaceIntersection result{Status::complete};
+  if (first.bound() && second.bound() && dot(first.data()->axis, second.data()->axis) < 0)
+    add_node(result, SpaceNodeKind::touch, 0, point_box(first.data()->point));
+  else
+    result.is_same = true;
+  return result;
+}
+
+SurfaceIntersection open(std::string why, Reason reason) {
+  SurfaceIntersection result{Status::incomplete};
+  result.incomplete.push_back({std::move(why), reason});
+  return result;
+}
+
+SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second, const Run& run) {
+  if (rank(first) > rank(second)) return solved_pair(second, first, run);
+  if (first.kind() == SurfaceKind::plane && second.kind() == SurfaceKind::plane)
+    return planes(*first.data(), *second.data());
+  std::optional<LiftedCurve> curve;
+  run.timed("curve", [&] { curve = lifted_curve(first, second); });
+  if (!curve)
+    return open(std::string("not supported yet: ") + name(first.kind()) + " and " + name(second.kind()),
+                Reason::not_decided);
+  if (curve->is_same) return same(first, second);
+  SurfaceIntersection result{Status::complete};
+  run.timed("drawing", [&] { draw(result, *curve, run); });
+  return result;
+}
+
+SurfaceIntersection answered_pair(const ImplicitSurface& first, const ImplicitSurface& second, const Run& run) {
+  const InterruptionScope scope(run.stop());
+  try {
+    return solved_pair(first, second, run);
+  } catch (const Interrupted&) {
+    return open("the work cap was reached", Reason::time);
+  } catch (const std::invalid_argument&) {
+    throw;
+  } catch (const std::logic_error& error) {
+    return open(std::string("a proof failed: ") + error.what(), Reason::failed_proof);
+  }
+}
+
+}  // namespace
+
+SurfaceIntersection intersect(const ImplicitSurface& first, const ImplicitSurface& second,
+                              const IntersectOptions& options) {
+  return in_nearest_rounding([&] {
+    const Run run(options);
+    SurfaceIntersection result = answered_pair(first, second, run);
+    result.work = run.finished({result.status, {}, {}, {}}).work;
+    return result;
+  });
+}
+
+}  // namespace exsect

@@ -1,0 +1,19 @@
+// The exact, complete intersection of two surfaces given by their equations.
+#pragma once
+
+#include <exsect/geometry/implicit_surface.h>
+#include <exsect/solver/options.h>
+#include <exsect/solver/surface_intersection.h>
+
+namespace exsect {
+
+/// Every common point of the two whole surfaces (method, section 17.5): complete for two of plane, cylinder,
+/// cone and sphere, for one of them and a torus, and for a cylinder, cone or sphere and a polynomial. Others
+/// are incomplete, and the reason says so. The answer does not depend on the order of the surfaces. Polylines
+/// keep within the tolerance times the extent of what is drawn; unbounded curves are cut off, where nothing
+/// but arcs that go on to infinity is beyond. Of the options the work cap, the tolerance and the progress are
+/// taken, errors are those of intersect() for two patches.
+SurfaceIntersection intersect(const ImplicitSurface& first, const ImplicitSurface& second,
+                              const IntersectOptions& options = {});
+
+}  // namespace exsect

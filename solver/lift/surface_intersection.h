@@ -1,0 +1,86 @@
+// All common points of two surfaces given by their equations, with the names of the curves that have one.
+#pragma once
+
+#include <exsect/algebra/rational.h>
+#include <exsect/geometry/point.h>
+#include <exsect/solver/incomplete.h>
+#include <exsect/solver/result.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace exsect {
+
+enum class SpaceNodeKind {
+  joint,     // two arcs meet in a regular point of the curve
+  cut,       // one arc, which goes on to infinity from here without another node
+  end,       // one arc, in the apex of a cone of one nappe
+  touch,     // an isolated common point
+  crossing,  // three or more arcs
+  cusp,      // two arcs meet in an apex, or in a point where the surfaces touch
+};
+/// "joint", ...
+const char* name(SpaceNodeKind kind);
+
+/// Closed boxes with one node in each.
+struct SpaceNode {
+  int id;
+  SpaceNodeKind kind;
+  int degree;  // the number of ends of arcs
+  std::array<RationalInterval, 3> box;
+  std::array<double, 3> approx;
+};
+
+enum class SpaceCurveKind { line, circle, ellipse, parabola, hyperbola, general };
+/// "line", ...
+const char* name(SpaceCurveKind kind);
+
+/// A piece of a curve between two nodes, with no node inside.
+struct SpaceArc {
+  int id;
+  int curve;
+  int from;
+  int to;
+  /// 1 if the surfaces cross; above 1 they touch along the arc, of this order.
+  int multiplicity;
+  std::vector<std::array<double, 3>> polyline;
+  double error_bound;  // of the distance between arc and polyline, both ways
+};
+
+/// A named curve as a whole, as far as it is on one nappe of one-sided cones; `general` is a connected part
+/// of an irreducible curve that is no line or conic over the field of its equations, or is not known to be
+/// one. Its plane, centre and radius are given where they are rational.
+struct SpaceCurve {
+  int id;
+  SpaceCurveKind kind;
+  std::vector<int> arcs;
+  bool is_closed;  // every node has two of its arcs
+  int multiplicity;
+  std::optional<Point> point = {};              // of a line; the centre of a circle, ellipse or hyperbola
+  std::optional<Point> direction = {};          // of a line; the normal of the plane of the others
+  std::optional<Rational> radius_squared = {};  // of a circle
+};
+
+/// What is not known, and why.
+struct OpenQuestion {
+  std::string why;
+  Reason reason = Reason::not_decided;
+};
+
+/// complete: every common point is on a curve, or a node of kind `touch`, or on the surface in common.
+struct SurfaceIntersection {
+  Status status;
+  bool is_same = false;  // the surfaces, or one nappe of each, are one
+  std::vector<SpaceNode> nodes = {};
+  std::vector<SpaceArc> arcs = {};
+  std::vector<SpaceCurve> curves = {};
+  std::vector<OpenQuestion> incomplete = {};
+  Work work = {};
+
+  int count(SpaceNodeKind kind) const;
+  int count(SpaceCurveKind kind) const;
+};
+
+}  // namespace exsect

@@ -1,0 +1,243 @@
+#include <exsect/solver/intersect_equations.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "support/catch.h"
+
+namespace exsect::intersect_equations_test {
+namespace {
+
+using S = ImplicitSurface;
+using Kind = SpaceCurveKind;
+
+const Point origin = {0, 0, 0}, up = {0, 0, 1}, right = {1, 0, 0}, oblique = {1, 1, 1};
+
+/// "2 ellipse, 2 crossing" and so on: the kinds of curves, those with contact and those that are closed
+/// marked by *k and o, then the nodes that are no joints.
+std::string census(const SurfaceIntersection& result) {
+  if (result.status != Status::complete) return "incomplete: " + result.incomplete.at(0).why;
+  if (result.is_same) return "same";
+  std::map<std::string, int> counts;
+  for (const SpaceCurve& curve : result.curves)
+    ++counts[std::string("1 ") + name(curve.kind) + (curve.is_closed ? " o" : "") +
+             (curve.multiplicity > 1 ? " *" + std::to_string(curve.multiplicity) : "")];
+  for (const SpaceNode& node : result.nodes)
+    if (node.kind != SpaceNodeKind::joint) ++counts[std::string("2 ") + name(node.kind)];
+  std::string text;
+  for (const auto& [what, count] : counts)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + what.substr(1);
+  return text.empty() ? "nothing" : text;
+}
+
+IntersectOptions coarse() {
+  IntersectOptions options;
+  options.tolerance = 1e-3;
+  return options;
+}
+
+std::string census(const S& first, const S& second) {
+  const std::string text = census(intersect(first, second, coarse()));
+  CHECK(census(intersect(second, first, coarse())) == text);
+  return text;
+}
+
+Rational tenth_to(int k) {
+  Rational value = 1;
+  for (int i = 0; i < k; ++i) value /= 10;
+  return value;
+}
+const std::vector<int> near = {3, 6, 10, 20};
+
+const std::string general = "1 general o", nothing = "nothing";
+
+}  // namespace
+
+TEST_CASE("equations: two planes") {
+  CHECK(census(S::plane(origin, up), S::plane({1, 2, 0}, {0, 0, 3})) == "same");
+  CHECK(census(S::plane(origin, up), S::plane({1, 2, tenth_to(20)}, {0, 0, 3})) == nothing);
+  const SurfaceIntersection line = intersect(S::plane(origin, up), S::plane({1, 2, 3}, oblique));
+  CHECK(census(line) == "1 line, 2 cut");
+  CHECK(dot(*line.curves[0].direction, up) == 0);
+  CHECK(dot(*line.curves[0].point - Point{1, 2, 3}, oblique) == 0);
+}
+
+TEST_CASE("equations: a plane and a sphere, at, beside and beyond the contact") {
+  const S ball = S::sphere(oblique, Length::of_squared(3));
+  const auto plane = [&](const Rational& shift) { return S::plane(shift * oblique, oblique); };
+  CHECK(census(plane(2), ball) == "1 touch");
+  CHECK(census(plane(0), ball) == "1 touch");
+  for (const int k : near) {
+    CHECK(census(plane(2 + tenth_to(k)), ball) == nothing);
+    CHECK(census(plane(2 - tenth_to(k)), ball) == "1 circle o");
+  }
+  const SurfaceIntersection circle = intersect(plane(Rational(3, 2)), ball);
+  CHECK(*circle.curves.at(0).radius_squared == Rational(9, 4));
+  CHECK(*circle.curves[0].point == Rational(3, 2) * oblique);
+}
+
+TEST_CASE("equations: sections of a cone") {
+  const S cone = S::cone(origin, up, 1), both = S::cone(origin, up, 1, 2);
+  CHECK(census(cone, S::plane({0, 0, 1}, up)) == "1 circle o");
+  CHECK(census(cone, S::plane({0, 0, -1}, up)) == nothing);
+  CHECK(census(both, S::plane({0, 0, -1}, up)) == "1 circle o");
+  CHECK(census(cone, S::plane(origin, up)) == "1 touch");
+  CHECK(census(cone, S::plane({0, 0, 1}, {1, 0, 2})) == "1 ellipse o");
+  CHECK(census(cone, S::plane({0, 0, 1}, {1, 0, 1})) == "1 parabola, 2 cut");
+  CHECK(census(cone, S::plane({0, 0, 1}, {2, 0, 1})) == "1 hyperbola, 2 cut");
+  CHECK(census(both, S::plane({0, 0, 1}, {2, 0, 1})) == "1 hyperbola, 4 cut");
+  CHECK(census(cone, S::plane(origin, {1, 0, 1})) == "1 line *2, 1 cut, 1 end");
+}
+
+TEST_CASE("equations: planes through the apex") {
+  const S cone = S::cone(origin, up, 1), both = S::cone(origin, up, 1, 2);
+  CHECK(census(both, S::plane(origin, {1, 0, 0})) == "2 line, 1 crossing, 4 cut");
+  CHECK(census(both, S::plane(origin, {2, 1, 1})) == "2 line, 1 crossing, 4 cut");
+  CHECK(census(both, S::plane(origin, {1, 0, 1})) == "1 line *2, 2 cut");
+  CHECK(census(cone, S::plane(origin, {1, 0, 0})) == "2 line, 1 cusp, 2 cut");
+  CHECK(census(cone, S::plane(origin, {0, 1, 3})) == "1 touch");
+}
+
+TEST_CASE("equations: a plane and a cylinder with an axis without rational points") {
+  const S cylinder = S::cylinder(origin, oblique, 1);
+  CHECK(census(cylinder, S::plane({5, 0, 0}, oblique)) == "1 circle o");
+  CHECK(*intersect(cylinder, S::plane({5, 0, 0}, oblique)).curves.at(0).radius_squared == 1);
+  CHECK(census(cylinder, S::plane({5, 0, 0}, up)) == "1 ellipse o");
+  CHECK(census(cylinder, S::plane(origin, {1, -1, 0})) == "2 line, 4 cut");
+  // (1,-1,0) t has the length 1 for t = 1/sqrt(2), irrational: the tangent plane of another radius.
+  const S other = S::cylinder(origin, oblique, Length::of_squared(2));
+  CHECK(census(other, S::plane({1, -1, 0}, {1, -1, 0})) == "1 line *2, 2 cut");
+  for (const int k : near) {
+    CHECK(census(other, S::plane({1 + tenth_to(k), -1, 0}, {1, -1, 0})) == nothing);
+    CHECK(census(other, S::plane({1 - tenth_to(k), -1, 0}, {1, -1, 0})) == "2 line, 4 cut");
+  }
+}
+
+TEST_CASE("equations: parallel cylinders") {
+  const auto pair = [](const Rational& distance) {
+    return census(S::cylinder(origin, up, 1), S::cylinder({distance, 0, 5}, {0, 0, -2}, 1));
+  };
+  CHECK(pair(0) == "same");
+  CHECK(pair(2) == "1 line *2, 2 cut");
+  for (const int k : near) {
+    CHECK(pair(2 + tenth_to(k)) == nothing);
+    CHECK(pair(2 - tenth_to(k)) == "2 line, 4 cut");
+    CHECK(pair(tenth_to(k)) == "2 line, 4 cut");
+  }
+  CHECK(census(S::cylinder(origin, up, 1), S::cylinder(origin, up, 2)) == nothing);
+}
+
+TEST_CASE("equations: crossing cylinders") {
+  CHECK(census(S::cylinder(origin, up, 1), S::cylinder(origin, right, 1)) == "2 ellipse o, 2 crossing");
+  // The planes of the ellipses are conjugate: |(1,1,1)| is irrational.
+  CHECK(census(S::cylinder(origin, oblique, 1), S::cylinder(origin, right, 1)) == "2 ellipse o, 2 crossing");
+  for (const int k : near) {
+    CHECK(census(S::cylinder(origin, up, 1 + tenth_to(k)), S::cylinder(origin, right, 1)) == "2 general o");
+    CHECK(census(S::cylinder(origin, up, 1), S::cylinder({0, tenth_to(k), 0}, right, 1)) == general);
+  }
+  CHECK(census(S::cylinder(origin, up, 1), S::cylinder({0, 2, 0}, right, 1)) == "1 touch");
+  CHECK(census(S::cylinder(origin, up, 2), S::cylinder({0, 1, 0}, right, 1)) == "1 general o, 1 crossing");
+}
+
+TEST_CASE("equations: Viviani's curve and its neighbours") {
+  const S ball = S::sphere(origin, 2);
+  CHECK(census(S::cylinder({1, 0, 0}, up, 1), ball) == "1 general o, 1 crossing");
+  for (const int k : near) {
+    CHECK(census(S::cylinder({1, 0, 0}, up, 1 + tenth_to(k)), ball) == general);
+    CHECK(census(S::cylinder({1, 0, 0}, up, 1 - tenth_to(k)), ball) == "2 general o");
+  }
+}
+
+TEST_CASE("equations: a sphere in a bore") {
+  const auto bore = [](const Rational& radius, const Rational& aside = 0) {
+    return census(S::cylinder({aside, 0, 0}, oblique, radius), S::sphere(Rational(1, 3) * oblique, 1));
+  };
+  CHECK(bore(1) == "1 circle o *2");
+  for (const int k : near) {
+    CHECK(bore(1 + tenth_to(k)) == nothing);
+    CHECK(bore(1 - tenth_to(k)) == "2 circle o");
+  }
+}
+
+TEST_CASE("equations: two spheres") {
+  const auto pair = [](const Rational& distance) {
+    return census(S::sphere(origin, 1), S::sphere(distance * oblique, Length::of_squared(3)));
+  };
+  CHECK(pair(1) == "1 circle o");
+  CHECK(census(S::sphere(origin, 1), S::sphere({2, 0, 0}, 1)) == "1 touch");
+  CHECK(census(S::sphere(origin, 1), S::sphere({1, 0, 0}, 2)) == "1 touch");
+  CHECK(census(S::sphere(origin, 1), S::sphere(origin, 2)) == nothing);
+  CHECK(census(S::sphere(origin, 1), S::sphere(origin, 1)) == "same");
+  for (const int k : near) {
+    CHECK(census(S::sphere(origin, 1), S::sphere({2 + tenth_to(k), 0, 0}, 1)) == nothing);
+    CHECK(census(S::sphere(origin, 1), S::sphere({2 - tenth_to(k), 0, 0}, 1)) == "1 circle o");
+  }
+}
+
+TEST_CASE("equations: cones with other quadrics") {
+  const S cone = S::cone(origin, up, 1), both = S::cone(origin, up, 1, 2);
+  CHECK(census(cone, S::cylinder(origin, up, 1)) == "1 circle o");
+  CHECK(census(both, S::cylinder(origin, up, 1)) == "2 circle o");
+  CHECK(census(cone, S::sphere(origin, 1)) == "1 circle o");
+  CHECK(census(cone, S::sphere({0, 0, -1}, 1)) == "1 touch");
+  CHECK(census(cone, S::sphere({0, 0, 2}, Length::of_squared(2))) == "1 circle o *2");
+  CHECK(census(cone, S::sphere({0, 0, 1}, 1)) == "1 circle o, 1 touch");
+  CHECK(census(cone, cone) == "same");
+  CHECK(census(cone, S::cone(origin, {0, 0, -5}, 1)) == "1 touch");
+  CHECK(census(cone, S::cone(origin, {0, 0, -5}, 1, 2)) == "same");
+  CHECK(census(cone, S::cone(origin, up, 2)) == "1 touch");
+  CHECK(census(cone, S::cone({0, 0, 2}, {0, 0, -1}, 1)) == "1 circle o");
+  // One sphere, of radius 1 about the origin, touches both: x^2 + y^2 = 1, and a cone of apex (2,0,0).
+  CHECK(census(S::cylinder(origin, up, 1), S::cone({2, 0, 0}, right, Length::of_squared(Rational(1, 3)),
+                                                   2)) == "2 ellipse o, 2 crossing");
+  // Translated along a generator: a line of contact, and nothing else.
+  CHECK(census(both, S::cone({1, 0, 1}, up, 1, 2)) == "1 line *2, 2 cut");
+  CHECK(census(both, S::cone({2, 0, 0}, up, 1, 2)) == "1 hyperbola, 4 cut");
+  // Four common lines through the apex.
+  CHECK(census(S::cone(origin, up, 2, 2), S::cone(origin, right, 2, 2)) == "4 line, 1 crossing, 8 cut");
+  // x^2 + y^2 = z^2 and y^2 + z^2 = x^2 is y^2 = 0 and x^2 = z^2, in both directions of the axis irrational.
+  CHECK(census(both, S::cone(origin, right, 1, 2)) == "2 line *2, 1 crossing, 4 cut");
+  CHECK(census(both, S::cone(origin, {1, 0, 2}, 1, 2)) == "2 line, 1 crossing, 4 cut");
+  CHECK(census(cone, S::cone(origin, {1, 0, 2}, 1)) == "2 line, 1 cusp, 2 cut");
+}
+
+TEST_CASE("equations: planes and a torus") {
+  const S torus = S::torus(origin, up, 5, 3);
+  CHECK(census(torus, S::plane(origin, up)) == "2 circle o");
+  CHECK(census(torus, S::plane({0, 0, 3}, up)) == "1 circle o *2");
+  CHECK(census(torus, S::plane(origin, right)) == "2 circle o");
+  CHECK(census(torus, S::plane(origin, {3, 0, 4})) == "2 circle o, 2 crossing");
+  // The centres are conjugate: sin^2 = 1/3 of the angle to the equator's plane, tan^2 = 1/2.
+  CHECK(census(S::torus(origin, up, Length::of_squared(3), Length::of_squared(1)),
+               S::plane(origin, {1, 1, 2})) == "2 circle o, 2 crossing");
+  CHECK(census(torus, S::plane({2, 0, 0}, right)) == "1 general o, 1 crossing");
+  CHECK(census(torus, S::plane({8, 0, 0}, right)) == "1 touch");
+  for (const int k : near) {
+    CHECK(census(torus, S::plane({0, 0, 3 + tenth_to(k)}, up)) == nothing);
+    CHECK(census(torus, S::plane({0, 0, 3 - tenth_to(k)}, up)) == "2 circle o");
+    CHECK(census(torus, S::plane({2 + tenth_to(k), 0, 0}, right)) == general);
+    CHECK(census(torus, S::plane({2 - tenth_to(k), 0, 0}, right)) == "2 general o");
+    CHECK(census(torus, S::plane(origin, {3 + tenth_to(k), 0, 4})) == "2 general o");
+  }
+}
+
+TEST_CASE("equations: a torus and quadrics") {
+  const S torus = S::torus(origin, up, 5, 3);
+  CHECK(census(torus, S::cylinder(origin, up, 8)) == "1 circle o *2");
+  CHECK(census(torus, S::cylinder(origin, up, 2)) == "1 circle o *2");
+  CHECK(census(torus, S::cylinder(origin, up, 5)) == "2 circle o");
+  CHECK(census(torus, S::sphere({5, 0, 0}, 3)) == "1 circle o *2");
+  CHECK(census(torus, S::sphere(origin, 2)) == "1 circle o *2");
+  CHECK(census(torus, S::sphere(origin, 5)) == "2 circle o");
+  CHECK(census(torus, S::sphere({10, 0, 0}, 2)) == "1 touch");
+  CHECK(census(torus, S::cylinder(origin, right, 1)) == "4 general o");
+  // Along a tangent of the circle in the middle, of the radius of the tube: contact along a circle.
+  CHECK(census(torus, S::cylinder({5, 0, 0}, {0, 1, 0}, 3)) == "1 circle o *2, 1 general o, 2 crossing");
+  for (const int k : near) {
+    CHECK(census(torus, S::cylinder(origin, up, 8 + tenth_to(k))) == nothing);
+    CHECK(census(torus, S::cylinder(origin, up, 8 - tenth_to(k))) == "2 circle o");
+  }
+}
+
+}  // namespace exsect::intersect_equations_test
