@@ -38,7 +38,7 @@ SpaceNodeKind kind_of(const LiftedNode& node) {
   if (node.degree == 0) return SpaceNodeKind::touch;
   if (node.degree == 1) return SpaceNodeKind::end;
   if (node.degree > 2) return SpaceNodeKind::crossing;
-  return node.is_singular ? SpaceNodeKind::cusp : SpaceNodeKind::joint;
+  return node.is_singular ? SpaceNodeKind::singular : SpaceNodeKind::joint;
 }
 
 void add_node(SurfaceIntersection& result, SpaceNodeKind kind, int degree, SpaceBox box) {

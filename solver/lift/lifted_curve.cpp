@@ -39,21 +39,19 @@ SpacePolynomial form_of(const HalfSpaceBound& bound) {
   return form;
 }
 
-/// u of the point in the chart.
-Rational parameter_of(const Point& p, const SurfaceChart& chart) {
-  return dot(p - chart.origin, chart.along_u) / dot(chart.along_u, chart.along_u);
-}
-
 class Lifting {
  public:
   Lifting(const ImplicitSurface& surface, const ImplicitSurface& other, LiftedCurve& result)
       : result_(result) {
     marks_ = BivariatePolynomial::constant(1);
     for (const ImplicitSurface* cone : {&surface, &other}) {
-      if (!cone->bound()) continue;
-      bounds_.push_back(on_chart(form_of(*cone->bound()), result.chart));
-      const Rational at = parameter_of(cone->data()->point, result.chart);
-      if (at > 0 && at < 1) marks_ = marks_ * (BivariatePolynomial::r() - BivariatePolynomial::constant(at));
+      if (cone->bound()) bounds_.push_back(on_chart(form_of(*cone->bound()), result.chart));
+      if (cone->kind() != SurfaceKind::cone) continue;
+      const Point& apex = cone->data()->point;
+      if (surface.equation()(apex) != 0 || other.equation()(apex) != 0) continue;
+      apexes_.push_back({coordinate(apex, result.chart.along_u), coordinate(apex, result.chart.along_v),
+                         coordinate(apex, result.chart.along_y)});
+      marks_ = marks_ * (BivariatePolynomial::r() - BivariatePolynomial::constant(apexes_.back()[0]));
     }
     for (const ShadowFactor& factor : result.factors) {
       shadow_ = shadow_.is_zero() ? factor.factor : shadow_ * factor.factor;
@@ -73,6 +71,18 @@ class Lifting {
   }
 
  private:
+  Rational coordinate(const Point& p, const Point& along) const {
+    return dot(p - result_.chart.origin, along) / dot(along, along);
+  }
+
+  /// One of the cones has its apex there.
+  bool is_apex(const TriangularPoint& p, int sheet) const {
+    return std::any_of(apexes_.begin(), apexes_.end(), [&](const Point& apex) {
+      const BivariatePolynomial v = BivariatePolynomial::s() - BivariatePolynomial::constant(apex[1]);
+      return p.s() == RealAlgebraic(apex[0]) && sign_of(v, p) == 0 && sheet == sign(apex[2]);
+    });
+  }
+
   /// y of the rest's zero over p, where its b is not 0.
   int own_sheet(const TriangularPoint& p) const {
     return -sign_of(result_.shadow.rest.a, p) * sign_of(result_.shadow.rest.b, p);
@@ -138,7 +148,8 @@ class Lifting {
       if (!is_kept(p, sheet)) continue;
       const std::size_t i = node_over(below, sheet);
       LiftedNode& at = result_.nodes[i];
-      at.is_singular = at.degree == 2 && !is_regular(p, sheet, on_common, runs_in_plane(i));
+      at.is_singular =
+          at.degree == 2 && (is_apex(p, sheet) || !is_regular(p, sheet, on_common, runs_in_plane(i)));
     }
   }
 
@@ -157,7 +168,6 @@ class Lifting {
     const bool is_smooth = sign_of(shadow_u_, p) != 0 || sign_of(shadow_v_, p) != 0;
     if (result_.chart.is_flat()) return is_smooth;
     if (sheet == 0) {
-      if (sign_of(y2.derivative_r(), p) == 0 && sign_of(y2.derivative_s(), p) == 0) return false;
       if (!on_common && sign_of(rest.b, p) != 0) return is_smooth;
       if (is_smooth) return in_plane || sign_of(jacobian(shadow_, y2), p) != 0;
       return !on_common && sign_of(jacobian(rest.a, y2), p) != 0;
@@ -187,7 +197,8 @@ class Lifting {
   }
 
   LiftedCurve& result_;
-  BivariatePolynomial marks_;  // lines u = const through the apexes of one nappe
+  std::vector<Point> apexes_;  // (u, v, y) of those that are common points
+  BivariatePolynomial marks_;  // lines u = const through them
   std::vector<SheetFunction> bounds_;
   BivariatePolynomial shadow_;  // every factor once
   BivariatePolynomial shadow_u_;

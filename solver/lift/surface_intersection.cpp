@@ -5,7 +5,7 @@
 namespace exsect {
 
 const char* name(SpaceNodeKind kind) {
-  constexpr std::array<const char*, 6> names = {"joint", "cut", "end", "touch", "crossing", "cusp"};
+  constexpr std::array<const char*, 6> names = {"joint", "cut", "end", "touch", "crossing", "singular"};
   return names[static_cast<std::size_t>(kind)];
 }
 

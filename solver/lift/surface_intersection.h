@@ -19,7 +19,7 @@ enum class SpaceNodeKind {
   end,       // one arc, in the apex of a cone of one nappe
   touch,     // an isolated common point
   crossing,  // three or more arcs
-  cusp,      // two arcs meet in an apex, or in a point where the surfaces touch
+  singular,  // two arcs meet in an apex, or in a point where the surfaces touch
 };
 /// "joint", ...
 const char* name(SpaceNodeKind kind);

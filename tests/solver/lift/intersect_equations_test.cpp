@@ -94,8 +94,8 @@ TEST_CASE("equations: planes through the apex") {
   const S cone = S::cone(origin, up, 1), both = S::cone(origin, up, 1, 2);
   CHECK(census(both, S::plane(origin, {1, 0, 0})) == "2 line, 1 crossing, 4 cut");
   CHECK(census(both, S::plane(origin, {2, 1, 1})) == "2 line, 1 crossing, 4 cut");
-  CHECK(census(both, S::plane(origin, {1, 0, 1})) == "1 line *2, 2 cut");
-  CHECK(census(cone, S::plane(origin, {1, 0, 0})) == "2 line, 1 cusp, 2 cut");
+  CHECK(census(both, S::plane(origin, {1, 0, 1})) == "1 line *2, 2 cut, 1 singular");
+  CHECK(census(cone, S::plane(origin, {1, 0, 0})) == "2 line, 2 cut, 1 singular");
   CHECK(census(cone, S::plane(origin, {0, 1, 3})) == "1 touch");
 }
 
@@ -192,14 +192,14 @@ TEST_CASE("equations: cones with other quadrics") {
   CHECK(census(S::cylinder(origin, up, 1), S::cone({2, 0, 0}, right, Length::of_squared(Rational(1, 3)),
                                                    2)) == "2 ellipse o, 2 crossing");
   // Translated along a generator: a line of contact, and nothing else.
-  CHECK(census(both, S::cone({1, 0, 1}, up, 1, 2)) == "1 line *2, 2 cut");
+  CHECK(census(both, S::cone({1, 0, 1}, up, 1, 2)) == "1 line *2, 2 cut, 2 singular");
   CHECK(census(both, S::cone({2, 0, 0}, up, 1, 2)) == "1 hyperbola, 4 cut");
   // Four common lines through the apex.
   CHECK(census(S::cone(origin, up, 2, 2), S::cone(origin, right, 2, 2)) == "4 line, 1 crossing, 8 cut");
   // x^2 + y^2 = z^2 and y^2 + z^2 = x^2 is y^2 = 0 and x^2 = z^2, in both directions of the axis irrational.
   CHECK(census(both, S::cone(origin, right, 1, 2)) == "2 line *2, 1 crossing, 4 cut");
   CHECK(census(both, S::cone(origin, {1, 0, 2}, 1, 2)) == "2 line, 1 crossing, 4 cut");
-  CHECK(census(cone, S::cone(origin, {1, 0, 2}, 1)) == "2 line, 1 cusp, 2 cut");
+  CHECK(census(cone, S::cone(origin, {1, 0, 2}, 1)) == "2 line, 2 cut, 1 singular");
 }
 
 TEST_CASE("equations: planes and a torus") {
