@@ -1,6 +1,7 @@
 #include "cli/intersect_command.h"
 
 #include <exsect/geometry/text_file.h>
+#include <exsect/solver/intersect_equations.h>
 #include <exsect/solver/intersect_rational.h>
 #include <exsect/solver/intersect_surface.h>
 #include <fmt/format.h>
@@ -16,6 +17,7 @@
 #include "output/text/intersection_json.h"
 #include "output/text/intersection_summary.h"
 #include "output/text/node_csv.h"
+#include "output/text/surfaces_output.h"
 #include "output/text/terminal_text.h"
 
 namespace exsect::cli {
@@ -55,10 +57,10 @@ void refuse_for_others(const IntersectCommand& command, const RationalPair& pair
   if (!command.output.certificate.empty()) refuse("--certificate");
 }
 
-/// intersect() of two patches, or of a surface given by its equation and a patch.
-template <class First>
-IntersectResult solve(const IntersectCommand& command, const First& first, const RationalPatch& second,
-                      IntersectOptions options, const Streams& streams) {
+/// intersect() of two patches, of a surface given by its equation and a patch, or of two such surfaces.
+template <class First, class Second>
+auto solve(const IntersectCommand& command, const First& first, const Second& second,
+           IntersectOptions options, const Streams& streams) {
   Progress progress(streams.err, streams.watched && !command.quiet);
   options.progress = [&](double fraction, const char* step) { progress.report(fraction, step); };
   try {
@@ -88,13 +90,8 @@ struct PatchAndEquation {
   std::string title;
 };
 
-std::optional<PatchAndEquation> patch_and_equation(const IntersectCommand& command, const SurfacePair& pair) {
-  if (pair.x.patch() != nullptr && pair.y.patch() != nullptr) return std::nullopt;
-  if (pair.x.patch() == nullptr && pair.y.patch() == nullptr)
-    throw InputError(input_name(command.file), "$.patches",
-                     fmt::format("\"{}\" and \"{}\" are both given by equations: not supported yet, one of "
-                                 "the two must be a patch",
-                                 printable(pair.x.name), printable(pair.y.name)));
+std::optional<PatchAndEquation> patch_and_equation(const SurfacePair& pair) {
+  if ((pair.x.patch() != nullptr) == (pair.y.patch() != nullptr)) return std::nullopt;
   const NamedSurface& patch = pair.x.patch() != nullptr ? pair.x : pair.y;
   const NamedSurface& other = pair.x.patch() != nullptr ? pair.y : pair.x;
   return PatchAndEquation{{patch.name, *patch.patch()}, other.name, *other.equation(), pair.title};
@@ -110,8 +107,44 @@ void refuse_for_equations(const IntersectCommand& command, const PatchAndEquatio
   if (!command.output.report.empty()) refuse("--report");
 }
 
-ExitStatus status_of(const IntersectResult& result) {
+template <class Result>
+ExitStatus status_of(const Result& result) {
   return result.status == Status::complete ? ExitStatus::complete : ExitStatus::incomplete;
+}
+
+/// What there is only where one of the two is a patch.
+void refuse_for_two_equations(const IntersectCommand& command, const SurfacePair& pair) {
+  const auto refuse = [&](const std::string& path, const char* option) {
+    if (path.empty()) return;
+    throw InputError(input_name(command.file), "",
+                     fmt::format("\"{}\" and \"{}\": not supported yet with {}: two surfaces given by their "
+                                 "equations",
+                                 printable(pair.x.name), printable(pair.y.name), option));
+  };
+  refuse(command.output.certificate, "--certificate");
+  refuse(command.output.report, "--report");
+  refuse(command.output.svg, "--svg");
+  refuse(command.output.exports.obj, "--obj");
+  refuse(command.output.exports.ply, "--ply");
+  refuse(command.output.exports.vtp, "--vtp");
+  refuse(command.output.exports.csv, "--csv");
+}
+
+ExitStatus run_with_equations(const IntersectCommand& command, const SurfacePair& pair,
+                              const IntersectOptions& options, const Streams& streams) {
+  refuse_for_two_equations(command, pair);
+  const ImplicitSurface &first = *pair.x.equation(), &second = *pair.y.equation();
+  const SurfaceNames names = {pair.x.name, pair.y.name, name(first.kind()), name(second.kind())};
+  const SurfaceIntersection result = solve(command, first, second, options, streams);
+  const std::string json = command.output.json.empty() ? "" : json_text(surfaces_json(result, names));
+  if (!command.output.json.empty() && !command.output.json_to_stdout())
+    write_file_atomically(command.output.json, json);
+  if (command.output.json_to_stdout())
+    streams.out << json;
+  else if (!command.quiet)
+    streams.out << heading(input_name(command.file), pair.title)
+                << surfaces_summary(result, names, command.verbose);
+  return status_of(result);
 }
 
 ExitStatus run_with_equation(const IntersectCommand& command, const PatchAndEquation& pair,
@@ -182,8 +215,9 @@ ExitStatus run(const IntersectCommand& command, const Streams& streams) {
   if (!command.output.certificate.empty() && checked.turning.size() != 4)
     throw UsageError("--certificate: needs all turning points, --turning u,v,r,s");
   const SurfacePair pair = read_surface_pair(command.file, command.first, command.second);
-  if (const std::optional<PatchAndEquation> mixed = patch_and_equation(command, pair))
+  if (const std::optional<PatchAndEquation> mixed = patch_and_equation(pair))
     return run_with_equation(command, *mixed, checked, streams);
+  if (pair.x.patch() == nullptr) return run_with_equations(command, pair, checked, streams);
   return run_with_patches(command,
                           {{pair.x.name, *pair.x.patch()}, {pair.y.name, *pair.y.patch()}, pair.title},
                           checked, streams);

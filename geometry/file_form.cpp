@@ -13,11 +13,12 @@ struct Form {
   std::string_view content;
 };
 
-constexpr std::array<Form, 16> known_forms = {{{"patches/1", "patches"},
+constexpr std::array<Form, 17> known_forms = {{{"patches/1", "patches"},
                                                {"curve/1", "a curve"},
                                                {"candidate/1", "curves of another program"},
                                                {"model/1", "a model"},
                                                {"intersection/1", "a result of exsect intersect"},
+                                               {"surfaces/1", "a result of exsect intersect"},
                                                {"self/1", "a result of exsect self"},
                                                {"line/1", "a result of exsect line"},
                                                {"ray/1", "a result of exsect ray"},

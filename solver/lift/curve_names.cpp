@@ -45,6 +45,7 @@ void add_curves(const LiftedCurve& curve, std::size_t factor, std::vector<SpaceC
       curves.push_back(named.curve(part));
       curves.back().id = static_cast<int>(at->second);
       curves.back().multiplicity = arc.multiplicity;
+      if (std::optional<Point>& direction = curves.back().direction) direction = shortened(*direction);
     }
     curves[at->second].arcs.push_back(static_cast<int>(i));
   }

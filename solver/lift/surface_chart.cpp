@@ -17,12 +17,6 @@ namespace {
 /// What is left of a vector orthogonally to another one, up to a positive factor.
 Point orthogonal_part(const Point& of, const Point& to) { return dot(to, to) * of - dot(of, to) * to; }
 
-/// A multiple of moderate length, with coprime integers.
-Point shortened(const Point& direction) {
-  const Polynomial multiple = Polynomial({direction[0], direction[1], direction[2]}).primitive();
-  return {multiple.coefficient(0), multiple.coefficient(1), multiple.coefficient(2)};
-}
-
 Point any_orthogonal(const Point& axis) {
   std::size_t least = 0;
   for (std::size_t k = 1; k < 3; ++k)
@@ -180,6 +174,11 @@ RationalInterval heights(const Frame& frame, const ImplicitSurface& surface, con
 }
 
 }  // namespace
+
+Point shortened(const Point& direction) {
+  const Polynomial multiple = Polynomial({direction[0], direction[1], direction[2]}).primitive();
+  return {multiple.coefficient(0), multiple.coefficient(1), multiple.coefficient(2)};
+}
 
 SheetFunction on_chart(const SpacePolynomial& f, const SurfaceChart& chart) {
   const auto product = [&](const SheetFunction& p, const SheetFunction& q) {

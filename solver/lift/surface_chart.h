@@ -31,6 +31,9 @@ struct SurfaceChart {
   bool is_flat() const { return radicand.is_zero(); }
 };
 
+/// A positive multiple with coprime integers as coordinates; zero for zero.
+Point shortened(const Point& direction);
+
 /// The function on the chart.
 SheetFunction on_chart(const SpacePolynomial& f, const SurfaceChart& chart);
 

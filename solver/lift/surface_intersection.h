@@ -59,7 +59,7 @@ struct SpaceCurve {
   bool is_closed;  // every node has two of its arcs
   int multiplicity;
   std::optional<Point> point = {};              // of a line; the centre of a circle, ellipse or hyperbola
-  std::optional<Point> direction = {};          // of a line; the normal of the plane of the others
+  std::optional<Point> direction = {};          // of a line; the normal of the plane of others
   std::optional<Rational> radius_squared = {};  // of a circle
 };
 

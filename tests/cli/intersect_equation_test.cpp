@@ -77,7 +77,8 @@ TEST_CASE("intersect: pictures, tables and scenes of one patch") {
 }
 
 TEST_CASE("intersect: what is not there yet for equations is refused by name") {
-  check_refused({"intersect", surfaces, "--first", "torus", "--second", "ball"}, "both given by equations");
+  check_refused({"intersect", surfaces, "--first", "torus", "--second", "ball", "--svg", "/tmp/picture.svg"},
+                "not supported yet with --svg");
   check_refused(
       {"intersect", surfaces, "--first", "saddle", "--second", "ball", "--report", "/tmp/page.html"},
       "not supported yet with --report");
@@ -87,6 +88,31 @@ TEST_CASE("intersect: what is not there yet for equations is refused by name") {
   check_refused({"line", surfaces, "--first", "saddle", "--second", "ball", "--u", "1/2"},
                 "only patches are taken");
   check_refused({"intersect", surfaces}, "holds 7 patches");
+}
+
+TEST_CASE("intersect: two surfaces given by their equations") {
+  const auto common = [](const std::string& first, const std::string& second, int status) {
+    const ProgramRun run = run_program(
+        {"intersect", surfaces, "--first", first, "--second", second, "--tolerance", "1e-3", "--json", "-"});
+    INFO(run.err);
+    CHECK(run.status == status);
+    const Json json = Json::parse(run.out);
+    CHECK(JsonSchema::named("surfaces-1").violation(json) == "");
+    return json;
+  };
+  const Json circles = common("torus", "floor", 0);  // z = -1 touches along the circle of radius 3
+  CHECK(circles["summary"] == "1 circle");
+  CHECK(circles["curves"][0]["radius_squared"] == "9");
+  CHECK(circles["curves"][0]["multiplicity"] == 2);
+  CHECK(circles["curves"][0]["point"] == Json::parse(R"(["0", "0", "-1"])"));
+  CHECK(common("cone", "floor", 0)["curves"][0]["radius_squared"] == "4");
+  CHECK(common("oblique", "ball", 0)["equations"] == Json::parse(R"(["cylinder", "sphere"])"));
+  const Json open = common("torus", "quartic", 3);
+  CHECK(open["status"] == "incomplete");
+  CHECK(open["incomplete"][0]["why"] == "not supported yet: torus and implicit");
+  const ProgramRun text = run_program({"intersect", surfaces, "--first", "cone", "--second", "floor"});
+  CHECK(text.out.find("cone with floor: complete, proved: 1 circle") != std::string::npos);
+  CHECK(text.out.find("(0, 0, -1)") != std::string::npos);
 }
 
 }  // namespace exsect::intersect_equation_test

@@ -56,6 +56,8 @@ COMMANDS = [
     ["self", SECOND, "--patch", "y"],
     ["self", FIRST, "--patch", "x"],
     ["line", FIRST, "--u", "1/2"],
+    ["intersect", "examples/surfaces.json", "--first", "oblique", "--second", "ball"],
+    ["intersect", "examples/surfaces.json", "--first", "torus", "--second", "quartic"],
     ["ray", "examples/surfaces.json", "--origin=-5,0,0", "--direction", "1,0,0"],
     ["ray", "examples/surfaces.json", "--origin", "1/3,1e-1,-5", "--direction", "0,0,1"],
     ["ray", "examples/weighted.json", "--origin", "0,0,0", "--direction", "1,1,1"],
