@@ -132,7 +132,8 @@ SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurf
   return result;
 }
 
-SurfaceIntersection answered_pair(const ImplicitSurface& first, const ImplicitSurface& second, const Run& run) {
+SurfaceIntersection answered_pair(const ImplicitSurface& first, const ImplicitSurface& second,
+                                  const Run& run) {
   const InterruptionScope scope(run.stop());
   try {
     return solved_pair(first, second, run);
