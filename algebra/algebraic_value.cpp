@@ -41,6 +41,9 @@ Polynomial annihilator(const BivariatePolynomial& h, const BivariatePolynomial& 
   // would lose a power of the leading coefficient there.
   const Polynomial m = minimal * Polynomial(Rational(1 / minimal.leading_coefficient()));
   const int degree = m.degree() * p.g().degree_r();
+  // Where the degree in r drops, Res_r loses a power of the leading coefficient of g.
+  const int degree_r = std::max(h.degree_r(), w.degree_r());
+  const Polynomial leading = p.g().coefficient(p.g().degree_r());
   std::vector<Rational> values;
   for (int t = 0; t <= degree; ++t) {
     const BivariatePolynomial difference = h - BivariatePolynomial::constant(t) * w;
@@ -48,7 +51,9 @@ Polynomial annihilator(const BivariatePolynomial& h, const BivariatePolynomial& 
       values.emplace_back(0);
       continue;
     }
-    values.push_back(resultant(m, resultant_r(p.g(), difference)));
+    Polynomial in_s = resultant_r(p.g(), difference);
+    for (int i = difference.degree_r(); i < degree_r; ++i) in_s = in_s * leading;
+    values.push_back(resultant(m, in_s));
   }
   return interpolated(std::move(values));
 }

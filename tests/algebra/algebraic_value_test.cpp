@@ -60,6 +60,15 @@ TEST_CASE("values where the degree of the resultant in s drops at an integer") {
   CHECK(sign_at(Polynomial(2) * t * t * t * t - (t - Polynomial(1)) * (t - Polynomial(1)), value) == 0);
 }
 
+TEST_CASE("a quotient is found where h - T w drops in degree at an integer T") {
+  // r = 1/sqrt 2, not monic: (r + 1) / (r + 2) is a root of 7 t^2 - 6 t + 1.
+  const TriangularPoint p = roots_at(constant(2) * r * r - constant(1), RealAlgebraic(1), 0, 2).front();
+  const auto value = quotient_at(r + constant(1), r + constant(2), p);
+  REQUIRE(value);
+  CHECK(sign_at(Polynomial{1, -6, 7}, *value) == 0);
+  CHECK(value->compare(Rational(1, 2)) > 0);
+}
+
 TEST_CASE("enclosures have the width asked for and agree with the exact value") {
   const TriangularPoint p = roots_at(r * r * s - constant(1), root_of_two(), 0, 2).front();
   const unsigned seed = 77;
