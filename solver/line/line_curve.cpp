@@ -18,24 +18,9 @@ BivariatePolynomial shifted_by(const BivariatePolynomial& f, const Rational& c) 
   return f - BivariatePolynomial::constant(c);
 }
 
-void sort_unique(Values& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
 void add_values(Values& values, const BivariatePolynomial& lambda,
                 const std::vector<TriangularPoint>& points) {
   for (const TriangularPoint& p : points) values.push_back(value_at(lambda, p));
-}
-
-/// A rational between neighbours a < b.
-Rational sample_between(RealAlgebraic a, RealAlgebraic b) {
-  for (Rational width = power_of_two(-8);; width *= width) {
-    if (a.interval().upper < b.interval().lower)
-      return simplest_between(a.interval().upper, b.interval().lower);
-    a = a.refined_to(width);
-    b = b.refined_to(width);
-  }
 }
 
 /// lambda over the curve f = 0 in the square, no component of which has constant lambda. Between neighbouring
@@ -82,6 +67,20 @@ Values constant_values(const BivariatePolynomial& f, const BivariatePolynomial& 
 }
 
 }  // namespace
+
+void sort_unique(std::vector<RealAlgebraic>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+Rational sample_between(RealAlgebraic a, RealAlgebraic b) {
+  for (Rational width = power_of_two(-8);; width *= width) {
+    if (a.interval().upper < b.interval().lower)
+      return simplest_between(a.interval().upper, b.interval().lower);
+    a = a.refined_to(width);
+    b = b.refined_to(width);
+  }
+}
 
 std::vector<AlgebraicInterval> merged(std::vector<AlgebraicInterval> intervals) {
   std::sort(intervals.begin(), intervals.end(),

@@ -8,6 +8,11 @@
 
 namespace exsect {
 
+/// Ascending, each once.
+void sort_unique(std::vector<RealAlgebraic>& values);
+/// A rational between neighbours a < b.
+Rational sample_between(RealAlgebraic a, RealAlgebraic b);
+
 /// An isolated point of a set S in the (r,s) square. S has no other point within `distance` of it in both
 /// parameters.
 struct IsolatedPoint {
