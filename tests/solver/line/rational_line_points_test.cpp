@@ -147,5 +147,60 @@ TEST_CASE("lines of patches of all kinds: a space cubic with weights on a bicubi
   }
 }
 
+RationalPatch random_weighted(Random& random, int m, int n) {
+  std::uniform_int_distribution<int> coordinate(-3, 3), weight(1, 3);
+  Net net;
+  Weights weights;
+  for (int i = 0; i <= m; ++i) {
+    net.emplace_back();
+    weights.emplace_back();
+    for (int j = 0; j <= n; ++j) {
+      const int z = coordinate(random);
+      net.back().push_back({Rational(6 * i, m) - 3, Rational(6 * j, n) - 3, z});
+      weights.back().emplace_back(weight(random));
+    }
+  }
+  return RationalPatch(net, weights);
+}
+
+/// The map (x, y, z) -> (x + z, y, z) / (1 + x/8 + z/16), which leaves the parameters alone.
+RationalPatch projected(const RationalPatch& x) {
+  std::vector<std::vector<HomogeneousPoint>> net;
+  for (int i = 0; i <= x.degree_u(); ++i) {
+    net.emplace_back();
+    for (int j = 0; j <= x.degree_v(); ++j) {
+      const HomogeneousPoint& p = x.homogeneous(i, j);
+      net.back().push_back({p[0] + p[2], p[1], p[2], p[3] + p[0] / 8 + p[2] / 16});
+    }
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+
+TEST_CASE("lines of patches of all kinds: a projective map and the order of elimination change no point") {
+  const unsigned seed = 24;
+  INFO("seed " << seed);
+  Random random(seed);
+  std::size_t found = 0;
+  for (int d = 1; d <= 3; ++d)
+    for (int m = 1; m <= 2; ++m)
+      for (int n = 1; n <= 2; ++n) {
+        const RationalPatch y = random_weighted(random, m, n);
+        std::vector<Point> curve;
+        std::vector<Rational> weights;
+        for (int j = 0; j <= d; ++j) {
+          const Point p = random_point(random);
+          curve.push_back({p[0] / 10, p[1] / 10, j % 2 == 0 ? -4 : 4});
+          weights.emplace_back(1 + j % 2);
+        }
+        const RationalPatch x = with_line(curve, weights);
+        const std::vector<RealAlgebraic> plain = parameters(rational_line_points(x, y, at_start));
+        found += plain.size();
+        CHECK(parameters(rational_line_points(projected(x), projected(y), at_start)) == plain);
+        CHECK(parameters(rational_line_points(x, y.transposed(), at_start)) == plain);
+        CHECK(parameters(rational_line_points(x, y.restricted_to(1, 0, 0, 1), at_start)) == plain);
+      }
+  CHECK(found > 10);
+}
+
 }  // namespace
 }  // namespace exsect::rational_line_points_test
