@@ -28,9 +28,10 @@ constexpr int kPatience = 8;
 constexpr double kLeastStep = 0x1p-46;
 constexpr double kLeastLongStep = 0x1p-900;
 
+/// NaN, with which nothing is proved, where bounds of derivatives are beyond doubles.
 double strip_width(const PatchRates& rates, double tolerance) {
   const double w = kStripShare * tolerance / rates.v;
-  return w < kWidestStrip ? w : kWidestStrip;
+  return w > kWidestStrip ? kWidestStrip : w;
 }
 
 /// Where the drawing of an arc has come: the arc over u is within `reach` of v.
@@ -293,8 +294,11 @@ bool is_on_side(const TriangularPoint& inside) {
 }  // namespace
 
 Rational place_width(const DrawnPatch& patch, double tolerance) {
-  const double w = std::min(strip_width(patch.rates(), tolerance), kChordShare * tolerance / patch.rates().u);
-  if (!(w > 0)) throw ProofFailure(whole_domain(), "the tolerance is below the range of doubles");
+  const double in_u = kChordShare * tolerance / patch.rates().u;
+  const double in_v = strip_width(patch.rates(), tolerance);
+  const double w = in_u < in_v ? in_u : in_v;
+  if (!(in_u > 0 && in_v > 0))
+    throw ProofFailure(whole_domain(), "the tolerance is below the range of doubles");
   return std::min<Rational>(power_of_two(-60), power_of_two(std::ilogb(w) - 12));
 }
 

@@ -152,9 +152,8 @@ PatchRates DrawnPatch::rates_of_cell(int i, int j) const {
 }
 
 PatchRates DrawnPatch::rates_in(double u0, double u1, double v0, double v1) const {
-  const auto cell = [](double t) {
-    return std::clamp(static_cast<int>(std::floor(t * kCells)), 0, kCells - 1);
-  };
+  if (!(u0 <= u1 && v0 <= v1)) return rates_;
+  const auto cell = [](double t) { return static_cast<int>(std::clamp(t * kCells, 0.0, kCells - 1.0)); };
   PatchRates result{};
   for (int i = cell(u0); i <= cell(u1); ++i)
     for (int j = cell(v0); j <= cell(v1); ++j) {

@@ -4,6 +4,7 @@
 #include <exsect/algebra/rounding_bounds.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "support/catch.h"
@@ -71,6 +72,19 @@ TEST_CASE("rates of patches bound difference quotients, cells less than the squa
     }
   }
   CHECK(local < 0.7 * whole);
+}
+
+TEST_CASE("rates over ranges beyond the square or without order are not too small", "[curve]") {
+  std::mt19937 generator(5);
+  const DrawnPatch drawn(random_patch(generator, 3, 2, true));
+  const double huge = 1e300, infinite = std::numeric_limits<double>::infinity();
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  const PatchRates all = drawn.rates_in(0, 1, 0, 1);
+  CHECK(covers(drawn.rates_in(-huge, huge, -infinite, infinite), all));
+  CHECK(covers(drawn.rates_in(unknown, 1, 0, 1), drawn.rates()));
+  CHECK(covers(drawn.rates_in(0, 1, 0, unknown), drawn.rates()));
+  CHECK(covers(drawn.rates_in(0, 1, 0.5, 0.25), drawn.rates()));
+  CHECK(covers(drawn.rates_in(huge, infinite, 0, 0), drawn.rates_in(0.999, 1, 0, 0)));
 }
 
 TEST_CASE("chords keep within their bounds", "[curve]") {
