@@ -14,6 +14,7 @@
 #include "line/exact_line_points.h"
 #include "line/line_points_in.h"
 #include "star/fine_width.h"
+#include "star/other_turning.h"
 #include "trace/sheet_graph.h"
 
 namespace exsect {

@@ -11,6 +11,7 @@
 #include "line/known_tangent.h"
 #include "line/line_place.h"
 #include "line/line_points_in.h"
+#include "star/other_turning.h"
 
 namespace exsect {
 
@@ -392,18 +393,6 @@ class StarProof {
 };
 
 }  // namespace
-
-OtherTurning other_turning(ExactPair& pair, Parameter sweep) {
-  OtherTurning others;
-  for (const Parameter p : all_parameters) {
-    const std::size_t twin = pair.coincident()[index(p)];
-    if (p == sweep || twin == index(sweep)) continue;
-    const auto& turning = pair.turning(p);
-    if (turning) others.values.push_back(&*turning);
-    others.complete = others.complete && (turning || pair.turning(all_parameters[twin]));
-  }
-  return others;
-}
 
 std::optional<StarNeighbourhood> star_neighbourhood(const StarQuery& query, const CertifiedPoint& centre,
                                                     const RealAlgebraic& at) {

@@ -57,13 +57,6 @@ struct StarQuery {
   const SingularFibrePoint* singular = nullptr;
 };
 
-/// The turning values of the sweeps of a pair along the other parameters.
-struct OtherTurning {
-  std::vector<const TurningValues*> values;  // of those that do not turn with the sweep
-  bool complete = true;                      // every one of these has some, or turns with one that has
-};
-OtherTurning other_turning(ExactPair& pair, Parameter sweep);
-
 /// The star around `centre`, a point of the intersection over the value `at` of the sweep parameter, rational
 /// unless StarQuery::singular is given; empty if it cannot be proved. If the line over `at` lies on the
 /// other patch around the centre, StarQuery::along must be given, or the centre must lie over no turning

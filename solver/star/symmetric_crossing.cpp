@@ -6,6 +6,7 @@
 #include "answer/exact_source.h"
 #include "answer/parameter_box.h"
 #include "line/line_points_in.h"
+#include "star/other_turning.h"
 
 namespace exsect {
 

@@ -77,14 +77,12 @@ TEST_CASE("intersect: pictures, tables and scenes of one patch") {
 }
 
 TEST_CASE("intersect: what is not there yet for equations is refused by name") {
-  check_refused({"intersect", surfaces, "--first", "torus", "--second", "ball", "--svg", "/tmp/picture.svg"},
+  check_refused({"intersect", surfaces, "--first", "torus", "--second", "ball", "--svg", "picture.svg"},
                 "not supported yet with --svg");
-  check_refused(
-      {"intersect", surfaces, "--first", "saddle", "--second", "ball", "--report", "/tmp/page.html"},
-      "not supported yet with --report");
-  check_refused(
-      {"intersect", surfaces, "--first", "saddle", "--second", "ball", "--certificate", "/tmp/proof"},
-      "not supported yet with --certificate");
+  check_refused({"intersect", surfaces, "--first", "saddle", "--second", "ball", "--report", "page.html"},
+                "not supported yet with --report");
+  check_refused({"intersect", surfaces, "--first", "saddle", "--second", "ball", "--certificate", "proof"},
+                "not supported yet with --certificate");
   check_refused({"line", surfaces, "--first", "saddle", "--second", "ball", "--u", "1/2"},
                 "only patches are taken");
   check_refused({"intersect", surfaces}, "holds 7 patches");
