@@ -140,7 +140,15 @@ class ArcsOnLine {
         from.end, to.end, system_points(place_, system_, inside, Polynomial(), initial_width()).at(which),
         {},       0,      {hull(ends_[from.end].box(), ends_[to.end].box())}};
     add_polyline(result, near(from.along), near(to.along), piece);
+    // At a fold t is a square root, of which half the digits are lost.
+    const std::size_t line = index(place_.roles.line);
+    result.polyline.front().parameters[line] = approximation(ends_[from.end], line);
+    result.polyline.back().parameters[line] = approximation(ends_[to.end], line);
     return result;
+  }
+
+  static double approximation(const CertifiedPoint& point, std::size_t k) {
+    return to_double(point.refined_to(power_of_two(-60)).box()[k].midpoint());
   }
 
   /// Chords of a parabola with second derivative X'' over steps h keep within |X''| h²/8; its vertices are
