@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "answer/arc_joints.h"
 #include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
 #include "answer/graph_builder.h"
@@ -20,6 +21,7 @@
 #include "self/degenerate.h"
 #include "self/folds.h"
 #include "self/graph.h"
+#include "self/pair_orders.h"
 #include "self/self_intersect_within.h"
 #include "self/star_graph.h"
 #include "self/turning_pairs.h"
@@ -32,11 +34,20 @@ namespace exsect {
 
 namespace {
 
+std::vector<Parameter> in_both_orders(const std::vector<Parameter>& wanted) {
+  std::vector<Parameter> result;
+  for (const Parameter p : all_parameters)
+    if (std::ranges::any_of(wanted, [p](Parameter q) { return index(p) % 2 == index(q) % 2; }))
+      result.push_back(p);
+  return result;
+}
+
 class SelfIntersection {
  public:
   SelfIntersection(const BezierPatch& x, const Run& run, const std::vector<PairCut>& cuts)
       : x_(x),
         run_(run),
+        turning_(in_both_orders(run.turning())),
         cuts_(cuts),
         scaling_(model_scale(x, x)),
         in_doubles_(x, scaling_.origin, scaling_.frame.exponent),
@@ -44,6 +55,8 @@ class SelfIntersection {
 
   IntersectResult run() {
     find();
+    join_orders(graph_, exact_.boundary.mate);
+    if (turning_.size() != run_.turning().size()) join_at_other_turning_points(graph_, 0, 0, run_.turning());
     return finished(std::move(graph_), {run_.turning(), RegularDegree(x_, x_), true},
                     std::move(result_.incomplete));
   }
@@ -189,7 +202,7 @@ class SelfIntersection {
     const double tolerance = run_.drawn_tolerance(scaling_.extent);
     const std::vector<TraceEnd> ends = ends_at_stars(graph_, x_, system, exact_, found, scaling_.frame);
     append_folds(graph_, x_, system, exact_, found, ends, scaling_.frame, tolerance);
-    append_self_curves(graph_, system, found, ends, scaling_.frame, run_.turning(), tolerance);
+    append_self_curves(graph_, system, found, ends, scaling_.frame, turning_, tolerance);
     for (const SelfCurve<Ball>& curve : found.curves) {
       run_.count("tubes", static_cast<double>(curve.analysed.trace.pieces.size()));
     }
@@ -228,6 +241,7 @@ class SelfIntersection {
 
   const BezierPatch& x_;
   const Run& run_;
+  std::vector<Parameter> turning_;  // as wanted, and of the other point
   const std::vector<PairCut>& cuts_;
   ModelScale scaling_;
   StopRequest stop_ = run_.stop();
