@@ -117,8 +117,8 @@ class TwoPieceTracing {
       const ChartSeedHandler<Ball> known = [this, which](const BallPoint<Ball>& p) {
         return is_known(which, p);
       };
-      const ChartSearchOutcome outcome =
-          search_chart<Ball>(chart, KnownPlaces({}), {1, 0.375}, known, kMostChartBoxes<Ball>, stop_);
+      const ChartSearchOutcome outcome = search_chart<Ball>(chart, KnownPlaces({}), {whole_chart}, {1, 0.375},
+                                                            known, kMostChartBoxes<Ball>, stop_);
       result_.searched_boxes += outcome.boxes;
       if (!outcome.undecided.empty()) {
         problem(whole_domain(),

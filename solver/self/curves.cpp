@@ -272,7 +272,8 @@ SelfCurves<Ball> trace_self_curves(const SelfSystem<Ball>& system, const Charts<
 
 bool is_quickly_injective(const SelfSystem<DoubleBall>& system, const StopRequest& stop) {
   return std::all_of(system.charts.begin(), system.charts.end(), [&](const ChartSystem<DoubleBall>& chart) {
-    return search_chart<DoubleBall>(chart, KnownPlaces({}), {1, 0}, {}, kQuickBoxes, stop).undecided.empty();
+    return search_chart<DoubleBall>(chart, KnownPlaces({}), {whole_chart}, {1, 0}, {}, kQuickBoxes, stop)
+        .undecided.empty();
   });
 }
 

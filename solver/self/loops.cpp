@@ -15,6 +15,9 @@ namespace {
 
 /// Of a brief search: what most searches need that succeed.
 constexpr long kBriefBoxes = 6000;
+/// So many boxes that doubles leave are taken up as they are in longer numbers, more are searched from the
+/// start.
+constexpr std::size_t kMostLeft = 2000;
 
 template <class Ball, class SearchBall>
 BallPoint<Ball> in_arithmetic(const BallPoint<SearchBall>& p) {
@@ -41,10 +44,12 @@ class SelfLoops {
         add_(add),
         stop_(stop) {}
 
-  /// Every direction is complete for a chart; `c` in terms of u and v.
+  /// Every direction is complete for a chart; `c` in terms of u and v. `left`: what a search along c has
+  /// left undecided.
   template <class SearchBall>
-  ChartSearchOutcome search(const ChartSystem<SearchBall>& chart, const std::array<double, 2>& c) {
-    ChartSearchOutcome outcome = search_along(chart, c);
+  ChartSearchOutcome search(const ChartSystem<SearchBall>& chart, const std::array<double, 2>& c,
+                            const std::vector<ChartBox>& left) {
+    ChartSearchOutcome outcome = search_along(chart, c, left);
     if (effort_ == SearchEffort::brief) {
       found_.is_cut_short = found_.is_cut_short || !outcome.undecided.empty();
       return outcome;
@@ -52,8 +57,10 @@ class SelfLoops {
     for (const double turned : {1.0, 2.0}) {
       if (outcome.undecided.empty() || is_stopped(stop_)) break;
       const double angle = turned * std::numbers::pi / 3;
-      ChartSearchOutcome other = search_along(chart, {std::cos(angle) * c[0] - std::sin(angle) * c[1],
-                                                      std::sin(angle) * c[0] + std::cos(angle) * c[1]});
+      ChartSearchOutcome other = search_along(
+          chart,
+          {std::cos(angle) * c[0] - std::sin(angle) * c[1], std::sin(angle) * c[0] + std::cos(angle) * c[1]},
+          {whole_chart});
       if (other.undecided.empty()) outcome = std::move(other);
     }
     return outcome;
@@ -61,13 +68,15 @@ class SelfLoops {
 
  private:
   template <class SearchBall>
-  ChartSearchOutcome search_along(const ChartSystem<SearchBall>& chart, const std::array<double, 2>& c) {
+  ChartSearchOutcome search_along(const ChartSystem<SearchBall>& chart, const std::array<double, 2>& c,
+                                  const std::vector<ChartBox>& roots) {
     const Chart which = chart.chart();
     const ChartSeedHandler<SearchBall> known = [this, which](const BallPoint<SearchBall>& p) {
       return is_known(which, in_arithmetic<Ball>(p));
     };
     const std::array<double, 2> own = which == Chart::first ? c : std::array<double, 2>{c[1], c[0]};
-    ChartSearchOutcome outcome = search_chart(chart, places_, own, known, most_boxes<SearchBall>(), stop_);
+    ChartSearchOutcome outcome =
+        search_chart(chart, places_, roots, own, known, most_boxes<SearchBall>(), stop_);
     found_.searched_boxes += outcome.boxes;
     return outcome;
   }
@@ -125,9 +134,13 @@ std::vector<ParameterBox> search_closed_curves(const SelfSystem<Ball>& system,
   SelfLoops<Ball> loops(system, exact, places, effort, found, add, stop);
   std::vector<ParameterBox> undecided;
   for (const ChartSystem<DoubleBall>& chart : charts) {
-    ChartSearchOutcome outcome = loops.search(chart, direction);
+    ChartSearchOutcome outcome = loops.search(chart, direction, {whole_chart});
     if constexpr (!std::is_same_v<Ball, DoubleBall>) {
-      if (!outcome.undecided.empty()) outcome = loops.search(system.chart(chart.chart()), direction);
+      if (!outcome.undecided.empty()) {
+        const bool few = outcome.undecided.size() <= kMostLeft;
+        outcome = loops.search(system.chart(chart.chart()), direction,
+                               few ? outcome.undecided : std::vector<ChartBox>{whole_chart});
+      }
     }
     std::ranges::move(undecided_places(chart.chart(), outcome.undecided), std::back_inserter(undecided));
   }

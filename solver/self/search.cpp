@@ -105,11 +105,15 @@ bool tangent_cannot_vanish(const ChartSystem<Ball>& system, const ChartCell<Ball
 
 /// Breadth first: what is left when the budget ends are small boxes around the difficult places.
 template <class Ball, class Done>
-ChartSearchOutcome subdivide(const ChartSystem<Ball>& system, const KnownPlaces& places, const ChartBox& root,
-                             long most_boxes, const StopRequest& stop, const Done& done) {
+ChartSearchOutcome subdivide(const ChartSystem<Ball>& system, const KnownPlaces& places,
+                             const std::vector<ChartBox>& roots, long most_boxes, const StopRequest& stop,
+                             const Done& done) {
   ChartSearchOutcome outcome;
   std::deque<ChartCell<Ball>> waiting;
-  waiting.push_back(chart_cell(system, root));
+  for (const ChartBox& root : roots) {
+    waiting.push_back(chart_cell(system, root));
+    if (roots.size() > 1) waiting.back().depth = kFirstCertificateDepth;  // left by a search that reached it
+  }
   std::array<ChartCell<Ball>, 2> halves;
   while (!waiting.empty()) {
     const ChartCell<Ball> cell = std::move(waiting.front());
@@ -141,8 +145,9 @@ ChartSearchOutcome subdivide(const ChartSystem<Ball>& system, const KnownPlaces&
 
 template <class Ball>
 ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownPlaces& places,
-                                const std::array<double, 2>& direction, const ChartSeedHandler<Ball>& known,
-                                long most_boxes, const StopRequest& stop) {
+                                const std::vector<ChartBox>& roots, const std::array<double, 2>& direction,
+                                const ChartSeedHandler<Ball>& known, long most_boxes,
+                                const StopRequest& stop) {
   const auto done = [&](const ChartCell<Ball>& cell) {
     if (!known || cell.depth < kFirstCertificateDepth) {
       return false;
@@ -157,7 +162,7 @@ ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownPlac
     return known(point_at(*tube, 0)) || known(point_at(*tube, -tube->reach)) ||
            known(point_at(*tube, tube->reach));
   };
-  return subdivide(system, places, whole_chart, most_boxes, stop, done);
+  return subdivide(system, places, roots, most_boxes, stop, done);
 }
 
 template <class Ball>
@@ -186,15 +191,15 @@ CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>& system, const Know
   };
   ChartBox root = whole_chart;
   root.upper[kAxisW] = 0;
-  outcome.undecided = subdivide(system, places, root, kMostBoxes, stop, done).undecided;
+  outcome.undecided = subdivide(system, places, {root}, kMostBoxes, stop, done).undecided;
   return outcome;
 }
 
-#define EXSECT_INSTANTIATE_SELF_SEARCH(Ball)                                                            \
-  template ChartSearchOutcome search_chart(const ChartSystem<Ball>&, const KnownPlaces&,                \
-                                           const std::array<double, 2>&, const ChartSeedHandler<Ball>&, \
-                                           long, const StopRequest&);                                   \
-  template CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>&, const KnownPlaces&,           \
+#define EXSECT_INSTANTIATE_SELF_SEARCH(Ball)                                                           \
+  template ChartSearchOutcome search_chart(const ChartSystem<Ball>&, const KnownPlaces&,               \
+                                           const std::vector<ChartBox>&, const std::array<double, 2>&, \
+                                           const ChartSeedHandler<Ball>&, long, const StopRequest&);   \
+  template CuspSearchOutcome<Ball> search_cusps(const ChartSystem<Ball>&, const KnownPlaces&,          \
                                                 const StopRequest&);
 
 EXSECT_INSTANTIATE_SELF_SEARCH(DoubleBall)

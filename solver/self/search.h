@@ -21,16 +21,18 @@ struct ChartSearchOutcome {
 template <class Ball>
 using ChartSeedHandler = std::function<bool(const BallPoint<Ball>&)>;
 
-/// Looks for points of H = 0 in the chart's part of the domain, that is U +- t and V +- m t in [0,1]. A box
-/// is done if H cannot vanish in it, or it is outside or in the known places. Any other box must be shown to
-/// be empty of points to be found: without `known` that is all, so that an outcome without undecided boxes
-/// means that there are no pairs. With `known`, a box is also done if a certified tube contains it whose
-/// curve is known, or if the curve cannot have a tangent with c_0 U' + c_1 V' = 0 in it (`direction` c, in
-/// terms of the chart's own U and V).
+/// Looks for points of H = 0 in the `roots`, boxes that cover what is not known yet of the chart's part of
+/// the domain, that is U +- t and V +- m t in [0,1]; at first {whole_chart}. A box is done if H cannot vanish
+/// in it, or it is outside or in the known places. Any other box must be shown to be empty of points to be
+/// found: without `known` that is all, so that an outcome without undecided boxes means that there are no
+/// pairs. With `known`, a box is also done if a certified tube contains it whose curve is known, or if the
+/// curve cannot have a tangent with c_0 U' + c_1 V' = 0 in it (`direction` c, in terms of the chart's own U
+/// and V).
 template <class Ball>
 ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownPlaces& places,
-                                const std::array<double, 2>& direction, const ChartSeedHandler<Ball>& known,
-                                long most_boxes, const StopRequest& stop);
+                                const std::vector<ChartBox>& roots, const std::array<double, 2>& direction,
+                                const ChartSeedHandler<Ball>& known, long most_boxes,
+                                const StopRequest& stop);
 
 /// A cuspidal point: H = 0 with w = 0. The tube has axis w; the point is the only one with w = 0 in it.
 template <class Ball>
