@@ -48,17 +48,17 @@ class SignedSets {
   std::vector<bool> exchanged_;  // relative to the parent
 };
 
-std::vector<Parameter> exchanged(std::vector<Parameter> parameters) {
+std::vector<Parameter> in_other_order(std::vector<Parameter> parameters) {
   for (Parameter& p : parameters) p = static_cast<Parameter>((index(p) + 2) % 4);
   std::ranges::sort(parameters);
   return parameters;
 }
 
-Node exchanged(Node node) {
+Node in_other_order(Node node) {
   for (Side& side : node.on) side.parameter = static_cast<Parameter>((index(side.parameter) + 2) % 4);
   std::ranges::stable_sort(node.on, {}, &Side::parameter);
-  node.wrt = exchanged(std::move(node.wrt));
-  node.free = exchanged(std::move(node.free));
+  node.wrt = in_other_order(std::move(node.wrt));
+  node.free = in_other_order(std::move(node.free));
   node.box = exchanged_pair(node.box);
   node.approx = exchanged_pair(node.approx);
   return node;
@@ -105,7 +105,7 @@ class Orders {
   void exchange(Arc& arc) {
     arc.from = other(arc.from);
     arc.to = other(arc.to);
-    arc.free = exchanged(std::move(arc.free));
+    arc.free = in_other_order(std::move(arc.free));
     for (PolylineVertex& vertex : arc.polyline) vertex.parameters = exchanged_pair(vertex.parameters);
   }
 
@@ -113,7 +113,7 @@ class Orders {
     const auto known = other_.find(id);
     if (known != other_.end()) return known->second;
     const auto mate = mate_of(static_cast<std::size_t>(id));
-    const int result = mate ? static_cast<int>(*mate) : graph_.add_node(exchanged(graph_.node(id)));
+    const int result = mate ? static_cast<int>(*mate) : graph_.add_node(in_other_order(graph_.node(id)));
     return other_[id] = result;
   }
 
