@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "cli/input_file.h"
@@ -105,11 +106,32 @@ std::string place_beyond_doubles(const RationalPatch& patch) {
   return "";
 }
 
+namespace {
+
+/// The same for the data of a surface given by its equation.
+std::string place_beyond_doubles(const ImplicitSurface& surface) {
+  if (!surface.data()) return "";
+  const SurfaceKind kind = surface.kind();
+  const bool is_torus = kind == SurfaceKind::torus;
+  const char* point = kind == SurfaceKind::cone                 ? "apex"
+                      : kind == SurfaceKind::sphere || is_torus ? "centre"
+                                                                : "point";
+  for (std::size_t c = 0; c < 3; ++c)
+    if (!std::isfinite(to_double(surface.data()->point[c]))) return fmt::format("{}[{}]", point, c);
+  const Rational most = from_double(std::numeric_limits<double>::max());
+  if (surface.data()->squared > most * most)
+    return kind == SurfaceKind::cone ? "slope" : is_torus ? "major" : "radius";
+  return surface.data()->minor_squared > most * most ? "minor" : "";
+}
+
+}  // namespace
+
 void refuse_beyond_doubles(const std::string& path, const std::string& reason) {
   const SurfaceFile file = input_surfaces(path);
   for (std::size_t k = 0; k < file.surfaces.size(); ++k) {
-    if (file.surfaces[k].patch() == nullptr) continue;
-    const std::string place = place_beyond_doubles(*file.surfaces[k].patch());
+    const RationalPatch* patch = file.surfaces[k].patch();
+    const std::string place =
+        patch != nullptr ? place_beyond_doubles(*patch) : place_beyond_doubles(*file.surfaces[k].equation());
     if (!place.empty()) throw InputError(input_name(path), fmt::format("$.patches[{}].{}", k, place), reason);
   }
 }

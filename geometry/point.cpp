@@ -18,4 +18,13 @@ Rational determinant(const Point& a, const Point& b, const Point& c) { return do
 
 bool is_zero(const Point& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }
 
+Point least_parallel_axis(const Point& direction) {
+  std::size_t least = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (abs(direction[k]) < abs(direction[least])) least = k;
+  Point axis = {0, 0, 0};
+  axis[least] = 1;
+  return axis;
+}
+
 }  // namespace exsect

@@ -17,5 +17,8 @@ Rational dot(const Point& a, const Point& b);
 Point cross(const Point& a, const Point& b);
 Rational determinant(const Point& a, const Point& b, const Point& c);
 bool is_zero(const Point& a);
+/// The unit vector of the axis of coordinates along which `direction` goes least: not parallel unless it is
+/// 0.
+Point least_parallel_axis(const Point& direction);
 
 }  // namespace exsect

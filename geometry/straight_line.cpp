@@ -3,18 +3,6 @@
 #include <stdexcept>
 
 namespace exsect {
-namespace {
-
-Point least_parallel_axis(const Point& direction) {
-  std::size_t k = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (abs(direction[i]) < abs(direction[k])) k = i;
-  Point axis = {0, 0, 0};
-  axis[k] = 1;
-  return axis;
-}
-
-}  // namespace
 
 StraightLine straight_line(const ParameterLine& line) {
   const LineShape s = shape(line);

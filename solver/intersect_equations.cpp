@@ -2,18 +2,25 @@
 
 #include <exsect/algebra/interruption.h>
 #include <exsect/algebra/nearest_rounding.h>
+#include <exsect/algebra/rounding_bounds.h>
+#include <exsect/geometry/beyond_doubles.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "answer/placement.h"
 #include "answer/run.h"
+#include "curve/short_rational.h"
 #include "lift/curve_names.h"
 #include "lift/lifted_course.h"
 #include "lift/lifted_curve.h"
 
 namespace exsect {
 namespace {
+
+constexpr const char* kBeyondDoubles = "the common points must lie in the range of doubles";
 
 /// Surfaces of smaller rank have the simpler charts.
 int rank(const ImplicitSurface& surface) {
@@ -58,7 +65,9 @@ bool is_closed(const SurfaceIntersection& result, const SpaceCurve& curve) {
 }
 
 void draw(SurfaceIntersection& result, const LiftedCurve& curve, const Run& run) {
+  if (curve.nodes.empty()) return;
   const double extent = extent_of(curve.chart), tolerance = run.drawn_tolerance(extent);
+  if (!(extent > 0 && std::isfinite(extent))) throw BeyondDoubles(kBeyondDoubles);
   const Rational width = std::min<Rational>(power_of_two(-80), from_double(tolerance / extent));
   for (std::size_t i = 0; i < curve.nodes.size(); ++i)
     add_node(result, kind_of(curve.nodes[i]), curve.nodes[i].degree, place_in_space(curve, i, width));
@@ -95,7 +104,8 @@ SurfaceIntersection planes(const SurfaceData& first, const SurfaceData& second) 
   double error = 0;
   for (const SpaceNode& node : result.nodes)
     for (std::size_t k = 0; k < 3; ++k)
-      error += to_double(abs(node.box[k].lower - from_double(node.approx[k]))) * (1 + 0x1p-50);
+      error += to_double(abs(node.box[k].lower - from_double(node.approx[k])));
+  error = error * kSlack + kUnderflowLoss;
   result.arcs.push_back({0, 0, 0, 1, 1, {result.nodes[0].approx, result.nodes[1].approx}, error});
   result.curves.push_back({0, SpaceCurveKind::line, {0}, false, 1, point, along});
   return result;
@@ -146,13 +156,77 @@ SurfaceIntersection answered_pair(const ImplicitSurface& first, const ImplicitSu
   }
 }
 
+/// The point of a plane, or of the axis of a cylinder, that is next to q; the centre or apex of others.
+Point reference_point(const SurfaceData& data, SurfaceKind kind, const Point& q) {
+  const Point off = q - data.point;
+  if (kind == SurfaceKind::plane) return q - dot(data.axis, off) / dot(data.axis, data.axis) * data.axis;
+  if (kind == SurfaceKind::cylinder)
+    return data.point + dot(data.axis, off) / dot(data.axis, data.axis) * data.axis;
+  return data.point;
+}
+
+/// A box about the reference points with the radii. Empty if there is a polynomial.
+std::vector<Point> model_points(const ImplicitSurface& first, const ImplicitSurface& second) {
+  if (!first.data() || !second.data()) return {};
+  const Point other = reference_point(*second.data(), second.kind(), first.data()->point);
+  std::vector<Point> points;
+  for (const ImplicitSurface* surface : {&first, &second}) {
+    const Point at = reference_point(*surface->data(), surface->kind(), other);
+    const bool is_cone = surface->kind() == SurfaceKind::cone;  // whose slope is no length
+    const Rational reach =
+        is_cone ? Rational(0)
+                : root_above(surface->data()->squared) + root_above(surface->data()->minor_squared);
+    points.push_back(at - reach * Point{1, 1, 1});
+    points.push_back(at + reach * Point{1, 1, 1});
+  }
+  return points;
+}
+
+/// Throws BeyondDoubles if a coordinate is not in their range.
+void restore(SurfaceIntersection& result, const Placement& place) {
+  const auto checked = [&](std::array<double, 3>& point) {
+    const double moved = place.restore(point);
+    if (!std::isfinite(moved)) throw BeyondDoubles(kBeyondDoubles);
+    return moved;
+  };
+  for (SpaceNode& node : result.nodes) {
+    Point lower, upper;
+    for (std::size_t k = 0; k < 3; ++k) lower[k] = node.box[k].lower, upper[k] = node.box[k].upper;
+    lower = place.restored(lower);
+    upper = place.restored(upper);
+    for (std::size_t k = 0; k < 3; ++k) node.box[k] = {lower[k], upper[k]};
+    checked(node.approx);
+  }
+  for (SpaceArc& arc : result.arcs) {
+    double moved = 0;
+    for (std::array<double, 3>& point : arc.polyline) moved = larger_bound(moved, checked(point));
+    arc.error_bound = place.restored(arc.error_bound, moved);
+  }
+  for (SpaceCurve& curve : result.curves) {
+    if (curve.point) curve.point = place.restored(*curve.point);
+    if (curve.radius_squared) *curve.radius_squared *= place.scale() * place.scale();
+  }
+}
+
+/// The model is moved and scaled where that helps.
+SurfaceIntersection pair_in_place(const ImplicitSurface& first, const ImplicitSurface& second,
+                                  const Run& run) {
+  const std::vector<Point> points = model_points(first, second);
+  const auto place = points.empty() ? std::nullopt : Placement::of(points);
+  if (!place) return answered_pair(first, second, run);
+  SurfaceIntersection result = answered_pair(place->placed(first), place->placed(second),
+                                             run.with_tolerance(place->left_of(run.tolerance(1))));
+  restore(result, *place);
+  return result;
+}
+
 }  // namespace
 
 SurfaceIntersection intersect(const ImplicitSurface& first, const ImplicitSurface& second,
                               const IntersectOptions& options) {
   return in_nearest_rounding([&] {
     const Run run(options);
-    SurfaceIntersection result = answered_pair(first, second, run);
+    SurfaceIntersection result = pair_in_place(first, second, run);
     result.work = run.finished({result.status, {}, {}, {}}).work;
     return result;
   });

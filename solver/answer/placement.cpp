@@ -71,7 +71,8 @@ Rational model_extent(const BezierPatch& x, const BezierPatch& y) {
 }
 Rational model_extent(std::span<const Point> points) { return Box(points).extent(); }
 
-Placement::Placement(Point origin, long exponent) : origin_(std::move(origin)), exponent_(exponent) {
+Placement::Placement(Point origin, long exponent)
+    : origin_(std::move(origin)), exponent_(exponent), scale_(power_of_two(exponent)) {
   for (std::size_t c = 0; c < 3; ++c) {
     high_[c] = to_double(origin_[c]);
     low_[c] = std::isfinite(high_[c]) ? to_double(origin_[c] - from_double(high_[c])) : 0;
@@ -118,7 +119,7 @@ RationalPatch Placement::placed(const RationalPatch& patch) const {
 }
 
 ImplicitSurface Placement::placed(const ImplicitSurface& surface) const {
-  return surface.seen_from(origin_, power_of_two(exponent_));
+  return surface.seen_from(origin_, scale_);
 }
 
 Point Placement::placed(const Point& point) const { return power_of_two(-exponent_) * (point - origin_); }
@@ -152,9 +153,15 @@ void Placement::restore(Arc& arc) const {
     const double error = restore(vertex.point);
     moved = larger_bound(moved, error);
   }
-  const double bound = std::ldexp(arc.error_bound, static_cast<int>(exponent_)) + moved;
-  arc.error_bound = std::isfinite(bound) ? bound * kSlack + kRestoring : HUGE_VAL;
+  arc.error_bound = restored(arc.error_bound, moved);
 }
+
+double Placement::restored(double bound, double moved) const {
+  const double sum = std::ldexp(bound, static_cast<int>(exponent_)) + moved;
+  return std::isfinite(sum) ? sum * kSlack + kRestoring : HUGE_VAL;
+}
+
+Point Placement::restored(const Point& point) const { return origin_ + scale_ * point; }
 
 void Placement::restore(IntersectionGraph& graph) const {
   for (Node& node : graph.nodes) restore(node.point);

@@ -42,15 +42,21 @@ class Placement {
   /// to the true one, infinite beyond their range; bounds count the rounding, and are infinite for an arc
   /// with such a coordinate.
   void restore(IntersectionGraph& graph) const;
+  /// The same for one point; returns a bound of the distance that rounding moves it.
+  double restore(std::array<double, 3>& point) const;
+  /// A bound of distances, and what rounding moves the points.
+  double restored(double bound, double moved) const;
+  /// Exactly.
+  Point restored(const Point& point) const;
+  const Rational& scale() const { return scale_; }
 
  private:
   Placement(Point origin, long exponent);
-  /// Restores the point; returns a bound of the distance that rounding moves it.
-  double restore(std::array<double, 3>& point) const;
   void restore(Arc& arc) const;
 
   Point origin_;
   long exponent_;
+  Rational scale_;              // 2^exponent
   std::array<double, 3> high_;  // of the origin, in doubles
   std::array<double, 3> low_;   // what `high_` lacks
 };

@@ -11,6 +11,8 @@
 #include <optional>
 #include <vector>
 
+#include "curve/taylor_shift.h"
+
 namespace exsect {
 
 /// A point (u,v), both of radius 0.
@@ -26,11 +28,7 @@ class PlaneStrip {
   /// Of f != 0, u in the place of r and v in that of s.
   explicit PlaneStrip(const BivariatePolynomial& f)
       : m_(static_cast<std::size_t>(f.degree_r())), n_(static_cast<std::size_t>(f.degree_s())) {
-    Rational most = 0;
-    for (int i = 0; i <= f.degree_r(); ++i)
-      for (int j = 0; j <= f.degree_s(); ++j) most = std::max<Rational>(most, abs(f.coefficient(i, j)));
-    for (int i = 0; i <= f.degree_r(); ++i)
-      for (int j = 0; j <= f.degree_s(); ++j) c_.push_back(Ball::enclosing(f.coefficient(i, j) / most));
+    c_ = enclosed_coefficients<Ball>(f, greatest_coefficient(f));
   }
 
   /// About the zero of f(u,.) near v, by Newton's method; empty if it does not come to rest within `rest`.
@@ -63,7 +61,8 @@ class PlaneStrip {
         larger_bound((a.u - u).upper_magnitude(), (b.u - u).upper_magnitude()) * kSlack + slack;
     const double off = larger_bound((a.v - v - slope * (a.u - u)).upper_magnitude(),
                                     (b.v - v - slope * (b.u - u)).upper_magnitude());
-    const std::vector<Ball> c = shifted(u, v);
+    std::vector<Ball> c = c_;
+    shift_to(c, n_ + 1, u, v);
     const double rise = std::fabs(slope.approximation()) * reach * kSlack;
     for (const double edge : {-w, w}) {
       const double at = v.approximation() + edge;
@@ -92,19 +91,6 @@ class PlaneStrip {
     std::vector<Ball> c(n_ + 1);
     for (std::size_t i = m_ + 1; i-- > 0;)
       for (std::size_t j = 0; j <= n_; ++j) c[j] = c[j] * u + c_[i * (n_ + 1) + j];
-    return c;
-  }
-
-  /// Coefficients of f(u + x, v + y), in the same order.
-  std::vector<Ball> shifted(const Ball& u, const Ball& v) const {
-    std::vector<Ball> c = c_;
-    const std::size_t row = n_ + 1;
-    for (std::size_t k = 0; k < m_; ++k)
-      for (std::size_t i = m_; i-- > k;)
-        for (std::size_t j = 0; j < row; ++j) c[i * row + j] += u * c[(i + 1) * row + j];
-    for (std::size_t i = 0; i <= m_; ++i)
-      for (std::size_t k = 0; k < n_; ++k)
-        for (std::size_t j = n_; j-- > k;) c[i * row + j] += v * c[i * row + j + 1];
     return c;
   }
 

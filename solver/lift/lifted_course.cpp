@@ -10,12 +10,11 @@
 #include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
 #include "curve/curve_place.h"
+#include "curve/taylor_shift.h"
 
 namespace exsect {
 namespace {
 
-/// Above 1 by more than what the few dozen rounded operations on lengths lose.
-constexpr double kLengthSlack = 1 + 0x1p-40;
 constexpr int kDeepest = 400;
 
 /// All values of a polynomial of degree at most 2 on a closed interval.
@@ -65,44 +64,26 @@ class Radicand {
 class EnclosedPolynomial {
  public:
   EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit)
-      : m_(static_cast<std::size_t>(std::max(f.degree_r(), 0))),
-        n_(static_cast<std::size_t>(std::max(f.degree_s(), 0))) {
-    for (std::size_t i = 0; i <= m_; ++i)
-      for (std::size_t j = 0; j <= n_; ++j)
-        c_.push_back(DoubleBall::enclosing(f.coefficient(static_cast<int>(i), static_cast<int>(j)) / unit));
-  }
+      : row_(static_cast<std::size_t>(std::max(f.degree_s(), 0)) + 1),
+        c_(enclosed_coefficients<DoubleBall>(f, unit)) {}
 
   /// For |u - at_u| <= du, |v - at_v| <= dv: Taylor's expansion about the middle.
   DoubleBall on(double at_u, double at_v, double du, double dv) const {
     std::vector<DoubleBall> c = c_;
-    const std::size_t row = n_ + 1;
-    for (std::size_t k = 0; k < m_; ++k)
-      for (std::size_t i = m_; i-- > k;)
-        for (std::size_t j = 0; j < row; ++j) c[i * row + j] += DoubleBall(at_u) * c[(i + 1) * row + j];
-    for (std::size_t i = 0; i <= m_; ++i)
-      for (std::size_t k = 0; k < n_; ++k)
-        for (std::size_t j = n_; j-- > k;) c[i * row + j] += DoubleBall(at_v) * c[i * row + j + 1];
+    shift_to(c, row_, DoubleBall(at_u), DoubleBall(at_v));
     double others = 0, power_u = 1;
-    for (std::size_t i = 0; i <= m_; ++i, power_u *= du) {
+    for (std::size_t i = 0; i < c.size(); i += row_, power_u *= du) {
       double power = power_u;
-      for (std::size_t j = 0; j <= n_; ++j, power *= dv)
-        if (i + j > 0) others += c[i * row + j].upper_magnitude() * power;
+      for (std::size_t j = 0; j < row_; ++j, power *= dv)
+        if (i + j > 0) others += c[i + j].upper_magnitude() * power;
     }
-    return c[0].widened(others * kLengthSlack + kUnderflowLoss);
+    return c[0].widened(others * kSlack + kUnderflowLoss);
   }
 
  private:
-  std::size_t m_;
-  std::size_t n_;
+  std::size_t row_;
   std::vector<DoubleBall> c_;
 };
-
-Rational greatest_coefficient(const BivariatePolynomial& f) {
-  Rational most = 0;
-  for (int i = 0; i <= f.degree_r(); ++i)
-    for (int j = 0; j <= f.degree_s(); ++j) most = std::max<Rational>(most, abs(f.coefficient(i, j)));
-  return most;
-}
 
 /// t = (2 y g_v, -2 y g_u, Y_u g_v - Y_v g_u) for g = 0 and y^2 = Y; without y on the plane of symmetry.
 class Tangents {
@@ -128,7 +109,7 @@ class Tangents {
  private:
   static double reach(const RationalInterval& on, double middle) {
     const Rational m = from_double(middle);
-    return to_double(std::max<Rational>(m - on.lower, on.upper - m)) * kLengthSlack + kUnderflowLoss;
+    return to_double(std::max<Rational>(m - on.lower, on.upper - m)) * kSlack + kUnderflowLoss;
   }
 
   bool is_planar_;
@@ -180,7 +161,7 @@ class Course {
     const Vertex from = end(arc_.from), to = end(arc_.to);
     course_.points = {from.point};
     cut(from, to, 0);
-    course_.error_bound *= kLengthSlack;
+    course_.error_bound *= kSlack;
     return std::move(course_);
   }
 
@@ -195,7 +176,7 @@ class Course {
       off[k] = to_double(std::max<Rational>(box[k].upper - at, at - box[k].lower));
       result.scaled[k] = to_double(result.at[k].midpoint()) * lengths_[k];
     }
-    result.error = length_bound(off[0], off[1], off[2]) * kLengthSlack + kUnderflowLoss;
+    result.error = length_bound(off[0], off[1], off[2]) * kSlack + kUnderflowLoss;
     return result;
   }
 
@@ -209,7 +190,7 @@ class Course {
     interruption_point();
     if (const std::optional<double> bound = proved_bound(a, b)) {
       course_.points.push_back(b.point);
-      course_.error_bound = std::max(course_.error_bound, *bound);
+      course_.error_bound = larger_bound(course_.error_bound, *bound);
       return;
     }
     if (depth > kDeepest) throw ProofFailure(whole_domain(), "an arc in space cannot be drawn");
@@ -254,17 +235,24 @@ class Course {
     const RationalInterval y = on_sheet(radicand_.on(u, v), arc_.sheet);
     const double size = length_bound(to_double(u.width()) * lengths_[0], to_double(v.width()) * lengths_[1],
                                      to_double(y.width()) * lengths_[2]) *
-                        kLengthSlack;
-    const double error = std::max(a.error, b.error);
-    if (size + error <= std::max(tolerance_, 4 * error)) return size + error;
+                        kSlack;
+    const double error = larger_bound(a.error, b.error), wanted = larger_bound(tolerance_, 4 * error);
+    if (!std::isfinite(wanted))
+      throw ProofFailure(whole_domain(), "an arc in space is not in the range of doubles");
+    if (size + error <= wanted) return (size + error) * kSlack;
     const std::optional<double> slope = slope_to_chord(a, b, tangents_.on(u, v, y));
     if (!slope) return std::nullopt;
-    const double bound = *slope * length(a, b) / 2 * kLengthSlack + 3 * error;
-    return bound <= std::max(tolerance_, 4 * error) ? std::optional(bound) : std::nullopt;
+    const double bound = *slope * (length(a, b) + 2 * error) / 2 * kSlack + 3 * error;
+    return bound <= wanted ? std::optional(bound) : std::nullopt;
   }
 
+  /// Not below the chord's length. Of `scaled`, a rounded quotient times a rounded length, 2^-50 is lost.
   static double length(const Vertex& a, const Vertex& b) {
-    return std::hypot(b.scaled[0] - a.scaled[0], b.scaled[1] - a.scaled[1], b.scaled[2] - a.scaled[2]);
+    double rounding = kUnderflowLoss;
+    for (std::size_t k = 0; k < 3; ++k)
+      rounding += (std::fabs(a.scaled[k]) + std::fabs(b.scaled[k])) * 0x1p-50;
+    return length_bound(b.scaled[0] - a.scaled[0], b.scaled[1] - a.scaled[1], b.scaled[2] - a.scaled[2]) +
+           rounding * kSlack;
   }
 
   /// A bound of |t x d| / |t . d| for the direction d of the chord and all tangents.
@@ -280,7 +268,7 @@ class Course {
     const auto minor = [&](std::size_t i, std::size_t j) {
       return (t[i] * d[j] - t[j] * d[i]).upper_magnitude();
     };
-    return length_bound(minor(0, 1), minor(1, 2), minor(2, 0)) / along * kLengthSlack;
+    return length_bound(minor(0, 1), minor(1, 2), minor(2, 0)) / along * kSlack;
   }
 
   static inline const Rational kFine = power_of_two(-80);

@@ -17,20 +17,11 @@ namespace {
 /// What is left of a vector orthogonally to another one, up to a positive factor.
 Point orthogonal_part(const Point& of, const Point& to) { return dot(to, to) * of - dot(of, to) * to; }
 
-Point any_orthogonal(const Point& axis) {
-  std::size_t least = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (abs(axis[k]) < abs(axis[least])) least = k;
-  Point unit = {0, 0, 0};
-  unit[least] = 1;
-  return cross(axis, unit);
-}
-
 /// The first of the vectors that has a part orthogonal to the axis.
 Point orthogonal_direction(const Point& axis, const std::vector<Point>& vectors) {
   for (const Point& vector : vectors)
     if (const Point part = orthogonal_part(vector, axis); !is_zero(part)) return shortened(part);
-  return shortened(any_orthogonal(axis));
+  return shortened(cross(axis, least_parallel_axis(axis)));
 }
 
 bool is_bounded(SurfaceKind kind) { return kind == SurfaceKind::sphere || kind == SurfaceKind::torus; }

@@ -113,4 +113,14 @@ TEST_CASE("intersect: two surfaces given by their equations") {
   CHECK(text.out.find("(0, 0, -1)") != std::string::npos);
 }
 
+TEST_CASE("intersect: surfaces beyond the range of doubles are refused with their place") {
+  const ScratchDirectory scratch;
+  const std::string path = scratch.path("huge.json");
+  std::ofstream(path) << R"({"exsect": "patches/1", "patches": [
+    {"name": "floor", "type": "plane", "point": ["0", "0", "0"], "normal": ["0", "0", "1"]},
+    {"name": "ball", "type": "sphere", "centre": ["0", "0", "0"], "radius": "1e400"}]})";
+  check_refused({"intersect", path},
+                "$.patches[1].radius: the common points must lie in the range of doubles");
+}
+
 }  // namespace exsect::intersect_equation_test

@@ -1,3 +1,4 @@
+#include <exsect/geometry/beyond_doubles.h>
 #include <exsect/solver/intersect_equations.h>
 
 #include <cmath>
@@ -238,6 +239,33 @@ TEST_CASE("equations: a torus and quadrics") {
     CHECK(census(torus, S::cylinder(origin, up, 8 + tenth_to(k))) == nothing);
     CHECK(census(torus, S::cylinder(origin, up, 8 - tenth_to(k))) == "2 circle o");
   }
+}
+
+TEST_CASE("equations: sizes and places that doubles hardly hold") {
+  // Moved by c and scaled by q, pairs have the same curves, at places that follow exactly.
+  const Point c = {0, 1, 2};
+  for (const int exponent : {-1400, -300, 0, 900}) {
+    const Rational q = power_of_two(exponent);
+    for (const Point& at : {origin, power_of_two(exponent < 0 ? exponent + 60 : 0) * c}) {
+      const S ball = S::sphere(at, Length(Rational(2 * q)));
+      const S bore = S::cylinder(at + q * right, up, Length(q));
+      CHECK(census(ball, bore) == census(S::sphere(origin, 2), S::cylinder(right, up, 1)));
+      const SurfaceIntersection cut = intersect(S::plane(at + q * up, up), ball, coarse());
+      REQUIRE(census(cut) == "1 circle o");
+      CHECK(*cut.curves[0].point == at + q * up);
+      CHECK(*cut.curves[0].radius_squared == 3 * q * q);
+      for (const SpaceNode& node : cut.nodes)
+        CHECK((node.box[2].lower <= at[2] + q && at[2] + q <= node.box[2].upper));
+      const double place = 0x1p-48 * to_double(at[2]) + 0x1p-1060;
+      for (const SpaceArc& arc : cut.arcs) CHECK(arc.error_bound <= 0.02 * to_double(q) + place);
+    }
+  }
+  // The point that is given of a plane may be anywhere on it.
+  CHECK(census(S::plane({power_of_two(1400), 0, Rational(1, 2)}, up), S::sphere(origin, 1)) == "1 circle o");
+  const S huge = S::sphere(origin, Length(power_of_two(1100)));
+  CHECK_THROWS_AS(intersect(huge, S::plane(origin, up)), BeyondDoubles);
+  CHECK_THROWS_AS(intersect(huge, S::polynomial(S::plane(origin, up).equation())), BeyondDoubles);
+  CHECK(census(huge, S::sphere(origin, 1)) == nothing);
 }
 
 }  // namespace exsect::intersect_equations_test
