@@ -55,8 +55,8 @@ ChosenPatch read_patch(const std::string& path, const std::string& name);
 /// "points[i][j][c]" or "weights[i][j]", as in a patch file, of the first coordinate or weight beyond the
 /// range of doubles; "" if there is none.
 std::string place_beyond_doubles(const RationalPatch& patch);
-/// Throws InputError that names the first control point of the file with a coordinate beyond the range of
-/// doubles, and `reason`; returns if there is none.
+/// Throws InputError that names the first control point of the file, or datum of a surface given by its
+/// equation, beyond the range of doubles, and `reason`; returns if there is none.
 void refuse_beyond_doubles(const std::string& path, const std::string& reason);
 
 }  // namespace exsect::cli

@@ -78,6 +78,8 @@ void change_all(IntersectResult& result, const Change& change) {
 void rename_parameters(IntersectResult& result, const ParameterNames& names) {
   change_all(result, Renamer(names));
 }
+void rename_parameters(Node& node, const ParameterNames& names) { Renamer{names}(node); }
+void rename_parameters(Arc& arc, const ParameterNames& names) { Renamer{names}(arc); }
 
 void reverse_parameter(IntersectResult& result, Parameter p) { change_all(result, Reverser(p)); }
 

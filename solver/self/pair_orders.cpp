@@ -1,19 +1,16 @@
 #include "self/pair_orders.h"
 
-#include <algorithm>
 #include <map>
 #include <optional>
 
+#include "answer/parameter_box.h"
+#include "answer/parameter_names.h"
 #include "self/chart.h"
 
 namespace exsect {
 namespace {
 
-bool same_box(const ParameterBox& a, const ParameterBox& b) {
-  return std::ranges::equal(a, b, [](const RationalInterval& i, const RationalInterval& j) {
-    return i.lower == j.lower && i.upper == j.upper;
-  });
-}
+constexpr ParameterNames exchanged_names = {Parameter::r, Parameter::s, Parameter::u, Parameter::v};
 
 /// Sets with a sign: of each member relative to the set's root.
 class SignedSets {
@@ -47,22 +44,6 @@ class SignedSets {
   std::vector<std::size_t> parent_;
   std::vector<bool> exchanged_;  // relative to the parent
 };
-
-std::vector<Parameter> in_other_order(std::vector<Parameter> parameters) {
-  for (Parameter& p : parameters) p = static_cast<Parameter>((index(p) + 2) % 4);
-  std::ranges::sort(parameters);
-  return parameters;
-}
-
-Node in_other_order(Node node) {
-  for (Side& side : node.on) side.parameter = static_cast<Parameter>((index(side.parameter) + 2) % 4);
-  std::ranges::stable_sort(node.on, {}, &Side::parameter);
-  node.wrt = in_other_order(std::move(node.wrt));
-  node.free = in_other_order(std::move(node.free));
-  node.box = exchanged_pair(node.box);
-  node.approx = exchanged_pair(node.approx);
-  return node;
-}
 
 class Orders {
  public:
@@ -98,23 +79,23 @@ class Orders {
     if (id < mates_.size()) return mates_[id];
     const ParameterBox box = exchanged_pair(graph_.nodes()[id].box);
     for (std::size_t i = mates_.size(); i < graph_.nodes().size(); ++i)
-      if (same_box(graph_.nodes()[i].box, box)) return i;
+      if (const ParameterBox& at = graph_.nodes()[i].box; lies_in(at, box) && lies_in(box, at)) return i;
     return std::nullopt;
   }
 
   void exchange(Arc& arc) {
     arc.from = other(arc.from);
     arc.to = other(arc.to);
-    arc.free = in_other_order(std::move(arc.free));
-    for (PolylineVertex& vertex : arc.polyline) vertex.parameters = exchanged_pair(vertex.parameters);
+    rename_parameters(arc, exchanged_names);
   }
 
   int other(int id) {
     const auto known = other_.find(id);
     if (known != other_.end()) return known->second;
-    const auto mate = mate_of(static_cast<std::size_t>(id));
-    const int result = mate ? static_cast<int>(*mate) : graph_.add_node(in_other_order(graph_.node(id)));
-    return other_[id] = result;
+    if (const auto mate = mate_of(static_cast<std::size_t>(id))) return other_[id] = static_cast<int>(*mate);
+    Node node = graph_.node(id);
+    rename_parameters(node, exchanged_names);
+    return other_[id] = graph_.add_node(std::move(node));
   }
 
   GraphBuilder& graph_;

@@ -56,7 +56,8 @@ class SelfIntersection {
   IntersectResult run() {
     find();
     join_orders(graph_, exact_.boundary.mate);
-    if (turning_.size() != run_.turning().size()) join_at_other_turning_points(graph_, 0, 0, run_.turning());
+    const auto is_wanted = [this](Parameter p) { return std::ranges::count(run_.turning(), p) > 0; };
+    if (!std::ranges::all_of(turning_, is_wanted)) join_at_other_turning_points(graph_, 0, 0, run_.turning());
     return finished(std::move(graph_), {run_.turning(), RegularDegree(x_, x_), true},
                     std::move(result_.incomplete));
   }

@@ -96,7 +96,7 @@ TEST_CASE("a folded side and a curve that end in one pair are one component") {
     CHECK(all.graph.count(ComponentShape::open) == 4);
     CHECK(all.graph.components.size() == 4);
     CHECK(all.graph.boundary_points() == 7);
-    options.turning = {Parameter::u};
+    options.turning = {Parameter::u, Parameter::u};
     const IntersectResult in_u = self_intersect(patch, options);
     CHECK(in_u.status == Status::complete);
     CHECK(in_u.graph.turning_points(Parameter::u) == all.graph.turning_points(Parameter::u));
