@@ -14,7 +14,7 @@ namespace exsect {
 namespace {
 
 /// Of a brief search: what most searches need that succeed.
-constexpr long kBriefBoxes = 6000;
+constexpr long kBriefBoxes = 5500;
 /// So many boxes that doubles leave are taken up as they are in longer numbers, more are searched from the
 /// start.
 constexpr std::size_t kMostLeft = 2000;
