@@ -47,14 +47,8 @@ std::optional<BiquadraticPair> biquadratic(const RationalPair& pair) {
 
 /// What there is for biquadratic patches only.
 void refuse_for_others(const IntersectCommand& command, const RationalPair& pair) {
-  const NamedRationalPatch& patch = pair.x.patch.biquadratic() ? pair.y : pair.x;
-  const auto refuse = [&](const char* option) {
-    throw InputError(input_name(command.file), "",
-                     fmt::format("patch \"{}\": not supported yet with {}: {}", printable(patch.name), option,
-                                 kind_of(patch.patch)));
-  };
-  if (command.exact) refuse("--exact");
-  if (!command.output.certificate.empty()) refuse("--certificate");
+  if (command.exact) refuse_unless_biquadratic(command.file, pair, "--exact");
+  if (!command.output.certificate.empty()) refuse_unless_biquadratic(command.file, pair, "--certificate");
 }
 
 /// intersect() of two patches, of a surface given by its equation and a patch, or of two such surfaces.

@@ -38,6 +38,9 @@ RationalPair read_rational_pair(const std::string& path, const std::string& firs
 /// The same where `chosen_by`, and not --first and --second, gives the names.
 RationalPair read_rational_pair(const std::string& path, const std::string& first, const std::string& second,
                                 const char* chosen_by);
+/// Throws InputError that names the first patch of the pair that is not polynomial of bidegree at most (2,2),
+/// and the option that takes no others; returns if there is none.
+void refuse_unless_biquadratic(const std::string& path, const RationalPair& pair, const char* option);
 /// The same for methods that take polynomial patches of bidegree at most (2,2) only; InputError for others.
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second);
 

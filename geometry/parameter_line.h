@@ -15,13 +15,15 @@ struct ParameterLine {
 };
 
 /// conic: a1 x a2 != 0. straight: a line segment run through monotonically on [0,1]. folded: a line segment
-/// whose point turns back at a parameter inside (0,1). point: a1 = a2 = 0.
-enum class LineShape { conic, straight, folded, point };
+/// whose point turns back at a parameter inside (0,1). point: a1 = a2 = 0. Lines of patches of degree 3 only:
+/// plane_cubic, and twisted_cubic, in no plane.
+enum class LineShape { conic, straight, folded, point, plane_cubic, twisted_cubic };
 
 /// The line x(u0, .) with parameter v. Any rational u0.
 ParameterLine line_at_first(const BezierPatch& x, const Rational& u0);
 /// The line x(., v0) with parameter u.
 ParameterLine line_at_second(const BezierPatch& x, const Rational& v0);
+/// conic, straight, folded or point.
 LineShape shape(const ParameterLine& line);
 
 }  // namespace exsect

@@ -53,8 +53,8 @@ struct SolvedPair {
 
 struct SolvedLine {
   LineIntersection line;
-  BezierPatch first;
-  BezierPatch second;
+  RationalPatch first;
+  RationalPatch second;
   cli::PatchNames names;
 
   cli::Json json() const { return cli::line_json(line, first); }
@@ -62,7 +62,10 @@ struct SolvedLine {
   std::string report(const std::string& title) const {
     return cli::line_report_html(line, first, second, names, {title, ""});
   }
-  std::string certificate() const { return cli::certificate_text(first, second, names, line); }
+  std::string certificate() const {
+    return cli::certificate_text(biquadratic_of(first, names.first), biquadratic_of(second, names.second),
+                                 names, line);
+  }
   std::string exported(const std::string& format, const std::string& title, int cells) const {
     if (format == "csv") return cli::point_csv(line, first);
     return scene_text(cli::line_scene(line, first, second, names, title, cells), format);
@@ -111,10 +114,9 @@ SolvedLine intersect_parameter_line(const RationalPatch& first, const RationalPa
                                     const py::object& value) {
   const std::vector<Parameter> fixed = cli::parameter_list("parameter", parameter);
   if (fixed.size() != 1) throw std::invalid_argument("parameter: one of u, v, r, s is needed");
-  const BezierPatch x = biquadratic_of(first, names[0]), y = biquadratic_of(second, names[1]);
   const LineQuery query{fixed.front(), rational_of(value, Numbers::exact, parameter)};
   const py::gil_scoped_release release;
-  return {intersect_line(x, y, query), x, y, {names[0], names[1]}};
+  return {intersect_line(first, second, query), first, second, {names[0], names[1]}};
 }
 
 /// What intersections and lines have beside the common forms.

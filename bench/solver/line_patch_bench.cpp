@@ -72,7 +72,9 @@ void filtered_doubles(benchmark::State& state) { run(state, doubles(), line_poin
 void line_points_small_rationals(benchmark::State& state) { run(state, small_rationals(), line_points); }
 void line_points_doubles(benchmark::State& state) { run(state, doubles(), line_points); }
 void intersect_line_small_rationals(benchmark::State& state) {
-  run(state, small_rationals(), intersect_line);
+  run(state, small_rationals(), [](const BezierPatch& x, const BezierPatch& y, const LineQuery& query) {
+    return intersect_line(x, y, query);
+  });
 }
 
 BENCHMARK(filtered_small_rationals)->Unit(benchmark::kMicrosecond);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <vector>
 
 #include "output/drawing/svg_legend.h"
@@ -60,6 +61,7 @@ void draw(SvgSquare& square, const std::vector<PlanePolyline>& drawn, const Stro
 }
 
 /// The curve P = 0, cut where 2 A r + B changes sign: negative on branch 1, positive on branch 2 (9.16).
+/// Where P is not quadratic in r, all of it is the first.
 struct Branches {
   std::vector<PlanePolyline> first;
   std::vector<PlanePolyline> second;
@@ -69,13 +71,13 @@ Branches branches(const BivariatePolynomial& plane) {
   Branches result;
   if (plane.is_zero()) return result;
   const LineShade slope(plane.derivative_r());
-  const bool linear = plane.degree_r() < 2;  // the one root belongs to branch 1
+  const bool single = plane.degree_r() != 2;
   for (const PlanePolyline& polyline : curves(plane)) {
     bool was_second = false;
     for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
       const PlanePoint middle = {(polyline[i][0] + polyline[i + 1][0]) / 2,
                                  (polyline[i][1] + polyline[i + 1][1]) / 2};
-      const bool second = !linear && slope(middle) > 0;
+      const bool second = !single && slope(middle) > 0;
       std::vector<PlanePolyline>& branch = second ? result.second : result.first;
       if (i == 0 || second != was_second) branch.push_back({polyline[i]});
       branch.back().push_back(polyline[i + 1]);
@@ -106,7 +108,8 @@ void draw_feasible(SvgPicture& picture, const SvgSquare& square, const LineInter
   }
 }
 
-void draw_points(SvgPicture& picture, SvgSquare& square, const LineIntersection& line, const BezierPatch& x) {
+void draw_points(SvgPicture& picture, SvgSquare& square, const LineIntersection& line,
+                 const RationalPatch& x) {
   const std::size_t across = index(line.eliminant_variable);
   const std::size_t upwards = index(partner(line.eliminant_variable));
   for (const ShownPoint& shown : shown_points(line.solution, x)) {
@@ -126,8 +129,17 @@ struct LineCurves {
 
 LineCurves line_curves(const LineIntersection& line) {
   const PullBack& pullback = line.pullback;
-  return {branches(pullback.plane), curves(line.forms ? pullback.cylinder() : pullback.m), curves(pullback.l),
-          curves(pullback.l - pullback.u)};
+  LineCurves result = {branches(pullback.plane), curves(line.forms ? pullback.cylinder() : pullback.m),
+                       curves(pullback.l), curves(pullback.l - pullback.u)};
+  for (const BivariatePolynomial& f : line.cubic)
+    std::ranges::move(curves(f), std::back_inserter(result.second_surface));
+  return result;
+}
+
+const char* second_surface_name(const LineIntersection& line) {
+  if (line.shape == LineShape::plane_cubic) return "cubic";
+  if (line.shape == LineShape::twisted_cubic) return "quadrics through the line";
+  return line.forms ? "cylinder Z = 0" : "second plane";
 }
 
 /// Only what is seen in the picture.
@@ -139,9 +151,10 @@ SvgLegend line_legend(const LineIntersection& line, const LineCurves& drawn) {
   };
   const std::string along = name(partner(line.query.fixed));
   const bool folded = line.shape == LineShape::folded;
-  add(drawn.plane.first, branch_stroke(1), "plane P = 0, branch 1");
+  add(drawn.plane.first, branch_stroke(1),
+      line.pullback.plane.degree_r() > 2 ? "plane P = 0" : "plane P = 0, branch 1");
   add(drawn.plane.second, branch_stroke(2), "plane P = 0, branch 2");
-  add(drawn.second_surface, second_surface, line.forms ? "cylinder Z = 0" : "second plane");
+  add(drawn.second_surface, second_surface, second_surface_name(line));
   add(drawn.lower_end, lower_end, folded ? "one end of the line" : along + " = 0");
   add(drawn.upper_end, upper_end, folded ? "other end of the line" : along + " = 1");
   for (const FeasibleBranch& branch : line.feasible) {
@@ -167,7 +180,7 @@ std::string subtitle(const LineIntersection& line) {
 
 }  // namespace
 
-std::string line_svg(const LineIntersection& line, const BezierPatch& x, const std::string& title) {
+std::string line_svg(const LineIntersection& line, const RationalPatch& x, const std::string& title) {
   const LineCurves drawn = line_curves(line);
   const SvgLegend entries = line_legend(line, drawn);
   const double legend_top = square_top + SvgSquare::size + 54;

@@ -4,8 +4,10 @@
 #include <exsect/geometry/number.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "output/text/shown_line.h"
@@ -82,22 +84,48 @@ void add_graph(Scene& scene, const IntersectionGraph& graph) {
   for (const Node& node : graph.nodes) scene.nodes.push_back(scene_node(node));
 }
 
-/// The chords of p(t) = a0 + a1 t + a2 t^2 at t = k/n, k = 0..n with n even, are within |a2|/(4 n^2) of the
-/// curve, in both directions; a vertex is rounded by at most 2^-53 of each coordinate.
-double chord_bound(const std::vector<Point>& points) {
-  const std::size_t n = points.size() - 1;
-  Rational second = 0,
-           largest = 0;  // |a2| at most, by the sum of its coordinates; a2/2 = p(0) - 2 p(1/2) + p(1)
-  for (std::size_t k = 0; k < 3; ++k) {
-    second += abs(Rational(2 * (points[0][k] - 2 * points[n / 2][k] + points[n][k])));
-    for (const Point& p : points) largest = std::max<Rational>(largest, abs(p[k]));
+/// How far the piece of a line over [from,to] is from its chord at most, in both directions, by the sum of
+/// the coordinates; the line is at a constant first parameter. The piece is a mean of its control points P_j,
+/// the chord that of its points ((d-j) P_0 + j P_d)/d with the same factors: those other than the first and
+/// the last sum up to 1 - 2^(1-d) at most where the weights are equal. Empty where a weight is not positive.
+std::optional<Rational> chord_distance(const RationalPatch& owner, const Rational& value,
+                                       const Rational& from, const Rational& to) {
+  const RationalPatch piece = owner.restricted_to(value, value, from, to);
+  const int d = piece.degree_v();
+  bool equal_weights = true;
+  for (int j = 0; j <= d; ++j) {
+    if (piece.weight(0, j) <= 0) return std::nullopt;
+    equal_weights = equal_weights && piece.weight(0, j) == piece.weight(0, 0);
   }
-  const Rational bound = second / static_cast<long>(4 * n * n) + largest * power_of_two(-51);
+  Rational distance = 0;
+  for (int j = 1; j < d; ++j) {
+    Rational sum = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += abs(
+          Rational(piece.point(0, j)[k] - ((d - j) * piece.point(0, 0)[k] + j * piece.point(0, d)[k]) / d));
+    distance = std::max(distance, sum);
+  }
+  return equal_weights ? Rational(distance * (1 - power_of_two(1 - d))) : distance;
+}
+
+/// Of the chords at t = k/n, k = 0..n; a vertex is rounded by at most 2^-53 of each coordinate.
+double chord_bound(const RationalPatch& owner, const Rational& value, const std::vector<Point>& points) {
+  const auto n = static_cast<long>(points.size()) - 1;
+  Rational distance = 0, largest = 0;
+  for (long k = 0; k < n; ++k) {
+    const auto piece = chord_distance(owner, value, Rational(k, n), Rational(k + 1, n));
+    if (!piece) return nothing_proved;
+    distance = std::max(distance, *piece);
+  }
+  for (const Point& p : points)
+    for (const Rational& c : p) largest = std::max<Rational>(largest, abs(c));
+  const Rational bound = distance + largest * power_of_two(-51);
   return std::nextafter(to_double(bound), std::numeric_limits<double>::infinity());
 }
 
-SceneCurve parameter_line(const LineQuery& query, const BezierPatch& owner) {
+SceneCurve parameter_line(const LineQuery& query, const RationalPatch& owner) {
   const bool first = query.fixed == Parameter::u || query.fixed == Parameter::r;
+  const RationalPatch along = first ? owner : owner.transposed();
   SceneCurve shown{fmt::format("line {} = {}", name(query.fixed), to_string(query.value)),
                    -1,
                    -1,
@@ -109,13 +137,13 @@ SceneCurve parameter_line(const LineQuery& query, const BezierPatch& owner) {
   std::vector<Point> points;
   for (int k = 0; k <= line_chords; ++k) {
     const Rational t(k, line_chords);
-    points.push_back(first ? owner(query.value, t) : owner(t, query.value));
+    points.push_back(along(query.value, t));
     PolylineVertex vertex{no_parameters, rounded(points.back())};
     vertex.parameters[index(query.fixed)] = to_double(query.value);
     vertex.parameters[index(partner(query.fixed))] = to_double(t);
     shown.vertices.push_back(vertex);
   }
-  shown.error_bound = chord_bound(points);
+  shown.error_bound = chord_bound(along, query.value, points);
   return shown;
 }
 
@@ -150,7 +178,7 @@ Scene self_scene(const IntersectResult& result, const BezierPatch& x, const std:
   return scene;
 }
 
-Scene line_scene(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
+Scene line_scene(const LineIntersection& line, const RationalPatch& x, const RationalPatch& y,
                  const PatchNames& names, const std::string& title, int cells) {
   Scene scene{title, names.parameters, {}, {}, {}};
   scene.meshes = {sampled(x, names.first, cells, 0), sampled(y, names.second, cells, 2)};

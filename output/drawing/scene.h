@@ -66,7 +66,7 @@ Scene self_scene(const IntersectResult& result, const BezierPatch& x, const std:
 /// A surface of revolution with its distance from the true surface; names of parameters are those of a pair.
 Scene mesh_scene(const TriangleMesh& mesh, double error_bound, const std::string& title);
 /// Both patches, the parameter line as one polyline, and the isolated points.
-Scene line_scene(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
+Scene line_scene(const LineIntersection& line, const RationalPatch& x, const RationalPatch& y,
                  const PatchNames& names, const std::string& title, int cells);
 
 }  // namespace exsect::cli

@@ -71,7 +71,7 @@ function chained(pieces, ends) {
 
 /** The curves of a line in the other patch's square: branches of the pulled-back plane, and what bounds the line. */
 function lineCurves(fibre) {
-  const {plane, u, l, m} = fibre.forms;
+  const {plane, u, l, m, cubic} = fibre.forms;
   const straight = fibre.result.shape !== 'conic';
   const zeros = (f) => zeroSet((s, r) => f(r, s), 140);
   const slope = plane.slice(1).map((row, i) => row.map((c) => (i + 1) * c));
@@ -81,7 +81,7 @@ function lineCurves(fibre) {
       let last = -1;
       for (let i = 0; i + 1 < curve.length; ++i) {
         const [s, r] = [(curve[i][0] + curve[i + 1][0]) / 2, (curve[i][1] + curve[i + 1][1]) / 2];
-        const branch = plane.length > 2 && formAt(slope, r, s) > 0 ? 1 : 0;
+        const branch = plane.length === 3 && formAt(slope, r, s) > 0 ? 1 : 0;
         if (branch !== last) branches[branch].push([curve[i]]);
         branches[branch].at(-1).push(curve[i + 1]);
         last = branch;
@@ -89,7 +89,8 @@ function lineCurves(fibre) {
     }
   return {
     branch1: branches[0], branch2: branches[1],
-    second: m.length ? zeros((r, s) => straight ? formAt(m, r, s) : formAt(u, r, s) * formAt(m, r, s) - formAt(l, r, s) ** 2) : [],
+    second: m.length ? zeros((r, s) => straight ? formAt(m, r, s) : formAt(u, r, s) * formAt(m, r, s) - formAt(l, r, s) ** 2)
+      : cubic.flatMap((f) => zeros((r, s) => formAt(f, r, s))),
     start: l.length ? zeros((r, s) => formAt(l, r, s)) : [],
     end: l.length ? zeros((r, s) => formAt(l, r, s) - formAt(u, r, s)) : [],
   };
@@ -100,7 +101,7 @@ const partnerOf = {u: 'v', v: 'u', r: 's', s: 'r', u1: 'v1', v1: 'u1'};
 function curveNames(fibre) {
   const along = partnerOf[Object.keys(fibre.result.fixed)[0]];
   const folded = fibre.result.shape === 'folded';
-  return {branch1: 'plane P = 0, branch 1', branch2: 'plane P = 0, branch 2', second: fibre.result.shape === 'conic' ? 'cylinder Z = 0' : 'second plane',
+  return {branch1: fibre.forms.plane.length > 3 ? 'plane P = 0' : 'plane P = 0, branch 1', branch2: 'plane P = 0, branch 2', second: {conic: 'cylinder Z = 0', 'plane cubic': 'cubic', 'twisted cubic': 'quadrics through the line'}[fibre.result.shape] || 'second plane',
     start: folded ? 'one end of the line' : `${along} = 0`, end: folded ? 'other end of the line' : `${along} = 1`};
 }
 
@@ -155,6 +156,13 @@ function eliminantWords({eliminant: {variable, degree}}, phantoms) {
   return ` The eliminant in ${variable} has degree ${degree}. ${roots}`;
 }
 
+function lineWords({shape}, fixed) {
+  const owner = report.patches[Math.min(Math.floor(parameters.indexOf(fixed) / 2), report.patches.length - 1)];
+  return {conic: `${owner.weights ? 'a conic' : 'a parabola'}, cut out by its plane and a quadratic cylinder`,
+    straight: 'straight, cut out by two planes', folded: 'straight and runs back on itself, cut out by two planes', point: 'a single point',
+    'plane cubic': 'a cubic, cut out by its plane and one more equation', 'twisted cubic': 'a cubic in no plane, cut out by three quadrics'}[shape];
+}
+
 /** What is known of a fibre, in words, and its points with exact boxes. */
 function fibreFacts(fibre) {
   const line = fibre.result;
@@ -163,7 +171,7 @@ function fibreFacts(fibre) {
   const variable = line.eliminant.variable;
   const points = counted(line.points.length, 'point') + (line.on_patch.length ? ` and ${counted(line.on_patch.length, 'piece')} of the line` : '');
   facts.append(element('p', {}, element('b', {}, `${fixed} = ${value}: ${points} on the other patch. `),
-    `The line is ${ {conic: 'a parabola, cut out by its plane and a quadratic cylinder', straight: 'straight, cut out by two planes', folded: 'straight and runs back on itself, cut out by two planes', point: 'a single point'}[line.shape]}.`,
+    `The line is ${lineWords(line, fixed)}.`,
     eliminantWords(line, fibre.phantoms.length)));
   for (const {branch, intervals} of line.feasible)
     facts.append(element('p', {}, `Feasible ${variable} on branch ${branch}: ${intervals.map(endText).join(', ') || 'none'}.`));

@@ -31,8 +31,12 @@ Json form_data(const BivariatePolynomial& f, const Rational& scale) {
   return rows;
 }
 
-Json forms_data(const PullBack& pullback) {
+Json forms_data(const LineIntersection& found) {
+  const PullBack& pullback = found.pullback;
   const auto positive = [](const Rational& scale) { return scale > 0 ? scale : Rational(1); };
+  Json cubic = Json::array();
+  for (const BivariatePolynomial& f : found.cubic)
+    cubic.push_back(form_data(f, positive(largest_of_coefficients(f))));
   const Rational plane = positive(largest_of_coefficients(pullback.plane));
   const Rational line =
       positive(std::max({largest_of_coefficients(pullback.u), largest_of_coefficients(pullback.l),
@@ -40,7 +44,8 @@ Json forms_data(const PullBack& pullback) {
   return {{"plane", form_data(pullback.plane, plane)},
           {"u", form_data(pullback.u, line)},
           {"l", form_data(pullback.l, line)},
-          {"m", form_data(pullback.m, line)}};
+          {"m", form_data(pullback.m, line)},
+          {"cubic", std::move(cubic)}};
 }
 
 /// A root is a phantom if its interval is apart from the box of every point; both are at most 2^-64 wide.
@@ -98,7 +103,7 @@ Json patch_data(const std::string& name, const RationalPatch& patch) {
   return data;
 }
 
-Json fibre_data(const LineIntersection& line, const BezierPatch& x) {
+Json fibre_data(const LineIntersection& line, const RationalPatch& x) {
   Json result = line_json(line, x);
   const bool polynomials =
       result["eliminant"].dump().size() + result["cylinder"].dump().size() <= longest_polynomials;
@@ -108,7 +113,7 @@ Json fibre_data(const LineIntersection& line, const BezierPatch& x) {
   }
   return {{"result", std::move(result)},
           {"polynomials", polynomials},
-          {"forms", forms_data(line.pullback)},
+          {"forms", forms_data(line)},
           {"phantoms", phantom_roots(line)}};
 }
 

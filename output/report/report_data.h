@@ -24,7 +24,7 @@ Json patch_data(const std::string& name, const RationalPatch& patch);
 /// of plane and the largest of u, l, m is 1. Phantoms are the real roots of the eliminant in [0,1] that
 /// belong to no point. Exact polynomials of more than 8000 characters are left out of the result:
 /// "polynomials" is then false.
-Json fibre_data(const LineIntersection& line, const BezierPatch& x);
+Json fibre_data(const LineIntersection& line, const RationalPatch& x);
 
 /// The page of the data, with a picture, an SVG document, that is seen without a script; or none.
 std::string page_of(const Json& data, const std::string& picture);

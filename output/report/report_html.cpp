@@ -38,7 +38,7 @@ std::string self_report_html(const IntersectResult& result, const BezierPatch& x
   return page_of(data, intersection_svg(result, {name, name, self_names}, origin.title));
 }
 
-std::string line_report_html(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
+std::string line_report_html(const LineIntersection& line, const RationalPatch& x, const RationalPatch& y,
                              const PatchNames& names, const ReportOrigin& origin) {
   Json data = report_data("line", origin, line_json(line, x));
   data["parameters"] = pair_names;

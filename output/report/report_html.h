@@ -27,7 +27,7 @@ std::string self_report_html(const IntersectResult& result, const BezierPatch& x
                              const ReportOrigin& origin);
 
 /// The page of one parameter line against the other patch, with the whole "line/1" result.
-std::string line_report_html(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
+std::string line_report_html(const LineIntersection& line, const RationalPatch& x, const RationalPatch& y,
                              const PatchNames& names, const ReportOrigin& origin);
 
 }  // namespace exsect::cli

@@ -47,11 +47,18 @@ Json bidegree_json(const BivariatePolynomial& f) {
   return {{"bidegree", Json::array({f.degree_r(), f.degree_s()})}};
 }
 
-/// Plane and cylinder of a conic, the two planes of a straight line; null where there is none.
+/// A point and a twisted cubic have no plane of their own.
+bool has_plane(const LineIntersection& line) {
+  return line.shape != LineShape::point && line.shape != LineShape::twisted_cubic;
+}
+
+/// Plane and cylinder of a conic, the two planes of a straight line, the equations of a cubic; null where
+/// there is none.
 Json pullback_json(const LineIntersection& line) {
-  Json json = {{"plane", line.shape == LineShape::point ? Json() : bidegree_json(line.pullback.plane)}};
+  Json json = {{"plane", has_plane(line) ? bidegree_json(line.pullback.plane) : Json()}};
   if (line.second) json["second_plane"] = bidegree_json(line.pullback.m);
   json["cylinder"] = line.forms ? bidegree_json(line.pullback.cylinder()) : Json();
+  for (const BivariatePolynomial& f : line.cubic) json["cubic"].push_back(bidegree_json(f));
   return json;
 }
 
@@ -102,21 +109,23 @@ Json incomplete_json(const LineIntersection& line) {
   if (line.solution.incomplete) {
     ParameterBox box = {{{0, 1}, {0, 1}, {0, 1}, {0, 1}}};
     box[index(line.query.fixed)] = {line.query.value, line.query.value};
-    list.push_back({{"where", json_box(box)}, {"why", *line.solution.incomplete}});
+    list.push_back({{"where", json_box(box)},
+                    {"why", *line.solution.incomplete},
+                    {"reason", name(Reason::not_decided)}});
   }
   return list;
 }
 
 }  // namespace
 
-Json line_json(const LineIntersection& line, const BezierPatch& x) {
+Json line_json(const LineIntersection& line, const RationalPatch& x) {
   Json points = Json::array();
   for (const ShownPoint& shown : shown_points(line.solution, x))
     points.push_back(point_json(shown, line.query.fixed));
   Json json = {{"exsect", "line/1"}, {"status", line.solution.incomplete ? "incomplete" : "complete"}};
   json["fixed"] = {{name(line.query.fixed), json_number(line.query.value)}};
   json["shape"] = name(line.shape);
-  json["plane"] = line.shape == LineShape::point ? Json() : affine_json(line.plane);
+  json["plane"] = has_plane(line) ? affine_json(line.plane) : Json();
   if (line.second) json["second_plane"] = affine_json(*line.second);
   json["cylinder"] = line.forms ? cylinder_json(*line.forms) : Json();
   json["pullback"] = pullback_json(line);

@@ -35,6 +35,14 @@ std::string construction(const LineIntersection& line) {
     text += fmt::format("  pull-back  plane {}, cylinder {}\n", bidegree(line.pullback.plane),
                         bidegree(line.pullback.cylinder()));
   }
+  if (!line.cubic.empty()) {
+    std::vector<std::string> bidegrees;
+    for (const BivariatePolynomial& f : line.cubic) bidegrees.push_back(bidegree(f));
+    text +=
+        line.shape == LineShape::plane_cubic
+            ? fmt::format("  pull-back  plane {}, cubic {}\n", bidegree(line.pullback.plane), bidegrees[0])
+            : fmt::format("  pull-back  quadrics {}\n", joined(bidegrees, ", "));
+  }
   if (!line.eliminant.is_zero()) {
     text +=
         fmt::format("  eliminant  degree {} in {}\n", line.eliminant.degree(), name(line.eliminant_variable));
@@ -63,7 +71,7 @@ std::string feasible_text(const LineIntersection& line, bool verbose) {
   return text;
 }
 
-std::string points_text(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
+std::string points_text(const LineIntersection& line, const RationalPatch& x, const RationalPatch& y,
                         bool verbose) {
   const std::vector<ShownPoint> shown = shown_points(line.solution, x);
   std::vector<ParameterBox> boxes;
@@ -92,7 +100,7 @@ std::string on_patch_text(const LineIntersection& line, bool verbose) {
 
 }  // namespace
 
-std::string line_summary(const LineIntersection& line, const BezierPatch& x, const BezierPatch& y,
+std::string line_summary(const LineIntersection& line, const RationalPatch& x, const RationalPatch& y,
                          bool verbose) {
   const std::string why =
       line.solution.incomplete ? "\nNot decided: " + printable(*line.solution.incomplete) + "\n" : "";

@@ -51,7 +51,7 @@ std::string node_csv(const IntersectionGraph& graph, const ParameterNames& names
   return text;
 }
 
-std::string point_csv(const LineIntersection& line, const BezierPatch& x) {
+std::string point_csv(const LineIntersection& line, const RationalPatch& x) {
   std::string text = "id,on,multiplicity,branch" + box_heads(pair_names);
   int id = 0;
   for (const ShownPoint& shown : shown_points(line.solution, x)) {

@@ -16,6 +16,6 @@ std::string node_csv(const IntersectionGraph& graph, const ParameterNames& names
 
 /// The same for the isolated points of a parameter line: id, on, multiplicity and branch, boxes, approximate
 /// values; x is the patch of (u,v).
-std::string point_csv(const LineIntersection& line, const BezierPatch& x);
+std::string point_csv(const LineIntersection& line, const RationalPatch& x);
 
 }  // namespace exsect::cli

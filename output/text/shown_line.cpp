@@ -12,6 +12,10 @@ const char* name(LineShape shape) {
       return "straight";
     case LineShape::folded:
       return "folded";
+    case LineShape::plane_cubic:
+      return "plane cubic";
+    case LineShape::twisted_cubic:
+      return "twisted cubic";
     case LineShape::point:
       break;
   }
@@ -23,7 +27,7 @@ Parameter partner(Parameter p) {
   return partners[index(p)];
 }
 
-std::vector<ShownPoint> shown_points(const LinePoints& solution, const BezierPatch& x) {
+std::vector<ShownPoint> shown_points(const LinePoints& solution, const RationalPatch& x) {
   std::vector<ShownPoint> shown;
   for (const CertifiedPoint& point : solution.points) {
     const CertifiedPoint fine = point.refined_to(shown_width());

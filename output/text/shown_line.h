@@ -1,7 +1,7 @@
 // Names and points of a line query as they are shown.
 #pragma once
 
-#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/line_patch.h>
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace exsect::cli {
 
-/// "conic", "straight", "folded", "point".
+/// "conic", "straight", "folded", "point", "plane cubic", "twisted cubic".
 const char* name(LineShape shape);
 
 /// The other parameter of the same patch: what runs along the line `p = constant`.
@@ -23,6 +23,6 @@ struct ShownPoint {
 };
 
 /// The isolated points of the query in their order; x is the patch of (u,v).
-std::vector<ShownPoint> shown_points(const LinePoints& solution, const BezierPatch& x);
+std::vector<ShownPoint> shown_points(const LinePoints& solution, const RationalPatch& x);
 
 }  // namespace exsect::cli

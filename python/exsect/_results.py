@@ -551,7 +551,7 @@ class LinePoint:
     parameters: Dict[str, float]
     #: The approximate point of space.
     point: Tuple[float, float, float]
-    #: 1: line and patch cross transversally.
+    #: 1: line and patch cross transversally; 0: they do not, and there is no eliminant.
     multiplicity: int
     #: 1 or 2; 0 where the branches meet or are not defined.
     branch: int
@@ -572,15 +572,16 @@ class Line(_Exportable):
 
     #: The fixed parameter and its value.
     fixed: Tuple[str, Fraction]
-    #: "conic", "straight", "folded" (a segment run through twice in part) or "point".
+    #: "conic", "straight", "folded" (a segment run through more than once in part), "point", "plane cubic"
+    #: or "twisted cubic".
     shape: str
-    #: None for a point.
+    #: None for a point and a twisted cubic.
     plane: Optional[Plane]
     #: Of a straight or folded line.
     second_plane: Optional[Plane]
     #: In x, y, z; vanishes on the line; None unless it is a conic.
     cylinder: Optional[Polynomial]
-    #: In the other patch's second parameter.
+    #: In the other patch's second parameter; zero where there is none, as for cubics.
     eliminant: Polynomial
     feasible: Tuple[Branch, ...]
     points: Tuple[LinePoint, ...]

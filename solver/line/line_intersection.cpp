@@ -7,6 +7,7 @@
 #include "line/exact_line_points.h"
 #include "line/line_forms.h"
 #include "line/line_system.h"
+#include "line/rational_line_intersection.h"
 
 namespace exsect {
 namespace {
@@ -60,6 +61,12 @@ LineIntersection intersect_line(const BezierPatch& x, const BezierPatch& y, cons
     if (!result.pullback.plane.is_zero()) result.feasible = feasible_intervals(result.pullback);
     return result;
   });
+}
+
+LineIntersection intersect_line(const RationalPatch& x, const RationalPatch& y, const LineQuery& query) {
+  const std::optional<BezierPatch> first = x.biquadratic(), second = y.biquadratic();
+  if (first && second) return intersect_line(*first, *second, query);
+  return in_nearest_rounding([&] { return rational_line_intersection(x, y, query); });
 }
 
 }  // namespace exsect

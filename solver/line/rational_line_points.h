@@ -16,6 +16,8 @@ struct RationalLinePoint {
   RealAlgebraic t;
   /// On the other patch, r and s its first and second parameter.
   TriangularPoint parameters;
+  /// Line and patch cross: there the tangents of the line's carrier and of the patch span space.
+  bool is_transversal;
 };
 
 /// `points` are the solutions, ascending in t, beside the curves of the other patch's parameters all of which

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "check_refused.h"
+#include "json_schema.h"
 #include "run_program.h"
 #include "support/catch.h"
 
@@ -67,7 +68,6 @@ TEST_CASE("what patches of higher degree or with weights cannot have is refused 
   write(file, weighted);
   const std::string here =
       ": patch \"quarter\": not supported here: bidegree (2,1) with weights, only polynomial";
-  check_refused({"line", file, "--u", "1/2"}, file + here);
   check_refused({"compare", file}, file + here);
   check_refused({"self", file, "--patch", "quarter"}, file + here);
   check_refused({"implicitize", file, "--patch", "quarter"}, file + here);
@@ -81,9 +81,41 @@ TEST_CASE("what patches of higher degree or with weights cannot have is refused 
                 "not supported yet with --exact: bidegree (2,1) with weights");
   check_refused({"intersect", teapot, "--first", "13", "--second", "5", "--exact"},
                 teapot + ": patch \"13\": not supported yet with --exact: bidegree (3,3)");
-  check_refused({"line", teapot, "--first", "13", "--second", "5", "--u", "0"},
-                teapot + ": patch \"13\": not supported here: bidegree (3,3)");
+  check_refused(
+      {"line", teapot, "--first", "13", "--second", "5", "--u", "0", "--certificate", scratch.path("out")},
+      teapot + ": patch \"13\": not supported yet with --certificate: bidegree (3,3)");
   CHECK(run_program({"self", file, "--patch", "plane"}).status == 0);
+}
+
+TEST_CASE("line takes patches of higher degree and with weights, in every form of output") {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.path("weighted.json");
+  write(file, weighted);
+  // The quarter circle of weights 1, 1, 2 is at z = v, the plane (2 r, 2 s, 1/2): one point, where the line u
+  // = 1/3 has v = 1/2, x = 4/5 and y = 3/5.
+  const Json line = result_of({"line", file, "--u", "1/3", "--json", "-"});
+  CHECK(JsonSchema::named("line-1").violation(line) == "");
+  REQUIRE(line["points"].size() == 1);
+  CHECK(line["points"][0]["box"]["v"] == Json({"1/2", "1/2"}));
+  CHECK(line["points"][0]["approx"]["r"].get<double>() == Approx(0.4));
+  CHECK(line["points"][0]["multiplicity"] == 1);
+  const Json arc = result_of({"line", file, "--v", "1/2", "--json", "-"});  // it lies in the plane
+  CHECK(arc["shape"] == "conic");
+  CHECK(arc["points"].empty());
+  REQUIRE(arc["on_patch"].size() == 1);
+  CHECK(arc["on_patch"][0]["to"]["box"] == Json({"1", "1"}));
+  for (const char* option : {"--svg", "--report", "--csv", "--obj", "--ply", "--vtp"})
+    for (const char* u : {"0", "1/3"}) {
+      const std::string out = scratch.path("out");
+      CHECK(run_program({"line", teapot, "--first", "13", "--second", "5", "--u", u, option, out}).status ==
+            0);
+      CHECK(!content(out).empty());
+      CHECK(run_program({"line", file, "--u", u, option, out}).status == 0);
+    }
+  const Json spout =
+      result_of({"line", teapot, "--first", "13", "--second", "5", "--u", "1/3", "--json", "-"});
+  CHECK(JsonSchema::named("line-1").violation(spout) == "");
+  CHECK(spout["pullback"].contains("cubic"));
 }
 
 TEST_CASE("verify takes patches of higher degree and with weights") {

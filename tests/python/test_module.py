@@ -169,7 +169,7 @@ def test_functions_for_biquadratic_patches_name_the_kind_of_others(first):
     others = [(quarter_of_a_cylinder(), r"bidegree \(2,1\) with weights"), (cubic(), r"bidegree \(2,3\)")]
     for patch, kind in others:
         calls = [
-            lambda p: exsect.line(first["x"], p, u="1/2"),
+            lambda p: exsect.line(first["x"], p, u="1/2").to_certificate(),
             lambda p: exsect.implicitize(p),
             lambda p: exsect.compare(first["x"], p),
             lambda p: exsect.intersect(p, first["x"], exact=True),
@@ -250,6 +250,18 @@ def test_self_intersect_gives_what_the_program_gives():
 def test_line_gives_what_the_program_gives(first):
     mine = exsect.line(first["x"], first["y"], u="1/2")
     assert same(mine) == run("line", EXAMPLES / "chapter9-first.json", "--u", "1/2")
+
+
+def test_a_line_of_patches_of_every_kind(first):
+    for patch in [quarter_of_a_cylinder(), cubic()]:
+        for value in ["0", "1/3", "1"]:
+            line = exsect.line(patch, first["x"], v=value)
+            assert line.complete
+            for point in line.points:
+                fine = point.refined(Fraction(1, 2**80))
+                ends = [patch(fine["u"].lower, value), first["x"](fine["r"].lower, fine["s"].lower)]
+                assert all(abs(a - b) < Fraction(1, 2**60) for a, b in zip(*ends))
+            assert line.to_svg() and line.to_report() and line.to_vtp() and line.to_csv()
 
 
 def test_the_certificates_of_a_line_are_exact(first):
