@@ -12,6 +12,7 @@
 #include "cli/patch_choice.h"
 #include "cli/progress.h"
 #include "output/drawing/intersection_svg.h"
+#include "output/drawing/surfaces_svg.h"
 #include "output/options/option_values.h"
 #include "output/report/report_html.h"
 #include "output/text/intersection_json.h"
@@ -117,20 +118,21 @@ void refuse_for_two_equations(const IntersectCommand& command, const SurfacePair
   };
   refuse(command.output.certificate, "--certificate");
   refuse(command.output.report, "--report");
-  refuse(command.output.svg, "--svg");
-  refuse(command.output.exports.obj, "--obj");
-  refuse(command.output.exports.ply, "--ply");
-  refuse(command.output.exports.vtp, "--vtp");
-  refuse(command.output.exports.csv, "--csv");
 }
 
 ExitStatus run_with_equations(const IntersectCommand& command, const SurfacePair& pair,
                               const IntersectOptions& options, const Streams& streams) {
   refuse_for_two_equations(command, pair);
+  const int cells = grid_cells(command.output.exports);
   const ImplicitSurface &first = *pair.x.equation(), &second = *pair.y.equation();
   const SurfaceNames names = {pair.x.name, pair.y.name, name(first.kind()), name(second.kind())};
   const SurfaceIntersection result = solve(command, first, second, options, streams);
+  const DrawnSurfaces drawn = {result, first, second, names};
   const std::string json = command.output.json.empty() ? "" : json_text(surfaces_json(result, names));
+  write_exports(
+      command.output.exports, [&] { return surfaces_scene(drawn, pair.title, cells); },
+      [&] { return space_node_csv(result); });
+  if (!command.output.svg.empty()) write_file_atomically(command.output.svg, surfaces_svg(drawn, pair.title));
   if (!command.output.json.empty() && !command.output.json_to_stdout())
     write_file_atomically(command.output.json, json);
   if (command.output.json_to_stdout())

@@ -7,7 +7,7 @@ namespace exsect::python {
 
 /// Adds intersect, self_intersect and line with their results.
 void add_intersections(pybind11::module_& module);
-/// Adds Surface, intersect_equation with its result, and ray.
+/// Adds Surface, intersect_equation and intersect_surfaces with their results, and ray.
 void add_surfaces(pybind11::module_& module);
 /// Adds verify, compare and check with their results.
 void add_verifications(pybind11::module_& module);

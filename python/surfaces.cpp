@@ -1,4 +1,5 @@
 #include <exsect/geometry/surface_file.h>
+#include <exsect/solver/intersect_equations.h>
 #include <exsect/solver/intersect_surface.h>
 #include <exsect/solver/patch_ray.h>
 #include <pybind11/stl.h>
@@ -6,6 +7,7 @@
 #include "forms.h"
 #include "numbers.h"
 #include "output/drawing/intersection_svg.h"
+#include "output/drawing/surfaces_svg.h"
 #include "output/text/node_csv.h"
 #include "output/text/ray_output.h"
 #include "run_options.h"
@@ -68,6 +70,49 @@ SolvedEquation intersect_equation(const Equation& equation, const RationalPatch&
           {names[0], names[1], cli::one_patch_names, name(equation.surface.kind())}};
 }
 
+/// Of two surfaces given by their equations.
+struct SolvedSurfaces {
+  SurfaceIntersection result;
+  ImplicitSurface first;
+  ImplicitSurface second;
+  cli::SurfaceNames names;
+
+  cli::DrawnSurfaces drawn() const { return {result, first, second, names}; }
+  cli::Json json() const { return cli::surfaces_json(result, names); }
+  std::string svg(const std::string& title) const { return cli::surfaces_svg(drawn(), title); }
+  std::string report(const std::string&) const {
+    throw std::invalid_argument("report: not supported yet with two surfaces given by their equations");
+  }
+  std::string certificate() const {
+    throw std::invalid_argument("certificate: not supported yet with two surfaces given by their equations");
+  }
+  std::string exported(const std::string& format, const std::string& title, int cells) const {
+    if (format == "csv") return cli::space_node_csv(result);
+    return scene_text(cli::surfaces_scene(drawn(), title, cells), format);
+  }
+};
+
+SolvedSurfaces intersect_surfaces(const Equation& first, const Equation& second,
+                                  const std::array<std::string, 2>& names, const std::string& tolerance,
+                                  const std::string& max_seconds, const py::object& progress) {
+  IntersectOptions options = options_of("none", tolerance, max_seconds, cli::pair_names);
+  options.progress = watched(progress);
+  const py::gil_scoped_release release;
+  return {intersect(first.surface, second.surface, options),
+          first.surface,
+          second.surface,
+          {names[0], names[1], name(first.surface.kind()), name(second.surface.kind())}};
+}
+
+/// What the results with an equation have beside the common forms.
+template <class Solved>
+void add_solved(py::module_& module, const char* type_name) {
+  py::class_<Solved> solved(module, type_name);
+  add_forms(solved);
+  solved.def("exported", &Solved::exported, py::arg("format"), py::arg("title"), py::arg("cells"));
+  solved.def("certificate", &Solved::certificate);
+}
+
 Point vector_of(const py::sequence& numbers, const std::string& where) {
   if (numbers.size() != 3) throw std::invalid_argument(where + ": must be three numbers");
   Point p;
@@ -112,11 +157,10 @@ void add_surfaces(py::module_& module) {
           py::is_operator())
       .def("__repr__", [](const Equation& equation) { return "<Surface " + equation.entry + ">"; })
       .def(py::pickle([](const Equation& equation) { return equation.entry; }, &equation_of));
-  py::class_<SolvedEquation> solved(module, "SolvedEquation");
-  add_forms(solved);
-  solved.def("exported", &SolvedEquation::exported, py::arg("format"), py::arg("title"), py::arg("cells"));
-  solved.def("certificate", &SolvedEquation::certificate);
+  add_solved<SolvedEquation>(module, "SolvedEquation");
+  add_solved<SolvedSurfaces>(module, "SolvedSurfaces");
   module.def("intersect_equation", &intersect_equation);
+  module.def("intersect_surfaces", &intersect_surfaces);
   module.def("ray", &ray_tree);
 }
 

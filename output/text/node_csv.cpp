@@ -63,4 +63,16 @@ std::string point_csv(const LineIntersection& line, const RationalPatch& x) {
   return text;
 }
 
+std::string space_node_csv(const SurfaceIntersection& result) {
+  std::string text = "id,kind,arcs,x_lower,x_upper,y_lower,y_upper,z_lower,z_upper,x,y,z\n";
+  for (const SpaceNode& node : result.nodes) {
+    text += fmt::format("{},{},{}", node.id, name(node.kind), node.degree);
+    for (const RationalInterval& side : node.box)
+      text += "," + to_string(side.lower) + "," + to_string(side.upper);
+    for (double coordinate : node.approx) text += fmt::format(",{}", coordinate);
+    text += "\n";
+  }
+  return text;
+}
+
 }  // namespace exsect::cli

@@ -3,6 +3,7 @@
 
 #include <exsect/solver/line_patch.h>
 #include <exsect/solver/result.h>
+#include <exsect/solver/surface_intersection.h>
 
 #include <string>
 
@@ -17,5 +18,9 @@ std::string node_csv(const IntersectionGraph& graph, const ParameterNames& names
 /// The same for the isolated points of a parameter line: id, on, multiplicity and branch, boxes, approximate
 /// values; x is the patch of (u,v).
 std::string point_csv(const LineIntersection& line, const RationalPatch& x);
+
+/// The same for two surfaces given by their equations: id, kind, arcs (the number of ends of arcs), the ends
+/// of the box of each coordinate as exact rationals, and the approximate point.
+std::string space_node_csv(const SurfaceIntersection& result);
 
 }  // namespace exsect::cli

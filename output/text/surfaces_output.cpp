@@ -66,22 +66,6 @@ std::string plural(int number, const std::string& singular, const std::string& s
   return fmt::format("{} {}", number, number == 1 ? singular : several);
 }
 
-/// "2 ellipses, 2 crossings".
-std::string what_is_common(const SurfaceIntersection& result) {
-  if (result.is_same) return "one surface";
-  std::vector<std::string> parts;
-  for (const SpaceCurveKind kind : all_curve_kinds)
-    if (const int number = result.count(kind); number > 0)
-      parts.push_back(
-          plural(number, noun(kind),
-                 kind == SpaceCurveKind::hyperbola ? "hyperbolas" : std::string(noun(kind)) + "s"));
-  if (const int number = result.count(SpaceNodeKind::touch); number > 0)
-    parts.push_back(plural(number, "point", "points"));
-  if (const int number = result.count(SpaceNodeKind::crossing); number > 0)
-    parts.push_back(plural(number, "crossing", "crossings"));
-  return parts.empty() ? "nothing in common" : joined(parts, ", ");
-}
-
 std::string exact_text(const std::optional<Point>& p) {
   if (!p) return "-";
   return fmt::format("({}, {}, {})", (*p)[0].str(), (*p)[1].str(), (*p)[2].str());
@@ -111,6 +95,21 @@ std::string node_table(const SurfaceIntersection& result, bool verbose) {
 }
 
 }  // namespace
+
+std::string what_is_common(const SurfaceIntersection& result) {
+  if (result.is_same) return "one surface";
+  std::vector<std::string> parts;
+  for (const SpaceCurveKind kind : all_curve_kinds)
+    if (const int number = result.count(kind); number > 0)
+      parts.push_back(
+          plural(number, noun(kind),
+                 kind == SpaceCurveKind::hyperbola ? "hyperbolas" : std::string(noun(kind)) + "s"));
+  if (const int number = result.count(SpaceNodeKind::touch); number > 0)
+    parts.push_back(plural(number, "point", "points"));
+  if (const int number = result.count(SpaceNodeKind::crossing); number > 0)
+    parts.push_back(plural(number, "crossing", "crossings"));
+  return parts.empty() ? "nothing in common" : joined(parts, ", ");
+}
 
 Json surfaces_json(const SurfaceIntersection& result, const SurfaceNames& names) {
   return {{"exsect", "surfaces/1"},

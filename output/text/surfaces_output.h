@@ -19,6 +19,8 @@ struct SurfaceNames {
 
 /// Deterministic but for `work`, keys in the order of docs/formats.md.
 Json surfaces_json(const SurfaceIntersection& result, const SurfaceNames& names);
+/// "2 ellipses, 2 crossings", "nothing in common", "one surface".
+std::string what_is_common(const SurfaceIntersection& result);
 std::string surfaces_summary(const SurfaceIntersection& result, const SurfaceNames& names, bool verbose);
 
 }  // namespace exsect::cli

@@ -21,7 +21,7 @@ import json
 import os
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
 
 from . import _core
 from ._core import Curve, InputError, NoCertificate, Patch, Surface
@@ -46,7 +46,11 @@ from ._results import (
     RayIntersection,
     RayOverlap,
     Revolution,
+    SpaceArc,
+    SpaceCurve,
+    SpaceNode,
     Statement,
+    SurfaceIntersection,
     Unproved,
 )
 from ._verdict import Check, Comparison, Difference, Verdict
@@ -77,8 +81,12 @@ __all__ = [
     "RayIntersection",
     "RayOverlap",
     "Revolution",
+    "SpaceArc",
+    "SpaceCurve",
+    "SpaceNode",
     "Statement",
     "Surface",
+    "SurfaceIntersection",
     "Unproved",
     "Verdict",
     "check",
@@ -245,13 +253,56 @@ def ray(
 def _intersect_equation(
     x: Any, y: Any, turning: str, tolerance: str, limit: str, names: Tuple[str, str], title: str, progress: Any
 ) -> Intersection:
-    if isinstance(x, Surface) and isinstance(y, Surface):
-        raise ValueError("two surfaces given by equations: not supported yet, one of the two must be a patch")
     surface, patch, ordered = (x, y, names[::-1]) if isinstance(x, Surface) else (y, x, names)
     core, again = _same_again(
         "intersect_equation", surface, patch, list(ordered), turning, tolerance, limit, progress=progress
     )
     return Intersection(core, title, again)
+
+
+@overload
+def intersect(
+    x: Surface,
+    y: Surface,
+    *,
+    tolerance: Union[Number, float] = ...,
+    max_seconds: Union[Number, float, None] = ...,
+    names: Tuple[str, str] = ...,
+    title: str = ...,
+    progress: Optional[Progress] = ...,
+) -> SurfaceIntersection: ...
+
+
+@overload
+def intersect(
+    x: Patch,
+    y: Union[Patch, Surface],
+    *,
+    turning: Union[str, Iterable[str], None] = ...,
+    tolerance: Union[Number, float] = ...,
+    absolute_tolerance: Union[Number, float, None] = ...,
+    max_seconds: Union[Number, float, None] = ...,
+    exact: bool = ...,
+    names: Tuple[str, str] = ...,
+    title: str = ...,
+    progress: Optional[Progress] = ...,
+) -> Intersection: ...
+
+
+@overload
+def intersect(
+    x: Surface,
+    y: Patch,
+    *,
+    turning: Union[str, Iterable[str], None] = ...,
+    tolerance: Union[Number, float] = ...,
+    absolute_tolerance: Union[Number, float, None] = ...,
+    max_seconds: Union[Number, float, None] = ...,
+    exact: bool = ...,
+    names: Tuple[str, str] = ...,
+    title: str = ...,
+    progress: Optional[Progress] = ...,
+) -> Intersection: ...
 
 
 def intersect(
@@ -266,11 +317,13 @@ def intersect(
     names: Tuple[str, str] = ("x", "y"),
     title: str = "",
     progress: Optional[Progress] = None,
-) -> Intersection:
+) -> Union[Intersection, SurfaceIntersection]:
     """Every point of x(u,v) = y(r,s), as a graph of nodes and arcs.
 
     One of the two may be a surface given by its equation: then the patch has the parameters u and v, there are no
-    others, and the solution is exact.
+    others, and the solution is exact. Of two such surfaces the curves are found as a SurfaceIntersection, exactly; then
+    `tolerance` is relative to the extent of what is drawn, and `turning`, `absolute_tolerance` and `exact` are not
+    taken.
 
     `turning`: parameters whose turning points become nodes. `tolerance` bounds the proved distance of polylines,
     relative to the size of the model (the largest extent of all control points); `absolute_tolerance`, if it is
@@ -280,8 +333,15 @@ def intersect(
     ValueError for options out of range.
     """
     limit = "" if max_seconds is None else _text(max_seconds)
+    if isinstance(x, Surface) and isinstance(y, Surface):
+        if absolute_tolerance is not None:
+            raise ValueError("absolute_tolerance: not with two surfaces given by their equations")
+        core, again = _same_again(
+            "intersect_surfaces", x, y, list(names), _text(tolerance), limit, progress=progress
+        )
+        return SurfaceIntersection(core, title, again)
     patches = [shape for shape in (x, y) if isinstance(shape, Patch)]
-    relative = _relative(tolerance, absolute_tolerance, *patches) if patches else ""
+    relative = _relative(tolerance, absolute_tolerance, *patches)
     if not (isinstance(x, Patch) and isinstance(y, Patch)):
         return _intersect_equation(x, y, _turning(turning), relative, limit, names, title, progress)
     core, again = _same_again(

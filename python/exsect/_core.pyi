@@ -72,6 +72,9 @@ def intersect(
 def intersect_equation(
     equation: Surface, patch: Patch, names: List[str], turning: str, tolerance: str, max_seconds: str, progress: Any
 ) -> SolvedPair: ...
+def intersect_surfaces(
+    first: Surface, second: Surface, names: List[str], tolerance: str, max_seconds: str, progress: Any
+) -> SolvedPair: ...
 def ray(origin: List[Any], direction: List[Any], surfaces: Dict[str, Union[Patch, Surface]]) -> Dict[str, Any]: ...
 def self_intersect(
     x: Patch, name: str, turning: str, tolerance: str, max_seconds: str, progress: Any

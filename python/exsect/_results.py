@@ -540,6 +540,114 @@ class Branch:
 
 
 @dataclass(frozen=True)
+class SpaceNode:
+    """A node of the intersection of two surfaces given by their equations."""
+
+    id: int
+    #: "joint", "cut", "end", "touch", "crossing" or "singular" (formats.md).
+    kind: str
+    #: The number of ends of arcs.
+    degree: int
+    #: Exact intervals of x, y, z.
+    box: Tuple[Interval, Interval, Interval]
+    #: The approximate point.
+    point: Tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class SpaceArc:
+    """A piece of a curve between two nodes."""
+
+    id: int
+    #: Id of its curve.
+    curve: int
+    #: Ids of nodes.
+    ends: Tuple[int, int]
+    #: 1 where the surfaces cross; above 1 they touch along the arc, of this order.
+    multiplicity: int
+    #: Rows x, y, z.
+    polyline: Any = field(repr=False, compare=False)
+    #: Proved: arc and polyline are nowhere farther apart.
+    error_bound: float
+
+
+@dataclass(frozen=True)
+class SpaceCurve:
+    """A curve as a whole, by its name."""
+
+    id: int
+    #: "line", "circle", "ellipse", "parabola", "hyperbola" or "general".
+    kind: str
+    closed: bool
+    multiplicity: int
+    #: Ids of its arcs.
+    arcs: Tuple[int, ...]
+    #: Of a line; the centre of a circle, ellipse or hyperbola; None where it is not rational.
+    point: Optional[Tuple[Fraction, Fraction, Fraction]]
+    #: Of a line; the normal of the plane of others.
+    direction: Optional[Tuple[Fraction, Fraction, Fraction]]
+    #: Of a circle.
+    radius_squared: Optional[Fraction]
+
+
+class SurfaceIntersection(_Exportable):
+    """The common points of two surfaces given by their equations: named curves, arcs and nodes in space."""
+
+    #: What is common, in words: "2 ellipses, 2 crossings".
+    summary: str
+    #: The surfaces are one.
+    same: bool
+    nodes: Tuple[SpaceNode, ...]
+    arcs: Tuple[SpaceArc, ...]
+    curves: Tuple[SpaceCurve, ...]
+    #: Pairs of why and reason; empty if the result is complete.
+    incomplete: Tuple[Tuple[str, str], ...]
+
+    def __init__(self, core: Any, title: str, again: Optional[Again] = None):
+        super().__init__(core, title, again)
+        tree = self.tree
+        self.summary = tree["summary"]
+        self.same = tree["same"]
+        self.nodes = tuple(
+            SpaceNode(n["id"], n["kind"], n["degree"], _triple([_interval(pair) for pair in n["box"]]), _triple(n["approx"]))
+            for n in tree["nodes"]
+        )
+        self.arcs = tuple(
+            SpaceArc(
+                a["id"], a["curve"], (a["from"], a["to"]), a["multiplicity"], _array(a["polyline"]), _bound(a["error_bound"])
+            )
+            for a in tree["arcs"]
+        )
+        self.curves = tuple(
+            SpaceCurve(
+                c["id"],
+                c["kind"],
+                c["closed"],
+                c["multiplicity"],
+                tuple(c["arcs"]),
+                _triple(c["point"]) if "point" in c else None,
+                _triple(c["direction"]) if "direction" in c else None,
+                c.get("radius_squared"),
+            )
+            for c in tree["curves"]
+        )
+        self.incomplete = tuple((gap["why"], gap["reason"]) for gap in tree["incomplete"])
+
+    def count(self, kind: str) -> int:
+        """The number of curves that are a "line", "circle", "ellipse", "parabola", "hyperbola" or "general"."""
+        return sum(curve.kind == kind for curve in self.curves)
+
+    def _facts(self) -> List[Tuple[str, str]]:
+        return super()._facts() + [("in common", self.summary)]
+
+    def __repr__(self) -> str:
+        return f"<SurfaceIntersection: {self.tree['status']}, {self.summary}>"
+
+    def _repr_html_(self) -> str:
+        return self.to_svg()
+
+
+@dataclass(frozen=True)
 class LinePoint:
     """A certified point of a parameter line on the other patch."""
 

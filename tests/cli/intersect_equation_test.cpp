@@ -77,8 +77,8 @@ TEST_CASE("intersect: pictures, tables and scenes of one patch") {
 }
 
 TEST_CASE("intersect: what is not there yet for equations is refused by name") {
-  check_refused({"intersect", surfaces, "--first", "torus", "--second", "ball", "--svg", "picture.svg"},
-                "not supported yet with --svg");
+  check_refused({"intersect", surfaces, "--first", "torus", "--second", "ball", "--report", "page.html"},
+                "not supported yet with --report");
   check_refused({"intersect", surfaces, "--first", "saddle", "--second", "ball", "--report", "page.html"},
                 "not supported yet with --report");
   check_refused({"intersect", surfaces, "--first", "saddle", "--second", "ball", "--certificate", "proof"},
@@ -108,7 +108,16 @@ TEST_CASE("intersect: two surfaces given by their equations") {
   const Json open = common("torus", "quartic", 3);
   CHECK(open["status"] == "incomplete");
   CHECK(open["incomplete"][0]["why"] == "not supported yet: torus and implicit");
-  const ProgramRun text = run_program({"intersect", surfaces, "--first", "cone", "--second", "floor"});
+  const ScratchDirectory scratch;
+  const auto file = [&](const char* name) { return scratch.path(name); };
+  const ProgramRun text = run_program({"intersect", surfaces, "--first", "cone", "--second", "floor", "--svg",
+                                       file("a.svg"), "--csv", file("a.csv"), "--obj", file("a.obj"), "--vtp",
+                                       file("a.vtp"), "--ply", file("a.ply"), "--grid", "8"});
+  CHECK(text.status == 0);
+  CHECK(content(file("a.svg")).find("1 circle") != std::string::npos);
+  CHECK(content(file("a.csv")).starts_with("id,kind,arcs,x_lower"));
+  CHECK(content(file("a.obj")).find("o surface_cone\n") != std::string::npos);
+  for (const char* name : {"a.vtp", "a.ply"}) CHECK(content(file(name)).size() > 1000);
   CHECK(text.out.find("cone with floor: complete, proved: 1 circle") != std::string::npos);
   CHECK(text.out.find("(0, 0, -1)") != std::string::npos);
 }

@@ -2,6 +2,7 @@
 
 import decimal
 import html
+import itertools
 import json
 import math
 import os
@@ -782,6 +783,45 @@ def test_arcs_of_a_patch_and_an_equation_have_no_parameters_of_the_equation():
         result.to_report()
 
 
+def test_two_equations_give_what_the_program_gives():
+    named = surfaces()
+    for names in itertools.combinations(["floor", "oblique", "cone", "ball", "torus", "quartic"], 2):
+        result = exsect.intersect(named[names[0]], named[names[1]], names=names, tolerance="1e-3")
+        ran = program(
+            "intersect", EXAMPLES / "surfaces.json", "--first", names[0], "--second", names[1], "--tolerance", "1e-3", "--json", "-"
+        )
+        expected = json.loads(ran.stdout)
+        given = json.loads(result.to_json())
+        del expected["work"], given["work"]
+        assert given == expected
+        assert len(result.curves) == sum(result.count(kind) for kind in {curve.kind for curve in result.curves})
+        assert result.complete == (result.incomplete == ())
+
+
+def test_two_equations_have_named_curves_and_every_form():
+    named = surfaces()
+    circle = exsect.intersect(named["torus"], named["floor"])
+    assert circle.complete and circle.summary == "1 circle" and not circle.same
+    assert circle.curves[0].radius_squared == 9 and circle.curves[0].point == (0, 0, -1)
+    assert circle.curves[0].multiplicity == 2 and circle.curves[0].closed
+    for arc in circle.arcs:
+        assert all(abs(math.hypot(p[0], p[1]) - 3) <= arc.error_bound + 1e-12 for p in arc.polyline)
+    for node in circle.nodes:
+        assert all(low <= Fraction(c) <= high for (low, high), c in zip(node.box, node.point)) or node.kind == "joint"
+    assert exsect.intersect(named["ball"], named["ball"]).same
+    assert circle.to_svg().startswith("<") and circle._repr_html_() == circle.to_svg()
+    assert "circle" in circle.to_obj() and circle.to_ply() and circle.to_vtp() and circle.to_csv().startswith("id,kind,arcs")
+    again = pickle.loads(pickle.dumps(circle))
+    assert again.curves == circle.curves and again.to_svg() == circle.to_svg()
+    assert "1 circle" in repr(circle)
+    for call in (circle.to_report, circle.to_certificate):
+        with pytest.raises(ValueError, match="not supported yet with two surfaces"):
+            call()
+    with pytest.raises(ValueError, match="absolute_tolerance"):
+        exsect.intersect(named["ball"], named["floor"], absolute_tolerance=1)
+    assert not exsect.intersect(named["torus"], named["oblique"], max_seconds="1e-9").complete
+
+
 def test_rays_give_what_the_program_gives():
     named = {"saddle": exsect.Patch(SADDLE), **surfaces()}
     ray = exsect.ray([-5, 0, 0], [1, 0, 0], named)
@@ -813,8 +853,6 @@ def test_surfaces_are_exact_values():
         exsect.torus([0, 0, 0], [0, 0, 1], 1, 2)
     with pytest.raises(TypeError, match="float"):
         exsect.sphere([0, 0, 0], 0.5)
-    with pytest.raises(ValueError, match="not supported yet"):
-        exsect.intersect(torus, surfaces()["ball"])
     with pytest.raises(ValueError, match="direction: the vector is zero"):
         exsect.ray([0, 0, 0], [0, 0, 0], torus)
     with pytest.raises(ValueError, match="origin"):
