@@ -13,8 +13,7 @@ namespace {
 struct LocalCurve {
   Polynomial content;     // the lines s = const of the curve
   BivariatePolynomial f;  // the rest of it
-  BivariatePolynomial lambda;
-  RationalInterval range;
+  CurvePart part;
   std::vector<Polynomial> events;  // along a branch of f, membership in S changes only over their roots
 };
 
@@ -27,29 +26,21 @@ BivariatePolynomial without(const BivariatePolynomial& f, const BivariatePolynom
   return h.is_zero() ? BivariatePolynomial::constant(1) : exact_quotient(f, gcd(f, h));
 }
 
-LocalCurve local_curve(const BivariatePolynomial& curve, const BivariatePolynomial& lambda,
-                       const RationalInterval& range) {
+LocalCurve local_curve(const BivariatePolynomial& curve, const CurvePart& part) {
   const ContentAndPart parts = split_content(curve);
   const Polynomial s = Polynomial::variable();
-  LocalCurve c{parts.content, parts.primitive, lambda, range, {s * (s - Polynomial(1))}};
+  LocalCurve c{parts.content, parts.primitive, part, {s * (s - Polynomial(1))}};
   std::vector<Polynomial> candidates = {c.content};
   for (const int side : {0, 1}) {
     const BivariatePolynomial edge = shifted(BivariatePolynomial::r(), side);
     candidates.push_back(without(c.f, edge).at_r(side));
   }
-  for (const Rational& end : {range.lower, range.upper}) {
-    const BivariatePolynomial at_end = shifted(lambda, end);
-    if (!at_end.is_zero()) candidates.push_back(resultant_r(without(c.f, at_end), at_end));
-  }
+  for (const BivariatePolynomial& border : part.borders)
+    if (!border.is_zero()) candidates.push_back(resultant_r(without(c.f, border), border));
   if (c.f.degree_r() > 1) candidates.push_back(discriminant_r(c.f));
   for (const Polynomial& candidate : candidates)
     if (candidate.degree() > 0) c.events.push_back(candidate);
   return c;
-}
-
-bool in_range(const LocalCurve& c, const TriangularPoint& p) {
-  return sign_at(shifted(c.lambda, c.range.lower), p) >= 0 &&
-         sign_at(shifted(c.lambda, c.range.upper), p) <= 0;
 }
 
 /// Whose roots r over s lie at branches of f and, if the line through s belongs to the curve, at the r where
@@ -58,10 +49,8 @@ BivariatePolynomial events_over(const LocalCurve& c, const RealAlgebraic& s) {
   BivariatePolynomial product = c.f;
   if (sign_at(c.content, s) != 0) return product;
   product = product * BivariatePolynomial::r() * shifted(BivariatePolynomial::r(), 1);
-  for (const Rational& end : {c.range.lower, c.range.upper}) {
-    const BivariatePolynomial at_end = shifted(c.lambda, end);
-    if (!reduced_at(at_end, s).is_zero()) product = product * at_end;
-  }
+  for (const BivariatePolynomial& border : c.part.borders)
+    if (!reduced_at(border, s).is_zero()) product = product * border;
   return product;
 }
 
@@ -102,28 +91,27 @@ bool has_member(const LocalCurve& c, const Rational& s, const RationalInterval& 
   if (s < 0 || s > 1) return false;
   const std::vector<TriangularPoint> points =
       roots_at(c.f, RealAlgebraic(s), std::max(r.lower, Rational(0)), std::min(r.upper, Rational(1)));
-  return std::any_of(points.begin(), points.end(), [&](const TriangularPoint& p) { return in_range(c, p); });
+  return std::any_of(points.begin(), points.end(),
+                     [&](const TriangularPoint& p) { return c.part.contains(p); });
 }
 
 /// Whether the line through s belongs to the curve and an end of the r-interval on it to S.
 bool has_member_on_line(const LocalCurve& c, const RealAlgebraic& s, const RationalInterval& r) {
   if (sign_at(c.content, s) != 0) return false;
   return std::ranges::any_of(std::array{r.lower, r.upper}, [&](const Rational& end) {
-    return end >= 0 && end <= 1 && in_range(c, rational_r(s, end));
+    return end >= 0 && end <= 1 && c.part.contains(rational_r(s, end));
   });
 }
 
 /// A superset of the isolated points: all are events over their s.
 std::vector<TriangularPoint> candidates(const LocalCurve& c) {
-  // Off the sides and with lambda inside the range, a point is isolated only where f = f_r = 0.
+  // Off the sides and where no border vanishes, a point is isolated only where f = f_r = 0.
   std::vector<TriangularPoint> points = component_points(c.f);
   const auto append = [&](const std::vector<TriangularPoint>& more) {
     points.insert(points.end(), more.begin(), more.end());
   };
-  for (const Rational& end : {c.range.lower, c.range.upper}) {
-    const BivariatePolynomial at_end = shifted(c.lambda, end);
-    append(common_points(without(c.f, at_end), at_end));
-  }
+  for (const BivariatePolynomial& border : c.part.borders)
+    append(common_points(without(c.f, border), border));
   if (c.content.degree() <= 0) return points;
   for (const RealAlgebraic& s : real_roots(c.content, 0, 1)) append(roots_at(events_over(c, s), s, 0, 1));
   return points;
@@ -136,12 +124,11 @@ bool lies_in(const TriangularPoint& p, const RationalInterval& r) {
 
 }  // namespace
 
-std::vector<IsolatedPoint> isolated_points(const BivariatePolynomial& f, const BivariatePolynomial& lambda,
-                                           const RationalInterval& range) {
-  const LocalCurve c = local_curve(f, lambda, range);
+std::vector<IsolatedPoint> isolated_points(const BivariatePolynomial& f, const CurvePart& part) {
+  const LocalCurve c = local_curve(f, part);
   std::vector<IsolatedPoint> result;
   for (const TriangularPoint& p : candidates(c)) {
-    if (!in_range(c, p)) continue;
+    if (!c.part.contains(p)) continue;
     Rational r_margin;
     Rational s_margin;
     const RationalInterval r = isolating_r(c, p, r_margin);

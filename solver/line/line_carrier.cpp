@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "line/rational_line.h"
+
 namespace exsect {
 namespace {
 
@@ -86,6 +88,43 @@ bool LineCarrier::add_positions(const TriangularPoint& p, std::vector<LinePositi
   return false;
 }
 
+std::vector<BivariatePolynomial> LineCarrier::borders() const {
+  if (moving_.empty()) return borders_of_segment();
+  std::vector<BivariatePolynomial> result;
+  for (const LinearInT& f : linear_) {
+    result.push_back(f.a);
+    result.push_back(f.a + f.b);
+  }
+  return result;
+}
+
+/// In lambda = X_k / X_4: its values at t = 0 and 1, and at the t where C and C' are proportional.
+std::vector<BivariatePolynomial> LineCarrier::borders_of_segment() const {
+  const std::size_t k = changing_coordinate();
+  const auto at = [&](int t) { return Polynomial{curve_[k](t), -curve_[3](t)}; };
+  std::vector<Polynomial> in_lambda = {at(0), at(1)};
+  if (degree_ > 1) {
+    std::vector<Polynomial> of_t, still;
+    for (int i = 0; i <= degree_; ++i)
+      of_t.push_back(Polynomial{curve_[k].coefficient(i), -curve_[3].coefficient(i)});
+    for (const Rational& c : standstill_polynomial(curve_).coefficients()) still.emplace_back(c);
+    in_lambda.push_back(resultant_r(BivariatePolynomial(still), BivariatePolynomial(of_t)));
+  }
+  std::vector<BivariatePolynomial> result;
+  for (const Polynomial& f : in_lambda) {
+    std::vector<BivariatePolynomial> coefficients;
+    for (const Rational& c : f.coefficients()) coefficients.push_back(BivariatePolynomial::constant(c));
+    result.push_back(homogenised(coefficients, x_[k], x_[3]));
+  }
+  return result;
+}
+
+std::size_t LineCarrier::changing_coordinate() const {
+  std::size_t k = 0;
+  while (curve_[k] * curve_[3].derivative() == curve_[k].derivative() * curve_[3]) ++k;
+  return k;
+}
+
 BivariatePolynomial LineCarrier::on_patch(const std::array<Rational, 4>& plane) const {
   BivariatePolynomial result;
   for (std::size_t k = 0; k < 4; ++k) result += x_[k] * Polynomial(plane[k]);
@@ -148,8 +187,7 @@ bool LineCarrier::add_at_node(const TriangularPoint& p, std::vector<LinePosition
 
 /// The line has a coordinate lambda = X_k / X_4, and C_k(t) - lambda C_4(t) = 0.
 bool LineCarrier::add_on_straight_line(const TriangularPoint& p, std::vector<LinePosition>& to) const {
-  std::size_t k = 0;
-  while (curve_[k] * curve_[3].derivative() == curve_[k].derivative() * curve_[3]) ++k;
+  const std::size_t k = changing_coordinate();
   const auto lambda = quotient_at(x_[k], x_[3], p);
   if (!lambda) return false;
   std::vector<Polynomial> of_t;

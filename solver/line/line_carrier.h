@@ -44,11 +44,17 @@ class LineCarrier {
   /// The planes of degree 1 in t that follow the line, on the patch; none of a straight line.
   const std::vector<LinearInT>& linear_planes() const { return linear_; }
 
+  /// Along a curve of common zeros of the equations, whether t is in [0,1] changes only where one of these
+  /// vanishes, which do so at t = 0 and 1, and where a straight line turns back.
+  std::vector<BivariatePolynomial> borders() const;
+
   /// Adds the positions with t in [0,1] of the point at a common zero of the equations; false where a base
   /// point of the patch hides them.
   bool add_positions(const TriangularPoint& p, std::vector<LinePosition>& to) const;
 
  private:
+  std::vector<BivariatePolynomial> borders_of_segment() const;
+  std::size_t changing_coordinate() const;
   BivariatePolynomial on_patch(const std::array<Rational, 4>& plane) const;
   LinearInT combined(int k) const;
   void add_plane_cubic();

@@ -105,7 +105,11 @@ CurveOnLine curve_on_line(const BivariatePolynomial& f, const BivariatePolynomia
     if (value.compare(range.lower) >= 0 && value.compare(range.upper) <= 0)
       result.lambda.push_back({value, value});
   result.lambda = merged(std::move(result.lambda));
-  result.isolated = isolated_points(curve, lambda, range);
+  const BivariatePolynomial above = shifted_by(lambda, range.lower), below = shifted_by(lambda, range.upper);
+  const auto in_range = [&](const TriangularPoint& p) {
+    return sign_at(above, p) >= 0 && sign_at(below, p) <= 0;
+  };
+  result.isolated = isolated_points(curve, {{above, below}, in_range});
   return result;
 }
 

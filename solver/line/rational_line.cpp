@@ -7,15 +7,6 @@
 namespace exsect {
 namespace {
 
-/// Zero exactly where the vectors C and C' are proportional.
-Polynomial standstill_polynomial(const HomogeneousCurve& curve) {
-  Polynomial common;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      common = gcd(common, curve[i] * curve[j].derivative() - curve[i].derivative() * curve[j]);
-  return common;
-}
-
 /// Where a factor of odd multiplicity vanishes, the point turns back.
 bool turns_back(const HomogeneousCurve& straight) {
   for (const PolynomialPower& power : squarefree_factors(standstill_polynomial(straight))) {
@@ -45,6 +36,14 @@ LineShape shape(const HomogeneousCurve& curve) {
   if (planes == 2) return turns_back(curve) ? LineShape::folded : LineShape::straight;
   if (planes == 0) return LineShape::twisted_cubic;
   return degree(curve) == 2 ? LineShape::conic : LineShape::plane_cubic;
+}
+
+Polynomial standstill_polynomial(const HomogeneousCurve& curve) {
+  Polynomial common;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      common = gcd(common, curve[i] * curve[j].derivative() - curve[i].derivative() * curve[j]);
+  return common;
 }
 
 std::vector<RealAlgebraic> standstills(const HomogeneousCurve& curve) {

@@ -23,6 +23,8 @@ RationalLine rational_line(const RationalPatch& x, const RationalPatch& y, const
 
 LineShape shape(const HomogeneousCurve& curve);
 
+/// Zero exactly where the vectors C and C' are proportional; zero for a point.
+Polynomial standstill_polynomial(const HomogeneousCurve& curve);
 /// Where the point of the curve stands still, t in [0,1], ascending: its cusps, and the turns of a straight
 /// line that is run through more than once.
 std::vector<RealAlgebraic> standstills(const HomogeneousCurve& curve);

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "curve/plane_curve.h"
+#include "line/isolated_points.h"
 #include "line/line_carrier.h"
 #include "line/line_curve.h"
 #include "line/rational_line.h"
@@ -44,9 +46,9 @@ class LineOnPatch {
     for (const TriangularPoint& p : zeros.points)
       for (const LinePosition& at : positions(carrier, {p}))
         result_.points.push_back({at.t, p, at.is_transversal});
-    std::stable_sort(result_.points.begin(), result_.points.end(),
-                     [](const RationalLinePoint& a, const RationalLinePoint& b) { return a.t < b.t; });
     if (zeros.curve.degree_r() > 0 || zeros.curve.degree_s() > 0) add_curve(carrier, squarefree(zeros.curve));
+    std::ranges::stable_sort(
+        result_.points, [](const RationalLinePoint& a, const RationalLinePoint& b) { return a.t < b.t; });
     return result_;
   }
 
@@ -76,11 +78,27 @@ class LineOnPatch {
     return minors(x_, along);
   }
 
+  /// Adds the isolated points of the part of c = 0 with t in [0,1] to the result, and gives them back.
+  std::vector<TriangularPoint> add_isolated(const LineCarrier& carrier, const BivariatePolynomial& c) {
+    const auto is_on_line = [&](const TriangularPoint& p) { return !positions(carrier, {p}).empty(); };
+    std::vector<TriangularPoint> isolated;
+    for (const IsolatedPoint& p : isolated_points(c, {carrier.borders(), is_on_line})) {
+      for (const LinePosition& at : positions(carrier, {p.at})) result_.points.push_back({at.t, p.at, false});
+      isolated.push_back(p.at);
+    }
+    return isolated;
+  }
+
   void add_curve(const LineCarrier& carrier, const BivariatePolynomial& c) {
-    std::vector<TriangularPoint> points = component_points(c);
-    const auto append = [&](const std::vector<TriangularPoint>& more) {
-      points.insert(points.end(), more.begin(), more.end());
+    const std::vector<TriangularPoint> isolated = add_isolated(carrier, c);
+    const auto is_isolated = [&](const TriangularPoint& p) {
+      return std::ranges::any_of(isolated, [&](const TriangularPoint& q) { return same_point(p, q); });
     };
+    std::vector<TriangularPoint> points;
+    const auto append = [&](const std::vector<TriangularPoint>& more) {
+      std::ranges::remove_copy_if(more, std::back_inserter(points), is_isolated);
+    };
+    append(component_points(c));
     append(side_points(c));
     PolynomialList still = standstill(c);
     still.push_back(c);
@@ -96,6 +114,8 @@ class LineOnPatch {
     sort_unique(met);
     LineParameters values = standstills(curve_);
     values.insert(values.end(), met.begin(), met.end());
+    for (const TriangularPoint& p : isolated)  // a sample must not be at one of them
+      for (const LinePosition& at : positions(carrier, {p})) values.push_back(at.t);
     values.emplace_back(0);
     values.emplace_back(1);
     sort_unique(values);

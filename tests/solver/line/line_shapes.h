@@ -60,4 +60,26 @@ inline BezierPatch height_field(const std::vector<std::vector<Rational>>& h) {
   return BezierPatch::from_power_basis(c);
 }
 
+/// Control points with coordinates 0, ..., range, the third 0, ..., height. By chance with a shared edge, a
+/// line u = 0 that is straight, folded or a point, a patch that is degenerate at its side.
+inline PatchPair grid_pair(std::mt19937& random, int range, int height) {
+  const auto up_to = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n + 1)); };
+  const auto net = [&] {
+    ControlNet n;
+    for (auto& row : n)
+      for (Point& p : row) p = {up_to(range), up_to(range), up_to(height)};
+    return n;
+  };
+  ControlNet x = net();
+  ControlNet y = net();
+  if (up_to(3) == 0) y[0] = x[0];
+  if (up_to(3) == 0) x[1] = x[0];
+  if (up_to(4) == 0)
+    for (auto& row : y) row[1] = row[0];
+  if (up_to(1) == 0) x[0][1] = x[0][0] + Rational(up_to(8) - 2, 4) * (x[0][2] - x[0][0]);
+  if (up_to(6) == 0) x[0][2] = x[0][0];
+  if (up_to(8) == 0) x[0][1] = x[0][0];
+  return {BezierPatch(x), BezierPatch(y)};
+}
+
 }  // namespace exsect

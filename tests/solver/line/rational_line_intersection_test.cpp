@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "answer/parameter_box.h"
 #include "line_shapes.h"
 #include "point_checks.h"
 #include "support/catch.h"
@@ -50,6 +51,19 @@ void check_same(const LinePoints& a, const LinePoints& b) {
     CHECK((a.on_patch[i].from == b.on_patch[i].from && a.on_patch[i].to == b.on_patch[i].to));
 }
 
+/// The map (x, y, z) -> (x + z, y, z) / (1 + x/8 + z/16), which leaves the parameters alone.
+RationalPatch projected(const RationalPatch& x) {
+  std::vector<std::vector<HomogeneousPoint>> net;
+  for (int i = 0; i <= x.degree_u(); ++i) {
+    net.emplace_back();
+    for (int j = 0; j <= x.degree_v(); ++j) {
+      const HomogeneousPoint& p = x.homogeneous(i, j);
+      net.back().push_back({p[0] + p[2], p[1], p[2], p[3] + p[0] / 8 + p[2] / 16});
+    }
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+
 TEST_CASE("lines of polynomial biquadratic patches: the same by plane and cylinder and by moving planes") {
   const unsigned seed = 2024;
   INFO("seed " << seed);
@@ -74,6 +88,43 @@ TEST_CASE("lines of polynomial biquadratic patches: the same by plane and cylind
     }
   }
   CHECK(found > 20);
+}
+
+/// The same sets, in whatever order.
+void check_same_sets(const LinePoints& a, const LinePoints& b) {
+  REQUIRE(a.points.size() == b.points.size());
+  for (const CertifiedPoint& p : a.points)
+    CHECK(std::ranges::count_if(b.points, [&](const CertifiedPoint& q) {
+            return meet(p.box(), q.box()) && p.sides() == q.sides() &&
+                   (p.multiplicity() == 1) == (q.multiplicity() == 1);
+          }) == 1);
+  REQUIRE(a.on_patch.size() == b.on_patch.size());
+  for (std::size_t i = 0; i < a.on_patch.size(); ++i) {
+    CHECK(a.on_patch[i].from == b.on_patch[i].from);
+    CHECK(a.on_patch[i].to == b.on_patch[i].to);
+  }
+}
+
+TEST_CASE("lines full of coincidences: the same points and parts by both ways, and with weights") {
+  const int range = GENERATE(1, 2);
+  const int height = GENERATE(0, 1);
+  std::size_t points = 0, parts = 0;
+  for (unsigned seed = 1050; seed < 1080; ++seed) {
+    INFO("range " << range << ", height " << height << ", seed " << seed);
+    std::mt19937 random(seed);
+    const auto [x, y] = grid_pair(random, range, height);
+    const LineQuery query = {all_parameters[seed % 4], Rational(static_cast<int>(seed % 3), 2)};
+    const LinePoints by_forms = intersect_line(x, y, query).solution;
+    CHECK(!by_forms.incomplete);
+    const LinePoints by_planes = rational_line_intersection(x, y, query).solution;
+    if (by_planes.incomplete) continue;
+    for (const CertifiedPoint& p : by_planes.points) check_point(x, y, p);
+    check_same_sets(by_planes, by_forms);
+    check_same_sets(rational_line_intersection(projected(x), projected(y), query).solution, by_forms);
+    points += by_forms.points.size();
+    parts += by_forms.on_patch.size();
+  }
+  CHECK(points + parts > 10);
 }
 
 TEST_CASE("a quarter circle with weights: plane, cylinder, eliminant and feasible interval") {
@@ -177,19 +228,6 @@ TEST_CASE("a cubic with a node: a patch that touches one of its branches") {
   }
   CHECK(at_node == 2);
   for (const CertifiedPoint& p : solve(nodal, floor_at(0)).solution.points) CHECK(p.multiplicity() == 1);
-}
-
-/// The map (x, y, z) -> (x + z, y, z) / (1 + x/8 + z/16), which leaves the parameters alone.
-RationalPatch projected(const RationalPatch& x) {
-  std::vector<std::vector<HomogeneousPoint>> net;
-  for (int i = 0; i <= x.degree_u(); ++i) {
-    net.emplace_back();
-    for (int j = 0; j <= x.degree_v(); ++j) {
-      const HomogeneousPoint& p = x.homogeneous(i, j);
-      net.back().push_back({p[0] + p[2], p[1], p[2], p[3] + p[0] / 8 + p[2] / 16});
-    }
-  }
-  return RationalPatch::from_homogeneous(net);
 }
 
 TEST_CASE("lines of both patches: a projective map and elevation change no point, exchange renames") {
