@@ -77,15 +77,36 @@ bool LineCarrier::add_positions(const TriangularPoint& p, std::vector<LinePositi
     const LinearInT f = combined(k);
     if (vanishes(f, p)) continue;
     if (sign_at(f.b, p) == 0) return true;
-    const BivariatePolynomial numerator = BivariatePolynomial() - f.a;
-    const auto t = quotient_at(numerator, f.b, p);
-    if (!t) continue;
-    if (t->compare(0) < 0 || t->compare(1) > 0) return true;
-    const BivariatePolynomial contact = homogenised(contact_determinant(curve_, x_), numerator, f.b);
-    to.push_back({*t, sign_at(contact, p) != 0});
+    const LineParameter t(BivariatePolynomial() - f.a, f.b, p);
+    if (t.compare(0) < 0 || t.compare(1) > 0) return true;
+    const BivariatePolynomial contact =
+        homogenised(contact_determinant(curve_, x_), BivariatePolynomial() - f.a, f.b);
+    to.push_back({t, sign_at(contact, p) != 0});
     return true;
   }
   return false;
+}
+
+bool LineCarrier::add_numbers(const TriangularPoint& p, std::vector<RealAlgebraic>& to) const {
+  std::vector<LinePosition> found;
+  if (!add_positions(p, found)) return false;
+  for (const LinePosition& at : found) {
+    std::optional<RealAlgebraic> t = at.t.number();
+    if (!t) t = number_at(p);
+    if (!t) return false;
+    to.push_back(*t);
+  }
+  return true;
+}
+
+/// By other combinations of the moving planes than the first that tells t.
+std::optional<RealAlgebraic> LineCarrier::number_at(const TriangularPoint& p) const {
+  for (int k = 0; k < kMostCombinations && !moving_.empty(); ++k) {
+    const LinearInT f = combined(k);
+    if (sign_at(f.b, p) == 0) continue;
+    if (const auto t = quotient_at(BivariatePolynomial() - f.a, f.b, p)) return t;
+  }
+  return std::nullopt;
 }
 
 std::vector<BivariatePolynomial> LineCarrier::borders() const {
@@ -188,12 +209,21 @@ bool LineCarrier::add_at_node(const TriangularPoint& p, std::vector<LinePosition
 /// The line has a coordinate lambda = X_k / X_4, and C_k(t) - lambda C_4(t) = 0.
 bool LineCarrier::add_on_straight_line(const TriangularPoint& p, std::vector<LinePosition>& to) const {
   const std::size_t k = changing_coordinate();
+  const bool is_transversal = sign_at(jacobian(equations_[0], equations_[1]), p) != 0;
+  if (degree_ == 1) {
+    const auto combined = [&](int i) {
+      return x_[3] * Polynomial(curve_[k].coefficient(i)) - x_[k] * Polynomial(curve_[3].coefficient(i));
+    };
+    if (sign_at(combined(1), p) == 0) return true;
+    const LineParameter t(BivariatePolynomial() - combined(0), combined(1), p);
+    if (t.compare(0) >= 0 && t.compare(1) <= 0) to.push_back({t, is_transversal});
+    return true;
+  }
   const auto lambda = quotient_at(x_[k], x_[3], p);
   if (!lambda) return false;
   std::vector<Polynomial> of_t;
   for (int i = 0; i <= degree_; ++i)
     of_t.push_back(Polynomial{curve_[k].coefficient(i), -curve_[3].coefficient(i)});
-  const bool is_transversal = sign_at(jacobian(equations_[0], equations_[1]), p) != 0;
   for (const TriangularPoint& t : roots_at(BivariatePolynomial(of_t), *lambda, 0, 1))
     to.push_back({value_at(BivariatePolynomial::r(), t), is_transversal});
   return true;

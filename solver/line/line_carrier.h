@@ -6,8 +6,10 @@
 #include <exsect/geometry/rational_patch.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "line/line_parameter.h"
 #include "line/moving_planes.h"
 
 namespace exsect {
@@ -19,7 +21,7 @@ ComponentsOfPatch components_of(const RationalPatch& patch);
 
 /// Where the line's parameter is in [0,1] at a point of the patch.
 struct LinePosition {
-  RealAlgebraic t;
+  LineParameter t;
   /// The carrier and the patch cross there: the tangent of the one is not in the tangent plane of the other,
   /// which the patch has.
   bool is_transversal;
@@ -41,8 +43,6 @@ class LineCarrier {
 
   /// The planes that hold the carrier: 2 of a straight line, 1 of another plane curve.
   const std::vector<MovingPlane>& fixed_planes() const { return fixed_; }
-  /// The planes of degree 1 in t that follow the line, on the patch; none of a straight line.
-  const std::vector<LinearInT>& linear_planes() const { return linear_; }
 
   /// Along a curve of common zeros of the equations, whether t is in [0,1] changes only where one of these
   /// vanishes, which do so at t = 0 and 1, and where a straight line turns back.
@@ -51,8 +51,11 @@ class LineCarrier {
   /// Adds the positions with t in [0,1] of the point at a common zero of the equations; false where a base
   /// point of the patch hides them.
   bool add_positions(const TriangularPoint& p, std::vector<LinePosition>& to) const;
+  /// The same as numbers: where quotient_at fails for one quotient, another one is tried.
+  bool add_numbers(const TriangularPoint& p, std::vector<RealAlgebraic>& to) const;
 
  private:
+  std::optional<RealAlgebraic> number_at(const TriangularPoint& p) const;
   std::vector<BivariatePolynomial> borders_of_segment() const;
   std::size_t changing_coordinate() const;
   BivariatePolynomial on_patch(const std::array<Rational, 4>& plane) const;

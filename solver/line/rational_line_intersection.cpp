@@ -3,7 +3,6 @@
 #include <exsect/algebra/resultant.h>
 #include <exsect/solver/rational_line_points.h>
 
-#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -28,7 +27,7 @@ class RationalPointSource : public LinePointSource {
  protected:
   LocalBox local_box(const Rational& width) const override {
     const TriangularPoint fine = point_.parameters.refined_to(width);
-    return {point_.t.refined_to(width).interval(), fine.r_interval(), fine.s().interval()};
+    return {point_.t.enclosure(width), fine.r_interval(), fine.s().interval()};
   }
 
  private:
@@ -44,7 +43,10 @@ std::optional<int> side_of_first(const TriangularPoint& at) {
 /// The eliminant and the first of two equations say what they say of biquadratic patches.
 CertifiedPoint certified_point(const LinePlace& place, const RationalLinePoint& point,
                                const LineIntersection& line) {
-  const LocalSides sides = {side_of(point.t), side_of_first(point.parameters), side_of(point.parameters.s())};
+  const LocalSides sides = {point.t.compare(0) == 0   ? std::optional(0)
+                            : point.t.compare(1) == 0 ? std::optional(1)
+                                                      : std::nullopt,
+                            side_of_first(point.parameters), side_of(point.parameters.s())};
   const int multiplicity = point.is_transversal ? 1
                            : line.eliminant.is_zero()
                                ? 0
@@ -60,10 +62,6 @@ CertifiedPoint certified_point(const LinePlace& place, const RationalLinePoint& 
 
 LinePoints certified_points(const LinePlace& place, RationalLinePoints&& exact,
                             const LineIntersection& line) {
-  std::stable_sort(exact.points.begin(), exact.points.end(),
-                   [](const RationalLinePoint& a, const RationalLinePoint& b) {
-                     return a.parameters.s() < b.parameters.s();
-                   });
   LinePoints result{{}, std::move(exact.on_patch), std::move(exact.incomplete)};
   for (const RationalLinePoint& point : exact.points)
     result.points.push_back(certified_point(place, point, line));

@@ -47,18 +47,27 @@ class LineOnPatch {
       for (const LinePosition& at : positions(carrier, {p}))
         result_.points.push_back({at.t, p, at.is_transversal});
     if (zeros.curve.degree_r() > 0 || zeros.curve.degree_s() > 0) add_curve(carrier, squarefree(zeros.curve));
-    std::ranges::stable_sort(
-        result_.points, [](const RationalLinePoint& a, const RationalLinePoint& b) { return a.t < b.t; });
+    std::ranges::stable_sort(result_.points, [](const RationalLinePoint& a, const RationalLinePoint& b) {
+      return a.parameters.s() < b.parameters.s();
+    });
     return result_;
   }
 
  private:
+  void note_base_point() { result_.incomplete = "a base point of the patch is beside a point of the line"; }
+
   std::vector<LinePosition> positions(const LineCarrier& carrier,
                                       const std::vector<TriangularPoint>& points) {
     std::vector<LinePosition> result;
     for (const TriangularPoint& p : points)
-      if (!carrier.add_positions(p, result))
-        result_.incomplete = "a base point of the patch is beside a point of the line";
+      if (!carrier.add_positions(p, result)) note_base_point();
+    return result;
+  }
+
+  LineParameters parameters(const LineCarrier& carrier, const std::vector<TriangularPoint>& points) {
+    LineParameters result;
+    for (const TriangularPoint& p : points)
+      if (!carrier.add_numbers(p, result)) note_base_point();
     return result;
   }
 
@@ -109,13 +118,12 @@ class LineOnPatch {
       still.push_back(varying);
       append(common_zeros(still).points);
     }
-    LineParameters met;
-    for (const LinePosition& at : positions(carrier, points)) met.push_back(at.t);
+    LineParameters met = parameters(carrier, points);
     sort_unique(met);
     LineParameters values = standstills(curve_);
     values.insert(values.end(), met.begin(), met.end());
-    for (const TriangularPoint& p : isolated)  // a sample must not be at one of them
-      for (const LinePosition& at : positions(carrier, {p})) values.push_back(at.t);
+    const LineParameters beside = parameters(carrier, isolated);  // a sample must not be at one of them
+    values.insert(values.end(), beside.begin(), beside.end());
     values.emplace_back(0);
     values.emplace_back(1);
     sort_unique(values);

@@ -3,6 +3,7 @@
 
 #include <exsect/algebra/triangular_point.h>
 #include <exsect/geometry/rational_patch.h>
+#include <exsect/solver/line_parameter.h>
 #include <exsect/solver/line_query.h>
 
 #include <optional>
@@ -13,16 +14,16 @@ namespace exsect {
 
 /// The point at t on the line.
 struct RationalLinePoint {
-  RealAlgebraic t;
+  LineParameter t;
   /// On the other patch, r and s its first and second parameter.
   TriangularPoint parameters;
   /// Line and patch cross: there the tangents of the line's carrier and of the patch span space.
   bool is_transversal;
 };
 
-/// `points` are the solutions, ascending in t, beside the curves of the other patch's parameters all of which
-/// are mapped to the carrier of the line; `on_patch` the t at these curves, disjoint closed intervals in
-/// ascending order.
+/// `points` are the solutions, ascending in the second parameter of the other patch, beside the curves of the
+/// other patch's parameters all of which are mapped to the carrier of the line; `on_patch` the t at these
+/// curves, disjoint closed intervals in ascending order.
 struct RationalLinePoints {
   std::vector<RationalLinePoint> points;
   std::vector<AlgebraicInterval> on_patch;
