@@ -442,7 +442,8 @@ function linePage() {
   section('The line in both squares', 'line', element('div', {class: 'views pair fibre'}, element('figure', {}, patchCaption(own), square.svg),
     element('figure', {}, patchCaption(1 - own), svg, legend)));
   update();
-  section('Equations', 'equations', ...linePolynomials(fibre.result));
+  const equations = linePolynomials(fibre.result);
+  if (equations.length) section('Equations', 'equations', ...equations);
   section('What was proved, and how', 'proofs', proofSection(lineProofs()));
   paperSection();
   dataSection();

@@ -30,8 +30,17 @@ function intersectionProofs(pair) {
   return list;
 }
 
+function cubicProofs() {
+  return [
+    ['The equations vanish on the line, and nowhere else at all once.', 'They come from the moving planes that follow the line: planes whose coefficients are polynomials of low degree in its parameter and that hold its point at each value, found as an exact null space.'],
+    ['Complete: the points listed are all points of the line on the other patch.', 'All common zeros of the equations in the other patch\'s square are found as exact algebraic points; at each the parameter on the line is a quotient of two polynomials, and signs of exact numbers decide whether it is in [0,1].'],
+    ['Every box holds exactly one of the points; its interval is at most 2⁻⁶⁴ wide.', 'Multiplicity 1 says that line and patch cross: the determinant of the line\'s tangent and the patch\'s tangent plane is not zero, exactly.'],
+  ];
+}
+
 function lineProofs() {
   const line = result;
+  if (line.pullback.cubic) return cubicProofs();
   return [
     ['The line is exactly what its two surfaces have in common.', 'Plane and quadratic cylinder (or two planes) vanish on it identically, with rational coefficients; the parameter along the line is a quotient of two of the linear forms.'],
     ['Complete: the points listed are all points of the line on the other patch.', `Every common point is a root of the eliminant${line.eliminant.degree > 0 ? `, of degree ${line.eliminant.degree}` : ''}. Its real roots are isolated exactly; which of them lie in a feasible interval, and on which branch, is decided by signs of exact numbers.`],

@@ -59,6 +59,9 @@ Counts graph_counts(const Json& graph) {
 
 Counts line_counts(const Json& data) {
   const Json& result = data["result"];
+  if (result["pullback"].contains("cubic"))
+    return {{"points", std::to_string(result["points"].size())},
+            {"shape of the line", number_text(result, "shape")}};
   return {{"points", std::to_string(result["points"].size())},
           {"phantom roots", std::to_string(data["fibres"][0]["phantoms"].size())},
           {"shape of the line", number_text(result, "shape")},

@@ -97,6 +97,26 @@ await runTests({
     }
     assert.ok(exsect('line', file, '--first', 'wall', '--second', 'flat', '--u', '0').includes('on the other patch'));
   },
+
+  async 'lines with weights and cubic lines'() {
+    const quarter = {name: 'quarter', degree: [1, 2], points: [[['0', '1', '0'], ['0', '1', '1'], ['0', '0', '1']], [['1', '1', '0'], ['1', '1', '1'], ['1', '0', '1']]], weights: [['1', '1', '2'], ['1', '1', '2']]};
+    const twisted = {name: 'twisted', degree: [1, 3], points: ['0', '1'].map((z) => [['0', '0', '-1'], ['1', '2', z], ['2', '-1', '-1'], ['1', '1', '2']])};
+    const bent = {name: 'bent', degree: [1, 3], points: ['0', '1'].map((x) => [[x, '-1', '-2'], [x, '0', '2'], [x, '0', '-2'], [x, '1', '2']])};
+    const floor = {name: 'floor', degree: [1, 1], points: [[['-3', '-3', '1/2'], ['-3', '3', '1/2']], [['3', '-3', '1/2'], ['3', '3', '1/2']]]};
+    const file = writeScratch('kinds.json', JSON.stringify({exsect: 'patches/1', patches: [quarter, twisted, bent, floor]}));
+    for (const [first, shape, words] of [['quarter', 'conic', 'a conic, cut out by its plane and a quadratic cylinder'], ['twisted', 'twisted cubic', 'a cubic in no plane'], ['bent', 'plane cubic', 'a cubic, cut out by its plane']]) {
+      const {page, json} = await shown(file, '--first', first, '--second', 'floor', '--u', '0');
+      assertQuiet(page);
+      assert.equal(json.shape, shape);
+      assert.ok(json.points.length > 0);
+      assert.equal(await page.locator('.points tbody tr').count(), json.points.length);
+      assert.ok((await page.locator('.fibre-facts').textContent()).includes(words));
+      const legend = await page.locator('.fibre .legend').textContent();
+      assert.ok(legend.includes({conic: 'cylinder Z = 0', 'plane cubic': 'cubic', 'twisted cubic': 'quadrics'}[shape]));
+      assert.equal(await page.locator('#equations').count(), shape === 'twisted cubic' ? 0 : 1);
+      await page.context().close();
+    }
+  },
 });
 
 await browser.close();
