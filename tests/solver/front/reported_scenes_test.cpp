@@ -1,9 +1,18 @@
 // Scenes rebuilt from public reports (tests/cases/reported/README.md): answers by hand, near misses beside
 // them.
+#include <exsect/algebra/sturm.h>
+#include <exsect/geometry/number.h>
 #include <exsect/geometry/surface_file.h>
+#include <exsect/geometry/surface_pull_back.h>
+#include <exsect/solver/intersect_equations.h>
+#include <exsect/solver/intersect_rational.h>
 #include <exsect/solver/intersect_surface.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
 #include <stdexcept>
 
 #include "support/catch.h"
@@ -90,6 +99,89 @@ TEST_CASE("reported scenes: Villarceau's circles") {
 TEST_CASE("reported scenes: a rod through a torus") {
   // x = +- sqrt((10 +- sqrt(9 - z^2))^2 - y^2) over all of the arc.
   check("torus-and-rod", "x", "y", {.open = 4, .boundary = 8});
+}
+
+namespace {
+
+/// How many points of the torus are on each of 60 lines of the cylinder, by a Sturm sequence; the same on
+/// all.
+int points_on_generatrices(const ImplicitSurface& torus, const ImplicitSurface& cylinder) {
+  const Point axis = cylinder.data()->axis;
+  const std::array<double, 3> d = {to_double(axis[0]), to_double(axis[1]), to_double(axis[2])};
+  const double length = std::hypot(d[0], d[1], d[2]), flat = std::hypot(d[1], d[2]);
+  const bool along_x = flat == 0;
+  const std::array<double, 3> a = {0, along_x ? 1 : d[2] / flat, along_x ? 0 : -d[1] / flat};
+  const std::array<double, 3> b = {(d[1] * a[2] - d[2] * a[1]) / length, -d[0] * a[2] / length,
+                                   d[0] * a[1] / length};
+  const double radius = std::sqrt(to_double(cylinder.data()->squared));
+  std::set<int> counts;
+  for (int i = 0; i < 60; ++i) {
+    const double angle = std::numbers::pi * i / 30;
+    Point start = cylinder.data()->point;
+    for (std::size_t k = 0; k < 3; ++k)
+      start[k] += Rational(radius * (std::cos(angle) * a[k] + std::sin(angle) * b[k]));
+    counts.insert(SturmSequence(pull_back(torus.equation(), start, axis)).count_all());
+  }
+  REQUIRE(counts.size() == 1);
+  return *counts.begin();
+}
+
+void check_pierced(const std::string& scene, const std::string& first, const std::string& second,
+                   int curves) {
+  INFO(scene << " " << first << " " << second);
+  const SurfaceFile file = read_surfaces(std::string(EXSECT_CASES) + "/reported/" + scene + ".json");
+  const ImplicitSurface &torus = *named(file, first).equation(), &rod = *named(file, second).equation();
+  CHECK(points_on_generatrices(torus, rod) == curves);
+  for (const SurfaceIntersection& result : {intersect(torus, rod), intersect(rod, torus)}) {
+    CHECK(result.status == Status::complete);
+    CHECK(result.curves.size() == static_cast<std::size_t>(curves));
+    for (const SpaceCurve& curve : result.curves) CHECK((curve.is_closed && curve.multiplicity == 1));
+    CHECK(result.count(SpaceNodeKind::crossing) == 0);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("reported scenes: rods through tori, a closed curve for each point of a generatrix") {
+  for (const std::string torus : {"inner", "outer"})
+    for (const std::string rod : {"rod", "moved"}) check_pierced("torus-and-thin-rod", torus, rod, 2);
+  for (const std::string rod : {"quarter", "fifth"}) check_pierced("pierced-torus", "torus", rod, 4);
+  // As thick as the torus: inside and outside curves meet where both are tangent to the planes y = +-20.
+  const SurfaceFile file = read_surfaces(std::string(EXSECT_CASES) + "/reported/pierced-torus.json");
+  const SurfaceIntersection whole =
+      intersect(*named(file, "torus").equation(), *named(file, "whole").equation());
+  CHECK(whole.status == Status::complete);
+  CHECK(whole.count(SpaceNodeKind::crossing) == 4);
+}
+
+TEST_CASE("reported scenes: bicubic bumps that share sides, in whole and in part") {
+  const SurfaceFile file = read_surfaces(std::string(EXSECT_CASES) + "/reported/bumps-on-one-square.json");
+  const auto patch = [&](const char* name) { return *named(file, name).patch(); };
+  for (const bool exchanged : {false, true}) {
+    const auto solve = [&](const char* other) {
+      return exchanged ? intersect(patch(other), patch("x")) : intersect(patch("x"), patch(other));
+    };
+    const IntersectResult rim = solve("below");  // z = 45 u(1-u)v(1-v) and -18 u(1-u)v(1-v)
+    CHECK(rim.status == Status::complete);
+    CHECK(rim.graph.arcs.size() == 4);
+    CHECK(rim.graph.count(ComponentShape::closed) == 1);
+    // Two sides in part, and 10 (1-u)(1-v) = (1-u/2)(1-v/2) from (18/19, 0) to (0, 18/19).
+    const IntersectResult part = solve("larger");
+    CHECK(part.status == Status::complete);
+    CHECK(part.graph.arcs.size() == 5);
+    CHECK(part.graph.nodes.size() == 5);
+    int inner = 0;
+    for (const Arc& arc : part.graph.arcs) {
+      if (arc.place != ArcPlace::interior) continue;
+      ++inner;
+      for (const PolylineVertex& vertex : arc.polyline) {
+        const std::size_t k = exchanged ? 2 : 0;
+        const double u = vertex.parameters[k], v = vertex.parameters[k + 1];
+        CHECK(std::fabs(10 * (1 - u) * (1 - v) - (1 - u / 2) * (1 - v / 2)) < 1e-9);
+      }
+    }
+    CHECK(inner == 1);
+  }
 }
 
 }  // namespace exsect::reported_scenes_test
