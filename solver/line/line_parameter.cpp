@@ -13,6 +13,10 @@ LineParameter::LineParameter(BivariatePolynomial numerator, BivariatePolynomial 
   const int sign = sign_at(denominator, at);
   if (sign == 0) throw std::invalid_argument("line parameter: the denominator is zero at the point");
   quotient_ = Quotient{std::move(numerator), std::move(denominator), std::move(at), sign};
+  const Rational width = power_of_two(-30);
+  const RationalInterval near = enclosure(width);
+  const Rational simplest = simplest_between(near.lower - width, near.upper + width);
+  if (compare(simplest) == 0) number_ = RealAlgebraic(simplest);
 }
 
 RationalInterval LineParameter::enclosure(const Rational& width) const {

@@ -13,7 +13,8 @@ namespace exsect {
 class LineParameter {
  public:
   LineParameter(RealAlgebraic t) : number_(std::move(t)) {}  // NOLINT: a number
-  /// Throws std::invalid_argument if the denominator is zero at the point.
+  /// A quotient that is a rational number of at most about 30 bits is known to be one. Throws
+  /// std::invalid_argument if the denominator is zero at the point.
   LineParameter(BivariatePolynomial numerator, BivariatePolynomial denominator, TriangularPoint at);
 
   /// A closed interval that contains t, of width at most `width` > 0.

@@ -113,7 +113,7 @@ await runTests({
       assert.ok((await page.locator('.fibre-facts').textContent()).includes(words));
       const legend = await page.locator('.fibre .legend').textContent();
       assert.ok(legend.includes({conic: 'cylinder Z = 0', 'plane cubic': 'cubic', 'twisted cubic': 'quadrics'}[shape]));
-      assert.equal(await page.locator('#equations').count(), shape === 'twisted cubic' ? 0 : 1);
+      assert.equal(await page.locator('#equations-title').count(), shape === 'twisted cubic' ? 0 : 1);
       await page.context().close();
     }
   },

@@ -65,6 +65,7 @@ TEST_CASE("a quotient at a point: exact at 0 and at 1, and near them") {
         return LineParameter(zero + constant(denominator * (end + shift)), constant(denominator), p);
       };
       CHECK(at(0).compare(end) == 0);
+      CHECK(at(Rational(3, 1000)).enclosure(1).width() == 0);  // known to be rational
       CHECK(at(tiny).compare(end) == 1);
       CHECK(at(-tiny).compare(end) == -1);
       CHECK(at(0).number() == RealAlgebraic(end));
