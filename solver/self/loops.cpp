@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <type_traits>
 
 #include "answer/parameter_box.h"
+#include "self/chart_directions.h"
 #include "self/near_cusps.h"
 #include "self/undecided_places.h"
 #include "trace/loop_seeds.h"
@@ -44,41 +44,34 @@ class SelfLoops {
         add_(add),
         stop_(stop) {}
 
-  /// Every direction is complete for a chart; `c` in terms of u and v. `left`: what a search along c has
-  /// left undecided.
+  /// What is left of both charts by a search in the arithmetic of `charts`; `left`: what one before has left
+  /// along c, in terms of u and v. A brief search looks along c alone.
   template <class SearchBall>
-  ChartSearchOutcome search(const ChartSystem<SearchBall>& chart, const std::array<double, 2>& c,
-                            const std::vector<ChartBox>& left) {
-    ChartSearchOutcome outcome = search_along(chart, c, left);
-    if (effort_ == SearchEffort::brief) {
-      found_.is_cut_short = found_.is_cut_short || !outcome.undecided.empty();
-      return outcome;
-    }
-    for (const double turned : {1.0, 2.0}) {
-      if (outcome.undecided.empty() || is_stopped(stop_)) break;
-      const double angle = turned * std::numbers::pi / 3;
-      ChartSearchOutcome other = search_along(
-          chart,
-          {std::cos(angle) * c[0] - std::sin(angle) * c[1], std::sin(angle) * c[0] + std::cos(angle) * c[1]},
-          {whole_chart});
-      if (other.undecided.empty()) outcome = std::move(other);
-    }
-    return outcome;
+  BoxesByChart search(const Charts<SearchBall>& charts, const std::array<double, 2>& c,
+                      const BoxesByChart& left) {
+    const auto along = [&](Chart chart, const std::array<double, 2>& direction,
+                           const std::vector<ChartBox>& roots) {
+      return search_along(chart_of(charts, chart), direction, roots);
+    };
+    if (effort_ == SearchEffort::whole) return searched_along_one_direction(c, left, along, stop_);
+    BoxesByChart undecided = {along(Chart::first, c, left[0]), along(Chart::second, c, left[1])};
+    found_.is_cut_short = found_.is_cut_short || !is_decided(undecided);
+    return undecided;
   }
 
  private:
   template <class SearchBall>
-  ChartSearchOutcome search_along(const ChartSystem<SearchBall>& chart, const std::array<double, 2>& c,
-                                  const std::vector<ChartBox>& roots) {
+  std::vector<ChartBox> search_along(const ChartSystem<SearchBall>& chart,
+                                     const std::array<double, 2>& direction,
+                                     const std::vector<ChartBox>& roots) {
     const Chart which = chart.chart();
     const ChartSeedHandler<SearchBall> known = [this, which](const BallPoint<SearchBall>& p) {
       return is_known(which, in_arithmetic<Ball>(p));
     };
-    const std::array<double, 2> own = which == Chart::first ? c : std::array<double, 2>{c[1], c[0]};
     ChartSearchOutcome outcome =
-        search_chart(chart, places_, roots, own, known, most_boxes<SearchBall>(), stop_);
+        search_chart(chart, places_, roots, direction, known, most_boxes<SearchBall>(), stop_);
     found_.searched_boxes += outcome.boxes;
-    return outcome;
+    return std::move(outcome.undecided);
   }
 
   template <class SearchBall>
@@ -132,18 +125,16 @@ std::vector<ParameterBox> search_closed_curves(const SelfSystem<Ball>& system,
                                                SelfCurves<Ball>& found, const LoopHandler<Ball>& add,
                                                const StopRequest& stop) {
   SelfLoops<Ball> loops(system, exact, places, effort, found, add, stop);
-  std::vector<ParameterBox> undecided;
-  for (const ChartSystem<DoubleBall>& chart : charts) {
-    ChartSearchOutcome outcome = loops.search(chart, direction, {whole_chart});
-    if constexpr (!std::is_same_v<Ball, DoubleBall>) {
-      if (!outcome.undecided.empty()) {
-        const bool few = outcome.undecided.size() <= kMostLeft;
-        outcome = loops.search(system.chart(chart.chart()), direction,
-                               few ? outcome.undecided : std::vector<ChartBox>{whole_chart});
-      }
+  BoxesByChart left = loops.search(charts, direction, {{{whole_chart}, {whole_chart}}});
+  if constexpr (!std::is_same_v<Ball, DoubleBall>) {
+    if (!is_decided(left)) {
+      for (std::vector<ChartBox>& boxes : left)
+        if (boxes.size() > kMostLeft) boxes = {whole_chart};
+      left = loops.search(system.charts, direction, left);
     }
-    std::ranges::move(undecided_places(chart.chart(), outcome.undecided), std::back_inserter(undecided));
   }
+  std::vector<ParameterBox> undecided = undecided_places(Chart::first, left[0]);
+  std::ranges::move(undecided_places(Chart::second, left[1]), std::back_inserter(undecided));
   return undecided;
 }
 

@@ -148,11 +148,13 @@ ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownPlac
                                 const std::vector<ChartBox>& roots, const std::array<double, 2>& direction,
                                 const ChartSeedHandler<Ball>& known, long most_boxes,
                                 const StopRequest& stop) {
+  const bool is_first = system.chart() == Chart::first;
+  const std::array<double, 2> own = is_first ? direction : std::array<double, 2>{direction[1], direction[0]};
   const auto done = [&](const ChartCell<Ball>& cell) {
     if (!known || cell.depth < kFirstCertificateDepth) {
       return false;
     }
-    if (tangent_cannot_vanish(system, cell, direction)) {
+    if (tangent_cannot_vanish(system, cell, own)) {
       return true;
     }
     const auto tube = tube_around(system, cell.box, std::nullopt);

@@ -26,8 +26,9 @@ using ChartSeedHandler = std::function<bool(const BallPoint<Ball>&)>;
 /// in it, or it is outside or in the known places. Any other box must be shown to be empty of points to be
 /// found: without `known` that is all, so that an outcome without undecided boxes means that there are no
 /// pairs. With `known`, a box is also done if a certified tube contains it whose curve is known, or if the
-/// curve cannot have a tangent with c_0 U' + c_1 V' = 0 in it (`direction` c, in terms of the chart's own U
-/// and V).
+/// curve cannot have a tangent with c_0 U' + c_1 V' = 0 in it (`direction` c, in terms of u and v whichever
+/// the chart: together the searches of both charts prove that there is no further closed curve if they are
+/// along the same c).
 template <class Ball>
 ChartSearchOutcome search_chart(const ChartSystem<Ball>& system, const KnownPlaces& places,
                                 const std::vector<ChartBox>& roots, const std::array<double, 2>& direction,
