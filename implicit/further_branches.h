@@ -1,4 +1,4 @@
-// Where two surfaces through a curve meet besides the curve (docs/method.md, 10.6).
+// Where two surfaces through a curve meet besides the curve (docs/method-implicit.md, 10.6).
 #pragma once
 
 #include <exsect/implicit/space_curve_surfaces.h>

@@ -1,4 +1,4 @@
-// Polynomials that approximate the length of a gradient (docs/method.md, 10.5).
+// Polynomials that approximate the length of a gradient (docs/method-implicit.md, 10.5).
 #pragma once
 
 #include <exsect/geometry/planar_function.h>

@@ -1,5 +1,5 @@
 // Certified distances between a parametrised curve and the zero set of an implicit function
-// (docs/method.md, 10.4).
+// (docs/method-implicit.md, 10.4).
 #pragma once
 
 #include <exsect/geometry/bezier_curve.h>

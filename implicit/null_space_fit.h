@@ -1,4 +1,4 @@
-// Approximate implicit equations of a curve as approximate null vectors (docs/method.md, 10.3).
+// Approximate implicit equations of a curve as approximate null vectors (docs/method-implicit.md, 10.3).
 #pragma once
 
 #include <exsect/geometry/bezier_curve.h>

@@ -1,4 +1,4 @@
-// Point-and-normal least squares: implicit functions near a curve (docs/method.md, 10.2).
+// Point-and-normal least squares: implicit functions near a curve (docs/method-implicit.md, 10.2).
 #pragma once
 
 #include <exsect/geometry/bezier_curve.h>

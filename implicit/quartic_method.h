@@ -1,5 +1,5 @@
 // The intersection by approximate implicitization: quartics for the pieces of the second patch, composed with
-// the first (chapter 9.4; docs/method.md, section 13).
+// the first (chapter 9.4; docs/method-implicit.md, section 13).
 #pragma once
 
 #include <exsect/geometry/approximate_implicit_patch.h>

@@ -1,5 +1,5 @@
 // The intersection by elimination of one parameter of each patch: a plane curve with phantom branches, which
-// are removed exactly (chapter 9.3; docs/method.md, section 13).
+// are removed exactly (chapter 9.3; docs/method-implicit.md, section 13).
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>

@@ -1,4 +1,4 @@
-// Implicit surfaces of revolution from a planar profile curve (docs/method.md, section 12).
+// Implicit surfaces of revolution from a planar profile curve (docs/method-implicit.md, section 12).
 #pragma once
 
 #include <exsect/geometry/bezier_curve.h>

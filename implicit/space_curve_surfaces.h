@@ -1,4 +1,4 @@
-// Pairs of surfaces through a curve of space (docs/method.md, 10.5).
+// Pairs of surfaces through a curve of space (docs/method-implicit.md, 10.5).
 #pragma once
 
 #include <exsect/geometry/bezier_curve.h>

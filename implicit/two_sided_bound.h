@@ -1,5 +1,5 @@
 // A strip along a planar curve that holds one regular arc of the zero set of a function
-// (docs/method.md, 10.4).
+// (docs/method-implicit.md, 10.4).
 #pragma once
 
 #include <exsect/geometry/bezier_curve.h>

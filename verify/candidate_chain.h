@@ -1,4 +1,4 @@
-// Candidate curves as chains in space. Internal to verify/; docs/method.md, section 15.
+// Candidate curves as chains in space. Internal to verify/; docs/method-verify.md, section 15.
 #pragma once
 
 #include <exsect/geometry/candidate.h>

@@ -1,4 +1,4 @@
-// How far a chain is from others. Internal to solver/; docs/method.md, section 15.
+// How far a chain is from others. Internal to solver/; docs/method-verify.md, section 15.
 #pragma once
 
 #include <exsect/algebra/interruption.h>

@@ -1,4 +1,4 @@
-// How fast a patch moves and bends. Internal to verify/; docs/method.md, section 15, (15.5).
+// How fast a patch moves and bends. Internal to verify/; docs/method-verify.md, section 15, (15.5).
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

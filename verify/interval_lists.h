@@ -1,5 +1,5 @@
-// Lists of closed intervals of doubles, for what a candidate covers. Internal to solver/; docs/method.md,
-// section 15.
+// Lists of closed intervals of doubles, for what a candidate covers. Internal to solver/;
+// docs/method-verify.md, section 15.
 #pragma once
 
 #include <map>

@@ -1,4 +1,5 @@
-// A patch in doubles, with bounds of what is computed. Internal to verify/; docs/method.md, section 15.
+// A patch in doubles, with bounds of what is computed. Internal to verify/; docs/method-verify.md,
+// section 15.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

@@ -1,5 +1,5 @@
 // Chains of straight pieces with proved bounds, and what is near a point. Internal to solver/;
-// docs/method.md, section 15.
+// docs/method-verify.md, section 15.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Models far from unit size, brought near it by a power of two. Internal to solver/; docs/method.md, section
-// 15.
+// Models far from unit size, brought near it by a power of two. Internal to solver/; docs/method-verify.md,
+// section 15.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

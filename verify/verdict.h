@@ -91,7 +91,7 @@ struct CurveFinding {
   DistanceEnclosure true_distance;  // of the components that it follows from the candidate's curves
 };
 
-/// The verdict on a candidate; docs/method.md, section 15.
+/// The verdict on a candidate; docs/method-verify.md, section 15.
 struct Verdict {
   Agreement agreement;
   bool exact_is_complete;

@@ -1,4 +1,5 @@
-// One candidate held against one exact result, step by step. Internal to solver/; docs/method.md, section 15.
+// One candidate held against one exact result, step by step. Internal to solver/; docs/method-verify.md,
+// section 15.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

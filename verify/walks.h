@@ -1,4 +1,4 @@
-// Following the true curve along a candidate curve. Internal to solver/; docs/method.md, section 15.
+// Following the true curve along a candidate curve. Internal to solver/; docs/method-verify.md, section 15.
 #pragma once
 
 #include <exsect/solver/intersection_graph.h>
