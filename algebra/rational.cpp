@@ -105,6 +105,17 @@ Rational simplest_between(const Rational& a, const Rational& b) {
   return simplest_between_positive(a, b);
 }
 
+std::optional<Rational> rational_root(const Rational& q, unsigned n) {
+  if (q < 0 && n % 2 == 0) return std::nullopt;
+  Integer above, below;
+  // In lowest terms numerator and denominator are powers both, or q is none.
+  if (mpz_root(above.backend().data(), numerator(q).backend().data(), n) == 0 ||
+      mpz_root(below.backend().data(), denominator(q).backend().data(), n) == 0) {
+    return std::nullopt;
+  }
+  return Rational(above, below);
+}
+
 Rational power_of_two(long exponent) {
   Rational power = 1;
   mpq_t& q = power.backend().data();

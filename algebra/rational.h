@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/multiprecision/gmp.hpp>
+#include <optional>
 
 namespace exsect {
 
@@ -30,6 +31,10 @@ Rational from_double(double x);
 
 /// The rational of least denominator in the open interval (a,b); requires a < b, else std::invalid_argument.
 Rational simplest_between(const Rational& a, const Rational& b);
+
+/// The rational number r with r^n = q, the one that is not negative if n is even; empty if there is none.
+/// Requires n >= 1.
+std::optional<Rational> rational_root(const Rational& q, unsigned n);
 
 /// 2^exponent, any sign of the exponent.
 Rational power_of_two(long exponent);

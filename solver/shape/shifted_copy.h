@@ -1,8 +1,7 @@
-// Whether one patch is a piece of the other one's polynomial surface, parametrised affinely. Internal to
-// solver/.
+// Whether one patch is a piece of the other one's surface, parametrised affinely. Internal to solver/.
 #pragma once
 
-#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 
 #include <array>
 #include <optional>
@@ -23,8 +22,10 @@ struct ShiftedCopy {
   std::array<AffineMap, 2> maps;
 };
 
-/// The maps, if there are any and each can be read off: that of r where the direction of x_vv, a quadratic
-/// polynomial in u, is not constant, and that of s where the direction of x_uu is not.
-std::optional<ShiftedCopy> shifted_copy(const BezierPatch& x, const BezierPatch& y);
+/// The maps, if there are any and one of them can be read off (14.40): from the highest derivatives by the
+/// other parameter, unless these keep their direction, or from the coordinates, in some coordinate system,
+/// that depend on one parameter alone, as two of a height field do. For patches of every bidegree, with
+/// weights or without, whatever the degrees that they are written in.
+std::optional<ShiftedCopy> shifted_copy(const RationalPatch& x, const RationalPatch& y);
 
 }  // namespace exsect

@@ -128,4 +128,20 @@ TEST_CASE("power_of_two and interval helpers") {
   CHECK(sign(Rational(-2, 7)) == -1);
 }
 
+TEST_CASE("rational root: of powers and of no others") {
+  CHECK(rational_root(0, 2) == Rational(0));
+  CHECK(rational_root(Rational(4, 9), 2) == Rational(2, 3));
+  CHECK(rational_root(Rational(-8, 27), 3) == Rational(-2, 3));
+  CHECK(rational_root(Rational(-5, 7), 1) == Rational(-5, 7));
+  CHECK_FALSE(rational_root(Rational(-4, 9), 2));
+  CHECK_FALSE(rational_root(Rational(4, 27), 3));
+  CHECK_FALSE(rational_root(2, 2));
+  for (int k = 1; k < 40; ++k) {
+    const Rational r(k * k - 600, 7 * k + 1);
+    CHECK(rational_root(r * r, 2) == Rational(abs(r)));
+    CHECK(rational_root(r * r * r, 3) == r);
+    CHECK_FALSE(rational_root(r * r + power_of_two(-300), 2));
+  }
+}
+
 }  // namespace exsect::rational_test
