@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/intersection_graph.h>
 
 #include <array>
@@ -22,5 +23,9 @@ Node rim_node(const std::array<Rational, 4>& at);
 /// must be mapped to the same point of space. The polyline keeps within `tolerance` (space units) where
 /// doubles can express that; Arc::error_bound is what is proved. Id 0.
 Arc rim_arc(const BezierPatch& x, const RimEnd& from, const RimEnd& to, ArcPlace place, double tolerance);
+/// The same of a patch of any bidegree, with weights or without, that is not biquadratic, for segments on
+/// which one of its parameters is constant. The bound is infinite where parts of the line have control
+/// points that are not points of space.
+Arc rim_arc(const RationalPatch& x, const RimEnd& from, const RimEnd& to, ArcPlace place, double tolerance);
 
 }  // namespace exsect

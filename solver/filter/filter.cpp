@@ -64,10 +64,8 @@ class FilteredIntersection {
     }
     filter::TreesOf<K> trees{filter::PatchTreeOf<K>(pair->x, pair->net_error),
                              filter::PatchTreeOf<K>(pair->y, pair->net_error)};
-    if constexpr (kExactBehind) {
-      if (auto overlap = overlap_of_pieces(*pair, trees)) {
-        return overlap;
-      }
+    if (auto overlap = overlap_of_pieces(*pair, trees)) {
+      return overlap;
     }
     auto contacts = filter::find_contacts(x_, y_, *pair);
     if (!contacts || (with_stations_ && !contacts->empty())) {
@@ -145,7 +143,9 @@ class FilteredIntersection {
     if (with_stations_) {
       return std::nullopt;
     }
-    auto graph = filter::overlap_of_pieces(x_, y_, pair, trees, run_.drawn_tolerance(pair.extent), boxes_);
+    const double tolerance = run_.drawn_tolerance(pair.extent);
+    auto graph = filter::overlap_of_pieces<K>(x_, y_, pair, trees, tolerance,
+                                              kExactBehind ? tolerance : pair.extent, boxes_);
     return graph ? with_contacts(pair, {}, std::move(*graph), {}) : std::nullopt;
   }
 

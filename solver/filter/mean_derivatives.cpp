@@ -6,11 +6,30 @@ namespace exsect::filter {
 
 namespace {
 
-double size(const Vec3& row, const Vec3& v) { return std::fabs(dot(row, v)); }
+/// row.(the derivative of order (a,b), a, b <= 1): the coefficient of h^i k^j of it is i^a j^b times that of
+/// h^(i+a) k^(j+b) of the patch.
+template <class K>
+MeanDerivative mean_of_order(const RectangleExpansionOf<K>& x, const Row<K>& row, std::size_t a, std::size_t b) {
+  MeanDerivative result{dot(row, x.at_middle[K::side * a + b]), 0};
+  double power_of_h = 1;
+  for (std::size_t i = a; i < K::side; ++i) {
+    double power = power_of_h;
+    for (std::size_t j = b; j < K::side; ++j) {
+      if (i > a || j > b) {
+        const double factor = static_cast<double>((a == 1 ? i : 1) * (b == 1 ? j : 1));
+        result.deviation += factor * std::fabs(dot(row, x.at_middle[K::side * i + j])) * power;
+      }
+      power *= x.half[1];
+    }
+    power_of_h *= x.half[0];
+  }
+  return result;
+}
 
 }  // namespace
 
-std::optional<RectangleExpansion> expand(const Patch& patch, const Rectangle& where) {
+template <class K>
+std::optional<RectangleExpansionOf<K>> expand(const PatchOf<K>& patch, const Rectangle& where) {
   std::array<double, 2> middle;
   std::array<double, 2> half;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -20,21 +39,30 @@ std::optional<RectangleExpansion> expand(const Patch& patch, const Rectangle& wh
       return std::nullopt;
     }
   }
-  return RectangleExpansion{expand(patch, middle[0], middle[1]), half};
+  return RectangleExpansionOf<K>{expand(patch, middle[0], middle[1]), half};
 }
 
-MeanDerivative mean_first(const RectangleExpansion& x, const Vec3& row) {
-  const Coefficients& c = x.at_middle;
-  const auto [h, k] = x.half;
-  return {dot(row, c[3]), 2 * size(row, c[6]) * h + size(row, c[4]) * k + 2 * size(row, c[7]) * h * k +
-                              size(row, c[5]) * k * k + 2 * size(row, c[8]) * h * k * k};
+template <class K>
+MeanDerivative mean_first(const RectangleExpansionOf<K>& x, const Row<K>& row) {
+  return mean_of_order<K>(x, row, 1, 0);
 }
 
-MeanDerivative mean_second(const RectangleExpansion& x, const Vec3& row) {
-  const Coefficients& c = x.at_middle;
-  const auto [h, k] = x.half;
-  return {dot(row, c[1]), 2 * size(row, c[2]) * k + size(row, c[4]) * h + 2 * size(row, c[5]) * h * k +
-                              size(row, c[7]) * h * h + 2 * size(row, c[8]) * h * h * k};
+template <class K>
+MeanDerivative mean_second(const RectangleExpansionOf<K>& x, const Row<K>& row) {
+  return mean_of_order<K>(x, row, 0, 1);
 }
+
+template <class K>
+MeanDerivative mean_value(const RectangleExpansionOf<K>& x, const Row<K>& row) {
+  return mean_of_order<K>(x, row, 0, 0);
+}
+
+#define EXSECT_INSTANTIATE(K)                                                                     \
+  template std::optional<RectangleExpansionOf<K>> expand<K>(const PatchOf<K>&, const Rectangle&); \
+  template MeanDerivative mean_first<K>(const RectangleExpansionOf<K>&, const Row<K>&);           \
+  template MeanDerivative mean_second<K>(const RectangleExpansionOf<K>&, const Row<K>&);          \
+  template MeanDerivative mean_value<K>(const RectangleExpansionOf<K>&, const Row<K>&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

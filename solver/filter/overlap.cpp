@@ -14,10 +14,8 @@ namespace {
 
 constexpr long kMostBoxesApart = 6000;
 constexpr int kDeepestApart = 24;  // levels of both patches together
-/// How near to each other numbers are in doubles that would be the same in exact arithmetic.
-constexpr double kClosePieces = 0x1p-30;
-/// Of the rectangle that both squares have in common: below, other ways may be shorter.
-constexpr double kLeastWidth = 0x1p-20;
+/// Coefficients below this may be zero but for rounding, and directions that differ by less the same one.
+constexpr double kCloseDirections = 0x1p-30;
 
 /// (u,v) = (maps[0](r), maps[1](s)), or (maps[0](s), maps[1](r)) if exchanged.
 struct Pieces {
@@ -27,64 +25,70 @@ struct Pieces {
   std::size_t parameter(std::size_t of_x) const { return exchanged ? 1 - of_x : of_x; }
 };
 
-/// t -> offset + factor t for centred parameters.
-struct Guess {
-  double offset;
-  double factor;
-};
-
-/// The map A with h = k g(A(t)) for some number k, up to rounding, if there is one: as shifted_copy does.
-Guess guess_between(const std::array<Vec3, 3>& g, const std::array<Vec3, 3>& h) {
-  const auto ratio = [](const Vec3& a, const Vec3& b) { return dot(a, b) / dot(b, b); };
-  if (largest(g[2]) < kClosePieces * (largest(g[0]) + largest(g[1]))) {
-    const double k = ratio(cross(h[0], g[1]), cross(g[0], g[1]));
-    return {ratio(h[0] - k * g[0], k * g[1]), ratio(h[1], g[1]) / k};
+/// The degrees in both parameters, but for coefficients that are nearly zero.
+template <class K>
+std::array<std::size_t, 2> true_degrees(const CoefficientsOf<K>& power) {
+  std::array<std::size_t, 2> result = {0, 0};
+  for (std::size_t i = 0; i < K::count; ++i) {
+    if (!(largest(power[i]) > kCloseDirections)) continue;
+    result[0] = std::max(result[0], i / K::side);
+    result[1] = std::max(result[1], i % K::side);
   }
-  const double kb = ratio(cross(h[1], g[2]), cross(g[1], g[2]));
-  return {ratio(h[1] - kb * g[1], 2 * kb * g[2]), ratio(h[2], g[2]) / kb};
+  return result;
 }
 
-/// False if the patches are not in doubles what the maps would make of them, or have no rectangle in common.
-bool may_overlap(const Pair& pair, bool exchanged) {
-  const Coefficients& x = pair.x.power;
-  const Coefficients& y = pair.y.power;
-  const auto at = [&](std::size_t i, std::size_t j) { return y[exchanged ? 3 * j + i : 3 * i + j]; };
-  const std::array<Guess, 2> maps = {guess_between({x[2], x[5], x[8]}, {at(0, 2), at(1, 2), at(2, 2)}),
-                                     guess_between({x[6], x[7], x[8]}, {at(2, 0), at(2, 1), at(2, 2)})};
-  for (const Guess& map : maps) {
-    const double half = 0.5 * std::fabs(map.factor);
-    const double width = std::min(map.offset + half, 0.5) - std::max(map.offset - half, -0.5);
-    if (!(width > kLeastWidth)) {
-      return false;
-    }
-  }
-  for (const double r : {-0.5, 0.5}) {
-    for (const double s : {-0.5, 0.5}) {
-      const double u = maps[0].offset + maps[0].factor * r;
-      const double v = maps[1].offset + maps[1].factor * s;
-      if (!(largest(value_at<Biquadratic>(x, u, v) -
-                    (exchanged ? value_at<Biquadratic>(y, s, r) : value_at<Biquadratic>(y, r, s))) <
-            kClosePieces)) {
-        return false;
-      }
+template <std::size_t N>
+bool nearly_parallel(const Vec<N>& a, const Vec<N>& b) {
+  const double size = kCloseDirections * largest(a) * largest(b);
+  for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!(std::fabs(a[i] * b[j] - a[j] * b[i]) <= size)) return false;
     }
   }
   return true;
 }
 
-std::optional<Pieces> find_pieces(const BezierPatch& x, const BezierPatch& y, const Pair& pair) {
+/// False if the patches have no maps: the coefficients of the highest powers of both parameters would have
+/// one direction. A guess that costs little, and decides what is asked exactly.
+template <class K>
+bool may_overlap(const PairOf<K>& pair, bool exchanged) {
+  const auto [m, n] = true_degrees<K>(pair.x.power);
+  const auto of_y = true_degrees<K>(pair.y.power);
+  if (of_y != (exchanged ? std::array{n, m} : std::array{m, n})) return false;
+  return nearly_parallel(pair.x.power[K::side * m + n], pair.y.power[K::side * of_y[0] + of_y[1]]);
+}
+
+template <class K>
+std::optional<Pieces> find_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair) {
   for (const bool exchanged : {false, true}) {
-    if (may_overlap(pair, exchanged)) {
-      const auto copy = shifted_copy(x, exchanged ? y.exchanged() : y);
-      return copy ? std::optional(Pieces{copy->maps, exchanged}) : std::nullopt;
-    }
+    if (!may_overlap<K>(pair, exchanged)) continue;
+    const RationalPatch of_y = rational_patch(y);
+    const auto copy = shifted_copy(rational_patch(x), exchanged ? of_y.transposed() : of_y);
+    if (copy) return Pieces{copy->maps, exchanged};
   }
   return std::nullopt;
 }
 
+/// Vectors c_i with c_i.a_j = 1 for i = j and 0 otherwise, but for rounding: (A^T A)^-1 A^T.
+template <std::size_t N>
+std::array<Vec<N>, 3> dual_rows(const std::array<Vec<N>, 3>& a) {
+  std::array<Vec3, 3> gram;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) gram[i][j] = dot(a[i], a[j]);
+  }
+  const double inverse = 1 / dot(gram[0], cross(gram[1], gram[2]));
+  std::array<Vec<N>, 3> rows;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 c = inverse * cross(gram[(i + 1) % 3], gram[(i + 2) % 3]);
+    rows[i] = c[0] * a[0] + (c[1] * a[1] + c[2] * a[2]);
+  }
+  return rows;
+}
+
+template <class K>
 class InjectivityProof {
  public:
-  InjectivityProof(const Pair& pair, const Pieces& pieces, Trees& trees, long& boxes)
+  InjectivityProof(const PairOf<K>& pair, const Pieces& pieces, TreesOf<K>& trees, long& boxes)
       : pair_(pair), pieces_(pieces), trees_(trees), boxes_(boxes) {
     for (std::size_t i = 0; i < 2; ++i) {
       const AffineMap& map = pieces.maps[i];
@@ -104,8 +108,8 @@ class InjectivityProof {
       const PiecePair item = stack.back();
       stack.pop_back();
       ++boxes_;
-      const SubPatch& x = trees_.x[item.x];
-      const SubPatch& y = trees_.y[item.y];
+      const SubPatchOf<K>& x = trees_.x[item.x];
+      const SubPatchOf<K>& y = trees_.y[item.y];
       if (separated(x, y, pair_.net_error) || is_injective(hull(x, y))) {
         continue;
       }
@@ -118,7 +122,7 @@ class InjectivityProof {
   }
 
  private:
-  Rectangle hull(const SubPatch& x, const SubPatch& y) const {
+  Rectangle hull(const SubPatchOf<K>& x, const SubPatchOf<K>& y) const {
     const std::array<double, 2> on_x = {x.first, x.second};
     const std::array<double, 2> on_y = {y.first, y.second};
     Rectangle result;
@@ -135,32 +139,59 @@ class InjectivityProof {
   /// x_2 - x_1 = du a + dv b along the segment between two points of the rectangle, a and b means of x_u and
   /// x_v. In coordinates of the tangent plane in the middle a is within d_u of (1,0), and b within d_v of
   /// (0,1): (14.24).
-  bool is_injective(const Rectangle& where) const {
+  bool is_injective(const Rectangle& where) const requires(!K::weighted) {
     const auto expansion = expand(pair_.x, where);
     if (!expansion) {
       return false;
     }
-    const Coefficients& c = expansion->at_middle;
-    const Vec3 n = cross(c[3], c[1]);
+    const CoefficientsOf<K>& c = expansion->at_middle;
+    const Vec3 n = cross(c[kFirst<K>], c[kSecond]);
     const double inverse = 1 / dot(n, n);
-    const std::array<Vec3, 2> rows = {inverse * cross(c[1], n), inverse * cross(n, c[3])};
+    const std::array<Vec3, 2> rows = {inverse * cross(c[kSecond], n), inverse * cross(n, c[kFirst<K>])};
     std::array<double, 2> du;
     std::array<double, 2> dv;
     for (std::size_t i = 0; i < 2; ++i) {
-      const double error =
-          (std::fabs(rows[i][0]) + std::fabs(rows[i][1]) + std::fabs(rows[i][2])) * 2 * pair_.total_error;
-      const MeanDerivative first = mean_first(*expansion, rows[i]);
-      const MeanDerivative second = mean_second(*expansion, rows[i]);
-      du[i] = std::fabs(first.middle - (i == 0 ? 1 : 0)) + first.deviation + error;
-      dv[i] = std::fabs(second.middle - (i == 1 ? 1 : 0)) + second.deviation + error;
+      du[i] = off(mean_first<K>(*expansion, rows[i]), rows[i], i == 0);
+      dv[i] = off(mean_second<K>(*expansion, rows[i]), rows[i], i == 1);
     }
     return kSlack * du[0] < 1 && kSlack * dv[1] < 1 &&
            kSlack * du[1] * dv[0] < (1 - kSlack * du[0]) * (1 - kSlack * dv[1]);
   }
 
-  const Pair& pair_;
+  /// X_2 - l X_1 = du a + dv b - (l - 1) X_1 with means a and b of X_u and X_v: the three vectors are
+  /// independent if they are near the unit vectors in coordinates in which X_u, X_v and X in the middle of
+  /// the rectangle are these, (14.41).
+  bool is_injective(const Rectangle& where) const requires K::weighted {
+    const auto expansion = expand(pair_.x, where);
+    if (!expansion) {
+      return false;
+    }
+    const CoefficientsOf<K>& c = expansion->at_middle;
+    const auto rows = dual_rows<4>({c[kFirst<K>], c[kSecond], c[0]});
+    std::array<double, 3> plane;  // |M - 1| in the columns of a and b, row by row
+    std::array<double, 3> value;  // and in that of X_1
+    for (std::size_t i = 0; i < 3; ++i) {
+      plane[i] = off(mean_first<K>(*expansion, rows[i]), rows[i], i == 0) +
+                 off(mean_second<K>(*expansion, rows[i]), rows[i], i == 1);
+      value[i] = off(mean_value<K>(*expansion, rows[i]), rows[i], i == 2);
+    }
+    const double most = kSlack * larger_bound(plane[0], plane[1]);
+    if (!(most < 1)) {
+      return false;
+    }
+    // With z = (z_1, z_1, 1): |M - 1| z < z in the first two rows by the choice of z_1.
+    const double z = kSlack * kSlack * (larger_bound(value[0], value[1]) + kTiny) / (1 - most);
+    return kSlack * (plane[2] * z + value[2]) < 1;
+  }
+
+  /// How far a mean is from 1, or from 0, with the errors of the coefficients.
+  double off(const MeanDerivative& mean, const Row<K>& row, bool is_one) const {
+    return std::fabs(mean.middle - (is_one ? 1 : 0)) + mean.deviation + size1(row) * 2 * pair_.total_error;
+  }
+
+  const PairOf<K>& pair_;
   const Pieces& pieces_;
-  Trees& trees_;
+  TreesOf<K>& trees_;
   long& boxes_;
   std::array<double, 2> offset_{};  // of the maps of centred parameters
   std::array<double, 2> factor_{};
@@ -174,10 +205,11 @@ RationalInterval part_in_square(const AffineMap& map) {
   return {std::max(std::min(from, to), Rational(0)), std::min(std::max(from, to), Rational(1))};
 }
 
+/// Rims are drawn within `tolerance` where that can be, and have to be within `accepted`.
 class OverlapGraph {
  public:
-  OverlapGraph(const BezierPatch& x, const Pieces& pieces, double tolerance)
-      : x_(x), pieces_(pieces), tolerance_(tolerance) {}
+  OverlapGraph(const RationalPatch& x, const Pieces& pieces, double tolerance, double accepted)
+      : x_(x), pieces_(pieces), tolerance_(tolerance), accepted_(accepted) {}
 
   std::optional<GraphBuilder> run(const RationalInterval& u, const RationalInterval& v) {
     const std::array<RimEnd, 4> ends = {add_node(u.lower, v.lower), add_node(u.upper, v.lower),
@@ -185,7 +217,7 @@ class OverlapGraph {
     std::vector<Arc> chain;
     for (std::size_t i = 0; i < 4; ++i) {
       chain.push_back(rim_arc(x_, ends[i], ends[(i + 1) % 4], ArcPlace::patch_boundary, tolerance_));
-      if (!(chain.back().error_bound <= tolerance_)) {
+      if (!(chain.back().error_bound <= accepted_)) {
         return std::nullopt;
       }
     }
@@ -206,26 +238,35 @@ class OverlapGraph {
     return {at, graph_.add_node(std::move(node), 0x1p-53)};
   }
 
-  const BezierPatch& x_;
+  const RationalPatch& x_;
   const Pieces& pieces_;
   double tolerance_;
+  double accepted_;
   GraphBuilder graph_;
 };
 
 }  // namespace
 
-std::optional<GraphBuilder> overlap_of_pieces(const BezierPatch& x, const BezierPatch& y, const Pair& pair,
-                                              Trees& trees, double tolerance, long& boxes) {
-  const auto pieces = find_pieces(x, y, pair);
+template <class K>
+std::optional<GraphBuilder> overlap_of_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                              const PairOf<K>& pair, TreesOf<K>& trees, double tolerance,
+                                              double accepted, long& boxes) {
+  const auto pieces = find_pieces<K>(x, y, pair);
   if (!pieces) {
     return std::nullopt;
   }
   const RationalInterval u = part_in_square(pieces->maps[0]);
   const RationalInterval v = part_in_square(pieces->maps[1]);
-  if (!(u.lower < u.upper && v.lower < v.upper) || !InjectivityProof(pair, *pieces, trees, boxes).run()) {
+  if (!(u.lower < u.upper && v.lower < v.upper) || !InjectivityProof<K>(pair, *pieces, trees, boxes).run()) {
     return std::nullopt;
   }
-  return OverlapGraph(x, *pieces, tolerance).run(u, v);
+  return OverlapGraph(rational_patch(x), *pieces, tolerance, accepted).run(u, v);
 }
+
+#define EXSECT_INSTANTIATE(K)                                \
+  template std::optional<GraphBuilder> overlap_of_pieces<K>( \
+      const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, TreesOf<K>&, double, double, long&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter
