@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "space_forms.h"
+
 namespace exsect {
 namespace {
 
@@ -14,29 +16,25 @@ void require_positive_length(const char* key, const Length& length) {
   if (!length.is_positive()) throw SurfaceError(key, "not positive");
 }
 
-SpacePolynomial affine(const Point& normal, const Rational& constant) {
-  SpacePolynomial form = SpacePolynomial::constant(constant);
-  for (std::size_t k = 0; k < 3; ++k) form += normal[k] * SpacePolynomial::variable(k);
-  return form;
-}
-
-/// |p - c|^2
-SpacePolynomial squared_distance(const Point& c) {
-  SpacePolynomial sum;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const SpacePolynomial difference = SpacePolynomial::variable(k) - SpacePolynomial::constant(c[k]);
-    sum += difference * difference;
-  }
-  return sum;
-}
-
-/// (p - c) . d
-SpacePolynomial height(const Point& c, const Point& d) { return affine(d, -dot(c, d)); }
-
 /// |d|^2 times the squared distance from the axis through c along d.
 SpacePolynomial axis_distance(const Point& c, const Point& d) {
-  const SpacePolynomial h = height(c, d);
+  const SpacePolynomial h = height_form(c, d);
   return dot(d, d) * squared_distance(c) - h * h;
+}
+
+/// f(origin + scale p)
+SpacePolynomial moved_form(const SpacePolynomial& f, const Point& origin, const Rational& scale) {
+  std::array<SpacePolynomial, 3> coordinate;
+  for (std::size_t k = 0; k < 3; ++k)
+    coordinate[k] = SpacePolynomial::constant(origin[k]) + scale * SpacePolynomial::variable(k);
+  SpacePolynomial moved;
+  for (const auto& [exponents, coefficient] : f.terms()) {
+    SpacePolynomial term = SpacePolynomial::constant(coefficient);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (int i = 0; i < exponents[k]; ++i) term = term * coordinate[k];
+    moved += term;
+  }
+  return moved;
 }
 
 }  // namespace
@@ -63,7 +61,7 @@ Length Length::of_squared(const Rational& q) { return {abs(q), sign(q)}; }
 
 ImplicitSurface ImplicitSurface::plane(const Point& point, const Point& normal) {
   require_direction("normal", normal);
-  return {SurfaceKind::plane, SurfaceData{point, normal, 0, 0}, height(point, normal)};
+  return {SurfaceKind::plane, SurfaceData{point, normal, 0, 0}, height_form(point, normal)};
 }
 
 ImplicitSurface ImplicitSurface::cylinder(const Point& point, const Point& axis, const Length& radius) {
@@ -77,7 +75,7 @@ ImplicitSurface ImplicitSurface::cone(const Point& apex, const Point& axis, cons
   require_direction("axis", axis);
   require_positive_length("slope", slope);
   if (nappes != 1 && nappes != 2) throw SurfaceError("nappes", "neither 1 nor 2");
-  const SpacePolynomial h = height(apex, axis);
+  const SpacePolynomial h = height_form(apex, axis);
   ImplicitSurface cone(SurfaceKind::cone, SurfaceData{apex, axis, slope.squared(), 0},
                        axis_distance(apex, axis) - slope.squared() * h * h);
   if (nappes == 1) cone.bound_ = HalfSpaceBound{axis, -dot(apex, axis)};
@@ -114,28 +112,38 @@ ImplicitSurface ImplicitSurface::polynomial(const SpacePolynomial& f) {
 }
 
 bool ImplicitSurface::contains(const Point& p) const {
-  return equation_(p) == 0 && (!bound_ || (*bound_)(p) >= 0);
+  return equation_(p) == 0 && (!bound_ || (*bound_)(p) >= 0) && box_.contains(p);
+}
+
+SurfaceRegion ImplicitSurface::region() const {
+  SurfaceRegion all = box_;
+  if (bound_) {
+    all.clauses.push_back({all.bounds.size()});
+    all.bounds.push_back({"", affine_form(bound_->normal, bound_->constant), SpacePolynomial::constant(1)});
+  }
+  return all;
+}
+
+ImplicitSurface ImplicitSurface::part_in(SurfaceRegion box) const {
+  ImplicitSurface part = *this;
+  part.box_ = std::move(box);
+  return part;
 }
 
 ImplicitSurface ImplicitSurface::seen_from(const Point& origin, const Rational& scale) const {
-  std::array<SpacePolynomial, 3> coordinate;
-  for (std::size_t k = 0; k < 3; ++k)
-    coordinate[k] = SpacePolynomial::constant(origin[k]) + scale * SpacePolynomial::variable(k);
-  SpacePolynomial moved;
-  for (const auto& [exponents, coefficient] : equation_.terms()) {
-    SpacePolynomial term = SpacePolynomial::constant(coefficient);
-    for (std::size_t k = 0; k < 3; ++k)
-      for (int i = 0; i < exponents[k]; ++i) term = term * coordinate[k];
-    moved += term;
-  }
   std::optional<SurfaceData> data = data_;
   if (data) {
     data->point = 1 / scale * (data->point - origin);
     data->minor_squared /= scale * scale;
     if (kind_ != SurfaceKind::cone) data->squared /= scale * scale;
   }
-  ImplicitSurface result(kind_, std::move(data), std::move(moved));
+  ImplicitSurface result(kind_, std::move(data), moved_form(equation_, origin, scale));
   if (bound_) result.bound_ = HalfSpaceBound{scale * bound_->normal, (*bound_)(origin)};
+  result.box_ = box_;
+  for (SurfaceBound& bound : result.box_.bounds) {
+    bound.form = moved_form(bound.form, origin, scale);
+    bound.where = moved_form(bound.where, origin, scale);
+  }
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exsect/geometry/space_polynomial.h>
+#include <exsect/geometry/surface_region.h>
 
 #include <optional>
 #include <stdexcept>
@@ -63,7 +64,8 @@ struct SurfaceData {
   Rational minor_squared;  // 0 unless it is a torus
 };
 
-/// The real points of equation() = 0, and of one nappe only those in the half space bound(). Invariant: the
+/// The real points of equation() = 0, of one nappe only those in the half space bound(), and of a face only
+/// those in its box(). Invariant, of whole surfaces: the
 /// degree is 1 to 4, and every kind but `polynomial` has real points, a surface that is smooth apart from the
 /// apex of a cone. Directions are any rational vectors other than zero, not normalised. The makers throw
 /// SurfaceError.
@@ -87,6 +89,12 @@ class ImplicitSurface {
   const SpacePolynomial& equation() const { return equation_; }
   /// Of one nappe of a cone.
   const std::optional<HalfSpaceBound>& bound() const { return bound_; }
+  /// What boxed() (surface_box.h) or part_in() cut it to; without clauses for a whole surface.
+  const SurfaceRegion& box() const { return box_; }
+  /// box() and bound().
+  SurfaceRegion region() const;
+  /// The same surface in this box alone.
+  ImplicitSurface part_in(SurfaceRegion box) const;
   bool contains(const Point& p) const;
   /// The surface of the points q with origin + scale q on this one, of the same kind. Requires scale > 0.
   ImplicitSurface seen_from(const Point& origin, const Rational& scale) const;
@@ -99,6 +107,7 @@ class ImplicitSurface {
   std::optional<SurfaceData> data_;
   SpacePolynomial equation_;
   std::optional<HalfSpaceBound> bound_;
+  SurfaceRegion box_;
 };
 
 }  // namespace exsect

@@ -24,7 +24,7 @@ HomogeneousPoint homogeneous_between(const HomogeneousPoint& a, const Homogeneou
   return p;
 }
 
-bool is_zero(const HomogeneousPoint& p) {
+bool has_no_coordinate(const HomogeneousPoint& p) {
   return std::all_of(p.begin(), p.end(), [](const Rational& c) { return c == 0; });
 }
 
@@ -162,7 +162,7 @@ const HomogeneousPoint& RationalPatch::homogeneous(int i, int j) const {
 Point RationalPatch::point(int i, int j) const {
   const HomogeneousPoint& p = homogeneous(i, j);
   if (p[3] != 0) return {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
-  if (!is_zero(p)) throw std::domain_error("rational patch: the control point is at infinity");
+  if (!has_no_coordinate(p)) throw std::domain_error("rational patch: the control point is at infinity");
   return {0, 0, 0};
 }
 

@@ -1,5 +1,7 @@
 #include "surface_value.h"
 
+#include <exsect/geometry/surface_box.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -14,16 +16,36 @@ class SurfaceReader {
  public:
   SurfaceReader(const JsonValue& value, NumberReader read) : value_(value), read_(read) {}
 
-  void require_keys(std::initializer_list<std::string_view> keys) const {
-    if (value_.has("box"))
-      value_.member("box").fail("not supported yet: surfaces given by equations are taken as a whole");
-    value_.require_object(keys);
-  }
+  void require_keys(std::initializer_list<std::string_view> keys) const { value_.require_object(keys); }
 
-  Point vector(const char* key) const {
-    const JsonValue given = value_.member(key);
-    given.require_size(3, "coordinates");
-    return {number(given.at(0)), number(given.at(1)), number(given.at(2))};
+  Point vector(const char* key) const { return vector(value_.member(key)); }
+
+  /// Of "box"; empty where there is none.
+  std::optional<SurfaceBox> box() const {
+    if (!value_.has("box")) return std::nullopt;
+    const JsonValue given = value_.member("box");
+    given.require_object({"axis", "sector", "height", "tube", "sides"});
+    SurfaceBox box;
+    if (given.has("axis")) box.axis = vector(given.member("axis"));
+    if (given.has("sector")) {
+      const auto [from, to] = ends(given.member("sector"));
+      box.sector = AxisSector{vector(from), vector(to)};
+    }
+    if (given.has("height")) {
+      const auto [from, to] = pair(given.member("height"), "heights");
+      box.height = HeightRange{from, to};
+    }
+    if (given.has("tube")) {
+      const auto [from, to] = ends(given.member("tube"));
+      box.tube = TubeSector{pair(from, "numbers: outwards and along the axis"),
+                            pair(to, "numbers: outwards and along the axis")};
+    }
+    if (given.has("sides")) {
+      const JsonValue sides = given.member("sides");
+      sides.require_size(2, "sides");
+      box.sides = {vector(sides.at(0)), vector(sides.at(1))};
+    }
+    return box;
   }
 
   /// From the key, or its square from the key with "_squared" behind it.
@@ -56,6 +78,18 @@ class SurfaceReader {
   }
 
  private:
+  static std::array<JsonValue, 2> ends(const JsonValue& sector) {
+    sector.require_object({"from", "to"});
+    return {sector.member("from"), sector.member("to")};
+  }
+  Point vector(const JsonValue& given) const {
+    given.require_size(3, "coordinates");
+    return {number(given.at(0)), number(given.at(1)), number(given.at(2))};
+  }
+  std::array<Rational, 2> pair(const JsonValue& given, const char* what) const {
+    given.require_size(2, what);
+    return {number(given.at(0)), number(given.at(1))};
+  }
   Rational number(const JsonValue& given) const { return read_number(given, read_); }
 
   const JsonValue& value_;
@@ -65,43 +99,55 @@ class SurfaceReader {
 ImplicitSurface read(const SurfaceReader& entry, const JsonValue& type) {
   const std::string& kind = type.string();
   if (kind == "plane") {
-    entry.require_keys({"name", "type", "point", "normal"});
+    entry.require_keys({"name", "type", "point", "normal", "box"});
     return ImplicitSurface::plane(entry.vector("point"), entry.vector("normal"));
   }
   if (kind == "cylinder") {
-    entry.require_keys({"name", "type", "point", "axis", "radius", "radius_squared"});
+    entry.require_keys({"name", "type", "point", "axis", "radius", "radius_squared", "box"});
     return ImplicitSurface::cylinder(entry.vector("point"), entry.vector("axis"), entry.length("radius"));
   }
   if (kind == "cone") {
-    entry.require_keys({"name", "type", "apex", "axis", "slope", "slope_squared", "nappes"});
+    entry.require_keys({"name", "type", "apex", "axis", "slope", "slope_squared", "nappes", "box"});
     return ImplicitSurface::cone(entry.vector("apex"), entry.vector("axis"), entry.length("slope"),
                                  entry.nappes());
   }
   if (kind == "sphere") {
-    entry.require_keys({"name", "type", "centre", "radius", "radius_squared"});
+    entry.require_keys({"name", "type", "centre", "radius", "radius_squared", "box"});
     return ImplicitSurface::sphere(entry.vector("centre"), entry.length("radius"));
   }
   if (kind == "torus") {
     entry.require_keys(
-        {"name", "type", "centre", "axis", "major", "major_squared", "minor", "minor_squared"});
+        {"name", "type", "centre", "axis", "major", "major_squared", "minor", "minor_squared", "box"});
     return ImplicitSurface::torus(entry.vector("centre"), entry.vector("axis"), entry.length("major"),
                                   entry.length("minor"));
   }
   if (kind == "implicit") {
-    entry.require_keys({"name", "type", "terms"});
+    entry.require_keys({"name", "type", "terms", "box"});
     return ImplicitSurface::polynomial(entry.polynomial());
   }
   type.fail("must be plane, cylinder, cone, sphere, torus or implicit");
+}
+
+/// Fails at a place as "radius" or "box.sector.from", or the square that is given for it.
+[[noreturn]] void fail_at(const JsonValue& value, const std::string& place, const std::string& reason) {
+  if (const std::size_t dot = place.find('.'); dot != std::string::npos)
+    fail_at(value.member(place.substr(0, dot).c_str()), place.substr(dot + 1), reason);
+  if (const std::size_t bracket = place.find('['); bracket != std::string::npos)
+    value.member(place.substr(0, bracket).c_str()).at(std::stoul(place.substr(bracket + 1))).fail(reason);
+  const std::string squared = place + "_squared";
+  value.member((value.has(squared) ? squared : place).c_str()).fail(reason);
 }
 
 }  // namespace
 
 ImplicitSurface read_implicit_surface(const JsonValue& value, NumberReader read_with) {
   try {
-    return read(SurfaceReader(value, read_with), value.member("type"));
+    const SurfaceReader entry(value, read_with);
+    const ImplicitSurface whole = read(entry, value.member("type"));
+    const std::optional<SurfaceBox> box = entry.box();
+    return box ? boxed(whole, *box) : whole;
   } catch (const SurfaceError& error) {
-    const std::string squared = error.where() + "_squared";
-    value.member((value.has(squared) ? squared : error.where()).c_str()).fail(error.reason());
+    fail_at(value, error.where(), error.reason());
   }
 }
 

@@ -4,6 +4,7 @@
 #include <exsect/algebra/nearest_rounding.h>
 #include <exsect/algebra/rounding_bounds.h>
 #include <exsect/geometry/beyond_doubles.h>
+#include <exsect/solver/intersect_rational.h>
 
 #include <algorithm>
 #include <cmath>
@@ -224,6 +225,9 @@ SurfaceIntersection pair_in_place(const ImplicitSurface& first, const ImplicitSu
 
 SurfaceIntersection intersect(const ImplicitSurface& first, const ImplicitSurface& second,
                               const IntersectOptions& options) {
+  for (const ImplicitSurface* surface : {&first, &second})
+    if (!surface->box().clauses.empty())
+      throw NotSupported("two surfaces given by their equations of which one has a box");
   return in_nearest_rounding([&] {
     const Run run(options);
     SurfaceIntersection result = pair_in_place(first, second, run);

@@ -12,7 +12,8 @@ namespace exsect {
 /// are incomplete, and the reason says so. The answer does not depend on the order of the surfaces. Polylines
 /// keep within the tolerance times the extent of what is drawn; unbounded curves are cut off, where nothing
 /// but arcs that go on to infinity is beyond. Of the options the work cap, the tolerance and the progress are
-/// taken, errors are those of intersect() for two patches.
+/// taken, errors are those of intersect() for two patches; NotSupported (intersect_rational.h) is thrown for
+/// a surface in a box.
 SurfaceIntersection intersect(const ImplicitSurface& first, const ImplicitSurface& second,
                               const IntersectOptions& options = {});
 

@@ -6,14 +6,16 @@
 #include <exsect/solver/result.h>
 
 #include <stdexcept>
+#include <string>
 
 namespace exsect {
 
-/// A patch that a method does not take yet; what() names its kind: "not supported yet: bidegree (3,3)".
+/// A patch or surface that a method does not take yet; what() says which: "not supported yet: bidegree
+/// (3,3)".
 class NotSupported : public std::invalid_argument {
  public:
-  explicit NotSupported(const RationalPatch& patch)
-      : std::invalid_argument("not supported yet: " + kind_of(patch)) {}
+  explicit NotSupported(const RationalPatch& patch) : NotSupported(kind_of(patch)) {}
+  explicit NotSupported(const std::string& what) : std::invalid_argument("not supported yet: " + what) {}
 };
 
 /// Every point of x(u,v) = y(r,s) in [0,1]^4, as for biquadratic patches: two patches that are polynomial and

@@ -1,7 +1,6 @@
 #include "intersect_surface.h"
 
 #include <exsect/algebra/nearest_rounding.h>
-#include <exsect/algebra/tensor_bernstein.h>
 #include <exsect/geometry/bounding_box.h>
 
 #include <algorithm>
@@ -44,14 +43,15 @@ Node node_at(const NodePlace& place, const DrawnPatch& patch) {
 
 std::vector<NodeKind> kinds_of(const CurveNode& at, const Node& node) {
   std::vector<NodeKind> kinds;
-  if (!node.on.empty()) kinds.push_back(NodeKind::boundary);
-  if (node.on.size() > 1) kinds.push_back(NodeKind::corner);
+  const std::size_t rims = node.on.size() + node.bounds.size();
+  if (rims > 0) kinds.push_back(NodeKind::boundary);
+  if (rims > 1) kinds.push_back(NodeKind::corner);
   if (!node.wrt.empty()) kinds.push_back(NodeKind::turning);
-  const bool begins = at.degree() == 1 && node.on.empty();  // in the apex of one nappe
+  const bool begins = at.degree() == 1 && rims == 0;  // in the apex of one nappe
   if (at.is_singular || begins)
-    kinds.push_back(at.degree() == 0                                         ? NodeKind::touch
-                    : at.degree() > 2 || (at.degree() == 2 && at.is_on_side) ? NodeKind::crossing
-                                                                             : NodeKind::cusp);
+    kinds.push_back(at.degree() == 0                                    ? NodeKind::touch
+                    : at.degree() > 2 || (at.degree() == 2 && rims > 0) ? NodeKind::crossing
+                                                                        : NodeKind::cusp);
   return kinds;
 }
 
@@ -81,20 +81,23 @@ ArcPlace place_of_arc(const CurveBranch& arc, const Node& from, const Node& to) 
   return (on_u || on_v) && lie_on_one_side(from, to) ? ArcPlace::patch_boundary : ArcPlace::interior;
 }
 
-/// In the apex of a cone of one nappe the other one may meet the patch: the equation has no sign around it.
-bool is_on_bound(const SurfaceCurve& common, const CurveNode& node) {
-  return common.half && !(node.exact && sign_at(common.half->exchanged(), *node.exact) > 0);
+/// Beyond a bound, as in the apex of a cone of one nappe, there may be more of the curve: the equation has no
+/// sign around the node.
+bool is_on_rim(const PlacedRegion& region, const CurveNode& node) {
+  return !region.is_plane() && !(node.exact && region.place_of(*node.exact) == RegionPlace::inside);
 }
 
 void add_nodes(GraphBuilder& builder, const SurfaceCurve& common, const std::vector<NodePlace>& places,
                const DrawnPatch& patch) {
   const CurveGraph& curve = common.graph;
+  const PlacedRegion region(common.region);
   for (std::size_t i = 0; i < curve.nodes.size(); ++i) {
     Node node = node_at(places[i], patch);
     if (turns(curve.nodes[i])) node.wrt = {Parameter::u};
     if (curve.nodes[i].turns_in_v) node.wrt = {Parameter::v};
+    node.bounds = bounds_at(common, i);
     node.kinds = kinds_of(curve.nodes[i], node);
-    if (curve.nodes[i].degree() == 0 && !is_on_bound(common, curve.nodes[i]))
+    if (curve.nodes[i].degree() == 0 && !is_on_rim(region, curve.nodes[i]))
       node.around = sign_around(common.section, curve.nodes[i]);
     const Rational width = std::max<Rational>(places[i][0].width(), places[i][1].width());
     const int id = builder.add_node(std::move(node), to_double(width) + 0x1p-53);
@@ -147,12 +150,6 @@ GraphBuilder whole_patch(const DrawnPatch& patch, double tolerance) {
   return builder;
 }
 
-/// 1 and -1: the polynomial has no zero, or none but on the rim of what is below 0, in the square.
-int sign_on_square(const BivariatePolynomial& f) {
-  const RationalInterval range = range_bound(f, {}, 4);
-  return range.lower >= 0 ? 1 : range.upper < 0 ? -1 : 0;
-}
-
 IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, const Run& run) {
   SurfaceCurve curve;
   run.timed("curve", [&] { curve = surface_curve(surface, x); });
@@ -168,10 +165,13 @@ IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, c
   run.timed("drawing", [&] {
     if (!curve.contains_patch)
       builder = drawn_graph(curve, patch, tolerance);
-    else if (const int half = curve.half ? sign_on_square(*curve.half) : 1; half > 0)
+    else if (const RegionPlace place = place_of_square(curve.region); place == RegionPlace::inside)
       builder = whole_patch(patch, tolerance);
-    else if (half == 0)
-      incomplete.push_back({whole_domain(), "a patch on both nappes of the cone of which one is meant"});
+    else if (place == RegionPlace::rim)
+      incomplete.push_back(
+          {whole_domain(), surface.box().clauses.empty()
+                               ? "a patch on both nappes of the cone of which one is meant"
+                               : "a patch on the surface, of whose box it may leave a part"});
   });
   IntersectResult result = finished(std::move(builder), {std::move(turning)}, std::move(incomplete));
   result.coarse = coarse_drawing(result.graph, run.tolerance(patch.extent()));

@@ -21,6 +21,7 @@ Json node_json(const Node& node, const ParameterNames& names) {
   json["box"] = json_box(node.box, names);
   json["approx"] = json_approx(node.approx, node.point, names);
   if (node.around) json["around"] = *node.around;
+  if (!node.bounds.empty()) json["bounds"] = node.bounds;
   return json;
 }
 

@@ -57,6 +57,7 @@ std::vector<std::string> node_words(const Node& node, const ParameterNames& name
   for (NodeKind kind : node.kinds) kinds.push_back(name(kind));
   std::vector<std::string> places;
   for (Side side : node.on) places.push_back(side_name(side, names));
+  places.insert(places.end(), node.bounds.begin(), node.bounds.end());
   std::vector<std::string> wrt;
   for (Parameter p : node.wrt) wrt.push_back(name(p, names));
   return {std::to_string(node.id), joined(kinds, ", "), joined(places, " "), joined(wrt, " ")};

@@ -3,6 +3,8 @@
 #include <exsect/geometry/number.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "output/text/json_forms.h"
@@ -42,9 +44,12 @@ std::string node_csv(const IntersectionGraph& graph, const ParameterNames& names
   const auto parameter = [&](Parameter p) { return name(p, names); };
   std::string text = "id,kinds,on,wrt,free" + box_heads(names);
   for (const Node& node : graph.nodes) {
+    std::vector<std::string> places = node.bounds;
+    std::ranges::transform(node.on, std::inserter(places, places.begin()),
+                           [&](Side side) { return side_name(side, names); });
     text += fmt::format("{},{},{},{},{}", node.id,
                         blank_separated(node.kinds, [](NodeKind kind) { return name(kind); }),
-                        blank_separated(node.on, [&](Side side) { return side_name(side, names); }),
+                        blank_separated(places, [](const std::string& place) { return place; }),
                         blank_separated(node.wrt, parameter), blank_separated(node.free, parameter));
     text += box_cells(node.box, node.approx, node.point, names);
   }

@@ -96,13 +96,15 @@ class Invariant {
 
   void violated(int id, const std::string& what) { violations_.push_back({node(id).box, what}); }
 
-  /// Several solutions, or an end of an overlap: no rule of this file holds.
+  /// Several solutions, an end of an overlap, or a point where a box cuts the curve: no rule of this file
+  /// holds.
   bool is_special(const Node& node) const {
-    return !node.free.empty() || on_overlap_[at(node.id)] || has(node.kinds, NodeKind::end_of_overlap);
+    return !node.free.empty() || !node.bounds.empty() || on_overlap_[at(node.id)] ||
+           has(node.kinds, NodeKind::end_of_overlap);
   }
 
   void check_node(const Node& node) {
-    if (has(node.kinds, NodeKind::boundary) != !node.on.empty()) {
+    if (has(node.kinds, NodeKind::boundary) != (!node.on.empty() || !node.bounds.empty())) {
       violated(node.id, "a boundary point on no side, or a point on a side that is none");
     }
     for (const Side& side : node.on) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace exsect {
@@ -28,6 +29,8 @@ struct Node {
   /// Of an isolated point of a patch and a surface given by its equation: the equation's sign around it, on
   /// the patch, -1 or 1.
   std::optional<int> around = {};
+  /// The bounds of the surface's box (geometry/surface_box.h) it lies on, exactly: "height=from".
+  std::vector<std::string> bounds = {};
 };
 
 /// Parameters (u,v,r,s) and the point of space.

@@ -11,6 +11,7 @@
 #include "answer/proof_failure.h"
 #include "curve/curve_factors.h"
 #include "curve/curve_values.h"
+#include "curve/kept_part.h"
 #include "curve/no_zero.h"
 #include "curve/plane_curve.h"
 
@@ -38,15 +39,15 @@ bool is_at(const TriangularPoint& p, const Rational& v) {
 /// Sweeps the curve in the direction of u. In polynomials of points v is the first variable.
 class CurveSweep {
  public:
-  CurveSweep(const BivariatePolynomial& f, const std::optional<BivariatePolynomial>& h)
-      : factors_(curve_factors(f)), h_(h) {
+  CurveSweep(const BivariatePolynomial& f, const CurveRegion& region)
+      : factors_(curve_factors(f)), bounds_(region.bounds), region_(region) {
     radical_ = squarefree(f);
     const ContentAndPart parts = split_content(radical_.exchanged());
     graph_part_ = parts.primitive.exchanged();
     swept_ = parts.primitive;
     f_u_ = radical_.derivative_r().exchanged();
     f_v_ = radical_.derivative_s().exchanged();
-    values_ = curve_values(graph_part_, parts.content, h_);
+    values_ = curve_values(graph_part_, parts.content, bounds_);
   }
 
   CurveGraph run() {
@@ -60,7 +61,7 @@ class CurveSweep {
       if (i + 1 < values_.size()) add_column();
     }
     graph_.swept = graph_part_;
-    return keep_half();
+    return kept_part(std::move(graph_), region_);
   }
 
  private:
@@ -124,10 +125,12 @@ class CurveSweep {
     return counts;
   }
 
-  /// On a line of the curve also the points where h = 0.
+  /// On a line of the curve also the points where a bound is 0.
   std::vector<TriangularPoint> points_over(const CriticalValue& value) const {
     BivariatePolynomial f = swept_;
-    if (value.is_vertical && h_ && !reduced_at(h_->exchanged(), value.u).is_zero()) f = f * h_->exchanged();
+    if (value.is_vertical)
+      for (const BivariatePolynomial& h : bounds_)
+        if (!reduced_at(h.exchanged(), value.u).is_zero()) f = f * h.exchanged();
     return f.degree_r() > 0 ? roots_at(f, value.u, 0, 1) : std::vector<TriangularPoint>{};
   }
 
@@ -236,16 +239,19 @@ class CurveSweep {
     return strips;
   }
 
-  /// The node, unless one regular arc passes there.
+  /// The node, unless one regular arc passes there, or nothing but a line u = const.
   std::optional<std::size_t> join(std::size_t i, const Meeting& meeting, const std::vector<Front>& before) {
     const CriticalValue& value = values_[i];
     const int left = static_cast<int>(meeting.left_to - meeting.left_from);
     const int right = static_cast<int>(meeting.right_to - meeting.right_from);
     const bool singular =
         value.is_exact && sign_at(f_u_, *meeting.at) == 0 && sign_at(f_v_, *meeting.at) == 0;
+    const bool is_rim = value.is_exact && region_.place_of(*meeting.at) == RegionPlace::rim;
+    const bool is_line = value.is_vertical && left == 0 && right == 0;
+    if (is_line && !singular && !meeting.is_on_side && !is_rim) return std::nullopt;
     const bool passes = left == 1 && right == 1 && !singular && !value.is_vertical &&
                         !(meeting.is_on_side && !runs_along_side(before[meeting.left_from], meeting)) &&
-                        !(value.is_exact && changes_half(*meeting.at));
+                        !is_rim;
     if (passes) {
       fronts_[meeting.right_from] = before[meeting.left_from];
       return std::nullopt;
@@ -261,8 +267,6 @@ class CurveSweep {
     const TriangularPoint& inside = graph_.arcs[*front.arc].inside;
     return (is_at(*meeting.at, 0) && is_at(inside, 0)) || (is_at(*meeting.at, 1) && is_at(inside, 1));
   }
-
-  bool changes_half(const TriangularPoint& at) const { return h_ && sign_at(h_->exchanged(), at) == 0; }
 
   /// The line u = const through these nodes, and through the ends of the square.
   void add_line(std::size_t i, std::vector<std::size_t> nodes) {
@@ -310,49 +314,11 @@ class CurveSweep {
     throw ProofFailure(whole_domain(), "an arc of a curve is on none of its factors");
   }
 
-  /// What lies in h >= 0. An arc has one sign of h inside, and so has a node that is not exact as its arcs
-  /// have.
-  CurveGraph keep_half() {
-    if (!h_) return std::move(graph_);
-    const BivariatePolynomial half = h_->exchanged();
-    CurveGraph kept{{}, {}, graph_.swept, graph_.values, graph_.columns, false};
-    std::vector<std::size_t> arc_position(graph_.arcs.size(), CurveGraph::dropped);
-    std::vector<bool> is_kept(graph_.nodes.size(), false);
-    for (std::size_t i = 0; i < graph_.nodes.size(); ++i)
-      is_kept[i] = graph_.nodes[i].exact && sign_at(half, *graph_.nodes[i].exact) >= 0;
-    for (std::size_t i = 0; i < graph_.arcs.size(); ++i) {
-      const CurveBranch& arc = graph_.arcs[i];
-      CurveNode &from = graph_.nodes[arc.from], &to = graph_.nodes[arc.to];
-      if (sign_at(half, arc.inside) >= 0) {
-        is_kept[arc.from] = is_kept[arc.to] = true;
-        arc_position[i] = kept.arcs.size();
-        kept.arcs.push_back(arc);
-      } else if (from.u == to.u) {
-        --from.vertical;
-        --to.vertical;
-      } else {
-        --from.right;
-        --to.left;
-      }
-    }
-    std::vector<std::size_t> position(graph_.nodes.size(), 0);
-    for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
-      position[i] = kept.nodes.size();
-      if (is_kept[i]) kept.nodes.push_back(graph_.nodes[i]);
-    }
-    for (CurveBranch& arc : kept.arcs) {
-      arc.from = position[arc.from];
-      arc.to = position[arc.to];
-    }
-    for (CurveColumn& column : kept.columns)
-      for (std::size_t& arc : column) arc = arc_position[arc];
-    return kept;
-  }
-
   static constexpr int strip_rounds = 4;
 
   std::vector<CurveFactor> factors_;
-  std::optional<BivariatePolynomial> h_;
+  std::vector<BivariatePolynomial> bounds_;  // of the region
+  PlacedRegion region_;
   BivariatePolynomial radical_;     // every factor of f once
   BivariatePolynomial graph_part_;  // without lines u = const
   BivariatePolynomial swept_;       // the same with v in the place of r
@@ -387,9 +353,9 @@ int CurveGraph::components() const {
   return count;
 }
 
-CurveGraph curve_graph(const BivariatePolynomial& f, const std::optional<BivariatePolynomial>& h) {
+CurveGraph curve_graph(const BivariatePolynomial& f, const CurveRegion& region) {
   if (f.is_zero()) throw std::domain_error("curve_graph: the zero polynomial");
-  return in_nearest_rounding([&] { return CurveSweep(f, h).run(); });
+  return in_nearest_rounding([&] { return CurveSweep(f, region).run(); });
 }
 
 }  // namespace exsect

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exsect/algebra/triangular_point.h>
+#include <exsect/solver/curve_region.h>
 
 #include <optional>
 #include <vector>
@@ -35,12 +36,12 @@ struct CurveBranch {
 /// [0,1], ascending in v, the position of its arc in CurveGraph::arcs, or CurveGraph::dropped.
 using CurveColumn = std::vector<std::size_t>;
 
-/// Of {f = 0}, or of {f = 0, h >= 0}, in [0,1]^2. Nodes: singular points, isolated ones among them; turning
-/// points u = const, which have two arcs from one side; points on the sides, but for inner points of arcs
-/// that lie on v = 0 or v = 1; points where h = 0, all of them unless h vanishes on a whole arc. Ascending in
-/// u. All other points of the curve are in exactly one arc.
+/// Of {f = 0}, or of its part in a region, in [0,1]^2. Nodes: singular points, isolated ones among them;
+/// turning points u = const, which have two arcs from one side; points on the sides, but for inner points of
+/// arcs that lie on v = 0 or v = 1; points on the rim of the region, all of them unless a bound vanishes on a
+/// whole arc. Ascending in u. All other points of the curve are in exactly one arc.
 struct CurveGraph {
-  /// In a column: an arc with h < 0.
+  /// In a column: an arc outside the region.
   static constexpr std::size_t dropped = static_cast<std::size_t>(-1);
 
   std::vector<CurveNode> nodes;
@@ -57,7 +58,6 @@ struct CurveGraph {
 };
 
 /// Throws std::domain_error for f = 0.
-CurveGraph curve_graph(const BivariatePolynomial& f,
-                       const std::optional<BivariatePolynomial>& h = std::nullopt);
+CurveGraph curve_graph(const BivariatePolynomial& f, const CurveRegion& region = {});
 
 }  // namespace exsect

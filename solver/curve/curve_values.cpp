@@ -38,10 +38,19 @@ std::vector<CriticalValue> merged(std::vector<CriticalValue> values) {
   return result;
 }
 
+/// h without its factors in common with f, also where they are multiple ones of h. Requires h != 0.
+BivariatePolynomial without_factors_of(const BivariatePolynomial& f, BivariatePolynomial h) {
+  for (;;) {
+    const BivariatePolynomial common = gcd(h, f);
+    if (common.degree_r() < 1 && common.degree_s() < 1) return h;
+    h = exact_quotient(h, common);
+  }
+}
+
 }  // namespace
 
 std::vector<CriticalValue> curve_values(const BivariatePolynomial& f, const Polynomial& lines,
-                                        const std::optional<BivariatePolynomial>& h) {
+                                        const std::vector<BivariatePolynomial>& bounds) {
   std::vector<CriticalValue> values = {{0, true, false, std::nullopt}, {1, true, false, std::nullopt}};
   const auto add = [&](const Polynomial& at, bool is_general, bool vertical, std::optional<int> side) {
     if (at.degree() < 1) return;
@@ -52,10 +61,9 @@ std::vector<CriticalValue> curve_values(const BivariatePolynomial& f, const Poly
   add(turning_resultant(f), false, false, std::nullopt);
   for (const int side : {0, 1}) add(f.at_s(side), false, false, side);
   add(lines, true, true, std::nullopt);
-  if (h && !h->is_zero()) {
-    const BivariatePolynomial cut = exact_quotient(*h, gcd(*h, f));
-    if (f.degree_s() > 0) add(resultant_s(f, cut), true, false, std::nullopt);
-  }
+  for (const BivariatePolynomial& h : bounds)
+    if (!h.is_zero() && f.degree_s() > 0)
+      add(resultant_s(f, without_factors_of(f, h)), true, false, std::nullopt);
   return merged(std::move(values));
 }
 

@@ -21,10 +21,10 @@ struct CriticalValue {
 bool are_apart(const RealAlgebraic& a, const RealAlgebraic& b);
 
 /// 0, 1, and all values between them: where f_v = 0 or the leading coefficient of f in v vanishes on f = 0, f
-/// has a zero on v = 0 or v = 1 that is isolated there, h has one on f = 0 that is isolated, or `lines` has
-/// one. Ascending, each once, with disjoint closed intervals. Requires f squarefree without a factor in u
-/// alone.
+/// has a zero on v = 0 or v = 1 that is isolated there, one of the bounds has one on f = 0 that is isolated,
+/// or `lines` has one. Ascending, each once, with disjoint closed intervals. Requires f squarefree without a
+/// factor in u alone.
 std::vector<CriticalValue> curve_values(const BivariatePolynomial& f, const Polynomial& lines,
-                                        const std::optional<BivariatePolynomial>& h);
+                                        const std::vector<BivariatePolynomial>& bounds);
 
 }  // namespace exsect

@@ -2,19 +2,37 @@
 
 #include <exsect/geometry/surface_pull_back.h>
 
+#include <algorithm>
+
 namespace exsect {
 
 SurfaceCurve surface_curve(const ImplicitSurface& surface, const RationalPatch& x) {
   const RationalPatch& patch = x.reduced();
-  SurfaceCurve result{pull_back(surface.equation(), patch), std::nullopt, false, {}};
-  if (const std::optional<HalfSpaceBound>& bound = surface.bound()) {
-    SpacePolynomial form = SpacePolynomial::constant(bound->constant);
-    for (std::size_t k = 0; k < 3; ++k) form += bound->normal[k] * SpacePolynomial::variable(k);
-    result.half = pull_back(form, patch);
+  SurfaceCurve result;
+  result.section = pull_back(surface.equation(), patch);
+  const SurfaceRegion region = surface.region();
+  for (const SurfaceBound& bound : region.bounds) {
+    result.region.bounds.push_back(pull_back(bound.form, patch));
+    result.bounds.push_back({bound.name, pull_back(bound.where, patch)});
   }
+  result.region.clauses = region.clauses;
   result.contains_patch = result.section.is_zero();
-  if (!result.contains_patch) result.graph = curve_graph(result.section, result.half);
+  if (!result.contains_patch) result.graph = curve_graph(result.section, result.region);
   return result;
+}
+
+std::vector<std::string> bounds_at(const SurfaceCurve& curve, std::size_t node) {
+  const CurveGraph& graph = curve.graph;
+  const TriangularPoint* at = graph.nodes[node].exact ? &*graph.nodes[node].exact : nullptr;
+  if (at == nullptr)  // a bound is 0 here only if it is on the arcs
+    for (const CurveBranch& arc : graph.arcs)
+      if (arc.from == node || arc.to == node) at = &arc.inside;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; at != nullptr && i < curve.bounds.size(); ++i)
+    if (!curve.bounds[i].name.empty() && sign_at(curve.region.bounds[i].exchanged(), *at) == 0 &&
+        sign_at(curve.bounds[i].where.exchanged(), *at) >= 0)
+      names.push_back(curve.bounds[i].name);
+  return names;
 }
 
 }  // namespace exsect

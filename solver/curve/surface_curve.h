@@ -6,23 +6,34 @@
 #include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/curve_graph.h>
 
-#include <optional>
+#include <string>
+#include <vector>
 
 namespace exsect {
 
+/// What a bound of a surface is called, and its `where` on the patch (geometry/surface_region.h).
+struct CurveBound {
+  std::string name;
+  BivariatePolynomial where;
+};
+
 /// Invariant: the points (u,v) of [0,1]^2 with x(u,v) on the surface are those of `graph`, or, if
-/// contains_patch, all with half >= 0 where there is a `half`, and the graph is empty. A node of degree 0 is
+/// contains_patch, all of `region`, and the graph is empty. A node of degree 0 is
 /// where patch and surface touch in a point or meet in a corner or side of the patch alone; an arc of
 /// multiplicity above 1 is a curve along which they touch, unless the patch or the equation is singular
 /// there.
 struct SurfaceCurve {
-  BivariatePolynomial section;              // G of (17.2), u in the place of r and v in that of s
-  std::optional<BivariatePolynomial> half;  // the same of the bound of a cone of one nappe
+  BivariatePolynomial section;     // G of (17.2), u in the place of r and v in that of s
+  CurveRegion region;              // the same of what bounds the surface
+  std::vector<CurveBound> bounds;  // of region.bounds
   bool contains_patch = false;
   CurveGraph graph;
 };
 
 /// For every patch, of every degree and with weights or without.
 SurfaceCurve surface_curve(const ImplicitSurface& surface, const RationalPatch& x);
+
+/// The bounds with a name that a node of curve.graph lies on.
+std::vector<std::string> bounds_at(const SurfaceCurve& curve, std::size_t node);
 
 }  // namespace exsect

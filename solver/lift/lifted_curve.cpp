@@ -62,9 +62,8 @@ class Lifting {
 
   void run() {
     if (result_.factors.empty()) return;
-    const std::optional<BivariatePolynomial> half =
-        result_.chart.is_flat() ? std::nullopt : std::optional(result_.chart.radicand);
-    result_.below = with_turning_in_v(curve_graph(shadow_ * marks_, half));
+    const CurveRegion region = result_.chart.is_flat() ? CurveRegion() : CurveRegion(result_.chart.radicand);
+    result_.below = with_turning_in_v(curve_graph(shadow_ * marks_, region));
     for (std::size_t i = 0; i < result_.below.arcs.size(); ++i) lift_arc(i);
     for (std::size_t i = 0; i < result_.below.nodes.size(); ++i) lift_node(i);
     drop_loose_nodes();

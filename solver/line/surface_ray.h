@@ -30,7 +30,8 @@ struct RayHit {
   std::optional<TriangularPoint> parameters = {};
 };
 
-/// All t in the closed interval, which is more than a number; without `to`, all from `from` on.
+/// All t in the closed interval; without `to`, all from `from` on. Of a single number where a box, or one
+/// nappe, holds one point of a line that lies on the surface, and nothing of it beside that point.
 struct RayOverlap {
   RealAlgebraic from;
   std::optional<RealAlgebraic> to;

@@ -62,6 +62,62 @@ TEST_CASE("surfaces in files are those of their makers") {
   CHECK(surface_of(R"({"type": "sphere", "radius": 1, "centre": [0,0,0], "name": "c"})").contains({0, 0, 1}));
 }
 
+TEST_CASE("faces in files are those of their boxes") {
+  const ImplicitSurface pipe =
+      surface_of(R"({"name": "c", "type": "cylinder", "point": [0,0,0], "axis": [0,0,2],
+    "radius": 1, "box": {"sector": {"from": [1,0,5], "to": [0,"1/2",0]}, "height": [0, "1/2"]}})");
+  CHECK(pipe.box().bounds.size() == 4);
+  CHECK(pipe.contains({Rational(3, 5), Rational(4, 5), 1}));
+  CHECK_FALSE(pipe.contains({Rational(3, 5), Rational(4, 5), Rational(101, 100)}));
+  CHECK_FALSE(pipe.contains({Rational(3, 5), Rational(-4, 5), 1}));
+  const ImplicitSurface cap = surface_of(R"({"name": "c", "type": "sphere", "centre": [0,0,0], "radius": 1,
+    "box": {"axis": [0,0,1], "height": ["1/2", 1]}})");
+  CHECK(cap.contains({0, 0, 1}));
+  CHECK_FALSE(cap.contains({1, 0, 0}));
+  const ImplicitSurface inner =
+      surface_of(R"({"name": "c", "type": "torus", "centre": [0,0,0], "axis": [0,0,1],
+    "major": 3, "minor": 1, "box": {"tube": {"from": [0, 1], "to": [0, -1]}}})");
+  CHECK(inner.contains({2, 0, 0}));
+  CHECK_FALSE(inner.contains({4, 0, 0}));
+  const ImplicitSurface sheet =
+      surface_of(R"({"name": "c", "type": "plane", "point": [0,0,0], "normal": [0,0,1],
+    "box": {"sides": [[2,0,0],[1,3,0]]}})");
+  CHECK(sheet.contains({3, 3, 0}));
+  CHECK_FALSE(sheet.contains({0, 3, 0}));
+}
+
+TEST_CASE("boxes that are none are refused with their place") {
+  const auto refused = [](const std::string& type, const std::string& box, const std::string& place,
+                          const std::string& reason) {
+    check_refused(R"({"name": "c", )" + type + R"(, "box": )" + box + "}", "$.patches[0]." + place, reason);
+  };
+  const std::string pipe = R"("type": "cylinder", "point": [0,0,0], "axis": [0,0,1], "radius": 1)";
+  const std::string ball = R"("type": "sphere", "centre": [0,0,0], "radius": 1)";
+  const std::string ring = R"("type": "torus", "centre": [0,0,0], "axis": [0,0,1], "major": 3, "minor": 1)";
+  const std::string flat = R"("type": "plane", "point": [0,0,0], "normal": [0,0,1])";
+  refused(pipe, "{}", "box", "bounds nothing");
+  refused(pipe, R"({"heights": [0,1]})", "box", "heights");
+  refused(pipe, R"({"height": [1,1]})", "box.height", "does not ascend");
+  refused(pipe, R"({"height": [2,1]})", "box.height", "does not ascend");
+  refused(pipe, R"({"height": [0,1,2]})", "box.height", "2 heights");
+  refused(pipe, R"({"sector": {"from": [1,0,0]}})", "box.sector", "to");
+  refused(pipe, R"({"sector": {"from": [1,0,0], "to": [2,0,7]}})", "box.sector", "one direction");
+  refused(pipe, R"({"sector": {"from": [0,0,3], "to": [2,0,7]}})", "box.sector.from", "parallel to the axis");
+  refused(pipe, R"({"sector": {"from": [1,0,0], "to": [0,0,0]}})", "box.sector.to", "zero");
+  refused(pipe, R"({"tube": {"from": [1,0], "to": [0,1]}})", "box.tube", "cylinder");
+  refused(pipe, R"({"axis": [0,0,1], "height": [0,1]})", "box.axis", "cylinder");
+  refused(ball, R"({"height": [0,1]})", "box", "axis");
+  refused(ball, R"({"axis": [0,0,0], "height": [0,1]})", "box.axis", "zero");
+  refused(ball, R"({"axis": [0,0,1]})", "box", "bounds nothing");
+  refused(ring, R"({"tube": {"from": [0,0], "to": [0,1]}})", "box.tube.from", "zero");
+  refused(ring, R"({"tube": {"from": [1,1], "to": [2,2]}})", "box.tube", "one direction");
+  refused(flat, R"({"height": [0,1]})", "box.height", "plane");
+  refused(flat, R"({"sides": [[1,0,0],[2,0,0]]})", "box.sides", "parallel");
+  refused(flat, R"({"sides": [[1,0,0],[2,0,1]]})", "box.sides[1]", "orthogonal");
+  refused(flat, R"({"sides": [[0,0,0],[2,0,1]]})", "box.sides[0]", "zero");
+  refused(R"("type": "implicit", "terms": [[1, [1,0,0]]])", R"({"height": [0,1]})", "box", "implicit");
+}
+
 TEST_CASE("surfaces beside patches, in the order of the file, with the numbers of the file") {
   const SurfaceFile file =
       parse_surfaces(file_of(std::string(patch) + ", " +
@@ -104,7 +160,7 @@ TEST_CASE("what is no surface is refused with its place") {
   check_refused(with(R"("type": "sphere", "centre": [0,0,0], "radius": 1, "axis": [0,0,1])"), "$.patches[0]",
                 "axis");
   check_refused(with(R"("type": "sphere", "centre": [0,0,0], "radius": 1, "box": [])"), "$.patches[0].box",
-                "not supported yet");
+                "object");
   check_refused(with(R"("type": "cylinder", "point": [0,0,0], "axis": [0,0,0], "radius": 1)"),
                 "$.patches[0].axis", "zero");
   check_refused(with(R"("type": "cone", "apex": [0,0,0], "axis": [0,0,1], "slope": 1, "nappes": 3)"),

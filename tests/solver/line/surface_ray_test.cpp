@@ -1,3 +1,4 @@
+#include <exsect/geometry/surface_box.h>
 #include <exsect/solver/surface_ray.h>
 
 #include "geometry/random_shapes.h"
@@ -110,6 +111,37 @@ TEST_CASE("irrational hits are on the surface between their neighbours in double
     const RationalInterval at = hit.t.refined_to(power_of_two(-80)).interval();
     CHECK(sphere.equation()(from + at.lower * along) * sphere.equation()(from + at.upper * along) < 0);
   }
+}
+
+TEST_CASE("rays meet the part of a surface in its box alone") {
+  const ImplicitSurface pipe = ImplicitSurface::cylinder(origin, up, 1);
+  const ImplicitSurface most = boxed(pipe, {.sector = AxisSector{{0, 1, 0}, {1, 0, 0}}});  // three quarters
+  const RayIntersection across = intersect_ray({-5, 0, 0}, {1, 0, 0}, most);
+  REQUIRE(multiplicities(across) == std::vector<int>{1, 1});  // the second on the end of the sector
+  CHECK(multiplicities(intersect_ray({-5, -5, 0}, {1, 1, 0}, most)) == std::vector<int>{1});
+  const ImplicitSurface piece = boxed(pipe, {.height = HeightRange{-1, 2}});
+  CHECK(intersect_ray({-5, 0, 3}, {1, 0, 0}, piece).hits.empty());
+  CHECK(multiplicities(intersect_ray({-5, 0, 2}, {1, 0, 0}, piece)) == std::vector<int>{1, 1});
+  // Rulings: the part between the heights, from within, and none beside the sector.
+  const RayIntersection ruling = intersect_ray({1, 0, -4}, {0, 0, 2}, piece);
+  REQUIRE(ruling.overlaps.size() == 1);
+  CHECK(ruling.overlaps[0].from == RealAlgebraic(Rational(3, 2)));
+  CHECK(*ruling.overlaps[0].to == RealAlgebraic(3));
+  CHECK(intersect_ray({1, 0, 0}, up, piece).overlaps[0].from == RealAlgebraic(0));
+  CHECK(intersect_ray({1, 0, 3}, up, piece).overlaps.empty());
+  CHECK(*intersect_ray({1, 0, 2}, up, piece).overlaps[0].to == RealAlgebraic(0));  // one point
+  const Point beside = {Rational(3, 5), Rational(4, 5), 0};
+  CHECK(intersect_ray(beside, up, most).overlaps.empty());
+  CHECK_FALSE(intersect_ray({-1, 0, 0}, up, most).overlaps.at(0).to.has_value());
+  const ImplicitSurface sheet = boxed(ImplicitSurface::plane(origin, up),
+                                      {.sides = std::array<Point, 2>{Point{2, 0, 0}, Point{0, 3, 0}}});
+  const RayIntersection line = intersect_ray({-1, -1, 0}, {1, 1, 0}, sheet);
+  REQUIRE(line.overlaps.size() == 1);
+  CHECK(line.overlaps[0].from == RealAlgebraic(1));
+  CHECK(*line.overlaps[0].to == RealAlgebraic(3));
+  const ImplicitSurface cones =
+      boxed(ImplicitSurface::cone(origin, up, 1, 2), {.sector = AxisSector{{-1, 1, 0}, {1, 1, 0}}});
+  CHECK(intersect_ray({0, -5, -5}, {0, 1, 1}, cones).overlaps.size() == 1);
 }
 
 }  // namespace

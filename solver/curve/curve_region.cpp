@@ -1,0 +1,43 @@
+#include "curve/curve_region.h"
+
+#include <exsect/algebra/tensor_bernstein.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace exsect {
+namespace {
+
+/// (17.9), for signs of the bounds: 1, -1, and 0 where it is not known, or either.
+RegionPlace place_by_signs(const std::vector<std::vector<std::size_t>>& clauses,
+                           const std::function<int(std::size_t)>& sign_of_bound) {
+  RegionPlace place = RegionPlace::inside;
+  for (const std::vector<std::size_t>& clause : clauses) {
+    int best = -1;
+    for (const std::size_t bound : clause) best = best > 0 ? best : std::max(best, sign_of_bound(bound));
+    if (best < 0) return RegionPlace::outside;
+    if (best == 0) place = RegionPlace::rim;
+  }
+  return place;
+}
+
+}  // namespace
+
+PlacedRegion::PlacedRegion(const CurveRegion& region) : clauses_(region.clauses) {
+  for (const BivariatePolynomial& bound : region.bounds) bounds_.push_back(bound.exchanged());
+}
+
+RegionPlace PlacedRegion::place_of(const TriangularPoint& point) const {
+  return place_by_signs(clauses_, [&](std::size_t i) {
+    return bounds_[i].is_zero() ? 1 : sign_at(bounds_[i], point);  // 0 >= 0 everywhere
+  });
+}
+
+RegionPlace place_of_square(const CurveRegion& region) {
+  return place_by_signs(region.clauses, [&](std::size_t i) {
+    const RationalInterval range = range_bound(region.bounds[i], {}, 4);
+    return range.lower >= 0 ? 1 : range.upper < 0 ? -1 : 0;
+  });
+}
+
+}  // namespace exsect
