@@ -28,9 +28,7 @@ PlacedRegion::PlacedRegion(const CurveRegion& region) : clauses_(region.clauses)
 }
 
 RegionPlace PlacedRegion::place_of(const TriangularPoint& point) const {
-  return place_by_signs(clauses_, [&](std::size_t i) {
-    return bounds_[i].is_zero() ? 1 : sign_at(bounds_[i], point);  // 0 >= 0 everywhere
-  });
+  return place_by_signs(clauses_, [&](std::size_t i) { return sign_at(bounds_[i], point); });
 }
 
 RegionPlace place_of_square(const CurveRegion& region) {

@@ -10,7 +10,8 @@
 namespace exsect {
 
 /// A closed part of the plane: the points in which, in each of the clauses, one at least of its bounds is not
-/// negative. Without clauses it is the whole plane. Invariant: clauses hold positions in `bounds`.
+/// negative. Without clauses it is the whole plane. Invariant: clauses hold positions in `bounds`. Bounds in
+/// no clause do not bound it, but have their zeros among the critical values.
 struct CurveRegion {
   CurveRegion() = default;
   /// h >= 0.

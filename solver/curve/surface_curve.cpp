@@ -5,6 +5,15 @@
 #include <algorithm>
 
 namespace exsect {
+namespace {
+
+/// Whether the curve f = 0 has a part, real or not, along which h = 0.
+bool have_common_part(const BivariatePolynomial& h, const BivariatePolynomial& f) {
+  const BivariatePolynomial common = gcd(h, f);
+  return common.degree_r() > 0 || common.degree_s() > 0;
+}
+
+}  // namespace
 
 SurfaceCurve surface_curve(const ImplicitSurface& surface, const RationalPatch& x) {
   const RationalPatch& patch = x.reduced();
@@ -17,14 +26,18 @@ SurfaceCurve surface_curve(const ImplicitSurface& surface, const RationalPatch& 
   }
   result.region.clauses = region.clauses;
   result.contains_patch = result.section.is_zero();
-  if (!result.contains_patch) result.graph = curve_graph(result.section, result.region);
+  if (result.contains_patch) return result;
+  for (std::size_t i = 0; i < region.bounds.size(); ++i)
+    if (have_common_part(result.region.bounds[i], result.section))
+      result.region.bounds.push_back(result.bounds[i].where);
+  result.graph = curve_graph(result.section, result.region);
   return result;
 }
 
 std::vector<std::string> bounds_at(const SurfaceCurve& curve, std::size_t node) {
   const CurveGraph& graph = curve.graph;
   const TriangularPoint* at = graph.nodes[node].exact ? &*graph.nodes[node].exact : nullptr;
-  if (at == nullptr)  // a bound is 0 here only if it is on the arcs
+  if (at == nullptr)  // a bound is 0 here only if it is on the arcs, and `where` has one sign along them
     for (const CurveBranch& arc : graph.arcs)
       if (arc.from == node || arc.to == node) at = &arc.inside;
   std::vector<std::string> names;

@@ -25,7 +25,7 @@ struct CurveBound {
 struct SurfaceCurve {
   BivariatePolynomial section;     // G of (17.2), u in the place of r and v in that of s
   CurveRegion region;              // the same of what bounds the surface
-  std::vector<CurveBound> bounds;  // of region.bounds
+  std::vector<CurveBound> bounds;  // of the bounds in region.clauses
   bool contains_patch = false;
   CurveGraph graph;
 };

@@ -114,6 +114,31 @@ TEST_CASE("heights cut, touch and miss what they should") {
   for (const Node& node : rim.graph.nodes) CHECK(node.bounds == Names{"height=to"});
 }
 
+TEST_CASE("along the rim of a half turn nodes lie on the side that they are on, and the poles on both") {
+  const ImplicitSurface ball = ImplicitSurface::sphere(origin, 1);
+  SurfaceBox half = sector(east, west);
+  half.axis = up;
+  for (const RationalPatch& x : {bilinear({-3, 0, -2}, {-1, 0, 3}, {1, 0, -3}, {3, 0, 2}),
+                                 bilinear({-2, 0, -2}, {-2, 0, 2}, {2, 0, -2}, {2, 0, 2}),
+                                 bilinear({-2, 0, -3}, {-2, -1, 3}, {2, 1, -3}, {2, 0, 3}),
+                                 bilinear({-2, 0, -2}, {-2, 1, 2}, {2, 0, -2}, {2, 1, 2})}) {
+    const IntersectResult rim = complete(boxed(ball, half), x);
+    int poles = 0;
+    for (const Node& node : rim.graph.nodes) {
+      if (std::fabs(node.point[1]) > 1e-9) continue;
+      const double east_of_axis = node.point[0];
+      if (std::fabs(east_of_axis) < 1e-12) {
+        CHECK(node.bounds == Names{"sector=from", "sector=to"});
+        ++poles;
+      } else {
+        CHECK(node.bounds == Names{east_of_axis > 0 ? "sector=from" : "sector=to"});
+      }
+    }
+    if (std::ranges::all_of(rim.graph.nodes, [](const Node& n) { return std::fabs(n.point[1]) < 1e-9; }))
+      CHECK(poles == 2);
+  }
+}
+
 TEST_CASE("a box that holds all of the curve leaves the graph of the whole surface") {
   const RationalPatch x = bilinear({-2, -2, 0}, {-2, 2, Rational(1, 3)}, {2, -2, 1}, {2, 2, Rational(1, 5)});
   const IntersectionGraph whole = complete(pipe, x).graph;
