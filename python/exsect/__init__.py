@@ -171,28 +171,45 @@ def _entry_vector(values: Sequence[Any], where: str) -> List[str]:
     return [_entry_number(value, where) for value in values]
 
 
+def _entry_box(value: Any, where: str) -> Any:
+    """A box as a patch file has it."""
+    if isinstance(value, Mapping):
+        return {key: _entry_box(part, f"{where}.{key}") for key, part in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_entry_box(part, where) for part in value]
+    return _entry_number(value, where)
+
+
 def _lengths(**given: Any) -> Dict[str, str]:
     return {key: _entry_number(value, key) for key, value in given.items() if value is not None}
 
 
-def _surface(kind: str, **members: Any) -> Surface:
+def _surface(kind: str, box: Optional[Mapping[str, Any]] = None, **members: Any) -> Surface:
+    if box is not None:
+        members["box"] = _entry_box(box, "box")
     return Surface(json.dumps({"name": kind, "type": kind, **members}))
 
 
 Vector = Sequence[Number]
 
 
-def plane(point: Vector, normal: Vector) -> Surface:
-    """The plane through the point; directions here and below are of any length but 0."""
-    return _surface("plane", point=_entry_vector(point, "point"), normal=_entry_vector(normal, "normal"))
+def plane(point: Vector, normal: Vector, *, box: Optional[Mapping[str, Any]] = None) -> Surface:
+    """The plane through the point; directions here and below are of any length but 0. `box`, here and below: the
+    part that a patch file says so (docs/formats.md), as {"sides": [[2, 0, 0], [0, 3, 0]]}."""
+    return _surface("plane", box, point=_entry_vector(point, "point"), normal=_entry_vector(normal, "normal"))
 
 
 def cylinder(
-    point: Vector, axis: Vector, radius: Optional[Number] = None, *, radius_squared: Optional[Number] = None
+    point: Vector,
+    axis: Vector,
+    radius: Optional[Number] = None,
+    *,
+    radius_squared: Optional[Number] = None,
+    box: Optional[Mapping[str, Any]] = None,
 ) -> Surface:
-    """The whole cylinder about the line through the point; the radius, or its square where it is irrational."""
+    """The cylinder about the line through the point; the radius, or its square where it is irrational."""
     lengths = _lengths(radius=radius, radius_squared=radius_squared)
-    return _surface("cylinder", point=_entry_vector(point, "point"), axis=_entry_vector(axis, "axis"), **lengths)
+    return _surface("cylinder", box, point=_entry_vector(point, "point"), axis=_entry_vector(axis, "axis"), **lengths)
 
 
 def cone(
@@ -202,19 +219,24 @@ def cone(
     *,
     slope_squared: Optional[Number] = None,
     nappes: int = 1,
+    box: Optional[Mapping[str, Any]] = None,
 ) -> Surface:
     """The cone of radius slope * height; one nappe, the one that the axis points to, or both."""
     lengths = _lengths(slope=slope, slope_squared=slope_squared)
     vectors = {"apex": _entry_vector(apex, "apex"), "axis": _entry_vector(axis, "axis")}
-    return _surface("cone", **vectors, **lengths, nappes=nappes)
+    return _surface("cone", box, **vectors, **lengths, nappes=nappes)
 
 
 def sphere(
-    centre: Vector, radius: Optional[Number] = None, *, radius_squared: Optional[Number] = None
+    centre: Vector,
+    radius: Optional[Number] = None,
+    *,
+    radius_squared: Optional[Number] = None,
+    box: Optional[Mapping[str, Any]] = None,
 ) -> Surface:
     """The sphere; the radius, or its square where it is irrational."""
     lengths = _lengths(radius=radius, radius_squared=radius_squared)
-    return _surface("sphere", centre=_entry_vector(centre, "centre"), **lengths)
+    return _surface("sphere", box, centre=_entry_vector(centre, "centre"), **lengths)
 
 
 def torus(
@@ -225,10 +247,11 @@ def torus(
     *,
     major_squared: Optional[Number] = None,
     minor_squared: Optional[Number] = None,
+    box: Optional[Mapping[str, Any]] = None,
 ) -> Surface:
     """The torus of radii 0 < minor < major."""
     lengths = _lengths(major=major, major_squared=major_squared, minor=minor, minor_squared=minor_squared)
-    return _surface("torus", centre=_entry_vector(centre, "centre"), axis=_entry_vector(axis, "axis"), **lengths)
+    return _surface("torus", box, centre=_entry_vector(centre, "centre"), axis=_entry_vector(axis, "axis"), **lengths)
 
 
 def implicit(terms: Mapping[Tuple[int, int, int], Number]) -> Surface:

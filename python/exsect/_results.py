@@ -180,9 +180,11 @@ class Node:
     parameters: Dict[str, float]
     #: The approximate point of space.
     point: Tuple[float, float, float]
+    #: Bounds of the box of a surface given by its equation that it lies on, exactly: "height=from".
+    bounds: Tuple[str, ...] = ()
 
     def __repr__(self) -> str:
-        words = [", ".join(self.kinds) or "point", *self.on] + [f"turns in {p}" for p in self.wrt]
+        words = [", ".join(self.kinds) or "point", *self.on, *self.bounds] + [f"turns in {p}" for p in self.wrt]
         places = ", ".join(f"{name}={value:.6g}" for name, value in self.parameters.items())
         return f"<Node {self.id}: {', '.join(words)}; {places}>"
 
@@ -457,6 +459,7 @@ class Intersection(_Exportable):
             _box(node["box"]),
             {name: approx[name] for name in self.parameters},
             _triple(approx["point"]),
+            tuple(node.get("bounds", ())),
         )
 
     @staticmethod

@@ -58,6 +58,7 @@ COMMANDS = [
     ["line", FIRST, "--u", "1/2"],
     ["intersect", "examples/surfaces.json", "--first", "oblique", "--second", "ball"],
     ["intersect", "examples/surfaces.json", "--first", "torus", "--second", "quartic"],
+    ["intersect", "examples/faces.json", "--first", "roof", "--second", "groove"],
     ["ray", "examples/surfaces.json", "--origin=-5,0,0", "--direction", "1,0,0"],
     ["ray", "examples/surfaces.json", "--origin", "1/3,1e-1,-5", "--direction", "0,0,1"],
     ["ray", "examples/weighted.json", "--origin", "0,0,0", "--direction", "1,1,1"],

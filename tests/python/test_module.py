@@ -837,6 +837,46 @@ def test_rays_give_what_the_program_gives():
     assert exsect.ray([0, 0, -1], [1, 0, 0], surfaces()["floor"]).overlaps[0].end is None
 
 
+def faces():
+    return {
+        "fillet": exsect.cylinder(
+            [0, 0, 0], [0, 0, 5], 1, box={"sector": {"from": [1, 0, 0], "to": [0, 1, 0]}, "height": [0, Fraction(1, 5)]}
+        ),
+        "lid": exsect.sphere([0, 0, 0], radius_squared=2, box={"axis": [0, 0, 1], "height": [1, "3/2"]}),
+        "groove": exsect.torus(
+            [0, 0, 1],
+            [0, 0, 1],
+            "3/2",
+            "1/4",
+            box={"sector": {"from": (1, 1, 0), "to": (-1, 1, 0)}, "tube": {"from": [1, 0], "to": [-1, 0]}},
+        ),
+        "floor": exsect.plane([-1, -1, "4/3"], [0, 0, 1], box={"sides": [[2, 0, 0], [0, 2, 0]]}),
+    }
+
+
+def test_faces_give_what_the_program_gives():
+    roof = exsect.Patch([[[-2, -2, 2], [-2, 2, 2]], [[2, -2, 0], [2, 2, 0]]])
+    for name, face in faces().items():
+        result = exsect.intersect(roof, face, names=("roof", name))
+        ran = program("intersect", EXAMPLES / "faces.json", "--first", "roof", "--second", name, "--json", "-")
+        expected = json.loads(ran.stdout)
+        given = json.loads(result.to_json())
+        del expected["work"], given["work"]
+        assert given == expected
+        assert result.complete and result.count("open") == 1
+        assert pickle.loads(pickle.dumps(face)) == face
+    fillet = faces()["fillet"]
+    ends = exsect.intersect(roof, fillet).nodes
+    assert {node.bounds for node in ends} == {("sector=to", "height=to"), ("sector=from",)}
+    assert (1, 0, 1) in fillet and (1, 0, "11/10") not in fillet and (-1, 0, 1) not in fillet
+    with pytest.raises(ValueError, match="box.height: does not ascend"):
+        exsect.cylinder([0, 0, 0], [0, 0, 1], 1, box={"height": [1, 1]})
+    with pytest.raises(TypeError, match="box.height: a float"):
+        exsect.cylinder([0, 0, 0], [0, 0, 1], 1, box={"height": [0, 0.5]})
+    with pytest.raises(ValueError, match="a box"):
+        exsect.intersect(fillet, faces()["lid"])
+
+
 def test_surfaces_are_exact_values():
     torus = surfaces()["torus"]
     assert torus.kind == "torus" and (4, 0, 0) in torus and (Fraction(4), 0, "1/10") not in torus
