@@ -71,11 +71,11 @@ TEST_CASE("a closed region keeps points and arcs that lie on its rim") {
 }
 
 TEST_CASE("a bound with a multiple factor of the curve still cuts the rest") {
-  // b^2 c >= 0 on b = 0 holds; on a = 0 it is c >= 0, and the point b = 0.
+  // b^2 c >= 0 holds on b = 0, where it is 0; beside it, it is c >= 0.
   const BivariatePolynomial c = v - number(Rational(3, 4));
-  const CurveGraph graph = curve_graph(a * b, b * b * c);
-  CHECK(shape(graph) == Shape{5, 3, 2, 0});
-  CHECK(shape(a * b, CurveRegion(c)) == Shape{2, 1, 1, 0});
+  CHECK(shape(curve_graph(a * b, b * b * c)) == Shape{5, 3, 2, 0});
+  CHECK(shape(curve_graph((v - u) * b, b * b * c)) == Shape{6, 4, 2, 0});
+  CHECK(shape(v - u, c) == Shape{2, 1, 1, 0});
 }
 
 int sign_of(const BivariatePolynomial& f, const Rational& x, const RealAlgebraic& y) {
