@@ -1,5 +1,8 @@
 // exsect intersect and exsect ray with faces: surfaces given by their equations in a box.
+#include <exsect/geometry/text_file.h>
+
 #include "check_refused.h"
+#include "geometry/scratch_directory.h"
 #include "json_schema.h"
 #include "run_program.h"
 #include "support/catch.h"
@@ -26,6 +29,11 @@ TEST_CASE("intersect: a quarter of a cylinder, with the bounds at the ends of it
   CHECK(json["nodes"][1]["bounds"] == Json::parse(R"(["sector=from"])"));
   const ProgramRun text = run_program({"intersect", faces, "--first", "roof", "--second", "fillet"});
   CHECK(text.out.find("boundary, corner  sector=to height=to") != std::string::npos);
+  const ScratchDirectory scratch;
+  const std::string table = scratch.path("a.csv");
+  CHECK(run_program({"intersect", faces, "--first", "roof", "--second", "fillet", "--quiet", "--csv", table})
+            .status == 0);
+  CHECK(read_text_file(table, 1 << 20).find("\n0,boundary corner,sector=to height=to,") != std::string::npos);
 }
 
 TEST_CASE("ray: what is in the box, and intersect: no two equations of which one has a box") {
