@@ -9,14 +9,17 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "answer/placement.h"
 #include "answer/run.h"
 #include "curve/short_rational.h"
+#include "lift/coaxial_tori.h"
 #include "lift/curve_names.h"
 #include "lift/lifted_course.h"
 #include "lift/lifted_curve.h"
+#include "lift/torus_drawing.h"
 
 namespace exsect {
 namespace {
@@ -41,12 +44,12 @@ int rank(const ImplicitSurface& surface) {
   }
 }
 
-SpaceNodeKind kind_of(const LiftedNode& node) {
-  if (node.goes_on && node.degree == 1) return SpaceNodeKind::cut;
-  if (node.degree == 0) return SpaceNodeKind::touch;
-  if (node.degree == 1) return SpaceNodeKind::end;
-  if (node.degree > 2) return SpaceNodeKind::crossing;
-  return node.is_singular ? SpaceNodeKind::singular : SpaceNodeKind::joint;
+SpaceNodeKind node_kind(int degree, bool is_singular, bool goes_on = false) {
+  if (goes_on && degree == 1) return SpaceNodeKind::cut;
+  if (degree == 0) return SpaceNodeKind::touch;
+  if (degree == 1) return SpaceNodeKind::end;
+  if (degree > 2) return SpaceNodeKind::crossing;
+  return is_singular ? SpaceNodeKind::singular : SpaceNodeKind::joint;
 }
 
 void add_node(SurfaceIntersection& result, SpaceNodeKind kind, int degree, SpaceBox box) {
@@ -65,24 +68,49 @@ bool is_closed(const SurfaceIntersection& result, const SpaceCurve& curve) {
   return std::all_of(ends.begin(), ends.end(), [](int count) { return count % 2 == 0; });
 }
 
+void set_curves(SurfaceIntersection& result, std::vector<SpaceCurve> curves) {
+  result.curves = std::move(curves);
+  for (SpaceCurve& named : result.curves) {
+    for (const int arc : named.arcs) result.arcs[static_cast<std::size_t>(arc)].curve = named.id;
+    named.is_closed = is_closed(result, named);
+  }
+}
+
 void draw(SurfaceIntersection& result, const LiftedCurve& curve, const Run& run) {
   if (curve.nodes.empty()) return;
   const double extent = extent_of(curve.chart), tolerance = run.drawn_tolerance(extent);
   if (!(extent > 0 && std::isfinite(extent))) throw BeyondDoubles(kBeyondDoubles);
   const Rational width = std::min<Rational>(power_of_two(-80), from_double(tolerance / extent));
-  for (std::size_t i = 0; i < curve.nodes.size(); ++i)
-    add_node(result, kind_of(curve.nodes[i]), curve.nodes[i].degree, place_in_space(curve, i, width));
+  for (std::size_t i = 0; i < curve.nodes.size(); ++i) {
+    const LiftedNode& node = curve.nodes[i];
+    add_node(result, node_kind(node.degree, node.is_singular, node.goes_on), node.degree,
+             place_in_space(curve, i, width));
+  }
   for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
     const LiftedArc& arc = curve.arcs[i];
     SpaceCourse course = course_in_space(curve, i, tolerance);
     result.arcs.push_back({static_cast<int>(i), 0, static_cast<int>(arc.from), static_cast<int>(arc.to),
                            arc.multiplicity, std::move(course.points), course.error_bound});
   }
-  result.curves = named_curves(curve);
-  for (SpaceCurve& named : result.curves) {
-    for (const int arc : named.arcs) result.arcs[static_cast<std::size_t>(arc)].curve = named.id;
-    named.is_closed = is_closed(result, named);
+  set_curves(result, named_curves(curve));
+}
+
+void draw(SurfaceIntersection& result, const TorusCurve& curve, const Run& run) {
+  if (curve.nodes.empty()) return;
+  const double extent = extent_of(curve.frame);
+  if (!(extent > 0 && std::isfinite(extent))) throw BeyondDoubles(kBeyondDoubles);
+  const TorusDrawing drawing(curve, run.drawn_tolerance(extent));
+  for (std::size_t i = 0; i < curve.nodes.size(); ++i)
+    add_node(result, node_kind(curve.nodes[i].degree, curve.nodes[i].is_singular), curve.nodes[i].degree,
+             drawing.box(i));
+  for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
+    const TorusArc& arc = curve.arcs[i];
+    SpaceCourse course = drawing.course(i);
+    result.arcs.push_back({static_cast<int>(i), 0, static_cast<int>(arc.from), static_cast<int>(arc.to),
+                           curve.factors[arc.factor].multiplicity, std::move(course.points),
+                           course.error_bound});
   }
+  set_curves(result, named_curves(curve));
 }
 
 SpaceBox point_box(const Point& p) {
@@ -128,19 +156,61 @@ SurfaceIntersection open(std::string why, Reason reason) {
   return result;
 }
 
-SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second, const Run& run) {
-  if (rank(first) > rank(second)) return solved_pair(second, first, run);
-  if (first.kind() == SurfaceKind::plane && second.kind() == SurfaceKind::plane)
-    return planes(*first.data(), *second.data());
+SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second, const Run& run);
+
+SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second, const Run& run);
+
+/// A torus with what has no bound, in one of the torus's charts; empty if it has none over Q.
+std::optional<SurfaceIntersection> on_torus(const ImplicitSurface& torus, const ImplicitSurface& other,
+                                            const Run& run) {
+  std::optional<TorusCurve> curve;
+  run.timed("curve", [&] { curve = torus_curve(torus, other); });
+  if (!curve) return std::nullopt;
+  SurfaceIntersection result{Status::complete, curve->is_same};
+  run.timed("drawing", [&] { draw(result, *curve, run); });
+  return result;
+}
+
+/// Of two tori the one that is taken in whichever order they come.
+bool is_before(const SurfaceData& a, const SurfaceData& b) {
+  return std::tie(a.minor_squared, a.squared, a.point) < std::tie(b.minor_squared, b.squared, b.point);
+}
+
+std::optional<SurfaceIntersection> tori(const ImplicitSurface& first, const ImplicitSurface& second,
+                                        const Run& run) {
+  if (is_before(*second.data(), *first.data())) return tori(second, first, run);
+  const std::optional<CoaxialSection> coaxial = coaxial_section(*first.data(), *second.data());
+  if (coaxial && coaxial->surface) return solved_pair(*coaxial->surface, first, run);
+  if (coaxial) return SurfaceIntersection{Status::complete, coaxial->is_same};
+  std::optional<SurfaceIntersection> result = on_torus(first, second, run);
+  return result ? result : on_torus(second, first, run);
+}
+
+std::optional<SurfaceIntersection> lifted(const ImplicitSurface& first, const ImplicitSurface& second,
+                                          const Run& run) {
   std::optional<LiftedCurve> curve;
   run.timed("curve", [&] { curve = lifted_curve(first, second); });
-  if (!curve)
-    return open(std::string("not supported yet: ") + name(first.kind()) + " and " + name(second.kind()),
-                Reason::not_decided);
+  if (!curve) return std::nullopt;
   if (curve->is_same) return same(first, second);
   SurfaceIntersection result{Status::complete};
   run.timed("drawing", [&] { draw(result, *curve, run); });
   return result;
+}
+
+SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second, const Run& run) {
+  if (rank(first) > rank(second)) return solved_pair(second, first, run);
+  if (first.kind() == SurfaceKind::plane && second.kind() == SurfaceKind::plane)
+    return planes(*first.data(), *second.data());
+  std::optional<SurfaceIntersection> result;
+  if (first.kind() != SurfaceKind::torus)
+    result = lifted(first, second, run);
+  else if (second.kind() == SurfaceKind::torus)
+    result = tori(first, second, run);
+  else
+    result = on_torus(first, second, run);
+  if (result) return *std::move(result);
+  return open(std::string("not supported yet: ") + name(first.kind()) + " and " + name(second.kind()),
+              Reason::not_decided);
 }
 
 SurfaceIntersection answered_pair(const ImplicitSurface& first, const ImplicitSurface& second,

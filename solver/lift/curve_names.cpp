@@ -2,33 +2,13 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
+#include "lift/connected_parts.h"
 #include "lift/plane_section.h"
 
 namespace exsect {
 namespace {
-
-/// Arcs without a name of one factor: connected parts, a number for each of them.
-class ConnectedParts {
- public:
-  ConnectedParts(const LiftedCurve& curve, std::size_t factor) : parent_(curve.nodes.size()) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    for (const LiftedArc& arc : curve.arcs)
-      if (arc.factor == factor) parent_[root(arc.from)] = root(arc.to);
-  }
-
-  int operator()(const LiftedArc& arc) const { return static_cast<int>(root(arc.from)); }
-
- private:
-  std::size_t root(std::size_t node) const {
-    while (parent_[node] != node) node = parent_[node];
-    return node;
-  }
-
-  std::vector<std::size_t> parent_;
-};
 
 /// The arcs of one factor, by their curves.
 void add_curves(const LiftedCurve& curve, std::size_t factor, std::vector<SpaceCurve>& curves) {

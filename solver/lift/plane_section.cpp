@@ -147,6 +147,15 @@ NamedParts above_line(const LiftedCurve& curve, const BivariatePolynomial& g) {
       line, [&curve, side](const LiftedArc& arc) { return arc.sheet * sign_inside(side, curve, arc); });
 }
 
+/// A rational line of the curve in a plane.
+SpaceCurve line_in_plane(const SurfaceChart& chart, const BivariatePolynomial& g) {
+  const Rational gu = g.coefficient(1, 0), gv = g.coefficient(0, 1), g0 = g.coefficient(0, 0);
+  SpaceCurve line = of_kind(Kind::line);
+  line.direction = gv * chart.along_u - gu * chart.along_v;
+  line.point = gu != 0 ? at(chart, -g0 / gu, 0, 0) : at(chart, 0, -g0 / gv, 0);
+  return line;
+}
+
 /// The remainder of f modulo g by the monomial of g of greatest total degree, greatest in r.
 std::map<std::pair<int, int>, Rational> remainder(const BivariatePolynomial& f,
                                                   const BivariatePolynomial& g) {
@@ -323,7 +332,7 @@ std::optional<NamedParts> named_parts(const LiftedCurve& curve, const ShadowFact
   const bool is_flat = curve.chart.is_flat();
   if (!is_flat && g.degree_s() == 0) return circles(curve, factor);
   if (!is_flat && g.degree_r() == 0 && y2.degree_r() == 0) return rulings(curve, factor);
-  if (!is_flat && g.total_degree() == 1) return above_line(curve, g);
+  if (g.total_degree() == 1) return is_flat ? one_curve(line_in_plane(curve.chart, g)) : above_line(curve, g);
   if (is_flat && g.total_degree() == 4) return conjugate_circles(curve, g);
   if (g.total_degree() != 2) return std::nullopt;
   const Conic conic(g);

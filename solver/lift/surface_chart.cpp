@@ -55,6 +55,14 @@ class Frame {
     e2_ = shortened(cross(axis_, e1_));
   }
 
+  /// Of a plane: another frame in it, k times e1 added to the axis.
+  Frame turned(int k) const {
+    Frame result = *this;
+    result.axis_ = shortened(axis_ + Rational(k) * e1_);
+    result.e1_ = shortened(cross(e2_, result.axis_));
+    return result;
+  }
+
   /// For h and x in these intervals.
   SurfaceChart chart(const RationalInterval& h, const RationalInterval& x) const {
     const BivariatePolynomial at_h = along(BivariatePolynomial::r(), h);
@@ -164,6 +172,36 @@ RationalInterval heights(const Frame& frame, const ImplicitSurface& surface, con
   return interval_around(critical_heights(shadow(f, whole), whole.radicand), marked, frame.unit());
 }
 
+/// An interval around all roots that is not much longer than their distances, whatever the unit.
+RationalInterval fitted_interval(const std::vector<Polynomial>& polynomials) {
+  const Rational least = power_of_two(-120);
+  for (Rational room = 1; room > least; room /= 1024) {
+    const RationalInterval interval = interval_around(polynomials, {}, room);
+    if (interval.width() > 4 * room) return interval;
+  }
+  return interval_around(polynomials, {}, 1);
+}
+
+/// A plane, turned until x is bounded on the other surface over every bounded interval of h: the equation has
+/// the term of x alone of greatest degree, as it has in all but finitely many directions.
+SurfaceChart plane_chart(const ImplicitSurface& plane, const ImplicitSurface& other) {
+  const Frame first(plane, other);
+  for (int k = 0;; ++k) {
+    const Frame frame = first.turned(k);
+    const SurfaceChart whole = frame.chart({0, 1}, {0, 1});
+    const BivariatePolynomial f = on_chart(other.equation(), whole).a;
+    if (f.is_zero()) return whole;
+    if (f.coefficient(0, f.total_degree()) == 0) continue;
+    const auto critical = [&](const BivariatePolynomial& g) {
+      return critical_heights(shadow({g, {}}, whole), whole.radicand);
+    };
+    const RationalInterval h = fitted_interval(critical(f));
+    std::vector<Polynomial> extrema = critical(f.exchanged());  // x is extreme there, or over the ends of h
+    for (const Rational& end : {h.lower, h.upper}) extrema.push_back(f.at_r(end));
+    return frame.chart(h, fitted_interval(extrema));
+  }
+}
+
 }  // namespace
 
 Point shortened(const Point& direction) {
@@ -210,6 +248,7 @@ Shadow shadow(const SheetFunction& f, const SurfaceChart& chart) {
 std::optional<SurfaceChart> chart_of(const ImplicitSurface& surface, const ImplicitSurface& other) {
   switch (surface.kind()) {
     case SurfaceKind::plane: {
+      if (other.kind() == SurfaceKind::polynomial) return plane_chart(surface, other);
       if (other.kind() != SurfaceKind::torus) return std::nullopt;
       const Frame frame(surface, other);
       return frame.chart(frame.range_of(*other.data(), frame.axis()),

@@ -37,8 +37,9 @@ Point shortened(const Point& direction);
 /// The function on the chart.
 SheetFunction on_chart(const SpacePolynomial& f, const SurfaceChart& chart);
 
-/// Of a plane, if the other surface is a torus, and of a sphere, cylinder or cone with both nappes. The
-/// direction along_y is orthogonal to a common plane of symmetry, if there is one. Empty for others.
+/// Of a plane, if the other surface is a torus or a polynomial, and of a sphere, cylinder or cone with both
+/// nappes. The direction along_y is orthogonal to a common plane of symmetry, if there is one. Empty for
+/// others.
 std::optional<SurfaceChart> chart_of(const ImplicitSurface& surface, const ImplicitSurface& other);
 
 /// The curve {a + b y = 0} seen along y: common {norm = 0} with the common factor of a and b and norm =

@@ -241,6 +241,83 @@ TEST_CASE("equations: a torus and quadrics") {
   }
 }
 
+TEST_CASE("equations: two tori about one axis") {
+  const auto pair = [](const Rational& major, const Rational& minor, const Rational& shift,
+                       const Point& axis = {2, 2, 1}) {
+    return census(S::torus(origin, axis, 5, 3),
+                  S::torus(shift / 3 * axis, Rational(-2) * axis, major, minor));
+  };
+  CHECK(pair(5, 3, 0) == "same");
+  CHECK(pair(5, 2, 0) == nothing);
+  CHECK(pair(5, 3, 4) == "2 circle o");
+  CHECK(pair(7, 3, 0) == "2 circle o");
+  CHECK(pair(5, 3, 6) == "1 circle o *2");
+  CHECK(pair(9, 1, 0) == "1 circle o *2");
+  CHECK(pair(7, 1, 0) == "1 circle o *2");
+  CHECK(pair(8, 2, 4) == "1 circle o *2");  // the centres are 5 apart
+  CHECK(pair(8, 3, 4) == "2 circle o");
+  CHECK(pair(20, 1, 0) == nothing);
+  for (const int k : near) {
+    CHECK(pair(8, 2 + tenth_to(k), 4) == "2 circle o");
+    CHECK(pair(8, 2 - tenth_to(k), 4) == nothing);
+    CHECK(pair(8 + tenth_to(k), 2, 4) == nothing);
+    CHECK(pair(8, 2, 4 - tenth_to(k)) == "2 circle o");
+    CHECK(pair(5, 3 - tenth_to(k), 0) == nothing);
+    CHECK(pair(5, 3, tenth_to(k)) == "2 circle o");
+  }
+  // Radii of rational ratio, and an axis without rational points.
+  const auto root = [](const Rational& q) { return Length::of_squared(q); };
+  CHECK(census(S::torus(origin, oblique, root(12), root(3)), S::torus(oblique, oblique, root(12), root(3))) ==
+        "2 circle o");
+  CHECK(census(S::torus(origin, oblique, root(12), root(3)), S::torus(origin, oblique, root(48), root(3))) ==
+        "1 circle o *2");
+  const SurfaceIntersection touching =
+      intersect(S::torus(origin, up, 5, 3), S::torus({0, 0, 4}, up, 8, 2), coarse());
+  REQUIRE(touching.curves.size() == 1);  // three fifths of the way from (5,0) to (8,4)
+  CHECK(*touching.curves[0].point == Point{0, 0, Rational(12, 5)});
+  CHECK(*touching.curves[0].radius_squared == Rational(34, 5) * Rational(34, 5));
+}
+
+TEST_CASE("equations: a plane and polynomials") {
+  const SpacePolynomial x = SpacePolynomial::variable(0), y = SpacePolynomial::variable(1),
+                        z = SpacePolynomial::variable(2), one = SpacePolynomial::constant(1);
+  const S level = S::plane(origin, up);
+  CHECK(census(level, S::polynomial(x * x * x * x + y * y * y * y - one)) == general);
+  CHECK(census(level, S::polynomial(x * x + y * y + z - one)) == "1 circle o");
+  CHECK(census(level, S::polynomial(x * y - one + z)) == "1 hyperbola, 4 cut");
+  CHECK(census(level, S::polynomial(y - x * x + z * x)) == "1 parabola, 2 cut");
+  CHECK(census(level, S::polynomial(x * y * (x + y) + z)) == "3 line, 1 crossing, 6 cut");
+  CHECK(census(level, S::polynomial(x * x * (y - one))) == "1 line, 1 line *2, 1 crossing, 4 cut");
+  CHECK(census(level, S::polynomial(y * y - x * x * x)) == "1 general, 2 cut, 1 singular");
+  CHECK(census(level, S::polynomial(y * y - x * x * (x + one))) == "1 general, 1 crossing, 2 cut");
+  CHECK(census(level, S::polynomial(y * y - x * x * (x - one))) == "1 general, 2 cut, 1 touch");
+  CHECK(census(level, S::polynomial(z + one)) == nothing);
+  CHECK(census(level, S::polynomial(z * x)) == "same");
+  // Of two branches x -> +-oo beside each other, and of an oval: y^2 = x^3 - 3x + 2 + e for small e.
+  const auto cubic = [&](const Rational& e) {
+    return census(level, S::polynomial(y * y - x * x * x + Rational(3) * x + (-2 - e) * one));
+  };
+  CHECK(cubic(0) == "1 general, 1 crossing, 2 cut");
+  for (const int k : near) {
+    CHECK(cubic(tenth_to(k)) == "1 general, 2 cut");
+    CHECK(cubic(-tenth_to(k)) == "1 general, 1 general o, 2 cut");
+  }
+  // Planes with the quadrics that polynomials are, at several sizes; their curves have the same names.
+  for (const Rational& q : {Rational(1, 1000), Rational(127, 5), Rational(100000000)}) {
+    const S cone = S::cone(origin, up, 1, 2), tube = S::cylinder({q, 0, 0}, {1, 2, 3}, Length(q));
+    for (const Point& normal : {up, Point{1, 0, 2}, Point{1, 0, 1}, Point{3, 1, 1}})
+      for (const S& other : {cone, tube}) {
+        const S plane = S::plane({q, 2 * q, q}, normal);
+        CHECK(census(plane, S::polynomial(other.equation())) == census(plane, other));
+      }
+    const S torus = S::torus(origin, up, Length(Rational(5 * q)), Length(Rational(3 * q)));
+    const S skew = S::plane({0, 0, q}, {1, 2, 3});
+    CHECK(census(skew, S::polynomial(torus.equation())) == census(skew, torus));
+    const SurfaceIntersection drawn = intersect(skew, S::polynomial(torus.equation()), coarse());
+    for (const SpaceArc& arc : drawn.arcs) CHECK(arc.error_bound < 0.1 * to_double(q));
+  }
+}
+
 TEST_CASE("equations: sizes and places that doubles hardly hold") {
   // Moved by c and scaled by q, pairs have the same curves, at places that follow exactly.
   const Point c = {0, 1, 2};

@@ -83,6 +83,9 @@ const std::vector<std::array<S, 2>>& specimens() {
       {S::cone(origin, up, 1), S::sphere({0, 0, 1}, 1)},
       {S::cylinder(origin, up, 1), S::sphere(origin, 1)},
       {S::cylinder({0, 1, 0}, up, 2), S::cone({3, 0, 0}, {-1, 0, 1}, 1)},
+      {S::torus(origin, up, 5, 3), S::torus({0, 0, 4}, up, 8, 2)},
+      {S::torus(origin, up, 5, 2), S::torus({14, 0, 0}, {0, 1, 0}, 5, 2)},
+      {S::torus(origin, up, 5, 2), S::torus({3, 0, 1}, {2, 2, 1}, 4, 1)},
   };
   return pairs;
 }
@@ -123,6 +126,41 @@ int crossings(const SurfaceIntersection& result, const Point& o, const Point& no
   return count;
 }
 
+int number_in(std::mt19937& random, int least, int most) {
+  return static_cast<int>(random() % static_cast<unsigned>(most - least + 1)) + least;
+}
+
+Point vector_of(std::mt19937& random, int size) {
+  const auto number = [&] { return number_in(random, -size, size); };
+  Point p;
+  do p = {number(), number(), number()};
+  while (is_zero(p));
+  return p;
+}
+
+/// Common points on random planes, by polylines and by resultants.
+struct PlaneCounts {
+  std::mt19937& random;
+  int counted = 0;  // planes
+  int points = 0;
+
+  void count(const S& first, const S& second, const SurfaceIntersection& result) {
+    for (int k = 0; k < 4; ++k) {
+      const Point o = Rational(1, 8) * vector_of(random, 6), a = vector_of(random, 9),
+                  b = vector_of(random, 9), normal = cross(a, b);
+      if (is_zero(normal)) continue;
+      const Polynomial eliminant =
+          resultant_r(on_plane(first.equation(), o, a, b), on_plane(second.equation(), o, a, b));
+      if (eliminant.degree() < 1) continue;
+      const int crossed = crossings(result, o, normal);
+      if (crossed < 0) continue;
+      CHECK(crossed == SturmSequence(eliminant).count_all());
+      ++counted;
+      points += crossed;
+    }
+  }
+};
+
 }  // namespace
 
 TEST_CASE("equations: moved, turned and scaled pairs have the same curves") {
@@ -140,15 +178,8 @@ TEST_CASE("equations: moved, turned and scaled pairs have the same curves") {
 
 TEST_CASE("equations: common points on random planes, counted by resultants") {
   std::mt19937 random(26);
-  const auto number = [&](int least, int most) {
-    return static_cast<int>(random() % static_cast<unsigned>(most - least + 1)) + least;
-  };
-  const auto vector = [&](int size) {
-    Point p;
-    do p = {number(-size, size), number(-size, size), number(-size, size)};
-    while (is_zero(p));
-    return p;
-  };
+  const auto number = [&](int least, int most) { return number_in(random, least, most); };
+  const auto vector = [&](int size) { return vector_of(random, size); };
   const auto surface = [&]() -> S {
     const Point at = Rational(1, 4) * vector(4), axis = vector(5);
     switch (number(0, 3)) {
@@ -162,29 +193,47 @@ TEST_CASE("equations: common points on random planes, counted by resultants") {
         return S::torus(at, axis, Rational(number(12, 16), 8), Rational(number(4, 10), 8));
     }
   };
-  int counted = 0, points = 0;
+  PlaneCounts planes{random};
   for (int round = 0; round < 30; ++round) {
     const S first = surface(), second = surface();
     if (first.kind() == SurfaceKind::torus && second.kind() == SurfaceKind::torus) continue;
     INFO(round << ' ' << name(first.kind()) << ' ' << name(second.kind()));
     const SurfaceIntersection result = intersect(first, second, drawn_within(1e-4));
     REQUIRE(result.status == Status::complete);
-    const bool unbounded = result.count(SpaceNodeKind::cut) > 0;
-    for (int k = 0; k < 4 && !unbounded; ++k) {
-      const Point o = Rational(1, 8) * vector(6), a = vector(9), b = vector(9), normal = cross(a, b);
-      if (is_zero(normal)) continue;
-      const Polynomial eliminant =
-          resultant_r(on_plane(first.equation(), o, a, b), on_plane(second.equation(), o, a, b));
-      if (eliminant.degree() < 1) continue;
-      const int crossed = crossings(result, o, normal);
-      if (crossed < 0) continue;
-      CHECK(crossed == SturmSequence(eliminant).count_all());
-      ++counted;
-      points += crossed;
-    }
+    if (result.count(SpaceNodeKind::cut) == 0) planes.count(first, second, result);
   }
-  CHECK(counted > 30);
-  CHECK(points > 30);
+  CHECK(planes.counted > 30);
+  CHECK(planes.points > 30);
+}
+
+TEST_CASE("equations: two tori, and a torus with a polynomial, on random planes") {
+  std::mt19937 random(27);
+  const auto axis = [&] {
+    const std::array<Point, 4> axes = {Point{0, 0, 1}, Point{2, -2, 1}, Point{0, 3, 4}, Point{6, 2, -3}};
+    return axes[static_cast<std::size_t>(number_in(random, 0, 3))];
+  };
+  const auto torus = [&] {
+    return S::torus(Rational(1, 4) * vector_of(random, 4), axis(), Rational(number_in(random, 12, 16), 8),
+                    Rational(number_in(random, 4, 10), 8));
+  };
+  PlaneCounts planes{random};
+  for (int round = 0; round < 24; ++round) {
+    INFO("round " << round);
+    const S first = torus();
+    const bool both = round % 2 == 0;
+    const Point c = vector_of(random, 3);
+    SpacePolynomial f = SpacePolynomial::constant(number_in(random, -3, 3));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SpacePolynomial x = SpacePolynomial::variable(k), y = SpacePolynomial::variable((k + 1) % 3);
+      f += c[k] * x * x * y + Rational(number_in(random, 1, 3)) * y;
+    }
+    const S second = both ? torus() : S::polynomial(f);
+    const SurfaceIntersection result = intersect(first, second, drawn_within(1e-3));
+    REQUIRE(result.status == Status::complete);
+    planes.count(first, second, result);
+  }
+  CHECK(planes.counted > 40);
+  CHECK(planes.points > 40);
 }
 
 }  // namespace exsect::surface_moves_test
