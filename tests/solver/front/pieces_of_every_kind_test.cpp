@@ -1,0 +1,138 @@
+// Equal patches and overlapping pieces of patches with weights or of degree three.
+#include <exsect/solver/intersect_rational.h>
+
+#include "support/catch.h"
+#include "support/random_nets.h"
+
+namespace exsect::pieces_of_every_kind_test {
+
+namespace {
+
+using Ends = std::array<Rational, 4>;
+
+Rational q(long n, long d) { return Rational(n, d); }
+
+RationalPatch piece(const RationalPatch& x, const Ends& ends) {
+  return x.restricted_to(ends[0], ends[1], ends[2], ends[3]);
+}
+
+/// The four corners of the only overlap, as (u,v) in the parameters of x, are those of the rectangle.
+void check_overlap(const RationalPatch& x, const RationalPatch& y, const Ends& rectangle) {
+  const IntersectResult result = intersect(x, y);
+  CHECK(result.status == Status::complete);
+  REQUIRE(result.graph.overlaps.size() == 1);
+  CHECK(result.graph.arcs.empty());
+  CHECK(result.graph.isolated_points.empty());
+  REQUIRE(result.graph.overlaps[0].chains.size() == 1);
+  const std::vector<Arc>& chain = result.graph.overlaps[0].chains[0];
+  REQUIRE(chain.size() == 4);
+  for (const Arc& arc : chain) {
+    const Node& node = result.graph.nodes[static_cast<std::size_t>(arc.from)];
+    const auto& [u, v, r, s] = node.box;
+    CHECK((u.lower == rectangle[0] || u.lower == rectangle[1]));
+    CHECK((v.lower == rectangle[2] || v.lower == rectangle[3]));
+    // Both patches have the same point there, exactly.
+    CHECK(x(u.lower, v.lower) == y(r.lower, s.lower));
+    for (const PolylineVertex& vertex : arc.polyline) {
+      // The vertex is near the point of x at its parameters: at most by the bound, up to their rounding.
+      const Point p = x(from_double(vertex.parameters[0]), from_double(vertex.parameters[1]));
+      for (std::size_t k = 0; k < 3; ++k)
+        CHECK(std::fabs(to_double(p[k]) - vertex.point[k]) <= arc.error_bound + 0x1p-45);
+    }
+  }
+}
+
+void check_kind(const RationalPatch& x) {
+  const Ends whole = {0, 1, 0, 1};
+  check_overlap(x, x, whole);
+  check_overlap(x, x.transposed(), whole);
+  check_overlap(x, piece(x, {1, 0, 0, 1}), whole);
+  check_overlap(x, piece(x, {q(1, 3), 1, q(1, 4), 1}), {q(1, 3), 1, q(1, 4), 1});
+  check_overlap(x, piece(x, {q(3, 4), q(1, 2), q(1, 8), q(7, 8)}).transposed(),
+                {q(1, 2), q(3, 4), q(1, 8), q(7, 8)});
+  // In the parameters of the piece [0,2/3] x [0,1], and from a piece to the whole patch.
+  check_overlap(piece(x, {0, q(2, 3), 0, 1}), piece(x, {q(1, 3), 1, q(1, 4), 1}), {q(1, 2), 1, q(1, 4), 1});
+  check_overlap(piece(x, {q(1, 3), 1, q(1, 4), 1}), x, whole);
+}
+
+random_nets::Net mapped(const random_nets::Net& net, const Rational& scale, const Rational& shift) {
+  random_nets::Net result = net;
+  for (auto& row : result)
+    for (Point& p : row)
+      for (Rational& c : p) c = scale * c + shift;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("pieces of every kind: equal patches, halves and quarters overlap") {
+  random_nets::Generator generator(41);
+  for (const std::array<int, 2> degree : {std::array{1, 3}, std::array{3, 2}, std::array{3, 3}}) {
+    INFO("seed 41, bidegree " << degree[0] << " " << degree[1]);
+    const auto net = random_nets::crossing(generator, {degree[0], degree[1], 1, 1}, true).x;
+    check_kind(RationalPatch(net));
+    check_kind(RationalPatch(mapped(net, q(127, 5), 100000000)));
+  }
+  for (const std::array<int, 2> degree : {std::array{1, 2}, std::array{2, 2}, std::array{3, 3}}) {
+    INFO("seed 41, bidegree " << degree[0] << " " << degree[1] << " with weights");
+    const auto net = random_nets::crossing(generator, {degree[0], degree[1], 1, 1}, true).x;
+    check_kind(random_nets::weighted(generator, net));
+  }
+}
+
+TEST_CASE("pieces of every kind: an elevated patch is the same one") {
+  random_nets::Generator generator(42);
+  const auto net = random_nets::crossing(generator, {2, 2, 1, 1}, true).x;
+  const RationalPatch weighted = random_nets::weighted(generator, net);
+  check_overlap(weighted, weighted.elevated(3, 3), {0, 1, 0, 1});
+  check_overlap(weighted.elevated(3, 2), piece(weighted, {0, q(1, 2), 0, 1}), {0, q(1, 2), 0, 1});
+}
+
+TEST_CASE("pieces of every kind: halves that share a side or a corner have no overlap") {
+  random_nets::Generator generator(43);
+  for (const bool weighted : {false, true}) {
+    INFO("seed 43, weighted " << weighted);
+    const auto net = random_nets::crossing(generator, {3, 3, 1, 1}, true).x;
+    const RationalPatch x = weighted ? random_nets::weighted(generator, net) : RationalPatch(net);
+    const IntersectResult side = intersect(piece(x, {0, q(1, 2), 0, 1}), piece(x, {q(1, 2), 1, 0, 1}));
+    CHECK(side.status == Status::complete);
+    CHECK(side.graph.overlaps.empty());
+    CHECK(side.graph.arcs.size() == 1);
+    const IntersectResult corner =
+        intersect(piece(x, {0, q(1, 2), 0, q(1, 2)}), piece(x, {q(1, 2), 1, q(1, 2), 1}));
+    CHECK(corner.status == Status::complete);
+    CHECK(corner.graph.overlaps.empty());
+    CHECK(corner.graph.isolated_points.size() == 1);
+  }
+}
+
+TEST_CASE("pieces of every kind: nearly equal patches do not overlap") {
+  random_nets::Generator generator(44);
+  for (const long exponent : {-10, -30, -60}) {
+    INFO("seed 44, 2^" << exponent);
+    auto net = random_nets::crossing(generator, {3, 3, 1, 1}, true).x;
+    const RationalPatch x(net);
+    net[1][2][2] += power_of_two(exponent);
+    CHECK(intersect(x, RationalPatch(net)).graph.overlaps.empty());
+  }
+}
+
+TEST_CASE("pieces of every kind: a surface that meets itself is not claimed") {
+  // A loop (t, t² - t...) extruded: x takes the same value at two t.
+  const std::array<std::array<int, 2>, 4> loop = {{{0, 0}, {3, 2}, {-2, 2}, {1, 0}}};
+  random_nets::Net net(4);
+  random_nets::Weights weights(4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      net[i].push_back({loop[i][0], loop[i][1], j});
+      weights[i].push_back(i == 1 ? q(3, 2) : q(1, 1));
+    }
+  }
+  for (const RationalPatch& x : {RationalPatch(net), RationalPatch(net, weights)}) {
+    const IntersectResult result = intersect(x, x);
+    CHECK(result.status == Status::incomplete);
+    CHECK(result.graph.overlaps.empty());
+  }
+}
+
+}  // namespace exsect::pieces_of_every_kind_test
