@@ -57,16 +57,30 @@ ElevatedPatch<K> elevated(const RationalPatch& patch) {
   return result;
 }
 
-/// The same patch by its maker, which proves again that the weight is positive.
-inline RationalPatch rational_patch(const BezierPatch& patch) { return patch; }
+using ControlVectors = std::vector<std::vector<HomogeneousPoint>>;
+inline ControlVectors control_vectors(const BezierPatch& patch) {
+  ControlVectors net(3);
+  for (std::size_t k = 0; k < 9; ++k) {
+    const Point& p = control_point(patch, k);
+    net[k / 3].push_back({p[0], p[1], p[2], 1});
+  }
+  return net;
+}
 template <class K>
-RationalPatch rational_patch(const ElevatedPatch<K>& patch) {
-  std::vector<std::vector<HomogeneousPoint>> net(K::side);
+ControlVectors control_vectors(const ElevatedPatch<K>& patch) {
+  ControlVectors net(K::side);
   for (std::size_t k = 0; k < K::count; ++k) {
     const Point& p = patch.points[k];
     net[k / K::side].push_back({p[0], p[1], p[2], patch.weights[k]});
   }
-  return RationalPatch::from_homogeneous(net);
+  return net;
+}
+
+/// The same patch by its maker, which proves again that the weight is positive.
+inline RationalPatch rational_patch(const BezierPatch& patch) { return patch; }
+template <class K>
+RationalPatch rational_patch(const ElevatedPatch<K>& patch) {
+  return RationalPatch::from_homogeneous(control_vectors(patch));
 }
 
 /// The patch moved and scaled.

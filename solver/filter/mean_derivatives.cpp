@@ -9,7 +9,8 @@ namespace {
 /// row.(the derivative of order (a,b), a, b <= 1): the coefficient of h^i k^j of it is i^a j^b times that of
 /// h^(i+a) k^(j+b) of the patch.
 template <class K>
-MeanDerivative mean_of_order(const RectangleExpansionOf<K>& x, const Row<K>& row, std::size_t a, std::size_t b) {
+MeanDerivative mean_of_order(const RectangleExpansionOf<K>& x, const Row<K>& row, std::size_t a,
+                             std::size_t b) {
   MeanDerivative result{dot(row, x.at_middle[K::side * a + b]), 0};
   double power_of_h = 1;
   for (std::size_t i = a; i < K::side; ++i) {

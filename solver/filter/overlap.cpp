@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "answer/rim_arc.h"
 #include "filter/mean_derivatives.h"
@@ -48,6 +50,18 @@ bool nearly_parallel(const Vec<N>& a, const Vec<N>& b) {
   return true;
 }
 
+/// Whether the highest derivative by one of the parameters changes its direction with the other one.
+template <class K>
+bool has_turning_derivative(const CoefficientsOf<K>& power, std::size_t m, std::size_t n) {
+  const Row<K>& top = power[K::side * m + n];
+  for (std::size_t i = 0; i < K::side; ++i) {
+    if (!nearly_parallel(power[K::side * m + i], top) || !nearly_parallel(power[K::side * i + n], top)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// False if the patches have no maps: the coefficients of the highest powers of both parameters would have
 /// one direction. A guess that costs little, and decides what is asked exactly.
 template <class K>
@@ -55,6 +69,9 @@ bool may_overlap(const PairOf<K>& pair, bool exchanged) {
   const auto [m, n] = true_degrees<K>(pair.x.power);
   const auto of_y = true_degrees<K>(pair.y.power);
   if (of_y != (exchanged ? std::array{n, m} : std::array{m, n})) return false;
+  // Maps of height fields take longer to look for than a biquadratic pair in doubles; the exact solution
+  // finds those.
+  if (std::is_same_v<K, Biquadratic> && !has_turning_derivative<K>(pair.x.power, m, n)) return false;
   return nearly_parallel(pair.x.power[K::side * m + n], pair.y.power[K::side * of_y[0] + of_y[1]]);
 }
 
@@ -62,8 +79,13 @@ template <class K>
 std::optional<Pieces> find_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair) {
   for (const bool exchanged : {false, true}) {
     if (!may_overlap<K>(pair, exchanged)) continue;
-    const RationalPatch of_y = rational_patch(y);
-    const auto copy = shifted_copy(rational_patch(x), exchanged ? of_y.transposed() : of_y);
+    ControlVectors of_y = control_vectors(y);
+    if (exchanged) {
+      for (std::size_t i = 0; i < K::side; ++i) {
+        for (std::size_t j = 0; j < i; ++j) std::swap(of_y[i][j], of_y[j][i]);
+      }
+    }
+    const auto copy = shifted_copy(control_vectors(x), of_y);
     if (copy) return Pieces{copy->maps, exchanged};
   }
   return std::nullopt;

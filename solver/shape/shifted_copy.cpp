@@ -73,24 +73,42 @@ std::vector<AffineMap> maps_between(const CoordinatesPolynomial& g, const Coordi
   return maps;
 }
 
-Tensor tensor(const RationalPatch& patch) {
-  const auto rows = static_cast<std::size_t>(patch.degree_u()) + 1;
-  const auto columns = static_cast<std::size_t>(patch.degree_v()) + 1;
-  Tensor result(rows, std::vector<Coordinates>(columns, Coordinates(4)));
-  for (std::size_t k = 0; k < 4; ++k) {
-    const BivariatePolynomial component = patch.component(static_cast<int>(k));
-    for (std::size_t i = 0; i < rows; ++i)
-      for (std::size_t j = 0; j < columns; ++j)
-        result[i][j][k] = component.coefficient(static_cast<int>(i), static_cast<int>(j));
-  }
-  return result;
-}
-
 Tensor transposed(const Tensor& x) {
   Tensor result(x[0].size(), std::vector<Coordinates>(x.size()));
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t j = 0; j < x[0].size(); ++j) result[j][i] = x[i][j];
   return result;
+}
+
+/// The power basis instead of Bernstein's in the first parameter: binomial(n,i) times the i-th differences.
+void expand_first(Tensor& x) {
+  const std::size_t n = x.size() - 1;
+  for (std::size_t order = 1; order <= n; ++order) {
+    const Rational factor(n - order + 1, order);
+    for (std::size_t i = n; i >= order; --i)
+      for (std::size_t j = 0; j < x[0].size(); ++j)
+        for (std::size_t k = 0; k < 4; ++k) x[i][j][k] = factor * (x[i][j][k] - x[i - 1][j][k]);
+  }
+}
+
+Tensor tensor(const HomogeneousNet& net) {
+  Tensor result;
+  for (const std::vector<HomogeneousPoint>& row : net) {
+    result.emplace_back();
+    for (const HomogeneousPoint& p : row) result.back().emplace_back(p.begin(), p.end());
+  }
+  for (int turn = 0; turn < 2; ++turn) {
+    expand_first(result);
+    result = transposed(result);
+  }
+  return result;
+}
+
+HomogeneousNet net_of(const RationalPatch& patch) {
+  HomogeneousNet net(static_cast<std::size_t>(patch.degree_u()) + 1);
+  for (std::size_t i = 0; i < net.size(); ++i)
+    for (int j = 0; j <= patch.degree_v(); ++j) net[i].push_back(patch.homogeneous(static_cast<int>(i), j));
+  return net;
 }
 
 /// The highest derivative by v, up to a number, as a polynomial in u.
@@ -192,8 +210,12 @@ Tensor trimmed(Tensor x) {
 }  // namespace
 
 std::optional<ShiftedCopy> shifted_copy(const RationalPatch& x, const RationalPatch& y) {
-  const Tensor of_x = trimmed(tensor(x.reduced()));
-  const Tensor of_y = trimmed(tensor(y.reduced()));
+  return shifted_copy(net_of(x.reduced()), net_of(y.reduced()));
+}
+
+std::optional<ShiftedCopy> shifted_copy(const HomogeneousNet& x, const HomogeneousNet& y) {
+  const Tensor of_x = trimmed(tensor(x));
+  const Tensor of_y = trimmed(tensor(y));
   if (of_x.size() != of_y.size() || of_x[0].size() != of_y[0].size()) return std::nullopt;
   if (const auto copy = copy_by_first(of_x, of_y)) return copy;
   const auto exchanged = copy_by_first(transposed(of_x), transposed(of_y));

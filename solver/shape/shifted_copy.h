@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace exsect {
 
@@ -27,5 +28,10 @@ struct ShiftedCopy {
 /// that depend on one parameter alone, as two of a height field do. For patches of every bidegree, with
 /// weights or without, whatever the degrees that they are written in.
 std::optional<ShiftedCopy> shifted_copy(const RationalPatch& x, const RationalPatch& y);
+
+/// Control vectors of a patch whose components have no common factor, row index = first parameter.
+using HomogeneousNet = std::vector<std::vector<HomogeneousPoint>>;
+/// The same of patches with these nets, neither of which is empty.
+std::optional<ShiftedCopy> shifted_copy(const HomogeneousNet& x, const HomogeneousNet& y);
 
 }  // namespace exsect
