@@ -1,13 +1,11 @@
 #include "lift/coaxial_tori.h"
 
-#include "lift/rational_square_root.h"
-
 namespace exsect {
 
 std::optional<CoaxialSection> coaxial_section(const SurfaceData& first, const SurfaceData& second) {
   const Point offset = second.point - first.point;
   if (!is_zero(cross(first.axis, second.axis)) || !is_zero(cross(first.axis, offset))) return std::nullopt;
-  const std::optional<Rational> product = rational_square_root(first.squared * second.squared);
+  const std::optional<Rational> product = rational_root(first.squared * second.squared, 2);
   if (!product) return std::nullopt;
   // Of alpha r + beta h + gamma = 0 (17.10).
   const Rational length = dot(first.axis, first.axis), shift = dot(offset, first.axis) / length;

@@ -1,8 +1,7 @@
 #include "lift/torus_chart.h"
 
+#include <optional>
 #include <vector>
-
-#include "lift/rational_square_root.h"
 
 namespace exsect {
 namespace {
@@ -45,9 +44,9 @@ BivariatePolynomial with_other_half_of_r(const BivariatePolynomial& f) {
 }  // namespace
 
 std::optional<TorusFrame> torus_frame(const SurfaceData& torus) {
-  const std::optional<Rational> length = rational_square_root(dot(torus.axis, torus.axis));
-  const std::optional<Rational> major = rational_square_root(torus.squared);
-  const std::optional<Rational> minor = rational_square_root(torus.minor_squared);
+  const std::optional<Rational> length = rational_root(dot(torus.axis, torus.axis), 2);
+  const std::optional<Rational> major = rational_root(torus.squared, 2);
+  const std::optional<Rational> minor = rational_root(torus.minor_squared, 2);
   if (!length || !major || !minor) return std::nullopt;
   const Point along = 1 / *length * torus.axis, up = {0, 0, 1};
   const Point normal = along[2] >= 0 ? along + up : along - up;  // never zero
