@@ -5,6 +5,7 @@
 
 #include "filter/common_normal.h"
 #include "filter/homogeneous.h"
+#include "filter/place_on_patch.h"
 #include "filter/tube_newton.h"
 
 namespace exsect::filter {
@@ -20,25 +21,10 @@ using filter::operator-;
 using filter::operator*;
 using filter::cross;
 
-using Place = std::array<double, 2>;
 using ExactPlace = std::array<Rational, 2>;
 
-constexpr int kGuessSteps = 6;
-/// How near to each other points are in doubles that would be the same in exact arithmetic.
-constexpr double kClose = 0x1p-30;
-/// The line's ends are this near to the square, so that a whole side can be a part of it.
-constexpr double kFarthest = 1e4;
 /// After each of Newton's steps, in exact arithmetic, how many bits are right, as a rule, at least.
 constexpr std::array<long, 4> kRightBits = {40, 68, 130, 250};
-
-/// The (a,b) for which a p + b q is nearest to v.
-Place coordinates(const Vec3& p, const Vec3& q, const Vec3& v) {
-  const double pp = dot(p, p);
-  const double pq = dot(p, q);
-  const double qq = dot(q, q);
-  const double inverse = 1 / (pp * qq - pq * pq);
-  return {inverse * (qq * dot(p, v) - pq * dot(q, v)), inverse * (pp * dot(q, v) - pq * dot(p, v))};
-}
 
 /// q below |q| 2^bits, cut off.
 Rational cut(const Rational& q, long bits) {
@@ -136,7 +122,7 @@ class PathSearch {
       tangent[k] = static_cast<double>(K::degree) * (side_[k + 1] - side_[k]);
     }
     const Row<K> start = curve_point(side_, t);
-    if (!improve(near, affine(start))) {
+    if (!improve_place(carrier_, near, affine(start))) {
       return std::nullopt;
     }
     const SecondOrder c = second_order(carrier_, near[0], near[1]);
@@ -146,7 +132,7 @@ class PathSearch {
       const double step = static_cast<double>(i) - t;
       Place end = {near[0] + step * rate[0], near[1] + step * rate[1]};
       const std::size_t corner = K::degree * i;
-      if (!improve(end, affine(side_[corner]))) {
+      if (!improve_place(carrier_, end, affine(side_[corner]))) {
         return std::nullopt;
       }
       const auto exact = exactly(end, exact_side_[corner]);
@@ -159,23 +145,6 @@ class PathSearch {
   }
 
  private:
-  /// Newton's method for the place of a point; false if it does not lie on the other patch's surface.
-  bool improve(Place& at, const Vec3& point) const {
-    for (int step = 0; step < kGuessSteps; ++step) {
-      if (!(std::fabs(at[0]) < kFarthest && std::fabs(at[1]) < kFarthest)) {
-        return false;
-      }
-      const SecondOrder c = second_order(carrier_, at[0], at[1]);
-      const Vec3 miss = point - c.value;
-      const Place by = coordinates(c.u, c.v, miss);
-      at = {at[0] + by[0], at[1] + by[1]};
-      if (std::fabs(by[0]) + std::fabs(by[1]) < 0x1p-40 * (1 + std::fabs(at[0]) + std::fabs(at[1]))) {
-        return largest(miss) < kClose;
-      }
-    }
-    return false;
-  }
-
   /// The parameters of a point on the other patch near `guess`, centred: simple numbers, the numbers that one
   /// of Newton's steps leads to, as on a plane, or simple ones near these.
   std::optional<ExactPlace> exactly(const Place& guess, const HomogeneousPoint& point) const {
