@@ -64,6 +64,39 @@ class Reverser {
   Parameter p_;
 };
 
+/// The map is increasing, 0 and 1 stay.
+class Changer {
+ public:
+  Changer(Parameter p, const Rational& k) : p_(p), k_(k), rounded_k_(to_double(k)) {}
+
+  void operator()(Node& node) const {
+    change(node.box);
+    change(node.approx);
+  }
+  void operator()(Arc& arc) const {
+    for (PolylineVertex& vertex : arc.polyline) change(vertex.parameters);
+  }
+  void operator()(Incomplete& region) const { change(region.where); }
+
+ private:
+  template <class Number>
+  static Number changed(const Number& t, const Number& k) {
+    return t / (k * (1 - t) + t);
+  }
+  void change(ParameterBox& box) const {
+    RationalInterval& t = box[index(p_)];
+    t = {changed(t.lower, k_), changed(t.upper, k_)};
+  }
+  void change(std::array<double, 4>& parameters) const {
+    double& t = parameters[index(p_)];
+    t = changed(t, rounded_k_);
+  }
+
+  Parameter p_;
+  const Rational& k_;
+  double rounded_k_;
+};
+
 template <class Change>
 void change_all(IntersectResult& result, const Change& change) {
   std::for_each(result.graph.nodes.begin(), result.graph.nodes.end(), change);
@@ -82,5 +115,9 @@ void rename_parameters(Node& node, const ParameterNames& names) { Renamer{names}
 void rename_parameters(Arc& arc, const ParameterNames& names) { Renamer{names}(arc); }
 
 void reverse_parameter(IntersectResult& result, Parameter p) { change_all(result, Reverser(p)); }
+
+void change_parameter(IntersectResult& result, Parameter p, const Rational& k) {
+  change_all(result, Changer(p, k));
+}
 
 }  // namespace exsect

@@ -1,4 +1,4 @@
-// Results under other names of the parameters. Internal to solver/.
+// Results under other names of the parameters, and in other parameters. Internal to solver/.
 #pragma once
 
 #include <exsect/solver/result.h>
@@ -13,5 +13,8 @@ void rename_parameters(Arc& arc, const ParameterNames& names);
 
 /// The result with 1 - p in the place of the parameter p.
 void reverse_parameter(IntersectResult& result, Parameter p);
+
+/// The result with p / (k (1 - p) + p) in the place of the parameter p. Requires k > 0.
+void change_parameter(IntersectResult& result, Parameter p, const Rational& k);
 
 }  // namespace exsect
