@@ -8,7 +8,9 @@
 #include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/parameter_box.h"
+#include "answer/parameter_names.h"
 #include "answer/placement.h"
+#include "filter/affine_parameters.h"
 #include "filter/contact_finder.h"
 #include "filter/contact_graph.h"
 #include "filter/ended_search.h"
@@ -326,12 +328,31 @@ class FilteredIntersection {
   std::array<std::vector<Stations>, 4> stations_;
 };
 
+/// With y in parameters in which it may be an affine piece of x: whatever these are, the same question.
+template <class K>
+std::optional<IntersectResult> in_affine_parameters(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                                    const filter::PairOf<K>& pair, const Run& run) {
+  if constexpr (!K::weighted) {
+    return std::nullopt;
+  } else {
+    const auto ratios = filter::parameter_ratios(pair);
+    if (!ratios) return std::nullopt;
+    auto result = FilteredIntersection<K>(x, filter::in_other_parameters<K>(y, *ratios), run).run();
+    if (!result) return std::nullopt;
+    change_parameter(*result, Parameter::r, (*ratios)[0]);
+    change_parameter(*result, Parameter::s, (*ratios)[1]);
+    return result;
+  }
+}
+
 template <class K>
 IntersectResult solved_pair(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run) {
   FilteredIntersection<K> intersection(x, y, run);
   if (auto found = intersection.run()) return *std::move(found);
   if (run.out_of_time()) return undecided(whole_domain(), "the work cap was reached", Reason::time);
   const auto pair = filter::make_pair_of<K>(x, y);
+  if (pair)
+    if (auto found = in_affine_parameters<K>(x, y, *pair, run)) return *std::move(found);
   const auto place = intersection.stuck();
   return pair && place ? filter::ended_at<K>(*pair, *place)
                        : undecided(whole_domain(), "not decided in doubles");

@@ -73,4 +73,44 @@ RationalPatch weighted(Generator& generator, const Net& net) {
   return RationalPatch(net, weights);
 }
 
+ProjectiveMap projective_map(Generator& generator) {
+  ProjectiveMap rows;
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t l = 0; l < 4; ++l)
+      rows[k][l] = Rational(integer(generator, -3, 3), k == 3 ? 32 : 16) + (k == l ? 1 : 0);
+  return rows;
+}
+
+RationalPatch image(const RationalPatch& patch, const ProjectiveMap& rows) {
+  std::vector<std::vector<HomogeneousPoint>> net;
+  for (int i = 0; i <= patch.degree_u(); ++i) {
+    net.emplace_back();
+    for (int j = 0; j <= patch.degree_v(); ++j) {
+      HomogeneousPoint p;
+      for (std::size_t k = 0; k < 4; ++k) {
+        p[k] = 0;
+        for (std::size_t l = 0; l < 4; ++l) p[k] += rows[k][l] * patch.homogeneous(i, j)[l];
+      }
+      net.back().push_back(p);
+    }
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+
+RationalPatch reparametrised(const RationalPatch& patch, const Rational& k) {
+  std::vector<std::vector<HomogeneousPoint>> net;
+  Rational factor = 1;
+  for (int i = patch.degree_u(); i >= 0; --i) {
+    std::vector<HomogeneousPoint> row;
+    for (int j = 0; j <= patch.degree_v(); ++j) {
+      HomogeneousPoint p = patch.homogeneous(i, j);
+      for (Rational& c : p) c *= factor;
+      row.push_back(p);
+    }
+    net.insert(net.begin(), row);
+    factor *= k;
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+
 }  // namespace exsect::random_nets

@@ -3,6 +3,7 @@
 
 #include <exsect/geometry/rational_patch.h>
 
+#include <array>
 #include <vector>
 
 #include "support/random_pairs.h"
@@ -28,5 +29,14 @@ Nets scattered(Generator& generator, std::array<int, 4> degrees);
 Nets loop(Generator& generator, std::array<int, 4> degrees);
 /// The net with weights 5/8, 6/8, ..., 2.
 RationalPatch weighted(Generator& generator, const Net& net);
+
+/// A projective map of space, given by the rows of a matrix of R^4.
+using ProjectiveMap = std::array<HomogeneousPoint, 4>;
+/// Near the identity: no point of the models above goes to infinity.
+ProjectiveMap projective_map(Generator& generator);
+/// Of the homogeneous control points.
+RationalPatch image(const RationalPatch& patch, const ProjectiveMap& rows);
+/// t -> t / (t + k (1 - t)) in the first parameter: weights alone change, by powers of k.
+RationalPatch reparametrised(const RationalPatch& patch, const Rational& k);
 
 }  // namespace exsect::random_nets

@@ -18,8 +18,11 @@ namespace exsect::intersect_rational_test {
 namespace {
 
 using random_nets::Generator;
+using random_nets::image;
 using random_nets::Net;
 using random_nets::Nets;
+using random_nets::projective_map;
+using random_nets::reparametrised;
 
 using Degrees = std::array<int, 4>;
 const std::array<Degrees, 7> many_degrees = {
@@ -272,53 +275,6 @@ TEST_CASE("intersect rational: biquadratic pairs take their own way") {
   const IntersectResult same = intersect(RationalPatch(pair.x).elevated(3, 3), RationalPatch(pair.y));
   CHECK(difference(expected.graph, same.graph, {}) == "");
 }
-
-namespace {
-
-/// A projective map of space, given by a matrix of R^4, applied to the homogeneous control points.
-RationalPatch image(const RationalPatch& patch, const std::array<HomogeneousPoint, 4>& rows) {
-  std::vector<std::vector<HomogeneousPoint>> net;
-  for (int i = 0; i <= patch.degree_u(); ++i) {
-    net.emplace_back();
-    for (int j = 0; j <= patch.degree_v(); ++j) {
-      HomogeneousPoint p;
-      for (std::size_t k = 0; k < 4; ++k) {
-        p[k] = 0;
-        for (std::size_t l = 0; l < 4; ++l) p[k] += rows[k][l] * patch.homogeneous(i, j)[l];
-      }
-      net.back().push_back(p);
-    }
-  }
-  return RationalPatch::from_homogeneous(net);
-}
-
-/// Near the identity: no point of the models below goes to infinity.
-std::array<HomogeneousPoint, 4> projective_map(Generator& generator) {
-  std::array<HomogeneousPoint, 4> rows;
-  for (std::size_t k = 0; k < 4; ++k)
-    for (std::size_t l = 0; l < 4; ++l)
-      rows[k][l] = Rational(random_pairs::integer(generator, -3, 3), k == 3 ? 32 : 16) + (k == l ? 1 : 0);
-  return rows;
-}
-
-/// t -> t / (t + k (1 - t)) in the first parameter: weights alone change, by powers of k.
-RationalPatch reparametrised(const RationalPatch& patch, const Rational& k) {
-  std::vector<std::vector<HomogeneousPoint>> net;
-  Rational factor = 1;
-  for (int i = patch.degree_u(); i >= 0; --i) {
-    std::vector<HomogeneousPoint> row;
-    for (int j = 0; j <= patch.degree_v(); ++j) {
-      HomogeneousPoint p = patch.homogeneous(i, j);
-      for (Rational& c : p) c *= factor;
-      row.push_back(p);
-    }
-    net.insert(net.begin(), row);
-    factor *= k;
-  }
-  return RationalPatch::from_homogeneous(net);
-}
-
-}  // namespace
 
 TEST_CASE("intersect rational: a projective map of both patches keeps the graph") {
   const std::array<Degrees, 4> degrees = {{{2, 2, 2, 2}, {3, 3, 3, 3}, {1, 2, 2, 1}, {3, 2, 1, 3}}};

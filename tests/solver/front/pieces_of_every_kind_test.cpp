@@ -2,6 +2,7 @@
 #include <exsect/solver/intersect_rational.h>
 
 #include "support/catch.h"
+#include "support/graph_isomorphism.h"
 #include "support/random_nets.h"
 
 namespace exsect::pieces_of_every_kind_test {
@@ -61,6 +62,27 @@ random_nets::Net mapped(const random_nets::Net& net, const Rational& scale, cons
     for (Point& p : row)
       for (Rational& c : p) c = scale * c + shift;
   return result;
+}
+
+}  // namespace
+
+namespace {
+
+/// The same surface in other parameters, each a Moebius map of the given one that keeps 0 and 1.
+RationalPatch changed(const RationalPatch& x, const Rational& k, const Rational& l) {
+  return random_nets::reparametrised(random_nets::reparametrised(x, k).transposed(), l).transposed();
+}
+
+void check_moebius_pieces(const RationalPatch& x, const Rational& k, const Rational& l) {
+  INFO("k " << k << ", l " << l);
+  const Ends whole = {0, 1, 0, 1};
+  check_overlap(x, changed(x, k, l), whole);
+  check_overlap(changed(x, k, l), x, whole);
+  check_overlap(x, changed(piece(x, {q(1, 3), 1, q(1, 4), 1}), k, l), {q(1, 3), 1, q(1, 4), 1});
+  check_overlap(x, changed(piece(x, {q(3, 4), q(1, 2), q(1, 8), q(7, 8)}), k, l).transposed(),
+                {q(1, 2), q(3, 4), q(1, 8), q(7, 8)});
+  check_overlap(piece(x, {0, q(2, 3), 0, 1}), changed(piece(x, {q(1, 3), 1, 1, q(1, 4)}), k, l),
+                {q(1, 2), 1, q(1, 4), 1});
 }
 
 }  // namespace
@@ -132,6 +154,80 @@ TEST_CASE("pieces of every kind: a surface that meets itself is not claimed") {
     const IntersectResult result = intersect(x, x);
     CHECK(result.status == Status::incomplete);
     CHECK(result.graph.overlaps.empty());
+  }
+}
+
+TEST_CASE("pieces of every kind: parameters that are Moebius maps of each other") {
+  random_nets::Generator generator(45);
+  const std::array<Rational, 4> ratios = {2, q(1, 3), q(17, 11), q(1234, 4321)};
+  int i = 0;
+  for (const std::array<int, 2> degree :
+       {std::array{1, 1}, std::array{1, 2}, std::array{2, 2}, std::array{3, 1}, std::array{3, 3}}) {
+    for (const bool weighted : {false, true}) {
+      INFO("seed 45, bidegree " << degree[0] << " " << degree[1] << ", weighted " << weighted);
+      const auto net = random_nets::crossing(generator, {degree[0], degree[1], 1, 1}, i % 3 == 0).x;
+      const RationalPatch x = weighted ? random_nets::weighted(generator, net) : RationalPatch(net);
+      check_moebius_pieces(x, ratios[static_cast<std::size_t>(i) % 4],
+                           ratios[static_cast<std::size_t>(i + 1) % 4]);
+      ++i;
+    }
+  }
+  const auto net = random_nets::crossing(generator, {2, 2, 1, 1}, true).x;
+  check_moebius_pieces(random_nets::weighted(generator, mapped(net, q(127, 5), 100000000)), 1, q(3, 2));
+}
+
+TEST_CASE("pieces of every kind: a quarter of a cylinder by two sets of weights") {
+  // Weights 1, 1, 2 and 2, 1, 1: the same quarter of a circle, t' = t / (2 - t).
+  const random_nets::Net net = {{{1, 0, 0}, {1, 0, 2}}, {{1, 1, 0}, {1, 1, 2}}, {{0, 1, 0}, {0, 1, 2}}};
+  const RationalPatch x(net, {{1, 1}, {1, 1}, {2, 2}});
+  const RationalPatch y(net, {{2, 2}, {1, 1}, {1, 1}});
+  REQUIRE(x(q(1, 2), 0) == y(q(2, 3), 0));
+  check_overlap(x, y, {0, 1, 0, 1});
+  check_overlap(x, piece(y, {q(2, 3), 1, 0, q(1, 2)}), {q(1, 2), 1, 0, q(1, 2)});
+}
+
+TEST_CASE("pieces of every kind: Moebius parameters, a part of a side, a corner, or nothing in common") {
+  random_nets::Generator generator(46);
+  for (const bool weighted : {false, true}) {
+    INFO("seed 46, weighted " << weighted);
+    const auto net = random_nets::crossing(generator, {3, 2, 1, 1}, true).x;
+    const RationalPatch x = weighted ? random_nets::weighted(generator, net) : RationalPatch(net);
+    const auto beside = [&](const Ends& ends) {
+      return intersect(piece(x, {0, q(1, 2), 0, q(1, 2)}), changed(piece(x, ends), q(2, 3), 3)).graph;
+    };
+    const IntersectionGraph side = beside({q(1, 2), 1, q(1, 4), 1});
+    CHECK(side.overlaps.empty());
+    REQUIRE(side.arcs.size() == 1);
+    for (const int id : {side.arcs[0].from, side.arcs[0].to}) {
+      const ParameterBox& box = side.nodes[static_cast<std::size_t>(id)].box;
+      CHECK(box[0].lower == 1);
+      CHECK((box[1].lower == q(1, 2) || box[1].lower == 1));
+      // v/2 = 1/4 + 3/4 t, the map back of which is s = 3 t / (1 - t + 3 t) for l = 3.
+      const Rational t = (box[1].lower / 2 - q(1, 4)) / q(3, 4);
+      CHECK(box[3].lower == 3 * t / (1 - t + 3 * t));
+    }
+    CHECK(beside({q(1, 2), 1, q(1, 2), 1}).isolated_points.size() == 1);
+    CHECK(beside({q(2, 3), 1, 0, 1}).nodes.empty());
+  }
+}
+
+TEST_CASE("pieces of every kind: the same graph exchanged, and after a projective map") {
+  random_nets::Generator generator(47);
+  for (const std::array<int, 2> degree : {std::array{2, 2}, std::array{3, 1}, std::array{3, 3}}) {
+    for (const bool moebius : {false, true}) {
+      INFO("seed 47, bidegree " << degree[0] << " " << degree[1] << ", Moebius " << moebius);
+      const auto net = random_nets::crossing(generator, {degree[0], degree[1], 1, 1}, true).x;
+      const RationalPatch whole = random_nets::weighted(generator, net);
+      const RationalPatch x = piece(whole, {0, q(2, 3), 0, 1});
+      const RationalPatch part = piece(whole, {q(1, 3), 1, q(1, 4), 1});
+      const RationalPatch y = moebius ? changed(part, 2, q(1, 3)) : part;
+      const IntersectionGraph expected = intersect(x, y).graph;
+      REQUIRE(expected.overlaps.size() == 1);
+      CHECK(difference(expected, intersect(y, x).graph, {{2, 3, 0, 1}, {}}) == "");
+      const auto map = random_nets::projective_map(generator);
+      CHECK(difference(expected, intersect(random_nets::image(x, map), random_nets::image(y, map)).graph,
+                       {}) == "");
+    }
   }
 }
 

@@ -1,0 +1,23 @@
+// Parameters in which a piece of a weighted surface is an affine one. Internal to solver/; docs/method.md,
+// section 14.15.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "filter/patch.h"
+
+namespace exsect::filter {
+
+/// The k and l, not both 1, for which y as a patch of r' and s', r = r' / (k (1 - r') + r') and s = s' / (l
+/// (1 - s') + s'), seems to have affine functions of x's parameters: where y is x in other parameters, each a
+/// Moebius map of one of x, and k and l are simple. A guess in doubles: nothing is proved, and nothing
+/// depends on it.
+template <class K>
+std::optional<std::array<Rational, 2>> parameter_ratios(const PairOf<K>& pair) requires K::weighted;
+
+/// The patch of r' and s' (14.42): the same surface. Requires k, l > 0.
+template <class K>
+ElevatedPatch<K> in_other_parameters(const ElevatedPatch<K>& patch, const std::array<Rational, 2>& ratios);
+
+}  // namespace exsect::filter
