@@ -1,7 +1,8 @@
 #include "support/counted_case.h"
 
-#include <exsect/geometry/patch_file.h>
+#include <exsect/geometry/rational_patch_file.h>
 #include <exsect/solver/intersect.h>
+#include <exsect/solver/intersect_rational.h>
 #include <exsect/solver/self_intersect.h>
 
 #include <algorithm>
@@ -34,7 +35,13 @@ Numbers stated_numbers(const Json& json) {
           number("branched"),
           number("boundary"),
           json.value("turning", std::array<int, 4>{}),
-          number("isolated")};
+          number("isolated"),
+          number("overlaps")};
+}
+
+std::string counted_failure(const RationalPatch& x, const RationalPatch& y, const Numbers& expected) {
+  const std::string why = difference("in doubles", intersect(x, y), expected);
+  return why.empty() ? difference("exchanged", intersect(y, x), exchanged(expected)) : why;
 }
 
 }  // namespace
@@ -52,6 +59,7 @@ Numbers numbers_of(const IntersectionGraph& graph) {
   for (const Parameter p : all_parameters)
     numbers.turning[index(p)] = nodes([&](const Node& node) { return std::ranges::count(node.wrt, p) > 0; });
   numbers.isolated = static_cast<int>(graph.isolated_points.size());
+  numbers.overlaps = static_cast<int>(graph.overlaps.size());
   return numbers;
 }
 
@@ -60,7 +68,8 @@ std::string to_string(const Numbers& numbers) {
                      std::to_string(numbers.branched) + " branched, " + std::to_string(numbers.boundary) +
                      " boundary points, turning";
   for (const int turning : numbers.turning) text += " " + std::to_string(turning);
-  return text + ", " + std::to_string(numbers.isolated) + " isolated";
+  return text + ", " + std::to_string(numbers.isolated) + " isolated, " + std::to_string(numbers.overlaps) +
+         " overlaps";
 }
 
 std::string counted_failure(const random_pairs::Pair& pair, const Numbers& expected, bool exact) {
@@ -78,11 +87,16 @@ std::string counted_failure(const random_pairs::Pair& pair, const Numbers& expec
 bool states_numbers(const std::string& expected) { return !Json::parse(expected).contains("nodes"); }
 
 std::string counted_failure(const std::string& patches, const std::string& expected) {
-  const PatchFile file = parse_patches(patches, "patches");
+  const RationalPatchFile file = parse_rational_patches(patches, "patches");
   const Json stated = Json::parse(expected);
   const Numbers numbers = stated_numbers(stated);
   if (!stated.contains("patch")) {
-    const random_pairs::Pair pair = {file.patches.at(0).patch, file.patches.at(1).patch};
+    const RationalPatch& x = file.patches.at(0).patch;
+    const RationalPatch& y = file.patches.at(1).patch;
+    const auto first = x.biquadratic();
+    const auto second = y.biquadratic();
+    if (!first || !second) return counted_failure(x, y, numbers);
+    const random_pairs::Pair pair = {*first, *second};
     const std::string why = counted_failure(pair, numbers, false);
     return why.empty() ? counted_failure(pair, numbers, true) : why;
   }

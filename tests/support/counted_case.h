@@ -11,7 +11,8 @@
 
 namespace exsect {
 
-/// Of components by shape, of nodes of kind boundary, of nodes that turn in u, v, r, s, of isolated points.
+/// Of components by shape, of nodes of kind boundary, of nodes that turn in u, v, r, s, of isolated points,
+/// of overlaps.
 struct Numbers {
   int open = 0;
   int closed = 0;
@@ -19,6 +20,7 @@ struct Numbers {
   int boundary = 0;
   std::array<int, 4> turning = {};
   int isolated = 0;
+  int overlaps = 0;
 
   friend bool operator==(const Numbers&, const Numbers&) = default;
 };
@@ -31,11 +33,13 @@ std::string to_string(const Numbers& numbers);
 std::string counted_failure(const random_pairs::Pair& pair, const Numbers& expected, bool exact);
 
 /// True if the text of an .expected.json file states numbers, {"case", "why", "patch"?, "open", "closed",
-/// "branched", "boundary", "turning": [u, v, r, s], "isolated"}, and no exact graph; what is left out is 0.
+/// "branched", "boundary", "turning": [u, v, r, s], "isolated", "overlaps"}, and no exact graph; what is left
+/// out is 0.
 /// "patch" names a patch whose self-intersection is meant.
 bool states_numbers(const std::string& expected);
 /// The same for the first two patches of a patch file, in doubles where they suffice and in exact mode, or
-/// for the self-intersection of one.
+/// for the self-intersection of one. With weights or of degree 3 in doubles alone, and numbers alone are
+/// compared.
 std::string counted_failure(const std::string& patches, const std::string& expected);
 
 }  // namespace exsect
