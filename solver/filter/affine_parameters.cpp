@@ -7,6 +7,7 @@
 
 #include "filter/common_normal.h"
 #include "filter/place_on_patch.h"
+#include "filter/polynomial.h"
 
 namespace exsect::filter {
 
@@ -32,7 +33,7 @@ std::vector<Sample> samples(const PatchOf<K>& patch) {
   for (std::size_t k = 0; k < kSamples * kSamples; ++k) {
     const auto centred = [](std::size_t i) { return static_cast<double>(i) / (kSamples - 1) - 0.5; };
     const Place at = {centred(k / kSamples), centred(k % kSamples)};
-    result.push_back({at, second_order(patch, at[0], at[1]).value});
+    result.push_back({at, affine(value_at<K>(patch.power, at[0], at[1]))});
   }
   return result;
 }
@@ -86,8 +87,14 @@ std::optional<Rational> ratio_of(const Rate& rate, double t) {
   return simplest_between(from_double(ratio * (1 - kRatioError)), from_double(ratio * (1 + kRatioError)));
 }
 
+/// How x's parameters change with y's at a point of both.
+struct CommonPlace {
+  Place on_y;
+  Rate along_r;
+  Rate along_s;
+};
 template <class K>
-std::optional<std::array<Rational, 2>> ratios_near(const PairOf<K>& pair, const Start& start) {
+std::optional<CommonPlace> common_place_near(const PairOf<K>& pair, const Start& start) {
   Place at = start.on_x;
   if (!improve_place(pair.x, at, start.of_y.point)) return std::nullopt;
   const SecondOrder x = second_order(pair.x, at[0], at[1]);
@@ -95,22 +102,29 @@ std::optional<std::array<Rational, 2>> ratios_near(const PairOf<K>& pair, const 
   const auto along_r = rate_along(x, y.u, y.uu);
   const auto along_s = rate_along(x, y.v, y.vv);
   if (!along_r || !along_s || along_r->of_x == along_s->of_x) return std::nullopt;
-  const auto k = ratio_of(*along_r, start.of_y.at[0]);
-  const auto l = ratio_of(*along_s, start.of_y.at[1]);
-  return k && l ? std::optional(std::array{*k, *l}) : std::nullopt;
+  return CommonPlace{start.of_y.at, *along_r, *along_s};
+}
+template <class K>
+std::optional<CommonPlace> common_place(const PairOf<K>& pair) {
+  for (const Start& start : nearest_samples(pair))
+    if (const auto found = common_place_near(pair, start)) return found;
+  return std::nullopt;
 }
 
 }  // namespace
 
 template <class K>
+bool seem_to_be_pieces(const PairOf<K>& pair) {
+  return common_place(pair).has_value();
+}
+
+template <class K>
 std::optional<std::array<Rational, 2>> parameter_ratios(const PairOf<K>& pair) requires K::weighted {
-  for (const Start& start : nearest_samples(pair)) {
-    const auto ratios = ratios_near(pair, start);
-    if (!ratios) continue;
-    const bool are_affine = (*ratios)[0] == 1 && (*ratios)[1] == 1;
-    return are_affine ? std::nullopt : ratios;
-  }
-  return std::nullopt;
+  const auto place = common_place(pair);
+  if (!place) return std::nullopt;
+  const auto k = ratio_of(place->along_r, place->on_y[0]);
+  const auto l = ratio_of(place->along_s, place->on_y[1]);
+  return k && l && (*k != 1 || *l != 1) ? std::optional(std::array{*k, *l}) : std::nullopt;
 }
 
 template <class K>
@@ -131,6 +145,10 @@ ElevatedPatch<K> in_other_parameters(const ElevatedPatch<K>& patch, const std::a
   }
   return elevated<K>(RationalPatch::from_homogeneous(net));
 }
+
+#define EXSECT_INSTANTIATE(K) template bool seem_to_be_pieces<K>(const PairOf<K>&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 #define EXSECT_INSTANTIATE(K)                                                            \
   template std::optional<std::array<Rational, 2>> parameter_ratios<K>(const PairOf<K>&); \

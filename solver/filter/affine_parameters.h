@@ -1,5 +1,5 @@
-// Parameters in which a piece of a weighted surface is an affine one. Internal to solver/; docs/method.md,
-// section 14.15.
+// Whether patches seem to be pieces of one surface, and in which parameters. Internal to solver/;
+// docs/method.md, section 14.15.
 #pragma once
 
 #include <array>
@@ -8,6 +8,12 @@
 #include "filter/patch.h"
 
 namespace exsect::filter {
+
+/// Whether a point of y was found on x, inside the square or not, at which each of y's parameters changes one
+/// of x's, in doubles: so it is where y is x in other parameters, each a function of one of x. A guess:
+/// pieces may be missed, and not all that seem to be some are.
+template <class K>
+bool seem_to_be_pieces(const PairOf<K>& pair);
 
 /// The k and l, not both 1, for which y as a patch of r' and s', r = r' / (k (1 - r') + r') and s = s' / (l
 /// (1 - s') + s'), seems to have affine functions of x's parameters: where y is x in other parameters, each a

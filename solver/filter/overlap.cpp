@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "answer/rim_arc.h"
+#include "filter/affine_parameters.h"
 #include "filter/mean_derivatives.h"
 #include "filter/tube.h"
 #include "shape/shifted_copy.h"
@@ -27,21 +28,22 @@ struct Pieces {
   std::size_t parameter(std::size_t of_x) const { return exchanged ? 1 - of_x : of_x; }
 };
 
-/// The degrees in both parameters, but for coefficients that are nearly zero.
+/// The degrees in both parameters, but for coefficients that may be zero.
 template <class K>
-std::array<std::size_t, 2> true_degrees(const CoefficientsOf<K>& power) {
+std::array<std::size_t, 2> true_degrees(const PatchOf<K>& patch) {
   std::array<std::size_t, 2> result = {0, 0};
   for (std::size_t i = 0; i < K::count; ++i) {
-    if (!(largest(power[i]) > kCloseDirections)) continue;
+    if (!(largest(patch.power[i]) > patch.error[i])) continue;
     result[0] = std::max(result[0], i / K::side);
     result[1] = std::max(result[1], i % K::side);
   }
   return result;
 }
 
+/// Up to `rounding` in the products of their coordinates.
 template <std::size_t N>
-bool nearly_parallel(const Vec<N>& a, const Vec<N>& b) {
-  const double size = kCloseDirections * largest(a) * largest(b);
+bool nearly_parallel(const Vec<N>& a, const Vec<N>& b, double rounding = 0) {
+  const double size = kCloseDirections * largest(a) * largest(b) + rounding;
   for (std::size_t i = 0; i < N; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!(std::fabs(a[i] * b[j] - a[j] * b[i]) <= size)) return false;
@@ -66,13 +68,19 @@ bool has_turning_derivative(const CoefficientsOf<K>& power, std::size_t m, std::
 /// one direction. A guess that costs little, and decides what is asked exactly.
 template <class K>
 bool may_overlap(const PairOf<K>& pair, bool exchanged) {
-  const auto [m, n] = true_degrees<K>(pair.x.power);
-  const auto of_y = true_degrees<K>(pair.y.power);
+  const auto [m, n] = true_degrees(pair.x);
+  const auto of_y = true_degrees(pair.y);
   if (of_y != (exchanged ? std::array{n, m} : std::array{m, n})) return false;
-  // Maps of height fields take longer to look for than a biquadratic pair in doubles; the exact solution
-  // finds those.
-  if (std::is_same_v<K, Biquadratic> && !has_turning_derivative<K>(pair.x.power, m, n)) return false;
-  return nearly_parallel(pair.x.power[K::side * m + n], pair.y.power[K::side * of_y[0] + of_y[1]]);
+  const std::size_t top = K::side * m + n;
+  const std::size_t top_of_y = K::side * of_y[0] + of_y[1];
+  const Row<K>& a = pair.x.power[top];
+  const Row<K>& b = pair.y.power[top_of_y];
+  if (nearly_parallel(a, b) && has_turning_derivative<K>(pair.x.power, m, n)) return true;
+  // Directions of height fields say nothing, nor do those that are mostly rounding, of small pieces; and maps
+  // take longer to look for than a pair in doubles. The exact solution finds those of biquadratic ones.
+  if (std::is_same_v<K, Biquadratic>) return false;
+  const double rounding = 2 * (pair.x.error[top] * largest(b) + pair.y.error[top_of_y] * largest(a));
+  return nearly_parallel(a, b, rounding) && seem_to_be_pieces(pair);
 }
 
 template <class K>
@@ -190,20 +198,26 @@ class InjectivityProof {
     }
     const CoefficientsOf<K>& c = expansion->at_middle;
     const auto rows = dual_rows<4>({c[kFirst<K>], c[kSecond], c[0]});
-    std::array<double, 3> plane;  // |M - 1| in the columns of a and b, row by row
-    std::array<double, 3> value;  // and in that of X_1
+    std::array<Vec3, 3> p;  // |M - 1|
     for (std::size_t i = 0; i < 3; ++i) {
-      plane[i] = off(mean_first<K>(*expansion, rows[i]), rows[i], i == 0) +
-                 off(mean_second<K>(*expansion, rows[i]), rows[i], i == 1);
-      value[i] = off(mean_value<K>(*expansion, rows[i]), rows[i], i == 2);
+      p[i] = {off(mean_first<K>(*expansion, rows[i]), rows[i], i == 0),
+              off(mean_second<K>(*expansion, rows[i]), rows[i], i == 1),
+              off(mean_value<K>(*expansion, rows[i]), rows[i], i == 2)};
     }
-    const double most = kSlack * larger_bound(plane[0], plane[1]);
-    if (!(most < 1)) {
-      return false;
-    }
-    // With z = (z_1, z_1, 1): |M - 1| z < z in the first two rows by the choice of z_1.
-    const double z = kSlack * kSlack * (larger_bound(value[0], value[1]) + kTiny) / (1 - most);
-    return kSlack * (plane[2] * z + value[2]) < 1;
+    const Vec3 z = nearly_fixed(p);
+    return z[0] > 0 && z[1] > 0 && std::ranges::equal(p, z, [&](const Vec3& row, double bound) {
+             return kSlack * (row[0] * z[0] + row[1] * z[1] + row[2]) < bound;
+           });
+  }
+
+  /// A z = (z_0, z_1, 1) for which the first two rows of p z are a little less than z, if there is one that
+  /// is positive: a guess.
+  static Vec3 nearly_fixed(const std::array<Vec3, 3>& p) {
+    constexpr double kMore = 1 + 0x1p-6;
+    const double determinant = (1 - p[0][0]) * (1 - p[1][1]) - p[0][1] * p[1][0];
+    const double first = kMore * (p[0][2] + kTiny) / determinant;
+    const double second = kMore * (p[1][2] + kTiny) / determinant;
+    return {(1 - p[1][1]) * first + p[0][1] * second, p[1][0] * first + (1 - p[0][0]) * second, 1};
   }
 
   /// How far a mean is from 1, or from 0, with the errors of the coefficients.

@@ -102,6 +102,37 @@ TEST_CASE("pieces of every kind: equal patches, halves and quarters overlap") {
   }
 }
 
+TEST_CASE("pieces of every kind: strips, of which one parameter changes little in space") {
+  random_nets::Generator generator(48);
+  for (const std::array<int, 2> degree : {std::array{2, 2}, std::array{3, 1}, std::array{3, 3}}) {
+    for (const bool weighted : {false, true}) {
+      if (!weighted && degree[0] == 2) continue;  // the exact solution encloses its nodes
+      INFO("seed 48, bidegree " << degree[0] << " " << degree[1] << ", weighted " << weighted);
+      const auto net = random_nets::crossing(generator, {degree[0], degree[1], 1, 1}, true).x;
+      const RationalPatch x = weighted ? random_nets::weighted(generator, net) : RationalPatch(net);
+      const RationalPatch strip = piece(x, {0, 1, q(1, 2), q(513, 1024)});
+      check_overlap(strip, piece(x, {q(1, 3), q(2, 3), q(1, 2), q(1025, 2048)}),
+                    {q(1, 3), q(2, 3), 0, q(1, 2)});
+      check_overlap(strip, piece(x, {q(1, 3), q(2, 3), 0, 1}), {q(1, 3), q(2, 3), 0, 1});
+    }
+  }
+}
+
+TEST_CASE("pieces of every kind: height fields") {
+  random_nets::Generator generator(49);
+  random_nets::Net field(4);
+  random_nets::Weights weights(4);
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      field[static_cast<std::size_t>(i)].push_back(
+          {q(i, 3), q(j, 2), q(random_pairs::integer(generator, -6, 6), 16)});
+      weights[static_cast<std::size_t>(i)].push_back(q(j == 1 ? 3 : 4, 4));
+    }
+  }
+  check_kind(RationalPatch(field));
+  check_kind(RationalPatch(field, weights));
+}
+
 TEST_CASE("pieces of every kind: an elevated patch is the same one") {
   random_nets::Generator generator(42);
   const auto net = random_nets::crossing(generator, {2, 2, 1, 1}, true).x;
