@@ -14,6 +14,7 @@
 #include "overlap/two_piece_clip.h"
 #include "overlap/two_piece_curves.h"
 #include "overlap/two_piece_graph.h"
+#include "self/curves.h"
 #include "shape/coincident_parameters.h"
 #include "shape/planar_patch.h"
 #include "sweep/traced_curves.h"
@@ -217,8 +218,12 @@ class OneSurface {
     if (rim.empty()) return;
     const auto odd = std::find_if(degree.begin(), degree.end(), [](int d) { return d != 0 && d != 2; });
     if (odd == degree.end() && boundary_.incomplete.empty()) {
-      check_annuli(rim);
-      while (!rim.empty()) graph_.add_overlap({closed_chain(rim)});
+      std::vector<Chain> chains;
+      while (!rim.empty()) chains.push_back(closed_chain(rim));
+      if (chains.size() > 1 && !bound_different_regions(chains))
+        result_.incomplete.push_back(
+            {whole_domain(), "it is not decided which chains of boundary arcs bound the same overlap"});
+      for (Chain& chain : chains) graph_.add_overlap({std::move(chain.arcs)});
       return;
     }
     if (result_.incomplete.empty())
@@ -229,20 +234,27 @@ class OneSurface {
     graph_.add_overlap(std::move(pieces));
   }
 
+  /// A closed chain of the rim, and whether it has arcs on sides of x, of y.
+  struct Chain {
+    std::vector<Arc> arcs;
+    std::array<bool, 2> on;
+  };
+
   /// Takes one closed chain out of the arcs.
-  std::vector<Arc> closed_chain(std::vector<const BoundaryArc*>& left) {
-    std::vector<Arc> chain;
+  Chain closed_chain(std::vector<const BoundaryArc*>& left) {
+    Chain chain{};
     const std::size_t start = left.front()->from;
     std::size_t at = start;
     do {
       const auto next = std::find_if(
           left.begin(), left.end(), [&](const BoundaryArc* arc) { return arc->from == at || arc->to == at; });
       const BoundaryArc& arc = **next;
-      chain.push_back(made(arc));
+      chain.arcs.push_back(made(arc));
+      for (const Side& side : arc.inside.sides()) chain.on[index(side.parameter) / 2] = true;
       const bool forward = arc.from == at;
       if (!forward) {
-        std::swap(chain.back().from, chain.back().to);
-        std::reverse(chain.back().polyline.begin(), chain.back().polyline.end());
+        std::swap(chain.arcs.back().from, chain.arcs.back().to);
+        std::reverse(chain.arcs.back().polyline.begin(), chain.arcs.back().polyline.end());
       }
       at = forward ? arc.to : arc.from;
       left.erase(next);
@@ -250,33 +262,22 @@ class OneSurface {
     return chain;
   }
 
-  /// A chain with an arc on a side of x has its region inside it in the (u,v) square, one with an arc on a
-  /// side of y in the other: two of them can bound one region only if one consists of sides of x alone and
-  /// the other of sides of y alone, and then each is the whole boundary of its square.
-  void check_annuli(const std::vector<const BoundaryArc*>& rim) {
-    const auto whole_boundary = [&](std::size_t square) {
-      for (const Parameter p : {all_parameters[2 * square], all_parameters[2 * square + 1]})
-        for (const int value : {0, 1})
-          if (std::none_of(rim.begin(), rim.end(), [&](const BoundaryArc* arc) {
-                return arc->inside.on({p, value});
-              }))
-            return false;
-      return true;
-    };
-    const bool on_both = std::any_of(rim.begin(), rim.end(),
-                                     [](const BoundaryArc* arc) { return arc->inside.sides().size() > 1; });
-    if (rim.size() > 7 && !on_both && whole_boundary(0) && whole_boundary(1) && !joined_across(rim))
-      result_.incomplete.push_back(
-          {whole_domain(), "it is not decided which chains of boundary arcs bound the same overlap"});
+  /// Whether no two of the chains bound one region (docs/method.md, Lemma 6.1b).
+  bool bound_different_regions(const std::vector<Chain>& chains) const {
+    const std::array<bool, 2> injective = {is_injective(x_), is_injective(y_)};
+    if (regular_) return injective[0] || injective[1];
+    for (std::size_t i = 0; i < chains.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const auto apart = [&](std::size_t square) {
+          return chains[i].on[square] && chains[j].on[square] && injective[1 - square];
+        };
+        if (!apart(0) && !apart(1)) return false;
+      }
+    return true;
   }
 
-  /// Whether an arc on a side of x meets one on a side of y.
-  bool joined_across(const std::vector<const BoundaryArc*>& rim) const {
-    std::vector<std::array<bool, 2>> squares(boundary_.points.size(), {false, false});
-    for (const BoundaryArc* arc : rim)
-      for (const std::size_t end : {arc->from, arc->to})
-        squares[end][index(arc->inside.sides().front().parameter) / 2] = true;
-    return std::any_of(squares.begin(), squares.end(), [](const auto& s) { return s[0] && s[1]; });
+  bool is_injective(const BezierPatch& patch) const {
+    return is_quickly_injective({patch, scale_.origin, scale_.frame.exponent}, stop_);
   }
 
   void mark_ends_of_overlaps() {
