@@ -12,6 +12,7 @@
 #include "line/line_place.h"
 #include "line/line_points_in.h"
 #include "star/other_turning.h"
+#include "star/short_numbers.h"
 
 namespace exsect {
 
@@ -20,15 +21,6 @@ namespace {
 constexpr std::size_t kMostFibrePorts = 64;  // a fibre has at most 16 points
 constexpr int kMostSlabs = 24;
 constexpr double kNarrowLine = 0x1p-4;
-
-/// The largest power of two that is at most q > 0, as a double.
-double power_of_two_below(const Rational& q) {
-  double p = std::exp2(std::floor(std::log2(to_double(q))));
-  while (from_double(p) > q) {
-    p *= 0.5;
-  }
-  return p;
-}
 
 class StarProof {
  public:
@@ -285,16 +277,6 @@ class StarProof {
     }
   }
 
-  /// Within 2^-20 of `room`, with as few bits as that allows, so that faces are short numbers.
-  static Rational short_near(const Rational& at, const Rational& room) {
-    Rational grid = power_of_two(-52);
-    while (grid > room * power_of_two(-20)) {
-      grid *= power_of_two(-64);
-    }
-    const Rational steps = at / grid + Rational(1, 2);
-    return grid * Rational(Integer(numerator(steps) / denominator(steps)));
-  }
-
   /// The faces of the box across the other three parameters hold no point of the intersection, apart from the
   /// line; those on sides of the squares need not be asked, no arc leaves the domain without a boundary
   /// point.
@@ -357,16 +339,29 @@ class StarProof {
       }
       star.ports.push_back({points->front(), *line_, side});
     }
-    return true;
+    return is_the_only_one_of_space();
   }
 
-  /// A point in the box with the centre's value of the sweep parameter and this one of the parameter along
-  /// the line.
-  bool has_point_on_line(const Rational& along) const {
+  /// Where the centre is given by a rational value along the line: that no other point of the box has its two
+  /// parameters, so that the centre is the line's (docs/method.md, Lemma 6.2a).
+  bool is_the_only_one_of_space() const {
+    if (!query_.along || !query_.along->is_rational()) return true;
+    const auto points = points_over(query_.along->rational());
+    return std::count_if(points.begin(), points.end(), [&](const HalfRationalPoint& p) {
+             return meet(p.point.refined_to(centre_width_).box(), region_);
+           }) <= 1;
+  }
+
+  /// Solutions with the centre's value of the sweep parameter and this one of the parameter along the line.
+  std::vector<HalfRationalPoint> points_over(const Rational& along) const {
     std::array<Rational, 2> at;
     at[index(sweep_) % 2] = at_.rational();
     at[index(*line_) % 2] = along;
-    const auto points = half_rational_points(query_.pair.x(), query_.pair.y(), index(sweep_) < 2, at);
+    return half_rational_points(query_.pair.x(), query_.pair.y(), index(sweep_) < 2, at);
+  }
+
+  bool has_point_on_line(const Rational& along) const {
+    const auto points = points_over(along);
     return std::any_of(points.begin(), points.end(),
                        [&](const HalfRationalPoint& p) { return surely_lies_in(p.point, region_); });
   }

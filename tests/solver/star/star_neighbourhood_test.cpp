@@ -3,6 +3,7 @@
 #include <exsect/solver/line_patch.h>
 
 #include "answer/parameter_box.h"
+#include "line/half_rational_point.h"
 #include "support/catch.h"
 #include "support/graph_patches.h"
 
@@ -12,12 +13,7 @@ namespace {
 
 const Rational half(1, 2);
 
-/// The star of G[h] and the plane at u = v = 1/2, where both sweeps have a turning value.
-std::optional<StarNeighbourhood> star_at_centre(const BezierPatch& x, const BezierPatch& y, Parameter sweep,
-                                                double halfwidth) {
-  ExactPair pair(x, y);
-  const auto& turning = pair.turning(sweep);
-  REQUIRE(turning);
+std::vector<CertifiedPoint> points_on_sides(const BezierPatch& x, const BezierPatch& y) {
   std::vector<CertifiedPoint> boundary;
   for (const Parameter p : all_parameters) {
     for (const int value : {0, 1}) {
@@ -28,6 +24,16 @@ std::optional<StarNeighbourhood> star_at_centre(const BezierPatch& x, const Bezi
       }
     }
   }
+  return boundary;
+}
+
+/// The star of G[h] and the plane at u = v = 1/2, where both sweeps have a turning value.
+std::optional<StarNeighbourhood> star_at_centre(const BezierPatch& x, const BezierPatch& y, Parameter sweep,
+                                                double halfwidth) {
+  ExactPair pair(x, y);
+  const auto& turning = pair.turning(sweep);
+  REQUIRE(turning);
+  const std::vector<CertifiedPoint> boundary = points_on_sides(x, y);
   const StarPlaces places = {boundary, Parameter::s, {}};
   const StarQuery query = {pair, places, *turning, halfwidth};
   for (const CertifiedPoint& point : line_points(x, y, {sweep, half}).points) {
@@ -96,6 +102,45 @@ TEST_CASE("stars: as many arcs as branches meet at the point", "[star]") {
       CHECK(star->layers[1].size() == (e.above > 0 ? 3 : 0));
     }
   }
+}
+
+TEST_CASE("stars: a real isolated point of a line's complex curve is not on the line", "[star]") {
+  // y = (1/2 + (p - q)/2, f, 2 f) with p = r - 1/2, q = s - 1/2, f = p^2 + q^2 - 4 p q (p + q): f = 0 is a
+  // branch through p = q = 1/4 and the isolated point p = q = 0. The line u = 1/3 of the plane x lies on y
+  // along the branch, and has the same point of space, v = 1/2, over both.
+  using testing::Terms;
+  const Terms p = {{{1, 0}, 1}, {{0, 0}, -half}};
+  const Terms q = {{{0, 1}, 1}, {{0, 0}, -half}};
+  const Terms four = {{{0, 0}, -4}};
+  const Terms f = p * p + q * q + four * p * q * (p + q);
+  ControlNet c{};
+  for (const auto& [i, a] : f) c[i.first][i.second] = Point{Rational(0), a, 2 * a};
+  c[0][0][0] = half;
+  c[1][0][0] += half;
+  c[0][1][0] -= half;
+  const BezierPatch y = BezierPatch::from_power_basis(c);
+  const BezierPatch x = testing::plane({0, Rational(-1, 3), Rational(-5, 3)}, {0, 1, 5}, {1, 0, 0});
+  ExactPair pair(x, y);
+  const auto& turning = pair.turning(Parameter::u);
+  REQUIRE(turning);
+  const std::vector<CertifiedPoint> boundary = points_on_sides(x, y);
+  const StarPlaces places = {boundary, Parameter::s, {}};
+  int centres = 0;
+  for (const double halfwidth : {0.5, 0.25, 0x1p-4}) {
+    StarQuery query = {pair, places, *turning, halfwidth};
+    query.along = RealAlgebraic(half);
+    for (const HalfRationalPoint& point : half_rational_points(x, y, true, {Rational(1, 3), half})) {
+      ++centres;
+      const ParameterBox at = point.point.box();
+      const auto star = star_neighbourhood(query, point.point, Rational(1, 3));
+      if (!star) continue;
+      const Rational other = at[2].upper < Rational(5, 8) ? Rational(3, 4) : half;
+      const bool holds_other = star->box[2].lower <= other && other <= star->box[2].upper;
+      CHECK_FALSE(holds_other);
+      CHECK(star->ports.size() == (other == half ? 2 : 0));
+    }
+  }
+  CHECK(centres == 6);
 }
 
 }  // namespace exsect::star_neighbourhood_test
