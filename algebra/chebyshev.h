@@ -19,7 +19,7 @@ class ChebyshevNodes {
     return cosines_[angle];
   }
   const WideBall& node(std::size_t k) const { return value(1, k); }
-  /// c with f = sum c_j T_j, for the polynomial f of degree below n with these n values at the nodes.
+  /// c with f = sum c_j T_j, for the polynomial f of degree below n with these n values at the nodes (4.16a).
   std::vector<WideBall> coefficients(const std::vector<WideBall>& values) const;
 
  private:

@@ -21,10 +21,10 @@ constexpr int kFirstInDoubles = 2;
 /// Sums of at most 2^10 products of doubles that are right to 2^-49 lose less.
 constexpr double kSumUp = 1 + 0x1p-38;
 
-/// T_k((t - 1) / 2) = sum_j L_jk T_j(t), and T_k((t + 1) / 2) with the signs (-1)^(j+k). From T_(k+1)(s) = 2
-/// s T_k - T_(k-1) and 2 t T_j = T_(j+1) + T_|j-1|, the numbers 2^k L_jk are integers; as mean values of T_j
-/// T_k they are at most 2^(k+1): with 256 bits every sum of the recursion is exact, whatever radius it is
-/// given.
+/// T_k((t - 1) / 2) = sum_j L_jk T_j(t) (4.16b), and T_k((t + 1) / 2) with the signs (-1)^(j+k). From
+/// T_(k+1)(s) = 2 s T_k - T_(k-1) and 2 t T_j = T_(j+1) + T_|j-1|, the numbers 2^k L_jk are integers; as mean
+/// values of T_j T_k they are at most 2^(k+1): with 256 bits every sum of the recursion is exact, whatever
+/// radius it is given.
 class Halving {
  public:
   explicit Halving(std::size_t n) : wide_(n), approximations_(n) {

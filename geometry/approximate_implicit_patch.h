@@ -23,8 +23,8 @@ struct ApproximateEquation {
   /// |equation(x(u,v))| <= bound for all (u,v) in [0,1]^2, from Bernstein coefficients of this polynomial
   /// itself. 0 exactly where the patch has an equation of the degree asked for, which is then the result.
   Rational bound;
-  /// The unit in which `bound` is to be read: the least singular value belongs to coefficients of length 1
-  /// in the coordinates (P - centre) / unit.
+  /// The unit in which `bound` is to be read (11.3): the least singular value belongs to coefficients of
+  /// length 1 in the coordinates (P - centre) / unit.
   Point centre;
   Rational unit;
   double singular_value;

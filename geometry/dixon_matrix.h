@@ -17,7 +17,7 @@ using DixonMatrix = std::array<std::array<AffineEntry, 8>, 8>;
 ///     det[f(s,t) f(a,t) f(a,b)] / ((s - a) (t - b))
 ///
 /// in the monomials a^k b^l (k <= 3, l <= 1, row k + 4 l) and s^i t^j (i <= 1, j <= 3, column i + 2 j). Its
-/// determinant vanishes for every P on the patch (docs/method-implicit.md, section 11).
+/// determinant vanishes for every P on the patch: (11.1), computed by (11.2).
 DixonMatrix dixon_matrix(const IntegerNet& c);
 
 /// The determinant, of degree at most 8; zero if and only if the patch has base points at infinity.

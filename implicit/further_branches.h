@@ -18,8 +18,8 @@ struct FurtherBranch {
 
 /// Outside the boxes of `branches` the surfaces meet in `box` only in the tube. The tube is a union of boxes
 /// around the curve, extended beyond its ends as far as its axis coordinate stays monotone; in it they meet
-/// in at most one point for each value of that coordinate, on the curve or its extension if both vanish
-/// there. Without a tube every cell where the surfaces may meet belongs to a branch.
+/// in at most one point for each value of that coordinate (10.17), on the curve or its extension if both
+/// vanish there. Without a tube every cell where the surfaces may meet belongs to a branch.
 struct FurtherBranches {
   std::vector<FurtherBranch> branches;
   bool has_tube;

@@ -11,7 +11,7 @@
 
 namespace exsect {
 
-/// One-sided: every point of the curve is within `distance` of a zero of f.
+/// One-sided: every point of the curve is within `distance` of a zero of f, by (10.8).
 struct OneSidedBound {
   /// Nothing if it could not be proved; then `unproved` says where.
   std::optional<Rational> distance;

@@ -11,9 +11,9 @@ namespace exsect {
 
 /// The basis alpha in which W^m q(p(t)) = (D b)' alpha(t) is made small.
 enum class CurveBasis {
-  bernstein,  // Dokken: |W^m q(p(t))| <= sigma
+  bernstein,  // Dokken: |W^m q(p(t))| <= sigma (10.6)
   legendre,   // orthonormal: least integral of the square over [0,1] (the weak form)
-  chebyshev,  // orthonormal for the weight (t - t^2)^(-1/2)
+  chebyshev,  // orthonormal for the weight (t - t^2)^(-1/2) (10.7)
   lagrange    // values at equidistant points
 };
 

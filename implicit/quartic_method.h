@@ -25,7 +25,8 @@ struct QuarticPiece {
   /// |q| on the piece of y.
   Rational bound;
   /// Proved: every point of the intersection with (r,s) in the piece has its (u,v) in one of these boxes,
-  /// outside of which |q(x)| exceeds the bound or x is outside the box around the piece's control points.
+  /// outside of which |q(x)| exceeds the bound (13.2) or x is outside the box around the piece's control
+  /// points.
   std::vector<std::array<int, 2>> boxes;
 };
 

@@ -12,7 +12,7 @@ namespace exsect {
 struct TriangleMesh {
   std::vector<std::array<double, 3>> vertices;
   std::vector<std::array<int, 3>> triangles;  // 0-based
-  /// Mesh and revolved profile curve are within this distance of each other, in both directions.
+  /// Mesh and revolved profile curve are within this distance of each other, in both directions (12.2).
   Rational distance;
 };
 

@@ -21,7 +21,7 @@ struct Unproved {
 /// half_width, holds exactly one zero of f, not at its ends; these zeros form one regular arc, a graph over
 /// the curve, in whose points grad f is not zero. Arc and curve are within `distance` = half_width max|N| of
 /// each other, in both directions. The normal segments cover a neighbourhood of the curve without folding:
-/// their map has a positive Jacobian.
+/// their map has a positive Jacobian (10.12).
 struct TwoSidedBound {
   struct Strip {
     Rational half_width;

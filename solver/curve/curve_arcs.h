@@ -58,8 +58,8 @@ struct CurveArcs {
 /// The curve in [0,1]^2, u in the place of r and v in that of s. Complete but for two things: isolated points
 /// of the curve are not found (each lies over an event of multiplicity at least 2), and `unresolved`
 /// meetings. `extra`: intervals of positive length in (0,1) that become events besides the turning values and
-/// the points on the sides. Throws std::domain_error for f = 0, if f has a multiple factor that contains v,
-/// or if a side v = 0 or v = 1 belongs to the curve.
+/// the points on the sides (13.1). Throws std::domain_error for f = 0, if f has a multiple factor that
+/// contains v, or if a side v = 0 or v = 1 belongs to the curve.
 CurveArcs curve_arcs(const BivariatePolynomial& f, const std::vector<RationalInterval>& extra = {});
 
 /// Connected groups of the arcs with kept[arc]; the others count as if they were not there.

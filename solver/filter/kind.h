@@ -18,7 +18,7 @@ struct Kind {
   static constexpr std::size_t degree = Degree;
   static constexpr std::size_t rows = Rows;
   static constexpr bool weighted = Rows == 4;
-  static constexpr std::size_t unknowns = Rows + 1;  // u, v, r, s, and the scale
+  static constexpr std::size_t unknowns = Rows + 1;  // u, v, r, s, and the scale (14.30)
   static constexpr std::size_t side = Degree + 1;    // control points along a side
   static constexpr std::size_t count = side * side;
   static constexpr int width = Rows > 3 ? 2 : Degree > 2 ? 1 : 0;  // see error_bounds.h

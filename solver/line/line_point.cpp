@@ -13,7 +13,7 @@
 namespace exsect {
 namespace {
 
-/// r = -s0/s1, t = -t_numerator/s1 at a root s.
+/// r = -s0/s1, t = -t_numerator/s1 (F3) at a root s.
 class ConicPointSource : public LinePointSource {
  public:
   ConicPointSource(LinePlace place, LocalSides sides, RealAlgebraic s,

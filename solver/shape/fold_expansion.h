@@ -2,7 +2,7 @@
 // section 7.7.
 //
 // Notation: the line v = c turns at u = f; x(f + p, c + h) = sum d_ij p^i h^j. All pairs f + t, f - t on the
-// line meet: H(U,V,m,w) (7.3) vanishes for p = U - f = 0, h = V - c = 0, m = 0 and every w = t^2.
+// line meet: H(U,V,m,w) (7.3), (7.13) vanishes for p = U - f = 0, h = V - c = 0, m = 0 and every w = t^2.
 #pragma once
 
 #include <exsect/algebra/polynomial.h>

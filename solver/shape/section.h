@@ -33,8 +33,8 @@ struct Section {
 /// forms of space, as on parallelograms, and cylinders, cones and spheres in their usual parameters.
 std::vector<Section> sections(const RationalPatch& x, const RationalPatch& y);
 
-/// The parameter is constant on a regular arc of solutions in the union of the closed boxes. False: not
-/// known.
+/// The parameter is constant on a regular arc of solutions in the union of the closed boxes (14.34). False:
+/// not known.
 bool is_constant_in(const Section& section, std::size_t parameter, const std::vector<Rectangle>& boxes);
 
 /// At the regular solution on the side, of which the section's other parameter is in the closed interval,

@@ -22,7 +22,7 @@ void add_directions(std::vector<Point>& directions, const BezierPatch& patch, co
 }
 
 /// d.(x_k - P) > 0 > d.(y_k - P) for all control points but those at P: by their Bernstein polynomials d.x is
-/// d.P only where all others are zero.
+/// d.P only where all others are zero (6.1a).
 bool is_separated_at(const Point& pole, const BezierPatch& x, const BezierPatch& y) {
   std::vector<Point> directions;
   add_directions(directions, x, pole, 1);
