@@ -6,7 +6,8 @@
 
 namespace exsect {
 
-/// -1, 0, +1 from the signs of alpha, beta and alpha^2 - beta^2 D; requires D >= 0, else std::domain_error.
+/// -1, 0, +1 from the signs of alpha, beta and alpha^2 - beta^2 D (2.4); requires D >= 0, else
+/// std::domain_error.
 int quadratic_sign(const Rational& alpha, const Rational& beta, const Rational& d);
 
 /// The same with alpha, beta, D polynomials at a real algebraic number s.

@@ -13,7 +13,7 @@ namespace exsect {
 /// Control points of a patch of bidegree (2,2): row index = first parameter, column index = second.
 using ControlNet = std::array<std::array<Point, 3>, 3>;
 
-/// x(u,v) = sum_ij B_i^2(u) B_j^2(v) X[i][j] over (u,v) in [0,1]^2. Any net is legal: degeneracy is a
+/// x(u,v) = sum_ij B_i^2(u) B_j^2(v) X[i][j] over (u,v) in [0,1]^2 (0.1). Any net is legal: degeneracy is a
 /// question you can ask, not an error. Immutable: copies share the net.
 class BezierPatch {
  public:

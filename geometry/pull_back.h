@@ -31,8 +31,8 @@ struct LineFormsOver {
 
 using LineForms = LineFormsOver<Rational>;
 
-/// Orthogonal cylinder of the method: e0 = N = n.n, e1 = (a2 x n).(P - a0), e2 = (n x a1).(P - a0), n = a1 x
-/// a2. Throws std::domain_error unless shape(line) is conic.
+/// Orthogonal cylinder of the method, (1.1) and (1.2): e0 = N = n.n, e1 = (a2 x n).(P - a0), e2 = (n x a1).(P
+/// - a0), n = a1 x a2. Throws std::domain_error unless shape(line) is conic.
 LineForms orthogonal_forms(const ParameterLine& line);
 /// Cylinder along the axis k where |n_k| is largest: e0 = n_k, e1 = ((P - a0) x a2)_k, e2 = (a1 x (P -
 /// a0))_k. The same conic on the plane with numbers half as long: the form used for solving. Throws as above.
@@ -42,7 +42,7 @@ LineForms axis_forms(const ParameterLine& line);
 /// Throws std::domain_error unless the vectors are linearly independent and their plane is not at infinity.
 LineForms axis_forms(const std::array<HomogeneousPoint, 3>& a);
 
-/// P, U, L, M: pull-backs of plane, e0, e1, e2. The cylinder pulls back to Z = U M - L^2.
+/// P (2.1), U, L, M: pull-backs of plane, e0, e1, e2. The cylinder pulls back to Z = U M - L^2.
 struct PullBack {
   BivariatePolynomial plane;  // P
   BivariatePolynomial u;      // U

@@ -17,10 +17,10 @@ struct StraightLine {
 /// Throws std::domain_error unless shape(line) is straight or folded.
 StraightLine straight_line(const ParameterLine& line);
 
-/// Two planes through the line that are orthogonal to each other (chapter, 9.5.1), normals n1 = direction x e
-/// with e the axis least parallel to the direction and n2 = direction x n1, and the coordinate along the
-/// line: lambda(p(t)) = phi(t). The points of space on the line with coordinate lambda have first = second =
-/// 0.
+/// Two planes through the line that are orthogonal to each other (1.4) (chapter, 9.5.1), normals n1 =
+/// direction x e with e the axis least parallel to the direction and n2 = direction x n1, and the coordinate
+/// along the line: lambda(p(t)) = phi(t). The points of space on the line with coordinate lambda have first =
+/// second = 0.
 struct StraightForms {
   AffineForm first;
   AffineForm second;

@@ -9,7 +9,7 @@
 
 namespace exsect {
 
-/// The basis alpha in which W^m q(p(t)) = (D b)' alpha(t) is made small.
+/// The basis alpha in which W^m q(p(t)) = (D b)' alpha(t) (10.5) is made small.
 enum class CurveBasis {
   bernstein,  // Dokken: |W^m q(p(t))| <= sigma (10.6)
   legendre,   // orthonormal: least integral of the square over [0,1] (the weak form)

@@ -135,7 +135,7 @@ PlanarFit sparse_fit(const PlanarSpace& space, const std::vector<Equation>& list
   return {to_rationals(found), true};
 }
 
-/// floor(2^40 / sqrt(square)) 2^-40 for square > 0.
+/// floor(2^40 / sqrt(square)) 2^-40 for square > 0 (10.4).
 Rational inverse_root(const Rational& square) {
   const Integer scaled = (denominator(square) << 80) / numerator(square);
   return Rational(sqrt(scaled)) * power_of_two(-40);

@@ -32,7 +32,7 @@ struct Revolution {
   PlanarFunction profile;  // f(r,z); for substitution F(r^2,z)
   bool exact;              // f vanishes on the curve
   Rectangle region;
-  /// g(R,z), R = x^2 + y^2; for a spline one for each of its cells.
+  /// g(R,z), R = x^2 + y^2 (12.1); for a spline one for each of its cells.
   std::vector<BivariatePolynomial> surfaces;
   /// Not for splines, which have neither mirrored branches nor rings.
   std::optional<SingularRings> rings;

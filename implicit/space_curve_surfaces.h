@@ -67,7 +67,8 @@ bool is_positive_on(const BivariatePolynomial& f, const PlanarBox& box);
 
 /// The largest |cos| of the angle between the gradients of two surfaces along a curve.
 struct GradientAngle {
-  /// Proved: |cos| <= upper everywhere on the curve; nothing if a gradient vanishes on it or may do so.
+  /// Proved (10.16): |cos| <= upper everywhere on the curve; nothing if a gradient vanishes on it or may do
+  /// so.
   std::optional<Rational> upper;
   /// |cos| >= lower at some point of the curve.
   Rational lower;

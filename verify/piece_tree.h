@@ -53,11 +53,11 @@ class PieceTree {
   /// At most the distance of p from every curve, up to the rounding of some operations on coordinates;
   /// infinite without pieces.
   double distance_from_below(const SpacePoint& p, double enough = never, std::size_t* first = nullptr) const;
-  /// At most the distance of every point of the segment from a to b from every curve, up to rounding.
+  /// At most the distance of every point of the segment from a to b from every curve, up to rounding (15.3).
   double distance_from_below(const SpacePoint& a, const SpacePoint& b, double enough = never) const;
   /// At least the distance of p from the nearest curve, up to rounding; infinite without pieces.
   double distance_from_above(const SpacePoint& p) const;
-  /// At least the distance of every point of the segment from the nearest curve, up to rounding.
+  /// At least the distance of every point of the segment from the nearest curve, up to rounding (15.4).
   double distance_from_above(const SpacePoint& a, const SpacePoint& b, double enough = never,
                              std::size_t* first = nullptr) const;
   /// Calls `found` for every piece whose segment is within `radius` of p, its place nearest to p, in the

@@ -56,7 +56,7 @@ FormalPolynomial<T> dot_product(const SpaceVector<T>& a, const SpaceVector<Forma
   return term(0) + term(1) + term(2);
 }
 
-/// One line x(u,v) = a[0] + a[1] v + a[2] v^2, at a fixed or a symbolic u, and y = sum y[i][j] r^i s^j.
+/// One line x(u,v) = a[0] + a[1] v + a[2] v^2, at a fixed or a symbolic u, and y = sum y[i][j] r^i s^j (4.1).
 template <class T>
 struct FibreCoefficients {
   std::array<SpaceVector<T>, 3> a;
@@ -127,7 +127,7 @@ T multiple(std::size_t factor, const T& a) {
   return sum;
 }
 
-/// a . (y_r x y_s), a polynomial of bidegree (3,3): the coefficient of r^p s^q at index 4 p + q.
+/// a . (y_r x y_s), as in (4.2), a polynomial of bidegree (3,3): the coefficient of r^p s^q at index 4 p + q.
 template <class T>
 std::vector<T> normal_form(const FibreCoefficients<T>& f, const SpaceVector<T>& a) {
   std::vector<T> result(16);

@@ -28,8 +28,8 @@ FibreFactors split_multiple(const FibrePolynomial& f);
 std::vector<Integer> integer_coefficients(const FibrePolynomial& f);
 
 /// The projection of the generic fibre to s (docs/method.md, section 4.6). For each root s of `finite` with
-/// S1(s) != 0 there is exactly one finite point (v,r,s) of the fibre, and R'(s) = S1(s) J up to a sign that
-/// depends on the pair only.
+/// S1(s) != 0 there is exactly one finite point (v,r,s) of the fibre, and R'(s) = S1(s) J (4.6) up to a sign
+/// that depends on the pair only.
 struct FibreProjection {
   FibrePolynomial r;   // R in Z[u][s], zero if it vanishes identically
   FibrePolynomial s1;  // S1 in Z[u][s]

@@ -50,8 +50,8 @@ class ModularForm {
   std::vector<std::vector<Residue>> coefficients_;
 };
 
-/// Values of (4.18), (l_s l_r)^3 prod R'(s_i)/S1(s_i) over the roots s_i of `points.finite`, where l_s and
-/// l_r are the leading coefficients of the finite parts of the two projections.
+/// Values of (4.18), which is (4.9): (l_s l_r)^3 prod R'(s_i)/S1(s_i) over the roots s_i of `points.finite`,
+/// where l_s and l_r are the leading coefficients of the finite parts of the two projections.
 std::vector<ResidueFraction> norm_values(const PrimeField& field, const FibreProjection& points,
                                          const FibreProjection& other, Residue first, std::size_t count) {
   const ModularForm finite(field, points.finite);
@@ -95,7 +95,7 @@ std::size_t norm_height(const FibreCoefficients<Polynomial>& f, const FibreProje
 Polynomial special_norm(const FibreCoefficients<Polynomial>& f, const FibreProjection& points,
                         const FibreProjection& other) {
   if (degree(points.finite) == 0) return 1;
-  const std::size_t degree_bound =
+  const std::size_t degree_bound =  // (4.11)
       2 * degree(points.finite) + 3 * (degree_u(points.finite) + degree_u(other.finite));
   const std::vector<Integer> e =
       interpolate_integer_polynomial(degree_bound, norm_height(f, points, other, degree_bound),

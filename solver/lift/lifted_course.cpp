@@ -85,7 +85,8 @@ class EnclosedPolynomial {
   std::vector<DoubleBall> c_;
 };
 
-/// t = (2 y g_v, -2 y g_u, Y_u g_v - Y_v g_u) for g = 0 and y^2 = Y; without y on the plane of symmetry.
+/// t = (2 y g_v, -2 y g_u, Y_u g_v - Y_v g_u) (17.6) for g = 0 and y^2 = Y; without y on the plane of
+/// symmetry.
 class Tangents {
  public:
   Tangents(const BivariatePolynomial& g, const BivariatePolynomial& y2, bool is_planar)

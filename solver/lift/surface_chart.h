@@ -17,10 +17,10 @@ struct SheetFunction {
   bool is_zero() const { return a.is_zero() && b.is_zero(); }
 };
 
-/// The points P = origin + u along_u + v along_v + y along_y with y^2 = radicand(u,v), u in the place of r
-/// and v in that of s; the three directions are orthogonal. Invariant: all points that the surface has in
-/// common with the other one have u, v in (0,1), but for what goes on beyond u = 0 and u = 1: the same number
-/// of regular arcs for all of these u.
+/// The points P = origin + u along_u + v along_v + y along_y with y^2 = radicand(u,v) (17.4), u in the place
+/// of r and v in that of s; the three directions are orthogonal. Invariant: all points that the surface has
+/// in common with the other one have u, v in (0,1), but for what goes on beyond u = 0 and u = 1: the same
+/// number of regular arcs for all of these u.
 struct SurfaceChart {
   Point origin;
   Point along_u;
@@ -43,7 +43,7 @@ SheetFunction on_chart(const SpacePolynomial& f, const SurfaceChart& chart);
 std::optional<SurfaceChart> chart_of(const ImplicitSurface& surface, const ImplicitSurface& other);
 
 /// The curve {a + b y = 0} seen along y: common {norm = 0} with the common factor of a and b and norm =
-/// a^2 - radicand b^2 for the rest; on a plane norm = a.
+/// a^2 - radicand b^2 (17.5) for the rest; on a plane norm = a.
 struct Shadow {
   SheetFunction rest;  // a and b without their common factor
   BivariatePolynomial common;

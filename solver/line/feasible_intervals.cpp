@@ -70,8 +70,8 @@ void add_events(std::vector<RealAlgebraic>& events, BivariatePolynomial plane, c
   for (const RealAlgebraic& s : real_roots(r, 0, 1)) events.push_back(s);
 }
 
-/// 0, 1 and every s in [0,1] where feasibility of a branch may begin or end, ascending. Between neighbours it
-/// does not change: the branches are continuous where A and D have no root.
+/// 0, 1 and every s in [0,1] where feasibility of a branch may begin or end (2.3), ascending. Between
+/// neighbours it does not change: the branches are continuous where A and D have no root.
 std::vector<RealAlgebraic> all_events(const Branches& b, const PullBack& p) {
   std::vector<RealAlgebraic> events = {RealAlgebraic(0), RealAlgebraic(1)};
   // The leading coefficient in r, at whose roots a branch runs to infinity.

@@ -17,9 +17,9 @@ struct FeasibleInterval {
 };
 
 /// The s in [0,1] where branch i (9.16) of P = A r^2 + B r + C is real with 0 <= r_i(s) <= 1 and 0 <= t <= 1
-/// on the line, t = L/U: ordered, disjoint, maximal. Where A(s) = 0 the finite root -C/B continues the branch
-/// it is the limit of (2 if B > 0, 1 if B < 0) and the other one is infinite: not feasible. Where A = B = C =
-/// 0 every r solves P = 0: such an s belongs to all branches if some r in [0,1] has 0 <= t <= 1.
+/// on the line, t = L/U (2.2): ordered, disjoint, maximal. Where A(s) = 0 the finite root -C/B continues the
+/// branch it is the limit of (2 if B > 0, 1 if B < 0) and the other one is infinite: not feasible. Where A =
+/// B = C = 0 every r solves P = 0: such an s belongs to all branches if some r in [0,1] has 0 <= t <= 1.
 struct FeasibleBranch {
   int branch;  // 1: (-B - sqrt D)/(2A), 2: (-B + sqrt D)/(2A)
   std::vector<FeasibleInterval> intervals;

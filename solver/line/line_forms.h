@@ -10,8 +10,8 @@ namespace exsect {
 
 /// Everything the fibre of a conic line needs, polynomials in s with integer coefficients. With P = A r^2 + B
 /// r + C and Z the pull-backs of plane and cylinder, up to positive constants:
-///   eliminant = Res_r(P, Z) with formal degrees 2 and 4,
-///   A^3 Z = s1 r + s0 modulo P.
+///   eliminant = Res_r(P, Z) with formal degrees 2 and 4, by (F1) and (F2),
+///   A^3 Z = s1 r + s0 modulo P (3.1).
 /// At a root of the eliminant with s1 != 0 there is exactly one common point: r = -s0/s1 and t =
 /// -t_numerator/s1.
 struct ConicForms {

@@ -2,7 +2,7 @@
 // solver/.
 //
 // Notation (docs/method.md, section 7): the pair (U + t, V + m t), (U - t, V - m t) of midpoint (U,V) and
-// half difference t (1, m), w = t^2. x takes the same value at both exactly where t H(U,V,m,w) = 0,
+// half difference t (1, m), w = t^2. x takes the same value at both exactly where t H(U,V,m,w) = 0 (7.2),
 //   H = x_u + m x_v + w m (c21 + 2 c22 V + m (c12 + 2 c22 U)).                                       (7.3)
 #pragma once
 
@@ -36,8 +36,8 @@ constexpr std::size_t exponent(std::size_t i, std::size_t j) {
 inline constexpr std::array<std::size_t, 25> chart_support = {
     0, 2, 4, 1, 3, 5, 6, 8, 7, 9, 18, 20, 22, 19, 21, 23, 10, 12, 24, 26, 30, 36, 38, 42, 44};
 
-/// H(7.3) and the point of space X(U,V,m,w) = (x(first) + x(second))/2, both polynomials, for the patch
-/// scaled by 2^-exponent after translation by -origin.
+/// H (7.3) and the point of space X(U,V,m,w) = (x(first) + x(second))/2 (7.4), both polynomials, for the
+/// patch scaled by 2^-exponent after translation by -origin.
 template <class Ball>
 class ChartSystem {
  public:

@@ -52,7 +52,7 @@ bool leaves_side(const ChartTube<Ball>& tube, std::size_t j, double w_end) {
 }
 
 /// With w = t^2: d(U +- t)/dt = 2t U' +- 1 or d(V +- m t)/dt = 2t V' +- (m + 2 w m') does not vanish for t <=
-/// sqrt(w_end).
+/// sqrt(w_end) (7.6).
 template <class Ball>
 bool is_monotone(const ChartTube<Ball>& tube, std::size_t j, double w_end) {
   const double t = std::sqrt(w_end) * kSlack;

@@ -10,8 +10,8 @@
 
 namespace exsect {
 
-/// A bilinear patch in a plane, each point of which has two preimages: (u,v) and (u,v) + t(u,v) direction, t
-/// = t[0] + t[1] u + t[2] v; the fold is t = 0.
+/// A bilinear patch in a plane, each point of which has two preimages (7.11): (u,v) and (u,v) + t(u,v)
+/// direction, t = t[0] + t[1] u + t[2] v; the fold is t = 0.
 struct PlanarFold {
   std::array<Rational, 3> t;
   std::array<Rational, 2> direction;

@@ -26,7 +26,7 @@ SearchRegion pair_bounds(Chart chart, const ChartBox& box);
 /// All pairs of the chart: U and V in [0,1], m in [-1,1], w in [0,1/4].
 inline constexpr ChartBox whole_chart = {{0, 0, -1, 0}, {1, 1, 1, 0.25}};
 
-/// True only if no point of the box has both U +- t and V +- m t in [0,1].
+/// True only if no point of the box has both U +- t and V +- m t in [0,1] (7.5).
 bool outside(const ChartBox& box);
 
 /// Rectangles on which the patch is injective, and boxes of pairs (u1,v1,u2,v2) in which all pairs are known,

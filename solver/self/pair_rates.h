@@ -30,7 +30,7 @@ BallPoint<Ball> tangent_at(const ChartSystem<Ball>& system, const BallPoint<Ball
   return {dot(column[1], last), -dot(column[0], last), dot(first, column[3]), -dot(first, column[2])};
 }
 
-/// 2 t times the derivatives of u1, v1, u2, v2 (for t > 0) for the derivative d of (U,V,m,w) at p.
+/// 2 t times the derivatives of u1, v1, u2, v2 (for t > 0), (7.7), for the derivative d of (U,V,m,w) at p.
 template <class Ball>
 BallPoint<Ball> pair_rates(Chart chart, const BallPoint<Ball>& p, const BallPoint<Ball>& d) {
   const Ball t2 = Ball(2) * square_root(p[3]);

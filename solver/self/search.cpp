@@ -75,9 +75,9 @@ std::optional<ChartTube<Ball>> tube_around(const ChartSystem<Ball>& system, cons
   return tube;
 }
 
-/// det(c_0 H_V - c_1 H_U, H_m, H_w / m) does not vanish on the box, and det(H_U, H_V, H_m) does not if the
-/// box has points with m = 0: then no curve point in it is singular, or has c . (U',V') = 0 unless the curve
-/// is the whole line U, V, m = 0 constant, which leaves the domain (method, section 7.3).
+/// (7.8) det(c_0 H_V - c_1 H_U, H_m, H_w / m) does not vanish on the box, and det(H_U, H_V, H_m) does not if
+/// the box has points with m = 0: then no curve point in it is singular, or has c . (U',V') = 0 unless the
+/// curve is the whole line U, V, m = 0 constant, which leaves the domain (method, section 7.3).
 template <class Ball>
 bool tangent_cannot_vanish(const ChartSystem<Ball>& system, const ChartCell<Ball>& cell,
                            const std::array<double, 2>& c) {

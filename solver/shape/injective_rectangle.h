@@ -16,7 +16,8 @@ struct ParameterRectangle {
 };
 
 /// True only if x takes no value at two different points of the rectangle, apart from two points on one side
-/// of the square that x collapses to a point (method, section 7.4). Cuspidal points may lie on its sides.
+/// of the square that x collapses to a point, by (7.9) and (7.10) (method, section 7.4). Cuspidal points may
+/// lie on its sides.
 bool is_injective(const BezierPatch& x, const ParameterRectangle& where);
 
 /// Whether x maps the side of the square, fixed parameter 0 (u) or 1 (v), value 0 or 1, to one point.

@@ -22,10 +22,10 @@ struct Port {
   int side;          // -1: at the lower end of the box in that parameter, +1: at the upper end
 };
 
-/// Invariant (docs/method.md, section 6): inside the closed box the intersection consists of `centre` and of
-/// one arc for every port, that runs from the port to the centre; the arcs meet in the centre only. Each is
-/// strictly monotone in the parameter it leaves across, and strictly monotone or constant in each other
-/// parameter, unless all lie on sides of the squares. No port: the centre is an isolated point.
+/// Invariant, by (6.3) (docs/method.md, Lemmas 6.2, 6.2a): inside the closed box the intersection consists of
+/// `centre` and of one arc for every port, that runs from the port to the centre; the arcs meet in the centre
+/// only. Each is strictly monotone in the parameter it leaves across, and strictly monotone or constant in
+/// each other parameter, unless all lie on sides of the squares. No port: the centre is an isolated point.
 struct StarNeighbourhood {
   CertifiedPoint centre;
   Parameter sweep;

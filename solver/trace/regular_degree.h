@@ -12,8 +12,8 @@ namespace exsect {
 
 /// The tangent (5.1) vanishes nowhere in the box around the node's point: there the solutions of x = y are
 /// one smooth curve. Two arcs of it end in an inner point. At a side that the curve crosses it enters the
-/// square in one direction: where all sides are crossed, one arc ends in the point if these directions agree,
-/// and none if they do not.
+/// square in one direction (8.1): where all sides are crossed, one arc ends in the point if these directions
+/// agree, and none if they do not.
 class RegularDegree {
  public:
   RegularDegree(const BezierPatch& x, const BezierPatch& y);

@@ -1,8 +1,8 @@
 // Certified pieces of curves along which the two patches touch. Internal to solver/.
 //
 // Along such a curve F = 0 has a Jacobian of rank 2 and no tube of tube.h exists. It is a regular curve of
-// the three equations Phi = (F_a, F_b, T_k) = 0: two coordinates of F and one component of the tangent field,
-// which vanishes there (docs/method.md, section 6.6).
+// the three equations Phi = (F_a, F_b, T_k) = 0 (6.4): two coordinates of F and one component of the tangent
+// field, which vanishes there (docs/method.md, section 6.6).
 #pragma once
 
 #include <exsect/algebra/ball.h>

@@ -16,11 +16,11 @@
 
 namespace exsect {
 
-/// Invariant (proved by certify_tube): for every tau in [-reach, reach] there is exactly one point w of the
-/// curve F = 0 with w_k = p_k + tau and |w_i - p_i - l_i(tau)| <= halfwidth_i for i != k; the three columns
-/// other than k of the Jacobian are independent on the whole region, where the matrix C DF has distance at
-/// most rho < 1 from the identity (row sum norm). So the region holds one regular arc of the curve, a graph
-/// over tau, and nothing else.
+/// Invariant (proved by certify_tube, with (5.2) and (5.3)): for every tau in [-reach, reach] there is
+/// exactly one point w of the curve F = 0 with w_k = p_k + tau and |w_i - p_i - l_i(tau)| <= halfwidth_i for
+/// i != k; the three columns other than k of the Jacobian are independent on the whole region, where the
+/// matrix C DF has distance at most rho < 1 from the identity (row sum norm). So the region holds one regular
+/// arc of the curve, a graph over tau, and nothing else.
 template <class Ball>
 struct Tube {
   BallPoint<Ball> centre;  // radius 0

@@ -227,6 +227,23 @@ def test_json_is_what_it_says(page, line, language, text):
         jsonschema.Draft7Validator(json.loads(schema.read_text())).validate(document)
 
 
+LABEL = re.compile(r"(?:   |\|).*\((\d+\.\d+[a-z]?|F\d)\)(?: \|)?$")
+IN_PROOFS_ALONE = {"4.10", "4.12", "4.17f"}
+
+
+def test_equations_are_cited_where_they_are_implemented():
+    """Every numbered equation of the method, but those that only proofs use, stands in a source with its number."""
+    folders = ["algebra", "geometry", "solver", "verify", "implicit"]
+    text = "".join(path.read_text() for folder in folders for path in (ROOT / folder).rglob("*.[hc]*"))
+    cited = set(re.findall(r"\((\d+\.\d+[a-z]?|F\d)\)", text))
+    for number, letters in re.findall(r"\((\d+\.\d+)((?:[a-z](?:, )?)+)\)", text):
+        cited.update(number + letter for letter in re.findall("[a-z]", letters))
+    pages = sorted((ROOT / "docs").glob("method*.md"))
+    labels = {m[1] for page in pages for line in page.read_text().splitlines() if (m := LABEL.search(line))}
+    assert len(labels) > 150
+    assert sorted(labels - cited) == sorted(IN_PROOFS_ALONE)
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_links_lead_somewhere(page):
     text = re.sub(r"```.*?```", "", page.read_text(), flags=re.S)
