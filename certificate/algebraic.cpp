@@ -12,11 +12,12 @@ using checker::Algebraic;
 std::vector<AlgebraicPoint> points_in_box(const Patches& patches, const Node& node) {
   std::vector<AlgebraicPoint> result;
   const Place place = short_place(node);
-  if (patches[0](place[0], place[1]) == patches[1](place[2], place[3])) {
+  if (is_solution(patches, place)) {
     const checker::Root zero = {{0, 1}, {-1, 1}};
     result.push_back({std::make_shared<checker::Root>(zero), {place[0], place[1], place[2], place[3]}});
   }
-  if (const auto found = algebraic_place(patches[0], patches[1], node.box)) {
+  const auto x = patches[0].biquadratic(), y = patches[1].biquadratic();
+  if (const auto found = x && y ? algebraic_place(*x, *y, node.box) : std::nullopt) {
     const checker::Root root = {found->modulus.coefficients(), {found->between.lower, found->between.upper}};
     AlgebraicPoint& point = result.emplace_back();
     point.root = std::make_shared<checker::Root>(root);

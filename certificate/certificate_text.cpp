@@ -56,14 +56,12 @@ std::vector<int> connected(const IntersectionGraph& graph, std::vector<int> arcs
   return result;
 }
 
-Json document(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
-              const IntersectResult& result, bool self) {
-  const Patches patches = {x, y};
-  Draft d = {patches, names, result.graph, near_pair(x, y), self, Factors(patches, self)};
+Json document(const Patches& patches, const PatchNames& names, const IntersectResult& result, bool self) {
+  Draft d = {patches, names, result.graph, near_pair(patches), self, Factors(patches, self)};
   find_special_places(d);
   Json json = {{"exsect", "certificate/1"}, {"command", self ? "self" : "intersect"}};
-  json["first"] = patch_claim("$.first", names.first, x);
-  if (!self) json["second"] = patch_claim("$.second", names.second, y);
+  json["first"] = patch_claim("$.first", names.first, patches[0]);
+  if (!self) json["second"] = patch_claim("$.second", names.second, patches[1]);
   json["factors"] = d.factors.claims();
   json["stars"] = star_claims(d.stars);
   json["tubes"] = Json::array();
@@ -89,23 +87,22 @@ Json document(const BezierPatch& x, const BezierPatch& y, const PatchNames& name
 
 namespace {
 
-std::string text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names, IntersectResult result,
-                 bool self) {
+std::string text(const Patches& patches, const PatchNames& names, IntersectResult result, bool self) {
   if (!self) result.graph = with_free_arcs(std::move(result.graph));
   refuse_events(result, self);
-  return accepted_text(document(x, y, names, result, self));
+  return accepted_text(document(patches, names, result, self));
 }
 
 }  // namespace
 
-std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
+std::string certificate_text(const RationalPatch& x, const RationalPatch& y, const PatchNames& names,
                              const IntersectResult& result) {
-  return text(x, y, names, result, false);
+  return text({certified_form(x), certified_form(y)}, names, result, false);
 }
 
 std::string self_certificate_text(const BezierPatch& x, const PatchNames& names,
                                   const IntersectResult& result) {
-  return text(x, x, names, result, true);
+  return text({x, x}, names, result, true);
 }
 
 }  // namespace exsect::cli

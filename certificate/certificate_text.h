@@ -1,7 +1,7 @@
 // Certificates (docs/certificate.md): a complete result as claims that `exsect check` replays.
 #pragma once
 
-#include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/line_patch.h>
 #include <exsect/solver/result.h>
 
@@ -15,7 +15,7 @@ namespace exsect::cli {
 /// The certificate of the intersection of x and y, with all four parameters' turning points as nodes. It has
 /// been checked. Throws NoCertificate for a result that is incomplete or holds an event without a
 /// certificate.
-std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
+std::string certificate_text(const RationalPatch& x, const RationalPatch& y, const PatchNames& names,
                              const IntersectResult& result);
 /// The same of the self-intersection of x.
 std::string self_certificate_text(const BezierPatch& x, const PatchNames& names,

@@ -30,12 +30,12 @@ Json exact_numbers(const std::vector<double>& numbers) {
 
 const char* letter(std::size_t parameter) { return name(all_parameters[parameter]); }
 
-Json patch_claim(const std::string& place, const std::string& name, const BezierPatch& patch) {
+Json patch_claim(const std::string& place, const std::string& name, const RationalPatch& patch) {
   Json points = Json::array();
-  for (const auto& row : patch.net()) {
-    Json list = Json::array();
-    for (const Point& p : row) list.push_back({to_string(p[0]), to_string(p[1]), to_string(p[2])});
-    points.push_back(list);
+  for (int i = 0; i <= patch.degree_u(); ++i) {
+    Json row = Json::array();
+    for (int j = 0; j <= patch.degree_v(); ++j) row.push_back(rationals(patch.point(i, j)));
+    points.push_back(row);
   }
   return sealed(place, {{"name", name}, {"points", points}});
 }

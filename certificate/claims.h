@@ -2,7 +2,6 @@
 #pragma once
 
 #include <exsect/checker/check_certificate.h>
-#include <exsect/geometry/bezier_patch.h>
 #include <exsect/geometry/number.h>
 
 #include <string>
@@ -37,7 +36,7 @@ const char* letter(std::size_t parameter);
 /// pair, star3u+.
 std::string map_text(const checker::MapName& map);
 
-Json patch_claim(const std::string& place, const std::string& name, const BezierPatch& patch);
+Json patch_claim(const std::string& place, const std::string& name, const RationalPatch& patch);
 Json tube_claims(const NearPair& pair, const std::vector<Tube>& tubes);
 Json cover_claims(const std::vector<std::string>& entries);
 

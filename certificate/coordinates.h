@@ -12,7 +12,6 @@
 
 namespace exsect::cli {
 
-using ExactMap = checker::Map<Rational>;
 using Scalar = std::map<checker::Power, Rational>;  // a polynomial in four variables
 
 /// The exponents of w_i alone.

@@ -22,18 +22,7 @@ struct Cell {
 
 Cell half_of(const Cell& cell, std::size_t parameter, bool upper) {
   Cell result = cell;
-  Net& net = result.nets[parameter / 2];
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t d = 0; d < 3; ++d) {
-      const auto at = [&](std::size_t m) -> double& {
-        return parameter % 2 == 0 ? net[m][i][d] : net[i][m][d];
-      };
-      const double a = (at(0) + at(1)) / 2;
-      const double b = (at(1) + at(2)) / 2;
-      (upper ? at(0) : at(2)) = (a + b) / 2;
-      at(1) = upper ? b : a;
-    }
-  }
+  result.nets[parameter / 2].halve(parameter % 2, upper);
   result.half[parameter] /= 2;
   result.middle[parameter] += (upper ? 1 : -1) * result.half[parameter];
   return result;
@@ -41,16 +30,7 @@ Cell half_of(const Cell& cell, std::size_t parameter, bool upper) {
 
 /// The part of the cell where the parameter has the value, in [0,1].
 Cell on_line(Cell cell, std::size_t parameter, double t) {
-  Net& net = cell.nets[parameter / 2];
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t d = 0; d < 3; ++d) {
-      const auto at = [&](std::size_t m) -> double& {
-        return parameter % 2 == 0 ? net[m][i][d] : net[i][m][d];
-      };
-      at(0) = (1 - t) * (1 - t) * at(0) + 2 * t * (1 - t) * at(1) + t * t * at(2);
-      at(1) = at(2) = at(0);
-    }
-  }
+  cell.nets[parameter / 2].restrict_to(parameter % 2, t);
   cell.middle[parameter] = t;
   cell.half[parameter] = 0;
   return cell;
@@ -62,12 +42,10 @@ std::string separating(const Cell& cell, const std::array<int, 3>& direction) {
   std::array<double, 2> least = {1e300, 1e300};
   std::array<double, 2> most = {-1e300, -1e300};
   for (std::size_t n = 0; n < 2; ++n) {
-    for (const auto& row : cell.nets[n]) {
-      for (const Vector& p : row) {
-        least[n] = std::min(least[n], checker::dot(d, p));
-        most[n] = std::max(most[n], checker::dot(d, p));
-      }
-    }
+    cell.nets[n].each([&](std::size_t i, std::size_t j) {
+      least[n] = std::min(least[n], checker::dot(d, cell.nets[n][i][j]));
+      most[n] = std::max(most[n], checker::dot(d, cell.nets[n][i][j]));
+    });
   }
   const double margin = 1e-11 + 1e-14 * (std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]));
   if (least[0] - most[1] > margin) return fmt::format("{},{},{}", direction[0], direction[1], direction[2]);
@@ -184,13 +162,16 @@ class Cover {
     const Net& x = cell.nets[0];
     const Net& y = cell.nets[1];
     const auto normal = [](const Net& n) {
-      return checker::cross(difference(n[2][2], n[0][0]), difference(n[2][0], n[0][2]));
+      const std::size_t a = n.degree(0);
+      const std::size_t b = n.degree(1);
+      return checker::cross(difference(n[a][b], n[0][0]), difference(n[a][0], n[0][b]));
     };
+    const auto middle = [](const Net& n) { return n[n.degree(0) / 2][n.degree(1) / 2]; };
     const bool small = *std::max_element(cell.half.begin(), cell.half.end()) < 0x1p-8;
     const double size = small ? 1e5 : 100;
     for (const auto& d : {std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{0, 0, 1},
-                          rounded_direction(difference(x[1][1], y[1][1])), rounded_direction(normal(x), size),
-                          rounded_direction(normal(y), size)}) {
+                          rounded_direction(difference(middle(x), middle(y))),
+                          rounded_direction(normal(x), size), rounded_direction(normal(y), size)}) {
       if (std::string found = separating(cell, d); !found.empty()) return found;
     }
     for (const std::size_t i : meeting) {
@@ -206,10 +187,10 @@ class Cover {
   static std::size_t longest(const Cell& cell) {
     Parameters length{};
     for (std::size_t p = 0; p < 4; ++p) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t m = 0; m < 2; ++m) {
-          const Net& n = cell.nets[p / 2];
-          const Vector d = p % 2 == 0 ? difference(n[m + 1][i], n[m][i]) : difference(n[i][m + 1], n[i][m]);
+      const Net& n = cell.nets[p / 2];
+      for (std::size_t i = 0; i <= n.degree(1 - p % 2); ++i) {
+        for (std::size_t m = 0; m < n.degree(p % 2); ++m) {
+          const Vector d = difference(n.along(p % 2, m + 1, i), n.along(p % 2, m, i));
           length[p] = std::max(length[p], checker::dot(d, d));
         }
       }

@@ -12,10 +12,16 @@
 namespace exsect::cli {
 namespace {
 
-/// d depends on the parameter p alone and is monotone in it.
-bool monotone(const Point& d, const ControlNet& c, std::size_t p) {
-  const Rational first = dot(d, p == 0 ? c[1][0] : c[0][1]);
-  return sign(first) * sign(Rational(first + 2 * dot(d, p == 0 ? c[2][0] : c[0][2]))) > 0;
+/// d, which depends on the parameter p alone, is monotone in it: all steps of its control values have one
+/// sign.
+bool monotone(const Point& d, const checker::Net<Rational>& control, std::size_t p) {
+  int all = 0;
+  for (std::size_t k = 0; k < control.degree(p); ++k) {
+    const int step = sign(dot(d, control.along(p, k + 1, 0) - control.along(p, k, 0)));
+    if (step == 0 || step * all < 0) return false;
+    all = step;
+  }
+  return true;
 }
 
 bool has(const Node& node, NodeKind kind) {
@@ -59,15 +65,15 @@ std::array<Rational, 4> short_place(const Node& node) {
 }
 
 std::vector<Point> related_directions(const Patches& patches) {
-  const std::array<ControlNet, 2> power = {patches[0].power_basis(), patches[1].power_basis()};
+  const std::array power = {power_basis(patches[0]), power_basis(patches[1])};
   std::vector<Point> result;
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
       std::vector<Point> vectors;
-      for (std::size_t a = 0; a < 3; ++a) {
-        for (std::size_t b = 1; b < 3; ++b) {
-          vectors.push_back(i == 0 ? power[0][a][b] : power[0][b][a]);
-          vectors.push_back(j == 0 ? power[1][a][b] : power[1][b][a]);
+      for (std::size_t a = 0; a < 4; ++a) {
+        for (std::size_t b = 1; b < 4; ++b) {
+          vectors.push_back(power[0].along(i, a, b));
+          vectors.push_back(power[1].along(j, a, b));
         }
       }
       Point d = {};
@@ -76,7 +82,7 @@ std::vector<Point> related_directions(const Patches& patches) {
           if (is_zero(d)) d = cross(a, b);
       const auto in_plane = [&](const Point& a) { return dot(d, a) == 0; };
       if (is_zero(d) || !std::all_of(vectors.begin(), vectors.end(), in_plane)) continue;
-      if (!monotone(d, power[0], i) || !monotone(d, power[1], j)) continue;
+      if (!monotone(d, control_net(patches[0]), i) || !monotone(d, control_net(patches[1]), j)) continue;
       result.push_back(d);
     }
   }
@@ -92,6 +98,7 @@ namespace {
 std::optional<Line> line_through(const Patches& patches, std::size_t axis, const std::array<Rational, 4>& a,
                                  const std::array<Rational, 4>& b,
                                  const std::optional<checker::Vector4<Rational>>& slope) {
+  constexpr int degree = 12;  // of F along the line at most
   Line line = {axis, {}};
   const Rational t = a[axis];
   const Rational step = b[axis] - t;
@@ -101,9 +108,9 @@ std::optional<Line> line_through(const Patches& patches, std::size_t axis, const
     const Rational bend = (mean - first) / step;  // a + first (s - t) + bend (s - t)^2
     line.at[i] = {a[i] - first * t + bend * t * t, first - 2 * bend * t, bend};
   }
-  for (int k = 0; k < 9; ++k) {
+  for (int k = 0; k <= degree; ++k) {
     const auto at = [&](std::size_t i) { return value(line.at[i], Rational(k)); };
-    if (patches[0](at(0), at(1)) != patches[1](at(2), at(3))) return std::nullopt;
+    if (!is_solution(patches, {at(0), at(1), at(2), at(3)})) return std::nullopt;
   }
   return line;
 }
@@ -119,9 +126,8 @@ std::optional<Line> line_between(const Patches& patches, const Node& from, const
     if (length(i) > length(axis)) axis = i;
   if (a[axis] == b[axis]) return std::nullopt;
   if (auto line = line_through(patches, axis, a, b, std::nullopt)) return line;
-  if (patches[0](a[0], a[1]) != patches[1](a[2], a[3])) return std::nullopt;
-  const auto equation = checker::pair_map(patches[0].power_basis(), patches[1].power_basis());
-  const auto tangent = checker::tangent(equation.at(a), {});
+  if (!is_solution(patches, a)) return std::nullopt;
+  const auto tangent = checker::tangent(equation_of(patches).at(a), {});
   for (std::size_t k = 0; k < 4; ++k) {
     if (tangent[k].middle == 0 || a[k] == b[k]) continue;
     checker::Vector4<Rational> slope;

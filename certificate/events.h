@@ -2,7 +2,6 @@
 #pragma once
 
 #include <exsect/checker/certificate.h>
-#include <exsect/geometry/bezier_patch.h>
 #include <exsect/solver/intersection_graph.h>
 #include <exsect/solver/result.h>
 
@@ -10,11 +9,10 @@
 #include <optional>
 #include <vector>
 
+#include "certificate/patches.h"
 #include "output/text/json_forms.h"
 
 namespace exsect::cli {
-
-using Patches = std::array<BezierPatch, 2>;
 
 /// A point that needs a star: isolated, or where branches meet.
 bool is_star(const IntersectionGraph& graph, const Node& node, bool self);

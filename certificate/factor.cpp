@@ -18,13 +18,13 @@ using checker::others;
 using checker::Power;
 
 /// The normal of the plane in which the patch is.
-std::optional<Point> normal_of_plane(const BezierPatch& patch) {
-  const ControlNet c = patch.power_basis();
+std::optional<Point> normal_of_plane(const RationalPatch& patch) {
+  const checker::Net<Rational> c = power_basis(patch);
   Point n = {};
   const auto each = [&](const auto& use) {
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        if (i + j > 0) use(c[i][j]);
+    c.each([&](std::size_t i, std::size_t j) {
+      if (i + j > 0) use(c[i][j]);
+    });
   };
   each([&](const Point& a) {
     each([&](const Point& b) {
@@ -108,8 +108,7 @@ Factor rows_factor(const std::array<Point, 3>& rows, const ExactMap& equation) {
 
 }  // namespace
 
-Factors::Factors(const Patches& patches, bool self)
-    : patches_(patches), equation_(checker::pair_map(patches[0].power_basis(), patches[1].power_basis())) {
+Factors::Factors(const Patches& patches, bool self) : patches_(patches), equation_(equation_of(patches)) {
   if (self) return;
   for (const std::size_t n : {1, 0})
     if (const auto normal = normal_of_plane(patches[n]); normal && is_zero(normal_)) normal_ = *normal;
@@ -150,13 +149,13 @@ void Factors::find_parts() {
   const ExactMap rows = equation_.times({Point{}, Point{}, rows_[2]});
   const auto of_second = [](const auto& term) { return term.c[2] != 0 && term.power[2] + term.power[3] > 0; };
   const std::size_t first = std::any_of(rows.terms().begin(), rows.terms().end(), of_second) ? 2 : 0;
-  std::array<std::array<Rational, 3>, 3> c = {};
+  std::array<std::array<Rational, 4>, 4> c = {};
   for (const auto& term : rows.terms())
     if (term.c[2] != 0)
       c[static_cast<std::size_t>(term.power[first])][static_cast<std::size_t>(term.power[first + 1])] =
           term.c[2];
-  const auto row = [&](std::size_t i) { return Polynomial({c[i][0], c[i][1], c[i][2]}); };
-  const BivariatePolynomial f({row(0), row(1), row(2)});
+  const auto row = [&](std::size_t i) { return Polynomial({c[i][0], c[i][1], c[i][2], c[i][3]}); };
+  const BivariatePolynomial f({row(0), row(1), row(2), row(3)});
   if (f.is_zero()) return;
   for (const auto& [part, power] : coprime_parts(f)) {
     BivariatePolynomial rest = f;

@@ -31,10 +31,11 @@ Parameters near_point(const NearPair& pair, const CertifiedPoint& point, std::si
 
 }  // namespace
 
-std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const PatchNames& names,
+std::string certificate_text(const RationalPatch& x, const RationalPatch& y, const PatchNames& names,
                              const LineIntersection& line) {
   refuse_points(line.solution);
-  const NearPair pair = near_pair(x, y);
+  const Patches patches = {certified_form(x), certified_form(y)};
+  const NearPair pair = near_pair(patches);
   const std::size_t fixed = index(line.query.fixed);
   const std::string value = to_string(line.query.value);
   std::vector<Tube> tubes;
@@ -51,8 +52,8 @@ std::string certificate_text(const BezierPatch& x, const BezierPatch& y, const P
   }
   Json document = {{"exsect", "certificate/1"}, {"command", "line"}};
   document["fixed"] = sealed("$.fixed", {{"parameter", letter(fixed)}, {"value", value}});
-  document["first"] = patch_claim("$.first", names.first, x);
-  document["second"] = patch_claim("$.second", names.second, y);
+  document["first"] = patch_claim("$.first", names.first, patches[0]);
+  document["second"] = patch_claim("$.second", names.second, patches[1]);
   document["tubes"] = tube_claims(pair, tubes);
   document["points"] = points;
   const std::vector<std::string> cells = cover(pair, {tubes}, line.query);

@@ -183,38 +183,47 @@ std::optional<Matrix3<double>> inverse(const Map& local, std::size_t k) {
   return m;
 }
 
-NearPair near_pair(const BezierPatch& x, const BezierPatch& y) {
+namespace {
+
+checker::Net<double> near_net(const checker::Net<Rational>& net, const Rational& factor) {
+  checker::Net<double> result(net.degree(0), net.degree(1));
+  net.each([&](std::size_t i, std::size_t j) {
+    for (std::size_t d = 0; d < 3; ++d) result[i][j][d] = to_double(factor * net[i][j][d]);
+  });
+  return result;
+}
+checker::Net<double> exchanged(const checker::Net<double>& net) {
+  checker::Net<double> result(net.degree(1), net.degree(0));
+  net.each([&](std::size_t i, std::size_t j) { result[j][i] = net[i][j]; });
+  return result;
+}
+
+}  // namespace
+
+NearPair near_pair(const Patches& patches) {
   NearPair result;
-  std::array<ControlNet, 2> nets = {x.net(), y.net()};
-  const Point origin = x.net()[1][1];
+  std::array<checker::Net<Rational>, 2> nets = {control_net(patches[0]), control_net(patches[1])};
+  const Point origin = nets[0][nets[0].degree(0) / 2][nets[0].degree(1) / 2];
   Rational most = 0;
-  for (ControlNet& net : nets) {
-    for (auto& row : net) {
-      for (Point& p : row) {
-        p = p - origin;
-        for (const Rational& q : p) most = std::max<Rational>(most, abs(q));
-      }
-    }
+  for (auto& net : nets) {
+    net.each([&](std::size_t i, std::size_t j) {
+      net[i][j] = net[i][j] - origin;
+      for (const Rational& q : net[i][j]) most = std::max<Rational>(most, abs(q));
+    });
   }
   result.scale = std::exp2(std::ceil(std::log2(to_double(most))));
   if (!(result.scale > 0) || !std::isfinite(result.scale))
     throw NoCertificate("control points beyond doubles");
   const Rational factor = 1 / from_double(result.scale);
-  std::array<checker::Net<double>, 3> near;  // x, y, and x with exchanged parameters
+  std::array<checker::Net<double>, 2> power;
   for (std::size_t n = 0; n < 2; ++n) {
-    const ControlNet power = BezierPatch(nets[n]).power_basis();
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        for (std::size_t d = 0; d < 3; ++d) {
-          result.control[n][i][j][d] = to_double(factor * nets[n][i][j][d]);
-          near[n][i][j][d] = to_double(factor * power[i][j][d]);
-          near[2][j][i][d] = near[0][i][j][d];
-        }
-      }
-    }
+    result.control[n] = near_net(nets[n], factor);
+    nets[n].to_powers();
+    power[n] = near_net(nets[n], factor);
   }
-  result.power = checker::pair_map(near[0], near[1]);
-  result.charts = {checker::chart_map(near[0]), checker::chart_map(near[2])};
+  result.power = checker::pair_map(power[0], power[1]);
+  if (power[0].degree(0) == 2 && power[0].degree(1) == 2)
+    result.charts = {checker::chart_map(power[0]), checker::chart_map(exchanged(power[0]))};
   return result;
 }
 

@@ -4,7 +4,6 @@
 
 #include <exsect/checker/certificate.h>
 #include <exsect/checker/pairs_of_points.h>
-#include <exsect/geometry/bezier_patch.h>
 #include <exsect/solver/intersection_graph.h>
 #include <exsect/solver/line_patch.h>
 
@@ -13,6 +12,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "certificate/patches.h"
 
 namespace exsect::cli {
 
@@ -25,8 +26,6 @@ class NoCertificate : public std::runtime_error {
 using Tube = checker::Tube<double>;
 using Parameters = std::array<double, 4>;
 using Vector = checker::Vector3<double>;
-using Place = checker::Vector4<Rational>;  // of four parameters, exactly
-using Direction = checker::Vector4<Rational>;
 
 using Map = checker::Map<double>;
 using checker::Chart;
@@ -34,11 +33,11 @@ using checker::Chart;
 /// x and y translated, divided by `scale`, a power of two, and rounded to doubles.
 struct NearPair {
   Map power;                                    // F
-  std::array<Map, 2> charts;                    // H of x, and of x with exchanged parameters
+  std::array<Map, 2> charts;                    // H of x, and of x with exchanged parameters; of one patch
   std::array<checker::Net<double>, 2> control;  // of x and y
   double scale;
 };
-NearPair near_pair(const BezierPatch& x, const BezierPatch& y);
+NearPair near_pair(const Patches& patches);
 
 /// dF/dw_j at the map's point.
 Vector column(const Map& local, std::size_t j);

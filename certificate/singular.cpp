@@ -34,8 +34,7 @@ struct SingularPoint {
 
 /// Nothing if the tangent planes are not parallel there, or not known.
 std::optional<SingularPoint> singular_at(const Patches& patches, const AlgebraicPoint& at) {
-  const auto equation = checker::pair_map(patches[0].power_basis(), patches[1].power_basis());
-  SingularPoint result = {at, checker::rounded<Algebraic>(equation).at(at.parameters), {}, {}, 0};
+  SingularPoint result = {at, checker::rounded<Algebraic>(equation_of(patches)).at(at.parameters), {}, {}, 0};
   for (const auto& term : result.local.terms())
     for (std::size_t j = 0; j < 4; ++j)
       if (std::accumulate(term.power.begin(), term.power.end(), 0) == 1 && term.power[j] == 1)

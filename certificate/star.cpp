@@ -255,7 +255,7 @@ double extent(const Star& star) {
 
 FoundStar star_at(const Patches& patches, const Node& node, const ClaimNumbers& first, double size,
                   const std::vector<NearFactor>& factors) {
-  const auto equation = checker::pair_map(patches[0].power_basis(), patches[1].power_basis());
+  const ExactMap equation = equation_of(patches);
   for (const Star& star : singular_points(patches, node)) {
     const bool plain = star.weights == std::array<std::size_t, 4>{1, 1, 1, 1};
     int tried = 0;

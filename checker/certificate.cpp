@@ -124,6 +124,26 @@ void read(Reader& in, std::vector<T>& values) {
   in.list([&](std::size_t) { read(in, values.emplace_back()); });
 }
 
+/// m+1 rows of n+1 entries, m and n in {1,2,3}.
+template <std::size_t dimension>
+static void read(Reader& in, Grid<Rational, dimension>& grid) {
+  constexpr const char* shape = "must be 2 to 4 rows of 2 to 4 entries, all of one length";
+  Grid<Rational, dimension> entries(3, 3);
+  std::size_t columns = 0;
+  const std::size_t rows = in.list([&](std::size_t i) {
+    require(i < 4, shape);
+    const std::size_t size = in.list([&](std::size_t j) {
+      require(j < 4, shape);
+      read(in, entries[i][j]);
+    });
+    require(size >= 2 && (i == 0 || size == columns), shape);
+    columns = size;
+  });
+  require(rows >= 2, shape);
+  grid = Grid<Rational, dimension>(rows - 1, columns - 1);
+  grid.each([&](std::size_t i, std::size_t j) { grid[i][j] = entries[i][j]; });
+}
+
 static void read(Reader& in, Parameter& parameter) {
   Word word(in.string());
   parameter = word.parameter();
@@ -384,7 +404,9 @@ void read_patches(Reader& in, Certificate<N>& c) {
   };
   in.members({"first"}, [&] { patch(0); });
   if (!c.self) in.members({"second"}, [&] { patch(1); });
-  if (c.self) c.nets[1] = c.nets[0];
+  if (!c.self) return;
+  require(c.nets[0].degree(0) == 2 && c.nets[0].degree(1) == 2, "must be 3 rows of 3 points, of one patch");
+  c.nets[1] = c.nets[0];
 }
 template <class N>
 void read_cover(Reader& in, Certificate<N>& c) {

@@ -1,8 +1,6 @@
 // A certificate as it is written (docs/certificate.md): what is claimed, nothing of it checked but its form.
 #pragma once
 
-#include <exsect/geometry/bezier_patch.h>
-
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -160,7 +158,7 @@ struct Summary {
 /// N: Rational, or Enclosure, to check in doubles.
 template <class N>
 struct Certificate {
-  std::array<ControlNet, 2> nets;  // twice the same if `self`
+  std::array<Net<Rational>, 2> nets;  // of control points; twice the same if `self`
   bool self;
   std::optional<Fixed> fixed;  // of a line: then the points are the nodes, and there are no arcs
   std::vector<Factor> factors;

@@ -11,11 +11,12 @@ class Cover {
   explicit Cover(const Replay<N>& replay) : replay_(replay), certificate_(replay.certificate) {
     whole_.box = box_around<double>({0.5, 0.5, 0.5, 0.5}, 0.5);
     for (std::size_t n = 0; n < 2; ++n) {
-      const ControlNet net = whole(n);
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j)
-          for (std::size_t d = 0; d < 3; ++d)
-            whole_.nets[n][i][j][d] = N(Rational(net[i][j][d] - replay.origin[d]));
+      const Net<Rational> net = whole(n);
+      whole_.nets[n] = Net<N>(net.degree(0), net.degree(1));
+      net.each([&](std::size_t i, std::size_t j) {
+        for (std::size_t d = 0; d < 3; ++d)
+          whole_.nets[n][i][j][d] = N(Rational(net[i][j][d] - replay.origin[d]));
+      });
     }
   }
 
@@ -82,19 +83,10 @@ class Cover {
   }
 
   /// The control points of a patch; where one of its parameters is fixed, of its line.
-  ControlNet whole(std::size_t patch) const {
-    ControlNet net = certificate_.nets[patch];
-    if (!certificate_.fixed || certificate_.fixed->parameter / 2 != patch) return net;
-    const Rational& t = certificate_.fixed->value;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t d = 0; d < 3; ++d) {
-        const auto at = [&](std::size_t m) -> Rational& {
-          return entry(net, certificate_.fixed->parameter, m, i)[d];
-        };
-        at(0) = (1 - t) * (1 - t) * at(0) + 2 * t * (1 - t) * at(1) + t * t * at(2);
-        at(1) = at(2) = at(0);
-      }
-    }
+  Net<Rational> whole(std::size_t patch) const {
+    Net<Rational> net = certificate_.nets[patch];
+    const auto& fixed = certificate_.fixed;
+    if (fixed && fixed->parameter / 2 == patch) net.restrict_to(fixed->parameter % 2, fixed->value);
     return net;
   }
 
@@ -105,13 +97,7 @@ class Cover {
     return box;
   }
 
-  /// Row m in the direction of the parameter.
-  template <class Any>
-  static auto& entry(Any& net, std::size_t parameter, std::size_t m, std::size_t i) {
-    return parameter % 2 == 0 ? net[m][i] : net[i][m];
-  }
-
-  /// The lower or upper half of the region, by de Casteljau's algorithm.
+  /// The lower or upper half of the region.
   Region half_of(const Region& region, const Cell& cell, bool upper) const {
     const auto box = [&] {
       require(!certificate_.fixed || certificate_.fixed->parameter != cell.index,
@@ -119,30 +105,19 @@ class Cover {
       return checker::half_of(region.box, cell.index, upper);
     };
     Region result = {region.nets, replayed("$.cover", cell.row, box, Violation::cover)};
-    Net<N>& net = result.nets[cell.index / 2];
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t d = 0; d < 3; ++d) {
-        const auto at = [&](std::size_t m) -> N& { return entry(net, cell.index, m, i)[d]; };
-        const N a = half(at(0) + at(1));
-        const N b = half(at(1) + at(2));
-        at(upper ? 0 : 2) = half(a + b);
-        at(1) = upper ? b : a;
-      }
-    }
+    result.nets[cell.index / 2].halve(cell.index % 2, upper);
     return result;
   }
 
   /// direction . x > direction . y over the region.
   static bool separated(const Region& region, const std::array<int, 3>& direction) {
     const Vector3<N> n = {direction[0], direction[1], direction[2]};
-    N below = -dot(n, region.nets[0][0][0]);  // -min of x
-    N above = dot(n, region.nets[1][0][0]);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        below = larger(below, N(-dot(n, region.nets[0][i][j])));
-        above = larger(above, dot(n, region.nets[1][i][j]));
-      }
-    }
+    const Net<N>& x = region.nets[0];
+    const Net<N>& y = region.nets[1];
+    N below = -dot(n, x[0][0]);  // -min of x
+    N above = dot(n, y[0][0]);
+    x.each([&](std::size_t i, std::size_t j) { below = larger(below, N(-dot(n, x[i][j]))); });
+    y.each([&](std::size_t i, std::size_t j) { above = larger(above, dot(n, y[i][j])); });
     return below + above < 0;
   }
 

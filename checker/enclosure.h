@@ -115,6 +115,7 @@ inline Enclosure larger(const Enclosure& a, const Enclosure& b) {
 }
 
 inline Rational half(const Rational& q) { return q / 2; }
+inline double half(double a) { return a / 2; }
 /// A double near the number, 0 if there is none: to look for numbers that are checked afterwards.
 inline double approximate(const Rational& q) {
   const double near = to_double(q);

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "enclosure.h"
+#include "net.h"
 #include "require.h"
 
 namespace exsect::checker {
@@ -19,9 +19,6 @@ template <class N>
 using Vector3 = std::array<N, 3>;
 template <class N>
 using Matrix3 = std::array<std::array<N, 3>, 3>;
-/// c[i][j] is the vector coefficient of u^i v^j, or a control point.
-template <class N>
-using Net = std::array<std::array<Vector3<N>, 3>, 3>;
 
 template <class N>
 N magnitude(const N& a) {
@@ -229,17 +226,15 @@ Map<N> rounded(const Map<Rational>& map) {
   return result;
 }
 
-/// x(u,v), or with factor -1 and by 2 variables later -y(r,s), added to the map.
+/// x(u,v) of these coefficients, or with factor -1 and by 2 variables later -y(r,s), added to the map.
 template <class N>
 void add_patch(Map<N>& map, const Net<N>& c, const N& factor, std::size_t later) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      Power power = {};
-      power[later] = static_cast<int>(i);
-      power[later + 1] = static_cast<int>(j);
-      map.add(power, c[i][j], factor);
-    }
-  }
+  c.each([&](std::size_t i, std::size_t j) {
+    Power power = {};
+    power[later] = static_cast<int>(i);
+    power[later + 1] = static_cast<int>(j);
+    map.add(power, c[i][j], factor);
+  });
 }
 template <class N>
 Map<N> space_map(const Net<N>& x) {

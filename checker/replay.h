@@ -87,11 +87,13 @@ Box<N> exactly(const Box<double>& box) {
 
 template <class N>
 Replay<N> start(const Certificate<N>& certificate) {
-  Replay<N> result = {certificate, certificate.nets[0][1][1], {}, {}, {}, {}, {}, {}};
-  std::array<Net<Rational>, 2> power;
-  for (std::size_t n = 0; n < 2; ++n) {
-    power[n] = BezierPatch(certificate.nets[n]).power_basis();
-    for (std::size_t d = 0; d < 3; ++d) power[n][0][0][d] -= result.origin[d];
+  const Net<Rational>& first = certificate.nets[0];
+  const Vector3<Rational>& middle = first[first.degree(0) / 2][first.degree(1) / 2];
+  Replay<N> result = {certificate, middle, {}, {}, {}, {}, {}, {}};
+  std::array<Net<Rational>, 2> power = certificate.nets;
+  for (Net<Rational>& c : power) {
+    c.to_powers();
+    for (std::size_t d = 0; d < 3; ++d) c[0][0][d] -= result.origin[d];
   }
   result.exact = pair_map(power[0], power[1]);
   result.exact_space = space_map(power[0]);

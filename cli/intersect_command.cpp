@@ -46,10 +46,12 @@ std::optional<BiquadraticPair> biquadratic(const RationalPair& pair) {
   return BiquadraticPair{*x, *y};
 }
 
-/// What there is for biquadratic patches only.
+/// What there is for biquadratic patches only, and for polynomial ones.
 void refuse_for_others(const IntersectCommand& command, const RationalPair& pair) {
   if (command.exact) refuse_unless_biquadratic(command.file, pair, "--exact");
-  if (!command.output.certificate.empty()) refuse_unless_biquadratic(command.file, pair, "--certificate");
+  for (const NamedRationalPatch& named : {pair.x, pair.y})
+    if (!command.output.certificate.empty() && !named.patch.is_polynomial())
+      refuse_unless_biquadratic(command.file, {named, named, pair.title}, "--certificate");
 }
 
 /// intersect() of two patches, of a surface given by its equation and a patch, or of two such surfaces.
@@ -66,11 +68,11 @@ auto solve(const IntersectCommand& command, const First& first, const Second& se
 }
 
 /// What --certificate writes; empty where it is not given, or, with a message, where there is no certificate.
-std::string certificate(const IntersectCommand& command, const BiquadraticPair& pair, const PatchNames& names,
+std::string certificate(const IntersectCommand& command, const RationalPair& pair, const PatchNames& names,
                         const IntersectResult& result, const Streams& streams) {
   if (command.output.certificate.empty()) return "";
   try {
-    return certificate_text(pair.x, pair.y, names, result);
+    return certificate_text(pair.x.patch, pair.y.patch, names, result);
   } catch (const NoCertificate& reason) {
     streams.err << "exsect: no certificate: " << printable(reason.what()) << std::endl;
     return "";
@@ -174,8 +176,7 @@ ExitStatus run_with_patches(const IntersectCommand& command, const RationalPair&
   const PatchNames names = {pair.x.name, pair.y.name};
   const IntersectResult result = solve(command, pair.x.patch, pair.y.patch, options, streams);
   const std::string json = command.output.json.empty() ? "" : json_text(intersection_json(result, names));
-  const std::string proof =
-      biquadratic_pair ? certificate(command, *biquadratic_pair, names, result, streams) : "";
+  const std::string proof = certificate(command, pair, names, result, streams);
   write_exports(
       command.output.exports,
       [&] { return intersection_scene(result, pair.x.patch, pair.y.patch, names, pair.title, cells); },

@@ -361,12 +361,17 @@ class Map:
 INDICES = [(i, j) for i in range(3) for j in range(3)]
 
 
+def entries(c):
+    """((i, j), entry) for all entries of a net."""
+    return [((i, j), entry) for i, row in enumerate(c) for j, entry in enumerate(row)]
+
+
 def space_map(c):
-    return Map([((i, j, 0, 0), 1, c[i][j]) for i, j in INDICES])
+    return Map([((i, j, 0, 0), 1, a) for (i, j), a in entries(c)])
 
 
 def pair_map(x, y):
-    return Map([((i, j, 0, 0), 1, x[i][j]) for i, j in INDICES] + [((0, 0, i, j), -1, y[i][j]) for i, j in INDICES])
+    return Map([((i, j, 0, 0), 1, a) for (i, j), a in entries(x)] + [((0, 0, i, j), -1, a) for (i, j), a in entries(y)])
 
 
 def chart_map(c):
@@ -979,6 +984,7 @@ class Checker:
         self.cells = sum(row.split(" #", 1)[0].count(" ") + 1 for row in root["cover"])
         self.nets = [self.net(root[key], "$." + key) for key in names]
         self.nets = [self.nets[0], self.nets[-1]]
+        require(not self.alone or [len(self.nets[0]), len(self.nets[0][0])] == [3, 3], "$.first", "not 3 x 3 points, of one patch")
         self.power = [self.power_basis(net) for net in self.nets]
         self.equation = {"pair": pair_map(*self.power)}
         self.space = {"pair": space_map(self.power[0])}
@@ -992,17 +998,18 @@ class Checker:
         value = claim(value, place, ["name", "points"])
         name, points = value["name"], value["points"]
         require(isinstance(name, str) and is_json(f'"{name}"'), place, "not a name")
-        require(isinstance(points, list) and len(points) == 3, place, "not 3 x 3 points")
-        require(all(isinstance(row, list) and len(row) == 3 for row in points), place, "not 3 x 3 points")
+        require(isinstance(points, list) and 2 <= len(points) <= 4 and all(isinstance(row, list) for row in points), place, "not 2 to 4 rows")
+        require(len({len(row) for row in points}) == 1 and 2 <= len(points[0]) <= 4, place, "not rows of 2 to 4 points")
         return [[numbers(p, 3, place) for p in row] for row in points]
 
     @staticmethod
     def power_basis(net):
-        def power(a, b, c):
-            return a, [2 * (q - p) for p, q in zip(a, b)], [p - 2 * q + r for p, q, r in zip(a, b, c)]
-        columns = [power(*(net[i][j] for i in range(3))) for j in range(3)]
-        rows = [power(*(columns[j][i] for j in range(3))) for i in range(3)]
-        return [[rows[i][j] for j in range(3)] for i in range(3)]
+        def power(line):
+            """Coefficients of t^k: binomials times differences."""
+            n = len(line) - 1
+            return [[math.comb(n, k) * sum((-1) ** (k - i) * math.comb(k, i) * line[i][d] for i in range(k + 1)) for d in range(3)]
+                    for k in range(n + 1)]
+        return transposed([power(column) for column in transposed([power(row) for row in net])])
 
     def check(self):
         self.factors = [Factor(value, f"$.factors[{i}]", self) for i, value in enumerate(self.root.get("factors", []))]
@@ -1365,11 +1372,11 @@ class Checker:
         whole = list(self.nets)
         if self.fixed:
             k, value = self.fixed
-            scale *= value.denominator**2
+            scale *= value.denominator**3
             whole[k // 2] = restricted(whole[k // 2], k % 2, value)
             middle[k], half[k] = value, Fraction(0)
         nets = [[[[int(q * scale) for q in p] for p in row] for row in net] for net in whole]
-        waiting = [(nets, (0, 0), middle, half)]  # the deepest last
+        waiting = [(nets, (0, 0), middle, half)]  # the deepest last; nets times 2^levels
         for place, text in cover:
             require(waiting, place, "beyond the end of the subdivision")
             nets, levels, middle, width = waiting.pop()
@@ -1379,7 +1386,7 @@ class Checker:
                 for upper in (True, False):
                     parts, deeper = list(nets), list(levels)
                     parts[p // 2] = halved(nets[p // 2], p % 2, upper)
-                    deeper[p // 2] += 1
+                    deeper[p // 2] += len(nets[p // 2][0] if p % 2 else nets[p // 2]) - 1
                     h = [w / 2 if j == p else w for j, w in enumerate(width)]
                     m = [q + (h[p] if upper else -h[p]) if j == p else q for j, q in enumerate(middle)]
                     waiting.append((parts, deeper, m, h))
@@ -1405,7 +1412,7 @@ class Checker:
                             "different points of the cell may have the same place")
                     continue
                 values = [[sum(n * q for n, q in zip(direction, p)) for row in net for p in row] for net in nets]
-                require(min(values[0]) << 2 * levels[1] > max(values[1]) << 2 * levels[0], place, "the direction does not separate the patches")
+                require(min(values[0]) << levels[1] > max(values[1]) << levels[0], place, "the direction does not separate the patches")
         require(not waiting, "$.cover", "the subdivision is not complete")
 
 
@@ -1418,26 +1425,29 @@ def root_above(vector):
     return Fraction(math.isqrt((q.numerator << 2 * shift) // q.denominator + 1) + 1, 2**shift)
 
 
+def transposed(net):
+    return [list(column) for column in zip(*net)]
+
+
 def restricted(net, second, t):
-    """Control points of the line where the first or second parameter is t, thrice."""
-    def point(a, b, c):
-        return [(1 - t) ** 2 * p + 2 * t * (1 - t) * q + t * t * r for p, q, r in zip(a, b, c)]
-    if second:
-        return [[point(*row)] * 3 for row in net]
-    return [[point(*(net[i][j] for i in range(3))) for j in range(3)]] * 3
+    """Control points of the line where the first or second parameter is t, by de Casteljau's algorithm: one row, or rows of one."""
+    def point(line):
+        while len(line) > 1:
+            line = [[(1 - t) * p + t * q for p, q in zip(a, b)] for a, b in zip(line, line[1:])]
+        return line
+    return [point(row) for row in net] if second else transposed([point(column) for column in transposed(net)])
 
 
 def halved(net, second, upper):
-    """Four times the control points of one half in the first or second parameter."""
-    def half(a, b, c):
-        if upper:
-            a, c = c, a
-        parts = [[4 * p for p in a], [2 * (p + q) for p, q in zip(a, b)], [p + 2 * q + r for p, q, r in zip(a, b, c)]]
+    """2^n times the control points of one half in the first or second parameter, n the degree in it."""
+    def half(line):
+        # Sums of k + 1 neighbours with binomial weights are 2^k times what de Casteljau's algorithm gives on level k.
+        line, parts = line[::-1] if upper else line, []
+        for k in range(len(line), 0, -1):
+            parts.append([p << k - 1 for p in line[0]])
+            line = [[p + q for p, q in zip(a, b)] for a, b in zip(line, line[1:])]
         return parts[::-1] if upper else parts
-    if second:
-        return [half(*row) for row in net]
-    columns = [half(*(net[i][j] for i in range(3))) for j in range(3)]
-    return [[columns[j][i] for j in range(3)] for i in range(3)]
+    return [half(row) for row in net] if second else transposed([half(column) for column in transposed(net)])
 
 
 def calls_itself_certificate(text):

@@ -3,6 +3,7 @@
 
 #include <exsect/checker/check_certificate.h>
 #include <exsect/solver/intersect.h>
+#include <exsect/solver/intersect_rational.h>
 
 #include <algorithm>
 #include <functional>
@@ -32,6 +33,10 @@ inline IntersectOptions coarse() {
 }
 
 inline std::string certificate(const BezierPatch& x, const BezierPatch& y) {
+  return cli::certificate_text(x, y, names, intersect(x, y, coarse()));
+}
+/// Of patches of any kind.
+inline std::string certificate(const RationalPatch& x, const RationalPatch& y) {
   return cli::certificate_text(x, y, names, intersect(x, y, coarse()));
 }
 

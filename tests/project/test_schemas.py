@@ -38,6 +38,10 @@ subprocess.run([PROGRAM, "self", UMBRELLA, "--tolerance", "1e-3", "--certificate
 SIDE_CERTIFICATE = CERTIFICATE.replace("proof", "side")
 subprocess.run([PROGRAM, "intersect", "tests/cases/part-of-a-side.json", "--tolerance", "1e-3", "--certificate", SIDE_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
 
+# Bicubic patches with a common side.
+CUBIC_CERTIFICATE = CERTIFICATE.replace("proof", "cubic")
+subprocess.run([PROGRAM, "intersect", "examples/teapot.bpt", "--first", "1", "--second", "5", "--tolerance", "1e-2", "--certificate", CUBIC_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
+
 # Pairs in special position, each with a kind of claim of its own.
 SPECIAL_CASES = ["tangent-curve", "tangent-and-transversal", "overlap", "two-branches-tangent-to-each-other", "irrational-crossing", "curved-touching"]
 SPECIAL = [CERTIFICATE.replace("proof", case) for case in SPECIAL_CASES]
@@ -150,7 +154,7 @@ def test_an_input_file_satisfies_its_schema(file):
         assert violations(document) == []
 
 
-@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE, SELF_CERTIFICATE, SIDE_CERTIFICATE, *SPECIAL], ids=["curves", "line", "self", "side", *SPECIAL_CASES])
+@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE, SELF_CERTIFICATE, SIDE_CERTIFICATE, CUBIC_CERTIFICATE, *SPECIAL], ids=["curves", "line", "self", "side", "cubic", *SPECIAL_CASES])
 def test_a_certificate_satisfies_its_schema_and_both_checkers(tmp_path, certificate):
     document = json.loads(Path(certificate).read_text())
     assert violations(document) == []

@@ -1,0 +1,93 @@
+// Control nets of patches of bidegree (m,n), 1 <= m, n <= 3, one parameter at a time.
+#pragma once
+
+#include <exsect/geometry/point.h>
+
+#include <array>
+#include <cstddef>
+
+#include "enclosure.h"
+
+namespace exsect::checker {
+
+/// Vectors [i][j] of numbers, 0 <= i <= m and 0 <= j <= n, m and n from 0 to 3: coefficients of Bernstein
+/// polynomials or of u^i v^j. The first parameter is p = 0, the second one p = 1.
+template <class N, std::size_t dimension>
+class Grid {
+ public:
+  using Entry = std::array<N, dimension>;
+
+  Grid() = default;  // of bidegree (0,0)
+  Grid(std::size_t m, std::size_t n) : degrees_{m, n} {}
+
+  std::size_t degree(std::size_t p) const { return degrees_[p]; }
+  std::array<Entry, 4>& operator[](std::size_t i) { return entries_[i]; }
+  const std::array<Entry, 4>& operator[](std::size_t i) const { return entries_[i]; }
+  /// Entry k in the direction of p, of the line with the number i.
+  Entry& along(std::size_t p, std::size_t k, std::size_t i) {
+    return p == 0 ? entries_[k][i] : entries_[i][k];
+  }
+  const Entry& along(std::size_t p, std::size_t k, std::size_t i) const {
+    return p == 0 ? entries_[k][i] : entries_[i][k];
+  }
+
+  /// use(i, j) for each entry, row by row.
+  template <class Use>
+  void each(const Use& use) const {
+    for (std::size_t i = 0; i <= degrees_[0]; ++i)
+      for (std::size_t j = 0; j <= degrees_[1]; ++j) use(i, j);
+  }
+  /// use(at), where at(k) is a number in the place k, for each line in the direction of p.
+  template <class Use>
+  void each_line(std::size_t p, const Use& use) {
+    for (std::size_t i = 0; i <= degrees_[1 - p]; ++i)
+      for (std::size_t d = 0; d < dimension; ++d) use([&](std::size_t k) -> N& { return along(p, k, i)[d]; });
+  }
+
+  /// That on the half 0 <= t <= 1/2 or 1/2 <= t <= 1 of p, by de Casteljau's algorithm.
+  void halve(std::size_t p, bool upper) {
+    const std::size_t m = degrees_[p];
+    each_line(p, [&](const auto& at) {
+      for (std::size_t level = 1; level <= m; ++level) {
+        if (upper)
+          for (std::size_t k = 0; k + level <= m; ++k) at(k) = half(N(at(k) + at(k + 1)));
+        else
+          for (std::size_t k = m; k >= level; --k) at(k) = half(N(at(k - 1) + at(k)));
+      }
+    });
+  }
+  /// That where p is t: of degree 0 in p.
+  void restrict_to(std::size_t p, const N& t) {
+    each_line(p, [&](const auto& at) {
+      for (std::size_t level = degrees_[p]; level > 0; --level)
+        for (std::size_t k = 0; k < level; ++k) at(k) = (1 - t) * at(k) + t * at(k + 1);
+    });
+    degrees_[p] = 0;
+  }
+  /// From Bernstein polynomials to powers: the coefficient of t^k is binomial(m, k) times the k-th
+  /// difference.
+  void to_powers() {
+    for (const std::size_t p : {std::size_t{0}, std::size_t{1}}) {
+      const std::size_t m = degrees_[p];
+      each_line(p, [&](const auto& at) {
+        for (std::size_t level = 1; level <= m; ++level)
+          for (std::size_t k = m; k >= level; --k) at(k) = at(k) - at(k - 1);
+        int binomial = 1;
+        for (std::size_t k = 0; k <= m; ++k) {
+          at(k) = N(binomial) * at(k);
+          binomial = binomial * static_cast<int>(m - k) / static_cast<int>(k + 1);
+        }
+      });
+    }
+  }
+
+ private:
+  std::array<std::size_t, 2> degrees_ = {};
+  std::array<std::array<Entry, 4>, 4> entries_ = {};
+};
+
+/// Control points, or vector coefficients.
+template <class N>
+using Net = Grid<N, 3>;
+
+}  // namespace exsect::checker
