@@ -30,6 +30,20 @@ Json exact_numbers(const std::vector<double>& numbers) {
 
 const char* letter(std::size_t parameter) { return name(all_parameters[parameter]); }
 
+namespace {
+
+Json weights(const RationalPatch& patch) {
+  Json result = Json::array();
+  for (int i = 0; i <= patch.degree_u(); ++i) {
+    Json row = Json::array();
+    for (int j = 0; j <= patch.degree_v(); ++j) row.push_back(to_string(patch.weight(i, j)));
+    result.push_back(row);
+  }
+  return result;
+}
+
+}  // namespace
+
 Json patch_claim(const std::string& place, const std::string& name, const RationalPatch& patch) {
   Json points = Json::array();
   for (int i = 0; i <= patch.degree_u(); ++i) {
@@ -37,6 +51,8 @@ Json patch_claim(const std::string& place, const std::string& name, const Ration
     for (int j = 0; j <= patch.degree_v(); ++j) row.push_back(rationals(patch.point(i, j)));
     points.push_back(row);
   }
+  if (!patch.is_polynomial())
+    return sealed(place, {{"name", name}, {"points", points}, {"weights", weights(patch)}});
   return sealed(place, {{"name", name}, {"points", points}});
 }
 

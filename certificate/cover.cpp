@@ -10,9 +10,16 @@
 namespace exsect::cli {
 namespace {
 
-using Net = checker::Net<double>;
+using Net = checker::WeightedNet<double>;
 
 Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+/// The control point itself, if its weight is positive.
+Vector point(const Net& net, std::size_t i, std::size_t j) {
+  const double w = net.weight(i, j);
+  const Vector& p = net.points[i][j];
+  return w > 0 ? Vector{p[0] / w, p[1] / w, p[2] / w} : p;
+}
 
 struct Cell {
   std::array<Net, 2> nets;
@@ -36,21 +43,33 @@ Cell on_line(Cell cell, std::size_t parameter, double t) {
   return cell;
 }
 
+/// The least and the greatest Bernstein coefficient of direction . F.
+std::array<double, 2> coefficients(const Cell& cell, const Vector& direction) {
+  const auto values = [&](const Net& net) {
+    checker::Grid<double, 1> result(net.points.degree(0), net.points.degree(1));
+    result.each(
+        [&](std::size_t i, std::size_t j) { result[i][j][0] = checker::dot(direction, net.points[i][j]); });
+    return result;
+  };
+  const checker::Grid<double, 1> a = values(cell.nets[0]);
+  const checker::Grid<double, 1> b = values(cell.nets[1]);
+  std::array<double, 2> range = {1e300, -1e300};
+  a.each([&](std::size_t i, std::size_t j) {
+    b.each([&](std::size_t k, std::size_t l) {
+      const double c = a[i][j][0] * cell.nets[1].weight(k, l) - b[k][l][0] * cell.nets[0].weight(i, j);
+      range = {std::min(range[0], c), std::max(range[1], c)};
+    });
+  });
+  return range;
+}
+
 /// The direction or its opposite, whichever separates x from y over the cell; empty if neither does.
 std::string separating(const Cell& cell, const std::array<int, 3>& direction) {
   const Vector d = {double(direction[0]), double(direction[1]), double(direction[2])};
-  std::array<double, 2> least = {1e300, 1e300};
-  std::array<double, 2> most = {-1e300, -1e300};
-  for (std::size_t n = 0; n < 2; ++n) {
-    cell.nets[n].each([&](std::size_t i, std::size_t j) {
-      least[n] = std::min(least[n], checker::dot(d, cell.nets[n][i][j]));
-      most[n] = std::max(most[n], checker::dot(d, cell.nets[n][i][j]));
-    });
-  }
+  const auto& [least, most] = coefficients(cell, d);
   const double margin = 1e-11 + 1e-14 * (std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]));
-  if (least[0] - most[1] > margin) return fmt::format("{},{},{}", direction[0], direction[1], direction[2]);
-  if (least[1] - most[0] > margin)
-    return fmt::format("{},{},{}", -direction[0], -direction[1], -direction[2]);
+  if (least > margin) return fmt::format("{},{},{}", direction[0], direction[1], direction[2]);
+  if (-most > margin) return fmt::format("{},{},{}", -direction[0], -direction[1], -direction[2]);
   return "";
 }
 
@@ -162,11 +181,12 @@ class Cover {
     const Net& x = cell.nets[0];
     const Net& y = cell.nets[1];
     const auto normal = [](const Net& n) {
-      const std::size_t a = n.degree(0);
-      const std::size_t b = n.degree(1);
-      return checker::cross(difference(n[a][b], n[0][0]), difference(n[a][0], n[0][b]));
+      const std::size_t a = n.points.degree(0);
+      const std::size_t b = n.points.degree(1);
+      return checker::cross(difference(point(n, a, b), point(n, 0, 0)),
+                            difference(point(n, a, 0), point(n, 0, b)));
     };
-    const auto middle = [](const Net& n) { return n[n.degree(0) / 2][n.degree(1) / 2]; };
+    const auto middle = [](const Net& n) { return point(n, n.points.degree(0) / 2, n.points.degree(1) / 2); };
     const bool small = *std::max_element(cell.half.begin(), cell.half.end()) < 0x1p-8;
     const double size = small ? 1e5 : 100;
     for (const auto& d : {std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{0, 0, 1},
@@ -188,9 +208,12 @@ class Cover {
     Parameters length{};
     for (std::size_t p = 0; p < 4; ++p) {
       const Net& n = cell.nets[p / 2];
-      for (std::size_t i = 0; i <= n.degree(1 - p % 2); ++i) {
-        for (std::size_t m = 0; m < n.degree(p % 2); ++m) {
-          const Vector d = difference(n.along(p % 2, m + 1, i), n.along(p % 2, m, i));
+      const auto at = [&](std::size_t m, std::size_t i) {
+        return p % 2 == 0 ? point(n, m, i) : point(n, i, m);
+      };
+      for (std::size_t i = 0; i <= n.points.degree(1 - p % 2); ++i) {
+        for (std::size_t m = 0; m < n.points.degree(p % 2); ++m) {
+          const Vector d = difference(at(m + 1, i), at(m, i));
           length[p] = std::max(length[p], checker::dot(d, d));
         }
       }

@@ -65,7 +65,13 @@ std::array<Rational, 4> short_place(const Node& node) {
 }
 
 std::vector<Point> related_directions(const Patches& patches) {
-  const std::array power = {power_basis(patches[0]), power_basis(patches[1])};
+  std::array<checker::Net<Rational>, 2> power;
+  std::array<checker::Net<Rational>, 2> control;
+  for (std::size_t n = 0; n < 2; ++n) {
+    if (!patches[n].is_polynomial()) return {};
+    power[n] = power_basis(patches[n]).points;
+    control[n] = control_net(patches[n]).points;
+  }
   std::vector<Point> result;
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
@@ -82,7 +88,7 @@ std::vector<Point> related_directions(const Patches& patches) {
           if (is_zero(d)) d = cross(a, b);
       const auto in_plane = [&](const Point& a) { return dot(d, a) == 0; };
       if (is_zero(d) || !std::all_of(vectors.begin(), vectors.end(), in_plane)) continue;
-      if (!monotone(d, control_net(patches[0]), i) || !monotone(d, control_net(patches[1]), j)) continue;
+      if (!monotone(d, control[0], i) || !monotone(d, control[1], j)) continue;
       result.push_back(d);
     }
   }
@@ -98,7 +104,7 @@ namespace {
 std::optional<Line> line_through(const Patches& patches, std::size_t axis, const std::array<Rational, 4>& a,
                                  const std::array<Rational, 4>& b,
                                  const std::optional<checker::Vector4<Rational>>& slope) {
-  constexpr int degree = 12;  // of F along the line at most
+  constexpr int degree = 24;  // of F along the line at most
   Line line = {axis, {}};
   const Rational t = a[axis];
   const Rational step = b[axis] - t;

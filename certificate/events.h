@@ -22,7 +22,8 @@ void refuse_events(const IntersectResult& result, bool self);
 /// The shortest rationals in the node's box, which are its parameters if these are short.
 std::array<Rational, 4> short_place(const Node& node);
 
-/// Directions d such that d . (x - y) depends on one parameter of either patch only.
+/// Directions d such that d . (x - y) depends on one parameter of either patch only; none of patches with
+/// weights.
 std::vector<Point> related_directions(const Patches& patches);
 
 /// w(t) = at[.][0] + at[.][1] t + at[.][2] t^2; w_axis(t) = t.

@@ -17,9 +17,10 @@ using checker::Factor;
 using checker::others;
 using checker::Power;
 
-/// The normal of the plane in which the patch is.
+/// The normal of the plane in which the patch is, if it has no weights.
 std::optional<Point> normal_of_plane(const RationalPatch& patch) {
-  const checker::Net<Rational> c = power_basis(patch);
+  if (!patch.is_polynomial()) return std::nullopt;
+  const checker::Net<Rational> c = power_basis(patch).points;
   Point n = {};
   const auto each = [&](const auto& use) {
     c.each([&](std::size_t i, std::size_t j) {

@@ -51,7 +51,7 @@ double node_radius(const Draft& d, const Node& n, const Tube& tube, const Parame
   if (n.on.empty()) {
     const std::size_t i = index(n.wrt[0]);
     const auto bounds = bounds_in(map, tube);
-    const auto t = checker::tangent(map.at(w), {near, near, near, near});
+    const auto t = tangent_near(map, w, near);
     const double slope = (t[i].magnitude() + 1e-13) / (std::abs(t[tube.axis].middle) - t[tube.axis].radius);
     const double away = slope / (std::abs(bounds.second[i].middle) - bounds.second[i].radius);
     for (const auto& b : bounds.first) radius = std::max(radius, 2 * (near + away * b.magnitude()));

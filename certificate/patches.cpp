@@ -1,26 +1,42 @@
 #include "certificate/patches.h"
 
-#include "certificate/search.h"
-
 namespace exsect::cli {
 
-RationalPatch certified_form(const RationalPatch& patch) {
-  if (!patch.is_polynomial()) throw NoCertificate("a patch with weights");
-  const auto biquadratic = patch.biquadratic();
-  return biquadratic ? RationalPatch(*biquadratic) : patch.reduced();
+namespace {
+
+bool is_finite(const RationalPatch& patch) {
+  for (int i = 0; i <= patch.degree_u(); ++i)
+    for (int j = 0; j <= patch.degree_v(); ++j)
+      if (const HomogeneousPoint& p = patch.homogeneous(i, j); p[3] == 0 && p != HomogeneousPoint{})
+        return false;
+  return true;
 }
 
-checker::Net<Rational> control_net(const RationalPatch& patch) {
-  checker::Net<Rational> net(static_cast<std::size_t>(patch.degree_u()),
-                             static_cast<std::size_t>(patch.degree_v()));
-  net.each([&](std::size_t i, std::size_t j) {
-    net[i][j] = patch.point(static_cast<int>(i), static_cast<int>(j));
+}  // namespace
+
+RationalPatch certified_form(const RationalPatch& patch) {
+  if (const auto biquadratic = patch.biquadratic()) return *biquadratic;
+  if (is_finite(patch.reduced())) return patch.reduced();
+  if (!is_finite(patch)) throw NoCertificate("a control point at infinity");
+  return patch;
+}
+
+checker::WeightedNet<Rational> control_net(const RationalPatch& patch) {
+  checker::WeightedNet<Rational> net;
+  const auto m = static_cast<std::size_t>(patch.degree_u());
+  const auto n = static_cast<std::size_t>(patch.degree_v());
+  net.points = checker::Net<Rational>(m, n);
+  if (!patch.is_polynomial()) net.weights = checker::Grid<Rational, 1>(m, n);
+  net.points.each([&](std::size_t i, std::size_t j) {
+    const HomogeneousPoint& p = patch.homogeneous(static_cast<int>(i), static_cast<int>(j));
+    net.points[i][j] = {p[0], p[1], p[2]};
+    if (net.has_weights()) net.weights[i][j][0] = p[3];
   });
   return net;
 }
 
-checker::Net<Rational> power_basis(const RationalPatch& patch) {
-  checker::Net<Rational> net = control_net(patch);
+checker::WeightedNet<Rational> power_basis(const RationalPatch& patch) {
+  checker::WeightedNet<Rational> net = control_net(patch);
   net.to_powers();
   return net;
 }
@@ -30,7 +46,11 @@ ExactMap equation_of(const Patches& patches) {
 }
 
 bool is_solution(const Patches& patches, const Place& w) {
-  return patches[0](w[0], w[1]) == patches[1](w[2], w[3]);
+  const HomogeneousPoint x = patches[0].homogeneous_at(w[0], w[1]);
+  const HomogeneousPoint y = patches[1].homogeneous_at(w[2], w[3]);
+  for (std::size_t d = 0; d < 3; ++d)
+    if (x[d] * y[3] != y[d] * x[3]) return false;
+  return true;
 }
 
 }  // namespace exsect::cli

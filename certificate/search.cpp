@@ -183,50 +183,6 @@ std::optional<Matrix3<double>> inverse(const Map& local, std::size_t k) {
   return m;
 }
 
-namespace {
-
-checker::Net<double> near_net(const checker::Net<Rational>& net, const Rational& factor) {
-  checker::Net<double> result(net.degree(0), net.degree(1));
-  net.each([&](std::size_t i, std::size_t j) {
-    for (std::size_t d = 0; d < 3; ++d) result[i][j][d] = to_double(factor * net[i][j][d]);
-  });
-  return result;
-}
-checker::Net<double> exchanged(const checker::Net<double>& net) {
-  checker::Net<double> result(net.degree(1), net.degree(0));
-  net.each([&](std::size_t i, std::size_t j) { result[j][i] = net[i][j]; });
-  return result;
-}
-
-}  // namespace
-
-NearPair near_pair(const Patches& patches) {
-  NearPair result;
-  std::array<checker::Net<Rational>, 2> nets = {control_net(patches[0]), control_net(patches[1])};
-  const Point origin = nets[0][nets[0].degree(0) / 2][nets[0].degree(1) / 2];
-  Rational most = 0;
-  for (auto& net : nets) {
-    net.each([&](std::size_t i, std::size_t j) {
-      net[i][j] = net[i][j] - origin;
-      for (const Rational& q : net[i][j]) most = std::max<Rational>(most, abs(q));
-    });
-  }
-  result.scale = std::exp2(std::ceil(std::log2(to_double(most))));
-  if (!(result.scale > 0) || !std::isfinite(result.scale))
-    throw NoCertificate("control points beyond doubles");
-  const Rational factor = 1 / from_double(result.scale);
-  std::array<checker::Net<double>, 2> power;
-  for (std::size_t n = 0; n < 2; ++n) {
-    result.control[n] = near_net(nets[n], factor);
-    nets[n].to_powers();
-    power[n] = near_net(nets[n], factor);
-  }
-  result.power = checker::pair_map(power[0], power[1]);
-  if (power[0].degree(0) == 2 && power[0].degree(1) == 2)
-    result.charts = {checker::chart_map(power[0]), checker::chart_map(exchanged(power[0]))};
-  return result;
-}
-
 Vector column(const Map& local, std::size_t j) {
   const auto c = local.first(j, {});
   return {c[0].middle, c[1].middle, c[2].middle};
@@ -303,7 +259,51 @@ checker::CurveBounds<double> bounds_in(const Map& map, const Tube& tube) {
   return checker::curve_bounds(map.at(tube.centre).times(tube.inverse), tube.axis, tube.extent());
 }
 
+namespace {
+
+// Of long maps the errors of the check in doubles count, and are computed as it does.
+
+checker::Map<checker::Enclosure> in_enclosures(const Map& map) {
+  checker::Map<checker::Enclosure> result;
+  result.set_long(map.is_long());
+  for (const auto& term : map.terms())
+    for (std::size_t d = 0; d < 3; ++d) result.coefficient(term.power)[d] = checker::Enclosure(term.c[d]);
+  return result;
+}
+checker::Vector4<checker::Enclosure> in_enclosures(const Parameters& w) {
+  checker::Vector4<checker::Enclosure> result;
+  for (std::size_t i = 0; i < 4; ++i) result[i] = checker::Enclosure(w[i]);
+  return result;
+}
+
+/// At least |C F(w)|, component by component, in the check.
+double checked_distance(const Map& map, const Tube& tube, const Parameters& w) {
+  const checker::Vector3<checker::Enclosure> f = in_enclosures(map).value(in_enclosures(w));
+  checker::Enclosure most = 0;
+  for (const auto& row : tube.inverse) {
+    checker::Vector3<checker::Enclosure> c;
+    for (std::size_t d = 0; d < 3; ++d) c[d] = checker::Enclosure(row[d]);
+    most = larger(most, magnitude(checker::dot(c, f)));
+  }
+  return 2 * most.above();  // coefficients are rounded there
+}
+
+}  // namespace
+
+checker::Box<double> tangent_near(const Map& map, const Parameters& w, double near) {
+  if (!map.is_long()) return checker::tangent(map.at(w), {near, near, near, near});
+  const checker::Enclosure h(near);
+  const auto t = checker::tangent(in_enclosures(map).at(in_enclosures(w)), {h, h, h, h});
+  checker::Box<double> result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double middle = approximate(t[i].middle);
+    result[i] = {middle, 2 * (t[i].magnitude().above() - std::abs(middle))};
+  }
+  return result;
+}
+
 double distance(const Map& map, const Tube& tube, const Parameters& w) {
+  if (map.is_long()) return checked_distance(map, tube, w) / (1 - bounds_in(map, tube).defect);
   const Map local = map.at(w).times(tube.inverse);
   const double defect = bounds_in(map, tube).defect;
   double most = 0;

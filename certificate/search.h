@@ -9,35 +9,18 @@
 
 #include <array>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "certificate/patches.h"
+#include "certificate/near_pair.h"
 
 namespace exsect::cli {
-
-/// There is no certificate for this result; what() names the event that has none.
-class NoCertificate : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 using Tube = checker::Tube<double>;
 using Parameters = std::array<double, 4>;
 using Vector = checker::Vector3<double>;
 
-using Map = checker::Map<double>;
 using checker::Chart;
-
-/// x and y translated, divided by `scale`, a power of two, and rounded to doubles.
-struct NearPair {
-  Map power;                                    // F
-  std::array<Map, 2> charts;                    // H of x, and of x with exchanged parameters; of one patch
-  std::array<checker::Net<double>, 2> control;  // of x and y
-  double scale;
-};
-NearPair near_pair(const Patches& patches);
 
 /// dF/dw_j at the map's point.
 Vector column(const Map& local, std::size_t j);
@@ -70,6 +53,8 @@ struct Equation {
 /// A large tube around w that should satisfy everything the check asks of tubes. Throws NoCertificate.
 Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis);
 checker::CurveBounds<double> bounds_in(const Map& map, const Tube& tube);
+/// T of all places within `near` of w, and for long maps with the errors of the check in doubles.
+checker::Box<double> tangent_near(const Map& map, const Parameters& w, double near);
 /// A bound for the distance from w to the curve.
 double distance(const Map& map, const Tube& tube, const Parameters& w);
 

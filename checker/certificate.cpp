@@ -134,7 +134,10 @@ static void read(Reader& in, Grid<Rational, dimension>& grid) {
     require(i < 4, shape);
     const std::size_t size = in.list([&](std::size_t j) {
       require(j < 4, shape);
-      read(in, entries[i][j]);
+      if constexpr (dimension == 1)
+        read(in, entries[i][j][0]);
+      else
+        read(in, entries[i][j]);
     });
     require(size >= 2 && (i == 0 || size == columns), shape);
     columns = size;
@@ -142,6 +145,18 @@ static void read(Reader& in, Grid<Rational, dimension>& grid) {
   require(rows >= 2, shape);
   grid = Grid<Rational, dimension>(rows - 1, columns - 1);
   grid.each([&](std::size_t i, std::size_t j) { grid[i][j] = entries[i][j]; });
+}
+
+/// Of the shape of the points, which become multiples of them.
+static void read_weights(Reader& in, WeightedNet<Rational>& net) {
+  Grid<Rational, 1> weights;
+  read(in, weights);
+  for (const std::size_t p : {std::size_t{0}, std::size_t{1}})
+    require(weights.degree(p) == net.points.degree(p), "must be of the shape of the points");
+  net.weights = weights;
+  weights.each([&](std::size_t i, std::size_t j) {
+    for (Rational& c : net.points[i][j]) c *= weights[i][j][0];
+  });
 }
 
 static void read(Reader& in, Parameter& parameter) {
@@ -399,13 +414,16 @@ void require_ends(const Certificate<N>& certificate) {
 template <class N>
 void read_patches(Reader& in, Certificate<N>& c) {
   const auto patch = [&](std::size_t n) {
+    WeightedNet<Rational>& net = c.nets[n];
+    const auto weights = [&] { read_weights(in, net); };
     in.claim(
-        {"name", "points"}, [&] { in.text(); }, c.nets[n]);
+        {"name", "points", "weights"}, [&] { in.text(); }, net.points, Optional<decltype(weights)>{weights});
   };
   in.members({"first"}, [&] { patch(0); });
   if (!c.self) in.members({"second"}, [&] { patch(1); });
   if (!c.self) return;
-  require(c.nets[0].degree(0) == 2 && c.nets[0].degree(1) == 2, "must be 3 rows of 3 points, of one patch");
+  require(c.nets[0].points.degree(0) == 2 && c.nets[0].points.degree(1) == 2 && !c.nets[0].has_weights(),
+          "must be 3 rows of 3 points without weights, of one patch");
   c.nets[1] = c.nets[0];
 }
 template <class N>

@@ -158,7 +158,7 @@ struct Summary {
 /// N: Rational, or Enclosure, to check in doubles.
 template <class N>
 struct Certificate {
-  std::array<Net<Rational>, 2> nets;  // of control points; twice the same if `self`
+  std::array<WeightedNet<Rational>, 2> nets;  // of control points; twice the same if `self`
   bool self;
   std::optional<Fixed> fixed;  // of a line: then the points are the nodes, and there are no arcs
   std::vector<Factor> factors;

@@ -113,17 +113,12 @@ class ErrorBound {
     const Map<N> here = tube.map.at(middle);
     const CurveBounds<N> bounds = curve_bounds(here.times(near_inverse(here, k)), k, half);
     require(bounds.defect < 1, "no derivative over a step of the polyline");
-    const Map<N>& space = replay_.space_map(tube.claim);
-    const Map<N> local = space.at(middle);
-    Balls<N> second = local.second(bounds.first, half);
+    const Position<N>& space = replay_.space_of(tube.claim);
+    const auto [partial, second] = space.bounds(middle, half, bounds.first, bounds.second);
     Vector3<N> slope = {};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Balls<N> partial = local.first(i, half);
-      for (std::size_t d = 0; d < 3; ++d) {
-        second[d] = second[d] + partial[d] * bounds.second[i];
-        if (i != k) slope[d] += partial[d].magnitude();
-      }
-    }
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t d = 0; d < 3; ++d)
+        if (i != k) slope[d] += partial[i][d].magnitude();
     const N bend = norm_above({second[0].magnitude(), second[1].magnitude(), second[2].magnitude()}) / 8;
     const N speed = norm_above(slope);
     N most = 0;
@@ -146,7 +141,8 @@ class ErrorBound {
   N most_ = 0;                      // the greatest distance so far
 };
 
-/// T_i vanishes wherever the parameters are on the sides, as a polynomial in the others.
+/// T_i vanishes wherever the parameters are on the sides and the map is 0: as a polynomial in the others it
+/// is a multiple of a component of the map there, of 0 at least.
 inline bool turns_on_sides(const Map<Rational>& map, std::size_t i, const std::vector<Side>& sides) {
   std::array<Vector3<Polynomial>, 3> column;
   for (std::size_t n = 0; n < 3; ++n)
@@ -159,7 +155,12 @@ inline bool turns_on_sides(const Map<Rational>& map, std::size_t i, const std::v
     add(sum, product(a[d], product(b[e], c[f])), 1);
     add(sum, product(a[d], product(b[f], c[e])), -1);
   }
-  return is_zero(sum);
+  bool result = is_zero(sum);
+  for (std::size_t d = 0; d < 3 && !result; ++d) {
+    const Polynomial g = on_sides(component(map, d), sides);
+    result = !is_zero(g) && is_multiple(sum, g);
+  }
+  return result;
 }
 
 template <class N>

@@ -7,6 +7,7 @@
 #include "check_nodes.h"
 #include "check_overlaps.h"
 #include "floating_point.h"
+#include "positive.h"
 
 namespace exsect::checker {
 namespace {
@@ -144,8 +145,21 @@ Summary check_points(const Replay<N>& all) {
   return {{0, 0, c.tubes.size(), c.nodes.size(), 0, c.cover.size(), 0}};
 }
 
+/// Both denominators are positive in the square: so F vanishes where the patches meet, and nowhere else.
+template <class N>
+void check_denominators(const Certificate<N>& certificate) {
+  for (std::size_t n = 0; n < 2; ++n) {
+    try {
+      require_positive(certificate.nets[n].weights);
+    } catch (const Failed& failed) {
+      throw Rejected(n == 0 ? "$.first" : "$.second", failed.what(), failed.kind);
+    }
+  }
+}
+
 template <class N>
 Report check(const Certificate<N>& certificate) {
+  check_denominators(certificate);
   Replay<N> all = start(certificate);
   each("$.factors", certificate.factors,
        [&](std::size_t i) { check_factor(all.exact, certificate.factors[i]); });

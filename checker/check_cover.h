@@ -11,12 +11,9 @@ class Cover {
   explicit Cover(const Replay<N>& replay) : replay_(replay), certificate_(replay.certificate) {
     whole_.box = box_around<double>({0.5, 0.5, 0.5, 0.5}, 0.5);
     for (std::size_t n = 0; n < 2; ++n) {
-      const Net<Rational> net = whole(n);
-      whole_.nets[n] = Net<N>(net.degree(0), net.degree(1));
-      net.each([&](std::size_t i, std::size_t j) {
-        for (std::size_t d = 0; d < 3; ++d)
-          whole_.nets[n][i][j][d] = N(Rational(net[i][j][d] - replay.origin[d]));
-      });
+      WeightedNet<Rational> net = whole(n);
+      net.move_by_minus(replay.origin);
+      whole_.nets[n] = {in_numbers(net.points), in_numbers(net.weights)};
     }
   }
 
@@ -37,7 +34,7 @@ class Cover {
  private:
   using Kind = Cell::Kind;
   struct Region {
-    std::array<Net<N>, 2> nets;  // control points of both patches over the cell
+    std::array<WeightedNet<N>, 2> nets;  // control points of both patches over the cell
     Box<double> box;
   };
 
@@ -83,8 +80,8 @@ class Cover {
   }
 
   /// The control points of a patch; where one of its parameters is fixed, of its line.
-  Net<Rational> whole(std::size_t patch) const {
-    Net<Rational> net = certificate_.nets[patch];
+  WeightedNet<Rational> whole(std::size_t patch) const {
+    WeightedNet<Rational> net = certificate_.nets[patch];
     const auto& fixed = certificate_.fixed;
     if (fixed && fixed->parameter / 2 == patch) net.restrict_to(fixed->parameter % 2, fixed->value);
     return net;
@@ -109,16 +106,36 @@ class Cover {
     return result;
   }
 
-  /// direction . x > direction . y over the region.
+  template <std::size_t dimension>
+  static Grid<N, dimension> in_numbers(const Grid<Rational, dimension>& grid) {
+    Grid<N, dimension> result(grid.degree(0), grid.degree(1));
+    grid.each([&](std::size_t i, std::size_t j) {
+      for (std::size_t d = 0; d < dimension; ++d) result[i][j][d] = N(grid[i][j][d]);
+    });
+    return result;
+  }
+
+  /// direction . F > 0 over the region: all its Bernstein coefficients are positive.
   static bool separated(const Region& region, const std::array<int, 3>& direction) {
     const Vector3<N> n = {direction[0], direction[1], direction[2]};
-    const Net<N>& x = region.nets[0];
-    const Net<N>& y = region.nets[1];
-    N below = -dot(n, x[0][0]);  // -min of x
-    N above = dot(n, y[0][0]);
-    x.each([&](std::size_t i, std::size_t j) { below = larger(below, N(-dot(n, x[i][j]))); });
-    y.each([&](std::size_t i, std::size_t j) { above = larger(above, dot(n, y[i][j])); });
+    const WeightedNet<N>& x = region.nets[0];
+    const WeightedNet<N>& y = region.nets[1];
+    if (x.has_weights() || y.has_weights()) return separated_with_weights(x, y, n);
+    N below = -dot(n, x.points[0][0]);  // -min of x
+    N above = dot(n, y.points[0][0]);
+    x.points.each([&](std::size_t i, std::size_t j) { below = larger(below, N(-dot(n, x.points[i][j]))); });
+    y.points.each([&](std::size_t i, std::size_t j) { above = larger(above, dot(n, y.points[i][j])); });
     return below + above < 0;
+  }
+  static bool separated_with_weights(const WeightedNet<N>& x, const WeightedNet<N>& y, const Vector3<N>& n) {
+    bool result = true;
+    x.points.each([&](std::size_t i, std::size_t j) {
+      const N a = dot(n, x.points[i][j]);
+      y.points.each([&](std::size_t k, std::size_t l) {
+        result = result && a * y.weight(k, l) > dot(n, y.points[k][l]) * x.weight(i, j);
+      });
+    });
+    return result;
   }
 
   /// All solutions in the cell are on the plane.

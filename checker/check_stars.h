@@ -60,11 +60,14 @@ StarMaps<N> check_star(const Replay<N>& replay, const Star& star) {
   check_frame(star);
   StarMaps<N> result = {Frame<N>(star), {}, {}};
   const Terms terms = centred(replay.exact, star);
-  const Terms points = centred(replay.exact_space, star);
+  const Matrix3<Algebraic> unit = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const Terms points = centred(replay.exact_space.points, star);
+  const Terms weight = replay.exact_space.weight ? centred(*replay.exact_space.weight, star) : Terms{};
   for (std::size_t direction = 0; direction < 8; ++direction) {
     result.equation[direction] = in_direction<N>(terms, star, direction, star.rows, star.orders);
-    result.space[direction] =
-        in_direction<N>(points, star, direction, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0});
+    result.space[direction].points = in_direction<N>(points, star, direction, unit, {0, 0, 0});
+    if (!weight.empty())
+      result.space[direction].weight = in_direction<N>(weight, star, direction, unit, {0, 0, 0});
   }
   return result;
 }

@@ -115,24 +115,27 @@ class Map {
     Vector3<N> c;
   };
   const std::vector<Term>& terms() const { return terms_; }
+  /// Whether it is treated as a map of many terms: F of patches with weights has up to 256, of others 31.
+  bool is_long() const { return is_long_; }
+  void set_long(bool value) {
+    is_long_ = value;
+    next_.clear();
+    for (std::size_t i = 0; is_long_ && i < terms_.size(); ++i) link(i);
+  }
 
   /// The coefficient of a monomial; with each monomial there are all that divide it, 1 the first.
-  Vector3<N>& coefficient(const Power& power) {
-    for (Term& term : terms_)
-      if (term.power == power) return term.c;
-    for (std::size_t j = 0; j < 4; ++j) {
-      Power lower = power;
-      if (--lower[j] >= 0) coefficient(lower);
-    }
-    return terms_.emplace_back(Term{power, {}}).c;
-  }
+  Vector3<N>& coefficient(const Power& power) { return terms_[index(power)].c; }
   void add(const Power& power, const Vector3<N>& c, const N& factor) {
     add_to(coefficient(power), c, factor);
   }
 
-  /// The Taylor coefficients at another point, w further.
+  /// The Taylor coefficients at another point, w further: term by term, or of a long map by Horner's rule.
   Map at(const Vector4<N>& w) const {
     Map result = *this;
+    if (is_long_) {
+      for (std::size_t j = 0; j < 4; ++j) result.shift(j, w[j]);
+      return result;
+    }
     for (Term& lower : result.terms_) {
       for (const Term& term : terms_) {
         if (!divides(lower.power, term.power) || term.power == lower.power) continue;
@@ -196,6 +199,36 @@ class Map {
   }
 
  private:
+  std::size_t index(const Power& power) {
+    for (std::size_t i = 0; i < terms_.size(); ++i)
+      if (terms_[i].power == power) return i;
+    for (std::size_t j = 0; j < 4; ++j) {
+      Power lower = power;
+      if (--lower[j] >= 0) index(lower);
+    }
+    terms_.push_back({power, {}});
+    if (is_long_) link(terms_.size() - 1);
+    return terms_.size() - 1;
+  }
+  /// The term follows those before it.
+  void link(std::size_t i) {
+    next_.push_back({});
+    for (std::size_t j = 0; j < 4; ++j) {
+      Power lower = terms_[i].power;
+      if (--lower[j] >= 0) next_[index(lower)][j] = i;
+    }
+  }
+  /// w_j further, in each line of terms that differ in its exponent alone.
+  void shift(std::size_t j, const N& w) {
+    std::vector<std::size_t> line;
+    for (std::size_t first = 0; first < terms_.size(); ++first) {
+      if (terms_[first].power[j] > 0) continue;
+      line = {first};
+      while (next_[line.back()][j] > 0) line.push_back(next_[line.back()][j]);
+      for (std::size_t k = 0; k + 1 < line.size(); ++k)
+        for (std::size_t i = line.size() - 1; i-- > k;) add_to(terms_[line[i]].c, terms_[line[i + 1]].c, w);
+    }
+  }
   static bool divides(const Power& a, const Power& b) {
     return a[0] <= b[0] && a[1] <= b[1] && a[2] <= b[2] && a[3] <= b[3];
   }
@@ -216,37 +249,40 @@ class Map {
     return result;
   }
   std::vector<Term> terms_;
+  std::vector<std::array<std::size_t, 4>> next_;  // of a long map: terms with one exponent greater by 1, or 0
+  bool is_long_ = false;
 };
 
 template <class N>
 Map<N> rounded(const Map<Rational>& map) {
   Map<N> result;
+  result.set_long(map.is_long());
   for (const auto& term : map.terms())
     result.coefficient(term.power) = {N(term.c[0]), N(term.c[1]), N(term.c[2])};
   return result;
 }
 
-/// x(u,v) of these coefficients, or with factor -1 and by 2 variables later -y(r,s), added to the map.
+/// Adds factor x(u,v) w(r,s) for these coefficients; with first = 2 the same of x(r,s) w(u,v).
 template <class N>
-void add_patch(Map<N>& map, const Net<N>& c, const N& factor, std::size_t later) {
-  c.each([&](std::size_t i, std::size_t j) {
-    Power power = {};
-    power[later] = static_cast<int>(i);
-    power[later + 1] = static_cast<int>(j);
-    map.add(power, c[i][j], factor);
+void add_product(Map<N>& map, const Net<N>& x, const Grid<N, 1>& w, const N& factor, std::size_t first) {
+  x.each([&](std::size_t i, std::size_t j) {
+    w.each([&](std::size_t k, std::size_t l) {
+      Power power = {};
+      power[first] = static_cast<int>(i);
+      power[first + 1] = static_cast<int>(j);
+      power[2 - first] = static_cast<int>(k);
+      power[3 - first] = static_cast<int>(l);
+      map.add(power, x[i][j], factor * w[k][l][0]);
+    });
   });
 }
+/// F = w_y X - w_x Y for x = X(u,v)/w_x(u,v) and y = Y(r,s)/w_y(r,s), given by their coefficients.
 template <class N>
-Map<N> space_map(const Net<N>& x) {
+Map<N> pair_map(const WeightedNet<N>& x, const WeightedNet<N>& y) {
   Map<N> map;
-  add_patch(map, x, N(1), 0);
-  return map;
-}
-/// F = x(u,v) - y(r,s).
-template <class N>
-Map<N> pair_map(const Net<N>& x, const Net<N>& y) {
-  Map<N> map = space_map(x);
-  add_patch(map, y, N(-1), 2);
+  map.set_long(x.has_weights() || y.has_weights());
+  add_product(map, x.points, y.weights, N(1), 0);
+  add_product(map, y.points, x.weights, N(-1), 2);
   return map;
 }
 

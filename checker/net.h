@@ -1,8 +1,7 @@
 // Control nets of patches of bidegree (m,n), 1 <= m, n <= 3, one parameter at a time.
 #pragma once
 
-#include <exsect/geometry/point.h>
-
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -89,5 +88,44 @@ class Grid {
 /// Control points, or vector coefficients.
 template <class N>
 using Net = Grid<N, 3>;
+
+/// The polynomial 1.
+template <class N>
+Grid<N, 1> one() {
+  Grid<N, 1> result;
+  result[0][0][0] = N(1);
+  return result;
+}
+
+/// The patch points / weights: w (x, y, z) and w for each control point, or coefficients. Without weights
+/// these are one number, 1.
+template <class N>
+struct WeightedNet {
+  Net<N> points;
+  Grid<N, 1> weights = one<N>();
+
+  bool has_weights() const { return weights.degree(0) + weights.degree(1) > 0; }
+  const N& weight(std::size_t i, std::size_t j) const {
+    return weights[std::min(i, weights.degree(0))][std::min(j, weights.degree(1))][0];
+  }
+  void halve(std::size_t p, bool upper) {
+    points.halve(p, upper);
+    weights.halve(p, upper);
+  }
+  void restrict_to(std::size_t p, const N& t) {
+    points.restrict_to(p, t);
+    weights.restrict_to(p, t);
+  }
+  void to_powers() {
+    points.to_powers();
+    weights.to_powers();
+  }
+  /// Of control points: the patch less the vector.
+  void move_by_minus(const std::array<N, 3>& vector) {
+    points.each([&](std::size_t i, std::size_t j) {
+      for (std::size_t d = 0; d < 3; ++d) points[i][j][d] = points[i][j][d] - weight(i, j) * vector[d];
+    });
+  }
+};
 
 }  // namespace exsect::checker

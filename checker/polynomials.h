@@ -66,4 +66,25 @@ inline Polynomial on_sides(const Polynomial& a, const std::vector<Side>& sides) 
   return result;
 }
 
+/// b, which is not 0, divides a: by division with the lexicographically greatest terms first.
+inline bool is_multiple(Polynomial a, const Polynomial& b) {
+  const auto leading = [](const Polynomial& p) {
+    return std::find_if(p.rbegin(), p.rend(), [](const auto& term) { return term.second != 0; });
+  };
+  const auto divisor = leading(b);
+  for (auto first = leading(a); first != a.rend(); first = leading(a)) {
+    Power power = first->first;
+    for (std::size_t j = 0; j < 4; ++j) power[j] -= divisor->first[j];
+    if (*std::min_element(power.begin(), power.end()) < 0) return false;
+    const Rational quotient = first->second / divisor->second;
+    a.erase(std::next(first).base(), a.end());
+    for (auto term = std::next(divisor); term != b.rend(); ++term) {
+      Power shifted = power;
+      for (std::size_t j = 0; j < 4; ++j) shifted[j] += term->first[j];
+      a[shifted] -= quotient * term->second;
+    }
+  }
+  return true;
+}
+
 }  // namespace exsect::checker

@@ -54,6 +54,16 @@ class Word {
   std::string_view rest_;
 };
 
+/// A member of an object that need not be there: `read` is called if it is.
+template <class Read>
+struct Optional {
+  Read read;
+};
+template <class Value>
+inline constexpr bool is_optional = false;
+template <class Read>
+inline constexpr bool is_optional<Optional<Read>> = true;
+
 /// A place in a text that should be JSON: where it is not, something fails.
 class Reader {
  public:
@@ -151,8 +161,23 @@ class Reader {
     hash_ = hash({&c, 1}, hash_);
     ++at_;
   }
+  /// What follows is a further member, with this key.
+  bool has_member(const char* key) const {
+    Reader ahead = again(at_);
+    if (ahead.next() != ',') return false;
+    ahead.take(',', "");
+    return ahead.next() == '"' && ahead.string() == key;
+  }
   template <class Value>
   void member(const char* key, Value& value) {
+    if constexpr (is_optional<std::remove_const_t<Value>>) {
+      if (has_member(key)) member(key, value.read);
+    } else {
+      required_member(key, value);
+    }
+  }
+  template <class Value>
+  void required_member(const char* key, Value& value) {
     if (text_[at_ - 1] != '{') take(',', "must have the documented keys");
     require(next() == '"' && string() == key, "must have the documented keys in their order");
     take(':', "");

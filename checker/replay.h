@@ -6,6 +6,7 @@
 
 #include "factors.h"
 #include "pairs_of_points.h"
+#include "position.h"
 
 namespace exsect::checker {
 
@@ -46,17 +47,17 @@ template <class N>
 struct StarMaps {
   Frame<N> frame;
   std::array<Map<N>, 8> equation;
-  std::array<Map<N>, 8> space;
+  std::array<Position<N>, 8> space;
 };
 
 template <class N>
 struct Replay {
   const Certificate<N>& certificate;
   Vector3<Rational> origin;
-  Map<Rational> exact;             // F
-  Map<Rational> exact_space;       // x, moved by -origin
-  std::array<Map<N>, 3> equation;  // F of each chart
-  std::array<Map<N>, 3> space;     // the point of space, moved by -origin
+  Map<Rational> exact;               // F
+  Position<Rational> exact_space;    // x, moved by -origin
+  std::array<Map<N>, 3> equation;    // F of each chart
+  std::array<Position<N>, 3> space;  // the point of space, moved by -origin
   std::vector<StarMaps<N>> stars;
   std::vector<ProvedTube<N>> tubes;
 
@@ -64,7 +65,7 @@ struct Replay {
   const Map<Rational>& exact_map(const Tube<N>& tube) const {
     return tube.factor < 0 ? exact : certificate.factors[static_cast<std::size_t>(tube.factor)].map;
   }
-  const Map<N>& space_map(const Tube<N>& tube) const {
+  const Position<N>& space_of(const Tube<N>& tube) const {
     return tube.chart == Chart::star ? stars[tube.star].space[tube.direction]
                                      : space[static_cast<std::size_t>(tube.chart)];
   }
@@ -87,23 +88,24 @@ Box<N> exactly(const Box<double>& box) {
 
 template <class N>
 Replay<N> start(const Certificate<N>& certificate) {
-  const Net<Rational>& first = certificate.nets[0];
+  const Net<Rational>& first = certificate.nets[0].points;
   const Vector3<Rational>& middle = first[first.degree(0) / 2][first.degree(1) / 2];
   Replay<N> result = {certificate, middle, {}, {}, {}, {}, {}, {}};
-  std::array<Net<Rational>, 2> power = certificate.nets;
-  for (Net<Rational>& c : power) {
+  std::array<WeightedNet<Rational>, 2> power = certificate.nets;
+  for (WeightedNet<Rational>& c : power) {
+    c.move_by_minus(result.origin);
     c.to_powers();
-    for (std::size_t d = 0; d < 3; ++d) c[0][0][d] -= result.origin[d];
   }
   result.exact = pair_map(power[0], power[1]);
-  result.exact_space = space_map(power[0]);
+  result.exact_space = position_on(power[0]);
   result.equation[0] = rounded<N>(result.exact);
   result.space[0] = rounded<N>(result.exact_space);
+  Net<Rational>& c = power[0].points;
   for (std::size_t chart = 1; certificate.self && chart < 3; ++chart) {
-    result.equation[chart] = rounded<N>(chart_map(power[0]));
-    result.space[chart] = rounded<N>(chart_space(power[0]));
+    result.equation[chart] = rounded<N>(chart_map(c));
+    result.space[chart].points = rounded<N>(chart_space(c));
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < i; ++j) std::swap(power[0][i][j], power[0][j][i]);
+      for (std::size_t j = 0; j < i; ++j) std::swap(c[i][j], c[j][i]);
   }
   return result;
 }

@@ -46,14 +46,6 @@ std::optional<BiquadraticPair> biquadratic(const RationalPair& pair) {
   return BiquadraticPair{*x, *y};
 }
 
-/// What there is for biquadratic patches only, and for polynomial ones.
-void refuse_for_others(const IntersectCommand& command, const RationalPair& pair) {
-  if (command.exact) refuse_unless_biquadratic(command.file, pair, "--exact");
-  for (const NamedRationalPatch& named : {pair.x, pair.y})
-    if (!command.output.certificate.empty() && !named.patch.is_polynomial())
-      refuse_unless_biquadratic(command.file, {named, named, pair.title}, "--certificate");
-}
-
 /// intersect() of two patches, of a surface given by its equation and a patch, or of two such surfaces.
 template <class First, class Second>
 auto solve(const IntersectCommand& command, const First& first, const Second& second,
@@ -172,7 +164,7 @@ ExitStatus run_with_patches(const IntersectCommand& command, const RationalPair&
                             const IntersectOptions& options, const Streams& streams) {
   const int cells = grid_cells(command.output.exports);
   const std::optional<BiquadraticPair> biquadratic_pair = biquadratic(pair);
-  if (!biquadratic_pair) refuse_for_others(command, pair);
+  if (command.exact) refuse_unless_biquadratic(command.file, pair, "--exact");
   const PatchNames names = {pair.x.name, pair.y.name};
   const IntersectResult result = solve(command, pair.x.patch, pair.y.patch, options, streams);
   const std::string json = command.output.json.empty() ? "" : json_text(intersection_json(result, names));

@@ -37,8 +37,7 @@ std::string line_certificate(const LineCommand& command, const RationalPair& pai
                              const LineIntersection& line, const Streams& streams) {
   if (command.output.certificate.empty()) return "";
   try {
-    return certificate_text(*pair.x.patch.biquadratic(), *pair.y.patch.biquadratic(),
-                            {pair.x.name, pair.y.name}, line);
+    return certificate_text(pair.x.patch, pair.y.patch, {pair.x.name, pair.y.name}, line);
   } catch (const NoCertificate& reason) {
     streams.err << "exsect: no certificate: " << printable(reason.what()) << std::endl;
     return "";
@@ -52,7 +51,6 @@ ExitStatus run(const LineCommand& command, const Streams& streams) {
   check(command.output, command.file);
   const int cells = grid_cells(command.output.exports);
   const RationalPair pair = read_rational_pair(command.file, command.first, command.second);
-  if (!command.output.certificate.empty()) refuse_unless_biquadratic(command.file, pair, "--certificate");
   const LineIntersection line = intersect_line(pair.x.patch, pair.y.patch, asked);
   const std::string json = command.output.json.empty() ? "" : json_text(line_json(line, pair.x.patch));
   const std::string proof = line_certificate(command, pair, line, streams);

@@ -16,6 +16,7 @@ MAX_BYTES = 256 << 20
 MAX_ENTRIES = 1 << 20
 MAX_CHARACTERS = 6100  # of a number
 MAX_DEPTH = 16  # of lists and objects in each other
+MAX_DENOMINATOR_CELLS = 4096
 LEAST_HALF_EDGE = Fraction(1, 2**51)
 LETTERS = "uvrs"
 DIRECTIONS = [p + sign for p in LETTERS for sign in "+-"]
@@ -300,7 +301,7 @@ class Map:
     """A polynomial map of four variables to space: {(i, j, k, l): coefficient}, with all lower monomials."""
 
     def __init__(self, terms=()):
-        self.terms = {}
+        self.terms, self.box = {}, None
         for power, factor, c in terms:
             for lower in itertools.product(*(range(i + 1) for i in power)):
                 self.terms.setdefault(lower, [Fraction(0)] * 3)
@@ -312,16 +313,20 @@ class Map:
         return result
 
     def at(self, w):
-        """Taylor coefficients at w."""
-        def coefficient(lower, _):
-            total = [Fraction(0)] * 3
-            for power, c in self.terms.items():
-                if all(p >= q for p, q in zip(power, lower)):
-                    factor = math.prod(math.comb(p, q) * a ** (p - q) for p, q, a in zip(power, lower, w))
-                    if factor:
-                        total = [t + factor * a for t, a in zip(total, c)]
-            return total
-        return self.mapped(coefficient)
+        """Taylor coefficients at w: one variable after the other, by Horner's rule in each line of monomials."""
+        result = self.mapped(lambda _, c: c)
+        terms = result.terms
+        for j, a in enumerate(w):
+            lines = {}
+            for power in terms if a else ():
+                rest = power[:j], power[j + 1 :]
+                lines[rest] = max(lines.get(rest, 0), power[j])
+            for (before, after), n in lines.items():
+                line = [(*before, i, *after) for i in range(n + 1)]
+                for k in range(n):
+                    for i in range(n - 1, k - 1, -1):
+                        terms[line[i]] = [p + a * q if q else p for p, q in zip(terms[line[i]], terms[line[i + 1]])]
+        return result
 
     def times(self, matrix):
         return self.mapped(lambda _, c: [sum(m * q for m, q in zip(row, c)) for row in matrix])
@@ -335,14 +340,29 @@ class Map:
     def derivative(self, d, a, h):
         """The ball of this derivative of component d over |dw_i| <= h_i."""
         middle = radius = Fraction(0)
-        for power, c in self.terms.items():
-            factor = math.prod(map(math.perm, power, a))
-            if power == a:
-                middle, rest = ball_of(factor * c[d])
+        for c, size in self.sizes(a, tuple(h)):
+            if size is None:
+                middle, rest = ball_of(math.prod(map(math.factorial, a)) * c[d])
                 radius += rest
-            elif factor and c[d]:
-                radius += factor * abs(c[d]) * math.prod(x ** (i - j) for x, i, j in zip(h, power, a))
+            elif c[d]:
+                radius += abs(c[d]) * size
         return middle, radius
+
+    def sizes(self, a, h):
+        """For each term that counts in it, how much; None for the term of these exponents. Kept for the last box."""
+        if self.box != h:
+            self.box, self.kept, self.powers = h, {}, [[x**n for n in range(4)] for x in h]
+        if a not in self.kept:
+            found = self.kept[a] = []
+            for power, c in self.terms.items():
+                rest = [i - j for i, j in zip(power, a)]
+                if min(rest) >= 0 and any(c):
+                    size = math.prod(map(math.perm, power, a))
+                    for x, n in enumerate(rest):
+                        if n:
+                            size *= self.powers[x][n] if n < 4 else h[x] ** n
+                    found.append((c, size if any(rest) else None))
+        return self.kept[a]
 
     def first(self, d, j, h):
         return self.derivative(d, tuple(int(i == j) for i in range(4)), h)
@@ -366,12 +386,58 @@ def entries(c):
     return [((i, j), entry) for i, row in enumerate(c) for j, entry in enumerate(row)]
 
 
-def space_map(c):
-    return Map([((i, j, 0, 0), 1, a) for (i, j), a in entries(c)])
-
-
 def pair_map(x, y):
-    return Map([((i, j, 0, 0), 1, a) for (i, j), a in entries(x)] + [((0, 0, i, j), -1, a) for (i, j), a in entries(y)])
+    """F = w_y X - w_x Y"""
+    return Map([((*i, *k), w, p) for i, p in entries(x.points) for k, (w,) in entries(y.weights)]
+               + [((*i, *k), -w, p) for k, p in entries(y.points) for i, (w,) in entries(x.weights)])
+
+
+class Position:
+    """The point of space X / W of two maps, W the first component of the second one, or X alone."""
+
+    def __init__(self, points, weight=None):
+        self.points, self.weight = points, weight
+
+    def value(self, w):
+        result = self.points.value(w)
+        if not self.weight:
+            return result
+        divisor = ball_of(self.weight.value(w)[0])
+        require(sign(divisor) > 0, "$.first", "a denominator that may be 0")
+        balls = [divide(ball_of(c), divisor, "$.first") for c in result]
+        return [Near(ball) if ball[1] else ball[0] for ball in balls]
+
+    def bounds(self, middle, half, bounds, place):
+        """Of each component: derivatives over the box, and the second one along the curve."""
+        local = self.points.at(middle)
+        weight = self.weight and self.weight.at(middle)
+        result = []
+        for d in range(3):
+            partial = [local.first(d, i, half) for i in range(4)]
+            bend = local.second(d, bounds.first, half)
+            if weight:
+                w, slope = weight.derivative(0, (0, 0, 0, 0), half), [weight.first(0, i, half) for i in range(4)]
+                require(sign(w) > 0, place, "a denominator that may be 0")
+                p = divide(local.derivative(d, (0, 0, 0, 0), half), w, place)
+                partial = [divide(subtract(b, times(p, c)), w, place) for b, c in zip(partial, slope)]
+                along, w_along = (total(times(b, t) for b, t in zip(c, bounds.first)) for c in (partial, slope))
+                bend = subtract(subtract(bend, times((2, 0), times(along, w_along))), times(p, weight.second(0, bounds.first, half)))
+                bend = divide(bend, w, place)
+            result.append((partial, add(bend, total(times(b, w) for b, w in zip(partial, bounds.second)))))
+        return result
+
+
+def total(balls):
+    result = (Fraction(0), Fraction(0))
+    for ball in balls:
+        result = add(result, ball)
+    return result
+
+
+def position_on(x):
+    def map_of(c):
+        return Map([((*i, 0, 0), 1, [*a, 0, 0][:3]) for i, a in entries(c)])
+    return Position(map_of(x.points), map_of(x.weights) if x.weighted else None)
 
 
 def chart_map(c):
@@ -704,6 +770,22 @@ def product(a, b):
     return result
 
 
+def is_multiple(a, b):
+    """b, which is not 0, divides a: by division with the greatest terms first, in the order of their exponents."""
+    rest, top = dict(a), max(power for power, c in b.items() if c)
+    while rest:
+        power = max(rest)
+        factor = rest.pop(power) / b[top]
+        shift = tuple(p - q for p, q in zip(power, top))
+        if factor and min(shift) < 0:
+            return False
+        for q, c in b.items() if factor else ():
+            if c and q != top:
+                key = tuple(map(sum, zip(q, shift)))
+                rest[key] = rest.get(key, 0) - factor * c
+    return True
+
+
 def occurs(polynomials, d, j):
     return any(power[j] and c[d] for power, c in polynomials.terms.items())
 
@@ -823,8 +905,10 @@ class Star:
         require(all(q == 0 or sign(ball_of(q)) > 0 for a in self.at for q in (a, 1 - a)), place, "not in [0,1]^4")
         for power, q in polynomial.at(self.at).terms.items():
             require(sum(power) != 1 or not sum(n * t for n, t in zip(c, q)), place, "its last row is not normal to both patches")
-        equation, space = self.centred(polynomial), self.centred(system.space["pair"])
-        self.maps = [(self.chart(equation, n, self.rows, self.orders), self.chart(space, n, UNIT, [0, 0, 0])) for n in range(8)]
+        space = system.space["pair"]
+        equation, points, weight = (self.centred(c) if c else None for c in (polynomial, space.points, space.weight))
+        self.maps = [(self.chart(equation, n, self.rows, self.orders),
+                      Position(*(self.chart(c, n, UNIT, [0, 0, 0]) for c in (points, weight) if c))) for n in range(8)]
 
     def factor(self, factor, direction):
         """Its map and columns in the chart, divided by powers of t."""
@@ -984,32 +1068,30 @@ class Checker:
         self.cells = sum(row.split(" #", 1)[0].count(" ") + 1 for row in root["cover"])
         self.nets = [self.net(root[key], "$." + key) for key in names]
         self.nets = [self.nets[0], self.nets[-1]]
-        require(not self.alone or [len(self.nets[0]), len(self.nets[0][0])] == [3, 3], "$.first", "not 3 x 3 points, of one patch")
-        self.power = [self.power_basis(net) for net in self.nets]
-        self.equation = {"pair": pair_map(*self.power)}
-        self.space = {"pair": space_map(self.power[0])}
+        points = self.nets[0].points
+        require(not self.alone or (len(points) == len(points[0]) == 3 and not self.nets[0].weighted), "$.first", "not 3 x 3 points alone, of one patch")
+        power = [Net(power_basis(net.points), power_basis(net.weights)) for net in self.nets]
+        self.equation = {"pair": pair_map(*power)}
+        self.space = {"pair": position_on(power[0])}
         if self.alone:
-            exchanged = [list(column) for column in zip(*self.power[0])]
-            for name, c in (("first", self.power[0]), ("second", exchanged)):
-                self.equation[name], self.space[name] = chart_map(c), chart_space(c)
+            for name, c in (("first", power[0].points), ("second", transposed(power[0].points))):
+                self.equation[name], self.space[name] = chart_map(c), Position(chart_space(c))
 
     @staticmethod
     def net(value, place):
-        value = claim(value, place, ["name", "points"])
+        weighted = isinstance(value, dict) and "weights" in value
+        value = claim(value, place, ["name", "points", "weights"] if weighted else ["name", "points"])
         name, points = value["name"], value["points"]
         require(isinstance(name, str) and is_json(f'"{name}"'), place, "not a name")
         require(isinstance(points, list) and 2 <= len(points) <= 4 and all(isinstance(row, list) for row in points), place, "not 2 to 4 rows")
         require(len({len(row) for row in points}) == 1 and 2 <= len(points[0]) <= 4, place, "not rows of 2 to 4 points")
-        return [[numbers(p, 3, place) for p in row] for row in points]
-
-    @staticmethod
-    def power_basis(net):
-        def power(line):
-            """Coefficients of t^k: binomials times differences."""
-            n = len(line) - 1
-            return [[math.comb(n, k) * sum((-1) ** (k - i) * math.comb(k, i) * line[i][d] for i in range(k + 1)) for d in range(3)]
-                    for k in range(n + 1)]
-        return transposed([power(column) for column in transposed([power(row) for row in net])])
+        points = [[numbers(p, 3, place) for p in row] for row in points]
+        if not weighted:
+            return Net(points)
+        require(isinstance(value["weights"], list) and len(value["weights"]) == len(points), place, "not a weight for each point")
+        weights = [numbers(row, len(points[0]), place) for row in value["weights"]]
+        check_positive([[[w] for w in row] for row in weights], place)
+        return Net([[[w * c for c in p] for w, p in zip(*rows)] for rows in zip(weights, points)], [[[w] for w in row] for row in weights])
 
     def check(self):
         self.factors = [Factor(value, f"$.factors[{i}]", self) for i, value in enumerate(self.root.get("factors", []))]
@@ -1247,22 +1329,26 @@ class Checker:
 
     @staticmethod
     def turns_on_sides(polynomials, i, sides):
-        """T_i vanishes wherever the parameters are on the sides, as a polynomial in the others."""
-        def entry(d, j):
+        """T_i vanishes wherever the parameters are on the sides and the map is 0: it is a multiple of a component there, as a polynomial."""
+        def on_sides(polynomial):
             result = {}
-            for power, c in component(polynomials, d).items():
-                lower = [p - (n == j) for n, p in enumerate(power)]
-                if power[j] and all(sides.get(n) != 0 or p == 0 for n, p in enumerate(lower)):
-                    rest = tuple(0 if n in sides else p for n, p in enumerate(lower))
-                    result[rest] = result.get(rest, 0) + power[j] * c
+            for power, c in polynomial.items():
+                if all(sides.get(n) != 0 or p == 0 for n, p in enumerate(power)):
+                    rest = tuple(0 if n in sides else p for n, p in enumerate(power))
+                    result[rest] = result.get(rest, 0) + c
             return result
+
+        def entry(d, j):
+            return on_sides({tuple(p - (n == j) for n, p in enumerate(power)): power[j] * c
+                             for power, c in component(polynomials, d).items() if power[j]})
 
         e = [[entry(d, j) for j in others(i)] for d in range(3)]
         total = {}
         for a, b, c, s in ((0, 1, 2, 1), (1, 2, 0, 1), (2, 0, 1, 1), (0, 2, 1, -1), (1, 0, 2, -1), (2, 1, 0, -1)):
             for power, q in product(e[0][a], product(e[1][b], e[2][c])).items():
                 total[power] = total.get(power, 0) + s * q
-        return not any(total.values())
+        components = (on_sides(component(polynomials, d)) for d in range(3))
+        return not any(total.values()) or any(any(g.values()) and is_multiple(total, g) for g in components)
 
     def places_on_polyline(self, points, vertices, place):
         require(vertices[0] and vertices[-1], place, "an end of the polyline is missing")
@@ -1299,13 +1385,8 @@ class Checker:
             half = [unit * (math.floor((abs(p - q) / 2 + more) / unit) + 2) for p, q, more in zip(points[begin], points[stop], beyond)]
             bounds = tube.derivatives(middle, half)
             require(bounds.defect < 1, place, "no derivative over a step of the polyline")
-            local = tube.space.at(middle)
             second, slope = [], []
-            for d in range(3):
-                partial = [local.first(d, i, half) for i in range(4)]
-                bend = local.second(d, bounds.first, half)
-                for b, w in zip(partial, bounds.second):
-                    bend = add(bend, times(b, w))
+            for partial, bend in tube.space.bounds(middle, half, bounds, place):
                 second.append(magnitude(bend))
                 slope.append(sum(magnitude(partial[i]) for i in others(tube.axis)))
             bend, speed = root_above(second) / 8, root_above(slope)
@@ -1367,29 +1448,28 @@ class Checker:
         self.check_cells(cover)
 
     def check_cells(self, cover):
-        scale = math.lcm(*(q.denominator for net in self.nets for row in net for p in row for q in p))
+        scale = math.lcm(*(q.denominator for net in self.nets for c in (net.points, net.weights) for row in c for p in row for q in p))
         middle, half = [Fraction(1, 2)] * 4, [Fraction(1, 2)] * 4
         whole = list(self.nets)
         if self.fixed:
             k, value = self.fixed
             scale *= value.denominator**3
-            whole[k // 2] = restricted(whole[k // 2], k % 2, value)
+            whole[k // 2] = Net(restricted(whole[k // 2].points, k % 2, value), restricted(whole[k // 2].weights, k % 2, value))
             middle[k], half[k] = value, Fraction(0)
-        nets = [[[[int(q * scale) for q in p] for p in row] for row in net] for net in whole]
-        waiting = [(nets, (0, 0), middle, half)]  # the deepest last; nets times 2^levels
+        nets = [[[[[int(q * scale) for q in p] for p in row] for row in c] for c in (net.points, net.weights)] for net in whole]
+        waiting = [(nets, middle, half)]  # the deepest last; points and weights of both patches, times integers > 0
         for place, text in cover:
             require(waiting, place, "beyond the end of the subdivision")
-            nets, levels, middle, width = waiting.pop()
+            nets, middle, width = waiting.pop()
             if len(text) == 1 and text in LETTERS:
                 p = LETTERS.index(text)
                 require(width[p] / 2 >= LEAST_HALF_EDGE, place, "a half edge below 2^-51, or the fixed parameter")
                 for upper in (True, False):
-                    parts, deeper = list(nets), list(levels)
-                    parts[p // 2] = halved(nets[p // 2], p % 2, upper)
-                    deeper[p // 2] += len(nets[p // 2][0] if p % 2 else nets[p // 2]) - 1
+                    parts = list(nets)
+                    parts[p // 2] = half_of(*nets[p // 2], p % 2, upper)
                     h = [w / 2 if j == p else w for j, w in enumerate(width)]
                     m = [q + (h[p] if upper else -h[p]) if j == p else q for j, q in enumerate(middle)]
-                    waiting.append((parts, deeper, m, h))
+                    waiting.append((parts, m, h))
                 continue
             box = list(zip(middle, width))
             if re.fullmatch("[tm](0|[1-9][0-9]{0,9})", text):
@@ -1411,8 +1491,7 @@ class Checker:
                     require(self.alone and sign(volume(direction, self.equation["first"], halves(False, box))), place,
                             "different points of the cell may have the same place")
                     continue
-                values = [[sum(n * q for n, q in zip(direction, p)) for row in net for p in row] for net in nets]
-                require(min(values[0]) << levels[1] > max(values[1]) << levels[0], place, "the direction does not separate the patches")
+                require(separated(*nets, direction), place, "the direction does not separate the patches")
         require(not waiting, "$.cover", "the subdivision is not complete")
 
 
@@ -1423,6 +1502,55 @@ def root_above(vector):
         return Fraction(0)
     shift = max(0, 64 - (q.numerator.bit_length() - q.denominator.bit_length()) // 2)
     return Fraction(math.isqrt((q.numerator << 2 * shift) // q.denominator + 1) + 1, 2**shift)
+
+
+class Net:
+    """Points times weights, and weights, each a list; weights are one 1 if there are none."""
+
+    def __init__(self, points, weights=None):
+        self.points, self.weighted = points, weights is not None and weights != [[[1]]]
+        self.weights = weights or [[[Fraction(1)]]]
+
+
+def check_positive(weights, place):
+    """The polynomial is, in the unit square: halved in u and v in turn until all Bernstein coefficients over a cell are positive."""
+    scale = math.lcm(*(w.denominator for row in weights for (w,) in row))
+    waiting, cells = [([[[int(scale * w)] for (w,) in row] for row in weights], False)], 0
+    while waiting:
+        require(cells < MAX_DENOMINATOR_CELLS, place, "its denominator may be 0 in the square")
+        cells += 1
+        net, second = waiting.pop()
+        if all(w > 0 for row in net for (w,) in row):
+            continue
+        require(all(net[i][j][0] > 0 for i in (0, -1) for j in (0, -1)), place, "its denominator is not positive in the square")
+        waiting += [(halved(net, second, upper), not second) for upper in (False, True)]
+
+
+def half_of(points, weights, second, upper):
+    """2^n times both, n the degree; without weights the one for all points."""
+    n = len(points[0] if second else points) - 1
+    has_weights = len(weights) + len(weights[0]) > 2
+    return halved(points, second, upper), halved(weights, second, upper) if has_weights else [[[weights[0][0][0] << n]]]
+
+
+def separated(x, y, direction):
+    """direction . F is positive: all its Bernstein coefficients are."""
+    def values(points, weights):
+        """Pairs direction . (w P), w; of the extreme one alone where all weights are one."""
+        flat = [w for row in weights for (w,) in row]
+        return list(zip((sum(n * q for n, q in zip(direction, p)) for row in points for p in row), itertools.cycle(flat))), len(flat) > 1
+    (a, a_weighted), (b, b_weighted) = values(*x), values(*y)
+    a, b = a if a_weighted else [min(a)], b if b_weighted else [max(b)]
+    return all(p * w > q * v for p, v in a for q, w in b)
+
+
+def power_basis(net):
+    def power(line):
+        """Coefficients of t^k: binomials times differences."""
+        n = len(line) - 1
+        return [[math.comb(n, k) * sum((-1) ** (k - i) * math.comb(k, i) * line[i][d] for i in range(k + 1)) for d in range(len(line[0]))]
+                for k in range(n + 1)]
+    return transposed([power(column) for column in transposed([power(row) for row in net])])
 
 
 def transposed(net):

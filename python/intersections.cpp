@@ -29,7 +29,6 @@ struct SolvedPair {
   cli::PatchNames names;
 
   BezierPatch biquadratic_first() const { return biquadratic_of(first, names.first); }
-  BezierPatch biquadratic_second() const { return biquadratic_of(*second, names.second); }
 
   cli::Json json() const {
     return second ? cli::intersection_json(result, names) : cli::self_json(result, names.first);
@@ -40,7 +39,7 @@ struct SolvedPair {
                   : cli::self_report_html(result, biquadratic_first(), names.first, {title, ""});
   }
   std::string certificate() const {
-    return second ? cli::certificate_text(biquadratic_first(), biquadratic_second(), names, result)
+    return second ? cli::certificate_text(first, *second, names, result)
                   : cli::self_certificate_text(biquadratic_first(), names, result);
   }
   std::string exported(const std::string& format, const std::string& title, int cells) const {
@@ -62,10 +61,7 @@ struct SolvedLine {
   std::string report(const std::string& title) const {
     return cli::line_report_html(line, first, second, names, {title, ""});
   }
-  std::string certificate() const {
-    return cli::certificate_text(biquadratic_of(first, names.first), biquadratic_of(second, names.second),
-                                 names, line);
-  }
+  std::string certificate() const { return cli::certificate_text(first, second, names, line); }
   std::string exported(const std::string& format, const std::string& title, int cells) const {
     if (format == "csv") return cli::point_csv(line, first);
     return scene_text(cli::line_scene(line, first, second, names, title, cells), format);

@@ -2,6 +2,7 @@
 #include <exsect/geometry/number.h>
 #include <exsect/geometry/rational_patch_file.h>
 
+#include "certificate/line.h"
 #include "certificate_changes.h"
 #include "support/random_nets.h"
 
@@ -133,6 +134,123 @@ TEST_CASE("false claims about bicubic patches are rejected where they stand") {
   });
   reason(truth, "$.second.points",
          [](Json& j) { j["second"]["points"] = Json::array({j["second"]["points"][0]}); });
+}
+
+TEST_CASE("pairs of every bidegree with weights have certificates that are accepted") {
+  Generator generator(39);
+  INFO("seed 39");
+  const std::vector<Degrees> weighted = {
+      {1, 1, 1, 1}, {2, 2, 2, 2}, {2, 1, 1, 3}, {3, 2, 1, 2}, {3, 3, 3, 3}};
+  for (const Degrees& degrees : weighted) {
+    for (int i = 0; i < (degrees[0] + degrees[2] == 6 ? 1 : 4); ++i) {
+      INFO(degrees[0] << degrees[1] << degrees[2] << degrees[3] << ", " << i);
+      const auto nets =
+          i == 2 ? random_nets::loop(generator, degrees) : random_nets::crossing(generator, degrees, i != 0);
+      const RationalPatch x = random_nets::weighted(generator, nets.x);
+      const RationalPatch y = i == 1 ? nets.second() : random_nets::weighted(generator, nets.y);
+      const Json json = Json::parse(accepted(x, y));
+      CHECK(json["first"].contains("weights"));
+      CHECK(json["second"].contains("weights") == (i != 1));
+    }
+  }
+}
+
+namespace {
+
+/// P -> P / (1 + c . P), a patch with weights 1 + c . P_ij.
+RationalPatch image(const BezierPatch& patch, const Point& c) {
+  std::vector<std::vector<HomogeneousPoint>> net;
+  for (const auto& row : patch.net()) {
+    net.emplace_back();
+    for (const Point& p : row) net.back().push_back({p[0], p[1], p[2], 1 + dot(c, p)});
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+/// What does not depend on the coordinates in space.
+Json in_parameters(const std::string& text) {
+  const Json summary = Json::parse(text)["summary"];
+  return {summary["components"], summary["closed"], summary["open"], summary["boundary"], summary["turning"]};
+}
+
+}  // namespace
+
+TEST_CASE("images of a pair under projective maps have certificates of the same graph") {
+  Generator generator(40);
+  INFO("seed 40");
+  for (int i = 0; i < 4; ++i) {
+    const auto pair = i == 3 ? random_pairs::loop(generator) : random_pairs::doubles(generator);
+    const Json graph = in_parameters(accepted(pair.x, pair.y));
+    for (const Point& c :
+         {Point{Rational(1, 40), Rational(-1, 50), Rational(1, 30)}, Point{Rational(1, 20), 0, 0}}) {
+      INFO(i << ", " << c[0]);
+      const RationalPatch x = image(pair.x, c), y = image(pair.y, c);
+      CHECK(in_parameters(accepted(x, y)) == graph);
+      const Json turning = in_parameters(accepted(y, x))[4];
+      CHECK(turning == Json({graph[4][2], graph[4][3], graph[4][0], graph[4][1]}));
+    }
+  }
+}
+
+TEST_CASE("single weights may be negative") {
+  const auto q = [](long a, long b) { return Rational(a, b); };
+  const RationalPatch x(
+      {{{0, 0, 0}, {0, 1, q(1, 8)}}, {{q(1, 2), 0, q(1, 5)}, {q(1, 2), 1, 0}}, {{1, 0, 0}, {1, 1, q(1, 7)}}},
+      {{1, 1}, {q(-1, 4), q(-1, 4)}, {1, 1}});
+  const RationalPatch y({{{q(-1, 10), q(1, 3), -1}, {q(-1, 10), q(2, 3), 1}},
+                         {{q(11, 10), q(1, 2), -1}, {q(11, 10), q(3, 7), 1}}});
+  const Json json = Json::parse(accepted(x, y));
+  CHECK(json["first"]["weights"][1] == Json({"-1/4", "-1/4"}));
+  CHECK(json["summary"]["turning"] == Json({0, 2, 2, 1}));
+}
+
+TEST_CASE("false claims about patches with weights are rejected where they stand") {
+  Generator generator(42);
+  INFO("seed 42");
+  const auto nets = random_nets::crossing(generator, {2, 1, 1, 2}, false);
+  const std::string truth =
+      accepted(random_nets::weighted(generator, nets.x), random_nets::weighted(generator, nets.y));
+  reject_changes(truth, generator, 40);
+  CHECK(rejected_forgeries(truth, {"tubes", "nodes", "arcs"}, generator, 40) > 10);
+  reason(truth, "$.", [](Json& j) { j["first"]["weights"][1][0] = "9/7"; });
+  reason(truth, "$.", [](Json& j) { std::swap(j["first"]["weights"][0], j["first"]["weights"][1]); });
+  reason(truth, "$.", [](Json& j) { j["second"]["points"][1][1][0] = "3"; });
+  reason(truth, "$.", [](Json& j) { j["second"].erase("weights"); });
+  reason(truth, "$.", [](Json& j) { j["tubes"].erase(0); });
+  // Denominators that are 0 or negative somewhere.
+  reason(truth, "$.first: its denominator", [](Json& j) { j["first"]["weights"][0][0] = "0"; });
+  reason(truth, "$.second: its denominator", [](Json& j) { j["second"]["weights"][1][2] = "-1/8"; });
+  reason(truth, "$.second: its denominator", [](Json& j) {
+    j["second"]["weights"] = {{"1", "-1", "1"}, {"1", "-1", "1"}};
+  });
+  reason(truth, "$.first: its denominator", [](Json& j) {
+    for (Json& row : j["first"]["weights"]) row = {"-1", "-1"};
+  });
+  // Of another shape, or no numbers.
+  reason(truth, "$.first.weights", [](Json& j) { j["first"]["weights"].push_back({"1", "1"}); });
+  reason(truth, "$.first.weights", [](Json& j) { j["first"]["weights"].erase(0); });
+  reason(truth, "$.first.weights[1]", [](Json& j) { j["first"]["weights"][1].push_back("1"); });
+  reason(truth, "$.first.weights[0]", [](Json& j) { j["first"]["weights"][0] = "1"; });
+  reason(truth, "$.first.weights[0][0]", [](Json& j) { j["first"]["weights"][0][0] = 1; });
+  reason(truth, "$.first", [](Json& j) { j["first"]["more"] = j["first"]["weights"]; });
+}
+
+TEST_CASE("lines on patches of every kind have certificates, none of which can be changed") {
+  Generator generator(45);
+  INFO("seed 45");
+  for (const Degrees& degrees : {Degrees{3, 3, 3, 3}, {2, 2, 3, 1}, {1, 3, 2, 1}}) {
+    for (int i = 0; i < 4; ++i) {
+      INFO(degrees[0] << degrees[1] << degrees[2] << degrees[3] << ", " << i);
+      const auto nets = random_nets::crossing(generator, degrees, i % 2 == 0);
+      const RationalPatch x = i < 2 ? random_nets::weighted(generator, nets.x) : nets.first();
+      const RationalPatch y = i == 1 ? random_nets::weighted(generator, nets.y) : nets.second();
+      const LineQuery query = {all_parameters[below(generator, 4)],
+                               Rational(random_pairs::integer(generator, 0, 97), 97)};
+      const LineIntersection line = intersect_line(x, y, query);
+      const std::string text = cli::certificate_text(x, y, names, line);
+      CHECK(check_certificate(text).summary.claims[3] == line.solution.points.size());
+      reject_changes(text, generator, 5);
+    }
+  }
 }
 
 TEST_CASE("a certificate of one patch is of a biquadratic one") {

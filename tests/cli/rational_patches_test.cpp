@@ -74,17 +74,35 @@ TEST_CASE("what patches of higher degree or with weights cannot have is refused 
   check_refused({"revolve", example("profile.json"), "--method", "elimination", "--patch-file", file,
                  "--patch", "quarter"},
                 file + here);
-  check_refused(
-      {"intersect", file, "--certificate", scratch.path("out")},
-      file + ": patch \"quarter\": not supported yet with --certificate: bidegree (2,1) with weights");
   check_refused({"intersect", file, "--exact"},
                 "not supported yet with --exact: bidegree (2,1) with weights");
   check_refused({"intersect", teapot, "--first", "13", "--second", "5", "--exact"},
                 teapot + ": patch \"13\": not supported yet with --exact: bidegree (3,3)");
-  check_refused(
-      {"line", teapot, "--first", "13", "--second", "5", "--u", "0", "--certificate", scratch.path("out")},
-      teapot + ": patch \"13\": not supported yet with --certificate: bidegree (3,3)");
   CHECK(run_program({"self", file, "--patch", "plane"}).status == 0);
+}
+
+TEST_CASE("certificates of patches of higher degree and with weights, and of lines on them") {
+  const ScratchDirectory scratch;
+  const std::string bent = scratch.path("bent.json");
+  write(bent, R"({"exsect": "patches/1", "patches": [
+    {"name": "bent", "degree": [2, 1], "points": [[[0,0,0],[0,1,"1/8"]], [["1/2",0,"1/5"],["1/2",1,0]], [[1,0,0],[1,1,"1/7"]]],
+     "weights": [[1, 1], ["3/2", "4/3"], [1, 1]]},
+    {"name": "cubic", "degree": [3, 1], "points": [[["-1/10","1/3",-1],["-1/10","2/3",1]], [["1/4","1/2",-1],["1/4","1/2",1]],
+      [["3/4","2/5",-1],["3/4","3/5",1]], [["11/10","1/2",-1],["11/10","3/7",1]]]}]})");
+  const std::string proof = scratch.path("proof.json");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"intersect", bent, "--tolerance", "1e-3"},
+        {"intersect", teapot, "--first", "1", "--second", "5", "--tolerance", "1e-2"},
+        {"line", bent, "--u", "1/3"},
+        {"line", teapot, "--first", "1", "--second", "5", "--u", "1/3"}}) {
+    INFO(command[0] << " " << command[1]);
+    std::vector<std::string> written = command;
+    written.insert(written.end(), {"--certificate", proof, "--quiet"});
+    const ProgramRun run = run_program(written);
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    CHECK(run_program({"check", proof}).out.find("accepted") != std::string::npos);
+  }
 }
 
 TEST_CASE("line takes patches of higher degree and with weights, in every form of output") {

@@ -42,6 +42,14 @@ subprocess.run([PROGRAM, "intersect", "tests/cases/part-of-a-side.json", "--tole
 CUBIC_CERTIFICATE = CERTIFICATE.replace("proof", "cubic")
 subprocess.run([PROGRAM, "intersect", "examples/teapot.bpt", "--first", "1", "--second", "5", "--tolerance", "1e-2", "--certificate", CUBIC_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
 
+# A patch with weights and a plane.
+BENT = CERTIFICATE.replace("proof", "bent")
+WEIGHTED_CERTIFICATE = CERTIFICATE.replace("proof", "weighted")
+Path(BENT).write_text(json.dumps({"exsect": "patches/1", "patches": [
+    {"name": "bent", "degree": [2, 1], "points": [[[0, 0, 0], [0, 1, "1/8"]], [["1/2", 0, "1/5"], ["1/2", 1, 0]], [[1, 0, 0], [1, 1, "1/7"]]], "weights": [[1, 1], ["3/2", "4/3"], [1, 1]]},
+    {"name": "plane", "degree": [1, 1], "points": [[["-1/10", "1/3", -1], ["-1/10", "2/3", 1]], [["11/10", "1/2", -1], ["11/10", "3/7", 1]]]}]}))
+subprocess.run([PROGRAM, "intersect", BENT, "--tolerance", "1e-2", "--certificate", WEIGHTED_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
+
 # Pairs in special position, each with a kind of claim of its own.
 SPECIAL_CASES = ["tangent-curve", "tangent-and-transversal", "overlap", "two-branches-tangent-to-each-other", "irrational-crossing", "curved-touching"]
 SPECIAL = [CERTIFICATE.replace("proof", case) for case in SPECIAL_CASES]
@@ -154,7 +162,8 @@ def test_an_input_file_satisfies_its_schema(file):
         assert violations(document) == []
 
 
-@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE, SELF_CERTIFICATE, SIDE_CERTIFICATE, CUBIC_CERTIFICATE, *SPECIAL], ids=["curves", "line", "self", "side", "cubic", *SPECIAL_CASES])
+@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE, SELF_CERTIFICATE, SIDE_CERTIFICATE, CUBIC_CERTIFICATE, WEIGHTED_CERTIFICATE, *SPECIAL],
+                         ids=["curves", "line", "self", "side", "cubic", "weighted", *SPECIAL_CASES])
 def test_a_certificate_satisfies_its_schema_and_both_checkers(tmp_path, certificate):
     document = json.loads(Path(certificate).read_text())
     assert violations(document) == []

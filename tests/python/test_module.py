@@ -170,7 +170,6 @@ def test_functions_for_biquadratic_patches_name_the_kind_of_others(first):
     others = [(quarter_of_a_cylinder(), r"bidegree \(2,1\) with weights"), (cubic(), r"bidegree \(2,3\)")]
     for patch, kind in others:
         calls = [
-            lambda p: exsect.line(first["x"], p, u="1/2").to_certificate(),
             lambda p: exsect.implicitize(p),
             lambda p: exsect.compare(first["x"], p),
             lambda p: exsect.intersect(p, first["x"], exact=True),
@@ -584,6 +583,10 @@ def test_certificates_are_written_and_replayed(first, result):
     assert found and found.accepted and found.summary["closed"] == 1 and found.summary["open"] == 1
     assert found.summary["nodes"] == len(result.nodes)
     assert exsect.check(exsect.line(first["x"], first["y"], u="1/2").to_certificate()).summary == {"points": 2}
+    plane = exsect.Patch([[[-1, -1, "1/3"], [-1, 4, "1/2"]], [[4, -1, "3/5"], [4, 4, "3/7"]]])
+    for patch in (cubic(), quarter_of_a_cylinder()):
+        assert exsect.check(exsect.intersect(plane, patch).to_certificate()).accepted
+        assert exsect.check(exsect.line(patch, plane, u="1/3").to_certificate()).accepted
     forged = proof.replace("3/7", "4/7")
     if forged != proof:
         try:

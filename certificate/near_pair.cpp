@@ -1,0 +1,77 @@
+#include "certificate/near_pair.h"
+
+#include <exsect/checker/pairs_of_points.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace exsect::cli {
+namespace {
+
+template <std::size_t dimension>
+checker::Grid<double, dimension> near_grid(const checker::Grid<Rational, dimension>& grid,
+                                           const Rational& factor) {
+  checker::Grid<double, dimension> result(grid.degree(0), grid.degree(1));
+  grid.each([&](std::size_t i, std::size_t j) {
+    for (std::size_t d = 0; d < dimension; ++d) result[i][j][d] = to_double(factor * grid[i][j][d]);
+  });
+  return result;
+}
+checker::Net<double> exchanged(const checker::Net<double>& net) {
+  checker::Net<double> result(net.degree(1), net.degree(0));
+  net.each([&](std::size_t i, std::size_t j) { result[j][i] = net[i][j]; });
+  return result;
+}
+
+template <std::size_t dimension>
+Rational greatest(const checker::Grid<Rational, dimension>& grid) {
+  Rational most = 0;
+  grid.each([&](std::size_t i, std::size_t j) {
+    for (const Rational& q : grid[i][j]) most = std::max<Rational>(most, abs(q));
+  });
+  return most;
+}
+/// The least power of two that is at least the number. Throws NoCertificate beyond doubles.
+double power_above(const Rational& q) {
+  const double result = std::exp2(std::ceil(std::log2(to_double(q))));
+  if (!(result > 0) || !std::isfinite(result)) throw NoCertificate("control points beyond doubles");
+  return result;
+}
+
+}  // namespace
+
+NearPair near_pair(const Patches& patches) {
+  NearPair result;
+  std::array<checker::WeightedNet<Rational>, 2> nets = {control_net(patches[0]), control_net(patches[1])};
+  const checker::Net<Rational>& first = nets[0].points;
+  const Point origin = first[first.degree(0) / 2][first.degree(1) / 2];
+  std::array<Rational, 2> weight;
+  Rational most = 0;
+  for (std::size_t n = 0; n < 2; ++n) {
+    weight[n] = from_double(power_above(greatest(nets[n].weights)));
+    nets[n].move_by_minus(origin);
+    most = std::max<Rational>(most, greatest(nets[n].points) / weight[n]);
+  }
+  const double scale = power_above(most);
+  const Rational factor = 1 / from_double(scale);
+  const auto near = [&](std::size_t n) {
+    checker::WeightedNet<double> net;
+    net.points = near_grid(nets[n].points, factor / weight[n]);
+    net.weights = near_grid(nets[n].weights, 1 / weight[n]);
+    return net;
+  };
+  std::array<checker::WeightedNet<double>, 2> power;
+  for (std::size_t n = 0; n < 2; ++n) {
+    result.control[n] = near(n);
+    nets[n].to_powers();
+    power[n] = near(n);
+  }
+  result.power = checker::pair_map(power[0], power[1]);
+  result.scale = to_double(from_double(scale) * weight[0] * weight[1]);
+  const checker::Net<double>& x = power[0].points;
+  if (x.degree(0) == 2 && x.degree(1) == 2)
+    result.charts = {checker::chart_map(x), checker::chart_map(exchanged(x))};
+  return result;
+}
+
+}  // namespace exsect::cli
