@@ -16,20 +16,23 @@ constexpr double kFirstReach = 0x1p-1;
 constexpr double kLeastReach = 0x1p-12;
 
 /// (14.20), (14.21).
-bool has_star(const LocalForms& forms, const LocalBounds& bounds, double reach) {
+template <class K>
+bool has_star(const LocalFormsOf<K>& forms, const LocalBounds& bounds, double reach) {
   const double value = kSlack * (bounds.value * reach + forms.rest);
   return forms.crossing ? value < 0.5 && kSlack * (bounds.slope * reach + 2 * forms.rest) < 1 : value < 1;
 }
 
 }  // namespace
 
-std::optional<DoublePoint> double_point_near(const BezierPatch& x, const BezierPatch& y, const Pair& pair,
-                                             const Vec4& guess, double tolerance) {
+template <class K>
+std::optional<DoublePointOf<K>> double_point_near(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                                  const PairOf<K>& pair, const Vec4& guess,
+                                                  double tolerance) {
   const auto w = common_normal(pair, guess);
   if (!w || !(w->distance < kCloseSheets)) {
     return std::nullopt;
   }
-  DoublePoint point;
+  DoublePointOf<K> point;
   for (std::size_t j = 0; j < 4; ++j) {
     const Rational near = from_double(w->at[j] + 0.5);
     point.at[j] = simplest_between(near - from_double(kCloseSheets), near + from_double(kCloseSheets));
@@ -38,13 +41,13 @@ std::optional<DoublePoint> double_point_near(const BezierPatch& x, const BezierP
     }
     point.centre[j] = to_double(point.at[j] - Rational(1, 2));
   }
-  auto forms = local_forms(x, y, point.at);
+  auto forms = local_forms<K>(x, y, point.at);
   if (!forms) {
     return std::nullopt;
   }
   point.forms = *forms;
   for (point.reach = kFirstReach; point.reach >= kLeastReach; point.reach *= 0.5) {
-    const auto bounds = local_bounds(point.forms, point.reach);
+    const auto bounds = local_bounds<K>(point.forms, point.reach);
     if (bounds && has_star(point.forms, *bounds, point.reach)) {
       point.width = {bounds->k[0] * point.reach, bounds->k[1] * point.reach};
       return add_ports(pair, point, tolerance) ? std::optional(std::move(point)) : std::nullopt;
@@ -83,8 +86,10 @@ bool lies_in_region(const DoublePointOf<K>& point, const Vec4& middle, const Vec
   return at.has_width && within(0) && within(1);
 }
 
-#define EXSECT_INSTANTIATE(K)                                                            \
-  template LocalPlace local_place<K>(const DoublePointOf<K>&, const Vec4&, const Vec4&); \
+#define EXSECT_INSTANTIATE(K)                                                                               \
+  template std::optional<DoublePointOf<K>> double_point_near<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
+                                                                const PairOf<K>&, const Vec4&, double);     \
+  template LocalPlace local_place<K>(const DoublePointOf<K>&, const Vec4&, const Vec4&);                    \
   template bool lies_in_region<K>(const DoublePointOf<K>&, const Vec4&, const Vec4&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE

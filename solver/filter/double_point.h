@@ -1,11 +1,11 @@
 // Ordinary double points of the intersection with rational parameters: points in which the patches touch, and
-// crossings of two branches. Internal to solver/; docs/method.md, section 14.9.
+// crossings of two branches. Internal to solver/; docs/method.md, sections 14.9 and 14.16.
 #pragma once
 
 #include <vector>
 
 #include "filter/boundary.h"
-#include "filter/local_forms.h"
+#include "filter/local_bounds.h"
 
 namespace exsect::filter {
 
@@ -13,7 +13,8 @@ namespace exsect::filter {
 /// the value of ball.middle in `parameter`. From there to the centre all parameters are strictly monotone;
 /// away from it `parameter` moves as from the end side = -+1/2 to the other one. The arc keeps within `chord`
 /// (scaled space) of the chords from the centre through points near `approach` to one in the ball; the
-/// vertices, x at `approach` and at ball.middle, are within `vertex_error` of these points but for rounding.
+/// vertices, x at `approach` and at ball.middle, are within `vertex_error` of these points; of polynomial
+/// patches but for the rounding of the values of x.
 template <class K>
 struct PortOf {
   BallOf<K> ball;
@@ -23,7 +24,6 @@ struct PortOf {
   double chord;
   double vertex_error;
 };
-using Port = PortOf<Biquadratic>;
 
 /// Invariant: `at` is a solution inside the domain, and singular. It is the only one in the region |t| <=
 /// reach, |c_i| <= width[i], (r,s) - p = S t, (u,v) - p = c; or, if forms.crossing, four arcs that end in it
@@ -34,17 +34,17 @@ template <class K>
 struct DoublePointOf {
   std::array<Rational, 4> at;
   Vec4 centre;  // `at`, centred; errs by kUnit
-  LocalForms forms;
+  LocalFormsOf<K> forms;
   double reach;
   std::array<double, 2> width;
   std::vector<PortOf<K>> ports;
 };
-using DoublePoint = DoublePointOf<Biquadratic>;
 
 /// The double point where Newton's method for a common normal leads from `guess`, with ports as near to its
 /// chords as `tolerance` says; empty if there is none of this kind, or something is not proved.
-std::optional<DoublePoint> double_point_near(const BezierPatch& x, const BezierPatch& y, const Pair& pair,
-                                             const Vec4& guess, double tolerance);
+template <class K>
+std::optional<DoublePointOf<K>> double_point_near(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                                  const PairOf<K>& pair, const Vec4& guess, double tolerance);
 
 /// The coordinates t of all points of a box are within `error` of `t`, the determinant of S being above 2^-10
 /// and the errors of its inverse below 2^-36.

@@ -243,7 +243,14 @@ static_assert(kInverseError > 16 * kUnit / kLeastDeterminant);
 /// Of sums with entries of that inverse.
 inline constexpr double kInverseSlack = 1 + 0x1p-30;
 static_assert(kInverseSlack - 1 > 2 * kInverseError);
-/// Larger coefficients are refused: then (14.18) bounds all others by 2^70, and nothing overflows.
+/// Larger coefficients are refused: then the row sums of B S are below 2^42 and all bounds are products of
+/// two sums of terms below 2^40 (2^43)^6 with powers of k and z, so that nothing overflows, and comparisons
+/// fail where it does.
 inline constexpr double kGreatestCoefficient = 0x1p40;
+/// Added to the size of each coefficient, whose rounding may underflow. Products with up to three powers of
+/// two sizes above 2^-11 and five of a reach above 2^-20 are no subnormal numbers; what products of two such
+/// sums lose is covered by kSlack times the first term of the sum they stand in, which is one.
+inline constexpr double kTinyCoefficient = 0x1p-800;
+static_assert(kTinyCoefficient * 0x1p-66 * 0x1p-100 * (kSlack - 1) > 1000 * kUnderflow);
 
 }  // namespace exsect::filter

@@ -189,24 +189,19 @@ class FilteredIntersection {
 
   bool add_double_point(const filter::PairOf<K>& pair, const filter::Vec4& stuck,
                         std::vector<BoundaryPointOf<K>>& points) {
-    if constexpr (!kExactBehind) {
+    const double tolerance =
+        std::ldexp(kPortShare * run_.drawn_tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
+    auto point = filter::double_point_near<K>(x_, y_, pair, stuck, tolerance);
+    if (!point || std::any_of(double_points_.begin(), double_points_.end(),
+                              [&](const filter::DoublePointOf<K>& known) { return known.at == point->at; })) {
       return false;
-    } else {
-      const double tolerance =
-          std::ldexp(kPortShare * run_.drawn_tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
-      auto point = filter::double_point_near(x_, y_, pair, stuck, tolerance);
-      if (!point ||
-          std::any_of(double_points_.begin(), double_points_.end(),
-                      [&](const filter::DoublePointOf<K>& known) { return known.at == point->at; })) {
-        return false;
-      }
-      for (std::size_t i = 0; i < point->ports.size(); ++i) {
-        const filter::PortOf<K>& port = point->ports[i];
-        points.push_back({port.ball, port.parameter, port.side, static_cast<int>(double_points_.size()), i});
-      }
-      double_points_.push_back(std::move(*point));
-      return true;
     }
+    for (std::size_t i = 0; i < point->ports.size(); ++i) {
+      const filter::PortOf<K>& port = point->ports[i];
+      points.push_back({port.ball, port.parameter, port.side, static_cast<int>(double_points_.size()), i});
+    }
+    double_points_.push_back(std::move(*point));
+    return true;
   }
 
   /// Every boundary point, and every port, is an end of exactly one arc.

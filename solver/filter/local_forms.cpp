@@ -5,51 +5,105 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter/exact_taylor.h"
+
 namespace exsect::filter {
 
 namespace {
 
-using exsect::operator-;
 using exsect::operator*;
 using exsect::cross;
 using exsect::dot;
 
-using Net = std::array<Point, 9>;
-using FormTable = std::array<Rational, 9>;
+template <class K>
+using FormTable = std::array<Rational, K::count>;
 
-/// Coefficients of (h,k) -> patch(u + h, v + k).
-Net taylor(const BezierPatch& patch, const Rational& u, const Rational& v) {
-  const ControlNet power = patch.power_basis();
-  Net c;
-  for (std::size_t i = 0; i < 9; ++i) c[i] = power[i / 3][i % 3];
-  const auto shift = [](Point& c0, Point& c1, const Point& c2, const Rational& t) {
-    const Point second = t * c2;
-    const Point half = exsect::operator+(c1, second);
-    c0 = exsect::operator+(c0, t* half);
-    c1 = exsect::operator+(half, second);
-  };
-  for (std::size_t i = 0; i < 9; i += 3) shift(c[i], c[i + 1], c[i + 2], v);
-  for (std::size_t j = 0; j < 3; ++j) shift(c[j], c[3 + j], c[6 + j], u);
-  return c;
+/// Of a net about its point, in space.
+template <class K>
+Point coefficient(const ExactTaylor<K>& c, std::size_t i) {
+  return {c[i][0], c[i][1], c[i][2]};
 }
-
-FormTable along(const Point& form, const Net& c) {
-  FormTable table;
-  for (std::size_t i = 1; i < 9; ++i) table[i] = dot(form, c[i]);
+template <class K>
+FormTable<K> along(const Point& form, const ExactTaylor<K>& c) {
+  FormTable<K> table;
+  for (std::size_t i = 1; i < K::count; ++i) table[i] = dot(form, coefficient<K>(c, i));
   return table;
 }
 
-ScalarTable rounded_table(const FormTable& table) {
-  ScalarTable result{};
-  for (std::size_t i = 1; i < 9; ++i) result[i] = to_double(table[i]);
-  return result;
+/// Taylor coefficients with the point itself as origin and, of weighted patches, weight 1 there.
+template <class K>
+ExactTaylor<K> about_its_point(ExactTaylor<K> c) {
+  if constexpr (K::weighted) {
+    const Rational inverse = 1 / c[0][3];
+    for (auto& row : c)
+      for (Rational& a : row) a *= inverse;
+    const auto point = c[0];
+    for (auto& row : c)
+      for (std::size_t k = 0; k < 3; ++k) row[k] -= row[3] * point[k];
+  }
+  return c;
 }
-ScalarTable rounded_table(FormTable table, const Rational& factor) {
-  for (Rational& c : table) c *= factor;
-  return rounded_table(table);
+template <class K>
+bool is_one_point(const ExactTaylor<K>& a, const ExactTaylor<K>& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (K::weighted ? a[0][k] * b[0][3] != b[0][k] * a[0][3] : a[0][k] != b[0][k]) return false;
+  }
+  return true;
 }
 
-bool is_moderate(const ScalarTable& table) {
+/// (14.17), (14.43)
+template <class K>
+struct ExactForms {
+  std::array<FormTable<K>, 2> x;
+  std::array<FormTable<K>, 2> y;
+  FormTable<K> normal_x;
+  FormTable<K> normal_y;
+  FormTable<K> weight_x = {};
+  FormTable<K> weight_y = {};
+};
+
+/// Empty if there is no singular solution in which x is regular.
+template <class K>
+std::optional<ExactForms<K>> exact_forms(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                         const std::array<Rational, 4>& p) {
+  ExactTaylor<K> cx = exact_taylor<K>(x, p[0], p[1]);
+  ExactTaylor<K> cy = exact_taylor<K>(y, p[2], p[3]);
+  if (!is_one_point<K>(cx, cy)) return std::nullopt;
+  cx = about_its_point<K>(std::move(cx));
+  cy = about_its_point<K>(std::move(cy));
+  const std::array<Point, 2> tangent = {coefficient<K>(cx, kFirst<K>), coefficient<K>(cx, kSecond)};
+  const Point n = cross(tangent[0], tangent[1]);
+  const Rational nn = dot(n, n);
+  if (nn == 0) return std::nullopt;
+  ExactForms<K> f;
+  f.normal_y = along<K>(n, cy);
+  if (f.normal_y[kFirst<K>] != 0 || f.normal_y[kSecond] != 0) return std::nullopt;
+  f.normal_x = along<K>(n, cx);
+  const Rational inverse = 1 / nn;
+  const std::array<Point, 2> dual = {inverse * cross(tangent[1], n), inverse * cross(n, tangent[0])};
+  for (std::size_t i = 0; i < 2; ++i) {
+    f.x[i] = along<K>(dual[i], cx);
+    f.y[i] = along<K>(dual[i], cy);
+  }
+  if constexpr (K::weighted) {
+    for (std::size_t i = 1; i < K::count; ++i) {
+      f.weight_x[i] = cx[i][3] - cx[kFirst<K>][3] * f.x[0][i] - cx[kSecond][3] * f.x[1][i];
+      f.weight_y[i] = cy[i][3] - cx[kFirst<K>][3] * f.y[0][i] - cx[kSecond][3] * f.y[1][i];
+    }
+  }
+  return f;
+}
+
+template <class K>
+ScalarTableOf<K> rounded_table(const FormTable<K>& table, const Rational& factor = 1) {
+  ScalarTableOf<K> result{};
+  for (std::size_t i = 1; i < K::count; ++i)
+    result[i] = to_double(factor == 1 ? table[i] : Rational(factor * table[i]));
+  return result;
+}
+
+template <class Table>
+bool is_moderate(const Table& table) {
   return std::all_of(table.begin(), table.end(),
                      [](double c) { return std::fabs(c) < kGreatestCoefficient; });
 }
@@ -66,11 +120,16 @@ template <class Number>
 using Form = std::array<Number, 3>;
 
 /// The quadratic terms of normal_x, at c = B a, less those of normal_y.
-Form<Rational> leading_form(const FormTable& nx, const FormTable& ny, const std::array<FormTable, 2>& b) {
-  const Rational &u1 = b[0][3], &u2 = b[0][1], &v1 = b[1][3], &v2 = b[1][1];
-  return {nx[6] * u1 * u1 + nx[4] * u1 * v1 + nx[2] * v1 * v1 - ny[6],
-          2 * nx[6] * u1 * u2 + nx[4] * (u1 * v2 + u2 * v1) + 2 * nx[2] * v1 * v2 - ny[4],
-          nx[6] * u2 * u2 + nx[4] * u2 * v2 + nx[2] * v2 * v2 - ny[2]};
+template <class K>
+Form<Rational> leading_form(const ExactForms<K>& f) {
+  const auto& [uu, uv, vv] = kQuadratic<K>;
+  const FormTable<K>& nx = f.normal_x;
+  const FormTable<K>& ny = f.normal_y;
+  const Rational &u1 = f.y[0][kFirst<K>], &u2 = f.y[0][kSecond];
+  const Rational &v1 = f.y[1][kFirst<K>], &v2 = f.y[1][kSecond];
+  return {nx[uu] * u1 * u1 + nx[uv] * u1 * v1 + nx[vv] * v1 * v1 - ny[uu],
+          2 * nx[uu] * u1 * u2 + nx[uv] * (u1 * v2 + u2 * v1) + 2 * nx[vv] * v1 * v2 - ny[uv],
+          nx[uu] * u2 * u2 + nx[uv] * u2 * v2 + nx[vv] * v2 * v2 - ny[vv]};
 }
 
 std::array<double, 2> of_size_one(double r, double s) {
@@ -105,63 +164,53 @@ double value(const Form<double>& f, const Matrix2& s, std::size_t i, std::size_t
          f[2] * s[1][i] * s[1][j];
 }
 
-double magnitude(const ScalarTable& table, std::size_t i, double p, double q) {
-  double product = std::fabs(table[i]) + kTiny;
-  for (std::size_t n = 0; n < i / 3; ++n) product *= p;
-  for (std::size_t n = 0; n < i % 3; ++n) product *= q;
-  return product;
+/// The tables, S and B S, from the exact ones and the form; `factor` makes q that of LocalForms.
+template <class K>
+void round_tables(const ExactForms<K>& exact, const Rational& factor, LocalFormsOf<K>& f) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    f.x[i] = rounded_table<K>(exact.x[i]);
+    f.y[i] = rounded_table<K>(exact.y[i]);
+    const double first = f.y[i][kFirst<K>];
+    const double second = f.y[i][kSecond];
+    for (std::size_t j = 0; j < 2; ++j) f.bs[i][j] = first * f.s[0][j] + second * f.s[1][j];
+    f.bs_error[i] = kLocalError * (std::fabs(first) + std::fabs(second)) + kTiny;
+  }
+  f.normal_x = rounded_table<K>(exact.normal_x, factor);
+  f.normal_y = rounded_table<K>(exact.normal_y, factor);
+  if constexpr (K::weighted) {
+    f.weight_x = rounded_table<K>(exact.weight_x);
+    f.weight_y = rounded_table<K>(exact.weight_y);
+  }
 }
 
-/// A bound, but for roundings, of the terms of orders `least` to 4, divided by |t|^least, for parameters of
-/// sizes p |t| and q |t|, |t| <= reach: p, q >= 2^-11 and reach >= 2^-20, so that no product underflows.
-double bound(const ScalarTable& table, std::size_t least, double p, double q, double reach) {
-  double sum = 0;
-  for (std::size_t i = 1; i < 9; ++i) {
-    const std::size_t order = i / 3 + i % 3;
-    if (order >= least) {
-      sum += magnitude(table, i, p, q) * std::pow(reach, static_cast<double>(order - least));
-    }
-  }
-  return sum;
+template <class K>
+bool are_moderate(const LocalFormsOf<K>& f) {
+  return is_moderate(f.x[0]) && is_moderate(f.x[1]) && is_moderate(f.y[0]) && is_moderate(f.y[1]) &&
+         is_moderate(f.normal_x) && is_moderate(f.normal_y) && is_moderate(f.weight_x) &&
+         is_moderate(f.weight_y);
 }
 
 }  // namespace
 
-std::optional<LocalForms> local_forms(const BezierPatch& x, const BezierPatch& y,
-                                      const std::array<Rational, 4>& p) {
-  const Net cx = taylor(x, p[0], p[1]);
-  const Net cy = taylor(y, p[2], p[3]);
-  const Point n = cross(cx[3], cx[1]);
-  const Rational nn = dot(n, n);
-  if (!(cx[0] == cy[0]) || nn == 0 || dot(n, cy[3]) != 0 || dot(n, cy[1]) != 0) return std::nullopt;
-  const Rational inverse = 1 / nn;
-  const std::array<Point, 2> dual = {inverse * cross(cx[1], n), inverse * cross(n, cx[3])};
-  const std::array<FormTable, 2> y_across = {along(dual[0], cy), along(dual[1], cy)};
-  const FormTable nx = along(n, cx);
-  const FormTable ny = along(n, cy);
-  Form<Rational> q = leading_form(nx, ny, y_across);
+template <class K>
+std::optional<LocalFormsOf<K>> local_forms(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                           const std::array<Rational, 4>& p) {
+  const auto exact = exact_forms<K>(x, y, p);
+  if (!exact) return std::nullopt;
+  Form<Rational> q = leading_form<K>(*exact);
   if (q[0] == 0 && q[1] == 0 && q[2] == 0) return std::nullopt;
   const Rational scale = to_size_one(q);
   for (Rational& c : q) c *= scale;
   const Rational discriminant = q[1] * q[1] - 4 * q[0] * q[2];
   if (discriminant == 0) return std::nullopt;
-  LocalForms f;
+  LocalFormsOf<K> f;
   f.crossing = discriminant > 0;
   const Form<double> form = {to_double(q[0]), to_double(q[1]), to_double(q[2])};
   f.s = (f.crossing ? null_directions : conjugate_directions)(form, to_double(discriminant));
   const double factor = 1 / (f.crossing ? 2 * value(form, f.s, 0, 1) : value(form, f.s, 0, 0));
   if (!(std::fabs(factor) < kGreatestCoefficient)) return std::nullopt;
-  for (std::size_t i = 0; i < 2; ++i) {
-    f.x[i] = rounded_table(along(dual[i], cx));
-    f.y[i] = rounded_table(y_across[i]);
-    for (std::size_t j = 0; j < 2; ++j) f.bs[i][j] = f.y[i][3] * f.s[0][j] + f.y[i][1] * f.s[1][j];
-    f.bs_error[i] = kLocalError * (std::fabs(f.y[i][3]) + std::fabs(f.y[i][1])) + kTiny;
-  }
-  f.normal_x = rounded_table(nx, scale * from_double(factor));
-  f.normal_y = rounded_table(ny, scale * from_double(factor));
-  for (const ScalarTable* table : {&f.x[0], &f.x[1], &f.y[0], &f.y[1], &f.normal_x, &f.normal_y}) {
-    if (!is_moderate(*table)) return std::nullopt;
-  }
+  round_tables<K>(*exact, scale * from_double(factor), f);
+  if (!are_moderate<K>(f)) return std::nullopt;
   const double size = std::fabs(factor) * (std::fabs(form[0]) + std::fabs(form[1]) + std::fabs(form[2]));
   const double first = factor * value(form, f.s, 0, 0) - (f.crossing ? 0 : 1);
   const double mixed = 2 * factor * value(form, f.s, 0, 1) - (f.crossing ? 1 : 0);
@@ -171,44 +220,10 @@ std::optional<LocalForms> local_forms(const BezierPatch& x, const BezierPatch& y
   return std::fabs(determinant) > kLeastDeterminant && f.rest < 0x1p-10 ? std::optional(f) : std::nullopt;
 }
 
-std::optional<LocalBounds> local_bounds(const LocalForms& f, double reach) {
-  const std::array<double, 2> s = {std::fabs(f.s[0][0]) + std::fabs(f.s[0][1]),
-                                   std::fabs(f.s[1][0]) + std::fabs(f.s[1][1])};
-  std::array<double, 2> b;
-  for (std::size_t i = 0; i < 2; ++i) {
-    b[i] = kSlack * (std::fabs(f.bs[i][0]) + std::fabs(f.bs[i][1]) + 2 * f.bs_error[i]);
-  }
-  LocalBounds r;
-  const double margin = 0.125 * (b[0] + b[1]) + 0x1p-10;
-  r.k = {1.25 * b[0] + margin, 1.25 * b[1] + margin};
-  const auto& k = r.k;
-  std::array<double, 2> chi;  // |X_i(c)| <= chi |t|² for |c| <= k |t|, |Y_i(a)| <= eta |t|²
-  std::array<double, 2> eta;
-  double steepness = 0;
-  double contraction = 0;
-  for (std::size_t i = 0; i < 2; ++i) {
-    chi[i] = kSlack * bound(f.x[i], 2, k[0], k[1], reach);
-    eta[i] = kSlack * bound(f.y[i], 2, s[0], s[1], reach);
-    if (!(b[i] + reach * (chi[i] + eta[i]) <= k[i])) return std::nullopt;  // (14.18)
-    steepness = larger_bound(steepness, (b[i] + 4 * reach * eta[i]) / k[i]);
-    contraction = larger_bound(contraction, 4 * reach * chi[i] / k[i]);
-  }
-  if (!(contraction < 0.5)) return std::nullopt;
-  const double z = kSlack * steepness / (1 - contraction);             // |c_t| <= z k
-  const std::array<double, 2> e = {chi[0] + eta[0], chi[1] + eta[1]};  // |c - B S t| <= e |t|²
-  r.turn = {kSlack * 4 * (chi[0] * z + eta[0]), kSlack * 4 * (chi[1] * z + eta[1])};
-  const auto& d = r.turn;
-  const double uu = std::fabs(f.normal_x[6]) + kTiny;
-  const double uv = std::fabs(f.normal_x[4]) + kTiny;
-  const double vv = std::fabs(f.normal_x[2]) + kTiny;
-  const double high_x = bound(f.normal_x, 3, k[0], k[1], reach);
-  const double high_y = bound(f.normal_y, 3, s[0], s[1], reach);
-  r.value = kSlack * (uu * e[0] * (k[0] + b[0]) + uv * (e[0] * k[1] + b[0] * e[1]) +
-                      vv * e[1] * (k[1] + b[1]) + high_x + high_y);  // (14.19)
-  r.slope = kSlack *
-            (2 * uu * (e[0] * z * k[0] + b[0] * d[0]) + 2 * vv * (e[1] * z * k[1] + b[1] * d[1]) +
-             uv * (d[0] * k[1] + b[0] * e[1] + e[0] * z * k[1] + b[0] * d[1]) + 4 * z * high_x + 4 * high_y);
-  return r;
-}
+#define EXSECT_INSTANTIATE(K)                                                                        \
+  template std::optional<LocalFormsOf<K>> local_forms<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
+                                                         const std::array<Rational, 4>&);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

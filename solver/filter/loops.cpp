@@ -150,16 +150,11 @@ class LoopSearch {
     return box;
   }
 
-  bool is_at_double_point([[maybe_unused]] const SubPatchOf<K>& x,
-                          [[maybe_unused]] const SubPatchOf<K>& y) const {
-    if constexpr (K::weighted) {
-      return false;
-    } else {
-      return std::any_of(double_points_.begin(), double_points_.end(), [&](const DoublePointOf<K>& point) {
-        const Box box = box_of(x, y);
-        return lies_in_region(point, box.middle, box.half);
-      });
-    }
+  bool is_at_double_point(const SubPatchOf<K>& x, const SubPatchOf<K>& y) const {
+    return std::any_of(double_points_.begin(), double_points_.end(), [&](const DoublePointOf<K>& point) {
+      const Box box = box_of(x, y);
+      return lies_in_region(point, first_four<K>(box.middle), first_four<K>(box.half));
+    });
   }
 
   /// A tube whose region contains the box.

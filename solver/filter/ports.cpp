@@ -15,22 +15,49 @@ constexpr double kLeastPort = 0x1p-20;
 constexpr int kMostChords = 64;
 /// Of the radius of a boundary point's ball: tubes that start there, or come close, have some room.
 constexpr double kRadiusShare = 0.75;
-/// Control points of size 1 in each coordinate: |x_u|, |x_v| <= 4 sqrt 3 in the square.
-constexpr double kFastest = 14;
+/// Control points of size 1 in each coordinate: |X_u|, |X_v| <= 2 n sqrt 3 in the square; for their sum.
+template <std::size_t Degree>
+constexpr double kFastest = 7 * Degree;
+/// Times the total error of a patch: errors of derivatives by t on an arc, where |r|, |s| <= 2 reach <= 1.
+constexpr double kErrorsAlong = 16;
+
+/// The coefficients of y, moved so that y is about zero at the centre; and the errors of derivatives by t.
+template <class K>
+struct MovedPatch {
+  CoefficientsOf<K> c;
+  double error;
+
+  MovedPatch(const PairOf<K>& pair, double h, double k) : c(expand(pair.y, h, k)) {
+    if constexpr (K::weighted) {
+      const Vec3 centre = affine(c[0]);
+      for (Row<K>& row : c)
+        for (std::size_t i = 0; i < 3; ++i) row[i] -= centre[i] * row[3];
+      error = kSlack * 2 * (1 + largest(centre)) * kErrorsAlong * pair.y_total_error;
+    } else {
+      error = kErrorsAlong * pair.total_error;
+    }
+  }
+};
+
+template <class K>
+double length_in_space(const Row<K>& row) {
+  return std::sqrt(row[0] * row[0] + row[1] * row[1] + row[2] * row[2] + kTiny);
+}
 
 /// One of the four arcs of a crossing.
+template <class K>
 class Branch {
  public:
   /// That on which coordinate `along` of t has the sign.
-  Branch(const Pair& pair, const DoublePoint& point, std::size_t along, int sign)
+  Branch(const PairOf<K>& pair, const DoublePointOf<K>& point, std::size_t along, int sign)
       : pair_(pair), point_(point), along_(along), sign_(sign) {
-    const LocalForms& f = point.forms;
+    const LocalFormsOf<K>& f = point.forms;
     direction_ = {f.bs[0][along], f.bs[1][along], f.s[0][along], f.s[1][along]};
     across_ = {f.bs[0][1 - along], f.bs[1][1 - along], f.s[0][1 - along], f.s[1][1 - along]};
   }
 
   /// As far from the centre as a few chords allow: tracing from close to it is slow.
-  std::optional<Port> port(double tolerance) const {
+  std::optional<PortOf<K>> port(double tolerance) const {
     for (double reach = 0.5 * point_.reach; reach >= kLeastPort; reach *= 0.5) {
       const auto slope = slope_bound(reach);
       if (!slope || !is_monotone(*slope)) {
@@ -53,7 +80,7 @@ class Branch {
 
   // (14.22).
   std::optional<Slope> slope_bound(double reach) const {
-    const auto bounds = local_bounds(point_.forms, reach);
+    const auto bounds = local_bounds<K>(point_.forms, reach);
     if (!bounds) {
       return std::nullopt;
     }
@@ -79,71 +106,100 @@ class Branch {
     return true;
   }
 
-  /// A bound of |Y' - Y'(0)| for the point of space on the arc. The derivative of r^i s^j is at most (i + j)
-  /// |S|^(i+j) reach^(i+j-1).
+  /// How far the derivative of the point of space on the arc is from a constant at most. The derivative of
+  /// r^i s^j is at most (i + j) |S|^(i+j) reach^(i+j-1). Of weighted patches (14.46).
   double turn_bound(double reach, double across) const {
-    const Coefficients c = expand(pair_.y, point_.centre[2], point_.centre[3]);
+    const MovedPatch<K> y(pair_, point_.centre[2], point_.centre[3]);
     const double s0 = std::fabs(direction_[2]) + std::fabs(across_[2]);
     const double s1 = std::fabs(direction_[3]) + std::fabs(across_[3]);
-    Vec3 change{};
-    for (std::size_t i = 1; i < 9; ++i) {
-      const auto order = static_cast<double>(i / 3 + i % 3);
-      const double weight = order * std::pow(s0, i / 3) * std::pow(s1, i % 3) * std::pow(reach, order - 1);
-      const double first = i == 3 ? across_[2] : across_[3];
-      for (std::size_t k = 0; k < 3; ++k) {
-        change[k] += std::fabs(c[i][k]) * (order > 1 ? weight : std::fabs(first) * across);
+    Row<K> change{};  // of the derivative of each coordinate
+    for (std::size_t i = 1; i < K::count; ++i) {
+      const auto order = static_cast<double>(i / K::side + i % K::side);
+      const double weight =
+          order * std::pow(s0, i / K::side) * std::pow(s1, i % K::side) * std::pow(reach, order - 1);
+      const double first = i == kFirst<K> ? across_[2] : across_[3];
+      for (std::size_t k = 0; k < K::rows; ++k) {
+        change[k] += std::fabs(y.c[i][k]) * (order > 1 ? weight : std::fabs(first) * across);
       }
     }
-    return kSlack * (std::sqrt(dot(change, change)) + 16 * pair_.total_error);
+    const double turn = length_in_space<K>(change) + y.error;
+    if constexpr (K::weighted) {
+      const Row<K> start = direction_[2] * y.c[kFirst<K>] + direction_[3] * y.c[kSecond];
+      const double rate = kSlack * (std::fabs(start[3]) + change[3] + y.error);
+      const double fastest = length_in_space<K>(start) + turn;
+      const double least = y.c[0][3] - kSlack * (rate * reach + y.error);
+      if (!(least > kLeastWeight)) return HUGE_VAL;
+      return kSlack * (turn + rate * (2 * fastest * reach + y.error) / least) / least;
+    } else {
+      return kSlack * turn;
+    }
   }
 
   /// A proved point of the curve on this arc.
   struct ArcPoint {
-    Ball ball;
+    BallOf<K> ball;
     double t;  // t_along, times the sign
     double error;
   };
 
   std::optional<ArcPoint> point_at(double t, double reach) const {
     const std::size_t axis = steepest(direction_);
-    Vec4 guess = point_.centre;
+    Vec4 place = point_.centre;
     for (std::size_t j = 0; j < 4; ++j) {
-      guess[j] += sign_ * t * direction_[j];
+      place[j] += sign_ * t * direction_[j];
     }
-    Tube tube;
+    Unknowns<K> guess = with_scale(pair_, place);
+    TubeOf<K> tube;
     if (!improve(pair_, guess, axis, 6) || !prepare(pair_, guess, axis, tube)) {
       return std::nullopt;
     }
-    const Vec3 residual = residual_bound(pair_, tube, 0);
-    const double width = 8 * largest(residual) + 0x1p-36;
-    if (!certify(pair_, tube, 0, 0, {width, width, width, width}, residual)) {
+    const Row<K> residual = residual_bound(pair_, tube, 0);
+    if (!certify(pair_, tube, 0, 0, halfwidths(tube, 4.0 * residual, 0x1p-36), residual)) {
       return std::nullopt;
     }
-    const Ball ball = filter::point_at(tube, 0);
+    const BallOf<K> ball = filter::point_at(tube, 0);
     if (!holds(tube, ball)) {
       return std::nullopt;
     }
     const LocalPlace at =
-        local_place(point_, ball.middle, {ball.radius, ball.radius, ball.radius, ball.radius});
+        local_place(point_, parameters_of(ball), {ball.radius, ball.radius, ball.radius, ball.radius});
     const ArcPoint result = {ball, sign_ * at.t[along_], at.error[along_]};
     return is_on(result, at, reach) ? std::optional(result) : std::nullopt;
   }
 
   /// The only solution on tau = 0 in the tube's region is the only one in the ball.
-  static bool holds(const Tube& tube, const Ball& ball) {
+  static bool holds(const TubeOf<K>& tube, const BallOf<K>& ball) {
     return std::all_of(tube.others.begin(), tube.others.end(), [&](std::size_t j) {
       return kSlack * (std::fabs(ball.middle[j] - tube.centre[j]) + ball.radius) <= tube.halfwidth[j];
     });
   }
 
+  /// How far x at the middle of a ball is from x at any point of it, with what graphs do not know of weighted
+  /// patches: errors of the values. Between the middle and such a point the weight is at least `least`, so
+  /// that |x_u| <= (|X_u| + |X_u4| |x|) / X_4 and |x| <= sqrt 3 / least.
+  double vertex_error(const Vec4& middle, double radius) const {
+    const double reach = radius + kPlaceRounding;
+    const double change = kFastest<K::degree> * reach;
+    if constexpr (K::weighted) {
+      const double weight = expand(pair_.x, middle[0], middle[1])[0][3];
+      const double least = weight - kSlack * (change + pair_.x_total_error);
+      if (!(least > kLeastWeight)) return HUGE_VAL;
+      const double far = 1 + 1 / least;
+      return kSlack * (change * far + kDiagonal * (pair_.x_total_error * far + 4 * kUnit)) / least;
+    } else {
+      return kSlack * change;
+    }
+  }
+
   /// (14.23).
-  std::optional<Port> port_at(double reach, double rate, double tolerance) const {
-    Port port{{}, steepest(direction_), 0, {}, 0, 0};
+  std::optional<PortOf<K>> port_at(double reach, double rate, double tolerance) const {
+    PortOf<K> port{{}, steepest(direction_), 0, {}, 0, 0};
     port.side = sign_ * direction_[port.parameter] > 0 ? -0.5 : 0.5;
     const double end = 0.95 * reach;
     if (!(rate * end * end < 2 * kMostChords * tolerance)) {
       return std::nullopt;
     }
+    port.vertex_error = vertex_error(point_.centre, 0);
     double last = 0;
     for (double t = 0; t < end;) {
       // rate t (t - last)/2 is a little less than the tolerance.
@@ -159,28 +215,29 @@ class Branch {
         return std::nullopt;
       }
       port.chord = larger_bound(port.chord, chord);
-      port.vertex_error = larger_bound(port.vertex_error, kSlack * kFastest * point->ball.radius);
-      port.approach.push_back(point->ball.middle);
+      port.approach.push_back(parameters_of(point->ball));
+      port.vertex_error =
+          larger_bound(port.vertex_error, vertex_error(port.approach.back(), point->ball.radius));
       port.ball = point->ball;
       last = point->t - point->error;
     }
     port.approach.pop_back();
-    return port.ball.radius < kRadiusShare * 0.25 * kEndMargin<0> ? std::optional(std::move(port))
-                                                                  : std::nullopt;
+    const bool has_room = port.ball.radius < kRadiusShare * 0.25 * kEndMargin<K::width>;
+    return has_room && port.vertex_error < HUGE_VAL ? std::optional(std::move(port)) : std::nullopt;
   }
 
   /// All of the ball, and of its hull with the centre, is inside the domain and in this arc's part of the
   /// region.
   bool is_on(const ArcPoint& p, const LocalPlace& at, double reach) const {
-    const Ball& ball = p.ball;
-    const bool inside = std::all_of(ball.middle.begin(), ball.middle.end(),
-                                    [&](double w) { return std::fabs(w) + ball.radius < 0.5; });
+    const Vec4 middle = parameters_of(p.ball);
+    const bool inside = std::all_of(middle.begin(), middle.end(),
+                                    [&](double w) { return std::fabs(w) + p.ball.radius < 0.5; });
     return inside && at.has_width && p.t - p.error > 0 && p.t + p.error <= reach &&
            std::fabs(at.t[1 - along_]) + at.error[1 - along_] < 0.5 * (p.t - p.error);
   }
 
-  const Pair& pair_;
-  const DoublePoint& point_;
+  const PairOf<K>& pair_;
+  const DoublePointOf<K>& point_;
   std::size_t along_;
   int sign_;
   Vec4 direction_;  // of the arc in the centre, and the other one, by t
@@ -189,10 +246,11 @@ class Branch {
 
 }  // namespace
 
-bool add_ports(const Pair& pair, DoublePoint& point, double tolerance) {
+template <class K>
+bool add_ports(const PairOf<K>& pair, DoublePointOf<K>& point, double tolerance) {
   for (std::size_t along = 0; along < 2 && point.forms.crossing; ++along) {
     for (const int sign : {-1, 1}) {
-      auto port = Branch(pair, point, along, sign).port(tolerance);
+      auto port = Branch<K>(pair, point, along, sign).port(tolerance);
       if (!port) {
         return false;
       }
@@ -201,5 +259,9 @@ bool add_ports(const Pair& pair, DoublePoint& point, double tolerance) {
   }
   return true;
 }
+
+#define EXSECT_INSTANTIATE(K) template bool add_ports<K>(const PairOf<K>&, DoublePointOf<K>&, double);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect::filter

@@ -1,4 +1,5 @@
-// Points near a crossing where traces start and end. Internal to solver/; docs/method.md, section 14.9.
+// Points near a crossing where traces start and end. Internal to solver/; docs/method.md, sections 14.9
+// and 14.16.
 #pragma once
 
 #include "filter/double_point.h"
@@ -7,6 +8,7 @@ namespace exsect::filter {
 
 /// Adds one port for each arc of a crossing, none otherwise, `tolerance` for Port::chord; false if they are
 /// not found, for example because a parameter turns in the centre.
-bool add_ports(const Pair& pair, DoublePoint& point, double tolerance);
+template <class K>
+bool add_ports(const PairOf<K>& pair, DoublePointOf<K>& point, double tolerance);
 
 }  // namespace exsect::filter

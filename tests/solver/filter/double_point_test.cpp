@@ -1,8 +1,5 @@
-// Touch points and crossings in doubles, against their local equations solved by Newton's method and against
-// the exact solution.
+// Touch points and crossings of biquadratic pairs in doubles, against the exact solution.
 #include "filter/double_point.h"
-
-#include <cmath>
 
 #include "filter/filter.h"
 #include "intersect_exactly.h"
@@ -105,132 +102,7 @@ bool agrees(const Pair& pair, const IntersectOptions& options = {}) {
   return true;
 }
 
-/// c and its derivatives by t over one t, by Newton's method; and g, its derivatives.
-struct Local {
-  std::array<double, 2> c;
-  std::array<std::array<double, 2>, 2> slope;
-  double g;
-  std::array<double, 2> g_slope;
-};
-
-struct Value {
-  double value;
-  double first;
-  double second;
-};
-Value evaluate(const filter::ScalarTable& c, std::size_t least, double a, double b) {
-  Value v{0, 0, 0};
-  for (std::size_t k = 1; k < 9; ++k) {
-    const int i = static_cast<int>(k / 3);
-    const int j = static_cast<int>(k % 3);
-    if (k / 3 + k % 3 < least) continue;
-    v.value += c[k] * std::pow(a, i) * std::pow(b, j);
-    if (i > 0) v.first += c[k] * i * std::pow(a, i - 1) * std::pow(b, j);
-    if (j > 0) v.second += c[k] * j * std::pow(a, i) * std::pow(b, j - 1);
-  }
-  return v;
-}
-
-Local solve(const filter::LocalForms& f, const std::array<double, 2>& t) {
-  Local l{};
-  const double r = f.s[0][0] * t[0] + f.s[0][1] * t[1];
-  const double s = f.s[1][0] * t[0] + f.s[1][1] * t[1];
-  std::array<Value, 2> x;
-  std::array<Value, 2> y;
-  for (int step = 0; step < 50; ++step)
-    for (std::size_t i = 0; i < 2; ++i) {
-      x[i] = evaluate(f.x[i], 2, l.c[0], l.c[1]);
-      y[i] = evaluate(f.y[i], 1, r, s);
-      l.c[i] = y[i].value - x[i].value;
-    }
-  const Value nx = evaluate(f.normal_x, 2, l.c[0], l.c[1]);
-  const Value ny = evaluate(f.normal_y, 2, r, s);
-  l.g = nx.value - ny.value;
-  const double a = 1 + x[0].first, b = x[0].second, c = x[1].first, d = 1 + x[1].second;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const double p = y[0].first * f.s[0][k] + y[0].second * f.s[1][k];
-    const double q = y[1].first * f.s[0][k] + y[1].second * f.s[1][k];
-    l.slope[0][k] = (d * p - b * q) / (a * d - b * c);
-    l.slope[1][k] = (a * q - c * p) / (a * d - b * c);
-    l.g_slope[k] =
-        nx.first * l.slope[0][k] + nx.second * l.slope[1][k] - (ny.first * f.s[0][k] + ny.second * f.s[1][k]);
-  }
-  return l;
-}
-
-/// The largest of the quotients of what is bounded by its bound, but for rounding.
-double sharpness(const filter::LocalForms& f, const filter::LocalBounds& bounds,
-                 const std::array<double, 2>& t) {
-  const double size = std::max(std::fabs(t[0]), std::fabs(t[1]));
-  const Local l = solve(f, t);
-  const double q = f.crossing ? t[0] * t[1] : t[0] * t[0] + t[1] * t[1];
-  const std::array<double, 2> slope = {f.crossing ? t[1] : 2 * t[0], f.crossing ? t[0] : 2 * t[1]};
-  const double rounding = 1e-13;
-  double worst = std::fabs(l.g - q) / (bounds.value * size * size * size + f.rest * size * size + rounding);
-  for (std::size_t i = 0; i < 2; ++i) {
-    worst = std::max(worst, std::fabs(l.c[i]) / (bounds.k[i] * size + rounding));
-    worst = std::max(worst, std::fabs(l.g_slope[i] - slope[i]) /
-                                (bounds.slope * size * size + 2 * f.rest * size + rounding));
-    for (std::size_t j = 0; j < 2; ++j)
-      worst = std::max(worst, std::fabs(l.slope[i][j] - f.bs[i][j]) / (bounds.turn[i] * size + rounding));
-  }
-  return worst;
-}
-
-/// Over all t up to reaches for which there are bounds.
-double sharpness(const filter::LocalForms& forms) {
-  Generator generator(1);
-  const auto unit = [&] { return static_cast<double>(integer(generator, -1000, 1000)) / 1000; };
-  double worst = 0;
-  for (double reach = 0x1p-2; reach > 0x1p-12; reach *= 0.5) {
-    const auto bounds = filter::local_bounds(forms, reach);
-    for (int i = 0; bounds && i < 20; ++i)
-      worst = std::max(worst, sharpness(forms, *bounds, {unit() * reach, unit() * reach}));
-  }
-  return worst;
-}
-
-/// Random patches, y moved and turned such that both tangent planes at the middle agree.
-filter::LocalForms general_double_point(Generator& generator) {
-  const auto half = Rational(1, 2);
-  const Pair pair = random_pairs::small_rationals(generator);
-  const Point n = cross(pair.x.derivative_first(half, half), pair.x.derivative_second(half, half));
-  ControlNet y = pair.y.restricted_to(half, Rational(3, 2), half, Rational(3, 2)).power_basis();
-  y[0][0] = pair.x(half, half);
-  for (Point* tangent : {&y[1][0], &y[0][1]}) *tangent = *tangent - (dot(n, *tangent) / dot(n, n)) * n;
-  const BezierPatch moved = BezierPatch::from_power_basis(y).restricted_to(-half, half, -half, half);
-  return filter::local_forms(pair.x, moved, {half, half, half, half}).value();
-}
-
 }  // namespace
-
-TEST_CASE("filter double point: the bounds hold for the solution of the local equations") {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    INFO("seed " << seed);
-    Generator generator(seed);
-    CHECK(sharpness(general_double_point(generator)) <= 1);
-  }
-}
-
-TEST_CASE("filter double point: a graph over its tangent plane, where the bounds are sharp") {
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    INFO("seed " << seed);
-    Generator generator(seed);
-    Quadratic h{};
-    h[2][0] = 1;
-    h[0][2] = seed % 2 == 0 ? 1 : -1;
-    h[1][2] = 1 + sixteenths(generator, 8);
-    h[2][1] = 1 + sixteenths(generator, 8);
-    const BezierPatch curved = graph(h, Rational(-1, 2), Rational(1, 2));
-    const BezierPatch plane = graph({}, Rational(-1, 2), Rational(1, 2));
-    const std::array<Rational, 4> p = {Rational(1, 2), Rational(1, 2), Rational(1, 2), Rational(1, 2)};
-    for (const Pair& pair : {Pair{curved, plane}, Pair{plane, curved}}) {
-      const double worst = sharpness(filter::local_forms(pair.x, pair.y, p).value());
-      CHECK(worst <= 1);
-      CHECK(worst > 0.25);
-    }
-  }
-}
 
 TEST_CASE("filter double point: touches and crossings as the exact solution finds them") {
   int decided = 0;
@@ -294,7 +166,8 @@ TEST_CASE("filter double point: no double point is taken where it is none") {
   const Pair apart = graphs(generator, h);
   const auto found = [](const Pair& pair) {
     const auto frame = filter::make_pair(pair.x, pair.y);
-    return filter::double_point_near(pair.x, pair.y, *frame, {0, 0, 0, 0}, 1e-6).has_value();
+    return filter::double_point_near<filter::Biquadratic>(pair.x, pair.y, *frame, {0, 0, 0, 0}, 1e-6)
+        .has_value();
   };
   CHECK(found(touching));
   CHECK_FALSE(found(apart));

@@ -223,7 +223,7 @@ TEST_CASE("filter error bounds: double points of surfaces scaled in one coordina
       const Pair pair = scaled({c.x, c.y}, {1, 1, power_of_two(exponent)});
       keeps(pair, graph->graph);
       // The form is of size one, whatever the scale is.
-      const auto forms = filter::local_forms(
+      const auto forms = filter::local_forms<filter::Biquadratic>(
           pair.x, pair.y, {Rational(1, 2), Rational(1, 2), Rational(1, 2), Rational(1, 2)});
       if (forms)
         CHECK(std::fabs(forms->normal_x[6]) + std::fabs(forms->normal_y[6]) < filter::kGreatestCoefficient);

@@ -234,19 +234,28 @@ TEST_CASE("intersect rational: neighbours that share a side or a corner meet the
   }
 }
 
-TEST_CASE("intersect rational: what doubles do not decide is incomplete, with place and reason") {
-  const IntersectResult touch = graph_and_plane(1, Rational(1, 2));
-  const IntersectResult crossing = graph_and_plane(-1, Rational(1, 2));
-  CHECK(touch.incomplete.at(0).reason == Reason::tangency);
-  CHECK(crossing.incomplete.at(0).reason == Reason::crossing);
-  for (const IntersectResult& result : {touch, crossing}) {
-    REQUIRE(result.status == Status::incomplete);
-    CHECK(result.incomplete[0].where[0].lower <= Rational(1, 2));
-    CHECK(result.incomplete[0].where[0].upper >= Rational(1, 2));
-    CHECK(result.graph.nodes.empty());
+TEST_CASE("intersect rational: patches touch, or branches cross, in a rational point") {
+  const Rational half(1, 2);
+  for (const int sign : {1, -1}) {
+    const IntersectResult result = graph_and_plane(sign, half);
+    REQUIRE(result.status == Status::complete);
+    const std::vector<NodeKind> kinds = {sign > 0 ? NodeKind::touch : NodeKind::crossing};
+    CHECK(std::count_if(result.graph.nodes.begin(), result.graph.nodes.end(), [&](const Node& node) {
+            return node.kinds == kinds && node.box[0].lower == half && node.box[0].upper == half;
+          }) == 1);
+    CHECK(result.graph.isolated_points.size() == (sign > 0 ? 1 : 0));
+    CHECK(result.graph.count(ComponentShape::branched) == (sign > 0 ? 0 : 1));
   }
+}
+
+TEST_CASE("intersect rational: what doubles do not decide is incomplete, with place and reason") {
   // The plane begins where the patches touch, or branches cross.
-  CHECK(graph_and_plane(1, 0).incomplete.at(0).reason == Reason::tangency);
+  const IntersectResult result = graph_and_plane(1, 0);
+  REQUIRE(result.status == Status::incomplete);
+  CHECK(result.incomplete.at(0).reason == Reason::tangency);
+  CHECK(result.incomplete[0].where[0].lower <= Rational(1, 2));
+  CHECK(result.incomplete[0].where[0].upper >= Rational(1, 2));
+  CHECK(result.graph.nodes.empty());
 }
 
 TEST_CASE("intersect rational: a curve that ends on sides of both patches") {
