@@ -278,6 +278,10 @@ TEST_CASE("filter local bounds: graphs over the tangent plane, where they are sh
     pair.x[1][2][2] = pair.x[2][1][2] = 0;
     pair.y = plane(2, Rational(integer(generator, 4, 16), 16));
     check(filter::WeightedBiquadratic(), pair, 0.1);
+    pair.y = pair.x;  // on a plane whose weight has second derivatives
+    pair.x = plane(2, 0);
+    pair.x[2][0][3] = pair.x[0][2][3] = Rational(integer(generator, 4, 16), 16);
+    check(filter::WeightedBiquadratic(), pair, 0.1);
     pair = {plane(3, 0), plane(3, 0)};
     pair.x[2][0][2] = 1;
     pair.x[0][2][2] = seed % 2 == 0 ? 1 : -1;
