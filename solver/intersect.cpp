@@ -9,6 +9,7 @@
 #include "filter/filter.h"
 #include "intersect_exactly.h"
 #include "intersect_within.h"
+#include "signs_beside.h"
 
 namespace exsect {
 
@@ -43,7 +44,9 @@ IntersectResult intersect_in_place(const Run& run, const BezierPatch& x, const B
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
-    return run.finished(answered(run, [&] { return intersect_in_place(run, x, y); }));
+    return run.finished(with_signs_beside(x, y, run, [&](const Run& part) {
+      return answered(part, [&] { return intersect_in_place(part, x, y); });
+    }));
   });
 }
 

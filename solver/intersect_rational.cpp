@@ -11,6 +11,7 @@
 #include "filter/filter.h"
 #include "intersect.h"
 #include "self/self_intersect.h"
+#include "signs_beside.h"
 
 namespace exsect {
 
@@ -38,11 +39,11 @@ IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const 
   if (options.exact) throw NotSupported(first ? y : x);
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
-    return run.finished(answered(run, [&] {
-      IntersectResult result = intersect_in_either_order(x, y, run);
-      if (result.status != Status::complete) run.count("filtered", 1);
-      return result;
-    }));
+    IntersectResult result = with_signs_beside(x, y, run, [&](const Run& part) {
+      return answered(part, [&] { return intersect_in_either_order(x, y, part); });
+    });
+    if (result.status != Status::complete) run.count("filtered", 1);
+    return run.finished(std::move(result));
   });
 }
 

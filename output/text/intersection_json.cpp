@@ -56,7 +56,9 @@ Json overlap_json(const Overlap& overlap, const ParameterNames& names) {
     for (const Arc& arc : chain) arcs.push_back(arc_json(arc, names));
     chains.push_back(std::move(arcs));
   }
-  return {{"id", overlap.id}, {"chains", std::move(chains)}};
+  Json json = {{"id", overlap.id}, {"chains", std::move(chains)}};
+  if (overlap.normals) json["normals"] = *overlap.normals;
+  return json;
 }
 
 template <typename T, typename Form>

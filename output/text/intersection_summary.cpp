@@ -83,6 +83,12 @@ std::string nodes_text(const IntersectionGraph& graph, const ParameterNames& nam
   return table(heads, rows);
 }
 
+const char* sign_text(int sign) { return sign > 0 ? "+" : "-"; }
+
+std::string sides_text(const std::optional<SideSigns>& beside) {
+  return beside ? fmt::format("{} {}", sign_text(beside->left), sign_text(beside->right)) : "";
+}
+
 std::vector<std::string> arc_row(const Arc& arc, const ParameterNames& names) {
   std::string remark;
   if (arc.place == ArcPlace::patch_boundary) remark = name(arc.place);
@@ -95,6 +101,7 @@ std::vector<std::string> arc_row(const Arc& arc, const ParameterNames& names) {
           std::to_string(arc.from),
           std::to_string(arc.to),
           std::to_string(arc.polyline.size()),
+          sides_text(arc.beside),
           rounded_up(arc.error_bound),
           remark};
 }
@@ -103,10 +110,25 @@ std::string arcs_text(const IntersectionGraph& graph, const ParameterNames& name
   std::vector<std::vector<std::string>> rows;
   for (const Arc& arc : graph.arcs) rows.push_back(arc_row(arc, names));
   if (rows.empty()) return "";
-  return table({"arc", "component", "from", "to", "vertices", "error at most", ""}, rows) +
+  const bool has_sides =
+      std::ranges::any_of(graph.arcs, [](const Arc& arc) { return arc.beside.has_value(); });
+  if (!has_sides)
+    for (std::vector<std::string>& row : rows) row.erase(row.begin() + 5);
+  std::vector<std::string> heads = {"arc", "component", "from", "to", "vertices"};
+  if (has_sides) heads.emplace_back("sides");
+  heads.insert(heads.end(), {"error at most", ""});
+  return table(heads, rows) +
          "  error: largest distance of polyline and true arc from each other in space, in the unit of the "
          "control "
-         "points\n";
+         "points\n" +
+         (has_sides
+              ? "  sides: of the second surface on which the first one lies, left and right of the arc\n"
+              : "");
+}
+
+std::string normals_text(const Overlap& overlap) {
+  if (!overlap.normals) return "";
+  return *overlap.normals > 0 ? "same normals" : "opposite normals";
 }
 
 std::string overlaps_text(const IntersectionGraph& graph) {
@@ -120,10 +142,10 @@ std::string overlaps_text(const IntersectionGraph& graph) {
         bound = std::max(bound, arc.error_bound);
       }
       nodes.push_back(chain.back().to);
-      rows.push_back({std::to_string(overlap.id), ids(nodes), rounded_up(bound)});
+      rows.push_back({std::to_string(overlap.id), ids(nodes), rounded_up(bound), normals_text(overlap)});
     }
   }
-  return table({"overlap", "nodes of the rim", "error at most"}, rows);
+  return table({"overlap", "nodes of the rim", "error at most", ""}, rows);
 }
 
 /// Which arithmetic decided; its counts and times follow where they are asked for.
@@ -153,6 +175,16 @@ std::string coarse_text(const std::optional<CoarseDrawing>& coarse) {
                      rounded_up(coarse->bound), rounded_up(coarse->tolerance));
 }
 
+std::string isolated_text(const IntersectionGraph& graph) {
+  if (graph.isolated_points.empty()) return "";
+  std::vector<std::string> points;
+  for (const int id : graph.isolated_points) {
+    const auto& around = graph.nodes[static_cast<std::size_t>(id)].around;
+    points.push_back(std::to_string(id) + (around ? fmt::format(" (side {})", sign_text(*around)) : ""));
+  }
+  return "\n  isolated points: nodes " + joined(points, " ") + "\n";
+}
+
 std::string section(const std::string& text) { return text.empty() ? "" : "\n" + text; }
 
 std::string summary_of(const IntersectResult& result, const PatchNames& names,
@@ -160,9 +192,7 @@ std::string summary_of(const IntersectResult& result, const PatchNames& names,
   const IntersectionGraph& graph = result.graph;
   return headline(result, names) + turning_text(graph, names.parameters) + section(components_text(graph)) +
          section(nodes_text(graph, names.parameters, places)) + section(arcs_text(graph, names.parameters)) +
-         section(overlaps_text(graph)) +
-         (graph.isolated_points.empty() ? ""
-                                        : "\n  isolated points: nodes " + ids(graph.isolated_points) + "\n") +
+         section(overlaps_text(graph)) + isolated_text(graph) +
          incomplete_text(result.incomplete, names.parameters) + coarse_text(result.coarse) + "\n" +
          work_text(result.work, verbose);
 }

@@ -182,6 +182,8 @@ class Node:
     point: Tuple[float, float, float]
     #: Bounds of the box of a surface given by its equation that it lies on, exactly: "height=from".
     bounds: Tuple[str, ...] = ()
+    #: Of an isolated point: the side, -1 or 1 as `Arc.left`, on which the first patch lies around it, where that is proved.
+    around: Optional[int] = None
 
     def __repr__(self) -> str:
         words = [", ".join(self.kinds) or "point", *self.on, *self.bounds] + [f"turns in {p}" for p in self.wrt]
@@ -208,8 +210,9 @@ class Arc:
     #: Proved: true arc and polyline are within this distance of each other in space. Infinite if a coordinate of the
     #: polyline is beyond the range of floats.
     error_bound: float
-    #: Only with a surface given by its equation: the equation's signs, -1 or 1, to the left and to the right of the
-    #: arc from its first end, in the square with u to the right and v upwards (-1: inside).
+    #: The side of the second surface on which the first patch lies to the left and to the right of the arc from its
+    #: first end, in the square with u to the right and v upwards: 1 is where the normal y_r x y_s points to, -1 the other
+    #: one; of a surface given by its equation, the equation's sign (-1: inside). None where it is not proved.
     left: Optional[int] = None
     right: Optional[int] = None
 
@@ -278,6 +281,9 @@ class Overlap:
 
     id: int
     chains: Tuple[Tuple[Arc, ...], ...]
+    #: 1 if the normals of both patches point to the same side at the nodes of the chains, -1 if to opposite ones; None with
+    #: an equation, and where it is not proved.
+    normals: Optional[int] = None
 
 
 @dataclass(frozen=True)
@@ -442,7 +448,7 @@ class Intersection(_Exportable):
         )
         self.isolated_points = tuple(tree["isolated_points"])
         self.overlaps = tuple(
-            Overlap(o["id"], tuple(tuple(self._arc(arc) for arc in chain) for chain in o["chains"]))
+            Overlap(o["id"], tuple(tuple(self._arc(arc) for arc in chain) for chain in o["chains"]), o.get("normals"))
             for o in tree["overlaps"]
         )
         self.incomplete = tuple(Incomplete(_box(i["where"]), i["why"], i["reason"]) for i in tree["incomplete"])
@@ -460,6 +466,7 @@ class Intersection(_Exportable):
             {name: approx[name] for name in self.parameters},
             _triple(approx["point"]),
             tuple(node.get("bounds", ())),
+            node.get("around"),
         )
 
     @staticmethod

@@ -26,6 +26,7 @@ std::vector<Arc> take_run(std::vector<Arc>& arcs, const IsUnwanted& is_unwanted)
       if ((forward ? next->from : next->to) != end()) {
         std::swap(next->from, next->to);
         std::ranges::reverse(next->polyline);
+        if (next->beside) std::swap(next->beside->left, next->beside->right);
       }
       run.insert(forward ? run.end() : run.begin(), std::move(*next));
       arcs.erase(next);

@@ -26,8 +26,8 @@ struct Node {
   std::array<double, 4> approx;  // (u,v,r,s), inside the box up to rounding
   std::array<double, 3> point;   // approximate point of space
   std::vector<Parameter> free = {};
-  /// Of an isolated point of a patch and a surface given by its equation: the equation's sign around it, on
-  /// the patch, -1 or 1.
+  /// Of an isolated point: the side, -1 or 1 as in SideSigns, on which the first patch lies around it, where
+  /// that is proved.
   std::optional<int> around = {};
   /// The bounds of the surface's box (geometry/surface_box.h) it lies on, exactly: "height=from".
   std::vector<std::string> bounds = {};
@@ -42,13 +42,16 @@ struct PolylineVertex {
 enum class ArcPlace { interior, patch_boundary };
 enum class Contact { transversal, tangential };
 
-/// Signs, -1 or 1, of the equation of a surface on both sides of an arc of a patch, near it: seen from `from`
-/// to `to` in the square, u to the right and v upwards. Equal if patch and surface touch without crossing.
-struct EquationSigns {
+/// On which side of the other surface the first patch lies to the left and to the right of an arc, near it:
+/// seen from `from` to `to` in the square, u to the right and v upwards. 1 is the side that y_r x y_s points
+/// to, for a surface given by its equation that of a positive equation, and -1 the other one. Equal if they
+/// touch without crossing. Seen in the same way, the second patch lies to the left of a transversal arc on
+/// the side -left of the first one. docs/method.md, section 8.4.
+struct SideSigns {
   int left;
   int right;
 
-  friend bool operator==(const EquationSigns&, const EquationSigns&) = default;
+  friend bool operator==(const SideSigns&, const SideSigns&) = default;
 };
 
 /// A piece of the intersection curve between two nodes, with no node inside. Every point of the true arc is
@@ -65,7 +68,7 @@ struct Arc {
   std::vector<PolylineVertex> polyline;  // from `from` to `to`
   double error_bound;
   std::vector<Parameter> free = {};
-  std::optional<EquationSigns> beside = {};  // only of a patch and a surface given by its equation
+  std::optional<SideSigns> beside = {};  // where it is proved; not of one patch with itself
 };
 
 /// open: a simple path; closed: a simple loop; branched: anything with a node of degree above two.
@@ -79,9 +82,12 @@ struct Component {
 
 /// A region where the two patches lie on one surface: its closed chains of boundary arcs on both squares. The
 /// arcs belong to no component (`component` is -1) and their ids count through the chains of this overlap.
+/// `normals`: 1 if x_u x x_v and y_r x y_s point to the same side, -1 if to opposite ones, at every node of
+/// the chains in which that is decided; empty if it is in none, if they differ, and with an equation.
 struct Overlap {
   int id;
   std::vector<std::vector<Arc>> chains;
+  std::optional<int> normals = {};
 };
 
 /// Invariant: every arc end names a node; exchanging the patches gives the same graph up to renaming.

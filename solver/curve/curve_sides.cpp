@@ -8,14 +8,14 @@ namespace exsect {
 
 /// With f = g^m k, m the multiplicity, g = 0 and g_v, k != 0 at the inner point, the m-th derivative of f by
 /// v is m! g_v^m k there, and the sign of f above the arc; by u the same for an arc on u = const.
-EquationSigns signs_beside(const BivariatePolynomial& f, const CurveGraph& curve, const CurveBranch& arc) {
+SideSigns signs_beside(const BivariatePolynomial& f, const CurveGraph& curve, const CurveBranch& arc) {
   const bool is_vertical = curve.nodes[arc.from].u == curve.nodes[arc.to].u;
   BivariatePolynomial derivative = f.exchanged();  // v is the first variable of points
   for (int i = 0; i < arc.multiplicity; ++i)
     derivative = is_vertical ? derivative.derivative_s() : derivative.derivative_r();
   const int beyond = sign_at(derivative, arc.inside);  // at greater v, or at greater u
   const int before = arc.multiplicity % 2 == 0 ? beyond : -beyond;
-  return is_vertical ? EquationSigns{before, beyond} : EquationSigns{beyond, before};
+  return is_vertical ? SideSigns{before, beyond} : SideSigns{beyond, before};
 }
 
 int sign_around(const BivariatePolynomial& f, const CurveNode& node) {

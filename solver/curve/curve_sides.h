@@ -10,7 +10,7 @@ namespace exsect {
 
 /// The signs of f beside the arc of the graph of f = 0; on a side of the square one of them is that of f
 /// beyond it.
-EquationSigns signs_beside(const BivariatePolynomial& f, const CurveGraph& curve, const CurveBranch& arc);
+SideSigns signs_beside(const BivariatePolynomial& f, const CurveGraph& curve, const CurveBranch& arc);
 
 /// The sign of f around an isolated point of f = 0, in the square: -1 or 1.
 int sign_around(const BivariatePolynomial& f, const CurveNode& node);

@@ -420,7 +420,7 @@ TEST_CASE("on which side of the surface the patch lies beside arcs and around po
   // end.
   const IntersectResult bore = intersect(ImplicitSurface::sphere(origin, 1), half_cylinder(0, 0, -1, 1), {});
   REQUIRE(bore.graph.arcs.size() == 1);
-  CHECK(bore.graph.arcs[0].beside == EquationSigns{1, 1});
+  CHECK(bore.graph.arcs[0].beside == SideSigns{1, 1});
   const RationalPatch level = bilinear({-1, -1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, 1});
   const IntersectResult touch = intersect(ImplicitSurface::sphere(origin, 1), level, {});
   REQUIRE(touch.graph.isolated_points.size() == 1);
@@ -444,7 +444,7 @@ TEST_CASE("on which side of the surface the patch lies beside arcs and around po
   const IntersectResult line = intersect(ImplicitSurface::plane(origin, up), inflected, {});
   REQUIRE(line.graph.arcs.size() == 1);
   CHECK(line.graph.arcs[0].contact == Contact::tangential);
-  CHECK(line.graph.arcs[0].beside == EquationSigns{-1, 1});
+  CHECK(line.graph.arcs[0].beside == SideSigns{-1, 1});
 }
 
 /// The point of the model before it was scaled and shifted.
