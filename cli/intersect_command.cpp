@@ -15,6 +15,7 @@
 #include "output/drawing/surfaces_svg.h"
 #include "output/options/option_values.h"
 #include "output/report/report_html.h"
+#include "output/text/chart_json.h"
 #include "output/text/intersection_json.h"
 #include "output/text/intersection_summary.h"
 #include "output/text/node_csv.h"
@@ -122,7 +123,12 @@ ExitStatus run_with_equations(const IntersectCommand& command, const SurfacePair
   const SurfaceNames names = {pair.x.name, pair.y.name, name(first.kind()), name(second.kind())};
   const SurfaceIntersection result = solve(command, first, second, options, streams);
   const DrawnSurfaces drawn = {result, first, second, names};
-  const std::string json = command.output.json.empty() ? "" : json_text(surfaces_json(result, names));
+  std::string json;
+  if (!command.output.json.empty()) {
+    Json tree = surfaces_json(result, names);
+    add_charts(tree, result, first, second);
+    json = json_text(tree);
+  }
   write_exports(
       command.output.exports, [&] { return surfaces_scene(drawn, pair.title, cells); },
       [&] { return space_node_csv(result); });
@@ -143,7 +149,12 @@ ExitStatus run_with_equation(const IntersectCommand& command, const PatchAndEqua
   const int cells = grid_cells(command.output.exports);
   const PatchNames names = {pair.patch.name, pair.surface, one_patch_names, name(pair.equation.kind())};
   const IntersectResult result = solve(command, pair.equation, pair.patch.patch, options, streams);
-  const std::string json = command.output.json.empty() ? "" : json_text(intersection_json(result, names));
+  std::string json;
+  if (!command.output.json.empty()) {
+    Json tree = intersection_json(result, names);
+    add_charts(tree, result.graph, pair.patch.patch, pair.equation);
+    json = json_text(tree);
+  }
   write_exports(
       command.output.exports,
       [&] { return surface_scene(result, pair.patch.patch, names, pair.title, cells); },

@@ -8,6 +8,7 @@
 #include "numbers.h"
 #include "output/drawing/intersection_svg.h"
 #include "output/drawing/surfaces_svg.h"
+#include "output/text/chart_json.h"
 #include "output/text/node_csv.h"
 #include "output/text/ray_output.h"
 #include "run_options.h"
@@ -41,10 +42,15 @@ Equation equation_of(const std::string& entry) {
 
 struct SolvedEquation {
   IntersectResult result;
+  ImplicitSurface surface;
   RationalPatch patch;
   cli::PatchNames names;
 
-  cli::Json json() const { return cli::intersection_json(result, names); }
+  cli::Json json() const {
+    cli::Json tree = cli::intersection_json(result, names);
+    cli::add_charts(tree, result.graph, patch, surface);
+    return tree;
+  }
   std::string svg(const std::string& title) const { return cli::intersection_svg(result, names, title); }
   std::string report(const std::string&) const {
     throw std::invalid_argument("report: not supported yet with a surface given by its equation");
@@ -66,6 +72,7 @@ SolvedEquation intersect_equation(const Equation& equation, const RationalPatch&
   options.progress = watched(progress);
   const py::gil_scoped_release release;
   return {intersect(equation.surface, patch, options),
+          equation.surface,
           patch,
           {names[0], names[1], cli::one_patch_names, name(equation.surface.kind())}};
 }
@@ -78,7 +85,11 @@ struct SolvedSurfaces {
   cli::SurfaceNames names;
 
   cli::DrawnSurfaces drawn() const { return {result, first, second, names}; }
-  cli::Json json() const { return cli::surfaces_json(result, names); }
+  cli::Json json() const {
+    cli::Json tree = cli::surfaces_json(result, names);
+    cli::add_charts(tree, result, first, second);
+    return tree;
+  }
   std::string svg(const std::string& title) const { return cli::surfaces_svg(drawn(), title); }
   std::string report(const std::string&) const {
     throw std::invalid_argument("report: not supported yet with two surfaces given by their equations");

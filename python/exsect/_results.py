@@ -184,6 +184,8 @@ class Node:
     bounds: Tuple[str, ...] = ()
     #: Of an isolated point: the side, -1 or 1 as `Arc.left`, on which the first patch lies around it, where that is proved.
     around: Optional[int] = None
+    #: With a cylinder, cone, sphere or torus: the exact intervals of "turn" and "height", or "turn" and "tube" (formats.md).
+    chart: Dict[str, Interval] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         words = [", ".join(self.kinds) or "point", *self.on, *self.bounds] + [f"turns in {p}" for p in self.wrt]
@@ -467,6 +469,7 @@ class Intersection(_Exportable):
             _triple(approx["point"]),
             tuple(node.get("bounds", ())),
             node.get("around"),
+            _box(node.get("chart", {})),
         )
 
     @staticmethod
@@ -562,6 +565,8 @@ class SpaceNode:
     box: Tuple[Interval, Interval, Interval]
     #: The approximate point.
     point: Tuple[float, float, float]
+    #: On both surfaces: the exact intervals of "turn" and "height", or "turn" and "tube" (formats.md); empty on planes.
+    charts: Tuple[Dict[str, Interval], Dict[str, Interval]]
 
 
 @dataclass(frozen=True)
@@ -619,7 +624,14 @@ class SurfaceIntersection(_Exportable):
         self.summary = tree["summary"]
         self.same = tree["same"]
         self.nodes = tuple(
-            SpaceNode(n["id"], n["kind"], n["degree"], _triple([_interval(pair) for pair in n["box"]]), _triple(n["approx"]))
+            SpaceNode(
+                n["id"],
+                n["kind"],
+                n["degree"],
+                _triple([_interval(pair) for pair in n["box"]]),
+                _triple(n["approx"]),
+                (_box(n["charts"][0]), _box(n["charts"][1])),
+            )
             for n in tree["nodes"]
         )
         self.arcs = tuple(
