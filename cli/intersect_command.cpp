@@ -94,7 +94,6 @@ void refuse_for_equations(const IntersectCommand& command, const PatchAndEquatio
                                  printable(pair.surface), option));
   };
   if (!command.output.certificate.empty()) refuse("--certificate");
-  if (!command.output.report.empty()) refuse("--report");
 }
 
 template <class Result>
@@ -163,6 +162,10 @@ ExitStatus run_with_equation(const IntersectCommand& command, const PatchAndEqua
     write_file_atomically(command.output.json, json);
   if (!command.output.svg.empty())
     write_file_atomically(command.output.svg, intersection_svg(result, names, pair.title));
+  if (!command.output.report.empty())
+    write_file_atomically(command.output.report,
+                          equation_report_html(result, pair.patch.patch, pair.equation, names,
+                                               origin_of(pair.title, command.output.line, {command.file})));
   if (command.output.json_to_stdout())
     streams.out << json;
   else if (!command.quiet)

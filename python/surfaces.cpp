@@ -8,6 +8,7 @@
 #include "numbers.h"
 #include "output/drawing/intersection_svg.h"
 #include "output/drawing/surfaces_svg.h"
+#include "output/report/report_html.h"
 #include "output/text/chart_json.h"
 #include "output/text/node_csv.h"
 #include "output/text/ray_output.h"
@@ -52,8 +53,8 @@ struct SolvedEquation {
     return tree;
   }
   std::string svg(const std::string& title) const { return cli::intersection_svg(result, names, title); }
-  std::string report(const std::string&) const {
-    throw std::invalid_argument("report: not supported yet with a surface given by its equation");
+  std::string report(const std::string& title) const {
+    return cli::equation_report_html(result, patch, surface, names, {title, ""});
   }
   std::string certificate() const {
     throw std::invalid_argument("certificate: not supported yet with a surface given by its equation");

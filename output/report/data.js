@@ -4,6 +4,7 @@
 const report = JSON.parse(document.getElementById('data').textContent);
 const result = report.result;
 const parameters = report.parameters || ['u', 'v', 'r', 's'];
+const inSpace = (vertex) => vertex.slice(parameters.length);  // vertices are parameters, then coordinates
 const graph = report.graph || result;  // nodes and arcs, where there are any
 const nodes = graph.nodes || [];
 const arcs = graph.arcs || [];

@@ -288,7 +288,7 @@ function showLine(view, squares, fixed, value, points, shown) {
     const marks = !shown.line ? [] : points.map((point, i) => {
       const node = drawing('circle', {class: 'fibre-point', 'data-point': i, r: 4});
       view.overlay.append(node);
-      return {node, at: point.slice(4), point: i};
+      return {node, at: inSpace(point), point: i};
     });
     return {surfaces: surfaces.filter(Boolean), wires, marks};
   });

@@ -70,7 +70,7 @@ function selectionWords() {
   if (selected.kind === 'point') {
     const point = shownPoints[selected.id];
     return [element('b', {}, `Point ${pointLetter(selected.id)} of the line`), ': ', ...parameters.flatMap((p, i) => [i ? ', ' : '', element('i', {}, p), ` = ${String(point[i])}`]),
-      `; (x, y, z) = (${point.slice(4).map((c) => Number(c.toPrecision(9))).join(', ')}).`];
+      `; (x, y, z) = (${inSpace(point).map((c) => Number(c.toPrecision(9))).join(', ')}).`];
   }
   const node = nodes[selected.id];
   return [element('b', {}, `Node ${node.id}`), `, ${nodeWords(node)}: `, ...parameters.flatMap((p, i) => [i ? ', ' : '', element('i', {}, p), ` = ${String(node.approx[p])}`]),
@@ -108,14 +108,14 @@ function pick(x, y) {
   if (best) return best;  // arcs end in nodes and are as near
   for (const arc of arcs)
     arc.polyline.slice(1).reduce((from, vertex) => {
-      const to = view.onScreen(vertex.slice(4));
+      const to = view.onScreen(inSpace(vertex));
       const chord = minus(to, from);
       const length = chord[0] ** 2 + chord[1] ** 2;
       const t = length ? Math.min(1, Math.max(0, ((x - from[0]) * chord[0] + (y - from[1]) * chord[1]) / length)) : 0;
       const distance = Math.hypot(from[0] + t * chord[0] - x, from[1] + t * chord[1] - y);
       if (distance < 9) consider('arc', arc.id, distance);
       return to;
-    }, view.onScreen(arc.polyline[0].slice(4)));
+    }, view.onScreen(inSpace(arc.polyline[0])));
   return best;
 }
 
@@ -188,11 +188,23 @@ function patchLabels() {
   });
 }
 
+const equationTitle = () => report.equation.name === report.equation.kind ? report.equation.kind : `${report.equation.kind} ${report.equation.name}`;
+
+/** The name of the surface given by its equation, at its point that is the farthest from the middle of the patch. */
+function equationLabel() {
+  const middle = patchAt(report.patches[0].points, 0.5, 0.5).at;
+  const away = (p) => dot(minus(p, middle), minus(p, middle));
+  const place = equationCorners(report.equation).reduce((best, p) => !best || away(p) > away(best) ? p : best, null) || view.whole.low;
+  const node = drawing('g', {'data-patch': report.patches.length}, drawing('text', {class: 'label', 'text-anchor': 'middle', y: 4}, equationTitle().slice(0, 30)));
+  view.overlay.append(node);
+  return {node, at: place};
+}
+
 function buildCurve() {
   const rims = (graph.overlaps || []).flatMap((overlap) => overlap.chains.flat());
   for (const arc of [...arcs, ...rims]) {
     const dashes = componentDashes(arc.component).split(' ').map((d) => 0.0065 * d);
-    view.addWire(arc.polyline.map((vertex) => vertex.slice(4)), arc.component < 0 ? '--ink' : `--c${arc.component % 7}`, arc.component < 0 ? 2 : 3.4,
+    view.addWire(arc.polyline.map(inSpace), arc.component < 0 ? '--ink' : `--c${arc.component % 7}`, arc.component < 0 ? 2 : 3.4,
       {arc: arc.component < 0 ? undefined : arc.id, dashes: dashes.length > 1 ? [dashes[0], dashes[1]] : null});
   }
 }
@@ -233,8 +245,9 @@ function spaceControls(controls, nets) {
   const solidity = element('input', {type: 'range', min: 10, max: 100, step: 1, id: 'solidity', 'aria-label': 'opacity of the surfaces, in percent'});
   solidity.value = 62;
   solidity.addEventListener('input', () => redraw((value) => { view.solidity = value; })(Number(solidity.value) / 100));
-  const patches = report.patches && report.patches.length > 1 ? report.patches.map((patch, which) =>
-    checkbox(patchTitle(patch), true, redraw((on) => on ? view.hidden.delete(which) : view.hidden.add(which)), `patch-${which}`)) : [];
+  const shown = [...(report.patches || []), ...(report.equation ? [report.equation] : [])];
+  const patches = shown.length > 1 ? shown.map((patch, which) =>
+    checkbox(patch === report.equation ? equationTitle() : patchTitle(patch), true, redraw((on) => on ? view.hidden.delete(which) : view.hidden.add(which)), `patch-${which}`)) : [];
   controls.append(...patches,
     ...(nets ? [checkbox('control nets', false, redraw((on) => { view.netsShown = on; }), 'nets')] : []),
     ...(nodes.length ? [checkbox('node numbers', false, (on) => {
@@ -286,21 +299,22 @@ function pictures(withSquares, beside = []) {
   const {figure, box, controls} = spaceFigure(`Drag or use the arrow keys to turn; with a picture in focus the wheel zooms. ${drawnInDoubles}`);
   const views = element('div', {class: withSquares ? 'views' : 'views pair'}, figure, ...beside);
   page.append(views);
-  const curve = [...arcs, ...(graph.overlaps || []).flatMap((overlap) => overlap.chains.flat())].flatMap((arc) => arc.polyline.map((vertex) => vertex.slice(4)));
-  view = spaceView(box, report.patches.flatMap((patch) => gridOf(patch.points, 10)), curve);
+  const curve = [...arcs, ...(graph.overlaps || []).flatMap((overlap) => overlap.chains.flat())].flatMap((arc) => arc.polyline.map(inSpace));
+  view = spaceView(box, [...report.patches.flatMap((patch) => gridOf(patch.points, 10)), ...(report.equation ? equationCorners(report.equation) : [])], curve);
   if (withSquares) {
     const right = element('div', {class: 'squares'});
     views.append(right);
-    squares = [0, 1].map((which) => resultSquare(which, report.patches[Math.min(which, report.patches.length - 1)].name));
+    squares = (report.equation ? [0] : [0, 1]).map((which) => resultSquare(which, report.patches[Math.min(which, report.patches.length - 1)].name));
     squares.forEach((square, which) => right.append(squareFigure(square, which)));
     page.append(resultLegend());
   }
   page.append(element('div', {id: 'selection', role: 'status', 'aria-live': 'polite'}));
   if (view) {
     view.build(buildPatches);
+    if (report.equation) view.build(() => view.addSurface(equationPiece(report.equation, view.whole, report.patches.length)));
     if (withSquares) view.build(buildCurve);
     view.marks = withSquares ? nodeMarks() : [];
-    view.labels.push(...patchLabels());
+    view.labels.push(...patchLabels(), ...(report.equation ? [equationLabel()] : []));
     view.resize();
     listenForPicks();
   }
@@ -313,7 +327,7 @@ function pictures(withSquares, beside = []) {
 function pointsOnPolylines(value) {
   const found = [];
   for (const arc of arcs)
-    for (const index of report.patches.length === 1 ? [0, 2] : [0])
+    for (const index of report.command === 'self' ? [0, 2] : [0])
       arc.polyline.slice(1).reduce((from, to) => {
         if ((from[index] - value) * (to[index] - value) <= 0 && from[index] !== to[index])
           found.push(plus(from, minus(to, from), (value - from[index]) / (to[index] - from[index])));
@@ -371,6 +385,7 @@ function sliderSection() {
   });
   section(`A parameter line ${fixed} = const`, 'line',
     element('p', {}, report.fibres ? `The line ${fixed} = const of the first patch is cut out of space by a plane and a quadratic cylinder. Pulled back to the other patch, they leave an equation in one variable. The points below are exact, for each of 41 values of ${fixed}.`
+      : report.equation ? `The line ${fixed} = const of the patch, and where it meets the ${report.equation.kind}.`
       : report.command === 'intersect' ? `The line ${fixed} = const of the first patch, and where it meets the other one.`
         : `The line ${fixed} = const of the patch, its plane and quadratic cylinder, and where it meets other parts of the patch.`),
     element('div', {class: 'controls'}, value, slider, ...lineSwitches(update)), body);
@@ -390,7 +405,7 @@ function netTable(patch) {
 }
 
 function dataSection() {
-  section('Data', 'data-section', ...(report.patches ? [element('div', {class: 'nets'}, report.patches.map(netTable))] : []),
+  section('Data', 'data-section', ...(report.equation ? [polynomialBox({title: equationTitle(), identifier: 'F', variables: ['x', 'y', 'z'], terms: report.equation.terms})] : []), ...(report.patches ? [element('div', {class: 'nets'}, report.patches.map(netTable))] : []),
     element('div', {class: 'controls'}, textButton('save the result as JSON', () => saveFile(filename('.json'), 'application/json', [JSON.stringify(result, null, 1), '\n']))));
 }
 

@@ -5,7 +5,12 @@ function intersectionProofs(pair) {
   const steps = (graph.work && graph.work.steps) || {};
   const list = [];
   const fibres = steps.fibres ? `${counted(steps.fibres, 'sample value')} of u` : 'sample values of a parameter';
-  if (pair && steps.filtered) {
+  if (report.equation) {
+    list.push(['Complete: every point of the patch on the surface lies on a reported arc, node or overlap.',
+      'The equation was pulled back to the square of the patch: a polynomial in u and v with rational coefficients. The values of u over which its zeros in v, or those on the bounds of a box, change in number or meet are isolated as roots of exact polynomials; between them every zero is an arc, and over each of them every point was matched with the arcs that end there.']);
+    list.push(['Topology: components, their shape, and which node joins which are those of the true curve.',
+      'Signs of algebraic numbers were decided exactly; arcs that belong to a multiple factor of the equation are contacts.']);
+  } else if (pair && steps.filtered) {
     list.push(['Complete: every point of the intersection lies on a reported arc or node.',
       `Computed in doubles with a proved bound of every rounding error; a pair for which this does not decide everything is solved with exact numbers instead. All points on the sides of both patches were isolated, and ${counted(steps['searched boxes'] || 0, 'pair')} of pieces of the patches searched: each pair has no common point, or no extreme of a closed curve and no singular point, or lies in a tube whose curve is reported.`]);
     list.push(['Topology: components, their shape, and which node joins which are those of the true curve.',
@@ -24,9 +29,9 @@ function intersectionProofs(pair) {
   if (nodes.length) list.push(['Nodes: each box holds exactly one point with the stated properties.',
     'The ends of the exact intervals are rational numbers. Points on sides are isolated with a proof that there is exactly one, turning points by proved signs of the derivative. Where an interval is a single number, it is that number.']);
   if (arcs.length) list.push([`Polylines: each is within its stated distance of the true arc, and the other way round; the largest is ${boundText(worstBound())}.`,
-    'The second derivative of the curve is bounded over each tube; the bound is rounded up.']);
-  if (graph.overlaps.length) list.push([`Overlaps: in ${counted(graph.overlaps.length, 'region')} the patches lie on one surface; the chains are the rim.`,
-    'The eliminant vanishes for every u, exactly. The rim consists of pieces of the sides of both patches, found as exact parts of parameter lines that lie on the other patch.']);
+    report.equation ? 'Zeros are enclosed over pieces of the arc, and the patch bends no more than its second derivatives there; the bound is rounded up.' : 'The second derivative of the curve is bounded over each tube; the bound is rounded up.']);
+  if (graph.overlaps.length) list.push([`Overlaps: in ${counted(graph.overlaps.length, 'region')} ${report.equation ? 'the patch lies on the surface' : 'the patches lie on one surface'}; the chains are the rim.`,
+    report.equation ? 'The equation vanishes on the whole patch, exactly.' : 'The eliminant vanishes for every u, exactly. The rim consists of pieces of the sides of both patches, found as exact parts of parameter lines that lie on the other patch.']);
   return list;
 }
 

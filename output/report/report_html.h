@@ -2,6 +2,7 @@
 // program nor its options; link exsect_report.
 #pragma once
 
+#include <exsect/geometry/implicit_surface.h>
 #include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/line_patch.h>
 #include <exsect/solver/result.h>
@@ -20,6 +21,13 @@ namespace exsect::cli {
 /// decides nothing.
 std::string report_html(const IntersectResult& result, const RationalPatch& x, const RationalPatch& y,
                         const PatchNames& names, const ReportOrigin& origin);
+
+/// The page of the intersection of a patch with a surface given by its equation: both in space (the surface
+/// as output/drawing/sampled_equation.h samples it, whole where it is in a box), the curve, the parameter
+/// square, the tables, and the whole "intersection/1" result. `names.second` is the surface.
+std::string equation_report_html(const IntersectResult& result, const RationalPatch& x,
+                                 const ImplicitSurface& surface, const PatchNames& names,
+                                 const ReportOrigin& origin);
 
 /// The page of the self-intersection of x, with the whole "self/1" result. Its lines have no fibres: a line
 /// of x lies on x.

@@ -150,8 +150,12 @@ Counts verdict_counts(const Json& data) {
 void say(const std::string& command, const Json& data, ReportWords& words) {
   const Json& result = data["result"];
   if (command == "intersect" || command == "compare") {
-    words.answer = fmt::format("Patches {} and {} intersect in {}", patch_name(data, 0), patch_name(data, 1),
-                               shapes(graph_of(data)));
+    words.answer = data.contains("equation")
+                       ? fmt::format("Patch {} and the {} {} intersect in {}", patch_name(data, 0),
+                                     data["equation"]["kind"].get<std::string>(),
+                                     data["equation"]["name"].get<std::string>(), shapes(graph_of(data)))
+                       : fmt::format("Patches {} and {} intersect in {}", patch_name(data, 0),
+                                     patch_name(data, 1), shapes(graph_of(data)));
     words.counts = graph_counts(graph_of(data));
   }
   if (command == "intersect") words.answer += ".";

@@ -66,6 +66,27 @@ function zeroSurface(f, {low, high}, n, property, opacity) {
   return oriented(piece);
 }
 
+/** Of a surface given by its equation what the program has sampled: some of its points. */
+function equationCorners({mesh}) {
+  return mesh ? mesh.points.filter((_, i) => i % 7 === 0) : [];
+}
+
+/** A surface given by its equation as a translucent piece: as it was sampled, or its zero set in the box of the view. */
+function equationPiece({mesh, terms}, ball, patch) {
+  if (!mesh) return {...zeroSurface(polynomialFunction(terms), ball, 32, '--patch1', 0.5), patch};
+  const piece = {positions: mesh.points.flat(), normals: mesh.points.flatMap(() => [0, 0, 0]), triangles: [], property: '--patch1', opacity: 0.5};
+  for (const face of mesh.faces)
+    for (let i = 2; i < face.length; ++i) piece.triangles.push(face[0], face[i - 1], face[i]);
+  // At a corner the sum of its triangles' normals: all faces go round in one direction.
+  for (let t = 0; t < piece.triangles.length; t += 3) {
+    const [p, q, r] = [0, 1, 2].map((k) => mesh.points[piece.triangles[t + k]]);
+    const normal = cross(minus(q, p), minus(r, p));
+    for (let k = 0; k < 3; ++k) normal.forEach((c, m) => { piece.normals[3 * piece.triangles[t + k] + m] += c; });
+  }
+  for (let i = 0; i < piece.normals.length; i += 3) piece.normals.splice(i, 3, ...unit(piece.normals.slice(i, i + 3)));
+  return {...oriented(piece), patch};
+}
+
 /** A polyline of the half plane, turned about the z axis, as a translucent piece. */
 function turnedPiece(polyline, property, opacity) {
   const sectors = 72;

@@ -79,8 +79,6 @@ TEST_CASE("intersect: pictures, tables and scenes of one patch") {
 TEST_CASE("intersect: what is not there yet for equations is refused by name") {
   check_refused({"intersect", surfaces, "--first", "torus", "--second", "ball", "--report", "page.html"},
                 "not supported yet with --report");
-  check_refused({"intersect", surfaces, "--first", "saddle", "--second", "ball", "--report", "page.html"},
-                "not supported yet with --report");
   check_refused({"intersect", surfaces, "--first", "saddle", "--second", "ball", "--certificate", "proof"},
                 "not supported yet with --certificate");
   check_refused({"line", surfaces, "--first", "saddle", "--second", "ball", "--u", "1/2"},
