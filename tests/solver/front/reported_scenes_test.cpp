@@ -78,9 +78,13 @@ TEST_CASE("reported scenes: contact along a line or a circle") {
   check("cylinders-along-a-line", "x", "y", touching);
   check("sphere-in-a-bore", "x", "y", touching);
   check("torus-on-a-plane", "x", "y", {.closed = 1, .tangential = true});
+  check("cube-and-cylinder", "x", "y", touching);
+  check("cube-and-cylinder", "x", "face", touching);  // from the cube's top, inside of the patch, upwards
   for (const std::string& distance : distances) {
     check("cylinders-along-a-line", "x", "y+" + distance, {});
     check("cylinders-along-a-line", "x", "y-" + distance, twice);
+    check("cube-and-cylinder", "x", "y+" + distance, twice);
+    check("cube-and-cylinder", "x", "y-" + distance, {});
     check("sphere-in-a-bore", "x", "y+" + distance, twice);
     check("sphere-in-a-bore", "x", "y-" + distance, {});
     check("torus-on-a-plane", "x", "y+" + distance, {.closed = 2});
