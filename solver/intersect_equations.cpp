@@ -4,7 +4,6 @@
 #include <exsect/algebra/nearest_rounding.h>
 #include <exsect/algebra/rounding_bounds.h>
 #include <exsect/geometry/beyond_doubles.h>
-#include <exsect/solver/intersect_rational.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +18,7 @@
 #include "lift/curve_names.h"
 #include "lift/lifted_course.h"
 #include "lift/lifted_curve.h"
+#include "lift/pair_region.h"
 #include "lift/torus_drawing.h"
 
 namespace exsect {
@@ -52,10 +52,12 @@ SpaceNodeKind node_kind(int degree, bool is_singular, bool goes_on = false) {
   return is_singular ? SpaceNodeKind::singular : SpaceNodeKind::joint;
 }
 
-void add_node(SurfaceIntersection& result, SpaceNodeKind kind, int degree, SpaceBox box) {
+void add_node(SurfaceIntersection& result, SpaceNodeKind kind, int degree, SpaceBox box,
+              std::array<std::vector<std::string>, 2> bounds) {
   std::array<double, 3> approx{};
   for (std::size_t k = 0; k < 3; ++k) approx[k] = to_double(box[k].midpoint());
-  result.nodes.push_back({static_cast<int>(result.nodes.size()), kind, degree, std::move(box), approx});
+  result.nodes.push_back(
+      {static_cast<int>(result.nodes.size()), kind, degree, std::move(box), approx, std::move(bounds)});
 }
 
 /// Every node of the curve has two ends of its arcs.
@@ -76,7 +78,7 @@ void set_curves(SurfaceIntersection& result, std::vector<SpaceCurve> curves) {
   }
 }
 
-void draw(SurfaceIntersection& result, const LiftedCurve& curve, const Run& run) {
+void draw(SurfaceIntersection& result, const LiftedCurve& curve, const PairRegion& region, const Run& run) {
   if (curve.nodes.empty()) return;
   const double extent = extent_of(curve.chart), tolerance = run.drawn_tolerance(extent);
   if (!(extent > 0 && std::isfinite(extent))) throw BeyondDoubles(kBeyondDoubles);
@@ -84,7 +86,7 @@ void draw(SurfaceIntersection& result, const LiftedCurve& curve, const Run& run)
   for (std::size_t i = 0; i < curve.nodes.size(); ++i) {
     const LiftedNode& node = curve.nodes[i];
     add_node(result, node_kind(node.degree, node.is_singular, node.goes_on), node.degree,
-             place_in_space(curve, i, width));
+             place_in_space(curve, i, width), names_of(region, node.bounds));
   }
   for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
     const LiftedArc& arc = curve.arcs[i];
@@ -95,14 +97,14 @@ void draw(SurfaceIntersection& result, const LiftedCurve& curve, const Run& run)
   set_curves(result, named_curves(curve));
 }
 
-void draw(SurfaceIntersection& result, const TorusCurve& curve, const Run& run) {
+void draw(SurfaceIntersection& result, const TorusCurve& curve, const PairRegion& region, const Run& run) {
   if (curve.nodes.empty()) return;
   const double extent = extent_of(curve.frame);
   if (!(extent > 0 && std::isfinite(extent))) throw BeyondDoubles(kBeyondDoubles);
   const TorusDrawing drawing(curve, run.drawn_tolerance(extent));
   for (std::size_t i = 0; i < curve.nodes.size(); ++i)
     add_node(result, node_kind(curve.nodes[i].degree, curve.nodes[i].is_singular), curve.nodes[i].degree,
-             drawing.box(i));
+             drawing.box(i), names_of(region, curve.nodes[i].bounds));
   for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
     const TorusArc& arc = curve.arcs[i];
     SpaceCourse course = drawing.course(i);
@@ -117,19 +119,49 @@ SpaceBox point_box(const Point& p) {
   return {RationalInterval{p[0], p[0]}, RationalInterval{p[1], p[1]}, RationalInterval{p[2], p[2]}};
 }
 
-/// Two planes: a line is shown from one side of the point next to the first one's to the other.
-SurfaceIntersection planes(const SurfaceData& first, const SurfaceData& second) {
-  SurfaceIntersection result{Status::complete};
-  const Point along = cross(first.axis, second.axis);
-  const Rational off = dot(second.axis, second.point - first.point);
-  if (is_zero(along)) {
-    result.is_same = off == 0;
+SurfaceIntersection open(std::string why, Reason reason) {
+  SurfaceIntersection result{Status::incomplete};
+  result.incomplete.push_back({std::move(why), reason});
+  return result;
+}
+
+/// Two surfaces with one equation: nappes of one cone that face away from each other share the apex.
+SurfaceIntersection same(const ImplicitSurface& first, const ImplicitSurface& second,
+                         const PairRegion& region) {
+  if (first.bound() && second.bound() && dot(first.data()->axis, second.data()->axis) < 0) {
+    SurfaceIntersection result{Status::complete};
+    const Point& apex = first.data()->point;
+    if (region.all.contains(apex))
+      add_node(result, SpaceNodeKind::touch, 0, point_box(apex), names_of(region, bounds_at(region, apex)));
     return result;
   }
-  const Point down = cross(along, first.axis);
-  const Point point = first.point + off / dot(second.axis, down) * down;
-  const std::array<Point, 2> ends = {point - along, point + along};
-  for (const Point& end : ends) add_node(result, SpaceNodeKind::cut, 1, point_box(end));
+  if (are_equal(first.box(), second.box())) return {Status::complete, true};
+  return open("one surface, of whose boxes it is not decided what they share", Reason::not_decided);
+}
+
+/// Two planes: a line is shown from one side of the point next to the first one's to the other, or as far as
+/// it is in the boxes.
+SurfaceIntersection planes(const ImplicitSurface& first, const ImplicitSurface& second,
+                           const PairRegion& region) {
+  const SurfaceData &one = *first.data(), &other = *second.data();
+  const Point along = cross(one.axis, other.axis);
+  const Rational off = dot(other.axis, other.point - one.point);
+  if (is_zero(along)) return off == 0 ? same(first, second, region) : SurfaceIntersection{Status::complete};
+  const Point down = cross(along, one.axis);
+  const Point point = one.point + off / dot(other.axis, down) * down;
+  SurfaceIntersection result{Status::complete};
+  const auto add_end = [&](const Rational& t, SpaceNodeKind kind, int degree) {
+    const Point end = point + t * along;
+    add_node(result, kind, degree, point_box(end), names_of(region, bounds_at(region, end)));
+  };
+  const std::optional<RationalInterval> part = part_of_line(region, point, along);
+  if (!part) return result;
+  if (part->lower == part->upper) {
+    add_end(part->lower, SpaceNodeKind::touch, 0);
+    return result;
+  }
+  for (const Rational& t : {part->lower, part->upper})
+    add_end(t, region.all.clauses.empty() ? SpaceNodeKind::cut : SpaceNodeKind::end, 1);
   double error = 0;
   for (const SpaceNode& node : result.nodes)
     for (std::size_t k = 0; k < 3; ++k)
@@ -140,34 +172,18 @@ SurfaceIntersection planes(const SurfaceData& first, const SurfaceData& second) 
   return result;
 }
 
-/// Two surfaces with one equation: nappes of one cone that face away from each other share the apex.
-SurfaceIntersection same(const ImplicitSurface& first, const ImplicitSurface& second) {
-  SurfaceIntersection result{Status::complete};
-  if (first.bound() && second.bound() && dot(first.data()->axis, second.data()->axis) < 0)
-    add_node(result, SpaceNodeKind::touch, 0, point_box(first.data()->point));
-  else
-    result.is_same = true;
-  return result;
-}
+SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second,
+                                const PairRegion& region, const Run& run);
 
-SurfaceIntersection open(std::string why, Reason reason) {
-  SurfaceIntersection result{Status::incomplete};
-  result.incomplete.push_back({std::move(why), reason});
-  return result;
-}
-
-SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second, const Run& run);
-
-SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second, const Run& run);
-
-/// A torus with what has no bound, in one of the torus's charts; empty if it has none over Q.
+/// A torus with what has no bound but its box, in one of the torus's charts; empty if it has none over Q.
 std::optional<SurfaceIntersection> on_torus(const ImplicitSurface& torus, const ImplicitSurface& other,
-                                            const Run& run) {
+                                            const PairRegion& region, const Run& run) {
   std::optional<TorusCurve> curve;
-  run.timed("curve", [&] { curve = torus_curve(torus, other); });
+  run.timed("curve", [&] { curve = torus_curve(torus, other, region.all); });
   if (!curve) return std::nullopt;
-  SurfaceIntersection result{Status::complete, curve->is_same};
-  run.timed("drawing", [&] { draw(result, *curve, run); });
+  if (curve->is_same) return same(torus, other, region);
+  SurfaceIntersection result{Status::complete};
+  run.timed("drawing", [&] { draw(result, *curve, region, run); });
   return result;
 }
 
@@ -177,37 +193,40 @@ bool is_before(const SurfaceData& a, const SurfaceData& b) {
 }
 
 std::optional<SurfaceIntersection> tori(const ImplicitSurface& first, const ImplicitSurface& second,
-                                        const Run& run) {
-  if (is_before(*second.data(), *first.data())) return tori(second, first, run);
-  const std::optional<CoaxialSection> coaxial = coaxial_section(*first.data(), *second.data());
-  if (coaxial && coaxial->surface) return solved_pair(*coaxial->surface, first, run);
-  if (coaxial) return SurfaceIntersection{Status::complete, coaxial->is_same};
-  std::optional<SurfaceIntersection> result = on_torus(first, second, run);
-  return result ? result : on_torus(second, first, run);
+                                        const PairRegion& region, const Run& run) {
+  if (is_before(*second.data(), *first.data())) return tori(second, first, region, run);
+  if (const auto coaxial = coaxial_section(*first.data(), *second.data())) {
+    if (coaxial->is_same) return same(first, second, region);
+    if (!coaxial->surface) return SurfaceIntersection{Status::complete};
+    return solved_pair(*coaxial->surface, first, within(region, coaxial->surface->region()), run);
+  }
+  std::optional<SurfaceIntersection> result = on_torus(first, second, region, run);
+  return result ? result : on_torus(second, first, region, run);
 }
 
 std::optional<SurfaceIntersection> lifted(const ImplicitSurface& first, const ImplicitSurface& second,
-                                          const Run& run) {
+                                          const PairRegion& region, const Run& run) {
   std::optional<LiftedCurve> curve;
-  run.timed("curve", [&] { curve = lifted_curve(first, second); });
+  run.timed("curve", [&] { curve = lifted_curve(first, second, region.all); });
   if (!curve) return std::nullopt;
-  if (curve->is_same) return same(first, second);
+  if (curve->is_same) return same(first, second, region);
   SurfaceIntersection result{Status::complete};
-  run.timed("drawing", [&] { draw(result, *curve, run); });
+  run.timed("drawing", [&] { draw(result, *curve, region, run); });
   return result;
 }
 
-SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second, const Run& run) {
-  if (rank(first) > rank(second)) return solved_pair(second, first, run);
+SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second,
+                                const PairRegion& region, const Run& run) {
+  if (rank(first) > rank(second)) return solved_pair(second, first, region, run);
   if (first.kind() == SurfaceKind::plane && second.kind() == SurfaceKind::plane)
-    return planes(*first.data(), *second.data());
+    return planes(first, second, region);
   std::optional<SurfaceIntersection> result;
   if (first.kind() != SurfaceKind::torus)
-    result = lifted(first, second, run);
+    result = lifted(first, second, region, run);
   else if (second.kind() == SurfaceKind::torus)
-    result = tori(first, second, run);
+    result = tori(first, second, region, run);
   else
-    result = on_torus(first, second, run);
+    result = on_torus(first, second, region, run);
   if (result) return *std::move(result);
   return open(std::string("not supported yet: ") + name(first.kind()) + " and " + name(second.kind()),
               Reason::not_decided);
@@ -217,7 +236,7 @@ SurfaceIntersection answered_pair(const ImplicitSurface& first, const ImplicitSu
                                   const Run& run) {
   const InterruptionScope scope(run.stop());
   try {
-    return solved_pair(first, second, run);
+    return solved_pair(first, second, pair_region(first, second), run);
   } catch (const Interrupted&) {
     return open("the work cap was reached", Reason::time);
   } catch (const std::invalid_argument&) {
@@ -295,9 +314,6 @@ SurfaceIntersection pair_in_place(const ImplicitSurface& first, const ImplicitSu
 
 SurfaceIntersection intersect(const ImplicitSurface& first, const ImplicitSurface& second,
                               const IntersectOptions& options) {
-  for (const ImplicitSurface* surface : {&first, &second})
-    if (!surface->box().clauses.empty())
-      throw NotSupported("two surfaces given by their equations of which one has a box");
   return in_nearest_rounding([&] {
     const Run run(options);
     SurfaceIntersection result = pair_in_place(first, second, run);

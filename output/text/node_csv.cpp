@@ -9,6 +9,7 @@
 
 #include "output/text/json_forms.h"
 #include "output/text/shown_line.h"
+#include "output/text/surfaces_output.h"
 
 namespace exsect::cli {
 namespace {
@@ -69,9 +70,9 @@ std::string point_csv(const LineIntersection& line, const RationalPatch& x) {
 }
 
 std::string space_node_csv(const SurfaceIntersection& result) {
-  std::string text = "id,kind,arcs,x_lower,x_upper,y_lower,y_upper,z_lower,z_upper,x,y,z\n";
+  std::string text = "id,kind,arcs,on,x_lower,x_upper,y_lower,y_upper,z_lower,z_upper,x,y,z\n";
   for (const SpaceNode& node : result.nodes) {
-    text += fmt::format("{},{},{}", node.id, name(node.kind), node.degree);
+    text += fmt::format("{},{},{},{}", node.id, name(node.kind), node.degree, bounds_text(node));
     for (const RationalInterval& side : node.box)
       text += "," + to_string(side.lower) + "," + to_string(side.upper);
     for (double coordinate : node.approx) text += fmt::format(",{}", coordinate);

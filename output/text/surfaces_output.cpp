@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -19,14 +20,16 @@ Json exact_point_json(const Point& p) {
   return Json::array({json_number(p[0]), json_number(p[1]), json_number(p[2])});
 }
 
+bool is_on_bound(const SpaceNode& node) { return !node.bounds[0].empty() || !node.bounds[1].empty(); }
+
 Json node_on_surfaces_json(const SpaceNode& node) {
   Json box = Json::array();
   for (const RationalInterval& side : node.box) box.push_back(json_interval(side));
-  return {{"id", node.id},
-          {"kind", name(node.kind)},
-          {"degree", node.degree},
-          {"box", std::move(box)},
-          {"approx", node.approx}};
+  Json json = {{"id", node.id}, {"kind", name(node.kind)}, {"degree", node.degree}};
+  if (is_on_bound(node)) json["bounds"] = {{"first", node.bounds[0]}, {"second", node.bounds[1]}};
+  json["box"] = std::move(box);
+  json["approx"] = node.approx;
+  return json;
 }
 
 Json space_arc_json(const SpaceArc& arc) {
@@ -83,18 +86,31 @@ std::string space_curve_table(const SurfaceIntersection& result) {
 }
 
 std::string node_table(const SurfaceIntersection& result, bool verbose) {
+  const bool has_bounds = std::ranges::any_of(result.nodes, is_on_bound);
   std::vector<std::vector<std::string>> rows;
   for (const SpaceNode& node : result.nodes) {
     if (node.kind == SpaceNodeKind::joint && !verbose) continue;
     rows.push_back({std::to_string(node.id), name(node.kind), std::to_string(node.degree)});
+    if (has_bounds) rows.back().push_back(is_on_bound(node) ? bounds_text(node) : "-");
     for (const RationalInterval& side : node.box)
       rows.back().push_back(proved_decimal(side, verbose ? -15 : -6));
   }
-  const std::string text = table({"node", "kind", "arcs", "x", "y", "z"}, rows);
+  std::vector<std::string> heads = {"node", "kind", "arcs"};
+  if (has_bounds) heads.push_back("on");
+  heads.insert(heads.end(), {"x", "y", "z"});
+  const std::string text = table(heads, rows);
   return text.empty() ? "" : "\n" + text;
 }
 
 }  // namespace
+
+std::string bounds_text(const SpaceNode& node) {
+  std::string text;
+  for (const std::size_t of : {0, 1})
+    for (const std::string& bound : node.bounds[of])
+      text += (text.empty() ? "" : " ") + std::string(of == 0 ? "first:" : "second:") + bound;
+  return text;
+}
 
 std::string what_is_common(const SurfaceIntersection& result) {
   if (result.is_same) return "one surface";

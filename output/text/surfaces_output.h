@@ -21,6 +21,8 @@ struct SurfaceNames {
 Json surfaces_json(const SurfaceIntersection& result, const SurfaceNames& names);
 /// "2 ellipses, 2 crossings", "nothing in common", "one surface".
 std::string what_is_common(const SurfaceIntersection& result);
+/// "first:sector=from second:height=to": the bounds of which surfaces a node lies on; empty if it is on none.
+std::string bounds_text(const SpaceNode& node);
 std::string surfaces_summary(const SurfaceIntersection& result, const SurfaceNames& names, bool verbose);
 
 }  // namespace exsect::cli

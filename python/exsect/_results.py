@@ -567,6 +567,8 @@ class SpaceNode:
     point: Tuple[float, float, float]
     #: On both surfaces: the exact intervals of "turn" and "height", or "turn" and "tube" (formats.md); empty on planes.
     charts: Tuple[Dict[str, Interval], Dict[str, Interval]]
+    #: What it lies on of the box of the first surface, and of the second: "sector=from", ... (formats.md).
+    bounds: Tuple[Tuple[str, ...], Tuple[str, ...]] = ((), ())
 
 
 @dataclass(frozen=True)
@@ -631,6 +633,7 @@ class SurfaceIntersection(_Exportable):
                 _triple([_interval(pair) for pair in n["box"]]),
                 _triple(n["approx"]),
                 (_box(n["charts"][0]), _box(n["charts"][1])),
+                (tuple(n["bounds"]["first"]), tuple(n["bounds"]["second"])) if "bounds" in n else ((), ()),
             )
             for n in tree["nodes"]
         )

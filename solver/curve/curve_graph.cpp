@@ -130,7 +130,8 @@ class CurveSweep {
     BivariatePolynomial f = swept_;
     if (value.is_vertical)
       for (const BivariatePolynomial& h : bounds_)
-        if (!reduced_at(h.exchanged(), value.u).is_zero()) f = f * h.exchanged();
+        if (!reduced_at(h.exchanged(), value.u).is_zero())
+          f = f * without_factors_of(f, squarefree(h.exchanged()));
     return f.degree_r() > 0 ? roots_at(f, value.u, 0, 1) : std::vector<TriangularPoint>{};
   }
 

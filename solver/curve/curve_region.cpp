@@ -3,12 +3,9 @@
 #include <exsect/algebra/tensor_bernstein.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace exsect {
-namespace {
 
-/// (17.9), for signs of the bounds: 1, -1, and 0 where it is not known, or either.
 RegionPlace place_by_signs(const std::vector<std::vector<std::size_t>>& clauses,
                            const std::function<int(std::size_t)>& sign_of_bound) {
   RegionPlace place = RegionPlace::inside;
@@ -21,14 +18,16 @@ RegionPlace place_by_signs(const std::vector<std::vector<std::size_t>>& clauses,
   return place;
 }
 
-}  // namespace
-
-PlacedRegion::PlacedRegion(const CurveRegion& region) : clauses_(region.clauses) {
+PlacedRegion::PlacedRegion(const CurveRegion& region) : clauses_(region.clauses), marked_(region.marked) {
   for (const BivariatePolynomial& bound : region.bounds) bounds_.push_back(bound.exchanged());
 }
 
 RegionPlace PlacedRegion::place_of(const TriangularPoint& point) const {
-  return place_by_signs(clauses_, [&](std::size_t i) { return sign_at(bounds_[i], point); });
+  const auto sign_of_bound = [&](std::size_t i) { return sign_at(bounds_[i], point); };
+  const RegionPlace place = place_by_signs(clauses_, sign_of_bound);
+  const bool is_marked = place == RegionPlace::inside &&
+                         std::ranges::any_of(marked_, [&](std::size_t i) { return sign_of_bound(i) == 0; });
+  return is_marked ? RegionPlace::rim : place;
 }
 
 RegionPlace place_of_square(const CurveRegion& region) {

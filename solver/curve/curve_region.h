@@ -5,6 +5,7 @@
 #include <exsect/algebra/triangular_point.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace exsect {
@@ -19,11 +20,16 @@ struct CurveRegion {
 
   std::vector<BivariatePolynomial> bounds;  // u in the place of r and v in that of s
   std::vector<std::vector<std::size_t>> clauses;
+  std::vector<std::size_t> marked = {};  // bounds whose zeros are to be nodes, whether they bound or not
 };
 
 /// inside, outside: the signs in the point settle that the region, or its complement, has all points near
-/// it. rim: they do not; the point belongs to the region.
+/// it. rim: they do not, or a marked bound is 0; the point belongs to the region.
 enum class RegionPlace { inside, rim, outside };
+
+/// (17.9), for signs of the bounds in these clauses: 1, -1, and 0 where it is not known, or either.
+RegionPlace place_by_signs(const std::vector<std::vector<std::size_t>>& clauses,
+                           const std::function<int(std::size_t)>& sign_of_bound);
 
 /// Where points (u,v) lie, which have u as their s and v as their r.
 class PlacedRegion {
@@ -37,6 +43,7 @@ class PlacedRegion {
  private:
   std::vector<BivariatePolynomial> bounds_;  // v first
   std::vector<std::vector<std::size_t>> clauses_;
+  std::vector<std::size_t> marked_;
 };
 
 /// Where the whole unit square lies: rim if bounds of ranges do not tell.

@@ -38,7 +38,8 @@ std::vector<CriticalValue> merged(std::vector<CriticalValue> values) {
   return result;
 }
 
-/// h without its factors in common with f, also where they are multiple ones of h. Requires h != 0.
+}  // namespace
+
 BivariatePolynomial without_factors_of(const BivariatePolynomial& f, BivariatePolynomial h) {
   for (;;) {
     const BivariatePolynomial common = gcd(h, f);
@@ -46,8 +47,6 @@ BivariatePolynomial without_factors_of(const BivariatePolynomial& f, BivariatePo
     h = exact_quotient(h, common);
   }
 }
-
-}  // namespace
 
 std::vector<CriticalValue> curve_values(const BivariatePolynomial& f, const Polynomial& lines,
                                         const std::vector<BivariatePolynomial>& bounds) {
@@ -60,7 +59,7 @@ std::vector<CriticalValue> curve_values(const BivariatePolynomial& f, const Poly
   };
   add(turning_resultant(f), false, false, std::nullopt);
   for (const int side : {0, 1}) add(f.at_s(side), false, false, side);
-  add(lines, true, true, std::nullopt);
+  for (const PolynomialPower& line : irreducible_factors(lines)) add(line.factor, true, true, std::nullopt);
   for (const BivariatePolynomial& h : bounds)
     if (!h.is_zero() && f.degree_s() > 0)
       add(resultant_s(f, without_factors_of(f, h)), true, false, std::nullopt);

@@ -33,7 +33,12 @@ struct SurfaceCurve {
 /// For every patch, of every degree and with weights or without.
 SurfaceCurve surface_curve(const ImplicitSurface& surface, const RationalPatch& x);
 
-/// The bounds with a name that a node of curve.graph lies on.
+/// The part of the curve {section = 0} of the patch in a region of space. Requires section != 0; all that
+/// the region and names need of the patch is its reduced form.
+SurfaceCurve curve_in(const SurfaceRegion& region, BivariatePolynomial section, const RationalPatch& reduced);
+
+/// The bounds with a name that a node of curve.graph lies on: their positions, and their names.
+std::vector<std::size_t> bound_positions_at(const SurfaceCurve& curve, std::size_t node);
 std::vector<std::string> bounds_at(const SurfaceCurve& curve, std::size_t node);
 
 }  // namespace exsect

@@ -32,20 +32,23 @@ std::vector<ShadowFactor> factors_of(const Shadow& shadow) {
   return result;
 }
 
-/// The linear function of a half space bound.
-SpacePolynomial form_of(const HalfSpaceBound& bound) {
-  SpacePolynomial form = SpacePolynomial::constant(bound.constant);
-  for (std::size_t k = 0; k < 3; ++k) form += bound.normal[k] * SpacePolynomial::variable(k);
-  return form;
-}
+/// A bound of the region on the chart.
+struct LiftedBound {
+  SheetFunction form;
+  SheetFunction where;
+  bool is_named;
+};
 
 class Lifting {
  public:
-  Lifting(const ImplicitSurface& surface, const ImplicitSurface& other, LiftedCurve& result)
-      : result_(result) {
+  Lifting(const ImplicitSurface& surface, const ImplicitSurface& other, const SurfaceRegion& region,
+          LiftedCurve& result)
+      : result_(result), clauses_(region.clauses) {
+    for (const SurfaceBound& bound : region.bounds)
+      bounds_.push_back(
+          {on_chart(bound.form, result.chart), on_chart(bound.where, result.chart), !bound.name.empty()});
     marks_ = BivariatePolynomial::constant(1);
     for (const ImplicitSurface* cone : {&surface, &other}) {
-      if (cone->bound()) bounds_.push_back(on_chart(form_of(*cone->bound()), result.chart));
       if (cone->kind() != SurfaceKind::cone) continue;
       const Point& apex = cone->data()->point;
       if (surface.equation()(apex) != 0 || other.equation()(apex) != 0) continue;
@@ -62,14 +65,45 @@ class Lifting {
 
   void run() {
     if (result_.factors.empty()) return;
-    const CurveRegion region = result_.chart.is_flat() ? CurveRegion() : CurveRegion(result_.chart.radicand);
-    result_.below = with_turning_in_v(curve_graph(shadow_ * marks_, region));
+    result_.below = with_turning_in_v(curve_graph(shadow_ * marks_, region_below()));
     for (std::size_t i = 0; i < result_.below.arcs.size(); ++i) lift_arc(i);
     for (std::size_t i = 0; i < result_.below.nodes.size(); ++i) lift_node(i);
     drop_loose_nodes();
+    for (std::size_t i = 0; i < result_.nodes.size(); ++i) result_.nodes[i].bounds = bounds_at(i);
   }
 
  private:
+  /// Where y is real, with nodes in the zeros of bounds with a name, and where one of them vanishes along an
+  /// arc also of the function that tells its ends apart.
+  CurveRegion region_below() const {
+    CurveRegion region = result_.chart.is_flat() ? CurveRegion() : CurveRegion(result_.chart.radicand);
+    const auto mark = [&](const SheetFunction& f) {
+      BivariatePolynomial zeros = whole_shadow(f, result_.chart);
+      const BivariatePolynomial common = gcd(zeros, shadow_);
+      region.marked.push_back(region.bounds.size());
+      region.bounds.push_back(std::move(zeros));
+      return common.degree_r() > 0 || common.degree_s() > 0;
+    };
+    for (const LiftedBound& bound : bounds_)
+      if (bound.is_named && mark(bound.form)) mark(bound.where);
+    return region;
+  }
+
+  /// Those with a name that a node lies on. One that is not exact is on those that its arcs run along.
+  std::vector<std::size_t> bounds_at(std::size_t i) const {
+    const LiftedNode& node = result_.nodes[i];
+    const std::optional<TriangularPoint>& exact = result_.below.nodes[node.below].exact;
+    const TriangularPoint* at = exact ? &*exact : nullptr;
+    for (const LiftedArc& arc : result_.arcs)
+      if (!exact && (arc.from == i || arc.to == i)) at = &result_.below.arcs[arc.below].inside;
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; at != nullptr && k < bounds_.size(); ++k)
+      if (bounds_[k].is_named && sign_on_sheet(bounds_[k].form, result_.chart, *at, node.sheet) == 0 &&
+          sign_on_sheet(bounds_[k].where, result_.chart, *at, node.sheet) >= 0)
+        result.push_back(k);
+    return result;
+  }
+
   Rational coordinate(const Point& p, const Point& along) const {
     return dot(p - result_.chart.origin, along) / dot(along, along);
   }
@@ -88,9 +122,9 @@ class Lifting {
   }
 
   bool is_kept(const TriangularPoint& p, int sheet) const {
-    return std::all_of(bounds_.begin(), bounds_.end(), [&](const SheetFunction& bound) {
-      return sign_on_sheet(bound, result_.chart, p, sheet) >= 0;
-    });
+    return place_by_signs(clauses_, [&](std::size_t i) {
+             return sign_on_sheet(bounds_[i].form, result_.chart, p, sheet);
+           }) != RegionPlace::outside;
   }
 
   void lift_arc(std::size_t i) {
@@ -198,7 +232,8 @@ class Lifting {
   LiftedCurve& result_;
   std::vector<Point> apexes_;  // (u, v, y) of those that are common points
   BivariatePolynomial marks_;  // lines u = const through them
-  std::vector<SheetFunction> bounds_;
+  std::vector<LiftedBound> bounds_;
+  std::vector<std::vector<std::size_t>> clauses_;
   BivariatePolynomial shadow_;  // every factor once
   BivariatePolynomial shadow_u_;
   BivariatePolynomial shadow_v_;
@@ -212,8 +247,9 @@ int sign_on_sheet(const SheetFunction& f, const SurfaceChart& chart, const Trian
   return a * sign_of(f.a * f.a - f.b * f.b * chart.radicand, p);
 }
 
-std::optional<LiftedCurve> lifted_curve(const ImplicitSurface& surface, const ImplicitSurface& other) {
-  std::optional<SurfaceChart> chart = chart_of(surface, other);
+std::optional<LiftedCurve> lifted_curve(const ImplicitSurface& surface, const ImplicitSurface& other,
+                                        const SurfaceRegion& region) {
+  std::optional<SurfaceChart> chart = chart_of(surface, other, region);
   if (!chart) return std::nullopt;
   LiftedCurve result;
   result.chart = std::move(*chart);
@@ -222,7 +258,7 @@ std::optional<LiftedCurve> lifted_curve(const ImplicitSurface& surface, const Im
   if (result.is_same) return result;
   result.shadow = shadow(f, result.chart);
   result.factors = factors_of(result.shadow);
-  Lifting(surface, other, result).run();
+  Lifting(surface, other, region, result).run();
   return result;
 }
 

@@ -22,8 +22,9 @@ struct LiftedNode {
   std::size_t below;  // in CurveGraph::nodes
   int sheet;
   int degree;
-  bool is_singular;  // of degree 2, and not proved to be regular
-  bool goes_on;      // cut off at u = 0 or u = 1, where an arc goes on to infinity
+  bool is_singular;                      // of degree 2, and not proved to be regular
+  bool goes_on;                          // cut off at u = 0 or u = 1, where an arc goes on to infinity
+  std::vector<std::size_t> bounds = {};  // of the region, those with a name that the point lies on
 };
 
 /// The points over an arc of the shadow with one sign of y inside.
@@ -36,8 +37,8 @@ struct LiftedArc {
   int multiplicity;  // order of contact of the surfaces along it, 1 where they cross
 };
 
-/// Invariant: as long as is_same is false, the common points of the surfaces with u in [0,1] are those of the
-/// arcs, ends included, and the nodes of degree 0. Every arc of the shadow is monotone in v.
+/// Invariant: as long as is_same is false, the common points of the surfaces in the region with u in [0,1]
+/// are those of the arcs, ends included, and the nodes of degree 0. Every arc of the shadow is monotone in v.
 struct LiftedCurve {
   SurfaceChart chart;
   Shadow shadow;
@@ -48,8 +49,9 @@ struct LiftedCurve {
   std::vector<LiftedArc> arcs;
 };
 
-/// Empty where chart_of() is.
-std::optional<LiftedCurve> lifted_curve(const ImplicitSurface& surface, const ImplicitSurface& other);
+/// Empty where chart_of() is. Of the surfaces the equations alone are looked at.
+std::optional<LiftedCurve> lifted_curve(const ImplicitSurface& surface, const ImplicitSurface& other,
+                                        const SurfaceRegion& region);
 
 /// The exact sign of a + b y at the point over p with this sign of y.
 int sign_on_sheet(const SheetFunction& f, const SurfaceChart& chart, const TriangularPoint& p, int sheet);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "curve/curve_values.h"
 #include "curve/plane_curve.h"
 #include "curve/short_rational.h"
 #include "curve/turning_resultant.h"
@@ -126,9 +127,10 @@ Rational above_all_roots(const Polynomial& f) {
   return 1 + greatest / abs(f.leading_coefficient());
 }
 
-/// The heights h of everything that ends or turns on the curve of the shadow, as roots of these polynomials.
-std::vector<Polynomial> critical_heights(const Shadow& of, const BivariatePolynomial& radicand) {
-  const BivariatePolynomial all = of.common * of.norm;
+/// The heights h of everything that ends, turns or meets one of the curves `cuts` on the curve of the shadow,
+/// as roots of these polynomials.
+std::vector<Polynomial> critical_heights(const BivariatePolynomial& all,
+                                         const std::vector<BivariatePolynomial>& cuts) {
   if (all.degree_r() < 1 && all.degree_s() < 1) return {};
   const ContentAndPart parts = split_content(squarefree(all).exchanged());
   const BivariatePolynomial& in_x = parts.primitive;
@@ -137,9 +139,20 @@ std::vector<Polynomial> critical_heights(const Shadow& of, const BivariatePolyno
   const BivariatePolynomial curve = in_x.exchanged();
   result.push_back(turning_resultant(curve));
   result.push_back(in_x.coefficient(in_x.degree_r()));
-  const BivariatePolynomial cut = exact_quotient(radicand, gcd(radicand, curve));
-  if (cut.degree_s() > 0) result.push_back(resultant_s(curve, cut));
+  for (const BivariatePolynomial& each : cuts) {
+    if (each.is_zero()) continue;
+    const BivariatePolynomial cut = without_factors_of(curve, each);
+    result.push_back(cut.degree_s() > 0 ? resultant_s(curve, cut) : cut.at_s(0));
+  }
   return result;
+}
+
+/// What the curve of two surfaces is cut by on a chart: the zeros of y, and of bounds with a name.
+std::vector<BivariatePolynomial> cuts_of(const SurfaceRegion& region, const SurfaceChart& chart) {
+  std::vector<BivariatePolynomial> cuts = {chart.radicand};
+  for (const SurfaceBound& bound : region.bounds)
+    if (!bound.name.empty()) cuts.push_back(whole_shadow(on_chart(bound.form, chart), chart));
+  return cuts;
 }
 
 /// The closed interval from the least to the greatest of the roots and the other numbers, and beyond.
@@ -161,7 +174,8 @@ RationalInterval interval_around(const std::vector<Polynomial>& polynomials, std
 }
 
 /// All heights at which an unbounded surface and another one have more than arcs that go on.
-RationalInterval heights(const Frame& frame, const ImplicitSurface& surface, const ImplicitSurface& other) {
+RationalInterval heights(const Frame& frame, const ImplicitSurface& surface, const ImplicitSurface& other,
+                         const SurfaceRegion& region) {
   if (other.data() && is_bounded(other.kind())) return frame.range_of(*other.data(), frame.axis());
   const SurfaceChart whole = frame.chart({0, 1}, {0, 1});
   const SheetFunction f = on_chart(other.equation(), whole);
@@ -169,7 +183,8 @@ RationalInterval heights(const Frame& frame, const ImplicitSurface& surface, con
   for (const ImplicitSurface* cone : {&surface, &other})
     if (cone->kind() == SurfaceKind::cone) marked.push_back(frame.height(cone->data()->point));
   if (f.is_zero()) return interval_around({}, marked, frame.unit());
-  return interval_around(critical_heights(shadow(f, whole), whole.radicand), marked, frame.unit());
+  return interval_around(critical_heights(whole_shadow(f, whole), cuts_of(region, whole)), marked,
+                         frame.unit());
 }
 
 /// An interval around all roots that is not much longer than their distances, whatever the unit.
@@ -184,7 +199,8 @@ RationalInterval fitted_interval(const std::vector<Polynomial>& polynomials) {
 
 /// A plane, turned until x is bounded on the other surface over every bounded interval of h: the equation has
 /// the term of x alone of greatest degree, as it has in all but finitely many directions.
-SurfaceChart plane_chart(const ImplicitSurface& plane, const ImplicitSurface& other) {
+SurfaceChart plane_chart(const ImplicitSurface& plane, const ImplicitSurface& other,
+                         const SurfaceRegion& region) {
   const Frame first(plane, other);
   for (int k = 0;; ++k) {
     const Frame frame = first.turned(k);
@@ -192,11 +208,9 @@ SurfaceChart plane_chart(const ImplicitSurface& plane, const ImplicitSurface& ot
     const BivariatePolynomial f = on_chart(other.equation(), whole).a;
     if (f.is_zero()) return whole;
     if (f.coefficient(0, f.total_degree()) == 0) continue;
-    const auto critical = [&](const BivariatePolynomial& g) {
-      return critical_heights(shadow({g, {}}, whole), whole.radicand);
-    };
-    const RationalInterval h = fitted_interval(critical(f));
-    std::vector<Polynomial> extrema = critical(f.exchanged());  // x is extreme there, or over the ends of h
+    const RationalInterval h = fitted_interval(critical_heights(f, cuts_of(region, whole)));
+    // x is extreme there, or over the ends of h.
+    std::vector<Polynomial> extrema = critical_heights(f.exchanged(), {});
     for (const Rational& end : {h.lower, h.upper}) extrema.push_back(f.at_r(end));
     return frame.chart(h, fitted_interval(extrema));
   }
@@ -245,10 +259,17 @@ Shadow shadow(const SheetFunction& f, const SurfaceChart& chart) {
   return {std::move(rest), common, std::move(norm)};
 }
 
-std::optional<SurfaceChart> chart_of(const ImplicitSurface& surface, const ImplicitSurface& other) {
+BivariatePolynomial whole_shadow(const SheetFunction& f, const SurfaceChart& chart) {
+  if (f.is_zero()) return {};
+  const Shadow of = shadow(f, chart);
+  return of.common * of.norm;
+}
+
+std::optional<SurfaceChart> chart_of(const ImplicitSurface& surface, const ImplicitSurface& other,
+                                     const SurfaceRegion& region) {
   switch (surface.kind()) {
     case SurfaceKind::plane: {
-      if (other.kind() == SurfaceKind::polynomial) return plane_chart(surface, other);
+      if (other.kind() == SurfaceKind::polynomial) return plane_chart(surface, other, region);
       if (other.kind() != SurfaceKind::torus) return std::nullopt;
       const Frame frame(surface, other);
       return frame.chart(frame.range_of(*other.data(), frame.axis()),
@@ -263,7 +284,7 @@ std::optional<SurfaceChart> chart_of(const ImplicitSurface& surface, const Impli
     case SurfaceKind::cylinder:
     case SurfaceKind::cone: {
       const Frame frame(surface, other);
-      const RationalInterval h = heights(frame, surface, other);
+      const RationalInterval h = heights(frame, surface, other, region);
       return frame.chart(h, frame.width(h));
     }
     default:

@@ -39,8 +39,10 @@ SheetFunction on_chart(const SpacePolynomial& f, const SurfaceChart& chart);
 
 /// Of a plane, if the other surface is a torus or a polynomial, and of a sphere, cylinder or cone with both
 /// nappes. The direction along_y is orthogonal to a common plane of symmetry, if there is one. Empty for
-/// others.
-std::optional<SurfaceChart> chart_of(const ImplicitSurface& surface, const ImplicitSurface& other);
+/// others. Beyond u = 0 and u = 1 none of the region's bounds with a name is zero on the curve, unless it is
+/// along an arc.
+std::optional<SurfaceChart> chart_of(const ImplicitSurface& surface, const ImplicitSurface& other,
+                                     const SurfaceRegion& region);
 
 /// The curve {a + b y = 0} seen along y: common {norm = 0} with the common factor of a and b and norm =
 /// a^2 - radicand b^2 (17.5) for the rest; on a plane norm = a.
@@ -51,5 +53,7 @@ struct Shadow {
 };
 /// Requires f != 0.
 Shadow shadow(const SheetFunction& f, const SurfaceChart& chart);
+/// common * norm: the points that have one with f = 0 above or below them. Zero for f = 0.
+BivariatePolynomial whole_shadow(const SheetFunction& f, const SurfaceChart& chart);
 
 }  // namespace exsect

@@ -16,10 +16,11 @@ namespace exsect {
 enum class SpaceNodeKind {
   joint,     // two arcs meet in a regular point of the curve
   cut,       // one arc, which goes on to infinity from here without another node
-  end,       // one arc, in the apex of a cone of one nappe
+  end,       // one arc, in the apex of a cone of one nappe or on the rim of a box
   touch,     // an isolated common point
   crossing,  // three or more arcs
-  singular,  // two arcs meet in an apex, or in a point where the surfaces touch
+  singular,  // two arcs meet in an apex, or in a point where the surfaces touch or more arcs would without
+             // boxes
 };
 /// "joint", ...
 const char* name(SpaceNodeKind kind);
@@ -31,6 +32,7 @@ struct SpaceNode {
   int degree;  // the number of ends of arcs
   std::array<RationalInterval, 3> box;
   std::array<double, 3> approx;
+  std::array<std::vector<std::string>, 2> bounds = {};  // of the boxes of both surfaces that it lies on
 };
 
 enum class SpaceCurveKind { line, circle, ellipse, parabola, hyperbola, general };
@@ -49,9 +51,9 @@ struct SpaceArc {
   double error_bound;  // of the distance between arc and polyline, both ways
 };
 
-/// A named curve as a whole, as far as it is on one nappe of one-sided cones; `general` is a connected part
-/// of an irreducible curve that is no line or conic over the field of its equations, or is not known to be
-/// one. Its plane, centre and radius are given where they are rational.
+/// A named curve as a whole, as far as it is on one nappe of one-sided cones and in the boxes; `general` is a
+/// connected part of an irreducible curve that is no line or conic over the field of its equations, or is not
+/// known to be one. Its plane, centre and radius are given where they are rational.
 struct SpaceCurve {
   int id;
   SpaceCurveKind kind;

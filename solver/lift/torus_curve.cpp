@@ -10,6 +10,7 @@
 
 #include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
+#include "curve/curve_values.h"
 
 namespace exsect {
 namespace {
@@ -36,11 +37,28 @@ bool crosses_sides_simply(const BivariatePolynomial& f) {
   return true;
 }
 
+/// No bound of the region, without its factors in common with f, vanishes on f = 0 on a side.
+bool crosses_sides_inside(const BivariatePolynomial& f, const SurfaceRegion& region,
+                          const RationalPatch& patch) {
+  const auto are_apart_on_side = [](const Polynomial& a, const Polynomial& b) {
+    return !b.is_zero() && gcd(a, b).degree() < 1;
+  };
+  return std::ranges::all_of(region.bounds, [&](const SurfaceBound& bound) {
+    const BivariatePolynomial form = pull_back(bound.form, patch);
+    if (form.is_zero()) return true;
+    const BivariatePolynomial h = without_factors_of(f, form);
+    return std::ranges::all_of(std::array{0, 1}, [&](int side) {
+      return are_apart_on_side(f.at_r(side), h.at_r(side)) && are_apart_on_side(f.at_s(side), h.at_s(side));
+    });
+  });
+}
+
 /// Factors for these turns; empty if a factor may be lost beyond the patch with halves 0, or the curve does
-/// not cross the sides of all patches simply.
+/// not cross the sides of all patches simply and off the bounds of the region.
 class TurnedCurve {
  public:
-  TurnedCurve(const SpacePolynomial& f, const TorusFrame& frame, const TorusTurns& turns) {
+  TurnedCurve(const SpacePolynomial& f, const SurfaceRegion& region, const TorusFrame& frame,
+              const TorusTurns& turns) {
     const RationalPatch first = torus_chart(frame, turns, 0, 0);
     const BivariatePolynomial section = pull_back(f, first);
     is_zero = section.is_zero();
@@ -55,7 +73,9 @@ class TurnedCurve {
         TorusPart part{torus_chart(frame, turns, half_u, half_v), {}, {}};
         for (const TorusFactor& factor : factors)
           part.factors.push_back(on_other_half(factor.factor, half_u == 1, half_v == 1));
-        is_general = is_general && (factors.empty() || crosses_sides_simply(product(part)));
+        is_general =
+            is_general && (factors.empty() || (crosses_sides_simply(product(part)) &&
+                                               crosses_sides_inside(product(part), region, part.patch)));
         parts.push_back(std::move(part));
       }
   }
@@ -97,7 +117,7 @@ class Gluing {
     std::size_t count = 0;
     for (const TorusPart& part : curve.parts) {
       first_.push_back(count);
-      count += part.graph.nodes.size();
+      count += part.curve.graph.nodes.size();
     }
     partner_.assign(count, count);
   }
@@ -110,14 +130,14 @@ class Gluing {
       }
     add_nodes();
     for (std::size_t part = 0; part < curve_.parts.size(); ++part)
-      for (std::size_t i = 0; i < curve_.parts[part].graph.arcs.size(); ++i) add_arc(part, i);
+      for (std::size_t i = 0; i < curve_.parts[part].curve.graph.arcs.size(); ++i) add_arc(part, i);
   }
 
  private:
   /// The side 1 of one part is the side 0 of the next one; the curve has the same simple zeros on both.
   void glue(bool on_u, std::size_t part, std::size_t next) {
-    const std::vector<std::size_t> before = nodes_on_side(curve_.parts[part].graph, on_u, 1);
-    const std::vector<std::size_t> after = nodes_on_side(curve_.parts[next].graph, on_u, 0);
+    const std::vector<std::size_t> before = nodes_on_side(curve_.parts[part].curve.graph, on_u, 1);
+    const std::vector<std::size_t> after = nodes_on_side(curve_.parts[next].curve.graph, on_u, 0);
     if (before.size() != after.size()) throw ProofFailure(whole_domain(), "parts of a torus do not fit");
     for (std::size_t k = 0; k < before.size(); ++k) {
       partner_[first_[part] + before[k]] = first_[next] + after[k];
@@ -128,7 +148,7 @@ class Gluing {
   void add_nodes() {
     position_.assign(partner_.size(), 0);
     for (std::size_t part = 0; part < curve_.parts.size(); ++part) {
-      const std::vector<CurveNode>& nodes = curve_.parts[part].graph.nodes;
+      const std::vector<CurveNode>& nodes = curve_.parts[part].curve.graph.nodes;
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         const std::size_t at = first_[part] + i, other = partner_[at];
         if (nodes[i].is_on_side && (other == partner_.size() || nodes[i].degree() != 1))
@@ -139,14 +159,15 @@ class Gluing {
           continue;
         }
         position_[at] = curve_.nodes.size();
-        curve_.nodes.push_back({part, i, nodes[i].degree(), nodes[i].is_singular});
+        curve_.nodes.push_back({part, i, nodes[i].degree(), nodes[i].is_singular,
+                                bound_positions_at(curve_.parts[part].curve, i)});
       }
     }
   }
 
   void add_arc(std::size_t part, std::size_t i) {
     const TorusPart& at = curve_.parts[part];
-    const CurveBranch& arc = at.graph.arcs[i];
+    const CurveBranch& arc = at.curve.graph.arcs[i];
     for (std::size_t k = 0; k < at.factors.size(); ++k) {
       if (sign_at(at.factors[k].exchanged(), arc.inside) != 0) continue;
       curve_.arcs.push_back(
@@ -163,19 +184,21 @@ class Gluing {
 
 }  // namespace
 
-std::optional<TorusCurve> torus_curve(const ImplicitSurface& torus, const ImplicitSurface& other) {
+std::optional<TorusCurve> torus_curve(const ImplicitSurface& torus, const ImplicitSurface& other,
+                                      const SurfaceRegion& region) {
   const std::optional<TorusFrame> frame = torus_frame(*torus.data());
   if (!frame) return std::nullopt;
   for (int i = 0; i < kMostTurns; ++i) {
     interruption_point();
     const TorusTurns turns = {turn_by(i == 0 ? Rational(0) : Rational(1, i + 1)),
                               turn_by(i == 0 ? Rational(0) : Rational(1, 2 * i + 1))};
-    TurnedCurve turned(other.equation(), *frame, turns);
+    TurnedCurve turned(other.equation(), region, *frame, turns);
     if (!turned.is_zero && !turned.is_general) continue;
     TorusCurve result{*frame, turns, turned.is_zero, std::move(turned.factors), {}, {}, {}};
     if (result.is_same || result.factors.empty()) return result;
     result.parts = std::move(turned.parts);
-    for (TorusPart& part : result.parts) part.graph = curve_graph(TurnedCurve::product(part));
+    for (TorusPart& part : result.parts)
+      part.curve = curve_in(region, TurnedCurve::product(part), part.patch);
     Gluing(result).run();
     return result;
   }

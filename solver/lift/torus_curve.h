@@ -2,11 +2,10 @@
 // torus. Internal to solver/; docs/method.md, section 17.10.
 #pragma once
 
-#include <exsect/solver/curve_graph.h>
-
 #include <optional>
 #include <vector>
 
+#include "curve/surface_curve.h"
 #include "lift/torus_chart.h"
 
 namespace exsect {
@@ -17,11 +16,11 @@ struct TorusFactor {
   int multiplicity;
 };
 
-/// One of the four patches, and the curve on it.
+/// One of the four patches, and the curve on it in the region.
 struct TorusPart {
   RationalPatch patch;
   std::vector<BivariatePolynomial> factors;  // those of the curve, in the parameters of this patch
-  CurveGraph graph;
+  SurfaceCurve curve;
 };
 
 /// A node in `below` of one of the parts. Those on common sides of two parts are one node, of one of them.
@@ -30,6 +29,7 @@ struct TorusNode {
   std::size_t below;  // in CurveGraph::nodes
   int degree;
   bool is_singular;
+  std::vector<std::size_t> bounds;  // of the region, those with a name that it lies on
 };
 
 struct TorusArc {
@@ -40,8 +40,8 @@ struct TorusArc {
   std::size_t factor;
 };
 
-/// Invariant: as long as is_same is false, the common points are those of the arcs, ends included, and the
-/// nodes of degree 0.
+/// Invariant: as long as is_same is false, the common points in the region are those of the arcs, ends
+/// included, and the nodes of degree 0.
 struct TorusCurve {
   TorusFrame frame;
   TorusTurns turns;
@@ -52,7 +52,8 @@ struct TorusCurve {
   std::vector<TorusArc> arcs;
 };
 
-/// Empty where torus_frame() is. The other surface has no bound.
-std::optional<TorusCurve> torus_curve(const ImplicitSurface& torus, const ImplicitSurface& other);
+/// Empty where torus_frame() is. Of the surfaces the equations alone are looked at.
+std::optional<TorusCurve> torus_curve(const ImplicitSurface& torus, const ImplicitSurface& other,
+                                      const SurfaceRegion& region);
 
 }  // namespace exsect

@@ -61,8 +61,8 @@ TorusDrawing::TorusDrawing(const TorusCurve& curve, double tolerance) : curve_(c
   for (const TorusPart& part : curve.parts) {
     Part drawn{DrawnPatch(part.patch), {}};
     const Rational width = std::min<Rational>(power_of_two(-80), place_width(drawn.patch, tolerance));
-    for (std::size_t i = 0; i < part.graph.nodes.size(); ++i)
-      drawn.places.push_back(place_of(part.graph, i, width));
+    for (std::size_t i = 0; i < part.curve.graph.nodes.size(); ++i)
+      drawn.places.push_back(place_of(part.curve.graph, i, width));
     parts_.push_back(std::move(drawn));
   }
 }
@@ -83,7 +83,7 @@ SpaceCourse TorusDrawing::course(std::size_t arc) const {
   const TorusArc& at = curve_.arcs[arc];
   const Part& part = parts_[at.part];
   CurveCourse course =
-      curve_course(curve_.parts[at.part].graph, part.places, at.below, part.patch, tolerance_);
+      curve_course(curve_.parts[at.part].curve.graph, part.places, at.below, part.patch, tolerance_);
   return {std::move(course.points), course.error_bound};
 }
 

@@ -112,7 +112,7 @@ TEST_CASE("intersect: two surfaces given by their equations") {
                                        file("a.vtp"), "--ply", file("a.ply"), "--grid", "8"});
   CHECK(text.status == 0);
   CHECK(content(file("a.svg")).find("1 circle") != std::string::npos);
-  CHECK(content(file("a.csv")).starts_with("id,kind,arcs,x_lower"));
+  CHECK(content(file("a.csv")).starts_with("id,kind,arcs,on,x_lower"));
   CHECK(content(file("a.obj")).find("o surface_cone\n") != std::string::npos);
   for (const char* name : {"a.vtp", "a.ply"}) CHECK(content(file(name)).size() > 1000);
   CHECK(text.out.find("cone with floor: complete, proved: 1 circle") != std::string::npos);

@@ -126,7 +126,7 @@ TEST_CASE("the picture of two surfaces names the curves, and only nodes that are
 TEST_CASE("the nodes of two surfaces as a table: exact boxes that hold the points") {
   const SurfaceIntersection result = intersect(pipe_x, pipe_z);
   const std::string text = space_node_csv(result);
-  CHECK(text.starts_with("id,kind,arcs,x_lower,x_upper,y_lower,y_upper,z_lower,z_upper,x,y,z\n"));
+  CHECK(text.starts_with("id,kind,arcs,on,x_lower,x_upper,y_lower,y_upper,z_lower,z_upper,x,y,z\n"));
   CHECK(std::ranges::count(text, '\n') == static_cast<std::ptrdiff_t>(result.nodes.size()) + 1);
   std::istringstream lines(text);
   std::string line, cell;
@@ -134,8 +134,8 @@ TEST_CASE("the nodes of two surfaces as a table: exact boxes that hold the point
   for (const SpaceNode& node : result.nodes) {
     std::getline(lines, line);
     std::istringstream cells(line);
-    for (const std::string& expected :
-         {std::to_string(node.id), std::string(name(node.kind)), std::to_string(node.degree)}) {
+    for (const std::string& expected : {std::to_string(node.id), std::string(name(node.kind)),
+                                        std::to_string(node.degree), std::string()}) {
       std::getline(cells, cell, ',');
       CHECK(cell == expected);
     }

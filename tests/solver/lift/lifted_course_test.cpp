@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "lift/pair_region.h"
 #include "support/catch.h"
 
 namespace exsect::lifted_course_test {
@@ -17,7 +18,7 @@ const Point origin = {0, 0, 0}, up = {0, 0, 1};
 /// All vertices are about on both surfaces, as bounded; the sum of the lengths.
 double drawn_length(const S& surface, const S& other, double tolerance) {
   return in_nearest_rounding([&] {
-    const LiftedCurve curve = lifted_curve(surface, other).value();
+    const LiftedCurve curve = lifted_curve(surface, other, pair_region(surface, other).all).value();
     double length = 0;
     std::size_t points = 0;
     for (std::size_t i = 0; i < curve.arcs.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lift/pair_region.h"
 #include "support/catch.h"
 
 namespace exsect::lifted_curve_test {
@@ -13,7 +14,7 @@ const Point origin = {0, 0, 0}, up = {0, 0, 1};
 using Shape = std::array<long, 4>;
 
 Shape shape(const ImplicitSurface& surface, const ImplicitSurface& other) {
-  const LiftedCurve curve = lifted_curve(surface, other).value();
+  const LiftedCurve curve = lifted_curve(surface, other, pair_region(surface, other).all).value();
   const auto count = [&](auto&& test) { return std::count_if(curve.nodes.begin(), curve.nodes.end(), test); };
   if (curve.is_same) return {-1, -1, -1, -1};
   return {static_cast<long>(curve.arcs.size()), count([](const LiftedNode& n) { return n.degree == 0; }),
@@ -25,7 +26,8 @@ Shape shape(const ImplicitSurface& surface, const ImplicitSurface& other) {
 
 TEST_CASE("Viviani's curve has one node, where four arcs meet") {
   const LiftedCurve curve =
-      lifted_curve(ImplicitSurface::cylinder({1, 0, 0}, up, 1), ImplicitSurface::sphere(origin, 2)).value();
+      lifted_curve(ImplicitSurface::cylinder({1, 0, 0}, up, 1), ImplicitSurface::sphere(origin, 2), {})
+          .value();
   CHECK(shape(ImplicitSurface::cylinder({1, 0, 0}, up, 1), ImplicitSurface::sphere(origin, 2))[2] == 1);
   CHECK(shape(ImplicitSurface::sphere(origin, 2), ImplicitSurface::cylinder({1, 0, 0}, up, 1))[2] == 1);
 }
