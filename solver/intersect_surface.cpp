@@ -17,6 +17,7 @@
 #include "curve/curve_course.h"
 #include "curve/curve_place.h"
 #include "curve/curve_sides.h"
+#include "curve/region_outline.h"
 #include "curve/surface_curve.h"
 #include "curve/turning_in_v.h"
 
@@ -130,25 +131,68 @@ GraphBuilder drawn_graph(const SurfaceCurve& common, const DrawnPatch& patch, do
   return builder;
 }
 
-/// The whole patch: its four sides in order around the square.
-GraphBuilder whole_patch(const DrawnPatch& patch, double tolerance) {
-  GraphBuilder builder;
-  std::vector<NodePlace> corners;
-  for (const auto& [u, v] : {std::array{0, 0}, std::array{1, 0}, std::array{1, 1}, std::array{0, 1}}) {
-    corners.push_back({RationalInterval{u, u}, RationalInterval{v, v}});
-    Node node = node_at(corners.back(), patch);
-    node.kinds = {NodeKind::boundary, NodeKind::corner, NodeKind::end_of_overlap};
-    builder.add_node(std::move(node), 0);
+/// Of the rim of what a region leaves of a patch.
+class DrawnOutline {
+ public:
+  /// `common` contains the patch.
+  DrawnOutline(SurfaceCurve common, const DrawnPatch& patch, double tolerance)
+      : outline_(outline(common.region)), common_(std::move(common)), patch_(patch), tolerance_(tolerance) {
+    common_.graph = outline_.graph;
+    for (std::size_t i = 0; i < common_.graph.nodes.size(); ++i)
+      places_.push_back(place_of(common_.graph, i, place_width(patch, tolerance)));
   }
-  std::vector<Arc> chain;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const CurveCourse course = straight_course(corners[i], corners[(i + 1) % 4], patch, tolerance);
-    chain.push_back({0, -1, static_cast<int>(i), static_cast<int>((i + 1) % 4), ArcPlace::patch_boundary,
-                     Contact::tangential, polyline_of(course), course.error_bound});
+
+  GraphBuilder run() {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      Node node = node_at(places_[i], patch_);
+      node.bounds = bounds_at(common_, i);
+      const std::size_t rims = node.on.size() + node.bounds.size();
+      if (rims > 0) node.kinds.push_back(NodeKind::boundary);
+      if (rims > 1) node.kinds.push_back(NodeKind::corner);
+      builder_.add_node(std::move(node), to_double(places_[i][0].width() + places_[i][1].width()) + 0x1p-53);
+    }
+    for (const std::size_t arc : outline_.curves) builder_.add_arc(drawn({arc, false}, 0));
+    for (const std::size_t node : outline_.points) {
+      builder_.add_kind(static_cast<int>(node), NodeKind::touch);
+      builder_.add_isolated(static_cast<int>(node));
+    }
+    for (const RegionPart& part : outline_.parts) add_part(part);
+    return std::move(builder_);
   }
-  builder.add_overlap({std::move(chain)});
-  return builder;
-}
+
+ private:
+  Arc drawn(const OutlineArc& of, int component) const {
+    const CurveBranch& arc = common_.graph.arcs[of.arc];
+    const CurveCourse course = curve_course(common_.graph, places_, of.arc, patch_, tolerance_);
+    std::vector<PolylineVertex> polyline = polyline_of(course);
+    int from = static_cast<int>(arc.from), to = static_cast<int>(arc.to);
+    const ArcPlace place = place_of_arc(arc, builder_.node(from), builder_.node(to));
+    if (of.is_reversed) {
+      std::ranges::reverse(polyline);
+      std::swap(from, to);
+    }
+    return {0, component, from, to, place, Contact::tangential, std::move(polyline), course.error_bound};
+  }
+
+  void add_part(const RegionPart& part) {
+    std::vector<std::vector<Arc>> chains;
+    for (const std::vector<OutlineArc>& chain : part.chains) {
+      chains.emplace_back();
+      for (const OutlineArc& arc : chain) {
+        chains.back().push_back(drawn(arc, -1));
+        builder_.add_kind(chains.back().back().from, NodeKind::end_of_overlap);
+      }
+    }
+    builder_.add_overlap(std::move(chains));
+  }
+
+  RegionOutline outline_;
+  SurfaceCurve common_;
+  const DrawnPatch& patch_;
+  double tolerance_;
+  std::vector<NodePlace> places_;
+  GraphBuilder builder_;
+};
 
 IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, const Run& run) {
   SurfaceCurve curve;
@@ -161,19 +205,11 @@ IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, c
   const DrawnPatch patch(x.reduced());
   const double tolerance = run.drawn_tolerance(patch.extent());
   GraphBuilder builder;
-  std::vector<Incomplete> incomplete;
   run.timed("drawing", [&] {
-    if (!curve.contains_patch)
-      builder = drawn_graph(curve, patch, tolerance);
-    else if (const RegionPlace place = place_of_square(curve.region); place == RegionPlace::inside)
-      builder = whole_patch(patch, tolerance);
-    else if (place == RegionPlace::rim)
-      incomplete.push_back(
-          {whole_domain(), surface.box().clauses.empty()
-                               ? "a patch on both nappes of the cone of which one is meant"
-                               : "a patch on the surface, of whose box it may leave a part"});
+    builder = curve.contains_patch ? DrawnOutline(std::move(curve), patch, tolerance).run()
+                                   : drawn_graph(curve, patch, tolerance);
   });
-  IntersectResult result = finished(std::move(builder), {std::move(turning)}, std::move(incomplete));
+  IntersectResult result = finished(std::move(builder), {std::move(turning)}, {});
   result.coarse = coarse_drawing(result.graph, run.tolerance(patch.extent()));
   return result;
 }

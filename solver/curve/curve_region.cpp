@@ -1,7 +1,5 @@
 #include "curve/curve_region.h"
 
-#include <exsect/algebra/tensor_bernstein.h>
-
 #include <algorithm>
 
 namespace exsect {
@@ -28,13 +26,6 @@ RegionPlace PlacedRegion::place_of(const TriangularPoint& point) const {
   const bool is_marked = place == RegionPlace::inside &&
                          std::ranges::any_of(marked_, [&](std::size_t i) { return sign_of_bound(i) == 0; });
   return is_marked ? RegionPlace::rim : place;
-}
-
-RegionPlace place_of_square(const CurveRegion& region) {
-  return place_by_signs(region.clauses, [&](std::size_t i) {
-    const RationalInterval range = range_bound(region.bounds[i], {}, 4);
-    return range.lower >= 0 ? 1 : range.upper < 0 ? -1 : 0;
-  });
 }
 
 }  // namespace exsect

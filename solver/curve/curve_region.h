@@ -46,7 +46,4 @@ class PlacedRegion {
   std::vector<std::size_t> marked_;
 };
 
-/// Where the whole unit square lies: rim if bounds of ranges do not tell.
-RegionPlace place_of_square(const CurveRegion& region);
-
 }  // namespace exsect

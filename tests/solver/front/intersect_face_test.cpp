@@ -245,12 +245,80 @@ TEST_CASE("faces far away, turned and in inches have the same curves") {
   CHECK(here.graph.nodes.size() == other.graph.nodes.size());
 }
 
-TEST_CASE("patches on the surface: in the box, beside it, or not decided") {
+/// Of the one overlap that there is: the lengths of its chains, of every arc in space.
+std::vector<double> rim_lengths(const IntersectResult& result) {
+  REQUIRE(result.graph.overlaps.size() == 1);
+  std::vector<double> lengths;
+  for (const std::vector<Arc>& chain : result.graph.overlaps[0].chains) {
+    IntersectionGraph of;
+    of.arcs = chain;
+    lengths.push_back(length_of(of));
+    for (std::size_t k = 0; k < chain.size(); ++k) CHECK(chain[k].to == chain[(k + 1) % chain.size()].from);
+  }
+  return lengths;
+}
+
+TEST_CASE("patches on the surface of a box: what the box leaves of them") {
+  const RationalPatch quarter = quarter_cylinder();
+  const double arc = std::acos(0);
+  const auto rim = [&](const SurfaceBox& box) { return rim_lengths(complete(boxed(pipe, box), quarter)); };
+  const auto near = [](const std::vector<double>& lengths, double length) {
+    return lengths.size() == 1 && std::fabs(lengths[0] - length) < 1e-4;
+  };
+  CHECK(near(rim(height(-1, 2)), 2 * arc + 2));
+  CHECK(near(rim(height(Rational(1, 3), 2)), 2 * arc + 4.0 / 3));
+  CHECK(near(rim(height(Rational(1, 3), Rational(1, 2))), 2 * arc + 1.0 / 3));
+  CHECK(near(rim(sector(east, {1, 1, 0})), arc + 2));
+  CHECK(near(rim(sector({1, 1, 7}, west)), arc + 2));
+  CHECK(near(rim({.sector = AxisSector{{4, 3, 0}, {3, 4, 0}}, .height = HeightRange{Rational(1, 2), 3}}),
+             2 * std::asin(0.28) + 1));
+  // A sector of nearly a whole turn leaves two parts.
+  const IntersectResult parts = complete(boxed(pipe, sector({3, 4, 0}, {4, 3, 0})), quarter);
+  REQUIRE(parts.graph.overlaps.size() == 2);
+  for (const Overlap& overlap : parts.graph.overlaps) CHECK(overlap.chains.size() == 1);
+  CHECK(bounds_of(parts) == Names{"sector=from", "sector=from", "sector=to", "sector=to"});
+  // On its bounds alone: a side, a corner, nothing.
+  const IntersectResult side = complete(boxed(pipe, height(1, 2)), quarter);
+  CHECK(shape(side.graph) == std::array<int, 4>{1, 0, 0, 0});
+  CHECK(std::fabs(length_of(side.graph) - arc) < 1e-4);
+  CHECK(bounds_of(side) == Names{"height=from", "height=from"});
+  const IntersectResult corner =
+      complete(boxed(pipe, {.sector = AxisSector{north, west}, .height = HeightRange{1, 2}}), quarter);
+  CHECK(shape(corner.graph) == std::array<int, 4>{0, 0, 0, 1});
+  CHECK(bounds_of(corner) == Names{"height=from", "sector=from"});
+  Rational off = 1;
+  for (int k = 1; k <= 20; ++k) off /= 10;
+  CHECK(shape(complete(boxed(pipe, height(1 + off, 2)), quarter).graph) == std::array<int, 4>{0, 0, 0, 0});
+  const IntersectResult sliver = complete(boxed(pipe, height(1 - off, 2)), quarter);
+  CHECK(near(rim_lengths(sliver), 2 * arc));
+}
+
+TEST_CASE("patches on the surface of a box: a parallelogram, and one nappe of two") {
+  const ImplicitSurface cone = ImplicitSurface::cone(origin, up, 1);
+  // Both nappes of x^2 + y^2 = z^2 over a quarter turn: radius and height run from -1 to 1.
+  std::vector<std::vector<HomogeneousPoint>> net(3);
+  for (const int z : {-1, 1}) {
+    net[0].push_back({z, 0, z, 1});
+    net[1].push_back({z, z, z, 1});
+    net[2].push_back({0, 2 * z, 2 * z, 2});
+  }
+  const RationalPatch both = RationalPatch::from_homogeneous(net);
+  const IntersectResult upper = complete(cone, both);
+  CHECK(rim_lengths(upper).size() == 1);
+  CHECK(std::fabs(rim_lengths(upper)[0] - std::acos(0) - 2 * std::sqrt(2.0)) < 1e-4);
+  const IntersectResult all = complete(ImplicitSurface::cone(origin, up, 1, 2), both);
+  CHECK(std::fabs(rim_lengths(all)[0] - 2 * std::acos(0) - 4 * std::sqrt(2.0)) < 1e-4);
+  // A parallelogram inside of a plane patch.
+  const ImplicitSurface floor = ImplicitSurface::plane(origin, up);
+  const SurfaceBox tile{.sides = std::array{Point{1, 0, 0}, Point{1, 1, 0}}};
+  CHECK(std::fabs(rim_lengths(complete(boxed(floor, tile), level(0)))[0] - 2 - 2 * std::sqrt(2.0)) < 1e-4);
+}
+
+TEST_CASE("patches on the surface: in the box, or beside it") {
   const RationalPatch quarter = quarter_cylinder();
   const ImplicitSurface face = boxed(pipe, {.sector = AxisSector{east, north}, .height = HeightRange{0, 1}});
   CHECK(complete(face, quarter).graph.overlaps.size() == 1);
   CHECK(complete(boxed(pipe, height(2, 3)), quarter).graph.overlaps.empty());
-  CHECK(intersect(boxed(pipe, height(Rational(1, 2), 3)), quarter).status == Status::incomplete);
   CHECK(intersect(face, face).is_same);
   CHECK(intersect(face, pipe).status == Status::incomplete);
 }
