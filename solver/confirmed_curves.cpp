@@ -8,6 +8,7 @@
 
 #include "answer/finished_result.h"
 #include "answer/parameter_box.h"
+#include "answer/proof.h"
 #include "eliminant/critical_values.h"
 #include "filter/filter.h"
 #include "line/exact_line_points.h"
@@ -37,7 +38,7 @@ class Confirmation {
     }
     const std::vector<Incomplete> contradictions = compare_with_exchanged(found->result.graph);
     if (contradictions.empty()) {
-      return std::move(found->result);
+      return with_these_boxes(std::move(found->result));
     }
     return finished(GraphBuilder(std::move(found->result.graph)), {}, contradictions);
   }
@@ -128,6 +129,15 @@ class Confirmation {
         return;
       }
     }
+  }
+
+  /// Whenever it is drawn.
+  IntersectResult with_these_boxes(IntersectResult result) const {
+    std::vector<ParameterBox> boxes;
+    for (const Node& node : result.graph.nodes) boxes.push_back(node.box);
+    return changed(std::move(result), run_, [boxes = std::move(boxes)](IntersectResult& drawn, const Run&) {
+      for (std::size_t i = 0; i < boxes.size(); ++i) drawn.graph.nodes[i].box = boxes[i];
+    });
   }
 
   const BezierPatch& x_;

@@ -2,9 +2,9 @@
 
 #include <exsect/algebra/nearest_rounding.h>
 
-#include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
-#include "answer/placement.h"
+#include "answer/placed_result.h"
+#include "answer/proof.h"
 #include "confirmed_curves.h"
 #include "filter/filter.h"
 #include "intersect_exactly.h"
@@ -31,12 +31,11 @@ IntersectResult intersect_in_place(const Run& run, const BezierPatch& x, const B
   if (!run.exact())
     if (auto found = intersect_filtered(x, y, run)) return *std::move(found);
   const auto place = Placement::of(x, y);
-  IntersectResult result = place ? intersect_within(run.with_tolerance(place->left_of(run.tolerance(1))),
-                                                    place->placed(x), place->placed(y))
-                                 : intersect_beyond_filter(run, x, y);
-  if (place) place->restore(result.graph);
-  result.coarse = coarse_drawing(result.graph, run.tolerance(to_double(model_extent(x, y))));
-  return result;
+  const auto solve = [&](const Run& in_place) {
+    return place ? intersect_within(in_place, place->placed(x), place->placed(y))
+                 : intersect_beyond_filter(in_place, x, y);
+  };
+  return solved_in_place(place, to_double(model_extent(x, y)), run, solve);
 }
 
 }  // namespace
@@ -44,9 +43,11 @@ IntersectResult intersect_in_place(const Run& run, const BezierPatch& x, const B
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
-    return run.finished(with_signs_beside(x, y, run, [&](const Run& part) {
+    IntersectResult answer = run.finished(with_signs_beside(x, y, run, [&](const Run& part) {
       return answered(part, [&] { return intersect_in_place(part, x, y); });
     }));
+    const auto again = [x, y](const IntersectOptions& other) { return intersect(x, y, other); };
+    return answer_to(options, std::move(answer), again);
   });
 }
 

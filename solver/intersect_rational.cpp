@@ -7,6 +7,7 @@
 
 #include "answer/finished_result.h"
 #include "answer/parameter_names.h"
+#include "answer/proof.h"
 #include "answer/run.h"
 #include "filter/filter.h"
 #include "intersect.h"
@@ -21,13 +22,17 @@ namespace {
 IntersectResult intersect_in_either_order(const RationalPatch& x, const RationalPatch& y, const Run& run) {
   IntersectResult result = intersect_in_doubles(x, y, run);
   if (result.status == Status::complete || run.out_of_time()) return result;
-  const auto exchanged = [](Parameter p) { return all_parameters[(index(p) + 2) % 4]; };
-  std::vector<Parameter> turning;
-  for (const Parameter p : run.turning()) turning.push_back(exchanged(p));
-  IntersectResult other = intersect_in_doubles(y, x, run.with_turning(std::move(turning)));
+  const OtherRun exchanged = [](const Run& given) {
+    std::vector<Parameter> turning;
+    for (const Parameter p : given.turning()) turning.push_back(all_parameters[(index(p) + 2) % 4]);
+    return given.with_turning(std::move(turning));
+  };
+  IntersectResult other = intersect_in_doubles(y, x, exchanged(run));
   if (other.status != Status::complete) return result;
-  rename_parameters(other, {Parameter::r, Parameter::s, Parameter::u, Parameter::v});
-  return other;
+  const auto rename = [](IntersectResult& renamed, const Run&) {
+    rename_parameters(renamed, {Parameter::r, Parameter::s, Parameter::u, Parameter::v});
+  };
+  return changed(std::move(other), run, rename, exchanged);
 }
 
 }  // namespace
@@ -43,7 +48,8 @@ IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const 
       return answered(part, [&] { return intersect_in_either_order(x, y, part); });
     });
     if (result.status != Status::complete) run.count("filtered", 1);
-    return run.finished(std::move(result));
+    const auto again = [x, y](const IntersectOptions& other) { return intersect(x, y, other); };
+    return answer_to(options, run.finished(std::move(result)), again);
   });
 }
 

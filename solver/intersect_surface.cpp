@@ -4,6 +4,7 @@
 #include <exsect/geometry/bounding_box.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -11,7 +12,8 @@
 #include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/parameter_box.h"
-#include "answer/placement.h"
+#include "answer/placed_result.h"
+#include "answer/proof.h"
 #include "answer/proof_failure.h"
 #include "answer/run.h"
 #include "curve/curve_course.h"
@@ -194,37 +196,39 @@ class DrawnOutline {
   GraphBuilder builder_;
 };
 
-IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, const Run& run) {
+/// The curve of a surface and a patch.
+struct KnownCurve {
   SurfaceCurve curve;
-  run.timed("curve", [&] { curve = surface_curve(surface, x); });
-  std::vector<Parameter> turning = {Parameter::u};
-  if (std::ranges::find(run.turning(), Parameter::v) != run.turning().end()) {
-    turning.push_back(Parameter::v);
-    run.timed("turning", [&] { curve.graph = with_turning_in_v(std::move(curve.graph)); });
-  }
-  const DrawnPatch patch(x.reduced());
+  RationalPatch patch;
+  std::vector<Parameter> turning;
+};
+
+IntersectResult drawn(const KnownCurve& known, const Run& run) {
+  const DrawnPatch patch(known.patch);
   const double tolerance = run.drawn_tolerance(patch.extent());
   GraphBuilder builder;
-  run.timed("drawing", [&] {
-    builder = curve.contains_patch ? DrawnOutline(std::move(curve), patch, tolerance).run()
-                                   : drawn_graph(curve, patch, tolerance);
-  });
-  IntersectResult result = finished(std::move(builder), {std::move(turning)}, {});
+  if (known.curve.contains_patch)
+    builder = DrawnOutline(known.curve, patch, tolerance).run();
+  else
+    builder = drawn_graph(known.curve, patch, tolerance);
+  IntersectResult result = finished(std::move(builder), {known.turning}, {});
   result.coarse = coarse_drawing(result.graph, run.tolerance(patch.extent()));
   return result;
 }
 
-/// The model is moved and scaled where that helps.
-IntersectResult solved_in_place(const ImplicitSurface& surface, const RationalPatch& x, const Run& run) {
-  const BoundingBox box = bounding_box(x);
-  const std::array<Point, 2> corners = {box.lower, box.upper};
-  const auto place = Placement::of(corners);
-  if (!place) return solved(surface, x, run);
-  IntersectResult result =
-      solved(place->placed(surface), place->placed(x), run.with_tolerance(place->left_of(run.tolerance(1))));
-  place->restore(result.graph);
-  result.coarse = coarse_drawing(result.graph, run.tolerance(to_double(model_extent(corners))));
-  return result;
+IntersectResult solved(const ImplicitSurface& surface, const RationalPatch& x, const Run& run) {
+  KnownCurve known{{}, x.reduced(), {Parameter::u}};
+  run.timed("curve", [&] { known.curve = surface_curve(surface, x); });
+  if (std::ranges::find(run.turning(), Parameter::v) != run.turning().end()) {
+    known.turning.push_back(Parameter::v);
+    run.timed("turning", [&] { known.curve.graph = with_turning_in_v(std::move(known.curve.graph)); });
+  }
+  const auto kept = std::make_shared<const KnownCurve>(std::move(known));
+  std::optional<IntersectResult> result;
+  run.timed("drawing", [&] {
+    result = first_drawn([kept](const Run& given) { return std::optional(drawn(*kept, given)); }, run);
+  });
+  return *std::move(result);
 }
 
 }  // namespace
@@ -233,7 +237,17 @@ IntersectResult intersect(const ImplicitSurface& surface, const RationalPatch& x
                           const IntersectOptions& options) {
   return in_nearest_rounding([&] {
     const Run run(options);
-    return run.finished(answered(run, [&] { return solved_in_place(surface, x, run); }));
+    const BoundingBox box = bounding_box(x);
+    const std::array<Point, 2> corners = {box.lower, box.upper};
+    const auto place = Placement::of(corners);
+    IntersectResult result = run.finished(answered(run, [&] {
+      return !place ? solved(surface, x, run)
+                    : solved_in_place(place, to_double(model_extent(corners)), run, [&](const Run& about) {
+                        return solved(place->placed(surface), place->placed(x), about);
+                      });
+    }));
+    return answer_to(options, std::move(result),
+                     [surface, x](const IntersectOptions& other) { return intersect(surface, x, other); });
   });
 }
 

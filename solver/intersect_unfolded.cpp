@@ -1,5 +1,8 @@
 #include "intersect_unfolded.h"
 
+#include <utility>
+
+#include "answer/proof.h"
 #include "intersect_within.h"
 #include "special/unfolded_parameters.h"
 
@@ -9,7 +12,10 @@ std::optional<IntersectResult> intersect_unfolded(const BezierPatch& x, const Be
                                                   const Run& run) {
   const std::optional<UnfoldedPair> pair = unfolded_pair(x, y);
   if (!pair) return std::nullopt;
-  return folded_back(*pair, intersect_within(run, pair->x, pair->y), x, y, run);
+  const auto fold_back = [pair, x, y](IntersectResult& result, const Run& given) {
+    result = folded_back(*pair, std::move(result), x, y, given);
+  };
+  return changed(intersect_within(run, pair->x, pair->y), run, fold_back);
 }
 
 }  // namespace exsect

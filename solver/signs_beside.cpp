@@ -8,6 +8,8 @@
 
 #include "answer/arc_joints.h"
 #include "answer/finished_result.h"
+#include "answer/graph_builder.h"
+#include "answer/proof.h"
 #include "trace/patch_jet.h"
 
 namespace exsect {
@@ -259,12 +261,19 @@ class SideFinder {
 
 bool is_transversal(const Arc& arc) { return arc.contact == Contact::transversal && arc.free.empty(); }
 
-/// Returns whether all transversal arcs have their signs.
+bool is_answer(const IntersectResult& result) {
+  return result.status == Status::complete && !result.graph.nodes.empty();
+}
+
 template <class Patch>
-bool add_signs(IntersectionGraph& graph, const Patch& x, const Patch& y,
+void add_signs(IntersectionGraph& graph, const Patch& x, const Patch& y,
                const std::vector<Parameter>& turning) {
   if (!SideFinder<DoubleBall>(graph, x, y, turning).run())
     SideFinder<ArbBall<256>>(graph, x, y, turning).run();
+}
+
+/// All transversal arcs have their signs.
+bool has_signs(const IntersectionGraph& graph) {
   return std::ranges::all_of(graph.arcs, [](const Arc& arc) { return arc.beside || !is_transversal(arc); });
 }
 
@@ -281,14 +290,18 @@ template <class Patch>
 IntersectResult with_signs(const Patch& x, const Patch& y, const Run& run,
                            const std::function<IntersectResult(const Run&)>& solve) {
   const std::vector<Parameter> all(all_parameters.begin(), all_parameters.end());
-  IntersectResult result = solve(run);
-  if (result.status != Status::complete || result.graph.nodes.empty() ||
-      add_signs(result.graph, x, y, run.turning()) || run.turning().size() == all.size())
-    return result;
-  IntersectResult again = solve(run.with_turning(all));
-  if (again.status != Status::complete || !add_signs(again.graph, x, y, all)) return result;
-  again = joined(std::move(again), run.turning());
-  return again.status == Status::complete ? again : result;
+  IntersectResult result = changed(solve(run), run, [x, y](IntersectResult& of, const Run& asked) {
+    if (is_answer(of)) add_signs(of.graph, x, y, asked.turning());
+  });
+  if (!is_answer(result) || has_signs(result.graph) || run.turning().size() == all.size()) return result;
+  const auto add_and_join = [x, y, all](IntersectResult& of, const Run& asked) {
+    if (!is_answer(of)) return;
+    add_signs(of.graph, x, y, all);
+    of = joined(std::move(of), asked.turning());
+  };
+  IntersectResult again = changed(solve(run.with_turning(all)), run, add_and_join,
+                                  [all](const Run& asked) { return asked.with_turning(all); });
+  return again.status == Status::complete && has_signs(again.graph) ? again : result;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <exsect/solver/intersection_graph.h>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@
 namespace exsect {
 
 enum class Status { complete, incomplete };
+
+/// What was proved, for redrawn(). Immutable; it owns all that it refers to.
+struct Proof;
 
 /// Milliseconds spent and counts of steps ("tubes", "fibres", ...), for reports and benchmarks.
 struct Work {
@@ -36,6 +40,8 @@ struct IntersectResult {
   /// Polylines do not all keep within the tolerance, because doubles cannot write or draw them that finely.
   /// It does not make the result incomplete: nodes, arcs and their parameters are proved all the same.
   std::optional<CoarseDrawing> coarse = {};
+  /// Shared by copies, and by what is drawn from it.
+  std::shared_ptr<const Proof> proof = {};
 };
 
 }  // namespace exsect

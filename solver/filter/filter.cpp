@@ -4,20 +4,17 @@
 #include <cmath>
 #include <type_traits>
 
-#include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
-#include "answer/graph_builder.h"
 #include "answer/parameter_box.h"
 #include "answer/parameter_names.h"
-#include "answer/placement.h"
+#include "answer/placed_result.h"
+#include "answer/proof.h"
 #include "filter/affine_parameters.h"
 #include "filter/contact_finder.h"
-#include "filter/contact_graph.h"
 #include "filter/ended_search.h"
 #include "filter/exact_turning.h"
-#include "filter/graph.h"
+#include "filter/known_pair.h"
 #include "filter/loops.h"
-#include "filter/overlap.h"
 #include "filter/side_point_search.h"
 #include "trace/turning_points.h"
 
@@ -34,15 +31,7 @@ using filter::TraceOf;
 constexpr std::size_t kMostDoublePoints = 8;
 /// Of the tolerance, for the chords from ports to double points.
 constexpr double kPortShare = 0.9;
-/// Relative to the extent, of polylines with too many vertices; and by how much the next ones are coarser.
-constexpr double kCoarsest = 1e-3;
-constexpr double kCoarser = 64;
 constexpr std::array<std::size_t, 4> kNoneCoincident = {0, 1, 2, 3};
-
-/// One arc ends in a BoundaryPoint on a single side.
-std::optional<int> arcs_at_sides(const Node& node) {
-  return node.on.size() == 1 ? std::optional(1) : std::nullopt;
-}
 
 template <class K>
 class FilteredIntersection {
@@ -74,13 +63,13 @@ class FilteredIntersection {
       return std::nullopt;
     }
     if (!contacts->empty() && filter::meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
-      return with_contacts(*pair, *contacts, {}, {});
+      return drawn(known(*pair, *std::move(contacts)));
     }
     auto points = filter::boundary_points(*pair, *contacts, trees, boxes_);
     if (!points && !with_stations_ && add_side_paths(*pair, trees, *contacts)) {
       boxes_ = 0;
       if (filter::meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
-        return with_contacts(*pair, *contacts, {}, {});
+        return drawn(known(*pair, *std::move(contacts)));
       }
       points = filter::boundary_points(*pair, *contacts, trees, boxes_);
     }
@@ -98,14 +87,16 @@ class FilteredIntersection {
     if (!find_turns(*pair, *points, traces, curves)) {
       return std::nullopt;
     }
-    auto graph = drawn(*pair, *points, curves);
-    if (!graph) {
-      return std::nullopt;
-    }
     if (with_stations_) {
       find_stations(*points, curves);
     }
-    return with_contacts(*pair, *contacts, std::move(*graph), curves);
+    filter::KnownPair<K> all = known(*pair, *std::move(contacts));
+    all.points = *std::move(points);
+    all.double_points = double_points_;
+    all.curves = std::move(curves);
+    all.coincident = coincident_;
+    all.finest_vertices = with_stations_;
+    return drawn(std::move(all));
   }
 
   /// Where the search ended undecided, centred; empty if that is no place.
@@ -119,23 +110,6 @@ class FilteredIntersection {
   /// Whether the questions are answered that need exact forms of the patches.
   static constexpr bool kExactBehind = std::is_same_v<K, Biquadratic>;
 
-  /// What polylines keep within is no question of topology: with nothing behind, any bound is taken.
-  std::optional<GraphBuilder> drawn(const filter::PairOf<K>& pair,
-                                    const std::vector<BoundaryPointOf<K>>& points,
-                                    const std::vector<AnalysedTraceOf<K>>& curves) const {
-    const auto graph_within = [&](double tolerance) {
-      return filter::make_graph(
-          pair, points, double_points_, curves, run_.turning(), coincident_,
-          {tolerance, with_stations_ ? 0 : tolerance, kExactBehind ? tolerance : pair.extent});
-    };
-    double tolerance = run_.drawn_tolerance(pair.extent);
-    auto graph = graph_within(tolerance);
-    for (; !kExactBehind && !graph && tolerance < kCoarsest * pair.extent; tolerance *= kCoarser) {
-      graph = graph_within(kCoarser * tolerance);
-    }
-    return graph;
-  }
-
   bool add_side_paths(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees,
                       filter::ContactsOf<K>& contacts) const {
     return filter::add_side_paths<K>(x_, y_, pair, trees, contacts);
@@ -145,26 +119,21 @@ class FilteredIntersection {
     if (with_stations_) {
       return std::nullopt;
     }
-    const double tolerance = run_.drawn_tolerance(pair.extent);
-    auto graph = filter::overlap_of_pieces<K>(x_, y_, pair, trees, tolerance,
-                                              kExactBehind ? tolerance : pair.extent, boxes_);
-    return graph ? with_contacts(pair, {}, std::move(*graph), {}) : std::nullopt;
+    auto overlap = filter::overlap_of_pieces<K>(x_, y_, pair, trees, boxes_);
+    if (!overlap) return std::nullopt;
+    filter::KnownPair<K> all = known(pair, {});
+    all.overlap = *std::move(overlap);
+    return drawn(std::move(all));
   }
 
-  std::optional<IntersectResult> with_contacts(const filter::PairOf<K>& pair,
-                                               const filter::ContactsOf<K>& contacts, GraphBuilder graph,
-                                               const std::vector<AnalysedTraceOf<K>>& curves) const {
-    const double tolerance = run_.drawn_tolerance(pair.extent);
-    const double accepted = kExactBehind ? tolerance : pair.extent;
-    if (!filter::append_contacts(x_, y_, pair, contacts, tolerance, accepted, graph) || run_.out_of_time()) {
-      return std::nullopt;
-    }
-    IntersectResult result = finished(std::move(graph), {run_.turning(), arcs_at_sides}, {});
-    if (result.status != Status::complete) {
-      return std::nullopt;
-    }
-    result.coarse = coarse_drawing(result.graph, run_.tolerance(pair.extent));
-    record(curves, result.graph);
+  filter::KnownPair<K> known(const filter::PairOf<K>& pair, filter::ContactsOf<K> contacts) const {
+    return {x_, y_, pair, {}, std::move(contacts), {}, {}, {}, kNoneCoincident, false};
+  }
+
+  std::optional<IntersectResult> drawn(filter::KnownPair<K> all) const {
+    const auto kept = std::make_shared<const filter::KnownPair<K>>(std::move(all));
+    auto result = first_drawn([kept](const Run& run) { return filter::drawn(*kept, run); }, run_);
+    if (result) record(kept->curves, result->graph);
     return result;
   }
 
@@ -334,9 +303,10 @@ std::optional<IntersectResult> in_affine_parameters(const ExactPatch<K>& x, cons
     if (!ratios) return std::nullopt;
     auto result = FilteredIntersection<K>(x, filter::in_other_parameters<K>(y, *ratios), run).run();
     if (!result) return std::nullopt;
-    change_parameter(*result, Parameter::r, (*ratios)[0]);
-    change_parameter(*result, Parameter::s, (*ratios)[1]);
-    return result;
+    return changed(*std::move(result), run, [ratios](IntersectResult& other, const Run&) {
+      change_parameter(other, Parameter::r, (*ratios)[0]);
+      change_parameter(other, Parameter::s, (*ratios)[1]);
+    });
   }
 }
 
@@ -364,10 +334,8 @@ IntersectResult intersect_elevated(ExactPatch<K> x, ExactPatch<K> y, const Run& 
   const auto place = Placement::of(points);
   if (!place) return result;
   for (ExactPatch<K>* patch : {&x, &y}) *patch = filter::placed(*patch, *place);
-  result = solved_pair<K>(x, y, run.with_tolerance(place->left_of(run.tolerance(1))));
-  place->restore(result.graph);
-  result.coarse = coarse_drawing(result.graph, run.tolerance(to_double(model_extent(points))));
-  return result;
+  return solved_in_place(place, to_double(model_extent(points)), run,
+                         [&](const Run& about_origin) { return solved_pair<K>(x, y, about_origin); });
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "filter/affine_parameters.h"
 #include "filter/mean_derivatives.h"
 #include "filter/tube.h"
-#include "shape/shifted_copy.h"
 
 namespace exsect::filter {
 
@@ -19,14 +18,6 @@ constexpr long kMostBoxesApart = 6000;
 constexpr int kDeepestApart = 24;  // levels of both patches together
 /// Coefficients below this may be zero but for rounding, and directions that differ by less the same one.
 constexpr double kCloseDirections = 0x1p-30;
-
-/// (u,v) = (maps[0](r), maps[1](s)), or (maps[0](s), maps[1](r)) if exchanged.
-struct Pieces {
-  std::array<AffineMap, 2> maps;
-  bool exchanged;
-
-  std::size_t parameter(std::size_t of_x) const { return exchanged ? 1 - of_x : of_x; }
-};
 
 /// The degrees in both parameters, but for coefficients that may be zero.
 template <class K>
@@ -84,7 +75,8 @@ bool may_overlap(const PairOf<K>& pair, bool exchanged) {
 }
 
 template <class K>
-std::optional<Pieces> find_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair) {
+std::optional<OverlapOfPieces> find_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                           const PairOf<K>& pair) {
   for (const bool exchanged : {false, true}) {
     if (!may_overlap<K>(pair, exchanged)) continue;
     ControlVectors of_y = control_vectors(y);
@@ -94,7 +86,7 @@ std::optional<Pieces> find_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y
       }
     }
     const auto copy = shifted_copy(control_vectors(x), of_y);
-    if (copy) return Pieces{copy->maps, exchanged};
+    if (copy) return OverlapOfPieces{copy->maps, exchanged};
   }
   return std::nullopt;
 }
@@ -118,7 +110,7 @@ std::array<Vec<N>, 3> dual_rows(const std::array<Vec<N>, 3>& a) {
 template <class K>
 class InjectivityProof {
  public:
-  InjectivityProof(const PairOf<K>& pair, const Pieces& pieces, TreesOf<K>& trees, long& boxes)
+  InjectivityProof(const PairOf<K>& pair, const OverlapOfPieces& pieces, TreesOf<K>& trees, long& boxes)
       : pair_(pair), pieces_(pieces), trees_(trees), boxes_(boxes) {
     for (std::size_t i = 0; i < 2; ++i) {
       const AffineMap& map = pieces.maps[i];
@@ -226,7 +218,7 @@ class InjectivityProof {
   }
 
   const PairOf<K>& pair_;
-  const Pieces& pieces_;
+  const OverlapOfPieces& pieces_;
   TreesOf<K>& trees_;
   long& boxes_;
   std::array<double, 2> offset_{};  // of the maps of centred parameters
@@ -244,7 +236,7 @@ RationalInterval part_in_square(const AffineMap& map) {
 /// Rims are drawn within `tolerance` where that can be, and have to be within `accepted`.
 class OverlapGraph {
  public:
-  OverlapGraph(const RationalPatch& x, const Pieces& pieces, double tolerance, double accepted)
+  OverlapGraph(const RationalPatch& x, const OverlapOfPieces& pieces, double tolerance, double accepted)
       : x_(x), pieces_(pieces), tolerance_(tolerance), accepted_(accepted) {}
 
   std::optional<GraphBuilder> run(const RationalInterval& u, const RationalInterval& v) {
@@ -275,7 +267,7 @@ class OverlapGraph {
   }
 
   const RationalPatch& x_;
-  const Pieces& pieces_;
+  const OverlapOfPieces& pieces_;
   double tolerance_;
   double accepted_;
   GraphBuilder graph_;
@@ -284,9 +276,8 @@ class OverlapGraph {
 }  // namespace
 
 template <class K>
-std::optional<GraphBuilder> overlap_of_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y,
-                                              const PairOf<K>& pair, TreesOf<K>& trees, double tolerance,
-                                              double accepted, long& boxes) {
+std::optional<OverlapOfPieces> overlap_of_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                                 const PairOf<K>& pair, TreesOf<K>& trees, long& boxes) {
   const auto pieces = find_pieces<K>(x, y, pair);
   if (!pieces) {
     return std::nullopt;
@@ -296,12 +287,18 @@ std::optional<GraphBuilder> overlap_of_pieces(const ExactPatch<K>& x, const Exac
   if (!(u.lower < u.upper && v.lower < v.upper) || !InjectivityProof<K>(pair, *pieces, trees, boxes).run()) {
     return std::nullopt;
   }
-  return OverlapGraph(rational_patch(x), *pieces, tolerance, accepted).run(u, v);
+  return pieces;
 }
 
-#define EXSECT_INSTANTIATE(K)                                \
-  template std::optional<GraphBuilder> overlap_of_pieces<K>( \
-      const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, TreesOf<K>&, double, double, long&);
+std::optional<GraphBuilder> overlap_graph(const RationalPatch& x, const OverlapOfPieces& overlap,
+                                          double tolerance, double accepted) {
+  return OverlapGraph(x, overlap, tolerance, accepted)
+      .run(part_in_square(overlap.maps[0]), part_in_square(overlap.maps[1]));
+}
+
+#define EXSECT_INSTANTIATE(K)                                                                              \
+  template std::optional<OverlapOfPieces> overlap_of_pieces<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
+                                                               const PairOf<K>&, TreesOf<K>&, long&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

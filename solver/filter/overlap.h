@@ -4,16 +4,28 @@
 
 #include "answer/graph_builder.h"
 #include "filter/pieces.h"
+#include "shape/shifted_copy.h"
 
 namespace exsect::filter {
 
-/// The graph, if y is x in other parameters, each an affine function of one of x, the surface is injective on
-/// both squares together, and these have a rectangle in common: that is an overlap and there is nothing else.
-/// Empty if that is not so, or not proved, or a polyline cannot keep within `accepted`; it keeps within
-/// `tolerance` (space units, both) if it can. `boxes` counts the pairs looked at.
+/// y is x in other parameters: (u,v) = (maps[0](r), maps[1](s)), or (maps[0](s), maps[1](r)) if exchanged.
+/// The surface is injective on both squares together, and these have a rectangle in common: that is an
+/// overlap and there is nothing else.
+struct OverlapOfPieces {
+  std::array<AffineMap, 2> maps;
+  bool exchanged;
+
+  std::size_t parameter(std::size_t of_x) const { return exchanged ? 1 - of_x : of_x; }
+};
+
+/// Empty if that is not so, or not proved. `boxes` counts the pairs looked at.
 template <class K>
-std::optional<GraphBuilder> overlap_of_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y,
-                                              const PairOf<K>& pair, TreesOf<K>& trees, double tolerance,
-                                              double accepted, long& boxes);
+std::optional<OverlapOfPieces> overlap_of_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                                 const PairOf<K>& pair, TreesOf<K>& trees, long& boxes);
+
+/// The graph of the overlap. Empty if a polyline cannot keep within `accepted`; it keeps within `tolerance`
+/// (space units, both) if it can.
+std::optional<GraphBuilder> overlap_graph(const RationalPatch& x, const OverlapOfPieces& overlap,
+                                          double tolerance, double accepted);
 
 }  // namespace exsect::filter

@@ -9,13 +9,13 @@
 #include <utility>
 
 #include "answer/arc_joints.h"
-#include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
 #include "answer/graph_builder.h"
 #include "answer/left_open.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
-#include "answer/placement.h"
+#include "answer/placed_result.h"
+#include "answer/proof.h"
 #include "self/curves.h"
 #include "self/cut_self_intersection.h"
 #include "self/degenerate.h"
@@ -262,16 +262,14 @@ class SelfIntersection {
 IntersectResult self_intersect(const BezierPatch& x, const IntersectOptions& options) {
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
-    return run.finished(answered(run, [&] {
+    IntersectResult result = run.finished(answered(run, [&] {
       const auto place = Placement::of(x, x);
-      IntersectResult result =
-          place
-              ? self_intersect_within(run.with_tolerance(place->left_of(run.tolerance(1))), place->placed(x))
-              : self_intersect_within(run, x);
-      if (place) place->restore(result.graph);
-      result.coarse = coarse_drawing(result.graph, run.tolerance(to_double(model_extent(x, x))));
-      return result;
+      return solved_in_place(place, to_double(model_extent(x, x)), run, [&](const Run& in_place) {
+        return self_intersect_within(in_place, place ? place->placed(x) : x);
+      });
     }));
+    return answer_to(options, std::move(result),
+                     [x](const IntersectOptions& other) { return self_intersect(x, other); });
   });
 }
 

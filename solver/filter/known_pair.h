@@ -1,0 +1,30 @@
+// What doubles have proved of a pair, and its drawing. Internal to solver/; docs/method.md, section 14.6.
+#pragma once
+
+#include "filter/graph.h"
+#include "filter/overlap.h"
+
+namespace exsect::filter {
+
+/// The contacts, curves and double points are the whole intersection, or the overlap is. It refers to nothing
+/// else.
+template <class K>
+struct KnownPair {
+  ExactPatch<K> x;
+  ExactPatch<K> y;
+  PairOf<K> pair;
+  std::optional<OverlapOfPieces> overlap;
+  ContactsOf<K> contacts;
+  std::vector<BoundaryPointOf<K>> points;
+  std::vector<DoublePointOf<K>> double_points;
+  std::vector<AnalysedTraceOf<K>> curves;
+  std::array<std::size_t, 4> coincident;  // coincident[i] turns where i does
+  bool finest_vertices;                   // as near to the curve as doubles can be
+};
+
+/// The complete result, with polylines within the tolerance of the run; those of patches that are not
+/// biquadratic may be coarser. Empty if that is not proved, or the time is over.
+template <class K>
+std::optional<IntersectResult> drawn(const KnownPair<K>& known, const Run& run);
+
+}  // namespace exsect::filter
