@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
-#include "answer/arc_joints.h"
 #include "answer/finished_result.h"
-#include "answer/graph_builder.h"
 #include "answer/left_open.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
@@ -20,34 +19,21 @@
 #include "self/cut_self_intersection.h"
 #include "self/degenerate.h"
 #include "self/folds.h"
-#include "self/graph.h"
-#include "self/pair_orders.h"
 #include "self/self_intersect_within.h"
-#include "self/star_graph.h"
+#include "self/traced_self.h"
 #include "self/turning_pairs.h"
 #include "shape/coincident_parameters.h"
-#include "trace/landmark_node.h"
-#include "trace/regular_degree.h"
 #include "trace/turning_points.h"
 
 namespace exsect {
 
 namespace {
 
-std::vector<Parameter> in_both_orders(const std::vector<Parameter>& wanted) {
-  std::vector<Parameter> result;
-  for (const Parameter p : all_parameters)
-    if (std::ranges::any_of(wanted, [p](Parameter q) { return index(p) % 2 == index(q) % 2; }))
-      result.push_back(p);
-  return result;
-}
-
 class SelfIntersection {
  public:
   SelfIntersection(const BezierPatch& x, const Run& run, const std::vector<PairCut>& cuts)
       : x_(x),
         run_(run),
-        turning_(in_both_orders(run.turning())),
         cuts_(cuts),
         scaling_(model_scale(x, x)),
         in_doubles_(x, scaling_.origin, scaling_.frame.exponent),
@@ -55,19 +41,20 @@ class SelfIntersection {
 
   IntersectResult run() {
     find();
-    join_orders(graph_, exact_.boundary.mate);
-    const auto is_wanted = [this](Parameter p) { return std::ranges::count(run_.turning(), p) > 0; };
-    if (!std::ranges::all_of(turning_, is_wanted)) join_at_other_turning_points(graph_, 0, 0, run_.turning());
-    return finished(std::move(graph_), {run_.turning(), RegularDegree(x_, x_), true},
-                    std::move(result_.incomplete));
+    return kept(std::move(known_), run_);
   }
 
   std::optional<CutSelfIntersection> run_with_cuts() {
     find();
-    const bool collapsed = std::ranges::any_of(graph_.nodes(), [](const Node& n) { return !n.free.empty(); });
-    if (!result_.incomplete.empty() || collapsed || nodes_of_cuts_.size() != cuts_.size())
+    if (!known_.incomplete.empty() || !known_.collapsed_sides.empty() || places_.size() != cuts_.size())
       return std::nullopt;
-    return CutSelfIntersection{std::move(graph_), std::move(nodes_of_cuts_)};
+    CutSelfIntersection result{drawn_pairs(known_, run_), {}};
+    for (const std::vector<CutPlace>& cut : places_) {
+      result.cuts.emplace_back();
+      for (const CutPlace& place : cut)
+        result.cuts.back().push_back({node_at(result.graph, place), place.exchanged});
+    }
+    return result;
   }
 
  private:
@@ -77,7 +64,11 @@ class SelfIntersection {
     if (!injective) {
       find_curves();
     }
-    add_collapsed_sides();
+    known_.mates = exact_.boundary.mate;
+    known_.has_stars = !exact_.stars.empty();
+    for (const std::array<int, 2>& side : exact_.injective.along_sides)
+      if (is_collapsed_side(x_, static_cast<std::size_t>(side[0]), side[1]))
+        known_.collapsed_sides.push_back(side);
   }
 
   template <class Step>
@@ -87,16 +78,16 @@ class SelfIntersection {
 
   void find_curves() {
     if (run_.out_of_time()) {
-      result_.incomplete.push_back(out_of_time(whole_domain()));
+      known_.incomplete.push_back(out_of_time(whole_domain()));
       return;
     }
     timed("exact places", [this] { find_exact_places(); });
     if (run_.out_of_time()) {
-      result_.incomplete.push_back(out_of_time(whole_domain()));
+      known_.incomplete.push_back(out_of_time(whole_domain()));
       return;
     }
     if (!exact_.boundary.problems.empty()) {
-      result_.incomplete = exact_.boundary.problems;
+      known_.incomplete = exact_.boundary.problems;
       return;
     }
     const SelfSystem<ArbBall<256>> in_balls(x_, scaling_.origin, scaling_.frame.exponent);
@@ -166,10 +157,9 @@ class SelfIntersection {
     } while (!found.problems.empty() && !run_.out_of_time() && can_try_again(found, allowed, effort));
     cut_short_ = cut_short_ || found.is_cut_short;
     const bool last = longest && (allowed == SearchEffort::whole || !cut_short_);
-    std::vector<std::vector<CutPlace>> places;
     if (found.problems.empty()) {
       if (auto cut = cut_curves(found, exact_, cuts_, width)) {
-        places = *std::move(cut);
+        places_ = *std::move(cut);
       } else {
         found.problems.push_back({whole_domain(), "a pair where the curves are to be cut is not found"});
       }
@@ -178,45 +168,21 @@ class SelfIntersection {
     if (!found.problems.empty() && !last && !stopped) return false;
     if (stopped)
       for (Incomplete& problem : found.problems) problem = out_of_time(problem.where);
-    result_.incomplete.insert(result_.incomplete.end(), found.problems.begin(), found.problems.end());
+    known_.incomplete.insert(known_.incomplete.end(), found.problems.begin(), found.problems.end());
     run_.count("searched boxes", static_cast<double>(found.searched_boxes));
-    timed("graph", [&] { build_graph(system, found); });
-    for (const std::vector<CutPlace>& cut : places) {
-      nodes_of_cuts_.emplace_back();
-      for (const CutPlace& place : cut) nodes_of_cuts_.back().push_back({node_at(place), place.exchanged});
-    }
+    TracedSelf<Ball> traced{x_, scaling_, system, exact_, std::move(found)};
+    traced.exact.zero_tangent = {};  // they ask this object
+    traced.exact.common_zero = {};
+    known_.curves = [all = std::make_shared<const TracedSelf<Ball>>(std::move(traced))](const Run& run) {
+      GraphBuilder graph;
+      run.timed("graph", [&] { graph = drawn_curves(*all, run); });
+      return graph;
+    };
     return true;
   }
 
-  template <class Ball>
-  void build_graph(const SelfSystem<Ball>& system, const SelfCurves<Ball>& found) {
-    const std::size_t boundary = exact_.boundary.points.size();
-    for (std::size_t i = 0; i < found.landmarks.size(); ++i) {
-      ParameterBox box;
-      for (std::size_t j = 0; j < 4; ++j) {
-        box[j] = i < boundary ? exact_.boundary.points[i].box()[j] : found.landmarks[i][j].interval();
-      }
-      const std::vector<Side> sides = i < boundary ? exact_.boundary.points[i].sides() : std::vector<Side>{};
-      graph_.add_node(landmark_node(system.pair, scaling_.frame, found.landmarks[i], box, sides));
-    }
-    for (const int id : found.isolated) graph_.add_isolated(id);
-    const double tolerance = run_.drawn_tolerance(scaling_.extent);
-    const std::vector<TraceEnd> ends = ends_at_stars(graph_, x_, system, exact_, found, scaling_.frame);
-    append_folds(graph_, x_, system, exact_, found, ends, scaling_.frame, tolerance);
-    append_self_curves(graph_, system, found, ends, scaling_.frame, turning_, tolerance);
-    for (const SelfCurve<Ball>& curve : found.curves) {
-      run_.count("tubes", static_cast<double>(curve.analysed.trace.pieces.size()));
-    }
-    for (const ChartTrace<Ball>& trace : found.chart_traces) {
-      run_.count("tubes", static_cast<double>(trace.pieces.size()));
-    }
-    for (const Arc& arc : graph_.arcs()) {
-      run_.count("vertices", static_cast<double>(arc.polyline.size()));
-    }
-  }
-
   /// Landmarks are the first nodes; a star has one for each order of its centre.
-  int node_at(const CutPlace& place) const {
+  int node_at(const GraphBuilder& graph, const CutPlace& place) const {
     if (!place.star) return static_cast<int>(place.landmark);
     const SelfStar& star = exact_.stars[*place.star];
     if (star.landmark) {
@@ -226,23 +192,13 @@ class SelfIntersection {
     const ParameterBox centre = star.star.centre.box();
     const ParameterBox box = place.landmark == 0 ? centre : exchanged_pair(centre);
     return std::ranges::find_if(
-               graph_.nodes(),
+               graph.nodes(),
                [&](const Node& node) { return lies_in(node.box, box) && lies_in(box, node.box); })
         ->id;
   }
 
-  /// All pairs on such a side meet.
-  void add_collapsed_sides() {
-    for (const auto& [fixed, value] : exact_.injective.along_sides) {
-      const auto j = static_cast<std::size_t>(fixed);
-      if (!is_collapsed_side(x_, j, value)) continue;
-      graph_.add_isolated(graph_.add_node(collapsed_line_node(x_, j, value)));
-    }
-  }
-
   const BezierPatch& x_;
   const Run& run_;
-  std::vector<Parameter> turning_;  // as wanted, and of the other point
   const std::vector<PairCut>& cuts_;
   ModelScale scaling_;
   StopRequest stop_ = run_.stop();
@@ -251,10 +207,9 @@ class SelfIntersection {
   std::vector<ParameterBox> undecided_;             // by all attempts
   std::optional<std::vector<SelfCentre>> centres_;  // near these, tried as stars
   TurningPairs pairs_;
-  bool cut_short_ = false;  // a brief search of an attempt
-  std::vector<std::vector<CutSelfIntersection::NodeOfCut>> nodes_of_cuts_;
-  GraphBuilder graph_;
-  IntersectResult result_{};
+  bool cut_short_ = false;                     // a brief search of an attempt
+  std::vector<std::vector<CutPlace>> places_;  // of the cuts
+  KnownSelf known_{x_, {}, {}, {}, false, {}};
 };
 
 }  // namespace
