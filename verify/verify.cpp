@@ -4,6 +4,7 @@
 #include <exsect/geometry/beyond_doubles.h>
 #include <exsect/geometry/bounding_box.h>
 #include <exsect/solver/intersect_rational.h>
+#include <exsect/solver/redrawn.h>
 
 #include <algorithm>
 #include <array>
@@ -93,13 +94,16 @@ Verification verify(const Candidate& candidate, const RationalPatch& x, const Ra
     fine.progress = options.progress;
     const bool in_doubles_alone = !x.biquadratic() || !y.biquadratic();
     constexpr int most_rounds = 3;
+    IntersectResult exact{};
     for (int round = 1;; ++round) {
       fine.tolerance = std::ldexp(options.tolerance, -1 - 3 * round);
       if (options.max_seconds) fine.max_seconds = std::max(0.75 * left(), 1e-9);  // the rest to compare
-      IntersectResult exact = intersect(x, y, fine);
+      exact = exact.proof ? redrawn(exact, {fine.tolerance, fine.max_seconds, fine.progress})
+                          : intersect(x, y, fine);
       if (exact.status == Status::incomplete && in_doubles_alone && !fine.turning.empty() &&
           !is_stopped(stop)) {
         fine.turning = {};
+        exact.proof = nullptr;
         --round;
         continue;
       }
