@@ -309,12 +309,27 @@ bool meet_in_corner(const Vec3& p, const CornerContact& corner, const Part& x, c
                      [&](const Vec3& v) { return dot(d, v) > error; });
 }
 
+/// All points of the parts are in the region, whose only solution the point is.
+template <class K>
+bool is_around(const DoublePointOf<K>& point, const Part& x, const Part& y) {
+  Vec4 middle;
+  Vec4 half;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const Interval& range = (j < 2 ? x : y).range[j % 2];
+    middle[j] = 0.5 * (range.lower + range.upper) - 0.5;
+    half[j] = 0.5 * (range.upper - range.lower);
+  }
+  return lies_in_region(point, middle, half);
+}
+
 }  // namespace
 
 template <class K>
 Meeting meeting(const PairOf<K>& pair, const ContactsOf<K>& contacts, const Part& x, const Part& y) {
   if (std::any_of(contacts.points.begin(), contacts.points.end(),
-                  [&](const SidePointOf<K>& point) { return lies_in_region(point, x, y); })) {
+                  [&](const SidePointOf<K>& point) { return lies_in_region(point, x, y); }) ||
+      std::any_of(contacts.touches.begin(), contacts.touches.end(),
+                  [&](const DoublePointOf<K>& point) { return is_around(point, x, y); })) {
     return Meeting::contact;
   }
   bool touching = false;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "filter/double_point.h"
 #include "filter/part.h"
 #include "filter/path_contact.h"
 #include "filter/pieces.h"
@@ -69,14 +70,18 @@ std::array<bool, 2> corner_ends(std::size_t corner) {
   return {corner >= K::degree * K::side, corner % K::side == K::degree};
 }
 
-/// Each is a point or an arc of solutions; no corner is an end of one of the others, or a side point.
+/// Each is a point or an arc of solutions; no corner is an end of one of the others, or a side point, but a
+/// touch point may be a corner.
 template <class K>
 struct ContactsOf {
   std::vector<SideContactOf<K>> sides;
   std::vector<PathContact> paths;  // sides of one patch only; biquadratic pairs
   std::vector<CornerContact> corners;
-  std::vector<SidePointOf<K>> points;  // where a curve may end, alone among these
-  bool empty() const { return sides.empty() && paths.empty() && corners.empty() && points.empty(); }
+  std::vector<SidePointOf<K>> points;     // where a curve may end, alone among these
+  std::vector<DoublePointOf<K>> touches;  // isolated, on sides; not of biquadratic pairs
+  bool empty() const {
+    return sides.empty() && paths.empty() && corners.empty() && points.empty() && touches.empty();
+  }
 };
 using Contacts = ContactsOf<Biquadratic>;
 

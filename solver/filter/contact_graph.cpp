@@ -66,6 +66,17 @@ class ContactGraph {
     graph_.add_isolated(id);
   }
 
+  /// Unless it is at a corner that both patches have in common.
+  void add(const DoublePointOf<K>& touch) {
+    const auto is_there = [&](const auto& entry) { return place_of<K>(entry.first) == touch.centre; };
+    if (std::any_of(nodes_.begin(), nodes_.end(), is_there)) return;
+    Node at = rim_node(touch.at);
+    at.kinds.push_back(NodeKind::touch);
+    at.point = position(affine(expand(pair_.x, touch.centre[0], touch.centre[1])[0]));
+    const int id = graph_.add_node(std::move(at), 0);
+    graph_.add_isolated(id);
+  }
+
   bool add(const SideContactOf<K>& side) {
     if constexpr (std::is_same_v<K, Biquadratic>) {
       if (side.path) {
@@ -326,6 +337,9 @@ bool append_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairO
   ContactGraph<K> maker(x, y, pair, tolerance, accepted, graph);
   for (const CornerContact& corner : contacts.corners) {
     maker.add(corner);
+  }
+  for (const DoublePointOf<K>& touch : contacts.touches) {
+    maker.add(touch);
   }
   bool proved = std::all_of(contacts.sides.begin(), contacts.sides.end(),
                             [&](const SideContactOf<K>& side) { return maker.add(side); });

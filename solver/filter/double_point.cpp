@@ -25,6 +25,11 @@ bool has_star(const LocalFormsOf<K>& forms, const LocalBounds& bounds, double re
 }  // namespace
 
 template <class K>
+bool is_on_side(const DoublePointOf<K>& point) {
+  return std::any_of(point.at.begin(), point.at.end(), [](const Rational& t) { return t == 0 || t == 1; });
+}
+
+template <class K>
 std::optional<DoublePointOf<K>> double_point_near(const ExactPatch<K>& x, const ExactPatch<K>& y,
                                                   const PairOf<K>& pair, const Vec4& guess,
                                                   double tolerance) {
@@ -36,13 +41,13 @@ std::optional<DoublePointOf<K>> double_point_near(const ExactPatch<K>& x, const 
   for (std::size_t j = 0; j < 4; ++j) {
     const Rational near = from_double(w->at[j] + 0.5);
     point.at[j] = simplest_between(near - from_double(kCloseSheets), near + from_double(kCloseSheets));
-    if (point.at[j] <= 0 || point.at[j] >= 1) {
+    if (point.at[j] < 0 || point.at[j] > 1) {
       return std::nullopt;
     }
     point.centre[j] = to_double(point.at[j] - Rational(1, 2));
   }
   auto forms = local_forms<K>(x, y, point.at);
-  if (!forms) {
+  if (!forms || (forms->crossing && is_on_side(point))) {
     return std::nullopt;
   }
   point.forms = *forms;
@@ -89,6 +94,7 @@ bool lies_in_region(const DoublePointOf<K>& point, const Vec4& middle, const Vec
 #define EXSECT_INSTANTIATE(K)                                                                               \
   template std::optional<DoublePointOf<K>> double_point_near<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
                                                                 const PairOf<K>&, const Vec4&, double);     \
+  template bool is_on_side<K>(const DoublePointOf<K>&);                                                     \
   template LocalPlace local_place<K>(const DoublePointOf<K>&, const Vec4&, const Vec4&);                    \
   template bool lies_in_region<K>(const DoublePointOf<K>&, const Vec4&, const Vec4&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)

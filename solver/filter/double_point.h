@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "filter/boundary.h"
 #include "filter/local_bounds.h"
+#include "filter/tube.h"
 
 namespace exsect::filter {
 
@@ -25,11 +25,11 @@ struct PortOf {
   double vertex_error;
 };
 
-/// Invariant: `at` is a solution inside the domain, and singular. It is the only one in the region |t| <=
-/// reach, |c_i| <= width[i], (r,s) - p = S t, (u,v) - p = c; or, if forms.crossing, four arcs that end in it
-/// are all others, one with alpha > 0, one with alpha < 0, both with |beta| <= |alpha|/2, and two with
-/// |alpha| <= |beta|/2. Each is a regular graph over the larger coordinate. Ports: for each of these arcs
-/// one.
+/// Invariant: `at` is a solution, and singular; inside the domain if forms.crossing. It is the only one in
+/// the region |t| <= reach, |c_i| <= width[i], (r,s) - p = S t, (u,v) - p = c; or, if forms.crossing, four
+/// arcs that end in it are all others, one with alpha > 0, one with alpha < 0, both with |beta| <= |alpha|/2,
+/// and two with |alpha| <= |beta|/2. Each is a regular graph over the larger coordinate. Ports: for each of
+/// these arcs one.
 template <class K>
 struct DoublePointOf {
   std::array<Rational, 4> at;
@@ -39,6 +39,10 @@ struct DoublePointOf {
   std::array<double, 2> width;
   std::vector<PortOf<K>> ports;
 };
+
+/// True if a parameter is 0 or 1.
+template <class K>
+bool is_on_side(const DoublePointOf<K>& point);
 
 /// The double point where Newton's method for a common normal leads from `guess`, with ports as near to its
 /// chords as `tolerance` says; empty if there is none of this kind, or something is not proved.

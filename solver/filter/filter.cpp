@@ -76,7 +76,9 @@ class FilteredIntersection {
     std::vector<TraceOf<K>> traces;
     while (!points || !find_curves(*pair, *contacts, trees, *points, traces)) {
       if (!points) stuck_ = filter::undecided_on_sides(*pair, trees, *contacts);
-      const bool is_added = !points && stuck_ && filter::add_side_point(x_, y_, *pair, *stuck_, *contacts);
+      const bool is_added = !points && stuck_ &&
+                            (filter::add_side_point(x_, y_, *pair, *stuck_, *contacts) ||
+                             filter::add_side_touch(x_, y_, *pair, *stuck_, *contacts));
       if (!is_added && !filter::add_corner_points(x_, y_, *pair, *contacts)) {
         return std::nullopt;
       }
@@ -161,8 +163,9 @@ class FilteredIntersection {
     const double tolerance =
         std::ldexp(kPortShare * run_.drawn_tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
     auto point = filter::double_point_near<K>(x_, y_, pair, stuck, tolerance);
-    if (!point || std::any_of(double_points_.begin(), double_points_.end(),
-                              [&](const filter::DoublePointOf<K>& known) { return known.at == point->at; })) {
+    if (!point || is_on_side(*point) ||
+        std::any_of(double_points_.begin(), double_points_.end(),
+                    [&](const filter::DoublePointOf<K>& known) { return known.at == point->at; })) {
       return false;
     }
     for (std::size_t i = 0; i < point->ports.size(); ++i) {

@@ -1,5 +1,6 @@
 #include "filter/known_pair.h"
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -17,7 +18,8 @@ constexpr double kCoarser = 64;
 
 /// One arc ends in a BoundaryPoint on a single side.
 std::optional<int> arcs_at_sides(const Node& node) {
-  return node.on.size() == 1 ? std::optional(1) : std::nullopt;
+  const bool touches = std::ranges::count(node.kinds, NodeKind::touch) > 0;
+  return node.on.size() == 1 && !touches ? std::optional(1) : std::nullopt;
 }
 
 /// What polylines keep within is no question of topology: with nothing behind, any bound is taken.

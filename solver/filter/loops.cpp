@@ -17,7 +17,8 @@ constexpr int kLastLoopLevel = 40;
 /// Nothing is behind the pairs that are not biquadratic.
 template <class K>
 constexpr long kMostLoopBoxes = std::is_same_v<K, Biquadratic> ? 6000 : 40000;
-constexpr long kMostBoxesAround = 20000;  // around double points
+template <class K>  // around double points
+constexpr long kMostBoxesAround = std::is_same_v<K, Biquadratic> ? 20000 : 80000;
 
 /// One net for every sub-patch that asks for it.
 template <class Net>
@@ -84,7 +85,7 @@ class LoopSearch {
   bool run(Vec4& stuck) {
     stack_.reserve(64);
     stack_.push_back({0, 0});
-    const long most = boxes_ + (double_points_.empty() ? kMostLoopBoxes<K> : kMostBoxesAround);
+    const long most = boxes_ + (double_points_.empty() ? kMostLoopBoxes<K> : kMostBoxesAround<K>);
     while (!stack_.empty()) {
       const PiecePair item = stack_.back();
       stack_.pop_back();

@@ -1,6 +1,7 @@
 #include "filter/side_point_search.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "filter/line.h"
 
@@ -44,6 +45,24 @@ bool add_side_point(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf
 }
 
 template <class K>
+bool add_side_touch([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] const ExactPatch<K>& y,
+                    [[maybe_unused]] const PairOf<K>& pair, [[maybe_unused]] const Vec4& place,
+                    [[maybe_unused]] ContactsOf<K>& contacts) {
+  if constexpr (std::is_same_v<K, Biquadratic>) {
+    return false;
+  } else {
+    auto point = double_point_near<K>(x, y, pair, place, 1);
+    const auto is_same = [&](const DoublePointOf<K>& known) { return known.at == point->at; };
+    if (!point || !is_on_side(*point) || contacts.touches.size() == kMostSidePoints ||
+        std::any_of(contacts.touches.begin(), contacts.touches.end(), is_same)) {
+      return false;
+    }
+    contacts.touches.push_back(*std::move(point));
+    return true;
+  }
+}
+
+template <class K>
 bool add_corner_points(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
                        ContactsOf<K>& contacts) {
   bool added = false;
@@ -56,6 +75,8 @@ bool add_corner_points(const ExactPatch<K>& x, const ExactPatch<K>& y, const Pai
 #define EXSECT_INSTANTIATE(K)                                                                                \
   template std::optional<Vec4> undecided_on_sides<K>(const PairOf<K>&, TreesOf<K>&, const ContactsOf<K>&);   \
   template bool add_side_point<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, const Vec4&, \
+                                  ContactsOf<K>&);                                                           \
+  template bool add_side_touch<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, const Vec4&, \
                                   ContactsOf<K>&);                                                           \
   template bool add_corner_points<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&,           \
                                      ContactsOf<K>&);

@@ -1,5 +1,5 @@
-// Points where curves may end on sides of both patches, found where searches end undecided. Internal to
-// solver/; docs/method.md, section 14.12.
+// Points where curves may end on sides of both patches, and touch points on sides, found where searches end
+// undecided. Internal to solver/; docs/method.md, sections 14.12 and 14.16.
 #pragma once
 
 #include <optional>
@@ -17,6 +17,12 @@ std::optional<Vec4> undecided_on_sides(const PairOf<K>& pair, TreesOf<K>& trees,
 /// is no contact.
 template <class K>
 bool add_side_point(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair, const Vec4& place,
+                    ContactsOf<K>& contacts);
+
+/// Adds the touch point on sides near a place: isolated, with rational parameters. False if it is known
+/// already, or not proved, and for biquadratic pairs, behind which there is exact arithmetic.
+template <class K>
+bool add_side_touch(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair, const Vec4& place,
                     ContactsOf<K>& contacts);
 
 /// Adds the common corners that are side points: a curve ends there, or passes outside. False if there are

@@ -10,77 +10,17 @@
 #include "filter/filter.h"
 #include "support/catch.h"
 #include "support/graph_isomorphism.h"
-#include "support/power_nets.h"
+#include "support/height_pairs.h"
 #include "support/random_nets.h"
 
 namespace exsect::double_points_of_every_kind_test {
 namespace {
 
+using height_pairs::Generator;
+using height_pairs::Heights;
+using height_pairs::with_double_point;
 using random_nets::image;
 using random_nets::ProjectiveMap;
-using random_pairs::Generator;
-using random_pairs::integer;
-using testing::Terms;
-
-Rational sixteenths(Generator& generator, long largest) {
-  return Rational(integer(generator, -largest, largest), 16);
-}
-Terms times(const Rational& factor, const Terms& h) { return Terms{{{0, 0}, factor}} * h; }
-Terms linear(const Rational& c, const Rational& a, const Rational& b) {
-  return Terms{{{0, 0}, c}, {{1, 0}, a}, {{0, 1}, b}};
-}
-
-/// The graphs of f + h over [0,1]^2 and of f over a larger parallelogram: they meet over h = 0.
-struct Heights {
-  RationalPatch x;
-  RationalPatch y;
-  RationalPatch difference;        // the graph of h over [0,1]^2
-  std::array<Rational, 4> centre;  // a singular point of h
-};
-
-/// (X,Y) = (1/2,1/2) + (p (r - 1/2) - q (s - 1/2), q (r - 1/2) + p (s - 1/2)) on the second patch. Requires f
-/// of total degree `degree` at most. Where q = 0 the parameters u and r turn together.
-Heights heights(const Terms& f, const Terms& h, int degree, const Rational& p, const Rational& q,
-                const std::array<Rational, 2>& at) {
-  const Rational half(1, 2);
-  const Terms first = linear(half - half * p + half * q, p, -q);
-  const Terms second = linear(half - half * p - half * q, q, p);
-  Terms turned;
-  for (const auto& [i, value] : f) {
-    Terms product{{{0, 0}, value}};
-    for (std::size_t k = 0; k < i.first; ++k) product = product * first;
-    for (std::size_t k = 0; k < i.second; ++k) product = product * second;
-    turned = turned + product;
-  }
-  const Terms a = linear(0, 1, 0);
-  const Terms b = linear(0, 0, 1);
-  const Rational da = at[0] - half;
-  const Rational db = at[1] - half;
-  const Rational size = p * p + q * q;
-  return {testing::power_patch({a, b, f + h}, degree),
-          testing::power_patch({first, second, turned}, degree),
-          testing::power_patch({a, b, h}, degree),
-          {at[0], at[1], half + (p * da + q * db) / size, half + (p * db - q * da) / size}};
-}
-
-/// h begins with a definite (sign 1) or an indefinite form about a rational point; `moved` is added to it.
-Heights with_double_point(Generator& generator, int sign, int degree, const Rational& moved = 0) {
-  const Rational a = Rational(1, 2) + sixteenths(generator, 3);
-  const Rational b = Rational(1, 2) + sixteenths(generator, 3);
-  const Rational slope(2 * integer(generator, -4, 3) + 1, 16);
-  const Terms first = linear(-a - slope * b, 1, slope);
-  const Terms second = linear(-b + slope * a, -slope, 1);
-  Terms h = first * first + times(Rational(sign * integer(generator, 4, 15), 16), second * second);
-  if (degree == 3)
-    h = h + times(sixteenths(generator, 6), first * first * first) +
-        times(sixteenths(generator, 6), first * second * second);
-  h[{0, 0}] += moved;
-  Terms f;
-  const auto most = static_cast<std::size_t>(degree);
-  for (std::size_t i = 0; i <= most; ++i)
-    for (std::size_t j = 0; i + j <= most; ++j) f[{i, j}] = sixteenths(generator, 3);
-  return heights(f, h, degree, Rational(3, 2), Rational(2 * integer(generator, -2, 1) + 1, 8), {a, b});
-}
 
 /// What a graph is like, whatever its parameters are.
 struct Counts {
@@ -145,6 +85,39 @@ bool is_right(const Heights& pair) {
   return true;
 }
 
+/// Of a point from the segment.
+double distance(const std::array<double, 3>& p, const std::array<double, 3>& a,
+                const std::array<double, 3>& b) {
+  double along = 0;
+  double length = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    along += (p[k] - a[k]) * (b[k] - a[k]);
+    length += (b[k] - a[k]) * (b[k] - a[k]);
+  }
+  const double t = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += std::pow(p[k] - a[k] - t * (b[k] - a[k]), 2);
+  return std::sqrt(sum);
+}
+
+/// The middles of chords are as near to finer polylines as both bounds say.
+void check_chords(const IntersectionGraph& coarse, const IntersectionGraph& fine) {
+  double finest = 0;
+  for (const Arc& arc : fine.arcs) finest = std::max(finest, arc.error_bound);
+  for (const Arc& arc : coarse.arcs)
+    for (std::size_t i = 0; i + 1 < arc.polyline.size(); ++i) {
+      std::array<double, 3> middle;
+      for (std::size_t k = 0; k < 3; ++k)
+        middle[k] = 0.5 * (arc.polyline[i].point[k] + arc.polyline[i + 1].point[k]);
+      double least = HUGE_VAL;
+      for (const Arc& other : fine.arcs)
+        for (std::size_t j = 0; j + 1 < other.polyline.size(); ++j)
+          least = std::min(least, distance(middle, other.polyline[j].point, other.polyline[j + 1].point));
+      if (!(least <= arc.error_bound + finest)) CHECK(least <= arc.error_bound + finest);
+    }
+  CHECK(finest > 0);
+}
+
 ProjectiveMap affine(const Rational& by, const Point& shift) {
   return {{{by, 0, 0, shift[0]}, {0, by, 0, shift[1]}, {0, 0, by, shift[2]}, {0, 0, 0, 1}}};
 }
@@ -194,6 +167,62 @@ TEST_CASE("filter double points of every kind: biquadratic pairs as bicubic ones
     CHECK(difference(expected.graph, result.graph, {}) == "");
   }
   CHECK(decided >= 7);
+}
+
+TEST_CASE("filter double points of every kind: two of them") {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (const int factor : {1, -1}) {
+      INFO("seed " << seed << ", factor " << factor);
+      Generator generator(seed);
+      Heights pair = height_pairs::with_two_double_points(generator, factor);
+      const IntersectResult expected = intersect(pair.x, pair.y);
+      REQUIRE(expected.status == Status::complete);
+      const IntersectResult elevated = intersect_in_doubles(pair.x, pair.y, {});
+      CHECK(elevated.status == Status::complete);
+      CHECK(difference(expected.graph, elevated.graph, {}) == "");
+      const auto map = random_nets::projective_map(generator);
+      const IntersectResult result = intersect(image(pair.x, map), image(pair.y, map));
+      CHECK(result.status == Status::complete);
+      CHECK(difference(expected.graph, result.graph, {}) == "");
+      CHECK(has_node_at(result.graph, pair.centre));
+    }
+  }
+}
+
+TEST_CASE("filter double points of every kind: polylines keep to the curve on the way to a crossing") {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    Heights pair = with_double_point(generator, -1, seed % 2 == 0 ? 2 : 3);
+    const auto map = random_nets::projective_map(generator);
+    IntersectOptions fine;
+    fine.tolerance = 1e-6;
+    IntersectOptions coarse;
+    coarse.tolerance = 1e-3;
+    const RationalPatch x = seed <= 2 ? pair.x : image(pair.x, map);
+    const RationalPatch y = seed <= 2 ? pair.y : image(pair.y, map);
+    const IntersectResult expected = intersect_in_doubles(x, y, fine);
+    const IntersectResult result = intersect_in_doubles(x, y, coarse);
+    REQUIRE(expected.status == Status::complete);
+    REQUIRE(result.status == Status::complete);
+    check_chords(result.graph, expected.graph);
+  }
+}
+
+TEST_CASE("filter double points of every kind: one with irrational parameters has its reason") {
+  // Over (1/2,1/2), where X = r² on the second patch.
+  using height_pairs::linear;
+  using height_pairs::times;
+  for (const int sign : {1, -1}) {
+    const testing::Terms a = linear(Rational(-1, 2), 1, 0);
+    const testing::Terms b = linear(Rational(-1, 2), 0, 1);
+    const testing::Terms h = a * a + times(Rational(sign, 2), b * b) + times(Rational(1, 4), a * a * a);
+    const RationalPatch x = testing::power_patch({linear(0, 1, 0), linear(0, 0, 1), h}, 3);
+    const RationalPatch y = testing::power_patch({testing::Terms{{{2, 0}, 1}}, linear(0, 0, 1), {}}, 2);
+    const IntersectResult result = intersect(x, y);
+    REQUIRE(result.status == Status::incomplete);
+    CHECK(result.incomplete.at(0).reason == (sign > 0 ? Reason::tangency : Reason::crossing));
+  }
 }
 
 TEST_CASE("filter double points of every kind: projective images") {
