@@ -1,6 +1,7 @@
 #include "certificate/certificate_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "certificate/arcs.h"
@@ -56,13 +57,11 @@ std::vector<int> connected(const IntersectionGraph& graph, std::vector<int> arcs
   return result;
 }
 
-Json document(const Patches& patches, const PatchNames& names, const IntersectResult& result, bool self) {
-  Draft d = {patches, names, result.graph, near_pair(patches), self, Factors(patches, self)};
-  find_special_places(d);
-  Json json = {{"exsect", "certificate/1"}, {"command", self ? "self" : "intersect"}};
-  json["first"] = patch_claim("$.first", names.first, patches[0]);
-  if (!self) json["second"] = patch_claim("$.second", names.second, patches[1]);
-  json["factors"] = d.factors.claims();
+/// The document with the claims of `surfaces` and those about the curves.
+Json document(Draft& d, const Json& surfaces) {
+  Json json = {{"exsect", "certificate/1"}, {"command", d.self ? "self" : "intersect"}};
+  json.update(surfaces);
+  json["factors"] = d.factors ? d.factors->claims() : Json::array();
   json["stars"] = star_claims(d.stars);
   json["tubes"] = Json::array();
   json["nodes"] = node_claims(d);
@@ -73,10 +72,10 @@ Json document(const Patches& patches, const PatchNames& names, const IntersectRe
     json["components"].push_back(sealed(in_list("components", json["components"].size()),
                                         {{"shape", name(c.shape)}, {"arcs", connected(d.graph, c.arcs)}}));
   json["overlaps"] = d.overlaps;
-  Places places = {d.tubes, {}, {}, self};
+  Places places = {d.tubes, {}, {}, d.self};
   for (const FoundStar& star : d.stars) places.stars.push_back(star.claim);
   for (const int plane : d.planes)
-    places.planes.push_back(&d.factors.found()[static_cast<std::size_t>(plane)]);
+    places.planes.push_back(&d.factors->found()[static_cast<std::size_t>(plane)]);
   const std::vector<std::string> cells = cover(d.pair, places);
   json["cover"] = cover_claims(cells);
   json["summary"] = summary(d, json, cells.size());
@@ -90,7 +89,52 @@ namespace {
 std::string text(const Patches& patches, const PatchNames& names, IntersectResult result, bool self) {
   if (!self) result.graph = with_free_arcs(std::move(result.graph));
   refuse_events(result, self);
-  return accepted_text(document(patches, names, result, self));
+  Draft d = {result.graph, equation_of(patches), near_pair(patches), self};
+  find_special_places(d, patches);
+  Json surfaces = {{"first", patch_claim("$.first", names.first, patches[0])}};
+  if (!self) surfaces["second"] = patch_claim("$.second", names.second, patches[1]);
+  return accepted_text(document(d, surfaces));
+}
+
+/// A polyline with r = s = 1/2 and its vertices as near to the curve as doubles are, without those next to
+/// others: as they were found they may run back by their errors.
+std::vector<PolylineVertex> in_the_middle(std::vector<PolylineVertex> polyline, const Map& equation) {
+  const auto is_far = [](const PolylineVertex& a, const PolylineVertex& b) {
+    return std::max(std::abs(a.parameters[0] - b.parameters[0]),
+                    std::abs(a.parameters[1] - b.parameters[1])) > 0x1p-24;
+  };
+  for (PolylineVertex& vertex : polyline) vertex.parameters[2] = vertex.parameters[3] = 0.5;
+  std::vector<PolylineVertex> result = {polyline.front()};
+  for (std::size_t i = 1; i + 1 < polyline.size(); ++i) {
+    PolylineVertex& vertex = polyline[i];
+    vertex.parameters = on_curve(equation, vertex.parameters, best_axis(equation, vertex.parameters));
+    if (is_far(vertex, result.back()) && is_far(vertex, polyline.back())) result.push_back(vertex);
+  }
+  result.push_back(polyline.back());
+  return result;
+}
+IntersectionGraph in_the_middle(IntersectionGraph graph, const Map& equation) {
+  for (Node& node : graph.nodes) {
+    for (const std::size_t i : {2, 3}) {
+      node.approx[i] = 0.5;
+      node.box[i] = {Rational(1, 2), Rational(1, 2)};
+    }
+  }
+  for (Arc& arc : graph.arcs) {
+    arc.polyline = in_the_middle(std::move(arc.polyline), equation);
+    arc.error_bound *= 1.25;  // for vertices left out, and for checkers with other enclosures
+  }
+  return graph;
+}
+
+/// Throws NoCertificate for what only pairs of patches have claims for.
+void refuse_on_equations(const ImplicitSurface& surface, const IntersectionGraph& graph) {
+  if (!surface.region().clauses.empty()) throw NoCertificate("a surface with bounds");
+  if (!graph.overlaps.empty()) throw NoCertificate("a patch on the surface");
+  for (const Node& node : graph.nodes)
+    if (is_star(graph, node, false)) throw NoCertificate("a point where the patch touches the surface");
+  for (const Arc& arc : graph.arcs)
+    if (touches(arc)) throw NoCertificate("an arc along which the patch touches the surface");
 }
 
 }  // namespace
@@ -98,6 +142,20 @@ std::string text(const Patches& patches, const PatchNames& names, IntersectResul
 std::string certificate_text(const RationalPatch& x, const RationalPatch& y, const PatchNames& names,
                              const IntersectResult& result) {
   return text({certified_form(x), certified_form(y)}, names, result, false);
+}
+
+std::string certificate_text(const ImplicitSurface& surface, const RationalPatch& patch,
+                             const PatchNames& names, const IntersectResult& result) {
+  refuse_events(result, false);
+  refuse_on_equations(surface, result.graph);
+  const RationalPatch x = certified_form(patch);
+  const SpacePolynomial& f = surface.equation();
+  const NearPair pair = near_section(f, x);
+  const IntersectionGraph graph = in_the_middle(result.graph, pair.power);
+  Draft d = {graph, equation_of(f, x), pair, false};
+  number_nodes(d);
+  return accepted_text(document(d, {{"first", patch_claim("$.first", names.first, x)},
+                                    {"second", equation_claim("$.second", names.second, f)}}));
 }
 
 std::string self_certificate_text(const BezierPatch& x, const PatchNames& names,

@@ -1,6 +1,7 @@
 // Certificates (docs/certificate.md): a complete result as claims that `exsect check` replays.
 #pragma once
 
+#include <exsect/geometry/implicit_surface.h>
 #include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/line_patch.h>
 #include <exsect/solver/result.h>
@@ -17,6 +18,10 @@ namespace exsect::cli {
 /// certificate.
 std::string certificate_text(const RationalPatch& x, const RationalPatch& y, const PatchNames& names,
                              const IntersectResult& result);
+/// The same of a surface given by its equation and a patch, which is the first
+/// one in the certificate; u's and v's turning points are its nodes.
+std::string certificate_text(const ImplicitSurface& surface, const RationalPatch& patch,
+                             const PatchNames& names, const IntersectResult& result);
 /// The same of the self-intersection of x.
 std::string self_certificate_text(const BezierPatch& x, const PatchNames& names,
                                   const IntersectResult& result);

@@ -56,6 +56,12 @@ Json patch_claim(const std::string& place, const std::string& name, const Ration
   return sealed(place, {{"name", name}, {"points", points}});
 }
 
+Json equation_claim(const std::string& place, const std::string& name, const SpacePolynomial& f) {
+  Json terms = Json::array();
+  for (const auto& [power, c] : f.terms()) terms.push_back({to_string(c), power[0], power[1], power[2]});
+  return sealed(place, {{"name", name}, {"equation", terms}});
+}
+
 std::string map_text(const checker::MapName& map) {
   if (map.chart == Chart::star)
     return "star" + std::to_string(map.star) + letter(map.direction / 2) + "+-"[map.direction % 2];
@@ -77,7 +83,8 @@ Json tube_claims(const NearPair& pair, const std::vector<Tube>& tubes) {
   for (const Tube& t : tubes) {
     Json rows = Json::array();
     for (auto row : t.inverse) {
-      for (double& a : row) a /= t.chart == Chart::star || t.factor >= 0 ? 1 : pair.scale;
+      for (std::size_t d = 0; d < 3; ++d)
+        row[d] /= t.chart == Chart::star || t.factor >= 0 ? 1 : pair.scale[d];
       rows.push_back(exact(row));
     }
     result.push_back(sealed(in_list("tubes", result.size()), {{"centre", exact(t.centre)},

@@ -37,6 +37,7 @@ const char* letter(std::size_t parameter);
 std::string map_text(const checker::MapName& map);
 
 Json patch_claim(const std::string& place, const std::string& name, const RationalPatch& patch);
+Json equation_claim(const std::string& place, const std::string& name, const SpacePolynomial& f);
 Json tube_claims(const NearPair& pair, const std::vector<Tube>& tubes);
 Json cover_claims(const std::vector<std::string>& entries);
 

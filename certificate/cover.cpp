@@ -25,11 +25,15 @@ struct Cell {
   std::array<Net, 2> nets;
   Parameters middle;
   Parameters half;
+  std::optional<checker::SectionNet<double>> section = {};  // F_1 of an equation, instead of nets
 };
 
 Cell half_of(const Cell& cell, std::size_t parameter, bool upper) {
   Cell result = cell;
-  result.nets[parameter / 2].halve(parameter % 2, upper);
+  if (result.section)
+    result.section->halve(parameter, upper);
+  else
+    result.nets[parameter / 2].halve(parameter % 2, upper);
   result.half[parameter] /= 2;
   result.middle[parameter] += (upper ? 1 : -1) * result.half[parameter];
   return result;
@@ -45,6 +49,13 @@ Cell on_line(Cell cell, std::size_t parameter, double t) {
 
 /// The least and the greatest Bernstein coefficient of direction . F.
 std::array<double, 2> coefficients(const Cell& cell, const Vector& direction) {
+  std::array<double, 2> range = {1e300, -1e300};
+  const auto include = [&](double c) { range = {std::min(range[0], c), std::max(range[1], c)}; };
+  if (cell.section) {
+    cell.section->each(
+        [&](std::size_t i, std::size_t j) { include(direction[0] * (*cell.section)[i][j][0]); });
+    return range;
+  }
   const auto values = [&](const Net& net) {
     checker::Grid<double, 1> result(net.points.degree(0), net.points.degree(1));
     result.each(
@@ -53,11 +64,9 @@ std::array<double, 2> coefficients(const Cell& cell, const Vector& direction) {
   };
   const checker::Grid<double, 1> a = values(cell.nets[0]);
   const checker::Grid<double, 1> b = values(cell.nets[1]);
-  std::array<double, 2> range = {1e300, -1e300};
   a.each([&](std::size_t i, std::size_t j) {
     b.each([&](std::size_t k, std::size_t l) {
-      const double c = a[i][j][0] * cell.nets[1].weight(k, l) - b[k][l][0] * cell.nets[0].weight(i, j);
-      range = {std::min(range[0], c), std::max(range[1], c)};
+      include(a[i][j][0] * cell.nets[1].weight(k, l) - b[k][l][0] * cell.nets[0].weight(i, j));
     });
   });
   return range;
@@ -178,6 +187,7 @@ class Cover {
   }
 
   std::string exclusion(const Cell& cell, const std::vector<std::size_t>& meeting) const {
+    if (cell.section) return separating(cell, {1, 0, 0});
     const Net& x = cell.nets[0];
     const Net& y = cell.nets[1];
     const auto normal = [](const Net& n) {
@@ -205,6 +215,7 @@ class Cover {
 
   /// The parameter over which the cell is longest in space; one along which nothing moves counts a little.
   static std::size_t longest(const Cell& cell) {
+    if (cell.section) return cell.half[0] < cell.half[1] ? 1 : 0;
     Parameters length{};
     for (std::size_t p = 0; p < 4; ++p) {
       const Net& n = cell.nets[p / 2];
@@ -243,7 +254,8 @@ std::vector<std::string> cover(const NearPair& pair, const Places& places,
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < places.tubes.size(); ++i)
     if (places.tubes[i].chart != Chart::star) all.push_back(i);
-  const Cell whole = {pair.control, {0.5, 0.5, 0.5, 0.5}, {0.5, 0.5, 0.5, 0.5}};
+  const double other = pair.section ? 0 : 0.5;  // r and s of an equation are 1/2
+  const Cell whole = {pair.control, {0.5, 0.5, 0.5, 0.5}, {0.5, 0.5, other, other}, pair.section};
   result.add(line ? on_line(whole, index(line->fixed), to_double(line->value)) : whole, all, 0);
   return result.entries_;
 }

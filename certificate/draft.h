@@ -3,25 +3,23 @@
 
 #include <exsect/solver/result.h>
 
-#include <map>
-#include <set>
+#include <optional>
 #include <vector>
 
 #include "certificate/factor.h"
 #include "certificate/search.h"
 #include "certificate/star.h"
-#include "output/text/intersection_json.h"
+#include "output/text/json_forms.h"
 
 namespace exsect::cli {
 
 struct Draft {
-  const Patches& patches;
-  const PatchNames& names;
   const IntersectionGraph& graph;
+  ExactMap exact;  // F
   NearPair pair;
   bool self;  // of one patch, which is both patches
 
-  Factors factors;
+  std::optional<Factors> factors = {};  // of two patches
 
   // What find_special_places finds. Of nodes and arcs of the graph:
   std::vector<int> factor_at = {};         // of each node that is no star, that of its arcs
@@ -46,8 +44,8 @@ struct Draft {
   }
   /// What vanishes on the curve with this factor, or without one.
   Equation equation(int factor) const {
-    if (factor < 0) return {pair.power};
-    const NearFactor& f = factors.found()[static_cast<std::size_t>(factor)];
+    if (factor < 0) return {pair.power, Chart::pair, -1, nullptr, pair.constant};
+    const NearFactor& f = factors->found()[static_cast<std::size_t>(factor)];
     return {f.map, Chart::pair, factor, &f};
   }
 };

@@ -8,10 +8,10 @@
 namespace exsect::cli {
 namespace {
 
-template <std::size_t dimension>
-checker::Grid<double, dimension> near_grid(const checker::Grid<Rational, dimension>& grid,
-                                           const Rational& factor) {
-  checker::Grid<double, dimension> result(grid.degree(0), grid.degree(1));
+template <std::size_t dimension, std::size_t most>
+checker::Grid<double, dimension, most> near_grid(const checker::Grid<Rational, dimension, most>& grid,
+                                                 const Rational& factor) {
+  checker::Grid<double, dimension, most> result(grid.degree(0), grid.degree(1));
   grid.each([&](std::size_t i, std::size_t j) {
     for (std::size_t d = 0; d < dimension; ++d) result[i][j][d] = to_double(factor * grid[i][j][d]);
   });
@@ -23,13 +23,13 @@ checker::Net<double> exchanged(const checker::Net<double>& net) {
   return result;
 }
 
-template <std::size_t dimension>
-Rational greatest(const checker::Grid<Rational, dimension>& grid) {
-  Rational most = 0;
+template <std::size_t dimension, std::size_t most>
+Rational greatest(const checker::Grid<Rational, dimension, most>& grid) {
+  Rational result = 0;
   grid.each([&](std::size_t i, std::size_t j) {
-    for (const Rational& q : grid[i][j]) most = std::max<Rational>(most, abs(q));
+    for (const Rational& q : grid[i][j]) result = std::max<Rational>(result, abs(q));
   });
-  return most;
+  return result;
 }
 /// The least power of two that is at least the number. Throws NoCertificate beyond doubles.
 double power_above(const Rational& q) {
@@ -67,10 +67,28 @@ NearPair near_pair(const Patches& patches) {
     power[n] = near(n);
   }
   result.power = checker::pair_map(power[0], power[1]);
-  result.scale = to_double(from_double(scale) * weight[0] * weight[1]);
+  result.scale.fill(to_double(from_double(scale) * weight[0] * weight[1]));
   const checker::Net<double>& x = power[0].points;
   if (x.degree(0) == 2 && x.degree(1) == 2)
     result.charts = {checker::chart_map(x), checker::chart_map(exchanged(x))};
+  return result;
+}
+
+NearPair near_section(const SpacePolynomial& f, const RationalPatch& x) {
+  const ExactMap exact = equation_of(f, x);
+  const auto degree = [&](int d) { return static_cast<std::size_t>(f.degree() * d); };
+  const auto net =
+      checker::section_net(checker::component(exact, 0), degree(x.degree_u()), degree(x.degree_v()));
+  const double scale = power_above(greatest(net));
+  const Rational factor = 1 / from_double(scale);
+  NearPair result;
+  result.power.set_long(exact.is_long());
+  for (const auto& term : exact.terms())
+    result.power.coefficient(term.power) = {to_double(factor * term.c[0]), to_double(term.c[1]),
+                                            to_double(term.c[2])};
+  result.section = near_grid(net, factor);
+  result.scale = {scale, 1, 1};
+  result.constant = {false, false, true, true};
   return result;
 }
 

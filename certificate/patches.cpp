@@ -1,5 +1,7 @@
 #include "certificate/patches.h"
 
+#include <exsect/checker/section.h>
+
 namespace exsect::cli {
 
 namespace {
@@ -43,6 +45,10 @@ checker::WeightedNet<Rational> power_basis(const RationalPatch& patch) {
 
 ExactMap equation_of(const Patches& patches) {
   return checker::pair_map(power_basis(patches[0]), power_basis(patches[1]));
+}
+
+ExactMap equation_of(const SpacePolynomial& f, const RationalPatch& x) {
+  return checker::section_map(checker::Section(f.terms(), power_basis(x)).polynomial());
 }
 
 bool is_solution(const Patches& patches, const Place& w) {

@@ -3,6 +3,7 @@
 
 #include <exsect/checker/map.h>
 #include <exsect/geometry/rational_patch.h>
+#include <exsect/geometry/space_polynomial.h>
 
 #include <array>
 #include <stdexcept>
@@ -31,6 +32,8 @@ checker::WeightedNet<Rational> power_basis(const RationalPatch& patch);
 
 /// F = w_y X - w_x Y.
 ExactMap equation_of(const Patches& patches);
+/// F = (w_x^d f(x(u,v)), r - 1/2, s - 1/2), d the degree of f.
+ExactMap equation_of(const SpacePolynomial& f, const RationalPatch& x);
 /// F = 0 at the place, in [0,1]^4 or not.
 bool is_solution(const Patches& patches, const Place& w);
 

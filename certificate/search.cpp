@@ -34,7 +34,7 @@ Parameters newton_step(const Map& map, Parameters w, std::size_t axis) {
 
 /// Nothing else vanishes in the tube; the parameters that are constant in it.
 std::optional<std::array<bool, 4>> factored(const Equation& equation, const Tube& tube) {
-  if (!equation.factor) return std::array<bool, 4>{};
+  if (!equation.factor) return equation.constant;
   checker::Box<double> box;
   const Parameters extent = tube.extent();
   for (std::size_t i = 0; i < 4; ++i) box[i] = {tube.centre[i], extent[i] * (1 + 0x1p-20)};
@@ -227,7 +227,7 @@ Parameters turning_point(const Map& map, Parameters w, std::size_t axis, std::si
 }
 
 Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis) {
-  const auto& [map, chart, number, factor] = equation;
+  const auto& [map, chart, number, factor, constant] = equation;
   const Map here = map.at(w);
   auto c = inverse(here, axis);
   if (!c) throw NoCertificate("a point where the patches touch");

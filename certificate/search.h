@@ -48,6 +48,7 @@ struct Equation {
   Chart chart = Chart::pair;
   int number = -1;
   const NearFactor* factor = nullptr;
+  std::array<bool, 4> constant = {};  // parameters that are known to be constant where it vanishes
 };
 
 /// A large tube around w that should satisfy everything the check asks of tubes. Throws NoCertificate.

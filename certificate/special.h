@@ -5,7 +5,9 @@
 
 namespace exsect::cli {
 
-/// Factors, overlaps and stars, and the order of the nodes.
-void find_special_places(Draft& draft);
+/// The order of the nodes.
+void number_nodes(Draft& draft);
+/// It, and factors, overlaps and stars of two patches.
+void find_special_places(Draft& draft, const Patches& patches);
 
 }  // namespace exsect::cli

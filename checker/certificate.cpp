@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "read_values.h"
+#include "read_surfaces.h"
 
 namespace exsect::checker {
 
@@ -20,66 +20,19 @@ const char* name(Violation kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// m+1 rows of n+1 entries, m and n in {1,2,3}.
-template <std::size_t dimension>
-static void read(Reader& in, Grid<Rational, dimension>& grid) {
-  constexpr const char* shape = "must be 2 to 4 rows of 2 to 4 entries, all of one length";
-  Grid<Rational, dimension> entries(3, 3);
-  std::size_t columns = 0;
-  const std::size_t rows = in.list([&](std::size_t i) {
-    require(i < 4, shape);
-    const std::size_t size = in.list([&](std::size_t j) {
-      require(j < 4, shape);
-      if constexpr (dimension == 1)
-        read(in, entries[i][j][0]);
-      else
-        read(in, entries[i][j]);
-    });
-    require(size >= 2 && (i == 0 || size == columns), shape);
-    columns = size;
-  });
-  require(rows >= 2, shape);
-  grid = Grid<Rational, dimension>(rows - 1, columns - 1);
-  grid.each([&](std::size_t i, std::size_t j) { grid[i][j] = entries[i][j]; });
-}
-
-/// Of the shape of the points, which become multiples of them.
-static void read_weights(Reader& in, WeightedNet<Rational>& net) {
-  Grid<Rational, 1> weights;
-  read(in, weights);
-  for (const std::size_t p : {std::size_t{0}, std::size_t{1}})
-    require(weights.degree(p) == net.points.degree(p), "must be of the shape of the points");
-  net.weights = weights;
-  weights.each([&](std::size_t i, std::size_t j) {
-    for (Rational& c : net.points[i][j]) c *= weights[i][j][0];
-  });
-}
-
 static void read(Reader& in, Parameter& parameter) {
   Word word(in.string());
   parameter = word.parameter();
   word.end();
 }
-/// Three polynomials, their terms a coefficient followed by four exponents.
+/// Three polynomials, lists of their terms.
 static void read(Reader& in, Map<Rational>& map) {
-  const auto term = [&](std::size_t d) {
-    Rational c;
-    Power power = {};
-    int degree = 0;
-    const std::size_t size = in.list([&](std::size_t i) {
-      require(i < 5, "must be a coefficient and four exponents");
-      if (i == 0) return read(in, c);
-      read(in, power[i - 1]);
-      require(power[i - 1] <= max_factor_degree, "an exponent above 12");
-      degree += power[i - 1];
-      require(degree <= max_factor_degree, "exponents with a sum above 12");
-    });
-    require(size == 5, "must be a coefficient and four exponents");
-    map.coefficient(power)[d] += c;
-  };
   const std::size_t size = in.list([&](std::size_t d) {
     require(d < 3, "must be three polynomials");
-    in.list([&](std::size_t) { term(d); });
+    in.list([&](std::size_t) {
+      const auto [power, c] = read_term<4>(in, max_factor_degree);
+      map.coefficient(power)[d] += c;
+    });
   });
   require(size == 3, "must be three polynomials");
 }
@@ -311,11 +264,17 @@ template <class N>
 void read_patches(Reader& in, Certificate<N>& c) {
   const auto patch = [&](std::size_t n) {
     WeightedNet<Rational>& net = c.nets[n];
+    const auto name = [&] { in.text(); };
+    const auto equation = [&] { read_equation(in, c.equation); };
+    const auto points = [&] { read(in, net.points); };
     const auto weights = [&] { read_weights(in, net); };
-    in.claim(
-        {"name", "points", "weights"}, [&] { in.text(); }, net.points, Optional<decltype(weights)>{weights});
+    in.claim({"name", "equation", "points", "weights"}, name, Optional{equation}, Optional{points},
+             Optional{weights});
+    const bool is_patch = net.points.degree(0) > 0;
+    require(c.equation && n == 1 ? !is_patch && !c.fixed : is_patch, "must have the documented keys");
   };
   in.members({"first"}, [&] { patch(0); });
+  require(!c.equation, "must be a patch");
   if (!c.self) in.members({"second"}, [&] { patch(1); });
   if (!c.self) return;
   require(c.nets[0].points.degree(0) == 2 && c.nets[0].points.degree(1) == 2 && !c.nets[0].has_weights(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -49,6 +50,9 @@ struct Fixed {
   Parameter parameter;
   Rational value;
 };
+
+/// A polynomial in x, y and z: the coefficients of its monomials.
+using SurfaceEquation = std::map<std::array<int, 3>, Rational>;
 
 /// F = sum_j columns_j g_j^powers_j for the components g_j of the map: where the columns are independent, F
 /// vanishes with the map alone. With an empty third column, where the first two are independent, with g_1 and
@@ -159,6 +163,7 @@ struct Summary {
 template <class N>
 struct Certificate {
   std::array<WeightedNet<Rational>, 2> nets;  // of control points; twice the same if `self`
+  std::optional<SurfaceEquation> equation;    // of a surface in the place of the second patch
   bool self;
   std::optional<Fixed> fixed;  // of a line: then the points are the nodes, and there are no arcs
   std::vector<Factor> factors;
@@ -176,10 +181,11 @@ struct Certificate {
 std::string seal(std::string_view text);
 
 /// Sizes beyond which a certificate is rejected: characters of a number, the degree of a star's number,
-/// the sum of a monomial's exponents in a factor, entries of all subdivisions together.
+/// the sum of a monomial's exponents in a factor and in an equation, entries of all subdivisions together.
 inline constexpr std::size_t max_number_characters = 6100;
 inline constexpr std::size_t max_modulus_degree = 64;
 inline constexpr int max_factor_degree = 12;
+inline constexpr int max_equation_degree = 4;
 inline constexpr std::size_t max_entries = std::size_t{1} << 20;
 
 /// The number p/q in lowest terms, p/2^n with p odd and 1 <= n <= 2000, or p, that the text of at most

@@ -10,7 +10,8 @@ class Cover {
  public:
   explicit Cover(const Replay<N>& replay) : replay_(replay), certificate_(replay.certificate) {
     whole_.box = box_around<double>({0.5, 0.5, 0.5, 0.5}, 0.5);
-    for (std::size_t n = 0; n < 2; ++n) {
+    if (certificate_.equation) start_section();
+    for (std::size_t n = 0; n < 2 && !certificate_.equation; ++n) {
       WeightedNet<Rational> net = whole(n);
       net.move_by_minus(replay.origin);
       whole_.nets[n] = {in_numbers(net.points), in_numbers(net.weights)};
@@ -36,7 +37,17 @@ class Cover {
   struct Region {
     std::array<WeightedNet<N>, 2> nets;  // control points of both patches over the cell
     Box<double> box;
+    std::optional<SectionNet<N>> section = {};  // of an equation instead: Bernstein coefficients of F_1
   };
+
+  /// The square where r = s = 1/2.
+  void start_section() {
+    whole_.box[2].radius = whole_.box[3].radius = 0;
+    const Net<Rational>& net = certificate_.nets[0].points;
+    const auto d = static_cast<std::size_t>(degree(*certificate_.equation));
+    const Polynomial section = component(replay_.exact, 0);
+    whole_.section = in_numbers(section_net(section, d * net.degree(0), d * net.degree(1)));
+  }
 
   void check(const Region& region) {
     if (next_ == certificate_.cover.size())
@@ -101,14 +112,17 @@ class Cover {
               "halved in the fixed parameter");
       return checker::half_of(region.box, cell.index, upper);
     };
-    Region result = {region.nets, replayed("$.cover", cell.row, box, Violation::cover)};
-    result.nets[cell.index / 2].halve(cell.index % 2, upper);
+    Region result = {region.nets, replayed("$.cover", cell.row, box, Violation::cover), region.section};
+    if (result.section)
+      result.section->halve(cell.index, upper);
+    else
+      result.nets[cell.index / 2].halve(cell.index % 2, upper);
     return result;
   }
 
-  template <std::size_t dimension>
-  static Grid<N, dimension> in_numbers(const Grid<Rational, dimension>& grid) {
-    Grid<N, dimension> result(grid.degree(0), grid.degree(1));
+  template <std::size_t dimension, std::size_t most>
+  static Grid<N, dimension, most> in_numbers(const Grid<Rational, dimension, most>& grid) {
+    Grid<N, dimension, most> result(grid.degree(0), grid.degree(1));
     grid.each([&](std::size_t i, std::size_t j) {
       for (std::size_t d = 0; d < dimension; ++d) result[i][j][d] = N(grid[i][j][d]);
     });
@@ -118,6 +132,7 @@ class Cover {
   /// direction . F > 0 over the region: all its Bernstein coefficients are positive.
   static bool separated(const Region& region, const std::array<int, 3>& direction) {
     const Vector3<N> n = {direction[0], direction[1], direction[2]};
+    if (region.section) return positive(*region.section, n[0]);
     const WeightedNet<N>& x = region.nets[0];
     const WeightedNet<N>& y = region.nets[1];
     if (x.has_weights() || y.has_weights()) return separated_with_weights(x, y, n);
@@ -126,6 +141,12 @@ class Cover {
     x.points.each([&](std::size_t i, std::size_t j) { below = larger(below, N(-dot(n, x.points[i][j]))); });
     y.points.each([&](std::size_t i, std::size_t j) { above = larger(above, dot(n, y.points[i][j])); });
     return below + above < 0;
+  }
+  /// factor F_1 > 0; both other components of F are 0.
+  static bool positive(const SectionNet<N>& section, const N& factor) {
+    bool result = true;
+    section.each([&](std::size_t i, std::size_t j) { result = result && factor * section[i][j][0] > 0; });
+    return result;
   }
   static bool separated_with_weights(const WeightedNet<N>& x, const WeightedNet<N>& y, const Vector3<N>& n) {
     bool result = true;

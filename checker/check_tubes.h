@@ -31,7 +31,7 @@ Map<N> check_factored(const Replay<N>& replay, const Tube<N>& tube) {
 /// The parameters that are constant on the tube's curve.
 template <class N>
 std::array<bool, 4> constant_parameters(const Replay<N>& replay, const Tube<N>& tube) {
-  if (tube.factor < 0) return {};
+  if (tube.factor < 0 && !replay.certificate.equation) return {};
   Box<N> box = box_of(tube);
   if (tube.chart == Chart::star) box = from_star(replay.certificate.stars[tube.star], tube.direction, box);
   return constant_in(replay.exact_map(tube), box);

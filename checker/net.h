@@ -9,9 +9,9 @@
 
 namespace exsect::checker {
 
-/// Vectors [i][j] of numbers, 0 <= i <= m and 0 <= j <= n, m and n from 0 to 3: coefficients of Bernstein
-/// polynomials or of u^i v^j. The first parameter is p = 0, the second one p = 1.
-template <class N, std::size_t dimension>
+/// Vectors [i][j] of numbers, 0 <= i <= m and 0 <= j <= n, m and n from 0 to `most`: coefficients of
+/// Bernstein polynomials or of u^i v^j. The first parameter is p = 0, the second one p = 1.
+template <class N, std::size_t dimension, std::size_t most = 3>
 class Grid {
  public:
   using Entry = std::array<N, dimension>;
@@ -20,8 +20,8 @@ class Grid {
   Grid(std::size_t m, std::size_t n) : degrees_{m, n} {}
 
   std::size_t degree(std::size_t p) const { return degrees_[p]; }
-  std::array<Entry, 4>& operator[](std::size_t i) { return entries_[i]; }
-  const std::array<Entry, 4>& operator[](std::size_t i) const { return entries_[i]; }
+  std::array<Entry, most + 1>& operator[](std::size_t i) { return entries_[i]; }
+  const std::array<Entry, most + 1>& operator[](std::size_t i) const { return entries_[i]; }
   /// Entry k in the direction of p, of the line with the number i.
   Entry& along(std::size_t p, std::size_t k, std::size_t i) {
     return p == 0 ? entries_[k][i] : entries_[i][k];
@@ -71,18 +71,31 @@ class Grid {
       each_line(p, [&](const auto& at) {
         for (std::size_t level = 1; level <= m; ++level)
           for (std::size_t k = m; k >= level; --k) at(k) = at(k) - at(k - 1);
-        int binomial = 1;
-        for (std::size_t k = 0; k <= m; ++k) {
-          at(k) = N(binomial) * at(k);
-          binomial = binomial * static_cast<int>(m - k) / static_cast<int>(k + 1);
-        }
+        for (std::size_t k = 0; k <= m; ++k) at(k) = N(binomial(m, k)) * at(k);
+      });
+    }
+  }
+  /// The opposite way.
+  void from_powers() {
+    for (const std::size_t p : {std::size_t{0}, std::size_t{1}}) {
+      const std::size_t m = degrees_[p];
+      each_line(p, [&](const auto& at) {
+        for (std::size_t k = 0; k <= m; ++k) at(k) = at(k) / N(binomial(m, k));
+        for (std::size_t level = m; level >= 1; --level)
+          for (std::size_t k = level; k <= m; ++k) at(k) = at(k) + at(k - 1);
       });
     }
   }
 
  private:
+  static int binomial(std::size_t m, std::size_t k) {
+    int result = 1;
+    for (std::size_t i = 0; i < k; ++i) result = result * static_cast<int>(m - i) / static_cast<int>(i + 1);
+    return result;
+  }
+
   std::array<std::size_t, 2> degrees_ = {};
-  std::array<std::array<Entry, 4>, 4> entries_ = {};
+  std::array<std::array<Entry, most + 1>, most + 1> entries_ = {};
 };
 
 /// Control points, or vector coefficients.

@@ -59,6 +59,8 @@ template <class Read>
 struct Optional {
   Read read;
 };
+template <class Read>
+Optional(Read) -> Optional<Read>;
 template <class Value>
 inline constexpr bool is_optional = false;
 template <class Read>

@@ -7,6 +7,7 @@
 #include "factors.h"
 #include "pairs_of_points.h"
 #include "position.h"
+#include "section.h"
 
 namespace exsect::checker {
 
@@ -91,12 +92,18 @@ Replay<N> start(const Certificate<N>& certificate) {
   const Net<Rational>& first = certificate.nets[0].points;
   const Vector3<Rational>& middle = first[first.degree(0) / 2][first.degree(1) / 2];
   Replay<N> result = {certificate, middle, {}, {}, {}, {}, {}, {}};
+  const auto& equation = certificate.equation;
   std::array<WeightedNet<Rational>, 2> power = certificate.nets;
+  if (equation) {
+    power[0].to_powers();
+    result.exact = section_map(Section(*equation, power[0]).polynomial());
+    power = certificate.nets;
+  }
   for (WeightedNet<Rational>& c : power) {
     c.move_by_minus(result.origin);
     c.to_powers();
   }
-  result.exact = pair_map(power[0], power[1]);
+  if (!equation) result.exact = pair_map(power[0], power[1]);
   result.exact_space = position_on(power[0]);
   result.equation[0] = rounded<N>(result.exact);
   result.space[0] = rounded<N>(result.exact_space);

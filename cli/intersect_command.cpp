@@ -60,12 +60,14 @@ auto solve(const IntersectCommand& command, const First& first, const Second& se
   }
 }
 
-/// What --certificate writes; empty where it is not given, or, with a message, where there is no certificate.
-std::string certificate(const IntersectCommand& command, const RationalPair& pair, const PatchNames& names,
-                        const IntersectResult& result, const Streams& streams) {
+/// What --certificate writes of two patches, or of a surface given by its equation and a patch; empty where
+/// it is not given, or, with a message, where there is no certificate.
+template <class First>
+std::string certificate(const IntersectCommand& command, const First& first, const RationalPatch& second,
+                        const PatchNames& names, const IntersectResult& result, const Streams& streams) {
   if (command.output.certificate.empty()) return "";
   try {
-    return certificate_text(pair.x.patch, pair.y.patch, names, result);
+    return certificate_text(first, second, names, result);
   } catch (const NoCertificate& reason) {
     streams.err << "exsect: no certificate: " << printable(reason.what()) << std::endl;
     return "";
@@ -87,18 +89,15 @@ std::optional<PatchAndEquation> patch_and_equation(const SurfacePair& pair) {
   return PatchAndEquation{{patch.name, *patch.patch()}, other.name, *other.equation(), pair.title};
 }
 
-void refuse_for_equations(const IntersectCommand& command, const PatchAndEquation& pair) {
-  const auto refuse = [&](const char* option) {
-    throw InputError(input_name(command.file), "",
-                     fmt::format("\"{}\": not supported yet with {}: a surface given by its equation",
-                                 printable(pair.surface), option));
-  };
-  if (!command.output.certificate.empty()) refuse("--certificate");
-}
-
 template <class Result>
 ExitStatus status_of(const Result& result) {
   return result.status == Status::complete ? ExitStatus::complete : ExitStatus::incomplete;
+}
+/// Incomplete as well where a certificate was asked for and `proof` is none.
+ExitStatus status_of(const IntersectCommand& command, const IntersectResult& result,
+                     const std::string& proof) {
+  if (proof.empty() && !command.output.certificate.empty()) return ExitStatus::incomplete;
+  return status_of(result);
 }
 
 /// What there is only where one of the two is a patch.
@@ -144,7 +143,6 @@ ExitStatus run_with_equations(const IntersectCommand& command, const SurfacePair
 
 ExitStatus run_with_equation(const IntersectCommand& command, const PatchAndEquation& pair,
                              const IntersectOptions& options, const Streams& streams) {
-  refuse_for_equations(command, pair);
   const int cells = grid_cells(command.output.exports);
   const PatchNames names = {pair.patch.name, pair.surface, one_patch_names, name(pair.equation.kind())};
   const IntersectResult result = solve(command, pair.equation, pair.patch.patch, options, streams);
@@ -154,12 +152,14 @@ ExitStatus run_with_equation(const IntersectCommand& command, const PatchAndEqua
     add_charts(tree, result.graph, pair.patch.patch, pair.equation);
     json = json_text(tree);
   }
+  const std::string proof = certificate(command, pair.equation, pair.patch.patch, names, result, streams);
   write_exports(
       command.output.exports,
       [&] { return surface_scene(result, pair.patch.patch, names, pair.title, cells); },
       [&] { return node_csv(result.graph, one_patch_names); });
   if (!command.output.json.empty() && !command.output.json_to_stdout())
     write_file_atomically(command.output.json, json);
+  if (!proof.empty()) write_file_atomically(command.output.certificate, proof);
   if (!command.output.svg.empty())
     write_file_atomically(command.output.svg, intersection_svg(result, names, pair.title));
   if (!command.output.report.empty())
@@ -171,7 +171,7 @@ ExitStatus run_with_equation(const IntersectCommand& command, const PatchAndEqua
   else if (!command.quiet)
     streams.out << heading(input_name(command.file), pair.title)
                 << intersection_summary(result, names, pair.patch.patch, command.verbose);
-  return status_of(result);
+  return status_of(command, result, proof);
 }
 
 ExitStatus run_with_patches(const IntersectCommand& command, const RationalPair& pair,
@@ -182,7 +182,7 @@ ExitStatus run_with_patches(const IntersectCommand& command, const RationalPair&
   const PatchNames names = {pair.x.name, pair.y.name};
   const IntersectResult result = solve(command, pair.x.patch, pair.y.patch, options, streams);
   const std::string json = command.output.json.empty() ? "" : json_text(intersection_json(result, names));
-  const std::string proof = certificate(command, pair, names, result, streams);
+  const std::string proof = certificate(command, pair.x.patch, pair.y.patch, names, result, streams);
   write_exports(
       command.output.exports,
       [&] { return intersection_scene(result, pair.x.patch, pair.y.patch, names, pair.title, cells); },
@@ -206,8 +206,7 @@ ExitStatus run_with_patches(const IntersectCommand& command, const RationalPair&
     streams.out << heading(input_name(command.file), pair.title)
                 << intersection_summary(result, names, pair.x.patch, pair.y.patch, command.verbose);
   }
-  if (proof.empty() && !command.output.certificate.empty()) return ExitStatus::incomplete;
-  return status_of(result);
+  return status_of(command, result, proof);
 }
 
 }  // namespace

@@ -392,6 +392,39 @@ def pair_map(x, y):
                + [((*i, *k), -w, p) for k, p in entries(y.points) for i, (w,) in entries(x.weights)])
 
 
+def space_degree(equation):
+    return max(map(sum, equation), default=0)
+
+
+def section(equation, x):
+    """w^d f(X / w) as a polynomial in u and v, d the degree of f."""
+    degree = space_degree(equation)
+    parts = [{(*i, 0, 0): p[d] for i, p in entries(x.points)} for d in range(3)] + [{(*i, 0, 0): w for i, (w,) in entries(x.weights)}]
+    result = {}
+    for power, c in equation.items():
+        term = {(0, 0, 0, 0): c}
+        for part, n in zip(parts, (*power, degree - sum(power))):
+            for _ in range(n):
+                term = product(term, part)
+        for p, q in term.items():
+            result[p] = result.get(p, 0) + q
+    return {p: q for p, q in result.items() if q}
+
+
+def section_map(polynomial):
+    """F = (polynomial, r - 1/2, s - 1/2)"""
+    return Map([(power, c, [1, 0, 0]) for power, c in polynomial.items()]
+               + [((0, 0, 1, 0), 1, [0, 1, 0]), ((0, 0, 0, 1), 1, [0, 0, 1]), ((0, 0, 0, 0), Fraction(-1, 2), [0, 1, 1])])
+
+
+def section_net(polynomial, m, n):
+    """A positive multiple of its Bernstein coefficients of bidegree (m,n) over the unit square, in integers."""
+    net = [[sum(math.comb(i, k) * math.comb(j, l) * c / (math.comb(m, k) * math.comb(n, l)) for (k, l, _, _), c in polynomial.items() if k <= i and l <= j)
+            for j in range(n + 1)] for i in range(m + 1)]
+    scale = math.lcm(*(Fraction(c).denominator for row in net for c in row))
+    return [[[int(c * scale)] for c in row] for row in net]
+
+
 class Position:
     """The point of space X / W of two maps, W the first component of the second one, or X alone."""
 
@@ -601,6 +634,8 @@ class Tube:
         if self.factor is not None:
             self.factor = element(system.factors, self.factor, place)
             self.check_factored(place)
+        elif system.section is not None:
+            self.find_constant(list(zip(self.centre, self.extent())))
         self.check_contraction(place)
         if self.charted:
             h = self.extent()
@@ -648,6 +683,9 @@ class Tube:
             parameters = self.star.from_chart(self.direction, box)
             self.map, columns = self.star.factor(factor, self.direction)
         require(independent(columns, factor.surface, box), place, "there may be other solutions")
+        self.find_constant(parameters)
+
+    def find_constant(self, parameters):
         local, half = self.exact.at([near(b[0]) for b in parameters]), [b[1] for b in parameters]
         half = [h + abs(near(b[0]) - b[0]) for h, b in zip(half, parameters)]
         for _, d, i in itertools.product(range(4), range(3), range(4)):
@@ -1044,6 +1082,10 @@ class Node:
         self.wrt = [parameter(p, place) for p in value["wrt"]]
 
 
+def check_name(name, place):
+    require(isinstance(name, str) and is_json(f'"{name}"'), place, "not a name")
+
+
 class Checker:
     def __init__(self, root):
         require(isinstance(root.get("command"), str) and root["command"] in ("intersect", "line", "self"), "$.command", "neither intersect, line nor self")
@@ -1066,23 +1108,44 @@ class Checker:
         for i, row in enumerate(root["cover"]):
             require(isinstance(row, str) and " #" in row, f"$.cover[{i}]", "no seal")
         self.cells = sum(row.split(" #", 1)[0].count(" ") + 1 for row in root["cover"])
-        self.nets = [self.net(root[key], "$." + key) for key in names]
+        self.section = None  # of an equation in the place of the second patch
+        surface = root["second"] if root["command"] == "intersect" and isinstance(root["second"], dict) and "equation" in root["second"] else None
+        self.nets = [self.net(root[key], "$." + key) for key in names[: 1 if surface else 2]]
         self.nets = [self.nets[0], self.nets[-1]]
         points = self.nets[0].points
         require(not self.alone or (len(points) == len(points[0]) == 3 and not self.nets[0].weighted), "$.first", "not 3 x 3 points alone, of one patch")
         power = [Net(power_basis(net.points), power_basis(net.weights)) for net in self.nets]
         self.equation = {"pair": pair_map(*power)}
         self.space = {"pair": position_on(power[0])}
+        if surface:
+            equation = self.surface_equation(surface, "$.second")
+            self.section = section(equation, power[0])
+            self.bidegree = [(n - 1) * space_degree(equation) for n in (len(points), len(points[0]))]
+            self.equation = {"pair": section_map(self.section)}
         if self.alone:
             for name, c in (("first", power[0].points), ("second", transposed(power[0].points))):
                 self.equation[name], self.space[name] = chart_map(c), Position(chart_space(c))
 
     @staticmethod
+    def surface_equation(value, place):
+        """{exponents of x, y, z: coefficient}"""
+        value = claim(value, place, ["name", "equation"])
+        check_name(value["name"], place)
+        require(isinstance(value["equation"], list), place, "not a polynomial")
+        result = {}
+        for term in value["equation"]:
+            require(isinstance(term, list) and len(term) == 4, place, "not a coefficient and three exponents")
+            power = tuple(count(n, place) for n in term[1:])
+            require(sum(power) <= 4, place, "exponents with a sum above 4")
+            result[power] = result.get(power, 0) + number(term[0], place)
+        return {power: c for power, c in result.items() if c}
+
+    @staticmethod
     def net(value, place):
         weighted = isinstance(value, dict) and "weights" in value
         value = claim(value, place, ["name", "points", "weights"] if weighted else ["name", "points"])
-        name, points = value["name"], value["points"]
-        require(isinstance(name, str) and is_json(f'"{name}"'), place, "not a name")
+        points = value["points"]
+        check_name(value["name"], place)
         require(isinstance(points, list) and 2 <= len(points) <= 4 and all(isinstance(row, list) for row in points), place, "not 2 to 4 rows")
         require(len({len(row) for row in points}) == 1 and 2 <= len(points[0]) <= 4, place, "not rows of 2 to 4 points")
         points = [[numbers(p, 3, place) for p in row] for row in points]
@@ -1457,6 +1520,9 @@ class Checker:
             whole[k // 2] = Net(restricted(whole[k // 2].points, k % 2, value), restricted(whole[k // 2].weights, k % 2, value))
             middle[k], half[k] = value, Fraction(0)
         nets = [[[[[int(q * scale) for q in p] for p in row] for row in c] for c in (net.points, net.weights)] for net in whole]
+        if self.section is not None:
+            half[2] = half[3] = Fraction(0)
+            nets = [section_net(self.section, *self.bidegree)]
         waiting = [(nets, middle, half)]  # the deepest last; points and weights of both patches, times integers > 0
         for place, text in cover:
             require(waiting, place, "beyond the end of the subdivision")
@@ -1466,7 +1532,7 @@ class Checker:
                 require(width[p] / 2 >= LEAST_HALF_EDGE, place, "a half edge below 2^-51, or the fixed parameter")
                 for upper in (True, False):
                     parts = list(nets)
-                    parts[p // 2] = half_of(*nets[p // 2], p % 2, upper)
+                    parts[p // 2] = halved(nets[0], p, upper) if self.section is not None else half_of(*nets[p // 2], p % 2, upper)
                     h = [w / 2 if j == p else w for j, w in enumerate(width)]
                     m = [q + (h[p] if upper else -h[p]) if j == p else q for j, q in enumerate(middle)]
                     waiting.append((parts, m, h))
@@ -1490,6 +1556,9 @@ class Checker:
                 if text[0] == "i":
                     require(self.alone and sign(volume(direction, self.equation["first"], halves(False, box))), place,
                             "different points of the cell may have the same place")
+                    continue
+                if self.section is not None:
+                    require(all(direction[0] * c > 0 for row in nets[0] for (c,) in row), place, "the cell may hold a solution")
                     continue
                 require(separated(*nets, direction), place, "the direction does not separate the patches")
         require(not waiting, "$.cover", "the subdivision is not complete")

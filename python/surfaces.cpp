@@ -4,6 +4,7 @@
 #include <exsect/solver/patch_ray.h>
 #include <pybind11/stl.h>
 
+#include "certificate/certificate_text.h"
 #include "forms.h"
 #include "numbers.h"
 #include "output/drawing/intersection_svg.h"
@@ -56,9 +57,7 @@ struct SolvedEquation {
   std::string report(const std::string& title) const {
     return cli::equation_report_html(result, patch, surface, names, {title, ""});
   }
-  std::string certificate() const {
-    throw std::invalid_argument("certificate: not supported yet with a surface given by its equation");
-  }
+  std::string certificate() const { return cli::certificate_text(surface, patch, names, result); }
   std::string exported(const std::string& format, const std::string& title, int cells) const {
     if (format == "csv") return cli::node_csv(result.graph, names.parameters);
     return scene_text(cli::surface_scene(result, patch, names, title, cells), format);

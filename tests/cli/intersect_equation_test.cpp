@@ -76,10 +76,32 @@ TEST_CASE("intersect: pictures, tables and scenes of one patch") {
   for (const char* file : {"a.obj", "a.vtp", "a.ply"}) CHECK(content(scratch.path(file)).size() > 1000);
 }
 
+TEST_CASE("intersect: a patch and an equation have a certificate, or none by name") {
+  const ScratchDirectory scratch;
+  const std::string proof = scratch.path("proof.json");
+  for (const char* name : {"oblique", "ball"}) {
+    INFO(name);
+    const ProgramRun run = run_program({"intersect", surfaces, "--first", name, "--second", "saddle",
+                                        "--tolerance", "1e-2", "--certificate", proof, "--quiet"});
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    CHECK(run_program({"check", proof}).out.find("accepted") != std::string::npos);
+  }
+  for (const auto& [name, reason] : {std::pair{"cone", "a surface with bounds"},
+                                     {"floor", "a point where the patch touches the surface"}}) {
+    const std::string path = scratch.path("none.json");
+    const ProgramRun none = run_program(
+        {"intersect", surfaces, "--first", "saddle", "--second", name, "--certificate", path, "--quiet"});
+    INFO(none.err);
+    CHECK(none.status == 3);
+    CHECK(none.err.find(std::string("no certificate: ") + reason) != std::string::npos);
+  }
+}
+
 TEST_CASE("intersect: what is not there yet for equations is refused by name") {
   check_refused({"intersect", surfaces, "--first", "torus", "--second", "ball", "--report", "page.html"},
                 "not supported yet with --report");
-  check_refused({"intersect", surfaces, "--first", "saddle", "--second", "ball", "--certificate", "proof"},
+  check_refused({"intersect", surfaces, "--first", "torus", "--second", "ball", "--certificate", "proof"},
                 "not supported yet with --certificate");
   check_refused({"line", surfaces, "--first", "saddle", "--second", "ball", "--u", "1/2"},
                 "only patches are taken");

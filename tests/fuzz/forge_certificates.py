@@ -37,6 +37,14 @@ def patches(*nets):
                                                for name, net in zip("xy", nets)]}
 
 
+def surface(name, claim):
+    """The entry of a patch file for a claim of a certificate."""
+    if "equation" in claim:
+        return {"name": name, "type": "implicit", "terms": [[c, powers] for c, *powers in claim["equation"]]}
+    entry = patches(claim["points"])["patches"][0]
+    return {**entry, "name": name, **({"weights": claim["weights"]} if "weights" in claim else {})}
+
+
 def plane(origin, u, v):
     def add(*points):
         return [str(sum(map(Fraction, c))) for c in zip(*points)]
@@ -96,6 +104,12 @@ def models():
     yield "irrational crossing", ["intersect"], ROOT / "tests" / "project" / "irrational-crossing.json"
     yield "random", ["intersect"], patches(random_patch(generator, 1), random_patch(generator, Fraction(1, 2)))
     yield "first example", ["intersect"], first
+    bent = {"name": "x", "degree": [2, 1], "points": [[[0, 0, 0], [0, 1, "1/8"]], [["1/2", 0, "1/5"], ["1/2", 1, 0]], [[1, 0, 0], [1, 1, "1/7"]]],
+            "weights": [[1, 1], ["3/2", "4/3"], [1, 1]]}
+    across = {"name": "y", "degree": [1, 1], "points": plane(("1/3", "-1/10", -1), (0, "6/5", "1/7"), ("1/9", 0, 2))}
+    yield "weights", ["intersect"], {"exsect": "patches/1", "patches": [bent, across]}
+    ball = {"name": "y", "type": "sphere", "centre": ["1/2", "1/2", "1/10"], "radius": "1/3"}
+    yield "equation and weights", ["intersect"], {"exsect": "patches/1", "patches": [bent, ball]}
 
 
 class Program:
@@ -129,8 +143,8 @@ class Program:
 
     def result(self, root):
         """What the program finds for the patches of a certificate; None if that is incomplete."""
-        nets = [root[key]["points"] for key in ("first", "second") if key in root]
-        path = self.file("truth.json", json.dumps(patches(*nets)))
+        surfaces = [surface(name, root[key]) for name, key in (("x", "first"), ("y", "second")) if key in root]
+        path = self.file("truth.json", json.dumps({"exsect": "patches/1", "patches": surfaces}))
         if root["command"] == "line":
             command = ["line", path, "--" + root["fixed"]["parameter"], root["fixed"]["value"]]
         elif root["command"] == "self":
@@ -335,7 +349,7 @@ def hand_made(base):
             root["cover"] = [" ".join(changed)]
             yield f"entry {i} {what}", Forged(recounted(root))
     for key in ("first", "second"):
-        for what, change in NET_CHANGES if key in base else ():
+        for what, change in NET_CHANGES if "points" in base.get(key, {}) else ():
             root = copy(base)
             root[key]["points"] = [[change(list(map(Fraction, p)), i, j) for j, p in enumerate(row)] for i, row in enumerate(root[key]["points"])]
             yield f"{key}: {what}", Forged(root)
@@ -532,7 +546,7 @@ def falsehood(root, base, result):
     ends = [node for node in nodes if node["on"] or node["wrt"]]
     if root["nodes"] != base["nodes"] and not boxes_fit(root["nodes"], ends):
         return "a node's box"
-    lines = [[v["point"] if isinstance(v, dict) else v[4:7] for v in arc["polyline"]] for arc in graph["arcs"]]
+    lines = [[v["point"] if isinstance(v, dict) else v[-3:] for v in arc["polyline"]] for arc in graph["arcs"]]
     size = max((abs(c) for line in lines for p in line for c in p), default=1.0)
     for arc in root["arcs"]:
         bound = double(arc["error_bound"]) + 3e-4 * size

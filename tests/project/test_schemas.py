@@ -50,6 +50,9 @@ Path(BENT).write_text(json.dumps({"exsect": "patches/1", "patches": [
     {"name": "plane", "degree": [1, 1], "points": [[["-1/10", "1/3", -1], ["-1/10", "2/3", 1]], [["11/10", "1/2", -1], ["11/10", "3/7", 1]]]}]}))
 subprocess.run([PROGRAM, "intersect", BENT, "--tolerance", "1e-2", "--certificate", WEIGHTED_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
 
+EQUATION_CERTIFICATE = CERTIFICATE.replace("proof", "equation")
+subprocess.run([PROGRAM, "intersect", "examples/surfaces.json", "--first", "saddle", "--second", "ball", "--tolerance", "1e-1", "--certificate", EQUATION_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
+
 # Pairs in special position, each with a kind of claim of its own.
 SPECIAL_CASES = ["tangent-curve", "tangent-and-transversal", "overlap", "two-branches-tangent-to-each-other", "irrational-crossing", "curved-touching"]
 SPECIAL = [CERTIFICATE.replace("proof", case) for case in SPECIAL_CASES]
@@ -162,8 +165,8 @@ def test_an_input_file_satisfies_its_schema(file):
         assert violations(document) == []
 
 
-@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE, SELF_CERTIFICATE, SIDE_CERTIFICATE, CUBIC_CERTIFICATE, WEIGHTED_CERTIFICATE, *SPECIAL],
-                         ids=["curves", "line", "self", "side", "cubic", "weighted", *SPECIAL_CASES])
+@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE, SELF_CERTIFICATE, SIDE_CERTIFICATE, CUBIC_CERTIFICATE, WEIGHTED_CERTIFICATE, EQUATION_CERTIFICATE, *SPECIAL],
+                         ids=["curves", "line", "self", "side", "cubic", "weighted", "equation", *SPECIAL_CASES])
 def test_a_certificate_satisfies_its_schema_and_both_checkers(tmp_path, certificate):
     document = json.loads(Path(certificate).read_text())
     assert violations(document) == []

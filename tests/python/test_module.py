@@ -784,6 +784,10 @@ def test_arcs_of_a_patch_and_an_equation_have_no_parameters_of_the_equation():
     assert again.arcs == result.arcs
     with pytest.raises(ValueError, match="not supported yet"):
         result.to_report()
+    found = exsect.check(result.to_certificate())
+    assert found.accepted and found.summary["closed"] == 1 and found.summary["nodes"] == 4
+    with pytest.raises(exsect.NoCertificate, match="a surface with bounds"):
+        exsect.intersect(exsect.Patch(SADDLE), surfaces()["cone"]).to_certificate()
 
 
 def test_two_equations_give_what_the_program_gives():
