@@ -74,21 +74,6 @@ std::string certificate(const IntersectCommand& command, const First& first, con
   }
 }
 
-/// The patch and the surface given by its equation, whichever comes first.
-struct PatchAndEquation {
-  NamedRationalPatch patch;
-  std::string surface;
-  ImplicitSurface equation;
-  std::string title;
-};
-
-std::optional<PatchAndEquation> patch_and_equation(const SurfacePair& pair) {
-  if ((pair.x.patch() != nullptr) == (pair.y.patch() != nullptr)) return std::nullopt;
-  const NamedSurface& patch = pair.x.patch() != nullptr ? pair.x : pair.y;
-  const NamedSurface& other = pair.x.patch() != nullptr ? pair.y : pair.x;
-  return PatchAndEquation{{patch.name, *patch.patch()}, other.name, *other.equation(), pair.title};
-}
-
 template <class Result>
 ExitStatus status_of(const Result& result) {
   return result.status == Status::complete ? ExitStatus::complete : ExitStatus::incomplete;

@@ -89,16 +89,26 @@ SurfacePair read_surface_pair(const std::string& path, const std::string& first,
 
 RationalPair read_rational_pair(const std::string& path, const std::string& first,
                                 const std::string& second) {
-  const SurfacePair pair = read_surface_pair(path, first, second);
+  return patches_only(read_surface_pair(path, first, second), path);
+}
+
+RationalPair patches_only(const SurfacePair& pair, const std::string& path) {
   return {patch_only(pair.x, path), patch_only(pair.y, path), pair.title};
 }
 
-RationalPair read_rational_pair(const std::string& path, const std::string& first, const std::string& second,
-                                const char* chosen_by) {
+SurfacePair read_surface_pair(const std::string& path, const std::string& first, const std::string& second,
+                              const char* chosen_by) {
   const SurfaceFile file = input_surfaces(path);
   for (const std::string& name : {first, second})
     if (!name.empty()) named(file.surfaces, path, name, chosen_by);
-  return read_rational_pair(path, first, second);
+  return read_surface_pair(path, first, second);
+}
+
+std::optional<PatchAndEquation> patch_and_equation(const SurfacePair& pair) {
+  if ((pair.x.patch() != nullptr) == (pair.y.patch() != nullptr)) return std::nullopt;
+  const NamedSurface& patch = pair.x.patch() != nullptr ? pair.x : pair.y;
+  const NamedSurface& other = pair.x.patch() != nullptr ? pair.y : pair.x;
+  return PatchAndEquation{{patch.name, *patch.patch()}, other.name, *other.equation(), pair.title};
 }
 
 std::string place_beyond_doubles(const RationalPatch& patch) {

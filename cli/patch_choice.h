@@ -4,6 +4,7 @@
 #include <exsect/geometry/rational_patch_file.h>
 #include <exsect/geometry/surface_file.h>
 
+#include <optional>
 #include <string>
 
 namespace exsect::cli {
@@ -29,15 +30,27 @@ struct SurfacePair {
   std::string title;
 };
 
+/// A patch and a surface given by its equation, whichever comes first.
+struct PatchAndEquation {
+  NamedRationalPatch patch;
+  std::string surface;
+  ImplicitSurface equation;
+  std::string title;
+};
+/// Empty for two patches and for two equations.
+std::optional<PatchAndEquation> patch_and_equation(const SurfacePair& pair);
+
 /// Reads the file and chooses: by name where a name is not empty, else in the order of the file, which then
 /// must hold exactly two patches. Throws InputError for a bad file, an unknown name, the same name twice, or
 /// no clear choice.
 SurfacePair read_surface_pair(const std::string& path, const std::string& first, const std::string& second);
+/// The same where `chosen_by`, and not --first and --second, gives the names.
+SurfacePair read_surface_pair(const std::string& path, const std::string& first, const std::string& second,
+                              const char* chosen_by);
 /// The same of patches; InputError if one of them is given by its equation.
 RationalPair read_rational_pair(const std::string& path, const std::string& first, const std::string& second);
-/// The same where `chosen_by`, and not --first and --second, gives the names.
-RationalPair read_rational_pair(const std::string& path, const std::string& first, const std::string& second,
-                                const char* chosen_by);
+/// The pair of the file as patches; InputError as above.
+RationalPair patches_only(const SurfacePair& pair, const std::string& path);
 /// Throws InputError that names the first patch of the pair that is not polynomial of bidegree at most (2,2),
 /// and the option that takes no others; returns if there is none.
 void refuse_unless_biquadratic(const std::string& path, const RationalPair& pair, const char* option);

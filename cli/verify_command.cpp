@@ -1,6 +1,10 @@
 #include "cli/verify_command.h"
 
-#include <exsect/verify/verify.h>
+#include <exsect/verify/verify_equation.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
 
 #include "cli/input_file.h"
 #include "cli/patch_choice.h"
@@ -15,11 +19,11 @@ namespace exsect::cli {
 namespace {
 
 /// The patches that the options name, else those that the candidate names.
-RationalPair chosen_pair(const VerifyCommand& command, const Candidate& candidate) {
+SurfacePair chosen_pair(const VerifyCommand& command, const Candidate& candidate) {
   if (!command.first.empty() || !command.second.empty())
-    return read_rational_pair(command.file, command.first, command.second);
-  return read_rational_pair(command.file, candidate.patches[0], candidate.patches[1],
-                            "the candidate's patches");
+    return read_surface_pair(command.file, command.first, command.second);
+  return read_surface_pair(command.file, candidate.patches[0], candidate.patches[1],
+                           "the candidate's patches");
 }
 
 /// Whether the file is JSON that says to hold patches.
@@ -44,16 +48,61 @@ Candidate candidate_of(const VerifyCommand& command) {
   }
 }
 
-Verification solve_candidate(const RationalPair& pair, const Candidate& candidate, VerifyOptions options,
-                             const Streams& streams, bool quiet) {
+/// verify() of two patches, or of a surface given by its equation and a patch.
+template <class First>
+Verification solve_candidate(const First& first, const RationalPatch& second, const Candidate& candidate,
+                             VerifyOptions options, const Streams& streams, bool quiet) {
   Progress progress(streams.err, streams.watched && !quiet);
   options.progress = [&](double fraction, const char* step) { progress.report(fraction, step); };
-  return verify(candidate, pair.x.patch, pair.y.patch, options);
+  return verify(candidate, first, second, options);
+}
+
+/// With the parameters of the second surface as those of the first one.
+Candidate exchanged(Candidate candidate) {
+  for (CandidateCurve& curve : candidate.curves) std::swap(curve.first, curve.second);
+  for (CandidatePoint& point : candidate.points) std::swap(point.first, point.second);
+  return candidate;
 }
 
 ExitStatus status(Agreement agreement) {
   if (agreement == Agreement::agrees) return ExitStatus::complete;
   return agreement == Agreement::disagrees ? ExitStatus::negative : ExitStatus::incomplete;
+}
+
+/// What is written but for the page; y is x where the second surface is given by its equation.
+ExitStatus write_verdict(const VerifyCommand& command, const Candidate& candidate, const Verification& result,
+                         const RationalPair& pair, const PatchNames& names, const Streams& streams) {
+  const std::string json =
+      command.output.json.empty() ? "" : json_text(verdict_json(result, candidate, names));
+  if (!command.output.json.empty() && !command.output.json_to_stdout())
+    write_file_atomically(command.output.json, json);
+  if (!command.output.svg.empty())
+    write_file_atomically(command.output.svg, verdict_svg(result, candidate, names, pair.title));
+  if (command.output.json_to_stdout())
+    streams.out << json;
+  else if (!command.quiet)
+    streams.out << heading(input_name(command.candidate), pair.title)
+                << verdict_summary(result, candidate, command.tolerance, pair.x.patch, pair.y.patch);
+  return status(result.verdict.agreement);
+}
+
+ExitStatus judge_with_equation(const VerifyCommand& command, const Candidate& given,
+                               const PatchAndEquation& pair, bool patch_is_second,
+                               const VerifyOptions& options, const Streams& streams) {
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(input_name(command.file), "$.patches",
+                     fmt::format("\"{}\" is given by its equation: {}", printable(pair.surface), what));
+  };
+  if (!command.output.report.empty()) refuse("not supported yet with --report");
+  const Candidate candidate = patch_is_second ? exchanged(given) : given;
+  const auto has_second = [](const auto& claim) { return claim.second.has_value(); };
+  if (std::ranges::any_of(candidate.curves, has_second) || std::ranges::any_of(candidate.points, has_second))
+    refuse("it has no parameters, but the candidate states some");
+  const RationalPatch& patch = pair.patch.patch;
+  const Verification result =
+      solve_candidate(pair.equation, patch, candidate, options, streams, command.quiet);
+  return write_verdict(command, candidate, result, {pair.patch, pair.patch, pair.title},
+                       {pair.patch.name, pair.surface, one_patch_names, name(pair.equation.kind())}, streams);
 }
 
 }  // namespace
@@ -66,26 +115,19 @@ ExitStatus run(const VerifyCommand& command, const Streams& streams) {
   check(command.output, command.file);
   check(command.output, command.candidate);
   const Candidate candidate = candidate_of(command);
-  const RationalPair pair = chosen_pair(command, candidate);
+  const SurfacePair chosen = chosen_pair(command, candidate);
+  if (const std::optional<PatchAndEquation> mixed = patch_and_equation(chosen))
+    return judge_with_equation(command, candidate, *mixed, chosen.x.patch() == nullptr, options, streams);
+  const RationalPair pair = patches_only(chosen, command.file);
   const PatchNames names = {pair.x.name, pair.y.name};
-  const Verification result = solve_candidate(pair, candidate, options, streams, command.quiet);
-  const std::string json =
-      command.output.json.empty() ? "" : json_text(verdict_json(result, candidate, names));
-  if (!command.output.json.empty() && !command.output.json_to_stdout())
-    write_file_atomically(command.output.json, json);
-  if (!command.output.svg.empty())
-    write_file_atomically(command.output.svg, verdict_svg(result, candidate, names, pair.title));
+  const Verification result =
+      solve_candidate(pair.x.patch, pair.y.patch, candidate, options, streams, command.quiet);
   if (!command.output.report.empty())
     write_file_atomically(
         command.output.report,
         verdict_report_html(result, candidate, pair.x.patch, pair.y.patch, names,
                             origin_of(pair.title, command.output.line, {command.candidate, command.file})));
-  if (command.output.json_to_stdout())
-    streams.out << json;
-  else if (!command.quiet)
-    streams.out << heading(input_name(command.candidate), pair.title)
-                << verdict_summary(result, candidate, command.tolerance, pair.x.patch, pair.y.patch);
-  return status(result.verdict.agreement);
+  return write_verdict(command, candidate, result, pair, names, streams);
 }
 
 }  // namespace exsect::cli

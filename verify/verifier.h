@@ -136,4 +136,8 @@ class Verifier {
 /// A number in words: without trailing zeros.
 std::string decimal(double x);
 
+/// The verdict from one exact result, of models of every size; errors are those of verify() (verify.h).
+Verdict judged(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
+               const IntersectResult& exact, double tolerance, const StopRequest& stop);
+
 }  // namespace exsect

@@ -57,6 +57,8 @@ double extent_of(const RationalPatch& x, const RationalPatch& y) {
   return to_double(largest_extent(box));
 }
 
+}  // namespace
+
 Verdict judged(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
                const IntersectResult& exact, double tolerance, const StopRequest& stop) {
   require_tolerance(tolerance);
@@ -69,8 +71,6 @@ Verdict judged(const Candidate& candidate, const RationalPatch& x, const Rationa
   const IntersectResult truth = scaled_down(exact, e);
   return scaled_up(Verifier(near_unit, scaled_down(x, e), scaled_down(y, e), truth, scaled, stop)(), e);
 }
-
-}  // namespace
 
 Verdict verify(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
                const IntersectResult& exact, double tolerance) {

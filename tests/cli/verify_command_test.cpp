@@ -209,4 +209,41 @@ TEST_CASE("verify: bad input") {
         2);
 }
 
+TEST_CASE("verify: a surface given by its equation, in either order") {
+  const ScratchDirectory scratch;
+  const std::string file = example("surfaces.json"), path = scratch.path("claims.json");
+  const Json found = Json::parse(
+      run_program({"intersect", file, "--first", "saddle", "--second", "torus", "--json", "-"}).out);
+  Json claims = {{"exsect", "candidate/1"}, {"patches", {"torus", "saddle"}}, {"curves", Json::array()}};
+  for (const Json& arc : found.at("arcs")) {
+    Json space = Json::array(), square = Json::array();
+    for (const Json& v : arc.at("polyline")) {
+      space.push_back({v[2], v[3], v[4]});
+      square.push_back({v[0], v[1]});
+    }
+    claims["curves"].push_back({{"points", space}, {"second", square}});
+  }
+  write(path, claims.dump());
+  const ProgramRun run = run_program(
+      {"verify", path, file, "--tolerance", "1e-4", "--json", "-", "--svg", scratch.path("verdict.svg")});
+  INFO(run.err);
+  CHECK(run.status == 0);
+  const Json verdict = Json::parse(run.out);
+  CHECK(JsonSchema::named("verdict-1").violation(verdict) == "");
+  CHECK(verdict.at("verdict") == "agrees");
+  CHECK(verdict.at("first") == "saddle");
+  CHECK(verdict.at("second") == "torus");
+  CHECK(run_program({"verify", path, file, "--tolerance", "1e-4"}).out.find("agrees") != std::string::npos);
+  // As parameters of the torus, which has none.
+  CHECK(run_program({"verify", path, file, "--first", "saddle", "--second", "torus"})
+            .err.find("\"torus\" is given by its equation: it has no parameters") != std::string::npos);
+  CHECK(run_program({"verify", path, file, "--first", "ball", "--second", "torus"})
+            .err.find("only patches are taken here") != std::string::npos);
+  CHECK(run_program({"verify", path, file, "--report", scratch.path("page.html")})
+            .err.find("not supported yet with --report") != std::string::npos);
+  claims["curves"] = Json::array({claims["curves"][0]});
+  write(path, claims.dump());
+  CHECK(run_program({"verify", path, file, "--tolerance", "1e-4"}).status == 1);
+}
+
 }  // namespace exsect::verify_command_test
