@@ -133,6 +133,7 @@ class FilteredIntersection {
   }
 
   std::optional<IntersectResult> drawn(filter::KnownPair<K> all) const {
+    for (AnalysedTraceOf<K>& curve : all.curves) curve.trace.pieces.shrink_to_fit();  // it stays as it is
     const auto kept = std::make_shared<const filter::KnownPair<K>>(std::move(all));
     auto result = first_drawn([kept](const Run& run) { return filter::drawn(*kept, run); }, run_);
     if (result) record(kept->curves, result->graph);
