@@ -249,10 +249,14 @@ TEST_CASE("intersect rational: patches touch, or branches cross, in a rational p
 }
 
 TEST_CASE("intersect rational: what doubles do not decide is incomplete, with place and reason") {
-  // The plane begins where the patches touch, or branches cross.
-  const IntersectResult result = graph_and_plane(1, 0);
+  // The plane begins where the patches touch, and where branches cross.
+  const IntersectResult touch = graph_and_plane(1, 0);
+  REQUIRE(touch.status == Status::complete);
+  CHECK(touch.graph.isolated_points.size() == 1);
+  CHECK(touch.graph.boundary_points() == 1);
+  const IntersectResult result = graph_and_plane(-1, 0);
   REQUIRE(result.status == Status::incomplete);
-  CHECK(result.incomplete.at(0).reason == Reason::tangency);
+  CHECK(result.incomplete.at(0).reason == Reason::crossing);
   CHECK(result.incomplete[0].where[0].lower <= Rational(1, 2));
   CHECK(result.incomplete[0].where[0].upper >= Rational(1, 2));
   CHECK(result.graph.nodes.empty());
