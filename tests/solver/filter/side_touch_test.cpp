@@ -3,6 +3,7 @@
 #include <exsect/solver/intersect_rational.h>
 
 #include <algorithm>
+#include <string>
 
 #include "filter/filter.h"
 #include "support/catch.h"
@@ -93,6 +94,25 @@ TEST_CASE("filter side touch: cubic patches") {
       const IntersectResult through = intersect(cut.x, moved(power_of_two(-10)));
       CHECK(through.status == Status::complete);
       CHECK(through.graph.count(ComponentShape::closed) == 0);
+    }
+  }
+}
+
+TEST_CASE("filter side touch: beside a curve") {
+  using height_pairs::linear;
+  const Rational half(1, 2);
+  const auto a = linear(-half, 1, 0);
+  const auto b = linear(-half, 0, 1);
+  for (const Rational& away : {Rational(1, 4), Rational(1, 8)}) {
+    const auto h = (a * a + b * b) * linear(-half - away, 1, Rational(1, 16));
+    const Heights pair = height_pairs::heights(a * b, h, 3, Rational(3, 2), Rational(1, 8), {half, half});
+    for (const Cut& cut : cuts(pair)) {
+      INFO("away " << away << ", " << cut.name);
+      const bool is_cut_off = std::string(cut.name) == "corner of y";  // r <= 1/2: the curve is in the rest
+      const IntersectResult result = intersect(cut.x, cut.y);
+      REQUIRE(result.status == Status::complete);
+      CHECK(result.graph.isolated_points.size() == 1);
+      CHECK((result.graph.count(ComponentShape::open) == 1) == !is_cut_off);
     }
   }
 }
