@@ -19,6 +19,7 @@
 #include "lift/lifted_course.h"
 #include "lift/lifted_curve.h"
 #include "lift/pair_region.h"
+#include "lift/ring_curve.h"
 #include "lift/torus_drawing.h"
 
 namespace exsect {
@@ -78,15 +79,19 @@ void set_curves(SurfaceIntersection& result, std::vector<SpaceCurve> curves) {
   }
 }
 
+/// How narrow the boxes of nodes are in parameters.
+Rational drawn_width(double tolerance, double extent) {
+  return std::min<Rational>(power_of_two(-80), from_double(tolerance / extent));
+}
+
 void draw(SurfaceIntersection& result, const LiftedCurve& curve, const PairRegion& region, const Run& run) {
   if (curve.nodes.empty()) return;
   const double extent = extent_of(curve.chart), tolerance = run.drawn_tolerance(extent);
   if (!(extent > 0 && std::isfinite(extent))) throw BeyondDoubles(kBeyondDoubles);
-  const Rational width = std::min<Rational>(power_of_two(-80), from_double(tolerance / extent));
   for (std::size_t i = 0; i < curve.nodes.size(); ++i) {
     const LiftedNode& node = curve.nodes[i];
     add_node(result, node_kind(node.degree, node.is_singular, node.goes_on), node.degree,
-             place_in_space(curve, i, width), names_of(region, node.bounds));
+             place_in_space(curve, i, drawn_width(tolerance, extent)), names_of(region, node.bounds));
   }
   for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
     const LiftedArc& arc = curve.arcs[i];
@@ -111,6 +116,26 @@ void draw(SurfaceIntersection& result, const TorusCurve& curve, const PairRegion
     result.arcs.push_back({static_cast<int>(i), 0, static_cast<int>(arc.from), static_cast<int>(arc.to),
                            curve.factors[arc.factor].multiplicity, std::move(course.points),
                            course.error_bound});
+  }
+  set_curves(result, named_curves(curve));
+}
+
+void draw(SurfaceIntersection& result, const RingCurve& curve, const PairRegion& region, const Run& run) {
+  if (curve.nodes.empty()) return;
+  const double extent = extent_of(curve), tolerance = run.drawn_tolerance(extent);
+  if (!(extent > 0 && std::isfinite(extent))) throw BeyondDoubles(kBeyondDoubles);
+  for (const RingNode& node : curve.nodes) {
+    const LiftedCurve& half = curve.halves[node.half];
+    const LiftedNode& at = half.nodes[node.below];
+    add_node(result, node_kind(node.degree, node.degree == 2 && at.is_singular), node.degree,
+             place_in_space(half, node.below, drawn_width(tolerance, extent)), names_of(region, at.bounds));
+  }
+  for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
+    const RingArc& arc = curve.arcs[i];
+    const LiftedCurve& half = curve.halves[arc.half];
+    SpaceCourse course = course_in_space(half, arc.below, tolerance);
+    result.arcs.push_back({static_cast<int>(i), 0, static_cast<int>(arc.from), static_cast<int>(arc.to),
+                           half.arcs[arc.below].multiplicity, std::move(course.points), course.error_bound});
   }
   set_curves(result, named_curves(curve));
 }
@@ -175,16 +200,29 @@ SurfaceIntersection planes(const ImplicitSurface& first, const ImplicitSurface& 
 SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second,
                                 const PairRegion& region, const Run& run);
 
-/// A torus with what has no bound but its box, in one of the torus's charts; empty if it has none over Q.
-std::optional<SurfaceIntersection> on_torus(const ImplicitSurface& torus, const ImplicitSurface& other,
-                                            const PairRegion& region, const Run& run) {
-  std::optional<TorusCurve> curve;
-  run.timed("curve", [&] { curve = torus_curve(torus, other, region.all); });
+/// By a curve on a chart, or on charts, of the first surface; empty if there are none.
+template <class Solve>
+std::optional<SurfaceIntersection> solved_by(const ImplicitSurface& first, const ImplicitSurface& second,
+                                             const PairRegion& region, const Run& run, Solve curve_on) {
+  decltype(curve_on(first, second, region.all)) curve;
+  run.timed("curve", [&] { curve = curve_on(first, second, region.all); });
   if (!curve) return std::nullopt;
-  if (curve->is_same) return same(torus, other, region);
+  if (curve->is_same) return same(first, second, region);
   SurfaceIntersection result{Status::complete};
   run.timed("drawing", [&] { draw(result, *curve, region, run); });
   return result;
+}
+
+/// A torus with what has no bound but its box, in one of the torus's charts; empty if it has none over Q.
+std::optional<SurfaceIntersection> on_torus(const ImplicitSurface& torus, const ImplicitSurface& other,
+                                            const PairRegion& region, const Run& run) {
+  return solved_by(torus, other, region, run, torus_curve);
+}
+
+/// The same in two halves, if the ratio of its radii is rational.
+std::optional<SurfaceIntersection> on_ring(const ImplicitSurface& torus, const ImplicitSurface& other,
+                                           const PairRegion& region, const Run& run) {
+  return solved_by(torus, other, region, run, ring_curve);
 }
 
 /// Of two tori the one that is taken in whichever order they come.
@@ -200,19 +238,15 @@ std::optional<SurfaceIntersection> tori(const ImplicitSurface& first, const Impl
     if (!coaxial->surface) return SurfaceIntersection{Status::complete};
     return solved_pair(*coaxial->surface, first, within(region, coaxial->surface->region()), run);
   }
-  std::optional<SurfaceIntersection> result = on_torus(first, second, region, run);
-  return result ? result : on_torus(second, first, region, run);
+  for (const auto solve : {on_torus, on_ring})
+    for (const auto& [torus, other] : {std::pair(&first, &second), std::pair(&second, &first)})
+      if (std::optional<SurfaceIntersection> result = solve(*torus, *other, region, run)) return result;
+  return std::nullopt;
 }
 
 std::optional<SurfaceIntersection> lifted(const ImplicitSurface& first, const ImplicitSurface& second,
                                           const PairRegion& region, const Run& run) {
-  std::optional<LiftedCurve> curve;
-  run.timed("curve", [&] { curve = lifted_curve(first, second, region.all); });
-  if (!curve) return std::nullopt;
-  if (curve->is_same) return same(first, second, region);
-  SurfaceIntersection result{Status::complete};
-  run.timed("drawing", [&] { draw(result, *curve, region, run); });
-  return result;
+  return solved_by(first, second, region, run, lifted_curve);
 }
 
 SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second,
@@ -225,8 +259,10 @@ SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurf
     result = lifted(first, second, region, run);
   else if (second.kind() == SurfaceKind::torus)
     result = tori(first, second, region, run);
-  else
-    result = on_torus(first, second, region, run);
+  else {
+    for (const auto solve : {on_torus, on_ring})
+      if (!result) result = solve(first, second, region, run);
+  }
   if (result) return *std::move(result);
   return open(std::string("not supported yet: ") + name(first.kind()) + " and " + name(second.kind()),
               Reason::not_decided);

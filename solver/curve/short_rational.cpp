@@ -1,5 +1,6 @@
 #include "curve/short_rational.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace exsect {
@@ -25,6 +26,12 @@ Rational rounded_down(const Rational& q, int bits) {
 }
 
 Rational rounded_up(const Rational& q, int bits) { return -rounded_down(-q, bits); }
+
+RationalInterval quotients(const RationalInterval& x, const RationalInterval& w) {
+  constexpr int bits = 200;
+  return {rounded_down(std::min<Rational>(x.lower / w.lower, x.lower / w.upper), bits),
+          rounded_up(std::max<Rational>(x.upper / w.lower, x.upper / w.upper), bits)};
+}
 
 Rational root_below(const Rational& q) {
   if (q < 0) throw std::domain_error("square root of a negative number");

@@ -10,6 +10,9 @@ namespace exsect {
 Rational rounded_up(const Rational& q, int bits = 40);
 Rational rounded_down(const Rational& q, int bits = 40);
 
+/// All quotients of numbers of both intervals, w > 0; rounded outwards to 200 bits.
+RationalInterval quotients(const RationalInterval& x, const RationalInterval& w);
+
 /// A short rational not below, not above sqrt(q), relative error below 2^-38; requires q >= 0, else
 /// std::domain_error.
 Rational root_above(const Rational& q);

@@ -10,6 +10,7 @@
 #include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
 #include "curve/curve_place.h"
+#include "curve/short_rational.h"
 #include "curve/taylor_shift.h"
 
 namespace exsect {
@@ -86,39 +87,82 @@ class EnclosedPolynomial {
 };
 
 /// t = (2 y g_v, -2 y g_u, Y_u g_v - Y_v g_u) (17.6) for g = 0 and y^2 = Y; without y on the plane of
-/// symmetry.
+/// symmetry. On a torus its image in space.
 class Tangents {
  public:
-  Tangents(const BivariatePolynomial& g, const BivariatePolynomial& y2, bool is_planar)
+  Tangents(const BivariatePolynomial& g, const SurfaceChart& chart, bool is_planar)
       : is_planar_(is_planar),
+        chart_(chart),
+        height_rate_(rate(chart.height, chart.denominator)),
+        width_rate_(rate(chart.width, chart.denominator)),
         g_u_(g.derivative_r(), greatest_coefficient(g)),
         g_v_(g.derivative_s(), greatest_coefficient(g)),
-        y2_u_(y2.derivative_r(), 1),
-        y2_v_(y2.derivative_s(), 1) {}
+        y2_u_(chart.radicand.derivative_r(), 1),
+        y2_v_(chart.radicand.derivative_s(), 1) {}
 
   std::array<DoubleBall, 3> on(const RationalInterval& u, const RationalInterval& v,
                                const RationalInterval& y) const {
     const double at_u = to_double(u.midpoint()), at_v = to_double(v.midpoint());
     const double du = reach(u, at_u), dv = reach(v, at_v);
     const DoubleBall a = g_u_.on(at_u, at_v, du, dv), b = g_v_.on(at_u, at_v, du, dv);
-    if (is_planar_) return {b, -a, DoubleBall(0)};
+    if (is_planar_) return in_space({b, -a, DoubleBall(0)}, u, v, y);
     const DoubleBall y2_u = y2_u_.on(at_u, at_v, du, dv), y2_v = y2_v_.on(at_u, at_v, du, dv);
     const DoubleBall twice = DoubleBall(2) * DoubleBall::enclosing(y);
-    return {twice * b, -(twice * a), y2_u * b - y2_v * a};
+    return in_space({twice * b, -(twice * a), y2_u * b - y2_v * a}, u, v, y);
   }
 
  private:
+  /// The numerator of the derivative of a quotient.
+  static Polynomial rate(const Polynomial& above, const Polynomial& below) {
+    return above.derivative() * below - above * below.derivative();
+  }
+
+  /// (17.14), of H and W by their numerators and the denominator.
+  std::array<DoubleBall, 3> in_space(const std::array<DoubleBall, 3>& t, const RationalInterval& u,
+                                     const RationalInterval& v, const RationalInterval& y) const {
+    if (chart_.is_affine()) return t;
+    const RationalInterval below = range_of(chart_.denominator, u);
+    const auto over = [&](const RationalInterval& above) {
+      return DoubleBall::enclosing(quotients(above, below));
+    };
+    const DoubleBall once = over(RationalInterval{1, 1}), width = over(range_of(chart_.width, u)),
+                     du = t[0] * once * once, dw = DoubleBall::enclosing(range_of(width_rate_, u)) * du;
+    return {
+        DoubleBall::enclosing(range_of(height_rate_, u)) * du,
+        width * t[1] +
+            DoubleBall::enclosing(RationalInterval{v.lower - chart_.middle, v.upper - chart_.middle}) * dw,
+        width * t[2] + DoubleBall::enclosing(y) * dw};
+  }
+
   static double reach(const RationalInterval& on, double middle) {
     const Rational m = from_double(middle);
     return to_double(std::max<Rational>(m - on.lower, on.upper - m)) * kSlack + kUnderflowLoss;
   }
 
   bool is_planar_;
+  const SurfaceChart& chart_;
+  Polynomial height_rate_, width_rate_;
   EnclosedPolynomial g_u_, g_v_, y2_u_, y2_v_;
 };
 
 using Interval3 = std::array<RationalInterval, 3>;  // of u, v, y
 
+RationalInterval products(const RationalInterval& a, const RationalInterval& b) {
+  const auto [least, most] = std::minmax({Rational(a.lower * b.lower), Rational(a.lower * b.upper),
+                                          Rational(a.upper * b.lower), Rational(a.upper * b.upper)});
+  return {least, most};
+}
+
+/// The multiples of the chart's three vectors, from its origin, of points with u, v, y in these intervals.
+Interval3 along_axes(const SurfaceChart& chart, const Interval3& at) {
+  if (chart.is_affine()) return at;
+  const RationalInterval below = range_of(chart.denominator, at[0]);
+  const RationalInterval width = quotients(range_of(chart.width, at[0]), below);
+  return {quotients(range_of(chart.height, at[0]), below),
+          products(width, {at[1].lower - chart.middle, at[1].upper - chart.middle}), products(width, at[2])};
+}
+
+/// For multiples of the chart's three vectors.
 SpaceBox in_space(const SurfaceChart& chart, const Interval3& at) {
   SpaceBox box;
   const std::array<const Point*, 3> along = {&chart.along_u, &chart.along_v, &chart.along_y};
@@ -138,7 +182,7 @@ SpaceBox in_space(const SurfaceChart& chart, const Interval3& at) {
 struct Vertex {
   Interval3 at;
   std::array<double, 3> point;   // of space
-  std::array<double, 3> scaled;  // about u, v, y times the lengths of their vectors
+  std::array<double, 3> scaled;  // about the multiples of the chart's vectors, times their lengths
   double error;                  // of point
 };
 
@@ -150,7 +194,7 @@ class Course {
         arc_(curve.arcs[arc]),
         branch_(curve.below.arcs[arc_.below]),
         radicand_(curve.chart.radicand),
-        tangents_(curve.factors[arc_.factor].factor, curve.chart.radicand, arc_.sheet == 0),
+        tangents_(curve.factors[arc_.factor].factor, curve.chart, arc_.sheet == 0),
         tolerance_(tolerance) {
     const SurfaceChart& chart = curve.chart;
     const std::array<const Point*, 3> along = {&chart.along_u, &chart.along_v, &chart.along_y};
@@ -169,13 +213,14 @@ class Course {
  private:
   Vertex vertex(const RationalInterval& u, const RationalInterval& v, int sheet) const {
     Vertex result{{u, v, on_sheet(radicand_.on(u, v), sheet)}, {}, {}, 0};
-    const SpaceBox box = in_space(curve_.chart, result.at);
+    const Interval3 along = along_axes(curve_.chart, result.at);
+    const SpaceBox box = in_space(curve_.chart, along);
     std::array<double, 3> off{};
     for (std::size_t k = 0; k < 3; ++k) {
       result.point[k] = to_double(box[k].midpoint());
       const Rational at = from_double(result.point[k]);
       off[k] = to_double(std::max<Rational>(box[k].upper - at, at - box[k].lower));
-      result.scaled[k] = to_double(result.at[k].midpoint()) * lengths_[k];
+      result.scaled[k] = to_double(along[k].midpoint()) * lengths_[k];
     }
     result.error = length_bound(off[0], off[1], off[2]) * kSlack + kUnderflowLoss;
     return result;
@@ -234,9 +279,11 @@ class Course {
   std::optional<double> proved_bound(const Vertex& a, const Vertex& b) const {
     const RationalInterval u = hull(a.at[0], b.at[0]), v = hull(a.at[1], b.at[1]);
     const RationalInterval y = on_sheet(radicand_.on(u, v), arc_.sheet);
-    const double size = length_bound(to_double(u.width()) * lengths_[0], to_double(v.width()) * lengths_[1],
-                                     to_double(y.width()) * lengths_[2]) *
-                        kSlack;
+    const Interval3 along = along_axes(curve_.chart, {u, v, y});
+    const double size =
+        length_bound(to_double(along[0].width()) * lengths_[0], to_double(along[1].width()) * lengths_[1],
+                     to_double(along[2].width()) * lengths_[2]) *
+        kSlack;
     const double error = larger_bound(a.error, b.error), wanted = larger_bound(tolerance_, 4 * error);
     if (!std::isfinite(wanted))
       throw ProofFailure(whole_domain(), "an arc in space is not in the range of doubles");
@@ -290,7 +337,8 @@ class Course {
 SpaceBox place_in_space(const LiftedCurve& curve, std::size_t node, const Rational& width) {
   const LiftedNode& at = curve.nodes[node];
   const auto [u, v] = place_of(curve.below, at.below, width);
-  return in_space(curve.chart, {u, v, on_sheet(Radicand(curve.chart.radicand).on(u, v), at.sheet)});
+  const RationalInterval y = on_sheet(Radicand(curve.chart.radicand).on(u, v), at.sheet);
+  return in_space(curve.chart, along_axes(curve.chart, {u, v, y}));
 }
 
 double extent_of(const SurfaceChart& chart) {

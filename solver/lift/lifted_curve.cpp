@@ -247,18 +247,28 @@ int sign_on_sheet(const SheetFunction& f, const SurfaceChart& chart, const Trian
   return a * sign_of(f.a * f.a - f.b * f.b * chart.radicand, p);
 }
 
-std::optional<LiftedCurve> lifted_curve(const ImplicitSurface& surface, const ImplicitSurface& other,
-                                        const SurfaceRegion& region) {
-  std::optional<SurfaceChart> chart = chart_of(surface, other, region);
-  if (!chart) return std::nullopt;
+LiftedCurve unlifted_curve(SurfaceChart chart, const ImplicitSurface& other) {
   LiftedCurve result;
-  result.chart = std::move(*chart);
+  result.chart = std::move(chart);
   const SheetFunction f = on_chart(other.equation(), result.chart);
   result.is_same = f.is_zero();
   if (result.is_same) return result;
   result.shadow = shadow(f, result.chart);
   result.factors = factors_of(result.shadow);
-  Lifting(surface, other, region, result).run();
+  return result;
+}
+
+void lift(LiftedCurve& curve, const ImplicitSurface& surface, const ImplicitSurface& other,
+          const SurfaceRegion& region) {
+  Lifting(surface, other, region, curve).run();
+}
+
+std::optional<LiftedCurve> lifted_curve(const ImplicitSurface& surface, const ImplicitSurface& other,
+                                        const SurfaceRegion& region) {
+  std::optional<SurfaceChart> chart = chart_of(surface, other, region);
+  if (!chart) return std::nullopt;
+  LiftedCurve result = unlifted_curve(*std::move(chart), other);
+  if (!result.is_same) lift(result, surface, other, region);
   return result;
 }
 

@@ -53,6 +53,11 @@ struct LiftedCurve {
 std::optional<LiftedCurve> lifted_curve(const ImplicitSurface& surface, const ImplicitSurface& other,
                                         const SurfaceRegion& region);
 
+/// On this chart of the surface: without nodes and arcs yet, and with them.
+LiftedCurve unlifted_curve(SurfaceChart chart, const ImplicitSurface& other);
+void lift(LiftedCurve& curve, const ImplicitSurface& surface, const ImplicitSurface& other,
+          const SurfaceRegion& region);
+
 /// The exact sign of a + b y at the point over p with this sign of y.
 int sign_on_sheet(const SheetFunction& f, const SurfaceChart& chart, const TriangularPoint& p, int sheet);
 

@@ -147,14 +147,6 @@ std::vector<Polynomial> critical_heights(const BivariatePolynomial& all,
   return result;
 }
 
-/// What the curve of two surfaces is cut by on a chart: the zeros of y, and of bounds with a name.
-std::vector<BivariatePolynomial> cuts_of(const SurfaceRegion& region, const SurfaceChart& chart) {
-  std::vector<BivariatePolynomial> cuts = {chart.radicand};
-  for (const SurfaceBound& bound : region.bounds)
-    if (!bound.name.empty()) cuts.push_back(whole_shadow(on_chart(bound.form, chart), chart));
-  return cuts;
-}
-
 /// The closed interval from the least to the greatest of the roots and the other numbers, and beyond.
 RationalInterval interval_around(const std::vector<Polynomial>& polynomials, std::vector<Rational> others,
                                  const Rational& room) {
@@ -229,14 +221,19 @@ SheetFunction on_chart(const SpacePolynomial& f, const SurfaceChart& chart) {
     if (!p.b.is_zero() && !q.b.is_zero()) result.a += p.b * q.b * chart.radicand;
     return result;
   };
-  const SheetFunction one{BivariatePolynomial::constant(1), {}};
+  const auto number = [](const Rational& q) { return BivariatePolynomial::constant(q); };
+  const auto in_u = [](const Polynomial& g) {
+    return BivariatePolynomial(std::vector<Polynomial>(1, g)).exchanged();
+  };
+  const BivariatePolynomial height = in_u(chart.height), width = in_u(chart.width),
+                            below = in_u(chart.denominator);
+  const SheetFunction one{number(1), {}};
   std::array<std::vector<SheetFunction>, 3> powers;
   for (std::size_t k = 0; k < 3; ++k) {
     const SheetFunction coordinate{
-        BivariatePolynomial::constant(chart.origin[k]) +
-            BivariatePolynomial::constant(chart.along_u[k]) * BivariatePolynomial::r() +
-            BivariatePolynomial::constant(chart.along_v[k]) * BivariatePolynomial::s(),
-        chart.is_flat() ? BivariatePolynomial() : BivariatePolynomial::constant(chart.along_y[k])};
+        number(chart.origin[k]) * below + number(chart.along_u[k]) * height +
+            number(chart.along_v[k]) * width * (BivariatePolynomial::s() - number(chart.middle)),
+        chart.is_flat() ? BivariatePolynomial() : number(chart.along_y[k]) * width};
     powers[k] = {one};
     for (int i = 0; i < f.degree_in(k); ++i) powers[k].push_back(product(powers[k].back(), coordinate));
   }
@@ -245,8 +242,10 @@ SheetFunction on_chart(const SpacePolynomial& f, const SurfaceChart& chart) {
     SheetFunction term = one;
     for (std::size_t k = 0; k < 3; ++k)
       term = product(term, powers[k][static_cast<std::size_t>(exponents[k])]);
-    sum.a += BivariatePolynomial::constant(coefficient) * term.a;
-    sum.b += BivariatePolynomial::constant(coefficient) * term.b;
+    BivariatePolynomial factor = number(coefficient);
+    for (int i = exponents[0] + exponents[1] + exponents[2]; i < f.degree(); ++i) factor = factor * below;
+    sum.a += factor * term.a;
+    sum.b += factor * term.b;
   }
   return sum;
 }
@@ -263,6 +262,13 @@ BivariatePolynomial whole_shadow(const SheetFunction& f, const SurfaceChart& cha
   if (f.is_zero()) return {};
   const Shadow of = shadow(f, chart);
   return of.common * of.norm;
+}
+
+std::vector<BivariatePolynomial> cuts_of(const SurfaceRegion& region, const SurfaceChart& chart) {
+  std::vector<BivariatePolynomial> cuts = {chart.radicand};
+  for (const SurfaceBound& bound : region.bounds)
+    if (!bound.name.empty()) cuts.push_back(whole_shadow(on_chart(bound.form, chart), chart));
+  return cuts;
 }
 
 std::optional<SurfaceChart> chart_of(const ImplicitSurface& surface, const ImplicitSurface& other,

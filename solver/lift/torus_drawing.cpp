@@ -23,13 +23,6 @@ RationalInterval with_room(const RationalInterval& a) {
   return {a.lower - least_width(), a.upper + least_width()};
 }
 
-/// All quotients with a positive denominator, rounded outwards.
-RationalInterval quotients(const RationalInterval& x, const RationalInterval& w) {
-  constexpr int bits = 200;
-  return {rounded_down(std::min<Rational>(x.lower / w.lower, x.lower / w.upper), bits),
-          rounded_up(std::max<Rational>(x.upper / w.lower, x.upper / w.upper), bits)};
-}
-
 /// A circle of the torus: one parameter of the patch with halves 0 is constant on it, a root of the factor.
 SpaceCurve circle_on(const TorusCurve& curve, const BivariatePolynomial& factor) {
   const TorusFrame& torus = curve.frame;

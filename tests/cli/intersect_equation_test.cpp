@@ -145,8 +145,8 @@ TEST_CASE("intersect: two tori without rational points") {
   const ScratchDirectory scratch;
   const std::string path = scratch.path("tori.json");
   std::ofstream(path) << R"({"exsect": "patches/1", "patches": [
-    {"name": "a", "type": "torus", "centre": [0, 0, 0], "axis": [1, 1, 1], "major": 3, "minor": 1},
-    {"name": "b", "type": "torus", "centre": [1, 0, 0], "axis": [1, 1, 1], "major": 3, "minor": 1}]})";
+    {"name": "a", "type": "torus", "centre": [0, 0, 0], "axis": [1, 1, 1], "major": 3, "minor_squared": 2},
+    {"name": "b", "type": "torus", "centre": [1, 0, 0], "axis": [1, 1, 1], "major": 3, "minor_squared": 2}]})";
   const ProgramRun run = run_program({"intersect", path, "--first", "a", "--second", "b", "--json", "-"});
   CHECK(run.status == 3);
   const Json open = Json::parse(run.out);
