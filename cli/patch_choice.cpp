@@ -154,7 +154,7 @@ void refuse_beyond_doubles(const std::string& path, const std::string& reason) {
   }
 }
 
-ChosenPatch read_patch(const std::string& path, const std::string& name) {
+ChosenRationalPatch read_rational_patch(const std::string& path, const std::string& name) {
   const SurfaceFile file = input_surfaces(path);
   const std::vector<NamedSurface>& entries = file.surfaces;
   if (name.empty() && entries.size() != 1) {
@@ -163,7 +163,12 @@ ChosenPatch read_patch(const std::string& path, const std::string& name) {
         fmt::format("holds {} patches ({}): choose with --patch", entries.size(), names(entries)));
   }
   const NamedSurface& chosen = name.empty() ? entries.front() : named(entries, path, name, "--patch");
-  return {biquadratic(patch_only(chosen, path), input_name(path), ""), file.title};
+  return {patch_only(chosen, path), file.title};
+}
+
+ChosenPatch read_patch(const std::string& path, const std::string& name) {
+  const ChosenRationalPatch chosen = read_rational_patch(path, name);
+  return {biquadratic(chosen.patch, input_name(path), ""), chosen.title};
 }
 
 }  // namespace exsect::cli

@@ -63,9 +63,16 @@ struct ChosenPatch {
   std::string title;
 };
 
+/// The same for methods that take patches of every kind.
+struct ChosenRationalPatch {
+  NamedRationalPatch patch;
+  std::string title;
+};
+
 /// Reads the file and chooses the patch of the given name; without a name the file must hold exactly one.
-/// Throws InputError for a bad file, an unknown name, no clear choice, or a patch that is not polynomial of
-/// bidegree at most (2,2).
+/// Throws InputError for a bad file, an unknown name, no clear choice, or one that is given by its equation.
+ChosenRationalPatch read_rational_patch(const std::string& path, const std::string& name);
+/// The same for methods that take polynomial patches of bidegree at most (2,2) only; InputError for others.
 ChosenPatch read_patch(const std::string& path, const std::string& name);
 
 /// "points[i][j][c]" or "weights[i][j]", as in a patch file, of the first coordinate or weight beyond the

@@ -1,7 +1,9 @@
 #include "cli/self_command.h"
 
 #include <exsect/geometry/text_file.h>
-#include <exsect/solver/self_intersect.h>
+#include <exsect/solver/intersect_rational.h>
+
+#include <optional>
 
 #include "certificate/certificate_text.h"
 #include "cli/export_files.h"
@@ -28,7 +30,7 @@ IntersectOptions self_options(const SelfCommand& command) {
   return options;
 }
 
-IntersectResult solve_self(const BezierPatch& x, IntersectOptions options, const Streams& streams,
+IntersectResult solve_self(const RationalPatch& x, IntersectOptions options, const Streams& streams,
                            bool quiet) {
   Progress progress(streams.err, streams.watched && !quiet);
   options.progress = [&](double fraction, const char* step) { progress.report(fraction, step); };
@@ -55,11 +57,15 @@ ExitStatus run(const SelfCommand& command, const Streams& streams) {
   if (!command.output.certificate.empty() && checked.turning.size() != 4)
     throw UsageError("--certificate: needs all turning points, --turning u1,v1,u2,v2");
   const int cells = grid_cells(command.output.exports);
-  const ChosenPatch chosen = read_patch(command.file, command.patch);
+  const ChosenRationalPatch chosen = read_rational_patch(command.file, command.patch);
+  const std::optional<BezierPatch> biquadratic = chosen.patch.patch.biquadratic();
+  if (!command.output.certificate.empty())
+    refuse_unless_biquadratic(command.file, {chosen.patch, chosen.patch, chosen.title}, "--certificate");
   const PatchNames names = {chosen.patch.name, chosen.patch.name, self_names};
   const IntersectResult result = solve_self(chosen.patch.patch, checked, streams, command.quiet);
   const std::string json = command.output.json.empty() ? "" : json_text(self_json(result, chosen.patch.name));
-  const std::string proof = self_certificate(command, chosen.patch.patch, names, result, streams);
+  const std::string proof =
+      biquadratic ? self_certificate(command, *biquadratic, names, result, streams) : "";
   write_exports(
       command.output.exports,
       [&] { return self_scene(result, chosen.patch.patch, chosen.patch.name, chosen.title, cells); },

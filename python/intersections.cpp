@@ -36,7 +36,7 @@ struct SolvedPair {
   std::string svg(const std::string& title) const { return cli::intersection_svg(result, names, title); }
   std::string report(const std::string& title) const {
     return second ? cli::report_html(result, first, *second, names, {title, ""})
-                  : cli::self_report_html(result, biquadratic_first(), names.first, {title, ""});
+                  : cli::self_report_html(result, first, names.first, {title, ""});
   }
   std::string certificate() const {
     return second ? cli::certificate_text(first, *second, names, result)
@@ -45,7 +45,7 @@ struct SolvedPair {
   std::string exported(const std::string& format, const std::string& title, int cells) const {
     if (format == "csv") return cli::node_csv(result.graph, names.parameters);
     return scene_text(second ? cli::intersection_scene(result, first, *second, names, title, cells)
-                             : cli::self_scene(result, biquadratic_first(), names.first, title, cells),
+                             : cli::self_scene(result, first, names.first, title, cells),
                       format);
   }
 };

@@ -12,6 +12,7 @@
 #include "filter/filter.h"
 #include "intersect.h"
 #include "self/self_intersect.h"
+#include "self/self_intersect_in_doubles.h"
 #include "signs_beside.h"
 
 namespace exsect {
@@ -55,8 +56,15 @@ IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const 
 
 IntersectResult self_intersect(const RationalPatch& x, const IntersectOptions& options) {
   const auto patch = x.biquadratic();
-  if (!patch) throw NotSupported(x);
-  return self_intersect(*patch, options);
+  if (patch) return self_intersect(*patch, options);
+  if (options.exact) throw NotSupported(x);
+  return in_nearest_rounding([&]() -> IntersectResult {
+    const Run run(options);
+    return run.finished(answered(run, [&] {
+      run.count("filtered", 1);
+      return self_intersect_in_doubles(x, run);
+    }));
+  });
 }
 
 }  // namespace exsect

@@ -26,8 +26,9 @@ class NotSupported : public std::invalid_argument {
 /// std::invalid_argument for options out of range.
 IntersectResult intersect(const RationalPatch& x, const RationalPatch& y,
                           const IntersectOptions& options = {});
-/// As self_intersect() of a BezierPatch. Throws NotSupported unless the patch is polynomial and of bidegree
-/// at most (2,2), in whatever shape it is given.
+/// As self_intersect() of a BezierPatch, which polynomial patches of bidegree at most (2,2) take. Others are
+/// solved in doubles (method, section 14.17): completely in general position; where doubles do not decide,
+/// the result is incomplete, without a graph. Throws NotSupported with options.exact for these.
 IntersectResult self_intersect(const RationalPatch& x, const IntersectOptions& options = {});
 
 }  // namespace exsect

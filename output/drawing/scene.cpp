@@ -171,7 +171,7 @@ Scene surface_scene(const IntersectResult& result, const RationalPatch& x, const
   return scene;
 }
 
-Scene self_scene(const IntersectResult& result, const BezierPatch& x, const std::string& name,
+Scene self_scene(const IntersectResult& result, const RationalPatch& x, const std::string& name,
                  const std::string& title, int cells) {
   Scene scene{title, self_names, {sampled(x, name, cells, 0)}, {}, {}};
   add_graph(scene, result.graph);

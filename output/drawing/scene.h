@@ -61,7 +61,7 @@ Scene intersection_scene(const IntersectResult& result, const RationalPatch& x, 
 /// The patch x and the curves and nodes; the surface given by its equation is not sampled.
 Scene surface_scene(const IntersectResult& result, const RationalPatch& x, const PatchNames& names,
                     const std::string& title, int cells);
-Scene self_scene(const IntersectResult& result, const BezierPatch& x, const std::string& name,
+Scene self_scene(const IntersectResult& result, const RationalPatch& x, const std::string& name,
                  const std::string& title, int cells);
 /// A surface of revolution with its distance from the true surface; names of parameters are those of a pair.
 Scene mesh_scene(const TriangleMesh& mesh, double error_bound, const std::string& title);

@@ -72,7 +72,7 @@ std::string equation_report_html(const IntersectResult& result, const RationalPa
   return page_of(data, intersection_svg(result, names, origin.title));
 }
 
-std::string self_report_html(const IntersectResult& result, const BezierPatch& x, const std::string& name,
+std::string self_report_html(const IntersectResult& result, const RationalPatch& x, const std::string& name,
                              const ReportOrigin& origin) {
   Json data = report_data("self", origin, self_json(result, name));
   data["parameters"] = self_names;

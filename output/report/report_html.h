@@ -31,7 +31,7 @@ std::string equation_report_html(const IntersectResult& result, const RationalPa
 
 /// The page of the self-intersection of x, with the whole "self/1" result. Its lines have no fibres: a line
 /// of x lies on x.
-std::string self_report_html(const IntersectResult& result, const BezierPatch& x, const std::string& name,
+std::string self_report_html(const IntersectResult& result, const RationalPatch& x, const std::string& name,
                              const ReportOrigin& origin);
 
 /// The page of one parameter line against the other patch, with the whole "line/1" result.

@@ -1,5 +1,6 @@
 #include "self/pair_orders.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -106,5 +107,13 @@ class Orders {
 }  // namespace
 
 void join_orders(GraphBuilder& graph, const std::vector<std::size_t>& mates) { Orders(graph, mates).run(); }
+
+std::vector<Parameter> in_both_orders(const std::vector<Parameter>& wanted) {
+  std::vector<Parameter> result;
+  for (const Parameter p : all_parameters)
+    if (std::ranges::any_of(wanted, [p](Parameter q) { return index(p) % 2 == index(q) % 2; }))
+      result.push_back(p);
+  return result;
+}
 
 }  // namespace exsect

@@ -13,4 +13,7 @@ namespace exsect {
 /// nodes, the node of the same pair in the other order. The graph has no overlaps.
 void join_orders(GraphBuilder& graph, const std::vector<std::size_t>& mates);
 
+/// These parameters and those of the other point, ascending: curves may be shown in the other order later.
+std::vector<Parameter> in_both_orders(const std::vector<Parameter>& wanted);
+
 }  // namespace exsect

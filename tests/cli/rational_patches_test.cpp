@@ -69,7 +69,6 @@ TEST_CASE("what patches of higher degree or with weights cannot have is refused 
   const std::string here =
       ": patch \"quarter\": not supported here: bidegree (2,1) with weights, only polynomial";
   check_refused({"compare", file}, file + here);
-  check_refused({"self", file, "--patch", "quarter"}, file + here);
   check_refused({"implicitize", file, "--patch", "quarter"}, file + here);
   check_refused({"revolve", example("profile.json"), "--method", "elimination", "--patch-file", file,
                  "--patch", "quarter"},
@@ -78,7 +77,28 @@ TEST_CASE("what patches of higher degree or with weights cannot have is refused 
                 "not supported yet with --exact: bidegree (2,1) with weights");
   check_refused({"intersect", teapot, "--first", "13", "--second", "5", "--exact"},
                 teapot + ": patch \"13\": not supported yet with --exact: bidegree (3,3)");
-  CHECK(run_program({"self", file, "--patch", "plane"}).status == 0);
+  check_refused(
+      {"self", file, "--patch", "quarter", "--certificate", scratch.path("out")},
+      file + ": patch \"quarter\": not supported yet with --certificate: bidegree (2,1) with weights");
+  for (const char* name : {"plane", "quarter"})
+    CHECK(run_program({"self", file, "--patch", name}).status == 0);
+}
+
+TEST_CASE("self takes patches of higher degree and with weights, in every form of output") {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.path("loop.json");
+  // The loop (0,0), (3,2), (-2,2), (1,0), moved along a line: it crosses itself over t = 1/2 -+ sqrt(3)/4.
+  write(file, R"({"exsect": "patches/1", "patches": [
+    {"name": "loop", "degree": [3, 1], "points": [[[0, 0, 0], [0, 0, 2]], [[3, 2, 0], [3, 2, 2]],
+                                                  [[-2, 2, 0], [-2, 2, 2]], [[1, 0, 0], [1, 0, 2]]]}]})");
+  const ProgramRun run = run_program({"self", file, "--turning", "none", "--report", scratch.path("out.html"),
+                                      "--csv", scratch.path("out.csv"), "--svg", scratch.path("out.svg"),
+                                      "--vtp", scratch.path("out.vtp")});
+  CHECK(run.status == 0);
+  CHECK(run.out.find("loop with itself: complete, proved: 1 component (1 open)") != std::string::npos);
+  const Json result = Json::parse(run_program({"self", file, "--turning", "none", "--json", "-"}).out);
+  CHECK(JsonSchema::named("self-1").violation(result) == "");
+  CHECK(result["components"].size() == 1);
 }
 
 TEST_CASE("certificates of patches of higher degree and with weights, and of lines on them") {

@@ -1,0 +1,220 @@
+#include "self/cell_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "answer/left_open.h"
+#include "answer/parameter_box.h"
+#include "filter/filter.h"
+#include "self/pinch_exclusion.h"
+#include "self/pinch_guesses.h"
+#include "self/whitened_pieces.h"
+
+namespace exsect {
+namespace {
+
+constexpr long kMostPairs = 20000;
+/// Cuts of one cell: of those with no other question, and of those about a pinch point for its curve's sake.
+constexpr int kDeepestCell = 44;
+constexpr int kFinestPinch = 26;
+/// Pairs of pieces that are not decided and divided again; more of them are left open.
+constexpr int kMostFailures = 8;
+constexpr std::size_t kMostProblems = 4;
+/// Of the extent of a pair of pieces, for its polylines.
+constexpr double kCoarsestPiece = 0x1p-4;
+/// Of the hull of two cells, by their widths.
+constexpr double kNearHull = 1.5;
+/// Of the curve from a pinch point; with more the cell is divided.
+constexpr double kMostPinchChords = 500;
+/// Of the tolerance, for whitened pieces; and their extent, or more: of some 18 to 32 points with mean
+/// square 1.
+constexpr double kWhitenedShare = 0.9;
+constexpr double kWhitenedExtent = 8;
+
+double extent_of(const ParameterCell& a, const ParameterCell& b) {
+  double extent = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double lower = std::min(a.box.lower[c], b.box.lower[c]);
+    extent = std::max(extent, std::max(a.box.upper[c], b.box.upper[c]) - lower);
+  }
+  return extent;
+}
+
+/// The parameter of the square.
+RationalInterval placed(const RationalInterval& t, const RationalInterval& in) {
+  return {in.lower + t.lower * in.width(), in.lower + t.upper * in.width()};
+}
+
+class Cover {
+ public:
+  Cover(const RationalPatch& patch, const InjectiveRectangle& is_injective, unsigned grid, double extent,
+        const Run& run)
+      : found_{CellTree(patch, grid, pinch_guesses(patch)), {}, {}, {}},
+        patch_(patch),
+        is_injective_(is_injective),
+        run_(run),
+        extent_(extent),
+        tolerance_(run.drawn_tolerance(extent)) {}
+
+  CellPairs run() {
+    std::vector<std::pair<std::size_t, std::size_t>> stack = {{0, 0}};
+    while (!stack.empty() && found_.problems.size() < kMostProblems) {
+      const auto [a, b] = stack.back();
+      stack.pop_back();
+      if (is_done(a, b)) continue;
+      if (run_.out_of_time()) {
+        found_.problems.push_back(out_of_time(whole_domain()));
+        break;
+      }
+      if (!may_divide(a, b)) {
+        leave_open(a, b);
+        continue;
+      }
+      if (a == b) {
+        const std::size_t child = found_.cells.split(a);
+        for (const auto& [i, j] : {std::pair(0U, 0U), std::pair(1U, 1U), std::pair(0U, 1U)})
+          stack.emplace_back(child + i, child + j);
+      } else {
+        const bool first = found_.cells[a].level <= found_.cells[b].level;
+        const std::size_t child = found_.cells.split(first ? a : b);
+        for (const std::size_t i : {0U, 1U}) stack.emplace_back(first ? child + i : a, first ? b : child + i);
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  bool is_done(std::size_t a, std::size_t b) {
+    ++found_.pairs;
+    failure_ = {};
+    const ParameterCell &first = found_.cells[a], &second = found_.cells[b];
+    const bool touching = touch(first, second);
+    if (!touching && are_apart(first.box, second.box)) return true;
+    if (is_injective_(hull(first, second))) return true;
+    if ((touching || is_near(first, second)) && is_excluded(first, second)) return true;
+    if (a == b) return is_pinch(a);
+    return !touching && solve(a, b);
+  }
+
+  /// Their hull is hardly larger than they are.
+  static bool is_near(const ParameterCell& a, const ParameterCell& b) {
+    const filter::Rectangle both = hull(a, b);
+    return std::ranges::all_of(std::array{0U, 1U}, [&](std::size_t i) {
+      const double widths = a.centred.upper[i] - a.centred.lower[i] + b.centred.upper[i] - b.centred.lower[i];
+      return both.upper[i] - both.lower[i] < kNearHull * widths;
+    });
+  }
+
+  /// Of the pairs in both, no midpoint is one of pairs of the hull with one point of space.
+  bool is_excluded(const ParameterCell& a, const ParameterCell& b) const {
+    const auto around = [](const RationalInterval& s, const RationalInterval& t) {
+      return RationalInterval{std::min(s.lower, t.lower), std::max(s.upper, t.upper)};
+    };
+    const auto middles = [](const RationalInterval& s, const RationalInterval& t,
+                            const RationalInterval& in) {
+      const Rational lower = (s.lower + t.lower) / 2 - in.lower, upper = (s.upper + t.upper) / 2 - in.lower;
+      return DoubleBall::enclosing(RationalInterval{lower / in.width(), upper / in.width()});
+    };
+    const RationalInterval u = around(a.where.u, b.where.u), v = around(a.where.v, b.where.v);
+    const RationalPatch piece = patch_.restricted_to(u.lower, u.upper, v.lower, v.upper);
+    return has_no_pairs(piece, origin_of(a),
+                        {middles(a.where.u, b.where.u, u), middles(a.where.v, b.where.v, v)});
+  }
+
+  bool is_pinch(std::size_t a) {
+    const ParameterCell& cell = found_.cells[a];
+    const bool on_side = cell.where.u.lower == 0 || cell.where.u.upper == 1 || cell.where.v.lower == 0 ||
+                         cell.where.v.upper == 1;
+    if (on_side) return false;
+    auto proof = PinchProof::of(cell.piece, origin_of(cell));
+    if (!proof || !is_monotone(*proof)) return false;
+    const double chords = 0.25 * std::sqrt(proof->bend() / tolerance_);
+    if (!(chords < kMostPinchChords) && cell.level < kFinestPinch) return false;
+    found_.pinches.push_back({a, *std::move(proof)});
+    return true;
+  }
+
+  /// In what is to be monotone along arcs.
+  bool is_monotone(const PinchProof& proof) const {
+    return std::ranges::all_of(run_.turning(), [&](Parameter p) { return proof.is_monotone(index(p) % 2); });
+  }
+
+  bool solve(std::size_t a, std::size_t b) {
+    const ParameterCell &first = found_.cells[a], &second = found_.cells[b];
+    IntersectResult result = meeting_of(first, second);
+    if (result.status == Status::complete && result.graph.overlaps.empty()) {
+      if (!result.graph.nodes.empty()) found_.solved.push_back({a, b, std::move(result.graph)});
+      return true;
+    }
+    ++failures_;
+
+    failure_ = result.incomplete.empty()
+                   ? Incomplete{whole_domain(), "two pieces of the patch lie on one surface"}
+                   : result.incomplete.front();
+    return false;
+  }
+
+  /// Near a pinch point pieces are far longer in one direction than in the others, until they are whitened.
+  IntersectResult meeting_of(const ParameterCell& first, const ParameterCell& second) const {
+    const auto whitening = Whitening::of(first.piece, second.piece);
+    const auto within = [&](double tolerance) {
+      return run_.with_tolerance(tolerance < kCoarsestPiece ? tolerance : kCoarsestPiece);
+    };
+    if (!whitening) {
+      const double extent = std::min(extent_of(first, second), extent_);
+      return intersect_in_doubles(first.piece, second.piece, within(tolerance_ / extent));
+    }
+    const double tolerance = kWhitenedShare * tolerance_ / whitening->stretch();
+    const RationalPatch x = (*whitening)(first.piece), y = (*whitening)(second.piece);
+    if (are_apart(box_of(x), box_of(y))) return {Status::complete, {}, {}, {}};
+    IntersectResult result = intersect_in_doubles(x, y, within(tolerance / kWhitenedExtent));
+    whitening->restore(result.graph);
+    return result;
+  }
+
+  bool may_divide(std::size_t a, std::size_t b) const {
+    return std::max(found_.cells[a].level, found_.cells[b].level) < kDeepestCell &&
+           found_.pairs < kMostPairs && failures_ < kMostFailures;
+  }
+
+  void leave_open(std::size_t a, std::size_t b) {
+    const ParameterRectangle &first = found_.cells[a].where, &second = found_.cells[b].where;
+    Incomplete problem{
+        {first.u, first.v, second.u, second.v},
+        "whether the patch meets itself near a place, or has a cuspidal point there, not decided"};
+    if (failure_) {
+      problem.why = failure_->why;
+      problem.reason = failure_->reason;
+      for (std::size_t j = 0; j < 4; ++j) problem.where[j] = placed(failure_->where[j], problem.where[j]);
+    }
+    found_.problems.push_back(std::move(problem));
+  }
+
+  CellPairs found_;
+  const RationalPatch& patch_;
+  const InjectiveRectangle& is_injective_;
+  const Run& run_;
+  double extent_;
+  double tolerance_;
+  int failures_ = 0;
+  std::optional<Incomplete> failure_;  // of the pair that was looked at last
+};
+
+}  // namespace
+
+CellPairs cell_pairs(const RationalPatch& patch, const InjectiveRectangle& is_injective, unsigned grid,
+                     double extent, const Run& run) {
+  return Cover(patch, is_injective, grid, extent, run).run();
+}
+
+Point origin_of(const ParameterCell& cell) {
+  Point origin;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double middle = 0.5 * cell.box.lower[c] + 0.5 * cell.box.upper[c];
+    origin[c] = std::isfinite(middle) ? from_double(middle) : Rational(0);
+  }
+  return origin;
+}
+
+}  // namespace exsect

@@ -1,0 +1,187 @@
+#include "self/glued_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "answer/parameter_box.h"
+#include "answer/parameter_names.h"
+#include "self/chart.h"
+#include "self/pinch_arc.h"
+#include "self/placed_cells.h"
+
+namespace exsect {
+namespace {
+
+constexpr ParameterNames kOtherOrder = {Parameter::r, Parameter::s, Parameter::u, Parameter::v};
+
+/// A node on a cut: which, and what lies on the other side of the cut: another one, or a pinch cell.
+struct CutNode {
+  std::size_t cells;
+  std::size_t node;
+  int partner = -1;
+  bool exchanged = false;  // the partner is the pair in the other order
+  int pinch = -1;
+  int point = -1;  // node of the graph
+};
+
+bool overlap(const RationalInterval& a, const RationalInterval& b) {
+  return a.lower <= b.upper && b.lower <= a.upper;
+}
+
+class Gluing {
+ public:
+  Gluing(const CellPairs& pairs, double tolerance) : pairs_(pairs), tolerance_(tolerance) {
+    for (const SolvedCells& solved : pairs.solved) placed_.push_back(placed_cells(pairs.cells, solved));
+  }
+
+  GluedCells run() {
+    if (collect() && match()) {
+      add_points();
+      add_arcs();
+      add_pinches();
+    }
+    return std::move(glued_);
+  }
+
+ private:
+  const PlacedNode& at(const CutNode& cut) const { return placed_[cut.cells].nodes[cut.node]; }
+
+  bool problem(const ParameterBox& where, const char* why) {
+    glued_.problems.push_back({where, why, Reason::corner});
+    return false;
+  }
+
+  /// Every curve crosses the cuts, one at a time.
+  bool collect() {
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      if (placed_[i].along_cut)
+        return problem(whole_domain(), "a curve along a cut, or a side that is one point, not decided");
+      for (std::size_t k = 0; k < placed_[i].nodes.size(); ++k) {
+        const PlacedNode& node = placed_[i].nodes[k];
+        if (node.cuts.empty()) continue;
+        if (node.cuts.size() > 1 || node.arcs != 1)
+          return problem(node.node.box, "a curve through a corner of cells, or along a cut, not decided");
+        cuts_.push_back({i, k});
+      }
+    }
+    return true;
+  }
+
+  /// (14.65): what lies beyond is the only thing that can.
+  bool match() {
+    exits_.resize(pairs_.pinches.size());
+    for (std::size_t i = 0; i < cuts_.size(); ++i) {
+      int count = 0;
+      for (std::size_t j = 0; j < cuts_.size(); ++j)
+        for (const bool exchanged : {false, true})
+          if (may_be_one(at(cuts_[i]), at(cuts_[j]), exchanged)) {
+            ++count;
+            cuts_[i].partner = static_cast<int>(j);
+            cuts_[i].exchanged = exchanged;
+          }
+      for (std::size_t k = 0; k < pairs_.pinches.size(); ++k)
+        if (may_enter(at(cuts_[i]), pairs_.cells[pairs_.pinches[k].cell].where)) {
+          ++count;
+          cuts_[i].pinch = static_cast<int>(k);
+          exits_[k].push_back(i);
+        }
+      if (count != 1) return problem(at(cuts_[i]).node.box, "where a curve goes on across a cut not decided");
+    }
+    for (std::size_t k = 0; k < exits_.size(); ++k)
+      if (exits_[k].size() > 2) {
+        const ParameterRectangle& cell = pairs_.cells[pairs_.pinches[k].cell].where;
+        return problem({cell.u, cell.v, cell.u, cell.v}, "curves next to a pinch point not decided");
+      }
+    return true;
+  }
+
+  static bool may_be_one(const PlacedNode& a, const PlacedNode& b, bool exchanged) {
+    const Cut &s = a.cuts[0], &t = b.cuts[0];
+    return s.upper != t.upper && s.parameter == (exchanged ? (t.parameter + 2) % 4 : t.parameter) &&
+           s.value == t.value && meet(a.node.box, exchanged ? exchanged_pair(b.node.box) : b.node.box);
+  }
+
+  /// The cell with itself lies on the other side of the cut.
+  static bool may_enter(const PlacedNode& node, const ParameterRectangle& cell) {
+    const Cut& cut = node.cuts[0];
+    const RationalInterval& range = cut.parameter % 2 == 0 ? cell.u : cell.v;
+    const ParameterBox& box = node.node.box;
+    return (cut.upper ? range.lower : range.upper) == cut.value && overlap(box[0], cell.u) &&
+           overlap(box[1], cell.v) && overlap(box[2], cell.u) && overlap(box[3], cell.v);
+  }
+
+  /// Each in both orders.
+  void add_points() {
+    for (std::size_t i = 0; i < cuts_.size(); ++i) {
+      CutNode& cut = cuts_[i];
+      if (cut.partner >= 0 && static_cast<std::size_t>(cut.partner) < i) {
+        const CutNode& known = cuts_[static_cast<std::size_t>(cut.partner)];
+        cut.point = known.point + (cut.exchanged ? 1 : 0);
+        continue;
+      }
+      Node node = at(cut).node;
+      node.kinds = {NodeKind::turning};
+      node.on.clear();
+      node.wrt.clear();
+      cut.point = glued_.graph.add_node(node);
+      rename_parameters(node, kOtherOrder);
+      glued_.mates.push_back(static_cast<std::size_t>(glued_.graph.add_node(std::move(node))));
+      glued_.mates.push_back(static_cast<std::size_t>(cut.point));
+    }
+  }
+
+  void add_arcs() {
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      std::vector<int> names(placed_[i].nodes.size(), -1);
+      for (const CutNode& cut : cuts_)
+        if (cut.cells == i) names[cut.node] = cut.point;
+      for (std::size_t k = 0; k < names.size(); ++k)
+        if (names[k] < 0) names[k] = glued_.graph.add_node(std::move(placed_[i].nodes[k].node));
+      for (Arc& arc : placed_[i].arcs) {
+        arc.from = names[static_cast<std::size_t>(arc.from)];
+        arc.to = names[static_cast<std::size_t>(arc.to)];
+        move_end(arc, arc.polyline.front(), arc.from);
+        move_end(arc, arc.polyline.back(), arc.to);
+        glued_.graph.add_arc(std::move(arc));
+      }
+      for (const int id : placed_[i].isolated) glued_.graph.add_isolated(names[static_cast<std::size_t>(id)]);
+    }
+  }
+
+  /// Puts the end of a polyline into the node on a cut, which moves its chord by no more than the end.
+  void move_end(Arc& arc, PolylineVertex& end, int id) const {
+    if (static_cast<std::size_t>(id) >= glued_.mates.size()) return;
+    const Node& node = glued_.graph.node(id);
+    arc.error_bound += length_bound(end.point[0] - node.point[0], end.point[1] - node.point[1],
+                                    end.point[2] - node.point[2]);
+    arc.error_bound *= kSlack;
+    end = {node.approx, node.point};
+  }
+
+  /// (14.64): one curve from the pinch point to the only exit, or from one exit to the other one.
+  void add_pinches() {
+    for (std::size_t k = 0; k < exits_.size() && glued_.problems.empty(); ++k) {
+      if (exits_[k].empty()) continue;
+      const PinchCell& pinch = pairs_.pinches[k];
+      const ParameterCell& cell = pairs_.cells[pinch.cell];
+      std::vector<int> ends;
+      for (const std::size_t i : exits_[k]) ends.push_back(cuts_[i].point);
+      if (!add_pinch_arc(glued_.graph, glued_.mates, pinch.proof, cell, ends, tolerance_))
+        problem({cell.where.u, cell.where.v, cell.where.u, cell.where.v}, "a pinch point not decided");
+    }
+  }
+
+  const CellPairs& pairs_;
+  double tolerance_;
+  std::vector<PlacedCells> placed_;
+  std::vector<CutNode> cuts_;
+  std::vector<std::vector<std::size_t>> exits_;  // of pinch cells, in cuts_
+  GluedCells glued_;
+};
+
+}  // namespace
+
+GluedCells glued_cells(const CellPairs& pairs, double tolerance) { return Gluing(pairs, tolerance).run(); }
+
+}  // namespace exsect

@@ -1,0 +1,66 @@
+// The pairs of one point of space in a small rectangle around a pinch point, in doubles. Internal to solver/;
+// docs/method.md, section 14.17.
+#pragma once
+
+#include <exsect/geometry/rational_patch.h>
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "self/pinch_bounds.h"
+
+namespace exsect {
+
+/// Of a patch x over the unit square, with the pairs w + t (1,m), w - t (1,m) of one point, or those with the
+/// parameters exchanged. Invariant: all pairs of different parameters with one point have a slope m of
+/// this kind, for every t >= 0 there is at most one, t = 0 standing for x_u + m x_v = 0, and these
+/// form smooth curves that are graphs over q = t^2 <= 1/4.
+class PinchProof {
+ public:
+  /// Empty unless all of this is proved. `origin`: near the patch.
+  static std::optional<PinchProof> of(const RationalPatch& patch, const Point& origin);
+
+  /// t is half the difference of the second parameters of the pair, not of the first ones.
+  bool exchanged() const { return exchanged_; }
+  /// The first (0), second (1) parameters of both points of a pair are strictly monotone along a curve.
+  bool is_monotone(std::size_t parameter) const { return monotone_[exchanged_ ? 1 - parameter : parameter]; }
+  /// A bound of the second derivative of the point of space by q.
+  double bend() const { return bend_; }
+
+  /// A pair (u1,v1,u2,v2) and its point of space, from the origin.
+  struct Place {
+    std::array<DoubleBall, 4> pair;
+    BallVector<DoubleBall> point;
+  };
+  /// That with half difference t >= 0, if there is one; empty if it is not found.
+  std::optional<Place> at(double t) const;
+  /// The point of space.
+  BallVector<DoubleBall> point(const std::array<DoubleBall, 2>& at) const;
+
+ private:
+  using Ball = DoubleBall;
+  using Vector = BallVector<DoubleBall>;
+  explicit PinchProof(LocalDerivatives x, bool exchanged) : x_(std::move(x)), exchanged_(exchanged) {}
+
+  bool prove();
+  bool invert(const std::array<Vector, 3>& columns);
+  void bound_curves(const CurveBounds& bounds);
+  /// Bounds of |y|, if |y| <= |C value| + P |y|.
+  std::array<double, 3> solved(const Vector& value) const;
+  /// The difference of both points divided by 2 t.
+  Vector value_at(const std::array<double, 3>& y, double t) const;
+  bool improve(std::array<double, 3>& y, double t) const;
+
+  LocalDerivatives x_;  // with exchanged parameters if `exchanged_`
+  bool exchanged_;
+  double guess_ = 0;                             // of m
+  Ball slopes_;                                  // m
+  std::array<std::array<double, 3>, 3> rows_{};  // C
+  std::array<double, 3> scale_{};                // z
+  std::array<double, 3> room_{};                 // at most z - P z, positive
+  std::array<bool, 2> monotone_{};
+  double bend_ = 0;
+};
+
+}  // namespace exsect

@@ -1,0 +1,85 @@
+#include "self/self_intersect_in_doubles.h"
+
+#include <optional>
+#include <utility>
+
+#include "answer/arc_joints.h"
+#include "answer/coarse_drawing.h"
+#include "answer/finished_result.h"
+#include "answer/left_open.h"
+#include "answer/parameter_box.h"
+#include "answer/placement.h"
+#include "self/glued_cells.h"
+#include "self/pair_orders.h"
+
+namespace exsect {
+namespace {
+
+/// A grid is given up where a curve passes a corner of its cells or runs along a cut.
+constexpr unsigned kMostGrids = 3;
+
+std::vector<Point> affine_points(const RationalPatch& patch) {
+  std::vector<Point> points;
+  for (int i = 0; i <= patch.degree_u(); ++i)
+    for (int j = 0; j <= patch.degree_v(); ++j)
+      if (patch.weight(i, j) > 0) points.push_back(patch.point(i, j));
+  return points;
+}
+
+/// One arc ends in a boundary point on a single side.
+std::optional<int> arcs_at_side(const Node& node) {
+  return node.on.size() == 1 ? std::optional(1) : std::nullopt;
+}
+
+IntersectResult left_undecided(std::vector<Incomplete> problems) {
+  return {Status::incomplete, {}, std::move(problems), {}};
+}
+
+IntersectResult in_grid(const RationalPatch& x, const InjectiveRectangle& is_injective, unsigned grid,
+                        double extent, const Run& run) {
+  CellPairs pairs{CellTree(x, grid), {}, {}, {}};
+  run.timed("pairs of cells", [&] {
+    pairs = cell_pairs(x, is_injective, grid, extent, run.with_turning(in_both_orders(run.turning())));
+  });
+  run.count("pairs of cells", static_cast<double>(pairs.pairs));
+  if (!pairs.problems.empty()) return left_undecided(std::move(pairs.problems));
+  GluedCells glued = glued_cells(pairs, run.drawn_tolerance(extent));
+  if (!glued.problems.empty()) return left_undecided(std::move(glued.problems));
+  join_orders(glued.graph, glued.mates);
+  join_at_other_turning_points(glued.graph, 0, 0, run.turning());
+  return finished(std::move(glued.graph), {run.turning(), arcs_at_side, true}, {});
+}
+
+IntersectResult in_some_grid(const RationalPatch& x, double extent, const Run& run) {
+  const InjectiveRectangle is_injective = patch_injectivity(x);
+  if (!is_injective) return undecided(whole_domain(), "not decided in doubles");
+  IntersectResult result = in_grid(x, is_injective, 0, extent, run);
+  for (unsigned grid = 1; result.status != Status::complete && grid < kMostGrids && !run.out_of_time();
+       ++grid) {
+    IntersectResult other = in_grid(x, is_injective, grid, extent, run);
+    if (other.status == Status::complete) result = std::move(other);
+  }
+  return result;
+}
+
+}  // namespace
+
+IntersectResult self_intersect_in_doubles(const RationalPatch& x, const Run& run) {
+  const RationalPatch& patch = x.reduced();
+  const std::vector<Point> points = affine_points(patch);
+  const auto place = Placement::of(points);
+  const double extent = to_double(model_extent(points));
+  if (!place) {
+    IntersectResult result = in_some_grid(patch, extent, run);
+    result.coarse = coarse_drawing(result.graph, run.tolerance(extent));
+    return result;
+  }
+  const RationalPatch placed = place->placed(patch);
+  IntersectResult result = in_some_grid(placed, to_double(model_extent(affine_points(placed))),
+                                        run.with_tolerance(place->left_of(run.tolerance(1))));
+  place->restore(result.graph);
+  result.coarse = coarse_drawing(result.graph, run.tolerance(extent));
+  return result;
+}
+
+}  // namespace exsect
