@@ -60,10 +60,12 @@ IntersectResult self_intersect(const RationalPatch& x, const IntersectOptions& o
   if (options.exact) throw NotSupported(x);
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
-    return run.finished(answered(run, [&] {
+    IntersectResult result = answered(run, [&] {
       run.count("filtered", 1);
       return self_intersect_in_doubles(x, run);
-    }));
+    });
+    const auto again = [x](const IntersectOptions& other) { return self_intersect(x, other); };
+    return answer_to(options, run.finished(std::move(result)), again);
   });
 }
 

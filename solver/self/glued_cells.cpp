@@ -60,7 +60,7 @@ class Gluing {
       for (std::size_t k = 0; k < placed_[i].nodes.size(); ++k) {
         const PlacedNode& node = placed_[i].nodes[k];
         if (node.cuts.empty()) continue;
-        if (node.cuts.size() > 1 || node.arcs != 1)
+        if (node.cuts.size() > 1 || node.arcs != 1 || !node.node.on.empty())
           return problem(node.node.box, "a curve through a corner of cells, or along a cut, not decided");
         cuts_.push_back({i, k});
       }
