@@ -150,7 +150,9 @@ class Map {
   }
   Vector3<N> value(const Vector4<N>& w) const {
     Vector3<N> sum = {};
-    for (const Term& term : terms_) add_to(sum, term.c, product(1, w, term.power, {}));
+    const Powers powers = powers_of(w);
+    for (const Term& term : terms_)
+      add_to(sum, term.c, is_long_ ? product(1, powers, term.power, {}) : product(1, w, term.power, {}));
     return sum;
   }
   Map times(const Matrix3<N>& m) const {
@@ -164,12 +166,13 @@ class Map {
   /// The range of the derivative, a_i times to w_i, over |dw_i| <= h_i.
   Balls<N> derivative(const Power& a, const Vector4<N>& h) const {
     Balls<N> result;
+    const Powers powers = powers_of(h);
     for (const Term& term : terms_) {
       if (!divides(a, term.power)) continue;
       std::int64_t factor = 1;
       for (std::size_t j = 0; j < 4; ++j)
         for (int i = 0; i < a[j]; ++i) factor = multiplied(factor, term.power[j] - i);
-      const N size = product(factor, h, term.power, a);
+      const N size = is_long_ ? product(factor, powers, term.power, a) : product(factor, h, term.power, a);
       for (std::size_t d = 0; d < 3; ++d)
         term.power == a ? result[d].middle = size * term.c[d]
                         : result[d].radius += size * magnitude(term.c[d]);
@@ -186,11 +189,10 @@ class Map {
   Balls<N> second(const Box<N>& t, const Vector4<N>& h) const {
     Balls<N> sum;
     for (const Term& term : terms_) {
+      if (term.power[0] + term.power[1] + term.power[2] + term.power[3] != 2) continue;
       Ball<N> factor = N(1);
-      int degree = 0;
-      for (std::size_t j = 0; j < 4; ++j, degree += term.power[j - 1])
+      for (std::size_t j = 0; j < 4; ++j)
         for (int i = 0; i < term.power[j]; ++i) factor = factor * t[j];
-      if (degree != 2) continue;
       const bool square = *std::max_element(term.power.begin(), term.power.end()) == 2;
       const Balls<N> entry = derivative(term.power, h);
       for (std::size_t d = 0; d < 3; ++d) sum[d] = sum[d] + N(square ? 1 : 2) * entry[d] * factor;
@@ -248,6 +250,27 @@ class Map {
       for (int i = lower[j]; i < power[j]; ++i) result = result * w[j];
     return result;
   }
+  /// Of each variable its powers, 1 first.
+  using Powers = std::array<std::vector<N>, 4>;
+  /// As far as the terms have them; nothing for a map that is not long.
+  Powers powers_of(const Vector4<N>& w) const {
+    Powers result;
+    if (!is_long_) return result;
+    for (std::size_t j = 0; j < 4; ++j) {
+      int most = 0;
+      for (const Term& term : terms_) most = std::max(most, term.power[j]);
+      result[j] = {N(1)};
+      for (int i = 0; i < most; ++i) result[j].push_back(result[j].back() * w[j]);
+    }
+    return result;
+  }
+  static N product(std::int64_t factor, const Powers& powers, const Power& power, const Power& lower) {
+    N result = whole<N>(factor);
+    for (std::size_t j = 0; j < 4; ++j)
+      if (power[j] > lower[j]) result = result * powers[j][static_cast<std::size_t>(power[j] - lower[j])];
+    return result;
+  }
+
   std::vector<Term> terms_;
   std::vector<std::array<std::size_t, 4>> next_;  // of a long map: terms with one exponent greater by 1, or 0
   bool is_long_ = false;

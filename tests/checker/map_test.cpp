@@ -42,6 +42,12 @@ TEST_CASE("Taylor coefficients of long maps are those of short ones") {
     CHECK((other.at(w).is_long() && !map.at(w).is_long()));
     const Place sum = {w[0] + further[0], w[1] + further[1], w[2] + further[2], w[3] + further[3]};
     CHECK(other.at(w).value(further) == map.value(sum));
+    const Place half = {Rational(1, 3), Rational(2, 5), 0, Rational(1, 7)};
+    for (const checker::Power& a : {checker::Power{}, {1, 0, 0, 0}, {0, 1, 1, 0}, {0, 0, 0, 2}}) {
+      const auto balls = map.derivative(a, half), others = other.derivative(a, half);
+      for (std::size_t d = 0; d < 3; ++d)
+        CHECK((balls[d].middle == others[d].middle && balls[d].radius == others[d].radius));
+    }
     CHECK(equal(other.at(w).at(further), map.at(sum)));
   }
 }
