@@ -1,5 +1,7 @@
 #include "signs_beside.h"
 
+#include <exsect/algebra/nearest_double.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -60,36 +62,46 @@ bool is_nonzero(const BallVector<Ball>& v) {
 
 /// The box of a node, exactly or in doubles.
 template <class Ball>
-struct NodeBox {
-  explicit NodeBox(const ParameterBox& given) : box(given) {}
+class NodeBox {
+ public:
+  explicit NodeBox(const ParameterBox& box) : box_(box) {}
 
-  Ball at(std::size_t p) const { return Ball::enclosing(box[p]); }
+  Ball at(std::size_t p) const { return Ball::enclosing(box_[p]); }
   /// 1 if `other` is certainly above in p, -1 if below.
   int order(const NodeBox& other, std::size_t p) const {
-    return box[p].upper < other.box[p].lower ? 1 : other.box[p].upper < box[p].lower ? -1 : 0;
+    return box_[p].upper < other.box_[p].lower ? 1 : other.box_[p].upper < box_[p].lower ? -1 : 0;
   }
 
-  const ParameterBox& box;
+ private:
+  const ParameterBox& box_;
 };
 
-/// Its ends are rounded to nearest, which keeps their order.
+/// Its ends are rounded to nearest, which keeps their order, where they are asked for.
 template <>
-struct NodeBox<DoubleBall> {
-  explicit NodeBox(const ParameterBox& given) {
-    for (std::size_t p = 0; p < 4; ++p) ends[p] = {to_double(given[p].lower), to_double(given[p].upper)};
-  }
+class NodeBox<DoubleBall> {
+ public:
+  explicit NodeBox(const ParameterBox& box) : box_(box) {}
 
   /// Ends are in [0,1], rounded by 2^-54 at most, as are their mean and its distances from them.
   DoubleBall at(std::size_t p) const {
-    const auto [lower, upper] = ends[p];
+    const auto [lower, upper] = ends(p);
     const double middle = lower == upper ? lower : 0.5 * (lower + upper);
     return DoubleBall(middle).widened(std::max(upper - middle, middle - lower) + 0x1p-52);
   }
   int order(const NodeBox& other, std::size_t p) const {
-    return ends[p][1] < other.ends[p][0] ? 1 : other.ends[p][1] < ends[p][0] ? -1 : 0;
+    const auto [lower, upper] = ends(p);
+    const auto [low, high] = other.ends(p);
+    return upper < low ? 1 : high < lower ? -1 : 0;
   }
 
-  std::array<std::array<double, 2>, 4> ends;
+ private:
+  const std::array<double, 2>& ends(std::size_t p) const {
+    if (!ends_[p]) ends_[p] = {nearest_double(box_[p].lower).value, nearest_double(box_[p].upper).value};
+    return *ends_[p];
+  }
+
+  const ParameterBox& box_;
+  mutable std::array<std::optional<std::array<double, 2>>, 4> ends_;
 };
 
 template <class Ball>
@@ -103,6 +115,7 @@ class SideFinder {
         turning_(turning),
         tangents_(graph.nodes.size()),
         ends_(graph.nodes.size()) {
+    boxes_.reserve(graph.nodes.size());
     for (const Node& node : graph.nodes) boxes_.emplace_back(node.box);
     for (std::size_t i = 0; i < graph.arcs.size(); ++i)
       for (const int node : {graph.arcs[i].from, graph.arcs[i].to}) {
@@ -146,11 +159,13 @@ class SideFinder {
 
   void find(Arc& arc) {
     if (arc.contact == Contact::tangential) return find_touching(arc);
-    int along = 0;
+    // The node at which the next arc begins is of use again.
+    const bool from_is_known = tangents_[static_cast<std::size_t>(arc.from)].has_value();
+    const bool to_is_known = tangents_[static_cast<std::size_t>(arc.to)].has_value();
+    int along = direction_in(arc, from_is_known && !to_is_known);
+    if (along == 0) along = direction_in(arc, !from_is_known || to_is_known);
     for (const bool leaving : {true, false})
       if (along == 0) along = direction_at_side(arc, leaving);
-    for (const Parameter p : all_parameters)
-      if (along == 0) along = direction_in(arc, p);
     if (along != 0) arc.beside = {along, -along};
   }
 
@@ -165,14 +180,16 @@ class SideFinder {
     return 0;
   }
 
-  /// The same from the boxes of both ends, if p is monotone on the arc.
-  int direction_in(const Arc& arc, Parameter p) {
+  /// The same from the boxes of both ends in a parameter that is monotone on the arc, and T at one end.
+  int direction_in(const Arc& arc, bool at_from) {
+    const TangentSigns& signs = tangent(at_from ? arc.from : arc.to);
     const auto from = static_cast<std::size_t>(arc.from), to = static_cast<std::size_t>(arc.to);
-    const int change = boxes_[from].order(boxes_[to], index(p));
-    if (change == 0 || !is_monotone(arc, p)) return 0;
-    const bool to_first = tangents_[to] && !tangents_[from];  // what is known already
-    const int sign = tangent(to_first ? arc.to : arc.from)[index(p)];
-    return change * (sign != 0 ? sign : tangent(to_first ? arc.from : arc.to)[index(p)]);
+    for (const Parameter p : all_parameters) {
+      if (signs[index(p)] == 0) continue;
+      const int change = boxes_[from].order(boxes_[to], index(p));
+      if (change != 0 && is_monotone(arc, p)) return change * signs[index(p)];
+    }
+    return 0;
   }
 
   /// On a closed curve without any turning point that was asked for, all of them are nodes.

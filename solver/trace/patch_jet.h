@@ -2,6 +2,7 @@
 // solver/; docs/method.md, section 8.4.
 #pragma once
 
+#include <exsect/algebra/nearest_double.h>
 #include <exsect/geometry/rational_patch.h>
 
 #include <array>
@@ -24,38 +25,13 @@ struct PatchJet {
   BallVector<Ball> normal() const { return cross(u, v); }
 };
 
-/// B_i of degree n <= 3, i in 0..n, and its first two derivatives at t.
-template <class Ball>
-std::array<std::array<Ball, 4>, 3> bernstein_values(std::size_t n, const Ball& t) {
-  const Ball rest = Ball(1.0) - t;
-  std::array<std::array<Ball, 4>, 4> of = {};  // by degree
-  of[0][0] = Ball(1.0);
-  for (std::size_t k = 1; k <= n; ++k)
-    for (std::size_t i = 0; i <= k; ++i) {
-      if (i < k) of[k][i] += rest * of[k - 1][i];
-      if (i > 0) of[k][i] += t * of[k - 1][i - 1];
-    }
-  std::array<std::array<Ball, 4>, 3> result = {of[n]};
-  const auto add = [&](std::size_t order, std::size_t i, double factor) {
-    for (std::size_t k = 0; k <= n - order; ++k) result[order][k + i] += Ball(factor) * of[n - order][k];
-  };
-  const auto degree = static_cast<double>(n);
-  add(1, 0, -degree);
-  add(1, 1, degree);
-  if (n < 2) return result;
-  const double twice = degree * (degree - 1);
-  add(2, 0, twice);
-  add(2, 1, -2 * twice);
-  add(2, 2, twice);
-  return result;
-}
-
 /// A ball around q; all numbers where q is beyond the range of doubles.
 template <class Ball>
 Ball ball_around(const Rational& q) {
   if constexpr (std::is_same_v<Ball, DoubleBall>) {
     // Nearest rounding: the error is at most u|m|, or 2^-1075 below the normal range.
-    const double m = to_double(q);
+    const auto [m, exact] = nearest_double(q);
+    if (exact) return m;
     return std::isfinite(m) ? DoubleBall(m).widened(std::fabs(m) * 0x1p-53)
                             : DoubleBall(0, std::numeric_limits<double>::infinity());
   } else {
@@ -63,16 +39,18 @@ Ball ball_around(const Rational& q) {
   }
 }
 
+/// X in the power basis.
 template <class Ball>
 class PatchNet {
  public:
-  explicit PatchNet(const BezierPatch& patch) : rows_(3), columns_(3), weighted_(false) {
+  explicit PatchNet(const BezierPatch& patch) : m_(2), n_(2), weighted_(false) {
     for (const auto& row : patch.net())
       for (const Point& p : row) add(p[0], p[1], p[2]);
+    to_power_basis();
   }
   explicit PatchNet(const RationalPatch& patch)
-      : rows_(static_cast<std::size_t>(patch.degree_u()) + 1),
-        columns_(static_cast<std::size_t>(patch.degree_v()) + 1),
+      : m_(static_cast<std::size_t>(patch.degree_u())),
+        n_(static_cast<std::size_t>(patch.degree_v())),
         weighted_(false) {
     for (int i = 0; i <= patch.degree_u(); ++i)
       for (int j = 0; j <= patch.degree_v(); ++j) {
@@ -81,19 +59,23 @@ class PatchNet {
         net_.back()[3] = ball_around<Ball>(p[3]);
         weighted_ = weighted_ || p[3] != 1;
       }
+    to_power_basis();
   }
 
-  /// At all (u,v) in the balls; second derivatives only if `order` is 2.
+  /// At all (u,v) in the balls that are in [0,1]^2, as are their middles; second derivatives only if `order`
+  /// is 2.
   PatchJet<Ball> at(const Ball& u, const Ball& v, int order) const {
-    const Values in_u = bernstein_values(rows_ - 1, u), in_v = bernstein_values(columns_ - 1, v);
-    const std::array<Ball, 4> value = weighted_ ? sum(in_u[0], in_v[0]) : std::array<Ball, 4>{};
+    const Vector4 value = weighted_ ? derivative(0, 0, u, v) : Vector4{};
     const auto vector = [&](std::size_t a, std::size_t b) {
-      const std::array<Ball, 4> x = sum(in_u[a], in_v[b]);
+      const Vector4 x = derivative(a, b, u, v);
       if (!weighted_) return BallVector<Ball>{x[0], x[1], x[2]};
       BallVector<Ball> result;
       for (std::size_t k = 0; k < 3; ++k) result[k] = value[3] * x[k] - x[3] * value[k];
       return result;
     };
+    if constexpr (std::is_same_v<Ball, DoubleBall>)
+      if (!weighted_ && order < 2)
+        return {Ball(1.0), first_derivative(0, u, v), first_derivative(1, u, v), {}, {}, {}};
     PatchJet<Ball> jet{weighted_ ? value[3] : Ball(1.0), vector(1, 0), vector(0, 1), {}, {}, {}};
     if (order < 2) return jet;
     jet.uu = vector(2, 0);
@@ -103,26 +85,84 @@ class PatchNet {
   }
 
  private:
-  using Values = std::array<std::array<Ball, 4>, 3>;
+  using Vector4 = std::array<Ball, 4>;
 
   void add(const Rational& x, const Rational& y, const Rational& z) {
     net_.push_back({ball_around<Ball>(x), ball_around<Ball>(y), ball_around<Ball>(z), Ball()});
   }
 
-  std::array<Ball, 4> sum(const std::array<Ball, 4>& in_u, const std::array<Ball, 4>& in_v) const {
-    std::array<Ball, 4> result = {};
-    for (std::size_t i = 0; i < rows_; ++i)
-      for (std::size_t j = 0; j < columns_; ++j) {
-        const Ball factor = in_u[i] * in_v[j];
-        for (std::size_t k = 0; k < (weighted_ ? 4U : 3U); ++k)
-          add_product(result[k], factor, net_[i * columns_ + j][k]);
+  std::size_t count() const { return weighted_ ? 4 : 3; }
+
+  /// The coefficient of t^k is n over k times the k-th forward difference at the first control point.
+  void to_power_basis() {
+    for (std::size_t j = 0; j <= n_; ++j) to_power_basis(m_, j, n_ + 1);
+    for (std::size_t i = 0; i <= m_; ++i) to_power_basis(n_, i * (n_ + 1), 1);
+  }
+  void to_power_basis(std::size_t degree, std::size_t first, std::size_t step) {
+    double binomial = 1;
+    for (std::size_t k = 1; k <= degree; ++k) {
+      for (std::size_t i = degree; i >= k; --i)
+        for (std::size_t c = 0; c < count(); ++c)
+          net_[first + i * step][c] -= net_[first + (i - 1) * step][c];
+    }
+    for (std::size_t k = 1; k < degree; ++k) {
+      binomial *= static_cast<double>(degree - k + 1) / static_cast<double>(k);  // 2, or 3 and 3
+      for (std::size_t c = 0; c < count(); ++c) net_[first + k * step][c] *= Ball(binomial);
+    }
+  }
+
+  /// X differentiated a times by u and b times by v, a and b at most 2.
+  Vector4 derivative(std::size_t a, std::size_t b, const Ball& u, const Ball& v) const {
+    Vector4 result = {};
+    for (std::size_t i = m_ + 1; i-- > a;)
+      for (std::size_t c = 0; c < count(); ++c) {
+        Ball in_v;
+        for (std::size_t j = n_ + 1; j-- > b;) {
+          const double factor = kFactors[a][i] * kFactors[b][j];
+          const Ball& x = net_[i * (n_ + 1) + j][c];
+          in_v = in_v * v + (factor == 1 ? x : Ball(factor) * x);
+        }
+        result[c] = result[c] * u + in_v;
       }
     return result;
   }
 
-  std::size_t rows_, columns_;
+  /// The same once by u (0) or v (1), in doubles with one bound: a term passes 13 roundings at most, and from
+  /// the middle to any point of the balls a sum over moduli, with what coefficients err by, bounds the
+  /// change.
+  BallVector<Ball> first_derivative(std::size_t in, const Ball& u, const Ball& v) const {
+    const std::size_t a = 1 - in, b = in;
+    const double s = u.approximation(), t = v.approximation();
+    BallVector<Ball> result;
+    for (std::size_t c = 0; c < 3; ++c) {
+      double value = 0, size = 0, along_u = 0, along_v = 0, error = 0;
+      for (std::size_t i = m_ + 1; i-- > a;) {
+        double in_v = 0;
+        for (std::size_t j = n_ + 1; j-- > b;) {
+          const double factor = kFactors[a][i] * kFactors[b][j];
+          const Ball& x = net_[i * (n_ + 1) + j][c];
+          const double term = factor * x.approximation(), modulus = std::fabs(term);
+          in_v = in_v * t + term;
+          size += modulus;
+          along_u += static_cast<double>(i - a) * modulus;
+          along_v += static_cast<double>(j - b) * modulus;
+          error += factor * x.radius();
+        }
+        value = value * s + in_v;
+      }
+      const double change = along_u * u.radius() + along_v * v.radius();
+      result[c] = Ball(value).widened((size * 0x1p-49 + change + error) * (1 + 0x1p-40) + 0x1p-1000);
+    }
+    return result;
+  }
+
+  /// k (k - 1) ... of t^k differentiated.
+  static constexpr std::array<std::array<double, 4>, 3> kFactors = {
+      {{1, 1, 1, 1}, {0, 1, 2, 3}, {0, 0, 2, 6}}};
+
+  std::size_t m_, n_;
   bool weighted_;
-  std::vector<std::array<Ball, 4>> net_;  // X_ij
+  std::vector<Vector4> net_;  // of u^i v^j at i (n+1) + j
 };
 
 }  // namespace exsect

@@ -782,12 +782,36 @@ def test_arcs_of_a_patch_and_an_equation_have_no_parameters_of_the_equation():
     assert result.patches == (exsect.Patch(SADDLE),)
     again = pickle.loads(pickle.dumps(result))
     assert again.arcs == result.arcs
-    with pytest.raises(ValueError, match="not supported yet"):
-        result.to_report()
     found = exsect.check(result.to_certificate())
     assert found.accepted and found.summary["closed"] == 1 and found.summary["nodes"] == 4
     with pytest.raises(exsect.NoCertificate, match="a surface with bounds"):
         exsect.intersect(exsect.Patch(SADDLE), surfaces()["cone"]).to_certificate()
+    assert result.to_report().startswith("<!DOCTYPE html>")
+    for node in result.nodes:
+        x, y, z = node.point
+        assert set(node.chart) == {"turn", "height"}
+        assert abs(float(node.chart["height"].lower) - z) < 1e-9
+        turn = math.atan2(y, x - 1) / (2 * math.pi) % 1
+        assert abs((float(node.chart["turn"].upper) - turn + 0.5) % 1 - 0.5) < 1e-9
+
+
+def test_nodes_of_two_equations_have_the_parameters_of_both():
+    common = exsect.intersect(exsect.cylinder([0, 0, 0], [0, 0, 2], 1), exsect.plane([0, 0, 1], [1, 0, 1]))
+    assert common.nodes
+    for node in common.nodes:
+        on_cylinder, on_plane = node.charts
+        assert set(on_cylinder) == {"turn", "height"} and on_plane == {}
+        assert abs(2 * float(on_cylinder["height"].lower) - node.point[2]) < 1e-9
+
+
+def test_sides_of_two_patches():
+    bump = exsect.read_patches(EXAMPLES / "bump.json")
+    result = exsect.intersect(bump["bump"], bump["plane"])
+    assert {(arc.left, arc.right) for arc in result.arcs} in ({(1, -1)}, {(-1, 1)})
+    exchanged = exsect.intersect(bump["plane"], bump["bump"])
+    assert all(arc.left == -arc.right for arc in exchanged.arcs)
+    same = exsect.intersect(bump["bump"], bump["bump"])
+    assert [overlap.normals for overlap in same.overlaps] == [1]
 
 
 def test_two_equations_give_what_the_program_gives():

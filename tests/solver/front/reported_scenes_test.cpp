@@ -78,11 +78,16 @@ TEST_CASE("reported scenes: contact along a line or a circle") {
   check("cylinders-along-a-line", "x", "y", touching);
   check("sphere-in-a-bore", "x", "y", touching);
   check("torus-on-a-plane", "x", "y", {.closed = 1, .tangential = true});
+  // Outside of the circle of centres the torus is at (R + cos, 0, sin) alone: elsewhere on the cylinder the
+  // distance from the axis is greater.
+  check("pipe-corner", "x", "y", touching);
   check("cube-and-cylinder", "x", "y", touching);
   check("cube-and-cylinder", "x", "face", touching);  // from the cube's top, inside of the patch, upwards
   for (const std::string& distance : distances) {
     check("cylinders-along-a-line", "x", "y+" + distance, {});
     check("cylinders-along-a-line", "x", "y-" + distance, twice);
+    check("pipe-corner", "x", "y+" + distance, twice);
+    check("pipe-corner", "x", "y-" + distance, {});
     check("cube-and-cylinder", "x", "y+" + distance, twice);
     check("cube-and-cylinder", "x", "y-" + distance, {});
     check("sphere-in-a-bore", "x", "y+" + distance, twice);
