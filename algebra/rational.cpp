@@ -1,7 +1,10 @@
 #include "rational.h"
 
+#include <exsect/algebra/nearest_rounding.h>
+
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
@@ -52,6 +55,12 @@ double to_double(const Rational& q) {
   if (q == 0) return 0;
   const mpz_srcptr n = mpq_numref(q.backend().data());
   mpz_srcptr d = mpq_denref(q.backend().data());
+  if (mpz_sizeinbase(n, 2) <= 53) {
+    const std::size_t bits = mpz_sizeinbase(d, 2);
+    if (bits <= 1000 && mpz_scan1(d, 0) == bits - 1)  // a power of two: exact
+      return std::ldexp(mpz_get_d(n), 1 - static_cast<int>(bits));
+    if (bits <= 53) return in_nearest_rounding([&] { return mpz_get_d(n) / mpz_get_d(d); });
+  }
   // n/d has its leading bit at 2^(top-1) or 2^top; 2^shift is the last place of 55 or 56 bits of it, or a
   // quarter of the last place of a subnormal number.
   const long top = static_cast<long>(mpz_sizeinbase(n, 2)) - static_cast<long>(mpz_sizeinbase(d, 2));
