@@ -7,6 +7,7 @@
 #include "answer/left_open.h"
 #include "answer/parameter_box.h"
 #include "filter/filter.h"
+#include "self/coincident_lines.h"
 #include "self/pinch_exclusion.h"
 #include "self/pinch_guesses.h"
 #include "self/whitened_pieces.h"
@@ -15,10 +16,12 @@ namespace exsect {
 namespace {
 
 constexpr long kMostPairs = 20000;
-/// Cuts of one cell: of those with no other question, and of those about a pinch point for its curve's sake.
+/// Cuts of one cell: of those with no other question, and of those about a
+/// pinch point for its curve's sake.
 constexpr int kDeepestCell = 44;
 constexpr int kFinestPinch = 26;
-/// Pairs of pieces that are not decided and divided again; more of them are left open.
+/// Pairs of pieces that are not decided and divided again; more of them are
+/// left open.
 constexpr int kMostFailures = 8;
 constexpr std::size_t kMostProblems = 4;
 /// Of the extent of a pair of pieces, for its polylines.
@@ -27,8 +30,8 @@ constexpr double kCoarsestPiece = 0x1p-4;
 constexpr double kNearHull = 1.5;
 /// Of the curve from a pinch point; with more the cell is divided.
 constexpr double kMostPinchChords = 500;
-/// Of the tolerance, for whitened pieces; and their extent, or more: of some 18 to 32 points with mean
-/// square 1.
+/// Of the tolerance, for whitened pieces; and their extent, or more: of some 18
+/// to 32 points with mean square 1.
 constexpr double kWhitenedShare = 0.9;
 constexpr double kWhitenedExtent = 8;
 
@@ -55,7 +58,10 @@ class Cover {
         is_injective_(is_injective),
         run_(run),
         extent_(extent),
-        tolerance_(run.drawn_tolerance(extent)) {}
+        tolerance_(run.drawn_tolerance(extent)) {
+    for (const std::size_t fixed : {0U, 1U})
+      if (const auto lines = coincident_lines(patch, fixed)) lines_.push_back(*lines);
+  }
 
   CellPairs run() {
     std::vector<std::pair<std::size_t, std::size_t>> stack = {{0, 0}};
@@ -106,7 +112,8 @@ class Cover {
     });
   }
 
-  /// Of the pairs in both, no midpoint is one of pairs of the hull with one point of space.
+  /// Of the pairs in both, no midpoint is one of pairs of the hull with one
+  /// point of space.
   bool is_excluded(const ParameterCell& a, const ParameterCell& b) const {
     const auto around = [](const RationalInterval& s, const RationalInterval& t) {
       return RationalInterval{std::min(s.lower, t.lower), std::max(s.upper, t.upper)};
@@ -155,11 +162,28 @@ class Cover {
     return false;
   }
 
-  /// Near a pinch point pieces are far longer in one direction than in the others, until they are whitened.
+  /// A parameter that is constant along a curve is not proved to be so in
+  /// doubles: where coincident lines pass, and there is one curve, it is them,
+  /// and has no turning point of that parameter.
   IntersectResult meeting_of(const ParameterCell& first, const ParameterCell& second) const {
     const auto whitening = Whitening::of(first.piece, second.piece);
+    for (const CoincidentLines& lines : lines_) {
+      if (!lines.pass(first.where, second.where)) continue;
+      std::vector<Parameter> turning;
+      for (const Parameter p : run_.turning())
+        if (index(p) % 2 != lines.fixed) turning.push_back(p);
+      IntersectResult result = meeting_of(first, second, whitening, run_.with_turning(std::move(turning)));
+      if (result.status == Status::complete && result.graph.arcs.size() == 1) return result;
+    }
+    return meeting_of(first, second, whitening, run_);
+  }
+
+  /// Near a pinch point pieces are far longer in one direction than in the
+  /// others, until they are whitened.
+  IntersectResult meeting_of(const ParameterCell& first, const ParameterCell& second,
+                             const std::optional<Whitening>& whitening, const Run& run) const {
     const auto within = [&](double tolerance) {
-      return run_.with_tolerance(tolerance < kCoarsestPiece ? tolerance : kCoarsestPiece);
+      return run.with_tolerance(tolerance < kCoarsestPiece ? tolerance : kCoarsestPiece);
     };
     if (!whitening) {
       const double extent = std::min(extent_of(first, second), extent_);
@@ -180,9 +204,9 @@ class Cover {
 
   void leave_open(std::size_t a, std::size_t b) {
     const ParameterRectangle &first = found_.cells[a].where, &second = found_.cells[b].where;
-    Incomplete problem{
-        {first.u, first.v, second.u, second.v},
-        "whether the patch meets itself near a place, or has a cuspidal point there, not decided"};
+    Incomplete problem{{first.u, first.v, second.u, second.v},
+                       "whether the patch meets itself near a place, or has a "
+                       "cuspidal point there, not decided"};
     if (failure_) {
       problem.why = failure_->why;
       problem.reason = failure_->reason;
@@ -192,6 +216,7 @@ class Cover {
   }
 
   CellPairs found_;
+  std::vector<CoincidentLines> lines_;
   const RationalPatch& patch_;
   const InjectiveRectangle& is_injective_;
   const Run& run_;

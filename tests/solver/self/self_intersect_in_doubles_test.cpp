@@ -98,13 +98,10 @@ TEST_CASE(
 }
 
 TEST_CASE("self in doubles: a loop that is swept crosses itself along one curve") {
-  IntersectOptions options;
-  options.turning = {Parameter::v,
-                     Parameter::s};  // u is constant along the curve, which doubles cannot prove
   for (const int growth : {0, 1})
     for (const int degree : {1, 2, 3}) {
       INFO("degree " << degree << ", growth " << growth);
-      const IntersectResult result = self_intersect(swept_loop(degree, growth), options);
+      const IntersectResult result = self_intersect(swept_loop(degree, growth));
       check_complete(result);
       CHECK(result.graph.count(ComponentShape::open) == 1);
       CHECK(result.graph.components.size() == 1);
