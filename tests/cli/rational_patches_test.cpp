@@ -91,12 +91,12 @@ TEST_CASE("self takes patches of higher degree and with weights, in every form o
   write(file, R"({"exsect": "patches/1", "patches": [
     {"name": "loop", "degree": [3, 1], "points": [[[0, 0, 0], [0, 0, 2]], [[3, 2, 0], [3, 2, 2]],
                                                   [[-2, 2, 0], [-2, 2, 2]], [[1, 0, 0], [1, 0, 2]]]}]})");
-  const ProgramRun run = run_program({"self", file, "--turning", "none", "--report", scratch.path("out.html"),
-                                      "--csv", scratch.path("out.csv"), "--svg", scratch.path("out.svg"),
-                                      "--vtp", scratch.path("out.vtp")});
+  const ProgramRun run =
+      run_program({"self", file, "--report", scratch.path("out.html"), "--csv", scratch.path("out.csv"),
+                   "--svg", scratch.path("out.svg"), "--vtp", scratch.path("out.vtp")});
   CHECK(run.status == 0);
   CHECK(run.out.find("loop with itself: complete, proved: 1 component (1 open)") != std::string::npos);
-  const Json result = Json::parse(run_program({"self", file, "--turning", "none", "--json", "-"}).out);
+  const Json result = Json::parse(run_program({"self", file, "--json", "-"}).out);
   CHECK(JsonSchema::named("self-1").violation(result) == "");
   CHECK(result["components"].size() == 1);
 }
