@@ -169,7 +169,7 @@ class SideFinder {
     if (along != 0) arc.beside = {along, -along};
   }
 
-  /// 1 if the arc runs along T, -1 if against it, where (8.1) says so at an end; else 0.
+  /// By (8.2): 1 if the arc runs along T, -1 if against it, where (8.1) says so at an end; else 0.
   int direction_at_side(const Arc& arc, bool leaving) {
     const int id = leaving ? arc.from : arc.to;
     for (const Side& side : node(id).on) {

@@ -73,8 +73,8 @@ class Lifting {
   }
 
  private:
-  /// Where y is real, with nodes in the zeros of bounds with a name, and where one of them vanishes along an
-  /// arc also of the function that tells its ends apart.
+  /// Where y is real, with nodes in the zeros (17.12) of bounds with a name, and where one of them vanishes
+  /// along an arc also of the function that tells its ends apart.
   CurveRegion region_below() const {
     CurveRegion region = result_.chart.is_flat() ? CurveRegion() : CurveRegion(result_.chart.radicand);
     const auto mark = [&](const SheetFunction& f) {

@@ -10,7 +10,7 @@
 
 namespace exsect {
 
-/// Two different real numbers t1, t2, the roots of a polynomial t^2 - sum t +
+/// (14.67): two different real numbers t1, t2, the roots of a polynomial t^2 - sum t +
 /// product, with x(t1,v) = x(t2,v) for all v, or x(u,t1) = x(u,t2) for all u.
 struct CoincidentLines {
   std::size_t fixed;  // the parameter with these values: 0 or 1

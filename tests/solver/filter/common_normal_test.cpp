@@ -56,8 +56,8 @@ TEST_CASE("common normals: second order by differences", "[filter]") {
           Approx((value(h + d, k)[c] - 2 * at.value[c] + value(h - d, k)[c]) / (d * d)).margin(1e-7));
     CHECK(at.vv[c] ==
           Approx((value(h, k + d)[c] - 2 * at.value[c] + value(h, k - d)[c]) / (d * d)).margin(1e-7));
-    const double mixed = value(h + d, k + d)[c] - value(h + d, k - d)[c] - value(h - d, k + d)[c] +
-                         value(h - d, k - d)[c];
+    const double mixed =
+        value(h + d, k + d)[c] - value(h + d, k - d)[c] - value(h - d, k + d)[c] + value(h - d, k - d)[c];
     CHECK(at.uv[c] == Approx(mixed / (4 * d * d)).margin(1e-7));
   }
 }

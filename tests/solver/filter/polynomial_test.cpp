@@ -7,7 +7,7 @@
 
 #include "support/catch.h"
 
-namespace exsect::filter_polynomial_test {
+namespace exsect::polynomial_test {
 namespace {
 
 using namespace filter;
@@ -95,4 +95,4 @@ TEST_CASE("filter polynomials: values, derivatives and bounds of every kind", "[
   check_kind<WeightedBicubic>();
 }
 
-}  // namespace exsect::filter_polynomial_test
+}  // namespace exsect::polynomial_test
