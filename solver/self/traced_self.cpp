@@ -18,14 +18,6 @@
 
 namespace exsect {
 
-std::vector<Parameter> in_both_orders(const std::vector<Parameter>& wanted) {
-  std::vector<Parameter> result;
-  for (const Parameter p : all_parameters)
-    if (std::ranges::any_of(wanted, [p](Parameter q) { return index(p) % 2 == index(q) % 2; }))
-      result.push_back(p);
-  return result;
-}
-
 template <class Ball>
 GraphBuilder drawn_curves(const TracedSelf<Ball>& self, const Run& run) {
   const SelfCurves<Ball>& found = self.curves;

@@ -21,9 +21,6 @@ struct TracedSelf {
   SelfCurves<Ball> curves;
 };
 
-/// These parameters, and the same ones of the other point of a pair.
-std::vector<Parameter> in_both_orders(const std::vector<Parameter>& wanted);
-
 /// Nodes and arcs of the curves, within the tolerance of the run where doubles can express that: landmarks
 /// are the first nodes, a star has one for each order of its centre. Turning points are nodes with respect to
 /// in_both_orders of the run's parameters.
