@@ -42,7 +42,7 @@ TEST_CASE("common normals: crossings by the signs of the heights' form", "[filte
   CHECK_FALSE(looks_like_crossing(height(0, -2, -1), at));
 }
 
-TEST_CASE("common normals: second order by differences", "[filter]") {
+TEST_CASE("common normals: Taylor coefficients by differences", "[filter]") {
   random_pairs::Generator generator(20278);
   const auto p = random_pairs::doubles(generator);
   const Pair pair = make_pair(p.x, p.y).value();
@@ -53,9 +53,9 @@ TEST_CASE("common normals: second order by differences", "[filter]") {
     CHECK(at.u[c] == Approx((value(h + d, k)[c] - value(h - d, k)[c]) / (2 * d)).margin(1e-9));
     CHECK(at.v[c] == Approx((value(h, k + d)[c] - value(h, k - d)[c]) / (2 * d)).margin(1e-9));
     CHECK(at.uu[c] ==
-          Approx((value(h + d, k)[c] - 2 * at.value[c] + value(h - d, k)[c]) / (d * d)).margin(1e-7));
+          Approx((value(h + d, k)[c] - 2 * at.value[c] + value(h - d, k)[c]) / (2 * d * d)).margin(1e-7));
     CHECK(at.vv[c] ==
-          Approx((value(h, k + d)[c] - 2 * at.value[c] + value(h, k - d)[c]) / (d * d)).margin(1e-7));
+          Approx((value(h, k + d)[c] - 2 * at.value[c] + value(h, k - d)[c]) / (2 * d * d)).margin(1e-7));
     const double mixed =
         value(h + d, k + d)[c] - value(h + d, k - d)[c] - value(h - d, k + d)[c] + value(h - d, k - d)[c];
     CHECK(at.uv[c] == Approx(mixed / (4 * d * d)).margin(1e-7));

@@ -16,10 +16,10 @@ namespace {
 using namespace filter;
 
 /// The chord over 2 d about tau is within d^2 |X''| of the arc: so |X''| from three points.
-double curvature_at(const Pair& pair, const Tube& tube, double tau, double d) {
+double curvature_at(const Pair& pair, const filter::Tube& tube, double tau, double d) {
   Vec3 second{};
   for (const auto& [offset, factor] : {std::pair(-d, 1.0), {0.0, -2.0}, {d, 1.0}}) {
-    const Ball at = point_at(tube, tau + offset);
+    const filter::Ball at = filter::point_at(tube, tau + offset);
     const Vec3 x = value_at<Biquadratic>(pair.x.power, at.middle[0], at.middle[1]);
     for (std::size_t k = 0; k < 3; ++k) second[k] += factor * x[k];
   }
@@ -51,7 +51,7 @@ TEST_CASE("space bounds: above what three points of an arc say, and not far abov
         const double found = curvature_at(pair, piece.tube, tau, d);
         CHECK(found <= bounds.curvature + 1e-9 / (d * d));
         if (found > 1e-3) sharpest = std::min(sharpest, bounds.curvature / found);
-        const Ball a = point_at(piece.tube, tau), b = point_at(piece.tube, tau + d);
+        const filter::Ball a = filter::point_at(piece.tube, tau), b = filter::point_at(piece.tube, tau + d);
         const Vec3 x = value_at<Biquadratic>(pair.x.power, a.middle[0], a.middle[1]);
         const Vec3 y = value_at<Biquadratic>(pair.x.power, b.middle[0], b.middle[1]);
         double far = 0, apart = 0;
