@@ -904,8 +904,12 @@ def test_faces_give_what_the_program_gives():
         exsect.cylinder([0, 0, 0], [0, 0, 1], 1, box={"height": [1, 1]})
     with pytest.raises(TypeError, match="box.height: a float"):
         exsect.cylinder([0, 0, 0], [0, 0, 1], 1, box={"height": [0, 0.5]})
-    with pytest.raises(ValueError, match="a box"):
-        exsect.intersect(fillet, faces()["lid"])
+    rim = exsect.intersect(fillet, faces()["lid"])
+    assert rim.complete and [(curve.kind, curve.closed) for curve in rim.curves] == [("circle", False)]
+    assert {node.bounds for node in rim.nodes} == {
+        (("sector=from", "height=to"), ("height=from",)),
+        (("sector=to", "height=to"), ("height=from",)),
+    }
 
 
 def test_surfaces_are_exact_values():
