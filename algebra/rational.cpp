@@ -52,9 +52,9 @@ double double_of(std::uint64_t mantissa, long exponent, bool negative) {
 int sign(const Rational& q) { return q.sign(); }
 
 double to_double(const Rational& q) {
-  if (q == 0) return 0;
   const mpz_srcptr n = mpq_numref(q.backend().data());
   mpz_srcptr d = mpq_denref(q.backend().data());
+  if (mpz_sgn(n) == 0) return 0;
   if (mpz_sizeinbase(n, 2) <= 53) {
     const std::size_t bits = mpz_sizeinbase(d, 2);
     if (bits <= 1000 && mpz_scan1(d, 0) == bits - 1)  // a power of two: exact
