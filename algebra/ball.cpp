@@ -36,23 +36,6 @@ namespace {
 arb_ptr arb(unsigned char* bytes) { return std::launder(reinterpret_cast<arb_ptr>(bytes)); }
 arb_srcptr arb(const unsigned char* bytes) { return std::launder(reinterpret_cast<arb_srcptr>(bytes)); }
 
-/// Exact value of a finite arf.
-Rational to_rational(const arf_struct* x) {
-  FlintRational result;
-  FlintInteger mantissa;
-  FlintInteger exponent;
-  arf_get_fmpz_2exp(mantissa.value, exponent.value, x);
-  fmpz_set(fmpq_numref(result.value), mantissa.value);
-  fmpz_one(fmpq_denref(result.value));
-  if (fmpz_sgn(exponent.value) >= 0) {
-    fmpq_mul_2exp(result.value, result.value, fmpz_get_ui(exponent.value));
-  } else {
-    fmpz_neg(exponent.value, exponent.value);
-    fmpq_div_2exp(result.value, result.value, fmpz_get_ui(exponent.value));
-  }
-  return result.to_rational();
-}
-
 }  // namespace
 
 ArbStorage::ArbStorage() {

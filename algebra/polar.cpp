@@ -17,25 +17,12 @@ void enclose(FlintBall& ball, const RationalInterval& interval) {
   arb_union(ball.value, ball.value, upper.value, kRootBits);
 }
 
-Rational rational_of(const arf_t x) {
-  FlintInteger mantissa, exponent;
-  arf_get_fmpz_2exp(mantissa.value, exponent.value, x);
-  FlintRational result;
-  fmpq_set_fmpz_frac(result.value, mantissa.value, FlintInteger(1).value);
-  const long shift = fmpz_get_si(exponent.value);
-  if (shift >= 0)
-    fmpq_mul_2exp(result.value, result.value, static_cast<unsigned long>(shift));
-  else
-    fmpq_div_2exp(result.value, result.value, static_cast<unsigned long>(-shift));
-  return result.to_rational();
-}
-
 RationalInterval interval_of(const FlintBall& ball) {
   arf_t lower, upper;
   arf_init(lower);
   arf_init(upper);
   arb_get_interval_arf(lower, upper, ball.value, kRootBits + 32);
-  RationalInterval result = {rational_of(lower), rational_of(upper)};
+  RationalInterval result = {to_rational(lower), to_rational(upper)};
   arf_clear(lower);
   arf_clear(upper);
   return result;

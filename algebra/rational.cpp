@@ -51,16 +51,20 @@ double double_of(std::uint64_t mantissa, long exponent, bool negative) {
 
 int sign(const Rational& q) { return q.sign(); }
 
+bool is_short_dyadic(const Rational& q) {
+  const mpz_srcptr d = mpq_denref(q.backend().data());
+  const std::size_t bits = mpz_sizeinbase(d, 2);
+  return mpz_sizeinbase(mpq_numref(q.backend().data()), 2) <= 53 && bits <= 1000 &&
+         mpz_scan1(d, 0) == bits - 1;
+}
+
 double to_double(const Rational& q) {
   const mpz_srcptr n = mpq_numref(q.backend().data());
   mpz_srcptr d = mpq_denref(q.backend().data());
   if (mpz_sgn(n) == 0) return 0;
-  if (mpz_sizeinbase(n, 2) <= 53) {
-    const std::size_t bits = mpz_sizeinbase(d, 2);
-    if (bits <= 1000 && mpz_scan1(d, 0) == bits - 1)  // a power of two: exact
-      return std::ldexp(mpz_get_d(n), 1 - static_cast<int>(bits));
-    if (bits <= 53) return in_nearest_rounding([&] { return mpz_get_d(n) / mpz_get_d(d); });
-  }
+  if (is_short_dyadic(q)) return std::ldexp(mpz_get_d(n), 1 - static_cast<int>(mpz_sizeinbase(d, 2)));
+  if (mpz_sizeinbase(n, 2) <= 53 && mpz_sizeinbase(d, 2) <= 53)
+    return in_nearest_rounding([&] { return mpz_get_d(n) / mpz_get_d(d); });
   // n/d has its leading bit at 2^(top-1) or 2^top; 2^shift is the last place of 55 or 56 bits of it, or a
   // quarter of the last place of a subnormal number.
   const long top = static_cast<long>(mpz_sizeinbase(n, 2)) - static_cast<long>(mpz_sizeinbase(d, 2));

@@ -25,6 +25,8 @@ int sign(const Rational& q);
 
 /// The double nearest to q (ties to even); infinite beyond the range of doubles.
 double to_double(const Rational& q);
+/// An integer of at most 53 bits over 2^k, k < 1000: to_double() is q itself, and quick.
+bool is_short_dyadic(const Rational& q);
 
 /// The rational that the finite double x is, exactly. Throws std::invalid_argument for NaN and infinities.
 Rational from_double(double x);

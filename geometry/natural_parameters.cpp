@@ -32,12 +32,8 @@ RationalInterval square(const RationalInterval& a) {
 
 /// The part orthogonal to the axis of the coordinate axis that is the least along it, times axis . axis.
 Point reference_direction(const Point& axis) {
-  std::size_t least = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (abs(axis[k]) < abs(axis[least])) least = k;
-  Point direction = -axis[least] * axis;
-  direction[least] += dot(axis, axis);
-  return direction;
+  const Point least = least_parallel_axis(axis);
+  return dot(axis, axis) * least - dot(axis, least) * axis;
 }
 
 /// Of the tube of a torus: `outwards` and `upwards` of a point are lengths of vectors times |axis|.
