@@ -4,14 +4,13 @@
 #include <exsect/geometry/beyond_doubles.h>
 #include <exsect/geometry/bounding_box.h>
 #include <exsect/solver/intersect_rational.h>
-#include <exsect/solver/redrawn.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
+#include "rounds.h"
 #include "scale.h"
 #include "verifier.h"
 
@@ -82,36 +81,13 @@ Verification verify(const Candidate& candidate, const RationalPatch& x, const Ra
   return in_nearest_rounding([&]() -> Verification {
     require_tolerance(options.tolerance);
     check(candidate);
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    const auto left = [&] {
-      return *options.max_seconds - std::chrono::duration<double>(Clock::now() - start).count();
-    };
-    const StopRequest stop = options.max_seconds ? StopRequest([&] { return left() <= 0; }) : StopRequest();
-    const double extent = extent_of(x, y);
-    const double tolerance = options.tolerance * (extent > 0 ? extent : 1);
-    IntersectOptions fine;
-    fine.progress = options.progress;
-    const bool in_doubles_alone = !x.biquadratic() || !y.biquadratic();
-    constexpr int most_rounds = 3;
-    IntersectResult exact{};
-    for (int round = 1;; ++round) {
-      fine.tolerance = std::ldexp(options.tolerance, -1 - 3 * round);
-      if (options.max_seconds) fine.max_seconds = std::max(0.75 * left(), 1e-9);  // the rest to compare
-      exact = exact.proof ? redrawn(exact, {fine.tolerance, fine.max_seconds, fine.progress})
-                          : intersect(x, y, fine);
-      if (exact.status == Status::incomplete && in_doubles_alone && !fine.turning.empty() &&
-          !is_stopped(stop)) {
-        fine.turning = {};
-        exact.proof = nullptr;
-        --round;
-        continue;
-      }
-      Verdict verdict = judged(candidate, x, y, exact, tolerance, stop);
-      if (verdict.agreement != Agreement::undecided || !verdict.exact_is_complete || round == most_rounds ||
-          is_stopped(stop))
-        return {std::move(verdict), std::move(exact), fine.tolerance, fine.turning};
-    }
+    const VerifyQuestion question = {
+        extent_of(x, y), [&](const IntersectOptions& fine) { return intersect(x, y, fine); },
+        [&](const IntersectResult& exact, double tolerance, const StopRequest& stop) {
+          return judged(candidate, x, y, exact, tolerance, stop);
+        },
+        !x.biquadratic() || !y.biquadratic()};  // solved in doubles alone
+    return verified(question, options);
   });
 }
 

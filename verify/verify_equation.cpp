@@ -5,11 +5,10 @@
 #include <exsect/solver/intersect_surface.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <stdexcept>
+#include <utility>
 
-#include "verifier.h"
+#include "rounds.h"
 
 namespace exsect {
 
@@ -60,27 +59,17 @@ Verification verify(const Candidate& candidate, const ImplicitSurface& surface, 
                     const VerifyOptions& options) {
   return in_nearest_rounding([&]() -> Verification {
     require_no_second(candidate);
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    const auto left = [&] {
-      return *options.max_seconds - std::chrono::duration<double>(Clock::now() - start).count();
-    };
-    const StopRequest stop = options.max_seconds ? StopRequest([&] { return left() <= 0; }) : StopRequest();
-    const double extent = to_double(largest_extent(bounding_box(x)));
-    const double tolerance = options.tolerance * (extent > 0 ? extent : 1);
-    IntersectOptions fine;
-    fine.progress = options.progress;
-    constexpr int most_rounds = 3;
-    for (int round = 1;; ++round) {
-      fine.tolerance = std::ldexp(options.tolerance, -1 - 3 * round);
-      if (options.max_seconds) fine.max_seconds = std::max(0.75 * left(), 1e-9);  // the rest to compare
-      IntersectResult exact = intersect(surface, x, fine);
-      Verdict verdict = judged(candidate, x, x, with_itself(exact), tolerance, stop);
-      name_by_patch(verdict);
-      if (verdict.agreement != Agreement::undecided || !verdict.exact_is_complete || round == most_rounds ||
-          is_stopped(stop))
-        return {std::move(verdict), std::move(exact), fine.tolerance, {Parameter::u, Parameter::v}};
-    }
+    const VerifyQuestion question = {
+        to_double(largest_extent(bounding_box(x))),
+        [&](const IntersectOptions& fine) { return intersect(surface, x, fine); },
+        [&](const IntersectResult& exact, double tolerance, const StopRequest& stop) {
+          Verdict verdict = judged(candidate, x, x, with_itself(exact), tolerance, stop);
+          name_by_patch(verdict);
+          return verdict;
+        }};
+    Verification result = verified(question, options);
+    result.exact_turning = {Parameter::u, Parameter::v};
+    return result;
   });
 }
 
