@@ -155,7 +155,6 @@ class Cover {
       return true;
     }
     ++failures_;
-
     failure_ = result.incomplete.empty()
                    ? Incomplete{whole_domain(), "two pieces of the patch lie on one surface"}
                    : result.incomplete.front();

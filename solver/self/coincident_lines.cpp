@@ -6,9 +6,8 @@
 namespace exsect {
 namespace {
 
-/// Coefficients a1, a2, a3 of t, t^2, t^3 of every coordinate of the columns of
-/// a net: (f(t1) - f(t2)) / (t1 - t2) is a1 + a2 s + a3 e, s = t1 + t2, e = s^2
-/// - t1 t2.
+/// Coefficients a1, a2, a3 of t, t^2, t^3 of every coordinate of the columns of a net: (f(t1) - f(t2)) /
+/// (t1 - t2) is a1 + a2 s + a3 e, s = t1 + t2, e = s^2 - t1 t2.
 std::vector<Point> coefficient_rows(const RationalPatch& patch) {
   const RationalPatch cubic = patch.elevated(3, patch.degree_v());
   std::vector<Point> rows;

@@ -14,7 +14,7 @@ double above(const Rational& q) { return std::nextafter(to_double(q), kInfinity)
 
 ParameterCell make_cell(const ParameterRectangle& where, RationalPatch piece, int level) {
   const Rational half(1, 2);
-  const SpaceBox box = box_of(piece);
+  const PieceBox box = box_of(piece);
   return {where,
           std::move(piece),
           {{below(where.u.lower - half), below(where.v.lower - half)},
@@ -31,8 +31,8 @@ constexpr std::size_t kUsual = 6;  // of these, near 1/2
 }  // namespace
 
 /// Every point of a piece with positive weights is a convex combination of its control points.
-SpaceBox box_of(const RationalPatch& piece) {
-  SpaceBox box;
+PieceBox box_of(const RationalPatch& piece) {
+  PieceBox box;
   box.lower.fill(kInfinity);
   box.upper.fill(-kInfinity);
   for (int i = 0; i <= piece.degree_u(); ++i) {
@@ -106,7 +106,7 @@ bool touch(const ParameterCell& a, const ParameterCell& b) {
   return meet(a.where.u, b.where.u) && meet(a.where.v, b.where.v);
 }
 
-bool are_apart(const SpaceBox& a, const SpaceBox& b) {
+bool are_apart(const PieceBox& a, const PieceBox& b) {
   for (std::size_t c = 0; c < 3; ++c) {
     if (a.upper[c] < b.lower[c] || b.upper[c] < a.lower[c]) return true;
   }

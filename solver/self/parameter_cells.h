@@ -13,18 +13,18 @@
 namespace exsect {
 
 /// The box of a piece, rounded outwards; all of space where weights are not positive.
-struct SpaceBox {
+struct PieceBox {
   std::array<double, 3> lower;
   std::array<double, 3> upper;
 };
-SpaceBox box_of(const RationalPatch& piece);
+PieceBox box_of(const RationalPatch& piece);
 
 /// A closed rectangle of positive width.
 struct ParameterCell {
   ParameterRectangle where;
   RationalPatch piece;        // over it
   filter::Rectangle centred;  // of the parameters minus 1/2: contains it
-  SpaceBox box;
+  PieceBox box;
   int level;
   std::size_t children;  // index of the first of two; 0: not yet made
 };
@@ -50,7 +50,7 @@ class CellTree {
 /// The closed rectangles have a point in common.
 bool touch(const ParameterCell& a, const ParameterCell& b);
 /// The boxes have no point in common.
-bool are_apart(const SpaceBox& a, const SpaceBox& b);
+bool are_apart(const PieceBox& a, const PieceBox& b);
 /// The smallest rectangle around both.
 filter::Rectangle hull(const ParameterCell& a, const ParameterCell& b);
 

@@ -4,11 +4,10 @@
 #include <utility>
 
 #include "answer/arc_joints.h"
-#include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
 #include "answer/left_open.h"
 #include "answer/parameter_box.h"
-#include "answer/placement.h"
+#include "answer/placed_result.h"
 #include "self/glued_cells.h"
 #include "self/pair_orders.h"
 
@@ -37,13 +36,13 @@ IntersectResult left_undecided(std::vector<Incomplete> problems) {
 
 IntersectResult in_grid(const RationalPatch& x, const InjectiveRectangle& is_injective, unsigned grid,
                         double extent, const Run& run) {
-  CellPairs pairs{CellTree(x, grid), {}, {}, {}};
+  std::optional<CellPairs> pairs;
   run.timed("pairs of cells", [&] {
     pairs = cell_pairs(x, is_injective, grid, extent, run.with_turning(in_both_orders(run.turning())));
   });
-  run.count("pairs of cells", static_cast<double>(pairs.pairs));
-  if (!pairs.problems.empty()) return left_undecided(std::move(pairs.problems));
-  GluedCells glued = glued_cells(pairs, run.drawn_tolerance(extent));
+  run.count("pairs of cells", static_cast<double>(pairs->pairs));
+  if (!pairs->problems.empty()) return left_undecided(std::move(pairs->problems));
+  GluedCells glued = glued_cells(*pairs, run.drawn_tolerance(extent));
   if (!glued.problems.empty()) return left_undecided(std::move(glued.problems));
   join_orders(glued.graph, glued.mates);
   join_at_other_turning_points(glued.graph, 0, 0, run.turning());
@@ -68,18 +67,10 @@ IntersectResult self_intersect_in_doubles(const RationalPatch& x, const Run& run
   const RationalPatch& patch = x.reduced();
   const std::vector<Point> points = affine_points(patch);
   const auto place = Placement::of(points);
-  const double extent = to_double(model_extent(points));
-  if (!place) {
-    IntersectResult result = in_some_grid(patch, extent, run);
-    result.coarse = coarse_drawing(result.graph, run.tolerance(extent));
-    return result;
-  }
-  const RationalPatch placed = place->placed(patch);
-  IntersectResult result = in_some_grid(placed, to_double(model_extent(affine_points(placed))),
-                                        run.with_tolerance(place->left_of(run.tolerance(1))));
-  place->restore(result.graph);
-  result.coarse = coarse_drawing(result.graph, run.tolerance(extent));
-  return result;
+  return solved_in_place(place, to_double(model_extent(points)), run, [&](const Run& about_origin) {
+    const RationalPatch given = place ? place->placed(patch) : patch;
+    return in_some_grid(given, to_double(model_extent(affine_points(given))), about_origin);
+  });
 }
 
 }  // namespace exsect
