@@ -84,58 +84,56 @@ Rational drawn_width(double tolerance, double extent) {
   return std::min<Rational>(power_of_two(-80), from_double(tolerance / extent));
 }
 
+/// Throws BeyondDoubles unless the extent is a positive number.
+double drawable(double extent) {
+  if (!(extent > 0 && std::isfinite(extent))) throw BeyondDoubles(kBeyondDoubles);
+  return extent;
+}
+
+/// Of a curve's arc between two of its nodes.
+template <class CurveArc>
+void add_arc(SurfaceIntersection& result, const CurveArc& arc, int multiplicity, SpaceCourse course) {
+  result.arcs.push_back({static_cast<int>(result.arcs.size()), 0, static_cast<int>(arc.from),
+                         static_cast<int>(arc.to), multiplicity, std::move(course.points),
+                         course.error_bound});
+}
+
 void draw(SurfaceIntersection& result, const LiftedCurve& curve, const PairRegion& region, const Run& run) {
   if (curve.nodes.empty()) return;
-  const double extent = extent_of(curve.chart), tolerance = run.drawn_tolerance(extent);
-  if (!(extent > 0 && std::isfinite(extent))) throw BeyondDoubles(kBeyondDoubles);
+  const double extent = drawable(extent_of(curve.chart)), tolerance = run.drawn_tolerance(extent);
   for (std::size_t i = 0; i < curve.nodes.size(); ++i) {
     const LiftedNode& node = curve.nodes[i];
     add_node(result, node_kind(node.degree, node.is_singular, node.goes_on), node.degree,
              place_in_space(curve, i, drawn_width(tolerance, extent)), names_of(region, node.bounds));
   }
-  for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
-    const LiftedArc& arc = curve.arcs[i];
-    SpaceCourse course = course_in_space(curve, i, tolerance);
-    result.arcs.push_back({static_cast<int>(i), 0, static_cast<int>(arc.from), static_cast<int>(arc.to),
-                           arc.multiplicity, std::move(course.points), course.error_bound});
-  }
+  for (std::size_t i = 0; i < curve.arcs.size(); ++i)
+    add_arc(result, curve.arcs[i], curve.arcs[i].multiplicity, course_in_space(curve, i, tolerance));
   set_curves(result, named_curves(curve));
 }
 
 void draw(SurfaceIntersection& result, const TorusCurve& curve, const PairRegion& region, const Run& run) {
   if (curve.nodes.empty()) return;
-  const double extent = extent_of(curve.frame);
-  if (!(extent > 0 && std::isfinite(extent))) throw BeyondDoubles(kBeyondDoubles);
-  const TorusDrawing drawing(curve, run.drawn_tolerance(extent));
+  const TorusDrawing drawing(curve, run.drawn_tolerance(drawable(extent_of(curve.frame))));
   for (std::size_t i = 0; i < curve.nodes.size(); ++i)
     add_node(result, node_kind(curve.nodes[i].degree, curve.nodes[i].is_singular), curve.nodes[i].degree,
              drawing.box(i), names_of(region, curve.nodes[i].bounds));
-  for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
-    const TorusArc& arc = curve.arcs[i];
-    SpaceCourse course = drawing.course(i);
-    result.arcs.push_back({static_cast<int>(i), 0, static_cast<int>(arc.from), static_cast<int>(arc.to),
-                           curve.factors[arc.factor].multiplicity, std::move(course.points),
-                           course.error_bound});
-  }
+  for (std::size_t i = 0; i < curve.arcs.size(); ++i)
+    add_arc(result, curve.arcs[i], curve.factors[curve.arcs[i].factor].multiplicity, drawing.course(i));
   set_curves(result, named_curves(curve));
 }
 
 void draw(SurfaceIntersection& result, const RingCurve& curve, const PairRegion& region, const Run& run) {
   if (curve.nodes.empty()) return;
-  const double extent = extent_of(curve), tolerance = run.drawn_tolerance(extent);
-  if (!(extent > 0 && std::isfinite(extent))) throw BeyondDoubles(kBeyondDoubles);
+  const double extent = drawable(extent_of(curve)), tolerance = run.drawn_tolerance(extent);
   for (const RingNode& node : curve.nodes) {
     const LiftedCurve& half = curve.halves[node.half];
     const LiftedNode& at = half.nodes[node.below];
     add_node(result, node_kind(node.degree, node.degree == 2 && at.is_singular), node.degree,
              place_in_space(half, node.below, drawn_width(tolerance, extent)), names_of(region, at.bounds));
   }
-  for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
-    const RingArc& arc = curve.arcs[i];
+  for (const RingArc& arc : curve.arcs) {
     const LiftedCurve& half = curve.halves[arc.half];
-    SpaceCourse course = course_in_space(half, arc.below, tolerance);
-    result.arcs.push_back({static_cast<int>(i), 0, static_cast<int>(arc.from), static_cast<int>(arc.to),
-                           half.arcs[arc.below].multiplicity, std::move(course.points), course.error_bound});
+    add_arc(result, arc, half.arcs[arc.below].multiplicity, course_in_space(half, arc.below, tolerance));
   }
   set_curves(result, named_curves(curve));
 }

@@ -1,6 +1,7 @@
 #include "curve/curve_values.h"
 
 #include <exsect/algebra/resultant.h>
+#include <exsect/algebra/sturm.h>
 
 #include <algorithm>
 #include <utility>
@@ -39,6 +40,11 @@ std::vector<CriticalValue> merged(std::vector<CriticalValue> values) {
 }
 
 }  // namespace
+
+bool is_nowhere_real(const BivariatePolynomial& f) {
+  const auto without_roots = [](const Polynomial& g) { return SturmSequence(g).count_all() == 0; };
+  return (f.degree_s() == 0 && without_roots(f.at_s(0))) || (f.degree_r() == 0 && without_roots(f.at_r(0)));
+}
 
 BivariatePolynomial without_factors_of(const BivariatePolynomial& f, BivariatePolynomial h) {
   for (;;) {

@@ -23,6 +23,9 @@ bool are_apart(const RealAlgebraic& a, const RealAlgebraic& b);
 /// h without its factors in common with f, also where they are multiple ones of h. Requires h != 0.
 BivariatePolynomial without_factors_of(const BivariatePolynomial& f, BivariatePolynomial h);
 
+/// A curve in one parameter alone without a real point.
+bool is_nowhere_real(const BivariatePolynomial& f);
+
 /// 0, 1, and all values between them: where f_v = 0 or the leading coefficient of f in v vanishes on f = 0, f
 /// has a zero on v = 0 or v = 1 that is isolated there, one of the bounds has one on f = 0 that is isolated,
 /// or `lines` has one. Ascending, each once, with disjoint closed intervals. Requires f squarefree without a

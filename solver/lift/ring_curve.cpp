@@ -1,7 +1,6 @@
 #include "lift/ring_curve.h"
 
 #include <exsect/algebra/interruption.h>
-#include <exsect/algebra/sturm.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,9 +42,7 @@ bool is_general_on_sides(const LiftedCurve& half, const SurfaceRegion& region) {
 
 /// Denominators are factors without a real zero.
 void drop_nowhere_real(std::vector<ShadowFactor>& factors) {
-  std::erase_if(factors, [](const ShadowFactor& factor) {
-    return factor.factor.degree_s() == 0 && SturmSequence(factor.factor.at_s(0)).count_all() == 0;
-  });
+  std::erase_if(factors, [](const ShadowFactor& factor) { return is_nowhere_real(factor.factor); });
 }
 
 /// Puts both halves together.

@@ -2,7 +2,6 @@
 
 #include <exsect/algebra/bivariate_factors.h>
 #include <exsect/algebra/interruption.h>
-#include <exsect/algebra/sturm.h>
 #include <exsect/geometry/surface_pull_back.h>
 
 #include <algorithm>
@@ -19,12 +18,6 @@ constexpr int kMostTurns = 100;
 
 /// The parts in order: (half_u, half_v) = (0,0), (0,1), (1,0), (1,1).
 constexpr std::size_t part_of(std::size_t half_u, std::size_t half_v) { return 2 * half_u + half_v; }
-
-/// A curve in one parameter alone without a real point.
-bool is_nowhere_real(const BivariatePolynomial& f) {
-  const auto without_roots = [](const Polynomial& g) { return SturmSequence(g).count_all() == 0; };
-  return (f.degree_s() == 0 && without_roots(f.at_s(0))) || (f.degree_r() == 0 && without_roots(f.at_r(0)));
-}
 
 /// Every zero on a side is simple along it, and none is in a corner.
 bool crosses_sides_simply(const BivariatePolynomial& f) {
