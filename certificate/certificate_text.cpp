@@ -1,5 +1,7 @@
 #include "certificate/certificate_text.h"
 
+#include <exsect/algebra/rounding_bounds.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -100,8 +102,8 @@ std::string text(const Patches& patches, const PatchNames& names, IntersectResul
 /// others: as they were found they may run back by their errors.
 std::vector<PolylineVertex> in_the_middle(std::vector<PolylineVertex> polyline, const Map& equation) {
   const auto is_far = [](const PolylineVertex& a, const PolylineVertex& b) {
-    return std::max(std::abs(a.parameters[0] - b.parameters[0]),
-                    std::abs(a.parameters[1] - b.parameters[1])) > 0x1p-24;
+    return larger_bound(std::abs(a.parameters[0] - b.parameters[0]),
+                        std::abs(a.parameters[1] - b.parameters[1])) > 0x1p-24;
   };
   for (PolylineVertex& vertex : polyline) vertex.parameters[2] = vertex.parameters[3] = 0.5;
   std::vector<PolylineVertex> result = {polyline.front()};
