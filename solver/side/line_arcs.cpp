@@ -6,35 +6,22 @@
 #include <algorithm>
 #include <memory>
 
-#include "answer/graph_builder.h"
-#include "answer/parameter_box.h"
 #include "curve/plane_curve.h"
 #include "line/line_curve.h"
 #include "line/line_point.h"
 #include "line/line_system.h"
 #include "line/system_point.h"
 #include "side/collapsed_line.h"
-#include "side/ribbon.h"
+#include "side/ribbon_trace.h"
 #include "side/shared_line_arcs.h"
-#include "trace/landmark_node.h"
-#include "trace/trace_graph.h"
-
-// The arc is traced as the intersection of the other patch with a ribbon p(t) + (h - 1/2) n(t) along the
-// line, n transversal to that patch: there it is regular, with h = 1/2 throughout, even if the two patches
-// touch along it (docs/method.md, section 6.2).
 
 namespace exsect {
 
 namespace {
 
-Point normal_at(const BezierPatch& patch, const Rational& a, const Rational& b) {
-  return cross(patch.derivative_first(a, b), patch.derivative_second(a, b));
-}
-
 constexpr int kMostRuns = 64;
 constexpr const char* kWorkCap = "the work cap was reached";
 constexpr int kMostHalvings = 6;
-constexpr int kHullsOfPiece = 8;
 
 class LineArcSearch {
  public:
@@ -196,8 +183,8 @@ class LineArcSearch {
   }
 
   /// Whether the event is over an end of this gap.
-  bool is_beside(int event, std::size_t gap) const {
-    const std::size_t value = value_of_end_[static_cast<std::size_t>(event)];
+  bool is_beside(std::size_t event, std::size_t gap) const {
+    const std::size_t value = value_of_end_[event];
     return value == gap || value == gap + 1;
   }
 
@@ -221,23 +208,14 @@ class LineArcSearch {
       vertex.parameters[index(place_.roles.second)] = p[3];
     }
     back->hulls.insert(back->hulls.end(), ahead->hulls.begin(), ahead->hulls.end());
-    result_.arcs.push_back({static_cast<std::size_t>(back->end), static_cast<std::size_t>(ahead->end), inside,
-                            std::move(polyline), larger_bound(back->error_bound, ahead->error_bound),
-                            std::move(back->hulls)});
+    result_.arcs.push_back({back->end, ahead->end, inside, std::move(polyline),
+                            larger_bound(back->error_bound, ahead->error_bound), std::move(back->hulls)});
   }
-
-  /// A part of an arc from a point to an event, or to a point over a rational value.
-  struct Run {
-    int end;  // index of an event, or of one of the targets after the events
-    std::vector<PolylineVertex> polyline;
-    double error_bound;
-    std::vector<ParameterBox> hulls;
-  };
 
   /// From a point to the next event, t falling or rising: in one run, or in shorter ones on ribbons of their
   /// own.
-  std::optional<Run> run_from(CertifiedPoint at, int direction) {
-    Run all{-1, {}, 0, {}};
+  std::optional<RibbonRun> run_from(CertifiedPoint at, int direction) {
+    RibbonRun all{0, {}, 0, {}};
     for (int runs = 0; runs < kMostRuns; ++runs) {
       std::vector<CertifiedPoint> targets;
       const auto run = next_run(at, direction, targets);
@@ -247,17 +225,18 @@ class LineArcSearch {
       all.error_bound = larger_bound(all.error_bound, run->error_bound);
       all.hulls.insert(all.hulls.end(), run->hulls.begin(), run->hulls.end());
       all.end = run->end;
-      const auto events = static_cast<int>(result_.ends.size());
-      if (run->end < events) return all;
-      at = targets[static_cast<std::size_t>(run->end - events)];
+      if (run->end < result_.ends.size()) return all;
+      at = targets[run->end - result_.ends.size()];
     }
     return std::nullopt;
   }
 
-  std::optional<Run> next_run(const CertifiedPoint& at, int direction, std::vector<CertifiedPoint>& targets) {
+  std::optional<RibbonRun> next_run(const CertifiedPoint& at, int direction,
+                                    std::vector<CertifiedPoint>& targets) {
     const Rational here = at.box()[index(place_.roles.line)].midpoint();
     const Rational limit = direction > 0 ? 1 : 0;
     if (here == limit) return std::nullopt;
+    const RibbonTracer tracer(place_, problem_, owner_, scale_, tolerance_, stop_);
     for (int halvings = 0; halvings < kMostHalvings; ++halvings) {
       if (is_stopped(stop_)) {
         why_ = kWorkCap;
@@ -268,119 +247,24 @@ class LineArcSearch {
           halvings == 0 ? limit : simplest_between(here + step - abs(step) / 8, here + step + abs(step) / 8);
       targets.clear();
       if (halvings > 0) targets = points_over(system_->phi(there));
-      for (const RibbonNormal& normal : normals(at, here, there))
-        if (auto run = attempt<DoubleBall>(at, direction, targets, normal, power_of_two(-50))) return run;
+      for (const RibbonNormal& normal : tracer.normals(at, here, there))
+        if (auto run =
+                kept(tracer.run<DoubleBall>(at, direction, result_.ends, targets, normal, power_of_two(-50))))
+          return run;
     }
     if (!thorough_) return std::nullopt;
     targets.clear();
-    return attempt<ArbBall<256>>(at, direction, targets, normals(at, here, limit).front(),
-                                 power_of_two(-200));
+    return kept(tracer.run<ArbBall<256>>(at, direction, result_.ends, targets,
+                                         tracer.normals(at, here, limit).front(), power_of_two(-200)));
   }
 
-  /// The normal of the line's own patch, interpolated between two places; the other patch's normal at the
-  /// point.
-  std::vector<RibbonNormal> normals(const CertifiedPoint& point, const Rational& from,
-                                    const Rational& to) const {
-    std::vector<RibbonNormal> result;
-    const bool along_second = place_.roles.fixed == Parameter::u || place_.roles.fixed == Parameter::r;
-    std::array<Point, 3> at;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Rational t = from + Rational(static_cast<int>(i), 2) * (to - from);
-      at[i] =
-          with_length(along_second ? normal_at(owner_, place_.value, t) : normal_at(owner_, t, place_.value),
-                      scale_.extent);
-    }
-    if (from != to && std::none_of(at.begin(), at.end(), is_zero))
-      result.push_back(interpolated(at, from, to));
-    const ParameterBox& box = point.box();
-    const Point n = with_length(normal_at(problem_.patch, box[index(place_.roles.first)].midpoint(),
-                                          box[index(place_.roles.second)].midpoint()),
-                                scale_.extent);
-    result.push_back({n, Point{0, 0, 0}, Point{0, 0, 0}});
-    return result;
-  }
-
-  /// The point's box in the ribbon's parameters (t, h, r, s).
-  ParameterBox on_ribbon(const CertifiedPoint& point, const Rational& width) const {
-    const ParameterBox box = point.refined_to(width).box();
-    return {box[index(place_.roles.line)], RationalInterval{Rational(1, 2), Rational(1, 2)},
-            box[index(place_.roles.first)], box[index(place_.roles.second)]};
-  }
-
-  template <class Ball>
-  std::optional<Run> attempt(const CertifiedPoint& start, int direction,
-                             const std::vector<CertifiedPoint>& targets, const RibbonNormal& normal,
-                             const Rational& width) {
-    const BezierPatch carrier = ribbon(problem_.line, normal);
-    const PairSystem<Ball> system(carrier, problem_.patch, scale_.origin, scale_.frame.exponent);
-    Landmarks<Ball> landmarks;
-    GraphBuilder scratch;
-    const auto add = [&](const CertifiedPoint& point) {
-      const ParameterBox box = on_ribbon(point, width);
-      landmarks.push_back({Ball::enclosing(box[0]), Ball::enclosing(box[1]), Ball::enclosing(box[2]),
-                           Ball::enclosing(box[3])});
-      scratch.add_node(landmark_node(system, scale_.frame, landmarks.back(), box, {}));
-    };
-    std::for_each(result_.ends.begin(), result_.ends.end(), add);
-    std::for_each(targets.begin(), targets.end(), add);
-    add(start);
-    const int forward = Expansion<Ball>(system, landmarks.back()).tangent()[0].certain_sign();
-    if (forward == 0) {
-      why_ = "the patch is singular there";
+  /// The run, or none and its reason kept.
+  std::optional<RibbonRun> kept(std::variant<RibbonRun, std::string> outcome) {
+    if (auto* why = std::get_if<std::string>(&outcome)) {
+      why_ = std::move(*why);
       return std::nullopt;
     }
-    auto outcome =
-        trace_arc(system, landmarks, static_cast<int>(landmarks.size()) - 1, direction * forward, stop_);
-    if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
-      why_ = failure->why;
-      return std::nullopt;
-    }
-    AnalysedTrace<Ball> curve{std::get<Trace<Ball>>(std::move(outcome)), {}};
-    append_trace(scratch, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame, {},
-                 tolerance_);
-    Arc arc = std::move(scratch.take_arcs(0).front());
-    Run run{curve.trace.end, std::move(arc.polyline), arc.error_bound, {}};
-    for (const Piece<Ball>& piece : curve.trace.pieces) add_hulls(piece, run.hulls);
-    return run;
-  }
-
-  /// Around the piece, by parts: arcs beside each other have hulls that are apart.
-  template <class Ball>
-  void add_hulls(const Piece<Ball>& piece, std::vector<ParameterBox>& hulls) const {
-    const double from = std::min<double>(piece.range.from(), piece.range.to()) - piece.range.doubt();
-    const double to = std::max<double>(piece.range.from(), piece.range.to()) + piece.range.doubt();
-    for (int i = 0; i < kHullsOfPiece; ++i) {
-      const auto cut = [&](int k) {
-        return from_double(from) + Rational(k, kHullsOfPiece) * (from_double(to) - from_double(from));
-      };
-      hulls.push_back(box_between(piece.tube, cut(i), cut(i + 1)));
-    }
-  }
-
-  /// Around the arc for tau from `from` to `to`, by the tube's bounds of positions at tau = 0 and of slopes.
-  template <class Ball>
-  ParameterBox box_between(const Tube<Ball>& tube, const Rational& from, const Rational& to) const {
-    const auto around = [&](std::size_t i) {
-      const Rational centre = tube.centre[i].interval().midpoint();
-      const Rational radius = from_double(tube.halfwidth[i]);
-      if (i == tube.axis) return clipped(centre + from, centre + to);
-      const Rational slope = from_double(tube.slope[i]);
-      const Rational error = from_double(tube.slope_error[i]) * std::max(abs(from), abs(to));
-      const Rational middle = centre + slope * (from + to) / 2;
-      const Rational spread = abs(slope) * (to - from) / 2 + error + radius;
-      return clipped(middle - spread, middle + spread);
-    };
-    ParameterBox box;
-    box[index(place_.roles.fixed)] = {place_.value, place_.value};
-    box[index(place_.roles.line)] = around(0);
-    box[index(place_.roles.first)] = around(2);
-    box[index(place_.roles.second)] = around(3);
-    return box;
-  }
-
-  /// The part of the interval that is in [0,1], which both ends are near.
-  static RationalInterval clipped(const Rational& lower, const Rational& upper) {
-    return {std::clamp<Rational>(lower, 0, 1), std::clamp<Rational>(upper, 0, 1)};
+    return std::get<RibbonRun>(std::move(outcome));
   }
 
   LinePlace place_;
