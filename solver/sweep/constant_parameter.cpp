@@ -193,4 +193,8 @@ EXSECT_INSTANTIATE_CONSTANT(ArbBall<256>, TangentialArc)
 EXSECT_INSTANTIATE_CONSTANT(ArbBall<1024>, TangentialArc)
 #undef EXSECT_INSTANTIATE_CONSTANT
 
+void mark_coincident(std::array<bool, 4>& constant, const std::array<std::size_t, 4>& coincident) {
+  for (std::size_t j = 0; j < 4; ++j) constant[j] = constant[j] || constant[coincident[j]];
+}
+
 }  // namespace exsect

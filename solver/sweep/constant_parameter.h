@@ -18,4 +18,8 @@ template <class Ball, class Curve>
 bool meets_line(const SweepData& sweep, const Curve& curve, const LineQuery& across, Parameter p,
                 const Rational& value, const Rational& width);
 
+/// A parameter that is a function of a constant one is constant: `coincident` names the other one, or the
+/// parameter itself (ExactPair::coincident).
+void mark_coincident(std::array<bool, 4>& constant, const std::array<std::size_t, 4>& coincident);
+
 }  // namespace exsect

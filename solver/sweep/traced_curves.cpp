@@ -13,6 +13,7 @@
 #include "sweep/fibre_crossings.h"
 #include "sweep/multiple_turning_values.h"
 #include "sweep/search_window.h"
+#include "sweep/traced_contacts.h"
 #include "trace/enclose.h"
 #include "trace/fixed_arc.h"
 #include "trace/landmark_tangent.h"
@@ -40,7 +41,7 @@ class CurveTracing {
 
   TracedCurves<Ball> run() {
     if (sweep_.turning && sweep_.exact) {
-      trace_contacts();
+      trace_contacts(system_, landmarks_, sweep_, width_, stop_, result_);
     }
     trace_open_curves();
     if (result_.problems.empty()) {
@@ -56,108 +57,6 @@ class CurveTracing {
  private:
   void problem(const ParameterBox& where, const std::string& why, Reason reason = Reason::not_decided) {
     result_.problems.push_back({where, why, reason});
-  }
-
-  /// Curves along which the patches touch: through the multiple points of the fibres, and the parameter lines
-  /// that do so all along.
-  void trace_contacts() {
-    if (sweep_.turning->touching) {
-      for (const std::vector<CertifiedPoint>& fibre : sweep_.fibres) {
-        for (const CertifiedPoint& point : fibre) {
-          trace_contact_through(point);
-        }
-      }
-    }
-    for (const TurningValue& turning : sweep_.turning->values) {
-      if (turning.multiplicity != 1 && turning.value.is_rational()) {
-        trace_contact_lines({sweep_.turning->sweep, turning.value.rational()});
-      }
-    }
-  }
-
-  /// The parts of a line on which the patches touch, if the line lies on the other patch.
-  void trace_contact_lines(const LineQuery& query) {
-    if (query.value == 0 || query.value == 1) {
-      return;
-    }
-    const LinePoints& line = pair_.fibre(query);
-    const Parameter along = line_place(query).roles.line;
-    const auto& turning = pair_.turning(along);
-    if (line.incomplete || line.on_patch.empty() || !turning || !turning->touching) {
-      return;
-    }
-    std::vector<CertifiedPoint> boundary;
-    for (const LandmarkPoint& landmark : sweep_.landmarks) {
-      boundary.push_back(landmark.point);
-    }
-    TurningValues across = *turning;
-    for (const Rational& sample : sweep_samples(across, boundary)) {
-      const bool on_line =
-          std::any_of(line.on_patch.begin(), line.on_patch.end(), [&](const AlgebraicInterval& part) {
-            return part.from.compare(sample) < 0 && part.to.compare(sample) > 0;
-          });
-      if (!on_line) continue;
-      for (const CertifiedPoint& point : pair_.fibre({along, sample}).points) {
-        const RationalInterval& at = point.box()[index(query.fixed)];
-        if (at.lower <= query.value && query.value <= at.upper) {
-          trace_contact_through(point);
-        }
-      }
-    }
-  }
-
-  /// `point` is isolated over a value of a sweep that is no turning value.
-  void trace_contact_through(const CertifiedPoint& point) {
-    const BallPoint<Ball> box = enclose<Ball>(point, width_);
-    if (point.multiplicity() < 2 || !point.sides().empty() || contacts_through(result_, box) > 0 ||
-        in_star(sweep_, point)) {
-      return;
-    }
-    auto outcome = trace_contact(system_, landmarks_, box, stop_);
-    if (const auto* failure = std::get_if<TraceFailure>(&outcome)) {
-      problem(around(failure->where), failure->why);
-      return;
-    }
-    AnalysedContact<Ball> contact{std::get<TangentialArc<Ball>>(std::move(outcome)), {}};
-    std::array<bool, 4> constant{};
-    for (const Parameter p : all_parameters) {
-      constant[index(p)] = may_be_constant(system_, contact.curve, index(p)) &&
-                           is_constant(system_, sweep_, contact.curve, p, width_);
-    }
-    mark_coincident(constant);
-    auto turns = find_contact_turns(system_, contact.curve, pair_, constant);
-    if (const auto* failure = std::get_if<TraceFailure>(&turns)) {
-      problem(around(failure->where), failure->why);
-      return;
-    }
-    contact.turns = std::get<std::vector<ContactTurn<Ball>>>(std::move(turns));
-    check_that_it_leaves(contact.curve);
-    result_.contacts.push_back(std::move(contact));
-  }
-
-  /// A parameter that is a function of a constant one is constant.
-  void mark_coincident(std::array<bool, 4>& constant) const {
-    for (std::size_t j = 0; j < 4; ++j) {
-      constant[j] = constant[j] || constant[pair_.coincident()[j]];
-    }
-  }
-
-  /// At its ends on sides the curve crosses these.
-  void check_that_it_leaves(const TangentialArc<Ball>& curve) {
-    for (const int which : {0, 1}) {
-      const int landmark = which == 0 ? curve.start : curve.end;
-      if (landmark < 0 || sweep_.landmarks[static_cast<std::size_t>(landmark)].side != 0) {
-        continue;
-      }
-      const CertifiedPoint& point = sweep_.landmarks[static_cast<std::size_t>(landmark)].point;
-      for (const Side& side : point.sides()) {
-        const int outward = (which == 0 ? -1 : 1) * (side.value == 0 ? -1 : 1);
-        if (certain_direction(system_, curve, which, index(side.parameter)) != outward) {
-          problem(point.box(), "a curve along which the patches touch does not cross the side here",
-                  Reason::tangency);
-        }
-      }
-    }
   }
 
   void trace_open_curves() {
@@ -236,7 +135,7 @@ class CurveTracing {
       known.constant[index(p)] =
           may_be_constant(curve.trace, index(p)) && is_constant(system_, sweep_, curve.trace, p, width_);
     }
-    mark_coincident(known.constant);
+    mark_coincident(known.constant, pair_.coincident());
     known.plane = pair_.plane();
     known.common_zero = [this](const ParameterBox& where, std::size_t i, std::size_t j) {
       return common_tangent_zero(pair_.x(), pair_.y(), where, i, j);
