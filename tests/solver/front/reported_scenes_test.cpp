@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <set>
 #include <stdexcept>
 
@@ -34,6 +35,7 @@ struct Counts {
   int crossings = 0;
   int boundary = 0;
   bool tangential = false;  // all arcs
+  int isolated = 0;
 };
 
 void check(const std::string& scene, const std::string& first, const std::string& second,
@@ -47,7 +49,7 @@ void check(const std::string& scene, const std::string& first, const std::string
   CHECK(graph.count(ComponentShape::closed) == right.closed);
   CHECK(graph.count(ComponentShape::branched) == right.branched);
   CHECK(graph.boundary_points() == right.boundary);
-  CHECK(graph.isolated_points.empty());
+  CHECK(graph.isolated_points.size() == static_cast<std::size_t>(right.isolated));
   CHECK(graph.overlaps.empty());
   CHECK(std::count_if(graph.nodes.begin(), graph.nodes.end(), [](const Node& node) {
           return std::count(node.kinds.begin(), node.kinds.end(), NodeKind::crossing) > 0;
@@ -191,6 +193,97 @@ TEST_CASE("reported scenes: bicubic bumps that share sides, in whole and in part
     }
     CHECK(inner == 1);
   }
+}
+
+TEST_CASE("reported scenes: a cone taken from a block") {
+  // The top z = 0 cuts out the circle of radius 5 about the axis, the side x = 10 the hyperbola
+  // (z + 5)^2 = (10 - a)^2 + (y - b)^2 of the axis (a, b).
+  const std::string scene = "cone-in-a-block";
+  const Counts one_arc = {.open = 1, .boundary = 2};
+  check(scene, "top", "inside", {.closed = 1});
+  check(scene, "side", "inside", {});
+  check(scene, "top", "across", one_arc);
+  check(scene, "side", "across", one_arc);
+  // The circle touches the edge from inside, the hyperbola's vertex is on the edge.
+  check(scene, "top", "touching", {.closed = 1, .boundary = 1});
+  check(scene, "side", "touching", {.boundary = 1, .isolated = 1});
+  for (const std::string& distance : distances) {
+    check(scene, "top", "touching+" + distance, one_arc);
+    check(scene, "side", "touching+" + distance, one_arc);
+    check(scene, "top", "touching-" + distance, {.closed = 1});
+    check(scene, "side", "touching-" + distance, {});
+  }
+  // The circle passes by the corner (10, 10) outside, the hyperbola ends there.
+  check(scene, "top", "on-a-corner", {.open = 1, .boundary = 3, .isolated = 1});
+  check(scene, "side", "on-a-corner", one_arc);
+}
+
+namespace {
+
+/// How the circle of the given squared radius about (a, b) lies in the rectangle [from, to] x [0, 10]: its
+/// points on the sides, none in a corner and none where it touches a side, and whether it is inside without
+/// any.
+struct CircleInRectangle {
+  int on_sides = 0;
+  bool inside = false;
+};
+
+CircleInRectangle circle_in_rectangle(const Rational& a, const Rational& b, const Rational& squared, int from,
+                                      int to) {
+  CircleInRectangle result;
+  const auto count = [&](const Rational& distance, const Rational& centre, int low, int high) {
+    const Rational rest = squared - distance * distance;
+    REQUIRE(rest != 0);
+    if (rest < 0) return;
+    // centre - sqrt(rest) and centre + sqrt(rest), compared with an end e by the signs of e - centre and of
+    // (e - centre)^2 - rest.
+    const auto is_above = [&](int end, int sign) {  // of the end, of the point with this sign
+      const Rational gap = centre - end, excess = gap * gap - rest;
+      REQUIRE(excess != 0);
+      return excess > 0 ? gap > 0 : sign > 0;
+    };
+    for (const int sign : {-1, 1}) result.on_sides += is_above(low, sign) && !is_above(high, sign) ? 1 : 0;
+  };
+  count(a - from, b, 0, 10);
+  count(a - to, b, 0, 10);
+  count(b, a, from, to);
+  count(b - 10, a, from, to);
+  result.inside =
+      result.on_sides == 0 && a > from && a < to && b > 0 && b < 10 && (a - from) * (a - from) > squared;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("reported scenes: sections of two top faces by a cylinder at many places") {
+  // The faces are graphs over rectangles, so that sections are parts of circles in projection.
+  const SurfaceFile file =
+      read_surfaces(std::string(EXSECT_CASES) + "/reported/sections-at-many-places.json");
+  const SurfaceData& cylinder = *named(file, "cylinder").equation()->data();
+  const unsigned seed = 24115;
+  INFO("seed " << seed);
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> along(-1, 21), across(-1, 11);
+  int closed = 0, cut = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double a = along(engine), b = across(engine);
+    INFO("place " << a << " " << b);
+    const ImplicitSurface moved = ImplicitSurface::cylinder({Rational(a), Rational(b), 0}, cylinder.axis,
+                                                            Length::of_squared(cylinder.squared));
+    for (const bool is_left : {true, false}) {
+      const CircleInRectangle right = circle_in_rectangle(Rational(a), Rational(b), cylinder.squared,
+                                                          is_left ? 0 : 10, is_left ? 10 : 20);
+      const IntersectResult result = intersect(moved, *named(file, is_left ? "left" : "right").patch());
+      CHECK(result.status == Status::complete);
+      CHECK(result.graph.boundary_points() == right.on_sides);
+      CHECK(result.graph.count(ComponentShape::open) == right.on_sides / 2);
+      CHECK(result.graph.count(ComponentShape::closed) == (right.inside ? 1 : 0));
+      closed += right.inside ? 1 : 0;
+      cut += right.on_sides > 0 ? 1 : 0;
+    }
+  }
+  CHECK(closed > 20);
+  CHECK(cut > 20);
 }
 
 }  // namespace exsect::reported_scenes_test
