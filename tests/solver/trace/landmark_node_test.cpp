@@ -1,6 +1,6 @@
 #include "trace/landmark_node.h"
 
-#include "known_curves.h"
+#include "support/known_curves.h"
 
 namespace exsect::landmark_node_test {
 namespace {

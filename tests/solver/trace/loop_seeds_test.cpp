@@ -1,6 +1,6 @@
 #include "trace/loop_seeds.h"
 
-#include "known_curves.h"
+#include "support/known_curves.h"
 
 namespace exsect::loop_seeds_test {
 namespace {

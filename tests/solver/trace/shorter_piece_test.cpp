@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "known_curves.h"
+#include "support/known_curves.h"
 #include "trace/tube_points.h"
 
 namespace exsect::shorter_piece_test {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "known_curves.h"
+#include "support/known_curves.h"
 #include "trace/landmark_node.h"
 
 namespace exsect::trace_graph_test {

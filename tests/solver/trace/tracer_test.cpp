@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "known_curves.h"
+#include "support/known_curves.h"
 #include "trace/landmark_tangent.h"
 #include "trace/tube_points.h"
 

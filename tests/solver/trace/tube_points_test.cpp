@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "known_curves.h"
+#include "support/known_curves.h"
 #include "trace/tube.h"
 
 namespace exsect::tube_points_test {

@@ -4,7 +4,7 @@
 #include <random>
 #include <utility>
 
-#include "known_curves.h"
+#include "support/known_curves.h"
 #include "trace/tube_points.h"
 
 namespace exsect::tube_test {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "known_curves.h"
+#include "support/known_curves.h"
 
 namespace exsect::turning_points_test {
 namespace {
