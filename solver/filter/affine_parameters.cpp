@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "filter/common_normal.h"
+#include "filter/moebius_ratios.h"
 #include "filter/place_on_patch.h"
 #include "filter/polynomial.h"
 
@@ -18,9 +19,6 @@ constexpr std::size_t kSamples = 5;  // in each parameter
 constexpr std::size_t kMostTries = 4;
 /// Directions in the tangent plane that differ by less are the same.
 constexpr double kSameDirection = 0x1p-24;
-/// How far a ratio is from the simple number that it is meant to be, relative to it.
-constexpr double kRatioError = 0x1p-32;
-constexpr double kGreatestRatio = 0x1p10;
 
 struct Sample {
   Place at;
@@ -62,36 +60,20 @@ std::vector<Start> nearest_samples(const PairOf<K>& pair) {
   return starts;
 }
 
-/// One of y's parameters t near a common point: a parameter p of x, with p' and p''/2 by t. Empty if both of
-/// x's parameters change with t. `first` and `second` are y's derivative and half of its second one by t.
-struct Rate {
-  std::size_t of_x;
-  double first;
-  double second;
-};
-std::optional<Rate> rate_along(const SecondOrder& x, const Vec3& first, const Vec3& second) {
-  const Place direction = coordinates(x.u, x.v, first);
+/// The parameter of x that changes along a direction in the tangent plane; empty if both do.
+std::optional<std::size_t> changing(const SecondOrder& x, const Vec3& along) {
+  const Place direction = coordinates(x.u, x.v, along);
   const std::size_t p = std::fabs(direction[0]) > std::fabs(direction[1]) ? 0 : 1;
   if (!(std::fabs(direction[1 - p]) < kSameDirection * std::fabs(direction[p]))) return std::nullopt;
-  const double square = direction[p] * direction[p];
-  const Vec3 rest = second - square * (p == 0 ? x.uu : x.vv);
-  return Rate{p, direction[p], coordinates(x.u, x.v, rest)[p]};
+  return p;
 }
 
-/// A Moebius map is p + p' h / (1 - q h) about t, q = p'' / (2 p'). The ratio of its denominator at the end
-/// t = 1/2 of the centred parameter to that at -1/2: a simple number near it.
-std::optional<Rational> ratio_of(const Rate& rate, double t) {
-  const double q = rate.second / rate.first;
-  const double ratio = (1 - q * (0.5 - t)) / (1 + q * (0.5 + t));
-  if (!(ratio > 1 / kGreatestRatio && ratio < kGreatestRatio)) return std::nullopt;
-  return simplest_between(from_double(ratio * (1 - kRatioError)), from_double(ratio * (1 + kRatioError)));
-}
-
-/// How x's parameters change with y's at a point of both.
+/// A point of both, and the parameter of x that changes with the first one of y, the other one of which
+/// changes with the other one.
 struct CommonPlace {
+  Place on_x;
   Place on_y;
-  Rate along_r;
-  Rate along_s;
+  std::size_t with_first;
 };
 template <class K>
 std::optional<CommonPlace> common_place_near(const PairOf<K>& pair, const Start& start) {
@@ -99,10 +81,9 @@ std::optional<CommonPlace> common_place_near(const PairOf<K>& pair, const Start&
   if (!improve_place(pair.x, at, start.of_y.point)) return std::nullopt;
   const SecondOrder x = second_order(pair.x, at[0], at[1]);
   const SecondOrder y = second_order(pair.y, start.of_y.at[0], start.of_y.at[1]);
-  const auto along_r = rate_along(x, y.u, y.uu);
-  const auto along_s = rate_along(x, y.v, y.vv);
-  if (!along_r || !along_s || along_r->of_x == along_s->of_x) return std::nullopt;
-  return CommonPlace{start.of_y.at, *along_r, *along_s};
+  const auto with_first = changing(x, y.u), with_second = changing(x, y.v);
+  if (!with_first || !with_second || *with_first == *with_second) return std::nullopt;
+  return CommonPlace{at, start.of_y.at, *with_first};
 }
 template <class K>
 std::optional<CommonPlace> common_place(const PairOf<K>& pair) {
@@ -119,12 +100,12 @@ bool seem_to_be_pieces(const PairOf<K>& pair) {
 }
 
 template <class K>
-std::optional<std::array<Rational, 2>> parameter_ratios(const PairOf<K>& pair) requires K::weighted {
+std::optional<std::array<Rational, 2>> parameter_ratios(const PairOf<K>& pair, const ExactPatch<K>& x,
+                                                        const ExactPatch<K>& y) requires K::weighted {
   const auto place = common_place(pair);
   if (!place) return std::nullopt;
-  const auto k = ratio_of(place->along_r, place->on_y[0]);
-  const auto l = ratio_of(place->along_s, place->on_y[1]);
-  return k && l && (*k != 1 || *l != 1) ? std::optional(std::array{*k, *l}) : std::nullopt;
+  const auto ratios = moebius_ratios<K>(x, y, place->on_x, place->on_y, place->with_first);
+  return ratios && ((*ratios)[0] != 1 || (*ratios)[1] != 1) ? ratios : std::nullopt;
 }
 
 template <class K>
@@ -150,8 +131,9 @@ ElevatedPatch<K> in_other_parameters(const ElevatedPatch<K>& patch, const std::a
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 
-#define EXSECT_INSTANTIATE(K)                                                            \
-  template std::optional<std::array<Rational, 2>> parameter_ratios<K>(const PairOf<K>&); \
+#define EXSECT_INSTANTIATE(K)                                          \
+  template std::optional<std::array<Rational, 2>> parameter_ratios<K>( \
+      const PairOf<K>&, const ExactPatch<K>&, const ExactPatch<K>&);   \
   template ElevatedPatch<K> in_other_parameters<K>(const ElevatedPatch<K>&, const std::array<Rational, 2>&);
 EXSECT_INSTANTIATE(WeightedBiquadratic)
 EXSECT_INSTANTIATE(WeightedBicubic)

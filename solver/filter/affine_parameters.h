@@ -17,10 +17,10 @@ bool seem_to_be_pieces(const PairOf<K>& pair);
 
 /// The k and l, not both 1, for which y as a patch of r' and s', r = r' / (k (1 - r') + r') and s = s' / (l
 /// (1 - s') + s'), seems to have affine functions of x's parameters: where y is x in other parameters, each a
-/// Moebius map of one of x, and k and l are simple. A guess in doubles: nothing is proved, and nothing
-/// depends on it.
+/// Moebius map of one of x. A guess: nothing is proved, and nothing depends on it.
 template <class K>
-std::optional<std::array<Rational, 2>> parameter_ratios(const PairOf<K>& pair) requires K::weighted;
+std::optional<std::array<Rational, 2>> parameter_ratios(const PairOf<K>& pair, const ExactPatch<K>& x,
+                                                        const ExactPatch<K>& y) requires K::weighted;
 
 /// The patch of r' and s' (14.42): the same surface. Requires k, l > 0.
 template <class K>

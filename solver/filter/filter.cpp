@@ -303,7 +303,7 @@ std::optional<IntersectResult> in_affine_parameters(const ExactPatch<K>& x, cons
   if constexpr (!K::weighted) {
     return std::nullopt;
   } else {
-    const auto ratios = filter::parameter_ratios(pair);
+    const auto ratios = filter::parameter_ratios(pair, x, y);
     if (!ratios) return std::nullopt;
     auto result = FilteredIntersection<K>(x, filter::in_other_parameters<K>(y, *ratios), run).run();
     if (!result) return std::nullopt;

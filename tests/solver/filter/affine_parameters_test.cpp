@@ -13,9 +13,10 @@ using random_nets::reparametrised;
 
 template <class K>
 auto ratios_between(const RationalPatch& x, const RationalPatch& y) {
-  const auto pair = filter::make_pair_of<K>(elevated<K>(x), elevated<K>(y));
+  const auto exact_x = elevated<K>(x), exact_y = elevated<K>(y);
+  const auto pair = filter::make_pair_of<K>(exact_x, exact_y);
   REQUIRE(pair);
-  return filter::parameter_ratios<K>(*pair);
+  return filter::parameter_ratios<K>(*pair, exact_x, exact_y);
 }
 
 template <class K>
@@ -44,7 +45,9 @@ TEST_CASE("filter affine parameters: the ratios of Moebius maps are found") {
   for (const auto& [k, l] : {std::pair<Rational, Rational>{2, 1},
                              {1, Rational(3, 7)},
                              {Rational(997, 1000), 5},
-                             {Rational(1, 8), Rational(12345, 6789)}}) {
+                             {Rational(1, 8), Rational(12345, 6789)},
+                             {from_double(0.7), from_double(1.9) / from_double(0.3)},
+                             {Rational(1) + Rational(1) / pow(Integer(10), 35), Rational(1, 3)}}) {
     for (const bool doubles : {false, true}) {
       INFO("seed 51, doubles " << doubles);
       check_found<filter::WeightedBiquadratic>(

@@ -205,6 +205,10 @@ TEST_CASE("pieces of every kind: parameters that are Moebius maps of each other"
   }
   const auto net = random_nets::crossing(generator, {2, 2, 1, 1}, true).x;
   check_moebius_pieces(random_nets::weighted(generator, mapped(net, q(127, 5), 100000000)), 1, q(3, 2));
+  // Ratios with as many digits as doubles have, and more.
+  const RationalPatch x = random_nets::weighted(generator, net);
+  check_moebius_pieces(x, from_double(0.7), from_double(1.9) / from_double(0.3));
+  check_moebius_pieces(x, 1 + power_of_two(-100), 3);
 }
 
 TEST_CASE("pieces of every kind: a quarter of a cylinder by two sets of weights") {
