@@ -11,7 +11,7 @@ namespace {
 /// Places are kept to this many bits, and Newton's method has arrived where its steps are smaller than half
 /// of them say.
 constexpr long kBits = 1200;
-constexpr int kNewtonSteps = 8;
+constexpr int kRefiningSteps = 8;
 /// A ratio is the simplest rational number within 2^-kRatioBits of what is computed, relative to it; with
 /// about as many bits itself it is no rational number that is meant.
 constexpr long kRatioBits = 600;
@@ -36,40 +36,40 @@ ExactSecondOrder in_space(const std::array<std::array<Rational, 4>, 5>& c) {
   return x;
 }
 
-using ExactPlace = std::array<Rational, 2>;
+using RationalPlace = std::array<Rational, 2>;
 
 template <class K>
-ExactSecondOrder second_order(const ExactPatch<K>& patch, const ExactPlace& at) {
+ExactSecondOrder second_order(const ExactPatch<K>& patch, const RationalPlace& at) {
   const ExactTaylor<K> c = exact_taylor<K>(patch, at[0], at[1]);
   return in_space({c[0], c[kFirst<K>], c[kSecond], c[2 * kFirst<K>], c[2 * kSecond]});
 }
 
 /// The (a,b) for which a p + b q is nearest to v; empty if p and q are dependent.
-std::optional<ExactPlace> coordinates(const Point& p, const Point& q, const Point& v) {
+std::optional<RationalPlace> coordinates(const Point& p, const Point& q, const Point& v) {
   using exsect::dot;
   const Rational pp = dot(p, p), pq = dot(p, q), qq = dot(q, q), det = pp * qq - pq * pq;
   if (det == 0) return std::nullopt;
-  return ExactPlace{(qq * dot(p, v) - pq * dot(q, v)) / det, (pp * dot(q, v) - pq * dot(p, v)) / det};
+  return RationalPlace{(qq * dot(p, v) - pq * dot(q, v)) / det, (pp * dot(q, v) - pq * dot(p, v)) / det};
 }
 
-Rational rounded(const Rational& q) {
+Rational shortened(const Rational& q) {
   const Rational scaled = q * power_of_two(kBits);
   return Rational(Integer(numerator(scaled) / denominator(scaled))) * power_of_two(-kBits);
 }
 
-ExactPlace from_corner(const Place& centred) {
+RationalPlace from_corner(const Place& centred) {
   return {from_double(centred[0]) + Rational(1, 2), from_double(centred[1]) + Rational(1, 2)};
 }
 
 /// Newton's method from `at` for the place of a point of space.
 template <class K>
-std::optional<ExactPlace> place_of(const ExactPatch<K>& patch, ExactPlace at, const Point& point) {
+std::optional<RationalPlace> place_of(const ExactPatch<K>& patch, RationalPlace at, const Point& point) {
   using exsect::operator-;
-  for (int step = 0; step < kNewtonSteps; ++step) {
+  for (int step = 0; step < kRefiningSteps; ++step) {
     const ExactSecondOrder x = second_order<K>(patch, at);
     const auto by = coordinates(x.u, x.v, point - x.value);
     if (!by || abs((*by)[0]) + abs((*by)[1]) > 1) return std::nullopt;
-    for (std::size_t k = 0; k < 2; ++k) at[k] = rounded(at[k] + (*by)[k]);
+    for (std::size_t k = 0; k < 2; ++k) at[k] = shortened(at[k] + (*by)[k]);
     if (abs((*by)[0]) + abs((*by)[1]) < power_of_two(-kBits / 2)) return at;
   }
   return std::nullopt;
@@ -98,7 +98,7 @@ template <class K>
 std::optional<std::array<Rational, 2>> moebius_ratios(const ExactPatch<K>& x, const ExactPatch<K>& y,
                                                       const Place& on_x, const Place& on_y,
                                                       std::size_t with_first) requires K::weighted {
-  const ExactPlace there = from_corner(on_y);
+  const RationalPlace there = from_corner(on_y);
   const ExactSecondOrder of_y = second_order<K>(y, there);
   const auto at = place_of<K>(x, from_corner(on_x), of_y.value);
   if (!at) return std::nullopt;

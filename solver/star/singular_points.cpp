@@ -7,6 +7,7 @@
 
 #include "answer/graph_builder.h"
 #include "answer/parameter_box.h"
+#include "eliminant/algebraic_fibre.h"
 #include "line/exact_line_points.h"
 #include "line/line_place.h"
 #include "line/line_points_in.h"
@@ -219,7 +220,9 @@ class StarSearch {
   /// Crossings with the curve that a symmetry fixes, of any degree.
   void try_fixed_points(const TurningValues& turning) {
     for (const TurningValue& value : turning.values) {
-      if (value.multiplicity != 2 || value.value.is_rational() || stopped() || !pair_.symmetry()) {
+      // Lemma 6.4 asks for a finite fibre.
+      if (value.multiplicity != 2 || value.value.is_rational() || stopped() || !pair_.symmetry() ||
+          may_have_infinite_fibre(pair_.x(), pair_.y(), turning.sweep, value.value)) {
         continue;
       }
       const ExchangingSymmetry& symmetry = *pair_.symmetry();

@@ -157,22 +157,26 @@ bool is_constant(const PairSystem<Ball>& system, const SweepData& sweep, const C
   return ConstantParameter<Ball, Curve>(system, sweep, curve, p, width).run();
 }
 
-template <class Ball, class Curve>
-bool meets_line(const SweepData& sweep, const Curve& curve, const LineQuery& across, Parameter p,
-                const Rational& value, const Rational& width) {
+std::optional<std::vector<const CertifiedPoint*>> points_with_value(const SweepData& sweep,
+                                                                    const LineQuery& across, Parameter p,
+                                                                    const Rational& value) {
   const LinePoints& line = sweep.pair.fibre(across);
-  if (line.incomplete || !line.on_patch.empty()) {
-    return false;
-  }
+  if (line.incomplete || !line.on_patch.empty()) return std::nullopt;
   std::vector<const CertifiedPoint*> found;
   for (const CertifiedPoint& point : line.points) {
     const RationalInterval at = point.refined_to(power_of_two(-100)).box()[index(p)];
-    if (at.lower <= value && value <= at.upper) {
-      found.push_back(&point);
-    }
+    if (at.lower <= value && value <= at.upper) found.push_back(&point);
   }
-  return std::any_of(found.begin(), found.end(), [&](const CertifiedPoint* point) {
-    return (found.size() == 1 || sweep.pair.surely_takes(*point, p, value)) &&
+  return found;
+}
+
+template <class Ball, class Curve>
+bool meets_line(const SweepData& sweep, const Curve& curve, const LineQuery& across, Parameter p,
+                const Rational& value, const Rational& width) {
+  const auto found = points_with_value(sweep, across, p, value);
+  if (!found) return false;
+  return std::any_of(found->begin(), found->end(), [&](const CertifiedPoint* point) {
+    return (found->size() == 1 || sweep.pair.surely_takes(*point, p, value)) &&
            passes_through(curve, enclose<Ball>(*point, width));
   });
 }

@@ -12,6 +12,12 @@ template <class Ball, class Curve>
 bool is_constant(const PairSystem<Ball>& system, const SweepData& sweep, const Curve& curve, Parameter p,
                  const Rational& width);
 
+/// All points of the line `across` at which p may be the value, within 2^-100; empty if the line's points are
+/// not known, or parts of it lie on the other patch. They live as long as the sweep's pair.
+std::optional<std::vector<const CertifiedPoint*>> points_with_value(const SweepData& sweep,
+                                                                    const LineQuery& across, Parameter p,
+                                                                    const Rational& value);
+
 /// True if a point of the line `across` with p = value exactly is on the curve: one that is rational, or the
 /// only one that may have that value where one must.
 template <class Ball, class Curve>

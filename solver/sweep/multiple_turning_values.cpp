@@ -5,6 +5,7 @@
 #include "answer/graph_builder.h"
 #include "answer/model_scale.h"
 #include "answer/parameter_box.h"
+#include "eliminant/algebraic_fibre.h"
 #include "line/known_tangent.h"
 #include "line/line_place.h"
 #include "side/line_arcs.h"
@@ -27,9 +28,7 @@ class MultipleTurningValues {
   std::vector<const TurningValue*> undecided() const {
     std::vector<const TurningValue*> result;
     for (const TurningValue& turning : sweep_.turning->values) {
-      const int m = turning.multiplicity;
-      if (m != 1 && !(m > 1 && regular_turning_points(turning) + 2 * singular_stars(turning) >= m) &&
-          !multiple_points_are_known(turning)) {
+      if (turning.multiplicity != 1 && !is_used_up(turning) && !multiple_points_are_known(turning)) {
         result.push_back(&turning);
       }
     }
@@ -37,6 +36,14 @@ class MultipleTurningValues {
   }
 
  private:
+  /// The known points over the value take up all of its multiplicity. A point of a line that lies on the
+  /// other patch may take up less than is counted here, so that the fibre has to be finite.
+  bool is_used_up(const TurningValue& turning) const {
+    const int m = turning.multiplicity;
+    return m > 1 && regular_turning_points(turning) + 2 * singular_stars(turning) >= m &&
+           !may_have_infinite_fibre(sweep_.pair.x(), sweep_.pair.y(), sweep_.turning->sweep, turning.value);
+  }
+
   /// All points of the fibre over a rational value are on traced curves or in stars.
   bool multiple_points_are_known(const TurningValue& turning) const {
     if (!turning.value.is_rational()) {
@@ -54,8 +61,8 @@ class MultipleTurningValues {
            });
   }
 
-  /// All of an interval in which the line lies on the other patch is on traced curves and in stars: a point
-  /// is, between any two neighbouring places where a curve may end.
+  /// All of an interval in which the line lies on the other patch is on traced curves and in stars: its
+  /// points are, between any two neighbouring places where a curve may end.
   bool is_traced(const LineQuery& query, const AlgebraicInterval& part) const {
     if (query.value == 0 || query.value == 1) {
       return true;  // known as arcs on a side
@@ -83,7 +90,7 @@ class MultipleTurningValues {
     Rational covered = ends.front().upper;
     for (const RationalInterval& end : ends) {
       if (covered < end.lower && part.from.compare(covered) < 0 && part.to.compare(end.lower) > 0 &&
-          !is_on_curve({along, (covered + end.lower) / 2}, query)) {
+          !are_on_curves({along, (covered + end.lower) / 2}, query)) {
         return false;
       }
       covered = std::max(covered, end.upper);
@@ -103,16 +110,14 @@ class MultipleTurningValues {
     });
   }
 
-  /// A point of `line` across the line `across` is on a traced curve.
-  bool is_on_curve(const LineQuery& across, const LineQuery& line) const {
-    return std::any_of(traced_.curves.begin(), traced_.curves.end(),
-                       [&](const AnalysedTrace<Ball>& curve) {
-                         return meets_line<Ball>(sweep_, curve.trace, across, line.fixed, line.value, width_);
-                       }) ||
-           std::any_of(
-               traced_.contacts.begin(), traced_.contacts.end(), [&](const AnalysedContact<Ball>& contact) {
-                 return meets_line<Ball>(sweep_, contact.curve, across, line.fixed, line.value, width_);
-               });
+  /// The points of `line` across the line `across`, of which there is one, are on traced curves: all of them,
+  /// as the other patch may cover the line more than once.
+  bool are_on_curves(const LineQuery& across, const LineQuery& line) const {
+    const auto points = points_with_value(sweep_, across, line.fixed, line.value);
+    return points && !points->empty() && std::ranges::all_of(*points, [&](const CertifiedPoint* point) {
+             const BallPoint<Ball> box = enclose<Ball>(*point, width_);
+             return curves_through(traced_, box) > 0 || contacts_through(traced_, box) > 0;
+           });
   }
 
   int regular_turning_points(const TurningValue& turning) const {

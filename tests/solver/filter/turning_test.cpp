@@ -6,7 +6,7 @@
 #include "filter/trace.h"
 #include "support/known_curves.h"
 
-namespace exsect::filter_turning_test {
+namespace exsect::turning_test {
 namespace {
 
 using namespace exsect::filter;
@@ -100,4 +100,4 @@ TEST_CASE("filter turning: a line that is one point does not move", "[filter]") 
   CHECK_FALSE(known.is_one_point());
 }
 
-}  // namespace exsect::filter_turning_test
+}  // namespace exsect::turning_test

@@ -8,6 +8,7 @@
 #include "support/catch.h"
 #include "support/graph_checks.h"
 #include "support/graph_patches.h"
+#include "swept_pair.h"
 
 namespace exsect::constant_parameter_test {
 namespace {
@@ -87,6 +88,24 @@ TEST_CASE("a nearly constant parameter turns or not, but is not constant") {
   CHECK(std::count_if(result.graph.nodes.begin(), result.graph.nodes.end(), [](const Node& node) {
           return std::count(node.wrt.begin(), node.wrt.end(), Parameter::u) > 0;
         }) == 1);
+}
+
+TEST_CASE("points with a value on a line: all of them, of a patch that covers the line twice too") {
+  // (u, v, 0) and (4 (r - 1/2)^2, s, s - 1/2): v = 1/2, with r and 1 - r over each u.
+  ControlNet power{};
+  power[0][0] = {1, 0, Rational(-1, 2)};
+  power[1][0] = {-4, 0, 0};
+  power[2][0] = {4, 0, 0};
+  power[0][1] = {0, 1, 1};
+  testing::SweptPair pair(testing::plane_patch(), BezierPatch::from_power_basis(power));
+  const auto at = [&](const Rational& u, const Rational& v) {
+    return points_with_value(pair.data, {Parameter::u, u}, Parameter::v, v)->size();
+  };
+  CHECK(at(Rational(1, 4), Rational(1, 2)) == 2);
+  CHECK(at(Rational(1, 4), Rational(1, 2) + power_of_two(-90)) == 0);
+  CHECK(at(0, Rational(1, 2)) == 1);  // where the other patch folds
+  // All of v = 1/2 lies on it.
+  CHECK_FALSE(points_with_value(pair.data, {Parameter::v, Rational(1, 2)}, Parameter::u, Rational(1, 4)));
 }
 
 }  // namespace exsect::constant_parameter_test
