@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fixed_point_interval.h"
+#include "real_field.h"
 #include "resultant.h"
 
 namespace exsect {
@@ -21,14 +22,6 @@ Polynomial interpolated(std::vector<Rational> values) {
   for (std::size_t i = n; i-- > 0;)
     result = result * (Polynomial::variable() - Polynomial(static_cast<int>(i))) + Polynomial(values[i]);
   return result;
-}
-
-/// The irreducible factor of the polynomial of s that vanishes at s.
-Polynomial minimal_polynomial(const RealAlgebraic& s) {
-  if (s.is_rational()) return Polynomial::variable() - Polynomial(s.rational());
-  for (const PolynomialPower& power : irreducible_factors(s.polynomial()))
-    if (sign_at(power.factor, s) == 0) return power.factor;
-  return s.polynomial();
 }
 
 /// A polynomial in T with the root h(p)/w(p): Res_s(m, Res_r(g, h - T w)) over the minimal polynomial m of s.
