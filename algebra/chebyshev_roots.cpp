@@ -14,7 +14,7 @@ namespace exsect {
 
 namespace {
 
-constexpr std::size_t kMostCoefficients = 129;
+constexpr std::size_t kMostCoefficients = 161;
 constexpr int kDeepest = 48;
 /// Doubles decide next to nothing on longer intervals.
 constexpr int kFirstInDoubles = 2;
@@ -226,7 +226,7 @@ bool isolate(const Piece<WideBall>& piece, std::vector<RationalInterval>& found)
 std::optional<std::vector<RationalInterval>> isolate_chebyshev_roots(const std::vector<WideBall>& c) {
   return in_nearest_rounding([&]() -> std::optional<std::vector<RationalInterval>> {
     if (c.empty() || c.size() > kMostCoefficients)
-      throw std::invalid_argument("1 to 129 Chebyshev coefficients");
+      throw std::invalid_argument("1 to 161 Chebyshev coefficients");
     Piece<WideBall> all{{}, c, 0, 0};
     for (std::size_t j = 0; j < c.size(); ++j) {
       all.c[j] = c[j].midpoint();
