@@ -1,7 +1,11 @@
-// exsect on pairs of patches, in process: intersect, or the parameter lines with --lines; in doubles where
-// they suffice, or with --method exact without floating point in any decision.
-#include <exsect/geometry/patch_file.h>
+// exsect on pairs of patches and of surfaces by their equations, in process: intersect, or the parameter
+// lines with --lines; in doubles where they suffice, or with --method exact without floating point in any
+// decision.
+#include <exsect/geometry/surface_file.h>
 #include <exsect/solver/intersect.h>
+#include <exsect/solver/intersect_equations.h>
+#include <exsect/solver/intersect_rational.h>
+#include <exsect/solver/intersect_surface.h>
 #include <exsect/solver/line_patch.h>
 
 #include <algorithm>
@@ -16,20 +20,21 @@
 namespace peers {
 namespace {
 
-using exsect::BezierPatch;
 using exsect::IntersectionGraph;
+using exsect::IntersectOptions;
+using exsect::NamedSurface;
 
 struct ExactPair {
-  BezierPatch x;
-  BezierPatch y;
+  NamedSurface x;
+  NamedSurface y;
 };
 
 std::map<std::string, ExactPair> exact_pairs(const std::string& path) {
   std::ifstream file(path);
   std::map<std::string, ExactPair> result;
   for (std::string line; std::getline(file, line);) {
-    const exsect::PatchFile pair = exsect::parse_patches(line, path);
-    result.emplace(pair.title, ExactPair{pair.patches.at(0).patch, pair.patches.at(1).patch});
+    const exsect::SurfaceFile pair = exsect::parse_surfaces(line, path);
+    result.emplace(pair.title, ExactPair{pair.surfaces.at(0), pair.surfaces.at(1)});
   }
   return result;
 }
@@ -65,12 +70,33 @@ nlohmann::ordered_json answer(const exsect::IntersectResult& result) {
   return json;
 }
 
-std::vector<exsect::LinePoints> line_points(const ExactPair& pair, bool exactly) {
+/// Two surfaces by their equations have no parameters: curves and bound only.
+nlohmann::ordered_json answer(const exsect::SurfaceIntersection& result) {
+  Answer answer;
+  double bound = 0;
+  for (const exsect::SpaceArc& arc : result.arcs) {
+    Curve& curve = answer.curves.emplace_back();
+    for (const Point& p : arc.polyline) curve.push_back({p, {}});
+    bound = std::max(bound, arc.error_bound);
+  }
+  nlohmann::ordered_json json = to_json(answer);
+  json["bound"] = bound;
+  json["in_doubles"] = false;
+  json["complete"] = result.status == exsect::Status::complete;
+  return json;
+}
+
+std::optional<exsect::BezierPatch> biquadratic(const NamedSurface& surface) {
+  if (surface.patch() == nullptr) return std::nullopt;
+  return surface.patch()->biquadratic();
+}
+
+std::vector<exsect::LinePoints> line_points(const exsect::BezierPatch& x, const exsect::BezierPatch& y,
+                                            bool exactly) {
   std::vector<exsect::LinePoints> result;
   for (int k = 1; k <= line_queries; ++k) {
     const exsect::LineQuery query = {exsect::Parameter::u, exsect::Rational(k, 16)};
-    result.push_back(exactly ? exsect::line_points(pair.x, pair.y, query)
-                             : exsect::line_points_filtered(pair.x, pair.y, query));
+    result.push_back(exactly ? exsect::line_points(x, y, query) : exsect::line_points_filtered(x, y, query));
     if (result.back().incomplete) throw std::runtime_error("incomplete: " + *result.back().incomplete);
   }
   return result;
@@ -90,18 +116,30 @@ nlohmann::ordered_json answer(const std::vector<exsect::LinePoints>& lines) {
   return {{"lines", result}};
 }
 
-Task task(const ExactPair& exact, const Settings& settings) {
+/// `solve` timed, its result answered.
+template <class Solve>
+Task solved(Solve solve) {
+  const auto state = std::make_shared<std::optional<decltype(solve())>>();
+  return {[solve, state] { *state = solve(); }, [state] { return answer(state->value()); }};
+}
+
+Task task(const ExactPair& pair, const Settings& settings) {
   const bool exactly = settings.method == "exact";
+  const auto bezier_x = biquadratic(pair.x), bezier_y = biquadratic(pair.y);
   if (settings.lines) {
-    return {[&exact, exactly] { line_points(exact, exactly); },
-            [&exact, exactly] { return answer(line_points(exact, exactly)); }};
+    const exsect::BezierPatch p = bezier_x.value(), q = bezier_y.value();
+    return {[=] { line_points(p, q, exactly); }, [=] { return answer(line_points(p, q, exactly)); }};
   }
-  exsect::IntersectOptions options;
+  IntersectOptions options;
   options.tolerance = settings.tolerance;
   options.exact = exactly;
-  const auto state = std::make_shared<std::optional<exsect::IntersectResult>>();
-  return {[&exact, options, state] { *state = intersect(exact.x, exact.y, options); },
-          [state] { return answer(state->value()); }};
+  if (bezier_x && bezier_y) return solved([=] { return intersect(*bezier_x, *bezier_y, options); });
+  const exsect::RationalPatch *x = pair.x.patch(), *y = pair.y.patch();
+  const exsect::ImplicitSurface *f = pair.x.equation(), *g = pair.y.equation();
+  if (x != nullptr && y != nullptr) return solved([=] { return intersect(*x, *y, options); });
+  if (x != nullptr) return solved([=] { return intersect(*g, *x, options); });
+  if (y != nullptr) return solved([=] { return intersect(*f, *y, options); });
+  return solved([=] { return intersect(*f, *g, options); });
 }
 
 }  // namespace
@@ -118,7 +156,7 @@ int main(int argc, char** argv) {
                                                                  : "exsect line_points_filtered";
         return routine + (settings.method == "exact" && !settings.lines ? " --exact" : "");
       },
-      [&](const peers::PatchPair& pair, const peers::Settings& settings) {
+      [&](const peers::SurfacePair& pair, const peers::Settings& settings) {
         return peers::task(exact.at(pair.name), settings);
       });
 }

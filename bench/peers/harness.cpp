@@ -127,11 +127,11 @@ Settings parse(int argc, char** argv) {
 }  // namespace
 
 int run(int argc, char** argv, const std::function<std::string(const Settings&)>& program,
-        const std::function<Task(const PatchPair&, const Settings&)>& task) {
+        const std::function<Task(const SurfacePair&, const Settings&)>& task) {
   try {
     const Settings settings = parse(argc, argv);
     const std::string name = program(settings);
-    for (const PatchPair& pair : read_pairs(settings.pairs)) {
+    for (const SurfacePair& pair : read_pairs(settings.pairs)) {
       Json line = {{"name", pair.name}, {"program", name}, {"tolerance", settings.tolerance}};
       line.update(solve_apart([&] { return task(pair, settings); }, settings.seconds));
       std::cout << line.dump() << std::endl;

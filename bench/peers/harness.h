@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "patch_pair.h"
+#include "surface_pair.h"
 
 namespace peers {
 
@@ -36,7 +36,7 @@ struct Settings {
 ///     crash      the process ended by another signal
 ///     error      an exception, its text under "reason"
 int run(int argc, char** argv, const std::function<std::string(const Settings&)>& program,
-        const std::function<Task(const PatchPair&, const Settings&)>& task);
+        const std::function<Task(const SurfacePair&, const Settings&)>& task);
 
 /// The values k/16 of a line query.
 inline constexpr int line_queries = 15;

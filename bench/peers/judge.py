@@ -10,6 +10,7 @@ title and its answer instead, as STEM.json and STEM.candidate.json.
 import argparse
 import collections
 import json
+import math
 import pathlib
 import subprocess
 import tempfile
@@ -20,24 +21,35 @@ import numpy
 MOST_VERTICES = 200  # of a curve that is saved
 
 
+def numbers(value):
+    return [numbers(v) for v in value] if isinstance(value, list) else float(Fraction(value))
+
+
 def net_of(patch):
-    """The control points as a 3 x 3 x 3 array."""
-    return numpy.array([[[float(Fraction(c)) if isinstance(c, str) else c for c in p] for p in row]
-                        for row in patch["points"]])
+    """The control points times their weights, and these: an (m+1) x (n+1) x 4 array."""
+    points = numpy.array(numbers(patch["points"]))
+    weights = numpy.array(numbers(patch["weights"])) if "weights" in patch else numpy.ones(points.shape[:2])
+    return numpy.concatenate([points * weights[:, :, None], weights[:, :, None]], axis=2)
 
 
 def size_of(x, y):
     """The largest extent of the box around all control points."""
-    return numpy.ptp(numpy.concatenate([x, y]).reshape(-1, 3), axis=0).max()
+    points = numpy.concatenate([x.reshape(-1, 4), y.reshape(-1, 4)])
+    return numpy.ptp(points[:, :3] / points[:, 3:], axis=0).max()
 
 
 def evaluated(net, parameters):
     """Points and both derivatives at an n x 2 array of parameters."""
-    def basis(t):
-        return (numpy.stack([(1 - t) ** 2, 2 * t * (1 - t), t * t], 1),
-                numpy.stack([2 * t - 2, 2 - 4 * t, 2 * t], 1))
-    (a, da), (b, db) = basis(parameters[:, 0]), basis(parameters[:, 1])
-    return tuple(numpy.einsum("ni,nj,ijk->nk", p, q, net) for p, q in ((a, b), (da, b), (a, db)))
+    def basis(n, t):
+        values = numpy.stack([math.comb(n, i) * t**i * (1 - t) ** (n - i) for i in range(n + 1)], 1)
+        if n == 0:
+            return values, numpy.zeros_like(values)
+        below, zero = basis(n - 1, t)[0], numpy.zeros((len(t), 1))
+        return values, n * (numpy.hstack([zero, below]) - numpy.hstack([below, zero]))
+    (a, da), (b, db) = (basis(net.shape[k] - 1, parameters[:, k]) for k in (0, 1))
+    p, pu, pv = (numpy.einsum("ni,nj,ijk->nk", f, g, net) for f, g in ((a, b), (da, b), (a, db)))
+    x = p[:, :3] / p[:, 3:]
+    return x, *((d[:, :3] - d[:, 3:] * x) / p[:, 3:] for d in (pu, pv))
 
 
 def distance_from_truth(x, y, points, parameters):

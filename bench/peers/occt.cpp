@@ -1,4 +1,5 @@
-// Open CASCADE on pairs of patches: --method surfaces (GeomAPI_IntSS) or section (BRepAlgoAPI_Section); with
+// Open CASCADE on pairs of patches and of round surfaces: --method surfaces (GeomAPI_IntSS) or section
+// (BRepAlgoAPI_Section); with
 // --lines GeomAPI_IntCS intersects parameter lines with the second patch.
 #include <BRepAlgoAPI_Section.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -9,9 +10,17 @@
 #include <GeomInt_IntSS.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_NoSuchObject.hxx>
 #include <Standard_Version.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
@@ -20,6 +29,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -34,12 +44,38 @@ constexpr double face_tolerance = 1e-7;
 
 gp_Pnt to_point(const Point& p) { return {p[0], p[1], p[2]}; }
 
-Handle(Geom_BezierSurface) surface(const Net& net) {
-  TColgp_Array2OfPnt points(1, 3, 1, 3);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      points.SetValue(i + 1, j + 1, to_point(net[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]));
-  return new Geom_BezierSurface(points);
+Handle(Geom_Surface) surface(const Patch& patch) {
+  const auto rows = static_cast<int>(patch.rows), columns = static_cast<int>(patch.columns);
+  TColgp_Array2OfPnt points(1, rows, 1, columns);
+  TColStd_Array2OfReal weights(1, rows, 1, columns);
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const std::size_t at = patch.index(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+      points.SetValue(i + 1, j + 1, to_point(patch.points[at]));
+      weights.SetValue(i + 1, j + 1, patch.weights.empty() ? 1 : patch.weights[at]);
+    }
+  if (patch.weights.empty()) return new Geom_BezierSurface(points);
+  return new Geom_BezierSurface(points, weights);
+}
+
+/// Unbounded ones are cut off at a distance that the intersections of the families do not reach, because
+/// faces and marching need bounds.
+Handle(Geom_Surface) surface(const RoundSurface& round) {
+  const gp_Ax3 axes(to_point(round.point), gp_Dir(round.axis[0], round.axis[1], round.axis[2]));
+  const double far = 16, turn = 2 * M_PI;
+  if (round.type == "sphere") return new Geom_SphericalSurface(axes, round.radius);
+  if (round.type == "torus") return new Geom_ToroidalSurface(axes, round.radius, round.minor);
+  if (round.type == "plane")
+    return new Geom_RectangularTrimmedSurface(new Geom_Plane(axes), -far, far, -far, far);
+  if (round.type == "cylinder")
+    return new Geom_RectangularTrimmedSurface(new Geom_CylindricalSurface(axes, round.radius), 0, turn, -far,
+                                              far);
+  return new Geom_RectangularTrimmedSurface(new Geom_ConicalSurface(axes, std::atan(round.radius), 0), 0,
+                                            turn, 0, far);
+}
+
+Handle(Geom_Surface) surface(const Surface& either) {
+  return std::visit([](const auto& one) { return surface(one); }, either);
 }
 
 /// A curve with its images in both parameter squares, all over [from,to].
@@ -69,7 +105,7 @@ nlohmann::ordered_json with_bound(const Answer& answer, double bound) {
 }
 
 /// The same intersection as in GeomAPI_IntSS, which keeps points and parameters to itself.
-nlohmann::ordered_json surfaces_answer(const PatchPair& pair, double tolerance) {
+nlohmann::ordered_json surfaces_answer(const SurfacePair& pair, double tolerance) {
   GeomInt_IntSS intersection;
   intersection.Perform(surface(pair.x), surface(pair.y), tolerance, Standard_True, Standard_True,
                        Standard_True);
@@ -91,7 +127,7 @@ nlohmann::ordered_json surfaces_answer(const PatchPair& pair, double tolerance) 
   return with_bound(answer, intersection.TolReached3d());
 }
 
-TopoDS_Face face(const Net& net) { return BRepBuilderAPI_MakeFace(surface(net), face_tolerance).Face(); }
+TopoDS_Face face(const Surface& one) { return BRepBuilderAPI_MakeFace(surface(one), face_tolerance).Face(); }
 
 /// Two faces and their section.
 struct Section {
@@ -146,24 +182,25 @@ nlohmann::ordered_json section_answer(const Section& found, double flat) {
   return with_bound(answer, bound);
 }
 
-Handle(Geom_BezierCurve) parameter_line(const Net& net, double u) {
-  TColgp_Array1OfPnt points(1, 3);
-  for (std::size_t j = 0; j < 3; ++j) {
-    Point p{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      p[k] = (1 - u) * (1 - u) * net[0][j][k] + 2 * u * (1 - u) * net[1][j][k] + u * u * net[2][j][k];
-    }
-    points.SetValue(static_cast<int>(j) + 1, to_point(p));
+Handle(Geom_BezierCurve) parameter_curve(const Patch& patch, double u) {
+  const Row row = parameter_line(patch, u);
+  const auto count = static_cast<int>(row.points.size());
+  TColgp_Array1OfPnt points(1, count);
+  TColStd_Array1OfReal weights(1, count);
+  for (int j = 0; j < count; ++j) {
+    points.SetValue(j + 1, to_point(row.points[static_cast<std::size_t>(j)]));
+    weights.SetValue(j + 1, row.weights.empty() ? 1 : row.weights[static_cast<std::size_t>(j)]);
   }
-  return new Geom_BezierCurve(points);
+  if (row.weights.empty()) return new Geom_BezierCurve(points);
+  return new Geom_BezierCurve(points, weights);
 }
 
 /// Triples (v,r,s) of each line.
-std::vector<std::vector<Point>> line_points(const PatchPair& pair) {
+std::vector<std::vector<Point>> line_points(const SurfacePair& pair) {
   std::vector<std::vector<Point>> result;
-  const Handle(Geom_BezierSurface) y = surface(pair.y);
+  const Handle(Geom_Surface) y = surface(pair.second_patch());
   for (int k = 1; k <= line_queries; ++k) {
-    const GeomAPI_IntCS intersection(parameter_line(pair.x, line_parameter(k)), y);
+    const GeomAPI_IntCS intersection(parameter_curve(pair.first_patch(), line_parameter(k)), y);
     if (!intersection.IsDone()) throw std::runtime_error("GeomAPI_IntCS is not done");
     std::vector<Point> points;
     for (int i = 1; i <= intersection.NbPoints(); ++i) {
@@ -188,7 +225,7 @@ auto translated(Work work) {
   };
 }
 
-Task task(const PatchPair& pair, const Settings& settings) {
+Task task(const SurfacePair& pair, const Settings& settings) {
   const double tolerance = settings.tolerance * pair.size();
   if (settings.lines) {
     return {translated([=] { line_points(pair); }), translated([=] {

@@ -1,7 +1,8 @@
-// SISL on pairs of patches: s1859 finds points and guide points of the curves, s1310 marches along each
-// curve. With --lines s1858 intersects parameter lines with the second patch.
+// SISL on pairs of patches, with weights or without: s1859 finds points and guide points of the curves, s1310
+// marches along each curve. With --lines s1858 intersects parameter lines with the second patch.
 #include <sisl.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -13,22 +14,40 @@ namespace {
 
 constexpr double flatness = 2e-5;  // of polylines, relative to the size of the pair
 
-std::array<double, 6> bezier_knots() { return {0, 0, 0, 1, 1, 1}; }
+std::vector<double> bezier_knots(std::size_t order) {
+  std::vector<double> knots(2 * order, 0);
+  std::fill(knots.begin() + static_cast<std::ptrdiff_t>(order), knots.end(), 1);
+  return knots;
+}
 
-class Surface {
+/// The point, with weights times its weight and followed by it.
+void append(std::vector<double>& coefficients, const Point& p, const std::vector<double>& weights,
+            std::size_t at) {
+  const double weight = weights.empty() ? 1 : weights[at];
+  for (const double c : p) coefficients.push_back(weight * c);
+  if (!weights.empty()) coefficients.push_back(weight);
+}
+
+/// SISL's kinds of B-splines.
+int kind(const std::vector<double>& weights) { return weights.empty() ? 1 : 2; }
+
+class SislSurface {
  public:
-  explicit Surface(const Net& net) {
+  explicit SislSurface(const Patch& patch) {
     std::vector<double> points;  // the first parameter runs fastest
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t i = 0; i < 3; ++i) points.insert(points.end(), net[i][j].begin(), net[i][j].end());
-    auto first = bezier_knots();
-    auto second = bezier_knots();
-    surface_ = newSurf(3, 3, 3, 3, first.data(), second.data(), points.data(), 1, 3, 1);
+    for (std::size_t j = 0; j < patch.columns; ++j)
+      for (std::size_t i = 0; i < patch.rows; ++i)
+        append(points, patch.points[patch.index(i, j)], patch.weights, patch.index(i, j));
+    const auto m = static_cast<int>(patch.rows);
+    const auto n = static_cast<int>(patch.columns);
+    auto first = bezier_knots(patch.rows);
+    auto second = bezier_knots(patch.columns);
+    surface_ = newSurf(m, n, m, n, first.data(), second.data(), points.data(), kind(patch.weights), 3, 1);
     if (surface_ == nullptr) throw std::runtime_error("newSurf");
   }
-  Surface(const Surface&) = delete;
-  Surface& operator=(const Surface&) = delete;
-  ~Surface() { freeSurf(surface_); }
+  SislSurface(const SislSurface&) = delete;
+  SislSurface& operator=(const SislSurface&) = delete;
+  ~SislSurface() { freeSurf(surface_); }
   SISLSurf* get() const { return surface_; }
 
  private:
@@ -59,7 +78,7 @@ void check(int status, const char* routine) {
 
 /// Positions and curves in both parameter squares of each curve; where the marching fails the guide points
 /// remain.
-void intersect(const Surface& x, const Surface& y, double tolerance, Found& found) {
+void intersect(const SislSurface& x, const SislSurface& y, double tolerance, Found& found) {
   int status = 0;
   s1859(x.get(), y.get(), 0, tolerance, &found.point_count, &found.first, &found.second, &found.curve_count,
         &found.curves, &status);
@@ -78,7 +97,7 @@ Point value(SISLCurve* curve, double t) {
   return result;
 }
 
-Curve guide_points(const SISLIntcurve& curve, const Net& x) {
+Curve guide_points(const SISLIntcurve& curve, const Patch& x) {
   Curve result;
   for (int i = 0; i < curve.ipoint; ++i) {
     const double* a = curve.epar1 + 2 * static_cast<std::ptrdiff_t>(i);
@@ -88,7 +107,7 @@ Curve guide_points(const SISLIntcurve& curve, const Net& x) {
   return result;
 }
 
-Curve sampled(const SISLIntcurve& curve, const Net& x, double flat) {
+Curve sampled(const SISLIntcurve& curve, const Patch& x, double flat) {
   if (curve.pgeom == nullptr || curve.ppar1 == nullptr || curve.ppar2 == nullptr)
     return guide_points(curve, x);
   const SISLCurve& space = *curve.pgeom;
@@ -100,38 +119,35 @@ Curve sampled(const SISLIntcurve& curve, const Net& x, double flat) {
   return peers::sampled(at, space.et[space.ik - 1], space.et[space.in], flat);
 }
 
-nlohmann::ordered_json answer(const PatchPair& pair, const Found& found) {
+nlohmann::ordered_json answer(const SurfacePair& pair, const Found& found) {
   Answer result;
   for (int i = 0; i < found.curve_count; ++i)
-    result.curves.push_back(sampled(*found.curves[i], pair.x, flatness * pair.size()));
+    result.curves.push_back(sampled(*found.curves[i], pair.first_patch(), flatness * pair.size()));
   for (int i = 0; i < found.point_count; ++i) {
     const double* a = found.first + 2 * static_cast<std::ptrdiff_t>(i);
     const double* b = found.second + 2 * static_cast<std::ptrdiff_t>(i);
-    result.points.push_back({evaluate(pair.x, a[0], a[1]), {a[0], a[1], b[0], b[1]}});
+    result.points.push_back({evaluate(pair.first_patch(), a[0], a[1]), {a[0], a[1], b[0], b[1]}});
   }
   return to_json(result);
 }
 
-SISLCurve* parameter_line(const Net& net, double u) {
+SISLCurve* parameter_curve(const Patch& patch, double u) {
+  const Row row = parameter_line(patch, u);
   std::vector<double> points;
-  for (std::size_t j = 0; j < 3; ++j) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      points.push_back((1 - u) * (1 - u) * net[0][j][k] + 2 * u * (1 - u) * net[1][j][k] +
-                       u * u * net[2][j][k]);
-    }
-  }
-  auto knots = bezier_knots();
-  return newCurve(3, 3, knots.data(), points.data(), 1, 3, 1);
+  for (std::size_t j = 0; j < row.points.size(); ++j) append(points, row.points[j], row.weights, j);
+  const auto order = static_cast<int>(row.points.size());
+  auto knots = bezier_knots(row.points.size());
+  return newCurve(order, order, knots.data(), points.data(), kind(row.weights), 3, 1);
 }
 
 /// Triples (v,r,s) of each line.
-std::vector<std::vector<Point>> line_points(const PatchPair& pair, double tolerance) {
+std::vector<std::vector<Point>> line_points(const SurfacePair& pair, double tolerance) {
   std::vector<std::vector<Point>> result;
-  const Surface y(pair.y);
+  const SislSurface y(pair.second_patch());
   for (int k = 1; k <= line_queries; ++k) {
     Found found;
     int status = 0;
-    SISLCurve* line = parameter_line(pair.x, line_parameter(k));
+    SISLCurve* line = parameter_curve(pair.first_patch(), line_parameter(k));
     s1858(y.get(), line, 0, tolerance, &found.point_count, &found.first, &found.second, &found.curve_count,
           &found.curves, &status);
     freeCurve(line);
@@ -145,7 +161,7 @@ std::vector<std::vector<Point>> line_points(const PatchPair& pair, double tolera
   return result;
 }
 
-Task task(const PatchPair& pair, const Settings& settings) {
+Task task(const SurfacePair& pair, const Settings& settings) {
   const double tolerance = settings.tolerance * pair.size();
   if (settings.lines) {
     return {[=] { line_points(pair, tolerance); },
@@ -155,15 +171,15 @@ Task task(const PatchPair& pair, const Settings& settings) {
   }
   // Destroyed in the opposite order: curves refer to the surfaces.
   struct State {
-    std::optional<Surface> x;
-    std::optional<Surface> y;
+    std::optional<SislSurface> x;
+    std::optional<SislSurface> y;
     std::optional<Found> found;
   };
   const auto state = std::make_shared<State>();
   return {[=] {
             state->found.emplace();
-            state->x.emplace(pair.x);
-            state->y.emplace(pair.y);
+            state->x.emplace(pair.first_patch());
+            state->y.emplace(pair.second_patch());
             intersect(*state->x, *state->y, tolerance, *state->found);
           },
           [=] { return answer(pair, *state->found); }};

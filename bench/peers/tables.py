@@ -8,6 +8,8 @@ import statistics
 import sys
 
 PAIR_FAMILIES = ["random-rational", "random-double", "loop", "tangent", "near", "overlap"]
+DEGREE_FAMILIES = ["bicubic", "weighted", "weighted-bicubic"]
+PEERS = ["sisl", "surfaces", "section"]
 PROGRAMS = ["exsect", "exact", "sisl", "surfaces", "section"]
 LINE_FAMILIES = ["random-rational", "random-double"]
 LINE_PROGRAMS = ["exsect", "exact", "sisl", "occt"]
@@ -77,6 +79,55 @@ def pair_tables(directory):
         table(heads, (pair_row(lines, filtered, exact) for lines in results))
 
 
+def outcomes(results):
+    """Numbers of pairs: complete, incomplete, without an answer."""
+    done = [line for line in results if line["status"] == "done"]
+    incomplete = sum(not line.get("complete", True) for line in done)
+    return f"{len(done) - incomplete} / {incomplete} / {len(results) - len(done)}"
+
+
+def degree_table(directory):
+    """Patches of other kinds, in doubles, and what they take in multiples of random-double."""
+    base = statistics.median(times(read(directory / "random-double.exsect")).values())
+    rows = []
+    for family in DEGREE_FAMILIES:
+        for program in ["exsect", *PEERS]:
+            results = read(directory / f"{family}.{program}")
+            own, taken = times(read(directory / f"{family}.exsect")), times(results)
+            components = total([line for line in results if line["status"] == "done"], "components")
+            median = statistics.median(taken.values())
+            rows.append([family, results[0]["program"], f"{median:.3g} / {max(taken.values()):.3g}",
+                         f"{median / base:.2g}" if program == "exsect" else "",
+                         "" if program == "exsect" else ratio(own, taken), outcomes(results),
+                         " / ".join(str(components[c]) for c in ("covered", "partly", "missed"))])
+    table(["family", "program", "median / worst ms", "/ random-double", "exsect/peer", "complete / incomplete / no answer",
+           "curves found / partly / lost"], rows)
+
+
+def other_lengths(results, reference):
+    """Of the pairs that both answer, those whose curves differ in length by more than a thousandth."""
+    lengths = {line["name"]: line["length"] for line in reference if line["status"] == "done"}
+    return sum(abs(line["length"] - lengths[line["name"]]) > 1e-3 * max(lengths[line["name"]], line["length"])
+               for line in results if line["status"] == "done" and line["name"] in lengths)
+
+
+def round_table(directory):
+    """Pairs by equations: exact ones, and Open CASCADE."""
+    rows = []
+    for pairs in sorted(directory.glob("*.round"), key=lambda path: path.stat().st_mtime):
+        family = pairs.stem
+        exact, surfaces, section = (read(directory / f"{family}.{program}") for program in ("exact", *PEERS[1:]))
+        own = times(exact)
+        row = [family, f"{statistics.median(own.values()):.3g} / {max(own.values()):.3g}", outcomes(exact)]
+        for results in (surfaces, section):
+            taken = times(results)
+            row += [f"{statistics.median(taken.values()):.3g}", ratio(own, taken),
+                    f"{other_lengths(results, exact)} / {len(results) - len(taken)}"]
+        rows.append(row)
+    table(["family", "exsect median / worst ms", "complete / incomplete / no answer", "IntSS ms", "exsect/IntSS",
+           "other length / no answer", "Section ms", "exsect/Section", "other length / no answer"], rows)
+
+
 def verdict_row(family, results):
     """Numbers of pairs by verdict, and of those with a difference of each kind."""
     done = [line for line in results if "verdict" in line]
@@ -132,6 +183,10 @@ def main(directory):
     print("Parameter lines:")
     line_table(directory)
     pair_tables(directory)
+    print("\nPatches of other kinds:")
+    degree_table(directory)
+    print("\nSurfaces by their equations:")
+    round_table(directory)
     print("\nVerdicts:")
     verdict_table(directory)
 

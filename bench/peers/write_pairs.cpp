@@ -1,6 +1,4 @@
 // Writes pairs of one family, one patch file a line: FAMILY COUNT SEED.
-#include <exsect/geometry/patch_file.h>
-
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -9,11 +7,8 @@
 
 namespace {
 
-std::string line(const std::string& title, const peers::ExactPair& pair) {
-  exsect::PatchFile file;
-  file.title = title;
-  file.patches = {{"x", {2, 2}, pair.x}, {"y", {2, 2}, pair.y}};
-  return nlohmann::ordered_json::parse(exsect::format_patches(file)).dump();
+std::string line(const std::string& title, const nlohmann::ordered_json& entries) {
+  return nlohmann::ordered_json{{"exsect", "patches/1"}, {"title", title}, {"patches", entries}}.dump();
 }
 
 const peers::Family& family(const std::string& name) {
