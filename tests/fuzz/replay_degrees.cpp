@@ -3,13 +3,11 @@
 // graphs are equal up to the names. Reports how many end incomplete, by reason, and the times of the pairs
 // themselves. With --oracle, complete answers are compared with support/exact_oracle.h instead. Exit status 1
 // if there is a difference; the pair is written to a file, and the seed gives it again.
-#include <exsect/geometry/rational_patch_file.h>
 #include <exsect/solver/intersect_rational.h>
 
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <map>
 #include <optional>
@@ -18,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "known_images.h"
 #include "support/exact_oracle.h"
 #include "support/graph_isomorphism.h"
 #include "support/random_nets.h"
@@ -30,35 +29,11 @@ using random_nets::Nets;
 using random_pairs::integer;
 
 constexpr double kCap = 20;  // seconds a pair
-const Rational kMoebius(7, 5);
 
 struct RationalPair {
   RationalPatch x;
   RationalPatch y;
 };
-
-random_nets::Net small_net(Generator& generator, int degree) {
-  random_nets::Net net(static_cast<std::size_t>(degree) + 1);
-  for (auto& row : net) {
-    for (int j = 0; j <= degree; ++j) {
-      const long a = integer(generator, -2, 2);
-      const long b = integer(generator, -2, 2);
-      row.push_back({Rational(a), Rational(b), Rational(integer(generator, -2, 2))});
-    }
-  }
-  return net;
-}
-
-/// Weights of 53 bits in [1/2,2).
-RationalPatch weighted_by_doubles(Generator& generator, const random_nets::Net& net) {
-  random_nets::Weights weights;
-  for (const auto& row : net) {
-    weights.emplace_back();
-    for (std::size_t j = 0; j < row.size(); ++j)
-      weights.back().push_back(from_double(0.5 + 1.5 * (static_cast<double>(generator() >> 11U) * 0x1p-53)));
-  }
-  return RationalPatch(net, weights);
-}
 
 /// Seed by seed 53-bit doubles, multiples of 1/16, and crumpled patches; a small family has {-2..2} only.
 RationalPair pair_of(const std::string& family, std::uint64_t seed) {
@@ -70,8 +45,8 @@ RationalPair pair_of(const std::string& family, std::uint64_t seed) {
     for (int& d : degrees) d = static_cast<int>(integer(generator, 1, 3));
   Nets nets;
   if (family.starts_with("small-")) {
-    nets.x = small_net(generator, degree);
-    nets.y = small_net(generator, degree);
+    nets.x = random_nets::small(generator, degree, degree);
+    nets.y = random_nets::small(generator, degree, degree);
   } else if (seed % 4 == 3) {
     nets = random_nets::scattered(generator, degrees);
   } else {
@@ -79,111 +54,40 @@ RationalPair pair_of(const std::string& family, std::uint64_t seed) {
   }
   if (!weighted) return {nets.first(), nets.second()};
   if (family == "weighted-doubles") {
-    const RationalPatch x = weighted_by_doubles(generator, nets.x);
-    return {x, weighted_by_doubles(generator, nets.y)};
+    const RationalPatch x = random_nets::weighted_by_doubles(generator, nets.x);
+    return {x, random_nets::weighted_by_doubles(generator, nets.y)};
   }
   const RationalPatch x = random_nets::weighted(generator, nets.x);
   return {x, random_nets::weighted(generator, nets.y)};
-}
-
-template <class Map>
-RationalPatch mapped(const RationalPatch& patch, const Map& map) {
-  std::vector<std::vector<HomogeneousPoint>> net(static_cast<std::size_t>(patch.degree_u()) + 1);
-  for (int i = 0; i <= patch.degree_u(); ++i)
-    for (int j = 0; j <= patch.degree_v(); ++j)
-      net[static_cast<std::size_t>(i)].push_back(map(patch.homogeneous(i, j)));
-  return RationalPatch::from_homogeneous(net);
-}
-
-HomogeneousPoint projective(const HomogeneousPoint& p) {
-  return {p[0] + p[1] / 3, p[1] - p[2] / 5, p[2] + p[3], p[3] + (p[0] + p[1] - p[2]) / 16};
-}
-
-HomogeneousPoint multiplied(const HomogeneousPoint& p) { return {7 * p[0], 7 * p[1], 7 * p[2], 7 * p[3]}; }
-
-/// u = k t / (1 + (k - 1) t), k > 0: the control points are multiplied by k^i.
-RationalPatch reparametrised(const RationalPatch& patch, const Rational& k) {
-  std::vector<std::vector<HomogeneousPoint>> net;
-  Rational factor = 1;
-  for (int i = 0; i <= patch.degree_u(); ++i, factor *= k) {
-    net.emplace_back();
-    for (int j = 0; j <= patch.degree_v(); ++j) {
-      HomogeneousPoint p = patch.homogeneous(i, j);
-      for (Rational& c : p) c *= factor;
-      net.back().push_back(p);
-    }
-  }
-  return RationalPatch::from_homogeneous(net);
-}
-
-/// The graph in the parameter t of reparametrised(), parameter i being u; boxes exactly. Turning points are
-/// the same, as t(u) is monotone.
-IntersectionGraph reparametrised(IntersectionGraph graph, std::size_t i, const Rational& k) {
-  const auto map = [&](const auto& u) { return u / (k + (1 - k) * u); };
-  const double kd = to_double(k);
-  const auto map_double = [&](double& u) { u = u / (kd + (1 - kd) * u); };
-  for (Node& node : graph.nodes) {
-    node.box[i] = {map(node.box[i].lower), map(node.box[i].upper)};
-    map_double(node.approx[i]);
-  }
-  const auto map_arc = [&](Arc& arc) {
-    for (PolylineVertex& vertex : arc.polyline) map_double(vertex.parameters[i]);
-  };
-  for (Arc& arc : graph.arcs) map_arc(arc);
-  for (Overlap& overlap : graph.overlaps)
-    for (auto& chain : overlap.chains)
-      for (Arc& arc : chain) map_arc(arc);
-  return graph;
-}
-
-/// A rotation by the rational quaternion 1 + 2i - j + 3k, of determinant 1.
-HomogeneousPoint rotated(const HomogeneousPoint& p) {
-  return {(-5 * p[0] - 10 * p[1] + 10 * p[2]) / 15, (2 * p[0] - 11 * p[1] - 10 * p[2]) / 15,
-          (14 * p[0] - 2 * p[1] + 5 * p[2]) / 15, p[3]};
-}
-
-HomogeneousPoint in_millimetres(const HomogeneousPoint& p) {
-  const Rational inch(254, 10);
-  return {inch * p[0], inch * p[1], inch * p[2], p[3]};
-}
-
-HomogeneousPoint far(const HomogeneousPoint& p) {
-  return {p[0] + 100000000 * p[3], p[1] - 100000000 * p[3], p[2] + 100000000 * p[3], p[3]};
 }
 
 struct Variant {
   std::string name;
   RationalPair pair;
   Renaming renaming = {};
-  std::optional<std::size_t> parameter = {};  // the one that reparametrised() changes, by kMoebius
+  std::optional<std::size_t> parameter = {};  // the one that is reparametrised
 };
 
 std::vector<Variant> variants(const RationalPair& pair) {
+  using known_images::multiplied, known_images::reparametrised;
   const auto& [x, y] = pair;
-  return {{"patches exchanged", {y, x}, {{2, 3, 0, 1}, {}}},
-          {"u and v exchanged", {x.transposed(), y}, {{1, 0, 2, 3}, {}}},
-          {"projective map", {mapped(x, projective), mapped(y, projective)}, {}},
-          {"weights times 7", {mapped(x, multiplied), y}, {}},
-          {"elevated", {x.elevated(3, 3), y.elevated(3, 3)}, {}},
-          {"u reparametrised", {reparametrised(x, kMoebius), y}, {}, 0},
-          {"v reparametrised", {reparametrised(x.transposed(), kMoebius).transposed(), y}, {}, 1},
-          {"s reparametrised", {x, reparametrised(y.transposed(), kMoebius).transposed()}, {}, 3},
-          {"r and s exchanged", {x, y.transposed()}, {{0, 1, 3, 2}, {}}},
-          {"rotated", {mapped(x, rotated), mapped(y, rotated)}, {}},
-          {"times 25.4", {mapped(x, in_millimetres), mapped(y, in_millimetres)}, {}},
-          {"moved to 1e8", {mapped(x, far), mapped(y, far)}, {}}};
+  std::vector<Variant> result = {
+      {"patches exchanged", {y, x}, {{2, 3, 0, 1}, {}}},
+      {"u and v exchanged", {x.transposed(), y}, {{1, 0, 2, 3}, {}}},
+      {"weights times 7", {multiplied(x), y}, {}},
+      {"elevated", {x.elevated(3, 3), y.elevated(3, 3)}, {}},
+      {"u reparametrised", {reparametrised(x), y}, {}, 0},
+      {"v reparametrised", {reparametrised(x.transposed()).transposed(), y}, {}, 1},
+      {"s reparametrised", {x, reparametrised(y.transposed()).transposed()}, {}, 3},
+      {"r and s exchanged", {x, y.transposed()}, {{0, 1, 3, 2}, {}}}};
+  for (const auto& [name, map] : known_images::space_maps())
+    result.push_back({name, {random_nets::image(x, map), random_nets::image(y, map)}});
+  return result;
 }
 
-/// Writes the pair beside other temporary files and says where.
+/// Writes the pair to a file and says where.
 std::string written(const std::string& family, std::uint64_t seed, const RationalPair& pair) {
-  const auto path = std::filesystem::temp_directory_path() / (family + "-" + std::to_string(seed) + ".json");
-  try {
-    write_patches({family + ", seed " + std::to_string(seed), "", {{"x", pair.x}, {"y", pair.y}}},
-                  path.string());
-  } catch (const std::invalid_argument& error) {
-    return std::string("not written: ") + error.what();
-  }
-  return "written to " + path.string();
+  return known_images::written(family + "-" + std::to_string(seed), {{"x", pair.x}, {"y", pair.y}});
 }
 
 struct DegreeTally {
@@ -219,7 +123,7 @@ void check(const std::string& family, std::uint64_t seed, DegreeTally& tally) {
     if (!complete || !other_complete) continue;
     ++tally.compared;
     const IntersectionGraph graph =
-        variant.parameter ? reparametrised(result.graph, *variant.parameter, kMoebius) : result.graph;
+        variant.parameter ? known_images::reparametrised(result.graph, *variant.parameter) : result.graph;
     const std::string difference = exsect::difference(graph, other.graph, variant.renaming);
     if (difference.empty()) continue;
     ++tally.wrong;

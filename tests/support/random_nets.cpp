@@ -20,6 +20,25 @@ Rational sixteenths(Generator& generator, long largest) {
   return Rational(integer(generator, -largest, largest), 16);
 }
 
+/// In [0,1).
+double random_bits(Generator& generator) { return static_cast<double>(generator() >> 11U) * 0x1p-53; }
+
+Net anywhere(int m, int n, const std::function<Rational()>& coordinate) {
+  return net_of(m, n, [&](const Rational&, const Rational&) {
+    const Rational a = coordinate(), b = coordinate();
+    return Point{a, b, coordinate()};
+  });
+}
+
+RationalPatch weighted_by(const Net& net, const std::function<Rational()>& weight) {
+  Weights weights;
+  for (const auto& row : net) {
+    weights.emplace_back();
+    for (std::size_t j = 0; j < row.size(); ++j) weights.back().push_back(weight());
+  }
+  return RationalPatch(net, weights);
+}
+
 }  // namespace
 
 Nets crossing(Generator& generator, std::array<int, 4> degrees, bool doubles) {
@@ -40,13 +59,10 @@ Nets crossing(Generator& generator, std::array<int, 4> degrees, bool doubles) {
 }
 
 Nets scattered(Generator& generator, std::array<int, 4> degrees) {
-  const auto anywhere = [&](const Rational&, const Rational&) {
-    const auto coordinate = [&] { return Rational(integer(generator, 0, 16), 16); };
-    return Point{coordinate(), coordinate(), coordinate()};
-  };
+  const auto coordinate = [&] { return Rational(integer(generator, 0, 16), 16); };
   Nets nets;
-  nets.x = net_of(degrees[0], degrees[1], anywhere);
-  nets.y = net_of(degrees[2], degrees[3], anywhere);
+  nets.x = anywhere(degrees[0], degrees[1], coordinate);
+  nets.y = anywhere(degrees[2], degrees[3], coordinate);
   return nets;
 }
 
@@ -63,14 +79,20 @@ Nets loop(Generator& generator, std::array<int, 4> degrees) {
   return {net_of(degrees[0], degrees[1], cap), net_of(degrees[2], degrees[3], flat)};
 }
 
+Net small(Generator& generator, int m, int n) {
+  return anywhere(m, n, [&] { return Rational(integer(generator, -2, 2)); });
+}
+
+Net doubles(Generator& generator, int m, int n) {
+  return anywhere(m, n, [&] { return from_double(random_bits(generator)); });
+}
+
 RationalPatch weighted(Generator& generator, const Net& net) {
-  Weights weights;
-  for (const auto& row : net) {
-    weights.emplace_back();
-    for (std::size_t j = 0; j < row.size(); ++j)
-      weights.back().push_back(Rational(random_pairs::integer(generator, 5, 16), 8));
-  }
-  return RationalPatch(net, weights);
+  return weighted_by(net, [&] { return Rational(integer(generator, 5, 16), 8); });
+}
+
+RationalPatch weighted_by_doubles(Generator& generator, const Net& net) {
+  return weighted_by(net, [&] { return from_double(0.5 + 1.5 * random_bits(generator)); });
 }
 
 ProjectiveMap projective_map(Generator& generator) {

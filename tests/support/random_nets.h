@@ -27,8 +27,14 @@ Nets crossing(Generator& generator, std::array<int, 4> degrees, bool doubles);
 Nets scattered(Generator& generator, std::array<int, 4> degrees);
 /// A cap and a nearly flat patch that meet in a small closed curve.
 Nets loop(Generator& generator, std::array<int, 4> degrees);
+/// Integers from -2 to 2 anywhere, of bidegree (m,n).
+Net small(Generator& generator, int m, int n);
+/// Doubles of 53 random bits in [0,1), anywhere.
+Net doubles(Generator& generator, int m, int n);
 /// The net with weights 5/8, 6/8, ..., 2.
 RationalPatch weighted(Generator& generator, const Net& net);
+/// The net with weights of 53 bits in [1/2,2).
+RationalPatch weighted_by_doubles(Generator& generator, const Net& net);
 
 /// A projective map of space, given by the rows of a matrix of R^4.
 using ProjectiveMap = std::array<HomogeneousPoint, 4>;

@@ -60,6 +60,28 @@ TEST_CASE("coincident lines: of random swept loops") {
   }
 }
 
+TEST_CASE("coincident lines: of projective images and in other parameters, with weights") {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    INFO("seed " << seed);
+    random_nets::Generator generator(seed);
+    const Rational sum(random_pairs::integer(generator, 3, 9), 7), product = sum * sum / 4 - Rational(1, 9);
+    const RationalPatch x =
+        random_nets::image(swept(generator, sum, product), random_nets::projective_map(generator));
+    REQUIRE_FALSE(x.is_polynomial());
+    const auto lines = coincident_lines(x, 0);
+    REQUIRE(lines);
+    CHECK(lines->sum == sum);
+    CHECK(lines->product == product);
+    // u = t / (t + 3 (1 - t)), so that t = 3 u / (1 + 2 u).
+    const auto others = coincident_lines(random_nets::reparametrised(x, 3), 0);
+    REQUIRE(others);
+    const auto t = [](const Rational& u) { return Rational(3 * u / (1 + 2 * u)); };
+    const Rational t1 = t(sum / 2 - Rational(1, 3)), t2 = t(sum / 2 + Rational(1, 3));
+    CHECK(others->sum == t1 + t2);
+    CHECK(others->product == t1 * t2);
+  }
+}
+
 TEST_CASE("coincident lines: none of scattered patches, nor of those with weights") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     random_nets::Generator generator(seed);

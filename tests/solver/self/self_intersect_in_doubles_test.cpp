@@ -17,7 +17,7 @@ namespace exsect::self_intersect_in_doubles_test {
 namespace {
 
 using random_pairs::Generator;
-using testing::normalised;
+using testing::in_both_orders;
 
 BezierPatch scattered(Generator& generator) {
   ControlNet net;
@@ -51,7 +51,7 @@ void check_complete(const IntersectResult& result) {
 void check_same(const IntersectResult& result, const IntersectionGraph& expected,
                 const Renaming& renaming = {}) {
   check_complete(result);
-  CHECK(difference(normalised(expected), normalised(result.graph, renaming), renaming) == "");
+  CHECK(difference(in_both_orders(expected), in_both_orders(result.graph), renaming) == "");
 }
 
 /// (0,0), (3,2), (-2,2), (1,0), which crosses itself once.
