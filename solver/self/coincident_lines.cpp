@@ -1,38 +1,28 @@
 #include "self/coincident_lines.h"
 
+#include <exsect/algebra/rational_matrix.h>
+
 #include <algorithm>
 #include <vector>
 
 namespace exsect {
 namespace {
 
-/// Coefficients a1, a2, a3 of t, t^2, t^3 of every coordinate of the columns of a net: (f(t1) - f(t2)) /
-/// (t1 - t2) is a1 + a2 s + a3 e, s = t1 + t2, e = s^2 - t1 t2.
-std::vector<Point> coefficient_rows(const RationalPatch& patch) {
-  const RationalPatch cubic = patch.elevated(3, patch.degree_v());
-  std::vector<Point> rows;
-  for (int j = 0; j <= cubic.degree_v(); ++j) {
-    for (std::size_t c = 0; c < 3; ++c) {
+/// Row by row the coefficients of 1, t, t^2, t^3 of each homogeneous coordinate of each column of the net.
+RationalMatrix coefficient_rows(const RationalPatch& patch) {
+  const auto columns = static_cast<std::size_t>(patch.degree_v()) + 1;
+  RationalMatrix rows(4 * columns, 4);
+  for (std::size_t j = 0; j < columns; ++j) {
+    for (std::size_t c = 0; c < 4; ++c) {
       std::array<Rational, 4> p;
-      for (int i = 0; i < 4; ++i) p[static_cast<std::size_t>(i)] = cubic.point(i, j)[c];
-      rows.push_back({3 * (p[1] - p[0]), 3 * (p[0] - 2 * p[1] + p[2]), p[3] - 3 * p[2] + 3 * p[1] - p[0]});
+      for (int i = 0; i < 4; ++i)
+        p[static_cast<std::size_t>(i)] = patch.homogeneous(i, static_cast<int>(j))[c];
+      const std::array<Rational, 4> power = {p[0], 3 * (p[1] - p[0]), 3 * (p[0] - 2 * p[1] + p[2]),
+                                             p[3] - 3 * p[2] + 3 * p[1] - p[0]};
+      for (std::size_t i = 0; i < 4; ++i) rows(4 * j + c, i) = power[i];
     }
   }
   return rows;
-}
-
-/// The direction perpendicular to all rows, if there is one alone.
-std::optional<Point> common_normal_of(const std::vector<Point>& rows) {
-  for (const Point& a : rows) {
-    if (is_zero(a)) continue;
-    for (const Point& b : rows) {
-      const Point n = cross(a, b);
-      if (is_zero(n)) continue;
-      const bool all = std::ranges::all_of(rows, [&](const Point& row) { return dot(row, n) == 0; });
-      return all ? std::optional(n) : std::nullopt;
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -51,11 +41,15 @@ bool CoincidentLines::pass(const ParameterRectangle& first, const ParameterRecta
 }
 
 std::optional<CoincidentLines> coincident_lines(const RationalPatch& patch, std::size_t fixed) {
-  if (!patch.is_polynomial()) return std::nullopt;
-  const RationalPatch& reduced = patch.reduced();
-  const auto normal = common_normal_of(coefficient_rows(fixed == 0 ? reduced : reduced.transposed()));
-  if (!normal || (*normal)[0] == 0) return std::nullopt;
-  const Rational sum = (*normal)[1] / (*normal)[0], product = sum * sum - (*normal)[2] / (*normal)[0];
+  const RationalPatch reduced = fixed == 0 ? patch.reduced() : patch.reduced().transposed();
+  if (reduced.degree_u() < 3) return std::nullopt;
+  const auto moments = null_space(coefficient_rows(reduced));
+  if (moments.size() != 1) return std::nullopt;
+  const std::vector<Integer>& m = moments[0];
+  const Integer determinant = m[1] * m[1] - m[0] * m[2];
+  if (determinant == 0) return std::nullopt;
+  const Rational sum(Integer(m[1] * m[2] - m[0] * m[3]), determinant);
+  const Rational product(Integer(m[2] * m[2] - m[1] * m[3]), determinant);
   if (!(sum * sum > 4 * product)) return std::nullopt;
   return CoincidentLines{fixed, sum, product};
 }

@@ -22,7 +22,7 @@ struct CoincidentLines {
   bool pass(const ParameterRectangle& first, const ParameterRectangle& second) const;
 };
 
-/// Empty if the patch has weights, or none or more than one such pair of values of this parameter (0, 1).
+/// Empty if there is none, or more than one, such pair of values of this parameter (0, 1).
 std::optional<CoincidentLines> coincident_lines(const RationalPatch& patch, std::size_t fixed);
 
 }  // namespace exsect

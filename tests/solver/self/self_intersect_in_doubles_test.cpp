@@ -116,6 +116,14 @@ TEST_CASE("self in doubles: a loop that is swept crosses itself along one curve"
     }
 }
 
+TEST_CASE("self in doubles: a swept loop under a projective map has the same curve") {
+  Generator generator(3);
+  const RationalPatch x = swept_loop(2, 1);
+  const RationalPatch image = random_nets::image(x, random_nets::projective_map(generator));
+  REQUIRE_FALSE(image.is_polynomial());
+  check_same(self_intersect(image), self_intersect(x).graph);
+}
+
 TEST_CASE("self in doubles: patches that are injective, of every kind") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     INFO("seed " << seed);
