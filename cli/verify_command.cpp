@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "cli/input_file.h"
@@ -48,10 +49,10 @@ Candidate candidate_of(const VerifyCommand& command) {
   }
 }
 
-/// verify() of two patches, or of a surface given by its equation and a patch.
-template <class First>
-Verification solve_candidate(const First& first, const RationalPatch& second, const Candidate& candidate,
-                             VerifyOptions options, const Streams& streams, bool quiet) {
+/// verify() of two patches, of a surface given by its equation and a patch, or of two such surfaces.
+template <class First, class Second>
+auto solve_candidate(const First& first, const Second& second, const Candidate& candidate,
+                     VerifyOptions options, const Streams& streams, bool quiet) {
   Progress progress(streams.err, streams.watched && !quiet);
   options.progress = [&](double fraction, const char* step) { progress.report(fraction, step); };
   return verify(candidate, first, second, options);
@@ -69,20 +70,27 @@ ExitStatus status(Agreement agreement) {
   return agreement == Agreement::disagrees ? ExitStatus::negative : ExitStatus::incomplete;
 }
 
-/// What is written but for the page; y is x where the second surface is given by its equation.
+/// What the forms of a verdict need of the pair; nullptr for a surface given by its equation.
+struct JudgedPair {
+  std::array<const RationalPatch*, 2> patches;
+  PatchNames names;
+  std::string title;
+};
+
+/// What is written but for the page.
 ExitStatus write_verdict(const VerifyCommand& command, const Candidate& candidate, const Verification& result,
-                         const RationalPair& pair, const PatchNames& names, const Streams& streams) {
+                         const JudgedPair& pair, const Streams& streams) {
   const std::string json =
-      command.output.json.empty() ? "" : json_text(verdict_json(result, candidate, names));
+      command.output.json.empty() ? "" : json_text(verdict_json(result, candidate, pair.names));
   if (!command.output.json.empty() && !command.output.json_to_stdout())
     write_file_atomically(command.output.json, json);
   if (!command.output.svg.empty())
-    write_file_atomically(command.output.svg, verdict_svg(result, candidate, names, pair.title));
+    write_file_atomically(command.output.svg, verdict_svg(result, candidate, pair.names, pair.title));
   if (command.output.json_to_stdout())
     streams.out << json;
   else if (!command.quiet)
     streams.out << heading(input_name(command.candidate), pair.title)
-                << verdict_summary(result, candidate, command.tolerance, pair.x.patch, pair.y.patch);
+                << verdict_summary(result, candidate, command.tolerance, pair.patches);
   return status(result.verdict.agreement);
 }
 
@@ -101,8 +109,31 @@ ExitStatus judge_with_equation(const VerifyCommand& command, const Candidate& gi
   const RationalPatch& patch = pair.patch.patch;
   const Verification result =
       solve_candidate(pair.equation, patch, candidate, options, streams, command.quiet);
-  return write_verdict(command, candidate, result, {pair.patch, pair.patch, pair.title},
-                       {pair.patch.name, pair.surface, one_patch_names, name(pair.equation.kind())}, streams);
+  return write_verdict(command, candidate, result,
+                       {{&patch, nullptr},
+                        {pair.patch.name, pair.surface, one_patch_names, name(pair.equation.kind())},
+                        pair.title},
+                       streams);
+}
+
+/// Two surfaces given by their equations; what the library refuses of them is said of the file.
+ExitStatus judge_equations(const VerifyCommand& command, const Candidate& candidate, const SurfacePair& pair,
+                           const VerifyOptions& options, const Streams& streams) {
+  const auto refusal = [&](const std::string& what) {
+    return InputError(input_name(command.file), "$.patches",
+                      fmt::format("\"{}\" and \"{}\" are given by their equations: {}",
+                                  printable(pair.x.name), printable(pair.y.name), what));
+  };
+  if (!command.output.report.empty()) throw refusal("not supported yet with --report");
+  if (!command.output.svg.empty()) throw refusal("not supported yet with --svg");
+  try {
+    const EquationsVerification result =
+        solve_candidate(*pair.x.equation(), *pair.y.equation(), candidate, options, streams, command.quiet);
+    return write_verdict(command, candidate, result,
+                         {{nullptr, nullptr}, {pair.x.name, pair.y.name}, pair.title}, streams);
+  } catch (const NotComparable& error) {
+    throw refusal(error.what());
+  }
 }
 
 }  // namespace
@@ -118,6 +149,7 @@ ExitStatus run(const VerifyCommand& command, const Streams& streams) {
   const SurfacePair chosen = chosen_pair(command, candidate);
   if (const std::optional<PatchAndEquation> mixed = patch_and_equation(chosen))
     return judge_with_equation(command, candidate, *mixed, chosen.x.patch() == nullptr, options, streams);
+  if (chosen.x.patch() == nullptr) return judge_equations(command, candidate, chosen, options, streams);
   const RationalPair pair = patches_only(chosen, command.file);
   const PatchNames names = {pair.x.name, pair.y.name};
   const Verification result =
@@ -127,7 +159,8 @@ ExitStatus run(const VerifyCommand& command, const Streams& streams) {
         command.output.report,
         verdict_report_html(result, candidate, pair.x.patch, pair.y.patch, names,
                             origin_of(pair.title, command.output.line, {command.candidate, command.file})));
-  return write_verdict(command, candidate, result, pair, names, streams);
+  return write_verdict(command, candidate, result, {{&pair.x.patch, &pair.y.patch}, names, pair.title},
+                       streams);
 }
 
 }  // namespace exsect::cli

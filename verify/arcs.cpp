@@ -7,7 +7,15 @@
 #include "verifier.h"
 
 namespace exsect {
-namespace {}  // namespace
+namespace {
+
+std::string where(const ArcGap& gap) {
+  if (!gap.parameter) return "";
+  return std::string(" where ") + name(*gap.parameter) + " is between " + decimal(to_double(gap.from)) +
+         " and " + decimal(to_double(gap.to));
+}
+
+}  // namespace
 
 std::string Verifier::arc_name(std::size_t arc) const {
   const TrueArc& named = truth_.arcs()[arc];
@@ -63,6 +71,9 @@ ArcGap Verifier::gap(std::size_t arc, const Interval& part) const {
   const std::vector<PolylineVertex>& line = truth_.arcs()[arc].arc->polyline;
   const auto before = static_cast<std::size_t>(std::floor(part.first));
   const auto after = std::min(static_cast<std::size_t>(std::ceil(part.second)), line.size() - 1);
+  const TrueArc& owner = truth_.arcs()[arc];
+  if (sides_[0].patch() == nullptr && sides_[1].patch() == nullptr)
+    return {owner.arc->id, owner.overlap, {}, 0, 0, {before, after}};
   std::size_t widest = 0;
   const auto change = [&](std::size_t k) {
     return std::fabs(line[after].parameters[k] - line[before].parameters[k]);
@@ -74,7 +85,6 @@ ArcGap Verifier::gap(std::size_t arc, const Interval& part) const {
     const double t = position - static_cast<double>(i);
     return from_double((1 - t) * line[i].parameters[widest] + t * line[i + 1].parameters[widest]);
   };
-  const TrueArc& owner = truth_.arcs()[arc];
   return {owner.arc->id,     owner.overlap,      all_parameters[widest],
           value(part.first), value(part.second), {before, after}};
 }
@@ -120,10 +130,9 @@ void Verifier::report_gaps(const ArcFinding& arc, const std::vector<int>& compon
   for (const ArcGap& gap : arc.gaps) {
     Difference& difference =
         differ(DifferenceKind::gap,
-               "arc " + std::to_string(arc.arc) +
+               (gap.parameter ? "arc " : "a part of arc ") + std::to_string(arc.arc) +
                    (arc.overlap < 0 ? "" : " of the rim of overlap " + std::to_string(arc.overlap)) +
-                   " is not covered where " + exsect::name(gap.parameter) + " is between " +
-                   decimal(to_double(gap.from)) + " and " + decimal(to_double(gap.to)));
+                   " is not covered" + where(gap));
     difference.components = components;
     difference.gap = gap;
   }

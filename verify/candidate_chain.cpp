@@ -14,8 +14,6 @@ namespace {
 constexpr int deepest = 40;
 constexpr std::size_t most_pieces = std::size_t{1} << 20;
 
-double largest(const SpacePoint& a) { return std::max({std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2])}); }
-
 /// A Bézier curve with weights over [from, to].
 struct Segment {
   double from;

@@ -31,10 +31,10 @@ void Verifier::read_curves() {
       data.strands.push_back({Representation::space, chain_in_space(*curve.space, curve.closed, flat), {}});
     if (curve.first)
       data.strands.push_back(
-          {Representation::first, chain_on_patch(*curve.first, curve.closed, x_, flat), {}});
+          {Representation::first, chain_on_patch(*curve.first, curve.closed, patch(0), flat), {}});
     if (curve.second)
       data.strands.push_back(
-          {Representation::second, chain_on_patch(*curve.second, curve.closed, y_, flat), {}});
+          {Representation::second, chain_on_patch(*curve.second, curve.closed, patch(1), flat), {}});
     if (data.strands.empty()) throw std::invalid_argument("a candidate curve is given in no space");
     for (const Strand& strand : data.strands) strands_.push_back(strand.chain);
     curves_.push_back(std::move(data));
@@ -134,13 +134,14 @@ bool Verifier::is_off(const Chain& chain, const Interval& part) const {
   const auto first = std::lower_bound(chain.at.begin(), chain.at.end(), part.first);
   for (auto i = static_cast<std::size_t>(first - chain.at.begin());
        i < chain.points.size() && chain.at[i] <= part.second; ++i)
-    if (is_off_a_patch(chain.points[i], chain.bound[std::min(i, chain.pieces() - 1)])) return true;
+    if (is_off_a_surface(chain.points[i], chain.bound[std::min(i, chain.pieces() - 1)])) return true;
   return false;
 }
 
-bool Verifier::is_off_a_patch(const SpacePoint& p, double bound) const {
+bool Verifier::is_off_a_surface(const SpacePoint& p, double bound) const {
   const double radius = (tolerance_ + bound + rounding_) * kSlack;
-  return x_.certainly_farther(p, radius) || y_.certainly_farther(p, radius);
+  return std::ranges::any_of(sides_,
+                             [&](const ComparedSide& side) { return side.certainly_farther(p, radius); });
 }
 
 void Verifier::note_coverage(std::size_t c, CurveFinding& finding) {

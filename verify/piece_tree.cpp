@@ -57,6 +57,8 @@ double distance(const SpacePoint& a, const SpacePoint& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+double largest(const SpacePoint& a) { return std::max({std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2])}); }
+
 SpacePoint between(const SpacePoint& a, const SpacePoint& b, double t) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
 }

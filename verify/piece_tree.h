@@ -13,6 +13,8 @@ namespace exsect {
 using SpacePoint = std::array<double, 3>;
 
 double distance(const SpacePoint& a, const SpacePoint& b);
+/// The largest coordinate in magnitude.
+double largest(const SpacePoint& a);
 SpacePoint between(const SpacePoint& a, const SpacePoint& b, double t);
 /// The parameter in [0,1] of a point of the segment that is nearest to p, up to rounding; 0 for a = b.
 double foot(const SpacePoint& p, const SpacePoint& a, const SpacePoint& b);

@@ -9,8 +9,8 @@ namespace exsect {
 std::vector<SpacePoint> Verifier::places(const CandidatePoint& point) const {
   std::vector<SpacePoint> result;
   if (point.point) result.push_back(*point.point);
-  if (point.first) result.push_back(x_((*point.first)[0], (*point.first)[1]));
-  if (point.second) result.push_back(y_((*point.second)[0], (*point.second)[1]));
+  if (point.first) result.push_back(patch(0)((*point.first)[0], (*point.first)[1]));
+  if (point.second) result.push_back(patch(1)((*point.second)[0], (*point.second)[1]));
   return result;
 }
 
@@ -51,7 +51,7 @@ void Verifier::judge_point(std::size_t i, std::vector<int>& claims) {
   for (const SpacePoint& p : all) {
     const bool far = near_->distance_from_below(p) - rounding_ > tolerance_;
     const bool whole = verdict_.exact_is_complete && graph_.overlaps.empty();
-    off = off || (far && (whole || is_off_a_patch(p, rounding_)));
+    off = off || (far && (whole || is_off_a_surface(p, rounding_)));
   }
   if (off) {
     differ(DifferenceKind::false_point, "point " + std::to_string(i) + " is no intersection").point = i;

@@ -16,7 +16,6 @@ Verification verified(const VerifyQuestion& question, const VerifyOptions& optio
     return *options.max_seconds - std::chrono::duration<double>(Clock::now() - start).count();
   };
   const StopRequest stop = options.max_seconds ? StopRequest([&] { return left() <= 0; }) : StopRequest();
-  const double tolerance = options.tolerance * (question.extent > 0 ? question.extent : 1);
   IntersectOptions fine;
   fine.progress = options.progress;
   constexpr int most_rounds = 3;
@@ -33,6 +32,8 @@ Verification verified(const VerifyQuestion& question, const VerifyOptions& optio
       --round;
       continue;
     }
+    const double extent = question.extent(exact);
+    const double tolerance = options.tolerance * (extent > 0 ? extent : 1);
     Verdict verdict = question.judge(exact, tolerance, stop);
     if (verdict.agreement != Agreement::undecided || !verdict.exact_is_complete || round == most_rounds ||
         is_stopped(stop))

@@ -13,7 +13,8 @@ namespace exsect {
 
 /// What is asked of one candidate.
 struct VerifyQuestion {
-  double extent;  // of the model, a length; 0 for a point
+  /// Of the model, a length; 0 for a point.
+  std::function<double(const IntersectResult&)> extent;
   std::function<IntersectResult(const IntersectOptions&)> solve;
   std::function<Verdict(const IntersectResult&, double tolerance, const StopRequest&)> judge;
   /// A result that is incomplete with turning points as nodes may be complete without them.

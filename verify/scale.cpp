@@ -13,6 +13,13 @@
 namespace exsect {
 namespace {
 
+Rational largest_of(const BoundingBox& box) {
+  Rational most = 0;
+  for (const Point& p : {box.lower, box.upper})
+    for (const Rational& c : p) most = std::max(most, Rational(abs(c)));
+  return most;
+}
+
 void scale_down(Arc& arc, int e) {
   for (PolylineVertex& vertex : arc.polyline)
     for (double& c : vertex.point) c = std::ldexp(c, -e);
@@ -34,18 +41,39 @@ void scale_up(DistanceEnclosure& distance, int e) {
 
 }  // namespace
 
-int exponent_of_size(const RationalPatch& x, const RationalPatch& y) {
-  Rational most = 0;
-  const BoundingBox box = united(bounding_box(x), bounding_box(y));
-  for (const Point& p : {box.lower, box.upper})
-    for (const Rational& c : p) most = std::max(most, Rational(abs(c)));
+double largest_coordinate(const IntersectionGraph& graph) {
+  double most = 0;
+  for (const Node& node : graph.nodes) most = std::max(most, largest(node.point));
+  for (const Arc& arc : graph.arcs)
+    for (const PolylineVertex& vertex : arc.polyline) most = std::max(most, largest(vertex.point));
+  return most;
+}
+
+double largest_coordinate(const Candidate& candidate) {
+  double most = 0;
+  for (const CandidateCurve& curve : candidate.curves)
+    if (curve.space)
+      for (const auto& point : curve.space->points) most = std::max(most, largest(point));
+  for (const CandidatePoint& point : candidate.points)
+    if (point.point) most = std::max(most, largest(*point.point));
+  return most;
+}
+
+int exponent_of_size(const std::array<ComparedSurface, 2>& surfaces, const IntersectionGraph& graph) {
+  Rational most = -1;
+  for (const ComparedSurface& surface : surfaces)
+    if (const auto* patch = std::get_if<RationalPatch>(&surface))
+      most = std::max(most, largest_of(bounding_box(*patch)));
+  if (most < 0) most = from_double(largest_coordinate(graph));
   if (most == 0) return 0;
   const auto bits = [](const Integer& n) { return static_cast<int>(msb(n)); };
   const int e = bits(numerator(most)) - bits(denominator(most));
   return std::abs(e) <= 200 ? 0 : e;
 }
 
-RationalPatch scaled_down(const RationalPatch& x, int e) {
+namespace {
+
+RationalPatch patch_scaled_down(const RationalPatch& x, int e) {
   std::vector<std::vector<HomogeneousPoint>> net;
   for (int i = 0; i <= x.degree_u(); ++i) {
     net.emplace_back();
@@ -58,7 +86,16 @@ RationalPatch scaled_down(const RationalPatch& x, int e) {
   return RationalPatch::from_homogeneous(net);
 }
 
+}  // namespace
+
+ComparedSurface scaled_down(const ComparedSurface& surface, int e) {
+  if (const auto* patch = std::get_if<RationalPatch>(&surface)) return patch_scaled_down(*patch, e);
+  return std::get<ImplicitSurface>(surface).seen_from({0, 0, 0}, power_of_two(e));
+}
+
 IntersectResult scaled_down(IntersectResult exact, int e) {
+  for (Node& node : exact.graph.nodes)
+    for (double& c : node.point) c = std::ldexp(c, -e);
   for (Arc& arc : exact.graph.arcs) scale_down(arc, e);
   for (Overlap& overlap : exact.graph.overlaps)
     for (auto& loop : overlap.chains)

@@ -40,12 +40,13 @@ struct CandidatePart {
 };
 
 /// Every point of the arc at which the parameter lies strictly between the two numbers is farther than the
-/// tolerance from the candidate. from > to where the parameter falls along the arc.
+/// tolerance from the candidate. from > to where the parameter falls along the arc. On two surfaces given by
+/// their equations, which have no parameter, a part between the two vertices is.
 struct ArcGap {
   int arc;
   int overlap;  // -1, or the overlap whose rim the arc belongs to
-  Parameter parameter;
-  Rational from;
+  std::optional<Parameter> parameter;
+  Rational from;  // 0 without a parameter, like `to`
   Rational to;
   std::array<std::size_t, 2> vertices;  // of the arc's polyline, the first at or before, the last at or after
 };

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "infinite.h"
+#include "scale.h"
+
 namespace exsect {
 namespace {
 
@@ -25,19 +28,19 @@ Rational margin(const Candidate& candidate) {
 
 }  // namespace
 
-Verifier::Verifier(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
-                   const IntersectResult& exact, double tolerance, StopRequest stop)
-    : candidate_(candidate),
-      graph_(exact.graph),
-      tolerance_(tolerance),
-      stop_(std::move(stop)),
-      x_(x, margin(candidate)),
-      y_(y, margin(candidate)),
-      truth_(exact.graph) {
+Verifier::Verifier(const ComparedPair& pair)
+    : candidate_(pair.candidate),
+      graph_(pair.exact.graph),
+      tolerance_(pair.tolerance),
+      stop_(pair.stop),
+      sides_{ComparedSide(pair.surfaces[0], margin(pair.candidate)),
+             ComparedSide(pair.surfaces[1], margin(pair.candidate))},
+      point_bounds_(pair.point_bounds),
+      truth_(pair.exact.graph),
+      rounding_(rounding_of_places()) {
   verdict_.agreement = Agreement::undecided;
-  verdict_.exact_is_complete = exact.status == Status::complete;
-  verdict_.tolerance = tolerance;
-  rounding_ = 4 * (x_.rounding() + y_.rounding());
+  verdict_.exact_is_complete = pair.exact.status == Status::complete;
+  verdict_.tolerance = tolerance_;
   if (std::isfinite(rounding_)) add_points();
 }
 
@@ -55,6 +58,14 @@ Verdict Verifier::operator()() {
     if (!verdict_.differences.empty()) verdict_.agreement = Agreement::disagrees;
   }
   return std::move(verdict_);
+}
+
+double Verifier::rounding_of_places() const {
+  std::vector<double> of_patches;
+  for (const ComparedSide& side : sides_)
+    if (side.patch() != nullptr) of_patches.push_back(side.patch()->rounding());
+  if (!of_patches.empty()) return 4 * (of_patches.front() + of_patches.back());
+  return 128 * kUnitRoundoff * std::max(largest_coordinate(graph_), largest_coordinate(candidate_));
 }
 
 /// A denominator may vanish next to the square, where the candidate may be.
@@ -79,21 +90,29 @@ void Verifier::judge() {
 
 void Verifier::add_points() {
   everything_ = truth_.chains();
-  for (const int id : graph_.isolated_points) {
-    const Node& node = graph_.nodes[static_cast<std::size_t>(id)];
-    const auto width = [&](Parameter p) { return to_double(node.box[index(p)].width()); };
-    const double in_x = x_.speed(0) * width(Parameter::u) + x_.speed(1) * width(Parameter::v);
-    const double in_y = y_.speed(0) * width(Parameter::r) + y_.speed(1) * width(Parameter::s);
-    const auto middle = [&](Parameter p) { return to_double(node.box[index(p)].midpoint()); };
-    Chain chain;
-    const SpacePoint at = in_x <= in_y ? x_(middle(Parameter::u), middle(Parameter::v))
-                                       : y_(middle(Parameter::r), middle(Parameter::s));
-    chain.points = {at, at};
-    chain.at = {0, 0};
-    chain.bound = {std::min(in_x, in_y) * kSlack + rounding_};
-    everything_.push_back(chain);
-  }
+  for (std::size_t k = 0; k < graph_.isolated_points.size(); ++k) everything_.push_back(isolated_point(k));
   near_.emplace(everything_);
+}
+
+/// From the patch on which its parameters tell more; without patches where the result says.
+Chain Verifier::isolated_point(std::size_t k) const {
+  const Node& node = graph_.nodes[static_cast<std::size_t>(graph_.isolated_points[k])];
+  SpacePoint at = node.point;
+  double bound = k < point_bounds_.size() ? point_bounds_[k] : infinite;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const PatchInDoubles* patch = sides_[side].patch();
+    if (patch == nullptr) continue;
+    const RationalInterval &a = node.box[2 * side], &b = node.box[2 * side + 1];
+    const double off = patch->speed(0) * to_double(a.width()) + patch->speed(1) * to_double(b.width());
+    if (!(off < bound)) continue;
+    bound = off;
+    at = (*patch)(to_double(a.midpoint()), to_double(b.midpoint()));
+  }
+  Chain chain;
+  chain.points = {at, at};
+  chain.at = {0, 0};
+  chain.bound = {bound * kSlack + rounding_};
+  return chain;
 }
 
 void Verifier::conclude() {

@@ -1,10 +1,10 @@
-// One candidate held against one exact result, step by step. Internal to solver/; docs/method-verify.md,
+// One candidate held against one exact result, step by step. Internal to verify/; docs/method-verify.md,
 // section 15.
 #pragma once
 
-#include <exsect/geometry/rational_patch.h>
 #include <exsect/verify/verdict.h>
 
+#include <array>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "candidate_chain.h"
+#include "compared_side.h"
 #include "interval_lists.h"
 #include "walks.h"
 
@@ -29,24 +30,39 @@ struct CurveData {
   std::vector<Strand> strands;
 };
 
-/// Of one candidate and one exact result, which must outlive it; called once.
+/// What is held against what; candidate and result must outlive it.
+struct ComparedPair {
+  std::array<ComparedSurface, 2> surfaces;
+  const Candidate& candidate;
+  const IntersectResult& exact;
+  /// By isolated point, how far it may be from Node::point; needed where no surface is a patch.
+  std::vector<double> point_bounds;
+  double tolerance;  // a length
+  StopRequest stop;
+};
+
+/// Of one pair, which must outlive it; called once.
 class Verifier {
  public:
-  Verifier(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
-           const IntersectResult& exact, double tolerance, StopRequest stop = {});
+  explicit Verifier(const ComparedPair& pair);
   /// What is proved when `stop` ends it; the rest is undecided.
   Verdict operator()();
 
  private:
   // The true points: the curve and the isolated points.
 
+  /// Of the places that patches give, of distances between them, and between places of space.
+  double rounding_of_places() const;
   /// Isolated points as chains of one piece of length 0.
   void add_points();
+  Chain isolated_point(std::size_t k) const;
 
+  /// Of a side whose parameters the candidate states.
+  const PatchInDoubles& patch(std::size_t side) const { return *sides_[side].patch(); }
   void judge();
   void without_bounds();
 
-  // Candidate curves: verify_curves.cpp
+  // Candidate curves: curves.cpp
 
   void read_curves();
   void judge_curve(std::size_t c);
@@ -56,22 +72,22 @@ class Verifier {
   /// none are stated.
   double parameters_apart(const CandidateCurve& curve, double t, std::size_t arc, double position) const;
   void find_spurious(std::size_t c, const Strand& strand, CurveFinding& finding);
-  /// Far from the curves and isolated points; where that is not the whole truth, far from one of the patches.
+  /// Far from the curves and isolated points; where that is not the whole truth, from one of the surfaces.
   bool is_off(const Chain& chain, const Interval& part) const;
-  bool is_off_a_patch(const SpacePoint& p, double bound) const;
+  bool is_off_a_surface(const SpacePoint& p, double bound) const;
   /// An arc is covered by a curve where all of the curve's representations cover it.
   void note_coverage(std::size_t c, CurveFinding& finding);
   /// More than a joint of two walks, and no other part of the truth near that one of them could belong to.
   void note_repetition(std::size_t arc, const Interval& a, const Interval& b, std::size_t other,
                        std::size_t c);
 
-  // Candidate points: verify_points.cpp
+  // Candidate points: points.cpp
 
   std::vector<SpacePoint> places(const CandidatePoint& point) const;
   void judge_points();
   void judge_point(std::size_t i, std::vector<int>& claims);
 
-  // True arcs and components: verify_arcs.cpp
+  // True arcs and components: arcs.cpp
 
   std::string arc_name(std::size_t arc) const;
   std::vector<int> components_of(std::size_t arc) const;
@@ -86,7 +102,7 @@ class Verifier {
   /// Claimed points that are as near to a missing component as to any other one, and nearer than its extent.
   void report_points_instead(const Component& component, const std::string& what);
 
-  // How curves connect and touch: verify_connections.cpp
+  // How curves connect and touch: connections.cpp
 
   void judge_connections();
   /// The component of a walk if that is certain: at one of its vertices no other one is within the tolerance.
@@ -117,8 +133,8 @@ class Verifier {
   const IntersectionGraph& graph_;
   double tolerance_;
   StopRequest stop_;
-  PatchInDoubles x_;
-  PatchInDoubles y_;
+  std::array<ComparedSide, 2> sides_;
+  std::vector<double> point_bounds_;
   TrueCurve truth_;
   double rounding_;
   std::vector<Chain> everything_;  // the arcs, then the isolated points
@@ -137,7 +153,6 @@ class Verifier {
 std::string decimal(double x);
 
 /// The verdict from one exact result, of models of every size; errors are those of verify() (verify.h).
-Verdict judged(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
-               const IntersectResult& exact, double tolerance, const StopRequest& stop);
+Verdict judged(const ComparedPair& pair);
 
 }  // namespace exsect

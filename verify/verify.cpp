@@ -1,6 +1,7 @@
 #include "verify.h"
 
 #include <exsect/algebra/nearest_rounding.h>
+#include <exsect/algebra/rounding_bounds.h>
 #include <exsect/geometry/beyond_doubles.h>
 #include <exsect/geometry/bounding_box.h>
 #include <exsect/solver/intersect_rational.h>
@@ -58,22 +59,27 @@ double extent_of(const RationalPatch& x, const RationalPatch& y) {
 
 }  // namespace
 
-Verdict judged(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
-               const IntersectResult& exact, double tolerance, const StopRequest& stop) {
-  require_tolerance(tolerance);
-  check(candidate);
-  const int e = exponent_of_size(x, y);
-  if (e == 0) return Verifier(candidate, x, y, exact, tolerance, stop)();
-  const double scaled = std::ldexp(tolerance, -e);
-  require_tolerance(scaled);
-  const Candidate near_unit = scaled_down(candidate, e);
-  const IntersectResult truth = scaled_down(exact, e);
-  return scaled_up(Verifier(near_unit, scaled_down(x, e), scaled_down(y, e), truth, scaled, stop)(), e);
+Verdict judged(const ComparedPair& pair) {
+  require_tolerance(pair.tolerance);
+  check(pair.candidate);
+  const int e = exponent_of_size(pair.surfaces, pair.exact.graph);
+  if (e == 0) return Verifier(pair)();
+  const Candidate candidate = scaled_down(pair.candidate, e);
+  const IntersectResult truth = scaled_down(pair.exact, e);
+  ComparedPair near_unit = {{scaled_down(pair.surfaces[0], e), scaled_down(pair.surfaces[1], e)},
+                            candidate,
+                            truth,
+                            pair.point_bounds,
+                            std::ldexp(pair.tolerance, -e),
+                            pair.stop};
+  for (double& bound : near_unit.point_bounds) bound = std::ldexp(bound, -e) + kUnderflowLoss;
+  require_tolerance(near_unit.tolerance);
+  return scaled_up(Verifier(near_unit)(), e);
 }
 
 Verdict verify(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
                const IntersectResult& exact, double tolerance) {
-  return in_nearest_rounding([&] { return judged(candidate, x, y, exact, tolerance, {}); });
+  return in_nearest_rounding([&] { return judged({{x, y}, candidate, exact, {}, tolerance, {}}); });
 }
 
 Verification verify(const Candidate& candidate, const RationalPatch& x, const RationalPatch& y,
@@ -81,10 +87,12 @@ Verification verify(const Candidate& candidate, const RationalPatch& x, const Ra
   return in_nearest_rounding([&]() -> Verification {
     require_tolerance(options.tolerance);
     check(candidate);
+    const double extent = extent_of(x, y);
     const VerifyQuestion question = {
-        extent_of(x, y), [&](const IntersectOptions& fine) { return intersect(x, y, fine); },
+        [&](const IntersectResult&) { return extent; },
+        [&](const IntersectOptions& fine) { return intersect(x, y, fine); },
         [&](const IntersectResult& exact, double tolerance, const StopRequest& stop) {
-          return judged(candidate, x, y, exact, tolerance, stop);
+          return judged({{x, y}, candidate, exact, {}, tolerance, stop});
         },
         !x.biquadratic() || !y.biquadratic()};  // solved in doubles alone
     return verified(question, options);

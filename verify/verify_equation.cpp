@@ -2,6 +2,7 @@
 
 #include <exsect/algebra/nearest_rounding.h>
 #include <exsect/geometry/bounding_box.h>
+#include <exsect/solver/intersect_equations.h>
 #include <exsect/solver/intersect_surface.h>
 
 #include <algorithm>
@@ -9,66 +10,97 @@
 #include <utility>
 
 #include "rounds.h"
+#include "space_graph.h"
 
 namespace exsect {
 
 namespace {
 
-/// The curve as that of the patch with itself: r and s are u and v. Its points are the same, so is all that
-/// is said of places of space and of parameters of the patch.
-IntersectResult with_itself(IntersectResult exact) {
-  const auto repeat = [](auto& values) {
-    values[2] = values[0];
-    values[3] = values[1];
-  };
-  const auto repeat_in = [&](std::vector<Arc>& arcs) {
-    for (Arc& arc : arcs)
-      for (PolylineVertex& vertex : arc.polyline) repeat(vertex.parameters);
-  };
-  for (Node& node : exact.graph.nodes) {
-    repeat(node.box);
-    repeat(node.approx);
+template <class Claim>
+void require_no_parameters(const std::vector<Claim>& claims, bool of_first) {
+  for (const Claim& claim : claims)
+    if (claim.second || (of_first && claim.first))
+      throw NotComparable("the candidate has parameters of a surface given by its equation, which has none");
+}
+
+/// The intersection of two surfaces, and what a comparison needs of it beside its graph.
+class EquationsQuestion {
+ public:
+  EquationsQuestion(const Candidate& candidate, const ImplicitSurface& first, const ImplicitSurface& second)
+      : candidate_(candidate), first_(first), second_(second) {}
+
+  /// With polylines that keep within the tolerance times the extent of the common points: intersect() takes
+  /// it times the extent of what they are drawn on, which may be larger.
+  IntersectResult solved(const IntersectOptions& options) {
+    IntersectOptions fine = options;
+    found_ = intersect(first_, second_, fine);
+    require_judged();
+    const double wanted = options.tolerance * extent_in_space(found_), drawn = largest_bound(found_);
+    if (wanted > 0 && drawn > wanted) {
+      fine.tolerance *= wanted / (2 * drawn);
+      found_ = intersect(first_, second_, fine);
+    }
+    tolerance_ = fine.tolerance;
+    return graph_in_space(found_);
   }
-  repeat_in(exact.graph.arcs);
-  for (Overlap& overlap : exact.graph.overlaps)
-    for (std::vector<Arc>& chain : overlap.chains) repeat_in(chain);
-  for (Incomplete& region : exact.incomplete) repeat(region.where);
-  return exact;
-}
 
-/// r and s are u and v in gaps as well.
-void name_by_patch(Verdict& verdict) {
-  const auto rename = [](ArcGap& gap) {
-    gap.parameter = index(gap.parameter) % 2 == 0 ? Parameter::u : Parameter::v;
-  };
-  for (ArcFinding& arc : verdict.arcs) std::ranges::for_each(arc.gaps, rename);
-  for (Difference& difference : verdict.differences)
-    if (difference.gap) rename(*difference.gap);
-}
+  Verdict judged_by(const IntersectResult& exact, double tolerance, const StopRequest& stop) const {
+    return judged({{first_, second_}, candidate_, exact, point_bounds(found_), tolerance, stop});
+  }
 
-void require_no_second(const Candidate& candidate) {
-  const auto has_second = [](const auto& claim) { return claim.second.has_value(); };
-  if (std::ranges::any_of(candidate.curves, has_second) || std::ranges::any_of(candidate.points, has_second))
-    throw std::invalid_argument(
-        "the candidate has parameters of a surface given by its equation, which has none");
-}
+  const SurfaceIntersection& found() const { return found_; }
+  double tolerance() const { return tolerance_; }
+
+ private:
+  void require_judged() const {
+    if (found_.is_same) throw NotComparable("the surfaces are one: there is no curve to compare");
+    if (found_.count(SpaceNodeKind::cut) > 0)
+      throw NotComparable(
+          "a common curve goes on to infinity, which no candidate does: a surface in a box is needed");
+  }
+
+  const Candidate& candidate_;
+  const ImplicitSurface& first_;
+  const ImplicitSurface& second_;
+  SurfaceIntersection found_{Status::incomplete};
+  double tolerance_ = 0;
+};
 
 }  // namespace
 
 Verification verify(const Candidate& candidate, const ImplicitSurface& surface, const RationalPatch& x,
                     const VerifyOptions& options) {
   return in_nearest_rounding([&]() -> Verification {
-    require_no_second(candidate);
+    require_no_parameters(candidate.curves, false);
+    require_no_parameters(candidate.points, false);
+    const double extent = to_double(largest_extent(bounding_box(x)));
     const VerifyQuestion question = {
-        to_double(largest_extent(bounding_box(x))),
+        [&](const IntersectResult&) { return extent; },
         [&](const IntersectOptions& fine) { return intersect(surface, x, fine); },
         [&](const IntersectResult& exact, double tolerance, const StopRequest& stop) {
-          Verdict verdict = judged(candidate, x, x, with_itself(exact), tolerance, stop);
-          name_by_patch(verdict);
-          return verdict;
+          return judged({{x, surface}, candidate, exact, {}, tolerance, stop});
         }};
     Verification result = verified(question, options);
     result.exact_turning = {Parameter::u, Parameter::v};
+    return result;
+  });
+}
+
+EquationsVerification verify(const Candidate& candidate, const ImplicitSurface& first,
+                             const ImplicitSurface& second, const VerifyOptions& options) {
+  return in_nearest_rounding([&]() -> EquationsVerification {
+    require_no_parameters(candidate.curves, true);
+    require_no_parameters(candidate.points, true);
+    EquationsQuestion asked(candidate, first, second);
+    const VerifyQuestion question = {
+        [&](const IntersectResult&) { return extent_in_space(asked.found()); },
+        [&](const IntersectOptions& fine) { return asked.solved(fine); },
+        [&](const IntersectResult& exact, double tolerance, const StopRequest& stop) {
+          return asked.judged_by(exact, tolerance, stop);
+        }};
+    EquationsVerification result{verified(question, options), asked.found()};
+    result.exact_tolerance = asked.tolerance();
+    result.exact_turning.clear();
     return result;
   });
 }

@@ -19,7 +19,8 @@ Json part_json(const CandidatePart& part) {
 }
 
 Json gap_json(const ArcGap& gap) {
-  return {{"parameter", name(gap.parameter)},
+  if (!gap.parameter) return {{"vertices", gap.vertices}};
+  return {{"parameter", name(*gap.parameter)},
           {"from", json_number(gap.from)},
           {"to", json_number(gap.to)},
           {"vertices", gap.vertices}};

@@ -58,12 +58,13 @@ std::vector<Finding> findings(const Verdict& verdict) {
   return result;
 }
 
+using PatchPointers = std::array<const RationalPatch*, 2>;
+
 /// Where things lie, in floating point: for the eye.
 class Places {
  public:
-  Places(const Verification& verification, const Candidate& candidate, const RationalPatch& x,
-         const RationalPatch& y)
-      : graph_(verification.exact.graph), candidate_(candidate), x_(x), y_(y) {}
+  Places(const Verification& verification, const Candidate& candidate, const PatchPointers& patches)
+      : graph_(verification.exact.graph), candidate_(candidate), patches_(patches) {}
 
   std::string of(const Finding& finding) const {
     const Difference& difference = *finding.first;
@@ -97,12 +98,12 @@ class Places {
     const auto& given = curve.space ? curve.space : curve.first ? curve.first : curve.second;
     const auto inside = [&](double s) { return std::clamp(s, given->from(), given->to()); };
     const Place p = point_of(*given, inside(t));
-    return curve.space ? p : on(curve.first ? x_ : y_, p[0], p[1]);
+    return curve.space ? p : on(*patches_[curve.first ? 0 : 1], p[0], p[1]);
   }
   Place at(const CandidatePoint& point) const {
     if (point.point) return *point.point;
-    return point.first ? on(x_, (*point.first)[0], (*point.first)[1])
-                       : on(y_, (*point.second)[0], (*point.second)[1]);
+    return point.first ? on(*patches_[0], (*point.first)[0], (*point.first)[1])
+                       : on(*patches_[1], (*point.second)[0], (*point.second)[1]);
   }
 
   std::string of(const ArcGap& gap) const {
@@ -118,8 +119,7 @@ class Places {
 
   const IntersectionGraph& graph_;
   const Candidate& candidate_;
-  const RationalPatch& x_;
-  const RationalPatch& y_;
+  const PatchPointers& patches_;
 };
 
 /// What is wrong with a part of a curve, without where.
@@ -172,11 +172,13 @@ std::string largest_text(const Verdict& verdict) {
   return fmt::format("  largest distance of the curves given, proved: {}\n", curve_bounds_text(largest));
 }
 
-std::string verdict_text(const Verdict& verdict, const std::string& asked, std::size_t differences) {
+std::string verdict_text(const Verdict& verdict, const std::string& asked, std::size_t differences,
+                         bool has_patch) {
   std::string text = name(verdict.agreement);
   if (differences > 0) text += ": " + counted(differences, "difference");
-  return fmt::format("{}\n  tolerance {} of the size of the model: {} in the unit of its control points\n",
-                     text, printable(asked), rounded_up(verdict.tolerance)) +
+  return fmt::format("{}\n  tolerance {} of the size of {}: {} in the unit of its {}\n", text,
+                     printable(asked), has_patch ? "the model" : "what is common",
+                     rounded_up(verdict.tolerance), has_patch ? "control points" : "coordinates") +
          largest_text(verdict);
 }
 
@@ -204,12 +206,13 @@ std::string curve_table(const Verdict& verdict) {
 }  // namespace
 
 std::string verdict_summary(const Verification& verification, const Candidate& candidate,
-                            const std::string& asked, const RationalPatch& x, const RationalPatch& y) {
+                            const std::string& asked, const PatchPointers& patches) {
   const Verdict& verdict = verification.verdict;
   const std::vector<Finding> found = findings(verdict);
-  const Places places(verification, candidate, x, y);
+  const Places places(verification, candidate, patches);
   std::string text = candidate.source.empty() ? "" : "candidate of " + printable(candidate.source) + "\n";
-  text += verdict_text(verdict, asked, found.size());
+  const bool has_patch = patches[0] != nullptr || patches[1] != nullptr;
+  text += verdict_text(verdict, asked, found.size(), has_patch);
   for (const Finding& finding : found) text += difference_text(finding, candidate, places);
   for (const std::string& open : verdict.undecided) text += "  not decided: " + open + "\n";
   return text + component_table(verification) + curve_table(verdict);

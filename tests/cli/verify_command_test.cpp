@@ -237,13 +237,61 @@ TEST_CASE("verify: a surface given by its equation, in either order") {
   // As parameters of the torus, which has none.
   CHECK(run_program({"verify", path, file, "--first", "saddle", "--second", "torus"})
             .err.find("\"torus\" is given by its equation: it has no parameters") != std::string::npos);
-  CHECK(run_program({"verify", path, file, "--first", "ball", "--second", "torus"})
-            .err.find("only patches are taken here") != std::string::npos);
   CHECK(run_program({"verify", path, file, "--report", scratch.path("page.html")})
             .err.find("not supported yet with --report") != std::string::npos);
   claims["curves"] = Json::array({claims["curves"][0]});
   write(path, claims.dump());
   CHECK(run_program({"verify", path, file, "--tolerance", "1e-4"}).status == 1);
+}
+
+TEST_CASE("verify: two surfaces given by their equations") {
+  const ScratchDirectory scratch;
+  const std::string file = example("surfaces.json"), path = scratch.path("claims.json");
+  const Json found = Json::parse(
+      run_program({"intersect", file, "--first", "torus", "--second", "oblique", "--json", "-"}).out);
+  Json claims = {{"exsect", "candidate/1"}, {"patches", {"torus", "oblique"}}, {"curves", Json::array()}};
+  for (const Json& arc : found.at("arcs")) claims["curves"].push_back({{"points", arc.at("polyline")}});
+  write(path, claims.dump());
+  const auto verify = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"verify", path, file, "--tolerance", "1e-4"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments);
+  };
+  const ProgramRun run = verify({});
+  INFO(run.err);
+  CHECK(run.status == 0);
+  CHECK(run.out.find("agrees\n  tolerance 1e-4 of the size of what is common: ") != std::string::npos);
+  claims["curves"].erase(0);
+  write(path, claims.dump());
+  const ProgramRun wrong = verify({"--json", "-"});
+  CHECK(wrong.status == 1);
+  const Json verdict = Json::parse(wrong.out);
+  CHECK(JsonSchema::named("verdict-1").violation(verdict) == "");
+  const Json& gap = verdict.at("differences")[0];
+  CHECK(gap.at("kind") == "gap");
+  CHECK(gap.at("gap").size() == 1);
+  CHECK(gap.at("gap").at("vertices")[0] == 0);
+  CHECK(verify({}).out.find("gap: a part of arc 0 is not covered, vertices 0 to ") != std::string::npos);
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& word) {
+    const ProgramRun failed = verify(more);
+    CHECK(failed.status == 2);
+    INFO(failed.err);
+    CHECK(failed.err.find(word) != std::string::npos);
+  };
+  refused({"--report", scratch.path("page.html")}, "not supported yet with --report");
+  refused({"--svg", scratch.path("picture.svg")}, "not supported yet with --svg");
+  claims["curves"][0]["first"] = claims["curves"][0]["points"];
+  for (Json& p : claims["curves"][0]["first"]) p = {0.5, 0.5};
+  write(path, claims.dump());
+  refused({}, "\"torus\" and \"oblique\" are given by their equations: the candidate has parameters");
+  write(path, R"({"exsect": "candidate/1", "patches": ["floor", "wall"], "curves": [], "points": []})");
+  const std::string planes = scratch.path("planes.json");
+  write(planes, R"({"exsect": "patches/1", "patches": [
+    {"name": "floor", "type": "plane", "point": [0, 0, 0], "normal": [0, 0, 1]},
+    {"name": "wall", "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}]})");
+  const ProgramRun unbounded = run_program({"verify", path, planes});
+  CHECK(unbounded.status == 2);
+  CHECK(unbounded.err.find("a common curve goes on to infinity") != std::string::npos);
 }
 
 }  // namespace exsect::verify_command_test

@@ -223,7 +223,7 @@ TEST_CASE("verify: what was changed on purpose is found") {
           })->gap.value();
       // the ends of what was left out, in the parameter that the gap names
       const auto line = lines_of(exact.graph)[open];
-      const std::size_t k = index(gap.parameter);
+      const std::size_t k = index(*gap.parameter);
       double from = line[static_cast<std::size_t>(middle)].parameters[k];
       double to = line[static_cast<std::size_t>(middle + left_out)].parameters[k];
       double gap_from = to_double(gap.from);
