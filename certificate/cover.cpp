@@ -47,39 +47,57 @@ Cell on_line(Cell cell, std::size_t parameter, double t) {
   return cell;
 }
 
-/// The least and the greatest Bernstein coefficient of direction . F.
-std::array<double, 2> coefficients(const Cell& cell, const Vector& direction) {
-  std::array<double, 2> range = {1e300, -1e300};
-  const auto include = [&](double c) { range = {std::min(range[0], c), std::max(range[1], c)}; };
-  if (cell.section) {
-    cell.section->each(
-        [&](std::size_t i, std::size_t j) { include(direction[0] * (*cell.section)[i][j][0]); });
-    return range;
-  }
-  const auto values = [&](const Net& net) {
-    checker::Grid<double, 1> result(net.points.degree(0), net.points.degree(1));
-    result.each(
-        [&](std::size_t i, std::size_t j) { result[i][j][0] = checker::dot(direction, net.points[i][j]); });
-    return result;
-  };
-  const checker::Grid<double, 1> a = values(cell.nets[0]);
-  const checker::Grid<double, 1> b = values(cell.nets[1]);
-  a.each([&](std::size_t i, std::size_t j) {
-    b.each([&](std::size_t k, std::size_t l) {
-      include(a[i][j][0] * cell.nets[1].weight(k, l) - b[k][l][0] * cell.nets[0].weight(i, j));
+/// Control points in space whose convex hull holds a patch over a cell.
+class Hull {
+ public:
+  explicit Hull(const Net& net) {
+    net.points.each([&](std::size_t i, std::size_t j) {
+      points_[size_++] = point(net, i, j);
+      least_weight_ = std::min(least_weight_, net.weight(i, j));
     });
-  });
-  return range;
-}
+  }
+  /// Not positive where the points say nothing.
+  double least_weight() const { return least_weight_; }
+  /// The least and the greatest n . P of its points.
+  std::array<double, 2> range(const Vector& n) const {
+    std::array<double, 2> result = {1e300, -1e300};
+    for (std::size_t i = 0; i < size_; ++i) {
+      const double c = checker::dot(n, points_[i]);
+      result = {std::min(result[0], c), std::max(result[1], c)};
+    }
+    return result;
+  }
 
-/// The direction or its opposite, whichever separates x from y over the cell; empty if neither does.
-std::string separating(const Cell& cell, const std::array<int, 3>& direction) {
-  const Vector d = {double(direction[0]), double(direction[1]), double(direction[2])};
-  const auto& [least, most] = coefficients(cell, d);
-  const double margin = 1e-11 + 1e-14 * (std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]));
-  if (least > margin) return fmt::format("{},{},{}", direction[0], direction[1], direction[2]);
-  if (-most > margin) return fmt::format("{},{},{}", -direction[0], -direction[1], -direction[2]);
+ private:
+  std::array<Vector, 16> points_;
+  std::size_t size_ = 0;
+  double least_weight_ = 1;
+};
+
+/// The direction or its opposite, whichever has all Bernstein coefficients of its product with F greater than
+/// their errors, if they are so outside of (least, most); empty if neither has.
+std::string separating(const std::array<int, 3>& direction, double least, double most) {
+  const auto& [x, y, z] = direction;
+  const double margin = 1e-11 + 1e-14 * (std::abs(double(x)) + std::abs(double(y)) + std::abs(double(z)));
+  if (least > margin) return fmt::format("{},{},{}", x, y, z);
+  if (-most > margin) return fmt::format("{},{},{}", -x, -y, -z);
   return "";
+}
+/// Of two patches: w_x w_y (n . x - n . y) is beyond all points of both hulls.
+std::string separating(const Hull& x, const Hull& y, const std::array<int, 3>& direction) {
+  const Vector d = {double(direction[0]), double(direction[1]), double(direction[2])};
+  const std::array<double, 2> a = x.range(d);
+  const std::array<double, 2> b = y.range(d);
+  const double weight = x.least_weight() * y.least_weight();
+  return separating(direction, weight * (a[0] - b[1]), weight * (a[1] - b[0]));
+}
+/// Of an equation, of which F_1 alone counts.
+std::string separating(const checker::SectionNet<double>& section) {
+  std::array<double, 2> range = {1e300, -1e300};
+  section.each([&](std::size_t i, std::size_t j) {
+    range = {std::min(range[0], section[i][j][0]), std::max(range[1], section[i][j][0])};
+  });
+  return separating({1, 0, 0}, range[0], range[1]);
 }
 
 Cell mirrored(const Cell& cell) {
@@ -89,7 +107,12 @@ Cell mirrored(const Cell& cell) {
 
 class Cover {
  public:
-  Cover(const NearPair& pair, const Places& places) : pair_(pair), places_(places) {}
+  Cover(const NearPair& pair, const Places& places) : pair_(pair), places_(places) {
+    for (const Tube& tube : places.tubes) {
+      const auto& [a, b, c] = tube.inverse;
+      rows_.push_back({rounded_direction(a), rounded_direction(b), rounded_direction(c)});
+    }
+  }
 
   void add(const Cell& cell, const std::vector<std::size_t>& near, int depth) {
     const std::vector<std::size_t> meeting = those_meeting(cell, near);
@@ -187,9 +210,11 @@ class Cover {
   }
 
   std::string exclusion(const Cell& cell, const std::vector<std::size_t>& meeting) const {
-    if (cell.section) return separating(cell, {1, 0, 0});
+    if (cell.section) return separating(*cell.section);
     const Net& x = cell.nets[0];
     const Net& y = cell.nets[1];
+    const std::array<Hull, 2> hulls = {Hull(x), Hull(y)};
+    if (!(std::min(hulls[0].least_weight(), hulls[1].least_weight()) > 0)) return "";
     const auto normal = [](const Net& n) {
       const std::size_t a = n.points.degree(0);
       const std::size_t b = n.points.degree(1);
@@ -202,12 +227,12 @@ class Cover {
     for (const auto& d : {std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{0, 0, 1},
                           rounded_direction(difference(middle(x), middle(y))),
                           rounded_direction(normal(x), size), rounded_direction(normal(y), size)}) {
-      if (std::string found = separating(cell, d); !found.empty()) return found;
+      if (std::string found = separating(hulls[0], hulls[1], d); !found.empty()) return found;
     }
     for (const std::size_t i : meeting) {
       if (meeting.size() > 8 || places_.tubes[i].chart != Chart::pair) continue;
-      for (const auto& row : places_.tubes[i].inverse) {
-        if (std::string found = separating(cell, rounded_direction(row)); !found.empty()) return found;
+      for (const auto& d : rows_[i]) {
+        if (std::string found = separating(hulls[0], hulls[1], d); !found.empty()) return found;
       }
     }
     return "";
@@ -236,6 +261,7 @@ class Cover {
   static constexpr std::size_t max_entries = 300000;
   const NearPair& pair_;
   const Places& places_;
+  std::vector<std::array<std::array<int, 3>, 3>> rows_;  // of each tube: the directions of its inverse
 };
 
 }  // namespace
