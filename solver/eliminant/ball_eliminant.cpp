@@ -7,15 +7,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
+#include <tuple>
+#include <type_traits>
 
 #include "eliminant/turning_eliminant_forms.h"
+#include "eliminant/weighted_eliminant_forms.h"
 
 namespace exsect {
 
 namespace {
 
-/// Balls as the arithmetic of EliminantForms.
+/// Balls as the arithmetic of FibreResultants.
 struct BallArithmetic {
   using Residue = WideBall;
   using Sum = WideBall::Sum;
@@ -26,13 +30,11 @@ struct BallArithmetic {
   static WideBall multiply(const WideBall& a, const WideBall& b) { return a * b; }
 };
 
-using BallForms = EliminantForms<BallArithmetic>;
-using Fibre = BallForms::Fibre;
-
 /// p(1/2 + t/2) for p(w) = c[0] + c[1] w + c[2] w^2, times 4.
-std::array<IntegerVector, 3> centred(const std::array<IntegerVector, 3>& c) {
-  std::array<IntegerVector, 3> result;
-  for (std::size_t k = 0; k < 3; ++k) {
+template <class Vector>
+std::array<Vector, 3> centred(const std::array<Vector, 3>& c) {
+  std::array<Vector, 3> result;
+  for (std::size_t k = 0; k < c[0].size(); ++k) {
     result[0][k] = 4 * c[0][k] + 2 * c[1][k] + c[2][k];
     result[1][k] = 2 * c[1][k] + 2 * c[2][k];
     result[2][k] = c[2][k];
@@ -41,43 +43,61 @@ std::array<IntegerVector, 3> centred(const std::array<IntegerVector, 3>& c) {
 }
 
 /// Both parameters from [0,1] to [-1,1].
-IntegerNet centred(IntegerNet net) {
-  for (auto& row : net) row = centred(row);
-  net = exchanged(net);
-  for (auto& row : net) row = centred(row);
-  return exchanged(net);
+template <class Vector>
+std::array<std::array<Vector, 3>, 3> centred_net(const std::array<std::array<Vector, 3>, 3>& net) {
+  std::array<std::array<Vector, 3>, 3> rows, result;
+  for (std::size_t i = 0; i < 3; ++i) rows[i] = centred(net[i]);
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::array<Vector, 3> column = centred<Vector>({rows[0][j], rows[1][j], rows[2][j]});
+    for (std::size_t i = 0; i < 3; ++i) result[i][j] = column[i];
+  }
+  return result;
 }
 
-BallForms forms(const IntegerPair& pair) {
-  const IntegerNet x = centred(pair.x), y = centred(pair.y);
-  std::array<long, 3> bits = {};  // of each coordinate
-  for (const IntegerNet* net : {&x, &y})
-    for (const auto& row : *net)
-      for (const IntegerVector& c : row)
-        for (std::size_t k = 0; k < 3; ++k)
-          if (c[k] != 0) bits[k] = std::max(bits[k], static_cast<long>(msb(abs(c[k]))) + 1);
-  const auto balls = [&](const IntegerNet& net) {
-    BallForms::Net result;
+/// The bits of each coordinate, 0 where it is zero.
+template <class Net>
+auto bits_of(const Net& net) {
+  std::array<long, std::tuple_size_v<std::decay_t<decltype(net[0][0])>>> bits = {};
+  for (const auto& row : net)
+    for (const auto& c : row)
+      for (std::size_t k = 0; k < c.size(); ++k)
+        if (c[k] != 0) bits[k] = std::max(bits[k], static_cast<long>(msb(abs(c[k]))) + 1);
+  return bits;
+}
+
+/// The coordinates are divided by powers of two, and where there are weights each patch by one of its own.
+template <class Forms, class Pair>
+Forms forms_of(const Pair& pair) {
+  const auto x = centred_net(pair.x), y = centred_net(pair.y);
+  auto bits = bits_of(x);
+  const auto bits_x = bits, bits_y = bits_of(y);
+  for (std::size_t k = 0; k < bits.size(); ++k) bits[k] = std::max(bits[k], bits_y[k]);
+  const auto balls = [&](const auto& net, const auto& own_bits) {
+    long spare = bits.size() == 3 ? 0 : std::numeric_limits<long>::max();
+    for (std::size_t k = 0; k < bits.size(); ++k) spare = std::min(spare, bits[k] - own_bits[k]);
+    typename Forms::Net result;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t k = 0; k < 3; ++k) result.c[i][j].c[k] = WideBall::enclosing(net[i][j][k], -bits[k]);
+        for (std::size_t k = 0; k < bits.size(); ++k)
+          result.c[i][j].c[k] = WideBall::enclosing(net[i][j][k], spare - bits[k]);
     return result;
   };
   WideBall small[17];
   for (int i = 0; i < 17; ++i) small[i] = WideBall(i);
-  return BallForms(BallArithmetic(), balls(x), balls(y), small);
+  return Forms(BallArithmetic(), balls(x, bits_x), balls(y, bits_y), small);
 }
 
 /// The numbers of a fibre, polynomials in u of degree at most 16, in a row.
 constexpr std::size_t kEntries = 17 + 11 + 2;
 using Entries = std::array<WideBall, kEntries>;
 
+template <class Fibre>
 Entries entries(const Fibre& fibre) {
   Entries result;
   std::copy(std::begin(fibre.r), std::end(fibre.r), result.begin());
   std::copy(std::begin(fibre.s1), std::end(fibre.s1), result.begin() + 17);
-  result[28] = fibre.g_r;
-  result[29] = fibre.g_s;
+  result[28] = fibre.lead_r;
+  result[29] = fibre.lead_s;
   return result;
 }
 
@@ -119,24 +139,32 @@ WideBall alignment_resultant(WideBall* r, WideBall* s1) {
   return product * resultant(s1, r, 9);
 }
 
-/// E over one fibre up to a constant factor (4.8).
+/// E over one fibre up to a constant factor: (4.8), (16.9).
+template <class Kind>
 WideBall eliminant_value(Entries e) {
   WideBall* const r = e.data();
   std::array<WideBall, 16> derivative;
   for (std::size_t i = 1; i < 17; ++i) derivative[i - 1] = r[i] * WideBall(static_cast<double>(i));
   std::array<WideBall, 17> copy;
   std::copy_n(r, 17, copy.begin());
-  const WideBall r2 = e[28] * e[28], s2 = e[29] * e[29];
   const WideBall discriminant = resultant(copy.data(), derivative.data(), 15);
-  return r2 * r2 * r2 * discriminant * inverse(s2 * s2 * alignment_resultant(r, r + 17));
+  const WideBall alignment = alignment_resultant(r, r + 17);
+  const WideBall r2 = e[28] * e[28];
+  if constexpr (Kind::coordinates == 3) {
+    const WideBall s2 = e[29] * e[29];
+    return r2 * r2 * r2 * discriminant * inverse(s2 * s2 * alignment);
+  } else {
+    return r2 * r2 * discriminant * inverse(e[29] * alignment);
+  }
 }
 
 const ChebyshevNodes& fibre_nodes() {
   static const ChebyshevNodes result(17);
   return result;
 }
+template <class Kind>
 const ChebyshevNodes& eliminant_nodes() {
-  static const ChebyshevNodes result(129);
+  static const ChebyshevNodes result(Kind::degree + 1);
   return result;
 }
 
@@ -152,7 +180,9 @@ void scale(std::span<std::vector<WideBall>> entries) {
 }
 
 /// The Chebyshev coefficients of each entry of the fibres.
-std::array<std::vector<WideBall>, kEntries> fibre_expansions(const BallForms& forms) {
+template <class Forms>
+std::array<std::vector<WideBall>, kEntries> fibre_expansions(const Forms& forms) {
+  using Kind = typename Forms::Fibre::Kind;
   const ChebyshevNodes& nodes = fibre_nodes();
   std::array<std::vector<WideBall>, kEntries> values;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -160,7 +190,7 @@ std::array<std::vector<WideBall>, kEntries> fibre_expansions(const BallForms& fo
     for (std::size_t i = 0; i < kEntries; ++i) values[i].push_back(fibre[i]);
   }
   for (std::size_t i = 0; i < kEntries; ++i) {
-    const std::size_t degree = i < 17 ? 16 : i < 28 ? 10 : 4;
+    const std::size_t degree = i < 17 ? 16 : i < 28 ? Kind::s1_degree : Kind::lead_degree;
     values[i] = nodes.coefficients(values[i]);
     values[i].resize(degree + 1);
   }
@@ -171,9 +201,11 @@ std::array<std::vector<WideBall>, kEntries> fibre_expansions(const BallForms& fo
   return values;
 }
 
-std::vector<WideBall> values_at_nodes(const BallForms& forms) {
+template <class Forms>
+std::vector<WideBall> values_at_nodes(const Forms& forms) {
+  using Kind = typename Forms::Fibre::Kind;
   const auto expansions = fibre_expansions(forms);
-  const ChebyshevNodes& nodes = eliminant_nodes();
+  const ChebyshevNodes& nodes = eliminant_nodes<Kind>();
   std::vector<WideBall> values(nodes.size());
   for (std::size_t k = 0; 2 * k < nodes.size(); ++k) {
     Entries right, left;  // over t and -t
@@ -185,16 +217,26 @@ std::vector<WideBall> values_at_nodes(const BallForms& forms) {
       right[i] = a + b;
       left[i] = a - b;
     }
-    values[k] = eliminant_value(right);
-    if (2 * k + 1 < nodes.size()) values[nodes.size() - 1 - k] = eliminant_value(left);
+    values[k] = eliminant_value<Kind>(right);
+    if (2 * k + 1 < nodes.size()) values[nodes.size() - 1 - k] = eliminant_value<Kind>(left);
   }
   return values;
+}
+
+template <class Forms, class Pair>
+std::optional<std::vector<RationalInterval>> roots_in_balls(const Pair& pair) {
+  const std::vector<WideBall> values = values_at_nodes(forms_of<Forms>(pair));
+  return isolate_chebyshev_roots(eliminant_nodes<typename Forms::Fibre::Kind>().coefficients(values));
 }
 
 }  // namespace
 
 std::optional<std::vector<RationalInterval>> turning_roots_in_balls(const IntegerPair& pair) {
-  return isolate_chebyshev_roots(eliminant_nodes().coefficients(values_at_nodes(forms(pair))));
+  return roots_in_balls<EliminantForms<BallArithmetic>>(pair);
+}
+
+std::optional<std::vector<RationalInterval>> turning_roots_in_balls(const WeightedPair& pair) {
+  return roots_in_balls<WeightedEliminantForms<BallArithmetic>>(pair);
 }
 
 }  // namespace exsect

@@ -4,8 +4,10 @@
 // linker could choose this copy for all.
 #ifdef __x86_64__
 
+#include "eliminant/fibre_table.h"
 #include "eliminant/residue_lanes.h"
 #include "eliminant/turning_eliminant_forms.h"
+#include "eliminant/weighted_eliminant_forms.h"
 
 namespace exsect {
 
@@ -13,7 +15,8 @@ namespace {
 
 using lanes::Lane;
 using lanes::Primes;
-using Forms = EliminantForms<lanes::TwoLaneArithmetic>;
+using PolynomialForms = EliminantForms<lanes::TwoLaneArithmetic>;
+using WeightedForms = WeightedEliminantForms<lanes::TwoLaneArithmetic>;
 
 Primes prime_lanes(const double (&p)[4]) {
   const Lane primes = _mm256_loadu_pd(p);
@@ -22,11 +25,13 @@ Primes prime_lanes(const double (&p)[4]) {
 
 lanes::TwoLanes twice(Lane a) { return {a, a}; }
 
-Forms::Net loaded(const double (&net)[3][3][3][4]) {
-  Forms::Net result;
+template <class Forms, std::size_t coordinates>
+typename Forms::Net loaded(const double (&net)[3][3][coordinates][4]) {
+  typename Forms::Net result;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < 3; ++k) result.c[i][j].c[k] = twice(_mm256_loadu_pd(net[i][j][k]));
+      for (std::size_t k = 0; k < coordinates; ++k)
+        result.c[i][j].c[k] = twice(_mm256_loadu_pd(net[i][j][k]));
   return result;
 }
 
@@ -129,27 +134,35 @@ Lane factorial(const Primes& f, std::size_t n) {
   return result;
 }
 
-using LaneFibre = EliminantFibre<lanes::LaneArithmetic>;
+/// The fibre at one of the two points.
+template <class Kind>
+using LaneFibre = EliminantFibre<lanes::LaneArithmetic, Kind>;
 
-void split(const Forms::Fibre& fibre, LaneFibre& a, LaneFibre& b) {
+template <class Kind>
+void split(const EliminantFibre<lanes::TwoLaneArithmetic, Kind>& fibre, LaneFibre<Kind>& a,
+           LaneFibre<Kind>& b) {
   for (std::size_t i = 0; i < 17; ++i) a.r[i] = fibre.r[i].a, b.r[i] = fibre.r[i].b;
   for (std::size_t i = 0; i < 11; ++i) a.s1[i] = fibre.s1[i].a, b.s1[i] = fibre.s1[i].b;
-  a.g_r = fibre.g_r.a, b.g_r = fibre.g_r.b;
-  a.g_s = fibre.g_s.a, b.g_s = fibre.g_s.b;
+  a.lead_r = fibre.lead_r.a, b.lead_r = fibre.lead_r.b;
+  a.lead_s = fibre.lead_s.a, b.lead_s = fibre.lead_s.b;
 }
 
-Forms::Fibre joined(const LaneFibre& a, const LaneFibre& b) {
-  Forms::Fibre fibre;
+template <class Kind>
+EliminantFibre<lanes::TwoLaneArithmetic, Kind> joined(const LaneFibre<Kind>& a, const LaneFibre<Kind>& b) {
+  EliminantFibre<lanes::TwoLaneArithmetic, Kind> fibre;
   for (std::size_t i = 0; i < 17; ++i) fibre.r[i] = {a.r[i], b.r[i]};
   for (std::size_t i = 0; i < 11; ++i) fibre.s1[i] = {a.s1[i], b.s1[i]};
-  fibre.g_r = {a.g_r, b.g_r};
-  fibre.g_s = {a.g_s, b.g_s};
+  fibre.lead_r = {a.lead_r, b.lead_r};
+  fibre.lead_s = {a.lead_s, b.lead_s};
   return fibre;
 }
 
-FibreTable<lanes::LaneArithmetic> fibre_table(const Primes& f, const Forms& forms, lanes::TwoLanes u) {
-  LaneFibre fibres[17];
-  LaneFibre spare;
+template <class Forms>
+FibreTable<lanes::LaneArithmetic, typename Forms::Fibre::Kind> fibre_table(const Primes& f,
+                                                                           const Forms& forms,
+                                                                           lanes::TwoLanes u) {
+  LaneFibre<typename Forms::Fibre::Kind> fibres[17];
+  LaneFibre<typename Forms::Fibre::Kind> spare;
   const Lane two = _mm256_set1_pd(2);
   for (std::size_t k = 0; k < 17; k += 2) {
     split(forms.fibre(u), fibres[k], k == 16 ? spare : fibres[k + 1]);
@@ -159,17 +172,18 @@ FibreTable<lanes::LaneArithmetic> fibre_table(const Primes& f, const Forms& form
 }
 
 /// Numerators and denominators of E(first + i), i < points.
-void fractions(const LanePair& pair, const Primes& f, Lane first, std::size_t points, Lane* numerators,
-               Lane* denominators) {
+template <class Forms, std::size_t coordinates>
+void fractions(const LanePairOf<coordinates>& pair, const Primes& f, Lane first, std::size_t points,
+               Lane* numerators, Lane* denominators) {
   lanes::TwoLanes small[17];
   for (std::size_t i = 0; i < 17; ++i) small[i] = twice(_mm256_set1_pd(static_cast<double>(i)));
-  const Forms forms(lanes::TwoLaneArithmetic(f), loaded(pair.x), loaded(pair.y), small);
+  const Forms forms(lanes::TwoLaneArithmetic(f), loaded<Forms>(pair.x), loaded<Forms>(pair.y), small);
   auto table = fibre_table(f, forms, {first, lanes::add(f, first, small[1].a)});
   for (std::size_t i = 0; i < points; i += 4) {
-    LaneFibre fibres[4];
+    LaneFibre<typename Forms::Fibre::Kind> fibres[4];
     table.next(fibres);
     for (std::size_t k = 0; k < 4 && i + k < points; k += 2) {
-      const Forms::Fraction value = forms.value(joined(fibres[k], fibres[k + 1]));
+      const typename Forms::Fraction value = forms.value(joined(fibres[k], fibres[k + 1]));
       numerators[i + k] = value.numerator.a;
       denominators[i + k] = value.denominator.a;
       if (i + k + 1 == points) break;
@@ -179,15 +193,14 @@ void fractions(const LanePair& pair, const Primes& f, Lane first, std::size_t po
   }
 }
 
-}  // namespace
-
-void eliminant_in_lanes(const LanePair& pair, const double (&first)[4], std::size_t points,
-                        double (*coefficients)[4], bool (&defined)[4]) {
+template <class Forms, std::size_t coordinates>
+void coefficients_in_lanes(const LanePairOf<coordinates>& pair, const double (&first)[4], std::size_t points,
+                           double (*coefficients)[4], bool (&defined)[4]) {
   const Primes f = prime_lanes(pair.primes);
   const Lane first_node = _mm256_loadu_pd(first);
   Lane values[max_lane_points];
   Lane denominators[max_lane_points];
-  fractions(pair, f, first_node, points, values, denominators);
+  fractions<Forms>(pair, f, first_node, points, values, denominators);
 
   // One inversion for the product of the denominators and (points-1)!.
   Lane products[max_lane_points];  // of the denominators before
@@ -207,6 +220,18 @@ void eliminant_in_lanes(const LanePair& pair, const double (&first)[4], std::siz
   }
   interpolate(f, first_node, points, lanes::multiply(f, both, product), values);
   for (std::size_t i = 0; i < points; ++i) _mm256_storeu_pd(coefficients[i], values[i]);
+}
+
+}  // namespace
+
+void eliminant_in_lanes(const LanePair& pair, const double (&first)[4], std::size_t points,
+                        double (*coefficients)[4], bool (&defined)[4]) {
+  coefficients_in_lanes<PolynomialForms>(pair, first, points, coefficients, defined);
+}
+
+void eliminant_in_lanes(const WeightedLanePair& pair, const double (&first)[4], std::size_t points,
+                        double (*coefficients)[4], bool (&defined)[4]) {
+  coefficients_in_lanes<WeightedForms>(pair, first, points, coefficients, defined);
 }
 
 void interpolate_in_lanes(const double (&primes)[4], const double (&first)[4], std::size_t points,

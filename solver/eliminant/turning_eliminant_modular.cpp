@@ -2,63 +2,86 @@
 
 #include <vector>
 
+#include "eliminant/fibre_table.h"
+
 namespace exsect {
 
-static_assert(PrimeField::max_products >= 28, "what EliminantForms asks of a sum");
+static_assert(PrimeField::max_products >= 28, "what FibreResultants asks of a sum");
 
 namespace {
 
-using ModularForms = EliminantForms<ScalarArithmetic>;
-
-ModularForms::Net reduced(const PrimeField& field, const IntegerNet& net) {
-  ModularForms::Net result;
+template <class Forms, class Net>
+typename Forms::Net reduced(const PrimeField& field, const Net& net) {
+  typename Forms::Net result;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < 3; ++k) result.c[i][j].c[k] = field.residue(net[i][j][k]);
+      for (std::size_t k = 0; k < net[i][j].size(); ++k) result.c[i][j].c[k] = field.residue(net[i][j][k]);
   return result;
 }
 
-ModularForms forms_modulo(const PrimeField& field, const IntegerPair& pair) {
+template <class Forms, class Pair>
+Forms forms_modulo(const PrimeField& field, const Pair& pair) {
   Residue small[17];
   for (std::size_t i = 0; i < 17; ++i) small[i] = field.residue(static_cast<std::int64_t>(i));
-  return ModularForms(ScalarArithmetic(field), reduced(field, pair.x), reduced(field, pair.y), small);
+  return Forms(ScalarArithmetic(field), reduced<Forms>(field, pair.x), reduced<Forms>(field, pair.y), small);
 }
 
 }  // namespace
 
-ModularEliminant::ModularEliminant(const PrimeField& field, const IntegerPair& pair)
-    : forms_(forms_modulo(field, pair)) {}
+template <class Forms>
+template <class Pair>
+ModularEliminantOf<Forms>::ModularEliminantOf(const PrimeField& field, const Pair& pair)
+    : forms_(forms_modulo<Forms>(field, pair)) {}
 
-std::vector<ResidueFraction> ModularEliminant::fast_values(Residue first, std::size_t count) const {
-  ModularForms::Fibre fibres[17];
-  for (ModularForms::Fibre& fibre : fibres) {
+template <class Forms>
+std::vector<ResidueFraction> ModularEliminantOf<Forms>::fast_values(Residue first, std::size_t count) const {
+  using Fibre = typename Forms::Fibre;
+  Fibre fibres[17];
+  for (Fibre& fibre : fibres) {
     fibre = forms_.fibre(first);
     first = forms_.field().add(first, forms_.field().prime_field().one());
   }
-  FibreTable<ScalarArithmetic> table(forms_.field(), fibres);
+  FibreTable<ScalarArithmetic, typename Fibre::Kind> table(forms_.field(), fibres);
   std::vector<ResidueFraction> values;
   values.reserve(count);
   while (values.size() < count) {
-    ModularForms::Fibre next[4];
+    Fibre next[4];
     table.next(next);
     for (std::size_t k = 0; k < 4 && values.size() < count; ++k) {
-      const ModularForms::Fraction value = forms_.value(next[k]);
+      const typename Forms::Fraction value = forms_.value(next[k]);
       values.push_back({value.numerator, value.denominator});
     }
   }
   return values;
 }
 
-ResidueFraction ModularEliminant::value(Residue u) const {
+template <class Forms>
+ResidueFraction ModularEliminantOf<Forms>::value(Residue u) const {
   const PrimeField& field = forms_.field().prime_field();
-  const ModularForms::Fibre f = forms_.fibre(u);
+  const typename Forms::Fibre f = forms_.fibre(u);
   const std::vector<Residue> r(std::begin(f.r), std::end(f.r));
   const std::vector<Residue> s1(std::begin(f.s1), std::end(f.s1));
   std::vector<Residue> derivative;
   for (std::size_t i = 1; i < r.size(); ++i)
     derivative.push_back(field.multiply(r[i], field.residue(static_cast<std::int64_t>(i))));
-  return {field.multiply(field.power(f.g_r, 6), resultant(field, r, derivative)),
-          field.multiply(field.power(f.g_s, 4), resultant(field, r, s1))};
+  const typename Forms::Fraction lead = forms_.leading_factor(f);
+  return {field.multiply(lead.numerator, resultant(field, r, derivative)),
+          field.multiply(lead.denominator, resultant(field, r, s1))};
 }
+
+template <class Forms>
+std::vector<ResidueFraction> ModularEliminantOf<Forms>::values(Residue first, std::size_t count) const {
+  std::vector<ResidueFraction> result = fast_values(first, count);
+  for (ResidueFraction& each : result) {
+    if (each.denominator == 0) each = value(first);
+    first = forms_.field().add(first, forms_.field().prime_field().one());
+  }
+  return result;
+}
+
+template class ModularEliminantOf<EliminantForms<ScalarArithmetic>>;
+template ModularEliminant::ModularEliminantOf(const PrimeField&, const IntegerPair&);
+template class ModularEliminantOf<WeightedEliminantForms<ScalarArithmetic>>;
+template WeightedModularEliminant::ModularEliminantOf(const PrimeField&, const WeightedPair&);
 
 }  // namespace exsect

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "eliminant/turning_eliminant_forms.h"
+#include "eliminant/weighted_eliminant_forms.h"
+#include "eliminant/weighted_pair.h"
 
 namespace exsect {
 
-/// PrimeField as EliminantForms wants it.
+/// PrimeField as FibreResultants wants it.
 class ScalarArithmetic {
  public:
   using Residue = exsect::Residue;
@@ -40,19 +42,43 @@ class ScalarArithmetic {
   PrimeField field_;
 };
 
-/// Values of E(u) (docs/method.md, equation (4.8)) of a pair reduced modulo a prime.
-class ModularEliminant {
+/// Values of E(u) (docs/method.md, equations (4.8) and (16.9)) of a pair reduced modulo a prime.
+template <class Forms>
+class ModularEliminantOf {
  public:
-  ModularEliminant(const PrimeField& field, const IntegerPair& pair);
+  template <class Pair>
+  ModularEliminantOf(const PrimeField& field, const Pair& pair);
 
-  /// As EliminantForms::value, at first, first + 1, ..., first + count - 1.
+  /// As FibreResultants::value, at first, first + 1, ..., first + count - 1.
   std::vector<ResidueFraction> fast_values(Residue first, std::size_t count) const;
   /// E(u) from resultants that allow any sequence of degrees: the denominator is zero only where
-  /// g_s(u) Res(R,S1)(u) = 0. Several times slower.
+  /// g_s(u) Res(R,S1)(u) = 0, or l_s Res(R,S1) = 0. Several times slower.
   ResidueFraction value(Residue u) const;
+  /// E at `count` successive u from `first`, by the slower way where the faster one is not defined.
+  std::vector<ResidueFraction> values(Residue first, std::size_t count) const;
 
  private:
-  EliminantForms<ScalarArithmetic> forms_;
+  Forms forms_;
 };
+
+/// Of an IntegerPair.
+using ModularEliminant = ModularEliminantOf<EliminantForms<ScalarArithmetic>>;
+/// Of a WeightedPair.
+using WeightedModularEliminant = ModularEliminantOf<WeightedEliminantForms<ScalarArithmetic>>;
+
+/// True if E is defined and not zero: l_r l_s Res(R,R') Res(R,S1) is not the zero polynomial. A value that is
+/// defined and not zero at one u modulo one prime proves it; false may be a coincidence at both primes.
+template <class Eliminant, class Pair>
+bool is_generic(const Pair& pair) {
+  std::uint64_t p = prime_field_limit;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    p = prime_below(p);
+    const PrimeField field(p);
+    const Residue u = field.residue(static_cast<std::int64_t>(p / 3));
+    const ResidueFraction value = Eliminant(field, pair).value(u);
+    if (value.numerator != 0 && value.denominator != 0) return true;
+  }
+  return false;
+}
 
 }  // namespace exsect

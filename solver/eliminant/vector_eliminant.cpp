@@ -9,6 +9,7 @@
 
 #include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
+#include "eliminant/fibre_resultants.h"
 #include "eliminant/turning_eliminant_lanes.h"
 
 namespace exsect {
@@ -46,10 +47,9 @@ std::uint64_t LanePrimes::next() {
 
 namespace {
 
-constexpr std::size_t full_degree = 128;
-/// Points beyond full_degree + 1 for the first primes, which check the degree.
+/// Points beyond the degree of E plus 1 for the first primes, which check the degree.
 constexpr std::size_t spare_points = 9;
-static_assert(full_degree + 1 + spare_points <= max_lane_points);
+static_assert(WeightedKind::degree + 1 + spare_points <= max_lane_points);
 /// The nodes are consecutive and start here, far from zero: at small integers structured input often makes an
 /// expression undefined for every prime.
 constexpr std::uint64_t first_node = 0x2f61c3e8d9a75b4;
@@ -69,23 +69,25 @@ double balanced(const Integer& a, std::uint64_t p) {
   return balanced(static_cast<std::uint64_t>(remainder < 0 ? remainder + q : remainder), p);
 }
 
-void set_net(double (&lanes)[3][3][3][4], const IntegerNet& net, const LaneRow& primes) {
+template <std::size_t coordinates, class Net>
+void set_net(double (&lanes)[3][3][coordinates][4], const Net& net, const LaneRow& primes) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t k = 0; k < coordinates; ++k)
         for (std::size_t lane = 0; lane < 4; ++lane)
           lanes[i][j][k][lane] = balanced(net[i][j][k], primes[lane]);
 }
 
 /// Coefficients of E modulo several primes.
+template <class Kind, class Pair>
 class LaneResidues {
  public:
-  explicit LaneResidues(const IntegerPair& pair) : pair_(pair) {}
+  explicit LaneResidues(const Pair& pair) : pair_(pair) {}
 
   /// Four more primes; false if E is undefined at some node modulo all four.
   bool add_primes(const LaneRow& primes) {
-    const std::size_t points = full_degree + 1 + (residues_.primes.empty() ? spare_points : 0);
-    LanePair lanes;
+    const std::size_t points = Kind::degree + 1 + (residues_.primes.empty() ? spare_points : 0);
+    LanePairOf<Kind::coordinates> lanes;
     double first[4];
     for (std::size_t lane = 0; lane < 4; ++lane) {
       lanes.primes[lane] = static_cast<double>(primes[lane]);
@@ -113,9 +115,9 @@ class LaneResidues {
     std::vector<std::uint64_t> row;
     for (std::size_t i = 0; i < points; ++i) {
       const auto c = static_cast<std::int64_t>(coefficients[i][lane]);
-      if (i > full_degree && c != 0)
+      if (i > Kind::degree && c != 0)
         throw ProofFailure(whole_domain(), "the values of the turning eliminant exceed its degree");
-      if (i <= full_degree)
+      if (i <= Kind::degree)
         row.push_back(c < 0 ? p - static_cast<std::uint64_t>(-c) : static_cast<std::uint64_t>(c));
     }
     residues_.primes.push_back(p);
@@ -123,17 +125,16 @@ class LaneResidues {
     product_ *= p;
   }
 
-  const IntegerPair& pair_;
+  const Pair& pair_;
   ModularIntegers residues_;
   Integer product_ = 1;
 };
 
-}  // namespace
-
-std::optional<ModularIntegers> vector_eliminant(const IntegerPair& pair, std::size_t bits) {
+template <class Kind, class Pair>
+std::optional<ModularIntegers> eliminant_modulo_primes(const Pair& pair, std::size_t bits) {
   if (!has_vector_eliminant()) return std::nullopt;
   LanePrimes primes;
-  LaneResidues residues(pair);
+  LaneResidues<Kind, Pair> residues(pair);
   while (msb(residues.product()) < bits + 2) {
     interruption_point();
     LaneRow row;
@@ -143,9 +144,20 @@ std::optional<ModularIntegers> vector_eliminant(const IntegerPair& pair, std::si
   return residues.take();
 }
 
+}  // namespace
+
+std::optional<ModularIntegers> vector_eliminant(const IntegerPair& pair, std::size_t bits) {
+  return eliminant_modulo_primes<PolynomialKind>(pair, bits);
+}
+
+std::optional<ModularIntegers> vector_eliminant(const WeightedPair& pair, std::size_t bits) {
+  return eliminant_modulo_primes<WeightedKind>(pair, bits);
+}
+
 #else
 
 std::optional<ModularIntegers> vector_eliminant(const IntegerPair&, std::size_t) { return std::nullopt; }
+std::optional<ModularIntegers> vector_eliminant(const WeightedPair&, std::size_t) { return std::nullopt; }
 
 #endif
 

@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "eliminant/weighted_pair.h"
+
 namespace exsect {
 
 /// True if this build and this processor have AVX2 and FMA.
@@ -23,11 +25,12 @@ class LanePrimes {
   std::uint64_t last_ = std::uint64_t{1} << 48;
 };
 
-/// The coefficients, constant term first, of E(u) of the pair, given that its degree is at most 128 and its
-/// coefficients are less than 2^bits in modulus: as interpolate_modular_polynomial, a proof included. Nothing
-/// if has_vector_eliminant() is false, or if E(u) at some node is undefined modulo four successive primes:
-/// then a leading coefficient of a remainder sequence vanishes over the integers as well. Throws
-/// ProofFailure if the values do not belong to a polynomial of degree 128.
+/// The coefficients, constant term first, of E(u) of the pair, given that its degree is at most 128, with
+/// weights 160, and its coefficients are less than 2^bits in modulus: as interpolate_modular_polynomial, a
+/// proof included. Nothing if has_vector_eliminant() is false, or if E(u) at some node is undefined modulo
+/// four successive primes: then a leading coefficient of a remainder sequence vanishes over the integers as
+/// well. Throws ProofFailure if the values do not belong to a polynomial of that degree.
 std::optional<ModularIntegers> vector_eliminant(const IntegerPair& pair, std::size_t bits);
+std::optional<ModularIntegers> vector_eliminant(const WeightedPair& pair, std::size_t bits);
 
 }  // namespace exsect
