@@ -1,13 +1,10 @@
 // Tubes around curves along which patches touch: against exact solutions, and the equations by evaluation.
 #include "trace/tangential_tube.h"
 
-#include <exsect/geometry/patch_file.h>
-
 #include "support/catch.h"
 #include "support/families.h"
 #include "support/random_pairs.h"
 #include "trace/contact_expansion.h"
-#include "trace/tangential_arc.h"
 #include "trace/tangential_enclosure.h"
 #include "trace/tube_points.h"
 
@@ -82,31 +79,6 @@ TEST_CASE("a tangential tube holds the contact curve", "[tangential_tube]") {
   CHECK_FALSE(contains(*tube, Point4{DoubleBall(0.41, 0.3), 0.5, 0.41, 0.5}));
 }
 
-TEST_CASE("second derivatives along a contact curve are bounded", "[tangential_tube]") {
-  // (u v + v - 1/2)² touches the plane along v = 1/(2 (1 + u)).
-  ControlNet net{};
-  net[1][0] = {1, 0, 0};
-  net[0][1] = {0, 1, 0};
-  const Rational half(1, 2);
-  const std::array<std::array<Rational, 3>, 3> h = {{{half * half, -1, 1}, {0, -1, 2}, {0, 0, 1}}};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) net[i][j][2] = h[i][j];
-  ControlNet flat{};
-  flat[1][0] = {1, 0, 0};
-  flat[0][1] = {0, 1, 0};
-  const System system(BezierPatch::from_power_basis(net), BezierPatch::from_power_basis(flat), {0, 0, 0}, 0);
-  const auto v_at = [](double u) { return 1 / (2 * (1 + u)); };
-  const auto tube = certify_tangential_tube(system, {0.5, v_at(0.5), 0.5, v_at(0.5)}, 0x1p-5, 0);
-  REQUIRE(tube);
-  for (const auto& [from, to] :
-       {std::pair(-0x1p-5, 0x1p-5), std::pair(0.0, 0x1p-7), std::pair(0x1p-6, 0x1p-6)}) {
-    const double bound = second_derivative_bound(system, *tube, from, to);
-    const double largest = 1 / std::pow(1.5 + from, 3);  // of v''
-    CHECK(bound >= largest * (1 - 1e-12));
-    CHECK(bound <= largest * (from == to ? 1 + 1e-9 : 2));
-  }
-}
-
 TEST_CASE("no tangential tube beside a contact; in a node F does not vanish on it", "[tangential_tube]") {
   const System crossing = system_of(families::crossing(families::Plane::square));
   CHECK_FALSE(certify_tangential_tube(crossing, Point4{0.75, 0.75, 0.75, 0.75}, 0x1p-10));
@@ -119,37 +91,6 @@ TEST_CASE("no tangential tube beside a contact; in a node F does not vanish on i
   beside[0] = beside[0] + DoubleBall(0.1);
   beside[2] = beside[0];
   CHECK_FALSE(certify_tangential_tube(line, beside, 0x1p-6));
-}
-
-TEST_CASE("a contact curve is traced to both its ends", "[tangential_tube]") {
-  const auto pair = read_patches(std::string(EXSECT_EXAMPLES) + "/touching-curve.json").patches;
-  const System system(pair[0].patch, pair[1].patch, {0, 0, 0}, 0);
-  const auto at = [](double u) {
-    const double v = 1.5 - 2 * u;
-    return Point4{u, v, (u + 0.1) / 1.2, (v + 0.1) / 1.2};
-  };
-  const auto around = [](Point4 p) {
-    for (DoubleBall& c : p) c = c.widened(1e-14);
-    return p;
-  };
-  const Landmarks<DoubleBall> ends = {around(at(0.75)), around(at(0.25)), around({0.1, 0.2, 0.3, 0.4})};
-  const auto outcome = trace_contact(system, ends, around(at(0.4)), {});
-  REQUIRE(std::holds_alternative<TangentialArc<DoubleBall>>(outcome));
-  const auto& arc = std::get<TangentialArc<DoubleBall>>(outcome);
-  CHECK(arc.start + arc.end == 1);
-  for (double u = 0.26; u < 0.75; u += 0.03) {
-    CHECK(passes_through(arc, around(at(u))));
-    Point4 beside = at(u);
-    beside[1] = beside[1] + DoubleBall(0.1);
-    CHECK_FALSE(passes_through(arc, beside));
-  }
-  const int rising = arc.end == 0 ? 1 : -1;
-  for (const int which : {0, 1}) {
-    CHECK(certain_direction(system, arc, which, 0) == rising);
-    CHECK(certain_direction(system, arc, which, 1) == -rising);
-  }
-  // Without the landmark at the end the curve leaves the domain, which is noticed.
-  CHECK(std::holds_alternative<TraceFailure>(trace_contact(system, {ends[0]}, around(at(0.4)), {})));
 }
 
 }  // namespace exsect::tangential_tube_test
