@@ -242,15 +242,28 @@ Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis) {
   double steepest = 1;
   for (const auto& b : slope) steepest = std::max(steepest, std::abs(b.middle));
   const int flat = std::ilogb(steepest);
-  for (int e = 1; e < 46; ++e) {
-    Tube tube = {{chart}, {}, axis, {}, std::ldexp(1.0, 1 - e - flat), std::ldexp(1.0, -e), *c, number};
-    for (std::size_t i = 0; i < 4; ++i) {
-      tube.centre[i] = rounded(w[i], e + 12 + more);
-      tube.slope[i] = i == axis ? 1 : rounded(slope[i].middle, 10);
-    }
+  // The curve runs through the middle of a cube, but for the places of the centre's last bits.
+  const auto tube_of = [&](double size) {
+    Tube tube = {{chart}, w, axis, {}, std::ldexp(size, -flat), size, *c, number};
+    for (std::size_t i = 0; i < 4; ++i) tube.slope[i] = i == axis ? 1 : rounded(slope[i].middle, 10);
+    return tube;
+  };
+  const Map near = here.times(*c);
+  const auto found = [&](Tube& tube) {
+    if (!holds(tube, equation, near)) return false;
+    for (double& at : tube.centre) at = rounded(at, 12 + more - std::ilogb(tube.width));
     // m of the cuspidal point is that of the middle line.
     if (chart != Chart::pair) tube.centre = {tube.centre[0], tube.centre[1], w[2], 0};
-    if (holds(tube, equation, map.at(tube.centre).times(*c))) return tube;
+    return holds(tube, equation, map.at(tube.centre).times(*c));
+  };
+  for (int e = 1; e < 46; ++e) {
+    Tube tube = tube_of(std::ldexp(1.0, -e));
+    if (!found(tube)) continue;
+    for (const double larger : {1.75, 1.5, 1.25}) {
+      Tube other = tube_of(larger * std::ldexp(1.0, -e));
+      if (found(other)) return other;
+    }
+    return tube;
   }
   throw NoCertificate("a point where no tube was found");
 }
