@@ -12,6 +12,7 @@ namespace {
 
 using Net = checker::WeightedNet<double>;
 
+Vector sum(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 /// The control point itself, if its weight is positive.
@@ -19,6 +20,15 @@ Vector point(const Net& net, std::size_t i, std::size_t j) {
   const double w = net.weight(i, j);
   const Vector& p = net.points[i][j];
   return w > 0 ? Vector{p[0] / w, p[1] / w, p[2] / w} : p;
+}
+
+/// Twice the mean edge of the patch in the direction of the parameter p.
+Vector edge(const Net& net, std::size_t p) {
+  const std::size_t a = net.points.degree(0);
+  const std::size_t b = net.points.degree(1);
+  const Vector rising = difference(point(net, a, b), point(net, 0, 0));
+  const Vector falling = difference(point(net, a, 0), point(net, 0, b));
+  return p == 0 ? sum(rising, falling) : difference(rising, falling);
 }
 
 struct Cell {
@@ -107,12 +117,7 @@ Cell mirrored(const Cell& cell) {
 
 class Cover {
  public:
-  Cover(const NearPair& pair, const Places& places) : pair_(pair), places_(places) {
-    for (const Tube& tube : places.tubes) {
-      const auto& [a, b, c] = tube.inverse;
-      rows_.push_back({rounded_direction(a), rounded_direction(b), rounded_direction(c)});
-    }
-  }
+  Cover(const NearPair& pair, const Places& places) : pair_(pair), places_(places) {}
 
   void add(const Cell& cell, const std::vector<std::size_t>& near, int depth) {
     const std::vector<std::size_t> meeting = those_meeting(cell, near);
@@ -142,7 +147,7 @@ class Cover {
     for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j] * (1 + 1e-9)};
     for (std::size_t i = 0; i < places_.planes.size(); ++i)
       if (checker::independent<double>(places_.planes[i]->columns, box)) return "s" + std::to_string(i);
-    if (std::string d = exclusion(cell, meeting); !d.empty()) return d;
+    if (std::string d = exclusion(cell); !d.empty()) return d;
     return places_.self ? injective(cell) : "";
   }
 
@@ -209,32 +214,24 @@ class Cover {
     return fmt::format("i{},{},{}", n[0], n[1], n[2]);
   }
 
-  std::string exclusion(const Cell& cell, const std::vector<std::size_t>& meeting) const {
+  static std::string exclusion(const Cell& cell) {
     if (cell.section) return separating(*cell.section);
     const Net& x = cell.nets[0];
     const Net& y = cell.nets[1];
     const std::array<Hull, 2> hulls = {Hull(x), Hull(y)};
     if (!(std::min(hulls[0].least_weight(), hulls[1].least_weight()) > 0)) return "";
-    const auto normal = [](const Net& n) {
-      const std::size_t a = n.points.degree(0);
-      const std::size_t b = n.points.degree(1);
-      return checker::cross(difference(point(n, a, b), point(n, 0, 0)),
-                            difference(point(n, a, 0), point(n, 0, b)));
-    };
     const auto middle = [](const Net& n) { return point(n, n.points.degree(0) / 2, n.points.degree(1) / 2); };
+    std::vector<std::array<int, 3>> directions = {
+        {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, rounded_direction(difference(middle(x), middle(y)))};
+    // Parallelograms that are apart are separated by a normal to two of their edges, if not in one plane.
+    const std::array edges = {edge(x, 0), edge(x, 1), edge(y, 0), edge(y, 1)};
     const bool small = *std::max_element(cell.half.begin(), cell.half.end()) < 0x1p-8;
     const double size = small ? 1e5 : 100;
-    for (const auto& d : {std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{0, 0, 1},
-                          rounded_direction(difference(middle(x), middle(y))),
-                          rounded_direction(normal(x), size), rounded_direction(normal(y), size)}) {
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j)
+        directions.push_back(rounded_direction(checker::cross(edges[i], edges[j]), size));
+    for (const auto& d : directions)
       if (std::string found = separating(hulls[0], hulls[1], d); !found.empty()) return found;
-    }
-    for (const std::size_t i : meeting) {
-      if (meeting.size() > 8 || places_.tubes[i].chart != Chart::pair) continue;
-      for (const auto& d : rows_[i]) {
-        if (std::string found = separating(hulls[0], hulls[1], d); !found.empty()) return found;
-      }
-    }
     return "";
   }
 
@@ -261,7 +258,6 @@ class Cover {
   static constexpr std::size_t max_entries = 300000;
   const NearPair& pair_;
   const Places& places_;
-  std::vector<std::array<std::array<int, 3>, 3>> rows_;  // of each tube: the directions of its inverse
 };
 
 }  // namespace
