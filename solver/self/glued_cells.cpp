@@ -15,7 +15,7 @@ namespace {
 
 constexpr ParameterNames kOtherOrder = {Parameter::r, Parameter::s, Parameter::u, Parameter::v};
 
-/// A node on a cut: which, and what lies on the other side of the cut: another one, or a pinch cell.
+/// A node on cuts: which, and what the arc that ends in it goes on in: that of another one, or a pinch cell.
 struct CutNode {
   std::size_t cells;
   std::size_t node;
@@ -24,6 +24,9 @@ struct CutNode {
   int pinch = -1;
   int point = -1;  // node of the graph
 };
+
+/// The cells of a node on cuts: bit k says that they lie below its cut k.
+using CutSides = unsigned;
 
 bool overlap(const RationalInterval& a, const RationalInterval& b) {
   return a.lower <= b.upper && b.lower <= a.upper;
@@ -52,7 +55,7 @@ class Gluing {
     return false;
   }
 
-  /// Every curve crosses the cuts, one at a time.
+  /// Every curve crosses the cuts, or runs along sides of the square across them.
   bool collect() {
     for (std::size_t i = 0; i < placed_.size(); ++i) {
       if (placed_[i].along_cut)
@@ -60,7 +63,7 @@ class Gluing {
       for (std::size_t k = 0; k < placed_[i].nodes.size(); ++k) {
         const PlacedNode& node = placed_[i].nodes[k];
         if (node.cuts.empty()) continue;
-        if (node.cuts.size() > 1 || node.arcs != 1 || !node.node.on.empty())
+        if (node.arcs > 1)
           return problem(node.node.box, "a curve through a corner of cells, or along a cut, not decided");
         cuts_.push_back({i, k});
       }
@@ -71,23 +74,8 @@ class Gluing {
   /// (14.65): what lies beyond is the only thing that can.
   bool match() {
     exits_.resize(pairs_.pinches.size());
-    for (std::size_t i = 0; i < cuts_.size(); ++i) {
-      int count = 0;
-      for (std::size_t j = 0; j < cuts_.size(); ++j)
-        for (const bool exchanged : {false, true})
-          if (may_be_one(at(cuts_[i]), at(cuts_[j]), exchanged)) {
-            ++count;
-            cuts_[i].partner = static_cast<int>(j);
-            cuts_[i].exchanged = exchanged;
-          }
-      for (std::size_t k = 0; k < pairs_.pinches.size(); ++k)
-        if (may_enter(at(cuts_[i]), pairs_.cells[pairs_.pinches[k].cell].where)) {
-          ++count;
-          cuts_[i].pinch = static_cast<int>(k);
-          exits_[k].push_back(i);
-        }
-      if (count != 1) return problem(at(cuts_[i]).node.box, "where a curve goes on across a cut not decided");
-    }
+    for (std::size_t i = 0; i < cuts_.size(); ++i)
+      if (!match(i)) return problem(at(cuts_[i]).node.box, "where a curve goes on across a cut not decided");
     for (std::size_t k = 0; k < exits_.size(); ++k)
       if (exits_[k].size() > 2) {
         const ParameterRectangle& cell = pairs_.cells[pairs_.pinches[k].cell].where;
@@ -96,10 +84,66 @@ class Gluing {
     return true;
   }
 
+  /// One node in each pair of cells around it, and two arcs that end there.
+  bool match(std::size_t i) {
+    const PlacedNode& own = at(cuts_[i]);
+    std::vector<CutSides> around = {sides_of(own, false)};
+    int arcs = own.arcs;
+    for (std::size_t j = 0; j < cuts_.size(); ++j)
+      for (const bool exchanged : {false, true}) {
+        const PlacedNode& other = at(cuts_[j]);
+        if ((i == j && !exchanged) || !may_be_one(own, other, exchanged)) continue;
+        if (std::ranges::count(around, sides_of(other, exchanged)) > 0) return false;
+        around.push_back(sides_of(other, exchanged));
+        arcs += other.arcs;
+        if (other.arcs == 0) continue;
+        if (own.arcs == 1 && !are_alike(arc_at(cuts_[i]), arc_at(cuts_[j]))) return false;
+        cuts_[i].partner = static_cast<int>(j);
+        cuts_[i].exchanged = exchanged;
+      }
+    for (std::size_t k = 0; k < pairs_.pinches.size() && own.cuts.size() == 1; ++k)
+      if (may_enter(own, pairs_.cells[pairs_.pinches[k].cell].where)) {
+        around.push_back(sides_of(own, false) ^ 1U);
+        ++arcs;
+        cuts_[i].pinch = static_cast<int>(k);
+        exits_[k].push_back(i);
+      }
+    return around.size() == std::size_t{1} << own.cuts.size() && arcs == 2;
+  }
+
+  const Arc& arc_at(const CutNode& cut) const {
+    return *std::ranges::find_if(placed_[cut.cells].arcs, [&](const Arc& arc) {
+      return arc.from == static_cast<int>(cut.node) || arc.to == static_cast<int>(cut.node);
+    });
+  }
+
+  static bool are_alike(const Arc& a, const Arc& b) { return a.place == b.place && a.contact == b.contact; }
+
+  /// In the order of its cuts when the pair is exchanged.
+  static std::vector<Cut> cuts_of(const PlacedNode& node, bool exchanged) {
+    std::vector<Cut> cuts = node.cuts;
+    for (Cut& cut : cuts)
+      if (exchanged) cut.parameter = (cut.parameter + 2) % 4;
+    std::ranges::sort(cuts, {}, &Cut::parameter);
+    return cuts;
+  }
+
+  static CutSides sides_of(const PlacedNode& node, bool exchanged) {
+    CutSides sides = 0;
+    CutSides bit = 1;
+    for (const Cut& cut : cuts_of(node, exchanged)) {
+      if (cut.upper) sides |= bit;
+      bit <<= 1U;
+    }
+    return sides;
+  }
+
   static bool may_be_one(const PlacedNode& a, const PlacedNode& b, bool exchanged) {
-    const Cut &s = a.cuts[0], &t = b.cuts[0];
-    return s.upper != t.upper && s.parameter == (exchanged ? (t.parameter + 2) % 4 : t.parameter) &&
-           s.value == t.value && meet(a.node.box, exchanged ? exchanged_pair(b.node.box) : b.node.box);
+    const auto same = [](const Cut& s, const Cut& t) {
+      return s.parameter == t.parameter && s.value == t.value;
+    };
+    return std::ranges::equal(cuts_of(a, false), cuts_of(b, exchanged), same) &&
+           meet(a.node.box, exchanged ? exchanged_pair(b.node.box) : b.node.box);
   }
 
   /// The cell with itself lies on the other side of the cut.
@@ -111,10 +155,11 @@ class Gluing {
            overlap(box[1], cell.v) && overlap(box[2], cell.u) && overlap(box[3], cell.v);
   }
 
-  /// Each in both orders.
+  /// Where arcs end, each in both orders.
   void add_points() {
     for (std::size_t i = 0; i < cuts_.size(); ++i) {
       CutNode& cut = cuts_[i];
+      if (at(cut).arcs == 0) continue;
       if (cut.partner >= 0 && static_cast<std::size_t>(cut.partner) < i) {
         const CutNode& known = cuts_[static_cast<std::size_t>(cut.partner)];
         cut.point = known.point + (cut.exchanged ? 1 : 0);
@@ -122,7 +167,6 @@ class Gluing {
       }
       Node node = at(cut).node;
       node.kinds = {NodeKind::turning};
-      node.on.clear();
       node.wrt.clear();
       cut.point = glued_.graph.add_node(node);
       rename_parameters(node, kOtherOrder);
@@ -137,7 +181,8 @@ class Gluing {
       for (const CutNode& cut : cuts_)
         if (cut.cells == i) names[cut.node] = cut.point;
       for (std::size_t k = 0; k < names.size(); ++k)
-        if (names[k] < 0) names[k] = glued_.graph.add_node(std::move(placed_[i].nodes[k].node));
+        if (placed_[i].nodes[k].cuts.empty())
+          names[k] = glued_.graph.add_node(std::move(placed_[i].nodes[k].node));
       for (Arc& arc : placed_[i].arcs) {
         arc.from = names[static_cast<std::size_t>(arc.from)];
         arc.to = names[static_cast<std::size_t>(arc.to)];
@@ -145,7 +190,8 @@ class Gluing {
         move_end(arc, arc.polyline.back(), arc.to);
         glued_.graph.add_arc(std::move(arc));
       }
-      for (const int id : placed_[i].isolated) glued_.graph.add_isolated(names[static_cast<std::size_t>(id)]);
+      for (const int id : placed_[i].isolated)
+        if (const int name = names[static_cast<std::size_t>(id)]; name >= 0) glued_.graph.add_isolated(name);
     }
   }
 

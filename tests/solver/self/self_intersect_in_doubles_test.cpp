@@ -69,6 +69,45 @@ RationalPatch swept_loop(int degree, int growth) {
   return RationalPatch(net);
 }
 
+/// A plane loop from (0,0) to (0,0) moved along a curve, with an edge where it closes: the side u = 1 is the
+/// side u = 0, or this one in the other direction. Inner control points are moved at random.
+RationalPatch closed_band(Generator& generator, int degree, bool weighted, bool twisted) {
+  constexpr std::array<std::array<int, 2>, 4> loop = {{{0, 0}, {6, 0}, {0, 6}, {0, 0}}};
+  const auto random = [&] { return Rational(random_pairs::integer(generator, -4, 4), 8); };
+  random_nets::Net net(4);
+  random_nets::Weights weights(4);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (int j = 0; j <= degree; ++j) {
+      const Rational a = loop[i][0] + random(), b = loop[i][1] + random();
+      net[i].push_back({a, b, 4 * j - 2 * degree + random()});
+      weights[i].push_back(weighted ? 1 + random() / 2 : Rational(1));
+    }
+  net[3] = net[0];
+  weights[3] = weights[0];
+  if (twisted) {
+    std::ranges::reverse(net[3]);
+    std::ranges::reverse(weights[3]);
+  }
+  return RationalPatch(net, weights);
+}
+
+/// One arc on sides, all along u1 = 0 and u2 = 1, or the other way round.
+void check_seam(const IntersectionGraph& graph, bool twisted) {
+  const auto on_sides = [](const Arc& arc) { return arc.place == ArcPlace::patch_boundary; };
+  REQUIRE(std::ranges::count_if(graph.arcs, on_sides) == 1);
+  CHECK((twisted || graph.arcs.size() == 1));
+  CHECK(graph.isolated_points.empty());
+  const Arc& arc = *std::ranges::find_if(graph.arcs, on_sides);
+  for (const int end : {arc.from, arc.to})
+    CHECK(graph.nodes.at(static_cast<std::size_t>(end)).on.size() == 4);
+  for (const PolylineVertex& vertex : arc.polyline) {
+    const auto& at = vertex.parameters;
+    CHECK(at[0] + at[2] == 1);
+    CHECK(at[0] * at[2] == 0);
+    CHECK(std::fabs((twisted ? 1 - at[1] : at[1]) - at[3]) < 1e-9);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("self in doubles: random biquadratic patches as the exact solution has them") {
@@ -122,6 +161,37 @@ TEST_CASE("self in doubles: a swept loop under a projective map has the same cur
   const RationalPatch image = random_nets::image(x, random_nets::projective_map(generator));
   REQUIRE_FALSE(image.is_polynomial());
   check_same(self_intersect(image), self_intersect(x).graph);
+}
+
+TEST_CASE("self in doubles: closed bands meet themselves along the sides where they close") {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    for (const bool twisted : {false, true})
+      for (const bool weighted : {false, true}) {
+        Generator generator(seed);
+        const int degree = twisted ? 1 : 1 + static_cast<int>(seed % 3);
+        INFO("seed " << seed << ", twisted " << twisted << ", weighted " << weighted);
+        const RationalPatch x = closed_band(generator, degree, weighted, twisted);
+        const IntersectResult result = self_intersect(x);
+        check_complete(result);
+        check_seam(result.graph, twisted);
+        check_same(self_intersect(x.transposed()), result.graph, {{1, 0, 3, 2}, {}});
+      }
+}
+
+TEST_CASE("self in doubles: a band that closes after a turn of half its length") {
+  // x = (loop(u), v + u/2): x(0,v + 1/2) = x(1,v).
+  constexpr std::array<std::array<int, 2>, 4> loop = {{{0, 0}, {3, 0}, {0, 3}, {0, 0}}};
+  random_nets::Net net(4);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (int j = 0; j < 2; ++j) net[i].push_back({loop[i][0], loop[i][1], 6 * j + static_cast<int>(i)});
+  const IntersectResult result = self_intersect(RationalPatch(net));
+  check_complete(result);
+  REQUIRE(result.graph.arcs.size() == 1);
+  for (const PolylineVertex& vertex : result.graph.arcs[0].polyline) {
+    const auto& at = vertex.parameters;
+    CHECK(std::fabs(std::fabs(at[1] - at[3]) - 0.5) < 1e-12);
+    CHECK(at[0] + at[2] == 1);
+  }
 }
 
 TEST_CASE("self in doubles: patches that are injective, of every kind") {
