@@ -15,6 +15,7 @@
 #include "answer/run.h"
 #include "curve/short_rational.h"
 #include "lift/coaxial_tori.h"
+#include "lift/crossing_curve.h"
 #include "lift/curve_names.h"
 #include "lift/lifted_course.h"
 #include "lift/lifted_curve.h"
@@ -247,6 +248,30 @@ std::optional<SurfaceIntersection> lifted(const ImplicitSurface& first, const Im
   return solved_by(first, second, region, run, lifted_curve);
 }
 
+/// Two whole surfaces by their equations alone.
+SurfaceIntersection crossing(const ImplicitSurface& first, const ImplicitSurface& second,
+                             const PairRegion& region, const Run& run) {
+  if (!region.all.clauses.empty())
+    return open(
+        std::string("not supported yet in boxes: ") + name(first.kind()) + " and " + name(second.kind()),
+        Reason::not_decided);
+  CrossingCurve curve;
+  run.timed("curve", [&] {
+    curve = crossing_curve(first.equation(), second.equation(),
+                           [&](double extent) { return run.drawn_tolerance(drawable(extent)); });
+  });
+  if (curve.is_same) return same(first, second, region);
+  if (curve.open) return open(curve.open->why, curve.open->reason);
+  SurfaceIntersection result{Status::complete};
+  for (CrossingNode& node : curve.nodes) {
+    const int degree = node.goes_on ? 1 : 2;
+    add_node(result, node_kind(degree, false, node.goes_on), degree, std::move(node.box), {});
+  }
+  for (CrossingArc& arc : curve.arcs) add_arc(result, arc, 1, {std::move(arc.points), arc.error_bound});
+  set_curves(result, named_curves(curve));
+  return result;
+}
+
 SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second,
                                 const PairRegion& region, const Run& run) {
   if (rank(first) > rank(second)) return solved_pair(second, first, region, run);
@@ -261,9 +286,7 @@ SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurf
     for (const auto solve : {on_torus, on_ring})
       if (!result) result = solve(first, second, region, run);
   }
-  if (result) return *std::move(result);
-  return open(std::string("not supported yet: ") + name(first.kind()) + " and " + name(second.kind()),
-              Reason::not_decided);
+  return result ? *std::move(result) : crossing(first, second, region, run);
 }
 
 SurfaceIntersection answered_pair(const ImplicitSurface& first, const ImplicitSurface& second,

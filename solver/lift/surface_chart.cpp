@@ -11,6 +11,7 @@
 #include "curve/plane_curve.h"
 #include "curve/short_rational.h"
 #include "curve/turning_resultant.h"
+#include "lift/root_interval.h"
 
 namespace exsect {
 namespace {
@@ -120,13 +121,6 @@ class Frame {
   Point e2_;
 };
 
-/// Greater than every root in absolute value (Cauchy).
-Rational above_all_roots(const Polynomial& f) {
-  Rational greatest = 0;
-  for (const Rational& c : f.coefficients()) greatest = std::max<Rational>(greatest, abs(c));
-  return 1 + greatest / abs(f.leading_coefficient());
-}
-
 /// The heights h of everything that ends, turns or meets one of the curves `cuts` on the curve of the shadow,
 /// as roots of these polynomials.
 std::vector<Polynomial> critical_heights(const BivariatePolynomial& all,
@@ -147,24 +141,6 @@ std::vector<Polynomial> critical_heights(const BivariatePolynomial& all,
   return result;
 }
 
-/// The closed interval from the least to the greatest of the roots and the other numbers, and beyond.
-RationalInterval interval_around(const std::vector<Polynomial>& polynomials, std::vector<Rational> others,
-                                 const Rational& room) {
-  for (const Polynomial& f : polynomials) {
-    if (f.degree() < 1) continue;
-    const Rational beyond = above_all_roots(f);
-    const std::vector<RealAlgebraic> roots = real_roots(f, -beyond, beyond);
-    if (roots.empty()) continue;
-    others.push_back(roots.front().refined_to(room / 16).interval().lower);
-    others.push_back(roots.back().refined_to(room / 16).interval().upper);
-  }
-  if (others.empty()) others = {0};
-  const auto [least, most] = std::minmax_element(others.begin(), others.end());
-  const Rational width = std::max<Rational>((*most - *least) / 2, room);
-  return {simplest_between(*least - width, *least - width / 2),
-          simplest_between(*most + width / 2, *most + width)};
-}
-
 /// All heights at which an unbounded surface and another one have more than arcs that go on.
 RationalInterval heights(const Frame& frame, const ImplicitSurface& surface, const ImplicitSurface& other,
                          const SurfaceRegion& region) {
@@ -177,16 +153,6 @@ RationalInterval heights(const Frame& frame, const ImplicitSurface& surface, con
   if (f.is_zero()) return interval_around({}, marked, frame.unit());
   return interval_around(critical_heights(whole_shadow(f, whole), cuts_of(region, whole)), marked,
                          frame.unit());
-}
-
-/// An interval around all roots that is not much longer than their distances, whatever the unit.
-RationalInterval fitted_interval(const std::vector<Polynomial>& polynomials) {
-  const Rational least = power_of_two(-120);
-  for (Rational room = 1; room > least; room /= 1024) {
-    const RationalInterval interval = interval_around(polynomials, {}, room);
-    if (interval.width() > 4 * room) return interval;
-  }
-  return interval_around(polynomials, {}, 1);
 }
 
 /// A plane, turned until x is bounded on the other surface over every bounded interval of h: the equation has

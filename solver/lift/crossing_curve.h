@@ -1,0 +1,46 @@
+// The curve in which two surfaces given by any equations cross, if they touch nowhere. Internal to solver/;
+// docs/method.md, section 17.15.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "lift/space_zero.h"
+#include "lift/surface_intersection.h"
+
+namespace exsect {
+
+/// Where u is extreme along the curve, or where it is cut off and goes on to infinity.
+struct CrossingNode {
+  std::array<RationalInterval, 3> box;
+  bool goes_on;
+};
+
+struct CrossingArc {
+  std::size_t from;  // of smaller u
+  std::size_t to;
+  std::size_t factor;  // 0: there is no other one
+  std::vector<std::array<double, 3>> points;
+  double error_bound;
+};
+
+/// Invariant: unless is_same or `open`, the arcs, ends included, are all common points of the surfaces, but
+/// for arcs that go on from nodes to infinity; along all of them the surfaces cross.
+struct CrossingCurve {
+  bool is_same = false;
+  std::optional<OpenQuestion> open = {};
+  std::vector<CrossingNode> nodes = {};
+  std::vector<CrossingArc> arcs = {};
+};
+
+/// Of F = 0 and G = 0, in either order. `tolerance` of an extent is how near polylines have to be.
+CrossingCurve crossing_curve(const SpacePolynomial& f, const SpacePolynomial& g,
+                             const std::function<double(double)>& tolerance);
+
+/// Its connected parts, none of which is known by another name: as for lifted curves (curve_names.h).
+std::vector<SpaceCurve> named_curves(const CrossingCurve& curve);
+
+}  // namespace exsect

@@ -1,0 +1,139 @@
+#include "lift/space_projection.h"
+
+#include <exsect/algebra/interruption.h>
+#include <exsect/algebra/resultant.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "curve/turning_resultant.h"
+
+namespace exsect {
+namespace {
+
+SpacePolynomial in_frame(const SpacePolynomial& f, const SpaceFrame& frame) {
+  std::array<std::vector<SpacePolynomial>, 3> powers;
+  for (std::size_t k = 0; k < 3; ++k) {
+    SpacePolynomial coordinate;
+    for (std::size_t column = 0; column < 3; ++column)
+      coordinate += frame.columns[column][k] * SpacePolynomial::variable(column);
+    powers[k] = {SpacePolynomial::constant(1)};
+    for (int i = 0; i < f.degree_in(k); ++i) powers[k].push_back(powers[k].back() * coordinate);
+  }
+  SpacePolynomial sum;
+  for (const auto& [e, c] : f.terms())
+    sum += c * (powers[0][static_cast<std::size_t>(e[0])] * powers[1][static_cast<std::size_t>(e[1])] *
+                powers[2][static_cast<std::size_t>(e[2])]);
+  return sum;
+}
+
+/// The polynomial in y, in the place of r, and v, in that of s.
+BivariatePolynomial slice_at(const SpacePolynomial& f, const Rational& u) {
+  std::vector<std::vector<Rational>> rows(static_cast<std::size_t>(f.degree()) + 1,
+                                          std::vector<Rational>(static_cast<std::size_t>(f.degree()) + 1));
+  std::vector<Rational> powers = {1};
+  for (int i = 0; i < f.degree(); ++i) powers.push_back(powers.back() * u);
+  for (const auto& [e, c] : f.terms())
+    rows[static_cast<std::size_t>(e[2])][static_cast<std::size_t>(e[1])] +=
+        c * powers[static_cast<std::size_t>(e[0])];
+  std::vector<Polynomial> coefficients;
+  for (const std::vector<Rational>& row : rows) coefficients.emplace_back(row);
+  return BivariatePolynomial(std::move(coefficients));
+}
+
+/// Resultant, slope and offset with respect to y over one u, as polynomials in v.
+std::array<Polynomial, 3> chain_over(const BivariatePolynomial& f, const BivariatePolynomial& g) {
+  if (f.degree_r() < g.degree_r()) return chain_over(g, f);
+  const std::vector<BivariatePolynomial> chain = subresultants_r(f, g);
+  const BivariatePolynomial& linear = g.degree_r() == 1 ? g : chain[1];
+  return {chain[0].coefficient(0), linear.coefficient(1), linear.coefficient(0)};
+}
+
+/// The sum of values[k](s) over L_k(r), the polynomials of Lagrange for the nodes 0, 1, ...
+BivariatePolynomial interpolated(const std::vector<Polynomial>& values) {
+  BivariatePolynomial sum;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    Polynomial basis = 1;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (i != k) {
+        const Rational distance = Rational(static_cast<long>(k)) - Rational(static_cast<long>(i));
+        basis *= Polynomial{-Rational(static_cast<long>(i)) / distance, 1 / distance};
+      }
+    std::vector<Polynomial> coefficients;
+    for (int i = 0; i <= basis.degree(); ++i)
+      coefficients.push_back(Polynomial(basis.coefficient(i)) * values[k]);
+    sum += BivariatePolynomial(std::move(coefficients));
+  }
+  return sum;
+}
+
+SpacePolynomial leading_form(const SpacePolynomial& f) {
+  SpacePolynomial::Terms terms;
+  for (const auto& [e, c] : f.terms())
+    if (e[0] + e[1] + e[2] == f.degree()) terms[e] = c;
+  return SpacePolynomial(terms);
+}
+
+}  // namespace
+
+SpaceFrame general_frame(int attempt) {
+  // Below and above the diagonals of two triangular matrices, whose product is the frame.
+  static const std::array<std::array<int, 6>, general_frames> entries = {{{1, -2, 1, -1, 2, 1},
+                                                                          {2, 1, -1, 1, -3, 2},
+                                                                          {-1, 3, 2, 2, 1, -3},
+                                                                          {3, -1, -2, -2, 3, 1},
+                                                                          {-2, 2, 3, 3, -1, -2},
+                                                                          {4, 3, -3, -3, -2, 5}}};
+  const std::array<int, 6>& m = entries.at(static_cast<std::size_t>(attempt));
+  const Point first = {1, m[0], m[1]}, second = {0, 1, m[2]}, third = {0, 0, 1};
+  const Point b = Rational(m[3]) * first + second;
+  const Point c = Rational(m[4]) * first + Rational(m[5]) * second + third;
+  return {{first, b, c}, cross(b, c)};
+}
+
+std::optional<SpaceProjection> space_projection(const SpacePolynomial& f, const SpacePolynomial& g,
+                                                const SpaceFrame& frame) {
+  const SpacePolynomial first = in_frame(f, frame), second = in_frame(g, frame);
+  for (const SpacePolynomial* each : {&first, &second})
+    if (each->coefficient({0, 0, each->degree()}) == 0) return std::nullopt;
+  // No coefficient of the chain has a degree above this one.
+  const int degree = first.degree() * second.degree();
+  std::array<std::vector<Polynomial>, 3> values;
+  for (int u = 0; u <= degree; ++u) {
+    interruption_point();
+    const std::array<Polynomial, 3> chain = chain_over(slice_at(first, u), slice_at(second, u));
+    for (std::size_t k = 0; k < 3; ++k) values[k].push_back(chain[k]);
+  }
+  SpaceProjection result{frame, interpolated(values[0]), interpolated(values[1]), interpolated(values[2])};
+  if (result.shadow.total_degree() != result.shadow.degree_s()) return std::nullopt;
+  return result;
+}
+
+SpacePolynomial turning_form(const SpacePolynomial& f, const SpacePolynomial& g, const Point& height) {
+  SpacePolynomial sum;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    sum += height[k] * (f.derivative(i) * g.derivative(j) - f.derivative(j) * g.derivative(i));
+  }
+  return sum;
+}
+
+Polynomial turning_norm(const SpaceProjection& projection) {
+  if (projection.shadow.degree_s() < 1) return 1;
+  const Polynomial all = turning_resultant(projection.shadow);
+  if (all.is_zero() || projection.slope.total_degree() < 1) return all;
+  return exact_quotient(all, resultant_s(projection.shadow, projection.slope));  // (17.16)
+}
+
+void lower_degrees(SpacePolynomial& f, SpacePolynomial& g) {
+  while (!g.is_zero() && f.degree() == g.degree()) {
+    const SpacePolynomial of_f = leading_form(f), of_g = leading_form(g);
+    const Exponents& first = of_f.terms().begin()->first;
+    const Rational factor = of_g.coefficient(first) / of_f.coefficient(first);
+    if (factor == 0 || !(of_g == factor * of_f)) return;
+    g -= factor * f;
+  }
+}
+
+}  // namespace exsect

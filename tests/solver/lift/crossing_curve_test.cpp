@@ -1,0 +1,210 @@
+// Curves of two polynomials against the same surfaces by their names, against slices by planes, and on curves
+// that are known.
+#include "lift/crossing_curve.h"
+
+#include <exsect/algebra/resultant.h>
+#include <exsect/algebra/sturm.h>
+#include <exsect/geometry/surface_box.h>
+#include <exsect/solver/intersect_equations.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <string>
+
+#include "support/catch.h"
+
+namespace exsect::crossing_curve_test {
+namespace {
+
+using S = ImplicitSurface;
+const Point origin = {0, 0, 0}, up = {0, 0, 1}, right = {1, 0, 0}, oblique = {1, 1, 1};
+
+IntersectOptions coarse() {
+  IntersectOptions options;
+  options.tolerance = 1e-3;
+  return options;
+}
+
+/// "2 closed, 1 open", or why it is incomplete.
+std::string census(const SurfaceIntersection& result) {
+  if (result.status != Status::complete) return result.incomplete.at(0).why;
+  if (result.is_same) return "same";
+  for (const SpaceNode& node : result.nodes)
+    if (node.kind != SpaceNodeKind::joint && node.kind != SpaceNodeKind::cut) return "special";
+  int closed = 0;
+  for (const SpaceCurve& curve : result.curves) closed += curve.is_closed ? 1 : 0;
+  return std::to_string(closed) + " closed, " +
+         std::to_string(static_cast<int>(result.curves.size()) - closed) + " open";
+}
+
+std::string census(const S& first, const S& second) {
+  const std::string text = census(intersect(first, second, coarse()));
+  CHECK(census(intersect(second, first, coarse())) == text);
+  return text;
+}
+
+/// The same points without the name.
+S unnamed(const S& surface) { return S::polynomial(surface.equation()); }
+
+/// The number of points of F = G = 0 in the plane z = c: zeros of the resultant of a sheared slice.
+int points_in_slice(const SpacePolynomial& f, const SpacePolynomial& g, const Rational& c) {
+  const auto slice = [&](const SpacePolynomial& of) {
+    BivariatePolynomial sum;
+    const BivariatePolynomial r = BivariatePolynomial::r();
+    const BivariatePolynomial s = BivariatePolynomial::s() + BivariatePolynomial::constant(3) * r;
+    for (const auto& [e, k] : of.terms()) {
+      BivariatePolynomial term = BivariatePolynomial::constant(k);
+      for (int i = 0; i < e[0]; ++i) term = term * r;
+      for (int i = 0; i < e[1]; ++i) term = term * s;
+      for (int i = 0; i < e[2]; ++i) term = term * BivariatePolynomial::constant(c);
+      sum += term;
+    }
+    return sum;
+  };
+  return SturmSequence(resultant_r(slice(f), slice(g))).count_all();
+}
+
+/// How often the polylines cross the plane.
+int crossings(const SurfaceIntersection& result, double c) {
+  int count = 0;
+  for (const SpaceArc& arc : result.arcs)
+    for (std::size_t k = 0; k + 1 < arc.polyline.size(); ++k)
+      count += (arc.polyline[k][2] < c) != (arc.polyline[k + 1][2] < c) ? 1 : 0;
+  return count;
+}
+
+/// Of closed curves.
+void check_slices(const S& first, const S& second, const std::vector<Rational>& heights) {
+  IntersectOptions options;
+  options.tolerance = 1e-5;
+  const SurfaceIntersection result = intersect(first, second, options);
+  REQUIRE(result.status == Status::complete);
+  for (const Rational& c : heights)
+    CHECK(crossings(result, to_double(c)) == points_in_slice(first.equation(), second.equation(), c));
+}
+
+S random_quadric(std::mt19937& random) {
+  const auto number = [&](int most) {
+    return Rational(std::uniform_int_distribution<int>(-most, most)(random));
+  };
+  const Point at = {number(3) / 2, number(3) / 2, number(3) / 2};
+  Point axis = {number(4), number(4), number(4)};
+  if (is_zero(axis)) axis = oblique;
+  const Rational size = 1 + abs(number(6)) / 3;
+  switch (std::uniform_int_distribution<int>(0, 3)(random)) {
+    case 0:
+      return S::sphere(at, Length::of_squared(3 * size));
+    case 1:
+      return S::cylinder(at, axis, Length::of_squared(size));
+    case 2:
+      return S::cone(at, axis, Length::of_squared(size / 2), 2);
+    default:
+      return S::torus(at, axis, 2 + size, 1);
+  }
+}
+
+SpacePolynomial random_polynomial(std::mt19937& random, int degree) {
+  SpacePolynomial::Terms terms;
+  std::uniform_int_distribution<int> coefficient(-5, 5);
+  for (const Exponents& e : exponents_up_to(degree)) terms[e] = coefficient(random);
+  for (std::size_t k = 0; k < 3; ++k) {
+    Exponents e{};
+    e[k] = degree;
+    terms[e] = 5;
+  }
+  terms[{0, 0, 0}] = -8;
+  return SpacePolynomial(terms);
+}
+
+}  // namespace
+
+TEST_CASE("crossing curve: conics, and their neighbours that are empty") {
+  const S ball = unnamed(S::sphere(origin, 2));
+  CHECK(census(ball, unnamed(S::sphere({1, 0, 0}, 2))) == "1 closed, 0 open");
+  CHECK(census(ball, unnamed(S::sphere({5, 0, 0}, 2))) == "0 closed, 0 open");
+  CHECK(census(ball, unnamed(S::sphere(origin, 3))) == "0 closed, 0 open");
+  CHECK(census(ball, unnamed(S::plane({1, 0, 0}, oblique))) == "1 closed, 0 open");
+  CHECK(census(unnamed(S::plane({1, 0, 0}, oblique)), unnamed(S::plane(origin, up))) == "0 closed, 1 open");
+  CHECK(census(unnamed(S::plane({0, 0, 1}, up)), unnamed(S::plane(origin, up))) == "0 closed, 0 open");
+  CHECK(census(ball, S::polynomial(Rational(-3) * ball.equation())) == "same");
+  CHECK(census(unnamed(S::cylinder(origin, up, 1)), unnamed(S::cylinder({1, 0, 0}, up, 1))) ==
+        "0 closed, 2 open");
+  CHECK(census(unnamed(S::cylinder(origin, up, 2)), unnamed(S::cylinder(origin, right, 1))) ==
+        "2 closed, 0 open");
+}
+
+TEST_CASE("crossing curve: what is near to contact, at sizes of all kinds") {
+  for (const int k : {-3, -6, -9, -12}) {
+    const Rational gap = power_of_two(3 * k);
+    const S ball = unnamed(S::sphere(origin, 1)), above = unnamed(S::sphere({2 - gap, 0, 0}, 1));
+    CHECK(census(ball, above) == "1 closed, 0 open");
+    CHECK(census(ball, unnamed(S::sphere({2 + gap, 0, 0}, 1))) == "0 closed, 0 open");
+    CHECK(census(unnamed(S::cylinder(origin, up, 1 + gap)), unnamed(S::cylinder(origin, right, 1))) ==
+          "2 closed, 0 open");
+  }
+  for (const Rational& scale : {Rational(254, 10), Rational(100000000), Rational(1, 1000000)}) {
+    const Point far = Rational(100000000) * oblique;
+    const S ball = unnamed(S::sphere(far, scale)), bore = unnamed(S::cylinder(far, oblique, scale / 3));
+    CHECK(census(ball, bore) == "2 closed, 0 open");
+  }
+}
+
+TEST_CASE("crossing curve: contact, singular points and common parts are incomplete") {
+  const S ball = unnamed(S::sphere(origin, 1));
+  const std::string touch = "the surfaces touch, or one of them is singular on the other, it seems";
+  CHECK(census(ball, unnamed(S::sphere({2, 0, 0}, 1))) == touch);
+  CHECK(census(unnamed(S::cylinder(origin, up, 1)), unnamed(S::cylinder(origin, right, 1))) == touch);
+  CHECK(census(ball, unnamed(S::cylinder(origin, oblique, 1))) ==
+        "the surfaces touch along a curve, it seems");
+  const SpacePolynomial plane = S::plane({0, 0, 5}, oblique).equation();
+  CHECK(census(ball, S::polynomial(ball.equation() * plane)) == "the surfaces have a part in common");
+}
+
+TEST_CASE("crossing curve: surfaces with and without their names") {
+  const unsigned seed = 20261126;
+  INFO("seed " << seed);
+  std::mt19937 random(seed);
+  int compared = 0, curves = 0;
+  for (int round = 0; round < 24; ++round) {
+    const S first = random_quadric(random), second = random_quadric(random);
+    const bool are_tori = first.kind() == SurfaceKind::torus && second.kind() == SurfaceKind::torus;
+    if (are_tori && round > 12) continue;
+    INFO(round << ": " << name(first.kind()) << " and " << name(second.kind()));
+    const std::string named = census(intersect(first, second, coarse()));
+    const std::string without = census(intersect(unnamed(first), unnamed(second), coarse()));
+    if (named == "special" || named == "same") continue;
+    CHECK(without == named);
+    ++compared;
+    curves += named != "0 closed, 0 open" ? 1 : 0;
+  }
+  CHECK(compared >= 16);
+  CHECK(curves >= 8);
+}
+
+TEST_CASE("crossing curve: polynomials against slices") {
+  const unsigned seed = 4;
+  INFO("seed " << seed);
+  std::mt19937 random(seed);
+  const std::vector<Rational> heights = {Rational(-9, 7), Rational(-2, 3), Rational(-1, 5),
+                                         Rational(2, 11), Rational(5, 8),  Rational(14, 13)};
+  for (const auto& [m, n] : {std::pair(2, 2), std::pair(2, 2), std::pair(4, 2)})
+    check_slices(S::polynomial(random_polynomial(random, m)), S::polynomial(random_polynomial(random, n)),
+                 heights);
+}
+
+TEST_CASE("crossing curve: two tori of neither of which a ratio is rational") {
+  const auto torus = [](const Point& centre, const Point& axis, int major, const Rational& minor_squared) {
+    return S::torus(centre, axis, major, Length::of_squared(minor_squared));
+  };
+  CHECK(census(torus(origin, oblique, 3, 2), torus(right, oblique, 3, 2)) == "2 closed, 0 open");
+  CHECK(census(torus(origin, oblique, 3, 2), torus({9, 0, 0}, oblique, 3, 2)) == "0 closed, 0 open");
+  // Links of a chain: apart, and with two closed curves where the tubes meet on one side.
+  const S link = torus(origin, {1, 1, 0}, 4, Rational(1, 2));
+  CHECK(census(link, torus({0, 0, 4}, {1, -1, 1}, 4, Rational(1, 3))) == "0 closed, 0 open");
+  check_slices(link, torus({1, 0, 1}, {1, 2, 1}, 4, Rational(1, 3)),
+               {Rational(-19, 6), Rational(-3, 2), Rational(1, 7), Rational(9, 5), Rational(10, 3)});
+  check_slices(link, unnamed(S::sphere({4, -4, 1}, 3)), {Rational(1, 7), Rational(9, 5), Rational(-8, 3)});
+}
+
+}  // namespace exsect::crossing_curve_test
