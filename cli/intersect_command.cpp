@@ -85,22 +85,18 @@ ExitStatus status_of(const IntersectCommand& command, const IntersectResult& res
   return status_of(result);
 }
 
-/// What there is only where one of the two is a patch.
-void refuse_for_two_equations(const IntersectCommand& command, const SurfacePair& pair) {
-  const auto refuse = [&](const std::string& path, const char* option) {
-    if (path.empty()) return;
-    throw InputError(input_name(command.file), "",
-                     fmt::format("\"{}\" and \"{}\": not supported yet with {}: two surfaces given by their "
-                                 "equations",
-                                 printable(pair.x.name), printable(pair.y.name), option));
-  };
-  refuse(command.output.certificate, "--certificate");
-  refuse(command.output.report, "--report");
+/// A certificate there is only where one of the two is a patch.
+void refuse_certificate(const IntersectCommand& command, const SurfacePair& pair) {
+  if (command.output.certificate.empty()) return;
+  throw InputError(input_name(command.file), "",
+                   fmt::format("\"{}\" and \"{}\": not supported yet with --certificate: two surfaces given "
+                               "by their equations",
+                               printable(pair.x.name), printable(pair.y.name)));
 }
 
 ExitStatus run_with_equations(const IntersectCommand& command, const SurfacePair& pair,
                               const IntersectOptions& options, const Streams& streams) {
-  refuse_for_two_equations(command, pair);
+  refuse_certificate(command, pair);
   const int cells = grid_cells(command.output.exports);
   const ImplicitSurface &first = *pair.x.equation(), &second = *pair.y.equation();
   const SurfaceNames names = {pair.x.name, pair.y.name, name(first.kind()), name(second.kind())};
@@ -116,6 +112,10 @@ ExitStatus run_with_equations(const IntersectCommand& command, const SurfacePair
       command.output.exports, [&] { return surfaces_scene(drawn, pair.title, cells); },
       [&] { return space_node_csv(result); });
   if (!command.output.svg.empty()) write_file_atomically(command.output.svg, surfaces_svg(drawn, pair.title));
+  if (!command.output.report.empty())
+    write_file_atomically(
+        command.output.report,
+        surfaces_report_html(drawn, origin_of(pair.title, command.output.line, {command.file})));
   if (!command.output.json.empty() && !command.output.json_to_stdout())
     write_file_atomically(command.output.json, json);
   if (command.output.json_to_stdout())

@@ -91,8 +91,8 @@ struct SolvedSurfaces {
     return tree;
   }
   std::string svg(const std::string& title) const { return cli::surfaces_svg(drawn(), title); }
-  std::string report(const std::string&) const {
-    throw std::invalid_argument("report: not supported yet with two surfaces given by their equations");
+  std::string report(const std::string& title) const {
+    return cli::surfaces_report_html(drawn(), {title, ""});
   }
   std::string certificate() const {
     throw std::invalid_argument("certificate: not supported yet with two surfaces given by their equations");

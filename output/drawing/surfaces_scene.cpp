@@ -7,8 +7,6 @@
 #include <iterator>
 #include <optional>
 
-#include "output/drawing/sampled_equation.h"
-
 namespace exsect::cli {
 namespace {
 
@@ -34,7 +32,8 @@ SceneCurve scene_curve(const SpaceArc& arc, const SurfaceIntersection& result) {
   return shown;
 }
 
-/// All that is known to be drawn; of the surfaces the bounded ones.
+}  // namespace
+
 SpacePoints drawn_points(const DrawnSurfaces& drawn) {
   SpacePoints points;
   for (const SpaceArc& arc : drawn.result.arcs)
@@ -44,8 +43,6 @@ SpacePoints drawn_points(const DrawnSurfaces& drawn) {
     std::ranges::move(extreme_points(*surface), std::back_inserter(points));
   return points;
 }
-
-}  // namespace
 
 Scene surfaces_scene(const DrawnSurfaces& drawn, const std::string& title, int cells) {
   Scene scene{title, pair_names, {}, {}, {}};

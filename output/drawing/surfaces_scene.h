@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "output/drawing/sampled_equation.h"
 #include "output/drawing/scene.h"
 #include "output/text/surfaces_output.h"
 
@@ -18,6 +19,10 @@ struct DrawnSurfaces {
   const ImplicitSurface& second;
   const SurfaceNames& names;
 };
+
+/// All that is known to be drawn: vertices of polylines, nodes, and of the surfaces the bounded ones. Throws
+/// BeyondDoubles.
+SpacePoints drawn_points(const DrawnSurfaces& drawn);
 
 /// The curves and nodes, and the surfaces as far as the curves reach (drawing/sampled_equation.h); nothing
 /// has parameters. The component of a curve is that of its id in `curves`, the kinds of a node are touch and

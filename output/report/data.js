@@ -5,9 +5,29 @@ const report = JSON.parse(document.getElementById('data').textContent);
 const result = report.result;
 const parameters = report.parameters || ['u', 'v', 'r', 's'];
 const inSpace = (vertex) => vertex.slice(parameters.length);  // vertices are parameters, then coordinates
-const graph = report.graph || result;  // nodes and arcs, where there are any
+const equations = report.equations || [];  // of surfaces given by them
+const graph = asGraph(report.graph || result);  // nodes and arcs, where there are any
 const nodes = graph.nodes || [];
 const arcs = graph.arcs || [];
+
+/**
+ * Of a result surfaces/1 the graph without parameters, whose points are in space alone; its components are the parts that
+ * the page names, or the curves. Any other result is one already.
+ */
+function asGraph(tree) {
+  if (tree.exsect !== 'surfaces/1') return tree;
+  const components = report.components || tree.curves.map((curve) => ({...curve, shape: curve.closed ? 'closed' : 'open'}));
+  const componentOf = new Map(components.flatMap(({id, arcs}) => arcs.map((arc) => [arc, id])));
+  const bounds = (node) => ['first', 'second'].flatMap((which) => (node.bounds ? node.bounds[which] : []).map((name) => `${which}: ${name}`));
+  return {...tree, components, overlaps: [], isolated_points: tree.nodes.filter(({kind}) => kind === 'touch').map(({id}) => id),
+    nodes: tree.nodes.map((node) => ({...node, kinds: [node.kind], on: bounds(node), wrt: [], free: [], approx: {point: node.approx}})),
+    arcs: tree.arcs.map((arc) => ({...arc, component: componentOf.get(arc.id), contact: arc.multiplicity > 1 ? 'tangential' : 'transversal', on: 'interior', free: []}))};
+}
+
+/** What a component is called: a curve by its name, where the components are curves. */
+function componentName({id, kind}) {
+  return kind ? `${kind === 'general' ? 'curve' : kind} ${id}` : `component ${id}`;
+}
 
 /** An element with attributes and children; strings become text, never markup. */
 function element(tag, attributes = {}, ...children) {

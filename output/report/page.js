@@ -65,7 +65,7 @@ function selectionWords() {
   if (selected.kind === 'difference') return differenceWords(selected.id);
   if (selected.kind === 'arc') {
     const arc = arcs[selected.id];
-    return [element('b', {}, `Arc ${arc.id}`), ` of component ${arc.component}, from node ${arc.from} to node ${arc.to}, ${arc.contact}, ${arc.on === 'interior' ? 'interior' : 'along a side of a patch'}; within ${boundText(arc.error_bound)} of its polyline of ${arc.polyline.length} vertices.`];
+    return [element('b', {}, `Arc ${arc.id}`), ` of ${componentName(graph.components[arc.component])}, from node ${arc.from} to node ${arc.to}, ${arc.contact}, ${arc.on === 'interior' ? 'interior' : 'along a side of a patch'}; within ${boundText(arc.error_bound)} of its polyline of ${arc.polyline.length} vertices.`];
   }
   if (selected.kind === 'point') {
     const point = shownPoints[selected.id];
@@ -74,7 +74,7 @@ function selectionWords() {
   }
   const node = nodes[selected.id];
   return [element('b', {}, `Node ${node.id}`), `, ${nodeWords(node)}: `, ...parameters.flatMap((p, i) => [i ? ', ' : '', element('i', {}, p), ` = ${String(node.approx[p])}`]),
-    `; (x, y, z) = (${node.approx.point.map((c) => Number(c.toPrecision(9))).join(', ')}).`];
+    `${parameters.length ? '; ' : ''}(x, y, z) = (${node.approx.point.map((c) => Number(c.toPrecision(9))).join(', ')}).`];
 }
 
 /** Clicks and keys on anything that stands for a node or an arc. */
@@ -188,14 +188,14 @@ function patchLabels() {
   });
 }
 
-const equationTitle = () => report.equation.name === report.equation.kind ? report.equation.kind : `${report.equation.kind} ${report.equation.name}`;
+const equationTitle = ({name, kind}) => name === kind ? kind : `${kind} ${name}`;
 
-/** The name of the surface given by its equation, at its point that is the farthest from the middle of the patch. */
-function equationLabel() {
-  const middle = patchAt(report.patches[0].points, 0.5, 0.5).at;
+/** The name of a surface given by its equation, at its point that is the farthest from the middle of the patch, or of all. */
+function equationLabel(equation, k) {
+  const middle = report.patches.length ? patchAt(report.patches[0].points, 0.5, 0.5).at : view.whole.centre;
   const away = (p) => dot(minus(p, middle), minus(p, middle));
-  const place = equationCorners(report.equation).reduce((best, p) => !best || away(p) > away(best) ? p : best, null) || view.whole.low;
-  const node = drawing('g', {'data-patch': report.patches.length}, drawing('text', {class: 'label', 'text-anchor': 'middle', y: 4}, equationTitle().slice(0, 30)));
+  const place = equationCorners(equation).reduce((best, p) => !best || away(p) > away(best) ? p : best, null) || (k ? view.whole.high : view.whole.low);
+  const node = drawing('g', {'data-patch': report.patches.length + k}, drawing('text', {class: 'label', 'text-anchor': 'middle', y: 4}, equationTitle(equation).slice(0, 30)));
   view.overlay.append(node);
   return {node, at: place};
 }
@@ -245,9 +245,9 @@ function spaceControls(controls, nets) {
   const solidity = element('input', {type: 'range', min: 10, max: 100, step: 1, id: 'solidity', 'aria-label': 'opacity of the surfaces, in percent'});
   solidity.value = 62;
   solidity.addEventListener('input', () => redraw((value) => { view.solidity = value; })(Number(solidity.value) / 100));
-  const shown = [...(report.patches || []), ...(report.equation ? [report.equation] : [])];
-  const patches = shown.length > 1 ? shown.map((patch, which) =>
-    checkbox(patch === report.equation ? equationTitle() : patchTitle(patch), true, redraw((on) => on ? view.hidden.delete(which) : view.hidden.add(which)), `patch-${which}`)) : [];
+  const shown = [...(report.patches || []).map(patchTitle), ...equations.map(equationTitle)];
+  const patches = shown.length > 1 ? shown.map((title, which) =>
+    checkbox(title, true, redraw((on) => on ? view.hidden.delete(which) : view.hidden.add(which)), `patch-${which}`)) : [];
   controls.append(...patches,
     ...(nets ? [checkbox('control nets', false, redraw((on) => { view.netsShown = on; }), 'nets')] : []),
     ...(nodes.length ? [checkbox('node numbers', false, (on) => {
@@ -297,28 +297,30 @@ function squareFigure(square, which) {
 /** The view of space, and beside it both squares, or what is given. */
 function pictures(withSquares, beside = []) {
   const {figure, box, controls} = spaceFigure(`Drag or use the arrow keys to turn; with a picture in focus the wheel zooms. ${drawnInDoubles}`);
-  const views = element('div', {class: withSquares ? 'views' : 'views pair'}, figure, ...beside);
+  const views = element('div', {class: !withSquares ? 'views pair' : parameters.length ? 'views' : 'views flat'}, figure, ...beside);
   page.append(views);
   const curve = [...arcs, ...(graph.overlaps || []).flatMap((overlap) => overlap.chains.flat())].flatMap((arc) => arc.polyline.map(inSpace));
-  view = spaceView(box, [...report.patches.flatMap((patch) => gridOf(patch.points, 10)), ...(report.equation ? equationCorners(report.equation) : [])], curve);
+  const seen = [...report.patches.flatMap((patch) => gridOf(patch.points, 10)), ...equations.flatMap(equationCorners), ...(report.patches.length ? [] : curve)];
+  view = spaceView(box, seen.length ? seen : [[-1, -1, -1], [1, 1, 1]], curve);
   if (withSquares) {
     const right = element('div', {class: 'squares'});
-    views.append(right);
-    squares = (report.equation ? [0] : [0, 1]).map((which) => resultSquare(which, report.patches[Math.min(which, report.patches.length - 1)].name));
+    if (parameters.length) views.append(right);
+    squares = [0, 1].slice(0, parameters.length / 2).map((which) => resultSquare(which, report.patches[Math.min(which, report.patches.length - 1)].name));
     squares.forEach((square, which) => right.append(squareFigure(square, which)));
     page.append(resultLegend());
   }
   page.append(element('div', {id: 'selection', role: 'status', 'aria-live': 'polite'}));
   if (view) {
     view.build(buildPatches);
-    if (report.equation) view.build(() => view.addSurface(equationPiece(report.equation, view.whole, report.patches.length)));
+    const around = report.patches.length ? view.whole : boxAround(view.seen, 0.15);
+    equations.forEach((equation, k) => view.build(() => view.addSurface(equationPiece(equation, around, report.patches.length + k))));
     if (withSquares) view.build(buildCurve);
     view.marks = withSquares ? nodeMarks() : [];
-    view.labels.push(...patchLabels(), ...(report.equation ? [equationLabel()] : []));
+    view.labels.push(...patchLabels(), ...equations.map(equationLabel));
     view.resize();
     listenForPicks();
   }
-  spaceControls(controls, true);
+  spaceControls(controls, report.patches.length > 0);
 }
 
 // The slider, and the fibre it shows.
@@ -385,7 +387,7 @@ function sliderSection() {
   });
   section(`A parameter line ${fixed} = const`, 'line',
     element('p', {}, report.fibres ? `The line ${fixed} = const of the first patch is cut out of space by a plane and a quadratic cylinder. Pulled back to the other patch, they leave an equation in one variable. The points below are exact, for each of 41 values of ${fixed}.`
-      : report.equation ? `The line ${fixed} = const of the patch, and where it meets the ${report.equation.kind}.`
+      : equations.length ? `The line ${fixed} = const of the patch, and where it meets the ${equations[0].kind}.`
       : report.command === 'intersect' ? `The line ${fixed} = const of the first patch, and where it meets the other one.`
         : `The line ${fixed} = const of the patch, its plane and quadratic cylinder, and where it meets other parts of the patch.`),
     element('div', {class: 'controls'}, value, slider, ...lineSwitches(update)), body);
@@ -405,7 +407,7 @@ function netTable(patch) {
 }
 
 function dataSection() {
-  section('Data', 'data-section', ...(report.equation ? [polynomialBox({title: equationTitle(), identifier: 'F', variables: ['x', 'y', 'z'], terms: report.equation.terms})] : []), ...(report.patches ? [element('div', {class: 'nets'}, report.patches.map(netTable))] : []),
+  section('Data', 'data-section', ...equations.map((equation, k) => polynomialBox({title: equationTitle(equation), identifier: 'FG'[k], variables: ['x', 'y', 'z'], terms: equation.terms})), ...((report.patches || []).length ? [element('div', {class: 'nets'}, report.patches.map(netTable))] : []),
     element('div', {class: 'controls'}, textButton('save the result as JSON', () => saveFile(filename('.json'), 'application/json', [JSON.stringify(result, null, 1), '\n']))));
 }
 
@@ -413,7 +415,7 @@ function dataSection() {
 
 function graphPage() {
   pictures(true);
-  sliderSection();
+  if (parameters.length) sliderSection();
   graphTables();
   section('What was proved, and how', 'proofs', proofSection(intersectionProofs(report.command === 'intersect')));
   paperSection();
@@ -425,7 +427,7 @@ function graphPage() {
 function graphTables() {
   if (!nodes.length) return;
   const made = section('Nodes', 'nodes-section', element('div', {class: 'controls'}, checkbox('exact intervals', true, (on) => made.classList.toggle('hide-exact', !on), 'exact')), nodeTable());
-  if (arcs.length) section('Arcs and components', 'arcs-section', arcTable(), componentTable());
+  if (arcs.length) section(graph.curves && !report.components ? 'Arcs and curves' : 'Arcs and components', 'arcs-section', arcTable(), graph.curves && !report.components ? curveTable() : componentTable());
   if (graph.overlaps.length) section('Overlaps', 'overlaps-section', overlapTable());
 }
 

@@ -23,11 +23,13 @@ const glyphs = {
   plain: {path: 'M-4,0A4,4 0 1 0 4,0A4,4 0 1 0 -4,0Z', filled: true, text: 'point of the graph'},
   turning: {path: 'M-4.4,0A4.4,4.4 0 1 0 4.4,0A4.4,4.4 0 1 0 -4.4,0Z', filled: false, text: 'turning point'},
   boundary: {path: 'M-4.5,-4.5H4.5V4.5H-4.5Z', filled: true, text: 'boundary point'},
+  end: {path: 'M-4.5,-4.5H4.5V4.5H-4.5Z', filled: true, text: 'end, in an apex or on a box'},
   corner: {path: 'M0,-6.5L6.5,0L0,6.5L-6.5,0Z', filled: true, text: 'corner'},
   'end-of-overlap': {path: 'M-4.5,0A4.5,4.5 0 1 0 4.5,0A4.5,4.5 0 1 0 -4.5,0ZM-1.6,0A1.6,1.6 0 1 1 1.6,0A1.6,1.6 0 1 1 -1.6,0Z', filled: true, text: 'end of overlap'},
   touch: {path: 'M-6.5,-1.5H-1.5V-6.5H1.5V-1.5H6.5V1.5H1.5V6.5H-1.5V1.5H-6.5Z', filled: true, text: 'touch'},
   crossing: {path: 'M-5.6,-3.6L-3.6,-5.6L0,-2L3.6,-5.6L5.6,-3.6L2,0L5.6,3.6L3.6,5.6L0,2L-3.6,5.6L-5.6,3.6L-2,0Z', filled: true, text: 'crossing'},
   cusp: {path: 'M0,-6.8L6.2,4.6H-6.2Z', filled: true, text: 'cusp'},
+  singular: {path: 'M0,-6.8L6.2,4.6H-6.2Z', filled: true, text: 'singular point'},
 };
 const glyphOrder = Object.keys(glyphs);
 

@@ -70,6 +70,8 @@ function provedDecimal([low, high], most = 12) {
 /** Heads and rows of the table of nodes, or of the points of a line: kinds, parameters, and the point of space. */
 function printedNodes() {
   const columns = (box) => parameters.map((p) => box[p] ? provedDecimal(box[p].map(exactNumber)) : '');
+  if (nodes.length && !parameters.length)
+    return {heads: ['node', 'kind', 'x', 'y', 'z'], rows: nodes.map((node) => [String(node.id), nodeWords(node), ...node.box.map((interval) => provedDecimal(interval.map(exactNumber)))])};
   if (nodes.length)
     return {heads: ['node', 'kind', ...parameters, 'x', 'y', 'z'], rows: nodes.map((node) => [String(node.id), nodeWords(node), ...columns(node.box),
       ...exactPoint(report.patches[0], parameters.slice(0, 2).map((p) => node.box[p])).map((interval) => interval ? provedDecimal(interval) : '')])};

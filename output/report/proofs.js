@@ -5,7 +5,12 @@ function intersectionProofs(pair) {
   const steps = (graph.work && graph.work.steps) || {};
   const list = [];
   const fibres = steps.fibres ? `${counted(steps.fibres, 'sample value')} of u` : 'sample values of a parameter';
-  if (report.equation) {
+  if (equations.length === 2) {
+    list.push(['Complete: every common point of the surfaces lies on a reported arc or node, or on the surface that they are both.',
+      'One of the surfaces was covered by charts over the rational numbers, in which the other one is a plane curve with rational coefficients. The values over which its points change in number or meet are isolated as roots of exact polynomials; between them every point is an arc, and over each of them every point was matched with the arcs that end there.']);
+    list.push(['Topology: which node joins which arcs, and which arcs are of one curve, is that of the true curve.',
+      'Signs of algebraic numbers were decided exactly; arcs that belong to a multiple factor are contacts. Lines and conics are recognised by exact factors.']);
+  } else if (equations.length) {
     list.push(['Complete: every point of the patch on the surface lies on a reported arc, node or overlap.',
       'The equation was pulled back to the square of the patch: a polynomial in u and v with rational coefficients. The values of u over which its zeros in v, or those on the bounds of a box, change in number or meet are isolated as roots of exact polynomials; between them every zero is an arc, and over each of them every point was matched with the arcs that end there.']);
     list.push(['Topology: components, their shape, and which node joins which are those of the true curve.',
@@ -27,11 +32,12 @@ function intersectionProofs(pair) {
       `Arcs were followed in ${steps.tubes ? counted(steps.tubes, 'tube') : 'tubes'}, each proved to hold exactly one curve, by a contraction (Krawczyk) with rounded arithmetic enclosed. A curve of pairs and its mirror image, the pairs in the other order, are told apart and reported once.`]);
   }
   if (nodes.length) list.push(['Nodes: each box holds exactly one point with the stated properties.',
-    'The ends of the exact intervals are rational numbers. Points on sides are isolated with a proof that there is exactly one, turning points by proved signs of the derivative. Where an interval is a single number, it is that number.']);
+    parameters.length === 0 ? 'The ends of the exact intervals are rational numbers. Where an interval is a single number, it is that number.' : 'The ends of the exact intervals are rational numbers. Points on sides are isolated with a proof that there is exactly one, turning points by proved signs of the derivative. Where an interval is a single number, it is that number.']);
   if (arcs.length) list.push([`Polylines: each is within its stated distance of the true arc, and the other way round; the largest is ${boundText(worstBound())}.`,
-    report.equation ? 'Zeros are enclosed over pieces of the arc, and the patch bends no more than its second derivatives there; the bound is rounded up.' : 'The second derivative of the curve is bounded over each tube; the bound is rounded up.']);
-  if (graph.overlaps.length) list.push([`Overlaps: in ${counted(graph.overlaps.length, 'region')} ${report.equation ? 'the patch lies on the surface' : 'the patches lie on one surface'}; the chains are the rim.`,
-    report.equation ? 'The equation vanishes on the whole patch, exactly.' : 'The eliminant vanishes for every u, exactly. The rim consists of pieces of the sides of both patches, found as exact parts of parameter lines that lie on the other patch.']);
+    equations.length === 2 ? 'Zeros are enclosed over pieces of the arc, and their images in space; the bound is rounded up.'
+      : equations.length ? 'Zeros are enclosed over pieces of the arc, and the patch bends no more than its second derivatives there; the bound is rounded up.' : 'The second derivative of the curve is bounded over each tube; the bound is rounded up.']);
+  if (graph.overlaps.length) list.push([`Overlaps: in ${counted(graph.overlaps.length, 'region')} ${equations.length ? 'the patch lies on the surface' : 'the patches lie on one surface'}; the chains are the rim.`,
+    equations.length ? 'The equation vanishes on the whole patch, exactly.' : 'The eliminant vanishes for every u, exactly. The rim consists of pieces of the sides of both patches, found as exact parts of parameter lines that lie on the other patch.']);
   return list;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "output/report/report_page.h"
+#include "output/text/implicit_json.h"
 #include "output/text/line_json.h"
 #include "output/text/shown_line.h"
 
@@ -12,6 +13,7 @@ namespace exsect::cli {
 namespace {
 
 constexpr std::size_t longest_polynomials = 8000;
+constexpr int sampled_cells = 48;
 
 Rational largest_of_coefficients(const BivariatePolynomial& f) {
   Rational largest = 0;
@@ -101,6 +103,35 @@ Json patch_data(const std::string& name, const RationalPatch& patch) {
       data["points"][static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].push_back(
           to_double(patch.weight(i, j)));
   return data;
+}
+
+SpacePoints points_of(const RationalPatch& x) {
+  constexpr int n = 8;
+  SpacePoints points;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) {
+      const Point p = x(Rational(i, n), Rational(j, n));
+      points.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+    }
+  return points;
+}
+
+Json equation_data(const std::string& name, const ImplicitSurface& surface, const SpacePoints& around) {
+  Json data = {{"name", name},
+               {"kind", exsect::name(surface.kind())},
+               {"terms", equation_json(name, terms_of(surface.equation()))["terms"]}};
+  const std::optional<SceneMesh> mesh = sampled(surface, name, around, sampled_cells);
+  if (!mesh) return data;
+  Json points = Json::array();
+  for (const PolylineVertex& vertex : mesh->vertices) points.push_back(vertex.point);
+  data["mesh"] = {{"points", std::move(points)}, {"faces", mesh->faces}};
+  return data;
+}
+
+Json equations_data(const DrawnSurfaces& drawn) {
+  const SpacePoints around = drawn_points(drawn);
+  return Json::array({equation_data(drawn.names.first, drawn.first, around),
+                      equation_data(drawn.names.second, drawn.second, around)});
 }
 
 Json fibre_data(const LineIntersection& line, const RationalPatch& x) {

@@ -19,6 +19,14 @@ Json report_data(const std::string& command, const ReportOrigin& origin, Json re
 /// exact, and as fourth coordinates of "points".
 Json patch_data(const std::string& name, const RationalPatch& patch);
 
+/// Of a surface given by its equation {"name": .., "kind": .., "terms": exact ones, "mesh": {"points": ..,
+/// "faces": ..}}, sampled as far as `around` reaches, without a mesh where that cannot be.
+Json equation_data(const std::string& name, const ImplicitSurface& surface, const SpacePoints& around);
+/// Points of the patch, in doubles, for the surface beside it to be sampled around.
+SpacePoints points_of(const RationalPatch& x);
+/// Both surfaces, sampled as far as what is drawn reaches.
+Json equations_data(const DrawnSurfaces& drawn);
+
 /// {"result": the line as `exsect line` gives it, "forms": the pulled-back forms in doubles, "phantoms":
 /// [..]}. Forms are lists of rows, power of r, of coefficients by the power of s, scaled so that the largest
 /// of plane and the largest of u, l, m is 1. Phantoms are the real roots of the eliminant in [0,1] that

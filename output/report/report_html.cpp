@@ -2,43 +2,15 @@
 
 #include "output/drawing/intersection_svg.h"
 #include "output/drawing/line_svg.h"
-#include "output/drawing/sampled_equation.h"
+#include "output/drawing/surfaces_svg.h"
 #include "output/report/report_data.h"
 #include "output/text/chart_json.h"
-#include "output/text/implicit_json.h"
 #include "output/text/line_json.h"
 
 namespace exsect::cli {
 namespace {
 
 constexpr int fibre_steps = 40;
-
-constexpr int sampled_cells = 48;
-
-/// Points of the patch, in doubles.
-SpacePoints points_of(const RationalPatch& x) {
-  constexpr int n = 8;
-  SpacePoints points;
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n; ++j) {
-      const Point p = x(Rational(i, n), Rational(j, n));
-      points.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
-    }
-  return points;
-}
-
-/// The surface's terms, and, where it can be sampled, a mesh beside the patch.
-Json equation_data(const std::string& name, const ImplicitSurface& surface, const RationalPatch& x) {
-  Json data = {{"name", name},
-               {"kind", exsect::name(surface.kind())},
-               {"terms", equation_json(name, terms_of(surface.equation()))["terms"]}};
-  const std::optional<SceneMesh> mesh = sampled(surface, name, points_of(x), sampled_cells);
-  if (!mesh) return data;
-  Json points = Json::array();
-  for (const PolylineVertex& vertex : mesh->vertices) points.push_back(vertex.point);
-  data["mesh"] = {{"points", std::move(points)}, {"faces", mesh->faces}};
-  return data;
-}
 
 /// The lines u = 0, 1/40, ..., 1 of x against y.
 Json fibres(const BezierPatch& x, const BezierPatch& y) {
@@ -68,8 +40,18 @@ std::string equation_report_html(const IntersectResult& result, const RationalPa
   Json data = report_data("intersect", origin, std::move(tree));
   data["parameters"] = {"u", "v"};
   data["patches"] = Json::array({patch_data(names.first, x)});
-  data["equation"] = equation_data(names.second, surface, x);
+  data["equations"] = Json::array({equation_data(names.second, surface, points_of(x))});
   return page_of(data, intersection_svg(result, names, origin.title));
+}
+
+std::string surfaces_report_html(const DrawnSurfaces& drawn, const ReportOrigin& origin) {
+  Json tree = surfaces_json(drawn.result, drawn.names);
+  add_charts(tree, drawn.result, drawn.first, drawn.second);
+  Json data = report_data("intersect", origin, std::move(tree));
+  data["parameters"] = Json::array();
+  data["patches"] = Json::array();
+  data["equations"] = equations_data(drawn);
+  return page_of(data, surfaces_svg(drawn, origin.title));
 }
 
 std::string self_report_html(const IntersectResult& result, const RationalPatch& x, const std::string& name,

@@ -9,6 +9,7 @@
 
 #include <string>
 
+#include "output/drawing/surfaces_scene.h"
 #include "output/report/report_origin.h"
 #include "output/text/intersection_json.h"
 
@@ -28,6 +29,11 @@ std::string report_html(const IntersectResult& result, const RationalPatch& x, c
 std::string equation_report_html(const IntersectResult& result, const RationalPatch& x,
                                  const ImplicitSurface& surface, const PatchNames& names,
                                  const ReportOrigin& origin);
+
+/// The page of the intersection of two surfaces given by their equations: both in space, the curves, which
+/// stand in the place of components, the tables, and the whole "surfaces/1" result with the natural
+/// parameters of its nodes. Throws BeyondDoubles.
+std::string surfaces_report_html(const DrawnSurfaces& drawn, const ReportOrigin& origin);
 
 /// The page of the self-intersection of x, with the whole "self/1" result. Its lines have no fibres: a line
 /// of x lies on x.

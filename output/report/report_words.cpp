@@ -57,6 +57,34 @@ Counts graph_counts(const Json& graph) {
   return counts;
 }
 
+std::string equation_name(const Json& equation) {
+  return "the " + equation["kind"].get<std::string>() + " " + equation["name"].get<std::string>();
+}
+
+/// What two surfaces, each a patch or given by its equation, have in common.
+std::string intersection_answer(const Json& data) {
+  const Json equations = data.value("equations", Json::array());
+  if (equations.empty())
+    return fmt::format("Patches {} and {} intersect in {}", patch_name(data, 0), patch_name(data, 1),
+                       shapes(graph_of(data)));
+  if (equations.size() == 1)
+    return fmt::format("Patch {} and {} intersect in {}", patch_name(data, 0), equation_name(equations[0]),
+                       shapes(graph_of(data)));
+  return fmt::format("In common of {} and {}: {}", equation_name(equations[0]), equation_name(equations[1]),
+                     number_text(data["result"], "summary"));
+}
+
+/// Of two surfaces given by their equations.
+Counts surfaces_counts(const Json& result) {
+  double largest = 0;
+  for (const Json& arc : result["arcs"]) largest = std::max(largest, arc["error_bound"].get<double>());
+  return {{"curves", std::to_string(result["curves"].size())},
+          {"nodes", std::to_string(result["nodes"].size())},
+          {"arcs", std::to_string(result["arcs"].size())},
+          {"polylines within, proved", rounded_up(largest)},
+          {"computed in", duration_text(result["work"]["milliseconds"].get<double>())}};
+}
+
 Counts line_counts(const Json& data) {
   const Json& result = data["result"];
   if (result["pullback"].contains("cubic"))
@@ -150,13 +178,8 @@ Counts verdict_counts(const Json& data) {
 void say(const std::string& command, const Json& data, ReportWords& words) {
   const Json& result = data["result"];
   if (command == "intersect" || command == "compare") {
-    words.answer = data.contains("equation")
-                       ? fmt::format("Patch {} and the {} {} intersect in {}", patch_name(data, 0),
-                                     data["equation"]["kind"].get<std::string>(),
-                                     data["equation"]["name"].get<std::string>(), shapes(graph_of(data)))
-                       : fmt::format("Patches {} and {} intersect in {}", patch_name(data, 0),
-                                     patch_name(data, 1), shapes(graph_of(data)));
-    words.counts = graph_counts(graph_of(data));
+    words.answer = intersection_answer(data);
+    words.counts = result["exsect"] == "surfaces/1" ? surfaces_counts(result) : graph_counts(graph_of(data));
   }
   if (command == "intersect") words.answer += ".";
   if (command == "self") {

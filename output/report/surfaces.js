@@ -73,8 +73,8 @@ function equationCorners({mesh}) {
 
 /** A surface given by its equation as a translucent piece: as it was sampled, or its zero set in the box of the view. */
 function equationPiece({mesh, terms}, ball, patch) {
-  if (!mesh) return {...zeroSurface(polynomialFunction(terms), ball, 32, '--patch1', 0.5), patch};
-  const piece = {positions: mesh.points.flat(), normals: mesh.points.flatMap(() => [0, 0, 0]), triangles: [], property: '--patch1', opacity: 0.5};
+  if (!mesh) return {...zeroSurface(polynomialFunction(terms), ball, 32, `--patch${patch}`, 0.5), patch};
+  const piece = {positions: mesh.points.flat(), normals: mesh.points.flatMap(() => [0, 0, 0]), triangles: [], property: `--patch${patch}`, opacity: 0.5};
   for (const face of mesh.faces)
     for (let i = 2; i < face.length; ++i) piece.triangles.push(face[0], face[i - 1], face[i]);
   // At a corner the sum of its triangles' normals: all faces go round in one direction.

@@ -19,9 +19,10 @@ function nodeTable() {
     element('td', {class: 'kinds'}, node.kinds.join(', ') || '–'),
     element('td', {class: 'place'}, [...node.on, ...node.wrt.map((p) => `turns in ${p}`), ...node.free.map((p) => `${p} free`)].join(', ') || '–'),
     parameters.map((p) => valueCell(node.approx[p], node.box[p])),
-    element('td', {class: 'point'}, node.approx.point.map((c) => element('span', {class: 'decimal'}, c === null ? '' : String(Number(c.toPrecision(9))), element('br'))))));
+    parameters.length ? element('td', {class: 'point'}, node.approx.point.map((c) => element('span', {class: 'decimal'}, c === null ? '' : String(Number(c.toPrecision(9))), element('br'))))
+      : node.approx.point.map((c, k) => valueCell(c, node.box[k]))));
   return tableOf({id: 'nodes', class: 'cards'}, 'Decimals are the doubles of the JSON result. Below each stands the exact interval that is proved to hold the true value.',
-    [['node'], ['kind'], ['on, turns in'], ...parameters.map((p) => [p]), ['x, y, z']], rows);
+    [['node'], ['kind'], ...(parameters.length ? [['on, turns in'], ...parameters.map((p) => [p]), ['x, y, z']] : [['on'], ['x'], ['y'], ['z']])], rows);
 }
 
 function arcMark(arc) {
@@ -36,7 +37,7 @@ function arcTable() {
     element('td', {class: 'number vertices'}, String(arc.polyline.length)),
     element('td', {class: 'number bound'}, boundText(arc.error_bound))));
   return tableOf({id: 'arcs', class: 'cards'}, 'Every point of the true arc is within the proved bound of the polyline, and the other way round.',
-    [['arc'], ['component', 'number'], ['from node', 'number'], ['to node', 'number'], ['kind'], ['vertices', 'number'], ['distance at most', 'number']], rows);
+    [['arc'], [graph.curves && !report.components ? 'curve' : 'component', 'number'], ['from node', 'number'], ['to node', 'number'], ['kind'], ['vertices', 'number'], ['distance at most', 'number']], rows);
 }
 
 function componentTable() {
@@ -44,6 +45,17 @@ function componentTable() {
     element('td', {}, drawing('svg', {width: 34, height: 12, viewBox: '0 -6 34 12', 'aria-hidden': 'true'}, drawing('path', {d: 'M0,0H34', stroke: componentColour(component.id), 'stroke-width': 3, 'stroke-dasharray': componentDashes(component.id)})), ` ${component.id}`),
     element('td', {}, component.shape), element('td', {}, component.arcs.join(', '))));
   return tableOf({id: 'components'}, 'open: a simple path; closed: a simple loop; branched: with a node where more than two arcs meet', [['component'], ['shape'], ['arcs in order']], rows);
+}
+
+/** The curves of two surfaces given by their equations, with what is rational of them. */
+function curveTable() {
+  const exact = (values) => values ? `(${values.join(', ')})` : '–';
+  const rows = graph.curves.map((curve) => element('tr', {},
+    element('td', {class: 'number'}, String(curve.id)), element('td', {}, curve.kind), element('td', {}, curve.closed ? 'closed' : 'open'),
+    element('td', {}, curve.multiplicity > 1 ? `tangential, of order ${curve.multiplicity}` : 'transversal'), element('td', {}, exact(curve.point)), element('td', {}, exact(curve.direction)),
+    element('td', {}, curve.radius_squared || '–'), element('td', {}, curve.arcs.join(', '))));
+  return tableOf({id: 'curves', class: 'cards'}, 'point: of a line, or the centre of a conic; direction: of a line, or the normal of the plane; where all of it is rational',
+    [['curve', 'number'], ['kind'], ['shape'], ['contact'], ['point'], ['direction'], ['radius squared'], ['arcs']], rows);
 }
 
 function overlapTable() {
@@ -55,7 +67,7 @@ function overlapTable() {
 /** The legend of both squares: components, kinds of nodes, and what else occurs. */
 function resultLegend() {
   const entries = graph.components.slice(0, 14).map((component) => [drawing('path', {d: 'M1,8H33', fill: 'none', stroke: componentColour(component.id), 'stroke-width': 2.6,
-    'stroke-dasharray': componentDashes(component.id)}), `component ${component.id}, ${component.shape}`]);
+    'stroke-dasharray': componentDashes(component.id)}), `${componentName(component)}, ${component.shape}`]);
   if (graph.components.length > 14) entries.push([drawing('path'), `and ${graph.components.length - 14} more`]);
   const occurring = new Set(nodes.flatMap((node) => [-1, 0, 1].map((which) => glyphName(node, which))));
   for (const name of glyphOrder)

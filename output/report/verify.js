@@ -18,7 +18,7 @@ function claimGlyph(paint) {
 
 /** What a difference is about: points of space, and of either square, as far as they are stated. */
 function statedPlaces(difference) {
-  const whole = (vertices) => ({space: vertices.map((v) => v.slice(4)), first: vertices.map((v) => v.slice(0, 2)), second: vertices.map((v) => v.slice(2, 4))});
+  const whole = (vertices) => ({space: vertices.map(inSpace), ...Object.fromEntries(['first', 'second'].map((name, k) => [name, k < parameters.length / 2 ? vertices.map((v) => v.slice(2 * k, 2 * k + 2)) : []]))});
   const strandPlaces = (strand, points) => ({space: strandInSpace(strand, points), first: strand.in === 'first' ? points : [], second: strand.in === 'second' ? points : []});
   const {gap, part, curve, point, node, arc, overlap, components} = difference;
   if (gap) {
@@ -63,11 +63,11 @@ function some(list, most) {
   return list.length <= most ? list : Array.from({length: most}, (_, i) => list[Math.round(i * (list.length - 1) / (most - 1))]);
 }
 
-/** The places of every difference, in space and in both squares. */
+/** The places of every difference, in space and in the squares that there are. */
 const differencePlaces = (report.command === 'verify' ? result.differences : []).map((difference) => {
   const places = statedPlaces(difference);
   const filled = (name, which) => places[name].length ? places[name] : some(places.space, 6).map((p) => parametersNear(report.patches[which].points, p));
-  return {space: places.space, squares: [filled('first', 0), filled('second', 1)]};
+  return {space: places.space, squares: report.patches.map((_, which) => filled(['first', 'second'][which], which))};
 });
 
 const extentOf = (points) => Math.max(...[0, 1].map((k) => Math.max(...points.map((p) => p[k])) - Math.min(...points.map((p) => p[k]))));
@@ -88,7 +88,7 @@ function differenceWords(id) {
 }
 
 function buildVerdict() {
-  for (const gap of report.gaps) view.addWire(gap.map((vertex) => vertex.slice(4)), '--gap', 9, {opacity: 0.9, front: true});
+  for (const gap of report.gaps) view.addWire(gap.map(inSpace), '--gap', 9, {opacity: 0.9, front: true});
   for (const curve of report.candidate.curves) {
     view.addWire(strandInSpace(curve[0]), '--ink', 1.8, {dashes: [0.02, 0.02], front: true});
     for (const strand of curve)
@@ -196,7 +196,7 @@ function differenceTable() {
     difference.arc === undefined ? '' : `arc ${difference.arc}`,
     difference.curve === undefined ? '' : `curve ${difference.curve}`,
     difference.point === undefined ? '' : `point ${difference.point}`].filter(Boolean).join(', ');
-  const exactly = ({gap, part}) => gap ? element('span', {}, `${gap.parameter} `, exactInterval([gap.from, gap.to]))
+  const exactly = ({gap, part}) => gap && !gap.parameter ? `vertices ${gap.vertices.join(' to ')}` : gap ? element('span', {}, `${gap.parameter} `, exactInterval([gap.from, gap.to]))
     : part ? `${part.in === 'space' ? '' : `${part.in}: `}${short(part.from)} to ${short(part.to)}` : '';
   const place = (id) => `(${ballAround(differencePlaces[id].space).centre.map((c) => Number(c.toPrecision(5))).join(', ')})`;
   const rows = result.differences.map((difference, id) => element('tr', {'data-kind': difference.kind, 'data-difference': id},

@@ -668,9 +668,6 @@ class SurfaceIntersection(_Exportable):
     def __repr__(self) -> str:
         return f"<SurfaceIntersection: {self.tree['status']}, {self.summary}>"
 
-    def _repr_html_(self) -> str:
-        return self.to_svg()
-
 
 @dataclass(frozen=True)
 class LinePoint:

@@ -58,8 +58,8 @@ TEST_CASE("intersect: two faces, and what the ends of their curve lie on") {
         std::string::npos);
   const Json ends = Json::parse(read_text_file(scratch.path("a.json"), 1 << 20));
   CHECK(JsonSchema::named("surfaces-1").violation(ends) == "");
-  check_refused({"intersect", faces, "--first", "fillet", "--second", "lid", "--report", "a.html"},
-                "--report");
+  check_refused({"intersect", faces, "--first", "fillet", "--second", "lid", "--certificate", "a.json"},
+                "--certificate");
 }
 
 TEST_CASE("ray: what is in the box") {

@@ -99,8 +99,6 @@ TEST_CASE("intersect: a patch and an equation have a certificate, or none by nam
 }
 
 TEST_CASE("intersect: what is not there yet for equations is refused by name") {
-  check_refused({"intersect", surfaces, "--first", "torus", "--second", "ball", "--report", "page.html"},
-                "not supported yet with --report");
   check_refused({"intersect", surfaces, "--first", "torus", "--second", "ball", "--certificate", "proof"},
                 "not supported yet with --certificate");
   check_refused({"line", surfaces, "--first", "saddle", "--second", "ball", "--u", "1/2"},

@@ -4,6 +4,7 @@
 
 #include <exsect/geometry/patch_file.h>
 #include <exsect/solver/intersect.h>
+#include <exsect/solver/intersect_equations.h>
 
 #include <cctype>
 
@@ -109,6 +110,23 @@ TEST_CASE("the page of an intersection holds the JSON result and exact fibres") 
   CHECK(fibres[2]["result"]["points"].size() + fibres[2]["phantoms"].size() == 2);
   CHECK(fibres[20]["result"]["points"].size() == 2);
   CHECK(fibres[20]["phantoms"].size() == 1);
+}
+
+TEST_CASE("the page of two surfaces given by their equations holds the JSON result and both meshes") {
+  const ImplicitSurface tube = ImplicitSurface::cylinder({0, 0, 0}, {1, 2, 3}, 1);
+  const ImplicitSurface bowl =
+      ImplicitSurface::polynomial(SpacePolynomial({{{2, 0, 0}, 1}, {{0, 2, 0}, 1}, {{0, 0, 1}, -1}}));
+  const SurfaceIntersection result = intersect(tube, bowl);
+  const cli::SurfaceNames names = {hostile, "bowl", "cylinder", "implicit"};
+  const std::string page = cli::surfaces_report_html({result, tube, bowl, names}, {hostile, "a.json"});
+  check_page(page);
+  const Json data = data_of(page);
+  CHECK(data["result"]["exsect"] == "surfaces/1");
+  CHECK(data["result"]["nodes"].size() == result.nodes.size());
+  CHECK(data["result"]["nodes"][0].contains("charts"));
+  CHECK(data["equations"][0]["mesh"]["faces"].size() == 48 * 48);
+  CHECK_FALSE(data["equations"][1].contains("mesh"));
+  CHECK(data["equations"][1]["terms"].size() == 3);
 }
 
 TEST_CASE("every feature of a result has a page, with any names") {
