@@ -1,49 +1,14 @@
 #include "star/star_neighbourhood.h"
 
-#include <exsect/solver/line_patch.h>
-
 #include "answer/parameter_box.h"
 #include "line/half_rational_point.h"
-#include "support/catch.h"
-#include "support/graph_patches.h"
+#include "star_at_centre.h"
 
 namespace exsect::star_neighbourhood_test {
 
 namespace {
 
 const Rational half(1, 2);
-
-std::vector<CertifiedPoint> points_on_sides(const BezierPatch& x, const BezierPatch& y) {
-  std::vector<CertifiedPoint> boundary;
-  for (const Parameter p : all_parameters) {
-    for (const int value : {0, 1}) {
-      for (const CertifiedPoint& point : line_points(x, y, {p, value}).points) {
-        if (point.sides().front() == Side{p, value}) {
-          boundary.push_back(point);
-        }
-      }
-    }
-  }
-  return boundary;
-}
-
-/// The star of G[h] and the plane at u = v = 1/2, where both sweeps have a turning value.
-std::optional<StarNeighbourhood> star_at_centre(const BezierPatch& x, const BezierPatch& y, Parameter sweep,
-                                                double halfwidth) {
-  ExactPair pair(x, y);
-  const auto& turning = pair.turning(sweep);
-  REQUIRE(turning);
-  const std::vector<CertifiedPoint> boundary = points_on_sides(x, y);
-  const StarPlaces places = {boundary, Parameter::s, {}};
-  const StarQuery query = {pair, places, *turning, halfwidth};
-  for (const CertifiedPoint& point : line_points(x, y, {sweep, half}).points) {
-    const ParameterBox box = point.box();
-    if (box[0].lower <= half && half <= box[0].upper && box[1].lower <= half && half <= box[1].upper) {
-      return star_neighbourhood(query, point, half);
-    }
-  }
-  return std::nullopt;
-}
 
 /// a = u - 1/2 and b = v - 1/2 as polynomials; h = sum of coefficient a^i b^j.
 struct Term {
@@ -88,7 +53,7 @@ TEST_CASE("stars: as many arcs as branches meet at the point", "[star]") {
     const BezierPatch x = testing::graph_patch(h);
     const BezierPatch y = testing::plane_patch();
     for (const double halfwidth : {0.03125, 0x1p-20}) {
-      auto star = star_at_centre(x, y, e.sweep, halfwidth);
+      auto star = testing::star_at_centre(x, y, e.sweep, halfwidth);
       REQUIRE(star);
       std::size_t below = 0;
       for (const Port& port : star->ports) {
@@ -123,7 +88,7 @@ TEST_CASE("stars: a real isolated point of a line's complex curve is not on the 
   ExactPair pair(x, y);
   const auto& turning = pair.turning(Parameter::u);
   REQUIRE(turning);
-  const std::vector<CertifiedPoint> boundary = points_on_sides(x, y);
+  const std::vector<CertifiedPoint> boundary = testing::points_on_sides(x, y);
   const StarPlaces places = {boundary, Parameter::s, {}};
   int centres = 0;
   for (const double halfwidth : {0.5, 0.25, 0x1p-4}) {

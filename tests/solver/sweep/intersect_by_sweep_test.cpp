@@ -1,0 +1,63 @@
+#include "sweep/intersect_by_sweep.h"
+
+#include "support/families.h"
+#include "support/known_curves.h"
+#include "support/random_pairs.h"
+
+namespace exsect::intersect_by_sweep_test {
+namespace {
+
+using namespace exsect::testing;  // NOLINT(google-build-using-namespace): the known curves
+
+IntersectResult swept(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options = {}) {
+  ExactPair pair(x, y);
+  return intersect_by_sweep(x, y, Run(options), pair);
+}
+
+}  // namespace
+
+TEST_CASE("intersect by sweep: curves with closed formulas", "[sweep]") {
+  for (const auto& [h, closed] :
+       {std::pair(kCircle, true), std::pair(kHyperbola, false), std::pair(kParabola, false)}) {
+    const IntersectResult result = swept(graph_patch(h), plane_patch());
+    CHECK(result.incomplete.empty());
+    REQUIRE(result.graph.components.size() == 1);
+    CHECK((result.graph.components[0].shape == ComponentShape::closed) == closed);
+  }
+}
+
+TEST_CASE("intersect by sweep: special positions, against their exact graphs", "[sweep]") {
+  const std::vector<ExactCase> cases = {
+      families::crossing(families::Plane::square), families::irrational_lines(families::Plane::square),
+      families::tangent_curve(q(1, 3), families::Plane::square), families::line_and_arc()};
+  for (const ExactCase& c : cases) {
+    INFO(c.name);
+    IntersectOptions options;
+    options.turning = c.turning;
+    CHECK(difference(swept(c.x, c.y, options), c) == "");
+  }
+}
+
+TEST_CASE("intersect by sweep: the same graph with the patches exchanged", "[sweep]") {
+  const unsigned seed = 20305;
+  INFO("seed " << seed);
+  random_pairs::Generator generator(seed);
+  for (int round = 0; round < 3; ++round) {
+    const auto [x, y] = random_pairs::scattered(generator);
+    const IntersectResult one = swept(x, y), other = swept(y, x);
+    CHECK(one.incomplete.empty());
+    CHECK(other.incomplete.empty());
+    CHECK(one.graph.components.size() == other.graph.components.size());
+    CHECK(one.graph.nodes.size() == other.graph.nodes.size());
+    CHECK(one.graph.arcs.size() == other.graph.arcs.size());
+  }
+}
+
+TEST_CASE("intersect by sweep: without time it is incomplete, and says so", "[sweep]") {
+  IntersectOptions options;
+  options.max_seconds = 1e-9;
+  const IntersectResult result = swept(graph_patch(kCircle), plane_patch(), options);
+  CHECK_FALSE(result.incomplete.empty());
+}
+
+}  // namespace exsect::intersect_by_sweep_test
