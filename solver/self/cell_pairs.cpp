@@ -53,7 +53,7 @@ class Cover {
  public:
   Cover(const RationalPatch& patch, const InjectiveRectangle& is_injective, unsigned grid, double extent,
         const Run& run)
-      : found_{CellTree(patch, grid, pinch_guesses(patch)), {}, {}, {}},
+      : found_{CellTree(patch, grid, pinch_guesses(patch)), poles_of(patch), {}, {}, {}},
         patch_(patch),
         is_injective_(is_injective),
         run_(run),
@@ -98,7 +98,9 @@ class Cover {
     const bool touching = touch(first, second);
     if (!touching && are_apart(first.box, second.box)) return true;
     if (is_injective_(hull(first, second))) return true;
-    if ((touching || is_near(first, second)) && is_excluded(first, second)) return true;
+    const bool adjacent = touching || is_near(first, second);
+    if (meet_in_poles_only(first, second, adjacent)) return true;
+    if (adjacent && is_excluded(first, second)) return true;
     if (a == b) return is_pinch(a);
     return !touching && solve(a, b);
   }
@@ -112,21 +114,38 @@ class Cover {
     });
   }
 
+  /// The smallest rectangle around both.
+  static ParameterRectangle around(const ParameterCell& a, const ParameterCell& b) {
+    const auto hull_of_ranges = [](const RationalInterval& s, const RationalInterval& t) {
+      return RationalInterval{std::min(s.lower, t.lower), std::max(s.upper, t.upper)};
+    };
+    return {hull_of_ranges(a.where.u, b.where.u), hull_of_ranges(a.where.v, b.where.v)};
+  }
+
+  RationalPatch piece_over(const ParameterRectangle& where) const {
+    return patch_.restricted_to(where.u.lower, where.u.upper, where.v.lower, where.v.upper);
+  }
+
+  /// Cells that are not adjacent have no common point.
+  bool meet_in_poles_only(const ParameterCell& a, const ParameterCell& b, bool adjacent) const {
+    return std::ranges::any_of(found_.poles, [&](const Pole& pole) {
+      const bool first = reaches(a.where, pole), second = reaches(b.where, pole);
+      if (first && second && !touch(a, b) && are_apart_but_for(pole, a.piece, b.piece)) return true;
+      return adjacent && (first || second) && is_injective_but_for(pole, piece_over(around(a, b)));
+    });
+  }
+
   /// Of the pairs in both, no midpoint is one of pairs of the hull with one
   /// point of space.
   bool is_excluded(const ParameterCell& a, const ParameterCell& b) const {
-    const auto around = [](const RationalInterval& s, const RationalInterval& t) {
-      return RationalInterval{std::min(s.lower, t.lower), std::max(s.upper, t.upper)};
-    };
     const auto middles = [](const RationalInterval& s, const RationalInterval& t,
                             const RationalInterval& in) {
       const Rational lower = (s.lower + t.lower) / 2 - in.lower, upper = (s.upper + t.upper) / 2 - in.lower;
       return DoubleBall::enclosing(RationalInterval{lower / in.width(), upper / in.width()});
     };
-    const RationalInterval u = around(a.where.u, b.where.u), v = around(a.where.v, b.where.v);
-    const RationalPatch piece = patch_.restricted_to(u.lower, u.upper, v.lower, v.upper);
-    return has_no_pairs(piece, origin_of(a),
-                        {middles(a.where.u, b.where.u, u), middles(a.where.v, b.where.v, v)});
+    const ParameterRectangle both = around(a, b);
+    return has_no_pairs(piece_over(both), origin_of(a),
+                        {middles(a.where.u, b.where.u, both.u), middles(a.where.v, b.where.v, both.v)});
   }
 
   bool is_pinch(std::size_t a) {

@@ -11,6 +11,7 @@
 #include "self/parameter_cells.h"
 #include "self/patch_injectivity.h"
 #include "self/pinch_proof.h"
+#include "self/poles.h"
 
 namespace exsect {
 
@@ -29,9 +30,10 @@ struct PinchCell {
 };
 
 /// If there are no problems: every pair of different parameters with one point of space lies, in one of its
-/// orders, in the cells of one of `solved`, or in a pinch cell twice.
+/// orders, in the cells of one of `solved`, or in a pinch cell twice, or on the side of one pole.
 struct CellPairs {
   CellTree cells;
+  std::vector<Pole> poles;
   std::vector<SolvedCells> solved;
   std::vector<PinchCell> pinches;
   std::vector<Incomplete> problems;

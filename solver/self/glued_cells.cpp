@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "answer/parameter_box.h"
@@ -41,8 +42,10 @@ class Gluing {
   GluedCells run() {
     if (collect() && match()) {
       add_points();
+      add_poles();
       add_arcs();
       add_pinches();
+      add_isolated_poles();
     }
     return std::move(glued_);
   }
@@ -58,10 +61,11 @@ class Gluing {
   /// Every curve crosses the cuts, or runs along sides of the square across them.
   bool collect() {
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-      if (placed_[i].along_cut)
-        return problem(whole_domain(), "a curve along a cut, or a side that is one point, not decided");
+      if (placed_[i].along_cut) return problem(whole_domain(), "a curve along a cut not decided");
       for (std::size_t k = 0; k < placed_[i].nodes.size(); ++k) {
         const PlacedNode& node = placed_[i].nodes[k];
+        if (!node.node.free.empty() && !pole_at(node.node))
+          return problem(node.node.box, "points on a side that is one point not decided");
         if (node.cuts.empty()) continue;
         if (node.arcs > 1)
           return problem(node.node.box, "a curve through a corner of cells, or along a cut, not decided");
@@ -175,13 +179,37 @@ class Gluing {
     }
   }
 
+  /// It is no other pair of cells' as well.
+  bool is_inner(const PlacedNode& node) const { return node.cuts.empty() && !pole_at(node.node); }
+
+  /// Of which both points of the node's pairs are on the side.
+  std::optional<std::size_t> pole_at(const Node& node) const {
+    if (node.free.empty()) return std::nullopt;
+    for (std::size_t k = 0; k < pairs_.poles.size(); ++k)
+      if (std::ranges::is_permutation(node.on, pole_node(pairs_.poles[k]).on)) return k;
+    return std::nullopt;
+  }
+
+  void add_poles() {
+    for (const Pole& pole : pairs_.poles) poles_.push_back(glued_.graph.add_node(pole_node(pole), 0));
+  }
+
+  void add_isolated_poles() {
+    for (const int pole : poles_)
+      if (std::ranges::none_of(glued_.graph.arcs(),
+                               [&](const Arc& arc) { return arc.from == pole || arc.to == pole; }))
+        glued_.graph.add_isolated(pole);
+  }
+
   void add_arcs() {
     for (std::size_t i = 0; i < placed_.size(); ++i) {
       std::vector<int> names(placed_[i].nodes.size(), -1);
       for (const CutNode& cut : cuts_)
         if (cut.cells == i) names[cut.node] = cut.point;
       for (std::size_t k = 0; k < names.size(); ++k)
-        if (placed_[i].nodes[k].cuts.empty())
+        if (const auto pole = pole_at(placed_[i].nodes[k].node)) names[k] = poles_[*pole];
+      for (std::size_t k = 0; k < names.size(); ++k)
+        if (is_inner(placed_[i].nodes[k]))
           names[k] = glued_.graph.add_node(std::move(placed_[i].nodes[k].node));
       for (Arc& arc : placed_[i].arcs) {
         arc.from = names[static_cast<std::size_t>(arc.from)];
@@ -191,7 +219,8 @@ class Gluing {
         glued_.graph.add_arc(std::move(arc));
       }
       for (const int id : placed_[i].isolated)
-        if (const int name = names[static_cast<std::size_t>(id)]; name >= 0) glued_.graph.add_isolated(name);
+        if (const PlacedNode& node = placed_[i].nodes[static_cast<std::size_t>(id)]; is_inner(node))
+          glued_.graph.add_isolated(names[static_cast<std::size_t>(id)]);
     }
   }
 
@@ -223,6 +252,7 @@ class Gluing {
   std::vector<PlacedCells> placed_;
   std::vector<CutNode> cuts_;
   std::vector<std::vector<std::size_t>> exits_;  // of pinch cells, in cuts_
+  std::vector<int> poles_;                       // nodes of the graph
   GluedCells glued_;
 };
 

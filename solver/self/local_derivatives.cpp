@@ -90,6 +90,19 @@ AffineDerivatives affine_derivatives(const ByOrder<std::array<DoubleBall, 4>>& f
 
 }  // namespace
 
+DoubleBall hull_of(const std::vector<DoubleBall>& balls) {
+  if (balls.empty()) return DoubleBall(0);
+  double least = HUGE_VAL, most = -HUGE_VAL, radius = 0;
+  for (const DoubleBall& ball : balls) {
+    least = std::min(least, ball.approximation());
+    most = std::max(most, ball.approximation());
+    radius = larger_bound(radius, ball.radius());
+  }
+  // Halves are exact, or lose what `widened` adds.
+  const DoubleBall middle = DoubleBall(0.5) * (DoubleBall(least) + DoubleBall(most));
+  return middle.widened((DoubleBall(most) - DoubleBall(least)).upper_magnitude() * 0.5 + radius);
+}
+
 LocalDerivatives::LocalDerivatives(const RationalPatch& patch, const Point& origin, std::size_t orders)
     : orders_(orders) {
   BallNet rows = moved_net(patch, origin);
@@ -110,17 +123,10 @@ AffineDerivatives LocalDerivatives::everywhere() const {
   ByOrder<HomogeneousBall> full{};
   for (std::size_t i = 0; i < orders_; ++i) {
     for (std::size_t j = 0; i + j < orders_; ++j) {
-      for (std::size_t c = 0; c < 4 && !nets_[i][j].vectors.empty(); ++c) {
-        double least = HUGE_VAL, most = -HUGE_VAL, radius = 0;
-        for (const HomogeneousBall& p : nets_[i][j].vectors) {
-          least = std::min(least, p[c].approximation());
-          most = std::max(most, p[c].approximation());
-          radius = larger_bound(radius, p[c].radius());
-        }
-        // Halves are exact, or lose what `widened` adds.
-        const DoubleBall middle = DoubleBall(0.5) * (DoubleBall(least) + DoubleBall(most));
-        full[i][j][c] =
-            middle.widened((DoubleBall(most) - DoubleBall(least)).upper_magnitude() * 0.5 + radius);
+      for (std::size_t c = 0; c < 4; ++c) {
+        std::vector<DoubleBall> values;
+        for (const HomogeneousBall& p : nets_[i][j].vectors) values.push_back(p[c]);
+        full[i][j][c] = hull_of(values);
       }
     }
   }

@@ -18,6 +18,9 @@ using ByOrder = std::array<std::array<T, kLocalOrders>, kLocalOrders>;
 /// known.
 using AffineDerivatives = ByOrder<BallVector<DoubleBall>>;
 
+/// Contains all balls and what is between them; 0 if there are none.
+DoubleBall hull_of(const std::vector<DoubleBall>& balls);
+
 /// Of the patch moved by -origin; those of an order not below `orders` are none, and are given as zero.
 class LocalDerivatives {
  public:

@@ -43,11 +43,15 @@ PlacedNode placed_node(const Ranges& cells, const Node& node) {
   return result;
 }
 
-/// An arc on sides of cells that is on none of the square.
+/// An arc on sides of cells that is on none of the square, or may be: a pole, where one parameter is free,
+/// does not tell on which sides its arcs are.
 bool lies_on_cut(const Arc& arc, const std::vector<PlacedNode>& nodes) {
   if (arc.place != ArcPlace::patch_boundary) return false;
   const std::vector<Side>& from = nodes[static_cast<std::size_t>(arc.from)].node.on;
   const std::vector<Side>& to = nodes[static_cast<std::size_t>(arc.to)].node.on;
+  const auto is_pole = [&](int end) { return !nodes[static_cast<std::size_t>(end)].node.free.empty(); };
+  if (is_pole(arc.from)) return is_pole(arc.to) || to.empty();
+  if (is_pole(arc.to)) return from.empty();
   return std::ranges::none_of(from, [&](const Side& side) { return std::ranges::count(to, side) > 0; });
 }
 
@@ -57,10 +61,7 @@ PlacedCells placed_cells(const CellTree& tree, const SolvedCells& solved) {
   const ParameterRectangle &first = tree[solved.first].where, &second = tree[solved.second].where;
   const Ranges cells = {first.u, first.v, second.u, second.v};
   PlacedCells result;
-  for (const Node& node : solved.graph.nodes) {
-    result.nodes.push_back(placed_node(cells, node));
-    result.along_cut = result.along_cut || !node.free.empty();
-  }
+  for (const Node& node : solved.graph.nodes) result.nodes.push_back(placed_node(cells, node));
   for (Arc arc : solved.graph.arcs) {
     for (PolylineVertex& vertex : arc.polyline)
       vertex.parameters = placed_parameters(cells, vertex.parameters);

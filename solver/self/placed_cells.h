@@ -26,7 +26,7 @@ struct PlacedCells {
   std::vector<PlacedNode> nodes;  // as in the graph
   std::vector<Arc> arcs;
   std::vector<int> isolated;
-  bool along_cut = false;  // an arc lies on a cut, or a node stands for many points
+  bool along_cut = false;  // an arc lies on a cut
 };
 PlacedCells placed_cells(const CellTree& cells, const SolvedCells& solved);
 

@@ -194,6 +194,69 @@ TEST_CASE("self in doubles: a band that closes after a turn of half its length")
   }
 }
 
+TEST_CASE(
+    "self in doubles: biquadratic patches with a side that is one point as the exact solution has them") {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    ControlNet net = scattered(generator).net();
+    const Point pole = scattered(generator).net()[0][0];
+    const std::size_t side = seed % 4 < 2 ? 0 : 2;
+    for (std::size_t k = 0; k < 3; ++k) (seed % 2 == 0 ? net[side][k] : net[k][side]) = pole;
+    const BezierPatch x(net);
+    check_same(in_doubles(x), self_intersect(x).graph);
+  }
+}
+
+TEST_CASE("self in doubles: parts of a sphere and of cones, up to their poles") {
+  // From pole to pole, a quarter around; an eighth of it; a cone over a quarter of a circle.
+  random_nets::Net lune(4), octant(3), cone(2);
+  random_nets::Weights lune_weights(4), octant_weights(3), cone_weights(2);
+  constexpr std::array<std::array<int, 2>, 3> around = {{{1, 0}, {1, 1}, {0, 1}}};
+  constexpr std::array<int, 3> around_weights = {1, 1, 2};
+  const auto append = [&](random_nets::Net& net, random_nets::Weights& weights, std::size_t i, int radius,
+                          int height, const Rational& weight) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      net[i].push_back({radius * around[j][0], radius * around[j][1], height});
+      weights[i].push_back(weight * around_weights[j]);
+    }
+  };
+  for (std::size_t i = 0; i < 4; ++i)
+    append(lune, lune_weights, i, i % 3 == 0 ? 0 : 2, i < 2 ? -1 : 1, i % 3 == 0 ? 3 : 1);
+  append(octant, octant_weights, 0, 1, 0, 1);
+  append(octant, octant_weights, 1, 1, 1, 1);
+  append(octant, octant_weights, 2, 0, 1, 2);
+  append(cone, cone_weights, 0, 0, 0, 1);
+  append(cone, cone_weights, 1, 1, 1, 1);
+  Generator generator(5);
+  for (const auto& [x, poles] : {std::pair(RationalPatch(lune, lune_weights), 2U),
+                                 std::pair(RationalPatch(octant, octant_weights), 1U),
+                                 std::pair(RationalPatch(cone, cone_weights), 1U)})
+    for (const RationalPatch& image : {x, x.transposed(), x.restricted_to(1, 0, 1, 0),
+                                       random_nets::image(x, random_nets::projective_map(generator))}) {
+      const IntersectResult result = self_intersect(image);
+      check_complete(result);
+      CHECK(result.graph.arcs.empty());
+      CHECK(result.graph.nodes.size() == poles);
+      CHECK(result.graph.isolated_points.size() == poles);
+    }
+}
+
+TEST_CASE("self in doubles: a cone over a closed loop meets itself along a line from its apex") {
+  const Point apex = {0, 0, 0};
+  const RationalPatch x({{apex, apex, apex, apex}, {{-1, -1, 2}, {2, -1, 2}, {-1, 2, 2}, {-1, -1, 2}}});
+  const IntersectResult result = self_intersect(x);
+  check_complete(result);
+  REQUIRE(result.graph.arcs.size() == 1);
+  CHECK(result.graph.isolated_points.empty());
+  const Arc& arc = result.graph.arcs[0];
+  for (const PolylineVertex& vertex : arc.polyline) {
+    CHECK(vertex.parameters[1] + vertex.parameters[3] == 1);
+    CHECK(std::fabs(vertex.parameters[0] - vertex.parameters[2]) < 1e-12);
+  }
+  check_same(self_intersect(x.transposed()), result.graph, {{1, 0, 3, 2}, {}});
+}
+
 TEST_CASE("self in doubles: patches that are injective, of every kind") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     INFO("seed " << seed);
