@@ -15,6 +15,7 @@
 #include "filter/exact_turning.h"
 #include "filter/known_pair.h"
 #include "filter/loops.h"
+#include "filter/proved_by_eliminant.h"
 #include "filter/side_point_search.h"
 #include "trace/turning_points.h"
 
@@ -80,7 +81,8 @@ class FilteredIntersection {
                             (filter::add_side_point(x_, y_, *pair, *stuck_, *contacts) ||
                              filter::add_side_touch(x_, y_, *pair, *stuck_, *contacts));
       if (!is_added && !filter::add_corner_points(x_, y_, *pair, *contacts)) {
-        return std::nullopt;
+        if (!points || !loops_open_) return std::nullopt;
+        break;
       }
       points = filter::boundary_points(*pair, *contacts, trees, boxes_);
       traces.clear();
@@ -89,8 +91,11 @@ class FilteredIntersection {
     if (!find_turns(*pair, *points, traces, curves)) {
       return std::nullopt;
     }
-    if (with_stations_) {
+    if (all_turns_wanted()) {
       find_stations(*points, curves);
+    }
+    if (loops_open_ && !proved_by_eliminant(*pair, trees)) {
+      return std::nullopt;
     }
     filter::KnownPair<K> all = known(*pair, *std::move(contacts));
     all.points = *std::move(points);
@@ -146,11 +151,14 @@ class FilteredIntersection {
                    std::vector<TraceOf<K>>& traces) {
     for (;;) {
       filter::Vec4 stuck = {1, 1, 1, 1};
-      if (trace_arcs(pair, points, traces, stuck) &&
+      const bool has_arcs = trace_arcs(pair, points, traces, stuck);
+      if (has_arcs &&
           filter::add_loops(pair, contacts, double_points_, trees, points, traces, boxes_, stuck)) {
+        loops_open_ = false;
         return true;
       }
       stuck_ = stuck;
+      loops_open_ = has_arcs && has_eliminant(contacts, points);
       if (with_stations_ || double_points_.size() == kMostDoublePoints ||
           !add_double_point(pair, stuck, points)) {
         return false;
@@ -196,6 +204,24 @@ class FilteredIntersection {
     return true;
   }
 
+  /// Whether the proof by an eliminant may do what the search for closed curves does not: where patches share
+  /// points of sides, or touch, it has a multiple root.
+  bool has_eliminant(const filter::ContactsOf<K>& contacts,
+                     const std::vector<BoundaryPointOf<K>>& points) const {
+    return std::is_same_v<K, filter::WeightedBiquadratic> && contacts.empty() && double_points_.empty() &&
+           std::ranges::none_of(points, &BoundaryPointOf<K>::isolated);
+  }
+
+  bool proved_by_eliminant(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees) {
+    bool is_proved = false;
+    run_.timed("turning eliminant",
+               [&] { is_proved = filter::proved_by_eliminant<K>(x_, y_, pair, trees, stations_, boxes_); });
+    return is_proved && !run_.out_of_time();
+  }
+
+  /// Also those with respect to parameters that were not asked for.
+  bool all_turns_wanted() const { return with_stations_ || loops_open_; }
+
   /// Without exact arithmetic. Of an open curve all that are not asked for are left out; a closed one needs a
   /// node.
   filter::KnownTurning<K> known_turning(const TraceOf<K>& trace,
@@ -208,7 +234,7 @@ class FilteredIntersection {
     known.at_end = end.still;
     known.start = start.ball;
     known.end = end.ball;
-    if (with_stations_ || !filter::moves(trace)) return known;
+    if (all_turns_wanted() || !filter::moves(trace)) return known;
     known.unasked.fill(true);
     for (const Parameter p : run_.turning()) known.unasked[index(p)] = false;
     return known;
@@ -220,7 +246,8 @@ class FilteredIntersection {
     filter::ExactTurning<K> exact(x_, y_);
     for (TraceOf<K>& trace : traces) {
       AnalysedTraceOf<K>& curve = curves.emplace_back(AnalysedTraceOf<K>{std::move(trace), {}});
-      if (run_.turning().empty() && curve.trace.start >= 0 && !with_stations_ && filter::moves(curve.trace)) {
+      if (run_.turning().empty() && curve.trace.start >= 0 && !all_turns_wanted() &&
+          filter::moves(curve.trace)) {
         continue;
       }
       filter::KnownTurning<K> known = known_turning(curve.trace, points);
@@ -279,7 +306,7 @@ class FilteredIntersection {
     for (const Arc& arc : graph.arcs) {
       vertices += arc.polyline.size();
     }
-    if (!with_stations_) run_.count("filtered", 1);
+    if (!all_turns_wanted()) run_.count("filtered", 1);
     run_.count("searched boxes", static_cast<double>(boxes_));
     run_.count("tubes", static_cast<double>(tubes));
     run_.count("vertices", static_cast<double>(vertices));
@@ -293,6 +320,7 @@ class FilteredIntersection {
   std::array<std::size_t, 4> coincident_ = kNoneCoincident;
   std::vector<filter::DoublePointOf<K>> double_points_;
   bool with_stations_ = false;
+  bool loops_open_ = false;  // all arcs are traced, the search for closed curves did not end
   std::array<std::vector<Stations>, 4> stations_;
 };
 

@@ -2,9 +2,13 @@
 // docs/method.md, section 14.3.
 #pragma once
 
+#include <exsect/algebra/nearest_double.h>
+#include <exsect/solver/parameter.h>
+
 #include <vector>
 
 #include "filter/contact.h"
+#include "filter/error_bounds.h"
 #include "filter/tube.h"
 
 namespace exsect::filter {
@@ -16,6 +20,12 @@ struct Line {
   double value;
   double error;
 };
+
+/// The line where p has this value in [0,1].
+inline Line centred_line(Parameter p, const Rational& value) {
+  const NearestDouble nearest = nearest_double(value - Rational(1, 2));
+  return {index(p), nearest.value, nearest.exact ? 0 : kValueError};
+}
 
 /// Every solution on the line, apart from the contacts (none for an inner line), with the other three
 /// parameters inside their intervals: exactly one in each ball, the curve crosses the line there; the balls

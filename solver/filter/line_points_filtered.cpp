@@ -13,11 +13,6 @@
 namespace exsect {
 namespace {
 
-filter::Line centred(const LineQuery& query) {
-  const NearestDouble value = nearest_double(query.value - Rational(1, 2));
-  return {index(query.fixed), value.value, value.exact ? 0 : filter::kValueError};
-}
-
 /// Ascending in the parameter `kept`; false if the balls do not tell the order.
 bool sort_along(std::vector<filter::Ball>& balls, std::size_t kept) {
   std::ranges::sort(balls, {}, [&](const filter::Ball& ball) { return ball.middle[kept]; });
@@ -41,7 +36,7 @@ LinePoints line_points_filtered(const BezierPatch& x, const BezierPatch& y, cons
     const LinePlace place = line_place(query);
     const auto pair = filter::make_pair(x, y);
     if (!pair) return line_points(x, y, query);
-    const filter::Line line = centred(query);
+    const filter::Line line = filter::centred_line(query.fixed, query.value);
     filter::PatchTree other(line.fixed < 2 ? pair->y : pair->x);
     long boxes = 0;
     auto balls = filter::points_on_line(*pair, line, {}, other, boxes);

@@ -47,6 +47,20 @@ inline PowerBasis power_basis(const RationalPatch& patch) {
   return c;
 }
 
+inline RationalPatch from_power_basis(PowerBasis c) {
+  const auto to_bernstein = [](HomogeneousPoint& b0, HomogeneousPoint& b1, HomogeneousPoint& b2) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      b2[k] += b0[k] + b1[k];
+      b1[k] = b0[k] + b1[k] / 2;
+    }
+  };
+  for (auto& row : c) to_bernstein(row[0], row[1], row[2]);
+  for (std::size_t j = 0; j < 3; ++j) to_bernstein(c[0][j], c[1][j], c[2][j]);
+  std::vector<std::vector<HomogeneousPoint>> net;
+  for (const auto& row : c) net.emplace_back(row.begin(), row.end());
+  return RationalPatch::from_homogeneous(net);
+}
+
 template <class Map>
 RationalPatch mapped(const RationalPatch& patch, const Map& map) {
   std::vector<std::vector<HomogeneousPoint>> net(3);
