@@ -48,6 +48,26 @@ class PlaneStrip {
     return std::nullopt;
   }
 
+  /// An enclosure of the zero of f(u,.) in a ball that has one, if it is proved to be the only one there: by
+  /// one change of sign in the Bernstein coefficients on a slightly wider interval, and one of f around the
+  /// zero that Newton's method finds.
+  std::optional<Ball> only_zero(const Ball& u, const Ball& range) const {
+    const double middle = range.approximation(), reach = range.upper_magnitude();
+    const double room = range.radius() * 0x1p-5 + reach * 0x1p-40 + kUnderflowLoss;
+    const double lower = middle - range.radius() - room, width = 2 * (range.radius() + room);
+    std::vector<Ball> c = over(u);
+    if (!changes_sign_once(c, Ball(lower), Ball(width))) return std::nullopt;
+    const std::optional<Ball> v = zero_near(u, range.midpoint(), 0x1p-40);
+    if (!v) return std::nullopt;
+    for (double w = 0x1p-50; w < 0x1p-34; w *= 16) {
+      const Ball below = *v - Ball(w), above = *v + Ball(w);
+      if (!(below - Ball(lower)).is_positive() || !(Ball(lower) + Ball(width) - above).is_positive())
+        return std::nullopt;
+      if (value(c, below).certain_sign() * value(c, above).certain_sign() < 0) return v->widened(w * kSlack);
+    }
+    return std::nullopt;
+  }
+
   /// Proves that f has no zero on the two edges v = l(u) - w and v = l(u) + w of the strip around a line l,
   /// as far as they are in the square, for u from a.u to b.u and `slack` beyond both; a bound of |l - v| in a
   /// and b, less than w. Empty if it is not proved.
@@ -92,6 +112,37 @@ class PlaneStrip {
     for (std::size_t i = m_ + 1; i-- > 0;)
       for (std::size_t j = 0; j <= n_; ++j) c[j] = c[j] * u + c_[i * (n_ + 1) + j];
     return c;
+  }
+
+  static Ball value(const std::vector<Ball>& c, const Ball& v) {
+    Ball sum;
+    for (std::size_t j = c.size(); j-- > 0;) sum = sum * v + c[j];
+    return sum;
+  }
+
+  /// One change of sign, whatever the sign of one coefficient that is not known, in the Bernstein
+  /// coefficients of a polynomial on [lower, lower + width]: it has exactly one zero there, a simple one
+  /// inside.
+  static bool changes_sign_once(std::vector<Ball> c, const Ball& lower, const Ball& width) {
+    const std::size_t n = c.size() - 1;
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t j = n; j-- > k;) c[j] += lower * c[j + 1];
+    Ball power(1);
+    double binomial = 1;
+    for (std::size_t j = 0; j <= n; ++j) {
+      c[j] = c[j] * power * Ball(1 / binomial).widened(0x1p-52 / binomial);
+      power *= width;
+      binomial = binomial * static_cast<double>(n - j) / static_cast<double>(j + 1);
+    }
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t j = n; j > k; --j) c[j] += c[j - 1];
+    const int first = c[0].certain_sign(), last = c[n].certain_sign();
+    if (first * last >= 0) return false;
+    std::size_t i = 0;
+    while (c[i].certain_sign() == first) ++i;
+    if (c[i].certain_sign() == 0) ++i;
+    while (i <= n && c[i].certain_sign() == last) ++i;
+    return i > n;
   }
 
   /// Coefficients of f(x, slope x + edge) in x.

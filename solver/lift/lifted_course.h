@@ -5,11 +5,10 @@
 #include <array>
 #include <vector>
 
+#include "lift/exact_chart.h"
 #include "lift/lifted_curve.h"
 
 namespace exsect {
-
-using SpaceBox = std::array<RationalInterval, 3>;
 
 /// A closed box of the point, as narrow in u and v as asked for; > 0.
 SpaceBox place_in_space(const LiftedCurve& curve, std::size_t node, const Rational& width);

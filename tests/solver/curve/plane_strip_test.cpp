@@ -1,6 +1,8 @@
 // Strips that a plane curve does not meet: in doubles and in long numbers, and against exact values.
 #include "curve/plane_strip.h"
 
+#include <exsect/algebra/real_algebraic.h>
+
 #include <random>
 
 #include "support/catch.h"
@@ -70,6 +72,35 @@ TEST_CASE("plane strips: rounding does not hide a zero", "[curve]") {
   f += power;
   CHECK_FALSE(clear<DoubleBall>(f, 0.333, 0.5, 0.334, 0.5, 1e-5));
   CHECK(clear<ArbBall<256>>(f, 0.333, 0.5, 0.334, 0.5, 1e-5));
+}
+
+TEST_CASE("plane strips: the only zero in an interval, against exact roots", "[curve]") {
+  const unsigned seed = 12;
+  INFO("seed " << seed);
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> place(0, 1);
+  int found = 0, single = 0;
+  for (int i = 0; i < 600; ++i) {
+    const BivariatePolynomial f = random_curve(generator, 1 + i % 5, 1 + i % 8);
+    const double u = place(generator), middle = place(generator), radius = 0.3 * place(generator);
+    const auto v = PlaneStrip<DoubleBall>(f).only_zero(DoubleBall(u), DoubleBall(middle, radius));
+    const Polynomial over = f.at_r(from_double(u));
+    const auto roots = [&](double reach) {
+      return real_roots(over, from_double(middle) - from_double(reach),
+                        from_double(middle) + from_double(reach));
+    };
+    single += roots(1.1 * radius).size() == 1 && roots(radius).size() == 1 ? 1 : 0;
+    if (!v) continue;
+    ++found;
+    const std::vector<RealAlgebraic> wide = roots(1.03 * radius);
+    REQUIRE(wide.size() == 1);
+    const RationalInterval root = wide[0].refined_to(power_of_two(-80)).interval(), ball = v->interval();
+    CHECK(ball.lower < root.upper);
+    CHECK(root.lower < ball.upper);
+    CHECK(v->radius() < 1e-9);
+  }
+  CHECK(found > 50);
+  CHECK(found > 0.7 * single);
 }
 
 }  // namespace exsect::plane_strip_test

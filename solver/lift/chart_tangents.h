@@ -1,0 +1,38 @@
+// Tangents of a lifted curve in balls. Internal to solver/; docs/method.md, section 17.6.
+#pragma once
+
+#include <exsect/algebra/ball.h>
+
+#include <array>
+#include <vector>
+
+#include "lift/ball_chart.h"
+
+namespace exsect {
+
+/// A polynomial in balls, divided by a number.
+class EnclosedPolynomial {
+ public:
+  EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit);
+  /// All values on a rectangle: Taylor's expansion about the middle.
+  DoubleBall over(const DoubleBall& u, const DoubleBall& v) const;
+
+ private:
+  std::size_t row_;
+  std::vector<DoubleBall> c_;
+};
+
+class ChartTangents {
+ public:
+  /// Of the curve g = 0 on the chart, on its plane of symmetry if it is planar.
+  ChartTangents(const BivariatePolynomial& g, const SurfaceChart& chart, bool is_planar);
+  /// (17.6), by (17.14) along the chart's vectors: proportional to all tangents of the curve at places in
+  /// these balls.
+  std::array<DoubleBall, 3> over(const BallChart::Place& at, const BallChart& chart) const;
+
+ private:
+  bool is_planar_;
+  EnclosedPolynomial g_u_, g_v_, y2_u_, y2_v_;
+};
+
+}  // namespace exsect
