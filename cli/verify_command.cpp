@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 
 #include "cli/input_file.h"
@@ -12,6 +13,7 @@
 #include "cli/progress.h"
 #include "output/options/option_values.h"
 #include "output/report/verdict_picture.h"
+#include "output/report/verdict_report.h"
 #include "output/text/terminal_text.h"
 #include "output/text/verdict_json.h"
 #include "output/text/verdict_summary.h"
@@ -70,22 +72,25 @@ ExitStatus status(Agreement agreement) {
   return agreement == Agreement::disagrees ? ExitStatus::negative : ExitStatus::incomplete;
 }
 
-/// What the forms of a verdict need of the pair; nullptr for a surface given by its equation.
+/// What the forms of a verdict need of the pair.
 struct JudgedPair {
-  std::array<const RationalPatch*, 2> patches;
+  std::array<const RationalPatch*, 2> patches;  // nullptr for a surface given by its equation
   PatchNames names;
   std::string title;
+  std::function<std::string()> svg;
+  std::function<std::string(const ReportOrigin&)> report;
 };
 
-/// What is written but for the page.
 ExitStatus write_verdict(const VerifyCommand& command, const Candidate& candidate, const Verification& result,
                          const JudgedPair& pair, const Streams& streams) {
   const std::string json =
       command.output.json.empty() ? "" : json_text(verdict_json(result, candidate, pair.names));
   if (!command.output.json.empty() && !command.output.json_to_stdout())
     write_file_atomically(command.output.json, json);
-  if (!command.output.svg.empty())
-    write_file_atomically(command.output.svg, verdict_svg(result, candidate, pair.names, pair.title));
+  if (!command.output.report.empty())
+    write_file_atomically(command.output.report, pair.report(origin_of(pair.title, command.output.line,
+                                                                       {command.candidate, command.file})));
+  if (!command.output.svg.empty()) write_file_atomically(command.output.svg, pair.svg());
   if (command.output.json_to_stdout())
     streams.out << json;
   else if (!command.quiet)
@@ -101,7 +106,6 @@ ExitStatus judge_with_equation(const VerifyCommand& command, const Candidate& gi
     throw InputError(input_name(command.file), "$.patches",
                      fmt::format("\"{}\" is given by its equation: {}", printable(pair.surface), what));
   };
-  if (!command.output.report.empty()) refuse("not supported yet with --report");
   const Candidate candidate = patch_is_second ? exchanged(given) : given;
   const auto has_second = [](const auto& claim) { return claim.second.has_value(); };
   if (std::ranges::any_of(candidate.curves, has_second) || std::ranges::any_of(candidate.points, has_second))
@@ -109,10 +113,15 @@ ExitStatus judge_with_equation(const VerifyCommand& command, const Candidate& gi
   const RationalPatch& patch = pair.patch.patch;
   const Verification result =
       solve_candidate(pair.equation, patch, candidate, options, streams, command.quiet);
+  const PatchNames names = {pair.patch.name, pair.surface, one_patch_names, name(pair.equation.kind())};
   return write_verdict(command, candidate, result,
                        {{&patch, nullptr},
-                        {pair.patch.name, pair.surface, one_patch_names, name(pair.equation.kind())},
-                        pair.title},
+                        names,
+                        pair.title,
+                        [&] { return verdict_svg(result, candidate, names, pair.title); },
+                        [&](const ReportOrigin& origin) {
+                          return verdict_report_html(result, candidate, patch, pair.equation, names, origin);
+                        }},
                        streams);
 }
 
@@ -124,13 +133,20 @@ ExitStatus judge_equations(const VerifyCommand& command, const Candidate& candid
                       fmt::format("\"{}\" and \"{}\" are given by their equations: {}",
                                   printable(pair.x.name), printable(pair.y.name), what));
   };
-  if (!command.output.report.empty()) throw refusal("not supported yet with --report");
-  if (!command.output.svg.empty()) throw refusal("not supported yet with --svg");
+  const ImplicitSurface &first = *pair.x.equation(), &second = *pair.y.equation();
+  const SurfaceNames names = {pair.x.name, pair.y.name, name(first.kind()), name(second.kind())};
   try {
     const EquationsVerification result =
-        solve_candidate(*pair.x.equation(), *pair.y.equation(), candidate, options, streams, command.quiet);
-    return write_verdict(command, candidate, result,
-                         {{nullptr, nullptr}, {pair.x.name, pair.y.name}, pair.title}, streams);
+        solve_candidate(first, second, candidate, options, streams, command.quiet);
+    const DrawnSurfaces drawn = {result.surfaces, first, second, names};
+    return write_verdict(
+        command, candidate, result,
+        {{nullptr, nullptr},
+         {pair.x.name, pair.y.name},
+         pair.title,
+         [&] { return verdict_svg(result, candidate, drawn, pair.title); },
+         [&](const ReportOrigin& origin) { return verdict_report_html(result, candidate, drawn, origin); }},
+        streams);
   } catch (const NotComparable& error) {
     throw refusal(error.what());
   }
@@ -154,12 +170,15 @@ ExitStatus run(const VerifyCommand& command, const Streams& streams) {
   const PatchNames names = {pair.x.name, pair.y.name};
   const Verification result =
       solve_candidate(pair.x.patch, pair.y.patch, candidate, options, streams, command.quiet);
-  if (!command.output.report.empty())
-    write_file_atomically(
-        command.output.report,
-        verdict_report_html(result, candidate, pair.x.patch, pair.y.patch, names,
-                            origin_of(pair.title, command.output.line, {command.candidate, command.file})));
-  return write_verdict(command, candidate, result, {{&pair.x.patch, &pair.y.patch}, names, pair.title},
+  return write_verdict(command, candidate, result,
+                       {{&pair.x.patch, &pair.y.patch},
+                        names,
+                        pair.title,
+                        [&] { return verdict_svg(result, candidate, names, pair.title); },
+                        [&](const ReportOrigin& origin) {
+                          return verdict_report_html(result, candidate, pair.x.patch, pair.y.patch, names,
+                                                     origin);
+                        }},
                        streams);
 }
 

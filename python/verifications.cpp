@@ -8,6 +8,7 @@
 #include "output/options/option_values.h"
 #include "output/report/method_reports.h"
 #include "output/report/verdict_picture.h"
+#include "output/report/verdict_report.h"
 #include "output/text/comparison.h"
 #include "output/text/comparison_json.h"
 #include "output/text/verdict_json.h"

@@ -34,16 +34,20 @@ Flat projected(const std::array<double, 3>& p) {
 /// Where the scene is on the picture.
 class View {
  public:
-  explicit View(const Scene& scene) {
+  View(const Scene& scene, const SpaceAdditions& additions) {
     for (const SceneMesh& mesh : scene.meshes) cover(mesh.vertices);
     for (const SceneCurve& curve : scene.curves) cover(curve.vertices);
     for (const SceneNode& node : scene.nodes) cover({node.vertex});
+    for (const auto* lines : {&additions.below, &additions.above})
+      for (const auto& line : *lines) std::ranges::for_each(line.first, [&](const auto& p) { cover(p); });
+    for (const auto& p : additions.marks) cover(p);
     const double extent = std::max(upper_[0] - lower_[0], upper_[1] - lower_[1]);
     scale_ = extent > 0 && std::isfinite(extent) ? (picture_size - 2 * picture_margin) / extent : 1;
   }
 
-  Flat operator()(const PolylineVertex& vertex) const {
-    const Flat at = projected(vertex.point);
+  Flat operator()(const PolylineVertex& vertex) const { return (*this)(vertex.point); }
+  Flat operator()(const std::array<double, 3>& p) const {
+    const Flat at = projected(p);
     return {picture_margin + scale_ * (at[0] - lower_[0]), drawing_top + scale_ * (upper_[1] - at[1])};
   }
   double bottom() const {
@@ -52,12 +56,13 @@ class View {
 
  private:
   void cover(const std::vector<PolylineVertex>& vertices) {
-    for (const PolylineVertex& vertex : vertices) {
-      const Flat at = projected(vertex.point);
-      for (std::size_t k = 0; k < 2; ++k) {
-        lower_[k] = std::min(lower_[k], at[k]);
-        upper_[k] = std::max(upper_[k], at[k]);
-      }
+    for (const PolylineVertex& vertex : vertices) cover(vertex.point);
+  }
+  void cover(const std::array<double, 3>& p) {
+    const Flat at = projected(p);
+    for (std::size_t k = 0; k < 2; ++k) {
+      lower_[k] = std::min(lower_[k], at[k]);
+      upper_[k] = std::max(upper_[k], at[k]);
     }
   }
 
@@ -67,10 +72,11 @@ class View {
   double scale_ = 1;
 };
 
-void draw_path(SvgPicture& picture, const View& view, const std::vector<PolylineVertex>& vertices,
+template <class Vertex>
+void draw_path(SvgPicture& picture, const View& view, const std::vector<Vertex>& vertices,
                const Stroke& stroke) {
   std::string path;
-  for (const PolylineVertex& vertex : vertices) {
+  for (const Vertex& vertex : vertices) {
     const Flat at = view(vertex);
     path += fmt::format("{}{:.2f},{:.2f}", path.empty() ? "M" : "L", at[0], at[1]);
   }
@@ -128,9 +134,15 @@ SvgLegend legend_of(const DrawnSurfaces& drawn, const Scene& scene) {
 }  // namespace
 
 std::string surfaces_svg(const DrawnSurfaces& drawn, const std::string& title) {
+  return surfaces_svg(drawn, title, {});
+}
+
+std::string surfaces_svg(const DrawnSurfaces& drawn, const std::string& title,
+                         const SpaceAdditions& additions) {
   const Scene scene = surfaces_scene(drawn, title, wires);
-  const View view(scene);
-  const SvgLegend legend = legend_of(drawn, scene);
+  const View view(scene, additions);
+  SvgLegend legend = legend_of(drawn, scene);
+  for (const auto& [stroke, text] : additions.legend) legend.add(stroke, text);
   const double legend_width = picture_size - 2 * picture_margin, legend_top = view.bottom() + 24;
   SvgPicture picture(picture_size, legend_top + legend.height(legend_width) + 14);
   picture.element("<g fill=\"#000000\">");
@@ -143,6 +155,7 @@ std::string surfaces_svg(const DrawnSurfaces& drawn, const std::string& title) {
   picture.element("</g>");
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
     draw_wires(picture, view, scene.meshes[i], wire_strokes[i]);
+  for (const auto& [points, stroke] : additions.below) draw_path(picture, view, points, stroke);
   for (const SceneCurve& curve : scene.curves)
     draw_path(picture, view, curve.vertices,
               space_curve_stroke(curve.component, curve.contact == Contact::tangential));
@@ -150,6 +163,8 @@ std::string surfaces_svg(const DrawnSurfaces& drawn, const std::string& title) {
     const Flat at = view(scene.nodes[i].vertex);
     if (const auto mark = mark_of(drawn.result.nodes[i].kind)) picture.mark(*mark, at[0], at[1], "#000000");
   }
+  for (const auto& [points, stroke] : additions.above) draw_path(picture, view, points, stroke);
+  for (const auto& p : additions.marks) picture.mark(Mark::cross, view(p)[0], view(p)[1], "#d00000");
   legend.draw(picture, picture_margin, legend_top, legend_width);
   return picture.document();
 }

@@ -1,4 +1,4 @@
-// A verdict on a candidate as a picture and as a web page.
+// A verdict on a candidate as a picture.
 #pragma once
 
 #include <exsect/geometry/candidate.h>
@@ -6,7 +6,8 @@
 
 #include <string>
 
-#include "output/report/report_html.h"
+#include "output/drawing/surfaces_scene.h"
+#include "output/text/intersection_json.h"
 
 namespace exsect::cli {
 
@@ -14,11 +15,8 @@ namespace exsect::cli {
 /// the candidate's curves dashed where it states parameters, spurious parts and wrong points in red.
 std::string verdict_svg(const Verification& verification, const Candidate& candidate, const PatchNames& names,
                         const std::string& title);
-
-/// The page of a verdict, with the whole "verdict/1" result and the exact intersection as "intersection/1";
-/// differences are marked in space and in the squares.
-std::string verdict_report_html(const Verification& verification, const Candidate& candidate,
-                                const RationalPatch& x, const RationalPatch& y, const PatchNames& names,
-                                const ReportOrigin& origin);
+/// The same of two surfaces given by their equations, in space. Throws BeyondDoubles.
+std::string verdict_svg(const Verification& verification, const Candidate& candidate,
+                        const DrawnSurfaces& drawn, const std::string& title);
 
 }  // namespace exsect::cli

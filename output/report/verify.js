@@ -203,7 +203,7 @@ function differenceTable() {
     element('td', {}, pickButton(`show ${id + 1}`, drawing('circle', {r: 6, fill: 'none', stroke: 'var(--bad)', 'stroke-width': 2.4}), `difference ${id + 1}`)),
     element('td', {}, difference.kind), element('td', {class: 'statement'}, difference.text), element('td', {}, where(difference)),
     element('td', {class: 'near'}, place(id)), element('td', {}, exactly(difference))));
-  return tableOf({id: 'differences', class: 'cards'}, 'Each of these is proved. A button flies to it, in space and in both squares.', [[''], ['kind'], ['difference'], ['where'], ['near (x, y, z)'], ['exactly']], rows);
+  return tableOf({id: 'differences', class: 'cards'}, 'Each of these is proved. A button flies to it, in space and in the squares.', [[''], ['kind'], ['difference'], ['where'], ['near (x, y, z)'], ['exactly']], rows);
 }
 
 function distanceText(bounds) {

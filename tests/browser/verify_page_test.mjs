@@ -1,7 +1,7 @@
 // The page of verify.
 import assert from 'node:assert/strict';
 
-import {assertQuiet, canvasPixels, example, launch, open, report, runTests, settled} from './browser.mjs';
+import {assertQuiet, canvasPixels, example, exsect, launch, open, report, runTests, settled, writeScratch} from './browser.mjs';
 
 const browser = await launch();
 const red = ([r, g, b]) => r > g + 60 && r > b + 60 && r > 150;
@@ -70,6 +70,30 @@ await runTests({
     assert.match(await lost.page.locator('#selection').textContent(), /^Difference 1, /);
     await lost.page.context().close();
     await page.context().close();
+  },
+
+  async 'with one surface by its equation, and with two'() {
+    for (const [first, second, squares] of [['saddle', 'torus', 1], ['oblique', 'torus', 0]]) {
+      const found = JSON.parse(exsect('intersect', example('surfaces.json'), '--first', first, '--second', second, '--json', '-'));
+      const curves = found.arcs.slice(1).map(({polyline}) => ({points: polyline.map((v) => v.slice(2 * squares))}));
+      const claims = writeScratch('claims.json', JSON.stringify({exsect: 'candidate/1', patches: [first, second], curves, points: [{point: [9, 9, 9]}]}));
+      const {path, json} = report('verify', claims, example('surfaces.json'), '--tolerance', '1e-3');
+      const page = await open(browser, path, {reducedMotion: 'reduce'});
+      assertQuiet(page);
+      assert.equal(json.verdict, 'disagrees');
+      assert.equal(await page.locator('.views .square').count(), squares);
+      assert.equal(await page.locator('#differences tbody tr').count(), json.differences.length);
+      assert.equal(await page.locator('#coverage tbody tr').count(), json.components.length);
+      assert.ok((await canvasPixels(page)).filter(red).length > 30, 'the gap is marked in space');
+      for (let id = 0; id < json.differences.length; ++id) {
+        await page.locator('#differences .pick').nth(id).click();
+        await settled(page);
+        assert.match(await page.locator('#selection').textContent(), new RegExp(`^Difference ${id + 1}, `));
+        await page.locator('#differences .pick').nth(id).click();
+      }
+      assertQuiet(page);
+      await page.context().close();
+    }
   },
 });
 

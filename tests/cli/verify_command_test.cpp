@@ -237,11 +237,15 @@ TEST_CASE("verify: a surface given by its equation, in either order") {
   // As parameters of the torus, which has none.
   CHECK(run_program({"verify", path, file, "--first", "saddle", "--second", "torus"})
             .err.find("\"torus\" is given by its equation: it has no parameters") != std::string::npos);
-  CHECK(run_program({"verify", path, file, "--report", scratch.path("page.html")})
-            .err.find("not supported yet with --report") != std::string::npos);
+  const std::string page = scratch.path("page.html");
+  CHECK(run_program({"verify", path, file, "--tolerance", "1e-4", "--report", page}).status == 0);
+  CHECK(content(page).find("Agrees, proved.") != std::string::npos);
   claims["curves"] = Json::array({claims["curves"][0]});
   write(path, claims.dump());
-  CHECK(run_program({"verify", path, file, "--tolerance", "1e-4"}).status == 1);
+  const std::string lost = scratch.path("lost.svg");
+  CHECK(run_program({"verify", path, file, "--tolerance", "1e-4", "--svg", lost, "--report", page}).status ==
+        1);
+  CHECK(content(lost).find("not covered by the candidate") != std::string::npos);
 }
 
 TEST_CASE("verify: two surfaces given by their equations") {
@@ -278,8 +282,11 @@ TEST_CASE("verify: two surfaces given by their equations") {
     INFO(failed.err);
     CHECK(failed.err.find(word) != std::string::npos);
   };
-  refused({"--report", scratch.path("page.html")}, "not supported yet with --report");
-  refused({"--svg", scratch.path("picture.svg")}, "not supported yet with --svg");
+  const std::string svg = scratch.path("picture.svg"), page = scratch.path("page.html");
+  CHECK(verify({"--svg", svg, "--report", page}).status == 1);
+  for (const char* words : {"not covered by the candidate", ">candidate<", ">curve<"})
+    CHECK(content(svg).find(words) != std::string::npos);
+  CHECK(content(page).find("Disagrees, proved.") != std::string::npos);
   claims["curves"][0]["first"] = claims["curves"][0]["points"];
   for (Json& p : claims["curves"][0]["first"]) p = {0.5, 0.5};
   write(path, claims.dump());
