@@ -81,7 +81,8 @@ class Recognition {
             std::vector<FieldNumber>& numbers) const {
     const RealField field(generator);
     const Rational a = generator.refined_to(power_of_two(-bits_)).interval().midpoint();
-    // With the derivative of the polynomial as denominator numerators have about as many digits as that has.
+    // (14.71). With the derivative of the polynomial as denominator numerators have about as many digits as
+    // that has.
     const Polynomial slope = field.modulus().derivative().primitive();
     std::vector<Rational> relation = {0};
     for (int i = 0; i < field.degree(); ++i) relation.push_back(i == 0 ? Rational(1) : relation.back() * a);

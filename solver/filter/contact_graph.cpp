@@ -70,10 +70,13 @@ class ContactGraph {
   void add(const DoublePointOf<K>& touch) {
     const auto is_there = [&](const auto& entry) { return place_of<K>(entry.first) == touch.centre; };
     if (std::any_of(nodes_.begin(), nodes_.end(), is_there)) return;
-    Node at = rim_node(touch.at);
+    std::array<Rational, 4> middle;  // on the sides that the point is on
+    for (std::size_t j = 0; j < 4; ++j) middle[j] = touch.box[j].midpoint();
+    Node at = rim_node(middle);
+    at.box = touch.box;
     at.kinds.push_back(NodeKind::touch);
     at.point = position(affine(expand(pair_.x, touch.centre[0], touch.centre[1])[0]));
-    const int id = graph_.add_node(std::move(at), 0);
+    const int id = graph_.add_node(std::move(at));
     graph_.add_isolated(id);
   }
 

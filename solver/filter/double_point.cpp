@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "filter/common_normal.h"
+#include "filter/exact_place.h"
 #include "filter/ports.h"
 
 namespace exsect::filter {
@@ -12,6 +14,8 @@ namespace {
 
 /// Of a parameter from the rational number it stands for, and of both patches from each other.
 constexpr double kCloseSheets = 0x1p-40;
+/// Of the boxes of the parameters, relative to these.
+constexpr long kBoxBits = 60;
 constexpr double kFirstReach = 0x1p-1;
 constexpr double kLeastReach = 0x1p-12;
 
@@ -22,11 +26,54 @@ bool has_star(const LocalFormsOf<K>& forms, const LocalBounds& bounds, double re
   return forms.crossing ? value < 0.5 && kSlack * (bounds.slope * reach + 2 * forms.rest) < 1 : value < 1;
 }
 
+/// The simplest rational parameters near w.
+std::array<FieldNumber, 4> simplest_place(const Vec4& w) {
+  std::array<FieldNumber, 4> at;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const Rational near = from_double(w[j] + 0.5);
+    at[j] = simplest_between(near - from_double(kCloseSheets), near + from_double(kCloseSheets));
+  }
+  return at;
+}
+
+/// Sets the place and the forms, the latter proved; false if there is no such point in the squares.
+template <class K>
+bool find_place(const ExactPatch<K>& x, const ExactPatch<K>& y, const Vec4& w, DoublePointOf<K>& point) {
+  point.at = simplest_place(w);
+  auto forms = local_forms<K>(x, y, point.at);
+  if constexpr (!std::is_same_v<K, Biquadratic>) {  // exact arithmetic is behind these
+    if (!forms) {
+      const auto place = exact_place<K>(x, y, w);
+      if (!place) return false;
+      point.at = *place;
+      forms = local_forms<K>(x, y, point.at);
+    }
+  }
+  if (!forms) return false;
+  point.forms = *forms;
+  for (std::size_t j = 0; j < 4; ++j) {
+    if (sign(point.at[j]) < 0 || sign(point.at[j] - 1) > 0) return false;
+    point.centre[j] = to_double(point.at[j] - Rational(1, 2));
+    point.box[j] = enclosure(point.at[j], kBoxBits);
+    point.box[j].upper = std::min<Rational>(point.box[j].upper, 1);
+  }
+  return true;
+}
+
 }  // namespace
 
 template <class K>
 bool is_on_side(const DoublePointOf<K>& point) {
-  return std::any_of(point.at.begin(), point.at.end(), [](const Rational& t) { return t == 0 || t == 1; });
+  return std::any_of(point.at.begin(), point.at.end(),
+                     [](const FieldNumber& t) { return t == FieldNumber(0) || t == FieldNumber(1); });
+}
+
+template <class K>
+bool may_be_same(const DoublePointOf<K>& point, const DoublePointOf<K>& other) {
+  for (std::size_t j = 0; j < 4; ++j) {
+    if (point.box[j].upper < other.box[j].lower || other.box[j].upper < point.box[j].lower) return false;
+  }
+  return true;
 }
 
 template <class K>
@@ -38,19 +85,9 @@ std::optional<DoublePointOf<K>> double_point_near(const ExactPatch<K>& x, const 
     return std::nullopt;
   }
   DoublePointOf<K> point;
-  for (std::size_t j = 0; j < 4; ++j) {
-    const Rational near = from_double(w->at[j] + 0.5);
-    point.at[j] = simplest_between(near - from_double(kCloseSheets), near + from_double(kCloseSheets));
-    if (point.at[j] < 0 || point.at[j] > 1) {
-      return std::nullopt;
-    }
-    point.centre[j] = to_double(point.at[j] - Rational(1, 2));
-  }
-  auto forms = local_forms<K>(x, y, point.at);
-  if (!forms || (forms->crossing && is_on_side(point))) {
+  if (!find_place<K>(x, y, w->at, point) || (point.forms.crossing && is_on_side(point))) {
     return std::nullopt;
   }
-  point.forms = *forms;
   for (point.reach = kFirstReach; point.reach >= kLeastReach; point.reach *= 0.5) {
     const auto bounds = local_bounds<K>(point.forms, point.reach);
     if (bounds && has_star(point.forms, *bounds, point.reach)) {
@@ -95,6 +132,7 @@ bool lies_in_region(const DoublePointOf<K>& point, const Vec4& middle, const Vec
   template std::optional<DoublePointOf<K>> double_point_near<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
                                                                 const PairOf<K>&, const Vec4&, double);     \
   template bool is_on_side<K>(const DoublePointOf<K>&);                                                     \
+  template bool may_be_same<K>(const DoublePointOf<K>&, const DoublePointOf<K>&);                           \
   template LocalPlace local_place<K>(const DoublePointOf<K>&, const Vec4&, const Vec4&);                    \
   template bool lies_in_region<K>(const DoublePointOf<K>&, const Vec4&, const Vec4&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)

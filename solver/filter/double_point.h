@@ -1,5 +1,5 @@
-// Ordinary double points of the intersection with rational parameters: points in which the patches touch, and
-// crossings of two branches. Internal to solver/; docs/method.md, sections 14.9 and 14.16.
+// Ordinary double points of the intersection with exact parameters: points in which the patches touch, and
+// crossings of two branches. Internal to solver/; docs/method.md, sections 14.9, 14.16 and 14.18.
 #pragma once
 
 #include <vector>
@@ -32,8 +32,9 @@ struct PortOf {
 /// these arcs one.
 template <class K>
 struct DoublePointOf {
-  std::array<Rational, 4> at;
-  Vec4 centre;  // `at`, centred; errs by kUnit
+  std::array<FieldNumber, 4> at;
+  std::array<RationalInterval, 4> box;  // around `at`, within [0,1]
+  Vec4 centre;                          // `at`, centred; errs by kUnit
   LocalFormsOf<K> forms;
   double reach;
   std::array<double, 2> width;
@@ -43,6 +44,10 @@ struct DoublePointOf {
 /// True if a parameter is 0 or 1.
 template <class K>
 bool is_on_side(const DoublePointOf<K>& point);
+
+/// False only if the points are proved to be different.
+template <class K>
+bool may_be_same(const DoublePointOf<K>& point, const DoublePointOf<K>& other);
 
 /// The double point where Newton's method for a common normal leads from `guess`, with ports as near to its
 /// chords as `tolerance` says; empty if there is none of this kind, or something is not proved.

@@ -174,7 +174,7 @@ class FilteredIntersection {
     auto point = filter::double_point_near<K>(x_, y_, pair, stuck, tolerance);
     if (!point || is_on_side(*point) ||
         std::any_of(double_points_.begin(), double_points_.end(),
-                    [&](const filter::DoublePointOf<K>& known) { return known.at == point->at; })) {
+                    [&](const filter::DoublePointOf<K>& known) { return may_be_same(known, *point); })) {
       return false;
     }
     for (std::size_t i = 0; i < point->ports.size(); ++i) {

@@ -53,9 +53,7 @@ class GraphMaker {
       BallOf<K> ball{};
       std::copy(point.centre.begin(), point.centre.end(), ball.middle.begin());
       Node node = node_at(crossing ? NodeKind::crossing : NodeKind::touch, ball);
-      for (std::size_t j = 0; j < 4; ++j) {
-        node.box[j] = {point.at[j], point.at[j]};
-      }
+      node.box = point.box;
       const int id = add_node(std::move(node), ball);
       if (!crossing) {
         graph_.add_isolated(id);

@@ -11,20 +11,27 @@ namespace exsect::filter {
 
 namespace {
 
-using exsect::operator*;
-using exsect::cross;
-using exsect::dot;
-
 template <class K>
-using FormTable = std::array<Rational, K::count>;
+using FormTable = std::array<FieldNumber, K::count>;
+template <class K>
+using FieldTaylor = ExactTaylorOf<K, FieldNumber>;
+
+using FieldVector = std::array<FieldNumber, 3>;
+FieldNumber dot(const FieldVector& a, const FieldVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+FieldVector cross(const FieldVector& a, const FieldVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+FieldVector operator*(const FieldNumber& t, const FieldVector& a) { return {t * a[0], t * a[1], t * a[2]}; }
 
 /// Of a net about its point, in space.
 template <class K>
-Point coefficient(const ExactTaylor<K>& c, std::size_t i) {
+FieldVector coefficient(const FieldTaylor<K>& c, std::size_t i) {
   return {c[i][0], c[i][1], c[i][2]};
 }
 template <class K>
-FormTable<K> along(const Point& form, const ExactTaylor<K>& c) {
+FormTable<K> along(const FieldVector& form, const FieldTaylor<K>& c) {
   FormTable<K> table;
   for (std::size_t i = 1; i < K::count; ++i) table[i] = dot(form, coefficient<K>(c, i));
   return table;
@@ -32,11 +39,11 @@ FormTable<K> along(const Point& form, const ExactTaylor<K>& c) {
 
 /// Taylor coefficients with the point itself as origin and, of weighted patches, weight 1 there.
 template <class K>
-ExactTaylor<K> about_its_point(ExactTaylor<K> c) {
+FieldTaylor<K> about_its_point(FieldTaylor<K> c) {
   if constexpr (K::weighted) {
-    const Rational inverse = 1 / c[0][3];
+    const FieldNumber inverse = 1 / c[0][3];
     for (auto& row : c)
-      for (Rational& a : row) a *= inverse;
+      for (FieldNumber& a : row) a *= inverse;
     const auto point = c[0];
     for (auto& row : c)
       for (std::size_t k = 0; k < 3; ++k) row[k] -= row[3] * point[k];
@@ -44,9 +51,13 @@ ExactTaylor<K> about_its_point(ExactTaylor<K> c) {
   return c;
 }
 template <class K>
-bool is_one_point(const ExactTaylor<K>& a, const ExactTaylor<K>& b) {
+bool is_one_point(const FieldTaylor<K>& a, const FieldTaylor<K>& b) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (K::weighted ? a[0][k] * b[0][3] != b[0][k] * a[0][3] : a[0][k] != b[0][k]) return false;
+    if constexpr (K::weighted) {
+      if (!(a[0][k] * b[0][3] == b[0][k] * a[0][3])) return false;
+    } else {
+      if (!(a[0][k] == b[0][k])) return false;
+    }
   }
   return true;
 }
@@ -65,22 +76,22 @@ struct ExactForms {
 /// Empty if there is no singular solution in which x is regular.
 template <class K>
 std::optional<ExactForms<K>> exact_forms(const ExactPatch<K>& x, const ExactPatch<K>& y,
-                                         const std::array<Rational, 4>& p) {
-  ExactTaylor<K> cx = exact_taylor<K>(x, p[0], p[1]);
-  ExactTaylor<K> cy = exact_taylor<K>(y, p[2], p[3]);
+                                         const std::array<FieldNumber, 4>& p) {
+  FieldTaylor<K> cx = exact_taylor<K>(x, p[0], p[1]);
+  FieldTaylor<K> cy = exact_taylor<K>(y, p[2], p[3]);
   if (!is_one_point<K>(cx, cy)) return std::nullopt;
   cx = about_its_point<K>(std::move(cx));
   cy = about_its_point<K>(std::move(cy));
-  const std::array<Point, 2> tangent = {coefficient<K>(cx, kFirst<K>), coefficient<K>(cx, kSecond)};
-  const Point n = cross(tangent[0], tangent[1]);
-  const Rational nn = dot(n, n);
-  if (nn == 0) return std::nullopt;
+  const std::array<FieldVector, 2> tangent = {coefficient<K>(cx, kFirst<K>), coefficient<K>(cx, kSecond)};
+  const FieldVector n = cross(tangent[0], tangent[1]);
+  const FieldNumber nn = dot(n, n);
+  if (nn.is_zero()) return std::nullopt;
   ExactForms<K> f;
   f.normal_y = along<K>(n, cy);
-  if (f.normal_y[kFirst<K>] != 0 || f.normal_y[kSecond] != 0) return std::nullopt;
+  if (!f.normal_y[kFirst<K>].is_zero() || !f.normal_y[kSecond].is_zero()) return std::nullopt;
   f.normal_x = along<K>(n, cx);
-  const Rational inverse = 1 / nn;
-  const std::array<Point, 2> dual = {inverse * cross(tangent[1], n), inverse * cross(n, tangent[0])};
+  const FieldNumber inverse = 1 / nn;
+  const std::array<FieldVector, 2> dual = {inverse * cross(tangent[1], n), inverse * cross(n, tangent[0])};
   for (std::size_t i = 0; i < 2; ++i) {
     f.x[i] = along<K>(dual[i], cx);
     f.y[i] = along<K>(dual[i], cy);
@@ -98,7 +109,7 @@ template <class K>
 ScalarTableOf<K> rounded_table(const FormTable<K>& table, const Rational& factor = 1) {
   ScalarTableOf<K> result{};
   for (std::size_t i = 1; i < K::count; ++i)
-    result[i] = to_double(factor == 1 ? table[i] : Rational(factor * table[i]));
+    result[i] = to_double(factor == 1 ? table[i] : factor * table[i]);
   return result;
 }
 
@@ -108,9 +119,10 @@ bool is_moderate(const Table& table) {
                      [](double c) { return std::fabs(c) < kGreatestCoefficient; });
 }
 
-/// 2^k with 1/4 < 2^k |q| < 4 for the largest coefficient of a form that is not zero.
-Rational to_size_one(const std::array<Rational, 3>& form) {
-  const Rational largest = std::max({Rational(abs(form[0])), Rational(abs(form[1])), Rational(abs(form[2]))});
+/// 2^k with 1/8 < 2^k |q| < 8 for the largest coefficient of a form that is not zero.
+Rational to_size_one(const std::array<FieldNumber, 3>& form) {
+  Rational largest = 0;
+  for (const FieldNumber& c : form) largest = std::max<Rational>(largest, abs(enclosure(c, 2).midpoint()));
   return power_of_two(static_cast<long>(msb(denominator(largest))) -
                       static_cast<long>(msb(numerator(largest))));
 }
@@ -121,12 +133,12 @@ using Form = std::array<Number, 3>;
 
 /// The quadratic terms of normal_x, at c = B a, less those of normal_y.
 template <class K>
-Form<Rational> leading_form(const ExactForms<K>& f) {
+Form<FieldNumber> leading_form(const ExactForms<K>& f) {
   const auto& [uu, uv, vv] = kQuadratic<K>;
   const FormTable<K>& nx = f.normal_x;
   const FormTable<K>& ny = f.normal_y;
-  const Rational &u1 = f.y[0][kFirst<K>], &u2 = f.y[0][kSecond];
-  const Rational &v1 = f.y[1][kFirst<K>], &v2 = f.y[1][kSecond];
+  const FieldNumber &u1 = f.y[0][kFirst<K>], &u2 = f.y[0][kSecond];
+  const FieldNumber &v1 = f.y[1][kFirst<K>], &v2 = f.y[1][kSecond];
   return {nx[uu] * u1 * u1 + nx[uv] * u1 * v1 + nx[vv] * v1 * v1 - ny[uu],
           2 * nx[uu] * u1 * u2 + nx[uv] * (u1 * v2 + u2 * v1) + 2 * nx[vv] * v1 * v2 - ny[uv],
           nx[uu] * u2 * u2 + nx[uv] * u2 * v2 + nx[vv] * v2 * v2 - ny[vv]};
@@ -194,17 +206,17 @@ bool are_moderate(const LocalFormsOf<K>& f) {
 
 template <class K>
 std::optional<LocalFormsOf<K>> local_forms(const ExactPatch<K>& x, const ExactPatch<K>& y,
-                                           const std::array<Rational, 4>& p) {
+                                           const std::array<FieldNumber, 4>& p) {
   const auto exact = exact_forms<K>(x, y, p);
   if (!exact) return std::nullopt;
-  Form<Rational> q = leading_form<K>(*exact);
-  if (q[0] == 0 && q[1] == 0 && q[2] == 0) return std::nullopt;
+  Form<FieldNumber> q = leading_form<K>(*exact);
+  if (q[0].is_zero() && q[1].is_zero() && q[2].is_zero()) return std::nullopt;
   const Rational scale = to_size_one(q);
-  for (Rational& c : q) c *= scale;
-  const Rational discriminant = q[1] * q[1] - 4 * q[0] * q[2];
-  if (discriminant == 0) return std::nullopt;
+  for (FieldNumber& c : q) c *= scale;
+  const FieldNumber discriminant = q[1] * q[1] - 4 * q[0] * q[2];
+  if (discriminant.is_zero()) return std::nullopt;
   LocalFormsOf<K> f;
-  f.crossing = discriminant > 0;
+  f.crossing = sign(discriminant) > 0;
   const Form<double> form = {to_double(q[0]), to_double(q[1]), to_double(q[2])};
   f.s = (f.crossing ? null_directions : conjugate_directions)(form, to_double(discriminant));
   const double factor = 1 / (f.crossing ? 2 * value(form, f.s, 0, 1) : value(form, f.s, 0, 0));
@@ -222,7 +234,7 @@ std::optional<LocalFormsOf<K>> local_forms(const ExactPatch<K>& x, const ExactPa
 
 #define EXSECT_INSTANTIATE(K)                                                                        \
   template std::optional<LocalFormsOf<K>> local_forms<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
-                                                         const std::array<Rational, 4>&);
+                                                         const std::array<FieldNumber, 4>&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

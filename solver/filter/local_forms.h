@@ -1,6 +1,8 @@
-// The local equations of the intersection near a singular solution with rational parameters. Internal to
-// solver/; docs/method.md, sections 14.9 and 14.16.
+// The local equations of the intersection near a singular solution with exact parameters. Internal to
+// solver/; docs/method.md, sections 14.9, 14.16 and 14.18.
 #pragma once
+
+#include <exsect/algebra/real_field.h>
 
 #include <optional>
 
@@ -41,6 +43,6 @@ using LocalForms = LocalFormsOf<Biquadratic>;
 /// Empty if p is no such solution, or q is degenerate. p is inside the square.
 template <class K>
 std::optional<LocalFormsOf<K>> local_forms(const ExactPatch<K>& x, const ExactPatch<K>& y,
-                                           const std::array<Rational, 4>& p);
+                                           const std::array<FieldNumber, 4>& p);
 
 }  // namespace exsect::filter

@@ -1,7 +1,5 @@
 #include "filter/moebius_ratios.h"
 
-#include <exsect/geometry/point.h>
-
 #include "filter/exact_taylor.h"
 
 namespace exsect::filter {
@@ -17,31 +15,11 @@ constexpr int kRefiningSteps = 8;
 constexpr long kRatioBits = 600;
 constexpr unsigned kMostBits = 540;  // of numerator and denominator
 
-/// Taylor coefficients in space.
-struct ExactSecondOrder {
-  Point value, u, v, uu, vv;
-};
-
-/// From those X and W of the homogeneous coordinates: x w = X order by order.
-ExactSecondOrder in_space(const std::array<std::array<Rational, 4>, 5>& c) {
-  using exsect::operator*, exsect::operator-;
-  const auto vector = [](const std::array<Rational, 4>& p) { return Point{p[0], p[1], p[2]}; };
-  const Rational inverse = 1 / c[0][3];
-  ExactSecondOrder x;
-  x.value = inverse * vector(c[0]);
-  x.u = inverse * (vector(c[1]) - c[1][3] * x.value);
-  x.v = inverse * (vector(c[2]) - c[2][3] * x.value);
-  x.uu = inverse * (vector(c[3]) - c[1][3] * x.u - c[3][3] * x.value);
-  x.vv = inverse * (vector(c[4]) - c[2][3] * x.v - c[4][3] * x.value);
-  return x;
-}
-
 using RationalPlace = std::array<Rational, 2>;
 
 template <class K>
 ExactSecondOrder second_order(const ExactPatch<K>& patch, const RationalPlace& at) {
-  const ExactTaylor<K> c = exact_taylor<K>(patch, at[0], at[1]);
-  return in_space({c[0], c[kFirst<K>], c[kSecond], c[2 * kFirst<K>], c[2 * kSecond]});
+  return in_space<K>(exact_taylor<K>(patch, at[0], at[1]));
 }
 
 /// The (a,b) for which a p + b q is nearest to v; empty if p and q are dependent.

@@ -52,7 +52,7 @@ bool add_side_touch([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] co
     return false;
   } else {
     auto point = double_point_near<K>(x, y, pair, place, 1);
-    const auto is_same = [&](const DoublePointOf<K>& known) { return known.at == point->at; };
+    const auto is_same = [&](const DoublePointOf<K>& known) { return may_be_same(known, *point); };
     if (!point || !is_on_side(*point) || contacts.touches.size() == kMostSidePoints ||
         std::any_of(contacts.touches.begin(), contacts.touches.end(), is_same)) {
       return false;

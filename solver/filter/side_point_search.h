@@ -19,7 +19,7 @@ template <class K>
 bool add_side_point(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair, const Vec4& place,
                     ContactsOf<K>& contacts);
 
-/// Adds the touch point on sides near a place: isolated, with rational parameters. False if it is known
+/// Adds the touch point on sides near a place: isolated. False if it is known
 /// already, or not proved, and for biquadratic pairs, behind which there is exact arithmetic.
 template <class K>
 bool add_side_touch(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair, const Vec4& place,

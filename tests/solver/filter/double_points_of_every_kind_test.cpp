@@ -253,16 +253,20 @@ TEST_CASE("filter double points of every kind: a touch point beside a curve") {
   }
 }
 
-TEST_CASE("filter double points of every kind: one with irrational parameters has its reason") {
-  // Over (1/2,1/2), where X = r² on the second patch.
+TEST_CASE("filter double points of every kind: one in a field of degree nine has its reason") {
+  // Over (1/2,1/3), where (X,Y) is 9/8 (r³,s³) on the second patch, less 1/16.
   using height_pairs::linear;
   using height_pairs::times;
   for (const int sign : {1, -1}) {
     const testing::Terms a = linear(Rational(-1, 2), 1, 0);
-    const testing::Terms b = linear(Rational(-1, 2), 0, 1);
+    const testing::Terms b = linear(Rational(-1, 3), 0, 1);
     const testing::Terms h = a * a + times(Rational(sign, 2), b * b) + times(Rational(1, 4), a * a * a);
     const RationalPatch x = testing::power_patch({linear(0, 1, 0), linear(0, 0, 1), h}, 3);
-    const RationalPatch y = testing::power_patch({testing::Terms{{{2, 0}, 1}}, linear(0, 0, 1), {}}, 2);
+    const RationalPatch y =
+        testing::power_patch({testing::Terms{{{0, 0}, Rational(-1, 16)}, {{3, 0}, Rational(9, 8)}},
+                              testing::Terms{{{0, 0}, Rational(-1, 16)}, {{0, 3}, Rational(9, 8)}},
+                              {}},
+                             3);
     const IntersectResult result = intersect(x, y);
     REQUIRE(result.status == Status::incomplete);
     CHECK(result.incomplete.at(0).reason == (sign > 0 ? Reason::tangency : Reason::crossing));
