@@ -263,10 +263,9 @@ SurfaceIntersection crossing(const ImplicitSurface& first, const ImplicitSurface
   if (curve.is_same) return same(first, second, region);
   if (curve.open) return open(curve.open->why, curve.open->reason);
   SurfaceIntersection result{Status::complete};
-  for (CrossingNode& node : curve.nodes) {
-    const int degree = node.goes_on ? 1 : 2;
-    add_node(result, node_kind(degree, false, node.goes_on), degree, std::move(node.box), {});
-  }
+  for (CrossingNode& node : curve.nodes)
+    add_node(result, node_kind(node.degree, node.is_singular, node.goes_on), node.degree, std::move(node.box),
+             {});
   for (CrossingArc& arc : curve.arcs) add_arc(result, arc, 1, {std::move(arc.points), arc.error_bound});
   set_curves(result, named_curves(curve));
   return result;

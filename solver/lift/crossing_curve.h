@@ -1,5 +1,5 @@
-// The curve in which two surfaces given by any equations cross, if they touch nowhere. Internal to solver/;
-// docs/method.md, section 17.15.
+// The curve in which two surfaces given by any equations cross, if they touch in points at most. Internal to
+// solver/; docs/method.md, section 17.15.
 #pragma once
 
 #include <array>
@@ -13,22 +13,26 @@
 
 namespace exsect {
 
-/// Where u is extreme along the curve, or where it is cut off and goes on to infinity.
+/// Where u is extreme along the curve, where the curve is singular, or where it is cut off and goes on to
+/// infinity.
 struct CrossingNode {
   std::array<RationalInterval, 3> box;
   bool goes_on;
+  bool is_singular;
+  int degree;  // the number of ends of arcs
 };
 
 struct CrossingArc {
   std::size_t from;  // of smaller u
   std::size_t to;
-  std::size_t factor;  // 0: there is no other one
+  std::size_t factor;  // of the shadow, an irreducible one
   std::vector<std::array<double, 3>> points;
   double error_bound;
 };
 
-/// Invariant: unless is_same or `open`, the arcs, ends included, are all common points of the surfaces, but
-/// for arcs that go on from nodes to infinity; along all of them the surfaces cross.
+/// Invariant: unless is_same or `open`, the arcs, ends included, and the nodes of degree 0 are all common
+/// points of the surfaces, but for arcs that go on from nodes to infinity; along all of them the surfaces
+/// cross.
 struct CrossingCurve {
   bool is_same = false;
   std::optional<OpenQuestion> open = {};

@@ -7,7 +7,8 @@
 
 namespace exsect {
 
-/// Greater than every root in absolute value (Cauchy). Requires f != 0.
+/// Greater than every root in absolute value, complex ones too: a power of 2, less than 8 times Fujiwara's
+/// bound. Requires f != 0.
 Rational above_all_roots(const Polynomial& f);
 
 /// The closed interval from the least to the greatest of the real roots and the other numbers, and beyond, by
