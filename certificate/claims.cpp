@@ -17,9 +17,13 @@ Json sealed(const std::string& place, Json claim) {
 }
 
 std::string exact_number(double a) {
-  const Rational q = from_double(a);
-  const Integer power = denominator(q);
-  return power < 256 ? to_string(q) : numerator(q).str() + "/2^" + std::to_string(msb(power));
+  if (a == 0 || !(std::abs(a) < 0x1p53)) return to_string(from_double(a));
+  int exponent = 0;  // a = p 2^exponent, p odd or the exponent 0
+  auto p = static_cast<std::int64_t>(std::ldexp(std::frexp(a, &exponent), 53));
+  for (exponent -= 53; exponent < 0 && p % 2 == 0; ++exponent) p /= 2;
+  if (exponent == 0) return std::to_string(p);
+  return std::to_string(p) +
+         (exponent > -8 ? "/" + std::to_string(1 << -exponent) : "/2^" + std::to_string(-exponent));
 }
 
 Json exact_numbers(const std::vector<double>& numbers) {

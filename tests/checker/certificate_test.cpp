@@ -1,6 +1,10 @@
 // Certificates of pairs in general position: written, accepted, and rejected after any change.
+#include <exsect/geometry/number.h>
 #include <exsect/geometry/patch_file.h>
 
+#include <cmath>
+
+#include "certificate/claims.h"
 #include "certificate_changes.h"
 #include "support/families.h"
 #include "support/graph_patches.h"
@@ -36,6 +40,27 @@ TEST_CASE("the first example has a certificate under 5 MB that is accepted") {
   CHECK(report.summary.open == 1);
   CHECK(report.summary.boundary == 2);
   CHECK(report.summary.turning == std::array<std::size_t, 4>{2, 3, 3, 2});
+}
+
+TEST_CASE("doubles are written as the rationals that they are, and read again") {
+  const auto same = [](double a) {
+    INFO(a);
+    const std::string text = cli::exact_number(a);
+    CHECK(checker::number_of(text) == from_double(a));
+    const Integer power = denominator(from_double(a));
+    CHECK((text.find("/2^") != std::string::npos) == (power >= 256));
+    CHECK(text == (power < 256 ? to_string(from_double(a))
+                               : numerator(from_double(a)).str() + "/2^" + std::to_string(msb(power))));
+  };
+  for (const double a : {0.0, -0.0, 1.0, 0.5, 3.0 / 128, 1.0 / 256, 0.1, 1e15 + 0.5, 0x1p52, 0x1p53, 0x1.8p62,
+                         1e300, 0x1p-1022, 0x1.8p-1023, 0x1p-1074, 0x1.fffffffffffffp1023, 0x1p-52})
+    for (const double b : {a, -a}) same(b);
+  Generator generator(7);
+  INFO("seed 7");
+  for (int i = 0; i < 300; ++i) {
+    const auto p = static_cast<double>(random_pairs::integer(generator, -(1L << 53), 1L << 53));
+    same(std::ldexp(p, -static_cast<int>(below(generator, 120))));
+  }
 }
 
 namespace {
