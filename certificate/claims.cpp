@@ -140,55 +140,31 @@ double clearly_above(double needed) {
   return std::ldexp(std::ceil(mantissa * 1024), exponent - 10);
 }
 
-/// An arc whose error bound the check, with enclosures of its own, cannot confirm gets one that it can, and
-/// so do the edges of an overlap. False if the claim was rejected for another reason.
-bool enlarge_bound(Json& document, const checker::Rejected& rejected) {
-  if (rejected.kind() != checker::Rejected::Kind::error_bound || !rejected.needed()) return false;
-  const double enough = clearly_above(*rejected.needed());
-  if (!std::isfinite(enough)) return false;
-  const auto enlarge = [&](Json& arc) {
-    const Rational bound = checker::number_of(arc["error_bound"].get<std::string>());
-    if (bound < from_double(enough)) arc["error_bound"] = exact_number(enough);
-  };
-  for (const char* list : {"arcs", "overlaps"}) {
-    for (std::size_t i = 0; i < document[list].size(); ++i) {
-      const std::string place = in_list(list, i);
-      if (rejected.place().substr(0, place.size()) != place) continue;
-      Json claim = document[list][i];
-      claim.erase("seal");
-      if (claim.contains("edges"))
-        std::for_each(claim["edges"].begin(), claim["edges"].end(), enlarge);
-      else
-        enlarge(claim);
-      document[list][i] = sealed(place, claim);
-      return true;
-    }
-  }
-  return false;
+/// Arcs, and edges of overlaps, whose error bounds the check, with enclosures of its own, cannot confirm get
+/// ones that it can.
+void enlarge_bound(Json& document, const checker::Shortfall& shortfall) {
+  const double enough = clearly_above(shortfall.needed);
+  if (!std::isfinite(enough)) throw NoCertificate("an arc whose polyline's error bound cannot be confirmed");
+  const char* const list = shortfall.overlap ? "overlaps" : "arcs";
+  const std::size_t i = shortfall.overlap.value_or(shortfall.arc);
+  Json claim = document[list][i];
+  claim.erase("seal");
+  (shortfall.overlap ? claim["edges"][shortfall.arc] : claim)["error_bound"] = exact_number(enough);
+  document[list][i] = sealed(in_list(list, i), claim);
 }
 
 }  // namespace
 
 std::string accepted_text(Json document) {
-  // Each arc and each edge gets a larger bound once, or twice where doubles do not confirm another claim.
-  std::size_t trials = 2 * document["arcs"].size() + 1;
-  for (const Json& overlap : document["overlaps"]) trials += 2 * overlap["edges"].size();
-  for (; trials > 0; --trials) {
-    std::string certificate = claims_text(document);
-    try {
-      checker::check_in_doubles(certificate);
-      return certificate;
-    } catch (const checker::Rejected& rejected) {
-      if (enlarge_bound(document, rejected)) continue;
-    }
-    try {
-      checker::check_certificate(certificate);
-      return certificate;
-    } catch (const checker::Rejected& rejected) {
-      if (!enlarge_bound(document, rejected)) throw not_accepted(rejected);
-    }
+  const std::string certificate = claims_text(document);
+  try {
+    const std::vector<checker::Shortfall> shortfalls = checker::too_small_error_bounds(certificate);
+    if (shortfalls.empty()) return certificate;
+    for (const checker::Shortfall& shortfall : shortfalls) enlarge_bound(document, shortfall);
+    return claims_text(document);
+  } catch (const checker::Rejected& rejected) {
+    throw not_accepted(rejected);
   }
-  throw NoCertificate("an arc whose polyline's error bound cannot be confirmed");
 }
 
 std::string confirmed(const std::string& certificate) {

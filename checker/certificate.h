@@ -177,6 +177,13 @@ struct Certificate {
   Summary summary;
 };
 
+/// An error bound that is too small for an arc, or an edge of an overlap.
+struct Shortfall {
+  std::optional<std::size_t> overlap;
+  std::size_t arc;  // its number; of an overlap that of the edge
+  double needed;    // at least the distance that is proved
+};
+
 /// The seal of a claim: FNV-1a, 64 bits, 16 hexadecimal digits.
 std::string seal(std::string_view text);
 

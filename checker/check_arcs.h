@@ -167,7 +167,7 @@ template <class N>
 class ArcCheck {
  public:
   ArcCheck(const Replay<N>& replay, std::size_t i)
-      : replay_(replay), arc_(replay.certificate.arcs[i]), bound_(replay, arc_) {}
+      : replay_(replay), index_(i), arc_(replay.certificate.arcs[i]), bound_(replay, arc_) {}
 
   /// Both ends of the arc.
   std::array<ArcEnd, 2> check() {
@@ -188,7 +188,7 @@ class ArcCheck {
       if (begins == 0) begins = ends;
       first = piece.last;
     }
-    bound_.check();
+    replay_.check_error_bound(std::nullopt, index_, [&] { bound_.check(); });
     return {ArcEnd{begins, arc_.pieces.front().tube}, ArcEnd{-ends, arc_.pieces.back().tube}};
   }
 
@@ -300,6 +300,7 @@ class ArcCheck {
   }
 
   const Replay<N>& replay_;
+  std::size_t index_;
   const Arc<N>& arc_;
   ErrorBound<N> bound_;
   std::array<int, 4> grows_{};

@@ -157,10 +157,12 @@ void check_denominators(const Certificate<N>& certificate) {
   }
 }
 
+/// Error bounds that are too small are listed, or rejected where there is no list.
 template <class N>
-Report check(const Certificate<N>& certificate) {
+Report check(const Certificate<N>& certificate, std::vector<Shortfall>* shortfalls) {
   check_denominators(certificate);
   Replay<N> all = start(certificate);
+  all.shortfalls = shortfalls;
   each("$.factors", certificate.factors,
        [&](std::size_t i) { check_factor(all.exact, certificate.factors[i]); });
   each("$.stars", certificate.stars,
@@ -181,23 +183,28 @@ Report check(const Certificate<N>& certificate) {
   return report;
 }
 
-}  // namespace
-
-Report check_in_doubles(const std::string& text) {
-  const FloatingPoint arithmetic;
-  return check(read_certificate<Enclosure>(text));
-}
-
-Report check_certificate(const std::string& text) {
+/// First in doubles, then exactly.
+Report check(const std::string& text, std::vector<Shortfall>* shortfalls) {
   const FloatingPoint arithmetic;
   const Certificate<Enclosure> in_doubles = read_certificate<Enclosure>(text);
   try {
-    return check(in_doubles);
+    return check(in_doubles, shortfalls);
   } catch (const Rejected&) {
     const auto irrational = [](const Star& star) { return !star.is_rational(); };
     if (std::any_of(in_doubles.stars.begin(), in_doubles.stars.end(), irrational)) throw;
-    return check(read_certificate<Rational>(text));
+    if (shortfalls) shortfalls->clear();
+    return check(read_certificate<Rational>(text), shortfalls);
   }
+}
+
+}  // namespace
+
+Report check_certificate(const std::string& text) { return check(text, nullptr); }
+
+std::vector<Shortfall> too_small_error_bounds(const std::string& text) {
+  std::vector<Shortfall> result;
+  check(text, &result);
+  return result;
 }
 
 }  // namespace exsect::checker

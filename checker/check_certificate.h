@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "certificate.h"
 
@@ -21,7 +22,8 @@ struct Report {
 /// line, to be the whole intersection: first in doubles with bounds of their errors, and if something is not
 /// certain then, everything in exact arithmetic. Throws Unreadable, or Rejected with place and reason.
 Report check_certificate(const std::string& text);
-/// The same, but what doubles cannot prove is rejected as well.
-Report check_in_doubles(const std::string& text);
+/// The error bounds that are too small where everything else holds: with an eighth more than it needs in the
+/// place of each the certificate is accepted. Throws as check_certificate does if anything else is wrong.
+std::vector<Shortfall> too_small_error_bounds(const std::string& text);
 
 }  // namespace exsect::checker

@@ -83,11 +83,12 @@ class OverlapCheck {
         on_side = on_side || (a[p] == b[p] && (a[p] == 0 || a[p] == 1) && corners_[j][p] != a[p]);
     }
     require(on_side, "an edge is on no side");
-    replayed(edges, i, [&] { check_polyline(overlap_.edges[i], a, b); });
+    replayed(edges, i, [&] { check_polyline(i, a, b); });
   }
 
   /// With the straight line from a to b as the curve of a tube.
-  void check_polyline(const Arc<N>& edge, const Vector4<Rational>& a, const Vector4<Rational>& b) const {
+  void check_polyline(std::size_t i, const Vector4<Rational>& a, const Vector4<Rational>& b) const {
+    const Arc<N>& edge = overlap_.edges[i];
     Tube<N> tube = {};
     for (std::size_t p = 1; p < 4; ++p)
       if (abs(Rational(b[p] - a[p])) > abs(Rational(b[tube.axis] - a[tube.axis]))) tube.axis = {p};
@@ -120,7 +121,7 @@ class OverlapCheck {
     ErrorBound<N> bound(replay_, edge);
     bound.place_on_polyline();
     bound.add(line, 0, at, near);
-    bound.check();
+    replay_.check_error_bound(index_, i, [&] { bound.check(); });
   }
 
   const Replay<N>& replay_;

@@ -61,7 +61,18 @@ struct Replay {
   std::array<Position<N>, 3> space;  // the point of space, moved by -origin
   std::vector<StarMaps<N>> stars;
   std::vector<ProvedTube<N>> tubes;
+  std::vector<Shortfall>* shortfalls = nullptr;  // where they are listed instead of rejected
 
+  /// check(), which fails if the error bound of this arc or edge is too small.
+  template <class Check>
+  void check_error_bound(std::optional<std::size_t> overlap, std::size_t arc, const Check& check) const {
+    try {
+      check();
+    } catch (const Failed& failed) {
+      if (!shortfalls || failed.kind != Violation::error_bound || !failed.needed) throw;
+      shortfalls->push_back({overlap, arc, *failed.needed});
+    }
+  }
   /// Of the pair: what vanishes on the tube's curve.
   const Map<Rational>& exact_map(const Tube<N>& tube) const {
     return tube.factor < 0 ? exact : certificate.factors[static_cast<std::size_t>(tube.factor)].map;

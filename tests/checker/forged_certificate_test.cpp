@@ -152,6 +152,44 @@ TEST_CASE("an arc whose error bound is too small is rejected with the bound that
   CHECK(with(needed * (1 - 0x1p-20)) == "$.arcs[0]: the error bound is too small");
 }
 
+namespace {
+
+/// The certificate's arcs and edges of overlaps, with these error bounds instead.
+Json with_error_bounds(Json json, const std::string& bound) {
+  for (Json& arc : json["arcs"]) arc["error_bound"] = bound;
+  for (Json& overlap : json["overlaps"])
+    for (Json& edge : overlap["edges"]) edge["error_bound"] = bound;
+  seal_again(json);
+  return json;
+}
+
+}  // namespace
+
+TEST_CASE("all error bounds that are too small are found at once, where nothing else is wrong") {
+  const ExactCase overlap = families::shifted_copy();
+  for (const std::string& text : {sheets(), certificate(overlap.x, overlap.y)}) {
+    CHECK(checker::too_small_error_bounds(text).empty());
+    Json json = with_error_bounds(Json::parse(text), "1/2^60");
+    const std::vector<checker::Shortfall> found = checker::too_small_error_bounds(json.dump());
+    std::size_t all = json["arcs"].size();
+    for (const Json& one : json["overlaps"]) all += one["edges"].size();
+    CHECK(found.size() == all);
+    for (const auto& [in, i, needed] : found)
+      (in ? json["overlaps"][*in]["edges"][i] : json["arcs"][i])["error_bound"] =
+          to_string(from_double(1.125 * needed));
+    seal_again(json);
+    CHECK(verdict(json.dump()) == "");
+  }
+  Json json = with_error_bounds(Json::parse(sheets()), "1/2^60");
+  json["summary"]["open"] = 7;
+  seal_again(json);
+  CHECK_THROWS_AS(checker::too_small_error_bounds(json.dump()), Rejected);
+  json = with_error_bounds(Json::parse(sheets()), "1/2^60");
+  json["cover"].erase(json["cover"].size() - 1);
+  seal_again(json);
+  CHECK_THROWS_AS(checker::too_small_error_bounds(json.dump()), Rejected);
+}
+
 TEST_CASE("each kind of violation has a name") {
   using Kind = Rejected::Kind;
   CHECK(std::string(name(Kind::form)) == "form");
