@@ -95,6 +95,7 @@ struct SelfTally {
   std::uint64_t compared = 0;
   std::uint64_t halves = 0;  // variants of which one only is complete
   std::uint64_t over = 0;
+  std::uint64_t no_patches = 0;
   std::vector<double> seconds;
   std::map<std::string, std::pair<int, std::uint64_t>> reasons;  // how often, an example's seed
 };
@@ -158,7 +159,7 @@ int run(const std::string& family, std::uint64_t first, std::uint64_t count) {
     try {
       check(family, seed, tally);
     } catch (const PatchError&) {
-      ++tally.reasons.try_emplace("no patch", 0, seed).first->second.first;
+      ++tally.no_patches;
     }
   }
   std::sort(tally.seconds.begin(), tally.seconds.end());
@@ -171,7 +172,10 @@ int run(const std::string& family, std::uint64_t first, std::uint64_t count) {
               << tally.seconds.back() << " s";
   std::cout << "\n";
   for (const auto& [reason, entry] : tally.reasons)
-    std::cout << "  " << entry.first << " incomplete: " << reason << " (seed " << entry.second << ")\n";
+    std::cout << "  " << entry.first << " incomplete: " << reason << " (seed " << entry.second << ", "
+              << known_images::written(family + "-self-" + std::to_string(entry.second),
+                                       {{"x", patch_of(family, entry.second)}})
+              << ")\n";
   return tally.wrong == 0 ? 0 : 1;
 }
 
