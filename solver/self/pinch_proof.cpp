@@ -13,6 +13,7 @@ using Ball = DoubleBall;
 using Vector = BallVector<DoubleBall>;
 
 constexpr int kSteps = 100;
+constexpr int kRefinements = 8;
 
 }  // namespace
 
@@ -41,7 +42,7 @@ bool PinchProof::prove() {
 /// (14.62): P z < z for P = |C J - 1|.
 bool PinchProof::invert(const std::array<Vector, 3>& columns) {
   rows_ = inverse(columns);
-  std::array<std::array<double, 3>, 3> p{};
+  auto& p = deviations_;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       p[i][j] = (product(rows_[i], columns[j]) - Ball(i == j ? 1 : 0)).upper_magnitude();
@@ -54,13 +55,24 @@ bool PinchProof::invert(const std::array<Vector, 3>& columns) {
   return true;
 }
 
+/// A first bound of y by (14.62), then |y| <= |C value| + P |y| with the last bound on the right.
 std::array<double, 3> PinchProof::solved(const Vector& value) const {
+  std::array<double, 3> known, y;
   double most = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    most = larger_bound(most, product(rows_[i], value).upper_magnitude() / room_[i]);
-  std::array<double, 3> result;
-  for (std::size_t i = 0; i < 3; ++i) result[i] = most * scale_[i] * kSlack + kUnderflowLoss;
-  return result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    known[i] = product(rows_[i], value).upper_magnitude();
+    most = larger_bound(most, known[i] / room_[i]);
+  }
+  for (std::size_t i = 0; i < 3; ++i) y[i] = most * scale_[i] * kSlack + kUnderflowLoss;
+  for (int k = 0; k < kRefinements; ++k) {
+    const std::array<double, 3> last = y;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& p = deviations_[i];
+      const double next = known[i] + p[0] * last[0] + p[1] * last[1] + p[2] * last[2];
+      y[i] = std::min(y[i], next * kSlack + kUnderflowLoss);
+    }
+  }
+  return y;
 }
 
 /// (14.63), (14.64): derivatives by q = t^2 <= 1/4 of the midpoint, the slope and the point of space.

@@ -54,11 +54,12 @@ class PinchProof {
 
   LocalDerivatives x_;  // with exchanged parameters if `exchanged_`
   bool exchanged_;
-  double guess_ = 0;                             // of m
-  Ball slopes_;                                  // m
-  std::array<std::array<double, 3>, 3> rows_{};  // C
-  std::array<double, 3> scale_{};                // z
-  std::array<double, 3> room_{};                 // at most z - P z, positive
+  double guess_ = 0;                                   // of m
+  Ball slopes_;                                        // m
+  std::array<std::array<double, 3>, 3> rows_{};        // C
+  std::array<double, 3> scale_{};                      // z
+  std::array<double, 3> room_{};                       // at most z - P z, positive
+  std::array<std::array<double, 3>, 3> deviations_{};  // P
   std::array<bool, 2> monotone_{};
   double bend_ = 0;
 };

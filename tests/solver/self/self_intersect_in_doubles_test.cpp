@@ -108,6 +108,32 @@ void check_seam(const IntersectionGraph& graph, bool twisted) {
   }
 }
 
+/// Two sheets that touch in x(a,1/2) = x(b,1/2) = (0,0,0), from the two sides of z = 0: a plane loop, z = 0,
+/// moved along with v on both sides of v = 1/2, where z = (v - 1/2)^2 ((a + b)/2 - u).
+RationalPatch touching_sheets(const Rational& a, const Rational& b) {
+  const Rational middle = (a + b) / 2, half(1, 2);
+  random_nets::Net net(4, std::vector<Point>(3));
+  const auto at = [&](const Rational& u, const Rational& v) {
+    const Rational loop = (u - a) * (u - b), h = v - half;
+    return Point{loop + h / 5, 4 * loop * (u - middle) + h, h * h * (middle - u)};
+  };
+  // Bernstein coefficients of degree 3 and 2 from values.
+  const auto cubic = [](const std::array<Point, 4>& p) {
+    const Rational sixth(1, 6);
+    return std::array<Point, 4>{
+        p[0], sixth * (Rational(-5) * p[0] + Rational(18) * p[1] - Rational(9) * p[2] + Rational(2) * p[3]),
+        sixth * (Rational(2) * p[0] - Rational(9) * p[1] + Rational(18) * p[2] - Rational(5) * p[3]), p[3]};
+  };
+  for (int j = 0; j < 3; ++j) {
+    std::array<Point, 4> values;
+    for (int i = 0; i < 4; ++i) values[static_cast<std::size_t>(i)] = at(Rational(i, 3), Rational(j, 2));
+    const auto column = cubic(values);
+    for (std::size_t i = 0; i < 4; ++i) net[i][static_cast<std::size_t>(j)] = column[i];
+  }
+  for (auto& row : net) row[1] = 2 * row[1] - half * (row[0] + row[2]);
+  return RationalPatch(net);
+}
+
 }  // namespace
 
 TEST_CASE("self in doubles: random biquadratic patches as the exact solution has them") {
@@ -255,6 +281,28 @@ TEST_CASE("self in doubles: a cone over a closed loop meets itself along a line 
     CHECK(std::fabs(vertex.parameters[0] - vertex.parameters[2]) < 1e-12);
   }
   check_same(self_intersect(x.transposed()), result.graph, {{1, 0, 3, 2}, {}});
+}
+
+TEST_CASE("self in doubles: sheets that touch in a rational point") {
+  for (const auto& [a, b] :
+       {std::pair(Rational(1, 4), Rational(3, 4)), std::pair(Rational(1, 8), Rational(3, 4)),
+        std::pair(Rational(2, 7), Rational(9, 11))}) {
+    INFO("a = " << a << ", b = " << b);
+    const RationalPatch x = touching_sheets(a, b);
+    REQUIRE(x(a, Rational(1, 2)) == x(b, Rational(1, 2)));
+    const IntersectResult result = self_intersect(x);
+    check_complete(result);
+    REQUIRE(result.graph.isolated_points.size() == 1);
+    const Node& node = result.graph.nodes.at(static_cast<std::size_t>(result.graph.isolated_points[0]));
+    CHECK(node.kinds == std::vector<NodeKind>{NodeKind::touch});
+    const RationalInterval u1 =
+        std::min(node.box[0], node.box[2], [](const auto& s, const auto& t) { return s.lower < t.lower; });
+    CHECK(u1.lower <= a);
+    CHECK(u1.upper >= a);
+    // The other curve is the same from pinch point to pinch point whichever turning points are asked for.
+    CHECK(result.graph.count(ComponentShape::open) == 1);
+    CHECK(result.graph.components.size() == 1);
+  }
 }
 
 TEST_CASE("self in doubles: patches that are injective, of every kind") {
