@@ -103,22 +103,32 @@ class Chain {
  private:
   bool in(std::size_t tube, std::size_t point) const { return contains(tubes_[tube], points_[point].at); }
 
-  /// A tube that holds the point `last` and goes on as far beyond it as possible.
+  /// A tube that holds the point `last` and goes on as far beyond it as
+  /// possible.
   std::size_t new_tube(std::size_t last) {
-    for (std::size_t ahead = std::max<std::size_t>(1, 2 * ahead_);; ahead /= 2) {
-      const std::size_t middle = std::min(last + ahead, points_.size() - 1);
+    for (double reach = reach_;;) {
+      std::size_t middle = last;
+      while (middle + 1 < points_.size() && distance(last, middle + 1) <= reach) ++middle;
       const Parameters& w = points_[middle].at;
       const Tube tube = tube_at(equation_, w, best_axis(equation_.map, w));
       if (contains(tube, points_[last].at)) {
-        ahead_ = middle - last;
+        reach_ = tube.reach;
         tubes_.push_back(tube);
         return tubes_.size() - 1;
       }
-      if (ahead == 0) throw NoCertificate("an arc that could not be followed by tubes");
+      if (middle == last) throw NoCertificate("an arc that could not be followed by tubes");
+      reach = 0.9 * std::min(reach, tube.reach);
     }
   }
+  /// The greatest of a parameter.
+  double distance(std::size_t a, std::size_t b) const {
+    double most = 0;
+    for (std::size_t i = 0; i < 4; ++i) most = std::max(most, std::abs(points_[a].at[i] - points_[b].at[i]));
+    return most;
+  }
 
-  /// A point of the curve in the tube on the way to the next vertex, which is outside.
+  /// A point of the curve in the tube on the way to the next vertex, which is
+  /// outside.
   void insert_after(std::size_t at, std::size_t tube) {
     if (points_.size() > 200000) throw NoCertificate("an arc that needs too many tubes");
     const Tube& t = tubes_[tube];
@@ -141,7 +151,8 @@ class Chain {
     throw NoCertificate("an arc that leaves a tube on the wrong side");
   }
 
-  /// A point of the curve shortly before its end, where it goes from the tube to that of the last node.
+  /// A point of the curve shortly before its end, where it goes from the tube
+  /// to that of the last node.
   void insert_before_end(std::size_t tube) {
     const Tube& t = tubes_[goal_];
     const Parameters& end = points_.back().at;
@@ -163,7 +174,7 @@ class Chain {
   std::vector<Tube>& tubes_;
   std::vector<TracedPoint> points_;
   std::vector<TracedPiece> pieces_;
-  std::size_t ahead_ = 4;
+  double reach_ = 1;  // of the tube before
 };
 
 }  // namespace
@@ -242,7 +253,8 @@ Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis) {
   double steepest = 1;
   for (const auto& b : slope) steepest = std::max(steepest, std::abs(b.middle));
   const int flat = std::ilogb(steepest);
-  // The curve runs through the middle of a cube, but for the places of the centre's last bits.
+  // The curve runs through the middle of a cube, but for the places of the
+  // centre's last bits.
   const auto tube_of = [&](double size) {
     Tube tube = {{chart}, w, axis, {}, std::ldexp(size, -flat), size, *c, number};
     for (std::size_t i = 0; i < 4; ++i) tube.slope[i] = i == axis ? 1 : rounded(slope[i].middle, 10);
@@ -274,7 +286,8 @@ checker::CurveBounds<double> bounds_in(const Map& map, const Tube& tube) {
 
 namespace {
 
-// Of long maps the errors of the check in doubles count, and are computed as it does.
+// Of long maps the errors of the check in doubles count, and are computed as it
+// does.
 
 checker::Map<checker::Enclosure> in_enclosures(const Map& map) {
   checker::Map<checker::Enclosure> result;
