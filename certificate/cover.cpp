@@ -15,21 +15,52 @@ using Net = checker::WeightedNet<double>;
 Vector sum(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-/// The control point itself, if its weight is positive.
-Vector point(const Net& net, std::size_t i, std::size_t j) {
-  const double w = net.weight(i, j);
-  const Vector& p = net.points[i][j];
-  return w > 0 ? Vector{p[0] / w, p[1] / w, p[2] / w} : p;
-}
+/// Control points in space whose convex hull holds a patch over a cell, if all
+/// weights are positive.
+struct Hull {
+  checker::Net<double> points;
+  double least_weight = 1;
 
-/// Twice the mean edge of the patch in the direction of the parameter p.
-Vector edge(const Net& net, std::size_t p) {
-  const std::size_t a = net.points.degree(0);
-  const std::size_t b = net.points.degree(1);
-  const Vector rising = difference(point(net, a, b), point(net, 0, 0));
-  const Vector falling = difference(point(net, a, 0), point(net, 0, b));
-  return p == 0 ? sum(rising, falling) : difference(rising, falling);
-}
+  explicit Hull(const Net& net) : points(net.points) {
+    if (!net.has_weights()) return;
+    points.each([&](std::size_t i, std::size_t j) {
+      const double w = net.weight(i, j);
+      least_weight = std::min(least_weight, w);
+      for (double& c : points[i][j])
+        if (w > 0) c /= w;
+    });
+  }
+  /// The least and the greatest n . P of its points.
+  std::array<double, 2> range(const Vector& n) const {
+    std::array<double, 2> result = {1e300, -1e300};
+    points.each([&](std::size_t i, std::size_t j) {
+      const double c = checker::dot(n, points[i][j]);
+      result = {std::min(result[0], c), std::max(result[1], c)};
+    });
+    return result;
+  }
+  const Vector& middle() const { return points[points.degree(0) / 2][points.degree(1) / 2]; }
+  /// Twice the mean edge in the direction of the parameter p.
+  Vector edge(std::size_t p) const {
+    const std::size_t a = points.degree(0);
+    const std::size_t b = points.degree(1);
+    const Vector rising = difference(points[a][b], points[0][0]);
+    const Vector falling = difference(points[a][0], points[0][b]);
+    return p == 0 ? sum(rising, falling) : difference(rising, falling);
+  }
+  /// The greatest square of a distance of neighbours in the direction of p.
+  double longest_step(std::size_t p) const {
+    double most = 0;
+    for (std::size_t i = 0; i <= points.degree(1 - p); ++i) {
+      for (std::size_t m = 0; m < points.degree(p); ++m) {
+        const Vector d = difference(points.along(p, m + 1, i), points.along(p, m, i));
+        most = std::max(most, checker::dot(d, d));
+      }
+    }
+    return most;
+  }
+};
+using Hulls = std::array<Hull, 2>;
 
 struct Cell {
   std::array<Net, 2> nets;
@@ -57,35 +88,9 @@ Cell on_line(Cell cell, std::size_t parameter, double t) {
   return cell;
 }
 
-/// Control points in space whose convex hull holds a patch over a cell.
-class Hull {
- public:
-  explicit Hull(const Net& net) {
-    net.points.each([&](std::size_t i, std::size_t j) {
-      points_[size_++] = point(net, i, j);
-      least_weight_ = std::min(least_weight_, net.weight(i, j));
-    });
-  }
-  /// Not positive where the points say nothing.
-  double least_weight() const { return least_weight_; }
-  /// The least and the greatest n . P of its points.
-  std::array<double, 2> range(const Vector& n) const {
-    std::array<double, 2> result = {1e300, -1e300};
-    for (std::size_t i = 0; i < size_; ++i) {
-      const double c = checker::dot(n, points_[i]);
-      result = {std::min(result[0], c), std::max(result[1], c)};
-    }
-    return result;
-  }
-
- private:
-  std::array<Vector, 16> points_;
-  std::size_t size_ = 0;
-  double least_weight_ = 1;
-};
-
-/// The direction or its opposite, whichever has all Bernstein coefficients of its product with F greater than
-/// their errors, if they are so outside of (least, most); empty if neither has.
+/// The direction or its opposite, whichever has all Bernstein coefficients of
+/// its product with F greater than their errors, if they are so outside of
+/// (least, most); empty if neither has.
 std::string separating(const std::array<int, 3>& direction, double least, double most) {
   const auto& [x, y, z] = direction;
   const double margin = 1e-11 + 1e-14 * (std::abs(double(x)) + std::abs(double(y)) + std::abs(double(z)));
@@ -94,11 +99,11 @@ std::string separating(const std::array<int, 3>& direction, double least, double
   return "";
 }
 /// Of two patches: w_x w_y (n . x - n . y) is beyond all points of both hulls.
-std::string separating(const Hull& x, const Hull& y, const std::array<int, 3>& direction) {
+std::string separating(const Hulls& hulls, const std::array<int, 3>& direction) {
   const Vector d = {double(direction[0]), double(direction[1]), double(direction[2])};
-  const std::array<double, 2> a = x.range(d);
-  const std::array<double, 2> b = y.range(d);
-  const double weight = x.least_weight() * y.least_weight();
+  const std::array<double, 2> a = hulls[0].range(d);
+  const std::array<double, 2> b = hulls[1].range(d);
+  const double weight = hulls[0].least_weight * hulls[1].least_weight;
   return separating(direction, weight * (a[0] - b[1]), weight * (a[1] - b[0]));
 }
 /// Of an equation, of which F_1 alone counts.
@@ -121,9 +126,10 @@ class Cover {
 
   void add(const Cell& cell, const std::vector<std::size_t>& near, int depth) {
     const std::vector<std::size_t> meeting = those_meeting(cell, near);
-    if (std::string place = place_of(cell, meeting); !place.empty()) return entries_.push_back(place);
+    const Hulls hulls = {Hull(cell.nets[0]), Hull(cell.nets[1])};
+    if (std::string place = place_of(cell, hulls, meeting); !place.empty()) return entries_.push_back(place);
     if (depth > 150 || entries_.size() > max_entries) throw NoCertificate("a subdivision that does not end");
-    const std::size_t parameter = longest(cell);
+    const std::size_t parameter = longest(cell, hulls);
     entries_.emplace_back(1, "uvrs"[parameter]);
     add(half_of(cell, parameter, false), meeting, depth + 1);
     add(half_of(cell, parameter, true), meeting, depth + 1);
@@ -133,7 +139,7 @@ class Cover {
 
  private:
   /// What a leaf says; empty if the cell has to be halved.
-  std::string place_of(const Cell& cell, const std::vector<std::size_t>& meeting) const {
+  std::string place_of(const Cell& cell, const Hulls& hulls, const std::vector<std::size_t>& meeting) const {
     if (places_.self && cell.middle[0] + cell.half[0] <= cell.middle[2] - cell.half[2]) return "lower";
     for (const std::size_t i : meeting) {
       const Tube& tube = places_.tubes[i];
@@ -147,7 +153,7 @@ class Cover {
     for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j] * (1 + 1e-9)};
     for (std::size_t i = 0; i < places_.planes.size(); ++i)
       if (checker::independent<double>(places_.planes[i]->columns, box)) return "s" + std::to_string(i);
-    if (std::string d = exclusion(cell); !d.empty()) return d;
+    if (std::string d = exclusion(cell, hulls); !d.empty()) return d;
     return places_.self ? injective(cell) : "";
   }
 
@@ -201,7 +207,8 @@ class Cover {
     return true;
   }
 
-  /// A direction that proves different points of the cell to be different in space, if there is one.
+  /// A direction that proves different points of the cell to be different in
+  /// space, if there is one.
   std::string injective(const Cell& cell) const {
     checker::Box<double> box;
     for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j]};
@@ -214,44 +221,36 @@ class Cover {
     return fmt::format("i{},{},{}", n[0], n[1], n[2]);
   }
 
-  static std::string exclusion(const Cell& cell) {
+  static std::string exclusion(const Cell& cell, const Hulls& hulls) {
     if (cell.section) return separating(*cell.section);
-    const Net& x = cell.nets[0];
-    const Net& y = cell.nets[1];
-    const std::array<Hull, 2> hulls = {Hull(x), Hull(y)};
-    if (!(std::min(hulls[0].least_weight(), hulls[1].least_weight()) > 0)) return "";
-    const auto middle = [](const Net& n) { return point(n, n.points.degree(0) / 2, n.points.degree(1) / 2); };
-    std::vector<std::array<int, 3>> directions = {
-        {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, rounded_direction(difference(middle(x), middle(y)))};
-    // Parallelograms that are apart are separated by a normal to two of their edges, if not in one plane.
-    const std::array edges = {edge(x, 0), edge(x, 1), edge(y, 0), edge(y, 1)};
+    if (!(std::min(hulls[0].least_weight, hulls[1].least_weight) > 0)) return "";
     const bool small = *std::max_element(cell.half.begin(), cell.half.end()) < 0x1p-8;
     const double size = small ? 1e5 : 100;
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = i + 1; j < 4; ++j)
-        directions.push_back(rounded_direction(checker::cross(edges[i], edges[j]), size));
-    for (const auto& d : directions)
-      if (std::string found = separating(hulls[0], hulls[1], d); !found.empty()) return found;
+    // Parallelograms that are apart are separated by a normal to two of their
+    // edges, if not in one plane.
+    const std::array edges = {hulls[0].edge(0), hulls[0].edge(1), hulls[1].edge(0), hulls[1].edge(1)};
+    for (std::size_t n = 0; n < 10; ++n) {
+      constexpr std::array<std::array<std::size_t, 2>, 6> pairs = {
+          {{0, 1}, {2, 3}, {0, 2}, {0, 3}, {1, 2}, {1, 3}}};
+      std::array<int, 3> d = {};
+      if (n < 3)
+        d[n] = 1;
+      else if (n == 3)
+        d = rounded_direction(difference(hulls[0].middle(), hulls[1].middle()));
+      else
+        d = rounded_direction(checker::cross(edges[pairs[n - 4][0]], edges[pairs[n - 4][1]]), size);
+      if (std::string found = separating(hulls, d); !found.empty()) return found;
+    }
     return "";
   }
 
-  /// The parameter over which the cell is longest in space; one along which nothing moves counts a little.
-  static std::size_t longest(const Cell& cell) {
+  /// The parameter over which the cell is longest in space; one along which
+  /// nothing moves counts a little.
+  static std::size_t longest(const Cell& cell, const Hulls& hulls) {
     if (cell.section) return cell.half[0] < cell.half[1] ? 1 : 0;
     Parameters length{};
-    for (std::size_t p = 0; p < 4; ++p) {
-      const Net& n = cell.nets[p / 2];
-      const auto at = [&](std::size_t m, std::size_t i) {
-        return p % 2 == 0 ? point(n, m, i) : point(n, i, m);
-      };
-      for (std::size_t i = 0; i <= n.points.degree(1 - p % 2); ++i) {
-        for (std::size_t m = 0; m < n.points.degree(p % 2); ++m) {
-          const Vector d = difference(at(m + 1, i), at(m, i));
-          length[p] = std::max(length[p], checker::dot(d, d));
-        }
-      }
-    }
-    for (std::size_t p = 0; p < 4; ++p) length[p] = std::max(length[p], cell.half[p] * cell.half[p] / 1024);
+    for (std::size_t p = 0; p < 4; ++p)
+      length[p] = std::max(hulls[p / 2].longest_step(p % 2), cell.half[p] * cell.half[p] / 1024);
     return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
   }
 
