@@ -11,8 +11,45 @@ std::string in_list(const char* list, std::size_t i) {
   return std::string("$.") + list + "[" + std::to_string(i) + "]";
 }
 
+namespace {
+
+/// Appends json.dump(), most of whose strings have nothing to escape.
+void append(const Json& json, std::string& text) {
+  const auto is_plain = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; };
+  if (json.is_object()) {
+    char before = '{';
+    for (const auto& [key, value] : json.items()) {
+      text.append(1, before).append("\"").append(key).append("\":");
+      append(value, text);
+      before = ',';
+    }
+    text += json.empty() ? "{}" : "}";
+  } else if (json.is_array()) {
+    char before = '[';
+    for (const Json& value : json) {
+      text += before;
+      append(value, text);
+      before = ',';
+    }
+    text += json.empty() ? "[]" : "]";
+  } else if (const auto* word = json.get_ptr<const std::string*>();
+             word && std::all_of(word->begin(), word->end(), is_plain)) {
+    text.append("\"").append(*word).append("\"");
+  } else {
+    text += json.dump();
+  }
+}
+
+}  // namespace
+
+std::string compact_text(const Json& json) {
+  std::string text;
+  append(json, text);
+  return text;
+}
+
 Json sealed(const std::string& place, Json claim) {
-  claim["seal"] = checker::seal(place + claim.dump());
+  claim["seal"] = checker::seal(place + compact_text(claim));
   return claim;
 }
 
@@ -118,10 +155,13 @@ std::string claims_text(const Json& document) {
   for (const auto& [key, value] : document.items()) {
     result += (result.size() == 1 ? "" : ",\n ") + Json(key).dump() + ": ";
     if (!value.is_array() || value.empty()) {
-      result += value.dump();
+      append(value, result);
       continue;
     }
-    for (std::size_t i = 0; i < value.size(); ++i) result += (i == 0 ? "[\n  " : ",\n  ") + value[i].dump();
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      result += i == 0 ? "[\n  " : ",\n  ";
+      append(value[i], result);
+    }
     result += "]";
   }
   return result + "}\n";

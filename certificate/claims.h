@@ -14,6 +14,8 @@ namespace exsect::cli {
 
 /// $.list[i]
 std::string in_list(const char* list, std::size_t i);
+/// json.dump(), of objects whose keys have nothing to escape.
+std::string compact_text(const Json& json);
 /// The claim with its seal.
 Json sealed(const std::string& place, Json claim);
 /// The rational that a finite double is, p/q or p/2^n.

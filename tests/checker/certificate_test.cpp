@@ -63,6 +63,16 @@ TEST_CASE("doubles are written as the rationals that they are, and read again") 
   }
 }
 
+TEST_CASE("claims have the text that the JSON library writes") {
+  for (const char* text : {R"({})", R"([])", R"({"a":[],"b":{"c":[1,-2,[true,null]]},"d":1.5})",
+                           R"(["a\"b\\c\n/~ "])", R"(["\u00fcber \u2264 \u0001"])"}) {
+    const Json json = Json::parse(text);
+    CHECK(cli::compact_text(json) == json.dump());
+  }
+  const Json json = Json::parse(circle());
+  CHECK(cli::compact_text(json) == json.dump());
+}
+
 namespace {
 
 /// Most changes in small certificates; `special`: some with each other kind of claim.
