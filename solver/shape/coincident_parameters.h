@@ -10,8 +10,9 @@
 
 namespace exsect {
 
-/// Parameters that turn together: a linear form of space is on x a strictly monotone function of one
-/// parameter alone, and on y of another one alone.
+/// Parameters that turn together (method, 14.13): a linear form of space, or the plane of a pencil of planes
+/// through the point, is on x a strictly monotone function of one parameter alone, and on y of another one
+/// alone.
 struct CoincidentParameters {
   /// Of each parameter that of the other patch, or the parameter itself.
   std::array<std::size_t, 4> partner = {0, 1, 2, 3};
