@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "filter/algebraic_meeting.h"
 #include "filter/homogeneous.h"
 
 namespace exsect::filter {
@@ -196,8 +197,9 @@ std::optional<ExactMeeting> meeting_in_plane(const ExactPatch<K>& x, const Exact
 template <class K>
 std::optional<ExactMeeting> exact_meeting(const ExactPatch<K>& x, const ExactPatch<K>& y, const Vec4& place,
                                           const Vec4& on) {
-  auto simple = meeting_in_simple_numbers<K>(x, y, place, on);
-  return simple ? simple : meeting_in_plane<K>(x, y, place, on);
+  if (auto simple = meeting_in_simple_numbers<K>(x, y, place, on)) return simple;
+  if (auto in_plane = meeting_in_plane<K>(x, y, place, on)) return in_plane;
+  return algebraic_meeting(rational_patch(x), rational_patch(y), place, on);
 }
 
 #define EXSECT_INSTANTIATE(K)                                                                       \

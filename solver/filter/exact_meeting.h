@@ -19,8 +19,8 @@ struct ExactMeeting {
 };
 
 /// The solution near a place (centred) that has the parameters with on[j] != 0 at these sides, 1/2 or -1/2,
-/// if the other ones are simple rational numbers, or there is one side of each patch and both lie in one
-/// plane. Empty if neither proves that there is one.
+/// if the other ones are simple rational numbers, there is one side of each patch and both lie in one
+/// plane, or it is an algebraic_meeting. Empty if none of these proves that there is one.
 template <class K>
 std::optional<ExactMeeting> exact_meeting(const ExactPatch<K>& x, const ExactPatch<K>& y, const Vec4& place,
                                           const Vec4& on);
