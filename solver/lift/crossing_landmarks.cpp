@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "lift/root_interval.h"
@@ -268,6 +269,7 @@ class LandmarkSearch {
 CrossingLandmarks crossing_landmarks(const SpacePolynomial& f, const SpacePolynomial& g,
                                      const SpaceProjection& projection, const Polynomial& norm,
                                      const std::function<double(double)>& tolerance) {
+  if (norm.is_zero()) throw std::domain_error("crossing_landmarks: the shadow has a multiple factor");
   return LandmarkSearch(f, g, projection, norm).run(tolerance);
 }
 

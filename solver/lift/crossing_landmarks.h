@@ -42,7 +42,7 @@ struct CrossingLandmarks {
   std::vector<LandmarkStar> stars = {};
 };
 
-/// Requires the norm (17.16) of the projection, not 0.
+/// With the norm (17.16) of the projection. Throws std::domain_error if that is 0.
 CrossingLandmarks crossing_landmarks(const SpacePolynomial& f, const SpacePolynomial& g,
                                      const SpaceProjection& projection, const Polynomial& norm,
                                      const std::function<double(double)>& tolerance);

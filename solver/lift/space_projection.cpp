@@ -78,13 +78,14 @@ SpacePolynomial leading_form(const SpacePolynomial& f) {
 }  // namespace
 
 SpaceFrame general_frame(int attempt) {
-  // Below and above the diagonals of two triangular matrices, whose product is the frame.
-  static const std::array<std::array<int, 6>, general_frames> entries = {{{1, -2, 1, -1, 2, 1},
-                                                                          {2, 1, -1, 1, -3, 2},
-                                                                          {-1, 3, 2, 2, 1, -3},
-                                                                          {3, -1, -2, -2, 3, 1},
-                                                                          {-2, 2, 3, 3, -1, -2},
-                                                                          {4, 3, -3, -3, -2, 5}}};
+  // Below and above the diagonals of two triangular matrices, whose product is the frame: small ones whose
+  // last column and height are in no plane that a cube is symmetric to.
+  static const std::array<std::array<int, 6>, general_frames> entries = {{{-1, 0, -2, 0, 2, 3},
+                                                                          {-1, 0, -2, 1, 1, 3},
+                                                                          {0, -1, -3, -2, 3, -2},
+                                                                          {-1, 0, 0, -2, -2, 3},
+                                                                          {-3, -1, 1, 1, 1, -2},
+                                                                          {-3, 0, -1, 1, -2, -3}}};
   const std::array<int, 6>& m = entries.at(static_cast<std::size_t>(attempt));
   const Point first = {1, m[0], m[1]}, second = {0, 1, m[2]}, third = {0, 0, 1};
   const Point b = Rational(m[3]) * first + second;
