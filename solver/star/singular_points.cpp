@@ -287,12 +287,14 @@ class StarSearch {
     // As large as layers of exact fibres can bound the arcs: tracing from close to the centre is slow.
     const double first = std::clamp(8 * query_.tolerance, 0x1p-36, 0x1p-5);
     std::optional<StarNeighbourhood> star;
+    std::optional<ParameterBox> outer;
     for (const double halfwidth : {std::max(first, kWideHalfwidth), first, first / 16, first / 512}) {
       query.largest_halfwidth = halfwidth;
       star = proved();
       if (!star) {
         return false;
       }
+      if (!outer) outer = star->box;
       if ((halfwidth > first && !has_close_ports(*star)) || !is_disjoint(*star)) {
         continue;
       }
@@ -308,6 +310,7 @@ class StarSearch {
     if (!is_disjoint(*star)) {
       return false;
     }
+    star->outer = outer;
     stars_.push_back(*std::move(star));
     return true;
   }

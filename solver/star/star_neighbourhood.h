@@ -33,6 +33,9 @@ struct StarNeighbourhood {
   std::vector<Port> ports;
   /// Further fibre points of the arcs, from the ports' fibre inwards, for the lower (0) and upper (1) side.
   std::array<std::vector<std::vector<CertifiedPoint>>, 2> layers;
+  /// A larger closed box in which the invariant holds with other ports, if one was proved on the way: all
+  /// solutions in it are on the arcs that end in the centre, so on these arcs and their continuations.
+  std::optional<ParameterBox> outer = {};
 };
 
 /// True only if the centre is a singular point: three arcs or more end in it.

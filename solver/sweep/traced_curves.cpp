@@ -204,8 +204,9 @@ class CurveTracing {
   }
 
   bool is_in_star(const ParameterBox& box) const {
-    return std::any_of(sweep_.stars.begin(), sweep_.stars.end(),
-                       [&](const StarNeighbourhood& star) { return lies_in(box, star.box); });
+    return std::any_of(sweep_.stars.begin(), sweep_.stars.end(), [&](const StarNeighbourhood& star) {
+      return lies_in(box, star.outer.value_or(star.box));
+    });
   }
 
   bool is_on_contact(const ParameterBox& box) const {

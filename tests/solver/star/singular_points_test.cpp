@@ -1,5 +1,6 @@
 #include "star/singular_points.h"
 
+#include "answer/parameter_box.h"
 #include "star_at_centre.h"
 #include "support/known_curves.h"
 
@@ -41,6 +42,8 @@ TEST_CASE("singular points: a crossing, a touch point and a node of a cubic, eac
     REQUIRE(stars.size() == 1);
     CHECK(stars[0].ports.size() == e.ports);
     CHECK(is_singular(stars[0]) == (e.ports >= 3));
+    REQUIRE(stars[0].outer);
+    CHECK(lies_in(stars[0].box, *stars[0].outer));
     for (const RationalInterval& at : stars[0].centre.box()) {
       CHECK(at.lower <= q(1, 2));
       CHECK(q(1, 2) <= at.upper);
