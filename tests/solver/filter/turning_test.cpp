@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "filter/contact.h"
-#include "filter/trace.h"
-#include "support/known_curves.h"
+#include "known_curve.h"
 
 namespace exsect::turning_test {
 namespace {
@@ -13,28 +11,10 @@ using namespace exsect::filter;
 using exsect::testing::HeightCoefficients;
 using exsect::testing::q;
 
-/// z = 0 beyond the unit square, so that curves end on sides of the graph alone.
-BezierPatch larger_plane() {
-  return testing::plane({q(-1, 4), q(-1, 4), 0}, {q(3, 2), 0, 0}, {0, q(3, 2), 0});
-}
-
 /// The only curve of a graph and its plane, from side to side.
-struct OpenCurve {
-  Pair pair;
-  std::vector<BoundaryPoint> points;
-  filter::Trace trace;
-
-  explicit OpenCurve(const HeightCoefficients& h)
-      : pair(make_pair(testing::graph_patch(h), larger_plane()).value()),
-        points(boundary(pair)),
-        trace(trace_arc<Biquadratic>(pair, points, 0).value()) {}
-
- private:
-  static std::vector<BoundaryPoint> boundary(const Pair& pair) {
-    Trees trees{PatchTree(pair.x), PatchTree(pair.y)};
-    long boxes = 0;
-    return boundary_points(pair, {}, trees, boxes).value();
-  }
+struct OpenCurve : testing::KnownCurve {
+  filter::Trace trace = arc();
+  using KnownCurve::KnownCurve;
 };
 
 KnownTurning<Biquadratic> one_parameter() {
