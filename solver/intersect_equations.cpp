@@ -21,6 +21,7 @@
 #include "lift/lifted_curve.h"
 #include "lift/pair_region.h"
 #include "lift/ring_curve.h"
+#include "lift/shared_box.h"
 #include "lift/torus_drawing.h"
 
 namespace exsect {
@@ -149,9 +150,12 @@ SurfaceIntersection open(std::string why, Reason reason) {
   return result;
 }
 
+SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second,
+                                const PairRegion& region, const Run& run);
+
 /// Two surfaces with one equation: nappes of one cone that face away from each other share the apex.
 SurfaceIntersection same(const ImplicitSurface& first, const ImplicitSurface& second,
-                         const PairRegion& region) {
+                         const PairRegion& region, const Run& run) {
   if (first.bound() && second.bound() && dot(first.data()->axis, second.data()->axis) < 0) {
     SurfaceIntersection result{Status::complete};
     const Point& apex = first.data()->point;
@@ -160,17 +164,26 @@ SurfaceIntersection same(const ImplicitSurface& first, const ImplicitSurface& se
     return result;
   }
   if (are_equal(first.box(), second.box())) return {Status::complete, true};
-  return open("one surface, of whose boxes it is not decided what they share", Reason::not_decided);
+  const std::optional<SharedBox> shared = shared_box(first, second);
+  if (!shared)
+    return open("one surface, of whose boxes it is not decided what they share", Reason::not_decided);
+  SurfaceIntersection result{Status::complete, shared->has_inner_points};
+  for (const SharedCut& cut : shared->cuts)
+    append(result, solved_pair(first.data() ? first : second, cut.surface, within(region, cut.region), run));
+  for (SpaceArc& arc : result.arcs) arc.multiplicity = 0;
+  for (SpaceCurve& curve : result.curves) curve.multiplicity = 0;
+  return result;
 }
 
 /// Two planes: a line is shown from one side of the point next to the first one's to the other, or as far as
 /// it is in the boxes.
 SurfaceIntersection planes(const ImplicitSurface& first, const ImplicitSurface& second,
-                           const PairRegion& region) {
+                           const PairRegion& region, const Run& run) {
   const SurfaceData &one = *first.data(), &other = *second.data();
   const Point along = cross(one.axis, other.axis);
   const Rational off = dot(other.axis, other.point - one.point);
-  if (is_zero(along)) return off == 0 ? same(first, second, region) : SurfaceIntersection{Status::complete};
+  if (is_zero(along))
+    return off == 0 ? same(first, second, region, run) : SurfaceIntersection{Status::complete};
   const Point down = cross(along, one.axis);
   const Point point = one.point + off / dot(other.axis, down) * down;
   SurfaceIntersection result{Status::complete};
@@ -196,9 +209,6 @@ SurfaceIntersection planes(const ImplicitSurface& first, const ImplicitSurface& 
   return result;
 }
 
-SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second,
-                                const PairRegion& region, const Run& run);
-
 /// By a curve on a chart, or on charts, of the first surface; empty if there are none.
 template <class Solve>
 std::optional<SurfaceIntersection> solved_by(const ImplicitSurface& first, const ImplicitSurface& second,
@@ -206,7 +216,7 @@ std::optional<SurfaceIntersection> solved_by(const ImplicitSurface& first, const
   decltype(curve_on(first, second, region.all)) curve;
   run.timed("curve", [&] { curve = curve_on(first, second, region.all); });
   if (!curve) return std::nullopt;
-  if (curve->is_same) return same(first, second, region);
+  if (curve->is_same) return same(first, second, region, run);
   SurfaceIntersection result{Status::complete};
   run.timed("drawing", [&] { draw(result, *curve, region, run); });
   return result;
@@ -233,7 +243,7 @@ std::optional<SurfaceIntersection> tori(const ImplicitSurface& first, const Impl
                                         const PairRegion& region, const Run& run) {
   if (is_before(*second.data(), *first.data())) return tori(second, first, region, run);
   if (const auto coaxial = coaxial_section(*first.data(), *second.data())) {
-    if (coaxial->is_same) return same(first, second, region);
+    if (coaxial->is_same) return same(first, second, region, run);
     if (!coaxial->surface) return SurfaceIntersection{Status::complete};
     return solved_pair(*coaxial->surface, first, within(region, coaxial->surface->region()), run);
   }
@@ -260,7 +270,7 @@ SurfaceIntersection crossing(const ImplicitSurface& first, const ImplicitSurface
     curve = crossing_curve(first.equation(), second.equation(),
                            [&](double extent) { return run.drawn_tolerance(drawable(extent)); });
   });
-  if (curve.is_same) return same(first, second, region);
+  if (curve.is_same) return same(first, second, region, run);
   if (curve.open) return open(curve.open->why, curve.open->reason);
   SurfaceIntersection result{Status::complete};
   for (CrossingNode& node : curve.nodes)
@@ -275,7 +285,7 @@ SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurf
                                 const PairRegion& region, const Run& run) {
   if (rank(first) > rank(second)) return solved_pair(second, first, region, run);
   if (first.kind() == SurfaceKind::plane && second.kind() == SurfaceKind::plane)
-    return planes(first, second, region);
+    return planes(first, second, region, run);
   std::optional<SurfaceIntersection> result;
   if (first.kind() != SurfaceKind::torus)
     result = lifted(first, second, region, run);

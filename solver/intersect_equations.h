@@ -16,8 +16,9 @@ namespace exsect {
 /// says so. The answer does not
 /// depend on the order of the surfaces. Polylines keep within the tolerance times the extent of what is
 /// drawn; unbounded curves are cut off, where nothing but arcs that go on to infinity is beyond. One surface
-/// in two boxes is incomplete unless they are equal. Of the options the work cap, the tolerance and the
-/// progress are taken, errors are those of intersect() for two patches.
+/// in two boxes is complete but for boxes of a sphere about different axes, and of a torus with heights and
+/// tubes. Of the options the work cap, the tolerance and the progress are taken, errors are those of
+/// intersect() for two patches.
 SurfaceIntersection intersect(const ImplicitSurface& first, const ImplicitSurface& second,
                               const IntersectOptions& options = {});
 

@@ -79,7 +79,7 @@ Arc arc_in_space(const SpaceArc& arc) {
              arc.from,
              arc.to,
              ArcPlace::interior,
-             arc.multiplicity > 1 ? Contact::tangential : Contact::transversal,
+             arc.multiplicity != 1 ? Contact::tangential : Contact::transversal,
              {},
              arc.error_bound};
   for (const std::array<double, 3>& point : arc.polyline) result.polyline.push_back({{}, point});

@@ -25,7 +25,7 @@ SceneCurve scene_curve(const SpaceArc& arc, const SurfaceIntersection& result) {
                    arc.curve,
                    -1,
                    ArcPlace::interior,
-                   arc.multiplicity > 1 ? Contact::tangential : Contact::transversal,
+                   arc.multiplicity != 1 ? Contact::tangential : Contact::transversal,
                    arc.error_bound,
                    {}};
   for (const std::array<double, 3>& point : arc.polyline) shown.vertices.push_back({none, point});

@@ -120,9 +120,9 @@ SvgLegend legend_of(const DrawnSurfaces& drawn, const Scene& scene) {
   SvgLegend legend;
   const auto& curves = drawn.result.curves;
   for (std::size_t i = 0; i < std::min(most_curves, curves.size()); ++i)
-    legend.add(space_curve_stroke(curves[i].id, curves[i].multiplicity > 1),
+    legend.add(space_curve_stroke(curves[i].id, curves[i].multiplicity != 1),
                fmt::format("{}{}", curves[i].kind == SpaceCurveKind::general ? "curve" : name(curves[i].kind),
-                           curves[i].multiplicity > 1 ? ", touching" : ""));
+                           curves[i].multiplicity != 1 ? ", touching" : ""));
   for (const SpaceNodeKind kind :
        {SpaceNodeKind::touch, SpaceNodeKind::crossing, SpaceNodeKind::singular, SpaceNodeKind::end})
     if (drawn.result.count(kind) > 0) legend.add(*mark_of(kind), "#000000", name(kind));

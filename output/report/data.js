@@ -21,7 +21,7 @@ function asGraph(tree) {
   const bounds = (node) => ['first', 'second'].flatMap((which) => (node.bounds ? node.bounds[which] : []).map((name) => `${which}: ${name}`));
   return {...tree, components, overlaps: [], isolated_points: tree.nodes.filter(({kind}) => kind === 'touch').map(({id}) => id),
     nodes: tree.nodes.map((node) => ({...node, kinds: [node.kind], on: bounds(node), wrt: [], free: [], approx: {point: node.approx}})),
-    arcs: tree.arcs.map((arc) => ({...arc, component: componentOf.get(arc.id), contact: arc.multiplicity > 1 ? 'tangential' : 'transversal', on: 'interior', free: []}))};
+    arcs: tree.arcs.map((arc) => ({...arc, component: componentOf.get(arc.id), contact: arc.multiplicity !== 1 ? 'tangential' : 'transversal', on: 'interior', free: []}))};
 }
 
 /** What a component is called: a curve by its name, where the components are curves. */

@@ -52,7 +52,7 @@ function curveTable() {
   const exact = (values) => values ? `(${values.join(', ')})` : '–';
   const rows = graph.curves.map((curve) => element('tr', {},
     element('td', {class: 'number'}, String(curve.id)), element('td', {}, curve.kind), element('td', {}, curve.closed ? 'closed' : 'open'),
-    element('td', {}, curve.multiplicity > 1 ? `tangential, of order ${curve.multiplicity}` : 'transversal'), element('td', {}, exact(curve.point)), element('td', {}, exact(curve.direction)),
+    element('td', {}, curve.multiplicity === 1 ? 'transversal' : curve.multiplicity ? `tangential, of order ${curve.multiplicity}` : 'one surface'), element('td', {}, exact(curve.point)), element('td', {}, exact(curve.direction)),
     element('td', {}, curve.radius_squared || '–'), element('td', {}, curve.arcs.join(', '))));
   return tableOf({id: 'curves', class: 'cards'}, 'point: of a line, or the centre of a conic; direction: of a line, or the normal of the plane; where all of it is rational',
     [['curve', 'number'], ['kind'], ['shape'], ['contact'], ['point'], ['direction'], ['radius squared'], ['arcs']], rows);

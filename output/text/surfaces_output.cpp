@@ -74,12 +74,16 @@ std::string exact_text(const std::optional<Point>& p) {
   return fmt::format("({}, {}, {})", (*p)[0].str(), (*p)[1].str(), (*p)[2].str());
 }
 
+const char* contact_word(int multiplicity) {
+  return multiplicity == 1 ? "transversal" : multiplicity == 0 ? "one surface" : "tangential";
+}
+
 std::string space_curve_table(const SurfaceIntersection& result) {
   std::vector<std::vector<std::string>> rows;
   for (const SpaceCurve& curve : result.curves)
     rows.push_back({std::to_string(curve.id), name(curve.kind), curve.is_closed ? "closed" : "open",
-                    curve.multiplicity > 1 ? "tangential" : "transversal", exact_text(curve.point),
-                    exact_text(curve.direction), curve.radius_squared ? curve.radius_squared->str() : "-"});
+                    contact_word(curve.multiplicity), exact_text(curve.point), exact_text(curve.direction),
+                    curve.radius_squared ? curve.radius_squared->str() : "-"});
   const std::string text =
       table({"curve", "kind", "shape", "contact", "point", "direction", "radius squared"}, rows);
   return text.empty() ? "" : "\n" + text;
@@ -113,8 +117,8 @@ std::string bounds_text(const SpaceNode& node) {
 }
 
 std::string what_is_common(const SurfaceIntersection& result) {
-  if (result.is_same) return "one surface";
   std::vector<std::string> parts;
+  if (result.is_same) parts.push_back("one surface");
   for (const SpaceCurveKind kind : all_curve_kinds)
     if (const int number = result.count(kind); number > 0)
       parts.push_back(

@@ -45,7 +45,8 @@ struct SpaceArc {
   int curve;
   int from;
   int to;
-  /// 1 if the surfaces cross; above 1 they touch along the arc, of this order.
+  /// 1 if the surfaces cross; above 1 they touch along the arc, of this order; 0 if they are one surface and
+  /// their boxes share the arc.
   int multiplicity;
   std::vector<std::array<double, 3>> polyline;
   double error_bound;  // of the distance between arc and polyline, both ways
@@ -74,7 +75,9 @@ struct OpenQuestion {
 /// complete: every common point is on a curve, or a node of kind `touch`, or on the surface in common.
 struct SurfaceIntersection {
   Status status;
-  bool is_same = false;  // the surfaces, or one nappe of each, are one
+  /// The surfaces are one, and their boxes and nappes share a part of it that has inner points. Curves and
+  /// points are then what they share besides.
+  bool is_same = false;
   std::vector<SpaceNode> nodes = {};
   std::vector<SpaceArc> arcs = {};
   std::vector<SpaceCurve> curves = {};
@@ -84,5 +87,8 @@ struct SurfaceIntersection {
   int count(SpaceNodeKind kind) const;
   int count(SpaceCurveKind kind) const;
 };
+
+/// Adds the nodes, arcs and curves of another answer, with further ids, and its open questions.
+void append(SurfaceIntersection& to, SurfaceIntersection part);
 
 }  // namespace exsect

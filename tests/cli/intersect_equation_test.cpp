@@ -163,4 +163,20 @@ TEST_CASE("intersect: surfaces beyond the range of doubles are refused with thei
                 "$.patches[1].radius: the common points must lie in the range of doubles");
 }
 
+TEST_CASE("intersect: two faces of one cylinder share a side") {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.path("faces.json");
+  write(file, R"({"exsect": "patches/1", "patches": [
+    {"name": "a", "type": "cylinder", "point": [0, 0, 0], "axis": [0, 0, 1], "radius": 1, "box": {"height": [0, 1]}},
+    {"name": "b", "type": "cylinder", "point": [0, 0, 5], "axis": [0, 0, 2], "radius": 1, "box": {"height": [-2, -1]}}]})");
+  const ProgramRun run = run_program({"intersect", file, "--json", "-"});
+  CHECK(run.status == 0);
+  const Json json = Json::parse(run.out);
+  CHECK(JsonSchema::named("surfaces-1").violation(json) == "");
+  CHECK(json["same"] == false);
+  CHECK(json["summary"] == "1 circle");
+  CHECK(json["curves"][0]["multiplicity"] == 0);
+  CHECK(run_program({"intersect", file}).out.find("one surface") != std::string::npos);
+}
+
 }  // namespace exsect::intersect_equation_test

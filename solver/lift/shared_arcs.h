@@ -1,0 +1,26 @@
+// Arcs of a circle between exact directions. Internal to solver/; docs/method.md, section 17.12.
+#pragma once
+
+#include <exsect/algebra/rational.h>
+
+#include <array>
+#include <vector>
+
+namespace exsect {
+
+using PlaneDirection = std::array<Rational, 2>;
+
+/// Counter-clockwise from one direction to the other, both included; they agree in a point.
+struct CircleArc {
+  PlaneDirection from;
+  PlaneDirection to;
+  bool is_point() const;
+};
+
+/// The angle of b beyond that of a, in [0, 2 pi), is less than that of c.
+bool comes_before(const PlaneDirection& a, const PlaneDirection& b, const PlaneDirection& c);
+
+/// The connected parts of what two arcs share, neither of which is a point or the circle: two at most.
+std::vector<CircleArc> shared_arcs(const CircleArc& one, const CircleArc& other);
+
+}  // namespace exsect

@@ -1,0 +1,276 @@
+#include "lift/shared_box.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "lift/shared_arcs.h"
+
+namespace exsect {
+namespace {
+
+Point gradient(const SpacePolynomial& linear) {
+  return {linear.coefficient({1, 0, 0}), linear.coefficient({0, 1, 0}), linear.coefficient({0, 0, 1})};
+}
+Rational at_origin(const SpacePolynomial& f) { return f.coefficient({0, 0, 0}); }
+
+bool has_prefix(const SurfaceBound& bound, const char* prefix) { return bound.name.starts_with(prefix); }
+
+/// What a box on a sphere is about; empty if it bounds nothing.
+std::optional<Point> axis_of(const SurfaceRegion& region) {
+  for (const SurfaceBound& bound : region.bounds) {
+    if (has_prefix(bound, "height")) return gradient(bound.form);
+    if (has_prefix(bound, "sector")) return cross(gradient(bound.where), gradient(bound.form));
+  }
+  return std::nullopt;
+}
+
+/// Heights, turns about the axis and turns about the circle of a torus's tube, of both boxes. Heights are
+/// values of axis . P, directions about the axis are counted in two vectors orthogonal to it.
+class SharedTurns {
+ public:
+  /// The axis is that of both; `surface` has data.
+  SharedTurns(const ImplicitSurface& surface, const Point& axis)
+      : surface_(surface), data_(*surface.data()), axis_(axis) {
+    across_[0] = cross(axis, least_parallel_axis(axis));
+    across_[1] = cross(axis, across_[0]);
+  }
+
+  /// False if the box is about another axis.
+  bool add(const ImplicitSurface& boxed) {
+    const SurfaceRegion region = boxed.region();
+    Point own = axis_;
+    if (surface_.kind() == SurfaceKind::sphere)
+      own = axis_of(region).value_or(axis_);
+    else if (boxed.data())
+      own = boxed.data()->axis;
+    if (!is_zero(cross(own, axis_))) return false;
+    std::vector<PlaneDirection> turns, tubes;
+    for (const SurfaceBound& bound : region.bounds) {
+      bounds_.push_back(bound);
+      if (has_prefix(bound, "tube"))
+        tubes.push_back(tube_direction(bound));
+      else if (has_prefix(bound, "sector"))
+        turns.push_back(turn_direction(gradient(bound.where)));
+      else
+        add_height(gradient(bound.form), at_origin(bound.form));
+    }
+    const bool is_reversed = dot(own, axis_) < 0;  // and runs clockwise about the axis
+    add_sector(turns, sectors_, is_reversed);
+    add_sector(tubes, tubes_, is_reversed);
+    return true;
+  }
+
+  std::optional<SharedBox> shared() const {
+    const bool has_heights = lower_ || upper_;
+    if (!tubes_.empty() && has_heights) return std::nullopt;
+    if (const auto level = only_height())
+      return level->empty() ? SharedBox{} : SharedBox{false, {plane_at(level->front())}};
+    const std::vector<CircleArc> turns = parts(sectors_), tubes = parts(tubes_);
+    const auto points_of = [](const std::vector<CircleArc>& arcs) {
+      return std::ranges::count_if(arcs, &CircleArc::is_point);
+    };
+    const bool is_any_turn = sectors_.size() < 2, is_any_tube = tubes_.size() < 2;
+    if (!is_any_tube && tubes.empty()) return SharedBox{};
+    if (!is_any_turn && turns.empty()) return apexes();
+    const auto turn_points = points_of(turns), tube_points = points_of(tubes);
+    const bool has_turns = is_any_turn || std::ssize(turns) > turn_points;
+    const bool has_tubes = is_any_tube || std::ssize(tubes) > tube_points;
+    if (turn_points > 0 && tube_points > 0 && has_turns) return std::nullopt;
+    SharedBox result{has_turns && has_tubes};
+    for (const CircleArc& arc : turns)
+      if (arc.is_point()) result.cuts.push_back(half_plane(arc.from));
+    if (turn_points == 2 && !join_half_planes(turns, result)) return std::nullopt;
+    if (turn_points == 0)
+      for (const CircleArc& arc : tubes)
+        if (arc.is_point()) result.cuts.push_back(tube_circle(arc.from));
+    return result;
+  }
+
+ private:
+  static void add_sector(const std::vector<PlaneDirection>& ends, std::vector<CircleArc>& to,
+                         bool is_reversed) {
+    if (ends.size() == 2)
+      to.push_back(is_reversed ? CircleArc{ends[1], ends[0]} : CircleArc{ends[0], ends[1]});
+  }
+
+  PlaneDirection turn_direction(const Point& a) const { return {dot(a, across_[0]), dot(a, across_[1])}; }
+
+  /// c and s of `where` = c (|q|^2 - R^2 - r^2) / 2 + s (q . axis), as below (17.8).
+  PlaneDirection tube_direction(const SurfaceBound& bound) const {
+    const Rational c = 2 * bound.where.coefficient({2, 0, 0});
+    const Point along = gradient(bound.where) + c * data_.point;
+    return {c, dot(along, axis_) / dot(axis_, axis_)};
+  }
+
+  void add_height(const Point& normal, const Rational& constant) {
+    const Rational rate = dot(normal, axis_) / dot(axis_, axis_), at = -constant / rate;
+    std::optional<Rational>& end = rate > 0 ? lower_ : upper_;
+    if (!end || (rate > 0 ? *end < at : at < *end)) end = at;
+  }
+
+  static std::vector<CircleArc> parts(const std::vector<CircleArc>& sectors) {
+    return sectors.size() == 2 ? shared_arcs(sectors[0], sectors[1]) : std::vector<CircleArc>{};
+  }
+
+  /// Of a sphere or a torus the square of the greatest value of axis . (P - c).
+  std::optional<Rational> reach_squared() const {
+    if (surface_.kind() == SurfaceKind::sphere) return data_.squared * dot(axis_, axis_);
+    if (surface_.kind() == SurfaceKind::torus) return data_.minor_squared * dot(axis_, axis_);
+    return std::nullopt;
+  }
+  /// The sign of at - c . axis - reach, for the side of greater values, and the same for that of smaller
+  /// ones.
+  int beyond(const Rational& at, int side) const {
+    const Rational off = side * (at - dot(data_.point, axis_));
+    return off < 0 ? -1 : sign(Rational(off * off - *reach_squared()));
+  }
+
+  /// The one height that is shared, or none in the list; empty where there are inner ones.
+  std::optional<std::vector<Rational>> only_height() const {
+    if (lower_ && upper_ && *lower_ >= *upper_)
+      return *lower_ == *upper_ ? std::vector{*lower_} : std::vector<Rational>{};
+    if (!reach_squared()) return std::nullopt;
+    for (const auto& [end, side] : {std::pair(lower_, 1), std::pair(upper_, -1)}) {
+      if (!end) continue;
+      const int s = beyond(*end, side);
+      if (s >= 0) return s == 0 ? std::vector{*end} : std::vector<Rational>{};
+    }
+    return std::nullopt;
+  }
+
+  SharedCut plane_at(const Rational& height) const {
+    return {ImplicitSurface::plane(height / dot(axis_, axis_) * axis_, axis_)};
+  }
+
+  Point in_space(const PlaneDirection& a) const {
+    return a[0] / dot(across_[0], across_[0]) * across_[0] + a[1] / dot(across_[1], across_[1]) * across_[1];
+  }
+
+  static SpacePolynomial linear_form(const Point& normal, const Point& through) {
+    return SpacePolynomial({{{1, 0, 0}, normal[0]},
+                            {{0, 1, 0}, normal[1]},
+                            {{0, 0, 1}, normal[2]},
+                            {{0, 0, 0}, -dot(normal, through)}});
+  }
+
+  static SurfaceRegion where(SpacePolynomial form) {
+    return {{{"", std::move(form), SpacePolynomial::constant(1)}}, {{0}}};
+  }
+
+  SharedCut half_plane(const PlaneDirection& a) const {
+    const Point direction = in_space(a);
+    return {ImplicitSurface::plane(data_.point, cross(axis_, direction)),
+            where(linear_form(direction, data_.point))};
+  }
+
+  /// Opposite half planes are one plane; others meet in apexes and poles. False if these are shared.
+  bool join_half_planes(const std::vector<CircleArc>& turns, SharedBox& box) const {
+    const PlaneDirection &a = turns[0].from, &b = turns[1].from;
+    if (a[0] * b[1] == a[1] * b[0]) {
+      box.cuts.pop_back();
+      box.cuts[0].region = {};
+      return true;
+    }
+    return !has_apex();
+  }
+
+  /// Whether an apex or a pole has a shared height, which is not the only one.
+  bool has_apex() const {
+    if (surface_.kind() == SurfaceKind::cone) {
+      const Rational at = dot(data_.point, axis_);
+      return (!lower_ || *lower_ <= at) && (!upper_ || at <= *upper_);
+    }
+    if (surface_.kind() != SurfaceKind::sphere) return false;
+    return !upper_ || beyond(*upper_, 1) >= 0 || !lower_ || beyond(*lower_, -1) >= 0;
+  }
+
+  /// Boxes that share no half plane have apexes and poles in common, which any plane through the axis shows.
+  SharedBox apexes() const {
+    if (!has_apex()) return {};
+    return {false, {{ImplicitSurface::plane(data_.point, across_[0])}}};
+  }
+
+  SharedCut tube_circle(const PlaneDirection& direction) const {
+    for (const SurfaceBound& bound : bounds_) {
+      if (!has_prefix(bound, "tube")) continue;
+      if (CircleArc{tube_direction(bound), direction}.is_point())
+        return {ImplicitSurface::polynomial(bound.form), where(bound.where)};
+    }
+    throw std::logic_error("shared_box: an end of a tube's sector is of neither box");
+  }
+
+  const ImplicitSurface& surface_;
+  const SurfaceData& data_;
+  Point axis_;
+  std::array<Point, 2> across_;  // orthogonal, counter-clockwise about the axis
+  std::optional<Rational> lower_, upper_;
+  std::vector<CircleArc> sectors_, tubes_;
+  std::vector<SurfaceBound> bounds_;
+};
+
+/// The polygon's part where the form is not negative, by Sutherland and Hodgman.
+std::vector<Point> clipped(const std::vector<Point>& polygon, const SpacePolynomial& form) {
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const Rational a = form(p), b = form(q);
+    if (a >= 0) result.push_back(p);
+    if ((a > 0 && b < 0) || (a < 0 && b > 0)) result.push_back(p + a / (a - b) * (q - p));
+  }
+  return result;
+}
+
+/// The corners of a parallelogram with four bounds in its plane.
+std::vector<Point> corners(const SurfaceRegion& box, const SurfaceData& plane) {
+  const Point n = plane.axis;
+  std::vector<Point> result;
+  for (const auto& [i, j] : {std::pair(0, 2), std::pair(1, 2), std::pair(1, 3), std::pair(0, 3)}) {
+    const SpacePolynomial &f = box.bounds[static_cast<std::size_t>(i)].form,
+                          &g = box.bounds[static_cast<std::size_t>(j)].form;
+    const Point a = gradient(f), b = gradient(g);
+    const Rational whole = determinant(a, b, n);
+    result.push_back((1 / whole) * (-at_origin(f) * cross(b, n) - at_origin(g) * cross(n, a) +
+                                    dot(n, plane.point) * cross(a, b)));
+  }
+  return result;
+}
+
+SharedBox shared_parallelograms(const ImplicitSurface& first, const ImplicitSurface& second) {
+  const SurfaceData& plane = *first.data();
+  std::vector<Point> polygon = corners(first.box(), plane);
+  for (const SurfaceBound& bound : second.box().bounds) polygon = clipped(polygon, bound.form);
+  if (polygon.empty()) return {};
+  const Point& p = polygon.front();
+  const auto other = std::ranges::find_if(polygon, [&](const Point& q) { return !is_zero(q - p); });
+  const Point along = other != polygon.end() ? *other - p : gradient(first.box().bounds[0].form);
+  if (other != polygon.end() &&
+      std::ranges::any_of(polygon, [&](const Point& q) { return !is_zero(cross(along, q - p)); }))
+    return {true};
+  return {false, {{ImplicitSurface::plane(p, cross(plane.axis, along))}}};
+}
+
+}  // namespace
+
+std::optional<SharedBox> shared_box(const ImplicitSurface& first, const ImplicitSurface& second) {
+  const ImplicitSurface& known = first.data() ? first : second;
+  if (!known.data() || (first.region().clauses.empty() && second.region().clauses.empty()))
+    return SharedBox{true};
+  if (known.kind() == SurfaceKind::plane) {
+    if (first.box().clauses.empty() || second.box().clauses.empty()) return SharedBox{true};
+    return shared_parallelograms(first, second);
+  }
+  Point axis = known.data()->axis;
+  if (known.kind() == SurfaceKind::sphere) {
+    const std::optional<Point> of_first = axis_of(first.box());
+    axis = of_first ? *of_first : *axis_of(second.box());
+  }
+  SharedTurns turns(known, axis);
+  for (const ImplicitSurface* surface : {&first, &second})
+    if (!turns.add(*surface)) return std::nullopt;
+  return turns.shared();
+}
+
+}  // namespace exsect

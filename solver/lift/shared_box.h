@@ -1,0 +1,29 @@
+// What two boxes of one surface share. Internal to solver/; docs/method.md, section 17.12.
+#pragma once
+
+#include <exsect/geometry/implicit_surface.h>
+
+#include <optional>
+#include <vector>
+
+namespace exsect {
+
+/// The points of the surface on another one, in a region.
+struct SharedCut {
+  ImplicitSurface surface;
+  SurfaceRegion region = {};
+};
+
+/// Invariant: what the boxes share is the closure of its inner points, if it has any, and the cuts in both
+/// boxes, no two of which have a point in common.
+struct SharedBox {
+  bool has_inner_points = false;
+  std::vector<SharedCut> cuts = {};
+};
+
+/// Of two surfaces with one set of points but for boxes and nappes. Empty where it is not decided: for boxes
+/// about different axes of a sphere, with heights and tubes of a torus, and where curves that are shared meet
+/// in an apex or pole, or each other.
+std::optional<SharedBox> shared_box(const ImplicitSurface& first, const ImplicitSurface& second);
+
+}  // namespace exsect
