@@ -309,7 +309,7 @@ bool meet_in_corner(const Vec3& p, const CornerContact& corner, const Part& x, c
                      [&](const Vec3& v) { return dot(d, v) > error; });
 }
 
-/// All points of the parts are in the region, whose only solution the point is.
+/// All points of the parts are in the region.
 template <class K>
 bool is_around(const DoublePointOf<K>& point, const Part& x, const Part& y) {
   Vec4 middle;
@@ -328,7 +328,7 @@ template <class K>
 Meeting meeting(const PairOf<K>& pair, const ContactsOf<K>& contacts, const Part& x, const Part& y) {
   if (std::any_of(contacts.points.begin(), contacts.points.end(),
                   [&](const SidePointOf<K>& point) { return lies_in_region(point, x, y); }) ||
-      std::any_of(contacts.touches.begin(), contacts.touches.end(),
+      std::any_of(contacts.double_points.begin(), contacts.double_points.end(),
                   [&](const DoublePointOf<K>& point) { return is_around(point, x, y); })) {
     return Meeting::contact;
   }

@@ -71,16 +71,16 @@ std::array<bool, 2> corner_ends(std::size_t corner) {
 }
 
 /// Each is a point or an arc of solutions; no corner is an end of one of the others, or a side point, but a
-/// touch point may be a corner.
+/// double point that is no crossing may be a corner.
 template <class K>
 struct ContactsOf {
   std::vector<SideContactOf<K>> sides;
   std::vector<PathContact> paths;  // sides of one patch only; biquadratic pairs
   std::vector<CornerContact> corners;
-  std::vector<SidePointOf<K>> points;     // where a curve may end, alone among these
-  std::vector<DoublePointOf<K>> touches;  // isolated, on sides; not of biquadratic pairs
+  std::vector<SidePointOf<K>> points;           // where a curve may end, alone among these
+  std::vector<DoublePointOf<K>> double_points;  // on sides; not of biquadratic pairs
   bool empty() const {
-    return sides.empty() && paths.empty() && corners.empty() && points.empty() && touches.empty();
+    return sides.empty() && paths.empty() && corners.empty() && points.empty() && double_points.empty();
   }
 };
 using Contacts = ContactsOf<Biquadratic>;
@@ -100,7 +100,7 @@ bool is_at(const SidePointOf<K>& point, const CornerContact& corner) {
 }
 
 enum class Meeting {
-  contact,   // all solutions on the two parts belong to one of the contacts, or to the arc of a side point
+  contact,   // all solutions on the two parts belong to one of the contacts, or to arcs of its points
   touching,  // the same contact is on both; nothing is proved
   unknown
 };

@@ -66,8 +66,10 @@ class ContactGraph {
     graph_.add_isolated(id);
   }
 
-  /// Unless it is at a corner that both patches have in common.
+  /// A touch point, unless it is at a corner that both patches have in common. Crossings are among the
+  /// curves.
   void add(const DoublePointOf<K>& touch) {
+    if (touch.forms.crossing) return;
     const auto is_there = [&](const auto& entry) { return place_of<K>(entry.first) == touch.centre; };
     if (std::any_of(nodes_.begin(), nodes_.end(), is_there)) return;
     std::array<Rational, 4> middle;  // on the sides that the point is on
@@ -341,7 +343,7 @@ bool append_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairO
   for (const CornerContact& corner : contacts.corners) {
     maker.add(corner);
   }
-  for (const DoublePointOf<K>& touch : contacts.touches) {
+  for (const DoublePointOf<K>& touch : contacts.double_points) {
     maker.add(touch);
   }
   bool proved = std::all_of(contacts.sides.begin(), contacts.sides.end(),

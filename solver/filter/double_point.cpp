@@ -53,6 +53,7 @@ bool find_place(const ExactPatch<K>& x, const ExactPatch<K>& y, const Vec4& w, D
   point.forms = *forms;
   for (std::size_t j = 0; j < 4; ++j) {
     if (sign(point.at[j]) < 0 || sign(point.at[j] - 1) > 0) return false;
+    point.on[j] = point.at[j].is_zero() ? -0.5 : point.at[j] == FieldNumber(1) ? 0.5 : 0;
     point.centre[j] = to_double(point.at[j] - Rational(1, 2));
     point.box[j] = enclosure(point.at[j], kBoxBits);
     point.box[j].upper = std::min<Rational>(point.box[j].upper, 1);
@@ -64,8 +65,7 @@ bool find_place(const ExactPatch<K>& x, const ExactPatch<K>& y, const Vec4& w, D
 
 template <class K>
 bool is_on_side(const DoublePointOf<K>& point) {
-  return std::any_of(point.at.begin(), point.at.end(),
-                     [](const FieldNumber& t) { return t == FieldNumber(0) || t == FieldNumber(1); });
+  return point.on != Vec4{};
 }
 
 template <class K>
@@ -85,13 +85,12 @@ std::optional<DoublePointOf<K>> double_point_near(const ExactPatch<K>& x, const 
     return std::nullopt;
   }
   DoublePointOf<K> point;
-  if (!find_place<K>(x, y, w->at, point) || (point.forms.crossing && is_on_side(point))) {
-    return std::nullopt;
-  }
+  if (!find_place<K>(x, y, w->at, point)) return std::nullopt;
   for (point.reach = kFirstReach; point.reach >= kLeastReach; point.reach *= 0.5) {
     const auto bounds = local_bounds<K>(point.forms, point.reach);
     if (bounds && has_star(point.forms, *bounds, point.reach)) {
       point.width = {bounds->k[0] * point.reach, bounds->k[1] * point.reach};
+      if (!leaves_sides(pair, point)) continue;
       return add_ports(pair, point, tolerance) ? std::optional(std::move(point)) : std::nullopt;
     }
   }

@@ -25,15 +25,17 @@ struct PortOf {
   double vertex_error;
 };
 
-/// Invariant: `at` is a solution, and singular; inside the domain if forms.crossing. It is the only one in
+/// Invariant: `at` is a solution, and singular. It is the only one in
 /// the region |t| <= reach, |c_i| <= width[i], (r,s) - p = S t, (u,v) - p = c; or, if forms.crossing, four
 /// arcs that end in it are all others, one with alpha > 0, one with alpha < 0, both with |beta| <= |alpha|/2,
 /// and two with |alpha| <= |beta|/2. Each is a regular graph over the larger coordinate. Ports: for each of
-/// these arcs one.
+/// these arcs one. If the point of a crossing is on sides, the region meets no others, no arc meets them
+/// again in it, and ports are those of the arcs inside the domain; the others are outside.
 template <class K>
 struct DoublePointOf {
   std::array<FieldNumber, 4> at;
   std::array<RationalInterval, 4> box;  // around `at`, within [0,1]
+  Vec4 on;                              // 1/2 or -1/2 for the parameters at sides, exactly, 0 for the others
   Vec4 centre;                          // `at`, centred; errs by kUnit
   LocalFormsOf<K> forms;
   double reach;

@@ -66,25 +66,25 @@ class FilteredIntersection {
     if (!contacts->empty() && filter::meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
       return drawn(known(*pair, *std::move(contacts)));
     }
-    auto points = filter::boundary_points(*pair, *contacts, trees, boxes_);
+    auto points = boundary_points(*pair, *contacts, trees);
     if (!points && !with_stations_ && add_side_paths(*pair, trees, *contacts)) {
       boxes_ = 0;
       if (filter::meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
         return drawn(known(*pair, *std::move(contacts)));
       }
-      points = filter::boundary_points(*pair, *contacts, trees, boxes_);
+      points = boundary_points(*pair, *contacts, trees);
     }
     std::vector<TraceOf<K>> traces;
     while (!points || !find_curves(*pair, *contacts, trees, *points, traces)) {
       if (!points) stuck_ = filter::undecided_on_sides(*pair, trees, *contacts);
       const bool is_added = !points && stuck_ &&
                             (filter::add_side_point(x_, y_, *pair, *stuck_, *contacts) ||
-                             filter::add_side_touch(x_, y_, *pair, *stuck_, *contacts));
+                             add_side_double_point(*pair, *contacts));
       if (!is_added && !filter::add_corner_points(x_, y_, *pair, *contacts)) {
         if (!points || !loops_open_) return std::nullopt;
         break;
       }
-      points = filter::boundary_points(*pair, *contacts, trees, boxes_);
+      points = boundary_points(*pair, *contacts, trees);
       traces.clear();
     }
     std::vector<AnalysedTraceOf<K>> curves;
@@ -116,6 +116,34 @@ class FilteredIntersection {
  private:
   /// Whether the questions are answered that need exact forms of the patches.
   static constexpr bool kExactBehind = std::is_same_v<K, Biquadratic>;
+
+  /// With the ports of the double points.
+  std::optional<std::vector<BoundaryPointOf<K>>> boundary_points(const filter::PairOf<K>& pair,
+                                                                 const filter::ContactsOf<K>& contacts,
+                                                                 filter::TreesOf<K>& trees) {
+    auto points = filter::boundary_points(pair, contacts, trees, boxes_);
+    for (std::size_t i = 0; points && i < double_points_.size(); ++i) append_ports(i, *points);
+    return points;
+  }
+
+  void append_ports(std::size_t centre, std::vector<BoundaryPointOf<K>>& points) const {
+    const auto& ports = double_points_[centre].ports;
+    for (std::size_t i = 0; i < ports.size(); ++i)
+      points.push_back({ports[i].ball, ports[i].parameter, ports[i].side, static_cast<int>(centre), i});
+  }
+
+  /// Of chords from ports to double points, in scaled space.
+  double port_tolerance(const filter::PairOf<K>& pair) const {
+    return std::ldexp(kPortShare * run_.drawn_tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
+  }
+
+  bool add_side_double_point(const filter::PairOf<K>& pair, filter::ContactsOf<K>& contacts) {
+    if (!filter::add_side_double_point<K>(x_, y_, pair, *stuck_, port_tolerance(pair), contacts))
+      return false;
+    const filter::DoublePointOf<K>& point = contacts.double_points.back();
+    if (point.forms.crossing) double_points_.push_back(point);
+    return true;
+  }
 
   bool add_side_paths(const filter::PairOf<K>& pair, filter::TreesOf<K>& trees,
                       filter::ContactsOf<K>& contacts) const {
@@ -169,19 +197,14 @@ class FilteredIntersection {
 
   bool add_double_point(const filter::PairOf<K>& pair, const filter::Vec4& stuck,
                         std::vector<BoundaryPointOf<K>>& points) {
-    const double tolerance =
-        std::ldexp(kPortShare * run_.drawn_tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
-    auto point = filter::double_point_near<K>(x_, y_, pair, stuck, tolerance);
+    auto point = filter::double_point_near<K>(x_, y_, pair, stuck, port_tolerance(pair));
     if (!point || is_on_side(*point) ||
         std::any_of(double_points_.begin(), double_points_.end(),
                     [&](const filter::DoublePointOf<K>& known) { return may_be_same(known, *point); })) {
       return false;
     }
-    for (std::size_t i = 0; i < point->ports.size(); ++i) {
-      const filter::PortOf<K>& port = point->ports[i];
-      points.push_back({port.ball, port.parameter, port.side, static_cast<int>(double_points_.size()), i});
-    }
     double_points_.push_back(std::move(*point));
+    append_ports(double_points_.size() - 1, points);
     return true;
   }
 

@@ -49,13 +49,17 @@ class GraphMaker {
 
   void add_double_points() {
     for (const DoublePointOf<K>& point : double_points_) {
-      const bool crossing = point.forms.crossing;
       BallOf<K> ball{};
       std::copy(point.centre.begin(), point.centre.end(), ball.middle.begin());
-      Node node = node_at(crossing ? NodeKind::crossing : NodeKind::touch, ball);
+      const NodeKind kind = point.ports.empty() ? NodeKind::touch : NodeKind::crossing;
+      Node node = node_at(is_on_side(point) ? NodeKind::boundary : kind, ball);
       node.box = point.box;
+      if (is_on_side(point)) {
+        put_on_sides(node, point.on);
+        node.kinds.push_back(kind);
+      }
       const int id = add_node(std::move(node), ball);
-      if (!crossing) {
+      if (point.ports.empty()) {
         graph_.add_isolated(id);
       }
     }

@@ -18,8 +18,9 @@ constexpr double kCoarser = 64;
 
 /// One arc ends in a BoundaryPoint on a single side.
 std::optional<int> arcs_at_sides(const Node& node) {
-  const bool touches = std::ranges::count(node.kinds, NodeKind::touch) > 0;
-  return node.on.size() == 1 && !touches ? std::optional(1) : std::nullopt;
+  const bool is_singular = std::ranges::count(node.kinds, NodeKind::touch) > 0 ||
+                           std::ranges::count(node.kinds, NodeKind::crossing) > 0;
+  return node.on.size() == 1 && !is_singular ? std::optional(1) : std::nullopt;
 }
 
 /// What polylines keep within is no question of topology: with nothing behind, any bound is taken.

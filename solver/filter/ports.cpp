@@ -56,6 +56,23 @@ class Branch {
     across_ = {f.bs[0][1 - along], f.bs[1][1 - along], f.s[0][1 - along], f.s[1][1 - along]};
   }
 
+  /// Strictly monotone in all parameters at sides, as far as the region goes, (14.72).
+  bool leaves_sides() const {
+    const auto slope = slope_bound(point_.reach);
+    if (!slope) return false;
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (point_.on[j] != 0 && !moves(j, *slope)) return false;
+    }
+    return true;
+  }
+  /// Away from all of these sides to the inside.
+  bool enters() const {
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (point_.on[j] != 0 && (sign_ * direction_[j] > 0) == (point_.on[j] > 0)) return false;
+    }
+    return true;
+  }
+
   /// As far from the centre as a few chords allow: tracing from close to it is slow.
   std::optional<PortOf<K>> port(double tolerance) const {
     for (double reach = 0.5 * point_.reach; reach >= kLeastPort; reach *= 0.5) {
@@ -96,14 +113,12 @@ class Branch {
     return Slope{across, {turn(0), turn(1)}};
   }
 
+  bool moves(std::size_t j, const Slope& slope) const {
+    const double turn = j < 2 ? slope.turn[j] : 0;
+    return std::fabs(direction_[j]) > kSlack * (std::fabs(across_[j]) * slope.across + turn);
+  }
   bool is_monotone(const Slope& slope) const {
-    for (std::size_t j = 0; j < 4; ++j) {
-      const double turn = j < 2 ? slope.turn[j] : 0;
-      if (!(std::fabs(direction_[j]) > kSlack * (std::fabs(across_[j]) * slope.across + turn))) {
-        return false;
-      }
-    }
-    return true;
+    return moves(0, slope) && moves(1, slope) && moves(2, slope) && moves(3, slope);
   }
 
   /// How far the derivative of the point of space on the arc is from a constant at most. The derivative of
@@ -244,13 +259,34 @@ class Branch {
   Vec4 across_;
 };
 
+/// The region meets no sides but those that the point is on.
+template <class K>
+bool is_away_from_others(const DoublePointOf<K>& point) {
+  for (std::size_t j = 0; j < 4; ++j) {
+    const double s = j < 2 ? 0 : std::fabs(point.forms.s[j - 2][0]) + std::fabs(point.forms.s[j - 2][1]);
+    const double far = kSlack * ((j < 2 ? point.width[j] : s * point.reach) + kPlaceRounding);
+    const double room = point.on[j] != 0 ? 1 : 0.5 - std::fabs(point.centre[j]);
+    if (!(far < room)) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+template <class K>
+bool leaves_sides(const PairOf<K>& pair, const DoublePointOf<K>& point) {
+  if (!point.forms.crossing || !is_on_side(point)) return true;
+  const auto leaves = [&](std::size_t along) { return Branch<K>(pair, point, along, 1).leaves_sides(); };
+  return is_away_from_others(point) && leaves(0) && leaves(1);
+}
 
 template <class K>
 bool add_ports(const PairOf<K>& pair, DoublePointOf<K>& point, double tolerance) {
   for (std::size_t along = 0; along < 2 && point.forms.crossing; ++along) {
     for (const int sign : {-1, 1}) {
-      auto port = Branch<K>(pair, point, along, sign).port(tolerance);
+      const Branch<K> branch(pair, point, along, sign);
+      if (!branch.enters()) continue;
+      auto port = branch.port(tolerance);
       if (!port) {
         return false;
       }
@@ -260,7 +296,9 @@ bool add_ports(const PairOf<K>& pair, DoublePointOf<K>& point, double tolerance)
   return true;
 }
 
-#define EXSECT_INSTANTIATE(K) template bool add_ports<K>(const PairOf<K>&, DoublePointOf<K>&, double);
+#define EXSECT_INSTANTIATE(K)                                               \
+  template bool leaves_sides<K>(const PairOf<K>&, const DoublePointOf<K>&); \
+  template bool add_ports<K>(const PairOf<K>&, DoublePointOf<K>&, double);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

@@ -45,19 +45,22 @@ bool add_side_point(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf
 }
 
 template <class K>
-bool add_side_touch([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] const ExactPatch<K>& y,
-                    [[maybe_unused]] const PairOf<K>& pair, [[maybe_unused]] const Vec4& place,
-                    [[maybe_unused]] ContactsOf<K>& contacts) {
+bool add_side_double_point([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] const ExactPatch<K>& y,
+                           [[maybe_unused]] const PairOf<K>& pair, [[maybe_unused]] const Vec4& place,
+                           [[maybe_unused]] double tolerance, [[maybe_unused]] ContactsOf<K>& contacts) {
   if constexpr (std::is_same_v<K, Biquadratic>) {
     return false;
   } else {
-    auto point = double_point_near<K>(x, y, pair, place, 1);
+    auto point = double_point_near<K>(x, y, pair, place, tolerance);
     const auto is_same = [&](const DoublePointOf<K>& known) { return may_be_same(known, *point); };
-    if (!point || !is_on_side(*point) || contacts.touches.size() == kMostSidePoints ||
-        std::any_of(contacts.touches.begin(), contacts.touches.end(), is_same)) {
+    if (!point || !is_on_side(*point) || contacts.double_points.size() == kMostSidePoints ||
+        std::any_of(contacts.double_points.begin(), contacts.double_points.end(), is_same)) {
       return false;
     }
-    contacts.touches.push_back(*std::move(point));
+    std::erase_if(contacts.corners, [&](const CornerContact& corner) {
+      return point->forms.crossing && !corner.is_pole() && place_of<K>(corner) == point->on;
+    });
+    contacts.double_points.push_back(*std::move(point));
     return true;
   }
 }
@@ -76,8 +79,8 @@ bool add_corner_points(const ExactPatch<K>& x, const ExactPatch<K>& y, const Pai
   template std::optional<Vec4> undecided_on_sides<K>(const PairOf<K>&, TreesOf<K>&, const ContactsOf<K>&);   \
   template bool add_side_point<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, const Vec4&, \
                                   ContactsOf<K>&);                                                           \
-  template bool add_side_touch<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, const Vec4&, \
-                                  ContactsOf<K>&);                                                           \
+  template bool add_side_double_point<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&,       \
+                                         const Vec4&, double, ContactsOf<K>&);                               \
   template bool add_corner_points<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&,           \
                                      ContactsOf<K>&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)

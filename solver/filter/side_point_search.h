@@ -1,5 +1,5 @@
-// Points where curves may end on sides of both patches, and touch points on sides, found where searches end
-// undecided. Internal to solver/; docs/method.md, sections 14.12 and 14.16.
+// Points where curves may end on sides of both patches, and double points on sides, found where searches end
+// undecided. Internal to solver/; docs/method.md, sections 14.12, 14.16 and 14.18.
 #pragma once
 
 #include <optional>
@@ -19,11 +19,12 @@ template <class K>
 bool add_side_point(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair, const Vec4& place,
                     ContactsOf<K>& contacts);
 
-/// Adds the touch point on sides near a place: isolated. False if it is known
-/// already, or not proved, and for biquadratic pairs, behind which there is exact arithmetic.
+/// Adds the double point on sides near a place, with ports as near to its chords as `tolerance` says. False
+/// if it is known already, or not proved, and for biquadratic pairs, behind which there is exact arithmetic.
+/// A corner that is a crossing is no contact.
 template <class K>
-bool add_side_touch(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair, const Vec4& place,
-                    ContactsOf<K>& contacts);
+bool add_side_double_point(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                           const Vec4& place, double tolerance, ContactsOf<K>& contacts);
 
 /// Adds the common corners that are side points: a curve ends there, or passes outside. False if there are
 /// none.

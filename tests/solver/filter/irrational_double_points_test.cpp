@@ -214,6 +214,34 @@ TEST_CASE("filter irrational double points: cubic heights over a quadratic map")
   CHECK(decided >= 22);
 }
 
+TEST_CASE("filter irrational double points: on a side and in a corner of the first patch") {
+  int decided = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed)
+    for (const bool corner : {false, true}) {
+      INFO("seed " << seed << (corner ? ", corner" : ", side"));
+      Generator generator(seed);
+      const CurvedHeights heights = curved_heights(generator, seed % 2 == 0 ? 1 : -1);
+      const auto cut = [&](const RationalPatch& patch) {
+        return patch.restricted_to(heights.at[0], 1, corner ? heights.at[1] : Rational(0), 1);
+      };
+      const IntersectResult result = intersect(cut(heights.pair.x), heights.pair.y);
+      if (result.status != Status::complete) continue;
+      ++decided;
+      Counts expected = expected_counts(cut(heights.difference));
+      Counts found = counts(result.graph);
+      // A plane curve has no kind of its own where it crosses on a side.
+      expected.crossings = found.crossings = 0;
+      CHECK(found == expected);
+      const auto node = std::find_if(result.graph.nodes.begin(), result.graph.nodes.end(), [](const Node& n) {
+        return n.kinds.size() > 1 && n.box[2].lower < n.box[2].upper && n.box[0].upper == 0;
+      });
+      REQUIRE(node != result.graph.nodes.end());
+      CHECK(node->on.size() == (corner ? 2 : 1));
+      CHECK(node->box[2].width() < power_of_two(-50));
+    }
+  CHECK(decided >= 12);
+}
+
 TEST_CASE("filter irrational double points: spheres that touch") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     INFO("seed " << seed);

@@ -117,12 +117,4 @@ TEST_CASE("filter side touch: beside a curve") {
   }
 }
 
-TEST_CASE("filter side touch: a crossing on a side is left open, with its reason") {
-  Generator generator(1);
-  const Heights pair = height_pairs::with_double_point(generator, -1, 3);
-  const IntersectResult result = intersect(cuts(pair)[0].x, pair.y);
-  REQUIRE(result.status == Status::incomplete);
-  CHECK(result.incomplete.at(0).reason == Reason::crossing);
-}
-
 }  // namespace exsect::side_touch_test
