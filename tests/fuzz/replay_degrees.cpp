@@ -1,8 +1,9 @@
 // replay_degrees FAMILY FIRST COUNT: random pairs of bidegrees up to (3,3) with and without weights, and
 // their images under maps that keep the intersection or change it in a known way (tests/fuzz/README.md): the
 // graphs are equal up to the names. Reports how many end incomplete, by reason, and the times of the pairs
-// themselves. With --oracle, complete answers are compared with support/exact_oracle.h instead. Exit status 1
-// if there is a difference; the pair is written to a file, and the seed gives it again.
+// themselves. With --oracle, complete answers are compared with support/exact_oracle.h instead; with --cut,
+// with the parts of patches that are cut (glued_parts.h). Exit status 1 if there is a difference; the pair is
+// written to a file, and the seed gives it again.
 #include <exsect/solver/intersect_rational.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "glued_parts.h"
 #include "known_images.h"
 #include "support/exact_oracle.h"
 #include "support/graph_isomorphism.h"
@@ -162,6 +164,28 @@ int run_exactly(const std::string& family, std::uint64_t first, std::uint64_t co
   return wrong == 0 ? 0 : 1;
 }
 
+/// Compares complete answers with their glued parts.
+int run_cut(const std::string& family, std::uint64_t first, std::uint64_t count) {
+  int compared = 0, wrong = 0, undecided = 0;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    try {
+      const RationalPair pair = pair_of(family, seed);
+      const IntersectResult result = intersect(pair.x, pair.y);
+      if (result.status != Status::complete || !result.graph.overlaps.empty()) continue;
+      const auto difference =
+          glued_parts::difference(pair.x, pair.y, result.graph, {Rational(37, 101), Rational(61, 103)});
+      ++(difference ? compared : undecided);
+      if (!difference || difference->empty()) continue;
+      ++wrong;
+      std::cout << "seed " << seed << ": " << *difference << "; " << written(family, seed, pair) << std::endl;
+    } catch (const PatchError&) {  // no patch
+    }
+  }
+  std::cout << family << ": " << compared << " pairs cut, " << wrong << " differ, " << undecided
+            << " with a part that is incomplete\n";
+  return wrong == 0 ? 0 : 1;
+}
+
 int run(const std::string& family, std::uint64_t first, std::uint64_t count) {
   DegreeTally tally;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
@@ -190,10 +214,13 @@ int main(int argc, char** argv) try {
   const std::vector<std::string> families = {"bicubic",       "weighted",       "weighted-bicubic", "mixed",
                                              "small-bicubic", "small-weighted", "weighted-doubles"};
   const bool exactly = argc == 5 && std::string(argv[4]) == "--oracle";
-  if ((argc != 4 && !exactly) || std::find(families.begin(), families.end(), argv[1]) == families.end())
+  const bool cut = argc == 5 && std::string(argv[4]) == "--cut";
+  if ((argc != 4 && !exactly && !cut) ||
+      std::find(families.begin(), families.end(), argv[1]) == families.end())
     throw std::invalid_argument(
         "usage: exsect_replay_degrees bicubic|weighted|weighted-bicubic|mixed|"
-        "small-bicubic|small-weighted|weighted-doubles FIRST COUNT [--oracle]");
+        "small-bicubic|small-weighted|weighted-doubles FIRST COUNT [--oracle|--cut]");
+  if (cut) return run_cut(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
   if (exactly) return run_exactly(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
   return run(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
 } catch (const std::exception& error) {
