@@ -15,7 +15,7 @@ namespace {
 
 /// Levels of curve and patch together at which certificates are tried, and the search is given up.
 constexpr int kFirstLineTry = 6;
-constexpr int kLastLineLevel = 36;
+constexpr int kLastLineLevel = 40;
 /// Of all searches of a pair. Nothing is behind the pairs that are not biquadratic.
 template <class K>
 constexpr long kMostLineBoxes = std::is_same_v<K, Biquadratic> ? 3000 : 40000;

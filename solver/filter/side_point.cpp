@@ -156,21 +156,30 @@ std::optional<SidePointOf<K>> side_point_near([[maybe_unused]] const ExactPatch<
 template <class K>
 bool lies_in_region(const SidePointOf<K>& point, const Part& x, const Part& y) {
   const TubeOf<K>& tube = point.tube;
-  Unknowns<K> far;  // from the centre
+  Unknowns<K> lower, upper;  // from the centre
   for (std::size_t j = 0; j < 4; ++j) {
     const Part::Interval& range = (j < 2 ? x : y).range[j % 2];
-    far[j] = std::max(std::fabs(range.lower - 0.5 - tube.centre[j]),
-                      std::fabs(range.upper - 0.5 - tube.centre[j]));
+    lower[j] = range.lower - 0.5 - tube.centre[j];
+    upper[j] = range.upper - 0.5 - tube.centre[j];
   }
   if constexpr (K::weighted) {
     const RangeOfScale scale = range_of_scale(x, y);
-    far[4] = std::fabs(scale.middle - tube.centre[4]) + scale.half;
+    lower[4] = scale.middle - tube.centre[4] - scale.half;
+    upper[4] = scale.middle - tube.centre[4] + scale.half;
   }
-  const double along = kSlack * (far[tube.axis] + kPlacing);
+  const double from = lower[tube.axis], to = upper[tube.axis];
+  const auto size = [](double a, double b) { return std::max(std::fabs(a), std::fabs(b)); };
+  const double along = kSlack * (size(from, to) + kPlacing);
+  // From the middle line of the tube; differences of doubles err by a few units of what is subtracted.
+  const auto distance = [&](std::size_t j) {
+    const double slope = tube.slope[j];
+    const double rise = std::max(slope * from, slope * to), fall = std::min(slope * from, slope * to);
+    const double rounding = 8 * kUnit * (size(lower[j], upper[j]) + std::fabs(slope) * along);
+    return kSlack * (size(lower[j] - rise, upper[j] - fall) + kPlacing * (1 + std::fabs(slope)) + rounding);
+  };
   return along <= tube.upper && -along >= tube.lower &&
-         std::all_of(tube.others.begin(), tube.others.end(), [&](std::size_t j) {
-           return kSlack * (far[j] + kPlacing + along * std::fabs(tube.slope[j])) <= tube.halfwidth[j];
-         });
+         std::all_of(tube.others.begin(), tube.others.end(),
+                     [&](std::size_t j) { return distance(j) <= tube.halfwidth[j]; });
 }
 
 #define EXSECT_INSTANTIATE(K)                                                                           \
