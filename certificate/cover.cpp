@@ -15,8 +15,7 @@ using Net = checker::WeightedNet<double>;
 Vector sum(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-/// Control points in space whose convex hull holds a patch over a cell, if all
-/// weights are positive.
+/// Control points in space whose convex hull holds a patch over a cell, if all weights are positive.
 struct Hull {
   checker::Net<double> points;
   double least_weight = 1;
@@ -88,9 +87,8 @@ Cell on_line(Cell cell, std::size_t parameter, double t) {
   return cell;
 }
 
-/// The direction or its opposite, whichever has all Bernstein coefficients of
-/// its product with F greater than their errors, if they are so outside of
-/// (least, most); empty if neither has.
+/// The direction or its opposite, whichever has all Bernstein coefficients of its product with F greater than
+/// their errors, where those of the direction are in [least, most]; empty if neither has.
 std::string separating(const std::array<int, 3>& direction, double least, double most) {
   const auto& [x, y, z] = direction;
   const double margin = 1e-11 + 1e-14 * (std::abs(double(x)) + std::abs(double(y)) + std::abs(double(z)));
@@ -207,8 +205,7 @@ class Cover {
     return true;
   }
 
-  /// A direction that proves different points of the cell to be different in
-  /// space, if there is one.
+  /// A direction that proves different points of the cell to be different in space, if there is one.
   std::string injective(const Cell& cell) const {
     checker::Box<double> box;
     for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j]};
@@ -226,8 +223,7 @@ class Cover {
     if (!(std::min(hulls[0].least_weight, hulls[1].least_weight) > 0)) return "";
     const bool small = *std::max_element(cell.half.begin(), cell.half.end()) < 0x1p-8;
     const double size = small ? 1e5 : 100;
-    // Parallelograms that are apart are separated by a normal to two of their
-    // edges, if not in one plane.
+    // Parallelograms that are apart are separated by a normal to two of their edges, if not in one plane.
     const std::array edges = {hulls[0].edge(0), hulls[0].edge(1), hulls[1].edge(0), hulls[1].edge(1)};
     for (std::size_t n = 0; n < 10; ++n) {
       constexpr std::array<std::array<std::size_t, 2>, 6> pairs = {
@@ -244,8 +240,7 @@ class Cover {
     return "";
   }
 
-  /// The parameter over which the cell is longest in space; one along which
-  /// nothing moves counts a little.
+  /// The parameter over which the cell is longest in space; one along which nothing moves counts a little.
   static std::size_t longest(const Cell& cell, const Hulls& hulls) {
     if (cell.section) return cell.half[0] < cell.half[1] ? 1 : 0;
     Parameters length{};

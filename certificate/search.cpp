@@ -65,8 +65,7 @@ bool holds(const Tube& tube, const Equation& equation, const Map& local) {
 }
 
 /// Whether the tube holds the point and what is next to it.
-bool contains(const Tube& tube, const Parameters& w) {
-  constexpr double margin = 0x1p-44;
+bool contains(const Tube& tube, const Parameters& w, double margin = 0x1p-44) {
   return tube.contains({{{w[0], margin}, {w[1], margin}, {w[2], margin}, {w[3], margin}}});
 }
 
@@ -93,7 +92,7 @@ class Chain {
         insert_before_end(tube);
         continue;
       }
-      std::size_t next = in(goal_, last) ? goal_ : new_tube(last);
+      std::size_t next = in(goal_, last) ? goal_ : new_tube(last, tubes_[tube]);
       pieces_.push_back({tube, last});
       at = last;
       tube = next;
@@ -103,32 +102,32 @@ class Chain {
  private:
   bool in(std::size_t tube, std::size_t point) const { return contains(tubes_[tube], points_[point].at); }
 
-  /// A tube that holds the point `last` and goes on as far beyond it as
-  /// possible.
-  std::size_t new_tube(std::size_t last) {
-    for (double reach = reach_;;) {
+  /// A tube that holds the point `last` and goes on as far beyond it as possible.
+  std::size_t new_tube(std::size_t last, const Tube& before) {
+    const double limit = std::min(1.0, std::exp2(std::ceil(std::log2(4 * before.width))));
+    for (double reach = 0.8 * before.reach;;) {
       std::size_t middle = last;
       while (middle + 1 < points_.size() && distance(last, middle + 1) <= reach) ++middle;
       const Parameters& w = points_[middle].at;
-      const Tube tube = tube_at(equation_, w, best_axis(equation_.map, w));
-      if (contains(tube, points_[last].at)) {
-        reach_ = tube.reach;
+      const Tube tube = tube_at(equation_, w, best_axis(equation_.map, w), limit);
+      // Cells where it meets the tube before are small unless both hold some of the curve.
+      const double margin = middle == last ? 0x1p-44 : tube.width / 10;
+      if (contains(tube, points_[last].at, margin)) {
         tubes_.push_back(tube);
         return tubes_.size() - 1;
       }
       if (middle == last) throw NoCertificate("an arc that could not be followed by tubes");
-      reach = 0.9 * std::min(reach, tube.reach);
+      reach = 0.85 * std::min(reach, tube.reach);
     }
   }
-  /// The greatest of a parameter.
+  /// Of two points: in the parameter in which they are furthest apart.
   double distance(std::size_t a, std::size_t b) const {
     double most = 0;
     for (std::size_t i = 0; i < 4; ++i) most = std::max(most, std::abs(points_[a].at[i] - points_[b].at[i]));
     return most;
   }
 
-  /// A point of the curve in the tube on the way to the next vertex, which is
-  /// outside.
+  /// A point of the curve in the tube on the way to the next vertex, which is outside.
   void insert_after(std::size_t at, std::size_t tube) {
     if (points_.size() > 200000) throw NoCertificate("an arc that needs too many tubes");
     const Tube& t = tubes_[tube];
@@ -151,8 +150,7 @@ class Chain {
     throw NoCertificate("an arc that leaves a tube on the wrong side");
   }
 
-  /// A point of the curve shortly before its end, where it goes from the tube
-  /// to that of the last node.
+  /// A point of the curve shortly before its end, where it goes from the tube to that of the last node.
   void insert_before_end(std::size_t tube) {
     const Tube& t = tubes_[goal_];
     const Parameters& end = points_.back().at;
@@ -174,7 +172,6 @@ class Chain {
   std::vector<Tube>& tubes_;
   std::vector<TracedPoint> points_;
   std::vector<TracedPiece> pieces_;
-  double reach_ = 1;  // of the tube before
 };
 
 }  // namespace
@@ -237,7 +234,7 @@ Parameters turning_point(const Map& map, Parameters w, std::size_t axis, std::si
   return w;
 }
 
-Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis) {
+Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis, double limit) {
   const auto& [map, chart, number, factor, constant] = equation;
   const Map here = map.at(w);
   auto c = inverse(here, axis);
@@ -253,8 +250,7 @@ Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis) {
   double steepest = 1;
   for (const auto& b : slope) steepest = std::max(steepest, std::abs(b.middle));
   const int flat = std::ilogb(steepest);
-  // The curve runs through the middle of a cube, but for the places of the
-  // centre's last bits.
+  // The curve runs through the middle of a cube, but for the places of the centre's last bits.
   const auto tube_of = [&](double size) {
     Tube tube = {{chart}, w, axis, {}, std::ldexp(size, -flat), size, *c, number};
     for (std::size_t i = 0; i < 4; ++i) tube.slope[i] = i == axis ? 1 : rounded(slope[i].middle, 10);
@@ -268,11 +264,11 @@ Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis) {
     if (chart != Chart::pair) tube.centre = {tube.centre[0], tube.centre[1], w[2], 0};
     return holds(tube, equation, map.at(tube.centre).times(*c));
   };
-  for (int e = 1; e < 46; ++e) {
-    Tube tube = tube_of(std::ldexp(1.0, -e));
+  for (double size = limit / 2; size > 0x1p-46; size /= 2) {
+    Tube tube = tube_of(size);
     if (!found(tube)) continue;
     for (const double larger : {1.75, 1.5, 1.25}) {
-      Tube other = tube_of(larger * std::ldexp(1.0, -e));
+      Tube other = tube_of(larger * size);
       if (found(other)) return other;
     }
     return tube;
@@ -286,8 +282,7 @@ checker::CurveBounds<double> bounds_in(const Map& map, const Tube& tube) {
 
 namespace {
 
-// Of long maps the errors of the check in doubles count, and are computed as it
-// does.
+// Of long maps the errors of the check in doubles count, and are computed as it does.
 
 checker::Map<checker::Enclosure> in_enclosures(const Map& map) {
   checker::Map<checker::Enclosure> result;
