@@ -73,9 +73,7 @@ IntersectResult symmetric_result(const BezierPatch& x, const std::vector<Symmetr
                                  std::optional<std::vector<Node>> lines, const Run& run) {
   SymmetricOverlaps result = symmetric_overlaps(x, symmetries, run);
   if (!lines) {
-    std::string why = "the patch covers its image more than once: (u, v)";
-    for (const Symmetry& symmetry : symmetries) why += " and " + image_text(symmetry);
-    result.incomplete.push_back({whole_domain(), why + " are one point; its other pairs are not decided"});
+    result.incomplete.push_back({whole_domain(), covered_more_than_once(symmetries)});
   } else {
     for (Node& line : *lines) result.graph.add_isolated(result.graph.add_node(std::move(line)));
   }

@@ -10,6 +10,7 @@
 #include "answer/placed_result.h"
 #include "self/glued_cells.h"
 #include "self/pair_orders.h"
+#include "shape/self_symmetry.h"
 
 namespace exsect {
 namespace {
@@ -65,6 +66,8 @@ IntersectResult in_some_grid(const RationalPatch& x, double extent, const Run& r
 
 IntersectResult self_intersect_in_doubles(const RationalPatch& x, const Run& run) {
   const RationalPatch& patch = x.reduced();
+  const std::vector<Symmetry> symmetries = symmetries_of_square(patch);
+  if (!symmetries.empty()) return undecided(whole_domain(), covered_more_than_once(symmetries));
   const std::vector<Point> points = affine_points(patch);
   const auto place = Placement::of(points);
   return solved_in_place(place, to_double(model_extent(points)), run, [&](const Run& about_origin) {

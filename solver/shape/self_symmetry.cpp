@@ -81,6 +81,17 @@ std::vector<PlanePoint> part_of(const std::vector<PlanePoint>& polygon, const Fo
   return rest;
 }
 
+/// Of two patches without common factors of their components: the vectors are multiples of each other.
+bool are_one_map(const RationalPatch& a, const RationalPatch& b) {
+  if (a.degree_u() != b.degree_u() || a.degree_v() != b.degree_v()) return false;
+  const HomogeneousPoint &p = a.homogeneous(0, 0), &q = b.homogeneous(0, 0);
+  for (int i = 0; i <= a.degree_u(); ++i)
+    for (int j = 0; j <= a.degree_v(); ++j)
+      for (std::size_t c = 0; c < 4; ++c)
+        if (a.homogeneous(i, j)[c] * q[3] != b.homogeneous(i, j)[c] * p[3]) return false;
+  return true;
+}
+
 std::string text(const PlaneForm& form) {
   std::string result;
   for (std::size_t j = 0; j < 3; ++j) {
@@ -123,8 +134,31 @@ std::vector<Symmetry> symmetries(const BezierPatch& x) {
   return result;
 }
 
+std::vector<Symmetry> symmetries_of_square(const RationalPatch& x) {
+  const RationalPatch& reduced = x.reduced();
+  const RationalPatch first = reduced.restricted_to(1, 0, 0, 1), second = reduced.restricted_to(0, 1, 1, 0);
+  const PlanePoint centre = {half, half};
+  std::vector<Symmetry> result;
+  const auto add_if = [&](const RationalPatch& image, const Symmetry& symmetry) {
+    if (are_one_map(reduced, image)) result.push_back(symmetry);
+  };
+  add_if(first, across_first(half));
+  add_if(second, across_second(half));
+  add_if(reduced.transposed(), across_diagonal(centre));
+  add_if(first.transposed().restricted_to(1, 0, 0, 1), across_other_diagonal(centre));
+  add_if(first.restricted_to(0, 1, 1, 0), half_turn(centre));
+  add_if(first.transposed(), quarter_turn(centre));
+  return result;
+}
+
 std::string image_text(const Symmetry& symmetry) {
   return "(" + text(symmetry.image[0]) + ", " + text(symmetry.image[1]) + ")";
+}
+
+std::string covered_more_than_once(const std::vector<Symmetry>& symmetries) {
+  std::string why = "the patch covers its image more than once: (u, v)";
+  for (const Symmetry& symmetry : symmetries) why += " and " + image_text(symmetry);
+  return why + " are one point; its other pairs are not decided";
 }
 
 std::vector<ParameterPair> rim(const Symmetry& symmetry) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>
+#include <exsect/geometry/rational_patch.h>
 
 #include <array>
 #include <optional>
@@ -29,8 +30,15 @@ std::optional<PlanePoint> centre_of_symmetry(const BezierPatch& x);
 /// point inside the square, and all their products; of a map and its inverse one, and not the identity.
 std::vector<Symmetry> symmetries(const BezierPatch& x);
 
+/// Those of the square itself, of a patch of any kind: reflections, the half turn, and a quarter turn.
+std::vector<Symmetry> symmetries_of_square(const RationalPatch& x);
+
 /// "(v, u)"
 std::string image_text(const Symmetry& symmetry);
+
+/// What is said of a patch with these symmetries where its other pairs are not decided: "the patch covers its
+/// image more than once: (u, v) and (v, u) are one point; ..."
+std::string covered_more_than_once(const std::vector<Symmetry>& symmetries);
 
 /// A pair w, image(w).
 using ParameterPair = std::array<Rational, 4>;

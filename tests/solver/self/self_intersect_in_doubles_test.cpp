@@ -318,6 +318,20 @@ TEST_CASE("self in doubles: patches that are injective, of every kind") {
   }
 }
 
+TEST_CASE("self in doubles: a patch that covers its image twice is said to") {
+  random_nets::Net net(4);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 2; ++j)
+      net[static_cast<std::size_t>(i)].push_back({i * (3 - i), j, i * (3 - i) * j + j});
+  const IntersectResult result = self_intersect(RationalPatch(net, {{1, 2}, {2, 1}, {2, 1}, {1, 2}}));
+  CHECK(result.status == Status::incomplete);
+  REQUIRE(result.incomplete.size() == 1);
+  CHECK(result.incomplete[0].why ==
+        "the patch covers its image more than once: (u, v) and (1 - u, v) are one point; its other pairs are "
+        "not "
+        "decided");
+}
+
 TEST_CASE("self in doubles: what is not decided is incomplete, and exact needs a biquadratic patch") {
   const RationalPatch loop = swept_loop(2, 0);
   IntersectOptions options;

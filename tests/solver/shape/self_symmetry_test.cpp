@@ -5,6 +5,7 @@
 #include <exsect/solver/self_intersect.h>
 
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <random>
 #include <string>
@@ -151,6 +152,41 @@ bool has_other_preimage(const BezierPatch& x, const PlanePoint& w, Random& rando
 PlanePoint random_point(Random& random) { return {Rational(random() % 97, 96), Rational(random() % 97, 96)}; }
 
 }  // namespace
+
+TEST_CASE("self symmetry: of the square, of patches of every kind") {
+  const std::vector<std::string> names = {"(1 - u, v)",     "(u, 1 - v)",     "(v, u)",
+                                          "(1 - v, 1 - u)", "(1 - u, 1 - v)", "(1 - v, u)"};
+  using Index = std::array<std::size_t, 2>;
+  const std::vector<std::function<Index(Index)>> maps = {
+      [](Index k) { return Index{3 - k[0], k[1]}; },     [](Index k) { return Index{k[0], 3 - k[1]}; },
+      [](Index k) { return Index{k[1], k[0]}; },         [](Index k) { return Index{3 - k[1], 3 - k[0]}; },
+      [](Index k) { return Index{3 - k[0], 3 - k[1]}; }, [](Index k) { return Index{3 - k[1], k[0]}; }};
+  Random random(4);
+  for (const bool weighted : {false, true})
+    for (std::size_t map = 0; map < names.size(); ++map) {
+      std::vector<std::vector<Point>> points(4, std::vector<Point>(4));
+      std::vector<std::vector<Rational>> weights(4, std::vector<Rational>(4));
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) {
+          const Point p = vector(random);
+          const Rational w = weighted ? small(random) + 6 : Rational(1);
+          Index k = {i, j};
+          do {
+            points[k[0]][k[1]] = p;
+            weights[k[0]][k[1]] = w;
+            k = maps[map](k);
+          } while (k != Index{i, j});
+        }
+      std::vector<std::string> found;
+      for (const Symmetry& symmetry : symmetries_of_square(RationalPatch(points, weights)))
+        found.push_back(image_text(symmetry));
+      std::vector<std::string> expected = {names[map]};
+      if (map == 5) expected.insert(expected.begin(), names[4]);
+      CHECK(found == expected);
+      points[0][1][0] += 1;
+      CHECK(symmetries_of_square(RationalPatch(points, weights)).empty());
+    }
+}
 
 TEST_CASE("self_intersect: patches covered twice, four and eight times") {
   const Rational third(1, 3);
