@@ -66,9 +66,47 @@ struct ChordSystem {
   }
 };
 
+/// Combinations of two polynomials with gradients across an axis that are about orthogonal in a point. Where
+/// surfaces nearly touch, what their gradients have in common cancels exactly so, and not in balls.
+struct Unmixed {
+  SpacePolynomial f;
+  SpacePolynomial g;
+  int orientation;  // the sign of their determinant over that of the polynomials
+};
+
+std::optional<Unmixed> unmixed_about(const SpacePolynomial& f, const SpacePolynomial& g, const Point& centre,
+                                     std::size_t axis) {
+  const auto [i, j] = beside(axis);
+  const double fi = to_double(f.derivative(i)(centre)), fj = to_double(f.derivative(j)(centre));
+  const double gi = to_double(g.derivative(i)(centre)), gj = to_double(g.derivative(j)(centre));
+  const double determinant = fi * gj - fj * gi;
+  const std::array<double, 4> m = {gj / determinant, -fj / determinant, -gi / determinant, fi / determinant};
+  for (const double entry : m)
+    if (!std::isfinite(entry)) return std::nullopt;
+  const int orientation =
+      (DoubleBall(m[0]) * DoubleBall(m[3]) - DoubleBall(m[1]) * DoubleBall(m[2])).certain_sign();
+  if (orientation == 0) return std::nullopt;
+  return Unmixed{from_double(m[0]) * f + from_double(m[1]) * g, from_double(m[2]) * f + from_double(m[3]) * g,
+                 orientation};
+}
+
 }  // namespace
 
 std::optional<SpaceTube> SpaceTube::around(const SpacePolynomial& f, const SpacePolynomial& g,
+                                           const Point& from, const Point& to) {
+  if (std::optional<SpaceTube> tube = proved(f, g, from, to)) return tube;
+  const Point chord = to - from;
+  std::size_t axis = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (abs(chord[axis]) < abs(chord[k])) axis = k;
+  const std::optional<Unmixed> unmixed = unmixed_about(f, g, Rational(1, 2) * (from + to), axis);
+  if (!unmixed) return std::nullopt;
+  std::optional<SpaceTube> tube = proved(unmixed->f, unmixed->g, from, to);
+  if (tube) tube->direction_ *= unmixed->orientation;
+  return tube;
+}
+
+std::optional<SpaceTube> SpaceTube::proved(const SpacePolynomial& f, const SpacePolynomial& g,
                                            const Point& from, const Point& to) {
   SpaceTube tube;
   std::array<double, 3> chord{};

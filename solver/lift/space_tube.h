@@ -35,6 +35,9 @@ class SpaceTube {
  private:
   SpaceTube() = default;
 
+  static std::optional<SpaceTube> proved(const SpacePolynomial& f, const SpacePolynomial& g,
+                                         const Point& from, const Point& to);
+
   std::array<DoubleBall, 3> offset(const Point& p, double radius) const;
 
   Point centre_;

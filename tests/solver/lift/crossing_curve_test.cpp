@@ -173,6 +173,9 @@ TEST_CASE("crossing curve: touch points and singular points") {
   CHECK(same_without_names(S::cone(origin, up, 1, 2), S::sphere({1, 0, 0}, 1)) ==
         "1 closed, 0 open, 1 crossing");
   CHECK(same_without_names(S::cone(origin, up, 1, 2), S::sphere({0, 0, 1}, 1)) != "same");
+  // Two branches that are tangent to each other.
+  CHECK(same_without_names(S::torus({-1, 2, -1}, {0, 1, 0}, 3, 1), S::cylinder({0, 1, 2}, right, 2)) ==
+        "1 closed, 0 open, 1 crossing");
 }
 
 TEST_CASE("crossing curve: irrational and oblique touch points") {

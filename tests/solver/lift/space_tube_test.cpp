@@ -1,6 +1,8 @@
 // Tubes around chords of circles and of curves that nearly meet.
 #include "lift/space_tube.h"
 
+#include <tuple>
+
 #include "support/catch.h"
 
 namespace exsect::space_tube_test {
@@ -46,6 +48,20 @@ TEST_CASE("space tube: a chord of the circle") {
   const double height = to_double(dot(chord, chord)) / 8, bound = tube->distance_to_chord(from, to);
   CHECK(bound > height);
   CHECK(bound < 4 * height);
+}
+
+TEST_CASE("space tube: surfaces that nearly touch, far longer than they are apart") {
+  // The second surface is at the angle 2^-40 to the first one; the chord is about tangent to both.
+  const Rational small = power_of_two(-40);
+  const SpacePolynomial f = y - z + x * x + y * z, g = f + small * (x + z * z);
+  for (const auto& [first, second, sense] : {std::tuple(f, g, 1), std::tuple(g, f, -1)}) {
+    const Point from = {0, 0, 0}, to = {power_of_two(-40), power_of_two(-12), power_of_two(-12)};
+    const auto tube = SpaceTube::around(first, second, from, to);
+    REQUIRE(tube);
+    // By the gradients in the origin.
+    const Point gf = {0, 1, -1}, gg = {small, 1, -1}, along = cross(gf, gg);
+    CHECK(tube->order(near(to), near(from), sense) == sign(along[1]));
+  }
 }
 
 TEST_CASE("space tube: no proof across a singular point, or of two sheets") {
