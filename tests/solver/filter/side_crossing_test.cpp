@@ -129,4 +129,31 @@ TEST_CASE("filter side crossing: cubic patches, and what lies next to them") {
   CHECK(decided >= 3);
 }
 
+TEST_CASE("filter side crossing: a branch comes back to the side next to it") {
+  using height_pairs::linear;
+  using height_pairs::times;
+  const Rational half(1, 2);
+  const testing::Terms u = linear(0, 1, 0);
+  const testing::Terms w = linear(-half, 0, 1);
+  for (const int bits : {2, 4, 6})
+    for (const int bend : {1, 3}) {
+      INFO("2^-" << bits << ", " << bend);
+      const testing::Terms parabola =
+          u + times(Rational(-bend), w * (w + linear(-power_of_two(-bits), 0, 0)));
+      const testing::Terms h = parabola * (w + times(Rational(-1, 3), u));
+      const Heights pair =
+          height_pairs::heights(w * u, h, 3, Rational(3, 2), Rational(1, 8), {Rational(0), half});
+      const IntersectResult expected =
+          intersect(ImplicitSurface::plane({0, 0, 0}, {0, 0, 1}), pair.difference, IntersectOptions{});
+      const IntersectResult result = intersect(pair.x, pair.y);
+      CAPTURE(result.incomplete.empty() ? "" : result.incomplete[0].why);
+      REQUIRE(result.status == Status::complete);
+      CHECK(result.graph.boundary_points() == expected.graph.boundary_points());
+      CHECK(result.graph.count(ComponentShape::open) == expected.graph.count(ComponentShape::open));
+      const Node* node = node_on(result.graph, 1);
+      REQUIRE(node != nullptr);
+      CHECK(degree(result.graph, node->id) == expected_degree(pair.difference));
+    }
+}
+
 }  // namespace exsect::side_crossing_test
