@@ -15,7 +15,8 @@ constexpr int kCount = filter::kVertexBlock;
 }  // namespace
 
 TEST_CASE("vertex kernel: what is no number, or beyond the limit, is in doubt, and stays so", "[filter]") {
-  Lanes value, doubt;
+  Lanes value;
+  double doubt[kCount];
   for (int l = 0; l < kCount; ++l) {
     value[l] = 0.5 * (l % 2 == 0 ? 1 : -1);
     doubt[l] = 0;
@@ -26,7 +27,7 @@ TEST_CASE("vertex kernel: what is no number, or beyond the limit, is in doubt, a
   value[3] = -1;
   filter::kernel::mark_beyond(value, 1, doubt);
   for (int l = 0; l < kCount; ++l) CHECK(doubt[l] == (l < 3 ? 1 : 0));
-  for (double& v : value) v = 0;
+  value = Lanes{};
   filter::kernel::mark_beyond(value, 1, doubt);
   for (int l = 0; l < kCount; ++l) CHECK(doubt[l] == (l < 3 ? 1 : 0));
 }
@@ -45,7 +46,8 @@ TEST_CASE("vertex kernel: Horner's rule in two variables, exact on small integer
     double sum = 0;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) sum += c[4 * i + j][1] * std::pow(a[l], i) * std::pow(b[l], j);
-    CHECK(result[l] == sum);
+    const double at = result[l];
+    CHECK(at == sum);
   }
 }
 
