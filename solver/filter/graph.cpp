@@ -328,13 +328,9 @@ class GraphMaker {
   }
 
   static void push_vertex(Arc& arc, const VertexBlock& block, int l) {
-    PolylineVertex& vertex = arc.polyline.emplace_back();
-    for (std::size_t j = 0; j < 4; ++j) {
-      vertex.parameters[j] = block.parameters[j][l];
-    }
-    for (std::size_t c = 0; c < 3; ++c) {
-      vertex.point[c] = block.point[c][l];
-    }
+    const auto& p = block.parameters;
+    const auto& x = block.point;
+    arc.polyline.push_back({{p[0][l], p[1][l], p[2][l], p[3][l]}, {x[0][l], x[1][l], x[2][l]}});
   }
 
   /// A vertex where the polynomial of the arc is not good enough; returns the radius of its ball.
