@@ -109,25 +109,30 @@ bool apart_along_normal(const SubPatchOf<K>& patch, const std::array<Vec3, N>& p
 
 template <class K>
 PatchTreeOf<K>::PatchTreeOf(const PatchOf<K>& patch, double net_error) : net_error_(net_error) {
-  nodes_.reserve(128);
-  SubPatchOf<K> root;
+  SubPatchOf<K>& root = at(four_more());
   root.net = patch.net;
   root.first = root.second = -0.5;
   root.width = 1;
   root.level = 0;
   fill_bounds(root, net_error_);
-  nodes_.push_back(root);
+}
+
+template <class K>
+std::size_t PatchTreeOf<K>::four_more() {
+  static_assert(kChunk % 4 == 0);
+  if (size_ % kChunk == 0) chunks_.push_back(std::make_unique_for_overwrite<Chunk>());
+  size_ += 4;
+  return size_ - 4;
 }
 
 template <class K>
 std::size_t PatchTreeOf<K>::split(std::size_t i) {
   constexpr std::size_t n = K::degree;
-  if (nodes_[i].children != 0) {
-    return nodes_[i].children;
+  SubPatchOf<K>& parent = at(i);
+  if (parent.children != 0) {
+    return parent.children;
   }
-  const std::size_t begin = nodes_.size();
-  nodes_.resize(begin + 4);
-  SubPatchOf<K>& parent = nodes_[i];
+  const std::size_t begin = four_more();
   parent.children = begin;
   std::array<std::array<Row<K>, 2 * n + 1>, n + 1> rows;
   for (std::size_t row = 0; row <= n; ++row) {
@@ -144,7 +149,7 @@ std::size_t PatchTreeOf<K>::split(std::size_t i) {
   for (std::size_t quarter = 0; quarter < 4; ++quarter) {
     const std::size_t row = quarter / 2;
     const std::size_t column = quarter % 2;
-    SubPatchOf<K>& child = nodes_[begin + quarter];
+    SubPatchOf<K>& child = at(begin + quarter);
     for (std::size_t k = 0; k < K::count; ++k) {
       child.net[k] = grid[n * column + k % K::side][n * row + k / K::side];
     }

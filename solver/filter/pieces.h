@@ -3,6 +3,7 @@
 // section 14.1, 14.4.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "filter/patch.h"
@@ -47,19 +48,26 @@ struct SubPatchOf : AffineNet<K, K::count> {
 };
 using SubPatch = SubPatchOf<Biquadratic>;
 
-/// The square and its quarters, made when they are asked for. Indices stay valid, references do not.
+/// The square and its quarters, made when they are asked for. Indices and references stay valid.
 template <class K>
 class PatchTreeOf {
  public:
   /// `net_error` as in Pair: of all nets of the tree.
   explicit PatchTreeOf(const PatchOf<K>& patch, double net_error = 0);
-  const SubPatchOf<K>& operator[](std::size_t i) const { return nodes_[i]; }
-  std::size_t size() const { return nodes_.size(); }
+  const SubPatchOf<K>& operator[](std::size_t i) const { return (*chunks_[i / kChunk])[i % kChunk]; }
   /// Index of the first of four children. Requires level < kDeepestLevel.
   std::size_t split(std::size_t i);
 
  private:
-  std::vector<SubPatchOf<K>> nodes_;
+  static constexpr std::size_t kChunk = 128;
+  using Chunk = std::array<SubPatchOf<K>, kChunk>;
+
+  SubPatchOf<K>& at(std::size_t i) { return (*chunks_[i / kChunk])[i % kChunk]; }
+  /// The index of the first of four new ones.
+  std::size_t four_more();
+
+  std::vector<std::unique_ptr<Chunk>> chunks_;  // copies of the nets would take longer than the nets
+  std::size_t size_ = 0;
   double net_error_;
 };
 using PatchTree = PatchTreeOf<Biquadratic>;
