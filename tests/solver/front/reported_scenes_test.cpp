@@ -286,4 +286,67 @@ TEST_CASE("reported scenes: sections of two top faces by a cylinder at many plac
   CHECK(cut > 20);
 }
 
+namespace {
+
+/// How many points of the patch's sides are on the face: roots by Sturm sequences in 1024 cells of each side.
+/// The middle of its cell says whether a root is on the face, so none may be that near to the face's rim.
+int points_on_sides(const RationalPatch& patch, const ImplicitSurface& face) {
+  const BivariatePolynomial f = pull_back(face.equation(), patch);
+  int points = 0;
+  for (const int end : {0, 1})
+    for (const bool along_u : {true, false}) {
+      const SturmSequence roots(along_u ? f.at_s(end) : f.at_r(end));
+      for (int i = 0; i < 1024; ++i) {
+        const int found = roots.count(Rational(i, 1024), Rational(i + 1, 1024));
+        const Rational t(2 * i + 1, 2048);
+        if (found > 0 && face.box().contains(along_u ? patch(t, end) : patch(end, t))) points += found;
+      }
+    }
+  return points;
+}
+
+void check_open(const IntersectResult& result, int curves) {
+  CHECK(result.status == Status::complete);
+  CHECK(result.graph.count(ComponentShape::open) == curves);
+  CHECK(result.graph.components.size() == static_cast<std::size_t>(curves));
+  CHECK(result.graph.boundary_points() == 2 * curves);
+  CHECK(result.graph.isolated_points.empty());
+  CHECK(result.graph.overlaps.empty());
+}
+
+void check_on_face(const RationalPatch& patch, const ImplicitSurface& face) {
+  CHECK(pull_back(face.equation(), patch).is_zero());
+  for (const int u : {0, 1})
+    for (const int v : {0, 1}) CHECK(face.contains(patch(u, v)));
+}
+
+/// Two patches without a closed curve between them, and the same as faces: as many ends as points of the
+/// sides of one on the other.
+void check_faces(const SurfaceFile& file, const std::string& first, const std::string& second, int curves) {
+  INFO(first << " " << second);
+  const RationalPatch &x = *named(file, first).patch(), &y = *named(file, second).patch();
+  const ImplicitSurface& first_face = *named(file, first + " face").equation();
+  const ImplicitSurface& second_face = *named(file, second + " face").equation();
+  check_on_face(x, first_face);
+  check_on_face(y, second_face);
+  CHECK(points_on_sides(x, second_face) + points_on_sides(y, first_face) == 2 * curves);
+  check_open(intersect(x, y), curves);
+  check_open(intersect(y, x), curves);
+  check_open(intersect(second_face, x), curves);
+  check_open(intersect(first_face, y), curves);
+  const SurfaceIntersection faces = intersect(first_face, second_face);
+  CHECK(faces.status == Status::complete);
+  CHECK(faces.curves.size() == static_cast<std::size_t>(curves));
+  for (const SpaceCurve& curve : faces.curves) CHECK_FALSE(curve.is_closed);
+}
+
+}  // namespace
+
+TEST_CASE("reported scenes: torus, cylinder and sphere as biquadratic patches with weights 1, 1, 2") {
+  const SurfaceFile file = read_surfaces(std::string(EXSECT_CASES) + "/reported/three-weighted-patches.json");
+  check_faces(file, "torus", "cylinder", 2);
+  check_faces(file, "torus", "sphere", 1);
+  check_faces(file, "cylinder", "sphere", 1);
+}
+
 }  // namespace exsect::reported_scenes_test
