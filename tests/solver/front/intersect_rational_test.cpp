@@ -248,17 +248,32 @@ TEST_CASE("intersect rational: patches touch, or branches cross, in a rational p
   }
 }
 
-TEST_CASE("intersect rational: what doubles do not decide is incomplete, with place and reason") {
-  // The plane begins where the patches touch, and where branches cross.
+TEST_CASE("intersect rational: a plane that begins where the patches touch, and where branches cross") {
   const IntersectResult touch = graph_and_plane(1, 0);
   REQUIRE(touch.status == Status::complete);
   CHECK(touch.graph.isolated_points.size() == 1);
   CHECK(touch.graph.boundary_points() == 1);
-  const IntersectResult result = graph_and_plane(-1, 0);
+  const IntersectResult crossing = graph_and_plane(-1, 0);
+  REQUIRE(crossing.status == Status::complete);
+  CHECK(crossing.graph.arcs.size() == 2);
+  const Rational half(1, 2);
+  const auto centre =
+      std::find_if(crossing.graph.nodes.begin(), crossing.graph.nodes.end(), [&](const Node& node) {
+        return node.on == std::vector<Side>{{Parameter::r, 0}} && node.box[0].lower <= half &&
+               half <= node.box[0].upper;
+      });
+  REQUIRE(centre != crossing.graph.nodes.end());
+  for (const Arc& arc : crossing.graph.arcs) CHECK((arc.from == centre->id || arc.to == centre->id));
+}
+
+TEST_CASE("intersect rational: what doubles do not decide is incomplete, with place and reason") {
+  // a^2 + a^3: the plane touches along the line u = 1/2.
+  const Rational half(1, 2);
+  const IntersectResult result = graph_and_plane(0, half);
   REQUIRE(result.status == Status::incomplete);
-  CHECK(result.incomplete.at(0).reason == Reason::crossing);
-  CHECK(result.incomplete[0].where[0].lower <= Rational(1, 2));
-  CHECK(result.incomplete[0].where[0].upper >= Rational(1, 2));
+  CHECK(result.incomplete.at(0).reason == Reason::tangency);
+  CHECK(result.incomplete[0].where[0].lower <= half);
+  CHECK(result.incomplete[0].where[0].upper >= half);
   CHECK(result.graph.nodes.empty());
 }
 
