@@ -1,0 +1,344 @@
+#include "filter/filtered_intersection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "answer/parameter_box.h"
+#include "answer/proof.h"
+#include "filter/contact_finder.h"
+#include "filter/exact_turning.h"
+#include "filter/known_pair.h"
+#include "filter/loops.h"
+#include "filter/proved_by_eliminant.h"
+#include "filter/side_point_search.h"
+#include "trace/turning_points.h"
+
+namespace exsect::filter {
+
+namespace {
+
+constexpr std::size_t kMostDoublePoints = 8;
+/// Of the tolerance, for the chords from ports to double points.
+constexpr double kPortShare = 0.9;
+constexpr std::array<std::size_t, 4> kNoneCoincident = {0, 1, 2, 3};
+
+template <class K>
+class FilteredIntersection {
+ public:
+  FilteredIntersection(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run, bool with_stations)
+      : x_(x), y_(y), run_(run), with_stations_(with_stations) {}
+
+  Filtered solved() {
+    Filtered known;
+    known.result = run();
+    if (!known.result) known.stuck = stuck();
+    if (with_stations_) known.stations = std::move(stations_);
+    return known;
+  }
+
+ private:
+  std::optional<IntersectResult> run() {
+    const auto pair = make_pair_of<K>(x_, y_);
+    if (!pair) {
+      return std::nullopt;
+    }
+    TreesOf<K> trees{PatchTreeOf<K>(pair->x, pair->net_error), PatchTreeOf<K>(pair->y, pair->net_error)};
+    if (auto overlap = overlap_of_pieces(*pair, trees)) {
+      return overlap;
+    }
+    auto contacts = find_contacts(x_, y_, *pair);
+    if (!contacts || (with_stations_ && !contacts->empty())) {
+      return std::nullopt;
+    }
+    if (!contacts->empty() && meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
+      return drawn(known(*pair, *std::move(contacts)));
+    }
+    auto points = boundary_points(*pair, *contacts, trees);
+    if (!points && !with_stations_ && add_side_paths(*pair, trees, *contacts)) {
+      boxes_ = 0;
+      if (meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
+        return drawn(known(*pair, *std::move(contacts)));
+      }
+      points = boundary_points(*pair, *contacts, trees);
+    }
+    std::vector<TraceOf<K>> traces;
+    while (!points || !find_curves(*pair, *contacts, trees, *points, traces)) {
+      if (!points) stuck_ = undecided_on_sides(*pair, trees, *contacts);
+      const bool is_added =
+          !points && stuck_ &&
+          (add_side_point(x_, y_, *pair, *stuck_, *contacts) || add_side_double_point(*pair, *contacts));
+      if (!is_added && !add_corner_points(x_, y_, *pair, *contacts)) {
+        if (!points || !loops_open_) return std::nullopt;
+        break;
+      }
+      points = boundary_points(*pair, *contacts, trees);
+      traces.clear();
+    }
+    std::vector<AnalysedTraceOf<K>> curves;
+    if (!find_turns(*pair, *points, traces, curves)) {
+      return std::nullopt;
+    }
+    if (all_turns_wanted()) {
+      find_stations(*points, curves);
+    }
+    if (loops_open_ && !proved_by_eliminant(*pair, trees)) {
+      return std::nullopt;
+    }
+    KnownPair<K> all = known(*pair, *std::move(contacts));
+    all.points = *std::move(points);
+    all.double_points = double_points_;
+    all.curves = std::move(curves);
+    all.coincident = coincident_;
+    all.finest_vertices = with_stations_;
+    return drawn(std::move(all));
+  }
+
+  /// Where the search ended undecided, centred; empty if that is no place.
+  std::optional<Vec4> stuck() const {
+    const auto is_inside = [](double w) { return std::fabs(w) <= 0.5; };
+    const bool is_place = stuck_ && std::all_of(stuck_->begin(), stuck_->end(), is_inside);
+    return is_place ? stuck_ : std::nullopt;
+  }
+
+  /// Whether the questions are answered that need exact forms of the patches.
+  static constexpr bool kExactBehind = std::is_same_v<K, Biquadratic>;
+
+  /// With the ports of the double points.
+  std::optional<std::vector<BoundaryPointOf<K>>> boundary_points(const PairOf<K>& pair,
+                                                                 const ContactsOf<K>& contacts,
+                                                                 TreesOf<K>& trees) {
+    auto points = filter::boundary_points(pair, contacts, trees, boxes_);
+    for (std::size_t i = 0; points && i < double_points_.size(); ++i) append_ports(i, *points);
+    return points;
+  }
+
+  void append_ports(std::size_t centre, std::vector<BoundaryPointOf<K>>& points) const {
+    const auto& ports = double_points_[centre].ports;
+    for (std::size_t i = 0; i < ports.size(); ++i)
+      points.push_back({ports[i].ball, ports[i].parameter, ports[i].side, static_cast<int>(centre), i});
+  }
+
+  /// Of chords from ports to double points, in scaled space.
+  double port_tolerance(const PairOf<K>& pair) const {
+    return std::ldexp(kPortShare * run_.drawn_tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
+  }
+
+  bool add_side_double_point(const PairOf<K>& pair, ContactsOf<K>& contacts) {
+    if (!filter::add_side_double_point<K>(x_, y_, pair, *stuck_, port_tolerance(pair), contacts))
+      return false;
+    const DoublePointOf<K>& point = contacts.double_points.back();
+    if (point.forms.crossing) double_points_.push_back(point);
+    return true;
+  }
+
+  bool add_side_paths(const PairOf<K>& pair, TreesOf<K>& trees, ContactsOf<K>& contacts) const {
+    return filter::add_side_paths<K>(x_, y_, pair, trees, contacts);
+  }
+
+  std::optional<IntersectResult> overlap_of_pieces(const PairOf<K>& pair, TreesOf<K>& trees) {
+    if (with_stations_) {
+      return std::nullopt;
+    }
+    auto overlap = filter::overlap_of_pieces<K>(x_, y_, pair, trees, boxes_);
+    if (!overlap) return std::nullopt;
+    KnownPair<K> all = known(pair, {});
+    all.overlap = *std::move(overlap);
+    return drawn(std::move(all));
+  }
+
+  KnownPair<K> known(const PairOf<K>& pair, ContactsOf<K> contacts) const {
+    return {x_, y_, pair, {}, std::move(contacts), {}, {}, {}, kNoneCoincident, false};
+  }
+
+  std::optional<IntersectResult> drawn(KnownPair<K> all) const {
+    for (AnalysedTraceOf<K>& curve : all.curves) curve.trace.pieces.shrink_to_fit();  // it stays as it is
+    const auto kept = std::make_shared<const KnownPair<K>>(std::move(all));
+    auto result = first_drawn([kept](const Run& run) { return filter::drawn(*kept, run); }, run_);
+    if (result) record(kept->curves, result->graph);
+    return result;
+  }
+
+  /// Anew after each double point that is found where this fails.
+  bool find_curves(const PairOf<K>& pair, const ContactsOf<K>& contacts, TreesOf<K>& trees,
+                   std::vector<BoundaryPointOf<K>>& points, std::vector<TraceOf<K>>& traces) {
+    for (;;) {
+      Vec4 stuck = {1, 1, 1, 1};
+      const bool has_arcs = trace_arcs(pair, points, traces, stuck);
+      if (has_arcs && add_loops(pair, contacts, double_points_, trees, points, traces, boxes_, stuck)) {
+        loops_open_ = false;
+        return true;
+      }
+      stuck_ = stuck;
+      loops_open_ = has_arcs && has_eliminant(contacts, points);
+      if (with_stations_ || double_points_.size() == kMostDoublePoints ||
+          !add_double_point(pair, stuck, points)) {
+        return false;
+      }
+      traces.clear();
+    }
+  }
+
+  bool add_double_point(const PairOf<K>& pair, const Vec4& stuck, std::vector<BoundaryPointOf<K>>& points) {
+    auto point = double_point_near<K>(x_, y_, pair, stuck, port_tolerance(pair));
+    if (!point || is_on_side(*point) ||
+        std::any_of(double_points_.begin(), double_points_.end(),
+                    [&](const DoublePointOf<K>& known) { return may_be_same(known, *point); })) {
+      return false;
+    }
+    double_points_.push_back(std::move(*point));
+    append_ports(double_points_.size() - 1, points);
+    return true;
+  }
+
+  /// Every boundary point, and every port, is an end of exactly one arc.
+  static bool trace_arcs(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
+                         std::vector<TraceOf<K>>& traces, Vec4& stuck) {
+    std::vector<bool> used(points.size(), false);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (used[i] || points[i].isolated) {
+        continue;
+      }
+      auto trace = trace_arc(pair, points, i, &stuck);
+      if (!trace || used[static_cast<std::size_t>(trace->end)] ||
+          points[static_cast<std::size_t>(trace->end)].isolated) {
+        return false;
+      }
+      used[i] = used[static_cast<std::size_t>(trace->end)] = true;
+      traces.push_back(std::move(*trace));
+    }
+    return true;
+  }
+
+  /// Whether the proof by an eliminant may do what the search for closed curves does not: where patches share
+  /// points of sides, or touch, it has a multiple root.
+  bool has_eliminant(const ContactsOf<K>& contacts, const std::vector<BoundaryPointOf<K>>& points) const {
+    return std::is_same_v<K, WeightedBiquadratic> && contacts.empty() && double_points_.empty() &&
+           std::ranges::none_of(points, &BoundaryPointOf<K>::isolated);
+  }
+
+  bool proved_by_eliminant(const PairOf<K>& pair, TreesOf<K>& trees) {
+    bool is_proved = false;
+    run_.timed("turning eliminant",
+               [&] { is_proved = filter::proved_by_eliminant<K>(x_, y_, pair, trees, stations_, boxes_); });
+    return is_proved && !run_.out_of_time();
+  }
+
+  /// Also those with respect to parameters that were not asked for.
+  bool all_turns_wanted() const { return with_stations_ || loops_open_; }
+
+  /// Without exact arithmetic. Of an open curve all that are not asked for are left out; a closed one needs a
+  /// node.
+  KnownTurning<K> known_turning(const TraceOf<K>& trace,
+                                const std::vector<BoundaryPointOf<K>>& points) const {
+    KnownTurning<K> known{coincident_};
+    if (trace.start < 0) return known;
+    const BoundaryPointOf<K>& start = points[static_cast<std::size_t>(trace.start)];
+    const BoundaryPointOf<K>& end = points[static_cast<std::size_t>(trace.end)];
+    known.at_start = start.still;
+    known.at_end = end.still;
+    known.start = start.ball;
+    known.end = end.ball;
+    if (all_turns_wanted() || !moves(trace)) return known;
+    known.unasked.fill(true);
+    for (const Parameter p : run_.turning()) known.unasked[index(p)] = false;
+    return known;
+  }
+
+  bool find_turns(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
+                  std::vector<TraceOf<K>>& traces, std::vector<AnalysedTraceOf<K>>& curves) {
+    coincident_ = kNoneCoincident;
+    ExactTurning<K> exact(x_, y_);
+    for (TraceOf<K>& trace : traces) {
+      AnalysedTraceOf<K>& curve = curves.emplace_back(AnalysedTraceOf<K>{std::move(trace), {}});
+      if (run_.turning().empty() && curve.trace.start >= 0 && !all_turns_wanted() && moves(curve.trace)) {
+        continue;
+      }
+      KnownTurning<K> known = known_turning(curve.trace, points);
+      auto found = filter::find_turns(pair, curve.trace, known, curve.turns);
+      if (found != TurnSearch::done) {
+        exact.add_to(known, curve.trace, points);
+        if (known.is_one_point()) {
+          return false;
+        }
+        coincident_ = known.coincident;
+        curve.turns.clear();
+        found = filter::find_turns(pair, curve.trace, known, curve.turns);
+      }
+      if constexpr (!kExactBehind) {
+        if (found != TurnSearch::done) {
+          const auto directions = exact_directions<K>(x_, y_, pair);
+          curve.turns.clear();
+          found = filter::find_turns(pair, curve.trace, known, curve.turns, &directions);
+        }
+      }
+      if (found != TurnSearch::done) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void find_stations(const std::vector<BoundaryPointOf<K>>& points,
+                     const std::vector<AnalysedTraceOf<K>>& curves) {
+    for (std::size_t p = 0; p < 4; ++p) {
+      for (const AnalysedTraceOf<K>& curve : curves) {
+        const bool open = curve.trace.start >= 0;
+        Stations& stations = stations_[p].emplace_back(Stations{{}, !open});
+        const auto add_end = [&](int point) {
+          if (open) {
+            stations.at.push_back(filter::interval(points[static_cast<std::size_t>(point)].ball, p));
+          }
+        };
+        add_end(curve.trace.start);
+        for (const TurnOf<K>& turn : curve.turns) {
+          if (turn.parameter == p || coincident_[p] == turn.parameter) {
+            stations.at.push_back(filter::interval(turn.ball, p));
+          }
+        }
+        add_end(curve.trace.end);
+      }
+    }
+  }
+
+  void record(const std::vector<AnalysedTraceOf<K>>& curves, const IntersectionGraph& graph) const {
+    std::size_t tubes = 0;
+    for (const AnalysedTraceOf<K>& curve : curves) {
+      tubes += curve.trace.pieces.size();
+    }
+    std::size_t vertices = 0;
+    for (const Arc& arc : graph.arcs) {
+      vertices += arc.polyline.size();
+    }
+    if (!all_turns_wanted()) run_.count("filtered", 1);
+    run_.count("searched boxes", static_cast<double>(boxes_));
+    run_.count("tubes", static_cast<double>(tubes));
+    run_.count("vertices", static_cast<double>(vertices));
+  }
+
+  const ExactPatch<K>& x_;
+  const ExactPatch<K>& y_;
+  const Run& run_;
+  const bool with_stations_;
+  long boxes_ = 0;
+  std::optional<Vec4> stuck_;
+  std::array<std::size_t, 4> coincident_ = kNoneCoincident;
+  std::vector<DoublePointOf<K>> double_points_;
+  bool loops_open_ = false;  // all arcs are traced, the search for closed curves did not end
+  std::array<std::vector<Stations>, 4> stations_;
+};
+
+}  // namespace
+
+template <class K>
+Filtered filtered_intersection(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run,
+                               bool with_stations) {
+  return FilteredIntersection<K>(x, y, run, with_stations).solved();
+}
+
+#define EXSECT_INSTANTIATE(K) \
+  template Filtered filtered_intersection<K>(const ExactPatch<K>&, const ExactPatch<K>&, const Run&, bool);
+EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
+
+}  // namespace exsect::filter
