@@ -68,7 +68,12 @@ void add_path(const SidePath& path, const PairOf<K>& pair, ContactsOf<K>& contac
       contacts.sides.push_back(part_of_side<K>(path, *sides, pair));
     }
   } else if constexpr (std::is_same_v<K, Biquadratic>) {
-    contacts.paths.push_back(path_contact(path, pair));
+    const auto is_same = [&](const PathContact& known) {
+      return known.path.of_x == path.of_x && known.path.side == path.side && known.path.ends == path.ends;
+    };
+    if (std::none_of(contacts.paths.begin(), contacts.paths.end(), is_same)) {
+      contacts.paths.push_back(path_contact(path, pair));
+    }
   } else {
     return;
   }

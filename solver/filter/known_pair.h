@@ -1,6 +1,7 @@
 // What doubles have proved of a pair, and its drawing. Internal to solver/; docs/method.md, section 14.6.
 #pragma once
 
+#include "answer/run.h"
 #include "filter/graph.h"
 #include "filter/overlap.h"
 
