@@ -1,5 +1,6 @@
 // What the proofs of rounding errors ask of the compiler and the machine: IEEE 754 doubles, every operation
-// rounded on its own. Included by each header with arithmetic on doubles; docs/method.md, section 14.1.
+// rounded on its own. Included by each header with arithmetic on doubles; docs/method-doubles.md,
+// section 14.1.
 #pragma once
 
 #include <cfloat>

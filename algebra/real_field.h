@@ -31,9 +31,9 @@ class RealField {
   std::shared_ptr<const Field> field_;
 };
 
-/// A rational number, or p(a) in a field Q(a), docs/method.md (14.70): always a polynomial of degree below
-/// that of the field, so that it is rational, or zero, if and only if p is constant, or zero. Operations
-/// throw std::invalid_argument if the operands are irrational numbers of different fields, and
+/// A rational number, or p(a) in a field Q(a), docs/method-doubles.md (14.70): always a polynomial of degree
+/// below that of the field, so that it is rational, or zero, if and only if p is constant, or zero.
+/// Operations throw std::invalid_argument if the operands are irrational numbers of different fields, and
 /// std::domain_error for a division by zero.
 class FieldNumber {
  public:

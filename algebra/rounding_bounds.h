@@ -1,6 +1,6 @@
 // The constants that make bounds computed in doubles true. Those of the number types stand with their proofs
 // in these (ball.h, double_double_ball.h, wide_ball.h), those of the solution in doubles in
-// solver/filter/error_bounds.h; docs/method.md, section 14.1.
+// solver/filter/error_bounds.h; docs/method-doubles.md, section 14.1.
 #pragma once
 
 #include <exsect/algebra/floating_point.h>

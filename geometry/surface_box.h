@@ -1,4 +1,5 @@
-// Faces of round surfaces: boxes of their natural parameters, given exactly. docs/method.md, section 17.8.
+// Faces of round surfaces: boxes of their natural parameters, given exactly. docs/method-equations.md,
+// section 17.8.
 #pragma once
 
 #include <exsect/geometry/implicit_surface.h>

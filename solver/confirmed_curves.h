@@ -1,5 +1,5 @@
 // The intersection in exact mode where doubles find its curves: the turning eliminant proves that they are
-// all. Internal to solver/; docs/method.md, section 14.8.
+// all. Internal to solver/; docs/method-doubles.md, section 14.8.
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>

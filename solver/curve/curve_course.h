@@ -1,5 +1,5 @@
 // The course of an arc of a plane curve: chords of the parameter square with proved strips around them.
-// Internal to solver/; docs/method.md, section 17.4.
+// Internal to solver/; docs/method-equations.md, section 17.4.
 #pragma once
 
 #include <exsect/solver/curve_graph.h>

@@ -1,5 +1,5 @@
 // A plane algebraic curve f(u,v) = 0 in the closed unit square as a graph, exact: every singular and isolated
-// point, multiple factors, parts on the sides. docs/method.md, section 17.1.
+// point, multiple factors, parts on the sides. docs/method-equations.md, section 17.1.
 #pragma once
 
 #include <exsect/algebra/triangular_point.h>

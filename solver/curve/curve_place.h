@@ -1,5 +1,5 @@
 // Nodes and arcs of a plane curve in numbers: small boxes of nodes, and the v of an arc over a rational u.
-// Internal to solver/; docs/method.md, section 17.4.
+// Internal to solver/; docs/method-equations.md, section 17.4.
 #pragma once
 
 #include <exsect/solver/curve_graph.h>

@@ -1,5 +1,5 @@
 // Parts of the unit square that are cut out by inequalities, and where points lie to them, exact.
-// docs/method.md, section 17.8.
+// docs/method-equations.md, section 17.8.
 #pragma once
 
 #include <exsect/algebra/triangular_point.h>

@@ -1,4 +1,4 @@
-// On which side of a plane curve its polynomial is positive. Internal to solver/; docs/method.md,
+// On which side of a plane curve its polynomial is positive. Internal to solver/; docs/method-equations.md,
 // section 17.4.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Where the sweep over a plane curve stops. Internal to solver/; docs/method.md, section 17.1.
+// Where the sweep over a plane curve stops. Internal to solver/; docs/method-equations.md, section 17.1.
 #pragma once
 
 #include <exsect/algebra/bivariate_polynomial.h>

@@ -1,5 +1,5 @@
 // A patch as polylines need it: points in doubles with bounds of their errors, and bounds of its derivatives.
-// Internal to solver/; docs/method.md, section 17.4.
+// Internal to solver/; docs/method-equations.md, section 17.4.
 #pragma once
 
 #include <exsect/algebra/ball.h>

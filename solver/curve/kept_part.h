@@ -1,4 +1,4 @@
-// The part of a plane curve's graph in a region. Internal to solver/; docs/method.md, section 17.8.
+// The part of a plane curve's graph in a region. Internal to solver/; docs/method-equations.md, section 17.8.
 #pragma once
 
 #include <exsect/solver/curve_graph.h>

@@ -1,5 +1,5 @@
 // A plane curve f(u,v) = 0 in ball arithmetic: strips whose edges it does not meet. Internal to solver/;
-// docs/method.md, section 17.4.
+// docs/method-equations.md, section 17.4.
 #pragma once
 
 #include <exsect/algebra/ball.h>

@@ -1,4 +1,5 @@
-// A region of the unit square by its rim, exact. Internal to solver/; docs/method.md, section 17.13.
+// A region of the unit square by its rim, exact. Internal to solver/; docs/method-equations.md,
+// section 17.13.
 #pragma once
 
 #include <exsect/solver/curve_graph.h>

@@ -1,5 +1,5 @@
 // The intersection of a surface given by its equation with a patch, exact: a plane curve of the patch's
-// parameters. docs/method.md, section 17.1.
+// parameters. docs/method-equations.md, section 17.1.
 #pragma once
 
 #include <exsect/geometry/implicit_surface.h>

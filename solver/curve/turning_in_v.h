@@ -1,5 +1,5 @@
-// The points of a plane curve where v has an extremum along it. Internal to solver/; docs/method.md, section
-// 17.4.
+// The points of a plane curve where v has an extremum along it. Internal to solver/;
+// docs/method-equations.md, section 17.4.
 #pragma once
 
 #include <exsect/solver/curve_graph.h>

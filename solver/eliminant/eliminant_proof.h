@@ -1,5 +1,5 @@
 // The proof by the turning eliminant that the known curves are the whole intersection. Internal to solver/;
-// docs/method.md, section 14.8.
+// docs/method-doubles.md, section 14.8.
 #pragma once
 
 #include <exsect/solver/parameter.h>

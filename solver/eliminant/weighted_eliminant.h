@@ -1,5 +1,5 @@
 // The eliminant E(u) of the turning points with respect to u of patches with weights. Internal to solver/;
-// docs/method.md, section 16.1.
+// docs/method-equations.md, section 16.1.
 #pragma once
 
 #include <exsect/algebra/polynomial.h>

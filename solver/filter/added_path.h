@@ -1,4 +1,5 @@
-// Sides of one patch on the other one, as contacts. Internal to solver/; docs/method.md, section 14.7.
+// Sides of one patch on the other one, as contacts. Internal to solver/; docs/method-doubles.md,
+// section 14.7.
 #pragma once
 
 #include "filter/contact.h"

@@ -1,5 +1,5 @@
 // Whether patches seem to be pieces of one surface, and in which parameters. Internal to solver/;
-// docs/method.md, section 14.15.
+// docs/method-doubles.md, section 14.15.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // All boundary points of the intersection, by subdivision with certificates. Internal to solver/;
-// docs/method.md, section 14.3.
+// docs/method-doubles.md, section 14.3.
 #pragma once
 
 #include <vector>

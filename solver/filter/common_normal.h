@@ -1,4 +1,5 @@
-// Where two patches have one normal, approximately. Internal to solver/; docs/method.md, section 14.9.
+// Where two patches have one normal, approximately. Internal to solver/; docs/method-doubles.md,
+// section 14.9.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // How two patches meet along a side that is a side of both, and what both have of it. Internal to solver/;
-// docs/method.md, sections 14.7 and 14.14.
+// docs/method-doubles.md, sections 14.7 and 14.14.
 #pragma once
 
 #include "filter/contact.h"

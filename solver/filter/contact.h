@@ -1,5 +1,5 @@
 // Corners and sides that both patches have in common, exactly, and the proof that a pair of sub-patches meets
-// nowhere else. Internal to solver/; docs/method.md, section 14.7.
+// nowhere else. Internal to solver/; docs/method-doubles.md, section 14.7.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// The corners and sides that both patches have in common, found exactly. Internal to solver/; docs/method.md,
-// sections 14.7 and 14.14.
+// The corners and sides that both patches have in common, found exactly. Internal to solver/;
+// docs/method-doubles.md, sections 14.7 and 14.14.
 #pragma once
 
 #include "filter/contact.h"

@@ -1,5 +1,5 @@
 // Nodes and arcs of the corners and sides that two patches have in common. Internal to solver/;
-// docs/method.md, section 14.7.
+// docs/method-doubles.md, section 14.7.
 #pragma once
 
 #include "answer/graph_builder.h"

@@ -1,5 +1,5 @@
 // Regions of the domain in which all solutions are on sides that the patches have in common. Internal to
-// solver/; docs/method.md, section 14.7.
+// solver/; docs/method-doubles.md, section 14.7.
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>

@@ -1,5 +1,5 @@
 // Control vectors of c_u x_v - c_v x_u and of the normals, and the proof that no curve on two sub-patches
-// turns. Internal to solver/; docs/method.md, section 14.4.
+// turns. Internal to solver/; docs/method-doubles.md, section 14.4.
 #pragma once
 
 #include "filter/pieces.h"

@@ -1,5 +1,5 @@
 // Ordinary double points of the intersection with exact parameters: points in which the patches touch, and
-// crossings of two branches. Internal to solver/; docs/method.md, sections 14.9, 14.16 and 14.18.
+// crossings of two branches. Internal to solver/; docs/method-doubles.md, sections 14.9, 14.16 and 14.18.
 #pragma once
 
 #include <vector>

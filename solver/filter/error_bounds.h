@@ -1,5 +1,5 @@
 // Every number that bounds an error of the solution in doubles: value, what it covers, and where that is
-// proved. The table of docs/method.md, section 14.1, is this one. Internal to solver/.
+// proved. The table of docs/method-doubles.md, section 14.1, is this one. Internal to solver/.
 //
 // Arithmetic, u = 2^-53, to nearest (algebra/nearest_rounding.h), no contraction: a computed sum or
 // difference is the exact one times 1 + d, |d| <= u, also where it is subnormal, because there it is exact. A

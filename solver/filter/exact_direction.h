@@ -1,5 +1,5 @@
 // Directions of a tube's arc from the exact control points, where doubles leave them open. Internal to
-// solver/; docs/method.md, section 14.5.
+// solver/; docs/method-doubles.md, section 14.5.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // Solutions on sides of both patches, or in a corner, proved in rational numbers. Internal to solver/;
-// docs/method.md, section 14.12.
+// docs/method-doubles.md, section 14.12.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Where both patches have one normal and one point, as numbers of a real field. Internal to solver/;
-// docs/method.md, section 14.18.
+// docs/method-doubles.md, section 14.18.
 #pragma once
 
 #include <exsect/algebra/real_field.h>

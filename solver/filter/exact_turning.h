@@ -1,5 +1,5 @@
 // What exact arithmetic knows of turning points that doubles do not decide. Internal to solver/;
-// docs/method.md, section 14.13.
+// docs/method-doubles.md, section 14.13.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // The intersection of two patches decided in doubles, where they suffice. Internal to solver/;
-// docs/method.md, section 14.
+// docs/method-doubles.md, section 14.
 #pragma once
 
 #include <exsect/geometry/bezier_patch.h>

@@ -1,4 +1,4 @@
-// The stages of the solution in doubles, one after the other. Internal to solver/; docs/method.md,
+// The stages of the solution in doubles, one after the other. Internal to solver/; docs/method-doubles.md,
 // section 14.
 #pragma once
 

@@ -1,5 +1,5 @@
-// From traced curves to the intersection graph with polylines. Internal to solver/; docs/method.md, section
-// 14.6.
+// From traced curves to the intersection graph with polylines. Internal to solver/; docs/method-doubles.md,
+// section 14.6.
 #pragma once
 
 #include "answer/graph_builder.h"

@@ -1,5 +1,5 @@
-// Rectangles on which a patch is injective, in doubles. Internal to solver/; docs/method.md, sections 14.10
-// and 14.15.
+// Rectangles on which a patch is injective, in doubles. Internal to solver/; docs/method-doubles.md,
+// sections 14.10 and 14.15.
 #pragma once
 
 #include "filter/mean_derivatives.h"

@@ -1,5 +1,5 @@
 // What the solution in doubles is a template of: the bidegree of both patches, and the number of equations.
-// Internal to solver/; docs/method.md, section 14.
+// Internal to solver/; docs/method-doubles.md, section 14.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// What doubles have proved of a pair, and its drawing. Internal to solver/; docs/method.md, section 14.6.
+// What doubles have proved of a pair, and its drawing. Internal to solver/; docs/method-doubles.md,
+// section 14.6.
 #pragma once
 
 #include "answer/run.h"

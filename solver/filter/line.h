@@ -1,5 +1,5 @@
 // All points of a parameter line on the other patch, by subdivision with certificates. Internal to solver/;
-// docs/method.md, section 14.3.
+// docs/method-doubles.md, section 14.3.
 #pragma once
 
 #include <exsect/algebra/nearest_double.h>

@@ -1,5 +1,5 @@
 // How far the local equations at a singular solution are from their leading terms. Internal to solver/;
-// docs/method.md, sections 14.9 and 14.16.
+// docs/method-doubles.md, sections 14.9 and 14.16.
 #pragma once
 
 #include "filter/local_forms.h"

@@ -1,5 +1,5 @@
 // The local equations of the intersection near a singular solution with exact parameters. Internal to
-// solver/; docs/method.md, sections 14.9, 14.16 and 14.18.
+// solver/; docs/method-doubles.md, sections 14.9, 14.16 and 14.18.
 #pragma once
 
 #include <exsect/algebra/real_field.h>

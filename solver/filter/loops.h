@@ -1,5 +1,5 @@
-// Closed curves of the intersection, by subdivision of the whole domain. Internal to solver/; docs/method.md,
-// section 14.4.
+// Closed curves of the intersection, by subdivision of the whole domain. Internal to solver/;
+// docs/method-doubles.md, section 14.4.
 #pragma once
 
 #include <vector>

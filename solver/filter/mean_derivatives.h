@@ -1,5 +1,5 @@
 // Means of the first derivatives of a patch over segments in a rectangle. Internal to solver/;
-// docs/method.md, sections 14.7, 14.10 and 14.15.
+// docs/method-doubles.md, sections 14.7, 14.10 and 14.15.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // The ratios of Moebius maps between the parameters of pieces of one surface. Internal to solver/;
-// docs/method.md, section 14.15.
+// docs/method-doubles.md, section 14.15.
 #pragma once
 
 #include <exsect/algebra/rational.h>

@@ -1,5 +1,5 @@
-// Pieces of one surface that overlap, in doubles. Internal to solver/; docs/method.md, sections 14.10 and
-// 14.15.
+// Pieces of one surface that overlap, in doubles. Internal to solver/; docs/method-doubles.md, sections 14.10
+// and 14.15.
 #pragma once
 
 #include "answer/graph_builder.h"

@@ -1,5 +1,5 @@
-// Parts of the squares, and patches as seen from one of their sides. Internal to solver/; docs/method.md,
-// section 14.7.
+// Parts of the squares, and patches as seen from one of their sides. Internal to solver/;
+// docs/method-doubles.md, section 14.7.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // A pair of patches in doubles, with proved bounds of every rounding error. Internal to solver/; the notation
-// is that of docs/method.md, section 14.
+// is that of docs/method-doubles.md, section 14.
 //
 // Everything is scaled to size 1; the roundings, underflow included, are covered by the constants of
 // filter/error_bounds.h.

@@ -1,5 +1,5 @@
 // The proof that two patches meet along a side of one of them only, which crosses the other one on a straight
-// line of its parameters. Internal to solver/; docs/method.md, section 14.7.
+// line of its parameters. Internal to solver/; docs/method-doubles.md, section 14.7.
 #pragma once
 
 #include "filter/mean_derivatives.h"

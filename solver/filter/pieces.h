@@ -1,5 +1,5 @@
 // Sub-patches and pieces of boundary lines with their control nets, in trees, and the proofs that two of them
-// have no point, or no point with c.T = 0, in common. Internal to solver/; docs/method.md,
+// have no point, or no point with c.T = 0, in common. Internal to solver/; docs/method-doubles.md,
 // section 14.1, 14.4.
 #pragma once
 

@@ -1,5 +1,6 @@
 // Vector polynomials in two variables by their coefficients, and bounds of their derivatives near zero. Loops
-// are unrolled for the compiler: the degree is a constant. Internal to solver/; docs/method.md, section 14.2.
+// are unrolled for the compiler: the degree is a constant. Internal to solver/; docs/method-doubles.md,
+// section 14.2.
 #pragma once
 
 #include <exsect/algebra/rounding_bounds.h>

@@ -1,5 +1,5 @@
-// Points near a crossing where traces start and end. Internal to solver/; docs/method.md, sections 14.9,
-// 14.16 and 14.18.
+// Points near a crossing where traces start and end. Internal to solver/; docs/method-doubles.md,
+// sections 14.9, 14.16 and 14.18.
 #pragma once
 
 #include "filter/double_point.h"

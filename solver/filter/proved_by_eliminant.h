@@ -1,5 +1,5 @@
 // The proof by the eliminant of patches with weights that the known curves are all. Internal to solver/;
-// docs/method.md, section 14.8.
+// docs/method-doubles.md, section 14.8.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Taylor polynomials of the arcs of tubes: guesses and no more, which a step of (14.8) or (14.9) improves and
-// bounds. Internal to solver/; docs/method.md, section 14.2.
+// bounds. Internal to solver/; docs/method-doubles.md, section 14.2.
 #pragma once
 
 #include "filter/tube.h"

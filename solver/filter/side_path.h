@@ -1,5 +1,5 @@
 // Sides of one patch that lie on the other one along a straight line of its parameters. Internal to solver/;
-// docs/method.md, section 14.7.
+// docs/method-doubles.md, section 14.7.
 #pragma once
 
 #include <array>

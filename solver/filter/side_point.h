@@ -1,5 +1,5 @@
 // Points where a curve of the intersection meets sides of both patches at once, or a corner. Internal to
-// solver/; docs/method.md, section 14.12.
+// solver/; docs/method-doubles.md, section 14.12.
 #pragma once
 
 #include "filter/exact_patch.h"

@@ -1,5 +1,5 @@
 // Points where curves may end on sides of both patches, and double points on sides, found where searches end
-// undecided. Internal to solver/; docs/method.md, sections 14.12, 14.16 and 14.18.
+// undecided. Internal to solver/; docs/method-doubles.md, sections 14.12, 14.16 and 14.18.
 #pragma once
 
 #include <optional>

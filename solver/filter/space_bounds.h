@@ -1,4 +1,5 @@
-// Speed and curvature of the arcs of tubes in space. Internal to solver/; docs/method.md, section 14.6.
+// Speed and curvature of the arcs of tubes in space. Internal to solver/; docs/method-doubles.md,
+// section 14.6.
 #pragma once
 
 #include "filter/tube.h"

@@ -1,4 +1,4 @@
-// Tracing the curve with certified tubes. Internal to solver/; docs/method.md, section 14.3.
+// Tracing the curve with certified tubes. Internal to solver/; docs/method-doubles.md, section 14.3.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Certified pieces of the curve F = x(u,v) - y(r,s) = 0 in doubles. Internal to solver/; docs/method.md,
-// section 14.2.
+// Certified pieces of the curve F = x(u,v) - y(r,s) = 0 in doubles. Internal to solver/;
+// docs/method-doubles.md, section 14.2.
 #pragma once
 
 #include "answer/parameter_box.h"

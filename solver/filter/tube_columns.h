@@ -1,5 +1,5 @@
 // The columns of DF, and the matrix that makes unit vectors of all but one. Internal to solver/;
-// docs/method.md, section 14.2.
+// docs/method-doubles.md, section 14.2.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,5 @@
-// First and second derivatives along the arc of a tube. Internal to solver/; docs/method.md, section 14.2.
+// First and second derivatives along the arc of a tube. Internal to solver/; docs/method-doubles.md,
+// section 14.2.
 #pragma once
 
 #include "filter/tube.h"

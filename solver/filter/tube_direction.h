@@ -1,4 +1,4 @@
-// Enclosures of the direction of a tube's arc. Internal to solver/; docs/method.md, section 14.2.
+// Enclosures of the direction of a tube's arc. Internal to solver/; docs/method-doubles.md, section 14.2.
 #pragma once
 
 #include "filter/tube.h"

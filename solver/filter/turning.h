@@ -1,5 +1,5 @@
-// Turning points of a traced curve with respect to all four parameters. Internal to solver/; docs/method.md,
-// section 14.5.
+// Turning points of a traced curve with respect to all four parameters. Internal to solver/;
+// docs/method-doubles.md, section 14.5.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Points of a tube's arc from its Taylor polynomial, several at once. Plain arrays only: two files with
-// different compiler options contain the same code. Internal to solver/; docs/method.md, section 14.6.
+// different compiler options contain the same code. Internal to solver/; docs/method-doubles.md,
+// section 14.6.
 #pragma once
 
 namespace exsect::filter {

@@ -1,5 +1,5 @@
 // Points of a chart by balls in doubles: ExactChart, where doubles suffice. Internal to solver/;
-// docs/method.md, section 17.6.
+// docs/method-equations.md, section 17.6.
 #pragma once
 
 #include <exsect/algebra/ball.h>

@@ -1,4 +1,4 @@
-// Tangents of a lifted curve in balls. Internal to solver/; docs/method.md, section 17.6.
+// Tangents of a lifted curve in balls. Internal to solver/; docs/method-equations.md, section 17.6.
 #pragma once
 
 #include <exsect/algebra/ball.h>

@@ -1,5 +1,5 @@
 // Two tori about one axis: a simpler surface that has the same points on the one as the other. Internal to
-// solver/; docs/method.md, section 17.9.
+// solver/; docs/method-equations.md, section 17.9.
 #pragma once
 
 #include <exsect/geometry/implicit_surface.h>

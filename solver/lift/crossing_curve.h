@@ -1,5 +1,5 @@
 // The curve in which two surfaces given by any equations cross, if they touch in points at most. Internal to
-// solver/; docs/method.md, section 17.15.
+// solver/; docs/method-equations.md, section 17.15.
 #pragma once
 
 #include <array>

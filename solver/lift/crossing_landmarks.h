@@ -1,5 +1,5 @@
 // The points in which the arcs of the curve of two polynomials begin and end. Internal to solver/;
-// docs/method.md, section 17.15.
+// docs/method-equations.md, section 17.15.
 #pragma once
 
 #include <functional>

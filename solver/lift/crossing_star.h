@@ -1,5 +1,5 @@
 // Where the curve of two polynomials in space is singular, or turns in no simple way, and the arcs that end
-// there. Internal to solver/; docs/method.md, section 17.15.
+// there. Internal to solver/; docs/method-equations.md, section 17.15.
 #pragma once
 
 #include <exsect/algebra/triangular_point.h>

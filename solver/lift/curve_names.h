@@ -1,5 +1,5 @@
-// Which of the curves of a lifted curve are lines and conics. Internal to solver/; docs/method.md, section
-// 17.7.
+// Which of the curves of a lifted curve are lines and conics. Internal to solver/; docs/method-equations.md,
+// section 17.7.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Points of a chart by rational intervals. Internal to solver/; docs/method.md, section 17.6.
+// Points of a chart by rational intervals. Internal to solver/; docs/method-equations.md, section 17.6.
 #pragma once
 
 #include <exsect/algebra/ball.h>

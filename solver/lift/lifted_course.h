@@ -1,5 +1,5 @@
 // Where the nodes and arcs of a lifted curve are in space: boxes, and polylines with proved bounds. Internal
-// to solver/; docs/method.md, section 17.6.
+// to solver/; docs/method-equations.md, section 17.6.
 #pragma once
 
 #include <array>

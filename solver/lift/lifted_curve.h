@@ -1,5 +1,5 @@
 // The curve that two surfaces have in common, as a graph over its shadow in the plane. Internal to solver/;
-// docs/method.md, section 17.5.
+// docs/method-equations.md, section 17.5.
 #pragma once
 
 #include <exsect/solver/curve_graph.h>

@@ -1,4 +1,5 @@
-// A polynomial of space about a point, in balls. Internal to solver/; docs/method.md, section 17.15.
+// A polynomial of space about a point, in balls. Internal to solver/; docs/method-equations.md,
+// section 17.15.
 #pragma once
 
 #include <exsect/algebra/ball.h>

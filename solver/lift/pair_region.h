@@ -1,4 +1,5 @@
-// What bounds two surfaces, in one region of space. Internal to solver/; docs/method.md, section 17.12.
+// What bounds two surfaces, in one region of space. Internal to solver/; docs/method-equations.md,
+// section 17.12.
 #pragma once
 
 #include <exsect/geometry/implicit_surface.h>

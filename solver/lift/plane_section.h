@@ -1,5 +1,5 @@
 // Lines and conics of the shadow of a lifted curve, and what lies above them. Internal to solver/;
-// docs/method.md, section 17.7.
+// docs/method-equations.md, section 17.7.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // The curve that a torus without a rational frame has in common with another surface, as two graphs over its
-// halves. Internal to solver/; docs/method.md, section 17.14.
+// halves. Internal to solver/; docs/method-equations.md, section 17.14.
 #pragma once
 
 #include <array>

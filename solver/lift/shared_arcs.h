@@ -1,4 +1,4 @@
-// Arcs of a circle between exact directions. Internal to solver/; docs/method.md, section 17.12.
+// Arcs of a circle between exact directions. Internal to solver/; docs/method-equations.md, section 17.12.
 #pragma once
 
 #include <exsect/algebra/rational.h>

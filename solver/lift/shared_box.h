@@ -1,4 +1,4 @@
-// What two boxes of one surface share. Internal to solver/; docs/method.md, section 17.12.
+// What two boxes of one surface share. Internal to solver/; docs/method-equations.md, section 17.12.
 #pragma once
 
 #include <exsect/geometry/implicit_surface.h>

@@ -1,5 +1,5 @@
 // The curve of two polynomials in space, seen along a direction in general position. Internal to solver/;
-// docs/method.md, section 17.15.
+// docs/method-equations.md, section 17.15.
 #pragma once
 
 #include <exsect/algebra/bivariate_polynomial.h>

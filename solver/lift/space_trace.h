@@ -1,5 +1,5 @@
 // From one known point of the curve of two polynomials in space to the next one, by tubes. Internal to
-// solver/; docs/method.md, section 17.15.
+// solver/; docs/method-equations.md, section 17.15.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Tubes around pieces of the curve of two polynomials in space, and the polylines in them. Internal to
-// solver/; docs/method.md, section 17.15.
+// solver/; docs/method-equations.md, section 17.15.
 #pragma once
 
 #include <exsect/algebra/ball.h>

@@ -1,4 +1,5 @@
-// Zeros of three polynomials in space, in boxes. Internal to solver/; docs/method.md, section 17.15.
+// Zeros of three polynomials in space, in boxes. Internal to solver/; docs/method-equations.md,
+// section 17.15.
 #pragma once
 
 #include <exsect/geometry/space_polynomial.h>

@@ -1,5 +1,5 @@
 // A plane or quadric of revolution over a rectangle of its plane of symmetry, or a half of a torus over one,
-// and equations on it. Internal to solver/; docs/method.md, sections 17.5 and 17.14.
+// and equations on it. Internal to solver/; docs/method-equations.md, sections 17.5 and 17.14.
 #pragma once
 
 #include <exsect/algebra/bivariate_polynomial.h>

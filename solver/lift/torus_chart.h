@@ -1,5 +1,5 @@
-// Four patches that cover a torus, where it has rational points. Internal to solver/; docs/method.md, section
-// 17.10.
+// Four patches that cover a torus, where it has rational points. Internal to solver/;
+// docs/method-equations.md, section 17.10.
 #pragma once
 
 #include <exsect/geometry/implicit_surface.h>

@@ -1,5 +1,5 @@
 // The curve that a torus has in common with another surface, as a graph over four patches that cover the
-// torus. Internal to solver/; docs/method.md, section 17.10.
+// torus. Internal to solver/; docs/method-equations.md, section 17.10.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // A curve on a torus in numbers: boxes of its nodes, polylines of its arcs, names. Internal to solver/;
-// docs/method.md, sections 17.4 and 17.10.
+// docs/method-equations.md, sections 17.4 and 17.10.
 #pragma once
 
 #include <vector>

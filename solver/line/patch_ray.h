@@ -1,4 +1,4 @@
-// A ray and a patch: all common points, exact. docs/method.md, section 17.3.
+// A ray and a patch: all common points, exact. docs/method-equations.md, section 17.3.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

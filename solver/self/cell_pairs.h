@@ -1,4 +1,4 @@
-// All pairs of parameters of one patch, in pairs of cells. Internal to solver/; docs/method.md,
+// All pairs of parameters of one patch, in pairs of cells. Internal to solver/; docs/method-doubles.md,
 // section 14.17.
 #pragma once
 

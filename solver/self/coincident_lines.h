@@ -1,5 +1,5 @@
-// Parameter lines of one patch that are one curve of space. Internal to solver/; docs/method.md, section
-// 14.17.
+// Parameter lines of one patch that are one curve of space. Internal to solver/; docs/method-doubles.md,
+// section 14.17.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

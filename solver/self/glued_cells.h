@@ -1,4 +1,4 @@
-// The curves in pairs of cells put together. Internal to solver/; docs/method.md, section 14.17.
+// The curves in pairs of cells put together. Internal to solver/; docs/method-doubles.md, section 14.17.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // The derivatives of a patch of any kind, enclosed at a point and over the whole patch. Internal to solver/;
-// docs/method.md, section 14.17.
+// docs/method-doubles.md, section 14.17.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

@@ -1,5 +1,5 @@
 // A parameter square in rectangles, with the pieces of the patch over them. Internal to solver/;
-// docs/method.md, section 14.17.
+// docs/method-doubles.md, section 14.17.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

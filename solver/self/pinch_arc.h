@@ -1,4 +1,4 @@
-// The curve in a pinch cell. Internal to solver/; docs/method.md, section 14.17.
+// The curve in a pinch cell. Internal to solver/; docs/method-doubles.md, section 14.17.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// Bounds of the curve of pairs next to a pinch point. Internal to solver/; docs/method.md, section 14.17.
+// Bounds of the curve of pairs next to a pinch point. Internal to solver/; docs/method-doubles.md,
+// section 14.17.
 #pragma once
 
 #include <array>

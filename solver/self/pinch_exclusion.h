@@ -1,5 +1,5 @@
 // No pairs of one point of space in a small rectangle near a fold, in doubles. Internal to solver/;
-// docs/method.md, section 14.17.
+// docs/method-doubles.md, section 14.17.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

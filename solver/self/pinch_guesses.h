@@ -1,4 +1,4 @@
-// Where pinch points may be. Internal to solver/; docs/method.md, section 14.17.
+// Where pinch points may be. Internal to solver/; docs/method-doubles.md, section 14.17.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

@@ -1,5 +1,5 @@
 // The pairs of one point of space in a small rectangle around a pinch point, in doubles. Internal to solver/;
-// docs/method.md, section 14.17.
+// docs/method-doubles.md, section 14.17.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

@@ -1,5 +1,5 @@
-// What a pair of cells meets in, in the parameters of the whole patch. Internal to solver/; docs/method.md,
-// section 14.17.
+// What a pair of cells meets in, in the parameters of the whole patch. Internal to solver/;
+// docs/method-doubles.md, section 14.17.
 #pragma once
 
 #include <vector>

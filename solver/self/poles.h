@@ -1,5 +1,5 @@
 // Sides of the square that are one point of the patch, and pairs of rectangles of parameters that reach
-// them. Internal to solver/; docs/method.md, section 14.17.
+// them. Internal to solver/; docs/method-doubles.md, section 14.17.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

@@ -1,4 +1,5 @@
-// Where a patch of any kind meets itself, in doubles. Internal to solver/; docs/method.md, section 14.17.
+// Where a patch of any kind meets itself, in doubles. Internal to solver/; docs/method-doubles.md,
+// section 14.17.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

@@ -1,5 +1,5 @@
 // Two pieces of a patch in coordinates of space in which they are as wide as they are long. Internal to
-// solver/; docs/method.md, section 14.17.
+// solver/; docs/method-doubles.md, section 14.17.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

@@ -1,5 +1,5 @@
 // The intersection with a patch on a plane or a quadric, as a curve of the other patch's parameters. Internal
-// to solver/; docs/method.md, section 14.13.
+// to solver/; docs/method-doubles.md, section 14.13.
 #pragma once
 
 #include <exsect/algebra/bivariate_polynomial.h>
