@@ -13,9 +13,9 @@ const Rational half(1, 2);
 const Terms a = {{{1, 0}, 1}, {{0, 0}, -half}}, b = {{{0, 1}, 1}, {{0, 0}, -half}};
 
 std::optional<filter::LocalForms> forms_in_the_middle(const Terms& h) {
-  return filter::local_forms<Biquadratic>(testing::graph(h), testing::larger_plane(),
-                                          {FieldNumber(half), FieldNumber(half),
-                                           FieldNumber(half), FieldNumber(half)});
+  return filter::local_forms<Biquadratic>(
+      testing::graph(h), testing::larger_plane(),
+      {FieldNumber(half), FieldNumber(half), FieldNumber(half), FieldNumber(half)});
 }
 
 /// A form in the directions of S, which are those of (u,v) but for a factor: {alpha^2, alpha beta, beta^2}.
