@@ -40,6 +40,45 @@ void for_each_node_id(IntersectionGraph& graph, const Change& change) {
   }
 }
 
+int other_end(const Arc& arc, int node) { return arc.from == node ? arc.to : arc.from; }
+
+/// Each arc begins where the one before it ends, in either direction.
+bool is_walk(const IntersectionGraph& graph, const std::vector<int>& arcs) {
+  const auto arc = [&](std::size_t i) -> const Arc& { return graph.arcs[static_cast<std::size_t>(arcs[i])]; };
+  const auto ends_in = [](const Arc& a, int node) { return a.from == node || a.to == node; };
+  if (arcs.size() < 2) return true;
+  int at = ends_in(arc(1), arc(0).to) ? arc(0).to : arc(0).from;
+  for (std::size_t i = 1; i < arcs.size(); ++i) {
+    if (!ends_in(arc(i), at)) return false;
+    at = other_end(arc(i), at);
+  }
+  return true;
+}
+
+/// The arcs of a path or a loop one after the other; `at_node` are the arcs that end in each node, which has
+/// two at most. As they are if they are not one path or loop.
+std::vector<int> walked(const IntersectionGraph& graph, const std::vector<int>& arcs,
+                        const std::vector<std::vector<int>>& at_node) {
+  const auto arc = [&](int id) -> const Arc& { return graph.arcs[static_cast<std::size_t>(id)]; };
+  const auto is_end = [&](int node) { return at_node[static_cast<std::size_t>(node)].size() == 1; };
+  int id = arcs.front(), at = arc(id).to;
+  for (const int end : arcs) {
+    if (!is_end(arc(end).from) && !is_end(arc(end).to)) continue;
+    id = end;
+    at = other_end(arc(id), is_end(arc(id).from) ? arc(id).from : arc(id).to);
+    break;
+  }
+  std::vector<int> result = {id};
+  while (result.size() < arcs.size()) {
+    const std::vector<int>& here = at_node[static_cast<std::size_t>(at)];
+    if (here.size() != 2) return arcs;
+    id = here[0] == id ? here[1] : here[0];
+    at = other_end(arc(id), at);
+    result.push_back(id);
+  }
+  return result;
+}
+
 }  // namespace
 
 GraphBuilder::GraphBuilder(IntersectionGraph graph) : graph_(std::move(graph)) {
@@ -126,6 +165,7 @@ FinishedGraph GraphBuilder::finish(const GraphFacts& facts) && {
   std::vector<Incomplete> violations = drop_dangling();
   drop_unused_nodes();
   form_components();
+  order_components();
   std::vector<Incomplete> found = violations_of(graph_, reach_, facts);
   violations.insert(violations.end(), std::make_move_iterator(found.begin()),
                     std::make_move_iterator(found.end()));
@@ -179,6 +219,22 @@ void GraphBuilder::form_components() {
       component.shape = ComponentShape::open;
     }
   }
+}
+
+/// Of open and closed components in the order along the curve, as they were added where that is such an
+/// order.
+void GraphBuilder::order_components() {
+  const auto is_ordered = [&](const Component& component) {
+    return component.shape == ComponentShape::branched || is_walk(graph_, component.arcs);
+  };
+  if (std::ranges::all_of(graph_.components, is_ordered)) return;
+  std::vector<std::vector<int>> at_node(graph_.nodes.size());
+  for (const Arc& arc : graph_.arcs) {
+    at_node[static_cast<std::size_t>(arc.from)].push_back(arc.id);
+    at_node[static_cast<std::size_t>(arc.to)].push_back(arc.id);
+  }
+  for (Component& component : graph_.components)
+    if (!is_ordered(component)) component.arcs = walked(graph_, component.arcs, at_node);
 }
 
 void GraphBuilder::drop_unused_nodes() {

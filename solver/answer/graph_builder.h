@@ -64,6 +64,7 @@ class GraphBuilder {
  private:
   std::vector<Incomplete> drop_dangling();
   void form_components();
+  void order_components();
   void drop_unused_nodes();
 
   IntersectionGraph graph_;

@@ -43,6 +43,27 @@ std::vector<ComponentShape> shapes(const IntersectionGraph& graph) {
 
 }  // namespace
 
+TEST_CASE("graph builder: arcs of paths and loops come in order along the curve") {
+  using Ends = std::vector<std::pair<int, int>>;
+  const auto ordered = [](const Ends& ends) {
+    GraphBuilder graph = with_nodes(6);
+    for (const auto& [from, to] : ends) graph.add_arc(arc_between(graph, from, to));
+    const IntersectionGraph made = std::move(graph).finish({}).graph;
+    REQUIRE(made.components.size() == 1);
+    return made.components[0].arcs;
+  };
+  // The path 2 0 1 3, whose middle arc, on a side, was added first; and as it was added where that is an
+  // order.
+  CHECK(ordered({{0, 1}, {2, 0}, {3, 1}}) == std::vector{1, 0, 2});
+  CHECK(ordered({{1, 0}, {1, 2}, {3, 2}}) == std::vector{0, 1, 2});
+  CHECK(ordered({{2, 3}, {1, 2}, {0, 1}}) == std::vector{0, 1, 2});
+  CHECK(ordered({{3, 4}, {0, 1}, {1, 2}, {2, 3}, {4, 5}}) == std::vector{1, 2, 3, 0, 4});
+  // The loop 0 1 2 3 0.
+  CHECK(ordered({{0, 1}, {2, 3}, {2, 1}, {3, 0}}) == std::vector{0, 2, 1, 3});
+  CHECK(ordered({{0, 1}, {1, 2}, {2, 3}, {3, 0}}) == std::vector{0, 1, 2, 3});
+  CHECK(ordered({{0, 1}, {1, 0}}) == std::vector{0, 1});
+}
+
 TEST_CASE("graph builder: components and their shapes") {
   GraphBuilder graph = with_nodes(9);
   const std::vector<std::pair<int, int>> ends = {{0, 1}, {2, 3}, {1, 0}, {3, 4}, {5, 6}, {6, 7}, {8, 6}};

@@ -53,6 +53,23 @@ TEST_CASE("intersect by sweep: the same graph with the patches exchanged", "[swe
   }
 }
 
+TEST_CASE("intersect by sweep: a side between two arcs is the middle of their curve", "[sweep]") {
+  // u (u - 8 v (1 - v)): the side u = 0, and from both its ends arcs to u = 1.
+  const Terms h = Terms{{{1, 0}, 1}} * (Terms{{{1, 0}, 1}} + Terms{{{0, 1}, -8}, {{0, 2}, 8}});
+  const IntersectResult result = swept(graph(h), plane({-1, -1, 0}, {3, 0, 0}, {0, 3, 0}));
+  CHECK(result.incomplete.empty());
+  REQUIRE(result.graph.components.size() == 1);
+  const Component& curve = result.graph.components[0];
+  CHECK(curve.shape == ComponentShape::open);
+  REQUIRE(curve.arcs.size() == 3);
+  const auto place = [&](std::size_t i) {
+    return result.graph.arcs[static_cast<std::size_t>(curve.arcs[i])].place;
+  };
+  CHECK(place(0) == ArcPlace::interior);
+  CHECK(place(1) == ArcPlace::patch_boundary);
+  CHECK(place(2) == ArcPlace::interior);
+}
+
 TEST_CASE("intersect by sweep: without time it is incomplete, and says so", "[sweep]") {
   IntersectOptions options;
   options.max_seconds = 1e-9;
