@@ -106,7 +106,7 @@ RationalInterval enclosure(const FieldNumber& a, long bits) {
   if (a.is_rational()) return {a.rational(), a.rational()};
   for (long precision = std::max(kGeneratorBits, bits + kGuardBits);; precision *= 2) {
     const RealAlgebraic root = a.field_->generator().refined_to(power_of_two(-precision));
-    const RationalInterval value =
+    RationalInterval value =
         value_on(a.polynomial_, root.interval(), static_cast<slong>(precision + kGuardBits));
     const Rational least = value.lower > 0 ? value.lower : Rational(-value.upper);
     if (least > 0 && value.width() <= power_of_two(-bits) * least) return value;

@@ -29,7 +29,7 @@ bool is_too_long(const WeightedPair& pair) {
     for (const WeightedPair::Net* net : {&pair.x, &pair.y})
       for (const auto& row : *net)
         for (const WeightedPair::Vector& c : row) largest = std::max(largest, Integer(abs(c[k])));
-    bits += 48 * (msb(largest) + 1);
+    bits += std::size_t{48} * (msb(largest) + 1);
   }
   return bits > kMostBits;
 }
