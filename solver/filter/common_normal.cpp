@@ -38,19 +38,11 @@ std::optional<CommonNormal> common_normal(const PairOf<K>& pair, Vec4 w) {
   for (int step = 0; step < kMostSteps; ++step) {
     const SecondOrder x = second_order(pair.x, w[0], w[1]);
     const SecondOrder y = second_order(pair.y, w[2], w[3]);
-    const Vec3 d = x.value - y.value;
-    const Vec3 n = cross(y.u, y.v);
-    const Vec3 nr = 2.0 * cross(y.uu, y.v) + cross(y.u, y.uv);
-    const Vec3 ns = cross(y.uv, y.v) + 2.0 * cross(y.u, y.vv);
-    const std::array<std::array<double, 4>, 4> jacobian = {
-        {{dot(x.u, y.u), dot(x.v, y.u), 2 * dot(d, y.uu) - dot(y.u, y.u), dot(d, y.uv) - dot(y.v, y.u)},
-         {dot(x.u, y.v), dot(x.v, y.v), dot(d, y.uv) - dot(y.u, y.v), 2 * dot(d, y.vv) - dot(y.v, y.v)},
-         {2 * dot(x.uu, n), dot(x.uv, n), dot(x.u, nr), dot(x.u, ns)},
-         {dot(x.uv, n), 2 * dot(x.vv, n), dot(x.v, nr), dot(x.v, ns)}}};
+    const auto equations = common_normal_equations<double>(x, y);
     DoubleMatrix matrix(4, 4);
     for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) matrix(i, j) = jacobian[i][j];
-    const std::vector<double> change = solution(matrix, {dot(d, y.u), dot(d, y.v), dot(x.u, n), dot(x.v, n)});
+      for (std::size_t j = 0; j < 4; ++j) matrix(i, j) = equations.jacobian[i][j];
+    const std::vector<double> change = solution(matrix, {equations.value.begin(), equations.value.end()});
     double size = 0;
     for (std::size_t j = 0; j < 4; ++j) {
       w[j] -= change[j];

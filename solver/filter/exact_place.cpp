@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "filter/common_normal.h"
 #include "filter/exact_taylor.h"
 
 namespace exsect::filter {
@@ -47,20 +48,11 @@ ExactSecondOrder long_second_order(const ExactPatch<K>& patch, const Rational& u
 /// The step of Newton's method, as in filter::common_normal; empty if it is not determined.
 std::optional<std::vector<Rational>> newton_step(const ExactSecondOrder& x, const ExactSecondOrder& y,
                                                  long bits) {
-  using exsect::operator*, exsect::operator+, exsect::operator-, exsect::dot, exsect::cross;
-  const Point d = x.value - y.value;
-  const Point n = cross(y.u, y.v);
-  const Point nr = Rational(2) * cross(y.uu, y.v) + cross(y.u, y.uv);
-  const Point ns = cross(y.uv, y.v) + Rational(2) * cross(y.u, y.vv);
-  const std::array<std::array<Rational, 4>, 4> jacobian = {
-      {{dot(x.u, y.u), dot(x.v, y.u), 2 * dot(d, y.uu) - dot(y.u, y.u), dot(d, y.uv) - dot(y.v, y.u)},
-       {dot(x.u, y.v), dot(x.v, y.v), dot(d, y.uv) - dot(y.u, y.v), 2 * dot(d, y.vv) - dot(y.v, y.v)},
-       {2 * dot(x.uu, n), dot(x.uv, n), dot(x.u, nr), dot(x.u, ns)},
-       {dot(x.uv, n), 2 * dot(x.vv, n), dot(x.v, nr), dot(x.v, ns)}}};
+  const auto equations = common_normal_equations<Rational>(x, y);
   RationalMatrix matrix(4, 4);
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) matrix(i, j) = with_bits(jacobian[i][j], bits);
-  return solve(matrix, {dot(d, y.u), dot(d, y.v), dot(x.u, n), dot(x.v, n)});
+    for (std::size_t j = 0; j < 4; ++j) matrix(i, j) = with_bits(equations.jacobian[i][j], bits);
+  return solve(matrix, {equations.value.begin(), equations.value.end()});
 }
 
 /// Replaces w by the place to about `bits` bits; false if Newton's method does not lead there, or the patches
