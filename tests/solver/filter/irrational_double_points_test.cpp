@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "round_patches.h"
 #include "support/catch.h"
 #include "support/height_pairs.h"
 #include "support/random_nets.h"
@@ -21,6 +22,7 @@ using random_nets::ProjectiveMap;
 using random_pairs::Generator;
 using random_pairs::integer;
 using testing::Terms;
+using testing::torus;
 
 struct Pair {
   RationalPatch x;
@@ -115,24 +117,6 @@ Counts expected_counts(const RationalPatch& difference) {
       intersect(ImplicitSurface::plane({0, 0, 0}, {0, 0, 1}), difference, IntersectOptions{});
   CHECK(result.status == Status::complete);
   return counts(result.graph);
-}
-
-/// (w cos, w sin, w) of a quarter of a circle, angle 0 at the parameter 1/2, as in round_double_points_test.
-using ArcVector = std::array<Rational, 3>;
-std::array<ArcVector, 3> arc() {
-  return {{{Rational(3, 5), Rational(-4, 5), 1},
-           {Rational(7, 5), Rational(-1, 5), 1},
-           {Rational(8, 5), Rational(6, 5), 2}}};
-}
-RationalPatch torus(const Rational& major, const Rational& minor) {
-  std::vector<std::vector<HomogeneousPoint>> net(3);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (const ArcVector& b : arc()) {
-      const ArcVector a = arc()[i];
-      const Rational radius = major * a[2] + minor * a[0];
-      net[i].push_back({radius * b[0], radius * b[1], minor * a[1] * b[2], a[2] * b[2]});
-    }
-  return RationalPatch::from_homogeneous(net);
 }
 
 /// A rational unit vector near the x axis: at no rational parameters of a sphere, but by chance.

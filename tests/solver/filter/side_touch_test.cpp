@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <string>
 
+#include "centre_cuts.h"
 #include "filter/filter.h"
 #include "support/catch.h"
 #include "support/graph_isomorphism.h"
-#include "support/height_pairs.h"
 #include "support/random_nets.h"
 
 namespace exsect::side_touch_test {
@@ -17,24 +17,8 @@ namespace {
 using height_pairs::Generator;
 using height_pairs::Heights;
 using random_nets::image;
-
-struct Cut {
-  const char* name;
-  RationalPatch x;
-  RationalPatch y;
-  std::size_t sides;  // on which the point is
-};
-std::vector<Cut> cuts(const Heights& pair) {
-  const auto& [a, b, r, s] = pair.centre;
-  const RationalPatch corner_of_x = pair.x.restricted_to(a, 1, b, 1);
-  return {{"side of x", pair.x.restricted_to(a, 1, 0, 1), pair.y, 1},
-          {"side of y", pair.x, pair.y.restricted_to(0, 1, 0, s), 1},
-          {"corner of x", corner_of_x, pair.y, 2},
-          {"corner of y", pair.x, pair.y.restricted_to(0, r, s, 1), 2},
-          {"sides of both", pair.x.restricted_to(0, 1, b, 1), pair.y.restricted_to(r, 1, 0, 1), 2},
-          {"corner of x and side of y", corner_of_x, pair.y.restricted_to(r, 1, 0, 1), 3},
-          {"corners of both", corner_of_x, pair.y.restricted_to(r, 1, s, 1), 4}};
-}
+using testing::Cut;
+using testing::cuts;
 
 /// The only thing in common.
 void check_touch(const IntersectResult& result, std::size_t sides) {
