@@ -59,12 +59,17 @@ Candidate candidate_of(const IntersectionGraph& graph, bool in_space, bool in_sq
   return candidate;
 }
 
+/// With the next assertion that fails.
+void report(const Verdict& verdict) {
+  for (const Difference& d : verdict.differences) UNSCOPED_INFO(name(d.kind) << ": " << d.text);
+  for (const std::string& open : verdict.undecided) UNSCOPED_INFO(open);
+}
+
 Verdict verdict_of(const Candidate& candidate, const Subject& pair) {
   VerifyOptions options;
   options.tolerance = 1e-3;
   const Verification found = verify(candidate, pair.surface, pair.x, options);
-  for (const Difference& d : found.verdict.differences) UNSCOPED_INFO(name(d.kind) << ": " << d.text);
-  for (const std::string& open : found.verdict.undecided) UNSCOPED_INFO(open);
+  report(found.verdict);
   CHECK(found.exact_turning == std::vector<Parameter>{Parameter::u, Parameter::v});
   return found.verdict;
 }
@@ -96,8 +101,7 @@ Verdict verdict_of(const Candidate& candidate, const Two& pair) {
   VerifyOptions options;
   options.tolerance = 1e-3;
   const EquationsVerification found = verify(candidate, pair.first, pair.second, options);
-  for (const Difference& d : found.verdict.differences) UNSCOPED_INFO(name(d.kind) << ": " << d.text);
-  for (const std::string& open : found.verdict.undecided) UNSCOPED_INFO(open);
+  report(found.verdict);
   CHECK(found.exact_turning.empty());
   IntersectOptions again;
   again.tolerance = found.exact_tolerance;

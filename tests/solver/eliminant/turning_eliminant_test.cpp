@@ -1,6 +1,4 @@
-#include <exsect/algebra/bivariate_polynomial.h>
 #include <exsect/algebra/real_algebraic.h>
-#include <exsect/algebra/resultant.h>
 #include <exsect/geometry/parameter_line.h>
 #include <exsect/geometry/patch_file.h>
 #include <exsect/geometry/pull_back.h>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "eliminant_pairs.h"
+#include "exact_products.h"
 #include "support/catch.h"
 
 namespace exsect::turning_eliminant_test {
@@ -35,32 +34,6 @@ using VectorField = std::array<BivariatePolynomial, 3>;
 BivariatePolynomial determinant(const VectorField& a, const VectorField& b, const VectorField& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
          a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
-/// lead^power f = remainder modulo p, of degree at most 1 in r, for p of degree 2 in r.
-struct Reduced {
-  Polynomial constant;
-  Polynomial linear;
-  int power;
-};
-Reduced reduced(BivariatePolynomial f, const BivariatePolynomial& p) {
-  const Polynomial lead = p.coefficient(2);
-  int power = 0;
-  while (f.degree_r() >= 2) {
-    BivariatePolynomial shift = BivariatePolynomial::constant(1);
-    for (int i = f.degree_r(); i > 2; --i) shift = shift * BivariatePolynomial::r();
-    const Polynomial top = f.coefficient(f.degree_r());
-    f = f * lead - p * shift * top;
-    ++power;
-  }
-  return {f.coefficient(0), f.coefficient(1), power};
-}
-
-/// prod f(s_i) over the roots of r.
-Rational product_over_roots(const Polynomial& r, const Polynomial& f) {
-  Rational lead = 1;
-  for (int i = 0; i < f.degree(); ++i) lead *= r.leading_coefficient();
-  return resultant(r, f) / lead;
 }
 
 /// E(u) up to a constant factor that does not depend on u, from its definition: (g_r g_s)^6 times the product
@@ -88,13 +61,13 @@ Rational eliminant_by_definition(const BezierPatch& x, const BezierPatch& y, con
     y_r[k] = coordinate.derivative_r();
     y_s[k] = coordinate.derivative_s();
   }
-  const Reduced zeta = reduced(z, forms.plane);
-  const Reduced jacobian = reduced(determinant(x_v, y_r, y_s), forms.plane);
+  const testing::Reduced zeta = testing::reduced(z, forms.plane);
+  const testing::Reduced jacobian = testing::reduced(determinant(x_v, y_r, y_s), forms.plane);
   // At a root s_i of R the point has r = -zeta.constant / zeta.linear.
   Rational product =
-      product_over_roots(r_s, jacobian.constant * zeta.linear - jacobian.linear * zeta.constant) /
-      product_over_roots(r_s, zeta.linear);
-  const Rational leads = product_over_roots(r_s, forms.plane.coefficient(2));
+      testing::product_over_roots(r_s, jacobian.constant * zeta.linear - jacobian.linear * zeta.constant) /
+      testing::product_over_roots(r_s, zeta.linear);
+  const Rational leads = testing::product_over_roots(r_s, forms.plane.coefficient(2));
   for (int i = 0; i < jacobian.power; ++i) product /= leads;
   // lc R_s = N^4 g_s^2, lc R_r = N^4 g_r^2, and N J stands for J at 16 points.
   const Rational n2 = n * n;

@@ -10,6 +10,7 @@
 #include "eliminant/turning_eliminant_modular.h"
 #include "eliminant/vector_eliminant.h"
 #include "eliminant/weighted_eliminant_height.h"
+#include "exact_products.h"
 #include "support/catch.h"
 #include "weighted_pairs.h"
 
@@ -39,31 +40,6 @@ BivariatePolynomial determinant(const std::array<Vector, 4>& m) {
   return sum;
 }
 
-/// lead^power f = remainder modulo p, of degree at most 1 in r, for p of degree 2 in r.
-struct Reduced {
-  Polynomial constant;
-  Polynomial linear;
-  int power;
-};
-Reduced reduced_modulo(BivariatePolynomial f, const BivariatePolynomial& p) {
-  const Polynomial lead = p.coefficient(2);
-  int power = 0;
-  while (f.degree_r() >= 2) {
-    BivariatePolynomial shift = BivariatePolynomial::constant(1);
-    for (int i = f.degree_r(); i > 2; --i) shift = shift * BivariatePolynomial::r();
-    const Polynomial top = f.coefficient(f.degree_r());
-    f = f * lead - p * shift * top;
-    ++power;
-  }
-  return {f.coefficient(0), f.coefficient(1), power};
-}
-
-Rational over_roots(const Polynomial& r, const Polynomial& f) {
-  Rational lead = 1;
-  for (int i = 0; i < f.degree(); ++i) lead *= r.leading_coefficient();
-  return resultant(r, f) / lead;
-}
-
 /// E(u) up to a constant factor by its definition: (l_s l_r)^4 times the product of [Y X_v Y_r Y_s] over the
 /// fibre, with the cone (16.3), some vector c and exact resultants.
 Rational by_definition(const RationalPatch& x, const RationalPatch& y, const Rational& u) {
@@ -89,12 +65,12 @@ Rational by_definition(const RationalPatch& x, const RationalPatch& y, const Rat
   REQUIRE(r_r.degree() == 16);
   Vector e0_x_v;
   for (std::size_t k = 0; k < 4; ++k) e0_x_v[k] = e0 * a[1][k] + e1 * a[2][k] + e1 * a[2][k];
-  const Reduced z = reduced_modulo(cone, plane);
+  const testing::Reduced z = testing::reduced(cone, plane);
   const auto product = [&](const BivariatePolynomial& f) {  // over the fibre, r = -z.constant / z.linear
-    const Reduced g = reduced_modulo(f, plane);
-    Rational value =
-        over_roots(r_s, g.constant * z.linear - g.linear * z.constant) / over_roots(r_s, z.linear);
-    const Rational leads = over_roots(r_s, plane.coefficient(2));
+    const testing::Reduced g = testing::reduced(f, plane);
+    Rational value = testing::product_over_roots(r_s, g.constant * z.linear - g.linear * z.constant) /
+                     testing::product_over_roots(r_s, z.linear);
+    const Rational leads = testing::product_over_roots(r_s, plane.coefficient(2));
     for (int i = 0; i < g.power; ++i) value /= leads;
     return value;
   };
