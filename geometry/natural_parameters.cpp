@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "surface_box.h"
+
 namespace exsect {
 namespace {
 
@@ -51,7 +53,8 @@ NaturalParameters natural_parameters(const ImplicitSurface& surface,
   const bool is_round = surface.data() && surface.kind() != SurfaceKind::plane;
   if (!is_round) return {};
   const SurfaceData& data = *surface.data();
-  const Point axis = surface.kind() == SurfaceKind::sphere ? Point{0, 0, 1} : data.axis;
+  const Point axis =
+      surface.kind() == SurfaceKind::sphere ? axis_of_box(surface).value_or(Point{0, 0, 1}) : data.axis;
   const Rational unit = dot(axis, axis);
   const Point east = reference_direction(axis);
   const RationalInterval along = range_along(axis, data.point, box);

@@ -21,9 +21,9 @@ struct NaturalParameters {
   std::optional<RationalInterval> tube = {};
 };
 
-/// Those of the points of the surface in the box: turn and height on cylinders and cones, the same about the
-/// axis (0,0,1) on spheres, turn and tube on tori, nothing on planes and polynomials. Without a turn where
-/// the box meets the axis. Requires that there is such a point.
+/// Those of the points of the surface in the box: turn and height on cylinders and cones, the same on spheres
+/// about the axis of their box, (0,0,1) for whole ones, turn and tube on tori, nothing on planes and
+/// polynomials. Without a turn where the box meets the axis. Requires that there is such a point.
 NaturalParameters natural_parameters(const ImplicitSurface& surface,
                                      const std::array<RationalInterval, 3>& box);
 

@@ -146,4 +146,17 @@ ImplicitSurface boxed(const ImplicitSurface& whole, const SurfaceBox& box) {
   return whole.part_in(std::move(region).region());
 }
 
+Point gradient(const SpacePolynomial& linear) {
+  return {linear.coefficient({1, 0, 0}), linear.coefficient({0, 1, 0}), linear.coefficient({0, 0, 1})};
+}
+
+std::optional<Point> axis_of_box(const ImplicitSurface& surface) {
+  const std::vector<SurfaceBound>& bounds = surface.box().bounds;
+  if (surface.kind() != SurfaceKind::sphere || bounds.empty()) return std::nullopt;
+  const SurfaceBound& first = bounds.front();
+  if (first.name.starts_with("height")) return gradient(first.form);
+  const Point across = gradient(first.where);  // the form has the gradient d x across
+  return 1 / dot(across, across) * cross(across, gradient(first.form));
+}
+
 }  // namespace exsect

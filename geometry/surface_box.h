@@ -48,4 +48,10 @@ struct SurfaceBox {
 /// and std::invalid_argument for a surface that is in a box already.
 ImplicitSurface boxed(const ImplicitSurface& whole, const SurfaceBox& box);
 
+/// (a, b, c) of the form a x + b y + c z + d of a bound.
+Point gradient(const SpacePolynomial& linear);
+
+/// The axis of the box of a sphere, as it was given to boxed(); empty without a box of a sphere.
+std::optional<Point> axis_of_box(const ImplicitSurface& surface);
+
 }  // namespace exsect

@@ -1,5 +1,7 @@
 #include "lift/shared_box.h"
 
+#include <exsect/geometry/surface_box.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -11,21 +13,9 @@
 namespace exsect {
 namespace {
 
-Point gradient(const SpacePolynomial& linear) {
-  return {linear.coefficient({1, 0, 0}), linear.coefficient({0, 1, 0}), linear.coefficient({0, 0, 1})};
-}
 Rational at_origin(const SpacePolynomial& f) { return f.coefficient({0, 0, 0}); }
 
 bool has_prefix(const SurfaceBound& bound, const char* prefix) { return bound.name.starts_with(prefix); }
-
-/// What a box on a sphere is about; empty if it bounds nothing.
-std::optional<Point> axis_of(const SurfaceRegion& region) {
-  for (const SurfaceBound& bound : region.bounds) {
-    if (has_prefix(bound, "height")) return gradient(bound.form);
-    if (has_prefix(bound, "sector")) return cross(gradient(bound.where), gradient(bound.form));
-  }
-  return std::nullopt;
-}
 
 /// Heights, turns about the axis and turns about the circle of a torus's tube, of both boxes. Heights are
 /// values of axis . P, directions about the axis are counted in two vectors orthogonal to it.
@@ -43,7 +33,7 @@ class SharedTurns {
     const SurfaceRegion region = boxed.region();
     Point own = axis_;
     if (surface_.kind() == SurfaceKind::sphere)
-      own = axis_of(region).value_or(axis_);
+      own = axis_of_box(boxed).value_or(axis_);
     else if (boxed.data())
       own = boxed.data()->axis;
     if (!is_zero(cross(own, axis_))) return false;
@@ -264,8 +254,8 @@ std::optional<SharedBox> shared_box(const ImplicitSurface& first, const Implicit
   }
   Point axis = known.data()->axis;
   if (known.kind() == SurfaceKind::sphere) {
-    const std::optional<Point> of_first = axis_of(first.box());
-    axis = of_first ? *of_first : *axis_of(second.box());
+    const std::optional<Point> of_first = axis_of_box(first);
+    axis = of_first ? *of_first : *axis_of_box(second);
   }
   SharedTurns turns(known, axis);
   for (const ImplicitSurface* surface : {&first, &second})

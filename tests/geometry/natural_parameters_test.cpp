@@ -1,4 +1,5 @@
 #include <exsect/geometry/natural_parameters.h>
+#include <exsect/geometry/surface_box.h>
 
 #include <cmath>
 #include <numbers>
@@ -45,6 +46,20 @@ TEST_CASE("natural parameters: places that are known") {
   check(natural_parameters(sphere, at({-1, 0, 1})).turn, Rational(1, 2));
   CHECK_FALSE(natural_parameters(sphere, at({0, 0, 2})).turn);
   check(natural_parameters(sphere, at({0, 0, 2})).height, 1);
+  // About the axis of its box: with the axis along y, turns are counted from x towards -z.
+  for (const SurfaceBox& box :
+       {SurfaceBox{.axis = Point{0, 3, 0}, .height = HeightRange{-1, Rational(1, 9)}},
+        SurfaceBox{.axis = Point{0, 3, 0}, .sector = AxisSector{{1, 5, 0}, {-1, 0, -1}}},
+        SurfaceBox{.axis = Point{0, 3, 0},
+        .sector = AxisSector{{2, 0, 1}, {-1, 4, -1}},
+        .height = HeightRange{-1, 1}}}) {
+    const auto lens = boxed(ImplicitSurface::sphere({0, 0, 1}, 5), box);
+    check(natural_parameters(lens, at({4, -3, 1})).turn, 0);
+    check(natural_parameters(lens, at({4, -3, 1})).height, -1);
+    check(natural_parameters(lens, at({0, 3, -3})).turn, Rational(1, 4));
+    check(natural_parameters(lens, at({0, 3, -3})).height, 1);
+    CHECK_FALSE(natural_parameters(lens, at({0, 5, 1})).turn);
+  }
   const auto torus = ImplicitSurface::torus(origin, {0, 0, 7}, 3, 1);
   for (const auto& [p, tube] :
        {std::pair(Point{0, 4, 0}, Rational(0)), std::pair(Point{0, 3, 1}, Rational(1, 4)),
