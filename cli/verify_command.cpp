@@ -60,13 +60,6 @@ auto solve_candidate(const First& first, const Second& second, const Candidate& 
   return verify(candidate, first, second, options);
 }
 
-/// With the parameters of the second surface as those of the first one.
-Candidate exchanged(Candidate candidate) {
-  for (CandidateCurve& curve : candidate.curves) std::swap(curve.first, curve.second);
-  for (CandidatePoint& point : candidate.points) std::swap(point.first, point.second);
-  return candidate;
-}
-
 ExitStatus status(Agreement agreement) {
   if (agreement == Agreement::agrees) return ExitStatus::complete;
   return agreement == Agreement::disagrees ? ExitStatus::negative : ExitStatus::incomplete;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace exsect {
 
@@ -45,6 +46,12 @@ std::array<double, 3> point_of(const SplineCurve& curve, double t) {
     const auto& p = net[d];
     return {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
   });
+}
+
+Candidate exchanged(Candidate candidate) {
+  for (CandidateCurve& curve : candidate.curves) std::swap(curve.first, curve.second);
+  for (CandidatePoint& point : candidate.points) std::swap(point.first, point.second);
+  return candidate;
 }
 
 std::string violation(const SplineCurve& curve) {

@@ -61,4 +61,7 @@ struct Candidate {
   std::vector<CandidatePoint> points;
 };
 
+/// The same for the pair in the other order: what was `first` is `second`. The names stay.
+Candidate exchanged(Candidate candidate);
+
 }  // namespace exsect

@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 
 #include "certificate/certificate_text.h"
+#include "equation.h"
 #include "forms.h"
 #include "numbers.h"
 #include "output/drawing/intersection_svg.h"
@@ -20,12 +21,6 @@ namespace exsect::python {
 namespace {
 
 namespace py = pybind11;
-
-/// A surface given by its equation, with the entry of a patch file that says which.
-struct Equation {
-  std::string entry;
-  ImplicitSurface surface;
-};
 
 /// Throws std::invalid_argument with the key at fault and the reason.
 Equation equation_of(const std::string& entry) {

@@ -1,8 +1,11 @@
 #include <exsect/checker/check_certificate.h>
 #include <exsect/geometry/candidate_file.h>
-#include <exsect/solver/verify.h>
+#include <exsect/verify/verify_equation.h>
 #include <pybind11/stl.h>
 
+#include <utility>
+
+#include "equation.h"
 #include "forms.h"
 #include "output/drawing/comparison_svg.h"
 #include "output/options/option_values.h"
@@ -19,12 +22,14 @@ namespace {
 
 namespace py = pybind11;
 
-/// A candidate for the intersection of two patches, and what was proved of it.
+/// A candidate for the intersection of two patches, or of a patch and a surface given by its equation, and
+/// what was proved of it.
+template <class Second>
 struct SolvedVerdict {
   Verification verification;
   Candidate candidate;
   RationalPatch first;
-  RationalPatch second;
+  Second second;
   cli::PatchNames names;
 
   cli::Json json() const { return cli::verdict_json(verification, candidate, names); }
@@ -33,6 +38,24 @@ struct SolvedVerdict {
   }
   std::string report(const std::string& title) const {
     return cli::verdict_report_html(verification, candidate, first, second, names, {title, ""});
+  }
+};
+
+/// The same of two surfaces given by their equations.
+struct SurfacesVerdict {
+  EquationsVerification verification;
+  Candidate candidate;
+  ImplicitSurface first;
+  ImplicitSurface second;
+  cli::SurfaceNames names;
+
+  cli::DrawnSurfaces drawn() const { return {verification.surfaces, first, second, names}; }
+  cli::Json json() const { return cli::verdict_json(verification, candidate, {names.first, names.second}); }
+  std::string svg(const std::string& title) const {
+    return cli::verdict_svg(verification, candidate, drawn(), title);
+  }
+  std::string report(const std::string& title) const {
+    return cli::verdict_report_html(verification, candidate, drawn(), {title, ""});
   }
 };
 
@@ -50,11 +73,11 @@ struct SolvedComparison {
 };
 
 /// The text of a candidate file, in the form that the end of its name says.
-SolvedVerdict verify_candidate(const std::string& text, const std::string& filename,
-                               const RationalPatch& first, const RationalPatch& second,
-                               const std::array<std::string, 2>& names, const std::string& tolerance,
-                               const std::string& max_seconds) {
-  const Candidate candidate = parse_candidate(text, filename, candidate_format(filename));
+Candidate candidate_of(const std::string& text, const std::string& filename) {
+  return parse_candidate(text, filename, candidate_format(filename));
+}
+
+VerifyOptions verify_options(const std::string& tolerance, const std::string& max_seconds) {
   VerifyOptions options;
   options.tolerance = cli::positive_value("tolerance", tolerance);
   if (!max_seconds.empty()) options.max_seconds = cli::positive_value("max_seconds", max_seconds);
@@ -62,8 +85,48 @@ SolvedVerdict verify_candidate(const std::string& text, const std::string& filen
     const py::gil_scoped_acquire acquire;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   };
+  return options;
+}
+
+SolvedVerdict<RationalPatch> verify_patches(const std::string& text, const std::string& filename,
+                                            const RationalPatch& first, const RationalPatch& second,
+                                            const std::array<std::string, 2>& names,
+                                            const std::string& tolerance, const std::string& max_seconds) {
+  const Candidate candidate = candidate_of(text, filename);
+  const VerifyOptions options = verify_options(tolerance, max_seconds);
   const py::gil_scoped_release release;
   return {verify(candidate, first, second, options), candidate, first, second, {names[0], names[1]}};
+}
+
+/// The names are those of patch and surface, the candidate is for the surface and the patch if
+/// `is_exchanged`.
+SolvedVerdict<ImplicitSurface> verify_equation(const std::string& text, const std::string& filename,
+                                               const RationalPatch& patch, const Equation& equation,
+                                               const std::array<std::string, 2>& names, bool is_exchanged,
+                                               const std::string& tolerance, const std::string& max_seconds) {
+  Candidate candidate = candidate_of(text, filename);
+  if (is_exchanged) candidate = exchanged(std::move(candidate));
+  const VerifyOptions options = verify_options(tolerance, max_seconds);
+  const ImplicitSurface& surface = equation.surface;
+  const py::gil_scoped_release release;
+  return {verify(candidate, surface, patch, options),
+          candidate,
+          patch,
+          surface,
+          {names[0], names[1], cli::one_patch_names, name(surface.kind())}};
+}
+
+SurfacesVerdict verify_surfaces(const std::string& text, const std::string& filename, const Equation& first,
+                                const Equation& second, const std::array<std::string, 2>& names,
+                                const std::string& tolerance, const std::string& max_seconds) {
+  const Candidate candidate = candidate_of(text, filename);
+  const VerifyOptions options = verify_options(tolerance, max_seconds);
+  const py::gil_scoped_release release;
+  return {verify(candidate, first.surface, second.surface, options),
+          candidate,
+          first.surface,
+          second.surface,
+          {names[0], names[1], name(first.surface.kind()), name(second.surface.kind())}};
 }
 
 SolvedComparison compare_methods(const RationalPatch& first, const RationalPatch& second,
@@ -126,11 +189,17 @@ void add_verifications(py::module_& module) {
     candidate_format(path);  // refuses a name of no format before the file is read
     return py::bytes(read_text_file(path, max_candidate_file_bytes));
   });
-  py::class_<SolvedVerdict> verdict(module, "SolvedVerdict");
-  add_forms(verdict);
+  py::class_<SolvedVerdict<RationalPatch>> of_patches(module, "SolvedVerdict");
+  add_forms(of_patches);
+  py::class_<SolvedVerdict<ImplicitSurface>> of_equation(module, "EquationVerdict");
+  add_forms(of_equation);
+  py::class_<SurfacesVerdict> of_surfaces(module, "SurfacesVerdict");
+  add_forms(of_surfaces);
   py::class_<SolvedComparison> comparison(module, "SolvedComparison");
   add_forms(comparison);
-  module.def("verify", &verify_candidate);
+  module.def("verify", &verify_patches);
+  module.def("verify_equation", &verify_equation);
+  module.def("verify_surfaces", &verify_surfaces);
   module.def("compare", &compare_methods);
   module.def("check", &check_text);
 }

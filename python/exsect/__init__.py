@@ -152,6 +152,14 @@ def _relative(tolerance: Any, absolute: Any, *patches: Patch) -> str:
     return _text(length / size * (1 - Fraction(1, 2**50)))
 
 
+def _relative_of(x: Any, y: Any, tolerance: Any, absolute: Any) -> str:
+    """As above, of the patches among the two; two surfaces given by their equations have no such size."""
+    patches = [shape for shape in (x, y) if isinstance(shape, Patch)]
+    if not patches and absolute is not None:
+        raise ValueError("absolute_tolerance: not with two surfaces given by their equations")
+    return _relative(tolerance, absolute, *patches)
+
+
 def _same_again(function: str, *arguments: Any, progress: Any = ()) -> Tuple[Any, Again]:
     """The compiled result, and what computes it again after pickling: without a progress function."""
     again = Again(function, arguments if progress == () else (*arguments, None))
@@ -356,15 +364,10 @@ def intersect(
     ValueError for options out of range.
     """
     limit = "" if max_seconds is None else _text(max_seconds)
+    relative = _relative_of(x, y, tolerance, absolute_tolerance)
     if isinstance(x, Surface) and isinstance(y, Surface):
-        if absolute_tolerance is not None:
-            raise ValueError("absolute_tolerance: not with two surfaces given by their equations")
-        core, again = _same_again(
-            "intersect_surfaces", x, y, list(names), _text(tolerance), limit, progress=progress
-        )
+        core, again = _same_again("intersect_surfaces", x, y, list(names), relative, limit, progress=progress)
         return SurfaceIntersection(core, title, again)
-    patches = [shape for shape in (x, y) if isinstance(shape, Patch)]
-    relative = _relative(tolerance, absolute_tolerance, *patches)
     if not (isinstance(x, Patch) and isinstance(y, Patch)):
         return _intersect_equation(x, y, _turning(turning), relative, limit, names, title, progress)
     core, again = _same_again(
@@ -407,8 +410,8 @@ def intersect_all(
 
 def verify(
     candidate: Union[str, "os.PathLike[str]", Mapping[str, Any]],
-    x: Patch,
-    y: Patch,
+    x: Union[Patch, Surface],
+    y: Union[Patch, Surface],
     *,
     tolerance: Union[Number, float] = "1e-6",
     absolute_tolerance: Union[Number, float, None] = None,
@@ -419,8 +422,9 @@ def verify(
     """Holds what another program computed against the proved intersection of x and y.
 
     `candidate`: a file of form candidate/1, CSV, OBJ or g2 (formats.md), or a dictionary in the shape of
-    candidate/1. Tolerances and `max_seconds` as for intersect. InputError, with file and place, for a candidate
-    that is not of its form.
+    candidate/1. Tolerances and `max_seconds` as for intersect. A surface given by its equation has no parameters,
+    so a candidate that states some of it is a ValueError, as are two such surfaces that are one or have a common
+    curve that goes on to infinity. InputError, with file and place, for a candidate that is not of its form.
     """
     if isinstance(candidate, Mapping):
         text, filename = json.dumps(candidate).encode(), "candidate.json"
@@ -428,8 +432,15 @@ def verify(
         filename = os.fspath(candidate)
         text = _core.candidate_bytes(filename)
     limit = "" if max_seconds is None else _text(max_seconds)
-    relative = _relative(tolerance, absolute_tolerance, x, y)
-    return Verdict(*_titled("verify", title, text, filename, x, y, list(names), relative, limit))
+    relative = _relative_of(x, y, tolerance, absolute_tolerance)
+    if isinstance(x, Surface) and isinstance(y, Surface):
+        return Verdict(*_titled("verify_surfaces", title, text, filename, x, y, list(names), relative, limit))
+    if isinstance(x, Patch) and isinstance(y, Patch):
+        return Verdict(*_titled("verify", title, text, filename, x, y, list(names), relative, limit))
+    is_exchanged = isinstance(x, Surface)
+    patch, surface, ordered = (y, x, names[::-1]) if is_exchanged else (x, y, names)
+    arguments = (text, filename, patch, surface, list(ordered), is_exchanged, relative, limit)
+    return Verdict(*_titled("verify_equation", title, *arguments))
 
 
 def compare(

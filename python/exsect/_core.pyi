@@ -90,6 +90,13 @@ def revolve(
 def verify(
     text: bytes, filename: str, x: Patch, y: Patch, names: List[str], tolerance: str, max_seconds: str
 ) -> Solved: ...
+def verify_equation(
+    text: bytes, filename: str, patch: Patch, equation: Surface, names: List[str], is_exchanged: bool, tolerance: str,
+    max_seconds: str
+) -> Solved: ...
+def verify_surfaces(
+    text: bytes, filename: str, first: Surface, second: Surface, names: List[str], tolerance: str, max_seconds: str
+) -> Solved: ...
 def compare(
     x: Patch, y: Patch, names: List[str], lines: int, pieces: int, fit: str, plane: str
 ) -> Solved: ...

@@ -23,9 +23,11 @@ class Difference:
     #: Index of the candidate's curve, or of its point.
     curve: Optional[int]
     point: Optional[int]
-    #: Id of an arc of the true curve with the open interval of a parameter that is not covered.
+    #: Id of an arc of the true curve with the open interval of a parameter that is not covered; of two surfaces given
+    #: by their equations there is no parameter. `vertices`: the same on the arc's polyline, rounded outwards.
     arc: Optional[int]
     gap: Optional[Tuple[str, Fraction, Fraction]]
+    vertices: Optional[Tuple[int, int]]
 
     def __repr__(self) -> str:
         return f"<Difference: {self.kind}: {self.text}>"
@@ -40,12 +42,13 @@ def _difference(tree: Mapping[str, Any]) -> Difference:
         tree.get("curve"),
         tree.get("point"),
         tree.get("arc"),
-        None if gap is None else (gap["parameter"], gap["from"], gap["to"]),
+        None if gap is None or "parameter" not in gap else (gap["parameter"], gap["from"], gap["to"]),
+        None if gap is None else (gap["vertices"][0], gap["vertices"][1]),
     )
 
 
 class Verdict(Result):
-    """A candidate for the intersection of two patches, held against the proved one."""
+    """A candidate for the intersection of two shapes, held against the proved one."""
 
     #: "agrees", "disagrees" or "undecided".
     verdict: str

@@ -48,6 +48,23 @@ TEST_CASE("candidate file: JSON with polylines, splines and points") {
   CHECK((*candidate.points.at(0).first)[1] == 0.5);
 }
 
+TEST_CASE("candidate: of the pair in the other order") {
+  const Candidate given = parsed(head + R"([
+    {"points": [[0, 0, 0], [1, 0, 0]], "first": [[0, 0], [1, 1]]}, {"second": [[0, 0.25], [1, 1]]}],
+    "points": [{"first": [0.5, 0.25]}, {"point": [1, 2, 3]}]})",
+                                 CandidateFormat::json);
+  const Candidate other = exchanged(given);
+  CHECK(other.patches == given.patches);
+  CHECK(other.curves[0].space == given.curves[0].space);
+  CHECK_FALSE(other.curves[0].first);
+  CHECK(other.curves[0].second == given.curves[0].first);
+  CHECK(other.curves[1].first == given.curves[1].second);
+  CHECK_FALSE(other.points[0].first);
+  CHECK(other.points[0].second == given.points[0].first);
+  CHECK(other.points[1].point == given.points[1].point);
+  CHECK(exchanged(other).curves[0].first == given.curves[0].first);
+}
+
 TEST_CASE("candidate file: JSON that is refused, with the place") {
   const auto refused = [](const std::string& curves) {
     return refusal(head + curves + "}", CandidateFormat::json);

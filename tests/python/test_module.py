@@ -567,6 +567,61 @@ def test_verify_takes_weights():
     assert exsect.verify(candidate, quarter_of_a_cylinder(), plane, tolerance="1e-4").differences
 
 
+def circle_as_candidate(z, radius_squared, names):
+    """The circle of this height about the z axis, with its points in 720 equal steps."""
+    steps = [2 * math.pi * k / 720 for k in range(720)]
+    r = math.sqrt(radius_squared)
+    points = [[r * math.cos(t), r * math.sin(t), float(z)] for t in steps]
+    return {"exsect": "candidate/1", "patches": list(names), "curves": [{"points": points, "closed": True}]}
+
+
+@pytest.mark.parametrize("pair", [("roof", "ball"), ("ball", "roof"), ("ball", "floor")])
+@pytest.mark.parametrize("is_right", [True, False])
+def test_verify_takes_equations_as_the_program_does(tmp_path, pair, is_right):
+    corners = [[["-3", "-3", "1/2"], ["-3", "3", "1/2"]], [["3", "-3", "1/2"], ["3", "3", "1/2"]]]
+    shapes = {"ball": exsect.sphere([0, 0, 0], 2), "floor": exsect.plane([0, 0, "1/2"], [0, 0, 3]), "roof": exsect.Patch(corners)}
+    entries = {name: json.loads(shape.entry) for name, shape in shapes.items() if name != "roof"}
+    entries["roof"] = {"degree": [1, 1], "points": corners}
+    model = tmp_path / "model.json"
+    model.write_text(json.dumps({"exsect": "patches/1", "patches": [{**entries[name], "name": name} for name in pair]}))
+    candidate = circle_as_candidate("0.5", 3.75 if is_right else 3.5, pair)
+    if is_right and "roof" in pair:  # the parameters of the patch, of whichever place it has
+        on_patch = [[p[0] / 6 + 0.5, p[1] / 6 + 0.5] for p in candidate["curves"][0]["points"]]
+        candidate["curves"][0]["first" if pair[0] == "roof" else "second"] = on_patch
+    file = tmp_path / "circle.candidate.json"
+    file.write_text(json.dumps(candidate))
+    verdict = exsect.verify(file, *[shapes[name] for name in pair], tolerance="1e-4", names=pair)
+    mine, theirs = same(verdict), run("verify", file, model, "--tolerance", "1e-4")
+    for key in ("verdict", "differences", "tolerance", "curves"):
+        assert mine[key] == theirs[key], key
+    assert verdict.agrees == is_right == (not verdict.differences)
+    assert verdict.to_report().startswith("<!DOCTYPE html>") and verdict.to_svg().startswith("<?xml")
+    assert kept(verdict).differences == verdict.differences and kept(verdict).to_svg() == verdict.to_svg()
+
+
+def test_a_gap_of_two_equations_has_vertices_alone():
+    candidate = circle_as_candidate("0.5", 3.75, ("x", "y"))
+    candidate["curves"][0]["points"][10:200] = []
+    candidate["curves"][0]["closed"] = False
+    verdict = exsect.verify(candidate, exsect.sphere([0, 0, 0], 2), exsect.plane([0, 0, "1/2"], [0, 0, 1]), tolerance="1e-4")
+    gaps = [d for d in verdict.differences if d.kind == "gap"]
+    assert gaps and all(d.gap is None and d.vertices[0] < d.vertices[1] for d in gaps)
+
+
+def test_verify_of_equations_refuses_what_cannot_be_compared():
+    ball, pipe = exsect.sphere([0, 0, 0], 2), exsect.cylinder([0, 0, 0], [0, 0, 1], 1)
+    circle = circle_as_candidate("0.5", 3.75, ("x", "y"))
+    with pytest.raises(ValueError, match="the surfaces are one"):
+        exsect.verify(circle, ball, ball)
+    with pytest.raises(ValueError, match="goes on to infinity"):
+        exsect.verify(circle, pipe, exsect.plane([0, 0, 0], [1, 0, 0]))
+    with pytest.raises(ValueError, match="absolute_tolerance"):
+        exsect.verify(circle, ball, pipe, absolute_tolerance=1)
+    circle["curves"][0]["first"] = [[0, 0] for _ in circle["curves"][0]["points"]]
+    with pytest.raises(ValueError, match="parameters of a surface given by its equation"):
+        exsect.verify(circle, ball, exsect.Patch([[[-3, -3, "1/2"], [-3, 3, "1/2"]], [[3, -3, "1/2"], [3, 3, "1/2"]]]))
+
+
 def test_bad_candidates_are_refused():
     _, first, second = candidate_case("sisl-right")
     with pytest.raises(exsect.InputError, match="candidate"):
