@@ -26,18 +26,6 @@ IntersectResult intersect_beyond_filter(const Run& run, const BezierPatch& x, co
   return intersect_exactly(x, y, run, pair);
 }
 
-/// The model is moved and scaled where that helps.
-IntersectResult intersect_in_place(const Run& run, const BezierPatch& x, const BezierPatch& y) {
-  if (!run.exact())
-    if (auto found = intersect_filtered(x, y, run)) return *std::move(found);
-  const auto place = Placement::of(x, y);
-  const auto solve = [&](const Run& in_place) {
-    return place ? intersect_within(in_place, place->placed(x), place->placed(y))
-                 : intersect_beyond_filter(in_place, x, y);
-  };
-  return solved_in_place(place, to_double(model_extent(x, y)), run, solve);
-}
-
 }  // namespace
 
 IntersectResult intersect(const BezierPatch& x, const BezierPatch& y, const IntersectOptions& options) {
@@ -55,6 +43,17 @@ IntersectResult intersect_within(const Run& run, const BezierPatch& x, const Bez
   if (!run.exact())
     if (auto found = intersect_filtered(x, y, run)) return *std::move(found);
   return intersect_beyond_filter(run, x, y);
+}
+
+IntersectResult intersect_in_place(const Run& run, const BezierPatch& x, const BezierPatch& y) {
+  if (!run.exact())
+    if (auto found = intersect_filtered(x, y, run)) return *std::move(found);
+  const auto place = Placement::of(x, y);
+  const auto solve = [&](const Run& in_place) {
+    return place ? intersect_within(in_place, place->placed(x), place->placed(y))
+                 : intersect_beyond_filter(in_place, x, y);
+  };
+  return solved_in_place(place, to_double(model_extent(x, y)), run, solve);
 }
 
 }  // namespace exsect

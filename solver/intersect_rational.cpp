@@ -2,18 +2,25 @@
 
 #include <exsect/algebra/nearest_rounding.h>
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "answer/coarse_drawing.h"
 #include "answer/finished_result.h"
 #include "answer/parameter_names.h"
 #include "answer/proof.h"
 #include "answer/run.h"
+#include "filter/exact_patch.h"
 #include "filter/filter.h"
 #include "intersect.h"
+#include "intersect_within.h"
 #include "self/self_intersect.h"
 #include "self/self_intersect_in_doubles.h"
 #include "signs_beside.h"
+#include "special/polynomial_images.h"
 
 namespace exsect {
 
@@ -36,6 +43,34 @@ IntersectResult intersect_in_either_order(const RationalPatch& x, const Rational
   return changed(std::move(other), run, rename, exchanged);
 }
 
+/// By polynomial patches, if x and y are images of some (14.20); empty otherwise.
+std::optional<IntersectResult> intersect_as_polynomials(const RationalPatch& x, const RationalPatch& y,
+                                                        const Run& run) {
+  const auto images = polynomial_images(x, y);
+  if (!images) return std::nullopt;
+  std::vector<Point> points;
+  for (const RationalPatch* patch : {&x, &y})
+    std::ranges::copy(filter::affine_points(filter::elevated<filter::WeightedBiquadratic>(*patch)),
+                      std::back_inserter(points));
+  const double extent = to_double(model_extent(points));
+  const double grown = growth(*images, points) * to_double(model_extent(images->x, images->y));
+  const OtherRun of_images = [extent, grown](const Run& given) {
+    return given.with_tolerance(given.tolerance(extent) / grown);
+  };
+  const ResultChange change = [images, extent](IntersectResult& result, const Run& given) {
+    put_back(*images, result);
+    result.coarse = coarse_drawing(result.graph, given.tolerance(extent));
+  };
+  return changed(intersect_in_place(of_images(run), images->x, images->y), run, change, of_images);
+}
+
+/// In doubles, or by what is behind them for polynomial patches.
+IntersectResult intersect_any(const RationalPatch& x, const RationalPatch& y, const Run& run) {
+  IntersectResult result = intersect_in_either_order(x, y, run);
+  if (result.status == Status::complete || run.out_of_time()) return result;
+  return intersect_as_polynomials(x, y, run).value_or(std::move(result));
+}
+
 }  // namespace
 
 IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const IntersectOptions& options) {
@@ -45,9 +80,8 @@ IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const 
   if (options.exact) throw NotSupported(first ? y : x);
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
-    IntersectResult result = with_signs_beside(x, y, run, [&](const Run& part) {
-      return answered(part, [&] { return intersect_in_either_order(x, y, part); });
-    });
+    IntersectResult result = with_signs_beside(
+        x, y, run, [&](const Run& part) { return answered(part, [&] { return intersect_any(x, y, part); }); });
     if (result.status != Status::complete) run.count("filtered", 1);
     const auto again = [x, y](const IntersectOptions& other) { return intersect(x, y, other); };
     return answer_to(options, run.finished(std::move(result)), again);
