@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "net_piece.h"
 #include "number.h"
+#include "reduced_net.h"
 
 namespace exsect {
 namespace {
@@ -28,26 +30,10 @@ bool has_no_coordinate(const HomogeneousPoint& p) {
   return std::all_of(p.begin(), p.end(), [](const Rational& c) { return c == 0; });
 }
 
-/// Polar form of the row: at[k] is the argument of level k.
-HomogeneousPoint homogeneous_blossom(Row row, const std::vector<Rational>& arguments) {
-  for (std::size_t level = 0; level + 1 < row.size(); ++level)
-    for (std::size_t i = 0; i + level + 1 < row.size(); ++i)
-      row[i] = homogeneous_between(row[i], row[i + 1], arguments[level]);
-  return row[0];
-}
-
-HomogeneousPoint value(const Row& row, const Rational& t) {
-  return homogeneous_blossom(row, std::vector<Rational>(row.size() - 1, t));
-}
-
-Row piece(const Row& row, const Rational& from, const Rational& to) {
-  Row result;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    std::vector<Rational> arguments(row.size() - 1, from);
-    std::fill_n(arguments.begin(), i, to);
-    result.push_back(homogeneous_blossom(row, arguments));
-  }
-  return result;
+HomogeneousPoint value(Row row, const Rational& t) {
+  for (; row.size() > 1; row.pop_back())
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) row[i] = homogeneous_between(row[i], row[i + 1], t);
+  return row.front();
 }
 
 Row elevated_once(const Row& row) {
@@ -208,6 +194,7 @@ bool RationalPatch::is_polynomial() const { return has_equal_weights() || reduce
 
 const RationalPatch& RationalPatch::reduced() const {
   std::call_once(state_->has_reduced, [this] {
+    if (is_surely_reduced(state_->net, state_->m, state_->n)) return;
     std::array<BivariatePolynomial, 4> x;
     for (int k = 0; k < 4; ++k) x[at(k)] = component(k);
     BivariatePolynomial common = x[3];
@@ -255,6 +242,7 @@ RationalPatch RationalPatch::transposed() const {
 RationalPatch RationalPatch::elevated(int m, int n) const {
   if (m < degree_u() || n < degree_v() || m > max_patch_degree || n > max_patch_degree)
     throw std::invalid_argument("rational patch: elevated to less than its degree, or to more than 3");
+  if (m == degree_u() && n == degree_v()) return *this;
   if (m > degree_u()) return transposed().elevated(degree_v(), m).transposed().elevated(m, n);
   Net net;
   for (int i = 0; i <= m; ++i) {
@@ -270,16 +258,7 @@ RationalPatch RationalPatch::restricted_to(const Rational& u0, const Rational& u
                                            const Rational& v1) const {
   for (const Rational* t : {&u0, &u1, &v0, &v1})
     if (*t < 0 || *t > 1) throw std::invalid_argument("rational patch: a piece outside of the unit square");
-  const auto in_second = [](const RationalPatch& patch, const Rational& from, const Rational& to) {
-    Net net;
-    for (int i = 0; i <= patch.degree_u(); ++i) {
-      const auto begin = patch.state_->net.begin() + i * (patch.degree_v() + 1);
-      const Row row = piece(Row(begin, begin + patch.degree_v() + 1), from, to);
-      net.insert(net.end(), row.begin(), row.end());
-    }
-    return RationalPatch(patch.degree_u(), patch.degree_v(), std::move(net));
-  };
-  return in_second(in_second(*this, v0, v1).transposed(), u0, u1).transposed();
+  return {degree_u(), degree_v(), net_of_piece(state_->net, degree_u(), degree_v(), {u0, u1}, {v0, v1})};
 }
 
 bool operator==(const RationalPatch& a, const RationalPatch& b) {
