@@ -14,7 +14,8 @@ namespace exsect {
 
 namespace {
 
-constexpr std::size_t kMostCoefficients = 161;
+constexpr std::size_t kUsualCoefficients = 161;
+constexpr std::size_t kMostCoefficients = 253;
 constexpr int kDeepest = 48;
 /// Doubles decide next to nothing on longer intervals.
 constexpr int kFirstInDoubles = 2;
@@ -23,8 +24,8 @@ constexpr double kSumUp = 1 + 0x1p-38;
 
 /// T_k((t - 1) / 2) = sum_j L_jk T_j(t) (4.16b), and T_k((t + 1) / 2) with the signs (-1)^(j+k). From
 /// T_(k+1)(s) = 2 s T_k - T_(k-1) and 2 t T_j = T_(j+1) + T_|j-1|, the numbers 2^k L_jk are integers; as mean
-/// values of T_j T_k they are at most 2^(k+1): with 256 bits every sum of the recursion is exact, whatever
-/// radius it is given.
+/// values of T_j T_k they are at most 2^(k+1). So every sum of the recursion for k <= 252, a multiple of
+/// 2^-252 below 8, is exact with 256 bits, whatever radius it is given.
 class Halving {
  public:
   explicit Halving(std::size_t n) : wide_(n), approximations_(n) {
@@ -63,9 +64,12 @@ class Halving {
   std::vector<std::vector<double>> approximations_;
 };
 
-const Halving& halving() {
-  static const Halving result(kMostCoefficients);
-  return result;
+/// For so many coefficients.
+const Halving& halving(std::size_t n) {
+  static const Halving usual(kUsualCoefficients);
+  if (n <= kUsualCoefficients) return usual;
+  static const Halving all(kMostCoefficients);
+  return all;
 }
 
 double size(double c) { return std::fabs(c); }
@@ -108,6 +112,7 @@ Piece<double> in_doubles(const Piece<WideBall>& piece) {
 
 std::array<Piece<WideBall>, 2> halves(const Piece<WideBall>& piece) {
   const std::size_t n = piece.c.size();
+  const Halving& table = halving(n);
   Piece<WideBall> left{piece.where.half(0), std::vector<WideBall>(n), piece.value_error,
                        piece.slope_error / 2};
   Piece<WideBall> right = left;
@@ -118,7 +123,7 @@ std::array<Piece<WideBall>, 2> halves(const Piece<WideBall>& piece) {
   };
   for (std::size_t j = 0; j < n; ++j) {
     WideBall::Sum even, odd;  // by the parity of k - j
-    for (std::size_t k = j; k < n; ++k) ((k - j) % 2 == 0 ? even : odd).add(halving().wide(j, k), piece.c[k]);
+    for (std::size_t k = j; k < n; ++k) ((k - j) % 2 == 0 ? even : odd).add(table.wide(j, k), piece.c[k]);
     const WideBall a = even.rounded(), b = odd.rounded();
     set(left, j, a + b);
     set(right, j, a - b);
@@ -128,6 +133,7 @@ std::array<Piece<WideBall>, 2> halves(const Piece<WideBall>& piece) {
 
 std::array<Piece<double>, 2> halves(const Piece<double>& piece) {
   const std::size_t n = piece.c.size();
+  const Halving& table = halving(n);
   Piece<double> left{piece.where.half(0), std::vector<double>(n), piece.value_error, piece.slope_error / 2};
   Piece<double> right = left;
   right.where = piece.where.half(1);
@@ -135,8 +141,8 @@ std::array<Piece<double>, 2> halves(const Piece<double>& piece) {
   for (const double c : piece.c) magnitudes += std::fabs(c);
   for (std::size_t j = 0; j < n; ++j) {
     double even = 0, odd = 0;
-    for (std::size_t k = j; k < n; k += 2) even += halving().approximation(j, k) * piece.c[k];
-    for (std::size_t k = j + 1; k < n; k += 2) odd += halving().approximation(j, k) * piece.c[k];
+    for (std::size_t k = j; k < n; k += 2) even += table.approximation(j, k) * piece.c[k];
+    for (std::size_t k = j + 1; k < n; k += 2) odd += table.approximation(j, k) * piece.c[k];
     left.c[j] = even + odd;
     right.c[j] = even - odd;
     // |L_jk| <= 2.
@@ -226,7 +232,7 @@ bool isolate(const Piece<WideBall>& piece, std::vector<RationalInterval>& found)
 std::optional<std::vector<RationalInterval>> isolate_chebyshev_roots(const std::vector<WideBall>& c) {
   return in_nearest_rounding([&]() -> std::optional<std::vector<RationalInterval>> {
     if (c.empty() || c.size() > kMostCoefficients)
-      throw std::invalid_argument("1 to 161 Chebyshev coefficients");
+      throw std::invalid_argument("1 to 253 Chebyshev coefficients");
     Piece<WideBall> all{{}, c, 0, 0};
     for (std::size_t j = 0; j < c.size(); ++j) {
       all.c[j] = c[j].midpoint();

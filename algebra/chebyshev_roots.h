@@ -9,7 +9,7 @@
 namespace exsect {
 
 /// Pairwise disjoint open intervals in (0,1), ascending: each holds exactly one root of each of the
-/// polynomials sum c_j T_j(2u - 1), a simple one, and no other point of [0,1] is a root; at most 161
+/// polynomials sum c_j T_j(2u - 1), a simple one, and no other point of [0,1] is a root; at most 253
 /// coefficients. Empty if the balls do not decide that.
 std::optional<std::vector<RationalInterval>> isolate_chebyshev_roots(const std::vector<WideBall>& c);
 

@@ -7,13 +7,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <span>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
-#include "eliminant/turning_eliminant_forms.h"
-#include "eliminant/weighted_eliminant_forms.h"
+#include "eliminant/forms_of_kind.h"
 
 namespace exsect {
 
@@ -30,28 +33,29 @@ struct BallArithmetic {
   static WideBall multiply(const WideBall& a, const WideBall& b) { return a * b; }
 };
 
-/// p(1/2 + t/2) for p(w) = c[0] + c[1] w + c[2] w^2, times 4.
-template <class Vector>
-std::array<Vector, 3> centred(const std::array<Vector, 3>& c) {
-  std::array<Vector, 3> result;
+/// p(1/2 + t/2) for p(w) = sum c[i] w^i, times 2^n for the n + 1 coefficients.
+template <class Vectors>
+Vectors centred(const Vectors& c) {
+  Vectors result = c;
   for (std::size_t k = 0; k < c[0].size(); ++k) {
-    result[0][k] = 4 * c[0][k] + 2 * c[1][k] + c[2][k];
-    result[1][k] = 2 * c[1][k] + 2 * c[2][k];
-    result[2][k] = c[2][k];
+    for (std::size_t i = 0; i < c.size(); ++i) result[i][k] = c[i][k] << (c.size() - 1 - i);
+    for (std::size_t step = 0; step + 1 < c.size(); ++step)
+      for (std::size_t i = c.size() - 1; i-- > step;) result[i][k] += result[i + 1][k];
   }
   return result;
 }
 
 /// Both parameters from [0,1] to [-1,1].
-template <class Vector>
-std::array<std::array<Vector, 3>, 3> centred_net(const std::array<std::array<Vector, 3>, 3>& net) {
-  std::array<std::array<Vector, 3>, 3> rows, result;
-  for (std::size_t i = 0; i < 3; ++i) rows[i] = centred(net[i]);
-  for (std::size_t j = 0; j < 3; ++j) {
-    const std::array<Vector, 3> column = centred<Vector>({rows[0][j], rows[1][j], rows[2][j]});
-    for (std::size_t i = 0; i < 3; ++i) result[i][j] = column[i];
+template <class Net>
+Net centred_net(Net net) {
+  for (auto& row : net) row = centred(row);
+  for (std::size_t j = 0; j < net[0].size(); ++j) {
+    std::vector<typename std::decay_t<decltype(net[0])>::value_type> column;
+    for (const auto& row : net) column.push_back(row[j]);
+    column = centred(column);
+    for (std::size_t i = 0; i < net.size(); ++i) net[i][j] = column[i];
   }
-  return result;
+  return net;
 }
 
 /// The bits of each coordinate, 0 where it is zero.
@@ -72,32 +76,38 @@ Forms forms_of(const Pair& pair) {
   auto bits = bits_of(x);
   const auto bits_x = bits, bits_y = bits_of(y);
   for (std::size_t k = 0; k < bits.size(); ++k) bits[k] = std::max(bits[k], bits_y[k]);
-  const auto balls = [&](const auto& net, const auto& own_bits) {
+  const auto set = [&](auto& result, const auto& net, const auto& own_bits) {
     long spare = bits.size() == 3 ? 0 : std::numeric_limits<long>::max();
     for (std::size_t k = 0; k < bits.size(); ++k) spare = std::min(spare, bits[k] - own_bits[k]);
-    typename Forms::Net result;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t i = 0; i < net.size(); ++i)
+      for (std::size_t j = 0; j < net[i].size(); ++j)
         for (std::size_t k = 0; k < bits.size(); ++k)
           result.c[i][j].c[k] = WideBall::enclosing(net[i][j][k], spare - bits[k]);
-    return result;
   };
-  WideBall small[17];
-  for (int i = 0; i < 17; ++i) small[i] = WideBall(i);
-  return Forms(BallArithmetic(), balls(x, bits_x), balls(y, bits_y), small);
+  typename Forms::FirstNet first = {};
+  typename Forms::SecondNet second = {};
+  set(first, x, bits_x);
+  set(second, y, bits_y);
+  typename Forms::SmallNumbers small;
+  for (std::size_t i = 0; i < std::size(small); ++i) small[i] = WideBall(static_cast<double>(i));
+  return Forms(BallArithmetic(), first, second, small);
 }
 
-/// The numbers of a fibre, polynomials in u of degree at most 16, in a row.
-constexpr std::size_t kEntries = 17 + 11 + 2;
-using Entries = std::array<WideBall, kEntries>;
+/// The numbers of a fibre, polynomials in u, in a row: R, S1, lead_r, lead_s.
+template <class Kind>
+constexpr std::size_t kEntries = Kind::points + Kind::s1_points + 4;
+template <class Kind>
+using Entries = std::array<WideBall, kEntries<Kind>>;
+template <class Kind>
+constexpr std::size_t kFirstOfS1 = Kind::points + 1;
 
-template <class Fibre>
-Entries entries(const Fibre& fibre) {
-  Entries result;
+template <class Fibre, class Kind = typename Fibre::Kind>
+Entries<Kind> entries(const Fibre& fibre) {
+  Entries<Kind> result;
   std::copy(std::begin(fibre.r), std::end(fibre.r), result.begin());
-  std::copy(std::begin(fibre.s1), std::end(fibre.s1), result.begin() + 17);
-  result[28] = fibre.lead_r;
-  result[29] = fibre.lead_s;
+  std::copy(std::begin(fibre.s1), std::end(fibre.s1), result.begin() + kFirstOfS1<Kind>);
+  result[kEntries<Kind> - 2] = fibre.lead_r;
+  result[kEntries<Kind> - 1] = fibre.lead_s;
   return result;
 }
 
@@ -124,48 +134,46 @@ WideBall resultant(WideBall* f, WideBall* g, std::size_t n) {
 }
 
 /// Up to sign res(R, S1), R reduced modulo S1 first; overwrites both.
+template <std::size_t points, std::size_t s1_points>
 WideBall alignment_resultant(WideBall* r, WideBall* s1) {
-  const WideBall minus_inverse = -inverse(s1[10]);
-  WideBall product(1);  // lc(S1)^7
-  for (std::size_t top = 16; top >= 10; --top) {
-    product = product * s1[10];
-    const WideBall q = r[top] * minus_inverse;
-    for (std::size_t j = 0; j < 10; ++j) {
-      WideBall::Sum rest(q, s1[j]);
-      rest.add(r[top - 10 + j]);
-      r[top - 10 + j] = rest.rounded();
-    }
-  }
-  return product * resultant(s1, r, 9);
-}
-
-/// E over one fibre up to a constant factor: (4.8), (16.9).
-template <class Kind>
-WideBall eliminant_value(Entries e) {
-  WideBall* const r = e.data();
-  std::array<WideBall, 16> derivative;
-  for (std::size_t i = 1; i < 17; ++i) derivative[i - 1] = r[i] * WideBall(static_cast<double>(i));
-  std::array<WideBall, 17> copy;
-  std::copy_n(r, 17, copy.begin());
-  const WideBall discriminant = resultant(copy.data(), derivative.data(), 15);
-  const WideBall alignment = alignment_resultant(r, r + 17);
-  const WideBall r2 = e[28] * e[28];
-  if constexpr (Kind::coordinates == 3) {
-    const WideBall s2 = e[29] * e[29];
-    return r2 * r2 * r2 * discriminant * inverse(s2 * s2 * alignment);
+  if constexpr (s1_points == 0) {
+    return WideBall(1);
   } else {
-    return r2 * r2 * discriminant * inverse(e[29] * alignment);
+    const WideBall minus_inverse = -inverse(s1[s1_points]);
+    WideBall product(1);  // a power of lc(S1)
+    for (std::size_t top = points; top >= s1_points; --top) {
+      product = product * s1[s1_points];
+      const WideBall q = r[top] * minus_inverse;
+      for (std::size_t j = 0; j < s1_points; ++j) {
+        WideBall::Sum rest(q, s1[j]);
+        rest.add(r[top - s1_points + j]);
+        r[top - s1_points + j] = rest.rounded();
+      }
+    }
+    return product * resultant(s1, r, s1_points - 1);
   }
 }
 
-const ChebyshevNodes& fibre_nodes() {
-  static const ChebyshevNodes result(17);
-  return result;
+/// E over one fibre up to a constant factor: (4.8), (16.9), (16.16).
+template <class Forms, class Kind = typename Forms::Fibre::Kind>
+WideBall eliminant_value(const Forms& forms, Entries<Kind> e) {
+  WideBall* const r = e.data();
+  std::array<WideBall, Kind::points> derivative;
+  for (std::size_t i = 1; i <= Kind::points; ++i) derivative[i - 1] = r[i] * WideBall(static_cast<double>(i));
+  std::array<WideBall, Kind::points + 1> copy;
+  std::copy_n(r, copy.size(), copy.begin());
+  const WideBall discriminant = resultant(copy.data(), derivative.data(), Kind::points - 1);
+  const WideBall alignment = alignment_resultant<Kind::points, Kind::s1_points>(r, r + kFirstOfS1<Kind>);
+  const auto lead = forms.leading_factor(e[kEntries<Kind> - 2], e[kEntries<Kind> - 1]);
+  return lead.numerator * discriminant * inverse(lead.denominator * alignment);
 }
-template <class Kind>
-const ChebyshevNodes& eliminant_nodes() {
-  static const ChebyshevNodes result(Kind::degree + 1);
-  return result;
+
+/// Made once for each number.
+const ChebyshevNodes& chebyshev_nodes(std::size_t count) {
+  static std::mutex mutex;
+  static std::map<std::size_t, ChebyshevNodes> known;
+  const std::lock_guard lock(mutex);
+  return known.try_emplace(count, count).first->second;
 }
 
 /// By a common power of two, to a largest magnitude near 1: E changes by a constant factor.
@@ -180,36 +188,34 @@ void scale(std::span<std::vector<WideBall>> entries) {
 }
 
 /// The Chebyshev coefficients of each entry of the fibres.
-template <class Forms>
-std::array<std::vector<WideBall>, kEntries> fibre_expansions(const Forms& forms) {
-  using Kind = typename Forms::Fibre::Kind;
-  const ChebyshevNodes& nodes = fibre_nodes();
-  std::array<std::vector<WideBall>, kEntries> values;
+template <class Forms, class Kind = typename Forms::Fibre::Kind>
+std::array<std::vector<WideBall>, kEntries<Kind>> fibre_expansions(const Forms& forms) {
+  const ChebyshevNodes& nodes = chebyshev_nodes(std::max(Kind::fibre_degree, Kind::lead_degree) + 1);
+  std::array<std::vector<WideBall>, kEntries<Kind>> values;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const Entries fibre = entries(forms.fibre(nodes.node(k)));
-    for (std::size_t i = 0; i < kEntries; ++i) values[i].push_back(fibre[i]);
+    const Entries<Kind> fibre = entries(forms.fibre(nodes.node(k)));
+    for (std::size_t i = 0; i < values.size(); ++i) values[i].push_back(fibre[i]);
   }
-  for (std::size_t i = 0; i < kEntries; ++i) {
-    const std::size_t degree = i < 17 ? 16 : i < 28 ? Kind::s1_degree : Kind::lead_degree;
+  constexpr std::size_t s1 = kFirstOfS1<Kind>, leads = kEntries<Kind> - 2;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t degree = i < s1 ? Kind::fibre_degree : i < leads ? Kind::s1_degree : Kind::lead_degree;
     values[i] = nodes.coefficients(values[i]);
     values[i].resize(degree + 1);
   }
-  scale(std::span(values).first(17));
-  scale(std::span(values).subspan(17, 11));
-  scale(std::span(values).subspan(28, 1));
-  scale(std::span(values).subspan(29, 1));
+  scale(std::span(values).first(s1));
+  if constexpr (Kind::s1_points > 0) scale(std::span(values).subspan(s1, leads - s1));
+  scale(std::span(values).subspan(leads, 1));
+  scale(std::span(values).subspan(leads + 1, 1));
   return values;
 }
 
-template <class Forms>
-std::vector<WideBall> values_at_nodes(const Forms& forms) {
-  using Kind = typename Forms::Fibre::Kind;
+template <class Forms, class Kind = typename Forms::Fibre::Kind>
+std::vector<WideBall> values_at_nodes(const Forms& forms, const ChebyshevNodes& nodes) {
   const auto expansions = fibre_expansions(forms);
-  const ChebyshevNodes& nodes = eliminant_nodes<Kind>();
   std::vector<WideBall> values(nodes.size());
   for (std::size_t k = 0; 2 * k < nodes.size(); ++k) {
-    Entries right, left;  // over t and -t
-    for (std::size_t i = 0; i < kEntries; ++i) {
+    Entries<Kind> right, left;  // over t and -t
+    for (std::size_t i = 0; i < expansions.size(); ++i) {
       WideBall::Sum even, odd;
       for (std::size_t j = 0; j < expansions[i].size(); ++j)
         (j % 2 == 0 ? even : odd).add(expansions[i][j], nodes.value(j, k));
@@ -217,26 +223,26 @@ std::vector<WideBall> values_at_nodes(const Forms& forms) {
       right[i] = a + b;
       left[i] = a - b;
     }
-    values[k] = eliminant_value<Kind>(right);
-    if (2 * k + 1 < nodes.size()) values[nodes.size() - 1 - k] = eliminant_value<Kind>(left);
+    values[k] = eliminant_value(forms, right);
+    if (2 * k + 1 < nodes.size()) values[nodes.size() - 1 - k] = eliminant_value(forms, left);
   }
   return values;
 }
 
 template <class Forms, class Pair>
 std::optional<std::vector<RationalInterval>> roots_in_balls(const Pair& pair) {
-  const std::vector<WideBall> values = values_at_nodes(forms_of<Forms>(pair));
-  return isolate_chebyshev_roots(eliminant_nodes<typename Forms::Fibre::Kind>().coefficients(values));
+  const ChebyshevNodes& nodes = chebyshev_nodes(Forms::Fibre::Kind::degree(pair.x.size() - 1) + 1);
+  return isolate_chebyshev_roots(nodes.coefficients(values_at_nodes(forms_of<Forms>(pair), nodes)));
 }
 
 }  // namespace
 
 std::optional<std::vector<RationalInterval>> turning_roots_in_balls(const IntegerPair& pair) {
-  return roots_in_balls<EliminantForms<BallArithmetic>>(pair);
+  return roots_in_balls<FormsOf<BallArithmetic, PolynomialKind>>(pair);
 }
 
 std::optional<std::vector<RationalInterval>> turning_roots_in_balls(const WeightedPair& pair) {
-  return roots_in_balls<WeightedEliminantForms<BallArithmetic>>(pair);
+  return by_kind(pair, [&]<class Kind>(Kind) { return roots_in_balls<FormsOf<BallArithmetic, Kind>>(pair); });
 }
 
 }  // namespace exsect

@@ -10,14 +10,15 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <vector>
 
 #include "curve/mahler_measure.h"
 
 // Floating point with proved errors. The coordinates are scaled by powers of two so that every integer
 // becomes a double of modulus at most 1 (relative error 2^-52, or underflow). Each quantity q below is a
-// fixed expression of sums, differences and products of these numbers and of u and u^2 on the unit circle
-// (relative error 2^-51); its majorant Q is the same expression with moduli for numbers and sums for
-// differences.
+// fixed expression of sums, differences and products of these numbers and of u, u^2 on the unit circle
+// (relative error 2^-51) or u^3 (2^-50, as two numbers); its majorant Q is the same expression with moduli
+// for numbers and sums for differences.
 //  - A sum has relative error 2^-53, a complex product less than 2^-51 (R. Brent, C. Percival, P. Zimmermann,
 //    Error bounds on complex floating-point multiplication, 2007). With at most 128 roundings on the way from
 //    a number to q and at most 24 numbers in a product, |computed q - q| <= ((1+2^-51)^152 - 1) Q < 2^-43 Q,
@@ -69,21 +70,22 @@ inline Majorant as(const Majorant&, double number) { return {std::abs(number)}; 
 /// The pair with each coordinate scaled by 2^-exponent.
 template <std::size_t coordinates>
 struct ScaledPair {
-  using Net = std::array<std::array<std::array<double, coordinates>, 3>, 3>;
+  using Net = std::vector<std::vector<std::array<double, coordinates>>>;
   Net x;
   Net y;
   std::array<long, coordinates> exponent;
 
   template <class Pair>
   explicit ScaledPair(const Pair& pair) {
+    for (const auto& row : pair.x) x.emplace_back(row.size());
+    for (const auto& row : pair.y) y.emplace_back(row.size());
     for (std::size_t k = 0; k < coordinates; ++k) {
       exponent[k] = std::numeric_limits<long>::min();
       const auto for_each = [&](const auto& function) {
-        for (std::size_t i = 0; i < 3; ++i)
-          for (std::size_t j = 0; j < 3; ++j) {
-            function(pair.x[i][j][k], x[i][j][k]);
-            function(pair.y[i][j][k], y[i][j][k]);
-          }
+        for (std::size_t i = 0; i < x.size(); ++i)
+          for (std::size_t j = 0; j < x[i].size(); ++j) function(pair.x[i][j][k], x[i][j][k]);
+        for (std::size_t i = 0; i < y.size(); ++i)
+          for (std::size_t j = 0; j < y[i].size(); ++j) function(pair.y[i][j][k], y[i][j][k]);
       };
       for_each([&](const Integer& a, double&) {
         if (a != 0) exponent[k] = std::max(exponent[k], scaled_double(a).exponent);

@@ -2,37 +2,23 @@
 // one source for all arithmetic, scalar and vector, and for patches with and without weights.
 #pragma once
 
-#include <cstddef>
+#include "eliminant/eliminant_kinds.h"
 
 namespace exsect {
 
-/// Of polynomial patches, by vectors in space: (4.8).
-struct PolynomialKind {
-  static constexpr std::size_t coordinates = 3;
-  static constexpr std::size_t s1_degree = 10;   // of S1 in u
-  static constexpr std::size_t lead_degree = 4;  // of g_r and g_s
-  static constexpr std::size_t degree = 128;     // of E, at most
-};
-/// Of patches with weights, by vectors in homogeneous coordinates: (16.9).
-struct WeightedKind {
-  static constexpr std::size_t coordinates = 4;
-  static constexpr std::size_t s1_degree = 14;
-  static constexpr std::size_t lead_degree = 16;  // of l_r and l_s
-  static constexpr std::size_t degree = 160;
-};
-
-/// At one u: R, its first subresultant S1, and g_r, g_s of (4.5) or l_r, l_s of (16.9).
+/// At one u: R, its first subresultant S1, and g_r, g_s of (4.5) or the leading coefficients l_r, l_s.
 template <class Field, class FibreKind>
 struct EliminantFibre {
   using Kind = FibreKind;
   using Residue = typename Field::Residue;
-  Residue r[17];
-  Residue s1[11];
+  Residue r[Kind::points + 1];
+  Residue s1[Kind::s1_points + 1];
   Residue lead_r;
   Residue lead_s;
 };
 
-/// Products of polynomials in s and the resultants of (4.8) and (16.9) in any arithmetic. Field gives
+/// Products of polynomials in s and the resultants of (4.8), (16.9) and (16.16) in any arithmetic. Field
+/// gives
 ///  - Residue, and Sum, a sum of at most 28 products: `Sum sum(a, b)` or `Sum sum`, `sum.add(a, b)`;
 ///  - reduce(Sum), and reduce_few(Sum) for at most three products;
 ///  - add(a, b), negate(a), multiply(a, b).
@@ -46,43 +32,47 @@ class FibreResultants {
   struct Vector {
     Residue c[Kind::coordinates];
   };
-  /// net[i][j]: the coefficient of the first parameter's power i times the second's power j.
+  /// c[i][j]: the coefficient of the first parameter's power i times the second's power j.
+  template <std::size_t first_degree, std::size_t second_degree>
   struct Net {
-    Vector c[3][3];
+    Vector c[first_degree + 1][second_degree + 1];
   };
+  using FirstNet = Net<Kind::u_degree, Kind::v_degree>;
+  using SecondNet = Net<Kind::r_degree, Kind::s_degree>;
+  using SmallNumbers = Residue[Kind::points + 1];
   struct Fraction {
     Residue numerator;
     Residue denominator;
   };
 
-  /// small[i] is the residue of i for i <= 16.
-  FibreResultants(const Field& field, const Net& x, const Net& y, const Residue (&small)[17])
+  /// small[i] is the residue of i.
+  FibreResultants(const Field& field, const FirstNet& x, const SecondNet& y, const SmallNumbers& small)
       : field_(field), x_(x), y_(y) {
-    for (std::size_t i = 0; i < 17; ++i) small_[i] = small[i];
+    for (std::size_t i = 0; i <= Kind::points; ++i) small_[i] = small[i];
   }
 
   const Field& field() const { return field_; }
 
-  /// E(u) from the fibre over u, by Euclid's algorithm without inverses (4.13). The denominator is zero where
+  /// E(u) from the fibre over u, by R' = S1 J at its points (4.6), (16.8), (16.15) and Euclid's algorithm
+  /// without inverses (4.13). The denominator is zero where
   /// g_s Res(R,S1), or l_s Res(R,S1), is zero, and also where a leading coefficient of the remainder
   /// sequences vanishes.
   Fraction value(Fibre f) const {
-    Residue derivative[16];
-    for (std::size_t i = 1; i < 17; ++i) derivative[i - 1] = field_.multiply(f.r[i], small_[i]);
+    Residue derivative[Kind::points];
+    for (std::size_t i = 1; i <= Kind::points; ++i) derivative[i - 1] = field_.multiply(f.r[i], small_[i]);
     const Fraction alignment = alignment_resultant(f.r, f.s1);
-    const Fraction discriminant = remainder_sequence(f.r, derivative, 15);
-    const Fraction lead = leading_factor(f);
+    const Fraction discriminant = remainder_sequence(f.r, derivative, Kind::points - 1);
+    const Fraction lead = leading_factor(f.lead_r, f.lead_s);
     return {
         field_.multiply(field_.multiply(lead.numerator, discriminant.numerator), alignment.denominator),
         field_.multiply(field_.multiply(lead.denominator, discriminant.denominator), alignment.numerator)};
   }
   /// What res(R,R') / res(R,S1) is multiplied by.
-  Fraction leading_factor(const Fibre& f) const {
-    const Residue r2 = square(f.lead_r);
+  Fraction leading_factor(const Residue& lead_r, const Residue& lead_s) const {
     if constexpr (Kind::coordinates == 3) {  // (4.8): g_r^6 g_s^-4
-      return {field_.multiply(r2, square(r2)), square(square(f.lead_s))};
-    } else {  // (16.9): l_r^4 l_s^-1
-      return {square(r2), f.lead_s};
+      return {power<6>(lead_r), power<4>(lead_s)};
+    } else {  // (16.9), (16.16)
+      return {power<Kind::lead_power>(lead_r), lead_s};
     }
   }
 
@@ -135,6 +125,17 @@ class FibreResultants {
     for (std::size_t k = 0; k < size; ++k) result[k] = field_.add(f[k], f[k]);
   }
   Residue square(const Residue& a) const { return field_.multiply(a, a); }
+  template <std::size_t exponent>
+  Residue power(const Residue& a) const {
+    if constexpr (exponent == 0) {
+      return small_[1];
+    } else if constexpr (exponent == 1) {
+      return a;
+    } else {
+      const Residue root = square(power<exponent / 2>(a));
+      return exponent % 2 == 0 ? root : field_.multiply(root, a);
+    }
+  }
 
   Residue dot(const Vector& a, const Vector& b) const {
     Sum sum(a.c[0], b.c[0]);
@@ -146,25 +147,29 @@ class FibreResultants {
     sum.add(field_.negate(a.c[j]), b.c[i]);
     return field_.reduce_few(sum);
   }
-  /// x(u,v) = a_0 + a_1 v + a_2 v^2.
-  void set_line(Vector (&a)[3], const Residue& u) const {
+  /// x(u,v) = a_0 + a_1 v + ..., of degree at most 3 in u.
+  void set_line(Vector (&a)[Kind::v_degree + 1], const Residue& u) const {
+    static_assert(Kind::u_degree == 2 || Kind::u_degree == 3);
     const Residue u_square = square(u);
-    for (std::size_t j = 0; j < 3; ++j)
+    const Residue u_last = Kind::u_degree == 2 ? u_square : field_.multiply(u_square, u);
+    for (std::size_t j = 0; j <= Kind::v_degree; ++j)
       for (std::size_t k = 0; k < Kind::coordinates; ++k) {
         Sum sum(x_.c[1][j].c[k], u);
-        sum.add(x_.c[2][j].c[k], u_square);
+        sum.add(x_.c[Kind::u_degree][j].c[k], u_last);
+        if constexpr (Kind::u_degree == 3) sum.add(x_.c[2][j].c[k], u_square);
         a[j].c[k] = field_.add(x_.c[0][j].c[k], field_.reduce_few(sum));
       }
   }
 
   Field field_;
-  Net x_;
-  Net y_;
-  Residue small_[17];
+  FirstNet x_;
+  SecondNet y_;
+  SmallNumbers small_;
 
  private:
   Fraction remainder_sequence(Residue* f, Residue* g, std::size_t n) const;
-  Fraction alignment_resultant(const Residue (&r)[17], Residue (&s1)[11]) const;
+  Fraction alignment_resultant(const Residue (&r)[Kind::points + 1],
+                               Residue (&s1)[Kind::s1_points + 1]) const;
 };
 
 /// res(f,g) of formal degrees n+1 and n as a fraction; overwrites both. One step (4.13):
@@ -202,36 +207,40 @@ typename FibreResultants<Field, Kind>::Fraction FibreResultants<Field, Kind>::re
   return {g[0], square(denominator)};
 }
 
-/// res(R, S1) as a fraction: R is reduced modulo S1 by pseudo-division, l = lc(S1), so that
-/// res(R, S1) = l^-63 res(S1, l^7 R mod S1). The quotient sum_t l^(6-t) e_t s^(6-t) has the coefficients
-/// e_t = l^t R_(16-t) - sum_(k<t) l^(t-1-k) e_k S1_(10-t+k), and l^7 R mod S1 is
-/// l^7 R - sum_k l^(6-k) e_k s^(6-k) S1 in degrees below 10.
+/// res(R, S1) as a fraction. For the degrees d of R and e of S1, l = lc(S1), t = d - e + 1 steps of
+/// pseudo-division leave l^t R mod S1, so that res(R, S1) = l^(-t (e-1)) res(S1, l^t R mod S1). The quotient
+/// sum_k l^(t-1-k) e_k s^(t-1-k) has the coefficients e_k = l^k R_(d-k) - sum_(j<k) l^(k-1-j) e_j S1_(e-k+j),
+/// and l^t R mod S1 is l^t R - sum_k l^(t-1-k) e_k s^(t-1-k) S1 in degrees below e. S1 = 1 if e = 0.
 template <class Field, class Kind>
 typename FibreResultants<Field, Kind>::Fraction FibreResultants<Field, Kind>::alignment_resultant(
-    const Residue (&r)[17], Residue (&s1)[11]) const {
-  const Residue l = s1[10];
-  Residue l_power = small_[1];  // l^t
-  Residue quotient[7];          // -l^(t-1-k) e_k for k < t
-  for (std::size_t t = 0; t < 7; ++t) {
-    Sum sum(l_power, r[16 - t]);
-    for (std::size_t k = 0; k < t; ++k) {
-      sum.add(quotient[k], s1[10 - t + k]);
-      quotient[k] = field_.multiply(quotient[k], l);
+    const Residue (&r)[Kind::points + 1], Residue (&s1)[Kind::s1_points + 1]) const {
+  if constexpr (Kind::s1_points == 0) {
+    return {small_[1], small_[1]};
+  } else {
+    constexpr std::size_t d = Kind::points, e = Kind::s1_points, steps = d - e + 1;
+    const Residue l = s1[e];
+    Residue l_power = small_[1];  // l^k
+    Residue quotient[steps];      // -l^(k-1-j) e_j for j < k
+    for (std::size_t k = 0; k < steps; ++k) {
+      Sum sum(l_power, r[d - k]);
+      for (std::size_t j = 0; j < k; ++j) {
+        sum.add(quotient[j], s1[e - k + j]);
+        quotient[j] = field_.multiply(quotient[j], l);
+      }
+      quotient[k] = field_.negate(field_.reduce(sum));
+      l_power = field_.multiply(l_power, l);
     }
-    quotient[t] = field_.negate(field_.reduce(sum));
-    l_power = field_.multiply(l_power, l);
+    Residue remainder[e];
+    for (std::size_t i = 0; i < e; ++i) {
+      Sum sum(l_power, r[i]);
+      for (std::size_t k = i < steps - 1 ? steps - 1 - i : 0; k < steps; ++k)
+        sum.add(quotient[k], s1[i + k - (steps - 1)]);
+      remainder[i] = field_.reduce(sum);
+    }
+    Fraction result = remainder_sequence(s1, remainder, e - 1);
+    result.denominator = field_.multiply(result.denominator, power<steps*(e - 1)>(l));
+    return result;
   }
-  Residue remainder[10];
-  for (std::size_t j = 0; j < 10; ++j) {
-    Sum sum(l_power, r[j]);
-    for (std::size_t k = j < 6 ? 6 - j : 0; k < 7; ++k) sum.add(quotient[k], s1[j + k - 6]);
-    remainder[j] = field_.reduce(sum);
-  }
-  Fraction result = remainder_sequence(s1, remainder, 9);
-  Residue power = l;  // l^63
-  for (int i = 0; i < 5; ++i) power = field_.multiply(square(power), l);
-  result.denominator = field_.multiply(result.denominator, power);
-  return result;
 }
 
 }  // namespace exsect

@@ -6,7 +6,7 @@
 namespace exsect {
 
 /// The fibres over first, first + 1, first + 2, ...: R, S1 and the leading coefficients are polynomials in u
-/// of degrees at most 16 (FibreKind), so that additions in their tables of differences are enough. Field as
+/// of the degrees of FibreKind, so that additions in their tables of differences are enough. Field as
 /// for FibreResultants, and add_unreduced(a, b) for sums of at most 16 residues, which reduced(a) makes
 /// residues again; multiply, Sum are not needed.
 template <class Field, class Kind>
@@ -15,11 +15,15 @@ class FibreTable {
   using Residue = typename Field::Residue;
   using Fibre = EliminantFibre<Field, Kind>;
 
+  /// What it is made from.
+  static constexpr std::size_t size =
+      (Kind::fibre_degree > Kind::lead_degree ? Kind::fibre_degree : Kind::lead_degree) + 1;
+
   /// fibres[i] is the one over first + i.
-  FibreTable(const Field& field, const Fibre (&fibres)[17]) : field_(field) {
-    for (std::size_t k = 0; k < 17; ++k) {
-      for (std::size_t i = 0; i < 17; ++i) r_[i][k] = fibres[k].r[i];
-      for (std::size_t i = 0; i < 11 && k <= Kind::s1_degree; ++i) s1_[i][k] = fibres[k].s1[i];
+  FibreTable(const Field& field, const Fibre (&fibres)[size]) : field_(field) {
+    for (std::size_t k = 0; k < size; ++k) {
+      for (std::size_t i = 0; i <= Kind::points && k <= Kind::fibre_degree; ++i) r_[i][k] = fibres[k].r[i];
+      for (std::size_t i = 0; i <= Kind::s1_points && k <= Kind::s1_degree; ++i) s1_[i][k] = fibres[k].s1[i];
       if (k <= Kind::lead_degree) {
         lead_r_[k] = fibres[k].lead_r;
         lead_s_[k] = fibres[k].lead_s;
@@ -34,11 +38,11 @@ class FibreTable {
   /// The next four.
   void next(Fibre (&fibres)[4]) {
     Residue values[4];
-    for (std::size_t i = 0; i < 17; ++i) {
+    for (std::size_t i = 0; i <= Kind::points; ++i) {
       advance(r_[i], values);
       for (std::size_t k = 0; k < 4; ++k) fibres[k].r[i] = values[k];
     }
-    for (std::size_t i = 0; i < 11; ++i) {
+    for (std::size_t i = 0; i <= Kind::s1_points; ++i) {
       advance(s1_[i], values);
       for (std::size_t k = 0; k < 4; ++k) fibres[k].s1[i] = values[k];
     }
@@ -61,7 +65,7 @@ class FibreTable {
   void advance(Residue (&row)[n], Residue (&values)[4]) const {
     Residue after[4];  // the next difference before each of the four steps
     for (Residue& difference : after) difference = row[n - 1];
-    Residue now[4];
+    Residue now[4] = {row[0], row[0], row[0], row[0]};
     for (std::size_t i = n - 1; i-- > 0;) {
       Residue sum = row[i];
       for (std::size_t k = 0; k < 4; ++k) {
@@ -75,8 +79,8 @@ class FibreTable {
   }
 
   Field field_;
-  Residue r_[17][17];
-  Residue s1_[11][Kind::s1_degree + 1];
+  Residue r_[Kind::points + 1][Kind::fibre_degree + 1];
+  Residue s1_[Kind::s1_points + 1][Kind::s1_degree + 1];
   Residue lead_r_[Kind::lead_degree + 1];
   Residue lead_s_[Kind::lead_degree + 1];
 };

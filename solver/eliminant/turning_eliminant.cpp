@@ -43,7 +43,7 @@ std::size_t estimated_bits(const IntegerPair& pair) {
 ModularIntegers modular_eliminant(const IntegerPair& pair) {
   const std::size_t bits = eliminant_height_bound(pair);
   if (auto by_vectors = vector_eliminant(pair, bits)) return std::move(*by_vectors);
-  return interpolate_modular_polynomial(PolynomialKind::degree, bits,
+  return interpolate_modular_polynomial(PolynomialKind::degree(2), bits,
                                         [&pair](const PrimeField& field, Residue first, std::size_t count) {
                                           return ModularEliminant(field, pair).values(first, count);
                                         });

@@ -15,12 +15,12 @@ class EliminantForms : public FibreResultants<Field, PolynomialKind> {
 
  public:
   using typename Base::Fibre;
-  using typename Base::Net;
   using typename Base::Residue;
   using typename Base::Sum;
   using typename Base::Vector;
 
-  EliminantForms(const Field& field, const Net& x, const Net& y, const Residue (&small)[17])
+  EliminantForms(const Field& field, const typename Base::FirstNet& x, const typename Base::SecondNet& y,
+                 const typename Base::SmallNumbers& small)
       : Base(field, x, y, small) {
     cross_coefficients(y_cross_[0], 0, 1);
     cross_coefficients(y_cross_[1], 0, 2);

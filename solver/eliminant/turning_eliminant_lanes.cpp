@@ -5,9 +5,8 @@
 #ifdef __x86_64__
 
 #include "eliminant/fibre_table.h"
+#include "eliminant/forms_of_kind.h"
 #include "eliminant/residue_lanes.h"
-#include "eliminant/turning_eliminant_forms.h"
-#include "eliminant/weighted_eliminant_forms.h"
 
 namespace exsect {
 
@@ -15,8 +14,6 @@ namespace {
 
 using lanes::Lane;
 using lanes::Primes;
-using PolynomialForms = EliminantForms<lanes::TwoLaneArithmetic>;
-using WeightedForms = WeightedEliminantForms<lanes::TwoLaneArithmetic>;
 
 Primes prime_lanes(const double (&p)[4]) {
   const Lane primes = _mm256_loadu_pd(p);
@@ -25,11 +22,11 @@ Primes prime_lanes(const double (&p)[4]) {
 
 lanes::TwoLanes twice(Lane a) { return {a, a}; }
 
-template <class Forms, std::size_t coordinates>
-typename Forms::Net loaded(const double (&net)[3][3][coordinates][4]) {
-  typename Forms::Net result;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
+template <class Net, std::size_t rows, std::size_t columns, std::size_t coordinates>
+Net loaded(const double (&net)[rows][columns][coordinates][4]) {
+  Net result;
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t j = 0; j < columns; ++j)
       for (std::size_t k = 0; k < coordinates; ++k)
         result.c[i][j].c[k] = twice(_mm256_loadu_pd(net[i][j][k]));
   return result;
@@ -141,8 +138,8 @@ using LaneFibre = EliminantFibre<lanes::LaneArithmetic, Kind>;
 template <class Kind>
 void split(const EliminantFibre<lanes::TwoLaneArithmetic, Kind>& fibre, LaneFibre<Kind>& a,
            LaneFibre<Kind>& b) {
-  for (std::size_t i = 0; i < 17; ++i) a.r[i] = fibre.r[i].a, b.r[i] = fibre.r[i].b;
-  for (std::size_t i = 0; i < 11; ++i) a.s1[i] = fibre.s1[i].a, b.s1[i] = fibre.s1[i].b;
+  for (std::size_t i = 0; i <= Kind::points; ++i) a.r[i] = fibre.r[i].a, b.r[i] = fibre.r[i].b;
+  for (std::size_t i = 0; i <= Kind::s1_points; ++i) a.s1[i] = fibre.s1[i].a, b.s1[i] = fibre.s1[i].b;
   a.lead_r = fibre.lead_r.a, b.lead_r = fibre.lead_r.b;
   a.lead_s = fibre.lead_s.a, b.lead_s = fibre.lead_s.b;
 }
@@ -150,8 +147,8 @@ void split(const EliminantFibre<lanes::TwoLaneArithmetic, Kind>& fibre, LaneFibr
 template <class Kind>
 EliminantFibre<lanes::TwoLaneArithmetic, Kind> joined(const LaneFibre<Kind>& a, const LaneFibre<Kind>& b) {
   EliminantFibre<lanes::TwoLaneArithmetic, Kind> fibre;
-  for (std::size_t i = 0; i < 17; ++i) fibre.r[i] = {a.r[i], b.r[i]};
-  for (std::size_t i = 0; i < 11; ++i) fibre.s1[i] = {a.s1[i], b.s1[i]};
+  for (std::size_t i = 0; i <= Kind::points; ++i) fibre.r[i] = {a.r[i], b.r[i]};
+  for (std::size_t i = 0; i <= Kind::s1_points; ++i) fibre.s1[i] = {a.s1[i], b.s1[i]};
   fibre.lead_r = {a.lead_r, b.lead_r};
   fibre.lead_s = {a.lead_s, b.lead_s};
   return fibre;
@@ -161,23 +158,27 @@ template <class Forms>
 FibreTable<lanes::LaneArithmetic, typename Forms::Fibre::Kind> fibre_table(const Primes& f,
                                                                            const Forms& forms,
                                                                            lanes::TwoLanes u) {
-  LaneFibre<typename Forms::Fibre::Kind> fibres[17];
-  LaneFibre<typename Forms::Fibre::Kind> spare;
+  using Kind = typename Forms::Fibre::Kind;
+  constexpr std::size_t size = FibreTable<lanes::LaneArithmetic, Kind>::size;
+  LaneFibre<Kind> fibres[size];
+  LaneFibre<Kind> spare;
   const Lane two = _mm256_set1_pd(2);
-  for (std::size_t k = 0; k < 17; k += 2) {
-    split(forms.fibre(u), fibres[k], k == 16 ? spare : fibres[k + 1]);
+  for (std::size_t k = 0; k < size; k += 2) {
+    split(forms.fibre(u), fibres[k], k + 1 == size ? spare : fibres[k + 1]);
     u = {lanes::add(f, u.a, two), lanes::add(f, u.b, two)};
   }
   return {lanes::LaneArithmetic(f), fibres};
 }
 
 /// Numerators and denominators of E(first + i), i < points.
-template <class Forms, std::size_t coordinates>
-void fractions(const LanePairOf<coordinates>& pair, const Primes& f, Lane first, std::size_t points,
-               Lane* numerators, Lane* denominators) {
-  lanes::TwoLanes small[17];
-  for (std::size_t i = 0; i < 17; ++i) small[i] = twice(_mm256_set1_pd(static_cast<double>(i)));
-  const Forms forms(lanes::TwoLaneArithmetic(f), loaded<Forms>(pair.x), loaded<Forms>(pair.y), small);
+template <class Forms>
+void fractions(const LanePair<typename Forms::Fibre::Kind>& pair, const Primes& f, Lane first,
+               std::size_t points, Lane* numerators, Lane* denominators) {
+  typename Forms::SmallNumbers small;
+  for (std::size_t i = 0; i <= Forms::Fibre::Kind::points; ++i)
+    small[i] = twice(_mm256_set1_pd(static_cast<double>(i)));
+  const Forms forms(lanes::TwoLaneArithmetic(f), loaded<typename Forms::FirstNet>(pair.x),
+                    loaded<typename Forms::SecondNet>(pair.y), small);
   auto table = fibre_table(f, forms, {first, lanes::add(f, first, small[1].a)});
   for (std::size_t i = 0; i < points; i += 4) {
     LaneFibre<typename Forms::Fibre::Kind> fibres[4];
@@ -193,9 +194,9 @@ void fractions(const LanePairOf<coordinates>& pair, const Primes& f, Lane first,
   }
 }
 
-template <class Forms, std::size_t coordinates>
-void coefficients_in_lanes(const LanePairOf<coordinates>& pair, const double (&first)[4], std::size_t points,
-                           double (*coefficients)[4], bool (&defined)[4]) {
+template <class Forms>
+void coefficients_in_lanes(const LanePair<typename Forms::Fibre::Kind>& pair, const double (&first)[4],
+                           std::size_t points, double (*coefficients)[4], bool (&defined)[4]) {
   const Primes f = prime_lanes(pair.primes);
   const Lane first_node = _mm256_loadu_pd(first);
   Lane values[max_lane_points];
@@ -224,15 +225,18 @@ void coefficients_in_lanes(const LanePairOf<coordinates>& pair, const double (&f
 
 }  // namespace
 
-void eliminant_in_lanes(const LanePair& pair, const double (&first)[4], std::size_t points,
+template <class Kind>
+void eliminant_in_lanes(const LanePair<Kind>& pair, const double (&first)[4], std::size_t points,
                         double (*coefficients)[4], bool (&defined)[4]) {
-  coefficients_in_lanes<PolynomialForms>(pair, first, points, coefficients, defined);
+  coefficients_in_lanes<FormsOf<lanes::TwoLaneArithmetic, Kind>>(pair, first, points, coefficients, defined);
 }
 
-void eliminant_in_lanes(const WeightedLanePair& pair, const double (&first)[4], std::size_t points,
-                        double (*coefficients)[4], bool (&defined)[4]) {
-  coefficients_in_lanes<WeightedForms>(pair, first, points, coefficients, defined);
-}
+#define EXSECT_INSTANTIATE(KIND)                                                                         \
+  template void eliminant_in_lanes(const LanePair<KIND>&, const double(&)[4], std::size_t, double(*)[4], \
+                                   bool(&)[4]);
+EXSECT_INSTANTIATE(PolynomialKind)
+EXSECT_WEIGHTED_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 void interpolate_in_lanes(const double (&primes)[4], const double (&first)[4], std::size_t points,
                           double (*values)[4]) {

@@ -1,5 +1,6 @@
 #include "eliminant/turning_eliminant_modular.h"
 
+#include <iterator>
 #include <vector>
 
 #include "eliminant/fibre_table.h"
@@ -10,20 +11,23 @@ static_assert(PrimeField::max_products >= 28, "what FibreResultants asks of a su
 
 namespace {
 
-template <class Forms, class Net>
-typename Forms::Net reduced(const PrimeField& field, const Net& net) {
-  typename Forms::Net result;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < net[i][j].size(); ++k) result.c[i][j].c[k] = field.residue(net[i][j][k]);
+/// Zeros where the net has lower degrees.
+template <class Net, class Integers>
+Net reduced(const PrimeField& field, const Integers& integers) {
+  Net result = {};
+  for (std::size_t i = 0; i < integers.size(); ++i)
+    for (std::size_t j = 0; j < integers[i].size(); ++j)
+      for (std::size_t k = 0; k < integers[i][j].size(); ++k)
+        result.c[i][j].c[k] = field.residue(integers[i][j][k]);
   return result;
 }
 
 template <class Forms, class Pair>
 Forms forms_modulo(const PrimeField& field, const Pair& pair) {
-  Residue small[17];
-  for (std::size_t i = 0; i < 17; ++i) small[i] = field.residue(static_cast<std::int64_t>(i));
-  return Forms(ScalarArithmetic(field), reduced<Forms>(field, pair.x), reduced<Forms>(field, pair.y), small);
+  typename Forms::SmallNumbers small;
+  for (std::size_t i = 0; i < std::size(small); ++i) small[i] = field.residue(static_cast<std::int64_t>(i));
+  return Forms(ScalarArithmetic(field), reduced<typename Forms::FirstNet>(field, pair.x),
+               reduced<typename Forms::SecondNet>(field, pair.y), small);
 }
 
 }  // namespace
@@ -36,12 +40,13 @@ ModularEliminantOf<Forms>::ModularEliminantOf(const PrimeField& field, const Pai
 template <class Forms>
 std::vector<ResidueFraction> ModularEliminantOf<Forms>::fast_values(Residue first, std::size_t count) const {
   using Fibre = typename Forms::Fibre;
-  Fibre fibres[17];
+  using Table = FibreTable<ScalarArithmetic, typename Fibre::Kind>;
+  Fibre fibres[Table::size];
   for (Fibre& fibre : fibres) {
     fibre = forms_.fibre(first);
     first = forms_.field().add(first, forms_.field().prime_field().one());
   }
-  FibreTable<ScalarArithmetic, typename Fibre::Kind> table(forms_.field(), fibres);
+  Table table(forms_.field(), fibres);
   std::vector<ResidueFraction> values;
   values.reserve(count);
   while (values.size() < count) {
@@ -64,7 +69,7 @@ ResidueFraction ModularEliminantOf<Forms>::value(Residue u) const {
   std::vector<Residue> derivative;
   for (std::size_t i = 1; i < r.size(); ++i)
     derivative.push_back(field.multiply(r[i], field.residue(static_cast<std::int64_t>(i))));
-  const typename Forms::Fraction lead = forms_.leading_factor(f);
+  const typename Forms::Fraction lead = forms_.leading_factor(f.lead_r, f.lead_s);
   return {field.multiply(lead.numerator, resultant(field, r, derivative)),
           field.multiply(lead.denominator, resultant(field, r, s1))};
 }
@@ -81,7 +86,11 @@ std::vector<ResidueFraction> ModularEliminantOf<Forms>::values(Residue first, st
 
 template class ModularEliminantOf<EliminantForms<ScalarArithmetic>>;
 template ModularEliminant::ModularEliminantOf(const PrimeField&, const IntegerPair&);
-template class ModularEliminantOf<WeightedEliminantForms<ScalarArithmetic>>;
-template WeightedModularEliminant::ModularEliminantOf(const PrimeField&, const WeightedPair&);
+#define EXSECT_INSTANTIATE(KIND)                                                                      \
+  template class ModularEliminantOf<FormsOf<ScalarArithmetic, KIND>>;                                 \
+  template ModularEliminantOf<FormsOf<ScalarArithmetic, KIND>>::ModularEliminantOf(const PrimeField&, \
+                                                                                   const WeightedPair&);
+EXSECT_WEIGHTED_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 
 }  // namespace exsect

@@ -6,8 +6,8 @@
 
 #include <vector>
 
+#include "eliminant/forms_of_kind.h"
 #include "eliminant/turning_eliminant_forms.h"
-#include "eliminant/weighted_eliminant_forms.h"
 #include "eliminant/weighted_pair.h"
 
 namespace exsect {
@@ -42,7 +42,7 @@ class ScalarArithmetic {
   PrimeField field_;
 };
 
-/// Values of E(u) (docs/method.md, equations (4.8) and (16.9)) of a pair reduced modulo a prime.
+/// Values of E(u) (docs/method.md, equations (4.8), (16.9) and (16.16)) of a pair reduced modulo a prime.
 template <class Forms>
 class ModularEliminantOf {
  public:
@@ -64,7 +64,8 @@ class ModularEliminantOf {
 /// Of an IntegerPair.
 using ModularEliminant = ModularEliminantOf<EliminantForms<ScalarArithmetic>>;
 /// Of a WeightedPair.
-using WeightedModularEliminant = ModularEliminantOf<WeightedEliminantForms<ScalarArithmetic>>;
+template <class Kind>
+using WeightedModularEliminant = ModularEliminantOf<FormsOf<ScalarArithmetic, Kind>>;
 
 /// True if E is defined and not zero: l_r l_s Res(R,R') Res(R,S1) is not the zero polynomial. A value that is
 /// defined and not zero at one u modulo one prime proves it; false may be a coincidence at both primes.

@@ -49,7 +49,7 @@ namespace {
 
 /// Points beyond the degree of E plus 1 for the first primes, which check the degree.
 constexpr std::size_t spare_points = 9;
-static_assert(WeightedKind::degree + 1 + spare_points <= max_lane_points);
+static_assert(Ruled33::degree(3) + 1 + spare_points <= max_lane_points);
 /// The nodes are consecutive and start here, far from zero: at small integers structured input often makes an
 /// expression undefined for every prime.
 constexpr std::uint64_t first_node = 0x2f61c3e8d9a75b4;
@@ -69,11 +69,12 @@ double balanced(const Integer& a, std::uint64_t p) {
   return balanced(static_cast<std::uint64_t>(remainder < 0 ? remainder + q : remainder), p);
 }
 
-template <std::size_t coordinates, class Net>
-void set_net(double (&lanes)[3][3][coordinates][4], const Net& net, const LaneRow& primes) {
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < coordinates; ++k)
+/// `lanes` has zeros beyond the degrees of the net.
+template <class Lanes, class Net>
+void set_net(Lanes& lanes, const Net& net, const LaneRow& primes) {
+  for (std::size_t i = 0; i < net.size(); ++i)
+    for (std::size_t j = 0; j < net[i].size(); ++j)
+      for (std::size_t k = 0; k < net[i][j].size(); ++k)
         for (std::size_t lane = 0; lane < 4; ++lane)
           lanes[i][j][k][lane] = balanced(net[i][j][k], primes[lane]);
 }
@@ -82,12 +83,12 @@ void set_net(double (&lanes)[3][3][coordinates][4], const Net& net, const LaneRo
 template <class Kind, class Pair>
 class LaneResidues {
  public:
-  explicit LaneResidues(const Pair& pair) : pair_(pair) {}
+  explicit LaneResidues(const Pair& pair) : pair_(pair), degree_(Kind::degree(pair.x.size() - 1)) {}
 
   /// Four more primes; false if E is undefined at some node modulo all four.
   bool add_primes(const LaneRow& primes) {
-    const std::size_t points = Kind::degree + 1 + (residues_.primes.empty() ? spare_points : 0);
-    LanePairOf<Kind::coordinates> lanes;
+    const std::size_t points = degree_ + 1 + (residues_.primes.empty() ? spare_points : 0);
+    LanePair<Kind> lanes = {};
     double first[4];
     for (std::size_t lane = 0; lane < 4; ++lane) {
       lanes.primes[lane] = static_cast<double>(primes[lane]);
@@ -115,9 +116,9 @@ class LaneResidues {
     std::vector<std::uint64_t> row;
     for (std::size_t i = 0; i < points; ++i) {
       const auto c = static_cast<std::int64_t>(coefficients[i][lane]);
-      if (i > Kind::degree && c != 0)
+      if (i > degree_ && c != 0)
         throw ProofFailure(whole_domain(), "the values of the turning eliminant exceed its degree");
-      if (i <= Kind::degree)
+      if (i <= degree_)
         row.push_back(c < 0 ? p - static_cast<std::uint64_t>(-c) : static_cast<std::uint64_t>(c));
     }
     residues_.primes.push_back(p);
@@ -126,6 +127,7 @@ class LaneResidues {
   }
 
   const Pair& pair_;
+  const std::size_t degree_;
   ModularIntegers residues_;
   Integer product_ = 1;
 };
@@ -151,7 +153,7 @@ std::optional<ModularIntegers> vector_eliminant(const IntegerPair& pair, std::si
 }
 
 std::optional<ModularIntegers> vector_eliminant(const WeightedPair& pair, std::size_t bits) {
-  return eliminant_modulo_primes<WeightedKind>(pair, bits);
+  return by_kind(pair, [&]<class Kind>(Kind) { return eliminant_modulo_primes<Kind>(pair, bits); });
 }
 
 #else

@@ -25,11 +25,12 @@ class LanePrimes {
   std::uint64_t last_ = std::uint64_t{1} << 48;
 };
 
-/// The coefficients, constant term first, of E(u) of the pair, given that its degree is at most 128, with
-/// weights 160, and its coefficients are less than 2^bits in modulus: as interpolate_modular_polynomial, a
-/// proof included. Nothing if has_vector_eliminant() is false, or if E(u) at some node is undefined modulo
-/// four successive primes: then a leading coefficient of a remainder sequence vanishes over the integers as
-/// well. Throws ProofFailure if the values do not belong to a polynomial of that degree.
+/// The coefficients, constant term first, of E(u) of the pair, given that its degree is at most that of
+/// the kind of the pair, and its coefficients are less than 2^bits in modulus: as
+/// interpolate_modular_polynomial, a proof included. Nothing if has_vector_eliminant() is false, or if E(u)
+/// at some node is undefined modulo four successive primes: then a leading coefficient of a remainder
+/// sequence vanishes over the integers as well. Throws ProofFailure if the values do not belong to a
+/// polynomial of that degree.
 std::optional<ModularIntegers> vector_eliminant(const IntegerPair& pair, std::size_t bits);
 std::optional<ModularIntegers> vector_eliminant(const WeightedPair& pair, std::size_t bits);
 

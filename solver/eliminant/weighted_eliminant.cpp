@@ -5,6 +5,8 @@
 #include <exsect/algebra/nearest_rounding.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
 
 #include "eliminant/ball_eliminant.h"
 #include "eliminant/special_eliminant.h"
@@ -21,44 +23,71 @@ namespace {
 constexpr std::size_t kMostBits = std::size_t{1} << 19;
 constexpr std::size_t kLeadingBits = 1024;
 
-/// E is of degree 48 in each coordinate.
-bool is_too_long(const WeightedPair& pair) {
+bool is_too_long(const WeightedPair& pair, std::size_t coordinate_degree) {
   std::size_t bits = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     Integer largest = 1;
     for (const WeightedPair::Net* net : {&pair.x, &pair.y})
       for (const auto& row : *net)
         for (const WeightedPair::Vector& c : row) largest = std::max(largest, Integer(abs(c[k])));
-    bits += std::size_t{48} * (msb(largest) + 1);
+    bits += coordinate_degree * (msb(largest) + 1);
   }
   return bits > kMostBits;
 }
 
 /// Empty where E is not defined.
 std::optional<ModularIntegers> modulo_primes(const WeightedPair& pair) {
-  if (is_too_long(pair) || !is_generic<WeightedModularEliminant>(pair)) return std::nullopt;
-  const std::size_t bits = eliminant_height_bound(pair);
-  if (auto by_vectors = vector_eliminant(pair, bits)) return by_vectors;
-  return interpolate_modular_polynomial(WeightedKind::degree, bits,
-                                        [&](const PrimeField& field, Residue first, std::size_t count) {
-                                          return WeightedModularEliminant(field, pair).values(first, count);
-                                        });
+  return by_kind(pair, [&]<class Kind>(Kind) -> std::optional<ModularIntegers> {
+    using Eliminant = WeightedModularEliminant<Kind>;
+    if (is_too_long(pair, Kind::coordinate_degree) || !is_generic<Eliminant>(pair)) return std::nullopt;
+    const std::size_t bits = eliminant_height_bound(pair);
+    if (auto by_vectors = vector_eliminant(pair, bits)) return by_vectors;
+    return interpolate_modular_polynomial(Kind::degree(pair.x.size() - 1), bits,
+                                          [&](const PrimeField& field, Residue first, std::size_t count) {
+                                            return Eliminant(field, pair).values(first, count);
+                                          });
+  });
+}
+
+/// The pair with its parameters exchanged so that the sweep is along u, of a Kind.
+WeightedPair swept_pair(const RationalPatch& x, const RationalPatch& y, Parameter sweep) {
+  const bool of_x = sweep == Parameter::u || sweep == Parameter::v;
+  const bool second = sweep == Parameter::v || sweep == Parameter::s;
+  const RationalPatch& swept = (of_x ? x : y).reduced();
+  const RationalPatch& other = (of_x ? y : x).reduced();
+  return weighted_pair(second ? swept.transposed() : swept,
+                       other.degree_u() > other.degree_v() ? other.transposed() : other);
 }
 
 }  // namespace
 
-std::optional<Polynomial> weighted_eliminant(const RationalPatch& x, const RationalPatch& y) {
+std::vector<Parameter> eliminant_sweeps(const RationalPatch& x, const RationalPatch& y) {
+  const RationalPatch& first = x.reduced();
+  const RationalPatch& second = y.reduced();
+  const std::array<int, 4> degrees = {first.degree_u(), first.degree_v(), second.degree_u(),
+                                      second.degree_v()};
+  const bool all_conics = std::ranges::all_of(degrees, [](int degree) { return degree == 2; });
+  std::vector<Parameter> sweeps;
+  for (const Parameter p : all_parameters)
+    if (all_conics || degrees[index(p) ^ 1] == 1) sweeps.push_back(p);
+  // (16.17) is greater where the swept parameter is of lower degree, the product of all four being the same.
+  std::ranges::stable_sort(sweeps, std::greater(), [&](Parameter p) { return degrees[index(p)]; });
+  return sweeps;
+}
+
+std::optional<Polynomial> weighted_eliminant(const RationalPatch& x, const RationalPatch& y,
+                                             Parameter sweep) {
   return in_nearest_rounding([&]() -> std::optional<Polynomial> {
-    const auto residues = modulo_primes(weighted_pair(x, y));
+    const auto residues = modulo_primes(swept_pair(x, y, sweep));
     if (!residues) return std::nullopt;
     return primitive_with_positive_lead(polynomial_of(chinese_remainder(*residues)));
   });
 }
 
 std::optional<std::vector<RationalInterval>> weighted_turning_roots(const RationalPatch& x,
-                                                                    const RationalPatch& y) {
+                                                                    const RationalPatch& y, Parameter sweep) {
   return in_nearest_rounding([&]() -> std::optional<std::vector<RationalInterval>> {
-    const WeightedPair pair = weighted_pair(x, y);
+    const WeightedPair pair = swept_pair(x, y, sweep);
     if (auto roots = turning_roots_in_balls(pair)) return roots;
     const auto residues = modulo_primes(pair);
     if (!residues) return std::nullopt;

@@ -1,38 +1,40 @@
 // The polynomials R and S1 of the fibre of patches with weights at one u, for any arithmetic.
 #pragma once
 
-#include "eliminant/fibre_resultants.h"
+#include "eliminant/homogeneous_forms.h"
 
 namespace exsect {
 
-/// The equations (16.4) to (16.7) of docs/method.md at single values of u; no vector c of (16.3) is needed.
+/// The equations (16.4) to (16.7) of docs/method-equations.md at single values of u; no vector c of (16.3) is
+/// needed.
 template <class Field>
-class WeightedEliminantForms : public FibreResultants<Field, WeightedKind> {
-  using Base = FibreResultants<Field, WeightedKind>;
+class WeightedEliminantForms : public HomogeneousForms<Field, WeightedKind> {
+  using Base = HomogeneousForms<Field, WeightedKind>;
   using Base::field_;
   using Base::y_;
 
  public:
   using typename Base::Fibre;
-  using typename Base::Net;
   using typename Base::Residue;
   using typename Base::Sum;
   using typename Base::Vector;
 
-  WeightedEliminantForms(const Field& field, const Net& x, const Net& y, const Residue (&small)[17])
+  WeightedEliminantForms(const Field& field, const typename Base::FirstNet& x,
+                         const typename Base::SecondNet& y, const typename Base::SmallNumbers& small)
       : Base(field, x, y, small) {
     constexpr std::size_t pairs[3][2] = {{0, 2}, {1, 2}, {0, 1}};
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [a, b] = pairs[i];
-      set_wedge(y_wedge_[i], y_.c[a], y_.c[b]);
-      lead_wedge_[i][0] = wedge(y_.c[2][a], y_.c[2][b]);
+      this->set_wedge(y_wedge_[i], y_.c[a], y_.c[b]);
+      lead_wedge_[i][0] = this->wedge(y_.c[2][a], y_.c[2][b]);
     }
   }
 
   Fibre fibre(const Residue& u) const {
     Vector a[3];
     this->set_line(a, u);
-    const Bivector p[3] = {wedge(a[1], a[2]), negated(wedge(a[0], a[2])), wedge(a[0], a[1])};
+    const Bivector p[3] = {this->wedge(a[1], a[2]), this->negated(this->wedge(a[0], a[2])),
+                           this->wedge(a[0], a[1])};
     const Vector plane = covector(p[2], a[2]);
     Residue pa[3], pb[3];  // A and B of (16.4)
     for (std::size_t d = 0; d < 3; ++d) {
@@ -51,42 +53,11 @@ class WeightedEliminantForms : public FibreResultants<Field, WeightedKind> {
   }
 
  private:
-  /// The minors of indices 01, 02, 03, 12, 13, 23.
-  struct Bivector {
-    Residue c[6];
-  };
-  Bivector wedge(const Vector& a, const Vector& b) const {
-    return {{this->minor(a, b, 0, 1), this->minor(a, b, 0, 2), this->minor(a, b, 0, 3),
-             this->minor(a, b, 1, 2), this->minor(a, b, 1, 3), this->minor(a, b, 2, 3)}};
-  }
-  Bivector negated(const Bivector& p) const {
-    Bivector result;
-    for (std::size_t k = 0; k < 6; ++k) result.c[k] = field_.negate(p.c[k]);
-    return result;
-  }
-  /// f ^ g for vectors of polynomials of degree 2 in s.
-  void set_wedge(Bivector (&result)[5], const Vector (&f)[3], const Vector (&g)[3]) const {
-    for (std::size_t d = 0; d < 3; ++d)
-      for (std::size_t e = 0; e < 3; ++e) {
-        const Bivector term = wedge(f[d], g[e]);
-        const bool first = d == 0 || e == 2;  // of the terms of degree d + e
-        for (std::size_t k = 0; k < 6; ++k)
-          result[d + e].c[k] = first ? term.c[k] : field_.add(result[d + e].c[k], term.c[k]);
-      }
-  }
-  /// p.q, the determinant of the four vectors.
-  Residue pairing(const Bivector& p, const Bivector& minus_p, const Bivector& q) const {
-    Sum sum(p.c[0], q.c[5]);
-    sum.add(minus_p.c[1], q.c[4]);
-    sum.add(p.c[2], q.c[3]);
-    sum.add(p.c[3], q.c[2]);
-    sum.add(minus_p.c[4], q.c[1]);
-    sum.add(p.c[5], q.c[0]);
-    return field_.reduce(sum);
-  }
+  using typename Base::Bivector;
+
   /// The covector q -> p.(a ^ q).
   Vector covector(const Bivector& p, const Vector& a) const {
-    const Bivector m = negated(p);
+    const Bivector m = this->negated(p);
     const auto sum = [&](const Residue& f, std::size_t i, const Residue& g, std::size_t j, const Residue& h,
                          std::size_t k) {
       Sum result(f, a.c[i]);

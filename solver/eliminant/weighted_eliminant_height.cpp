@@ -7,16 +7,18 @@
 #include <vector>
 
 #include "eliminant/circle_means.h"
-#include "eliminant/weighted_eliminant_forms.h"
+#include "eliminant/forms_of_kind.h"
 
 namespace exsect {
 
 namespace {
 
-/// Complex or Majorant as the arithmetic of WeightedEliminantForms. On the way from a number to a coefficient
-/// of R are at most 126 roundings: 3 in a_j, 2 in a_i ^ a_j, 4 in y_i ^ y_j, 6 in a pairing, so 18 for it;
-/// then 17 in pol, 19 and 1 in R, which is of degree 4 in the pairings. Products have 8 numbers of x, with u
-/// or u^2 at each, and 8 of y; majorants are below 2^51: what circle_means.h asks for.
+/// Complex or Majorant as the arithmetic of FibreResultants. On the way from a number to a coefficient of R
+/// of WeightedEliminantForms are at most 126 roundings: 3 in a_j, 2 in a_i ^ a_j, 4 in y_i ^ y_j, 6 in a
+/// pairing, so 18 for it; then 17 in pol, 19 and 1 in R, which is of degree 4 in the pairings. Products have
+/// 8 numbers of x, with u or u^2 at each, and 8 of y; majorants are below 2^51: what circle_means.h asks for.
+/// With straight lines they are 22 in each of three factors, 4 in a_j, 2 in a_0 ^ a_1, 5 in y_i ^ y_j, 7 in
+/// b_pq, then 14 in a minor, 21 in R; products have 6 numbers of x and 6 of y, majorants are below 2^44.
 template <class T>
 struct CircleArithmetic {
   using Residue = T;
@@ -33,20 +35,35 @@ struct CircleArithmetic {
   static T multiply(const T& a, const T& b) { return a * b; }
 };
 
-/// R over u, in powers of s, or of r.
-template <class T>
-std::vector<T> resultant_at(const ScaledPair<4>& pair, const T& u, bool in_r) {
-  using Forms = WeightedEliminantForms<CircleArithmetic<T>>;
-  typename Forms::Net x, y;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
+template <class Net, class T>
+Net numbers(const ScaledPair<4>::Net& net, const T& u, bool exchanged) {
+  Net result = {};
+  for (std::size_t i = 0; i < net.size(); ++i)
+    for (std::size_t j = 0; j < net[i].size(); ++j)
       for (std::size_t k = 0; k < 4; ++k) {
-        x.c[i][j].c[k] = as(u, pair.x[i][j][k]);
-        y.c[i][j].c[k] = as(u, in_r ? pair.y[j][i][k] : pair.y[i][j][k]);
+        auto& c = exchanged ? result.c[j][i].c[k] : result.c[i][j].c[k];
+        c = as(u, net[i][j][k]);
       }
-  const T small[17] = {};
-  const typename Forms::Fibre fibre = Forms({}, x, y, small).fibre(u);
+  return result;
+}
+
+/// R over u, in powers of s, or of r for the Kind of y with its parameters exchanged.
+template <class Kind, class T>
+std::vector<T> resultant_at(const ScaledPair<4>& pair, const T& u, bool exchanged) {
+  using Forms = FormsOf<CircleArithmetic<T>, Kind>;
+  const typename Forms::SmallNumbers small = {};
+  const Forms forms({}, numbers<typename Forms::FirstNet>(pair.x, u, false),
+                    numbers<typename Forms::SecondNet>(pair.y, u, exchanged), small);
+  const typename Forms::Fibre fibre = forms.fibre(u);
   return {std::begin(fibre.r), std::end(fibre.r)};
+}
+
+/// m||R_s|| and m||R_r||, without the scales.
+template <class Kind, class Exchanged>
+std::array<double, 2> resultant_means(const ScaledPair<4>& pair) {
+  return log2_mean_norms([&](const auto& u) {
+    return std::array{resultant_at<Kind>(pair, u, false), resultant_at<Exchanged>(pair, u, true)};
+  });
 }
 
 Integer minor(const WeightedPair::Vector& a, const WeightedPair::Vector& b, std::size_t i, std::size_t j) {
@@ -103,25 +120,52 @@ double log2_derivative(const WeightedPair& pair, const std::array<long, 4>& expo
   return 0.5 + log2_norm_upper(all) - static_cast<double>(most);
 }
 
-}  // namespace
-
-// (16.11), (16.12)
-std::size_t eliminant_height_bound(const WeightedPair& pair) {
-  ScaledPair<4> scaled(pair);
+double log2_scale(const ScaledPair<4>& pair) {
   double scale = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const bool is_zero = scaled.exponent[k] == std::numeric_limits<long>::min();
-    if (is_zero) throw std::domain_error("eliminant_height: a coordinate vanishes identically");
-    scale += static_cast<double>(scaled.exponent[k]);
+  for (const long exponent : pair.exponent) {
+    if (exponent == std::numeric_limits<long>::min())
+      throw std::domain_error("eliminant_height: a coordinate vanishes identically");
+    scale += static_cast<double>(exponent);
   }
-  const auto [r_s, r_r] = log2_mean_norms([&](const auto& u) {
-    return std::array{resultant_at(scaled, u, false), resultant_at(scaled, u, true)};
-  });
+  return scale;
+}
+
+/// m(E) by (16.11), and (16.12).
+double log2_height(const WeightedPair& pair, const ScaledPair<4>& scaled, WeightedKind) {
+  const auto [r_s, r_r] = resultant_means<WeightedKind, WeightedKind>(scaled);
   const double log2_five = 2.322;
   const double at_point =
       log2_five + log2_normal(pair, scaled.exponent) + log2_derivative(pair, scaled.exponent);
   const double log2_binomial = 156;  // binom(160,80) < 2^156
-  const double bits = 16 * at_point + 4 * (r_s + r_r + 8 * scale) + log2_binomial;
+  return 16 * at_point + 4 * (r_s + r_r + 8 * log2_scale(scaled)) + log2_binomial;
+}
+
+/// log2 of the sum of all moduli.
+double log2_sum(const ScaledPair<4>::Net& net) {
+  double sum = 0x1p-400;
+  for (const auto& row : net)
+    for (const auto& c : row)
+      for (const double coordinate : c) sum += std::abs(coordinate);
+  return log2_upper(sum * kSlack);
+}
+
+/// By (16.18): all terms scale with the product of the scales, R with its power m or n.
+template <std::size_t m, std::size_t n>
+double log2_height(const WeightedPair& pair, const ScaledPair<4>& scaled, RuledKind<m, n>) {
+  using Kind = RuledKind<m, n>;
+  const auto [r_s, r_r] = resultant_means<Kind, RuledKind<n, m>>(scaled);
+  const double scale = log2_scale(scaled);
+  const double at_point = scale + 2 * (log2_sum(scaled.x) - 1) + std::log2(m * n) + 2 * log2_sum(scaled.y);
+  const double log2_binomial = static_cast<double>(Kind::degree(pair.x.size() - 1));
+  return Kind::points * at_point + Kind::lead_power * (r_r + n * scale) + (2 * n - 2) * (r_s + m * scale) +
+         log2_binomial;
+}
+
+}  // namespace
+
+std::size_t eliminant_height_bound(const WeightedPair& pair) {
+  const ScaledPair<4> scaled(pair);
+  const double bits = by_kind(pair, [&](const auto& kind) { return log2_height(pair, scaled, kind); });
   // The sum of these doubles, each below 2^40, is rounded by less than 1.
   return static_cast<std::size_t>(std::ceil(std::max(bits, 0.0))) + 1;
 }

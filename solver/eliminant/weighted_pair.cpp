@@ -4,17 +4,19 @@ namespace exsect {
 
 namespace {
 
-using RationalNet = std::array<std::array<HomogeneousPoint, 3>, 3>;
+using RationalNet = std::vector<std::vector<HomogeneousPoint>>;
 
 /// The power basis, moved by -origin and divided by the weight there.
 RationalNet moved(const RationalPatch& patch, const Point& origin) {
-  RationalNet net;
+  const auto rows = static_cast<std::size_t>(patch.degree_u() + 1);
+  const auto columns = static_cast<std::size_t>(patch.degree_v() + 1);
+  RationalNet net(rows, std::vector<HomogeneousPoint>(columns));
   const Rational& weight = patch.weight(0, 0);
   for (int k = 3; k >= 0; --k) {
     const auto c = static_cast<std::size_t>(k);
     const BivariatePolynomial component = patch.component(k);
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t j = 0; j < columns; ++j) {
         net[i][j][c] = component.coefficient(static_cast<int>(i), static_cast<int>(j)) / weight;
         if (k < 3) net[i][j][c] -= origin[c] * net[i][j][3];
       }
@@ -38,8 +40,9 @@ void set_coordinate(WeightedPair& pair, const RationalNet& x, const RationalNet&
       denominators = common_multiple(denominators, denominator(c[k]));
     });
   const auto set = [&](WeightedPair::Net& integers, const RationalNet& net) {
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) integers[i][j][k] = numerator(net[i][j][k] * denominators);
+    for (std::size_t i = 0; i < net.size(); ++i)
+      for (std::size_t j = 0; j < net[i].size(); ++j)
+        integers[i][j][k] = numerator(net[i][j][k] * denominators);
   };
   set(pair.x, x);
   set(pair.y, y);
@@ -49,6 +52,10 @@ void set_coordinate(WeightedPair& pair, const RationalNet& x, const RationalNet&
   if (content <= 1) return;
   for (WeightedPair::Net* net : {&pair.x, &pair.y})
     for_each_vector(*net, [&](WeightedPair::Vector& c) { c[k] /= content; });
+}
+
+WeightedPair::Net zeros(const RationalNet& net) {
+  return WeightedPair::Net(net.size(), std::vector<WeightedPair::Vector>(net.front().size()));
 }
 
 void divide_by_content(WeightedPair::Net& net) {
@@ -68,7 +75,7 @@ WeightedPair weighted_pair(const RationalPatch& x, const RationalPatch& y) {
   const Point origin = x(0, 0);
   const RationalNet first = moved(x, origin);
   const RationalNet second = moved(y, origin);
-  WeightedPair pair;
+  WeightedPair pair = {zeros(first), zeros(second)};
   for (std::size_t k = 0; k < 4; ++k) set_coordinate(pair, first, second, k);
   divide_by_content(pair.x);
   divide_by_content(pair.y);

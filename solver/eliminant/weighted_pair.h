@@ -4,6 +4,9 @@
 #include <exsect/geometry/rational_patch.h>
 
 #include <array>
+#include <vector>
+
+#include "eliminant/eliminant_kinds.h"
 
 namespace exsect {
 
@@ -12,13 +15,24 @@ namespace exsect {
 /// zero.
 struct WeightedPair {
   using Vector = std::array<Integer, 4>;
-  using Net = std::array<std::array<Vector, 3>, 3>;
+  using Net = std::vector<std::vector<Vector>>;
   Net x;
   Net y;
 };
 
 /// The image of the pair under the translation by -x(0,0), a scaling of each coordinate and of each patch by
-/// positive rationals: the same solutions. Requires x and y of bidegrees at most (2,2).
+/// positive rationals: the same solutions. Nets of the degrees that the patches are given with.
 WeightedPair weighted_pair(const RationalPatch& x, const RationalPatch& y);
+
+/// function(Kind()) for the kind of the pair: both of bidegree (2,2), or x of bidegree (a,1) and y of (m,n),
+/// m <= n.
+template <class Function>
+auto by_kind(const WeightedPair& pair, const Function& function) {
+  const std::size_t m = pair.y.size() - 1, n = pair.y.front().size() - 1;
+  if (pair.x.front().size() == 3) return function(WeightedKind());
+  if (m == 1) return n == 1 ? function(Ruled11()) : n == 2 ? function(Ruled12()) : function(Ruled13());
+  if (m == 2) return n == 2 ? function(Ruled22()) : function(Ruled23());
+  return function(Ruled33());
+}
 
 }  // namespace exsect

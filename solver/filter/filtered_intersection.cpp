@@ -213,8 +213,9 @@ class FilteredIntersection {
   /// Whether the proof by an eliminant may do what the search for closed curves does not: where patches share
   /// points of sides, or touch, it has a multiple root.
   bool has_eliminant(const ContactsOf<K>& contacts, const std::vector<BoundaryPointOf<K>>& points) const {
-    return std::is_same_v<K, WeightedBiquadratic> && contacts.empty() && double_points_.empty() &&
-           std::ranges::none_of(points, &BoundaryPointOf<K>::isolated);
+    return contacts.empty() && double_points_.empty() &&
+           std::ranges::none_of(points, &BoundaryPointOf<K>::isolated) &&
+           filter::has_eliminant(rational_patch(x_), rational_patch(y_));
   }
 
   bool proved_by_eliminant(const PairOf<K>& pair, TreesOf<K>& trees) {

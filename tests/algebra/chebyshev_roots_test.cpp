@@ -72,7 +72,7 @@ TEST_CASE("Chebyshev roots: known ones", "[chebyshev_roots]") {
 
 TEST_CASE("Chebyshev roots: undecided", "[chebyshev_roots]") {
   CHECK_THROWS_AS(isolate_chebyshev_roots({}), std::invalid_argument);
-  CHECK_THROWS_AS(isolate_chebyshev_roots(std::vector<WideBall>(162, 1.0)), std::invalid_argument);
+  CHECK_THROWS_AS(isolate_chebyshev_roots(std::vector<WideBall>(254, 1.0)), std::invalid_argument);
   CHECK_FALSE(isolate_chebyshev_roots({0.0}));
   CHECK_FALSE(isolate_chebyshev_roots({0.0, 0.0, 0.0}));
   CHECK_FALSE(isolate_chebyshev_roots(balls(with_roots({{1, 3}, {1, 3}}))));
@@ -94,16 +94,19 @@ TEST_CASE("Chebyshev roots: small errors of values that may be large ones of slo
   CHECK(isolate_chebyshev_roots(c)->size() > 1);
 }
 
-TEST_CASE("Chebyshev roots: those of T_160, between its extremes", "[chebyshev_roots]") {
-  std::vector<WideBall> c(161, 0.0);
-  c[160] = 1.0;
-  const auto found = isolate_chebyshev_roots(c);
-  REQUIRE(found);
-  REQUIRE(found->size() == 160);
-  for (std::size_t k = 0; k < 160; ++k) {  // at u = (1 + t) / 2, -t = cos((2 k + 1) pi / 320)
-    const double sine = std::sin((2 * static_cast<double>(k) + 1) * std::acos(-1.0) / 640);
-    CHECK(to_double((*found)[k].lower) < sine * sine);
-    CHECK(sine * sine < to_double((*found)[k].upper));
+TEST_CASE("Chebyshev roots: those of T_n, between its extremes", "[chebyshev_roots]") {
+  for (const std::size_t n : {160U, 252U}) {
+    std::vector<WideBall> c(n + 1, 0.0);
+    c[n] = 1.0;
+    const auto found = isolate_chebyshev_roots(c);
+    REQUIRE(found);
+    REQUIRE(found->size() == n);
+    for (std::size_t k = 0; k < n; ++k) {  // at u = (1 + t) / 2, -t = cos((2 k + 1) pi / 2n)
+      const double angle = (2 * static_cast<double>(k) + 1) * std::acos(-1.0) / static_cast<double>(4 * n);
+      const double sine = std::sin(angle);
+      CHECK(to_double((*found)[k].lower) < sine * sine);
+      CHECK(sine * sine < to_double((*found)[k].upper));
+    }
   }
 }
 

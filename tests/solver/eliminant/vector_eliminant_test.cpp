@@ -81,8 +81,8 @@ std::uint64_t representative(double a, std::uint64_t p) {
 
 Residue residue(const PrimeField& field, double a) { return field.residue(static_cast<std::int64_t>(a)); }
 
-LanePair awkward_pair(const LaneWord& primes, int kind, std::mt19937_64& random) {
-  LanePair pair;
+LanePair<PolynomialKind> awkward_pair(const LaneWord& primes, int kind, std::mt19937_64& random) {
+  LanePair<PolynomialKind> pair;
   for (std::size_t lane = 0; lane < 4; ++lane) {
     pair.primes[lane] = static_cast<double>(primes[lane]);
     for (auto* net : {&pair.x, &pair.y})
@@ -93,7 +93,7 @@ LanePair awkward_pair(const LaneWord& primes, int kind, std::mt19937_64& random)
   return pair;
 }
 
-IntegerPair integers(const LanePair& pair, std::size_t lane) {
+IntegerPair integers(const LanePair<PolynomialKind>& pair, std::size_t lane) {
   IntegerPair result;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
@@ -159,7 +159,7 @@ TEST_CASE("the eliminant in lanes agrees with the eliminant modulo one prime", "
   int compared = 0;
   for (int trial = 0; trial < 24; ++trial) {
     const LaneWord primes = some_primes(random() % 190);
-    LanePair pair = awkward_pair(primes, trial % 6, random);
+    LanePair<PolynomialKind> pair = awkward_pair(primes, trial % 6, random);
     if (trial % 6 == 2)  // undefined for one prime alone
       for (auto& row : pair.x)
         for (auto& point : row)

@@ -1,16 +1,14 @@
 #include "eliminant/weighted_eliminant.h"
 
-#include <exsect/algebra/modular.h>
-#include <exsect/algebra/real_algebraic.h>
 #include <exsect/algebra/resultant.h>
 #include <exsect/solver/turning_eliminant.h>
 
 #include <random>
 
-#include "eliminant/turning_eliminant_modular.h"
 #include "eliminant/vector_eliminant.h"
 #include "eliminant/weighted_eliminant_height.h"
 #include "exact_products.h"
+#include "scalar_eliminant.h"
 #include "support/catch.h"
 #include "weighted_pairs.h"
 
@@ -20,7 +18,7 @@ using namespace exsect::weighted_pairs;
 namespace {
 
 Polynomial eliminant(const RationalPatch& x, const RationalPatch& y) {
-  const auto e = weighted_eliminant(x, y);
+  const auto e = weighted_eliminant(x, y, Parameter::u);
   REQUIRE(e);
   return *e;
 }
@@ -101,22 +99,6 @@ RationalPatch revolved() {
   return RationalPatch::from_homogeneous(net);
 }
 
-std::size_t bits(const std::vector<Integer>& coefficients) {
-  Integer largest = 1;
-  for (const Integer& c : coefficients) largest = std::max(largest, Integer(abs(c)));
-  return msb(largest) + 1;
-}
-
-std::vector<Integer> scalar_eliminant(const WeightedPair& pair, std::size_t count_of_bits) {
-  return interpolate_integer_polynomial(
-      160, count_of_bits, [&](const PrimeField& field, Residue u, std::size_t count) {
-        const WeightedModularEliminant e(field, pair);
-        std::vector<ResidueFraction> values;
-        for (std::size_t i = 0; i < count; ++i, u = field.add(u, field.one())) values.push_back(e.value(u));
-        return values;
-      });
-}
-
 }  // namespace
 
 TEST_CASE("weighted eliminant: 160 simple roots, also with weights on one patch alone",
@@ -183,8 +165,8 @@ TEST_CASE("weighted eliminant: surfaces of revolution", "[weighted_eliminant]") 
     e = quotient;
   }
   CHECK(squarefree_part(e).degree() == 96);
-  CHECK_FALSE(weighted_eliminant(y, x));  // every fibre has Y = 0 at s = i and -i
-  CHECK_FALSE(weighted_eliminant(x, x));
+  CHECK_FALSE(weighted_eliminant(y, x, Parameter::u));  // every fibre has Y = 0 at s = i and -i
+  CHECK_FALSE(weighted_eliminant(x, x, Parameter::u));
 }
 
 TEST_CASE("weighted eliminant: vectors and scalars, and the bound of the height", "[weighted_eliminant]") {
@@ -195,10 +177,10 @@ TEST_CASE("weighted eliminant: vectors and scalars, and the bound of the height"
     const WeightedPair pair = repeat == 2 ? weighted_pair(weighted_doubles(random), weighted_doubles(random))
                                           : weighted_pair(weighted_patch(random), weighted_patch(random));
     const std::size_t bound = eliminant_height_bound(pair);
-    const std::vector<Integer> e = scalar_eliminant(pair, bound + 200);
-    INFO("bound " << bound << ", actual " << bits(e));
-    CHECK(bits(e) <= bound);
-    CHECK(bound <= bits(e) + 1200);
+    const std::vector<Integer> e = scalar_eliminant::coefficients(pair, bound + 200);
+    INFO("bound " << bound << ", actual " << scalar_eliminant::bits(e));
+    CHECK(scalar_eliminant::bits(e) <= bound);
+    CHECK(bound <= scalar_eliminant::bits(e) + 1200);
     const auto by_vectors = vector_eliminant(pair, bound);
     if (!has_vector_eliminant()) continue;
     REQUIRE(by_vectors);
@@ -215,16 +197,9 @@ TEST_CASE("weighted eliminant: enclosed roots are those of the exact one", "[wei
     const bool doubles = repeat % 2 == 0;
     const RationalPatch x = doubles ? weighted_doubles(random) : weighted_patch(random);
     const RationalPatch y = doubles ? weighted_doubles(random) : weighted_patch(random);
-    const auto roots = weighted_turning_roots(x, y);
-    if (!roots) continue;
-    ++decided;
-    const auto exact = real_roots(eliminant(x, y), 0, 1);
-    REQUIRE(roots->size() == exact.size());
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-      CHECK(exact[i].compare((*roots)[i].lower) > 0);
-      CHECK(exact[i].compare((*roots)[i].upper) < 0);
-    }
-    count += exact.size();
+    const auto roots = scalar_eliminant::checked_roots(x, y);
+    decided += roots ? 1 : 0;
+    count += roots.value_or(0);
   }
   CHECK(decided >= 5);
   CHECK(count >= 1);

@@ -35,30 +35,41 @@ inline RationalPatch weighted_doubles(Random& random) {
 }
 
 /// The coefficients of u^i v^j of X.
-using PowerBasis = std::array<std::array<HomogeneousPoint, 3>, 3>;
+using PowerBasis = std::vector<std::vector<HomogeneousPoint>>;
 inline PowerBasis power_basis(const RationalPatch& patch) {
-  PowerBasis c;
+  PowerBasis c(static_cast<std::size_t>(patch.degree_u() + 1),
+               std::vector<HomogeneousPoint>(static_cast<std::size_t>(patch.degree_v() + 1)));
   for (std::size_t k = 0; k < 4; ++k) {
     const BivariatePolynomial component = patch.component(static_cast<int>(k));
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t i = 0; i < c.size(); ++i)
+      for (std::size_t j = 0; j < c[i].size(); ++j)
         c[i][j][k] = component.coefficient(static_cast<int>(i), static_cast<int>(j));
   }
   return c;
 }
 
+/// Bernstein coefficients b_k = sum_(i <= k) binom(k,i)/binom(n,i) c_i from those c_0, ..., c_n of powers.
+inline void to_bernstein(std::vector<HomogeneousPoint>& c) {
+  const long n = static_cast<long>(c.size()) - 1;
+  Rational binomial = 1;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    for (Rational& coordinate : c[i]) coordinate /= binomial;
+    binomial = binomial * (n - static_cast<long>(i)) / (static_cast<long>(i) + 1);
+  }
+  for (std::size_t step = 1; step < c.size(); ++step)
+    for (std::size_t i = c.size() - 1; i >= step; --i)
+      for (std::size_t k = 0; k < 4; ++k) c[i][k] += c[i - 1][k];
+}
+
 inline RationalPatch from_power_basis(PowerBasis c) {
-  const auto to_bernstein = [](HomogeneousPoint& b0, HomogeneousPoint& b1, HomogeneousPoint& b2) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      b2[k] += b0[k] + b1[k];
-      b1[k] = b0[k] + b1[k] / 2;
-    }
-  };
-  for (auto& row : c) to_bernstein(row[0], row[1], row[2]);
-  for (std::size_t j = 0; j < 3; ++j) to_bernstein(c[0][j], c[1][j], c[2][j]);
-  std::vector<std::vector<HomogeneousPoint>> net;
-  for (const auto& row : c) net.emplace_back(row.begin(), row.end());
-  return RationalPatch::from_homogeneous(net);
+  for (auto& row : c) to_bernstein(row);
+  for (std::size_t j = 0; j < c[0].size(); ++j) {
+    std::vector<HomogeneousPoint> column;
+    for (const auto& row : c) column.push_back(row[j]);
+    to_bernstein(column);
+    for (std::size_t i = 0; i < c.size(); ++i) c[i][j] = column[i];
+  }
+  return RationalPatch::from_homogeneous(c);
 }
 
 template <class Map>

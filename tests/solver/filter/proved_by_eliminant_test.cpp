@@ -1,4 +1,4 @@
-// Pairs with weights that come nearer than doubles tell: the eliminant decides what the search does not.
+// Pairs that come nearer than doubles tell: the eliminant decides what the search does not.
 #include "filter/proved_by_eliminant.h"
 
 #include <exsect/solver/intersect_rational.h>
@@ -10,19 +10,27 @@
 namespace exsect::proved_by_eliminant_test {
 namespace {
 
-using filter::WeightedBiquadratic;
 using namespace exsect::weighted_pairs;
 
-/// Near the graph of `bend` times a bump over the unit square.
-RationalPatch bent(Random& random, const Rational& bend) {
-  std::vector<std::vector<Point>> points(3);
-  std::vector<std::vector<Rational>> weights(3);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Rational a(static_cast<long>(i), 2), b(static_cast<long>(j), 2);
-      points[i].push_back({a + small_rational(random) / 16, b + small_rational(random) / 16,
-                           (i == 1 && j == 1 ? bend : Rational(0)) + small_rational(random) / 8});
-      weights[i].push_back(Rational(std::uniform_int_distribution<int>(8, 32)(random), 16));
+/// Of bidegrees (m,n).
+struct Shape {
+  int m, n;
+  bool weighted;
+};
+
+/// Near the graph of `bend` times a bump over the unit square, straight along a parameter of degree 1.
+RationalPatch bent(Random& random, const Shape& shape, const Rational& bend) {
+  std::vector<std::vector<Point>> points(static_cast<std::size_t>(shape.m + 1));
+  std::vector<std::vector<Rational>> weights(points.size());
+  for (int i = 0; i <= shape.m; ++i)
+    for (int j = 0; j <= shape.n; ++j) {
+      const long inner = (0 < i && i < shape.m ? 1 : 0) + (0 < j && j < shape.n ? 1 : 0);
+      const auto row = static_cast<std::size_t>(i);
+      points[row].push_back({Rational(i, shape.m) + small_rational(random) / 16,
+                             Rational(j, shape.n) + small_rational(random) / 16,
+                             bend * inner / 2 + small_rational(random) / 16});
+      const Rational weight(std::uniform_int_distribution<int>(12, 24)(random), 16);
+      weights[row].push_back(shape.weighted ? weight : Rational(1));
     }
   return RationalPatch(points, weights);
 }
@@ -31,11 +39,11 @@ struct Jet {
   HomogeneousPoint value, first, second;
 };
 Jet jet(const PowerBasis& c, const Rational& u, const Rational& v) {
-  const std::array<Rational, 3> powers_u = {1, u, u * u}, powers_v = {1, v, v * v};
-  const std::array<Rational, 3> slopes_u = {0, 1, 2 * u}, slopes_v = {0, 1, 2 * v};
+  const std::array<Rational, 4> powers_u = {1, u, u * u, u * u * u}, powers_v = {1, v, v * v, v * v * v};
+  const std::array<Rational, 4> slopes_u = {0, 1, 2 * u, 3 * u * u}, slopes_v = {0, 1, 2 * v, 3 * v * v};
   Jet sum = {};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
+  for (std::size_t i = 0; i < c.size(); ++i)
+    for (std::size_t j = 0; j < c[i].size(); ++j)
       for (std::size_t k = 0; k < 4; ++k) {
         sum.value[k] += powers_u[i] * powers_v[j] * c[i][j][k];
         sum.first[k] += slopes_u[i] * powers_v[j] * c[i][j][k];
@@ -58,10 +66,10 @@ struct TouchingPair {
 };
 
 /// With a common tangent plane at (1/2,2/5,4/9,3/7): there they touch, the second one from above.
-TouchingPair touching_pair(std::uint64_t seed) {
+TouchingPair touching_pair(std::uint64_t seed, const Shape& first, const Shape& second) {
   Random random(seed);
-  const RationalPatch x = bent(random, 1);
-  PowerBasis y = power_basis(bent(random, -1));
+  const RationalPatch x = bent(random, first, 1);
+  PowerBasis y = power_basis(bent(random, second, -1));
   const Rational r(4, 9), s(3, 7);
   const Jet to = jet(power_basis(x), Rational(1, 2), Rational(2, 5));
   const Jet from = jet(y, r, s);
@@ -74,9 +82,9 @@ TouchingPair touching_pair(std::uint64_t seed) {
   return {x, y};
 }
 
+template <class K>
 bool is_proved(const RationalPatch& x, const RationalPatch& y,
                const std::array<std::vector<Stations>, 4>& stations) {
-  using K = WeightedBiquadratic;
   const auto first = filter::elevated<K>(x), second = filter::elevated<K>(y);
   const auto pair = filter::make_pair_of<K>(first, second);
   REQUIRE(pair);
@@ -88,14 +96,17 @@ bool is_proved(const RationalPatch& x, const RationalPatch& y,
 
 }  // namespace
 
-TEST_CASE("proved by the eliminant: patches that are 2^-44 and 2^-100 apart", "[proved_by_eliminant]") {
-  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-    INFO("seed " << seed);
-    const TouchingPair pair = touching_pair(seed);
-    for (const int exponent : {-44, -100}) {
+TEST_CASE("proved by the eliminant: patches that are 2^-40 to 2^-100 apart", "[proved_by_eliminant]") {
+  using Pair = std::pair<Shape, Shape>;
+  for (const auto& [first, second] :
+       {Pair{{2, 2, true}, {2, 2, true}}, Pair{{2, 1, true}, {1, 2, false}}, Pair{{2, 2, true}, {1, 2, true}},
+        Pair{{3, 1, false}, {1, 3, false}}, Pair{{3, 1, true}, {2, 2, false}},
+        Pair{{2, 1, true}, {3, 2, true}}, Pair{{3, 3, false}, {1, 3, true}}}) {
+    CAPTURE(first.m, first.n, second.m, second.n);
+    const TouchingPair pair = touching_pair(1, first, second);
+    for (const int exponent : {-40, -70, -100}) {
       INFO("2^" << exponent);
-      const RationalPatch y = pair.moved(power_of_two(exponent));
-      const IntersectResult apart = intersect(pair.x, y);
+      const IntersectResult apart = intersect(pair.x, pair.moved(power_of_two(exponent)));
       CHECK(apart.status == Status::complete);
       CHECK(apart.graph.arcs.empty());
       CHECK(apart.graph.nodes.empty());
@@ -109,20 +120,29 @@ TEST_CASE("proved by the eliminant: patches that are 2^-44 and 2^-100 apart", "[
   }
 }
 
-TEST_CASE("proved by the eliminant: a closed curve that is left out", "[proved_by_eliminant]") {
+template <class K>
+void check_left_out(std::array<int, 4> degrees, bool weighted) {
+  CAPTURE(degrees, weighted);
   int missed = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     INFO("seed " << seed);
     random_nets::Generator generator(seed);
-    const auto nets = random_nets::loop(generator, {2, 2, 2, 2});
-    const RationalPatch x = random_nets::weighted(generator, nets.x);
-    const RationalPatch y = random_nets::weighted(generator, nets.y);
+    const auto nets = random_nets::loop(generator, degrees);
+    const RationalPatch x = weighted ? random_nets::weighted(generator, nets.x) : nets.first();
+    const RationalPatch y = weighted ? random_nets::weighted(generator, nets.y) : nets.second();
     const IntersectResult result = intersect(x, y);
     if (result.status != Status::complete || result.graph.count(ComponentShape::open) > 0) continue;
-    CHECK(is_proved(x, y, {}) == result.graph.arcs.empty());
+    CHECK(is_proved<K>(x, y, {}) == result.graph.arcs.empty());
     missed += result.graph.arcs.empty() ? 0 : 1;
   }
   CHECK(missed >= 2);
+}
+
+TEST_CASE("proved by the eliminant: a closed curve that is left out", "[proved_by_eliminant]") {
+  check_left_out<filter::WeightedBiquadratic>({2, 2, 2, 2}, true);
+  check_left_out<filter::WeightedBiquadratic>({2, 2, 2, 1}, true);
+  check_left_out<filter::WeightedBicubic>({3, 2, 1, 1}, true);
+  check_left_out<filter::Bicubic>({2, 2, 1, 3}, false);
 }
 
 }  // namespace exsect::proved_by_eliminant_test
