@@ -108,6 +108,15 @@ bool divide_at(GraphBuilder& graph, int node, double error) {
   return found;
 }
 
+void join_at_nodes_of_no_kind(GraphBuilder& graph, int first_arc) {
+  std::vector<Arc> arcs = graph.take_arcs(first_arc);
+  while (!arcs.empty()) {
+    std::vector<Arc> run = take_run(arcs, [&](int id) { return graph.node(id).kinds.empty(); });
+    for (std::size_t i = 1; i < run.size(); ++i) extend(run.front(), run[i]);
+    graph.add_arc(std::move(run.front()));
+  }
+}
+
 void join_at_other_turning_points(GraphBuilder& graph, int first_node, int first_arc,
                                   const std::vector<Parameter>& wanted) {
   std::map<int, std::vector<Parameter>> kept;

@@ -8,6 +8,9 @@
 
 namespace exsect {
 
+/// From the given arc on, where every closed curve has a node of a kind.
+void join_at_nodes_of_no_kind(GraphBuilder& graph, int first_arc);
+
 /// From the given node and arc on, turning points are nodes with respect to `wanted` only; a closed curve
 /// without any keeps all of its nodes.
 void join_at_other_turning_points(GraphBuilder& graph, int first_node, int first_arc,

@@ -12,8 +12,6 @@
 #include "overlap/identical_patches.h"
 #include "overlap/overlap_boundary.h"
 #include "overlap/two_piece_clip.h"
-#include "overlap/two_piece_curves.h"
-#include "overlap/two_piece_graph.h"
 #include "self/curves.h"
 #include "shape/coincident_parameters.h"
 #include "shape/planar_patch.h"
@@ -57,9 +55,8 @@ class OneSurface {
       if (point.kind == BoundaryPointKind::other) sweep_.landmarks.push_back({point.at, std::nullopt});
     sweep_.settled = [this](const SearchRegion& region) { return sheets_.settles(region); };
     sweep_.exact = result_.incomplete.empty();
-    if (!surface_.planar()) pieces_ = two_pieces(x_, y_);
     timed("tracing", [this] {
-      if (pieces_ && !pieces_->overlapping && clip_curves()) return;
+      if (clip_curves()) return;
       if (!trace<DoubleBall>(power_of_two(-50), false)) trace<ArbBall<256>>(power_of_two(-200), true);
     });
   }
@@ -84,12 +81,6 @@ class OneSurface {
   template <class Ball>
   bool trace(const Rational& width, bool last) {
     const PairSystem<Ball> system(x_, y_, scale_.origin, scale_.frame.exponent);
-    return pieces_ && pieces_->overlapping ? trace_pieces(system, width, last)
-                                           : trace_any(system, width, last);
-  }
-
-  template <class Ball>
-  bool trace_any(const PairSystem<Ball>& system, const Rational& width, bool last) {
     Landmarks<Ball> landmarks;
     for (const LandmarkPoint& landmark : sweep_.landmarks)
       landmarks.push_back(enclose<Ball>(landmark.point, width));
@@ -100,7 +91,12 @@ class OneSurface {
       name_folds();
       traced.problems.clear();
     }
-    add_boundary_nodes(system, landmarks, traced);
+    result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
+    run_.count("searched boxes", static_cast<double>(traced.searched_boxes));
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+      const CertifiedPoint& point = sweep_.landmarks[i].point;
+      graph_.add_node(landmark_node(system, scale_.frame, landmarks[i], point.box(), point.sides()));
+    }
     for (const int id : traced.isolated) graph_.add_isolated(id);
     for (const AnalysedTrace<Ball>& curve : traced.curves)
       append_trace(graph_, curve, landmarks, nodes_of_landmarks(landmarks.size()), scale_.frame,
@@ -108,32 +104,18 @@ class OneSurface {
     return true;
   }
 
-  /// Two pieces of one polynomial surface, in the charts of the pairs of its points.
-  template <class Ball>
-  bool trace_pieces(const PairSystem<Ball>& system, const Rational& width, bool last) {
-    const SelfSystem<Ball> shared(pieces_->shared(), scale_.origin, scale_.frame.exponent);
-    std::vector<CertifiedPoint> boundary;
-    for (const LandmarkPoint& landmark : sweep_.landmarks) boundary.push_back(landmark.point);
-    const TwoPieceCurves<Ball> traced =
-        trace_two_pieces(*pieces_, shared, system, boundary, ends_of_branches(), scale_.origin,
-                         scale_.frame.exponent, width, stop_);
-    if (!traced.problems.empty() && !last) return clip_curves();
-    add_boundary_nodes(system, traced.landmarks, traced);
-    append_two_pieces(graph_, *pieces_, shared, system, traced, scale_.frame, run_.turning(), tolerance_);
-    return true;
-  }
-
   /// Two pieces of one polynomial surface, by the self-intersection of the rectangle around both; false if
   /// that does not decide.
   bool clip_curves() {
-    if (!pieces_ || !boundary_.incomplete.empty() || is_stopped(stop_)) return false;
-    const auto& [u, v] = pieces_->hull;
-    const BezierPatch hull = x_.restricted_to(u(0), u(1), v(0), v(1));
+    if (surface_.planar() || !boundary_.incomplete.empty() || is_stopped(stop_)) return false;
+    const auto pieces = two_pieces(x_, y_);
+    if (!pieces) return false;
+    const BezierPatch hull = pieces->hull();
     const Run for_hull = run_.with_tolerance(0.99 * tolerance_ / model_scale(hull, hull).extent);
     GraphBuilder graph;
     std::vector<int> nodes;
     for (const BoundaryPoint& point : boundary_.points) nodes.push_back(add_node(graph, point));
-    const auto divided = append_clipped_curves(graph, *pieces_, boundary_, nodes, for_hull);
+    const auto divided = append_clipped_curves(graph, *pieces, boundary_, nodes, for_hull);
     if (!divided) return false;
     graph_ = std::move(graph);
     nodes_ = std::move(nodes);
@@ -145,28 +127,6 @@ class OneSurface {
     const PairSystem<ArbBall<256>> system(x_, y_, scale_.origin, scale_.frame.exponent);
     const auto ball = enclose<ArbBall<256>>(point.at, power_of_two(-200));
     return graph.add_node(landmark_node(system, scale_.frame, ball, point.at.box(), point.at.sides()));
-  }
-
-  std::vector<CertifiedPoint> ends_of_branches() const {
-    std::vector<bool> is_end(boundary_.points.size(), false);
-    for (const BoundaryArc& arc : boundary_.arcs)
-      if (arc.kind == BoundaryArcKind::branch) is_end[arc.from] = is_end[arc.to] = true;
-    std::vector<CertifiedPoint> ends;
-    for (std::size_t i = 0; i < is_end.size(); ++i)
-      if (is_end[i]) ends.push_back(boundary_.points[i].at);
-    return ends;
-  }
-
-  /// The nodes of the points on sides, and what tracing left open.
-  template <class Ball, class Traced>
-  void add_boundary_nodes(const PairSystem<Ball>& system, const Landmarks<Ball>& landmarks,
-                          const Traced& traced) {
-    result_.incomplete.insert(result_.incomplete.end(), traced.problems.begin(), traced.problems.end());
-    run_.count("searched boxes", static_cast<double>(traced.searched_boxes));
-    for (std::size_t i = 0; i < sweep_.landmarks.size(); ++i) {
-      const CertifiedPoint& point = sweep_.landmarks[i].point;
-      graph_.add_node(landmark_node(system, scale_.frame, landmarks[i], point.box(), point.sides()));
-    }
   }
 
   void add_boundary() {
@@ -301,7 +261,6 @@ class OneSurface {
   StopRequest stop_ = run_.stop();
   OverlapBoundary boundary_;
   bool regular_ = false;  // in a plane, and neither patch is singular
-  std::optional<TwoPieces> pieces_;
   ExactPair pair_{x_, y_, stop_};
   SweepData sweep_{pair_};
   std::vector<int> nodes_;     // of the boundary points

@@ -7,7 +7,6 @@
 #include <array>
 
 #include "shape/shifted_copy.h"
-#include "trace/pair_system.h"
 
 namespace exsect {
 
@@ -22,15 +21,6 @@ class PairMap {
   PairMap(const ShiftedCopy& copy, const std::array<AffineMap, 2>& rectangle)
       : maps_({rectangle[0], rectangle[1], quotient(copy.maps[0], rectangle[0]),
                quotient(copy.maps[1], rectangle[1])}) {}
-
-  template <class Ball>
-  BallPoint<Ball> operator()(const BallPoint<Ball>& pair) const {
-    BallPoint<Ball> result;
-    for (std::size_t j = 0; j < 4; ++j) {
-      result[j] = Ball::enclosing(maps_[j].offset) + Ball::enclosing(maps_[j].factor) * pair[j];
-    }
-    return result;
-  }
 
   std::array<double, 4> operator()(const std::array<double, 4>& pair) const {
     std::array<double, 4> result{};

@@ -31,9 +31,8 @@ class Clip {
         nodes_(nodes),
         run_(run),
         to_hull_(maps_to_hull(pieces)),
-        from_hull_(pieces.copy, pieces.hull),
-        hull_(pieces.x.restricted_to(pieces.hull[0](0), pieces.hull[0](1), pieces.hull[1](0),
-                                     pieces.hull[1](1))) {}
+        from_hull_(pieces.copy, pieces.around),
+        hull_(pieces.hull()) {}
 
   std::optional<std::vector<int>> run() {
     auto cuts = two_piece_cuts(pieces_, boundary_);
@@ -42,6 +41,7 @@ class Clip {
     if (!self) return std::nullopt;
     points_ = std::move(cuts->points);
     self_ = *std::move(self);
+    find_boxes(cuts->cuts);
     const auto first_node = static_cast<int>(graph_.nodes().size());
     const auto first_arc = static_cast<int>(graph_.arcs().size());
     for (const bool exchanged : {false, true}) {
@@ -51,6 +51,7 @@ class Clip {
       for (const int node : self_.graph.isolated_points())
         if (!append_isolated(node, exchanged)) return std::nullopt;
     }
+    join_at_nodes_of_no_kind(graph_, first_arc);  // cuts of the other order
     join_at_other_turning_points(graph_, first_node, first_arc, run_.turning());
     add_isolated_cuts();
     return std::move(inside_boundary_arcs_);
@@ -63,6 +64,17 @@ class Clip {
     std::vector<Side> sides;                // if it is inside: all sides it lies on
     std::optional<std::size_t> point = {};  // of the boundary
   };
+
+  /// In the hull. That of a cut is as exact as the point of the boundary: on a line of constant parameters no
+  /// less than on that line.
+  void find_boxes(const std::vector<PairCut>& cuts) {
+    for (const Node& node : self_.graph.nodes()) boxes_.push_back(node.box);
+    for (std::size_t k = 0; k < cuts.size(); ++k)
+      for (const auto& at : self_.cuts[k]) {
+        const ParameterBox box = cuts[k].at.box();
+        boxes_[static_cast<std::size_t>(at.node)] = at.exchanged ? exchanged_pair(box) : box;
+      }
+  }
 
   void place_nodes(bool exchanged) {
     places_.clear();
@@ -77,25 +89,28 @@ class Clip {
   }
 
   ParameterBox box_of(const Node& node, bool exchanged) const {
-    ParameterBox box = exchanged ? exchanged_pair(node.box) : node.box;
+    ParameterBox box = boxes_[static_cast<std::size_t>(node.id)];
+    if (exchanged) box = exchanged_pair(box);
     for (std::size_t j = 0; j < 4; ++j) box[j] = from_hull_(box[j], j);
     return box;
   }
 
-  /// Of a node that is no cut. Off the diagonal, no such node is on a side of the domain.
+  /// Of a node that is no cut in this order. Off the diagonal, no such node is on a side of the domain but
+  /// inside of an arc along it.
   Place place_of(const Node& node, bool exchanged) const {
     const ParameterBox box = box_of(node, exchanged);
     Place place{Place::inside, {}};
+    bool is_outside = false;
     for (std::size_t j = 0; j < 4; ++j) {
-      if (box[j].upper < 0 || box[j].lower > 1) return {Place::outside, {}};
-      if (box[j].lower > 0 && box[j].upper < 1) continue;
+      is_outside = is_outside || box[j].upper < 0 || box[j].lower > 1;
+      if ((box[j].lower > 0 && box[j].upper < 1) || box[j].upper < 0 || box[j].lower > 1) continue;
       const int side = box[j].lower <= 0 ? 0 : 1;
-      if (is_cuspidal(node) && lies_on(node, j, side)) {
+      const bool is_on_diagonal = is_cuspidal(node) && lies_on(node, j, side);
+      if (is_on_diagonal || (box[j].lower == side && box[j].upper == side))
         place.sides.push_back({static_cast<Parameter>(j), side});
-      } else {
-        place.where = Place::unknown;
-      }
+      if (!is_on_diagonal) place.where = Place::unknown;
     }
+    if (is_outside) place.where = Place::outside;
     return place;
   }
 
@@ -129,14 +144,14 @@ class Clip {
     return cuspidal_points_on(fixed == 0 ? hull_ : hull_.exchanged(), value, range);
   }
 
-  /// An arc with one end outside is outside. One with both ends inside is inside, as it is monotone in every
-  /// parameter; if they are on one side it is constant there, and known.
+  /// Every arc is monotone or constant in every parameter. So one with both ends on one side runs along it,
+  /// and is known if it is inside; one with an end outside is outside, one with both ends inside is inside.
   bool append(const Arc& arc, bool exchanged) {
     const Place& from = places_[static_cast<std::size_t>(arc.from)];
     const Place& to = places_[static_cast<std::size_t>(arc.to)];
+    if (std::ranges::any_of(from.sides, [&](const Side& side) { return has(to.sides, side); })) return true;
     if (from.where == Place::outside || to.where == Place::outside) return true;
     if (from.where == Place::unknown || to.where == Place::unknown) return false;
-    if (std::ranges::any_of(from.sides, [&](const Side& side) { return has(to.sides, side); })) return true;
     const auto start = node_at(arc.from, exchanged);
     const auto end = node_at(arc.to, exchanged);
     if (!start || !end) return false;
@@ -244,7 +259,8 @@ class Clip {
   BezierPatch hull_;
   std::vector<std::size_t> points_;  // of the boundary, by number of cuts
   CutSelfIntersection self_;
-  std::vector<Place> places_;                 // of its nodes, in the order of pairs at hand
+  std::vector<ParameterBox> boxes_;           // of its nodes
+  std::vector<Place> places_;                 // of these, in the order of pairs at hand
   std::map<std::pair<int, bool>, int> made_;  // from its nodes, by order
   std::vector<int> inside_boundary_arcs_;
 };

@@ -7,7 +7,7 @@
 
 #include "answer/run.h"
 #include "overlap/overlap_boundary.h"
-#include "overlap/two_piece_curves.h"
+#include "overlap/two_pieces.h"
 
 namespace exsect {
 

@@ -45,7 +45,7 @@ class Search {
       : pieces_(pieces),
         boundary_(boundary),
         to_hull_(maps_to_hull(pieces)),
-        from_hull_(pieces.copy, pieces.hull) {}
+        from_hull_(pieces.copy, pieces.around) {}
 
   std::optional<TwoPieceCuts> run() {
     if (!find_cuts()) return std::nullopt;
@@ -137,7 +137,7 @@ class Search {
 std::array<AffineMap, 4> maps_to_hull(const TwoPieces& pieces) {
   std::array<AffineMap, 4> maps;
   for (std::size_t j = 0; j < 4; ++j)
-    maps[j] = quotient(pieces.hull[j % 2], j < 2 ? AffineMap{0, 1} : pieces.copy.maps[j - 2]);
+    maps[j] = quotient(pieces.around[j % 2], j < 2 ? AffineMap{0, 1} : pieces.copy.maps[j - 2]);
   return maps;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "overlap/overlap_boundary.h"
-#include "overlap/two_piece_curves.h"
+#include "overlap/two_pieces.h"
 #include "self/cuts.h"
 
 namespace exsect {

@@ -73,7 +73,7 @@ class Cutting {
     if (const auto star = star_around(cuts_[k].at)) {
       const auto order = is_centre(exact_.stars[*star].star, cuts_[k].at);
       if (!order) return {};
-      return {{star, 0, *order}, {star, 1, !*order}};
+      return {{star, 0, *order, {}}, {star, 1, !*order, {}}};
     }
     const auto& twin = cuts_[k].exchanged;
     if (twin && *twin < k) {
@@ -99,8 +99,8 @@ class Cutting {
           near.push_back(i);
       if (near.empty()) return std::vector<CutPlace>{};
       if (near.size() == 1)
-        return std::vector<CutPlace>{{{}, near.front(), false},
-                                     {{}, exact_.boundary.mate[near.front()], true}};
+        return std::vector<CutPlace>{{{}, near.front(), false, {}},
+                                     {{}, exact_.boundary.mate[near.front()], true, {}}};
     }
     return std::nullopt;
   }
@@ -151,8 +151,8 @@ class Cutting {
           [](const Tube<Ball>& tube, const BallPoint<Ball>& p) { return offset(tube, p); });
       if (!cut) continue;
       const auto meets = [&](const TurningPoint<Ball>& turning) { return meet(turning.box, at); };
-      if (!drop_turning_at(k, exchanged, curve.analysed.turning, meets)) return std::nullopt;
-      return add_to(*cut, curve.analysed.cuts, at, exchanged);
+      const auto turning = drop_turning_at(k, exchanged, false, curve.analysed.turning, meets);
+      return turning ? add_to(*cut, curve.analysed.cuts, at, exchanged, *turning) : std::nullopt;
     }
     for (std::size_t i = 0; i < found_.chart_traces.size(); ++i) {
       ChartTrace<Ball>& trace = found_.chart_traces[i];
@@ -166,36 +166,42 @@ class Cutting {
         const auto here = in_chart(trace.pieces[turning.piece].chart, at);
         return !here || meet(turning.box, *here);
       };
-      if (!drop_turning_at(k, exchanged != is_exchanged(i), trace.turning, meets)) return std::nullopt;
-      return add_to(*cut, trace.cuts, at, exchanged);
+      const auto turning = drop_turning_at(k, exchanged, is_exchanged(i), trace.turning, meets);
+      return turning ? add_to(*cut, trace.cuts, at, exchanged, *turning) : std::nullopt;
     }
     return std::nullopt;
   }
 
   /// Outside of the turning points' brackets T_i does not vanish: a zero of T_i near one bracket is in it.
-  /// False if the cut may be another point than a turning point near it. `exchanged`: with respect to the
-  /// trace.
+  /// Returns the parameters that turn in the cut; empty if the cut may be another point than a turning point
+  /// near it. `exchanged`: the pair with respect to the cut; `reversed`: the trace with respect to the pair.
   template <class Turning, class Meets>
-  bool drop_turning_at(std::size_t k, bool exchanged, std::vector<Turning>& turning, const Meets& meets) {
-    if (std::ranges::none_of(turning, meets)) return true;
+  std::optional<std::vector<Parameter>> drop_turning_at(std::size_t k, bool exchanged, bool reversed,
+                                                        std::vector<Turning>& turning, const Meets& meets) {
+    std::vector<Parameter> turns;
+    if (std::ranges::none_of(turning, meets)) return turns;
     const std::array<bool, 4> zero = cuts_[k].zero_tangent();
-    std::array<int, 4> seen{};
     for (const Turning& point : turning) {
       if (!meets(point)) continue;
-      for (const std::size_t j : point.parameters)
-        if (++seen[j] > 1 || !zero[(j + (exchanged ? 2 : 0)) % 4]) return false;
+      for (const std::size_t j : point.parameters) {
+        const std::size_t p = reversed ? (j + 2) % 4 : j;
+        const bool seen = std::ranges::count(turns, static_cast<Parameter>(p)) > 0;
+        if (seen || !zero[exchanged ? (p + 2) % 4 : p]) return std::nullopt;
+        turns.push_back(static_cast<Parameter>(p));
+      }
     }
     std::erase_if(turning, meets);
-    return true;
+    std::ranges::sort(turns);
+    return turns;
   }
 
   std::optional<CutPlace> add_to(const TraceCut& cut, std::vector<TraceCut>& cuts, const BallPoint<Ball>& at,
-                                 bool exchanged) {
+                                 bool exchanged, const std::vector<Parameter>& turning) {
     for (std::size_t i = first_; i < found_.landmarks.size(); ++i)
       if (meet(found_.landmarks[i], at)) return std::nullopt;
     cuts.push_back(cut);
     found_.landmarks.push_back(at);
-    return CutPlace{{}, static_cast<std::size_t>(cut.landmark), exchanged};
+    return CutPlace{{}, static_cast<std::size_t>(cut.landmark), exchanged, turning};
   }
 
   /// In the arcs of the graph, the trace in the charts has the other order than its pieces.

@@ -21,7 +21,8 @@ struct PairCut {
 struct CutPlace {
   std::optional<std::size_t> star;
   std::size_t landmark;
-  bool exchanged;  // the pair there is the cut's in the other order
+  bool exchanged;                  // the pair there is the cut's in the other order
+  std::vector<Parameter> turning;  // of the pair there, ascending: the curve turns in them in its inside
 };
 
 /// Cuts the traces: appends to them, and to the landmarks. The places of every cut; empty if one of them

@@ -175,8 +175,7 @@ class ChartArcs {
   std::vector<ChartStop> stops_;
 };
 
-}  // namespace
-
+/// The node of a cuspidal point.
 template <class Ball>
 Node cusp_node(const ChartSystem<Ball>& system, const CuspArc<Ball>& arc, const ModelFrame& frame) {
   const PolylineVertex vertex = vertex_at(system, arc.cusp, false, frame).vertex;
@@ -202,13 +201,7 @@ Node cusp_node(const ChartSystem<Ball>& system, const CuspArc<Ball>& arc, const 
   return node;
 }
 
-template <class Ball>
-std::vector<Arc> chart_arcs(GraphBuilder& graph, const SelfSystem<Ball>& system,
-                            const ChartTrace<Ball>& trace, bool exchange, const ModelFrame& frame,
-                            const std::vector<Parameter>& wanted, double tolerance, int start, int end) {
-  return ChartArcs<Ball>(graph, system, trace, exchange, frame, tolerance).run(wanted, start, end);
-}
-
+/// The arcs run through in the other direction.
 void reverse(std::vector<Arc>& arcs) {
   std::reverse(arcs.begin(), arcs.end());
   for (Arc& arc : arcs) {
@@ -217,6 +210,7 @@ void reverse(std::vector<Arc>& arcs) {
   }
 }
 
+/// Joins two lists of arcs; the last arc of `first` and the first of `second` meet at a gate and become one.
 std::vector<Arc> joined(std::vector<Arc> first, std::vector<Arc> second) {
   Arc& before = first.back();
   const Arc& after = second.front();
@@ -227,8 +221,6 @@ std::vector<Arc> joined(std::vector<Arc> first, std::vector<Arc> second) {
                std::make_move_iterator(second.end()));
   return first;
 }
-
-namespace {
 
 template <class Ball>
 class SelfGraph {
@@ -273,8 +265,8 @@ class SelfGraph {
  private:
   std::vector<Arc> chart_arcs(const ChartTrace<Ball>& trace, bool exchange) {
     const int end = trace.end < 0 ? -1 : first_cusp_ + trace.end;
-    return exsect::chart_arcs(graph_, system_, trace, exchange, frame_, wanted_, tolerance_,
-                              first_cusp_ + trace.start, end);
+    return ChartArcs<Ball>(graph_, system_, trace, exchange, frame_, tolerance_)
+        .run(wanted_, first_cusp_ + trace.start, end);
   }
 
   /// From the cuspidal point to the gate, if the landmark is one.
@@ -322,14 +314,10 @@ void append_self_curves(GraphBuilder& graph, const SelfSystem<Ball>& system, con
   SelfGraph<Ball>(graph, system, found, ends, frame, wanted, tolerance).run();
 }
 
-#define EXSECT_INSTANTIATE_SELF_GRAPH(Ball)                                                                 \
-  template void append_self_curves(GraphBuilder&, const SelfSystem<Ball>&, const SelfCurves<Ball>&,         \
-                                   const std::vector<TraceEnd>&, const ModelFrame&,                         \
-                                   const std::vector<Parameter>&, double);                                  \
-  template Node cusp_node(const ChartSystem<Ball>&, const CuspArc<Ball>&, const ModelFrame&);               \
-  template std::vector<Arc> chart_arcs(GraphBuilder&, const SelfSystem<Ball>&, const ChartTrace<Ball>&,     \
-                                       bool, const ModelFrame&, const std::vector<Parameter>&, double, int, \
-                                       int);
+#define EXSECT_INSTANTIATE_SELF_GRAPH(Ball)                                                         \
+  template void append_self_curves(GraphBuilder&, const SelfSystem<Ball>&, const SelfCurves<Ball>&, \
+                                   const std::vector<TraceEnd>&, const ModelFrame&,                 \
+                                   const std::vector<Parameter>&, double);
 
 EXSECT_INSTANTIATE_SELF_GRAPH(DoubleBall)
 EXSECT_INSTANTIATE_SELF_GRAPH(ArbBall<256>)

@@ -127,14 +127,6 @@ void add_near_cusps(SelfCurves<Ball>& found, const SelfSystem<Ball>& system, con
 }
 
 template <class Ball>
-SelfCurves<Ball> trace_near_cusps(const SelfSystem<Ball>& system, const ExactPlaces& exact,
-                                  const Rational& width, const StopRequest& stop) {
-  SelfCurves<Ball> found;
-  add_near_cusps(found, system, exact, KnownPlaces({}), width, stop);
-  return found;
-}
-
-template <class Ball>
 bool passes_near_cusp(const SelfCurves<Ball>& curves, Chart chart, const BallPoint<Ball>& point) {
   const auto passes = [&](const CuspArc<Ball>& arc) { return passes_through(arc, chart, point); };
   return std::any_of(curves.cusps.begin(), curves.cusps.end(), passes) ||
@@ -143,11 +135,9 @@ bool passes_near_cusp(const SelfCurves<Ball>& curves, Chart chart, const BallPoi
                      [&](const ChartTrace<Ball>& trace) { return passes_through(trace, chart, point); });
 }
 
-#define EXSECT_INSTANTIATE_NEAR_CUSPS(Ball)                                                                \
-  template void add_near_cusps(SelfCurves<Ball>&, const SelfSystem<Ball>&, const ExactPlaces&,             \
-                               const KnownPlaces&, const Rational&, const StopRequest&);                   \
-  template SelfCurves<Ball> trace_near_cusps(const SelfSystem<Ball>&, const ExactPlaces&, const Rational&, \
-                                             const StopRequest&);                                          \
+#define EXSECT_INSTANTIATE_NEAR_CUSPS(Ball)                                                    \
+  template void add_near_cusps(SelfCurves<Ball>&, const SelfSystem<Ball>&, const ExactPlaces&, \
+                               const KnownPlaces&, const Rational&, const StopRequest&);       \
   template bool passes_near_cusp(const SelfCurves<Ball>&, Chart, const BallPoint<Ball>&);
 
 EXSECT_INSTANTIATE_NEAR_CUSPS(DoubleBall)

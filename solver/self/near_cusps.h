@@ -12,11 +12,6 @@ template <class Ball>
 void add_near_cusps(SelfCurves<Ball>& found, const SelfSystem<Ball>& system, const ExactPlaces& exact,
                     const KnownPlaces& places, const Rational& width, const StopRequest& stop);
 
-/// Only what starts in cuspidal points, up to the gates: no curves.
-template <class Ball>
-SelfCurves<Ball> trace_near_cusps(const SelfSystem<Ball>& system, const ExactPlaces& exact,
-                                  const Rational& width, const StopRequest& stop);
-
 /// True only if the point of the chart, known to be on the curve, is on one of these traces or next to their
 /// cuspidal points.
 template <class Ball>

@@ -51,8 +51,13 @@ class SelfIntersection {
     CutSelfIntersection result{drawn_pairs(known_, run_), {}};
     for (const std::vector<CutPlace>& cut : places_) {
       result.cuts.emplace_back();
-      for (const CutPlace& place : cut)
-        result.cuts.back().push_back({node_at(result.graph, place), place.exchanged});
+      for (const CutPlace& place : cut) {
+        const int node = node_at(result.graph, place);
+        result.cuts.back().push_back({node, place.exchanged});
+        if (place.turning.empty()) continue;
+        result.graph.add_kind(node, NodeKind::turning);
+        result.graph.set_turning(node, place.turning);
+      }
     }
     return result;
   }

@@ -25,7 +25,8 @@ TEST_CASE("charts: a trace from a cuspidal point stops when it must") {
   ExactPlaces exact{};
   exact.cusps = special_cusps(x);
   exact.coincident = coincident_parameters(x, x);
-  const auto found = trace_near_cusps(system, exact, power_of_two(-50), {});
+  SelfCurves<DoubleBall> found;
+  add_near_cusps(found, system, exact, KnownPlaces({}), power_of_two(-50), {});
   REQUIRE_FALSE(found.cusps.empty());
   const StopRequest at_once = [] { return true; };
   const auto from = [&](std::size_t k, const StopRequest& stop) {

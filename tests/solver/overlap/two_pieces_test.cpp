@@ -1,6 +1,6 @@
 // Two pieces of one polynomial surface: the maps between their parameters, and the curves in which the
 // surface meets itself, cuspidal points inside the common region included.
-#include "overlap/two_piece_curves.h"
+#include "overlap/two_pieces.h"
 
 #include <exsect/geometry/patch_file.h>
 #include <exsect/solver/intersect.h>
@@ -15,7 +15,7 @@
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 
-namespace exsect::two_piece_curves_test {
+namespace exsect::two_pieces_test {
 namespace {
 
 Rational q(int a, int b) { return {a, b}; }
@@ -88,27 +88,17 @@ TEST_CASE("shifted copy: the derivative x_vv is linear in u") {
   CHECK(copy->maps[1](0) == q(3, 4));
 }
 
-TEST_CASE("two pieces: charts of both rectangles name the same pairs") {
+TEST_CASE("two pieces: the smallest rectangle around both") {
   const BezierPatch x = second_example();
-  const auto pieces = two_pieces(x, x.restricted_to(q(9, 8), q(-3, 8), q(1, 4), q(7, 4)));
-  REQUIRE(pieces);
-  CHECK(pieces->common[0].offset == 0);
-  CHECK(pieces->common[1].factor == q(3, 4));
-  CHECK(pieces->hull[0].factor == q(3, 2));
-  for (const Chart chart : {Chart::first, Chart::second}) {
-    const BallPoint<DoubleBall> p = {DoubleBall(0.5), DoubleBall(0.375), DoubleBall(-0.75),
-                                     DoubleBall(0.0625)};
-    const auto a = pair_of(chart, p);
-    const auto b = pair_of(chart, in_common(*pieces, chart, p));
-    for (std::size_t j = 0; j < 4; ++j) {
-      const AffineMap& hull = pieces->hull[j % 2];
-      const AffineMap& common = pieces->common[j % 2];
-      CHECK(
-          to_double(hull.offset) + to_double(hull.factor) * a[j].approximation() ==
-          Approx(to_double(common.offset) + to_double(common.factor) * b[j].approximation()).epsilon(1e-12));
-    }
-  }
-  CHECK_FALSE(two_pieces(x, x.restricted_to(1, 2, 0, 1))->overlapping);
+  const auto around = [&](const BezierPatch& y) { return two_pieces(x, y)->around; };
+  const auto both = around(x.restricted_to(q(9, 8), q(-3, 8), q(1, 4), q(7, 4)));
+  CHECK(both[0].offset == q(-3, 8));
+  CHECK(both[0].factor == q(3, 2));
+  CHECK(both[1].offset == 0);
+  CHECK(both[1].factor == q(7, 4));
+  const auto apart = around(x.restricted_to(2, 3, q(1, 4), q(1, 2)));
+  CHECK(apart[0](1) == 3);
+  CHECK(apart[1](1) == 1);
 }
 
 TEST_CASE("two pieces: a curve of the second example ends in a cuspidal point of the overlap") {
@@ -298,6 +288,57 @@ TEST_CASE("two pieces: a closed curve appears in both orders") {
   CHECK(loops(result.graph) == 2 * loops(self.graph));
 }
 
+/// A patch with x(p) = x(q), p = (1/4,1/3), q = (3/4,2/3), and x_v(p) in its tangent plane at q: there the
+/// curve of its pairs turns in the first parameter of p.
+BezierPatch with_turning_pair(std::mt19937_64& generator) {
+  const auto digit = [&] { return Rational(static_cast<int>(generator() % 19) - 9); };
+  ControlNet c{};
+  for (auto& row : c)
+    for (Point& point : row) point = {digit(), digit(), digit()};
+  // Linear in the coefficients: those of u and of v are solved for.
+  const Rational a = digit(), b = digit();
+  const Rational pu = q(1, 4), pv = q(1, 3), qu = q(3, 4), qv = q(2, 3);
+  const auto power = [](const Rational& t, std::size_t n) {
+    return n == 0 ? Rational(1) : n == 1 ? t : t * t;
+  };
+  const auto slope = [](const Rational& t, std::size_t n) {
+    return n == 0 ? Rational(0) : n == 1 ? Rational(1) : 2 * t;
+  };
+  Point gap{0, 0, 0}, tilt{0, 0, 0};
+  c[1][0] = c[0][1] = {0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      gap = gap + (power(qu, i) * power(qv, j) - power(pu, i) * power(pv, j)) * c[i][j];
+      tilt = tilt + (a * slope(qu, i) * power(qv, j) + b * power(qu, i) * slope(qv, j) -
+                     power(pu, i) * slope(pv, j)) *
+                        c[i][j];
+    }
+  // gap + (qu - pu) c10 + (qv - pv) c01 = 0, tilt + a c10 + (b - 1) c01 = 0
+  const Rational e = qu - pu, f = qv - pv, g = b - 1, determinant = e * g - f * a;
+  c[1][0] = Rational(1 / determinant) * (f * tilt - g * gap);
+  c[0][1] = Rational(1 / determinant) * (a * gap - e * tilt);
+  return BezierPatch::from_power_basis(c);
+}
+
+TEST_CASE("two pieces: a turning point in one order of a pair, on a side in the other one") {
+  std::mt19937_64 generator(9);
+  for (int i = 0; i < 4; ++i) {
+    INFO("pair " << i << " of seed 9");
+    const BezierPatch x = with_turning_pair(generator);
+    const BezierPatch y = x.restricted_to(q(1, 4), q(5, 4), 0, 1);
+    const IntersectResult result = intersect(x, y);
+    REQUIRE(result.status == Status::complete);
+    const auto turns = std::ranges::find_if(result.graph.nodes, [](const Node& node) {
+      return std::ranges::count(node.wrt, Parameter::u) > 0 && std::fabs(node.approx[0] - 0.25) < 1e-9 &&
+             std::fabs(node.approx[1] - 1.0 / 3) < 1e-9;
+    });
+    REQUIRE(turns != result.graph.nodes.end());
+    CHECK(turns->kinds == std::vector{NodeKind::turning});
+    CHECK(ends_at(result.graph.arcs, turns->id) == 2);
+    check_all_ways(x, y, result);
+  }
+}
+
 TEST_CASE("two pieces of random crumpled patches") {
   random_pairs::Generator generator(8);
   int complete = 0;
@@ -314,4 +355,4 @@ TEST_CASE("two pieces of random crumpled patches") {
   CHECK(complete == kPairs);
 }
 
-}  // namespace exsect::two_piece_curves_test
+}  // namespace exsect::two_pieces_test
