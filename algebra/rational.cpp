@@ -47,6 +47,29 @@ double double_of(std::uint64_t mantissa, long exponent, bool negative) {
   return std::bit_cast<double>(bits);
 }
 
+/// mantissa 2^exponent rounded to nearest, ties to even, in integers: to 53 bits, or fewer below 2^-1022.
+/// Requires at least 55 bits, or the exponent -1076.
+double rounded_double(std::uint64_t mantissa, long exponent, bool negative) {
+  const long excess = std::max(static_cast<long>(std::bit_width(mantissa)) - 53, -1074 - exponent);
+  const std::uint64_t place = std::uint64_t{1} << excess;
+  const std::uint64_t rest = mantissa & (place - 1);
+  std::uint64_t rounded = mantissa >> excess;
+  if (2 * rest > place || (2 * rest == place && (rounded & 1) != 0)) ++rounded;
+  return double_of(rounded, exponent + excess, negative);
+}
+
+/// The leading 64 bits of n, which has more; the last of them is set if a further bit is, which keeps a tie
+/// from looking exact.
+std::uint64_t leading_bits(mpz_srcptr n) {
+  static_assert(GMP_NUMB_BITS == 64);
+  const std::size_t bits = mpz_sizeinbase(n, 2);
+  const auto last = static_cast<mp_size_t>(mpz_size(n)) - 1;
+  const std::size_t first = (bits - 1) % 64 + 1;  // bits of the leading limb
+  std::uint64_t result = mpz_getlimbn(n, last) << (64 - first);
+  if (first < 64) result |= mpz_getlimbn(n, last - 1) >> first;
+  return result | static_cast<std::uint64_t>(mpz_scan1(n, 0) < bits - 64);
+}
+
 }  // namespace
 
 int sign(const Rational& q) { return q.sign(); }
@@ -67,7 +90,12 @@ double to_double(const Rational& q) {
     return in_nearest_rounding([&] { return mpz_get_d(n) / mpz_get_d(d); });
   // n/d has its leading bit at 2^(top-1) or 2^top; 2^shift is the last place of 55 or 56 bits of it, or a
   // quarter of the last place of a subnormal number.
-  const long top = static_cast<long>(mpz_sizeinbase(n, 2)) - static_cast<long>(mpz_sizeinbase(d, 2));
+  const long bits_of_n = static_cast<long>(mpz_sizeinbase(n, 2));
+  const long bits_of_d = static_cast<long>(mpz_sizeinbase(d, 2));
+  const long top = bits_of_n - bits_of_d;
+  const bool is_dyadic = static_cast<long>(mpz_scan1(d, 0)) == bits_of_d - 1;
+  if (is_dyadic && bits_of_n > 64 && std::labs(top) < 1000)
+    return rounded_double(leading_bits(n), top - 63, q.sign() < 0);
   if (top > 1100) return q.sign() * std::numeric_limits<double>::infinity();
   const long shift = std::max(top - 55, -1074L - 2);
   Integer quotient;
@@ -84,13 +112,7 @@ double to_double(const Rational& q) {
   mpz_tdiv_qr(a, b, a, d);
   // Sticky bit: a nonzero remainder keeps a tie from looking exact.
   const std::uint64_t bits = mpz_get_ui(a) | static_cast<std::uint64_t>(mpz_sgn(b) != 0);
-  // The mantissa is below 2^57; round to 53 bits (fewer for subnormals), ties to even, in integers.
-  const long excess = std::max(static_cast<long>(std::bit_width(bits)) - 53, -1074 - shift);
-  const std::uint64_t unit = std::uint64_t{1} << excess;
-  const std::uint64_t rest = bits & (unit - 1);
-  std::uint64_t rounded = bits >> excess;
-  if (2 * rest > unit || (2 * rest == unit && (rounded & 1) != 0)) ++rounded;
-  return double_of(rounded, shift + excess, q.sign() < 0);
+  return rounded_double(bits, shift, q.sign() < 0);
 }
 
 Rational from_double(double x) {

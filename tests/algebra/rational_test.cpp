@@ -81,6 +81,26 @@ TEST_CASE("to_double on random rationals and back") {
   }
 }
 
+TEST_CASE("to_double on long numerators over powers of two") {
+  for (const int bits : {64, 65, 66, 127, 128, 129, 192, 300}) {
+    INFO(bits << " bits");
+    const Rational leading = power_of_two(bits - 1);
+    const Rational half = power_of_two(bits - 54);  // of the last place of the double
+    for (const long exponent : {0L, -40L, -900L - bits, 900L - bits})
+      for (const Rational& below : {Rational(0), Rational(1), Rational(-1), power_of_two(5)}) {
+        // A tie upwards, one downwards, and both but for the last bits.
+        check_nearest((leading + half + below) * power_of_two(exponent));
+        check_nearest((-leading - 3 * half - below) * power_of_two(exponent));
+        check_nearest((2 * leading - half + below) * power_of_two(exponent));
+      }
+  }
+  test::Random random(20240304);
+  for (int i = 0; i < 500; ++i) {
+    const Integer numerator = 2 * random.big_integer(random.integer(60, 200)) + 1;
+    check_nearest(numerator * power_of_two(random.integer(-900, 700)));
+  }
+}
+
 TEST_CASE("from_double is exact and refuses what is not finite") {
   CHECK(from_double(0.5) == Rational(1, 2));
   CHECK(from_double(-0.0) == 0);
