@@ -28,6 +28,21 @@ bool same_point(const ExactPatch<K>& a, std::size_t i, const ExactPatch<K>& b, s
   }
 }
 
+/// Above the error of a minor of rounded homogeneous control points: 8 u for coordinates of at most 1.
+constexpr double kLeastMinor = 0x1p-49;
+
+/// False only if control points of one patch are certainly different ones: quicker than the exact comparison.
+template <class K>
+bool may_be_one(const Row<K>& a, const Row<K>& b) {
+  if constexpr (K::weighted) {  // a weight may be zero
+    for (std::size_t c = 0; c < 3; ++c)
+      if (std::fabs(a[c] * b[3] - b[c] * a[3]) > kLeastMinor) return false;
+    return true;
+  } else {
+    return a == b;
+  }
+}
+
 /// (14.37): the field less the multiple of the own side that makes it zero at one end of it. Returns by how
 /// much sizes and errors grow at most: with a factor f and a weight w, f errs by 22 u (1 + |f|) / w, as the
 /// field by 20 u, and the difference by less than 30 u (1 + |f|) (1 + 1/w).
@@ -68,13 +83,14 @@ void divide_at(AcrossFieldOf<K>& field, bool upper) {
 template <class K>
 class Corners {
  public:
-  explicit Corners(const ExactPatch<K>& patch) {
+  Corners(const ExactPatch<K>& patch, const CoefficientsOf<K>& net) {
     for (std::size_t i = 0; i < 4; ++i) first_[i] = kCorners<K>[i];
     if constexpr (std::is_same_v<K, Biquadratic>) return;  // exact arithmetic is behind these
     for (const SquareSide& side : kSides) {
       const SideView view = {side, false, K::degree};
       const auto is_first = [&](std::size_t k) {
-        return same_point<K>(patch, view.index(0, k), patch, view.index(0, 0));
+        const std::size_t i = view.index(0, k), first = view.index(0, 0);
+        return may_be_one<K>(net[i], net[first]) && same_point<K>(patch, i, patch, first);
       };
       bool is_pole = true;
       for (std::size_t k = 1; is_pole && k <= K::degree; ++k) is_pole = is_first(k);
@@ -115,7 +131,7 @@ template <class K>
 class ContactFinder {
  public:
   ContactFinder(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair)
-      : x_(x), y_(y), pair_(pair), corners_of_x_(x), corners_of_y_(y) {}
+      : x_(x), y_(y), pair_(pair), corners_of_x_(x, pair.x.net), corners_of_y_(y, pair.y.net) {}
 
   std::optional<ContactsOf<K>> run() {
     if (!corners_of_x_.are_sound() || !corners_of_y_.are_sound() || !find_corners()) {

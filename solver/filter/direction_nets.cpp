@@ -127,10 +127,39 @@ TangentNet<K> tangent_net(const SubPatchOf<K>& y, double net_error) {
   return result;
 }
 
-/// The l-th coordinate of the covector d -> [d y b] of R^4 for a bivector b.
-Vec4 covector(const Vec4& y, const Vec<6>& b) {
-  return {y[1] * b[5] - y[2] * b[4] + y[3] * b[3], -(y[0] * b[5] - y[2] * b[2] + y[3] * b[1]),
-          y[0] * b[4] - y[1] * b[2] + y[3] * b[0], -(y[0] * b[3] - y[1] * b[1] + y[2] * b[0])};
+/// The vectors of Y ^ (Y_r ^ Y_s), bidegree (3n-1,3n-1), as covectors d -> [d y b]: coordinate by coordinate,
+/// whose rows of 2n numbers go through vector registers. Each is rounded 7 + (n+1)^2 times.
+template <class K>
+std::array<Row<K>, 9 * K::degree * K::degree> covectors(const CoefficientsOf<K>& net,
+                                                        const TangentNet<K>& tangents) {
+  constexpr std::size_t n = K::degree;
+  constexpr std::size_t row = 2 * n;
+  constexpr auto low = binomials<n>();
+  constexpr auto high = binomials<2 * n - 1>();
+  constexpr auto both = binomials<3 * n - 1>();
+  std::array<std::array<double, row * row>, 6> b;
+  for (std::size_t q = 0; q < row * row; ++q)
+    for (std::size_t c = 0; c < 6; ++c) b[c][q] = high[q / row] * high[q % row] * tangents.vectors[q][c];
+  std::array<std::array<double, 9 * n * n>, 4> sums{};
+  for (std::size_t p = 0; p < K::count; ++p) {
+    const Row<K> y = low[p / K::side] * low[p % K::side] * net[p];
+    for (std::size_t i = 0; i < row; ++i) {
+      const std::size_t first = 3 * n * (p / K::side + i) + p % K::side;
+      for (std::size_t j = 0; j < row; ++j) {
+        const std::size_t q = row * i + j;
+        sums[0][first + j] += y[1] * b[5][q] - y[2] * b[4][q] + y[3] * b[3][q];
+        sums[1][first + j] -= y[0] * b[5][q] - y[2] * b[2][q] + y[3] * b[1][q];
+        sums[2][first + j] += y[0] * b[4][q] - y[1] * b[2][q] + y[3] * b[0][q];
+        sums[3][first + j] -= y[0] * b[3][q] - y[1] * b[1][q] + y[2] * b[0][q];
+      }
+    }
+  }
+  std::array<Row<K>, 9 * n * n> vectors;
+  for (std::size_t k = 0; k < vectors.size(); ++k) {
+    const double share = 1 / (both[k / (3 * n)] * both[k % (3 * n)]);
+    for (std::size_t l = 0; l < 4; ++l) vectors[k][l] = share * sums[l][k];
+  }
+  return vectors;
 }
 
 }  // namespace
@@ -140,23 +169,9 @@ NormalNetOf<K> normal_net(const SubPatchOf<K>& y, double net_error) {
   const TangentNet<K> tangents = tangent_net(y, net_error);
   NormalNetOf<K> result;
   if constexpr (K::weighted) {
-    constexpr std::size_t n = K::degree;
-    constexpr auto low = binomials<n>();
-    constexpr auto high = binomials<2 * n - 1>();
-    constexpr auto both = binomials<3 * n - 1>();
-    result.vectors.fill({});
+    result.vectors = covectors<K>(y.net, tangents);
     double size = 0;
-    for (std::size_t q = 0; q < tangents.vectors.size(); ++q) {
-      size = larger_bound(size, size_of(tangents.vectors[q]));
-      for (std::size_t p = 0; p < K::count; ++p) {
-        const std::size_t i = p / K::side + q / (2 * n);
-        const std::size_t j = p % K::side + q % (2 * n);
-        const double weight = (low[p / K::side] * high[q / (2 * n)]) *
-                              (low[p % K::side] * high[q % (2 * n)]) * ((1 / both[i]) * (1 / both[j]));
-        Row<K>& sum = result.vectors[3 * n * i + j];
-        sum = sum + weight * covector(y.net[p], tangents.vectors[q]);
-      }
-    }
+    for (const auto& vector : tangents.vectors) size = larger_bound(size, size_of(vector));
     result.error = kSlack * (3 * (tangents.error + net_error * (size + tangents.error)) +
                              kCovectorRounding * kUnit * size) +
                    kTiny;

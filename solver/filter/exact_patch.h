@@ -5,6 +5,7 @@
 #include <exsect/geometry/rational_patch.h>
 
 #include <array>
+#include <cstdlib>
 #include <type_traits>
 #include <vector>
 
@@ -31,28 +32,37 @@ const Point& control_point(const ElevatedPatch<K>& patch, std::size_t i) {
   return patch.points[i];
 }
 
+/// q 2^exponent, without the search for common divisors of a product.
+inline Rational times_power_of_two(const Rational& q, long exponent) {
+  Rational result;
+  const auto shift = static_cast<mp_bitcnt_t>(std::labs(exponent));
+  (exponent < 0 ? mpq_div_2exp : mpq_mul_2exp)(result.backend().data(), q.backend().data(), shift);
+  return result;
+}
+
 /// The patch with the net of bidegree (K::degree,K::degree), weights of size 1. Requires a patch of no higher
 /// degrees, polynomial unless K::weighted.
 template <class K>
 ElevatedPatch<K> elevated(const RationalPatch& patch) {
-  using exsect::operator*;
   constexpr int n = static_cast<int>(K::degree);
   const RationalPatch net = patch.reduced().elevated(n, n);
-  ElevatedPatch<K> result;
+  const auto vector = [&](std::size_t k) -> const HomogeneousPoint& {
+    return net.homogeneous(static_cast<int>(k / K::side), static_cast<int>(k % K::side));
+  };
   Rational greatest = 0;
   for (std::size_t k = 0; k < K::count; ++k) {
-    const HomogeneousPoint& p = net.homogeneous(static_cast<int>(k / K::side), static_cast<int>(k % K::side));
-    result.points[k] = {p[0], p[1], p[2]};
-    result.weights[k] = p[3];
-    greatest = std::max(greatest, Rational(abs(p[3])));
+    const Rational& weight = vector(k)[3];
+    if (abs(weight) > greatest) greatest = abs(weight);
   }
   const auto bits = [](const Integer& number) { return static_cast<long>(msb(number)); };
-  const Rational scale = K::weighted
-                             ? power_of_two(bits(denominator(greatest)) - bits(numerator(greatest)) - 1)
-                             : Rational(1 / greatest);
+  const long exponent = bits(denominator(greatest)) - bits(numerator(greatest)) - 1;
+  const auto scaled = [&](const Rational& q) -> Rational {
+    return K::weighted ? times_power_of_two(q, exponent) : q / greatest;
+  };
+  ElevatedPatch<K> result;
   for (std::size_t k = 0; k < K::count; ++k) {
-    result.points[k] = scale * result.points[k];
-    result.weights[k] *= scale;
+    for (std::size_t c = 0; c < 3; ++c) result.points[k][c] = scaled(vector(k)[c]);
+    result.weights[k] = scaled(vector(k)[3]);
   }
   return result;
 }

@@ -234,8 +234,8 @@ template <class K>
 CoefficientsOf<K> approximate(const ExactPatch<K>& patch) {
   CoefficientsOf<K> net;
   for (std::size_t i = 0; i < K::count; ++i) {
-    for (std::size_t c = 0; c < 3; ++c) net[i][c] = nearest_double(patch.points[i][c]).value;
-    net[i][3] = nearest_double(patch.weights[i]).value;
+    for (std::size_t c = 0; c < 3; ++c) net[i][c] = to_double(patch.points[i][c]);
+    net[i][3] = to_double(patch.weights[i]);
   }
   return net;
 }
@@ -254,22 +254,23 @@ int reduction(const PatchOf<K>& x, const PatchOf<K>& y) {
   return k;
 }
 
-/// The homogeneous control points about the origin, exactly, times 2^-exponent in space, and all of that
-/// times 2^-reduced; rounded once.
+/// Of rounded homogeneous control points those about the origin, exactly, times 2^-exponent in space, and all
+/// of that times 2^-reduced; rounded once.
 template <class K>
 void round_net(const ExactPatch<K>& patch, const ModelFrame& frame, int reduced, CoefficientsOf<K>& net) {
   for (std::size_t c = 0; c < 3; ++c) {
     const Rational origin = from_double(frame.origin[c]);
     for (std::size_t i = 0; i < K::count; ++i) {
-      const Rational moved = patch.points[i][c] - patch.weights[i] * origin;
-      net[i][c] = std::ldexp(nearest_double(moved).value, -static_cast<int>(frame.exponent) - reduced);
+      if (origin != 0) net[i][c] = to_double(patch.points[i][c] - patch.weights[i] * origin);
+      net[i][c] = std::ldexp(net[i][c], -static_cast<int>(frame.exponent) - reduced);
     }
   }
   for (Row<K>& p : net) p[3] = std::ldexp(p[3], -reduced);
 }
 
 /// The frame is that of the control points with positive weights, its scale such that all homogeneous
-/// coordinates about its origin are at most 1. They are rounded once.
+/// coordinates about its origin are at most 1. They are rounded once. The origin is that of space where it is
+/// so near that coordinates are at most twice as great: these need no exact differences.
 template <class K>
 std::optional<PairOf<K>> weighted_pair(const ExactPatch<K>& x, const ExactPatch<K>& y) {
   PairOf<K> pair;
@@ -294,6 +295,7 @@ std::optional<PairOf<K>> weighted_pair(const ExactPatch<K>& x, const ExactPatch<
   if (!(size < 0x1p300)) {
     return std::nullopt;
   }
+  if (size <= pair.extent) pair.frame.origin = {};
   // At least the size of all coordinates about the origin: the two roundings and those of p and w o are u
   // each.
   double reach = 0;

@@ -60,4 +60,24 @@ TEST_CASE("contact finder: a corner on a side that is one point is a pole", "[fi
   CHECK_FALSE(found->corners[0].pole_of_y);
 }
 
+TEST_CASE("contact finder: a pole with a control point of weight zero", "[filter]") {
+  // On v = 0 all control vectors are multiples of (Q, 1), by 1, 0 and 1; Q is no double.
+  const Point pole = {q(1, 3), q(1, 5), q(1, 7)};
+  std::vector<std::vector<HomogeneousPoint>> net(3);
+  for (int i = 0; i < 3; ++i) {
+    const Rational weight = i == 1 ? 0 : 1;
+    net[static_cast<std::size_t>(i)] = {{weight * pole[0], weight * pole[1], weight * pole[2], weight},
+                                        {pole[0] + i - 1, pole[1] + 1, pole[2], 1},
+                                        {pole[0] + i - 1, pole[1] + 2, pole[2], 1}};
+  }
+  using K = filter::WeightedBiquadratic;
+  const auto x = filter::elevated<K>(RationalPatch::from_homogeneous(net));
+  const auto y = filter::elevated<K>(plane(pole, {-1, 0, 1}, {0, -1, 1}));
+  const auto found = filter::find_contacts<K>(x, y, filter::make_pair_of<K>(x, y).value());
+  REQUIRE(found);
+  REQUIRE(found->corners.size() == 1);
+  CHECK(found->corners[0].pole_of_x);
+  CHECK_FALSE(found->corners[0].pole_of_y);
+}
+
 }  // namespace exsect::contact_finder_test

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "support/catch.h"
+#include "support/random_nets.h"
 #include "support/random_pairs.h"
 
 namespace exsect::patch_test {
@@ -105,6 +106,34 @@ TEST_CASE("filter patch: Taylor coefficients are within their bounds on random p
     Generator generator(seed);
     check_expansions(random_pairs::doubles(generator), generator);
     check_expansions(moved(random_pairs::scattered(generator), q(2, 9), q(5, 3)), generator);
+  }
+}
+
+TEST_CASE("filter patch: weighted nets are rounded once, about an origin near by") {
+  using K = filter::WeightedBiquadratic;
+  for (const long shift : {0L, 1000000L}) {
+    INFO("moved by " << shift);
+    Generator generator(3);
+    const random_pairs::Pair pair = moved(random_pairs::scattered(generator), q(2, 7), shift);
+    const auto weighted = [&](const BezierPatch& patch) {
+      random_nets::Net net;
+      for (const auto& row : patch.net()) net.emplace_back(row.begin(), row.end());
+      return filter::elevated<K>(random_nets::weighted(generator, net));
+    };
+    const auto x = weighted(pair.x), y = weighted(pair.y);
+    const auto rounded = filter::make_pair_of<K>(x, y);
+    REQUIRE(rounded);
+    const ModelFrame& frame = rounded->frame;
+    CHECK((frame.origin == std::array<double, 3>{}) == (shift == 0));
+    for (std::size_t i = 0; i < K::count; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Rational exact =
+            (y.points[i][c] - y.weights[i] * from_double(frame.origin[c])) * power_of_two(-frame.exponent);
+        CHECK(abs(exact) <= 1);
+        CHECK(abs(from_double(rounded->y.net[i][c]) - exact) <= abs(exact) * power_of_two(-53));
+      }
+      CHECK(rounded->y.net[i][3] == to_double(y.weights[i]));
+    }
   }
 }
 
