@@ -57,6 +57,7 @@ class Cover {
         patch_(patch),
         is_injective_(is_injective),
         run_(run),
+        pinches_(side_pinches(patch)),
         extent_(extent),
         tolerance_(run.drawn_tolerance(extent)) {
     for (const std::size_t fixed : {0U, 1U})
@@ -150,20 +151,34 @@ class Cover {
 
   bool is_pinch(std::size_t a) {
     const ParameterCell& cell = found_.cells[a];
-    const bool on_side = cell.where.u.lower == 0 || cell.where.u.upper == 1 || cell.where.v.lower == 0 ||
-                         cell.where.v.upper == 1;
-    if (on_side) return false;
+    const auto on =
+        std::ranges::find_if(pinches_, [&](const SidePinch& p) { return contains(cell.where, p); });
+    const int sides = (cell.where.u.lower == 0) + (cell.where.u.upper == 1) + (cell.where.v.lower == 0) +
+                      (cell.where.v.upper == 1);
+    if (sides > 0 && on == pinches_.end()) return false;
     auto proof = PinchProof::of(cell.piece, origin_of(cell));
-    if (!proof || !is_monotone(*proof)) return false;
-    const double chords = 0.25 * std::sqrt(proof->bend() / tolerance_);
-    if (!(chords < kMostPinchChords) && cell.level < kFinestPinch) return false;
-    found_.pinches.push_back({a, *std::move(proof)});
-    return true;
+    if (!proof) return false;
+    if (sides == 0) return keeps_pinch({a, *std::move(proof), {}});
+    bool begins = sides == 1;
+    for (const SidePinch& pinch : pinches_) {
+      if (!contains(cell.where, pinch)) continue;
+      const PinchProof::AtSide at_side = proof->at_side(pinch.fixed, pinch.value, pinch.along);
+      if (at_side == PinchProof::AtSide::none) return true;
+      begins = begins && at_side == PinchProof::AtSide::begins;
+    }
+    return begins && keeps_pinch({a, *std::move(proof), *on});
   }
 
-  /// In what is to be monotone along arcs.
-  bool is_monotone(const PinchProof& proof) const {
-    return std::ranges::all_of(run_.turning(), [&](Parameter p) { return proof.is_monotone(index(p) % 2); });
+  /// If its curve is monotone in what is to be so, and short enough to be drawn.
+  bool keeps_pinch(PinchCell pinch) {
+    const double chords = 0.25 * std::sqrt(pinch.proof.bend() / tolerance_);
+    const bool is_monotone = std::ranges::all_of(run_.turning(), [&](Parameter p) {
+      return pinch.proof.is_monotone(index(p) % 2) || (pinch.on && pinch.on->fixed == index(p) % 2);
+    });
+    if (!is_monotone) return false;
+    if (!(chords < kMostPinchChords) && found_.cells[pinch.cell].level < kFinestPinch) return false;
+    found_.pinches.push_back(std::move(pinch));
+    return true;
   }
 
   bool solve(std::size_t a, std::size_t b) {
@@ -238,6 +253,7 @@ class Cover {
   const RationalPatch& patch_;
   const InjectiveRectangle& is_injective_;
   const Run& run_;
+  std::vector<SidePinch> pinches_;
   double extent_;
   double tolerance_;
   int failures_ = 0;

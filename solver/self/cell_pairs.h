@@ -4,6 +4,7 @@
 
 #include <exsect/solver/result.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "self/patch_injectivity.h"
 #include "self/pinch_proof.h"
 #include "self/poles.h"
+#include "self/side_pinches.h"
 
 namespace exsect {
 
@@ -27,6 +29,7 @@ struct SolvedCells {
 struct PinchCell {
   std::size_t cell;
   PinchProof proof;
+  std::optional<SidePinch> on;  // a side of the square, the only one that the cell reaches
 };
 
 /// If there are no problems: every pair of different parameters with one point of space lies, in one of its

@@ -237,12 +237,12 @@ class Gluing {
   /// (14.64): one curve from the pinch point to the only exit, or from one exit to the other one.
   void add_pinches() {
     for (std::size_t k = 0; k < exits_.size() && glued_.problems.empty(); ++k) {
-      if (exits_[k].empty()) continue;
       const PinchCell& pinch = pairs_.pinches[k];
       const ParameterCell& cell = pairs_.cells[pinch.cell];
+      if (exits_[k].empty() && !pinch.on) continue;
       std::vector<int> ends;
       for (const std::size_t i : exits_[k]) ends.push_back(cuts_[i].point);
-      if (!add_pinch_arc(glued_.graph, glued_.mates, pinch.proof, cell, ends, tolerance_))
+      if (!add_pinch_arc(glued_.graph, glued_.mates, pinch, cell, ends, tolerance_))
         problem({cell.where.u, cell.where.v, cell.where.u, cell.where.v}, "a pinch point not decided");
     }
   }

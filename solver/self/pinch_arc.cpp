@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "answer/chord_count.h"
-#include "self/cell_pairs.h"
 
 namespace exsect {
 namespace {
@@ -44,7 +43,7 @@ class PinchArc {
       : graph_(graph), proof_(proof), cell_(cell), origin_(origin_of(cell)), tolerance_(tolerance) {}
 
   /// The pinch point, as a node.
-  std::optional<int> cusp() {
+  std::optional<int> cusp(const std::optional<SidePinch>& on) {
     const auto place = proof_.at(0);
     if (!place) return std::nullopt;
     const RationalInterval u = in_square(place->pair[0], cell_.where.u);
@@ -53,6 +52,13 @@ class PinchArc {
     Node node{};
     node.kinds = {NodeKind::cusp};
     node.box = {u, v, u, v};
+    if (on) {
+      node.kinds.push_back(NodeKind::boundary);
+      for (const std::size_t j : {on->fixed, on->fixed + 2}) {
+        node.on.push_back({all_parameters[j], on->value});
+        node.box[j] = {on->value, on->value};
+      }
+    }
     for (std::size_t j = 0; j < 4; ++j) node.approx[j] = to_double(node.box[j].midpoint());
     node.point = vertex.point;
     return graph_.add_node(std::move(node));
@@ -136,13 +142,14 @@ class PinchArc {
 
 }  // namespace
 
-bool add_pinch_arc(GraphBuilder& graph, const std::vector<std::size_t>& mates, const PinchProof& proof,
+bool add_pinch_arc(GraphBuilder& graph, const std::vector<std::size_t>& mates, const PinchCell& pinch,
                    const ParameterCell& cell, const std::vector<int>& ends, double tolerance) {
-  PinchArc arc(graph, proof, cell, tolerance);
+  if (pinch.on && ends.size() != 1) return false;
+  PinchArc arc(graph, pinch.proof, cell, tolerance);
   const int sign = arc.side_of(ends[0]);
   if (sign == 0) return false;
   if (ends.size() == 1) {
-    const auto cusp = arc.cusp();
+    const auto cusp = arc.cusp(pinch.on);
     return cusp && arc.add(*cusp, ends[0], sign);
   }
   const int other = arc.side_of(ends[1]);

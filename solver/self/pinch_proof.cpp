@@ -77,9 +77,26 @@ std::array<double, 3> PinchProof::solved(const Vector& value) const {
 
 /// (14.63), (14.64): derivatives by q = t^2 <= 1/4 of the midpoint, the slope and the point of space.
 void PinchProof::bound_curves(const CurveBounds& bounds) {
-  std::array<double, 3> speed = solved(bounds.first());
+  const Vector first = bounds.first();
+  const std::array<double, 3> speed = speed_ = solved(first);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& p = deviations_[i];
+    const double off = (p[0] * speed[0] + p[1] * speed[1] + p[2] * speed[2]) * kSlack + kUnderflowLoss;
+    drift_[i] = Ball(0, off) - product(rows_[i], first);
+  }
   monotone_ = {speed[0] * kSlack < 1, (speed[1] + 0.5 * speed[2]) * kSlack < slopes_.lower_magnitude()};
   bend_ = bounds.bend(speed, solved(bounds.second(speed)));
+}
+
+/// (14.84). Along the side the kernel is (1,0) in the parameters that are used here, or x is another patch.
+PinchProof::AtSide PinchProof::at_side(std::size_t parameter, int value, bool along) const {
+  if (is_monotone(parameter)) return AtSide::none;
+  const bool is_second = exchanged_ != (parameter == 1);
+  if (!along || !is_second) return AtSide::unknown;
+  const Ball inwards = value == 0 ? drift_[1] : -drift_[1];
+  if ((-inwards).is_positive()) return AtSide::none;
+  const bool begins = inwards.is_positive() && 0.75 * kSlack * speed_[2] < inwards.lower_magnitude();
+  return begins ? AtSide::begins : AtSide::unknown;
 }
 
 Vector PinchProof::value_at(const std::array<double, 3>& y, double t) const {
@@ -118,9 +135,11 @@ bool PinchProof::improve(std::array<double, 3>& y, double t) const {
 std::optional<PinchProof::Place> PinchProof::at(double t) const {
   std::array<double, 3> y = {0.5, 0.5, guess_};
   if (!improve(y, t)) return std::nullopt;
+  if (t == 0)  // it may be on a side
+    for (const std::size_t i : {0U, 1U}) y[i] = std::clamp(y[i], 0.0, 1.0);
   const std::array<double, 3> off = solved(value_at(y, t));
   const double reach = t * std::fabs(y[2]) * kSlack;
-  const bool is_inside = y[0] - t > 0 && y[0] + t < 1 && y[1] - reach > 0 && y[1] + reach < 1;
+  const bool is_inside = y[0] - t >= 0 && y[0] + t <= 1 && y[1] - reach >= 0 && y[1] + reach <= 1;
   const Ball from_middle = Ball(y[2]) - slopes_.midpoint();
   if (!is_inside || !(from_middle.upper_magnitude() <= slopes_.radius())) return std::nullopt;
   if (!(off[0] <= 1 && off[1] <= 1)) return std::nullopt;

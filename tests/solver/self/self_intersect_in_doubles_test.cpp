@@ -2,6 +2,7 @@
 // are and as images under projective maps; known loops; maps of the parameters.
 #include "self/self_intersect_in_doubles.h"
 
+#include <exsect/algebra/bernstein.h>
 #include <exsect/algebra/nearest_rounding.h>
 #include <exsect/solver/intersect_rational.h>
 #include <exsect/solver/self_intersect.h>
@@ -131,6 +132,22 @@ RationalPatch touching_sheets(const Rational& a, const Rational& b) {
     for (std::size_t i = 0; i < 4; ++i) net[i][static_cast<std::size_t>(j)] = column[i];
   }
   for (auto& row : net) row[1] = 2 * row[1] - half * (row[0] + row[2]);
+  return RationalPatch(net);
+}
+
+/// Whitney's umbrella (a^2, a b, b) with a = v - 1/2, b = u - c a^2: its pairs are 1/2 + a and 1/2 - a at
+/// u = c a^2, and on the side u = 0 it has a cusp.
+RationalPatch umbrella_on_side(const Rational& c) {
+  random_nets::Net net(2);
+  for (const int u : {0, 1}) {
+    // In the powers of v: a = v - 1/2.
+    const Polynomial a{Rational(-1, 2), 1};
+    const Polynomial b = Polynomial(u) - Polynomial(c) * a * a;
+    std::array<std::vector<Rational>, 3> x;
+    for (std::size_t k = 0; k < 3; ++k) x[k] = bernstein_coefficients(k == 0 ? a * a : k == 1 ? a * b : b, 3);
+    for (std::size_t j = 0; j < 4; ++j)
+      net[static_cast<std::size_t>(u)].push_back({x[0][j], x[1][j], x[2][j]});
+  }
   return RationalPatch(net);
 }
 
@@ -344,6 +361,63 @@ TEST_CASE("self in doubles: what is not decided is incomplete, and exact needs a
   CHECK(result.status == Status::incomplete);
   CHECK(result.graph.nodes.empty());
   CHECK_FALSE(result.incomplete.empty());
+}
+
+TEST_CASE("self in doubles: a pinch point on a side, along which its kernel lies") {
+  Generator generator(20261127);
+  for (const Rational& c : {Rational(1), Rational(3, 7), Rational(-1), Rational(-2, 5)}) {
+    CAPTURE(c.str());
+    const RationalPatch x = umbrella_on_side(c);
+    const IntersectResult result = in_doubles(x);
+    check_complete(result);
+    REQUIRE(result.graph.arcs.size() == (c > 0 ? 1U : 0U));
+    CHECK(result.graph.nodes.size() == 2 * result.graph.arcs.size());
+    for (const Node& node : result.graph.nodes) {
+      const bool is_cusp = node.kinds == std::vector{NodeKind::cusp, NodeKind::boundary};
+      REQUIRE(node.on.size() == 2);
+      if (is_cusp) {
+        CHECK(node.on == std::vector<Side>{{Parameter::u, 0}, {Parameter::r, 0}});
+        CHECK((node.box[1].lower <= Rational(1, 2) && node.box[1].upper >= Rational(1, 2)));
+        CHECK(node.approx[1] == 0.5);
+      } else {
+        CHECK((node.box[0].lower <= c / 4 && node.box[0].upper >= c / 4));
+        CHECK(node.approx[1] + node.approx[3] == 1);
+      }
+    }
+    for (const Arc& arc : result.graph.arcs)
+      for (const PolylineVertex& vertex : arc.polyline) {
+        const auto& at = vertex.parameters;
+        CHECK(std::fabs(at[0] - at[2]) < 1e-7);
+        CHECK(std::fabs(at[0] - to_double(c) * (at[1] - 0.5) * (at[1] - 0.5)) < 1e-7);
+      }
+    // The curve of x itself is straight, its polyline coarse in the parameters.
+    const RationalPatch y = random_nets::image(x, random_nets::projective_map(generator));
+    const IntersectResult bent = in_doubles(y);
+    check_complete(bent);
+    CHECK(bent.graph.nodes.size() == result.graph.nodes.size());
+    check_same(in_doubles(random_nets::image(x, random_nets::projective_map(generator))), bent.graph);
+    check_same(in_doubles(y.transposed()), bent.graph, {{1, 0, 3, 2}, {}});
+    check_same(in_doubles(y.restricted_to(1, 0, 0, 1).elevated(3, 3)), bent.graph,
+               {{0, 1, 2, 3}, {true, false, true, false}});
+  }
+}
+
+TEST_CASE("self in doubles: pinch points in corners, with their kernels along sides and across them") {
+  Generator generator(20261128);
+  for (int round = 0; round < 4; ++round) {
+    CAPTURE(round);
+    ControlNet net = scattered(generator).net();
+    const Point& corner = net[0][2];
+    if (round % 2 == 0) {
+      net[1][2] = corner;
+    } else {  // x_u and x_v are parallel
+      net[1][2] = corner + Rational(round == 1 ? -2 : 2, 3) * (net[0][1] - corner);
+    }
+    const BezierPatch x(net);
+    const IntersectResult exact = self_intersect(x);
+    check_complete(exact);
+    check_same(in_doubles(x), exact.graph);
+  }
 }
 
 }  // namespace exsect::self_intersect_in_doubles_test
