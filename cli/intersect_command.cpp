@@ -163,7 +163,6 @@ ExitStatus run_with_patches(const IntersectCommand& command, const RationalPair&
                             const IntersectOptions& options, const Streams& streams) {
   const int cells = grid_cells(command.output.exports);
   const std::optional<BiquadraticPair> biquadratic_pair = biquadratic(pair);
-  if (command.exact) refuse_unless_biquadratic(command.file, pair, "--exact");
   const PatchNames names = {pair.x.name, pair.y.name};
   const IntersectResult result = solve(command, pair.x.patch, pair.y.patch, options, streams);
   const std::string json = command.output.json.empty() ? "" : json_text(intersection_json(result, names));

@@ -87,10 +87,6 @@ SolvedPair intersect_patches(const RationalPatch& x, const RationalPatch& y,
                              const py::object& progress) {
   IntersectOptions options = options_of(turning, tolerance, max_seconds, cli::pair_names);
   options.exact = exact;
-  if (exact) {
-    biquadratic_of(x, names[0]);
-    biquadratic_of(y, names[1]);
-  }
   options.progress = watched(progress);
   const py::gil_scoped_release release;
   return {intersect(x, y, options), x, y, {names[0], names[1]}};

@@ -13,6 +13,7 @@
 #include "answer/parameter_names.h"
 #include "answer/proof.h"
 #include "answer/run.h"
+#include "eliminant/weighted_eliminant.h"
 #include "filter/exact_patch.h"
 #include "filter/filter.h"
 #include "intersect.h"
@@ -77,12 +78,14 @@ IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const 
   const auto first = x.biquadratic();
   const auto second = y.biquadratic();
   if (first && second) return intersect(*first, *second, options);
-  if (options.exact) throw NotSupported(first ? y : x);
+  if (options.exact && eliminant_sweeps(x, y).empty() && !polynomial_images(x, y))
+    throw NotSupported("exact arithmetic for " + kind_of(x) + " and " + kind_of(y));
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
-    IntersectResult result = with_signs_beside(
-        x, y, run, [&](const Run& part) { return answered(part, [&] { return intersect_any(x, y, part); }); });
-    if (result.status != Status::complete) run.count("filtered", 1);
+    IntersectResult result = with_signs_beside(x, y, run, [&](const Run& part) {
+      return answered(part, [&] { return intersect_any(x, y, part); });
+    });
+    if (result.status != Status::complete && !options.exact) run.count("filtered", 1);
     const auto again = [x, y](const IntersectOptions& other) { return intersect(x, y, other); };
     return answer_to(options, run.finished(std::move(result)), again);
   });

@@ -44,8 +44,12 @@ IntersectResult solved_pair(const ExactPatch<K>& x, const ExactPatch<K>& y, cons
   const auto pair = filter::make_pair_of<K>(x, y);
   if (pair)
     if (auto found = in_affine_parameters<K>(x, y, *pair, run)) return *std::move(found);
-  return pair && known.stuck ? filter::ended_at<K>(*pair, *known.stuck)
-                             : undecided(whole_domain(), "not decided in doubles");
+  if (pair && known.stuck) return filter::ended_at<K>(*pair, *known.stuck);
+  return undecided(whole_domain(),
+                   run.exact()
+                       ? "not decided by an eliminant, as where the patches share a corner or a side, touch, "
+                         "or one is a surface of revolution"
+                       : "not decided in doubles");
 }
 
 /// As it is, and moved and scaled where that helps.

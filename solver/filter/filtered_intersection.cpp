@@ -27,13 +27,13 @@ template <class K>
 class FilteredIntersection {
  public:
   FilteredIntersection(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run, bool with_stations)
-      : x_(x), y_(y), run_(run), with_stations_(with_stations) {}
+      : x_(x), y_(y), run_(run), with_stations_(with_stations || needs_eliminant()) {}
 
   Filtered solved() {
     Filtered known;
     known.result = run();
     if (!known.result) known.stuck = stuck();
-    if (with_stations_) known.stations = std::move(stations_);
+    known.stations = std::move(stations_);
     return known;
   }
 
@@ -82,7 +82,7 @@ class FilteredIntersection {
     if (all_turns_wanted()) {
       find_stations(*points, curves);
     }
-    if (loops_open_ && !proved_by_eliminant(*pair, trees)) {
+    if ((loops_open_ || needs_eliminant()) && !proved_by_eliminant(*pair, trees)) {
       return std::nullopt;
     }
     KnownPair<K> all = known(*pair, *std::move(contacts));
@@ -103,6 +103,9 @@ class FilteredIntersection {
 
   /// Whether the questions are answered that need exact forms of the patches.
   static constexpr bool kExactBehind = std::is_same_v<K, Biquadratic>;
+
+  /// In exact mode the search for closed curves proves nothing.
+  bool needs_eliminant() const { return !kExactBehind && run_.exact(); }
 
   /// With the ports of the double points.
   std::optional<std::vector<BoundaryPointOf<K>>> boundary_points(const PairOf<K>& pair,
@@ -167,7 +170,7 @@ class FilteredIntersection {
       const bool has_arcs = trace_arcs(pair, points, traces, stuck);
       if (has_arcs && add_loops(pair, contacts, double_points_, trees, points, traces, boxes_, stuck)) {
         loops_open_ = false;
-        return true;
+        return !needs_eliminant() || has_eliminant(contacts, points);
       }
       stuck_ = stuck;
       loops_open_ = has_arcs && has_eliminant(contacts, points);

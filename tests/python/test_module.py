@@ -172,7 +172,6 @@ def test_functions_for_biquadratic_patches_name_the_kind_of_others(first):
         calls = [
             lambda p: exsect.implicitize(p),
             lambda p: exsect.compare(first["x"], p),
-            lambda p: exsect.intersect(p, first["x"], exact=True),
         ]
         for call in calls:
             with pytest.raises(ValueError, match="not supported here: " + kind + ", only polynomial"):
@@ -317,6 +316,8 @@ def test_exact_mode_skips_floating_point_and_finds_the_same(first):
     assert quick.tree["work"]["steps"]["filtered"] == 1
     assert "filtered" not in exact.tree["work"]["steps"]
     assert [node["kinds"] for node in quick.tree["nodes"]] == [node["kinds"] for node in exact.tree["nodes"]]
+    with pytest.raises(ValueError, match=r"exact arithmetic for bidegree \(2,3\) and bidegree \(2,2\)"):
+        exsect.intersect(cubic(), first["x"], exact=True)
 
 
 def test_an_incomplete_result_says_where_and_why(first):

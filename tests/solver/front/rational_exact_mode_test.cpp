@@ -1,0 +1,96 @@
+// Pairs of any bidegrees in exact mode: complete only where an eliminant proves it, with the graph that
+// doubles find.
+#include <exsect/solver/intersect_rational.h>
+
+#include "support/catch.h"
+#include "support/graph_isomorphism.h"
+#include "support/random_nets.h"
+
+namespace exsect::rational_exact_mode_test {
+namespace {
+
+using random_nets::Generator;
+using Degrees = std::array<int, 4>;
+
+constexpr std::array<Degrees, 8> kDegrees = {{{2, 2, 2, 2},
+                                              {2, 1, 2, 2},
+                                              {1, 3, 3, 1},
+                                              {1, 2, 3, 2},
+                                              {2, 2, 1, 3},
+                                              {1, 1, 3, 3},
+                                              {3, 3, 2, 1},
+                                              {3, 1, 3, 3}}};
+
+IntersectOptions exact_mode() {
+  IntersectOptions options;
+  options.exact = true;
+  return options;
+}
+
+struct Pair {
+  RationalPatch x, y;
+};
+
+Pair pair_of(Generator& generator, const random_nets::Nets& nets, bool weighted) {
+  if (!weighted) return {nets.first(), nets.second()};
+  return {random_nets::weighted(generator, nets.x), random_nets::weighted(generator, nets.y)};
+}
+
+/// 1 if both are complete, and then equal.
+int compared(const Pair& pair) {
+  const IntersectResult quick = intersect(pair.x, pair.y);
+  const IntersectResult exact = intersect(pair.x, pair.y, exact_mode());
+  CHECK(exact.work.steps.count("filtered") == 0);
+  if (quick.status != Status::complete || exact.status != Status::complete) {
+    CHECK((exact.status == Status::complete || !exact.incomplete.empty()));
+    return 0;
+  }
+  CHECK(exact.work.steps.count("turning eliminant ms") == 1);
+  CHECK(difference(quick.graph, exact.graph, {}).empty());
+  return 1;
+}
+
+}  // namespace
+
+TEST_CASE("rational exact mode: the graph that doubles find, proved by an eliminant") {
+  for (const Degrees& degrees : kDegrees) {
+    CAPTURE(degrees);
+    int complete = 0;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      INFO("seed " << seed);
+      Generator generator(seed);
+      const bool weighted = seed % 2 == 0 || degrees == kDegrees[0];
+      const auto nets = seed % 3 == 0 ? random_nets::loop(generator, degrees)
+                                      : random_nets::crossing(generator, degrees, seed > 3);
+      complete += compared(pair_of(generator, nets, weighted));
+    }
+    CHECK(complete >= 4);
+  }
+}
+
+TEST_CASE("rational exact mode: incomplete where patches share a corner or a side") {
+  Generator generator(3);
+  const RationalPatch whole = random_nets::weighted(generator, random_nets::doubles(generator, 2, 2));
+  const RationalPatch left = whole.restricted_to(0, Rational(1, 2), 0, 1);
+  const RationalPatch right = whole.restricted_to(Rational(1, 2), 1, 0, 1);
+  const IntersectResult result = intersect(left, right, exact_mode());
+  CHECK(result.status == Status::incomplete);
+  REQUIRE_FALSE(result.incomplete.empty());
+  CHECK(result.incomplete.front().why.find("eliminant") != std::string::npos);
+}
+
+TEST_CASE("rational exact mode: pairs without an affordable eliminant are refused by their kinds") {
+  Generator generator(5);
+  const auto refused = [&](const Degrees& degrees, bool weighted) {
+    const Pair pair = pair_of(generator, random_nets::crossing(generator, degrees, true), weighted);
+    CHECK_THROWS_AS(intersect(pair.x, pair.y, exact_mode()), NotSupported);
+  };
+  refused({3, 3, 3, 3}, false);
+  refused({2, 3, 2, 2}, true);
+  const Pair pair = pair_of(generator, random_nets::crossing(generator, {2, 3, 3, 3}, true), true);
+  CHECK_THROWS_WITH(
+      intersect(pair.x, pair.y, exact_mode()),
+      "not supported yet: exact arithmetic for bidegree (2,3) with weights and bidegree (3,3) with weights");
+}
+
+}  // namespace exsect::rational_exact_mode_test
