@@ -276,7 +276,8 @@ SurfaceIntersection crossing(const ImplicitSurface& first, const ImplicitSurface
   for (CrossingNode& node : curve.nodes)
     add_node(result, node_kind(node.degree, node.is_singular, node.goes_on), node.degree, std::move(node.box),
              {});
-  for (CrossingArc& arc : curve.arcs) add_arc(result, arc, 1, {std::move(arc.points), arc.error_bound});
+  for (CrossingArc& arc : curve.arcs)
+    add_arc(result, arc, arc.multiplicity, {std::move(arc.points), arc.error_bound});
   set_curves(result, named_curves(curve));
   return result;
 }

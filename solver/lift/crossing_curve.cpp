@@ -51,28 +51,65 @@ void add_chord(SpaceTrace& trace, const LandmarkStar& star, const SpaceZero& end
   trace.error_bound = larger_bound(trace.error_bound, error * kSlack);
 }
 
-CrossingCurve traced(const SpacePolynomial& f, const SpacePolynomial& g, CrossingLandmarks known) {
-  CrossingCurve result;
-  for (const LandmarkStar& star : known.stars)
-    result.nodes.push_back({star.point, false, star.is_singular,
-                            static_cast<int>(star.star.left.size() + star.star.right.size())});
-  TraceProblem problem{f, g, {}, known.extent, known.tolerance};
-  std::vector<std::size_t> node_of;
-  for (const CrossingLandmark& landmark : known.landmarks) {
-    problem.landmarks.push_back(landmark.zero);
-    node_of.push_back(landmark.star.value_or(result.nodes.size()));
-    if (!landmark.star) result.nodes.push_back(node_at(landmark));
+/// One curve F = G = 0 with all landmarks on it: that of the branches along which the surfaces cross, or one
+/// of a multiple branch.
+struct TracedPart {
+  TraceProblem problem;
+  std::vector<std::size_t> landmarks;  // positions in the list of all
+};
+
+std::vector<TracedPart> traced_parts(const CrossingBranches& branches, const CrossingLandmarks& known) {
+  std::vector<TracedPart> parts;
+  std::vector<std::size_t> part_of;
+  std::optional<std::size_t> crossing;
+  for (const CrossingBranch& branch : branches.all) {
+    const bool is_known = branch.multiplicity == 1 && crossing;
+    part_of.push_back(is_known ? *crossing : parts.size());
+    if (branch.multiplicity == 1) crossing = part_of.back();
+    if (!is_known) parts.push_back({{branch.f, branch.g, {}, known.extent, known.tolerance}, {}});
   }
+  for (std::size_t i = 0; i < known.landmarks.size(); ++i) {
+    TracedPart& part = parts[part_of[known.landmarks[i].branch]];
+    part.problem.landmarks.push_back(known.landmarks[i].zero);
+    part.landmarks.push_back(i);
+  }
+  return parts;
+}
+
+/// The nodes of all stars, then those of other landmarks; `node_of` of every landmark.
+std::vector<CrossingNode> nodes_of(const CrossingLandmarks& known, std::vector<std::size_t>& node_of) {
+  std::vector<CrossingNode> nodes;
+  for (const LandmarkStar& star : known.stars) nodes.push_back({star.point, false, star.is_singular, 0});
+  for (const CrossingLandmark& landmark : known.landmarks) {
+    node_of.push_back(landmark.star.value_or(nodes.size()));
+    if (landmark.star)
+      ++nodes[*landmark.star].degree;
+    else
+      nodes.push_back(node_at(landmark));
+  }
+  return nodes;
+}
+
+CrossingCurve traced(const CrossingBranches& branches, const CrossingLandmarks& known) {
+  CrossingCurve result;
+  std::vector<std::size_t> node_of;
+  result.nodes = nodes_of(known, node_of);
   std::vector<int> arrivals(known.landmarks.size(), 0);
-  for (std::size_t i = 0; i < known.landmarks.size(); ++i)
-    for (const int sense : upward_senses(known.landmarks[i])) {
-      SpaceTrace trace = space_trace(problem, i, sense);
-      ++arrivals[trace.end];
-      const CrossingLandmark &from = known.landmarks[i], &to = known.landmarks[trace.end];
-      if (from.star) add_chord(trace, known.stars[*from.star], from.zero, true);
-      if (to.star) add_chord(trace, known.stars[*to.star], to.zero, false);
-      result.arcs.push_back(
-          {node_of[i], node_of[trace.end], from.factor, std::move(trace.points), trace.error_bound});
+  for (const TracedPart& part : traced_parts(branches, known))
+    for (std::size_t k = 0; k < part.landmarks.size(); ++k) {
+      const std::size_t start = part.landmarks[k];
+      const CrossingLandmark& from = known.landmarks[start];
+      for (const int sense : upward_senses(from)) {
+        SpaceTrace trace = space_trace(part.problem, k, sense);
+        const std::size_t end = part.landmarks[trace.end];
+        ++arrivals[end];
+        const CrossingLandmark& to = known.landmarks[end];
+        if (from.star) add_chord(trace, known.stars[*from.star], from.zero, true);
+        if (to.star) add_chord(trace, known.stars[*to.star], to.zero, false);
+        result.arcs.push_back({node_of[start], node_of[end], from.branch,
+                               branches.all[from.branch].multiplicity, std::move(trace.points),
+                               trace.error_bound});
+      }
     }
   for (std::size_t i = 0; i < known.landmarks.size(); ++i)
     if (arrivals[i] != expected_arrivals(known.landmarks[i].kind))
@@ -110,13 +147,13 @@ CrossingCurve crossing_curve(const SpacePolynomial& first, const SpacePolynomial
     if (projection->shadow.is_zero()) return left_open("the surfaces have a part in common");
     if (projection->shadow.degree_s() < 1) return {};
     ++tried;
-    const Polynomial norm = turning_norm(*projection);
-    if (norm.is_zero()) {
-      why = "the surfaces touch along a curve, it seems";
+    const std::optional<CrossingBranches> branches = crossing_branches(f, g, *projection);
+    if (!branches) {
+      why = "both surfaces are singular along a common curve, it seems";
       continue;
     }
-    CrossingLandmarks landmarks = crossing_landmarks(f, g, *projection, norm, tolerance);
-    if (landmarks.obstacle.empty()) return traced(f, g, std::move(landmarks));
+    const CrossingLandmarks landmarks = crossing_landmarks(*branches, tolerance);
+    if (landmarks.obstacle.empty()) return traced(*branches, landmarks);
     why = landmarks.obstacle;
   }
   return left_open(why);
@@ -130,7 +167,9 @@ std::vector<SpaceCurve> named_curves(const CrossingCurve& curve) {
     const CrossingArc& arc = curve.arcs[i];
     const ConnectedParts& part = parts.try_emplace(arc.factor, curve, arc.factor).first->second;
     const auto [at, is_new] = position.emplace(std::pair(arc.factor, part(arc)), curves.size());
-    if (is_new) curves.push_back({static_cast<int>(curves.size()), SpaceCurveKind::general, {}, false, 1});
+    if (is_new)
+      curves.push_back(
+          {static_cast<int>(curves.size()), SpaceCurveKind::general, {}, false, arc.multiplicity});
     curves[at->second].arcs.push_back(static_cast<int>(i));
   }
   return curves;

@@ -1,5 +1,5 @@
-// The curve in which two surfaces given by any equations cross, if they touch in points at most. Internal to
-// solver/; docs/method-equations.md, section 17.15.
+// The curve that two surfaces given by any equations have in common. Internal to solver/;
+// docs/method-equations.md, sections 17.15 and 17.16.
 #pragma once
 
 #include <array>
@@ -26,6 +26,7 @@ struct CrossingArc {
   std::size_t from;  // of smaller u
   std::size_t to;
   std::size_t factor;  // of the shadow, an irreducible one
+  int multiplicity;    // 1 where the surfaces cross; above 1 they touch, or one of them is singular
   std::vector<std::array<double, 3>> points;
   double error_bound;
 };

@@ -1,13 +1,11 @@
 #include "lift/crossing_landmarks.h"
 
-#include <exsect/algebra/bivariate_factors.h>
 #include <exsect/algebra/interruption.h>
 #include <exsect/algebra/real_algebraic.h>
 #include <exsect/geometry/beyond_doubles.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "lift/root_interval.h"
@@ -15,12 +13,15 @@
 namespace exsect {
 namespace {
 
-/// About where a landmark is.
+Point middle_of(const CrossingBox& box) { return {box[0].midpoint(), box[1].midpoint(), box[2].midpoint()}; }
+
+/// A landmark that is still to be enclosed in a cube.
 struct Guess {
-  Point place;
+  CrossingBox box;  // which an end is in; about the place of a turning point
   LandmarkKind kind;
-  RationalInterval heights;  // of u: no other landmark of its system is over it
-  std::optional<std::size_t> star;
+  RationalInterval heights;  // of u: no other turning point is over it, and no other number for ends
+  std::size_t branch;
+  std::optional<std::size_t> star = {};
 };
 
 bool is_end(LandmarkKind kind) { return kind == LandmarkKind::entry || kind == LandmarkKind::exit; }
@@ -57,24 +58,24 @@ std::vector<TurningValue> turning_values(const Polynomial& norm, const RationalI
   return values;
 }
 
+/// Over u every zero of the shadow is simple, with one common point, by (17.15).
+bool is_general_over(const SpaceProjection& projection, const Rational& u) {
+  const Polynomial over = projection.shadow.at_r(u);
+  return is_squarefree(over) && gcd(over, projection.slope.at_r(u)).degree() == 0;
+}
+
 class LandmarkSearch {
  public:
-  LandmarkSearch(const SpacePolynomial& f, const SpacePolynomial& g, const SpaceProjection& projection,
-                 const Polynomial& norm)
-      : f_(f), g_(g), projection_(projection), range_(fitted_interval({norm})) {
-    const Point& height = projection_.frame.height;
-    turning_ = turning_form(f, g, height);
-    for (std::size_t k = 0; k < 3; ++k) height_ += height[k] * SpacePolynomial::variable(k);
-    for (BivariatePower& power : irreducible_factors(projection_.shadow))
-      factors_.push_back(std::move(power.factor));
-    while (!is_squarefree(projection_.shadow.at_r(range_.lower))) range_.lower -= range_.width() / 64;
-    while (!is_squarefree(projection_.shadow.at_r(range_.upper))) range_.upper += range_.width() / 64;
-    values_ = turning_values(norm, range_);
+  explicit LandmarkSearch(const CrossingBranches& branches)
+      : branches_(branches), projection_(branches.projection), range_(fitted_interval({branches.norm})) {
+    while (!is_general_over(projection_, range_.lower)) range_.lower -= range_.width() / 64;
+    while (!is_general_over(projection_, range_.upper)) range_.upper += range_.width() / 64;
+    values_ = turning_values(branches.norm, range_);
   }
 
   CrossingLandmarks run(const std::function<double(double)>& tolerance) {
-    add_ends(range_.lower, LandmarkKind::entry);
-    add_ends(range_.upper, LandmarkKind::exit);
+    if (!add_ends(range_.lower, LandmarkKind::entry) || !add_ends(range_.upper, LandmarkKind::exit))
+      return with_obstacle("where the curve goes on to infinity is not proved");
     for (const TurningValue& value : values_) {
       if (value.is_simple && !add_turning_point(value))
         return with_obstacle("turning points of the curve are not proved");
@@ -84,11 +85,11 @@ class LandmarkSearch {
     if (guesses_.empty() && result_.stars.empty()) return std::move(result_);
     result_.extent = extent_of_guesses();
     result_.tolerance = tolerance(result_.extent);
-    for (std::size_t i = 0; i < centres_.size(); ++i) add_star(i);
+    for (std::size_t i = 0; i < centres_.size(); ++i)
+      if (!add_star(i)) return with_obstacle("arcs at a singular point are not proved");
     const double radius = std::ldexp(1.0, std::ilogb(result_.extent) - 90);
     for (const Guess& guess : guesses_)
       if (!add_landmark(guess, radius)) return with_obstacle("ends of arcs are not proved");
-    if (!ends_are_apart()) return with_obstacle("ends of arcs are not apart");
     return std::move(result_);
   }
 
@@ -102,19 +103,28 @@ class LandmarkSearch {
     return projection_.frame.point(u, v, -projection_.offset(u, v) / slope);  // (17.15)
   }
 
-  std::vector<Rational> roots_near(const Polynomial& in_v) const {
-    std::vector<Rational> result;
+  /// Intervals around the zeros of a polynomial, of those in a strip if one is given.
+  static std::vector<RationalInterval> enclosed_roots(const Polynomial& in_v,
+                                                      const RationalInterval* strip = nullptr) {
+    std::vector<RationalInterval> result;
     if (in_v.degree() < 1) return result;
     const Rational beyond = above_all_roots(in_v);
-    for (const RealAlgebraic& v : real_roots(in_v, -beyond, beyond))
-      result.push_back(v.refined_to(beyond * fine_).interval().midpoint());
+    const RationalInterval range = strip ? *strip : RationalInterval{-beyond, beyond};
+    for (const RealAlgebraic& v : real_roots(in_v, range.lower, range.upper))
+      result.push_back(v.refined_to(beyond * fine_).interval());
     return result;
   }
 
-  /// All points over u, where the shadow's are simple.
-  void add_ends(const Rational& u, LandmarkKind kind) {
-    for (const Rational& v : roots_near(projection_.shadow.at_r(u)))
-      guesses_.push_back({lifted(u, v).value_or(Point{}), kind, {u, u}, {}});
+  /// All points over u, or those in the strip of a star whose window ends there; false if one is not found.
+  bool add_ends(const Rational& u, LandmarkKind kind, std::optional<std::size_t> star = {}) {
+    const RationalInterval* strip = star ? &result_.stars[*star].star.strip : nullptr;
+    for (std::size_t branch = 0; branch < branches_.all.size(); ++branch)
+      for (const RationalInterval& v : enclosed_roots(branches_.all[branch].shadow.at_r(u), strip)) {
+        const std::optional<CrossingBox> box = box_over(projection_, {u, u}, v);
+        if (!box) return false;
+        guesses_.push_back({*box, kind, {u, u}, branch, star});
+      }
+    return true;
   }
 
   bool add_centres(const TurningValue& value) {
@@ -137,35 +147,33 @@ class LandmarkSearch {
     }
   }
 
-  void add_star(std::size_t i) {
+  bool add_star(std::size_t i) {
     const auto& [centre, free] = centres_[i];
-    const CrossingStar star = crossing_star(projection_, centre, free, from_double(result_.tolerance) / 4);
-    for (const bool on_right : {false, true}) {
-      const Rational& u = on_right ? star.window.upper : star.window.lower;
-      for (const Rational& v : on_right ? star.right : star.left)
-        guesses_.push_back(
-            {lifted(u, v).value_or(Point{}), on_right ? LandmarkKind::entry : LandmarkKind::exit, {u, u}, i});
-    }
-    result_.stars[i].star = star;
+    result_.stars[i].star = crossing_star(projection_, centre, free, from_double(result_.tolerance) / 4);
+    const RationalInterval& window = result_.stars[i].star.window;
+    return add_ends(window.lower, LandmarkKind::exit, i) && add_ends(window.upper, LandmarkKind::entry, i);
   }
 
   /// False if it is not proved.
   bool add_landmark(const Guess& guess, double radius) {
     const std::optional<SpaceZero> zero = proved(guess, radius);
     if (!zero) return false;
-    const std::optional<std::size_t> factor = factor_at(*zero);
-    const int upward = is_end(guess.kind) ? sign_on(turning_, *zero) : 0;
-    if (!factor || (is_end(guess.kind) && upward == 0)) return false;
-    result_.landmarks.push_back({*zero, guess.kind, guess.star, *factor, upward});
+    const int upward = is_end(guess.kind) ? sign_on(branches_.all[guess.branch].rate, *zero) : 0;
+    if (is_end(guess.kind) && upward == 0) return false;
+    const std::optional<std::size_t> branch = is_end(guess.kind) ? guess.branch : branch_at(*zero);
+    if (!branch) return false;
+    result_.landmarks.push_back({*zero, guess.kind, guess.star, *branch, upward});
     return true;
   }
 
-  /// The only factor of the shadow that may vanish below the point.
-  std::optional<std::size_t> factor_at(const SpaceZero& zero) const {
+  /// The only one along which the surfaces cross that may pass through the point.
+  std::optional<std::size_t> branch_at(const SpaceZero& zero) const {
     std::optional<std::size_t> only;
     const RationalInterval u = range_on(zero, projection_.frame.height), v = range_on(zero, along_v());
-    for (std::size_t i = 0; i < factors_.size(); ++i) {
-      if (factors_.size() > 1 && has_no_zero_on(factors_[i], u, v)) continue;
+    for (std::size_t i = 0; i < branches_.all.size(); ++i) {
+      const CrossingBranch& branch = branches_.all[i];
+      if (branch.multiplicity > 1) continue;
+      if (branches_.all.size() > 1 && has_no_zero_on(branch.shadow, u, v)) continue;
       if (only) return std::nullopt;
       only = i;
     }
@@ -175,14 +183,23 @@ class LandmarkSearch {
   /// The point over a simple root of E: next to it a zero of the shadow's derivative by v, and nearly one of
   /// the shadow.
   bool add_turning_point(const TurningValue& value) {
+    const auto crossing = std::ranges::find(branches_.all, 1, &CrossingBranch::multiplicity);
+    if (crossing == branches_.all.end()) return false;
+    const auto branch = static_cast<std::size_t>(crossing - branches_.all.begin());
     const Rational u = value.u.refined_to(range_.width() * fine_).interval().midpoint();
     const Polynomial over = projection_.shadow.at_r(u);
-    std::vector<Rational> places = roots_near(over.derivative());
-    std::ranges::sort(places, {}, [&](const Rational& v) -> Rational { return abs(over(v)); });
+    std::vector<RationalInterval> places = enclosed_roots(over.derivative());
+    std::ranges::sort(places, {},
+                      [&](const RationalInterval& v) -> Rational { return abs(over(v.midpoint())); });
     for (std::size_t k = 0; k < std::min<std::size_t>(places.size(), 3); ++k) {
-      const std::optional<Point> guess = lifted(u, places[k]);
-      if (!guess) continue;
-      Guess landmark{*guess, LandmarkKind::lowest, value.free, {}};
+      const std::optional<Point> place = lifted(u, places[k].midpoint());
+      if (!place) continue;
+      Guess landmark{{RationalInterval{(*place)[0], (*place)[0]},
+                      {(*place)[1], (*place)[1]},
+                      {(*place)[2], (*place)[2]}},
+                     LandmarkKind::lowest,
+                     value.free,
+                     branch};
       const std::optional<SpaceZero> zero = proved(landmark, to_double(value.free.width()) * 0x1p-40);
       if (!zero) continue;
       const int bend = orientation_on(system_of(landmark), *zero);
@@ -195,18 +212,27 @@ class LandmarkSearch {
   }
 
   SpaceSystem system_of(const Guess& guess) const {
-    if (!is_end(guess.kind)) return {f_, g_, turning_};
-    return {f_, g_, height_ - SpacePolynomial::constant(guess.heights.lower)};
+    const CrossingBranch& branch = branches_.all[guess.branch];
+    if (!is_end(guess.kind)) return {branch.f, branch.g, branch.rate};
+    SpacePolynomial plane = SpacePolynomial::constant(-guess.heights.lower);
+    for (std::size_t k = 0; k < 3; ++k) plane += projection_.frame.height[k] * SpacePolynomial::variable(k);
+    return {branch.f, branch.g, plane};
   }
 
-  /// Whose u is in its interval, or v in the strip of its star.
+  /// A turning point with its u in the interval; an end with its box in the cube.
   std::optional<SpaceZero> proved(const Guess& guess, double radius) const {
     if (!(radius > 0x1p-900 && radius < 0x1p900)) return std::nullopt;
-    std::optional<SpaceZero> zero = space_zero(system_of(guess), guess.place, radius);
-    if (!zero || (is_end(guess.kind) && !guess.star)) return zero;
-    const RationalInterval range = range_on(*zero, guess.star ? along_v() : projection_.frame.height);
-    const RationalInterval& known = guess.star ? result_.stars[*guess.star].star.strip : guess.heights;
-    return known.lower < range.lower && range.upper < known.upper ? zero : std::nullopt;
+    std::optional<SpaceZero> zero = space_zero(system_of(guess), middle_of(guess.box), radius);
+    if (!zero) return zero;
+    if (!is_end(guess.kind)) {
+      const RationalInterval u = range_on(*zero, projection_.frame.height);
+      return guess.heights.lower < u.lower && u.upper < guess.heights.upper ? zero : std::nullopt;
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+      if (guess.box[k].lower < zero->centre[k] - from_double(radius) ||
+          zero->centre[k] + from_double(radius) < guess.box[k].upper)
+        return std::nullopt;
+    return zero;
   }
 
   /// v = along_v . P.
@@ -222,9 +248,8 @@ class LandmarkSearch {
   /// About the size of all; of a single point that of the interval of u.
   double extent_of_guesses() const {
     std::vector<Point> points;
-    for (const Guess& guess : guesses_) points.push_back(guess.place);
-    for (const LandmarkStar& star : result_.stars)
-      points.push_back({star.point[0].midpoint(), star.point[1].midpoint(), star.point[2].midpoint()});
+    for (const Guess& guess : guesses_) points.push_back(middle_of(guess.box));
+    for (const LandmarkStar& star : result_.stars) points.push_back(middle_of(star.point));
     double extent = 0;
     for (const Point& point : points)
       for (std::size_t k = 0; k < 3; ++k)
@@ -235,29 +260,11 @@ class LandmarkSearch {
     return extent;
   }
 
-  /// As many as there are, therefore all.
-  bool ends_are_apart() const {
-    const std::vector<CrossingLandmark>& all = result_.landmarks;
-    for (std::size_t i = 0; i < all.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        if (all[i].kind != all[j].kind || !is_end(all[i].kind)) continue;
-        Rational distance = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-          distance = std::max<Rational>(distance, abs(all[i].zero.centre[k] - all[j].zero.centre[k]));
-        if (distance <= from_double(all[i].zero.radius) + from_double(all[j].zero.radius)) return false;
-      }
-    return true;
-  }
-
   static inline const Rational fine_ = power_of_two(-240);
 
-  const SpacePolynomial& f_;
-  const SpacePolynomial& g_;
+  const CrossingBranches& branches_;
   const SpaceProjection& projection_;
   RationalInterval range_;
-  SpacePolynomial turning_;  // J
-  SpacePolynomial height_;   // u
-  std::vector<BivariatePolynomial> factors_;
   std::vector<TurningValue> values_;
   std::vector<std::pair<CrossingCentre, RationalInterval>> centres_;  // and their u's free intervals
   std::vector<Guess> guesses_;
@@ -266,11 +273,9 @@ class LandmarkSearch {
 
 }  // namespace
 
-CrossingLandmarks crossing_landmarks(const SpacePolynomial& f, const SpacePolynomial& g,
-                                     const SpaceProjection& projection, const Polynomial& norm,
+CrossingLandmarks crossing_landmarks(const CrossingBranches& branches,
                                      const std::function<double(double)>& tolerance) {
-  if (norm.is_zero()) throw std::domain_error("crossing_landmarks: the shadow has a multiple factor");
-  return LandmarkSearch(f, g, projection, norm).run(tolerance);
+  return LandmarkSearch(branches).run(tolerance);
 }
 
 }  // namespace exsect

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lift/crossing_branches.h"
 #include "lift/crossing_star.h"
 #include "lift/space_zero.h"
 
@@ -21,8 +22,8 @@ struct CrossingLandmark {
   LandmarkKind kind;
   std::optional<std::size_t>
       star;            // on whose window's end it lies; else entry and exit are where u is cut off
-  std::size_t factor;  // of the shadow, which vanishes there
-  int upward;          // u grows along grad F x grad G, 1, or against it, -1; 0 at turning points
+  std::size_t branch;  // the only one through it
+  int upward;  // u grows along grad f x grad g of the branch, 1, or against it, -1; 0 at turning points
 };
 
 struct LandmarkStar {
@@ -42,9 +43,7 @@ struct CrossingLandmarks {
   std::vector<LandmarkStar> stars = {};
 };
 
-/// With the norm (17.16) of the projection. Throws std::domain_error if that is 0.
-CrossingLandmarks crossing_landmarks(const SpacePolynomial& f, const SpacePolynomial& g,
-                                     const SpaceProjection& projection, const Polynomial& norm,
+CrossingLandmarks crossing_landmarks(const CrossingBranches& branches,
                                      const std::function<double(double)>& tolerance);
 
 }  // namespace exsect

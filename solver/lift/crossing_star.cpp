@@ -52,14 +52,6 @@ RationalInterval window_in(const RationalInterval& free, const RealAlgebraic& va
           std::min<Rational>(free.upper, simplest_between(at.upper + width / 4, at.upper + width / 2))};
 }
 
-/// Numbers near the zeros of the polynomial in the open strip, which are simple.
-std::vector<Rational> zeros_in(const Polynomial& f, const RationalInterval& strip) {
-  std::vector<Rational> zeros;
-  for (const RealAlgebraic& v : real_roots(f, strip.lower, strip.upper))
-    zeros.push_back(v.refined_to(strip.width() * power_of_two(-100)).interval().midpoint());
-  return zeros;
-}
-
 }  // namespace
 
 std::optional<std::vector<CrossingCentre>> centres_over(const SpaceProjection& projection,
@@ -126,8 +118,7 @@ CrossingStar crossing_star(const SpaceProjection& projection, const CrossingCent
     if (!box ||
         !std::ranges::all_of(*box, [&](const RationalInterval& side) { return side.width() <= size; }))
       continue;
-    return {window, strip, zeros_in(shadow.at_r(window.lower), strip),
-            zeros_in(shadow.at_r(window.upper), strip), *box};
+    return {window, strip, *box};
   }
 }
 

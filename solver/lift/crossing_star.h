@@ -34,10 +34,8 @@ bool has_no_zero_on(const BivariatePolynomial& f, const RationalInterval& u, con
 /// of the points over the ends of the window to the centre, along which u is monotone.
 struct CrossingStar {
   RationalInterval window;
-  RationalInterval strip;
-  std::vector<Rational> left;   // about the v of the points over the window's lower end in the strip
-  std::vector<Rational> right;  // of those over the upper one
-  CrossingBox box;              // of all
+  RationalInterval strip;  // whose ends are no v of a point over the window
+  CrossingBox box;         // of all
 };
 
 /// With a box whose longest side is at most `size` > 0. Requires that u of the centre is the only root of E

@@ -50,15 +50,16 @@ std::array<Polynomial, 3> chain_over(const BivariatePolynomial& f, const Bivaria
   return {chain[0].coefficient(0), linear.coefficient(1), linear.coefficient(0)};
 }
 
-/// The sum of values[k](s) over L_k(r), the polynomials of Lagrange for the nodes 0, 1, ...
-BivariatePolynomial interpolated(const std::vector<Polynomial>& values) {
+/// The polynomial with these values at the nodes, by those of Lagrange; its degree in r is less than their
+/// number.
+BivariatePolynomial interpolated(const std::vector<Rational>& nodes, const std::vector<Polynomial>& values) {
   BivariatePolynomial sum;
-  for (std::size_t k = 0; k < values.size(); ++k) {
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
     Polynomial basis = 1;
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < nodes.size(); ++i)
       if (i != k) {
-        const Rational distance = Rational(static_cast<long>(k)) - Rational(static_cast<long>(i));
-        basis *= Polynomial{-Rational(static_cast<long>(i)) / distance, 1 / distance};
+        const Rational distance = nodes[k] - nodes[i];
+        basis *= Polynomial{-nodes[i] / distance, 1 / distance};
       }
     std::vector<Polynomial> coefficients;
     for (int i = 0; i <= basis.degree(); ++i)
@@ -66,6 +67,25 @@ BivariatePolynomial interpolated(const std::vector<Polynomial>& values) {
     sum += BivariatePolynomial(std::move(coefficients));
   }
   return sum;
+}
+
+/// The product over the zeros v of `over`, which is monic, of the polynomial of y and v at y = -offset /
+/// slope; empty if the slope has one of these zeros.
+std::optional<Rational> product_over(const Polynomial& over, const BivariatePolynomial& p,
+                                     const Polynomial& slope, const Polynomial& offset) {
+  const auto reduced = [&](const Polynomial& f) { return divide(f, over).remainder; };
+  const Polynomial s = reduced(slope), t = -reduced(offset);
+  const Rational below = resultant(over, s);
+  if (below == 0) return std::nullopt;
+  if (p.is_zero()) return 0;
+  Polynomial sum = reduced(p.coefficient(p.degree_r())), power = 1;
+  Rational whole = 1;
+  for (int i = p.degree_r() - 1; i >= 0; --i) {
+    power = reduced(power * s);
+    whole *= below;
+    sum = reduced(sum * t + p.coefficient(i) * power);
+  }
+  return resultant(over, sum) / whole;
 }
 
 SpacePolynomial leading_form(const SpacePolynomial& f) {
@@ -101,12 +121,15 @@ std::optional<SpaceProjection> space_projection(const SpacePolynomial& f, const 
   // No coefficient of the chain has a degree above this one.
   const int degree = first.degree() * second.degree();
   std::array<std::vector<Polynomial>, 3> values;
+  std::vector<Rational> nodes;
   for (int u = 0; u <= degree; ++u) {
     interruption_point();
+    nodes.emplace_back(u);
     const std::array<Polynomial, 3> chain = chain_over(slice_at(first, u), slice_at(second, u));
     for (std::size_t k = 0; k < 3; ++k) values[k].push_back(chain[k]);
   }
-  SpaceProjection result{frame, interpolated(values[0]), interpolated(values[1]), interpolated(values[2])};
+  SpaceProjection result{frame, interpolated(nodes, values[0]), interpolated(nodes, values[1]),
+                         interpolated(nodes, values[2])};
   if (result.shadow.total_degree() != result.shadow.degree_s()) return std::nullopt;
   return result;
 }
@@ -125,6 +148,29 @@ Polynomial turning_norm(const SpaceProjection& projection) {
   const Polynomial all = turning_resultant(projection.shadow);
   if (all.is_zero() || projection.slope.total_degree() < 1) return all;
   return exact_quotient(all, resultant_s(projection.shadow, projection.slope));  // (17.16)
+}
+
+std::optional<Polynomial> norm_over(const SpaceProjection& projection, const BivariatePolynomial& factor,
+                                    const SpacePolynomial& p) {
+  const SpacePolynomial in_coordinates = in_frame(p, projection.frame);
+  // v and y are O(u) on the points, so the degree is at most this one.
+  const int degree = factor.degree_s() * p.degree();
+  int exceptions = factor.degree_s() * std::max(projection.slope.total_degree(), 0);
+  std::vector<Rational> nodes;
+  std::vector<Polynomial> values;
+  for (int u = 0; static_cast<int>(nodes.size()) <= degree; ++u) {
+    interruption_point();
+    const Polynomial over = factor.at_r(u);
+    const std::optional<Rational> value =
+        product_over(over * Polynomial(1 / over.leading_coefficient()), slice_at(in_coordinates, u),
+                     projection.slope.at_r(u), projection.offset.at_r(u));
+    if (value) {
+      nodes.emplace_back(u);
+      values.emplace_back(*value);
+    } else if (exceptions-- == 0)
+      return std::nullopt;
+  }
+  return interpolated(nodes, values).exchanged().coefficient(0);
 }
 
 void lower_degrees(SpacePolynomial& f, SpacePolynomial& g) {

@@ -46,6 +46,11 @@ SpacePolynomial turning_form(const SpacePolynomial& f, const SpacePolynomial& g,
 /// multiple factor. Requires a shadow other than zero.
 Polynomial turning_norm(const SpaceProjection& projection);
 
+/// The product of P over the common points over u whose shadow is on an irreducible factor of it, up to a
+/// constant factor (17.19). Empty if the slope vanishes on the factor. Requires P != 0.
+std::optional<Polynomial> norm_over(const SpaceProjection& projection, const BivariatePolynomial& factor,
+                                    const SpacePolynomial& p);
+
 /// Generators of lower degree with the same common points: as long as both have one degree and the same
 /// leading form but for a factor, a multiple of the first is subtracted from the second, which may become 0.
 void lower_degrees(SpacePolynomial& f, SpacePolynomial& g);

@@ -66,28 +66,34 @@ struct ChordSystem {
   }
 };
 
-/// Combinations of two polynomials with gradients across an axis that are about orthogonal in a point. Where
-/// surfaces nearly touch, what their gradients have in common cancels exactly so, and not in balls.
-struct Unmixed {
-  SpacePolynomial f;
-  SpacePolynomial g;
-  int orientation;  // the sign of their determinant over that of the polynomials
-};
-
-std::optional<Unmixed> unmixed_about(const SpacePolynomial& f, const SpacePolynomial& g, const Point& centre,
-                                     std::size_t axis) {
-  const auto [i, j] = beside(axis);
-  const double fi = to_double(f.derivative(i)(centre)), fj = to_double(f.derivative(j)(centre));
-  const double gi = to_double(g.derivative(i)(centre)), gj = to_double(g.derivative(j)(centre));
-  const double determinant = fi * gj - fj * gi;
-  const std::array<double, 4> m = {gj / determinant, -fj / determinant, -gi / determinant, fi / determinant};
-  for (const double entry : m)
-    if (!std::isfinite(entry)) return std::nullopt;
-  const int orientation =
-      (DoubleBall(m[0]) * DoubleBall(m[3]) - DoubleBall(m[1]) * DoubleBall(m[2])).certain_sign();
-  if (orientation == 0) return std::nullopt;
-  return Unmixed{from_double(m[0]) * f + from_double(m[1]) * g, from_double(m[2]) * f + from_double(m[3]) * g,
-                 orientation};
+/// f - a g for a linear polynomial a, whose gradient across an axis is about orthogonal to that of g in a
+/// point, and near it to first order: where surfaces nearly touch, what their gradients have in common
+/// cancels exactly so, and not in balls. Has the same zeros as f where g = 0.
+std::optional<SpacePolynomial> parted(const SpacePolynomial& f, const SpacePolynomial& g, const Point& centre,
+                                      std::size_t axis) {
+  const std::array<std::size_t, 2> lateral = beside(axis);
+  std::array<double, 3> gradient{};
+  for (std::size_t k = 0; k < 3; ++k) gradient[k] = to_double(g.derivative(k)(centre));
+  const auto along_g = [&](const auto& vector) {
+    return gradient[lateral[0]] * vector(lateral[0]) + gradient[lateral[1]] * vector(lateral[1]);
+  };
+  const double square = along_g([&](std::size_t i) { return gradient[i]; });
+  const double common = along_g([&](std::size_t i) { return to_double(f.derivative(i)(centre)); }) / square;
+  if (!std::isfinite(common)) return std::nullopt;
+  SpacePolynomial a = SpacePolynomial::constant(from_double(common));
+  // Of f - common g the product of both gradients across the axis changes by these rates, and by the gradient
+  // of a, and that of g times a number, after subtraction of a g.
+  const SpacePolynomial rest = f - a * g;
+  std::array<double, 3> rates{};
+  for (std::size_t k = 0; k < 3; ++k)
+    rates[k] = along_g([&](std::size_t i) { return to_double(rest.derivative(i).derivative(k)(centre)); });
+  const double shared = along_g([&](std::size_t i) { return rates[i]; }) / (2 * square);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double rate = (rates[k] - gradient[k] * shared) / square;
+    if (!std::isfinite(rate)) return std::nullopt;
+    a += from_double(rate) * (SpacePolynomial::variable(k) - SpacePolynomial::constant(centre[k]));
+  }
+  return f - a * g;
 }
 
 }  // namespace
@@ -99,11 +105,8 @@ std::optional<SpaceTube> SpaceTube::around(const SpacePolynomial& f, const Space
   std::size_t axis = 0;
   for (std::size_t k = 1; k < 3; ++k)
     if (abs(chord[axis]) < abs(chord[k])) axis = k;
-  const std::optional<Unmixed> unmixed = unmixed_about(f, g, Rational(1, 2) * (from + to), axis);
-  if (!unmixed) return std::nullopt;
-  std::optional<SpaceTube> tube = proved(unmixed->f, unmixed->g, from, to);
-  if (tube) tube->direction_ *= unmixed->orientation;
-  return tube;
+  const std::optional<SpacePolynomial> other = parted(f, g, Rational(1, 2) * (from + to), axis);
+  return other ? proved(*other, g, from, to) : std::nullopt;
 }
 
 std::optional<SpaceTube> SpaceTube::proved(const SpacePolynomial& f, const SpacePolynomial& g,

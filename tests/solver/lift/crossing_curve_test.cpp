@@ -36,7 +36,9 @@ std::string census(const SurfaceIntersection& result) {
                      std::to_string(static_cast<int>(result.curves.size()) - closed) + " open";
   for (const SpaceNodeKind kind : {SpaceNodeKind::touch, SpaceNodeKind::crossing, SpaceNodeKind::singular})
     if (result.count(kind) > 0) text += ", " + std::to_string(result.count(kind)) + " " + name(kind);
-  return text;
+  int order = 1;
+  for (const SpaceCurve& curve : result.curves) order = std::max(order, curve.multiplicity);
+  return order > 1 ? text + ", order " + std::to_string(order) : text;
 }
 
 std::string census(const S& first, const S& second) {
@@ -202,10 +204,51 @@ TEST_CASE("crossing curve: irrational and oblique touch points") {
         "0 closed, 1 open, 1 touch");
 }
 
-TEST_CASE("crossing curve: curves of contact and common parts are incomplete") {
+TEST_CASE("crossing curve: curves of contact, and surfaces next to them") {
   const S ball = unnamed(S::sphere(origin, 1));
-  CHECK(census(ball, unnamed(S::cylinder(origin, oblique, 1))) ==
-        "the surfaces touch along a curve, it seems");
+  const auto tube = [](const Rational& radius) { return unnamed(S::cylinder(origin, oblique, radius)); };
+  CHECK(census(ball, tube(1)) == "1 closed, 0 open, order 2");
+  const S torus = unnamed(S::torus(origin, oblique, 3, 1));
+  const S inner = unnamed(S::sphere(origin, 2)), across = S::sphere({3, 0, 0}, 2);
+  CHECK(census(torus, inner) == "1 closed, 0 open, order 2");
+  CHECK(census(torus, unnamed(across)) == census(torus, across));
+  for (const int k : {4, 8}) {
+    const Rational gap = power_of_two(-k);
+    CHECK(census(ball, tube(1 - gap)) == "2 closed, 0 open");
+    CHECK(census(ball, tube(1 + gap)) == "0 closed, 0 open");
+    CHECK(census(torus, unnamed(S::sphere(origin, 2 + gap))) == "2 closed, 0 open");
+  }
+}
+
+TEST_CASE("crossing curve: circles that a torus shares with what touches it, without names and frames") {
+  // Circles of the tube in the plane y = 0, which a sphere, a cylinder and another torus touch. On cylinder
+  // and torus the order is higher at the top and the bottom, where curves cross that one.
+  const S torus = S::torus(origin, up, 3, 1), bead = S::sphere({3, 0, 0}, 1);
+  const S bore = S::cylinder({3, 0, 0}, {0, 1, 0}, 1), twin = S::torus({1, 0, 0}, up, 2, 1);
+  CHECK(census(unnamed(torus), unnamed(bead)) == "1 closed, 0 open, order 2");
+  for (const S& other : {bead, bore, S::cylinder(origin, up, 4), S::plane({0, 0, 1}, up)})
+    CHECK(census(unnamed(torus), unnamed(other)) == census(intersect(torus, other, coarse())));
+  CHECK(census(unnamed(torus), unnamed(twin)) == census(intersect(torus, twin, coarse())));
+}
+
+TEST_CASE("crossing curve: contact along curves of polynomials, and squares") {
+  const SpacePolynomial x = SpacePolynomial::variable(0), y = SpacePolynomial::variable(1),
+                        z = SpacePolynomial::variable(2), one = SpacePolynomial::constant(1);
+  const SpacePolynomial ball = x * x + y * y + z * z - Rational(2) * one, h = x + Rational(2) * y - z;
+  // The curve of contact is a sphere's with a quadric, and another circle crosses it.
+  const SpacePolynomial bent = x * y - z;
+  CHECK(census(S::polynomial(Rational(3) * ball + bent * bent), S::polynomial(ball)) ==
+        "1 closed, 0 open, order 2");
+  const SpacePolynomial crossed = ball * (x + one) + h * h * (z - Rational(1, 3) * one);
+  CHECK(census(S::polynomial(crossed), S::polynomial(ball)) == "2 closed, 0 open, 2 crossing, order 2");
+  const SpacePolynomial tube = x * x + y * y - one;
+  CHECK(census(S::polynomial(tube * tube), S::polynomial(ball)) == "2 closed, 0 open, order 2");
+  CHECK(census(S::polynomial(tube * tube), S::polynomial(ball * ball)) ==
+        "both surfaces are singular along a common curve, it seems");
+}
+
+TEST_CASE("crossing curve: common parts are incomplete") {
+  const S ball = unnamed(S::sphere(origin, 1));
   const SpacePolynomial plane = S::plane({0, 0, 5}, oblique).equation();
   CHECK(census(ball, S::polynomial(ball.equation() * plane)) == "the surfaces have a part in common");
 }

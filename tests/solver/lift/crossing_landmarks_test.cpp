@@ -15,8 +15,9 @@ SpacePolynomial number(const Rational& c) { return SpacePolynomial::constant(c);
 CrossingLandmarks landmarks(const SpacePolynomial& f, const SpacePolynomial& g, int attempt = 0) {
   const auto projection = space_projection(f, g, general_frame(attempt));
   REQUIRE(projection);
-  return crossing_landmarks(f, g, *projection, turning_norm(*projection),
-                            [](double extent) { return 1e-3 * extent; });
+  const auto branches = crossing_branches(f, g, *projection);
+  REQUIRE(branches);
+  return crossing_landmarks(*branches, [](double extent) { return 1e-3 * extent; });
 }
 
 long count(const CrossingLandmarks& known, LandmarkKind kind) {
@@ -58,7 +59,7 @@ TEST_CASE("crossing landmarks: curves that go on, and components that are told a
   REQUIRE(circles.landmarks.size() == 4);
   for (const CrossingLandmark& a : circles.landmarks)
     for (const CrossingLandmark& b : circles.landmarks)
-      CHECK((a.factor == b.factor) == (abs(a.zero.centre[2] - b.zero.centre[2]) < Rational(1, 2)));
+      CHECK((a.branch == b.branch) == (abs(a.zero.centre[2] - b.zero.centre[2]) < Rational(1, 2)));
 }
 
 TEST_CASE("crossing landmarks: stars, and what a frame does not show") {
@@ -71,10 +72,8 @@ TEST_CASE("crossing landmarks: stars, and what a frame does not show") {
   const SpaceFrame along = {{Point{-1, 0, 0}, Point{0, 1, 1}, Point{-1, 2, 1}}, {-1, -1, 1}};
   const auto projection = space_projection(tube, across, along);
   REQUIRE(projection);
-  const Polynomial norm = turning_norm(*projection);
-  CHECK(norm.is_zero());
-  CHECK_THROWS_AS(crossing_landmarks(tube, across, *projection, norm, [](double extent) { return extent; }),
-                  std::domain_error);
+  CHECK(turning_norm(*projection).is_zero());
+  CHECK(!crossing_branches(tube, across, *projection));
   // Two cones with one apex.
   const CrossingLandmarks cones =
       landmarks(x * x + y * y - z * z, x * x + Rational(3) * z * z - Rational(5) * y * y);

@@ -105,4 +105,31 @@ TEST_CASE("space projection: common leading forms are lowered") {
   CHECK(inner.degree() == 0);
 }
 
+TEST_CASE("space projection: products over the points over u") {
+  // The line x = 1 + t, y = 2 t, z = 1 - t, as that of two planes, and a linear form at its point over u.
+  const SpacePolynomial f = Rational(2) * x - y - number(2), g = x + z - number(2);
+  const SpacePolynomial form = x * x - z * y + number(3);
+  for (int attempt = 0; attempt < general_frames; ++attempt) {
+    const SpaceFrame frame = general_frame(attempt);
+    const auto projection = space_projection(f, g, frame);
+    if (!projection) continue;
+    const auto norm = norm_over(*projection, projection->shadow, form);
+    REQUIRE(norm);
+    const auto at = [&](const Rational& t) { return Point{1 + t, 2 * t, 1 - t}; };
+    const Rational unit = (*norm)(dot(frame.height, at(0))) / form(at(0));
+    for (const Rational& t : {Rational(1, 3), Rational(-7), Rational(22, 5)})
+      CHECK((*norm)(dot(frame.height, at(t))) == unit * form(at(t)));
+    CHECK(norm_over(*projection, projection->shadow, f)->is_zero());
+  }
+  // The whole curve of two quadrics: by the other formula, up to a constant factor.
+  const SpacePolynomial tube = x * x + y * y - number(1), ball = x * x + y * y + z * z - x - number(2);
+  const auto projection = space_projection(tube, ball, general_frame(0));
+  REQUIRE(projection);
+  const Polynomial norm = turning_norm(*projection);
+  const auto product =
+      norm_over(*projection, projection->shadow, turning_form(tube, ball, general_frame(0).height));
+  REQUIRE(product);
+  CHECK(product->primitive() == norm.primitive());
+}
+
 }  // namespace exsect::space_projection_test
