@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "answer/left_open.h"
@@ -52,12 +53,12 @@ RationalInterval placed(const RationalInterval& t, const RationalInterval& in) {
 class Cover {
  public:
   Cover(const RationalPatch& patch, const InjectiveRectangle& is_injective, unsigned grid, double extent,
-        const Run& run)
-      : found_{CellTree(patch, grid, pinch_guesses(patch)), poles_of(patch), {}, {}, {}},
+        const Run& run, const std::vector<std::array<double, 2>>& guesses)
+      : found_{CellTree(patch, grid, guesses), poles_of(patch), {}, {}, {}},
         patch_(patch),
         is_injective_(is_injective),
         run_(run),
-        pinches_(side_pinches(patch)),
+        pinches_(known_pinches(patch, guesses)),
         extent_(extent),
         tolerance_(run.drawn_tolerance(extent)) {
     for (const std::size_t fixed : {0U, 1U})
@@ -151,29 +152,36 @@ class Cover {
 
   bool is_pinch(std::size_t a) {
     const ParameterCell& cell = found_.cells[a];
-    const auto on =
-        std::ranges::find_if(pinches_, [&](const SidePinch& p) { return contains(cell.where, p); });
+    std::vector<KnownPinch> known;
+    std::ranges::copy_if(pinches_, std::back_inserter(known),
+                         [&](const KnownPinch& pinch) { return contains(cell.where, pinch); });
     const int sides = (cell.where.u.lower == 0) + (cell.where.u.upper == 1) + (cell.where.v.lower == 0) +
                       (cell.where.v.upper == 1);
-    if (sides > 0 && on == pinches_.end()) return false;
+    const auto on = std::ranges::find_if(known, &KnownPinch::is_on_side);
+    if (sides > 0 && on == known.end()) return false;
     auto proof = PinchProof::of(cell.piece, origin_of(cell));
     if (!proof) return false;
-    if (sides == 0) return keeps_pinch({a, *std::move(proof), {}});
+    if (sides == 0) return keeps_pinch({a, *std::move(proof), {}}, known);
     bool begins = sides == 1;
-    for (const SidePinch& pinch : pinches_) {
-      if (!contains(cell.where, pinch)) continue;
-      const PinchProof::AtSide at_side = proof->at_side(pinch.fixed, pinch.value, pinch.along);
+    for (const KnownPinch& pinch : known) {
+      if (!pinch.is_on_side()) continue;
+      const PinchProof::AtSide at_side =
+          proof->at_side(pinch.fixed, pinch.value == 0 ? 0 : 1, pinch.rests[1 - pinch.fixed]);
       if (at_side == PinchProof::AtSide::none) return true;
       begins = begins && at_side == PinchProof::AtSide::begins;
     }
-    return begins && keeps_pinch({a, *std::move(proof), *on});
+    return begins && keeps_pinch({a, *std::move(proof), *on}, known);
   }
 
   /// If its curve is monotone in what is to be so, and short enough to be drawn.
-  bool keeps_pinch(PinchCell pinch) {
+  bool keeps_pinch(PinchCell pinch, const std::vector<KnownPinch>& known) {
     const double chords = 0.25 * std::sqrt(pinch.proof.bend() / tolerance_);
+    const auto rests = [&](std::size_t j) {
+      return std::ranges::any_of(known, [&](const KnownPinch& at) { return at.rests[j]; });
+    };
     const bool is_monotone = std::ranges::all_of(run_.turning(), [&](Parameter p) {
-      return pinch.proof.is_monotone(index(p) % 2) || (pinch.on && pinch.on->fixed == index(p) % 2);
+      const std::size_t j = index(p) % 2;
+      return pinch.proof.is_monotone(j) || (rests(1 - j) && pinch.proof.is_monotone_from_rest(j));
     });
     if (!is_monotone) return false;
     if (!(chords < kMostPinchChords) && found_.cells[pinch.cell].level < kFinestPinch) return false;
@@ -253,7 +261,7 @@ class Cover {
   const RationalPatch& patch_;
   const InjectiveRectangle& is_injective_;
   const Run& run_;
-  std::vector<SidePinch> pinches_;
+  std::vector<KnownPinch> pinches_;  // exactly
   double extent_;
   double tolerance_;
   int failures_ = 0;
@@ -264,7 +272,7 @@ class Cover {
 
 CellPairs cell_pairs(const RationalPatch& patch, const InjectiveRectangle& is_injective, unsigned grid,
                      double extent, const Run& run) {
-  return Cover(patch, is_injective, grid, extent, run).run();
+  return Cover(patch, is_injective, grid, extent, run, pinch_guesses(patch)).run();
 }
 
 Point origin_of(const ParameterCell& cell) {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "answer/run.h"
+#include "self/known_pinches.h"
 #include "self/parameter_cells.h"
 #include "self/patch_injectivity.h"
 #include "self/pinch_proof.h"
 #include "self/poles.h"
-#include "self/side_pinches.h"
 
 namespace exsect {
 
@@ -29,7 +29,7 @@ struct SolvedCells {
 struct PinchCell {
   std::size_t cell;
   PinchProof proof;
-  std::optional<SidePinch> on;  // a side of the square, the only one that the cell reaches
+  std::optional<KnownPinch> on;  // a side of the square, the only one that the cell reaches
 };
 
 /// If there are no problems: every pair of different parameters with one point of space lies, in one of its

@@ -43,7 +43,7 @@ class PinchArc {
       : graph_(graph), proof_(proof), cell_(cell), origin_(origin_of(cell)), tolerance_(tolerance) {}
 
   /// The pinch point, as a node.
-  std::optional<int> cusp(const std::optional<SidePinch>& on) {
+  std::optional<int> cusp(const std::optional<KnownPinch>& on) {
     const auto place = proof_.at(0);
     if (!place) return std::nullopt;
     const RationalInterval u = in_square(place->pair[0], cell_.where.u);
@@ -55,7 +55,7 @@ class PinchArc {
     if (on) {
       node.kinds.push_back(NodeKind::boundary);
       for (const std::size_t j : {on->fixed, on->fixed + 2}) {
-        node.on.push_back({all_parameters[j], on->value});
+        node.on.push_back({all_parameters[j], on->value == 0 ? 0 : 1});
         node.box[j] = {on->value, on->value};
       }
     }

@@ -88,15 +88,21 @@ void PinchProof::bound_curves(const CurveBounds& bounds) {
   bend_ = bounds.bend(speed, solved(bounds.second(speed)));
 }
 
-/// (14.84). Along the side the kernel is (1,0) in the parameters that are used here, or x is another patch.
-PinchProof::AtSide PinchProof::at_side(std::size_t parameter, int value, bool along) const {
+/// (14.85): the slope at the pinch point is 0 if the derivative by the first of the parameters that are used
+/// here is.
+bool PinchProof::is_monotone_from_rest(std::size_t parameter) const {
+  const bool is_second = exchanged_ != (parameter == 1);
+  return is_second && 0.75 * kSlack * speed_[2] < drift_[1].lower_magnitude();
+}
+
+/// (14.84)
+PinchProof::AtSide PinchProof::at_side(std::size_t parameter, int value, bool rests) const {
   if (is_monotone(parameter)) return AtSide::none;
   const bool is_second = exchanged_ != (parameter == 1);
-  if (!along || !is_second) return AtSide::unknown;
+  if (!rests || !is_second) return AtSide::unknown;
   const Ball inwards = value == 0 ? drift_[1] : -drift_[1];
   if ((-inwards).is_positive()) return AtSide::none;
-  const bool begins = inwards.is_positive() && 0.75 * kSlack * speed_[2] < inwards.lower_magnitude();
-  return begins ? AtSide::begins : AtSide::unknown;
+  return inwards.is_positive() && is_monotone_from_rest(parameter) ? AtSide::begins : AtSide::unknown;
 }
 
 Vector PinchProof::value_at(const std::array<double, 3>& y, double t) const {

@@ -2,7 +2,6 @@
 // are and as images under projective maps; known loops; maps of the parameters.
 #include "self/self_intersect_in_doubles.h"
 
-#include <exsect/algebra/bernstein.h>
 #include <exsect/algebra/nearest_rounding.h>
 #include <exsect/solver/intersect_rational.h>
 #include <exsect/solver/self_intersect.h>
@@ -10,6 +9,7 @@
 #include <algorithm>
 
 #include "support/catch.h"
+#include "support/polynomial_patch.h"
 #include "support/random_nets.h"
 #include "support/random_pairs.h"
 #include "support/self_orders.h"
@@ -138,17 +138,9 @@ RationalPatch touching_sheets(const Rational& a, const Rational& b) {
 /// Whitney's umbrella (a^2, a b, b) with a = v - 1/2, b = u - c a^2: its pairs are 1/2 + a and 1/2 - a at
 /// u = c a^2, and on the side u = 0 it has a cusp.
 RationalPatch umbrella_on_side(const Rational& c) {
-  random_nets::Net net(2);
-  for (const int u : {0, 1}) {
-    // In the powers of v: a = v - 1/2.
-    const Polynomial a{Rational(-1, 2), 1};
-    const Polynomial b = Polynomial(u) - Polynomial(c) * a * a;
-    std::array<std::vector<Rational>, 3> x;
-    for (std::size_t k = 0; k < 3; ++k) x[k] = bernstein_coefficients(k == 0 ? a * a : k == 1 ? a * b : b, 3);
-    for (std::size_t j = 0; j < 4; ++j)
-      net[static_cast<std::size_t>(u)].push_back({x[0][j], x[1][j], x[2][j]});
-  }
-  return RationalPatch(net);
+  const BivariatePolynomial a = BivariatePolynomial::s() - BivariatePolynomial::constant(Rational(1, 2)),
+                            b = BivariatePolynomial::r() - BivariatePolynomial::constant(c) * a * a;
+  return testing::patch_of({a * a, a * b, b});
 }
 
 }  // namespace
@@ -400,6 +392,43 @@ TEST_CASE("self in doubles: a pinch point on a side, along which its kernel lies
     check_same(in_doubles(y.restricted_to(1, 0, 0, 1).elevated(3, 3)), bent.graph,
                {{0, 1, 2, 3}, {true, false, true, false}});
   }
+}
+
+TEST_CASE("self in doubles: a pinch point of a mirror image of itself, with its kernel along v") {
+  // Pairs 1/2 + a, 1/2 - a at u^2 + u = 1 + a^2.
+  const BivariatePolynomial u = BivariatePolynomial::r(), one = BivariatePolynomial::constant(1),
+                            a = BivariatePolynomial::s() - BivariatePolynomial::constant(Rational(1, 2));
+  const RationalPatch x = testing::patch_of({a * (u * u + u - one - a * a), a * a + u, u * u});
+  const IntersectResult result = in_doubles(x);
+  check_complete(result);
+  REQUIRE(result.graph.arcs.size() == 1);
+  REQUIRE(result.graph.nodes.size() == 2);
+  CHECK(std::ranges::count(result.graph.nodes, std::vector{NodeKind::cusp}, &Node::kinds) == 1);
+  for (const PolylineVertex& vertex : result.graph.arcs[0].polyline) {
+    const auto& at = vertex.parameters;
+    CHECK(std::fabs(at[0] - at[2]) < 1e-7);
+    CHECK(std::fabs(at[1] + at[3] - 1) < 1e-7);
+    CHECK(std::fabs(at[0] * at[0] + at[0] - 1 - (at[1] - 0.5) * (at[1] - 0.5)) < 1e-6);
+  }
+  Generator generator(20261129);
+  check_same(in_doubles(random_nets::image(x, random_nets::projective_map(generator))), result.graph);
+  check_same(in_doubles(x.transposed()), result.graph, {{1, 0, 3, 2}, {}});
+}
+
+TEST_CASE("self in doubles: irrational touch points of two sheets") {
+  // As touching_sheets() with a + b = 1, a b = 1/8.
+  const auto number = [](const Rational& c) { return BivariatePolynomial::constant(c); };
+  const BivariatePolynomial u = BivariatePolynomial::r(),
+                            h = BivariatePolynomial::s() - number(Rational(1, 2)),
+                            loop = u * u - u + number(Rational(1, 8)), t = u - number(Rational(1, 2));
+  const IntersectResult result = in_doubles(testing::patch_of(
+      {loop + number(Rational(1, 5)) * h, number(4) * loop * t + h, number(-1) * h * h * t}));
+  check_complete(result);
+  REQUIRE(result.graph.isolated_points.size() == 1);
+  const Node& node = result.graph.nodes.at(static_cast<std::size_t>(result.graph.isolated_points[0]));
+  CHECK(node.kinds == std::vector{NodeKind::touch});
+  for (const std::size_t j : {0U, 2U})
+    CHECK(std::fabs(std::fabs(node.approx[j] - 0.5) - std::sqrt(0.125)) < 1e-12);
 }
 
 TEST_CASE("self in doubles: pinch points in corners, with their kernels along sides and across them") {
