@@ -270,9 +270,8 @@ SurfaceIntersection crossing(const ImplicitSurface& first, const ImplicitSurface
     curve = crossing_curve(first.equation(), second.equation(),
                            [&](double extent) { return run.drawn_tolerance(drawable(extent)); });
   });
-  if (curve.is_same) return same(first, second, region, run);
   if (curve.open) return open(curve.open->why, curve.open->reason);
-  SurfaceIntersection result{Status::complete};
+  SurfaceIntersection result{Status::complete, curve.is_same};
   for (CrossingNode& node : curve.nodes)
     add_node(result, node_kind(node.degree, node.is_singular, node.goes_on), node.degree, std::move(node.box),
              {});

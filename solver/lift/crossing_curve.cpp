@@ -1,13 +1,16 @@
 #include "lift/crossing_curve.h"
 
+#include <exsect/algebra/bivariate_factors.h>
 #include <exsect/algebra/rounding_bounds.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
+#include "lift/common_factor.h"
 #include "lift/connected_parts.h"
 #include "lift/crossing_landmarks.h"
 #include "lift/space_projection.h"
@@ -129,22 +132,26 @@ bool is_first(const SpacePolynomial& f, const SpacePolynomial& g) {
   return f.terms() < g.terms();
 }
 
-}  // namespace
+/// Those of the branches in the resultant of two polynomials with the same zeros.
+void set_multiplicities(CrossingCurve& curve, const CrossingBranches& branches,
+                        const SpaceProjection& projection) {
+  const std::vector<BivariatePower> powers = irreducible_factors(projection.shadow);
+  for (CrossingArc& arc : curve.arcs) {
+    const auto power = std::ranges::find(powers, branches.all[arc.factor].shadow, &BivariatePower::factor);
+    if (power == powers.end()) throw ProofFailure(whole_domain(), "a curve is not in a resultant");
+    arc.multiplicity = power->multiplicity;
+  }
+}
 
-CrossingCurve crossing_curve(const SpacePolynomial& first, const SpacePolynomial& second,
-                             const std::function<double(double)>& tolerance) {
-  SpacePolynomial f = first.primitive(), g = second.primitive();
-  if (!is_first(f, g)) std::swap(f, g);
-  lower_degrees(f, g);
-  if (g.is_zero()) return {.is_same = true};
-  if (g.degree() < 1) return {};
-  g = g.primitive();
+/// Of polynomials without a common factor.
+CrossingCurve curve_of_coprime(const SpacePolynomial& whole_f, const SpacePolynomial& whole_g,
+                               const std::function<double(double)>& tolerance) {
+  const SpacePolynomial f = squarefree_part(whole_f).primitive(), g = squarefree_part(whole_g).primitive();
   std::string why = "no frame in general position";
   int tried = 0;
   for (int attempt = 0; attempt < general_frames && tried < 3; ++attempt) {
     const std::optional<SpaceProjection> projection = space_projection(f, g, general_frame(attempt));
     if (!projection) continue;
-    if (projection->shadow.is_zero()) return left_open("the surfaces have a part in common");
     if (projection->shadow.degree_s() < 1) return {};
     ++tried;
     const std::optional<CrossingBranches> branches = crossing_branches(f, g, *projection);
@@ -153,10 +160,31 @@ CrossingCurve crossing_curve(const SpacePolynomial& first, const SpacePolynomial
       continue;
     }
     const CrossingLandmarks landmarks = crossing_landmarks(*branches, tolerance);
-    if (landmarks.obstacle.empty()) return traced(*branches, landmarks);
+    if (landmarks.obstacle.empty()) {
+      CrossingCurve curve = traced(*branches, landmarks);
+      if (!(f == whole_f && g == whole_g))
+        set_multiplicities(curve, *branches,
+                           space_projection(whole_f, whole_g, general_frame(attempt)).value());
+      return curve;
+    }
     why = landmarks.obstacle;
   }
   return left_open(why);
+}
+
+}  // namespace
+
+CrossingCurve crossing_curve(const SpacePolynomial& first, const SpacePolynomial& second,
+                             const std::function<double(double)>& tolerance) {
+  const SpacePolynomial common = common_factor(first, second);
+  SpacePolynomial f = exact_quotient(first, common).primitive(),
+                  g = exact_quotient(second, common).primitive();
+  if (!is_first(f, g)) std::swap(f, g);
+  lower_degrees(f, g);
+  CrossingCurve curve;
+  if (g.degree() > 0) curve = curve_of_coprime(f, g.primitive(), tolerance);
+  curve.is_same = common.degree() > 0;
+  return curve;
 }
 
 std::vector<SpaceCurve> named_curves(const CrossingCurve& curve) {

@@ -31,11 +31,11 @@ struct CrossingArc {
   double error_bound;
 };
 
-/// Invariant: unless is_same or `open`, the arcs, ends included, and the nodes of degree 0 are all common
+/// Invariant: unless `open`, the arcs, ends included, and the nodes of degree 0 are all common
 /// points of the surfaces, but for arcs that go on from nodes to infinity; along all of them the surfaces
 /// cross.
 struct CrossingCurve {
-  bool is_same = false;
+  bool is_same = false;  // the equations have a common factor: all its points, and the curve, are common
   std::optional<OpenQuestion> open = {};
   std::vector<CrossingNode> nodes = {};
   std::vector<CrossingArc> arcs = {};

@@ -75,8 +75,8 @@ struct OpenQuestion {
 /// complete: every common point is on a curve, or a node of kind `touch`, or on the surface in common.
 struct SurfaceIntersection {
   Status status;
-  /// The surfaces are one, and their boxes and nappes share a part of it that has inner points. Curves and
-  /// points are then what they share besides.
+  /// The surfaces are one, and their boxes and nappes share a part of it that has inner points; or they are
+  /// polynomials with a common factor. Curves and points are then what they share besides.
   bool is_same = false;
   std::vector<SpaceNode> nodes = {};
   std::vector<SpaceArc> arcs = {};

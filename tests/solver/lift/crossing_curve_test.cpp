@@ -243,14 +243,31 @@ TEST_CASE("crossing curve: contact along curves of polynomials, and squares") {
   CHECK(census(S::polynomial(crossed), S::polynomial(ball)) == "2 closed, 0 open, 2 crossing, order 2");
   const SpacePolynomial tube = x * x + y * y - one;
   CHECK(census(S::polynomial(tube * tube), S::polynomial(ball)) == "2 closed, 0 open, order 2");
-  CHECK(census(S::polynomial(tube * tube), S::polynomial(ball * ball)) ==
-        "both surfaces are singular along a common curve, it seems");
+  CHECK(census(S::polynomial(tube * tube), S::polynomial(ball * ball)) == "2 closed, 0 open, order 4");
+  // Two circles, of which one is where the ball crosses a double plane.
+  CHECK(census(S::polynomial(h * h * (z - Rational(1, 3) * one)), S::polynomial(ball)) ==
+        "2 closed, 0 open, 2 crossing, order 2");
 }
 
-TEST_CASE("crossing curve: common parts are incomplete") {
-  const S ball = unnamed(S::sphere(origin, 1));
-  const SpacePolynomial plane = S::plane({0, 0, 5}, oblique).equation();
-  CHECK(census(ball, S::polynomial(ball.equation() * plane)) == "the surfaces have a part in common");
+TEST_CASE("crossing curve: common factors") {
+  const SpacePolynomial ball = S::sphere(origin, 2).equation(),
+                        plane = S::plane({0, 0, 1}, oblique).equation(),
+                        tube = S::cylinder(origin, up, 1).equation(),
+                        far = S::plane({0, 0, 9}, up).equation();
+  const auto shared = [](const SpacePolynomial& f, const SpacePolynomial& g) {
+    const SurfaceIntersection result = intersect(S::polynomial(f), S::polynomial(g), coarse());
+    CHECK(result.is_same);
+    SurfaceIntersection besides = result;
+    besides.is_same = false;
+    CHECK(census(S::polynomial(g), S::polynomial(f)) == "same");
+    return census(besides);
+  };
+  CHECK(shared(ball, ball * plane) == "0 closed, 0 open");
+  CHECK(shared(ball * plane, ball * far) == "0 closed, 1 open");
+  CHECK(shared(plane * tube, plane * ball) == "2 closed, 0 open");
+  CHECK(shared(plane * tube, Rational(-2) * plane * tube) == "0 closed, 0 open");
+  CHECK(shared(plane * plane, plane * far) == "0 closed, 1 open");
+  CHECK(shared(tube * tube, tube * ball) == "2 closed, 0 open");
 }
 
 TEST_CASE("crossing curve: surfaces with and without their names") {
