@@ -4,10 +4,10 @@
 #include <exsect/algebra/nearest_rounding.h>
 #include <exsect/geometry/integer_pair.h>
 
-#include <algorithm>
 #include <vector>
 
 #include "eliminant/ball_eliminant.h"
+#include "eliminant/coordinate_bits.h"
 #include "eliminant/eliminant_height.h"
 #include "eliminant/special_eliminant.h"
 #include "eliminant/turning_eliminant_modular.h"
@@ -28,17 +28,7 @@ constexpr std::size_t leading_bits = 1024;
 /// The bits for which values in balls and values modulo primes take the same time.
 constexpr std::size_t long_bits = 4000;
 
-std::size_t estimated_bits(const IntegerPair& pair) {
-  std::size_t bits = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Integer largest = 1;
-    for (const IntegerNet* net : {&pair.x, &pair.y})
-      for (const auto& row : *net)
-        for (const IntegerVector& c : row) largest = std::max(largest, Integer(abs(c[k])));
-    bits += 40 * (msb(largest) + 1);
-  }
-  return bits;
-}
+std::size_t estimated_bits(const IntegerPair& pair) { return 40 * coordinate_bits(pair); }
 
 ModularIntegers modular_eliminant(const IntegerPair& pair) {
   const std::size_t bits = eliminant_height_bound(pair);

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "eliminant/ball_eliminant.h"
+#include "eliminant/coordinate_bits.h"
 #include "eliminant/special_eliminant.h"
 #include "eliminant/turning_eliminant_modular.h"
 #include "eliminant/vector_eliminant.h"
@@ -21,25 +22,22 @@ namespace {
 
 /// As of polynomial patches.
 constexpr std::size_t kMostBits = std::size_t{1} << 19;
-constexpr std::size_t kLeadingBits = 1024;
+/// The slack of the height bound and what is lost by cancellation from powers to the Bernstein basis grow
+/// with the degree.
+std::size_t bits_kept(std::size_t degree) { return 512 + 8 * degree; }
 
-bool is_too_long(const WeightedPair& pair, std::size_t coordinate_degree) {
-  std::size_t bits = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    Integer largest = 1;
-    for (const WeightedPair::Net* net : {&pair.x, &pair.y})
-      for (const auto& row : *net)
-        for (const WeightedPair::Vector& c : row) largest = std::max(largest, Integer(abs(c[k])));
-    bits += coordinate_degree * (msb(largest) + 1);
-  }
-  return bits > kMostBits;
+/// The bits for which values in balls and values modulo primes take about the same time.
+constexpr std::size_t kLongBits = 6000;
+
+std::size_t estimated_bits(const WeightedPair& pair) {
+  return coordinate_bits(pair) * by_kind(pair, [](const auto& kind) { return kind.coordinate_degree; });
 }
 
 /// Empty where E is not defined.
 std::optional<ModularIntegers> modulo_primes(const WeightedPair& pair) {
   return by_kind(pair, [&]<class Kind>(Kind) -> std::optional<ModularIntegers> {
     using Eliminant = WeightedModularEliminant<Kind>;
-    if (is_too_long(pair, Kind::coordinate_degree) || !is_generic<Eliminant>(pair)) return std::nullopt;
+    if (estimated_bits(pair) > kMostBits || !is_generic<Eliminant>(pair)) return std::nullopt;
     const std::size_t bits = eliminant_height_bound(pair);
     if (auto by_vectors = vector_eliminant(pair, bits)) return by_vectors;
     return interpolate_modular_polynomial(Kind::degree(pair.x.size() - 1), bits,
@@ -88,10 +86,12 @@ std::optional<std::vector<RationalInterval>> weighted_turning_roots(const Ration
                                                                     const RationalPatch& y, Parameter sweep) {
   return in_nearest_rounding([&]() -> std::optional<std::vector<RationalInterval>> {
     const WeightedPair pair = swept_pair(x, y, sweep);
-    if (auto roots = turning_roots_in_balls(pair)) return roots;
+    if (estimated_bits(pair) > kLongBits) {
+      if (auto roots = turning_roots_in_balls(pair)) return roots;
+    }
     const auto residues = modulo_primes(pair);
     if (!residues) return std::nullopt;
-    LeadingParts parts = leading_parts(*residues, kLeadingBits);
+    LeadingParts parts = leading_parts(*residues, bits_kept(residues->residues.front().size()));
     return isolate_enclosed_roots({std::move(parts.leading), std::move(parts.error)});
   });
 }

@@ -22,8 +22,8 @@ std::vector<Parameter> eliminant_sweeps(const RationalPatch& x, const RationalPa
 std::optional<Polynomial> weighted_eliminant(const RationalPatch& x, const RationalPatch& y, Parameter sweep);
 
 /// The roots of E in [0,1] as by isolate_enclosed_roots: each of them is simple. Empty where E is not
-/// defined, or 256 bits of its values and 1024 bits of its coefficients are too few, as next to a multiple
-/// root.
+/// defined, or 256 bits of its values and some 1000 to 2500 of its coefficients are too few, as next to a
+/// multiple root.
 std::optional<std::vector<RationalInterval>> weighted_turning_roots(const RationalPatch& x,
                                                                     const RationalPatch& y, Parameter sweep);
 
