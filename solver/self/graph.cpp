@@ -6,9 +6,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "answer/chord_count.h"
 #include "answer/graph_builder.h"
-#include "trace/bounded_vertex.h"
+#include "trace/arc_polyline.h"
 #include "trace/in_domain.h"
 #include "trace/tube_points.h"
 namespace exsect {
@@ -131,39 +130,21 @@ class ChartArcs {
     result.to = to.node;
     result.place = ArcPlace::interior;
     result.contact = Contact::transversal;
-    result.polyline.push_back(from.vertex.vertex);
-    double vertex_error = larger_bound(from.vertex.error, to.vertex.error);
-    double chord_error = 0;
+    ArcPolyline line;
+    line.add_vertex(from.vertex);
     for (std::size_t p = from.piece; p <= to.piece; ++p) {
       const ChartPiece<Ball>& piece = trace_.pieces[p];
       const double a = p == from.piece ? from.tau : piece.range.from();
       const double b = p == to.piece ? to.tau : piece.range.to();
-      chord_error =
-          larger_bound(chord_error, add_chords(result.polyline, vertex_error, piece, a, b, p != to.piece));
+      const double k = std::ldexp(space_second_derivative(system_.chart(piece.chart), piece.tube),
+                                  static_cast<int>(frame_.exponent));
+      line.add_chords(k, a, b, tolerance_, [&](double tau) { return vertex(piece, tau); });
+      if (p != to.piece) line.add_vertex(vertex(piece, b));
     }
-    result.polyline.push_back(to.vertex.vertex);
-    // Twice, because the true end of an arc may be anywhere in its node's box.
-    result.error_bound = (chord_error + 2 * vertex_error) * kSlack;
+    line.add_vertex(to.vertex);
+    result.polyline = line.take_vertices();
+    result.error_bound = line.bound();
     return result;
-  }
-
-  /// Vertices from offset a (not included) to b. X is smooth on the tube, so a chord over an offset step h
-  /// deviates by at most K h^2 / 8 from the curve over the same offsets, K the bound of |X''|; returns that.
-  double add_chords(std::vector<PolylineVertex>& vertices, double& vertex_error,
-                    const ChartPiece<Ball>& piece, double a, double b, bool with_end) const {
-    const double k = std::ldexp(space_second_derivative(system_.chart(piece.chart), piece.tube),
-                                static_cast<int>(frame_.exponent));
-    const double length = std::fabs(b - a) * kSlack;
-    const double wanted = std::ceil(length * std::sqrt(k / (8 * 0.9 * tolerance_)));
-    const int n = chord_count(wanted);
-    const double step = length / n;
-    for (int i = 1; i <= (with_end ? n : n - 1); ++i) {
-      const double tau = i == n ? b : a + (b - a) * (static_cast<double>(i) / n);
-      const BoundedVertex v = vertex(piece, tau);
-      vertices.push_back(v.vertex);
-      vertex_error = larger_bound(vertex_error, v.error);
-    }
-    return k * step * step / 8 * kSlack;
   }
 
   GraphBuilder& graph_;

@@ -92,17 +92,17 @@ class ContactTracing {
     AnalysedContact<Ball> contact{std::get<TangentialArc<Ball>>(std::move(outcome)), {}};
     std::array<bool, 4> constant{};
     for (const Parameter p : all_parameters) {
-      constant[index(p)] = may_be_constant(system_, contact.curve, index(p)) &&
-                           is_constant(system_, sweep_, contact.curve, p, width_);
+      constant[index(p)] = may_be_constant(system_, contact.trace, index(p)) &&
+                           is_constant(system_, sweep_, contact.trace, p, width_);
     }
     mark_coincident(constant, pair_.coincident());
-    auto turns = find_contact_turns(system_, contact.curve, pair_, constant);
+    auto turns = find_contact_turns(system_, contact.trace, pair_, constant);
     if (const auto* failure = std::get_if<TraceFailure>(&turns)) {
       problem(around(failure->where), failure->why);
       return;
     }
-    contact.turns = std::get<std::vector<ContactTurn<Ball>>>(std::move(turns));
-    check_that_it_leaves(contact.curve);
+    contact.turning = std::get<TurningPoints<Ball>>(std::move(turns));
+    check_that_it_leaves(contact.trace);
     result_.contacts.push_back(std::move(contact));
   }
 

@@ -62,7 +62,7 @@ class CurveTracing {
   void trace_open_curves() {
     used_.assign(landmarks_.size(), {});
     for (const AnalysedContact<Ball>& contact : result_.contacts) {
-      for (const int landmark : {contact.curve.start, contact.curve.end}) {
+      for (const int landmark : {contact.trace.start, contact.trace.end}) {
         if (landmark >= 0) {
           used_[static_cast<std::size_t>(landmark)] = {1, -1};
         }

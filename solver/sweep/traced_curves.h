@@ -33,7 +33,7 @@ template <class Ball>
 int contacts_through(const TracedCurves<Ball>& traced, const BallPoint<Ball>& box) {
   return static_cast<int>(std::count_if(
       traced.contacts.begin(), traced.contacts.end(),
-      [&](const AnalysedContact<Ball>& contact) { return passes_through(contact.curve, box); }));
+      [&](const AnalysedContact<Ball>& contact) { return passes_through(contact.trace, box); }));
 }
 
 /// Traces every curve. `landmarks` are sweep.landmarks enclosed in boxes of width at most `width`. If no

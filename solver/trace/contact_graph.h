@@ -6,12 +6,8 @@
 
 namespace exsect {
 
-/// A traced curve with all its turning points, in order.
 template <class Ball>
-struct AnalysedContact {
-  TangentialArc<Ball> curve;
-  std::vector<ContactTurn<Ball>> turns;
-};
+using AnalysedContact = AnalysedCurve<Ball, TangentialTube<Ball>>;
 
 /// Appends the arcs of one curve, with contact `tangential`, and its turning nodes with respect to `wanted`
 /// parameters (a closed curve without any gets all). `ends` and `landmarks` are indexed as

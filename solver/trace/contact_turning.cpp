@@ -79,7 +79,7 @@ class TurnSearch {
              const std::optional<TurningValues>& turning)
       : system_(system), curve_(curve), parameter_(parameter), turning_(turning) {}
 
-  std::optional<TraceFailure> append_to(std::vector<ContactTurn<Ball>>& turns) {
+  std::optional<TraceFailure> append_to(TurningPoints<Ball>& turns) {
     std::vector<Span> spans = SpanList<Ball>(system_, curve_, index(parameter_)).spans();
     const bool closed = curve_.start < 0;
     const auto known = std::find_if(spans.begin(), spans.end(), [](const Span& s) { return s.sign != 0; });
@@ -121,7 +121,7 @@ class TurnSearch {
 
   /// The spans begin .. end - 1 of unknown sign.
   std::optional<TraceFailure> decide(const std::vector<Span>& spans, std::size_t begin, std::size_t end,
-                                     std::vector<ContactTurn<Ball>>& turns) const {
+                                     TurningPoints<Ball>& turns) const {
     const BallPoint<Ball> first = enclose(spans[begin]).at;
     RationalInterval range = first[index(parameter_)].interval();
     for (std::size_t i = begin; i < end; ++i) {
@@ -141,7 +141,7 @@ class TurnSearch {
       return undecided(first);
     }
     const Span whole = {spans[begin].piece, spans[begin].from, spans[end - 1].to, 0};
-    turns.push_back({parameter_, whole.piece, whole.from, whole.to, enclose(whole).at});
+    turns.push_back({{index(parameter_)}, whole.piece, whole.from, whole.to, enclose(whole).at});
     return std::nullopt;
   }
 
@@ -154,10 +154,11 @@ class TurnSearch {
 }  // namespace
 
 template <class Ball>
-std::variant<std::vector<ContactTurn<Ball>>, TraceFailure> find_contact_turns(
-    const PairSystem<Ball>& system, const TangentialArc<Ball>& curve, ExactPair& pair,
-    const std::array<bool, 4>& constant) {
-  std::vector<ContactTurn<Ball>> turns;
+std::variant<TurningPoints<Ball>, TraceFailure> find_contact_turns(const PairSystem<Ball>& system,
+                                                                   const TangentialArc<Ball>& curve,
+                                                                   ExactPair& pair,
+                                                                   const std::array<bool, 4>& constant) {
+  TurningPoints<Ball> turns;
   for (const Parameter p : all_parameters) {
     if (constant[index(p)]) {
       continue;
@@ -166,12 +167,12 @@ std::variant<std::vector<ContactTurn<Ball>>, TraceFailure> find_contact_turns(
       return *failure;
     }
   }
-  const auto along = [&](const ContactTurn<Ball>& turn) {
+  const auto along = [&](const TurningPoint<Ball>& turn) {
     const auto& piece = curve.pieces[turn.piece];
     return std::pair(turn.piece, turn.from * piece.range.direction());
   };
   std::sort(turns.begin(), turns.end(),
-            [&](const ContactTurn<Ball>& a, const ContactTurn<Ball>& b) { return along(a) < along(b); });
+            [&](const TurningPoint<Ball>& a, const TurningPoint<Ball>& b) { return along(a) < along(b); });
   return turns;
 }
 
@@ -186,7 +187,7 @@ bool may_be_constant(const PairSystem<Ball>& system, const TangentialArc<Ball>& 
 }
 
 #define EXSECT_INSTANTIATE_CONTACT(Ball)                                                            \
-  template std::variant<std::vector<ContactTurn<Ball>>, TraceFailure> find_contact_turns(           \
+  template std::variant<TurningPoints<Ball>, TraceFailure> find_contact_turns(                      \
       const PairSystem<Ball>&, const TangentialArc<Ball>&, ExactPair&, const std::array<bool, 4>&); \
   template bool may_be_constant(const PairSystem<Ball>&, const TangentialArc<Ball>&, std::size_t);
 

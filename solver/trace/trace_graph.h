@@ -11,12 +11,14 @@
 namespace exsect {
 
 /// A traced curve with all its turning points, in order, and where else its arcs are cut.
-template <class Ball>
-struct AnalysedTrace {
-  Trace<Ball> trace;
+template <class Ball, class Tube>
+struct AnalysedCurve {
+  TubeTrace<Tube> trace;
   TurningPoints<Ball> turning;
   std::vector<TraceCut> cuts = {};
 };
+template <class Ball>
+using AnalysedTrace = AnalysedCurve<Ball, Tube<Ball>>;
 
 /// How an arc goes on from the port of a star to the star's node: vertices in between, and a bound of the
 /// distance between the arc and the chords.

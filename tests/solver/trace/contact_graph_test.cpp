@@ -20,14 +20,14 @@ struct Drawn {
   Drawn(const std::vector<Parameter>& wanted, double tolerance) {
     const auto arc = contact.traced();
     auto turns = find_contact_turns(contact.system, arc, contact.pair, {});
-    REQUIRE(std::holds_alternative<std::vector<ContactTurn<DoubleBall>>>(turns));
+    REQUIRE(std::holds_alternative<TurningPoints<DoubleBall>>(turns));
     GraphBuilder builder;
     for (const BallPoint<DoubleBall>& end : contact.ends) {
       ParameterBox box;
       for (std::size_t j = 0; j < 4; ++j) box[j] = in_domain(end[j].interval());
       builder.add_node(landmark_node(contact.system, kUnmoved, end, box, {}));
     }
-    const AnalysedContact<DoubleBall> analysed{arc, std::get<std::vector<ContactTurn<DoubleBall>>>(turns)};
+    const AnalysedContact<DoubleBall> analysed{arc, std::get<TurningPoints<DoubleBall>>(turns)};
     append_contact(builder, contact.system, analysed, contact.ends, nodes_of_landmarks(2), kUnmoved, wanted,
                    tolerance);
     graph.nodes = builder.nodes();

@@ -10,10 +10,10 @@ TEST_CASE("contact turning: one parameter turns once along the contact, where th
   BentContact contact;
   const auto arc = contact.traced();
   const auto found = find_contact_turns(contact.system, arc, contact.pair, {});
-  REQUIRE(std::holds_alternative<std::vector<ContactTurn<DoubleBall>>>(found));
-  const auto& turns = std::get<std::vector<ContactTurn<DoubleBall>>>(found);
+  REQUIRE(std::holds_alternative<TurningPoints<DoubleBall>>(found));
+  const auto& turns = std::get<TurningPoints<DoubleBall>>(found);
   REQUIRE(turns.size() == 1);
-  CHECK(turns[0].parameter == Parameter::r);
+  CHECK(turns[0].parameters == std::vector{index(Parameter::r)});
   const std::array<Rational, 4> at = BentContact::at(q(3, 4));
   for (std::size_t j = 0; j < 4; ++j) CHECK(encloses(turns[0].box[j], at[j]));
   CHECK(turns[0].box[0].radius() < 1e-4);
@@ -23,8 +23,8 @@ TEST_CASE("contact turning: parameters known to be constant are not looked at", 
   BentContact contact;
   const auto arc = contact.traced();
   const auto found = find_contact_turns(contact.system, arc, contact.pair, {false, false, true, false});
-  REQUIRE(std::holds_alternative<std::vector<ContactTurn<DoubleBall>>>(found));
-  CHECK(std::get<std::vector<ContactTurn<DoubleBall>>>(found).empty());
+  REQUIRE(std::holds_alternative<TurningPoints<DoubleBall>>(found));
+  CHECK(std::get<TurningPoints<DoubleBall>>(found).empty());
   for (std::size_t j = 0; j < 4; ++j) CHECK_FALSE(may_be_constant(contact.system, arc, j));
 }
 

@@ -1,0 +1,49 @@
+// The polyline of an arc, with a proved bound of its distance. Internal to solver/.
+#pragma once
+
+#include <exsect/algebra/rounding_bounds.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "answer/chord_count.h"
+#include "trace/bounded_vertex.h"
+
+namespace exsect {
+
+/// Vertices and chords while they are collected.
+class ArcPolyline {
+ public:
+  void add_vertex(const BoundedVertex& v) {
+    vertices_.push_back(v.vertex);
+    vertex_error_ = larger_bound(vertex_error_, v.error);
+  }
+  /// A chord keeps within the bound of what it stands for.
+  void cover(double bound) { chord_error_ = larger_bound(chord_error_, bound); }
+
+  /// Chords between the offsets a and b, whose vertices are added by others, within the tolerance if they are
+  /// not too many. The position in space is twice differentiable along the arc, so a chord over a step h
+  /// deviates by at most K h^2 / 8 from the arc over the same offsets, K a bound of the second derivative.
+  template <class VertexAt>
+  void add_chords(double second_derivative, double a, double b, double tolerance, const VertexAt& vertex_at) {
+    const double length = std::fabs(b - a) * kSlack;
+    const int n = chord_count(std::ceil(length * std::sqrt(second_derivative / (8 * 0.9 * tolerance))));
+    const double step = length / n;
+    cover(second_derivative * step * step / 8 * kSlack);
+    for (int i = 1; i < n; ++i) add_vertex(vertex_at(a + (b - a) * (static_cast<double>(i) / n)));
+  }
+
+  std::size_t size() const { return vertices_.size(); }
+  std::vector<PolylineVertex> take_vertices() { return std::move(vertices_); }
+  /// The polyline's end offsets, joints and vertices stand for true points within the errors of vertices;
+  /// twice, because the true end of an arc may be anywhere in its node's box.
+  double bound() const { return (chord_error_ + 2 * vertex_error_) * kSlack; }
+
+ private:
+  std::vector<PolylineVertex> vertices_;
+  double vertex_error_ = 0;
+  double chord_error_ = 0;
+};
+
+}  // namespace exsect
