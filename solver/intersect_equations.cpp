@@ -258,23 +258,20 @@ std::optional<SurfaceIntersection> lifted(const ImplicitSurface& first, const Im
   return solved_by(first, second, region, run, lifted_curve);
 }
 
-/// Two whole surfaces by their equations alone.
+/// By their equations alone.
 SurfaceIntersection crossing(const ImplicitSurface& first, const ImplicitSurface& second,
                              const PairRegion& region, const Run& run) {
-  if (!region.all.clauses.empty())
-    return open(
-        std::string("not supported yet in boxes: ") + name(first.kind()) + " and " + name(second.kind()),
-        Reason::not_decided);
   CrossingCurve curve;
   run.timed("curve", [&] {
-    curve = crossing_curve(first.equation(), second.equation(),
+    curve = crossing_curve(first.equation(), second.equation(), region.all,
                            [&](double extent) { return run.drawn_tolerance(drawable(extent)); });
   });
   if (curve.open) return open(curve.open->why, curve.open->reason);
+  if (curve.is_same && !region.all.clauses.empty()) return same(first, second, region, run);
   SurfaceIntersection result{Status::complete, curve.is_same};
   for (CrossingNode& node : curve.nodes)
     add_node(result, node_kind(node.degree, node.is_singular, node.goes_on), node.degree, std::move(node.box),
-             {});
+             names_of(region, node.bounds));
   for (CrossingArc& arc : curve.arcs)
     add_arc(result, arc, arc.multiplicity, {std::move(arc.points), arc.error_bound});
   set_curves(result, named_curves(curve));

@@ -20,18 +20,20 @@ namespace exsect {
 namespace {
 
 int expected_arrivals(LandmarkKind kind) {
-  return kind == LandmarkKind::highest ? 2 : kind == LandmarkKind::exit ? 1 : 0;
+  if (kind == LandmarkKind::highest) return 2;
+  return kind == LandmarkKind::exit || kind == LandmarkKind::passage ? 1 : 0;
 }
 
 /// Along grad F x grad G, or against it, u grows from the landmark on.
 std::vector<int> upward_senses(const CrossingLandmark& landmark) {
   if (landmark.kind == LandmarkKind::lowest) return {1, -1};
-  return landmark.kind == LandmarkKind::entry ? std::vector<int>{landmark.upward} : std::vector<int>{};
+  const bool goes_up = landmark.kind == LandmarkKind::entry || landmark.kind == LandmarkKind::passage;
+  return goes_up ? std::vector<int>{landmark.upward} : std::vector<int>{};
 }
 
 CrossingNode node_at(const CrossingLandmark& landmark) {
   const bool goes_on = landmark.kind == LandmarkKind::entry || landmark.kind == LandmarkKind::exit;
-  CrossingNode node{{}, goes_on, false, goes_on ? 1 : 2};
+  CrossingNode node{{}, goes_on, false, 0};
   const Rational radius = from_double(landmark.zero.radius);
   for (std::size_t k = 0; k < 3; ++k)
     node.box[k] = {landmark.zero.centre[k] - radius, landmark.zero.centre[k] + radius};
@@ -79,26 +81,77 @@ std::vector<TracedPart> traced_parts(const CrossingBranches& branches, const Cro
   return parts;
 }
 
-/// The nodes of all stars, then those of other landmarks; `node_of` of every landmark.
-std::vector<CrossingNode> nodes_of(const CrossingLandmarks& known, std::vector<std::size_t>& node_of) {
+struct TracedCurve {
+  const CrossingBranches& branches;
+  const std::vector<CrossingBound>& bounds;
+  const SurfaceRegion& region;
+  const CrossingLandmarks& known;
+};
+
+std::vector<std::size_t> bounds_at(const TracedCurve& of, const LandmarkStar& star) {
+  std::vector<std::size_t> at;
+  for (std::size_t i = 0; i < star.signs.size(); ++i)
+    if (star.signs[i] == 0 && star.where_signs[i] >= 0 && !of.region.bounds[i].name.empty()) at.push_back(i);
+  return at;
+}
+
+std::vector<std::size_t> bounds_at(const TracedCurve& of, const CrossingLandmark& landmark) {
+  if (landmark.kind != LandmarkKind::passage || of.region.bounds[landmark.bound].name.empty()) return {};
+  const int where = sign_on(of.bounds[landmark.bound].where, landmark.zero);
+  if (where == 0) throw ProofFailure(whole_domain(), "a point is too near to the end of a bound");
+  return where > 0 ? std::vector{landmark.bound} : std::vector<std::size_t>{};
+}
+
+/// The nodes of all stars, then those of other landmarks, without degrees; `node_of` of every landmark.
+std::vector<CrossingNode> nodes_of(const TracedCurve& of, std::vector<std::size_t>& node_of) {
   std::vector<CrossingNode> nodes;
-  for (const LandmarkStar& star : known.stars) nodes.push_back({star.point, false, star.is_singular, 0});
-  for (const CrossingLandmark& landmark : known.landmarks) {
+  for (const LandmarkStar& star : of.known.stars)
+    nodes.push_back({star.point, false, star.is_singular, 0, bounds_at(of, star)});
+  for (const CrossingLandmark& landmark : of.known.landmarks) {
     node_of.push_back(landmark.star.value_or(nodes.size()));
-    if (landmark.star)
-      ++nodes[*landmark.star].degree;
-    else
-      nodes.push_back(node_at(landmark));
+    if (landmark.star) continue;
+    nodes.push_back(node_at(landmark));
+    nodes.back().bounds = bounds_at(of, landmark);
   }
   return nodes;
 }
 
-CrossingCurve traced(const CrossingBranches& branches, const CrossingLandmarks& known) {
+/// Of the bounds along the arc that leaves a landmark in a sense.
+std::vector<int> signs_along(const TracedCurve& of, const CrossingLandmark& from, int sense) {
+  const CrossingBranch& branch = of.branches.all[from.branch];
+  std::vector<int> signs;
+  for (std::size_t i = 0; i < of.bounds.size(); ++i) {
+    const SpacePolynomial& form = of.bounds[i].form;
+    const bool passes = from.kind == LandmarkKind::passage && from.bound == i;
+    signs.push_back(passes ? orientation_on({branch.f, branch.g, form}, from.zero) * sense
+                           : sign_on(form, from.zero));
+    if (signs.back() == 0) throw ProofFailure(whole_domain(), "an arc is too near to a bound");
+  }
+  return signs;
+}
+
+/// Leaves the nodes that end arcs, and centres of stars in the region.
+void drop_other_nodes(CrossingCurve& curve, const TracedCurve& of) {
+  for (const CrossingArc& arc : curve.arcs)
+    for (const std::size_t end : {arc.from, arc.to}) ++curve.nodes[end].degree;
+  std::vector<CrossingNode> nodes;
+  std::vector<std::size_t> position;
+  for (std::size_t i = 0; i < curve.nodes.size(); ++i) {
+    position.push_back(nodes.size());
+    const bool is_alone = i < of.known.stars.size() && is_in_region(of.region, of.known.stars[i].signs);
+    if (is_alone || curve.nodes[i].degree > 0) nodes.push_back(std::move(curve.nodes[i]));
+  }
+  curve.nodes = std::move(nodes);
+  for (CrossingArc& arc : curve.arcs) arc.from = position[arc.from], arc.to = position[arc.to];
+}
+
+CrossingCurve traced(const TracedCurve& of) {
+  const CrossingLandmarks& known = of.known;
   CrossingCurve result;
   std::vector<std::size_t> node_of;
-  result.nodes = nodes_of(known, node_of);
+  result.nodes = nodes_of(of, node_of);
   std::vector<int> arrivals(known.landmarks.size(), 0);
-  for (const TracedPart& part : traced_parts(branches, known))
+  for (const TracedPart& part : traced_parts(of.branches, known))
     for (std::size_t k = 0; k < part.landmarks.size(); ++k) {
       const std::size_t start = part.landmarks[k];
       const CrossingLandmark& from = known.landmarks[start];
@@ -106,17 +159,19 @@ CrossingCurve traced(const CrossingBranches& branches, const CrossingLandmarks& 
         SpaceTrace trace = space_trace(part.problem, k, sense);
         const std::size_t end = part.landmarks[trace.end];
         ++arrivals[end];
+        if (!is_in_region(of.region, signs_along(of, from, sense))) continue;
         const CrossingLandmark& to = known.landmarks[end];
         if (from.star) add_chord(trace, known.stars[*from.star], from.zero, true);
         if (to.star) add_chord(trace, known.stars[*to.star], to.zero, false);
         result.arcs.push_back({node_of[start], node_of[end], from.branch,
-                               branches.all[from.branch].multiplicity, std::move(trace.points),
+                               of.branches.all[from.branch].multiplicity, std::move(trace.points),
                                trace.error_bound});
       }
     }
   for (std::size_t i = 0; i < known.landmarks.size(); ++i)
     if (arrivals[i] != expected_arrivals(known.landmarks[i].kind))
       throw ProofFailure(whole_domain(), "the arcs of a curve in space do not fit together");
+  drop_other_nodes(result, of);
   return result;
 }
 
@@ -145,7 +200,7 @@ void set_multiplicities(CrossingCurve& curve, const CrossingBranches& branches,
 
 /// Of polynomials without a common factor.
 CrossingCurve curve_of_coprime(const SpacePolynomial& whole_f, const SpacePolynomial& whole_g,
-                               const std::function<double(double)>& tolerance) {
+                               const SurfaceRegion& region, const std::function<double(double)>& tolerance) {
   const SpacePolynomial f = squarefree_part(whole_f).primitive(), g = squarefree_part(whole_g).primitive();
   std::string why = "no frame in general position";
   int tried = 0;
@@ -159,9 +214,11 @@ CrossingCurve curve_of_coprime(const SpacePolynomial& whole_f, const SpacePolyno
       why = "both surfaces are singular along a common curve, it seems";
       continue;
     }
-    const CrossingLandmarks landmarks = crossing_landmarks(*branches, tolerance);
+    const auto bounds = crossing_bounds(*branches, region);
+    if (!bounds) return left_open("a curve lies on a bound of a box");
+    const CrossingLandmarks landmarks = crossing_landmarks(*branches, *bounds, tolerance);
     if (landmarks.obstacle.empty()) {
-      CrossingCurve curve = traced(*branches, landmarks);
+      CrossingCurve curve = traced({*branches, *bounds, region, landmarks});
       if (!(f == whole_f && g == whole_g))
         set_multiplicities(curve, *branches,
                            space_projection(whole_f, whole_g, general_frame(attempt)).value());
@@ -175,14 +232,14 @@ CrossingCurve curve_of_coprime(const SpacePolynomial& whole_f, const SpacePolyno
 }  // namespace
 
 CrossingCurve crossing_curve(const SpacePolynomial& first, const SpacePolynomial& second,
-                             const std::function<double(double)>& tolerance) {
+                             const SurfaceRegion& region, const std::function<double(double)>& tolerance) {
   const SpacePolynomial common = common_factor(first, second);
   SpacePolynomial f = exact_quotient(first, common).primitive(),
                   g = exact_quotient(second, common).primitive();
   if (!is_first(f, g)) std::swap(f, g);
   lower_degrees(f, g);
   CrossingCurve curve;
-  if (g.degree() > 0) curve = curve_of_coprime(f, g.primitive(), tolerance);
+  if (g.degree() > 0) curve = curve_of_coprime(f, g.primitive(), region, tolerance);
   curve.is_same = common.degree() > 0;
   return curve;
 }

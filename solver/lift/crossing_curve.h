@@ -2,6 +2,8 @@
 // docs/method-equations.md, sections 17.15 and 17.16.
 #pragma once
 
+#include <exsect/geometry/surface_region.h>
+
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -19,7 +21,8 @@ struct CrossingNode {
   std::array<RationalInterval, 3> box;
   bool goes_on;
   bool is_singular;
-  int degree;  // the number of ends of arcs
+  int degree;                            // the number of ends of arcs
+  std::vector<std::size_t> bounds = {};  // of the region, that the point lies on
 };
 
 struct CrossingArc {
@@ -41,8 +44,9 @@ struct CrossingCurve {
   std::vector<CrossingArc> arcs = {};
 };
 
-/// Of F = 0 and G = 0, in either order. `tolerance` of an extent is how near polylines have to be.
-CrossingCurve crossing_curve(const SpacePolynomial& f, const SpacePolynomial& g,
+/// Of F = 0 and G = 0, in either order, in the region. `tolerance` of an extent is how near polylines have to
+/// be.
+CrossingCurve crossing_curve(const SpacePolynomial& f, const SpacePolynomial& g, const SurfaceRegion& region,
                              const std::function<double(double)>& tolerance);
 
 /// Its connected parts, none of which is known by another name: as for lifted curves (curve_names.h).

@@ -19,29 +19,58 @@ Point middle_of(const CrossingBox& box) { return {box[0].midpoint(), box[1].midp
 struct Guess {
   CrossingBox box;  // which an end is in; about the place of a turning point
   LandmarkKind kind;
-  RationalInterval heights;  // of u: no other turning point is over it, and no other number for ends
+  RationalInterval
+      heights;  // of u: no other turning point or passage is over it, and no other number for ends
   std::size_t branch;
   std::optional<std::size_t> star = {};
+  std::size_t bound = 0;
 };
 
 bool is_end(LandmarkKind kind) { return kind == LandmarkKind::entry || kind == LandmarkKind::exit; }
 
-/// A real root of E, and a closed interval around it without another one.
+/// A norm, and what is over its simple roots: turning points, or passages of one bound on one branch.
+struct LandmarkSource {
+  Polynomial norm;
+  LandmarkKind kind;
+  std::size_t branch = 0;
+  std::size_t bound = 0;
+};
+
+std::vector<LandmarkSource> landmark_sources(const CrossingBranches& branches,
+                                             const std::vector<CrossingBound>& bounds) {
+  std::vector<LandmarkSource> sources = {{branches.norm, LandmarkKind::lowest}};
+  for (std::size_t bound = 0; bound < bounds.size(); ++bound)
+    for (std::size_t branch = 0; branch < branches.all.size(); ++branch) {
+      const Polynomial& norm = bounds[bound].norms[branch];
+      sources.push_back({branches.all[branch].multiplicity == 1 ? norm : norm * norm, LandmarkKind::passage,
+                         branch, bound});
+    }
+  return sources;
+}
+
+/// A real root of the product of the norms, and a closed interval around it without another one.
 struct TurningValue {
   RealAlgebraic u;
-  bool is_simple;
+  std::optional<std::size_t> source;  // of a simple one
   RationalInterval free;
 };
 
-/// The real roots of E in an open interval, ascending.
-std::vector<TurningValue> turning_values(const Polynomial& norm, const RationalInterval& range) {
+/// The real roots of the product in an open interval, ascending.
+std::vector<TurningValue> turning_values(const std::vector<LandmarkSource>& sources,
+                                         const Polynomial& product, const RationalInterval& range) {
   std::vector<TurningValue> values;
-  if (norm.degree() < 1) return values;
-  for (const PolynomialPower& power : squarefree_factors(norm))
-    for (const PolynomialPower& part :
-         power.multiplicity > 1 ? irreducible_factors(power.factor) : std::vector<PolynomialPower>{power})
-      for (RealAlgebraic& u : real_roots(part.factor, range.lower, range.upper))
-        values.push_back({std::move(u), power.multiplicity == 1, range});
+  if (product.degree() < 1) return values;
+  const auto add_roots = [&](const Polynomial& f, std::optional<std::size_t> source) {
+    for (RealAlgebraic& u : real_roots(f, range.lower, range.upper))
+      values.push_back({std::move(u), source, range});
+  };
+  for (const PolynomialPower& power : squarefree_factors(product)) {
+    if (power.multiplicity > 1)
+      for (const PolynomialPower& part : irreducible_factors(power.factor)) add_roots(part.factor, {});
+    else
+      for (std::size_t i = 0; i < sources.size(); ++i)
+        if (const Polynomial part = gcd(power.factor, sources[i].norm); part.degree() > 0) add_roots(part, i);
+  }
   std::ranges::sort(values, {}, &TurningValue::u);
   for (std::size_t i = 0; i + 1 < values.size(); ++i) {
     RealAlgebraic &u = values[i].u, &next = values[i + 1].u;
@@ -66,20 +95,26 @@ bool is_general_over(const SpaceProjection& projection, const Rational& u) {
 
 class LandmarkSearch {
  public:
-  explicit LandmarkSearch(const CrossingBranches& branches)
-      : branches_(branches), projection_(branches.projection), range_(fitted_interval({branches.norm})) {
+  LandmarkSearch(const CrossingBranches& branches, const std::vector<CrossingBound>& bounds)
+      : branches_(branches),
+        bounds_(bounds),
+        projection_(branches.projection),
+        sources_(landmark_sources(branches, bounds)) {
+    Polynomial product = 1;
+    for (const LandmarkSource& source : sources_) product *= source.norm;
+    range_ = fitted_interval({product});
     while (!is_general_over(projection_, range_.lower)) range_.lower -= range_.width() / 64;
     while (!is_general_over(projection_, range_.upper)) range_.upper += range_.width() / 64;
-    values_ = turning_values(branches.norm, range_);
+    values_ = turning_values(sources_, product, range_);
   }
 
   CrossingLandmarks run(const std::function<double(double)>& tolerance) {
     if (!add_ends(range_.lower, LandmarkKind::entry) || !add_ends(range_.upper, LandmarkKind::exit))
       return with_obstacle("where the curve goes on to infinity is not proved");
     for (const TurningValue& value : values_) {
-      if (value.is_simple && !add_turning_point(value))
+      if (value.source && !add_simple(value))
         return with_obstacle("turning points of the curve are not proved");
-      if (!value.is_simple && !add_centres(value))
+      if (!value.source && !add_centres(value))
         return with_obstacle("both surfaces are singular in a common point, it seems");
     }
     if (guesses_.empty() && result_.stars.empty()) return std::move(result_);
@@ -128,11 +163,18 @@ class LandmarkSearch {
   }
 
   bool add_centres(const TurningValue& value) {
-    const auto centres = centres_over(projection_, value.u);
+    std::vector<BivariatePolynomial> forms;
+    for (const CrossingBound& bound : bounds_) forms.push_back(bound.below);
+    const auto centres = centres_over(projection_, value.u, forms);
     if (!centres) return false;
     for (const CrossingCentre& centre : *centres) {
       centres_.emplace_back(centre, value.free);
-      result_.stars.push_back({{}, fine_box(centre), centre.is_singular});
+      LandmarkStar star{{}, fine_box(centre), centre.is_singular};
+      for (const CrossingBound& bound : bounds_) {
+        star.signs.push_back(sign_over(bound.below, centre.below));
+        star.where_signs.push_back(sign_over(bound.where_below, centre.below));
+      }
+      result_.stars.push_back(std::move(star));
     }
     return true;
   }
@@ -158,11 +200,12 @@ class LandmarkSearch {
   bool add_landmark(const Guess& guess, double radius) {
     const std::optional<SpaceZero> zero = proved(guess, radius);
     if (!zero) return false;
-    const int upward = is_end(guess.kind) ? sign_on(branches_.all[guess.branch].rate, *zero) : 0;
-    if (is_end(guess.kind) && upward == 0) return false;
-    const std::optional<std::size_t> branch = is_end(guess.kind) ? guess.branch : branch_at(*zero);
+    const bool turns = guess.kind == LandmarkKind::lowest || guess.kind == LandmarkKind::highest;
+    const int upward = turns ? 0 : sign_on(branches_.all[guess.branch].rate, *zero);
+    if (!turns && upward == 0) return false;
+    const std::optional<std::size_t> branch = turns ? branch_at(*zero) : guess.branch;
     if (!branch) return false;
-    result_.landmarks.push_back({*zero, guess.kind, guess.star, *branch, upward});
+    result_.landmarks.push_back({*zero, guess.kind, guess.star, *branch, upward, guess.bound});
     return true;
   }
 
@@ -180,46 +223,73 @@ class LandmarkSearch {
     return only;
   }
 
-  /// The point over a simple root of E: next to it a zero of the shadow's derivative by v, and nearly one of
-  /// the shadow.
-  bool add_turning_point(const TurningValue& value) {
-    const auto crossing = std::ranges::find(branches_.all, 1, &CrossingBranch::multiplicity);
-    if (crossing == branches_.all.end()) return false;
-    const auto branch = static_cast<std::size_t>(crossing - branches_.all.begin());
+  /// The point over a simple root.
+  bool add_simple(const TurningValue& value) {
+    const LandmarkSource& source = sources_[*value.source];
     const Rational u = value.u.refined_to(range_.width() * fine_).interval().midpoint();
-    const Polynomial over = projection_.shadow.at_r(u);
-    std::vector<RationalInterval> places = enclosed_roots(over.derivative());
-    std::ranges::sort(places, {},
-                      [&](const RationalInterval& v) -> Rational { return abs(over(v.midpoint())); });
-    for (std::size_t k = 0; k < std::min<std::size_t>(places.size(), 3); ++k) {
-      const std::optional<Point> place = lifted(u, places[k].midpoint());
-      if (!place) continue;
-      Guess landmark{{RationalInterval{(*place)[0], (*place)[0]},
-                      {(*place)[1], (*place)[1]},
-                      {(*place)[2], (*place)[2]}},
-                     LandmarkKind::lowest,
-                     value.free,
-                     branch};
+    const bool is_passage = source.kind == LandmarkKind::passage;
+    for (const Point& place : is_passage ? places_on_bound(source, u) : turning_places(u)) {
+      Guess landmark{point_box(place), source.kind, value.free, source.branch, {}, source.bound};
+      if (!is_passage) landmark.branch = crossing_branch();
       const std::optional<SpaceZero> zero = proved(landmark, to_double(value.free.width()) * 0x1p-40);
       if (!zero) continue;
       const int bend = orientation_on(system_of(landmark), *zero);
       if (bend == 0) continue;
-      if (bend < 0) landmark.kind = LandmarkKind::highest;
+      if (!is_passage && bend < 0) landmark.kind = LandmarkKind::highest;
       guesses_.push_back(std::move(landmark));
       return true;
     }
     return false;
   }
 
+  /// One along which the surfaces cross; a turning point over a simple root is on such a branch.
+  std::size_t crossing_branch() const {
+    const auto branch = std::ranges::find(branches_.all, 1, &CrossingBranch::multiplicity);
+    return static_cast<std::size_t>(branch - branches_.all.begin());
+  }
+
+  /// Points over numbers v near u, those with the least values first, three at most.
+  template <class Value>
+  std::vector<Point> places_over(const Rational& u, const std::vector<RationalInterval>& numbers,
+                                 Value value) const {
+    std::vector<std::pair<Rational, Point>> places;
+    for (const RationalInterval& v : numbers)
+      if (const std::optional<Point> place = lifted(u, v.midpoint()))
+        places.emplace_back(abs(value(v.midpoint(), *place)), *place);
+    std::ranges::sort(places, {}, &std::pair<Rational, Point>::first);
+    std::vector<Point> result;
+    for (std::size_t k = 0; k < std::min<std::size_t>(places.size(), 3); ++k)
+      result.push_back(places[k].second);
+    return result;
+  }
+
+  /// Near zeros of the shadow's derivative by v, and of the shadow.
+  std::vector<Point> turning_places(const Rational& u) const {
+    const Polynomial over = projection_.shadow.at_r(u);
+    return places_over(u, enclosed_roots(over.derivative()),
+                       [&](const Rational& v, const Point&) { return over(v); });
+  }
+
+  std::vector<Point> places_on_bound(const LandmarkSource& source, const Rational& u) const {
+    return places_over(u, enclosed_roots(branches_.all[source.branch].shadow.at_r(u)),
+                       [&](const Rational&, const Point& p) { return bounds_[source.bound].form(p); });
+  }
+
+  static CrossingBox point_box(const Point& p) {
+    return {RationalInterval{p[0], p[0]}, RationalInterval{p[1], p[1]}, RationalInterval{p[2], p[2]}};
+  }
+
   SpaceSystem system_of(const Guess& guess) const {
     const CrossingBranch& branch = branches_.all[guess.branch];
+    if (guess.kind == LandmarkKind::passage)
+      return {branch.f, branch.g, bounds_[guess.bound].form};  // (17.20)
     if (!is_end(guess.kind)) return {branch.f, branch.g, branch.rate};
     SpacePolynomial plane = SpacePolynomial::constant(-guess.heights.lower);
     for (std::size_t k = 0; k < 3; ++k) plane += projection_.frame.height[k] * SpacePolynomial::variable(k);
     return {branch.f, branch.g, plane};
   }
 
-  /// A turning point with its u in the interval; an end with its box in the cube.
+  /// A turning point or passage with its u in the interval; an end with its box in the cube.
   std::optional<SpaceZero> proved(const Guess& guess, double radius) const {
     if (!(radius > 0x1p-900 && radius < 0x1p900)) return std::nullopt;
     std::optional<SpaceZero> zero = space_zero(system_of(guess), middle_of(guess.box), radius);
@@ -263,7 +333,9 @@ class LandmarkSearch {
   static inline const Rational fine_ = power_of_two(-240);
 
   const CrossingBranches& branches_;
+  const std::vector<CrossingBound>& bounds_;
   const SpaceProjection& projection_;
+  std::vector<LandmarkSource> sources_;
   RationalInterval range_;
   std::vector<TurningValue> values_;
   std::vector<std::pair<CrossingCentre, RationalInterval>> centres_;  // and their u's free intervals
@@ -274,8 +346,9 @@ class LandmarkSearch {
 }  // namespace
 
 CrossingLandmarks crossing_landmarks(const CrossingBranches& branches,
+                                     const std::vector<CrossingBound>& bounds,
                                      const std::function<double(double)>& tolerance) {
-  return LandmarkSearch(branches).run(tolerance);
+  return LandmarkSearch(branches, bounds).run(tolerance);
 }
 
 }  // namespace exsect

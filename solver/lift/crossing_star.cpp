@@ -10,10 +10,6 @@
 namespace exsect {
 namespace {
 
-int sign_over(const BivariatePolynomial& f, const TriangularPoint& p) {
-  return f.is_zero() ? 0 : sign_at(f.exchanged(), p);
-}
-
 /// f at the centre of a rectangle, and a bound of how far its values there differ from that.
 std::pair<Rational, Rational> spread_on(const BivariatePolynomial& f, const RationalInterval& u,
                                         const RationalInterval& v) {
@@ -54,16 +50,24 @@ RationalInterval window_in(const RationalInterval& free, const RealAlgebraic& va
 
 }  // namespace
 
+int sign_over(const BivariatePolynomial& f, const TriangularPoint& below) {
+  return f.is_zero() ? 0 : sign_at(f.exchanged(), below);
+}
+
 std::optional<std::vector<CrossingCentre>> centres_over(const SpaceProjection& projection,
-                                                        const RealAlgebraic& u) {
+                                                        const RealAlgebraic& u,
+                                                        const std::vector<BivariatePolynomial>& bounds) {
   const BivariatePolynomial& shadow = projection.shadow;
   const BivariatePolynomial by_u = shadow.derivative_r(), by_v = shadow.derivative_s();
   const Rational reach = reach_over(shadow, u.interval());
   std::vector<CrossingCentre> centres;
   for (TriangularPoint& point : roots_at(shadow.exchanged(), u, -reach, reach)) {
-    if (sign_over(by_v, point) != 0) continue;
+    const bool is_simple = sign_over(by_v, point) != 0;
+    if (is_simple &&
+        std::ranges::none_of(bounds, [&](const auto& each) { return sign_over(each, point) == 0; }))
+      continue;
     if (sign_over(projection.slope, point) == 0) return std::nullopt;
-    const bool is_singular = sign_over(by_u, point) == 0;
+    const bool is_singular = !is_simple && sign_over(by_u, point) == 0;
     centres.push_back({std::move(point), is_singular});
   }
   return centres;

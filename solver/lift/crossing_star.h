@@ -12,15 +12,20 @@
 
 namespace exsect {
 
-/// A common point that is no simple one over its u; the only one over its place in the shadow.
+/// A common point that is no simple one over its u, or on a bound; the only one over its place in the shadow.
 struct CrossingCentre {
   TriangularPoint below;  // u as its s and v as its r
   bool is_singular;       // the curve is
 };
 
-/// All real ones over u. Empty if the frame does not show what is over one of them: slope = 0.
+/// All real ones over u, with a bound of these signs (sign_below) or without. Empty if the frame does not
+/// show what is over one of them: slope = 0.
 std::optional<std::vector<CrossingCentre>> centres_over(const SpaceProjection& projection,
-                                                        const RealAlgebraic& u);
+                                                        const RealAlgebraic& u,
+                                                        const std::vector<BivariatePolynomial>& bounds = {});
+
+/// The sign of a polynomial of r = u and s = v below the centre.
+int sign_over(const BivariatePolynomial& f, const TriangularPoint& below);
 
 /// A closed box of the point; of all common points over a rectangle of (u,v). Empty if the slope may be 0.
 using CrossingBox = std::array<RationalInterval, 3>;

@@ -173,6 +173,21 @@ std::optional<Polynomial> norm_over(const SpaceProjection& projection, const Biv
   return interpolated(nodes, values).exchanged().coefficient(0);
 }
 
+BivariatePolynomial sign_below(const SpaceProjection& projection, const SpacePolynomial& p) {
+  const SpacePolynomial in_coordinates = in_frame(p, projection.frame);
+  const int degree = in_coordinates.degree_in(2);
+  const BivariatePolynomial minus = BivariatePolynomial() - projection.offset;
+  BivariatePolynomial sum;
+  for (const auto& [e, c] : in_coordinates.terms()) {
+    BivariatePolynomial term = BivariatePolynomial::constant(c);
+    for (int i = 0; i < e[0]; ++i) term = term * BivariatePolynomial::r();
+    for (int i = 0; i < e[1]; ++i) term = term * BivariatePolynomial::s();
+    for (int i = 0; i < degree + degree % 2; ++i) term = term * (i < e[2] ? minus : projection.slope);
+    sum += term;
+  }
+  return sum;
+}
+
 void lower_degrees(SpacePolynomial& f, SpacePolynomial& g) {
   while (!g.is_zero() && f.degree() == g.degree()) {
     const SpacePolynomial of_f = leading_form(f), of_g = leading_form(g);

@@ -51,6 +51,9 @@ Polynomial turning_norm(const SpaceProjection& projection);
 std::optional<Polynomial> norm_over(const SpaceProjection& projection, const BivariatePolynomial& factor,
                                     const SpacePolynomial& p);
 
+/// A polynomial with the sign of P on the common points where the slope is not 0, by (17.15).
+BivariatePolynomial sign_below(const SpaceProjection& projection, const SpacePolynomial& p);
+
 /// Generators of lower degree with the same common points: as long as both have one degree and the same
 /// leading form but for a factor, a multiple of the first is subtracted from the second, which may become 0.
 void lower_degrees(SpacePolynomial& f, SpacePolynomial& g);

@@ -256,6 +256,40 @@ TEST_CASE("boxes: tori with tori and polynomials") {
               length(intersect(small, big, within(1e-4))));
 }
 
+/// What census tells of nodes.
+std::string nodes(const S& first, const S& second) {
+  SurfaceIntersection result = intersect(first, second, within(1e-3));
+  result.curves.clear();
+  return census(result);
+}
+
+TEST_CASE("boxes: a torus without charts, with surfaces by name and by equation") {
+  const S ring = S::torus(origin, up, 5, Length::of_squared(5));
+  // The first plane touches it in (4,0,2), on bounds of boxes below, the second one in (6,0,2) alone.
+  const std::vector<S> others = {S::plane(origin, {-1, 0, 2}), S::plane({6, 0, 2}, {1, 0, 2}),
+                                 S::plane({6 - tenth_to(6), 0, 2}, {1, 0, 2}), S::sphere({4, 1, 0}, 3),
+                                 S::cylinder({4, 1, 0}, {1, 1, 1}, 1)};
+  const std::vector<S> faces = {sector(ring, right, left), sector(ring, left, back), heights(ring, 0, 2),
+                                heights(ring, 2, 3), tube(ring, {1, 2}, {-1, -2})};
+  for (const S& other : others)
+    for (const S& face : faces) {
+      const S unnamed = S::polynomial(other.equation());
+      CHECK(nodes(face, unnamed) == nodes(face, other));
+      const double known = length(intersect(face, other, within(1e-4)));
+      CHECK(std::fabs(length(intersect(face, unnamed, within(1e-4))) - known) < 1e-3 * (1 + known));
+    }
+}
+
+TEST_CASE("boxes: two tori without charts") {
+  const S ring = S::torus(origin, up, 5, Length::of_squared(3));
+  const S other = S::torus({3, 0, 1}, {2, 2, 1}, 4, Length::of_squared(2));
+  const double whole = length(intersect(ring, other, within(1e-4)));
+  check_glued({sector(ring, right, left), sector(ring, left, right)}, {other}, whole);
+  const std::string part = census(heights(ring, 0, 1), other);
+  CHECK(part.find("1:height=from") != std::string::npos);
+  CHECK(part.find("1:height=to") != std::string::npos);
+}
+
 TEST_CASE("boxes: parts of both surfaces have all of the curve together") {
   const S ring = S::torus(origin, up, 5, 2);
   const SpacePolynomial x = SpacePolynomial::variable(0), y = SpacePolynomial::variable(1),

@@ -17,7 +17,7 @@ CrossingLandmarks landmarks(const SpacePolynomial& f, const SpacePolynomial& g, 
   REQUIRE(projection);
   const auto branches = crossing_branches(f, g, *projection);
   REQUIRE(branches);
-  return crossing_landmarks(*branches, [](double extent) { return 1e-3 * extent; });
+  return crossing_landmarks(*branches, {}, [](double extent) { return 1e-3 * extent; });
 }
 
 long count(const CrossingLandmarks& known, LandmarkKind kind) {
