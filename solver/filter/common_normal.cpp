@@ -16,21 +16,7 @@ constexpr double kSettled = 0x1p-44;
 
 template <class K>
 SecondOrder second_order(const PatchOf<K>& patch, double h, double k) {
-  const CoefficientsOf<K> c = expand(patch, h, k);
-  constexpr std::size_t u = kFirst<K>;
-  constexpr std::size_t v = kSecond;
-  const auto space = [](const Row<K>& p) { return Vec3{p[0], p[1], p[2]}; };
-  SecondOrder at = {affine(c[0]),    space(c[u]),     space(c[v]),
-                    space(c[2 * u]), space(c[u + v]), space(c[2 * v])};
-  if constexpr (K::weighted) {  // x = x(p) + (X - x(p) w)/w
-    const double per_weight = 1 / c[0][3];
-    at.u = per_weight * (at.u - c[u][3] * at.value);
-    at.v = per_weight * (at.v - c[v][3] * at.value);
-    at.uu = per_weight * (at.uu - c[2 * u][3] * at.value - c[u][3] * at.u);
-    at.uv = per_weight * (at.uv - c[u + v][3] * at.value - c[v][3] * at.u - c[u][3] * at.v);
-    at.vv = per_weight * (at.vv - c[2 * v][3] * at.value - c[v][3] * at.v);
-  }
-  return at;
+  return in_space<K>(expand(patch, h, k));
 }
 
 template <class K>

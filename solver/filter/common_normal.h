@@ -6,14 +6,11 @@
 #include <optional>
 
 #include "filter/patch.h"
+#include "filter/second_order.h"
 
 namespace exsect::filter {
 
-/// Taylor coefficients of a patch in space.
-struct SecondOrder {
-  Vec3 value, u, v, uu, uv, vv;
-};
-/// At (h,k), centred.
+/// Of a patch at (h,k), centred.
 template <class K>
 SecondOrder second_order(const PatchOf<K>& patch, double h, double k);
 

@@ -7,6 +7,7 @@
 
 #include "filter/common_normal.h"
 #include "filter/exact_taylor.h"
+#include "filter/second_order.h"
 
 namespace exsect::filter {
 

@@ -49,37 +49,13 @@ ExactTaylorOf<K, Number> exact_taylor(const ExactPatch<K>& patch, const Number& 
   return c;
 }
 
-// From the coefficients X and W of the homogeneous coordinates: x W = X order by order.
-template <class K>
-ExactSecondOrder in_space(const ExactTaylor<K>& c) {
-  using exsect::operator*, exsect::operator-;
-  constexpr std::size_t u = kFirst<K>;
-  constexpr std::size_t v = kSecond;
-  const auto vector = [&](std::size_t i) { return Point{c[i][0], c[i][1], c[i][2]}; };
-  if constexpr (!K::weighted) {
-    return {vector(0), vector(u), vector(v), vector(2 * u), vector(u + v), vector(2 * v)};
-  } else {
-    const Rational inverse = 1 / c[0][3];
-    const auto weight = [&](std::size_t i) -> const Rational& { return c[i][3]; };
-    ExactSecondOrder x;
-    x.value = inverse * vector(0);
-    x.u = inverse * (vector(u) - weight(u) * x.value);
-    x.v = inverse * (vector(v) - weight(v) * x.value);
-    x.uu = inverse * (vector(2 * u) - weight(u) * x.u - weight(2 * u) * x.value);
-    x.uv = inverse * (vector(u + v) - weight(u) * x.v - weight(v) * x.u - weight(u + v) * x.value);
-    x.vv = inverse * (vector(2 * v) - weight(v) * x.v - weight(2 * v) * x.value);
-    return x;
-  }
-}
-
 #define EXSECT_INSTANTIATE_FOR(K, Number)                                                        \
   template ExactTaylorOf<K, Number> exact_taylor<K, Number>(const ExactPatch<K>&, const Number&, \
                                                             const Number&);
 #define EXSECT_INSTANTIATE(K)            \
   EXSECT_INSTANTIATE_FOR(K, Rational)    \
   EXSECT_INSTANTIATE_FOR(K, FieldNumber) \
-  EXSECT_INSTANTIATE_FOR(K, LongBall)    \
-  template ExactSecondOrder in_space<K>(const ExactTaylor<K>&);
+  EXSECT_INSTANTIATE_FOR(K, LongBall)
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 #undef EXSECT_INSTANTIATE_FOR

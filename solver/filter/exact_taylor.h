@@ -22,12 +22,4 @@ using ExactTaylor = ExactTaylorOf<K, Rational>;
 template <class K, class Number>
 ExactTaylorOf<K, Number> exact_taylor(const ExactPatch<K>& patch, const Number& u, const Number& v);
 
-/// Taylor coefficients of a patch in space.
-struct ExactSecondOrder {
-  Point value, u, v, uu, uv, vv;
-};
-/// From those of order two of the homogeneous coordinates.
-template <class K>
-ExactSecondOrder in_space(const ExactTaylor<K>& c);
-
 }  // namespace exsect::filter

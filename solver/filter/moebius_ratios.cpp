@@ -1,6 +1,7 @@
 #include "filter/moebius_ratios.h"
 
 #include "filter/exact_taylor.h"
+#include "filter/second_order.h"
 
 namespace exsect::filter {
 
