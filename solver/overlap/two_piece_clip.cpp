@@ -65,8 +65,8 @@ class Clip {
     std::optional<std::size_t> point = {};  // of the boundary
   };
 
-  /// In the hull. That of a cut is as exact as the point of the boundary: on a line of constant parameters no
-  /// less than on that line.
+  /// Of the nodes, in the hull. That of a cut is the box of the point of the boundary: exact in parameters
+  /// that are constant along an arc through it.
   void find_boxes(const std::vector<PairCut>& cuts) {
     for (const Node& node : self_.graph.nodes()) boxes_.push_back(node.box);
     for (std::size_t k = 0; k < cuts.size(); ++k)
@@ -102,8 +102,9 @@ class Clip {
     Place place{Place::inside, {}};
     bool is_outside = false;
     for (std::size_t j = 0; j < 4; ++j) {
-      is_outside = is_outside || box[j].upper < 0 || box[j].lower > 1;
-      if ((box[j].lower > 0 && box[j].upper < 1) || box[j].upper < 0 || box[j].lower > 1) continue;
+      const bool beyond = box[j].upper < 0 || box[j].lower > 1;
+      is_outside = is_outside || beyond;
+      if (beyond || (box[j].lower > 0 && box[j].upper < 1)) continue;
       const int side = box[j].lower <= 0 ? 0 : 1;
       const bool is_on_diagonal = is_cuspidal(node) && lies_on(node, j, side);
       if (is_on_diagonal || (box[j].lower == side && box[j].upper == side))
