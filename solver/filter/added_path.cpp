@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "answer/rim_arc.h"
 #include "filter/contact_finder.h"
 
 namespace exsect::filter {
@@ -29,6 +30,20 @@ std::optional<std::array<SquareSide, 2>> common_sides(const SidePath& path) {
     }
   }
   return std::nullopt;
+}
+
+/// An arc of contact ends there.
+template <class K>
+void erase_corners(const std::array<Rational, 4>& at, ContactsOf<K>& contacts) {
+  std::erase_if(contacts.corners, [&](const CornerContact& corner) {
+    return corner_of<K>(at[0], at[1]) == corner.x && corner_of<K>(at[2], at[3]) == corner.y;
+  });
+}
+
+/// Both are on the same line, if they have a point in common.
+bool is_on(const LinePath& known, const std::array<Rational, 4>& at) {
+  const Rational& t = at[(known.of_x ? 0 : 2) + 1 - known.parameter];
+  return known.at(t) == at;
 }
 
 template <class K>
@@ -78,13 +93,31 @@ void add_path(const SidePath& path, const PairOf<K>& pair, ContactsOf<K>& contac
     return;
   }
   for (const Rational& t : {path.common.lower, path.common.upper}) {
-    const auto at = path.at(t);
-    std::erase_if(contacts.corners, [&](const CornerContact& corner) {
-      return corner_of<K>(at[0], at[1]) == corner.x && corner_of<K>(at[2], at[3]) == corner.y;
-    });
+    erase_corners<K>(path.at(t), contacts);
   }
 }
 
+template <class K>
+bool add_contact_line(const ContactLineOf<K>& line, ContactsOf<K>& contacts) {
+  const LinePath& path = line.path;
+  const auto at_middle = path.at(path.common.midpoint());
+  const Node middle = rim_node(at_middle);
+  const auto is_side_of = [&](std::size_t patch) {
+    return std::ranges::any_of(middle.on,
+                               [&](const Side& side) { return index(side.parameter) / 2 == patch; });
+  };
+  if ((is_side_of(0) && is_side_of(1)) ||
+      std::ranges::any_of(contacts.lines,
+                          [&](const ContactLineOf<K>& known) { return is_on(known.path, at_middle); }))
+    return false;
+  contacts.lines.push_back(line);
+  for (const Rational& t : {path.common.lower, path.common.upper}) erase_corners<K>(path.at(t), contacts);
+  return true;
+}
+
+#define EXSECT_INSTANTIATE(K) template bool add_contact_line<K>(const ContactLineOf<K>&, ContactsOf<K>&);
+EXSECT_FILTER_OTHER_KINDS(EXSECT_INSTANTIATE)
+#undef EXSECT_INSTANTIATE
 #define EXSECT_INSTANTIATE(K) template void add_path<K>(const SidePath&, const PairOf<K>&, ContactsOf<K>&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE

@@ -10,5 +10,8 @@ namespace exsect::filter {
 /// patches that are not biquadratic if it is inside of the other one.
 template <class K>
 void add_path(const SidePath& path, const PairOf<K>& pair, ContactsOf<K>& contacts);
+/// Adds the line along which the patches touch; false if it is known already, or a side of both.
+template <class K>
+bool add_contact_line(const ContactLineOf<K>& line, ContactsOf<K>& contacts);
 
 }  // namespace exsect::filter

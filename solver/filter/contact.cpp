@@ -350,6 +350,11 @@ Meeting meeting(const PairOf<K>& pair, const ContactsOf<K>& contacts, const Part
       }
       touching = touching || may_touch(path, x, y);
     }
+  } else {
+    for (const ContactLineOf<K>& line : contacts.lines) {
+      if (meet_on_line(line, x, y)) return Meeting::contact;
+      touching = touching || may_touch(line, x, y);
+    }
   }
   for (const CornerContact& corner : contacts.corners) {
     if (meet_in_corner<K>(affine(pair.x.net[corner.x]), corner, x, y, pair.net_error)) {

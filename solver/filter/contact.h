@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "filter/contact_line.h"
 #include "filter/double_point.h"
 #include "filter/part.h"
 #include "filter/path_contact.h"
@@ -75,12 +76,14 @@ std::array<bool, 2> corner_ends(std::size_t corner) {
 template <class K>
 struct ContactsOf {
   std::vector<SideContactOf<K>> sides;
-  std::vector<PathContact> paths;  // sides of one patch only; biquadratic pairs
+  std::vector<PathContact> paths;       // sides of one patch only; biquadratic pairs
+  std::vector<ContactLineOf<K>> lines;  // of other pairs
   std::vector<CornerContact> corners;
   std::vector<SidePointOf<K>> points;           // where a curve may end, alone among these
   std::vector<DoublePointOf<K>> double_points;  // on sides; not of biquadratic pairs
   bool empty() const {
-    return sides.empty() && paths.empty() && corners.empty() && points.empty() && double_points.empty();
+    return sides.empty() && paths.empty() && lines.empty() && corners.empty() && points.empty() &&
+           double_points.empty();
   }
 };
 using Contacts = ContactsOf<Biquadratic>;

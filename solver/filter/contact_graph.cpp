@@ -108,6 +108,15 @@ class ContactGraph {
     return proved;
   }
 
+  bool add(const ContactLineOf<K>& line) requires(!std::is_same_v<K, Biquadratic>) {
+    ContactArc found = contact_arc<K>(x_, y_, line.path, tolerance_);
+    found.arc.from = graph_.add_node(std::move(found.ends[0]));
+    found.arc.to = graph_.add_node(std::move(found.ends[1]));
+    const bool proved = found.arc.error_bound <= accepted_;
+    graph_.add_arc(std::move(found.arc));
+    return proved;
+  }
+
   bool add(const SidePath& path, Contact contact) requires std::is_same_v<K, Biquadratic> {
     const RimEnd from = {path.at(path.common.lower), 0};
     const RimEnd to = {path.at(path.common.upper), 0};
@@ -353,6 +362,9 @@ bool append_contacts(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairO
         proved && std::all_of(contacts.paths.begin(), contacts.paths.end(), [&](const PathContact& contact) {
           return maker.add(contact.path, Contact::transversal);
         });
+  } else {
+    proved = proved && std::all_of(contacts.lines.begin(), contacts.lines.end(),
+                                   [&](const ContactLineOf<K>& line) { return maker.add(line); });
   }
   return proved;
 }

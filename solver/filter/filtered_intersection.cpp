@@ -6,6 +6,7 @@
 
 #include "answer/parameter_box.h"
 #include "answer/proof.h"
+#include "filter/added_path.h"
 #include "filter/contact_finder.h"
 #include "filter/exact_turning.h"
 #include "filter/known_pair.h"
@@ -66,8 +67,9 @@ class FilteredIntersection {
     while (!points || !find_curves(*pair, *contacts, trees, *points, traces)) {
       if (!points) stuck_ = undecided_on_sides(*pair, trees, *contacts);
       const bool is_added =
-          !points && stuck_ &&
-          (add_side_point(x_, y_, *pair, *stuck_, *contacts) || add_side_double_point(*pair, *contacts));
+          add_contact_line(*pair, *contacts) ||
+          (!points && stuck_ &&
+           (add_side_point(x_, y_, *pair, *stuck_, *contacts) || add_side_double_point(*pair, *contacts)));
       if (!is_added && !add_corner_points(x_, y_, *pair, *contacts)) {
         if (!points || !loops_open_) return std::nullopt;
         break;
@@ -125,6 +127,15 @@ class FilteredIntersection {
   /// Of chords from ports to double points, in scaled space.
   double port_tolerance(const PairOf<K>& pair) const {
     return std::ldexp(kPortShare * run_.drawn_tolerance(pair.extent), -static_cast<int>(pair.frame.exponent));
+  }
+
+  bool add_contact_line(const PairOf<K>& pair, ContactsOf<K>& contacts) const {
+    if constexpr (!kExactBehind) {
+      const auto line =
+          stuck_ && !with_stations_ ? contact_line_near<K>(x_, y_, pair, *stuck_) : std::nullopt;
+      return line && filter::add_contact_line<K>(*line, contacts);
+    }
+    return false;
   }
 
   bool add_side_double_point(const PairOf<K>& pair, ContactsOf<K>& contacts) {

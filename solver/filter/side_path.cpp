@@ -101,22 +101,36 @@ Vector curve_point(const std::array<Vector, Count>& c, const Number& t) {
   }
 }
 
+/// Ends, and the ratio of t on the line between them.
+struct FoundPath {
+  std::array<ExactPlace, 2> ends;
+  Rational ratio;
+};
+
+Rational along_path(const Rational& ratio, const Rational& t) { return ratio * t / (1 - t + ratio * t); }
+
 template <class K>
 class PathSearch {
  public:
+  /// Of the line on which a parameter of the owner is `value`.
   PathSearch(const PatchOf<K>& owner, const PatchOf<K>& carrier, const ExactPatch<K>& exact_owner,
-             const ExactPatch<K>& exact_carrier, const SquareSide& side)
+             const ExactPatch<K>& exact_carrier, std::size_t parameter, const Rational& value)
       : carrier_(carrier), exact_carrier_(exact_carrier) {
-    const SideView view = {side, false, K::degree};
+    const SideView view = {{parameter, false}, false, K::degree};
     for (std::size_t k = 0; k < K::side; ++k) {
-      const std::size_t i = view.index(0, k);
-      side_[k] = owner.net[i];
-      exact_side_[k] = exact_control_vector(exact_owner, i);
+      std::array<Row<K>, K::side> across;
+      std::array<HomogeneousPoint, K::side> exact_across;
+      for (std::size_t i = 0; i < K::side; ++i) {
+        across[i] = owner.net[view.index(i, k)];
+        exact_across[i] = exact_control_vector(exact_owner, view.index(i, k));
+      }
+      side_[k] = curve_point(across, to_double(value));
+      exact_side_[k] = tangent_and_value(exact_across, value)[1];
     }
   }
 
   /// From a t, and a centred place nearby.
-  std::optional<std::array<ExactPlace, 2>> run(double t, Place near) const {
+  std::optional<FoundPath> run(double t, Place near) const {
     std::array<Row<K>, K::degree> tangent;
     for (std::size_t k = 0; k < K::degree; ++k) {
       tangent[k] = static_cast<double>(K::degree) * (side_[k + 1] - side_[k]);
@@ -141,10 +155,29 @@ class PathSearch {
       }
       ends[i] = *exact;
     }
-    return is_path(ends) ? std::optional(ends) : std::nullopt;
+    FoundPath path = {ends, 1};
+    if (ends[0] == ends[1]) return std::nullopt;
+    if (is_path(path)) return path;
+    const auto ratio = ratio_between(ends);
+    if (!ratio || *ratio == 1) return std::nullopt;
+    path.ratio = *ratio;
+    return is_path(path) ? std::optional(path) : std::nullopt;
   }
 
  private:
+  /// From the place of the middle of the side. Requires different ends.
+  std::optional<Rational> ratio_between(const std::array<ExactPlace, 2>& ends) const {
+    const std::size_t i = ends[0][0] == ends[1][0] ? 1 : 0;
+    const Rational half(1, 2);
+    const ExactPlace middle = between(ends[0], ends[1], half);
+    Place place = {to_double(middle[0] - half), to_double(middle[1] - half)};
+    if (!improve_place(carrier_, place, affine(curve_point(side_, 0.5)))) return std::nullopt;
+    const auto exact = exactly(place, tangent_and_value(exact_side_, half)[1]);
+    if (!exact || (*exact)[i] == ends[1][i]) return std::nullopt;
+    const Rational ratio = ((*exact)[i] - ends[0][i]) / (ends[1][i] - (*exact)[i]);
+    return ratio > 0 ? std::optional(ratio) : std::nullopt;
+  }
+
   /// The parameters of a point on the other patch near `guess`, centred: simple numbers, the numbers that one
   /// of Newton's steps leads to, as on a plane, or simple ones near these.
   std::optional<ExactPlace> exactly(const Place& guess, const HomogeneousPoint& point) const {
@@ -196,18 +229,16 @@ class PathSearch {
     return true;
   }
 
-  /// A patch has degree 2 n along a line, or n where a parameter is constant, and with weights the products
-  /// with the side n more: so many points decide, of which the ends are known.
-  bool is_path(const std::array<ExactPlace, 2>& ends) const {
+  /// A patch has degree 2 n along a line, or n where a parameter is constant, and products with the side have
+  /// n more, if there are weights or a ratio: so many points decide, of which the ends are known.
+  bool is_path(const FoundPath& path) const {
+    const auto& [ends, ratio] = path;
     const bool along_parameter = ends[0][0] == ends[1][0] || ends[0][1] == ends[1][1];
-    const int degree =
-        static_cast<int>((along_parameter ? K::degree : 2 * K::degree) + (K::weighted ? K::degree : 0));
-    if (ends[0] == ends[1]) {
-      return false;
-    }
+    const int degree = static_cast<int>((along_parameter ? K::degree : 2 * K::degree) +
+                                        (K::weighted || ratio != 1 ? K::degree : 0));
     for (int k = 1; k < degree; ++k) {
       const Rational t(k, degree);
-      const ExactPlace at = between(ends[0], ends[1], t);
+      const ExactPlace at = between(ends[0], ends[1], along_path(ratio, t));
       if (!are_parallel(exact_first_order(exact_carrier_, at).value, tangent_and_value(exact_side_, t)[1])) {
         return false;
       }
@@ -221,7 +252,7 @@ class PathSearch {
   std::array<HomogeneousPoint, K::side> exact_side_;
 };
 
-/// The t in [0,1] for which the line is in the square; lower > upper if there are none.
+/// The numbers of [0,1] along the line for which it is in the square; lower > upper if there are none.
 RationalInterval common_part(const std::array<ExactPlace, 2>& ends) {
   RationalInterval common = {0, 1};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -254,24 +285,46 @@ std::array<Rational, 4> SidePath::at(const Rational& t) const {
   return result;
 }
 
+std::array<Rational, 4> LinePath::at(const Rational& t) const {
+  const std::size_t own = of_x ? 0 : 2;
+  const ExactPlace on_line = between(ends[0], ends[1], along_path(ratio, t));
+  std::array<Rational, 4> result;
+  result[own + parameter] = value;
+  result[own + 1 - parameter] = t;
+  result[2 - own] = on_line[0];
+  result[3 - own] = on_line[1];
+  return result;
+}
+
+template <class K>
+std::optional<LinePath> line_path_near(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                                       std::size_t fixed, const Rational& value, const Vec4& near) {
+  const bool of_x = fixed < 2;
+  const PathSearch<K> search = of_x ? PathSearch<K>(pair.x, pair.y, x, y, fixed % 2, value)
+                                    : PathSearch<K>(pair.y, pair.x, y, x, fixed % 2, value);
+  const std::size_t other = of_x ? 2 : 0;
+  const auto found = search.run(near[fixed ^ 1U] + 0.5, {near[other], near[other + 1]});
+  if (!found) return std::nullopt;
+  RationalInterval common = common_part(found->ends);
+  if (!(common.lower < common.upper)) return std::nullopt;
+  const Rational back = 1 / found->ratio;
+  common = {along_path(back, common.lower), along_path(back, common.upper)};
+  return LinePath{of_x, fixed % 2, value, found->ends, found->ratio, common};
+}
+
 template <class K>
 std::optional<SidePath> side_path_near(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
                                        std::size_t fixed, bool upper, const Vec4& near) {
-  const bool of_x = fixed < 2;
-  const SquareSide side = {fixed % 2, upper};
-  const PathSearch<K> search =
-      of_x ? PathSearch<K>(pair.x, pair.y, x, y, side) : PathSearch<K>(pair.y, pair.x, y, x, side);
-  const std::size_t other = of_x ? 2 : 0;
-  const auto ends = search.run(near[fixed ^ 1U] + 0.5, {near[other], near[other + 1]});
-  if (!ends) {
-    return std::nullopt;
-  }
-  const RationalInterval common = common_part(*ends);
-  return common.lower < common.upper ? std::optional(SidePath{of_x, side, *ends, common}) : std::nullopt;
+  const auto path = line_path_near<K>(x, y, pair, fixed, upper ? 1 : 0, near);
+  if (!path || path->ratio != 1) return std::nullopt;
+  return SidePath{path->of_x, {fixed % 2, upper}, path->ends, path->common};
 }
 
-#define EXSECT_INSTANTIATE(K)                                                                    \
-  template std::optional<SidePath> side_path_near<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
+#define EXSECT_INSTANTIATE(K)                                                                        \
+  template std::optional<LinePath> line_path_near<K>(const ExactPatch<K>&, const ExactPatch<K>&,     \
+                                                     const PairOf<K>&, std::size_t, const Rational&, \
+                                                     const Vec4&);                                   \
+  template std::optional<SidePath> side_path_near<K>(const ExactPatch<K>&, const ExactPatch<K>&,     \
                                                      const PairOf<K>&, std::size_t, bool, const Vec4&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE

@@ -30,4 +30,23 @@ template <class K>
 std::optional<SidePath> side_path_near(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
                                        std::size_t fixed, bool upper, const Vec4& near);
 
+/// The same of a parameter line of one patch, inside or a side, on which the first (0) or second (1)
+/// parameter is `value`: with its other parameter t in [0,1] it is the other patch's point (1-f) ends[0] + f
+/// ends[1], f = ratio t / (1 - t + ratio t), ratio > 0.
+struct LinePath {
+  bool of_x;
+  std::size_t parameter;
+  Rational value;
+  std::array<std::array<Rational, 2>, 2> ends;
+  Rational ratio;
+  RationalInterval common;
+
+  std::array<Rational, 4> at(const Rational& t) const;
+};
+
+/// The path of the line on which parameter `fixed` (0..3) is `value`, in [0,1], as above.
+template <class K>
+std::optional<LinePath> line_path_near(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                                       std::size_t fixed, const Rational& value, const Vec4& near);
+
 }  // namespace exsect::filter

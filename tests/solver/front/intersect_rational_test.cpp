@@ -110,22 +110,35 @@ Net scaled(const Net& net, const Rational& scale, const Point& shift) {
   return result;
 }
 
-/// A bicubic graph of height a^2 + sign b^2 + a^3 over the middle, and a plane at this height.
-IntersectResult graph_and_plane(int sign, const Rational& left_of_middle) {
+/// Bernstein coefficients of a^n, a = u - 1/2, for cubics.
+Rational power_of_a(int n, int i) {
+  const std::array<std::array<Rational, 4>, 4> powers = {
+      {{1, 1, 1, 1},
+       {Rational(-1, 2), Rational(-1, 6), Rational(1, 6), Rational(1, 2)},
+       {Rational(1, 4), Rational(-1, 12), Rational(-1, 12), Rational(1, 4)},
+       {Rational(-1, 8), Rational(1, 8), Rational(-1, 8), Rational(1, 8)}}};
+  return powers[static_cast<std::size_t>(n)][static_cast<std::size_t>(i)];
+}
+
+/// The bicubic graph over the middle of a height by its Bernstein coefficients, and a plane at height 0.
+template <class Height>
+IntersectResult graph_and_plane(const Height& height, const Rational& left_of_middle) {
   Net graph(4);
   Net plane(2);
-  const auto third = [](int i) { return Rational(i, 3) - Rational(1, 2); };
-  const auto square = [&](int i) { return Rational(i == 0 || i == 3 ? 1 : -1, i == 0 || i == 3 ? 4 : 12); };
-  const auto cube = [&](int i) { return Rational(i == 0 ? -3 : i == 1 ? 3 : i == 2 ? -3 : 3, 24); };
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
-      graph[static_cast<std::size_t>(i)].push_back(
-          {third(i), third(j), square(i) + sign * square(j) + cube(i)});
+      graph[static_cast<std::size_t>(i)].push_back({power_of_a(1, i), power_of_a(1, j), height(i, j)});
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       plane[static_cast<std::size_t>(i)].push_back(
           {i == 0 ? Rational(-left_of_middle) : Rational(3, 2), Rational(5 * j - 2, 2), Rational(0)});
   return intersect(RationalPatch(graph), RationalPatch(plane));
+}
+/// Of height a^2 + sign b^2 + a^3.
+IntersectResult graph_and_plane(int sign, const Rational& left_of_middle) {
+  return graph_and_plane(
+      [&](int i, int j) -> Rational { return power_of_a(2, i) + sign * power_of_a(2, j) + power_of_a(3, i); },
+      left_of_middle);
 }
 
 }  // namespace
@@ -266,14 +279,27 @@ TEST_CASE("intersect rational: a plane that begins where the patches touch, and 
   for (const Arc& arc : crossing.graph.arcs) CHECK((arc.from == centre->id || arc.to == centre->id));
 }
 
-TEST_CASE("intersect rational: what doubles do not decide is incomplete, with place and reason") {
-  // a^2 + a^3: the plane touches along the line u = 1/2.
-  const Rational half(1, 2);
-  const IntersectResult result = graph_and_plane(0, half);
+TEST_CASE("intersect rational: a plane touches a bicubic graph along a line") {
+  // a^2 + a^3 = 0 on u = 1/2 alone.
+  const IntersectResult result = graph_and_plane(0, Rational(1, 2));
+  REQUIRE(result.status == Status::complete);
+  REQUIRE(result.graph.arcs.size() == 1);
+  CHECK(result.graph.arcs[0].contact == Contact::tangential);
+  CHECK(result.graph.nodes.size() == 2);
+}
+
+TEST_CASE("intersect rational: what doubles do not decide is incomplete, with its place") {
+  // (a - b)^2 (1 + a + b): the plane touches along the diagonal u = v.
+  const IntersectResult result = graph_and_plane(
+      [](int i, int j) -> Rational {
+        const auto term = [&](int m, int n) -> Rational { return power_of_a(m, i) * power_of_a(n, j); };
+        return term(2, 0) - 2 * term(1, 1) + term(0, 2) + term(3, 0) - term(2, 1) - term(1, 2) + term(0, 3);
+      },
+      Rational(1, 2));
   REQUIRE(result.status == Status::incomplete);
-  CHECK(result.incomplete.at(0).reason == Reason::tangency);
-  CHECK(result.incomplete[0].where[0].lower <= half);
-  CHECK(result.incomplete[0].where[0].upper >= half);
+  REQUIRE_FALSE(result.incomplete.empty());
+  CHECK(result.incomplete[0].where[0].lower <= result.incomplete[0].where[1].upper);
+  CHECK(result.incomplete[0].where[0].upper >= result.incomplete[0].where[1].lower);
   CHECK(result.graph.nodes.empty());
 }
 
