@@ -173,9 +173,9 @@ class Cover {
     constexpr double more = 1 + 1e-9;
     checker::Box<double> box;
     for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j] * more};
-    if (tube.chart == Chart::pair) return tube.contains(box);
+    if (tube.chart == Chart::pair) return tube.surrounds(box);
     const Map& map = pair_.charts[tube.chart == Chart::first ? 0 : 1];
-    return tube.contains(checker::pairs_in_chart(tube, map, checker::halves(tube.chart, box)));
+    return tube.surrounds(checker::pairs_in_chart(tube, map, checker::halves(tube.chart, box)));
   }
 
   /// The tubes that the cell, or its mirror image, may meet.

@@ -41,7 +41,7 @@ Tube node_tube(const Draft& d, const Node& n, Parameters& w) {
   for (const Side& side : n.on) w[index(side.parameter)] = side.value;
   for (const double a : w)
     if (!(a >= 0 && a <= 1)) throw NoCertificate("a node that Newton's method does not find again");
-  return tube_at(equation, w, axis);
+  return tube_at(equation, w, axis, Turns::once);
 }
 
 double node_radius(const Draft& d, const Node& n, const Tube& tube, const Parameters& w) {

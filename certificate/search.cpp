@@ -42,24 +42,25 @@ std::optional<std::array<bool, 4>> factored(const Equation& equation, const Tube
   return checker::constant_in<double>(equation.factor->exact.map, box);
 }
 
+constexpr double more = 1 + 1e-3;  // a margin for rounding
+bool definite(const checker::Ball<double>& b) {
+  return std::abs(b.middle) > more * b.radius && std::abs(b.middle) > 1e-11;
+}
+
 /// Every condition of the check, with a margin for rounding.
-bool holds(const Tube& tube, const Equation& equation, const Map& local) {
-  constexpr double margin = 1e-3;
+bool holds(const Tube& tube, const Equation& equation, const Map& local, Turns turns) {
   for (const double slack : checker::contraction(tube, local))
     if (!(slack > 0.05 * tube.width)) return false;
   const Parameters extent = tube.extent();
   const auto bounds = checker::curve_bounds(local, tube.axis, extent);
   if (tube.chart != Chart::pair)
-    return checker::monotone_pairs(tube, bounds, (1 + margin) * (tube.centre[3] + tube.reach));
+    return checker::monotone_pairs(tube, bounds, more * (tube.centre[3] + tube.reach));
   const auto constant = factored(equation, tube);
   if (!constant) return false;
-  const auto definite = [&](const checker::Ball<double>& b) {
-    return std::abs(b.middle) > (1 + margin) * b.radius && std::abs(b.middle) > 1e-11;
-  };
   for (std::size_t i = 0; i < 4; ++i) {
     const bool inside = tube.centre[i] >= extent[i] && tube.centre[i] + extent[i] <= 1;
-    if (!(*constant)[i] && !definite(bounds.first[i]) && !(inside && definite(bounds.second[i])))
-      return false;
+    const bool may_turn = inside && (turns == Turns::often || definite(bounds.second[i]));
+    if (!(*constant)[i] && !definite(bounds.first[i]) && !may_turn) return false;
   }
   return true;
 }
@@ -81,7 +82,7 @@ class Chain {
       const auto arrived = [&] { return tube != goal_ && last > at && in(goal_, last); };
       while (!arrived() && last + 1 < points_.size() && in(tube, last + 1)) ++last;
       if (tube == goal_ && last + 1 == points_.size()) {
-        pieces_.push_back({tube, last});
+        pieces_.push_back({tube, in_monotone_steps(tube, at, last)});
         return {points_, pieces_};
       }
       if (last == at) {
@@ -92,10 +93,10 @@ class Chain {
         insert_before_end(tube);
         continue;
       }
-      std::size_t next = in(goal_, last) ? goal_ : new_tube(last, tubes_[tube]);
+      last = in_monotone_steps(tube, at, last);
       pieces_.push_back({tube, last});
+      tube = in(goal_, last) ? goal_ : new_tube(last, tubes_[tube]);
       at = last;
-      tube = next;
     }
   }
 
@@ -109,7 +110,7 @@ class Chain {
       std::size_t middle = last;
       while (middle + 1 < points_.size() && distance(last, middle + 1) <= reach) ++middle;
       const Parameters& w = points_[middle].at;
-      const Tube tube = tube_at(equation_, w, best_axis(equation_.map, w), limit);
+      const Tube tube = tube_at(equation_, w, best_axis(equation_.map, w), Turns::often, limit);
       // Cells where it meets the tube before are small unless both hold some of the curve.
       const double margin = middle == last ? 0x1p-44 : tube.width / 10;
       if (contains(tube, points_[last].at, margin)) {
@@ -119,6 +120,56 @@ class Chain {
       if (middle == last) throw NoCertificate("an arc that could not be followed by tubes");
       reach = 0.85 * std::min(reach, tube.reach);
     }
+  }
+  /// Adds points in the tube until the check finds each parameter monotone on every step from point `first`
+  /// to `last`; the number of that one then.
+  std::size_t in_monotone_steps(std::size_t tube, std::size_t first, std::size_t last) {
+    const Tube& t = tubes_[tube];
+    const checker::CurveBounds<double> bounds = bounds_in(equation_.map, t);
+    const auto constant = factored(equation_, t);
+    std::array<bool, 4> open;
+    for (std::size_t i = 0; i < 4; ++i)
+      open[i] = !(constant && (*constant)[i]) && !definite(bounds.first[i]) && !definite(bounds.second[i]);
+    if (t.chart != Chart::pair || open == std::array<bool, 4>{}) return last;
+    for (std::size_t a = first, b = last; a < last;) {
+      if (monotone(t, bounds, open, a, b)) {
+        a = b;
+        b = last;
+      } else if (b > a + 1) {
+        b = (a + b) / 2;
+      } else {
+        insert_between(a, t);
+        ++last;
+      }
+    }
+    return last;
+  }
+  /// The open parameters are so, on the part of the tube's curve between the points.
+  bool monotone(const Tube& tube, const checker::CurveBounds<double>& bounds, const std::array<bool, 4>& open,
+                std::size_t a, std::size_t b) const {
+    constexpr double near = 0x1p-32;
+    const std::size_t k = tube.axis;
+    const Parameters& middle = points_[(a + b) / 2].at;
+    const auto box = checker::around_chord(tube, bounds, points_[a].at, points_[b].at, near, open);
+    const auto over = checker::bounds_over(equation_.map, k, checker::middles(box), checker::radii(box));
+    const double length =
+        std::max(std::abs(middle[k] - points_[a].at[k]), std::abs(middle[k] - points_[b].at[k]));
+    const auto signs = checker::slope_signs(equation_.map, k, over, middle, near, more * length + near);
+    bool result = more * over.defect < 1;
+    for (std::size_t i = 0; i < 4; ++i) result = result && (!open[i] || signs[i] != 0);
+    return result;
+  }
+  /// A point of the curve in the tube between the point and the next one.
+  void insert_between(std::size_t point, const Tube& tube) {
+    const Parameters& a = points_[point].at;
+    const Parameters& b = points_[point + 1].at;
+    if (points_.size() > 200000 || !(std::abs(a[tube.axis] - b[tube.axis]) > 0x1p-36))
+      throw NoCertificate("an arc on which a parameter may turn");
+    Parameters w;
+    for (std::size_t i = 0; i < 4; ++i) w[i] = (a[i] + b[i]) / 2;
+    w = on_curve(equation_.map, w, tube.axis);
+    if (!contains(tube, w)) throw NoCertificate("an arc that leaves a tube");
+    points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(point) + 1, {w, -1});
   }
   /// Of two points: in the parameter in which they are furthest apart.
   double distance(std::size_t a, std::size_t b) const {
@@ -234,7 +285,7 @@ Parameters turning_point(const Map& map, Parameters w, std::size_t axis, std::si
   return w;
 }
 
-Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis, double limit) {
+Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis, Turns turns, double limit) {
   const auto& [map, chart, number, factor, constant] = equation;
   const Map here = map.at(w);
   auto c = inverse(here, axis);
@@ -258,11 +309,11 @@ Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis, do
   };
   const Map near = here.times(*c);
   const auto found = [&](Tube& tube) {
-    if (!holds(tube, equation, near)) return false;
+    if (!holds(tube, equation, near, turns)) return false;
     for (double& at : tube.centre) at = rounded(at, 12 + more - std::ilogb(tube.width));
     // m of the cuspidal point is that of the middle line.
     if (chart != Chart::pair) tube.centre = {tube.centre[0], tube.centre[1], w[2], 0};
-    return holds(tube, equation, map.at(tube.centre).times(*c));
+    return holds(tube, equation, map.at(tube.centre).times(*c), turns);
   };
   for (double size = limit / 2; size > 0x1p-46; size /= 2) {
     Tube tube = tube_of(size);

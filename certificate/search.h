@@ -51,9 +51,12 @@ struct Equation {
   std::array<bool, 4> constant = {};  // parameters that are known to be constant where it vanishes
 };
 
+/// How often a parameter that is not constant may turn in a tube inside the domain.
+enum class Turns { once, often };
 /// A large tube around w that should satisfy everything the check asks of tubes, narrower than `limit`, a
 /// power of two. Throws NoCertificate.
-Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis, double limit = 1);
+Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis, Turns turns = Turns::often,
+             double limit = 1);
 checker::CurveBounds<double> bounds_in(const Map& map, const Tube& tube);
 /// T of all places within `near` of w, and for long maps with the errors of the check in doubles.
 checker::Box<double> tangent_near(const Map& map, const Parameters& w, double near);

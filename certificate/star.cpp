@@ -125,7 +125,7 @@ class ChartSearch {
     for (std::size_t i = 0; i < found_.tubes.size(); ++i) {
       Tube tube = found_.tubes[i];
       tube.width *= 1 - 1e-9;
-      if (tube == chart_ && tube.contains(box)) return "t" + std::to_string(first_.tube + i);
+      if (tube == chart_ && tube.surrounds(box)) return "t" + std::to_string(first_.tube + i);
     }
     return one_sign(map_, middle, half, direction_ / 2);
   }

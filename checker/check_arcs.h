@@ -49,11 +49,25 @@ class ErrorBound {
   }
 
   /// Adds the steps between the points first, ... of a piece, at `at` in the variables of the tube's map,
-  /// each within `near` of the curve; four steps together.
-  void add(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
-           const std::vector<N>& near) {
-    for (std::size_t j = 0; j + 1 < at.size(); j += 4)
-      most_ = larger(most_, over(tube, first, at, near, j, std::min(j + 4, at.size() - 1)));
+  /// each within `near` of the curve. Of the parameters that are not known to be monotone in the tube,
+  /// `open`, the signs of their derivatives all along; 0 where there is none.
+  std::array<int, 4> add(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
+                         const std::vector<N>& near, const std::array<bool, 4>& open = {}) {
+    std::array<int, 4> signs{};
+    for (std::size_t j = 0; j + 1 < at.size();) {
+      const std::size_t last = std::min(j + together_, at.size() - 1);
+      const std::optional<Steps> steps = tried(tube, first, at, near, open, j, last);
+      if (!steps) {
+        together_ = (last - j) / 2;
+        continue;
+      }
+      most_ = larger(most_, steps->distance);
+      for (std::size_t i = 0; i < 4; ++i)
+        if (open[i]) signs[i] = j == 0 || signs[i] == steps->signs[i] ? steps->signs[i] : 0;
+      together_ += 1 + together_ / 4;
+      j = last;
+    }
+    return signs;
   }
   /// What was added is within the error bound.
   void check() const {
@@ -64,6 +78,17 @@ class ErrorBound {
   }
 
  private:
+  /// What is known of some steps together.
+  struct Steps {
+    N distance;                // at most, between arc and polyline
+    std::array<int, 4> signs;  // of the derivatives
+  };
+  bool suffice(const Steps& steps, const std::array<bool, 4>& open) const {
+    bool result = steps.distance <= arc_.error_bound;
+    for (std::size_t i = 0; i < 4; ++i) result = result && (!open[i] || steps.signs[i] != 0);
+    return result;
+  }
+
   static Vector3<N> difference(const Vector3<N>& a, const Vector3<N>& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   }
@@ -75,43 +100,33 @@ class ErrorBound {
   }
   static Enclosure rounded_down(const Enclosure& a) { return a; }
 
-  /// A matrix near the inverse of the columns of DF other than the axis at the point: any matrix will do if
-  /// the defect comes out below 1.
-  static Matrix3<N> near_inverse(const Map<N>& local, std::size_t axis) {
-    std::array<Vector3<double>, 3> column;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Balls<N> c = local.first(others(axis)[j], {});
-      column[j] = {approximate(c[0].middle), approximate(c[1].middle), approximate(c[2].middle)};
+  /// The steps j, ..., last - 1 together; nothing where fewer of them may say more.
+  std::optional<Steps> tried(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
+                             const std::vector<N>& near, const std::array<bool, 4>& open, std::size_t j,
+                             std::size_t last) const {
+    if (last == j + 1) return over(tube, first, at, near, open, j, last);
+    try {
+      const Steps steps = over(tube, first, at, near, open, j, last);
+      if (suffice(steps, open)) return steps;
+    } catch (const Failed&) {
     }
-    const auto& [a, b, c] = column;
-    const Matrix3<double> adjugate = {cross(b, c), cross(c, a), cross(a, b)};
-    const double det = dot(a, adjugate[0]);
-    Matrix3<N> result;
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t d = 0; d < 3; ++d)
-        if (const double entry = adjugate[j][d] / det; std::isfinite(entry)) result[j][d] = N(entry);
-    return result;
+    return std::nullopt;
   }
 
-  /// The greatest distance on the steps j, ..., last - 1. The parameters are monotone on the curve, so that
-  /// it lies in the hull of both ends; the variables of a chart need not be: on a step d of the axis they
-  /// leave the chord by at most d/2 times the radius of a ball that holds their derivatives.
-  N over(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
-         const std::vector<N>& near, std::size_t j, std::size_t last) const {
+  Steps over(const ProvedTube<N>& tube, std::size_t first, const std::vector<Vector4<N>>& at,
+             const std::vector<N>& near, const std::array<bool, 4>& open, std::size_t j,
+             std::size_t last) const {
     N margin = 0;
     for (std::size_t i = j; i <= last; ++i) margin = larger(margin, near[i]);
-    Vector4<N> middle;  // of a box that holds the curve on these steps
+    const Box<N> box = around_chord(tube.claim, tube.bounds, at[j], at[last], margin, open);
+    Vector4<N> middle;
     Vector4<N> half;
-    const std::size_t k = tube.claim.axis;
     for (std::size_t i = 0; i < 4; ++i) {
-      N beyond = 2 * margin;  // the hull of both ends
-      if (tube.claim.chart != Chart::pair)
-        beyond += magnitude(N(at[j][k] - at[last][k])) / 2 * tube.bounds.first[i].radius;
-      middle[i] = rounded_down(N((at[j][i] + at[last][i]) / 2));
-      half[i] = rounded_down(N(magnitude(N(at[j][i] - at[last][i])) / 2 + beyond)) + N(0x1p-23);
+      middle[i] = rounded_down(box[i].middle);
+      half[i] = rounded_down(box[i].radius) + N(0x1p-23);
     }
-    const Map<N> here = tube.map.at(middle);
-    const CurveBounds<N> bounds = curve_bounds(here.times(near_inverse(here, k)), k, half);
+    const std::size_t k = tube.claim.axis;
+    const CurveBounds<N> bounds = bounds_over(tube.map, k, middle, half);
     require(bounds.defect < 1, "no derivative over a step of the polyline");
     const Position<N>& space = replay_.space_of(tube.claim);
     const auto [partial, second] = space.bounds(middle, half, bounds.first, bounds.second);
@@ -121,17 +136,22 @@ class ErrorBound {
         if (i != k) slope[d] += partial[i][d].magnitude();
     const N bend = norm_above({second[0].magnitude(), second[1].magnitude(), second[2].magnitude()}) / 8;
     const N speed = norm_above(slope);
-    N most = 0;
+    Steps result = {};
+    if (open != std::array<bool, 4>{}) {
+      const std::size_t c = (j + last) / 2;
+      const N length = larger(magnitude(N(at[c][k] - at[j][k])), magnitude(N(at[c][k] - at[last][k])));
+      result.signs = checker::slope_signs(tube.map, k, bounds, at[c], near[c], N(length + margin));
+    }
     N before = 0;
     for (std::size_t i = j; i <= last; ++i) {
       const N end = norm_above(difference(space.value(at[i]), places_[first + i])) + speed * near[i];
       if (i > j) {
         const N step = at[i][k] - at[i - 1][k];
-        most = larger(most, N(larger(before, end) + step * step * bend));
+        result.distance = larger(result.distance, N(larger(before, end) + step * step * bend));
       }
       before = end;
     }
-    return most;
+    return result;
   }
 
   const Replay<N>& replay_;
@@ -139,6 +159,7 @@ class ErrorBound {
   Vector3<N> origin_;
   std::vector<Vector3<N>> places_;  // on the polyline
   N most_ = 0;                      // the greatest distance so far
+  std::size_t together_ = 8;        // steps: as many as sufficed last, and some more
 };
 
 /// T_i vanishes wherever the parameters are on the sides and the map is 0: as a polynomial in the others it
@@ -227,17 +248,20 @@ class ArcCheck {
       if (j + 2 == at.size()) least += near.back();
       require(N(direction) * step(j) > least, "a piece runs back");
     }
-    const std::array<int, 4> grows = tube.claim.chart == Chart::star ? tube.grows
-                                     : tube.claim.chart == Chart::pair
-                                         ? slope_signs(tube, {first == 0, final}, {first, piece.last},
-                                                       {entered, final ? near.back() : out})
-                                         : pair_signs(tube, first, piece.last);
+    std::array<int, 4> grows = tube.claim.chart == Chart::star ? tube.grows
+                               : tube.claim.chart == Chart::pair
+                                   ? slope_signs(tube, {first == 0, final}, {first, piece.last},
+                                                 {entered, final ? near.back() : out})
+                                   : pair_signs(tube, first, piece.last);
+    std::array<bool, 4> open{};
+    for (std::size_t i = 0; i < 4; ++i) open[i] = grows[i] == 0 && !tube.constant[i];
+    const std::array<int, 4> along = bound_.add(tube, first, at, near, open);
     for (std::size_t i = 0; i < 4; ++i) {
+      if (open[i]) grows[i] = along[i];
       if (first == 0) grows_[i] = direction * grows[i];
       require((grows[i] != 0 || tube.constant[i]) && direction * grows[i] == grows_[i],
               "not monotone in a parameter");
     }
-    bound_.add(tube, first, at, near);
     entered = out_of_chart(tube.claim, piece.last, out);
     return direction;
   }
@@ -257,14 +281,14 @@ class ArcCheck {
     return most;
   }
 
-  /// The signs of w_i' between two points of the piece; 0 if it is not proved to be constant.
+  /// The signs of w_i' between two points of the piece, where they follow from the tube and both ends; or 0.
   std::array<int, 4> slope_signs(const ProvedTube<N>& tube, std::array<bool, 2> is_node,
                                  std::array<std::size_t, 2> at, const std::array<N, 2>& near) const {
     std::array<int, 4> result{};
     std::array<std::optional<Box<N>>, 2> t;
     for (std::size_t i = 0; i < 4; ++i) {
       result[i] = tube.bounds.first[i].sign();
-      if (result[i] != 0 || tube.constant[i]) continue;
+      if (result[i] != 0 || tube.constant[i] || tube.bounds.second[i].sign() == 0) continue;
       // w_i' is monotone: the signs at the ends decide, of which one may be a turning point.
       std::array<int, 2> signs{};
       std::array<bool, 2> turns{};

@@ -1,4 +1,5 @@
-// The subdivision of [0,1]^4: every leaf holds no solution, or lies in a tube, in a star or in an overlap.
+// The subdivision of [0,1]^4: every leaf holds no solution, or lies in a tube's box, in a star or in an
+// overlap.
 #pragma once
 
 #include "check_tubes.h"
@@ -172,10 +173,10 @@ class Cover {
   void check_in_tube(const Box<N>& box, std::size_t i) const {
     const Tube<N>& tube = element(replay_.tubes, i, "names no tube").claim;
     require(tube.chart != Chart::star, "a tube of a star");
-    require(tube.contains(tube.chart == Chart::pair
-                              ? box
-                              : pairs_in_chart(tube, replay_.tubes[i].map, halves(tube.chart, box))),
-            "the cell is not in the tube");
+    require(tube.surrounds(tube.chart == Chart::pair
+                               ? box
+                               : pairs_in_chart(tube, replay_.tubes[i].map, halves(tube.chart, box))),
+            "the cell is not in the tube's box");
   }
 
   const Replay<N>& replay_;

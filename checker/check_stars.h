@@ -109,7 +109,7 @@ bool leaves_domain(const Replay<N>& replay, const ProvedTube<N>& tube) {
 }
 
 /// The subdivision of a chart of a star, 0 <= t <= 1 and |d_j| <= 1: every leaf holds no solution,
-/// or lies in a tube of the star.
+/// or lies in the box of a tube of the star.
 template <class N>
 class ChartCover {
  public:
@@ -135,7 +135,7 @@ class ChartCover {
     } else if (cell.kind == Cell::Kind::tube) {
       const Tube<N>& tube = element(replay_.tubes, cell.index, "names no tube").claim;
       require(tube == chart_, "a tube of another chart");
-      require(tube.contains(box), "a cell is not in its tube");
+      require(tube.surrounds(box), "a cell is not in its tube's box");
     } else {
       require(cell.kind == Cell::Kind::excluded, "not an entry of a star's chart");
       const Vector3<N> n = {cell.direction[0], cell.direction[1], cell.direction[2]};

@@ -50,6 +50,13 @@ struct Tube : MapName {
     for (std::size_t i = 0; i < 4; ++i) h[i] = magnitude(slope[i]) * reach + (i == axis ? N(0) : width);
     return h;
   }
+  /// The box lies in the one around the tube, in which no other zeros are than those of the tube.
+  bool surrounds(const Box<N>& w) const {
+    const Vector4<N> h = extent();
+    for (std::size_t i = 0; i < 4; ++i)
+      if (!(magnitude(N(w[i].middle - centre[i])) + w[i].radius <= h[i])) return false;
+    return true;
+  }
   /// The box lies in the tube.
   bool contains(const Box<N>& w) const {
     const N t = w[axis].middle - centre[axis];
@@ -124,6 +131,72 @@ CurveBounds<N> curve_bounds(const Map<N>& local, std::size_t axis, const Vector4
   result.first[axis] = N(1);
   solve(local.first(axis, h), result.first);
   solve(local.second(result.first, h), result.second);
+  return result;
+}
+
+/// A box that holds the tube's curve between two places, each within `margin` of it, and margin further.
+/// Monotone parameters are in the hull of both ends on the curve. Others, `open`, leave the chord on a step d
+/// of the axis by at most d/2 times the radius of a ball that holds their derivatives, and d^2/8 times a
+/// bound of the second ones; so do the variables of a chart.
+template <class N>
+Box<N> around_chord(const Tube<N>& tube, const CurveBounds<N>& bounds, const Vector4<N>& a,
+                    const Vector4<N>& b, const N& margin, const std::array<bool, 4>& open) {
+  Box<N> result;
+  const N step = magnitude(N(a[tube.axis] - b[tube.axis])) / 2;
+  for (std::size_t i = 0; i < 4; ++i) {
+    result[i] = {(a[i] + b[i]) / 2, magnitude(N(a[i] - b[i])) / 2 + 2 * margin};
+    if (tube.chart != Chart::pair) {
+      result[i].radius += step * bounds.first[i].radius;
+    } else if (open[i]) {
+      const N longer = step + margin;
+      result[i].radius +=
+          smaller(N(longer * bounds.first[i].radius), N(longer * longer / 2 * bounds.second[i].magnitude()));
+    }
+  }
+  return result;
+}
+
+/// A matrix near the inverse of the columns of DF other than the axis at the point: any matrix will do if
+/// the defect comes out below 1.
+template <class N>
+Matrix3<N> near_inverse(const Map<N>& local, std::size_t axis) {
+  std::array<Vector3<double>, 3> column;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Balls<N> c = local.first(others(axis)[j], {});
+    column[j] = {approximate(c[0].middle), approximate(c[1].middle), approximate(c[2].middle)};
+  }
+  const auto& [a, b, c] = column;
+  const Matrix3<double> adjugate = {cross(b, c), cross(c, a), cross(a, b)};
+  const double det = dot(a, adjugate[0]);
+  Matrix3<N> result;
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t d = 0; d < 3; ++d)
+      if (const double entry = adjugate[j][d] / det; std::isfinite(entry)) result[j][d] = N(entry);
+  return result;
+}
+
+/// Bounds over a box for the curve of the map there, with a matrix near the inverse at its middle.
+template <class N>
+CurveBounds<N> bounds_over(const Map<N>& map, std::size_t axis, const Vector4<N>& middle,
+                           const Vector4<N>& half) {
+  const Map<N> here = map.at(middle);
+  return curve_bounds(here.times(near_inverse(here, axis)), axis, half);
+}
+
+/// The signs of the derivatives on a curve in a box with the bounds `over`, all of it at most `length` along
+/// the axis from its point within `near` of `at`; 0 where none is found. From there each derivative changes
+/// by at most length times a bound of the second one.
+template <class N>
+std::array<int, 4> slope_signs(const Map<N>& map, std::size_t axis, const CurveBounds<N>& over,
+                               const Vector4<N>& at, const N& near, const N& length) {
+  std::array<int, 4> result;
+  for (std::size_t i = 0; i < 4; ++i) result[i] = over.first[i].sign();
+  if (std::find(result.begin(), result.end(), 0) == result.end()) return result;
+  const CurveBounds<N> there = bounds_over(map, axis, at, {near, near, near, near});
+  for (std::size_t i = 0; i < 4 && there.defect < 1; ++i) {
+    const Ball<N> all(there.first[i].middle, there.first[i].radius + length * over.second[i].magnitude());
+    if (result[i] == 0) result[i] = all.sign();
+  }
   return result;
 }
 

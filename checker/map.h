@@ -28,6 +28,10 @@ template <class N>
 const N& larger(const N& a, const N& b) {
   return a < b ? b : a;
 }
+template <class N>
+const N& smaller(const N& a, const N& b) {
+  return b < a ? b : a;
+}
 /// The integer n.
 template <class N>
 N whole(std::int64_t n) {

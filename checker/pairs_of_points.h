@@ -89,7 +89,10 @@ Box<N> pairs_in_chart(const Tube<N>& tube, const Map<N>& h, const Box<N>& pairs)
   const N most = pairs[2].magnitude() * pairs[2].magnitude();
   const N least = pairs[2].sign() != 0 ? N(pairs[2].least() * pairs[2].least()) : N(0);
   const N middle = N(0.5) * (most + least);
-  return {pairs[0], pairs[1], any ? Ball<N>(m, tube.width + 1) : m - r[2] / q[2], {middle, N(most - middle)}};
+  return {pairs[0],
+          pairs[1],
+          any ? Ball<N>(m, tube.extent()[2] + 1) : m - r[2] / q[2],
+          {middle, N(most - middle)}};
 }
 
 /// n . (P x Q), `h` the map of the first chart: if it does not vanish, no different points of the box are one

@@ -620,6 +620,10 @@ class Tube:
             abs(box[i][0] - self.centre[i] - self.slope[i] * t) + box[i][1] + abs(self.slope[i]) * box[k][1] <= self.width
             for i in others(k))
 
+    def surrounds(self, box):
+        """The box lies in the one around the tube, in which no other zeros are than those of the tube."""
+        return all(abs(b[0] - c) + b[1] <= h for b, c, h in zip(box, self.centre, self.extent()))
+
     def check(self, system, place):
         k, t, z = self.axis, self.reach, self.width
         require(self.slope[k] == 1 and t > 0 and z > 0, place, "not a tube")
@@ -651,8 +655,7 @@ class Tube:
         h = self.extent()
         for i in range(4):
             inside = self.centre[i] >= h[i] and self.centre[i] + h[i] <= 1
-            require(i in self.constant or sign(self.bounds.first[i]) or (sign(self.bounds.second[i]) and inside), place,
-                    "a parameter may turn more than once, or outside the domain")
+            require(i in self.constant or sign(self.bounds.first[i]) or inside, place, "a parameter may turn outside the domain")
 
     def monotone(self, d, i):
         """Component d of the map is, in w_i."""
@@ -747,7 +750,7 @@ class Tube:
         r, q = divided(self.map.times(self.inverse), pairs, m)
         most = magnitude(pairs[2]) ** 2
         least = (abs(pairs[2][0]) - pairs[2][1]) ** 2 if sign(pairs[2]) else Fraction(0)
-        any_m = (m, self.width + 1)
+        any_m = (m, self.extent()[2] + 1)
         return [pairs[0], pairs[1], subtract((m, Fraction(0)), divide(r[2], q[2], place)) if sign(q[2]) else any_m,
                 ((most + least) / 2, (most - least) / 2)]
 
@@ -1042,7 +1045,7 @@ class Star:
                 elif re.fullmatch("t(0|[1-9][0-9]{0,9})", entry):
                     tube = element(tubes, int(entry[1:]), place)
                     require(tube.star is self and tube.direction == direction, place, "a tube of another chart")
-                    require(tube.contains(list(zip(middle, half))), place, "a cell is not in its tube")
+                    require(tube.surrounds(list(zip(middle, half))), place, "a cell is not in its tube's box")
                 else:
                     n = direction_of(entry, place)
                     local = self.maps[direction][0].at(middle).times([n, n, n])
@@ -1299,9 +1302,9 @@ class Checker:
             at, vertices = [p[:4] for p in edge], [p[4:] for p in edge]
             k, direction = line.axis, 1 if b[line.axis] > a[line.axis] else -1
             require(all(direction * (q[k] - p[k]) > 0 for p, q in zip(at, at[1:])), place, "an edge runs back")
-            line.space = self.space["pair"]
-            most = self.piece_error(line, at, [line.distance(w, place) for w in at], self.places_on_polyline(at, vertices, place), place)
-            require(most <= number(edges[i]["error_bound"], place), f"{place}.edges[{i}]", "the error bound is too small")
+            line.space, bound = self.space["pair"], number(edges[i]["error_bound"], place)
+            most = self.check_steps(line, at, [line.distance(w, place) for w in at], self.places_on_polyline(at, vertices, place), [], bound, place)[0]
+            require(most <= bound, f"{place}.edges[{i}]", "the error bound is too small")
         return factor
 
     # ---- Arcs
@@ -1318,6 +1321,7 @@ class Checker:
             require(all(p == q or abs(Near(ball_of(p - q))) <= Fraction(isinstance(q, Algebraic), 2**40) for p, q in zip(point, node.at)), place,
                     "does not begin and end at its nodes")
         places = self.places_on_polyline(points, vertices, place)
+        bound = number(arc["error_bound"], place)
         first, entered, grows, directions, most = 0, start.radius, None, [], Fraction(0)
         for piece in arc["pieces"]:
             require(isinstance(piece, list) and len(piece) == 2, place, "not a piece")
@@ -1350,10 +1354,12 @@ class Checker:
             else:
                 ends = [(points[first], entered, start if first == 0 else None), (points[last], near[-1], end if final else None)]
                 signs = [self.slope_sign(tube, i, ends) for i in range(4)]
-            signs = [direction * sign_i for sign_i in signs]
+            open_ones = [i for i in range(4) if not signs[i] and i not in tube.constant]
+            distance, along = self.check_steps(tube, at, near, places[first : last + 1], open_ones, bound, place)
+            most = max(most, distance)
+            signs = [direction * (along[i] if i in open_ones else signs[i]) for i in range(4)]
             grows = grows or signs
             require(all(signs[i] or i in tube.constant for i in range(4)) and signs == grows, place, "not monotone in a parameter")
-            most = max(most, self.piece_error(tube, at, near, places[first : last + 1], place))
             directions.append(direction)
             first, entered = last, 2 * out if tube.charted else out
             if tube.star and not final:
@@ -1365,7 +1371,7 @@ class Checker:
             tube = arc["pieces"][piece][0]
             require(isinstance(node, Star) or tube == node.tube, place, "does not begin and end in its nodes' tubes")
             self.ends[arc[name]].append(tube if isinstance(node, Star) else direction)
-        require(most <= number(arc["error_bound"], place), place, "the error bound is too small")
+        require(most <= bound, place, "the error bound is too small")
         return arc
 
     @staticmethod
@@ -1378,7 +1384,7 @@ class Checker:
         return [m, side, -m, -side] if p else [side, m, -side, -m]
 
     def slope_sign(self, tube, i, ends):
-        if sign(tube.bounds.first[i]) or i in tube.constant:
+        if sign(tube.bounds.first[i]) or i in tube.constant or not sign(tube.bounds.second[i]):
             return sign(tube.bounds.first[i])
         signs = []
         for at, near, node in ends:
@@ -1432,33 +1438,57 @@ class Checker:
             a = b
         return places + [vertices[-1]]
 
+    def check_steps(self, tube, points, near, places, open_ones, bound, place):
+        """The greatest distance between curve and polyline on a piece, in the variables of the tube's map, and the signs of
+        the derivatives, 0 where they differ: four steps together, or one by one where four say too little."""
+        most, signs, begin, together = Fraction(0), None, 0, 4
+        while begin < len(points) - 1:
+            stop = min(begin + together, len(points) - 1)
+            distance, found = self.steps_together(tube, points, near, places, open_ones, begin, stop, place)
+            if together > 1 and (distance is None or distance > bound or not all(found[i] for i in open_ones)):
+                together = 1
+                continue
+            require(distance is not None, place, "no derivative over a step of the polyline")
+            most = max(most, distance)
+            signs = [a if a == b else 0 for a, b in zip(signs or found, found)]
+            begin, together = stop, 4
+        return most, signs
+
     @staticmethod
-    def piece_error(tube, points, near, places, place):
-        """The greatest distance between curve and polyline on a piece, in the variables of the tube's map."""
-        most = Fraction(0)
-        for begin in range(0, len(points) - 1, 4):
-            stop = min(begin + 4, len(points) - 1)
-            margin = max(near[begin : stop + 1])
-            unit = Fraction(1, 2**24)
-            beyond = [2 * margin] * 4  # the hull of both ends
-            if tube.charted or tube.star:  # whose variables need not be monotone
-                step = abs(points[begin][tube.axis] - points[stop][tube.axis])
-                beyond = [2 * margin + step / 2 * b[1] for b in tube.bounds.first]
-            middle = [unit * math.floor((p + q) / 2 / unit) for p, q in zip(points[begin], points[stop])]
-            half = [unit * (math.floor((abs(p - q) / 2 + more) / unit) + 2) for p, q, more in zip(points[begin], points[stop], beyond)]
-            bounds = tube.derivatives(middle, half)
-            require(bounds.defect < 1, place, "no derivative over a step of the polyline")
-            second, slope = [], []
-            for partial, bend in tube.space.bounds(middle, half, bounds, place):
-                second.append(magnitude(bend))
-                slope.append(sum(magnitude(partial[i]) for i in others(tube.axis)))
-            bend, speed = root_above(second) / 8, root_above(slope)
-            ends = [root_above([p - q for p, q in zip(tube.space.value(points[j]), places[j])]) + speed * near[j]
-                    for j in range(begin, stop + 1)]
-            for j in range(begin, stop):
-                step = points[j + 1][tube.axis] - points[j][tube.axis]
-                most = max(most, max(ends[j - begin], ends[j - begin + 1]) + step * step * bend)
-        return most
+    def steps_together(tube, points, near, places, open_ones, begin, stop, place):
+        margin = max(near[begin : stop + 1])
+        unit = Fraction(1, 2**24)
+        step = abs(points[begin][tube.axis] - points[stop][tube.axis])
+        beyond = [2 * margin] * 4  # the hull of both ends
+        for i in range(4):  # what need not be monotone
+            if tube.charted or tube.star or i in open_ones:
+                longer = step / 2 + (margin if i in open_ones else 0)
+                bend = longer / 2 * magnitude(tube.bounds.second[i]) if i in open_ones else tube.bounds.first[i][1]
+                beyond[i] += longer * min(tube.bounds.first[i][1], bend)
+        middle = [unit * math.floor((p + q) / 2 / unit) for p, q in zip(points[begin], points[stop])]
+        half = [unit * (math.floor((abs(p - q) / 2 + more) / unit) + 2) for p, q, more in zip(points[begin], points[stop], beyond)]
+        bounds = tube.derivatives(middle, half)
+        if bounds.defect >= 1:
+            return None, None
+        second, slope = [], []
+        for partial, bend in tube.space.bounds(middle, half, bounds, place):
+            second.append(magnitude(bend))
+            slope.append(sum(magnitude(partial[i]) for i in others(tube.axis)))
+        bend, speed = root_above(second) / 8, root_above(slope)
+        ends = [root_above([p - q for p, q in zip(tube.space.value(points[j]), places[j])]) + speed * near[j]
+                for j in range(begin, stop + 1)]
+        distance = Fraction(0)
+        for j in range(begin, stop):
+            step = points[j + 1][tube.axis] - points[j][tube.axis]
+            distance = max(distance, max(ends[j - begin], ends[j - begin + 1]) + step * step * bend)
+        signs = [sign(b) for b in bounds.first]
+        if not all(signs[i] for i in open_ones):
+            k, c = tube.axis, (begin + stop) // 2
+            length = margin + max(abs(points[c][k] - points[end][k]) for end in (begin, stop))
+            there = tube.derivatives(points[c], [near[c]] * 4)
+            if there.defect < 1:
+                signs = [s or sign((b[0], b[1] + length * magnitude(h))) for s, b, h in zip(signs, there.first, bounds.second)]
+        return distance, signs
 
     # ---- The graph and the cover
 
@@ -1542,7 +1572,7 @@ class Checker:
                 require(text[0] == "t" or self.alone, place, "of one patch only")
                 tube = element(self.tubes, int(text[1:]), place)
                 require(tube.star is None, place, "a tube of a star")
-                require(tube.contains(tube.cell_in_chart(box if text[0] == "t" else box[2:] + box[:2], place)), place, "the cell is not in the tube")
+                require(tube.surrounds(tube.cell_in_chart(box if text[0] == "t" else box[2:] + box[:2], place)), place, "the cell is not in the tube's box")
             elif re.fullmatch("p(0|[1-9][0-9]{0,9})", text):
                 e = element(self.stars, int(text[1:]), place).box(box)
                 require(all(magnitude(b) <= 1 for b in e), place, "the cell is not in the star")
