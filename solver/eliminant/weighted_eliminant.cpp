@@ -29,7 +29,7 @@ std::size_t bits_kept(std::size_t degree) { return 512 + 8 * degree; }
 /// The bits for which values in balls and values modulo primes take about the same time.
 constexpr std::size_t kLongBits = 6000;
 
-std::size_t estimated_bits(const WeightedPair& pair) {
+std::size_t expected_bits(const WeightedPair& pair) {
   return coordinate_bits(pair) * by_kind(pair, [](const auto& kind) { return kind.coordinate_degree; });
 }
 
@@ -37,7 +37,7 @@ std::size_t estimated_bits(const WeightedPair& pair) {
 std::optional<ModularIntegers> modulo_primes(const WeightedPair& pair) {
   return by_kind(pair, [&]<class Kind>(Kind) -> std::optional<ModularIntegers> {
     using Eliminant = WeightedModularEliminant<Kind>;
-    if (estimated_bits(pair) > kMostBits || !is_generic<Eliminant>(pair)) return std::nullopt;
+    if (expected_bits(pair) > kMostBits || !is_generic<Eliminant>(pair)) return std::nullopt;
     const std::size_t bits = eliminant_height_bound(pair);
     if (auto by_vectors = vector_eliminant(pair, bits)) return by_vectors;
     return interpolate_modular_polynomial(Kind::degree(pair.x.size() - 1), bits,
@@ -86,7 +86,7 @@ std::optional<std::vector<RationalInterval>> weighted_turning_roots(const Ration
                                                                     const RationalPatch& y, Parameter sweep) {
   return in_nearest_rounding([&]() -> std::optional<std::vector<RationalInterval>> {
     const WeightedPair pair = swept_pair(x, y, sweep);
-    if (estimated_bits(pair) > kLongBits) {
+    if (expected_bits(pair) > kLongBits) {
       if (auto roots = turning_roots_in_balls(pair)) return roots;
     }
     const auto residues = modulo_primes(pair);
