@@ -1,5 +1,5 @@
 // The curve that two surfaces given by any equations have in common. Internal to solver/;
-// docs/method-equations.md, sections 17.15 and 17.16.
+// docs/method-equations.md, sections 17.15 to 17.17.
 #pragma once
 
 #include <exsect/geometry/surface_region.h>
@@ -15,7 +15,7 @@
 
 namespace exsect {
 
-/// Where u is extreme along the curve, where the curve is singular, or where it is cut off and goes on to
+/// Where u is extreme along the curve, where it is singular or meets a bound, or is cut off and goes on to
 /// infinity.
 struct CrossingNode {
   std::array<RationalInterval, 3> box;
