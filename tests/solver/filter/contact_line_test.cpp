@@ -141,6 +141,26 @@ TEST_CASE("contact line: not where sheets cross along it, nor where another curv
   }));
 }
 
+TEST_CASE("contact line: both sheets are bent", "[filter]") {
+  const auto is_proved = [&](const auto& height, const auto& other) {
+    const auto [pair, line] = found(graph(height), graph(other), {0, 0.02, 0, 0.02});
+    REQUIRE(line);
+    const Part at = part(0.46875, 0.53125, 0.5, 0.53125);
+    return meet_on_line(*line, at, at);
+  };
+  const auto up = [](const Rational& u, const Rational&) -> Rational { return a(u) * a(u); };
+  const auto down = [](const Rational& u, const Rational&) -> Rational { return -a(u) * a(u); };
+  const auto more = [](const Rational& u, const Rational& v) -> Rational { return a(u) * a(u) * (1 + v); };
+  const auto equal_once = [](const Rational& u, const Rational& v) -> Rational {
+    return a(u) * a(u) * (v + Rational(31, 64));
+  };
+  CHECK(is_proved(up, down));
+  CHECK(is_proved(up, more));
+  CHECK(is_proved(more, up));
+  CHECK_FALSE(is_proved(up, equal_once));
+  CHECK_FALSE(is_proved(equal_once, up));
+}
+
 TEST_CASE("contact line: lines that cross, or nearly touch, are none", "[filter]") {
   const auto crossing =
       graph([](const Rational& u, const Rational& v) -> Rational { return a(u) * (1 + v); });
