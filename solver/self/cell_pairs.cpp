@@ -124,7 +124,9 @@ class Cover {
     return {hull_of_ranges(a.where.u, b.where.u), hull_of_ranges(a.where.v, b.where.v)};
   }
 
-  RationalPatch piece_over(const ParameterRectangle& where) const {
+  RationalPatch piece_around(const ParameterCell& a, const ParameterCell& b) const {
+    if (&a == &b) return a.piece;
+    const ParameterRectangle where = around(a, b);
     return patch_.restricted_to(where.u.lower, where.u.upper, where.v.lower, where.v.upper);
   }
 
@@ -133,7 +135,7 @@ class Cover {
     return std::ranges::any_of(found_.poles, [&](const Pole& pole) {
       const bool first = reaches(a.where, pole), second = reaches(b.where, pole);
       if (first && second && !touch(a, b) && are_apart_but_for(pole, a.piece, b.piece)) return true;
-      return adjacent && (first || second) && is_injective_but_for(pole, piece_over(around(a, b)));
+      return adjacent && (first || second) && is_injective_but_for(pole, piece_around(a, b));
     });
   }
 
@@ -146,7 +148,7 @@ class Cover {
       return DoubleBall::enclosing(RationalInterval{lower / in.width(), upper / in.width()});
     };
     const ParameterRectangle both = around(a, b);
-    return has_no_pairs(piece_over(both), origin_of(a),
+    return has_no_pairs(piece_around(a, b), origin_of(a),
                         {middles(a.where.u, b.where.u, both.u), middles(a.where.v, b.where.v, both.v)});
   }
 
