@@ -12,6 +12,14 @@
 namespace exsect::cli {
 namespace {
 
+/// exact(numbers) as text.
+template <class Numbers>
+std::string exact_text(const Numbers& numbers) {
+  std::string result;
+  for (const double a : numbers) result.append(result.empty() ? "[\"" : ",\"").append(exact_number(a)) += '"';
+  return result + "]";
+}
+
 class ArcWriter {
  public:
   explicit ArcWriter(Draft& draft) : d_(draft) {}
@@ -22,17 +30,18 @@ class ArcWriter {
     const TracedArc traced = traced_arc(a, from, to);
     const bool stays = std::all_of(a.polyline.begin(), a.polyline.end(),
                                    [&](const PolylineVertex& v) { return v.point == a.polyline[0].point; });
-    Json list = Json::array();
+    std::string list;
     for (std::size_t i = 0; i < traced.points.size(); ++i) {
       const TracedPoint& p = traced.points[i];
-      Json numbers = i == 0                          ? d_.place_claims[from]
-                     : i + 1 == traced.points.size() ? d_.place_claims[to]
-                                                     : exact(p.at);
+      list += i == 0 ? "[" : ",";
+      list += i == 0                          ? compact_text(d_.place_claims[from])
+              : i + 1 == traced.points.size() ? compact_text(d_.place_claims[to])
+                                              : exact_text(p.at);
       // Where the point of space stays, a polyline has no edges.
       const std::size_t vertex = stays ? 0 : static_cast<std::size_t>(p.vertex);
-      if (stays || p.vertex >= 0)
-        for (const double c : a.polyline[vertex].point) numbers.push_back(exact_number(c));
-      list.push_back(numbers);
+      if (!stays && p.vertex < 0) continue;
+      list.back() = ',';
+      list += exact_text(a.polyline[vertex].point).substr(1);
     }
     Json pieces = Json::array();
     for (const TracedPiece& p : traced.pieces) pieces.push_back({p.tube, p.last});
@@ -40,7 +49,7 @@ class ArcWriter {
                   {{"component", a.component},
                    {"from", from},
                    {"to", to},
-                   {"points", list},
+                   {"points", verbatim(list + "]")},
                    {"pieces", pieces},
                    {"error_bound", exact_number(a.error_bound)}});
   }

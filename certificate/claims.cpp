@@ -13,7 +13,7 @@ std::string in_list(const char* list, std::size_t i) {
 
 namespace {
 
-/// Appends json.dump(), most of whose strings have nothing to escape.
+/// Appends json.dump(), most of whose strings have nothing to escape, but texts `verbatim` as they stand.
 void append(const Json& json, std::string& text) {
   const auto is_plain = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; };
   if (json.is_object()) {
@@ -32,6 +32,8 @@ void append(const Json& json, std::string& text) {
       before = ',';
     }
     text += json.empty() ? "[]" : "]";
+  } else if (json.is_binary()) {
+    text.append(json.get_binary().begin(), json.get_binary().end());
   } else if (const auto* word = json.get_ptr<const std::string*>();
              word && std::all_of(word->begin(), word->end(), is_plain)) {
     text.append("\"").append(*word).append("\"");
@@ -46,6 +48,10 @@ std::string compact_text(const Json& json) {
   std::string text;
   append(json, text);
   return text;
+}
+
+Json verbatim(const std::string& text) {
+  return Json::binary(std::vector<std::uint8_t>(text.begin(), text.end()));
 }
 
 Json sealed(const std::string& place, Json claim) {

@@ -14,8 +14,10 @@ namespace exsect::cli {
 
 /// $.list[i]
 std::string in_list(const char* list, std::size_t i);
-/// json.dump(), of objects whose keys have nothing to escape.
+/// json.dump(), of objects whose keys have nothing to escape, with what is `verbatim` as it stands.
 std::string compact_text(const Json& json);
+/// JSON that is written as this text stands: a long list, say, as JSON takes its time.
+Json verbatim(const std::string& text);
 /// The claim with its seal.
 Json sealed(const std::string& place, Json claim);
 /// The rational that a finite double is, p/q or p/2^n.

@@ -71,6 +71,7 @@ TEST_CASE("claims have the text that the JSON library writes") {
   }
   const Json json = Json::parse(circle());
   CHECK(cli::compact_text(json) == json.dump());
+  CHECK(cli::compact_text({{"a", cli::verbatim("[1, \"\n\"]")}, {"b", 2}}) == "{\"a\":[1, \"\n\"],\"b\":2}");
 }
 
 namespace {
