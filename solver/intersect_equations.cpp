@@ -16,7 +16,9 @@
 #include "curve/short_rational.h"
 #include "lift/coaxial_tori.h"
 #include "lift/crossing_curve.h"
+#include "lift/crossing_names.h"
 #include "lift/curve_names.h"
+#include "lift/ellipse_section.h"
 #include "lift/lifted_course.h"
 #include "lift/lifted_curve.h"
 #include "lift/pair_region.h"
@@ -284,6 +286,9 @@ SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurf
   if (first.kind() == SurfaceKind::plane && second.kind() == SurfaceKind::plane)
     return planes(first, second, region, run);
   std::optional<SurfaceIntersection> result;
+  const auto tolerance = [&](double extent) { return run.drawn_tolerance(drawable(extent)); };
+  run.timed("drawing", [&] { result = ellipse_intersection(first, second, region, tolerance); });
+  if (result) return *std::move(result);
   if (first.kind() != SurfaceKind::torus)
     result = lifted(first, second, region, run);
   else if (second.kind() == SurfaceKind::torus)

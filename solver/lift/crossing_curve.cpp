@@ -4,14 +4,12 @@
 #include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <utility>
 
 #include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
 #include "lift/common_factor.h"
-#include "lift/connected_parts.h"
 #include "lift/crossing_landmarks.h"
 #include "lift/space_projection.h"
 #include "lift/space_trace.h"
@@ -148,6 +146,8 @@ void drop_other_nodes(CrossingCurve& curve, const TracedCurve& of) {
 CrossingCurve traced(const TracedCurve& of) {
   const CrossingLandmarks& known = of.known;
   CrossingCurve result;
+  result.projection = of.branches.projection;
+  for (const CrossingBranch& branch : of.branches.all) result.factors.push_back(branch.shadow);
   std::vector<std::size_t> node_of;
   result.nodes = nodes_of(of, node_of);
   std::vector<int> arrivals(known.landmarks.size(), 0);
@@ -242,22 +242,6 @@ CrossingCurve crossing_curve(const SpacePolynomial& first, const SpacePolynomial
   if (g.degree() > 0) curve = curve_of_coprime(f, g.primitive(), region, tolerance);
   curve.is_same = common.degree() > 0;
   return curve;
-}
-
-std::vector<SpaceCurve> named_curves(const CrossingCurve& curve) {
-  std::map<std::size_t, ConnectedParts> parts;  // by factors
-  std::map<std::pair<std::size_t, int>, std::size_t> position;
-  std::vector<SpaceCurve> curves;
-  for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
-    const CrossingArc& arc = curve.arcs[i];
-    const ConnectedParts& part = parts.try_emplace(arc.factor, curve, arc.factor).first->second;
-    const auto [at, is_new] = position.emplace(std::pair(arc.factor, part(arc)), curves.size());
-    if (is_new)
-      curves.push_back(
-          {static_cast<int>(curves.size()), SpaceCurveKind::general, {}, false, arc.multiplicity});
-    curves[at->second].arcs.push_back(static_cast<int>(i));
-  }
-  return curves;
 }
 
 }  // namespace exsect

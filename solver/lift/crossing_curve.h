@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "lift/space_projection.h"
 #include "lift/space_zero.h"
 #include "lift/surface_intersection.h"
 
@@ -42,14 +43,13 @@ struct CrossingCurve {
   std::optional<OpenQuestion> open = {};
   std::vector<CrossingNode> nodes = {};
   std::vector<CrossingArc> arcs = {};
+  std::optional<SpaceProjection> projection = {};  // if there are arcs
+  std::vector<BivariatePolynomial> factors = {};   // of its shadow
 };
 
 /// Of F = 0 and G = 0, in either order, in the region. `tolerance` of an extent is how near polylines have to
 /// be.
 CrossingCurve crossing_curve(const SpacePolynomial& f, const SpacePolynomial& g, const SurfaceRegion& region,
                              const std::function<double(double)>& tolerance);
-
-/// Its connected parts, none of which is known by another name: as for lifted curves (curve_names.h).
-std::vector<SpaceCurve> named_curves(const CrossingCurve& curve);
 
 }  // namespace exsect

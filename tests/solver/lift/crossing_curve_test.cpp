@@ -137,6 +137,75 @@ TEST_CASE("crossing curve: conics, and their neighbours that are empty") {
         "2 closed, 0 open");
 }
 
+TEST_CASE("crossing curve: lines and conics have their names and data") {
+  const SpacePolynomial x = SpacePolynomial::variable(0), y = SpacePolynomial::variable(1),
+                        z = SpacePolynomial::variable(2), one = SpacePolynomial::constant(1);
+  const auto number = [](const Rational& q) { return SpacePolynomial::constant(q); };
+  const auto meet = [](const SpacePolynomial& f, const SpacePolynomial& g) {
+    const SurfaceIntersection result = intersect(S::polynomial(f), S::polynomial(g), coarse());
+    REQUIRE(result.status == Status::complete);
+    return result;
+  };
+  const auto kinds = [](const SurfaceIntersection& result) {
+    std::map<std::string, int> counts;
+    for (const SpaceCurve& curve : result.curves) ++counts[name(curve.kind)];
+    return counts;
+  };
+  using Kinds = std::map<std::string, int>;
+  const SpacePolynomial ball = x * x + y * y + z * z - number(9), shifted = x - number(2);
+  const SurfaceIntersection circle = meet(ball, shifted * shifted + y * y + z * z - number(9));
+  REQUIRE(kinds(circle) == Kinds{{"circle", 1}});
+  CHECK(circle.curves[0].is_closed);
+  CHECK(*circle.curves[0].point == right);
+  CHECK(*circle.curves[0].radius_squared == 8);
+  CHECK(is_zero(cross(*circle.curves[0].direction, right)));
+  // Two ellipses of x^2 + y^2 = 1 in the planes z = +-2x, and two hyperbolas in those of x^2 - y^2 = 1.
+  const SpacePolynomial planes = z * z - number(4) * x * x;
+  const SurfaceIntersection ellipses = meet(x * x + y * y - one, planes);
+  CHECK(kinds(ellipses) == Kinds{{"ellipse", 2}});
+  CHECK(ellipses.count(SpaceNodeKind::crossing) == 2);
+  for (const SpaceCurve& ellipse : ellipses.curves) {
+    CHECK(*ellipse.point == origin);
+    CHECK((*ellipse.direction)[0] * (*ellipse.direction)[0] ==
+          4 * (*ellipse.direction)[2] * (*ellipse.direction)[2]);
+  }
+  CHECK(kinds(meet(x * x - y * y - one, planes)) == Kinds{{"hyperbola", 2}});
+  // A paraboloid in the planes y = 1, a parabola, and z = 5 - y, an ellipse; another one in planes with a
+  // circle.
+  const SpacePolynomial bowl = z - x * x - y * y;
+  CHECK(kinds(meet(bowl, bowl + (y - one) * (z + y - number(5)))) == Kinds{{"ellipse", 1}, {"parabola", 1}});
+  CHECK(kinds(meet(bowl, bowl + (y - one) * (z - number(5)))) == Kinds{{"circle", 1}, {"parabola", 1}});
+  // Rational lines of a saddle.
+  const SpacePolynomial saddle = z - x * y;
+  const SurfaceIntersection lines = meet(saddle, saddle + (x - number(2)) * (y - number(3)));
+  REQUIRE(kinds(lines) == Kinds{{"line", 2}});
+  for (const SpaceCurve& line : lines.curves)
+    for (const int t : {0, 1, 5}) {
+      const Point p = *line.point + Rational(t) * *line.direction;
+      CHECK(saddle(p) == 0);
+      CHECK((p[0] - 2) * (p[1] - 3) == 0);
+    }
+  // Neighbours have no names.
+  const Rational little = power_of_two(-40);
+  CHECK(kinds(meet(x * x + y * y - one, planes + number(little))) == Kinds{{"general", 2}});
+}
+
+TEST_CASE(
+    "crossing curve: named conics at all sizes, turned, and as they are named with the surfaces' names") {
+  const Rational third(1, 3);
+  for (const Rational& size : {Rational(1), Rational(254, 10), Rational(1, 1000000)})
+    for (const Rational& far : {Rational(0), Rational(100000000)}) {
+      const Point at = far * oblique, axis = third * Point{2, 2, 1};
+      const S tube = S::cylinder(at, axis, size), wall = S::plane(at + size * right, {3, 1, 2});
+      const SurfaceIntersection named = intersect(tube, wall, coarse());
+      const SurfaceIntersection without = intersect(unnamed(tube), unnamed(wall), coarse());
+      REQUIRE(named.count(SpaceCurveKind::ellipse) == 1);
+      REQUIRE(without.count(SpaceCurveKind::ellipse) == 1);
+      CHECK(*named.curves[0].point == *without.curves[0].point);
+      CHECK(is_zero(cross(*named.curves[0].direction, *without.curves[0].direction)));
+    }
+}
+
 TEST_CASE("crossing curve: what is near to contact, at sizes of all kinds") {
   for (const int k : {-3, -6, -9, -12}) {
     const Rational gap = power_of_two(3 * k);

@@ -64,6 +64,33 @@ TEST_CASE("equations: two planes") {
   CHECK(dot(*line.curves[0].point - Point{1, 2, 3}, oblique) == 0);
 }
 
+TEST_CASE("equations: a sphere through meridian circles of a torus") {
+  // Its centre is on tangents of the circle of the tube's centres: in the planes at 45 degrees, and others.
+  const S torus = S::torus(origin, up, 5, 2);
+  const auto ball = [](const Point& at, const Rational& reach_squared) {
+    return S::sphere(at, Length::of_squared(dot(at, at) - 25 + 4 + reach_squared));
+  };
+  const SurfaceIntersection rational = intersect(torus, ball({Rational(25, 3), 0, 0}, 0), coarse());
+  REQUIRE(census(rational) == "2 circle o");
+  for (const SpaceCurve& circle : rational.curves) {
+    CHECK(*circle.radius_squared == 4);
+    CHECK((*circle.point)[0] == 3);
+    CHECK(abs((*circle.point)[1]) == 4);
+    CHECK(dot(*circle.direction, *circle.point) == 0);
+  }
+  CHECK((*rational.curves[0].point)[1] == -(*rational.curves[1].point)[1]);
+  const SurfaceIntersection irrational = intersect(torus, ball({7, 0, 0}, 0), coarse());
+  REQUIRE(census(irrational) == "2 circle o");
+  for (const SpaceCurve& circle : irrational.curves) {
+    CHECK(*circle.radius_squared == 4);
+    CHECK_FALSE(circle.point);
+    for (const int arc : circle.arcs)
+      for (const auto& p : irrational.arcs[static_cast<std::size_t>(arc)].polyline)
+        CHECK((p[1] > 0) == (irrational.arcs[static_cast<std::size_t>(circle.arcs[0])].polyline[1][1] > 0));
+  }
+  for (const int k : near) CHECK(census(torus, ball({7, 0, 0}, tenth_to(k))) == "2 general o");
+}
+
 TEST_CASE("equations: a plane and a sphere, at, beside and beyond the contact") {
   const S ball = S::sphere(oblique, Length::of_squared(3));
   const auto plane = [&](const Rational& shift) { return S::plane(shift * oblique, oblique); };
