@@ -88,14 +88,14 @@ void PinchProof::bound_curves(const CurveBounds& bounds) {
   bend_ = bounds.bend(speed, solved(bounds.second(speed)));
 }
 
-/// (14.85): the slope at the pinch point is 0 if the derivative by the first of the parameters that are used
+/// (14.74): the slope at the pinch point is 0 if the derivative by the first of the parameters that are used
 /// here is.
 bool PinchProof::is_monotone_from_rest(std::size_t parameter) const {
   const bool is_second = exchanged_ != (parameter == 1);
   return is_second && 0.75 * kSlack * speed_[2] < drift_[1].lower_magnitude();
 }
 
-/// (14.84)
+/// (14.73)
 PinchProof::AtSide PinchProof::at_side(std::size_t parameter, int value, bool rests) const {
   if (is_monotone(parameter)) return AtSide::none;
   const bool is_second = exchanged_ != (parameter == 1);

@@ -25,10 +25,10 @@ class PinchProof {
   bool exchanged() const { return exchanged_; }
   /// The first (0), second (1) parameters of both points of a pair are strictly monotone along a curve.
   bool is_monotone(std::size_t parameter) const { return monotone_[exchanged_ ? 1 - parameter : parameter]; }
-  /// The same if the derivative by the other parameter is known to be 0 in the pinch point (14.85).
+  /// The same if the derivative by the other parameter is known to be 0 in the pinch point (14.74).
   bool is_monotone_from_rest(std::size_t parameter) const;
   /// What pairs with both points in the square do next to the pinch point, if that is known to lie where the
-  /// parameter (0 or 1) has the value 0 or 1 (14.84): `none` are there, or one curve begins in it, along
+  /// parameter (0 or 1) has the value 0 or 1 (14.73): `none` are there, or one curve begins in it, along
   /// which this parameter of both points is strictly monotone. `along`: the derivative along this side is 0
   /// there.
   enum class AtSide { unknown, none, begins };
