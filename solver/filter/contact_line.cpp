@@ -87,7 +87,7 @@ Places places(const ContactLineOf<K>& line, const Part& x, const Part& y) {
   const Part& owner = line.path.of_x ? x : y;
   const Part& carrier = line.path.of_x ? y : x;
   const LineRange& t = owner.range[1 - line.path.parameter];
-  // Five operations on positive numbers; the ratio is rounded once.
+  // (14.84): five operations on positive numbers; the ratio is rounded once.
   const auto along_path = [&](double at) { return line.ratio * at / ((1 - at) + line.ratio * at); };
   const DoubleBall f = hull(along_path(t.lower), along_path(t.upper)).widened(0x1p-48);
   Places result = {centred(t), hull(line.value, centred(owner.range[line.path.parameter])), {}, {}};
