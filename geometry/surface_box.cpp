@@ -46,14 +46,14 @@ class BoxRegion {
   void add(const AxisSector& sector) {
     const Point from = orthogonal("box.sector.from", sector.from),
                 to = orthogonal("box.sector.to", sector.to);
-    add_sector("sector", half_line(from), half_line(to), sign(determinant(axis_, from, to)),
-               sign(dot(from, to)));
+    add_sector(BoundKind::sector, "sector", half_line(from), half_line(to),
+               sign(determinant(axis_, from, to)), sign(dot(from, to)));
   }
 
   void add(const HeightRange& height) {
     if (height.from >= height.to) throw SurfaceError("box.height", "does not ascend");
-    add_clause({add_bound("height=from", along_ - number(height.from * length_))});
-    add_clause({add_bound("height=to", number(height.to * length_) - along_)});
+    add_clause({add_bound(BoundKind::height, "height=from", along_ - number(height.from * length_))});
+    add_clause({add_bound(BoundKind::height, "height=to", number(height.to * length_) - along_)});
   }
 
   void add(const TubeSector& tube) {
@@ -61,8 +61,8 @@ class BoxRegion {
     const auto& [e, t] = tube.to;
     if (c == 0 && s == 0) throw SurfaceError("box.tube.from", "the direction is zero");
     if (e == 0 && t == 0) throw SurfaceError("box.tube.to", "the direction is zero");
-    add_sector("tube", tube_half_line(tube.from), tube_half_line(tube.to), sign(Rational(c * t - s * e)),
-               sign(Rational(c * e + s * t)));
+    add_sector(BoundKind::tube, "tube", tube_half_line(tube.from), tube_half_line(tube.to),
+               sign(Rational(c * t - s * e)), sign(Rational(c * e + s * t)));
   }
 
   void add(const std::array<Point, 2>& sides) {
@@ -77,8 +77,8 @@ class BoxRegion {
       const Rational whole = dot(sides[k], across);
       const SpacePolynomial share = (1 / whole) * height_form(data_.point, across);
       const std::string name = k == 0 ? "first" : "second";
-      add_clause({add_bound(name + "=0", share)});
-      add_clause({add_bound(name + "=1", number(1) - share)});
+      add_clause({add_bound(BoundKind::side, name + "=0", share)});
+      add_clause({add_bound(BoundKind::side, name + "=1", number(1) - share)});
     }
   }
 
@@ -87,8 +87,9 @@ class BoxRegion {
  private:
   static SpacePolynomial number(const Rational& q) { return SpacePolynomial::constant(q); }
 
-  std::size_t add_bound(const std::string& name, SpacePolynomial form, SpacePolynomial where = number(1)) {
-    region_.bounds.push_back({name, std::move(form), std::move(where)});
+  std::size_t add_bound(BoundKind kind, const std::string& name, SpacePolynomial form,
+                        SpacePolynomial where = number(1)) {
+    region_.bounds.push_back({name, std::move(form), std::move(where), kind});
     return region_.bounds.size() - 1;
   }
   void add_clause(std::vector<std::size_t> bounds) { region_.clauses.push_back(std::move(bounds)); }
@@ -113,12 +114,12 @@ class BoxRegion {
   }
 
   /// (17.7); turn, along: the signs of sine and cosine of the angle between the half lines.
-  void add_sector(const std::string& name, HalfLine from, HalfLine to, int turn, int along) {
+  void add_sector(BoundKind kind, const std::string& name, HalfLine from, HalfLine to, int turn, int along) {
     if (turn == 0 && along > 0)
       throw SurfaceError("box." + name,
                          "from and to are one direction; a whole turn has no \"" + name + "\"");
-    const std::size_t first = add_bound(name + "=from", std::move(from.beside), std::move(from.along));
-    const std::size_t last = add_bound(name + "=to", Rational(-1) * to.beside, std::move(to.along));
+    const std::size_t first = add_bound(kind, name + "=from", std::move(from.beside), std::move(from.along));
+    const std::size_t last = add_bound(kind, name + "=to", Rational(-1) * to.beside, std::move(to.along));
     if (turn < 0) return add_clause({first, last});
     add_clause({first});
     add_clause({last});
@@ -154,7 +155,7 @@ std::optional<Point> axis_of_box(const ImplicitSurface& surface) {
   const std::vector<SurfaceBound>& bounds = surface.box().bounds;
   if (surface.kind() != SurfaceKind::sphere || bounds.empty()) return std::nullopt;
   const SurfaceBound& first = bounds.front();
-  if (first.name.starts_with("height")) return gradient(first.form);
+  if (first.kind == BoundKind::height) return gradient(first.form);
   const Point across = gradient(first.where);  // the form has the gradient d x across
   return 1 / dot(across, across) * cross(across, gradient(first.form));
 }

@@ -10,12 +10,17 @@
 
 namespace exsect {
 
+/// Which chart parameter is constant on a bound: the turn about the axis, the height along it, the turn about
+/// the circle of a torus's tube, or a multiple of a plane's side.
+enum class BoundKind { other, sector, height, tube, side };
+
 /// The inequality form >= 0. Points of the region with form = 0 lie on this bound if where >= 0 in them: the
 /// plane of a sector's side holds two half planes.
 struct SurfaceBound {
   std::string name;  // "sector=from"; empty: not told in results
   SpacePolynomial form;
   SpacePolynomial where;
+  BoundKind kind = BoundKind::other;
 };
 
 /// The closed part of space in which, in each of the clauses, one at least of its bounds holds; the whole of

@@ -15,8 +15,6 @@ namespace {
 
 Rational at_origin(const SpacePolynomial& f) { return f.coefficient({0, 0, 0}); }
 
-bool has_prefix(const SurfaceBound& bound, const char* prefix) { return bound.name.starts_with(prefix); }
-
 /// Heights, turns about the axis and turns about the circle of a torus's tube, of both boxes. Heights are
 /// values of axis . P, directions about the axis are counted in two vectors orthogonal to it.
 class SharedTurns {
@@ -40,9 +38,9 @@ class SharedTurns {
     std::vector<PlaneDirection> turns, tubes;
     for (const SurfaceBound& bound : region.bounds) {
       bounds_.push_back(bound);
-      if (has_prefix(bound, "tube"))
+      if (bound.kind == BoundKind::tube)
         tubes.push_back(tube_direction(bound));
-      else if (has_prefix(bound, "sector"))
+      else if (bound.kind == BoundKind::sector)
         turns.push_back(turn_direction(gradient(bound.where)));
       else
         add_height(gradient(bound.form), at_origin(bound.form));
@@ -185,7 +183,7 @@ class SharedTurns {
 
   SharedCut tube_circle(const PlaneDirection& direction) const {
     for (const SurfaceBound& bound : bounds_) {
-      if (!has_prefix(bound, "tube")) continue;
+      if (bound.kind != BoundKind::tube) continue;
       if (CircleArc{tube_direction(bound), direction}.is_point())
         return {ImplicitSurface::polynomial(bound.form), where(bound.where)};
     }
