@@ -20,19 +20,29 @@ constexpr std::size_t kMostTries = 4;
 /// Directions in the tangent plane that differ by less are the same.
 constexpr double kSameDirection = 0x1p-24;
 
+/// At points where the area of the tangents is less than this part of the greatest one there is no direction
+/// to be compared, as on a side that is one point.
+constexpr double kSmallArea = 0x1p-20;
+
 struct Sample {
   Place at;
   Vec3 point;
+  double area;
 };
 
 template <class K>
 std::vector<Sample> samples(const PatchOf<K>& patch) {
   std::vector<Sample> result;
+  double greatest = 0;
   for (std::size_t k = 0; k < kSamples * kSamples; ++k) {
     const auto centred = [](std::size_t i) { return static_cast<double>(i) / (kSamples - 1) - 0.5; };
     const Place at = {centred(k / kSamples), centred(k % kSamples)};
-    result.push_back({at, affine(value_at<K>(patch.power, at[0], at[1]))});
+    const SecondOrder x = second_order(patch, at[0], at[1]);
+    const double area = largest(cross(x.u, x.v));
+    result.push_back({at, affine(value_at<K>(patch.power, at[0], at[1])), area});
+    greatest = std::max(greatest, area);
   }
+  std::erase_if(result, [greatest](const Sample& s) { return !(s.area >= kSmallArea * greatest); });
   return result;
 }
 
@@ -53,7 +63,7 @@ std::vector<Start> nearest_samples(const PairOf<K>& pair) {
       starts.push_back({dot(gap, gap), x.at, y});
     }
   }
-  const auto end = starts.begin() + kMostTries;
+  const auto end = starts.begin() + static_cast<std::ptrdiff_t>(std::min(kMostTries, starts.size()));
   std::partial_sort(starts.begin(), end, starts.end(),
                     [](const Start& a, const Start& b) { return a.distance < b.distance; });
   starts.erase(end, starts.end());
