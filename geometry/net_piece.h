@@ -1,4 +1,4 @@
-// The control net of a piece of a patch, exact. Used by rational_patch.h alone.
+// The control net of a piece of a patch, exact.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>

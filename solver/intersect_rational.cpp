@@ -18,6 +18,7 @@
 #include "filter/filter.h"
 #include "intersect.h"
 #include "intersect_within.h"
+#include "overlap/rational_pieces.h"
 #include "self/self_intersect.h"
 #include "self/self_intersect_in_doubles.h"
 #include "signs_beside.h"
@@ -69,7 +70,12 @@ std::optional<IntersectResult> intersect_as_polynomials(const RationalPatch& x, 
 IntersectResult intersect_any(const RationalPatch& x, const RationalPatch& y, const Run& run) {
   IntersectResult result = intersect_in_either_order(x, y, run);
   if (result.status == Status::complete || run.out_of_time()) return result;
-  return intersect_as_polynomials(x, y, run).value_or(std::move(result));
+  if (auto as_polynomials = intersect_as_polynomials(x, y, run)) return *std::move(as_polynomials);
+  if (run.exact()) return result;
+  IntersectResult pieces = intersect_rational_pieces(x, y, run);
+  if (pieces.status != Status::complete) return result;
+  run.count("filtered", 1);
+  return pieces;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <exsect/geometry/bezier_patch.h>
 #include <exsect/geometry/rational_patch.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <type_traits>
@@ -115,6 +116,16 @@ std::vector<Point> affine_points(const ElevatedPatch<K>& patch) {
     if (patch.weights[k] > 0) points.push_back(Rational(1 / patch.weights[k]) * patch.points[k]);
   }
   return points;
+}
+
+/// What `solve` returns for the smallest kind of pairs, with three or four rows, that both patches belong to,
+/// and for both patches reduced: Bicubic, WeightedBiquadratic or WeightedBicubic.
+template <class Solve>
+auto in_smallest_kind(const RationalPatch& x, const RationalPatch& y, const Solve& solve) {
+  const RationalPatch &first = x.reduced(), &second = y.reduced();
+  if (first.is_polynomial() && second.is_polynomial()) return solve(Bicubic(), first, second);
+  const int degree = std::max({first.degree_u(), first.degree_v(), second.degree_u(), second.degree_v()});
+  return degree <= 2 ? solve(WeightedBiquadratic(), first, second) : solve(WeightedBicubic(), first, second);
 }
 
 }  // namespace exsect::filter

@@ -75,14 +75,10 @@ std::optional<IntersectResult> intersect_filtered(const BezierPatch& x, const Be
 }
 
 IntersectResult intersect_in_doubles(const RationalPatch& x, const RationalPatch& y, const Run& run) {
-  const RationalPatch& first = x.reduced();
-  const RationalPatch& second = y.reduced();
-  const auto intersect_as = [&]<class K>(K) {
-    return intersect_elevated<K>(filter::elevated<K>(first), filter::elevated<K>(second), run);
-  };
-  if (first.is_polynomial() && second.is_polynomial()) return intersect_as(filter::Bicubic());
-  const int degree = std::max({first.degree_u(), first.degree_v(), second.degree_u(), second.degree_v()});
-  return degree <= 2 ? intersect_as(filter::WeightedBiquadratic()) : intersect_as(filter::WeightedBicubic());
+  return filter::in_smallest_kind(
+      x, y, [&]<class K>(K, const RationalPatch& first, const RationalPatch& second) {
+        return intersect_elevated<K>(filter::elevated<K>(first), filter::elevated<K>(second), run);
+      });
 }
 
 std::optional<FilteredCurves> filtered_curves(const BezierPatch& x, const BezierPatch& y, const Run& run) {

@@ -201,17 +201,21 @@ class OverlapGraph {
 }  // namespace
 
 template <class K>
-std::optional<OverlapOfPieces> overlap_of_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y,
-                                                 const PairOf<K>& pair, TreesOf<K>& trees, long& boxes) {
+std::optional<OverlapOfPieces> pieces_of_one_surface(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                                     const PairOf<K>& pair) {
   const auto pieces = find_pieces<K>(x, y, pair);
-  if (!pieces) {
-    return std::nullopt;
-  }
+  if (!pieces) return std::nullopt;
   const RationalInterval u = part_in_square(pieces->maps[0]);
   const RationalInterval v = part_in_square(pieces->maps[1]);
-  if (!(u.lower < u.upper && v.lower < v.upper) || !InjectivityProof<K>(pair, *pieces, trees, boxes).run()) {
-    return std::nullopt;
-  }
+  if (!(u.lower < u.upper && v.lower < v.upper)) return std::nullopt;
+  return pieces;
+}
+
+template <class K>
+std::optional<OverlapOfPieces> overlap_of_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                                 const PairOf<K>& pair, TreesOf<K>& trees, long& boxes) {
+  auto pieces = pieces_of_one_surface<K>(x, y, pair);
+  if (pieces && !InjectivityProof<K>(pair, *pieces, trees, boxes).run()) pieces.reset();
   return pieces;
 }
 
@@ -221,8 +225,10 @@ std::optional<GraphBuilder> overlap_graph(const RationalPatch& x, const OverlapO
       .run(part_in_square(overlap.maps[0]), part_in_square(overlap.maps[1]));
 }
 
-#define EXSECT_INSTANTIATE(K)                                                                              \
-  template std::optional<OverlapOfPieces> overlap_of_pieces<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
+#define EXSECT_INSTANTIATE(K)                                                                               \
+  template std::optional<OverlapOfPieces> pieces_of_one_surface<K>(const ExactPatch<K>&,                    \
+                                                                   const ExactPatch<K>&, const PairOf<K>&); \
+  template std::optional<OverlapOfPieces> overlap_of_pieces<K>(const ExactPatch<K>&, const ExactPatch<K>&,  \
                                                                const PairOf<K>&, TreesOf<K>&, long&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE

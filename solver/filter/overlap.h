@@ -8,9 +8,8 @@
 
 namespace exsect::filter {
 
-/// y is x in other parameters: (u,v) = (maps[0](r), maps[1](s)), or (maps[0](s), maps[1](r)) if exchanged.
-/// The surface is injective on both squares together, and these have a rectangle in common: that is an
-/// overlap and there is nothing else.
+/// y is x in other parameters: (u,v) = (maps[0](r), maps[1](s)), or (maps[0](s), maps[1](r)) if exchanged,
+/// and their squares have a rectangle in common, with inner points: an overlap.
 struct OverlapOfPieces {
   std::array<AffineMap, 2> maps;
   bool exchanged;
@@ -18,7 +17,14 @@ struct OverlapOfPieces {
   std::size_t parameter(std::size_t of_x) const { return exchanged ? 1 - of_x : of_x; }
 };
 
-/// Empty if that is not so, or not proved. `boxes` counts the pairs looked at.
+/// The rectangle is the whole intersection if the surface is injective on both squares together. Empty if y
+/// is no such piece, none that is found, or if they share no rectangle.
+template <class K>
+std::optional<OverlapOfPieces> pieces_of_one_surface(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                                     const PairOf<K>& pair);
+
+/// The same, empty if it is not proved that the surface is injective on both squares together as well.
+/// `boxes` counts the pairs looked at.
 template <class K>
 std::optional<OverlapOfPieces> overlap_of_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y,
                                                  const PairOf<K>& pair, TreesOf<K>& trees, long& boxes);

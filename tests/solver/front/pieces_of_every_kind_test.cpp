@@ -17,13 +17,17 @@ RationalPatch piece(const RationalPatch& x, const Ends& ends) {
   return x.restricted_to(ends[0], ends[1], ends[2], ends[3]);
 }
 
-/// The four corners of the only overlap, as (u,v) in the parameters of x, are those of the rectangle.
-void check_overlap(const RationalPatch& x, const RationalPatch& y, const Ends& rectangle) {
+/// The four corners of the only overlap, as (u,v) in the parameters of x, are those of the rectangle, and
+/// there are as many poles in common.
+void check_overlap(const RationalPatch& x, const RationalPatch& y, const Ends& rectangle,
+                   std::size_t poles = 0) {
   const IntersectResult result = intersect(x, y);
   CHECK(result.status == Status::complete);
   REQUIRE(result.graph.overlaps.size() == 1);
   CHECK(result.graph.arcs.empty());
-  CHECK(result.graph.isolated_points.empty());
+  CHECK(result.graph.isolated_points.size() == poles);
+  for (const int id : result.graph.isolated_points)
+    CHECK(result.graph.nodes[static_cast<std::size_t>(id)].free.size() == 2);
   REQUIRE(result.graph.overlaps[0].chains.size() == 1);
   const std::vector<Arc>& chain = result.graph.overlaps[0].chains[0];
   REQUIRE(chain.size() == 4);
@@ -170,8 +174,24 @@ TEST_CASE("pieces of every kind: nearly equal patches do not overlap") {
   }
 }
 
-TEST_CASE("pieces of every kind: a surface that meets itself is not claimed") {
-  // A loop (t, t² - t...) extruded: x takes the same value at two t.
+namespace {
+
+/// Patches whose side u = 1 is one point: an eighth of a sphere, as it is and moved, and a bicubic dome.
+std::vector<RationalPatch> domes() {
+  const random_nets::Net sphere = {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                                   {{1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+                                   {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
+  const Point top = {0, 0, 2};
+  const random_nets::Net dome = {{{3, 0, 0}, {3, 3, 0}, {0, 3, 0}},
+                                 {{3, 0, 1}, {3, 4, 1}, {0, 3, 1}},
+                                 {{2, 0, 2}, {2, 2, 2}, {0, 2, 2}},
+                                 {top, top, top}};
+  return {RationalPatch(sphere, {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}}), RationalPatch(dome),
+          RationalPatch(mapped(sphere, q(127, 5), 100000000), {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}})};
+}
+
+/// A loop that crosses itself, along the third axis: x takes one value at two u.
+std::vector<RationalPatch> swept_loops() {
   const std::array<std::array<int, 2>, 4> loop = {{{0, 0}, {3, 2}, {-2, 2}, {1, 0}}};
   random_nets::Net net(4);
   random_nets::Weights weights(4);
@@ -181,8 +201,60 @@ TEST_CASE("pieces of every kind: a surface that meets itself is not claimed") {
       weights[i].push_back(i == 1 ? q(3, 2) : q(1, 1));
     }
   }
-  for (const RationalPatch& x : {RationalPatch(net), RationalPatch(net, weights)}) {
+  return {RationalPatch(net), RationalPatch(net, weights)};
+}
+
+}  // namespace
+
+TEST_CASE("pieces of every kind: pieces that reach a pole have it in common as well") {
+  for (const RationalPatch& x : domes()) {
+    check_overlap(x, x, {0, 1, 0, 1}, 1);
+    check_overlap(x, x.transposed(), {0, 1, 0, 1}, 1);
+    check_overlap(x, piece(x, {1, 0, 0, 1}), {0, 1, 0, 1}, 1);
+    check_overlap(x, piece(x, {q(1, 2), 1, q(1, 4), q(3, 4)}), {q(1, 2), 1, q(1, 4), q(3, 4)}, 1);
+    check_overlap(piece(x, {0, 1, 0, q(1, 2)}), piece(x, {0, 1, q(1, 3), 1}), {0, 1, q(2, 3), 1}, 1);
+    check_overlap(piece(x, {0, q(2, 3), 0, 1}), piece(x, {q(1, 3), 1, q(1, 4), 1}), {q(1, 2), 1, q(1, 4), 1},
+                  0);
+    check_overlap(x, x.elevated(3, 3), {0, 1, 0, 1}, 1);
+    check_overlap(x, changed(piece(x, {q(1, 3), 1, 0, q(1, 2)}), q(2, 3), 3), {q(1, 3), 1, 0, q(1, 2)}, 1);
+  }
+}
+
+TEST_CASE("pieces of every kind: domes that are nearly equal do not overlap") {
+  random_nets::Net net = {{{3, 0, 0}, {3, 3, 0}, {0, 3, 0}},
+                          {{3, 0, 1}, {3, 4, 1}, {0, 3, 1}},
+                          {{2, 0, 2}, {2, 2, 2}, {0, 2, 2}},
+                          {{0, 0, 2}, {0, 0, 2}, {0, 0, 2}}};
+  const RationalPatch x(net);
+  for (const long exponent : {-10, -40, -70}) {
+    INFO("2^" << exponent);
+    net[1][1][2] = 1 + power_of_two(exponent);
+    CHECK(intersect(x, RationalPatch(net)).graph.overlaps.empty());
+  }
+}
+
+TEST_CASE("pieces of every kind: equal patches that meet themselves") {
+  const std::array<std::size_t, 4> same = {0, 1, 2, 3};
+  for (const RationalPatch& x : swept_loops()) {
+    const IntersectionGraph itself = self_intersect(x).graph;
+    REQUIRE(itself.arcs.size() == 1);
     const IntersectResult result = intersect(x, x);
+    CHECK(result.status == Status::complete);
+    CHECK(result.graph.overlaps.size() == 1);
+    CHECK(result.graph.components.size() == 2);
+    CHECK(result.graph.arcs.size() == 2);
+    // The two orders of the pairs.
+    CHECK(difference(result.graph, intersect(x, x).graph, {{2, 3, 0, 1}, {}}) == "");
+    CHECK(difference(result.graph, intersect(x, x.transposed()).graph, {{0, 1, 3, 2}, {}}) == "");
+    CHECK(difference(result.graph, intersect(x, piece(x, {1, 0, 0, 1})).graph,
+                     {same, {false, false, true, false}}) == "");
+    CHECK(difference(result.graph, intersect(x.elevated(3, 3), x).graph, {}) == "");
+  }
+}
+
+TEST_CASE("pieces of every kind: other pieces of a surface that meets itself are not claimed") {
+  for (const RationalPatch& x : swept_loops()) {
+    const IntersectResult result = intersect(x, piece(x, {0, q(19, 20), 0, 1}));
     CHECK(result.status == Status::incomplete);
     CHECK(result.graph.overlaps.empty());
   }
