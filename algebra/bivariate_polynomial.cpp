@@ -15,14 +15,28 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 FlintBivariate::FlintBivariate(const BivariateContext& ring, const BivariatePolynomial& f)
     : FlintBivariate(ring) {
   FlintRational c;
+  FlintInteger common;  // denominator: setting fractions one by one would reduce all of them each time
+  fmpz_one(common.value);
   for (int i = 0; i <= f.degree_r(); ++i) {
     const Polynomial in_s = f.coefficient(i);
     for (int j = 0; j <= in_s.degree(); ++j) {
       fmpq_set_mpq(c.value, in_s.coefficient(j).backend().data());
-      const ulong exponents[] = {static_cast<ulong>(i), static_cast<ulong>(j)};
-      fmpq_mpoly_set_coeff_fmpq_ui(value, c.value, exponents, ring_.get());
+      fmpz_lcm(common.value, common.value, fmpq_denref(c.value));
     }
   }
+  for (int i = f.degree_r(); i >= 0; --i) {
+    const Polynomial in_s = f.coefficient(i);
+    for (int j = in_s.degree(); j >= 0; --j) {
+      fmpq_set_mpq(c.value, in_s.coefficient(j).backend().data());
+      if (fmpq_is_zero(c.value)) continue;
+      fmpq_mul_fmpz(c.value, c.value, common.value);
+      const ulong exponents[] = {static_cast<ulong>(i), static_cast<ulong>(j)};
+      fmpz_mpoly_push_term_fmpz_ui(value->zpoly, fmpq_numref(c.value), exponents, ring_.get()->zctx);
+    }
+  }
+  fmpz_one(fmpq_numref(value->content));
+  fmpz_set(fmpq_denref(value->content), common.value);
+  fmpq_mpoly_reduce(value, ring_.get());
 }
 
 BivariatePolynomial FlintBivariate::to_bivariate() const {
