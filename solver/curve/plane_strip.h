@@ -81,13 +81,12 @@ class PlaneStrip {
         larger_bound((a.u - u).upper_magnitude(), (b.u - u).upper_magnitude()) * kSlack + slack;
     const double off = larger_bound((a.v - v - slope * (a.u - u)).upper_magnitude(),
                                     (b.v - v - slope * (b.u - u)).upper_magnitude());
-    std::vector<Ball> c = c_;
-    shift_to(c, n_ + 1, u, v);
+    const LineExpansion<Ball> f(c_, n_ + 1, u, v, slope, w);
     const double rise = std::fabs(slope.approximation()) * reach * kSlack;
-    for (const double edge : {-w, w}) {
-      const double at = v.approximation() + edge;
+    for (const bool above : {false, true}) {
+      const double at = v.approximation() + (above ? w : -w);
       if (at - rise > 1 + 0x1p-48 || at + rise < -0x1p-48) continue;  // outside the square throughout
-      if (!has_sign(along(c, slope, Ball(edge)), reach)) return std::nullopt;
+      if (!has_sign(f.at(above), reach)) return std::nullopt;
     }
     if (!(off < w)) return std::nullopt;
     return off;
@@ -143,22 +142,6 @@ class PlaneStrip {
     if (c[i].certain_sign() == 0) ++i;
     while (i <= n && c[i].certain_sign() == last) ++i;
     return i > n;
-  }
-
-  /// Coefficients of f(x, slope x + edge) in x.
-  std::vector<Ball> along(const std::vector<Ball>& c, const Ball& slope, const Ball& edge) const {
-    std::vector<Ball> result(m_ + n_ + 1);
-    for (std::size_t j = n_ + 1, used = 0; j-- > 0;) {
-      if (used > 0) {
-        for (std::size_t i = used + 1; i-- > 0;)
-          result[i] = i > 0 ? result[i] * edge + result[i - 1] * slope : result[i] * edge;
-        ++used;
-      } else {
-        used = m_ + 1;
-      }
-      for (std::size_t i = 0; i <= m_; ++i) result[i] += c[i * (n_ + 1) + j];
-    }
-    return result;
   }
 
   /// The polynomial has one sign, and no zero, for |x| <= reach. A square of that sign is left out: it only

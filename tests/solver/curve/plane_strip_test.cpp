@@ -63,6 +63,45 @@ TEST_CASE("plane strips: doubles prove what long numbers prove, and no more", "[
   CHECK(only_long <= 2);
 }
 
+TEST_CASE("plane strips: along lines doubles enclose the exact coefficients", "[curve]") {
+  const unsigned seed = 13;
+  INFO("seed " << seed);
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> place(0, 1);
+  for (int i = 0; i < 60; ++i) {
+    const int m = i % 7, n = i % 5;
+    const BivariatePolynomial f = random_curve(generator, m, n);
+    const std::size_t row = static_cast<std::size_t>(std::max(f.degree_s(), 0)) + 1;
+    const double u = place(generator), v = place(generator), w = 1e-4 * place(generator);
+    const double slope = std::ldexp(place(generator) - 0.5, 3 * i - 60);  // flat and steep
+    const LineExpansion<DoubleBall> lines(enclosed_coefficients<DoubleBall>(f, 1), row, u, v, slope, w);
+    for (const bool above : {false, true}) {
+      const Polynomial x = Polynomial::variable();
+      const Polynomial in_u = x + Polynomial(from_double(u));
+      const Polynomial in_v =
+          x * Polynomial(from_double(slope)) + Polynomial(from_double(v) + from_double(above ? w : -w));
+      Polynomial exact;
+      for (int k = f.degree_r(); k >= 0; --k) {
+        Polynomial coefficient;
+        for (int j = n; j >= 0; --j) coefficient = coefficient * in_v + Polynomial(f.coefficient(k, j));
+        exact = exact * in_u + coefficient;
+      }
+      const std::vector<DoubleBall> found = lines.at(above);
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        const RationalInterval ball = found[k].interval();
+        const Rational c = exact.coefficient(static_cast<int>(k));
+        CHECK((ball.lower <= c && c <= ball.upper));
+        CHECK(found[k].radius() <= 1e-10 * std::pow(1 + std::fabs(slope), n));
+      }
+    }
+  }
+  // Beyond doubles nothing is proved.
+  const BivariatePolynomial power = BivariatePolynomial::s() * BivariatePolynomial::s();
+  const LineExpansion<DoubleBall> steep(enclosed_coefficients<DoubleBall>(power, 1), 3, 0.5, 0.5, 1e200,
+                                        1e-3);
+  CHECK(steep.at(true)[2].lower_magnitude() == 0);
+}
+
 TEST_CASE("plane strips: rounding does not hide a zero", "[curve]") {
   // (u - 1/3)^8 is below the errors of doubles about 1/3: they prove nothing, longer numbers do.
   BivariatePolynomial f = BivariatePolynomial::constant(power_of_two(-60));
