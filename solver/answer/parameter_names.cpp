@@ -97,6 +97,38 @@ class Changer {
   double rounded_k_;
 };
 
+/// From the unit squares to a box inside of them.
+class Placer {
+ public:
+  explicit Placer(const ParameterBox& over) : over_(over) {
+    for (std::size_t i = 0; i < 4; ++i) rounded_[i] = {to_double(over[i].lower), to_double(over[i].width())};
+  }
+
+  void operator()(Node& node) const {
+    place(node.box);
+    place(node.approx);
+    node.on.clear();
+  }
+  void operator()(Arc& arc) const {
+    for (PolylineVertex& vertex : arc.polyline) place(vertex.parameters);
+  }
+  void operator()(Incomplete& region) const { place(region.where); }
+
+ private:
+  void place(ParameterBox& box) const {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Rational width = over_[i].width();
+      box[i] = {over_[i].lower + width * box[i].lower, over_[i].lower + width * box[i].upper};
+    }
+  }
+  void place(std::array<double, 4>& parameters) const {
+    for (std::size_t i = 0; i < 4; ++i) parameters[i] = rounded_[i][0] + rounded_[i][1] * parameters[i];
+  }
+
+  const ParameterBox& over_;
+  std::array<std::array<double, 2>, 4> rounded_;  // lower end and width
+};
+
 template <class Change>
 void change_all(IntersectResult& result, const Change& change) {
   std::for_each(result.graph.nodes.begin(), result.graph.nodes.end(), change);
@@ -119,5 +151,7 @@ void reverse_parameter(IntersectResult& result, Parameter p) { change_all(result
 void change_parameter(IntersectResult& result, Parameter p, const Rational& k) {
   change_all(result, Changer(p, k));
 }
+
+void place_parameters(IntersectResult& result, const ParameterBox& over) { change_all(result, Placer(over)); }
 
 }  // namespace exsect

@@ -17,4 +17,8 @@ void reverse_parameter(IntersectResult& result, Parameter p);
 /// The result with p / (k (1 - p) + p) in the place of the parameter p. Requires k > 0.
 void change_parameter(IntersectResult& result, Parameter p, const Rational& k);
 
+/// The result of pieces over a box of the parameters: that of the box in the place of each parameter. No node
+/// is on a side any more.
+void place_parameters(IntersectResult& result, const ParameterBox& over);
+
 }  // namespace exsect

@@ -71,8 +71,16 @@ std::array<bool, 2> corner_ends(std::size_t corner) {
   return {corner >= K::degree * K::side, corner % K::side == K::degree};
 }
 
-/// Each is a point or an arc of solutions; no corner is an end of one of the others, or a side point, but a
-/// double point that is no crossing may be a corner.
+/// A box of the parameters, not centred, whose solutions are known: whole closed curves and isolated points
+/// of the intersection inside of it (14.95).
+struct KnownBox {
+  std::array<Part::Interval, 4> range;
+};
+/// Requires that the ends are doubles.
+KnownBox known_box(const ParameterBox& box);
+
+/// Each is a point or an arc of solutions, or a box that holds all of some curves; no corner is an end of one
+/// of the others, or a side point, but a double point that is no crossing may be a corner.
 template <class K>
 struct ContactsOf {
   std::vector<SideContactOf<K>> sides;
@@ -81,9 +89,10 @@ struct ContactsOf {
   std::vector<CornerContact> corners;
   std::vector<SidePointOf<K>> points;           // where a curve may end, alone among these
   std::vector<DoublePointOf<K>> double_points;  // on sides; not of biquadratic pairs
+  std::vector<KnownBox> boxes;                  // not of biquadratic pairs
   bool empty() const {
     return sides.empty() && paths.empty() && lines.empty() && corners.empty() && points.empty() &&
-           double_points.empty();
+           double_points.empty() && boxes.empty();
   }
 };
 using Contacts = ContactsOf<Biquadratic>;

@@ -27,13 +27,19 @@ constexpr std::array<std::size_t, 4> kNoneCoincident = {0, 1, 2, 3};
 template <class K>
 class FilteredIntersection {
  public:
-  FilteredIntersection(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run, bool with_stations)
-      : x_(x), y_(y), run_(run), with_stations_(with_stations || needs_eliminant()) {}
+  FilteredIntersection(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run, bool with_stations,
+                       std::vector<ParameterBox> boxes)
+      : x_(x),
+        y_(y),
+        run_(run),
+        with_stations_(with_stations || needs_eliminant()),
+        known_boxes_(std::move(boxes)) {}
 
   Filtered solved() {
     Filtered known;
     known.result = run();
     if (!known.result) known.stuck = stuck();
+    known.among_closed = among_closed_;
     known.stations = std::move(stations_);
     return known;
   }
@@ -52,6 +58,7 @@ class FilteredIntersection {
     if (!contacts || (with_stations_ && !contacts->empty())) {
       return std::nullopt;
     }
+    for (const ParameterBox& box : known_boxes_) contacts->boxes.push_back(known_box(box));
     if (!contacts->empty() && meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
       return drawn(known(*pair, *std::move(contacts)));
     }
@@ -184,6 +191,7 @@ class FilteredIntersection {
         return !needs_eliminant() || has_eliminant(contacts, points);
       }
       stuck_ = stuck;
+      among_closed_ = has_arcs;
       loops_open_ = has_arcs && has_eliminant(contacts, points);
       if (with_stations_ || double_points_.size() == kMostDoublePoints ||
           !add_double_point(pair, stuck, points)) {
@@ -193,11 +201,16 @@ class FilteredIntersection {
     }
   }
 
+  /// False only if the point is none of the others, and in none of the boxes.
+  bool may_be_known(const DoublePointOf<K>& point) const {
+    return std::ranges::any_of(double_points_,
+                               [&](const DoublePointOf<K>& known) { return may_be_same(known, point); }) ||
+           std::ranges::any_of(known_boxes_, [&](const ParameterBox& box) { return meet(box, point.box); });
+  }
+
   bool add_double_point(const PairOf<K>& pair, const Vec4& stuck, std::vector<BoundaryPointOf<K>>& points) {
     auto point = double_point_near<K>(x_, y_, pair, stuck, port_tolerance(pair));
-    if (!point || is_on_side(*point) ||
-        std::any_of(double_points_.begin(), double_points_.end(),
-                    [&](const DoublePointOf<K>& known) { return may_be_same(known, *point); })) {
+    if (!point || is_on_side(*point) || may_be_known(*point)) {
       return false;
     }
     double_points_.push_back(std::move(*point));
@@ -335,6 +348,8 @@ class FilteredIntersection {
   const ExactPatch<K>& y_;
   const Run& run_;
   const bool with_stations_;
+  const std::vector<ParameterBox> known_boxes_;
+  bool among_closed_ = false;  // where the search ended
   long boxes_ = 0;
   std::optional<Vec4> stuck_;
   std::array<std::size_t, 4> coincident_ = kNoneCoincident;
@@ -347,12 +362,13 @@ class FilteredIntersection {
 
 template <class K>
 Filtered filtered_intersection(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run,
-                               bool with_stations) {
-  return FilteredIntersection<K>(x, y, run, with_stations).solved();
+                               bool with_stations, std::vector<ParameterBox> boxes) {
+  return FilteredIntersection<K>(x, y, run, with_stations, std::move(boxes)).solved();
 }
 
-#define EXSECT_INSTANTIATE(K) \
-  template Filtered filtered_intersection<K>(const ExactPatch<K>&, const ExactPatch<K>&, const Run&, bool);
+#define EXSECT_INSTANTIATE(K)                                                                              \
+  template Filtered filtered_intersection<K>(const ExactPatch<K>&, const ExactPatch<K>&, const Run&, bool, \
+                                             std::vector<ParameterBox>);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

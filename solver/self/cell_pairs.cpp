@@ -7,11 +7,11 @@
 
 #include "answer/left_open.h"
 #include "answer/parameter_box.h"
+#include "answer/whitened_pieces.h"
 #include "filter/filter.h"
 #include "self/coincident_lines.h"
 #include "self/pinch_exclusion.h"
 #include "self/pinch_guesses.h"
-#include "self/whitened_pieces.h"
 
 namespace exsect {
 namespace {

@@ -66,4 +66,28 @@ TEST_CASE("parameter names: rims of overlaps are in other parameters too") {
     }
 }
 
+TEST_CASE("parameter names: pieces over a box in the parameters of the whole") {
+  random_pairs::Generator generator(3);
+  const random_pairs::Pair pair = random_pairs::doubles(generator);
+  const IntersectResult given = intersect(pair.x, pair.y);
+  REQUIRE_FALSE(given.graph.arcs.empty());
+  IntersectResult placed = given;
+  const ParameterBox over = {
+      {{Rational(1, 3), Rational(1, 2)}, {0, 1}, {Rational(1, 8), Rational(3, 8)}, {Rational(2, 5), 1}}};
+  place_parameters(placed, over);
+  for (std::size_t i = 0; i < given.graph.nodes.size(); ++i) {
+    const Node &before = given.graph.nodes[i], &after = placed.graph.nodes[i];
+    CHECK(after.on.empty());
+    for (std::size_t j = 0; j < 4; ++j) {
+      CHECK(after.box[j].lower == over[j].lower + over[j].width() * before.box[j].lower);
+      CHECK(after.box[j].upper == over[j].lower + over[j].width() * before.box[j].upper);
+      const Rational at = over[j].lower + over[j].width() * from_double(before.approx[j]);
+      CHECK(std::abs(after.approx[j] - to_double(at)) < 1e-15);
+    }
+  }
+  const PolylineVertex &before = given.graph.arcs[0].polyline[1], &after = placed.graph.arcs[0].polyline[1];
+  CHECK(after.point == before.point);
+  CHECK(std::abs(after.parameters[2] - (0.125 + 0.25 * before.parameters[2])) < 1e-15);
+}
+
 }  // namespace exsect::parameter_names_test

@@ -1,4 +1,4 @@
-#include "self/whitened_pieces.h"
+#include "answer/whitened_pieces.h"
 
 #include <exsect/algebra/ball.h>
 #include <exsect/algebra/rounding_bounds.h>

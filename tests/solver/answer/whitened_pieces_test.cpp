@@ -1,5 +1,5 @@
 // Pieces in coordinates of space in which they are as wide as long.
-#include "self/whitened_pieces.h"
+#include "answer/whitened_pieces.h"
 
 #include <exsect/algebra/nearest_rounding.h>
 

@@ -1,4 +1,4 @@
-// Two pieces of a patch in coordinates of space in which they are as wide as they are long. Internal to
+// Pieces of patches in coordinates of space in which they are as wide as they are long. Internal to
 // solver/; docs/method-doubles.md, section 14.17.
 #pragma once
 

@@ -1,0 +1,108 @@
+#include "filter/magnified_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "answer/coarse_drawing.h"
+#include "answer/finished_result.h"
+#include "answer/graph_builder.h"
+#include "answer/parameter_names.h"
+#include "answer/proof.h"
+#include "answer/whitened_pieces.h"
+
+namespace exsect::filter {
+
+namespace {
+
+/// A quarter of the box's width. The search ends at 2^-20 of the squares.
+constexpr double kMagnifiedStep = 0x1p-14;
+/// Of the extent of whitened pieces, or less, which is 8 or more; and the share of the tolerance that the map
+/// back leaves.
+constexpr double kCoarsestMagnified = 0x1p-10;
+constexpr double kMagnifiedExtent = 8;
+constexpr double kMagnifiedShare = 0.9;
+
+void append(GraphBuilder& graph, IntersectionGraph part) {
+  const int first = static_cast<int>(graph.nodes().size());
+  for (Node& node : part.nodes) graph.add_node(std::move(node));
+  for (Arc& arc : part.arcs) {
+    arc.from += first;
+    arc.to += first;
+    graph.add_arc(std::move(arc));
+  }
+  for (const int id : part.isolated_points) graph.add_isolated(first + id);
+}
+
+IntersectResult joined_parts(std::vector<IntersectResult> parts, double extent, const Run& run) {
+  GraphBuilder graph;
+  std::vector<Incomplete> incomplete;
+  for (IntersectResult& part : parts) {
+    append(graph, std::move(part.graph));
+    std::ranges::move(part.incomplete, std::back_inserter(incomplete));
+  }
+  IntersectResult result = finished(std::move(graph), {run.turning()}, std::move(incomplete));
+  result.coarse = coarse_drawing(result.graph, run.tolerance(extent));
+  return result;
+}
+
+}  // namespace
+
+ParameterBox box_to_magnify(const Vec4& place) {
+  ParameterBox box;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const double middle = kMagnifiedStep * std::round((place[j] + 0.5) / kMagnifiedStep);
+    box[j] = {from_double(std::max(0.0, middle - 2 * kMagnifiedStep)),
+              from_double(std::min(1.0, middle + 2 * kMagnifiedStep))};
+  }
+  return box;
+}
+
+std::optional<MagnifiedBox> magnified(const RationalPatch& x, const RationalPatch& y,
+                                      const ParameterBox& where, double extent, const Run& run,
+                                      const SolvePieces& solve) {
+  const RationalPatch first = x.restricted_to(where[0].lower, where[0].upper, where[1].lower, where[1].upper);
+  const RationalPatch second =
+      y.restricted_to(where[2].lower, where[2].upper, where[3].lower, where[3].upper);
+  const auto whitening = Whitening::of(first, second);
+  if (!whitening) return std::nullopt;
+  const OtherRun of_pieces = [extent, stretch = whitening->stretch()](const Run& given) {
+    const double tolerance = kMagnifiedShare * given.drawn_tolerance(extent) / (stretch * kMagnifiedExtent);
+    return given.with_tolerance(tolerance < kCoarsestMagnified ? tolerance : kCoarsestMagnified);
+  };
+  IntersectResult inside = solve((*whitening)(first), (*whitening)(second), of_pieces(run));
+  const bool reaches_side =  // (14.95)
+      std::ranges::any_of(inside.graph.nodes, [](const Node& node) { return !node.on.empty(); });
+  if (inside.status != Status::complete || reaches_side || !inside.graph.overlaps.empty())
+    return std::nullopt;
+  const ResultChange change = [map = *whitening, where](IntersectResult& result, const Run&) {
+    map.restore(result.graph);
+    place_parameters(result, where);
+  };
+  return MagnifiedBox{where, changed(std::move(inside), run, change, of_pieces)};
+}
+
+IntersectResult joined(IntersectResult outside, std::vector<MagnifiedBox> boxes, double extent,
+                       const Run& run) {
+  std::vector<IntersectResult> parts = {std::move(outside)};
+  for (MagnifiedBox& box : boxes) parts.push_back(std::move(box.inside));
+  std::vector<std::shared_ptr<const Proof>> proofs;
+  for (const IntersectResult& part : parts) proofs.push_back(part.proof);
+  IntersectResult result = joined_parts(std::move(parts), extent, run);
+  if (std::ranges::any_of(proofs, [](const auto& proof) { return !proof || !proof->draw; })) return result;
+  Draw draw = [proofs, extent](const Run& again) -> std::optional<IntersectResult> {
+    std::vector<IntersectResult> drawn;
+    for (const auto& proof : proofs) {
+      auto part = proof->draw(again);
+      if (!part) return std::nullopt;
+      drawn.push_back(*std::move(part));
+    }
+    return joined_parts(std::move(drawn), extent, again);
+  };
+  result.proof = std::make_shared<const Proof>(Proof{std::move(draw), {}, {}});
+  return result;
+}
+
+}  // namespace exsect::filter
