@@ -108,12 +108,22 @@ class Search {
     for (const Parameter p : all_parameters) {
       const RationalInterval range = from_hull_(box[index(p)], index(p));
       if (range.lower > 0 && range.upper < 1) continue;
-      if (range.width() != 0 || (range.lower != 0 && range.lower != 1)) return false;
-      sides.push_back({p, range.lower == 0 ? 0 : 1});
+      const int side = range.lower <= 0 ? 0 : 1;
+      const std::size_t other = index(p) ^ 2;
+      const Rational value = to_hull_[other].inverse(to_hull_[index(p)](side));
+      if (!has_value(boundary_.points[point_of_cut_[k]].at, other, value)) return false;
+      sides.push_back({p, side});
     }
     if (sides.empty() || is_inside_branch(sides) || near.size() > 1) return false;
     cuts_[k].exchanged = near.front();
     return true;
+  }
+
+  /// Whether the point's parameter j is this number, exactly. False also where that is not decided.
+  static bool has_value(const CertifiedPoint& point, std::size_t j, const Rational& value) {
+    if (point.box()[j].width() == 0) return point.box()[j].lower == value;
+    const auto exact = point.exact();
+    return exact && sign_at(exact->numerator[j] - exact->denominator[j] * Polynomial(value), exact->at) == 0;
   }
 
   /// Points inside of an arc are on its sides only: a point on a further one is an event.

@@ -60,6 +60,36 @@ void check_all_ways(const BezierPatch& x, const BezierPatch& y, const IntersectR
 
 }  // namespace
 
+TEST_CASE("two pieces: cuts of the other order on sides, in parameters that are no dyadic numbers") {
+  // The line u = 0 of x is r = 1/3 of y, and folds back onto itself: its ends are one point of space.
+  const auto patch = [](const std::array<Point, 9>& p) {
+    return BezierPatch({{{p[0], p[1], p[2]}, {p[3], p[4], p[5]}, {p[6], p[7], p[8]}}});
+  };
+  const BezierPatch x = patch({{{1, -1, 0},
+                                {2, 2, 0},
+                                {1, -1, 0},
+                                {0, 1, 2},
+                                {0, 0, 2},
+                                {1, 0, -2},
+                                {-2, -2, 0},
+                                {2, 2, -2},
+                                {2, 2, 0}}});
+  const BezierPatch y = patch({{{q(7, 4), q(-17, 4), -3},
+                                {q(53, 8), q(77, 8), q(-15, 4)},
+                                {q(-17, 4), q(-25, 2), q(45, 4)},
+                                {1, q(5, 2), 3},
+                                {-2, q(-11, 4), q(9, 2)},
+                                {q(23, 8), q(-1, 8), -12},
+                                {-2, -2, 0},
+                                {4, 4, -3},
+                                {1, 1, 3}}});
+  const IntersectResult result = intersect(x, y);
+  CHECK(result.status == Status::complete);
+  CHECK(result.graph.overlaps.size() == 1);
+  CHECK(result.graph.components.size() == 1);
+  check_all_ways(x, y, result);
+}
+
 TEST_CASE("shifted copy: the maps are found") {
   random_pairs::Generator generator(20);
   for (int i = 0; i < 20; ++i) {
