@@ -3,6 +3,7 @@
 #include <new>
 
 #include "flint.h"
+#include "rounding_bounds.h"
 
 namespace exsect {
 
@@ -19,6 +20,19 @@ DoubleBall DoubleBall::enclosing(const RationalInterval& interval) {
   const DoubleBall centre = enclosing(interval.midpoint());
   const DoubleBall half = enclosing(interval.width() / 2);
   return centre.widened(half.upper_magnitude());
+}
+
+DoubleBall DoubleBall::between(double lower, double upper) {
+  // Half the sum of both is rounded once, and both differences: 2^-50 covers them.
+  const double middle = lower / 2 + upper / 2;
+  return DoubleBall(middle).widened((upper - lower) / 2 + std::fabs(middle) * 0x1p-50);
+}
+
+DoubleBall hull(const DoubleBall& a, const DoubleBall& b) {
+  // Each end is rounded by less than 2^-52 of it, which widens the whole.
+  const double lower = -larger_bound(a.radius() - a.approximation(), b.radius() - b.approximation());
+  const double upper = larger_bound(a.approximation() + a.radius(), b.approximation() + b.radius());
+  return DoubleBall::between(lower, upper).widened((std::fabs(lower) + std::fabs(upper)) * 0x1p-52);
 }
 
 RationalInterval DoubleBall::interval() const {

@@ -31,6 +31,8 @@ class DoubleBall {
   static DoubleBall enclosing(const Rational& q);
   /// The smallest convenient ball containing the closed interval.
   static DoubleBall enclosing(const RationalInterval& interval);
+  /// The same of an interval between doubles; of infinite or NaN radius if one of them is no finite number.
+  static DoubleBall between(double lower, double upper);
 
   /// The midpoint as a ball of radius 0.
   DoubleBall midpoint() const { return mid_; }
@@ -75,6 +77,9 @@ class DoubleBall {
   double mid_;
   double rad_;
 };
+
+/// The smallest convenient ball around both; of infinite or NaN radius if one of theirs is.
+DoubleBall hull(const DoubleBall& a, const DoubleBall& b);
 
 namespace detail {
 

@@ -140,8 +140,8 @@ requires K::weighted Interval along_on_x(const SideContactOf<K>& contact, const 
   }
   const double ratio = to_double(contact.ratio);
   if (ratio == 1) return on_y.along;
-  const auto at = [&](double t) { return ratio * t / ((1 - t) + ratio * t); };
-  return {std::max(0.0, at(on_y.along.lower) - 16 * kUnit), std::min(1.0, at(on_y.along.upper) + 16 * kUnit)};
+  return {std::max(0.0, along_path(ratio, on_y.along.lower) - 16 * kUnit),
+          std::min(1.0, along_path(ratio, on_y.along.upper) + 16 * kUnit)};
 }
 
 template <class K>

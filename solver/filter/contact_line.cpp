@@ -18,7 +18,7 @@ using LineRange = Part::Interval;
 /// How near a simple value of the parameter is looked for.
 constexpr std::array<long, 3> kRooms = {10, 20, 30};
 
-/// Up to the sign: the vanishing_on that vanishes on a, b and c.
+/// The covector that vanishes on a, b and c, up to its sign.
 template <class Number>
 std::array<Number, 4> vanishing_on(const std::array<Number, 4>& a, const std::array<Number, 4>& b,
                                    const std::array<Number, 4>& c) {
@@ -36,16 +36,9 @@ std::array<double, 4> middle_of(const Ball4& v) {
   return {v[0].approximation(), v[1].approximation(), v[2].approximation(), v[3].approximation()};
 }
 
-DoubleBall hull(double lower, double upper) {
-  const double middle = 0.5 * (lower + upper);
-  return DoubleBall(middle).widened(kSlack * std::max(upper - middle, middle - lower));
+DoubleBall centred(const LineRange& t) {
+  return DoubleBall::between(t.lower - 0.5, t.upper - 0.5).widened(0x1p-52);
 }
-DoubleBall hull(const DoubleBall& a, const DoubleBall& b) {
-  const auto least = [](const DoubleBall& t) { return t.approximation() - kSlack * t.radius(); };
-  const auto most = [](const DoubleBall& t) { return t.approximation() + kSlack * t.radius(); };
-  return hull(std::min(least(a), least(b)), std::max(most(a), most(b))).widened(0x1p-50);
-}
-DoubleBall centred(const LineRange& t) { return hull(t.lower - 0.5, t.upper - 0.5).widened(0x1p-52); }
 DoubleBall centred(const Rational& t) { return DoubleBall::enclosing(t - Rational(1, 2)); }
 
 template <class K>
@@ -88,8 +81,8 @@ Places places(const ContactLineOf<K>& line, const Part& x, const Part& y) {
   const Part& carrier = line.path.of_x ? y : x;
   const LineRange& t = owner.range[1 - line.path.parameter];
   // (14.84): five operations on positive numbers; the ratio is rounded once.
-  const auto along_path = [&](double at) { return line.ratio * at / ((1 - at) + line.ratio * at); };
-  const DoubleBall f = hull(along_path(t.lower), along_path(t.upper)).widened(0x1p-48);
+  const DoubleBall f =
+      DoubleBall::between(along_path(line.ratio, t.lower), along_path(line.ratio, t.upper)).widened(0x1p-48);
   Places result = {centred(t), hull(line.value, centred(owner.range[line.path.parameter])), {}, {}};
   for (std::size_t i = 0; i < 2; ++i) {
     result.on_line[i] = line.ends[0][i] + f * (line.ends[1][i] - line.ends[0][i]);
@@ -225,7 +218,7 @@ ContactArc contact_arc(const ExactPatch<K>& x, const ExactPatch<K>& y, const Lin
     auto& p = vertex.parameters;
     if (!path.of_x) std::rotate(p.begin(), p.begin() + 2, p.end());
     const double t = p[own + 1 - path.parameter];
-    const double f = ratio * t / ((1 - t) + ratio * t);
+    const double f = along_path(ratio, t);
     for (std::size_t i = 0; i < 2; ++i)
       p[2 - own + i] =
           std::clamp(std::lerp(to_double(path.ends[0][i]), to_double(path.ends[1][i]), f), 0.0, 1.0);

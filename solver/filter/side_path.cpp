@@ -107,8 +107,6 @@ struct FoundPath {
   Rational ratio;
 };
 
-Rational along_path(const Rational& ratio, const Rational& t) { return ratio * t / (1 - t + ratio * t); }
-
 template <class K>
 class PathSearch {
  public:
@@ -275,14 +273,7 @@ RationalInterval common_part(const std::array<ExactPlace, 2>& ends) {
 }  // namespace
 
 std::array<Rational, 4> SidePath::at(const Rational& t) const {
-  const std::size_t own = of_x ? 0 : 2;
-  const ExactPlace on_line = between(ends[0], ends[1], t);
-  std::array<Rational, 4> result;
-  result[own + side.parameter] = side.upper ? 1 : 0;
-  result[own + 1 - side.parameter] = t;
-  result[2 - own] = on_line[0];
-  result[3 - own] = on_line[1];
-  return result;
+  return LinePath{of_x, side.parameter, side.upper ? 1 : 0, ends, 1, common}.at(t);
 }
 
 std::array<Rational, 4> LinePath::at(const Rational& t) const {

@@ -30,6 +30,13 @@ template <class K>
 std::optional<SidePath> side_path_near(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
                                        std::size_t fixed, bool upper, const Vec4& near);
 
+/// The Moebius map of [0,1] that keeps 0 and 1 (14.84), by five operations on numbers that are not negative;
+/// ratio > 0. Its inverse is that of 1 / ratio.
+template <class Number>
+Number along_path(const Number& ratio, const Number& t) {
+  return ratio * t / (1 - t + ratio * t);
+}
+
 /// The same of a parameter line of one patch, inside or a side, on which the first (0) or second (1)
 /// parameter is `value`: with its other parameter t in [0,1] it is the other patch's point (1-f) ends[0] + f
 /// ends[1], f = ratio t / (1 - t + ratio t), ratio > 0.

@@ -13,12 +13,6 @@ Polynomial rate(const Polynomial& above, const Polynomial& below) {
   return above.derivative() * below - above * below.derivative();
 }
 
-/// All x in [lower, upper]. Half the sum of both is rounded once, and both differences: 2^-50 covers them.
-DoubleBall ball_between(double lower, double upper) {
-  const double middle = lower / 2 + upper / 2;
-  return DoubleBall(middle).widened((upper - lower) / 2 + std::fabs(middle) * 0x1p-50);
-}
-
 /// All 1/b: |1/b - 1/m| <= r / (|m| (|m| - r)). Infinite where b may be 0.
 DoubleBall reciprocal(const DoubleBall& b) {
   const double least = b.lower_magnitude();
@@ -33,7 +27,7 @@ DoubleBall root_in_balls(const DoubleBall& square) {
   const double upper = square.approximation() + square.radius();
   if (!(upper > 0)) return DoubleBall(0).widened(std::isnan(upper) ? upper : 0);
   const double lower = square.approximation() > 0 ? square.lower_magnitude() : 0;
-  return ball_between(std::sqrt(lower) * (1 - rounding), std::sqrt(upper) * (1 + rounding));
+  return DoubleBall::between(std::sqrt(lower) * (1 - rounding), std::sqrt(upper) * (1 + rounding));
 }
 
 }  // namespace
@@ -92,13 +86,6 @@ BallChart::Place BallChart::tangent_along_axes(const Place& tangent, const Place
   const DoubleBall du = tangent[0] * once * once, dw = width_rate_.over(at[0]) * du;
   return {height_rate_.over(at[0]) * du, width * tangent[1] + (at[1] - middle_) * dw,
           width * tangent[2] + at[2] * dw};
-}
-
-DoubleBall hull(const DoubleBall& a, const DoubleBall& b) {
-  // Each end is rounded by less than 2^-52 of it, which widens the whole.
-  const double lower = -larger_bound(a.radius() - a.approximation(), b.radius() - b.approximation());
-  const double upper = larger_bound(a.approximation() + a.radius(), b.approximation() + b.radius());
-  return ball_between(lower, upper).widened((std::fabs(lower) + std::fabs(upper)) * 0x1p-52);
 }
 
 }  // namespace exsect

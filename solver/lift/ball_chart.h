@@ -45,8 +45,6 @@ class BallChart {
   DoubleBall middle_;
 };
 
-/// The least convenient ball around both.
-DoubleBall hull(const DoubleBall& a, const DoubleBall& b);
 inline double middle_of(const DoubleBall& at) { return at.approximation(); }
 inline double width_of(const DoubleBall& at) { return 2 * at.radius(); }
 inline DoubleBall ball_of(const DoubleBall& at) { return at; }

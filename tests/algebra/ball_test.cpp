@@ -118,6 +118,35 @@ TEST_CASE("balls of two doubles keep 104 bits", "[ball]") {
   CHECK((exact * exact - DoubleDoubleBall::sum(1, 0x1p-89)).upper_magnitude() < 0x1p-140);
 }
 
+TEST_CASE("the hull of two balls contains both, and nothing is known of it where nothing is of one",
+          "[ball]") {
+  const double huge = std::numeric_limits<double>::max(), nan = std::nan("");
+  const std::vector<DoubleBall> balls = {DoubleBall(0),          {1, 1},
+                                         {-3, 0x1p-60},          {0x1p-1074, 0},
+                                         {1 + 0x1p-52, 0x1p-53}, DoubleBall::enclosing(Rational(1, 3)),
+                                         {-0x1p900, 0x1p899}};
+  for (const DoubleBall& a : balls)
+    for (const DoubleBall& b : balls) {
+      const RationalInterval both = hull(a, b).interval();
+      for (const DoubleBall& ball : {a, b}) {
+        CHECK(both.lower <= ball.interval().lower);
+        CHECK(both.upper >= ball.interval().upper);
+      }
+      const Rational width =
+          std::max(a.interval().upper, b.interval().upper) - std::min(a.interval().lower, b.interval().lower);
+      const Rational size = Rational(from_double(a.upper_magnitude()) + from_double(b.upper_magnitude()));
+      CHECK(both.width() <= width + size * power_of_two(-45) + power_of_two(-900));
+    }
+  for (const DoubleBall& unknown :
+       {DoubleBall(nan), DoubleBall(0, nan), DoubleBall(0, HUGE_VAL), DoubleBall(huge) + DoubleBall(huge)})
+    for (const DoubleBall& both : {hull(unknown, DoubleBall(1)), hull(DoubleBall(1), unknown)}) {
+      CHECK(both.certain_sign() == 0);
+      CHECK_FALSE(both.upper_magnitude() < huge);
+    }
+  CHECK_FALSE(DoubleBall::between(nan, 1).upper_magnitude() < huge);
+  CHECK_FALSE(DoubleBall::between(1, nan).upper_magnitude() < huge);
+}
+
 TEST_CASE("balls enclose exact results", "[ball]") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     check_chain<DoubleBall>(seed);
