@@ -52,8 +52,7 @@ std::optional<IntersectResult> intersect_as_polynomials(const RationalPatch& x, 
   if (!images) return std::nullopt;
   std::vector<Point> points;
   for (const RationalPatch* patch : {&x, &y})
-    std::ranges::copy(filter::affine_points(filter::elevated<filter::WeightedBiquadratic>(*patch)),
-                      std::back_inserter(points));
+    std::ranges::copy(affine_points(patch->reduced()), std::back_inserter(points));
   const double extent = to_double(model_extent(points));
   const double grown = growth(*images, points) * to_double(model_extent(images->x, images->y));
   const OtherRun of_images = [extent, grown](const Run& given) {

@@ -71,6 +71,14 @@ Rational model_extent(const BezierPatch& x, const BezierPatch& y) {
 }
 Rational model_extent(std::span<const Point> points) { return Box(points).extent(); }
 
+std::vector<Point> affine_points(const RationalPatch& patch) {
+  std::vector<Point> points;
+  for (int i = 0; i <= patch.degree_u(); ++i)
+    for (int j = 0; j <= patch.degree_v(); ++j)
+      if (patch.weight(i, j) > 0) points.push_back(patch.point(i, j));
+  return points;
+}
+
 Placement::Placement(Point origin, long exponent)
     : origin_(std::move(origin)), exponent_(exponent), scale_(power_of_two(exponent)) {
   for (std::size_t c = 0; c < 3; ++c) {

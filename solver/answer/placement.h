@@ -9,6 +9,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace exsect {
 
@@ -16,6 +17,9 @@ namespace exsect {
 Rational model_extent(const BezierPatch& x, const BezierPatch& y);
 /// That of the box of these points, at least one.
 Rational model_extent(std::span<const Point> points);
+
+/// The control points that are points of space, those with positive weights.
+std::vector<Point> affine_points(const RationalPatch& patch);
 
 /// The exact map q -> origin + 2^exponent q from a model about the origin, of extent in [1/2, 1), to the
 /// model that is given. The same rational points of the parameter squares solve both.

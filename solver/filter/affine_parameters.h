@@ -4,7 +4,10 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
+#include "answer/parameter_names.h"
+#include "answer/proof.h"
 #include "filter/patch.h"
 
 namespace exsect::filter {
@@ -25,5 +28,26 @@ std::optional<std::array<Rational, 2>> parameter_ratios(const PairOf<K>& pair, c
 /// The patch of r' and s' (14.42): the same surface. Requires k, l > 0.
 template <class K>
 ElevatedPatch<K> in_other_parameters(const ElevatedPatch<K>& patch, const std::array<Rational, 2>& ratios);
+
+/// With y in parameters in which it may be an affine piece of x: whatever these are, the same question. What
+/// `solve` finds of x and that patch, in the parameters of y; empty if there are no such ones, or it finds
+/// nothing.
+template <class K, class Solve>
+std::optional<IntersectResult> in_affine_parameters(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                                    const PairOf<K>& pair, const Run& run,
+                                                    const Solve& solve) {
+  if constexpr (!K::weighted) {
+    return std::nullopt;
+  } else {
+    const auto ratios = parameter_ratios(pair, x, y);
+    if (!ratios) return std::nullopt;
+    std::optional<IntersectResult> result = solve(in_other_parameters<K>(y, *ratios));
+    if (!result) return std::nullopt;
+    return changed(*std::move(result), run, [ratios](IntersectResult& other, const Run&) {
+      change_parameter(other, Parameter::r, (*ratios)[0]);
+      change_parameter(other, Parameter::s, (*ratios)[1]);
+    });
+  }
+}
 
 }  // namespace exsect::filter

@@ -18,25 +18,6 @@ namespace {
 
 using filter::ExactPatch;
 
-/// With y in parameters in which it may be an affine piece of x: whatever these are, the same question.
-template <class K>
-std::optional<IntersectResult> in_affine_parameters(const ExactPatch<K>& x, const ExactPatch<K>& y,
-                                                    const filter::PairOf<K>& pair, const Run& run) {
-  if constexpr (!K::weighted) {
-    return std::nullopt;
-  } else {
-    const auto ratios = filter::parameter_ratios(pair, x, y);
-    if (!ratios) return std::nullopt;
-    auto result =
-        filter::filtered_intersection<K>(x, filter::in_other_parameters<K>(y, *ratios), run, false).result;
-    if (!result) return std::nullopt;
-    return changed(*std::move(result), run, [ratios](IntersectResult& other, const Run&) {
-      change_parameter(other, Parameter::r, (*ratios)[0]);
-      change_parameter(other, Parameter::s, (*ratios)[1]);
-    });
-  }
-}
-
 /// Boxes that are tried in one pair, and boxes in boxes, of a width of 2^-12 each.
 constexpr int kMostMagnified = 4;
 constexpr int kDeepestMagnified = 6;
@@ -80,8 +61,11 @@ IntersectResult solved_pair(const ExactPatch<K>& x, const ExactPatch<K>& y, cons
   if (known.result) return *std::move(known.result);
   if (run.out_of_time()) return undecided(whole_domain(), "the work cap was reached", Reason::time);
   const auto pair = filter::make_pair_of<K>(x, y);
+  const auto solve = [&](const ExactPatch<K>& other) {
+    return filter::filtered_intersection<K>(x, other, run, false).result;
+  };
   if (pair)
-    if (auto found = in_affine_parameters<K>(x, y, *pair, run)) return *std::move(found);
+    if (auto found = filter::in_affine_parameters<K>(x, y, *pair, run, solve)) return *std::move(found);
   if (pair && !run.exact())
     if (auto found = with_magnified_boxes<K>(x, y, pair->extent, known, run, depth)) return *std::move(found);
   if (pair && known.stuck) return filter::ended_at<K>(*pair, *known.stuck);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,7 +14,6 @@
 #include "answer/parameter_names.h"
 #include "answer/placed_result.h"
 #include "answer/placement.h"
-#include "answer/proof.h"
 #include "filter/affine_parameters.h"
 #include "filter/overlap.h"
 #include "overlap/identical_patches.h"
@@ -23,8 +23,6 @@ namespace exsect {
 namespace {
 
 using filter::OverlapOfPieces;
-
-IntersectResult no_pieces() { return undecided(whole_domain(), "not decided in doubles"); }
 
 /// The smallest rectangle of x's parameters around both squares: its ends in u and in v.
 std::array<RationalInterval, 2> around(const OverlapOfPieces& pieces) {
@@ -52,14 +50,6 @@ std::optional<RationalPatch> hull(const RationalPatch& x, const std::array<Ratio
   } catch (const PatchError&) {
     return std::nullopt;
   }
-}
-
-std::vector<Point> control_points(const RationalPatch& x) {
-  std::vector<Point> points;
-  for (int i = 0; i <= x.degree_u(); ++i)
-    for (int j = 0; j <= x.degree_v(); ++j)
-      if (x.weight(i, j) > 0) points.push_back(x.point(i, j));
-  return points;
 }
 
 /// A pole of the hull in the parameters of both patches. Empty if one of them does not reach it.
@@ -149,72 +139,57 @@ bool has_poles_alone(const IntersectionGraph& graph) {
 }
 
 /// All pairs of points of both squares at which the surface has one value: one point twice, or two points at
-/// which the surface over both squares meets itself.
-IntersectResult with_itself(const RationalPatch& x, const OverlapOfPieces& pieces, const Run& run) {
+/// which the surface over both squares meets itself. Empty if these are not known, or are no poles and the
+/// patches are not the same.
+std::optional<IntersectResult> with_itself(const RationalPatch& x, const OverlapOfPieces& pieces,
+                                           const Run& run) {
   const std::array<RationalInterval, 2> ends = around(pieces);
   const std::optional<RationalPatch> both = hull(x, ends);
-  if (!both) return no_pieces();
+  if (!both) return std::nullopt;
   std::vector<Parameter> turning = run.turning();
   for (const Parameter p : run.turning()) turning.push_back(all_parameters[index(p) ^ 2]);
   const IntersectResult itself = self_intersect_in_doubles(*both, run.with_turning(turning));
   const bool has_curves = !has_poles_alone(itself.graph);
-  if (itself.status != Status::complete || (has_curves && !is_same_patch(pieces))) return no_pieces();
-  const double extent = to_double(model_extent(control_points(*both)));
+  if (itself.status != Status::complete || (has_curves && !is_same_patch(pieces))) return std::nullopt;
+  const double extent = to_double(model_extent(affine_points(*both)));
   const double tolerance = run.drawn_tolerance(extent);
   auto graph = has_curves ? of_same_patch(x, itself, tolerance, extent)
                           : of_pieces(x, pieces, itself.graph, ends, tolerance, extent);
-  if (!graph) return no_pieces();
+  if (!graph) return std::nullopt;
   IntersectResult result = finished(*std::move(graph), {turning, arcs_at_a_side}, {});
   result.coarse = coarse_drawing(result.graph, run.tolerance(extent));
   if (has_curves) name_parameters(result, pieces);
   return result;
 }
 
-/// With y in parameters in which it may be an affine piece of x.
+/// y in its own parameters, or in those in which it may be an affine piece of x.
 template <class K>
-IntersectResult in_affine_parameters(const filter::ElevatedPatch<K>& x, const filter::ElevatedPatch<K>& y,
-                                     const filter::PairOf<K>& pair, const Run& run) requires K::weighted {
-  const auto ratios = filter::parameter_ratios(pair, x, y);
-  if (!ratios) return no_pieces();
-  const auto other = filter::in_other_parameters<K>(y, *ratios);
-  const auto changed_pair = filter::make_pair_of<K>(x, other);
-  const auto pieces = changed_pair ? filter::pieces_of_one_surface<K>(x, other, *changed_pair) : std::nullopt;
-  if (!pieces) return no_pieces();
-  return changed(with_itself(filter::rational_patch(x), *pieces, run), run,
-                 [ratios](IntersectResult& result, const Run&) {
-                   change_parameter(result, Parameter::r, (*ratios)[0]);
-                   change_parameter(result, Parameter::s, (*ratios)[1]);
-                 });
-}
-
-template <class K>
-IntersectResult intersect_elevated_pieces(filter::ElevatedPatch<K> x, filter::ElevatedPatch<K> y,
-                                          const Run& run) {
-  std::vector<Point> points = filter::affine_points(x);
-  const std::vector<Point> others = filter::affine_points(y);
-  points.insert(points.end(), others.begin(), others.end());
-  const auto place = Placement::of(points);
-  if (place)
-    for (filter::ElevatedPatch<K>* patch : {&x, &y}) *patch = filter::placed(*patch, *place);
-  return solved_in_place(place, to_double(model_extent(points)), run, [&](const Run& about_origin) {
-    const auto pair = filter::make_pair_of<K>(x, y);
-    if (!pair) return no_pieces();
-    const auto pieces = filter::pieces_of_one_surface<K>(x, y, *pair);
-    if (pieces) return with_itself(filter::rational_patch(x), *pieces, about_origin);
-    if constexpr (K::weighted)
-      return in_affine_parameters<K>(x, y, *pair, about_origin);
-    else
-      return no_pieces();
-  });
+std::optional<IntersectResult> of_kind(const filter::ElevatedPatch<K>& x, const filter::ElevatedPatch<K>& y,
+                                       const Run& run) {
+  const auto solve = [&](const filter::ElevatedPatch<K>& other) -> std::optional<IntersectResult> {
+    const auto pair = filter::make_pair_of<K>(x, other);
+    const auto pieces = pair ? filter::pieces_of_one_surface<K>(x, other, *pair) : std::nullopt;
+    return pieces ? with_itself(filter::rational_patch(x), *pieces, run) : std::nullopt;
+  };
+  if (auto result = solve(y)) return result;
+  const auto pair = filter::make_pair_of<K>(x, y);
+  return pair ? filter::in_affine_parameters<K>(x, y, *pair, run, solve) : std::nullopt;
 }
 
 }  // namespace
 
 IntersectResult intersect_rational_pieces(const RationalPatch& x, const RationalPatch& y, const Run& run) {
-  return filter::in_smallest_kind(
-      x, y, [&]<class K>(K, const RationalPatch& first, const RationalPatch& second) {
-        return intersect_elevated_pieces<K>(filter::elevated<K>(first), filter::elevated<K>(second), run);
-      });
+  std::vector<Point> points = affine_points(x.reduced());
+  std::ranges::copy(affine_points(y.reduced()), std::back_inserter(points));
+  const auto place = Placement::of(points);
+  return solved_in_place(place, to_double(model_extent(points)), run, [&](const Run& about_origin) {
+    const RationalPatch a = place ? place->placed(x) : x, b = place ? place->placed(y) : y;
+    const auto solve = [&]<class K>(K, const RationalPatch& first, const RationalPatch& second) {
+      return of_kind<K>(filter::elevated<K>(first), filter::elevated<K>(second), about_origin);
+    };
+    return filter::in_smallest_kind(a, b, solve)
+        .value_or(undecided(whole_domain(), "not decided in doubles"));
+  });
 }
 
 }  // namespace exsect

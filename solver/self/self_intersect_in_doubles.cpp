@@ -18,14 +18,6 @@ namespace {
 /// A grid is given up where a curve passes a corner of its cells or runs along a cut.
 constexpr unsigned kMostGrids = 3;
 
-std::vector<Point> affine_points(const RationalPatch& patch) {
-  std::vector<Point> points;
-  for (int i = 0; i <= patch.degree_u(); ++i)
-    for (int j = 0; j <= patch.degree_v(); ++j)
-      if (patch.weight(i, j) > 0) points.push_back(patch.point(i, j));
-  return points;
-}
-
 /// One arc ends in a boundary point on a single side.
 std::optional<int> arcs_at_side(const Node& node) {
   return node.on.size() == 1 ? std::optional(1) : std::nullopt;
