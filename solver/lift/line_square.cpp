@@ -2,6 +2,15 @@
 
 namespace exsect {
 
+SymmetricMatrix symmetric_matrix(const BivariatePolynomial& f, const BivariatePolynomial& g) {
+  const auto entry = [&](int i, int j, int share) {
+    const Rational part(1, share);
+    return Polynomial{part * f.coefficient(i, j), part * g.coefficient(i, j)};
+  };
+  const Polynomial uv = entry(1, 1, 2), u = entry(1, 0, 2), v = entry(0, 1, 2);
+  return {{{entry(2, 0, 1), uv, u}, {uv, entry(0, 2, 1), v}, {u, v, entry(0, 0, 1)}}};
+}
+
 std::vector<LineSquare> line_squares(const SymmetricMatrix& m) {
   Polynomial common;
   for (std::size_t i = 0; i < 3; ++i)

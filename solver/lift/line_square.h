@@ -12,6 +12,9 @@ namespace exsect {
 /// m_00 u^2 + 2 m_01 u v + m_11 v^2 + 2 m_02 u + 2 m_12 v + m_22, with polynomials in one parameter.
 using SymmetricMatrix = std::array<std::array<Polynomial, 3>, 3>;
 
+/// Of f + t g with the parameter t, both of degree at most 2.
+SymmetricMatrix symmetric_matrix(const BivariatePolynomial& f, const BivariatePolynomial& g);
+
 /// For the parameter `at` the quadratic polynomial is line^2 / factor, factor != 0.
 struct LineSquare {
   Rational at;

@@ -176,14 +176,8 @@ std::optional<NamedParts> conjugate_circles(const LiftedCurve& curve, const Biva
   const BivariatePolynomial rest = scaled - n * n;
   if (rest.total_degree() > 2) return std::nullopt;
   // The matrix of rest - 2 c n - c^2 as a polynomial in c: of rank 1 for the constant c of n.
-  const Polynomial c = Polynomial::variable();
-  const auto entry = [&](int i, int j, int share) {
-    const Rational part(1, share);
-    return Polynomial{part * rest.coefficient(i, j), -2 * part * n.coefficient(i, j)};
-  };
-  const SymmetricMatrix m = {{{entry(2, 0, 1), entry(1, 1, 2), entry(1, 0, 2)},
-                              {entry(1, 1, 2), entry(0, 2, 1), entry(0, 1, 2)},
-                              {entry(1, 0, 2), entry(0, 1, 2), entry(0, 0, 1) - c * c}}};
+  SymmetricMatrix m = symmetric_matrix(rest, number(-2) * n);
+  m[2][2] -= Polynomial::variable() * Polynomial::variable();
   for (const LineSquare& square : line_squares(m)) {
     if (square.factor >= 0) continue;
     const BivariatePolynomial line = square.line, circle = n + number(square.at);
@@ -200,14 +194,7 @@ std::optional<NamedParts> conjugate_circles(const LiftedCurve& curve, const Biva
 /// y, as Y = k^-1 l^2 modulo g for a line l.
 std::optional<NamedParts> mirrored_conics(const LiftedCurve& curve, const BivariatePolynomial& g) {
   const BivariatePolynomial& y2 = curve.chart.radicand;
-  const auto entry = [&](int i, int j, int share) {
-    const Rational part(1, share);
-    return Polynomial{part * y2.coefficient(i, j), -part * g.coefficient(i, j)};
-  };
-  const SymmetricMatrix m = {{{entry(2, 0, 1), entry(1, 1, 2), entry(1, 0, 2)},
-                              {entry(1, 1, 2), entry(0, 2, 1), entry(0, 1, 2)},
-                              {entry(1, 0, 2), entry(0, 1, 2), entry(0, 0, 1)}}};
-  for (const LineSquare& square : line_squares(m)) {
+  for (const LineSquare& square : line_squares(symmetric_matrix(y2, BivariatePolynomial::constant(-1) * g))) {
     if (square.factor <= 0) continue;
     const BivariatePolynomial line = square.line;
     const auto part = [&curve, line](const LiftedArc& arc) {
