@@ -56,12 +56,11 @@ PatchPair read_pair(const std::string& path, const std::string& first, const std
   return {biquadratic(pair.x, input_name(path), ""), biquadratic(pair.y, input_name(path), ""), pair.title};
 }
 
-void refuse_unless_biquadratic(const std::string& path, const RationalPair& pair, const char* option) {
-  for (const NamedRationalPatch& named : {pair.x, pair.y})
-    if (!named.patch.biquadratic())
-      throw InputError(input_name(path), "",
-                       fmt::format("patch \"{}\": not supported yet with {}: {}", printable(named.name),
-                                   option, kind_of(named.patch)));
+void refuse_unless_biquadratic(const std::string& path, const NamedRationalPatch& named, const char* option) {
+  if (!named.patch.biquadratic())
+    throw InputError(input_name(path), "",
+                     fmt::format("patch \"{}\": not supported yet with {}: {}", printable(named.name), option,
+                                 kind_of(named.patch)));
 }
 
 SurfacePair read_surface_pair(const std::string& path, const std::string& first, const std::string& second) {

@@ -60,7 +60,7 @@ ExitStatus run(const SelfCommand& command, const Streams& streams) {
   const ChosenRationalPatch chosen = read_rational_patch(command.file, command.patch);
   const std::optional<BezierPatch> biquadratic = chosen.patch.patch.biquadratic();
   if (!command.output.certificate.empty())
-    refuse_unless_biquadratic(command.file, {chosen.patch, chosen.patch, chosen.title}, "--certificate");
+    refuse_unless_biquadratic(command.file, chosen.patch, "--certificate");
   const PatchNames names = {chosen.patch.name, chosen.patch.name, self_names};
   const IntersectResult result = solve_self(chosen.patch.patch, checked, streams, command.quiet);
   const std::string json = command.output.json.empty() ? "" : json_text(self_json(result, chosen.patch.name));
