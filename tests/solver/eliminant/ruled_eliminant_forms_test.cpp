@@ -6,9 +6,7 @@
 
 #include <random>
 
-#include "eliminant/vector_eliminant.h"
 #include "eliminant/weighted_eliminant.h"
-#include "eliminant/weighted_eliminant_height.h"
 #include "scalar_eliminant.h"
 #include "support/catch.h"
 #include "support/random_nets.h"
@@ -154,15 +152,7 @@ TEST_CASE("ruled eliminant: vectors and scalars, and the bound of the height", "
     INFO(a << " " << m << " " << n);
     const auto y = random_nets::weighted(generator, random_nets::doubles(generator, m, n));
     const WeightedPair pair = weighted_pair(random_ruled(generator, a), y);
-    const std::size_t bound = eliminant_height_bound(pair);
-    const std::vector<Integer> e = scalar_eliminant::coefficients(pair, bound + 200);
-    INFO("bound " << bound << ", actual " << scalar_eliminant::bits(e));
-    CHECK(scalar_eliminant::bits(e) <= bound);
-    CHECK(bound <= scalar_eliminant::bits(e) + 1500);
-    const auto by_vectors = vector_eliminant(pair, bound);
-    if (!has_vector_eliminant()) continue;
-    REQUIRE(by_vectors);
-    CHECK(chinese_remainder(*by_vectors) == e);
+    scalar_eliminant::check_vectors_and_bound(pair, 1500);
   }
 }
 

@@ -5,7 +5,9 @@
 #include <exsect/algebra/real_algebraic.h>
 
 #include "eliminant/turning_eliminant_modular.h"
+#include "eliminant/vector_eliminant.h"
 #include "eliminant/weighted_eliminant.h"
+#include "eliminant/weighted_eliminant_height.h"
 #include "support/catch.h"
 
 namespace exsect::scalar_eliminant {
@@ -29,6 +31,19 @@ inline std::vector<Integer> coefficients(const WeightedPair& pair, std::size_t c
                                             return values;
                                           });
   });
+}
+
+/// The bound of the bits of E is one, by no more than `slack`, and vectors have the same coefficients.
+inline void check_vectors_and_bound(const WeightedPair& pair, std::size_t slack) {
+  const std::size_t bound = eliminant_height_bound(pair);
+  const std::vector<Integer> e = coefficients(pair, bound + 200);
+  INFO("bound " << bound << ", actual " << bits(e));
+  CHECK(bits(e) <= bound);
+  CHECK(bound <= bits(e) + slack);
+  const auto by_vectors = vector_eliminant(pair, bound);
+  if (!has_vector_eliminant()) return;
+  REQUIRE(by_vectors);
+  CHECK(chinese_remainder(*by_vectors) == e);
 }
 
 /// How many enclosed roots there are along u; checks that they are those of the exact eliminant. Empty where

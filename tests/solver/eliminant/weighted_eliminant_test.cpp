@@ -5,8 +5,6 @@
 
 #include <random>
 
-#include "eliminant/vector_eliminant.h"
-#include "eliminant/weighted_eliminant_height.h"
 #include "exact_products.h"
 #include "scalar_eliminant.h"
 #include "support/catch.h"
@@ -176,15 +174,7 @@ TEST_CASE("weighted eliminant: vectors and scalars, and the bound of the height"
   for (int repeat = 0; repeat < 3; ++repeat) {
     const WeightedPair pair = repeat == 2 ? weighted_pair(weighted_doubles(random), weighted_doubles(random))
                                           : weighted_pair(weighted_patch(random), weighted_patch(random));
-    const std::size_t bound = eliminant_height_bound(pair);
-    const std::vector<Integer> e = scalar_eliminant::coefficients(pair, bound + 200);
-    INFO("bound " << bound << ", actual " << scalar_eliminant::bits(e));
-    CHECK(scalar_eliminant::bits(e) <= bound);
-    CHECK(bound <= scalar_eliminant::bits(e) + 1200);
-    const auto by_vectors = vector_eliminant(pair, bound);
-    if (!has_vector_eliminant()) continue;
-    REQUIRE(by_vectors);
-    CHECK(chinese_remainder(*by_vectors) == e);
+    scalar_eliminant::check_vectors_and_bound(pair, 1200);
   }
 }
 
