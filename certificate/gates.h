@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "certificate/chain.h"
 #include "certificate/search.h"
 #include "certificate/star.h"
 

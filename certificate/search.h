@@ -51,6 +51,13 @@ struct Equation {
   std::array<bool, 4> constant = {};  // parameters that are known to be constant where it vanishes
 };
 
+/// Bounds that the check finds may be greater by this factor.
+inline constexpr double rounding_margin = 1 + 1e-3;
+/// Surely not zero in the check.
+bool definite(const checker::Ball<double>& b);
+/// The parameters that are constant in the tube; nothing if something else than the equation vanishes there.
+std::optional<std::array<bool, 4>> factored(const Equation& equation, const Tube& tube);
+
 /// How often a parameter that is not constant may turn in a tube inside the domain.
 enum class Turns { once, often };
 /// A large tube around w that should satisfy everything the check asks of tubes, narrower than `limit`, a
@@ -67,23 +74,6 @@ double distance(const Map& map, const Tube& tube, const Parameters& w);
 Parameters pair_of(Chart chart, const Parameters& z, int side);
 /// The point of the chart.
 Parameters in_chart(Chart chart, const Parameters& w);
-
-struct TracedPoint {
-  Parameters at;
-  int vertex;  // of the polyline, or -1
-};
-struct TracedPiece {
-  std::size_t tube;
-  std::size_t last;
-};
-/// An arc as a chain of tubes, from the tube of its first node to that of its last one.
-struct TracedArc {
-  std::vector<TracedPoint> points;
-  std::vector<TracedPiece> pieces;
-};
-/// Adds the tubes it needs. `points`: the polyline's vertices, the first and the last one in the tubes given.
-TracedArc chain(const Equation& equation, const std::vector<TracedPoint>& points, std::size_t first_tube,
-                std::size_t last_tube, std::vector<Tube>& tubes);
 
 /// What cells may lie in.
 struct Places {
