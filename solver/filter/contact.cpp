@@ -322,21 +322,7 @@ bool is_around(const DoublePointOf<K>& point, const Part& x, const Part& y) {
   return lies_in_region(point, middle, half);
 }
 
-bool lie_in(const KnownBox& box, const Part& x, const Part& y) {
-  const std::array<Part::Interval, 4> ranges = {x.range[0], x.range[1], y.range[0], y.range[1]};
-  return std::equal(ranges.begin(), ranges.end(), box.range.begin(),
-                    [](const Part::Interval& part, const Part::Interval& all) {
-                      return part.lower >= all.lower && part.upper <= all.upper;
-                    });
-}
-
 }  // namespace
-
-KnownBox known_box(const ParameterBox& box) {
-  KnownBox known;
-  for (std::size_t j = 0; j < 4; ++j) known.range[j] = {to_double(box[j].lower), to_double(box[j].upper)};
-  return known;
-}
 
 template <class K>
 Meeting meeting(const PairOf<K>& pair, const ContactsOf<K>& contacts, const Part& x, const Part& y) {

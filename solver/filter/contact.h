@@ -7,6 +7,7 @@
 
 #include "filter/contact_line.h"
 #include "filter/double_point.h"
+#include "filter/known_box.h"
 #include "filter/part.h"
 #include "filter/path_contact.h"
 #include "filter/pieces.h"
@@ -70,14 +71,6 @@ template <class K>
 std::array<bool, 2> corner_ends(std::size_t corner) {
   return {corner >= K::degree * K::side, corner % K::side == K::degree};
 }
-
-/// A box of the parameters, not centred, whose solutions are known: whole closed curves and isolated points
-/// of the intersection inside of it (14.95).
-struct KnownBox {
-  std::array<Part::Interval, 4> range;
-};
-/// Requires that the ends are doubles.
-KnownBox known_box(const ParameterBox& box);
 
 /// Each is a point or an arc of solutions, or a box that holds all of some curves; no corner is an end of one
 /// of the others, or a side point, but a double point that is no crossing may be a corner.

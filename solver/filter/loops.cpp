@@ -190,18 +190,6 @@ class LoopSearch {
     return certify(pair_, tube, -half[axis], half[axis], width);
   }
 
-  /// Whether a curve through the ball's point is one of the box; empty if the ball is on the box's boundary.
-  static std::optional<bool> is_in(const KnownBox& box, const BallOf<K>& ball) {
-    const double error = kSlack * ball.radius + kSumRounding;
-    bool inside = true;
-    for (std::size_t j = 0; j < 4; ++j) {
-      const double t = ball.middle[j] + 0.5;
-      if (t + error < box.range[j].lower || t - error > box.range[j].upper) return false;
-      inside = inside && t - error > box.range[j].lower && t + error < box.range[j].upper;
-    }
-    return inside ? std::optional(true) : std::nullopt;
-  }
-
   /// True: the tube's arc is known, or is outside the domain at one point, or on a closed curve that is now
   /// traced. False: the search has failed. Empty: undecided.
   std::optional<bool> known_or_traced(const TubeOf<K>& tube) {
@@ -220,7 +208,8 @@ class LoopSearch {
       }
     }
     for (const KnownBox& box : contacts_.boxes) {
-      const std::optional<bool> is_known = is_in(box, seed);
+      const std::optional<bool> is_known =
+          is_in(box, std::span(seed.middle).template first<4>(), seed.radius);
       if (is_known != std::optional(false)) {
         return is_known;
       }
