@@ -123,13 +123,6 @@ void GraphBuilder::set_turning(int node, std::vector<Parameter> wrt) {
   graph_.nodes[static_cast<std::size_t>(node)].wrt = std::move(wrt);
 }
 
-void GraphBuilder::move_node(int node, const ParameterBox& box, const std::array<double, 4>& approx) {
-  Node& moved = graph_.nodes[static_cast<std::size_t>(node)];
-  moved.box = box;
-  moved.approx = approx;
-  reach_[static_cast<std::size_t>(node)] = -1;
-}
-
 void GraphBuilder::set_contact(int arc, Contact contact) {
   graph_.arcs[static_cast<std::size_t>(arc)].contact = contact;
 }

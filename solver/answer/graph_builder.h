@@ -44,8 +44,6 @@ class GraphBuilder {
   void add_kind(int node, NodeKind kind);
   /// The node turns with respect to these parameters, ascending.
   void set_turning(int node, std::vector<Parameter> wrt);
-  /// The node's box and parameters.
-  void move_node(int node, const ParameterBox& box, const std::array<double, 4>& approx);
   void set_contact(int arc, Contact contact);
 
   /// Takes away the arcs from id `first` on, in order.
