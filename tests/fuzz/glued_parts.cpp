@@ -11,12 +11,13 @@ namespace exsect::glued_parts {
 
 namespace {
 
-/// A node in the parameters of the whole. Inside, `cut` is where it lies on a cut: in u, in s.
+/// A node in the parameters of the whole. `cut` is where it lies on a cut: in u, in s. Of a node whose
+/// parameter u or s is free in a part, `run_on` is where the node of the whole may go on in another part.
 struct Place {
   ParameterBox box;
   std::array<bool, 2> cut = {};
+  std::array<bool, 2> run_on = {};
   bool on_side = false;  // of the whole
-  int degree = 0;
 };
 
 bool meet(const ParameterBox& a, const ParameterBox& b) {
@@ -26,7 +27,21 @@ bool meet(const ParameterBox& a, const ParameterBox& b) {
   });
 }
 
-/// Nodes joined by arcs, and those that are one point on a cut.
+/// Classes of numbers that are joined one by one.
+class Classes {
+ public:
+  void add() { parent_.push_back(parent_.size()); }
+  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
+  std::size_t root(std::size_t a) const {
+    while (parent_[a] != a) a = parent_[a];
+    return a;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// Nodes joined by arcs, and those that are one point, on a cut or with a free parameter.
 class Curves {
  public:
   void add(const IntersectionGraph& graph, const std::array<RationalInterval, 4>& part) {
@@ -47,44 +62,49 @@ class Curves {
           place.cut[j == 0 ? 0 : 1] = true;
         }
       }
+      for (const Parameter parameter : node.free)
+        if (parameter == Parameter::u || parameter == Parameter::s)
+          place.run_on[parameter == Parameter::u ? 0 : 1] = true;
       places_.push_back(place);
-      parent_.push_back(parent_.size());
+      points_.add();
+      curves_.add();
     }
     for (const Arc& arc : graph.arcs) {
       const std::size_t from = first + static_cast<std::size_t>(arc.from);
       const std::size_t to = first + static_cast<std::size_t>(arc.to);
-      ++places_[from].degree;
-      ++places_[to].degree;
-      join(from, to);
+      ends_of_arcs_.push_back(from);
+      ends_of_arcs_.push_back(to);
+      curves_.join(from, to);
     }
   }
 
-  /// False if a point on a cut is not in two parts.
+  /// False if a point on a cut is in no other part.
   bool glue() {
-    std::vector<int> met(places_.size(), 0);
+    std::vector<bool> met(places_.size(), false);
     for (std::size_t a = 0; a < places_.size(); ++a)
       for (std::size_t b = a + 1; b < places_.size(); ++b) {
-        const bool same_cut =
-            (places_[a].cut[0] && places_[b].cut[0]) || (places_[a].cut[1] && places_[b].cut[1]);
-        if (!same_cut || !meet(places_[a].box, places_[b].box)) continue;
-        ++met[a];
-        ++met[b];
-        join(a, b);
+        const auto same = [&](const std::array<bool, 2> Place::*kind) {
+          return ((places_[a].*kind)[0] && (places_[b].*kind)[0]) ||
+                 ((places_[a].*kind)[1] && (places_[b].*kind)[1]);
+        };
+        if ((!same(&Place::cut) && !same(&Place::run_on)) || !meet(places_[a].box, places_[b].box)) continue;
+        met[a] = met[b] = true;
+        points_.join(a, b);
+        curves_.join(a, b);
       }
     for (std::size_t a = 0; a < places_.size(); ++a)
-      if ((places_[a].cut[0] || places_[a].cut[1]) && met[a] != 1) return false;
+      if ((places_[a].cut[0] || places_[a].cut[1]) && !met[a]) return false;
     return true;
   }
 
-  std::size_t root(std::size_t a) const {
-    while (parent_[a] != a) a = parent_[a];
-    return a;
-  }
-  /// Ends of curves: on a side of the whole, with one arc.
+  std::size_t root(std::size_t a) const { return curves_.root(a); }
+
+  /// Ends of curves: points on a side of the whole, with one arc.
   std::vector<std::size_t> ends() const {
+    const std::vector<int> degree = degrees();
     std::vector<std::size_t> result;
     for (std::size_t a = 0; a < places_.size(); ++a)
-      if (places_[a].on_side && places_[a].degree == 1) result.push_back(a);
+      if (places_[a].on_side && degree[points_.root(a)] == 1 && points_.root(a) == a) result.push_back(a);
     return result;
   }
   const Place& place(std::size_t a) const { return places_[a]; }
@@ -93,9 +113,10 @@ class Curves {
   std::array<int, 4> counts() const {
     std::vector<int> number_of_ends(places_.size(), 0), arcs(places_.size(), 0), most(places_.size(), 0);
     for (const std::size_t end : ends()) ++number_of_ends[root(end)];
+    const std::vector<int> degree = degrees();
     for (std::size_t a = 0; a < places_.size(); ++a) {
-      arcs[root(a)] += places_[a].degree;
-      most[root(a)] = std::max(most[root(a)], places_[a].degree);
+      arcs[root(a)] += degree[a];
+      most[root(a)] = std::max(most[root(a)], degree[a]);
     }
     std::array<int, 4> result = {};
     for (std::size_t a = 0; a < places_.size(); ++a) {
@@ -106,10 +127,17 @@ class Curves {
   }
 
  private:
-  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
+  /// How many arcs end in a point, for the one that stands for it; 0 for the others.
+  std::vector<int> degrees() const {
+    std::vector<int> result(places_.size(), 0);
+    for (const std::size_t end : ends_of_arcs_) ++result[points_.root(end)];
+    return result;
+  }
 
   std::vector<Place> places_;
-  std::vector<std::size_t> parent_;
+  std::vector<std::size_t> ends_of_arcs_;
+  Classes points_;
+  Classes curves_;
 };
 
 /// Ends of a and b in bijection by their boxes, in the same pairs.
@@ -136,6 +164,9 @@ std::string difference_of_ends(const Curves& a, const Curves& b) {
 std::optional<std::string> difference(const RationalPatch& x, const RationalPatch& y,
                                       const IntersectionGraph& whole, const Cuts& cuts) {
   const RationalInterval all = {0, 1};
+  // The parts of an arc along which the parameter is free, side by side, are no arcs of the whole.
+  const auto side_by_side = [](const Arc& arc) { return !arc.free.empty(); };
+  if (std::ranges::any_of(whole.arcs, side_by_side)) return std::nullopt;
   Curves expected, glued;
   expected.add(whole, {all, all, all, all});
   for (const RationalInterval& u : {RationalInterval{0, cuts.u}, RationalInterval{cuts.u, 1}})

@@ -17,8 +17,8 @@ struct Cuts {
 
 /// Empty if the four pairs of parts, glued along the cuts, have the curves of the whole: the same ends, in
 /// the same pairs, and as many closed curves, branched ones and isolated points. Otherwise the first
-/// difference in words. Nothing if a part is not complete. Requires a complete graph of x and y without
-/// overlaps.
+/// difference in words. Nothing if a part is not complete, or an arc has a free parameter. Requires a
+/// complete graph of x and y without overlaps.
 std::optional<std::string> difference(const RationalPatch& x, const RationalPatch& y,
                                       const IntersectionGraph& whole, const Cuts& cuts);
 

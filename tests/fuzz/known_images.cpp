@@ -54,9 +54,12 @@ IntersectionGraph reparametrised(IntersectionGraph graph, std::size_t i) {
   const double k = to_double(kMoebius);
   for (Node& node : graph.nodes) {
     node.box[i] = {Rational(map(node.box[i].lower, kMoebius)), Rational(map(node.box[i].upper, kMoebius))};
-    node.approx[i] = map(node.approx[i], k);
+    if (std::ranges::count(node.free, static_cast<Parameter>(i)) == 0)
+      node.approx[i] = map(node.approx[i], k);
   }
   const auto map_arc = [&](Arc& arc) {
+    // A free parameter is shown at 1/2.
+    if (std::ranges::count(arc.free, static_cast<Parameter>(i)) != 0) return;
     for (PolylineVertex& vertex : arc.polyline) vertex.parameters[i] = map(vertex.parameters[i], k);
   };
   std::ranges::for_each(graph.arcs, map_arc);

@@ -83,12 +83,30 @@ Net small(Generator& generator, int m, int n) {
   return anywhere(m, n, [&] { return Rational(integer(generator, -2, 2)); });
 }
 
+Net tiny(Generator& generator, int m, int n) {
+  return anywhere(m, n, [&] { return Rational(integer(generator, -1, 1)); });
+}
+
+Net chosen(Generator& generator, const Net& other, int m, int n) {
+  const auto any = [&](std::size_t size) {
+    return static_cast<std::size_t>(integer(generator, 0, static_cast<long>(size) - 1));
+  };
+  return net_of(m, n, [&](const Rational&, const Rational&) {
+    const auto& row = other[any(other.size())];
+    return row[any(row.size())];
+  });
+}
+
 Net doubles(Generator& generator, int m, int n) {
   return anywhere(m, n, [&] { return from_double(random_bits(generator)); });
 }
 
 RationalPatch weighted(Generator& generator, const Net& net) {
   return weighted_by(net, [&] { return Rational(integer(generator, 5, 16), 8); });
+}
+
+RationalPatch weighted_by_one_or_two(Generator& generator, const Net& net) {
+  return weighted_by(net, [&] { return Rational(integer(generator, 1, 2)); });
 }
 
 RationalPatch weighted_by_doubles(Generator& generator, const Net& net) {

@@ -29,10 +29,16 @@ Nets scattered(Generator& generator, std::array<int, 4> degrees);
 Nets loop(Generator& generator, std::array<int, 4> degrees);
 /// Integers from -2 to 2 anywhere, of bidegree (m,n).
 Net small(Generator& generator, int m, int n);
+/// Integers from -1 to 1 anywhere.
+Net tiny(Generator& generator, int m, int n);
+/// Control points of the other net, with repetition: patches that have corners, sides and lines in common.
+Net chosen(Generator& generator, const Net& other, int m, int n);
 /// Doubles of 53 random bits in [0,1), anywhere.
 Net doubles(Generator& generator, int m, int n);
 /// The net with weights 5/8, 6/8, ..., 2.
 RationalPatch weighted(Generator& generator, const Net& net);
+/// The net with weights 1 and 2.
+RationalPatch weighted_by_one_or_two(Generator& generator, const Net& net);
 /// The net with weights of 53 bits in [1/2,2).
 RationalPatch weighted_by_doubles(Generator& generator, const Net& net);
 
