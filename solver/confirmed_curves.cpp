@@ -79,7 +79,7 @@ class Confirmation {
                                    const std::vector<Stations>& curves, Parameter sweep) {
     return timed("fibres", [&] {
       return no_curve_is_missing(
-          roots, curves,
+          simple_roots(roots), curves,
           [&](const Rational& sample) {
             return fibre_count({sweep, sample});
           },

@@ -16,34 +16,55 @@ bool meet(const RationalInterval& a, const RationalInterval& b) {
 
 class EliminantProof {
  public:
-  EliminantProof(const std::vector<RationalInterval>& roots, const std::vector<Stations>& curves,
+  EliminantProof(const std::vector<EliminantRoot>& roots, const std::vector<Stations>& curves,
                  const FibreCount& fibre, Parameter sweep)
-      : roots_(roots), curves_(curves), fibre_(fibre), sweep_(sweep), taken_(roots.size(), false) {}
+      : roots_(roots), curves_(curves), fibre_(fibre), sweep_(sweep), known_(roots.size(), 0) {}
 
-  bool run() { return match_turning_points() && count_fibres(); }
+  bool run(const std::vector<RationalInterval>& singular) {
+    return match_turning_points() && match_singular_points(singular) && are_explained() && count_fibres();
+  }
 
  private:
-  /// Every known turning point lies over a root, a simple one lies under no other.
   bool match_turning_points() {
     for (const Stations& curve : curves_) {
       const std::size_t ends = curve.closed ? 0 : 1;
-      for (std::size_t i = ends; i + ends < curve.at.size(); ++i) {
-        const auto root = root_at(curve.at[i]);
-        if (!root) return false;
-        if (taken_[*root]) {
-          contradiction(curve.at[i], "two turning points lie over a simple root of the eliminant");
-        }
-        taken_[*root] = true;
-      }
+      for (std::size_t i = ends; i + ends < curve.at.size(); ++i)
+        if (!add(curve.at[i], 1)) return false;
     }
     return true;
   }
+
+  bool match_singular_points(const std::vector<RationalInterval>& singular) {
+    return std::ranges::all_of(singular, [&](const RationalInterval& place) { return add(place, 2); });
+  }
+
+  /// A multiple point lies over a root, of the order at least to which all over it count (Theorem 4.4). False
+  /// if it is not known over which one.
+  bool add(const RationalInterval& place, int count) {
+    const auto root = root_at(place);
+    if (!root) return false;
+    known_[*root] += count;
+    if (known_[*root] > roots_[*root].order) {
+      contradiction(place, "more multiple points lie over a root of the eliminant than its order is");
+    }
+    return true;
+  }
+
+  /// No singular point and no curve of a fibre is left, each of which counts two at least: (14.110).
+  bool are_explained() const {
+    for (std::size_t i = 0; i < roots_.size(); ++i)
+      if (known_[i] + 2 <= roots_[i].order) return false;
+    return true;
+  }
+
+  /// Nothing else turns over it.
+  bool is_taken(std::size_t root) const { return known_[root] == roots_[root].order; }
 
   /// The only root in this place; empty if it is not known which one.
   std::optional<std::size_t> root_at(const RationalInterval& place) const {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < roots_.size(); ++i) {
-      if (!meet(roots_[i], place)) continue;
+      if (!meet(roots_[i].at, place)) continue;
       if (found) return std::nullopt;
       found = i;
     }
@@ -56,7 +77,7 @@ class EliminantProof {
   bool count_fibres() {
     std::optional<std::size_t> last;
     for (std::size_t i = 0; i < roots_.size(); ++i) {
-      if (taken_[i]) continue;
+      if (is_taken(i)) continue;
       if (last && !count_between(*last, i)) return false;
       last = i;
     }
@@ -75,13 +96,13 @@ class EliminantProof {
   /// In the widest gap between all enclosures, strictly between the two roots: an end shared by neighbouring
   /// intervals is no root.
   std::optional<Rational> sample_between(std::size_t left, std::size_t right) const {
-    const Rational end = roots_[right].lower;
-    Rational lower = roots_[left].upper;
+    const Rational end = roots_[right].at.lower;
+    Rational lower = roots_[left].at.upper;
     std::vector<RationalInterval> events = {{end, end}};
     const auto add = [&](const RationalInterval& interval) {
       if (interval.upper > lower && interval.lower < end) events.push_back(interval);
     };
-    std::for_each(roots_.begin(), roots_.end(), add);
+    for (const EliminantRoot& root : roots_) add(root.at);
     for (const Stations& curve : curves_) std::for_each(curve.at.begin(), curve.at.end(), add);
     std::sort(events.begin(), events.end(),
               [](const RationalInterval& a, const RationalInterval& b) { return a.lower < b.lower; });
@@ -104,9 +125,8 @@ class EliminantProof {
     const auto holds = [&](const RationalInterval& interval) {
       return interval.lower <= sample && sample <= interval.upper;
     };
-    return std::none_of(
-               roots_.begin(), roots_.end(),
-               [&](const RationalInterval& root) { return root.lower == root.upper && holds(root); }) &&
+    return std::none_of(roots_.begin(), roots_.end(),
+                        [&](const EliminantRoot& root) { return root.at.width() == 0 && holds(root.at); }) &&
            std::none_of(curves_.begin(), curves_.end(), [&](const Stations& curve) {
              return std::any_of(curve.at.begin(), curve.at.end(), holds);
            });
@@ -130,18 +150,25 @@ class EliminantProof {
     throw ProofFailure(where, why);
   }
 
-  const std::vector<RationalInterval>& roots_;
+  const std::vector<EliminantRoot>& roots_;
   const std::vector<Stations>& curves_;
   const FibreCount& fibre_;
   Parameter sweep_;
-  std::vector<bool> taken_;  // a turning point of a known curve lies over the root
+  std::vector<int> known_;  // how much the known multiple points over the root count
 };
 
 }  // namespace
 
-bool no_curve_is_missing(const std::vector<RationalInterval>& roots, const std::vector<Stations>& curves,
-                         const FibreCount& fibre, Parameter sweep) {
-  return EliminantProof(roots, curves, fibre, sweep).run();
+bool no_curve_is_missing(const std::vector<EliminantRoot>& roots, const std::vector<Stations>& curves,
+                         const FibreCount& fibre, Parameter sweep,
+                         const std::vector<RationalInterval>& singular) {
+  return EliminantProof(roots, curves, fibre, sweep).run(singular);
+}
+
+std::vector<EliminantRoot> simple_roots(const std::vector<RationalInterval>& roots) {
+  std::vector<EliminantRoot> result;
+  for (const RationalInterval& root : roots) result.push_back({root});
+  return result;
 }
 
 }  // namespace exsect

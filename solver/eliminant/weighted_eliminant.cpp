@@ -3,10 +3,12 @@
 #include <exsect/algebra/enclosed_roots.h>
 #include <exsect/algebra/fixed_point_interval.h>
 #include <exsect/algebra/nearest_rounding.h>
+#include <exsect/algebra/real_algebraic.h>
 
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <utility>
 
 #include "eliminant/ball_eliminant.h"
 #include "eliminant/coordinate_bits.h"
@@ -47,6 +49,26 @@ std::optional<ModularIntegers> modulo_primes(const WeightedPair& pair) {
   });
 }
 
+Polynomial eliminant_of(const ModularIntegers& residues) {
+  return primitive_with_positive_lead(polynomial_of(chinese_remainder(residues)));
+}
+
+/// Bits of the places of exact roots.
+constexpr int kRefined = 60;
+
+/// With the multiplicities of the factors (Yun) as orders.
+std::vector<EliminantRoot> exact_roots(const Polynomial& e) {
+  std::vector<std::pair<RealAlgebraic, int>> values;
+  for (const auto& [factor, multiplicity] : squarefree_factors(e))
+    for (const RealAlgebraic& root : real_roots(factor, 0, 1))
+      if (root.compare(0) > 0 && root.compare(1) < 0) values.emplace_back(root, multiplicity);
+  std::ranges::sort(values);
+  std::vector<EliminantRoot> roots;
+  for (const auto& [value, multiplicity] : values)
+    roots.push_back({value.refined_to(power_of_two(-kRefined)).interval(), multiplicity});
+  return roots;
+}
+
 /// The pair with its parameters exchanged so that the sweep is along u, of a Kind.
 WeightedPair swept_pair(const RationalPatch& x, const RationalPatch& y, Parameter sweep) {
   const bool of_x = sweep == Parameter::u || sweep == Parameter::v;
@@ -78,21 +100,22 @@ std::optional<Polynomial> weighted_eliminant(const RationalPatch& x, const Ratio
   return in_nearest_rounding([&]() -> std::optional<Polynomial> {
     const auto residues = modulo_primes(swept_pair(x, y, sweep));
     if (!residues) return std::nullopt;
-    return primitive_with_positive_lead(polynomial_of(chinese_remainder(*residues)));
+    return eliminant_of(*residues);
   });
 }
 
-std::optional<std::vector<RationalInterval>> weighted_turning_roots(const RationalPatch& x,
-                                                                    const RationalPatch& y, Parameter sweep) {
-  return in_nearest_rounding([&]() -> std::optional<std::vector<RationalInterval>> {
+std::optional<std::vector<EliminantRoot>> weighted_turning_roots(const RationalPatch& x,
+                                                                 const RationalPatch& y, Parameter sweep) {
+  return in_nearest_rounding([&]() -> std::optional<std::vector<EliminantRoot>> {
     const WeightedPair pair = swept_pair(x, y, sweep);
     if (expected_bits(pair) > kLongBits) {
-      if (auto roots = turning_roots_in_balls(pair)) return roots;
+      if (const auto roots = turning_roots_in_balls(pair)) return simple_roots(*roots);
     }
     const auto residues = modulo_primes(pair);
     if (!residues) return std::nullopt;
     LeadingParts parts = leading_parts(*residues, bits_kept(residues->residues.front().size()));
-    return isolate_enclosed_roots({std::move(parts.leading), std::move(parts.error)});
+    const auto roots = isolate_enclosed_roots({std::move(parts.leading), std::move(parts.error)});
+    return roots ? simple_roots(*roots) : exact_roots(eliminant_of(*residues));
   });
 }
 

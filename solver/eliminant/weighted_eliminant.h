@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "eliminant/eliminant_proof.h"
+
 namespace exsect {
 
 /// The parameters along which the pair has an eliminant, those of lowest degree first: all four for bidegrees
@@ -21,10 +23,10 @@ std::vector<Parameter> eliminant_sweeps(const RationalPatch& x, const RationalPa
 /// along a curve) or would have over 2^19 bits. Requires one of eliminant_sweeps.
 std::optional<Polynomial> weighted_eliminant(const RationalPatch& x, const RationalPatch& y, Parameter sweep);
 
-/// The roots of E in [0,1] as by isolate_enclosed_roots: each of them is simple. Empty where E is not
-/// defined, or 256 bits of its values and some 1000 to 2500 of its coefficients are too few, as next to a
-/// multiple root.
-std::optional<std::vector<RationalInterval>> weighted_turning_roots(const RationalPatch& x,
-                                                                    const RationalPatch& y, Parameter sweep);
+/// The roots of E in (0,1), ascending: by 256 bits of its values or some 1000 to 2500 of its coefficients
+/// where all roots in [0,1] are simple and these bits suffice; else by the exact coefficients. Empty where E
+/// is not defined.
+std::optional<std::vector<EliminantRoot>> weighted_turning_roots(const RationalPatch& x,
+                                                                 const RationalPatch& y, Parameter sweep);
 
 }  // namespace exsect

@@ -29,18 +29,14 @@ class FilteredIntersection {
  public:
   FilteredIntersection(const ExactPatch<K>& x, const ExactPatch<K>& y, const Run& run, bool with_stations,
                        std::vector<ParameterBox> boxes)
-      : x_(x),
-        y_(y),
-        run_(run),
-        with_stations_(with_stations || needs_eliminant()),
-        known_boxes_(std::move(boxes)) {}
+      : x_(x), y_(y), run_(run), with_stations_(with_stations), known_boxes_(std::move(boxes)) {}
 
   Filtered solved() {
     Filtered known;
     known.result = run();
     if (!known.result) known.stuck = stuck();
     known.among_closed = among_closed_;
-    known.stations = std::move(stations_);
+    known.stations = std::move(stations_.curves);
     return known;
   }
 
@@ -59,13 +55,13 @@ class FilteredIntersection {
       return std::nullopt;
     }
     for (const ParameterBox& box : known_boxes_) contacts->boxes.push_back(known_box(box));
-    if (!contacts->empty() && meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
+    if (!contacts->empty() && meet_in_contacts_only(*pair, trees, *contacts)) {
       return drawn(known(*pair, *std::move(contacts)));
     }
     auto points = boundary_points(*pair, *contacts, trees);
     if (!points && !with_stations_ && add_side_paths(*pair, trees, *contacts)) {
       boxes_ = 0;
-      if (meet_in_contacts_only(*pair, trees, *contacts, boxes_)) {
+      if (meet_in_contacts_only(*pair, trees, *contacts)) {
         return drawn(known(*pair, *std::move(contacts)));
       }
       points = boundary_points(*pair, *contacts, trees);
@@ -89,9 +85,9 @@ class FilteredIntersection {
       return std::nullopt;
     }
     if (all_turns_wanted()) {
-      find_stations(*points, curves);
+      find_stations(*points, contacts->double_points, curves);
     }
-    if ((loops_open_ || needs_eliminant()) && !proved_by_eliminant(*pair, trees)) {
+    if ((loops_open_ || needs_eliminant()) && !proved_by_eliminant(*pair, *contacts, trees)) {
       return std::nullopt;
     }
     KnownPair<K> all = known(*pair, *std::move(contacts));
@@ -99,7 +95,7 @@ class FilteredIntersection {
     all.double_points = double_points_;
     all.curves = std::move(curves);
     all.coincident = coincident_;
-    all.finest_vertices = with_stations_;
+    all.finest_vertices = with_stations_ || needs_eliminant();
     return drawn(std::move(all));
   }
 
@@ -115,6 +111,11 @@ class FilteredIntersection {
 
   /// In exact mode the search for closed curves proves nothing.
   bool needs_eliminant() const { return !kExactBehind && run_.exact(); }
+
+  /// By enclosures alone: not in exact mode.
+  bool meet_in_contacts_only(const PairOf<K>& pair, TreesOf<K>& trees, const ContactsOf<K>& contacts) {
+    return !needs_eliminant() && filter::meet_in_contacts_only(pair, trees, contacts, boxes_);
+  }
 
   /// With the ports of the double points.
   std::optional<std::vector<BoundaryPointOf<K>>> boundary_points(const PairOf<K>& pair,
@@ -188,11 +189,11 @@ class FilteredIntersection {
       const bool has_arcs = trace_arcs(pair, points, traces, stuck);
       if (has_arcs && add_loops(pair, contacts, double_points_, trees, points, traces, boxes_, stuck)) {
         loops_open_ = false;
-        return !needs_eliminant() || has_eliminant(contacts, points);
+        return !needs_eliminant() || has_eliminant(contacts);
       }
       stuck_ = stuck;
       among_closed_ = has_arcs;
-      loops_open_ = has_arcs && has_eliminant(contacts, points);
+      loops_open_ = has_arcs && is_general(contacts, points) && has_eliminant(contacts);
       if (with_stations_ || double_points_.size() == kMostDoublePoints ||
           !add_double_point(pair, stuck, points)) {
         return false;
@@ -237,23 +238,30 @@ class FilteredIntersection {
     return true;
   }
 
-  /// Whether the proof by an eliminant may do what the search for closed curves does not: where patches share
-  /// points of sides, or touch, it has a multiple root.
-  bool has_eliminant(const ContactsOf<K>& contacts, const std::vector<BoundaryPointOf<K>>& points) const {
+  /// Where the search for closed curves does not end, the proof by an eliminant is worth its time: in special
+  /// positions another double point is the likelier reason.
+  bool is_general(const ContactsOf<K>& contacts, const std::vector<BoundaryPointOf<K>>& points) const {
     return contacts.empty() && double_points_.empty() &&
-           std::ranges::none_of(points, &BoundaryPointOf<K>::isolated) &&
+           std::ranges::none_of(points, &BoundaryPointOf<K>::isolated);
+  }
+
+  /// Whether an eliminant can prove that no curve is missing. It is zero where the patches touch along a
+  /// curve.
+  bool has_eliminant(const ContactsOf<K>& contacts) const {
+    return contacts.lines.empty() && contacts.boxes.empty() &&
            filter::has_eliminant(rational_patch(x_), rational_patch(y_));
   }
 
-  bool proved_by_eliminant(const PairOf<K>& pair, TreesOf<K>& trees) {
+  bool proved_by_eliminant(const PairOf<K>& pair, const ContactsOf<K>& contacts, TreesOf<K>& trees) {
     bool is_proved = false;
-    run_.timed("turning eliminant",
-               [&] { is_proved = filter::proved_by_eliminant<K>(x_, y_, pair, trees, stations_, boxes_); });
+    run_.timed("turning eliminant", [&] {
+      is_proved = filter::proved_by_eliminant<K>(x_, y_, pair, contacts, stations_, trees, boxes_);
+    });
     return is_proved && !run_.out_of_time();
   }
 
   /// Also those with respect to parameters that were not asked for.
-  bool all_turns_wanted() const { return with_stations_ || loops_open_; }
+  bool all_turns_wanted() const { return with_stations_ || needs_eliminant() || loops_open_; }
 
   /// Without exact arithmetic. Of an open curve all that are not asked for are left out; a closed one needs a
   /// node.
@@ -308,25 +316,45 @@ class FilteredIntersection {
   }
 
   void find_stations(const std::vector<BoundaryPointOf<K>>& points,
+                     const std::vector<DoublePointOf<K>>& on_sides,
                      const std::vector<AnalysedTraceOf<K>>& curves) {
     for (std::size_t p = 0; p < 4; ++p) {
-      for (const AnalysedTraceOf<K>& curve : curves) {
-        const bool open = curve.trace.start >= 0;
-        Stations& stations = stations_[p].emplace_back(Stations{{}, !open});
-        const auto add_end = [&](int point) {
-          if (open) {
-            stations.at.push_back(filter::interval(points[static_cast<std::size_t>(point)].ball, p));
-          }
-        };
-        add_end(curve.trace.start);
-        for (const TurnOf<K>& turn : curve.turns) {
-          if (turn.parameter == p || coincident_[p] == turn.parameter) {
-            stations.at.push_back(filter::interval(turn.ball, p));
-          }
-        }
-        add_end(curve.trace.end);
-      }
+      for (const AnalysedTraceOf<K>& curve : curves)
+        stations_.curves[p].push_back(stations_of(curve, points, p));
+      for (const BoundaryPointOf<K>& point : points)
+        if (point.isolated) add_isolated(filter::interval(point.ball, p), p);
+      for (const DoublePointOf<K>& point : double_points_) add_singular(point, p);
+      for (const DoublePointOf<K>& point : on_sides)
+        if (!point.forms.crossing) add_singular(point, p);  // crossings are among the others
     }
+  }
+
+  Stations stations_of(const AnalysedTraceOf<K>& curve, const std::vector<BoundaryPointOf<K>>& points,
+                       std::size_t p) const {
+    const bool open = curve.trace.start >= 0;
+    Stations stations{{}, !open};
+    const auto add_end = [&](int end) {
+      if (!open) return;
+      const BoundaryPointOf<K>& point = points[static_cast<std::size_t>(end)];
+      // From a port to its centre all parameters are monotone.
+      stations.at.push_back(point.centre < 0 ? filter::interval(point.ball, p)
+                                             : double_points_[static_cast<std::size_t>(point.centre)].box[p]);
+    };
+    add_end(curve.trace.start);
+    for (const TurnOf<K>& turn : curve.turns)
+      if (turn.parameter == p || coincident_[p] == turn.parameter)
+        stations.at.push_back(filter::interval(turn.ball, p));
+    add_end(curve.trace.end);
+    return stations;
+  }
+
+  void add_isolated(const RationalInterval& place, std::size_t p) {
+    stations_.curves[p].push_back({{place, place}, false});
+  }
+
+  void add_singular(const DoublePointOf<K>& point, std::size_t p) {
+    if (!point.forms.crossing) add_isolated(point.box[p], p);
+    if (point.on[p] == 0) stations_.singular[p].push_back(point.box[p]);
   }
 
   void record(const std::vector<AnalysedTraceOf<K>>& curves, const IntersectionGraph& graph) const {
@@ -355,7 +383,7 @@ class FilteredIntersection {
   std::array<std::size_t, 4> coincident_ = kNoneCoincident;
   std::vector<DoublePointOf<K>> double_points_;
   bool loops_open_ = false;  // all arcs are traced, the search for closed curves did not end
-  std::array<std::vector<Stations>, 4> stations_;
+  KnownStations stations_;
 };
 
 }  // namespace

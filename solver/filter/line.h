@@ -27,7 +27,7 @@ inline Line centred_line(Parameter p, const Rational& value) {
   return {index(p), nearest.value, nearest.exact ? 0 : kValueError};
 }
 
-/// Every solution on the line, apart from the contacts (none for an inner line), with the other three
+/// Every solution on the line, apart from the contacts, with the other three
 /// parameters inside their intervals: exactly one in each ball, the curve crosses the line there; the balls
 /// lie inside these intervals and are disjoint. Empty if that is not decided: points on sides, tangents and
 /// lines on the other patch among other reasons. `other` is the tree of the patch that does not have the

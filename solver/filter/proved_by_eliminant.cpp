@@ -20,7 +20,7 @@ bool has_eliminant(const RationalPatch& x, const RationalPatch& y) {
 
 template <class K>
 bool proved_by_eliminant(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
-                         TreesOf<K>& trees, const std::array<std::vector<Stations>, 4>& stations,
+                         const ContactsOf<K>& contacts, const KnownStations& known, TreesOf<K>& trees,
                          long& boxes) {
   const RationalPatch first = rational_patch(x), second = rational_patch(y);
   std::vector<Parameter> sweeps = eliminant_sweeps(first, second);
@@ -28,12 +28,13 @@ bool proved_by_eliminant(const ExactPatch<K>& x, const ExactPatch<K>& y, const P
   for (const Parameter p : sweeps) {
     PatchTreeOf<K>& other = index(p) < 2 ? trees.y : trees.x;
     const auto count = [&](const Rational& sample) -> std::optional<std::size_t> {
-      const auto points = points_on_line<K>(pair, centred_line(p, sample), {}, other, boxes);
+      const auto points = points_on_line<K>(pair, centred_line(p, sample), contacts, other, boxes);
       return points ? std::optional(points->size()) : std::nullopt;
     };
     const auto roots = weighted_turning_roots(first, second, p);
     try {
-      if (roots && no_curve_is_missing(*roots, stations[index(p)], count, p)) return true;
+      if (roots && no_curve_is_missing(*roots, known.curves[index(p)], count, p, known.singular[index(p)]))
+        return true;
     } catch (const ProofFailure&) {  // a curve is missing
       return false;
     }
@@ -43,7 +44,7 @@ bool proved_by_eliminant(const ExactPatch<K>& x, const ExactPatch<K>& y, const P
 
 #define EXSECT_INSTANTIATE(K)                                                                        \
   template bool proved_by_eliminant<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, \
-                                       TreesOf<K>&, const std::array<std::vector<Stations>, 4>&, long&);
+                                       const ContactsOf<K>&, const KnownStations&, TreesOf<K>&, long&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

@@ -14,13 +14,20 @@ namespace exsect::filter {
 /// exact solution.
 bool has_eliminant(const RationalPatch& x, const RationalPatch& y);
 
-/// True only if the curves with these stations, for each sweep parameter, are the whole intersection. They
-/// are different, all solutions on sides lie on them, each is in one point on a side, and no others are
-/// known. False also for pairs that have no eliminant. `trees` are of x and y; `boxes` counts the pairs
-/// looked at.
+/// What is known of the curves, for each sweep parameter.
+struct KnownStations {
+  /// All curves but those of the contacts; an isolated point as one that ends where it begins.
+  std::array<std::vector<Stations>, 4> curves;
+  /// Places of different singular points inside the domain of the parameter.
+  std::array<std::vector<RationalInterval>, 4> singular;
+};
+
+/// True only if these curves, the contacts and the singular points are the whole intersection. They are
+/// different, and all solutions on sides are among them. False also for pairs that have no eliminant. `trees`
+/// are of x and y; `boxes` counts the pairs looked at.
 template <class K>
 bool proved_by_eliminant(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
-                         TreesOf<K>& trees, const std::array<std::vector<Stations>, 4>& stations,
+                         const ContactsOf<K>& contacts, const KnownStations& known, TreesOf<K>& trees,
                          long& boxes);
 
 }  // namespace exsect::filter

@@ -41,9 +41,9 @@ FibreCount always(std::size_t count) {
   return [count](const Rational&) { return std::optional(count); };
 }
 
-std::vector<RationalInterval> roots_at(const std::vector<Rational>& values) {
-  std::vector<RationalInterval> result;
-  for (const Rational& value : values) result.push_back({value, value});
+std::vector<EliminantRoot> roots_at(const std::vector<Rational>& values) {
+  std::vector<EliminantRoot> result;
+  for (const Rational& value : values) result.push_back({{value, value}});
   return result;
 }
 
@@ -54,19 +54,19 @@ Stations loop_between(const Rational& a, const Rational& b) {
 
 /// The proof with curve k left out.
 bool is_proved_without(std::size_t k, const Pair& pair, Parameter sweep,
-                       const std::vector<RationalInterval>& roots, std::vector<Stations> curves) {
+                       const std::vector<EliminantRoot>& roots, std::vector<Stations> curves) {
   curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(k));
   return no_curve_is_missing(roots, curves, exact_count(pair, sweep));
 }
 
 /// Of the turning eliminant, from exact coefficients; empty where these are not all simple.
-std::vector<RationalInterval> exact_roots(const Pair& pair, Parameter sweep) {
-  std::vector<RationalInterval> roots;
+std::vector<EliminantRoot> exact_roots(const Pair& pair, Parameter sweep) {
+  std::vector<EliminantRoot> roots;
   const auto turning = turning_values(pair.x, pair.y, sweep);
   REQUIRE(turning);
   for (const TurningValue& turn : turning->values) {
     REQUIRE(turn.multiplicity == 1);
-    roots.push_back(turn.value.refined_to(power_of_two(-40)).interval());
+    roots.push_back({turn.value.refined_to(power_of_two(-40)).interval()});
   }
   return roots;
 }
@@ -76,7 +76,7 @@ std::size_t check_pair(const Pair& pair, Parameter sweep) {
   const auto found = filtered_curves(pair.x, pair.y, {});
   if (!found) return 0;
   const std::vector<Stations>& curves = found->stations[index(sweep)];
-  const std::vector<RationalInterval> roots = exact_roots(pair, sweep);
+  const std::vector<EliminantRoot> roots = exact_roots(pair, sweep);
   CHECK(no_curve_is_missing(roots, curves, exact_count(pair, sweep)));
   std::size_t closed = 0;
   for (std::size_t k = 0; k < curves.size(); ++k) {
@@ -174,7 +174,7 @@ TEST_CASE("eliminant proof: open intervals that share an end, and such that are 
     samples.push_back(sample);
     return std::optional<std::size_t>(0);
   };
-  const std::vector<RationalInterval> roots = {{0, low}, {low, half}, {half, high}, {high, 1}};
+  const auto roots = simple_roots({{0, low}, {low, half}, {half, high}, {high, 1}});
   CHECK(no_curve_is_missing(roots, {}, none));
   CHECK(samples == std::vector<Rational>{low, half, high});
   samples.clear();
@@ -182,9 +182,39 @@ TEST_CASE("eliminant proof: open intervals that share an end, and such that are 
   CHECK((samples.size() == 1 && (samples[0] == low || samples[0] == high)));
   // An arc ends where the sample would be; a turning point over one of two roots.
   const std::vector<Stations> arc = {{{{half, half}, {0, 0}}, false}};
-  CHECK_FALSE(no_curve_is_missing({{low, half}, {half, high}}, arc, none));
-  CHECK_FALSE(no_curve_is_missing({{low, half}, {half, high}, {high, 1}},
+  CHECK_FALSE(no_curve_is_missing(simple_roots({{low, half}, {half, high}}), arc, none));
+  CHECK_FALSE(no_curve_is_missing(simple_roots({{low, half}, {half, high}, {high, 1}}),
                                   {loop_between(half, Rational(7, 8))}, none));
+}
+
+TEST_CASE("eliminant proof: what lies over multiple roots explains their order") {
+  const Rational low(1, 4), half(1, 2), high(3, 4);
+  const auto proved = [&](int order, std::size_t turns, std::size_t points) {
+    std::vector<Stations> curves;
+    for (std::size_t k = 0; k < turns; ++k) curves.push_back({{{0, 0}, {half, half}, {0, 0}}, false});
+    const std::vector<RationalInterval> singular(points, {half, half});
+    return no_curve_is_missing({{{half, half}, order}}, curves, always(0), Parameter::u, singular);
+  };
+  // (14.110): k + 2 l >= m - 1.
+  CHECK(proved(2, 0, 1));
+  CHECK(proved(2, 1, 0));
+  CHECK(proved(3, 0, 1));
+  CHECK(proved(4, 2, 1));
+  CHECK_FALSE(proved(2, 0, 0));
+  CHECK_FALSE(proved(3, 1, 0));
+  CHECK_FALSE(proved(4, 0, 1));
+  CHECK_THROWS_AS(proved(1, 0, 1), std::logic_error);
+  CHECK_THROWS_AS(proved(2, 1, 1), std::logic_error);
+  // A further curve may still turn over a root of an order that is not reached, but not over the others.
+  std::size_t fibres = 0;
+  const FibreCount counted = [&](const Rational&) { return std::optional(fibres++ * 0); };
+  const std::vector<EliminantRoot> roots = {{{low, low}, 1}, {{half, half}, 2}, {{high, high}, 1}};
+  const std::vector<Stations> touch = {{{{half, half}, {half, half}}, false}};
+  CHECK(no_curve_is_missing(roots, touch, counted, Parameter::u, {{half, half}}));
+  CHECK(fibres == 1);
+  CHECK(no_curve_is_missing({roots[0], {{half, half}, 3}, roots[2]}, touch, counted, Parameter::u,
+                            {{half, half}}));
+  CHECK(fibres == 3);
 }
 
 TEST_CASE("eliminant proof: random pairs along all parameters, and with a closed curve left out") {

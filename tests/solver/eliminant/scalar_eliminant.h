@@ -56,8 +56,9 @@ inline std::optional<std::size_t> checked_roots(const RationalPatch& x, const Ra
   const auto exact = real_roots(*e, 0, 1);
   REQUIRE(roots->size() == exact.size());
   for (std::size_t i = 0; i < exact.size(); ++i) {
-    CHECK(exact[i].compare((*roots)[i].lower) > 0);
-    CHECK(exact[i].compare((*roots)[i].upper) < 0);
+    CHECK(exact[i].compare((*roots)[i].at.lower) > 0);
+    CHECK(exact[i].compare((*roots)[i].at.upper) < 0);
+    CHECK((*roots)[i].order == 1);
   }
   return exact.size();
 }

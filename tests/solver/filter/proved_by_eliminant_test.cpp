@@ -3,6 +3,9 @@
 
 #include <exsect/solver/intersect_rational.h>
 
+#include <algorithm>
+
+#include "eliminant/weighted_eliminant.h"
 #include "solver/eliminant/weighted_pairs.h"
 #include "support/catch.h"
 #include "support/random_nets.h"
@@ -83,15 +86,14 @@ TouchingPair touching_pair(std::uint64_t seed, const Shape& first, const Shape& 
 }
 
 template <class K>
-bool is_proved(const RationalPatch& x, const RationalPatch& y,
-               const std::array<std::vector<Stations>, 4>& stations) {
+bool is_proved(const RationalPatch& x, const RationalPatch& y, const filter::KnownStations& known) {
   const auto first = filter::elevated<K>(x), second = filter::elevated<K>(y);
   const auto pair = filter::make_pair_of<K>(first, second);
   REQUIRE(pair);
   filter::TreesOf<K> trees{filter::PatchTreeOf<K>(pair->x, pair->net_error),
                            filter::PatchTreeOf<K>(pair->y, pair->net_error)};
   long boxes = 0;
-  return filter::proved_by_eliminant<K>(first, second, *pair, trees, stations, boxes);
+  return filter::proved_by_eliminant<K>(first, second, *pair, {}, known, trees, boxes);
 }
 
 }  // namespace
@@ -118,6 +120,49 @@ TEST_CASE("proved by the eliminant: patches that are 2^-40 to 2^-100 apart", "[p
     REQUIRE(loop.status == Status::complete);
     CHECK(loop.graph.count(ComponentShape::closed) == 1);
   }
+}
+
+/// At the place where they touch.
+filter::KnownStations touch() {
+  const std::array<Rational, 4> at = {Rational(1, 2), Rational(2, 5), Rational(4, 9), Rational(3, 7)};
+  filter::KnownStations known;
+  for (std::size_t p = 0; p < 4; ++p) {
+    const RationalInterval place = {at[p], at[p]};
+    known.curves[p].push_back({{place, place}, false});
+    known.singular[p].push_back(place);
+  }
+  return known;
+}
+
+TEST_CASE("proved by the eliminant: a touch point explains its double root", "[proved_by_eliminant]") {
+  const auto check = [](auto kind, const Shape& first, const Shape& second) {
+    using K = decltype(kind);
+    CAPTURE(first.m, first.n, second.m, second.n);
+    const TouchingPair pair = touching_pair(1, first, second);
+    const RationalPatch y = pair.moved(0);
+    for (const Parameter p : eliminant_sweeps(pair.x, y)) {
+      const auto roots = weighted_turning_roots(pair.x, y, p);
+      REQUIRE(roots);
+      const RationalInterval place = touch().singular[index(p)].front();
+      CHECK(std::ranges::count_if(*roots, [&](const EliminantRoot& root) {
+              return root.order == 2 && root.at.lower <= place.lower && place.upper <= root.at.upper;
+            }) == 1);
+    }
+    CHECK(is_proved<K>(pair.x, y, touch()));
+    CHECK_FALSE(is_proved<K>(pair.x, y, {}));
+    // Above each other, where no root explains a touch point.
+    CHECK_FALSE(is_proved<K>(pair.x, pair.moved(Rational(1, 100)), touch()));
+    IntersectOptions options;
+    options.exact = true;
+    const IntersectResult result = intersect(pair.x, y, options);
+    CHECK(result.status == Status::complete);
+    REQUIRE(result.graph.nodes.size() == 1);
+    CHECK(result.graph.nodes.front().kinds == std::vector{NodeKind::touch});
+  };
+  check(filter::WeightedBiquadratic(), {2, 2, true}, {2, 2, true});
+  check(filter::WeightedBiquadratic(), {2, 1, true}, {1, 2, false});
+  check(filter::WeightedBicubic(), {3, 1, true}, {2, 2, false});
+  check(filter::Bicubic(), {3, 1, false}, {1, 3, false});
 }
 
 template <class K>
