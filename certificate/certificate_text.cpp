@@ -91,7 +91,7 @@ namespace {
 std::string text(const Patches& patches, const PatchNames& names, IntersectResult result, bool self) {
   if (!self) result.graph = with_free_arcs(std::move(result.graph));
   refuse_events(result, self);
-  Draft d = {result.graph, equation_of(patches), near_pair(patches), self};
+  Draft d = {result.graph, equation_of(patches), near_pair(patches, self), self};
   find_special_places(d, patches);
   Json surfaces = {{"first", patch_claim("$.first", names.first, patches[0])}};
   if (!self) surfaces["second"] = patch_claim("$.second", names.second, patches[1]);
@@ -160,8 +160,9 @@ std::string certificate_text(const ImplicitSurface& surface, const RationalPatch
                                     {"second", equation_claim("$.second", names.second, f)}}));
 }
 
-std::string self_certificate_text(const BezierPatch& x, const PatchNames& names,
+std::string self_certificate_text(const RationalPatch& patch, const PatchNames& names,
                                   const IntersectResult& result) {
+  const RationalPatch x = certified_form(patch);
   return text({x, x}, names, result, true);
 }
 

@@ -22,8 +22,8 @@ std::string certificate_text(const RationalPatch& x, const RationalPatch& y, con
 /// one in the certificate; u's and v's turning points are its nodes.
 std::string certificate_text(const ImplicitSurface& surface, const RationalPatch& patch,
                              const PatchNames& names, const IntersectResult& result);
-/// The same of the self-intersection of x.
-std::string self_certificate_text(const BezierPatch& x, const PatchNames& names,
+/// The same of the patch's self-intersection.
+std::string self_certificate_text(const RationalPatch& patch, const PatchNames& names,
                                   const IntersectResult& result);
 
 }  // namespace exsect::cli

@@ -120,7 +120,10 @@ Cell mirrored(const Cell& cell) {
 
 class Cover {
  public:
-  Cover(const NearPair& pair, const Places& places) : pair_(pair), places_(places) {}
+  Cover(const NearPair& pair, const Places& places)
+      : pair_(pair),
+        places_(places),
+        divided_{in_enclosures(pair.charts[0].divided[0]), in_enclosures(pair.charts[0].divided[1])} {}
 
   void add(const Cell& cell, const std::vector<std::size_t>& near, int depth) {
     const std::vector<std::size_t> meeting = those_meeting(cell, near);
@@ -174,8 +177,8 @@ class Cover {
     checker::Box<double> box;
     for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j] * more};
     if (tube.chart == Chart::pair) return tube.surrounds(box);
-    const Map& map = pair_.charts[tube.chart == Chart::first ? 0 : 1];
-    return tube.surrounds(checker::pairs_in_chart(tube, map, checker::halves(tube.chart, box)));
+    const auto& divided = pair_.charts[tube.chart == Chart::first ? 0 : 1].divided;
+    return tube.surrounds(checker::pairs_in_chart(tube, divided, checker::halves(tube.chart, box)));
   }
 
   /// The tubes that the cell, or its mirror image, may meet.
@@ -207,14 +210,21 @@ class Cover {
 
   /// A direction that proves different points of the cell to be different in space, if there is one.
   std::string injective(const Cell& cell) const {
+    using checker::Enclosure;
     checker::Box<double> box;
-    for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j]};
-    const checker::Box<double> pairs = checker::halves(Chart::first, box);
-    const auto [p, q] = checker::divided(pair_.charts[0], pairs, 0.0);
+    checker::Box<Enclosure> exact;
+    for (std::size_t j = 0; j < 4; ++j) {
+      box[j] = {cell.middle[j], cell.half[j]};
+      exact[j] = {Enclosure(cell.middle[j]), Enclosure(cell.half[j])};
+    }
+    const auto [p, q] = checker::divided(pair_.charts[0].divided, checker::halves(Chart::first, box), 0.0);
     const auto middle = [](const auto& v) { return Vector{v[0].middle, v[1].middle, v[2].middle}; };
     const auto n = rounded_direction(checker::cross(middle(p), middle(q)));
-    const auto volume = checker::volume({double(n[0]), double(n[1]), double(n[2])}, pair_.charts[0], pairs);
-    if (!(std::abs(volume.middle) > volume.radius + 1e-11)) return "";
+    const checker::Vector3<Enclosure> direction = {n[0], n[1], n[2]};
+    const Enclosure least =
+        checker::volume(direction, divided_, checker::halves(Chart::first, exact)).least();
+    // Coefficients are rounded in the check: for the errors of this, twice those found here.
+    if (!(3 * approximate(least) > 2 * least.above())) return "";
     return fmt::format("i{},{},{}", n[0], n[1], n[2]);
   }
 
@@ -252,6 +262,7 @@ class Cover {
   static constexpr std::size_t max_entries = 300000;
   const NearPair& pair_;
   const Places& places_;
+  const checker::Divided<checker::Enclosure> divided_;  // of one patch
 };
 
 }  // namespace

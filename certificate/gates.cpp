@@ -6,7 +6,9 @@
 namespace exsect::cli {
 namespace {
 
-const Map& chart_map(const NearPair& pair, Chart chart) { return pair.charts[chart == Chart::first ? 0 : 1]; }
+const Map& chart_map(const NearPair& pair, Chart chart) {
+  return pair.charts[chart == Chart::first ? 0 : 1].equation;
+}
 
 /// Takes off the points before the gate, `along` a chart's axis, and returns them; the gate becomes the
 /// first one.

@@ -1,7 +1,5 @@
 #include "certificate/near_pair.h"
 
-#include <exsect/checker/pairs_of_points.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,11 +13,6 @@ checker::Grid<double, dimension, most> near_grid(const checker::Grid<Rational, d
   grid.each([&](std::size_t i, std::size_t j) {
     for (std::size_t d = 0; d < dimension; ++d) result[i][j][d] = to_double(factor * grid[i][j][d]);
   });
-  return result;
-}
-checker::Net<double> exchanged(const checker::Net<double>& net) {
-  checker::Net<double> result(net.degree(1), net.degree(0));
-  net.each([&](std::size_t i, std::size_t j) { result[j][i] = net[i][j]; });
   return result;
 }
 
@@ -40,7 +33,7 @@ double power_above(const Rational& q) {
 
 }  // namespace
 
-NearPair near_pair(const Patches& patches) {
+NearPair near_pair(const Patches& patches, bool self) {
   NearPair result;
   std::array<checker::WeightedNet<Rational>, 2> nets = {control_net(patches[0]), control_net(patches[1])};
   const checker::Net<Rational>& first = nets[0].points;
@@ -68,9 +61,7 @@ NearPair near_pair(const Patches& patches) {
   }
   result.power = checker::pair_map(power[0], power[1]);
   result.scale.fill(to_double(from_double(scale) * weight[0] * weight[1]));
-  const checker::Net<double>& x = power[0].points;
-  if (x.degree(0) == 2 && x.degree(1) == 2)
-    result.charts = {checker::chart_map(x), checker::chart_map(exchanged(x))};
+  if (self) result.charts = {checker::pair_chart(power[0]), checker::pair_chart(power[0].exchanged())};
   return result;
 }
 

@@ -169,10 +169,6 @@ checker::CurveBounds<double> bounds_in(const Map& map, const Tube& tube) {
   return checker::curve_bounds(map.at(tube.centre).times(tube.inverse), tube.axis, tube.extent());
 }
 
-namespace {
-
-// Of long maps the errors of the check in doubles count, and are computed as it does.
-
 checker::Map<checker::Enclosure> in_enclosures(const Map& map) {
   checker::Map<checker::Enclosure> result;
   result.set_long(map.is_long());
@@ -180,7 +176,12 @@ checker::Map<checker::Enclosure> in_enclosures(const Map& map) {
     for (std::size_t d = 0; d < 3; ++d) result.coefficient(term.power)[d] = checker::Enclosure(term.c[d]);
   return result;
 }
-checker::Vector4<checker::Enclosure> in_enclosures(const Parameters& w) {
+
+namespace {
+
+// Of long maps the errors of the check in doubles count, and are computed as it does.
+
+checker::Vector4<checker::Enclosure> place_in_enclosures(const Parameters& w) {
   checker::Vector4<checker::Enclosure> result;
   for (std::size_t i = 0; i < 4; ++i) result[i] = checker::Enclosure(w[i]);
   return result;
@@ -188,7 +189,7 @@ checker::Vector4<checker::Enclosure> in_enclosures(const Parameters& w) {
 
 /// At least |C F(w)|, component by component, in the check.
 double checked_distance(const Map& map, const Tube& tube, const Parameters& w) {
-  const checker::Vector3<checker::Enclosure> f = in_enclosures(map).value(in_enclosures(w));
+  const checker::Vector3<checker::Enclosure> f = in_enclosures(map).value(place_in_enclosures(w));
   checker::Enclosure most = 0;
   for (const auto& row : tube.inverse) {
     checker::Vector3<checker::Enclosure> c;
@@ -203,7 +204,7 @@ double checked_distance(const Map& map, const Tube& tube, const Parameters& w) {
 checker::Box<double> tangent_near(const Map& map, const Parameters& w, double near) {
   if (!map.is_long()) return checker::tangent(map.at(w), {near, near, near, near});
   const checker::Enclosure h(near);
-  const auto t = checker::tangent(in_enclosures(map).at(in_enclosures(w)), {h, h, h, h});
+  const auto t = checker::tangent(in_enclosures(map).at(place_in_enclosures(w)), {h, h, h, h});
   checker::Box<double> result;
   for (std::size_t i = 0; i < 4; ++i) {
     const double middle = approximate(t[i].middle);

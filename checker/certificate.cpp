@@ -275,11 +275,10 @@ void read_patches(Reader& in, Certificate<N>& c) {
   };
   in.members({"first"}, [&] { patch(0); });
   require(!c.equation, "must be a patch");
-  if (!c.self) in.members({"second"}, [&] { patch(1); });
-  if (!c.self) return;
-  require(c.nets[0].points.degree(0) == 2 && c.nets[0].points.degree(1) == 2 && !c.nets[0].has_weights(),
-          "must be 3 rows of 3 points without weights, of one patch");
-  c.nets[1] = c.nets[0];
+  if (c.self)
+    c.nets[1] = c.nets[0];
+  else
+    in.members({"second"}, [&] { patch(1); });
 }
 template <class N>
 void read_cover(Reader& in, Certificate<N>& c) {

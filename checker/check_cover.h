@@ -73,21 +73,23 @@ class Cover {
       else if (cell.kind == Kind::sheet)
         check_on_plane(box_of(region), element(certificate_.overlaps, cell.index, "names no overlap").factor);
       else
-        of_one_patch(cell, box_of(region));
+        of_one_patch(cell, region.box);
     };
     replayed("$.cover", cell.row, check, Violation::cover);
   }
 
-  void of_one_patch(const Cell& cell, const Box<N>& box) const {
+  /// The box's numbers are multiples of 2^-52 up to 1: their sums are exact in doubles.
+  void of_one_patch(const Cell& cell, const Box<double>& region) const {
     require(certificate_.self, "of one patch only");
-    const auto& [u, v, r, s] = box;
+    const Box<N> box = exactly<N>(region);
     const Vector3<N> n = {cell.direction[0], cell.direction[1], cell.direction[2]};
     if (cell.kind == Kind::mirrored)
-      check_in_tube({r, s, u, v}, cell.index);
+      check_in_tube({box[2], box[3], box[0], box[1]}, cell.index);
     else if (cell.kind == Kind::lower)
-      require(u.middle + u.radius <= r.middle - r.radius, "not below the diagonal");
+      require(region[0].middle + region[0].radius <= region[2].middle - region[2].radius,
+              "not below the diagonal");
     else  // P and Q are independent wherever the pairs of the box are: a P + b Q = 0 for a = b = 0 alone.
-      require(volume(n, replay_.equation[1], halves(Chart::first, box)).sign() != 0,
+      require(volume(n, replay_.divided[0], halves(Chart::first, box)).sign() != 0,
               "different points of the cell may have the same place");
   }
 
@@ -175,7 +177,8 @@ class Cover {
     require(tube.chart != Chart::star, "a tube of a star");
     require(tube.surrounds(tube.chart == Chart::pair
                                ? box
-                               : pairs_in_chart(tube, replay_.tubes[i].map, halves(tube.chart, box))),
+                               : pairs_in_chart(tube, replay_.divided[tube.chart == Chart::first ? 0 : 1],
+                                                halves(tube.chart, box))),
             "the cell is not in the tube's box");
   }
 

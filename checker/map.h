@@ -119,7 +119,8 @@ class Map {
     Vector3<N> c;
   };
   const std::vector<Term>& terms() const { return terms_; }
-  /// Whether it is treated as a map of many terms: F of patches with weights has up to 256, of others 31.
+  /// Whether it is treated as a map of many terms: F of patches with weights has up to 256, of others 31; H
+  /// of a chart up to some 900.
   bool is_long() const { return is_long_; }
   void set_long(bool value) {
     is_long_ = value;

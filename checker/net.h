@@ -9,6 +9,12 @@
 
 namespace exsect::checker {
 
+inline int binomial(std::size_t m, std::size_t k) {
+  int result = 1;
+  for (std::size_t i = 0; i < k; ++i) result = result * static_cast<int>(m - i) / static_cast<int>(i + 1);
+  return result;
+}
+
 /// Vectors [i][j] of numbers, 0 <= i <= m and 0 <= j <= n, m and n from 0 to `most`: coefficients of
 /// Bernstein polynomials or of u^i v^j. The first parameter is p = 0, the second one p = 1.
 template <class N, std::size_t dimension, std::size_t most = 3>
@@ -86,14 +92,14 @@ class Grid {
       });
     }
   }
-
- private:
-  static int binomial(std::size_t m, std::size_t k) {
-    int result = 1;
-    for (std::size_t i = 0; i < k; ++i) result = result * static_cast<int>(m - i) / static_cast<int>(i + 1);
+  /// With its parameters exchanged.
+  Grid exchanged() const {
+    Grid result(degrees_[1], degrees_[0]);
+    each([&](std::size_t i, std::size_t j) { result[j][i] = entries_[i][j]; });
     return result;
   }
 
+ private:
   std::array<std::size_t, 2> degrees_ = {};
   std::array<std::array<Entry, most + 1>, most + 1> entries_ = {};
 };
@@ -133,6 +139,7 @@ struct WeightedNet {
     points.to_powers();
     weights.to_powers();
   }
+  WeightedNet exchanged() const { return {points.exchanged(), weights.exchanged()}; }
   /// Of control points: the patch less the vector.
   void move_by_minus(const std::array<N, 3>& vector) {
     points.each([&](std::size_t i, std::size_t j) {

@@ -1,40 +1,92 @@
 // Pairs of points of one patch, next to the diagonal and in charts across it (docs/certificate.md, "Charts").
 #pragma once
 
-#include "curve_bounds.h"
+#include "position.h"
 
 namespace exsect::checker {
 
-/// H(U,V,m,w): x(U + t, V + m t) - x(U - t, V - m t) = 2 t H for w = t^2, docs/method.md (7.3).
+/// P and Q, maps of (U, V, a^2, b^2): F(U + a, V + b, U - a, V - b) = 2 (a P + b Q) for pairs of points with
+/// middle (U,V) and half difference (a,b).
 template <class N>
-Map<N> chart_map(const Net<N>& c) {
-  Map<N> map;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const Vector3<N>& point = c[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-      if (i > 0) map.add({i - 1, j, 0, 0}, point, N(i));
-      if (j > 0) map.add({i, j - 1, 1, 0}, point, N(j));
-      if (i == 2 && j > 0) map.add({0, j - 1, 1, 1}, point, N(j));
-      if (j == 2 && i > 0) map.add({i - 1, 0, 2, 1}, point, N(i));
-    }
-  }
-  return map;
+using Divided = std::array<Map<N>, 2>;
+
+/// The parts of c(U + a, V + b), of its coefficients, as maps of (U, V, a^2, b^2): A + a B + b C + a b D.
+template <class N, std::size_t dimension>
+std::array<Map<N>, 4> parts_by_parity(const Grid<N, dimension>& c) {
+  std::array<Map<N>, 4> result;
+  c.each([&](std::size_t i, std::size_t j) {
+    Vector3<N> entry = {};
+    std::copy(c[i][j].begin(), c[i][j].end(), entry.begin());
+    for (std::size_t k = 0; k <= i; ++k)
+      for (std::size_t l = 0; l <= j; ++l)
+        result[k % 2 + 2 * (l % 2)].add({int(i - k), int(j - l), int(k / 2), int(l / 2)}, entry,
+                                        N(binomial(i, k) * binomial(j, l)));
+  });
+  return result;
 }
-/// The mean of x(U + t, V + m t) and x(U - t, V - m t), (7.4).
+
+/// Adds sign w_1 x times the monomial, w_1 the first component of w.
 template <class N>
-Map<N> chart_space(const Net<N>& c) {
-  Map<N> map;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const Vector3<N>& point = c[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-      map.add({i, j, 0, 0}, point, N(1));
-      if (i > 0 && j > 0) map.add({i - 1, j - 1, 1, 1}, point, N(i * j));
-      if (i == 2) map.add({0, j, 0, 1}, point, N(1));
-      if (j == 2) map.add({i, 0, 2, 1}, point, N(1));
-      if (i == 2 && j == 2) map.add({0, 0, 2, 2}, point, N(1));
+void add_product(Map<N>& map, const Map<N>& w, const Map<N>& x, int sign, const Power& monomial = {}) {
+  for (const auto& a : w.terms()) {
+    for (const auto& b : x.terms()) {
+      Power power = monomial;
+      for (std::size_t j = 0; j < 4; ++j) power[j] += a.power[j] + b.power[j];
+      map.add(power, b.c, N(sign) * a.c[0]);
     }
   }
-  return map;
+}
+/// Adds the map of (U, V, a^2, b^2) where a = t, b = m t and w = t^2, in (U,V,m,w), times the monomial.
+template <class N>
+void add_in_chart(Map<N>& chart, const Map<N>& map, const Power& monomial) {
+  for (const auto& [power, c] : map.terms())
+    chart.add({power[0], power[1], 2 * power[3] + monomial[2], power[2] + power[3] + monomial[3]}, c, N(1));
+}
+
+/// A chart of the pairs of points of one patch.
+template <class N>
+struct PairChart {
+  Divided<N> divided;
+  Map<N> equation;  // H(U,V,m,w): F(U + t, V + m t, U - t, V - m t) = 2 t H for w = t^2, docs/method.md (7.2)
+  Position<N> space;  // where both points are one, both of them
+};
+
+/// Of the coefficients. With the parts of X and, in small letters, of its weights
+///     P = a B - b A + b^2 (d C - c D),     Q = a C - c A + a^2 (d B - b D).
+template <class N>
+PairChart<N> pair_chart(const WeightedNet<N>& net) {
+  PairChart<N> result;
+  const auto x = parts_by_parity(net.points);
+  const auto w = parts_by_parity(net.weights);
+  const auto finished = [](Map<N>& map) { map.set_long(map.terms().size() > 31); };
+  for (const std::size_t p : {std::size_t{1}, std::size_t{2}}) {  // the odd part of P or Q, and the other one
+    Map<N>& map = result.divided[p - 1];
+    Power square = {};
+    square[4 - p] = 1;
+    add_product(map, w[0], x[p], 1);
+    add_product(map, w[p], x[0], -1);
+    add_product(map, w[3], x[3 - p], 1, square);
+    add_product(map, w[3 - p], x[3], -1, square);
+    finished(map);
+    add_in_chart(result.equation, map, {0, 0, static_cast<int>(p) - 1, 0});
+  }
+  finished(result.equation);
+  const auto mean = [&](const std::array<Map<N>, 4>& parts) {
+    Map<N> map;
+    add_in_chart(map, parts[0], {});
+    add_in_chart(map, parts[3], {0, 0, 1, 1});
+    finished(map);
+    return map;
+  };
+  result.space.points = mean(x);
+  if (net.has_weights()) result.space.weight = mean(w);
+  return result;
+}
+template <class N>
+PairChart<N> rounded(const PairChart<Rational>& chart) {
+  return {{rounded<N>(chart.divided[0]), rounded<N>(chart.divided[1])},
+          rounded<N>(chart.equation),
+          rounded<N>(chart.space)};
 }
 
 /// In a chart: u, v, r and s are monotone on the curve wherever 0 < w < `end`, a bound for w in the tube:
@@ -57,49 +109,40 @@ Box<N> halves(Chart chart, Box<N> w) {
   return {half * (w[0] + w[2]), half * (w[1] + w[3]), half * (w[0] - w[2]), half * (w[1] - w[3])};
 }
 
-/// R = P + m Q and Q where x(U + a, V + b) - x(U - a, V - b) = 2 (a P + b Q): P = x_u + b^2/2 x_uvv, Q = x_v
-/// + a^2/2 x_uuv at (U,V), `pairs` = (U,V,a,b), for any m. `h`: the map of the chart, or its product with C.
+/// The squares.
 template <class N>
-std::array<Balls<N>, 2> divided(const Map<N>& h, const Box<N>& pairs, const N& m) {
-  const auto& [u, v, a, b] = pairs;
-  const Map<N> local = h.at({u.middle, v.middle, N(0), N(0)});
-  const Map<N> turned = local.at({N(0), N(0), m, N(0)});
-  const Vector4<N> half = {u.radius, v.radius, N(0), N(0)};
-  const Balls<N> x_u = turned.derivative({}, half);  // and m x_v
-  const Balls<N> x_v = local.derivative({0, 0, 1, 0}, half);
-  const Balls<N> x_uuv = local.derivative({0, 0, 1, 1}, half);  // one half of it, as x_uvv
-  const Balls<N> x_uvv = local.derivative({0, 0, 2, 1}, half);
-  std::array<Balls<N>, 2> result;
-  for (std::size_t d = 0; d < 3; ++d) {
-    const Ball<N> bend = a * a * x_uuv[d];
-    result[0][d] = x_u[d] + m * bend + N(0.5) * b * b * x_uvv[d];
-    result[1][d] = x_v[d] + bend;
-  }
-  return result;
+Ball<N> square(const Ball<N>& a) {
+  const N most = a.magnitude() * a.magnitude();
+  const N least = a.sign() != 0 ? N(a.least() * a.least()) : N(0);
+  const N middle = N(0.5) * (most + least);
+  return {middle, N(most - middle)};
+}
+
+/// R = P + m Q and Q over `pairs` = (U,V,a,b), for any m.
+template <class N>
+std::array<Balls<N>, 2> divided(const Divided<N>& maps, const Box<N>& pairs, const N& m) {
+  const Box<N> box = {pairs[0], pairs[1], square(pairs[2]), square(pairs[3])};
+  const Map<N> q = maps[1].at(middles(box));
+  Map<N> r = maps[0].at(middles(box));
+  for (const auto& [power, c] : q.terms()) r.add(power, c, m);
+  return {r.derivative({}, radii(box)), q.derivative({}, radii(box))};
 }
 
 /// Where a P + b Q = 0 for pairs of the box, (U,V,m,a^2) for m = b/a: with n the third row of C, m = m0 -
 /// (n . R) / (n . Q) for any m0, and a = 0 would make b = 0. Nothing is known, which the radius says, where
 /// n . Q may vanish.
 template <class N>
-Box<N> pairs_in_chart(const Tube<N>& tube, const Map<N>& h, const Box<N>& pairs) {
+Box<N> pairs_in_chart(const Tube<N>& tube, const Divided<N>& maps, const Box<N>& pairs) {
   const N& m = tube.centre[2];
-  const auto [r, q] = divided(h.times(tube.inverse), pairs, m);
-  const bool any = q[2].sign() == 0;
-  const N most = pairs[2].magnitude() * pairs[2].magnitude();
-  const N least = pairs[2].sign() != 0 ? N(pairs[2].least() * pairs[2].least()) : N(0);
-  const N middle = N(0.5) * (most + least);
-  return {pairs[0],
-          pairs[1],
-          any ? Ball<N>(m, tube.extent()[2] + 1) : m - r[2] / q[2],
-          {middle, N(most - middle)}};
+  const auto [r, q] = divided<N>({maps[0].times(tube.inverse), maps[1].times(tube.inverse)}, pairs, m);
+  return {pairs[0], pairs[1], q[2].sign() == 0 ? Ball<N>(m, tube.extent()[2] + 1) : m - r[2] / q[2],
+          square(pairs[2])};
 }
 
-/// n . (P x Q), `h` the map of the first chart: if it does not vanish, no different points of the box are one
-/// in space.
+/// n . (P x Q) of the first chart: if it does not vanish, no different points of the box are one in space.
 template <class N>
-Ball<N> volume(const Vector3<N>& n, const Map<N>& h, const Box<N>& pairs) {
-  const auto [p, q] = divided(h, pairs, N(0));
+Ball<N> volume(const Vector3<N>& n, const Divided<N>& maps, const Box<N>& pairs) {
+  const auto [p, q] = divided(maps, pairs, N(0));
   double pq = 0;
   double qq = 0;
   for (std::size_t d = 0; d < 3; ++d) {
@@ -107,7 +150,7 @@ Ball<N> volume(const Vector3<N>& n, const Map<N>& h, const Box<N>& pairs) {
     qq += approximate(q[d].middle) * approximate(q[d].middle);
   }
   // P x Q = R x Q: of all m, the one for which R is short.
-  const auto r = divided(h, pairs, qq > 0 && std::abs(pq) < 1e6 * qq ? N(-pq / qq) : N(0))[0];
+  const auto r = divided(maps, pairs, qq > 0 && std::abs(pq) < 1e6 * qq ? N(-pq / qq) : N(0))[0];
   return dot(Balls<N>{n[0], n[1], n[2]}, cross(r, q));
 }
 

@@ -55,10 +55,11 @@ template <class N>
 struct Replay {
   const Certificate<N>& certificate;
   Vector3<Rational> origin;
-  Map<Rational> exact;               // F
-  Position<Rational> exact_space;    // x, moved by -origin
-  std::array<Map<N>, 3> equation;    // F of each chart
-  std::array<Position<N>, 3> space;  // the point of space, moved by -origin
+  Map<Rational> exact;                // F
+  Position<Rational> exact_space;     // x, moved by -origin
+  std::array<Map<N>, 3> equation;     // F of each chart
+  std::array<Position<N>, 3> space;   // the point of space, moved by -origin
+  std::array<Divided<N>, 2> divided;  // of both charts of one patch
   std::vector<StarMaps<N>> stars;
   std::vector<ProvedTube<N>> tubes;
   std::vector<Shortfall>* shortfalls = nullptr;  // where they are listed instead of rejected
@@ -102,7 +103,7 @@ template <class N>
 Replay<N> start(const Certificate<N>& certificate) {
   const Net<Rational>& first = certificate.nets[0].points;
   const Vector3<Rational>& middle = first[first.degree(0) / 2][first.degree(1) / 2];
-  Replay<N> result = {certificate, middle, {}, {}, {}, {}, {}, {}};
+  Replay<N> result = {certificate, middle, {}, {}, {}, {}, {}, {}, {}};
   const auto& equation = certificate.equation;
   std::array<WeightedNet<Rational>, 2> power = certificate.nets;
   if (equation) {
@@ -118,12 +119,11 @@ Replay<N> start(const Certificate<N>& certificate) {
   result.exact_space = position_on(power[0]);
   result.equation[0] = rounded<N>(result.exact);
   result.space[0] = rounded<N>(result.exact_space);
-  Net<Rational>& c = power[0].points;
-  for (std::size_t chart = 1; certificate.self && chart < 3; ++chart) {
-    result.equation[chart] = rounded<N>(chart_map(c));
-    result.space[chart].points = rounded<N>(chart_space(c));
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < i; ++j) std::swap(c[i][j], c[j][i]);
+  for (std::size_t n = 0; certificate.self && n < 2; ++n) {
+    const PairChart<N> chart = rounded<N>(pair_chart(n == 0 ? power[0] : power[0].exchanged()));
+    result.divided[n] = chart.divided;
+    result.equation[n + 1] = chart.equation;
+    result.space[n + 1] = chart.space;
   }
   return result;
 }

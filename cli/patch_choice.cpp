@@ -56,13 +56,6 @@ PatchPair read_pair(const std::string& path, const std::string& first, const std
   return {biquadratic(pair.x, input_name(path), ""), biquadratic(pair.y, input_name(path), ""), pair.title};
 }
 
-void refuse_unless_biquadratic(const std::string& path, const NamedRationalPatch& named, const char* option) {
-  if (!named.patch.biquadratic())
-    throw InputError(input_name(path), "",
-                     fmt::format("patch \"{}\": not supported yet with {}: {}", printable(named.name), option,
-                                 kind_of(named.patch)));
-}
-
 SurfacePair read_surface_pair(const std::string& path, const std::string& first, const std::string& second) {
   const SurfaceFile file = input_surfaces(path);
   const std::vector<NamedSurface>& entries = file.surfaces;

@@ -51,9 +51,6 @@ SurfacePair read_surface_pair(const std::string& path, const std::string& first,
 RationalPair read_rational_pair(const std::string& path, const std::string& first, const std::string& second);
 /// The pair of the file as patches; InputError as above.
 RationalPair patches_only(const SurfacePair& pair, const std::string& path);
-/// Throws InputError that names the patch, if it is not polynomial of bidegree at most (2,2), and the option
-/// that takes no others.
-void refuse_unless_biquadratic(const std::string& path, const NamedRationalPatch& named, const char* option);
 /// The same for methods that take polynomial patches of bidegree at most (2,2) only; InputError for others.
 PatchPair read_pair(const std::string& path, const std::string& first, const std::string& second);
 

@@ -3,8 +3,6 @@
 #include <exsect/geometry/text_file.h>
 #include <exsect/solver/intersect_rational.h>
 
-#include <optional>
-
 #include "certificate/certificate_text.h"
 #include "cli/export_files.h"
 #include "cli/input_file.h"
@@ -38,7 +36,7 @@ IntersectResult solve_self(const RationalPatch& x, IntersectOptions options, con
 }
 
 /// What --certificate writes; empty where it is not given, or, with a message, where there is no certificate.
-std::string self_certificate(const SelfCommand& command, const BezierPatch& x, const PatchNames& names,
+std::string self_certificate(const SelfCommand& command, const RationalPatch& x, const PatchNames& names,
                              const IntersectResult& result, const Streams& streams) {
   if (command.output.certificate.empty()) return "";
   try {
@@ -58,14 +56,10 @@ ExitStatus run(const SelfCommand& command, const Streams& streams) {
     throw UsageError("--certificate: needs all turning points, --turning u1,v1,u2,v2");
   const int cells = grid_cells(command.output.exports);
   const ChosenRationalPatch chosen = read_rational_patch(command.file, command.patch);
-  const std::optional<BezierPatch> biquadratic = chosen.patch.patch.biquadratic();
-  if (!command.output.certificate.empty())
-    refuse_unless_biquadratic(command.file, chosen.patch, "--certificate");
   const PatchNames names = {chosen.patch.name, chosen.patch.name, self_names};
   const IntersectResult result = solve_self(chosen.patch.patch, checked, streams, command.quiet);
   const std::string json = command.output.json.empty() ? "" : json_text(self_json(result, chosen.patch.name));
-  const std::string proof =
-      biquadratic ? self_certificate(command, *biquadratic, names, result, streams) : "";
+  const std::string proof = self_certificate(command, chosen.patch.patch, names, result, streams);
   write_exports(
       command.output.exports,
       [&] { return self_scene(result, chosen.patch.patch, chosen.patch.name, chosen.title, cells); },

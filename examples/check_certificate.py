@@ -378,9 +378,6 @@ class Map:
         return total
 
 
-INDICES = [(i, j) for i in range(3) for j in range(3)]
-
-
 def entries(c):
     """((i, j), entry) for all entries of a net."""
     return [((i, j), entry) for i, row in enumerate(c) for j, entry in enumerate(row)]
@@ -473,27 +470,33 @@ def position_on(x):
     return Position(map_of(x.points), map_of(x.weights) if x.weighted else None)
 
 
-def chart_map(c):
-    """H(U,V,m,w)"""
-    terms = []
-    for i, j in INDICES:
-        terms += [((i - 1, j, 0, 0), i, c[i][j])] if i else []
-        terms += [((i, j - 1, 1, 0), j, c[i][j])] if j else []
-        terms += [((0, j - 1, 1, 1), j, c[i][j])] if i == 2 and j else []
-        terms += [((i - 1, 0, 2, 1), i, c[i][j])] if j == 2 and i else []
-    return Map(terms)
+def parts_by_parity(c):
+    """A, B, C, D, maps of (U, V, a^2, b^2), with c(U + a, V + b) = A + a B + b C + a b D."""
+    parts = [[], [], [], []]
+    for (i, j), entry in entries(c):
+        for k, l in itertools.product(range(i + 1), range(j + 1)):
+            parts[k % 2 + 2 * (l % 2)].append(((i - k, j - l, k // 2, l // 2), math.comb(i, k) * math.comb(j, l), [*entry, 0, 0][:3]))
+    return [Map(terms) for terms in parts]
 
 
-def chart_space(c):
-    """X(U,V,m,w)"""
-    terms = []
-    for i, j in INDICES:
-        terms += [((i, j, 0, 0), 1, c[i][j])]
-        terms += [((i - 1, j - 1, 1, 1), i * j, c[i][j])] if i and j else []
-        terms += [((0, j, 0, 1), 1, c[i][j])] if i == 2 else []
-        terms += [((i, 0, 2, 1), 1, c[i][j])] if j == 2 else []
-        terms += [((0, 0, 2, 2), 1, c[i][j])] if i == j == 2 else []
-    return Map(terms)
+def divided_maps(x, w):
+    """P and Q of F(U + a, V + b, U - a, V - b) = 2 (a P + b Q), maps of (U, V, a^2, b^2), of the parts of X and w."""
+    result = []
+    for p in (1, 2):
+        square = (0, 0, int(p == 2), int(p == 1))
+        products = [(1, w[0], x[p], (0, 0, 0, 0)), (-1, w[p], x[0], (0, 0, 0, 0)), (1, w[3], x[3 - p], square), (-1, w[3 - p], x[3], square)]
+        result.append(Map([(tuple(map(sum, zip(i, j, more))), side * q[0], c)
+                           for side, weight, points, more in products for i, q in weight.terms.items() if q[0] for j, c in points.terms.items()]))
+    return result
+
+
+def chart_map(parts):
+    """In (U,V,m,w): the sum of the maps of (U, V, a^2, b^2), each times a monomial, where a = t, b = m t, w = t^2."""
+    return Map([((u, v, 2 * b + more[0], a + b + more[1]), 1, c) for part, more in parts for (u, v, a, b), c in part.terms.items()])
+
+
+def mean_of_pairs(parts):
+    return chart_map([(parts[0], (0, 0)), (parts[3], (1, 1))])
 
 
 def tangent(local, h):
@@ -529,26 +532,25 @@ def halves(exchanged, w):
             times(half, subtract(w[0], w[2])), times(half, subtract(w[1], w[3]))]
 
 
-def divided(h, pairs, m):
+def square(a):
+    most, least = magnitude(a) ** 2, (abs(a[0]) - a[1]) ** 2 if sign(a) else Fraction(0)
+    return (most + least) / 2, (most - least) / 2
+
+
+def divided(maps, pairs, m):
     """R = P + m Q and Q."""
-    u, v, a, b = pairs
-    local = h.at([u[0], v[0], 0, 0])
-    turned = local.at([0, 0, m, 0])
-    half = [u[1], v[1], 0, 0]
-    result = [[], []]
-    for d in range(3):
-        bend = times(times(a, a), local.derivative(d, (0, 0, 1, 1), half))
-        other = times(times((Fraction(1, 2), 0), times(b, b)), local.derivative(d, (0, 0, 2, 1), half))
-        result[0].append(add(add(turned.derivative(d, (0, 0, 0, 0), half), times((m, 0), bend)), other))
-        result[1].append(add(local.derivative(d, (0, 0, 1, 0), half), bend))
-    return result
+    box = [pairs[0], pairs[1], square(pairs[2]), square(pairs[3])]
+    middle, half = zip(*box)
+    p, q = (c.at(middle) for c in maps)
+    r = Map([(power, factor, c) for factor, part in ((1, p), (m, q)) for power, c in part.terms.items()])
+    return [[c.derivative(d, (0, 0, 0, 0), half) for d in range(3)] for c in (r, q)]
 
 
-def volume(n, h, pairs):
+def volume(n, maps, pairs):
     """n . (P x Q)"""
-    p, q = divided(h, pairs, Fraction(0))
+    p, q = divided(maps, pairs, Fraction(0))
     pq, qq = (sum(a[0] * b[0] for a, b in zip(c, q)) for c in (p, q))
-    r = divided(h, pairs, near(-pq / qq) if qq else Fraction(0))[0]
+    r = divided(maps, pairs, near(-pq / qq) if qq else Fraction(0))[0]
     total = (Fraction(0), Fraction(0))
     for d in range(3):
         e, f = (d + 1) % 3, (d + 2) % 3
@@ -634,6 +636,7 @@ class Tube:
         else:
             self.map = system.equation[self.curve if self.charted else "pair"]
             self.space = system.space[self.curve if self.charted else "pair"]
+        self.divided = system.divided.get(self.curve)
         self.exact = system.equation["pair"]
         if self.factor is not None:
             self.factor = element(system.factors, self.factor, place)
@@ -747,12 +750,9 @@ class Tube:
             return w
         pairs = halves(self.curve == "second", w)
         m = self.centre[2]
-        r, q = divided(self.map.times(self.inverse), pairs, m)
-        most = magnitude(pairs[2]) ** 2
-        least = (abs(pairs[2][0]) - pairs[2][1]) ** 2 if sign(pairs[2]) else Fraction(0)
+        r, q = divided([c.times(self.inverse) for c in self.divided], pairs, m)
         any_m = (m, self.extent()[2] + 1)
-        return [pairs[0], pairs[1], subtract((m, Fraction(0)), divide(r[2], q[2], place)) if sign(q[2]) else any_m,
-                ((most + least) / 2, (most - least) / 2)]
+        return [pairs[0], pairs[1], subtract((m, Fraction(0)), divide(r[2], q[2], place)) if sign(q[2]) else any_m, square(pairs[2])]
 
     def node_box(self, node, place):
         if isinstance(node, Star):
@@ -1116,7 +1116,6 @@ class Checker:
         self.nets = [self.net(root[key], "$." + key) for key in names[: 1 if surface else 2]]
         self.nets = [self.nets[0], self.nets[-1]]
         points = self.nets[0].points
-        require(not self.alone or (len(points) == len(points[0]) == 3 and not self.nets[0].weighted), "$.first", "not 3 x 3 points alone, of one patch")
         power = [Net(power_basis(net.points), power_basis(net.weights)) for net in self.nets]
         self.equation = {"pair": pair_map(*power)}
         self.space = {"pair": position_on(power[0])}
@@ -1125,9 +1124,13 @@ class Checker:
             self.section = section(equation, power[0])
             self.bidegree = [(n - 1) * space_degree(equation) for n in (len(points), len(points[0]))]
             self.equation = {"pair": section_map(self.section)}
-        if self.alone:
-            for name, c in (("first", power[0].points), ("second", transposed(power[0].points))):
-                self.equation[name], self.space[name] = chart_map(c), Position(chart_space(c))
+        self.divided = {}  # of the charts of one patch
+        for name in ("first", "second") if self.alone else ():
+            turned = transposed if name == "second" else list
+            x, w = (parts_by_parity(turned(c)) for c in (power[0].points, power[0].weights))
+            p, q = self.divided[name] = divided_maps(x, w)
+            self.equation[name] = chart_map([(p, (0, 0)), (q, (1, 0))])
+            self.space[name] = Position(mean_of_pairs(x), mean_of_pairs(w) if power[0].weighted else None)
 
     @staticmethod
     def surface_equation(value, place):
@@ -1584,7 +1587,7 @@ class Checker:
             else:
                 direction = direction_of(text.removeprefix("i"), place)
                 if text[0] == "i":
-                    require(self.alone and sign(volume(direction, self.equation["first"], halves(False, box))), place,
+                    require(self.alone and sign(volume(direction, self.divided["first"], halves(False, box))), place,
                             "different points of the cell may have the same place")
                     continue
                 if self.section is not None:

@@ -28,8 +28,6 @@ struct SolvedPair {
   std::optional<RationalPatch> second;
   cli::PatchNames names;
 
-  BezierPatch biquadratic_first() const { return biquadratic_of(first, names.first); }
-
   cli::Json json() const {
     return second ? cli::intersection_json(result, names) : cli::self_json(result, names.first);
   }
@@ -40,7 +38,7 @@ struct SolvedPair {
   }
   std::string certificate() const {
     return second ? cli::certificate_text(first, *second, names, result)
-                  : cli::self_certificate_text(biquadratic_first(), names, result);
+                  : cli::self_certificate_text(first, names, result);
   }
   std::string exported(const std::string& format, const std::string& title, int cells) const {
     if (format == "csv") return cli::node_csv(result.graph, names.parameters);

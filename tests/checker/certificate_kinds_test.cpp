@@ -16,11 +16,6 @@ using Degrees = std::array<int, 4>;
 const std::vector<Degrees> kinds = {{3, 3, 3, 3}, {3, 3, 2, 2}, {1, 1, 3, 3}, {3, 1, 2, 3},
                                     {1, 3, 3, 2}, {2, 1, 1, 3}, {3, 2, 2, 3}};
 
-RationalPatch bicubic(long seed) {
-  Generator generator(static_cast<unsigned long>(seed));
-  return random_nets::crossing(generator, {3, 3, 3, 3}, false).first();
-}
-
 /// A certificate that is accepted, of the whole result.
 std::string accepted(const RationalPatch& x, const RationalPatch& y) {
   const IntersectResult result = intersect(x, y, coarse());
@@ -251,16 +246,6 @@ TEST_CASE("lines on patches of every kind have certificates, none of which can b
       reject_changes(text, generator, 5);
     }
   }
-}
-
-TEST_CASE("a certificate of one patch is of a biquadratic one") {
-  const RationalPatch x = bicubic(37);
-  const std::string truth = certificate(x, bicubic(38));
-  Json json = Json::parse(truth);
-  json["command"] = "self";
-  json.erase("second");
-  seal_again(json);
-  CHECK(verdict(json.dump()).find("of one patch") != std::string::npos);
 }
 
 }  // namespace exsect::certificate_kinds_test

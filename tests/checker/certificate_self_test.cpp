@@ -3,6 +3,7 @@
 #include <exsect/solver/self_intersect.h>
 
 #include "certificate_changes.h"
+#include "support/random_nets.h"
 
 namespace exsect::certificate_self_test {
 namespace {
@@ -27,8 +28,22 @@ BezierPatch umbrella() {
   return BezierPatch::from_power_basis(c);
 }
 
-std::string self_text(const BezierPatch& x) {
+std::string self_text(const RationalPatch& x) {
   return cli::self_certificate_text(x, {"x", "x"}, self_intersect(x, coarse()));
+}
+
+/// The umbrella of this bidegree, its control points moved by at most 1/50.
+random_nets::Net moved_umbrella(Generator& generator, int m, int n) {
+  const RationalPatch elevated = RationalPatch(umbrella()).elevated(m, n);
+  random_nets::Net net(static_cast<std::size_t>(m) + 1);
+  for (int i = 0; i <= m; ++i) {
+    for (int j = 0; j <= n; ++j) {
+      Point p = elevated.point(i, j);
+      for (Rational& c : p) c += Rational(random_pairs::integer(generator, -8, 8), 400);
+      net[static_cast<std::size_t>(i)].push_back(p);
+    }
+  }
+  return net;
 }
 
 }  // namespace
@@ -85,6 +100,55 @@ TEST_CASE("self-intersections of random patches have certificates, none of which
   INFO("seed 25");
   const std::string text = self_text(umbrella());
   reject_changes(text, generator, 60);
+}
+
+TEST_CASE("patches of other kinds that meet themselves have certificates, none of which can be changed") {
+  Generator generator(26);
+  INFO("seed 26");
+  for (const auto& [m, n] : {std::array{3, 3}, {2, 2}, {2, 3}, {3, 2}}) {
+    for (const bool weighted : {false, true}) {
+      INFO("bidegree (" << m << "," << n << ")" << (weighted ? " with weights" : ""));
+      const random_nets::Net net = moved_umbrella(generator, m, n);
+      const RationalPatch x = weighted ? random_nets::weighted(generator, net) : RationalPatch(net);
+      const std::string text = self_text(x);
+      const checker::Report report = check_certificate(text);
+      CHECK((report.self && report.summary.open == 1 && report.summary.components == 1));
+      CHECK((report.covered > 0 && report.exclusions > 0));
+      if (m + n > 4 && weighted) continue;  // what is rejected is checked in rationals too
+      reject_changes(text, generator, 12);
+    }
+  }
+}
+
+TEST_CASE("a forged certificate of a patch with weights is rejected where it is false") {
+  Generator generator(27);
+  INFO("seed 27");
+  const std::string text = self_text(random_nets::weighted(generator, moved_umbrella(generator, 2, 2)));
+  // Of the patch without its weights, with other ones, or with points of no patch of this bidegree.
+  reason(text, "$.tubes[", [](Json& j) { j["first"].erase("weights"); });
+  reason(text, "$.", [](Json& j) { j["first"]["weights"][1][1] = "7/3"; });
+  reason(text, "$.first: its denominator", [](Json& j) { j["first"]["weights"][2][2] = "-1"; });
+  reason(text, "$.first.weights", [](Json& j) { j["first"]["points"].erase(2); });
+  // The curve in the chart is no other one, and no curve of the pair.
+  const auto charted = [](Json& j) -> Json& {
+    for (Json& tube : j["tubes"])
+      if (tube["curve"] != "pair") return tube;
+    FAIL("no chart");
+    return j;
+  };
+  reason(text, "$.tubes[", [&](Json& j) { charted(j)["curve"] = "pair"; });
+  reason(text, "$.tubes[", [&](Json& j) {
+    Json& tube = charted(j);
+    tube["curve"] = tube["curve"] == "first" ? "second" : "first";
+  });
+  reason(text, "$.", [&](Json& j) { charted(j)["centre"][2] = "-1/7"; });
+  reason(text, "$.", [&](Json& j) { charted(j)["width"] = "1/2^40"; });
+  // A curve that is left out.
+  reason(text, "$.cover[", [](Json& j) {
+    for (const char* list : {"tubes", "nodes", "arcs", "components"}) j[list] = Json::array();
+    j["summary"]["claims"] = {0, 0, 0, 0, 0, 0, 0};
+    for (const char* count : {"components", "open", "boundary"}) j["summary"][count] = 0;
+  });
 }
 
 }  // namespace exsect::certificate_self_test

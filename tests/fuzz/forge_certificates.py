@@ -96,6 +96,8 @@ def models():
     yield "shared side of curved patches", ["intersect"], cases / "shared-side.json"
     yield "double cover", ["intersect"], cases / "double-cover.json"
     yield "self, umbrella", ["self", "--patch", "x"], patches(umbrella(), FLOOR)
+    with_weights = {"name": "x", "degree": [2, 2], "points": umbrella(), "weights": [["1", "3/2", "1"], ["4/3", "1", "1"], ["1", "1", "5/4"]]}
+    yield "self, umbrella with weights", ["self", "--patch", "x"], {"exsect": "patches/1", "patches": [with_weights]}
     yield "cap", ["intersect"], cases / "cap.json"
     yield "tangent and transversal", ["intersect"], cases / "tangent-and-transversal.json"
     yield "nearly crossing", ["intersect"], cases / "nearly-crossing.json"

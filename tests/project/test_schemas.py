@@ -35,6 +35,13 @@ NET = [[["25/96", "-5/8", "25/144"], ["-5/48", "-1/2", "-35/144"], ["-7/32", "-3
 Path(UMBRELLA).write_text(json.dumps({"exsect": "patches/1", "patches": [{"name": "x", "degree": [2, 2], "points": NET}]}))
 subprocess.run([PROGRAM, "self", UMBRELLA, "--tolerance", "1e-3", "--certificate", SELF_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
 
+# The same with weights: a curve of another kind of patch.
+WEIGHTED_UMBRELLA = CERTIFICATE.replace("proof", "weighted-umbrella")
+WEIGHTED_SELF_CERTIFICATE = CERTIFICATE.replace("proof", "weighted-self")
+WEIGHTS = [["1", "3/2", "1"], ["4/3", "1", "1"], ["1", "1", "5/4"]]
+Path(WEIGHTED_UMBRELLA).write_text(json.dumps({"exsect": "patches/1", "patches": [{"name": "x", "degree": [2, 2], "points": NET, "weights": WEIGHTS}]}))
+subprocess.run([PROGRAM, "self", WEIGHTED_UMBRELLA, "--tolerance", "1e-1", "--certificate", WEIGHTED_SELF_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
+
 SIDE_CERTIFICATE = CERTIFICATE.replace("proof", "side")
 subprocess.run([PROGRAM, "intersect", "tests/cases/part-of-a-side.json", "--tolerance", "1e-3", "--certificate", SIDE_CERTIFICATE, "--quiet"], cwd=ROOT, check=True)
 
@@ -165,8 +172,8 @@ def test_an_input_file_satisfies_its_schema(file):
         assert violations(document) == []
 
 
-@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE, SELF_CERTIFICATE, SIDE_CERTIFICATE, CUBIC_CERTIFICATE, WEIGHTED_CERTIFICATE, EQUATION_CERTIFICATE, *SPECIAL],
-                         ids=["curves", "line", "self", "side", "cubic", "weighted", "equation", *SPECIAL_CASES])
+@pytest.mark.parametrize("certificate", [CERTIFICATE, LINE_CERTIFICATE, SELF_CERTIFICATE, WEIGHTED_SELF_CERTIFICATE, SIDE_CERTIFICATE, CUBIC_CERTIFICATE, WEIGHTED_CERTIFICATE, EQUATION_CERTIFICATE, *SPECIAL],
+                         ids=["curves", "line", "self", "weighted-self", "side", "cubic", "weighted", "equation", *SPECIAL_CASES])
 def test_a_certificate_satisfies_its_schema_and_both_checkers(tmp_path, certificate):
     document = json.loads(Path(certificate).read_text())
     assert violations(document) == []
