@@ -83,8 +83,7 @@ class ChartTracer {
         continue;
       }
       const double to = 0.5 * direction * step_;
-      const Ball here = position_[axis] - tube->centre[axis];
-      const auto range = PieceRange::between(here, Ball(to));
+      const auto range = PieceRange::between(offset(*tube, position_), Ball(to));
       if (!range || range->direction() != direction) {
         continue;
       }

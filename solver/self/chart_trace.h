@@ -6,7 +6,7 @@
 
 #include "answer/stop_request.h"
 #include "self/cusp_arc.h"
-#include "trace/tracer.h"
+#include "trace/turning_points.h"
 
 namespace exsect {
 
@@ -37,24 +37,13 @@ BallPoint<Ball> pair_on(const ChartPiece<Ball>& piece, const BallPoint<Ball>& p)
   return piece.exchanged ? exchanged_pair(pair) : pair;
 }
 
-/// Exactly one turning point with respect to each of `parameters` lies on piece `piece` between the offsets
-/// `from` and `to` (in the direction of the trace); `box` encloses that part of the curve, in the chart.
-template <class Ball>
-struct ChartTurningPoint {
-  std::vector<std::size_t> parameters;
-  std::size_t piece;
-  double from;
-  double to;
-  BallPoint<Ball> box;
-};
-
 /// A connected piece of the curve that starts in a cuspidal point and stays in the interior of the domain:
 /// every piece's end point is proved to lie on the next piece's arc. It ends in another cuspidal point or at
 /// a gate.
 template <class Ball>
 struct ChartTrace {
   std::vector<ChartPiece<Ball>> pieces;
-  std::vector<ChartTurningPoint<Ball>> turning;
+  TurningPoints<Ball> turning;  // their boxes are in the charts
   std::vector<TraceCut> cuts = {};
   int start;                     // index of the cuspidal point
   int end = -1;                  // of the other one; -1: the gate

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <variant>
 
 #include "self/pair_rates.h"
-#include "trace/split_pieces.h"
-#include "trace/tube_points.h"
+#include "trace/shorter_piece.h"
+#include "trace/turning_search.h"
 
 namespace exsect {
 
@@ -29,37 +30,18 @@ BallPoint<Ball> pair_second_rates(Chart chart, const BallPoint<Ball>& p, const B
                                : BallPoint<Ball>{v + dv, u + du, v - dv, u - du};
 }
 
+/// On the tubes of both charts (turning_search.h).
 template <class Ball>
-class ChartTurningSearch {
+class ChartTurning {
  public:
-  ChartTurningSearch(const Charts<Ball>& charts, ChartTrace<Ball>& trace,
-                     const std::array<std::size_t, 4>& coincident, const StopRequest& stop)
-      : charts_(charts), trace_(trace), coincident_(coincident), stop_(stop) {}
+  using Number = Ball;
+  using Piece = ChartPiece<Ball>;
+  static constexpr std::size_t most_pieces = std::numeric_limits<std::size_t>::max();
 
-  std::optional<TraceFailure> run() {
-    if (!split()) {
-      return failure_;
-    }
-    for (std::size_t k = 0; k < trace_.pieces.size(); ++k) {
-      const std::size_t before = trace_.turning.size();
-      if (!trace_.pieces[k].monotone && !search(k)) {
-        return failure_;
-      }
-      if (!order(before)) {
-        return failure_;
-      }
-    }
-    return std::nullopt;
-  }
+  ChartTurning(const Charts<Ball>& charts, const std::vector<Piece>& pieces)
+      : charts_(charts), pieces_(pieces) {}
 
- private:
-  /// Parameter j of the trace is parameter own(j) of t > 0 in the chart.
-  static std::size_t own(const ChartPiece<Ball>& piece, std::size_t j) {
-    return piece.exchanged ? (j + 2) % 4 : j;
-  }
-
-  /// Each parameter is monotone or turns at most once on the piece.
-  static bool is_simple(const ChartPiece<Ball>& piece) {
+  static bool is_simple(const Piece& piece) {
     if (piece.monotone) {
       return true;
     }
@@ -84,17 +66,7 @@ class ChartTurningSearch {
     return true;
   }
 
-  bool split() {
-    const auto part_of = [this](const ChartPiece<Ball>& piece, double from, double to) {
-      return part(piece, from, to);
-    };
-    const auto failure =
-        split_pieces(trace_.pieces, std::numeric_limits<std::size_t>::max(), is_simple, part_of);
-    if (failure) fail(failure->piece, point_at(failure->piece.tube, failure->at), failure->why);
-    return !failure;
-  }
-
-  std::optional<ChartPiece<Ball>> part(const ChartPiece<Ball>& piece, double from, double to) const {
+  std::optional<Piece> part(const Piece& piece, double from, double to) const {
     const BallPoint<Ball> centre = point_at(piece.tube, 0.5 * (from + to));
     const BallPoint<Ball> start = point_at(piece.tube, from);
     const BallPoint<Ball> end = point_at(piece.tube, to);
@@ -104,110 +76,58 @@ class ChartTurningSearch {
     const auto tube =
         certify_chart_tube(chart_of(charts_, piece.chart), centre, axis, 0.505 * length + 2 * radius,
                            std::max(4 * radius, kChartTubeRoom * length));
-    if (!tube || !contains(*tube, centre) || !contains(*tube, start) || !contains(*tube, end)) {
+    const auto range =
+        tube ? range_on(*tube, start, centre, end, piece.range.direction()) : std::optional<PieceRange>();
+    if (!range) {
       return std::nullopt;
     }
-    const auto range = PieceRange::between(start[axis] - tube->centre[axis], end[axis] - tube->centre[axis]);
-    if (!range || range->direction() != piece.range.direction()) {
-      return std::nullopt;
-    }
-    return ChartPiece<Ball>{piece.chart, piece.exchanged, false, *tube, *range};
+    return Piece{piece.chart, piece.exchanged, false, *tube, *range};
   }
 
-  /// The signs of the derivatives of the parameters with respect to the tube's offset.
-  std::array<int, 4> rate_signs(const ChartPiece<Ball>& piece, double tau) const {
+  bool may_turn(const Piece& piece, std::size_t /*j*/) const { return !piece.monotone; }
+
+  int sign_at(const Piece& piece, double tau, std::size_t j) const {
+    const auto [rate, along] = rates_at(piece, tau, j);
+    return rate.certain_sign() * along.certain_sign();
+  }
+
+  double slope_at(const Piece& piece, double tau, std::size_t j) const {
+    const auto [rate, along] = rates_at(piece, tau, j);
+    return rate.approximation() / along.approximation();
+  }
+
+  /// Ends of traces are like joints.
+  std::optional<int> end_sign(std::size_t k, std::size_t j, bool at_end) const {
+    const PieceRange& range = pieces_[k].range;
+    const int sign = sign_at(pieces_[k], at_end ? range.to() : range.from(), j);
+    return sign == 0 ? std::nullopt : std::optional(sign);
+  }
+  static bool knows_end(std::size_t /*k*/, std::size_t /*j*/, bool /*at_end*/) { return false; }
+
+  static double unit(const Piece& piece) { return 0x1p-50 * piece.tube.reach; }
+
+  static bool are_one(const TurningPoint<Ball>& /*a*/, const TurningPoint<Ball>& /*b*/) { return false; }
+  static bool magnify(std::size_t /*k*/, double /*at*/) { return false; }
+
+  static BallPoint<Ball> pair(const Piece& piece, const BallPoint<Ball>& at) {
+    return at[3].is_positive() ? pair_on(piece, at) : BallPoint<Ball>{};
+  }
+
+ private:
+  /// The derivatives, up to one positive factor, of parameter j of the trace and of the tube's axis along the
+  /// tangent field.
+  std::array<Ball, 2> rates_at(const Piece& piece, double tau, std::size_t j) const {
     const BallPoint<Ball> p = point_at(piece.tube, tau);
     if (!p[3].is_positive()) {
-      return {};
+      return {Ball(0), Ball(1)};
     }
     const BallPoint<Ball> tangent = tangent_at(chart_of(charts_, piece.chart), p);
-    const BallPoint<Ball> rates = pair_rates(piece.chart, p, tangent);
-    const int along = tangent[piece.tube.axis].certain_sign();
-    std::array<int, 4> signs;
-    for (std::size_t j = 0; j < 4; ++j) {
-      signs[j] = rates[own(piece, j)].certain_sign() * along;
-    }
-    return signs;
-  }
-
-  bool search(std::size_t k) {
-    const ChartPiece<Ball> piece = trace_.pieces[k];
-    if (is_stopped(stop_)) {
-      fail(piece, point_at(piece.tube, piece.range.from()), "the work cap was reached");
-      return false;
-    }
-    const std::array<int, 4> first = rate_signs(piece, piece.range.from());
-    const std::array<int, 4> last = rate_signs(piece, piece.range.to());
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (j >= 2 && coincident_[j] != j) {
-        continue;
-      }
-      if (first[j] == 0 || last[j] == 0) {
-        fail(piece, point_at(piece.tube, first[j] == 0 ? piece.range.from() : piece.range.to()),
-             "a turning point cannot be separated from the end of a step");
-        return false;
-      }
-      if (first[j] != last[j]) {
-        bracket(k, j, first[j]);
-      }
-    }
-    return true;
-  }
-
-  /// Bisection while the sign in the middle is certain.
-  void bracket(std::size_t k, std::size_t j, int first_sign) {
-    const ChartPiece<Ball>& piece = trace_.pieces[k];
-    double from = piece.range.from();
-    double to = piece.range.to();
-    for (const double fraction : {0.5, 0.4853}) {
-      for (int i = 0; i < 60; ++i) {
-        const double middle = from + fraction * (to - from);
-        const int sign = rate_signs(piece, middle)[j];
-        if (sign == 0 || middle == from || middle == to) {
-          break;
-        }
-        (sign == first_sign ? from : to) = middle;
-      }
-    }
-    std::vector<std::size_t> parameters = {j};
-    if (coincident_[j] != j) {
-      parameters.push_back(coincident_[j]);
-    }
-    trace_.turning.push_back({parameters, k, from, to, box_between(piece.tube, from, to)});
-  }
-
-  /// Sorts the turning points of one piece; their brackets must be disjoint.
-  bool order(std::size_t begin) {
-    const auto first = trace_.turning.begin() + static_cast<std::ptrdiff_t>(begin);
-    if (trace_.turning.end() - first < 2) {
-      return true;
-    }
-    const ChartPiece<Ball>& piece = trace_.pieces[first->piece];
-    std::sort(first, trace_.turning.end(),
-              [&](const ChartTurningPoint<Ball>& a, const ChartTurningPoint<Ball>& b) {
-                return piece.range.precedes(a.from, b.from);
-              });
-    for (auto point = first; point + 1 != trace_.turning.end(); ++point) {
-      if (!piece.range.precedes(point->to, (point + 1)->from)) {
-        fail(piece, point->box, "turning points with respect to two parameters cannot be separated");
-        return false;
-      }
-    }
-    return true;
-  }
-
-  void fail(const ChartPiece<Ball>& piece, const BallPoint<Ball>& at, const char* why) {
-    const BallPoint<Ball> pair = at[3].is_positive() ? pair_on(piece, at) : BallPoint<Ball>{};
-    failure_ = {
-        {pair[0].approximation(), pair[1].approximation(), pair[2].approximation(), pair[3].approximation()},
-        why};
+    // Parameter j of the trace is another one of t > 0 in the chart if the piece is exchanged.
+    return {pair_rates(piece.chart, p, tangent)[piece.exchanged ? (j + 2) % 4 : j], tangent[piece.tube.axis]};
   }
 
   const Charts<Ball>& charts_;
-  ChartTrace<Ball>& trace_;
-  const std::array<std::size_t, 4>& coincident_;
-  const StopRequest& stop_;
-  TraceFailure failure_;
+  const std::vector<Piece>& pieces_;
 };
 
 }  // namespace
@@ -216,7 +136,11 @@ template <class Ball>
 std::optional<TraceFailure> find_chart_turning_points(const Charts<Ball>& charts, ChartTrace<Ball>& trace,
                                                       const std::array<std::size_t, 4>& coincident,
                                                       const StopRequest& stop) {
-  return ChartTurningSearch<Ball>(charts, trace, coincident, stop).run();
+  auto found =
+      TurningSearch<ChartTurning<Ball>>({charts, trace.pieces}, trace.pieces, coincident, stop).run();
+  if (const auto* failure = std::get_if<TraceFailure>(&found)) return *failure;
+  trace.turning = std::get<TurningPoints<Ball>>(std::move(found));
+  return std::nullopt;
 }
 
 #define EXSECT_INSTANTIATE_CHART_TURNING(Ball)                    \

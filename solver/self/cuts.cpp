@@ -20,14 +20,13 @@ bool meet(const BallPoint<Ball>& a, const BallPoint<Ball>& b) {
 }
 
 /// The point, known to be on the curve, if it is on the trace.
-template <class Pieces, class PointOn, class Offset>
-std::optional<TraceCut> place_on(const Pieces& pieces, int landmark, const PointOn& point_on,
-                                 const Offset& offset_of) {
+template <class Pieces, class PointOn>
+std::optional<TraceCut> place_on(const Pieces& pieces, int landmark, const PointOn& point_on) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const auto& piece = pieces[i];
     const auto point = point_on(piece);
     if (!point || !contains(piece.tube, *point)) continue;
-    const auto tau = offset_of(piece.tube, *point);
+    const auto tau = offset(piece.tube, *point);
     using Ball = std::decay_t<decltype(tau)>;
     if ((tau - Ball(piece.range.least())).is_negative() || (Ball(piece.range.greatest()) - tau).is_negative())
       continue;
@@ -146,9 +145,8 @@ class Cutting {
   std::optional<CutPlace> on_traces(std::size_t k, const BallPoint<Ball>& at, bool exchanged) {
     const int landmark = static_cast<int>(found_.landmarks.size());
     for (SelfCurve<Ball>& curve : found_.curves) {
-      const auto cut = place_on(
-          curve.analysed.trace.pieces, landmark, [&](const Piece<Ball>&) { return std::optional(at); },
-          [](const Tube<Ball>& tube, const BallPoint<Ball>& p) { return offset(tube, p); });
+      const auto cut = place_on(curve.analysed.trace.pieces, landmark,
+                                [&](const Piece<Ball>&) { return std::optional(at); });
       if (!cut) continue;
       const auto meets = [&](const TurningPoint<Ball>& turning) { return meet(turning.box, at); };
       const auto turning = drop_turning_at(k, exchanged, false, curve.analysed.turning, meets);
@@ -156,13 +154,10 @@ class Cutting {
     }
     for (std::size_t i = 0; i < found_.chart_traces.size(); ++i) {
       ChartTrace<Ball>& trace = found_.chart_traces[i];
-      const auto cut = place_on(
-          trace.pieces, landmark, [&](const ChartPiece<Ball>& piece) { return in_chart(piece.chart, at); },
-          [](const ChartTube<Ball>& tube, const BallPoint<Ball>& p) {
-            return p[tube.axis] - tube.centre[tube.axis];
-          });
+      const auto cut = place_on(trace.pieces, landmark,
+                                [&](const ChartPiece<Ball>& piece) { return in_chart(piece.chart, at); });
       if (!cut || !has_order(trace.pieces[cut->piece], is_exchanged(i) ? exchanged_pair(at) : at)) continue;
-      const auto meets = [&](const ChartTurningPoint<Ball>& turning) {
+      const auto meets = [&](const TurningPoint<Ball>& turning) {
         const auto here = in_chart(trace.pieces[turning.piece].chart, at);
         return !here || meet(turning.box, *here);
       };
@@ -175,13 +170,13 @@ class Cutting {
   /// Outside of the turning points' brackets T_i does not vanish: a zero of T_i near one bracket is in it.
   /// Returns the parameters that turn in the cut; empty if the cut may be another point than a turning point
   /// near it. `exchanged`: the pair with respect to the cut; `reversed`: the trace with respect to the pair.
-  template <class Turning, class Meets>
+  template <class Meets>
   std::optional<std::vector<Parameter>> drop_turning_at(std::size_t k, bool exchanged, bool reversed,
-                                                        std::vector<Turning>& turning, const Meets& meets) {
+                                                        TurningPoints<Ball>& turning, const Meets& meets) {
     std::vector<Parameter> turns;
     if (std::ranges::none_of(turning, meets)) return turns;
     const std::array<bool, 4> zero = cuts_[k].zero_tangent();
-    for (const Turning& point : turning) {
+    for (const TurningPoint<Ball>& point : turning) {
       if (!meets(point)) continue;
       for (const std::size_t j : point.parameters) {
         const std::size_t p = reversed ? (j + 2) % 4 : j;

@@ -62,7 +62,7 @@ class ChartArcs {
     const ChartPiece<Ball>& first = trace_.pieces.front();
     const ChartPiece<Ball>& last = trace_.pieces.back();
     stops_.push_back({start_node, 0, first.range.from(), vertex(first, first.range.from())});
-    for (const ChartTurningPoint<Ball>& point : trace_.turning) {
+    for (const TurningPoint<Ball>& point : trace_.turning) {
       add_turning(point, wanted);
     }
     add_cuts();
@@ -97,7 +97,7 @@ class ChartArcs {
     });
   }
 
-  void add_turning(const ChartTurningPoint<Ball>& point, const std::vector<Parameter>& wanted) {
+  void add_turning(const TurningPoint<Ball>& point, const std::vector<Parameter>& wanted) {
     Node node{};
     for (const std::size_t j : point.parameters) {
       const auto p = static_cast<Parameter>(exchange_ ? (j + 2) % 4 : j);

@@ -307,7 +307,7 @@ BallPoint<Ball> point_at(const ChartTube<Ball>& tube, double tau) {
 
 template <class Ball>
 bool contains(const ChartTube<Ball>& tube, const BallPoint<Ball>& box) {
-  const Ball tau = box[tube.axis] - tube.centre[tube.axis];
+  const Ball tau = offset(tube, box);
   if (!(tau.upper_magnitude() <= tube.reach)) {
     return false;
   }

@@ -44,6 +44,12 @@ std::optional<BallPoint<Ball>> newton_corrected(const ChartSystem<Ball>& system,
 template <class Ball>
 BallPoint<Ball> point_at(const ChartTube<Ball>& tube, double tau);
 
+/// The offset tau of a point's coordinate k, enclosed.
+template <class Ball>
+Ball offset(const ChartTube<Ball>& tube, const BallPoint<Ball>& point) {
+  return point[tube.axis] - tube.centre[tube.axis];
+}
+
 /// True only if the whole box lies in the tube's region: a curve point known to be in the box is then on its
 /// arc.
 template <class Ball>

@@ -29,14 +29,9 @@ std::optional<Piece<Ball>> shorter_piece(const PairSystem<Ball>& system, const P
   const std::size_t axis = piece.tube.axis;
   const double length = std::fabs((end[axis] - start[axis]).approximation());
   const auto result = certify_tube(system, centre, axis, 0.505 * length + 2 * radius, 4 * radius);
-  if (!result || !contains(*result, centre) || !contains(*result, start) || !contains(*result, end)) {
-    return std::nullopt;
-  }
-  const auto range = PieceRange::between(offset(*result, start), offset(*result, end));
-  if (!range || range->direction() != piece.range.direction()) {
-    return std::nullopt;
-  }
-  return Piece<Ball>{*result, *range};
+  const auto range =
+      result ? range_on(*result, start, centre, end, piece.range.direction()) : std::optional<PieceRange>();
+  return range ? std::optional(Piece<Ball>{*result, *range}) : std::nullopt;
 }
 
 template <class Ball>

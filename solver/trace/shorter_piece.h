@@ -7,6 +7,16 @@
 
 namespace exsect {
 
+/// The range between two points on a tube that contains them and `between`; empty if it is not known to, or
+/// if the direction is another one.
+template <class Tube, class Point>
+std::optional<PieceRange> range_on(const Tube& tube, const Point& start, const Point& between,
+                                   const Point& end, int direction) {
+  if (!contains(tube, between) || !contains(tube, start) || !contains(tube, end)) return std::nullopt;
+  const auto range = PieceRange::between(offset(tube, start), offset(tube, end));
+  return range && range->direction() == direction ? range : std::nullopt;
+}
+
 /// The part of the piece between two points of it, on a tube around `centre`, a point of the curve between
 /// them; empty if that cannot be proved.
 template <class Ball>
