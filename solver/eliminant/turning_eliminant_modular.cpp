@@ -32,6 +32,13 @@ Forms forms_modulo(const PrimeField& field, const Pair& pair) {
 
 }  // namespace
 
+std::vector<Residue> derivative(const PrimeField& field, const std::vector<Residue>& f) {
+  std::vector<Residue> result;
+  for (std::size_t i = 1; i < f.size(); ++i)
+    result.push_back(field.multiply(f[i], field.residue(static_cast<std::int64_t>(i))));
+  return result;
+}
+
 template <class Forms>
 template <class Pair>
 ModularEliminantOf<Forms>::ModularEliminantOf(const PrimeField& field, const Pair& pair)
@@ -63,15 +70,16 @@ std::vector<ResidueFraction> ModularEliminantOf<Forms>::fast_values(Residue firs
 template <class Forms>
 ResidueFraction ModularEliminantOf<Forms>::value(Residue u) const {
   const PrimeField& field = forms_.field().prime_field();
-  const typename Forms::Fibre f = forms_.fibre(u);
-  const std::vector<Residue> r(std::begin(f.r), std::end(f.r));
-  const std::vector<Residue> s1(std::begin(f.s1), std::end(f.s1));
-  std::vector<Residue> derivative;
-  for (std::size_t i = 1; i < r.size(); ++i)
-    derivative.push_back(field.multiply(r[i], field.residue(static_cast<std::int64_t>(i))));
+  const FibrePolynomials f = fibre(u);
   const typename Forms::Fraction lead = forms_.leading_factor(f.lead_r, f.lead_s);
-  return {field.multiply(lead.numerator, resultant(field, r, derivative)),
-          field.multiply(lead.denominator, resultant(field, r, s1))};
+  return {field.multiply(lead.numerator, resultant(field, f.r, derivative(field, f.r))),
+          field.multiply(lead.denominator, resultant(field, f.r, f.s1))};
+}
+
+template <class Forms>
+FibrePolynomials ModularEliminantOf<Forms>::fibre(Residue u) const {
+  const typename Forms::Fibre f = forms_.fibre(u);
+  return {{std::begin(f.r), std::end(f.r)}, {std::begin(f.s1), std::end(f.s1)}, f.lead_r, f.lead_s};
 }
 
 template <class Forms>

@@ -12,6 +12,9 @@
 
 namespace exsect {
 
+/// f' of f, constant terms first.
+std::vector<Residue> derivative(const PrimeField& field, const std::vector<Residue>& f);
+
 /// PrimeField as FibreResultants wants it.
 class ScalarArithmetic {
  public:
@@ -42,6 +45,12 @@ class ScalarArithmetic {
   PrimeField field_;
 };
 
+/// At one u modulo a prime: R and S1, constant terms first, and the leading coefficients.
+struct FibrePolynomials {
+  std::vector<Residue> r, s1;
+  Residue lead_r, lead_s;
+};
+
 /// Values of E(u) (docs/method.md, equations (4.8), (16.9) and (16.16)) of a pair reduced modulo a prime.
 template <class Forms>
 class ModularEliminantOf {
@@ -54,6 +63,7 @@ class ModularEliminantOf {
   /// E(u) from resultants that allow any sequence of degrees: the denominator is zero only where
   /// g_s(u) Res(R,S1)(u) = 0, or l_s Res(R,S1) = 0. Several times slower.
   ResidueFraction value(Residue u) const;
+  FibrePolynomials fibre(Residue u) const;
   /// E at `count` successive u from `first`, by the slower way where the faster one is not defined.
   std::vector<ResidueFraction> values(Residue first, std::size_t count) const;
 

@@ -13,6 +13,7 @@
 #include "eliminant/ball_eliminant.h"
 #include "eliminant/coordinate_bits.h"
 #include "eliminant/special_eliminant.h"
+#include "eliminant/stripped_eliminant.h"
 #include "eliminant/turning_eliminant_modular.h"
 #include "eliminant/vector_eliminant.h"
 #include "eliminant/weighted_eliminant_height.h"
@@ -35,11 +36,28 @@ std::size_t expected_bits(const WeightedPair& pair) {
   return coordinate_bits(pair) * by_kind(pair, [](const auto& kind) { return kind.coordinate_degree; });
 }
 
+/// The same pair with r and s exchanged.
+WeightedPair with_second_transposed(const WeightedPair& pair) {
+  WeightedPair result = pair;
+  for (std::size_t i = 0; i < pair.y.size(); ++i)
+    for (std::size_t j = 0; j < pair.y.size(); ++j) result.y[i][j] = pair.y[j][i];
+  return result;
+}
+
+/// Where lines of y are points. Of y of one degree in both parameters these may be lines of r or of s.
+std::optional<ModularIntegers> without_point_lines(const WeightedPair& pair) {
+  if (auto residues = stripped_eliminant(pair, eliminant_height_bound(pair))) return residues;
+  if (pair.y.size() != pair.y.front().size()) return std::nullopt;
+  const WeightedPair transposed = with_second_transposed(pair);
+  return stripped_eliminant(transposed, eliminant_height_bound(transposed));
+}
+
 /// Empty where E is not defined.
 std::optional<ModularIntegers> modulo_primes(const WeightedPair& pair) {
   return by_kind(pair, [&]<class Kind>(Kind) -> std::optional<ModularIntegers> {
     using Eliminant = WeightedModularEliminant<Kind>;
-    if (expected_bits(pair) > kMostBits || !is_generic<Eliminant>(pair)) return std::nullopt;
+    if (expected_bits(pair) > kMostBits) return std::nullopt;
+    if (!is_generic<Eliminant>(pair)) return without_point_lines(pair);
     const std::size_t bits = eliminant_height_bound(pair);
     if (auto by_vectors = vector_eliminant(pair, bits)) return by_vectors;
     return interpolate_modular_polynomial(Kind::degree(pair.x.size() - 1), bits,

@@ -17,9 +17,9 @@ namespace exsect {
 /// (2,2), otherwise the one beside each parameter of degree 1 (16.17). The degrees are those of reduced().
 std::vector<Parameter> eliminant_sweeps(const RationalPatch& x, const RationalPatch& y);
 
-/// E != 0 of (16.9) or (16.16) in the parameter: what turning_eliminant promises of its roots holds for the
-/// solutions of X = λY with X, Y != 0. Of degree at most 160 for bidegrees (2,2), 252 otherwise; primitive
-/// with integer coefficients, positive leading coefficient. Empty where it is not defined (quadrics, contact
+/// E != 0 of (16.9), (16.16) or (16.20) in the parameter: what turning_eliminant promises of its roots holds
+/// for the solutions of X = λY inside the squares. Of degree at most 160 for bidegrees (2,2), 252 otherwise;
+/// primitive with integer coefficients, positive leading coefficient. Empty where it is not defined (contact
 /// along a curve) or would have over 2^19 bits. Requires one of eliminant_sweeps.
 std::optional<Polynomial> weighted_eliminant(const RationalPatch& x, const RationalPatch& y, Parameter sweep);
 

@@ -71,8 +71,8 @@ IntersectResult solved_pair(const ExactPatch<K>& x, const ExactPatch<K>& y, cons
   if (pair && known.stuck) return filter::ended_at<K>(*pair, *known.stuck);
   return undecided(whole_domain(),
                    run.exact()
-                       ? "not decided by an eliminant, as where the patches touch along a curve or both are "
-                         "surfaces of revolution"
+                       ? "not decided by an eliminant, as where the patches touch along a curve or one is a "
+                         "sphere"
                        : "not decided in doubles");
 }
 

@@ -2,6 +2,7 @@
 // doubles find.
 #include <exsect/solver/intersect_rational.h>
 
+#include "solver/filter/round_patches.h"
 #include "support/catch.h"
 #include "support/graph_isomorphism.h"
 #include "support/random_nets.h"
@@ -95,6 +96,21 @@ TEST_CASE("rational exact mode: pieces of one surface, and equal patches") {
   const RationalPatch right = whole.restricted_to(Rational(1, 3), 1, 0, 1);
   CHECK(compared({left, right}, false) == 1);
   CHECK(compared({whole, whole.transposed()}, false) == 1);
+}
+
+TEST_CASE("rational exact mode: surfaces of revolution") {
+  const auto rotated = [](const RationalPatch& patch, std::uint64_t seed) {
+    Generator generator(seed);
+    return random_nets::image(patch, random_nets::projective_map(generator));
+  };
+  int complete = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    INFO("seed " << seed);
+    const RationalPatch torus = rotated(testing::torus(2, 1), seed);
+    complete += compared({testing::torus(2, 1), torus});
+    complete += compared({testing::sphere(Rational(5, 2)), torus});
+  }
+  CHECK(complete >= 7);
 }
 
 TEST_CASE("rational exact mode: incomplete where patches touch along a curve") {
