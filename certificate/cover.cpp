@@ -217,9 +217,12 @@ class Cover {
       box[j] = {cell.middle[j], cell.half[j]};
       exact[j] = {Enclosure(cell.middle[j]), Enclosure(cell.half[j])};
     }
-    const auto [p, q] = checker::divided(pair_.charts[0].divided, checker::halves(Chart::first, box), 0.0);
+    const checker::Divided<double>& maps = pair_.charts[0].divided;
+    const checker::Box<double> pairs = checker::halves(Chart::first, box);
+    const checker::DividedOver<double> over(maps, pairs);
     const auto middle = [](const auto& v) { return Vector{v[0].middle, v[1].middle, v[2].middle}; };
-    const auto n = rounded_direction(checker::cross(middle(p), middle(q)));
+    const auto n = rounded_direction(checker::cross(middle(over.r(0)), middle(over.q())));
+    if (checker::volume({double(n[0]), double(n[1]), double(n[2])}, maps, pairs).sign() == 0) return "";
     const checker::Vector3<Enclosure> direction = {n[0], n[1], n[2]};
     const Enclosure least =
         checker::volume(direction, divided_, checker::halves(Chart::first, exact)).least();

@@ -173,7 +173,8 @@ checker::Map<checker::Enclosure> in_enclosures(const Map& map) {
   checker::Map<checker::Enclosure> result;
   result.set_long(map.is_long());
   for (const auto& term : map.terms())
-    for (std::size_t d = 0; d < 3; ++d) result.coefficient(term.power)[d] = checker::Enclosure(term.c[d]);
+    result.coefficient(term.power) = {checker::Enclosure(term.c[0]), checker::Enclosure(term.c[1]),
+                                      checker::Enclosure(term.c[2])};
   return result;
 }
 

@@ -134,6 +134,11 @@ class Map {
     add_to(coefficient(power), c, factor);
   }
 
+  /// Adds factor times a map of the same monomials in the same order.
+  void add_multiple(const Map& other, const N& factor) {
+    for (std::size_t i = 0; i < terms_.size(); ++i) add_to(terms_[i].c, other.terms_[i].c, factor);
+  }
+
   /// The Taylor coefficients at another point, w further: term by term, or of a long map by Horner's rule.
   Map at(const Vector4<N>& w) const {
     Map result = *this;

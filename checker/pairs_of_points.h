@@ -5,8 +5,8 @@
 
 namespace exsect::checker {
 
-/// P and Q, maps of (U, V, a^2, b^2): F(U + a, V + b, U - a, V - b) = 2 (a P + b Q) for pairs of points with
-/// middle (U,V) and half difference (a,b).
+/// P and Q, maps of (U, V, a^2, b^2) with the same monomials in the same order: F(U + a, V + b, U - a, V - b)
+/// = 2 (a P + b Q) for pairs of points with middle (U,V) and half difference (a,b).
 template <class N>
 using Divided = std::array<Map<N>, 2>;
 
@@ -43,6 +43,17 @@ void add_in_chart(Map<N>& chart, const Map<N>& map, const Power& monomial) {
     chart.add({power[0], power[1], 2 * power[3] + monomial[2], power[2] + power[3] + monomial[3]}, c, N(1));
 }
 
+template <class N>
+Divided<N> with_common_monomials(const Divided<N>& maps) {
+  Map<N> all;
+  for (const Map<N>& map : maps)
+    for (const auto& term : map.terms()) all.coefficient(term.power);
+  Divided<N> result = {all, all};
+  for (std::size_t n = 0; n < 2; ++n)
+    for (const auto& term : maps[n].terms()) result[n].coefficient(term.power) = term.c;
+  return result;
+}
+
 /// A chart of the pairs of points of one patch.
 template <class N>
 struct PairChart {
@@ -67,9 +78,10 @@ PairChart<N> pair_chart(const WeightedNet<N>& net) {
     add_product(map, w[p], x[0], -1);
     add_product(map, w[3], x[3 - p], 1, square);
     add_product(map, w[3 - p], x[3], -1, square);
-    finished(map);
     add_in_chart(result.equation, map, {0, 0, static_cast<int>(p) - 1, 0});
   }
+  result.divided = with_common_monomials(result.divided);
+  for (Map<N>& map : result.divided) finished(map);
   finished(result.equation);
   const auto mean = [&](const std::array<Map<N>, 4>& parts) {
     Map<N> map;
@@ -118,15 +130,29 @@ Ball<N> square(const Ball<N>& a) {
   return {middle, N(most - middle)};
 }
 
-/// R = P + m Q and Q over `pairs` = (U,V,a,b), for any m.
+/// P and Q over a box of pairs (U,V,a,b).
 template <class N>
-std::array<Balls<N>, 2> divided(const Divided<N>& maps, const Box<N>& pairs, const N& m) {
-  const Box<N> box = {pairs[0], pairs[1], square(pairs[2]), square(pairs[3])};
-  const Map<N> q = maps[1].at(middles(box));
-  Map<N> r = maps[0].at(middles(box));
-  for (const auto& [power, c] : q.terms()) r.add(power, c, m);
-  return {r.derivative({}, radii(box)), q.derivative({}, radii(box))};
-}
+class DividedOver {
+ public:
+  DividedOver(const Divided<N>& maps, const Box<N>& pairs)
+      : DividedOver(Box<N>{pairs[0], pairs[1], square(pairs[2]), square(pairs[3])}, maps) {}
+
+  Balls<N> q() const { return q_.derivative({}, half_); }
+  /// R = P + m Q, the coefficients added up first.
+  Balls<N> r(const N& m) const {
+    Map<N> sum = p_;
+    sum.add_multiple(q_, m);
+    return sum.derivative({}, half_);
+  }
+
+ private:
+  DividedOver(const Box<N>& squares, const Divided<N>& maps)
+      : p_(maps[0].at(middles(squares))), q_(maps[1].at(middles(squares))), half_(radii(squares)) {}
+
+  Map<N> p_;
+  Map<N> q_;
+  Vector4<N> half_;
+};
 
 /// Where a P + b Q = 0 for pairs of the box, (U,V,m,a^2) for m = b/a: with n the third row of C, m = m0 -
 /// (n . R) / (n . Q) for any m0, and a = 0 would make b = 0. Nothing is known, which the radius says, where
@@ -134,7 +160,9 @@ std::array<Balls<N>, 2> divided(const Divided<N>& maps, const Box<N>& pairs, con
 template <class N>
 Box<N> pairs_in_chart(const Tube<N>& tube, const Divided<N>& maps, const Box<N>& pairs) {
   const N& m = tube.centre[2];
-  const auto [r, q] = divided<N>({maps[0].times(tube.inverse), maps[1].times(tube.inverse)}, pairs, m);
+  const DividedOver<N> over({maps[0].times(tube.inverse), maps[1].times(tube.inverse)}, pairs);
+  const Balls<N> r = over.r(m);
+  const Balls<N> q = over.q();
   return {pairs[0], pairs[1], q[2].sign() == 0 ? Ball<N>(m, tube.extent()[2] + 1) : m - r[2] / q[2],
           square(pairs[2])};
 }
@@ -142,7 +170,9 @@ Box<N> pairs_in_chart(const Tube<N>& tube, const Divided<N>& maps, const Box<N>&
 /// n . (P x Q) of the first chart: if it does not vanish, no different points of the box are one in space.
 template <class N>
 Ball<N> volume(const Vector3<N>& n, const Divided<N>& maps, const Box<N>& pairs) {
-  const auto [p, q] = divided(maps, pairs, N(0));
+  const DividedOver<N> over(maps, pairs);
+  const Balls<N> p = over.r(0);
+  const Balls<N> q = over.q();
   double pq = 0;
   double qq = 0;
   for (std::size_t d = 0; d < 3; ++d) {
@@ -150,7 +180,7 @@ Ball<N> volume(const Vector3<N>& n, const Divided<N>& maps, const Box<N>& pairs)
     qq += approximate(q[d].middle) * approximate(q[d].middle);
   }
   // P x Q = R x Q: of all m, the one for which R is short.
-  const auto r = divided(maps, pairs, qq > 0 && std::abs(pq) < 1e6 * qq ? N(-pq / qq) : N(0))[0];
+  const Balls<N> r = over.r(qq > 0 && std::abs(pq) < 1e6 * qq ? N(-pq / qq) : N(0));
   return dot(Balls<N>{n[0], n[1], n[2]}, cross(r, q));
 }
 

@@ -78,7 +78,9 @@ TEST_CASE("ranges over boxes of pairs hold what is at their pairs") {
       pair[j] = box[j].middle + (i % 3 - 1) * box[j].radius;
     }
     const Rational m = some(generator);
-    const auto [r, q] = divided(maps, box, m);
+    const DividedOver<Rational> over(maps, box);
+    const Balls<Rational> r = over.r(m);
+    const Balls<Rational> q = over.q();
     const Vector4<Rational> squares = {pair[0], pair[1], pair[2] * pair[2], pair[3] * pair[3]};
     const Vector at_q = maps[1].value(squares);
     const Vector at_r = sum(maps[0].value(squares), 1, at_q, m);
