@@ -1,10 +1,9 @@
 // Answers do not depend on where and how large the surfaces are; and common points on planes are counted by
 // another route: resultants of both equations on the plane, and Sturm's count.
-#include <exsect/algebra/resultant.h>
-#include <exsect/algebra/sturm.h>
+#include "support/surface_moves.h"
+
 #include <exsect/solver/intersect_equations.h>
 
-#include <cmath>
 #include <map>
 #include <random>
 #include <string>
@@ -15,39 +14,8 @@ namespace exsect::surface_moves_test {
 namespace {
 
 using S = ImplicitSurface;
+using surface_moves::Motion, surface_moves::plane_counts;
 const Point origin = {0, 0, 0}, up = {0, 0, 1};
-
-/// p -> scale (turn p) + shift, with a turn by the quaternion 1 + 2i + 3j + 4k.
-struct Motion {
-  Rational scale = 1;
-  Point shift = {0, 0, 0};
-  bool turns = true;
-
-  Point direction(const Point& d) const {
-    if (!turns) return d;
-    const std::array<Point, 3> rows = {Point{-20, 4, 22}, Point{20, -10, 20}, Point{10, 28, 4}};
-    return {dot(rows[0], d) / 30, dot(rows[1], d) / 30, dot(rows[2], d) / 30};
-  }
-  Point operator()(const Point& p) const { return scale * direction(p) + shift; }
-
-  S operator()(const S& surface) const {
-    const SurfaceData& data = *surface.data();
-    const Point at = (*this)(data.point), axis = direction(data.axis);
-    const Length length = Length::of_squared(data.squared * scale * scale);
-    switch (surface.kind()) {
-      case SurfaceKind::plane:
-        return S::plane(at, axis);
-      case SurfaceKind::cylinder:
-        return S::cylinder(at, axis, length);
-      case SurfaceKind::cone:
-        return S::cone(at, axis, Length::of_squared(data.squared), surface.bound() ? 1 : 2);
-      case SurfaceKind::sphere:
-        return S::sphere(at, length);
-      default:
-        return S::torus(at, axis, length, Length::of_squared(data.minor_squared * scale * scale));
-    }
-  }
-};
 
 IntersectOptions drawn_within(double tolerance) {
   IntersectOptions options;
@@ -90,42 +58,6 @@ const std::vector<std::array<S, 2>>& specimens() {
   return pairs;
 }
 
-/// f on the plane origin + s a + t b, in (s,t).
-BivariatePolynomial on_plane(const SpacePolynomial& f, const Point& o, const Point& a, const Point& b) {
-  BivariatePolynomial sum;
-  for (const auto& [exponents, coefficient] : f.terms()) {
-    BivariatePolynomial term = BivariatePolynomial::constant(coefficient);
-    for (std::size_t k = 0; k < 3; ++k)
-      for (int i = 0; i < exponents[k]; ++i)
-        term = term * (BivariatePolynomial::constant(o[k]) +
-                       BivariatePolynomial::constant(a[k]) * BivariatePolynomial::r() +
-                       BivariatePolynomial::constant(b[k]) * BivariatePolynomial::s());
-    sum += term;
-  }
-  return sum;
-}
-
-/// How often the polylines cross the plane, -1 if a vertex is too near.
-int crossings(const SurfaceIntersection& result, const Point& o, const Point& normal) {
-  const double length = std::sqrt(to_double(dot(normal, normal)));
-  int count = 0;
-  for (const SpaceArc& arc : result.arcs) {
-    int before = 0;
-    for (const auto& p : arc.polyline) {
-      const Point q = {from_double(p[0]), from_double(p[1]), from_double(p[2])};
-      const double distance = to_double(dot(normal, q - o)) / length;
-      if (std::fabs(distance) <= arc.error_bound) {
-        if (&p == &arc.polyline.front() || &p == &arc.polyline.back()) return -1;
-        continue;
-      }
-      const int side = distance > 0 ? 1 : -1;
-      if (before != 0 && side != before) ++count;
-      before = side;
-    }
-  }
-  return count;
-}
-
 int number_in(std::mt19937& random, int least, int most) {
   return static_cast<int>(random() % static_cast<unsigned>(most - least + 1)) + least;
 }
@@ -147,16 +79,13 @@ struct PlaneCounts {
   void count(const S& first, const S& second, const SurfaceIntersection& result) {
     for (int k = 0; k < 4; ++k) {
       const Point o = Rational(1, 8) * vector_of(random, 6), a = vector_of(random, 9),
-                  b = vector_of(random, 9), normal = cross(a, b);
-      if (is_zero(normal)) continue;
-      const Polynomial eliminant =
-          resultant_r(on_plane(first.equation(), o, a, b), on_plane(second.equation(), o, a, b));
-      if (eliminant.degree() < 1) continue;
-      const int crossed = crossings(result, o, normal);
-      if (crossed < 0) continue;
-      CHECK(crossed == SturmSequence(eliminant).count_all());
+                  b = vector_of(random, 9);
+      if (is_zero(cross(a, b))) continue;
+      const auto counts = plane_counts(first, second, result, {o, a, b});
+      if (!counts) continue;
+      CHECK(counts->by_polylines == counts->by_resultant);
       ++counted;
-      points += crossed;
+      points += counts->by_polylines;
     }
   }
 };

@@ -1,0 +1,182 @@
+// replay_equations FIRST COUNT: random pairs of planes, cylinders, cones, spheres and tori with small
+// integers, where contact, common lines and circles, and singular points are common (tests/fuzz/README.md).
+// Their images under maps that keep the intersection must have the same topology: the surfaces exchanged,
+// moved, scaled, and given as polynomials without a name; and bounded curves the points on planes that
+// resultants count. Exit status 1 if there is a difference.
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <map>
+#include <numeric>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/surface_moves.h"
+#include "tiny_surfaces.h"
+
+namespace {
+
+using namespace exsect;
+using random_pairs::Generator;
+using surface_moves::Motion;
+using S = ImplicitSurface;
+using tiny_surfaces::tiny_surface, tiny_surfaces::unnamed, tiny_surfaces::vector_of, tiny_surfaces::written;
+
+constexpr double kTolerance = 1e-4;
+
+/// The topology of an answer, the same for every drawing of it: of each connected part its ends and branching
+/// nodes, how many independent loops it has, and the orders of contact; and the isolated points.
+std::string topology(const SurfaceIntersection& result) {
+  if (result.is_same) return "same surface";
+  std::vector<std::size_t> parent(result.nodes.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::size_t a) {
+    while (parent[a] != a) a = parent[a];
+    return a;
+  };
+  std::vector<int> degree(result.nodes.size(), 0);
+  for (const SpaceArc& arc : result.arcs) {
+    const auto from = static_cast<std::size_t>(arc.from), to = static_cast<std::size_t>(arc.to);
+    ++degree[from];
+    ++degree[to];
+    parent[root(from)] = root(to);
+  }
+  struct Part {
+    int loops = 1;
+    int orders = 0;  // as bits
+    std::vector<int> degrees = {};
+  };
+  std::map<std::size_t, Part> parts;
+  for (std::size_t k = 0; k < result.nodes.size(); ++k) {
+    Part& part = parts[root(k)];
+    --part.loops;
+    if (degree[k] != 2) part.degrees.push_back(degree[k]);
+  }
+  for (const SpaceArc& arc : result.arcs) {
+    Part& part = parts[root(static_cast<std::size_t>(arc.from))];
+    ++part.loops;
+    part.orders |= 1 << arc.multiplicity;
+  }
+  std::vector<std::string> texts;
+  for (auto& [number, part] : parts) {
+    std::sort(part.degrees.begin(), part.degrees.end());
+    std::ostringstream text;
+    text << part.loops << " loops";
+    if (part.orders != 2) text << " orders " << part.orders;
+    for (const int d : part.degrees) text << ' ' << d;
+    texts.push_back(text.str());
+  }
+  std::sort(texts.begin(), texts.end());
+  std::string all;
+  for (const std::string& text : texts) all += "[" + text + "] ";
+  return all;
+}
+
+struct Variant {
+  std::string name;
+  S first;
+  S second;
+};
+
+std::vector<Variant> variants(const S& first, const S& second) {
+  const Motion turned = {1, {3, -5, 7}, true}, inches = {Rational(127, 5), {0, 0, 0}, false},
+               far = {Rational(1, 1000), {1000000, 0, Rational(1, 3)}, true};
+  std::vector<Variant> result = {{"exchanged", second, first},
+                                 {"turned", turned(first), turned(second)},
+                                 {"times 25.4", inches(first), inches(second)},
+                                 {"small and far", far(first), far(second)}};
+  // A polynomial has both nappes.
+  if (!first.bound()) result.push_back({"first unnamed", unnamed(first), second});
+  if (!second.bound()) result.push_back({"second unnamed", first, unnamed(second)});
+  if (!first.bound() && !second.bound()) result.push_back({"both unnamed", unnamed(first), unnamed(second)});
+  return result;
+}
+
+struct EquationTally {
+  std::uint64_t complete = 0;
+  std::uint64_t compared = 0;
+  std::uint64_t wrong = 0;
+  std::uint64_t halves = 0;  // variants of which one only is complete
+  std::uint64_t planes = 0;
+  std::map<std::string, std::pair<int, std::uint64_t>> reasons;  // how often, an example's seed
+};
+
+SurfaceIntersection solved(const S& first, const S& second) {
+  IntersectOptions options;
+  options.tolerance = kTolerance;
+  options.max_seconds = 60;
+  return intersect(first, second, options);
+}
+
+void note(EquationTally& tally, const SurfaceIntersection& result, const std::string& where,
+          std::uint64_t seed) {
+  if (result.status == Status::complete) return;
+  ++tally.reasons.try_emplace(where + result.incomplete.at(0).why, 0, seed).first->second.first;
+}
+
+void check_planes(Generator& generator, const S& first, const S& second, const SurfaceIntersection& result,
+                  std::uint64_t seed, EquationTally& tally) {
+  if (result.is_same || result.count(SpaceNodeKind::cut) > 0 || first.bound() || second.bound()) return;
+  for (int k = 0; k < 3; ++k) {
+    const Point o = Rational(1, 7) * vector_of(generator, 9), a = vector_of(generator, 999),
+                b = vector_of(generator, 999);
+    if (is_zero(cross(a, b))) continue;
+    const auto counts = surface_moves::plane_counts(first, second, result, {o, a, b});
+    if (!counts) continue;
+    ++tally.planes;
+    if (counts->by_polylines == counts->by_resultant) continue;
+    ++tally.wrong;
+    std::cout << "seed " << seed << ", " << written(first) << ", " << written(second) << ": "
+              << counts->by_polylines << " points on a plane, not " << counts->by_resultant << std::endl;
+  }
+}
+
+void check(std::uint64_t seed, EquationTally& tally) {
+  Generator generator(seed);
+  const S first = tiny_surface(generator), second = tiny_surface(generator);
+  const SurfaceIntersection result = solved(first, second);
+  const bool complete = result.status == Status::complete;
+  if (complete) ++tally.complete;
+  note(tally, result, "", seed);
+  if (complete) check_planes(generator, first, second, result, seed, tally);
+  for (const Variant& variant : variants(first, second)) {
+    const SurfaceIntersection other = solved(variant.first, variant.second);
+    const bool other_complete = other.status == Status::complete;
+    if (complete != other_complete) ++tally.halves;
+    if (complete) note(tally, other, variant.name + ": ", seed);
+    if (!complete || !other_complete) continue;
+    ++tally.compared;
+    const std::string expected = topology(result), found = topology(other);
+    if (expected == found) continue;
+    ++tally.wrong;
+    std::cout << "seed " << seed << ", " << written(first) << ", " << written(second) << ", " << variant.name
+              << ": " << expected << "but " << found << std::endl;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc != 3) {
+    std::cerr << "usage: exsect_replay_equations FIRST COUNT\n";
+    return 2;
+  }
+  const std::uint64_t first = std::stoull(argv[1]), count = std::stoull(argv[2]);
+  EquationTally tally;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) check(seed, tally);
+  if (count == 1) {
+    Generator generator(first);
+    const S a = tiny_surface(generator);
+    std::cout << written(a) << ", " << written(tiny_surface(generator)) << '\n';
+  }
+  std::cout << count << " pairs, " << tally.complete << " complete, " << tally.wrong << " of "
+            << tally.compared << " comparisons and " << tally.planes << " planes differ, " << tally.halves
+            << " complete one way only\n";
+  for (const auto& [reason, entry] : tally.reasons)
+    std::cout << "  " << entry.first << " incomplete: " << reason << " (seed " << entry.second << ")\n";
+  return tally.wrong == 0 ? 0 : 1;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 2;
+}
