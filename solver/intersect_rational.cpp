@@ -22,27 +22,44 @@
 #include "self/self_intersect.h"
 #include "self/self_intersect_in_doubles.h"
 #include "signs_beside.h"
+#include "special/intersect_by_inverse.h"
 #include "special/polynomial_images.h"
 
 namespace exsect {
 
 namespace {
 
-/// Doubles may decide in one order of the patches what they do not in the other one.
-IntersectResult intersect_in_either_order(const RationalPatch& x, const RationalPatch& y, const Run& run) {
-  IntersectResult result = intersect_in_doubles(x, y, run);
-  if (result.status == Status::complete || run.out_of_time()) return result;
+/// What `solve` finds of y and x, if it does, as a result of x and y.
+template <class Solve>
+std::optional<IntersectResult> in_exchanged_order(const RationalPatch& x, const RationalPatch& y,
+                                                  const Run& run, const Solve& solve) {
   const OtherRun exchanged = [](const Run& given) {
     std::vector<Parameter> turning;
     for (const Parameter p : given.turning()) turning.push_back(all_parameters[(index(p) + 2) % 4]);
     return given.with_turning(std::move(turning));
   };
-  IntersectResult other = intersect_in_doubles(y, x, exchanged(run));
-  if (other.status != Status::complete) return result;
+  std::optional<IntersectResult> other = solve(y, x, exchanged(run));
+  if (!other || other->status != Status::complete) return std::nullopt;
   const auto rename = [](IntersectResult& renamed, const Run&) {
     rename_parameters(renamed, {Parameter::r, Parameter::s, Parameter::u, Parameter::v});
   };
-  return changed(std::move(other), run, rename, exchanged);
+  return changed(*std::move(other), run, rename, exchanged);
+}
+
+/// Doubles may decide in one order of the patches what they do not in the other one.
+IntersectResult intersect_in_either_order(const RationalPatch& x, const RationalPatch& y, const Run& run) {
+  IntersectResult result = intersect_in_doubles(x, y, run);
+  if (result.status == Status::complete || run.out_of_time()) return result;
+  auto other = in_exchanged_order(x, y, run, intersect_in_doubles);
+  return other ? *std::move(other) : result;
+}
+
+/// By an equation on one of them, if the other one has a linear inverse; empty where that decides nothing.
+std::optional<IntersectResult> intersect_as_curve(const RationalPatch& x, const RationalPatch& y,
+                                                  const Run& run) {
+  auto result = intersect_by_inverse(x, y, run);
+  if (result && result->status == Status::complete) return result;
+  return in_exchanged_order(x, y, run, intersect_by_inverse);
 }
 
 /// By polynomial patches, if x and y are images of some (14.20); empty otherwise.
@@ -69,6 +86,7 @@ std::optional<IntersectResult> intersect_as_polynomials(const RationalPatch& x, 
 IntersectResult intersect_any(const RationalPatch& x, const RationalPatch& y, const Run& run) {
   IntersectResult result = intersect_in_either_order(x, y, run);
   if (result.status == Status::complete || run.out_of_time()) return result;
+  if (auto as_curve = intersect_as_curve(x, y, run)) return *std::move(as_curve);
   if (auto as_polynomials = intersect_as_polynomials(x, y, run)) return *std::move(as_polynomials);
   if (run.exact()) return result;
   IntersectResult pieces = intersect_rational_pieces(x, y, run);

@@ -120,9 +120,11 @@ Rational power_of_a(int n, int i) {
   return powers[static_cast<std::size_t>(n)][static_cast<std::size_t>(i)];
 }
 
-/// The bicubic graph over the middle of a height by its Bernstein coefficients, and a plane at height 0.
+/// The bicubic graph over the middle of a height by its Bernstein coefficients, and a plane at height 0, a
+/// rectangle with one corner moved.
 template <class Height>
-IntersectResult graph_and_plane(const Height& height, const Rational& left_of_middle) {
+IntersectResult graph_and_plane(const Height& height, const Rational& left_of_middle,
+                                const Rational& moved = 0) {
   Net graph(4);
   Net plane(2);
   for (int i = 0; i < 4; ++i)
@@ -131,7 +133,8 @@ IntersectResult graph_and_plane(const Height& height, const Rational& left_of_mi
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       plane[static_cast<std::size_t>(i)].push_back(
-          {i == 0 ? Rational(-left_of_middle) : Rational(3, 2), Rational(5 * j - 2, 2), Rational(0)});
+          {i == 0 ? Rational(-left_of_middle) : Rational(Rational(3, 2) + j * moved),
+           Rational(Rational(5 * j - 2, 2) + i * j * moved), Rational(0)});
   return intersect(RationalPatch(graph), RationalPatch(plane));
 }
 /// Of height a^2 + sign b^2 + a^3.
@@ -139,6 +142,15 @@ IntersectResult graph_and_plane(int sign, const Rational& left_of_middle) {
   return graph_and_plane(
       [&](int i, int j) -> Rational { return power_of_a(2, i) + sign * power_of_a(2, j) + power_of_a(3, i); },
       left_of_middle);
+}
+/// Of height (a - b)^2 (1 + a + b): the plane touches along the diagonal u = v.
+IntersectResult contact_along_diagonal(const Rational& moved) {
+  return graph_and_plane(
+      [](int i, int j) -> Rational {
+        const auto term = [&](int m, int n) -> Rational { return power_of_a(m, i) * power_of_a(n, j); };
+        return term(2, 0) - 2 * term(1, 1) + term(0, 2) + term(3, 0) - term(2, 1) - term(1, 2) + term(0, 3);
+      },
+      Rational(1, 2), moved);
 }
 
 }  // namespace
@@ -288,14 +300,16 @@ TEST_CASE("intersect rational: a plane touches a bicubic graph along a line") {
   CHECK(result.graph.nodes.size() == 2);
 }
 
-TEST_CASE("intersect rational: what doubles do not decide is incomplete, with its place") {
-  // (a - b)^2 (1 + a + b): the plane touches along the diagonal u = v.
-  const IntersectResult result = graph_and_plane(
-      [](int i, int j) -> Rational {
-        const auto term = [&](int m, int n) -> Rational { return power_of_a(m, i) * power_of_a(n, j); };
-        return term(2, 0) - 2 * term(1, 1) + term(0, 2) + term(3, 0) - term(2, 1) - term(1, 2) + term(0, 3);
-      },
-      Rational(1, 2));
+TEST_CASE("intersect rational: contact along a curve that is no line of the parameters") {
+  const IntersectResult result = contact_along_diagonal(0);
+  REQUIRE(result.status == Status::complete);
+  REQUIRE(result.graph.arcs.size() == 1);
+  CHECK(result.graph.arcs[0].contact == Contact::tangential);
+}
+
+TEST_CASE("intersect rational: what nothing decides is incomplete, with its place") {
+  // A quadrilateral without parallel sides has no linear inverse.
+  const IntersectResult result = contact_along_diagonal(Rational(1, 4));
   REQUIRE(result.status == Status::incomplete);
   REQUIRE_FALSE(result.incomplete.empty());
   CHECK(result.incomplete[0].where[0].lower <= result.incomplete[0].where[1].upper);

@@ -1,0 +1,19 @@
+// Pairs of which one patch has a linear inverse: an equation on the other one, cut by its sides. Internal to
+// solver/; docs/method-equations.md, section 17.19.
+#pragma once
+
+#include <exsect/geometry/rational_patch.h>
+#include <exsect/solver/result.h>
+
+#include <optional>
+
+#include "answer/run.h"
+
+namespace exsect {
+
+/// Whatever meets there. Empty if y has no linear inverse, x lies on the surface of y or maps a part of
+/// their curve to one point, or the curve has too high a degree in x.
+std::optional<IntersectResult> intersect_by_inverse(const RationalPatch& x, const RationalPatch& y,
+                                                    const Run& run);
+
+}  // namespace exsect

@@ -1,0 +1,72 @@
+// Graphs of surfaces and patches: kinds, places and polylines of what the curve's graph says.
+#include "curve/surface_graph.h"
+
+#include <cmath>
+
+#include "support/catch.h"
+
+namespace exsect::surface_graph_test {
+namespace {
+
+/// The square as a plate at z = 0, which the planes and quadrics below cut.
+const RationalPatch square({{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 0}}});
+
+SurfaceCurve curve_of(BivariatePolynomial section) {
+  SurfaceCurve result;
+  result.section = std::move(section);
+  result.graph = curve_graph(result.section);
+  return result;
+}
+
+BivariatePolynomial number(const Rational& q) { return BivariatePolynomial::constant(q); }
+const BivariatePolynomial u = BivariatePolynomial::r(), v = BivariatePolynomial::s();
+
+BivariatePolynomial circle(const Rational& squared_radius) {
+  const BivariatePolynomial x = u - number(Rational(1, 2)), y = v - number(Rational(1, 2));
+  return x * x + y * y - number(squared_radius);
+}
+
+}  // namespace
+
+TEST_CASE("surface graph: a circle turns twice, and its chords keep within the tolerance") {
+  const DrawnPatch patch(square);
+  const GraphBuilder graph = surface_graph(curve_of(circle(Rational(1, 9))), patch, 1e-3);
+  REQUIRE(graph.nodes().size() == 2);
+  for (const Node& node : graph.nodes()) {
+    CHECK(node.kinds == std::vector{NodeKind::turning});
+    CHECK(node.wrt == std::vector{Parameter::u});
+  }
+  REQUIRE(graph.arcs().size() == 2);
+  for (const Arc& arc : graph.arcs()) {
+    CHECK(arc.contact == Contact::transversal);
+    CHECK(arc.place == ArcPlace::interior);
+    CHECK(arc.error_bound <= 1e-3);
+    for (const PolylineVertex& vertex : arc.polyline)
+      CHECK(std::fabs(std::hypot(vertex.point[0] - 0.5, vertex.point[1] - 0.5) - 1.0 / 3) <= 1e-3);
+  }
+}
+
+TEST_CASE("surface graph: contact, sides and isolated points") {
+  const DrawnPatch patch(square);
+  const GraphBuilder line = surface_graph(curve_of((u - v) * (u - v)), patch, 1e-3);
+  REQUIRE(line.arcs().size() == 1);
+  CHECK(line.arcs()[0].contact == Contact::tangential);
+  for (const Node& node : line.nodes())
+    CHECK(node.kinds == std::vector{NodeKind::boundary, NodeKind::corner});
+  for (const BivariatePolynomial& side : {u, v, u - number(1), v - number(1)}) {
+    const GraphBuilder graph = surface_graph(curve_of(side), patch, 1e-3);
+    REQUIRE(graph.arcs().size() == 1);
+    CHECK(graph.arcs()[0].place == ArcPlace::patch_boundary);
+  }
+  const GraphBuilder point = surface_graph(curve_of(circle(0)), patch, 1e-3);
+  REQUIRE(point.isolated_points().size() == 1);
+  CHECK(point.nodes()[0].kinds == std::vector{NodeKind::touch});
+  CHECK(point.nodes()[0].around == 1);
+  const GraphBuilder cross = surface_graph(curve_of(u * u - v * v - u + v), patch, 1e-3);  // u = v, u = 1 - v
+  CHECK(cross.arcs().size() == 4);
+  CHECK(std::ranges::count_if(cross.nodes(), [](const Node& node) {
+          return node.kinds == std::vector{NodeKind::crossing};
+        }) == 1);
+}
+
+}  // namespace exsect::surface_graph_test

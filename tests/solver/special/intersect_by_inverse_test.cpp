@@ -1,0 +1,168 @@
+// Pairs decided by the linear inverse of one patch: against doubles, and by what is known of their curves.
+#include "special/intersect_by_inverse.h"
+
+#include <functional>
+
+#include "filter/filter.h"
+#include "support/catch.h"
+#include "support/graph_isomorphism.h"
+#include "support/random_nets.h"
+
+namespace exsect::intersect_by_inverse_test {
+namespace {
+
+using random_nets::Generator;
+using Net = std::vector<std::vector<HomogeneousPoint>>;
+
+/// The circle of 2 atan(2/3) to both sides of the angle 0: (w cos, w sin, w).
+std::vector<std::array<Rational, 3>> arc() {
+  const Rational q(4, 9), t(2, 3);
+  return {{1 - q, -t, 1 + q}, {1 + q, 0, 1 - q}, {1 - q, t, 1 + q}};
+}
+
+/// A part of the torus about the z axis with radii 3 and 1, about the circle nearest to z = 1.
+RationalPatch torus_from_above() {
+  Net net;
+  for (const auto& [c, s, w] : arc()) {
+    net.emplace_back();
+    for (const auto& [x, y, z] : arc())
+      net.back().push_back({(3 * w + s) * x, (3 * w + s) * y, c * z, w * z});
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+
+/// Around z = height, a parallelogram.
+RationalPatch plate(const Rational& height) {
+  return RationalPatch({{{-1, -8, height}, {0, 5, height}}, {{6, -4, height}, {7, 9, height}}});
+}
+
+IntersectResult solved(const RationalPatch& x, const RationalPatch& y) {
+  const auto result = intersect_by_inverse(x, y, Run());
+  REQUIRE(result);
+  REQUIRE(result->status == Status::complete);
+  return *result;
+}
+
+/// Near the points of the other patch of random_nets::crossing().
+std::vector<std::function<RationalPatch(Generator&)>> makers() {
+  const auto middle = [](Generator& generator) {
+    const RationalPatch y = random_nets::crossing(generator, {1, 1, 1, 1}, false).second();
+    return std::array{y(0, 0), y(0, 1), y(1, 0)};
+  };
+  return {[](Generator& generator) {
+            return random_nets::crossing(generator, {2, 2, 1, 1}, true).second();
+          },
+          [middle](Generator& generator) {
+            const auto [a, b, c] = middle(generator);
+            return RationalPatch({{a, b}, {c, b + c - a}});
+          },
+          [middle](Generator& generator) {
+            const auto [a, b, c] = middle(generator);
+            return random_nets::reparametrised(
+                RationalPatch({{a, b}, {c, c + Rational(2, 3) * (b - a)}}).transposed(), Rational(3, 5));
+          },
+          [middle](Generator& generator) {  // a cone or a cylinder over a parabola
+            const auto [a, b, c] = middle(generator);
+            const Point up = Rational(1, 5) * cross(b - a, c - a);
+            const Rational scale(generator() % 2 == 0 ? 1 : 2, 2);
+            std::vector<std::vector<Point>> net;
+            for (const int i : {0, 1, 2}) {
+              const Point p = a + Rational(i, 2) * (c - a) + (i == 1 ? up : Point{0, 0, 0});
+              net.push_back({p, a + scale * (p - a) + (b - a)});
+            }
+            return RationalPatch(net);
+          }};
+}
+
+}  // namespace
+
+TEST_CASE("by inverse: the graph that doubles find") {
+  int compared = 0, arcs = 0;
+  for (std::size_t kind = 0; kind < makers().size(); ++kind)
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      INFO("kind " << kind << ", seed " << seed);
+      Generator generator(seed);
+      const RationalPatch y = makers()[kind](generator);
+      const random_nets::Net net = random_nets::crossing(generator, {2, 2, 1, 1}, seed % 2 == 0).x;
+      const RationalPatch x = seed % 3 == 0 ? RationalPatch(net) : random_nets::weighted(generator, net);
+      const IntersectResult in_doubles = intersect_in_doubles(x, y, Run());
+      if (in_doubles.status != Status::complete) continue;
+      const IntersectResult result = solved(x, y);
+      CHECK(difference(result.graph, in_doubles.graph, {}) == "");
+      ++compared;
+      arcs += static_cast<int>(result.graph.arcs.size());
+    }
+  CHECK(compared >= 20);
+  CHECK(arcs >= 20);
+}
+
+TEST_CASE("by inverse: bicubic patches on planes, with and without turning points") {
+  for (const bool all : {true, false}) {
+    Generator generator(7);
+    const RationalPatch y = makers()[1](generator);
+    const RationalPatch x =
+        random_nets::weighted(generator, random_nets::crossing(generator, {3, 3, 1, 1}, true).x);
+    IntersectOptions options;
+    if (!all) options.turning = {};
+    const Run run(options);
+    const auto result = intersect_by_inverse(x, y, run);
+    REQUIRE(result);
+    CHECK(difference(result->graph, intersect_in_doubles(x, y, run).graph, {}) == "");
+  }
+}
+
+TEST_CASE("by inverse: nothing is said of curves of high degree") {
+  Generator generator(7);
+  const RationalPatch y = makers()[0](generator);
+  CHECK_FALSE(intersect_by_inverse(random_nets::crossing(generator, {3, 3, 1, 1}, true).first(), y, Run()));
+}
+
+TEST_CASE("by inverse: a torus lies on a plate") {
+  const IntersectResult contact = solved(torus_from_above(), plate(1));
+  CHECK(contact.graph.count(ComponentShape::open) == 1);
+  for (const Arc& arc : contact.graph.arcs) CHECK(arc.contact == Contact::tangential);
+  // The circle turns in r and in s, as the plate's sides are oblique, and nowhere in u and v.
+  CHECK(contact.graph.turning_points(Parameter::u) == 0);
+  CHECK(contact.graph.turning_points(Parameter::v) == 0);
+  CHECK(contact.graph.turning_points(Parameter::r) == 1);
+  CHECK(contact.graph.turning_points(Parameter::s) == 1);
+  for (const int digits : {3, 6, 12, 20}) {
+    const Rational e = 1 / Rational(pow(Integer(10), static_cast<unsigned>(digits)));
+    CHECK(solved(torus_from_above(), plate(1 + e)).graph.nodes.empty());
+    const IntersectResult crossing = solved(torus_from_above(), plate(1 - e));
+    CHECK(crossing.graph.count(ComponentShape::open) == 2);
+    for (const Arc& arc : crossing.graph.arcs) CHECK(arc.contact == Contact::transversal);
+  }
+}
+
+TEST_CASE("by inverse: sides that cut a curve of contact, or leave a point of it") {
+  const Rational h(1);
+  const auto plate_from = [&](const Rational& x, const Rational& y, const Rational& to) {
+    return RationalPatch({{{x, y, h}, {x, 6, h}}, {{to, y, h}, {to, 6, h}}});
+  };
+  const IntersectResult cut = solved(torus_from_above(), plate_from(0, 0, 6));
+  CHECK(cut.graph.arcs.size() == 1);
+  CHECK(cut.graph.boundary_points() == 2);
+  for (const Rational& y : {Rational(-6), Rational(0)}) {
+    const IntersectResult point = solved(torus_from_above(), plate_from(3, y, 6));
+    CHECK(point.graph.arcs.empty());
+    REQUIRE(point.graph.isolated_points.size() == 1);
+    const std::vector<NodeKind>& kinds = point.graph.nodes[0].kinds;
+    CHECK(std::ranges::count(kinds, NodeKind::touch) == 1);
+    CHECK(std::ranges::count(kinds, NodeKind::corner) == (y == 0 ? 1 : 0));
+  }
+  const IntersectResult inside = solved(torus_from_above(), plate_from(0, -6, 3));
+  CHECK(inside.graph.arcs.size() == 2);
+  CHECK(inside.graph.boundary_points() == 3);
+  CHECK(inside.graph.count(ComponentShape::open) == 1);
+}
+
+TEST_CASE(
+    "by inverse: nothing is said of patches on one surface, without inverse, or with a pole on the curve") {
+  CHECK_FALSE(intersect_by_inverse(plate(1), plate(1), Run()));
+  CHECK_FALSE(intersect_by_inverse(plate(1), torus_from_above(), Run()));
+  const RationalPatch with_pole({{{0, 0, 1}, {0, 0, 1}}, {{3, 0, 0}, {0, 3, 3}}});
+  CHECK_FALSE(intersect_by_inverse(with_pole, plate(1), Run()));
+}
+
+}  // namespace exsect::intersect_by_inverse_test
