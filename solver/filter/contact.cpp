@@ -12,7 +12,6 @@ namespace {
 
 constexpr long kMostBoxes = 600;
 constexpr int kDeepest = 24;  // levels of both patches together
-constexpr int kMostDirections = 12;
 
 using Interval = Part::Interval;
 
@@ -35,21 +34,6 @@ template <class K>
 requires(!K::weighted) Interval along_on_x(const SideContactOf<K>& contact, const SideIntervals& on_y) {
   return {contact.offset + contact.factor * on_y.along.lower,
           contact.offset + contact.factor * on_y.along.upper};
-}
-
-/// The part reaches this end of a side, or all of the pole there.
-template <class K>
-bool reaches(const Part& part, std::size_t corner, const std::optional<SquareSide>& pole) {
-  const std::array<bool, 2> upper = corner_ends<K>(corner);
-  const auto at_end = [&](std::size_t i) {
-    return upper[i] ? part.range[i].upper == 1 : part.range[i].lower == 0;
-  };
-  return pole ? at_end(pole->parameter) : at_end(0) && at_end(1);
-}
-
-template <class K>
-bool may_touch(const CornerContact& corner, const Part& x, const Part& y) {
-  return reaches<K>(x, corner.x, corner.pole_of_x) && reaches<K>(y, corner.y, corner.pole_of_y);
 }
 
 template <class K>
@@ -220,93 +204,6 @@ requires K::weighted bool meet_in_side(const SideContactOf<K>& contact, const Si
     }
   }
   return true;
-}
-
-/// Vectors of length about one; zero vectors stay.
-Vec3 unit(const Vec3& v) {
-  const double square = dot(v, v);
-  return square > 0 ? (1 / std::sqrt(square)) * v : v;
-}
-
-/// A guess of d with d.v > 0 for all v: Gilbert's method for the point of the convex hull nearest to zero.
-template <std::size_t N>
-Vec3 positive_direction(const std::array<Vec3, N>& vectors, std::size_t count) {
-  Vec3 d = {0, 0, 0};
-  for (std::size_t k = 0; k < count; ++k) {
-    d = d + (1.0 / static_cast<double>(count)) * vectors[k];
-  }
-  for (int step = 0; step < kMostDirections; ++step) {
-    std::size_t worst = 0;
-    double least = HUGE_VAL;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double t = dot(d, vectors[k]);
-      if (t < least) {
-        least = t;
-        worst = k;
-      }
-    }
-    const Vec3 away = d - vectors[worst];
-    const double square = dot(away, away);
-    if (least > 0.25 * dot(d, d) || !(square > 0)) {
-      break;
-    }
-    d = d - std::clamp(dot(d, away) / square, 0.0, 1.0) * away;
-  }
-  return d;
-}
-
-/// Which control points of the part are the corner, or on the pole, exactly.
-template <class K>
-std::array<bool, K::count> own_points(const Part& part, std::size_t corner,
-                                      const std::optional<SquareSide>& pole) {
-  std::array<bool, K::count> own{};
-  if (!reaches<K>(part, corner, pole)) {
-    return own;
-  }
-  const std::array<bool, 2> upper = corner_ends<K>(corner);
-  const auto is_at = [&](std::size_t parameter, std::size_t index) {
-    return index == (upper[parameter] ? K::degree : 0);
-  };
-  for (std::size_t k = 0; k < part.points.size(); ++k) {
-    const bool is_curve = part.points.size() == K::side;
-    const std::size_t along = part.range[0].lower == part.range[0].upper ? 1 : 0;
-    const std::array<std::size_t, 2> at = {k / K::side, k % K::side};
-    if (is_curve) {  // on a line where the other parameter is fixed
-      own[k] = pole && pole->parameter != along ? true : is_at(along, k);
-    } else {
-      own[k] = pole ? is_at(pole->parameter, at[pole->parameter]) : is_at(0, at[0]) && is_at(1, at[1]);
-    }
-  }
-  return own;
-}
-
-// (14.14). De Casteljau's algorithm keeps the corner's double, and those of a pole. The bound is that of
-// (14.2).
-template <class K>
-bool meet_in_corner(const Vec3& p, const CornerContact& corner, const Part& x, const Part& y,
-                    double net_error) {
-  const double points_error = larger_bound(net_error, x.error, y.error);
-  const auto own_x = own_points<K>(x, corner.x, corner.pole_of_x);
-  const auto own_y = own_points<K>(y, corner.y, corner.pole_of_y);
-  std::array<Vec3, 2 * K::count> vectors;
-  std::array<Vec3, 2 * K::count> units{};
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < x.points.size(); ++k) {
-    if (!own_x[k]) {
-      vectors[count++] = x.points[k] - p;
-    }
-  }
-  for (std::size_t k = 0; k < y.points.size(); ++k) {
-    if (!own_y[k]) {
-      vectors[count++] = p - y.points[k];
-    }
-  }
-  std::transform(vectors.begin(), vectors.begin() + count, units.begin(), unit);
-  if (count == 0) return true;  // both are the pole alone
-  const Vec3 d = positive_direction(units, count);
-  const double error = kSlack * kSeparation * points_error * size1(d) + kTiny;
-  return std::all_of(vectors.begin(), vectors.begin() + count,
-                     [&](const Vec3& v) { return dot(d, v) > error; });
 }
 
 /// All points of the parts are in the region.

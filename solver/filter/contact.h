@@ -6,24 +6,14 @@
 #include <vector>
 
 #include "filter/contact_line.h"
+#include "filter/corner_contact.h"
 #include "filter/double_point.h"
 #include "filter/known_box.h"
-#include "filter/part.h"
 #include "filter/path_contact.h"
 #include "filter/pieces.h"
 #include "filter/side_point.h"
 
 namespace exsect::filter {
-
-/// A corner of x, by its index in the net, is one of y. If a side of a patch is one point, a pole, the corner
-/// stands for all of it: then it is the lower one of its two ends.
-struct CornerContact {
-  std::size_t x;
-  std::size_t y;
-  std::optional<SquareSide> pole_of_x = std::nullopt;
-  std::optional<SquareSide> pole_of_y = std::nullopt;
-  bool is_pole() const { return pole_of_x || pole_of_y; }
-};
 
 /// The side of x and that of y are one curve or parts of one: x(.,t) = y(.,t') for t = offset + factor t', t
 /// and t' counted as the views do; factor > 0. Both sides are the whole curve, with the same parametrisation,
@@ -66,12 +56,6 @@ requires K::weighted struct SideContactOf<K> {
   std::optional<SidePath> path = std::nullopt;
 };
 
-/// Whether a corner is at the end of the first, the second parameter's interval.
-template <class K>
-std::array<bool, 2> corner_ends(std::size_t corner) {
-  return {corner >= K::degree * K::side, corner % K::side == K::degree};
-}
-
 /// Each is a point or an arc of solutions, or a box that holds all of some curves; no corner is an end of one
 /// of the others, or a side point, but a double point that is no crossing may be a corner.
 template <class K>
@@ -90,14 +74,6 @@ struct ContactsOf {
 };
 using Contacts = ContactsOf<Biquadratic>;
 
-/// Its parameters, centred. Requires that it is no pole.
-template <class K>
-Vec4 place_of(const CornerContact& corner) {
-  const auto x = corner_ends<K>(corner.x);
-  const auto y = corner_ends<K>(corner.y);
-  const auto place = [](bool end) { return end ? 0.5 : -0.5; };
-  return {place(x[0]), place(x[1]), place(y[0]), place(y[1])};
-}
 /// The side point is the corner.
 template <class K>
 bool is_at(const SidePointOf<K>& point, const CornerContact& corner) {

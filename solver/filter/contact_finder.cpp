@@ -43,6 +43,21 @@ bool may_be_one(const Row<K>& a, const Row<K>& b) {
   }
 }
 
+template <class K>
+Repeated repeated_at(const ExactPatch<K>& patch, const CoefficientsOf<K>& net, std::size_t corner) {
+  const std::array<bool, 2> upper = corner_ends<K>(corner);
+  Repeated repeated{};
+  for (std::size_t p = 0; p < 2; ++p) {
+    const SideView row = {{1 - p, upper[1 - p]}, upper[p], K::degree};
+    const auto is_corner = [&](std::size_t k) {
+      const std::size_t i = row.index(0, k);
+      return may_be_one<K>(net[i], net[corner]) && same_point<K>(patch, i, patch, corner);
+    };
+    while (repeated[p] + 1 < K::degree && is_corner(repeated[p] + 1)) ++repeated[p];
+  }
+  return repeated;
+}
+
 /// (14.37): the field less the multiple of the own side that makes it zero at one end of it. Returns by how
 /// much sizes and errors grow at most: with a factor f and a weight w, f errs by 22 u (1 + |f|) / w, as the
 /// field by 20 u, and the difference by less than 30 u (1 + |f|) (1 + 1/w).
@@ -181,7 +196,8 @@ class ContactFinder {
         if (again || !same_point<K>(x_, i, y_, j)) {
           return false;
         }
-        corners_.push_back({i, j, corners_of_x_.pole_at(i), corners_of_y_.pole_at(j)});
+        corners_.push_back({i, j, corners_of_x_.pole_at(i), corners_of_y_.pole_at(j),
+                            repeated_at<K>(x_, pair_.x.net, i), repeated_at<K>(y_, pair_.y.net, j)});
       }
     }
     return true;
