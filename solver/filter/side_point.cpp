@@ -107,24 +107,24 @@ class SidePointProof {
     return {sign, sign};
   }
 
+  /// Ahead of the point and behind it: all parameters at sides move inwards, or one outwards, whatever the
+  /// others do; not all inwards on both ways.
   bool leaves_sides() {
     bound_derivatives(pair_, point_.tube);
     std::array<bool, 2> inside = {true, true};
-    bool is_transversal = false;
+    std::array<bool, 2> outside = {false, false};
     for (std::size_t j = 0; j < 4; ++j) {
       if (point_.on[j] == 0) continue;
       const auto sign = signs(j);
-      if (sign[0] == 0) return false;
       for (std::size_t way = 0; way < 2; ++way) {
-        inside[way] = inside[way] && (sign[way] > 0) != (point_.on[j] > 0);
+        const int inwards = point_.on[j] > 0 ? -sign[way] : sign[way];
+        inside[way] = inside[way] && inwards > 0;
+        outside[way] = outside[way] || inwards < 0;
       }
-      if (sign[0] != sign[1]) {
-        is_transversal = true;
-        point_.leaving = j;
-      }
+      if (point_.on[point_.leaving] == 0 || sign[0] * sign[1] < 0) point_.leaving = j;
     }
     point_.enters = inside[0] || inside[1];
-    return is_transversal;
+    return !(inside[0] && inside[1]) && (inside[0] || outside[0]) && (inside[1] || outside[1]);
   }
 
   const PairOf<K>& pair_;

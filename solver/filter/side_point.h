@@ -10,9 +10,9 @@ namespace exsect::filter {
 
 /// A solution with two parameters or more at sides, exactly: on[j] is 1/2 or -1/2 for these, as
 /// ball.middle[j], and 0 for the others. All solutions in the tube's region are on its arc, in the interior
-/// of the intervals of the other parameters; each parameter with on[j] != 0 is there at the side in this
-/// point alone. So the arc is in the domain on one side of the point, if it `enters`, with on[leaving] != 0
-/// and w'_leaving != 0, or in the point only.
+/// of the intervals of the other parameters. Of the arc the domain contains this point and, if it `enters`,
+/// the part on one side of the point, where no parameter is at a side; on[leaving] != 0, and if it enters
+/// w'_leaving != 0.
 template <class K>
 struct SidePointOf {
   BallOf<K> ball;
