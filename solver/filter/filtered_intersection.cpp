@@ -112,9 +112,12 @@ class FilteredIntersection {
   /// In exact mode the search for closed curves proves nothing.
   bool needs_eliminant() const { return !kExactBehind && run_.exact(); }
 
-  /// By enclosures alone: not in exact mode.
+  /// In exact mode only if the patches are pieces of one surface.
   bool meet_in_contacts_only(const PairOf<K>& pair, TreesOf<K>& trees, const ContactsOf<K>& contacts) {
-    return !needs_eliminant() && filter::meet_in_contacts_only(pair, trees, contacts, boxes_);
+    if (!needs_eliminant()) return filter::meet_in_contacts_only(pair, trees, contacts, boxes_);
+    const bool is_one = contacts.sides.size() + contacts.corners.size() == 1;
+    return is_one && meet_as_neighbours<K>(contacts.sides.empty() ? Common::corner : Common::side, x_, y_,
+                                           pair, trees, boxes_);
   }
 
   /// With the ports of the double points.

@@ -219,6 +219,25 @@ std::optional<OverlapOfPieces> overlap_of_pieces(const ExactPatch<K>& x, const E
   return pieces;
 }
 
+template <class K>
+bool meet_as_neighbours(Common common, const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                        TreesOf<K>& trees, long& boxes) {
+  const auto pieces = find_pieces<K>(x, y, pair);
+  if (!pieces) return false;
+  const auto is_point = [](const AffineMap& map) {
+    const RationalInterval part = part_in_square(map);
+    return part.lower == part.upper;
+  };
+  const auto is_all = [](const AffineMap& map) {
+    return part_in_square(map).width() == 1 && abs(map.factor) == 1;
+  };
+  const auto& [first, second] = pieces->maps;
+  const bool shared = common == Common::corner
+                          ? is_point(first) && is_point(second)
+                          : (is_point(first) && is_all(second)) || (is_point(second) && is_all(first));
+  return shared && InjectivityProof<K>(pair, *pieces, trees, boxes).run();
+}
+
 std::optional<GraphBuilder> overlap_graph(const RationalPatch& x, const OverlapOfPieces& overlap,
                                           double tolerance, double accepted) {
   return OverlapGraph(x, overlap, tolerance, accepted)
@@ -229,7 +248,9 @@ std::optional<GraphBuilder> overlap_graph(const RationalPatch& x, const OverlapO
   template std::optional<OverlapOfPieces> pieces_of_one_surface<K>(const ExactPatch<K>&,                    \
                                                                    const ExactPatch<K>&, const PairOf<K>&); \
   template std::optional<OverlapOfPieces> overlap_of_pieces<K>(const ExactPatch<K>&, const ExactPatch<K>&,  \
-                                                               const PairOf<K>&, TreesOf<K>&, long&);
+                                                               const PairOf<K>&, TreesOf<K>&, long&);       \
+  template bool meet_as_neighbours<K>(Common, const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, \
+                                      TreesOf<K>&, long&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

@@ -29,6 +29,14 @@ template <class K>
 std::optional<OverlapOfPieces> overlap_of_pieces(const ExactPatch<K>& x, const ExactPatch<K>& y,
                                                  const PairOf<K>& pair, TreesOf<K>& trees, long& boxes);
 
+/// What neighbours on one surface share: a whole side of both, or a corner.
+enum class Common { side, corner };
+/// True only if the patches are pieces of one surface that is injective on both squares together, and have
+/// that in common and nothing else. `boxes` counts the pairs looked at.
+template <class K>
+bool meet_as_neighbours(Common common, const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                        TreesOf<K>& trees, long& boxes);
+
 /// The graph of the overlap. Empty if a polyline cannot keep within `accepted`; it keeps within `tolerance`
 /// (space units, both) if it can.
 std::optional<GraphBuilder> overlap_graph(const RationalPatch& x, const OverlapOfPieces& overlap,

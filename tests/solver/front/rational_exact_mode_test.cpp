@@ -96,6 +96,11 @@ TEST_CASE("rational exact mode: pieces of one surface, and equal patches") {
   const RationalPatch right = whole.restricted_to(Rational(1, 3), 1, 0, 1);
   CHECK(compared({left, right}, false) == 1);
   CHECK(compared({whole, whole.transposed()}, false) == 1);
+  const Rational half(1, 2);
+  const RationalPatch lower = whole.restricted_to(0, half, 0, half);
+  CHECK(compared({lower, whole.restricted_to(half, 1, 0, half)}, false) == 1);
+  CHECK(compared({lower, whole.restricted_to(1, half, half, 0).transposed()}, false) == 1);
+  CHECK(compared({lower, whole.restricted_to(half, 1, half, 1)}, false) == 1);
 }
 
 TEST_CASE("rational exact mode: surfaces of revolution") {
