@@ -1,23 +1,36 @@
 #include "certificate/algebraic.h"
 
 #include <exsect/algebra/number_field.h>
-#include <exsect/solver/algebraic_place.h>
 
 #include "certificate/claims.h"
+#include "certificate/coordinates.h"
 
 namespace exsect::cli {
 
 using checker::Algebraic;
 
-std::vector<AlgebraicPoint> points_in_box(const Patches& patches, const Node& node) {
+SingularSearch singular_search(const Patches& patches) {
+  const auto place = [x = patches[0].biquadratic(), y = patches[1].biquadratic()](const ParameterBox& box) {
+    return x && y ? algebraic_place(*x, *y, box) : std::nullopt;
+  };
+  return {equation_of(patches), {}, place};
+}
+
+SingularSearch singular_search(const ExactMap& section) {
+  const auto place = [f = of_parameters(checker::component(section, 0), 0)](const ParameterBox& box) {
+    return algebraic_place(f, box);
+  };
+  return {section, {false, false, true, true}, place};
+}
+
+std::vector<AlgebraicPoint> points_in_box(const SingularSearch& search, const Node& node) {
   std::vector<AlgebraicPoint> result;
   const Place place = short_place(node);
-  if (is_solution(patches, place)) {
+  if (is_solution(search.equation, place)) {
     const checker::Root zero = {{0, 1}, {-1, 1}};
     result.push_back({std::make_shared<checker::Root>(zero), {place[0], place[1], place[2], place[3]}});
   }
-  const auto x = patches[0].biquadratic(), y = patches[1].biquadratic();
-  if (const auto found = x && y ? algebraic_place(*x, *y, node.box) : std::nullopt) {
+  if (const auto found = search.place(node.box)) {
     const checker::Root root = {found->modulus.coefficients(), {found->between.lower, found->between.upper}};
     AlgebraicPoint& point = result.emplace_back();
     point.root = std::make_shared<checker::Root>(root);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <exsect/checker/certificate.h>
+#include <exsect/solver/algebraic_place.h>
 #include <exsect/solver/intersection_graph.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,9 +20,21 @@ struct AlgebraicPoint {
   checker::Vector4<checker::Algebraic> parameters;
 };
 
+/// F, the parameters that are constant where it vanishes, and a search for a singular solution in a box with
+/// parameters in a number field.
+struct SingularSearch {
+  ExactMap equation;
+  std::array<bool, 4> constant;
+  std::function<std::optional<AlgebraicPlace>(const ParameterBox&)> place;
+};
+/// It finds something of polynomial patches of bidegree (2,2) at most.
+SingularSearch singular_search(const Patches& patches);
+/// Of a surface given by its equation and a patch.
+SingularSearch singular_search(const ExactMap& section);
+
 /// Solutions in the node's box, one of which is the node as a rule: that of the shortest rational parameters,
-/// if it is one, and one with parameters in a number field. Throws NoCertificate if none is found.
-std::vector<AlgebraicPoint> points_in_box(const Patches& patches, const Node& node);
+/// if it is one, and what the search finds. Throws NoCertificate if none is found.
+std::vector<AlgebraicPoint> points_in_box(const SingularSearch& search, const Node& node);
 
 /// 1/a, for a number that is not 0. Throws NoCertificate if the modulus is reducible and a divisor of zero is
 /// met.

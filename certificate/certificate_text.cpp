@@ -63,7 +63,7 @@ std::vector<int> connected(const IntersectionGraph& graph, std::vector<int> arcs
 Json document(Draft& d, const Json& surfaces) {
   Json json = {{"exsect", "certificate/1"}, {"command", d.self ? "self" : "intersect"}};
   json.update(surfaces);
-  json["factors"] = d.factors ? d.factors->claims() : Json::array();
+  json["factors"] = d.factors.claims();
   json["stars"] = star_claims(d.stars);
   json["tubes"] = Json::array();
   json["nodes"] = node_claims(d);
@@ -77,7 +77,7 @@ Json document(Draft& d, const Json& surfaces) {
   Places places = {d.tubes, {}, {}, d.self};
   for (const FoundStar& star : d.stars) places.stars.push_back(star.claim);
   for (const int plane : d.planes)
-    places.planes.push_back(&d.factors->found()[static_cast<std::size_t>(plane)]);
+    places.planes.push_back(&d.factors.found()[static_cast<std::size_t>(plane)]);
   const std::vector<std::string> cells = cover(d.pair, places);
   json["cover"] = cover_claims(cells);
   json["summary"] = summary(d, json, cells.size());
@@ -91,31 +91,15 @@ namespace {
 std::string text(const Patches& patches, const PatchNames& names, IntersectResult result, bool self) {
   if (!self) result.graph = with_free_arcs(std::move(result.graph));
   refuse_events(result, self);
-  Draft d = {result.graph, equation_of(patches), near_pair(patches, self), self};
-  find_special_places(d, patches);
+  Draft d = {result.graph, equation_of(patches), near_pair(patches, self), self, {patches, self}};
+  find_special_places(d, singular_search(patches));
   Json surfaces = {{"first", patch_claim("$.first", names.first, patches[0])}};
   if (!self) surfaces["second"] = patch_claim("$.second", names.second, patches[1]);
   return accepted_text(document(d, surfaces));
 }
 
-/// A polyline with r = s = 1/2 and its vertices as near to the curve as doubles are, without those next to
-/// others: as they were found they may run back by their errors.
-std::vector<PolylineVertex> in_the_middle(std::vector<PolylineVertex> polyline, const Map& equation) {
-  const auto is_far = [](const PolylineVertex& a, const PolylineVertex& b) {
-    return larger_bound(std::abs(a.parameters[0] - b.parameters[0]),
-                        std::abs(a.parameters[1] - b.parameters[1])) > 0x1p-24;
-  };
-  for (PolylineVertex& vertex : polyline) vertex.parameters[2] = vertex.parameters[3] = 0.5;
-  std::vector<PolylineVertex> result = {polyline.front()};
-  for (std::size_t i = 1; i + 1 < polyline.size(); ++i) {
-    PolylineVertex& vertex = polyline[i];
-    vertex.parameters = on_curve(equation, vertex.parameters, best_axis(equation, vertex.parameters));
-    if (is_far(vertex, result.back()) && is_far(vertex, polyline.back())) result.push_back(vertex);
-  }
-  result.push_back(polyline.back());
-  return result;
-}
-IntersectionGraph in_the_middle(IntersectionGraph graph, const Map& equation) {
+/// r = s = 1/2.
+IntersectionGraph in_the_middle(IntersectionGraph graph) {
   for (Node& node : graph.nodes) {
     for (const std::size_t i : {2, 3}) {
       node.approx[i] = 0.5;
@@ -123,20 +107,38 @@ IntersectionGraph in_the_middle(IntersectionGraph graph, const Map& equation) {
     }
   }
   for (Arc& arc : graph.arcs) {
-    arc.polyline = in_the_middle(std::move(arc.polyline), equation);
+    for (PolylineVertex& vertex : arc.polyline) vertex.parameters[2] = vertex.parameters[3] = 0.5;
     arc.error_bound *= 1.25;  // for vertices left out, and for checkers with other enclosures
   }
   return graph;
+}
+
+/// The polyline with its vertices as near to the curve as doubles are, but for those in stars, and without
+/// those next to others: as they were found they may run back by their errors.
+std::vector<PolylineVertex> settled(const std::vector<PolylineVertex>& polyline, const Map& equation,
+                                    const std::vector<FoundStar>& stars) {
+  const auto is_far = [](const PolylineVertex& a, const PolylineVertex& b) {
+    return larger_bound(std::abs(a.parameters[0] - b.parameters[0]),
+                        std::abs(a.parameters[1] - b.parameters[1])) > 0x1p-24;
+  };
+  const auto in_star = [&](const Parameters& w) {
+    return std::any_of(stars.begin(), stars.end(),
+                       [&](const FoundStar& star) { return distance_from_point(star.claim, w) < 1; });
+  };
+  std::vector<PolylineVertex> result = {polyline.front()};
+  for (std::size_t i = 1; i + 1 < polyline.size(); ++i) {
+    PolylineVertex vertex = polyline[i];
+    if (Parameters& w = vertex.parameters; !in_star(w)) w = on_curve(equation, w, best_axis(equation, w));
+    if (is_far(vertex, result.back()) && is_far(vertex, polyline.back())) result.push_back(vertex);
+  }
+  result.push_back(polyline.back());
+  return result;
 }
 
 /// Throws NoCertificate for what only pairs of patches have claims for.
 void refuse_on_equations(const ImplicitSurface& surface, const IntersectionGraph& graph) {
   if (!surface.region().clauses.empty()) throw NoCertificate("a surface with bounds");
   if (!graph.overlaps.empty()) throw NoCertificate("a patch on the surface");
-  for (const Node& node : graph.nodes)
-    if (is_star(graph, node, false)) throw NoCertificate("a point where the patch touches the surface");
-  for (const Arc& arc : graph.arcs)
-    if (touches(arc)) throw NoCertificate("an arc along which the patch touches the surface");
 }
 
 }  // namespace
@@ -152,10 +154,14 @@ std::string certificate_text(const ImplicitSurface& surface, const RationalPatch
   refuse_on_equations(surface, result.graph);
   const RationalPatch x = certified_form(patch);
   const SpacePolynomial& f = surface.equation();
-  const NearPair pair = near_section(f, x);
-  const IntersectionGraph graph = in_the_middle(result.graph, pair.power);
-  Draft d = {graph, equation_of(f, x), pair, false};
-  number_nodes(d);
+  IntersectionGraph graph = in_the_middle(result.graph);
+  const ExactMap section = equation_of(f, x);
+  Draft d = {graph, section, near_section(f, x), false, Factors(section)};
+  find_special_places(d, singular_search(section));
+  for (Arc& arc : graph.arcs) {
+    const Equation equation = d.equation(d.factor_along[static_cast<std::size_t>(arc.id)]);
+    arc.polyline = settled(arc.polyline, equation.map, d.stars);
+  }
   return accepted_text(document(d, {{"first", patch_claim("$.first", names.first, x)},
                                     {"second", equation_claim("$.second", names.second, f)}}));
 }

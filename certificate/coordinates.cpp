@@ -69,6 +69,32 @@ Power variable(std::size_t i) {
   return power;
 }
 
+Scalar in_parameters(const BivariatePolynomial& f, std::size_t first) {
+  Scalar result;
+  for (int i = 0; i <= f.degree_r(); ++i) {
+    for (int j = 0; j <= f.coefficient(i).degree(); ++j) {
+      Power power = {};
+      power[first] = i;
+      power[first + 1] = j;
+      if (f.coefficient(i, j) != 0) result[power] = f.coefficient(i, j);
+    }
+  }
+  return result;
+}
+
+BivariatePolynomial of_parameters(const Scalar& f, std::size_t first) {
+  std::vector<std::vector<Rational>> c;
+  for (const auto& [power, q] : f) {
+    const auto i = static_cast<std::size_t>(power[first]), j = static_cast<std::size_t>(power[first + 1]);
+    if (c.size() <= i) c.resize(i + 1);
+    if (c[i].size() <= j) c[i].resize(j + 1);
+    c[i][j] = q;
+  }
+  std::vector<Polynomial> rows;
+  for (std::vector<Rational>& row : c) rows.emplace_back(std::move(row));
+  return BivariatePolynomial(std::move(rows));
+}
+
 Coordinates along_line(const Line& line, std::size_t m, const Direction& c, std::size_t first) {
   Coordinates z;
   z.from[line.axis] = {{variable(0), 1}};

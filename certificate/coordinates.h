@@ -1,6 +1,7 @@
 // Coordinates of the parameters in which F is a sum of multiples of some of them: factors along lines.
 #pragma once
 
+#include <exsect/algebra/bivariate_polynomial.h>
 #include <exsect/checker/certificate.h>
 
 #include <array>
@@ -16,6 +17,10 @@ using Scalar = std::map<checker::Power, Rational>;  // a polynomial in four vari
 
 /// The exponents of w_i alone.
 checker::Power variable(std::size_t i);
+
+/// f as a polynomial in the parameters first and first + 1, and the reverse.
+Scalar in_parameters(const BivariatePolynomial& f, std::size_t first);
+BivariatePolynomial of_parameters(const Scalar& f, std::size_t first);
 
 /// Coordinates z of the parameters: w = from(z) and z = to(w).
 struct Coordinates {

@@ -3,7 +3,6 @@
 
 #include <exsect/solver/result.h>
 
-#include <optional>
 #include <vector>
 
 #include "certificate/factor.h"
@@ -18,8 +17,7 @@ struct Draft {
   ExactMap exact;  // F
   NearPair pair;
   bool self;  // of one patch, which is both patches
-
-  std::optional<Factors> factors = {};  // of two patches
+  Factors factors;
 
   // What find_special_places finds. Of nodes and arcs of the graph:
   std::vector<int> factor_at = {};         // of each node that is no star, that of its arcs
@@ -45,7 +43,7 @@ struct Draft {
   /// What vanishes on the curve with this factor, or without one.
   Equation equation(int factor) const {
     if (factor < 0) return {pair.power, Chart::pair, -1, nullptr, pair.constant};
-    const NearFactor& f = factors->found()[static_cast<std::size_t>(factor)];
+    const NearFactor& f = factors.found()[static_cast<std::size_t>(factor)];
     return {f.map, Chart::pair, factor, &f};
   }
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "certificate/claims.h"
 
@@ -99,12 +100,19 @@ Rational value(const Point& a, const Rational& t) { return a[0] + t * (a[1] + t 
 
 namespace {
 
+/// Of F along a line at most.
+int degree_along_line(const ExactMap& equation) {
+  int most = 0;
+  for (const auto& term : equation.terms())
+    most = std::max(most, std::accumulate(term.power.begin(), term.power.end(), 0));
+  return 2 * most;
+}
+
 /// The two places and the slope at the first one, 0 for a straight line, give a line; nothing if it is no
 /// solution.
-std::optional<Line> line_through(const Patches& patches, std::size_t axis, const std::array<Rational, 4>& a,
+std::optional<Line> line_through(const ExactMap& equation, std::size_t axis, const std::array<Rational, 4>& a,
                                  const std::array<Rational, 4>& b,
                                  const std::optional<checker::Vector4<Rational>>& slope) {
-  constexpr int degree = 24;  // of F along the line at most
   Line line = {axis, {}};
   const Rational t = a[axis];
   const Rational step = b[axis] - t;
@@ -114,16 +122,17 @@ std::optional<Line> line_through(const Patches& patches, std::size_t axis, const
     const Rational bend = (mean - first) / step;  // a + first (s - t) + bend (s - t)^2
     line.at[i] = {a[i] - first * t + bend * t * t, first - 2 * bend * t, bend};
   }
+  const int degree = degree_along_line(equation);
   for (int k = 0; k <= degree; ++k) {
     const auto at = [&](std::size_t i) { return value(line.at[i], Rational(k)); };
-    if (!is_solution(patches, {at(0), at(1), at(2), at(3)})) return std::nullopt;
+    if (!is_solution(equation, {at(0), at(1), at(2), at(3)})) return std::nullopt;
   }
   return line;
 }
 
 }  // namespace
 
-std::optional<Line> line_between(const Patches& patches, const Node& from, const Node& to) {
+std::optional<Line> line_between(const ExactMap& equation, const Node& from, const Node& to) {
   const std::array<Rational, 4> a = short_place(from);
   const std::array<Rational, 4> b = short_place(to);
   const auto length = [&](std::size_t j) { return Rational(abs(Rational(b[j] - a[j]))); };
@@ -131,14 +140,14 @@ std::optional<Line> line_between(const Patches& patches, const Node& from, const
   for (std::size_t i = 1; i < 4; ++i)
     if (length(i) > length(axis)) axis = i;
   if (a[axis] == b[axis]) return std::nullopt;
-  if (auto line = line_through(patches, axis, a, b, std::nullopt)) return line;
-  if (!is_solution(patches, a)) return std::nullopt;
-  const auto tangent = checker::tangent(equation_of(patches).at(a), {});
+  if (auto line = line_through(equation, axis, a, b, std::nullopt)) return line;
+  if (!is_solution(equation, a)) return std::nullopt;
+  const auto tangent = checker::tangent(equation.at(a), {});
   for (std::size_t k = 0; k < 4; ++k) {
     if (tangent[k].middle == 0 || a[k] == b[k]) continue;
     checker::Vector4<Rational> slope;
     for (std::size_t i = 0; i < 4; ++i) slope[i] = tangent[i].middle / tangent[k].middle;
-    if (auto line = line_through(patches, k, a, b, slope)) return line;
+    if (auto line = line_through(equation, k, a, b, slope)) return line;
   }
   return std::nullopt;
 }

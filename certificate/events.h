@@ -33,9 +33,9 @@ struct Line {
 };
 Rational value(const Point& a, const Rational& t);
 
-/// The line of parameters between the two nodes, if it solves x = y throughout and their parameters are short
+/// The line of parameters between the two nodes, if F = 0 throughout and their parameters are short
 /// rationals.
-std::optional<Line> line_between(const Patches& patches, const Node& from, const Node& to);
+std::optional<Line> line_between(const ExactMap& equation, const Node& from, const Node& to);
 /// The patches touch all along the arc.
 bool touches(const Arc& arc);
 

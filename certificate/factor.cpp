@@ -1,6 +1,5 @@
 #include "certificate/factor.h"
 
-#include <exsect/algebra/bivariate_polynomial.h>
 #include <exsect/checker/factors.h>
 #include <exsect/geometry/number.h>
 
@@ -62,20 +61,6 @@ std::vector<std::pair<BivariatePolynomial, std::size_t>> coprime_parts(const Biv
   return result;
 }
 
-/// As a polynomial in the parameters first and first + 1.
-Scalar in_parameters(const BivariatePolynomial& f, std::size_t first) {
-  Scalar result;
-  for (int i = 0; i <= f.degree_r(); ++i) {
-    for (int j = 0; j <= f.coefficient(i).degree(); ++j) {
-      Power power = {};
-      power[first] = i;
-      power[first + 1] = j;
-      if (f.coefficient(i, j) != 0) result[power] = f.coefficient(i, j);
-    }
-  }
-  return result;
-}
-
 double near_value(const Scalar& f, const Parameters& w) {
   double sum = 0;
   double all = 0;
@@ -109,12 +94,13 @@ Factor rows_factor(const std::array<Point, 3>& rows, const ExactMap& equation) {
 
 }  // namespace
 
-Factors::Factors(const Patches& patches, bool self) : patches_(patches), equation_(equation_of(patches)) {
+Factors::Factors(const Patches& patches, bool self) : equation_(equation_of(patches)) {
   if (self) return;
+  Point normal = {};  // of the plane in which a patch is, if one is in a plane
   for (const std::size_t n : {1, 0})
-    if (const auto normal = normal_of_plane(patches[n]); normal && is_zero(normal_)) normal_ = *normal;
+    if (const auto found = normal_of_plane(patches[n]); found && is_zero(normal)) normal = *found;
   std::vector<Point> rows;
-  if (!is_zero(normal_)) rows.push_back(normal_);
+  if (!is_zero(normal)) rows.push_back(normal);
   std::vector<Point> more = related_directions(patches);
   const bool related = !more.empty();
   more.insert(more.end(), {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
@@ -126,7 +112,13 @@ Factors::Factors(const Patches& patches, bool self) : patches_(patches), equatio
   std::rotate(rows.begin(), rows.begin() + 1, rows.end());  // the normal last
   for (std::size_t d = 0; d < 3; ++d) rows_[d] = scaled(rows[d], equation_);
   if (related) related_ = add(rows_factor(rows_, equation_));
-  if (!is_zero(normal_)) find_parts();
+  if (!is_zero(normal)) find_parts();
+}
+
+Factors::Factors(const ExactMap& section)
+    : equation_(section), free_(2), rows_({{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}}) {
+  find_parts();
+  if (parts_.size() == 1 && parts_[0].power == 1) parts_.clear();
 }
 
 int Factors::add(Factor factor) {
@@ -150,19 +142,18 @@ void Factors::find_parts() {
   const ExactMap rows = equation_.times({Point{}, Point{}, rows_[2]});
   const auto of_second = [](const auto& term) { return term.c[2] != 0 && term.power[2] + term.power[3] > 0; };
   const std::size_t first = std::any_of(rows.terms().begin(), rows.terms().end(), of_second) ? 2 : 0;
-  std::array<std::array<Rational, 4>, 4> c = {};
-  for (const auto& term : rows.terms())
-    if (term.c[2] != 0)
-      c[static_cast<std::size_t>(term.power[first])][static_cast<std::size_t>(term.power[first + 1])] =
-          term.c[2];
-  const auto row = [&](std::size_t i) { return Polynomial({c[i][0], c[i][1], c[i][2], c[i][3]}); };
-  const BivariatePolynomial f({row(0), row(1), row(2), row(3)});
+  const BivariatePolynomial f = of_parameters(checker::component(rows, 2), first);
   if (f.is_zero()) return;
   for (const auto& [part, power] : coprime_parts(f)) {
     BivariatePolynomial rest = f;
     for (std::size_t n = 0; n < power; ++n) rest = exact_quotient(rest, part);
     parts_.push_back({in_parameters(part, first), power, in_parameters(rest, first)});
   }
+}
+
+bool Factors::is_claimable(const Part& part) {
+  const int most = std::max(checker::degree(part.polynomial), checker::degree(part.rest));
+  return most <= checker::max_factor_degree && part.power <= checker::max_factor_power;
 }
 
 /// The factor of the part that vanishes on the arc.
@@ -175,7 +166,7 @@ std::optional<Factor> Factors::in_plane(const Arc& arc) const {
   };
   const auto best = std::min_element(parts_.begin(), parts_.end(),
                                      [&](const Part& a, const Part& b) { return size(a) < size(b); });
-  if (best == parts_.end() || size(*best) > 1e-4) return std::nullopt;
+  if (best == parts_.end() || size(*best) > 1e-4 || !is_claimable(*best)) return std::nullopt;
   Factor result = rows_factor(rows_, equation_);
   result.powers[2] = best->power;
   result.map = equation_.times({rows_[0], rows_[1], Point{}});
@@ -187,7 +178,7 @@ std::optional<Factor> Factors::in_plane(const Arc& arc) const {
 }
 
 std::optional<Factor> Factors::on_line(const Arc& arc, const Node& from, const Node& to) const {
-  const auto line = line_between(patches_, from, to);
+  const auto line = line_between(equation_, from, to);
   if (!line) return std::nullopt;
   if (!touches(arc)) {
     const auto o = others(line->axis);
@@ -202,7 +193,7 @@ std::optional<Factor> Factors::on_line(const Arc& arc, const Node& from, const N
 int Factors::along(const Arc& arc, const Node& from, const Node& to) {
   const bool inside = arc.place == ArcPlace::interior;
   bool constant = false;
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < free_; ++i) {
     const auto& [low, high] =
         std::minmax_element(arc.polyline.begin(), arc.polyline.end(),
                             [&](const auto& a, const auto& b) { return a.parameters[i] < b.parameters[i]; });

@@ -14,7 +14,9 @@ namespace exsect::cli {
 /// The factors of F that the certificate claims.
 class Factors {
  public:
-  explicit Factors(const Patches& patches, bool self);
+  Factors(const Patches& patches, bool self);
+  /// Those of a surface given by its equation and a patch: of F_1, if it has multiple ones.
+  explicit Factors(const ExactMap& section);
 
   /// The number of the factor for the arc, with what is needed to prove it: that the patches touch along it,
   /// that it stays on a side, that a parameter is constant on it; -1 for F itself. Throws NoCertificate.
@@ -27,7 +29,7 @@ class Factors {
   Json claims() const;
 
  private:
-  /// F = part^power rest in the direction that is normal to a patch in a plane.
+  /// F = part^power rest in the direction that is normal to a patch in a plane; of an equation F_1.
   struct Part {
     Scalar polynomial;
     std::size_t power;
@@ -35,15 +37,15 @@ class Factors {
   };
 
   int add(checker::Factor factor);
+  static bool is_claimable(const Part& part);
   void find_parts();
   std::optional<checker::Factor> in_plane(const Arc& arc) const;
   std::optional<checker::Factor> on_line(const Arc& arc, const Node& from, const Node& to) const;
 
-  const Patches& patches_;
   ExactMap equation_;  // F
   std::vector<NearFactor> found_;
-  int related_ = -1;   // with F in rows each of few parameters
-  Point normal_ = {};  // of the plane in which a patch is, if one is in a plane
+  int related_ = -1;      // with F in rows each of few parameters
+  std::size_t free_ = 4;  // parameters that need not be constant
   std::array<Point, 3> rows_;
   std::vector<Part> parts_;
 };

@@ -79,7 +79,11 @@ NearPair near_section(const SpacePolynomial& f, const RationalPatch& x) {
                                             to_double(term.c[2])};
   result.section = near_grid(net, factor);
   result.scale = {scale, 1, 1};
-  result.constant = {false, false, true, true};
+  const auto occurs = [&](std::size_t i) {
+    return std::any_of(exact.terms().begin(), exact.terms().end(),
+                       [&](const auto& term) { return term.c[0] != 0 && term.power[i] > 0; });
+  };
+  result.constant = {!occurs(1), !occurs(0), true, true};
   return result;
 }
 

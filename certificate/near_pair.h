@@ -20,7 +20,7 @@ struct NearPair {
   std::array<checker::WeightedNet<double>, 2> control;  // of x and y
   std::optional<checker::SectionNet<double>> section = {};  // of an equation: F_1
   std::array<double, 3> scale;
-  std::array<bool, 4> constant = {};  // parameters that are constant where F vanishes
+  std::array<bool, 4> constant = {};  // parameters that are constant where F vanishes and is regular
 };
 /// `self`: the patches are one.
 NearPair near_pair(const Patches& patches, bool self = false);

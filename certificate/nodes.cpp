@@ -15,7 +15,7 @@ namespace {
 /// The place of a node in doubles, or exactly where several sides are to follow from it.
 Json place_claim(const Draft& d, const Node& n, const Parameters& w) {
   const std::array<Rational, 4> at = short_place(n);
-  const bool solves = n.on.size() > 1 && d.exact.value(at) == checker::Vector3<Rational>{};
+  const bool solves = n.on.size() > 1 && is_solution(d.exact, at);
   return solves ? rationals(at) : exact(w);
 }
 

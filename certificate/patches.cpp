@@ -51,12 +51,8 @@ ExactMap equation_of(const SpacePolynomial& f, const RationalPatch& x) {
   return checker::section_map(checker::Section(f.terms(), power_basis(x)).polynomial());
 }
 
-bool is_solution(const Patches& patches, const Place& w) {
-  const HomogeneousPoint x = patches[0].homogeneous_at(w[0], w[1]);
-  const HomogeneousPoint y = patches[1].homogeneous_at(w[2], w[3]);
-  for (std::size_t d = 0; d < 3; ++d)
-    if (x[d] * y[3] != y[d] * x[3]) return false;
-  return true;
+bool is_solution(const ExactMap& equation, const Place& w) {
+  return equation.value(w) == checker::Vector3<Rational>{};
 }
 
 }  // namespace exsect::cli

@@ -35,6 +35,6 @@ ExactMap equation_of(const Patches& patches);
 /// F = (w_x^d f(x(u,v)), r - 1/2, s - 1/2), d the degree of f.
 ExactMap equation_of(const SpacePolynomial& f, const RationalPatch& x);
 /// F = 0 at the place, in [0,1]^4 or not.
-bool is_solution(const Patches& patches, const Place& w);
+bool is_solution(const ExactMap& equation, const Place& w);
 
 }  // namespace exsect::cli

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "certificate/algebraic.h"
-
 namespace exsect::cli {
 namespace {
 
@@ -33,8 +31,8 @@ struct SingularPoint {
 };
 
 /// Nothing if the tangent planes are not parallel there, or not known.
-std::optional<SingularPoint> singular_at(const Patches& patches, const AlgebraicPoint& at) {
-  SingularPoint result = {at, checker::rounded<Algebraic>(equation_of(patches)).at(at.parameters), {}, {}, 0};
+std::optional<SingularPoint> singular_at(const ExactMap& equation, const AlgebraicPoint& at) {
+  SingularPoint result = {at, checker::rounded<Algebraic>(equation).at(at.parameters), {}, {}, 0};
   for (const auto& term : result.local.terms())
     for (std::size_t j = 0; j < 4; ++j)
       if (std::accumulate(term.power.begin(), term.power.end(), 0) == 1 && term.power[j] == 1)
@@ -50,19 +48,19 @@ std::optional<SingularPoint> singular_at(const Patches& patches, const Algebraic
   return result;
 }
 
-SingularPoint singular_point(const Patches& patches, const Node& node) {
-  for (const AlgebraicPoint& at : points_in_box(patches, node))
-    if (const auto point = singular_at(patches, at)) return *point;
+SingularPoint singular_point(const SingularSearch& search, const Node& node) {
+  for (const AlgebraicPoint& at : points_in_box(search, node))
+    if (const auto point = singular_at(search.equation, at)) return *point;
   throw NoCertificate("a special point where a patch is singular, or both cross");
 }
 
-/// Of weights 1 and with axes along the parameters.
-Star plain_star(const SingularPoint& point) {
+/// Of weights 1 and with axes along the parameters, the second one of this size beside the first one's 1.
+Star plain_star(const SingularPoint& point, const Rational& second) {
   Star star = {point.at.root, point.at.parameters, {}, {}, {1, 1, 1, 1}, {}, {1, 1, 2}, {}};
   star.rows[0][(point.steepest + 1) % 3] = star.rows[1][(point.steepest + 2) % 3] = 1;
   star.rows[2] = point.normal;
   // Unequal, so that no half branch begins between two charts.
-  const std::array<Rational, 4> sizes = {1, Rational(3, 4), Rational(5, 4), Rational(7, 8)};
+  const std::array<Rational, 4> sizes = {1, second, Rational(5, 4), Rational(7, 8)};
   double speed = 0;
   for (const Column& column : point.columns) speed = std::max(speed, largest_component(column));
   for (std::size_t j = 0; j < 4; ++j)
@@ -126,18 +124,19 @@ Star weighted_star(Star star, const AlgebraicDirection& p, const AlgebraicDirect
 
 }  // namespace
 
-std::vector<Star> singular_points(const Patches& patches, const Node& node) {
-  const SingularPoint point = singular_point(patches, node);
-  const Star plain = plain_star(point);
+std::vector<Star> singular_points(const SingularSearch& search, const Node& node) {
+  const SingularPoint point = singular_point(search, node);
+  // Half branches that begin between two charts of the one do not in the other.
+  const Star plain = plain_star(point, Rational(3, 4)), other = plain_star(point, Rational(4, 7));
   std::size_t first = 0;
   auto directions = common_directions(point, first);
   if (!directions) directions = common_directions(point, first = 2);
-  if (!directions) return {plain};
+  if (!directions) return {plain, other};
   const auto& [a, b] = *directions;
   const Algebraic aa = form(point, a, a);
   const Algebraic ab = form(point, a, b);
   const Algebraic bb = form(point, b, b);
-  if (aa * bb != ab * ab || (aa == 0 && bb == 0)) return {plain};
+  if (aa * bb != ab * ab || (aa == 0 && bb == 0)) return {plain, other};
   AlgebraicDirection p = a;
   if (aa != 0)
     for (std::size_t i = 0; i < 4; ++i) p[i] = a[i] * ab * reciprocal(aa) - b[i];

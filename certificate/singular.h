@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "certificate/events.h"
+#include "certificate/algebraic.h"
 
 namespace exsect::cli {
 
@@ -14,7 +14,7 @@ namespace exsect::cli {
 /// normal to both patches. Along the plane of directions in which both patches move alike the distance of the
 /// patches is a quadratic form; where it is c q^2, the weights are those of q^2 + p^(k+1), k = 2, 3, ...
 /// Throws NoCertificate if the parameters are no short rationals, or the tangent planes do not agree.
-std::vector<checker::Star> singular_points(const Patches& patches, const Node& node);
+std::vector<checker::Star> singular_points(const SingularSearch& search, const Node& node);
 
 /// The star at the scale 2^(-e/2), or 3/4 of the next one: its axes multiplied by powers of this, after its
 /// weights.

@@ -10,6 +10,7 @@
 #include "certificate/overlap.h"
 
 namespace exsect::cli {
+namespace {
 
 void number_nodes(Draft& d) {
   d.factor_at.assign(d.graph.nodes.size(), -1);
@@ -28,46 +29,43 @@ void number_nodes(Draft& d) {
   }
 }
 
-namespace {
-
 void find_factors(Draft& d) {
   for (const Arc& arc : d.graph.arcs) {
     const auto from = static_cast<std::size_t>(arc.from);
     const auto to = static_cast<std::size_t>(arc.to);
-    const int factor = d.factors->along(arc, d.graph.nodes[from], d.graph.nodes[to]);
+    const int factor = d.factors.along(arc, d.graph.nodes[from], d.graph.nodes[to]);
     d.factor_at[from] = d.factor_at[to] = d.factor_along[static_cast<std::size_t>(arc.id)] = factor;
   }
 }
 
 Json overlap_claim(Draft& d, const Overlap& overlap, std::size_t index) {
   if (d.self) throw NoCertificate("an overlap of a patch with itself");
-  const FoundOverlap found = overlap_at(*d.factors, d.graph, overlap);
+  const FoundOverlap found = overlap_at(d.factors, d.graph, overlap);
   d.planes.push_back(found.factor);
   return sealed(in_list("overlaps", index), {{"factor", found.factor}, {"edges", found.edges}});
 }
 
 /// Smaller than the way to any other node.
-void add_star(Draft& d, const Patches& patches, const Node& n) {
+void add_star(Draft& d, const SingularSearch& search, const Node& n) {
   double size = 0.5;
   for (const Node& other : d.graph.nodes) {
     double away = 0;
     for (std::size_t i = 0; i < 4; ++i) away = std::max(away, std::abs(n.approx[i] - other.approx[i]));
     if (other.id != n.id) size = std::min(size, 0.4 * away);
   }
-  d.stars.push_back(star_at(patches, n, {d.stars.size(), d.tubes.size()}, size, d.factors->found()));
+  d.stars.push_back(star_at(search, n, {d.stars.size(), d.tubes.size()}, size, d.factors.found()));
   d.tubes.insert(d.tubes.end(), d.stars.back().tubes.begin(), d.stars.back().tubes.end());
 }
 
 }  // namespace
 
-void find_special_places(Draft& d, const Patches& patches) {
-  d.factors.emplace(patches, d.self);
+void find_special_places(Draft& d, const SingularSearch& search) {
   number_nodes(d);
   find_factors(d);
   for (const Overlap& overlap : d.graph.overlaps)
     d.overlaps.push_back(overlap_claim(d, overlap, d.overlaps.size()));
   for (const Node& n : d.graph.nodes)
-    if (is_star(d.graph, n, d.self)) add_star(d, patches, n);
+    if (is_star(d.graph, n, d.self)) add_star(d, search, n);
 }
 
 }  // namespace exsect::cli

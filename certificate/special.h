@@ -5,9 +5,7 @@
 
 namespace exsect::cli {
 
-/// The order of the nodes.
-void number_nodes(Draft& draft);
-/// It, and factors, overlaps and stars of two patches.
-void find_special_places(Draft& draft, const Patches& patches);
+/// The order of the nodes, factors, overlaps and stars.
+void find_special_places(Draft& draft, const SingularSearch& search);
 
 }  // namespace exsect::cli

@@ -192,7 +192,7 @@ class ChartSearch {
     const Parameters extent = tube.extent();
     for (std::size_t j = 0; j < 4; ++j) box[j] = {tube.centre[j], extent[j] * (1 + 0x1p-20)};
     box[tube.axis] = {0.5 * tube.reach, 0.5 * tube.reach};
-    std::array<bool, 4> constant = {};
+    std::array<bool, 4> constant = found_.constant;
     if (tube.factor >= 0) {
       if (!checker::independent<double>(found_.maps.at({tube.factor, direction_}).columns, box)) return false;
       constant = checker::constant_in<double>(found_.factors[static_cast<std::size_t>(tube.factor)].exact.map,
@@ -216,10 +216,10 @@ class ChartSearch {
 };
 
 /// The star, if what is around its point is in tubes; otherwise throws NotAlone.
-FoundStar alone(const Star& star, const checker::Map<Rational>& equation, const ClaimNumbers& first,
+FoundStar alone(const Star& star, const SingularSearch& search, const ClaimNumbers& first,
                 const std::vector<NearFactor>& factors) {
-  FoundStar result = {star, {}, {}, factors, {}};
-  const std::array<Map, 8> maps = scaled_maps(result.claim, equation);
+  FoundStar result = {star, {}, {}, factors, search.constant, {}};
+  const std::array<Map, 8> maps = scaled_maps(result.claim, search.equation);
   for (std::size_t direction = 0; direction < 8; ++direction) {
     result.maps[{-1, direction}].map = maps[direction];
     for (std::size_t n = 0; n < factors.size(); ++n) {
@@ -253,10 +253,9 @@ double extent(const Star& star) {
 
 }  // namespace
 
-FoundStar star_at(const Patches& patches, const Node& node, const ClaimNumbers& first, double size,
+FoundStar star_at(const SingularSearch& search, const Node& node, const ClaimNumbers& first, double size,
                   const std::vector<NearFactor>& factors) {
-  const ExactMap equation = equation_of(patches);
-  for (const Star& star : singular_points(patches, node)) {
+  for (const Star& star : singular_points(search, node)) {
     const bool plain = star.weights == std::array<std::size_t, 4>{1, 1, 1, 1};
     int tried = 0;
     for (int e = 2; e < 46 && tried < (plain ? 22 : 6); plain ? e += 2 : ++e) {
@@ -264,7 +263,7 @@ FoundStar star_at(const Patches& patches, const Node& node, const ClaimNumbers& 
       if (extent(scaled) > size) continue;
       ++tried;
       try {
-        return alone(scaled, equation, first, factors);
+        return alone(scaled, search, first, factors);
       } catch (const NotAlone&) {
       }
     }

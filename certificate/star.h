@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "certificate/events.h"
+#include "certificate/algebraic.h"
 #include "certificate/search.h"
 
 namespace exsect::cli {
@@ -20,6 +20,7 @@ struct FoundStar {
   std::array<std::string, 8> subdivisions;  // of its charts
   std::vector<Tube> tubes;
   const std::vector<NearFactor>& factors;
+  std::array<bool, 4> constant;  // where F vanishes
   // Of F (-1) and factors in each chart; of F without columns.
   std::map<std::pair<int, std::size_t>, checker::FactorMaps<double>> maps;
 };
@@ -33,7 +34,7 @@ struct ClaimNumbers {
 /// The star at the node, smaller than `size` in each parameter. `factors`: those of which half branches may
 /// be tubes. Throws NoCertificate if the parameters are in no number field that is found, or the quadratic
 /// terms are degenerate.
-FoundStar star_at(const Patches& patches, const Node& node, const ClaimNumbers& first, double size,
+FoundStar star_at(const SingularSearch& search, const Node& node, const ClaimNumbers& first, double size,
                   const std::vector<NearFactor>& factors);
 Json star_claims(const std::vector<FoundStar>& stars);
 

@@ -192,6 +192,7 @@ std::string seal(std::string_view text);
 inline constexpr std::size_t max_number_characters = 6100;
 inline constexpr std::size_t max_modulus_degree = 64;
 inline constexpr int max_factor_degree = 12;
+inline constexpr std::size_t max_factor_power = 6;
 inline constexpr int max_equation_degree = 4;
 inline constexpr std::size_t max_entries = std::size_t{1} << 20;
 

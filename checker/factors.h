@@ -11,7 +11,7 @@ namespace exsect::checker {
 /// F = sum_j columns_j g_j^powers_j, as polynomials.
 inline void check_factor(const Map<Rational>& exact, const Factor& factor) {
   for (const std::size_t power : factor.powers)
-    require(power >= 1 && power <= 6, "a power is not in 1, ..., 6");
+    require(power >= 1 && power <= max_factor_power, "a power is not in 1, ..., 6");
   for (std::size_t d = 0; d < 3; ++d) {
     Polynomial rest = component(exact, d);
     for (std::size_t j = 0; j < 3; ++j) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "curve/plane_curve.h"
 #include "eliminant/critical_values.h"
 
 namespace exsect {
@@ -15,6 +16,7 @@ namespace {
 constexpr int kBits = 1200;  // to which parameters are known
 constexpr int kHighestDegree = 8;
 constexpr int kBitsOfInterval = 120;
+const Rational kWidth = power_of_two(-kBits - 20);  // of the enclosures of parameters
 
 std::vector<Rational> powers(const Rational& a, int degree) {
   std::vector<Rational> result = {1};
@@ -102,6 +104,39 @@ std::optional<AlgebraicPlace> place_over(const Rational& a, const std::array<Rat
   return place;
 }
 
+/// A place with these parameters, each known to 2^-(kBits + 20), that is a solution.
+template <class IsSolution>
+std::optional<AlgebraicPlace> place_near(const std::array<Rational, 4>& near, const IsSolution& is_solution) {
+  std::vector<std::array<int, 4>> generators;
+  for (std::size_t i = 0; i < 4; ++i) generators.emplace_back()[i] = 1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      std::array<int, 4>& sum = generators.emplace_back();
+      sum[i] = sum[j] = 1;
+    }
+  }
+  generators.push_back({1, 2, 3, 5});
+  for (const auto& [a, b, c, d] : generators) {
+    const auto place = place_over(a * near[0] + b * near[1] + c * near[2] + d * near[3], near);
+    if (place && is_solution(*place)) return place;
+  }
+  return std::nullopt;
+}
+
+/// The curve, every irreducible factor once, vanishes at the place with its derivatives.
+bool is_singular(const std::vector<BivariatePolynomial>& curve, const AlgebraicPlace& place) {
+  return std::all_of(curve.begin(), curve.end(), [&](const BivariatePolynomial& f) {
+    Polynomial value;  // by Horner's rule
+    for (int i = f.degree_r(); i >= 0; --i) {
+      Polynomial row;
+      for (int j = f.degree_s(); j >= 0; --j)
+        row = divide(row * place.at[1], place.modulus).remainder + f.coefficient(i, j);
+      value = divide(value * place.at[0] + row, place.modulus).remainder;
+    }
+    return divide(value, place.modulus).remainder.is_zero();
+  });
+}
+
 }  // namespace
 
 std::optional<AlgebraicPlace> algebraic_place(const BezierPatch& x, const BezierPatch& y,
@@ -111,20 +146,26 @@ std::optional<AlgebraicPlace> algebraic_place(const BezierPatch& x, const Bezier
     for (const Parameter p : all_parameters) {
       const auto value = parameter_in(x, y, p, box[index(p)]);
       if (!value) return std::nullopt;
-      near[index(p)] = value->refined_to(power_of_two(-kBits - 20)).interval().lower;
+      near[index(p)] = value->refined_to(kWidth).interval().lower;
     }
-    std::vector<std::array<int, 4>> generators;
-    for (std::size_t i = 0; i < 4; ++i) generators.emplace_back()[i] = 1;
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        std::array<int, 4>& sum = generators.emplace_back();
-        sum[i] = sum[j] = 1;
-      }
-    }
-    generators.push_back({1, 2, 3, 5});
-    for (const auto& [a, b, c, d] : generators) {
-      const auto place = place_over(a * near[0] + b * near[1] + c * near[2] + d * near[3], near);
-      if (place && is_solution(x, y, *place)) return place;
+    return place_near(near, [&](const AlgebraicPlace& place) { return is_solution(x, y, place); });
+  });
+}
+
+std::optional<AlgebraicPlace> algebraic_place(const BivariatePolynomial& f, const ParameterBox& box) {
+  if (f.is_zero() || box[2].width() > 0 || box[3].width() > 0) return std::nullopt;
+  return in_nearest_rounding([&]() -> std::optional<AlgebraicPlace> {
+    const BivariatePolynomial g = squarefree(f);
+    const std::vector<BivariatePolynomial> curve = {g, g.derivative_r(), g.derivative_s()};
+    for (const TriangularPoint& point : common_zeros(curve).points) {
+      const TriangularPoint at = point.refined_to(kWidth);
+      const std::array<Rational, 4> near = {at.r_interval().lower, at.s().interval().lower, box[2].lower,
+                                            box[3].lower};
+      const auto is_near = [&](std::size_t i) {
+        return box[i].lower <= near[i] + kWidth && near[i] <= box[i].upper;
+      };
+      if (is_near(0) && is_near(1))
+        return place_near(near, [&](const AlgebraicPlace& place) { return is_singular(curve, place); });
     }
     return std::nullopt;
   });

@@ -1,6 +1,7 @@
 // Solutions whose parameters are numbers of one field.
 #pragma once
 
+#include <exsect/algebra/bivariate_polynomial.h>
 #include <exsect/algebra/polynomial.h>
 #include <exsect/geometry/bezier_patch.h>
 #include <exsect/solver/parameter.h>
@@ -22,5 +23,9 @@ struct AlgebraicPlace {
 /// found.
 std::optional<AlgebraicPlace> algebraic_place(const BezierPatch& x, const BezierPatch& y,
                                               const ParameterBox& box);
+
+/// Of a curve f(u,v) = 0: a singular point of the curve without its multiplicities, with r and s as the box
+/// has them, rational numbers. Empty if none is found, for f = 0 or where r or s is an interval.
+std::optional<AlgebraicPlace> algebraic_place(const BivariatePolynomial& f, const ParameterBox& box);
 
 }  // namespace exsect

@@ -3,6 +3,7 @@
 #include <exsect/solver/intersect_surface.h>
 
 #include "certificate_changes.h"
+#include "support/families.h"
 #include "support/random_nets.h"
 
 namespace exsect::certificate_equation_test {
@@ -24,7 +25,16 @@ Json accepted(const ImplicitSurface& surface, const RationalPatch& x) {
   const checker::Summary summary = check_certificate(text).summary;
   CHECK(summary.components == result.graph.components.size());
   CHECK(summary.closed == static_cast<std::size_t>(result.graph.count(ComponentShape::closed)));
-  CHECK(summary.boundary == static_cast<std::size_t>(result.graph.boundary_points()));
+  CHECK(summary.branched == static_cast<std::size_t>(result.graph.count(ComponentShape::branched)));
+  CHECK(summary.isolated == result.graph.isolated_points.size());
+  const auto on_side = [&](const Node& node) {
+    const auto has = [&](NodeKind kind) {
+      return std::count(node.kinds.begin(), node.kinds.end(), kind) > 0;
+    };
+    return !node.on.empty() && !has(NodeKind::touch) && !has(NodeKind::crossing);
+  };
+  const auto& nodes = result.graph.nodes;
+  CHECK(summary.boundary == static_cast<std::size_t>(std::count_if(nodes.begin(), nodes.end(), on_side)));
   for (const Parameter p : {Parameter::u, Parameter::v})
     CHECK(summary.turning[index(p)] == static_cast<std::size_t>(result.graph.turning_points(p)));
   CHECK((summary.turning[2] == 0 && summary.turning[3] == 0));
@@ -154,6 +164,131 @@ TEST_CASE(
   reason(truth, "$.first", [](Json& j) { j["first"] = j["second"]; });
 }
 
+namespace {
+
+/// What the summary of a certificate says of special places.
+std::array<std::size_t, 5> special(const checker::Summary& s) {
+  return {s.closed, s.open, s.branched, s.isolated, s.tangential};
+}
+std::array<std::size_t, 5> special(const Json& json) {
+  return special(check_certificate(json.dump()).summary);
+}
+
+ImplicitSurface polynomial(const std::map<std::array<int, 3>, Rational>& terms) {
+  return ImplicitSurface::polynomial(SpacePolynomial(terms));
+}
+/// z - f for the product f of c_0 + c_1 x + c_2 x² and d_0 + d_1 y + d_2 y².
+ImplicitSurface over(const Point& c, const Point& d) {
+  std::map<std::array<int, 3>, Rational> terms = {{{0, 0, 1}, 1}};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      terms[{i, j, 0}] = -c[static_cast<std::size_t>(i)] * d[static_cast<std::size_t>(j)];
+  return polynomial(terms);
+}
+RationalPatch square(const Point& at, const Point& a, const Point& b) {
+  return RationalPatch({{at, at + b}, {at + a, at + a + b}});
+}
+/// A quarter of the cylinder of radius 1 about the z axis.
+RationalPatch quarter() {
+  const std::vector<std::vector<Rational>> weights = {{1, 1}, {1, 1}, {2, 2}};
+  return RationalPatch({{{1, 0, -1}, {1, 0, 1}}, {{1, 1, -1}, {1, 1, 1}}, {{0, 1, -1}, {0, 1, 1}}}, weights);
+}
+
+}  // namespace
+
+TEST_CASE("special positions to a plane have the certificates that they have with the plane as a patch") {
+  using families::Plane;
+  const ImplicitSurface plane = ImplicitSurface::plane(origin, {0, 0, 1});
+  for (const ExactCase& c :
+       {families::cap(0, Plane::square), families::crossing(Plane::square),
+        families::irrational_lines(Plane::square), families::three_irrational_lines(),
+        families::tangent_curve(q(1, 4), Plane::square), families::curve_cusp(Plane::square),
+        families::tangent_branches(Plane::square), families::line_and_arc(), families::side_and_arc(),
+        families::tangent_and_transversal(Plane::square)}) {
+    INFO(c.name);
+    const auto as_patches = special(check_certificate(certificates::certificate(c.x, c.y)).summary);
+    CHECK(special(accepted(plane, c.x)) == as_patches);
+  }
+}
+
+TEST_CASE("touch points, crossings and curves of contact with equations have certificates") {
+  const RationalPatch level = square({-1, -1, 1}, {2, 0, 0}, {0, 2, 0});
+  const RationalPatch ground = square({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+  const auto torus = [](const Rational& minor) {
+    return ImplicitSurface::torus(origin, {0, 0, 1}, 1, minor);
+  };
+  const auto found = [](const ImplicitSurface& f, const RationalPatch& x) { return special(accepted(f, x)); };
+  using Counts = std::array<std::size_t, 5>;  // closed, open, branched, isolated, tangential
+  CHECK(found(ImplicitSurface::sphere(origin, 1), level) == Counts{0, 0, 0, 1, 0});
+  CHECK(found(ImplicitSurface::sphere({-1, 0, 0}, 1), level) == Counts{0, 0, 0, 1, 0});  // on a side
+  CHECK(found(ImplicitSurface::cylinder(origin, {0, 1, 0}, 1), level) == Counts{0, 1, 0, 0, 1});
+  CHECK(found(ImplicitSurface::cone(origin, {1, 0, 0}, q(1, 2), 2), ground) == Counts{0, 0, 1, 0, 0});
+  CHECK(found(torus(q(1, 2)), square({-3, -3, q(1, 2)}, {6, 0, 0}, {0, 6, 0})) == Counts{1, 0, 0, 0, 4});
+  CHECK(found(torus(q(1, 2)), square({q(1, 2), -1, -1}, {0, 2, 0}, {0, 0, 2})) == Counts{0, 0, 1, 0, 0});
+  // Villarceau's circles cross in two points.
+  CHECK(found(torus(q(3, 5)), square({-2, -2, q(-3, 2)}, {4, 0, 3}, {0, 4, 0})) == Counts{0, 0, 1, 0, 0});
+  // A curved line of contact, of a patch with weights.
+  CHECK(found(ImplicitSurface::sphere(origin, 1), quarter()) == Counts{0, 1, 0, 0, 1});
+  // Points with parameters of degree 4, isolated and crossings.
+  const auto quartic = [](int sign) {
+    return polynomial({{{0, 0, 1}, 4},
+                       {{4, 0, 0}, 1},
+                       {{2, 0, 0}, -1},
+                       {{0, 4, 0}, sign},
+                       {{0, 2, 0}, q(-2 * sign, 3)},
+                       {{0, 0, 0}, q(1, 4) + q(sign, 9)}});
+  };
+  CHECK(found(quartic(1), ground) == Counts{0, 0, 0, 4, 0});
+  CHECK(found(quartic(-1), ground) == Counts{0, 0, 1, 0, 0});
+  // Lines that cross, one of which is one of contact.
+  CHECK(found(over({q(1, 4), 1, 1}, {q(1, 3), 1, 0}), ground) == Counts{0, 0, 1, 0, 2});
+}
+
+TEST_CASE("contacts in other places and beside near misses") {
+  // A rotation, and the units of another model.
+  const Point a = {q(50, 3) * q(2, 3), q(50, 3) * q(2, 3), q(50, 3) * q(1, 3)};
+  const Point b = {q(50, 3) * q(-2, 3), q(50, 3) * q(1, 3), q(50, 3) * q(2, 3)};
+  const Point normal = {q(1, 3), q(-2, 3), q(2, 3)};
+  for (const Rational& far : {Rational(0), Rational(100000000)}) {
+    const Point centre = {far, -far, far + q(1, 7)};
+    for (const int k : {0, 3, 10}) {
+      INFO(far << ", " << k);
+      const Rational miss = k == 0 ? Rational(0) : power_of_two(-k);
+      const auto at = [&](const Rational& height) {
+        return square(centre + height * normal - q(1, 2) * a - q(4, 9) * b, a, b);
+      };
+      const ImplicitSurface sphere = ImplicitSurface::sphere(centre, 5);
+      CHECK(accepted(sphere, at(5 + miss))["summary"]["isolated"] == (k == 0 ? 1 : 0));
+      if (k > 0) CHECK(accepted(sphere, at(5 - miss))["summary"]["closed"] == 1);
+      const ImplicitSurface cylinder = ImplicitSurface::cylinder(centre, a, 5);
+      CHECK(accepted(cylinder, at(5 + miss))["summary"]["tangential"] == (k == 0 ? 1 : 0));
+      if (k > 0) CHECK(accepted(cylinder, at(5 - miss))["summary"]["open"] == 2);
+    }
+  }
+}
+
+TEST_CASE("no change of claims about contacts with an equation is accepted") {
+  Generator generator(57);
+  INFO("seed 57");
+  const std::string crossing =
+      certificate(over({q(1, 4), 1, 1}, {q(1, 3), 1, 0}), square({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}));
+  reject_changes(crossing, generator, 40);
+  CHECK(rejected_forgeries(crossing, {"stars", "factors", "tubes"}, generator, 60) > 20);
+  const std::string contact = certificate(ImplicitSurface::sphere(origin, 1), quarter());
+  reason(contact, "$.factors[0]: not a sum", [](Json& j) { j["factors"][0]["powers"] = {1, 1, 1}; });
+  reason(contact, "$.tubes[", [](Json& j) {
+    for (Json& tube : j["tubes"]) tube["curve"] = "pair";
+  });
+  reason(contact, "$.factors[0]: not a sum", [](Json& j) { j["second"]["equation"][0][0] = "7/9"; });
+  const std::string touch =
+      certificate(ImplicitSurface::sphere(origin, 1), square({-1, -1, 1}, {2, 0, 0}, {0, 2, 0}));
+  reason(touch, "$.stars[0]", [](Json& j) { j["stars"][0]["at"][0] = "1/3"; });
+  reason(touch, "$.stars[0]", [](Json& j) { j["stars"][0]["at"][2] = "1/3"; });  // r is 1/2
+  reason(touch, "$.stars[0]: its last row",
+         [](Json& j) { std::swap(j["stars"][0]["rows"][0], j["stars"][0]["rows"][2]); });
+  reason(touch, "$.", [](Json& j) { j["stars"] = Json::array(); });
+}
+
 TEST_CASE("what an equation has no certificate for is named") {
   const RationalPatch level({{{-1, -1, 1}, {-1, 1, 1}}, {{1, -1, 1}, {1, 1, 1}}});
   const auto refused = [](const ImplicitSurface& surface, const RationalPatch& x) {
@@ -164,10 +299,7 @@ TEST_CASE("what an equation has no certificate for is named") {
     }
     return std::string();
   };
-  CHECK(refused(ImplicitSurface::sphere(origin, 1), level) == "a point where the patch touches the surface");
   CHECK(refused(ImplicitSurface::plane({0, 0, 1}, {0, 0, 1}), level) == "a patch on the surface");
-  CHECK(refused(ImplicitSurface::cylinder(origin, {0, 1, 0}, 1), level) ==
-        "an arc along which the patch touches the surface");
   CHECK(refused(ImplicitSurface::cone(origin, {0, 0, 1}, q(1, 2)), level) == "a surface with bounds");
 }
 

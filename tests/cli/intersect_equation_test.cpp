@@ -88,7 +88,7 @@ TEST_CASE("intersect: a patch and an equation have a certificate, or none by nam
     CHECK(run_program({"check", proof}).out.find("accepted") != std::string::npos);
   }
   for (const auto& [name, reason] : {std::pair{"cone", "a surface with bounds"},
-                                     {"floor", "a point where the patch touches the surface"}}) {
+                                     {"floor", "a special point where a patch is singular, or both cross"}}) {
     const std::string path = scratch.path("none.json");
     const ProgramRun none = run_program(
         {"intersect", surfaces, "--first", "saddle", "--second", name, "--certificate", path, "--quiet"});

@@ -82,4 +82,27 @@ TEST_CASE("a place of which each parameter is in another field") {
   check_root(*place, 1, Polynomial({-1, 0, 3}), box[1]);
 }
 
+TEST_CASE("singular points of a curve, its multiple factors taken once") {
+  // (u² - 1/2)² = (v² - 1/3)²: crossings where u² = 1/2, v² = 1/3, and where one of u, v is 0.
+  const BivariatePolynomial u = BivariatePolynomial::r(), v = BivariatePolynomial::s();
+  const auto one = [](const Rational& q) { return BivariatePolynomial::constant(q); };
+  const BivariatePolynomial a = u * u - one(Rational(1, 2)), b = v * v - one(Rational(1, 3));
+  const auto root = [](const Polynomial& f) {
+    return real_roots(f, 0, 1).at(0).refined_to(power_of_two(-60)).interval();
+  };
+  ParameterBox box = {root(Polynomial({-1, 0, 2})), root(Polynomial({-1, 0, 3})), {1, 1}, {0, 0}};
+  for (const BivariatePolynomial& f : {a * a - b * b, (a - b) * (a - b) * (a + b)}) {
+    const auto place = algebraic_place(f, box);
+    REQUIRE(place);
+    CHECK(place->modulus.degree() == 4);
+    check_root(*place, 0, Polynomial({-1, 0, 2}), box[0]);
+    check_root(*place, 1, Polynomial({-1, 0, 3}), box[1]);
+    CHECK((place->at[2] == Polynomial(1) && place->at[3].is_zero()));
+  }
+  CHECK_FALSE(algebraic_place(a - b, box));  // regular there
+  CHECK_FALSE(algebraic_place(BivariatePolynomial(), box));
+  box[2].lower = 0;
+  CHECK_FALSE(algebraic_place(a * a - b * b, box));
+}
+
 }  // namespace exsect::algebraic_place_test
