@@ -86,8 +86,11 @@ std::optional<IntersectResult> intersect_as_polynomials(const RationalPatch& x, 
 IntersectResult intersect_any(const RationalPatch& x, const RationalPatch& y, const Run& run) {
   IntersectResult result = intersect_in_either_order(x, y, run);
   if (result.status == Status::complete || run.out_of_time()) return result;
+  // Polynomial patches first: an image of a pair then has the nodes of the pair itself.
+  auto as_polynomials = intersect_as_polynomials(x, y, run);
+  if (as_polynomials && as_polynomials->status == Status::complete) return *std::move(as_polynomials);
   if (auto as_curve = intersect_as_curve(x, y, run)) return *std::move(as_curve);
-  if (auto as_polynomials = intersect_as_polynomials(x, y, run)) return *std::move(as_polynomials);
+  if (as_polynomials) return *std::move(as_polynomials);
   if (run.exact()) return result;
   IntersectResult pieces = intersect_rational_pieces(x, y, run);
   if (pieces.status != Status::complete) return result;
