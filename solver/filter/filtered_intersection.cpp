@@ -85,7 +85,7 @@ class FilteredIntersection {
       return std::nullopt;
     }
     if (all_turns_wanted()) {
-      find_stations(*points, contacts->double_points, curves);
+      stations_ = known_stations<K>(curves, *points, double_points_, contacts->double_points, coincident_);
     }
     if ((loops_open_ || needs_eliminant()) && !proved_by_eliminant(*pair, *contacts, trees)) {
       return std::nullopt;
@@ -316,48 +316,6 @@ class FilteredIntersection {
       }
     }
     return true;
-  }
-
-  void find_stations(const std::vector<BoundaryPointOf<K>>& points,
-                     const std::vector<DoublePointOf<K>>& on_sides,
-                     const std::vector<AnalysedTraceOf<K>>& curves) {
-    for (std::size_t p = 0; p < 4; ++p) {
-      for (const AnalysedTraceOf<K>& curve : curves)
-        stations_.curves[p].push_back(stations_of(curve, points, p));
-      for (const BoundaryPointOf<K>& point : points)
-        if (point.isolated) add_isolated(filter::interval(point.ball, p), p);
-      for (const DoublePointOf<K>& point : double_points_) add_singular(point, p);
-      for (const DoublePointOf<K>& point : on_sides)
-        if (!point.forms.crossing) add_singular(point, p);  // crossings are among the others
-    }
-  }
-
-  Stations stations_of(const AnalysedTraceOf<K>& curve, const std::vector<BoundaryPointOf<K>>& points,
-                       std::size_t p) const {
-    const bool open = curve.trace.start >= 0;
-    Stations stations{{}, !open};
-    const auto add_end = [&](int end) {
-      if (!open) return;
-      const BoundaryPointOf<K>& point = points[static_cast<std::size_t>(end)];
-      // From a port to its centre all parameters are monotone.
-      stations.at.push_back(point.centre < 0 ? filter::interval(point.ball, p)
-                                             : double_points_[static_cast<std::size_t>(point.centre)].box[p]);
-    };
-    add_end(curve.trace.start);
-    for (const TurnOf<K>& turn : curve.turns)
-      if (turn.parameter == p || coincident_[p] == turn.parameter)
-        stations.at.push_back(filter::interval(turn.ball, p));
-    add_end(curve.trace.end);
-    return stations;
-  }
-
-  void add_isolated(const RationalInterval& place, std::size_t p) {
-    stations_.curves[p].push_back({{place, place}, false});
-  }
-
-  void add_singular(const DoublePointOf<K>& point, std::size_t p) {
-    if (!point.forms.crossing) add_isolated(point.box[p], p);
-    if (point.on[p] == 0) stations_.singular[p].push_back(point.box[p]);
   }
 
   void record(const std::vector<AnalysedTraceOf<K>>& curves, const IntersectionGraph& graph) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "eliminant/eliminant_proof.h"
+#include "filter/graph.h"
 #include "filter/line.h"
 
 namespace exsect::filter {
@@ -21,6 +22,16 @@ struct KnownStations {
   /// Places of different singular points inside the domain of the parameter.
   std::array<std::vector<RationalInterval>, 4> singular;
 };
+
+/// Of traced curves with all of their turning points, of isolated boundary points, and of double points:
+/// those with arcs to their ports and others, and those on sides, of which crossings are among the former.
+/// `coincident` as in find_turning_points().
+template <class K>
+KnownStations known_stations(const std::vector<AnalysedTraceOf<K>>& curves,
+                             const std::vector<BoundaryPointOf<K>>& points,
+                             const std::vector<DoublePointOf<K>>& double_points,
+                             const std::vector<DoublePointOf<K>>& on_sides,
+                             const std::array<std::size_t, 4>& coincident);
 
 /// True only if these curves, the contacts and the singular points are the whole intersection. They are
 /// different, and all solutions on sides are among them. False also for pairs that have no eliminant. `trees`
