@@ -4,10 +4,12 @@
 #include <exsect/geometry/rational_patch_file.h>
 #include <exsect/solver/intersection_graph.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "support/graph_isomorphism.h"
 #include "support/random_nets.h"
 
 namespace exsect::known_images {
@@ -22,6 +24,20 @@ RationalPatch reparametrised(const RationalPatch& patch);
 /// A graph in the parameter t, parameter i being u; boxes exactly. Turning points are the same, as t(u) is
 /// monotone.
 IntersectionGraph reparametrised(IntersectionGraph graph, std::size_t i);
+
+/// What is solved, mapped, and how a graph of it follows.
+template <class Solved>
+struct Image {
+  std::string name;
+  Solved of;
+  Renaming renaming = {};
+  std::optional<std::size_t> parameter = {};  // the one that is reparametrised
+
+  /// As exsect::difference, of the graphs before and after the map.
+  std::string difference(const IntersectionGraph& before, const IntersectionGraph& after) const {
+    return exsect::difference(parameter ? reparametrised(before, *parameter) : before, after, renaming);
+  }
+};
 
 /// Writes the patches to a file beside other temporary files and says where.
 std::string written(const std::string& name, const std::vector<NamedRationalPatch>& patches);

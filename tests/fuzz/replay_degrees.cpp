@@ -10,7 +10,6 @@
 #include <chrono>
 #include <exception>
 #include <iostream>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -19,6 +18,7 @@
 
 #include "glued_parts.h"
 #include "known_images.h"
+#include "reasons.h"
 #include "support/exact_oracle.h"
 #include "support/graph_isomorphism.h"
 #include "support/random_nets.h"
@@ -73,12 +73,7 @@ RationalPair pair_of(const std::string& family, std::uint64_t seed) {
   return {x, random_nets::weighted(generator, nets.y)};
 }
 
-struct Variant {
-  std::string name;
-  RationalPair pair;
-  Renaming renaming = {};
-  std::optional<std::size_t> parameter = {};  // the one that is reparametrised
-};
+using Variant = known_images::Image<RationalPair>;
 
 std::vector<Variant> variants(const RationalPair& pair) {
   using known_images::multiplied, known_images::reparametrised;
@@ -109,7 +104,7 @@ struct DegreeTally {
   std::uint64_t halves = 0;  // variants of which one only is complete
   std::uint64_t over = 0;
   std::vector<double> seconds;
-  std::map<std::string, std::pair<int, std::uint64_t>> reasons;  // how often, an example's seed
+  Reasons reasons;
 };
 
 double seconds_of(const std::chrono::steady_clock::time_point& start) {
@@ -126,21 +121,19 @@ void check(const std::string& family, std::uint64_t seed, DegreeTally& tally) {
   if (complete) {
     ++tally.complete;
   } else {
-    ++tally.reasons.try_emplace(name(result.incomplete.at(0).reason), 0, seed).first->second.first;
+    tally.reasons.add(name(result.incomplete.at(0).reason), seed);
   }
   for (const Variant& variant : variants(pair)) {
-    const IntersectResult other = intersect(variant.pair.x, variant.pair.y);
+    const IntersectResult other = intersect(variant.of.x, variant.of.y);
     const bool other_complete = other.status == Status::complete;
     if (complete != other_complete) ++tally.halves;
     if (!complete || !other_complete) continue;
     ++tally.compared;
-    const IntersectionGraph graph =
-        variant.parameter ? known_images::reparametrised(result.graph, *variant.parameter) : result.graph;
-    const std::string difference = exsect::difference(graph, other.graph, variant.renaming);
+    const std::string difference = variant.difference(result.graph, other.graph);
     if (difference.empty()) continue;
     ++tally.wrong;
     std::cout << "seed " << seed << ", " << variant.name << ": " << difference << "; "
-              << written(family, seed, variant.pair) << std::endl;
+              << written(family, seed, variant.of) << std::endl;
   }
 }
 
@@ -203,7 +196,7 @@ int run(const std::string& family, std::uint64_t first, std::uint64_t count) {
     try {
       check(family, seed, tally);
     } catch (const PatchError&) {
-      ++tally.reasons.try_emplace("no patch", 0, seed).first->second.first;
+      tally.reasons.add("no patch", seed);
     }
   }
   std::sort(tally.seconds.begin(), tally.seconds.end());
@@ -214,8 +207,7 @@ int run(const std::string& family, std::uint64_t first, std::uint64_t count) {
     std::cout << "; median " << 1000 * tally.seconds[tally.seconds.size() / 2] << " ms, slowest "
               << tally.seconds.back() << " s";
   std::cout << "\n";
-  for (const auto& [reason, entry] : tally.reasons)
-    std::cout << "  " << entry.first << " incomplete: " << reason << " (seed " << entry.second << ")\n";
+  std::cout << tally.reasons;
   return tally.wrong == 0 ? 0 : 1;
 }
 

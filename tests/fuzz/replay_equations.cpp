@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "reasons.h"
 #include "support/surface_moves.h"
 #include "tiny_surfaces.h"
 
@@ -19,7 +20,6 @@ namespace {
 
 using namespace exsect;
 using random_pairs::Generator;
-using surface_moves::Motion;
 using S = ImplicitSurface;
 using tiny_surfaces::tiny_surface, tiny_surfaces::unnamed, tiny_surfaces::vector_of, tiny_surfaces::written;
 
@@ -80,12 +80,9 @@ struct Variant {
 };
 
 std::vector<Variant> variants(const S& first, const S& second) {
-  const Motion turned = {1, {3, -5, 7}, true}, inches = {Rational(127, 5), {0, 0, 0}, false},
-               far = {Rational(1, 1000), {1000000, 0, Rational(1, 3)}, true};
-  std::vector<Variant> result = {{"exchanged", second, first},
-                                 {"turned", turned(first), turned(second)},
-                                 {"times 25.4", inches(first), inches(second)},
-                                 {"small and far", far(first), far(second)}};
+  std::vector<Variant> result = {{"exchanged", second, first}};
+  for (const auto& [name, motion] : surface_moves::motions())
+    result.push_back({name, motion(first), motion(second)});
   // A polynomial has both nappes.
   if (!first.bound()) result.push_back({"first unnamed", unnamed(first), second});
   if (!second.bound()) result.push_back({"second unnamed", first, unnamed(second)});
@@ -99,7 +96,7 @@ struct EquationTally {
   std::uint64_t wrong = 0;
   std::uint64_t halves = 0;  // variants of which one only is complete
   std::uint64_t planes = 0;
-  std::map<std::string, std::pair<int, std::uint64_t>> reasons;  // how often, an example's seed
+  Reasons reasons;
 };
 
 SurfaceIntersection solved(const S& first, const S& second) {
@@ -107,12 +104,6 @@ SurfaceIntersection solved(const S& first, const S& second) {
   options.tolerance = kTolerance;
   options.max_seconds = 60;
   return intersect(first, second, options);
-}
-
-void note(EquationTally& tally, const SurfaceIntersection& result, const std::string& where,
-          std::uint64_t seed) {
-  if (result.status == Status::complete) return;
-  ++tally.reasons.try_emplace(where + result.incomplete.at(0).why, 0, seed).first->second.first;
 }
 
 void check_planes(Generator& generator, const S& first, const S& second, const SurfaceIntersection& result,
@@ -138,13 +129,14 @@ void check(std::uint64_t seed, EquationTally& tally) {
   const SurfaceIntersection result = solved(first, second);
   const bool complete = result.status == Status::complete;
   if (complete) ++tally.complete;
-  note(tally, result, "", seed);
+  if (!complete) tally.reasons.add(result.incomplete.at(0).why, seed);
   if (complete) check_planes(generator, first, second, result, seed, tally);
   for (const Variant& variant : variants(first, second)) {
     const SurfaceIntersection other = solved(variant.first, variant.second);
     const bool other_complete = other.status == Status::complete;
     if (complete != other_complete) ++tally.halves;
-    if (complete) note(tally, other, variant.name + ": ", seed);
+    if (complete && !other_complete)
+      tally.reasons.add(variant.name + ": " + other.incomplete.at(0).why, seed);
     if (!complete || !other_complete) continue;
     ++tally.compared;
     const std::string expected = topology(result), found = topology(other);
@@ -173,8 +165,7 @@ int main(int argc, char** argv) try {
   std::cout << count << " pairs, " << tally.complete << " complete, " << tally.wrong << " of "
             << tally.compared << " comparisons and " << tally.planes << " planes differ, " << tally.halves
             << " complete one way only\n";
-  for (const auto& [reason, entry] : tally.reasons)
-    std::cout << "  " << entry.first << " incomplete: " << reason << " (seed " << entry.second << ")\n";
+  std::cout << tally.reasons;
   return tally.wrong == 0 ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

@@ -67,12 +67,7 @@ RationalPatch patch_of(const std::string& family, std::uint64_t seed) {
                        : random_nets::weighted_by_doubles(generator, net);
 }
 
-struct Variant {
-  std::string name;
-  RationalPatch patch;
-  Renaming renaming = {};
-  std::optional<std::size_t> parameter = {};  // the one that is reparametrised
-};
+using Variant = known_images::Image<RationalPatch>;
 
 std::vector<Variant> variants(const RationalPatch& x) {
   using known_images::reparametrised;
@@ -141,7 +136,7 @@ void check(const std::string& family, std::uint64_t seed, SelfTally& tally) {
   const std::vector<Variant> images = variants(x);
   for (std::size_t i = seed % kStride; i < images.size(); i += kStride) {
     const Variant& variant = images[i];
-    const IntersectResult other = capped(variant.patch);
+    const IntersectResult other = capped(variant.of);
     const bool other_complete = other.status == Status::complete;
     if (complete != other_complete) ++tally.halves;
     if (!complete || !other_complete) continue;
@@ -149,7 +144,7 @@ void check(const std::string& family, std::uint64_t seed, SelfTally& tally) {
     const std::string difference = difference_between(result.graph, other.graph, variant);
     if (difference.empty()) continue;
     ++tally.wrong;
-    report(family, seed, variant.patch, variant.name + ": " + difference);
+    report(family, seed, variant.of, variant.name + ": " + difference);
   }
 }
 

@@ -7,13 +7,13 @@
 #include <exsect/solver/intersect_surface.h>
 
 #include <iostream>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "known_images.h"
+#include "reasons.h"
 #include "support/graph_isomorphism.h"
 #include "support/surface_moves.h"
 #include "tiny_surfaces.h"
@@ -50,12 +50,7 @@ RationalPatch moved(const RationalPatch& patch, const Motion& motion) {
   return random_nets::image(patch, rows);
 }
 
-struct Variant {
-  std::string name;
-  SurfacePatch pair;
-  Renaming renaming = {};
-  std::optional<std::size_t> parameter = {};  // the one that is reparametrised
-};
+using Variant = known_images::Image<SurfacePatch>;
 
 std::vector<Variant> variants(const SurfacePatch& pair) {
   using known_images::reparametrised;
@@ -67,11 +62,8 @@ std::vector<Variant> variants(const SurfacePatch& pair) {
       {"u reparametrised", {f, reparametrised(x)}, {}, 0},
       {"v reparametrised", {f, reparametrised(x.transposed()).transposed()}, {}, 1}};
   if (!f.bound()) result.push_back({"unnamed", {unnamed(f), x}});
-  const std::map<std::string, Motion> motions = {
-      {"turned", {1, {3, -5, 7}, true}},
-      {"times 25.4", {Rational(127, 5), {0, 0, 0}, false}},
-      {"small and far", {Rational(1, 1000), {1000000, 0, Rational(1, 3)}, true}}};
-  for (const auto& [name, motion] : motions) result.push_back({name, {motion(f), moved(x, motion)}});
+  for (const auto& [name, motion] : surface_moves::motions())
+    result.push_back({name, {motion(f), moved(x, motion)}});
   return result;
 }
 
@@ -80,12 +72,8 @@ struct SurfacePatchTally {
   std::uint64_t compared = 0;
   std::uint64_t lines = 0;
   std::uint64_t wrong = 0;
-  std::map<std::string, std::pair<int, std::uint64_t>> reasons;  // how often, an example's seed
+  Reasons reasons;
 };
-
-void count(SurfacePatchTally& tally, const std::string& what, std::uint64_t seed) {
-  ++tally.reasons.try_emplace(what, 0, seed).first->second.first;
-}
 
 /// F(x(u, v)) as a polynomial in v, times a power of the denominator.
 Polynomial on_line(const S& surface, const RationalPatch& x, const Rational& u) {
@@ -140,19 +128,17 @@ void check_lines(const SurfacePatch& pair, const IntersectResult& result, std::u
 void check(std::uint64_t seed, SurfacePatchTally& tally) {
   const SurfacePatch pair = pair_of(seed);
   const IntersectResult result = intersect(pair.surface, pair.patch);
-  if (result.status != Status::complete) return count(tally, result.incomplete.at(0).why, seed);
+  if (result.status != Status::complete) return tally.reasons.add(result.incomplete.at(0).why, seed);
   ++tally.complete;
   check_lines(pair, result, seed, tally);
   for (const Variant& variant : variants(pair)) {
-    const IntersectResult other = intersect(variant.pair.surface, variant.pair.patch);
+    const IntersectResult other = intersect(variant.of.surface, variant.of.patch);
     if (other.status != Status::complete) {
-      count(tally, variant.name + ": " + other.incomplete.at(0).why, seed);
+      tally.reasons.add(variant.name + ": " + other.incomplete.at(0).why, seed);
       continue;
     }
     ++tally.compared;
-    const IntersectionGraph graph =
-        variant.parameter ? known_images::reparametrised(result.graph, *variant.parameter) : result.graph;
-    const std::string difference = exsect::difference(graph, other.graph, variant.renaming);
+    const std::string difference = variant.difference(result.graph, other.graph);
     if (difference.empty()) continue;
     ++tally.wrong;
     std::cout << "seed " << seed << ", " << variant.name << ": " << difference << std::endl;
@@ -172,7 +158,7 @@ int main(int argc, char** argv) try {
     try {
       check(seed, tally);
     } catch (const PatchError&) {
-      count(tally, "no patch", seed);
+      tally.reasons.add("no patch", seed);
     }
   }
   if (number == 1) {
@@ -182,8 +168,7 @@ int main(int argc, char** argv) try {
   }
   std::cout << number << " pairs, " << tally.complete << " complete, " << tally.wrong << " of "
             << tally.compared << " comparisons and " << tally.lines << " lines differ\n";
-  for (const auto& [reason, entry] : tally.reasons)
-    std::cout << "  " << entry.first << " not complete: " << reason << " (seed " << entry.second << ")\n";
+  std::cout << tally.reasons;
   return tally.wrong == 0 ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

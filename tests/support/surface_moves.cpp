@@ -78,6 +78,12 @@ S Motion::operator()(const S& surface) const {
   }
 }
 
+std::vector<std::pair<std::string, Motion>> motions() {
+  return {{"turned", {1, {3, -5, 7}, true}},
+          {"times 25.4", {Rational(127, 5), {0, 0, 0}, false}},
+          {"small and far", {Rational(1, 1000), {1000000, 0, Rational(1, 3)}, true}}};
+}
+
 std::optional<PlaneCounts> plane_counts(const S& first, const S& second, const SurfaceIntersection& result,
                                         const TestPlane& plane) {
   const auto& [o, a, b] = plane;

@@ -5,6 +5,9 @@
 
 #include <array>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace exsect::surface_moves {
 
@@ -19,6 +22,9 @@ struct Motion {
   /// Requires a surface other than a polynomial.
   ImplicitSurface operator()(const ImplicitSurface& surface) const;
 };
+
+/// With their names: turned, times 25.4, small and far away.
+std::vector<std::pair<std::string, Motion>> motions();
 
 /// The points o + s a + t b. Requires a and b that are not parallel.
 struct TestPlane {
