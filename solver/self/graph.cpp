@@ -7,9 +7,8 @@
 #include <iterator>
 
 #include "answer/graph_builder.h"
-#include "trace/arc_polyline.h"
-#include "trace/in_domain.h"
-#include "trace/tube_points.h"
+#include "trace/curve_appender.h"
+
 namespace exsect {
 
 namespace {
@@ -23,8 +22,8 @@ void exchange_if(bool exchange, std::array<T, 4>& p) {
 
 /// The point p of a chart, in the order of t > 0 or exchanged.
 template <class Ball>
-BoundedVertex vertex_at(const ChartSystem<Ball>& system, const BallPoint<Ball>& p, bool exchange,
-                        const ModelFrame& frame) {
+BoundedVertex chart_vertex(const ChartSystem<Ball>& system, const BallPoint<Ball>& p, bool exchange,
+                           const ModelFrame& frame) {
   BoundedVertex result = bounded_position(space_point(system, p), frame);
   const double t = std::sqrt(std::max(0.0, p[3].approximation()));
   const double mt = p[2].approximation() * t;
@@ -37,129 +36,55 @@ BoundedVertex vertex_at(const ChartSystem<Ball>& system, const BallPoint<Ball>& 
   return result;
 }
 
-/// A place on a trace in the charts where an arc ends: piece, offset, and the node, -1 at the gate.
-struct ChartStop {
-  int node;
-  std::size_t piece;
-  double tau;
-  BoundedVertex vertex;
-};
-
-/// The arcs of a trace in the charts.
+/// Draws a trace in the charts (curve_appender.h).
 template <class Ball>
-class ChartArcs {
- public:
-  ChartArcs(GraphBuilder& graph, const SelfSystem<Ball>& system, const ChartTrace<Ball>& trace, bool exchange,
-            const ModelFrame& frame, double tolerance)
-      : graph_(graph),
-        system_(system),
-        trace_(trace),
-        exchange_(exchange),
-        frame_(frame),
-        tolerance_(tolerance) {}
+struct ChartPen {
+  using Number = Ball;
+  static constexpr Contact contact = Contact::transversal;
 
-  std::vector<Arc> run(const std::vector<Parameter>& wanted, int start_node, int end_node) {
-    const ChartPiece<Ball>& first = trace_.pieces.front();
-    const ChartPiece<Ball>& last = trace_.pieces.back();
-    stops_.push_back({start_node, 0, first.range.from(), vertex(first, first.range.from())});
-    for (const TurningPoint<Ball>& point : trace_.turning) {
-      add_turning(point, wanted);
-    }
-    add_cuts();
-    stops_.push_back({end_node, trace_.pieces.size() - 1, last.range.to(), vertex(last, last.range.to())});
-    std::vector<Arc> arcs;
-    for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
-      arcs.push_back(arc(stops_[i], stops_[i + 1]));
-    }
-    return arcs;
-  }
+  const SelfSystem<Ball>& system;
+  const ChartTrace<Ball>& curve;
+  bool exchanged;
+  const ModelFrame& frame;
+  double tolerance;
 
- private:
-  BoundedVertex vertex(const ChartPiece<Ball>& piece, double tau) const {
-    return vertex_at(system_.chart(piece.chart), point_at(piece.tube, tau), piece.exchanged != exchange_,
-                     frame_);
-  }
-
-  /// Between the stops so far, all but the first of which are turning points.
-  void add_cuts() {
-    for (const TraceCut& cut : trace_.cuts) {
-      const ChartPiece<Ball>& piece = trace_.pieces[cut.piece];
-      BallPoint<Ball> at = point_at(piece.tube, cut.tau);
-      for (std::size_t j = 0; j < 4; ++j) {
-        const double slope = std::fabs(piece.tube.slope[j]) + piece.tube.slope_error[j];
-        at[j] = at[j].widened(slope * cut.radius * kSlack);
-      }
-      stops_.push_back({cut.landmark, cut.piece, cut.tau,
-                        vertex_at(system_.chart(piece.chart), at, piece.exchanged != exchange_, frame_)});
-    }
-    std::stable_sort(stops_.begin() + 1, stops_.end(), [&](const ChartStop& a, const ChartStop& b) {
-      return a.piece != b.piece ? a.piece < b.piece : trace_.pieces[a.piece].range.precedes(a.tau, b.tau);
-    });
-  }
-
-  void add_turning(const TurningPoint<Ball>& point, const std::vector<Parameter>& wanted) {
-    Node node{};
-    for (const std::size_t j : point.parameters) {
-      const auto p = static_cast<Parameter>(exchange_ ? (j + 2) % 4 : j);
-      if (std::count(wanted.begin(), wanted.end(), p) > 0) {
-        node.wrt.push_back(p);
-      }
-    }
-    if (node.wrt.empty()) {
-      return;
-    }
-    std::sort(node.wrt.begin(), node.wrt.end());
-    const ChartPiece<Ball>& piece = trace_.pieces[point.piece];
-    const BoundedVertex at =
-        vertex_at(system_.chart(piece.chart), point.box, piece.exchanged != exchange_, frame_);
-    node.kinds = {NodeKind::turning};
-    BallPoint<Ball> pair = pair_on(piece, point.box);
-    exchange_if(exchange_, pair);
-    for (std::size_t j = 0; j < 4; ++j) {
-      node.box[j] = in_domain(pair[j].interval());
-    }
-    node.approx = at.vertex.parameters;
-    node.point = at.vertex.point;
-    const int id = graph_.add_node(std::move(node));
-    stops_.push_back({id, point.piece, 0.5 * (point.from + point.to), at});
-  }
-
-  Arc arc(const ChartStop& from, const ChartStop& to) const {
-    Arc result{};
-    result.from = from.node;
-    result.to = to.node;
-    result.place = ArcPlace::interior;
-    result.contact = Contact::transversal;
-    ArcPolyline line;
-    line.add_vertex(from.vertex);
-    for (std::size_t p = from.piece; p <= to.piece; ++p) {
-      const ChartPiece<Ball>& piece = trace_.pieces[p];
-      const double a = p == from.piece ? from.tau : piece.range.from();
-      const double b = p == to.piece ? to.tau : piece.range.to();
-      const double k = std::ldexp(space_second_derivative(system_.chart(piece.chart), piece.tube),
-                                  static_cast<int>(frame_.exponent));
-      line.add_chords(k, a, b, tolerance_, [&](double tau) { return vertex(piece, tau); });
-      if (p != to.piece) line.add_vertex(vertex(piece, b));
-    }
-    line.add_vertex(to.vertex);
-    result.polyline = line.take_vertices();
-    result.error_bound = line.bound();
+  const auto& pieces() const { return curve.pieces; }
+  BallPoint<Ball> pair(std::size_t piece, const BallPoint<Ball>& box) const {
+    BallPoint<Ball> result = pair_on(pieces()[piece], box);
+    exchange_if(exchanged, result);
     return result;
   }
+  BoundedVertex vertex(std::size_t piece, const BallPoint<Ball>& box) const {
+    return chart_vertex(chart(piece), box, pieces()[piece].exchanged != exchanged, frame);
+  }
+  BoundedVertex vertex_at(std::size_t piece, double tau) const {
+    return vertex(piece, point_at(pieces()[piece].tube, tau));
+  }
+  void add_chords(ArcPolyline& line, std::size_t piece, double a, double b) const {
+    const double k = std::ldexp(space_second_derivative(chart(piece), pieces()[piece].tube),
+                                static_cast<int>(frame.exponent));
+    line.add_chords(k, a, b, tolerance, [&](double tau) { return vertex_at(piece, tau); });
+  }
 
-  GraphBuilder& graph_;
-  const SelfSystem<Ball>& system_;
-  const ChartTrace<Ball>& trace_;
-  bool exchange_;
-  const ModelFrame& frame_;
-  double tolerance_;
-  std::vector<ChartStop> stops_;
+  const ChartSystem<Ball>& chart(std::size_t piece) const { return system.chart(pieces()[piece].chart); }
+
+  CurveStop stop(int node, std::size_t piece, double tau) const {
+    return {node, {piece, tau}, vertex_at(piece, tau)};
+  }
+  CurveStop stop_at(const TraceCut& cut) const {
+    const ChartTube<Ball>& tube = pieces()[cut.piece].tube;
+    BallPoint<Ball> at = point_at(tube, cut.tau);
+    for (std::size_t j = 0; j < 4; ++j) {
+      at[j] = at[j].widened((std::fabs(tube.slope[j]) + tube.slope_error[j]) * cut.radius * kSlack);
+    }
+    return {cut.landmark, {cut.piece, cut.tau}, vertex(cut.piece, at)};
+  }
 };
 
 /// The node of a cuspidal point.
 template <class Ball>
 Node cusp_node(const ChartSystem<Ball>& system, const CuspArc<Ball>& arc, const ModelFrame& frame) {
-  const PolylineVertex vertex = vertex_at(system, arc.cusp, false, frame).vertex;
+  const PolylineVertex vertex = chart_vertex(system, arc.cusp, false, frame).vertex;
   const std::size_t first = arc.chart == Chart::first ? 0 : 1;
   const RationalInterval u = arc.cusp[first].interval();
   const RationalInterval v = arc.cusp[1 - first].interval();
@@ -244,10 +169,17 @@ class SelfGraph {
   }
 
  private:
+  /// From the cuspidal point to the other one, or to the gate, which is no node: -1.
   std::vector<Arc> chart_arcs(const ChartTrace<Ball>& trace, bool exchange) {
-    const int end = trace.end < 0 ? -1 : first_cusp_ + trace.end;
-    return ChartArcs<Ball>(graph_, system_, trace, exchange, frame_, tolerance_)
-        .run(wanted_, first_cusp_ + trace.start, end);
+    const ChartPen<Ball> pen{system_, trace, exchange, frame_, tolerance_};
+    const auto before = static_cast<int>(graph_.arcs().size());
+    CurveAppender appender(graph_, pen);
+    appender.add_turning_nodes(wanted_);
+    appender.add_cuts([&](const TraceCut& cut) { return pen.stop_at(cut); });
+    appender.add_open(pen.stop(first_cusp_ + trace.start, 0, trace.pieces.front().range.from()),
+                      pen.stop(trace.end < 0 ? -1 : first_cusp_ + trace.end, trace.pieces.size() - 1,
+                               trace.pieces.back().range.to()));
+    return graph_.take_arcs(before);
   }
 
   /// From the cuspidal point to the gate, if the landmark is one.

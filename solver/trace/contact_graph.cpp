@@ -21,12 +21,15 @@ template <class Ball>
 struct ContactPen {
   using Number = Ball;
   static constexpr Contact contact = Contact::tangential;
+  static constexpr bool exchanged = false;
 
   const PairSystem<Ball>& system;
   const AnalysedContact<Ball>& curve;
   const ModelFrame& frame;
   double tolerance;
 
+  const auto& pieces() const { return curve.trace.pieces; }
+  static const BallPoint<Ball>& pair(std::size_t /*piece*/, const BallPoint<Ball>& box) { return box; }
   BoundedVertex vertex(std::size_t /*piece*/, const BallPoint<Ball>& parameters) const {
     return bounded_vertex(parameters, system.taylor_x(parameters)[0], frame);
   }
@@ -70,7 +73,7 @@ void append_contact(GraphBuilder& graph, const PairSystem<Ball>& system, const A
                     const Landmarks<Ball>& landmarks, const std::vector<TraceEnd>& ends,
                     const ModelFrame& frame, const std::vector<Parameter>& wanted, double tolerance) {
   const ContactPen<Ball> pen{system, contact, frame, tolerance};
-  CurveAppender(graph, pen, landmarks, ends).run(wanted);
+  append_curve(graph, pen, landmarks, ends, wanted);
 }
 
 #define EXSECT_INSTANTIATE_CONTACT(Ball)                                                                \

@@ -12,9 +12,26 @@
 
 namespace exsect {
 
+/// A place on a curve: piece and offset.
+struct CurveStation {
+  std::size_t piece;
+  double tau;
+};
+
+/// Where an arc ends.
+struct CurveStop {
+  int node;
+  CurveStation station;
+  BoundedVertex vertex;
+  const Approach* approach = nullptr;  // from the vertex to the node; null if the vertex is the node's
+};
+
 /// Appends the nodes and arcs of one curve. A Pen draws it; it has
 ///   Number, contact                the balls of its boxes, and the contact of its arcs
-///   curve                          the AnalysedCurve
+///   curve                          with its turning points and cuts
+///   exchanged                      true: parameters u, v, r, s of the turning points are r, s, u, v
+///   pieces()                       of the curve, in order
+///   pair(piece, box)               the parameters (u,v,r,s) of a turning point's box
 ///   vertex(piece, box)             for the point of the curve in the box, on this piece
 ///   vertex_at(piece, tau)          for the point at an offset
 ///   add_chords(line, piece, a, b)  between two offsets, the vertices of which are added by this class
@@ -23,39 +40,13 @@ class CurveAppender {
  public:
   using Ball = typename Pen::Number;
 
-  CurveAppender(GraphBuilder& graph, const Pen& pen, const Landmarks<Ball>& landmarks,
-                const std::vector<TraceEnd>& ends)
-      : graph_(graph), pen_(pen), landmarks_(landmarks), ends_(ends) {}
-
-  /// With turning points with respect to `wanted`; with all of them if there is no other node.
-  void run(const std::vector<Parameter>& wanted) {
-    add_turning_nodes(wanted);
-    add_cuts();
-    const bool is_closed = pen_.curve.trace.start < 0;
-    if (stops_.empty() && is_closed) {
-      add_turning_nodes({all_parameters.begin(), all_parameters.end()});
-    }
-    is_closed ? add_closed() : add_open();
-  }
-
- private:
-  /// A place on the curve: piece and offset.
-  struct Station {
-    std::size_t piece;
-    double tau;
-  };
-  struct Stop {
-    int node;
-    Station station;
-    BoundedVertex vertex;
-    const Approach* approach;  // from the vertex to the node; null if the vertex is the node's
-  };
+  CurveAppender(GraphBuilder& graph, const Pen& pen) : graph_(graph), pen_(pen) {}
 
   void add_turning_nodes(const std::vector<Parameter>& wanted) {
     for (const TurningPoint<Ball>& point : pen_.curve.turning) {
       std::vector<Parameter> wrt;
       for (const Parameter p : all_parameters) {
-        const bool turns = std::count(point.parameters.begin(), point.parameters.end(), index(p)) > 0;
+        const bool turns = turns_in(point, pen_.exchanged ? (index(p) + 2) % 4 : index(p));
         if (turns && std::count(wanted.begin(), wanted.end(), p) > 0) {
           wrt.push_back(p);
         }
@@ -66,47 +57,59 @@ class CurveAppender {
     }
   }
 
-  void add_cuts() {
+  /// At the curve's cuts; `stop_at(cut)` is where the arcs end.
+  template <class StopAt>
+  void add_cuts(const StopAt& stop_at) {
     for (const TraceCut& cut : pen_.curve.cuts) {
-      stops_.push_back(landmark_stop(cut.landmark, cut.piece, cut.tau));
+      stops_.push_back(stop_at(cut));
     }
-    std::stable_sort(stops_.begin(), stops_.end(), [&](const Stop& a, const Stop& b) {
+    std::stable_sort(stops_.begin(), stops_.end(), [&](const CurveStop& a, const CurveStop& b) {
       return a.station.piece != b.station.piece
                  ? a.station.piece < b.station.piece
-                 : pen_.curve.trace.pieces[a.station.piece].range.precedes(a.station.tau, b.station.tau);
+                 : pen_.pieces()[a.station.piece].range.precedes(a.station.tau, b.station.tau);
     });
   }
 
-  Stop turning_stop(const TurningPoint<Ball>& point, const std::vector<Parameter>& wrt) {
+  /// The arcs of an open curve.
+  void add_open(const CurveStop& first, const CurveStop& last) {
+    stops_.insert(stops_.begin(), first);
+    stops_.push_back(last);
+    add_arcs();
+  }
+
+  /// The arcs of a closed curve, with all turning points if there is no other node.
+  void add_closed() {
+    if (stops_.empty()) {
+      add_turning_nodes({all_parameters.begin(), all_parameters.end()});
+    }
+    add_arcs();
+    const auto& pieces = pen_.pieces();
+    const CurveStation end = {pieces.size() - 1, pieces.back().range.to()};
+    const CurveStation begin = {0, pieces.front().range.from()};
+    add_arc(stops_.back(), stops_.front(), {{stops_.back().station, end}, {begin, stops_.front().station}});
+  }
+
+ private:
+  CurveStop turning_stop(const TurningPoint<Ball>& point, const std::vector<Parameter>& wrt) {
     const BoundedVertex vertex = pen_.vertex(point.piece, point.box);
+    const BallPoint<Ball> pair = pen_.pair(point.piece, point.box);
     Node node{};
     node.kinds = {NodeKind::turning};
     node.wrt = wrt;
     for (std::size_t j = 0; j < 4; ++j) {
-      node.box[j] = in_domain(point.box[j].interval());
+      node.box[j] = in_domain(pair[j].interval());
     }
     node.approx = vertex.vertex.parameters;
     node.point = vertex.vertex.point;
-    return {graph_.add_node(std::move(node)), {point.piece, 0.5 * (point.from + point.to)}, vertex, nullptr};
+    return {graph_.add_node(std::move(node)), {point.piece, 0.5 * (point.from + point.to)}, vertex};
   }
 
-  Stop landmark_stop(int landmark, std::size_t piece, double tau) const {
-    const TraceEnd& end = ends_[static_cast<std::size_t>(landmark)];
-    BoundedVertex vertex = pen_.vertex(piece, landmarks_[static_cast<std::size_t>(landmark)]);
-    if (!end.approach) {
-      const Node& node = graph_.node(end.node);
-      vertex.vertex = {node.approx, node.point};
-      vertex.error *= 2;  // the node's own vertex stands for the same box
-    }
-    return {end.node, {piece, tau}, vertex, end.approach ? &*end.approach : nullptr};
-  }
-
-  BoundedVertex node_vertex(const Stop& stop) const {
+  BoundedVertex node_vertex(const CurveStop& stop) const {
     const Node& node = graph_.node(stop.node);
     return {{node.approx, node.point}, 0};
   }
 
-  void leave_node(ArcPolyline& line, const Stop& stop) const {
+  void leave_node(ArcPolyline& line, const CurveStop& stop) const {
     if (stop.approach != nullptr) {
       line.add_vertex(node_vertex(stop));
       std::for_each(stop.approach->vertices.rbegin(), stop.approach->vertices.rend(),
@@ -118,7 +121,7 @@ class CurveAppender {
     line.add_vertex(stop.vertex);
   }
 
-  void enter_node(ArcPolyline& line, const Stop& stop) const {
+  void enter_node(ArcPolyline& line, const CurveStop& stop) const {
     line.add_vertex(stop.vertex);
     if (stop.approach != nullptr) {
       for (const PolylineVertex& vertex : stop.approach->vertices) {
@@ -129,8 +132,8 @@ class CurveAppender {
     }
   }
 
-  void add_path(ArcPolyline& line, Station from, Station to) const {
-    const auto& pieces = pen_.curve.trace.pieces;
+  void add_path(ArcPolyline& line, CurveStation from, CurveStation to) const {
+    const auto& pieces = pen_.pieces();
     for (std::size_t p = from.piece; p <= to.piece; ++p) {
       const double a = p == from.piece ? from.tau : pieces[p].range.from();
       const double b = p == to.piece ? to.tau : pieces[p].range.to();
@@ -139,7 +142,8 @@ class CurveAppender {
     }
   }
 
-  void add_arc(const Stop& from, const Stop& to, const std::vector<std::pair<Station, Station>>& paths) {
+  void add_arc(const CurveStop& from, const CurveStop& to,
+               const std::vector<std::pair<CurveStation, CurveStation>>& paths) {
     ArcPolyline line;
     leave_node(line, from);
     for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -159,30 +163,38 @@ class CurveAppender {
     graph_.add_arc(std::move(arc));
   }
 
-  void add_open() {
-    const auto& pieces = pen_.curve.trace.pieces;
-    stops_.insert(stops_.begin(), landmark_stop(pen_.curve.trace.start, 0, pieces.front().range.from()));
-    stops_.push_back(landmark_stop(pen_.curve.trace.end, pieces.size() - 1, pieces.back().range.to()));
+  void add_arcs() {
     for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
       add_arc(stops_[i], stops_[i + 1], {{stops_[i].station, stops_[i + 1].station}});
     }
-  }
-
-  void add_closed() {
-    const auto& pieces = pen_.curve.trace.pieces;
-    for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
-      add_arc(stops_[i], stops_[i + 1], {{stops_[i].station, stops_[i + 1].station}});
-    }
-    const Station end = {pieces.size() - 1, pieces.back().range.to()};
-    const Station begin = {0, pieces.front().range.from()};
-    add_arc(stops_.back(), stops_.front(), {{stops_.back().station, end}, {begin, stops_.front().station}});
   }
 
   GraphBuilder& graph_;
   const Pen& pen_;
-  const Landmarks<Ball>& landmarks_;
-  const std::vector<TraceEnd>& ends_;
-  std::vector<Stop> stops_;
+  std::vector<CurveStop> stops_;
 };
+
+/// Appends a curve between landmarks, or a closed one, as append_trace() does.
+template <class Pen>
+void append_curve(GraphBuilder& graph, const Pen& pen, const Landmarks<typename Pen::Number>& landmarks,
+                  const std::vector<TraceEnd>& ends, const std::vector<Parameter>& wanted) {
+  const auto stop_at = [&](int landmark, std::size_t piece, double tau) -> CurveStop {
+    const TraceEnd& end = ends[static_cast<std::size_t>(landmark)];
+    BoundedVertex vertex = pen.vertex(piece, landmarks[static_cast<std::size_t>(landmark)]);
+    if (!end.approach) {
+      const Node& node = graph.node(end.node);
+      vertex.vertex = {node.approx, node.point};
+      vertex.error *= 2;  // the node's own vertex stands for the same box
+    }
+    return {end.node, {piece, tau}, vertex, end.approach ? &*end.approach : nullptr};
+  };
+  CurveAppender appender(graph, pen);
+  appender.add_turning_nodes(wanted);
+  appender.add_cuts([&](const TraceCut& cut) { return stop_at(cut.landmark, cut.piece, cut.tau); });
+  const auto& trace = pen.curve.trace;
+  if (trace.start < 0) return appender.add_closed();
+  appender.add_open(stop_at(trace.start, 0, trace.pieces.front().range.from()),
+                    stop_at(trace.end, trace.pieces.size() - 1, trace.pieces.back().range.to()));
+}
 
 }  // namespace exsect

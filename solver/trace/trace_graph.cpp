@@ -17,11 +17,14 @@ template <class Ball>
 struct TracePen {
   using Number = Ball;
   static constexpr Contact contact = Contact::transversal;
+  static constexpr bool exchanged = false;
 
   const AnalysedTrace<Ball>& curve;
   const ModelFrame& frame;
   double tolerance;
 
+  const auto& pieces() const { return curve.trace.pieces; }
+  static const BallPoint<Ball>& pair(std::size_t /*piece*/, const BallPoint<Ball>& box) { return box; }
   BoundedVertex vertex(std::size_t piece, const BallPoint<Ball>& parameters) const {
     return bounded_vertex(parameters, space_point(tube(piece), parameters), frame);
   }
@@ -44,7 +47,7 @@ void append_trace(GraphBuilder& graph, const AnalysedTrace<Ball>& curve, const L
                   const std::vector<TraceEnd>& ends, const ModelFrame& frame,
                   const std::vector<Parameter>& wanted, double tolerance) {
   const TracePen<Ball> pen{curve, frame, tolerance};
-  CurveAppender(graph, pen, landmarks, ends).run(wanted);
+  append_curve(graph, pen, landmarks, ends, wanted);
 }
 
 std::vector<TraceEnd> nodes_of_landmarks(std::size_t count) {
