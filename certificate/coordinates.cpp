@@ -132,8 +132,8 @@ namespace {
 std::optional<Direction> kernel(const ExactMap& local, std::size_t axis) {
   std::array<Point, 3> rows;
   for (std::size_t j = 0; j < 3; ++j) {
-    const auto column = local.first(others(axis)[j], {});
-    for (std::size_t d = 0; d < 3; ++d) rows[d][j] = column[d].middle;
+    const auto column = local.slope(others(axis)[j]);
+    for (std::size_t d = 0; d < 3; ++d) rows[d][j] = column[d];
   }
   Point c = cross(rows[0], rows[1]);
   if (is_zero(c)) c = cross(rows[0], rows[2]);

@@ -241,7 +241,7 @@ Json polynomials(const ExactMap& map) {
   Json result = Json::array();
   for (std::size_t d = 0; d < 3; ++d) {
     Json terms = Json::array();
-    for (const auto& [power, c] : map.terms())
+    for (const auto& [power, c, lower] : map.terms())
       if (c[d] != 0) terms.push_back({to_string(c[d]), power[0], power[1], power[2], power[3]});
     result.push_back(terms);
   }

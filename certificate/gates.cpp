@@ -44,12 +44,11 @@ double distance_to_edge(const Parameters& w, const Parameters& a, const Paramete
 
 Tube cusp_tube(const NearPair& pair, Parameters& w) {
   const Map local = pair.power.at(w);
-  const std::array columns = {local.first(0, {}), local.first(1, {})};
-  const std::array length = {checker::dot(columns[0], columns[0]).middle,
-                             checker::dot(columns[1], columns[1]).middle};
+  const std::array columns = {local.slope(0), local.slope(1)};
+  const std::array length = {checker::dot(columns[0], columns[0]), checker::dot(columns[1], columns[1])};
   const Chart chart = length[0] < length[1] ? Chart::first : Chart::second;
   const std::size_t p = chart == Chart::first ? 0 : 1;
-  const double m = -checker::dot(columns[0], columns[1]).middle / length[1 - p];  // x_u + m x_v = 0
+  const double m = -checker::dot(columns[0], columns[1]) / length[1 - p];  // x_u + m x_v = 0
   const Parameters z = on_curve(chart_map(pair, chart), {w[p], w[1 - p], m, 0}, 3);
   if (!(std::abs(z[0] - w[p]) < 1e-6)) throw NoCertificate("a cuspidal point that is not found again");
   w[p] = w[p + 2] = z[0];

@@ -73,7 +73,6 @@ NearPair near_section(const SpacePolynomial& f, const RationalPatch& x) {
   const double scale = power_above(greatest(net));
   const Rational factor = 1 / from_double(scale);
   NearPair result;
-  result.power.set_long(exact.is_long());
   for (const auto& term : exact.terms())
     result.power.coefficient(term.power) = {to_double(factor * term.c[0]), to_double(term.c[1]),
                                             to_double(term.c[2])};

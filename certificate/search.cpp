@@ -67,7 +67,7 @@ bool definite(const checker::Ball<double>& b) {
 
 std::optional<Matrix3<double>> inverse(const Map& local, std::size_t k) {
   const auto o = others(k);
-  const std::array<Vector, 3> c = {column(local, o[0]), column(local, o[1]), column(local, o[2])};
+  const std::array<Vector, 3> c = {local.slope(o[0]), local.slope(o[1]), local.slope(o[2])};
   const double det = checker::dot(c[0], checker::cross(c[1], c[2]));
   if (!std::isfinite(1 / det)) return std::nullopt;
   Matrix3<double> m;
@@ -80,18 +80,13 @@ std::optional<Matrix3<double>> inverse(const Map& local, std::size_t k) {
   return m;
 }
 
-Vector column(const Map& local, std::size_t j) {
-  const auto c = local.first(j, {});
-  return {c[0].middle, c[1].middle, c[2].middle};
-}
-
 Parameters tangent(const Map& map, const Parameters& w) {
   const Map local = map.at(w);
   Parameters t;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto o = others(k);
     t[k] = (k % 2 == 0 ? 1 : -1) *
-           checker::dot(column(local, o[0]), checker::cross(column(local, o[1]), column(local, o[2])));
+           checker::dot(local.slope(o[0]), checker::cross(local.slope(o[1]), local.slope(o[2])));
   }
   return t;
 }
@@ -131,7 +126,7 @@ Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis, Tu
   // Short numbers, but C DF is to be 1 to 12 bits.
   double steps = 1;
   for (std::size_t j = 0; j < 4; ++j)
-    for (const double a : column(here, j)) steps = std::max(steps, std::abs(a));
+    for (const double a : here.slope(j)) steps = std::max(steps, std::abs(a));
   const int more = std::max(0, std::ilogb(steps * largest(*c)));
   for (auto& row : *c)
     for (double& a : row) a = rounded(a, 12 + std::ilogb(steps) + 1);
@@ -171,7 +166,6 @@ checker::CurveBounds<double> bounds_in(const Map& map, const Tube& tube) {
 
 checker::Map<checker::Enclosure> in_enclosures(const Map& map) {
   checker::Map<checker::Enclosure> result;
-  result.set_long(map.is_long());
   for (const auto& term : map.terms())
     result.coefficient(term.power) = {checker::Enclosure(term.c[0]), checker::Enclosure(term.c[1]),
                                       checker::Enclosure(term.c[2])};
@@ -180,7 +174,7 @@ checker::Map<checker::Enclosure> in_enclosures(const Map& map) {
 
 namespace {
 
-// Of long maps the errors of the check in doubles count, and are computed as it does.
+// The errors of the check in doubles count, and are computed as it does.
 
 checker::Vector4<checker::Enclosure> place_in_enclosures(const Parameters& w) {
   checker::Vector4<checker::Enclosure> result;
@@ -203,7 +197,6 @@ double checked_distance(const Map& map, const Tube& tube, const Parameters& w) {
 }  // namespace
 
 checker::Box<double> tangent_near(const Map& map, const Parameters& w, double near) {
-  if (!map.is_long()) return checker::tangent(map.at(w), {near, near, near, near});
   const checker::Enclosure h(near);
   const auto t = checker::tangent(in_enclosures(map).at(place_in_enclosures(w)), {h, h, h, h});
   checker::Box<double> result;
@@ -215,12 +208,7 @@ checker::Box<double> tangent_near(const Map& map, const Parameters& w, double ne
 }
 
 double distance(const Map& map, const Tube& tube, const Parameters& w) {
-  if (map.is_long()) return checked_distance(map, tube, w) / (1 - bounds_in(map, tube).defect);
-  const Map local = map.at(w).times(tube.inverse);
-  const double defect = bounds_in(map, tube).defect;
-  double most = 0;
-  for (std::size_t d = 0; d < 3; ++d) most = std::max(most, std::abs(local.value(d)));
-  return (most + 4e-15 * largest(tube.inverse)) / (1 - defect);
+  return checked_distance(map, tube, w) / (1 - bounds_in(map, tube).defect);
 }
 
 Parameters pair_of(Chart chart, const Parameters& z, int side) {

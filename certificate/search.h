@@ -22,8 +22,6 @@ using Vector = checker::Vector3<double>;
 
 using checker::Chart;
 
-/// dF/dw_j at the map's point.
-Vector column(const Map& local, std::size_t j);
 /// T, the kernel of the map's derivative at w (method (5.1)).
 Parameters tangent(const Map& map, const Parameters& w);
 /// The parameter along which the curve runs fastest.

@@ -33,7 +33,7 @@ std::string one_sign(const Map& map, const Parameters& middle, const Parameters&
   std::vector<Vector> normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, local.value(Parameters{})};
   if (const auto c = inverse(local, axis)) normals.insert(normals.end(), c->begin(), c->end());
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < i; ++j) normals.push_back(checker::cross(column(local, i), column(local, j)));
+    for (std::size_t j = 0; j < i; ++j) normals.push_back(checker::cross(local.slope(i), local.slope(j)));
   for (const auto& normal : normals) {
     const auto n = rounded_direction(normal);
     const checker::Ball<double> range =

@@ -46,9 +46,7 @@ class OverlapCheck {
     };
     const auto& terms = factor_.map.terms();
     if (!factor_.is_surface() || !std::all_of(terms.begin(), terms.end(), linear)) return false;
-    const auto slope = [&](std::size_t d, std::size_t i) {
-      return Rational(factor_.map.first(i, {})[d].middle);
-    };
+    const auto slope = [&](std::size_t d, std::size_t i) { return Rational(factor_.map.slope(i)[d]); };
     for (std::size_t j = 0; j < 4; ++j) {
       for (std::size_t i = 0; i < j; ++i) {
         if (slope(0, i) * slope(1, j) == slope(0, j) * slope(1, i)) continue;

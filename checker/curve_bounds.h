@@ -69,12 +69,12 @@ struct Tube : MapName {
   }
 };
 
-/// Row sums of |C D'F - 1| over a box, D' without the column k.
+/// Row sums of |C D'F - 1| over a box, D' without the column k, from the derivatives of C F.
 template <class N>
-Vector3<N> defects(const Map<N>& local, std::size_t axis, const Vector4<N>& h) {
+Vector3<N> defects(const Derivatives<N>& over, std::size_t axis) {
   Vector3<N> row = {};
   for (std::size_t j = 0; j < 3; ++j) {
-    Balls<N> column = local.first(others(axis)[j], h);
+    Balls<N> column = over.first(others(axis)[j]);
     column[j].middle -= 1;
     for (std::size_t d = 0; d < 3; ++d) row[d] += column[d].magnitude();
   }
@@ -95,7 +95,7 @@ Vector3<N> contraction(const Tube<N>& tube, const Map<N>& local) {
     if (p.size() <= m) p.resize(m + 1);
     for (std::size_t d = 0; d < 3; ++d) p[m][d] += factor * term.c[d];
   }
-  const Vector3<N> e = defects(local, tube.axis, tube.extent());
+  const Vector3<N> e = defects(Derivatives(local, tube.extent()), tube.axis);
   Vector3<N> result;
   for (std::size_t d = 0; d < 3; ++d) {
     N f = 0;
@@ -117,7 +117,8 @@ struct CurveBounds {
 template <class N>
 CurveBounds<N> curve_bounds(const Map<N>& local, std::size_t axis, const Vector4<N>& h) {
   CurveBounds<N> result{};
-  const Vector3<N> row = defects(local, axis, h);
+  const Derivatives over(local, h);
+  const Vector3<N> row = defects(over, axis);
   for (const N& r : row) result.defect = larger(result.defect, r);
   if (!(result.defect < 1)) return result;
   // (1 + E) w' = g with |E| <= row: |w'| <= max|g| / (1 - defect) and |w' - g| <= row |w'|.
@@ -129,8 +130,8 @@ CurveBounds<N> curve_bounds(const Map<N>& local, std::size_t axis, const Vector4
       w[others(axis)[d]] = {-minus_g[d].middle, minus_g[d].radius + row[d] * most};
   };
   result.first[axis] = N(1);
-  solve(local.first(axis, h), result.first);
-  solve(local.second(result.first, h), result.second);
+  solve(over.first(axis), result.first);
+  solve(over.second(result.first), result.second);
   return result;
 }
 
@@ -162,8 +163,8 @@ template <class N>
 Matrix3<N> near_inverse(const Map<N>& local, std::size_t axis) {
   std::array<Vector3<double>, 3> column;
   for (std::size_t j = 0; j < 3; ++j) {
-    const Balls<N> c = local.first(others(axis)[j], {});
-    column[j] = {approximate(c[0].middle), approximate(c[1].middle), approximate(c[2].middle)};
+    const Vector3<N> c = local.slope(others(axis)[j]);
+    column[j] = {approximate(c[0]), approximate(c[1]), approximate(c[2])};
   }
   const auto& [a, b, c] = column;
   const Matrix3<double> adjugate = {cross(b, c), cross(c, a), cross(a, b)};

@@ -50,6 +50,12 @@ class Enclosure {
   friend Enclosure operator-(const Enclosure& a, const Enclosure& b) {
     return rounded(a.value_ - b.value_, a.error_ + b.error_);
   }
+  /// sum + a b, rounded together.
+  friend void add_multiple(Enclosure& sum, const Enclosure& a, const Enclosure& b) {
+    const double product = a.value_ * b.value_;
+    const double error = std::abs(a.value_) * b.error_ + a.error_ * (std::abs(b.value_) + b.error_);
+    sum = rounded(sum.value_ + product, sum.error_ + error + std::abs(product) * 0x1p-53);
+  }
   friend Enclosure operator*(const Enclosure& a, const Enclosure& b) {
     return rounded(a.value_ * b.value_,
                    std::abs(a.value_) * b.error_ + a.error_ * (std::abs(b.value_) + b.error_));

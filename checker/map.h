@@ -47,9 +47,17 @@ template <class N>
 int sign_of(const N& a) {
   return a > 0 ? 1 : a < 0 ? -1 : 0;
 }
+/// sum + a b
+template <class N>
+void add_multiple(N& sum, const N& a, const N& b) {
+  sum = sum + a * b;
+}
 template <class N>
 N dot(const Vector3<N>& a, const Vector3<N>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  N sum = a[0] * b[0];
+  add_multiple(sum, a[1], b[1]);
+  add_multiple(sum, a[2], b[2]);
+  return sum;
 }
 template <class N>
 Vector3<N> cross(const Vector3<N>& a, const Vector3<N>& b) {
@@ -117,52 +125,32 @@ class Map {
   struct Term {
     Power power;
     Vector3<N> c;
+    std::array<int, 4> lower;  // the terms with one exponent less by 1, -1 where it is 0
   };
   const std::vector<Term>& terms() const { return terms_; }
-  /// Whether it is treated as a map of many terms: F of patches with weights has up to 256, of others 31; H
-  /// of a chart up to some 900.
-  bool is_long() const { return is_long_; }
-  void set_long(bool value) {
-    is_long_ = value;
-    next_.clear();
-    for (std::size_t i = 0; is_long_ && i < terms_.size(); ++i) link(i);
-  }
 
-  /// The coefficient of a monomial; with each monomial there are all that divide it, 1 the first.
-  Vector3<N>& coefficient(const Power& power) { return terms_[index(power)].c; }
+  /// The coefficient of a monomial; with each monomial there are all that divide it before it, 1 the first.
+  Vector3<N>& coefficient(const Power& power) { return terms_[static_cast<std::size_t>(index(power))].c; }
   void add(const Power& power, const Vector3<N>& c, const N& factor) {
     add_to(coefficient(power), c, factor);
   }
 
   /// Adds factor times a map of the same monomials in the same order.
-  void add_multiple(const Map& other, const N& factor) {
+  void add(const Map& other, const N& factor) {
     for (std::size_t i = 0; i < terms_.size(); ++i) add_to(terms_[i].c, other.terms_[i].c, factor);
   }
 
-  /// The Taylor coefficients at another point, w further: term by term, or of a long map by Horner's rule.
+  /// The Taylor coefficients at another point, w further, by Horner's rule.
   Map at(const Vector4<N>& w) const {
     Map result = *this;
-    if (is_long_) {
-      for (std::size_t j = 0; j < 4; ++j) result.shift(j, w[j]);
-      return result;
-    }
-    for (Term& lower : result.terms_) {
-      for (const Term& term : terms_) {
-        if (!divides(lower.power, term.power) || term.power == lower.power) continue;
-        std::int64_t binomial = 1;
-        for (std::size_t j = 0; j < 4; ++j)
-          for (int i = 0; i < lower.power[j]; ++i)
-            binomial = multiplied(binomial, term.power[j] - i) / (i + 1);
-        add_to(lower.c, term.c, product(binomial, w, term.power, lower.power));
-      }
-    }
+    for (std::size_t j = 0; j < 4; ++j)
+      if (!(w[j] == N(0))) result.shift(j, w[j]);
     return result;
   }
   Vector3<N> value(const Vector4<N>& w) const {
     Vector3<N> sum = {};
-    const Powers powers = powers_of(w);
-    for (const Term& term : terms_)
-      add_to(sum, term.c, is_long_ ? product(1, powers, term.power, {}) : product(1, w, term.power, {}));
+    const std::vector<N> monomials = monomials_at(w);
+    for (std::size_t i = 0; i < terms_.size(); ++i) add_to(sum, terms_[i].c, monomials[i]);
     return sum;
   }
   Map times(const Matrix3<N>& m) const {
@@ -172,124 +160,135 @@ class Map {
   }
   /// Component d at the point.
   const N& value(std::size_t d) const { return terms_[0].c[d]; }
-
-  /// The range of the derivative, a_i times to w_i, over |dw_i| <= h_i.
-  Balls<N> derivative(const Power& a, const Vector4<N>& h) const {
-    Balls<N> result;
-    const Powers powers = powers_of(h);
+  /// dF/dw_j at the point.
+  Vector3<N> slope(std::size_t j) const {
+    for (const Term& term : terms_)
+      if (term.lower[j] == 0) return term.c;
+    return {};
+  }
+  /// The values of all monomials at w, one product each.
+  std::vector<N> monomials_at(const Vector4<N>& w) const {
+    std::vector<N> result;
+    result.reserve(terms_.size());
     for (const Term& term : terms_) {
-      if (!divides(a, term.power)) continue;
-      std::int64_t factor = 1;
-      for (std::size_t j = 0; j < 4; ++j)
-        for (int i = 0; i < a[j]; ++i) factor = multiplied(factor, term.power[j] - i);
-      const N size = is_long_ ? product(factor, powers, term.power, a) : product(factor, h, term.power, a);
-      for (std::size_t d = 0; d < 3; ++d)
-        term.power == a ? result[d].middle = size * term.c[d]
-                        : result[d].radius += size * magnitude(term.c[d]);
+      std::size_t j = 0;
+      while (j < 4 && term.lower[j] < 0) ++j;
+      const int lower = j < 4 ? term.lower[j] : -1;
+      result.push_back(lower < 0    ? N(1)
+                       : lower == 0 ? w[j]
+                                    : N(result[static_cast<std::size_t>(lower)] * w[j]));
     }
     return result;
   }
-  /// That of dF/dw_j.
-  Balls<N> first(std::size_t j, const Vector4<N>& h) const {
+
+ private:
+  int index(const Power& power) {
+    for (std::size_t i = 0; i < terms_.size(); ++i)
+      if (terms_[i].power == power) return static_cast<int>(i);
+    Term term = {power, {}, {-1, -1, -1, -1}};
+    for (std::size_t j = 0; j < 4; ++j) {
+      Power lower = power;
+      if (--lower[j] >= 0) term.lower[j] = index(lower);
+    }
+    terms_.push_back(std::move(term));
+    return static_cast<int>(terms_.size()) - 1;
+  }
+  /// w_j further: Horner's rule in each line of terms that differ in its exponent alone. Greater exponents
+  /// come after lesser ones.
+  void shift(std::size_t j, const N& w) {
+    bool more = true;
+    for (int k = 0; more; ++k) {
+      more = false;
+      for (std::size_t i = terms_.size(); i-- > 1;) {
+        if (terms_[i].power[j] <= k) continue;
+        add_to(terms_[static_cast<std::size_t>(terms_[i].lower[j])].c, terms_[i].c, w);
+        more = true;
+      }
+    }
+  }
+  static void add_to(Vector3<N>& sum, const Vector3<N>& c, const N& factor) {
+    for (std::size_t d = 0; d < 3; ++d) add_multiple(sum[d], factor, c[d]);
+  }
+
+  std::vector<Term> terms_;
+};
+
+/// The derivatives of a map over the box |dw_i| <= h_i.
+template <class N>
+class Derivatives {
+ public:
+  Derivatives(const Map<N>& map, const Vector4<N>& h) : map_(map), size_(map.monomials_at(h)) {}
+
+  /// a_i times to w_i.
+  Balls<N> over(const Power& a) const {
+    Balls<N> result;
+    for (std::size_t i = 0; i < size_.size(); ++i) {
+      std::int64_t factor = 1;
+      const int rest = divided(static_cast<int>(i), a, factor);
+      if (rest < 0) continue;
+      const Vector3<N>& c = map_.terms()[i].c;
+      N size = size_[static_cast<std::size_t>(rest)];
+      if (factor != 1) size = whole<N>(factor) * size;
+      for (std::size_t d = 0; d < 3; ++d) {
+        if (rest == 0)
+          result[d].middle = size * c[d];
+        else
+          add_multiple(result[d].radius, size, checker::magnitude(c[d]));
+      }
+    }
+    return result;
+  }
+  /// With respect to w_j.
+  Balls<N> first(std::size_t j) const {
     Power a = {};
     a[j] = 1;
-    return derivative(a, h);
+    return over(a);
   }
-  /// That of the second derivative along vectors in the box t.
-  Balls<N> second(const Box<N>& t, const Vector4<N>& h) const {
+  /// The second derivative along vectors in the box t.
+  Balls<N> second(const Box<N>& t) const {
     Balls<N> sum;
-    for (const Term& term : terms_) {
-      if (term.power[0] + term.power[1] + term.power[2] + term.power[3] != 2) continue;
-      Ball<N> factor = N(1);
-      for (std::size_t j = 0; j < 4; ++j)
-        for (int i = 0; i < term.power[j]; ++i) factor = factor * t[j];
-      const bool square = *std::max_element(term.power.begin(), term.power.end()) == 2;
-      const Balls<N> entry = derivative(term.power, h);
-      for (std::size_t d = 0; d < 3; ++d) sum[d] = sum[d] + N(square ? 1 : 2) * entry[d] * factor;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i; j < 4; ++j) {
+        Power a = {};
+        ++a[i];
+        ++a[j];
+        if (!has(a)) continue;
+        const Ball<N> square = t[i] * t[j];
+        const Ball<N> factor = i == j ? square : square + square;
+        const Balls<N> entry = over(a);
+        for (std::size_t d = 0; d < 3; ++d) sum[d] = sum[d] + entry[d] * factor;
+      }
     }
     return sum;
   }
 
  private:
-  std::size_t index(const Power& power) {
-    for (std::size_t i = 0; i < terms_.size(); ++i)
-      if (terms_[i].power == power) return i;
+  bool has(const Power& a) const {
+    return std::any_of(map_.terms().begin(), map_.terms().end(),
+                       [&](const auto& term) { return term.power == a; });
+  }
+  /// The term that has the monomial of term i divided by that of a, -1 if there is none; `factor` is
+  /// multiplied by that of the derivative: exactly, as products of exponents may leave 64 bits.
+  int divided(int i, const Power& a, std::int64_t& factor) const {
+    const auto& terms = map_.terms();
     for (std::size_t j = 0; j < 4; ++j) {
-      Power lower = power;
-      if (--lower[j] >= 0) index(lower);
+      for (int n = 0; n < a[j]; ++n) {
+        const auto& [power, c, lower] = terms[static_cast<std::size_t>(i)];
+        require(!__builtin_mul_overflow(factor, power[j], &factor), "the exponents of a map are too large");
+        i = lower[j];
+        if (i < 0) return -1;
+      }
     }
-    terms_.push_back({power, {}});
-    if (is_long_) link(terms_.size() - 1);
-    return terms_.size() - 1;
-  }
-  /// The term follows those before it.
-  void link(std::size_t i) {
-    next_.push_back({});
-    for (std::size_t j = 0; j < 4; ++j) {
-      Power lower = terms_[i].power;
-      if (--lower[j] >= 0) next_[index(lower)][j] = i;
-    }
-  }
-  /// w_j further, in each line of terms that differ in its exponent alone.
-  void shift(std::size_t j, const N& w) {
-    std::vector<std::size_t> line;
-    for (std::size_t first = 0; first < terms_.size(); ++first) {
-      if (terms_[first].power[j] > 0) continue;
-      line = {first};
-      while (next_[line.back()][j] > 0) line.push_back(next_[line.back()][j]);
-      for (std::size_t k = 0; k + 1 < line.size(); ++k)
-        for (std::size_t i = line.size() - 1; i-- > k;) add_to(terms_[line[i]].c, terms_[line[i + 1]].c, w);
-    }
-  }
-  static bool divides(const Power& a, const Power& b) {
-    return a[0] <= b[0] && a[1] <= b[1] && a[2] <= b[2] && a[3] <= b[3];
-  }
-  static void add_to(Vector3<N>& sum, const Vector3<N>& c, const N& factor) {
-    for (std::size_t d = 0; d < 3; ++d) sum[d] += factor * c[d];
-  }
-  /// Exactly: the binomial coefficients of four exponents leave 64 bits.
-  static std::int64_t multiplied(std::int64_t a, int b) {
-    std::int64_t result = 0;
-    require(!__builtin_mul_overflow(a, b, &result), "the exponents of a map are too large");
-    return result;
-  }
-  /// factor w^(power - lower)
-  static N product(std::int64_t factor, const Vector4<N>& w, const Power& power, const Power& lower) {
-    N result = whole<N>(factor);
-    for (std::size_t j = 0; j < 4; ++j)
-      for (int i = lower[j]; i < power[j]; ++i) result = result * w[j];
-    return result;
-  }
-  /// Of each variable its powers, 1 first.
-  using Powers = std::array<std::vector<N>, 4>;
-  /// As far as the terms have them; nothing for a map that is not long.
-  Powers powers_of(const Vector4<N>& w) const {
-    Powers result;
-    if (!is_long_) return result;
-    for (std::size_t j = 0; j < 4; ++j) {
-      int most = 0;
-      for (const Term& term : terms_) most = std::max(most, term.power[j]);
-      result[j] = {N(1)};
-      for (int i = 0; i < most; ++i) result[j].push_back(result[j].back() * w[j]);
-    }
-    return result;
-  }
-  static N product(std::int64_t factor, const Powers& powers, const Power& power, const Power& lower) {
-    N result = whole<N>(factor);
-    for (std::size_t j = 0; j < 4; ++j)
-      if (power[j] > lower[j]) result = result * powers[j][static_cast<std::size_t>(power[j] - lower[j])];
-    return result;
+    return i;
   }
 
-  std::vector<Term> terms_;
-  std::vector<std::array<std::size_t, 4>> next_;  // of a long map: terms with one exponent greater by 1, or 0
-  bool is_long_ = false;
+  const Map<N>& map_;
+  std::vector<N> size_;  // of all monomials
 };
 
 template <class N>
 Map<N> rounded(const Map<Rational>& map) {
   Map<N> result;
-  result.set_long(map.is_long());
   for (const auto& term : map.terms())
     result.coefficient(term.power) = {N(term.c[0]), N(term.c[1]), N(term.c[2])};
   return result;
@@ -313,7 +312,6 @@ void add_product(Map<N>& map, const Net<N>& x, const Grid<N, 1>& w, const N& fac
 template <class N>
 Map<N> pair_map(const WeightedNet<N>& x, const WeightedNet<N>& y) {
   Map<N> map;
-  map.set_long(x.has_weights() || y.has_weights());
   add_product(map, x.points, y.weights, N(1), 0);
   add_product(map, y.points, x.weights, N(-1), 2);
   return map;
@@ -322,15 +320,15 @@ Map<N> pair_map(const WeightedNet<N>& x, const WeightedNet<N>& y) {
 /// The range of n . F over |dw_i| <= h_i.
 template <class N>
 Ball<N> along(const Vector3<N>& n, const Map<N>& map, const Vector4<N>& h) {
-  return map.times({n, {}, {}}).derivative({}, h)[0];
+  return Derivatives(map.times({n, {}, {}}), h).over({})[0];
 }
 
 /// T over |dw_i| <= h_i: T_k is (-1)^k times the determinant of the columns of DF other than k, and T_i / T_k
 /// is the derivative of w_i with respect to w_k along the curve.
 template <class N>
 Box<N> tangent(const Map<N>& local, const Vector4<N>& h) {
-  const std::array<Balls<N>, 4> column = {local.first(0, h), local.first(1, h), local.first(2, h),
-                                          local.first(3, h)};
+  const Derivatives over(local, h);
+  const std::array<Balls<N>, 4> column = {over.first(0), over.first(1), over.first(2), over.first(3)};
   Box<N> result;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto [a, b, c] = others(k);

@@ -39,7 +39,7 @@ void add_product(Map<N>& map, const Map<N>& w, const Map<N>& x, int sign, const 
 /// Adds the map of (U, V, a^2, b^2) where a = t, b = m t and w = t^2, in (U,V,m,w), times the monomial.
 template <class N>
 void add_in_chart(Map<N>& chart, const Map<N>& map, const Power& monomial) {
-  for (const auto& [power, c] : map.terms())
+  for (const auto& [power, c, lower] : map.terms())
     chart.add({power[0], power[1], 2 * power[3] + monomial[2], power[2] + power[3] + monomial[3]}, c, N(1));
 }
 
@@ -69,7 +69,6 @@ PairChart<N> pair_chart(const WeightedNet<N>& net) {
   PairChart<N> result;
   const auto x = parts_by_parity(net.points);
   const auto w = parts_by_parity(net.weights);
-  const auto finished = [](Map<N>& map) { map.set_long(map.terms().size() > 31); };
   for (const std::size_t p : {std::size_t{1}, std::size_t{2}}) {  // the odd part of P or Q, and the other one
     Map<N>& map = result.divided[p - 1];
     Power square = {};
@@ -81,13 +80,10 @@ PairChart<N> pair_chart(const WeightedNet<N>& net) {
     add_in_chart(result.equation, map, {0, 0, static_cast<int>(p) - 1, 0});
   }
   result.divided = with_common_monomials(result.divided);
-  for (Map<N>& map : result.divided) finished(map);
-  finished(result.equation);
   const auto mean = [&](const std::array<Map<N>, 4>& parts) {
     Map<N> map;
     add_in_chart(map, parts[0], {});
     add_in_chart(map, parts[3], {0, 0, 1, 1});
-    finished(map);
     return map;
   };
   result.space.points = mean(x);
@@ -137,12 +133,12 @@ class DividedOver {
   DividedOver(const Divided<N>& maps, const Box<N>& pairs)
       : DividedOver(Box<N>{pairs[0], pairs[1], square(pairs[2]), square(pairs[3])}, maps) {}
 
-  Balls<N> q() const { return q_.derivative({}, half_); }
+  Balls<N> q() const { return Derivatives(q_, half_).over({}); }
   /// R = P + m Q, the coefficients added up first.
   Balls<N> r(const N& m) const {
     Map<N> sum = p_;
-    sum.add_multiple(q_, m);
-    return sum.derivative({}, half_);
+    sum.add(q_, m);
+    return Derivatives(sum, half_).over({});
   }
 
  private:

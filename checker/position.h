@@ -36,9 +36,10 @@ struct Position {
   PositionBounds<N> bounds(const Vector4<N>& middle, const Vector4<N>& half, const Box<N>& first,
                            const Box<N>& second) const {
     const Map<N> local = points.at(middle);
-    PositionBounds<N> result = {{}, local.second(first, half)};
-    for (std::size_t i = 0; i < 4; ++i) result.partial[i] = local.first(i, half);
-    if (weight) divide(result, local.derivative({}, half), weight->at(middle), half, first);
+    const Derivatives over(local, half);
+    PositionBounds<N> result = {{}, over.second(first)};
+    for (std::size_t i = 0; i < 4; ++i) result.partial[i] = over.first(i);
+    if (weight) divide(result, over.over({}), Derivatives(weight->at(middle), half), first);
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t d = 0; d < 3; ++d)
         result.second[d] = result.second[d] + result.partial[i][d] * second[i];
@@ -47,17 +48,17 @@ struct Position {
 
  private:
   /// From the derivatives of X to those of the quotient, without the curve's second derivative.
-  static void divide(PositionBounds<N>& result, const Balls<N>& x, const Map<N>& weight,
-                     const Vector4<N>& half, const Box<N>& t) {
-    const Ball<N> w = weight.derivative({}, half)[0];
+  static void divide(PositionBounds<N>& result, const Balls<N>& x, const Derivatives<N>& weight,
+                     const Box<N>& t) {
+    const Ball<N> w = weight.over({})[0];
     require(w.sign() > 0, "a denominator that may be 0");
     Box<N> slope;
     Ball<N> along;
     for (std::size_t i = 0; i < 4; ++i) {
-      slope[i] = weight.first(i, half)[0];
+      slope[i] = weight.first(i)[0];
       along = along + slope[i] * t[i];
     }
-    const Ball<N> bend = weight.second(t, half)[0];
+    const Ball<N> bend = weight.second(t)[0];
     for (std::size_t d = 0; d < 3; ++d) {
       const Ball<N> p = x[d] / w;
       Ball<N> p_along;

@@ -61,7 +61,6 @@ class Section {
 /// F of the polynomial in u and v.
 inline Map<Rational> section_map(const Polynomial& section) {
   Map<Rational> map;
-  map.set_long(true);
   for (const auto& [power, c] : section) map.coefficient(power)[0] = c;
   map.coefficient({0, 0, 1, 0})[1] = 1;
   map.coefficient({0, 0, 0, 1})[2] = 1;

@@ -18,6 +18,12 @@ bool within(const Enclosure& a, const Rational& q, const Rational& distance) {
   return Enclosure(q - distance) < a && a < Enclosure(q + distance);
 }
 
+/// sum + sum a
+Enclosure with_multiple(Enclosure sum, const Enclosure& a) {
+  add_multiple(sum, Enclosure(sum), a);
+  return sum;
+}
+
 Rational random_rational(random_pairs::Generator& generator) {
   const long n = random_pairs::integer(generator, -1000000, 1000000);
   const Rational q(n, random_pairs::integer(generator, 1, 1000000));
@@ -59,8 +65,9 @@ TEST_CASE("what is not known makes every result unknown, in either order") {
   const Enclosure infinite(std::numeric_limits<double>::infinity());
   const Enclosure one(1);
   for (const Enclosure& a : {unknown, nan, infinite, Enclosure(1e200) * Enclosure(1e200)}) {
-    for (const Enclosure& b : {larger(a, one), larger(one, a), a + one, one - a, a * Enclosure(0), one / a,
-                               a / one, magnitude(a), half(a), root_above(a), -a, a - a}) {
+    for (const Enclosure& b :
+         {larger(a, one), larger(one, a), a + one, one - a, with_multiple(one, a), with_multiple(a, one),
+          a * Enclosure(0), one / a, a / one, magnitude(a), half(a), root_above(a), -a, a - a}) {
       for (const Enclosure& c : {one, Enclosure(-1), Enclosure(0), Enclosure(1e308), a}) {
         CHECK_FALSE(b < c);
         CHECK_FALSE(b > c);
@@ -102,10 +109,11 @@ TEST_CASE("enclosures hold the results of exact arithmetic") {
     for (int k = 0; k < 6; ++k) {
       const Rational p = random_rational(generator);
       const Enclosure b(p);
-      const long kind = random_pairs::integer(generator, 0, 3);
+      const long kind = random_pairs::integer(generator, 0, 4);
       if (kind == 0) a += b, q += p, scale += abs(p);
       if (kind == 1) a -= b, q -= p, scale += abs(p);
       if (kind == 2) a = a * b, q *= p, scale *= abs(p);
+      if (kind == 4) add_multiple(a, b, a), q += p * q, scale += abs(p) * scale;
       if (kind == 3 && p != 0) a = a / b, q /= p, scale /= abs(p);
       INFO(i << ": " << k);
       REQUIRE(may_be(a, q));
