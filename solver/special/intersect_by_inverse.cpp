@@ -226,10 +226,9 @@ class InverseGraph {
     node.around.reset();
     place(i, node);
     node.wrt.clear();
-    if (ends.size() == 2 && !at.is_singular)
+    if (ends.size() == 2 && !at.is_singular && node.on.empty())
       for (const Parameter p : all_parameters)
-        if (ends[0].away[index(p)] * ends[1].away[index(p)] > 0 && side_of(node, p) == nullptr)
-          node.wrt.push_back(p);
+        if (ends[0].away[index(p)] * ends[1].away[index(p)] > 0) node.wrt.push_back(p);
     node.kinds = passes(at, node, ends) ? std::vector<NodeKind>{} : kinds(at, node);
     result_.add_node(std::move(node));
   }

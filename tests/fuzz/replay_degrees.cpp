@@ -19,6 +19,7 @@
 #include "glued_parts.h"
 #include "known_images.h"
 #include "reasons.h"
+#include "round_pieces.h"
 #include "support/exact_oracle.h"
 #include "support/graph_isomorphism.h"
 #include "support/random_nets.h"
@@ -38,9 +39,14 @@ struct RationalPair {
 };
 
 /// Seed by seed 53-bit doubles, multiples of 1/16, and crumpled patches; a small family has {-2..2} only, a
-/// tiny one {-1..1}, every second pair the control points of one of its patches only.
+/// tiny one {-1..1}, every second pair the control points of one of its patches only; the round family is
+/// that of round_pieces.h.
 RationalPair pair_of(const std::string& family, std::uint64_t seed) {
   Generator generator(seed);
+  if (family == "round") {
+    const auto [x, y] = round_pieces::round_pair(generator);
+    return {x, y};
+  }
   const bool weighted = family.find("weighted") != std::string::npos;
   const int degree = family.find("bicubic") != std::string::npos ? 3 : 2;
   std::array<int, 4> degrees = {degree, degree, degree, degree};
@@ -216,14 +222,15 @@ int run(const std::string& family, std::uint64_t first, std::uint64_t count) {
 int main(int argc, char** argv) try {
   const std::vector<std::string> families = {"bicubic",       "weighted",       "weighted-bicubic", "mixed",
                                              "small-bicubic", "small-weighted", "weighted-doubles", "tiny",
-                                             "tiny-weighted"};
+                                             "tiny-weighted", "round"};
   const bool exactly = argc == 5 && std::string(argv[4]) == "--oracle";
   const bool cut = argc == 5 && std::string(argv[4]) == "--cut";
   if ((argc != 4 && !exactly && !cut) ||
       std::find(families.begin(), families.end(), argv[1]) == families.end())
     throw std::invalid_argument(
         "usage: exsect_replay_degrees bicubic|weighted|weighted-bicubic|mixed|"
-        "small-bicubic|small-weighted|weighted-doubles|tiny|tiny-weighted FIRST COUNT [--oracle|--cut]");
+        "small-bicubic|small-weighted|weighted-doubles|tiny|tiny-weighted|round FIRST COUNT "
+        "[--oracle|--cut]");
   if (cut) return run_cut(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
   if (exactly) return run_exactly(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
   return run(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));

@@ -111,6 +111,22 @@ TEST_CASE("by inverse: bicubic patches on planes, with and without turning point
   }
 }
 
+// The plane touches the circle s = 0 in the middle of the arc and of the rectangle: s and v turn there.
+TEST_CASE("by inverse: a turning point on a side is a boundary point alone") {
+  const RationalPatch rectangle({{{6, -10, 8}, {-6, -10, -8}}, {{6, 10, 8}, {-6, 10, -8}}});
+  const RationalPatch cone(
+      {{{-2, 4, 0}, {4, 12, -20}}, {{2, 1, 0}, {16, 3, -20}}, {{-1, -3, 0}, {7, -9, -20}}},
+      {{1, 1}, {1, 1}, {2, 2}});
+  for (const RationalPatch& x : {rectangle, rectangle.transposed()}) {
+    const IntersectionGraph graph = solved(x, cone).graph;
+    REQUIRE(graph.nodes.size() == 3);
+    for (const Node& node : graph.nodes) {
+      CHECK(node.kinds == std::vector{NodeKind::boundary});
+      CHECK(node.wrt.empty());
+    }
+  }
+}
+
 TEST_CASE("by inverse: nothing is said of curves of high degree") {
   Generator generator(7);
   const RationalPatch y = makers()[0](generator);
