@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "eliminant/stripped_eliminant.h"
+#include "eliminant/weighted_pair.h"
 #include "exact_products.h"
 #include "scalar_eliminant.h"
 #include "support/catch.h"
@@ -37,8 +39,10 @@ BivariatePolynomial determinant(const std::array<Vector, 4>& m) {
 }
 
 /// E(u) up to a constant factor by its definition: (l_s l_r)^4 times the product of [Y X_v Y_r Y_s] over the
-/// fibre, with the cone (16.3), some vector c and exact resultants.
-Rational by_definition(const RationalPatch& x, const RationalPatch& y, const Rational& u) {
+/// fibre, with the cone (16.3), some vector c and exact resultants. Without the points at the roots of
+/// `point_lines`, D of (16.19).
+Rational by_definition(const RationalPatch& x, const RationalPatch& y, const Rational& u,
+                       const Polynomial& point_lines = Polynomial(1)) {
   const PowerBasis power = power_basis(x);
   std::array<Vector, 3> a;
   Vector c, point, along_r, along_s;
@@ -56,13 +60,17 @@ Rational by_definition(const RationalPatch& x, const RationalPatch& y, const Rat
   const BivariatePolynomial plane = determinant({a[0], a[1], a[2], point});
   const BivariatePolynomial cone = e0 * e2 - e1 * e1;
   const Rational gamma = determinant({a[0], a[1], a[2], c}).coefficient(0, 0);
-  const Polynomial r_s = resultant_r(plane, cone), r_r = resultant_s(plane, cone);
-  REQUIRE(r_s.degree() == 16);
+  const Polynomial whole = resultant_r(plane, cone), r_r = resultant_s(plane, cone);
+  REQUIRE(whole.degree() == 16);
   REQUIRE(r_r.degree() == 16);
+  const Polynomial squared = point_lines * point_lines;
+  const auto [r_s, rest] = divide(whole, squared * squared);
+  REQUIRE(rest.is_zero());
   Vector e0_x_v;
   for (std::size_t k = 0; k < 4; ++k) e0_x_v[k] = e0 * a[1][k] + e1 * a[2][k] + e1 * a[2][k];
   const testing::Reduced z = testing::reduced(cone, plane);
-  const auto product = [&](const BivariatePolynomial& f) {  // over the fibre, r = -z.constant / z.linear
+  // Over the fibre, r = -z.constant / z.linear.
+  const auto product = [&, &r_s = r_s](const BivariatePolynomial& f) {
     const testing::Reduced g = testing::reduced(f, plane);
     Rational value = testing::product_over_roots(r_s, g.constant * z.linear - g.linear * z.constant) /
                      testing::product_over_roots(r_s, z.linear);
@@ -77,11 +85,8 @@ Rational by_definition(const RationalPatch& x, const RationalPatch& y, const Rat
 
 RationalPatch polynomial_patch(Random& random) { return eliminant_pairs::random_patch(random); }
 
-/// (f (1 - s^2), 2 f s, g (1 + s^2), h (1 + s^2)) for quadratics f, g, h in r.
-RationalPatch revolved() {
-  const std::array<std::array<Rational, 3>, 3> profile = {{{Rational(2), Rational(1, 3), Rational(1, 5)},
-                                                           {Rational(0), Rational(2), Rational(-1, 3)},
-                                                           {Rational(1), Rational(1, 4), Rational(1, 7)}}};
+/// (f (1 - s^2), 2 f s, g (1 + s^2), h (1 + s^2)) for the quadratics f, g, h in r with these coefficients.
+RationalPatch revolved(const std::array<std::array<Rational, 3>, 3>& profile) {
   // In the Bernstein basis 1, s, s^2 have the coefficients (1,1,1), (0,1/2,1), (0,0,1).
   const std::array<std::array<Rational, 3>, 3> circle = {{{Rational(1), Rational(1), Rational(0)},
                                                           {Rational(0), Rational(1), Rational(2)},
@@ -95,6 +100,20 @@ RationalPatch revolved() {
     for (std::size_t j = 0; j < 3; ++j)
       net[i].push_back({f[i] * circle[0][j], f[i] * circle[1][j], g[i] * circle[2][j], h[i] * circle[2][j]});
   return RationalPatch::from_homogeneous(net);
+}
+
+RationalPatch revolved() {
+  return revolved({{{Rational(2), Rational(1, 3), Rational(1, 5)},
+                    {Rational(0), Rational(2), Rational(-1, 3)},
+                    {Rational(1), Rational(1, 4), Rational(1, 7)}}});
+}
+
+/// No coefficient is zero, and the Bernstein coefficients of the weight are positive.
+RationalPatch revolved(Random& random) {
+  const auto number = [&] { return small_rational(random) + Rational(1, 17); };
+  return revolved({{{number(), number(), number()},
+                    {number(), number(), number()},
+                    {Rational(4), number() / 4, number() / 4}}});
 }
 
 }  // namespace
@@ -165,6 +184,24 @@ TEST_CASE("weighted eliminant: surfaces of revolution", "[weighted_eliminant]") 
   CHECK(squarefree_part(e).degree() == 96);
   CHECK(weighted_eliminant(y, x, Parameter::u));  // (16.20): every fibre has Y = 0 at s = i and -i
   CHECK_FALSE(weighted_eliminant(x, x, Parameter::u));
+}
+
+TEST_CASE("weighted eliminant: of surfaces of revolution by its definition", "[weighted_eliminant]") {
+  const auto seed = std::random_device{}();
+  CAPTURE(seed);
+  Random random(seed);
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    const RationalPatch x = weighted_patch(random);
+    const RationalPatch y = mapped(revolved(random), projective).restricted_to(0, 1, Rational(repeat, 5), 1);
+    const Polynomial circle = point_lines(weighted_pair(x, y).y);
+    REQUIRE(circle.degree() == 2);
+    const Polynomial e = eliminant(x, y);
+    CHECK(e.degree() <= 160);
+    const Rational ratio = by_definition(x, y, 0, circle) / e(0);
+    CHECK(ratio != 0);
+    for (const Rational& u : {Rational(-3), Rational(5, 7)})
+      CHECK(by_definition(x, y, u, circle) == ratio * e(u));
+  }
 }
 
 TEST_CASE("weighted eliminant: vectors and scalars, and the bound of the height", "[weighted_eliminant]") {
