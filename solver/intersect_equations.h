@@ -12,12 +12,12 @@ namespace exsect {
 /// whose major radii have a rational ratio, for a plane, cylinder, cone or sphere and a polynomial, and with
 /// a torus or a polynomial for a torus whose minor radius has a rational ratio to the major one, or to the
 /// length of its axis. Other tori and two polynomials are complete unless they are both singular in one point
-/// or along a curve, or a curve lies on a bound of a box; else they are incomplete, and the reason says so.
+/// or along a curve; else they are incomplete, and the reason says so.
 /// The answer does not depend on the order of the surfaces. Polylines keep within the tolerance times the
 /// extent of what is drawn; unbounded curves are cut off, where nothing but arcs that go on to infinity is
-/// beyond. One surface in two boxes is complete but for boxes of a sphere about different axes, and of a
-/// torus with heights and tubes. Of the options the work cap, the tolerance and the progress are taken,
-/// errors are those of intersect() for two patches.
+/// beyond. One surface in two boxes is complete but for boxes of a sphere about different axes. Of the
+/// options the work cap, the tolerance and the progress are taken, errors are those of intersect() for two
+/// patches.
 SurfaceIntersection intersect(const ImplicitSurface& first, const ImplicitSurface& second,
                               const IntersectOptions& options = {});
 

@@ -5,16 +5,13 @@
 
 namespace exsect {
 
-std::optional<std::vector<CrossingBound>> crossing_bounds(const CrossingBranches& branches,
-                                                          const SurfaceRegion& region) {
+std::vector<CrossingBound> crossing_bounds(const CrossingBranches& branches, const SurfaceRegion& region) {
   const SpaceProjection& projection = branches.projection;
   std::vector<CrossingBound> bounds;
   for (const SurfaceBound& bound : region.bounds) {
     std::vector<Polynomial> norms;
-    for (const CrossingBranch& branch : branches.all) {
+    for (const CrossingBranch& branch : branches.all)
       norms.push_back(norm_over(projection, branch.shadow, bound.form).value());
-      if (norms.back().is_zero()) return std::nullopt;
-    }
     bounds.push_back({bound.form, bound.where, sign_below(projection, bound.form),
                       sign_below(projection, bound.where), std::move(norms)});
   }

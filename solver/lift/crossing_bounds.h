@@ -4,7 +4,6 @@
 
 #include <exsect/geometry/surface_region.h>
 
-#include <optional>
 #include <vector>
 
 #include "lift/crossing_branches.h"
@@ -17,12 +16,10 @@ struct CrossingBound {
   /// With the signs of the form, and of `where`, on common points of which the slope is not 0.
   BivariatePolynomial below;
   BivariatePolynomial where_below;
-  std::vector<Polynomial> norms;  // of the form, by branches
+  std::vector<Polynomial> norms;  // of the form, by branches; 0 if it vanishes along one
 };
 
-/// Empty if a bound vanishes along a branch.
-std::optional<std::vector<CrossingBound>> crossing_bounds(const CrossingBranches& branches,
-                                                          const SurfaceRegion& region);
+std::vector<CrossingBound> crossing_bounds(const CrossingBranches& branches, const SurfaceRegion& region);
 
 /// Whether a point with these signs of the bounds is in the region.
 bool is_in_region(const SurfaceRegion& region, const std::vector<int>& signs);

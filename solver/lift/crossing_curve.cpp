@@ -93,11 +93,25 @@ std::vector<std::size_t> bounds_at(const TracedCurve& of, const LandmarkStar& st
   return at;
 }
 
+/// Whether the bound is 0 in the landmark, as its branch lies on the bound or passes it there.
+bool is_on_bound(const TracedCurve& of, const CrossingLandmark& landmark, std::size_t bound) {
+  const bool passes = landmark.kind == LandmarkKind::passage && landmark.bound == bound;
+  return passes || of.bounds[bound].norms[landmark.branch].is_zero();
+}
+
+/// Of a bound, or of its `where`.
+int certain(int sign) {
+  if (sign == 0) throw ProofFailure(whole_domain(), "a point is too near to a bound, or to its end");
+  return sign;
+}
+
 std::vector<std::size_t> bounds_at(const TracedCurve& of, const CrossingLandmark& landmark) {
-  if (landmark.kind != LandmarkKind::passage || of.region.bounds[landmark.bound].name.empty()) return {};
-  const int where = sign_on(of.bounds[landmark.bound].where, landmark.zero);
-  if (where == 0) throw ProofFailure(whole_domain(), "a point is too near to the end of a bound");
-  return where > 0 ? std::vector{landmark.bound} : std::vector<std::size_t>{};
+  std::vector<std::size_t> at;
+  for (std::size_t i = 0; i < of.bounds.size(); ++i)
+    if (!of.region.bounds[i].name.empty() && is_on_bound(of, landmark, i) &&
+        certain(sign_on(of.bounds[i].where, landmark.zero)) > 0)
+      at.push_back(i);
+  return at;
 }
 
 /// The nodes of all stars, then those of other landmarks, without degrees; `node_of` of every landmark.
@@ -114,16 +128,18 @@ std::vector<CrossingNode> nodes_of(const TracedCurve& of, std::vector<std::size_
   return nodes;
 }
 
-/// Of the bounds along the arc that leaves a landmark in a sense.
+/// Of the bounds along the arc that leaves a landmark in a sense; 0 for those that it lies on.
 std::vector<int> signs_along(const TracedCurve& of, const CrossingLandmark& from, int sense) {
   const CrossingBranch& branch = of.branches.all[from.branch];
   std::vector<int> signs;
   for (std::size_t i = 0; i < of.bounds.size(); ++i) {
     const SpacePolynomial& form = of.bounds[i].form;
-    const bool passes = from.kind == LandmarkKind::passage && from.bound == i;
-    signs.push_back(passes ? orientation_on({branch.f, branch.g, form}, from.zero) * sense
-                           : sign_on(form, from.zero));
-    if (signs.back() == 0) throw ProofFailure(whole_domain(), "an arc is too near to a bound");
+    if (of.bounds[i].norms[from.branch].is_zero())
+      signs.push_back(0);
+    else if (is_on_bound(of, from, i))
+      signs.push_back(certain(orientation_on({branch.f, branch.g, form}, from.zero) * sense));
+    else
+      signs.push_back(certain(sign_on(form, from.zero)));
   }
   return signs;
 }
@@ -214,11 +230,10 @@ CrossingCurve curve_of_coprime(const SpacePolynomial& whole_f, const SpacePolyno
       why = "both surfaces are singular along a common curve, it seems";
       continue;
     }
-    const auto bounds = crossing_bounds(*branches, region);
-    if (!bounds) return left_open("a curve lies on a bound of a box");
-    const CrossingLandmarks landmarks = crossing_landmarks(*branches, *bounds, tolerance);
+    const std::vector<CrossingBound> bounds = crossing_bounds(*branches, region);
+    const CrossingLandmarks landmarks = crossing_landmarks(*branches, bounds, tolerance);
     if (landmarks.obstacle.empty()) {
-      CrossingCurve curve = traced({*branches, *bounds, region, landmarks});
+      CrossingCurve curve = traced({*branches, bounds, region, landmarks});
       if (!(f == whole_f && g == whole_g))
         set_multiplicities(curve, *branches,
                            space_projection(whole_f, whole_g, general_frame(attempt)).value());

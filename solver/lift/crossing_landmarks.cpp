@@ -42,6 +42,7 @@ std::vector<LandmarkSource> landmark_sources(const CrossingBranches& branches,
   for (std::size_t bound = 0; bound < bounds.size(); ++bound)
     for (std::size_t branch = 0; branch < branches.all.size(); ++branch) {
       const Polynomial& norm = bounds[bound].norms[branch];
+      if (norm.is_zero()) continue;
       sources.push_back({branches.all[branch].multiplicity == 1 ? norm : norm * norm, LandmarkKind::passage,
                          branch, bound});
     }

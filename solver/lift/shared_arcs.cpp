@@ -1,5 +1,9 @@
 #include "lift/shared_arcs.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace exsect {
 namespace {
 
@@ -16,6 +20,8 @@ bool is_beyond_half(const PlaneDirection& a, const PlaneDirection& b) {
   return s < 0 || (s == 0 && along(a, b) < 0);
 }
 
+bool contains(const CircleArc& arc, const PlaneDirection& a) { return !comes_before(arc.from, arc.to, a); }
+
 }  // namespace
 
 bool CircleArc::is_point() const { return is_same_direction(from, to); }
@@ -29,6 +35,8 @@ bool comes_before(const PlaneDirection& a, const PlaneDirection& b, const PlaneD
 
 /// (17.17)
 std::vector<CircleArc> shared_arcs(const CircleArc& one, const CircleArc& other) {
+  if (one.is_point()) return contains(other, one.from) ? std::vector{one} : std::vector<CircleArc>{};
+  if (other.is_point()) return shared_arcs(other, one);
   const auto before = [&](const PlaneDirection& b, const PlaneDirection& c) {
     return comes_before(one.from, b, c);
   };
@@ -41,6 +49,17 @@ std::vector<CircleArc> shared_arcs(const CircleArc& one, const CircleArc& other)
   if (holds_start) parts.push_back({one.from, first_of(other.to, one.to)});
   if (!begins_within) return parts;
   parts.push_back({other.from, holds_start ? one.to : first_of(other.to, one.to)});
+  return parts;
+}
+
+std::vector<CircleArc> parts_of_all(const std::vector<CircleArc>& arcs) {
+  std::vector<CircleArc> parts(arcs.begin(), arcs.begin() + (arcs.empty() ? 0 : 1));
+  for (std::size_t i = 1; i < arcs.size(); ++i) {
+    std::vector<CircleArc> fewer;
+    for (const CircleArc& part : parts)
+      std::ranges::copy(shared_arcs(part, arcs[i]), std::back_inserter(fewer));
+    parts = std::move(fewer);
+  }
   return parts;
 }
 

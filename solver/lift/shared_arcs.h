@@ -20,7 +20,9 @@ struct CircleArc {
 /// The angle of b beyond that of a, in [0, 2 pi), is less than that of c.
 bool comes_before(const PlaneDirection& a, const PlaneDirection& b, const PlaneDirection& c);
 
-/// The connected parts of what two arcs share, neither of which is a point or the circle: two at most.
+/// The connected parts of what two arcs share: two at most.
 std::vector<CircleArc> shared_arcs(const CircleArc& one, const CircleArc& other);
+/// Those of what all arcs share; none if there is no arc.
+std::vector<CircleArc> parts_of_all(const std::vector<CircleArc>& arcs);
 
 }  // namespace exsect

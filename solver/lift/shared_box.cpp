@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lift/pair_region.h"
 #include "lift/shared_arcs.h"
 
 namespace exsect {
@@ -15,8 +16,47 @@ namespace {
 
 Rational at_origin(const SpacePolynomial& f) { return f.coefficient({0, 0, 0}); }
 
+SpacePolynomial linear_form(const Point& normal, const Point& through) {
+  return SpacePolynomial({{{1, 0, 0}, normal[0]},
+                          {{0, 1, 0}, normal[1]},
+                          {{0, 0, 1}, normal[2]},
+                          {{0, 0, 0}, -dot(normal, through)}});
+}
+
+SurfaceRegion where(SpacePolynomial form) {
+  return {{{"", std::move(form), SpacePolynomial::constant(1)}}, {{0}}};
+}
+
+ImplicitSurface surface_of(const SpacePolynomial& form) {
+  if (form.degree() > 1) return ImplicitSurface::polynomial(form);
+  const Point normal = gradient(form);
+  return ImplicitSurface::plane(-at_origin(form) / dot(normal, normal) * normal, normal);
+}
+
+/// 2R (rho - R) on the torus (17.8).
+SpacePolynomial outwards_on(const SurfaceData& torus) {
+  SpacePolynomial sum = SpacePolynomial::constant(-torus.squared - torus.minor_squared);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SpacePolynomial q = SpacePolynomial::variable(k) - SpacePolynomial::constant(torus.point[k]);
+    sum += q * q;
+  }
+  return sum;
+}
+
+Rational signed_square(const Rational& q) { return q * abs(q); }
+
+/// Where an arc of directions about a tube may end: the circle where the form is 0 and `where` is not
+/// negative.
+struct TubeEnd {
+  PlaneDirection direction;
+  SpacePolynomial form;
+  SpacePolynomial where;
+};
+
 /// Heights, turns about the axis and turns about the circle of a torus's tube, of both boxes. Heights are
-/// values of axis . P, directions about the axis are counted in two vectors orthogonal to it.
+/// values of axis . P, on a torus they are turns about the tube. Directions about the axis are counted in two
+/// vectors orthogonal to it. Those about the tube are squares with the signs of c and s of (17.8), whose
+/// determinants and scalar products have the same signs.
 class SharedTurns {
  public:
   /// The axis is that of both; `surface` has data.
@@ -37,11 +77,13 @@ class SharedTurns {
     if (!is_zero(cross(own, axis_))) return false;
     std::vector<PlaneDirection> turns, tubes;
     for (const SurfaceBound& bound : region.bounds) {
-      bounds_.push_back(bound);
-      if (bound.kind == BoundKind::tube)
+      if (bound.kind == BoundKind::tube) {
         tubes.push_back(tube_direction(bound));
-      else if (bound.kind == BoundKind::sector)
+        tube_ends_.push_back({tubes.back(), bound.form, bound.where});
+      } else if (bound.kind == BoundKind::sector)
         turns.push_back(turn_direction(gradient(bound.where)));
+      else if (surface_.kind() == SurfaceKind::torus)
+        add_tube_height(bound.form);
       else
         add_height(gradient(bound.form), at_origin(bound.form));
     }
@@ -51,29 +93,22 @@ class SharedTurns {
     return true;
   }
 
-  std::optional<SharedBox> shared() const {
-    const bool has_heights = lower_ || upper_;
-    if (!tubes_.empty() && has_heights) return std::nullopt;
+  SharedBox shared() const {
+    if (is_beyond_tube_) return SharedBox{};
     if (const auto level = only_height())
       return level->empty() ? SharedBox{} : SharedBox{false, {plane_at(level->front())}};
-    const std::vector<CircleArc> turns = parts(sectors_), tubes = parts(tubes_);
-    const auto points_of = [](const std::vector<CircleArc>& arcs) {
-      return std::ranges::count_if(arcs, &CircleArc::is_point);
-    };
-    const bool is_any_turn = sectors_.size() < 2, is_any_tube = tubes_.size() < 2;
-    if (!is_any_tube && tubes.empty()) return SharedBox{};
-    if (!is_any_turn && turns.empty()) return apexes();
-    const auto turn_points = points_of(turns), tube_points = points_of(tubes);
-    const bool has_turns = is_any_turn || std::ssize(turns) > turn_points;
-    const bool has_tubes = is_any_tube || std::ssize(tubes) > tube_points;
-    if (turn_points > 0 && tube_points > 0 && has_turns) return std::nullopt;
-    SharedBox result{has_turns && has_tubes};
+    const std::vector<CircleArc> turns = parts_of_all(sectors_), tubes = parts_of_all(tubes_);
+    if (!tubes_.empty() && tubes.empty()) return SharedBox{};
+    if (!sectors_.empty() && turns.empty()) return apexes();
+    const auto is_arc = [](const CircleArc& part) { return !part.is_point(); };
+    const bool has_turns = sectors_.empty() || std::ranges::any_of(turns, is_arc);
+    SharedBox result{has_turns && (tubes_.empty() || std::ranges::any_of(tubes, is_arc))};
     for (const CircleArc& arc : turns)
       if (arc.is_point()) result.cuts.push_back(half_plane(arc.from));
-    if (turn_points == 2 && !join_half_planes(turns, result)) return std::nullopt;
-    if (turn_points == 0)
+    if (result.cuts.size() == 2) join_half_planes(turns, result);
+    if (has_turns)
       for (const CircleArc& arc : tubes)
-        if (arc.is_point()) result.cuts.push_back(tube_circle(arc.from));
+        if (arc.is_point()) result.cuts.push_back(tube_circle(arc.from, turns));
     return result;
   }
 
@@ -90,7 +125,22 @@ class SharedTurns {
   PlaneDirection tube_direction(const SurfaceBound& bound) const {
     const Rational c = 2 * bound.where.coefficient({2, 0, 0});
     const Point along = gradient(bound.where) + c * data_.point;
-    return {c, dot(along, axis_) / dot(axis_, axis_)};
+    return {signed_square(c), signed_square(dot(along, axis_) / dot(axis_, axis_))};
+  }
+
+  /// The part of a torus over or under a plane orthogonal to its axis: an arc about the tube.
+  void add_tube_height(const SpacePolynomial& form) {
+    const Rational rate = dot(gradient(form), axis_), height = -form(data_.point) / rate,
+                   square = (data_.minor_squared - height * height * dot(axis_, axis_)) / data_.squared;
+    const int side = sign(rate);
+    if (square <= 0 && side * height < 0) return;  // all of the torus
+    is_beyond_tube_ = is_beyond_tube_ || square < 0;
+    if (square < 0) return;
+    const PlaneDirection out = {square, signed_square(height)}, in = {-square, signed_square(height)};
+    tubes_.push_back(side > 0 ? CircleArc{out, in} : CircleArc{in, out});
+    const SpacePolynomial outwards = outwards_on(data_);
+    tube_ends_.push_back({out, form, outwards});
+    tube_ends_.push_back({in, form, Rational(-1) * outwards});
   }
 
   void add_height(const Point& normal, const Rational& constant) {
@@ -99,28 +149,18 @@ class SharedTurns {
     if (!end || (rate > 0 ? *end < at : at < *end)) end = at;
   }
 
-  static std::vector<CircleArc> parts(const std::vector<CircleArc>& sectors) {
-    return sectors.size() == 2 ? shared_arcs(sectors[0], sectors[1]) : std::vector<CircleArc>{};
-  }
-
-  /// Of a sphere or a torus the square of the greatest value of axis . (P - c).
-  std::optional<Rational> reach_squared() const {
-    if (surface_.kind() == SurfaceKind::sphere) return data_.squared * dot(axis_, axis_);
-    if (surface_.kind() == SurfaceKind::torus) return data_.minor_squared * dot(axis_, axis_);
-    return std::nullopt;
-  }
-  /// The sign of at - c . axis - reach, for the side of greater values, and the same for that of smaller
-  /// ones.
+  /// Of a sphere the sign of at - c . axis - the radius |axis|, for the side of greater values, and the same
+  /// for that of smaller ones.
   int beyond(const Rational& at, int side) const {
     const Rational off = side * (at - dot(data_.point, axis_));
-    return off < 0 ? -1 : sign(Rational(off * off - *reach_squared()));
+    return off < 0 ? -1 : sign(Rational(off * off - data_.squared * dot(axis_, axis_)));
   }
 
   /// The one height that is shared, or none in the list; empty where there are inner ones.
   std::optional<std::vector<Rational>> only_height() const {
     if (lower_ && upper_ && *lower_ >= *upper_)
       return *lower_ == *upper_ ? std::vector{*lower_} : std::vector<Rational>{};
-    if (!reach_squared()) return std::nullopt;
+    if (surface_.kind() != SurfaceKind::sphere) return std::nullopt;
     for (const auto& [end, side] : {std::pair(lower_, 1), std::pair(upper_, -1)}) {
       if (!end) continue;
       const int s = beyond(*end, side);
@@ -137,32 +177,21 @@ class SharedTurns {
     return a[0] / dot(across_[0], across_[0]) * across_[0] + a[1] / dot(across_[1], across_[1]) * across_[1];
   }
 
-  static SpacePolynomial linear_form(const Point& normal, const Point& through) {
-    return SpacePolynomial({{{1, 0, 0}, normal[0]},
-                            {{0, 1, 0}, normal[1]},
-                            {{0, 0, 1}, normal[2]},
-                            {{0, 0, 0}, -dot(normal, through)}});
-  }
-
-  static SurfaceRegion where(SpacePolynomial form) {
-    return {{{"", std::move(form), SpacePolynomial::constant(1)}}, {{0}}};
-  }
-
   SharedCut half_plane(const PlaneDirection& a) const {
     const Point direction = in_space(a);
     return {ImplicitSurface::plane(data_.point, cross(axis_, direction)),
             where(linear_form(direction, data_.point))};
   }
 
-  /// Opposite half planes are one plane; others meet in apexes and poles. False if these are shared.
-  bool join_half_planes(const std::vector<CircleArc>& turns, SharedBox& box) const {
+  /// Opposite half planes are one plane; others may meet in apexes and poles, so both planes are one surface.
+  /// The boxes share nothing else of the planes.
+  void join_half_planes(const std::vector<CircleArc>& turns, SharedBox& box) const {
     const PlaneDirection &a = turns[0].from, &b = turns[1].from;
-    if (a[0] * b[1] == a[1] * b[0]) {
-      box.cuts.pop_back();
-      box.cuts[0].region = {};
-      return true;
-    }
-    return !has_apex();
+    if (a[0] * b[1] == a[1] * b[0])
+      box.cuts = {{box.cuts[0].surface}};
+    else if (has_apex())
+      box.cuts = {
+          {ImplicitSurface::polynomial(box.cuts[0].surface.equation() * box.cuts[1].surface.equation())}};
   }
 
   /// Whether an apex or a pole has a shared height, which is not the only one.
@@ -181,13 +210,21 @@ class SharedTurns {
     return {false, {{ImplicitSurface::plane(data_.point, across_[0])}}};
   }
 
-  SharedCut tube_circle(const PlaneDirection& direction) const {
-    for (const SurfaceBound& bound : bounds_) {
-      if (bound.kind != BoundKind::tube) continue;
-      if (CircleArc{tube_direction(bound), direction}.is_point())
-        return {ImplicitSurface::polynomial(bound.form), where(bound.where)};
-    }
-    throw std::logic_error("shared_box: an end of a tube's sector is of neither box");
+  /// In the one turn that is no point, if there is one that is: its half plane shows what it has.
+  SharedCut tube_circle(const PlaneDirection& direction, const std::vector<CircleArc>& turns) const {
+    const TubeEnd* end = nullptr;
+    for (const TubeEnd& each : tube_ends_)
+      if (CircleArc{each.direction, direction}.is_point() &&
+          (!end || each.form.degree() < end->form.degree()))
+        end = &each;
+    if (!end) throw std::logic_error("shared_box: an end of neither box");
+    SharedCut cut{surface_of(end->form), where(end->where)};
+    if (std::ranges::none_of(turns, &CircleArc::is_point)) return cut;
+    const CircleArc& turn = turns[turns[0].is_point() ? 1 : 0];
+    SurfaceBox box;
+    box.sector = AxisSector{in_space(turn.from), in_space(turn.to)};
+    cut.region = within({cut.region, 0}, boxed(surface_.part_in({}), box).box()).all;
+    return cut;
   }
 
   const ImplicitSurface& surface_;
@@ -196,7 +233,8 @@ class SharedTurns {
   std::array<Point, 2> across_;  // orthogonal, counter-clockwise about the axis
   std::optional<Rational> lower_, upper_;
   std::vector<CircleArc> sectors_, tubes_;
-  std::vector<SurfaceBound> bounds_;
+  bool is_beyond_tube_ = false;  // a height that nothing is at
+  std::vector<TubeEnd> tube_ends_;
 };
 
 /// The polygon's part where the form is not negative, by Sutherland and Hodgman.

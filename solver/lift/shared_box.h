@@ -22,8 +22,7 @@ struct SharedBox {
 };
 
 /// Of two surfaces with one set of points but for boxes and nappes. Empty where it is not decided: for boxes
-/// about different axes of a sphere, with heights and tubes of a torus, and where curves that are shared meet
-/// in an apex or pole, or each other.
+/// about different axes of a sphere.
 std::optional<SharedBox> shared_box(const ImplicitSurface& first, const ImplicitSurface& second);
 
 }  // namespace exsect

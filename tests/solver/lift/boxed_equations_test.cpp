@@ -290,6 +290,23 @@ TEST_CASE("boxes: two tori without charts") {
   CHECK(part.find("1:height=to") != std::string::npos);
 }
 
+TEST_CASE("boxes: curves along a bound of a torus without charts, against one with charts") {
+  const SpacePolynomial x = SpacePolynomial::variable(0), y = SpacePolynomial::variable(1),
+                        z = SpacePolynomial::variable(2), one = SpacePolynomial::constant(1);
+  const auto ring = [](const Rational& square) {
+    return S::torus(origin, up, 5, Length::of_squared(square));
+  };
+  const S low = S::polynomial(y * (z - one)), touching = S::polynomial(y * y * (z + x));
+  for (const S& other : {low, touching})
+    for (const auto& cut : {+[](const S& whole) { return sector(whole, right, back); },
+                            +[](const S& whole) { return sector(whole, left, right); },
+                            +[](const S& whole) { return heights(whole, 0, 1); },
+                            +[](const S& whole) { return heights(whole, 1, 3); }})
+      CHECK(nodes(cut(ring(3)), other) == nodes(cut(ring(4)), other));
+  CHECK(census(sector(ring(3), left, right), touching) == "2 circle o *2, 1 general o");
+  CHECK(census(heights(ring(4), -1, 1), S::plane(up, up)) == "2 circle o");
+}
+
 TEST_CASE("boxes: parts of both surfaces have all of the curve together") {
   const S ring = S::torus(origin, up, 5, 2);
   const SpacePolynomial x = SpacePolynomial::variable(0), y = SpacePolynomial::variable(1),

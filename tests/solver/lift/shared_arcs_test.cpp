@@ -56,6 +56,20 @@ TEST_CASE("shared arcs: every pair of arcs between sixteen directions") {
         }
 }
 
+TEST_CASE("shared arcs: points, and parts of many") {
+  const CircleArc arc = {direction(3), direction(9)}, point = {direction(9), direction(9)};
+  CHECK(shared_arcs(arc, point).size() == 1);
+  CHECK(shared_arcs(point, arc).at(0).is_point());
+  CHECK(shared_arcs(point, point).size() == 1);
+  CHECK(shared_arcs(point, {direction(10), direction(8)}).empty());
+  CHECK(shared_arcs(point, {direction(4), direction(4)}).empty());
+  CHECK(parts_of_all({}).empty());
+  CHECK(parts_of_all({arc}).size() == 1);
+  // 9 alone, then 9 and 3 to 4.
+  CHECK(parts_of_all({arc, {direction(9), direction(1)}, {direction(8), direction(10)}}).at(0).is_point());
+  CHECK(parts_of_all({arc, {direction(9), direction(4)}, {direction(14), direction(11)}}).size() == 2);
+}
+
 TEST_CASE("shared arcs: the order of directions beyond one of them") {
   for (int a = 0; a < many; ++a)
     for (int b = 0; b < many; ++b)

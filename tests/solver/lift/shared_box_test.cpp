@@ -103,6 +103,11 @@ TEST_CASE("shared box: poles and apexes") {
   CHECK(shared(in(ball, {{{0, 2}}, {{0, 2}}}), in(ball, {{{4, 6}}, {{-1, 5}}})) == Shared{false, 0, 0});
   CHECK(shared(in(ball, {{}, {{3, 4}}}), in(ball, {{}, {{2, 4}}})) == Shared{false, 0, 1});  // the pole alone
   CHECK(shared(in(ball, {{}, {{4, 5}}}), ball) == Shared{false, 0, 0});
+  // Two meridians from pole to pole, with an angle; two rulings from the apex.
+  CHECK(shared(slice(ball, 0, 3), slice(ball, 3, 8)) == Shared{false, 2, 0});
+  CHECK(intersect(slice(ball, 0, 3), slice(ball, 3, 8)).count(SpaceNodeKind::singular) == 2);
+  CHECK(shared(in(ball, {{{0, 3}}, {{0, 2}}}), in(ball, {{{3, 8}}, {{1, 4}}})) == Shared{false, 2, 0});
+  CHECK(shared(in(funnel, {{{0, 3}}, {{0, 3}}}), in(funnel, {{{3, 8}}, {{0, 2}}})) == Shared{false, 2, 0});
   CHECK(shared(in(funnel, {{{0, 2}}, {{0, 3}}}), in(funnel, {{{4, 6}}, {{0, 3}}})) == Shared{false, 0, 1});
   CHECK(shared(in(funnel, {{{0, 2}}, {{1, 3}}}), in(funnel, {{{2, 6}}, {{1, 4}}})) == Shared{false, 1, 0});
 }
@@ -118,7 +123,9 @@ TEST_CASE("shared box: parts of a torus") {
   CHECK(shared(part(0, 2, 0, 2), part(3, 4, 0, 3)) == Shared{false, 0, 0});
   CHECK(shared(part(0, 2, 0, 4), part(0, 2, 4, 8)) == Shared{false, 2, 0});
   CHECK(shared(in(ring, {{}, {{0, 1}}}), in(ring, {{}, {{-1, 0}}})) == Shared{false, 2, 0});
-  CHECK_FALSE(shared_box(part(0, 4, 0, 4), part(3, 8, 4, 8)));  // an arc, a circle's part and their corner
+  CHECK(shared(part(0, 4, 0, 4), part(3, 8, 4, 8)) ==
+        Shared{false, 2, 2});  // arcs of two circles, and points
+  CHECK(shared(part(0, 4, 0, 5), part(3, 8, 4, 8)) == Shared{true, 2, 1});
 }
 
 TEST_CASE("shared box: parallelograms of one plane") {
@@ -164,6 +171,58 @@ TEST_CASE("shared box: random faces of a cylinder, cell by cell") {
     const Shared found = shared(in(pipe, cells[0]), in(pipe, cells[1]));
     CHECK(found.is_same == is_same);
     CHECK((found.is_same || found.curves > 0 || found.points > 0) == is_any);
+  }
+}
+
+TEST_CASE("shared box: random parts of a torus, by turns, turns about the tube and heights") {
+  std::mt19937 generator(6);
+  const auto pick = [&](int from, int to) { return std::uniform_int_distribution<int>(from, to)(generator); };
+  // The tube runs through heights 0, 1, 0, -1; positions about it are even in directions, odd between them.
+  const std::array<int, 16> height = {0, 1, 1, 1, 2, 1, 1, 1, 0, -1, -1, -1, -2, -1, -1, -1};
+  const auto is_in = [&](const Cell& cell, int turn, int about) {
+    const auto has = [](const std::optional<std::array<int, 2>>& range, int at) {
+      return !range || (2 * (*range)[0] <= at && at <= 2 * (*range)[1]) || at + 16 <= 2 * (*range)[1];
+    };
+    const int h = height[static_cast<std::size_t>(about)];
+    return has(cell.sector, turn) && has(cell.tube, about) &&
+           (!cell.height || (2 * (*cell.height)[0] <= h && h <= 2 * (*cell.height)[1]));
+  };
+  for (int k = 0; k < 60; ++k) {
+    std::array<Cell, 2> cells;
+    for (Cell& cell : cells) {
+      const auto arc = [&] {
+        const int from = pick(0, 7);
+        return std::array{from, from + pick(1, 7)};
+      };
+      if (pick(0, 1) == 0) cell.sector = arc();
+      if (pick(0, 2) > 0) cell.tube = arc();
+      if (const int low = pick(-2, 0); pick(0, 1) == 0 || !cell.tube) cell.height = {{low, low + pick(1, 2)}};
+    }
+    const auto both = [&](int turn, int about) {
+      return is_in(cells[0], turn & 15, about & 15) && is_in(cells[1], turn & 15, about & 15);
+    };
+    // Whether a cell of more dimensions with this one on its rim is in both.
+    const auto is_rim = [&](int turn, int about) {
+      for (const int i : turn % 2 == 1 ? std::vector{0} : std::vector{-1, 0, 1})
+        for (const int j : about % 2 == 1 ? std::vector{0} : std::vector{-1, 0, 1})
+          if ((i != 0 || j != 0) && both(turn + i, about + j)) return true;
+      return false;
+    };
+    bool is_same = false, has_curves = false;
+    int points = 0;
+    for (int turn = 0; turn < 16; ++turn)
+      for (int about = 0; about < 16; ++about) {
+        if (!both(turn, about)) continue;
+        const int dimension = turn % 2 + about % 2;
+        is_same = is_same || dimension == 2;
+        has_curves = has_curves || (dimension == 1 && !is_rim(turn, about));
+        points += dimension == 0 && !is_rim(turn, about) ? 1 : 0;
+      }
+    INFO(k << " of seed 6");
+    const Shared found = shared(in(ring, cells[0]), in(ring, cells[1]));
+    CHECK(found.is_same == is_same);
+    CHECK((found.curves > 0) == has_curves);
+    CHECK(found.points == points);
   }
 }
 
