@@ -51,10 +51,32 @@ using Ruled22 = RuledKind<2, 2>;
 using Ruled23 = RuledKind<2, 3>;
 using Ruled33 = RuledKind<3, 3>;
 
+/// A kind with weights without the fixed factors of its pair, powers of a polynomial D of this degree:
+/// (16.20).
+template <class WholeKind, std::size_t degree_of_factor>
+struct StrippedKind : WholeKind {
+  using Whole = WholeKind;
+  static constexpr bool has_conics = Whole::v_degree == 2;
+  static constexpr std::size_t r_power = has_conics ? 4 : Whole::r_degree;  // of D in R
+  static constexpr std::size_t s1_power = has_conics ? 2 : Whole::r_degree - 1;
+  static constexpr std::size_t factor_degree = degree_of_factor;
+  static constexpr std::size_t points = Whole::points - r_power * factor_degree;
+  static constexpr std::size_t s1_points = Whole::s1_points - s1_power * factor_degree;
+};
+
 /// Explicit instantiations, at the end of a source.
 #define EXSECT_WEIGHTED_KINDS(INSTANTIATE) \
   INSTANTIATE(WeightedKind)                \
   INSTANTIATE(Ruled11)                     \
   INSTANTIATE(Ruled12) INSTANTIATE(Ruled13) INSTANTIATE(Ruled22) INSTANTIATE(Ruled23) INSTANTIATE(Ruled33)
+// n >= 2: orders of two at fibres that are not finite need it.
+#define EXSECT_STRIPPED_KINDS_OF_DEGREE(INSTANTIATE, degree)                            \
+  INSTANTIATE(StrippedKind<WeightedKind, degree>)                                       \
+  INSTANTIATE(StrippedKind<Ruled12, degree>)                                            \
+  INSTANTIATE(StrippedKind<Ruled13, degree>) INSTANTIATE(StrippedKind<Ruled22, degree>) \
+      INSTANTIATE(StrippedKind<Ruled23, degree>) INSTANTIATE(StrippedKind<Ruled33, degree>)
+#define EXSECT_STRIPPED_KINDS(INSTANTIATE)        \
+  EXSECT_STRIPPED_KINDS_OF_DEGREE(INSTANTIATE, 1) \
+  EXSECT_STRIPPED_KINDS_OF_DEGREE(INSTANTIATE, 2)
 
 }  // namespace exsect

@@ -45,8 +45,8 @@ class FibreResultants {
     Residue denominator;
   };
 
-  /// small[i] is the residue of i.
-  FibreResultants(const Field& field, const FirstNet& x, const SecondNet& y, const SmallNumbers& small)
+  /// small[i] is the residue of i, at least as many as SmallNumbers.
+  FibreResultants(const Field& field, const FirstNet& x, const SecondNet& y, const Residue* small)
       : field_(field), x_(x), y_(y) {
     for (std::size_t i = 0; i <= Kind::points; ++i) small_[i] = small[i];
   }
@@ -67,6 +67,8 @@ class FibreResultants {
         field_.multiply(field_.multiply(lead.numerator, discriminant.numerator), alignment.denominator),
         field_.multiply(field_.multiply(lead.denominator, discriminant.denominator), alignment.numerator)};
   }
+  /// By the points over the roots that R has for all u: none.
+  Residue fixed_factor(const Fibre& /*fibre*/) const { return small_[1]; }
   /// What res(R,R') / res(R,S1) is multiplied by.
   Fraction leading_factor(const Residue& lead_r, const Residue& lead_s) const {
     if constexpr (Kind::coordinates == 3) {  // (4.8): g_r^6 g_s^-4

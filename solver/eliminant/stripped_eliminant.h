@@ -15,7 +15,8 @@ namespace exsect {
 Polynomial point_lines(const WeightedPair::Net& y);
 
 /// E of (16.20) modulo primes, constant term first; of degree at most that of the kind of the pair, with less
-/// than `bits` bits. Empty if it is zero or not defined, D has no root, or one in (0,1).
+/// than `bits` bits. Empty if it is zero or not defined, D is not of
+/// degree 1 or 2, or has a root in (0,1).
 std::optional<ModularIntegers> stripped_eliminant(const WeightedPair& pair, std::size_t bits);
 
 }  // namespace exsect

@@ -7,6 +7,7 @@
 #include "eliminant/fibre_table.h"
 #include "eliminant/forms_of_kind.h"
 #include "eliminant/residue_lanes.h"
+#include "eliminant/stripped_eliminant_forms.h"
 
 namespace exsect {
 
@@ -170,16 +171,35 @@ FibreTable<lanes::LaneArithmetic, typename Forms::Fibre::Kind> fibre_table(const
   return {lanes::LaneArithmetic(f), fibres};
 }
 
+template <class Forms, class... Factor>
+Forms made_forms(const Primes& f, const LanePair<typename Forms::Fibre::Kind>& pair,
+                 const Factor&... factor) {
+  typename Forms::SmallNumbers small;
+  double i = 0;
+  for (lanes::TwoLanes& each : small) each = twice(_mm256_set1_pd(i++));
+  return Forms(lanes::TwoLaneArithmetic(f), loaded<typename Forms::FirstNet>(pair.x),
+               loaded<typename Forms::SecondNet>(pair.y), small, factor...);
+}
+
+template <class Forms>
+Forms loaded_forms(const Primes& f, const LanePair<typename Forms::Fibre::Kind>& pair) {
+  if constexpr (requires { pair.factor; }) {
+    constexpr std::size_t degree = Forms::Fibre::Kind::factor_degree;
+    FixedFactor<lanes::TwoLanes, degree> factor;
+    for (std::size_t i = 0; i <= degree; ++i) factor.c[i] = twice(_mm256_loadu_pd(pair.factor[i]));
+    factor.inverse = twice(inverse(f, factor.c[degree].a));
+    return made_forms<Forms>(f, pair, factor);
+  } else {
+    return made_forms<Forms>(f, pair);
+  }
+}
+
 /// Numerators and denominators of E(first + i), i < points.
 template <class Forms>
 void fractions(const LanePair<typename Forms::Fibre::Kind>& pair, const Primes& f, Lane first,
                std::size_t points, Lane* numerators, Lane* denominators) {
-  typename Forms::SmallNumbers small;
-  for (std::size_t i = 0; i <= Forms::Fibre::Kind::points; ++i)
-    small[i] = twice(_mm256_set1_pd(static_cast<double>(i)));
-  const Forms forms(lanes::TwoLaneArithmetic(f), loaded<typename Forms::FirstNet>(pair.x),
-                    loaded<typename Forms::SecondNet>(pair.y), small);
-  auto table = fibre_table(f, forms, {first, lanes::add(f, first, small[1].a)});
+  const Forms forms = loaded_forms<Forms>(f, pair);
+  auto table = fibre_table(f, forms, {first, lanes::add(f, first, _mm256_set1_pd(1))});
   for (std::size_t i = 0; i < points; i += 4) {
     LaneFibre<typename Forms::Fibre::Kind> fibres[4];
     table.next(fibres);
@@ -231,11 +251,12 @@ void eliminant_in_lanes(const LanePair<Kind>& pair, const double (&first)[4], st
   coefficients_in_lanes<FormsOf<lanes::TwoLaneArithmetic, Kind>>(pair, first, points, coefficients, defined);
 }
 
-#define EXSECT_INSTANTIATE(KIND)                                                                         \
-  template void eliminant_in_lanes(const LanePair<KIND>&, const double(&)[4], std::size_t, double(*)[4], \
-                                   bool(&)[4]);
+#define EXSECT_INSTANTIATE(...)                                                                   \
+  template void eliminant_in_lanes(const LanePair<__VA_ARGS__>&, const double(&)[4], std::size_t, \
+                                   double(*)[4], bool(&)[4]);
 EXSECT_INSTANTIATE(PolynomialKind)
 EXSECT_WEIGHTED_KINDS(EXSECT_INSTANTIATE)
+EXSECT_STRIPPED_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 
 void interpolate_in_lanes(const double (&primes)[4], const double (&first)[4], std::size_t points,

@@ -26,8 +26,19 @@ template <class Forms, class Pair>
 Forms forms_modulo(const PrimeField& field, const Pair& pair) {
   typename Forms::SmallNumbers small;
   for (std::size_t i = 0; i < std::size(small); ++i) small[i] = field.residue(static_cast<std::int64_t>(i));
-  return Forms(ScalarArithmetic(field), reduced<typename Forms::FirstNet>(field, pair.x),
-               reduced<typename Forms::SecondNet>(field, pair.y), small);
+  const auto with = [&](const auto&... factor) {
+    return Forms(ScalarArithmetic(field), reduced<typename Forms::FirstNet>(field, pair.x),
+                 reduced<typename Forms::SecondNet>(field, pair.y), small, factor...);
+  };
+  if constexpr (requires { typename Forms::Factor; }) {
+    typename Forms::Factor factor;
+    for (std::size_t i = 0; i < std::size(factor.c); ++i) factor.c[i] = field.residue(pair.factor[i]);
+    const Residue lead = factor.c[std::size(factor.c) - 1];
+    factor.inverse = lead == 0 ? 0 : field.inverse(lead);  // R~ and E are zero then: not defined
+    return with(factor);
+  } else {
+    return with();
+  }
 }
 
 }  // namespace
@@ -70,16 +81,12 @@ std::vector<ResidueFraction> ModularEliminantOf<Forms>::fast_values(Residue firs
 template <class Forms>
 ResidueFraction ModularEliminantOf<Forms>::value(Residue u) const {
   const PrimeField& field = forms_.field().prime_field();
-  const FibrePolynomials f = fibre(u);
-  const typename Forms::Fraction lead = forms_.leading_factor(f.lead_r, f.lead_s);
-  return {field.multiply(lead.numerator, resultant(field, f.r, derivative(field, f.r))),
-          field.multiply(lead.denominator, resultant(field, f.r, f.s1))};
-}
-
-template <class Forms>
-FibrePolynomials ModularEliminantOf<Forms>::fibre(Residue u) const {
-  const typename Forms::Fibre f = forms_.fibre(u);
-  return {{std::begin(f.r), std::end(f.r)}, {std::begin(f.s1), std::end(f.s1)}, f.lead_r, f.lead_s};
+  const typename Forms::Fibre at = forms_.fibre(u);
+  const std::vector<Residue> r(std::begin(at.r), std::end(at.r)), s1(std::begin(at.s1), std::end(at.s1));
+  const typename Forms::Fraction lead = forms_.leading_factor(at.lead_r, at.lead_s);
+  const Residue factor = field.multiply(lead.numerator, forms_.fixed_factor(at));
+  return {field.multiply(factor, resultant(field, r, derivative(field, r))),
+          field.multiply(lead.denominator, resultant(field, r, s1))};
 }
 
 template <class Forms>
@@ -94,11 +101,16 @@ std::vector<ResidueFraction> ModularEliminantOf<Forms>::values(Residue first, st
 
 template class ModularEliminantOf<EliminantForms<ScalarArithmetic>>;
 template ModularEliminant::ModularEliminantOf(const PrimeField&, const IntegerPair&);
-#define EXSECT_INSTANTIATE(KIND)                                                                      \
-  template class ModularEliminantOf<FormsOf<ScalarArithmetic, KIND>>;                                 \
-  template ModularEliminantOf<FormsOf<ScalarArithmetic, KIND>>::ModularEliminantOf(const PrimeField&, \
-                                                                                   const WeightedPair&);
-EXSECT_WEIGHTED_KINDS(EXSECT_INSTANTIATE)
+#define EXSECT_INSTANTIATE(PAIR, ...)                                                                        \
+  template class ModularEliminantOf<FormsOf<ScalarArithmetic, __VA_ARGS__>>;                                 \
+  template ModularEliminantOf<FormsOf<ScalarArithmetic, __VA_ARGS__>>::ModularEliminantOf(const PrimeField&, \
+                                                                                          const PAIR&);
+#define EXSECT_WEIGHTED(...) EXSECT_INSTANTIATE(WeightedPair, __VA_ARGS__)
+#define EXSECT_STRIPPED(...) EXSECT_INSTANTIATE(StrippedPair, __VA_ARGS__)
+EXSECT_WEIGHTED_KINDS(EXSECT_WEIGHTED)
+EXSECT_STRIPPED_KINDS(EXSECT_STRIPPED)
+#undef EXSECT_STRIPPED
+#undef EXSECT_WEIGHTED
 #undef EXSECT_INSTANTIATE
 
 }  // namespace exsect

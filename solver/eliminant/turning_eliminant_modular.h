@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "eliminant/forms_of_kind.h"
+#include "eliminant/stripped_eliminant_forms.h"
 #include "eliminant/turning_eliminant_forms.h"
 #include "eliminant/weighted_pair.h"
 
@@ -45,13 +45,8 @@ class ScalarArithmetic {
   PrimeField field_;
 };
 
-/// At one u modulo a prime: R and S1, constant terms first, and the leading coefficients.
-struct FibrePolynomials {
-  std::vector<Residue> r, s1;
-  Residue lead_r, lead_s;
-};
-
-/// Values of E(u) (docs/method.md, equations (4.8), (16.9) and (16.16)) of a pair reduced modulo a prime.
+/// Values of E(u) (docs/method.md, equations (4.8), (16.9), (16.16) and (16.20)) of a pair reduced modulo a
+/// prime.
 template <class Forms>
 class ModularEliminantOf {
  public:
@@ -63,7 +58,6 @@ class ModularEliminantOf {
   /// E(u) from resultants that allow any sequence of degrees: the denominator is zero only where
   /// g_s(u) Res(R,S1)(u) = 0, or l_s Res(R,S1) = 0. Several times slower.
   ResidueFraction value(Residue u) const;
-  FibrePolynomials fibre(Residue u) const;
   /// E at `count` successive u from `first`, by the slower way where the faster one is not defined.
   std::vector<ResidueFraction> values(Residue first, std::size_t count) const;
 
@@ -73,7 +67,7 @@ class ModularEliminantOf {
 
 /// Of an IntegerPair.
 using ModularEliminant = ModularEliminantOf<EliminantForms<ScalarArithmetic>>;
-/// Of a WeightedPair.
+/// Of a WeightedPair, or a StrippedPair.
 template <class Kind>
 using WeightedModularEliminant = ModularEliminantOf<FormsOf<ScalarArithmetic, Kind>>;
 

@@ -96,6 +96,10 @@ class LaneResidues {
     }
     set_net(lanes.x, pair_.x, primes);
     set_net(lanes.y, pair_.y, primes);
+    if constexpr (requires { lanes.factor; })
+      for (std::size_t i = 0; i < pair_.factor.size(); ++i)
+        for (std::size_t lane = 0; lane < 4; ++lane)
+          lanes.factor[i][lane] = balanced(pair_.factor[i], primes[lane]);
     double coefficients[max_lane_points][4];
     bool defined[4];
     eliminant_in_lanes(lanes, first, points, coefficients, defined);
@@ -156,10 +160,15 @@ std::optional<ModularIntegers> vector_eliminant(const WeightedPair& pair, std::s
   return by_kind(pair, [&]<class Kind>(Kind) { return eliminant_modulo_primes<Kind>(pair, bits); });
 }
 
+std::optional<ModularIntegers> vector_eliminant(const StrippedPair& pair, std::size_t bits) {
+  return by_kind(pair, [&]<class Kind>(Kind) { return eliminant_modulo_primes<Kind>(pair, bits); });
+}
+
 #else
 
 std::optional<ModularIntegers> vector_eliminant(const IntegerPair&, std::size_t) { return std::nullopt; }
 std::optional<ModularIntegers> vector_eliminant(const WeightedPair&, std::size_t) { return std::nullopt; }
+std::optional<ModularIntegers> vector_eliminant(const StrippedPair&, std::size_t) { return std::nullopt; }
 
 #endif
 

@@ -33,5 +33,7 @@ class LanePrimes {
 /// polynomial of that degree.
 std::optional<ModularIntegers> vector_eliminant(const IntegerPair& pair, std::size_t bits);
 std::optional<ModularIntegers> vector_eliminant(const WeightedPair& pair, std::size_t bits);
+/// Nothing also if D is of another degree than 1 and 2.
+std::optional<ModularIntegers> vector_eliminant(const StrippedPair& pair, std::size_t bits);
 
 }  // namespace exsect

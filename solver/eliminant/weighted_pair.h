@@ -20,6 +20,11 @@ struct WeightedPair {
   Net y;
 };
 
+/// With D of (16.19), constant term first, of y: primitive, of a leading coefficient that is not zero.
+struct StrippedPair : WeightedPair {
+  std::vector<Integer> factor;
+};
+
 /// The image of the pair under the translation by -x(0,0), a scaling of each coordinate and of each patch by
 /// positive rationals: the same solutions. Nets of the degrees that the patches are given with.
 WeightedPair weighted_pair(const RationalPatch& x, const RationalPatch& y);
@@ -33,6 +38,19 @@ auto by_kind(const WeightedPair& pair, const Function& function) {
   if (m == 1) return n == 1 ? function(Ruled11()) : n == 2 ? function(Ruled12()) : function(Ruled13());
   if (m == 2) return n == 2 ? function(Ruled22()) : function(Ruled23());
   return function(Ruled33());
+}
+
+/// function(Kind()) for the stripped kind of the pair; a value-initialised result where there is none.
+template <class Function>
+auto by_kind(const StrippedPair& pair, const Function& function) {
+  return by_kind(static_cast<const WeightedPair&>(pair), [&]<class Kind>(Kind) {
+    using Result = decltype(function(StrippedKind<WeightedKind, 1>()));
+    if constexpr (Kind::s_degree >= 2) {
+      if (pair.factor.size() == 2) return function(StrippedKind<Kind, 1>());
+      if (pair.factor.size() == 3) return function(StrippedKind<Kind, 2>());
+    }
+    return Result();
+  });
 }
 
 }  // namespace exsect
