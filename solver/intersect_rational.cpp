@@ -17,6 +17,7 @@
 #include "filter/exact_patch.h"
 #include "filter/filter.h"
 #include "intersect.h"
+#include "intersect_at_pole.h"
 #include "intersect_within.h"
 #include "overlap/rational_pieces.h"
 #include "self/self_intersect.h"
@@ -92,6 +93,7 @@ IntersectResult intersect_any(const RationalPatch& x, const RationalPatch& y, co
   if (auto as_curve = intersect_as_curve(x, y, run)) return *std::move(as_curve);
   if (as_polynomials) return *std::move(as_polynomials);
   if (run.exact()) return result;
+  if (auto at_pole = intersect_at_pole(x, y, run, intersect_any)) return *std::move(at_pole);
   IntersectResult pieces = intersect_rational_pieces(x, y, run);
   if (pieces.status != Status::complete) return result;
   run.count("filtered", 1);

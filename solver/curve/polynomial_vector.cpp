@@ -14,4 +14,12 @@ PolynomialVector coordinates_from(const BezierPatch& patch, const Point& origin)
   return result;
 }
 
+PolynomialVector coordinates_from(const RationalPatch& patch, const Point& origin) {
+  const BivariatePolynomial weight = patch.component(3);
+  PolynomialVector result;
+  for (std::size_t k = 0; k < 3; ++k)
+    result[k] = patch.component(static_cast<int>(k)) + weight * Polynomial(-origin[k]);
+  return result;
+}
+
 }  // namespace exsect

@@ -60,9 +60,9 @@ ParameterBox box_to_magnify(const Vec4& place) {
   return box;
 }
 
-std::optional<MagnifiedBox> magnified(const RationalPatch& x, const RationalPatch& y,
-                                      const ParameterBox& where, double extent, const Run& run,
-                                      const SolvePieces& solve) {
+std::optional<IntersectResult> intersect_over(
+    const RationalPatch& x, const RationalPatch& y, const ParameterBox& where, double extent, const Run& run,
+    const SolvePieces& solve, const std::function<bool(const IntersectionGraph& of_pieces)>& takes) {
   const RationalPatch first = x.restricted_to(where[0].lower, where[0].upper, where[1].lower, where[1].upper);
   const RationalPatch second =
       y.restricted_to(where[2].lower, where[2].upper, where[3].lower, where[3].upper);
@@ -73,15 +73,24 @@ std::optional<MagnifiedBox> magnified(const RationalPatch& x, const RationalPatc
     return given.with_tolerance(tolerance < kCoarsestMagnified ? tolerance : kCoarsestMagnified);
   };
   IntersectResult inside = solve((*whitening)(first), (*whitening)(second), of_pieces(run));
-  const bool reaches_side =  // (14.95)
-      std::ranges::any_of(inside.graph.nodes, [](const Node& node) { return !node.on.empty(); });
-  if (inside.status != Status::complete || reaches_side || !inside.graph.overlaps.empty())
-    return std::nullopt;
+  if (inside.status != Status::complete || !takes(inside.graph)) return std::nullopt;
   const ResultChange change = [map = *whitening, where](IntersectResult& result, const Run&) {
     map.restore(result.graph);
     place_parameters(result, where);
   };
-  return MagnifiedBox{where, changed(std::move(inside), run, change, of_pieces)};
+  return changed(std::move(inside), run, change, of_pieces);
+}
+
+std::optional<MagnifiedBox> magnified(const RationalPatch& x, const RationalPatch& y,
+                                      const ParameterBox& where, double extent, const Run& run,
+                                      const SolvePieces& solve) {
+  const auto stays_inside = [](const IntersectionGraph& graph) {  // (14.95)
+    return graph.overlaps.empty() &&
+           std::ranges::all_of(graph.nodes, [](const Node& node) { return node.on.empty(); });
+  };
+  auto inside = intersect_over(x, y, where, extent, run, solve, stays_inside);
+  if (!inside) return std::nullopt;
+  return MagnifiedBox{where, *std::move(inside)};
 }
 
 IntersectResult joined(IntersectResult outside, std::vector<MagnifiedBox> boxes, double extent,

@@ -24,11 +24,17 @@ struct MagnifiedBox {
 /// Intersects two patches.
 using SolvePieces = std::function<IntersectResult(const RationalPatch&, const RationalPatch&, const Run&)>;
 
+/// The complete intersection over a box of the parameters, in the parameters of the whole squares, where no
+/// node is on a side: `solve` intersects the pieces over the box. Empty if it does not complete that, or
+/// `takes` not the pieces' graph. `extent`: of the model.
+std::optional<IntersectResult> intersect_over(
+    const RationalPatch& x, const RationalPatch& y, const ParameterBox& where, double extent, const Run& run,
+    const SolvePieces& solve, const std::function<bool(const IntersectionGraph& of_pieces)>& takes);
+
 /// A box of a width of 2^-12 around a place, centred, of [0,1]^4.
 ParameterBox box_to_magnify(const Vec4& place);
 
-/// Empty if the pieces over the box are not decided, or have a solution on a side, or overlap. `extent`: of
-/// the model.
+/// Empty if the pieces over the box are not decided, or have a solution on a side, or overlap.
 std::optional<MagnifiedBox> magnified(const RationalPatch& x, const RationalPatch& y,
                                       const ParameterBox& where, double extent, const Run& run,
                                       const SolvePieces& solve);

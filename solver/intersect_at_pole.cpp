@@ -1,0 +1,177 @@
+#include "intersect_at_pole.h"
+
+#include <exsect/algebra/nearest_double.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "answer/arc_joints.h"
+#include "answer/coarse_drawing.h"
+#include "answer/finished_result.h"
+#include "answer/parameter_names.h"
+#include "answer/placement.h"
+#include "answer/proof.h"
+#include "pole_drawing.h"
+
+namespace exsect {
+namespace {
+
+constexpr long kFirstReachBits = 4;
+constexpr long kLastReachBits = 14;
+
+/// One of the eight sides of the two patches.
+struct SideOfPair {
+  std::size_t patch;
+  std::size_t fixed;  // the parameter across, 0 or 1
+  int value;
+
+  /// The names of (a,t,r,s), a across the side, t along it.
+  ParameterNames names() const {
+    const std::size_t own = 2 * patch, other = 2 - own;
+    return {all_parameters[own + fixed], all_parameters[own + 1 - fixed], all_parameters[other],
+            all_parameters[other + 1]};
+  }
+  /// The side is (0,t).
+  RationalPatch turned(const RationalPatch& x) const {
+    const RationalPatch first = fixed == 0 ? x : x.transposed();
+    return value == 0 ? first : first.restricted_to(1, 0, 0, 1);
+  }
+};
+
+std::array<SideOfPair, 8> all_sides() {
+  std::array<SideOfPair, 8> sides{};
+  for (std::size_t i = 0; i < 8; ++i) sides[i] = {i / 4, i / 2 % 2, static_cast<int>(i % 2)};
+  return sides;
+}
+
+/// The patch with the side, turned, in the first place.
+struct TurnedPair {
+  SideOfPair side;
+  PolePair pair;
+};
+
+Run turned_run(const SideOfPair& side, const Run& run) {
+  const ParameterNames names = side.names();
+  std::vector<Parameter> turning;
+  for (const Parameter p : run.turning())
+    turning.push_back(all_parameters[static_cast<std::size_t>(std::ranges::find(names, p) - names.begin())]);
+  std::ranges::sort(turning);
+  return run.with_turning(std::move(turning));
+}
+
+constexpr Side kCut = {Parameter::u, 0};
+
+bool is_on_cut(const Node& node) { return std::ranges::count(node.on, kCut) > 0; }
+
+/// The arc near the pole that ends in a node on the cut: each is over an interval of its own.
+std::optional<std::size_t> arc_to(const std::vector<PoleArc>& arcs, const Node& node) {
+  const RationalInterval& t = node.box[1];
+  const auto is_over = [&](const PoleArc& arc) {
+    return arc.along.lower <= t.upper && t.lower <= arc.along.upper;
+  };
+  const auto found = std::ranges::find_if(arcs, is_over);
+  if (found == arcs.end() || std::ranges::count_if(arcs, is_over) != 1) return std::nullopt;
+  return static_cast<std::size_t>(found - arcs.begin());
+}
+
+/// Each arc near the pole goes on in one arc of the rest.
+bool fit(const std::vector<PoleArc>& arcs, const IntersectResult& rest) {
+  if (!rest.graph.overlaps.empty()) return false;
+  std::vector<int> ends(arcs.size(), 0);
+  for (const Node& node : rest.graph.nodes) {
+    if (!is_on_cut(node)) continue;
+    const auto arc = arc_to(arcs, node);
+    const bool is_simple = node.kinds == std::vector{NodeKind::boundary} && node.on.size() == 1;
+    if (!arc || !is_simple || !node.free.empty()) return false;
+    for (const Arc& other : rest.graph.arcs) ends[*arc] += (other.from == node.id) + (other.to == node.id);
+  }
+  return std::ranges::all_of(ends, [](int count) { return count == 1; });
+}
+
+/// From the piece over [reach,1] to the whole patch.
+void place_across(const Rational& reach, IntersectionGraph& graph) {
+  const double lower = to_double(reach), width = to_double(1 - reach);
+  for (Node& node : graph.nodes) {
+    if (is_on_cut(node)) node.kinds.clear();
+    std::erase(node.on, kCut);
+    RationalInterval& a = node.box[0];
+    a = {reach + (1 - reach) * a.lower, reach + (1 - reach) * a.upper};
+    node.approx[0] = lower + width * node.approx[0];
+  }
+  for (Arc& arc : graph.arcs)
+    for (PolylineVertex& vertex : arc.polyline) vertex.parameters[0] = lower + width * vertex.parameters[0];
+}
+
+/// The result of the rest becomes that of the pair, in its own parameters.
+void join(const TurnedPair& turned, const PoleNeighbourhood& near, IntersectResult& result, const Run& run) {
+  std::vector<std::pair<int, std::size_t>> ends;  // nodes on the cut, and arcs near the pole
+  for (const Node& node : result.graph.nodes)
+    if (is_on_cut(node)) ends.emplace_back(node.id, *arc_to(near.arcs, node));
+  place_across(near.reach, result.graph);
+  GraphBuilder graph(std::move(result.graph));
+  const PoleDrawing drawing(turned.pair, near, run);
+  const int pole = graph.add_node(drawing.node());
+  if (ends.empty()) graph.add_isolated(pole);
+  for (const auto& [node, which] : ends) {
+    const auto goes_on = std::ranges::find_if(
+        graph.arcs(), [id = node](const Arc& arc) { return arc.from == id || arc.to == id; });
+    Arc arc =
+        drawing.arc(which, goes_on->from == node ? goes_on->polyline.front() : goes_on->polyline.back());
+    arc.from = pole;
+    arc.to = node;
+    graph.add_arc(std::move(arc));
+  }
+  join_at_nodes_of_no_kind(graph, 0);
+  auto proof = std::move(result.proof);
+  result = finished(std::move(graph), {turned_run(turned.side, run).turning(), {}}, {});
+  result.proof = std::move(proof);
+  const ParameterNames names = turned.side.names();
+  rename_parameters(result, names);
+  if (turned.side.value == 1) reverse_parameter(result, names[0]);
+  result.coarse = coarse_drawing(result.graph, run.tolerance(turned.pair.extent));
+}
+
+double extent_of(const RationalPatch& x, const RationalPatch& y) {
+  std::vector<Point> points;
+  for (const RationalPatch* patch : {&x, &y})
+    std::ranges::copy(affine_points(*patch), std::back_inserter(points));
+  return to_double(model_extent(points));
+}
+
+/// By what is proved near the pole, and the rest of the patch.
+std::optional<IntersectResult> with_rest(const TurnedPair& turned, const Rational& reach, const Run& run,
+                                         const filter::SolvePieces& solve) {
+  const PolePair& pair = turned.pair;
+  const Run part = turned_run(turned.side, run);
+  auto arcs = arcs_at_pole(pair.x, pair.y, pair.pole, reach, part.turning());
+  if (!arcs) return std::nullopt;
+  IntersectResult rest = solve(pair.x.restricted_to(reach, 1, 0, 1), pair.y, part);
+  if (rest.status != Status::complete || !fit(*arcs, rest)) return std::nullopt;
+  return changed(
+      std::move(rest), run,
+      [turned, near = PoleNeighbourhood{reach, *std::move(arcs)}](IntersectResult& result, const Run& given) {
+        join(turned, near, result, given);
+      },
+      [side = turned.side](const Run& given) { return turned_run(side, given); });
+}
+
+}  // namespace
+
+std::optional<IntersectResult> intersect_at_pole(const RationalPatch& x, const RationalPatch& y,
+                                                 const Run& run, const filter::SolvePieces& solve) {
+  for (const SideOfPair& side : all_sides()) {
+    const RationalPatch first = side.turned(side.patch == 0 ? x : y);
+    const RationalPatch& other = side.patch == 0 ? y : x;
+    const auto pole = pole_on_patch(first, other);
+    if (!pole) continue;
+    const TurnedPair turned = {side, {first, other, *pole, extent_of(x, y)}};
+    for (long bits = kFirstReachBits; bits <= kLastReachBits && !run.out_of_time(); bits += 2)
+      if (auto result = with_rest(turned, power_of_two(-bits), run, solve)) return result;
+  }
+  return std::nullopt;
+}
+
+}  // namespace exsect

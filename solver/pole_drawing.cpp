@@ -1,0 +1,142 @@
+#include "pole_drawing.h"
+
+#include <exsect/algebra/nearest_double.h>
+#include <exsect/algebra/rounding_bounds.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "filter/filter.h"
+#include "filter/magnified_box.h"
+
+namespace exsect {
+namespace {
+
+/// Of one neighbourhood to the next smaller one.
+const Rational kNextReach(1, 4);
+const Rational kLeastReach = power_of_two(-24);
+/// Of a point's coordinates: rounded to doubles, and sums of a few.
+constexpr double kPointRounding = 0x1p-50;
+/// A piece of y is wider than the arc by this part of the wider direction.
+const Rational kRoom(1, 8);
+
+bool is_drawn_by_chords(const PoleNeighbourhood& all, double tolerance) {
+  return std::ranges::all_of(all.arcs, [&](const PoleArc& arc) { return 2 * arc.bend <= tolerance; });
+}
+
+double size_of(const std::array<double, 3>& p) {
+  return larger_bound(std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2]));
+}
+
+double distance_bound(const std::array<double, 3>& p, const std::array<double, 3>& q) {
+  return kSlack *
+         (length_bound(p[0] - q[0], p[1] - q[1], p[2] - q[2]) + kPointRounding * (size_of(p) + size_of(q)));
+}
+
+/// One arc from the side u = 0 to the side u = 1, and nothing else.
+bool leads_across(const IntersectionGraph& graph) {
+  const auto is_end = [](const Node& node) {
+    return node.on.size() == 1 && node.on[0].parameter == Parameter::u && node.free.empty();
+  };
+  return graph.arcs.size() == 1 && graph.nodes.size() == 2 && graph.isolated_points.empty() &&
+         graph.overlaps.empty() && std::ranges::all_of(graph.nodes, is_end) &&
+         graph.nodes[0].on[0].value != graph.nodes[1].on[0].value;
+}
+
+/// The box of the arc over from <= a <= to.
+ParameterBox box_of(const PoleArc& arc, const Rational& from, const Rational& to) {
+  const Rational room = kRoom * std::max(arc.on_other[0].width(), arc.on_other[1].width());
+  ParameterBox box = {RationalInterval{from, to}, arc.along, arc.on_other[0], arc.on_other[1]};
+  for (std::size_t j = 2; j < 4; ++j)
+    box[j] = {std::max<Rational>(0, box[j].lower - room), std::min<Rational>(1, box[j].upper + room)};
+  return box;
+}
+
+}  // namespace
+
+PoleDrawing::PoleDrawing(const PolePair& pair, PoleNeighbourhood all, const Run& run)
+    : pair_(pair), run_(run), levels_{std::move(all)} {
+  const double tolerance = run.drawn_tolerance(pair.extent);
+  while (!is_drawn_by_chords(levels_.back(), tolerance)) {
+    const Rational reach = levels_.back().reach * kNextReach;
+    if (reach < kLeastReach) return;
+    auto arcs = arcs_at_pole(pair.x, pair.y, pair.pole, reach, {});
+    if (!arcs) return;
+    levels_.push_back({reach, *std::move(arcs)});
+  }
+}
+
+PolylineVertex PoleDrawing::pole_vertex(double along) const {
+  PolylineVertex vertex{};
+  vertex.parameters = {0, along, to_double(pair_.pole.at[0].midpoint()),
+                       to_double(pair_.pole.at[1].midpoint())};
+  for (std::size_t c = 0; c < 3; ++c) vertex.point[c] = to_double(pair_.pole.point[c]);
+  return vertex;
+}
+
+Node PoleDrawing::node() const {
+  const PolylineVertex vertex = pole_vertex(0.5);
+  Node node{};
+  node.kinds = {NodeKind::boundary};
+  node.on = {{Parameter::u, 0}};
+  node.free = {Parameter::v};
+  node.box = {RationalInterval{0, 0}, RationalInterval{0, 1}, pair_.pole.at[0], pair_.pole.at[1]};
+  node.approx = vertex.parameters;
+  node.point = vertex.point;
+  return node;
+}
+
+Arc PoleDrawing::arc(std::size_t which, const PolylineVertex& end) const {
+  Arc drawn{};
+  drawn.place = ArcPlace::interior;
+  drawn.contact = Contact::transversal;
+  drawn.polyline = {end};
+  const PoleArc* last = &levels_[0].arcs[which];
+  for (std::size_t i = 1; i < levels_.size(); ++i) {
+    const PoleArc* next = continued(*last, levels_[i]);
+    if (next == nullptr || !add_piece(*last, levels_[i].reach, levels_[i - 1].reach, drawn)) break;
+    last = next;
+  }
+  add_chord(*last, drawn);
+  std::ranges::reverse(drawn.polyline);
+  return drawn;
+}
+
+/// The arc inside of a smaller neighbourhood, which is the only one of it over a common t.
+const PoleArc* PoleDrawing::continued(const PoleArc& arc, const PoleNeighbourhood& inside) const {
+  const PoleArc* result = nullptr;
+  for (const PoleArc& other : inside.arcs) {
+    if (other.along.upper < arc.along.lower || arc.along.upper < other.along.lower) continue;
+    if (result != nullptr) return nullptr;
+    result = &other;
+  }
+  return result;
+}
+
+/// Adds the part over from <= a <= to, of which the end is drawn; false if it is not found.
+bool PoleDrawing::add_piece(const PoleArc& arc, const Rational& from, const Rational& to, Arc& drawn) const {
+  auto piece = filter::intersect_over(pair_.x, pair_.y, box_of(arc, from, to), pair_.extent,
+                                      run_.with_turning({}), intersect_in_doubles, leads_across);
+  if (!piece) return false;
+  Arc& part = piece->graph.arcs[0];
+  if (part.polyline.front().parameters[0] < part.polyline.back().parameters[0])
+    std::ranges::reverse(part.polyline);
+  const double moved = distance_bound(part.polyline.front().point, drawn.polyline.back().point);
+  drawn.error_bound = larger_bound(drawn.error_bound, kSlack * (part.error_bound + moved));
+  drawn.polyline.insert(drawn.polyline.end(), part.polyline.begin() + 1, part.polyline.end());
+  return true;
+}
+
+/// To the pole.
+void PoleDrawing::add_chord(const PoleArc& arc, Arc& drawn) const {
+  const PolylineVertex pole = pole_vertex(to_double(arc.along.midpoint()));
+  std::array<double, 3> end = pole.point;
+  for (std::size_t c = 0; c < 3; ++c) end[c] += arc.step[c];
+  const double off = distance_bound(drawn.polyline.back().point, end) + kPointRounding * size_of(pole.point);
+  drawn.error_bound = larger_bound(drawn.error_bound, kSlack * (arc.bend + off));
+  drawn.polyline.push_back(pole);
+}
+
+}  // namespace exsect

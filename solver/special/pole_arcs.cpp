@@ -1,0 +1,376 @@
+#include "special/pole_arcs.h"
+
+#include <exsect/algebra/ball.h>
+#include <exsect/algebra/nearest_double.h>
+#include <exsect/algebra/real_algebraic.h>
+#include <exsect/algebra/rounding_bounds.h>
+#include <exsect/algebra/tensor_bernstein.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "curve/polynomial_vector.h"
+#include "special/remaining_squares.h"
+
+namespace exsect {
+namespace {
+
+constexpr int kFirstCells = 16;
+constexpr int kFinestCells = 10;  // halvings of these
+constexpr std::size_t kMostCells = 512;
+
+using Balls = std::array<DoubleBall, 3>;
+
+DoubleBall range_on(const BivariatePolynomial& f, const Rectangle& on) {
+  return f.is_zero() ? DoubleBall(0) : DoubleBall::enclosing(range_bound(f, on));
+}
+
+/// Of an interval of positive numbers.
+DoubleBall inverse_range(const BivariatePolynomial& f, const Rectangle& on) {
+  const RationalInterval range = range_bound(f, on);
+  if (range.lower <= 0) return DoubleBall(0, HUGE_VAL);
+  return DoubleBall::enclosing(RationalInterval{1 / range.upper, 1 / range.lower});
+}
+
+DoubleBall determinant(const Balls& a, const Balls& b, const Balls& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// f / a; f(0,t) = 0.
+BivariatePolynomial divided(const BivariatePolynomial& f) {
+  std::vector<Polynomial> rest;
+  for (int i = 1; i <= f.degree_r(); ++i) rest.push_back(f.coefficient(i));
+  return BivariatePolynomial(std::move(rest));
+}
+
+bool has_root(const Polynomial& f, const RationalInterval& in) {
+  return f.is_zero() || (f.degree() > 0 && !real_roots(f, in.lower, in.upper).empty());
+}
+
+/// A polynomial with its derivatives of order one and two.
+struct Jet {
+  explicit Jet(const BivariatePolynomial& f)
+      : value(f),
+        first{f.derivative_r(), f.derivative_s()},
+        second{first[0].derivative_r(), first[0].derivative_s(), first[1].derivative_s()} {}
+  BivariatePolynomial value;
+  std::array<BivariatePolynomial, 2> first;   // by r, by s
+  std::array<BivariatePolynomial, 3> second;  // by rr, rs, ss
+};
+
+/// The equations (14.101), f_i omega = w g_i / a: a row along the normal of y, and two rows that are dual to
+/// its derivatives in the pole.
+struct PoleEquations {
+  PoleEquations(const RationalPatch& x, const RationalPatch& y, const PoleOnPatch& pole)
+      : weight(x.component(3)), weight_of_y(y.component(3)) {
+    const PolynomialVector from_pole = coordinates_from(x, pole.point);
+    for (std::size_t c = 0; c < 3; ++c) direction[c] = divided(from_pole[c]);
+    const PolynomialVector z = coordinates_from(y, pole.point);
+    z_r = derivative_r(z);
+    z_s = derivative_s(z);
+    at = {pole.at[0].midpoint(), pole.at[1].midpoint()};
+    const Point e_r = value(z_r, at[0], at[1]), e_s = value(z_s, at[0], at[1]);
+    const Point normal = cross(e_r, e_s);
+    const Rational scale = 1 / dot(normal, normal);
+    rows = {normal, scale * cross(e_s, normal), scale * cross(normal, e_r)};
+    for (const Point& row : rows) {
+      f.push_back(dot(row, direction));
+      g.emplace_back(dot(row, z));
+    }
+    is_flat = pole.is_rational() && f[0].coefficient(0).is_zero();
+    lies_in_plane = pole.is_rational() && g[0].value.is_zero();
+  }
+
+  BivariatePolynomial weight, weight_of_y;
+  std::array<Rational, 2> at;  // the place on y, but for its box's width
+  PolynomialVector direction;  // D
+  PolynomialVector z_r, z_s;
+  std::array<Point, 3> rows;
+  std::vector<BivariatePolynomial> f;
+  std::vector<Jet> g;
+  bool is_flat;  // the tangent plane of y holds all directions of x in the pole
+  bool lies_in_plane;
+};
+
+/// Proof of (14.102) to (14.106) near the pole.
+class PoleProof {
+ public:
+  PoleProof(const RationalPatch& x, const RationalPatch& y, const PoleOnPatch& pole, const Rational& reach,
+            const std::vector<Parameter>& turning)
+      : e_(x, y, pole),
+        pole_(pole),
+        reach_(reach),
+        a_(DoubleBall::enclosing(RationalInterval{0, reach})),
+        turning_(turning) {}
+
+  std::optional<std::vector<PoleArc>> arcs() {
+    if (!find_region() || !is_alone()) return std::nullopt;
+    std::vector<PoleArc> result;
+    const auto clusters = find_clusters();
+    if (!clusters || (e_.is_flat && !clusters->empty())) return std::nullopt;
+    for (const Cluster& cluster : *clusters) {
+      const Ranges ranges = ranges_on(cluster.along);
+      const Columns columns = columns_of(ranges);
+      if (determinant(columns.t, columns.k[0], columns.k[1]).certain_sign() == 0)  // (14.104)
+        return std::nullopt;
+      if (cluster.before == cluster.behind) continue;
+      if (!all_monotone(cluster, ranges, columns)) return std::nullopt;
+      result.push_back(arc_over(cluster, ranges));
+    }
+    return result;
+  }
+
+ private:
+  /// Over 0 <= a <= reach and an interval of t.
+  struct Ranges {
+    Balls f;
+    DoubleBall weight;
+    DoubleBall inverse_weight;
+    std::array<DoubleBall, 2> k;  // of all solutions
+    Rectangle on;
+  };
+  /// A maximal interval of t, inside of (0,1), outside of which there are no solutions near; the signs of the
+  /// first of (14.101) beside it.
+  struct Cluster {
+    RationalInterval along;
+    int before;
+    int behind;
+  };
+  /// Derivatives of (14.101) by t, k and a.
+  struct Columns {
+    Balls t;
+    std::array<Balls, 2> k;
+    Balls a;
+  };
+
+  Rectangle near(const RationalInterval& along) const { return {{0, reach_}, along}; }
+
+  /// (14.103): sets the rectangle of y, what is known of y over it, and bounds of |k|.
+  bool find_region() {
+    std::array<double, 2> most = {0, 0};
+    for (int i = 0; i < kFirstCells; ++i) {
+      const Rectangle on = near({Rational(i, kFirstCells), Rational(i + 1, kFirstCells)});
+      const DoubleBall inverse = inverse_range(e_.weight, on);
+      for (std::size_t j = 0; j < 3; ++j) {
+        const double size = (range_on(e_.f[j], on) * inverse).upper_magnitude();
+        if (j > 0) most[j - 1] = larger_bound(most[j - 1], size);
+        box_[j] = larger_bound(box_[j], size);
+      }
+    }
+    const double scale = to_double(e_.weight_of_y(e_.at[0], e_.at[1]));
+    std::array<Rational, 2> room;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const double rate = 2 * scale * (most[j] + 0.25 * (most[0] + most[1]));
+      if (!std::isfinite(rate) || rate == 0) return false;
+      room[j] = reach_ * from_double(rate);
+      if (!(e_.at[j] - room[j] > 0 && e_.at[j] + room[j] < 1)) return false;
+    }
+    region_ = {{e_.at[0] - room[0], e_.at[0] + room[0]}, {e_.at[1] - room[1], e_.at[1] + room[1]}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 2; ++j) first_[i][j] = range_on(e_.g[i].first[j], region_);
+      for (std::size_t j = 0; j < 3; ++j) second_[i][j] = range_on(e_.g[i].second[j], region_);
+    }
+    const Jet omega(e_.weight_of_y);
+    omega_ = range_on(omega.value, region_);
+    omega_first_ = {range_on(omega.first[0], region_), range_on(omega.first[1], region_)};
+    double off = 0;
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t j = 0; j < 2; ++j)
+        off = larger_bound(off, (first_[i + 1][j] - DoubleBall(i == j ? 1 : 0)).upper_magnitude());
+    if (!(off < 0.125)) return false;
+    const double all = (most[0] + most[1]) * omega_.upper_magnitude();
+    off_ = kSlack * off * all / (1 - 2 * off);
+    for (std::size_t j = 0; j < 2; ++j) {
+      const double k = kSlack * (most[j] * omega_.upper_magnitude() + off_);
+      if (!(reach_ * from_double(k) + pole_.at[j].width() < room[j])) return false;
+    }
+    return true;
+  }
+
+  /// (14.102): no point of y outside of the rectangle is near enough to the pole.
+  bool is_alone() const {
+    std::vector<BivariatePolynomial> tests;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Rational most = reach_ * from_double(kSlack * box_[i]);
+      for (const int sign : {1, -1})
+        tests.push_back(e_.g[i].value * Polynomial(sign) + e_.weight_of_y * Polynomial(-most));
+    }
+    return remaining_squares(tests,
+                             [&](const Rectangle& square) {
+                               return region_.r.lower <= square.r.lower &&
+                                      square.r.upper <= region_.r.upper &&
+                                      region_.s.lower <= square.s.lower && square.s.upper <= region_.s.upper;
+                             })
+        .has_value();
+  }
+
+  Ranges ranges_on(const RationalInterval& along) const {
+    Ranges result;
+    result.on = near(along);
+    result.weight = range_on(e_.weight, result.on);
+    result.inverse_weight = inverse_range(e_.weight, result.on);
+    for (std::size_t i = 0; i < 3; ++i) result.f[i] = range_on(e_.f[i], result.on);
+    for (std::size_t j = 0; j < 2; ++j)
+      result.k[j] = (result.f[j + 1] * result.inverse_weight * omega_).widened(off_);
+    return result;
+  }
+
+  /// What the second derivatives of g_i make of k: k' g'' k / 2.
+  DoubleBall quadratic(std::size_t i, const std::array<DoubleBall, 2>& k) const {
+    return DoubleBall(0.5) * (second_[i][0] * k[0] * k[0] + second_[i][2] * k[1] * k[1]) +
+           second_[i][1] * k[0] * k[1];
+  }
+  DoubleBall linear(std::size_t i, const std::array<DoubleBall, 2>& k) const {
+    return first_[i][0] * k[0] + first_[i][1] * k[1];
+  }
+
+  /// Of the first of (14.101), or (14.105) where that is flat.
+  int sign_on(const Ranges& ranges) const {
+    const DoubleBall along_normal =
+        e_.is_flat ? range_on(divided(e_.f[0]), ranges.on) * omega_ - ranges.weight * quadratic(0, ranges.k)
+                   : ranges.f[0] * omega_ - ranges.weight * linear(0, ranges.k);
+    return along_normal.certain_sign();
+  }
+
+  /// Empty if one reaches an end of the side.
+  std::optional<std::vector<Cluster>> find_clusters() const {
+    std::vector<std::pair<RationalInterval, int>> cells;  // with signs
+    for (int i = 0; i < kFirstCells; ++i)
+      if (!divide({Rational(i, kFirstCells), Rational(i + 1, kFirstCells)}, 0, cells)) return std::nullopt;
+    if (cells.front().second == 0 || cells.back().second == 0) return std::nullopt;
+    std::vector<Cluster> result;
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+      if (cells[i].second != 0) {
+        if (cells[i - 1].second == 0)
+          result.back().behind = cells[i].second;
+        else if (cells[i - 1].second != cells[i].second)
+          return std::nullopt;
+      } else if (cells[i - 1].second != 0) {
+        result.push_back({cells[i].first, cells[i - 1].second, 0});
+      } else {
+        result.back().along.upper = cells[i].first.upper;
+      }
+    }
+    return result;
+  }
+
+  /// False if there are too many cells.
+  bool divide(const RationalInterval& along, int level,
+              std::vector<std::pair<RationalInterval, int>>& cells) const {
+    const int sign = sign_on(ranges_on(along));
+    if (sign != 0 || level == kFinestCells) {
+      cells.emplace_back(along, sign);
+      return cells.size() < kMostCells;
+    }
+    return divide({along.lower, along.midpoint()}, level + 1, cells) &&
+           divide({along.midpoint(), along.upper}, level + 1, cells);
+  }
+
+  Columns columns_of(const Ranges& ranges) const {
+    const DoubleBall weight_t = range_on(e_.weight.derivative_s(), ranges.on);
+    const DoubleBall weight_a = range_on(e_.weight.derivative_r(), ranges.on);
+    Columns result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const DoubleBall g = linear(i, ranges.k);
+      result.t[i] = range_on(e_.f[i].derivative_s(), ranges.on) * omega_ - weight_t * g;
+      for (std::size_t j = 0; j < 2; ++j)
+        result.k[j][i] = ranges.f[i] * a_ * omega_first_[j] - ranges.weight * first_[i][j];
+      result.a[i] = range_on(e_.f[i].derivative_r(), ranges.on) * omega_ +
+                    ranges.f[i] * (omega_first_[0] * ranges.k[0] + omega_first_[1] * ranges.k[1]) -
+                    weight_a * g - ranges.weight * quadratic(i, ranges.k);
+    }
+    return result;
+  }
+
+  bool is_asked_for(std::size_t j) const { return std::ranges::count(turning_, all_parameters[j]) > 0; }
+
+  /// (14.106).
+  bool all_monotone(const Cluster& cluster, const Ranges& ranges, const Columns& columns) const {
+    const DoubleBall whole = determinant(columns.t, columns.k[0], columns.k[1]);
+    const DoubleBall t = determinant(columns.a, columns.k[0], columns.k[1]);
+    if (is_asked_for(1) && t.certain_sign() == 0 && !is_straight(cluster)) return false;
+    const std::array<DoubleBall, 2> rates = {-determinant(columns.t, columns.a, columns.k[1]),
+                                             -determinant(columns.t, columns.k[0], columns.a)};
+    for (std::size_t j = 0; j < 2; ++j) {
+      if (!is_asked_for(2 + j)) continue;
+      const bool moves = (ranges.k[j] * whole + a_ * rates[j]).certain_sign() != 0;
+      if (!moves && !(rates[j].certain_sign() != 0 && begins_still(cluster, j))) return false;
+    }
+    return true;
+  }
+
+  /// t is constant: y lies in a plane, which x meets in a line t = constant.
+  bool is_straight(const Cluster& cluster) const {
+    if (!e_.lies_in_plane) return false;
+    Polynomial common;
+    for (int i = 0; i <= e_.f[0].degree_r(); ++i) common = gcd(common, e_.f[0].coefficient(i));
+    return has_root(common, cluster.along);
+  }
+
+  /// k_j = 0 for a = 0, exactly (14.106).
+  bool begins_still(const Cluster& cluster, std::size_t j) const {
+    if (pole_.is_rational())
+      return has_root(gcd(e_.f[0].coefficient(0), e_.f[j + 1].coefficient(0)), cluster.along);
+    const Point normal = normal_in_pole();
+    if (is_zero(normal)) return false;
+    const PolynomialVector& along = j == 0 ? e_.z_s : e_.z_r;
+    return sign_at(dot(normal, along), *pole_.exact) == 0;
+  }
+
+  /// Of the plane that holds all D(0,t); zero if there is none, or more than one.
+  Point normal_in_pole() const {
+    std::vector<Point> directions;
+    for (int i = 0; i <= max_patch_degree; ++i) {
+      Point& d = directions.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) d[c] = e_.direction[c].coefficient(0).coefficient(i);
+    }
+    Point normal = {0, 0, 0};
+    for (const Point& d : directions)
+      if (is_zero(normal)) normal = cross(directions[0], d);
+    const bool holds_all =
+        std::ranges::all_of(directions, [&](const Point& d) { return dot(normal, d) == 0; });
+    return holds_all ? normal : Point{0, 0, 0};
+  }
+
+  PoleArc arc_over(const Cluster& cluster, const Ranges& ranges) const {
+    PoleArc result{cluster.along, {}, {}, 0};
+    for (std::size_t j = 0; j < 2; ++j) {
+      const RationalInterval k = (a_ * ranges.k[j]).interval();
+      result.on_other[j] = {pole_.at[j].lower + k.lower, pole_.at[j].upper + k.upper};
+    }
+    const double reach = to_double(reach_);
+    double squares = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const DoubleBall d = range_on(e_.direction[c], ranges.on) * ranges.inverse_weight;
+      result.step[c] = reach * d.approximation();
+      squares += d.radius() * d.radius();
+    }
+    result.bend = kSlack * reach * std::sqrt(squares);
+    return result;
+  }
+
+  const PoleEquations e_;
+  const PoleOnPatch& pole_;
+  const Rational reach_;
+  const DoubleBall a_;
+  const std::vector<Parameter>& turning_;
+  std::array<double, 3> box_ = {0, 0, 0};  // bounds of |f_i|/w
+  Rectangle region_;
+  std::array<std::array<DoubleBall, 2>, 3> first_;  // derivatives of g over the rectangle
+  std::array<std::array<DoubleBall, 3>, 3> second_;
+  DoubleBall omega_;
+  std::array<DoubleBall, 2> omega_first_;
+  double off_ = 0;  // |k_j - f_j omega / w| is not above it
+};
+
+}  // namespace
+
+std::optional<std::vector<PoleArc>> arcs_at_pole(const RationalPatch& x, const RationalPatch& y,
+                                                 const PoleOnPatch& pole, const Rational& reach,
+                                                 const std::vector<Parameter>& turning) {
+  return PoleProof(x, y, pole, reach, turning).arcs();
+}
+
+}  // namespace exsect

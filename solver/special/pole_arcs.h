@@ -1,0 +1,32 @@
+// The intersection near a pole, a side of a patch that is one point, which lies on the other patch. Internal
+// to solver/; docs/method-doubles.md, section 14.24.
+#pragma once
+
+#include <exsect/solver/parameter.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "special/pole_on_patch.h"
+
+namespace exsect {
+
+/// From the pole to a = reach, with t and (r,s) in these intervals; a is strictly monotone along it, and
+/// every other parameter that was asked for strictly monotone or constant. At each a its point of space is
+/// within `bend` of pole + (a / reach) step.
+struct PoleArc {
+  RationalInterval along;
+  std::array<RationalInterval, 2> on_other;
+  std::array<double, 3> step;
+  double bend;
+};
+
+/// All arcs of x(a,t) = y(r,s) over 0 < a <= reach: each begins in the pole, and there is nothing else but
+/// the pole with t free. `turning`: of (a,t,r,s) as (u,v,r,s). Empty if that is not proved. Requires 0 <
+/// reach < 1.
+std::optional<std::vector<PoleArc>> arcs_at_pole(const RationalPatch& x, const RationalPatch& y,
+                                                 const PoleOnPatch& pole, const Rational& reach,
+                                                 const std::vector<Parameter>& turning);
+
+}  // namespace exsect

@@ -1,0 +1,221 @@
+// A pole of one patch inside the other one: domes against exact arithmetic, octants of spheres against their
+// sections.
+#include "intersect_at_pole.h"
+
+#include <exsect/solver/intersect.h>
+#include <exsect/solver/intersect_rational.h>
+#include <exsect/solver/redrawn.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "filter/filter.h"
+#include "support/catch.h"
+#include "support/graph_isomorphism.h"
+#include "support/random_pairs.h"
+
+namespace exsect::intersect_at_pole_test {
+namespace {
+
+using random_pairs::Generator;
+using Net = std::vector<std::vector<Point>>;
+
+/// A quarter of a dome over the plane, of which the side u = 0 is the pole, in the origin.
+BezierPatch dome(Generator& generator) {
+  const auto jitter = [&] { return Rational(random_pairs::integer(generator, -4, 4), 32); };
+  ControlNet net;
+  for (long i = 0; i < 3; ++i)
+    for (long j = 0; j < 3; ++j) {
+      const Rational out(i, 2);
+      const Point p = {out * (2 - j + jitter()), out * (j + jitter()), -out * out + out * jitter() / 4};
+      net[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = i == 0 ? Point{0, 0, 0} : p;
+    }
+  return BezierPatch(net);
+}
+
+/// A steep sheet with the origin at (1/2,1/3).
+BezierPatch sheet(Generator& generator) {
+  const auto jitter = [&] { return Rational(random_pairs::integer(generator, -8, 8), 64); };
+  ControlNet net;
+  for (long i = 0; i < 3; ++i)
+    for (long j = 0; j < 3; ++j)
+      net[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = {2 * i + jitter(), j + jitter(),
+                                                                       2 * j - i + jitter()};
+  const Point at = BezierPatch(net)(Rational(1, 2), Rational(1, 3));
+  for (auto& row : net)
+    for (Point& p : row) p = p - at;
+  return BezierPatch(net);
+}
+
+IntersectResult solved_in_doubles(const RationalPatch& x, const RationalPatch& y, const Run& run) {
+  return intersect_in_doubles(x, y, run);
+}
+
+/// An octant of a sphere of radius 1 about the origin; the side u = 1 is its pole (0,0,1).
+Net octant() {
+  return {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+          {{1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+          {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
+}
+const std::vector<std::vector<Rational>> kWeights = {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}};
+
+/// Through (0,0,height), with the normal.
+Net plane(const Point& normal, const Rational& height) {
+  Net net;
+  for (const Rational& a : {Rational(-7, 13), Rational(6, 13)})
+    for (const Rational& b : {Rational(-5, 11), Rational(6, 11)}) {
+      if (b < 0) net.emplace_back();
+      net.back().push_back({a, b, height - (a * normal[0] + b * normal[1]) / normal[2]});
+    }
+  return net;
+}
+
+template <class Map>
+Net mapped(Net net, const Map& map) {
+  for (auto& row : net)
+    for (Point& p : row) p = map(p);
+  return net;
+}
+
+std::size_t arcs_at(const IntersectionGraph& graph, int node) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(graph.arcs, [&](const Arc& arc) { return arc.from == node || arc.to == node; }));
+}
+
+const Node* pole_of(const IntersectionGraph& graph) {
+  for (const Node& node : graph.nodes)
+    if (!node.free.empty()) return &node;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("intersect_at_pole: domes on sheets have the graph of exact arithmetic") {
+  int complete = 0, arcs = 0;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    const BezierPatch x = dome(generator), y = sheet(generator);
+    const IntersectResult exact = intersect(x, y);
+    REQUIRE(exact.status == Status::complete);
+    const auto found = intersect_at_pole(x, y, Run(), solved_in_doubles);
+    const auto exchanged = intersect_at_pole(y, x, Run(), solved_in_doubles);
+    REQUIRE(found.has_value() == exchanged.has_value());
+    if (!found) continue;
+    ++complete;
+    arcs += static_cast<int>(found->graph.arcs.size());
+    CHECK(difference(exact.graph, found->graph, {}) == "");
+    REQUIRE(pole_of(found->graph));
+    CHECK(pole_of(found->graph)->free == std::vector{Parameter::v});
+    CHECK(pole_of(exchanged->graph)->free == std::vector{Parameter::s});
+  }
+  CHECK(complete >= 12);
+  CHECK(arcs >= 6);
+}
+
+TEST_CASE("intersect_at_pole: planes through the pole of an octant") {
+  // By the sign of normal . (cos t, sin t, 0): an arc of the section in the pole's tangent plane, or none.
+  const std::vector<std::pair<Point, std::size_t>> cases = {{{1, -1, Rational(1, 3)}, 1},
+                                                            {{1, -2, Rational(1, 3)}, 1},
+                                                            {{-3, 1, Rational(2)}, 1},
+                                                            {{1, 1, 3}, 0},
+                                                            {{0, 0, 1}, 0},
+                                                            {{1, Rational(1, 1000), 1}, 0}};
+  const auto turned = [](const Point& p) -> Point {
+    return {Rational(254, 10) * (Rational(3, 5) * p[0] - Rational(4, 5) * p[2]), Rational(254, 10) * p[1],
+            Rational(254, 10) * (Rational(4, 5) * p[0] + Rational(3, 5) * p[2])};
+  };
+  const auto moved = [](const Point& p) -> Point {
+    return {p[0] + 100000000, p[1] - 200000000, p[2] + 300000000};
+  };
+  for (const auto& [normal, arcs] : cases) {
+    INFO("normal " << to_double(normal[0]) << " " << to_double(normal[1]) << " " << to_double(normal[2]));
+    const Net first = octant(), second = plane(normal, 1);
+    const RationalPatch x(first, kWeights), y(second);
+    const IntersectResult result = intersect(x, y);
+    REQUIRE(result.status == Status::complete);
+    const Node* pole = pole_of(result.graph);
+    REQUIRE(pole);
+    CHECK(arcs_at(result.graph, pole->id) == arcs);
+    CHECK(pole->on == std::vector<Side>{{Parameter::u, 1}});
+    CHECK(pole->box[2].lower == Rational(7, 13));
+    CHECK(pole->box[3].upper == Rational(5, 11));
+    CHECK(result.graph.isolated_points.size() == (arcs == 0 ? 1 : 0));
+    for (const Arc& arc : result.graph.arcs)
+      for (const PolylineVertex& vertex : arc.polyline) {
+        const auto& p = vertex.point;
+        CHECK(std::abs(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] - 1) < 1e-9);
+        CHECK(std::abs(to_double(normal[0]) * p[0] + to_double(normal[1]) * p[1] +
+                       to_double(normal[2]) * (p[2] - 1)) < 1e-9);
+      }
+    for (const auto& other :
+         {intersect(RationalPatch(mapped(first, turned), kWeights), RationalPatch(mapped(second, turned))),
+          intersect(RationalPatch(mapped(first, moved), kWeights), RationalPatch(mapped(second, moved)))})
+      CHECK(difference(result.graph, other.graph, {}) == "");
+    CHECK(difference(result.graph, intersect(y, x).graph, {{2, 3, 0, 1}, {}}) == "");
+    CHECK(pole_of(intersect(x.transposed(), y).graph)->free == std::vector{Parameter::u});
+    CHECK(difference(result.graph, intersect(x.restricted_to(1, 0, 0, 1), y).graph, {{0, 1, 2, 3}, {true}}) ==
+          "");
+  }
+}
+
+TEST_CASE("intersect_at_pole: a plane through the axis has the constant parameter of its section") {
+  const Net upright = {{{-1, -2, Rational(1, 2)}, {-1, -2, Rational(3, 2)}},
+                       {{2, 4, Rational(1, 2)}, {2, 4, Rational(3, 2)}}};
+  const IntersectResult result = intersect(RationalPatch(octant(), kWeights), RationalPatch(upright));
+  REQUIRE(result.status == Status::complete);
+  REQUIRE(result.graph.arcs.size() == 1);
+  CHECK(result.graph.nodes.size() == 2);
+  const double v = result.graph.arcs[0].polyline.back().parameters[1];
+  CHECK(std::abs(2 * v / (1 - v * v) - 2) < 1e-4);  // tan of the longitude
+}
+
+TEST_CASE("intersect_at_pole: a pole at irrational parameters of a sphere") {
+  // (-2/3,4/3,4/3) on an octant of radius 2 is not at rational parameters; the arc leaves along a parallel.
+  const auto around = [](const Point& p) -> Point {
+    return {Rational(2, 3) - 2 * p[0], 2 * p[1] - Rational(4, 3), 2 * p[2] - Rational(1, 3)};
+  };
+  const RationalPatch x(octant(), kWeights), y(mapped(octant(), around), kWeights);
+  const IntersectResult result = intersect(x, y);
+  REQUIRE(result.status == Status::complete);
+  REQUIRE(result.graph.arcs.size() == 1);
+  const Node* pole = pole_of(result.graph);
+  REQUIRE(pole);
+  CHECK(pole->box[2].lower < pole->box[2].upper);
+  CHECK(pole->box[2].width() < power_of_two(-70));
+  for (const PolylineVertex& vertex : result.graph.arcs[0].polyline) {
+    const auto& p = vertex.point;
+    CHECK(std::abs(std::hypot(p[0], p[1], p[2]) - 1) < 1e-9);
+    CHECK(std::abs(std::hypot(p[0] - 2.0 / 3, p[1] + 4.0 / 3, p[2] + 1.0 / 3) - 2) < 1e-9);
+  }
+}
+
+TEST_CASE("intersect_at_pole: a pole that is not on the other patch is never taken for one that is") {
+  const RationalPatch x(octant(), kWeights);
+  for (const Point& normal : {Point{1, -1, Rational(1, 3)}, Point{0, 0, 1}})
+    for (const int digits : {3, 6, 12, 20})
+      for (const int sign : {-1, 1}) {
+        INFO("10^-" << digits << " " << sign);
+        Rational off = sign;
+        for (int i = 0; i < digits; ++i) off /= 10;
+        const IntersectResult result = intersect(x, RationalPatch(plane(normal, 1 + off)));
+        CHECK(pole_of(result.graph) == nullptr);
+        if (digits <= 6) CHECK(result.status == Status::complete);
+      }
+}
+
+TEST_CASE("intersect_at_pole: arcs keep the tolerance that is asked for, and have the same nodes") {
+  const IntersectResult result =
+      intersect(RationalPatch(octant(), kWeights), RationalPatch(plane({1, -1, Rational(1, 3)}, 1)));
+  std::size_t vertices = 0;
+  for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+    const IntersectResult drawn = redrawn(result, {.tolerance = tolerance});
+    REQUIRE(drawn.status == Status::complete);
+    CHECK(!drawn.coarse);
+    CHECK(difference(result.graph, drawn.graph, {}) == "");
+    CHECK(drawn.graph.arcs[0].polyline.size() > vertices);
+    vertices = drawn.graph.arcs[0].polyline.size();
+  }
+}
+
+}  // namespace exsect::intersect_at_pole_test
