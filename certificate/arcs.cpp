@@ -12,12 +12,14 @@
 namespace exsect::cli {
 namespace {
 
-/// exact(numbers) as text.
+/// Appends exact(numbers) without brackets.
 template <class Numbers>
-std::string exact_text(const Numbers& numbers) {
-  std::string result;
-  for (const double a : numbers) result.append(result.empty() ? "[\"" : ",\"").append(exact_number(a)) += '"';
-  return result + "]";
+void append_numbers(std::string& list, const Numbers& numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    list += i == 0 ? "\"" : ",\"";
+    append_number(list, numbers[i]);
+    list += '"';
+  }
 }
 
 class ArcWriter {
@@ -34,14 +36,19 @@ class ArcWriter {
     for (std::size_t i = 0; i < traced.points.size(); ++i) {
       const TracedPoint& p = traced.points[i];
       list += i == 0 ? "[" : ",";
-      list += i == 0                          ? compact_text(d_.place_claims[from])
-              : i + 1 == traced.points.size() ? compact_text(d_.place_claims[to])
-                                              : exact_text(p.at);
+      if (i == 0 || i + 1 == traced.points.size()) {
+        list += compact_text(d_.place_claims[i == 0 ? from : to]);
+      } else {
+        list += '[';
+        append_numbers(list, p.at);
+        list += ']';
+      }
       // Where the point of space stays, a polyline has no edges.
       const std::size_t vertex = stays ? 0 : static_cast<std::size_t>(p.vertex);
       if (!stays && p.vertex < 0) continue;
       list.back() = ',';
-      list += exact_text(a.polyline[vertex].point).substr(1);
+      append_numbers(list, a.polyline[vertex].point);
+      list += ']';
     }
     Json pieces = Json::array();
     for (const TracedPiece& p : traced.pieces) pieces.push_back({p.tube, p.last});

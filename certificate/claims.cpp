@@ -1,8 +1,10 @@
 #include "certificate/claims.h"
 
 #include <exsect/geometry/number.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace exsect::cli {
@@ -33,7 +35,8 @@ void append(const Json& json, std::string& text) {
     }
     text += json.empty() ? "[]" : "]";
   } else if (json.is_binary()) {
-    text.append(json.get_binary().begin(), json.get_binary().end());
+    const auto& bytes = json.get_binary();
+    text.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   } else if (const auto* word = json.get_ptr<const std::string*>();
              word && std::all_of(word->begin(), word->end(), is_plain)) {
     text.append("\"").append(*word).append("\"");
@@ -59,14 +62,34 @@ Json sealed(const std::string& place, Json claim) {
   return claim;
 }
 
+namespace {
+
+void append_integer(std::string& text, std::int64_t n) {
+  const fmt::format_int digits(n);
+  text.append(digits.data(), digits.size());
+}
+
+}  // namespace
+
+void append_number(std::string& text, double a) {
+  if (a == 0 || !(std::abs(a) < 0x1p53)) {
+    text += to_string(from_double(a));
+    return;
+  }
+  int exponent = 0;  // a = p 2^(exponent - 53); with q = 2^halvings, p/q in lowest terms
+  const auto p = static_cast<std::int64_t>(std::ldexp(std::frexp(a, &exponent), 53));
+  const int even = std::min(53 - exponent, std::countr_zero(static_cast<std::uint64_t>(p)));
+  const int halvings = 53 - exponent - even;
+  append_integer(text, p >> even);
+  if (halvings == 0) return;
+  text += halvings < 8 ? "/" : "/2^";
+  append_integer(text, halvings < 8 ? 1 << halvings : halvings);
+}
+
 std::string exact_number(double a) {
-  if (a == 0 || !(std::abs(a) < 0x1p53)) return to_string(from_double(a));
-  int exponent = 0;  // a = p 2^exponent, p odd or the exponent 0
-  auto p = static_cast<std::int64_t>(std::ldexp(std::frexp(a, &exponent), 53));
-  for (exponent -= 53; exponent < 0 && p % 2 == 0; ++exponent) p /= 2;
-  if (exponent == 0) return std::to_string(p);
-  return std::to_string(p) +
-         (exponent > -8 ? "/" + std::to_string(1 << -exponent) : "/2^" + std::to_string(-exponent));
+  std::string result;
+  append_number(result, a);
+  return result;
 }
 
 Json exact_numbers(const std::vector<double>& numbers) {

@@ -22,6 +22,8 @@ Json verbatim(const std::string& text);
 Json sealed(const std::string& place, Json claim);
 /// The rational that a finite double is, p/q or p/2^n.
 std::string exact_number(double a);
+/// The same after the text.
+void append_number(std::string& text, double a);
 /// The same of each.
 Json exact_numbers(const std::vector<double>& numbers);
 template <class Numbers>

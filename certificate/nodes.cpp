@@ -14,9 +14,9 @@ namespace {
 
 /// The place of a node in doubles, or exactly where several sides are to follow from it.
 Json place_claim(const Draft& d, const Node& n, const Parameters& w) {
+  if (n.on.size() < 2) return exact(w);
   const std::array<Rational, 4> at = short_place(n);
-  const bool solves = n.on.size() > 1 && is_solution(d.exact, at);
-  return solves ? rationals(at) : exact(w);
+  return is_solution(d.exact, at) ? rationals(at) : exact(w);
 }
 
 bool is_cusp(const Node& n) { return n.on.empty() && n.wrt.empty(); }
