@@ -2,7 +2,7 @@
 
 // The subdivision of [0,1]^4 into cells without solutions and cells in tubes.
 #include <exsect/checker/factors.h>
-#include <fmt/format.h>
+#include <fmt/compile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,15 +68,18 @@ struct Cell {
   std::optional<checker::SectionNet<double>> section = {};  // F_1 of an equation, instead of nets
 };
 
-Cell half_of(const Cell& cell, std::size_t parameter, bool upper) {
-  Cell result = cell;
-  if (result.section)
-    result.section->halve(parameter, upper);
+/// The cell becomes its upper half; the lower one.
+Cell split(Cell& cell, std::size_t parameter) {
+  cell.half[parameter] /= 2;
+  Cell lower = cell;
+  lower.middle[parameter] -= cell.half[parameter];
+  cell.middle[parameter] += cell.half[parameter];
+  const std::size_t patch = parameter / 2;
+  if (cell.section)
+    lower.section = cell.section->split(parameter);
   else
-    result.nets[parameter / 2].halve(parameter % 2, upper);
-  result.half[parameter] /= 2;
-  result.middle[parameter] += (upper ? 1 : -1) * result.half[parameter];
-  return result;
+    lower.nets[patch] = cell.nets[patch].split(parameter % 2);
+  return lower;
 }
 
 /// The part of the cell where the parameter has the value, in [0,1].
@@ -92,8 +95,8 @@ Cell on_line(Cell cell, std::size_t parameter, double t) {
 std::string separating(const std::array<int, 3>& direction, double least, double most) {
   const auto& [x, y, z] = direction;
   const double margin = 1e-11 + 1e-14 * (std::abs(double(x)) + std::abs(double(y)) + std::abs(double(z)));
-  if (least > margin) return fmt::format("{},{},{}", x, y, z);
-  if (-most > margin) return fmt::format("{},{},{}", -x, -y, -z);
+  if (least > margin) return fmt::format(FMT_COMPILE("{},{},{}"), x, y, z);
+  if (-most > margin) return fmt::format(FMT_COMPILE("{},{},{}"), -x, -y, -z);
   return "";
 }
 /// Of two patches: w_x w_y (n . x - n . y) is beyond all points of both hulls.
@@ -132,8 +135,9 @@ class Cover {
     if (depth > 150 || entries_.size() > max_entries) throw NoCertificate("a subdivision that does not end");
     const std::size_t parameter = longest(cell, hulls);
     entries_.emplace_back(1, "uvrs"[parameter]);
-    add(half_of(cell, parameter, false), meeting, depth + 1);
-    add(half_of(cell, parameter, true), meeting, depth + 1);
+    Cell upper = cell;
+    add(split(upper, parameter), meeting, depth + 1);
+    add(upper, meeting, depth + 1);
   }
 
   std::vector<std::string> entries_;

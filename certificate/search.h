@@ -65,7 +65,7 @@ Tube tube_at(const Equation& equation, const Parameters& w, std::size_t axis, Tu
 checker::CurveBounds<double> bounds_in(const Map& map, const Tube& tube);
 /// The map with the errors that the check has in doubles.
 checker::Map<checker::Enclosure> in_enclosures(const Map& map);
-/// T of all places within `near` of w, and for long maps with the errors of the check in doubles.
+/// T of all places within `near` of w, with the errors of the check in doubles.
 checker::Box<double> tangent_near(const Map& map, const Parameters& w, double near);
 /// A bound for the distance from w to the curve.
 double distance(const Map& map, const Tube& tube, const Parameters& w);

@@ -64,7 +64,8 @@ class ErrorBound {
       most_ = larger(most_, steps->distance);
       for (std::size_t i = 0; i < 4; ++i)
         if (open[i]) signs[i] = j == 0 || signs[i] == steps->signs[i] ? steps->signs[i] : 0;
-      together_ += 1 + together_ / 4;
+      if (last == j + together_ && 10 * steps->distance < 9 * arc_.error_bound)
+        together_ += 1 + together_ / 4;
       j = last;
     }
     return signs;

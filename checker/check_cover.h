@@ -55,7 +55,9 @@ class Cover {
       throw Rejected("$.cover", "the subdivision is not complete", Violation::cover);
     const Cell& cell = certificate_.cover[next_++];
     if (cell.kind == Kind::split) {
-      for (const bool upper : {false, true}) check(half_of(region, cell, upper));
+      Region upper = region;
+      check(split(upper, cell));
+      check(upper);
     } else {
       leaf(cell, region);
     }
@@ -108,19 +110,22 @@ class Cover {
     return box;
   }
 
-  /// The lower or upper half of the region.
-  Region half_of(const Region& region, const Cell& cell, bool upper) const {
-    const auto box = [&] {
+  /// The region becomes its upper half; the lower one.
+  Region split(Region& region, const Cell& cell) const {
+    Region lower = region;
+    const auto boxes = [&] {
       require(!certificate_.fixed || certificate_.fixed->parameter != cell.index,
               "halved in the fixed parameter");
-      return checker::half_of(region.box, cell.index, upper);
+      lower.box = half_of(region.box, cell.index, false);
+      region.box = half_of(region.box, cell.index, true);
     };
-    Region result = {region.nets, replayed("$.cover", cell.row, box, Violation::cover), region.section};
-    if (result.section)
-      result.section->halve(cell.index, upper);
+    replayed("$.cover", cell.row, boxes, Violation::cover);
+    const std::size_t patch = cell.index / 2;
+    if (region.section)
+      lower.section = region.section->split(cell.index);
     else
-      result.nets[cell.index / 2].halve(cell.index % 2, upper);
-    return result;
+      lower.nets[patch] = region.nets[patch].split(cell.index % 2);
+    return lower;
   }
 
   template <std::size_t dimension, std::size_t most>

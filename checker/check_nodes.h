@@ -62,7 +62,7 @@ class NodeCheck {
   /// The component of the tube's map is monotone in w_i.
   bool monotone(const ProvedTube<N>& tube, std::size_t d, std::size_t i) const {
     const Map<N> local = tube.map.at(tube.claim.centre);
-    return Derivatives(local, tube.claim.extent()).first(i)[d].sign() != 0;
+    return Ranges(local, tube.claim.extent()).first(i)[d].sign() != 0;
   }
 
   /// The axis is one of the sides; another one follows if a component of the map is monotone in its parameter

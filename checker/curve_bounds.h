@@ -71,7 +71,7 @@ struct Tube : MapName {
 
 /// Row sums of |C D'F - 1| over a box, D' without the column k, from the derivatives of C F.
 template <class N>
-Vector3<N> defects(const Derivatives<N>& over, std::size_t axis) {
+Vector3<N> defects(const Ranges<N>& over, std::size_t axis) {
   Vector3<N> row = {};
   for (std::size_t j = 0; j < 3; ++j) {
     Balls<N> column = over.first(others(axis)[j]);
@@ -95,7 +95,7 @@ Vector3<N> contraction(const Tube<N>& tube, const Map<N>& local) {
     if (p.size() <= m) p.resize(m + 1);
     for (std::size_t d = 0; d < 3; ++d) p[m][d] += factor * term.c[d];
   }
-  const Vector3<N> e = defects(Derivatives(local, tube.extent()), tube.axis);
+  const Vector3<N> e = defects(Ranges(local, tube.extent()), tube.axis);
   Vector3<N> result;
   for (std::size_t d = 0; d < 3; ++d) {
     N f = 0;
@@ -117,7 +117,7 @@ struct CurveBounds {
 template <class N>
 CurveBounds<N> curve_bounds(const Map<N>& local, std::size_t axis, const Vector4<N>& h) {
   CurveBounds<N> result{};
-  const Derivatives over(local, h);
+  const Ranges over(local, h);
   const Vector3<N> row = defects(over, axis);
   for (const N& r : row) result.defect = larger(result.defect, r);
   if (!(result.defect < 1)) return result;

@@ -32,12 +32,6 @@ class Enclosure {
   Enclosure(const Rational& q, const Rational& radius) : Enclosure(q) {
     if (radius != 0) *this = rounded(value_, error_ + to_double(radius));
   }
-  /// The integer n.
-  static Enclosure whole(std::int64_t n) {
-    constexpr std::int64_t exact = std::int64_t{1} << 53;
-    const auto value = static_cast<double>(n);
-    return n >= -exact && n <= exact ? Enclosure(value, 0) : rounded(value, 0);
-  }
 
   /// A double that is at least the number; infinite if none is known.
   double above() const { return std::nextafter(value_ + error_, std::numeric_limits<double>::infinity()); }

@@ -30,7 +30,7 @@ inline void check_factor(const Map<Rational>& exact, const Factor& factor) {
 template <class N>
 bool independent(const std::array<Map<N>, 3>& columns, const Box<N>& box) {
   std::array<Balls<N>, 3> c;
-  for (std::size_t j = 0; j < 3; ++j) c[j] = Derivatives(columns[j].at(middles(box)), radii(box)).over({});
+  for (std::size_t j = 0; j < 3; ++j) c[j] = Ranges(columns[j].at(middles(box)), radii(box)).value();
   const Balls<N> normal = cross(c[0], c[1]);
   for (std::size_t d = 0; columns[2].terms().empty() && d < 3; ++d)
     c[2][d] = N(approximate(normal[d].middle));  // any vector will do
@@ -81,7 +81,7 @@ template <class N>
 std::array<bool, 4> constant_in(const Map<Rational>& map, const Box<N>& box) {
   std::array<bool, 4> result = {};
   const Map<N> local = rounded<N>(map).at(middles(box));
-  const Derivatives over(local, radii(box));
+  const Ranges over(local, radii(box));
   for (std::size_t n = 0; n < 64; ++n) {
     const std::size_t i = n % 4;
     const std::size_t d = n / 4 % 3;

@@ -32,16 +32,6 @@ template <class N>
 const N& smaller(const N& a, const N& b) {
   return b < a ? b : a;
 }
-/// The integer n.
-template <class N>
-N whole(std::int64_t n) {
-  if constexpr (std::is_same_v<N, Enclosure>)
-    return Enclosure::whole(n);
-  else if constexpr (std::is_same_v<N, double>)
-    return static_cast<double>(n);
-  else
-    return N(Rational(n));
-}
 /// -1, 0, 1.
 template <class N>
 int sign_of(const N& a) {
@@ -213,49 +203,35 @@ class Map {
   std::vector<Term> terms_;
 };
 
-/// The derivatives of a map over the box |dw_i| <= h_i.
+/// The ranges of a map and its derivatives over the box |dw_i| <= h_i. The map outlives it.
 template <class N>
-class Derivatives {
+class Ranges {
  public:
-  Derivatives(const Map<N>& map, const Vector4<N>& h) : map_(map), size_(map.monomials_at(h)) {}
+  Ranges(const Map<N>& map, const Vector4<N>& h) : terms_(map.terms()), size_(map.monomials_at(h)) {}
 
-  /// a_i times to w_i.
-  Balls<N> over(const Power& a) const {
-    Balls<N> result;
-    for (std::size_t i = 0; i < size_.size(); ++i) {
-      std::int64_t factor = 1;
-      const int rest = divided(static_cast<int>(i), a, factor);
-      if (rest < 0) continue;
-      const Vector3<N>& c = map_.terms()[i].c;
-      N size = size_[static_cast<std::size_t>(rest)];
-      if (factor != 1) size = whole<N>(factor) * size;
-      for (std::size_t d = 0; d < 3; ++d) {
-        if (rest == 0)
-          result[d].middle = size * c[d];
-        else
-          add_multiple(result[d].radius, size, checker::magnitude(c[d]));
-      }
-    }
-    return result;
+  Balls<N> value() const {
+    return sum_over([](std::size_t i) { return Part{static_cast<int>(i), 1}; });
   }
-  /// With respect to w_j.
+  /// Of dF/dw_j.
   Balls<N> first(std::size_t j) const {
-    Power a = {};
-    a[j] = 1;
-    return over(a);
+    return sum_over([&](std::size_t i) { return Part{terms_[i].lower[j], terms_[i].power[j]}; });
   }
-  /// The second derivative along vectors in the box t.
+  /// Of the second derivative along vectors in the box t.
   Balls<N> second(const Box<N>& t) const {
     Balls<N> sum;
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i; j < 4; ++j) {
-        Power a = {};
-        ++a[i];
-        ++a[j];
-        if (!has(a)) continue;
-        const Ball<N> square = t[i] * t[j];
-        const Ball<N> factor = i == j ? square : square + square;
-        const Balls<N> entry = over(a);
+    for (std::size_t j = 0; j < 4; ++j) {
+      for (std::size_t k = j; k < 4; ++k) {
+        bool any = false;
+        const Balls<N> entry = sum_over([&](std::size_t i) {
+          const Term& term = terms_[i];
+          if (term.lower[j] < 0) return Part{-1, 0};
+          const Term& lower = terms_[static_cast<std::size_t>(term.lower[j])];
+          any = any || lower.lower[k] >= 0;
+          return Part{lower.lower[k], term.power[j] * lower.power[k]};
+        });
+        if (!any) continue;
+        const Ball<N> square = t[j] * t[k];
+        const Ball<N> factor = j == k ? square : square + square;
         for (std::size_t d = 0; d < 3; ++d) sum[d] = sum[d] + entry[d] * factor;
       }
     }
@@ -263,26 +239,33 @@ class Derivatives {
   }
 
  private:
-  bool has(const Power& a) const {
-    return std::any_of(map_.terms().begin(), map_.terms().end(),
-                       [&](const auto& term) { return term.power == a; });
-  }
-  /// The term that has the monomial of term i divided by that of a, -1 if there is none; `factor` is
-  /// multiplied by that of the derivative: exactly, as products of exponents may leave 64 bits.
-  int divided(int i, const Power& a, std::int64_t& factor) const {
-    const auto& terms = map_.terms();
-    for (std::size_t j = 0; j < 4; ++j) {
-      for (int n = 0; n < a[j]; ++n) {
-        const auto& [power, c, lower] = terms[static_cast<std::size_t>(i)];
-        require(!__builtin_mul_overflow(factor, power[j], &factor), "the exponents of a map are too large");
-        i = lower[j];
-        if (i < 0) return -1;
+  using Term = typename Map<N>::Term;
+  /// The derivative of a monomial: factor times that of another term; 0 where this is -1.
+  struct Part {
+    int term;
+    int factor;
+  };
+
+  /// The sum of the terms with their monomials' derivatives; that of a constant is no radius.
+  template <class PartOf>
+  Balls<N> sum_over(const PartOf& part_of) const {
+    Balls<N> result;
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      const auto [term, factor] = part_of(i);
+      if (term < 0) continue;
+      N size = size_[static_cast<std::size_t>(term)];
+      if (factor != 1) size = N(factor) * size;
+      for (std::size_t d = 0; d < 3; ++d) {
+        if (term == 0)
+          result[d].middle = size * terms_[i].c[d];
+        else
+          add_multiple(result[d].radius, size, checker::magnitude(terms_[i].c[d]));
       }
     }
-    return i;
+    return result;
   }
 
-  const Map<N>& map_;
+  const std::vector<Term>& terms_;
   std::vector<N> size_;  // of all monomials
 };
 
@@ -320,14 +303,14 @@ Map<N> pair_map(const WeightedNet<N>& x, const WeightedNet<N>& y) {
 /// The range of n . F over |dw_i| <= h_i.
 template <class N>
 Ball<N> along(const Vector3<N>& n, const Map<N>& map, const Vector4<N>& h) {
-  return Derivatives(map.times({n, {}, {}}), h).over({})[0];
+  return Ranges(map.times({n, {}, {}}), h).value()[0];
 }
 
 /// T over |dw_i| <= h_i: T_k is (-1)^k times the determinant of the columns of DF other than k, and T_i / T_k
 /// is the derivative of w_i with respect to w_k along the curve.
 template <class N>
 Box<N> tangent(const Map<N>& local, const Vector4<N>& h) {
-  const Derivatives over(local, h);
+  const Ranges over(local, h);
   const std::array<Balls<N>, 4> column = {over.first(0), over.first(1), over.first(2), over.first(3)};
   Box<N> result;
   for (std::size_t k = 0; k < 4; ++k) {

@@ -49,17 +49,19 @@ class Grid {
       for (std::size_t d = 0; d < dimension; ++d) use([&](std::size_t k) -> N& { return along(p, k, i)[d]; });
   }
 
-  /// That on the half 0 <= t <= 1/2 or 1/2 <= t <= 1 of p, by de Casteljau's algorithm.
-  void halve(std::size_t p, bool upper) {
-    const std::size_t m = degrees_[p];
-    each_line(p, [&](const auto& at) {
-      for (std::size_t level = 1; level <= m; ++level) {
-        if (upper)
-          for (std::size_t k = 0; k + level <= m; ++k) at(k) = half(N(at(k) + at(k + 1)));
-        else
-          for (std::size_t k = m; k >= level; --k) at(k) = half(N(at(k - 1) + at(k)));
+  /// Becomes that on the half 1/2 <= t <= 1 of p and returns that on 0 <= t <= 1/2, by de Casteljau's
+  /// algorithm.
+  Grid split(std::size_t p) {
+    Grid lower = *this;
+    for (std::size_t i = 0; i <= degrees_[1 - p]; ++i) {
+      for (std::size_t level = 1; level <= degrees_[p]; ++level) {
+        for (std::size_t k = 0; k + level <= degrees_[p]; ++k)
+          for (std::size_t d = 0; d < dimension; ++d)
+            along(p, k, i)[d] = half(N(along(p, k, i)[d] + along(p, k + 1, i)[d]));
+        lower.along(p, level, i) = along(p, 0, i);
       }
-    });
+    }
+    return lower;
   }
   /// That where p is t: of degree 0 in p.
   void restrict_to(std::size_t p, const N& t) {
@@ -127,10 +129,8 @@ struct WeightedNet {
   const N& weight(std::size_t i, std::size_t j) const {
     return weights[std::min(i, weights.degree(0))][std::min(j, weights.degree(1))][0];
   }
-  void halve(std::size_t p, bool upper) {
-    points.halve(p, upper);
-    weights.halve(p, upper);
-  }
+  /// As of a grid.
+  WeightedNet split(std::size_t p) { return {points.split(p), weights.split(p)}; }
   void restrict_to(std::size_t p, const N& t) {
     points.restrict_to(p, t);
     weights.restrict_to(p, t);

@@ -133,12 +133,12 @@ class DividedOver {
   DividedOver(const Divided<N>& maps, const Box<N>& pairs)
       : DividedOver(Box<N>{pairs[0], pairs[1], square(pairs[2]), square(pairs[3])}, maps) {}
 
-  Balls<N> q() const { return Derivatives(q_, half_).over({}); }
+  Balls<N> q() const { return Ranges(q_, half_).value(); }
   /// R = P + m Q, the coefficients added up first.
   Balls<N> r(const N& m) const {
     Map<N> sum = p_;
     sum.add(q_, m);
-    return Derivatives(sum, half_).over({});
+    return Ranges(sum, half_).value();
   }
 
  private:

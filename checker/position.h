@@ -36,10 +36,10 @@ struct Position {
   PositionBounds<N> bounds(const Vector4<N>& middle, const Vector4<N>& half, const Box<N>& first,
                            const Box<N>& second) const {
     const Map<N> local = points.at(middle);
-    const Derivatives over(local, half);
+    const Ranges over(local, half);
     PositionBounds<N> result = {{}, over.second(first)};
     for (std::size_t i = 0; i < 4; ++i) result.partial[i] = over.first(i);
-    if (weight) divide(result, over.over({}), Derivatives(weight->at(middle), half), first);
+    if (weight) divide(result, over.value(), Ranges(weight->at(middle), half), first);
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t d = 0; d < 3; ++d)
         result.second[d] = result.second[d] + result.partial[i][d] * second[i];
@@ -48,9 +48,8 @@ struct Position {
 
  private:
   /// From the derivatives of X to those of the quotient, without the curve's second derivative.
-  static void divide(PositionBounds<N>& result, const Balls<N>& x, const Derivatives<N>& weight,
-                     const Box<N>& t) {
-    const Ball<N> w = weight.over({})[0];
+  static void divide(PositionBounds<N>& result, const Balls<N>& x, const Ranges<N>& weight, const Box<N>& t) {
+    const Ball<N> w = weight.value()[0];
     require(w.sign() > 0, "a denominator that may be 0");
     Box<N> slope;
     Ball<N> along;

@@ -31,10 +31,9 @@ inline void require_positive(const Grid<Rational, 1>& weights) {
     for (const std::size_t i : {std::size_t{0}, m})
       for (const std::size_t j : {std::size_t{0}, n})
         require(part.weights[i][j][0] > 0, "its denominator is not positive in the square");
-    for (const bool upper : {false, true}) {
-      waiting.push_back({part.weights, 1 - part.parameter});
-      waiting.back().weights.halve(part.parameter, upper);
-    }
+    const std::size_t next = 1 - part.parameter;
+    waiting.push_back({part.weights.split(part.parameter), next});
+    waiting.push_back({part.weights, next});
   }
 }
 

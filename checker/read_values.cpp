@@ -33,22 +33,39 @@ std::optional<NumberParts> parts(std::string_view text) {
   return valid ? std::optional(result) : std::nullopt;
 }
 
-std::int64_t small(std::string_view digits) {
+/// Takes the character off if the text begins with it.
+bool skip(std::string_view& text, char c) {
+  const bool there = !text.empty() && text[0] == c;
+  if (there) text.remove_prefix(1);
+  return there;
+}
+/// Takes off a positive integer without leading zeros, of so many digits at most; 0 if there is none.
+std::int64_t skip_positive(std::string_view& text, std::size_t most) {
   std::int64_t n = 0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), n);
+  std::size_t length = 0;
+  for (; length < text.size() && text[length] >= '0' && text[length] <= '9'; ++length) {
+    if (length == most || text[0] == '0') return 0;
+    n = 10 * n + (text[length] - '0');
+  }
+  text.remove_prefix(length);
   return n;
 }
 
-/// The double that the number is, if this is easy to see: p odd, of 16 characters at most, q a power of 2.
-std::optional<double> short_number(const NumberParts& parts) {
-  if (parts.p.size() > 16 || parts.q.size() > 3) return std::nullopt;
-  const std::int64_t p = small(parts.p);
-  const std::int64_t q = small(parts.q);
-  if (std::abs(p) > std::int64_t{1} << 53) return std::nullopt;
-  if (parts.q.empty()) return static_cast<double>(p);
-  if (p % 2 == 0 || (!parts.power && (q & (q - 1)) != 0)) return std::nullopt;
-  return parts.power ? std::ldexp(static_cast<double>(p), -static_cast<int>(q))
-                     : static_cast<double>(p) / static_cast<double>(q);
+/// The double that the number is, if this is easy to see: p odd, of 16 digits at most, q a power of 2.
+std::optional<double> short_number(std::string_view text) {
+  if (text == "0") return 0.0;
+  const double sign = skip(text, '-') ? -1 : 1;
+  const std::int64_t p = skip_positive(text, 16);
+  if (p == 0 || p > std::int64_t{1} << 53) return std::nullopt;
+  const double value = sign * static_cast<double>(p);
+  if (text.empty()) return value;
+  if (p % 2 == 0 || !skip(text, '/')) return std::nullopt;
+  std::int64_t q = skip_positive(text, 3);
+  const bool power = q == 2 && skip(text, '^');
+  if (power) q = skip_positive(text, 3);
+  if (q == 0 || !text.empty()) return std::nullopt;
+  if (power) return std::ldexp(value, -static_cast<int>(q));
+  return q > 1 && (q & (q - 1)) == 0 ? std::optional(value / static_cast<double>(q)) : std::nullopt;
 }
 
 }  // namespace
@@ -69,6 +86,18 @@ Rational number_of(std::string_view text) {
   throw std::invalid_argument("must be p/q in lowest terms, p/2^n with p odd, or p");
 }
 
+namespace {
+
+Rational required_number(std::string_view text) {
+  try {
+    return number_of(text);
+  } catch (const std::invalid_argument& error) {
+    throw Failed(error.what());
+  }
+}
+
+}  // namespace
+
 void read(Reader& in, std::size_t& n) { n = in.count(); }
 void read(Reader& in, int& n) {
   const std::size_t count = in.count();
@@ -76,23 +105,11 @@ void read(Reader& in, int& n) {
   n = static_cast<int>(count);
 }
 void read(Reader& in, std::string& text) { text = in.string(); }
-void read(Reader& in, Rational& q) {
-  try {
-    q = number_of(in.string());
-  } catch (const std::invalid_argument& error) {
-    throw Failed(error.what());
-  }
-}
+void read(Reader& in, Rational& q) { q = required_number(in.string()); }
 void read(Reader& in, Enclosure& a) {
-  Reader again = in.again(in.position());
-  const std::optional<NumberParts> found = parts(in.string());
-  if (const auto exact = found ? short_number(*found) : std::nullopt) {
-    a = Enclosure(*exact);
-    return;
-  }
-  Rational q;
-  read(again, q);
-  a = Enclosure(q);
+  const std::string_view text = in.string();
+  const std::optional<double> exact = short_number(text);
+  a = exact ? Enclosure(*exact) : Enclosure(required_number(text));
 }
 
 }  // namespace exsect::checker

@@ -81,11 +81,14 @@ class Reader {
 
   std::string_view string() {
     take('"', "must be a string");
-    const std::size_t begin = at_;
-    while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
-    require(at_ < text_.size(), "must end");
-    const std::string_view result = text_.substr(begin, at_ - begin);
+    const std::string_view rest = text_.substr(at_);
+    std::size_t length = std::min(rest.find('"'), rest.size());
+    if (rest.substr(0, length).find('\\') != std::string_view::npos)
+      for (length = 0; length < rest.size() && rest[length] != '"';) length += rest[length] == '\\' ? 2 : 1;
+    require(length < rest.size(), "must end");
+    const std::string_view result = rest.substr(0, length);
     hash_ = hash(result, hash_);
+    at_ += length;
     take('"', "");
     return result;
   }

@@ -80,17 +80,15 @@ TEST_CASE("Taylor coefficients at another point are those of the same map") {
   }
 }
 
-TEST_CASE("derivatives over a box are the sums of their terms") {
+TEST_CASE("ranges over a box are the sums of their terms") {
   Generator generator(58);
   INFO("seed 58");
   const Place half = {Rational(1, 3), Rational(2, 5), 0, Rational(1, 7)};
   for (int i = 0; i < 30; ++i) {
     INFO(i);
     const Map map = random_map(generator, i % 6);
-    const checker::Derivatives over(map, half);
-    for (const checker::Power& a :
-         {checker::Power{}, {1, 0, 0, 0}, {0, 1, 1, 0}, {0, 0, 0, 2}, {2, 0, 1, 3}, {0, 5, 0, 0}})
-      CHECK(equal(over.over(a), derivative(map, a, half)));
+    const checker::Ranges over(map, half);
+    CHECK(equal(over.value(), derivative(map, {}, half)));
     checker::Box<Rational> t;
     for (auto& ball : t) ball = {some(generator), abs(some(generator))};
     checker::Balls<Rational> second;

@@ -42,14 +42,12 @@ TEST_CASE("halves, lines and powers of nets of every bidegree") {
     for (int n = 1; n <= 3; ++n) {
       INFO("bidegree " << m << "," << n);
       const RationalPatch patch = random_nets::scattered(generator, {m, n, 1, 1}).first();
-      for (const bool upper : {false, true}) {
-        Net<Rational> u = net_of(patch);
-        u.halve(0, upper);
-        CHECK(equal(u, net_of(patch.restricted_to(upper ? half : 0, upper ? 1 : half, 0, 1))));
-        Net<Rational> v = net_of(patch);
-        v.halve(1, upper);
-        CHECK(equal(v, net_of(patch.restricted_to(0, 1, upper ? half : 0, upper ? 1 : half))));
-      }
+      Net<Rational> upper = net_of(patch);
+      CHECK(equal(upper.split(0), net_of(patch.restricted_to(0, half, 0, 1))));
+      CHECK(equal(upper, net_of(patch.restricted_to(half, 1, 0, 1))));
+      upper = net_of(patch);
+      CHECK(equal(upper.split(1), net_of(patch.restricted_to(0, 1, 0, half))));
+      CHECK(equal(upper, net_of(patch.restricted_to(0, 1, half, 1))));
       Net<Rational> powers = net_of(patch);
       powers.to_powers();
       for (const Rational& t : {Rational(0), Rational(1, 3), Rational(1), Rational(-2)})

@@ -61,8 +61,8 @@ TEST_CASE("sections of patches of every kind are those of the solver") {
     const std::size_t last[] = {net.degree(0), net.degree(1)};
     CHECK(net[0][0][0] == at(0, 0));
     CHECK(net[last[0]][last[1]][0] == at(1, 1));
-    net.halve(0, false);
-    net.halve(1, true);
+    net = net.split(0);
+    net.split(1);
     CHECK(net[last[0]][0][0] == at(Rational(1, 2), Rational(1, 2)));
     CHECK(net[0][last[1]][0] == at(0, 1));
   }
