@@ -37,6 +37,45 @@ bool is_same_point(const ParameterBox& a, const ParameterBox& b) {
   });
 }
 
+/// `graph` holds the pairs of parameters at which a patch meets itself, in one order, as `itself` found them:
+/// those in the other order are added. A cuspidal point has equal parameters: there the two orders of a curve
+/// meet, inside the overlap, as do the two orders of the pairs of a fold. A side that is one point, with free
+/// parameters, meets its rim.
+void add_other_order(GraphBuilder& graph, const IntersectResult& itself) {
+  using enum Parameter;
+  IntersectResult mirrored = itself;
+  rename_parameters(mirrored, {r, s, u, v});
+  std::vector<int> mirror;
+  for (Node& copy : mirrored.graph.nodes) {
+    const std::vector<Node>& nodes = graph.nodes();
+    if (std::ranges::count(copy.kinds, NodeKind::cusp) > 0 || !copy.free.empty()) {
+      graph.add_kind(copy.id, NodeKind::end_of_overlap);
+      mirror.push_back(copy.id);
+    } else if (const auto known = std::ranges::find_if(
+                   nodes, [&](const Node& node) { return is_same_point(node.box, copy.box); });
+               known != nodes.end()) {
+      mirror.push_back(known->id);
+    } else {
+      mirror.push_back(graph.add_node(std::move(copy)));
+    }
+  }
+  const auto mirrored_id = [&](int id) { return mirror[static_cast<std::size_t>(id)]; };
+  for (Arc& arc : mirrored.graph.arcs) {
+    arc.from = mirrored_id(arc.from);
+    arc.to = mirrored_id(arc.to);
+    graph.add_arc(std::move(arc));
+  }
+  for (Overlap& overlap : mirrored.graph.overlaps) {
+    for (Arc& arc : overlap.chains.front()) {
+      arc.from = mirrored_id(arc.from);
+      arc.to = mirrored_id(arc.to);
+    }
+    graph.add_overlap(std::move(overlap.chains));
+  }
+  for (const int id : mirrored.graph.isolated_points)
+    if (mirrored_id(id) != id) graph.add_isolated(mirrored_id(id));
+}
+
 class ItselfBuilder {
  public:
   ItselfBuilder(const BezierPatch& x, const Run& run)
@@ -83,43 +122,6 @@ class ItselfBuilder {
 };
 
 }  // namespace
-
-// A cuspidal point has equal parameters: there the two orders of a curve meet, inside the overlap, as do the
-// two orders of the pairs of a fold. A side that is one point, with free parameters, meets its rim.
-void add_other_order(GraphBuilder& graph, const IntersectResult& itself) {
-  using enum Parameter;
-  IntersectResult mirrored = itself;
-  rename_parameters(mirrored, {r, s, u, v});
-  std::vector<int> mirror;
-  for (Node& copy : mirrored.graph.nodes) {
-    const std::vector<Node>& nodes = graph.nodes();
-    if (std::ranges::count(copy.kinds, NodeKind::cusp) > 0 || !copy.free.empty()) {
-      graph.add_kind(copy.id, NodeKind::end_of_overlap);
-      mirror.push_back(copy.id);
-    } else if (const auto known = std::ranges::find_if(
-                   nodes, [&](const Node& node) { return is_same_point(node.box, copy.box); });
-               known != nodes.end()) {
-      mirror.push_back(known->id);
-    } else {
-      mirror.push_back(graph.add_node(std::move(copy)));
-    }
-  }
-  const auto mirrored_id = [&](int id) { return mirror[static_cast<std::size_t>(id)]; };
-  for (Arc& arc : mirrored.graph.arcs) {
-    arc.from = mirrored_id(arc.from);
-    arc.to = mirrored_id(arc.to);
-    graph.add_arc(std::move(arc));
-  }
-  for (Overlap& overlap : mirrored.graph.overlaps) {
-    for (Arc& arc : overlap.chains.front()) {
-      arc.from = mirrored_id(arc.from);
-      arc.to = mirrored_id(arc.to);
-    }
-    graph.add_overlap(std::move(overlap.chains));
-  }
-  for (const int id : mirrored.graph.isolated_points)
-    if (mirrored_id(id) != id) graph.add_isolated(mirrored_id(id));
-}
 
 std::optional<IntersectResult> intersect_identical(const BezierPatch& x, const BezierPatch& y,
                                                    const Run& run) {

@@ -5,7 +5,6 @@
 
 #include <optional>
 
-#include "answer/graph_builder.h"
 #include "answer/run.h"
 
 namespace exsect {
@@ -15,9 +14,5 @@ namespace exsect {
 /// plane.
 std::optional<IntersectResult> intersect_identical(const BezierPatch& x, const BezierPatch& y,
                                                    const Run& run);
-
-/// `graph` holds the pairs of parameters at which a patch meets itself, in one order, as `itself` found them:
-/// those in the other order are added, as the two patches are the same one.
-void add_other_order(GraphBuilder& graph, const IntersectResult& itself);
 
 }  // namespace exsect

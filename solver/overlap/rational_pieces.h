@@ -10,9 +10,8 @@
 namespace exsect {
 
 /// The intersection if y is x in other parameters, affine functions or Moebius maps of x's, their squares
-/// share a rectangle, and the surface over both meets itself in poles alone, or both patches are the same but
-/// for the names and directions of their parameters. Otherwise, or where that is not proved, an incomplete
-/// result without a graph.
+/// share a rectangle, and it is decided where the surface over the rectangle around both meets itself.
+/// Otherwise an incomplete result without a graph.
 IntersectResult intersect_rational_pieces(const RationalPatch& x, const RationalPatch& y, const Run& run);
 
 }  // namespace exsect

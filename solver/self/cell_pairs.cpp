@@ -52,9 +52,10 @@ RationalInterval placed(const RationalInterval& t, const RationalInterval& in) {
 
 class Cover {
  public:
-  Cover(const RationalPatch& patch, const InjectiveRectangle& is_injective, unsigned grid, double extent,
-        const Run& run, const std::vector<std::array<double, 2>>& guesses)
-      : found_{CellTree(patch, grid, guesses), poles_of(patch), {}, {}, {}},
+  Cover(const RationalPatch& patch, const InjectiveRectangle& is_injective, unsigned grid,
+        const ParameterLines& lines, double extent, const Run& run,
+        const std::vector<std::array<double, 2>>& guesses)
+      : found_{CellTree(patch, grid, lines, guesses), poles_of(patch), {}, {}, {}},
         patch_(patch),
         is_injective_(is_injective),
         run_(run),
@@ -62,7 +63,7 @@ class Cover {
         extent_(extent),
         tolerance_(run.drawn_tolerance(extent)) {
     for (const std::size_t fixed : {0U, 1U})
-      if (const auto lines = coincident_lines(patch, fixed)) lines_.push_back(*lines);
+      if (const auto coincident = coincident_lines(patch, fixed)) coincident_.push_back(*coincident);
   }
 
   CellPairs run() {
@@ -103,6 +104,7 @@ class Cover {
     const bool adjacent = touching || is_near(first, second);
     if (meet_in_poles_only(first, second, adjacent)) return true;
     if (adjacent && is_excluded(first, second)) return true;
+    if (found_.cells.has_line_inside(a) || found_.cells.has_line_inside(b)) return false;
     if (a == b) return is_pinch(a);
     return !touching && solve(a, b);
   }
@@ -210,7 +212,7 @@ class Cover {
   /// and has no turning point of that parameter.
   IntersectResult meeting_of(const ParameterCell& first, const ParameterCell& second) const {
     const auto whitening = Whitening::of(first.piece, second.piece);
-    for (const CoincidentLines& lines : lines_) {
+    for (const CoincidentLines& lines : coincident_) {
       if (!lines.pass(first.where, second.where)) continue;
       std::vector<Parameter> turning;
       for (const Parameter p : run_.turning())
@@ -259,7 +261,7 @@ class Cover {
   }
 
   CellPairs found_;
-  std::vector<CoincidentLines> lines_;
+  std::vector<CoincidentLines> coincident_;
   const RationalPatch& patch_;
   const InjectiveRectangle& is_injective_;
   const Run& run_;
@@ -273,8 +275,8 @@ class Cover {
 }  // namespace
 
 CellPairs cell_pairs(const RationalPatch& patch, const InjectiveRectangle& is_injective, unsigned grid,
-                     double extent, const Run& run) {
-  return Cover(patch, is_injective, grid, extent, run, pinch_guesses(patch)).run();
+                     const ParameterLines& lines, double extent, const Run& run) {
+  return Cover(patch, is_injective, grid, lines, extent, run, pinch_guesses(patch)).run();
 }
 
 Point origin_of(const ParameterCell& cell) {

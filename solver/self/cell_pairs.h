@@ -43,9 +43,10 @@ struct CellPairs {
   long pairs = 0;  // looked at
 };
 
-/// `is_injective`: of the patch, not empty. `grid`: see CellTree. `extent`: of the model.
+/// `is_injective`: of the patch, not empty. `grid`: see CellTree. No cell of pairs that are solved, and no
+/// pinch cell, has one of the `lines` inside. `extent`: of the model.
 CellPairs cell_pairs(const RationalPatch& patch, const InjectiveRectangle& is_injective, unsigned grid,
-                     double extent, const Run& run);
+                     const ParameterLines& lines, double extent, const Run& run);
 
 /// Near the middle of the cell's box.
 Point origin_of(const ParameterCell& cell);

@@ -51,6 +51,7 @@ class Gluing {
   }
 
  private:
+  const ParameterRectangle& where_of(std::size_t cell) const { return pairs_.cells[cell].where; }
   const PlacedNode& at(const CutNode& cut) const { return placed_[cut.cells].nodes[cut.node]; }
 
   bool problem(const ParameterBox& where, const char* why) {
@@ -217,6 +218,7 @@ class Gluing {
         move_end(arc, arc.polyline.front(), arc.from);
         move_end(arc, arc.polyline.back(), arc.to);
         glued_.graph.add_arc(std::move(arc));
+        glued_.cells.push_back({where_of(pairs_.solved[i].first), where_of(pairs_.solved[i].second)});
       }
       for (const int id : placed_[i].isolated)
         if (const PlacedNode& node = placed_[i].nodes[static_cast<std::size_t>(id)]; is_inner(node))
@@ -244,6 +246,7 @@ class Gluing {
       for (const std::size_t i : exits_[k]) ends.push_back(cuts_[i].point);
       if (!add_pinch_arc(glued_.graph, glued_.mates, pinch, cell, ends, tolerance_))
         problem({cell.where.u, cell.where.v, cell.where.u, cell.where.v}, "a pinch point not decided");
+      glued_.cells.push_back({cell.where, cell.where});
     }
   }
 

@@ -1,6 +1,7 @@
 // The curves in pairs of cells put together. Internal to solver/; docs/method-doubles.md, section 14.17.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "answer/graph_builder.h"
@@ -13,6 +14,7 @@ namespace exsect {
 struct GluedCells {
   GraphBuilder graph;
   std::vector<std::size_t> mates;
+  std::vector<std::array<ParameterRectangle, 2>> cells;  // of the graph's arcs, in the order of their pairs
   std::vector<Incomplete> problems;
 };
 

@@ -49,9 +49,21 @@ PieceBox box_of(const RationalPatch& piece) {
   return box;
 }
 
-CellTree::CellTree(const RationalPatch& patch, unsigned grid, std::vector<std::array<double, 2>> inside)
-    : grid_(grid), inside_(std::move(inside)) {
+CellTree::CellTree(const RationalPatch& patch, unsigned grid, ParameterLines lines,
+                   std::vector<std::array<double, 2>> inside)
+    : lines_(std::move(lines)), grid_(grid), inside_(std::move(inside)) {
   cells_.push_back(make_cell({{0, 1}, {0, 1}}, patch, 0));
+}
+
+std::optional<CellTree::Division> CellTree::line_inside(std::size_t cell) const {
+  const ParameterRectangle& where = cells_[cell].where;
+  for (const std::size_t side : {0U, 1U}) {
+    const RationalInterval& range = side == 0 ? where.u : where.v;
+    for (const Rational& value : lines_[side])
+      if (range.lower < value && value < range.upper)
+        return Division{side, (value - range.lower) / range.width()};
+  }
+  return std::nullopt;
 }
 
 Rational CellTree::cut_place(std::size_t i, std::size_t side) const {
@@ -82,8 +94,9 @@ Rational CellTree::cut_place(std::size_t i, std::size_t side) const {
 std::size_t CellTree::split(std::size_t i) {
   if (cells_[i].children != 0) return cells_[i].children;
   const ParameterCell cell = cells_[i];
-  const bool in_u = cell.where.u.width() >= cell.where.v.width();
-  const Rational t = cut_place(i, in_u ? 0 : 1);
+  const auto line = line_inside(i);
+  const bool in_u = line ? line->side == 0 : cell.where.u.width() >= cell.where.v.width();
+  const Rational t = line ? line->place : cut_place(i, in_u ? 0 : 1);
   const RationalInterval& range = in_u ? cell.where.u : cell.where.v;
   const Rational cut = range.lower + t * range.width();
   for (const bool upper : {false, true}) {

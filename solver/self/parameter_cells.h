@@ -5,6 +5,7 @@
 #include <exsect/geometry/rational_patch.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "filter/mean_derivatives.h"
@@ -29,20 +30,31 @@ struct ParameterCell {
   std::size_t children;  // index of the first of two; 0: not yet made
 };
 
-/// The square, and cells cut in two when that is asked for, across the longer side, somewhere near its
-/// middle: cuts of different cells are in different places, and in others for each `grid`. Indices stay
-/// valid, references do not.
+/// Lines u = constant and v = constant of the square.
+using ParameterLines = std::array<std::vector<Rational>, 2>;
+
+/// The square, and cells cut in two when that is asked for: along one of the lines, if there are any inside
+/// of the cell, else across the longer side, somewhere near its middle. Such cuts of different cells are in
+/// different places, and in others for each `grid`. Indices stay valid, references do not.
 class CellTree {
  public:
-  CellTree(const RationalPatch& patch, unsigned grid, std::vector<std::array<double, 2>> inside = {});
+  CellTree(const RationalPatch& patch, unsigned grid, ParameterLines lines = {},
+           std::vector<std::array<double, 2>> inside = {});
   const ParameterCell& operator[](std::size_t i) const { return cells_[i]; }
   std::size_t split(std::size_t i);
+  bool has_line_inside(std::size_t i) const { return line_inside(i).has_value(); }
 
  private:
-  /// Where a cell is cut across its first (0), second (1) side, in (0,1).
+  /// Across the first (0) or second (1) side, at a place in (0,1) of it.
+  struct Division {
+    std::size_t side;
+    Rational place;
+  };
+  std::optional<Division> line_inside(std::size_t cell) const;
   Rational cut_place(std::size_t cell, std::size_t side) const;
 
   std::vector<ParameterCell> cells_;
+  ParameterLines lines_;
   unsigned grid_;
   std::vector<std::array<double, 2>> inside_;
 };

@@ -252,11 +252,20 @@ TEST_CASE("pieces of every kind: equal patches that meet themselves") {
   }
 }
 
-TEST_CASE("pieces of every kind: other pieces of a surface that meets itself are not claimed") {
+TEST_CASE("pieces of every kind: other pieces of a surface that meets itself") {
   for (const RationalPatch& x : swept_loops()) {
-    const IntersectResult result = intersect(x, piece(x, {0, q(19, 20), 0, 1}));
-    CHECK(result.status == Status::incomplete);
-    CHECK(result.graph.overlaps.empty());
+    const Arc itself = self_intersect(x).graph.arcs.at(0);
+    const auto [lower, upper] =
+        std::minmax(itself.polyline[0].parameters[0], itself.polyline[0].parameters[2]);
+    CHECK(lower < 0.1);
+    CHECK(upper > 0.9);
+    for (const Rational& end : {q(1, 2), q(19, 20)}) {
+      const IntersectResult result = intersect(x, piece(x, {0, end, 0, 1}));
+      CHECK(result.status == Status::complete);
+      CHECK(result.graph.overlaps.size() == 1);
+      // The point of the second patch is near u = 0, or near u = 1 as well.
+      CHECK(result.graph.arcs.size() == (to_double(end) < upper ? 1 : 2));
+    }
   }
 }
 
