@@ -1,5 +1,6 @@
-// replay_surface_patch FIRST COUNT: random surfaces given by their equations with patches of bidegree (1,1)
-// to (3,3), small integers both, every second patch with weights 1 and 2 (tests/fuzz/README.md). The images
+// replay_surface_patch tiny|round FIRST COUNT: random surfaces given by their equations with patches
+// (tests/fuzz/README.md): of bidegree (1,1) to (3,3), small integers, every second one with weights 1 and 2;
+// or round pieces (round_pieces.h), which have their axes and radii in common with many of them. The images
 // under maps that keep the parameters, or change them in a known way, have the same graphs; and on parameter
 // lines there are as many arcs as the equation has zeros by Sturm's count. Exit status 1 if there is a
 // difference; the patch is written to a file.
@@ -14,6 +15,7 @@
 
 #include "known_images.h"
 #include "reasons.h"
+#include "round_pieces.h"
 #include "support/graph_isomorphism.h"
 #include "support/surface_moves.h"
 #include "tiny_surfaces.h"
@@ -32,9 +34,10 @@ struct SurfacePatch {
   RationalPatch patch;
 };
 
-SurfacePatch pair_of(std::uint64_t seed) {
+SurfacePatch pair_of(const std::string& family, std::uint64_t seed) {
   Generator generator(seed);
   const S surface = tiny_surface(generator);
+  if (family == "round") return {surface, round_pieces::round_piece(generator)};
   const auto degree = [&] { return static_cast<int>(integer(generator, 1, 3)); };
   const int m = degree(), n = degree();
   const random_nets::Net net = random_nets::tiny(generator, m, n);
@@ -125,8 +128,8 @@ void check_lines(const SurfacePatch& pair, const IntersectResult& result, std::u
   }
 }
 
-void check(std::uint64_t seed, SurfacePatchTally& tally) {
-  const SurfacePatch pair = pair_of(seed);
+void check(const std::string& family, std::uint64_t seed, SurfacePatchTally& tally) {
+  const SurfacePatch pair = pair_of(family, seed);
   const IntersectResult result = intersect(pair.surface, pair.patch);
   if (result.status != Status::complete) return tally.reasons.add(result.incomplete.at(0).why, seed);
   ++tally.complete;
@@ -148,26 +151,28 @@ void check(std::uint64_t seed, SurfacePatchTally& tally) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 3) {
-    std::cerr << "usage: exsect_replay_surface_patch FIRST COUNT\n";
+  const std::string family = argc == 4 ? argv[1] : "";
+  if (family != "tiny" && family != "round") {
+    std::cerr << "usage: exsect_replay_surface_patch tiny|round FIRST COUNT\n";
     return 2;
   }
-  const std::uint64_t first = std::stoull(argv[1]), number = std::stoull(argv[2]);
+  const std::uint64_t first = std::stoull(argv[2]), number = std::stoull(argv[3]);
   SurfacePatchTally tally;
   for (std::uint64_t seed = first; seed < first + number; ++seed) {
     try {
-      check(seed, tally);
+      check(family, seed, tally);
     } catch (const PatchError&) {
       tally.reasons.add("no patch", seed);
     }
   }
   if (number == 1) {
-    const SurfacePatch pair = pair_of(first);
+    const SurfacePatch pair = pair_of(family, first);
     std::cout << written(pair.surface) << ", "
-              << known_images::written("surface-patch-" + std::to_string(first), {{"x", pair.patch}}) << '\n';
+              << known_images::written("surface-patch-" + family + std::to_string(first), {{"x", pair.patch}})
+              << '\n';
   }
-  std::cout << number << " pairs, " << tally.complete << " complete, " << tally.wrong << " of "
-            << tally.compared << " comparisons and " << tally.lines << " lines differ\n";
+  std::cout << family << ": " << number << " pairs, " << tally.complete << " complete, " << tally.wrong
+            << " of " << tally.compared << " comparisons and " << tally.lines << " lines differ\n";
   std::cout << tally.reasons;
   return tally.wrong == 0 ? 0 : 1;
 } catch (const std::exception& error) {

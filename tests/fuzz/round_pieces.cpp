@@ -112,12 +112,13 @@ Point shift(Generator& generator, const RationalPatch& x, const RationalPatch& y
 
 }  // namespace
 
+RationalPatch round_piece(Generator& generator) {
+  const RationalPatch of = piece(generator);
+  return random_nets::image(of, rotation(generator));
+}
+
 std::pair<RationalPatch, RationalPatch> round_pair(Generator& generator) {
-  const auto placed = [&] {
-    const RationalPatch of = piece(generator);
-    return random_nets::image(of, rotation(generator));
-  };
-  const RationalPatch x = placed(), y = placed();
+  const RationalPatch x = round_piece(generator), y = round_piece(generator);
   const Point by = shift(generator, x, y);
   return {x, random_nets::image(y, {{{1, 0, 0, by[0]}, {0, 1, 0, by[1]}, {0, 0, 1, by[2]}, {0, 0, 0, 1}}})};
 }

@@ -9,11 +9,12 @@
 
 namespace exsect::round_pieces {
 
-/// Two of: a rectangle, a quarter of a cylinder or of a truncated cone, an octant of a sphere, a zone of it
-/// without its pole, and a quarter of a torus' inner or outer, upper or lower half. Sizes are small integers
-/// and halves. Three of four are turned by right angles, others by a small quaternion; most are moved so that
-/// a point with parameters in {0, 1/3, 1/2, 1} is a point of both, exactly, to the next quarter, or but for
-/// 1e-1 to 1e-8.
+/// A rectangle, a quarter of a cylinder or of a truncated cone, an octant of a sphere, a zone of it without
+/// its pole, or a quarter of a torus' inner or outer, upper or lower half, about the origin. Sizes are small
+/// integers and halves. Three of four are turned by right angles, others by a small quaternion.
+RationalPatch round_piece(random_pairs::Generator& generator);
+/// Most are moved so that a point with parameters in {0, 1/3, 1/2, 1} is a point of both, exactly, to the
+/// next quarter, or but for 1e-1 to 1e-8.
 std::pair<RationalPatch, RationalPatch> round_pair(random_pairs::Generator& generator);
 
 }  // namespace exsect::round_pieces
