@@ -55,7 +55,7 @@ IntersectResult intersect_in_either_order(const RationalPatch& x, const Rational
   return other ? *std::move(other) : result;
 }
 
-/// By an equation on one of them, if the other one has a linear inverse; empty where that decides nothing.
+/// By an equation on one of them, if the other one has an inverse; empty where that decides nothing.
 std::optional<IntersectResult> intersect_as_curve(const RationalPatch& x, const RationalPatch& y,
                                                   const Run& run) {
   auto result = intersect_by_inverse(x, y, run);

@@ -16,21 +16,26 @@
 #include "curve/curve_values.h"
 #include "curve/plane_curve.h"
 #include "curve/surface_graph.h"
-#include "special/linear_inverse.h"
+#include "special/patch_inverse.h"
 
 namespace exsect {
 namespace {
 
 using Ball = ArbBall<256>;
 
-/// Of the squarefree curve, in u and v together: a bicubic patch on a quadric has 12, and may take minutes.
+/// Of the parameters of nodes behind a quadratic map.
+constexpr int kParameterBits = 256;
+
+/// Of the squarefree curve without lines, in u and v together: a bicubic patch on a quadric has 12, and may
+/// take minutes.
 constexpr int kMostDegrees = 8;
 
-/// One of (u,v,r,s) on the curve: numerator / denominator, the denominator positive there.
+/// One of (u,v,r,s) on the curve: map(p) = numerator / denominator, the denominator positive there.
 struct ParameterOnCurve {
   BivariatePolynomial numerator;
   BivariatePolynomial denominator;
-  BivariatePolynomial slope;  // (17.24)
+  UnitMap map;
+  BivariatePolynomial slope;  // (17.25)
 };
 
 /// Of the bound of the region at this position, if it is one.
@@ -55,6 +60,29 @@ BivariatePolynomial slope_along(const BivariatePolynomial& f, const BivariatePol
 
 bool is_constant(const BivariatePolynomial& f) { return f.degree_r() < 1 && f.degree_s() < 1; }
 
+/// f without its factors in s alone that have no zero in [0,1], with the same signs.
+BivariatePolynomial without_positive_content(BivariatePolynomial f) {
+  for (const PolynomialPower& power : irreducible_factors(split_content(f).content))
+    if (real_roots(power.factor, 0, 1).empty()) {
+      const Polynomial positive = power.factor(0) > 0 ? power.factor : -1 * power.factor;
+      const BivariatePolynomial divisor({positive});
+      for (int i = 0; i < power.multiplicity; ++i) f = exact_quotient(f, divisor);
+    }
+  return f;
+}
+
+/// The same signs on the square, of less degree: conics of a patch that go through circular points of space
+/// leave such factors of spheres and tori.
+BivariatePolynomial shortened(const BivariatePolynomial& f) {
+  return without_positive_content(without_positive_content(f).exchanged()).exchanged();
+}
+
+/// The degrees of the curve without its lines.
+int degrees_to_sweep(const BivariatePolynomial& f) {
+  const BivariatePolynomial rest = split_content(split_content(f).primitive.exchanged()).primitive;
+  return rest.degree_r() + rest.degree_s();
+}
+
 /// x is one point along a part of the squarefree curve f = 0 of the square.
 bool is_contracted(const BivariatePolynomial& f, const RationalPatch& x) {
   BivariatePolynomial common = f;
@@ -63,70 +91,87 @@ bool is_contracted(const BivariatePolynomial& f, const RationalPatch& x) {
   return !is_constant(common) && !component_points(common).empty();
 }
 
-/// The control values of the form on x are positive.
-bool is_positive_on(const LinearForm& form, const RationalPatch& x) {
-  for (int i = 0; i <= x.degree_u(); ++i)
-    for (int j = 0; j <= x.degree_v(); ++j) {
-      Rational value = 0;
-      for (std::size_t k = 0; k < 4; ++k) value += form[k] * x.homogeneous(i, j)[k];
-      if (!(value > 0)) return false;
-    }
-  return true;
-}
-
 /// Where the inverse is in the square (17.23), without the bounds that are positive on all of x.
 class Sides {
  public:
-  Sides(const LinearInverse& inverse, InverseCurve& known) : known_(known) {
+  Sides(const PatchInverse& inverse, InverseCurve& known) : known_(known), x_(components(known.x)) {
     for (const std::size_t i : {0, 1}) {
-      const auto& [numerator, denominator, bound] = inverse.parameters[i];
+      const ParameterQuotient& quotient = inverse.parameters[i];
       const Parameter parameter = i == 0 ? Parameter::r : Parameter::s;
-      LinearForm rest = denominator, beyond = denominator;
-      for (std::size_t c = 0; c < 4; ++c) rest[c] -= numerator[c];
-      beyond[3] -= bound;
-      add(numerator, Side{parameter, 0});
+      SpaceForm rest = quotient.denominator, beyond = quotient.denominator;
+      for (std::size_t c = 0; c < rest.coefficients.size(); ++c)
+        rest.coefficients[c] -= quotient.numerator.coefficients[c];
+      beyond.coefficients.back() -= quotient.bound;
+      add(quotient.numerator, Side{parameter, 0});
       add(rest, Side{parameter, 1});
       add(beyond, std::nullopt);
     }
   }
 
  private:
-  void add(const LinearForm& form, const std::optional<Side>& side) {
-    if (is_positive_on(form, known_.x)) return;
+  void add(const SpaceForm& form, const std::optional<Side>& side) {
+    const BivariatePolynomial bound = on_patch(form, x_);
+    if (std::ranges::all_of(bernstein_values(bound), [](const Rational& c) { return c > 0; })) return;
     CurveRegion& region = known_.curve.region;
     if (side) known_.sides.push_back({region.bounds.size(), *side});
     region.clauses.push_back({region.bounds.size()});
-    region.bounds.push_back(on_patch(form, known_.x));
+    region.bounds.push_back(bound.is_zero() ? bound : shortened(bound));
   }
 
   InverseCurve& known_;
+  VectorPolynomial x_;
 };
 
-std::optional<InverseCurve> inverse_curve(const RationalPatch& x, const LinearInverse& inverse, double extent,
+/// On x, with the slope along the squarefree curve f = 0.
+ParameterOnCurve on_curve(const ParameterQuotient& quotient, const VectorPolynomial& x,
+                          const BivariatePolynomial& f) {
+  const BivariatePolynomial p = on_patch(quotient.numerator, x), q = on_patch(quotient.denominator, x);
+  if (q.is_zero()) return {p, q, quotient.map, {}};
+  const BivariatePolynomial common = gcd(p, q);
+  return {p, q, quotient.map, slope_along(f, exact_quotient(p, common), exact_quotient(q, common))};
+}
+
+/// The denominators that are positive on y but for poles (17.23) are not 0 in a point of the curve.
+bool has_parameters(const InverseCurve& known, const PatchInverse& inverse) {
+  const BivariatePolynomial f = squarefree(known.curve.section);
+  for (const std::size_t i : {0, 1}) {
+    if (inverse.parameters[i].bound > 0) continue;
+    const BivariatePolynomial& denominator = known.parameters[2 + i].denominator;
+    if (!is_constant(gcd(f, denominator))) return false;
+    const BivariatePolynomial in_v = denominator.exchanged();
+    for (const CurveNode& node : known.curve.graph.nodes)
+      if (node.exact && sign_at(in_v, *node.exact) == 0) return false;
+  }
+  return true;
+}
+
+std::optional<InverseCurve> inverse_curve(const RationalPatch& x, const PatchInverse& inverse, double extent,
                                           const std::vector<Parameter>& turning) {
   InverseCurve known{{}, {}, {}, x.reduced(), extent};
   SurfaceCurve& curve = known.curve;
-  curve.section = section_of(inverse, known.x);
+  const VectorPolynomial of_x = components(known.x);
+  curve.section = on_patch(inverse.equation, of_x);
   if (curve.section.is_zero()) return std::nullopt;
+  curve.section = shortened(curve.section);
   const BivariatePolynomial f = squarefree(curve.section);
-  if (f.degree_r() + f.degree_s() > kMostDegrees || is_contracted(f, known.x)) return std::nullopt;
-  known.parameters[0] = {BivariatePolynomial::r(), BivariatePolynomial::constant(1), {}};
-  known.parameters[1] = {BivariatePolynomial::s(), BivariatePolynomial::constant(1), {}};
-  for (const std::size_t i : {0, 1})
-    known.parameters[2 + i] = {on_patch(inverse.parameters[i].numerator, known.x),
-                               on_patch(inverse.parameters[i].denominator, known.x),
-                               {}};
-  for (ParameterOnCurve& p : known.parameters) p.slope = slope_along(f, p.numerator, p.denominator);
+  if (degrees_to_sweep(f) > kMostDegrees || is_contracted(f, known.x)) return std::nullopt;
+  known.parameters[0] = {BivariatePolynomial::r(), BivariatePolynomial::constant(1), {}, f.derivative_s()};
+  known.parameters[1] = {BivariatePolynomial::s(),
+                         BivariatePolynomial::constant(1),
+                         {},
+                         BivariatePolynomial::constant(-1) * f.derivative_r()};
+  for (const std::size_t i : {0, 1}) known.parameters[2 + i] = on_curve(inverse.parameters[i], of_x, f);
   const Sides sides(inverse, known);
   for (const Parameter p : turning) {
     const BivariatePolynomial& slope = known.parameters[index(p)].slope;
     if (p == Parameter::u || slope.is_zero()) continue;  // folds are nodes
-    const BivariatePolynomial zeros = without_factors_of(f, squarefree(slope));
+    const BivariatePolynomial zeros = without_factors_of(f, shortened(squarefree(slope)));
     if (is_constant(zeros)) continue;
     curve.region.marked.push_back(curve.region.bounds.size());
     curve.region.bounds.push_back(zeros);
   }
   curve.graph = curve_graph(curve.section, curve.region);
+  if (!has_parameters(known, inverse)) return std::nullopt;
   return known;
 }
 
@@ -140,7 +185,7 @@ Ball value_at(const BivariatePolynomial& f, const Ball& u, const Ball& v) {
   return sum;
 }
 
-/// Empty if the denominator may be 0 there.
+/// Of map(p). Empty if the denominator may be 0 there.
 std::optional<RationalInterval> enclosed(const ParameterOnCurve& p, const Ball& u, const Ball& v) {
   const RationalInterval a = value_at(p.numerator, u, v).interval();
   const RationalInterval b = value_at(p.denominator, u, v).interval();
@@ -233,7 +278,7 @@ class InverseGraph {
     result_.add_node(std::move(node));
   }
 
-  /// The curve goes on there, along the same sides: a zero of (17.24) that is no extremum.
+  /// The curve goes on there, along the same sides: a zero of (17.25) that is no extremum.
   static bool passes(const CurveNode& at, const Node& node, const std::vector<ArcEnd>& ends) {
     return ends.size() == 2 && !at.is_singular && node.wrt.empty() &&
            std::ranges::all_of(node.on, [&](const Side& side) {
@@ -284,7 +329,8 @@ class InverseGraph {
       } else {
         const auto at = enclosed(known_.parameters[index(p)], u, v);
         if (!at || !(at->lower > 0 && at->upper < 1)) return false;
-        box = *at;
+        box = preimage(known_.parameters[index(p)].map, *at, kParameterBits);
+        if (!(box.lower > 0 && box.upper < 1)) return false;
       }
       node.approx[index(p)] = to_double(box.midpoint());
     }
@@ -300,7 +346,8 @@ class InverseGraph {
       for (const std::size_t p : {2, 3}) {
         const auto at = enclosed(known_.parameters[p], u, v);
         if (!at) throw ProofFailure(whole_domain(), "a vertex of a curve is beyond the square");
-        vertex.parameters[p] = std::clamp(to_double(at->midpoint()), 0.0, 1.0);
+        const double value = std::clamp(to_double(at->midpoint()), 0.0, 1.0);
+        vertex.parameters[p] = approximate_preimage(known_.parameters[p].map, value);
       }
     }
     for (const std::size_t p : {2, 3}) {
@@ -328,7 +375,7 @@ IntersectResult drawn(const InverseCurve& known, const Run& run) {
 
 std::optional<IntersectResult> intersect_by_inverse(const RationalPatch& x, const RationalPatch& y,
                                                     const Run& run) {
-  const auto inverse = linear_inverse(y);
+  const auto inverse = patch_inverse(y);
   if (!inverse) return std::nullopt;
   std::vector<Point> points = affine_points(x.reduced());
   std::ranges::copy(affine_points(y.reduced()), std::back_inserter(points));

@@ -1,5 +1,5 @@
-// Pairs of which one patch has a linear inverse: an equation on the other one, cut by its sides. Internal to
-// solver/; docs/method-equations.md, section 17.19.
+// Pairs of which one patch has an inverse of forms: an equation on the other one, cut by its sides. Internal
+// to solver/; docs/method-equations.md, section 17.19.
 #pragma once
 
 #include <exsect/geometry/rational_patch.h>
@@ -11,8 +11,8 @@
 
 namespace exsect {
 
-/// Whatever meets there. Empty if y has no linear inverse, x lies on the surface of y or maps a part of
-/// their curve to one point, or the curve has too high a degree in x.
+/// Whatever meets there. Empty if y has no such inverse, x lies on the surface of y or maps a part of
+/// their curve to one point, the curve has too high a degree in x, or it goes through a pole of y.
 std::optional<IntersectResult> intersect_by_inverse(const RationalPatch& x, const RationalPatch& y,
                                                     const Run& run);
 

@@ -120,16 +120,18 @@ Rational power_of_a(int n, int i) {
   return powers[static_cast<std::size_t>(n)][static_cast<std::size_t>(i)];
 }
 
-/// The bicubic graph over the middle of a height by its Bernstein coefficients, and a plane at height 0, a
-/// rectangle with one corner moved.
+/// The bicubic graph over the middle of a height by its Bernstein coefficients, and a plane at height 0: both
+/// over rectangles, or over quadrilaterals with one corner moved.
 template <class Height>
 IntersectResult graph_and_plane(const Height& height, const Rational& left_of_middle,
                                 const Rational& moved = 0) {
   Net graph(4);
   Net plane(2);
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      graph[static_cast<std::size_t>(i)].push_back({power_of_a(1, i), power_of_a(1, j), height(i, j)});
+    for (int j = 0; j < 4; ++j) {
+      const Rational a = power_of_a(1, i), b = power_of_a(1, j), bend = moved * a * b;
+      graph[static_cast<std::size_t>(i)].push_back({a + bend, b + bend, height(i, j)});
+    }
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       plane[static_cast<std::size_t>(i)].push_back(
@@ -308,7 +310,7 @@ TEST_CASE("intersect rational: contact along a curve that is no line of the para
 }
 
 TEST_CASE("intersect rational: what nothing decides is incomplete, with its place") {
-  // A quadrilateral without parallel sides has no linear inverse.
+  // Over quadrilaterals without parallel sides no patch has an inverse.
   const IntersectResult result = contact_along_diagonal(Rational(1, 4));
   REQUIRE(result.status == Status::incomplete);
   REQUIRE_FALSE(result.incomplete.empty());

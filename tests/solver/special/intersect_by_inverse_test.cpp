@@ -1,9 +1,10 @@
-// Pairs decided by the linear inverse of one patch: against doubles, and by what is known of their curves.
+// Pairs decided by the inverse of one patch: against doubles, and by what is known of their curves.
 #include "special/intersect_by_inverse.h"
 
 #include <functional>
 
 #include "filter/filter.h"
+#include "solver/special/revolved.h"
 #include "support/catch.h"
 #include "support/graph_isomorphism.h"
 #include "support/random_nets.h"
@@ -12,23 +13,25 @@ namespace exsect::intersect_by_inverse_test {
 namespace {
 
 using random_nets::Generator;
-using Net = std::vector<std::vector<HomogeneousPoint>>;
-
-/// The circle of 2 atan(2/3) to both sides of the angle 0: (w cos, w sin, w).
-std::vector<std::array<Rational, 3>> arc() {
-  const Rational q(4, 9), t(2, 3);
-  return {{1 - q, -t, 1 + q}, {1 + q, 0, 1 - q}, {1 - q, t, 1 + q}};
-}
 
 /// A part of the torus about the z axis with radii 3 and 1, about the circle nearest to z = 1.
 RationalPatch torus_from_above() {
-  Net net;
-  for (const auto& [c, s, w] : arc()) {
-    net.emplace_back();
-    for (const auto& [x, y, z] : arc())
-      net.back().push_back({(3 * w + s) * x, (3 * w + s) * y, c * z, w * z});
-  }
-  return RationalPatch::from_homogeneous(net);
+  const revolved::Arc3 arc = revolved::arc(Rational(-2, 3), Rational(2, 3));
+  revolved::Arc3 profile;
+  for (const auto& [c, s, w] : arc) profile.push_back({3 * w + s, c, w});
+  return revolved::patch(profile, arc);
+}
+
+/// To both sides of y = 0: the torus, outside or inside, and a sphere about a point of the plane z = 0 with
+/// another axis, up to its pole.
+RationalPatch torus(int side) {
+  const revolved::Arc3 arc = revolved::arc(Rational(-1, 2), Rational(1, 2));
+  return revolved::patch(revolved::moved(arc, side, 3), arc);
+}
+RationalPatch tilted_sphere(const Rational& radius, const Rational& x) {
+  const revolved::Arc3 profile = revolved::moved(revolved::arc(Rational(-1, 2), 1), radius, 0);
+  const RationalPatch sphere = revolved::patch(profile, revolved::arc(Rational(-1, 2), Rational(2, 3)));
+  return revolved::rotated(sphere, {7, 1, 1, 0}, {x, 0, 0});
 }
 
 /// Around z = height, a parallelogram.
@@ -173,10 +176,73 @@ TEST_CASE("by inverse: sides that cut a curve of contact, or leave a point of it
   CHECK(inside.graph.count(ComponentShape::open) == 1);
 }
 
+TEST_CASE("by inverse: spheres that touch tori along circles, and nearly") {
+  struct Touching {
+    const char* name;
+    RationalPatch x;
+    Rational radius;
+    Rational centre;
+    bool from_outside;
+  };
+  for (const auto& [name, x, radius, centre, from_outside] :
+       {Touching{"in the tube", torus(1), 1, 3, false}, Touching{"in the hole", torus(-1), 2, 0, false},
+        Touching{"around the torus", torus(1), 4, 0, true}}) {
+    INFO(name);
+    const RationalPatch y = tilted_sphere(radius, centre);
+    for (const IntersectResult& contact : {solved(x, y), solved(y, x)}) {
+      CHECK(contact.graph.count(ComponentShape::open) == 1);
+      for (const Arc& arc : contact.graph.arcs) CHECK(arc.contact == Contact::tangential);
+      CHECK(contact.graph.boundary_points() == 2);
+    }
+    for (const int digits : {3, 6, 12, 20})
+      for (const int sign : {1, -1}) {
+        INFO(digits << " digits, sign " << sign);
+        const Rational e = sign / Rational(pow(Integer(10), static_cast<unsigned>(digits)));
+        const IntersectResult near = solved(x, tilted_sphere(radius + e, centre));
+        CHECK(near.graph.arcs.empty() == ((sign > 0) == from_outside));
+        for (const Arc& arc : near.graph.arcs) CHECK(arc.contact == Contact::transversal);
+      }
+  }
+}
+
+TEST_CASE("by inverse: spheres and tori in general position as doubles find them") {
+  Generator generator(11);
+  const auto number = [&] { return Rational(static_cast<int>(generator() % 33) - 16, 20); };
+  int compared = 0, arcs = 0;
+  for (int i = 0; i < 8; ++i) {
+    INFO("pair " << i);
+    const RationalPatch x = i % 2 == 0 ? torus(1) : tilted_sphere(2, 2);
+    const RationalPatch y =
+        revolved::rotated(i < 4 ? torus(1) : tilted_sphere(Rational(7, 2), 0),
+                          {9, static_cast<int>(generator() % 5), static_cast<int>(generator() % 5), 1},
+                          {number(), number(), 0});
+    const IntersectResult in_doubles = intersect_in_doubles(x, y, Run());
+    if (in_doubles.status != Status::complete) continue;
+    const auto result = intersect_by_inverse(x, y, Run());
+    if (!result) continue;
+    CHECK(difference(result->graph, in_doubles.graph, {}) == "");
+    ++compared;
+    arcs += static_cast<int>(result->graph.arcs.size());
+  }
+  CHECK(compared >= 5);
+  CHECK(arcs >= 5);
+}
+
+TEST_CASE("by inverse: a curve that goes through a pole of the other patch is left to others") {
+  const revolved::Arc3 quarter = {{1, 0, 1}, {1, 1, 1}, {0, 2, 2}};
+  const RationalPatch y = revolved::patch(quarter, quarter);
+  const auto plane = [](const Rational& slope) {
+    return RationalPatch(
+        {{{-1, -2, 1 + slope}, {-1, 2, 1 + slope}}, {{3, -2, 1 - 3 * slope}, {3, 2, 1 - 3 * slope}}});
+  };
+  CHECK_FALSE(intersect_by_inverse(plane(Rational(1, 2)), y, Run()));
+  CHECK_FALSE(intersect_by_inverse(plane(0), y, Run()));
+  CHECK(solved(plane(-Rational(1, 2)).restricted_to(Rational(3, 8), 1, 0, 1), y).graph.arcs.empty());
+}
+
 TEST_CASE(
     "by inverse: nothing is said of patches on one surface, without inverse, or with a pole on the curve") {
   CHECK_FALSE(intersect_by_inverse(plate(1), plate(1), Run()));
-  CHECK_FALSE(intersect_by_inverse(plate(1), torus_from_above(), Run()));
   const RationalPatch with_pole({{{0, 0, 1}, {0, 0, 1}}, {{3, 0, 0}, {0, 3, 3}}});
   CHECK_FALSE(intersect_by_inverse(with_pole, plate(1), Run()));
 }
