@@ -165,24 +165,47 @@ class Lifting {
     return result_.nodes.size() - 1;
   }
 
+  /// An exact node of the shadow. Signs of the rest are 0 on the common part.
+  struct ShadowNode {
+    TriangularPoint p;
+    bool is_smooth;  // of the shadow
+    bool on_common;
+    int a;
+    int b;
+  };
+
+  /// Empty where the lines through apexes alone have a node.
+  std::optional<ShadowNode> shadow_node(const CurveNode& node) const {
+    if (!node.exact) return std::nullopt;
+    // Narrow enough for almost every sign that is not 0.
+    ShadowNode result{node.exact->refined_to(power_of_two(-64)), !node.is_singular, false, 0, 0};
+    const TriangularPoint& p = result.p;
+    if (marks_.degree_r() > 0 && sign_of(marks_, p) == 0) {  // which the graph below has as a part
+      if (sign_of(shadow_, p) != 0) return std::nullopt;
+      result.is_smooth = sign_of(shadow_u_, p) != 0 || sign_of(shadow_v_, p) != 0;
+    }
+    result.on_common = sign_of(result_.shadow.common, p) == 0;
+    if (!result.on_common) {
+      result.a = sign_of(result_.shadow.rest.a, p);
+      result.b = sign_of(result_.shadow.rest.b, p);
+    }
+    return result;
+  }
+
   /// Common points over an exact node without arcs on their sheet, and what kind of point the others are.
   void lift_node(std::size_t below) {
-    const CurveNode& node = result_.below.nodes[below];
-    if (!node.exact || sign_of(shadow_, *node.exact) != 0) return;
-    const TriangularPoint& p = *node.exact;
-    const SheetFunction& rest = result_.shadow.rest;
-    const bool on_common = sign_of(result_.shadow.common, p) == 0;
-    const bool is_free = on_common || (sign_of(rest.a, p) == 0 && sign_of(rest.b, p) == 0);
+    const std::optional<ShadowNode> node = shadow_node(result_.below.nodes[below]);
+    if (!node) return;
+    const TriangularPoint& p = node->p;
+    const bool is_free = node->a == 0 && node->b == 0;
     const bool on_silhouette = sign_of(result_.chart.radicand, p) == 0;
-    const int own = is_free ? 0 : own_sheet(p);
     for (const int sheet : {-1, 0, 1}) {
       if ((sheet == 0) != on_silhouette) continue;
-      if (sheet != 0 && !is_free && sheet != own) continue;
+      if (sheet != 0 && !is_free && sheet != -node->a * node->b) continue;
       if (!is_kept(p, sheet)) continue;
       const std::size_t i = node_over(below, sheet);
       LiftedNode& at = result_.nodes[i];
-      at.is_singular =
-          at.degree == 2 && (is_apex(p, sheet) || !is_regular(p, sheet, on_common, runs_in_plane(i)));
+      at.is_singular = at.degree == 2 && (is_apex(p, sheet) || !is_regular(*node, sheet, runs_in_plane(i)));
     }
   }
 
@@ -195,17 +218,17 @@ class Lifting {
 
   /// The curve is proved to be regular where two of its arcs meet: as its shadow is where y is a function of
   /// u and v on it, or else as the zeros of the other equation on the surface, where this is regular.
-  bool is_regular(const TriangularPoint& p, int sheet, bool on_common, bool in_plane) const {
+  bool is_regular(const ShadowNode& node, int sheet, bool in_plane) const {
+    const TriangularPoint& p = node.p;
     const SheetFunction& rest = result_.shadow.rest;
     const BivariatePolynomial& y2 = result_.chart.radicand;
-    const bool is_smooth = sign_of(shadow_u_, p) != 0 || sign_of(shadow_v_, p) != 0;
-    if (result_.chart.is_flat()) return is_smooth;
+    if (result_.chart.is_flat()) return node.is_smooth;
     if (sheet == 0) {
-      if (!on_common && sign_of(rest.b, p) != 0) return is_smooth;
-      if (is_smooth) return in_plane || sign_of(jacobian(shadow_, y2), p) != 0;
-      return !on_common && sign_of(jacobian(rest.a, y2), p) != 0;
+      if (node.b != 0) return node.is_smooth;
+      if (node.is_smooth) return in_plane || sign_of(jacobian(shadow_, y2), p) != 0;
+      return !node.on_common && sign_of(jacobian(rest.a, y2), p) != 0;
     }
-    if (is_smooth || on_common || sign_of(rest.b, p) != 0) return is_smooth;
+    if (node.is_smooth || node.on_common || node.b != 0) return node.is_smooth;
     const auto is_zero = [&](const SheetFunction& f) {
       return sign_on_sheet(f, result_.chart, p, sheet) == 0;
     };
