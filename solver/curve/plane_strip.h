@@ -59,7 +59,7 @@ class PlaneStrip {
     if (!changes_sign_once(c, Ball(lower), Ball(width))) return std::nullopt;
     const std::optional<Ball> v = zero_near(u, range.midpoint(), 0x1p-40);
     if (!v) return std::nullopt;
-    for (double w = 0x1p-50; w < 0x1p-34; w *= 16) {
+    for (double w = 0x1p-50; w < 0x1p-22; w *= 16) {
       const Ball below = *v - Ball(w), above = *v + Ball(w);
       if (!(below - Ball(lower)).is_positive() || !(Ball(lower) + Ball(width) - above).is_positive())
         return std::nullopt;

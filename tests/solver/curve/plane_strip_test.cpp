@@ -142,4 +142,20 @@ TEST_CASE("plane strips: the only zero in an interval, against exact roots", "[c
   CHECK(found > 0.7 * single);
 }
 
+TEST_CASE("plane strips: a zero that doubles enclose less narrowly", "[curve]") {
+  // Of u + slope v - 1/3 - slope/2 doubles lose 2^-54, which moves the zero by 2^-54 / slope.
+  const auto zero = [](const Rational& slope) {
+    const BivariatePolynomial f = BivariatePolynomial::r() +
+                                  BivariatePolynomial::constant(slope) * BivariatePolynomial::s() -
+                                  BivariatePolynomial::constant(Rational(1, 3) + slope / 2);
+    return PlaneStrip<DoubleBall>(f).only_zero(DoubleBall(1.0 / 3), DoubleBall(0.5, 0.25));
+  };
+  const auto near = zero(power_of_two(-19));
+  REQUIRE(near);
+  const double moved = to_double(Rational(1, 3) - from_double(1.0 / 3)) * 0x1p19;
+  CHECK(std::fabs(near->approximation() - 0.5 - moved) <= near->radius() + 0x1p-52);
+  CHECK(near->radius() < 0x1p-25);
+  CHECK_FALSE(zero(power_of_two(-32)));
+}
+
 }  // namespace exsect::plane_strip_test
