@@ -1,4 +1,4 @@
-// Pairs of which a side of one patch is one point, which lies inside the other patch. Internal to solver/;
+// Pairs of which a side of one patch is one point, which lies on the other patch. Internal to solver/;
 // docs/method-doubles.md, section 14.24.
 #pragma once
 

@@ -10,6 +10,7 @@
 
 #include "filter/filter.h"
 #include "filter/magnified_box.h"
+#include "side/collapsed_line.h"
 
 namespace exsect {
 namespace {
@@ -81,6 +82,10 @@ Node PoleDrawing::node() const {
   Node node{};
   node.kinds = {NodeKind::boundary};
   node.on = {{Parameter::u, 0}};
+  for (std::size_t j = 0; j < 2; ++j)
+    for (const int value : {0, 1})
+      if (pair_.pole.at[j].lower == value) node.on.push_back({all_parameters[2 + j], value});
+  if (is_corner(node.on)) node.kinds.push_back(NodeKind::corner);
   node.free = {Parameter::v};
   node.box = {RationalInterval{0, 0}, RationalInterval{0, 1}, pair_.pole.at[0], pair_.pole.at[1]};
   node.approx = vertex.parameters;

@@ -116,6 +116,9 @@ class PoleProof {
       if (determinant(columns.t, columns.k[0], columns.k[1]).certain_sign() == 0)  // (14.104)
         return std::nullopt;
       if (cluster.before == cluster.behind) continue;
+      const int side = side_of_square(cluster, ranges, columns);
+      if (side == 0) return std::nullopt;
+      if (side < 0) continue;
       if (!all_monotone(cluster, ranges, columns)) return std::nullopt;
       result.push_back(arc_over(cluster, ranges));
     }
@@ -165,7 +168,8 @@ class PoleProof {
       const double rate = 2 * scale * (most[j] + 0.25 * (most[0] + most[1]));
       if (!std::isfinite(rate) || rate == 0) return false;
       room[j] = reach_ * from_double(rate);
-      if (!(e_.at[j] - room[j] > 0 && e_.at[j] + room[j] < 1)) return false;
+      if (!(e_.at[j] - room[j] > 0 || e_.at[j] == 0) || !(e_.at[j] + room[j] < 1 || e_.at[j] == 1))
+        return false;
     }
     region_ = {{e_.at[0] - room[0], e_.at[0] + room[0]}, {e_.at[1] - room[1], e_.at[1] + room[1]}};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -174,6 +178,7 @@ class PoleProof {
     }
     const Jet omega(e_.weight_of_y);
     omega_ = range_on(omega.value, region_);
+    if (omega_.certain_sign() <= 0) return false;
     omega_first_ = {range_on(omega.first[0], region_), range_on(omega.first[1], region_)};
     double off = 0;
     for (std::size_t i = 0; i < 2; ++i)
@@ -286,19 +291,42 @@ class PoleProof {
 
   bool is_asked_for(std::size_t j) const { return std::ranges::count(turning_, all_parameters[j]) > 0; }
 
+  /// The derivative of k_j along the arc times the determinant (14.104).
+  DoubleBall rate(std::size_t j, const Columns& columns) const {
+    return j == 0 ? -determinant(columns.t, columns.a, columns.k[1])
+                  : -determinant(columns.t, columns.k[0], columns.a);
+  }
+
   /// (14.106).
   bool all_monotone(const Cluster& cluster, const Ranges& ranges, const Columns& columns) const {
     const DoubleBall whole = determinant(columns.t, columns.k[0], columns.k[1]);
     const DoubleBall t = determinant(columns.a, columns.k[0], columns.k[1]);
     if (is_asked_for(1) && t.certain_sign() == 0 && !is_straight(cluster)) return false;
-    const std::array<DoubleBall, 2> rates = {-determinant(columns.t, columns.a, columns.k[1]),
-                                             -determinant(columns.t, columns.k[0], columns.a)};
     for (std::size_t j = 0; j < 2; ++j) {
       if (!is_asked_for(2 + j)) continue;
-      const bool moves = (ranges.k[j] * whole + a_ * rates[j]).certain_sign() != 0;
-      if (!moves && !(rates[j].certain_sign() != 0 && begins_still(cluster, j))) return false;
+      const DoubleBall k = rate(j, columns);
+      const bool moves = (ranges.k[j] * whole + a_ * k).certain_sign() != 0;
+      if (!moves && !(k.certain_sign() != 0 && begins_still(cluster, j))) return false;
     }
     return true;
+  }
+
+  /// 1, -1: all of the arc but the pole is inside, outside of the square of y, where the pole may be on sides
+  /// of it (14.107); 0: not known.
+  int side_of_square(const Cluster& cluster, const Ranges& ranges, const Columns& columns) const {
+    int result = 1;
+    for (std::size_t j = 0; j < 2; ++j) {
+      if (e_.at[j] != 0 && e_.at[j] != 1) continue;
+      int sign = ranges.k[j].certain_sign();
+      if (sign == 0 && begins_still(cluster, j)) {
+        const DoubleBall whole = determinant(columns.t, columns.k[0], columns.k[1]);
+        sign = rate(j, columns).certain_sign() * whole.certain_sign();
+      }
+      const int inwards = e_.at[j] == 0 ? sign : -sign;
+      if (inwards < 0) return -1;
+      result = std::min(result, inwards);
+    }
+    return result;
   }
 
   /// t is constant: y lies in a plane, which x meets in a line t = constant.

@@ -22,9 +22,9 @@ struct PoleArc {
   double bend;
 };
 
-/// All arcs of x(a,t) = y(r,s) over 0 < a <= reach: each begins in the pole, and there is nothing else but
-/// the pole with t free. `turning`: of (a,t,r,s) as (u,v,r,s). Empty if that is not proved. Requires 0 <
-/// reach < 1.
+/// All arcs of x(a,t) = y(r,s) over 0 < a <= reach: each begins in the pole and is inside of the square of y,
+/// and there is nothing else but the pole with t free. `turning`: of (a,t,r,s) as (u,v,r,s). Empty if that is
+/// not proved. Requires 0 < reach < 1.
 std::optional<std::vector<PoleArc>> arcs_at_pole(const RationalPatch& x, const RationalPatch& y,
                                                  const PoleOnPatch& pole, const Rational& reach,
                                                  const std::vector<Parameter>& turning);

@@ -3,6 +3,7 @@
 #include <exsect/algebra/nearest_double.h>
 #include <exsect/solver/patch_ray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -50,7 +51,8 @@ std::optional<PoleOnPatch> rational_place(const Point& p, const PolynomialVector
     const Rational middle = from_double(near[j]), room = from_double(kSimple);
     at[j] = simplest_between(middle - room, middle + room);
   }
-  if (!is_zero(value(z, at[0], at[1])) || !is_regular(z, at[0], at[1])) return std::nullopt;
+  const bool is_in_square = std::ranges::all_of(at, [](const Rational& t) { return 0 <= t && t <= 1; });
+  if (!is_in_square || !is_zero(value(z, at[0], at[1])) || !is_regular(z, at[0], at[1])) return std::nullopt;
   return PoleOnPatch{p, {RationalInterval{at[0], at[0]}, RationalInterval{at[1], at[1]}}};
 }
 
@@ -69,7 +71,9 @@ std::optional<PoleOnPatch> algebraic_place(const Point& p, const PolynomialVecto
     if (hit.t.compare(0) != 0 || hit.contact != RayContact::transversal || !hit.parameters) continue;
     const TriangularPoint place = hit.parameters->refined_to(kPlaceWidth);
     const RationalInterval at_r = place.r_interval(), at_s = place.s().interval();
-    if (is_regular(z, at_r.midpoint(), at_s.midpoint())) return PoleOnPatch{p, {at_r, at_s}, place};
+    const bool is_inside = at_r.lower > 0 && at_r.upper < 1 && at_s.lower > 0 && at_s.upper < 1;
+    if (is_inside && is_regular(z, at_r.midpoint(), at_s.midpoint()))
+      return PoleOnPatch{p, {at_r, at_s}, place};
   }
   return std::nullopt;
 }

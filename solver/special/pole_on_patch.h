@@ -10,8 +10,9 @@
 
 namespace exsect {
 
-/// The side (0,t) of x is the point of y at one (r,s) in `at`, where y is regular: a rational place, or a box
-/// of a width of at most 2^-80 around an irrational one, which is `exact`; y is regular in its middle too.
+/// The side (0,t) of x is the point of y at one (r,s) in `at`, where y is regular: a rational place
+/// of [0,1]^2, or a box inside of a width of at most 2^-80 around an irrational one, which is `exact`; y is
+/// regular in its middle too.
 struct PoleOnPatch {
   Point point;
   std::array<RationalInterval, 2> at;

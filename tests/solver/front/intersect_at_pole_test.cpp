@@ -33,15 +33,15 @@ BezierPatch dome(Generator& generator) {
   return BezierPatch(net);
 }
 
-/// A steep sheet with the origin at (1/2,1/3).
-BezierPatch sheet(Generator& generator) {
+/// A steep sheet with the origin at the place.
+BezierPatch sheet(Generator& generator, const Rational& r, const Rational& s) {
   const auto jitter = [&] { return Rational(random_pairs::integer(generator, -8, 8), 64); };
   ControlNet net;
   for (long i = 0; i < 3; ++i)
     for (long j = 0; j < 3; ++j)
       net[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = {2 * i + jitter(), j + jitter(),
                                                                        2 * j - i + jitter()};
-  const Point at = BezierPatch(net)(Rational(1, 2), Rational(1, 3));
+  const Point at = BezierPatch(net)(r, s);
   for (auto& row : net)
     for (Point& p : row) p = p - at;
   return BezierPatch(net);
@@ -88,14 +88,13 @@ const Node* pole_of(const IntersectionGraph& graph) {
   return nullptr;
 }
 
-}  // namespace
-
-TEST_CASE("intersect_at_pole: domes on sheets have the graph of exact arithmetic") {
+/// Of sheets with the pole at the place; counts what is found, and arcs.
+std::array<int, 2> compare_with_exact(const Rational& r, const Rational& s, std::uint64_t seeds) {
   int complete = 0, arcs = 0;
-  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
-    INFO("seed " << seed);
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    INFO("pole at " << to_double(r) << ", " << to_double(s) << ", seed " << seed);
     Generator generator(seed);
-    const BezierPatch x = dome(generator), y = sheet(generator);
+    const BezierPatch x = dome(generator), y = sheet(generator, r, s);
     const IntersectResult exact = intersect(x, y);
     REQUIRE(exact.status == Status::complete);
     const auto found = intersect_at_pole(x, y, Run(), solved_in_doubles);
@@ -109,8 +108,27 @@ TEST_CASE("intersect_at_pole: domes on sheets have the graph of exact arithmetic
     CHECK(pole_of(found->graph)->free == std::vector{Parameter::v});
     CHECK(pole_of(exchanged->graph)->free == std::vector{Parameter::s});
   }
+  return {complete, arcs};
+}
+
+}  // namespace
+
+TEST_CASE("intersect_at_pole: domes on sheets have the graph of exact arithmetic") {
+  const auto [complete, arcs] = compare_with_exact(Rational(1, 2), Rational(1, 3), 16);
   CHECK(complete >= 12);
   CHECK(arcs >= 6);
+}
+
+TEST_CASE("intersect_at_pole: poles on sides and in corners have the graph of exact arithmetic") {
+  int complete = 0, arcs = 0;
+  for (const Rational& r : {Rational(0), Rational(1, 2), Rational(1)})
+    for (const Rational& s : {Rational(0), Rational(1)}) {
+      const auto found = compare_with_exact(r, s, 4);
+      complete += found[0];
+      arcs += found[1];
+    }
+  CHECK(complete >= 16);
+  CHECK(arcs >= 4);
 }
 
 TEST_CASE("intersect_at_pole: planes through the pole of an octant") {
@@ -156,6 +174,32 @@ TEST_CASE("intersect_at_pole: planes through the pole of an octant") {
     CHECK(pole_of(intersect(x.transposed(), y).graph)->free == std::vector{Parameter::u});
     CHECK(difference(result.graph, intersect(x.restricted_to(1, 0, 0, 1), y).graph, {{0, 1, 2, 3}, {true}}) ==
           "");
+  }
+}
+
+TEST_CASE("intersect_at_pole: a pole on a side of the other patch, and just beside it") {
+  // The plane of the case above over x >= 0, and over x <= 0, in which the arc is not.
+  const RationalPatch x(octant(), kWeights);
+  const auto half = [](const Rational& from, const Rational& to) {
+    const auto at = [](const Rational& a, const Rational& b) -> Point { return {a, b, 1 - 3 * (a - b)}; };
+    const Rational low(-5, 11), high(9, 11);
+    return RationalPatch({{at(from, low), at(from, high)}, {at(to, low), at(to, high)}});
+  };
+  for (const auto& [to, arcs] :
+       {std::pair(Rational(1), std::size_t{1}), std::pair(Rational(-1), std::size_t{0})}) {
+    const IntersectResult result = intersect(x, half(0, to));
+    REQUIRE(result.status == Status::complete);
+    const Node* pole = pole_of(result.graph);
+    REQUIRE(pole);
+    CHECK(pole->on == std::vector<Side>{{Parameter::u, 1}, {Parameter::r, 0}});
+    CHECK(arcs_at(result.graph, pole->id) == arcs);
+    CHECK(result.graph.isolated_points.size() == 1 - arcs);
+    CHECK(difference(result.graph, intersect(half(0, to), x).graph, {{2, 3, 0, 1}, {}}) == "");
+    for (const int bits : {12, 40, 70}) {
+      const IntersectResult inside = intersect(x, half(-to * power_of_two(-bits), to));
+      CHECK((pole_of(inside.graph) == nullptr || pole_of(inside.graph)->on.size() == 1));
+      CHECK(pole_of(intersect(x, half(to * power_of_two(-bits), to)).graph) == nullptr);
+    }
   }
 }
 
