@@ -181,7 +181,7 @@ CrossingCurve traced(const TracedCurve& of) {
         if (to.star) add_chord(trace, known.stars[*to.star], to.zero, false);
         result.arcs.push_back({node_of[start], node_of[end], from.branch,
                                of.branches.all[from.branch].multiplicity, std::move(trace.points),
-                               trace.error_bound});
+                               trace.error_bound, from.zero});
       }
     }
   for (std::size_t i = 0; i < known.landmarks.size(); ++i)

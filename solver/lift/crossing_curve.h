@@ -33,6 +33,7 @@ struct CrossingArc {
   int multiplicity;    // 1 where the surfaces cross; above 1 they touch, or one of them is singular
   std::vector<std::array<double, 3>> points;
   double error_bound;
+  SpaceZero begin;  // a cube of a point of the arc, near `from`
 };
 
 /// Invariant: unless `open`, the arcs, ends included, and the nodes of degree 0 are all common

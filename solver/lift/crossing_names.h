@@ -8,8 +8,8 @@
 
 namespace exsect {
 
-/// As for lifted curves (curve_names.h): lines and conics that are defined over Q
-/// are named; others are connected parts.
+/// As for lifted curves (curve_names.h): lines and conics that are defined over Q or are one of two that are
+/// conjugate over a quadratic field are named; others are connected parts.
 std::vector<SpaceCurve> named_curves(const CrossingCurve& curve);
 
 }  // namespace exsect

@@ -102,19 +102,29 @@ bool vanishes_on(const BivariatePolynomial& f, const BivariatePolynomial& g) {
   return remainder(f, g).empty();
 }
 
-std::optional<PlaneAbove> plane_through(const SheetFunction& f, const BivariatePolynomial& g) {
-  const std::array<BivariatePolynomial, 4> columns = {f.a, BivariatePolynomial::r() * f.b,
-                                                      BivariatePolynomial::s() * f.b, f.b};
-  std::map<std::pair<int, int>, std::array<Rational, 4>> rows;
-  for (std::size_t k = 0; k < 4; ++k)
-    for (const auto& [monomial, c] : remainder(columns[k], g)) rows[monomial][k] = c;
-  RationalMatrix matrix(rows.size(), 4);
+std::vector<std::vector<Integer>> relations_on(const std::vector<std::vector<BivariatePolynomial>>& columns,
+                                               const BivariatePolynomial& g) {
+  std::map<std::pair<std::size_t, std::pair<int, int>>, std::vector<Rational>> rows;  // by component
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    for (std::size_t i = 0; i < columns[k].size(); ++i)
+      for (const auto& [monomial, c] : remainder(columns[k][i], g)) {
+        std::vector<Rational>& row = rows[{i, monomial}];
+        row.resize(columns.size());
+        row[k] = c;
+      }
+  RationalMatrix matrix(rows.size(), columns.size());
   std::size_t i = 0;
-  for (const auto& [monomial, row] : rows) {
-    for (std::size_t k = 0; k < 4; ++k) matrix(i, k) = row[k];
+  for (const auto& [place, row] : rows) {
+    for (std::size_t k = 0; k < columns.size(); ++k) matrix(i, k) = row[k];
     ++i;
   }
-  for (const std::vector<Integer>& v : null_space(matrix))
+  return null_space(matrix);
+}
+
+std::optional<PlaneAbove> plane_through(const SheetFunction& f, const BivariatePolynomial& g) {
+  const std::vector<std::vector<BivariatePolynomial>> columns = {
+      {f.a}, {BivariatePolynomial::r() * f.b}, {BivariatePolynomial::s() * f.b}, {f.b}};
+  for (const std::vector<Integer>& v : relations_on(columns, g))
     if (v[0] != 0) {
       const Rational first(v[0]);
       return PlaneAbove{Rational(v[1]) / first, Rational(v[2]) / first, Rational(v[3]) / first};

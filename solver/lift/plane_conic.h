@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "lift/surface_chart.h"
 #include "lift/surface_intersection.h"
@@ -37,6 +38,11 @@ ConjugateLines conjugate_lines(const BivariatePolynomial& conic);
 
 /// On the irreducible curve g = 0.
 bool vanishes_on(const BivariatePolynomial& f, const BivariatePolynomial& g);
+
+/// A basis of the rational relations sum c_k columns[k] = 0 on the irreducible curve g = 0, in each of the
+/// components of the columns, which have equally many.
+std::vector<std::vector<Integer>> relations_on(const std::vector<std::vector<BivariatePolynomial>>& columns,
+                                               const BivariatePolynomial& g);
 
 /// y = alpha u + beta v + gamma.
 using PlaneAbove = std::array<Rational, 3>;

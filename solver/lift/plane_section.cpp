@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lift/conjugate_conics.h"
 #include "lift/line_square.h"
 #include "lift/plane_conic.h"
 
@@ -162,32 +163,17 @@ std::optional<NamedParts> above_conjugate_lines(const LiftedCurve& curve, const 
   return NamedParts{which, [first, second](int part) { return of_kind(part > 0 ? first : second); }};
 }
 
-/// f = kappa (n^2 - d m^2), n a circle and m linear, for an irreducible f of total degree 4 on a plane: two
-/// circles that are conjugate over Q(sqrt(d)).
-std::optional<NamedParts> conjugate_circles(const LiftedCurve& curve, const BivariatePolynomial& f) {
-  const auto number = [](const Rational& q) { return BivariatePolynomial::constant(q); };
-  const BivariatePolynomial u = BivariatePolynomial::r(), v = BivariatePolynomial::s();
-  const Rational uu = squared(curve.chart.along_u), vv = squared(curve.chart.along_v);
-  if (f.total_degree() != 4 || f.coefficient(4, 0) == 0) return std::nullopt;
-  const BivariatePolynomial scaled = number(uu * uu / f.coefficient(4, 0)) * f;
-  const BivariatePolynomial n = number(uu) * u * u + number(vv) * v * v +
-                                number(scaled.coefficient(3, 0) / (2 * uu)) * u +
-                                number(scaled.coefficient(0, 3) / (2 * vv)) * v;
-  const BivariatePolynomial rest = scaled - n * n;
-  if (rest.total_degree() > 2) return std::nullopt;
-  // The matrix of rest - 2 c n - c^2 as a polynomial in c: of rank 1 for the constant c of n.
-  SymmetricMatrix m = symmetric_matrix(rest, number(-2) * n);
-  m[2][2] -= Polynomial::variable() * Polynomial::variable();
-  for (const LineSquare& square : line_squares(m)) {
-    if (square.factor >= 0) continue;
-    const BivariatePolynomial line = square.line, circle = n + number(square.at);
-    SpaceCurve named = of_kind(Kind::circle);
-    named.direction = cross(curve.chart.along_u, curve.chart.along_v);
-    return parts_like(named, [&curve, line, circle](const LiftedArc& arc) {
-      return sign_inside(line, curve, arc) * sign_inside(circle, curve, arc);
-    });
-  }
-  return std::nullopt;
+/// Above two conics of the shadow that are conjugate over a quadratic field, where y is a function.
+std::optional<NamedParts> above_conjugate_conics(const LiftedCurve& curve, const BivariatePolynomial& g,
+                                                 const SheetFunction& f) {
+  const auto pair = conjugate_conics(g);
+  if (!pair) return std::nullopt;
+  const auto first = conic_above(curve.chart, *pair, 1, f), second = conic_above(curve.chart, *pair, -1, f);
+  if (!first || !second) return std::nullopt;
+  const auto part = [&curve, n = pair->n, m = pair->m](const LiftedArc& arc) {
+    return sign_inside(n, curve, arc) * sign_inside(m, curve, arc);
+  };
+  return NamedParts{part, [one = *first, other = *second](int side) { return side > 0 ? one : other; }};
 }
 
 /// Above a conic g with points of both signs of y: two conics that are mirrored, in the planes l = +- sqrt(k)
@@ -224,7 +210,9 @@ std::optional<NamedParts> named_parts(const LiftedCurve& curve, const ShadowFact
   if (!is_flat && g.degree_r() == 0 && y2.degree_r() == 0) return rulings(curve, factor);
   if (g.total_degree() == 1)
     return is_flat ? one_curve(line_in_plane(curve.chart, g, {0, 0, 0})) : above_line(curve, g);
-  if (is_flat && g.total_degree() == 4) return conjugate_circles(curve, g);
+  const SheetFunction flat = {{}, BivariatePolynomial::constant(1)};
+  if (g.total_degree() == 4 && (is_flat || factor.in_common == 0))
+    return above_conjugate_conics(curve, g, is_flat ? flat : curve.shadow.rest);
   if (g.total_degree() != 2) return std::nullopt;
   const PlaneConic conic(g);
   if (conic.is_degenerate()) return above_conjugate_lines(curve, factor);

@@ -9,6 +9,7 @@
 #include "curve/curve_place.h"
 #include "curve/short_rational.h"
 #include "lift/connected_parts.h"
+#include "lift/plane_conic.h"
 #include "lift/surface_chart.h"
 
 namespace exsect {
@@ -23,29 +24,44 @@ RationalInterval with_room(const RationalInterval& a) {
   return {a.lower - least_width(), a.upper + least_width()};
 }
 
-/// A circle of the torus: one parameter of the patch with halves 0 is constant on it, a root of the factor.
-SpaceCurve circle_on(const TorusCurve& curve, const BivariatePolynomial& factor) {
-  const TorusFrame& torus = curve.frame;
-  const bool is_meridian = factor.degree_s() == 0;
-  SpaceCurve circle{0, SpaceCurveKind::circle, {}, false, 1};
-  if (!is_meridian) circle.direction = torus.along;
-  const Polynomial of = is_meridian ? factor.at_s(0) : factor.at_r(0);
-  if (of.degree() != 1) return circle;
-  const UnitVector from_middle = turn_by(-2 * of.coefficient(0) / of.coefficient(1) - 1);
-  if (is_meridian) {
-    const UnitVector a = curve.turns.around + from_middle;
-    const Point outwards = a.cosine * torus.across + a.sine * torus.beside;
-    circle.point = torus.centre + torus.major * outwards;
-    circle.direction = cross(outwards, torus.along);
-    circle.radius_squared = torus.minor * torus.minor;
-  } else {
-    const UnitVector b = curve.turns.across + from_middle;
-    circle.point = torus.centre + torus.minor * b.sine * torus.along;
-    const Rational radius = torus.major + torus.minor * b.cosine;
-    circle.radius_squared = radius * radius;
+/// Above an irreducible factor of degree 1 in both parameters at most: the circle of the plane and the sphere
+/// that contain it, if there are any.
+std::optional<SpaceCurve> circle_above(const RationalPatch& patch, const BivariatePolynomial& factor) {
+  if (factor.degree_r() > 1 || factor.degree_s() > 1) return std::nullopt;
+  const BivariatePolynomial w = patch.component(3);
+  std::vector<std::vector<BivariatePolynomial>> columns = {{w * w}};
+  BivariatePolynomial squares;
+  for (int k = 0; k < 3; ++k) {
+    columns.push_back({patch.component(k) * w});
+    squares += patch.component(k) * patch.component(k);
   }
-  if (circle.direction) circle.direction = shortened(*circle.direction);
+  columns.push_back({squares});
+  const std::vector<std::vector<Integer>> relations = relations_on(columns, factor);
+  if (relations.size() != 2) return std::nullopt;
+  // d + n.P + e |P|^2 = 0: a sphere, and a plane from both.
+  const bool is_sphere = relations[0][4] != 0;
+  const std::vector<Integer>&sphere = relations[is_sphere ? 0 : 1], &other = relations[is_sphere ? 1 : 0];
+  const Rational e(sphere[4]), share = Rational(other[4]) / e;
+  std::array<Rational, 4> plane;
+  for (std::size_t k = 0; k < 4; ++k) plane[k] = Rational(other[k]) - share * Rational(sphere[k]);
+  const Point normal = {plane[1], plane[2], plane[3]},
+              middle = -1 / (2 * e) * Point{Rational(sphere[1]), Rational(sphere[2]), Rational(sphere[3])};
+  const Point off = (plane[0] + dot(normal, middle)) / dot(normal, normal) * normal;
+  SpaceCurve circle{0, SpaceCurveKind::circle, {}, false, 1};
+  circle.point = middle - off;
+  circle.direction = shortened(normal);
+  circle.radius_squared = dot(middle, middle) - Rational(sphere[0]) / e - dot(off, off);
   return circle;
+}
+
+/// One parameter of the patch with halves 0 is constant on a circle in a plane through the axis, or
+/// orthogonal to it.
+SpaceCurve named_above(const TorusCurve& curve, const BivariatePolynomial& factor) {
+  if (auto circle = circle_above(curve.parts[0].patch, factor)) return *std::move(circle);
+  const bool is_circle = factor.degree_r() == 0 || factor.degree_s() == 0;
+  SpaceCurve named{0, is_circle ? SpaceCurveKind::circle : SpaceCurveKind::general, {}, false, 1};
+  if (factor.degree_r() == 0) named.direction = shortened(curve.frame.along);
+  return named;
 }
 
 }  // namespace
@@ -92,9 +108,7 @@ std::vector<SpaceCurve> named_curves(const TorusCurve& curve) {
       if (curve.arcs[i].factor != k) continue;
       const auto [at, is_new] = position.emplace(parts(curve.arcs[i]), curves.size());
       if (is_new) {
-        const bool is_circle = factor.degree_r() == 0 || factor.degree_s() == 0;
-        curves.push_back(is_circle ? circle_on(curve, factor)
-                                   : SpaceCurve{0, SpaceCurveKind::general, {}, false, 1});
+        curves.push_back(named_above(curve, factor));
         curves.back().id = static_cast<int>(at->second);
         curves.back().multiplicity = multiplicity;
       }

@@ -185,6 +185,17 @@ TEST_CASE("crossing curve: lines and conics have their names and data") {
       CHECK(saddle(p) == 0);
       CHECK((p[0] - 2) * (p[1] - 3) == 0);
     }
+  // Conjugate over a quadratic field: lines, ellipses, circles, hyperbolas, and an ellipse with a hyperbola.
+  CHECK(kinds(meet(x * x + y * y - one, x * x - number(Rational(1, 2)))) == Kinds{{"line", 4}});
+  CHECK(kinds(meet(x * x - number(2), z - y)) == Kinds{{"line", 2}});
+  CHECK(kinds(meet(x * x + y * y - one, z * z - number(2) * x * x)) == Kinds{{"ellipse", 2}});
+  const SurfaceIntersection circles = meet(bowl, z * z - number(4) * z + number(2));
+  CHECK(kinds(circles) == Kinds{{"circle", 2}});
+  for (const SpaceCurve& curve : circles.curves) CHECK(is_zero(cross(*curve.direction, up)));
+  CHECK(kinds(meet(x * x - y * y - one, z * z - number(2) * y * y)) == Kinds{{"hyperbola", 2}});
+  // The planes (1 +- w) x = z, w^2 = 2, with x^2 + y^2 - z^2 / 4 = 1.
+  CHECK(kinds(meet(x * x + y * y - Rational(1, 4) * z * z - one, z * z - number(2) * x * z - x * x)) ==
+        Kinds{{"ellipse", 1}, {"hyperbola", 1}});
   // Neighbours have no names.
   const Rational little = power_of_two(-40);
   CHECK(kinds(meet(x * x + y * y - one, planes + number(little))) == Kinds{{"general", 2}});

@@ -250,6 +250,27 @@ TEST_CASE("equations: planes and a torus") {
   }
 }
 
+TEST_CASE("equations: circles of Villarceau that two tori share") {
+  // A torus turned about the axis of one of its circles of Villarceau, by 3/5 and 4/5, in the planes 3x = 4z.
+  const Point n = Rational(1, 5) * Point{3, 0, 4}, centre = {0, 3, 0};
+  const auto turned = [&](const Point& q) {
+    const Rational c(3, 5), s(4, 5);
+    return c * q + s * cross(n, q) + (1 - c) * dot(n, q) * n;
+  };
+  const S torus = S::torus(origin, up, 5, 3), other = S::torus(centre - turned(centre), turned(up), 5, 3);
+  const SurfaceIntersection shared = intersect(torus, other);
+  REQUIRE(shared.status == Status::complete);
+  REQUIRE(shared.count(SpaceCurveKind::circle) == 1);
+  for (const SpaceCurve& curve : shared.curves)
+    if (curve.kind == SpaceCurveKind::circle) {
+      CHECK(*curve.point == centre);
+      CHECK(*curve.radius_squared == 25);
+      CHECK(is_zero(cross(*curve.direction, n)));
+      CHECK(curve.is_closed);
+    }
+  CHECK(census(torus, other).starts_with("1 circle o, "));
+}
+
 TEST_CASE("equations: a torus and quadrics") {
   const S torus = S::torus(origin, up, 5, 3);
   CHECK(census(torus, S::cylinder(origin, up, 8)) == "1 circle o *2");
