@@ -80,8 +80,8 @@ class Confirmation {
     return timed("fibres", [&] {
       return no_curve_is_missing(
           simple_roots(roots), curves,
-          [&](const Rational& sample) {
-            return fibre_count({sweep, sample});
+          [&](const RationalInterval& at) {
+            return at.width() == 0 ? fibre_count({sweep, at.lower}) : std::nullopt;
           },
           sweep);
     });

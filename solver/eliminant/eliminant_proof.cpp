@@ -50,10 +50,14 @@ class EliminantProof {
     return true;
   }
 
-  /// No singular point and no curve of a fibre is left, each of which counts two at least: (14.110).
-  bool are_explained() const {
-    for (std::size_t i = 0; i < roots_.size(); ++i)
-      if (known_[i] + 2 <= roots_[i].order) return false;
+  /// No singular point and no curve of a fibre is left, each of which counts two at least: (14.110). Or the
+  /// fibre has simple points alone: what else lies over the root is outside of the squares.
+  bool are_explained() {
+    for (std::size_t i = 0; i < roots_.size(); ++i) {
+      if (known_[i] + 2 > roots_[i].order) continue;
+      if (known_[i] > 0 || !fibre_(roots_[i].at)) return false;
+      known_[i] = roots_[i].order;
+    }
     return true;
   }
 
@@ -86,7 +90,7 @@ class EliminantProof {
 
   bool count_between(std::size_t left, std::size_t right) const {
     const auto sample = sample_between(left, right);
-    const auto count = sample ? fibre_(*sample) : std::nullopt;
+    const auto count = sample ? fibre_({*sample, *sample}) : std::nullopt;
     if (count && *count != crossings(*sample)) {
       contradiction({*sample, *sample}, "the known curves and a fibre are not in bijection");
     }
@@ -154,7 +158,7 @@ class EliminantProof {
   const std::vector<Stations>& curves_;
   const FibreCount& fibre_;
   Parameter sweep_;
-  std::vector<int> known_;  // how much the known multiple points over the root count
+  std::vector<int> known_;  // how much the known multiple points over the root, and points outside, count
 };
 
 }  // namespace

@@ -24,17 +24,17 @@ struct EliminantRoot {
   int order = 1;  // its multiplicity
 };
 
-/// The number of points on the line where the sweep parameter has this value; empty: not known, or points
-/// that are not isolated.
-using FibreCount = std::function<std::optional<std::size_t>(const Rational&)>;
+/// The number of points on each line where the sweep parameter has a value in this interval, one or a few
+/// bits wide; a curve crosses the line in each of them. Empty: not known.
+using FibreCount = std::function<std::optional<std::size_t>(const RationalInterval&)>;
 
 /// True: `curves` and singular points are the whole intersection, apart from what is known on sides. They are
 /// different, and all solutions on sides are known. Stations that are one point twice are an isolated point.
 /// `roots` of the turning eliminant are ascending and disjoint, and all in (0,1). `singular` encloses the
 /// sweep parameter, inside (0,1), at different singular solutions that are isolated in their fibres over the
 /// complex numbers. False if the enclosures are too wide for a proof, a fibre is not known, or a multiple
-/// root has a greater order than what is known over it explains. Throws ProofFailure if roots or fibres
-/// contradict the curves.
+/// root has a greater order than what is known over it explains, and its own fibre is not known. Throws
+/// ProofFailure if roots or fibres contradict the curves.
 bool no_curve_is_missing(const std::vector<EliminantRoot>& roots, const std::vector<Stations>& curves,
                          const FibreCount& fibre, Parameter sweep = Parameter::u,
                          const std::vector<RationalInterval>& singular = {});

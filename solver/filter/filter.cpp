@@ -70,10 +70,8 @@ IntersectResult solved_pair(const ExactPatch<K>& x, const ExactPatch<K>& y, cons
     if (auto found = with_magnified_boxes<K>(x, y, pair->extent, known, run, depth)) return *std::move(found);
   if (pair && known.stuck) return filter::ended_at<K>(*pair, *known.stuck);
   return undecided(whole_domain(),
-                   run.exact()
-                       ? "not decided by an eliminant, as where the patches touch along a curve or one is a "
-                         "sphere"
-                       : "not decided in doubles");
+                   run.exact() ? "not decided by an eliminant, as where the patches touch along a curve"
+                               : "not decided in doubles");
 }
 
 /// As it is, and moved and scaled where that helps.

@@ -21,10 +21,12 @@ struct Line {
   double error;
 };
 
-/// The line where p has this value in [0,1].
-inline Line centred_line(Parameter p, const Rational& value) {
-  const NearestDouble nearest = nearest_double(value - Rational(1, 2));
-  return {index(p), nearest.value, nearest.exact ? 0 : kValueError};
+/// The lines where p has a value in this interval in [0,1].
+inline Line centred_line(Parameter p, const RationalInterval& values) {
+  const NearestDouble nearest = nearest_double(values.midpoint() - Rational(1, 2));
+  const double rounding = nearest.exact ? 0 : kValueError;
+  const double spread = values.width() == 0 ? 0 : to_double(values.width()) + kUnit;  // half of it is needed
+  return {index(p), nearest.value, rounding + spread};
 }
 
 /// Every solution on the line, apart from the contacts, with the other three

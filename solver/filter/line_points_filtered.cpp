@@ -36,7 +36,7 @@ LinePoints line_points_filtered(const BezierPatch& x, const BezierPatch& y, cons
     const LinePlace place = line_place(query);
     const auto pair = filter::make_pair(x, y);
     if (!pair) return line_points(x, y, query);
-    const filter::Line line = filter::centred_line(query.fixed, query.value);
+    const filter::Line line = filter::centred_line(query.fixed, {query.value, query.value});
     filter::PatchTree other(line.fixed < 2 ? pair->y : pair->x);
     long boxes = 0;
     auto balls = filter::points_on_line(*pair, line, {}, other, boxes);

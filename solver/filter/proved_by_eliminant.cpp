@@ -74,8 +74,8 @@ bool proved_by_eliminant(const ExactPatch<K>& x, const ExactPatch<K>& y, const P
   if (sweeps.size() > kMostSweeps) sweeps.resize(kMostSweeps);
   for (const Parameter p : sweeps) {
     PatchTreeOf<K>& other = index(p) < 2 ? trees.y : trees.x;
-    const auto count = [&](const Rational& sample) -> std::optional<std::size_t> {
-      const auto points = points_on_line<K>(pair, centred_line(p, sample), contacts, other, boxes);
+    const auto count = [&](const RationalInterval& at) -> std::optional<std::size_t> {
+      const auto points = points_on_line<K>(pair, centred_line(p, at), contacts, other, boxes);
       return points ? std::optional(points->size()) : std::nullopt;
     };
     const auto roots = weighted_turning_roots(first, second, p);

@@ -30,15 +30,15 @@ std::optional<IntersectResult> confirmed(const BezierPatch& x, const BezierPatch
 }
 
 FibreCount exact_count(const Pair& pair, Parameter sweep) {
-  return [&pair, sweep](const Rational& sample) -> std::optional<std::size_t> {
-    const LinePoints line = line_points(pair.x, pair.y, {sweep, sample});
+  return [&pair, sweep](const RationalInterval& at) -> std::optional<std::size_t> {
+    const LinePoints line = line_points(pair.x, pair.y, {sweep, at.midpoint()});
     CHECK_FALSE(line.incomplete);
     return line.points.size();
   };
 }
 
 FibreCount always(std::size_t count) {
-  return [count](const Rational&) { return std::optional(count); };
+  return [count](const RationalInterval&) { return std::optional(count); };
 }
 
 std::vector<EliminantRoot> roots_at(const std::vector<Rational>& values) {
@@ -134,8 +134,8 @@ std::size_t check_rational_values(const Pair& pair) {
 TEST_CASE("eliminant proof: samples between roots that belong to no known curve") {
   const Rational third(1, 3), half(1, 2), most(3, 4);
   std::vector<Rational> samples;
-  const FibreCount none = [&](const Rational& sample) {
-    samples.push_back(sample);
+  const FibreCount none = [&](const RationalInterval& sample) {
+    samples.push_back(sample.lower);
     return std::optional<std::size_t>(0);
   };
   CHECK(no_curve_is_missing(roots_at({}), {}, none));
@@ -146,7 +146,7 @@ TEST_CASE("eliminant proof: samples between roots that belong to no known curve"
   CHECK((third < samples[0] && samples[0] < half && half < samples[1] && samples[1] < most));
   CHECK_THROWS_AS(no_curve_is_missing(roots_at({third, half}), {}, always(2)), std::logic_error);
   CHECK_FALSE(no_curve_is_missing(roots_at({third, half}), {},
-                                  [](const Rational&) { return std::optional<std::size_t>(); }));
+                                  [](const RationalInterval&) { return std::optional<std::size_t>(); }));
 }
 
 TEST_CASE("eliminant proof: turning points and roots one to one") {
@@ -170,8 +170,8 @@ TEST_CASE("eliminant proof: turning points and roots one to one") {
 TEST_CASE("eliminant proof: open intervals that share an end, and such that are too wide") {
   const Rational low(1, 4), half(1, 2), high(3, 4);
   std::vector<Rational> samples;
-  const FibreCount none = [&](const Rational& sample) {
-    samples.push_back(sample);
+  const FibreCount none = [&](const RationalInterval& sample) {
+    samples.push_back(sample.lower);
     return std::optional<std::size_t>(0);
   };
   const auto roots = simple_roots({{0, low}, {low, half}, {half, high}, {high, 1}});
@@ -189,11 +189,15 @@ TEST_CASE("eliminant proof: open intervals that share an end, and such that are 
 
 TEST_CASE("eliminant proof: what lies over multiple roots explains their order") {
   const Rational low(1, 4), half(1, 2), high(3, 4);
-  const auto proved = [&](int order, std::size_t turns, std::size_t points) {
+  const auto proved = [&](int order, std::size_t turns, std::size_t points, bool is_known = false) {
+    const FibreCount fibre = [&](const RationalInterval& at) {
+      CHECK((at.lower == half && at.upper == half));
+      return is_known ? std::optional<std::size_t>(1) : std::nullopt;
+    };
     std::vector<Stations> curves;
     for (std::size_t k = 0; k < turns; ++k) curves.push_back({{{0, 0}, {half, half}, {0, 0}}, false});
     const std::vector<RationalInterval> singular(points, {half, half});
-    return no_curve_is_missing({{{half, half}, order}}, curves, always(0), Parameter::u, singular);
+    return no_curve_is_missing({{{half, half}, order}}, curves, fibre, Parameter::u, singular);
   };
   // (14.110): k + 2 l >= m - 1.
   CHECK(proved(2, 0, 1));
@@ -203,11 +207,14 @@ TEST_CASE("eliminant proof: what lies over multiple roots explains their order")
   CHECK_FALSE(proved(2, 0, 0));
   CHECK_FALSE(proved(3, 1, 0));
   CHECK_FALSE(proved(4, 0, 1));
+  // Simple points alone are over the root, but not where another one is known.
+  CHECK(proved(2, 0, 0, true));
+  CHECK_FALSE(proved(3, 1, 0, true));
   CHECK_THROWS_AS(proved(1, 0, 1), std::logic_error);
   CHECK_THROWS_AS(proved(2, 1, 1), std::logic_error);
   // A further curve may still turn over a root of an order that is not reached, but not over the others.
   std::size_t fibres = 0;
-  const FibreCount counted = [&](const Rational&) { return std::optional(fibres++ * 0); };
+  const FibreCount counted = [&](const RationalInterval&) { return std::optional(fibres++ * 0); };
   const std::vector<EliminantRoot> roots = {{{low, low}, 1}, {{half, half}, 2}, {{high, high}, 1}};
   const std::vector<Stations> touch = {{{{half, half}, {half, half}}, false}};
   CHECK(no_curve_is_missing(roots, touch, counted, Parameter::u, {{half, half}}));
