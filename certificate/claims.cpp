@@ -77,7 +77,7 @@ void append_number(std::string& text, double a) {
     return;
   }
   int exponent = 0;  // a = p 2^(exponent - 53); with q = 2^halvings, p/q in lowest terms
-  const auto p = static_cast<std::int64_t>(std::ldexp(std::frexp(a, &exponent), 53));
+  const auto p = static_cast<std::int64_t>(0x1p53 * std::frexp(a, &exponent));
   const int even = std::min(53 - exponent, std::countr_zero(static_cast<std::uint64_t>(p)));
   const int halvings = 53 - exponent - even;
   append_integer(text, p >> even);

@@ -103,6 +103,8 @@ std::string separating(const std::array<int, 3>& direction, double least, double
 std::string separating(const Hulls& hulls, const std::array<int, 3>& direction) {
   const Vector d = {double(direction[0]), double(direction[1]), double(direction[2])};
   const std::array<double, 2> a = hulls[0].range(d);
+  const double other = checker::dot(d, hulls[1].middle());
+  if (a[0] <= other && other <= a[1]) return "";
   const std::array<double, 2> b = hulls[1].range(d);
   const double weight = hulls[0].least_weight * hulls[1].least_weight;
   return separating(direction, weight * (a[0] - b[1]), weight * (a[1] - b[0]));
@@ -128,16 +130,15 @@ class Cover {
         places_(places),
         divided_{in_enclosures(pair.charts[0].divided[0]), in_enclosures(pair.charts[0].divided[1])} {}
 
-  void add(const Cell& cell, const std::vector<std::size_t>& near, int depth) {
+  void add(Cell cell, const std::vector<std::size_t>& near, int depth) {
     const std::vector<std::size_t> meeting = those_meeting(cell, near);
     const Hulls hulls = {Hull(cell.nets[0]), Hull(cell.nets[1])};
     if (std::string place = place_of(cell, hulls, meeting); !place.empty()) return entries_.push_back(place);
     if (depth > 150 || entries_.size() > max_entries) throw NoCertificate("a subdivision that does not end");
     const std::size_t parameter = longest(cell, hulls);
     entries_.emplace_back(1, "uvrs"[parameter]);
-    Cell upper = cell;
-    add(split(upper, parameter), meeting, depth + 1);
-    add(upper, meeting, depth + 1);
+    add(split(cell, parameter), meeting, depth + 1);
+    add(std::move(cell), meeting, depth + 1);
   }
 
   std::vector<std::string> entries_;
@@ -278,7 +279,8 @@ std::array<int, 3> rounded_direction(const Vector& d, double size) {
   const double most = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
   if (!(most > 0) || !std::isfinite(most)) return {0, 0, 0};
   std::array<int, 3> result;
-  for (std::size_t i = 0; i < 3; ++i) result[i] = static_cast<int>(std::lround(size * d[i] / most));
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] = static_cast<int>(size * d[i] / most + std::copysign(0.5, d[i]));
   return result;
 }
 

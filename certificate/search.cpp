@@ -58,7 +58,7 @@ std::optional<std::array<bool, 4>> factored(const Equation& equation, const Tube
   const Parameters extent = tube.extent();
   for (std::size_t i = 0; i < 4; ++i) box[i] = {tube.centre[i], extent[i] * (1 + 0x1p-20)};
   if (!checker::independent<double>(equation.factor->columns, box)) return std::nullopt;
-  return checker::constant_in<double>(equation.factor->exact.map, box);
+  return checker::constant_in(equation.factor->exact.map, equation.factor->map, box);
 }
 
 bool definite(const checker::Ball<double>& b) {

@@ -195,8 +195,9 @@ class ChartSearch {
     std::array<bool, 4> constant = found_.constant;
     if (tube.factor >= 0) {
       if (!checker::independent<double>(found_.maps.at({tube.factor, direction_}).columns, box)) return false;
-      constant = checker::constant_in<double>(found_.factors[static_cast<std::size_t>(tube.factor)].exact.map,
-                                              checker::from_star(star_, direction_, box));
+      const NearFactor& factor = found_.factors[static_cast<std::size_t>(tube.factor)];
+      constant =
+          checker::constant_in(factor.exact.map, factor.map, checker::from_star(star_, direction_, box));
     }
     const auto signs =
         checker::half_branch_signs(star_, tube, checker::curve_bounds(local, tube.axis, extent));

@@ -50,14 +50,13 @@ class Cover {
     whole_.section = in_numbers(section_net(section, d * net.degree(0), d * net.degree(1)));
   }
 
-  void check(const Region& region) {
+  void check(Region region) {
     if (next_ == certificate_.cover.size())
       throw Rejected("$.cover", "the subdivision is not complete", Violation::cover);
     const Cell& cell = certificate_.cover[next_++];
     if (cell.kind == Kind::split) {
-      Region upper = region;
-      check(split(upper, cell));
-      check(upper);
+      check(split(region, cell));
+      check(std::move(region));
     } else {
       leaf(cell, region);
     }

@@ -34,7 +34,8 @@ std::array<bool, 4> constant_parameters(const Replay<N>& replay, const Tube<N>& 
   if (tube.factor < 0 && !replay.certificate.equation) return {};
   Box<N> box = box_of(tube);
   if (tube.chart == Chart::star) box = from_star(replay.certificate.stars[tube.star], tube.direction, box);
-  return constant_in(replay.exact_map(tube), box);
+  const Map<Rational>& map = replay.exact_map(tube);
+  return constant_in(map, rounded<N>(map), box);
 }
 
 template <class N>

@@ -76,19 +76,20 @@ inline bool is_edge(const Map<Rational>& map) {
 }
 
 /// Parameters that are constant where the map vanishes, in the box: the only ones in a component that are not
-/// known to be constant, and it is monotone in them.
+/// known to be constant, and it is monotone in them. `near`: the map in numbers of the check.
 template <class N>
-std::array<bool, 4> constant_in(const Map<Rational>& map, const Box<N>& box) {
+std::array<bool, 4> constant_in(const Map<Rational>& map, const Map<N>& near, const Box<N>& box) {
   std::array<bool, 4> result = {};
-  const Map<N> local = rounded<N>(map).at(middles(box));
+  const Map<N> local = near.at(middles(box));
   const Ranges over(local, radii(box));
   for (std::size_t n = 0; n < 64; ++n) {
     const std::size_t i = n % 4;
     const std::size_t d = n / 4 % 3;
+    if (result[i]) continue;
     const bool alone = std::all_of(map.terms().begin(), map.terms().end(), [&](const auto& term) {
       bool other = false;
       for (const std::size_t j : others(i)) other = other || (term.power[j] > 0 && !result[j]);
-      return term.c[d] == 0 || !other;
+      return !other || term.c[d] == 0;
     });
     if (alone && over.first(i)[d].sign() != 0) result[i] = true;
   }

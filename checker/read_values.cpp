@@ -1,5 +1,7 @@
 #include "read_values.h"
 
+#include <bit>
+
 #include "certificate.h"
 
 namespace exsect::checker {
@@ -64,7 +66,9 @@ std::optional<double> short_number(std::string_view text) {
   const bool power = q == 2 && skip(text, '^');
   if (power) q = skip_positive(text, 3);
   if (q == 0 || !text.empty()) return std::nullopt;
-  if (power) return std::ldexp(value, -static_cast<int>(q));
+  if (power)
+    return value *
+           std::bit_cast<double>(static_cast<std::uint64_t>(1023 - q) << 52);  // 2^-q, exactly: q < 1000
   return q > 1 && (q & (q - 1)) == 0 ? std::optional(value / static_cast<double>(q)) : std::nullopt;
 }
 
