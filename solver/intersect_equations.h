@@ -11,8 +11,8 @@ namespace exsect {
 /// for two of plane, cylinder, cone and sphere, for one of them and a torus, for two tori about one axis
 /// whose major radii have a rational ratio, for a plane, cylinder, cone or sphere and a polynomial, and with
 /// a torus or a polynomial for a torus whose minor radius has a rational ratio to the major one, or to the
-/// length of its axis. Other tori and two polynomials are complete unless they are both singular in one point
-/// or along a curve; else they are incomplete, and the reason says so.
+/// length of its axis. Other tori and two polynomials are complete unless both are singular along one curve,
+/// or of order 3 or more in one point; else they are incomplete, and the reason says so.
 /// The answer does not depend on the order of the surfaces. Polylines keep within the tolerance times the
 /// extent of what is drawn; unbounded curves are cut off, where nothing but arcs that go on to infinity is
 /// beyond. One surface in two boxes is complete but for boxes of a sphere about different axes. Of the

@@ -225,13 +225,17 @@ CrossingCurve curve_of_coprime(const SpacePolynomial& whole_f, const SpacePolyno
     if (!projection) continue;
     if (projection->shadow.degree_s() < 1) return {};
     ++tried;
-    const std::optional<CrossingBranches> branches = crossing_branches(f, g, *projection);
+    std::optional<CrossingBranches> branches = crossing_branches(f, g, *projection);
     if (!branches) {
       why = "both surfaces are singular along a common curve, it seems";
       continue;
     }
     const std::vector<CrossingBound> bounds = crossing_bounds(*branches, region);
-    const CrossingLandmarks landmarks = crossing_landmarks(*branches, bounds, tolerance);
+    CrossingLandmarks landmarks = crossing_landmarks(*branches, bounds, tolerance);
+    if (landmarks.asks_for_quadratic && g.degree() > 1) {
+      branches->projection.quadratic = space_quadratic(f, g, projection->frame);
+      landmarks = crossing_landmarks(*branches, bounds, tolerance);
+    }
     if (landmarks.obstacle.empty()) {
       CrossingCurve curve = traced({*branches, bounds, region, landmarks});
       if (!(f == whole_f && g == whole_g))

@@ -115,8 +115,11 @@ class LandmarkSearch {
     for (const TurningValue& value : values_) {
       if (value.source && !add_simple(value))
         return with_obstacle("turning points of the curve are not proved");
-      if (!value.source && !add_centres(value))
-        return with_obstacle("both surfaces are singular in a common point, it seems");
+      if (!value.source && !add_centres(value)) {
+        CrossingLandmarks unknown = with_obstacle("both surfaces are singular in a common point, it seems");
+        unknown.asks_for_quadratic = !projection_.quadratic;
+        return unknown;
+      }
     }
     if (guesses_.empty() && result_.stars.empty()) return std::move(result_);
     result_.extent = extent_of_guesses();

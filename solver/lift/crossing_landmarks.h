@@ -40,9 +40,10 @@ struct LandmarkStar {
 /// entries and exits beside stars. One arc
 /// ends in each passage, and one begins there. Inside of arcs no bound is 0.
 struct CrossingLandmarks {
-  std::string obstacle = {};  // why they are not known
-  double extent = 0;          // about the size of all
-  double tolerance = 0;       // for this extent
+  std::string obstacle = {};        // why they are not known
+  bool asks_for_quadratic = false;  // of the projection, whose slope is 0 in a centre
+  double extent = 0;                // about the size of all
+  double tolerance = 0;             // for this extent
   std::vector<CrossingLandmark> landmarks = {};
   std::vector<LandmarkStar> stars = {};
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "curve/no_zero.h"
+#include "curve/short_rational.h"
 
 namespace exsect {
 namespace {
@@ -48,6 +49,41 @@ RationalInterval window_in(const RationalInterval& free, const RealAlgebraic& va
           std::min<Rational>(free.upper, simplest_between(at.upper + width / 4, at.upper + width / 2))};
 }
 
+/// (17.15a): c0 + c1 y + c2 y^2 has one zero over the place, and the curve is singular there.
+bool has_double_point(const SpaceProjection& projection, const TriangularPoint& below) {
+  if (!projection.quadratic) return false;
+  const auto& [c0, c1, c2] = projection.quadratic->c;
+  const BivariatePolynomial four = BivariatePolynomial::constant(4);
+  return sign_over(c2, below) != 0 && sign_over(c1 * c1 - four * c0 * c2, below) == 0 &&
+         sign_over(projection.quadratic->along, below) == 0;
+}
+
+/// The middle of all y over the rectangle, and a bound of how far others are off; by the slope, or by the
+/// quadratic.
+std::optional<std::pair<Rational, Rational>> range_over(const SpaceProjection& projection,
+                                                        const RationalInterval& u,
+                                                        const RationalInterval& v) {
+  const auto [slope, slope_bound] = spread_on(projection.slope, u, v);
+  if (abs(slope) > slope_bound) {
+    const Rational y = -projection.offset(u.midpoint(), v.midpoint()) / slope;
+    // y - (the one at the centre) is (offset + slope y) / slope with this y (17.15).
+    const auto [rest, rest_bound] =
+        spread_on(projection.offset + BivariatePolynomial::constant(y) * projection.slope, u, v);
+    return std::pair(y, Rational((abs(rest) + rest_bound) / (abs(slope) - slope_bound)));
+  }
+  if (!projection.quadratic) return std::nullopt;
+  const auto& [c0, c1, c2] = projection.quadratic->c;
+  const auto [leading, leading_bound] = spread_on(c2, u, v);
+  if (abs(leading) <= leading_bound) return std::nullopt;
+  const Rational y = -c1(u.midpoint(), v.midpoint()) / (2 * leading), least = abs(leading) - leading_bound;
+  // The quadratic in y - (this one), whose zeros are at most |b1| + sqrt(|b0|) for a leading coefficient
+  // of 1.
+  const BivariatePolynomial at = BivariatePolynomial::constant(y);
+  const auto [b0, b0_bound] = spread_on(c0 + at * c1 + at * at * c2, u, v);
+  const auto [b1, b1_bound] = spread_on(c1 + BivariatePolynomial::constant(2) * at * c2, u, v);
+  return std::pair(y, Rational((abs(b1) + b1_bound) / least + root_above((abs(b0) + b0_bound) / least)));
+}
+
 }  // namespace
 
 int sign_over(const BivariatePolynomial& f, const TriangularPoint& below) {
@@ -66,8 +102,9 @@ std::optional<std::vector<CrossingCentre>> centres_over(const SpaceProjection& p
     if (is_simple &&
         std::ranges::none_of(bounds, [&](const auto& each) { return sign_over(each, point) == 0; }))
       continue;
-    if (sign_over(projection.slope, point) == 0) return std::nullopt;
-    const bool is_singular = !is_simple && sign_over(by_u, point) == 0;
+    const bool is_double = sign_over(projection.slope, point) == 0;
+    if (is_double && (!bounds.empty() || !has_double_point(projection, point))) return std::nullopt;
+    const bool is_singular = is_double || (!is_simple && sign_over(by_u, point) == 0);
     centres.push_back({std::move(point), is_singular});
   }
   return centres;
@@ -75,13 +112,9 @@ std::optional<std::vector<CrossingCentre>> centres_over(const SpaceProjection& p
 
 std::optional<CrossingBox> box_over(const SpaceProjection& projection, const RationalInterval& u,
                                     const RationalInterval& v) {
-  const auto [slope, slope_bound] = spread_on(projection.slope, u, v);
-  if (abs(slope) <= slope_bound) return std::nullopt;
-  const Rational y = -projection.offset(u.midpoint(), v.midpoint()) / slope;
-  // y - (the one at the centre) is (offset + slope y) / slope with this y (17.15).
-  const auto [rest, rest_bound] =
-      spread_on(projection.offset + BivariatePolynomial::constant(y) * projection.slope, u, v);
-  const Rational reach = (abs(rest) + rest_bound) / (abs(slope) - slope_bound);
+  const auto range = range_over(projection, u, v);
+  if (!range) return std::nullopt;
+  const auto& [y, reach] = *range;
   const SpaceFrame& frame = projection.frame;
   const Point middle = frame.point(u.midpoint(), v.midpoint(), y);
   CrossingBox box;

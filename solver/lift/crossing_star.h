@@ -19,7 +19,8 @@ struct CrossingCentre {
 };
 
 /// All real ones over u, with a bound of these signs (sign_below) or without. Empty if the frame does not
-/// show what is over one of them: slope = 0.
+/// show what is over one of them: slope = 0, and the quadratic of the projection has no double zero in which
+/// the curve is singular by (17.15a), or there are bounds.
 std::optional<std::vector<CrossingCentre>> centres_over(const SpaceProjection& projection,
                                                         const RealAlgebraic& u,
                                                         const std::vector<BivariatePolynomial>& bounds = {});
@@ -27,7 +28,8 @@ std::optional<std::vector<CrossingCentre>> centres_over(const SpaceProjection& p
 /// The sign of a polynomial of r = u and s = v below the centre.
 int sign_over(const BivariatePolynomial& f, const TriangularPoint& below);
 
-/// A closed box of the point; of all common points over a rectangle of (u,v). Empty if the slope may be 0.
+/// A closed box of the point; of all common points over a rectangle of (u,v). Empty if the slope may be 0,
+/// and so may c2 of the quadratic.
 using CrossingBox = std::array<RationalInterval, 3>;
 std::optional<CrossingBox> box_over(const SpaceProjection& projection, const RationalInterval& u,
                                     const RationalInterval& v);

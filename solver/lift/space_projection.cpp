@@ -134,6 +134,25 @@ std::optional<SpaceProjection> space_projection(const SpacePolynomial& f, const 
   return result;
 }
 
+SpaceQuadratic space_quadratic(const SpacePolynomial& f, const SpacePolynomial& g, const SpaceFrame& frame) {
+  if (f.degree() < g.degree()) return space_quadratic(g, f, frame);
+  const SpacePolynomial first = in_frame(f, frame), second = in_frame(g, frame);
+  std::array<std::vector<Polynomial>, 3> values;
+  std::vector<Rational> nodes;
+  for (int u = 0; u <= f.degree() * g.degree(); ++u) {
+    interruption_point();
+    nodes.emplace_back(u);
+    const BivariatePolynomial over = slice_at(second, u);
+    const BivariatePolynomial of = g.degree() == 2 ? over : subresultants_r(slice_at(first, u), over)[2];
+    for (int k = 0; k < 3; ++k) values[static_cast<std::size_t>(k)].push_back(of.coefficient(k));
+  }
+  SpaceQuadratic result;
+  for (std::size_t k = 0; k < 3; ++k) result.c[k] = interpolated(nodes, values[k]);
+  const SpaceProjection by_middle{frame, {}, BivariatePolynomial::constant(2) * result.c[2], result.c[1]};
+  result.along = sign_below(by_middle, turning_form(f, g, cross(frame.columns[0], frame.columns[1])));
+  return result;
+}
+
 SpacePolynomial turning_form(const SpacePolynomial& f, const SpacePolynomial& g, const Point& height) {
   SpacePolynomial sum;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -24,6 +24,12 @@ struct SpaceFrame {
 inline constexpr int general_frames = 6;
 SpaceFrame general_frame(int attempt);
 
+/// c0 + c1 y + c2 y^2 = 0 on the common points of F and G: the second subresultant.
+struct SpaceQuadratic {
+  std::array<BivariatePolynomial, 3> c;
+  BivariatePolynomial along;  // where this has a double zero, 0 if grad F x grad G has no part along y
+};
+
 /// The common points of F and G. Invariant: over every complex u there are finitely many, over bounded u they
 /// are bounded, and v and y are O(u) on them. They have shadow(u,v) = 0, u in the place of r and v in that of
 /// s, and y = -offset / slope where slope != 0 (17.15).
@@ -32,12 +38,16 @@ struct SpaceProjection {
   BivariatePolynomial shadow;  // the resultant with respect to y; its degree in v is its total degree
   BivariatePolynomial slope;
   BivariatePolynomial offset;
+  std::optional<SpaceQuadratic> quadratic = {};  // if it was asked for
 };
 
 /// Empty if the frame is not in general position to the points of F = G = 0 at infinity. The shadow is zero
 /// if F and G have a common factor. Requires F and G not constant.
 std::optional<SpaceProjection> space_projection(const SpacePolynomial& f, const SpacePolynomial& g,
                                                 const SpaceFrame& frame);
+
+/// Of a projection of F and G. Requires degrees of at least 2.
+SpaceQuadratic space_quadratic(const SpacePolynomial& f, const SpacePolynomial& g, const SpaceFrame& frame);
 
 /// J = F_v G_y - F_y G_v as a polynomial of space: the rate of u along grad F x grad G.
 SpacePolynomial turning_form(const SpacePolynomial& f, const SpacePolynomial& g, const Point& height);

@@ -260,6 +260,37 @@ TEST_CASE("crossing curve: touch points and singular points") {
         "1 closed, 0 open, 1 crossing");
 }
 
+TEST_CASE("crossing curve: points in which both surfaces are singular") {
+  const auto ends = [](const S& first, const S& second) {
+    const SurfaceIntersection result = intersect(first, second, coarse());
+    REQUIRE(result.status == Status::complete);
+    std::map<std::string, int> counts;
+    for (const SpaceNode& node : result.nodes)
+      if (node.kind != SpaceNodeKind::joint) ++counts[name(node.kind) + std::to_string(node.degree)];
+    return counts;
+  };
+  // Cones of one apex, at a rational and at an irrational slope, against the same with their names.
+  const Point apex = {1, -2, Rational(1, 3)};
+  const S both = S::cone(apex, up, 1, 2);
+  for (const S& other :
+       {S::cone(apex, {1, 0, 2}, 1, 2), S::cone(apex, oblique, Rational(1, 2), 2), S::cone(apex, right, 1, 2),
+        S::cone(apex, right, Length::of_squared(Rational(1, 7)), 2),
+        S::cone(apex, {1, 2, 3}, Length::of_squared(3), 2)})
+    CHECK(ends(unnamed(both), unnamed(other)) == ends(both, other));
+  // Two nodes with closed curves through them, and one with a cusp of the other surface: against slices.
+  const SpacePolynomial x = SpacePolynomial::variable(0), y = SpacePolynomial::variable(1),
+                        z = SpacePolynomial::variable(2);
+  const SpacePolynomial square = x * x + y * y + z * z;
+  const S node = S::polynomial(z * z - x * x - y * y - square * square),
+          cusp = S::polynomial(x * x + y * y * y - z * x * y);
+  const std::vector<Rational> heights = {Rational(-3, 4), Rational(-1, 5), Rational(1, 7), Rational(2, 3)};
+  check_slices(node, unnamed(S::cone(origin, {1, 2, 9}, Rational(1, 2), 2)), heights);
+  check_slices(node, cusp, heights);
+  // Neighbours: the apex moved by 2^-20.
+  const S near = S::cone(apex + power_of_two(-20) * oblique, {1, 0, 2}, 1, 2);
+  CHECK(ends(unnamed(both), unnamed(near)) == ends(both, near));
+}
+
 TEST_CASE("crossing curve: irrational and oblique touch points") {
   // The greatest circle of the torus has the radius 3 sqrt(2), a point of it is 3 (1, -1, 0).
   const S torus = S::torus(origin, oblique, Length::of_squared(8), Length::of_squared(2));

@@ -62,6 +62,26 @@ TEST_CASE("crossing star: crossings, touch points, cusps") {
   CHECK(apex.is_singular);
 }
 
+TEST_CASE("crossing star: a point in which both surfaces are singular, and a curve along y") {
+  const SpaceFrame frame = general_frame(0);
+  const auto form = [](const Point& p) { return p[0] * x + p[1] * y + p[2] * z; };
+  const SpacePolynomial square = x * x + y * y + z * z;
+  const auto centres = [&](const SpacePolynomial& f, const SpacePolynomial& g) {
+    auto projection = space_projection(f, g, frame);
+    REQUIRE(projection);
+    CHECK(!centres_over(*projection, RealAlgebraic(0)));
+    projection->quadratic = space_quadratic(f, g, frame);
+    return centres_over(*projection, RealAlgebraic(0));
+  };
+  const auto apex = centres(square - number(2) * z * z, square - number(3) * x * x);
+  REQUIRE(apex);
+  REQUIRE(apex->size() == 1);
+  CHECK(apex->front().is_singular);
+  // Spheres through the origin, whose circle runs along y there.
+  const Point a = cross(frame.columns[2], Point{1, 0, 0}), b = cross(frame.columns[2], a);
+  CHECK(!centres(square - form(a), square - form(b)));
+}
+
 TEST_CASE("crossing star: a regular point where u turns, and rectangles without zeros") {
   const auto projection = space_projection(x * x + y * y + z * z - number(2), x + y, general_frame(0));
   REQUIRE(projection);
