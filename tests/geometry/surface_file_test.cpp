@@ -167,6 +167,12 @@ TEST_CASE("what is no surface is refused with its place") {
                 "$.patches[0].nappes", "from 1 to 2");
   check_refused(with(R"("type": "torus", "centre": [0,0,0], "axis": [0,0,1], "major": 1, "minor": 2)"),
                 "$.patches[0].minor", "spindle");
+  check_refused(with(R"("type": "torus", "centre": [0,0,0], "axis": [0,0,1], "major": 1, "minor": 1)"),
+                "$.patches[0].minor", "horn");
+  check_refused(with(R"("type": "torus", "centre": [0,0,0], "axis": [0,0,1], "major": 1, "minor": 0)"),
+                "$.patches[0].minor", "not positive");
+  check_refused(with(R"("type": "cylinder", "point": [0,0,0], "axis": [0,0,1], "radius": 0)"),
+                "$.patches[0].radius", "not positive");
   check_refused(with(R"("type": "torus", "centre": [0,0,0], "axis": [0,0,1], "major": -1, "minor": 2)"),
                 "$.patches[0].major", "not positive");
   check_refused(with(R"("type": "implicit", "terms": [])"), "$.patches[0].terms", "constant");
