@@ -23,6 +23,10 @@ Eigen::VectorXd to_eigen(const std::vector<double>& v) {
 
 std::vector<double> from_eigen(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
+Row3 cross_product(const Row3& a, const Row3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 }  // namespace
 
 void DoubleMatrix::append(const DoubleMatrix& below) {
@@ -61,6 +65,17 @@ std::vector<double> solution(const DoubleMatrix& m, const std::vector<double>& r
 std::vector<double> symmetric_solution(const DoubleMatrix& m, const std::vector<double>& right) {
   const Eigen::MatrixXd dense = to_eigen(m);
   return from_eigen(dense.selfadjointView<Eigen::Lower>().ldlt().solve(to_eigen(right)));
+}
+
+std::optional<Matrix3> approximate_inverse(const std::array<Row3, 3>& column) {
+  Matrix3 inverse = {cross_product(column[1], column[2]), cross_product(column[2], column[0]),
+                     cross_product(column[0], column[1])};
+  const double determinant =
+      column[0][0] * inverse[0][0] + column[0][1] * inverse[0][1] + column[0][2] * inverse[0][2];
+  if (!(std::fabs(determinant) > 0) || !std::isfinite(1 / determinant)) return std::nullopt;
+  for (Row3& row : inverse)
+    for (double& entry : row) entry /= determinant;
+  return inverse;
 }
 
 std::vector<double> sparse_solution(const std::vector<SparseEntry>& entries,

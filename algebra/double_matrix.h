@@ -2,7 +2,9 @@
 // later.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace exsect {
@@ -48,6 +50,13 @@ LeastSquares least_squares(const DoubleMatrix& m, const std::vector<double>& rig
 std::vector<double> solution(const DoubleMatrix& m, const std::vector<double>& right);
 /// The same for a symmetric matrix, of which the lower triangle is read.
 std::vector<double> symmetric_solution(const DoubleMatrix& m, const std::vector<double>& right);
+
+using Row3 = std::array<double, 3>;
+using Matrix3 = std::array<Row3, 3>;  // by rows
+
+/// The inverse of the matrix with these columns; empty if the determinant is 0 or not a number, or its
+/// reciprocal is not finite.
+std::optional<Matrix3> approximate_inverse(const std::array<Row3, 3>& column);
 
 struct SparseEntry {
   std::size_t row;

@@ -1,6 +1,7 @@
 #include "lift/space_zero.h"
 
 #include <exsect/algebra/ball.h>
+#include <exsect/algebra/double_matrix.h>
 #include <exsect/algebra/interruption.h>
 #include <exsect/algebra/rounding_bounds.h>
 
@@ -12,26 +13,8 @@
 namespace exsect {
 namespace {
 
-using Vector3 = std::array<double, 3>;
-using Matrix3 = std::array<Vector3, 3>;
-
-Vector3 cross_of(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// About the inverse of the matrix with these rows.
-Matrix3 inverse_of(const Matrix3& rows) {
-  const Matrix3 columns = {cross_of(rows[1], rows[2]), cross_of(rows[2], rows[0]),
-                           cross_of(rows[0], rows[1])};
-  const double determinant =
-      rows[0][0] * columns[0][0] + rows[0][1] * columns[0][1] + rows[0][2] * columns[0][2];
-  Matrix3 inverse;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) inverse[i][j] = columns[j][i] / determinant;
-  return inverse;
-}
-
-/// The three polynomials about a point, and about the inverse of their gradients there.
+/// The three polynomials about a point, and about the inverse of their gradients there: 0, with which nothing
+/// is proved, if there is none.
 struct LocalSystem {
   std::array<LocalPolynomial, 3> forms;
   Matrix3 inverse;
@@ -39,16 +22,16 @@ struct LocalSystem {
   LocalSystem(const SpaceSystem& system, const Point& centre)
       : forms{LocalPolynomial(system[0], centre), LocalPolynomial(system[1], centre),
               LocalPolynomial(system[2], centre)} {
-    Matrix3 rows;
+    std::array<Row3, 3> columns;
     for (std::size_t i = 0; i < 3; ++i) {
       const SpaceBalls gradient = forms[i].gradient();
-      for (std::size_t k = 0; k < 3; ++k) rows[i][k] = gradient[k].approximation();
+      for (std::size_t k = 0; k < 3; ++k) columns[k][i] = gradient[k].approximation();
     }
-    inverse = inverse_of(rows);
+    inverse = approximate_inverse(columns).value_or(Matrix3{});
   }
 
-  Vector3 newton_step() const {
-    Vector3 step{};
+  Row3 newton_step() const {
+    Row3 step{};
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t i = 0; i < 3; ++i) step[k] -= inverse[k][i] * forms[i].value().approximation();
     return step;
@@ -89,7 +72,7 @@ std::optional<SpaceZero> space_zero(const SpaceSystem& system, Point guess, doub
     interruption_point();
     for (Rational& coordinate : guess) coordinate = on_grid(coordinate, unit);
     const LocalSystem local(system, guess);
-    const Vector3 move = local.newton_step();
+    const Row3 move = local.newton_step();
     const double size = std::max({std::fabs(move[0]), std::fabs(move[1]), std::fabs(move[2])});
     if (!std::isfinite(size) || !std::isfinite(move[0] + move[1] + move[2])) return std::nullopt;
     if (size < radius / 4 && local.has_one_zero_within(radius)) return SpaceZero{guess, radius};

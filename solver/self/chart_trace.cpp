@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "self/pair_rates.h"
+#include "trace/preconditioned_newton.h"
 #include "trace/steps.h"
 #include "trace/tube_points.h"
 

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "self/pair_rates.h"
+#include "trace/preconditioned_newton.h"
 #include "trace/shorter_piece.h"
 #include "trace/turning_search.h"
 

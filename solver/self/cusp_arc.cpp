@@ -7,6 +7,7 @@
 
 #include "self/pair_rates.h"
 #include "trace/enclose.h"
+#include "trace/preconditioned_newton.h"
 #include "trace/tube_points.h"
 
 namespace exsect {

@@ -1,21 +1,12 @@
 // How a pair of parameters moves along a curve in a chart. Internal to solver/.
 #pragma once
 
-#include <exsect/algebra/rounding_bounds.h>
-
-#include <algorithm>
-
 #include "self/chart.h"
 
 namespace exsect {
 
 // Half width of a tube for each unit of its length, so that enclosures of its points fit in.
 inline constexpr double kChartTubeRoom = 0x1p-8;
-
-template <class Ball>
-double largest_radius(const BallPoint<Ball>& box) {
-  return larger_bound(box[0].radius(), box[1].radius(), box[2].radius(), box[3].radius());
-}
 
 /// The kernel of DH at a point, a continuous field on a chart.
 template <class Ball>

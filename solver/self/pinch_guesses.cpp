@@ -27,11 +27,13 @@ std::optional<std::array<double, 2>> settled(const LocalDerivatives& x, double u
       if (!(std::fabs(y[2]) <= 1)) return std::nullopt;
     }
     const DoubleBall m(y[2]);
-    const auto rows = inverse({plus(d[2][0], m, d[1][1]), plus(d[1][1], m, d[0][2]), d[0][1]});
+    const auto rows = approximate_inverse(
+        {middle(plus(d[2][0], m, d[1][1])), middle(plus(d[1][1], m, d[0][2])), middle(d[0][1])});
+    if (!rows) return std::nullopt;
     const auto value = middle(plus(d[1][0], m, d[0][1]));
     double change = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double by = product(rows[i], value);
+      const double by = product((*rows)[i], value);
       y[i] -= by;
       change = std::max(change, std::fabs(by));
     }

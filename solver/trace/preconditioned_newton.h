@@ -3,6 +3,7 @@
 // solver/.
 #pragma once
 
+#include <exsect/algebra/double_matrix.h>
 #include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
@@ -16,9 +17,6 @@
 
 namespace exsect {
 
-using Row3 = std::array<double, 3>;
-using Matrix3 = std::array<Row3, 3>;
-
 /// The three parameters other than `axis`, ascending.
 inline std::array<std::size_t, 3> other_axes(std::size_t axis) {
   std::array<std::size_t, 3> result{};
@@ -29,27 +27,6 @@ inline std::array<std::size_t, 3> other_axes(std::size_t axis) {
     }
   }
   return result;
-}
-
-/// Inverse of the matrix with the given columns, in plain doubles: any matrix is a legal preconditioner.
-inline std::optional<Matrix3> approximate_inverse(const std::array<Row3, 3>& column) {
-  const auto minor = [&](std::size_t a, std::size_t b) {
-    return Row3{column[a][1] * column[b][2] - column[a][2] * column[b][1],
-                column[a][2] * column[b][0] - column[a][0] * column[b][2],
-                column[a][0] * column[b][1] - column[a][1] * column[b][0]};
-  };
-  Matrix3 inverse = {minor(1, 2), minor(2, 0), minor(0, 1)};
-  const double det =
-      column[0][0] * inverse[0][0] + column[0][1] * inverse[0][1] + column[0][2] * inverse[0][2];
-  if (!(std::fabs(det) > 0) || !std::isfinite(1 / det)) {
-    return std::nullopt;
-  }
-  for (Row3& row : inverse) {
-    for (double& entry : row) {
-      entry /= det;
-    }
-  }
-  return inverse;
 }
 
 /// c v, enclosed.
@@ -113,6 +90,11 @@ std::optional<BallMatrix<Ball>> approximate_inverse(const std::array<BallVector<
 template <class Ball>
 BallVector<Ball> preconditioned(const BallMatrix<Ball>& c, const BallVector<Ball>& v) {
   return {dot(c[0], v), dot(c[1], v), dot(c[2], v)};
+}
+
+template <class Ball>
+double largest_radius(const BallPoint<Ball>& box) {
+  return larger_bound(box[0].radius(), box[1].radius(), box[2].radius(), box[3].radius());
 }
 
 template <class Ball>

@@ -48,11 +48,6 @@ template <long Bits>
 inline constexpr int kNewtonSteps<ArbBall<Bits>> = Bits > 256 ? 6 : 4;
 
 template <class Ball>
-double largest_radius(const BallPoint<Ball>& box) {
-  return larger_bound(box[0].radius(), box[1].radius(), box[2].radius(), box[3].radius());
-}
-
-template <class Ball>
 double narrowest(const Tube<Ball>& tube) {
   double least = 1;
   for (const std::size_t j : other_axes(tube.axis)) {

@@ -94,6 +94,15 @@ TEST_CASE("solutions are those of exact elimination", "[double_matrix]") {
   }
 }
 
+TEST_CASE("the inverse of a matrix by its columns", "[double_matrix]") {
+  const auto inverse = approximate_inverse({Row3{1, 0, 2}, Row3{0, 4, 0}, Row3{1, 1, 4}});
+  REQUIRE(inverse);
+  CHECK(*inverse == Matrix3{Row3{2, 0, -0.5}, Row3{0.25, 0.25, -0.125}, Row3{-1, 0, 0.5}});
+  CHECK_FALSE(approximate_inverse({Row3{1, 2, 3}, Row3{2, 4, 6}, Row3{0, 0, 1}}));
+  CHECK_FALSE(approximate_inverse({Row3{NAN, 0, 0}, Row3{0, 1, 0}, Row3{0, 0, 1}}));
+  CHECK_FALSE(approximate_inverse({Row3{0x1p-1060, 0, 0}, Row3{0, 1, 0}, Row3{0, 0, 1}}));
+}
+
 TEST_CASE("least singular values and square roots satisfy what defines them", "[double_matrix]") {
   const unsigned seed = 7;
   CAPTURE(seed);
