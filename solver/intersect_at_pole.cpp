@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "answer/placement.h"
 #include "answer/proof.h"
 #include "pole_drawing.h"
+#include "special/common_pole.h"
 
 namespace exsect {
 namespace {
@@ -141,12 +143,17 @@ double extent_of(const RationalPatch& x, const RationalPatch& y) {
   return to_double(model_extent(points));
 }
 
+/// What is proved over 0 < a <= reach: all arcs, of which these parameters are turning.
+using ProvedArcs = std::function<std::optional<std::vector<PoleArc>>(const Rational& reach,
+                                                                     const std::vector<Parameter>& turning)>;
+
 /// By what is proved near the pole, and the rest of the patch.
-std::optional<IntersectResult> with_rest(const TurnedPair& turned, const Rational& reach, const Run& run,
+std::optional<IntersectResult> with_rest(const TurnedPair& turned, const ProvedArcs& near_pole,
+                                         const Rational& reach, const Run& run,
                                          const filter::SolvePieces& solve) {
   const PolePair& pair = turned.pair;
   const Run part = turned_run(turned.side, run);
-  auto arcs = arcs_at_pole(pair.x, pair.y, pair.pole, reach, part.turning());
+  auto arcs = near_pole(reach, part.turning());
   if (!arcs) return std::nullopt;
   IntersectResult rest = solve(pair.x.restricted_to(reach, 1, 0, 1), pair.y, part);
   if (rest.status != Status::complete || !fit(*arcs, rest)) return std::nullopt;
@@ -158,18 +165,45 @@ std::optional<IntersectResult> with_rest(const TurnedPair& turned, const Rationa
       [side = turned.side](const Run& given) { return turned_run(side, given); });
 }
 
+std::optional<IntersectResult> over_reaches(const TurnedPair& turned, const ProvedArcs& near_pole,
+                                            const Run& run, const filter::SolvePieces& solve) {
+  for (long bits = kFirstReachBits; bits <= kLastReachBits && !run.out_of_time(); bits += 2)
+    if (auto result = with_rest(turned, near_pole, power_of_two(-bits), run, solve)) return result;
+  return std::nullopt;
+}
+
+/// The place on y of a pole that is this side of it.
+PoleOnPatch on_side(const Point& point, const SideOfPair& side) {
+  PoleOnPatch pole{point, {RationalInterval{0, 1}, RationalInterval{0, 1}}};
+  pole.at[side.fixed] = {side.value, side.value};
+  return pole;
+}
+
 }  // namespace
 
 std::optional<IntersectResult> intersect_at_pole(const RationalPatch& x, const RationalPatch& y,
                                                  const Run& run, const filter::SolvePieces& solve) {
+  const double extent = extent_of(x, y);
   for (const SideOfPair& side : all_sides()) {
     const RationalPatch first = side.turned(side.patch == 0 ? x : y);
     const RationalPatch& other = side.patch == 0 ? y : x;
-    const auto pole = pole_on_patch(first, other);
-    if (!pole) continue;
-    const TurnedPair turned = {side, {first, other, *pole, extent_of(x, y)}};
-    for (long bits = kFirstReachBits; bits <= kLastReachBits && !run.out_of_time(); bits += 2)
-      if (auto result = with_rest(turned, power_of_two(-bits), run, solve)) return result;
+    if (const auto pole = pole_on_patch(first, other)) {
+      const auto arcs = [&](const Rational& reach, const std::vector<Parameter>& turning) {
+        return arcs_at_pole(first, other, *pole, reach, turning);
+      };
+      if (auto result = over_reaches({side, {first, other, *pole, extent}}, arcs, run, solve)) return result;
+    }
+    for (const SideOfPair& of_other : all_sides()) {
+      if (side.patch == 1 || of_other.patch == 0 || !have_common_pole(first, of_other.turned(other)))
+        continue;
+      const auto no_arcs = [&](const Rational& reach, const std::vector<Parameter>&) {
+        return meet_in_pole_alone(first, of_other.turned(other), reach)
+                   ? std::optional(std::vector<PoleArc>())
+                   : std::nullopt;
+      };
+      const TurnedPair turned = {side, {first, other, on_side(first(0, 0), of_other), extent}};
+      if (auto result = over_reaches(turned, no_arcs, run, solve)) return result;
+    }
   }
   return std::nullopt;
 }

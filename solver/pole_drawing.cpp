@@ -82,11 +82,14 @@ Node PoleDrawing::node() const {
   Node node{};
   node.kinds = {NodeKind::boundary};
   node.on = {{Parameter::u, 0}};
-  for (std::size_t j = 0; j < 2; ++j)
-    for (const int value : {0, 1})
-      if (pair_.pole.at[j].lower == value) node.on.push_back({all_parameters[2 + j], value});
-  if (is_corner(node.on)) node.kinds.push_back(NodeKind::corner);
   node.free = {Parameter::v};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const RationalInterval& at = pair_.pole.at[j];
+    for (const int value : {0, 1})
+      if (at.lower == value && at.upper == value) node.on.push_back({all_parameters[2 + j], value});
+    if (at.width() == 1) node.free.push_back(all_parameters[2 + j]);
+  }
+  if (is_corner(node.on)) node.kinds.push_back(NodeKind::corner);
   node.box = {RationalInterval{0, 0}, RationalInterval{0, 1}, pair_.pole.at[0], pair_.pole.at[1]};
   node.approx = vertex.parameters;
   node.point = vertex.point;

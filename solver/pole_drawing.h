@@ -12,7 +12,7 @@
 
 namespace exsect {
 
-/// The side (0,t) of x is a point of y.
+/// The side (0,t) of x is a point of y, or a whole side of y, which has all of it for its place.
 struct PolePair {
   RationalPatch x;
   RationalPatch y;
@@ -32,7 +32,7 @@ class PoleDrawing {
  public:
   PoleDrawing(const PolePair& pair, PoleNeighbourhood all, const Run& run);
 
-  /// The pole with t free.
+  /// The pole with t free, and the parameter along its side of y if it is one.
   Node node() const;
   /// From the pole to the end of arc `which` of the neighbourhood, which was drawn as the vertex `end`.
   Arc arc(std::size_t which, const PolylineVertex& end) const;

@@ -4,13 +4,13 @@
 #include <exsect/algebra/nearest_double.h>
 #include <exsect/algebra/real_algebraic.h>
 #include <exsect/algebra/rounding_bounds.h>
-#include <exsect/algebra/tensor_bernstein.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "curve/polynomial_vector.h"
+#include "special/pole_directions.h"
 #include "special/remaining_squares.h"
 
 namespace exsect {
@@ -22,10 +22,6 @@ constexpr std::size_t kMostCells = 512;
 
 using Balls = std::array<DoubleBall, 3>;
 
-DoubleBall range_on(const BivariatePolynomial& f, const Rectangle& on) {
-  return f.is_zero() ? DoubleBall(0) : DoubleBall::enclosing(range_bound(f, on));
-}
-
 /// Of an interval of positive numbers.
 DoubleBall inverse_range(const BivariatePolynomial& f, const Rectangle& on) {
   const RationalInterval range = range_bound(f, on);
@@ -36,13 +32,6 @@ DoubleBall inverse_range(const BivariatePolynomial& f, const Rectangle& on) {
 DoubleBall determinant(const Balls& a, const Balls& b, const Balls& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
          a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
-/// f / a; f(0,t) = 0.
-BivariatePolynomial divided(const BivariatePolynomial& f) {
-  std::vector<Polynomial> rest;
-  for (int i = 1; i <= f.degree_r(); ++i) rest.push_back(f.coefficient(i));
-  return BivariatePolynomial(std::move(rest));
 }
 
 bool has_root(const Polynomial& f, const RationalInterval& in) {
@@ -65,8 +54,7 @@ struct Jet {
 struct PoleEquations {
   PoleEquations(const RationalPatch& x, const RationalPatch& y, const PoleOnPatch& pole)
       : weight(x.component(3)), weight_of_y(y.component(3)) {
-    const PolynomialVector from_pole = coordinates_from(x, pole.point);
-    for (std::size_t c = 0; c < 3; ++c) direction[c] = divided(from_pole[c]);
+    direction = pole_directions(x, pole.point);
     const PolynomialVector z = coordinates_from(y, pole.point);
     z_r = derivative_r(z);
     z_s = derivative_s(z);
@@ -233,9 +221,9 @@ class PoleProof {
 
   /// Of the first of (14.101), or (14.105) where that is flat.
   int sign_on(const Ranges& ranges) const {
-    const DoubleBall along_normal =
-        e_.is_flat ? range_on(divided(e_.f[0]), ranges.on) * omega_ - ranges.weight * quadratic(0, ranges.k)
-                   : ranges.f[0] * omega_ - ranges.weight * linear(0, ranges.k);
+    const DoubleBall along_normal = e_.is_flat ? range_on(divided_by_first(e_.f[0]), ranges.on) * omega_ -
+                                                     ranges.weight * quadratic(0, ranges.k)
+                                               : ranges.f[0] * omega_ - ranges.weight * linear(0, ranges.k);
     return along_normal.certain_sign();
   }
 
@@ -341,25 +329,10 @@ class PoleProof {
   bool begins_still(const Cluster& cluster, std::size_t j) const {
     if (pole_.is_rational())
       return has_root(gcd(e_.f[0].coefficient(0), e_.f[j + 1].coefficient(0)), cluster.along);
-    const Point normal = normal_in_pole();
+    const Point normal = common_normal(directions_in_pole(e_.direction));
     if (is_zero(normal)) return false;
     const PolynomialVector& along = j == 0 ? e_.z_s : e_.z_r;
     return sign_at(dot(normal, along), *pole_.exact) == 0;
-  }
-
-  /// Of the plane that holds all D(0,t); zero if there is none, or more than one.
-  Point normal_in_pole() const {
-    std::vector<Point> directions;
-    for (int i = 0; i <= max_patch_degree; ++i) {
-      Point& d = directions.emplace_back();
-      for (std::size_t c = 0; c < 3; ++c) d[c] = e_.direction[c].coefficient(0).coefficient(i);
-    }
-    Point normal = {0, 0, 0};
-    for (const Point& d : directions)
-      if (is_zero(normal)) normal = cross(directions[0], d);
-    const bool holds_all =
-        std::ranges::all_of(directions, [&](const Point& d) { return dot(normal, d) == 0; });
-    return holds_all ? normal : Point{0, 0, 0};
   }
 
   PoleArc arc_over(const Cluster& cluster, const Ranges& ranges) const {

@@ -203,6 +203,41 @@ TEST_CASE("intersect_at_pole: a pole on a side of the other patch, and just besi
   }
 }
 
+TEST_CASE("intersect_at_pole: octants that touch in a common pole, and nearly do") {
+  const auto inside = [](const Point& move) {
+    return RationalPatch(mapped(octant(), [&](const Point& p) -> Point { return 2 * p + move; }), kWeights);
+  };
+  const auto scaled = [](const Point& p) -> Point {
+    return {Rational(254, 10) * (Rational(3, 5) * p[0] - Rational(4, 5) * p[2]) + 100000000,
+            Rational(254, 10) * p[1], Rational(254, 10) * (Rational(4, 5) * p[0] + Rational(3, 5) * p[2])};
+  };
+  const RationalPatch x(octant(), kWeights), y = inside({0, 0, -1});
+  const auto far = [&](const RationalPatch& patch) {
+    Net net(3, std::vector<Point>(3));
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        net[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = scaled(patch.point(i, j));
+    return RationalPatch(net, kWeights);
+  };
+  for (const IntersectResult& result : {intersect(x, y), intersect(y, x), intersect(far(x), far(y)),
+                                        intersect(x.restricted_to(1, 0, 0, 1), y)}) {
+    REQUIRE(result.status == Status::complete);
+    CHECK(result.graph.arcs.empty());
+    REQUIRE(result.graph.isolated_points.size() == 1);
+    const Node& pole = result.graph.nodes.front();
+    CHECK(pole.free == std::vector{Parameter::v, Parameter::s});
+    CHECK(pole.on.size() == 2);
+    CHECK(pole.kinds == std::vector{NodeKind::boundary});
+  }
+  for (const int bits : {10, 30, 60})
+    for (const int sign : {-1, 1})
+      for (const Point& direction : {Point{0, 0, 1}, Point{1, 1, 0}}) {
+        const IntersectResult near =
+            intersect(x, inside(Rational(sign) * power_of_two(-bits) * direction + Point{0, 0, -1}));
+        CHECK(pole_of(near.graph) == nullptr);
+      }
+}
+
 TEST_CASE("intersect_at_pole: a plane through the axis has the constant parameter of its section") {
   const Net upright = {{{-1, -2, Rational(1, 2)}, {-1, -2, Rational(3, 2)}},
                        {{2, 4, Rational(1, 2)}, {2, 4, Rational(3, 2)}}};
