@@ -1,10 +1,12 @@
 #include "certificate/factor.h"
 
+#include <exsect/algebra/bivariate_factors.h>
 #include <exsect/checker/factors.h>
 #include <exsect/geometry/number.h>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "certificate/algebraic.h"
 #include "certificate/claims.h"
@@ -36,27 +38,20 @@ std::optional<Point> normal_of_plane(const RationalPatch& patch) {
   return flat ? std::optional(n) : std::nullopt;
 }
 
-/// The pairwise coprime squarefree factors with their powers, those in one variable apart.
-std::vector<std::pair<BivariatePolynomial, std::size_t>> coprime_parts(const BivariatePolynomial& f) {
-  std::vector<std::pair<BivariatePolynomial, std::size_t>> result;
-  const auto content = [](const BivariatePolynomial& a) {  // in s
-    BivariatePolynomial sum;
-    for (int i = 0; i <= a.degree_r(); ++i) sum = gcd(sum, BivariatePolynomial({a.coefficient(i)}));
-    return sum;
+/// The products of the irreducible factors of one multiplicity, those in one variable apart.
+std::vector<BivariatePower> coprime_parts(const BivariatePolynomial& f) {
+  const auto kind = [](const BivariatePower& a) {
+    return std::tuple(a.multiplicity, a.factor.degree_r() > 0, a.factor.degree_s() > 0);
   };
-  const BivariatePolynomial in_s = content(f);
-  const BivariatePolynomial in_r = content(exact_quotient(f, in_s).exchanged()).exchanged();
-  for (BivariatePolynomial rest : {in_s, in_r, exact_quotient(exact_quotient(f, in_s), in_r)}) {
-    BivariatePolynomial before;  // the product of the factors of at least this power
-    for (std::size_t power = 0; rest.total_degree() > 0; ++power) {
-      const BivariatePolynomial next = gcd(rest, gcd(rest.derivative_r(), rest.derivative_s()));
-      const BivariatePolynomial product = exact_quotient(rest, next);
-      if (power > 0 && exact_quotient(before, product).total_degree() > 0)
-        result.push_back({exact_quotient(before, product), power});
-      before = product;
-      rest = next;
-      if (rest.total_degree() <= 0) result.push_back({before, power + 1});
-    }
+  std::vector<BivariatePower> result;
+  for (const BivariatePower& irreducible : irreducible_factors(f)) {
+    const auto part = std::find_if(result.begin(), result.end(), [&](const BivariatePower& other) {
+      return kind(other) == kind(irreducible);
+    });
+    if (part == result.end())
+      result.push_back(irreducible);
+    else
+      part->factor = part->factor * irreducible.factor;
   }
   return result;
 }
@@ -146,8 +141,9 @@ void Factors::find_parts() {
   if (f.is_zero()) return;
   for (const auto& [part, power] : coprime_parts(f)) {
     BivariatePolynomial rest = f;
-    for (std::size_t n = 0; n < power; ++n) rest = exact_quotient(rest, part);
-    parts_.push_back({in_parameters(part, first), power, in_parameters(rest, first)});
+    for (int n = 0; n < power; ++n) rest = exact_quotient(rest, part);
+    parts_.push_back(
+        {in_parameters(part, first), static_cast<std::size_t>(power), in_parameters(rest, first)});
   }
 }
 
