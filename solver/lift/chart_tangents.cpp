@@ -3,25 +3,47 @@
 #include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "curve/taylor_shift.h"
 
 namespace exsect {
 
 EnclosedPolynomial::EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit)
-    : row_(static_cast<std::size_t>(std::max(f.degree_s(), 0)) + 1),
-      c_(enclosed_coefficients<DoubleBall>(f, unit)) {}
+    : row_(static_cast<std::size_t>(std::max(f.degree_s(), 0)) + 1) {
+  for (const DoubleBall& c : enclosed_coefficients<DoubleBall>(f, unit)) {
+    middles_.push_back(c.approximation());
+    errors_.push_back(c.radius());
+  }
+  for (std::size_t i = 0; i < errors_.size(); ++i) errors_[i] += relative_error() * std::fabs(middles_[i]);
+}
+
+/// Of what the expansion takes: two operations for each step in either direction, and one for each sum.
+double EnclosedPolynomial::relative_error() const {
+  return static_cast<double>(2 * (middles_.size() / row_ + row_)) * kUnitRoundoff;
+}
 
 DoubleBall EnclosedPolynomial::over(const DoubleBall& u, const DoubleBall& v) const {
-  std::vector<DoubleBall> c = c_;
-  shift_to(c, row_, u.midpoint(), v.midpoint());
-  double others = 0, power_u = 1;
+  const double x = u.approximation(), y = v.approximation();
+  const double reach_u = u.upper_magnitude(), reach_v = v.upper_magnitude();
+  std::vector<double> c = middles_;
+  shift_to(c, row_, x, y);
+  double errors = 0, others = 0, power_u = 1;
+  for (std::size_t i = c.size(); i > 0; i -= row_) {
+    double error = 0;
+    for (std::size_t j = i; j-- > i - row_;) error = error * reach_v + errors_[j];
+    errors = errors * reach_u + error;
+  }
   for (std::size_t i = 0; i < c.size(); i += row_, power_u *= u.radius()) {
     double power = power_u;
     for (std::size_t j = 0; j < row_; ++j, power *= v.radius())
-      if (i + j > 0) others += c[i + j].upper_magnitude() * power;
+      if (i + j > 0) others += std::fabs(c[i + j]) * power;
   }
-  return c[0].widened(others * kSlack + kUnderflowLoss);
+  const double lost = kUnderflowLoss * std::pow(1 + larger_bound(reach_u, reach_v),
+                                                static_cast<double>(middles_.size() / row_ + row_));
+  // After an overflow the radius is infinite or NaN.
+  return DoubleBall(c[0], std::fabs(c[0]) * kUnitRoundoff)
+      .widened((others + errors) * (1 + 4 * relative_error()) * kSlack + lost);
 }
 
 ChartTangents::ChartTangents(const BivariatePolynomial& g, const SurfaceChart& chart, bool is_planar)

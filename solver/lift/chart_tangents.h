@@ -14,12 +14,16 @@ namespace exsect {
 class EnclosedPolynomial {
  public:
   EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit);
-  /// All values on a rectangle: Taylor's expansion about the middle.
+  /// All values on a rectangle: Taylor's expansion about the middle, of the midpoints of the coefficients
+  /// alone, with one bound of the errors (17.3a).
   DoubleBall over(const DoubleBall& u, const DoubleBall& v) const;
 
  private:
+  double relative_error() const;
+
   std::size_t row_;
-  std::vector<DoubleBall> c_;
+  std::vector<double> middles_;
+  std::vector<double> errors_;
 };
 
 class ChartTangents {
