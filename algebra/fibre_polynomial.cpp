@@ -32,20 +32,31 @@ std::vector<Polynomial> remainders(const BivariatePolynomial& f, const RealAlgeb
   return result;
 }
 
-/// Euclid's algorithm in balls. True proves that f(., s) and g(., s) have no common root; false proves
-/// nothing.
+/// Euclid's algorithm in balls: f and g become the last two remainders, the second one constant. Every
+/// leading coefficient that was divided by is certainly not 0. False if one is not.
+bool reach_constant(FlintBallPolynomial& f, FlintBallPolynomial& g, slong precision) {
+  FlintBallPolynomial quotient, remainder;
+  while (arb_poly_length(g.value) > 1) {
+    // Refused if the leading coefficient of g is not certainly nonzero.
+    if (!arb_poly_divrem(quotient.value, remainder.value, f.value, g.value, precision)) return false;
+    arb_poly_swap(f.value, g.value);
+    arb_poly_swap(g.value, remainder.value);
+  }
+  return true;
+}
+
+bool is_certainly_nonzero(const FlintBallPolynomial& constant) {
+  return arb_poly_length(constant.value) == 1 &&
+         !arb_contains_zero(arb_poly_get_coeff_ptr(constant.value, 0));
+}
+
+/// True proves that f(., s) and g(., s) have no common root; false proves nothing.
 bool coprime_in_balls(const BivariatePolynomial& f, const BivariatePolynomial& g, const RealAlgebraic& s) {
   constexpr slong precision = 128;
-  FlintBallPolynomial a, b, quotient, remainder;
+  FlintBallPolynomial a, b;
   enclose(a.value, f, s, precision);
   enclose(b.value, g, s, precision);
-  while (arb_poly_length(b.value) > 1) {
-    // Refused if the leading coefficient of b is not certainly nonzero.
-    if (!arb_poly_divrem(quotient.value, remainder.value, a.value, b.value, precision)) return false;
-    arb_poly_swap(a.value, b.value);
-    arb_poly_swap(b.value, remainder.value);
-  }
-  return arb_poly_length(b.value) == 1 && !arb_contains_zero(arb_poly_get_coeff_ptr(b.value, 0));
+  return reach_constant(a, b, precision) && is_certainly_nonzero(b);
 }
 
 /// gcd of f and g, reduced at s and not constant: the subresultant of the least index j whose coefficient of
@@ -126,6 +137,29 @@ BivariatePolynomial gcd_at(const BivariatePolynomial& f, const BivariatePolynomi
   if (b.is_zero()) return a;
   if (a.degree_r() == 0 || b.degree_r() == 0) return BivariatePolynomial::constant(1);
   return gcd_of_reduced(a, b, fine);
+}
+
+// A linear remainder whose leading coefficient is not 0 is the gcd if the one after it is 0, and else there
+// is none; the resultant of polynomials of these degrees at s is 0 in the first case alone.
+void find_common_roots(CommonRoots& roots, const BivariatePolynomial& f, const BivariatePolynomial& g,
+                       const RealAlgebraic& s) {
+  constexpr slong precision = 1024;
+  roots.number = CommonRoots::Number::unknown;
+  const BivariatePolynomial first = reduced_at(f, s), second = reduced_at(g, s);
+  if (first.degree_r() < 1 || second.degree_r() < 1) return;
+  FlintBallPolynomial a, b;
+  enclose(a.value, first, s, precision);
+  enclose(b.value, second, s, precision);
+  if (!reach_constant(a, b, precision)) return;
+  if (is_certainly_nonzero(b)) {
+    roots.number = CommonRoots::Number::none;
+  } else if (arb_poly_length(a.value) == 2) {
+    const bool is_common = sign_at(resultant_r(primitive(first), primitive(second)), s) == 0;
+    roots.number = is_common ? CommonRoots::Number::one : CommonRoots::Number::none;
+    arb_div(roots.root.value, arb_poly_get_coeff_ptr(a.value, 0), arb_poly_get_coeff_ptr(a.value, 1),
+            precision);
+    arb_neg(roots.root.value, roots.root.value);
+  }
 }
 
 BivariatePolynomial squarefree_part_at(const BivariatePolynomial& f, const RealAlgebraic& s) {

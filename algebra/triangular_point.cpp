@@ -1,6 +1,7 @@
 #include "triangular_point.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -68,9 +69,28 @@ int enclosed_sign(const BivariatePolynomial& h, const TriangularPoint& p, slong 
   return arb_contains_zero(value.value) ? 0 : arf_sgn(arb_midref(value.value));
 }
 
+/// Whether h vanishes at p, if h and g have one common root at most and that is told: the root of g in the
+/// interval is the only one there.
+std::optional<bool> vanishes_in_balls(const BivariatePolynomial& h, const TriangularPoint& p) {
+  constexpr slong precision = 1024;
+  CommonRoots roots;
+  find_common_roots(roots, h, p.g(), p.s().refined_to(power_of_two(-512)));
+  if (roots.number == CommonRoots::Number::none) return false;
+  if (roots.number == CommonRoots::Number::unknown) return std::nullopt;
+  FlintBall interval;
+  set_ball(interval.value, p.r_interval(), precision);
+  if (!arb_overlaps(interval.value, roots.root.value)) return false;
+  FlintBall lower, upper;
+  set_ball(lower.value, RationalInterval{p.r_interval().lower, p.r_interval().lower}, precision);
+  set_ball(upper.value, RationalInterval{p.r_interval().upper, p.r_interval().upper}, precision);
+  if (arb_lt(lower.value, roots.root.value) && arb_lt(roots.root.value, upper.value)) return true;
+  return std::nullopt;
+}
+
 /// Whether h vanishes at p: whether gcd(h, g) over Q(s) has the root r. It divides g, which is nonzero at the
 /// ends of the interval of r and has one root inside, a simple one.
 bool vanishes_at(const BivariatePolynomial& h, const TriangularPoint& p) {
+  if (const auto known = vanishes_in_balls(h, p)) return *known;
   const BivariatePolynomial common = gcd_at(h, p.g(), p.s());
   if (common.degree_r() <= 0) return false;
   return sign_at(common.at_r(p.r_interval().lower), p.s()) !=

@@ -27,7 +27,7 @@ using Ball = ArbBall<256>;
 constexpr int kParameterBits = 256;
 
 /// Of the squarefree curve without lines, in u and v together: a bicubic patch on a quadric has 12, and may
-/// take minutes.
+/// take minutes to be drawn.
 constexpr int kMostDegrees = 8;
 
 /// One of (u,v,r,s) on the curve: map(p) = numerator / denominator, the denominator positive there.

@@ -251,6 +251,32 @@ TEST_CASE("triangular point: all real points against the roots of the resultant"
   }
 }
 
+TEST_CASE("triangular point: signs at one common root, at two, and next to one") {
+  Random random(31);
+  const RealAlgebraic cubic = real_roots(t * t * t + 3 * t - 2, 0, 1).front();
+  int zeros = 0;
+  for (int i = 0; i < 20; ++i) {
+    INFO("case " << i);
+    // Roots of f over the point: about 0.6 and 0.9 and those of a random polynomial.
+    const BivariatePolynomial first = r - s, second = r - s * s - number(Rational(1, 2));
+    const BivariatePolynomial f = first * second * (random_bivariate(random, 3, 2, 9) + number(100));
+    const BivariatePolynomial rest = random_bivariate(random, 3, 3, 9) + number(1000);
+    const BivariatePolynomial near = first - number(power_of_two(i % 2 == 0 ? -40 : -300));
+    for (const TriangularPoint& p : roots_at(f, cubic, 0, 1))
+      for (const auto& factors : {std::vector{first}, std::vector{first, second}, std::vector{near}}) {
+        BivariatePolynomial h = rest;
+        int expected = sign_at(rest, p);
+        for (const BivariatePolynomial& factor : factors) {
+          h = h * factor;
+          expected *= sign_at(factor, p);
+        }
+        CHECK(sign_at(h, p) == expected);
+        if (expected == 0) ++zeros;
+      }
+  }
+  CHECK(zeros == 60);
+}
+
 TEST_CASE("triangular point: random fibres against Newton's iteration in doubles") {
   const std::uint64_t seed = 20250707;
   INFO("seed " << seed);
