@@ -22,11 +22,12 @@ std::optional<std::vector<BoundaryPointOf<K>>> boundary_points(const PairOf<K>& 
       }
     }
   }
-  for (const SidePointOf<K>& point : contacts.points) {
+  for (std::size_t i = 0; i < contacts.points.size(); ++i) {
+    const SidePointOf<K>& point = contacts.points[i];
     BoundaryPointOf<K> end{point.ball, point.leaving, point.on[point.leaving]};
     end.on = point.on;
     end.isolated = !point.enters;
-    end.still = point.still;
+    end.side_point = static_cast<int>(i);
     points.push_back(end);
   }
   return points;

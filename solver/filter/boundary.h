@@ -22,7 +22,7 @@ struct BoundaryPointOf {
   std::size_t port = 0;
   Vec4 on = {};
   bool isolated = false;
-  std::array<bool, 4> still = {};  // w_j' = 0 there, exactly
+  int side_point = -1;  // its index in the contacts
 };
 using BoundaryPoint = BoundaryPointOf<Biquadratic>;
 

@@ -33,6 +33,7 @@ std::optional<ExactMeeting> meeting_in_simple_numbers(const ExactPatch<K>& x, co
   const FirstOrder<K> a(x, w[0], w[1]);
   const FirstOrder<K> b(y, w[2], w[3]);
   if (!is_same_point(a.value, b.value)) return std::nullopt;
+  result.exact = w;
   // (14.31) without the factor: the derivatives modulo the point.
   for (std::size_t i = 0; i < 2; ++i) {
     result.still[i] = determinant(a.value, a.derivative[1 - i], b.derivative[0], b.derivative[1]) == 0;

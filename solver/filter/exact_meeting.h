@@ -16,6 +16,7 @@ struct ExactMeeting {
   Vec4 at;
   double radius;
   std::array<bool, 4> still;
+  std::optional<std::array<Rational, 4>> exact = std::nullopt;  // in [0,1], if they are known to be rational
 };
 
 /// The solution near a place (centred) that has the parameters with on[j] != 0 at these sides, 1/2 or -1/2,

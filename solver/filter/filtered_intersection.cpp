@@ -81,7 +81,7 @@ class FilteredIntersection {
       traces.clear();
     }
     std::vector<AnalysedTraceOf<K>> curves;
-    if (!find_turns(*pair, *points, traces, curves)) {
+    if (!find_turns(*pair, *contacts, *points, traces, curves)) {
       return std::nullopt;
     }
     if (all_turns_wanted()) {
@@ -268,14 +268,19 @@ class FilteredIntersection {
 
   /// Without exact arithmetic. Of an open curve all that are not asked for are left out; a closed one needs a
   /// node.
-  KnownTurning<K> known_turning(const TraceOf<K>& trace,
+  KnownTurning<K> known_turning(const TraceOf<K>& trace, const ContactsOf<K>& contacts,
                                 const std::vector<BoundaryPointOf<K>>& points) const {
     KnownTurning<K> known{coincident_};
     if (trace.start < 0) return known;
     const BoundaryPointOf<K>& start = points[static_cast<std::size_t>(trace.start)];
     const BoundaryPointOf<K>& end = points[static_cast<std::size_t>(trace.end)];
-    known.at_start = start.still;
-    known.at_end = end.still;
+    const auto side_point = [&](const BoundaryPointOf<K>& point) {
+      return point.side_point < 0 ? nullptr : &contacts.points[static_cast<std::size_t>(point.side_point)];
+    };
+    known.start_at = side_point(start);
+    known.end_at = side_point(end);
+    if (known.start_at != nullptr) known.at_start = known.start_at->still;
+    if (known.end_at != nullptr) known.at_end = known.end_at->still;
     known.start = start.ball;
     known.end = end.ball;
     if (all_turns_wanted() || !moves(trace)) return known;
@@ -284,8 +289,9 @@ class FilteredIntersection {
     return known;
   }
 
-  bool find_turns(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
-                  std::vector<TraceOf<K>>& traces, std::vector<AnalysedTraceOf<K>>& curves) {
+  bool find_turns(const PairOf<K>& pair, const ContactsOf<K>& contacts,
+                  const std::vector<BoundaryPointOf<K>>& points, std::vector<TraceOf<K>>& traces,
+                  std::vector<AnalysedTraceOf<K>>& curves) {
     coincident_ = kNoneCoincident;
     ExactTurning<K> exact(x_, y_);
     for (TraceOf<K>& trace : traces) {
@@ -293,7 +299,7 @@ class FilteredIntersection {
       if (run_.turning().empty() && curve.trace.start >= 0 && !all_turns_wanted() && moves(curve.trace)) {
         continue;
       }
-      KnownTurning<K> known = known_turning(curve.trace, points);
+      KnownTurning<K> known = known_turning(curve.trace, contacts, points);
       auto found = filter::find_turns(pair, curve.trace, known, curve.turns);
       if (found != TurnSearch::done) {
         exact.add_to(known, curve.trace, points);

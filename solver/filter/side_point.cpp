@@ -6,6 +6,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "filter/curve_series.h"
 #include "filter/exact_meeting.h"
 #include "filter/tube_derivatives.h"
 #include "filter/tube_newton.h"
@@ -21,6 +22,8 @@ constexpr double kNearPlace = 0x1p-8;
 /// Half lengths of the tube, the first that can be proved.
 constexpr double kLongest = 0x1p-3;
 constexpr double kShortest = 0x1p-20;
+/// More than 1, so that the terms of the power series stay in the box.
+constexpr double kRoom = 1.0625;
 
 /// The sides that a solution next to the place is near; all zero if there are not two.
 template <class K>
@@ -69,7 +72,9 @@ std::optional<BallOf<K>> ball_around(const PairOf<K>& pair, const ExactMeeting& 
 template <class K>
 class SidePointProof {
  public:
-  SidePointProof(const PairOf<K>& pair, SidePointOf<K>& point) : pair_(pair), point_(point) {}
+  SidePointProof(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                 const ExactMeeting& meeting, SidePointOf<K>& point)
+      : x_(x), y_(y), pair_(pair), meeting_(meeting), point_(point) {}
 
   bool run() {
     const Linearisation<K> at = linearise(pair_, point_.ball.middle);
@@ -94,41 +99,73 @@ class SidePointProof {
     return contains(tube, point_.ball);
   }
 
-  /// Sign of a parameter at a side, less its value there, on the arc ahead of the point and behind it; 0 if
-  /// not proved.
-  std::array<int, 2> signs(std::size_t j) const {
+  /// Sign of a parameter, less its value in the point, on the arc ahead of the point and behind it; 0 if not
+  /// proved.
+  std::array<int, 2> signs(std::size_t j) {
     const TubeOf<K>& tube = point_.tube;
     if (std::fabs(tube.slope[j]) > tube.slope_error[j]) {
       const int sign = tube.slope[j] > 0 ? 1 : -1;
       return {sign, -sign};
     }
-    if (!point_.still[j] || !(std::fabs(tube.second[j]) > tube.second_error[j])) return {0, 0};
-    const int sign = tube.second[j] > 0 ? 1 : -1;
-    return {sign, sign};
+    if (!point_.still[j]) return {0, 0};
+    if (std::fabs(tube.second[j]) > tube.second_error[j]) {
+      const int sign = tube.second[j] > 0 ? 1 : -1;
+      return {sign, sign};
+    }
+    return signs_by_series(j);
+  }
+
+  /// By the first term of the power series.
+  std::array<int, 2> signs_by_series(std::size_t j) {
+    if (!meeting_.exact) return {0, 0};
+    if (!series_) series_ = CurveSeries::about<K>(x_, y_, *meeting_.exact, point_.tube.axis);
+    const std::size_t order = series_ ? series_->order(j) : 0;
+    if (order == 0) return {0, 0};
+    std::array<double, 4> room;
+    for (std::size_t i = 0; i < 4; ++i) room[i] = kRoom * (point_.tube.offset[i] + point_.ball.radius);
+    const int sign = series_->sign_beside(room, kSlack * (point_.tube.upper + point_.ball.radius), j);
+    return {sign, order % 2 == 0 ? sign : -sign};
   }
 
   /// Ahead of the point and behind it: all parameters at sides move inwards, or one outwards, whatever the
   /// others do; not all inwards on both ways.
   bool leaves_sides() {
     bound_derivatives(pair_, point_.tube);
+    std::array<std::array<int, 2>, 4> sign;
     std::array<bool, 2> inside = {true, true};
     std::array<bool, 2> outside = {false, false};
     for (std::size_t j = 0; j < 4; ++j) {
+      sign[j] = signs(j);
       if (point_.on[j] == 0) continue;
-      const auto sign = signs(j);
       for (std::size_t way = 0; way < 2; ++way) {
-        const int inwards = point_.on[j] > 0 ? -sign[way] : sign[way];
+        const int inwards = point_.on[j] > 0 ? -sign[j][way] : sign[j][way];
         inside[way] = inside[way] && inwards > 0;
         outside[way] = outside[way] || inwards < 0;
       }
-      if (point_.on[point_.leaving] == 0 || sign[0] * sign[1] < 0) point_.leaving = j;
     }
     point_.enters = inside[0] || inside[1];
-    return !(inside[0] && inside[1]) && (inside[0] || outside[0]) && (inside[1] || outside[1]);
+    for (std::size_t j = 0; j < 4; ++j) point_.rate[j] = inside[0] ? sign[j][0] : -sign[j][1];
+    return has_leaving() && !(inside[0] && inside[1]) && (inside[0] || outside[0]) &&
+           (inside[1] || outside[1]);
   }
 
+  /// One of the parameters at sides, which crosses it where the arc enters.
+  bool has_leaving() {
+    const TubeOf<K>& tube = point_.tube;
+    for (std::size_t j = 0; j < 4; ++j) {
+      point_.leaving = j;
+      const bool crosses = std::fabs(tube.slope[j]) > tube.slope_error[j];
+      if (point_.on[j] != 0 && (crosses || !point_.enters)) return true;
+    }
+    return false;
+  }
+
+  const ExactPatch<K>& x_;
+  const ExactPatch<K>& y_;
   const PairOf<K>& pair_;
+  const ExactMeeting& meeting_;
   SidePointOf<K>& point_;
+  std::optional<CurveSeries> series_;
 };
 
 }  // namespace
@@ -149,7 +186,7 @@ std::optional<SidePointOf<K>> side_point_near([[maybe_unused]] const ExactPatch<
     const auto ball = ball_around<K>(pair, *meeting);
     if (!ball || !(ball->radius < 0.25 * kEndMargin<K::width>)) return std::nullopt;
     SidePointOf<K> point{*ball, on, {}, false, 0, meeting->still};
-    return SidePointProof<K>(pair, point).run() ? std::optional(point) : std::nullopt;
+    return SidePointProof<K>(x, y, pair, *meeting, point).run() ? std::optional(point) : std::nullopt;
   }
 }
 

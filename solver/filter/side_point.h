@@ -12,7 +12,8 @@ namespace exsect::filter {
 /// ball.middle[j], and 0 for the others. All solutions in the tube's region are on its arc, in the interior
 /// of the intervals of the other parameters. Of the arc the domain contains this point and, if it `enters`,
 /// the part on one side of the point, where no parameter is at a side; on[leaving] != 0, and if it enters
-/// w'_leaving != 0.
+/// w'_leaving != 0. On that part, w_j is strictly monotone if rate[j] is not 0, and then it has the sign of
+/// dw_j/dw_axis.
 template <class K>
 struct SidePointOf {
   BallOf<K> ball;
@@ -21,6 +22,7 @@ struct SidePointOf {
   bool enters;
   std::size_t leaving;
   std::array<bool, 4> still;  // w_j' = 0 in the point, exactly
+  std::array<int, 4> rate = {};
 };
 
 /// The one near a place (centred), with one parameter at a side, if it can be proved. Empty for biquadratic

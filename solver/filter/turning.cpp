@@ -162,6 +162,12 @@ class TurnFinder {
         ends.first[i] = ends.last[i] = piece.tube.slope[i] > 0 ? sense : -sense;
         continue;
       }
+      const int beside = rate_beside(known_.start_at, piece, i);
+      const int rate = beside != 0 ? beside : rate_beside(known_.end_at, piece, i);
+      if (rate != 0) {
+        ends.first[i] = ends.last[i] = sense * rate;
+        continue;
+      }
       if (!first) {
         first = direction(piece.tube, piece.range.from());
         last = direction(piece.tube, piece.range.to());
@@ -181,6 +187,16 @@ class TurnFinder {
       }
     }
     return Decision::done;
+  }
+
+  /// The sign of dw_i by the piece's axis if the piece is on the arc of the side point, 0 if that is not
+  /// known: with its ends it is, as between them it goes along the arc as long as the arc's axis is between
+  /// its values there, which it is as it is monotone. Where it is in the domain the arc has the signs `rate`.
+  static int rate_beside(const SidePointOf<K>* point, const PieceOf<K>& piece, std::size_t i) {
+    if (point == nullptr || point->rate[i] == 0 || !monotone(piece.tube, point->tube.axis)) return 0;
+    const auto is_on_arc = [&](double tau) { return contains(point->tube, point_at(piece.tube, tau)); };
+    if (!is_on_arc(piece.range.from()) || !is_on_arc(piece.range.to())) return 0;
+    return piece.tube.slope[point->tube.axis] > 0 ? point->rate[i] : -point->rate[i];
   }
 
   /// Where the only zero of w_i' on the tube's arc is an end point of the trace, there is none on the piece:

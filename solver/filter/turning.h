@@ -45,6 +45,9 @@ struct KnownTurning {
   std::array<bool, 4> at_end = {};
   std::optional<BallOf<K>> start = {};
   std::optional<BallOf<K>> end = {};
+  /// If the trace begins, or ends, in a side point.
+  const SidePointOf<K>* start_at = nullptr;
+  const SidePointOf<K>* end_at = nullptr;
 
   /// A line of parameters that is one point of space: no curve, but a node with a free parameter.
   bool is_one_point() const { return std::count(constant.begin(), constant.end(), true) > 2; }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "known_curve.h"
+#include "support/power_nets.h"
 
 namespace exsect::filtered_intersection_test {
 namespace {
@@ -41,6 +42,20 @@ TEST_CASE("filtered intersection: undecided, with the place where it ended", "[f
   CHECK_FALSE(cusp.result);
   REQUIRE(cusp.stuck);
   for (const double w : *cusp.stuck) CHECK(std::fabs(w) < 0.05);
+}
+
+TEST_CASE("filtered intersection: from corner to corner, along three sides to higher order", "[filter]") {
+  using filter::Bicubic;
+  // (u, v, 0) and (r, r^2 s, s - r^3): v = u^5, r = u, s = u^3.
+  const testing::Terms r = {{{1, 0}, 1}};
+  const auto x = filter::elevated<Bicubic>(testing::plane_patch());
+  const auto y = filter::elevated<Bicubic>(
+      testing::power_patch({r, testing::Terms{{{2, 1}, 1}}, testing::Terms{{{0, 1}, 1}, {{3, 0}, -1}}}, 3));
+  const filter::Filtered curve = filter::filtered_intersection<Bicubic>(x, y, Run(), false);
+  REQUIRE(curve.result);
+  const IntersectionGraph& graph = curve.result->graph;
+  REQUIRE(graph.arcs.size() == 1);  // no turning point
+  CHECK(graph.nodes.size() == 2);
 }
 
 }  // namespace exsect::filtered_intersection_test
