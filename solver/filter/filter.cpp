@@ -37,15 +37,18 @@ std::optional<IntersectResult> with_magnified_boxes(const ExactPatch<K>& x, cons
   };
   std::vector<filter::MagnifiedBox> boxes;
   for (int tries = 0; tries < kMostMagnified && known.stuck && known.among_closed; ++tries) {
-    ParameterBox where = filter::box_to_magnify(*known.stuck);
-    const auto becomes_part = [&where](const filter::MagnifiedBox& box) {
-      const bool is_near = meet(box.where, where);
-      if (is_near) where = hull(box.where, where);
-      return is_near;
+    const auto inside = [&](ParameterBox where) {
+      const auto becomes_part = [&where](const filter::MagnifiedBox& box) {
+        const bool is_near = meet(box.where, where);
+        if (is_near) where = hull(box.where, where);
+        return is_near;
+      };
+      while (std::erase_if(boxes, becomes_part) > 0) continue;
+      return filter::magnified(first, second, where, extent, run, solve);
     };
-    while (std::erase_if(boxes, becomes_part) > 0) continue;
-    auto box = filter::magnified(first, second, where, extent, run, solve);
-    if (!box) return std::nullopt;
+    auto box = inside(filter::box_to_magnify(*known.stuck));
+    if (box && box->meets_side) box = inside(filter::widened(box->where));
+    if (!box || box->meets_side) return std::nullopt;
     boxes.push_back(*std::move(box));
     std::vector<ParameterBox> all;
     for (const filter::MagnifiedBox& each : boxes) all.push_back(each.where);

@@ -318,6 +318,8 @@ class FilteredIntersection {
         }
       }
       if (found != TurnSearch::done) {
+        among_closed_ = curve.trace.start < 0;
+        if (among_closed_) stuck_ = first_four<K>(curve.trace.pieces.front().tube.centre);
         return false;
       }
     }

@@ -18,7 +18,7 @@ struct Filtered {
   std::optional<IntersectResult> result = {};
   /// Where the search ended then, centred; empty also if that is no place of the domain.
   std::optional<Vec4> stuck = {};
-  /// It was the one for closed curves: all curves with ends were known.
+  /// It was the one for closed curves, or for turning points of one: all curves with ends were known.
   bool among_closed = false;
   /// What the curves do, for each sweep parameter, if that was asked for.
   std::array<std::vector<Stations>, 4> stations = {};

@@ -60,6 +60,16 @@ ParameterBox box_to_magnify(const Vec4& place) {
   return box;
 }
 
+ParameterBox widened(const ParameterBox& box) {
+  ParameterBox wide;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const Rational middle = box[j].midpoint(), half = 16 * box[j].width();
+    wide[j] = {std::max(Rational(0), Rational(middle - half)),
+               std::min(Rational(1), Rational(middle + half))};
+  }
+  return wide;
+}
+
 std::optional<IntersectResult> intersect_over(
     const RationalPatch& x, const RationalPatch& y, const ParameterBox& where, double extent, const Run& run,
     const SolvePieces& solve, const std::function<bool(const IntersectionGraph& of_pieces)>& takes) {
@@ -84,11 +94,13 @@ std::optional<IntersectResult> intersect_over(
 std::optional<MagnifiedBox> magnified(const RationalPatch& x, const RationalPatch& y,
                                       const ParameterBox& where, double extent, const Run& run,
                                       const SolvePieces& solve) {
-  const auto stays_inside = [](const IntersectionGraph& graph) {  // (14.95)
-    return graph.overlaps.empty() &&
-           std::ranges::all_of(graph.nodes, [](const Node& node) { return node.on.empty(); });
+  bool meets_side = false;
+  const auto stays_inside = [&meets_side](const IntersectionGraph& graph) {  // (14.95)
+    meets_side = std::ranges::any_of(graph.nodes, [](const Node& node) { return !node.on.empty(); });
+    return graph.overlaps.empty() && !meets_side;
   };
   auto inside = intersect_over(x, y, where, extent, run, solve, stays_inside);
+  if (meets_side) return MagnifiedBox{where, {}, true};
   if (!inside) return std::nullopt;
   return MagnifiedBox{where, *std::move(inside)};
 }

@@ -15,10 +15,11 @@
 namespace exsect::filter {
 
 /// All solutions in a box: closed curves and isolated points inside of it (14.95), in the parameters of the
-/// whole squares. A complete result, without overlaps.
+/// whole squares. A complete result, without overlaps; nothing where a solution is on a side of the pieces.
 struct MagnifiedBox {
   ParameterBox where;
   IntersectResult inside;
+  bool meets_side = false;
 };
 
 /// Intersects two patches.
@@ -34,7 +35,10 @@ std::optional<IntersectResult> intersect_over(
 /// A box of a width of 2^-12 around a place, centred, of [0,1]^4.
 ParameterBox box_to_magnify(const Vec4& place);
 
-/// Empty if the pieces over the box are not decided, or have a solution on a side, or overlap.
+/// 32 times as wide, of [0,1]^4: for a curve that is larger than the box.
+ParameterBox widened(const ParameterBox& box);
+
+/// Empty if the pieces over the box are not decided, or overlap.
 std::optional<MagnifiedBox> magnified(const RationalPatch& x, const RationalPatch& y,
                                       const ParameterBox& where, double extent, const Run& run,
                                       const SolvePieces& solve);

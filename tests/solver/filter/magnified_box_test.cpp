@@ -95,10 +95,40 @@ TEST_CASE("magnified box: around a place, inside of the squares", "[filter]") {
   CHECK(box[2].lower == 1 - power_of_two(-13));
   CHECK(box[2].upper == 1);
   CHECK(box[3].width() == power_of_two(-12));
+  const ParameterBox wide = filter::widened(box);
+  CHECK(wide[0].lower == Rational(1, 2) - power_of_two(-8));
+  CHECK(wide[0].upper == Rational(1, 2) + power_of_two(-8));
+  CHECK(wide[1].lower == 0);
+  CHECK(wide[3].width() == power_of_two(-7));
 }
 
 TEST_CASE("magnified box: loops and gaps of bicubic pairs", "[filter]") {
   for (const int bits : {9, 16, 21, 30, 60}) check_loop(bicubic_graph, bits);
+}
+
+TEST_CASE("magnified box: loops of all sizes about those that doubles trace", "[filter]") {
+  std::size_t loops = 0;
+  for (int half_bits = 16; half_bits <= 42; ++half_bits) {
+    INFO("the square of the radius is 2^-" << half_bits);
+    random_nets::Generator generator(static_cast<std::uint64_t>(half_bits));
+    const auto number = [&](long low, std::uint64_t count) {
+      return Rational(low + static_cast<long>(generator() % count));
+    };
+    const Terms level =
+        ellipse(number(20, 60) / 101, number(20, 60) / 103, Rational(3, 4), power_of_two(-half_bits));
+    // The same bicubic function on both, so that neither has an inverse, in other parameters on x.
+    Terms bent = {{{3, 3}, Rational(1, 7)}};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) bent[{i, j}] = number(-3, 7) / 16;
+    const RationalPatch y = power_patch({Terms{{{1, 0}, 1}}, Terms{{{0, 1}, 1}}, bent}, 3);
+    const RationalPatch x = power_patch({Terms{{{1, 0}, 1}}, Terms{{{0, 1}, 1}}, level + bent}, 3);
+    const IntersectResult result =
+        solved(x.restricted_to(Rational(1, 10), Rational(8, 9), Rational(1, 7), Rational(9, 10)), y);
+    REQUIRE(result.status == Status::complete);
+    loops += static_cast<std::size_t>(numbers_of(result.graph).closed);
+    CHECK(numbers_of(result.graph).turning[0] == 2);
+  }
+  CHECK(loops == 27);
 }
 
 TEST_CASE("magnified box: loops and gaps of weighted pairs", "[filter]") {
@@ -118,9 +148,12 @@ TEST_CASE("magnified box: pieces with a solution on a side are not decided", "[f
     return ParameterBox{around(u), around(v), around((1 + u) / 3), around((1 + v) / 3)};
   };
   const RationalPatch y = testing::plane({-1, -1, 0}, {3, 0, 0}, {0, 3, 0});
-  CHECK_FALSE(filter::magnified(x, y, box(Rational(1, 2), Rational(1, 2)), 1, Run{}, solve));
+  const auto crossed = filter::magnified(x, y, box(Rational(1, 2), Rational(1, 2)), 1, Run{}, solve);
+  REQUIRE(crossed);
+  CHECK(crossed->meets_side);
   const auto nothing = filter::magnified(x, y, box(Rational(3, 4), Rational(1, 2)), 1, Run{}, solve);
   REQUIRE(nothing);
+  CHECK_FALSE(nothing->meets_side);
   CHECK(nothing->inside.graph.nodes.empty());
 }
 
