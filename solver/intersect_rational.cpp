@@ -55,12 +55,29 @@ IntersectResult intersect_in_either_order(const RationalPatch& x, const Rational
   return other ? *std::move(other) : result;
 }
 
-/// By an equation on one of them, if the other one has an inverse; empty where that decides nothing.
+/// By an equation on one of them, if the other one has an inverse; empty where that decides nothing. The
+/// curve of less degree first.
 std::optional<IntersectResult> intersect_as_curve(const RationalPatch& x, const RationalPatch& y,
                                                   const Run& run) {
-  auto result = intersect_by_inverse(x, y, run);
-  if (result && result->status == Status::complete) return result;
-  return in_exchanged_order(x, y, run, intersect_by_inverse);
+  const std::optional<PatchInverse> of_x = patch_inverse(x), of_y = patch_inverse(y);
+  const auto in_order = [&]() -> std::optional<IntersectResult> {
+    auto result = of_y ? intersect_by_inverse(x, y, *of_y, run) : std::nullopt;
+    return result && result->status == Status::complete ? std::move(result) : std::nullopt;
+  };
+  const auto exchanged = [&]() -> std::optional<IntersectResult> {
+    if (!of_x) return std::nullopt;
+    const auto solve = [&](const RationalPatch& first, const RationalPatch& second, const Run& given) {
+      return intersect_by_inverse(first, second, *of_x, given);
+    };
+    return in_exchanged_order(x, y, run, solve);
+  };
+  const auto degrees = [](const RationalPatch& patch, const PatchInverse& inverse) {
+    return inverse.equation.degree * (patch.degree_u() + patch.degree_v());
+  };
+  const bool is_exchanged = of_x && of_y && degrees(y, *of_x) < degrees(x, *of_y);
+  auto result = is_exchanged ? exchanged() : in_order();
+  if (!result) result = is_exchanged ? in_order() : exchanged();
+  return result;
 }
 
 /// By polynomial patches, if x and y are images of some (14.20); empty otherwise.

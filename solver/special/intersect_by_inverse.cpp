@@ -16,7 +16,6 @@
 #include "curve/curve_values.h"
 #include "curve/plane_curve.h"
 #include "curve/surface_graph.h"
-#include "special/patch_inverse.h"
 
 namespace exsect {
 namespace {
@@ -374,14 +373,11 @@ IntersectResult drawn(const InverseCurve& known, const Run& run) {
 }  // namespace
 
 std::optional<IntersectResult> intersect_by_inverse(const RationalPatch& x, const RationalPatch& y,
-                                                    const Run& run) {
-  const auto inverse = patch_inverse(y);
-  if (!inverse) return std::nullopt;
+                                                    const PatchInverse& of_y, const Run& run) {
   std::vector<Point> points = affine_points(x.reduced());
   std::ranges::copy(affine_points(y.reduced()), std::back_inserter(points));
   std::optional<InverseCurve> known;
-  run.timed("curve",
-            [&] { known = inverse_curve(x, *inverse, to_double(model_extent(points)), run.turning()); });
+  run.timed("curve", [&] { known = inverse_curve(x, of_y, to_double(model_extent(points)), run.turning()); });
   if (!known) return std::nullopt;
   const auto kept = std::make_shared<const InverseCurve>(*std::move(known));
   return first_drawn([kept](const Run& given) { return std::optional(drawn(*kept, given)); }, run);

@@ -8,12 +8,13 @@
 #include <optional>
 
 #include "answer/run.h"
+#include "special/patch_inverse.h"
 
 namespace exsect {
 
-/// Whatever meets there. Empty if y has no such inverse, x lies on the surface of y or maps a part of
-/// their curve to one point, the curve has too high a degree in x, or it goes through a pole of y.
+/// Whatever meets there, by the inverse of y. Empty if x lies on the surface of y or maps a part of their
+/// curve to one point, the curve has too high a degree in x, or it goes through a pole of y.
 std::optional<IntersectResult> intersect_by_inverse(const RationalPatch& x, const RationalPatch& y,
-                                                    const Run& run);
+                                                    const PatchInverse& of_y, const Run& run);
 
 }  // namespace exsect

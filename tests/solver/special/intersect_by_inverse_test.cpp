@@ -39,8 +39,15 @@ RationalPatch plate(const Rational& height) {
   return RationalPatch({{{-1, -8, height}, {0, 5, height}}, {{6, -4, height}, {7, 9, height}}});
 }
 
+std::optional<IntersectResult> by_inverse(const RationalPatch& x, const RationalPatch& y,
+                                          const Run& run = Run()) {
+  const auto of_y = patch_inverse(y);
+  REQUIRE(of_y);
+  return intersect_by_inverse(x, y, *of_y, run);
+}
+
 IntersectResult solved(const RationalPatch& x, const RationalPatch& y) {
-  const auto result = intersect_by_inverse(x, y, Run());
+  const auto result = by_inverse(x, y);
   REQUIRE(result);
   REQUIRE(result->status == Status::complete);
   return *result;
@@ -108,7 +115,7 @@ TEST_CASE("by inverse: bicubic patches on planes, with and without turning point
     IntersectOptions options;
     if (!all) options.turning = {};
     const Run run(options);
-    const auto result = intersect_by_inverse(x, y, run);
+    const auto result = by_inverse(x, y, run);
     REQUIRE(result);
     CHECK(difference(result->graph, intersect_in_doubles(x, y, run).graph, {}) == "");
   }
@@ -133,7 +140,7 @@ TEST_CASE("by inverse: a turning point on a side is a boundary point alone") {
 TEST_CASE("by inverse: nothing is said of curves of high degree") {
   Generator generator(7);
   const RationalPatch y = makers()[0](generator);
-  CHECK_FALSE(intersect_by_inverse(random_nets::crossing(generator, {3, 3, 1, 1}, true).first(), y, Run()));
+  CHECK_FALSE(by_inverse(random_nets::crossing(generator, {3, 3, 1, 1}, true).first(), y));
 }
 
 TEST_CASE("by inverse: a torus lies on a plate") {
@@ -218,7 +225,7 @@ TEST_CASE("by inverse: spheres and tori in general position as doubles find them
                           {number(), number(), 0});
     const IntersectResult in_doubles = intersect_in_doubles(x, y, Run());
     if (in_doubles.status != Status::complete) continue;
-    const auto result = intersect_by_inverse(x, y, Run());
+    const auto result = by_inverse(x, y);
     if (!result) continue;
     CHECK(difference(result->graph, in_doubles.graph, {}) == "");
     ++compared;
@@ -235,16 +242,16 @@ TEST_CASE("by inverse: a curve that goes through a pole of the other patch is le
     return RationalPatch(
         {{{-1, -2, 1 + slope}, {-1, 2, 1 + slope}}, {{3, -2, 1 - 3 * slope}, {3, 2, 1 - 3 * slope}}});
   };
-  CHECK_FALSE(intersect_by_inverse(plane(Rational(1, 2)), y, Run()));
-  CHECK_FALSE(intersect_by_inverse(plane(0), y, Run()));
+  CHECK_FALSE(by_inverse(plane(Rational(1, 2)), y));
+  CHECK_FALSE(by_inverse(plane(0), y));
   CHECK(solved(plane(-Rational(1, 2)).restricted_to(Rational(3, 8), 1, 0, 1), y).graph.arcs.empty());
 }
 
 TEST_CASE(
     "by inverse: nothing is said of patches on one surface, without inverse, or with a pole on the curve") {
-  CHECK_FALSE(intersect_by_inverse(plate(1), plate(1), Run()));
+  CHECK_FALSE(by_inverse(plate(1), plate(1)));
   const RationalPatch with_pole({{{0, 0, 1}, {0, 0, 1}}, {{3, 0, 0}, {0, 3, 3}}});
-  CHECK_FALSE(intersect_by_inverse(with_pole, plate(1), Run()));
+  CHECK_FALSE(by_inverse(with_pole, plate(1)));
 }
 
 }  // namespace exsect::intersect_by_inverse_test
