@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -143,17 +142,12 @@ double extent_of(const RationalPatch& x, const RationalPatch& y) {
   return to_double(model_extent(points));
 }
 
-/// What is proved over 0 < a <= reach: all arcs, of which these parameters are turning.
-using ProvedArcs = std::function<std::optional<std::vector<PoleArc>>(const Rational& reach,
-                                                                     const std::vector<Parameter>& turning)>;
-
 /// By what is proved near the pole, and the rest of the patch.
-std::optional<IntersectResult> with_rest(const TurnedPair& turned, const ProvedArcs& near_pole,
-                                         const Rational& reach, const Run& run,
+std::optional<IntersectResult> with_rest(const TurnedPair& turned, const Rational& reach, const Run& run,
                                          const filter::SolvePieces& solve) {
   const PolePair& pair = turned.pair;
   const Run part = turned_run(turned.side, run);
-  auto arcs = near_pole(reach, part.turning());
+  auto arcs = pair.near_pole(reach, part.turning());
   if (!arcs) return std::nullopt;
   IntersectResult rest = solve(pair.x.restricted_to(reach, 1, 0, 1), pair.y, part);
   if (rest.status != Status::complete || !fit(*arcs, rest)) return std::nullopt;
@@ -165,10 +159,10 @@ std::optional<IntersectResult> with_rest(const TurnedPair& turned, const ProvedA
       [side = turned.side](const Run& given) { return turned_run(side, given); });
 }
 
-std::optional<IntersectResult> over_reaches(const TurnedPair& turned, const ProvedArcs& near_pole,
-                                            const Run& run, const filter::SolvePieces& solve) {
+std::optional<IntersectResult> over_reaches(const TurnedPair& turned, const Run& run,
+                                            const filter::SolvePieces& solve) {
   for (long bits = kFirstReachBits; bits <= kLastReachBits && !run.out_of_time(); bits += 2)
-    if (auto result = with_rest(turned, near_pole, power_of_two(-bits), run, solve)) return result;
+    if (auto result = with_rest(turned, power_of_two(-bits), run, solve)) return result;
   return std::nullopt;
 }
 
@@ -179,6 +173,39 @@ PoleOnPatch on_side(const Point& point, const SideOfPair& side) {
   return pole;
 }
 
+/// With (b,s) for (r,s), b across this side of y, in the order of y and back.
+void exchange(const SideOfPair& side, PoleArc& arc) {
+  RationalInterval& across = arc.on_other[0];
+  if (side.value == 1) across = {1 - across.upper, 1 - across.lower};
+  if (side.fixed == 1) std::swap(arc.on_other[0], arc.on_other[1]);
+}
+void exchange(const SideOfPair& side, std::vector<Parameter>& parameters) {
+  if (side.fixed == 0) return;
+  for (Parameter& p : parameters)
+    if (p == Parameter::r || p == Parameter::s) p = p == Parameter::r ? Parameter::s : Parameter::r;
+}
+
+TurnedPair at_point(const SideOfPair& side, const RationalPatch& x, const RationalPatch& y,
+                    const PoleOnPatch& pole, double extent) {
+  const auto near_pole = [=](const Rational& reach, const std::vector<Parameter>& turning) {
+    return arcs_at_pole(x, y, pole, reach, turning);
+  };
+  return {side, {x, y, pole, extent, near_pole}};
+}
+
+TurnedPair at_common_pole(const SideOfPair& side, const RationalPatch& x, const SideOfPair& of_other,
+                          const RationalPatch& y, double extent) {
+  const auto near_pole = [=, turned = of_other.turned(y)](const Rational& reach,
+                                                          std::vector<Parameter> turning) {
+    exchange(of_other, turning);
+    auto arcs = arcs_at_common_pole(x, turned, reach, turning);
+    if (arcs)
+      for (PoleArc& arc : *arcs) exchange(of_other, arc);
+    return arcs;
+  };
+  return {side, {x, y, on_side(x(0, 0), of_other), extent, near_pole}};
+}
+
 }  // namespace
 
 std::optional<IntersectResult> intersect_at_pole(const RationalPatch& x, const RationalPatch& y,
@@ -187,22 +214,13 @@ std::optional<IntersectResult> intersect_at_pole(const RationalPatch& x, const R
   for (const SideOfPair& side : all_sides()) {
     const RationalPatch first = side.turned(side.patch == 0 ? x : y);
     const RationalPatch& other = side.patch == 0 ? y : x;
-    if (const auto pole = pole_on_patch(first, other)) {
-      const auto arcs = [&](const Rational& reach, const std::vector<Parameter>& turning) {
-        return arcs_at_pole(first, other, *pole, reach, turning);
-      };
-      if (auto result = over_reaches({side, {first, other, *pole, extent}}, arcs, run, solve)) return result;
-    }
+    if (const auto pole = pole_on_patch(first, other))
+      if (auto result = over_reaches(at_point(side, first, other, *pole, extent), run, solve)) return result;
     for (const SideOfPair& of_other : all_sides()) {
       if (side.patch == 1 || of_other.patch == 0 || !have_common_pole(first, of_other.turned(other)))
         continue;
-      const auto no_arcs = [&](const Rational& reach, const std::vector<Parameter>&) {
-        return meet_in_pole_alone(first, of_other.turned(other), reach)
-                   ? std::optional(std::vector<PoleArc>())
-                   : std::nullopt;
-      };
-      const TurnedPair turned = {side, {first, other, on_side(first(0, 0), of_other), extent}};
-      if (auto result = over_reaches(turned, no_arcs, run, solve)) return result;
+      const TurnedPair turned = at_common_pole(side, first, of_other, other, extent);
+      if (auto result = over_reaches(turned, run, solve)) return result;
     }
   }
   return std::nullopt;

@@ -46,6 +46,9 @@ bool leads_across(const IntersectionGraph& graph) {
          graph.nodes[0].on[0].value != graph.nodes[1].on[0].value;
 }
 
+/// Of a parameter of y in the pole.
+bool is_free(const RationalInterval& at) { return at.width() == 1; }
+
 /// The box of the arc over from <= a <= to.
 ParameterBox box_of(const PoleArc& arc, const Rational& from, const Rational& to) {
   const Rational room = kRoom * std::max(arc.on_other[0].width(), arc.on_other[1].width());
@@ -63,22 +66,22 @@ PoleDrawing::PoleDrawing(const PolePair& pair, PoleNeighbourhood all, const Run&
   while (!is_drawn_by_chords(levels_.back(), tolerance)) {
     const Rational reach = levels_.back().reach * kNextReach;
     if (reach < kLeastReach) return;
-    auto arcs = arcs_at_pole(pair.x, pair.y, pair.pole, reach, {});
+    auto arcs = pair.near_pole(reach, {});
     if (!arcs) return;
     levels_.push_back({reach, *std::move(arcs)});
   }
 }
 
-PolylineVertex PoleDrawing::pole_vertex(double along) const {
+PolylineVertex PoleDrawing::pole_vertex() const {
   PolylineVertex vertex{};
-  vertex.parameters = {0, along, to_double(pair_.pole.at[0].midpoint()),
+  vertex.parameters = {0, 0.5, to_double(pair_.pole.at[0].midpoint()),
                        to_double(pair_.pole.at[1].midpoint())};
   for (std::size_t c = 0; c < 3; ++c) vertex.point[c] = to_double(pair_.pole.point[c]);
   return vertex;
 }
 
 Node PoleDrawing::node() const {
-  const PolylineVertex vertex = pole_vertex(0.5);
+  const PolylineVertex vertex = pole_vertex();
   Node node{};
   node.kinds = {NodeKind::boundary};
   node.on = {{Parameter::u, 0}};
@@ -87,7 +90,7 @@ Node PoleDrawing::node() const {
     const RationalInterval& at = pair_.pole.at[j];
     for (const int value : {0, 1})
       if (at.lower == value && at.upper == value) node.on.push_back({all_parameters[2 + j], value});
-    if (at.width() == 1) node.free.push_back(all_parameters[2 + j]);
+    if (is_free(at)) node.free.push_back(all_parameters[2 + j]);
   }
   if (is_corner(node.on)) node.kinds.push_back(NodeKind::corner);
   node.box = {RationalInterval{0, 0}, RationalInterval{0, 1}, pair_.pole.at[0], pair_.pole.at[1]};
@@ -139,7 +142,10 @@ bool PoleDrawing::add_piece(const PoleArc& arc, const Rational& from, const Rati
 
 /// To the pole.
 void PoleDrawing::add_chord(const PoleArc& arc, Arc& drawn) const {
-  const PolylineVertex pole = pole_vertex(to_double(arc.along.midpoint()));
+  PolylineVertex pole = pole_vertex();
+  pole.parameters[1] = to_double(arc.along.midpoint());
+  for (std::size_t j = 0; j < 2; ++j)
+    if (is_free(pair_.pole.at[j])) pole.parameters[2 + j] = to_double(arc.on_other[j].midpoint());
   std::array<double, 3> end = pole.point;
   for (std::size_t c = 0; c < 3; ++c) end[c] += arc.step[c];
   const double off = distance_bound(drawn.polyline.back().point, end) + kPointRounding * size_of(pole.point);

@@ -5,6 +5,8 @@
 #include <exsect/geometry/rational_patch.h>
 #include <exsect/solver/intersection_graph.h>
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "answer/run.h"
@@ -12,12 +14,18 @@
 
 namespace exsect {
 
+/// What is proved over 0 < a <= reach: all arcs, along which these parameters of (a,t,r,s) as (u,v,r,s) are
+/// turning.
+using ProvedArcs = std::function<std::optional<std::vector<PoleArc>>(const Rational& reach,
+                                                                     const std::vector<Parameter>& turning)>;
+
 /// The side (0,t) of x is a point of y, or a whole side of y, which has all of it for its place.
 struct PolePair {
   RationalPatch x;
   RationalPatch y;
   PoleOnPatch pole;
   double extent;  // of the model
+  ProvedArcs near_pole;
 };
 
 /// All arcs over 0 < a <= reach.
@@ -38,7 +46,7 @@ class PoleDrawing {
   Arc arc(std::size_t which, const PolylineVertex& end) const;
 
  private:
-  PolylineVertex pole_vertex(double along) const;
+  PolylineVertex pole_vertex() const;
   const PoleArc* continued(const PoleArc& arc, const PoleNeighbourhood& inside) const;
   bool add_piece(const PoleArc& arc, const Rational& from, const Rational& to, Arc& drawn) const;
   void add_chord(const PoleArc& arc, Arc& drawn) const;

@@ -20,20 +20,6 @@ constexpr int kFirstCells = 16;
 constexpr int kFinestCells = 10;  // halvings of these
 constexpr std::size_t kMostCells = 512;
 
-using Balls = std::array<DoubleBall, 3>;
-
-/// Of an interval of positive numbers.
-DoubleBall inverse_range(const BivariatePolynomial& f, const Rectangle& on) {
-  const RationalInterval range = range_bound(f, on);
-  if (range.lower <= 0) return DoubleBall(0, HUGE_VAL);
-  return DoubleBall::enclosing(RationalInterval{1 / range.upper, 1 / range.lower});
-}
-
-DoubleBall determinant(const Balls& a, const Balls& b, const Balls& c) {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-         a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
 bool has_root(const Polynomial& f, const RationalInterval& in) {
   return f.is_zero() || (f.degree() > 0 && !real_roots(f, in.lower, in.upper).empty());
 }
@@ -116,7 +102,7 @@ class PoleProof {
  private:
   /// Over 0 <= a <= reach and an interval of t.
   struct Ranges {
-    Balls f;
+    EnclosedVector f;
     DoubleBall weight;
     DoubleBall inverse_weight;
     std::array<DoubleBall, 2> k;  // of all solutions
@@ -131,9 +117,9 @@ class PoleProof {
   };
   /// Derivatives of (14.101) by t, k and a.
   struct Columns {
-    Balls t;
-    std::array<Balls, 2> k;
-    Balls a;
+    EnclosedVector t;
+    std::array<EnclosedVector, 2> k;
+    EnclosedVector a;
   };
 
   Rectangle near(const RationalInterval& along) const { return {{0, reach_}, along}; }
@@ -341,14 +327,7 @@ class PoleProof {
       const RationalInterval k = (a_ * ranges.k[j]).interval();
       result.on_other[j] = {pole_.at[j].lower + k.lower, pole_.at[j].upper + k.upper};
     }
-    const double reach = to_double(reach_);
-    double squares = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const DoubleBall d = range_on(e_.direction[c], ranges.on) * ranges.inverse_weight;
-      result.step[c] = reach * d.approximation();
-      squares += d.radius() * d.radius();
-    }
-    result.bend = kSlack * reach * std::sqrt(squares);
+    set_chord(result, e_.direction, e_.weight, ranges.on);
     return result;
   }
 
@@ -367,6 +346,19 @@ class PoleProof {
 };
 
 }  // namespace
+
+void set_chord(PoleArc& arc, const PolynomialVector& direction, const BivariatePolynomial& weight,
+               const Rectangle& on) {
+  const DoubleBall inverse = inverse_range(weight, on);
+  const double reach = to_double(on.r.upper);
+  double squares = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const DoubleBall d = range_on(direction[c], on) * inverse;
+    arc.step[c] = reach * d.approximation();
+    squares += d.radius() * d.radius();
+  }
+  arc.bend = kSlack * reach * std::sqrt(squares);
+}
 
 std::optional<std::vector<PoleArc>> arcs_at_pole(const RationalPatch& x, const RationalPatch& y,
                                                  const PoleOnPatch& pole, const Rational& reach,

@@ -2,12 +2,14 @@
 // to solver/; docs/method-doubles.md, section 14.24.
 #pragma once
 
+#include <exsect/algebra/tensor_bernstein.h>
 #include <exsect/solver/parameter.h>
 
 #include <array>
 #include <optional>
 #include <vector>
 
+#include "curve/polynomial_vector.h"
 #include "special/pole_on_patch.h"
 
 namespace exsect {
@@ -21,6 +23,10 @@ struct PoleArc {
   std::array<double, 3> step;
   double bend;
 };
+
+/// Sets `step` and `bend` of an arc of points P + a D/w, with a and t in the rectangle.
+void set_chord(PoleArc& arc, const PolynomialVector& direction, const BivariatePolynomial& weight,
+               const Rectangle& on);
 
 /// All arcs of x(a,t) = y(r,s) over 0 < a <= reach: each begins in the pole and is inside of the square of y,
 /// and there is nothing else but the pole with t free. `turning`: of (a,t,r,s) as (u,v,r,s). Empty if that is

@@ -1,6 +1,7 @@
 #include "special/pole_directions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace exsect {
@@ -35,6 +36,24 @@ Point common_normal(const std::vector<Point>& vectors) {
 
 DoubleBall range_on(const BivariatePolynomial& f, const Rectangle& on) {
   return f.is_zero() ? DoubleBall(0) : DoubleBall::enclosing(range_bound(f, on));
+}
+
+DoubleBall inverse_range(const BivariatePolynomial& f, const Rectangle& on) {
+  const RationalInterval range = range_bound(f, on);
+  if (range.lower <= 0) return DoubleBall(0, HUGE_VAL);
+  return DoubleBall::enclosing(RationalInterval{1 / range.upper, 1 / range.lower});
+}
+
+DoubleBall product(const EnclosedVector& a, const EnclosedVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+EnclosedVector cross(const EnclosedVector& a, const EnclosedVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+DoubleBall determinant(const EnclosedVector& a, const EnclosedVector& b, const EnclosedVector& c) {
+  return product(a, cross(b, c));
 }
 
 }  // namespace exsect

@@ -5,6 +5,7 @@
 #include <exsect/algebra/tensor_bernstein.h>
 #include <exsect/geometry/rational_patch.h>
 
+#include <array>
 #include <vector>
 
 #include "curve/polynomial_vector.h"
@@ -26,5 +27,15 @@ Point common_normal(const std::vector<Point>& vectors);
 
 /// Encloses the values of f there.
 DoubleBall range_on(const BivariatePolynomial& f, const Rectangle& on);
+
+/// The same of 1 / f; of infinite radius if f is not proved positive there.
+DoubleBall inverse_range(const BivariatePolynomial& f, const Rectangle& on);
+
+using EnclosedVector = std::array<DoubleBall, 3>;
+
+DoubleBall product(const EnclosedVector& a, const EnclosedVector& b);
+EnclosedVector cross(const EnclosedVector& a, const EnclosedVector& b);
+/// Of the matrix with these columns.
+DoubleBall determinant(const EnclosedVector& a, const EnclosedVector& b, const EnclosedVector& c);
 
 }  // namespace exsect

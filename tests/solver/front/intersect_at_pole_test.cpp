@@ -238,6 +238,57 @@ TEST_CASE("intersect_at_pole: octants that touch in a common pole, and nearly do
       }
 }
 
+TEST_CASE("intersect_at_pole: octants through a common pole") {
+  // Turned about it by a quaternion q. Their tangent planes in the pole have the line of e_3 x R e_3 in
+  // common: each half of it that lies in both quadrants is the direction of an arc.
+  int complete = 0, arcs = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    std::array<Rational, 4> q;
+    for (Rational& k : q) k = random_pairs::integer(generator, -5, 5);
+    const Rational square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    const Point axis = {q[1], q[2], q[3]}, pole = {0, 0, 1};
+    if (square == 0 || (q[1] == 0 && q[2] == 0)) continue;
+    const auto turned = [&](const Point& p, const Rational& way) -> Point {
+      const Point once = cross(axis, p);
+      return p + Rational(2 / square) * (Rational(way * q[0]) * once + cross(axis, once));
+    };
+    const auto about_pole = [&](const Point& p) { return pole + turned(p - pole, 1); };
+    std::size_t expected = 0;
+    for (const long half : {1, -1}) {
+      const Point d = Rational(half) * cross(pole, turned(pole, 1)), e = turned(d, -1);
+      expected += d[0] > 0 && d[1] > 0 && e[0] > 0 && e[1] > 0 ? 1 : 0;
+    }
+    const RationalPatch x(octant(), kWeights), y(mapped(octant(), about_pole), kWeights);
+    const IntersectResult result = intersect(x, y);
+    for (const IntersectResult& other : {intersect(y, x), intersect(x, y.transposed())})
+      CHECK(other.status == result.status);
+    if (result.status != Status::complete) continue;
+    ++complete;
+    const Node* node = pole_of(result.graph);
+    REQUIRE(node);
+    CHECK(node->free == std::vector{Parameter::v, Parameter::s});
+    CHECK(arcs_at(result.graph, node->id) == expected);
+    arcs += static_cast<int>(expected);
+    CHECK(difference(result.graph, intersect(y, x).graph, {{2, 3, 0, 1}, {}}) == "");
+    CHECK(difference(result.graph, intersect(x, y.transposed()).graph, {{0, 1, 3, 2}, {}}) == "");
+    CHECK(difference(result.graph, intersect(x, y.restricted_to(1, 0, 0, 1)).graph,
+                     {{0, 1, 2, 3}, {false, false, true, false}}) == "");
+    const Point other_centre = about_pole({0, 0, 0});
+    for (const Arc& arc : result.graph.arcs)
+      for (const PolylineVertex& vertex : arc.polyline) {
+        const auto& p = vertex.point;
+        CHECK(std::abs(std::hypot(p[0], p[1], p[2]) - 1) < 1e-9);
+        CHECK(std::abs(std::hypot(p[0] - to_double(other_centre[0]), p[1] - to_double(other_centre[1]),
+                                  p[2] - to_double(other_centre[2])) -
+                       1) < 1e-9);
+      }
+  }
+  CHECK(complete >= 8);
+  CHECK(arcs >= 2);
+}
+
 TEST_CASE("intersect_at_pole: a plane through the axis has the constant parameter of its section") {
   const Net upright = {{{-1, -2, Rational(1, 2)}, {-1, -2, Rational(3, 2)}},
                        {{2, 4, Rational(1, 2)}, {2, 4, Rational(3, 2)}}};

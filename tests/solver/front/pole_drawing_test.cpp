@@ -26,12 +26,16 @@ PolePair pair_with(const Rational& slope) {
   const RationalPatch x = octant();
   const auto pole = pole_on_patch(x, sheet);
   REQUIRE(pole);
-  return {x, sheet, *pole, 1};
+  const auto near_pole = [x, sheet, place = *pole](const Rational& reach,
+                                                   const std::vector<Parameter>& turning) {
+    return arcs_at_pole(x, sheet, place, reach, turning);
+  };
+  return {x, sheet, *pole, 1, near_pole};
 }
 
 PoleNeighbourhood neighbourhood(const PolePair& pair) {
   const Rational reach(1, 16);
-  auto arcs = arcs_at_pole(pair.x, pair.y, pair.pole, reach, {});
+  auto arcs = pair.near_pole(reach, {});
   REQUIRE(arcs);
   REQUIRE(arcs->size() == 1);
   return {reach, *std::move(arcs)};

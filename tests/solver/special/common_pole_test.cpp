@@ -1,6 +1,10 @@
 // Common poles: cones by their directions, cups and saddles by their curvatures.
 #include "special/common_pole.h"
 
+#include <exsect/algebra/nearest_double.h>
+
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "support/catch.h"
@@ -24,11 +28,16 @@ RationalPatch cup(const Rational& p, const Rational& q, const Rational& r) {
       {{o, o, o}, {{h, 0, 0}, {h * h, h * h, 0}, {0, h, 0}}, {{1, 0, p}, {h, h, q}, {0, 1, r}}});
 }
 
+const std::vector<Parameter> kAll = {Parameter::u, Parameter::v, Parameter::r, Parameter::s};
+
 bool meet(const RationalPatch& x, const RationalPatch& y) {
   REQUIRE(have_common_pole(x, y));
-  const bool alone = meet_in_pole_alone(x, y, Rational(1, 64));
-  CHECK(alone == meet_in_pole_alone(y, x, Rational(1, 64)));
-  return !alone;
+  const auto alone = [](const RationalPatch& a, const RationalPatch& b) {
+    const auto arcs = arcs_at_common_pole(a, b, Rational(1, 64), {});
+    return arcs && arcs->empty();
+  };
+  CHECK(alone(x, y) == alone(y, x));
+  return !alone(x, y);
 }
 
 }  // namespace
@@ -54,11 +63,56 @@ TEST_CASE("common_pole: cups meet in it alone if their difference is definite ov
   CHECK(meet(cup(1, 0, 1), cup(1, 0, 1)));
 }
 
+TEST_CASE("common_pole: cones have their common directions for arcs") {
+  // 2 t (1 - t) = slope at the same t of both.
+  const RationalPatch x = cone(1, 0);
+  for (const auto& [slope, count] :
+       {std::pair(Rational(1, 3), std::size_t{2}), std::pair(Rational(-1, 3), std::size_t{0})}) {
+    const RationalPatch y = cone(0, slope);
+    const auto arcs = arcs_at_common_pole(x, y, Rational(1, 256), kAll);
+    REQUIRE(arcs);
+    REQUIRE(arcs->size() == count);
+    const auto exchanged = arcs_at_common_pole(y, x, Rational(1, 256), kAll);
+    REQUIRE(exchanged);
+    CHECK(exchanged->size() == count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const PoleArc& arc = (*arcs)[i];
+      const double root = 0.5 + (i == 0 ? -0.5 : 0.5) * std::sqrt(1.0 / 3);
+      for (const RationalInterval& at : {arc.along, arc.on_other[1]}) {
+        CHECK(to_double(at.lower) < root);
+        CHECK(root < to_double(at.upper));
+        CHECK(to_double(at.width()) < 0.02);
+      }
+      CHECK(arc.on_other[0].lower == 0);
+      CHECK(arc.on_other[0].upper >= Rational(1, 256));
+      CHECK(std::abs(arc.step[0] - (1 - root) / 256) <= arc.bend);
+      CHECK(std::abs(arc.step[2] - 1.0 / 768) <= arc.bend);
+    }
+  }
+}
+
+TEST_CASE("common_pole: cups of one tangent plane have arcs where their heights agree") {
+  // The difference of the heights, x^2 - 4 y^2 - x y / 3, is 0 in one direction of the quadrant; t is
+  // constant.
+  const RationalPatch x = cup(1, 0, 1), y = cup(2, Rational(-1, 6), -3);
+  const auto arcs = arcs_at_common_pole(x, y, Rational(1, 1024), {Parameter::u, Parameter::r});
+  REQUIRE(arcs);
+  REQUIRE(arcs->size() == 1);
+  const double slope = (1.0 / 3 + std::sqrt(1.0 / 9 + 16)) / 2, root = 1 / (1 + slope);
+  CHECK(std::abs(to_double(arcs->front().along.midpoint()) - root) < 0.01);
+  CHECK(!arcs_at_common_pole(x, y, Rational(1, 1024), {Parameter::v}));
+}
+
+TEST_CASE("common_pole: no answer for a double direction, and for directions of the ends") {
+  CHECK(!arcs_at_common_pole(cone(1, 0), cone(0, Rational(1, 2)), Rational(1, 256), {}));
+  CHECK(!arcs_at_common_pole(cone(1, 0), cone(0, 0), Rational(1, 256), {}));
+}
+
 TEST_CASE("common_pole: patches that come back to the pole, or have it not in common") {
   // y passes through the pole of x again, at the other side.
   const Point o = {0, 0, 0};
   const RationalPatch again({{o, o}, {{0, 0, 2}, {0, 1, 2}}, {{0, 0, -1}, {0, 0, 0}}});
-  CHECK(!meet_in_pole_alone(cone(0, 0), again, Rational(1, 64)));
+  CHECK(!arcs_at_common_pole(cone(0, 0), again, Rational(1, 64), {}));
   CHECK(!have_common_pole(cone(0, 0), RationalPatch({{o, {1, 0, 0}}, {{0, 1, 0}, {1, 1, 0}}})));
   const Point off = {0, 0, power_of_two(-300)};
   CHECK(!have_common_pole(cone(0, 0), RationalPatch({{off, off}, {{0, 0, 1}, {0, 1, 1}}})));
