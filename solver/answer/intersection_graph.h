@@ -12,6 +12,13 @@ namespace exsect {
 
 enum class NodeKind { boundary, turning, corner, touch, crossing, cusp, end_of_overlap };
 
+/// Of a point at which the intersection is singular: touch if no arc ends there, cusp inside of the squares
+/// with two, else crossing. On a side there may be further branches outside.
+constexpr NodeKind singular_kind(std::size_t degree, bool inside) {
+  if (degree == 0) return NodeKind::touch;
+  return inside && degree == 2 ? NodeKind::cusp : NodeKind::crossing;
+}
+
 /// A certified point of the intersection. Its closed box holds exactly one point with the stated properties.
 /// If there are `free` parameters, each of them runs through its whole interval of the box, independently of
 /// the others, while the remaining ones and the point of space stay fixed: the node stands for all of these

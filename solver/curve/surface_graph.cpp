@@ -65,10 +65,10 @@ std::vector<NodeKind> kinds_of(const CurveNode& at, const Node& node) {
   if (rims > 1) kinds.push_back(NodeKind::corner);
   if (!node.wrt.empty()) kinds.push_back(NodeKind::turning);
   const bool begins = at.degree() == 1 && rims == 0;  // in the apex of one nappe
-  if (at.is_singular || begins)
-    kinds.push_back(at.degree() == 0                                    ? NodeKind::touch
-                    : at.degree() > 2 || (at.degree() == 2 && rims > 0) ? NodeKind::crossing
-                                                                        : NodeKind::cusp);
+  if (begins)
+    kinds.push_back(NodeKind::cusp);
+  else if (at.is_singular)
+    kinds.push_back(singular_kind(static_cast<std::size_t>(at.degree()), rims == 0));
   return kinds;
 }
 

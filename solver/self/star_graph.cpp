@@ -74,10 +74,7 @@ class StarEnds {
     if (star.cuspidal) {
       graph_.add_kind(id, NodeKind::cusp);
     } else if (degree >= 3 || is_known_singular(x_, x_, star.star.centre)) {
-      const bool inside = graph_.node(id).on.empty();
-      graph_.add_kind(id, degree == 0             ? NodeKind::touch
-                          : inside && degree == 2 ? NodeKind::cusp
-                                                  : NodeKind::crossing);
+      graph_.add_kind(id, singular_kind(degree, graph_.node(id).on.empty()));
     }
   }
 

@@ -109,7 +109,7 @@ void mark_turned_line(GraphBuilder& graph, std::vector<Incomplete>& undecided, c
     const Node& node = graph.nodes()[i];
     if (!lies_on(node, side) || touching[i] || !node.free.empty() || has_singular_kind(node)) continue;
     if (line.is_singular(node))
-      graph.add_kind(node.id, degree[i] == 0 ? NodeKind::touch : NodeKind::crossing);
+      graph.add_kind(node.id, singular_kind(degree[i], false));
   }
 }
 

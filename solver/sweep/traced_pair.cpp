@@ -152,9 +152,7 @@ class PairGraph {
       }
       return;
     }
-    graph_.add_kind(node, degree == 0             ? NodeKind::touch
-                          : inside && degree == 2 ? NodeKind::cusp
-                                                  : NodeKind::crossing);
+    graph_.add_kind(node, singular_kind(degree, inside));
   }
 
   const TracedPair<Ball>& pair_;

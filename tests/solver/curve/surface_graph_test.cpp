@@ -46,6 +46,26 @@ TEST_CASE("surface graph: a circle turns twice, and its chords keep within the t
   }
 }
 
+TEST_CASE("surface graph: singular points have the kinds of docs/formats.md") {
+  const DrawnPatch patch(square);
+  const auto kinds_at = [&](const BivariatePolynomial& section, double at) {
+    const GraphBuilder graph = surface_graph(curve_of(section), patch, 1e-3);
+    for (const Node& node : graph.nodes())
+      if (node.approx[0] == at && node.approx[1] == at) return node.kinds;
+    return std::vector<NodeKind>{};
+  };
+  const auto shifted = [](const BivariatePolynomial& w) { return w - number(Rational(1, 2)); };
+  const BivariatePolynomial a = shifted(u), b = shifted(v);
+  using enum NodeKind;
+  CHECK(kinds_at(a * a - b * b, 0.5) == std::vector{crossing});
+  CHECK(kinds_at(a * a - b * b * b, 0.5) == std::vector{cusp});
+  CHECK(kinds_at(a * a + b * b, 0.5) == std::vector{touch});
+  // In the corner one of two branches, both branches of a cusp, and none.
+  CHECK(kinds_at(u * u - v * v, 0) == std::vector{boundary, corner, crossing});
+  CHECK(kinds_at((u - v) * (u - v) - u * u * u, 0) == std::vector{boundary, corner, crossing});
+  CHECK(kinds_at(u * u + v * v, 0) == std::vector{boundary, corner, touch});
+}
+
 TEST_CASE("surface graph: contact, sides and isolated points") {
   const DrawnPatch patch(square);
   const GraphBuilder line = surface_graph(curve_of((u - v) * (u - v)), patch, 1e-3);
