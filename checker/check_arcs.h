@@ -163,28 +163,6 @@ class ErrorBound {
   std::size_t together_ = 8;        // steps: as many as sufficed last, and some more
 };
 
-/// T_i vanishes wherever the parameters are on the sides and the map is 0: as a polynomial in the others it
-/// is a multiple of a component of the map there, of 0 at least.
-inline bool turns_on_sides(const Map<Rational>& map, std::size_t i, const std::vector<Side>& sides) {
-  std::array<Vector3<Polynomial>, 3> column;
-  for (std::size_t n = 0; n < 3; ++n)
-    for (std::size_t d = 0; d < 3; ++d) column[n][d] = on_sides(derivative(map, d, others(i)[n]), sides);
-  const auto& [a, b, c] = column;
-  Polynomial sum;
-  for (std::size_t d = 0; d < 3; ++d) {
-    const std::size_t e = (d + 1) % 3;
-    const std::size_t f = (d + 2) % 3;
-    add(sum, product(a[d], product(b[e], c[f])), 1);
-    add(sum, product(a[d], product(b[f], c[e])), -1);
-  }
-  bool result = is_zero(sum);
-  for (std::size_t d = 0; d < 3 && !result; ++d) {
-    const Polynomial g = on_sides(component(map, d), sides);
-    result = !is_zero(g) && is_multiple(sum, g);
-  }
-  return result;
-}
-
 template <class N>
 class ArcCheck {
  public:
@@ -298,8 +276,8 @@ class ArcCheck {
         turns[e] = is_node[e] && std::find(node.wrt.begin(), node.wrt.end(), i) != node.wrt.end();
         if (!t[e]) t[e] = tangent(tube.map.at(arc_.points[at[e]].at), {near[e], near[e], near[e], near[e]});
         signs[e] = (*t[e])[i].sign() * (*t[e])[tube.claim.axis].sign();
-        turns[e] = turns[e] || (is_node[e] && signs[e] == 0 && !node.on.empty() &&
-                                turns_on_sides(replay_.exact_map(tube.claim), i, node.on));
+        turns[e] =
+            turns[e] || (is_node[e] && signs[e] == 0 && !node.on.empty() && turns_at(tube.claim, i, node.on));
       }
       if (turns[0] || turns[1])
         result[i] = turns[0] ? (turns[1] ? 0 : signs[1]) : signs[0];
@@ -307,6 +285,12 @@ class ArcCheck {
         result[i] = signs[0];
     }
     return result;
+  }
+
+  bool turns_at(const Tube<N>& tube, std::size_t i, const std::vector<Side>& sides) const {
+    const Polynomial one = {{Power{}, 1}};
+    const Map<Rational>& map = replay_.exact_map(tube);
+    return turns_on_sides(map, {one, one}, i, sides) || turns_on_sides(map, replay_.weights, i, sides);
   }
 
   /// In a chart, the signs with growing w of u, v, r, s; on one side of the diagonal.

@@ -88,15 +88,13 @@ class NodeCheck {
     }
   }
 
-  /// i and j turn together: a component of the map is a sum of monotone functions of them alone.
+  /// i and j turn together: a component of the map is a product g h, where h, without them, is not 0, and g,
+  /// of them alone, is monotone in both.
   bool related(const ProvedTube<N>& tube, std::size_t i, std::size_t j) const {
-    for (std::size_t d = 0; d < 3; ++d) {
-      bool alone = true;
-      for (const auto& term : replay_.exact_map(tube.claim).terms())
-        for (std::size_t k = 0; k < 4; ++k)
-          alone = alone && (k == i || k == j || term.power[k] == 0 || term.c[d] == 0);
-      if (alone && monotone(tube, d, i) && monotone(tube, d, j)) return true;
-    }
+    for (std::size_t d = 0; d < 3; ++d)
+      if (monotone(tube, d, i) && monotone(tube, d, j) &&
+          separates(component(replay_.exact_map(tube.claim), d), i, j))
+        return true;
     return false;
   }
 

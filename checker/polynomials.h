@@ -40,10 +40,21 @@ inline Polynomial product(const Polynomial& a, const Polynomial& b) {
   }
   return result;
 }
-/// The derivative of component d of the map with respect to w_j.
-inline Polynomial derivative(const Map<Rational>& map, std::size_t d, std::size_t j) {
+/// The polynomial of two parameters, `first` and the next one, with these coefficients.
+inline Polynomial polynomial_in(const Grid<Rational, 1>& coefficients, std::size_t first) {
   Polynomial result;
-  for (const auto& [power, c] : component(map, d)) {
+  coefficients.each([&](std::size_t i, std::size_t j) {
+    Power power = {};
+    power[first] = static_cast<int>(i);
+    power[first + 1] = static_cast<int>(j);
+    result[power] = coefficients[i][j][0];
+  });
+  return result;
+}
+/// The derivative with respect to w_j.
+inline Polynomial derivative(const Polynomial& a, std::size_t j) {
+  Polynomial result;
+  for (const auto& [power, c] : a) {
     if (power[j] == 0) continue;
     Power lower = power;
     --lower[j];
@@ -66,6 +77,27 @@ inline Polynomial on_sides(const Polynomial& a, const std::vector<Side>& sides) 
   return result;
 }
 
+/// a = g h, with no parameters but w_i and w_j in g and only the two others in h: the coefficients, with a
+/// row for each pair of exponents in g and a column for each one in h, are a matrix of rank 1. True of a = 0.
+inline bool separates(const Polynomial& a, std::size_t i, std::size_t j) {
+  const auto part = [&](Power power, bool of_g) {
+    for (std::size_t k = 0; k < 4; ++k)
+      if ((k == i || k == j) != of_g) power[k] = 0;
+    return power;
+  };
+  const auto entry = std::find_if(a.begin(), a.end(), [](const auto& term) { return term.second != 0; });
+  if (entry == a.end()) return true;
+  Polynomial g;  // the column of the entry
+  Polynomial h;  // its row
+  for (const auto& [power, c] : a) {
+    if (part(power, false) == part(entry->first, false)) g[part(power, true)] = c;
+    if (part(power, true) == part(entry->first, true)) h[part(power, false)] = c;
+  }
+  Polynomial difference = product(g, h);
+  for (const auto& [power, c] : a) difference[power] -= entry->second * c;
+  return is_zero(difference);
+}
+
 /// b, which is not 0, divides a: by division with the lexicographically greatest terms first.
 inline bool is_multiple(Polynomial a, const Polynomial& b) {
   const auto leading = [](const Polynomial& p) {
@@ -85,6 +117,37 @@ inline bool is_multiple(Polynomial a, const Polynomial& b) {
     }
   }
   return true;
+}
+
+/// T_i vanishes wherever the parameters are on the sides and the map is 0: with the columns c F_j - c_j F,
+/// parallel to F_j there, of a factor c > 0 for w_j's patch, it is as a polynomial in the others a multiple
+/// of a component of the map, of 0 at least.
+inline bool turns_on_sides(const Map<Rational>& map, const std::array<Polynomial, 2>& factors, std::size_t i,
+                           const std::vector<Side>& sides) {
+  std::array<Vector3<Polynomial>, 3> column;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t j = others(i)[n];
+    const Polynomial& c = factors[j / 2];
+    for (std::size_t d = 0; d < 3; ++d) {
+      const Polynomial f = component(map, d);
+      Polynomial& entry = column[n][d] = product(on_sides(c, sides), on_sides(derivative(f, j), sides));
+      add(entry, product(on_sides(derivative(c, j), sides), on_sides(f, sides)), -1);
+    }
+  }
+  const auto& [a, b, c] = column;
+  Polynomial sum;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const std::size_t e = (d + 1) % 3;
+    const std::size_t f = (d + 2) % 3;
+    add(sum, product(a[d], product(b[e], c[f])), 1);
+    add(sum, product(a[d], product(b[f], c[e])), -1);
+  }
+  bool result = is_zero(sum);
+  for (std::size_t d = 0; d < 3 && !result; ++d) {
+    const Polynomial g = on_sides(component(map, d), sides);
+    result = !is_zero(g) && is_multiple(sum, g);
+  }
+  return result;
 }
 
 }  // namespace exsect::checker

@@ -57,6 +57,7 @@ struct Replay {
   Vector3<Rational> origin;
   Map<Rational> exact;                // F
   Position<Rational> exact_space;     // x, moved by -origin
+  std::array<Polynomial, 2> weights;  // w_x and w_y; of an equation 1
   std::array<Map<N>, 3> equation;     // F of each chart
   std::array<Position<N>, 3> space;   // the point of space, moved by -origin
   std::array<Divided<N>, 2> divided;  // of both charts of one patch
@@ -103,7 +104,7 @@ template <class N>
 Replay<N> start(const Certificate<N>& certificate) {
   const Net<Rational>& first = certificate.nets[0].points;
   const Vector3<Rational>& middle = first[first.degree(0) / 2][first.degree(1) / 2];
-  Replay<N> result = {certificate, middle, {}, {}, {}, {}, {}, {}, {}};
+  Replay<N> result = {certificate, middle, {}, {}, {}, {}, {}, {}, {}, {}};
   const auto& equation = certificate.equation;
   std::array<WeightedNet<Rational>, 2> power = certificate.nets;
   if (equation) {
@@ -117,6 +118,8 @@ Replay<N> start(const Certificate<N>& certificate) {
   }
   if (!equation) result.exact = pair_map(power[0], power[1]);
   result.exact_space = position_on(power[0]);
+  for (const std::size_t n : {0, 1})
+    result.weights[n] = polynomial_in(equation ? one<Rational>() : power[n].weights, 2 * n);
   result.equation[0] = rounded<N>(result.exact);
   result.space[0] = rounded<N>(result.exact_space);
   for (std::size_t n = 0; certificate.self && n < 2; ++n) {

@@ -827,6 +827,18 @@ def is_multiple(a, b):
     return True
 
 
+def separates(a, i, j):
+    """a is a product g h of polynomials in w_i and w_j and in the others: its terms make a matrix of rank 1."""
+    matrix = {}
+    for power, c in a.items():
+        key = tuple(p if n in (i, j) else 0 for n, p in enumerate(power))
+        matrix.setdefault(key, {})[tuple(p - q for p, q in zip(power, key))] = c
+    rows = list(matrix.values())
+    columns = set().union(*rows)
+    return all(row.get(p, 0) * rows[0].get(q, 0) == row.get(q, 0) * rows[0].get(p, 0)
+               for row in rows for p, q in itertools.combinations(columns, 2))
+
+
 def occurs(polynomials, d, j):
     return any(power[j] and c[d] for power, c in polynomials.terms.items())
 
@@ -1119,6 +1131,8 @@ class Checker:
         power = [Net(power_basis(net.points), power_basis(net.weights)) for net in self.nets]
         self.equation = {"pair": pair_map(*power)}
         self.space = {"pair": position_on(power[0])}
+        one = {(0, 0, 0, 0): 1}
+        self.denominators = [one, one] if surface else [{(*[0] * n, *i, *[0] * (2 - n)): w for i, (w,) in entries(net.weights)} for n, net in zip((0, 2), power)]
         if surface:
             equation = self.surface_equation(surface, "$.second")
             self.section = section(equation, power[0])
@@ -1226,9 +1240,8 @@ class Checker:
 
     @staticmethod
     def related(tube, i, j):
-        """A component of the map is monotone in both, and free of the others."""
-        return any(not any(occurs(tube.exact, d, k) for k in range(4) if k not in (i, j)) and tube.monotone(d, i) and tube.monotone(d, j)
-                   for d in range(3))
+        """A component of the map is monotone in both, and a product g h with the others in h alone."""
+        return any(tube.monotone(d, i) and tube.monotone(d, j) and separates(component(tube.exact, d), i, j) for d in range(3))
 
     def check_node(self, node, place):
         tube = element(self.tubes, node.tube, place)
@@ -1395,13 +1408,18 @@ class Checker:
                 continue
             t = tangent(tube.map.at(at), [near] * 4)
             slope = sign(t[i]) * sign(t[tube.axis])
-            if slope or not node or not node.on or not self.turns_on_sides(tube.exact, i, node.on):
+            if slope or not node or not node.on or not self.turns_on_sides(tube, i, node.on):
                 signs.append(slope)
         return signs[0] if signs and signs[0] == signs[-1] else 0
 
+    def turns_on_sides(self, tube, i, sides):
+        """T_i vanishes wherever the parameters are on the sides and the map is 0: it is a multiple of a component there, as a polynomial,
+        with the columns c F_j - c_j F, c = 1 or the denominator of w_j's patch."""
+        one = {(0, 0, 0, 0): 1}
+        return any(self.turns_with(factors, tube.exact, i, sides) for factors in ((one, one), self.denominators))
+
     @staticmethod
-    def turns_on_sides(polynomials, i, sides):
-        """T_i vanishes wherever the parameters are on the sides and the map is 0: it is a multiple of a component there, as a polynomial."""
+    def turns_with(factors, polynomials, i, sides):
         def on_sides(polynomial):
             result = {}
             for power, c in polynomial.items():
@@ -1410,9 +1428,15 @@ class Checker:
                     result[rest] = result.get(rest, 0) + c
             return result
 
+        def derivative(polynomial, j):
+            return on_sides({tuple(p - (n == j) for n, p in enumerate(power)): power[j] * c for power, c in polynomial.items() if power[j]})
+
         def entry(d, j):
-            return on_sides({tuple(p - (n == j) for n, p in enumerate(power)): power[j] * c
-                             for power, c in component(polynomials, d).items() if power[j]})
+            f, c = component(polynomials, d), factors[j // 2]
+            result = product(on_sides(c), derivative(f, j))
+            for power, q in product(derivative(c, j), on_sides(f)).items():
+                result[power] = result.get(power, 0) - q
+            return result
 
         e = [[entry(d, j) for j in others(i)] for d in range(3)]
         total = {}
