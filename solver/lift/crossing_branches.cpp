@@ -1,6 +1,7 @@
 #include "lift/crossing_branches.h"
 
 #include <exsect/algebra/bivariate_factors.h>
+#include <exsect/algebra/sturm.h>
 
 #include <algorithm>
 #include <utility>
@@ -17,6 +18,28 @@ CrossingBranch branch_on(const SpacePolynomial& f, const SpacePolynomial& g, Biv
   return {std::move(shadow.factor), shadow.multiplicity, std::move(derived), g, std::move(rate)};
 }
 
+/// Whether all real zeros of f are zeros of g. Requires f and g other than 0.
+bool has_real_zeros_of(Polynomial f, const Polynomial& g) {
+  for (Polynomial common = gcd(f, g); common.degree() > 0; common = gcd(f, g)) f = exact_quotient(f, common);
+  return SturmSequence(f).count_all() == 0;
+}
+
+/// A polynomial of least degree that crosses G along the branch where F does, which has this norm, in the
+/// place of F. What F is beside G = 0, of no matter for the curve, grows with its degree.
+void simplify(CrossingBranch& branch, const SpaceProjection& projection, const Polynomial& norm) {
+  constexpr int greatest_degree = 3;
+  for (int degree = 1; degree < branch.f.degree() && degree <= greatest_degree; ++degree)
+    for (SpacePolynomial& form : forms_through(projection, branch.shadow, degree)) {
+      SpacePolynomial rate = turning_form(form, branch.g, projection.frame.height);
+      if (rate.is_zero()) continue;
+      const Polynomial other = norm_over(projection, branch.shadow, rate).value();
+      if (other.is_zero() || !has_real_zeros_of(other, norm)) continue;
+      branch.f = std::move(form);
+      branch.rate = std::move(rate);
+      return;
+    }
+}
+
 /// Multiplies the norm of all by that of a branch, and adds it; false if there is none.
 bool add_branch(CrossingBranches& branches, const SpacePolynomial& f, const SpacePolynomial& g,
                 const BivariatePower& shadow) {
@@ -26,6 +49,7 @@ bool add_branch(CrossingBranches& branches, const SpacePolynomial& f, const Spac
     if (!norm) return false;
     if (norm->is_zero()) continue;
     branches.norm *= branch.multiplicity == 1 ? *norm : *norm * *norm;
+    if (branch.multiplicity > 1) simplify(branch, branches.projection, *norm);
     branches.all.push_back(std::move(branch));
     return true;
   }

@@ -1,6 +1,7 @@
 #include "lift/space_projection.h"
 
 #include <exsect/algebra/interruption.h>
+#include <exsect/algebra/rational_matrix.h>
 #include <exsect/algebra/resultant.h>
 
 #include <algorithm>
@@ -86,6 +87,22 @@ std::optional<Rational> product_over(const Polynomial& over, const BivariatePoly
     sum = reduced(sum * t + p.coefficient(i) * power);
   }
   return resultant(over, sum) / whole;
+}
+
+/// A multiple, other than 0, of the coordinates of points over u on a factor of the shadow, and of 1: as
+/// polynomials of v modulo that factor. Empty if the slope is 0 in one of them.
+std::optional<std::array<Polynomial, 4>> points_over(const SpaceProjection& projection,
+                                                     const Polynomial& factor, const Rational& u) {
+  const Polynomial slope = divide(projection.slope.at_r(u), factor).remainder,
+                   offset = projection.offset.at_r(u);
+  if (gcd(factor, slope).degree() != 0) return std::nullopt;
+  const auto& [a, b, c] = projection.frame.columns;
+  std::array<Polynomial, 4> x;
+  for (std::size_t k = 0; k < 3; ++k)
+    x[k] =
+        divide(Polynomial{u * a[k], b[k]} * slope - Polynomial(c[k]) * offset, factor).remainder;  // (17.15)
+  x[3] = slope;
+  return x;
 }
 
 SpacePolynomial leading_form(const SpacePolynomial& f) {
@@ -190,6 +207,37 @@ std::optional<Polynomial> norm_over(const SpaceProjection& projection, const Biv
       return std::nullopt;
   }
   return interpolated(nodes, values).exchanged().coefficient(0);
+}
+
+std::vector<SpacePolynomial> forms_through(const SpaceProjection& projection,
+                                           const BivariatePolynomial& factor, int degree) {
+  const std::vector<Exponents> exponents = exponents_up_to(degree);
+  const auto count = static_cast<std::size_t>(factor.degree_s());
+  RationalMatrix values(count * static_cast<std::size_t>(degree + 1), exponents.size());
+  std::size_t row = 0;
+  for (int u = 0; row < values.rows(); ++u) {
+    interruption_point();
+    const Polynomial over = factor.at_r(u);
+    const auto x = points_over(projection, over, u);
+    if (!x) continue;
+    for (std::size_t column = 0; column < exponents.size(); ++column) {
+      const auto& [i, j, k] = exponents[column];
+      const std::array<int, 4> powers = {i, j, k, degree - i - j - k};
+      Polynomial value = 1;
+      for (std::size_t which = 0; which < 4; ++which)
+        for (int n = 0; n < powers[which]; ++n) value = divide(value * (*x)[which], over).remainder;
+      for (std::size_t n = 0; n < count; ++n)
+        values(row + n, column) = value.coefficient(static_cast<int>(n));  // (17.19a)
+    }
+    row += count;
+  }
+  std::vector<SpacePolynomial> forms;
+  for (const std::vector<Integer>& solution : null_space(values)) {
+    SpacePolynomial::Terms terms;
+    for (std::size_t i = 0; i < solution.size(); ++i) terms[exponents[i]] = Rational(solution[i]);
+    forms.emplace_back(terms);
+  }
+  return forms;
 }
 
 BivariatePolynomial sign_below(const SpaceProjection& projection, const SpacePolynomial& p) {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace exsect {
 
@@ -60,6 +61,11 @@ Polynomial turning_norm(const SpaceProjection& projection);
 /// constant factor (17.19). Empty if the slope vanishes on the factor. Requires P != 0.
 std::optional<Polynomial> norm_over(const SpaceProjection& projection, const BivariatePolynomial& factor,
                                     const SpacePolynomial& p);
+
+/// A basis of the polynomials of at most this degree that vanish on all common points whose shadow is on an
+/// irreducible factor of it (17.19a). Requires that the slope does not vanish on the factor.
+std::vector<SpacePolynomial> forms_through(const SpaceProjection& projection,
+                                           const BivariatePolynomial& factor, int degree);
 
 /// A polynomial with the sign of P on the common points where the slope is not 0, by (17.15).
 BivariatePolynomial sign_below(const SpaceProjection& projection, const SpacePolynomial& p);

@@ -48,6 +48,7 @@ TEST_CASE("crossing branches: a curve of contact of each order") {
     const CrossingBranches branches = branches_of(ball + power, ball);
     REQUIRE(branches.all.size() == 1);
     CHECK(branches.all[0].multiplicity == order);
+    if (order > 1) CHECK(branches.all[0].f == z - number(3));
     for (const Point& p : {Point{4, 0, 3}, Point{0, -4, 3}, Point{Rational(16, 5), Rational(12, 5), 3}})
       check_crossing(branches.all[0], p);
     // u is extreme over two values, those over which the circle's tangent is orthogonal to the height.
@@ -71,6 +72,17 @@ TEST_CASE("crossing branches: a curve of contact and one that crosses it") {
   const Rational mean = 3 * h[2], rate = h[0] + h[1];
   const Polynomial where{mean * mean - 8 * rate * rate, -2 * mean, 1};
   CHECK(divide(branches.norm, where * where).remainder.is_zero());
+}
+
+TEST_CASE("crossing branches: no plane through a line that touches the other surface on it") {
+  // The plane y = 0 has a second line in common with the saddle, which crosses the first one in the origin.
+  const SpacePolynomial saddle = x * z - y;
+  for (const Rational shift : {0, 2, -5}) {
+    const SpacePolynomial other = saddle * (x + number(3)) + z * z * (y - number(shift));
+    for (const CrossingBranch& branch : branches_of(other, saddle).all)
+      if (branch.multiplicity == 2)
+        for (const int k : {-2, 0, 1, 4}) check_crossing(branch, {Rational(k), 0, 0});
+  }
 }
 
 TEST_CASE("crossing branches: squares, and curves along which a surface is singular") {

@@ -342,6 +342,23 @@ TEST_CASE("crossing curve: circles that a torus shares with what touches it, wit
   CHECK(census(unnamed(torus), unnamed(twin)) == census(intersect(torus, twin, coarse())));
 }
 
+TEST_CASE("crossing curve: contact of orders 3 and 4 along curves") {
+  const SpacePolynomial x = SpacePolynomial::variable(0), y = SpacePolynomial::variable(1),
+                        z = SpacePolynomial::variable(2);
+  const auto number = [](int c) { return SpacePolynomial::constant(c); };
+  const SpacePolynomial ball = x * x + y * y + z * z - number(2), h = x + Rational(2) * y - z;
+  const SpacePolynomial bowl = x * x + y * y - z, k = x + Rational(2) * z - number(3);
+  const SpacePolynomial tube = x * x + y * y - number(1);
+  const auto touching = [&](const SpacePolynomial& f, const SpacePolynomial& g) {
+    return census(S::polynomial(f), S::polynomial(g));
+  };
+  CHECK(touching(ball * (x + number(3)) + h * h * h, ball) == "1 closed, 0 open, order 3");
+  CHECK(touching(tube * (x + Rational(2) * z) + h * h * h, tube) == "1 closed, 0 open, order 3");
+  CHECK(touching(bowl + k * k * k, bowl) == "1 closed, 0 open, order 3");
+  CHECK(touching(ball + h * h * h * h, ball) == "1 closed, 0 open, order 4");
+  CHECK(touching(bowl * (x * y + number(5)) + k * k * k * k, bowl) == "1 closed, 0 open, order 4");
+}
+
 TEST_CASE("crossing curve: contact along curves of polynomials, and squares") {
   const SpacePolynomial x = SpacePolynomial::variable(0), y = SpacePolynomial::variable(1),
                         z = SpacePolynomial::variable(2), one = SpacePolynomial::constant(1);

@@ -132,4 +132,25 @@ TEST_CASE("space projection: products over the points over u") {
   CHECK(product->primitive() == norm.primitive());
 }
 
+TEST_CASE("space projection: forms through a circle and through a quartic curve") {
+  // As many as Hilbert's function leaves: 2 e + 1 and 4 e conditions on degree e.
+  const SpacePolynomial ball = x * x + y * y + z * z - number(25), plane = z - number(3);
+  const SpacePolynomial saddle = x * y - number(2) * z;
+  const auto circle = space_projection(ball, plane, general_frame(0)),
+             quartic = space_projection(ball, saddle, general_frame(0));
+  REQUIRE((circle && quartic));
+  CHECK(forms_through(*circle, circle->shadow, 1) == std::vector{plane});
+  CHECK(forms_through(*circle, circle->shadow, 2).size() == 5);
+  CHECK(forms_through(*circle, circle->shadow, 3).size() == 13);
+  for (const SpacePolynomial& form : forms_through(*circle, circle->shadow, 3))
+    for (const Point& p : {Point{4, 0, 3}, Point{0, -4, 3}, Point{Rational(16, 5), Rational(-12, 5), 3}})
+      CHECK(form(p) == 0);
+  CHECK(forms_through(*quartic, quartic->shadow, 1).empty());
+  CHECK(forms_through(*quartic, quartic->shadow, 3).size() == 8);
+  const std::vector<SpacePolynomial> pencil = forms_through(*quartic, quartic->shadow, 2);
+  CHECK(pencil.size() == 2);
+  for (const SpacePolynomial& form : pencil)
+    CHECK(form == form.coefficient({2, 0, 0}) * ball + form.coefficient({1, 1, 0}) * saddle);
+}
+
 }  // namespace exsect::space_projection_test
