@@ -108,6 +108,18 @@ bool divide_at(GraphBuilder& graph, int node, double error) {
   return found;
 }
 
+std::vector<Arc> joined_chain(std::vector<Arc> chain, const std::function<bool(int)>& is_wanted) {
+  std::ranges::rotate(chain,
+                      std::ranges::find_if(chain, [&](const Arc& arc) { return is_wanted(arc.from); }));
+  std::vector<Arc> joined;
+  for (Arc& arc : chain)
+    if (joined.empty() || is_wanted(arc.from))
+      joined.push_back(std::move(arc));
+    else
+      extend(joined.back(), arc);
+  return joined;
+}
+
 void join_at_nodes_of_no_kind(GraphBuilder& graph, int first_arc) {
   std::vector<Arc> arcs = graph.take_arcs(first_arc);
   while (!arcs.empty()) {

@@ -12,8 +12,8 @@
 
 namespace exsect {
 
-/// Whatever meets there, by the inverse of y. Empty if x lies on the surface of y or maps a part of their
-/// curve to one point, the curve has too high a degree in x, or it goes through a pole of y.
+/// Whatever meets there, by the inverse of y. Empty if a part of the curve is one point of x, the curve, or
+/// the sides of y where x lies on its surface, are of too high degrees in x, or a pole of y is on them.
 std::optional<IntersectResult> intersect_by_inverse(const RationalPatch& x, const RationalPatch& y,
                                                     const PatchInverse& of_y, const Run& run);
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/catch.h"
+#include "support/chain_checks.h"
 #include "support/graph_isomorphism.h"
 #include "support/random_pairs.h"
 #include "support/renaming_checks.h"
@@ -304,18 +305,6 @@ std::optional<bool> covers(const BezierPatch& y, const std::array<double, 2>& po
   const double depth = std::min({r, s, 1 - r, 1 - s});
   if (std::abs(depth) < 1e-3) return std::nullopt;
   return depth > 0;
-}
-
-/// Even-odd rule in the (u,v) square.
-bool inside(const std::vector<Arc>& chain, double u, double v) {
-  bool odd = false;
-  for (const Arc& arc : chain)
-    for (std::size_t k = 1; k < arc.polyline.size(); ++k) {
-      const auto& a = arc.polyline[k - 1].parameters;
-      const auto& b = arc.polyline[k].parameters;
-      if ((a[1] > v) != (b[1] > v) && u < a[0] + (v - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) odd = !odd;
-    }
-  return odd;
 }
 
 TEST_CASE("overlaps of random planar patches hold the sampled points that both cover") {

@@ -1,11 +1,14 @@
 // Pairs decided by the inverse of one patch: against doubles, and by what is known of their curves.
 #include "special/intersect_by_inverse.h"
 
+#include <exsect/solver/intersect.h>
+
 #include <functional>
 
 #include "filter/filter.h"
 #include "solver/special/revolved.h"
 #include "support/catch.h"
+#include "support/chain_checks.h"
 #include "support/graph_isomorphism.h"
 #include "support/random_nets.h"
 
@@ -247,11 +250,105 @@ TEST_CASE("by inverse: a curve that goes through a pole of the other patch is le
   CHECK(solved(plane(-Rational(1, 2)).restricted_to(Rational(3, 8), 1, 0, 1), y).graph.arcs.empty());
 }
 
-TEST_CASE(
-    "by inverse: nothing is said of patches on one surface, without inverse, or with a pole on the curve") {
-  CHECK_FALSE(by_inverse(plate(1), plate(1)));
+TEST_CASE("by inverse: nothing is said where a part of the curve is one point of a patch") {
   const RationalPatch with_pole({{{0, 0, 1}, {0, 0, 1}}, {{3, 0, 0}, {0, 3, 3}}});
   CHECK_FALSE(by_inverse(with_pole, plate(1)));
+}
+
+TEST_CASE("by inverse: overlaps in a plane as they are found by the maps of the plane") {
+  Generator generator(5);
+  const auto digit = [&](int most) {
+    return Rational(static_cast<int>(generator() % static_cast<unsigned>(2 * most + 1)) - most, 2);
+  };
+  int overlaps = 0;
+  for (int round = 0; round < 4; ++round) {
+    INFO("round " << round);
+    const auto corner = [&](int x, int y) { return Point{x + digit(3), y + digit(3), 0}; };
+    const RationalPatch x({{corner(0, 0), corner(0, 8)}, {corner(8, 0), corner(8, 8)}});
+    const Point a = corner(3, 2), b = corner(5, 0), c = corner(0, 5);
+    const RationalPatch y({{a, a + b}, {a + c, a + b + c}});
+    const IntersectResult by_maps = intersect(*x.biquadratic(), *y.biquadratic());
+    REQUIRE(by_maps.status == Status::complete);
+    CHECK(difference(solved(x, y).graph, by_maps.graph, {}) == "");
+    overlaps += static_cast<int>(by_maps.graph.overlaps.size());
+  }
+  CHECK(overlaps >= 3);
+}
+
+TEST_CASE("by inverse: plates with a side, a part of a side or a corner in common") {
+  const auto cell = [](const Rational& x0, const Rational& y0, const Rational& x1, const Rational& y1) {
+    return RationalPatch({{{x0, y0, 0}, {x0, y1, 0}}, {{x1, y0, 0}, {x1, y1, 0}}}, {{1, 2}, {3, 6}});
+  };
+  const RationalPatch x = cell(0, 0, 2, 2);
+  for (const auto& [from, to] : {std::pair{0, 2}, std::pair{1, 3}, std::pair{-1, 1}}) {
+    const IntersectionGraph graph = solved(x, cell(2, from, 3, to)).graph;
+    CHECK(graph.overlaps.empty());
+    REQUIRE(graph.arcs.size() == 1);
+    CHECK(graph.arcs[0].place == ArcPlace::patch_boundary);
+    CHECK(graph.arcs[0].contact == Contact::tangential);
+    CHECK(graph.nodes.size() == 2);
+  }
+  const IntersectionGraph corner = solved(x, cell(2, 2, 3, 3)).graph;
+  CHECK(corner.overlaps.empty());
+  CHECK(corner.arcs.empty());
+  REQUIRE(corner.isolated_points.size() == 1);
+  CHECK(corner.nodes[0].kinds == std::vector{NodeKind::boundary, NodeKind::corner, NodeKind::touch});
+  CHECK(solved(x, cell(3, 2, 4, 3)).graph.nodes.empty());
+}
+
+/// On the cylinder of radius 2 about the axis of z. Coefficients of x/2, y/2 and 1 give heights for v = 0 and
+/// 1, and the middle control points, of weights 3/2 times as great, of three.
+RationalPatch on_cylinder(const revolved::Arc3& arc, const std::vector<Point>& heights) {
+  std::vector<std::vector<HomogeneousPoint>> net;
+  for (const auto& [x, y, w] : arc) {
+    net.emplace_back();
+    for (const Point& h : heights) {
+      const Rational scale = net.back().size() == 1 && heights.size() > 2 ? Rational(3, 2) : Rational(1);
+      net.back().push_back(
+          {scale * 2 * x, scale * 2 * y, scale * (h[0] * x + h[1] * y + h[2] * w), scale * w});
+    }
+  }
+  return RationalPatch::from_homogeneous(net);
+}
+
+TEST_CASE("by inverse: an overlap on a cylinder whose parameters no Moebius maps relate") {
+  const RationalPatch x =
+      on_cylinder(revolved::arc(Rational(-1, 3), Rational(3, 4)),
+                  {{0, Rational(1, 5), -1}, {Rational(1, 9), 0, 0}, {0, Rational(1, 2), 2}});
+  const auto y = [](const Rational& off) {
+    return on_cylinder(revolved::arc(Rational(-1, 2), Rational(1, 2)),
+                       {{off, Rational(1, 3), -1}, {off, 0, Rational(3, 2)}});
+  };
+  const IntersectionGraph graph = solved(x, y(0)).graph;
+  REQUIRE(graph.overlaps.size() == 1);
+  REQUIRE(graph.overlaps[0].chains.size() == 1);
+  CHECK(graph.arcs.empty());
+  int covered = 0;
+  for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < 10; ++j) {
+      const Rational u(2 * i + 1, 20), v(2 * j + 1, 20);
+      INFO("u " << u << ", v " << v);
+      const HomogeneousPoint p = x.homogeneous_at(u, v);
+      const bool expected = 4 * p[0] >= 3 * abs(p[1]) && 6 * p[2] >= p[1] - 6 * p[3] && 2 * p[2] <= 3 * p[3];
+      CHECK(inside(graph.overlaps[0].chains[0], to_double(u), to_double(v)) == expected);
+      covered += expected ? 1 : 0;
+    }
+  CHECK(covered > 10);
+  CHECK(covered < 90);
+  const RationalPatch moved = revolved::rotated(y(0), {1, 0, 0, 0}, {power_of_two(-66), 0, 0});
+  CHECK(solved(x, moved).graph.overlaps.empty());
+}
+
+TEST_CASE("by inverse: a pole inside of an overlap, and sides of high degrees, are left to others") {
+  const RationalPatch triangle({{{0, 0, 0}, {2, 0, 0}}, {{0, 2, 0}, {0, 2, 0}}});
+  const auto square = [](int x, int y) {
+    return RationalPatch({{{x, y, 0}, {x, y + 2, 0}}, {{x + 2, y, 0}, {x + 2, y + 2, 0}}});
+  };
+  CHECK_FALSE(by_inverse(square(-1, 1), triangle));
+  CHECK(solved(square(-1, -1), triangle).graph.overlaps.size() == 1);
+  const revolved::Arc3 profile = revolved::moved(revolved::arc(Rational(-1, 2), Rational(1, 2)), 2, 0);
+  CHECK_FALSE(by_inverse(tilted_sphere(2, 0),
+                         revolved::patch(profile, revolved::arc(Rational(-1, 2), Rational(2, 3)))));
 }
 
 }  // namespace exsect::intersect_by_inverse_test

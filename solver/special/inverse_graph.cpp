@@ -1,0 +1,278 @@
+#include "special/inverse_graph.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "answer/arc_joints.h"
+#include "answer/parameter_box.h"
+#include "answer/proof_failure.h"
+#include "curve/curve_place.h"
+#include "curve/outline_graph.h"
+#include "curve/surface_graph.h"
+
+namespace exsect {
+namespace {
+
+using Ball = ArbBall<256>;
+
+/// Of the parameters of nodes behind a quadratic map.
+constexpr int kParameterBits = 256;
+
+Ball value_at(const BivariatePolynomial& f, const Ball& u, const Ball& v) {
+  Ball sum;
+  for (int i = f.degree_r(); i >= 0; --i) {
+    Ball row;
+    for (int j = f.degree_s(); j >= 0; --j) row = row * v + Ball::enclosing(f.coefficient(i, j));
+    sum = sum * u + row;
+  }
+  return sum;
+}
+
+/// Of map(p). Empty if the denominator may be 0 there.
+std::optional<RationalInterval> enclosed(const ParameterOnCurve& p, const Ball& u, const Ball& v) {
+  const RationalInterval a = value_at(p.numerator, u, v).interval();
+  const RationalInterval b = value_at(p.denominator, u, v).interval();
+  if (!(b.lower > 0)) return std::nullopt;
+  return RationalInterval{a.lower / (a.lower > 0 ? b.upper : b.lower),
+                          a.upper / (a.upper > 0 ? b.lower : b.upper)};
+}
+
+/// The nodes and arcs of the curve with the parameters of y.
+class InverseGraph {
+ public:
+  InverseGraph(const InverseCurve& known, double tolerance)
+      : known_(known),
+        graph_(known.curve.graph),
+        patch_(known.x),
+        drawn_(known.outline ? outline_graph(known.curve, *known.outline, patch_, tolerance)
+                             : surface_graph(known.curve, patch_, tolerance)) {}
+
+  GraphBuilder run(const std::vector<Parameter>& turning) {
+    find_named();
+    std::vector<std::vector<ArcEnd>> ends(graph_.nodes.size());
+    for (const CurveBranch& arc : graph_.arcs) {
+      if (!is_named_[arc.from] && !is_named_[arc.to]) continue;
+      const Arrow along = known_.outline ? Arrow{} : directions_of(arc);
+      const std::vector<Side> sides = sides_along(arc);
+      ends[arc.from].push_back({along, sides});
+      ends[arc.to].push_back({{-along[0], -along[1], -along[2], -along[3]}, sides});
+    }
+    for (std::size_t i = 0; i < graph_.nodes.size(); ++i) add_node(i, ends[i]);
+    for (std::size_t i = 0; i < drawn_.arcs().size(); ++i) {
+      Arc arc = with_parameters(drawn_.arcs()[i]);
+      const std::size_t branch = known_.outline ? known_.outline->curves[i] : i;
+      if (!sides_along(graph_.arcs[branch]).empty()) arc.place = ArcPlace::patch_boundary;
+      result_.add_arc(std::move(arc));
+    }
+    for (const Overlap& overlap : drawn_.overlaps()) add_overlap(overlap);
+    for (const int node : drawn_.isolated_points()) result_.add_isolated(node);
+    if (known_.outline) name_contacts();
+    join_at_nodes_of_no_kind(result_, 0);
+    join_at_other_turning_points(result_, 0, 0, turning);
+    return std::move(result_);
+  }
+
+ private:
+  /// The sign of the change of each parameter along an arc from one of its ends.
+  using Arrow = std::array<int, 4>;
+
+  struct ArcEnd {
+    Arrow away;               // from the node
+    std::vector<Side> sides;  // on which all of the arc is
+  };
+
+  /// What is outside of y has no parameters.
+  void find_named() {
+    is_named_.assign(graph_.nodes.size(), false);
+    const auto find = [&](const Arc& arc) {
+      is_named_[static_cast<std::size_t>(arc.from)] = is_named_[static_cast<std::size_t>(arc.to)] = true;
+    };
+    std::ranges::for_each(drawn_.arcs(), find);
+    for (const Overlap& overlap : drawn_.overlaps())
+      for (const std::vector<Arc>& chain : overlap.chains) std::ranges::for_each(chain, find);
+    for (const int node : drawn_.isolated_points()) is_named_[static_cast<std::size_t>(node)] = true;
+  }
+
+  /// Arcs lead to greater u, or v where u is constant.
+  Arrow directions_of(const CurveBranch& arc) const {
+    Arrow result;
+    for (std::size_t p = 0; p < 4; ++p)
+      result[p] = sign_at(known_.parameters[p].slope.exchanged(), arc.inside);
+    const int along = result[0] != 0 ? result[0] : result[1];
+    for (int& sign : result) sign *= along;
+    return result;
+  }
+
+  /// 0 is a side's bound at the node, which is exact, or on one of its arcs.
+  std::vector<Side> sides_at(std::size_t node) const {
+    const TriangularPoint* at = graph_.nodes[node].exact ? &*graph_.nodes[node].exact : nullptr;
+    for (std::size_t i = 0; at == nullptr && i < graph_.arcs.size(); ++i)
+      if (graph_.arcs[i].from == node || graph_.arcs[i].to == node) at = &graph_.arcs[i].inside;
+    return at != nullptr ? sides_at(*at) : std::vector<Side>{};
+  }
+  std::vector<Side> sides_at(const TriangularPoint& at) const {
+    std::vector<Side> sides;
+    for (const SideBound& bound : known_.sides)
+      if (sign_at(known_.curve.region.bounds[bound.position].exchanged(), at) == 0)
+        sides.push_back(bound.side);
+    return sides;
+  }
+
+  /// Of both patches.
+  std::vector<Side> sides_along(const CurveBranch& arc) const {
+    std::vector<Side> sides = sides_at(arc.inside);
+    const RationalInterval v = arc.inside.r_interval();
+    for (const int value : {0, 1}) {
+      if (arc.inside.s() == RealAlgebraic(value)) sides.push_back({Parameter::u, value});
+      if (v.lower == value && v.upper == value) sides.push_back({Parameter::v, value});
+    }
+    return sides;
+  }
+
+  void add_node(std::size_t i, const std::vector<ArcEnd>& ends) {
+    const CurveNode& at = graph_.nodes[i];
+    Node node = drawn_.node(static_cast<int>(i));
+    if (!is_named_[i]) {
+      result_.add_node(std::move(node));
+      return;
+    }
+    for (const Side& side : sides_at(i)) node.on.push_back(side);
+    node.around.reset();
+    place(i, node);
+    node.wrt.clear();
+    if (ends.size() == 2 && !at.is_singular && node.on.empty())
+      for (const Parameter p : all_parameters)
+        if (ends[0].away[index(p)] * ends[1].away[index(p)] > 0) node.wrt.push_back(p);
+    node.kinds = passes(at, node, ends) ? std::vector<NodeKind>{} : kinds(at, node);
+    result_.add_node(std::move(node));
+  }
+
+  /// The curve goes on there, along the same sides: a zero of (17.25) that is no extremum.
+  static bool passes(const CurveNode& at, const Node& node, const std::vector<ArcEnd>& ends) {
+    return ends.size() == 2 && !at.is_singular && node.wrt.empty() &&
+           std::ranges::all_of(node.on, [&](const Side& side) {
+             return std::ranges::all_of(
+                 ends, [&](const ArcEnd& end) { return std::ranges::count(end.sides, side) > 0; });
+           });
+  }
+
+  /// As of two patches: a corner is one of a patch.
+  std::vector<NodeKind> kinds(const CurveNode& at, const Node& node) const {
+    if (known_.outline) return kinds_on_rim(node);
+    std::vector<NodeKind> kinds = kinds_of(at, node);
+    if (!is_corner(node)) std::erase(kinds, NodeKind::corner);
+    if (at.degree() == 0 && !at.is_singular && is_touched(*at.exact)) kinds.push_back(NodeKind::touch);
+    return kinds;
+  }
+
+  static std::vector<NodeKind> kinds_on_rim(const Node& node) {
+    std::vector<NodeKind> kinds = {NodeKind::boundary};
+    if (is_corner(node)) kinds.push_back(NodeKind::corner);
+    return kinds;
+  }
+
+  static bool is_corner(const Node& node) {
+    const auto on = [&](Parameter p) { return side_of(node, p) != nullptr; };
+    return (on(Parameter::u) && on(Parameter::v)) || (on(Parameter::r) && on(Parameter::s));
+  }
+
+  /// The tangent planes agree: all that the sides leave of a curve of contact.
+  bool is_touched(const TriangularPoint& at) const {
+    const BivariatePolynomial& section = known_.curve.section;
+    return sign_at(section.derivative_r().exchanged(), at) == 0 &&
+           sign_at(section.derivative_s().exchanged(), at) == 0;
+  }
+
+  static const Side* side_of(const Node& node, Parameter p) {
+    const auto side = std::ranges::find(node.on, p, &Side::parameter);
+    return side == node.on.end() ? nullptr : &*side;
+  }
+
+  /// The box in r and s, so small that it is inside of the square but for the sides of the node.
+  void place(std::size_t i, Node& node) const {
+    for (long bits = 60; bits < 500; bits *= 2) {
+      if (has_place(node)) return;
+      const std::array<RationalInterval, 2> at = place_of(graph_, i, power_of_two(-2 * bits));
+      node.box[0] = at[0];
+      node.box[1] = at[1];
+    }
+    throw ProofFailure(node.box, "the parameters of a point of a curve are too near to a side");
+  }
+
+  bool has_place(Node& node) const {
+    const Ball u = Ball::enclosing(node.box[0]), v = Ball::enclosing(node.box[1]);
+    for (const Parameter p : {Parameter::r, Parameter::s}) {
+      RationalInterval& box = node.box[index(p)];
+      if (const Side* side = side_of(node, p)) {
+        box = {side->value, side->value};
+      } else {
+        const auto at = enclosed(known_.parameters[index(p)], u, v);
+        if (!at || !(at->lower > 0 && at->upper < 1)) return false;
+        box = preimage(known_.parameters[index(p)].map, *at, kParameterBits);
+        if (!(box.lower > 0 && box.upper < 1)) return false;
+      }
+      node.approx[index(p)] = to_double(box.midpoint());
+    }
+    return true;
+  }
+
+  Arc with_parameters(Arc arc) const {
+    arc.beside.reset();
+    for (PolylineVertex& vertex : arc.polyline) {
+      const Ball u(vertex.parameters[0]), v(vertex.parameters[1]);
+      for (const std::size_t p : {2, 3}) {
+        const auto at = enclosed(known_.parameters[p], u, v);
+        if (!at) throw ProofFailure(whole_domain(), "a vertex of a curve is beyond the square");
+        const double value = std::clamp(to_double(at->midpoint()), 0.0, 1.0);
+        vertex.parameters[p] = approximate_preimage(known_.parameters[p].map, value);
+      }
+    }
+    for (const std::size_t p : {2, 3}) {
+      arc.polyline.front().parameters[p] = result_.node(arc.from).approx[p];
+      arc.polyline.back().parameters[p] = result_.node(arc.to).approx[p];
+    }
+    return arc;
+  }
+
+  /// Besides overlaps: isolated points, and where curves end in the rim of one.
+  void name_contacts() {
+    for (const int node : result_.isolated_points()) result_.add_kind(node, NodeKind::touch);
+    for (const Overlap& overlap : result_.overlaps())
+      for (const std::vector<Arc>& chain : overlap.chains)
+        for (const Arc& rim : chain)
+          for (const Arc& arc : result_.arcs())
+            if (arc.from == rim.from || arc.to == rim.from)
+              result_.add_kind(rim.from, NodeKind::end_of_overlap);
+  }
+
+  /// Its chains go on through nodes of no kind.
+  void add_overlap(const Overlap& overlap) {
+    std::vector<std::vector<Arc>> chains;
+    for (const std::vector<Arc>& chain : overlap.chains) {
+      std::vector<Arc> arcs;
+      for (const Arc& arc : chain) {
+        arcs.push_back(with_parameters(arc));
+        arcs.back().place = ArcPlace::patch_boundary;
+      }
+      const auto is_wanted = [&](int id) { return !result_.node(id).kinds.empty(); };
+      chains.push_back(joined_chain(std::move(arcs), is_wanted));
+    }
+    result_.add_overlap(std::move(chains));
+  }
+
+  const InverseCurve& known_;
+  const CurveGraph& graph_;
+  DrawnPatch patch_;
+  GraphBuilder drawn_;
+  std::vector<bool> is_named_;  // of the nodes of drawn_: by its arcs, overlaps or isolated points
+  GraphBuilder result_;
+};
+
+}  // namespace
+
+GraphBuilder inverse_graph(const InverseCurve& known, double tolerance,
+                           const std::vector<Parameter>& turning) {
+  return InverseGraph(known, tolerance).run(turning);
+}
+
+}  // namespace exsect
