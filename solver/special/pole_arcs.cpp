@@ -24,6 +24,13 @@ bool has_root(const Polynomial& f, const RationalInterval& in) {
   return f.is_zero() || (f.degree() > 0 && !real_roots(f, in.lower, in.upper).empty());
 }
 
+/// The greatest one of f(a,t) that does not depend on a.
+Polynomial factor_in_t(const BivariatePolynomial& f) {
+  Polynomial common;
+  for (int i = 0; i <= f.degree_r(); ++i) common = gcd(common, f.coefficient(i));
+  return common;
+}
+
 /// A polynomial with its derivatives of order one and two.
 struct Jet {
   explicit Jet(const BivariatePolynomial& f)
@@ -280,7 +287,7 @@ class PoleProof {
       if (!is_asked_for(2 + j)) continue;
       const DoubleBall k = rate(j, columns);
       const bool moves = (ranges.k[j] * whole + a_ * k).certain_sign() != 0;
-      if (!moves && !(k.certain_sign() != 0 && begins_still(cluster, j))) return false;
+      if (!moves && !(k.certain_sign() != 0 && begins_still(cluster, j)) && !stays(cluster, j)) return false;
     }
     return true;
   }
@@ -305,10 +312,23 @@ class PoleProof {
 
   /// t is constant: y lies in a plane, which x meets in a line t = constant.
   bool is_straight(const Cluster& cluster) const {
-    if (!e_.lies_in_plane) return false;
-    Polynomial common;
-    for (int i = 0; i <= e_.f[0].degree_r(); ++i) common = gcd(common, e_.f[0].coefficient(i));
-    return has_root(common, cluster.along);
+    return e_.lies_in_plane && has_root(factor_in_t(e_.f[0]), cluster.along);
+  }
+
+  /// k_j = 0 for all a: that line is one of y on which r, or s, is constant.
+  bool stays(const Cluster& cluster, std::size_t j) const {
+    const Polynomial common = gcd(factor_in_t(e_.f[0]), factor_in_t(e_.f[j + 1]));
+    return e_.lies_in_plane && has_root(common, cluster.along) && is_zero_on_line(e_.g[j + 1].value, j);
+  }
+
+  /// g vanishes for r, or s, as in the pole.
+  bool is_zero_on_line(const BivariatePolynomial& g, std::size_t j) const {
+    Polynomial on_line;
+    for (int i = g.degree_r(); i >= 0; --i) {
+      if (j == 1 && g.coefficient(i)(e_.at[1]) != 0) return false;
+      on_line = on_line * Polynomial(e_.at[0]) + g.coefficient(i);
+    }
+    return j == 1 || on_line.is_zero();
   }
 
   /// k_j = 0 for a = 0, exactly (14.106).

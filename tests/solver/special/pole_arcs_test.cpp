@@ -76,13 +76,22 @@ TEST_CASE("arcs_at_pole: a parameter that begins still is monotone") {
   CHECK(found->size() == 1);
 }
 
-TEST_CASE("arcs_at_pole: monotone are the parameters that were asked for") {
-  // The arc is the ruling t = 1/3 of the cone, along which r is constant: that is not decided.
-  const RationalPatch sheet = plane({1, 0, 1}, {2, 1, Rational(4, 3)});
-  CHECK(!arcs(fan(1, 0), sheet, {Parameter::r}));
-  const auto found = arcs(fan(1, 0), sheet, {Parameter::u, Parameter::v, Parameter::s});
-  REQUIRE(found);
-  CHECK(found->size() == 1);
+TEST_CASE("arcs_at_pole: parameters are constant along rulings that are parameter lines of the plane") {
+  // The arc is the ruling t = 1/3 of the cone, in the direction of s.
+  const Point ruling = {2, 1, Rational(4, 3)}, across = {1, 0, 1};
+  for (const RationalPatch& sheet : {plane(across, ruling), plane(ruling, across)}) {
+    const auto found = arcs(fan(1, 0), sheet);
+    REQUIRE(found);
+    CHECK(found->size() == 1);
+  }
+  // (2 r - 1 + w^3) across + w ruling, w = 2 s - 1: r is not constant, but turns to third order.
+  std::vector<std::vector<Point>> net(2);
+  for (const long i : {0, 1})
+    for (const long k : {0, 1, 2, 3})
+      net[static_cast<std::size_t>(i)].push_back(Rational(2 * i - 1 + (k % 2 == 0 ? -1 : 1)) * across +
+                                                 Rational(2 * k - 3, 3) * ruling);
+  CHECK(!arcs(fan(1, 0), RationalPatch(net), {Parameter::r}));
+  CHECK(arcs(fan(1, 0), RationalPatch(net), {Parameter::s}));
 }
 
 }  // namespace exsect::pole_arcs_test
