@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
@@ -49,15 +50,15 @@ class MiddlePlaces<RationalInterval> {
  public:
   explicit MiddlePlaces(const DrawnArc& arc) : arc_(arc) {}
 
-  /// About in the middle between two closed intervals.
+  /// About at this share of the way between two closed intervals.
   std::optional<RationalInterval> between(const RationalInterval& a, const RationalInterval& b,
                                           double share) const {
     const bool up = a.upper < b.lower;
     const Rational lower = up ? a.upper : b.upper, upper = up ? b.lower : a.lower;
     if (!(lower < upper)) throw ProofFailure(whole_domain(), "nodes of an arc in space are not apart");
     const Rational width = upper - lower, at = from_double(up ? share : 1 - share);
-    const Rational middle =
-        simplest_between(lower + (at - Rational(1, 6)) * width, lower + (at + Rational(1, 6)) * width);
+    const Rational room = at * (1 - at) * Rational(2, 3);
+    const Rational middle = simplest_between(lower + (at - room) * width, lower + (at + room) * width);
     return RationalInterval{middle, middle};
   }
 
@@ -120,6 +121,11 @@ class Course {
     std::array<double, 3> scaled;  // about the multiples of the chart's vectors, times their lengths
     double error;                  // of point
   };
+  /// A vertex that is still to be reached, and how often the way to it was cut.
+  struct Target {
+    Vertex vertex;
+    int cuts;
+  };
 
  public:
   explicit Course(const DrawnArc& arc)
@@ -138,15 +144,23 @@ class Course {
   std::optional<SpaceCourse> run() {
     const Vertex from = end(arc_.lifted().from), to = end(arc_.lifted().to);
     course_.points = {from.point};
-    if (!is_fine(from) || !is_fine(to) || !cut(from, to, 0)) return std::nullopt;
+    if (!is_fine(from) || !is_fine(to) || !draw(from, to)) return std::nullopt;
     course_.error_bound *= kSlack;
     return std::move(course_);
   }
 
  private:
   static constexpr bool kExact = std::is_same_v<Interval, RationalInterval>;
-  /// Halvings of an arc. Doubles are given up sooner.
-  static constexpr int kDeepest = kExact ? 400 : 60;
+  /// Cuts on the way to a vertex. Doubles are given up sooner.
+  static constexpr int kMostCuts = kExact ? 400 : 60;
+  /// What is longer than so many chords is halved; otherwise the next vertex is one chord away.
+  static constexpr double kFewChords = 8;
+  /// What is longer than so many chords is not tried as one; the bound of a chord is to be this part of what
+  /// is wanted.
+  static constexpr double kTriedChords = 1.05;
+  static constexpr double kAimed = 0.9;
+  /// Bounds are about proportional to the squares of lengths below this slope.
+  static constexpr double kGentleSlope = 0.25;
 
   Vertex vertex(const Interval& u, const Interval& v, int sheet) const {
     Vertex result{{u, v, chart_.y_over(u, v, sheet)}, {}, {}, 0};
@@ -175,20 +189,26 @@ class Course {
   bool is_fine(const Vertex& a) const { return kExact || a.error <= arc_.tolerance / 16; }
 
   /// False where these numbers do not lead to the tolerance.
-  bool cut(const Vertex& a, const Vertex& b, int depth) {
-    interruption_point();
-    if (const std::optional<double> bound = proved_bound(a, b)) {
-      course_.points.push_back(b.point);
-      course_.error_bound = larger_bound(course_.error_bound, *bound);
-      return true;
+  bool draw(Vertex at, const Vertex& to) {
+    std::vector<Target> targets = {{to, 0}};
+    while (!targets.empty()) {
+      interruption_point();
+      const Vertex& next = targets.back().vertex;
+      if (!(expected_chords(at, next) > kTriedChords) && try_chord(at, next)) {
+        at = next;
+        targets.pop_back();
+        continue;
+      }
+      const int cuts = ++targets.back().cuts;
+      if (cuts > kMostCuts) {
+        if constexpr (kExact) throw ProofFailure(whole_domain(), "an arc in space cannot be drawn");
+        return false;
+      }
+      const std::optional<Vertex> middle = is_vertical_ ? on_line(at, next) : between(at, next);
+      if (!middle || !is_fine(*middle)) return false;
+      targets.push_back({*middle, cuts});
     }
-    if (depth > kDeepest) {
-      if constexpr (kExact) throw ProofFailure(whole_domain(), "an arc in space cannot be drawn");
-      return false;
-    }
-    const std::optional<Vertex> middle = is_vertical_ ? on_line(a, b) : between(a, b);
-    if (!middle || !is_fine(*middle)) return false;
-    return cut(a, *middle, depth + 1) && cut(*middle, b, depth + 1);
+    return true;
   }
 
   /// Between two points of a line u = const.
@@ -216,14 +236,21 @@ class Course {
     return vertex((*at)[0], (*at)[1], arc_.lifted().sheet);
   }
 
-  /// y is about a root of the distance from a place with y = 0: a quarter halves it.
+  /// How many chords lead from a to b, if they are as long as the last one tried tells.
+  double expected_chords(const Vertex& a, const Vertex& b) const { return chords_per_length_ * length(a, b); }
+
+  /// Where the next vertex is looked for. y is about a root of the distance from a place with y = 0: a
+  /// quarter halves it.
   double share(const Vertex& a, const Vertex& b) const {
+    const double chords = expected_chords(a, b);
+    const double step = chords > 2 && chords <= kFewChords ? 1 / std::ceil(chords) : 0.5;
     const bool from_fold = middle_of(a.at[2]) == 0, to_fold = middle_of(b.at[2]) == 0;
-    return from_fold == to_fold ? 0.5 : from_fold ? 0.25 : 0.75;
+    return from_fold == to_fold ? step : from_fold ? step * step : step * (2 - step);
   }
 
-  /// The arc from a to b is monotone in u and v. A bound of the distance to the chord that is small enough.
-  std::optional<double> proved_bound(const Vertex& a, const Vertex& b) const {
+  /// The arc from a to b is monotone in u and v. The chord is drawn if a bound of its distance is small
+  /// enough.
+  bool try_chord(const Vertex& a, const Vertex& b) {
     const Interval u = hull(a.at[0], b.at[0]), v = hull(a.at[1], b.at[1]);
     const Place at = {u, v, chart_.y_over(u, v, arc_.lifted().sheet)};
     const Place along = chart_.along_axes(at);
@@ -233,12 +260,20 @@ class Course {
     const double error = larger_bound(a.error, b.error), wanted = larger_bound(arc_.tolerance, 4 * error);
     if (kExact && !std::isfinite(wanted))
       throw ProofFailure(whole_domain(), "an arc in space is not in the range of doubles");
-    if (size + error <= wanted) return (size + error) * kSlack;
-    const std::optional<double> slope =
+    chords_per_length_ = 0;
+    if (size + error <= wanted) return append(b, (size + error) * kSlack);
+    const double slope =
         slope_to_chord(a, b, tangents_.over({ball_of(at[0]), ball_of(at[1]), ball_of(at[2])}, balls_));
-    if (!slope) return std::nullopt;
-    const double bound = *slope * (length(a, b) + 2 * error) / 2 * kSlack + 3 * error;
-    return bound <= wanted ? std::optional(bound) : std::nullopt;
+    const double reach = length(a, b), bent = slope * (reach + 2 * error) / 2 * kSlack;
+    const double bound = bent + 3 * error, chords = std::sqrt(bent / (kAimed * wanted - 3 * error));
+    if (slope <= kGentleSlope) chords_per_length_ = chords / reach;
+    return bound <= wanted && append(b, bound);
+  }
+
+  bool append(const Vertex& b, double bound) {
+    course_.points.push_back(b.point);
+    course_.error_bound = larger_bound(course_.error_bound, bound);
+    return true;
   }
 
   /// Not below the chord's length. Of `scaled`, a rounded quotient times a rounded length, 2^-50 is lost.
@@ -250,16 +285,15 @@ class Course {
            rounding * kSlack;
   }
 
-  /// A bound of |t x d| / |t . d| for the direction d of the chord and all tangents.
-  std::optional<double> slope_to_chord(const Vertex& a, const Vertex& b,
-                                       const std::array<DoubleBall, 3>& tangents) const {
+  /// A bound of |t x d| / |t . d| for the direction d of the chord and all tangents; infinite if not known.
+  double slope_to_chord(const Vertex& a, const Vertex& b, const std::array<DoubleBall, 3>& tangents) const {
     std::array<DoubleBall, 3> t, d;
     for (std::size_t k = 0; k < 3; ++k) {
       t[k] = tangents[k] * DoubleBall(lengths_[k]);
       d[k] = DoubleBall(b.scaled[k] - a.scaled[k]);
     }
     const double along = (t[0] * d[0] + t[1] * d[1] + t[2] * d[2]).lower_magnitude();
-    if (!(along > 0)) return std::nullopt;
+    if (!(along > 0)) return std::numeric_limits<double>::infinity();
     const auto minor = [&](std::size_t i, std::size_t j) {
       return (t[i] * d[j] - t[j] * d[i]).upper_magnitude();
     };
@@ -273,6 +307,7 @@ class Course {
   MiddlePlaces<Interval> middles_;
   bool is_vertical_;
   std::array<double, 3> lengths_{};
+  double chords_per_length_ = 0;  // 0: not known
   SpaceCourse course_{{}, 0};
 };
 

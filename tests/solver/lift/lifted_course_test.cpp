@@ -47,6 +47,42 @@ TEST_CASE("drawn lengths of circles and of Viviani's curve") {
                   8 * std::sqrt(2) * 1.3506438810476755) < 1e-4);
 }
 
+// A chord of length L has the bound κ L² / 4 in an arc of curvature κ, as the slope to it is κ L / 2 at most.
+// So the least number for the tolerance t is the integral of sqrt(κ / (4 t)) over the length.
+TEST_CASE("chords are hardly more than the tolerance asks for") {
+  in_nearest_rounding([] {
+    const S tube = S::cylinder({Rational(1, 8), 0, 0}, {1, -1, 1}, Rational(2, 3)),
+            ball = S::sphere(origin, 1);
+    const LiftedCurve curve = lifted_curve(tube, ball, pair_region(tube, ball).all).value();
+    REQUIRE(!curve.arcs.empty());
+    const double tolerance = 1e-7;
+    double least = 0, drawn = 0;
+    for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
+      drawn += static_cast<double>(course_in_space(curve, i, tolerance).points.size() - 1);
+      const SpaceCourse fine = course_in_space(curve, i, tolerance / 100);
+      std::array<double, 3> before{};
+      for (std::size_t k = 1; k < fine.points.size(); ++k) {
+        std::array<double, 3> chord{};
+        for (std::size_t c = 0; c < 3; ++c) chord[c] = fine.points[k][c] - fine.points[k - 1][c];
+        const double length = std::hypot(chord[0], chord[1], chord[2]);
+        const std::array<double, 3> cross = {chord[1] * before[2] - chord[2] * before[1],
+                                             chord[2] * before[0] - chord[0] * before[2],
+                                             chord[0] * before[1] - chord[1] * before[0]};
+        if (k > 1) {
+          const double turn = std::hypot(cross[0], cross[1], cross[2]) /
+                              (length * std::hypot(before[0], before[1], before[2]));
+          least += std::sqrt(turn * length / (4 * tolerance));
+        }
+        before = chord;
+      }
+    }
+    INFO(drawn << " chords, " << least << " at least");
+    CHECK(drawn < 1.3 * least);
+    CHECK(drawn > 0.8 * least);
+    return 0;
+  });
+}
+
 TEST_CASE("finer than doubles lead, an arc is drawn exactly: the same lengths") {
   // Curves without symmetry, and one that crosses the plane of symmetry in irrational
   // points.
