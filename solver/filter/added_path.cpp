@@ -46,6 +46,22 @@ bool is_on(const LinePath& known, const std::array<Rational, 4>& at) {
   return known.at(t) == at;
 }
 
+/// From y's parameter to x's, as the views count: along the line from + (to - from) f is that of x at t' of
+/// y, or that of y at t of x, solved for t. Weights are positive on the part that both have in common.
+MoebiusMap<Rational> to_x(const SidePath& path, const Rational& from, const Rational& to) {
+  MoebiusMap<Rational> map = {{from, to * path.ratio}, {1, path.ratio}};
+  if (path.of_x) {
+    const int sign = from < to ? 1 : -1;
+    map = {{-sign * from, sign * (1 - from)},
+           {sign * (path.ratio * to - from), sign * (path.ratio * (to - 1) + 1 - from)}};
+  }
+  if (to < from) {
+    std::swap(map.value[0], map.value[1]);
+    std::swap(map.weight[0], map.weight[1]);
+  }
+  return map;
+}
+
 template <class K>
 SideContactOf<K> part_of_side(const SidePath& path, const std::array<SquareSide, 2>& sides,
                               const PairOf<K>& pair) {
@@ -55,20 +71,20 @@ SideContactOf<K> part_of_side(const SidePath& path, const std::array<SquareSide,
   const bool reversed = to < from;
   const SideView x = {sides[0], false, K::degree};
   const SideView y = {sides[1], reversed, K::degree};
-  SideContactOf<K> contact = [&] {
-    if constexpr (K::weighted) {
-      return weighted_side_contact<K>(pair, x, y, 1);
-    } else {
-      return side_contact<K>(pair, x, y);
-    }
-  }();
-  contact.path = path;
-  const Rational length = abs(to - from);
-  // Along the line the parameter is from + (to - from) t; t of x and t' of y, 1 - t' if reversed.
-  contact.factor = to_double(path.of_x ? 1 / length : length);
-  contact.offset =
-      path.of_x ? to_double(-(reversed ? 1 - from : from) / length) : to_double(reversed ? to : from);
-  return contact;
+  if constexpr (K::weighted) {
+    SideContactOf<K> contact = weighted_side_contact<K>(pair, x, y, to_x(path, from, to));
+    contact.path = path;
+    return contact;
+  } else {
+    SideContactOf<K> contact = side_contact<K>(pair, x, y);
+    contact.path = path;
+    const Rational length = abs(to - from);
+    // Along the line the parameter is from + (to - from) t; t of x and t' of y, 1 - t' if reversed.
+    contact.factor = to_double(path.of_x ? 1 / length : length);
+    contact.offset =
+        path.of_x ? to_double(-(reversed ? 1 - from : from) / length) : to_double(reversed ? to : from);
+    return contact;
+  }
 }
 
 }  // namespace

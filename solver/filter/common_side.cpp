@@ -123,18 +123,6 @@ FirstOrder<K> first_order(const ExactPatch<K>& patch, const SideView& view, cons
   return view.side.parameter == 0 ? FirstOrder<K>(patch, across, along) : FirstOrder<K>(patch, along, across);
 }
 
-/// The point of y's side at t of x's, as the views count.
-template <class K>
-requires K::weighted Rational exactly_on_y(const SideContactOf<K>& side, const Rational& t) {
-  if (!side.path) return on_y<K>(side.ratio, t);
-  const SidePath& path = *side.path;
-  const std::size_t along = 1 - (path.of_x ? side.y : side.x).side.parameter;
-  const Rational& from = path.ends[0][along];
-  const Rational rate = path.ends[1][along] - from;
-  const Rational result = path.of_x ? from + rate * t : (t - from) / rate;
-  return side.y.reversed ? Rational(1 - result) : result;
-}
-
 /// [C C' X^ Y^] has degree 4n-2 along the side: tangential if it is zero at so many points and one more.
 template <class K>
 requires K::weighted Contact touches_along(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>&,
@@ -143,7 +131,7 @@ requires K::weighted Contact touches_along(const ExactPatch<K>& x, const ExactPa
   for (int i = 0; i < count; ++i) {
     const Rational t(2 * i + 1, 2 * count);
     const auto a = first_order<K>(x, side.x, t);
-    const auto b = first_order<K>(y, side.y, exactly_on_y<K>(side, t));
+    const auto b = first_order<K>(y, side.y, inverse(side.to_x, t));
     const std::size_t across_x = side.x.side.parameter;
     if (filter::determinant(a.value, a.derivative[1 - across_x], a.derivative[across_x],
                             b.derivative[side.y.side.parameter]) != 0) {
@@ -154,6 +142,12 @@ requires K::weighted Contact touches_along(const ExactPatch<K>& x, const ExactPa
 }
 
 }  // namespace
+
+Rational inverse(const MoebiusMap<Rational>& map, const Rational& t) {
+  const Rational from_lower = t * map.weight[0] - map.value[0];
+  const Rational to_upper = map.value[1] - t * map.weight[1];
+  return from_lower / (from_lower + to_upper);
+}
 
 template <class K>
 CommonPart common_part(const SideContactOf<K>& side, const SidePath& path) {

@@ -27,8 +27,7 @@ using CommonPart = std::array<std::array<Rational, 2>, 2>;
 template <class K>
 CommonPart common_part(const SideContactOf<K>& side, const SidePath& path);
 
-/// Of weighted sides, t' on y of the point t on x: t = ratio t' / (1 - t' + ratio t').
-template <class K, class Number>
-requires K::weighted Number on_y(const Number& ratio, const Number& t) { return t / (ratio * (1 - t) + t); }
+/// t' of the point t (14.35a).
+Rational inverse(const MoebiusMap<Rational>& map, const Rational& t);
 
 }  // namespace exsect::filter

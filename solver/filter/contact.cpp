@@ -25,7 +25,7 @@ Vec3 unit_across(const Vec3& v, const Vec3& c) {
 /// Of a mean of parameters, if those of y are taken to those of x: each of offset and factor errs by u times
 /// its size, and the product, the sums and the mean by as much.
 template <class K>
-double mean_error(const SideContactOf<K>& contact) {
+requires(!K::weighted) double mean_error(const SideContactOf<K>& contact) {
   return contact.path ? 4 * kUnit * (1 + std::fabs(contact.offset) + std::fabs(contact.factor)) : 0;
 }
 
@@ -115,26 +115,36 @@ requires(!K::weighted) bool meet_in_side(const SideContactOf<K>& contact, const 
   return true;
 }
 
-/// What is along y, t', in the parameter along x: ratio t' / (1 - t' + ratio t'), by five operations.
+/// t' and t' up to rounding: value and weight err by 4 u times the sums of their sizes, with the rounding of
+/// their coefficients; so the quotient by twice that over a weight that is at least half of what is computed.
+/// Empty if the weight may be zero.
+std::optional<Interval> mapped(const MoebiusMap<double>& map, double t) {
+  const auto mean = [&](const std::array<double, 2>& ends) { return (1 - t) * ends[0] + t * ends[1]; };
+  const auto size = [](const std::array<double, 2>& ends) { return std::fabs(ends[0]) + std::fabs(ends[1]); };
+  const double weight = mean(map.weight);
+  if (!(weight > 16 * kUnit * size(map.weight) + kTiny)) return std::nullopt;
+  const double value = mean(map.value) / weight;
+  const double error =
+      kSlack * 10 * kUnit * (size(map.value) + std::fabs(value) * size(map.weight)) / weight + kTiny;
+  return Interval{value - error, value + error};
+}
+
+/// Around what is along y, in the parameter along x; empty if a pole of the map may be there.
 template <class K>
-requires K::weighted Interval along_on_x(const SideContactOf<K>& contact, const SideIntervals& on_y) {
-  if (contact.path) {
-    return {contact.offset + contact.factor * on_y.along.lower,
-            contact.offset + contact.factor * on_y.along.upper};
-  }
-  const double ratio = to_double(contact.ratio);
-  if (ratio == 1) return on_y.along;
-  return {std::max(0.0, along_path(ratio, on_y.along.lower) - 16 * kUnit),
-          std::min(1.0, along_path(ratio, on_y.along.upper) + 16 * kUnit)};
+requires K::weighted std::optional<Interval> along_on_x(const SideContactOf<K>& contact,
+                                                        const SideIntervals& on_y) {
+  const auto lower = mapped(contact.rounded_to_x, on_y.along.lower);
+  const auto upper = mapped(contact.rounded_to_x, on_y.along.upper);
+  if (!lower || !upper) return std::nullopt;
+  return Interval{lower->lower, upper->upper};
 }
 
 template <class K>
 requires K::weighted bool may_touch(const SideContactOf<K>& contact, const SideIntervals& on_x,
                                     const SideIntervals& on_y) {
-  const Interval y_along = along_on_x<K>(contact, on_y);
-  const double error = 2 * mean_error(contact);
-  return on_x.across.lower == 0 && on_y.across.lower == 0 && on_x.along.lower <= y_along.upper + error &&
-         y_along.lower - error <= on_x.along.upper;
+  const std::optional<Interval> y_along = along_on_x<K>(contact, on_y);
+  return on_x.across.lower == 0 && on_y.across.lower == 0 &&
+         !(y_along && (on_x.along.lower > y_along->upper || y_along->lower > on_x.along.upper));
 }
 
 /// A net of bidegree (n-1,n-1) in (t,t') on two intervals.
@@ -157,17 +167,17 @@ std::array<Vec3, N * N> on_intervals(const std::array<Vec3, N * N>& net, const I
 }
 
 // (14.35), (14.36). Of parts of sides t' may be beyond x's side: the control vectors of K are means with
-// weights of sums stretch^(n-1), and an error of t' changes them by 2 (n-1) stretch^(n-2) times that and
-// their size; a plane and a field of size 2 n have products with 7 times that and |normal|.
+// weights of sums stretch^(n-1).
 template <class K>
 requires K::weighted bool meet_in_side(const SideContactOf<K>& contact, const SideIntervals& on_x,
                                        const SideIntervals& on_y, double net_error) {
   constexpr std::size_t n = K::degree;
   const AcrossFieldOf<K> fx = restricted<K>(contact.x_across, on_x);
   const AcrossFieldOf<K> fy = restricted<K>(contact.y_across, on_y);
-  const Interval y_along = along_on_x<K>(contact, on_y);
-  const auto line = on_intervals<n>(contact.line, on_x.along, y_along);
-  const auto moment = on_intervals<n>(contact.line_moment, on_x.along, y_along);
+  const std::optional<Interval> y_along = along_on_x<K>(contact, on_y);
+  if (!y_along) return false;
+  const auto line = on_intervals<n>(contact.line, on_x.along, *y_along);
+  const auto moment = on_intervals<n>(contact.line_moment, on_x.along, *y_along);
   const Vec3 along = line.front() + line.back();
   if (!(dot(along, along) > 0x1p-60)) {
     return false;
@@ -180,23 +190,14 @@ requires K::weighted bool meet_in_side(const SideContactOf<K>& contact, const Si
     return unit_across({v[0] - point[0] * v[3], v[1] - point[1] * v[3], v[2] - point[2] * v[3]}, along);
   };
   const Vec3 normal = cross(across(fx) - across(fy), along);
-  double stretch = 1;
-  double shifted = 0;
-  if (contact.path) {
-    const double linear = 1 + 2 * std::max({0.0, -y_along.lower, y_along.upper - 1});
-    stretch = n == 2 ? linear : linear * linear;
-    for (std::size_t k = 0; k < n * n; ++k) {
-      shifted = larger_bound(shifted, largest(contact.line[k]), largest(contact.line_moment[k]));
-    }
-    shifted *= 7 * 2 * n * 2 * (n - 1) * (n == 2 ? 1 : linear) * mean_error(contact);
-  }
+  const double linear = 1 + 2 * std::max({0.0, -y_along->lower, y_along->upper - 1});
+  const double stretch = n == 2 ? linear : linear * linear;
   for (std::size_t k = 0; k < n * n; ++k) {
     const Vec3 part = cross(line[k], normal);
     const Vec4 plane = {part[0], part[1], part[2], dot(moment[k], normal)};
     const double size = std::fabs(normal[0]) + std::fabs(normal[1]) + std::fabs(normal[2]);
-    const double error = kSlack * contact.growth *
-                             (net_error * (size1(plane) + kPlaneError * stretch * size) + shifted * size) +
-                         kTiny;
+    const double error =
+        kSlack * contact.growth * net_error * (size1(plane) + kPlaneError * stretch * size) + kTiny;
     for (std::size_t i = 0; i < fx.size(); ++i) {
       if (!(dot(plane, fx[i]) > error && dot(plane, fy[i]) < -error)) {
         return false;

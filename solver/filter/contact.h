@@ -35,13 +35,20 @@ struct SideContactOf {
 };
 using SideContact = SideContactOf<Biquadratic>;
 
-/// Of weighted patches: the sides are one curve, from end to end unless there is a `path`, y's at t' that of
-/// x at ratio t' / (1 - t' + ratio t').
+/// The increasing map t' -> ((1-t') value[0] + t' value[1]) / ((1-t') weight[0] + t' weight[1]), (14.35a).
+template <class Number>
+struct MoebiusMap {
+  std::array<Number, 2> value;
+  std::array<Number, 2> weight;
+};
+
+/// Of weighted patches: the sides are one curve, from end to end unless there is a `path`.
 template <class K>
 requires K::weighted struct SideContactOf<K> {
   SideView x;
   SideView y;
-  Rational ratio;
+  MoebiusMap<Rational> to_x;  // from t' on y to t on x, as the views count
+  MoebiusMap<double> rounded_to_x;
   std::array<Row<K>, K::side> own;                      // control vectors of the side of x
   std::array<Row<K>, K::side> own_of_y;                 // and of y
   std::array<Vec3, K::degree * K::degree> line;         // of C(t) ^ C(t') / (t' - t): w' p - w p'
@@ -50,9 +57,6 @@ requires K::weighted struct SideContactOf<K> {
   AcrossFieldOf<K> y_across;
   std::vector<CornerContact> ends = {};
   double growth = 1;
-  /// If there is a path the sides are parts of one curve: t = offset + factor t', and ratio is 1.
-  double offset = 0;
-  double factor = 1;
   std::optional<SidePath> path = std::nullopt;
 };
 

@@ -214,7 +214,7 @@ class ContactFinder {
   SideContactOf<K> contact_of(const SideView& x, const SideView& y,
                               [[maybe_unused]] const Rational& ratio) const {
     if constexpr (K::weighted) {
-      return weighted_side_contact<K>(pair_, x, y, ratio);
+      return weighted_side_contact<K>(pair_, x, y, {{0, ratio}, {1, ratio}});
     } else {
       return side_contact<K>(pair_, x, y);
     }
@@ -311,10 +311,22 @@ SideContactOf<K> side_contact(const PairOf<K>& pair, const SideView& x, const Si
 
 template <class K>
 requires K::weighted SideContactOf<K> weighted_side_contact(const PairOf<K>& pair, const SideView& x,
-                                                            const SideView& y, const Rational& ratio) {
+                                                            const SideView& y,
+                                                            const MoebiusMap<Rational>& to_x) {
   constexpr std::size_t n = K::degree;
-  SideContactOf<K> contact{
-      x, y, ratio, {}, {}, {}, {}, across_field<K>(pair.x.net, x), across_field<K>(pair.y.net, y)};
+  const auto rounded = [](const std::array<Rational, 2>& ends) {
+    return std::array{to_double(ends[0]), to_double(ends[1])};
+  };
+  SideContactOf<K> contact{x,
+                           y,
+                           to_x,
+                           {rounded(to_x.value), rounded(to_x.weight)},
+                           {},
+                           {},
+                           {},
+                           {},
+                           across_field<K>(pair.x.net, x),
+                           across_field<K>(pair.y.net, y)};
   for (std::size_t k = 0; k <= n; ++k) {
     contact.own[k] = pair.x.net[x.index(0, k)];
     contact.own_of_y[k] = pair.y.net[y.index(0, k)];

@@ -14,9 +14,10 @@ std::optional<ContactsOf<K>> find_contacts(const ExactPatch<K>& x, const ExactPa
 /// Of two sides that are one curve, of patches without weights.
 template <class K>
 SideContactOf<K> side_contact(const PairOf<K>& pair, const SideView& x, const SideView& y);
-/// With weights, and this ratio of the parameters.
+/// With weights, and these parameters of x at those of y.
 template <class K>
 requires K::weighted SideContactOf<K> weighted_side_contact(const PairOf<K>& pair, const SideView& x,
-                                                            const SideView& y, const Rational& ratio);
+                                                            const SideView& y,
+                                                            const MoebiusMap<Rational>& to_x);
 
 }  // namespace exsect::filter

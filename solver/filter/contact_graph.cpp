@@ -316,8 +316,9 @@ class ContactGraph {
       PolylineVertex& vertex = arc.polyline.emplace_back();
       vertex.point = position(x);
       place(side.x, t, &vertex.parameters[0]);
-      const double on_other = side.path ? part_of_way(part[1], i, count) : on_y<K>(to_double(side.ratio), t);
-      place(side.y, i == count ? part[1].upper : on_other, &vertex.parameters[2]);
+      const double on_other = i == 0 || i == count ? part_of_way(part[1], i, count)
+                                                   : to_double(inverse(side.to_x, from_double(t)));
+      place(side.y, std::clamp(on_other, part[1].lower, part[1].upper), &vertex.parameters[2]);
     }
     const double step = length / count + 2 * kSumRounding;
     arc.error_bound = kSlack * scale_ * (second * step * step / 8 + 2 * kDiagonal * vertex_error);

@@ -273,7 +273,7 @@ RationalInterval common_part(const std::array<ExactPlace, 2>& ends) {
 }  // namespace
 
 std::array<Rational, 4> SidePath::at(const Rational& t) const {
-  return LinePath{of_x, side.parameter, side.upper ? 1 : 0, ends, 1, common}.at(t);
+  return LinePath{of_x, side.parameter, side.upper ? 1 : 0, ends, ratio, common}.at(t);
 }
 
 std::array<Rational, 4> LinePath::at(const Rational& t) const {
@@ -307,8 +307,8 @@ template <class K>
 std::optional<SidePath> side_path_near(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
                                        std::size_t fixed, bool upper, const Vec4& near) {
   const auto path = line_path_near<K>(x, y, pair, fixed, upper ? 1 : 0, near);
-  if (!path || path->ratio != 1) return std::nullopt;
-  return SidePath{path->of_x, {fixed % 2, upper}, path->ends, path->common};
+  if (!path || (!K::weighted && path->ratio != 1)) return std::nullopt;
+  return SidePath{path->of_x, {fixed % 2, upper}, path->ends, path->ratio, path->common};
 }
 
 #define EXSECT_INSTANTIATE(K)                                                                        \

@@ -11,12 +11,13 @@
 namespace exsect::filter {
 
 /// The point t of a side, t increasing with the parameter along it, is the other patch's point
-/// (1-t) ends[0] + t ends[1], for all t; exactly. `common` are the t in [0,1] for which that is in the
-/// square: more than one.
+/// (1-f) ends[0] + f ends[1], f = ratio t / (1 - t + ratio t), for all t; exactly. `common` are the t in
+/// [0,1] for which that is in the square: more than one. Without weights ratio = 1.
 struct SidePath {
   bool of_x;  // the side is one of x, the line one of y; else the other way round
   SquareSide side;
   std::array<std::array<Rational, 2>, 2> ends;
+  Rational ratio;
   RationalInterval common;
 
   /// (u,v,r,s) of the point t.
@@ -38,8 +39,7 @@ Number along_path(const Number& ratio, const Number& t) {
 }
 
 /// The same of a parameter line of one patch, inside or a side, on which the first (0) or second (1)
-/// parameter is `value`: with its other parameter t in [0,1] it is the other patch's point (1-f) ends[0] + f
-/// ends[1], f = ratio t / (1 - t + ratio t), ratio > 0.
+/// parameter is `value`, and t its other one.
 struct LinePath {
   bool of_x;
   std::size_t parameter;

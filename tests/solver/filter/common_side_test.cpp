@@ -22,15 +22,21 @@ TEST_CASE("common side: patches cross along it, or touch if one continues the ot
   for (const int k : {0, 1, -3}) CHECK(along_the_side(families::smooth_neighbour(k)) == Contact::tangential);
 }
 
-TEST_CASE("common side: the parameter on y of weighted sides, t = q t' / (1 - t' + q t')", "[filter]") {
-  using K = filter::WeightedBiquadratic;
+TEST_CASE("common side: the parameter on y of weighted sides", "[filter]") {
   for (const Rational& ratio : {Rational(1), Rational(3), Rational(2, 7)})
     for (int i = 0; i <= 8; ++i) {
-      const Rational t(i, 8), on_y = filter::on_y<K>(ratio, t);
+      const Rational t(i, 8), on_y = filter::inverse({{0, ratio}, {1, ratio}}, t);
       CHECK(ratio * on_y / (1 - on_y + ratio * on_y) == t);
       CHECK(on_y >= 0);
       CHECK(on_y <= 1);
     }
+  const filter::MoebiusMap<Rational> part = {{Rational(-1, 3), 2}, {3, Rational(5, 2)}};
+  for (int i = 0; i <= 8; ++i) {
+    const Rational on_y(i, 8);
+    const Rational t = ((1 - on_y) * part.value[0] + on_y * part.value[1]) /
+                       ((1 - on_y) * part.weight[0] + on_y * part.weight[1]);
+    CHECK(filter::inverse(part, t) == on_y);
+  }
 }
 
 TEST_CASE("common side: steps between control points, rounded and exact", "[filter]") {

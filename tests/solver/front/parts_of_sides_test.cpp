@@ -116,6 +116,29 @@ TEST_CASE("parts of sides: a side that goes on beyond the other one at both ends
   check(image(x), image(RationalPatch(net)), {Rational(1, 3), 1}, {0, Rational(2, 3)}, Contact::transversal);
 }
 
+TEST_CASE("parts of sides: parameters that differ by a Moebius map, in both directions and orders") {
+  const Rational third(1, 3);
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    const Net whole = sheet(generator);
+    const RationalPatch x = image(RationalPatch(part(whole, {0, Rational(1, 2)}, {0, Rational(3, 4)})));
+    Net net = part(whole, {Rational(1, 2), 1}, {Rational(1, 4), 1});
+    for (std::size_t i = 1; i < 4; ++i)
+      for (Point& p : net[i]) p[2] += Rational(static_cast<long>(i), 12);
+    const Rational k(random_pairs::integer(generator, 1, 9), 4);
+    const RationalPatch y =
+        random_nets::reparametrised(image(RationalPatch(net)).transposed(), k).transposed();
+    const Rational end = 2 * k / (1 + 2 * k);  // the place of 2/3
+    check(x, y, {third, 1}, {0, end}, Contact::transversal);
+    const RationalPatch back = y.restricted_to(0, 1, 1, 0);
+    check(x, back, {third, 1}, {1, 1 - end}, Contact::transversal);
+    const IntersectResult exchanged = intersect(back, x);
+    REQUIRE(exchanged.status == Status::complete);
+    CHECK(difference(intersect(x, back).graph, exchanged.graph, {{2, 3, 0, 1}, {}}) == "");
+  }
+}
+
 TEST_CASE("parts of sides: biquadratic T-junctions with weights or elevated, as exact arithmetic has them") {
   int complete = 0;
   int weighted = 0;
