@@ -166,15 +166,16 @@ class Cover {
     auto proof = PinchProof::of(cell.piece, origin_of(cell));
     if (!proof) return false;
     if (sides == 0) return keeps_pinch({a, *std::move(proof), {}}, known);
-    bool begins = sides == 1;
+    bool begins = sides == 1, along = sides == 1;
     for (const KnownPinch& pinch : known) {
       if (!pinch.is_on_side()) continue;
-      const PinchProof::AtSide at_side =
-          proof->at_side(pinch.fixed, pinch.value == 0 ? 0 : 1, pinch.rests[1 - pinch.fixed]);
+      const PinchProof::AtSide at_side = proof->at_side(
+          pinch.fixed, pinch.value == 0 ? 0 : 1, pinch.rests[1 - pinch.fixed], pinch.is_on_straight_line);
       if (at_side == PinchProof::AtSide::none) return true;
       begins = begins && at_side == PinchProof::AtSide::begins;
+      along = along && at_side == PinchProof::AtSide::along;
     }
-    return begins && keeps_pinch({a, *std::move(proof), *on}, known);
+    return (begins || along) && keeps_pinch({a, *std::move(proof), *on, along}, known);
   }
 
   /// If its curve is monotone in what is to be so, and short enough to be drawn.
@@ -185,6 +186,7 @@ class Cover {
     };
     const bool is_monotone = std::ranges::all_of(run_.turning(), [&](Parameter p) {
       const std::size_t j = index(p) % 2;
+      if (pinch.along && j == pinch.on->fixed) return true;
       return pinch.proof.is_monotone(j) || (rests(1 - j) && pinch.proof.is_monotone_from_rest(j));
     });
     if (!is_monotone) return false;

@@ -30,6 +30,7 @@ struct PinchCell {
   std::size_t cell;
   PinchProof proof;
   std::optional<KnownPinch> on;  // a side of the square, the only one that the cell reaches
+  bool along = false;            // both points of all pairs are on this side
 };
 
 /// If there are no problems: every pair of different parameters with one point of space lies, in one of its

@@ -53,6 +53,9 @@ std::vector<KnownPinch> pinches_on(const RationalPatch& patch, std::size_t fixed
   const HomogeneousCurve4 x = curve_of(line), y = curve_of(next);
   HomogeneousCurve4 along;
   for (std::size_t k = 0; k < 4; ++k) along[k] = x[k].derivative();
+  HomogeneousCurve4 bend;
+  for (std::size_t k = 0; k < 4; ++k) bend[k] = along[k].derivative();
+  const bool is_straight = dependent(x, along, bend).is_zero();  // (14.73a)
   const Polynomial common = dependent(x, y, along);
   if (common.is_zero()) return {};
   std::array<Polynomial, 2> resting;  // X is parallel to its derivative
@@ -60,7 +63,8 @@ std::vector<KnownPinch> pinches_on(const RationalPatch& patch, std::size_t fixed
   resting[1 - fixed] = dependent(x, along);
   std::vector<KnownPinch> found;
   for (const RealAlgebraic& at : real_roots(common, 0, 1))
-    found.push_back({fixed, value, at, {sign_at(resting[0], at) == 0, sign_at(resting[1], at) == 0}});
+    found.push_back(
+        {fixed, value, at, {sign_at(resting[0], at) == 0, sign_at(resting[1], at) == 0}, is_straight});
   return found;
 }
 

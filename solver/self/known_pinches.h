@@ -18,7 +18,8 @@ struct KnownPinch {
   std::size_t fixed;
   Rational value;
   RealAlgebraic at;
-  std::array<bool, 2> rests;  // x_u = 0, x_v = 0
+  std::array<bool, 2> rests;         // x_u = 0, x_v = 0
+  bool is_on_straight_line = false;  // all of this parameter line is straight in space
 
   bool is_on_side() const { return value == 0 || value == 1; }
 };

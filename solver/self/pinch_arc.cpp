@@ -39,12 +39,14 @@ double distance_bound(const BallVector<DoubleBall>& from_origin, const Point& or
 
 class PinchArc {
  public:
-  PinchArc(GraphBuilder& graph, const PinchProof& proof, const ParameterCell& cell, double tolerance)
-      : graph_(graph), proof_(proof), cell_(cell), origin_(origin_of(cell)), tolerance_(tolerance) {}
+  PinchArc(GraphBuilder& graph, const PinchCell& pinch, const ParameterCell& cell, double tolerance)
+      : graph_(graph), proof_(pinch.proof), cell_(cell), origin_(origin_of(cell)), tolerance_(tolerance) {
+    if (pinch.along) side_ = pinch.on->value == 0 ? 0 : 1;
+  }
 
   /// The pinch point, as a node.
   std::optional<int> cusp(const std::optional<KnownPinch>& on) {
-    const auto place = proof_.at(0);
+    const auto place = proof_.at(0, side_);
     if (!place) return std::nullopt;
     const RationalInterval u = in_square(place->pair[0], cell_.where.u);
     const RationalInterval v = in_square(place->pair[1], cell_.where.v);
@@ -80,12 +82,12 @@ class PinchArc {
     Arc arc{};
     arc.from = from;
     arc.to = to;
-    arc.place = ArcPlace::interior;
+    arc.place = side_ ? ArcPlace::patch_boundary : ArcPlace::interior;
     arc.contact = Contact::transversal;
     add_end(arc, from);
     for (int i = 1; i < n; ++i) {
       const double part = static_cast<double>(i) / n;
-      const auto place = proof_.at(std::sqrt(first * first + part * (last * last - first * first)));
+      const auto place = proof_.at(std::sqrt(first * first + part * (last * last - first * first)), side_);
       if (!place) return false;
       arc.polyline.push_back(vertex_of(*place));
       if (sign < 0) exchange(arc.polyline.back().parameters);
@@ -137,7 +139,8 @@ class PinchArc {
   const ParameterCell& cell_;
   Point origin_;
   double tolerance_;
-  double error_ = 0;  // of vertices
+  std::optional<double> side_;  // of the cell, on which the arc lies
+  double error_ = 0;            // of vertices
 };
 
 }  // namespace
@@ -145,7 +148,7 @@ class PinchArc {
 bool add_pinch_arc(GraphBuilder& graph, const std::vector<std::size_t>& mates, const PinchCell& pinch,
                    const ParameterCell& cell, const std::vector<int>& ends, double tolerance) {
   if (pinch.on && ends.size() != 1) return false;
-  PinchArc arc(graph, pinch.proof, cell, tolerance);
+  PinchArc arc(graph, pinch, cell, tolerance);
   const int sign = arc.side_of(ends[0]);
   if (sign == 0) return false;
   if (ends.size() == 1) {

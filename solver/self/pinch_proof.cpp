@@ -96,10 +96,11 @@ bool PinchProof::is_monotone_from_rest(std::size_t parameter) const {
 }
 
 /// (14.73)
-PinchProof::AtSide PinchProof::at_side(std::size_t parameter, int value, bool rests) const {
+PinchProof::AtSide PinchProof::at_side(std::size_t parameter, int value, bool rests, bool is_straight) const {
   if (is_monotone(parameter)) return AtSide::none;
   const bool is_second = exchanged_ != (parameter == 1);
   if (!rests || !is_second) return AtSide::unknown;
+  if (is_straight) return AtSide::along;  // (14.73b)
   const Ball inwards = value == 0 ? drift_[1] : -drift_[1];
   if ((-inwards).is_positive()) return AtSide::none;
   return inwards.is_positive() && is_monotone_from_rest(parameter) ? AtSide::begins : AtSide::unknown;
@@ -138,12 +139,14 @@ bool PinchProof::improve(std::array<double, 3>& y, double t) const {
 
 /// As far from the solution as (14.62) says: with both in the region, the difference of the values is J times
 /// that of the places.
-std::optional<PinchProof::Place> PinchProof::at(double t) const {
+std::optional<PinchProof::Place> PinchProof::at(double t, std::optional<double> side) const {
   std::array<double, 3> y = {0.5, 0.5, guess_};
   if (!improve(y, t)) return std::nullopt;
+  if (side) y = {y[0], *side, 0};
   if (t == 0)  // it may be on a side
     for (const std::size_t i : {0U, 1U}) y[i] = std::clamp(y[i], 0.0, 1.0);
-  const std::array<double, 3> off = solved(value_at(y, t));
+  std::array<double, 3> off = solved(value_at(y, t));
+  if (side) off[1] = off[2] = 0;
   const double reach = t * std::fabs(y[2]) * kSlack;
   const bool is_inside = y[0] - t >= 0 && y[0] + t <= 1 && y[1] - reach >= 0 && y[1] + reach <= 1;
   const Ball from_middle = Ball(y[2]) - slopes_.midpoint();
@@ -151,6 +154,7 @@ std::optional<PinchProof::Place> PinchProof::at(double t) const {
   if (!(off[0] <= 1 && off[1] <= 1)) return std::nullopt;
   const Ball u(y[0], off[0]), v(y[1], off[1]), across = Ball(y[2], off[2]) * Ball(t);
   Place result{{u + Ball(t), v + across, u - Ball(t), v - across}, {}};
+  if (side) result.pair[1] = result.pair[3] = Ball(*side);
   result.point = x_.at(result.pair[0], result.pair[1])[0][0];
   if (exchanged_) result.pair = {result.pair[1], result.pair[0], result.pair[3], result.pair[2]};
   return result;

@@ -28,11 +28,12 @@ class PinchProof {
   /// The same if the derivative by the other parameter is known to be 0 in the pinch point (14.74).
   bool is_monotone_from_rest(std::size_t parameter) const;
   /// What pairs with both points in the square do next to the pinch point, if that is known to lie where the
-  /// parameter (0 or 1) has the value 0 or 1 (14.73): `none` are there, or one curve begins in it, along
-  /// which this parameter of both points is strictly monotone. `along`: the derivative along this side is 0
-  /// there.
-  enum class AtSide { unknown, none, begins };
-  AtSide at_side(std::size_t parameter, int value, bool rests) const;
+  /// parameter (0 or 1) has the value 0 or 1 (14.73): `none` are there, or one curve `begins` in it, along
+  /// which this parameter of both points is strictly monotone, or one runs `along` this side, with both
+  /// points on it. `rests`: the derivative along the side is 0 there. `is_straight`: so is the side, in
+  /// space.
+  enum class AtSide { unknown, none, begins, along };
+  AtSide at_side(std::size_t parameter, int value, bool rests, bool is_straight) const;
   /// A bound of the second derivative of the point of space by q.
   double bend() const { return bend_; }
 
@@ -41,8 +42,9 @@ class PinchProof {
     std::array<DoubleBall, 4> pair;
     BallVector<DoubleBall> point;
   };
-  /// That with half difference t >= 0, if there is one; empty if it is not found.
-  std::optional<Place> at(double t) const;
+  /// That with half difference t >= 0, if there is one; empty if it is not found. `side`: what the other
+  /// parameter of both points is known to be, if it is.
+  std::optional<Place> at(double t, std::optional<double> side = std::nullopt) const;
   /// The point of space.
   BallVector<DoubleBall> point(const std::array<DoubleBall, 2>& at) const;
 

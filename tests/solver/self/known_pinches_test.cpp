@@ -37,6 +37,7 @@ TEST_CASE("known pinches: cusps of sides, corners, and images") {
   net[0][3] = net[0][0] + net[0][1] - net[0][2];
   const RationalPatch cusp(net);
   CHECK(has(pinches_of(cusp), 0, 0, Rational(1, 2), {false, true}));
+  CHECK(std::ranges::none_of(pinches_of(cusp), &KnownPinch::is_on_straight_line));
   CHECK(has(pinches_of(cusp.transposed()), 1, 0, Rational(1, 2), {true, false}));
   CHECK(has(pinches_of(cusp.restricted_to(1, 0, 0, Rational(3, 4))), 0, 1, Rational(2, 3), {false, true}));
   CHECK(has(pinches_of(random_nets::image(cusp, random_nets::projective_map(generator))), 0, 0,
@@ -50,6 +51,23 @@ TEST_CASE("known pinches: cusps of sides, corners, and images") {
   net[1] = net[0];  // the whole side u = 0, x_u = 0
   CHECK_FALSE(std::ranges::any_of(pinches_of(RationalPatch(net)),
                                   [](const KnownPinch& p) { return p.fixed == 0 && p.value == 0; }));
+}
+
+TEST_CASE("known pinches: on sides that are straight in space, also with weights") {
+  Generator generator(5);
+  random_nets::Net net = random_nets::doubles(generator, 3, 2);
+  const Point a = {1, 2, -1}, b = {3, -1, 2};
+  const auto on_line = [&](const Rational& t) { return (1 - t) * a + t * b; };
+  net[0] = {on_line(0), on_line(2), on_line(Rational(1, 3))};
+  const auto straight = [](const RationalPatch& x) {
+    const auto found = pinches_of(x);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].fixed == 0);
+    CHECK(found[0].rests == std::array{false, true});
+    return found[0].is_on_straight_line;
+  };
+  CHECK(straight(RationalPatch(net)));
+  CHECK(straight(random_nets::weighted(generator, net)));
 }
 
 TEST_CASE("known pinches: which rectangles contain one with an irrational parameter") {

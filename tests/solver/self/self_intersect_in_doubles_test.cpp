@@ -394,6 +394,36 @@ TEST_CASE("self in doubles: a pinch point on a side, along which its kernel lies
   }
 }
 
+TEST_CASE("self in doubles: a straight side that turns back on itself, up to a Moebius map") {
+  Generator generator(20261130);
+  for (const Rational& k : {Rational(1), Rational(3), Rational(2, 5)}) {
+    CAPTURE(k.str());
+    const RationalPatch x = random_nets::reparametrised(umbrella_on_side(0).transposed(), k).transposed();
+    const IntersectResult result = in_doubles(x);
+    check_complete(result);
+    REQUIRE(result.graph.arcs.size() == 1);
+    REQUIRE(result.graph.nodes.size() == 2);
+    const Arc& arc = result.graph.arcs[0];
+    CHECK(arc.place == ArcPlace::patch_boundary);
+    CHECK(arc.contact == Contact::transversal);
+    CHECK(std::ranges::count(result.graph.nodes, std::vector{NodeKind::cusp, NodeKind::boundary},
+                             &Node::kinds) == 1);
+    const double ratio = to_double(k);
+    for (const PolylineVertex& vertex : arc.polyline) {
+      const auto& at = vertex.parameters;
+      CHECK(at[0] == 0);
+      CHECK(at[2] == 0);
+      const auto before = [&](double t) { return t / (ratio * (1 - t) + t); };
+      CHECK(std::fabs(before(at[1]) + before(at[3]) - 1) < 1e-7);
+    }
+    const RationalPatch y = random_nets::image(x, random_nets::projective_map(generator));
+    check_same(in_doubles(y), result.graph);
+    check_same(in_doubles(y.transposed()), result.graph, {{1, 0, 3, 2}, {}});
+    check_same(in_doubles(y.restricted_to(1, 0, 0, 1)), result.graph,
+               {{0, 1, 2, 3}, {true, false, true, false}});
+  }
+}
+
 TEST_CASE("self in doubles: a pinch point of a mirror image of itself, with its kernel along v") {
   // Pairs 1/2 + a, 1/2 - a at u^2 + u = 1 + a^2.
   const BivariatePolynomial u = BivariatePolynomial::r(), one = BivariatePolynomial::constant(1),
