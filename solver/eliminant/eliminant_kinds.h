@@ -70,11 +70,12 @@ struct StrippedKind : WholeKind {
   INSTANTIATE(Ruled11)                     \
   INSTANTIATE(Ruled12) INSTANTIATE(Ruled13) INSTANTIATE(Ruled22) INSTANTIATE(Ruled23) INSTANTIATE(Ruled33)
 // n >= 2: orders of two at fibres that are not finite need it.
-#define EXSECT_STRIPPED_KINDS_OF_DEGREE(INSTANTIATE, degree)                            \
-  INSTANTIATE(StrippedKind<WeightedKind, degree>)                                       \
-  INSTANTIATE(StrippedKind<Ruled12, degree>)                                            \
-  INSTANTIATE(StrippedKind<Ruled13, degree>) INSTANTIATE(StrippedKind<Ruled22, degree>) \
-      INSTANTIATE(StrippedKind<Ruled23, degree>) INSTANTIATE(StrippedKind<Ruled33, degree>)
+#define EXSECT_STRIPPED_KINDS_OF_DEGREE(INSTANTIATE, degree) \
+  INSTANTIATE(StrippedKind<WeightedKind, degree>)            \
+  INSTANTIATE(StrippedKind<Ruled12, degree>)                 \
+  INSTANTIATE(StrippedKind<Ruled13, degree>)                 \
+  INSTANTIATE(StrippedKind<Ruled22, degree>)                 \
+  INSTANTIATE(StrippedKind<Ruled23, degree>) INSTANTIATE(StrippedKind<Ruled33, degree>)
 #define EXSECT_STRIPPED_KINDS(INSTANTIATE)        \
   EXSECT_STRIPPED_KINDS_OF_DEGREE(INSTANTIATE, 1) \
   EXSECT_STRIPPED_KINDS_OF_DEGREE(INSTANTIATE, 2)

@@ -108,8 +108,7 @@ void mark_turned_line(GraphBuilder& graph, std::vector<Incomplete>& undecided, c
   for (std::size_t i = 0; i < graph.nodes().size(); ++i) {
     const Node& node = graph.nodes()[i];
     if (!lies_on(node, side) || touching[i] || !node.free.empty() || has_singular_kind(node)) continue;
-    if (line.is_singular(node))
-      graph.add_kind(node.id, singular_kind(degree[i], false));
+    if (line.is_singular(node)) graph.add_kind(node.id, singular_kind(degree[i], false));
   }
 }
 
