@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curve/taylor_shift.h"
+
 namespace exsect {
 namespace {
 
@@ -71,6 +73,48 @@ PatchRates rates_of(const Components& x) {
   });
 }
 
+/// Of a polynomial about the middle of a square of this half width, by its coefficients there. Refers to
+/// them.
+class TaylorBounds {
+ public:
+  TaylorBounds(const std::vector<DoubleBall>& c, std::size_t row, double half)
+      : c_(c), row_(row), half_(half) {}
+
+  /// An upper bound of the absolute value of the polynomial differentiated a times by u and b times by v.
+  double most(int a, int b) const { return sum(a, b) * kSlack + kUnderflowLoss; }
+  /// A lower bound of a polynomial that is positive in the middle; not positive or NaN where none is known.
+  double least() const {
+    if (!c_[0].is_positive()) return 0;
+    const double middle = c_[0].lower_magnitude();
+    return middle - (sum(0, 0) - c_[0].upper_magnitude() + sum(0, 0) * 0x1p-40 + kUnderflowLoss) * kSlack;
+  }
+
+ private:
+  /// i (i-1) ... (i - times + 1)
+  static double falling(int i, int times) {
+    double result = 1;
+    for (int t = 0; t < times; ++t) result *= i - t;
+    return result;
+  }
+  double sum(int a, int b) const {
+    const int n = static_cast<int>(row_) - 1, m = static_cast<int>(c_.size() / row_) - 1;
+    double result = 0;
+    for (int i = m; i >= a; --i) {
+      double in_v = 0;
+      for (int j = n; j >= b; --j)
+        in_v = in_v * half_ +
+               falling(j, b) *
+                   c_[static_cast<std::size_t>(i) * row_ + static_cast<std::size_t>(j)].upper_magnitude();
+      result = result * half_ + falling(i, a) * in_v;
+    }
+    return result;
+  }
+
+  const std::vector<DoubleBall>& c_;
+  std::size_t row_;
+  double half_;
+};
+
 }  // namespace
 
 DrawnPatch::DrawnPatch(const RationalPatch& patch) {
@@ -119,36 +163,26 @@ DrawnPoint DrawnPatch::at(const DoubleBall& u, const DoubleBall& v) const {
   return result;
 }
 
-DoubleBall DrawnPatch::derivative(std::size_t k, int a, int b, const DoubleBall& u,
-                                  const DoubleBall& v) const {
-  const auto factor = [](int power, int times) {
-    double result = 1;
-    for (int t = 0; t < times; ++t) result *= power - t;
-    return DoubleBall(result);
-  };
-  DoubleBall result;
-  for (int i = m_; i >= a; --i) {
-    DoubleBall in_v;
-    for (int j = n_; j >= b; --j)
-      in_v = in_v * v + factor(j, b) * components_[k][static_cast<std::size_t>(i * (n_ + 1) + j)];
-    result = result * u + factor(i, a) * in_v;
-  }
-  return result;
-}
-
-/// As rates_of(), in ball arithmetic; the rates on the square where that does not keep the weight positive.
+/// As rates_of(), from Taylor's expansions about the middle of the cell and a point of space next to its
+/// image, so that x is small there (17.3b); the rates on the square where that does not keep the weight
+/// positive.
 PatchRates DrawnPatch::rates_of_cell(int i, int j) const {
-  const double half = 0.5 / kCells;
-  const DoubleBall u = DoubleBall((i + 0.5) / kCells).widened(half),
-                   v = DoubleBall((j + 0.5) / kCells).widened(half);
-  const auto bounds = [&](int a, int b) {
-    std::array<double, 4> most{};
-    for (std::size_t k = 0; k < 4; ++k) most[k] = derivative(k, a, b, u, v).upper_magnitude();
-    return LengthBounds{length_bound(most[0], most[1], most[2]), most[3]};
-  };
-  const DoubleBall weight = derivative(3, 0, 0, u, v);
-  if (!weight.is_positive()) return rates_;
-  return rates_from(weight.lower_magnitude(), bounds);
+  const std::size_t row = static_cast<std::size_t>(n_) + 1;
+  std::array<std::vector<DoubleBall>, 4> x = components_;
+  for (std::vector<DoubleBall>& f : x)
+    shift_to(f, row, DoubleBall((i + 0.5) / kCells), DoubleBall((j + 0.5) / kCells));
+  const TaylorBounds weight(x[3], row, 0.5 / kCells);
+  const double least = weight.least();
+  if (!(least > 0)) return rates_;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const DoubleBall middle(x[k][0].approximation() / x[3][0].approximation());
+    for (std::size_t at = 0; at < x[k].size(); ++at) x[k][at] -= middle * x[3][at];
+  }
+  return rates_from(least, [&](int a, int b) {
+    std::array<double, 3> most{};
+    for (std::size_t k = 0; k < 3; ++k) most[k] = TaylorBounds(x[k], row, 0.5 / kCells).most(a, b);
+    return LengthBounds{length_bound(most[0], most[1], most[2]), weight.most(a, b)};
+  });
 }
 
 PatchRates DrawnPatch::rates_in(double u0, double u1, double v0, double v1) const {

@@ -44,8 +44,6 @@ class DrawnPatch {
  private:
   static constexpr int kCells = 16;  // along each side of the square
 
-  /// X_k differentiated a times by u and b times by v.
-  DoubleBall derivative(std::size_t k, int a, int b, const DoubleBall& u, const DoubleBall& v) const;
   PatchRates rates_of_cell(int i, int j) const;
 
   std::array<double, 3> centre_;

@@ -48,6 +48,19 @@ bool covers(const PatchRates& bound, const PatchRates& found) {
          above(bound.uv, found.uv) && above(bound.vv, found.vv);
 }
 
+/// A quarter of a torus, half a circle in either direction, whose weights in the middle are 0.
+RationalPatch quarter_torus(const Rational& major, const Rational& minor, const Point& centre) {
+  const std::array<std::array<Rational, 3>, 3> half = {{{1, 0, -1}, {0, 1, 0}, {1, 0, 1}}};  // x, y, w
+  std::vector<std::vector<HomogeneousPoint>> net(3);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Rational weight = half[2][i] * half[2][j], out = major * half[2][j] + minor * half[1][j];
+      net[i].push_back({half[0][i] * out + weight * centre[0], half[1][i] * out + weight * centre[1],
+                        half[2][i] * minor * half[0][j] + weight * centre[2], weight});
+    }
+  return RationalPatch::from_homogeneous(net);
+}
+
 }  // namespace
 
 TEST_CASE("rates of patches bound difference quotients, cells less than the square", "[curve]") {
@@ -72,6 +85,26 @@ TEST_CASE("rates of patches bound difference quotients, cells less than the squa
     }
   }
   CHECK(local < 0.7 * whole);
+}
+
+TEST_CASE("rates of a torus are near its derivatives wherever it is", "[curve]") {
+  for (const Point& centre : {Point{0, 0, 0}, Point{1000, -300, Rational(1, 7)}}) {
+    const RationalPatch x = quarter_torus(1, Rational(1, 2), centre);
+    const DrawnPatch drawn(x);
+    for (int i = 0; i < 16; ++i)
+      for (int j = 0; j < 16; ++j) {
+        const Rational u(2 * i + 1, 32), v(2 * j + 1, 32);
+        const double a = to_double(u), b = to_double(v);
+        const PatchRates near = drawn.rates_in(a, a, b, b), found = quotients(x, u, v);
+        INFO(i << ", " << j);
+        CHECK(covers(near, found));
+        CHECK(near.u < 2 * found.u);
+        CHECK(near.v < 2 * found.v);
+        CHECK(near.uu < 5 * found.uu);
+        CHECK(near.vv < 5 * found.vv);
+        CHECK(near.uv < 30);  // 8 in the middle of the patch
+      }
+  }
 }
 
 TEST_CASE("rates over ranges beyond the square or without order are not too small", "[curve]") {
