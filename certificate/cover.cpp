@@ -59,35 +59,29 @@ struct Hull {
     return most;
   }
 };
-using Hulls = std::array<Hull, 2>;
 
+/// A patch over a cell.
+struct Piece {
+  Net net;
+  Hull hull = Hull(net);
+};
+using Pieces = std::array<const Piece*, 2>;
+
+/// With its pieces, which others share.
 struct Cell {
-  std::array<Net, 2> nets;
+  Pieces pieces;
   Parameters middle;
   Parameters half;
-  std::optional<checker::SectionNet<double>> section = {};  // F_1 of an equation, instead of nets
+  const checker::SectionNet<double>* section = nullptr;  // F_1 of an equation, instead of pieces
 };
 
-/// The cell becomes its upper half; the lower one.
-Cell split(Cell& cell, std::size_t parameter) {
+/// The lower half and the upper one, with the pieces of the whole.
+std::array<Cell, 2> halves(Cell cell, std::size_t parameter) {
   cell.half[parameter] /= 2;
-  Cell lower = cell;
-  lower.middle[parameter] -= cell.half[parameter];
-  cell.middle[parameter] += cell.half[parameter];
-  const std::size_t patch = parameter / 2;
-  if (cell.section)
-    lower.section = cell.section->split(parameter);
-  else
-    lower.nets[patch] = cell.nets[patch].split(parameter % 2);
-  return lower;
-}
-
-/// The part of the cell where the parameter has the value, in [0,1].
-Cell on_line(Cell cell, std::size_t parameter, double t) {
-  cell.nets[parameter / 2].restrict_to(parameter % 2, t);
-  cell.middle[parameter] = t;
-  cell.half[parameter] = 0;
-  return cell;
+  std::array<Cell, 2> result = {cell, cell};
+  result[0].middle[parameter] -= cell.half[parameter];
+  result[1].middle[parameter] += cell.half[parameter];
+  return result;
 }
 
 /// The direction or its opposite, whichever has all Bernstein coefficients of its product with F greater than
@@ -100,13 +94,15 @@ std::string separating(const std::array<int, 3>& direction, double least, double
   return "";
 }
 /// Of two patches: w_x w_y (n . x - n . y) is beyond all points of both hulls.
-std::string separating(const Hulls& hulls, const std::array<int, 3>& direction) {
+std::string separating(const Pieces& pieces, const std::array<int, 3>& direction) {
+  const Hull& x = pieces[0]->hull;
+  const Hull& y = pieces[1]->hull;
   const Vector d = {double(direction[0]), double(direction[1]), double(direction[2])};
-  const std::array<double, 2> a = hulls[0].range(d);
-  const double other = checker::dot(d, hulls[1].middle());
+  const std::array<double, 2> a = x.range(d);
+  const double other = checker::dot(d, y.middle());
   if (a[0] <= other && other <= a[1]) return "";
-  const std::array<double, 2> b = hulls[1].range(d);
-  const double weight = hulls[0].least_weight * hulls[1].least_weight;
+  const std::array<double, 2> b = y.range(d);
+  const double weight = x.least_weight * y.least_weight;
   return separating(direction, weight * (a[0] - b[1]), weight * (a[1] - b[0]));
 }
 /// Of an equation, of which F_1 alone counts.
@@ -120,7 +116,7 @@ std::string separating(const checker::SectionNet<double>& section) {
 
 Cell mirrored(const Cell& cell) {
   const auto swapped = [](const Parameters& w) { return Parameters{w[2], w[3], w[0], w[1]}; };
-  return {{cell.nets[1], cell.nets[0]}, swapped(cell.middle), swapped(cell.half)};
+  return {{cell.pieces[1], cell.pieces[0]}, swapped(cell.middle), swapped(cell.half)};
 }
 
 class Cover {
@@ -130,22 +126,38 @@ class Cover {
         places_(places),
         divided_{in_enclosures(pair.charts[0].divided[0]), in_enclosures(pair.charts[0].divided[1])} {}
 
-  void add(Cell cell, const std::vector<std::size_t>& near, int depth) {
+  void add(const Cell& cell, const std::vector<std::size_t>& near, int depth) {
     const std::vector<std::size_t> meeting = those_meeting(cell, near);
-    const Hulls hulls = {Hull(cell.nets[0]), Hull(cell.nets[1])};
-    if (std::string place = place_of(cell, hulls, meeting); !place.empty()) return entries_.push_back(place);
+    if (std::string place = place_of(cell, meeting); !place.empty()) return entries_.push_back(place);
     if (depth > 150 || entries_.size() > max_entries) throw NoCertificate("a subdivision that does not end");
-    const std::size_t parameter = longest(cell, hulls);
+    const std::size_t parameter = longest(cell);
     entries_.emplace_back(1, "uvrs"[parameter]);
-    add(split(cell, parameter), meeting, depth + 1);
-    add(std::move(cell), meeting, depth + 1);
+    auto [lower, upper] = halves(cell, parameter);
+    const auto both = [&] {
+      add(lower, meeting, depth + 1);
+      add(upper, meeting, depth + 1);
+    };
+    if (cell.section) {
+      checker::SectionNet<double> above = *cell.section;
+      const checker::SectionNet<double> below = above.split(parameter);
+      lower.section = &below;
+      upper.section = &above;
+      return both();
+    }
+    const std::size_t patch = parameter / 2;
+    Net net = cell.pieces[patch]->net;
+    const Piece below = {net.split(parameter % 2)};
+    const Piece above = {net};
+    lower.pieces[patch] = &below;
+    upper.pieces[patch] = &above;
+    both();
   }
 
   std::vector<std::string> entries_;
 
  private:
   /// What a leaf says; empty if the cell has to be halved.
-  std::string place_of(const Cell& cell, const Hulls& hulls, const std::vector<std::size_t>& meeting) const {
+  std::string place_of(const Cell& cell, const std::vector<std::size_t>& meeting) const {
     if (places_.self && cell.middle[0] + cell.half[0] <= cell.middle[2] - cell.half[2]) return "lower";
     for (const std::size_t i : meeting) {
       const Tube& tube = places_.tubes[i];
@@ -159,7 +171,7 @@ class Cover {
     for (std::size_t j = 0; j < 4; ++j) box[j] = {cell.middle[j], cell.half[j] * (1 + 1e-9)};
     for (std::size_t i = 0; i < places_.planes.size(); ++i)
       if (checker::independent<double>(places_.planes[i]->columns, box)) return "s" + std::to_string(i);
-    if (std::string d = exclusion(cell, hulls); !d.empty()) return d;
+    if (std::string d = exclusion(cell); !d.empty()) return d;
     return places_.self ? injective(cell) : "";
   }
 
@@ -236,13 +248,15 @@ class Cover {
     return fmt::format("i{},{},{}", n[0], n[1], n[2]);
   }
 
-  static std::string exclusion(const Cell& cell, const Hulls& hulls) {
+  static std::string exclusion(const Cell& cell) {
     if (cell.section) return separating(*cell.section);
-    if (!(std::min(hulls[0].least_weight, hulls[1].least_weight) > 0)) return "";
+    const Hull& x = cell.pieces[0]->hull;
+    const Hull& y = cell.pieces[1]->hull;
+    if (!(std::min(x.least_weight, y.least_weight) > 0)) return "";
     const bool small = *std::max_element(cell.half.begin(), cell.half.end()) < 0x1p-8;
     const double size = small ? 1e5 : 100;
     // Parallelograms that are apart are separated by a normal to two of their edges, if not in one plane.
-    const std::array edges = {hulls[0].edge(0), hulls[0].edge(1), hulls[1].edge(0), hulls[1].edge(1)};
+    const std::array edges = {x.edge(0), x.edge(1), y.edge(0), y.edge(1)};
     for (std::size_t n = 0; n < 10; ++n) {
       constexpr std::array<std::array<std::size_t, 2>, 6> pairs = {
           {{0, 1}, {2, 3}, {0, 2}, {0, 3}, {1, 2}, {1, 3}}};
@@ -250,20 +264,20 @@ class Cover {
       if (n < 3)
         d[n] = 1;
       else if (n == 3)
-        d = rounded_direction(difference(hulls[0].middle(), hulls[1].middle()));
+        d = rounded_direction(difference(x.middle(), y.middle()));
       else
         d = rounded_direction(checker::cross(edges[pairs[n - 4][0]], edges[pairs[n - 4][1]]), size);
-      if (std::string found = separating(hulls, d); !found.empty()) return found;
+      if (std::string found = separating(cell.pieces, d); !found.empty()) return found;
     }
     return "";
   }
 
   /// The parameter over which the cell is longest in space; one along which nothing moves counts a little.
-  static std::size_t longest(const Cell& cell, const Hulls& hulls) {
+  static std::size_t longest(const Cell& cell) {
     if (cell.section) return cell.half[0] < cell.half[1] ? 1 : 0;
     Parameters length{};
     for (std::size_t p = 0; p < 4; ++p)
-      length[p] = std::max(hulls[p / 2].longest_step(p % 2), cell.half[p] * cell.half[p] / 1024);
+      length[p] = std::max(cell.pieces[p / 2]->hull.longest_step(p % 2), cell.half[p] * cell.half[p] / 1024);
     return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
   }
 
@@ -291,8 +305,16 @@ std::vector<std::string> cover(const NearPair& pair, const Places& places,
   for (std::size_t i = 0; i < places.tubes.size(); ++i)
     if (places.tubes[i].chart != Chart::star) all.push_back(i);
   const double other = pair.section ? 0 : 0.5;  // r and s of an equation are 1/2
-  const Cell whole = {pair.control, {0.5, 0.5, 0.5, 0.5}, {0.5, 0.5, other, other}, pair.section};
-  result.add(line ? on_line(whole, index(line->fixed), to_double(line->value)) : whole, all, 0);
+  std::array<Net, 2> nets = pair.control;
+  Parameters middle = {0.5, 0.5, 0.5, 0.5}, half = {0.5, 0.5, other, other};
+  if (line) {  // the part where the parameter has its value
+    const std::size_t fixed = index(line->fixed);
+    middle[fixed] = to_double(line->value);
+    half[fixed] = 0;
+    nets[fixed / 2].restrict_to(fixed % 2, middle[fixed]);
+  }
+  const std::array<Piece, 2> pieces = {Piece{nets[0]}, Piece{nets[1]}};
+  result.add({{&pieces[0], &pieces[1]}, middle, half, pair.section ? &*pair.section : nullptr}, all, 0);
   return result.entries_;
 }
 

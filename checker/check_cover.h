@@ -15,7 +15,8 @@ class Cover {
     for (std::size_t n = 0; n < 2 && !certificate_.equation; ++n) {
       WeightedNet<Rational> net = whole(n);
       net.move_by_minus(replay.origin);
-      whole_.nets[n] = {in_numbers(net.points), in_numbers(net.weights)};
+      nets_[n] = {in_numbers(net.points), in_numbers(net.weights)};
+      whole_.nets[n] = &nets_[n];
     }
   }
 
@@ -35,10 +36,11 @@ class Cover {
 
  private:
   using Kind = Cell::Kind;
+  /// A cell with its nets, which others share.
   struct Region {
-    std::array<WeightedNet<N>, 2> nets;  // control points of both patches over the cell
+    std::array<const WeightedNet<N>*, 2> nets = {};  // control points of both patches over the cell
     Box<double> box;
-    std::optional<SectionNet<N>> section = {};  // of an equation instead: Bernstein coefficients of F_1
+    const SectionNet<N>* section = nullptr;  // of an equation instead: Bernstein coefficients of F_1
   };
 
   /// The square where r = s = 1/2.
@@ -47,19 +49,39 @@ class Cover {
     const Net<Rational>& net = certificate_.nets[0].points;
     const auto d = static_cast<std::size_t>(degree(*certificate_.equation));
     const Polynomial section = component(replay_.exact, 0);
-    whole_.section = in_numbers(section_net(section, d * net.degree(0), d * net.degree(1)));
+    section_ = in_numbers(section_net(section, d * net.degree(0), d * net.degree(1)));
+    whole_.section = &*section_;
   }
 
-  void check(Region region) {
+  void check(const Region& region) {
     if (next_ == certificate_.cover.size())
       throw Rejected("$.cover", "the subdivision is not complete", Violation::cover);
     const Cell& cell = certificate_.cover[next_++];
-    if (cell.kind == Kind::split) {
-      check(split(region, cell));
-      check(std::move(region));
-    } else {
-      leaf(cell, region);
-    }
+    if (cell.kind != Kind::split) return leaf(cell, region);
+    const std::size_t patch = cell.index / 2;
+    if (region.section)
+      check_halves(
+          region, cell, cell.index, *region.section, [](Region & half) -> auto& { return half.section; });
+    else
+      check_halves(
+          region, cell, cell.index % 2,
+          *region.nets[patch], [&](Region & half) -> auto& { return half.nets[patch]; });
+  }
+  /// The lower half, then the upper one: `net`, that of the region, is halved in the direction p, and goes to
+  /// place(half).
+  template <class Net, class Place>
+  void check_halves(const Region& region, const Cell& cell, std::size_t p, Net net, const Place& place) {
+    std::array<Region, 2> halves = {region, region};
+    const auto boxes = [&] {
+      require(!certificate_.fixed || certificate_.fixed->parameter != cell.index,
+              "halved in the fixed parameter");
+      for (const std::size_t upper : {0, 1}) halves[upper].box = half_of(region.box, cell.index, upper == 1);
+    };
+    replayed("$.cover", cell.row, boxes, Violation::cover);
+    const Net lower = net.split(p);
+    place(halves[0]) = &lower;
+    place(halves[1]) = &net;
+    for (const Region& half : halves) check(half);
   }
 
   void leaf(const Cell& cell, const Region& region) const {
@@ -109,24 +131,6 @@ class Cover {
     return box;
   }
 
-  /// The region becomes its upper half; the lower one.
-  Region split(Region& region, const Cell& cell) const {
-    Region lower = region;
-    const auto boxes = [&] {
-      require(!certificate_.fixed || certificate_.fixed->parameter != cell.index,
-              "halved in the fixed parameter");
-      lower.box = half_of(region.box, cell.index, false);
-      region.box = half_of(region.box, cell.index, true);
-    };
-    replayed("$.cover", cell.row, boxes, Violation::cover);
-    const std::size_t patch = cell.index / 2;
-    if (region.section)
-      lower.section = region.section->split(cell.index);
-    else
-      lower.nets[patch] = region.nets[patch].split(cell.index % 2);
-    return lower;
-  }
-
   template <std::size_t dimension, std::size_t most>
   static Grid<N, dimension, most> in_numbers(const Grid<Rational, dimension, most>& grid) {
     Grid<N, dimension, most> result(grid.degree(0), grid.degree(1));
@@ -140,8 +144,8 @@ class Cover {
   static bool separated(const Region& region, const std::array<int, 3>& direction) {
     const Vector3<N> n = {direction[0], direction[1], direction[2]};
     if (region.section) return positive(*region.section, n[0]);
-    const WeightedNet<N>& x = region.nets[0];
-    const WeightedNet<N>& y = region.nets[1];
+    const WeightedNet<N>& x = *region.nets[0];
+    const WeightedNet<N>& y = *region.nets[1];
     if (x.has_weights() || y.has_weights()) return separated_with_weights(x, y, n);
     N below = -dot(n, x.points[0][0]);  // -min of x
     N above = dot(n, y.points[0][0]);
@@ -188,6 +192,8 @@ class Cover {
 
   const Replay<N>& replay_;
   const Certificate<N>& certificate_;
+  std::array<WeightedNet<N>, 2> nets_;
+  std::optional<SectionNet<N>> section_;
   Region whole_;
   std::size_t next_ = 0;
 };
