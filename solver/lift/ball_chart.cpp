@@ -62,8 +62,16 @@ BallChart::BallChart(const SurfaceChart& chart)
 }
 
 DoubleBall BallChart::y_over(const DoubleBall& u, const DoubleBall& v, int sheet) const {
+  return sheet == 0 ? DoubleBall() : y_of(square_over(u, v), sheet);
+}
+
+DoubleBall BallChart::square_over(const DoubleBall& u, const DoubleBall& v) const {
+  return radicand_in_u_.over(u) + radicand_in_v_.over(v);
+}
+
+DoubleBall BallChart::y_of(const DoubleBall& square, int sheet) {
   if (sheet == 0) return {};
-  const DoubleBall root = root_in_balls(radicand_in_u_.over(u) + radicand_in_v_.over(v));
+  const DoubleBall root = root_in_balls(square);
   return sheet > 0 ? root : -root;
 }
 

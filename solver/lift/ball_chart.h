@@ -30,6 +30,9 @@ class BallChart {
 
   /// Values beyond doubles, and quotients by what may be 0, are balls about which nothing is proved.
   DoubleBall y_over(const DoubleBall& u, const DoubleBall& v, int sheet) const;
+  /// y^2, and y of this sign for the numbers of a ball that are not negative.
+  DoubleBall square_over(const DoubleBall& u, const DoubleBall& v) const;
+  static DoubleBall y_of(const DoubleBall& square, int sheet);
   Place along_axes(const Place& at) const;
   std::array<DoubleBall, 3> in_space(const Place& along) const;
   /// (17.14): the image along the vectors of a tangent (t_u, t_v, t_y) in a point with u, v, y in these

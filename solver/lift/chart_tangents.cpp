@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "curve/taylor_shift.h"
 
@@ -53,12 +54,28 @@ ChartTangents::ChartTangents(const BivariatePolynomial& g, const SurfaceChart& c
       y2_u_(chart.radicand.derivative_r(), 1),
       y2_v_(chart.radicand.derivative_s(), 1) {}
 
-std::array<DoubleBall, 3> ChartTangents::over(const BallChart::Place& at, const BallChart& chart) const {
-  const auto& [u, v, y] = at;
-  const DoubleBall a = g_u_.over(u, v), b = g_v_.over(u, v);
+ChartDerivatives ChartTangents::derivatives(const DoubleBall& u, const DoubleBall& v) const {
+  return {g_u_.over(u, v), g_v_.over(u, v), y2_u_.over(u, v), y2_v_.over(u, v)};
+}
+
+std::array<DoubleBall, 3> ChartTangents::over(const ChartDerivatives& derivatives, const BallChart::Place& at,
+                                              const BallChart& chart) const {
+  const DoubleBall &a = derivatives.g_u, &b = derivatives.g_v;
   if (is_planar_) return chart.tangent_along_axes({b, -a, DoubleBall(0)}, at);
-  const DoubleBall twice = y + y;
-  return chart.tangent_along_axes({twice * b, -(twice * a), y2_u_.over(u, v) * b - y2_v_.over(u, v) * a}, at);
+  const DoubleBall twice = at[2] + at[2];
+  return chart.tangent_along_axes({twice * b, -(twice * a), derivatives.jacobian()}, at);
+}
+
+DoubleBall squares_between(const DoubleBall& from, const DoubleBall& to, const ChartDerivatives& at,
+                           double du, double dv) {
+  const double jacobian = at.jacobian().upper_magnitude();
+  const auto change = [&](const DoubleBall& divisor, double length) {
+    const double least = divisor.lower_magnitude();
+    return least > 0 ? jacobian * length / least * kSlack + kUnderflowLoss
+                     : std::numeric_limits<double>::infinity();
+  };
+  const double over_u = change(at.g_v, du), over_v = change(at.g_u, dv);
+  return ((from + to) * DoubleBall(0.5)).widened((over_u < over_v ? over_u : over_v) / 2 * kSlack);
 }
 
 }  // namespace exsect

@@ -81,7 +81,8 @@ class MiddlePlaces<RationalInterval> {
 template <>
 class MiddlePlaces<DoubleBall> {
  public:
-  explicit MiddlePlaces(const DrawnArc& arc) : arc_(arc), swept_(arc.curve.below.swept) {}
+  explicit MiddlePlaces(const DrawnArc& arc)
+      : arc_(arc), swept_(arc.curve.below.swept), exchanged_(arc.curve.below.swept.exchanged()) {}
 
   std::optional<DoubleBall> between(const DoubleBall& a, const DoubleBall& b, double share) const {
     const double from = a.approximation(), to = b.approximation(), at = from + (to - from) * share;
@@ -95,6 +96,12 @@ class MiddlePlaces<DoubleBall> {
     if (const auto v = swept_.only_zero(u, range)) return {{u, *v}};
     return exactly_on_arc(u, range);
   }
+  /// The arc over a v between those of its ends, u in this range.
+  std::optional<std::array<DoubleBall, 2>> beside(const DoubleBall& v, const DoubleBall& range) const {
+    const auto u = exchanged_.only_zero(v, range);
+    if (!u) return std::nullopt;
+    return {{*u, v}};
+  }
   /// v as near as doubles are.
   std::optional<std::array<DoubleBall, 2>> exactly_on_arc(const DoubleBall& u,
                                                           const DoubleBall& range) const {
@@ -106,6 +113,7 @@ class MiddlePlaces<DoubleBall> {
  private:
   const DrawnArc& arc_;
   PlaneStrip<DoubleBall> swept_;
+  PlaneStrip<DoubleBall> exchanged_;
 };
 
 /// Cuts one arc until every chord is proved.
@@ -113,6 +121,7 @@ template <class Chart>
 class Course {
   using Interval = typename Chart::Interval;
   using Place = typename Chart::Place;
+  using BallPlace = BallChart::Place;
 
   /// A point of the arc.
   struct Vertex {
@@ -219,8 +228,21 @@ class Course {
     return vertex(u, *v, arc_.lifted().sheet);
   }
 
-  /// Over a u between those of two points.
+  /// Beside a v between those of two points, where that is one point.
+  std::optional<Vertex> beside(const Vertex& a, const Vertex& b) const requires(!kExact) {
+    const std::optional<Interval> v = middles_.between(a.at[1], b.at[1], share(a, b));
+    return v ? on_arc(middles_.beside(*v, hull(a.at[0], b.at[0]))) : std::nullopt;
+  }
+
+  /// Over a u between those of two points. An arc that is steep there is monotone in v as well: its zero over
+  /// u is known less well than that beside v.
   std::optional<Vertex> between(const Vertex& a, const Vertex& b) const {
+    if constexpr (!kExact) {
+      if (is_steep(a, b)) {
+        const std::optional<Vertex> found = beside(a, b);
+        if (found && is_fine(*found)) return found;
+      }
+    }
     const std::optional<Interval> u = middles_.between(a.at[0], b.at[0], share(a, b));
     if (!u) return std::nullopt;
     const Interval range = hull(a.at[1], b.at[1]);
@@ -230,6 +252,9 @@ class Course {
       const std::optional<Vertex> quick = on_arc(middles_.on_arc(*u, range));
       return quick && is_fine(*quick) ? quick : on_arc(middles_.exactly_on_arc(*u, range));
     }
+  }
+  static bool is_steep(const Vertex& a, const Vertex& b) {
+    return std::fabs(b.scaled[1] - a.scaled[1]) > std::fabs(b.scaled[0] - a.scaled[0]);
   }
   std::optional<Vertex> on_arc(const std::optional<std::array<Interval, 2>>& at) const {
     if (!at) return std::nullopt;
@@ -253,21 +278,47 @@ class Course {
   bool try_chord(const Vertex& a, const Vertex& b) {
     const Interval u = hull(a.at[0], b.at[0]), v = hull(a.at[1], b.at[1]);
     const Place at = {u, v, chart_.y_over(u, v, arc_.lifted().sheet)};
-    const Place along = chart_.along_axes(at);
-    const double size = length_bound(width_of(along[0]) * lengths_[0], width_of(along[1]) * lengths_[1],
-                                     width_of(along[2]) * lengths_[2]) *
-                        kSlack;
     const double error = larger_bound(a.error, b.error), wanted = larger_bound(arc_.tolerance, 4 * error);
     if (kExact && !std::isfinite(wanted))
       throw ProofFailure(whole_domain(), "an arc in space is not in the range of doubles");
     chords_per_length_ = 0;
-    if (size + error <= wanted) return append(b, (size + error) * kSlack);
-    const double slope =
-        slope_to_chord(a, b, tangents_.over({ball_of(at[0]), ball_of(at[1]), ball_of(at[2])}, balls_));
+    if (append_if_small(b, size_of(chart_.along_axes(at)) + error, wanted)) return true;
+    BallPlace balls = {ball_of(u), ball_of(v), ball_of(at[2])};
+    const ChartDerivatives derivatives = tangents_.derivatives(balls[0], balls[1]);
+    if (narrow_y(balls, a, b, derivatives) &&
+        append_if_small(b, size_of(balls_.along_axes(balls)) + error, wanted))
+      return true;
+    const double slope = slope_to_chord(a, b, tangents_.over(derivatives, balls, balls_));
     const double reach = length(a, b), bent = slope * (reach + 2 * error) / 2 * kSlack;
     const double bound = bent + 3 * error, chords = std::sqrt(bent / (kAimed * wanted - 3 * error));
     if (slope <= kGentleSlope) chords_per_length_ = chords / reach;
     return bound <= wanted && append(b, bound);
+  }
+
+  /// y along the arc from a to b by (17.6b), where that is narrower than on the rectangle.
+  bool narrow_y(BallPlace& at, const Vertex& a, const Vertex& b, const ChartDerivatives& derivatives) const {
+    if (arc_.lifted().sheet == 0 || is_vertical_) return false;
+    const auto square = [&](const Vertex& end) {
+      return balls_.square_over(ball_of(end.at[0]), ball_of(end.at[1]));
+    };
+    const DoubleBall y =
+        BallChart::y_of(squares_between(square(a), square(b), derivatives, width_of(at[0]), width_of(at[1])),
+                        arc_.lifted().sheet);
+    if (!(y.radius() < at[2].radius())) return false;
+    at[2] = y;
+    return true;
+  }
+
+  /// A bound of the diameter of a box along the axes.
+  template <class Number>
+  double size_of(const std::array<Number, 3>& along) const {
+    return length_bound(width_of(along[0]) * lengths_[0], width_of(along[1]) * lengths_[1],
+                        width_of(along[2]) * lengths_[2]) *
+           kSlack;
+  }
+
+  bool append_if_small(const Vertex& b, double bound, double wanted) {
+    return bound <= wanted && append(b, bound * kSlack);
   }
 
   bool append(const Vertex& b, double bound) {

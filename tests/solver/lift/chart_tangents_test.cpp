@@ -1,5 +1,7 @@
 #include "lift/chart_tangents.h"
 
+#include <array>
+#include <cmath>
 #include <random>
 
 #include "support/catch.h"
@@ -46,6 +48,54 @@ TEST_CASE("polynomials over rectangles: cancellation and overflow prove nothing"
   const DoubleBall beyond = EnclosedPolynomial(power, 1).over(1e100, 0.0);
   CHECK(beyond.certain_sign() == 0);
   CHECK(beyond.lower_magnitude() == 0);
+}
+
+// g = v - u - c u^2 as it is, and with u and v exchanged, where the other quotient bounds Y.
+TEST_CASE("Y between two points of an arc contains its exact values, and little more", "[lift]") {
+  const unsigned seed = 21;
+  INFO("seed " << seed);
+  std::mt19937 generator(seed);
+  std::uniform_int_distribution<int> digit(-9, 9), place(0, 90);
+  const BivariatePolynomial r = BivariatePolynomial::r(), s = BivariatePolynomial::s();
+  const auto number = [](const Rational& c) { return BivariatePolynomial::constant(c); };
+  for (int k = 0; k < 400; ++k) {
+    const Rational c(digit(generator) + 9, 6);
+    const bool is_exchanged = k % 2 == 1;
+    const BivariatePolynomial g = s - r - number(c) * r * r;
+    SurfaceChart chart;
+    chart.radicand = number(digit(generator)) + number(digit(generator)) * r +
+                     number(digit(generator)) * r * r + number(digit(generator)) * s +
+                     number(digit(generator)) * s * s;
+    const ChartTangents tangents(is_exchanged ? g.exchanged() : g, chart, false);
+    const Rational from(place(generator), 100), step = power_of_two(-(k % 12) - 2);
+    const auto at = [&](int i) {
+      const Rational t = from + step * Rational(i, 8), on = t + c * t * t;
+      return is_exchanged ? std::array{on, t} : std::array{t, on};
+    };
+    const auto square = [&](int i) { return chart.radicand(at(i)[0], at(i)[1]); };
+    const auto range = [&](std::size_t i) {
+      return DoubleBall::enclosing(RationalInterval{at(0)[i], at(8)[i]});
+    };
+    const DoubleBall u = range(0), v = range(1);
+    const DoubleBall all = squares_between(DoubleBall::enclosing(square(0)), DoubleBall::enclosing(square(8)),
+                                           tangents.derivatives(u, v), 2 * u.radius(), 2 * v.radius());
+    for (int i = 0; i <= 8; ++i) {
+      CHECK(all.interval().lower <= square(i));
+      CHECK(square(i) <= all.interval().upper);
+    }
+    // The jacobian changes by less than 2000 times the step, g_v or g_u is 1.
+    CHECK(all.radius() <= to_double(abs(square(8) - square(0))) / 2 + 2000 * to_double(step * step) + 1e-12);
+  }
+}
+
+TEST_CASE("Y is not known where both derivatives of the curve may vanish", "[lift]") {
+  const BivariatePolynomial r = BivariatePolynomial::r(), s = BivariatePolynomial::s();
+  SurfaceChart chart;
+  chart.radicand = r + s;
+  const ChartTangents tangents(r * r - s * s, chart, false);
+  const DoubleBall about(0, 0.5), one(1);
+  CHECK(std::isinf(squares_between(one, one, tangents.derivatives(about, about), 1, 1).radius()));
+  CHECK(std::isfinite(squares_between(one, one, tangents.derivatives(about, one), 1, 1).radius()));
 }
 
 }  // namespace exsect::chart_tangents_test

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lift/pair_region.h"
+#include "lift/ring_curve.h"
 #include "support/catch.h"
 
 namespace exsect::lifted_course_test {
@@ -79,6 +80,22 @@ TEST_CASE("chords are hardly more than the tolerance asks for") {
     INFO(drawn << " chords, " << least << " at least");
     CHECK(drawn < 1.3 * least);
     CHECK(drawn > 0.8 * least);
+    return 0;
+  });
+}
+
+// On this torus the curve keeps y^2 small beside its silhouette, where rectangles alone do not tell y.
+TEST_CASE("an arc that nearly touches the silhouette has few chords") {
+  in_nearest_rounding([] {
+    const S ring = S::torus({Rational(3, 8), Rational(-1, 16), Rational(7, 16)}, {4, -1, -4},
+                            Rational(17, 16), Rational(1, 2)),
+            cone = S::cone({Rational(5, 16), Rational(35, 16), Rational(-1, 2)}, {0, -1, 0}, Rational(1, 2));
+    const RingCurve curve = ring_curve(ring, cone, pair_region(ring, cone).all).value();
+    std::size_t points = 0;
+    for (const RingArc& arc : curve.arcs)
+      points += course_in_space(curve.halves[arc.half], arc.below, 4e-6).points.size();
+    CHECK(points > 2000);
+    CHECK(points < 12000);  // 70 000 from rectangles
     return 0;
   });
 }
