@@ -1,5 +1,7 @@
 #include "lift/crossing_names.h"
 
+#include <exsect/algebra/bivariate_value.h>
+
 #include <functional>
 #include <map>
 #include <utility>
@@ -33,13 +35,7 @@ SpacePolynomial in_space(const BivariatePolynomial& f, const SpaceFrame& frame) 
     return sum;
   };
   const SpacePolynomial u = form(frame.height), v = form(cross(frame.columns[2], frame.columns[0]));
-  SpacePolynomial sum;
-  for (int i = f.degree_r(); i >= 0; --i) {
-    SpacePolynomial row;
-    for (int j = f.degree_s(); j >= 0; --j) row = row * v + SpacePolynomial::constant(f.coefficient(i, j));
-    sum = sum * u + row;
-  }
-  return sum;
+  return value_in(f, u, v, [](const Rational& c) { return SpacePolynomial::constant(c); });
 }
 
 /// Two curves with the shadows x = c z and x = -c z: the number of an arc is 1 or -1. Empty if the beginning

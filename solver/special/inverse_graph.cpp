@@ -1,5 +1,7 @@
 #include "special/inverse_graph.h"
 
+#include <exsect/algebra/bivariate_value.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -19,13 +21,7 @@ using Ball = ArbBall<256>;
 constexpr int kParameterBits = 256;
 
 Ball value_at(const BivariatePolynomial& f, const Ball& u, const Ball& v) {
-  Ball sum;
-  for (int i = f.degree_r(); i >= 0; --i) {
-    Ball row;
-    for (int j = f.degree_s(); j >= 0; --j) row = row * v + Ball::enclosing(f.coefficient(i, j));
-    sum = sum * u + row;
-  }
-  return sum;
+  return value_in(f, u, v, [](const Rational& c) { return Ball::enclosing(c); });
 }
 
 /// Of map(p). Empty if the denominator may be 0 there.

@@ -82,6 +82,12 @@ void check(const RationalPatch& x, const RationalPatch& y, const RationalInterva
   }
 }
 
+/// Moves rows of control points upwards, the later ones more.
+void bend(Net& net, std::size_t first) {
+  for (std::size_t i = first; i < 4; ++i)
+    for (Point& p : net[i]) p[2] += Rational(static_cast<long>(i), 12);
+}
+
 }  // namespace
 
 TEST_CASE("parts of sides: a sheet cut in three, smoothly and along an edge") {
@@ -95,8 +101,7 @@ TEST_CASE("parts of sides: a sheet cut in three, smoothly and along an edge") {
     const RationalInterval other = seed % 3 == 0 ? RationalInterval{cut / 2, cut} : RationalInterval{0, cut};
     Net net = part(whole, {half, 1}, other);
     const bool smooth = seed % 2 == 0;
-    for (std::size_t i = smooth ? 2 : 1; i < 4; ++i)
-      for (Point& p : net[i]) p[2] += Rational(static_cast<long>(i), 12);
+    bend(net, smooth ? 2 : 1);
     const Contact contact = smooth ? Contact::tangential : Contact::transversal;
     check(x, RationalPatch(net), other, {0, 1}, contact);
     check(image(x), image(RationalPatch(net)), other, {0, 1}, contact);
@@ -110,8 +115,7 @@ TEST_CASE("parts of sides: a side that goes on beyond the other one at both ends
   const RationalInterval upper = {Rational(1, 4), 1};
   const RationalPatch x(part(whole, {0, Rational(1, 2)}, lower));
   Net net = part(whole, {Rational(1, 2), 1}, upper);
-  for (std::size_t i = 1; i < 4; ++i)
-    for (Point& p : net[i]) p[2] += Rational(static_cast<long>(i), 12);
+  bend(net, 1);
   check(x, RationalPatch(net), {Rational(1, 3), 1}, {0, Rational(2, 3)}, Contact::transversal);
   check(image(x), image(RationalPatch(net)), {Rational(1, 3), 1}, {0, Rational(2, 3)}, Contact::transversal);
 }
@@ -124,8 +128,7 @@ TEST_CASE("parts of sides: parameters that differ by a Moebius map, in both dire
     const Net whole = sheet(generator);
     const RationalPatch x = image(RationalPatch(part(whole, {0, Rational(1, 2)}, {0, Rational(3, 4)})));
     Net net = part(whole, {Rational(1, 2), 1}, {Rational(1, 4), 1});
-    for (std::size_t i = 1; i < 4; ++i)
-      for (Point& p : net[i]) p[2] += Rational(static_cast<long>(i), 12);
+    bend(net, 1);
     const Rational k(random_pairs::integer(generator, 1, 9), 4);
     const RationalPatch y =
         random_nets::reparametrised(image(RationalPatch(net)).transposed(), k).transposed();
