@@ -109,8 +109,8 @@ IntersectResult intersect_any(const RationalPatch& x, const RationalPatch& y, co
   if (as_polynomials && as_polynomials->status == Status::complete) return *std::move(as_polynomials);
   if (auto as_curve = intersect_as_curve(x, y, run)) return *std::move(as_curve);
   if (as_polynomials) return *std::move(as_polynomials);
-  if (run.exact()) return result;
   if (auto at_pole = intersect_at_pole(x, y, run, intersect_any)) return *std::move(at_pole);
+  if (run.exact()) return result;
   IntersectResult pieces = intersect_rational_pieces(x, y, run);
   if (pieces.status != Status::complete) return result;
   run.count("filtered", 1);
@@ -123,13 +123,15 @@ IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const 
   const auto first = x.biquadratic();
   const auto second = y.biquadratic();
   if (first && second) return intersect(*first, *second, options);
-  if (options.exact && eliminant_sweeps(x, y).empty() && !polynomial_images(x, y))
-    throw NotSupported("exact arithmetic for " + kind_of(x) + " and " + kind_of(y));
+  const bool has_exact_method =
+      !options.exact || !eliminant_sweeps(x, y).empty() || polynomial_images(x, y).has_value();
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
     IntersectResult result = with_signs_beside(x, y, run, [&](const Run& part) {
       return answered(part, [&] { return intersect_any(x, y, part); });
     });
+    if (result.status != Status::complete && !has_exact_method && !run.out_of_time())
+      throw NotSupported("exact arithmetic for " + kind_of(x) + " and " + kind_of(y));
     if (result.status != Status::complete && !options.exact) run.count("filtered", 1);
     const auto again = [x, y](const IntersectOptions& other) { return intersect(x, y, other); };
     return answer_to(options, run.finished(std::move(result)), again);

@@ -22,9 +22,10 @@ class NotSupported : public std::invalid_argument {
 /// of bidegree at most (2,2) take that way. Others, with weights or not, are solved in doubles with proved
 /// errors (method, section 14): completely in general position; where doubles do not decide, the result is
 /// incomplete and says where and why; Work::steps has the entry "filtered" in both cases. With options.exact
-/// they are complete only where an eliminant proves that no curve is missing, or as images of polynomial
-/// patches. Safe to call from several threads. Throws NotSupported with options.exact where there is neither
-/// an eliminant that is affordable nor such an image, and std::invalid_argument for options out of range.
+/// they are complete only where an eliminant proves that no curve is missing, near poles aside, as images of
+/// polynomial patches, as pieces of one surface, or by an equation. Safe to call from several threads. Throws
+/// NotSupported with options.exact where none of this decides and there is neither an eliminant that is
+/// affordable nor such an image, and std::invalid_argument for options out of range.
 IntersectResult intersect(const RationalPatch& x, const RationalPatch& y,
                           const IntersectOptions& options = {});
 /// As self_intersect() of a BezierPatch, which polynomial patches of bidegree at most (2,2) take. Others are

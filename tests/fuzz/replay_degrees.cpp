@@ -2,7 +2,8 @@
 // their images under maps that keep the intersection or change it in a known way (tests/fuzz/README.md): the
 // graphs are equal up to the names. Reports how many end incomplete, by reason, and the times of the pairs
 // themselves; one pair alone is written to a file. With --oracle, complete answers are compared with
-// support/exact_oracle.h instead; with --cut, with the parts of patches that are cut (glued_parts.h). Exit
+// support/exact_oracle.h instead; with --cut, with the parts of patches that are cut (glued_parts.h); with
+// --exact, with those of exact arithmetic, of which it counts by reason which are incomplete alone. Exit
 // status 1 if there is a difference; the pair is written to a file, and the seed gives it again.
 #include <exsect/solver/intersect_rational.h>
 
@@ -195,6 +196,41 @@ int run_cut(const std::string& family, std::uint64_t first, std::uint64_t count)
   return wrong == 0 ? 0 : 1;
 }
 
+/// Compares complete answers with those of exact arithmetic.
+int run_in_exact_mode(const std::string& family, std::uint64_t first, std::uint64_t count) {
+  int complete = 0, compared = 0, wrong = 0;
+  Reasons reasons;
+  IntersectOptions exact;
+  exact.exact = true;
+  exact.max_seconds = kCap;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    try {
+      const RationalPair pair = pair_of(family, seed);
+      const IntersectResult result = intersect(pair.x, pair.y);
+      if (result.status != Status::complete) continue;
+      ++complete;
+      const IntersectResult other = intersect(pair.x, pair.y, exact);
+      if (other.status != Status::complete) {
+        reasons.add(std::string(name(other.incomplete.at(0).reason)) + ", " + other.incomplete.at(0).why,
+                    seed);
+        continue;
+      }
+      ++compared;
+      const std::string difference = Variant{"", pair, {}}.difference(result.graph, other.graph);
+      if (difference.empty()) continue;
+      ++wrong;
+      std::cout << "seed " << seed << ": " << difference << "; " << written(family, seed, pair) << std::endl;
+    } catch (const PatchError&) {  // no patch
+    } catch (const NotSupported&) {
+      reasons.add("not offered", seed);
+    }
+  }
+  std::cout << family << ": " << complete << " pairs complete in doubles, " << compared
+            << " of them exactly as well, " << wrong << " differ\n"
+            << reasons;
+  return wrong == 0 ? 0 : 1;
+}
+
 int run(const std::string& family, std::uint64_t first, std::uint64_t count) {
   DegreeTally tally;
   if (count == 1) std::cout << written(family, first, pair_of(family, first)) << '\n';
@@ -225,13 +261,15 @@ int main(int argc, char** argv) try {
                                              "tiny-weighted", "round"};
   const bool exactly = argc == 5 && std::string(argv[4]) == "--oracle";
   const bool cut = argc == 5 && std::string(argv[4]) == "--cut";
-  if ((argc != 4 && !exactly && !cut) ||
+  const bool in_exact_mode = argc == 5 && std::string(argv[4]) == "--exact";
+  if ((argc != 4 && !exactly && !cut && !in_exact_mode) ||
       std::find(families.begin(), families.end(), argv[1]) == families.end())
     throw std::invalid_argument(
         "usage: exsect_replay_degrees bicubic|weighted|weighted-bicubic|mixed|"
         "small-bicubic|small-weighted|weighted-doubles|tiny|tiny-weighted|round FIRST COUNT "
-        "[--oracle|--cut]");
+        "[--oracle|--cut|--exact]");
   if (cut) return run_cut(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
+  if (in_exact_mode) return run_in_exact_mode(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
   if (exactly) return run_exactly(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
   return run(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
 } catch (const std::exception& error) {

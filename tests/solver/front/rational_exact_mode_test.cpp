@@ -2,6 +2,9 @@
 // doubles find.
 #include <exsect/solver/intersect_rational.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "solver/filter/round_patches.h"
 #include "support/catch.h"
 #include "support/graph_isomorphism.h"
@@ -101,6 +104,53 @@ TEST_CASE("rational exact mode: pieces of one surface, and equal patches") {
   CHECK(compared({lower, whole.restricted_to(half, 1, 0, half)}, false) == 1);
   CHECK(compared({lower, whole.restricted_to(1, half, half, 0).transposed()}, false) == 1);
   CHECK(compared({lower, whole.restricted_to(half, 1, half, 1)}, false) == 1);
+}
+
+TEST_CASE("rational exact mode: pieces of one bicubic patch, which has no eliminant") {
+  Generator generator(3);
+  const RationalPatch whole(random_nets::crossing(generator, {3, 3, 3, 3}, true).x);
+  const Rational half(1, 2);
+  const RationalPatch left = whole.restricted_to(0, half, 0, 1);
+  CHECK(compared({left, whole.restricted_to(Rational(1, 3), 1, 0, 1)}, false) == 1);
+  CHECK(compared({left, whole.restricted_to(half, 1, 0, 1)}, false) == 1);
+  CHECK(compared({whole, whole.transposed()}, false) == 1);
+}
+
+TEST_CASE("rational exact mode: poles on the other patch, common ones, and beside it") {
+  const Rational third(1, 3);
+  const std::vector<std::vector<Rational>> weights = {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}};
+  // An octant of a sphere: by its pole (0,0,1) with the parameter along this side free.
+  const auto octant = [&](const Rational& radius, const Point& at) {
+    std::vector<std::vector<Point>> net = {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                                           {{1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+                                           {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
+    for (auto& row : net)
+      for (Point& p : row) p = radius * p + at;
+    return RationalPatch(net, weights);
+  };
+  const auto plane_through = [&](const Point& normal, const Rational& height) {
+    const auto at = [&](long a, long b) -> Point {
+      return {a, b, height - (a * normal[0] + b * normal[1]) / normal[2]};
+    };
+    return RationalPatch({{at(-7, -5), at(-7, 6)}, {at(6, -5), at(6, 6)}});
+  };
+  const auto has_pole = [](const Pair& pair) {
+    return std::ranges::any_of(intersect(pair.x, pair.y, exact_mode()).graph.nodes,
+                               [](const Node& node) { return !node.free.empty(); });
+  };
+  const RationalPatch x = octant(1, {0, 0, 0});
+  for (const Point& normal : {Point{1, -1, third}, Point{-3, 1, 2}, Point{0, 0, 1}, Point{1, 1, 3}}) {
+    const Pair pair = {x, plane_through(normal, 1)};
+    CHECK(compared(pair) == 1);
+    CHECK(compared({pair.y, x}) == 1);
+    CHECK(has_pole(pair));
+    for (const long bits : {10, 30, 60})
+      for (const long sign : {1, -1})
+        CHECK_FALSE(has_pole({x, plane_through(normal, 1 + sign * power_of_two(-bits))}));
+  }
+  CHECK(compared({x, octant(2, {0, 0, -1})}) == 1);
+  CHECK(has_pole({x, octant(2, {0, 0, -1})}));
+  for (const long bits : {10, 30, 60}) CHECK_FALSE(has_pole({x, octant(2, {0, 0, power_of_two(-bits) - 1})}));
 }
 
 TEST_CASE("rational exact mode: surfaces of revolution") {
