@@ -23,6 +23,7 @@ struct Draft {
   std::vector<int> factor_at = {};         // of each node that is no star, that of its arcs
   std::vector<int> factor_along = {};      // of each arc; -1 for F
   std::vector<bool> on_curve = {};         // nodes that are not only corners of overlaps
+  std::vector<bool> in_star = {};          // nodes that are points of stars
   std::vector<std::size_t> claim_of = {};  // the node's number among the claims, those of stars last
   // Claims:
   std::size_t first_star = 0;  // among the nodes claimed

@@ -47,8 +47,7 @@ void refuse_events(const IntersectResult& result, bool self) {
     if (is_star(graph, node, self) || (alone && !graph.overlaps.empty())) continue;
     const bool cusp = self && node.kinds == std::vector{NodeKind::cusp};
     if (has(node, NodeKind::cusp) && !cusp) throw NoCertificate("a cuspidal point on a side");
-    if (!cusp && node.on.empty() == node.wrt.empty())
-      throw NoCertificate(node.on.empty() ? "a node inside a curve" : "a turning point on a side");
+    if (!cusp && node.on.empty() && node.wrt.empty()) throw NoCertificate("a node inside a curve");
   }
   for (const Arc& arc : graph.arcs) {
     if (!arc.free.empty()) throw NoCertificate("an arc with a free parameter");

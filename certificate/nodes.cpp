@@ -99,7 +99,7 @@ void add_place(Draft& d, const FoundStar& star) {
 Json node_claims(Draft& d) {
   Json result = Json::array();
   for (const Node& n : d.graph.nodes)
-    if (d.on_curve[static_cast<std::size_t>(n.id)] && !is_star(d.graph, n, d.self))
+    if (d.on_curve[static_cast<std::size_t>(n.id)] && !d.in_star[static_cast<std::size_t>(n.id)])
       result.push_back(node(d, n));
   for (const FoundStar& star : d.stars) add_place(d, star);
   return result;

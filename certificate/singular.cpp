@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "certificate/regular.h"
+
 namespace exsect::cli {
 namespace {
 
@@ -46,12 +48,6 @@ std::optional<SingularPoint> singular_at(const ExactMap& equation, const Algebra
   for (std::size_t d = 1; d < 3; ++d)
     if (size(normal[d]) > size(normal[result.steepest])) result.steepest = d;
   return result;
-}
-
-SingularPoint singular_point(const SingularSearch& search, const Node& node) {
-  for (const AlgebraicPoint& at : points_in_box(search, node))
-    if (const auto point = singular_at(search.equation, at)) return *point;
-  throw NoCertificate("a special point where a patch is singular, or both cross");
 }
 
 /// Of weights 1 and with axes along the parameters, the second one of this size beside the first one's 1.
@@ -122,10 +118,7 @@ Star weighted_star(Star star, const AlgebraicDirection& p, const AlgebraicDirect
   return star;
 }
 
-}  // namespace
-
-std::vector<Star> singular_points(const SingularSearch& search, const Node& node) {
-  const SingularPoint point = singular_point(search, node);
+std::vector<Star> singular_stars(const SingularPoint& point) {
   // Half branches that begin between two charts of the one do not in the other.
   const Star plain = plain_star(point, Rational(3, 4)), other = plain_star(point, Rational(4, 7));
   std::size_t first = 0;
@@ -144,6 +137,17 @@ std::vector<Star> singular_points(const SingularSearch& search, const Node& node
   for (const std::size_t k : {2, 3, 4, 5})
     result.push_back(weighted_star(plain, p, aa != 0 ? a : b, first, k));
   return result;
+}
+
+}  // namespace
+
+std::vector<Star> singular_points(const SingularSearch& search, const Node& node) {
+  const std::vector<AlgebraicPoint> points = points_in_box(search, node);
+  for (const AlgebraicPoint& at : points)
+    if (const auto point = singular_at(search.equation, at)) return singular_stars(*point);
+  for (const AlgebraicPoint& at : points)
+    if (const auto star = regular_star(search.equation, at)) return {*star};
+  throw NoCertificate("a special point where a patch is singular, or both cross");
 }
 
 Star at_scale(const Star& star, int e) {

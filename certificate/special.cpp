@@ -8,11 +8,21 @@
 
 #include "certificate/claims.h"
 #include "certificate/overlap.h"
+#include "certificate/regular.h"
 
 namespace exsect::cli {
 namespace {
 
-void number_nodes(Draft& d) {
+/// A point of a star, as is one on sides where the parameter of one of them turns.
+bool needs_star(const Draft& d, const SingularSearch& search, const Node& n) {
+  if (is_star(d.graph, n, d.self)) return true;
+  if (n.on.empty() || !d.on_curve[static_cast<std::size_t>(n.id)]) return false;
+  if (turns_at_side(d.pair.power, search, n)) return true;
+  if (!n.wrt.empty()) throw NoCertificate("a turning point on a side");
+  return false;
+}
+
+void number_nodes(Draft& d, const SingularSearch& search) {
   d.factor_at.assign(d.graph.nodes.size(), -1);
   d.factor_along.assign(d.graph.arcs.size(), -1);
   d.claim_of.assign(d.graph.nodes.size(), 0);
@@ -20,11 +30,12 @@ void number_nodes(Draft& d) {
   for (const int n : d.graph.isolated_points) d.on_curve[static_cast<std::size_t>(n)] = true;
   for (const Arc& arc : d.graph.arcs)
     for (const int n : {arc.from, arc.to}) d.on_curve[static_cast<std::size_t>(n)] = true;
+  for (const Node& n : d.graph.nodes) d.in_star.push_back(needs_star(d, search, n));
   std::size_t next = 0;
   for (const bool star : {false, true}) {
     if (star) d.first_star = next;
     for (const Node& n : d.graph.nodes)
-      if (d.on_curve[static_cast<std::size_t>(n.id)] && is_star(d.graph, n, d.self) == star)
+      if (d.on_curve[static_cast<std::size_t>(n.id)] && d.in_star[static_cast<std::size_t>(n.id)] == star)
         d.claim_of[static_cast<std::size_t>(n.id)] = next++;
   }
 }
@@ -60,12 +71,12 @@ void add_star(Draft& d, const SingularSearch& search, const Node& n) {
 }  // namespace
 
 void find_special_places(Draft& d, const SingularSearch& search) {
-  number_nodes(d);
+  number_nodes(d, search);
   find_factors(d);
   for (const Overlap& overlap : d.graph.overlaps)
     d.overlaps.push_back(overlap_claim(d, overlap, d.overlaps.size()));
   for (const Node& n : d.graph.nodes)
-    if (is_star(d.graph, n, d.self)) add_star(d, search, n);
+    if (d.in_star[static_cast<std::size_t>(n.id)]) add_star(d, search, n);
 }
 
 }  // namespace exsect::cli

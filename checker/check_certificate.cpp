@@ -113,6 +113,7 @@ template <class N>
 Ends check_curves(const Replay<N>& all) {
   const Certificate<N>& c = all.certificate;
   for (std::size_t i = 0; i < c.stars.size(); ++i) check_charts(all, i);
+  each("$.stars", c.stars, [&](std::size_t i) { check_no_arc_inside(all, i); });
   each_node(c, [&](std::size_t i) { NodeCheck<N>(all).check(i); });
   each("$.overlaps", c.overlaps, [&](std::size_t i) { OverlapCheck<N>(all, i).check(); });
   Ends ends(c.nodes.size());
@@ -165,8 +166,7 @@ Report check(const Certificate<N>& certificate, std::vector<Shortfall>* shortfal
   all.shortfalls = shortfalls;
   each("$.factors", certificate.factors,
        [&](std::size_t i) { check_factor(all.exact, certificate.factors[i]); });
-  each("$.stars", certificate.stars,
-       [&](std::size_t i) { all.stars.push_back(check_star(all, certificate.stars[i])); });
+  each("$.stars", certificate.stars, [&](std::size_t i) { all.stars.push_back(check_star(all, i)); });
   each("$.tubes", certificate.tubes, [&](std::size_t i) { check_tube(all, certificate.tubes[i]); });
   Summary count;
   if (certificate.fixed) {

@@ -48,15 +48,27 @@ inline void check_frame(const Star& star) {
   for (const int order : star.orders) require(order >= 1, "an order below 1");
 }
 
-/// The star's point is a singular solution; its maps.
+/// The last row n of the star satisfies n . DF = 0 at its point, which is on the curve of no tube of F.
+inline bool is_singular(const Map<Rational>& equation, const Star& star) {
+  const Map<Algebraic> local = rounded<Algebraic>(equation).at(star.at);
+  const auto& terms = local.terms();
+  return std::all_of(terms.begin(), terms.end(), [&](const auto& term) {
+    return std::accumulate(term.power.begin(), term.power.end(), 0) != 1 || dot(star.rows[2], term.c) == 0;
+  });
+}
+
+/// The star's point is a singular solution, or one with two half branches; its maps.
 template <class N>
-StarMaps<N> check_star(const Replay<N>& replay, const Star& star) {
+StarMaps<N> check_star(const Replay<N>& replay, std::size_t i) {
+  const Star& star = replay.certificate.stars[i];
   const auto at_least = [](const Algebraic& a, const Algebraic& b) { return a == b || sign_of(a - b) > 0; };
   for (const Algebraic& q : star.at) require(at_least(q, 0) && at_least(1, q), "not in [0,1]^4");
-  const Map<Algebraic> local = rounded<Algebraic>(replay.exact).at(star.at);
-  for (const auto& term : local.terms())
-    require(std::accumulate(term.power.begin(), term.power.end(), 0) != 1 || dot(star.rows[2], term.c) == 0,
-            "its last row is not normal to both patches");
+  const auto& tubes = replay.certificate.tubes;
+  const auto half_branches = std::count_if(tubes.begin(), tubes.end(), [&](const Tube<N>& tube) {
+    return tube.chart == Chart::star && tube.star == i;
+  });
+  require(half_branches == 2 || is_singular(replay.exact, star),
+          "its last row is not normal to both patches");
   check_frame(star);
   StarMaps<N> result = {Frame<N>(star), {}, {}};
   const Terms terms = centred(replay.exact, star);
@@ -106,6 +118,22 @@ bool leaves_domain(const Replay<N>& replay, const ProvedTube<N>& tube) {
     if ((q == 0 && tube.grows[i] < 0) || (q == 1 && tube.grows[i] > 0)) return true;
   }
   return false;
+}
+
+/// No arc has the star's point inside, which is singular, or has two half branches: one of them is outside
+/// [0,1]^4, or a parameter, in which arcs are monotone, grows along both or falls along both.
+template <class N>
+void check_no_arc_inside(const Replay<N>& replay, std::size_t star) {
+  if (is_singular(replay.exact, replay.certificate.stars[star])) return;
+  std::array<int, 4> sum{};
+  bool ends = false;
+  for (const ProvedTube<N>& tube : replay.tubes) {
+    if (tube.claim.chart != Chart::star || tube.claim.star != star) continue;
+    ends = ends || leaves_domain(replay, tube);
+    for (std::size_t i = 0; i < 4; ++i) sum[i] += tube.grows[i];
+  }
+  for (const int both : sum) ends = ends || both == 2 || both == -2;
+  require(ends, "an arc may run through its point");
 }
 
 /// The subdivision of a chart of a star, 0 <= t <= 1 and |d_j| <= 1: every leaf holds no solution,

@@ -956,8 +956,7 @@ class Star:
         require(sign(ball_of(volume_of_rows)), place, "its rows are dependent")
         polynomial = system.equation["pair"]
         require(all(q == 0 or sign(ball_of(q)) > 0 for a in self.at for q in (a, 1 - a)), place, "not in [0,1]^4")
-        for power, q in polynomial.at(self.at).terms.items():
-            require(sum(power) != 1 or not sum(n * t for n, t in zip(c, q)), place, "its last row is not normal to both patches")
+        self.singular = all(sum(power) != 1 or not sum(n * t for n, t in zip(c, q)) for power, q in polynomial.at(self.at).terms.items())
         space = system.space["pair"]
         equation, points, weight = (self.centred(c) if c else None for c in (polynomial, space.points, space.weight))
         self.maps = [(self.chart(equation, n, self.rows, self.orders),
@@ -1040,6 +1039,13 @@ class Star:
             for j in range(4):
                 result[i] = add(result[i], times(ball_of(self.axes[i][j]), z[j]))
         return result
+
+    def check_no_arc_inside(self, tubes):
+        """It is singular, or has two half branches, one outside, or with a parameter that grows, or falls, along both."""
+        own = [tube for tube in tubes if tube.star is self]
+        require(self.singular or len(own) == 2, self.place, "its last row is not normal to both patches")
+        same = self.singular or any(a * b > 0 for a, b in zip(own[0].grows, own[1].grows))
+        require(same or any(tube.leaves_domain() for tube in own), self.place, "an arc may run through its point")
 
     def check_charts(self, tubes):
         for direction, text in enumerate(self.charts):
@@ -1195,6 +1201,7 @@ class Checker:
         self.nodes = []
         for star in self.stars:
             star.check_charts(self.tubes)
+            star.check_no_arc_inside(self.tubes)
         for i, value in enumerate(self.root["nodes"]):
             node = Node(value, f"$.nodes[{i}]")
             self.check_node(node, f"$.nodes[{i}]")

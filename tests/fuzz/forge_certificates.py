@@ -90,6 +90,10 @@ def models():
     yield "tangent curve", ["intersect"], cases / "tangent-curve.json"
     yield "shared side", ["intersect"], patches(FLOOR, plane((0, 0, 0), (0, "1/2", 1), (0, 1, 0)))
     yield "planes", ["intersect"], patches(FLOOR, SLOPE)
+    ground, wall = plane((0, 0, 0), (1, 0, 0), (0, 1, 0)), [["-13/30", "17/30"], ["-1/3", "2/3"], ["-7/30", "23/30"]]
+    for name, control in (("side touched from outside", [("-1/4", "0"), ("1/4", "1/2"), ("-1/4", "1")]), ("corner left both ways", [("-1/2", "1/2"), (0, 0), ("1/2", "-1/2")]),
+                          ("side touched from inside", [("1/4", "0"), ("-1/4", "1/2"), ("1/4", "1")])):
+        yield name, ["intersect"], patches(ground, [[[u, v, z] for z in heights] for (u, v), heights in zip(control, wall)])
     yield "line of planes", ["line", "--s", "2/7"], patches(FLOOR, SLOPE)
     yield "two near sheets", ["intersect"], cases / "two-near-sheets.json"
     yield "side and arc", ["intersect"], cases / "side-and-arc.json"
