@@ -13,14 +13,6 @@ Polynomial rate(const Polynomial& above, const Polynomial& below) {
   return above.derivative() * below - above * below.derivative();
 }
 
-/// All 1/b: |1/b - 1/m| <= r / (|m| (|m| - r)). Infinite where b may be 0.
-DoubleBall reciprocal(const DoubleBall& b) {
-  const double least = b.lower_magnitude();
-  if (!(least > 0)) return {0, std::numeric_limits<double>::infinity()};
-  const double middle = 1 / b.approximation();
-  return DoubleBall(middle).widened((b.radius() / least + 0x1p-52) * std::fabs(middle) * kSlack);
-}
-
 /// The roots of the numbers of a ball that are not negative; 0 is one of them if none is.
 DoubleBall root_in_balls(const DoubleBall& square) {
   constexpr double rounding = 0x1p-50;  // of the root, of the sum under it, and of the product
@@ -31,6 +23,13 @@ DoubleBall root_in_balls(const DoubleBall& square) {
 }
 
 }  // namespace
+
+DoubleBall reciprocal(const DoubleBall& b) {  // |1/b - 1/m| <= r / (|m| (|m| - r))
+  const double least = b.lower_magnitude();
+  if (!(least > 0)) return {0, std::numeric_limits<double>::infinity()};
+  const double middle = 1 / b.approximation();
+  return DoubleBall(middle).widened((b.radius() / least + 0x1p-52) * std::fabs(middle) * kSlack);
+}
 
 QuadraticInBalls::QuadraticInBalls(const Polynomial& f) {
   for (int i = 0; i <= 2; ++i) c_[static_cast<std::size_t>(i)] = DoubleBall::enclosing(f.coefficient(i));

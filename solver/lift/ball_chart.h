@@ -21,6 +21,9 @@ class QuadraticInBalls {
   std::array<DoubleBall, 3> c_;
 };
 
+/// All 1/b; of infinite radius where b may be 0.
+DoubleBall reciprocal(const DoubleBall& b);
+
 class BallChart {
  public:
   using Interval = DoubleBall;

@@ -4,19 +4,37 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "curve/taylor_shift.h"
 
 namespace exsect {
 
 EnclosedPolynomial::EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit)
-    : row_(static_cast<std::size_t>(std::max(f.degree_s(), 0)) + 1) {
-  for (const DoubleBall& c : enclosed_coefficients<DoubleBall>(f, unit)) {
-    middles_.push_back(c.approximation());
-    errors_.push_back(c.radius());
-  }
+    : EnclosedPolynomial(f, unit, 0, 0) {}
+
+EnclosedPolynomial::EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit, int degree_r,
+                                       int degree_s)
+    : row_(static_cast<std::size_t>(std::max(f.degree_s(), degree_s)) + 1) {
+  for (int i = 0; i <= std::max(f.degree_r(), degree_r); ++i)
+    for (int j = 0; j < static_cast<int>(row_); ++j) {
+      const DoubleBall c = DoubleBall::enclosing(f.coefficient(i, j) / unit);
+      middles_.push_back(c.approximation());
+      errors_.push_back(c.radius());
+    }
   for (std::size_t i = 0; i < errors_.size(); ++i) errors_[i] += relative_error() * std::fabs(middles_[i]);
+}
+
+/// Two more roundings, of the product and the sum. What the errors hold for later operations is for |f| + |c
+/// g|.
+EnclosedPolynomial EnclosedPolynomial::plus(double c, const EnclosedPolynomial& g) const {
+  EnclosedPolynomial result = *this;
+  for (std::size_t i = 0; i < middles_.size(); ++i) {
+    const double product = c * g.middles_[i];
+    result.middles_[i] += product;
+    result.errors_[i] +=
+        std::fabs(c) * g.errors_[i] + (std::fabs(middles_[i]) + std::fabs(product)) * (4 * kUnitRoundoff);
+  }
+  return result;
 }
 
 /// Of what the expansion takes: two operations for each step in either direction, and one for each sum.
@@ -49,33 +67,33 @@ DoubleBall EnclosedPolynomial::over(const DoubleBall& u, const DoubleBall& v) co
 
 ChartTangents::ChartTangents(const BivariatePolynomial& g, const SurfaceChart& chart, bool is_planar)
     : is_planar_(is_planar),
-      g_u_(g.derivative_r(), greatest_coefficient(g)),
-      g_v_(g.derivative_s(), greatest_coefficient(g)),
+      g_u_(g.derivative_r(), greatest_coefficient(g), g.degree_r(), g.degree_s()),
+      g_v_(g.derivative_s(), greatest_coefficient(g), g.degree_r(), g.degree_s()),
       y2_u_(chart.radicand.derivative_r(), 1),
       y2_v_(chart.radicand.derivative_s(), 1) {}
 
-ChartDerivatives ChartTangents::derivatives(const DoubleBall& u, const DoubleBall& v) const {
-  return {g_u_.over(u, v), g_v_.over(u, v), y2_u_.over(u, v), y2_v_.over(u, v)};
+ChartRates ChartTangents::rates(const DoubleBall& u, const DoubleBall& v, double du, double dv) const {
+  const bool is_steep = std::fabs(dv) > std::fabs(du);
+  const EnclosedPolynomial &above = is_steep ? g_v_ : g_u_, &below = is_steep ? g_u_ : g_v_;
+  const double slope = is_steep ? du / dv : dv / du;
+  const DoubleBall rate =  // (17.6c)
+      DoubleBall(slope) - above.plus(slope, below).over(u, v) * reciprocal(below.over(u, v));
+  ChartRates result{is_steep, is_steep ? rate : DoubleBall(1), is_steep ? DoubleBall(1) : rate, {}};
+  if (!is_planar_) result.square = y2_u_.over(u, v) * result.u + y2_v_.over(u, v) * result.v;
+  return result;
 }
 
-std::array<DoubleBall, 3> ChartTangents::over(const ChartDerivatives& derivatives, const BallChart::Place& at,
+std::array<DoubleBall, 3> ChartTangents::over(const ChartRates& rates, const BallChart::Place& at,
                                               const BallChart& chart) const {
-  const DoubleBall &a = derivatives.g_u, &b = derivatives.g_v;
-  if (is_planar_) return chart.tangent_along_axes({b, -a, DoubleBall(0)}, at);
+  if (is_planar_) return chart.tangent_along_axes({rates.u, rates.v, DoubleBall(0)}, at);
   const DoubleBall twice = at[2] + at[2];
-  return chart.tangent_along_axes({twice * b, -(twice * a), derivatives.jacobian()}, at);
+  return chart.tangent_along_axes({twice * rates.u, twice * rates.v, rates.square}, at);
 }
 
-DoubleBall squares_between(const DoubleBall& from, const DoubleBall& to, const ChartDerivatives& at,
-                           double du, double dv) {
-  const double jacobian = at.jacobian().upper_magnitude();
-  const auto change = [&](const DoubleBall& divisor, double length) {
-    const double least = divisor.lower_magnitude();
-    return least > 0 ? jacobian * length / least * kSlack + kUnderflowLoss
-                     : std::numeric_limits<double>::infinity();
-  };
-  const double over_u = change(at.g_v, du), over_v = change(at.g_u, dv);
-  return ((from + to) * DoubleBall(0.5)).widened((over_u < over_v ? over_u : over_v) / 2 * kSlack);
+DoubleBall squares_between(const DoubleBall& from, const DoubleBall& to, const ChartRates& rates, double du,
+                           double dv) {
+  const double change = rates.square.upper_magnitude() * (rates.is_steep ? dv : du);
+  return ((from + to) * DoubleBall(0.5)).widened(change / 2 * kSlack + kUnderflowLoss);
 }
 
 }  // namespace exsect

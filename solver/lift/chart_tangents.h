@@ -14,6 +14,10 @@ namespace exsect {
 class EnclosedPolynomial {
  public:
   EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit);
+  /// As polynomials of at least these degrees.
+  EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit, int degree_r, int degree_s);
+  /// f + c g, for one of the same degrees.
+  EnclosedPolynomial plus(double c, const EnclosedPolynomial& g) const;
   /// All values on a rectangle: Taylor's expansion about the middle, of the midpoints of the coefficients
   /// alone, with one bound of the errors (17.3a).
   DoubleBall over(const DoubleBall& u, const DoubleBall& v) const;
@@ -26,27 +30,27 @@ class EnclosedPolynomial {
   std::vector<double> errors_;
 };
 
-/// Of a curve g = 0 on a chart with y^2 = Y, at all places of a rectangle.
-struct ChartDerivatives {
-  DoubleBall g_u, g_v, y2_u, y2_v;
-
-  /// Y_u g_v - Y_v g_u
-  DoubleBall jacobian() const { return y2_u * g_v - y2_v * g_u; }
+/// Of a curve g = 0 on a chart with y^2 = Y, at all places of a rectangle: the changes of u, v and Y along
+/// the curve for each unit of u, or of v if it is steep.
+struct ChartRates {
+  bool is_steep;
+  DoubleBall u, v, square;
 };
 
 /// All Y of an arc of the curve in a rectangle with sides of at most these lengths, monotone in u and v, from
-/// those of its ends (17.6b). Of infinite radius if the derivatives do not tell.
-DoubleBall squares_between(const DoubleBall& from, const DoubleBall& to, const ChartDerivatives& at,
-                           double du, double dv);
+/// those of its ends (17.6b). Nothing is proved about it if the rates are not known.
+DoubleBall squares_between(const DoubleBall& from, const DoubleBall& to, const ChartRates& rates, double du,
+                           double dv);
 
 class ChartTangents {
  public:
   /// Of the curve g = 0 on the chart, on its plane of symmetry if it is planar.
   ChartTangents(const BivariatePolynomial& g, const SurfaceChart& chart, bool is_planar);
-  ChartDerivatives derivatives(const DoubleBall& u, const DoubleBall& v) const;
+  /// On a rectangle, for an arc that changes by about (du, dv) there (17.6c).
+  ChartRates rates(const DoubleBall& u, const DoubleBall& v, double du, double dv) const;
   /// (17.6), by (17.14) along the chart's vectors: proportional to all tangents of the curve at places in
   /// these balls.
-  std::array<DoubleBall, 3> over(const ChartDerivatives& derivatives, const BallChart::Place& at,
+  std::array<DoubleBall, 3> over(const ChartRates& rates, const BallChart::Place& at,
                                  const BallChart& chart) const;
 
  private:

@@ -284,11 +284,11 @@ class Course {
     chords_per_length_ = 0;
     if (append_if_small(b, size_of(chart_.along_axes(at)) + error, wanted)) return true;
     BallPlace balls = {ball_of(u), ball_of(v), ball_of(at[2])};
-    const ChartDerivatives derivatives = tangents_.derivatives(balls[0], balls[1]);
-    if (narrow_y(balls, a, b, derivatives) &&
-        append_if_small(b, size_of(balls_.along_axes(balls)) + error, wanted))
+    const ChartRates rates = tangents_.rates(balls[0], balls[1], middle_of(b.at[0]) - middle_of(a.at[0]),
+                                             middle_of(b.at[1]) - middle_of(a.at[1]));
+    if (narrow_y(balls, a, b, rates) && append_if_small(b, size_of(balls_.along_axes(balls)) + error, wanted))
       return true;
-    const double slope = slope_to_chord(a, b, tangents_.over(derivatives, balls, balls_));
+    const double slope = slope_to_chord(a, b, tangents_.over(rates, balls, balls_));
     const double reach = length(a, b), bent = slope * (reach + 2 * error) / 2 * kSlack;
     const double bound = bent + 3 * error, chords = std::sqrt(bent / (kAimed * wanted - 3 * error));
     if (slope <= kGentleSlope) chords_per_length_ = chords / reach;
@@ -296,14 +296,13 @@ class Course {
   }
 
   /// y along the arc from a to b by (17.6b), where that is narrower than on the rectangle.
-  bool narrow_y(BallPlace& at, const Vertex& a, const Vertex& b, const ChartDerivatives& derivatives) const {
+  bool narrow_y(BallPlace& at, const Vertex& a, const Vertex& b, const ChartRates& rates) const {
     if (arc_.lifted().sheet == 0 || is_vertical_) return false;
     const auto square = [&](const Vertex& end) {
       return balls_.square_over(ball_of(end.at[0]), ball_of(end.at[1]));
     };
-    const DoubleBall y =
-        BallChart::y_of(squares_between(square(a), square(b), derivatives, width_of(at[0]), width_of(at[1])),
-                        arc_.lifted().sheet);
+    const DoubleBall y = BallChart::y_of(
+        squares_between(square(a), square(b), rates, width_of(at[0]), width_of(at[1])), arc_.lifted().sheet);
     if (!(y.radius() < at[2].radius())) return false;
     at[2] = y;
     return true;

@@ -77,14 +77,40 @@ TEST_CASE("Y between two points of an arc contains its exact values, and little 
       return DoubleBall::enclosing(RationalInterval{at(0)[i], at(8)[i]});
     };
     const DoubleBall u = range(0), v = range(1);
+    const ChartRates rates =
+        tangents.rates(u, v, to_double(at(8)[0] - at(0)[0]), to_double(at(8)[1] - at(0)[1]));
     const DoubleBall all = squares_between(DoubleBall::enclosing(square(0)), DoubleBall::enclosing(square(8)),
-                                           tangents.derivatives(u, v), 2 * u.radius(), 2 * v.radius());
+                                           rates, 2 * u.radius(), 2 * v.radius());
     for (int i = 0; i <= 8; ++i) {
       CHECK(all.interval().lower <= square(i));
       CHECK(square(i) <= all.interval().upper);
+      const DoubleBall slope = DoubleBall::enclosing(Rational(1 + 2 * c * (from + step * Rational(i, 8))));
+      const DoubleBall off = is_exchanged ? rates.v * slope - rates.u : rates.u * slope - rates.v;
+      CHECK(std::isfinite(off.radius()));
+      CHECK(off.certain_sign() == 0);
     }
-    // The jacobian changes by less than 2000 times the step, g_v or g_u is 1.
+    // The rate changes by less than 2000 times the step.
     CHECK(all.radius() <= to_double(abs(square(8) - square(0))) / 2 + 2000 * to_double(step * step) + 1e-12);
+  }
+}
+
+// (v - u - u^2/8)^2 = 10^-8: the gradient changes by a tenth on the rectangle, its direction by 10^-6.
+TEST_CASE("the direction of an arc beside another one is known well", "[lift]") {
+  const BivariatePolynomial r = BivariatePolynomial::r(), s = BivariatePolynomial::s();
+  const BivariatePolynomial f = s - r - BivariatePolynomial::constant(Rational(1, 8)) * r * r;
+  SurfaceChart chart;
+  chart.radicand = r + s;
+  for (const bool is_exchanged : {false, true}) {
+    const BivariatePolynomial g = f * f - BivariatePolynomial::constant(Rational(1, 100000000));
+    const ChartTangents tangents(is_exchanged ? g.exchanged() : g, chart, false);
+    const double a = 0.3, b = a + 1e-5, rise = 1 + (a + b) / 8;
+    const DoubleBall u((a + b) / 2, 5e-6), v((a + b) / 2 * (1 + (a + b) / 16) + 1e-4, 5.4e-6);
+    const ChartRates rates =
+        is_exchanged ? tangents.rates(v, u, rise * 1e-5, 1e-5) : tangents.rates(u, v, 1e-5, rise * 1e-5);
+    const DoubleBall slope = is_exchanged ? rates.v : rates.u;  // of u, for a unit of v
+    CHECK(rates.is_steep != is_exchanged);
+    CHECK(std::fabs(slope.approximation() - 1 / rise) < 1e-5);
+    CHECK(slope.radius() < 1e-4);
   }
 }
 
@@ -94,8 +120,10 @@ TEST_CASE("Y is not known where both derivatives of the curve may vanish", "[lif
   chart.radicand = r + s;
   const ChartTangents tangents(r * r - s * s, chart, false);
   const DoubleBall about(0, 0.5), one(1);
-  CHECK(std::isinf(squares_between(one, one, tangents.derivatives(about, about), 1, 1).radius()));
-  CHECK(std::isfinite(squares_between(one, one, tangents.derivatives(about, one), 1, 1).radius()));
+  CHECK_FALSE(std::isfinite(squares_between(one, one, tangents.rates(about, about, 1, 0.5), 1, 1).radius()));
+  CHECK_FALSE(std::isfinite(squares_between(one, one, tangents.rates(about, about, 0.5, 1), 1, 1).radius()));
+  CHECK_FALSE(std::isfinite(squares_between(one, one, tangents.rates(one, one, 0, 0), 1, 1).radius()));
+  CHECK(std::isfinite(squares_between(one, one, tangents.rates(about, one, 1, 0.5), 1, 1).radius()));
 }
 
 }  // namespace exsect::chart_tangents_test
