@@ -23,11 +23,6 @@ const Rational kFinestWidth(1, 4);  // of cells, by the reach
 const Rational kMargin(1, 4);       // of boxes, by the finest width, and of ratios, by their width
 const Rational kNextStrip(4);       // of y, by the reach, and by the last one
 
-bool is_pole(const RationalPatch& x) {
-  const PolynomialVector z = coordinates_from(x, x(0, 0));
-  return std::ranges::all_of(z, [](const BivariatePolynomial& f) { return f.coefficient(0).is_zero(); });
-}
-
 /// What is known of a patch over an interval along its side.
 struct SideCell {
   EnclosedVector d;

@@ -11,6 +11,7 @@
 #include "curve/curve_place.h"
 #include "curve/outline_graph.h"
 #include "curve/surface_graph.h"
+#include "special/pole_on_patch.h"
 
 namespace exsect {
 namespace {
@@ -22,6 +23,12 @@ constexpr int kParameterBits = 256;
 
 Ball value_at(const BivariatePolynomial& f, const Ball& u, const Ball& v) {
   return value_in(f, u, v, [](const Rational& c) { return Ball::enclosing(c); });
+}
+
+/// The side of x is one point.
+bool is_pole(const RationalPatch& x, const Side& side) {
+  const RationalPatch first = side.parameter == Parameter::u ? x : x.transposed();
+  return is_pole(side.value == 0 ? first : first.restricted_to(1, 0, 0, 1));
 }
 
 /// Of map(p). Empty if the denominator may be 0 there.
@@ -45,6 +52,7 @@ class InverseGraph {
 
   GraphBuilder run(const std::vector<Parameter>& turning) {
     find_named();
+    find_poles();
     std::vector<std::vector<ArcEnd>> ends(graph_.nodes.size());
     for (const CurveBranch& arc : graph_.arcs) {
       if (!is_named_[arc.from] && !is_named_[arc.to]) continue;
@@ -57,11 +65,15 @@ class InverseGraph {
     for (std::size_t i = 0; i < drawn_.arcs().size(); ++i) {
       Arc arc = with_parameters(drawn_.arcs()[i]);
       const std::size_t branch = known_.outline ? known_.outline->curves[i] : i;
-      if (!sides_along(graph_.arcs[branch]).empty()) arc.place = ArcPlace::patch_boundary;
+      const std::vector<Side> sides = sides_along(graph_.arcs[branch]);
+      if (std::ranges::any_of(poles_, [&](const Side& pole) { return std::ranges::count(sides, pole) > 0; }))
+        continue;
+      if (!sides.empty()) arc.place = ArcPlace::patch_boundary;
       result_.add_arc(std::move(arc));
     }
     for (const Overlap& overlap : drawn_.overlaps()) add_overlap(overlap);
     for (const int node : drawn_.isolated_points()) result_.add_isolated(node);
+    for (const Side& pole : poles_) contract(pole);
     if (known_.outline) name_contacts();
     join_at_nodes_of_no_kind(result_, 0);
     join_at_other_turning_points(result_, 0, 0, turning);
@@ -87,6 +99,43 @@ class InverseGraph {
     for (const Overlap& overlap : drawn_.overlaps())
       for (const std::vector<Arc>& chain : overlap.chains) std::ranges::for_each(chain, find);
     for (const int node : drawn_.isolated_points()) is_named_[static_cast<std::size_t>(node)] = true;
+  }
+
+  /// Of a curve there are none (17.19). An overlap with a pole in its rim has the whole side there.
+  void find_poles() {
+    if (!known_.outline) return;
+    for (const Side& side :
+         {Side{Parameter::u, 0}, Side{Parameter::u, 1}, Side{Parameter::v, 0}, Side{Parameter::v, 1}}) {
+      const auto is_on = [&](const Arc& arc) {
+        return std::ranges::count(drawn_.node(arc.from).on, side) > 0;
+      };
+      const auto ends_there = [&](const Overlap& overlap) {
+        return std::ranges::any_of(overlap.chains,
+                                   [&](const auto& chain) { return std::ranges::any_of(chain, is_on); });
+      };
+      if (is_pole(known_.x, side) && std::ranges::none_of(drawn_.overlaps(), ends_there))
+        poles_.push_back(side);
+    }
+    const auto is_across = [&](const Side& side) { return side.parameter != poles_.front().parameter; };
+    if (std::ranges::any_of(poles_, is_across)) poles_.clear();  // with a corner in common
+  }
+
+  /// The nodes on the side become one, with the parameter along it free.
+  void contract(const Side& pole) {
+    std::vector<int> there;
+    for (const Node& node : result_.nodes())
+      if (is_named_[static_cast<std::size_t>(node.id)] && std::ranges::count(node.on, pole) > 0)
+        there.push_back(node.id);
+    if (there.empty()) return;
+    const Parameter along = pole.parameter == Parameter::u ? Parameter::v : Parameter::u;
+    Node node = result_.node(there.front());
+    node.box[index(along)] = {0, 1};
+    node.approx[index(along)] = 0.5;
+    node.free = {along};
+    std::erase_if(node.on, [&](const Side& side) { return side.parameter == along; });
+    node.kinds = kinds_on_rim(node);
+    result_.contract(there, std::move(node));
+    is_named_.push_back(true);
   }
 
   /// Arcs lead to greater u, or v where u is constant.
@@ -261,6 +310,7 @@ class InverseGraph {
   DrawnPatch patch_;
   GraphBuilder drawn_;
   std::vector<bool> is_named_;  // of the nodes of drawn_: by its arcs, overlaps or isolated points
+  std::vector<Side> poles_;     // sides of x that are one point
   GraphBuilder result_;
 };
 

@@ -80,10 +80,14 @@ std::optional<PoleOnPatch> algebraic_place(const Point& p, const PolynomialVecto
 
 }  // namespace
 
+bool is_pole(const RationalPatch& x) {
+  const PolynomialVector z = coordinates_from(x, x(0, 0));
+  return std::ranges::all_of(z, [](const BivariatePolynomial& f) { return f.coefficient(0).is_zero(); });
+}
+
 std::optional<PoleOnPatch> pole_on_patch(const RationalPatch& x, const RationalPatch& y) {
   const Point p = x(0, 0);
-  for (const BivariatePolynomial& f : coordinates_from(x, p))
-    if (!f.coefficient(0).is_zero()) return std::nullopt;
+  if (!is_pole(x)) return std::nullopt;
   const PolynomialVector z = coordinates_from(y, p);
   std::vector<BivariatePolynomial> tests;
   for (const BivariatePolynomial& f : z)

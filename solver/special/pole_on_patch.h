@@ -20,6 +20,9 @@ struct PoleOnPatch {
   bool is_rational() const { return !exact; }
 };
 
+/// The side (0,t) of x is one point.
+bool is_pole(const RationalPatch& x);
+
 /// Empty if the side is no point, or the point is not on y, exactly, or y is singular there.
 std::optional<PoleOnPatch> pole_on_patch(const RationalPatch& x, const RationalPatch& y);
 

@@ -3,6 +3,7 @@
 
 #include <exsect/solver/intersect.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "filter/filter.h"
@@ -337,6 +338,57 @@ TEST_CASE("by inverse: an overlap on a cylinder whose parameters no Moebius maps
   CHECK(covered < 90);
   const RationalPatch moved = revolved::rotated(y(0), {1, 0, 0, 0}, {power_of_two(-66), 0, 0});
   CHECK(solved(x, moved).graph.overlaps.empty());
+}
+
+TEST_CASE("by inverse: without an overlap a side that is one point is one node") {
+  // The side u = 1 is the corner (0,2) of the triangle.
+  const RationalPatch triangle({{{0, 0, 0}, {2, 0, 0}}, {{0, 2, 0}, {0, 2, 0}}});
+  const auto square = [](const Rational& x, const Rational& y, const Rational& z) {
+    return RationalPatch({{{x, y, z}, {x, y + 2, z}}, {{x + 2, y, z}, {x + 2, y + 2, z}}});
+  };
+  // In the corner alone; along the side v = 0 to it, and beyond.
+  for (const auto& [y, arcs] : {std::pair{square(0, 2, 0), std::size_t{0}},
+                                {square(-2, 2, 0), 0},
+                                {square(-1, 2, 0), 0},
+                                {square(-2, 0, 0), 1},
+                                {square(-2, 1, 0), 1}}) {
+    const IntersectionGraph graph = solved(triangle, y).graph;
+    CHECK(graph.overlaps.empty());
+    CHECK(graph.arcs.size() == arcs);
+    CHECK(graph.isolated_points.size() == 1 - arcs);
+    REQUIRE(graph.nodes.size() == 1 + arcs);
+    const auto pole = std::ranges::find_if(graph.nodes, [](const Node& node) { return !node.free.empty(); });
+    REQUIRE(pole != graph.nodes.end());
+    CHECK(pole->free == std::vector{Parameter::v});
+    CHECK(pole->box[1].lower == 0);
+    CHECK(pole->box[1].upper == 1);
+    CHECK(pole->on.front() == Side{Parameter::u, 1});
+    CHECK(std::ranges::count(pole->on, Parameter::v, &Side::parameter) == 0);
+    const IntersectionGraph turned = solved(triangle.transposed().restricted_to(0, 1, 1, 0), y).graph;
+    CHECK(difference(graph, turned, {{1, 0, 2, 3}, {true}}) == "");
+  }
+  for (const long bits : {10, 40, 66}) {
+    const Rational off = power_of_two(-bits);
+    CHECK(solved(triangle, square(0, 2 + off, 0)).graph.nodes.empty());
+    CHECK(solved(triangle, square(-2, 0, off)).graph.nodes.empty());
+    CHECK(solved(triangle, square(0, 2 - off, 0)).graph.overlaps.size() == 1);
+  }
+}
+
+TEST_CASE(
+    "by inverse: an octant and a zone of one sphere, with a quarter of the equator to the pole in common") {
+  const Rational a(3, 2), b(3, 4), c(9, 10), d(6, 5);
+  const RationalPatch x({{{a, 0, 0}, {a, -a, 0}, {0, -a, 0}},
+                         {{a, 0, a}, {a, -a, a}, {0, -a, 0}},
+                         {{0, 0, a}, {0, -a, a}, {0, -a, 0}}},
+                        {{2, 2, 4}, {2, 2, 4}, {4, 4, 8}});
+  const RationalPatch y({{{a, 0, 0}, {a, 0, -b}, {c, 0, -d}},
+                         {{a, -a, 0}, {a, -a, -b}, {c, -c, -d}},
+                         {{0, -a, 0}, {0, -a, -b}, {0, -c, -d}}},
+                        {{1, 1, Rational(5, 4)}, {1, 1, Rational(5, 4)}, {2, 2, Rational(5, 2)}});
+  const IntersectResult quick = intersect_in_doubles(x, y, Run());
+  REQUIRE(quick.status == Status::complete);
+  CHECK(difference(solved(x, y).graph, quick.graph, {}) == "");
 }
 
 TEST_CASE("by inverse: a pole inside of an overlap, and sides of high degrees, are left to others") {
