@@ -17,6 +17,9 @@ using checker::others;
 using checker::Star;
 
 using ExactTangent = checker::Vector4<Algebraic>;
+/// Of a star.
+constexpr std::size_t max_weight = 6;
+
 using Columns = std::vector<checker::Vector3<Algebraic>>;
 
 /// The columns of DF.
@@ -53,31 +56,95 @@ checker::Vector3<Algebraic> unit_row(std::size_t d) {
   return result;
 }
 
-/// Three independent rows, of which as many as possible vanish on the vectors; these come last. The vectors
-/// are those columns of DF along which the curve runs: one less than their number is their rank.
-checker::Matrix3<Algebraic> rows_across(const Columns& vectors) {
-  if (vectors.size() == 3) {
-    const auto normal = checker::cross(vectors[0], vectors[1]);
-    const std::size_t d = largest_coordinate(normal);
-    return {unit_row((d + 1) % 3), unit_row((d + 2) % 3), normal};
+/// A basis of all n with n . c = 0 for each column c.
+Columns normals_to(const Columns& columns) {
+  const checker::Vector3<Algebraic> zero = {};
+  const auto first = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c != zero; });
+  if (first == columns.end()) return {unit_row(0), unit_row(1), unit_row(2)};
+  for (const auto& second : columns) {
+    const auto normal = checker::cross(*first, second);
+    if (normal == zero) continue;
+    const auto is_across = [&](const auto& c) { return checker::dot(normal, c) == 0; };
+    return std::all_of(columns.begin(), columns.end(), is_across) ? Columns{normal} : Columns{};
   }
-  if (vectors.size() == 2) {
-    const std::size_t d = largest_coordinate(vectors[0]);
-    return {unit_row(d), checker::cross(vectors[0], unit_row((d + 1) % 3)),
-            checker::cross(vectors[0], unit_row((d + 2) % 3))};
+  const std::size_t d = largest_coordinate(*first);
+  return {checker::cross(*first, unit_row((d + 1) % 3)), checker::cross(*first, unit_row((d + 2) % 3))};
+}
+
+/// The row is no combination of the others.
+bool is_independent(const Columns& rows, const checker::Vector3<Algebraic>& row) {
+  if (rows.empty()) return true;
+  if (rows.size() == 1) return checker::cross(rows[0], row) != checker::Vector3<Algebraic>{};
+  return !(checker::dot(checker::cross(rows[0], rows[1]), row) == 0);
+}
+
+/// Three independent rows, of which as many as possible vanish on the columns of DF of parameters with the
+/// weights 1, ..., k, for each k; these come last.
+checker::Matrix3<Algebraic> rows_across(const std::array<checker::Vector3<Algebraic>, 4>& columns,
+                                        const std::array<std::size_t, 4>& weights) {
+  Columns rows;
+  for (std::size_t k = max_weight; k > 0; --k) {
+    Columns lighter;
+    for (std::size_t j = 0; j < 4; ++j)
+      if (weights[j] < k) lighter.push_back(columns[j]);
+    for (const auto& normal : normals_to(lighter))
+      if (rows.size() < 3 && is_independent(rows, normal)) rows.push_back(normal);
   }
-  return {unit_row(0), unit_row(1), unit_row(2)};
+  return {rows[2], rows[1], rows[0]};
+}
+
+/// The first coefficients of a power series without a constant one: of t, t^2, ...
+using Series = std::array<Algebraic, max_weight>;
+
+Series product_of(const Series& a, const Series& b) {
+  Series result;
+  for (std::size_t i = 0; i < max_weight; ++i)
+    for (std::size_t j = 0; i + j + 1 < max_weight; ++j)
+      if (!(a[i] == 0) && !(b[j] == 0)) result[i + j + 1] += a[i] * b[j];
+  return result;
+}
+
+/// F along the parameters' series, F in the powers of their differences from the point, where it is 0.
+std::array<Series, 3> value_along(const checker::Map<Algebraic>& local, const std::array<Series, 4>& w) {
+  std::array<Series, 3> result;
+  for (const auto& term : local.terms()) {
+    if (static_cast<std::size_t>(std::accumulate(term.power.begin(), term.power.end(), 0)) > max_weight)
+      continue;
+    std::optional<Series> factor;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (int n = 0; n < term.power[i]; ++n) factor = factor ? product_of(*factor, w[i]) : w[i];
+    for (std::size_t d = 0; factor && d < 3; ++d)
+      for (std::size_t n = 0; n < max_weight; ++n) result[d][n] += term.c[d] * (*factor)[n];
+  }
+  return result;
+}
+
+/// The parameters' differences from the point along the curve, as series in that of the axis: each step of
+/// w - C F, C the inverse of the other columns, gives one more coefficient.
+std::array<Series, 4> series_along(const ExactMap& equation, const AlgebraicPoint& at,
+                                   const std::array<checker::Vector3<Algebraic>, 4>& columns,
+                                   std::size_t axis) {
+  const checker::Map<Algebraic> local = checker::rounded<Algebraic>(equation).at(at.parameters);
+  const auto o = others(axis);
+  const Algebraic factor =
+      reciprocal(checker::dot(columns[o[0]], checker::cross(columns[o[1]], columns[o[2]])));
+  std::array<Series, 4> w;
+  w[axis][0] = 1;
+  for (std::size_t step = 0; step < max_weight; ++step) {
+    const std::array<Series, 3> f = value_along(local, w);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto row = checker::cross(columns[o[(i + 1) % 3]], columns[o[(i + 2) % 3]]);
+      const Algebraic c = Algebraic(-1) * factor;
+      for (std::size_t n = 0; n < max_weight; ++n)
+        w[o[i]][n] += c * checker::dot(row, {f[0][n], f[1][n], f[2][n]});
+    }
+  }
+  return w;
 }
 
 /// A power of 2 between twice and four times |a|; 1 for 0.
 Rational scale_above(double a) {
   return std::abs(a) > 0x1p-60 ? power_of_two(std::ilogb(a) + 2) : Rational(1);
-}
-
-Parameters near_place(const AlgebraicPoint& at) {
-  Parameters result;
-  for (std::size_t i = 0; i < 4; ++i) result[i] = checker::number<double>(at.parameters[i]);
-  return result;
 }
 
 /// The curve's derivatives at the point, nothing if it has none there along the axis.
@@ -99,19 +166,16 @@ std::optional<Star> regular_star(const ExactMap& equation, const AlgebraicPoint&
   for (std::size_t j = 1; j < 4; ++j)
     if (size(j) > size(axis)) axis = j;
   if (tangent[axis] == 0) return std::nullopt;
-  const auto along = curve_derivatives(checker::rounded<double>(equation), near_place(at), axis);
-  if (!along) return std::nullopt;
+  const std::array<Series, 4> along = series_along(equation, at, columns, axis);
   Star star = {at.root, at.parameters, {}, {}, {1, 1, 1, 1}, {}, {1, 1, 1}, {}};
-  Columns moving;
   for (std::size_t j = 0; j < 4; ++j) {
-    const bool turns = tangent[j] == 0;
-    star.weights[j] = turns ? 2 : 1;
-    star.axes[j][j] = j == axis ? Rational(1)
-                      : turns   ? scale_above(along->second[j].middle / 2)
-                                : scale_above(along->first[j].middle);
-    if (!turns) moving.push_back(columns[j]);
+    std::size_t n = 0;
+    while (n < max_weight && along[j][n] == 0) ++n;
+    const bool constant = n == max_weight;
+    star.weights[j] = constant ? 2 : n + 1;
+    star.axes[j][j] = j == axis || constant ? Rational(1) : scale_above(checker::number<double>(along[j][n]));
   }
-  star.rows = rows_across(moving);
+  star.rows = rows_across(columns, star.weights);
   return star;
 }
 

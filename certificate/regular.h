@@ -12,8 +12,9 @@
 
 namespace exsect::cli {
 
-/// A star of size 1, with rows not yet scaled, in which parameters that turn at the point have weight 2 and
-/// others 1, and both half branches begin inside one chart each. Nothing if DF has no rank 3.
+/// A star of size 1, with rows not yet scaled, in which a parameter that differs from the point's by
+/// c t^n + ... along the curve has weight n <= 6, and both half branches begin inside one chart each. Nothing
+/// if DF has no rank 3.
 std::optional<checker::Star> regular_star(const ExactMap& equation, const AlgebraicPoint& at);
 
 /// The parameter of a side on which the node is turns there: exactly, as its derivative along the curve is 0,

@@ -256,8 +256,9 @@ double extent(const Star& star) {
 
 FoundStar star_at(const SingularSearch& search, const Node& node, const ClaimNumbers& first, double size,
                   const std::vector<NearFactor>& factors) {
-  for (const Star& star : singular_points(search, node)) {
-    const bool plain = star.weights == std::array<std::size_t, 4>{1, 1, 1, 1};
+  const std::vector<Star> candidates = singular_points(search, node);
+  for (const Star& star : candidates) {
+    const bool plain = candidates.size() == 1 || star.weights == std::array<std::size_t, 4>{1, 1, 1, 1};
     int tried = 0;
     for (int e = 2; e < 46 && tried < (plain ? 22 : 6); plain ? e += 2 : ++e) {
       const Star scaled = at_scale(star, e);

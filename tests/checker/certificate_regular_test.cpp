@@ -10,7 +10,7 @@ namespace {
 
 using namespace certificates;
 
-using Values = std::array<Rational, 3>;
+using Values = std::vector<Rational>;
 
 Rational q(int a, int b) { return Rational(a, b); }
 
@@ -20,12 +20,13 @@ RationalPatch floor_at(const Rational& a, const Rational& b) {
 }
 const RationalPatch ground = floor_at(0, 0);
 
-/// (f, g, s - 1/3 + (r - 1/2) / 5), f and g quadratic in r by their control values: its curve on the ground
-/// is u = f(r), v = g(r).
+/// (f, g, s - 1/3 + (r - 1/2) / 5), f and g polynomials in r by their control values, equally many: its curve
+/// on the ground is u = f(r), v = g(r).
 RationalPatch wall(const Values& f, const Values& g) {
   std::vector<std::vector<Point>> rows;
-  for (int i = 0; i < 3; ++i) {
-    const Rational height = q(i - 1, 10) - q(1, 3);
+  const int degree = static_cast<int>(f.size()) - 1;
+  for (int i = 0; i <= degree; ++i) {
+    const Rational height = q(2 * i - degree, 10 * degree) - q(1, 3);
     const auto n = static_cast<std::size_t>(i);
     rows.push_back({{f[n], g[n], height}, {f[n], g[n], height + 1}});
   }
@@ -62,6 +63,11 @@ TEST_CASE("a curve that touches a side from outside has a certificate") {
 TEST_CASE("a curve that leaves both ways at a corner has a certificate") {
   is_isolated(ground, wall(through, falling));
   is_isolated(wall(through, falling), ground);
+  // u = (r - 1/2)^3, v = 1/2 - r.
+  const RationalPatch cubic =
+      wall({q(-1, 8), q(1, 8), q(-1, 8), q(1, 8)}, {q(1, 2), q(1, 6), q(-1, 6), q(-1, 2)});
+  is_isolated(ground, cubic);
+  CHECK(Json::parse(certificate(ground, cubic))["stars"][0]["weights"] == Json({3, 1, 1, 1}));
   // At r = 0 a side of the other patch.
   is_isolated(ground, wall(rising, {0, q(-1, 2), -1}));
 }
