@@ -19,13 +19,14 @@ RationalPatch cone(const Rational& wave, const Rational& slope) {
       {{o, o, o}, {{1, 0, slope}, {Rational(1, 2), Rational(1, 2), slope + wave}, {0, 1, slope}}});
 }
 
-/// a (1 - t, t, 0) + a^2 (0, 0, p (1 - t)^2 + 2 q t (1 - t) + r t^2): over (x,y) the height p x^2 + 2 q x y +
-/// r y^2.
-RationalPatch cup(const Rational& p, const Rational& q, const Rational& r) {
-  const Rational h(1, 2);
+/// b (1 - t, t, 0) + b^2 (0, 0, p (1 - t)^2 + 2 q t (1 - t) + r t^2) with b = speed a: over (x,y) the height
+/// p x^2 + 2 q x y + r y^2 for every speed.
+RationalPatch cup(const Rational& p, const Rational& q, const Rational& r, const Rational& speed = 1) {
+  const Rational h = speed / 2, square = speed * speed;
   const Point o = {0, 0, 0};
-  return RationalPatch(
-      {{o, o, o}, {{h, 0, 0}, {h * h, h * h, 0}, {0, h, 0}}, {{1, 0, p}, {h, h, q}, {0, 1, r}}});
+  return RationalPatch({{o, o, o},
+                        {{h, 0, 0}, {h / 2, h / 2, 0}, {0, h, 0}},
+                        {{speed, 0, square * p}, {h, h, square * q}, {0, speed, square * r}}});
 }
 
 const std::vector<Parameter> kAll = {Parameter::u, Parameter::v, Parameter::r, Parameter::s};
@@ -101,6 +102,28 @@ TEST_CASE("common_pole: cups of one tangent plane have arcs where their heights 
   const double slope = (1.0 / 3 + std::sqrt(1.0 / 9 + 16)) / 2, root = 1 / (1 + slope);
   CHECK(std::abs(to_double(arcs->front().along.midpoint()) - root) < 0.01);
   CHECK(!arcs_at_common_pole(x, y, Rational(1, 1024), {Parameter::v}));
+}
+
+TEST_CASE("common_pole: cups of other speeds have the same arcs") {
+  // In a row along the common normal c has the power 2, which for equal speeds, where c is 1, is that of the
+  // others.
+  const double slope = (1.0 / 3 + std::sqrt(1.0 / 9 + 16)) / 2, root = 1 / (1 + slope);
+  for (const Rational& speed : {Rational(1, 2), Rational(1), Rational(2), Rational(3)})
+    for (const bool exchanged : {false, true}) {
+      CAPTURE(to_double(speed), exchanged);
+      const RationalPatch cups[] = {cup(1, 0, 1), cup(2, Rational(-1, 6), -3, speed)};
+      const auto arcs =
+          arcs_at_common_pole(cups[exchanged ? 1 : 0], cups[exchanged ? 0 : 1], Rational(1, 4096), {});
+      REQUIRE(arcs);
+      REQUIRE(arcs->size() == 1);
+      for (const RationalInterval& at : {arcs->front().along, arcs->front().on_other[1]}) {
+        CHECK(to_double(at.lower) < root);
+        CHECK(root < to_double(at.upper));
+      }
+      const Rational ratio = exchanged ? speed : Rational(1) / speed;
+      CHECK(arcs->front().on_other[0].upper >= ratio / 4096);
+      CHECK(arcs->front().on_other[0].upper <= ratio / 2048);
+    }
 }
 
 TEST_CASE("common_pole: no answer for a double direction, and for directions of the ends") {
