@@ -74,12 +74,6 @@ DirectionNetOf<K> direction_net(const SubPatchOf<K>& x, const std::array<double,
 
 namespace {
 
-/// a ^ b: the cross product, or coordinates 01, 02, 03, 12, 13, 23 in R^4.
-Vec3 wedge(const Vec3& a, const Vec3& b) { return cross(a, b); }
-Vec<6> wedge(const Vec4& a, const Vec4& b) {
-  const auto minor = [&](std::size_t i, std::size_t j) { return a[i] * b[j] - a[j] * b[i]; };
-  return {minor(0, 1), minor(0, 2), minor(0, 3), minor(1, 2), minor(1, 3), minor(2, 3)};
-}
 void add(Vec3& sum, double weight, const Vec3& v) { sum = sum + weight * v; }
 void add(Vec<6>& sum, double weight, const Vec<6>& v) {
   for (std::size_t i = 0; i < 6; ++i) sum[i] += weight * v[i];
@@ -184,6 +178,39 @@ NormalNetOf<K> normal_net(const SubPatchOf<K>& y, double net_error) {
   return result;
 }
 
+template <class K>
+std::array<Row<K>, 4> corner_normals(const SubPatchOf<K>& y) {
+  constexpr std::size_t n = K::degree;
+  std::array<Row<K>, 4> result;
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    const bool far_r = corner > 1, far_s = corner % 2 == 1;
+    const std::size_t at = (far_r ? K::side * n : 0) + (far_s ? n : 0);
+    const Row<K>& p = y.net[at];
+    const Row<K>& along_r = y.net[far_r ? at - K::side : at + K::side];
+    const Row<K>& along_s = y.net[far_s ? at - 1 : at + 1];
+    const double sign = far_r == far_s ? 1 : -1;
+    if constexpr (K::weighted) {
+      result[corner] = sign * join(p, wedge(along_r, along_s));
+    } else {
+      result[corner] = sign * cross(along_r - p, along_s - p);
+    }
+  }
+  return result;
+}
+
+template <class K>
+bool changes_sign(const DirectionNetOf<K>& d, const std::array<Row<K>, 4>& normals) {
+  constexpr std::size_t n = K::degree;
+  constexpr std::array<std::size_t, 4> corners = {0, n, K::side * n, K::count - 1};
+  const bool positive = dot(d.vectors[0], normals[0]) > 0;
+  for (const std::size_t corner : corners) {
+    for (const Row<K>& normal : normals) {
+      if ((dot(d.vectors[corner], normal) > 0) != positive) return true;
+    }
+  }
+  return false;
+}
+
 // d.n = sum B_i(u,v) B_j(r,s) d_i.n_j, so the signs of the d_i.n_j decide.
 template <std::size_t M, std::size_t N, std::size_t Rows>
 bool never_orthogonal(const VectorNet<M, Rows>& d, const VectorNet<N, Rows>& n) {
@@ -216,6 +243,8 @@ bool never_orthogonal(const VectorNet<M, Rows>& d, const VectorNet<N, Rows>& n) 
 #define EXSECT_INSTANTIATE(K)                                                                              \
   template DirectionNetOf<K> direction_net<K>(const SubPatchOf<K>&, const std::array<double, 2>&, double); \
   template NormalNetOf<K> normal_net<K>(const SubPatchOf<K>&, double);                                     \
+  template std::array<Row<K>, 4> corner_normals<K>(const SubPatchOf<K>&);                                  \
+  template bool changes_sign<K>(const DirectionNetOf<K>&, const std::array<Row<K>, 4>&);                   \
   template bool never_orthogonal(const DirectionNetOf<K>&, const NormalNetOf<K>&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE

@@ -27,6 +27,14 @@ DirectionNetOf<K> direction_net(const SubPatchOf<K>& x, const std::array<double,
 template <class K>
 NormalNetOf<K> normal_net(const SubPatchOf<K>& y, double net_error);
 
+/// The normals, or covectors, at the four corners of a sub-patch, up to one positive factor and rounding.
+template <class K>
+std::array<Row<K>, 4> corner_normals(const SubPatchOf<K>& y);
+/// Whether the products below have both signs at corners: then never_orthogonal is false, which this tells
+/// without the net of normals.
+template <class K>
+bool changes_sign(const DirectionNetOf<K>& d, const std::array<Row<K>, 4>& normals);
+
 /// True only if (c_u x_v - c_v x_u).(y_r x y_s) has no zero on the two sub-patches.
 template <std::size_t M, std::size_t N, std::size_t Rows>
 bool never_orthogonal(const VectorNet<M, Rows>& d, const VectorNet<N, Rows>& n);

@@ -115,6 +115,18 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+/// a ^ b: the cross product, or coordinates 01, 02, 03, 12, 13, 23 in R^4.
+inline Vec3 wedge(const Vec3& a, const Vec3& b) { return cross(a, b); }
+inline Vec<6> wedge(const Vec4& a, const Vec4& b) {
+  const auto minor = [&](std::size_t i, std::size_t j) { return a[i] * b[j] - a[j] * b[i]; };
+  return {minor(0, 1), minor(0, 2), minor(0, 3), minor(1, 2), minor(1, 3), minor(2, 3)};
+}
+/// The covector x -> det(x, a, p, q), b = p ^ q.
+inline Vec4 join(const Vec4& a, const Vec<6>& b) {
+  return {a[1] * b[5] - a[2] * b[4] + a[3] * b[3], a[2] * b[2] - a[0] * b[5] - a[3] * b[1],
+          a[0] * b[4] - a[1] * b[2] + a[3] * b[0], a[1] * b[1] - a[0] * b[3] - a[2] * b[0]};
+}
+
 /// The point of space.
 inline Vec3 affine(const Vec3& p) { return p; }
 inline Vec3 affine(const Vec4& p) { return {p[0] / p[3], p[1] / p[3], p[2] / p[3]}; }

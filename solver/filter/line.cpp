@@ -182,11 +182,10 @@ class LineSearch {
     }
   }
 
-  /// Bounds of |w_j - centre_j - tau slope_j| over the box and the line's tau.
+  /// Bounds of |w_j - centre_j - tau slope_j| in the tube's unknowns over the box and the line's tau.
   double farthest(const TubeOf<K>& tube, const Box<K>& box, std::size_t j) const {
-    return kSlack * (std::fabs(box.centre[j] - tube.centre[j]) + box.half[j] +
-                     line_.error * std::fabs(tube.slope[j])) +
-           kPlaceRounding;
+    const double across = std::fabs(box.centre[j] - tube.centre[j]) + box.half[j];
+    return kSlack * (in_tube(tube, j, across) + line_.error * std::fabs(tube.slope[j])) + kPlaceRounding;
   }
 
   bool covers(const TubeOf<K>& tube, const Box<K>& box) const {
@@ -217,7 +216,7 @@ class LineSearch {
     for (std::size_t j = 0; j < K::unknowns; ++j) {
       halfwidth[j] = farthest(tube, box, j);
     }
-    widen_scale<K>(halfwidth, box.centre[K::unknowns - 1]);
+    widen_scale<K>(halfwidth);
     return certify(pair_, tube, -line_.error, line_.error, halfwidth);
   }
 

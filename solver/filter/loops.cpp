@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <type_traits>
 
 #include "filter/direction_nets.h"
@@ -39,7 +40,7 @@ class NetCache {
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> index_;
-  std::vector<Net> nets_;
+  std::deque<Net> nets_;
 };
 
 /// The direction c for which c.(u',v') keeps clearest away from zero on the curves known: any c is legal, a
@@ -131,6 +132,10 @@ class LoopSearch {
   bool keeps_direction(const PiecePair& item, const SubPatchOf<K>& x, const SubPatchOf<K>& y) {
     const DirectionNetOf<K>& d =
         directions_.get(item.x, [&] { return direction_net(x, c_, pair_.net_error); });
+    const std::array<Row<K>, 4>& at_corners = corners_.get(item.y, [&] { return corner_normals<K>(y); });
+    if (changes_sign<K>(d, at_corners)) {
+      return false;
+    }
     const NormalNetOf<K>& n = normals_.get(item.y, [&] { return normal_net(y, pair_.net_error); });
     return never_orthogonal(d, n);
   }
@@ -182,11 +187,10 @@ class LoopSearch {
     }
     Unknowns<K> width;
     for (std::size_t j = 0; j < K::unknowns; ++j) {
-      width[j] =
-          kSlack * (std::fabs(centre[j] - middle[j]) + half[j] + std::fabs(tube.slope[j]) * half[axis]) +
-          kPlacing;
+      const double across = std::fabs(centre[j] - middle[j]) + half[j];
+      width[j] = kSlack * (in_tube(tube, j, across) + std::fabs(tube.slope[j]) * half[axis]) + kPlacing;
     }
-    widen_scale<K>(width, middle[K::unknowns - 1]);
+    widen_scale<K>(width);
     return certify(pair_, tube, -half[axis], half[axis], width);
   }
 
@@ -246,6 +250,7 @@ class LoopSearch {
   long& boxes_;
   std::array<double, 2> c_;
   NetCache<DirectionNetOf<K>> directions_;
+  NetCache<std::array<Row<K>, 4>> corners_;
   NetCache<NormalNetOf<K>> normals_;
   std::vector<PiecePair> stack_;
 };

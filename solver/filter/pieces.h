@@ -59,7 +59,7 @@ class PatchTreeOf {
   std::size_t split(std::size_t i);
 
  private:
-  static constexpr std::size_t kChunk = 128;
+  static constexpr std::size_t kChunk = 32;
   using Chunk = std::array<SubPatchOf<K>, kChunk>;
 
   SubPatchOf<K>& at(std::size_t i) { return (*chunks_[i / kChunk])[i % kChunk]; }
@@ -141,12 +141,12 @@ RangeOfScale range_of_scale(const X& x, const Y& y) {
   return {0.5 * (lower + upper), kSlack * 0.5 * (upper - lower) + 8 * kUnit * upper};
 }
 
-/// Where weights hardly vary the range of the scale is far smaller than those of the parameters: a region has
-/// some room beyond it. Nothing for polynomial patches.
+/// Where weights hardly vary the range of the scale is far smaller than those of the parameters: a region,
+/// given by half widths of a tube, has some room beyond it. Nothing for polynomial patches.
 template <class K>
-void widen_scale([[maybe_unused]] Unknowns<K>& halfwidth, [[maybe_unused]] double scale) {
+void widen_scale([[maybe_unused]] Unknowns<K>& halfwidth) {
   if constexpr (K::weighted) {
-    halfwidth[4] += 0.25 * scale * std::max({halfwidth[0], halfwidth[1], halfwidth[2], halfwidth[3]});
+    halfwidth[4] += 0.25 * std::max({halfwidth[0], halfwidth[1], halfwidth[2], halfwidth[3]});
   }
 }
 

@@ -169,7 +169,7 @@ class Branch {
       return std::nullopt;
     }
     const Row<K> residual = residual_bound(pair_, tube, 0);
-    if (!certify(pair_, tube, 0, 0, halfwidths(tube, 4.0 * residual, 0x1p-36), residual)) {
+    if (!certify(pair_, tube, 0, 0, halfwidths<K>(4.0 * residual, 0x1p-36), residual)) {
       return std::nullopt;
     }
     const BallOf<K> ball = filter::point_at(tube, 0);
@@ -185,7 +185,8 @@ class Branch {
   /// The only solution on tau = 0 in the tube's region is the only one in the ball.
   static bool holds(const TubeOf<K>& tube, const BallOf<K>& ball) {
     return std::all_of(tube.others.begin(), tube.others.end(), [&](std::size_t j) {
-      return kSlack * (std::fabs(ball.middle[j] - tube.centre[j]) + ball.radius) <= tube.halfwidth[j];
+      const double distance = std::fabs(ball.middle[j] - tube.centre[j]) + ball.radius;
+      return kSlack * in_tube(tube, j, distance) <= tube.halfwidth[j];
     });
   }
 

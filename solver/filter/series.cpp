@@ -43,7 +43,7 @@ void expand_arc(TubeOf<K>& tube) {
   [[maybe_unused]] std::array<double, kDegree + 1> scale{};
   [[maybe_unused]] std::array<Row<K>, kDegree + 1> h{};  // of h(r,s) - h(0,0)
   if constexpr (K::weighted) {
-    scale[1] = tube.per_scale * tube.slope[4];
+    scale[1] = tube.slope[4];
     h[1] = tube.slope[2] * tube.h[kFirst<K>] + tube.slope[3] * tube.h[kSecond];
   }
   for (std::size_t k = 2; k <= kDegree; ++k) {
@@ -73,7 +73,7 @@ void expand_arc(TubeOf<K>& tube) {
       if (j < 4) {
         (*coordinate[j])[k][j / 2] = -sum[row];
       } else {
-        scale[k] = tube.per_scale * -sum[row];
+        scale[k] = -sum[row];
       }
       if (k > 2) {
         tube.further[k - 3][row] = -sum[row];
@@ -152,7 +152,6 @@ VertexFormsOf<K::degree, K::rows> vertex_forms(const PairOf<K>& pair, const Tube
   std::copy(pair.frame.origin.begin(), pair.frame.origin.end(), forms.origin);
   forms.scale = std::ldexp(1.0, static_cast<int>(pair.frame.exponent));
   forms.greatest = greatest;
-  forms.per_scale = tube.per_scale;
   return forms;
 }
 

@@ -81,8 +81,7 @@ class SidePointProof {
     const std::size_t axis = steepest(first_four<K>(at.tangent));
     if (!prepare(pair_, point_.ball.middle, axis, point_.tube)) return false;
     for (double reach = kLongest; reach >= kShortest; reach *= 0.5) {
-      if (certify(pair_, point_.tube, -reach, reach, halfwidths<K>(point_.tube.centre, reach)) &&
-          is_inside() && leaves_sides()) {
+      if (certify(pair_, point_.tube, -reach, reach, filled<K>(reach)) && is_inside() && leaves_sides()) {
         return true;
       }
     }
@@ -201,8 +200,8 @@ bool lies_in_region(const SidePointOf<K>& point, const Part& x, const Part& y) {
   }
   if constexpr (K::weighted) {
     const RangeOfScale scale = range_of_scale(x, y);
-    lower[4] = scale.middle - tube.centre[4] - scale.half;
-    upper[4] = scale.middle - tube.centre[4] + scale.half;
+    lower[4] = in_tube(tube, 4, scale.middle - tube.centre[4] - scale.half);
+    upper[4] = in_tube(tube, 4, scale.middle - tube.centre[4] + scale.half);
   }
   const double from = lower[tube.axis], to = upper[tube.axis];
   const auto size = [](double a, double b) { return std::max(std::fabs(a), std::fabs(b)); };

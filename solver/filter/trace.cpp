@@ -74,11 +74,9 @@ class Tracer {
       return centre;
     }
     const PieceOf<K>& last = trace_.pieces.back();
-    const Unknowns<K> offset = arc_offset(last.tube, last.range.to() + ahead / tangent[axis]);
-    for (std::size_t j = 0; j < K::unknowns; ++j) {
-      centre[j] = j == axis ? centre[j] + ahead : last.tube.centre[j] + offset[j];
-    }
-    return centre;
+    Unknowns<K> next = place_at(last.tube, arc_offset(last.tube, last.range.to() + ahead / tangent[axis]));
+    next[axis] = centre[axis] + ahead;
+    return next;
   }
 
   /// The sign of the step in the axis that goes on along the curve, 0 if the last tube does not prove it. At
@@ -108,8 +106,7 @@ class Tracer {
     const double reach = 0.51 * step_ + 2 * position_.radius;
     const Row<K> residual = residual_bound(pair_, tube, reach);
     if (position_.radius > 0.25 * kEndMargin<K::width> ||
-        !certify(pair_, tube, -reach, reach, halfwidths(tube, residual, kLeastHalfwidth<K::width>),
-                 residual) ||
+        !certify(pair_, tube, -reach, reach, halfwidths<K>(residual, kLeastHalfwidth<K::width>), residual) ||
         tube.contraction > kFilterSteps.worst || !contains(tube, position_)) {
       return false;
     }

@@ -14,7 +14,7 @@ namespace exsect::filter {
 namespace {
 
 /// Pair::order_error and total_error at the tube's scale; those of y are counted twice, as the scale changes
-/// by a half of itself at most on both sides and |1 + per_scale e_4| <= 2.
+/// by a half of itself at most on both sides and |1 + e_4| <= 2.
 template <class K>
 auto order_error(const PairOf<K>& pair, [[maybe_unused]] const TubeOf<K>& tube)
     -> std::conditional_t<K::weighted, std::array<double, K::orders>, const std::array<double, K::orders>&> {
@@ -57,18 +57,15 @@ bool prepare(const PairOf<K>& pair, const Unknowns<K>& centre, std::size_t axis,
   tube.others = kOthers<K>[axis];
   tube.space = expand(pair.x, centre[0], centre[1]);
   const CoefficientsOf<K> y = expand(pair.y, centre[2], centre[3]);
-  const auto column =
+  auto column =
       columns_of<K>(tube.space[kFirst<K>], tube.space[kSecond], y[0], y[kFirst<K>], y[kSecond], centre);
+  if constexpr (K::weighted) column[4] = centre[4] * column[4];
   std::array<Row<K>, K::rows> c;
   if (!invert_others<K>(column, axis, c)) {
     return false;
   }
   double scale = 1;
-  tube.per_scale = 0;
-  if constexpr (K::weighted) {
-    scale = kScaleUnit * centre[4];
-    tube.per_scale = 1 / centre[4];
-  }
+  if constexpr (K::weighted) scale = kScaleUnit * centre[4];
   for (std::size_t i = 0; i < K::count; ++i) {
     tube.g[i] = product(c, tube.space[i]);
     tube.h[i] = -scale * product(c, y[i]);
@@ -98,9 +95,9 @@ Row<K> residual_bound(const PairOf<K>& pair, const TubeOf<K>& tube, double reach
   const double steep = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2]), std::fabs(d[3])});
   const double error = power_sum(order_error(pair, tube), reach * steep);
   Row<K> sum{};
-  [[maybe_unused]] double rate = 0;  // of the scale, relative: a term per_scale d_4 tau h
+  [[maybe_unused]] double rate = 0;  // of the scale: a term d_4 tau h
   if constexpr (K::weighted) {
-    rate = tube.per_scale * d[4];
+    rate = d[4];
     const Row<K> last = rate * form_of_order<K, K::orders - 1>(tube.h, r, s);
     for (std::size_t row = 0; row < K::rows; ++row) sum[row] = std::fabs(last[row]);
   }
@@ -156,7 +153,8 @@ bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper,
   const auto& errors = order_error(pair, tube);
   double column_error = derivative_power_sum(errors, farthest);
   if constexpr (K::weighted) {
-    column_error = larger_bound(column_error, kScaleUnit * power_sum(pair.y_order_error, farthest));
+    column_error =
+        larger_bound(column_error, kScaleUnit * tube.centre[4] * power_sum(pair.y_order_error, farthest));
   }
   const std::array<const Row<K>*, 4> varied = {&vx.first, &vx.second, &vy.first, &vy.second};
   for (std::size_t j = 0; j < 4; ++j) {
@@ -176,8 +174,8 @@ bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper,
     const Row<K> varied_value = value_variation<K>(tube.h, tube.offset[2], tube.offset[3]);
     for (std::size_t row = 0; row < K::rows; ++row) {
       const double ideal = tube.others[row] == 4 ? 1 : 0;
-      tube.deviation[4][row] = kSlack * (std::fabs(tube.per_scale * tube.h[0][row] - ideal) +
-                                         tube.per_scale * varied_value[row] + tube.norm[row] * column_error);
+      tube.deviation[4][row] =
+          kSlack * (std::fabs(tube.h[0][row] - ideal) + varied_value[row] + tube.norm[row] * column_error);
     }
   }
   tube.contraction = 0;
@@ -206,7 +204,7 @@ bool certify(const PairOf<K>& pair, TubeOf<K>& tube, double lower, double upper,
 template <class K>
 Row<K> premultiplied_value(const TubeOf<K>& tube, const Unknowns<K>& o) {
   if constexpr (K::weighted) {
-    return value_at<K>(tube.g, o[0], o[1]) + (1 + tube.per_scale * o[4]) * value_at<K>(tube.h, o[2], o[3]);
+    return value_at<K>(tube.g, o[0], o[1]) + (1 + o[4]) * value_at<K>(tube.h, o[2], o[3]);
   } else {
     return value_at<K>(tube.g, o[0], o[1]) + value_at<K>(tube.h, o[2], o[3]);
   }
@@ -242,13 +240,24 @@ BallOf<K> point_at(const TubeOf<K>& tube, double tau, Unknowns<K>* offset) {
   if (offset != nullptr) {
     *offset = best;
   }
-  BallOf<K> result;
-  for (std::size_t j = 0; j < K::unknowns; ++j) {
-    result.middle[j] = tube.centre[j] + best[j];
-  }
-  result.radius = kSlack * (least + tube.value_error) / (1 - tube.contraction) + kSumRounding;
-  return result;
+  // The scale is at most 1, so that a relative distance is none too short.
+  return {place_at(tube, best), kSlack * (least + tube.value_error) / (1 - tube.contraction) + kSumRounding};
 }
+
+namespace {
+
+/// |w_j - centre_j - tau slope_j| at the middle of the ball, in the tube's unknowns, and how much more or
+/// less it is in the ball. Where the first is above 2, kSlack covers its relative error.
+template <class K>
+double from_line(const TubeOf<K>& tube, const BallOf<K>& ball, std::size_t j, double tau) {
+  return std::fabs(in_tube(tube, j, ball.middle[j] - tube.centre[j]) - tau * tube.slope[j]);
+}
+template <class K>
+double radius_across(const TubeOf<K>& tube, const BallOf<K>& ball, std::size_t j) {
+  return in_tube(tube, j, ball.radius) + ball.radius * std::fabs(tube.slope[j]);
+}
+
+}  // namespace
 
 template <class K>
 bool contains(const TubeOf<K>& tube, const BallOf<K>& ball) {
@@ -257,8 +266,7 @@ bool contains(const TubeOf<K>& tube, const BallOf<K>& ball) {
     return false;
   }
   return std::all_of(tube.others.begin(), tube.others.end(), [&](std::size_t j) {
-    const double from_line = std::fabs(ball.middle[j] - tube.centre[j] - tau * tube.slope[j]);
-    return kSlack * (from_line + ball.radius * (1 + std::fabs(tube.slope[j])) + kPlacing) <=
+    return kSlack * (from_line(tube, ball, j, tau) + radius_across(tube, ball, j) + kPlacing) <=
            tube.halfwidth[j];
   });
 }
@@ -270,8 +278,7 @@ bool excludes(const TubeOf<K>& tube, const BallOf<K>& ball) {
     return true;
   }
   return std::any_of(tube.others.begin(), tube.others.end(), [&](std::size_t j) {
-    const double from_line = std::fabs(ball.middle[j] - tube.centre[j] - tau * tube.slope[j]);
-    return from_line > kSlack * (tube.inner[j] + ball.radius * (1 + std::fabs(tube.slope[j])) + kPlacing);
+    return from_line(tube, ball, j, tau) > kSlack * (tube.inner[j] + radius_across(tube, ball, j) + kPlacing);
   });
 }
 

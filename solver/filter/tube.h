@@ -21,13 +21,6 @@ Unknowns<K> filled(double value) {
   result.fill(value);
   return result;
 }
-/// The same width in all parameters, and relative to the scale in that.
-template <class K>
-Unknowns<K> halfwidths([[maybe_unused]] const Unknowns<K>& centre, double width) {
-  Unknowns<K> result = filled<K>(width);
-  if constexpr (K::weighted) result[4] *= centre[4];
-  return result;
-}
 template <class K>
 Vec4 parameters_of(const BallOf<K>& ball) {
   return {ball.middle[0], ball.middle[1], ball.middle[2], ball.middle[3]};
@@ -47,7 +40,9 @@ ParameterBox box_around(const Vec4& place, double radius);
 /// Invariant after `certify`: for every tau in [lower, upper] there is exactly one point w = centre + tau
 /// slope + e of F = 0 with e_axis = 0, |e_i| <= halfwidth_i; it satisfies |e_i| <= inner_i < halfwidth_i. The
 /// columns of DF other than `axis` are independent on this region: it holds one regular arc, a graph over
-/// tau. After `bound_derivatives` also w' in slope +- slope_error, w'' in second +- second_error.
+/// tau. After `bound_derivatives` also w' in slope +- slope_error, w'' in second +- second_error. In all of
+/// it but the centre the scale of weighted patches is relative to that of the centre: w_4 = centre_4 (1 +
+/// e_4).
 template <class K>
 struct TubeOf {
   Unknowns<K> centre;
@@ -61,8 +56,7 @@ struct TubeOf {
   double contraction;  // rho: row sum bound of C DF - 1 on the region, < 1
 
   CoefficientsOf<K> g;      // C x(.)
-  double per_scale;         // of weighted patches, 1 / centre[4]: F = x(.) - (1 + per_scale e_4) y(.)
-  CoefficientsOf<K> h;      // -C y(.)
+  CoefficientsOf<K> h;      // -C y(.), of weighted patches times the scale: C F = g + (1 + e_4) h
   CoefficientsOf<K> space;  // x(.)
   Row<K> norm;              // bounds of the row sums of |C|
   Unknowns<K> offset;       // bound of |w_i - centre_i| in the region
@@ -83,15 +77,27 @@ using Tube = TubeOf<Biquadratic>;
 template <class K>
 bool prepare(const PairOf<K>& pair, const Unknowns<K>& centre, std::size_t axis, TubeOf<K>& tube);
 
+/// A length in unknown j as one in the tube: that of the scale becomes relative.
+template <class K>
+double in_tube([[maybe_unused]] const TubeOf<K>& tube, [[maybe_unused]] std::size_t j, double length) {
+  if constexpr (K::weighted) {
+    if (j == 4) return length / tube.centre[4];
+  }
+  return length;
+}
+/// The unknowns at an offset from the centre, but for kSumRounding.
+template <class K>
+Unknowns<K> place_at(const TubeOf<K>& tube, const Unknowns<K>& offset) {
+  Unknowns<K> result;
+  for (std::size_t j = 0; j < 4; ++j) result[j] = tube.centre[j] + offset[j];
+  if constexpr (K::weighted) result[4] = tube.centre[4] + tube.centre[4] * offset[4];
+  return result;
+}
+
 /// Half widths for a tube with this residual: twice as wide, at least `least`.
 template <class K>
-Unknowns<K> halfwidths(const TubeOf<K>& tube, const Row<K>& residual, double least) {
-  if constexpr (K::weighted) {
-    const double in_parameters = std::max({residual[0], residual[1], residual[2]});
-    return halfwidths<K>(tube.centre, std::max({2 * in_parameters, 2 * residual[3] / tube.centre[4], least}));
-  } else {
-    return filled<K>(std::max(2 * largest(residual), least));
-  }
+Unknowns<K> halfwidths(const Row<K>& residual, double least) {
+  return filled<K>(std::max(2 * largest(residual), least));
 }
 
 /// Bound of |C F(centre + tau slope)| for |tau| <= reach, by rows.

@@ -2,8 +2,6 @@
 // docs/method-doubles.md, section 14.2.
 #pragma once
 
-#include <utility>
-
 #include "filter/tube.h"
 
 namespace exsect::filter {
@@ -49,40 +47,17 @@ inline bool invert(const Vec3& a, const Vec3& b, const Vec3& c, std::array<Vec3,
 inline bool invert(const std::array<Vec3, 3>& columns, std::array<Vec3, 3>& rows) {
   return invert(columns[0], columns[1], columns[2], rows);
 }
-/// By Gauss and Jordan's elimination.
-inline bool invert(std::array<Vec<4>, 4> columns, std::array<Vec<4>, 4>& rows) {
-  // Column operations on the transposed problem: what makes unit vectors of the columns makes rows of these.
-  std::array<Vec<4>, 4> inverse{};
-  for (std::size_t k = 0; k < 4; ++k) inverse[k][k] = 1;
-  for (std::size_t k = 0; k < 4; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t j = k + 1; j < 4; ++j) {
-      pivot = std::fabs(columns[j][k]) > std::fabs(columns[pivot][k]) ? j : pivot;
-    }
-    std::swap(columns[k], columns[pivot]);
-    std::swap(inverse[k], inverse[pivot]);
-    const double factor = 1 / columns[k][k];
-    if (!(std::fabs(factor) < kGreatestInverse)) {
-      return false;
-    }
-    columns[k] = factor * columns[k];
-    inverse[k] = factor * inverse[k];
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (j != k) {
-        const double t = columns[j][k];
-        columns[j] = columns[j] - t * columns[k];
-        inverse[j] = inverse[j] - t * inverse[k];
-      }
-    }
+/// By minors of two columns at a time.
+inline bool invert(const std::array<Vec4, 4>& columns, std::array<Vec4, 4>& rows) {
+  const auto& [a, b, c, d] = columns;
+  const Vec<6> first = wedge(a, b), second = wedge(c, d);
+  rows = {join(b, second), -1.0 * join(a, second), join(d, first), -1.0 * join(c, first)};
+  const double inverse = 1 / dot(a, rows[0]);
+  if (!(std::fabs(inverse) < kGreatestInverse)) {
+    return false;
   }
-  // Column k of the inverse is inverse[k].
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      rows[i][k] = inverse[k][i];
-      if (!(std::fabs(rows[i][k]) < kGreatestInverse)) {
-        return false;
-      }
-    }
+  for (Vec4& row : rows) {
+    row = inverse * row;
   }
   return true;
 }
@@ -121,7 +96,7 @@ bool invert_others(const std::array<Row<K>, K::unknowns>& column, std::size_t ax
 /// How much the scale may change in the region, relative to that of the centre.
 template <class K>
 double relative_change(const TubeOf<K>& tube) {
-  return K::weighted ? kSlack * tube.per_scale * tube.offset[K::unknowns - 1] : 0;
+  return K::weighted ? tube.offset[K::unknowns - 1] : 0;
 }
 
 }  // namespace exsect::filter

@@ -29,13 +29,12 @@ Row<K> solved(const TubeOf<K>& tube, const Row<K>& b) {
 }
 
 /// What the change of the scale adds to half the second derivative at the centre, and to the deviation of the
-/// whole from it: (1 + q e) h'' + 2 q e' h', q = per_scale.
+/// whole from it: (1 + e) h'' + 2 e' h'.
 template <class K>
 void add_scale_terms(const PairOf<K>& pair, const TubeOf<K>& tube, double steep, Row<K>& form,
                      Row<K>& deviation) {
   const Unknowns<K>& d = tube.slope;
   const auto& delta = tube.slope_error;
-  const double q = tube.per_scale;
   const double change = relative_change(tube);
   const Row<K> own = form_of_order<K, 2>(tube.h, powers<K>(d[2]), powers<K>(d[3]));
   const Row<K> own_deviation = quadratic_deviation<K>(tube.h, &d[2], &delta[2], &tube.offset[2]);
@@ -46,13 +45,12 @@ void add_scale_terms(const PairOf<K>& pair, const TubeOf<K>& tube, double steep,
   const double of_r = delta[4] * (std::fabs(d[2]) + delta[2]) + std::fabs(d[4]) * delta[2];
   const double of_s = delta[4] * (std::fabs(d[3]) + delta[3]) + std::fabs(d[4]) * delta[3];
   for (std::size_t row = 0; row < K::rows; ++row) {
-    form[row] += q * d[4] * (hr[row] * d[2] + hs[row] * d[3]);
+    form[row] += d[4] * (hr[row] * d[2] + hs[row] * d[3]);
     deviation[row] += change * (2 * std::fabs(own[row]) + own_deviation[row]) +
-                      2 * q *
-                          (fast * (varied.first[row] * (std::fabs(d[2]) + delta[2]) +
+                      2 * (fast * (varied.first[row] * (std::fabs(d[2]) + delta[2]) +
                                    varied.second[row] * (std::fabs(d[3]) + delta[3])) +
                            std::fabs(hr[row]) * of_r + std::fabs(hs[row]) * of_s) +
-                      4 * kScaleUnit * fast * steep * pair.y_total_error * tube.norm[row];
+                      4 * kScaleUnit * tube.centre[4] * fast * steep * pair.y_total_error * tube.norm[row];
   }
 }
 

@@ -18,14 +18,14 @@ double steepest_change(const TubeOf<K>& tube) {
   const double x = second_derivatives<K>(tube.g, tube.offset[0], tube.offset[1]);
   double y = second_derivatives<K>(tube.h, tube.offset[2], tube.offset[3]);
   if constexpr (K::weighted) {
-    // (1 + q e) h_rr and so on, q e <= 1/2; q h_r in the columns of r and of the scale.
+    // (1 + e) h_rr and so on, e <= 1/2; h_r in the columns of r and of the scale.
     const Variation<K> v = variation<K>(tube.h, tube.offset[2], tube.offset[3]);
     double slope = 0;
     for (std::size_t row = 0; row < K::rows; ++row) {
       slope = larger_bound(slope, std::fabs(tube.h[kFirst<K>][row]) + v.first[row] +
                                       std::fabs(tube.h[kSecond][row]) + v.second[row]);
     }
-    y = 1.5 * y + tube.per_scale * slope;
+    y = 1.5 * y + slope;
   }
   return kSlack * larger_bound(x, y);
 }
@@ -37,10 +37,10 @@ std::array<Row<K>, K::unknowns> columns_at(const TubeOf<K>& tube, const Unknowns
   derivatives<K>(tube.g, o[0], o[1], column[0], column[1]);
   derivatives<K>(tube.h, o[2], o[3], column[2], column[3]);
   if constexpr (K::weighted) {
-    const double scale = 1 + tube.per_scale * o[4];
+    const double scale = 1 + o[4];
     column[2] = scale * column[2];
     column[3] = scale * column[3];
-    column[4] = tube.per_scale * value_at<K>(tube.h, o[2], o[3]);
+    column[4] = value_at<K>(tube.h, o[2], o[3]);
   }
   return column;
 }

@@ -242,8 +242,8 @@ class TurnFinder {
     const double reach = 0.505 * std::fabs(to - from) + 4 * radius;
     const Row<K> residual = residual_bound(pair_, result.tube, reach);
     if (radius > 0x1p-2 * kEndMargin<K::width> ||
-        !certify(pair_, result.tube, -reach, reach,
-                 halfwidths(result.tube, residual, kLeastHalfwidth<K::width>), residual) ||
+        !certify(pair_, result.tube, -reach, reach, halfwidths<K>(residual, kLeastHalfwidth<K::width>),
+                 residual) ||
         !contains(result.tube, start) || !contains(result.tube, end)) {
       return false;
     }

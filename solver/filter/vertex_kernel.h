@@ -57,7 +57,7 @@ static inline void evaluate_vertices(const VertexFormsOf<Degree, Rows>& forms, V
     Lanes part;
     patch_value<Degree, Rows>(forms.g, row, offset[0], offset[1], value[row]);
     patch_value<Degree, Rows>(forms.h, row, offset[2], offset[3], part);
-    if constexpr (Rows == 4) part *= 1 + forms.per_scale * offset[4];
+    if constexpr (Rows == 4) part *= 1 + offset[4];
     value[row] += part;
     mark_beyond(value[row], forms.greatest, block.doubt);
   }

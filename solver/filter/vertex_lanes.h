@@ -17,7 +17,6 @@ struct VertexFormsOf {
   double series[kSeriesDegree]
                [Rows + 1];  // w - centre is about the sum of series[k] tau^(k+1); 1, 0, 0, ... at axis
   double centre[Rows + 1];
-  double per_scale;  // see Tube; 0 without weights
   double origin[3];  // space point = origin + scale * scaled point
   double scale;
   int others[Rows];

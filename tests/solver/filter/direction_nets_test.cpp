@@ -76,6 +76,28 @@ filter::ExactPatch<K> exact_patch(const RationalPatch& patch) {
   }
 }
 
+/// Corners of the net of normals are those computed from the corners alone, in the order of the net; a change
+/// of sign there is one among all products, found here one by one.
+template <class K>
+void check_corners(const filter::DirectionNetOf<K>& d, const filter::NormalNetOf<K>& net,
+                   const std::array<filter::Row<K>, 4>& normals) {
+  constexpr std::size_t n = K::degree;
+  constexpr std::size_t m = (K::weighted ? 3 : 2) * n;  // vectors along a side
+  constexpr std::array<std::size_t, 4> last = {0, m - 1, m * (m - 1), m * m - 1};
+  bool positive = false, negative = false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t c = 0; c < K::rows; ++c)
+      CHECK(std::fabs(normals[k][c] - net.vectors[last[k]][c]) <= net.error + 1e-13);
+    for (const std::size_t corner : {std::size_t{0}, n, (n + 1) * n, (n + 1) * (n + 1) - 1}) {
+      const double product = filter::dot(d.vectors[corner], normals[k]);
+      positive = positive || product > 0;
+      negative = negative || product < 0;
+    }
+  }
+  CHECK(filter::changes_sign<K>(d, normals) == (positive && negative));
+  if (positive && negative) CHECK_FALSE(filter::never_orthogonal(d, net));
+}
+
 template <class K>
 void check_nets(std::array<int, 4> degrees) {
   constexpr std::size_t n = K::degree;
@@ -101,6 +123,7 @@ void check_nets(std::array<int, 4> degrees) {
     const std::array<double, 2> c = {0.6, seed % 2 == 0 ? 0.8 : -0.8};
     const auto d = filter::direction_net<K>(x, c, pair->net_error);
     const auto normals = filter::normal_net<K>(y, pair->net_error);
+    check_corners<K>(d, normals, filter::corner_normals<K>(y));
     for (const auto& [s, t] : {std::pair{0.0, 0.0}, {1.0, 0.25}, {0.3125, 0.6875}, {0.75, 1.0}, {0.5, 0.5}}) {
       CAPTURE(s, t);
       const auto along = value<K::rows>(d.vectors, n, n, s, t);

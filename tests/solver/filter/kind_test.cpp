@@ -1,6 +1,7 @@
 #include "filter/kind.h"
 
 #include <limits>
+#include <random>
 
 #include "support/catch.h"
 
@@ -19,6 +20,29 @@ void check_counts(std::size_t side, std::size_t unknowns) {
   CHECK(K::unknowns == unknowns);
   CHECK(K::orders == 2 * side - 1);
   CHECK(kFirst<K> == side);
+}
+
+/// Along the first row, by minors of three.
+double determinant(const Vec4& x, const Vec4& a, const Vec4& p, const Vec4& q) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto without = [i](const Vec4& v) {
+      Vec3 rest;
+      for (std::size_t j = 0, k = 0; j < 4; ++j)
+        if (j != i) rest[k++] = v[j];
+      return rest;
+    };
+    const double minor = filter::dot(without(a), filter::cross(without(p), without(q)));
+    sum += (i % 2 == 0 ? 1 : -1) * x[i] * minor;
+  }
+  return sum;
+}
+
+Vec4 random_vector(std::mt19937& generator) {  // of integers: products are exact
+  std::uniform_int_distribution<int> any(-9, 9);
+  Vec4 result;
+  for (double& c : result) c = any(generator);
+  return result;
 }
 
 }  // namespace
@@ -61,6 +85,25 @@ TEST_CASE("kinds: the largest entry, where no number is larger than all numbers"
       CHECK_FALSE(largest(a) <= std::numeric_limits<double>::max());
       CHECK_FALSE(largest(a) <= kInfinity);
     }
+}
+
+TEST_CASE("kinds: joins are determinants", "[filter]") {
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    INFO("seed " << seed);
+    std::mt19937 generator(seed);
+    const Vec4 x = random_vector(generator), a = random_vector(generator);
+    const Vec4 p = random_vector(generator), q = random_vector(generator);
+    CHECK(filter::dot(x, join(a, wedge(p, q))) == determinant(x, a, p, q));
+    CHECK(filter::dot(a, join(a, wedge(p, q))) == 0);
+    CHECK(join(p, wedge(p, q)) == Vec4{});
+  }
+}
+
+TEST_CASE("kinds: outer products of unit vectors", "[filter]") {
+  const Vec4 e0 = {1, 0, 0, 0}, e1 = {0, 1, 0, 0}, e2 = {0, 0, 1, 0}, e3 = {0, 0, 0, 1};
+  CHECK(filter::dot(e0, join(e1, wedge(e2, e3))) == 1);
+  CHECK(wedge(e0, e2) == Vec<6>{0, 1, 0, 0, 0, 0});
+  CHECK(wedge(Vec3{1, 0, 0}, Vec3{0, 1, 0}) == Vec3{0, 0, 1});
 }
 
 }  // namespace exsect::kind_test

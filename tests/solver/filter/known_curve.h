@@ -37,8 +37,8 @@ struct KnownCurve {
     filter::Tube result;
     REQUIRE(filter::prepare(pair, centred(u, v), axis, result));
     const auto residual = filter::residual_bound(pair, result, reach);
-    REQUIRE(filter::certify(pair, result, -reach, reach, filter::halfwidths(result, residual, 0x1p-30),
-                            residual));
+    REQUIRE(filter::certify(pair, result, -reach, reach,
+                            filter::halfwidths<filter::Biquadratic>(residual, 0x1p-30), residual));
     filter::bound_derivatives(pair, result);
     return result;
   }

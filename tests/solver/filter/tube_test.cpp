@@ -4,9 +4,12 @@
 #include <cmath>
 #include <optional>
 
+#include "filter/boundary.h"
+#include "filter/exact_patch.h"
 #include "filter/trace.h"
 #include "filter/turning.h"
 #include "support/catch.h"
+#include "support/random_nets.h"
 #include "support/random_pairs.h"
 #include "trace/tube.h"
 
@@ -97,6 +100,45 @@ TEST_CASE("filter tube: enclosures of points and derivatives hold the curve") {
       const auto trace = filter::trace_arc(problem.pair, problem.points, i);
       REQUIRE(trace);
       for (const filter::Piece& piece : trace->pieces) check_piece(problem, piece, generator);
+    }
+  }
+}
+
+TEST_CASE("filter tube: the scale is the quotient of the weights, relative to the centre's") {
+  using K = filter::WeightedBiquadratic;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    INFO("seed " << seed);
+    Generator generator(seed);
+    const random_nets::Nets nets = random_nets::scattered(generator, {2, 2, 2, 2});
+    const RationalPatch x = random_nets::weighted(generator, nets.x);
+    const RationalPatch y = random_nets::weighted(generator, nets.y);
+    const auto pair = filter::make_pair_of<K>(filter::elevated<K>(x), filter::elevated<K>(y));
+    REQUIRE(pair);
+    filter::TreesOf<K> trees{filter::PatchTreeOf<K>(pair->x, pair->net_error),
+                             filter::PatchTreeOf<K>(pair->y, pair->net_error)};
+    long boxes = 0;
+    const auto points = filter::boundary_points<K>(*pair, {}, trees, boxes);
+    REQUIRE(points);
+    for (std::size_t i = 0; i < points->size(); ++i) {
+      const auto trace = filter::trace_arc<K>(*pair, *points, i, nullptr);
+      REQUIRE(trace);
+      for (const auto& piece : trace->pieces) {
+        const auto& tube = piece.tube;
+        const double tau = piece.range.to();
+        const auto ball = filter::point_at(tube, tau);
+        const auto& w = ball.middle;
+        const double weight = filter::value_at<K>(pair->x.power, w[0], w[1])[3];
+        const double other = filter::value_at<K>(pair->y.power, w[2], w[3])[3];
+        CHECK(std::fabs(w[4] - weight / (filter::kScaleUnit * other)) <= 64 * ball.radius);
+        CHECK(std::fabs(w[4] / tube.centre[4] - 1 - tau * tube.slope[4]) <= tube.inner[4] + 64 * ball.radius);
+        CHECK(filter::contains(tube, ball));
+        CHECK_FALSE(filter::excludes(tube, ball));
+        auto beside = ball;
+        beside.middle[4] += 1.5 * tube.centre[4] * tube.halfwidth[4];
+        beside.middle[4] += std::fabs(tube.centre[4] * tube.inner[4]);
+        CHECK_FALSE(filter::contains(tube, beside));
+        CHECK(filter::excludes(tube, beside));
+      }
     }
   }
 }

@@ -22,7 +22,6 @@ VertexFormsOf<Degree, Rows> random_forms(std::mt19937& generator) {
     for (double& c : row) c = any(generator);
   for (double& c : forms.centre) c = 0.5 * any(generator);
   if (Rows == 4) {
-    forms.per_scale = 0.25 * any(generator);
     forms.space[0][Rows - 1] = 40;  // the weight is positive
   }
   for (double& c : forms.origin) c = 100 * any(generator);
@@ -59,7 +58,7 @@ void check_block(const VertexFormsOf<Degree, Rows>& forms, const VertexBlock& bl
     }
     long double step[Rows];
     for (int row = 0; row < Rows; ++row) {
-      const long double scale = Rows == 4 ? 1 + forms.per_scale * w[4 % (Rows + 1)] : 1;
+      const long double scale = Rows == 4 ? 1 + w[4 % (Rows + 1)] : 1;
       step[row] = value<Degree, Rows>(forms.g, row, w[0], w[1]) +
                   scale * value<Degree, Rows>(forms.h, row, w[2], w[3]);
     }
