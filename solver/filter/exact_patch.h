@@ -33,12 +33,17 @@ const Point& control_point(const ElevatedPatch<K>& patch, std::size_t i) {
   return patch.points[i];
 }
 
-/// q 2^exponent, without the search for common divisors of a product.
-inline Rational times_power_of_two(const Rational& q, long exponent) {
-  Rational result;
+/// result = q 2^exponent, without the search for common divisors of a product.
+inline void set_scaled(Rational& result, const Rational& q, long exponent) {
   const auto shift = static_cast<mp_bitcnt_t>(std::labs(exponent));
   (exponent < 0 ? mpq_div_2exp : mpq_mul_2exp)(result.backend().data(), q.backend().data(), shift);
-  return result;
+}
+
+/// k such that |q| is between 2^(k-1) and 2^(k+1). Requires q != 0.
+inline long binary_order(const Rational& q) {
+  const auto& data = q.backend().data();
+  return static_cast<long>(mpz_sizeinbase(mpq_numref(data), 2)) -
+         static_cast<long>(mpz_sizeinbase(mpq_denref(data), 2));
 }
 
 /// The patch with the net of bidegree (K::degree,K::degree), weights of size 1. Requires a patch of no higher
@@ -50,20 +55,21 @@ ElevatedPatch<K> elevated(const RationalPatch& patch) {
   const auto vector = [&](std::size_t k) -> const HomogeneousPoint& {
     return net.homogeneous(static_cast<int>(k / K::side), static_cast<int>(k % K::side));
   };
-  Rational greatest = 0;
-  for (std::size_t k = 0; k < K::count; ++k) {
-    const Rational& weight = vector(k)[3];
-    if (abs(weight) > greatest) greatest = abs(weight);
-  }
-  const auto bits = [](const Integer& number) { return static_cast<long>(msb(number)); };
-  const long exponent = bits(denominator(greatest)) - bits(numerator(greatest)) - 1;
-  const auto scaled = [&](const Rational& q) -> Rational {
-    return K::weighted ? times_power_of_two(q, exponent) : q / greatest;
-  };
   ElevatedPatch<K> result;
-  for (std::size_t k = 0; k < K::count; ++k) {
-    for (std::size_t c = 0; c < 3; ++c) result.points[k][c] = scaled(vector(k)[c]);
-    result.weights[k] = scaled(vector(k)[3]);
+  if constexpr (K::weighted) {
+    long order = binary_order(vector(0)[3]);  // weights of corners are positive
+    for (std::size_t k = 1; k < K::count; ++k) {
+      if (vector(k)[3] != 0) order = std::max(order, binary_order(vector(k)[3]));
+    }
+    for (std::size_t k = 0; k < K::count; ++k) {
+      for (std::size_t c = 0; c < 3; ++c) set_scaled(result.points[k][c], vector(k)[c], -order - 1);
+      set_scaled(result.weights[k], vector(k)[3], -order - 1);
+    }
+  } else {
+    for (std::size_t k = 0; k < K::count; ++k) {
+      for (std::size_t c = 0; c < 3; ++c) result.points[k][c] = vector(k)[c] / vector(0)[3];
+      result.weights[k] = 1;
+    }
   }
   return result;
 }

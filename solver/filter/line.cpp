@@ -13,8 +13,10 @@ namespace exsect::filter {
 
 namespace {
 
-/// Levels of curve and patch together at which certificates are tried, and the search is given up.
-constexpr int kFirstLineTry = 6;
+/// Levels of curve and patch together at which certificates are tried, and the search is given up. With
+/// weights the scale varies in larger boxes too much for most tries to succeed.
+template <class K>
+constexpr int kFirstLineTry = K::weighted ? 8 : 6;
 constexpr int kLastLineLevel = 40;
 /// Of all searches of a pair. Nothing is behind the pairs that are not biquadratic.
 template <class K>
@@ -136,7 +138,7 @@ class LineSearch {
       return true;
     }
     const int depth = item.curve.level + patch.level;
-    if (depth >= kFirstLineTry && meeting == Meeting::unknown) {
+    if (depth >= kFirstLineTry<K> && meeting == Meeting::unknown) {
       const Box<K> box = box_of(line_, item.curve, patch);
       if (std::any_of(roots_.begin(), roots_.end(),
                       [&](const Root& root) { return covers(root.tube, box); })) {

@@ -12,8 +12,10 @@ namespace exsect::filter {
 
 namespace {
 
-/// Levels of both patches together at which certificates are tried, and the search is given up.
-constexpr int kFirstLoopTry = 6;
+/// Levels of both patches together at which certificates are tried, and the search is given up. With weights
+/// the scale varies in larger boxes too much for most tries to succeed.
+template <class K>
+constexpr int kFirstLoopTry = K::weighted ? 8 : 6;
 constexpr int kLastLoopLevel = 40;
 /// Nothing is behind the pairs that are not biquadratic.
 template <class K>
@@ -115,7 +117,7 @@ class LoopSearch {
     }
     const int depth = x.level + y.level;
     TubeOf<K> tube;
-    if (depth >= kFirstLoopTry && at == Meeting::unknown && covered(x, y, tube)) {
+    if (depth >= kFirstLoopTry<K> && at == Meeting::unknown && covered(x, y, tube)) {
       const std::optional<bool> known = known_or_traced(tube);
       if (known) {
         return *known;
