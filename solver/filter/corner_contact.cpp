@@ -23,6 +23,16 @@ bool reaches(const Part& part, std::size_t corner, const std::optional<SquareSid
   return pole ? at_end(pole->parameter) : at_end(0) && at_end(1);
 }
 
+/// The part is within `reach` of the corner, or of the pole's side, exactly.
+template <class K>
+bool lies_within(double reach, const Part& part, std::size_t corner, const std::optional<SquareSide>& pole) {
+  const std::array<bool, 2> upper = corner_ends<K>(corner);
+  const auto is_near = [&](std::size_t i) {
+    return upper[i] ? part.range[i].lower >= 1 - reach : part.range[i].upper <= reach;
+  };
+  return pole ? is_near(pole->parameter) : is_near(0) && is_near(1);
+}
+
 /// Vectors of length about one; zero vectors stay.
 Vec3 unit(const Vec3& v) {
   const double square = dot(v, v);
@@ -99,6 +109,9 @@ bool may_touch(const CornerContact& corner, const Part& x, const Part& y) {
 template <class K>
 bool meet_in_corner(const Vec3& p, const CornerContact& corner, const Part& x, const Part& y,
                     double net_error) {
+  if (corner.lone_reach > 0 && lies_within<K>(corner.lone_reach, x, corner.x, corner.pole_of_x) &&
+      lies_within<K>(corner.lone_reach, y, corner.y, corner.pole_of_y))
+    return true;  // (14.14a)
   const double points_error = larger_bound(net_error, x.error, y.error);
   const auto own_x = own_points<K>(x, corner.x, corner.pole_of_x, corner.repeated_of_x);
   const auto own_y = own_points<K>(y, corner.y, corner.pole_of_y, corner.repeated_of_y);

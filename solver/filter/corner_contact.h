@@ -21,6 +21,9 @@ struct CornerContact {
   std::optional<SquareSide> pole_of_y = std::nullopt;
   Repeated repeated_of_x = {};
   Repeated repeated_of_y = {};
+  /// A power of two at most 1, if not 0: the parts of both patches that are so near to the corner in both
+  /// parameters, or to its pole's side across it, meet there alone.
+  double lone_reach = 0;
   bool is_pole() const { return pole_of_x || pole_of_y; }
 };
 

@@ -73,7 +73,8 @@ class FilteredIntersection {
           add_contact_line(*pair, *contacts) ||
           (!points && stuck_ &&
            (add_side_point(x_, y_, *pair, *stuck_, *contacts) || add_side_double_point(*pair, *contacts)));
-      if (!is_added && !add_corner_points(x_, y_, *pair, *contacts)) {
+      if (!is_added && !add_corner_points(x_, y_, *pair, *contacts) &&
+          !find_lone_corners<K>(x_, y_, *contacts)) {
         if (!points || !loops_open_) return std::nullopt;
         break;
       }

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "filter/line.h"
+#include "filter/lone_corner.h"
 
 namespace exsect::filter {
 
@@ -75,6 +76,20 @@ bool add_corner_points(const ExactPatch<K>& x, const ExactPatch<K>& y, const Pai
   return added;
 }
 
+template <class K>
+bool find_lone_corners([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] const ExactPatch<K>& y,
+                       [[maybe_unused]] ContactsOf<K>& contacts) {
+  bool found = false;
+  if constexpr (!std::is_same_v<K, Biquadratic>) {  // exact arithmetic is behind these
+    for (CornerContact& corner : contacts.corners) {
+      if (corner.lone_reach > 0) continue;
+      corner.lone_reach = lone_reach<K>(x, y, corner);
+      found = found || corner.lone_reach > 0;
+    }
+  }
+  return found;
+}
+
 #define EXSECT_INSTANTIATE(K)                                                                                \
   template std::optional<Vec4> undecided_on_sides<K>(const PairOf<K>&, TreesOf<K>&, const ContactsOf<K>&);   \
   template bool add_side_point<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, const Vec4&, \
@@ -82,7 +97,8 @@ bool add_corner_points(const ExactPatch<K>& x, const ExactPatch<K>& y, const Pai
   template bool add_side_double_point<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&,       \
                                          const Vec4&, double, ContactsOf<K>&);                               \
   template bool add_corner_points<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&,           \
-                                     ContactsOf<K>&);
+                                     ContactsOf<K>&);                                                        \
+  template bool find_lone_corners<K>(const ExactPatch<K>&, const ExactPatch<K>&, ContactsOf<K>&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 
