@@ -4,26 +4,19 @@
 #include <vector>
 
 #include "filter/boundary.h"
-#include "trace/piece_range.h"
+#include "trace/tube_trace.h"
 
 namespace exsect::filter {
 
 /// The part of a tube's arc that is used, in the direction of the trace.
 template <class K>
-struct PieceOf {
-  TubeOf<K> tube;
-  PieceRange range;
-};
+using PieceOf = TubePiece<TubeOf<K>>;
 using Piece = PieceOf<Biquadratic>;
 
 /// Consecutive pieces end and begin in the same point of the curve. `start` and `end` are indices of boundary
 /// points, or -1 for a closed curve, whose last piece ends where the first one begins.
 template <class K>
-struct TraceOf {
-  std::vector<PieceOf<K>> pieces;
-  int start;
-  int end;
-};
+using TraceOf = TubeTrace<TubeOf<K>, BallOf<K>>;
 using Trace = TraceOf<Biquadratic>;
 
 /// From a boundary point into the domain, to the next boundary point; empty if undecided: then `stuck`, if

@@ -16,8 +16,11 @@ constexpr double kLeastArcStep = LeastStep<Ball>::of(kContactSteps);
 template <class Ball>
 class ContactCourse {
  public:
-  using Number = Ball;
+  using Box = BallPoint<Ball>;
+  using Offset = Ball;
+  using Landmarks = exsect::Landmarks<Ball>;
   using Tube = TangentialTube<Ball>;
+  using Trace = TangentialArc<Ball>;
   static constexpr Steps steps = kContactSteps;
   static constexpr const char* too_small =
       "the steps along a curve on which the patches touch become too small";

@@ -60,8 +60,11 @@ double narrowest(const Tube<Ball>& tube) {
 template <class Ball>
 class PairCourse {
  public:
-  using Number = Ball;
+  using Box = BallPoint<Ball>;
+  using Offset = Ball;
+  using Landmarks = exsect::Landmarks<Ball>;
   using Tube = exsect::Tube<Ball>;
+  using Trace = exsect::Trace<Ball>;
   static constexpr Steps steps = kPairSteps;
   static constexpr const char* too_small =
       "the steps along the curve become too small: a singular or nearly singular point";
@@ -69,7 +72,7 @@ class PairCourse {
 
   PairCourse(const PairSystem<Ball>& system, int sign) : system_(system), sign_(sign) {}
 
-  const char* set_out(const Trace<Ball>& trace, const BallPoint<Ball>& position) {
+  const char* set_out(const Trace& trace, const BallPoint<Ball>& position) {
     position_ = position;
     tangent_ = Expansion<Ball>(system_, position).tangent();
     axis_ = steepest_axis(tangent_);

@@ -19,12 +19,12 @@ struct TubePiece {
 
 /// A connected piece of a curve: every piece's end point is proved to lie on the next piece's arc. start and
 /// end are indices of landmarks, -1 for a closed curve, whose last point is its first.
-template <class Tube>
+template <class Tube, class Box = decltype(Tube::centre)>
 struct TubeTrace {
   std::vector<TubePiece<Tube>> pieces = {};
   int start = -1;
   int end = -1;
-  std::array<decltype(Tube::centre), 2> ends = {};  // the boxes of these landmarks
+  std::array<Box, 2> ends = {};  // the boxes of these landmarks
 };
 
 /// What a trace may meet: every intersection point on a side of the two parameter squares, each in a small

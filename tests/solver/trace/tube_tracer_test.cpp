@@ -35,8 +35,11 @@ Point4 point_at(const Segment& tube, double tau) { return at(tube.centre[0].appr
 template <bool StartsInside>
 class Line {
  public:
-  using Number = DoubleBall;
+  using Box = Point4;
+  using Offset = DoubleBall;
   using Tube = Segment;
+  using Trace = TubeTrace<Segment>;
+  using Landmarks = exsect::Landmarks<DoubleBall>;
   static constexpr Steps steps = {0.125, 0x1p-20, 0x1p-20, 0.125, 0.25, 0.5, 12};
   static constexpr const char* too_small = "too small";
   static constexpr bool starts_inside = StartsInside;
@@ -139,6 +142,8 @@ TEST_CASE("a closed curve ends where it began", "[tube_tracer]") {
   const double inside = 0.3 + 0.61803 * 0.125;
   closes(follow<true>({at(0.1)}, at(0.3), -1, 1, 0.55), inside, inside);
   closes(follow<false>({at(0.1)}, at(0.3), -1, 1, 0.55), 0.3, 0.3);
+  // A tube that ends within the box of the beginning would lead past it.
+  closes(follow<false>({at(0.1)}, at(0.3, 0x1p-6), -1, 1, 0.625), 0.3, 0.3);
 }
 
 }  // namespace exsect::tube_tracer_test
