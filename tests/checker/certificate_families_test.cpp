@@ -74,7 +74,7 @@ TEST_CASE("every specimen has a certificate in any coordinates and order", "[.sl
   }
 }
 
-TEST_CASE("every member of the families has a certificate with each regular plane", "[.slow]") {
+TEST_CASE("every member of the families has a certificate with each regular plane") {
   for (const auto& [name, c] : planar_members()) {
     INFO(name);
     CHECK(refusal(c.x, c.y) == "");
