@@ -59,7 +59,18 @@ double node_radius(const Draft& d, const Node& n, const Tube& tube, const Parame
   return std::exp2(std::ceil(std::log2(radius)));
 }
 
-Json node(Draft& d, const Node& n) {
+/// The boxes of nodes must not meet.
+void keep_apart(const Draft& d, const std::vector<double>& radii) {
+  for (std::size_t a = 0; a + 1 < radii.size(); ++a) {
+    double apart = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      apart = std::max(apart, std::abs(d.places[a][i] - d.places.back()[i]));
+    if (apart <= radii[a] + radii.back()) throw NoCertificate("nodes nearer to each other than doubles tell");
+  }
+}
+
+/// `radii`: of the nodes before, and then of this one.
+Json node(Draft& d, const Node& n, std::vector<double>& radii) {
   Parameters w = n.approx;
   d.tube_of.push_back(d.tubes.size());
   d.tubes.push_back(is_cusp(n) ? cusp_tube(d.pair, w) : node_tube(d, n, w));
@@ -67,6 +78,8 @@ Json node(Draft& d, const Node& n) {
   d.places.push_back(w);
   d.place_claims.push_back(place_claim(d, n, w));
   const double radius = is_cusp(n) ? cusp_radius(d.pair, tube, w) : node_radius(d, n, tube, w);
+  radii.push_back(radius);
+  keep_apart(d, radii);
 
   Json on = Json::array();
   for (const Side& side : n.on) on.push_back(side_name(side));
@@ -98,9 +111,10 @@ void add_place(Draft& d, const FoundStar& star) {
 
 Json node_claims(Draft& d) {
   Json result = Json::array();
+  std::vector<double> radii;
   for (const Node& n : d.graph.nodes)
     if (d.on_curve[static_cast<std::size_t>(n.id)] && !d.in_star[static_cast<std::size_t>(n.id)])
-      result.push_back(node(d, n));
+      result.push_back(node(d, n, radii));
   for (const FoundStar& star : d.stars) add_place(d, star);
   return result;
 }

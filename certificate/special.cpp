@@ -13,11 +13,19 @@
 namespace exsect::cli {
 namespace {
 
-/// A point of a star, as is one on sides where the parameter of one of them turns.
+/// How many arcs end there.
+std::size_t ends_at(const IntersectionGraph& graph, const Node& node) {
+  std::size_t result = 0;
+  for (const Arc& arc : graph.arcs) result += (arc.from == node.id) + (arc.to == node.id);
+  return result;
+}
+
+/// A point of a star, as is one on sides where the parameter of one of them turns, or through which a curve
+/// along a side goes on while another parameter turns.
 bool needs_star(const Draft& d, const SingularSearch& search, const Node& n) {
   if (is_star(d.graph, n, d.self)) return true;
   if (n.on.empty() || !d.on_curve[static_cast<std::size_t>(n.id)]) return false;
-  if (turns_at_side(d.pair.power, search, n)) return true;
+  if (turns_at_side(d.pair.power, search, n) || ends_at(d.graph, n) > 1) return true;
   if (!n.wrt.empty()) throw NoCertificate("a turning point on a side");
   return false;
 }

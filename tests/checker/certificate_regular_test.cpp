@@ -1,6 +1,7 @@
 // Certificates with stars at regular solutions: the curve touches a side, or leaves both ways at a corner, or
 // ends where the parameter of a side turns.
 #include <exsect/geometry/number.h>
+#include <exsect/geometry/patch_file.h>
 #include <exsect/solver/intersect_surface.h>
 
 #include "certificate_changes.h"
@@ -83,6 +84,19 @@ TEST_CASE("a curve that touches a side from inside has a certificate") {
   CHECK(result.components == 1);
   CHECK(result.open == 1);
   CHECK(result.claims[4] == 2);
+}
+
+TEST_CASE("a curve along a side on which another parameter turns has a certificate") {
+  // The patch is folded along u = 1/2, where s turns, and r = 0 all along.
+  const auto patches = read_patches(EXSECT_CASES "/fold-where-arcs-begin.json").patches;
+  const RationalPatch folded = patches[0].patch;
+  const RationalPatch plane = patches[1].patch;
+  for (const auto& [x, y] : {std::pair(folded, plane), std::pair(plane, folded),
+                             std::pair(folded.transposed(), plane), std::pair(folded, plane.transposed())}) {
+    const checker::Summary result = summary(x, y, 1);
+    CHECK(result.open == 1);
+    CHECK(result.claims[4] == 2);
+  }
 }
 
 TEST_CASE("spheres that touch the sides of a square have certificates") {

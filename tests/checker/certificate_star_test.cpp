@@ -1,4 +1,6 @@
 // Certificates with sides that patches share and with stars.
+#include <exsect/geometry/patch_file.h>
+
 #include "certificate_changes.h"
 #include "support/families.h"
 
@@ -185,17 +187,28 @@ TEST_CASE("a forged star is rejected, or says the same as the true one") {
   CHECK(rejected_forgeries(crossing_text(), {"stars"}, generator, 40) > 20);
 }
 
-TEST_CASE("an event without a certificate is named") {
-  // One plane at different speeds.
-  const BezierPatch x = families::cap(0, families::Plane::square).y;
-  const BezierPatch y = families::cap(0, families::Plane::quadratic).y;
-  std::string reason;
+namespace {
+
+/// Why there is no certificate, or nothing.
+std::string missing(const BezierPatch& x, const BezierPatch& y) {
   try {
     certificate(x, y);
+    return "";
   } catch (const cli::NoCertificate& event) {
-    reason = event.what();
+    return event.what();
   }
-  CHECK(reason == "an overlap of patches whose parameters do not depend on each other linearly");
+}
+
+}  // namespace
+
+TEST_CASE("an event without a certificate is named") {
+  // One plane at different speeds.
+  CHECK(
+      missing(families::cap(0, families::Plane::square).y, families::cap(0, families::Plane::quadratic).y) ==
+      "an overlap of patches whose parameters do not depend on each other linearly");
+  // An arc of length 1e-30 across a corner.
+  const auto planes = read_patches(EXSECT_CASES "/found/corner-arc-twice-planes.json").patches;
+  CHECK(missing(planes[0].patch, planes[1].patch) == "nodes nearer to each other than doubles tell");
 }
 
 }  // namespace exsect::certificate_star_test
