@@ -113,7 +113,6 @@ class ArcWriter {
     std::reverse(points.begin(), points.end());
     const Gate finish = leave(points, last, equation);
     std::reverse(points.begin(), points.end());
-    settle(points, equation.map);
     TracedArc result = chain(equation, points, start.beyond, finish.beyond, d_.tubes);
     if (!start.points.empty()) {
       result.points.insert(result.points.begin(), start.points.begin(), start.points.end());
@@ -125,23 +124,6 @@ class ArcWriter {
       result.pieces.push_back({last, result.points.size() - 1});
     }
     return result;
-  }
-
-  /// A polyline may be as far from the curve as its error bound, in its vertices too, but the points of an
-  /// arc are to be on the curve. Those stay that have no point of the curve nearer to them than other points.
-  static void settle(std::vector<TracedPoint>& points, const Map& map) {
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-      const Parameters w = near_curve(map, points[i].at);
-      const double away = 4 * apart(w, points[i].at);
-      if (away < apart(points[i].at, points[i - 1].at) && away < apart(points[i].at, points[i + 1].at))
-        points[i].at = w;
-    }
-  }
-  /// In the parameter in which they are furthest apart.
-  static double apart(const Parameters& a, const Parameters& b) {
-    double most = 0;
-    for (std::size_t i = 0; i < 4; ++i) most = std::max(most, std::abs(a[i] - b[i]));
-    return most;
   }
 
   /// The points of an arc in the chart of a node where it begins, and a tube of the pair where it leaves the

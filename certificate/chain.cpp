@@ -23,7 +23,7 @@ class Chain {
     while (true) {
       std::size_t last = at;
       const auto arrived = [&] { return tube != goal_ && last > at && in(goal_, last); };
-      while (!arrived() && last + 1 < points_.size() && in(tube, last + 1)) ++last;
+      while (!arrived() && last + 1 < points_.size() && in(tube, last + 1)) settle(tubes_[tube], ++last);
       if (tube == goal_ && last + 1 == points_.size()) {
         pieces_.push_back({tube, in_monotone_steps(tube, at, last)});
         return {points_, pieces_};
@@ -45,6 +45,21 @@ class Chain {
 
  private:
   bool in(std::size_t tube, std::size_t point) const { return contains(tubes_[tube], points_[point].at); }
+
+  /// A polyline may be as far from the curve as its error bound, in its vertices too, but the points of an
+  /// arc are to be on the curve. Those stay that have no point of the curve nearer to them than other points.
+  void settle(const Tube& tube, std::size_t point) {
+    TracedPoint& p = points_[point];
+    if (p.vertex < 0 || point + 1 == points_.size()) return;
+    const Vector f = equation_.map.value(p.at);
+    double step = 0;
+    for (const auto& row : tube.inverse) step = std::max(step, std::abs(checker::dot(row, f)));
+    if (!(step > 0x1p-33)) return;
+    const Parameters w = on_curve(equation_.map, p.at, tube.axis);
+    const double away = 4 * apart(w, p.at);
+    const bool is_near = away < distance(point - 1, point) && away < distance(point, point + 1);
+    if (is_near && contains(tube, w)) p.at = w;
+  }
 
   /// A tube that holds the point `last` and goes on as far beyond it as possible.
   std::size_t new_tube(std::size_t last, const Tube& before) {
@@ -116,11 +131,12 @@ class Chain {
     points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(point) + 1, {w, -1});
   }
   /// Of two points: in the parameter in which they are furthest apart.
-  double distance(std::size_t a, std::size_t b) const {
+  static double apart(const Parameters& a, const Parameters& b) {
     double most = 0;
-    for (std::size_t i = 0; i < 4; ++i) most = std::max(most, std::abs(points_[a].at[i] - points_[b].at[i]));
+    for (std::size_t i = 0; i < 4; ++i) most = std::max(most, std::abs(a[i] - b[i]));
     return most;
   }
+  double distance(std::size_t a, std::size_t b) const { return apart(points_[a].at, points_[b].at); }
 
   /// A point of the curve in the tube on the way to the next vertex, which is outside.
   void insert_after(std::size_t at, std::size_t tube) {

@@ -104,20 +104,6 @@ Parameters on_curve(const Map& map, Parameters w, std::size_t fixed) {
   return w;
 }
 
-Parameters near_curve(const Map& map, const Parameters& w) {
-  const Map local = map.at(w);
-  const std::size_t axis = best_axis(map, w);
-  const auto c = inverse(local, axis);
-  if (!c) return w;
-  double step = 0;
-  for (const Vector& row : *c) {
-    double along = 0;
-    for (std::size_t d = 0; d < 3; ++d) along += row[d] * local.value(d);
-    step = std::max(step, std::abs(along));
-  }
-  return step > 0x1p-33 ? on_curve(map, w, axis) : w;
-}
-
 Parameters turning_point(const Map& map, Parameters w, std::size_t axis, std::size_t i) {
   for (int n = 0; n < 8; ++n) {
     const Map local = map.at(w);

@@ -28,8 +28,6 @@ Parameters tangent(const Map& map, const Parameters& w);
 std::size_t best_axis(const Map& map, const Parameters& w);
 /// Newton's method for F = 0 with the variable `fixed` held.
 Parameters on_curve(const Map& map, Parameters w, std::size_t fixed);
-/// w, or a point of the curve beside it where Newton's method takes w further than 2^-33.
-Parameters near_curve(const Map& map, const Parameters& w);
 /// The zero of dw_i/dw_axis near w on the curve.
 Parameters turning_point(const Map& map, Parameters w, std::size_t axis, std::size_t i);
 
