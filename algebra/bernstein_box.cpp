@@ -62,6 +62,11 @@ int BernsteinBox::sign() const {
   return first;
 }
 
+int BernsteinBox::sign_at_corner(bool upper_r, bool upper_s) const {
+  const std::vector<Integer>& row = upper_r ? coefficients_.back() : coefficients_.front();
+  return (upper_s ? row.back() : row.front()).sign();
+}
+
 std::pair<BernsteinBox, BernsteinBox> BernsteinBox::split_r() const {
   const std::size_t n = coefficients_.size();
   BernsteinBox left, right;

@@ -20,6 +20,8 @@ class BernsteinBox {
   Rational upper() const;
   /// +1 if all coefficients are positive, -1 if all are negative, else 0, which decides nothing.
   int sign() const;
+  /// Of f in the corner at the lower or the upper ends.
+  int sign_at_corner(bool upper_r, bool upper_s) const;
 
   /// The same polynomial on the lower and the upper half of the box.
   std::pair<BernsteinBox, BernsteinBox> split_r() const;

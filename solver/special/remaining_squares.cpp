@@ -30,6 +30,20 @@ std::array<Square, 2> halved(const Square& square) {
   return halves;
 }
 
+/// A corner that no division and no test takes away: none of the polynomials is positive there, and a
+/// rectangle that holds it is never small.
+bool has_lasting_corner(const Square& square, const std::function<bool(const Rectangle&)>& is_small) {
+  for (const bool upper_r : {false, true})
+    for (const bool upper_s : {false, true}) {
+      const bool is_left = std::ranges::none_of(
+          square.boxes, [&](const BernsteinBox& box) { return box.sign_at_corner(upper_r, upper_s) > 0; });
+      const Rational& r = upper_r ? square.at.r.upper : square.at.r.lower;
+      const Rational& s = upper_s ? square.at.s.upper : square.at.s.lower;
+      if (is_left && !is_small({{r, r}, {s, s}})) return true;
+    }
+  return false;
+}
+
 }  // namespace
 
 std::optional<std::vector<Rectangle>> remaining_squares(
@@ -48,6 +62,7 @@ std::optional<std::vector<Rectangle>> remaining_squares(
       left.push_back(square.at);
       continue;
     }
+    if (has_lasting_corner(square, is_small)) return std::nullopt;
     for (Square& half : halved(square)) open.push_back(std::move(half));
   }
   return left;

@@ -44,6 +44,10 @@ TEST_CASE("divided boxes have the coefficients of the parts", "[bernstein_box]")
       const Rational middle = f(in_r.midpoint(), in_s.midpoint());
       CHECK(a.lower() <= middle);
       CHECK(a.upper() >= middle);
+      for (const bool upper_r : {false, true})
+        for (const bool upper_s : {false, true})
+          CHECK(a.sign_at_corner(upper_r, upper_s) ==
+                f(upper_r ? in_r.upper : in_r.lower, upper_s ? in_s.upper : in_s.lower).sign());
     };
     const BernsteinBox whole(f, r, s);
     same(whole, r, s);

@@ -38,7 +38,26 @@ TEST_CASE("remaining_squares: none where the point is outside, the square for no
   const auto all = remaining_squares({BivariatePolynomial()}, [](const Rectangle&) { return true; });
   REQUIRE(all->size() == 1);
   CHECK(all->front().r.width() == 1);
-  CHECK(!remaining_squares({BivariatePolynomial::constant(-1)}, [](const Rectangle&) { return false; }));
+  CHECK(!remaining_squares(only_at(Rational(1, 3), Rational(1, 2)), [](const Rectangle&) { return false; }));
+}
+
+TEST_CASE("remaining_squares: a corner that is never small ends the search at once") {
+  // r^2 - 1/2 and s - 1/4: none is positive over a part of the square that is to be within a smaller one.
+  const std::vector<BivariatePolynomial> tests = {
+      BivariatePolynomial::r() * BivariatePolynomial::r() + BivariatePolynomial::constant(Rational(-1, 2)),
+      BivariatePolynomial::s() + BivariatePolynomial::constant(Rational(-1, 4))};
+  int calls = 0;
+  const auto within = [&](const Rational& r, const Rational& s) {
+    return remaining_squares(tests, [&, r, s](const Rectangle& square) {
+      ++calls;
+      return square.r.upper <= r && square.s.upper <= s;
+    });
+  };
+  CHECK(within(Rational(3, 4), Rational(1, 3)));
+  calls = 0;
+  CHECK(!within(Rational(2, 3), Rational(1, 3)));
+  CHECK(!within(Rational(3, 4), Rational(1, 5)));
+  CHECK(calls < 100);
 }
 
 }  // namespace exsect::remaining_squares_test
