@@ -131,8 +131,12 @@ class Follower {
       if (step < least) return false;
       StripPoint<Ball> next{(at.u + Ball(direction * step)).midpoint(), at.v};
       const StripPoint<Ball> before = at;
-      const std::optional<Ball> v = guess(curve, at, next.u, share * widest_ / 16, failures >= kPatience);
-      if (v && (next.v = *v, advance(curve, at, at_reach, next, share, 0))) {
+      // Over a vertical tangent inside the arc v changes as a root of the step: the widest strip takes it.
+      const bool wide = failures % 2 == 1 && step < widest_;
+      const double tried = wide ? 1 : share;
+      const std::optional<Ball> v =
+          guess(curve, at, next.u, tried * widest_ / 16, wide || failures >= kPatience);
+      if (v && (next.v = *v, advance(curve, at, at_reach, next, tried, 0))) {
         slope_ = (next.v - before.v).approximation() / (next.u - before.u).approximation();
         failures = 0;
         step = std::min(step * 1.25, kLongestStep);
@@ -174,7 +178,10 @@ class Follower {
     use(rates_near(at.u.approximation(), to.u.approximation(), at.v.approximation(), to.v.approximation()));
     const double chord = chord_bound(rates_, du, dv) + rates_.u * slack;
     if (!(chord <= kChordShare * tolerance_)) return false;
-    const double slope = (to.v - at.v).lower_magnitude() / du * kReduced;
+    // Of a node only a place is known: a rise within it tells nothing about the arc.
+    const double unsure = slack > 0 ? 2 * place_slack(1, exact(to.v)) : 0;
+    const double rise = (to.v - at.v).lower_magnitude() > unsure ? (to.v - at.v).lower_magnitude() : 0;
+    const double slope = rise / du * kReduced;
     const double width = std::min(share * widest_ * std::max(1.0, slope * steepness_), kWidestStrip);
     if (!(at_reach < std::min(width, widest_) / 8) && !narrow(curve, at, at_reach)) return false;
     const std::optional<double> off = curve.clear(at, to, width, slack);

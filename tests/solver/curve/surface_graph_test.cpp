@@ -46,6 +46,27 @@ TEST_CASE("surface graph: a circle turns twice, and its chords keep within the t
   }
 }
 
+// Next to such a point v changes as a root of the change of u: 1e-6 in v are 1e-18, or 1e-30, in u.
+TEST_CASE("surface graph: vertical tangents inside arcs") {
+  const DrawnPatch patch(square);
+  const BivariatePolynomial x = u - number(Rational(2, 3)), y = v - number(Rational(1, 3));
+  for (const bool fifth : {false, true})
+    for (const bool falls : {false, true})
+      for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
+        const BivariatePolynomial power = fifth ? y * y * y * y * y : y * y * y;
+        const GraphBuilder graph =
+            surface_graph(curve_of(falls ? power + x : power - x * (x + number(2))), patch, tolerance);
+        REQUIRE(graph.arcs().size() == 1);
+        CHECK(graph.arcs()[0].error_bound <= tolerance);
+        for (const PolylineVertex& vertex : graph.arcs()[0].polyline) {
+          const double off = vertex.point[1] - 1.0 / 3, along = vertex.point[0] - 2.0 / 3;
+          const double right = falls ? -along : along * (along + 2);
+          CHECK(std::fabs(off - std::copysign(std::pow(std::fabs(right), fifth ? 0.2 : 1.0 / 3), right)) <
+                tolerance + 1e-3);
+        }
+      }
+}
+
 TEST_CASE("surface graph: singular points have the kinds of docs/formats.md") {
   const DrawnPatch patch(square);
   const auto kinds_at = [&](const BivariatePolynomial& section, double at) {
