@@ -228,7 +228,7 @@ class LineSearch {
     if (line_.error > 0) {
       bound_derivatives(pair_, tube);
       double steep = 1;
-      for (std::size_t j = 0; j < 4; ++j) {
+      for (std::size_t j = 0; j < K::unknowns; ++j) {  // of the scale, at most 1, the slope is relative
         steep = larger_bound(steep, std::fabs(tube.slope[j]) + tube.slope_error[j]);
       }
       ball.radius = kSlack * (ball.radius + line_.error * steep);
