@@ -295,9 +295,11 @@ class Course {
     return bound <= wanted && append(b, bound);
   }
 
-  /// y along the arc from a to b by (17.6b), where that is narrower than on the rectangle.
+  /// y along the arc from a to b by (17.6b), where that is narrower than on the rectangle: beside the
+  /// silhouette, where the rectangle says less than that y goes no further than the chord.
   bool narrow_y(BallPlace& at, const Vertex& a, const Vertex& b, const ChartRates& rates) const {
-    if (arc_.lifted().sheet == 0 || is_vertical_) return false;
+    if (arc_.lifted().sheet == 0 || is_vertical_ || at[2].radius() * lengths_[2] <= length(a, b))
+      return false;
     const auto square = [&](const Vertex& end) {
       return balls_.square_over(ball_of(end.at[0]), ball_of(end.at[1]));
     };
