@@ -21,6 +21,8 @@ RationalPatch multiplied(const RationalPatch& patch);
 RationalPatch reversed(const RationalPatch& patch);  // 1 - u
 /// With t in the place of u, u = k t / (1 + (k - 1) t), k = 7/5.
 RationalPatch reparametrised(const RationalPatch& patch);
+/// How far a chord bends by that, in t: it may be half as long as the square, and |d^2 t / d u^2| <= 1.12.
+inline constexpr double kBentChord = 0.04;
 /// A graph in the parameter t, parameter i being u; boxes exactly. Turning points are the same, as t(u) is
 /// monotone.
 IntersectionGraph reparametrised(IntersectionGraph graph, std::size_t i);
@@ -35,7 +37,8 @@ struct Image {
 
   /// As exsect::difference, of the graphs before and after the map.
   std::string difference(const IntersectionGraph& before, const IntersectionGraph& after) const {
-    return exsect::difference(parameter ? reparametrised(before, *parameter) : before, after, renaming);
+    if (!parameter) return exsect::difference(before, after, renaming);
+    return exsect::difference(reparametrised(before, *parameter), after, renaming, kBentChord);
   }
 };
 

@@ -108,10 +108,10 @@ std::string difference_between(const IntersectionGraph& graph, const Intersectio
   IntersectionGraph known = testing::in_both_orders(graph), image = testing::in_both_orders(other);
   known.overlaps.clear();
   image.overlaps.clear();
-  if (variant.parameter)
-    for (const std::size_t i : {*variant.parameter, *variant.parameter + 2})
-      known = known_images::reparametrised(std::move(known), i);
-  return difference(known, image, variant.renaming);
+  if (!variant.parameter) return difference(known, image, variant.renaming);
+  for (const std::size_t i : {*variant.parameter, *variant.parameter + 2})
+    known = known_images::reparametrised(std::move(known), i);
+  return difference(known, image, variant.renaming, known_images::kBentChord);
 }
 
 void report(const std::string& family, std::uint64_t seed, const RationalPatch& patch,
