@@ -1,5 +1,6 @@
 #include "answer/placement.h"
 
+#include <exsect/algebra/binary_order.h>
 #include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
@@ -18,10 +19,8 @@ constexpr long kOriginBits = 12;
 
 /// The least n with |q| < 2^n. Requires q != 0.
 long binary_exponent(const Rational& q) {
-  const Rational size = abs(q);
-  const auto bits = [](const Integer& n) { return static_cast<long>(msb(n)); };
-  const long n = bits(numerator(size)) - bits(denominator(size));  // 2^(n-1) < size < 2^(n+1)
-  return size < power_of_two(n) ? n : n + 1;
+  const long n = binary_order(q);
+  return abs(q) < power_of_two(n) ? n : n + 1;
 }
 
 struct Box {

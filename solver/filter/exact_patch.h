@@ -1,6 +1,7 @@
 // The patches that the solution in doubles is given, exactly. Internal to solver/.
 #pragma once
 
+#include <exsect/algebra/binary_order.h>
 #include <exsect/geometry/bezier_patch.h>
 #include <exsect/geometry/rational_patch.h>
 
@@ -37,13 +38,6 @@ const Point& control_point(const ElevatedPatch<K>& patch, std::size_t i) {
 inline void set_scaled(Rational& result, const Rational& q, long exponent) {
   const auto shift = static_cast<mp_bitcnt_t>(std::labs(exponent));
   (exponent < 0 ? mpq_div_2exp : mpq_mul_2exp)(result.backend().data(), q.backend().data(), shift);
-}
-
-/// k such that |q| is between 2^(k-1) and 2^(k+1). Requires q != 0.
-inline long binary_order(const Rational& q) {
-  const auto& data = q.backend().data();
-  return static_cast<long>(mpz_sizeinbase(mpq_numref(data), 2)) -
-         static_cast<long>(mpz_sizeinbase(mpq_denref(data), 2));
 }
 
 /// The patch with the net of bidegree (K::degree,K::degree), weights of size 1. Requires a patch of no higher

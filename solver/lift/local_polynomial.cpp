@@ -1,5 +1,7 @@
 #include "lift/local_polynomial.h"
 
+#include <exsect/algebra/binary_order.h>
+
 #include <algorithm>
 
 namespace exsect {
@@ -10,11 +12,6 @@ std::vector<DoubleBall> powers_of(const DoubleBall& w, std::size_t count) {
   std::vector<DoubleBall> powers = {DoubleBall(1)};
   while (powers.size() < count) powers.push_back(powers.back() * w);
   return powers;
-}
-
-long binary_exponent(const Rational& q) {
-  const Integer above = abs(numerator(q)), below = denominator(q);
-  return static_cast<long>(msb(above)) - static_cast<long>(msb(below));
 }
 
 }  // namespace
@@ -42,7 +39,7 @@ LocalPolynomial::LocalPolynomial(const SpacePolynomial& f, const Point& centre)
   for (std::size_t axis = 0; axis < 3 && n > 1; ++axis)
     greatest = std::max<Rational>(greatest, abs(exact[strides[axis]]));
   for (std::size_t i = 0; greatest == 0 && i < exact.size(); ++i) greatest = abs(exact[i]);
-  const Rational scale = greatest == 0 ? Rational(1) : power_of_two(-binary_exponent(greatest));
+  const Rational scale = greatest == 0 ? Rational(1) : power_of_two(-binary_order(greatest));
   for (const Rational& c : exact) coefficients_.push_back(DoubleBall::enclosing(Rational(scale * c)));
 }
 
