@@ -22,11 +22,14 @@ constexpr std::size_t max_weight = 6;
 
 using Columns = std::vector<checker::Vector3<Algebraic>>;
 
+/// F in the powers of the parameters' differences from the point.
+checker::Map<Algebraic> about(const ExactMap& equation, const AlgebraicPoint& at) {
+  return checker::rounded<Algebraic>(equation).at(at.parameters);
+}
+
 /// The columns of DF.
-std::array<checker::Vector3<Algebraic>, 4> columns_of_derivative(const ExactMap& equation,
-                                                                 const AlgebraicPoint& at) {
+std::array<checker::Vector3<Algebraic>, 4> columns_of_derivative(const checker::Map<Algebraic>& local) {
   std::array<checker::Vector3<Algebraic>, 4> result;
-  const checker::Map<Algebraic> local = checker::rounded<Algebraic>(equation).at(at.parameters);
   for (const auto& term : local.terms())
     for (std::size_t j = 0; j < 4; ++j)
       if (std::accumulate(term.power.begin(), term.power.end(), 0) == 1 && term.power[j] == 1)
@@ -104,7 +107,7 @@ Series product_of(const Series& a, const Series& b) {
   return result;
 }
 
-/// F along the parameters' series, F in the powers of their differences from the point, where it is 0.
+/// F, 0 at the point, along the parameters' series.
 std::array<Series, 3> value_along(const checker::Map<Algebraic>& local, const std::array<Series, 4>& w) {
   std::array<Series, 3> result;
   for (const auto& term : local.terms()) {
@@ -121,10 +124,9 @@ std::array<Series, 3> value_along(const checker::Map<Algebraic>& local, const st
 
 /// The parameters' differences from the point along the curve, as series in that of the axis: each step of
 /// w - C F, C the inverse of the other columns, gives one more coefficient.
-std::array<Series, 4> series_along(const ExactMap& equation, const AlgebraicPoint& at,
+std::array<Series, 4> series_along(const checker::Map<Algebraic>& local,
                                    const std::array<checker::Vector3<Algebraic>, 4>& columns,
                                    std::size_t axis) {
-  const checker::Map<Algebraic> local = checker::rounded<Algebraic>(equation).at(at.parameters);
   const auto o = others(axis);
   const Algebraic factor =
       reciprocal(checker::dot(columns[o[0]], checker::cross(columns[o[1]], columns[o[2]])));
@@ -159,14 +161,15 @@ std::optional<checker::CurveBounds<double>> curve_derivatives(const Map& map, co
 }  // namespace
 
 std::optional<Star> regular_star(const ExactMap& equation, const AlgebraicPoint& at) {
-  const auto columns = columns_of_derivative(equation, at);
+  const checker::Map<Algebraic> local = about(equation, at);
+  const auto columns = columns_of_derivative(local);
   const ExactTangent tangent = exact_tangent(columns);
   const auto size = [&](std::size_t j) { return std::abs(checker::number<double>(tangent[j])); };
   std::size_t axis = 0;
   for (std::size_t j = 1; j < 4; ++j)
     if (size(j) > size(axis)) axis = j;
   if (tangent[axis] == 0) return std::nullopt;
-  const std::array<Series, 4> along = series_along(equation, at, columns, axis);
+  const std::array<Series, 4> along = series_along(local, columns, axis);
   Star star = {at.root, at.parameters, {}, {}, {1, 1, 1, 1}, {}, {1, 1, 1}, {}};
   for (std::size_t j = 0; j < 4; ++j) {
     std::size_t n = 0;
@@ -189,7 +192,7 @@ bool turns_at_side(const Map& near, const SingularSearch& search, const Node& no
   if (std::none_of(node.on.begin(), node.on.end(), may_turn)) return false;
   try {
     for (const AlgebraicPoint& at : points_in_box(search, node)) {
-      const ExactTangent tangent = exact_tangent(columns_of_derivative(search.equation, at));
+      const ExactTangent tangent = exact_tangent(columns_of_derivative(about(search.equation, at)));
       const auto turns = [&](const Side& side) { return tangent[index(side.parameter)] == 0; };
       if (tangent != ExactTangent{} && std::any_of(node.on.begin(), node.on.end(), turns)) return true;
     }

@@ -57,17 +57,21 @@ inline bool is_singular(const Map<Rational>& equation, const Star& star) {
   });
 }
 
+/// How many half branches of the star there are among the tubes claimed.
+template <class N>
+std::size_t half_branches(const Certificate<N>& certificate, std::size_t star) {
+  return static_cast<std::size_t>(std::ranges::count_if(certificate.tubes, [&](const Tube<N>& tube) {
+    return tube.chart == Chart::star && tube.star == star;
+  }));
+}
+
 /// The star's point is a singular solution, or one with two half branches; its maps.
 template <class N>
 StarMaps<N> check_star(const Replay<N>& replay, std::size_t i) {
   const Star& star = replay.certificate.stars[i];
   const auto at_least = [](const Algebraic& a, const Algebraic& b) { return a == b || sign_of(a - b) > 0; };
   for (const Algebraic& q : star.at) require(at_least(q, 0) && at_least(1, q), "not in [0,1]^4");
-  const auto& tubes = replay.certificate.tubes;
-  const auto half_branches = std::count_if(tubes.begin(), tubes.end(), [&](const Tube<N>& tube) {
-    return tube.chart == Chart::star && tube.star == i;
-  });
-  require(half_branches == 2 || is_singular(replay.exact, star),
+  require(half_branches(replay.certificate, i) == 2 || is_singular(replay.exact, star),
           "its last row is not normal to both patches");
   check_frame(star);
   StarMaps<N> result = {Frame<N>(star), {}, {}};
@@ -121,9 +125,11 @@ bool leaves_domain(const Replay<N>& replay, const ProvedTube<N>& tube) {
 }
 
 /// No arc has the star's point inside, which is singular, or has two half branches: one of them is outside
-/// [0,1]^4, or a parameter, in which arcs are monotone, grows along both or falls along both.
+/// [0,1]^4, or a parameter, in which arcs are monotone, grows along both or falls along both. Requires
+/// check_star.
 template <class N>
 void check_no_arc_inside(const Replay<N>& replay, std::size_t star) {
+  if (half_branches(replay.certificate, star) != 2) return;  // it is singular
   if (is_singular(replay.exact, replay.certificate.stars[star])) return;
   std::array<int, 4> sum{};
   bool ends = false;
