@@ -117,20 +117,23 @@ IntersectResult intersect_any(const RationalPatch& x, const RationalPatch& y, co
   return pieces;
 }
 
+/// Of any pair, whatever it is like beside that.
+bool has_exact_method(const RationalPatch& x, const RationalPatch& y) {
+  return !eliminant_sweeps(x, y).empty() || polynomial_images(x, y).has_value();
+}
+
 }  // namespace
 
 IntersectResult intersect(const RationalPatch& x, const RationalPatch& y, const IntersectOptions& options) {
   const auto first = x.biquadratic();
   const auto second = y.biquadratic();
   if (first && second) return intersect(*first, *second, options);
-  const bool has_exact_method =
-      !options.exact || !eliminant_sweeps(x, y).empty() || polynomial_images(x, y).has_value();
   return in_nearest_rounding([&]() -> IntersectResult {
     const Run run(options);
     IntersectResult result = with_signs_beside(x, y, run, [&](const Run& part) {
       return answered(part, [&] { return intersect_any(x, y, part); });
     });
-    if (result.status != Status::complete && !has_exact_method && !run.out_of_time())
+    if (result.status != Status::complete && options.exact && !has_exact_method(x, y) && !run.out_of_time())
       throw NotSupported("exact arithmetic for " + kind_of(x) + " and " + kind_of(y));
     if (result.status != Status::complete && !options.exact) run.count("filtered", 1);
     const auto again = [x, y](const IntersectOptions& other) { return intersect(x, y, other); };
