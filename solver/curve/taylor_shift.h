@@ -20,13 +20,14 @@ inline Rational greatest_coefficient(const BivariatePolynomial& f) {
   return most;
 }
 
-/// The coefficients of f / unit: of r^i s^j at i (n + 1) + j, where n = max(0, degree in s). Requires
-/// unit != 0. At least one coefficient.
+/// The coefficients of f / unit: of r^i s^j at i (n + 1) + j, where n = max(degree_s, degree in s). Requires
+/// unit != 0. Those of a polynomial of at least the degrees given.
 template <class Ball>
-std::vector<Ball> enclosed_coefficients(const BivariatePolynomial& f, const Rational& unit) {
+std::vector<Ball> enclosed_coefficients(const BivariatePolynomial& f, const Rational& unit, int degree_r = 0,
+                                        int degree_s = 0) {
   std::vector<Ball> c;
-  for (int i = 0; i <= std::max(f.degree_r(), 0); ++i)
-    for (int j = 0; j <= std::max(f.degree_s(), 0); ++j)
+  for (int i = 0; i <= std::max(f.degree_r(), degree_r); ++i)
+    for (int j = 0; j <= std::max(f.degree_s(), degree_s); ++j)
       c.push_back(Ball::enclosing(f.coefficient(i, j) / unit));
   return c;
 }

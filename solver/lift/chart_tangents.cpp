@@ -9,23 +9,18 @@
 
 namespace exsect {
 
-EnclosedPolynomial::EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit)
-    : EnclosedPolynomial(f, unit, 0, 0) {}
-
 EnclosedPolynomial::EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit, int degree_r,
                                        int degree_s)
     : row_(static_cast<std::size_t>(std::max(f.degree_s(), degree_s)) + 1) {
-  for (int i = 0; i <= std::max(f.degree_r(), degree_r); ++i)
-    for (int j = 0; j < static_cast<int>(row_); ++j) {
-      const DoubleBall c = DoubleBall::enclosing(f.coefficient(i, j) / unit);
-      middles_.push_back(c.approximation());
-      errors_.push_back(c.radius());
-    }
+  for (const DoubleBall& c : enclosed_coefficients<DoubleBall>(f, unit, degree_r, degree_s)) {
+    middles_.push_back(c.approximation());
+    errors_.push_back(c.radius());
+  }
   for (std::size_t i = 0; i < errors_.size(); ++i) errors_[i] += relative_error() * std::fabs(middles_[i]);
 }
 
-/// Two more roundings, of the product and the sum. What the errors hold for later operations is for |f| + |c
-/// g|.
+/// Two more roundings, of the product and the sum. What the errors hold for later operations is for
+/// |f| + |c g|.
 EnclosedPolynomial EnclosedPolynomial::plus(double c, const EnclosedPolynomial& g) const {
   EnclosedPolynomial result = *this;
   for (std::size_t i = 0; i < middles_.size(); ++i) {

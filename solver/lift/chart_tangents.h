@@ -13,9 +13,8 @@ namespace exsect {
 /// A polynomial in balls, divided by a number.
 class EnclosedPolynomial {
  public:
-  EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit);
-  /// As polynomials of at least these degrees.
-  EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit, int degree_r, int degree_s);
+  /// As one of at least these degrees.
+  EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit, int degree_r = 0, int degree_s = 0);
   /// f + c g, for one of the same degrees.
   EnclosedPolynomial plus(double c, const EnclosedPolynomial& g) const;
   /// All values on a rectangle: Taylor's expansion about the middle, of the midpoints of the coefficients
