@@ -13,24 +13,30 @@ constexpr int kMostDirections = 40;
 /// Square of the distance of a hull of unit vectors from zero below which no direction is looked for.
 constexpr double kNearlyZero = 0x1p-12;
 
+/// The ranges of both parameters, or of that across the pole's side, fulfil condition(range, is at upper
+/// end).
+template <class K, class Condition>
+bool at_corner(const Part& part, std::size_t corner, const std::optional<SquareSide>& pole,
+               const Condition& condition) {
+  const std::array<bool, 2> upper = corner_ends<K>(corner);
+  const auto holds = [&](std::size_t i) { return condition(part.range[i], upper[i]); };
+  return pole ? holds(pole->parameter) : holds(0) && holds(1);
+}
+
 /// The part reaches this end of a side, or all of the pole there.
 template <class K>
 bool reaches(const Part& part, std::size_t corner, const std::optional<SquareSide>& pole) {
-  const std::array<bool, 2> upper = corner_ends<K>(corner);
-  const auto at_end = [&](std::size_t i) {
-    return upper[i] ? part.range[i].upper == 1 : part.range[i].lower == 0;
-  };
-  return pole ? at_end(pole->parameter) : at_end(0) && at_end(1);
+  return at_corner<K>(part, corner, pole, [](const auto& range, bool upper) {
+    return upper ? range.upper == 1 : range.lower == 0;
+  });
 }
 
 /// The part is within `reach` of the corner, or of the pole's side, exactly.
 template <class K>
 bool lies_within(double reach, const Part& part, std::size_t corner, const std::optional<SquareSide>& pole) {
-  const std::array<bool, 2> upper = corner_ends<K>(corner);
-  const auto is_near = [&](std::size_t i) {
-    return upper[i] ? part.range[i].lower >= 1 - reach : part.range[i].upper <= reach;
-  };
-  return pole ? is_near(pole->parameter) : is_near(0) && is_near(1);
+  return at_corner<K>(part, corner, pole, [&](const auto& range, bool upper) {
+    return upper ? range.lower >= 1 - reach : range.upper <= reach;
+  });
 }
 
 /// Vectors of length about one; zero vectors stay.

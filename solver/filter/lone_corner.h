@@ -7,7 +7,7 @@
 
 namespace exsect::filter {
 
-/// SquarePlaces of a square counted from one of its corners: bit 3 i + j for the first parameter 0 (i = 0),
+/// Places of a square, counted from one of its corners: bit 3 i + j for the first parameter 0 (i = 0),
 /// between 0 and 1 (1), or 1 (2), and the second one likewise.
 using SquarePlaces = unsigned;
 inline constexpr SquarePlaces kCornerPlace = 1;

@@ -55,9 +55,8 @@ const BallPoint<Ball>& landmark_box(const BallPoint<Ball>& landmark) {
 
 /// A curve point in a small box, and how to go on from there. `Course` proposes the tubes, one kind of
 /// curves each; this class decides what they meet, and so what is proved. A Course has
-///   Box, Offset, Trace        types: of a place with its error, of a place along a tube, and of the result,
-///   a
-///                             TubeTrace, with offset(tube, box), contains(tube, box), excludes(tube, box),
+///   Box, Offset, Trace, Tube  types: a place with its error, a place along a tube, and the result, which is
+///                             a TubeTrace, with offset(tube, box), contains(tube, box), excludes(tube, box),
 ///                             point_at(tube, tau), may_be_in_domain(box), trace_failure(box, why)
 ///   Landmarks                 a container of what has landmark_box(landmark)
 ///   steps, too_small          its row of the table, and what is said where steps become too small

@@ -1,5 +1,5 @@
+#include <exsect/algebra/ball.h>
 #include <exsect/algebra/bivariate_value.h>
-#include <exsect/algebra/wide_ball.h>
 
 #include "algebra/random_numbers.h"
 #include "support/catch.h"
