@@ -54,11 +54,14 @@ std::string compact_text(const Json& json) {
 }
 
 Json verbatim(const std::string& text) {
-  return Json::binary(std::vector<std::uint8_t>(text.begin(), text.end()));
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+  return Json::binary({bytes, bytes + text.size()});
 }
 
 Json sealed(const std::string& place, Json claim) {
-  claim["seal"] = checker::seal(place + compact_text(claim));
+  std::string text = place;
+  append(claim, text);
+  claim["seal"] = checker::seal(text);
   return claim;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "net.h"
@@ -218,21 +219,25 @@ class Ranges {
   }
   /// Of the second derivative along vectors in the box t.
   Balls<N> second(const Box<N>& t) const {
+    std::array<std::array<std::optional<Balls<N>>, 4>, 4> entries;
+    for (const Term& term : terms_) {
+      for (std::size_t j = 0; j < 4; ++j) {
+        if (term.lower[j] < 0) continue;
+        const Term& lower = terms_[static_cast<std::size_t>(term.lower[j])];
+        for (std::size_t k = j; k < 4; ++k) {
+          if (lower.lower[k] < 0) continue;
+          if (!entries[j][k]) entries[j][k].emplace();
+          add(*entries[j][k], term.c, {lower.lower[k], term.power[j] * lower.power[k]});
+        }
+      }
+    }
     Balls<N> sum;
     for (std::size_t j = 0; j < 4; ++j) {
       for (std::size_t k = j; k < 4; ++k) {
-        bool any = false;
-        const Balls<N> entry = sum_over([&](std::size_t i) {
-          const Term& term = terms_[i];
-          if (term.lower[j] < 0) return Part{-1, 0};
-          const Term& lower = terms_[static_cast<std::size_t>(term.lower[j])];
-          any = any || lower.lower[k] >= 0;
-          return Part{lower.lower[k], term.power[j] * lower.power[k]};
-        });
-        if (!any) continue;
+        if (!entries[j][k]) continue;
         const Ball<N> square = t[j] * t[k];
         const Ball<N> factor = j == k ? square : square + square;
-        for (std::size_t d = 0; d < 3; ++d) sum[d] = sum[d] + entry[d] * factor;
+        for (std::size_t d = 0; d < 3; ++d) sum[d] = sum[d] + (*entries[j][k])[d] * factor;
       }
     }
     return sum;
@@ -250,19 +255,19 @@ class Ranges {
   template <class PartOf>
   Balls<N> sum_over(const PartOf& part_of) const {
     Balls<N> result;
-    for (std::size_t i = 0; i < terms_.size(); ++i) {
-      const auto [term, factor] = part_of(i);
-      if (term < 0) continue;
-      N size = size_[static_cast<std::size_t>(term)];
-      if (factor != 1) size = N(factor) * size;
-      for (std::size_t d = 0; d < 3; ++d) {
-        if (term == 0)
-          result[d].middle = size * terms_[i].c[d];
-        else
-          add_multiple(result[d].radius, size, checker::magnitude(terms_[i].c[d]));
-      }
-    }
+    for (std::size_t i = 0; i < terms_.size(); ++i)
+      if (const Part part = part_of(i); part.term >= 0) add(result, terms_[i].c, part);
     return result;
+  }
+  void add(Balls<N>& sum, const Vector3<N>& c, const Part& part) const {
+    N size = size_[static_cast<std::size_t>(part.term)];
+    if (part.factor != 1) size = N(part.factor) * size;
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (part.term == 0)
+        sum[d].middle = size * c[d];
+      else
+        add_multiple(sum[d].radius, size, checker::magnitude(c[d]));
+    }
   }
 
   const std::vector<Term>& terms_;
