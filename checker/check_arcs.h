@@ -84,10 +84,13 @@ class ErrorBound {
     N distance;                // at most, between arc and polyline
     std::array<int, 4> signs;  // of the derivatives
   };
-  bool suffice(const Steps& steps, const std::array<bool, 4>& open) const {
-    bool result = steps.distance <= arc_.error_bound;
-    for (std::size_t i = 0; i < 4; ++i) result = result && (!open[i] || steps.signs[i] != 0);
+  static bool have_signs(const std::array<int, 4>& signs, const std::array<bool, 4>& open) {
+    bool result = true;
+    for (std::size_t i = 0; i < 4; ++i) result = result && (!open[i] || signs[i] != 0);
     return result;
+  }
+  bool suffice(const Steps& steps, const std::array<bool, 4>& open) const {
+    return steps.distance <= arc_.error_bound && have_signs(steps.signs, open);
   }
 
   static Vector3<N> difference(const Vector3<N>& a, const Vector3<N>& b) {
@@ -138,11 +141,8 @@ class ErrorBound {
     const N bend = norm_above({second[0].magnitude(), second[1].magnitude(), second[2].magnitude()}) / 8;
     const N speed = norm_above(slope);
     Steps result = {};
-    if (open != std::array<bool, 4>{}) {
-      const std::size_t c = (j + last) / 2;
-      const N length = larger(magnitude(N(at[c][k] - at[j][k])), magnitude(N(at[c][k] - at[last][k])));
-      result.signs = checker::slope_signs(tube.map, k, bounds, at[c], near[c], N(length + margin));
-    }
+    if (open != std::array<bool, 4>{})
+      result.signs = signs_along(tube, bounds, at, near, margin, open, j, last);
     N before = 0;
     for (std::size_t i = j; i <= last; ++i) {
       const N end = norm_above(difference(space.value(at[i]), places_[first + i])) + speed * near[i];
@@ -151,6 +151,22 @@ class ErrorBound {
         result.distance = larger(result.distance, N(larger(before, end) + step * step * bend));
       }
       before = end;
+    }
+    return result;
+  }
+
+  /// The signs of the derivatives on these steps together, from the point in their middle, or from either of
+  /// the two there: both ends of a single step.
+  std::array<int, 4> signs_along(const ProvedTube<N>& tube, const CurveBounds<N>& bounds,
+                                 const std::vector<Vector4<N>>& at, const std::vector<N>& near,
+                                 const N& margin, const std::array<bool, 4>& open, std::size_t j,
+                                 std::size_t last) const {
+    const std::size_t k = tube.claim.axis;
+    std::array<int, 4> result{};
+    for (std::size_t c = (j + last) / 2; c <= (j + last + 1) / 2 && !have_signs(result, open); ++c) {
+      const N length = larger(magnitude(N(at[c][k] - at[j][k])), magnitude(N(at[c][k] - at[last][k])));
+      const auto found = checker::slope_signs(tube.map, k, bounds, at[c], near[c], N(length + margin));
+      for (std::size_t i = 0; i < 4; ++i) result[i] = result[i] == 0 ? found[i] : result[i];
     }
     return result;
   }

@@ -1516,8 +1516,10 @@ class Checker:
             step = points[j + 1][tube.axis] - points[j][tube.axis]
             distance = max(distance, max(ends[j - begin], ends[j - begin + 1]) + step * step * bend)
         signs = [sign(b) for b in bounds.first]
-        if not all(signs[i] for i in open_ones):
-            k, c = tube.axis, (begin + stop) // 2
+        for c in (begin + stop) // 2, (begin + stop + 1) // 2:  # both ends of a single step
+            if all(signs[i] for i in open_ones):
+                break
+            k = tube.axis
             length = margin + max(abs(points[c][k] - points[end][k]) for end in (begin, stop))
             there = tube.derivatives(points[c], [near[c]] * 4)
             if there.defect < 1:
