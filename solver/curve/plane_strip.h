@@ -32,38 +32,34 @@ class PlaneStrip {
   }
 
   /// About the zero of f(u,.) near v, by Newton's method; empty if it does not come to rest within `rest`.
-  std::optional<Ball> zero_near(const Ball& u, Ball v, double rest) const {
-    const std::vector<Ball> c = over(u);
-    for (int step = 0; step < 16; ++step) {
-      Ball value, slope;
-      for (std::size_t j = n_ + 1; j-- > 0;) {
-        slope = slope * v + value;
-        value = value * v + c[j];
-      }
-      const double move = -value.approximation() / slope.approximation();
-      if (!(std::fabs(move) <= 1)) return std::nullopt;
-      v = (v + Ball(move)).midpoint();
-      if (std::fabs(move) <= rest) return v;
-    }
-    return std::nullopt;
+  std::optional<Ball> zero_near(const Ball& u, const Ball& v, double rest) const {
+    return zero_near(over(u), v, rest);
   }
 
-  /// An enclosure of the zero of f(u,.) in a ball that has one, if it is proved to be the only one there: by
-  /// one change of sign in the Bernstein coefficients on a slightly wider interval, and one of f around the
-  /// zero that Newton's method finds.
-  std::optional<Ball> only_zero(const Ball& u, const Ball& range) const {
+  /// An enclosure of a zero of f(u,.) that a ball is known to contain, of a radius from about `least` on, if
+  /// it is proved to be the one meant: by the changes of sign in the Bernstein coefficients on a slightly
+  /// wider interval, and one of f around what Newton's method finds. With one change there is no other zero.
+  /// With two it is told by `below`, the sign of f(u,.) next below it (17.6d); 0 if that is not known.
+  std::optional<Ball> only_zero(const Ball& u, const Ball& range, int below = 0,
+                                double least = 0x1p-50) const {
     const double middle = range.approximation(), reach = range.upper_magnitude();
     const double room = range.radius() * 0x1p-5 + reach * 0x1p-40 + kUnderflowLoss;
     const double lower = middle - range.radius() - room, width = 2 * (range.radius() + room);
-    std::vector<Ball> c = over(u);
-    if (!changes_sign_once(c, Ball(lower), Ball(width))) return std::nullopt;
-    const std::optional<Ball> v = zero_near(u, range.midpoint(), 0x1p-40);
+    const std::vector<Ball> c = over(u);
+    const SignChanges changes = sign_changes(c, Ball(lower), Ball(width));
+    const bool is_one_of_two = changes.number == 2 && below != 0;
+    if (changes.number != 1 && !is_one_of_two) return std::nullopt;
+    const double from = !is_one_of_two ? middle : changes.first == below ? lower : lower + width;
+    const std::optional<Ball> v = zero_near(c, Ball(from), least * 0x1p10);
     if (!v) return std::nullopt;
-    for (double w = 0x1p-50; w < 0x1p-22; w *= 16) {
-      const Ball below = *v - Ball(w), above = *v + Ball(w);
-      if (!(below - Ball(lower)).is_positive() || !(Ball(lower) + Ball(width) - above).is_positive())
+    for (double w = least; w < 0x1p-22; w *= 16) {
+      const Ball under = *v - Ball(w), above = *v + Ball(w);
+      if (!(under - Ball(lower)).is_positive() || !(Ball(lower) + Ball(width) - above).is_positive())
         return std::nullopt;
-      if (value(c, below).certain_sign() * value(c, above).certain_sign() < 0) return v->widened(w * kSlack);
+      const int sign = value(c, under).certain_sign();
+      if (sign * value(c, above).certain_sign() >= 0) continue;
+      if (is_one_of_two && sign != below) return std::nullopt;
+      return v->widened(w * kSlack);
     }
     return std::nullopt;
   }
@@ -113,16 +109,38 @@ class PlaneStrip {
     return c;
   }
 
+  /// About the zero near v of the polynomial with these coefficients.
+  static std::optional<Ball> zero_near(const std::vector<Ball>& c, Ball v, double rest) {
+    for (int step = 0; step < 16; ++step) {
+      Ball value, slope;
+      for (std::size_t j = c.size(); j-- > 0;) {
+        slope = slope * v + value;
+        value = value * v + c[j];
+      }
+      const double move = -value.approximation() / slope.approximation();
+      if (!(std::fabs(move) <= 1)) return std::nullopt;
+      v = (v + Ball(move)).midpoint();
+      if (std::fabs(move) <= rest) return v;
+    }
+    return std::nullopt;
+  }
+
   static Ball value(const std::vector<Ball>& c, const Ball& v) {
     Ball sum;
     for (std::size_t j = c.size(); j-- > 0;) sum = sum * v + c[j];
     return sum;
   }
 
-  /// One change of sign, whatever the sign of one coefficient that is not known, in the Bernstein
-  /// coefficients of a polynomial on [lower, lower + width]: it has exactly one zero there, a simple one
-  /// inside.
-  static bool changes_sign_once(std::vector<Ball> c, const Ball& lower, const Ball& width) {
+  /// How often the Bernstein coefficients of a polynomial change their sign, -1 if that is not known, and the
+  /// first sign.
+  struct SignChanges {
+    int number;
+    int first;
+  };
+  /// On [lower, lower + width]; one coefficient between others of two signs may be of any. The polynomial has
+  /// exactly one zero there if it is 1, a simple one inside; two or none, counted with multiplicities, if it
+  /// is 2.
+  static SignChanges sign_changes(std::vector<Ball> c, const Ball& lower, const Ball& width) {
     const std::size_t n = c.size() - 1;
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t j = n; j-- > k;) c[j] += lower * c[j + 1];
@@ -135,13 +153,18 @@ class PlaneStrip {
     }
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t j = n; j > k; --j) c[j] += c[j - 1];
-    const int first = c[0].certain_sign(), last = c[n].certain_sign();
-    if (first * last >= 0) return false;
-    std::size_t i = 0;
-    while (c[i].certain_sign() == first) ++i;
-    if (c[i].certain_sign() == 0) ++i;
-    while (i <= n && c[i].certain_sign() == last) ++i;
-    return i > n;
+    const int first = c[0].certain_sign();
+    int changes = 0, before = first;
+    bool is_unknown = first == 0;  // the sign of the coefficient before
+    for (std::size_t j = 1; j <= n; ++j) {
+      const int sign = c[j].certain_sign();
+      if (is_unknown && (sign == 0 || sign == before)) return {-1, first};
+      is_unknown = sign == 0;
+      if (is_unknown) continue;
+      if (sign != before) ++changes;
+      before = sign;
+    }
+    return {is_unknown || first == 0 ? -1 : changes, first};
   }
 
   /// The polynomial has one sign, and no zero, for |x| <= reach. A square of that sign is left out: it only

@@ -10,111 +10,12 @@
 #include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
 #include "curve/curve_place.h"
-#include "curve/plane_strip.h"
 #include "lift/ball_chart.h"
 #include "lift/chart_tangents.h"
+#include "lift/middle_places.h"
 
 namespace exsect {
 namespace {
-
-/// About nodes, and about v over a rational u.
-const Rational& fine_width() {
-  static const Rational width = power_of_two(-80);
-  return width;
-}
-
-/// An arc to draw, and what both arithmetics need of it.
-struct DrawnArc {
-  const LiftedCurve& curve;
-  std::size_t arc;
-  double tolerance;
-
-  const LiftedArc& lifted() const { return curve.arcs[arc]; }
-  const CurveBranch& branch() const { return curve.below.arcs[lifted().below]; }
-  bool is_vertical() const { return curve.below.nodes[branch().from].u == curve.below.nodes[branch().to].u; }
-  /// v over a u that the arc passes over; `range` contains it. Empty in the interval of a critical value.
-  std::optional<RationalInterval> over(const Rational& u, const RationalInterval& range) const {
-    const std::vector<RealAlgebraic> zeros = real_roots(curve.below.swept.at_r(u), range.lower, range.upper);
-    if (zeros.size() == 1) return zeros[0].refined_to(fine_width()).interval();
-    return arc_over(curve.below, lifted().below, u, fine_width());
-  }
-};
-
-/// Where the next vertex between two is looked for. Empty: these numbers do not lead further.
-template <class Interval>
-class MiddlePlaces;
-
-/// By rational numbers of few bits.
-template <>
-class MiddlePlaces<RationalInterval> {
- public:
-  explicit MiddlePlaces(const DrawnArc& arc) : arc_(arc) {}
-
-  /// About at this share of the way between two closed intervals.
-  std::optional<RationalInterval> between(const RationalInterval& a, const RationalInterval& b,
-                                          double share) const {
-    const bool up = a.upper < b.lower;
-    const Rational lower = up ? a.upper : b.upper, upper = up ? b.lower : a.lower;
-    if (!(lower < upper)) throw ProofFailure(whole_domain(), "nodes of an arc in space are not apart");
-    const Rational width = upper - lower, at = from_double(up ? share : 1 - share);
-    const Rational room = at * (1 - at) * Rational(2, 3);
-    const Rational middle = simplest_between(lower + (at - room) * width, lower + (at + room) * width);
-    return RationalInterval{middle, middle};
-  }
-
-  /// The arc over about this u between those of the ends, v in this range; u moves towards the end where it
-  /// has to.
-  std::optional<std::array<RationalInterval, 2>> on_arc(const RationalInterval& u,
-                                                        const RationalInterval& range,
-                                                        const RationalInterval& end) const {
-    for (Rational at = u.lower;; at = (at + end.lower) / 2) {
-      interruption_point();
-      if (const auto v = arc_.over(at, range)) return {{RationalInterval{at, at}, *v}};
-    }
-  }
-
- private:
-  const DrawnArc& arc_;
-};
-
-/// By doubles.
-template <>
-class MiddlePlaces<DoubleBall> {
- public:
-  explicit MiddlePlaces(const DrawnArc& arc)
-      : arc_(arc), swept_(arc.curve.below.swept), exchanged_(arc.curve.below.swept.exchanged()) {}
-
-  std::optional<DoubleBall> between(const DoubleBall& a, const DoubleBall& b, double share) const {
-    const double from = a.approximation(), to = b.approximation(), at = from + (to - from) * share;
-    const DoubleBall middle(at);
-    const int side = (middle - a).certain_sign();
-    if (side == 0 || (b - middle).certain_sign() != side) return std::nullopt;
-    return middle;
-  }
-
-  std::optional<std::array<DoubleBall, 2>> on_arc(const DoubleBall& u, const DoubleBall& range) const {
-    if (const auto v = swept_.only_zero(u, range)) return {{u, *v}};
-    return exactly_on_arc(u, range);
-  }
-  /// The arc over a v between those of its ends, u in this range.
-  std::optional<std::array<DoubleBall, 2>> beside(const DoubleBall& v, const DoubleBall& range) const {
-    const auto u = exchanged_.only_zero(v, range);
-    if (!u) return std::nullopt;
-    return {{*u, v}};
-  }
-  /// v as near as doubles are.
-  std::optional<std::array<DoubleBall, 2>> exactly_on_arc(const DoubleBall& u,
-                                                          const DoubleBall& range) const {
-    const auto v = arc_.over(from_double(u.approximation()), range.interval());
-    if (!v) return std::nullopt;
-    return {{u, DoubleBall::enclosing(*v)}};
-  }
-
- private:
-  const DrawnArc& arc_;
-  PlaneStrip<DoubleBall> swept_;
-  PlaneStrip<DoubleBall> exchanged_;
-};
 
 /// Cuts one arc until every chord is proved.
 template <class Chart>
@@ -250,7 +151,7 @@ class Course {
       return on_arc(middles_.on_arc(*u, range, b.at[0]));
     } else {
       const std::optional<Vertex> quick = on_arc(middles_.on_arc(*u, range));
-      return quick && is_fine(*quick) ? quick : on_arc(middles_.exactly_on_arc(*u, range));
+      return quick && is_fine(*quick) ? quick : on_arc(middles_.nearest_on_arc(*u, range));
     }
   }
   static bool is_steep(const Vertex& a, const Vertex& b) {

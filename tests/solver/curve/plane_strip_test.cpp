@@ -1,6 +1,7 @@
 // Strips that a plane curve does not meet: in doubles and in long numbers, and against exact values.
 #include "curve/plane_strip.h"
 
+#include <exsect/algebra/double_double_ball.h>
 #include <exsect/algebra/real_algebraic.h>
 
 #include <random>
@@ -140,6 +141,58 @@ TEST_CASE("plane strips: the only zero in an interval, against exact roots", "[c
   }
   CHECK(found > 50);
   CHECK(found > 0.7 * single);
+}
+
+TEST_CASE("plane strips: one of two zeros, told by the sign below it", "[curve]") {
+  const unsigned seed = 14;
+  INFO("seed " << seed);
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> place(0, 1);
+  const auto check = [](const auto& v, const RealAlgebraic& root) {
+    const RationalInterval exact = root.refined_to(power_of_two(-120)).interval(), ball = v->interval();
+    CHECK(ball.lower <= exact.upper);
+    CHECK(exact.lower <= ball.upper);
+  };
+  int found = 0, pairs = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double u = place(generator), middle = place(generator), radius = 0.4 * place(generator);
+    const BivariatePolynomial off =
+        BivariatePolynomial::s() - BivariatePolynomial::constant(from_double(middle));
+    const BivariatePolynomial f = random_curve(generator, 1 + i % 5, i % 7) +
+                                  BivariatePolynomial::constant(1 << i % 13) *
+                                      (off * off - BivariatePolynomial::constant(Rational(1, 40)));
+    const Polynomial over = f.at_r(from_double(u));
+    const auto roots = real_roots(over, from_double(middle) - from_double(radius),
+                                  from_double(middle) + from_double(radius));
+    if (roots.size() != 2) continue;
+    ++pairs;
+    const DoubleBall range(middle, radius);
+    const DoubleDoubleBall long_range(middle, radius);
+    CHECK_FALSE(PlaneStrip<DoubleBall>(f).only_zero(u, range));
+    for (std::size_t k = 0; k < 2; ++k) {
+      const int below = -over.derivative().sign_at(roots[k].refined_to(power_of_two(-200)).interval().lower);
+      if (const auto v = PlaneStrip<DoubleBall>(f).only_zero(u, range, below)) ++found, check(v, roots[k]);
+      const auto longer = PlaneStrip<DoubleDoubleBall>(f).only_zero(u, long_range, below, 0x1p-80);
+      if (!longer) continue;
+      check(longer, roots[k]);
+      CHECK(longer->radius() < 0x1p-50);
+    }
+  }
+  CHECK(pairs > 100);
+  CHECK(found > pairs);
+  // 2^-30 apart: (v - 1/2)^2 = 2^-62.
+  const BivariatePolynomial off = BivariatePolynomial::s() - BivariatePolynomial::constant(Rational(1, 2)),
+                            f = off * off - BivariatePolynomial::constant(power_of_two(-62));
+  const PlaneStrip<DoubleDoubleBall> strip(f);
+  const auto lower = strip.only_zero(0.25, DoubleDoubleBall(0.5, 0x1p-20), 1, 0x1p-80),
+             upper = strip.only_zero(0.25, DoubleDoubleBall(0.5, 0x1p-20), -1, 0x1p-80);
+  REQUIRE(lower);
+  REQUIRE(upper);
+  CHECK((*upper - *lower - DoubleDoubleBall(0x1p-30)).upper_magnitude() < 0x1p-70);
+  // Two zeros that are one, and none, are never told.
+  CHECK_FALSE(PlaneStrip<DoubleDoubleBall>(off * off).only_zero(0.25, DoubleDoubleBall(0.5, 0.25), 1));
+  const BivariatePolynomial none = off * off + BivariatePolynomial::constant(power_of_two(-62));
+  CHECK_FALSE(PlaneStrip<DoubleDoubleBall>(none).only_zero(0.25, DoubleDoubleBall(0.5, 0.25), 1));
 }
 
 TEST_CASE("plane strips: a zero that doubles enclose less narrowly", "[curve]") {
