@@ -8,6 +8,7 @@
 
 #include "certificate/claims.h"
 #include "certificate/gates.h"
+#include "certificate/near_nodes.h"
 
 namespace exsect::cli {
 namespace {
@@ -38,6 +39,8 @@ class ArcWriter {
       list += i == 0 ? "[" : ",";
       if (i == 0 || i + 1 == traced.points.size()) {
         list += compact_text(d_.place_claims[i == 0 ? from : to]);
+      } else if (p.exact) {
+        list += compact_text(rationals(*p.exact));
       } else {
         list += '[';
         append_numbers(list, p.at);
@@ -64,11 +67,11 @@ class ArcWriter {
  private:
   /// Where several half branches begin next to each other, the nearest one that leads to the arc's other end.
   TracedArc traced_arc(const Arc& a, std::size_t from, std::size_t to) {
-    std::vector<TracedPoint> points;
-    for (std::size_t i = 0; i < a.polyline.size(); ++i)
-      points.push_back({a.polyline[i].parameters, static_cast<int>(i)});
-    points.front().at = d_.places[from];
-    points.back().at = d_.places[to];
+    std::vector<TracedPoint> points = polyline_points(a, from, to);
+    const auto& begins = d_.long_places[from];
+    const auto& ends = d_.long_places[to];
+    if (points.size() == 2 && begins && ends && apart(points[0].at, points[1].at) < 0x1p-40)
+      return short_arc(d_, *begins, *ends, {d_.tube_of[from], d_.tube_of[to]}, a.polyline.size());
     const std::vector<std::size_t> first = first_tubes(points, from);
     std::reverse(points.begin(), points.end());
     const std::vector<std::size_t> last = first_tubes(points, to);
@@ -89,6 +92,25 @@ class ArcWriter {
       }
     }
     throw NoCertificate(reason);
+  }
+
+  /// The vertices, without those that are next to an end that needs numbers longer than doubles.
+  std::vector<TracedPoint> polyline_points(const Arc& a, std::size_t from, std::size_t to) const {
+    std::vector<TracedPoint> points = {{d_.places[from], 0}};
+    for (std::size_t i = 1; i + 1 < a.polyline.size(); ++i) {
+      const Parameters& w = a.polyline[i].parameters;
+      const auto at_end = [&](std::size_t n) {
+        return d_.long_places[n] && apart(w, d_.places[n]) < 0x1p-24;
+      };
+      if (!at_end(from) && !at_end(to)) points.push_back({w, static_cast<int>(i)});
+    }
+    points.push_back({d_.places[to], static_cast<int>(a.polyline.size()) - 1});
+    return points;
+  }
+  static double apart(const Parameters& a, const Parameters& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < 4; ++i) most = std::max(most, std::abs(a[i] - b[i]));
+    return most;
   }
 
   /// That of the node; of a star, those of its half branches on which no arc runs yet, the nearest first.

@@ -1,6 +1,7 @@
 // Arcs of curves as chains of tubes, in doubles: nothing here proves anything, as in search.h.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "certificate/search.h"
@@ -9,7 +10,8 @@ namespace exsect::cli {
 
 struct TracedPoint {
   Parameters at;
-  int vertex;  // of the polyline, or -1
+  int vertex;                       // of the polyline, or -1
+  std::optional<Place> exact = {};  // where doubles are too short
 };
 struct TracedPiece {
   std::size_t tube;

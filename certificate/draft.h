@@ -3,6 +3,7 @@
 
 #include <exsect/solver/result.h>
 
+#include <optional>
 #include <vector>
 
 #include "certificate/factor.h"
@@ -11,6 +12,13 @@
 #include "output/text/json_forms.h"
 
 namespace exsect::cli {
+
+/// A node's place in multiples of 2^-bits, within far less than `radius` of it if Newton's method went well.
+struct LongPlace {
+  Place at;
+  Rational radius;
+  int bits;
+};
 
 struct Draft {
   const IntersectionGraph& graph;
@@ -35,6 +43,7 @@ struct Draft {
   // What node_claims finds, of each node claimed and each star:
   std::vector<std::size_t> tube_of = {};
   std::vector<Parameters> places = {};
+  std::vector<std::optional<LongPlace>> long_places = {};  // of nodes that doubles do not tell apart
   std::vector<Json> place_claims = {};
 
   /// The star of the node claimed under this number, or nothing.

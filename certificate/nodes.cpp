@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "certificate/claims.h"
 #include "certificate/gates.h"
+#include "certificate/near_nodes.h"
 
 namespace exsect::cli {
 namespace {
@@ -59,40 +61,63 @@ double node_radius(const Draft& d, const Node& n, const Tube& tube, const Parame
   return std::exp2(std::ceil(std::log2(radius)));
 }
 
-/// The boxes of nodes must not meet.
-void keep_apart(const Draft& d, const std::vector<double>& radii) {
-  for (std::size_t a = 0; a + 1 < radii.size(); ++a) {
-    double apart = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      apart = std::max(apart, std::abs(d.places[a][i] - d.places.back()[i]));
-    if (apart <= radii[a] + radii.back()) throw NoCertificate("nodes nearer to each other than doubles tell");
-  }
-}
+/// A node that is claimed, in its tube.
+struct Found {
+  const Node* node;
+  double radius;
+};
 
-/// `radii`: of the nodes before, and then of this one.
-Json node(Draft& d, const Node& n, std::vector<double>& radii) {
+Found found(Draft& d, const Node& n) {
   Parameters w = n.approx;
   d.tube_of.push_back(d.tubes.size());
   d.tubes.push_back(is_cusp(n) ? cusp_tube(d.pair, w) : node_tube(d, n, w));
-  const Tube& tube = d.tubes[d.tube_of.back()];
+  const Tube& tube = d.tubes.back();
   d.places.push_back(w);
+  d.long_places.emplace_back();
   d.place_claims.push_back(place_claim(d, n, w));
-  const double radius = is_cusp(n) ? cusp_radius(d.pair, tube, w) : node_radius(d, n, tube, w);
-  radii.push_back(radius);
-  keep_apart(d, radii);
+  return {&n, is_cusp(n) ? cusp_radius(d.pair, tube, w) : node_radius(d, n, tube, w)};
+}
 
+/// The boxes of nodes must not meet: longer numbers for those whose boxes do.
+void tell_apart(Draft& d, const std::vector<Found>& all) {
+  std::set<std::size_t> near;
+  for (std::size_t a = 0; a < all.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      double apart = 0;
+      for (std::size_t i = 0; i < 4; ++i) apart = std::max(apart, std::abs(d.places[a][i] - d.places[b][i]));
+      if (apart <= all[a].radius + all[b].radius) near.insert({a, b});
+    }
+  }
+  if (near.empty()) return;
+  std::vector<const Node*> nodes;
+  std::vector<Tube> tubes;
+  for (const std::size_t i : near) {
+    nodes.push_back(all[i].node);
+    tubes.push_back(d.tubes[d.tube_of[i]]);
+  }
+  const std::vector<LongPlace> places = told_apart(d, nodes, tubes);
+  auto place = places.begin();
+  for (const std::size_t i : near) {
+    d.long_places[i] = *place;
+    d.place_claims[i] = rationals(place->at);
+    ++place;
+  }
+}
+
+Json claim(const Draft& d, std::size_t i, const Found& f) {
   Json on = Json::array();
-  for (const Side& side : n.on) on.push_back(side_name(side));
+  for (const Side& side : f.node->on) on.push_back(side_name(side));
   std::vector<std::size_t> turns;
-  for (const Parameter p : n.wrt) turns.push_back(index(p));
+  for (const Parameter p : f.node->wrt) turns.push_back(index(p));
   std::sort(turns.begin(), turns.end());
   Json wrt = Json::array();
-  for (const std::size_t i : turns) wrt.push_back(letter(i));
-  return sealed(in_list("nodes", d.places.size() - 1), {{"tube", d.tube_of.back()},
-                                                        {"at", d.place_claims.back()},
-                                                        {"radius", exact_number(radius)},
-                                                        {"on", on},
-                                                        {"wrt", wrt}});
+  for (const std::size_t t : turns) wrt.push_back(letter(t));
+  const auto& longer = d.long_places[i];
+  return sealed(in_list("nodes", i), {{"tube", d.tube_of[i]},
+                                      {"at", d.place_claims[i]},
+                                      {"radius", longer ? to_string(longer->radius) : exact_number(f.radius)},
+                                      {"on", on},
+                                      {"wrt", wrt}});
 }
 
 void add_place(Draft& d, const FoundStar& star) {
@@ -104,17 +129,20 @@ void add_place(Draft& d, const FoundStar& star) {
     place.push_back(star.claim.at[i].is_rational() ? to_string(star.claim.at[i].rational())
                                                    : exact_number(at[i]));
   d.place_claims.push_back(place);
+  d.long_places.emplace_back();
   d.tube_of.push_back(d.tubes.size());
 }
 
 }  // namespace
 
 Json node_claims(Draft& d) {
-  Json result = Json::array();
-  std::vector<double> radii;
+  std::vector<Found> all;
   for (const Node& n : d.graph.nodes)
     if (d.on_curve[static_cast<std::size_t>(n.id)] && !d.in_star[static_cast<std::size_t>(n.id)])
-      result.push_back(node(d, n, radii));
+      all.push_back(found(d, n));
+  tell_apart(d, all);
+  Json result = Json::array();
+  for (std::size_t i = 0; i < all.size(); ++i) result.push_back(claim(d, i, all[i]));
   for (const FoundStar& star : d.stars) add_place(d, star);
   return result;
 }

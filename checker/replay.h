@@ -136,11 +136,15 @@ inline bool is_solution(const Map<Rational>& exact, const Vector4<Rational>& w) 
   return exact.value(w) == Vector3<Rational>{};
 }
 
-/// q rounded up to a multiple of 2^-128: short numbers.
+/// q > 0 rounded up to a multiple of 2^-128, or to 64 binary digits or more where it is less than 2^-64:
+/// short numbers.
 inline Rational rounded_up(const Rational& q) {
-  const Rational scaled = q * power_of_two(128);
+  if (q <= 0) return q;
+  const long above_one = static_cast<long>(msb(numerator(q))) - static_cast<long>(msb(denominator(q)));
+  const long bits = std::max(128L, 64 - above_one);
+  const Rational scaled = q * power_of_two(bits);
   const Integer below = numerator(scaled) / denominator(scaled);  // towards 0
-  return Rational(below < scaled ? below + 1 : below) * power_of_two(-128);
+  return Rational(below < scaled ? below + 1 : below) * power_of_two(-bits);
 }
 inline Enclosure rounded_up(const Enclosure& a) { return a; }
 

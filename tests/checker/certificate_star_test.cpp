@@ -206,9 +206,6 @@ TEST_CASE("an event without a certificate is named") {
   CHECK(
       missing(families::cap(0, families::Plane::square).y, families::cap(0, families::Plane::quadratic).y) ==
       "an overlap of patches whose parameters do not depend on each other linearly");
-  // An arc of length 1e-30 across a corner.
-  const auto planes = read_patches(EXSECT_CASES "/found/corner-arc-twice-planes.json").patches;
-  CHECK(missing(planes[0].patch, planes[1].patch) == "nodes nearer to each other than doubles tell");
 }
 
 }  // namespace exsect::certificate_star_test
