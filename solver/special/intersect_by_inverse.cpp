@@ -12,6 +12,7 @@
 #include "curve/curve_values.h"
 #include "curve/plane_curve.h"
 #include "special/inverse_graph.h"
+#include "special/pole_on_patch.h"
 
 namespace exsect {
 namespace {
@@ -57,6 +58,33 @@ bool is_contracted(const BivariatePolynomial& f, const RationalPatch& x) {
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j) common = gcd(common, slope_along(f, x.component(i), x.component(j)));
   return !is_constant(common) && !component_points(common).empty();
+}
+
+/// 0 on this side of x alone, and positive in the square else.
+BivariatePolynomial distance_from(const Side& side) {
+  const BivariatePolynomial p =
+      side.parameter == Parameter::u ? BivariatePolynomial::r() : BivariatePolynomial::s();
+  return side.value == 0 ? p : BivariatePolynomial::constant(1) - p;
+}
+
+/// The sides of x that are one point of the surface, with what is 0 on them divided out of the section.
+std::vector<Side> take_poles(BivariatePolynomial& section, const RationalPatch& x) {
+  std::vector<Side> poles;
+  for (const Parameter p : {Parameter::u, Parameter::v})
+    for (const int value : {0, 1}) {
+      const Side side{p, value};
+      const BivariatePolynomial distance = distance_from(side);
+      if (is_constant(gcd(section, distance)) || !is_pole(x, side)) continue;
+      while (!is_constant(gcd(section, distance))) section = exact_quotient(section, distance);
+      poles.push_back(side);
+    }
+  return poles;
+}
+
+/// Two sides, one in u and one in v.
+bool have_corner(const std::vector<Side>& sides) {
+  return std::ranges::any_of(sides,
+                             [&](const Side& side) { return side.parameter != sides.front().parameter; });
 }
 
 bool is_positive(const BivariatePolynomial& f) {
@@ -117,6 +145,22 @@ bool has_parameters(const InverseCurve& known, const PatchInverse& inverse) {
   return true;
 }
 
+/// Keeps the poles that are points of y; false if one of them is a pole of y (17.23).
+bool keep_poles(InverseCurve& known) {
+  const CurveRegion& region = known.curve.region;
+  const auto at = [](const BivariatePolynomial& f, const Side& side) {
+    const Rational value(side.value), middle(1, 2);
+    return side.parameter == Parameter::u ? f(value, middle) : f(middle, value);
+  };
+  std::erase_if(known.poles, [&](const Side& side) {
+    return std::ranges::any_of(region.clauses,
+                               [&](const auto& clause) { return at(region.bounds[clause[0]], side) < 0; });
+  });
+  return std::ranges::all_of(known.poles, [&](const Side& side) {
+    return at(known.parameters[2].denominator, side) > 0 && at(known.parameters[3].denominator, side) > 0;
+  });
+}
+
 /// The points of x with a denominator 0 that are in the region are none, or poles of y (17.23).
 bool meets_pole(const InverseCurve& known) {
   for (const std::size_t p : {2, 3}) {
@@ -161,14 +205,16 @@ std::optional<InverseCurve> inverse_region(InverseCurve known, const PatchInvers
 
 std::optional<InverseCurve> inverse_curve(const RationalPatch& x, const PatchInverse& inverse, double extent,
                                           const std::vector<Parameter>& turning) {
-  InverseCurve known{{}, {}, {}, {}, x.reduced(), extent};
+  InverseCurve known{{}, {}, {}, {}, {}, x.reduced(), extent};
   SurfaceCurve& curve = known.curve;
   const VectorPolynomial of_x = components(known.x);
   curve.section = on_patch(inverse.equation, of_x);
   if (curve.section.is_zero()) return inverse_region(std::move(known), inverse);
+  known.poles = take_poles(curve.section, known.x);
   curve.section = shortened(curve.section);
   const BivariatePolynomial f = squarefree(curve.section);
-  if (degrees_to_sweep(f) > kMostDegrees || is_contracted(f, known.x)) return std::nullopt;
+  if (degrees_to_sweep(f) > kMostDegrees || is_contracted(f, known.x) || have_corner(known.poles))
+    return std::nullopt;
   known.parameters[0] = {BivariatePolynomial::r(), BivariatePolynomial::constant(1), {}, f.derivative_s()};
   known.parameters[1] = {BivariatePolynomial::s(),
                          BivariatePolynomial::constant(1),
@@ -176,6 +222,7 @@ std::optional<InverseCurve> inverse_curve(const RationalPatch& x, const PatchInv
                          BivariatePolynomial::constant(-1) * f.derivative_r()};
   for (const std::size_t i : {0, 1}) known.parameters[2 + i] = on_curve(inverse.parameters[i], of_x, f);
   const Sides sides(inverse, known);
+  if (!keep_poles(known)) return std::nullopt;
   for (const Parameter p : turning) {
     const BivariatePolynomial& slope = known.parameters[index(p)].slope;
     if (p == Parameter::u || slope.is_zero()) continue;  // folds are nodes

@@ -25,12 +25,6 @@ Ball value_at(const BivariatePolynomial& f, const Ball& u, const Ball& v) {
   return value_in(f, u, v, [](const Rational& c) { return Ball::enclosing(c); });
 }
 
-/// The side of x is one point.
-bool is_pole(const RationalPatch& x, const Side& side) {
-  const RationalPatch first = side.parameter == Parameter::u ? x : x.transposed();
-  return is_pole(side.value == 0 ? first : first.restricted_to(1, 0, 0, 1));
-}
-
 /// Of map(p). Empty if the denominator may be 0 there.
 std::optional<RationalInterval> enclosed(const ParameterOnCurve& p, const Ball& u, const Ball& v) {
   const RationalInterval a = value_at(p.numerator, u, v).interval();
@@ -101,8 +95,9 @@ class InverseGraph {
     for (const int node : drawn_.isolated_points()) is_named_[static_cast<std::size_t>(node)] = true;
   }
 
-  /// Of a curve there are none (17.19). An overlap with a pole in its rim has the whole side there.
+  /// An overlap with a pole in its rim has the whole side there.
   void find_poles() {
+    poles_ = known_.poles;
     if (!known_.outline) return;
     for (const Side& side :
          {Side{Parameter::u, 0}, Side{Parameter::u, 1}, Side{Parameter::v, 0}, Side{Parameter::v, 1}}) {
@@ -120,15 +115,16 @@ class InverseGraph {
     if (std::ranges::any_of(poles_, is_across)) poles_.clear();  // with a corner in common
   }
 
-  /// The nodes on the side become one, with the parameter along it free.
+  /// The nodes on the side become one, with the parameter along it free. Where a curve has none the pole is
+  /// one alone.
   void contract(const Side& pole) {
     std::vector<int> there;
     for (const Node& node : result_.nodes())
       if (is_named_[static_cast<std::size_t>(node.id)] && std::ranges::count(node.on, pole) > 0)
         there.push_back(node.id);
-    if (there.empty()) return;
+    if (there.empty() && known_.outline) return;
     const Parameter along = pole.parameter == Parameter::u ? Parameter::v : Parameter::u;
-    Node node = result_.node(there.front());
+    Node node = known_.outline ? result_.node(there.front()) : node_in(pole);
     node.box[index(along)] = {0, 1};
     node.approx[index(along)] = 0.5;
     node.free = {along};
@@ -136,6 +132,26 @@ class InverseGraph {
     node.kinds = kinds_on_rim(node);
     result_.contract(there, std::move(node));
     is_named_.push_back(true);
+  }
+
+  /// In the middle of the side, which is one point of y. The box in r and s is that of the quotients there.
+  Node node_in(const Side& pole) const {
+    const Rational at(pole.value), middle(1, 2);
+    const bool is_in_u = pole.parameter == Parameter::u;
+    const Rational u = is_in_u ? at : middle, v = is_in_u ? middle : at;
+    Node node = node_at({RationalInterval{u, u}, RationalInterval{v, v}}, patch_);
+    for (const SideBound& bound : known_.sides)
+      if (known_.curve.region.bounds[bound.position](u, v) == 0) node.on.push_back(bound.side);
+    for (const Parameter p : {Parameter::r, Parameter::s}) {
+      const ParameterOnCurve& of = known_.parameters[index(p)];
+      const Side* side = side_of(node, p);
+      const Rational w = side ? Rational(side->value) : of.numerator(u, v) / of.denominator(u, v);
+      node.box[index(p)] = side ? RationalInterval{w, w} : preimage(of.map, {w, w}, kParameterBits);
+      node.approx[index(p)] = to_double(node.box[index(p)].midpoint());
+      if (!side && !(node.box[index(p)].lower > 0 && node.box[index(p)].upper < 1))
+        throw ProofFailure(node.box, "the parameters of a pole are too near to a side");
+    }
+    return node;
   }
 
   /// Arcs lead to greater u, or v where u is constant.
@@ -310,7 +326,7 @@ class InverseGraph {
   DrawnPatch patch_;
   GraphBuilder drawn_;
   std::vector<bool> is_named_;  // of the nodes of drawn_: by its arcs, overlaps or isolated points
-  std::vector<Side> poles_;     // sides of x that are one point
+  std::vector<Side> poles_;     // sides of x that are one point, each to become one node
   GraphBuilder result_;
 };
 

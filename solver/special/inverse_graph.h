@@ -37,6 +37,7 @@ struct InverseCurve {
   std::array<ParameterOnCurve, 4> parameters;  // u and v of a curve alone
   std::optional<RegionOutline> outline;
   std::vector<SideBound> sides;  // of y
+  std::vector<Side> poles;       // of a curve: sides of x that are one point of y, no parts of the section
   RationalPatch x;
   double extent;  // of the model
 };

@@ -85,6 +85,11 @@ bool is_pole(const RationalPatch& x) {
   return std::ranges::all_of(z, [](const BivariatePolynomial& f) { return f.coefficient(0).is_zero(); });
 }
 
+bool is_pole(const RationalPatch& x, const Side& side) {
+  const RationalPatch first = side.parameter == Parameter::u ? x : x.transposed();
+  return is_pole(side.value == 0 ? first : first.restricted_to(1, 0, 0, 1));
+}
+
 std::optional<PoleOnPatch> pole_on_patch(const RationalPatch& x, const RationalPatch& y) {
   const Point p = x(0, 0);
   if (!is_pole(x)) return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include <exsect/algebra/triangular_point.h>
 #include <exsect/geometry/rational_patch.h>
+#include <exsect/solver/intersection_graph.h>
 
 #include <array>
 #include <optional>
@@ -22,6 +23,8 @@ struct PoleOnPatch {
 
 /// The side (0,t) of x is one point.
 bool is_pole(const RationalPatch& x);
+/// This side of x, in u or v, is one point.
+bool is_pole(const RationalPatch& x, const Side& side);
 
 /// Empty if the side is no point, or the point is not on y, exactly, or y is singular there.
 std::optional<PoleOnPatch> pole_on_patch(const RationalPatch& x, const RationalPatch& y);

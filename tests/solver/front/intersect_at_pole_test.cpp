@@ -159,6 +159,10 @@ TEST_CASE("intersect_at_pole: planes through the pole of an octant") {
     CHECK(pole->box[2].lower == Rational(7, 13));
     CHECK(pole->box[3].upper == Rational(5, 11));
     CHECK(result.graph.isolated_points.size() == (arcs == 0 ? 1 : 0));
+    const auto at_pole =
+        intersect_at_pole(x, y, Run(), solved_in_doubles);  // by blow-up, not by the inverse of y
+    REQUIRE(at_pole);
+    CHECK(difference(result.graph, at_pole->graph, {}) == "");
     for (const Arc& arc : result.graph.arcs)
       for (const PolylineVertex& vertex : arc.polyline) {
         const auto& p = vertex.point;

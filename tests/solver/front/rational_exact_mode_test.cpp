@@ -128,11 +128,13 @@ TEST_CASE("rational exact mode: poles on the other patch, common ones, and besid
       for (Point& p : row) p = radius * p + at;
     return RationalPatch(net, weights);
   };
+  // With conics for parameter lines, so that it has no inverse: (0,0,height) is its middle.
   const auto plane_through = [&](const Point& normal, const Rational& height) {
-    const auto at = [&](long a, long b) -> Point {
+    const auto at = [&](const Rational& a, const Rational& b) -> Point {
       return {a, b, height - (a * normal[0] + b * normal[1]) / normal[2]};
     };
-    return RationalPatch({{at(-7, -5), at(-7, 6)}, {at(6, -5), at(6, 6)}});
+    return RationalPatch(
+        {{at(-7, -5), at(-7, 5)}, {at(Rational(3, 2), -5), at(Rational(-1, 2), 5)}, {at(6, -5), at(6, 5)}});
   };
   const auto has_pole = [](const Pair& pair) {
     return std::ranges::any_of(intersect(pair.x, pair.y, exact_mode()).graph.nodes,

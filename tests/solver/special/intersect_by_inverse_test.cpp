@@ -1,7 +1,8 @@
 // Pairs decided by the inverse of one patch: against doubles, and by what is known of their curves.
 #include "special/intersect_by_inverse.h"
 
-#include <exsect/solver/intersect.h>
+#include <exsect/solver/intersect_rational.h>
+#include <exsect/solver/intersect_surface.h>
 
 #include <algorithm>
 #include <functional>
@@ -55,6 +56,45 @@ IntersectResult solved(const RationalPatch& x, const RationalPatch& y) {
   REQUIRE(result);
   REQUIRE(result->status == Status::complete);
   return *result;
+}
+
+IntersectionGraph solved_without_turnings(const RationalPatch& x, const RationalPatch& y) {
+  const auto result = by_inverse(x, y, Run().with_turning({}));
+  REQUIRE(result);
+  REQUIRE(result->status == Status::complete);
+  return result->graph;
+}
+
+/// A patch with the point at the place, and its surface; all of the surface within some 2 of it is patch.
+struct Touching {
+  RationalPatch patch;
+  ImplicitSurface surface;
+  std::array<Rational, 2> at;
+};
+
+/// A plane, a cylinder, a sphere or a torus with the normal (1,0,0), turned.
+Touching touching(int kind, const std::array<int, 4>& turn, const Point& point) {
+  const revolved::Arc3 wide = revolved::arc(Rational(-3, 4), Rational(3, 4));
+  const Rational radius = kind == 3 ? 2 : 4, major = kind == 3 ? 6 : 0, half(1, 2);
+  const revolved::Arc3 line = {{radius, -3, 1}, {radius, 3, 1}};
+  const RationalPatch patch = kind == 0 ? RationalPatch({{{0, -3, -3}, {0, -3, 3}}, {{0, 3, -3}, {0, 3, 3}}})
+                              : kind == 1 ? revolved::patch(line, wide)
+                                          : revolved::patch(revolved::moved(wide, radius, major), wide);
+  const Point out = {kind == 0 ? Rational(0) : radius + major, 0, 0};
+  const RationalPatch frame =
+      revolved::rotated(RationalPatch({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, out}}), turn, {0, 0, 0});
+  const Point normal = frame(0, 1), axis = frame(1, 0), centre = point - frame(1, 1);
+  const RationalPatch placed = revolved::rotated(patch, turn, centre);
+  switch (kind) {
+    case 0:
+      return {placed, ImplicitSurface::plane(point, normal), {half, half}};
+    case 1:
+      return {placed, ImplicitSurface::cylinder(centre, axis, radius), {half, half}};
+    case 2:
+      return {placed, ImplicitSurface::sphere(centre, radius), {half, half}};
+    default:
+      return {placed, ImplicitSurface::torus(centre, axis, major, radius), {half, half}};
+  }
 }
 
 /// Near the points of the other patch of random_nets::crossing().
@@ -251,9 +291,92 @@ TEST_CASE("by inverse: a curve that goes through a pole of the other patch is le
   CHECK(solved(plane(-Rational(1, 2)).restricted_to(Rational(3, 8), 1, 0, 1), y).graph.arcs.empty());
 }
 
-TEST_CASE("by inverse: nothing is said where a part of the curve is one point of a patch") {
-  const RationalPatch with_pole({{{0, 0, 1}, {0, 0, 1}}, {{3, 0, 0}, {0, 3, 3}}});
-  CHECK_FALSE(by_inverse(with_pole, plate(1)));
+TEST_CASE("by inverse: nothing is said where a part of the curve is one point of a patch inside") {
+  const auto rows = [](const Rational& height) -> std::vector<std::vector<Point>> {
+    return {{{0, 0, height}, {0, 3, height}}, {{0, 0, 0}, {0, -3, 0}}, {{3, 0, -height}, {3, 3, -height}}};
+  };
+  // The line u = 1/2 of the second one is the point (3/4,0,0).
+  CHECK(by_inverse(RationalPatch({rows(2)[0], {{0, 0, 0}, {0, -2, 0}}, rows(2)[2]}), plate(0)));
+  CHECK_FALSE(by_inverse(RationalPatch(rows(2)), plate(0)));
+}
+
+TEST_CASE("by inverse: arcs end in a pole as they end on its side by the equation") {
+  // Octants and a cone, of which the side u = 1 is their pole, on surfaces through it with all normals.
+  const revolved::Arc3 quarter = {{1, 0, 1}, {1, 1, 1}, {0, 2, 2}};
+  const revolved::Arc3 line = {{Rational(3, 4), 0, 1}, {0, 1, 1}};
+  const std::vector<RationalPatch> with_pole = {revolved::patch(quarter, quarter),
+                                                revolved::patch(line, quarter)};
+  const std::vector<std::array<int, 4>> turns = {{1, 0, 0, 0},  {1, 0, 1, 0},  {1, 0, -1, 0}, {1, 0, 0, 1},
+                                                 {1, 0, 0, -1}, {1, 1, 1, 1},  {0, 0, 0, 1},  {1, 1, 0, 0},
+                                                 {2, 0, -1, 0}, {1, 1, -1, 1}, {3, 1, 0, 0},  {2, 0, 0, 1},
+                                                 {5, 1, 2, 1},  {1, -1, 1, 1}, {3, 0, -1, 0}};
+  int arcs = 0, alone = 0, tangential = 0, along_sides = 0;
+  for (const int kind : {0, 1, 2, 3})
+    for (const std::array<int, 4>& turn : turns)
+      for (const RationalPatch& x : with_pole) {
+        INFO("kind " << kind << ", turn " << turn[0] << turn[1] << turn[2] << turn[3]);
+        const Touching y = touching(kind, turn, {0, 0, 1});
+        const IntersectionGraph graph = solved_without_turnings(x, y.patch);
+        const IntersectionGraph all = intersect(y.surface, x).graph;
+        const Side pole = {Parameter::u, 1};
+        const auto is_in_pole = [&](const Node& node) { return std::ranges::count(node.on, pole) > 0; };
+        const auto starts_in_pole = [&](int id) {
+          return is_in_pole(all.nodes[static_cast<std::size_t>(id)]);
+        };
+        const auto is_beside = [&](const Arc& arc) {
+          return !starts_in_pole(arc.from) || !starts_in_pole(arc.to);
+        };
+        CHECK(graph.arcs.size() == static_cast<std::size_t>(std::ranges::count_if(all.arcs, is_beside)));
+        REQUIRE(std::ranges::count_if(graph.nodes, is_in_pole) == 1);
+        const Node& node = *std::ranges::find_if(graph.nodes, is_in_pole);
+        CHECK(node.free == std::vector{Parameter::v});
+        CHECK(node.point == std::array<double, 3>{0, 0, 1});
+        CHECK(node.box[2].lower <= y.at[0]);
+        CHECK(node.box[2].upper >= y.at[0]);
+        CHECK(node.box[3].lower <= y.at[1]);
+        CHECK(node.box[3].upper >= y.at[1]);
+        const auto at_pole = [&](const Arc& arc) { return arc.from == node.id || arc.to == node.id; };
+        const auto ends = std::ranges::count_if(graph.arcs, at_pole);
+        CHECK(std::ranges::count(graph.isolated_points, node.id) == (ends == 0 ? 1 : 0));
+        arcs += static_cast<int>(ends);
+        alone += ends == 0 ? 1 : 0;
+        for (const Arc& arc : graph.arcs) {
+          tangential += arc.contact == Contact::tangential && at_pole(arc) ? 1 : 0;
+          along_sides += arc.place == ArcPlace::patch_boundary && at_pole(arc) ? 1 : 0;
+        }
+        const auto turned = by_inverse(x.restricted_to(1, 0, 1, 0), y.patch, Run().with_turning({}));
+        REQUIRE(turned);
+        CHECK(difference(graph, turned->graph, {{0, 1, 2, 3}, {true, true}}) == "");
+      }
+  CHECK(arcs >= 30);
+  CHECK(alone >= 20);
+  CHECK(tangential >= 1);
+  CHECK(along_sides >= 10);
+}
+
+TEST_CASE("by inverse: Viviani's curve ends in the pole, along the end of its side") {
+  const revolved::Arc3 quarter = {{1, 0, 1}, {1, 1, 1}, {0, 2, 2}};
+  const RationalPatch x = revolved::patch(revolved::moved(quarter, 1, 0), quarter);
+  const Rational half(1, 2);
+  const revolved::Arc3 upright = {{half, -2, 1}, {half, 2, 1}};
+  const auto cylinder = [&](const Rational& off) {  // its quarter above 0 <= x <= 1/2
+    return revolved::rotated(revolved::patch(upright, quarter), {1, 0, 0, 1}, {half + off, 0, 0});
+  };
+  const IntersectionGraph graph = solved(x, cylinder(0)).graph;
+  CHECK(graph.arcs.size() == 1);
+  REQUIRE(graph.nodes.size() == 2);
+  CHECK(std::ranges::count_if(graph.nodes, [](const Node& node) {
+          return node.free == std::vector{Parameter::v} && node.box[0].lower == 1;
+        }) == 1);
+  // Beside the pole the curve leaves by the side v = 1, or there is none of it near.
+  for (const long bits : {10, 40, 66})
+    for (const int sign : {1, -1}) {
+      INFO("off by " << sign << " 2^-" << bits);
+      const IntersectResult near = intersect(x, cylinder(sign * power_of_two(-bits)));
+      CHECK(near.status == Status::complete);
+      CHECK(std::ranges::all_of(near.graph.nodes, [](const Node& node) { return node.free.empty(); }));
+      CHECK(near.graph.components.size() == 1);
+    }
 }
 
 TEST_CASE("by inverse: overlaps in a plane as they are found by the maps of the plane") {
