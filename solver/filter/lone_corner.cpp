@@ -110,7 +110,8 @@ void halve_net(ControlVectors& net, std::size_t parameter) {
   }
 }
 
-/// Counted from the corner, which is moved to the origin.
+}  // namespace
+
 template <class K>
 CornerNet corner_net(const ExactPatch<K>& patch, std::size_t corner, const std::optional<SquareSide>& pole) {
   const std::array<bool, 2> upper = corner_ends<K>(corner);
@@ -124,8 +125,6 @@ CornerNet corner_net(const ExactPatch<K>& patch, std::size_t corner, const std::
       for (std::size_t c = 0; c < 3; ++c) h[c] -= at[c] / at[3] * h[3];
   return net;
 }
-
-}  // namespace
 
 // (14.14a)
 bool meet_in_own_places(const CornerNet& x, const CornerNet& y) {
@@ -160,7 +159,8 @@ double lone_reach(const ExactPatch<K>& x, const ExactPatch<K>& y, const CornerCo
   return 0;
 }
 
-#define EXSECT_INSTANTIATE(K) \
+#define EXSECT_INSTANTIATE(K)                                                                            \
+  template CornerNet corner_net<K>(const ExactPatch<K>&, std::size_t, const std::optional<SquareSide>&); \
   template double lone_reach<K>(const ExactPatch<K>&, const ExactPatch<K>&, const CornerContact&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE

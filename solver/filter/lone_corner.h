@@ -22,6 +22,10 @@ struct CornerNet {
   SquarePlaces own;
 };
 
+/// About this corner, or pole, which is moved to the origin.
+template <class K>
+CornerNet corner_net(const ExactPatch<K>& patch, std::size_t corner, const std::optional<SquareSide>& pole);
+
 /// True only if x = y on both squares at pairs of `own` places alone, (14.14a). Requires x = y = 0 there.
 bool meet_in_own_places(const CornerNet& x, const CornerNet& y);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "filter/corner_branches.h"
 #include "filter/line.h"
 #include "filter/lone_corner.h"
 
@@ -11,6 +12,15 @@ namespace exsect::filter {
 namespace {
 
 constexpr std::size_t kMostSidePoints = 16;
+
+/// As lone_reach(), by charts (14.26).
+template <class K>
+double reach_without_branches(const ExactPatch<K>& x, const ExactPatch<K>& y, const CornerContact& corner) {
+  if (corner.is_pole()) return 0;
+  const auto found =
+      corner_branches(corner_net<K>(x, corner.x, std::nullopt), corner_net<K>(y, corner.y, std::nullopt));
+  return found && found->branches.empty() ? to_double(found->reach) : 0;
+}
 
 }  // namespace
 
@@ -84,6 +94,7 @@ bool find_lone_corners([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]]
     for (CornerContact& corner : contacts.corners) {
       if (corner.lone_reach > 0) continue;
       corner.lone_reach = lone_reach<K>(x, y, corner);
+      if (corner.lone_reach == 0) corner.lone_reach = reach_without_branches<K>(x, y, corner);
       found = found || corner.lone_reach > 0;
     }
   }

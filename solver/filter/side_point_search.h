@@ -32,7 +32,8 @@ template <class K>
 bool add_corner_points(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
                        ContactsOf<K>& contacts);
 
-/// Proves of common corners that nothing else is near, (14.14a). False if of none for the first time.
+/// Proves of common corners that nothing else is near, (14.14a) and Lemma 14.26. False if of none for the
+/// first time.
 template <class K>
 bool find_lone_corners(const ExactPatch<K>& x, const ExactPatch<K>& y, ContactsOf<K>& contacts);
 

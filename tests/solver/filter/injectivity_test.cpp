@@ -57,8 +57,8 @@ TEST_CASE("injectivity: never where two points of the rectangle have one value",
     x = BezierPatch(net);
     REQUIRE(at(p) == at(q));
     const Pair pair = make_pair(x, testing::plane_patch()).value();
-    const Rectangle around = {{std::min(p[0], q[0]), std::min(p[1], q[1])},
-                              {std::max(p[0], q[0]), std::max(p[1], q[1])}};
+    const filter::Rectangle around = {{std::min(p[0], q[0]), std::min(p[1], q[1])},
+                                      {std::max(p[0], q[0]), std::max(p[1], q[1])}};
     CHECK_FALSE(is_injective<Biquadratic>(pair.x, 2 * pair.total_error, around));
     const double small = 0x1p-6;
     proved += is_injective<Biquadratic>(pair.x, 2 * pair.total_error,

@@ -33,7 +33,7 @@ TEST_CASE("mean derivatives: difference quotients over segments, and values, are
   for (int round = 0; round < 30; ++round) {
     const random_pairs::Pair p = random_pairs::scattered(generator);
     const Pair pair = make_pair(p.x, p.y).value();
-    Rectangle where{};
+    filter::Rectangle where{};
     for (std::size_t j = 0; j < 2; ++j) {
       where.lower[j] = in(generator, -0.5, 0.25);
       where.upper[j] = where.lower[j] + 0.25;
