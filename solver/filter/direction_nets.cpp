@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <type_traits>
+#include <utility>
 
 namespace exsect::filter {
 
@@ -74,24 +73,26 @@ DirectionNetOf<K> direction_net(const SubPatchOf<K>& x, const std::array<double,
 
 namespace {
 
-void add(Vec3& sum, double weight, const Vec3& v) { sum = sum + weight * v; }
-void add(Vec<6>& sum, double weight, const Vec<6>& v) {
-  for (std::size_t i = 0; i < 6; ++i) sum[i] += weight * v[i];
-}
-double size_of(const Vec<6>& v) {
-  return std::accumulate(v.begin(), v.end(), 0.0,
-                         [](double most, double t) { return larger_bound(most, std::fabs(t)); });
+/// The least and the greatest of numbers none of which is NaN, four by four.
+template <std::size_t Count>
+std::pair<double, double> least_and_greatest(const std::array<double, Count>& numbers) {
+  static_assert(Count % 4 == 0);
+  std::array<double, 4> least, greatest;
+  std::copy_n(numbers.begin(), 4, least.begin());
+  greatest = least;
+  for (std::size_t k = 4; k < Count; k += 4) {
+    for (std::size_t l = 0; l < 4; ++l) {
+      const double t = numbers[k + l];
+      least[l] = t < least[l] ? t : least[l];
+      greatest[l] = t > greatest[l] ? t : greatest[l];
+    }
+  }
+  return {*std::min_element(least.begin(), least.end()), *std::max_element(greatest.begin(), greatest.end())};
 }
 
-/// y_r ^ y_s, bidegree (2n-1,2n-1), with a bound of the error of each coordinate.
+/// y_r x y_s, bidegree (2n-1,2n-1): the coordinates of the control vectors.
 template <class K>
-struct TangentNet {
-  using Wedge = std::conditional_t<K::weighted, Vec<6>, Vec3>;
-  std::array<Wedge, 4 * K::degree * K::degree> vectors;
-  double error;
-};
-template <class K>
-TangentNet<K> tangent_net(const SubPatchOf<K>& y, double net_error) {
+void fill_normals(const SubPatchOf<K>& y, double net_error, NormalNetOf<K>& result) {
   constexpr std::size_t n = K::degree;
   constexpr std::size_t m = n + 1;
   std::array<Row<K>, n * m> a;  // y_r: index m i + j, i < n
@@ -103,78 +104,110 @@ TangentNet<K> tangent_net(const SubPatchOf<K>& y, double net_error) {
   constexpr auto low = binomials<n - 1>();
   constexpr auto high = binomials<n>();
   constexpr auto both = binomials<2 * n - 1>();
-  TangentNet<K> result;
-  result.vectors.fill({});
+  std::array<Vec3, 4 * n * n> vectors{};
   for (std::size_t p = 0; p < n * m; ++p) {
     for (std::size_t q = 0; q < n * m; ++q) {
       const std::size_t i = p / m + q / n;
       const std::size_t j = p % m + q % n;
       const double weight =
           (low[p / m] * high[q / n]) * (high[p % m] * low[q % n]) * ((1 / both[i]) * (1 / both[j]));
-      add(result.vectors[2 * n * i + j], weight, wedge(a[p], b[q]));
+      Vec3& sum = vectors[2 * n * i + j];
+      sum = sum + weight * cross(a[p], b[q]);
     }
   }
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t k = 0; k < vectors.size(); ++k) result.coordinate[c][k] = vectors[k][c];
   const double size_a = largest_of(a.data(), a.size());
   const double size_b = largest_of(b.data(), b.size());
   result.error = kNormalError * net_error * (size_a + size_b + 3 * net_error) +
                  kNormalRounding<n> * kUnit * size_a * size_b + kTiny;
-  return result;
 }
 
-/// The vectors of Y ^ (Y_r ^ Y_s), bidegree (3n-1,3n-1), as covectors d -> [d y b]: coordinate by coordinate,
-/// whose rows of 2n numbers go through vector registers. Each is rounded 7 + (n+1)^2 times.
+/// The bivectors of (14.127), bidegree (2n-2,2n-1), times the binomials of both degrees, by coordinates, from
+/// the net of Y and that of Y_r.
 template <class K>
-std::array<Row<K>, 9 * K::degree * K::degree> covectors(const CoefficientsOf<K>& net,
-                                                        const TangentNet<K>& tangents) {
+using Bivectors = std::array<std::array<double, 2 * K::degree*(2 * K::degree - 1)>, 6>;
+template <class K>
+Bivectors<K> bivectors(const CoefficientsOf<K>& y, const Row<K>* yr) {
   constexpr std::size_t n = K::degree;
-  constexpr std::size_t row = 2 * n;
-  constexpr auto low = binomials<n>();
-  constexpr auto high = binomials<2 * n - 1>();
-  constexpr auto both = binomials<3 * n - 1>();
-  std::array<std::array<double, row * row>, 6> b;
-  for (std::size_t q = 0; q < row * row; ++q)
-    for (std::size_t c = 0; c < 6; ++c) b[c][q] = high[q / row] * high[q % row] * tangents.vectors[q][c];
-  std::array<std::array<double, 9 * n * n>, 4> sums{};
-  for (std::size_t p = 0; p < K::count; ++p) {
-    const Row<K> y = low[p / K::side] * low[p % K::side] * net[p];
-    for (std::size_t i = 0; i < row; ++i) {
-      const std::size_t first = 3 * n * (p / K::side + i) + p % K::side;
-      for (std::size_t j = 0; j < row; ++j) {
-        const std::size_t q = row * i + j;
-        sums[0][first + j] += y[1] * b[5][q] - y[2] * b[4][q] + y[3] * b[3][q];
-        sums[1][first + j] -= y[0] * b[5][q] - y[2] * b[2][q] + y[3] * b[1][q];
-        sums[2][first + j] += y[0] * b[4][q] - y[1] * b[2][q] + y[3] * b[0][q];
-        sums[3][first + j] -= y[0] * b[3][q] - y[1] * b[1][q] + y[2] * b[0][q];
+  constexpr auto low = binomials<n - 1>();
+  Bivectors<K> result{};
+  for (std::size_t p = 0; p < n * K::side; ++p) {
+    for (std::size_t q = 0; q < n * K::side; ++q) {
+      const std::size_t j = p % K::side, l = q % K::side;
+      const std::size_t at = 2 * n * (p / K::side + q / K::side) + j + l;
+      const Vec<6> b = wedge(y[p], yr[q]);
+      const double weight = low[p / K::side] * low[q / K::side];
+      if (j < n && l < n) {
+        for (std::size_t c = 0; c < 6; ++c) result[c][at] += weight * low[j] * low[l] * b[c];
+      }
+      if (j > 0 && l > 0) {
+        for (std::size_t c = 0; c < 6; ++c) result[c][at - 1] += weight * low[j - 1] * low[l - 1] * b[c];
       }
     }
   }
-  std::array<Row<K>, 9 * n * n> vectors;
-  for (std::size_t k = 0; k < vectors.size(); ++k) {
-    const double share = 1 / (both[k / (3 * n)] * both[k % (3 * n)]);
-    for (std::size_t l = 0; l < 4; ++l) vectors[k][l] = share * sums[l][k];
+  return result;
+}
+
+/// (14.127), bidegree (3n-2,3n-2), coordinate by coordinate: rows of 2n numbers go through vector registers.
+template <class K>
+void fill_normals(const SubPatchOf<K>& y, double net_error, NormalNetOf<K>& result) requires K::weighted {
+  constexpr std::size_t n = K::degree;
+  constexpr std::size_t row = 2 * n;
+  constexpr std::size_t side = 3 * n - 1;
+  constexpr auto low = binomials<n - 1>();
+  constexpr auto high = binomials<n>();
+  constexpr auto all = binomials<3 * n - 2>();
+  std::array<Row<K>, n * K::side> yr;  // index (n+1) i + j, i < n
+  std::array<Row<K>, n * K::side> ys;  // index n i + j, j < n
+  for (std::size_t k = 0; k < yr.size(); ++k) {
+    yr[k] = y.net[k + K::side] - y.net[k];
+    ys[k] = y.net[K::side * (k / n) + k % n + 1] - y.net[K::side * (k / n) + k % n];
   }
-  return vectors;
+  const Bivectors<K> b = bivectors<K>(y.net, yr.data());
+  std::array<std::array<double, side * side>, 4> sums{};
+  for (std::size_t p = 0; p < ys.size(); ++p) {
+    const Row<K> d = high[p / n] * low[p % n] * ys[p];
+    for (std::size_t i = 0; i < row - 1; ++i) {
+      const std::size_t first = side * (p / n + i) + p % n;
+      for (std::size_t j = 0; j < row; ++j) {
+        const std::size_t q = row * i + j;
+        sums[0][first + j] += d[1] * b[5][q] - d[2] * b[4][q] + d[3] * b[3][q];
+        sums[1][first + j] -= d[0] * b[5][q] - d[2] * b[2][q] + d[3] * b[1][q];
+        sums[2][first + j] += d[0] * b[4][q] - d[1] * b[2][q] + d[3] * b[0][q];
+        sums[3][first + j] -= d[0] * b[3][q] - d[1] * b[1][q] + d[2] * b[0][q];
+      }
+    }
+  }
+  for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t k = 0; k < side * side; ++k)
+      result.coordinate[c][k] = sums[c][k] * (1 / (all[k / side] * all[k % side]));
+  }
+  const double size_r = largest_of(yr.data(), yr.size());
+  const double size_s = largest_of(ys.data(), ys.size());
+  const double error =
+      kNormalError * net_error * (1 + size_r + 3 * net_error) + kNormalRounding<n> * kUnit * size_r + kTiny;
+  result.error = kSlack * (3 * (size_s * error + kDifferenceError * net_error * (2 * size_r + error)) +
+                           2 * kCovectorRounding * kUnit * size_r * size_s) +
+                 kTiny;
 }
 
 }  // namespace
 
 template <class K>
 NormalNetOf<K> normal_net(const SubPatchOf<K>& y, double net_error) {
-  const TangentNet<K> tangents = tangent_net(y, net_error);
   NormalNetOf<K> result;
-  if constexpr (K::weighted) {
-    result.vectors = covectors<K>(y.net, tangents);
-    double size = 0;
-    for (const auto& vector : tangents.vectors) size = larger_bound(size, size_of(vector));
-    result.error = kSlack * (3 * (tangents.error + net_error * (size + tangents.error)) +
-                             kCovectorRounding * kUnit * size) +
-                   kTiny;
-  } else {
-    result.vectors = tangents.vectors;
-    result.error = tangents.error;
+  fill_normals<K>(y, net_error, result);
+  double size = 0;
+  for (std::size_t c = 0; c < K::rows; ++c) {
+    auto& numbers = result.coordinate[c];
+    std::fill(numbers.begin() + NormalNetOf<K>::count, numbers.end(), numbers[0]);
+    const auto [least, greatest] = least_and_greatest(numbers);
+    result.lower[c] = least;
+    result.upper[c] = greatest;
+    size = larger_bound(size, std::fabs(least), std::fabs(greatest));
   }
-  enclose(result.vectors, result.lower, result.upper);
-  result.size = largest_of(result.vectors.data(), result.vectors.size()) + result.error;
+  result.size = size + result.error;
   return result;
 }
 
@@ -211,15 +244,36 @@ bool changes_sign(const DirectionNetOf<K>& d, const std::array<Row<K>, 4>& norma
   return false;
 }
 
+namespace {
+
+/// The least product of a vector with those of the net, four by four.
+template <std::size_t Rows, std::size_t Padded>
+double least_product(const Vec<Rows>& a, const std::array<std::array<double, Padded>, Rows>& b) {
+  std::array<double, 4> least;
+  least.fill(HUGE_VAL);
+  for (std::size_t k = 0; k < Padded; k += 4) {
+    for (std::size_t l = 0; l < 4; ++l) {
+      double t = a[0] * b[0][k + l] + a[1] * b[1][k + l] + a[2] * b[2][k + l];
+      if constexpr (Rows == 4) t += a[3] * b[3][k + l];
+      least[l] = t < least[l] ? t : least[l];
+    }
+  }
+  return *std::min_element(least.begin(), least.end());
+}
+
+}  // namespace
+
 // d.n = sum B_i(u,v) B_j(r,s) d_i.n_j, so the signs of the d_i.n_j decide.
-template <std::size_t M, std::size_t N, std::size_t Rows>
-bool never_orthogonal(const VectorNet<M, Rows>& d, const VectorNet<N, Rows>& n) {
-  const double error = kSlack * (Rows * (d.size * n.error + n.size * d.error) +
-                                 kProductRounding<Rows> * kUnit * d.size * n.size) +
+template <class K>
+bool never_orthogonal(const DirectionNetOf<K>& d, const NormalNetOf<K>& n) {
+  constexpr std::size_t rows = K::rows;
+  const double error = kSlack * (rows * (d.size * n.error + n.size * d.error) +
+                                 kProductRounding<rows> * kUnit * d.size * n.size) +
                        kTiny;
+  if (!(error < HUGE_VAL)) return false;  // else no coordinate is NaN, and no product
   double lower = 0;
   double upper = 0;
-  for (std::size_t c = 0; c < Rows; ++c) {
+  for (std::size_t c = 0; c < rows; ++c) {
     const auto range = std::minmax(
         {d.lower[c] * n.lower[c], d.lower[c] * n.upper[c], d.upper[c] * n.lower[c], d.upper[c] * n.upper[c]});
     lower += range.first;
@@ -228,16 +282,9 @@ bool never_orthogonal(const VectorNet<M, Rows>& d, const VectorNet<N, Rows>& n) 
   if (lower > error || upper < -error) {
     return true;
   }
-  const bool positive = dot(d.vectors[M / 2], n.vectors[N / 3]) > 0;
-  for (const Vec<Rows>& a : d.vectors) {
-    for (const Vec<Rows>& b : n.vectors) {
-      const double t = dot(a, b);
-      if (!(positive ? t > error : t < -error)) {
-        return false;
-      }
-    }
-  }
-  return true;
+  const double sign = dot(d.vectors[K::count / 2], n.vector(NormalNetOf<K>::count / 3)) > 0 ? 1 : -1;
+  return std::all_of(d.vectors.begin(), d.vectors.end(),
+                     [&](const Row<K>& a) { return least_product<rows>(sign * a, n.coordinate) > error; });
 }
 
 #define EXSECT_INSTANTIATE(K)                                                                              \
@@ -245,7 +292,7 @@ bool never_orthogonal(const VectorNet<M, Rows>& d, const VectorNet<N, Rows>& n) 
   template NormalNetOf<K> normal_net<K>(const SubPatchOf<K>&, double);                                     \
   template std::array<Row<K>, 4> corner_normals<K>(const SubPatchOf<K>&);                                  \
   template bool changes_sign<K>(const DirectionNetOf<K>&, const std::array<Row<K>, 4>&);                   \
-  template bool never_orthogonal(const DirectionNetOf<K>&, const NormalNetOf<K>&);
+  template bool never_orthogonal<K>(const DirectionNetOf<K>&, const NormalNetOf<K>&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

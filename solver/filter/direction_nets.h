@@ -6,21 +6,35 @@
 
 namespace exsect::filter {
 
-/// Control vectors, all divided by the same positive number, of c_u x_v - c_v x_u, bidegree (n,n), or of y_r
-/// x y_s, bidegree (2n-1,2n-1), on a sub-patch, with their box and a bound of the error of every coordinate.
-/// Of weighted patches: in R^4, and the covector [. Y Y_r Y_s], bidegree (3n-1,3n-1).
-template <std::size_t N, std::size_t Rows>
-struct VectorNet {
-  std::array<Vec<Rows>, N> vectors;
-  Vec<Rows> lower;
-  Vec<Rows> upper;
+/// Control vectors of c_u x_v - c_v x_u, bidegree (n,n), divided by a positive number, on a sub-patch, with
+/// their box and a bound of the error of every coordinate.
+template <class K>
+struct DirectionNetOf {
+  CoefficientsOf<K> vectors;
+  Row<K> lower;
+  Row<K> upper;
   double size;  // bound of all coordinates
   double error;
 };
+
+/// The same of y_r x y_s, bidegree (2n-1,2n-1), or, in R^4, of the covector [. Y Y_r Y_s], bidegree
+/// (3n-2,3n-2): by coordinates, the number of vectors made a multiple of four by the first one.
 template <class K>
-using DirectionNetOf = VectorNet<K::count, K::rows>;
-template <class K>
-using NormalNetOf = VectorNet<K::weighted ? 9 * K::degree * K::degree : 4 * K::degree * K::degree, K::rows>;
+struct NormalNetOf {
+  static constexpr std::size_t side = K::weighted ? 3 * K::degree - 1 : 2 * K::degree;
+  static constexpr std::size_t count = side * side;
+  std::array<std::array<double, (count + 3) / 4 * 4>, K::rows> coordinate;
+  Row<K> lower;
+  Row<K> upper;
+  double size;
+  double error;
+
+  Row<K> vector(std::size_t k) const {
+    Row<K> result;
+    for (std::size_t c = 0; c < K::rows; ++c) result[c] = coordinate[c][k];
+    return result;
+  }
+};
 using NormalNet = NormalNetOf<Biquadratic>;
 template <class K>
 DirectionNetOf<K> direction_net(const SubPatchOf<K>& x, const std::array<double, 2>& c, double net_error);
@@ -36,7 +50,7 @@ template <class K>
 bool changes_sign(const DirectionNetOf<K>& d, const std::array<Row<K>, 4>& normals);
 
 /// True only if (c_u x_v - c_v x_u).(y_r x y_s) has no zero on the two sub-patches.
-template <std::size_t M, std::size_t N, std::size_t Rows>
-bool never_orthogonal(const VectorNet<M, Rows>& d, const VectorNet<N, Rows>& n);
+template <class K>
+bool never_orthogonal(const DirectionNetOf<K>& d, const NormalNetOf<K>& n);
 
 }  // namespace exsect::filter

@@ -85,8 +85,10 @@ static_assert((kDirectionError - 4) * kNetError >= 16 * kUnit * 2);
 /// 5 + n² roundings of numbers below 2 A B (a weight, the product with it, a sum of n² at most), by less than
 /// kNormalRounding u A B. The last term of the bound is kTiny.
 inline constexpr double kNormalError = 5;
-static_assert(kNormalError > 2 * 2.02 && 3 * kNormalError > 2 * 2.02 * 2.02 &&
-              2.02 * kNetError > 2 * kNetError + 2 * kUnit);
+inline constexpr double kDifferenceError = 2.02;
+static_assert(kNormalError > 2 * kDifferenceError &&
+              3 * kNormalError > 2 * kDifferenceError * kDifferenceError &&
+              kDifferenceError * kNetError > 2 * kNetError + 2 * kUnit);
 template <std::size_t Degree>
 inline constexpr double kNormalRounding = 20 * Degree;
 static_assert(kNormalRounding<2> > 3 * 2 + (5 + 4) * 2 && kNormalRounding<3> > 3 * 2 + (5 + 9) * 2);
@@ -94,10 +96,13 @@ static_assert(kNormalRounding<2> > 3 * 2 + (5 + 4) * 2 && kNormalRounding<3> > 3
 /// size_n for its rounding, and kTiny.
 template <std::size_t Rows>
 inline constexpr double kProductRounding = Rows* Rows + 1;
-/// Y ^ Y_r ^ Y_s in R^4: a coordinate is a mean of sums of three products Y_i B_jk, where |Y_i| <= 1 errs by
-/// e, B of size S by error_B: 3 (error_B + e (S + error_B)), and 8 + (n+1)^2 roundings of numbers below 3 S.
+/// (14.127) in R^4: a coordinate of a bivector is the same of a = Y, A = 1, and b = Y_r, with at most 2 n²
+/// products in a mean. Of size 2 B, with error_b, it is multiplied by Y_s, of size S, with error t: a
+/// coordinate of the covector is a mean of sums of three products, 3 (S error_b + t (2 B + error_b)), and 8 +
+/// n (n+1) roundings of numbers below 3 S times 2 B.
 inline constexpr double kCovectorRounding = 80;
-static_assert(kCovectorRounding > 3 * (8 + 16));
+static_assert(kCovectorRounding > 3 * (8 + 12) && kNormalRounding<2> > 3 * 2 + (5 + 8) * 2 &&
+              kNormalRounding<3> > 3 * 2 + (5 + 18) * 2);
 
 // Taylor coefficients: 14.1.
 

@@ -139,7 +139,7 @@ class LoopSearch {
       return false;
     }
     const NormalNetOf<K>& n = normals_.get(item.y, [&] { return normal_net(y, pair_.net_error); });
-    return never_orthogonal(d, n);
+    return never_orthogonal<K>(d, n);
   }
 
   struct Box {

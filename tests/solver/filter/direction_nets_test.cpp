@@ -76,18 +76,25 @@ filter::ExactPatch<K> exact_patch(const RationalPatch& patch) {
   }
 }
 
+template <class K>
+std::array<filter::Row<K>, filter::NormalNetOf<K>::count> vectors_of(const filter::NormalNetOf<K>& net) {
+  std::array<filter::Row<K>, filter::NormalNetOf<K>::count> result;
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = net.vector(k);
+  return result;
+}
+
 /// Corners of the net of normals are those computed from the corners alone, in the order of the net; a change
 /// of sign there is one among all products, found here one by one.
 template <class K>
 void check_corners(const filter::DirectionNetOf<K>& d, const filter::NormalNetOf<K>& net,
                    const std::array<filter::Row<K>, 4>& normals) {
   constexpr std::size_t n = K::degree;
-  constexpr std::size_t m = (K::weighted ? 3 : 2) * n;  // vectors along a side
+  constexpr std::size_t m = filter::NormalNetOf<K>::side;  // vectors along one
   constexpr std::array<std::size_t, 4> last = {0, m - 1, m * (m - 1), m * m - 1};
   bool positive = false, negative = false;
   for (std::size_t k = 0; k < 4; ++k) {
     for (std::size_t c = 0; c < K::rows; ++c)
-      CHECK(std::fabs(normals[k][c] - net.vectors[last[k]][c]) <= net.error + 1e-13);
+      CHECK(std::fabs(normals[k][c] - net.coordinate[c][last[k]]) <= net.error + 1e-13);
     for (const std::size_t corner : {std::size_t{0}, n, (n + 1) * n, (n + 1) * (n + 1) - 1}) {
       const double product = filter::dot(d.vectors[corner], normals[k]);
       positive = positive || product > 0;
@@ -95,13 +102,13 @@ void check_corners(const filter::DirectionNetOf<K>& d, const filter::NormalNetOf
     }
   }
   CHECK(filter::changes_sign<K>(d, normals) == (positive && negative));
-  if (positive && negative) CHECK_FALSE(filter::never_orthogonal(d, net));
+  if (positive && negative) CHECK_FALSE(filter::never_orthogonal<K>(d, net));
 }
 
 template <class K>
 void check_nets(std::array<int, 4> degrees) {
   constexpr std::size_t n = K::degree;
-  constexpr std::size_t normal_degree = (K::weighted ? 3 : 2) * n - 1;
+  constexpr std::size_t normal_degree = (K::weighted ? 3 * n - 2 : 2 * n - 1);
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     INFO("seed " << seed);
     Generator generator(seed);
@@ -131,7 +138,7 @@ void check_nets(std::array<int, 4> degrees) {
       const auto xv = derivative<K::rows>(x.net, n, 1, s, t);
       for (std::size_t i = 0; i < K::rows; ++i)
         CHECK(std::fabs(along[i] - (c[0] * xv[i] - c[1] * xu[i])) <= d.error + 1e-14);
-      const auto normal = value<K::rows>(normals.vectors, normal_degree, normal_degree, s, t);
+      const auto normal = value<K::rows>(vectors_of<K>(normals), normal_degree, normal_degree, s, t);
       for (std::size_t i = 0; i < K::rows; ++i) {
         std::array<Vec<K::rows>, K::rows> rows{};
         rows[0][i] = 1;

@@ -108,8 +108,8 @@ TEST_CASE("filter pieces: directions proved never orthogonal are not") {
     const filter::SubPatch a = x[descend(x, generator, levels)];
     const filter::SubPatch b = y[descend(y, generator, levels)];
     const std::array<double, 2> c = {0.6, seed % 2 == 0 ? 0.8 : -0.8};
-    if (!filter::never_orthogonal(filter::direction_net(a, c, scaled.net_error),
-                                  filter::normal_net(b, scaled.net_error))) {
+    if (!filter::never_orthogonal<filter::Biquadratic>(filter::direction_net(a, c, scaled.net_error),
+                                                       filter::normal_net(b, scaled.net_error))) {
       continue;
     }
     ++proved;
@@ -151,7 +151,7 @@ TEST_CASE("filter pieces: control vectors of the normal are within the stated er
       const Point expected =
           Rational(1, 4) * cross(part.derivative_first(r, s), part.derivative_second(r, s));
       const Vec3 e = rounded(expected);
-      const Vec3& computed = n.vectors[12 * i + 3 * j];
+      const Vec3 computed = n.vector(12 * i + 3 * j);
       for (std::size_t c = 0; c < 3; ++c) CHECK(std::fabs(computed[c] - e[c]) <= n.error);
     }
   }
