@@ -295,9 +295,10 @@ class InverseGraph {
     return arc;
   }
 
-  /// Besides overlaps: isolated points, and where curves end in the rim of one.
+  /// Besides overlaps: isolated points but for poles, and where curves end in the rim of one.
   void name_contacts() {
-    for (const int node : result_.isolated_points()) result_.add_kind(node, NodeKind::touch);
+    for (const int node : result_.isolated_points())
+      if (result_.node(node).free.empty()) result_.add_kind(node, NodeKind::touch);
     for (const Overlap& overlap : result_.overlaps())
       for (const std::vector<Arc>& chain : overlap.chains)
         for (const Arc& rim : chain)

@@ -40,12 +40,13 @@ struct RationalPair {
 };
 
 /// Seed by seed 53-bit doubles, multiples of 1/16, and crumpled patches; a small family has {-2..2} only, a
-/// tiny one {-1..1}, every second pair the control points of one of its patches only; the round family is
-/// that of round_pieces.h.
+/// tiny one {-1..1}, every second pair the control points of one of its patches only; the families
+/// round and placed are those of round_pieces.h.
 RationalPair pair_of(const std::string& family, std::uint64_t seed) {
   Generator generator(seed);
-  if (family == "round") {
-    const auto [x, y] = round_pieces::round_pair(generator);
+  if (family == "round" || family == "placed") {
+    const auto [x, y] =
+        family == "round" ? round_pieces::round_pair(generator) : round_pieces::placed_pair(generator);
     return {x, y};
   }
   const bool weighted = family.find("weighted") != std::string::npos;
@@ -256,9 +257,9 @@ int run(const std::string& family, std::uint64_t first, std::uint64_t count) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const std::vector<std::string> families = {"bicubic",       "weighted",       "weighted-bicubic", "mixed",
-                                             "small-bicubic", "small-weighted", "weighted-doubles", "tiny",
-                                             "tiny-weighted", "round"};
+  const std::vector<std::string> families = {
+      "bicubic",          "weighted", "weighted-bicubic", "mixed", "small-bicubic", "small-weighted",
+      "weighted-doubles", "tiny",     "tiny-weighted",    "round", "placed"};
   const bool exactly = argc == 5 && std::string(argv[4]) == "--oracle";
   const bool cut = argc == 5 && std::string(argv[4]) == "--cut";
   const bool in_exact_mode = argc == 5 && std::string(argv[4]) == "--exact";
@@ -266,7 +267,7 @@ int main(int argc, char** argv) try {
       std::find(families.begin(), families.end(), argv[1]) == families.end())
     throw std::invalid_argument(
         "usage: exsect_replay_degrees bicubic|weighted|weighted-bicubic|mixed|"
-        "small-bicubic|small-weighted|weighted-doubles|tiny|tiny-weighted|round FIRST COUNT "
+        "small-bicubic|small-weighted|weighted-doubles|tiny|tiny-weighted|round|placed FIRST COUNT "
         "[--oracle|--cut|--exact]");
   if (cut) return run_cut(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));
   if (in_exact_mode) return run_in_exact_mode(argv[1], std::stoull(argv[2]), std::stoull(argv[3]));

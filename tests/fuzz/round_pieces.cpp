@@ -67,10 +67,29 @@ RationalPatch piece(Generator& generator) {
   }
 }
 
-/// Right angles three times of four, a small quaternion otherwise; no shift.
-ProjectiveMap rotation(Generator& generator) {
+/// A large one, or a small quarter of a cylinder, a cone with its apex, an octant of a sphere or a quarter of
+/// a tube of a torus.
+RationalPatch large_piece(Generator& generator) {
+  const Rational radius = integer(generator, 1, 2), height = integer(generator, 1, 2);
+  switch (integer(generator, 0, 4)) {
+    case 0:
+      return RationalPatch({{{-4, -4, 0}, {-4, 4, 0}}, {{4, -4, 0}, {4, 4, 0}}});
+    case 1:
+      return turned({{radius, -2, 1}, {radius, 2, 1}});
+    case 2:
+      return turned({{radius, 0, 1}, {0, height, 1}});
+    case 3:
+      return turned(arc_about(quarter_arc(), 0, radius, radius));
+    default: {
+      const Rational outwards = sign(generator);
+      return turned(arc_about(quarter_arc(), 1 + radius, outwards, sign(generator)));
+    }
+  }
+}
+
+/// By right angles, or by a small quaternion; no shift.
+ProjectiveMap rotation(Generator& generator, bool right) {
   std::array<Rational, 4> q;
-  const bool right = integer(generator, 0, 3) != 0;
   do {
     for (Rational& c : q) c = integer(generator, right ? 0 : -2, right ? 1 : 2);
   } while (std::count(q.begin(), q.end(), 0) == 4 || (right && std::count(q.begin(), q.end(), 0) == 1));
@@ -110,17 +129,33 @@ Point shift(Generator& generator, const RationalPatch& x, const RationalPatch& y
   return result;
 }
 
+ProjectiveMap translation(const Point& by) {
+  return {{{1, 0, 0, by[0]}, {0, 1, 0, by[1]}, {0, 0, 1, by[2]}, {0, 0, 0, 1}}};
+}
+
 }  // namespace
 
 RationalPatch round_piece(Generator& generator) {
   const RationalPatch of = piece(generator);
-  return random_nets::image(of, rotation(generator));
+  const bool right = integer(generator, 0, 3) != 0;
+  return random_nets::image(of, rotation(generator, right));
 }
 
 std::pair<RationalPatch, RationalPatch> round_pair(Generator& generator) {
   const RationalPatch x = round_piece(generator), y = round_piece(generator);
   const Point by = shift(generator, x, y);
-  return {x, random_nets::image(y, {{{1, 0, 0, by[0]}, {0, 1, 0, by[1]}, {0, 0, 1, by[2]}, {0, 0, 0, 1}}})};
+  return {x, random_nets::image(y, translation(by))};
+}
+
+std::pair<RationalPatch, RationalPatch> placed_pair(Generator& generator) {
+  const auto piece_at = [&](const Point& by) {
+    const RationalPatch of = large_piece(generator);
+    return random_nets::image(random_nets::image(of, rotation(generator, true)), translation(by));
+  };
+  const RationalPatch x = piece_at({0, 0, 0});
+  Point by;
+  for (Rational& c : by) c = integer(generator, 0, 1) * integer(generator, -1, 1);
+  return {x, piece_at(by)};
 }
 
 }  // namespace exsect::round_pieces
