@@ -78,6 +78,20 @@ std::optional<std::size_t> arc_to(const std::vector<PoleArc>& arcs, const Node& 
   return static_cast<std::size_t>(found - arcs.begin());
 }
 
+/// The node is the end of this arc, and is nothing else.
+bool is_end_of(const PoleArc& arc, const Node& node) {
+  const auto is_known = [&](const Side& side) {
+    return side == kCut || std::ranges::count(arc.on, side) > 0;
+  };
+  const auto is_simple = [](NodeKind kind) { return kind == NodeKind::boundary || kind == NodeKind::corner; };
+  return node.free.empty() && node.on.size() == arc.on.size() + 1 && std::ranges::all_of(node.on, is_known) &&
+         std::ranges::all_of(node.kinds, is_simple);
+}
+
+bool goes_on_in(const PoleArc& arc, const Arc& other) {
+  return arc.contact == other.contact && arc.on.empty() == (other.place == ArcPlace::interior);
+}
+
 /// Each arc near the pole goes on in one arc of the rest.
 bool fit(const std::vector<PoleArc>& arcs, const IntersectResult& rest) {
   if (!rest.graph.overlaps.empty()) return false;
@@ -85,9 +99,12 @@ bool fit(const std::vector<PoleArc>& arcs, const IntersectResult& rest) {
   for (const Node& node : rest.graph.nodes) {
     if (!is_on_cut(node)) continue;
     const auto arc = arc_to(arcs, node);
-    const bool is_simple = node.kinds == std::vector{NodeKind::boundary} && node.on.size() == 1;
-    if (!arc || !is_simple || !node.free.empty()) return false;
-    for (const Arc& other : rest.graph.arcs) ends[*arc] += (other.from == node.id) + (other.to == node.id);
+    if (!arc || !is_end_of(arcs[*arc], node)) return false;
+    for (const Arc& other : rest.graph.arcs) {
+      const int count = (other.from == node.id) + (other.to == node.id);
+      if (count > 0 && !goes_on_in(arcs[*arc], other)) return false;
+      ends[*arc] += count;
+    }
   }
   return std::ranges::all_of(ends, [](int count) { return count == 1; });
 }

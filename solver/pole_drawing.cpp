@@ -20,8 +20,6 @@ const Rational kNextReach(1, 4);
 const Rational kLeastReach = power_of_two(-24);
 /// Of a point's coordinates: rounded to doubles, and sums of a few.
 constexpr double kPointRounding = 0x1p-50;
-/// A piece of y is wider than the arc by this part of the wider direction.
-const Rational kRoom(1, 8);
 
 bool is_drawn_by_chords(const PoleNeighbourhood& all, double tolerance) {
   return std::ranges::all_of(all.arcs, [&](const PoleArc& arc) { return 2 * arc.bend <= tolerance; });
@@ -34,6 +32,12 @@ double size_of(const std::array<double, 3>& p) {
 double distance_bound(const std::array<double, 3>& p, const std::array<double, 3>& q) {
   return kSlack *
          (length_bound(p[0] - q[0], p[1] - q[1], p[2] - q[2]) + kPointRounding * (size_of(p) + size_of(q)));
+}
+
+/// The end of the pole's side in the direction of which the arc may begin, or its middle.
+double first_t(const PoleArc& arc) {
+  const auto holds = [&](int t) { return arc.along.lower <= t && t <= arc.along.upper; };
+  return holds(0) ? 0 : holds(1) ? 1 : to_double(arc.along.midpoint());
 }
 
 /// One arc from the side u = 0 to the side u = 1, and nothing else.
@@ -51,11 +55,15 @@ bool is_free(const RationalInterval& at) { return at.width() == 1; }
 
 /// The box of the arc over from <= a <= to.
 ParameterBox box_of(const PoleArc& arc, const Rational& from, const Rational& to) {
-  const Rational room = kRoom * std::max(arc.on_other[0].width(), arc.on_other[1].width());
-  ParameterBox box = {RationalInterval{from, to}, arc.along, arc.on_other[0], arc.on_other[1]};
-  for (std::size_t j = 2; j < 4; ++j)
-    box[j] = {std::max<Rational>(0, box[j].lower - room), std::min<Rational>(1, box[j].upper + room)};
-  return box;
+  return {RationalInterval{from, to}, arc.along, arc.on_other[0], arc.on_other[1]};
+}
+
+/// Into the squares, and on the arc's sides.
+void settle(const PoleArc& arc, std::vector<PolylineVertex>& polyline) {
+  for (PolylineVertex& vertex : polyline) {
+    for (double& t : vertex.parameters) t = std::clamp(t, 0.0, 1.0);
+    for (const Side& side : arc.on) vertex.parameters[index(side.parameter)] = side.value;
+  }
 }
 
 }  // namespace
@@ -101,16 +109,18 @@ Node PoleDrawing::node() const {
 
 Arc PoleDrawing::arc(std::size_t which, const PolylineVertex& end) const {
   Arc drawn{};
-  drawn.place = ArcPlace::interior;
-  drawn.contact = Contact::transversal;
+  const PoleArc& first = levels_[0].arcs[which];
+  drawn.place = first.on.empty() ? ArcPlace::interior : ArcPlace::patch_boundary;
+  drawn.contact = first.contact;
   drawn.polyline = {end};
-  const PoleArc* last = &levels_[0].arcs[which];
+  const PoleArc* last = &first;
   for (std::size_t i = 1; i < levels_.size(); ++i) {
     const PoleArc* next = continued(*last, levels_[i]);
     if (next == nullptr || !add_piece(*last, levels_[i].reach, levels_[i - 1].reach, drawn)) break;
     last = next;
   }
   add_chord(*last, drawn);
+  settle(first, drawn.polyline);
   std::ranges::reverse(drawn.polyline);
   return drawn;
 }
@@ -143,7 +153,7 @@ bool PoleDrawing::add_piece(const PoleArc& arc, const Rational& from, const Rati
 /// To the pole.
 void PoleDrawing::add_chord(const PoleArc& arc, Arc& drawn) const {
   PolylineVertex pole = pole_vertex();
-  pole.parameters[1] = to_double(arc.along.midpoint());
+  pole.parameters[1] = first_t(arc);
   for (std::size_t j = 0; j < 2; ++j)
     if (is_free(pair_.pole.at[j])) pole.parameters[2 + j] = to_double(arc.on_other[j].midpoint());
   std::array<double, 3> end = pole.point;

@@ -25,6 +25,45 @@ constexpr double kCoarsestMagnified = 0x1p-10;
 constexpr double kMagnifiedExtent = 8;
 constexpr double kMagnifiedShare = 0.9;
 
+using Vectors = std::vector<HomogeneousPoint>;
+
+/// The control vectors of a curve over the interval: blossoms of those over [0,1].
+Vectors continued(const Vectors& curve, const RationalInterval& to) {
+  Vectors result;
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    Vectors b = curve;
+    for (std::size_t level = 1; level < curve.size(); ++level) {
+      const Rational& t = level <= k ? to.upper : to.lower;
+      for (std::size_t i = 0; i + level < curve.size(); ++i)
+        for (std::size_t c = 0; c < 4; ++c) b[i][c] = (1 - t) * b[i][c] + t * b[i + 1][c];
+    }
+    result.push_back(b[0]);
+  }
+  return result;
+}
+
+std::vector<Vectors> transposed(const std::vector<Vectors>& net) {
+  std::vector<Vectors> result(net[0].size());
+  for (const Vectors& row : net)
+    for (std::size_t j = 0; j < row.size(); ++j) result[j].push_back(row[j]);
+  return result;
+}
+
+/// The patch's polynomials over a rectangle that may reach beyond the unit square.
+RationalPatch piece(const RationalPatch& of, const RationalInterval& u, const RationalInterval& v) {
+  if (u.lower >= 0 && u.upper <= 1 && v.lower >= 0 && v.upper <= 1)
+    return of.restricted_to(u.lower, u.upper, v.lower, v.upper);
+  std::vector<Vectors> net;
+  for (int i = 0; i <= of.degree_u(); ++i) {
+    Vectors row;
+    for (int j = 0; j <= of.degree_v(); ++j) row.push_back(of.homogeneous(i, j));
+    net.push_back(continued(row, v));
+  }
+  net = transposed(net);
+  for (Vectors& row : net) row = continued(row, u);
+  return RationalPatch::from_homogeneous(transposed(net));
+}
+
 void append(GraphBuilder& graph, IntersectionGraph part) {
   const int first = static_cast<int>(graph.nodes().size());
   for (Node& node : part.nodes) graph.add_node(std::move(node));
@@ -73,9 +112,7 @@ ParameterBox widened(const ParameterBox& box) {
 std::optional<IntersectResult> intersect_over(
     const RationalPatch& x, const RationalPatch& y, const ParameterBox& where, double extent, const Run& run,
     const SolvePieces& solve, const std::function<bool(const IntersectionGraph& of_pieces)>& takes) {
-  const RationalPatch first = x.restricted_to(where[0].lower, where[0].upper, where[1].lower, where[1].upper);
-  const RationalPatch second =
-      y.restricted_to(where[2].lower, where[2].upper, where[3].lower, where[3].upper);
+  const RationalPatch first = piece(x, where[0], where[1]), second = piece(y, where[2], where[3]);
   const auto whitening = Whitening::of(first, second);
   if (!whitening) return std::nullopt;
   const OtherRun of_pieces = [extent, stretch = whitening->stretch()](const Run& given) {

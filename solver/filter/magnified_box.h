@@ -26,8 +26,9 @@ struct MagnifiedBox {
 using SolvePieces = std::function<IntersectResult(const RationalPatch&, const RationalPatch&, const Run&)>;
 
 /// The complete intersection over a box of the parameters, in the parameters of the whole squares, where no
-/// node is on a side: `solve` intersects the pieces over the box. Empty if it does not complete that, or
-/// `takes` not the pieces' graph. `extent`: of the model.
+/// node is on a side, which the box may reach beyond where denominators are positive: `solve` intersects the
+/// pieces over the box. Empty if it does not complete that, or `takes` not the pieces' graph. `extent`: of
+/// the model.
 std::optional<IntersectResult> intersect_over(
     const RationalPatch& x, const RationalPatch& y, const ParameterBox& where, double extent, const Run& run,
     const SolvePieces& solve, const std::function<bool(const IntersectionGraph& of_pieces)>& takes);

@@ -285,7 +285,9 @@ class CommonPoleProof {
   }
 
   PoleArc arc_over(const Rectangle& box, const RationalInterval& ratio) const {
-    PoleArc result{box.r, {RationalInterval{0, first_.reach * ratio.upper}, box.s}, {}, 0};
+    PoleArc result{
+        box.r, {RationalInterval{0, first_.reach * ratio.upper}, box.s}, {}, Contact::transversal, {}, 0};
+    add_room(result, {RationalInterval{0, 1}, RationalInterval{0, 1}});
     set_chord(result, first_.direction, first_.weight, on_first(box));
     return result;
   }

@@ -16,9 +16,12 @@
 namespace exsect {
 namespace {
 
-constexpr int kFirstCells = 16;
+constexpr int kFirstCells = 16;   // of the pole's side, and one of them beyond each end
 constexpr int kFinestCells = 10;  // halvings of these
 constexpr std::size_t kMostCells = 512;
+const Rational kRoom(1, 8);  // of an arc's rectangle, by the width of its wider direction
+
+RationalInterval cell(int i) { return {Rational(i, kFirstCells), Rational(i + 1, kFirstCells)}; }
 
 bool has_root(const Polynomial& f, const RationalInterval& in) {
   return f.is_zero() || (f.degree() > 0 && !real_roots(f, in.lower, in.upper).empty());
@@ -60,8 +63,12 @@ struct PoleEquations {
       f.push_back(dot(row, direction));
       g.emplace_back(dot(row, z));
     }
-    is_flat = pole.is_rational() && f[0].coefficient(0).is_zero();
     lies_in_plane = pole.is_rational() && g[0].value.is_zero();
+    while (lies_in_plane && !f[0].is_zero() && f[0].coefficient(0).is_zero()) f[0] = divided_by_first(f[0]);
+    is_flat = pole.is_rational() && f[0].coefficient(0).is_zero();
+    if (!lies_in_plane || f[0].is_zero()) return;
+    line = factor_in_t(f[0]);
+    beside_line = exact_quotient(f[0], BivariatePolynomial({line}));
   }
 
   BivariatePolynomial weight, weight_of_y;
@@ -71,8 +78,10 @@ struct PoleEquations {
   std::array<Point, 3> rows;
   std::vector<BivariatePolynomial> f;
   std::vector<Jet> g;
-  bool is_flat;  // the tangent plane of y holds all directions of x in the pole
+  bool is_flat;  // f_0(0,t) = 0: the tangent plane of y holds all directions of x in the pole
   bool lies_in_plane;
+  Polynomial line;  // in a plane, f_0 = line(t) beside_line(a,t)
+  BivariatePolynomial beside_line;
 };
 
 /// Proof of (14.102) to (14.106) near the pole.
@@ -92,16 +101,19 @@ class PoleProof {
     const auto clusters = find_clusters();
     if (!clusters || (e_.is_flat && !clusters->empty())) return std::nullopt;
     for (const Cluster& cluster : *clusters) {
+      if (cluster.before == 0 || cluster.behind == 0) return std::nullopt;
       const Ranges ranges = ranges_on(cluster.along);
-      const Columns columns = columns_of(ranges);
+      const int order = order_of_line(cluster, ranges);
+      const Columns columns = columns_of(ranges, order > 0);
       if (determinant(columns.t, columns.k[0], columns.k[1]).certain_sign() == 0)  // (14.104)
         return std::nullopt;
-      if (cluster.before == cluster.behind) continue;
-      const int side = side_of_square(cluster, ranges, columns);
-      if (side == 0) return std::nullopt;
-      if (side < 0) continue;
-      if (!all_monotone(cluster, ranges, columns)) return std::nullopt;
-      result.push_back(arc_over(cluster, ranges));
+      if (order == 0 && cluster.before == cluster.behind) continue;
+      std::vector<Side> on;
+      const int place = std::min(place_at_ends(cluster, columns, order > 0, on),
+                                 place_at_sides(cluster, ranges, columns, on));
+      if (place < 0) continue;
+      if (place == 0 || !all_monotone(cluster, ranges, columns)) return std::nullopt;
+      result.push_back(arc_over(cluster, ranges, on, order > 1 ? Contact::tangential : Contact::transversal));
     }
     return result;
   }
@@ -115,8 +127,8 @@ class PoleProof {
     std::array<DoubleBall, 2> k;  // of all solutions
     Rectangle on;
   };
-  /// A maximal interval of t, inside of (0,1), outside of which there are no solutions near; the signs of the
-  /// first of (14.101) beside it.
+  /// A maximal interval of t, which may reach beyond [0,1], outside of which there are no solutions near; the
+  /// signs of the first of (14.101) beside it, 0 where it is not known.
   struct Cluster {
     RationalInterval along;
     int before;
@@ -134,9 +146,14 @@ class PoleProof {
   /// (14.103): sets the rectangle of y, what is known of y over it, and bounds of |k|.
   bool find_region() {
     std::array<double, 2> most = {0, 0};
-    for (int i = 0; i < kFirstCells; ++i) {
-      const Rectangle on = near({Rational(i, kFirstCells), Rational(i + 1, kFirstCells)});
+    for (int i = -1; i <= kFirstCells; ++i) {
+      const Rectangle on = near(cell(i));
       const DoubleBall inverse = inverse_range(e_.weight, on);
+      if (!std::isfinite(inverse.radius())) {
+        if (i == -1) begin_ = 0;
+        if (i == kFirstCells) end_ = kFirstCells;
+        if (i == -1 || i == kFirstCells) continue;
+      }
       for (std::size_t j = 0; j < 3; ++j) {
         const double size = (range_on(e_.f[j], on) * inverse).upper_magnitude();
         if (j > 0) most[j - 1] = larger_bound(most[j - 1], size);
@@ -220,25 +237,27 @@ class PoleProof {
     return along_normal.certain_sign();
   }
 
-  /// Empty if one reaches an end of the side.
+  /// Those that hold a t of [0,1]; empty if there are too many cells.
   std::optional<std::vector<Cluster>> find_clusters() const {
     std::vector<std::pair<RationalInterval, int>> cells;  // with signs
-    for (int i = 0; i < kFirstCells; ++i)
-      if (!divide({Rational(i, kFirstCells), Rational(i + 1, kFirstCells)}, 0, cells)) return std::nullopt;
-    if (cells.front().second == 0 || cells.back().second == 0) return std::nullopt;
+    for (int i = begin_; i < end_; ++i)
+      if (!divide(cell(i), 0, cells)) return std::nullopt;
     std::vector<Cluster> result;
-    for (std::size_t i = 1; i < cells.size(); ++i) {
-      if (cells[i].second != 0) {
-        if (cells[i - 1].second == 0)
-          result.back().behind = cells[i].second;
-        else if (cells[i - 1].second != cells[i].second)
-          return std::nullopt;
-      } else if (cells[i - 1].second != 0) {
-        result.push_back({cells[i].first, cells[i - 1].second, 0});
-      } else {
-        result.back().along.upper = cells[i].first.upper;
-      }
+    int last = 0;
+    bool is_open = false;
+    for (const auto& [along, sign] : cells) {
+      if (sign != 0 && is_open)
+        result.back().behind = sign;
+      else if (sign != 0 && last * sign < 0)
+        return std::nullopt;
+      else if (sign == 0 && !is_open)
+        result.push_back({along, last, 0});
+      else if (sign == 0)
+        result.back().along.upper = along.upper;
+      is_open = sign == 0;
+      last = sign;
     }
+    std::erase_if(result, [](const Cluster& c) { return c.along.upper <= 0 || c.along.lower >= 1; });
     return result;
   }
 
@@ -254,7 +273,21 @@ class PoleProof {
            divide({along.midpoint(), along.upper}, level + 1, cells);
   }
 
-  Columns columns_of(const Ranges& ranges) const {
+  /// How often f_0 vanishes on a line of t in the plane of y, if nothing else of its zeros is over the
+  /// cluster (14.113); 0 if that is not known.
+  int order_of_line(const Cluster& cluster, const Ranges& ranges) const {
+    if (!e_.lies_in_plane || e_.line.degree() <= 0) return 0;
+    if (range_on(e_.beside_line, ranges.on).certain_sign() == 0) return 0;
+    if (real_roots(e_.line, cluster.along.lower, cluster.along.upper).size() != 1) return 0;
+    int order = 1;
+    for (Polynomial next = e_.line.derivative();
+         has_root(gcd(e_.line, next), cluster.along) && !next.is_zero(); next = next.derivative())
+      ++order;
+    return order;
+  }
+
+  /// With the equation of a line of t for the first one if `on_line` (14.113).
+  Columns columns_of(const Ranges& ranges, bool on_line) const {
     const DoubleBall weight_t = range_on(e_.weight.derivative_s(), ranges.on);
     const DoubleBall weight_a = range_on(e_.weight.derivative_r(), ranges.on);
     Columns result;
@@ -267,11 +300,18 @@ class PoleProof {
                     ranges.f[i] * (omega_first_[0] * ranges.k[0] + omega_first_[1] * ranges.k[1]) -
                     weight_a * g - ranges.weight * quadratic(i, ranges.k);
     }
+    if (!on_line) return result;
+    result.t[0] = 1;
+    result.k[0][0] = result.k[1][0] = result.a[0] = 0;
     return result;
   }
 
   bool is_asked_for(std::size_t j) const { return std::ranges::count(turning_, all_parameters[j]) > 0; }
 
+  /// The derivative of t along the arc times the determinant (14.104).
+  DoubleBall rate_of_t(const Columns& columns) const {
+    return -determinant(columns.a, columns.k[0], columns.k[1]);
+  }
   /// The derivative of k_j along the arc times the determinant (14.104).
   DoubleBall rate(std::size_t j, const Columns& columns) const {
     return j == 0 ? -determinant(columns.t, columns.a, columns.k[1])
@@ -281,8 +321,7 @@ class PoleProof {
   /// (14.106).
   bool all_monotone(const Cluster& cluster, const Ranges& ranges, const Columns& columns) const {
     const DoubleBall whole = determinant(columns.t, columns.k[0], columns.k[1]);
-    const DoubleBall t = determinant(columns.a, columns.k[0], columns.k[1]);
-    if (is_asked_for(1) && t.certain_sign() == 0 && !is_straight(cluster)) return false;
+    if (is_asked_for(1) && rate_of_t(columns).certain_sign() == 0 && !is_straight(cluster)) return false;
     for (std::size_t j = 0; j < 2; ++j) {
       if (!is_asked_for(2 + j)) continue;
       const DoubleBall k = rate(j, columns);
@@ -292,9 +331,37 @@ class PoleProof {
     return true;
   }
 
-  /// 1, -1: all of the arc but the pole is inside, outside of the square of y, where the pole may be on sides
-  /// of it (14.107); 0: not known.
-  int side_of_square(const Cluster& cluster, const Ranges& ranges, const Columns& columns) const {
+  /// 1: all of the arc has t in (0,1) but for the pole, or is on an end of the side, which is added; -1: t is
+  /// outside of [0,1]; 0: not known (14.114).
+  int place_at_ends(const Cluster& cluster, const Columns& columns, bool on_line,
+                    std::vector<Side>& on) const {
+    const bool at_zero = cluster.along.lower<0, at_one = cluster.along.upper> 1;
+    if (!at_zero && !at_one) return 1;
+    const int end = at_one ? 1 : 0;
+    if ((at_zero && at_one) || !begins_at(end)) return 0;
+    if (on_line) {
+      if (e_.line.sign_at(end) != 0) return 0;
+      on.push_back({Parameter::v, end});
+      return 1;
+    }
+    const DoubleBall whole = determinant(columns.t, columns.k[0], columns.k[1]);
+    const int sign = rate_of_t(columns).certain_sign() * whole.certain_sign();
+    return at_zero ? sign : -sign;
+  }
+
+  /// The zero of the first of (14.101) for a = 0 near this t is t itself (14.114).
+  bool begins_at(int t) const {
+    if (pole_.is_rational()) return e_.f[0].coefficient(0).sign_at(t) == 0;
+    Point direction;
+    for (std::size_t c = 0; c < 3; ++c) direction[c] = e_.direction[c].coefficient(0)(t);
+    const BivariatePolynomial normal = dot(direction, cross(e_.z_r, e_.z_s));
+    return sign_at(normal, *pole_.exact) == 0;
+  }
+
+  /// 1: all of the arc is inside of the square of y but for the pole, which may be on sides of it, or is on
+  /// such a side, which is added; -1: it is outside of the square; 0: not known (14.107).
+  int place_at_sides(const Cluster& cluster, const Ranges& ranges, const Columns& columns,
+                     std::vector<Side>& on) const {
     int result = 1;
     for (std::size_t j = 0; j < 2; ++j) {
       if (e_.at[j] != 0 && e_.at[j] != 1) continue;
@@ -302,6 +369,10 @@ class PoleProof {
       if (sign == 0 && begins_still(cluster, j)) {
         const DoubleBall whole = determinant(columns.t, columns.k[0], columns.k[1]);
         sign = rate(j, columns).certain_sign() * whole.certain_sign();
+      }
+      if (sign == 0 && stays(cluster, j)) {
+        on.push_back({all_parameters[2 + j], e_.at[j] == 0 ? 0 : 1});
+        continue;
       }
       const int inwards = e_.at[j] == 0 ? sign : -sign;
       if (inwards < 0) return -1;
@@ -312,12 +383,12 @@ class PoleProof {
 
   /// t is constant: y lies in a plane, which x meets in a line t = constant.
   bool is_straight(const Cluster& cluster) const {
-    return e_.lies_in_plane && has_root(factor_in_t(e_.f[0]), cluster.along);
+    return e_.lies_in_plane && has_root(e_.line, cluster.along);
   }
 
   /// k_j = 0 for all a: that line is one of y on which r, or s, is constant.
   bool stays(const Cluster& cluster, std::size_t j) const {
-    const Polynomial common = gcd(factor_in_t(e_.f[0]), factor_in_t(e_.f[j + 1]));
+    const Polynomial common = gcd(e_.line, factor_in_t(e_.f[j + 1]));
     return e_.lies_in_plane && has_root(common, cluster.along) && is_zero_on_line(e_.g[j + 1].value, j);
   }
 
@@ -341,12 +412,14 @@ class PoleProof {
     return sign_at(dot(normal, along), *pole_.exact) == 0;
   }
 
-  PoleArc arc_over(const Cluster& cluster, const Ranges& ranges) const {
-    PoleArc result{cluster.along, {}, {}, 0};
+  PoleArc arc_over(const Cluster& cluster, const Ranges& ranges, std::vector<Side> on,
+                   Contact contact) const {
+    PoleArc result{cluster.along, {}, std::move(on), contact, {}, 0};
     for (std::size_t j = 0; j < 2; ++j) {
       const RationalInterval k = (a_ * ranges.k[j]).interval();
       result.on_other[j] = {pole_.at[j].lower + k.lower, pole_.at[j].upper + k.upper};
     }
+    add_room(result, {region_.r, region_.s});
     set_chord(result, e_.direction, e_.weight, ranges.on);
     return result;
   }
@@ -362,10 +435,20 @@ class PoleProof {
   std::array<std::array<DoubleBall, 3>, 3> second_;
   DoubleBall omega_;
   std::array<DoubleBall, 2> omega_first_;
-  double off_ = 0;  // |k_j - f_j omega / w| is not above it
+  int begin_ = -1, end_ = kFirstCells + 1;  // of the cells in which the weight is positive
+  double off_ = 0;                          // |k_j - f_j omega / w| is not above it
 };
 
 }  // namespace
+
+void add_room(PoleArc& arc, const std::array<RationalInterval, 2>& within) {
+  const Rational room = kRoom * std::max(arc.on_other[0].width(), arc.on_other[1].width());
+  for (std::size_t j = 0; j < 2; ++j) {
+    RationalInterval& at = arc.on_other[j];
+    at = {std::max<Rational>(within[j].lower, at.lower - room),
+          std::min<Rational>(within[j].upper, at.upper + room)};
+  }
+}
 
 void set_chord(PoleArc& arc, const PolynomialVector& direction, const BivariatePolynomial& weight,
                const Rectangle& on) {

@@ -51,6 +51,17 @@ IntersectResult solved_in_doubles(const RationalPatch& x, const RationalPatch& y
   return intersect_in_doubles(x, y, run);
 }
 
+/// By the pole's proof, and the rest by any.
+IntersectResult blown_up(const RationalPatch& x, const RationalPatch& y) {
+  const auto solve = [](const RationalPatch& a, const RationalPatch& b, const Run&) {
+    return intersect(a, b);
+  };
+  const auto result = intersect_at_pole(x, y, Run(), solve);
+  REQUIRE(result);
+  REQUIRE(result->status == Status::complete);
+  return *result;
+}
+
 /// An octant of a sphere of radius 1 about the origin; the side u = 1 is its pole (0,0,1).
 Net octant() {
   return {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
@@ -322,6 +333,70 @@ TEST_CASE("intersect_at_pole: a pole at irrational parameters of a sphere") {
     CHECK(std::abs(std::hypot(p[0], p[1], p[2]) - 1) < 1e-9);
     CHECK(std::abs(std::hypot(p[0] - 2.0 / 3, p[1] + 4.0 / 3, p[2] + 1.0 / 3) - 2) < 1e-9);
   }
+}
+
+TEST_CASE("intersect_at_pole: an octant's sides in planes and beside them") {
+  // z is height, the pole (0,0,1); the plane through it holds (c,s,0) and leans by `lean`.
+  const RationalPatch x(octant(), kWeights);
+  const auto sheet = [](const Rational& c, const Rational& s, const Rational& lean) {
+    const auto at = [&](const Rational& i, const Rational& j) -> Point {
+      return {i * c - j * lean * s, i * s + j * lean * c, 1 + j};
+    };
+    return RationalPatch({{at(-2, -2), at(-2, 1)}, {at(2, -2), at(2, 1)}});
+  };
+  // Upright: the sides v = 0 and v = 1 themselves, from the pole to the equator. Leaning, a small circle that
+  // touches the direction of this side: inside of the octant, or outside.
+  for (const bool at_one : {false, true})
+    for (const int lean : {-1, 0, 1}) {
+      INFO("v = " << at_one << ", lean " << lean);
+      const RationalPatch y = at_one ? sheet(0, 1, lean) : sheet(1, 0, lean);
+      const IntersectResult result = blown_up(x, y);
+      CHECK(difference(result.graph, intersect(x, y).graph, {}) == "");  // by the inverse of y
+      const Node* pole = pole_of(result.graph);
+      REQUIRE(pole);
+      const bool is_inside = at_one ? lean > 0 : lean < 0;
+      REQUIRE(arcs_at(result.graph, pole->id) == (lean == 0 || is_inside ? std::size_t{1} : std::size_t{0}));
+      for (const Arc& arc : result.graph.arcs) {
+        CHECK(arc.place == (lean == 0 ? ArcPlace::patch_boundary : ArcPlace::interior));
+        CHECK(arc.contact == Contact::transversal);
+        for (const PolylineVertex& vertex : arc.polyline) {
+          const auto& p = vertex.point;
+          CHECK(std::abs(std::hypot(p[0], p[1], p[2]) - 1) <= arc.error_bound + 1e-14);
+          const double off = at_one ? p[0] + lean * (p[2] - 1) : p[1] - lean * (p[2] - 1);
+          CHECK(std::abs(off) <= 1.5 * arc.error_bound + 1e-14);
+          if (lean == 0) CHECK(vertex.parameters[1] == (at_one ? 1 : 0));
+        }
+      }
+      CHECK(difference(result.graph, blown_up(y, x).graph, {{2, 3, 0, 1}, {}}) == "");
+    }
+}
+
+TEST_CASE("intersect_at_pole: the direction of an end, at irrational parameters of a sphere") {
+  // A sphere of radius 13 through (0,0,1) with the normal (3,4,12) there, that is at irrational parameters of
+  // the octant about the axis of x. Its section leaves along (4,-3,0) and (-4,3,0), bent towards (3,4,0) or
+  // back. The octant is turned so that this is the direction of its sides v = 0 or v = 1.
+  const auto around = [](const Point& p) -> Point { return {13 * p[2] - 3, 13 * p[0] - 4, 13 * p[1] - 11}; };
+  const RationalPatch y(mapped(octant(), around), kWeights);
+  for (const int sign : {-1, 1})
+    for (const bool at_one : {false, true}) {
+      INFO("direction " << sign << " (4,-3), v = " << at_one);
+      const Rational c = Rational(4 * sign, 5), s = Rational(-3 * sign, 5);  // of the side
+      const auto turned = [&](const Point& p) -> Point {
+        return at_one ? Point{s * p[0] + c * p[1], s * p[1] - c * p[0], p[2]}
+                      : Point{c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+      };
+      const RationalPatch x(mapped(octant(), turned), kWeights);
+      const IntersectResult result = blown_up(x, y);
+      CHECK(difference(result.graph, intersect(x, y).graph, {}) == "");  // by the inverse of y
+      const Node* pole = pole_of(result.graph);
+      REQUIRE(pole);
+      CHECK(pole->box[2].lower < pole->box[2].upper);
+      // In the plane of both, 3 x + 4 y + 11 (z - 1) = 0, z < 1: it leads to 3 x + 4 y > 0, which is to the
+      // left of (4,-3), as (3,4) is.
+      const bool is_inside = (sign > 0) != at_one;
+      CHECK(arcs_at(result.graph, pole->id) == (is_inside ? std::size_t{1} : std::size_t{0}));
+      CHECK(difference(result.graph, blown_up(y, x).graph, {{2, 3, 0, 1}, {}}) == "");
+    }
 }
 
 TEST_CASE("intersect_at_pole: a pole that is not on the other patch is never taken for one that is") {

@@ -64,9 +64,99 @@ TEST_CASE("arcs_at_pole: a plane that holds all directions is touched, or not de
   CHECK(!arcs(fan(0, 0), floor));  // in the plane
 }
 
-TEST_CASE("arcs_at_pole: no answer for a double direction, and at an end of the side") {
-  CHECK(!arcs(fan(1, 0), plane({1, 2, Rational(3, 2)}, {2, 1, Rational(3, 2)})));  // 2 t (1 - t) = 1/2
-  CHECK(!arcs(fan(1, 0), plane({1, 2, 0}, {2, 1, 0})));                            // t = 0, 1
+TEST_CASE("arcs_at_pole: no answer for a double direction of a patch that is no cone") {
+  CHECK(!arcs(fan(1, 1), plane({1, 2, Rational(3, 2)}, {2, 1, Rational(3, 2)})));  // 2 t (1 - t) = 1/2
+}
+
+TEST_CASE("arcs_at_pole: a plane touches a cone along a ruling") {
+  const auto found = arcs(fan(1, 0), plane({1, 2, Rational(3, 2)}, {2, 1, Rational(3, 2)}));  // t = 1/2
+  REQUIRE(found);
+  REQUIRE(found->size() == 1);
+  CHECK(found->front().contact == Contact::tangential);
+  CHECK(found->front().on.empty());
+  CHECK(std::abs(to_double(found->front().along.midpoint()) - 0.5) < 0.01);
+}
+
+TEST_CASE("arcs_at_pole: sides of a cone in a plane, and touched by it") {
+  const auto ends = arcs(fan(1, 0), plane({1, 2, 0}, {2, 1, 0}));
+  REQUIRE(ends);
+  REQUIRE(ends->size() == 2);
+  for (int end = 0; end < 2; ++end) {
+    const PoleArc& arc = (*ends)[static_cast<std::size_t>(end)];
+    CHECK(arc.on == std::vector<Side>{{Parameter::v, end}});
+    CHECK(arc.contact == Contact::transversal);
+  }
+  // z = 2 y touches at t = 0, z = 2 x at t = 1.
+  for (int end = 0; end < 2; ++end) {
+    const auto found = arcs(fan(1, 0), end == 0 ? plane({1, 0, 0}, {0, 1, 2}) : plane({0, 1, 0}, {1, 0, 2}));
+    REQUIRE(found);
+    REQUIRE(found->size() == 1);
+    CHECK(found->front().on == std::vector<Side>{{Parameter::v, end}});
+    CHECK(found->front().contact == Contact::tangential);
+  }
+}
+
+TEST_CASE("arcs_at_pole: in the direction of an end of the side, inwards, outwards and along it") {
+  // x(a,t) = a ((1 - t), t + bend a (1 - t), 0) leaves y = 0 at t = 0: t = -bend a / (1 - bend a).
+  for (const int bend : {-1, 0, 1}) {
+    const Rational h(1, 2);
+    const RationalPatch x({{{0, 0, 0}, {0, 0, 0}}, {{h, 0, 0}, {0, h, 0}}, {{1, bend, 0}, {0, 1, 0}}});
+    const auto reversed = [](const RationalPatch& of) { return of.restricted_to(0, 1, 1, 0); };
+    for (const bool at_one : {false, true}) {
+      INFO("bend " << bend << ", at 1 " << at_one);
+      const auto found = arcs(at_one ? reversed(x) : x, plane({1, 0, 1}, {1, 0, -1}));
+      REQUIRE(found);
+      REQUIRE(found->size() == (bend > 0 ? std::size_t{0} : std::size_t{1}));
+      if (bend > 0) continue;
+      const auto side = std::vector<Side>{{Parameter::v, at_one ? 1 : 0}};
+      CHECK(found->front().on == (bend == 0 ? side : std::vector<Side>{}));
+    }
+  }
+}
+
+TEST_CASE("arcs_at_pole: the weight is not positive beyond an end of the side") {
+  // w = 1 - t + 1/64 in t vanishes at 65/64: cells beyond t = 1 are left out, and t = 0 is decided.
+  const std::vector<std::vector<Rational>> weights = {{Rational(65, 64), Rational(1, 64)},
+                                                      {Rational(65, 64), Rational(1, 64)}};
+  const RationalPatch x({{{0, 0, 0}, {0, 0, 0}}, {{1, 0, 0}, {0, 1, 0}}}, weights);
+  const auto at_zero = arcs(x, plane({1, 0, 0}, {0, 0, 1}));
+  REQUIRE(at_zero);
+  CHECK(at_zero->size() == 1);
+  CHECK(!arcs(x, plane({0, 1, 0}, {0, 0, 1})));
+}
+
+TEST_CASE("arcs_at_pole: sides of the other patch that are rulings") {
+  // The ruling t = 1/3 is the side s = 0, or is beside it.
+  const Point ruling = {2, 1, Rational(4, 3)}, across = {1, 0, 1};
+  const auto sheet = [&](const Rational& from) {
+    const auto at = [&](long i, const Rational& j) -> Point { return Rational(i) * ruling + j * across; };
+    return RationalPatch({{at(-1, from), at(-1, 1)}, {at(1, from), at(1, 1)}});
+  };
+  const auto on_side = arcs(fan(1, 0), sheet(0));
+  REQUIRE(on_side);
+  REQUIRE(on_side->size() == 1);
+  CHECK(on_side->front().on == std::vector<Side>{{Parameter::s, 0}});
+  const auto beside = arcs(fan(1, 0), sheet(Rational(-1, 2)));
+  REQUIRE(beside);
+  REQUIRE(beside->size() == 1);
+  CHECK(beside->front().on.empty());
+}
+
+TEST_CASE("arcs_at_pole: a plane that touches all directions, with arcs") {
+  // x = a (1 - t, t, a (1 - 3 t)) leaves z = 0 at t = 1/3; with 1 - 3 t for 3 t it is along a side.
+  const Rational h(1, 2);
+  const auto saddle = [&](const Rational& p, const Rational& q) {
+    return RationalPatch({{{0, 0, 0}, {0, 0, 0}}, {{h, 0, 0}, {0, h, 0}}, {{1, 0, p}, {0, 1, q}}});
+  };
+  const RationalPatch floor = plane({1, 0, 0}, {0, 1, 0});
+  const auto crossing = arcs(saddle(1, -2), floor), side = arcs(saddle(0, 1), floor);
+  REQUIRE(crossing);
+  REQUIRE(crossing->size() == 1);
+  CHECK(crossing->front().contact == Contact::transversal);
+  CHECK(std::abs(to_double(crossing->front().along.midpoint()) - 1.0 / 3) < 0.01);
+  REQUIRE(side);
+  REQUIRE(side->size() == 1);
+  CHECK(side->front().on == std::vector<Side>{{Parameter::v, 0}});
 }
 
 TEST_CASE("arcs_at_pole: a parameter that begins still is monotone") {
