@@ -24,6 +24,7 @@
 #include "lift/pair_region.h"
 #include "lift/ring_curve.h"
 #include "lift/shared_box.h"
+#include "lift/space_sides.h"
 #include "lift/torus_drawing.h"
 
 namespace exsect {
@@ -172,7 +173,7 @@ SurfaceIntersection same(const ImplicitSurface& first, const ImplicitSurface& se
   SurfaceIntersection result{Status::complete, shared->has_inner_points};
   for (const SharedCut& cut : shared->cuts)
     append(result, solved_pair(first.data() ? first : second, cut.surface, within(region, cut.region), run));
-  for (SpaceArc& arc : result.arcs) arc.multiplicity = 0;
+  for (SpaceArc& arc : result.arcs) arc.multiplicity = 0, arc.beside.reset();
   for (SpaceCurve& curve : result.curves) curve.multiplicity = 0;
   return result;
 }
@@ -206,7 +207,9 @@ SurfaceIntersection planes(const ImplicitSurface& first, const ImplicitSurface& 
     for (std::size_t k = 0; k < 3; ++k)
       error += to_double(abs(node.box[k].lower - from_double(node.approx[k])));
   error = error * kSlack + kUnderflowLoss;
-  result.arcs.push_back({0, 0, 0, 1, 1, {result.nodes[0].approx, result.nodes[1].approx}, error});
+  result.arcs.push_back(
+      {0, 0, 0, 1, 1, {result.nodes[0].approx, result.nodes[1].approx}, error, SideSigns{-1, 1}});  // along
+                                                                                                    // n1 x n2
   result.curves.push_back({0, SpaceCurveKind::line, {0}, false, 1, point, along});
   return result;
 }
@@ -221,6 +224,7 @@ std::optional<SurfaceIntersection> solved_by(const ImplicitSurface& first, const
   if (curve->is_same) return same(first, second, region, run);
   SurfaceIntersection result{Status::complete};
   run.timed("drawing", [&] { draw(result, *curve, region, run); });
+  run.timed("sides", [&] { add_sides(result, *curve, first, second); });
   return result;
 }
 
@@ -236,6 +240,13 @@ std::optional<SurfaceIntersection> on_ring(const ImplicitSurface& torus, const I
   return solved_by(torus, other, region, run, ring_curve);
 }
 
+/// The answer for both surfaces in the other order, from that in this one.
+SurfaceIntersection in_other_order(SurfaceIntersection result, const ImplicitSurface& first,
+                                   const ImplicitSurface& second) {
+  exchange_sides(result, first.equation(), second.equation());
+  return result;
+}
+
 /// Of two tori the one that is taken in whichever order they come.
 bool is_before(const SurfaceData& a, const SurfaceData& b) {
   return std::tie(a.minor_squared, a.squared, a.point) < std::tie(b.minor_squared, b.squared, b.point);
@@ -243,15 +254,24 @@ bool is_before(const SurfaceData& a, const SurfaceData& b) {
 
 std::optional<SurfaceIntersection> tori(const ImplicitSurface& first, const ImplicitSurface& second,
                                         const PairRegion& region, const Run& run) {
-  if (is_before(*second.data(), *first.data())) return tori(second, first, region, run);
+  if (is_before(*second.data(), *first.data())) {
+    std::optional<SurfaceIntersection> result = tori(second, first, region, run);
+    if (result) result = in_other_order(*std::move(result), second, first);
+    return result;
+  }
   if (const auto coaxial = coaxial_section(*first.data(), *second.data())) {
     if (coaxial->is_same) return same(first, second, region, run);
     if (!coaxial->surface) return SurfaceIntersection{Status::complete};
-    return solved_pair(*coaxial->surface, first, within(region, coaxial->surface->region()), run);
+    SurfaceIntersection result =
+        solved_pair(first, *coaxial->surface, within(region, coaxial->surface->region()), run);
+    if (coaxial->is_reversed) negate_sides(result);
+    return result;
   }
-  for (const auto solve : {on_torus, on_ring})
-    for (const auto& [torus, other] : {std::pair(&first, &second), std::pair(&second, &first)})
-      if (std::optional<SurfaceIntersection> result = solve(*torus, *other, region, run)) return result;
+  for (const auto solve : {on_torus, on_ring}) {
+    if (std::optional<SurfaceIntersection> result = solve(first, second, region, run)) return result;
+    if (std::optional<SurfaceIntersection> result = solve(second, first, region, run))
+      return in_other_order(*std::move(result), second, first);
+  }
   return std::nullopt;
 }
 
@@ -271,18 +291,24 @@ SurfaceIntersection crossing(const ImplicitSurface& first, const ImplicitSurface
   if (curve.open) return open(curve.open->why, curve.open->reason);
   if (curve.is_same && !region.all.clauses.empty()) return same(first, second, region, run);
   SurfaceIntersection result{Status::complete, curve.is_same};
+  const Point height = curve.projection ? curve.projection->frame.height : Point{};
   for (CrossingNode& node : curve.nodes)
     add_node(result, node_kind(node.degree, node.is_singular, node.goes_on), node.degree, std::move(node.box),
              names_of(region, node.bounds));
-  for (CrossingArc& arc : curve.arcs)
+  for (CrossingArc& arc : curve.arcs) {
     add_arc(result, arc, arc.multiplicity, {std::move(arc.points), arc.error_bound});
+    const auto& [f, g] = curve.forms[arc.factor];
+    result.arcs.back().beside = sides_from({f, g, arc.sense, height, cube_of(arc.begin)}, first.equation(),
+                                           second.equation(), arc.multiplicity);
+  }
   set_curves(result, named_curves(curve));
   return result;
 }
 
 SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second,
                                 const PairRegion& region, const Run& run) {
-  if (rank(first) > rank(second)) return solved_pair(second, first, region, run);
+  if (rank(first) > rank(second))
+    return in_other_order(solved_pair(second, first, region, run), second, first);
   if (first.kind() == SurfaceKind::plane && second.kind() == SurfaceKind::plane)
     return planes(first, second, region, run);
   std::optional<SurfaceIntersection> result;
@@ -304,7 +330,10 @@ SurfaceIntersection answered_pair(const ImplicitSurface& first, const ImplicitSu
                                   const Run& run) {
   const InterruptionScope scope(run.stop());
   try {
-    return solved_pair(first, second, pair_region(first, second), run);
+    SurfaceIntersection result = solved_pair(first, second, pair_region(first, second), run);
+    add_sides_around(result, first.equation(), second.equation());
+    if (result.is_same) result.normals = sign_of_quotient(first.equation(), second.equation());
+    return result;
   } catch (const Interrupted&) {
     return open("the work cap was reached", Reason::time);
   } catch (const std::invalid_argument&) {

@@ -29,17 +29,23 @@ Json node_on_surfaces_json(const SpaceNode& node) {
   if (is_on_bound(node)) json["bounds"] = {{"first", node.bounds[0]}, {"second", node.bounds[1]}};
   json["box"] = std::move(box);
   json["approx"] = node.approx;
+  if (node.around) json["around"] = *node.around;
   return json;
 }
 
 Json space_arc_json(const SpaceArc& arc) {
-  return {{"id", arc.id},
-          {"curve", arc.curve},
-          {"from", arc.from},
-          {"to", arc.to},
-          {"multiplicity", arc.multiplicity},
-          {"polyline", arc.polyline},
-          {"error_bound", decimal_not_below(arc.error_bound)}};
+  Json json = {{"id", arc.id},
+               {"curve", arc.curve},
+               {"from", arc.from},
+               {"to", arc.to},
+               {"multiplicity", arc.multiplicity},
+               {"polyline", arc.polyline},
+               {"error_bound", decimal_not_below(arc.error_bound)}};
+  if (arc.beside) {
+    json["left"] = arc.beside->left;
+    json["right"] = arc.beside->right;
+  }
+  return json;
 }
 
 Json space_curve_json(const SpaceCurve& curve) {
@@ -132,21 +138,23 @@ std::string what_is_common(const SurfaceIntersection& result) {
 }
 
 Json surfaces_json(const SurfaceIntersection& result, const SurfaceNames& names) {
-  return {{"exsect", "surfaces/1"},
-          {"status", result.status == Status::complete ? "complete" : "incomplete"},
-          {"first", names.first},
-          {"second", names.second},
-          {"equations", {names.first_kind, names.second_kind}},
-          {"same", result.is_same},
-          {"nodes", listed(result.nodes, node_on_surfaces_json)},
-          {"arcs", listed(result.arcs, space_arc_json)},
-          {"curves", listed(result.curves, space_curve_json)},
-          {"summary", what_is_common(result)},
-          {"incomplete", listed(result.incomplete,
-                                [](const OpenQuestion& open) {
-                                  return Json{{"why", open.why}, {"reason", name(open.reason)}};
-                                })},
-          {"work", {{"milliseconds", result.work.milliseconds}, {"steps", result.work.steps}}}};
+  Json json = {{"exsect", "surfaces/1"},
+               {"status", result.status == Status::complete ? "complete" : "incomplete"},
+               {"first", names.first},
+               {"second", names.second},
+               {"equations", {names.first_kind, names.second_kind}},
+               {"same", result.is_same},
+               {"nodes", listed(result.nodes, node_on_surfaces_json)},
+               {"arcs", listed(result.arcs, space_arc_json)},
+               {"curves", listed(result.curves, space_curve_json)},
+               {"summary", what_is_common(result)},
+               {"incomplete", listed(result.incomplete,
+                                     [](const OpenQuestion& open) {
+                                       return Json{{"why", open.why}, {"reason", name(open.reason)}};
+                                     })},
+               {"work", {{"milliseconds", result.work.milliseconds}, {"steps", result.work.steps}}}};
+  if (result.normals) json["normals"] = *result.normals;
+  return json;
 }
 
 std::string surfaces_summary(const SurfaceIntersection& result, const SurfaceNames& names, bool verbose) {

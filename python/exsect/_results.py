@@ -569,6 +569,8 @@ class SpaceNode:
     charts: Tuple[Dict[str, Interval], Dict[str, Interval]]
     #: What it lies on of the box of the first surface, and of the second: "sector=from", ... (formats.md).
     bounds: Tuple[Tuple[str, ...], Tuple[str, ...]] = ((), ())
+    #: Of a touch point: the sign of the second equation on the first surface around it, -1 or 1, where that is proved.
+    around: Optional[int] = None
 
 
 @dataclass(frozen=True)
@@ -586,6 +588,11 @@ class SpaceArc:
     polyline: Any = field(repr=False, compare=False)
     #: Proved: arc and polyline are nowhere farther apart.
     error_bound: float
+    #: The sign of the second equation on the first surface to the left of the arc, -1 or 1: seen from the first end to the
+    #: second one and from where the first equation is positive. Equal to `right` where they touch without crossing; None
+    #: where it is not proved, and of what one surface's boxes share.
+    left: Optional[int] = None
+    right: Optional[int] = None
 
 
 @dataclass(frozen=True)
@@ -614,6 +621,8 @@ class SurfaceIntersection(_Exportable):
     summary: str
     #: The surfaces are one.
     same: bool
+    #: Then: 1 if both equations are positive on the same side, -1 if on opposite ones; None if they are not proportional.
+    normals: Optional[int]
     nodes: Tuple[SpaceNode, ...]
     arcs: Tuple[SpaceArc, ...]
     curves: Tuple[SpaceCurve, ...]
@@ -625,6 +634,7 @@ class SurfaceIntersection(_Exportable):
         tree = self.tree
         self.summary = tree["summary"]
         self.same = tree["same"]
+        self.normals = tree.get("normals")
         self.nodes = tuple(
             SpaceNode(
                 n["id"],
@@ -634,12 +644,20 @@ class SurfaceIntersection(_Exportable):
                 _triple(n["approx"]),
                 (_box(n["charts"][0]), _box(n["charts"][1])),
                 (tuple(n["bounds"]["first"]), tuple(n["bounds"]["second"])) if "bounds" in n else ((), ()),
+                n.get("around"),
             )
             for n in tree["nodes"]
         )
         self.arcs = tuple(
             SpaceArc(
-                a["id"], a["curve"], (a["from"], a["to"]), a["multiplicity"], _array(a["polyline"]), _bound(a["error_bound"])
+                a["id"],
+                a["curve"],
+                (a["from"], a["to"]),
+                a["multiplicity"],
+                _array(a["polyline"]),
+                _bound(a["error_bound"]),
+                a.get("left"),
+                a.get("right"),
             )
             for a in tree["arcs"]
         )

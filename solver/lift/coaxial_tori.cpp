@@ -17,14 +17,17 @@ std::optional<CoaxialSection> coaxial_section(const SurfaceData& first, const Su
   if (alpha_sign == 0 && beta == 0) return CoaxialSection{std::nullopt, gamma == 0};
   if (beta == 0) {
     if (alpha_sign * sign(gamma) >= 0) return CoaxialSection{};
-    return CoaxialSection{ImplicitSurface::cylinder(first.point, first.axis,
-                                                    Length::of_squared(gamma * gamma / alpha_squared))};
+    return CoaxialSection{
+        ImplicitSurface::cylinder(first.point, first.axis, Length::of_squared(gamma * gamma / alpha_squared)),
+        false, alpha_sign > 0};
   }
+  const bool is_reversed = alpha_sign != 0 ? alpha_sign > 0 : beta > 0;
   const Point at = first.point + (-gamma / beta) * first.axis;
-  if (alpha_sign == 0) return CoaxialSection{ImplicitSurface::plane(at, first.axis)};
+  if (alpha_sign == 0) return CoaxialSection{ImplicitSurface::plane(at, first.axis), false, is_reversed};
   const Rational up = -alpha_sign * sign(beta);
   return CoaxialSection{
-      ImplicitSurface::cone(at, up * first.axis, Length::of_squared(beta * beta / (alpha_squared * length)))};
+      ImplicitSurface::cone(at, up * first.axis, Length::of_squared(beta * beta / (alpha_squared * length))),
+      false, is_reversed};
 }
 
 }  // namespace exsect

@@ -13,6 +13,8 @@ namespace exsect {
 struct CoaxialSection {
   std::optional<ImplicitSurface> surface;
   bool is_same = false;
+  bool is_reversed =
+      false;  // on the first torus its equation has the other signs than that of the second one
 };
 
 /// What has the same common points with the first torus as the second torus has, of the same order of

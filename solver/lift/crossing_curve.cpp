@@ -31,11 +31,7 @@ std::vector<int> upward_senses(const CrossingLandmark& landmark) {
 
 CrossingNode node_at(const CrossingLandmark& landmark) {
   const bool goes_on = landmark.kind == LandmarkKind::entry || landmark.kind == LandmarkKind::exit;
-  CrossingNode node{{}, goes_on, false, 0};
-  const Rational radius = from_double(landmark.zero.radius);
-  for (std::size_t k = 0; k < 3; ++k)
-    node.box[k] = {landmark.zero.centre[k] - radius, landmark.zero.centre[k] + radius};
-  return node;
+  return {cube_of(landmark.zero), goes_on, false, 0};
 }
 
 /// An arc that ends on the window of a star goes on to its centre: by a chord, within the diameter of the
@@ -163,7 +159,10 @@ CrossingCurve traced(const TracedCurve& of) {
   const CrossingLandmarks& known = of.known;
   CrossingCurve result;
   result.projection = of.branches.projection;
-  for (const CrossingBranch& branch : of.branches.all) result.factors.push_back(branch.shadow);
+  for (const CrossingBranch& branch : of.branches.all) {
+    result.factors.push_back(branch.shadow);
+    result.forms.push_back({branch.f, branch.g});
+  }
   std::vector<std::size_t> node_of;
   result.nodes = nodes_of(of, node_of);
   std::vector<int> arrivals(known.landmarks.size(), 0);
@@ -181,7 +180,7 @@ CrossingCurve traced(const TracedCurve& of) {
         if (to.star) add_chord(trace, known.stars[*to.star], to.zero, false);
         result.arcs.push_back({node_of[start], node_of[end], from.branch,
                                of.branches.all[from.branch].multiplicity, std::move(trace.points),
-                               trace.error_bound, from.zero});
+                               trace.error_bound, from.zero, sense});
       }
     }
   for (std::size_t i = 0; i < known.landmarks.size(); ++i)

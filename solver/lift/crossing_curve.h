@@ -34,6 +34,7 @@ struct CrossingArc {
   std::vector<std::array<double, 3>> points;
   double error_bound;
   SpaceZero begin;  // a cube of a point of the arc, near `from`
+  int sense;        // 1 if the arc leaves it along grad f x grad g for the forms of its factor, -1 against it
 };
 
 /// Invariant: unless `open`, the arcs, ends included, and the nodes of degree 0 are all common
@@ -44,8 +45,9 @@ struct CrossingCurve {
   std::optional<OpenQuestion> open = {};
   std::vector<CrossingNode> nodes = {};
   std::vector<CrossingArc> arcs = {};
-  std::optional<SpaceProjection> projection = {};  // if there are arcs
-  std::vector<BivariatePolynomial> factors = {};   // of its shadow
+  std::optional<SpaceProjection> projection = {};          // if there are arcs
+  std::vector<BivariatePolynomial> factors = {};           // of its shadow
+  std::vector<std::array<SpacePolynomial, 2>> forms = {};  // f = g = 0 cross along the arcs of each factor
 };
 
 /// Of F = 0 and G = 0, in either order, in the region. `tolerance` of an extent is how near polylines have to

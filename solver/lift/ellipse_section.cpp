@@ -199,7 +199,14 @@ std::optional<SurfaceIntersection> ellipse_intersection(const ImplicitSurface& f
   if (!ellipse) return std::nullopt;
   // An ellipse is around the axis of its cone, on one side of the apex, and so is its centre.
   if (!region.all.contains(ellipse->centre)) return SurfaceIntersection{Status::complete};
-  return drawn(*ellipse, tolerance);
+  SurfaceIntersection result = drawn(*ellipse, tolerance);
+  // In the middle of the arc n1 x along points along the plane's normal, or against it, for a quadric n1.
+  const bool is_quadric_first = second.kind() == SurfaceKind::plane;
+  for (SpaceArc& arc : result.arcs) {
+    const int left = (arc.id == 0) == is_quadric_first ? 1 : -1;
+    arc.beside = SideSigns{left, -left};
+  }
+  return result;
 }
 
 }  // namespace exsect

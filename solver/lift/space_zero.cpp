@@ -82,6 +82,13 @@ std::optional<SpaceZero> space_zero(const SpaceSystem& system, Point guess, doub
   return std::nullopt;
 }
 
+std::array<RationalInterval, 3> cube_of(const SpaceZero& zero) {
+  std::array<RationalInterval, 3> cube;
+  const Rational radius = from_double(zero.radius);
+  for (std::size_t k = 0; k < 3; ++k) cube[k] = {zero.centre[k] - radius, zero.centre[k] + radius};
+  return cube;
+}
+
 int sign_on(const SpacePolynomial& f, const SpaceZero& zero) {
   if (f.is_zero()) return 0;
   const DoubleBall reach(0, zero.radius);

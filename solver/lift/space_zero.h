@@ -16,6 +16,9 @@ struct SpaceZero {
   double radius;
 };
 
+/// Its sides.
+std::array<RationalInterval, 3> cube_of(const SpaceZero& zero);
+
 using SpaceSystem = std::array<SpacePolynomial, 3>;
 
 /// The one to which Newton's method goes from the guess, in a cube of the half width `radius` > 0. Empty if

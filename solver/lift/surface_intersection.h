@@ -4,6 +4,7 @@
 #include <exsect/algebra/rational.h>
 #include <exsect/geometry/point.h>
 #include <exsect/solver/incomplete.h>
+#include <exsect/solver/intersection_graph.h>
 #include <exsect/solver/result.h>
 
 #include <array>
@@ -33,6 +34,8 @@ struct SpaceNode {
   std::array<RationalInterval, 3> box;
   std::array<double, 3> approx;
   std::array<std::vector<std::string>, 2> bounds = {};  // of the boxes of both surfaces that it lies on
+  /// Of a touch point: the sign of the second equation on the first surface around it, where that is proved.
+  std::optional<int> around = {};
 };
 
 enum class SpaceCurveKind { line, circle, ellipse, parabola, hyperbola, general };
@@ -50,6 +53,10 @@ struct SpaceArc {
   int multiplicity;
   std::vector<std::array<double, 3>> polyline;
   double error_bound;  // of the distance between arc and polyline, both ways
+  /// The signs of the second equation on the first surface, near the arc, to the left and to the right as it
+  /// is seen from `from` to `to`, and from where the first equation is positive. Empty where they are not
+  /// proved, and at multiplicity 0.
+  std::optional<SideSigns> beside = {};
 };
 
 /// A named curve as a whole, as far as it is on one nappe of one-sided cones and in the boxes; `general` is a
@@ -78,6 +85,9 @@ struct SurfaceIntersection {
   /// The surfaces are one, and their boxes and nappes share a part of it that has inner points; or they are
   /// polynomials with a common factor. Curves and points are then what they share besides.
   bool is_same = false;
+  /// Of one surface: whether both equations are positive on the same side, 1, or not, -1; empty for two that
+  /// have a factor in common.
+  std::optional<int> normals = {};
   std::vector<SpaceNode> nodes = {};
   std::vector<SpaceArc> arcs = {};
   std::vector<SpaceCurve> curves = {};

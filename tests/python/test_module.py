@@ -870,6 +870,19 @@ def test_sides_of_two_patches():
     assert [overlap.normals for overlap in same.overlaps] == [1]
 
 
+def test_sides_of_two_equations():
+    ball, plane = exsect.sphere([0, 0, 0], 2), exsect.plane([0, 0, 1], [0, 0, 1])
+    result, exchanged = exsect.intersect(ball, plane), exsect.intersect(plane, ball)
+    assert all({arc.left, arc.right} == {-1, 1} for arc in result.arcs)
+    assert [(arc.right, arc.left) for arc in exchanged.arcs] == [(arc.left, arc.right) for arc in result.arcs]
+    below = exsect.intersect(ball, exsect.plane([0, 0, 2], [0, 0, 1]))
+    assert [node.around for node in below.nodes] == [-1] and below.normals is None
+    bore = exsect.intersect(ball, exsect.cylinder([0, 0, 0], [0, 0, 1], 2))
+    assert {(arc.left, arc.right) for arc in bore.arcs} == {(-1, -1)}
+    turned = exsect.intersect(plane, exsect.plane([5, 0, 1], [0, 0, -2]))
+    assert turned.same and turned.normals == -1
+
+
 def test_two_equations_give_what_the_program_gives():
     named = surfaces()
     for names in itertools.combinations(["floor", "oblique", "cone", "ball", "torus", "quartic"], 2):
