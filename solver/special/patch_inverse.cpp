@@ -115,7 +115,8 @@ std::vector<Point> combinations(const std::vector<std::vector<Rational>>& denomi
   return result;
 }
 
-/// Of the forms, the combinations with a denominator that is positive if there is one, else not negative.
+/// Of the forms, the combinations with a denominator that is positive if there is one, else not negative and 0
+/// in as few places as possible: at an apex, but not along one of its rulings.
 std::optional<ParameterQuotient> best_combination(const VectorPolynomial& y,
                                                   const std::vector<Candidate>& candidates) {
   const int degree = candidates.front().denominator.degree;
@@ -123,6 +124,7 @@ std::optional<ParameterQuotient> best_combination(const VectorPolynomial& y,
   std::vector<std::vector<Rational>> denominators;
   for (const Candidate& candidate : candidates) denominators.push_back(signs.values(candidate.denominator));
   std::optional<ParameterQuotient> best;
+  std::ptrdiff_t most_positive = 0;
   for (const Point& combined : combinations(denominators)) {
     const std::size_t size = candidates.front().numerator.coefficients.size();
     SpaceForm numerator{degree, std::vector<Rational>(size)}, denominator = numerator;
@@ -131,8 +133,13 @@ std::optional<ParameterQuotient> best_combination(const VectorPolynomial& y,
         numerator.coefficients[c] += combined[k] * candidates[k].numerator.coefficients[c];
         denominator.coefficients[c] += combined[k] * candidates[k].denominator.coefficients[c];
       }
-    const auto bound = signs.bound(signs.values(denominator));
-    if (bound && (!best || *bound > best->bound)) best = {numerator, denominator, *bound, {}};
+    const std::vector<Rational> values = signs.values(denominator);
+    const auto bound = signs.bound(values);
+    const auto positive = std::ranges::count_if(values, [](const Rational& d) { return d > 0; });
+    if (bound && (!best || *bound > best->bound || positive > most_positive)) {
+      best = {numerator, denominator, *bound, {}};
+      most_positive = positive;
+    }
     if (best && best->bound > 0) break;
   }
   return best;
