@@ -1,7 +1,10 @@
 #include "certificate/coordinates.h"
 
+#include <exsect/algebra/bivariate_factors.h>
 #include <exsect/checker/factors.h>
 #include <exsect/geometry/number.h>
+
+#include <cmath>
 
 namespace exsect::cli {
 namespace {
@@ -67,6 +70,18 @@ Power variable(std::size_t i) {
   Power power = {};
   power[i] = 1;
   return power;
+}
+
+double near_value(const Scalar& f, const Parameters& w) {
+  double sum = 0;
+  double all = 0;
+  for (const auto& [power, c] : f) {
+    double term = to_double(c);
+    for (std::size_t j = 0; j < 4; ++j) term *= std::pow(w[j], power[j]);
+    sum += term;
+    all += std::abs(to_double(c));
+  }
+  return std::abs(sum) / all;
 }
 
 Scalar in_parameters(const BivariatePolynomial& f, std::size_t first) {
@@ -169,6 +184,86 @@ std::optional<Factor> touching_factor(const Line& line, const ExactMap& equation
     }
   }
   return std::nullopt;
+}
+
+namespace {
+
+/// Polynomials in two of the parameters, a and b, as such in the first two, and the reverse.
+Power exchanged_power(const Power& power, std::size_t a, std::size_t b) { return {power[a], power[b], 0, 0}; }
+
+std::array<BivariatePolynomial, 3> components_in(const ExactMap& map, std::size_t a, std::size_t b) {
+  std::array<Scalar, 3> f;
+  for (const auto& term : map.terms())
+    for (std::size_t d = 0; d < 3; ++d)
+      if (term.c[d] != 0) f[d][exchanged_power(term.power, a, b)] = term.c[d];
+  return {of_parameters(f[0], 0), of_parameters(f[1], 0), of_parameters(f[2], 0)};
+}
+
+void add_polynomial(ExactMap& map, std::size_t d, const BivariatePolynomial& f, std::size_t a,
+                    std::size_t b) {
+  Point unit = {};
+  unit[d] = 1;
+  for (const auto& [power, q] : in_parameters(f, 0)) {
+    Power result = {};
+    result[a] = power[0];
+    result[b] = power[1];
+    map.add(result, unit, q);
+  }
+}
+
+/// The irreducible one that is nearest to 0 at the places.
+std::optional<BivariatePower> nearest_part(const BivariatePolynomial& f, const std::vector<Parameters>& near,
+                                           std::size_t a, std::size_t b) {
+  if (f.is_zero() || (f.degree_r() <= 0 && f.degree_s() <= 0)) return std::nullopt;
+  std::optional<BivariatePower> result;
+  double least = 1e-4;
+  for (const BivariatePower& part : irreducible_factors(f)) {
+    double most = 0;
+    for (const Parameters& w : near)
+      most = std::max(most, near_value(in_parameters(part.factor, 0), {w[a], w[b], 0, 0}));
+    if (!(most < least)) continue;
+    least = most;
+    result = part;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<Factor> factor_of_constants(const ExactMap& equation,
+                                          const std::array<std::size_t, 2>& constant, const Place& c,
+                                          const std::vector<Parameters>& near) {
+  const std::size_t a = 1 - constant[0], b = 5 - constant[1];
+  Place origin = {}, back = {};
+  for (const std::size_t i : constant) origin[i] = c[i], back[i] = -c[i];
+  Factor result;
+  ExactMap rest;
+  const ExactMap local = equation.at(origin);
+  for (const auto& term : local.terms()) {
+    Power power = term.power;
+    const bool first = power[constant[0]] > 0, second = power[constant[1]] > 0;
+    if (first || second) --power[constant[first ? 0 : 1]];
+    (first ? result.columns[0] : second ? result.columns[1] : rest).add(power, term.c, 1);
+  }
+  std::array<BivariatePolynomial, 3> f = components_in(rest, a, b);
+  const auto part = nearest_part(gcd(gcd(f[0], f[1]), f[2]), near, a, b);
+  if (!part || part->multiplicity > static_cast<int>(checker::max_factor_power)) return std::nullopt;
+  for (std::size_t d = 0; d < 3; ++d) {
+    for (int n = 0; n < part->multiplicity; ++n) f[d] = exact_quotient(f[d], part->factor);
+    add_polynomial(result.columns[2], d, f[d], a, b);
+  }
+  result.powers = {1, 1, static_cast<std::size_t>(part->multiplicity)};
+  for (std::size_t n = 0; n < 2; ++n) {
+    result.columns[n] = result.columns[n].at(back);
+    Point unit = {};
+    unit[n] = 1;
+    result.map.add(variable(constant[n]), unit, 1);
+    result.map.add(Power{}, unit, -c[constant[n]]);
+  }
+  add_polynomial(result.map, 2, part->factor, a, b);
+  return checker::degree(checker::component(result.map, 2)) <= checker::max_factor_degree
+             ? std::optional(result)
+             : std::nullopt;
 }
 
 }  // namespace exsect::cli

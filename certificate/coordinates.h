@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "certificate/events.h"
 #include "certificate/search.h"
@@ -17,6 +18,9 @@ using Scalar = std::map<checker::Power, Rational>;  // a polynomial in four vari
 
 /// The exponents of w_i alone.
 checker::Power variable(std::size_t i);
+
+/// |f| at a place, beside the sum of its coefficients' absolute values: about 0 where f vanishes.
+double near_value(const Scalar& f, const Parameters& w);
 
 /// f as a polynomial in the parameters first and first + 1, and the reverse.
 Scalar in_parameters(const BivariatePolynomial& f, std::size_t first);
@@ -38,5 +42,12 @@ Coordinates along_line(const Line& line, std::size_t m, const Direction& c, std:
 /// Along a line on which the patches touch, in the same direction everywhere; `surface`: F vanishes on a
 /// plane beside the line, which leaves [0,1]^4 there.
 std::optional<checker::Factor> touching_factor(const Line& line, const ExactMap& equation, bool surface);
+
+/// On curves along which w_i = c_i and w_j = c_j, of either patch one parameter: w_i - c_i, w_j - c_j and the
+/// power of an irreducible polynomial in the others that is nearest to 0 at the places. Nothing if there is
+/// none, or one of too high a degree.
+std::optional<checker::Factor> factor_of_constants(const ExactMap& equation,
+                                                   const std::array<std::size_t, 2>& constant, const Place& c,
+                                                   const std::vector<Parameters>& near);
 
 }  // namespace exsect::cli

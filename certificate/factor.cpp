@@ -56,18 +56,6 @@ std::vector<BivariatePower> coprime_parts(const BivariatePolynomial& f) {
   return result;
 }
 
-double near_value(const Scalar& f, const Parameters& w) {
-  double sum = 0;
-  double all = 0;
-  for (const auto& [power, c] : f) {
-    double term = to_double(c);
-    for (std::size_t j = 0; j < 4; ++j) term *= std::pow(w[j], power[j]);
-    sum += term;
-    all += std::abs(to_double(c));
-  }
-  return std::abs(sum) / all;
-}
-
 /// Divided by a power of 2 that makes its largest coefficient about 1.
 Point scaled(const Point& row, const ExactMap& equation) {
   double most = 0;
@@ -153,11 +141,10 @@ bool Factors::is_claimable(const Part& part) {
 }
 
 /// The factor of the part that vanishes on the arc.
-std::optional<Factor> Factors::in_plane(const Arc& arc) const {
+std::optional<Factor> Factors::in_plane(const std::vector<Parameters>& near) const {
   const auto size = [&](const Part& part) {
     double most = 0;
-    for (const PolylineVertex& vertex : arc.polyline)
-      most = std::max(most, near_value(part.polynomial, vertex.parameters));
+    for (const Parameters& w : near) most = std::max(most, near_value(part.polynomial, w));
     return most;
   };
   const auto best = std::min_element(parts_.begin(), parts_.end(),
@@ -186,18 +173,58 @@ std::optional<Factor> Factors::on_line(const Arc& arc, const Node& from, const N
   return touching_factor(*line, equation_, false);
 }
 
-int Factors::along(const Arc& arc, const Node& from, const Node& to) {
-  const bool inside = arc.place == ArcPlace::interior;
-  bool constant = false;
-  for (std::size_t i = 0; i < free_; ++i) {
+namespace {
+
+/// Which parameters stay where they are, but for less than 10^-6.
+std::array<bool, 4> constant_along(const Arc& arc) {
+  std::array<bool, 4> result;
+  for (std::size_t i = 0; i < 4; ++i) {
     const auto& [low, high] =
         std::minmax_element(arc.polyline.begin(), arc.polyline.end(),
                             [&](const auto& a, const auto& b) { return a.parameters[i] < b.parameters[i]; });
-    constant = constant || high->parameters[i] - low->parameters[i] < 1e-6;
+    result[i] = high->parameters[i] - low->parameters[i] < 1e-6;
   }
+  return result;
+}
+
+std::vector<Parameters> places_of(const Arc& arc) {
+  std::vector<Parameters> result;
+  for (const PolylineVertex& vertex : arc.polyline) result.push_back(vertex.parameters);
+  return result;
+}
+
+}  // namespace
+
+std::optional<Factor> Factors::of_constants(const Arc& arc, const std::array<bool, 4>& constant,
+                                            const Node& from, const Node& to) const {
+  const Place c = short_place(from), other = short_place(to);
+  for (const std::size_t i : {0, 1})
+    for (const std::size_t j : {2, 3})
+      if (constant[i] && constant[j] && c[i] == other[i] && c[j] == other[j])
+        return factor_of_constants(equation_, {i, j}, c, places_of(arc));
+  return std::nullopt;
+}
+
+void Factors::add_at(const Place& at, const std::array<bool, 4>& constant) {
+  Parameters near;
+  for (std::size_t i = 0; i < 4; ++i) near[i] = to_double(at[i]);
   std::optional<Factor> found;
-  if (!touches(arc) && (constant || !inside)) found = on_line(arc, from, to);
-  if (!found) found = in_plane(arc);
+  for (const std::size_t i : {0, 1})
+    for (const std::size_t j : {2, 3})
+      if (constant[i] && constant[j]) found = factor_of_constants(equation_, {i, j}, at, {near});
+  const bool any = std::find(constant.begin(), constant.end(), true) != constant.end();
+  if (!found && any) found = in_plane({near});
+  if (found) add(std::move(*found));
+}
+
+int Factors::along(const Arc& arc, const Node& from, const Node& to) {
+  const bool inside = arc.place == ArcPlace::interior;
+  const std::array<bool, 4> constant = constant_along(arc);
+  const bool any = std::any_of(constant.begin(), constant.begin() + free_, [](bool b) { return b; });
+  std::optional<Factor> found;
+  if (!touches(arc) && (any || !inside)) found = on_line(arc, from, to);
+  if (!found) found = in_plane(places_of(arc));
+  if (!found && !touches(arc) && any) found = of_constants(arc, constant, from, to);
   if (!found && touches(arc)) found = on_line(arc, from, to);
   if (found) return add(std::move(*found));
   if (touches(arc))

@@ -21,6 +21,9 @@ class Factors {
   /// The number of the factor for the arc, with what is needed to prove it: that the patches touch along it,
   /// that it stays on a side, that a parameter is constant on it; -1 for F itself. Throws NoCertificate.
   int along(const Arc& arc, const Node& from, const Node& to);
+  /// Finds that of the curve through the place along which these parameters are constant, if there is one: of
+  /// two parameters, or of one where a patch is in a plane.
+  void add_at(const Place& at, const std::array<bool, 4>& constant);
   /// That of the plane through `at` with these directions, independent in u and v. Throws NoCertificate if it
   /// is no plane of solutions.
   int of_plane(const Place& at, const Direction& first, const Direction& second);
@@ -39,8 +42,10 @@ class Factors {
   int add(checker::Factor factor);
   static bool is_claimable(const Part& part);
   void find_parts();
-  std::optional<checker::Factor> in_plane(const Arc& arc) const;
+  std::optional<checker::Factor> in_plane(const std::vector<Parameters>& near) const;
   std::optional<checker::Factor> on_line(const Arc& arc, const Node& from, const Node& to) const;
+  std::optional<checker::Factor> of_constants(const Arc& arc, const std::array<bool, 4>& constant,
+                                              const Node& from, const Node& to) const;
 
   ExactMap equation_;  // F
   std::vector<NearFactor> found_;

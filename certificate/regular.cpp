@@ -160,7 +160,23 @@ std::optional<checker::CurveBounds<double>> curve_derivatives(const Map& map, co
 
 }  // namespace
 
-std::optional<Star> regular_star(const ExactMap& equation, const AlgebraicPoint& at) {
+namespace {
+
+/// A regular solution: the columns of DF, and the parameters as series in that of the axis.
+struct RegularPoint {
+  std::array<checker::Vector3<Algebraic>, 4> columns;
+  std::size_t axis;
+  std::array<Series, 4> along;
+
+  /// The order in which the parameter leaves; max_weight + 1 if it stays.
+  std::size_t order(std::size_t j) const {
+    std::size_t n = 0;
+    while (n < max_weight && along[j][n] == 0) ++n;
+    return n + 1;
+  }
+};
+
+std::optional<RegularPoint> regular_point(const ExactMap& equation, const AlgebraicPoint& at) {
   const checker::Map<Algebraic> local = about(equation, at);
   const auto columns = columns_of_derivative(local);
   const ExactTangent tangent = exact_tangent(columns);
@@ -169,16 +185,31 @@ std::optional<Star> regular_star(const ExactMap& equation, const AlgebraicPoint&
   for (std::size_t j = 1; j < 4; ++j)
     if (size(j) > size(axis)) axis = j;
   if (tangent[axis] == 0) return std::nullopt;
-  const std::array<Series, 4> along = series_along(local, columns, axis);
+  return RegularPoint{columns, axis, series_along(local, columns, axis)};
+}
+
+}  // namespace
+
+std::array<bool, 4> constant_at(const ExactMap& equation, const AlgebraicPoint& at) {
+  std::array<bool, 4> result = {};
+  const auto point = regular_point(equation, at);
+  for (std::size_t j = 0; point && j < 4; ++j) result[j] = point->order(j) > max_weight;
+  return result;
+}
+
+std::optional<Star> regular_star(const ExactMap& equation, const AlgebraicPoint& at) {
+  const auto point = regular_point(equation, at);
+  if (!point) return std::nullopt;
   Star star = {at.root, at.parameters, {}, {}, {1, 1, 1, 1}, {}, {1, 1, 1}, {}};
   for (std::size_t j = 0; j < 4; ++j) {
-    std::size_t n = 0;
-    while (n < max_weight && along[j][n] == 0) ++n;
-    const bool constant = n == max_weight;
-    star.weights[j] = constant ? 2 : n + 1;
-    star.axes[j][j] = j == axis || constant ? Rational(1) : scale_above(checker::number<double>(along[j][n]));
+    const std::size_t n = point->order(j);
+    const bool constant = n > max_weight;
+    star.weights[j] = constant ? 2 : n;
+    star.axes[j][j] = j == point->axis || constant
+                          ? Rational(1)
+                          : scale_above(checker::number<double>(point->along[j][n - 1]));
   }
-  star.rows = rows_across(columns, star.weights);
+  star.rows = rows_across(point->columns, star.weights);
   return star;
 }
 

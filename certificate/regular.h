@@ -17,6 +17,10 @@ namespace exsect::cli {
 /// if DF has no rank 3.
 std::optional<checker::Star> regular_star(const ExactMap& equation, const AlgebraicPoint& at);
 
+/// The parameters that stay along the curve where they are at the point, to six orders at least; none if DF
+/// has no rank 3.
+std::array<bool, 4> constant_at(const ExactMap& equation, const AlgebraicPoint& at);
+
 /// The parameter of a side on which the node is turns there: exactly, as its derivative along the curve is 0,
 /// where it is near 0 and the second one is not. `near`: F in doubles.
 bool turns_at_side(const Map& near, const SingularSearch& search, const Node& node);

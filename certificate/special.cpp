@@ -64,6 +64,13 @@ Json overlap_claim(Draft& d, const Overlap& overlap, std::size_t index) {
   return sealed(in_list("overlaps", index), {{"factor", found.factor}, {"edges", found.edges}});
 }
 
+/// A curve with a constant parameter has half branches in tubes of a factor alone.
+void add_factor_at(Draft& d, const SingularSearch& search, const Node& n) {
+  const Place place = short_place(n);
+  if (!is_solution(search.equation, place)) return;
+  d.factors.add_at(place, constant_at(search.equation, points_in_box(search, n)[0]));
+}
+
 /// Smaller than the way to any other node.
 void add_star(Draft& d, const SingularSearch& search, const Node& n) {
   double size = 0.5;
@@ -72,6 +79,7 @@ void add_star(Draft& d, const SingularSearch& search, const Node& n) {
     for (std::size_t i = 0; i < 4; ++i) away = std::max(away, std::abs(n.approx[i] - other.approx[i]));
     if (other.id != n.id) size = std::min(size, 0.4 * away);
   }
+  add_factor_at(d, search, n);
   d.stars.push_back(star_at(search, n, {d.stars.size(), d.tubes.size()}, size, d.factors.found()));
   d.tubes.insert(d.tubes.end(), d.stars.back().tubes.begin(), d.stars.back().tubes.end());
 }

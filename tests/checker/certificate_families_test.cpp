@@ -52,7 +52,7 @@ TEST_CASE("each case of one pair has a certificate, or a named event is in the w
   const std::string number = "a special point with parameters in no number field that is found";
   const std::map<std::string, std::string> expected = {
       {"arcs-side-by-side-on-one-side", number},
-      {"fold-at-an-irrational-place", "an arc on a side that is no line of parameters of both patches"},
+      {"fold-at-an-irrational-place", "a point where no tube was found"},
       {"pieces-of-a-torus", "an overlap of patches whose parameters do not depend on each other linearly"},
       {"sphere-on-a-torus", number},
       {"spheres-touch-at-roots", number}};
