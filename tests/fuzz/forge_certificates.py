@@ -72,6 +72,14 @@ def umbrella():
     return [[point(i, j) for j in range(3)] for i in range(3)]
 
 
+def quarter_turn(angle, *profile):
+    """A quarter of a turn of the straight line, from the angle with this cosine and sine."""
+    cosine, sine = map(Fraction, angle)
+    rows = [[[str(Fraction(across) * (cosine * x - sine * y)), str(Fraction(across) * (sine * x + cosine * y)), str(height)]
+             for across, height in profile] for x, y in ((1, 0), (1, 1), (0, 1))]
+    return {"degree": [2, 1], "points": rows, "weights": [["1", "1"], ["1", "1"], ["2", "2"]]}
+
+
 def random_patch(generator, height):
     return [[[str(Fraction(i, 2) + Fraction(generator.randint(-9, 9), 97)), str(Fraction(j, 2) + Fraction(generator.randint(-9, 9), 89)),
               str(Fraction(generator.randint(-30, 30), 50) * height)] for j in range(3)] for i in range(3)]
@@ -116,6 +124,9 @@ def models():
     yield "weights", ["intersect"], {"exsect": "patches/1", "patches": [bent, across]}
     ball = {"name": "y", "type": "sphere", "centre": ["1/2", "1/2", "1/10"], "radius": "1/3"}
     yield "equation and weights", ["intersect"], {"exsect": "patches/1", "patches": [bent, ball]}
+    yield "nodes next to each other", ["intersect"], cases / "found" / "corner-arc-twice.json"
+    cone, cylinder = (quarter_turn(*arguments) for arguments in (((1, 0), ("10/7", 0), ("3/7", 2)), (("4/5", "3/5"), (1, "9/35"), (1, "123/70"))))
+    yield "circles around an axis", ["intersect"], {"exsect": "patches/1", "patches": [dict(cone, name="x"), dict(cylinder, name="y")]}
 
 
 class Program:
