@@ -168,13 +168,15 @@ class FilteredIntersection {
     }
     auto overlap = filter::overlap_of_pieces<K>(x_, y_, pair, trees, boxes_);
     if (!overlap) return std::nullopt;
-    KnownPair<K> all = known(pair, {});
-    all.overlap = *std::move(overlap);
-    return drawn(std::move(all));
+    return drawn(known(pair, {}, std::move(overlap)));
   }
 
-  KnownPair<K> known(const PairOf<K>& pair, ContactsOf<K> contacts) const {
-    return {x_, y_, pair, {}, std::move(contacts), {}, {}, {}, kNoneCoincident, false};
+  KnownPair<K> known(const PairOf<K>& pair, ContactsOf<K> contacts,
+                     std::optional<OverlapOfPieces> overlap = {}) const {
+    std::optional<typename KnownPair<K>::Exact> exact;
+    if (overlap || !contacts.empty()) exact = {x_, y_};
+    return {std::move(exact), pair, std::move(overlap), std::move(contacts), {}, {}, {},
+            kNoneCoincident,  false};
   }
 
   std::optional<IntersectResult> drawn(KnownPair<K> all) const {

@@ -49,10 +49,12 @@ template <class K>
 std::optional<IntersectResult> drawn(const KnownPair<K>& known, const Run& run) {
   const double tolerance = run.drawn_tolerance(known.pair.extent);
   const double accepted = kAnyBound<K> ? known.pair.extent : tolerance;
-  auto graph = known.overlap ? overlap_graph(rational_patch(known.x), *known.overlap, tolerance, accepted)
-                             : graph_of_curves(known, run);
+  auto graph = known.overlap
+                   ? overlap_graph(rational_patch(known.exact->x), *known.overlap, tolerance, accepted)
+                   : graph_of_curves(known, run);
   if (!graph ||
-      !append_contacts<K>(known.x, known.y, known.pair, known.contacts, tolerance, accepted, *graph) ||
+      (known.exact && !append_contacts<K>(known.exact->x, known.exact->y, known.pair, known.contacts,
+                                          tolerance, accepted, *graph)) ||
       run.out_of_time()) {
     return std::nullopt;
   }

@@ -12,8 +12,11 @@ namespace exsect::filter {
 /// else.
 template <class K>
 struct KnownPair {
-  ExactPatch<K> x;
-  ExactPatch<K> y;
+  struct Exact {
+    ExactPatch<K> x;
+    ExactPatch<K> y;
+  };
+  std::optional<Exact> exact;  // of pairs with contacts or an overlap, which are drawn from it
   PairOf<K> pair;
   std::optional<OverlapOfPieces> overlap;
   ContactsOf<K> contacts;

@@ -96,12 +96,16 @@ class LineSearch {
   /// The points on the line; empty if undecided.
   std::optional<std::vector<BallOf<K>>> run(long most_boxes) {
     const PatchOf<K>& owner = line_.fixed < 2 ? pair_.x : pair_.y;
-    stack_.push_back({make_curve<K>(control_points(owner, line_.fixed, line_.value), -0.5, 1, 0, error_), 0});
+    curves_.reserve(32);
+    curves_.push_back(
+        {make_curve<K>(control_points(owner, line_.fixed, line_.value), -0.5, 1, 0, error_), 0});
+    stack_.reserve(32);
+    stack_.push_back({0, 0});
     while (!stack_.empty()) {
       const Item item = stack_.back();
       stack_.pop_back();
       if (++boxes_ > most_boxes || !process(item)) {
-        undecided_ = first_four<K>(box_of(line_, item.curve, tree_[item.patch]).centre);
+        undecided_ = first_four<K>(box_of(line_, curves_[item.curve].piece, tree_[item.patch]).centre);
         return std::nullopt;
       }
     }
@@ -118,8 +122,12 @@ class LineSearch {
   const std::optional<Vec4>& undecided() const { return undecided_; }
 
  private:
-  struct Item {
-    SubCurveOf<K> curve;
+  struct Curve {
+    SubCurveOf<K> piece;
+    std::size_t halves;  // index of the first of two; 0: not yet made
+  };
+  struct Item {  // indices
+    std::size_t curve;
     std::size_t patch;
   };
   struct Root {
@@ -129,17 +137,18 @@ class LineSearch {
   };
 
   bool process(const Item& item) {
+    const SubCurveOf<K>& curve = curves_[item.curve].piece;
     const SubPatchOf<K>& patch = tree_[item.patch];
-    if (separated(item.curve, patch, error_)) {
+    if (separated(curve, patch, error_)) {
       return true;
     }
-    const Meeting meeting = meeting_of(item.curve, patch);
+    const Meeting meeting = meeting_of(curve, patch);
     if (meeting == Meeting::contact) {
       return true;
     }
-    const int depth = item.curve.level + patch.level;
+    const int depth = curve.level + patch.level;
     if (depth >= kFirstLineTry<K> && meeting == Meeting::unknown) {
-      const Box<K> box = box_of(line_, item.curve, patch);
+      const Box<K> box = box_of(line_, curve, patch);
       if (std::any_of(roots_.begin(), roots_.end(),
                       [&](const Root& root) { return covers(root.tube, box); })) {
         return true;
@@ -157,7 +166,7 @@ class LineSearch {
     if (depth >= kLastLineLevel) {
       return false;
     }
-    subdivide(item, patch);
+    subdivide(item);
     return true;
   }
 
@@ -171,17 +180,30 @@ class LineSearch {
                            : meeting<K>(pair_, contacts_, other, on_line);
   }
 
-  void subdivide(const Item& item, const SubPatchOf<K>& patch) {
-    if (extent(item.curve.lower, item.curve.upper) > extent(patch.lower, patch.upper)) {
-      for (const SubCurveOf<K>& half : halves(item.curve, error_)) {
-        stack_.push_back({half, item.patch});
-      }
+  void subdivide(const Item& item) {
+    const SubCurveOf<K>& curve = curves_[item.curve].piece;
+    const SubPatchOf<K>& patch = tree_[item.patch];
+    if (extent(curve.lower, curve.upper) > extent(patch.lower, patch.upper)) {
+      const std::size_t first = halves_of(item.curve);
+      stack_.push_back({first, item.patch});
+      stack_.push_back({first + 1, item.patch});
       return;
     }
     const std::size_t children = tree_.split(item.patch);
     for (std::size_t k = 0; k < 4; ++k) {
       stack_.push_back({item.curve, children + k});
     }
+  }
+
+  /// Index of the first half; all references to curves end.
+  std::size_t halves_of(std::size_t i) {
+    if (curves_[i].halves == 0) {
+      const std::array<SubCurveOf<K>, 2> both = halves(curves_[i].piece, error_);
+      curves_[i].halves = curves_.size();
+      curves_.push_back({both[0], 0});
+      curves_.push_back({both[1], 0});
+    }
+    return curves_[i].halves;
   }
 
   /// Bounds of |w_j - centre_j - tau slope_j| in the tube's unknowns over the box and the line's tau.
@@ -289,6 +311,7 @@ class LineSearch {
   PatchTreeOf<K>& tree_;
   long& boxes_;
   double error_;  // of the line's control points and sub-patches
+  std::vector<Curve> curves_;
   std::vector<Item> stack_;
   std::vector<Root> roots_;
 };

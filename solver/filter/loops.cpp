@@ -45,29 +45,39 @@ class NetCache {
   std::deque<Net> nets_;
 };
 
+/// The directions c that are tried.
+const std::array<std::array<double, 2>, 16>& search_directions() {
+  static const auto directions = [] {
+    std::array<std::array<double, 2>, 16> result;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const double angle = 0.19 * static_cast<double>(i);
+      result[i] = {std::cos(angle), std::sin(angle)};
+    }
+    return result;
+  }();
+  return directions;
+}
+
 /// The direction c for which c.(u',v') keeps clearest away from zero on the curves known: any c is legal, a
 /// good one leaves fewer boxes.
 template <class K>
 std::array<double, 2> search_direction(const std::vector<TraceOf<K>>& traces) {
-  std::array<double, 2> best = {1, 0.375};
-  double best_value = -1;
-  for (int i = 0; i < 16; ++i) {
-    const std::array<double, 2> c = {std::cos(0.19 * i), std::sin(0.19 * i)};
-    double least = 1;
-    for (const TraceOf<K>& trace : traces) {
-      for (const PieceOf<K>& piece : trace.pieces) {
-        const double u = piece.tube.slope[0];
-        const double v = piece.tube.slope[1];
-        const double along = c[0] * u + c[1] * v;
-        least = std::min(least, along * along / std::max(1e-300, u * u + v * v));
+  const auto& directions = search_directions();
+  std::array<double, 16> least;  // of (c.(u',v'))^2 by |(u',v')|^2
+  least.fill(1);
+  for (const TraceOf<K>& trace : traces) {
+    for (const PieceOf<K>& piece : trace.pieces) {
+      const double u = piece.tube.slope[0];
+      const double v = piece.tube.slope[1];
+      const double share = 1 / std::max(1e-300, u * u + v * v);
+      for (std::size_t i = 0; i < least.size(); ++i) {
+        const double along = directions[i][0] * u + directions[i][1] * v;
+        least[i] = std::min(least[i], along * along * share);
       }
     }
-    if (least > best_value) {
-      best_value = least;
-      best = c;
-    }
   }
-  return best;
+  const auto best = std::max_element(least.begin(), least.end()) - least.begin();
+  return directions[static_cast<std::size_t>(best)];
 }
 
 template <class K>

@@ -9,7 +9,7 @@ using testing::KnownCurve;
 
 filter::KnownPair<filter::Biquadratic> known_hyperbola() {
   const KnownCurve curve(testing::kHyperbola);
-  return {curve.x, curve.y, curve.pair, {}, {}, curve.points, {}, {{curve.arc(), {}}}, {0, 1, 0, 1}, false};
+  return {{}, curve.pair, {}, {}, curve.points, {}, {{curve.arc(), {}}}, {0, 1, 0, 1}, false};
 }
 
 Run run_to(double tolerance) {
