@@ -41,6 +41,14 @@ std::vector<AlgebraicPoint> points_in_box(const SingularSearch& search, const No
   return result;
 }
 
+AlgebraicMap about(const ExactMap& equation, const AlgebraicPoint& at) {
+  return checker::rounded<Algebraic>(equation).at(at.parameters);
+}
+
+std::array<AlgebraicColumn, 4> columns_of_derivative(const AlgebraicMap& local) {
+  return {local.slope(0), local.slope(1), local.slope(2), local.slope(3)};
+}
+
 Algebraic reciprocal(const Algebraic& a) {
   if (a.is_rational()) return 1 / a.rational();
   const auto inverse = inverse_modulo(Polynomial(a.coefficients()), Polynomial(a.root()->modulus));

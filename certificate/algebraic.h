@@ -36,6 +36,13 @@ SingularSearch singular_search(const ExactMap& section);
 /// if it is one, and what the search finds. Throws NoCertificate if none is found.
 std::vector<AlgebraicPoint> points_in_box(const SingularSearch& search, const Node& node);
 
+using AlgebraicMap = checker::Map<checker::Algebraic>;
+using AlgebraicColumn = checker::Vector3<checker::Algebraic>;
+/// F in the powers of the parameters' differences from the point.
+AlgebraicMap about(const ExactMap& equation, const AlgebraicPoint& at);
+/// The columns of its derivative there.
+std::array<AlgebraicColumn, 4> columns_of_derivative(const AlgebraicMap& local);
+
 /// 1/a, for a number that is not 0. Throws NoCertificate if the modulus is reducible and a divisor of zero is
 /// met.
 checker::Algebraic reciprocal(const checker::Algebraic& a);

@@ -107,12 +107,6 @@ class ArcWriter {
     points.push_back({d_.places[to], static_cast<int>(a.polyline.size()) - 1});
     return points;
   }
-  static double apart(const Parameters& a, const Parameters& b) {
-    double most = 0;
-    for (std::size_t i = 0; i < 4; ++i) most = std::max(most, std::abs(a[i] - b[i]));
-    return most;
-  }
-
   /// That of the node; of a star, those of its half branches on which no arc runs yet, the nearest first.
   std::vector<std::size_t> first_tubes(const std::vector<TracedPoint>& points, std::size_t node) const {
     const FoundStar* star = d_.star_of(node);

@@ -130,12 +130,6 @@ class Chain {
     if (!contains(tube, w)) throw NoCertificate("an arc that leaves a tube");
     points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(point) + 1, {w, -1});
   }
-  /// Of two points: in the parameter in which they are furthest apart.
-  static double apart(const Parameters& a, const Parameters& b) {
-    double most = 0;
-    for (std::size_t i = 0; i < 4; ++i) most = std::max(most, std::abs(a[i] - b[i]));
-    return most;
-  }
   double distance(std::size_t a, std::size_t b) const { return apart(points_[a].at, points_[b].at); }
 
   /// A point of the curve in the tube on the way to the next vertex, which is outside.

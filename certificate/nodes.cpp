@@ -81,13 +81,9 @@ Found found(Draft& d, const Node& n) {
 /// The boxes of nodes must not meet: longer numbers for those whose boxes do.
 void tell_apart(Draft& d, const std::vector<Found>& all) {
   std::set<std::size_t> near;
-  for (std::size_t a = 0; a < all.size(); ++a) {
-    for (std::size_t b = 0; b < a; ++b) {
-      double apart = 0;
-      for (std::size_t i = 0; i < 4; ++i) apart = std::max(apart, std::abs(d.places[a][i] - d.places[b][i]));
-      if (apart <= all[a].radius + all[b].radius) near.insert({a, b});
-    }
-  }
+  for (std::size_t a = 0; a < all.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (apart(d.places[a], d.places[b]) <= all[a].radius + all[b].radius) near.insert({a, b});
   if (near.empty()) return;
   std::vector<const Node*> nodes;
   std::vector<Tube> tubes;

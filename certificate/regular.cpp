@@ -20,25 +20,10 @@ using ExactTangent = checker::Vector4<Algebraic>;
 /// Of a star.
 constexpr std::size_t max_weight = 6;
 
-using Columns = std::vector<checker::Vector3<Algebraic>>;
-
-/// F in the powers of the parameters' differences from the point.
-checker::Map<Algebraic> about(const ExactMap& equation, const AlgebraicPoint& at) {
-  return checker::rounded<Algebraic>(equation).at(at.parameters);
-}
-
-/// The columns of DF.
-std::array<checker::Vector3<Algebraic>, 4> columns_of_derivative(const checker::Map<Algebraic>& local) {
-  std::array<checker::Vector3<Algebraic>, 4> result;
-  for (const auto& term : local.terms())
-    for (std::size_t j = 0; j < 4; ++j)
-      if (std::accumulate(term.power.begin(), term.power.end(), 0) == 1 && term.power[j] == 1)
-        result[j] = term.c;
-  return result;
-}
+using Columns = std::vector<AlgebraicColumn>;
 
 /// The kernel of DF, 0 if its rank is not 3.
-ExactTangent exact_tangent(const std::array<checker::Vector3<Algebraic>, 4>& columns) {
+ExactTangent exact_tangent(const std::array<AlgebraicColumn, 4>& columns) {
   ExactTangent result;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto o = others(k);
@@ -48,20 +33,20 @@ ExactTangent exact_tangent(const std::array<checker::Vector3<Algebraic>, 4>& col
   return result;
 }
 
-std::size_t largest_coordinate(const checker::Vector3<Algebraic>& c) {
+std::size_t largest_coordinate(const AlgebraicColumn& c) {
   const auto size = [&](std::size_t d) { return std::abs(checker::number<double>(c[d])); };
   return size(0) >= size(1) && size(0) >= size(2) ? 0 : size(1) >= size(2) ? 1 : 2;
 }
 
-checker::Vector3<Algebraic> unit_row(std::size_t d) {
-  checker::Vector3<Algebraic> result;
+AlgebraicColumn unit_row(std::size_t d) {
+  AlgebraicColumn result;
   result[d] = 1;
   return result;
 }
 
 /// A basis of all n with n . c = 0 for each column c.
 Columns normals_to(const Columns& columns) {
-  const checker::Vector3<Algebraic> zero = {};
+  const AlgebraicColumn zero = {};
   const auto first = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c != zero; });
   if (first == columns.end()) return {unit_row(0), unit_row(1), unit_row(2)};
   for (const auto& second : columns) {
@@ -75,15 +60,15 @@ Columns normals_to(const Columns& columns) {
 }
 
 /// The row is no combination of the others.
-bool is_independent(const Columns& rows, const checker::Vector3<Algebraic>& row) {
+bool is_independent(const Columns& rows, const AlgebraicColumn& row) {
   if (rows.empty()) return true;
-  if (rows.size() == 1) return checker::cross(rows[0], row) != checker::Vector3<Algebraic>{};
+  if (rows.size() == 1) return checker::cross(rows[0], row) != AlgebraicColumn{};
   return !(checker::dot(checker::cross(rows[0], rows[1]), row) == 0);
 }
 
 /// Three independent rows, of which as many as possible vanish on the columns of DF of parameters with the
 /// weights 1, ..., k, for each k; these come last.
-checker::Matrix3<Algebraic> rows_across(const std::array<checker::Vector3<Algebraic>, 4>& columns,
+checker::Matrix3<Algebraic> rows_across(const std::array<AlgebraicColumn, 4>& columns,
                                         const std::array<std::size_t, 4>& weights) {
   Columns rows;
   for (std::size_t k = max_weight; k > 0; --k) {
@@ -108,7 +93,7 @@ Series product_of(const Series& a, const Series& b) {
 }
 
 /// F, 0 at the point, along the parameters' series.
-std::array<Series, 3> value_along(const checker::Map<Algebraic>& local, const std::array<Series, 4>& w) {
+std::array<Series, 3> value_along(const AlgebraicMap& local, const std::array<Series, 4>& w) {
   std::array<Series, 3> result;
   for (const auto& term : local.terms()) {
     if (static_cast<std::size_t>(std::accumulate(term.power.begin(), term.power.end(), 0)) > max_weight)
@@ -124,8 +109,7 @@ std::array<Series, 3> value_along(const checker::Map<Algebraic>& local, const st
 
 /// The parameters' differences from the point along the curve, as series in that of the axis: each step of
 /// w - C F, C the inverse of the other columns, gives one more coefficient.
-std::array<Series, 4> series_along(const checker::Map<Algebraic>& local,
-                                   const std::array<checker::Vector3<Algebraic>, 4>& columns,
+std::array<Series, 4> series_along(const AlgebraicMap& local, const std::array<AlgebraicColumn, 4>& columns,
                                    std::size_t axis) {
   const auto o = others(axis);
   const Algebraic factor =
@@ -164,7 +148,7 @@ namespace {
 
 /// A regular solution: the columns of DF, and the parameters as series in that of the axis.
 struct RegularPoint {
-  std::array<checker::Vector3<Algebraic>, 4> columns;
+  std::array<AlgebraicColumn, 4> columns;
   std::size_t axis;
   std::array<Series, 4> along;
 
@@ -177,7 +161,7 @@ struct RegularPoint {
 };
 
 std::optional<RegularPoint> regular_point(const ExactMap& equation, const AlgebraicPoint& at) {
-  const checker::Map<Algebraic> local = about(equation, at);
+  const AlgebraicMap local = about(equation, at);
   const auto columns = columns_of_derivative(local);
   const ExactTangent tangent = exact_tangent(columns);
   const auto size = [&](std::size_t j) { return std::abs(checker::number<double>(tangent[j])); };

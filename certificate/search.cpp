@@ -80,6 +80,12 @@ std::optional<Matrix3<double>> inverse(const Map& local, std::size_t k) {
   return m;
 }
 
+double apart(const Parameters& a, const Parameters& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < 4; ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  return most;
+}
+
 Parameters tangent(const Map& map, const Parameters& w) {
   const Map local = map.at(w);
   Parameters t;

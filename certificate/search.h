@@ -22,6 +22,8 @@ using Vector = checker::Vector3<double>;
 
 using checker::Chart;
 
+/// How far apart they are in the parameter in which they are furthest.
+double apart(const Parameters& a, const Parameters& b);
 /// T, the kernel of the map's derivative at w (method (5.1)).
 Parameters tangent(const Map& map, const Parameters& w);
 /// The parameter along which the curve runs fastest.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "certificate/regular.h"
 
@@ -16,8 +15,7 @@ using checker::Algebraic;
 using checker::Star;
 using AlgebraicDirection = checker::Vector4<Algebraic>;
 
-using Column = checker::Vector3<Algebraic>;
-using AlgebraicMap = checker::Map<Algebraic>;
+using Column = AlgebraicColumn;
 
 double size(const Algebraic& a) { return std::abs(checker::number<double>(a)); }
 double largest_component(const Column& c) { return std::max({size(c[0]), size(c[1]), size(c[2])}); }
@@ -27,19 +25,15 @@ bool is_zero(const Column& c) { return c == Column{}; }
 struct SingularPoint {
   AlgebraicPoint at;
   AlgebraicMap local;             // F
-  std::array<Column, 4> columns;  // of DF, but for signs
+  std::array<Column, 4> columns;  // of DF
   Column normal;
   std::size_t steepest;  // the largest coordinate of the normal
 };
 
 /// Nothing if the tangent planes are not parallel there, or not known.
 std::optional<SingularPoint> singular_at(const ExactMap& equation, const AlgebraicPoint& at) {
-  SingularPoint result = {at, checker::rounded<Algebraic>(equation).at(at.parameters), {}, {}, 0};
-  for (const auto& term : result.local.terms())
-    for (std::size_t j = 0; j < 4; ++j)
-      if (std::accumulate(term.power.begin(), term.power.end(), 0) == 1 && term.power[j] == 1)
-        for (std::size_t d = 0; d < 3; ++d)
-          result.columns[j][d] = j < 2 ? term.c[d] : Algebraic(-1) * term.c[d];
+  SingularPoint result = {at, about(equation, at), {}, {}, 0};
+  result.columns = columns_of_derivative(result.local);
   Column& normal = result.normal;
   normal = checker::cross(result.columns[0], result.columns[1]);
   if (is_zero(normal)) normal = checker::cross(result.columns[2], result.columns[3]);
@@ -78,7 +72,7 @@ std::optional<std::array<AlgebraicDirection, 2>> common_directions(const Singula
   const Column& p = point.columns[other];
   const Column& q = point.columns[other + 1];
   if (det(p, q) == 0) return std::nullopt;
-  const Algebraic factor = reciprocal(det(p, q));
+  const Algebraic factor = Algebraic(-1) * reciprocal(det(p, q));
   std::array<AlgebraicDirection, 2> result = {};
   for (const std::size_t j : {0, 1}) {
     result[j][first + j] = 1;

@@ -74,11 +74,8 @@ void add_factor_at(Draft& d, const SingularSearch& search, const Node& n) {
 /// Smaller than the way to any other node.
 void add_star(Draft& d, const SingularSearch& search, const Node& n) {
   double size = 0.5;
-  for (const Node& other : d.graph.nodes) {
-    double away = 0;
-    for (std::size_t i = 0; i < 4; ++i) away = std::max(away, std::abs(n.approx[i] - other.approx[i]));
-    if (other.id != n.id) size = std::min(size, 0.4 * away);
-  }
+  for (const Node& other : d.graph.nodes)
+    if (other.id != n.id) size = std::min(size, 0.4 * apart(n.approx, other.approx));
   add_factor_at(d, search, n);
   d.stars.push_back(star_at(search, n, {d.stars.size(), d.tubes.size()}, size, d.factors.found()));
   d.tubes.insert(d.tubes.end(), d.stars.back().tubes.begin(), d.stars.back().tubes.end());
