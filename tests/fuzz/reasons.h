@@ -16,9 +16,15 @@ class Reasons {
     ++reasons_.try_emplace(why, 0, seed).first->second.first;
   }
 
+  /// `more(seed)` after each seed.
+  template <class More>
+  void print(std::ostream& out, const More& more) const {
+    for (const auto& [why, entry] : reasons_)
+      out << "  " << entry.first << " incomplete: " << why << " (seed " << entry.second << more(entry.second)
+          << ")\n";
+  }
   friend std::ostream& operator<<(std::ostream& out, const Reasons& reasons) {
-    for (const auto& [why, entry] : reasons.reasons_)
-      out << "  " << entry.first << " incomplete: " << why << " (seed " << entry.second << ")\n";
+    reasons.print(out, [](std::uint64_t) { return ""; });
     return out;
   }
 

@@ -11,13 +11,13 @@
 #include <cmath>
 #include <exception>
 #include <iostream>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "known_images.h"
+#include "reasons.h"
 #include "support/exact_oracle.h"
 #include "support/graph_isomorphism.h"
 #include "support/self_orders.h"
@@ -92,7 +92,7 @@ struct SelfTally {
   std::uint64_t over = 0;
   std::uint64_t no_patches = 0;
   std::vector<double> seconds;
-  std::map<std::string, std::pair<int, std::uint64_t>> reasons;  // how often, an example's seed
+  Reasons reasons;
 };
 
 IntersectResult capped(const RationalPatch& x) {
@@ -131,7 +131,7 @@ void check(const std::string& family, std::uint64_t seed, SelfTally& tally) {
     ++tally.complete;
     if (!result.graph.nodes.empty()) ++tally.with_curves;
   } else {
-    ++tally.reasons.try_emplace(result.incomplete.at(0).why, 0, seed).first->second.first;
+    tally.reasons.add(result.incomplete.at(0).why, seed);
   }
   const std::vector<Variant> images = variants(x);
   for (std::size_t i = seed % kStride; i < images.size(); i += kStride) {
@@ -166,11 +166,10 @@ int run(const std::string& family, std::uint64_t first, std::uint64_t count) {
     std::cout << "; median " << 1000 * tally.seconds[tally.seconds.size() / 2] << " ms, slowest "
               << tally.seconds.back() << " s";
   std::cout << "\n";
-  for (const auto& [reason, entry] : tally.reasons)
-    std::cout << "  " << entry.first << " incomplete: " << reason << " (seed " << entry.second << ", "
-              << known_images::written(family + "-self-" + std::to_string(entry.second),
-                                       {{"x", patch_of(family, entry.second)}})
-              << ")\n";
+  tally.reasons.print(std::cout, [&](std::uint64_t seed) {
+    return ", " +
+           known_images::written(family + "-self-" + std::to_string(seed), {{"x", patch_of(family, seed)}});
+  });
   return tally.wrong == 0 ? 0 : 1;
 }
 
