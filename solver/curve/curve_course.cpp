@@ -106,7 +106,8 @@ class Follower {
   bool follow(Front& front, double least) {
     StripPoint<Ball> at{rounded<Ball>(front.u), rounded<Ball>(front.v)};
     if (exact(at.u) != front.u || exact(at.v) != front.v) return false;
-    const bool arrived = follow(PlaneStrip<Ball>(graph_.swept), at, front.reach, least);
+    const bool arrived =
+        follow(PlaneStrip<Ball>(graph_.factors[graph_.arcs[arc_].factor]), at, front.reach, least);
     front.u = exact(at.u);
     front.v = exact(at.v);
     return arrived;

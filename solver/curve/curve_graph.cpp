@@ -11,8 +11,8 @@
 #include "answer/proof_failure.h"
 #include "curve/curve_factors.h"
 #include "curve/curve_values.h"
+#include "curve/factor_points.h"
 #include "curve/kept_part.h"
-#include "curve/no_zero.h"
 #include "curve/plane_curve.h"
 
 namespace exsect {
@@ -39,28 +39,32 @@ bool is_at(const TriangularPoint& p, const Rational& v) {
 /// Sweeps the curve in the direction of u. In polynomials of points v is the first variable.
 class CurveSweep {
  public:
-  CurveSweep(const BivariatePolynomial& f, const CurveRegion& region)
-      : factors_(curve_factors(f)), bounds_(region.bounds), region_(region) {
-    radical_ = squarefree(f);
-    const ContentAndPart parts = split_content(radical_.exchanged());
-    graph_part_ = parts.primitive.exchanged();
-    swept_ = parts.primitive;
-    f_u_ = radical_.derivative_r().exchanged();
-    f_v_ = radical_.derivative_s().exchanged();
-    values_ = curve_values(graph_part_, parts.content, bounds_);
+  CurveSweep(std::vector<CurveFactor> factors, const CurveRegion& region)
+      : factors_(std::move(factors)), bounds_(region.bounds), region_(region) {
+    Polynomial lines{1};
+    for (const CurveFactor& factor : factors_) {
+      const ContentAndPart parts = split_content(factor.factor.exchanged());
+      lines = lines * parts.content;
+      if (parts.primitive.degree_r() < 1) continue;
+      swept_.push_back(parts.primitive);
+      graph_.factors.push_back(parts.primitive.exchanged());
+      multiplicities_.push_back(factor.multiplicity);
+    }
+    values_ = curve_values(graph_.factors, lines, bounds_);
   }
 
   CurveGraph run() {
     for (std::size_t i = 0; i < values_.size(); ++i) {
       interruption_point();
-      const std::vector<RealAlgebraic> next =
-          i + 1 < values_.size() ? points_after(i) : std::vector<RealAlgebraic>{};
+      const std::vector<FactorRoot> next =
+          i + 1 < values_.size() ? points_after(i) : std::vector<FactorRoot>{};
       pass(i, next.size());
       open_arcs(i, next);
       graph_.values.push_back(values_[i].u);
       if (i + 1 < values_.size()) add_column();
     }
-    graph_.swept = graph_part_;
+    graph_.swept = BivariatePolynomial::constant(1);
+    for (const BivariatePolynomial& factor : graph_.factors) graph_.swept = graph_.swept * factor;
     return kept_part(std::move(graph_), region_);
   }
 
@@ -71,15 +75,12 @@ class CurveSweep {
     std::optional<std::size_t> from;
   };
 
-  std::vector<RealAlgebraic> points_at(const Rational& u) const {
-    const Polynomial in_v = graph_part_.at_r(u);
-    return in_v.degree() < 1 ? std::vector<RealAlgebraic>{} : real_roots(in_v, 0, 1);
-  }
-
   Rational sample_after(std::size_t i) const {
     return simplest_between(values_[i].u.interval().upper, values_[i + 1].u.interval().lower);
   }
-  std::vector<RealAlgebraic> points_after(std::size_t i) const { return points_at(sample_after(i)); }
+  std::vector<FactorRoot> points_after(std::size_t i) const {
+    return roots_over(graph_.factors, sample_after(i));
+  }
 
   /// Closed, with the value inside, or at its end for 0 and 1, and no other one; smaller with every round.
   RationalInterval window_around(std::size_t i, int round) const {
@@ -99,47 +100,49 @@ class CurveSweep {
     for (int round = 0;; ++round) {
       const RationalInterval window = window_around(i, round);
       if (std::all_of(cuts.begin(), cuts.end(),
-                      [&](const Rational& c) { return has_no_zero(graph_part_.at_s(c), window); }))
+                      [&](const Rational& c) { return has_no_zero_along(graph_.factors, c, window); }))
         return window;
     }
   }
 
   /// The `total` points over u, on an end of a window; none beyond the square, where the window ends in the
   /// value itself.
-  std::vector<RealAlgebraic> points_before(const Rational& u, std::size_t total) const {
+  std::vector<FactorRoot> points_before(const Rational& u, std::size_t total) const {
     if (total == 0) return {};
-    std::vector<RealAlgebraic> points = points_at(u);
+    std::vector<FactorRoot> points = roots_over(graph_.factors, u);
     if (points.size() != total)
       throw ProofFailure(whole_domain(), "the number of points of a curve changes between critical values");
     return points;
   }
 
   /// Their number below each cut, and of all.
-  static std::vector<std::size_t> counts_below(const std::vector<RealAlgebraic>& points,
+  static std::vector<std::size_t> counts_below(const std::vector<FactorRoot>& points,
                                                const std::vector<Rational>& cuts) {
     std::vector<std::size_t> counts;
     for (const Rational& c : cuts)
       counts.push_back(static_cast<std::size_t>(std::count_if(
-          points.begin(), points.end(), [&](const RealAlgebraic& v) { return v.compare(c) < 0; })));
+          points.begin(), points.end(), [&](const FactorRoot& point) { return point.v.compare(c) < 0; })));
     counts.push_back(points.size());
     return counts;
   }
 
   /// On a line of the curve also the points where a bound is 0.
-  std::vector<TriangularPoint> points_over(const CriticalValue& value) const {
-    BivariatePolynomial f = swept_;
+  std::vector<FactorPoint> points_at(const CriticalValue& value) const {
+    std::vector<BivariatePolynomial> factors = swept_;
     if (value.is_vertical)
       for (const BivariatePolynomial& h : bounds_)
-        if (!reduced_at(h.exchanged(), value.u).is_zero())
-          f = f * without_factors_of(f, squarefree(h.exchanged()));
-    return f.degree_r() > 0 ? roots_at(f, value.u, 0, 1) : std::vector<TriangularPoint>{};
+        if (!reduced_at(h.exchanged(), value.u).is_zero()) factors.push_back(h.exchanged());
+    return points_over(factors, value.u);
   }
+  /// A factor of the curve, not a bound.
+  bool is_of_curve(std::size_t factor) const { return factor < swept_.size(); }
 
   /// The points over value i, their order among the arcs on both sides, and where they lie.
   struct Meeting {
     std::size_t left_from, left_to, right_from, right_to;
     RationalInterval v;
     std::optional<TriangularPoint> at;  // empty: a regular point inside the square
+    std::vector<std::size_t> factors;   // with a point there, if `at` is known
     bool is_on_side;
   };
 
@@ -159,9 +162,9 @@ class CurveSweep {
 
   /// Whatever happens over value i (Lemma 17.1).
   std::vector<Meeting> meet_in_points(std::size_t i, std::size_t next) const {
-    const std::vector<TriangularPoint> over = points_over(values_[i]);
+    const std::vector<FactorPoint> over = points_at(values_[i]);
     std::vector<Rational> cuts;
-    for (std::size_t k = 0; k + 1 < over.size(); ++k) cuts.push_back(cut_between(over[k], over[k + 1]));
+    for (std::size_t k = 0; k + 1 < over.size(); ++k) cuts.push_back(cut_between(over[k].at, over[k + 1].at));
     const RationalInterval window = window_between(i, cuts);
     const std::vector<std::size_t> left = counts_below(points_before(window.lower, fronts_.size()), cuts);
     const std::vector<std::size_t> right = counts_below(points_before(window.upper, next), cuts);
@@ -171,7 +174,8 @@ class CurveSweep {
     std::vector<Meeting> meetings;
     for (std::size_t k = 0; k < over.size(); ++k)
       meetings.push_back({k > 0 ? left[k - 1] : 0, left[k], k > 0 ? right[k - 1] : 0, right[k],
-                          over[k].r_interval(), over[k], at_end || is_at(over[k], 0) || is_at(over[k], 1)});
+                          over[k].at.r_interval(), over[k].at, over[k].factors,
+                          at_end || is_at(over[k].at, 0) || is_at(over[k].at, 1)});
     return meetings;
   }
 
@@ -179,8 +183,8 @@ class CurveSweep {
   bool meet_in_strips(std::size_t i, std::size_t next, std::vector<Meeting>& meetings) const {
     for (int round = 0; round < strip_rounds; ++round) {
       const RationalInterval window = window_around(i, round);
-      const std::vector<RealAlgebraic> left = points_before(window.lower, fronts_.size());
-      const std::vector<RealAlgebraic> right = points_before(window.upper, next);
+      const std::vector<FactorRoot> left = points_before(window.lower, fronts_.size());
+      const std::vector<FactorRoot> right = points_before(window.upper, next);
       const std::vector<Rational> cuts = strip_cuts(window, left, right);
       if (values_[i].side && cuts.empty() && left.size() + right.size() > 1) continue;
       meetings = strips_between(cuts, counts_below(left, cuts), counts_below(right, cuts));
@@ -206,10 +210,11 @@ class CurveSweep {
   }
 
   /// Numbers between the points on both ends of a window, ascending, with f(u,c) != 0 in it.
-  std::vector<Rational> strip_cuts(const RationalInterval& window, const std::vector<RealAlgebraic>& left,
-                                   const std::vector<RealAlgebraic>& right) const {
-    std::vector<RealAlgebraic> points = left;
-    points.insert(points.end(), right.begin(), right.end());
+  std::vector<Rational> strip_cuts(const RationalInterval& window, const std::vector<FactorRoot>& left,
+                                   const std::vector<FactorRoot>& right) const {
+    std::vector<RealAlgebraic> points;
+    for (const std::vector<FactorRoot>* side : {&left, &right})
+      for (const FactorRoot& point : *side) points.push_back(point.v);
     std::sort(points.begin(), points.end());
     std::vector<Rational> cuts;
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
@@ -220,7 +225,7 @@ class CurveSweep {
         b = b.refined_to(width);
       }
       const Rational c = simplest_between(a.interval().upper, b.interval().lower);
-      if (has_no_zero(graph_part_.at_s(c), window)) cuts.push_back(c);
+      if (has_no_zero_along(graph_.factors, c, window)) cuts.push_back(c);
     }
     return cuts;
   }
@@ -236,6 +241,7 @@ class CurveSweep {
                         right[k],
                         {k > 0 ? cuts[k - 1] : Rational(0), k < cuts.size() ? cuts[k] : Rational(1)},
                         std::nullopt,
+                        {},
                         false});
     return strips;
   }
@@ -245,8 +251,7 @@ class CurveSweep {
     const CriticalValue& value = values_[i];
     const int left = static_cast<int>(meeting.left_to - meeting.left_from);
     const int right = static_cast<int>(meeting.right_to - meeting.right_from);
-    const bool singular =
-        value.is_exact && sign_at(f_u_, *meeting.at) == 0 && sign_at(f_v_, *meeting.at) == 0;
+    const bool singular = value.is_exact && is_singular(value, meeting);
     const bool is_rim = value.is_exact && region_.place_of(*meeting.at) == RegionPlace::rim;
     const bool is_line = value.is_vertical && left == 0 && right == 0;
     if (is_line && !singular && !meeting.is_on_side && !is_rim) return std::nullopt;
@@ -262,6 +267,16 @@ class CurveSweep {
     for (std::size_t k = meeting.left_from; k < meeting.left_to; ++k) graph_.arcs[*before[k].arc].to = node;
     for (std::size_t k = meeting.right_from; k < meeting.right_to; ++k) fronts_[k].from = node;
     return node;
+  }
+
+  /// On two parts of the curve, or at a singular point of one.
+  bool is_singular(const CriticalValue& value, const Meeting& meeting) const {
+    const std::vector<std::size_t>& on = meeting.factors;
+    const auto count = std::ranges::count_if(on, [&](std::size_t i) { return is_of_curve(i); });
+    if (count + (value.is_vertical ? 1 : 0) != 1) return count > 0;
+    if (count == 0) return false;
+    const BivariatePolynomial& f = swept_[on.front()];
+    return sign_at(f.derivative_r(), *meeting.at) == 0 && sign_at(f.derivative_s(), *meeting.at) == 0;
   }
 
   bool runs_along_side(const Front& front, const Meeting& meeting) const {
@@ -284,21 +299,21 @@ class CurveSweep {
       const TriangularPoint inside = point_over(u, cut_between(*from.exact, *to.exact));
       ++from.vertical;
       ++to.vertical;
-      graph_.arcs.push_back({nodes[k], nodes[k + 1], multiplicity_at(inside), inside});
+      graph_.arcs.push_back({nodes[k], nodes[k + 1], multiplicity_on_line(inside), inside});
     }
   }
 
   /// Arcs that start at value i; v of each over the sample after it.
-  void open_arcs(std::size_t i, const std::vector<RealAlgebraic>& points) {
+  void open_arcs(std::size_t i, const std::vector<FactorRoot>& points) {
     for (std::size_t k = 0; k < points.size(); ++k) {
       if (fronts_[k].arc) continue;
+      const auto& [v, factor] = points[k];
       const BivariatePolynomial in_v =
-          BivariatePolynomial(std::vector<Polynomial>(1, points[k].polynomial())).exchanged();
-      const TriangularPoint inside = points[k].is_rational()
-                                         ? point_over(sample_after(i), points[k].rational())
-                                         : TriangularPoint(sample_after(i), in_v, points[k].interval());
+          BivariatePolynomial(std::vector<Polynomial>(1, v.polynomial())).exchanged();
+      const TriangularPoint inside = v.is_rational() ? point_over(sample_after(i), v.rational())
+                                                     : TriangularPoint(sample_after(i), in_v, v.interval());
       fronts_[k].arc = graph_.arcs.size();
-      graph_.arcs.push_back({*fronts_[k].from, 0, multiplicity_at(inside), inside});
+      graph_.arcs.push_back({*fronts_[k].from, 0, multiplicities_[factor], inside, factor});
     }
   }
 
@@ -308,7 +323,7 @@ class CurveSweep {
     graph_.columns.push_back(std::move(column));
   }
 
-  int multiplicity_at(const TriangularPoint& inside) const {
+  int multiplicity_on_line(const TriangularPoint& inside) const {
     if (factors_.size() == 1) return factors_.front().multiplicity;
     for (const CurveFactor& factor : factors_)
       if (sign_at(factor.factor.exchanged(), inside) == 0) return factor.multiplicity;
@@ -317,14 +332,11 @@ class CurveSweep {
 
   static constexpr int strip_rounds = 4;
 
-  std::vector<CurveFactor> factors_;
+  std::vector<CurveFactor> factors_;         // squarefree, pairwise coprime
+  std::vector<BivariatePolynomial> swept_;   // those of graph_, without lines u = const, with v for r
+  std::vector<int> multiplicities_;          // of these
   std::vector<BivariatePolynomial> bounds_;  // of the region
   PlacedRegion region_;
-  BivariatePolynomial radical_;     // every factor of f once
-  BivariatePolynomial graph_part_;  // without lines u = const
-  BivariatePolynomial swept_;       // the same with v in the place of r
-  BivariatePolynomial f_u_;
-  BivariatePolynomial f_v_;
   std::vector<CriticalValue> values_;
   std::vector<Front> fronts_;  // ascending in v
   CurveGraph graph_;
@@ -356,7 +368,14 @@ int CurveGraph::components() const {
 
 CurveGraph curve_graph(const BivariatePolynomial& f, const CurveRegion& region) {
   if (f.is_zero()) throw std::domain_error("curve_graph: the zero polynomial");
-  return in_nearest_rounding([&] { return CurveSweep(f, region).run(); });
+  return in_nearest_rounding([&] { return CurveSweep(curve_factors(f), region).run(); });
+}
+
+CurveGraph curve_graph_of_factors(const std::vector<BivariatePolynomial>& factors,
+                                  const CurveRegion& region) {
+  std::vector<CurveFactor> once;
+  for (const BivariatePolynomial& factor : factors) once.push_back({factor, 1});
+  return in_nearest_rounding([&] { return CurveSweep(once, region).run(); });
 }
 
 }  // namespace exsect

@@ -30,6 +30,7 @@ struct CurveBranch {
   std::size_t to;
   int multiplicity;        // the exponent in f of the factor that vanishes on it
   TriangularPoint inside;  // one of its inner points
+  std::size_t factor = 0;  // of CurveGraph::factors, which is 0 on it; 0 on lines u = const
 };
 
 /// The curve over an open interval between neighbouring critical values: of every zero of the swept curve in
@@ -46,7 +47,8 @@ struct CurveGraph {
 
   std::vector<CurveNode> nodes;
   std::vector<CurveBranch> arcs;
-  BivariatePolynomial swept;          // the irreducible factors of f but those in u alone, each once
+  BivariatePolynomial swept;                 // the irreducible factors of f but those in u alone, each once
+  std::vector<BivariatePolynomial> factors;  // coprime ones, whose product is `swept`
   std::vector<RealAlgebraic> values;  // critical ones: ascending from 0 to 1, with disjoint closed intervals
   std::vector<CurveColumn> columns;   // one fewer; column i lies between values i and i + 1
   bool is_monotone_in_v = false;      // every arc is known to be, as after with_turning_in_v()
@@ -59,5 +61,9 @@ struct CurveGraph {
 
 /// Throws std::domain_error for f = 0.
 CurveGraph curve_graph(const BivariatePolynomial& f, const CurveRegion& region = {});
+/// Of the product, which is not formed but for `swept`. Requires squarefree factors that are pairwise
+/// coprime.
+CurveGraph curve_graph_of_factors(const std::vector<BivariatePolynomial>& factors,
+                                  const CurveRegion& region = {});
 
 }  // namespace exsect

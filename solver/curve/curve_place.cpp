@@ -6,7 +6,7 @@
 
 #include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
-#include "curve/no_zero.h"
+#include "curve/factor_points.h"
 
 namespace exsect {
 namespace {
@@ -35,13 +35,13 @@ Rational beside(const CurveGraph& graph, std::size_t i, bool before, const Ratio
 /// The closed interval around the v of all arcs of the column over u that have the node at this end.
 RationalInterval ends_over(const CurveGraph& graph, std::size_t column, bool at_upper_end, std::size_t node,
                            const Rational& u, const Rational& width) {
-  const std::vector<RealAlgebraic> points = real_roots(graph.swept.at_r(u), 0, 1);
+  const std::vector<FactorRoot> points = roots_over(graph.factors, u);
   std::optional<RationalInterval> all;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const std::size_t arc = graph.columns[column][k];
     if (arc == CurveGraph::dropped || (at_upper_end ? graph.arcs[arc].to : graph.arcs[arc].from) != node)
       continue;
-    const RationalInterval at = points[k].refined_to(width).interval();
+    const RationalInterval at = points[k].v.refined_to(width).interval();
     all = all ? hull(*all, at) : at;
   }
   if (!all) throw ProofFailure(whole_domain(), "a node of a curve without its arcs");
@@ -70,7 +70,7 @@ std::array<RationalInterval, 2> enclosed_place(const CurveGraph& graph, std::siz
     const RationalInterval wider = {std::max<Rational>(v->lower - room, at.v.lower),
                                     std::min<Rational>(v->upper + room, at.v.upper)};
     const auto is_clear = [&](const Rational& edge) {
-      return edge <= 0 || edge >= 1 || has_no_zero(graph.swept.at_s(edge), window);
+      return edge <= 0 || edge >= 1 || has_no_zero_along(graph.factors, edge, window);
     };
     if (wider.width() <= 2 * width && is_clear(wider.lower) && is_clear(wider.upper)) return {u, wider};
   }
@@ -96,8 +96,8 @@ std::optional<RationalInterval> arc_over(const CurveGraph& graph, std::size_t ar
   const CurveColumn& column = graph.columns[*i];
   const auto found = std::find(column.begin(), column.end(), arc);
   if (found == column.end()) return std::nullopt;
-  const std::vector<RealAlgebraic> points = real_roots(graph.swept.at_r(u), 0, 1);
-  return points.at(static_cast<std::size_t>(found - column.begin())).refined_to(width).interval();
+  const std::vector<FactorRoot> points = roots_over(graph.factors, u);
+  return points.at(static_cast<std::size_t>(found - column.begin())).v.refined_to(width).interval();
 }
 
 std::array<RationalInterval, 2> place_of(const CurveGraph& graph, std::size_t node, const Rational& width) {

@@ -54,7 +54,8 @@ BivariatePolynomial without_factors_of(const BivariatePolynomial& f, BivariatePo
   }
 }
 
-std::vector<CriticalValue> curve_values(const BivariatePolynomial& f, const Polynomial& lines,
+std::vector<CriticalValue> curve_values(const std::vector<BivariatePolynomial>& factors,
+                                        const Polynomial& lines,
                                         const std::vector<BivariatePolynomial>& bounds) {
   std::vector<CriticalValue> values = {{0, true, false, std::nullopt}, {1, true, false, std::nullopt}};
   const auto add = [&](const Polynomial& at, bool is_general, bool vertical, std::optional<int> side) {
@@ -63,12 +64,16 @@ std::vector<CriticalValue> curve_values(const BivariatePolynomial& f, const Poly
       for (const RealAlgebraic& u : real_roots(power.factor, 0, 1))
         values.push_back({u, is_general || power.multiplicity > 1 || u.is_rational(), vertical, side});
   };
-  add(turning_resultant(f), false, false, std::nullopt);
-  for (const int side : {0, 1}) add(f.at_s(side), false, false, side);
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const BivariatePolynomial& f = factors[i];
+    add(turning_resultant(f), false, false, std::nullopt);
+    for (std::size_t j = 0; j < i; ++j) add(resultant_s(factors[j], f), true, false, std::nullopt);
+    for (const int side : {0, 1}) add(f.at_s(side), false, false, side);
+    for (const BivariatePolynomial& h : bounds)
+      if (!h.is_zero() && f.degree_s() > 0)
+        add(resultant_s(f, without_factors_of(f, h)), true, false, std::nullopt);
+  }
   for (const PolynomialPower& line : irreducible_factors(lines)) add(line.factor, true, true, std::nullopt);
-  for (const BivariatePolynomial& h : bounds)
-    if (!h.is_zero() && f.degree_s() > 0)
-      add(resultant_s(f, without_factors_of(f, h)), true, false, std::nullopt);
   return merged(std::move(values));
 }
 

@@ -28,9 +28,10 @@ bool is_nowhere_real(const BivariatePolynomial& f);
 
 /// 0, 1, and all values between them: where f_v = 0 or the leading coefficient of f in v vanishes on f = 0, f
 /// has a zero on v = 0 or v = 1 that is isolated there, one of the bounds has one on f = 0 that is isolated,
-/// or `lines` has one. Ascending, each once, with disjoint closed intervals. Requires f squarefree without a
-/// factor in u alone.
-std::vector<CriticalValue> curve_values(const BivariatePolynomial& f, const Polynomial& lines,
+/// or `lines` has one; f is the product of the factors, by (17.1a). Ascending, each once, with disjoint
+/// closed intervals. Requires squarefree factors, pairwise coprime, without one in u alone.
+std::vector<CriticalValue> curve_values(const std::vector<BivariatePolynomial>& factors,
+                                        const Polynomial& lines,
                                         const std::vector<BivariatePolynomial>& bounds);
 
 }  // namespace exsect

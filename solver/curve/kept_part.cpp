@@ -6,7 +6,7 @@ namespace exsect {
 
 CurveGraph kept_part(CurveGraph graph, const PlacedRegion& region) {
   if (region.is_plane()) return graph;
-  CurveGraph kept{{}, {}, graph.swept, graph.values, graph.columns, false};
+  CurveGraph kept{{}, {}, graph.swept, graph.factors, graph.values, graph.columns, false};
   std::vector<std::size_t> arc_position(graph.arcs.size(), CurveGraph::dropped);
   std::vector<bool> is_kept(graph.nodes.size(), false);
   for (std::size_t i = 0; i < graph.nodes.size(); ++i)

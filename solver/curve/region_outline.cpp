@@ -8,22 +8,20 @@
 #include "answer/parameter_box.h"
 #include "answer/proof_failure.h"
 #include "curve/curve_sides.h"
-#include "curve/curve_values.h"
-#include "curve/plane_curve.h"
+#include "curve/factor_points.h"
 
 namespace exsect {
 namespace {
 
 /// All zeros of the bounds and the four sides.
-BivariatePolynomial lines_of(const CurveRegion& region) {
+std::vector<BivariatePolynomial> lines_of(const CurveRegion& region) {
   const BivariatePolynomial u = BivariatePolynomial::r(), v = BivariatePolynomial::s(),
                             one = BivariatePolynomial::constant(1);
-  BivariatePolynomial lines = u * (u - one) * v * (v - one);
+  std::vector<BivariatePolynomial> lines = {u, u - one, v, v - one};
   for (const std::vector<std::size_t>& clause : region.clauses)
     for (const std::size_t i : clause)
-      if (!region.bounds[i].is_zero())
-        lines = lines * without_factors_of(lines, squarefree(region.bounds[i]));
-  return lines;
+      if (!region.bounds[i].is_zero()) lines.push_back(region.bounds[i]);
+  return coprime_factors(lines);
 }
 
 /// Whether the region has the points beside an arc: at smaller, and at greater v, or u on lines u = const.
@@ -35,7 +33,7 @@ struct ArcSides {
 class Outline {
  public:
   explicit Outline(const CurveRegion& region)
-      : region_(region), placed_(region), graph_(curve_graph(lines_of(region))) {
+      : region_(region), placed_(region), graph_(curve_graph_of_factors(lines_of(region))) {
     for (const BivariatePolynomial& bound : region.bounds) bounds_.push_back(bound.exchanged());
     for (const CurveBranch& arc : graph_.arcs) sides_.push_back(sides_of(arc));
   }

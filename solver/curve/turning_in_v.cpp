@@ -41,6 +41,7 @@ class Cutter {
     f_v_ = old_.swept.derivative_s();
     new_.nodes = old_.nodes;
     new_.swept = old_.swept;
+    new_.factors = old_.factors;
     new_.is_monotone_in_v = true;
   }
 

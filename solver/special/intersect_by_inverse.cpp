@@ -17,7 +17,7 @@
 namespace exsect {
 namespace {
 
-/// Of the squarefree curve, or of all bounds of a region, without lines, in u and v together: a bicubic patch
+/// Of the squarefree curve, or of each bound of a region, without lines, in u and v together: a bicubic patch
 /// on a quadric has 12, and may take minutes to be drawn.
 constexpr int kMostDegrees = 8;
 
@@ -194,9 +194,10 @@ std::optional<InverseCurve> inverse_region(InverseCurve known, const PatchInvers
   }
   const Sides sides(inverse, known);
   if (is_curve(known)) return std::nullopt;
-  int degrees = 0;
-  for (const BivariatePolynomial& bound : curve.region.bounds) degrees += degrees_to_sweep(bound);
-  if (degrees > kMostDegrees || meets_pole(known)) return std::nullopt;
+  const auto is_short = [](const BivariatePolynomial& bound) {
+    return bound.is_zero() || degrees_to_sweep(bound) <= kMostDegrees;
+  };
+  if (!std::ranges::all_of(curve.region.bounds, is_short) || meets_pole(known)) return std::nullopt;
   curve.contains_patch = true;
   known.outline = outline(curve.region);
   curve.graph = known.outline->graph;
