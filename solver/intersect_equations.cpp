@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -25,6 +26,7 @@
 #include "lift/ring_curve.h"
 #include "lift/shared_box.h"
 #include "lift/space_sides.h"
+#include "lift/sphere_boxes.h"
 #include "lift/torus_drawing.h"
 
 namespace exsect {
@@ -156,6 +158,45 @@ SurfaceIntersection open(std::string why, Reason reason) {
 SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurface& second,
                                 const PairRegion& region, const Run& run);
 
+/// One node of those in one point.
+void merge_nodes(SurfaceIntersection& result, const std::vector<std::size_t>& points) {
+  std::vector<SpaceNode> nodes;
+  std::map<std::size_t, int> place;
+  std::vector<int> position;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [at, is_new] = place.emplace(points[i], static_cast<int>(nodes.size()));
+    position.push_back(at->second);
+    if (is_new) {
+      nodes.push_back(std::move(result.nodes[i]));
+      nodes.back().id = at->second;
+      continue;
+    }
+    SpaceNode& known = nodes[static_cast<std::size_t>(at->second)];
+    const int degree = known.degree + result.nodes[i].degree;
+    if (known.degree == 0) known.kind = result.nodes[i].kind;
+    if (known.degree > 0 && result.nodes[i].degree > 0) known.kind = node_kind(degree, true);
+    known.degree = degree;
+  }
+  result.nodes = std::move(nodes);
+  for (SpaceArc& arc : result.arcs) {
+    arc.from = position[static_cast<std::size_t>(arc.from)];
+    arc.to = position[static_cast<std::size_t>(arc.to)];
+  }
+}
+
+SurfaceIntersection on_sphere(const SphereRegion& shared, const PairRegion& region, const Run& run) {
+  SurfaceIntersection result{Status::complete, shared.has_inner_points};
+  std::vector<std::size_t> points;
+  for (const SphereCircle& circle : shared.circles) {
+    SurfaceIntersection part{Status::complete};
+    draw(part, circle.curve, region, run);
+    append(result, std::move(part));
+    points.insert(points.end(), circle.points.begin(), circle.points.end());
+  }
+  merge_nodes(result, points);
+  return result;
+}
+
 /// Two surfaces with one equation: nappes of one cone that face away from each other share the apex.
 SurfaceIntersection same(const ImplicitSurface& first, const ImplicitSurface& second,
                          const PairRegion& region, const Run& run) {
@@ -167,12 +208,15 @@ SurfaceIntersection same(const ImplicitSurface& first, const ImplicitSurface& se
     return result;
   }
   if (are_equal(first.box(), second.box())) return {Status::complete, true};
-  const std::optional<SharedBox> shared = shared_box(first, second);
-  if (!shared)
-    return open("one surface, of whose boxes it is not decided what they share", Reason::not_decided);
-  SurfaceIntersection result{Status::complete, shared->has_inner_points};
-  for (const SharedCut& cut : shared->cuts)
-    append(result, solved_pair(first.data() ? first : second, cut.surface, within(region, cut.region), run));
+  SurfaceIntersection result{Status::complete};
+  const ImplicitSurface& known = first.data() ? first : second;
+  if (const std::optional<SharedBox> shared = shared_box(first, second)) {
+    result.is_same = shared->has_inner_points;
+    for (const SharedCut& cut : shared->cuts)
+      append(result, solved_pair(known, cut.surface, within(region, cut.region), run));
+  } else {
+    result = on_sphere(sphere_region(known, region.all), region, run);
+  }
   for (SpaceArc& arc : result.arcs) arc.multiplicity = 0, arc.beside.reset();
   for (SpaceCurve& curve : result.curves) curve.multiplicity = 0;
   return result;

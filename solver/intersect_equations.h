@@ -13,11 +13,10 @@ namespace exsect {
 /// a torus or a polynomial for a torus whose minor radius has a rational ratio to the major one, or to the
 /// length of its axis. Other tori and two polynomials are complete unless both are singular along one curve,
 /// or of order 3 or more in one point; else they are incomplete, and the reason says so.
-/// The answer does not depend on the order of the surfaces. Polylines keep within the tolerance times the
-/// extent of what is drawn; unbounded curves are cut off, where nothing but arcs that go on to infinity is
-/// beyond. One surface in two boxes is complete but for boxes of a sphere about different axes. Of the
-/// options the work cap, the tolerance and the progress are taken, errors are those of intersect() for two
-/// patches.
+/// Of the answer only the sides depend on the order of the surfaces. Polylines keep within the tolerance
+/// times the extent of what is drawn; unbounded curves are cut off, where nothing but arcs that go on to
+/// infinity is beyond. One surface in two boxes is complete. Of the options the work cap, the tolerance and
+/// the progress are taken, errors are those of intersect() for two patches.
 SurfaceIntersection intersect(const ImplicitSurface& first, const ImplicitSurface& second,
                               const IntersectOptions& options = {});
 

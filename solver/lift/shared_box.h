@@ -21,8 +21,8 @@ struct SharedBox {
   std::vector<SharedCut> cuts = {};
 };
 
-/// Of two surfaces with one set of points but for boxes and nappes. Empty where it is not decided: for boxes
-/// about different axes of a sphere.
+/// Of two surfaces with one set of points but for boxes and nappes. Empty for boxes about different axes of a
+/// sphere (sphere_boxes.h).
 std::optional<SharedBox> shared_box(const ImplicitSurface& first, const ImplicitSurface& second);
 
 }  // namespace exsect
