@@ -1,13 +1,10 @@
-// Polynomials in two variables as rows of balls, expanded about other points and along lines. Internal to
-// solver/.
+// Polynomials in two variables as rows of coefficients, expanded about other points and along lines. Internal
+// to solver/.
 #pragma once
 
-#include <exsect/algebra/ball.h>
 #include <exsect/algebra/bivariate_polynomial.h>
-#include <exsect/algebra/rounding_bounds.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace exsect {
@@ -30,6 +27,15 @@ std::vector<Ball> enclosed_coefficients(const BivariatePolynomial& f, const Rati
     for (int j = 0; j <= std::max(f.degree_s(), degree_s); ++j)
       c.push_back(Ball::enclosing(f.coefficient(i, j) / unit));
   return c;
+}
+
+/// The coefficients of f(r,s), `row` for each power of r, at r = u.
+template <class Number>
+std::vector<Number> coefficients_over(const std::vector<Number>& c, std::size_t row, const Number& u) {
+  std::vector<Number> result(c.end() - static_cast<std::ptrdiff_t>(row), c.end());
+  for (std::size_t i = c.size() - row; i > 0; i -= row)
+    for (std::size_t j = 0; j < row; ++j) result[j] = result[j] * u + c[i - row + j];
+  return result;
 }
 
 /// From the coefficients of f(r,s), `row` for each power of r, to those of f(u + r, v + s).
@@ -59,67 +65,5 @@ std::vector<Number> along_line(const std::vector<Number>& c, std::size_t row, co
   }
   return result;
 }
-
-/// f along the two lines v + slope x + w and v + slope x - w of u + x; u, v and slope without radius.
-template <class Ball>
-class LineExpansion {
- public:
-  LineExpansion(const std::vector<Ball>& c, std::size_t row, const Ball& u, const Ball& v, const Ball& slope,
-                double w)
-      : c_(c), row_(row), slope_(slope), w_(w) {
-    shift_to(c_, row_, u, v);
-  }
-
-  /// Coefficients of f(u + x, v + slope x + w) in x, or below of f(u + x, v + slope x - w).
-  std::vector<Ball> at(bool above) const { return along_line(c_, row_, slope_, Ball(above ? w_ : -w_)); }
-
- private:
-  std::vector<Ball> c_;
-  std::size_t row_;
-  Ball slope_;
-  double w_;
-};
-
-/// In doubles the midpoints alone, with one bound of the errors (17.3a). What an operation loses by underflow
-/// reaches the results multiplied by at most (1 + max(|u|, |v|))^(m+n) (1 + |slope| + w)^n.
-template <>
-class LineExpansion<DoubleBall> {
- public:
-  LineExpansion(const std::vector<DoubleBall>& c, std::size_t row, const DoubleBall& u, const DoubleBall& v,
-                const DoubleBall& slope, double w)
-      : row_(row), slope_(slope.approximation()), w_(w) {
-    const double x = u.approximation(), y = v.approximation(), steep = std::fabs(slope_);
-    const double operations = static_cast<double>(2 * (c.size() / row) + 5 * row);
-    middles_.resize(c.size());
-    std::vector<double> errors(c.size());
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      middles_[i] = c[i].approximation();
-      errors[i] = c[i].radius() + operations * kUnitRoundoff * std::fabs(middles_[i]);
-    }
-    shift_to(middles_, row_, x, y);
-    shift_to(errors, row_, std::fabs(x), std::fabs(y));
-    errors_ = along_line(errors, row_, steep, w);
-    const double rows = static_cast<double>(c.size() / row), columns = static_cast<double>(row);
-    const double lost = kUnderflowLoss *
-                        std::pow(1 + larger_bound(std::fabs(x), std::fabs(y)), rows + columns) *
-                        std::pow(1 + steep + w, columns);
-    for (double& error : errors_) error = error * (1 + 4 * operations * kUnitRoundoff) + lost;
-  }
-
-  std::vector<DoubleBall> at(bool above) const {
-    const std::vector<double> middle = along_line(middles_, row_, slope_, above ? w_ : -w_);
-    std::vector<DoubleBall> result(middle.size());
-    for (std::size_t i = 0; i < middle.size(); ++i)  // after an overflow the radius is infinite or NaN
-      result[i] = DoubleBall(middle[i], errors_[i] + std::fabs(middle[i]) * kUnitRoundoff);
-    return result;
-  }
-
- private:
-  std::size_t row_;
-  double slope_;
-  double w_;
-  std::vector<double> middles_;  // about (u,v)
-  std::vector<double> errors_;   // along the lines
-};
 
 }  // namespace exsect

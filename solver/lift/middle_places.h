@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "curve/plane_strip.h"
+#include "curve/plane_zeros.h"
 #include "lift/lifted_curve.h"
 
 namespace exsect {
@@ -73,9 +73,9 @@ class MiddlePlaces<DoubleBall> {
 
  private:
   const DrawnArc& arc_;
-  PlaneStrip<DoubleBall> swept_;
-  PlaneStrip<DoubleBall> exchanged_;
-  mutable std::optional<PlaneStrip<DoubleDoubleBall>> swept_in_pairs_;  // once it was asked for
+  PlaneZeros<DoubleBall> swept_;
+  PlaneZeros<DoubleBall> exchanged_;
+  mutable std::optional<PlaneZeros<DoubleDoubleBall>> swept_in_pairs_;  // once it was asked for
   mutable int below_ = 0;                                               // arc_.sign_below(), once asked for
 };
 

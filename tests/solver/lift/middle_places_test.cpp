@@ -63,7 +63,7 @@ TEST_CASE("middle places: balls enclose what the exact isolation of all zeros fi
     int found = 0, one_of_two = 0;
     const std::vector<LiftedCurve> all = curves();
     for (const LiftedCurve& curve : all) {
-      const PlaneStrip<DoubleDoubleBall> strip(curve.below.swept);
+      const PlaneZeros<DoubleDoubleBall> strip(curve.below.swept);
       for (const BoxedArc& at : boxed_arcs(curve)) {
         const MiddlePlaces<DoubleBall> places(at.arc);
         const auto exact = [&](double share) -> std::optional<std::pair<DoubleBall, RationalInterval>> {
