@@ -42,7 +42,8 @@ std::array<Vec<Rows>, 2 * Points - 1> divided(std::array<Vec<Rows>, Points> p) {
 }
 
 /// (14.28): with weights of at least w > 0, a quotient of two numbers that err by e is off by e (1 + |x|) /
-/// w, and its rounding by u |x|. The bound is also above 160 u |x|, as (14.2) needs for points beyond size 1.
+/// w, and computed as the product with 1/w, rounded twice, by less than 3 u |x|. The bound is also above 160
+/// u |x|, as (14.2) needs for points beyond size 1.
 template <class K, std::size_t Count>
 void fill_affine([[maybe_unused]] AffineNet<K, Count>& p,
                  [[maybe_unused]] const std::array<Row<K>, Count>& net, [[maybe_unused]] double net_error) {
@@ -64,10 +65,11 @@ void fill_affine([[maybe_unused]] AffineNet<K, Count>& p,
     }
     double size = 0;
     for (std::size_t i = 0; i < Count; ++i) {
-      p.affine[i] = affine(net[i]);
+      const double inverse = 1 / net[i][3];
+      p.affine[i] = {inverse * net[i][0], inverse * net[i][1], inverse * net[i][2]};
       size = larger_bound(size, largest(p.affine[i]));
     }
-    p.affine_error = kSlack * (net_error * (1 + size) / p.least_weight + 2 * kUnit * size);
+    p.affine_error = kSlack * (net_error * (1 + size) / p.least_weight + 3 * kUnit * size);
   }
 }
 

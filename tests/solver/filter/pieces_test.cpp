@@ -134,6 +134,37 @@ TEST_CASE("filter pieces: directions proved never orthogonal are not") {
   CHECK(proved > 10);
 }
 
+TEST_CASE("filter pieces: points divided by their weights are within the stated error") {
+  using K = filter::WeightedBiquadratic;
+  Generator generator(11);
+  const double net_error = 0x1p-46;
+  for (int round = 0; round < 200; ++round) {
+    std::array<filter::Row<K>, 3> net;
+    for (filter::Row<K>& p : net) {
+      for (double& c : p)
+        c = std::ldexp(static_cast<double>(generator() >> 11), -53) * (generator() % 2 == 0 ? 1 : -1);
+      p[3] = std::ldexp(0.5 + 0.5 * std::fabs(p[3]), -static_cast<int>(generator() % 11));
+    }
+    if (round == 0) net[0] = {1, -1, 0, 1.0 / 3};
+    const auto curve = filter::make_curve<K>(net, 0, 1, 0, net_error);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Rational w = from_double(net[i][3]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        // Any numbers within the error of the net, over any such weight.
+        for (const int sign : {-1, 1}) {
+          for (const int of_weight : {-1, 0, 1}) {
+            const Rational e = from_double(net_error);
+            const Rational x = (from_double(net[i][c]) + sign * e) / (w + of_weight * e);
+            CHECK(abs(x - from_double(curve.affine[i][c])) <= from_double(curve.affine_error));
+          }
+        }
+        const Rational x = from_double(net[i][c]) / w;
+        CHECK(abs(x - from_double(curve.affine[i][c])) <= abs(x) * 3 * power_of_two(-53));
+      }
+    }
+  }
+}
+
 TEST_CASE("filter pieces: control vectors of the normal are within the stated error") {
   Generator generator(5);
   const auto pair = random_pairs::doubles(generator);
