@@ -258,12 +258,13 @@ Meeting meeting(const PairOf<K>& pair, const ContactsOf<K>& contacts, const Part
       touching = touching || may_touch(line, x, y);
     }
   }
-  for (const CornerContact& corner : contacts.corners) {
-    if (meet_in_corner<K>(affine(pair.x.net[corner.x]), corner, x, y, pair.net_error)) {
-      return Meeting::contact;
+  for (const auto* corners : {&contacts.corners, &contacts.branched})
+    for (const CornerContact& corner : *corners) {
+      if (meet_in_corner<K>(affine(pair.x.net[corner.x]), corner, x, y, pair.net_error)) {
+        return Meeting::contact;
+      }
+      touching = touching || may_touch<K>(corner, x, y);
     }
-    touching = touching || may_touch<K>(corner, x, y);
-  }
   return touching ? Meeting::touching : Meeting::unknown;
 }
 

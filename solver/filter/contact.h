@@ -61,7 +61,8 @@ requires K::weighted struct SideContactOf<K> {
 };
 
 /// Each is a point or an arc of solutions, or a box that holds all of some curves; no corner is an end of one
-/// of the others, or a side point, but a double point that is no crossing may be a corner.
+/// of the others, or a side point, but a double point that is no crossing may be a corner. Within its
+/// reach all solutions are a branched corner and its arcs.
 template <class K>
 struct ContactsOf {
   std::vector<SideContactOf<K>> sides;
@@ -71,9 +72,10 @@ struct ContactsOf {
   std::vector<SidePointOf<K>> points;           // where a curve may end, alone among these
   std::vector<DoublePointOf<K>> double_points;  // on sides; not of biquadratic pairs
   std::vector<KnownBox> boxes;                  // not of biquadratic pairs
+  std::vector<CornerContact> branched;          // corners that are ends of arcs, which have ports
   bool empty() const {
     return sides.empty() && paths.empty() && lines.empty() && corners.empty() && points.empty() &&
-           double_points.empty() && boxes.empty();
+           double_points.empty() && boxes.empty() && branched.empty();
   }
 };
 using Contacts = ContactsOf<Biquadratic>;

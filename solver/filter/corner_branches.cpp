@@ -178,7 +178,7 @@ std::optional<CornerBranches> corner_branches(const CornerNet& x, const CornerNe
         if (!equation) continue;
         if (newton_polygon(equation->normal).empty()) break;
         auto branches = Search(*equation, k).run();
-        if (branches) return CornerBranches{*std::move(equation), power_of_two(-k), *std::move(branches)};
+        if (branches) return CornerBranches{*std::move(equation), power_of_two(-k), k, *std::move(branches)};
       }
     }
   return std::nullopt;

@@ -21,7 +21,8 @@ struct CornerBranch {
 /// All solutions in the box [0,reach]^4, counted from the corner, are the corner and these branches.
 struct CornerBranches {
   CornerEquation equation;
-  Rational reach;
+  Rational reach;  // 2^-k
+  long k;
   std::vector<CornerBranch> branches;
 };
 

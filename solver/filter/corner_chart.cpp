@@ -8,12 +8,6 @@ namespace {
 
 constexpr int kMostPartings = 10;
 
-Rational power(const Rational& base, int n) {
-  Rational result = 1;
-  for (int k = 0; k < n; ++k) result *= base;
-  return result;
-}
-
 /// Of |f| on an interval, from the Taylor coefficients in its middle: a lower bound, negative perhaps, and an
 /// upper one.
 struct Range {

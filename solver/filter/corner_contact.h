@@ -22,7 +22,7 @@ struct CornerContact {
   Repeated repeated_of_x = {};
   Repeated repeated_of_y = {};
   /// A power of two at most 1, if not 0: the parts of both patches that are so near to the corner in both
-  /// parameters, or to its pole's side across it, meet there alone.
+  /// parameters, or to its pole's side across it, meet there alone, or in it and the arcs of a branched one.
   double lone_reach = 0;
   bool is_pole() const { return pole_of_x || pole_of_y; }
 };

@@ -19,17 +19,6 @@ void to_powers(std::vector<HomogeneousPoint>& row) {
     for (Rational& c : row[k]) c *= binomial(n, static_cast<int>(k));
 }
 
-ControlVectors powers_of_net(ControlVectors net) {
-  for (auto& row : net) to_powers(row);
-  for (std::size_t j = 0; j < net.front().size(); ++j) {
-    std::vector<HomogeneousPoint> column;
-    for (const auto& row : net) column.push_back(row[j]);
-    to_powers(column);
-    for (std::size_t i = 0; i < net.size(); ++i) net[i][j] = column[i];
-  }
-  return net;
-}
-
 /// The four homogeneous coordinates at two parameters.
 std::array<PlaneSeries, 4> values_at(const ControlVectors& c, const PlaneSeries& a, const PlaneSeries& b) {
   const PlaneSeries zero(a.order(), a.reach());
@@ -54,11 +43,6 @@ struct Sizes {
   Rational value;
   std::array<Rational, 2> slope;
 };
-Rational power_of(const Rational& base, std::size_t n) {
-  Rational result = 1;
-  for (std::size_t k = 0; k < n; ++k) result *= base;
-  return result;
-}
 /// Without the terms of order up to 1, and 0, for which `least` is 2, and 1.
 Sizes sizes(const ControlVectors& c, const Point* row, const std::array<Rational, 2>& at, std::size_t least) {
   Sizes result{0, {0, 0}};
@@ -68,17 +52,33 @@ Sizes sizes(const ControlVectors& c, const Point* row, const std::array<Rational
       if (i + j < least) continue;
       const Rational size = abs(row ? exsect::dot(*row, Point{h[0], h[1], h[2]}) : h[3]);
       if (size == 0) continue;
-      result.value += size * power_of(at[0], i) * power_of(at[1], j);
-      if (i > 0) result.slope[0] += size * Rational(i) * power_of(at[0], i - 1) * power_of(at[1], j);
-      if (j > 0) result.slope[1] += size * Rational(j) * power_of(at[0], i) * power_of(at[1], j - 1);
+      result.value += size * power(at[0], static_cast<int>(i)) * power(at[1], static_cast<int>(j));
+      if (i > 0)
+        result.slope[0] +=
+            size * Rational(i) * power(at[0], static_cast<int>(i) - 1) * power(at[1], static_cast<int>(j));
+      if (j > 0)
+        result.slope[1] +=
+            size * Rational(j) * power(at[0], static_cast<int>(i)) * power(at[1], static_cast<int>(j) - 1);
     }
   return result;
 }
 
 }  // namespace
 
+ControlVectors power_coefficients(const CornerNet& corner) {
+  ControlVectors net = corner.points;
+  for (auto& row : net) to_powers(row);
+  for (std::size_t j = 0; j < net.front().size(); ++j) {
+    std::vector<HomogeneousPoint> column;
+    for (const auto& row : net) column.push_back(row[j]);
+    to_powers(column);
+    for (std::size_t i = 0; i < net.size(); ++i) net[i][j] = column[i];
+  }
+  return net;
+}
+
 CornerSystem::CornerSystem(const CornerNet& x, const CornerNet& y)
-    : x_(powers_of_net(x.points)), y_(powers_of_net(y.points)) {
+    : x_(power_coefficients(x)), y_(power_coefficients(y)) {
   using exsect::operator*;
   const auto slope = [](const HomogeneousPoint& h) { return Point{h[0], h[1], h[2]}; };
   const Rational of_x = y_[0][0][3], of_y = -x_[0][0][3];

@@ -24,8 +24,10 @@ struct CornerEquation {
   PlaneSeries normal;
 };
 
-/// Two homogeneous patches about a common corner, as polynomials: c[i][j] multiplies the powers i and j of
-/// the parameters counted from it.
+/// c[i][j] multiplies the powers i and j of the parameters counted from the corner.
+ControlVectors power_coefficients(const CornerNet& net);
+
+/// Two homogeneous patches about a common corner, as polynomials.
 class CornerSystem {
  public:
   CornerSystem(const CornerNet& x, const CornerNet& y);

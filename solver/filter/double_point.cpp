@@ -64,7 +64,7 @@ bool find_place(const ExactPatch<K>& x, const ExactPatch<K>& y, const Vec4& w, D
 }  // namespace
 
 template <class K>
-bool is_on_side(const DoublePointOf<K>& point) {
+bool is_on_side(const CentreOf<K>& point) {
   return point.on != Vec4{};
 }
 
@@ -130,7 +130,7 @@ bool lies_in_region(const DoublePointOf<K>& point, const Vec4& middle, const Vec
 #define EXSECT_INSTANTIATE(K)                                                                               \
   template std::optional<DoublePointOf<K>> double_point_near<K>(const ExactPatch<K>&, const ExactPatch<K>&, \
                                                                 const PairOf<K>&, const Vec4&, double);     \
-  template bool is_on_side<K>(const DoublePointOf<K>&);                                                     \
+  template bool is_on_side<K>(const CentreOf<K>&);                                                          \
   template bool may_be_same<K>(const DoublePointOf<K>&, const DoublePointOf<K>&);                           \
   template LocalPlace local_place<K>(const DoublePointOf<K>&, const Vec4&, const Vec4&);                    \
   template bool lies_in_region<K>(const DoublePointOf<K>&, const Vec4&, const Vec4&);

@@ -25,6 +25,15 @@ struct PortOf {
   double vertex_error;
 };
 
+/// A point in which arcs end, with a port for each, or a point alone.
+template <class K>
+struct CentreOf {
+  std::array<RationalInterval, 4> box;  // around its parameters, within [0,1]
+  Vec4 on;                              // 1/2 or -1/2 for the parameters at sides, exactly, 0 for the others
+  Vec4 centre;                          // its parameters, centred; err by kUnit
+  std::vector<PortOf<K>> ports;
+};
+
 /// Invariant: `at` is a solution, and singular. It is the only one in
 /// the region |t| <= reach, |c_i| <= width[i], (r,s) - p = S t, (u,v) - p = c; or, if forms.crossing, four
 /// arcs that end in it are all others, one with alpha > 0, one with alpha < 0, both with |beta| <= |alpha|/2,
@@ -32,20 +41,16 @@ struct PortOf {
 /// these arcs one. If the point of a crossing is on sides, the region meets no others, no arc meets them
 /// again in it, and ports are those of the arcs inside the domain; the others are outside.
 template <class K>
-struct DoublePointOf {
+struct DoublePointOf : CentreOf<K> {
   std::array<FieldNumber, 4> at;
-  std::array<RationalInterval, 4> box;  // around `at`, within [0,1]
-  Vec4 on;                              // 1/2 or -1/2 for the parameters at sides, exactly, 0 for the others
-  Vec4 centre;                          // `at`, centred; errs by kUnit
   LocalFormsOf<K> forms;
   double reach;
   std::array<double, 2> width;
-  std::vector<PortOf<K>> ports;
 };
 
 /// True if a parameter is 0 or 1.
 template <class K>
-bool is_on_side(const DoublePointOf<K>& point);
+bool is_on_side(const CentreOf<K>& point);
 
 /// False only if the points are proved to be different.
 template <class K>

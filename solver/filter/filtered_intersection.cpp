@@ -74,7 +74,7 @@ class FilteredIntersection {
           (!points && stuck_ &&
            (add_side_point(x_, y_, *pair, *stuck_, *contacts) || add_side_double_point(*pair, *contacts)));
       if (!is_added && !add_corner_points(x_, y_, *pair, *contacts) &&
-          !find_lone_corners<K>(x_, y_, *contacts)) {
+          !find_corners<K>(x_, y_, *pair, *contacts, centres_)) {
         if (!points || !loops_open_) return std::nullopt;
         break;
       }
@@ -86,14 +86,15 @@ class FilteredIntersection {
       return std::nullopt;
     }
     if (all_turns_wanted()) {
-      stations_ = known_stations<K>(curves, *points, double_points_, contacts->double_points, coincident_);
+      stations_ =
+          known_stations<K>(curves, *points, centres_, double_points_, contacts->double_points, coincident_);
     }
     if ((loops_open_ || needs_eliminant()) && !proved_by_eliminant(*pair, *contacts, trees)) {
       return std::nullopt;
     }
     KnownPair<K> all = known(*pair, *std::move(contacts));
     all.points = *std::move(points);
-    all.double_points = double_points_;
+    all.centres = centres_;
     all.curves = std::move(curves);
     all.coincident = coincident_;
     all.finest_vertices = with_stations_ || needs_eliminant();
@@ -121,17 +122,17 @@ class FilteredIntersection {
                                            pair, trees, boxes_);
   }
 
-  /// With the ports of the double points.
+  /// With the ports of the centres.
   std::optional<std::vector<BoundaryPointOf<K>>> boundary_points(const PairOf<K>& pair,
                                                                  const ContactsOf<K>& contacts,
                                                                  TreesOf<K>& trees) {
     auto points = filter::boundary_points(pair, contacts, trees, boxes_);
-    for (std::size_t i = 0; points && i < double_points_.size(); ++i) append_ports(i, *points);
+    for (std::size_t i = 0; points && i < centres_.size(); ++i) append_ports(i, *points);
     return points;
   }
 
   void append_ports(std::size_t centre, std::vector<BoundaryPointOf<K>>& points) const {
-    const auto& ports = double_points_[centre].ports;
+    const auto& ports = centres_[centre].ports;
     for (std::size_t i = 0; i < ports.size(); ++i)
       points.push_back({ports[i].ball, ports[i].parameter, ports[i].side, static_cast<int>(centre), i});
   }
@@ -154,8 +155,13 @@ class FilteredIntersection {
     if (!filter::add_side_double_point<K>(x_, y_, pair, *stuck_, port_tolerance(pair), contacts))
       return false;
     const DoublePointOf<K>& point = contacts.double_points.back();
-    if (point.forms.crossing) double_points_.push_back(point);
+    if (point.forms.crossing) add_centre(point);
     return true;
+  }
+
+  void add_centre(DoublePointOf<K> point) {
+    centres_.push_back(point);
+    double_points_.push_back(std::move(point));
   }
 
   bool add_side_paths(const PairOf<K>& pair, TreesOf<K>& trees, ContactsOf<K>& contacts) const {
@@ -220,8 +226,8 @@ class FilteredIntersection {
     if (!point || is_on_side(*point) || may_be_known(*point)) {
       return false;
     }
-    double_points_.push_back(std::move(*point));
-    append_ports(double_points_.size() - 1, points);
+    add_centre(*std::move(point));
+    append_ports(centres_.size() - 1, points);
     return true;
   }
 
@@ -254,7 +260,7 @@ class FilteredIntersection {
   /// Whether an eliminant can prove that no curve is missing. It is zero where the patches touch along a
   /// curve.
   bool has_eliminant(const ContactsOf<K>& contacts) const {
-    return contacts.lines.empty() && contacts.boxes.empty() &&
+    return contacts.lines.empty() && contacts.boxes.empty() && contacts.branched.empty() &&
            filter::has_eliminant(rational_patch(x_), rational_patch(y_));
   }
 
@@ -354,7 +360,8 @@ class FilteredIntersection {
   std::optional<Vec4> stuck_;
   std::array<std::size_t, 4> coincident_ = kNoneCoincident;
   std::vector<DoublePointOf<K>> double_points_;
-  bool loops_open_ = false;  // all arcs are traced, the search for closed curves did not end
+  std::vector<CentreOf<K>> centres_;  // double points and branched corners
+  bool loops_open_ = false;           // all arcs are traced, the search for closed curves did not end
   KnownStations stations_;
 };
 

@@ -23,18 +23,18 @@ struct Stop {
   int node;
   std::size_t piece;
   double tau;
-  const PortOf<K>* port = nullptr;  // the node is the centre of this port's double point
+  const PortOf<K>* port = nullptr;  // the node is the centre that this port leads to
 };
 
 template <class K>
 class GraphMaker {
  public:
   GraphMaker(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
-             const std::vector<DoublePointOf<K>>& double_points, const std::array<std::size_t, 4>& coincident,
+             const std::vector<CentreOf<K>>& centres, const std::array<std::size_t, 4>& coincident,
              const Drawing& drawing)
       : pair_(pair),
         points_(points),
-        double_points_(double_points),
+        centres_(centres),
         coincident_(coincident),
         scale_(std::ldexp(1.0, static_cast<int>(pair.frame.exponent))),
         accepted_(drawing.accepted),
@@ -47,8 +47,8 @@ class GraphMaker {
     origin_size_ = size;
   }
 
-  void add_double_points() {
-    for (const DoublePointOf<K>& point : double_points_) {
+  void add_centres() {
+    for (const CentreOf<K>& point : centres_) {
       BallOf<K> ball{};
       std::copy(point.centre.begin(), point.centre.end(), ball.middle.begin());
       const NodeKind kind = point.ports.empty() ? NodeKind::touch : NodeKind::crossing;
@@ -65,7 +65,7 @@ class GraphMaker {
     }
   }
 
-  /// After the double points.
+  /// After the centres.
   void add_boundary_nodes() {
     for (const BoundaryPointOf<K>& point : points_) {
       if (point.centre >= 0) {
@@ -140,7 +140,7 @@ class GraphMaker {
     const auto i = static_cast<std::size_t>(point);
     const int centre = points_[i].centre;
     return {node_of_[i], piece, tau,
-            centre < 0 ? nullptr : &double_points_[static_cast<std::size_t>(centre)].ports[points_[i].port]};
+            centre < 0 ? nullptr : &centres_[static_cast<std::size_t>(centre)].ports[points_[i].port]};
   }
 
   /// With the roundings of parameters.
@@ -351,7 +351,7 @@ class GraphMaker {
 
   const PairOf<K>& pair_;
   const std::vector<BoundaryPointOf<K>>& points_;
-  const std::vector<DoublePointOf<K>>& double_points_;
+  const std::vector<CentreOf<K>>& centres_;
   const std::array<std::size_t, 4>& coincident_;
   double scale_;
   double accepted_;
@@ -374,12 +374,12 @@ class GraphMaker {
 
 template <class K>
 std::optional<GraphBuilder> make_graph(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
-                                       const std::vector<DoublePointOf<K>>& double_points,
+                                       const std::vector<CentreOf<K>>& centres,
                                        const std::vector<AnalysedTraceOf<K>>& traces,
                                        const std::vector<Parameter>& wanted,
                                        const std::array<std::size_t, 4>& coincident, const Drawing& drawing) {
-  GraphMaker<K> maker(pair, points, double_points, coincident, drawing);
-  maker.add_double_points();
+  GraphMaker<K> maker(pair, points, centres, coincident, drawing);
+  maker.add_centres();
   maker.add_boundary_nodes();
   for (const AnalysedTraceOf<K>& curve : traces) {
     if (!maker.add(curve, wanted)) {
@@ -389,10 +389,10 @@ std::optional<GraphBuilder> make_graph(const PairOf<K>& pair, const std::vector<
   return maker.take();
 }
 
-#define EXSECT_INSTANTIATE(K)                                                                         \
-  template std::optional<GraphBuilder> make_graph<K>(                                                 \
-      const PairOf<K>&, const std::vector<BoundaryPointOf<K>>&, const std::vector<DoublePointOf<K>>&, \
-      const std::vector<AnalysedTraceOf<K>>&, const std::vector<Parameter>&,                          \
+#define EXSECT_INSTANTIATE(K)                                                                    \
+  template std::optional<GraphBuilder> make_graph<K>(                                            \
+      const PairOf<K>&, const std::vector<BoundaryPointOf<K>>&, const std::vector<CentreOf<K>>&, \
+      const std::vector<AnalysedTraceOf<K>>&, const std::vector<Parameter>&,                     \
       const std::array<std::size_t, 4>&, const Drawing&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE

@@ -24,12 +24,12 @@ struct Drawing {
   double accepted;
 };
 
-/// The graph of these curves and double points, which are the whole intersection; turning points with respect
+/// The graph of these curves and centres, which are the whole intersection; turning points with respect
 /// to `wanted` parameters are nodes, all of them on a closed curve that has no other. coincident[i] turns
 /// where i does. Empty if a polyline cannot be proved to keep within what is accepted.
 template <class K>
 std::optional<GraphBuilder> make_graph(const PairOf<K>& pair, const std::vector<BoundaryPointOf<K>>& points,
-                                       const std::vector<DoublePointOf<K>>& double_points,
+                                       const std::vector<CentreOf<K>>& centres,
                                        const std::vector<AnalysedTraceOf<K>>& traces,
                                        const std::vector<Parameter>& wanted,
                                        const std::array<std::size_t, 4>& coincident, const Drawing& drawing);

@@ -31,8 +31,7 @@ template <class K>
 std::optional<GraphBuilder> graph_of_curves(const KnownPair<K>& known, const Run& run) {
   const double extent = known.pair.extent;
   const auto graph_within = [&](double tolerance) {
-    return make_graph(known.pair, known.points, known.double_points, known.curves, run.turning(),
-                      known.coincident,
+    return make_graph(known.pair, known.points, known.centres, known.curves, run.turning(), known.coincident,
                       {tolerance, known.finest_vertices ? 0 : tolerance, kAnyBound<K> ? extent : tolerance});
   };
   double tolerance = run.drawn_tolerance(extent);

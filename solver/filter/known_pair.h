@@ -8,7 +8,7 @@
 
 namespace exsect::filter {
 
-/// The contacts, curves and double points are the whole intersection, or the overlap is. It refers to nothing
+/// The contacts, curves and centres are the whole intersection, or the overlap is. It refers to nothing
 /// else.
 template <class K>
 struct KnownPair {
@@ -21,7 +21,7 @@ struct KnownPair {
   std::optional<OverlapOfPieces> overlap;
   ContactsOf<K> contacts;
   std::vector<BoundaryPointOf<K>> points;
-  std::vector<DoublePointOf<K>> double_points;
+  std::vector<CentreOf<K>> centres;
   std::vector<AnalysedTraceOf<K>> curves;
   std::array<std::size_t, 4> coincident;  // coincident[i] turns where i does
   bool finest_vertices;                   // as near to the curve as doubles can be

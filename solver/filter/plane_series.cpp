@@ -14,6 +14,12 @@ std::vector<Rational> powers_of(const Rational& base, int most) {
 
 }  // namespace
 
+Rational power(const Rational& base, int n) {
+  Rational result = 1;
+  for (int k = 0; k < n; ++k) result *= base;
+  return result;
+}
+
 PlaneSeries::PlaneSeries(int order, Rational reach)
     : order_(order),
       reach_(std::move(reach)),

@@ -8,6 +8,9 @@
 
 namespace exsect::filter {
 
+/// base^n, n >= 0.
+Rational power(const Rational& base, int n);
+
 /// A function f of p and q, analytic for complex |p|, |q| <= reach, with
 /// |f - sum c_ij p^i q^j| <= rest max(|p|,|q|)^(order+1), the sum over i + j <= order, (14.121).
 class PlaneSeries {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter/port_point.h"
 #include "filter/tube_newton.h"
 
 namespace exsect::filter {
@@ -13,11 +14,6 @@ namespace {
 
 constexpr double kLeastPort = 0x1p-20;
 constexpr int kMostChords = 64;
-/// Of the radius of a boundary point's ball: tubes that start there, or come close, have some room.
-constexpr double kRadiusShare = 0.75;
-/// Control points of size 1 in each coordinate: |X_u|, |X_v| <= 2 n sqrt 3 in the square; for their sum.
-template <std::size_t Degree>
-constexpr double kFastest = 7 * Degree;
 /// Times the total error of a patch: errors of derivatives by t on an arc, where |r|, |s| <= 2 reach <= 1.
 constexpr double kErrorsAlong = 16;
 
@@ -163,48 +159,14 @@ class Branch {
     for (std::size_t j = 0; j < 4; ++j) {
       place[j] += sign_ * t * direction_[j];
     }
-    Unknowns<K> guess = with_scale(pair_, place);
-    TubeOf<K> tube;
-    if (!improve(pair_, guess, axis, 6) || !prepare(pair_, guess, axis, tube)) {
-      return std::nullopt;
-    }
-    const Row<K> residual = residual_bound(pair_, tube, 0);
-    if (!certify(pair_, tube, 0, 0, halfwidths<K>(4.0 * residual, 0x1p-36), residual)) {
-      return std::nullopt;
-    }
-    const BallOf<K> ball = filter::point_at(tube, 0);
-    if (!holds(tube, ball)) {
+    const auto ball = point_of_curve(pair_, place, axis);
+    if (!ball) {
       return std::nullopt;
     }
     const LocalPlace at =
-        local_place(point_, parameters_of(ball), {ball.radius, ball.radius, ball.radius, ball.radius});
-    const ArcPoint result = {ball, sign_ * at.t[along_], at.error[along_]};
+        local_place(point_, parameters_of(*ball), {ball->radius, ball->radius, ball->radius, ball->radius});
+    const ArcPoint result = {*ball, sign_ * at.t[along_], at.error[along_]};
     return is_on(result, at, reach) ? std::optional(result) : std::nullopt;
-  }
-
-  /// The only solution on tau = 0 in the tube's region is the only one in the ball.
-  static bool holds(const TubeOf<K>& tube, const BallOf<K>& ball) {
-    return std::all_of(tube.others.begin(), tube.others.end(), [&](std::size_t j) {
-      const double distance = std::fabs(ball.middle[j] - tube.centre[j]) + ball.radius;
-      return kSlack * in_tube(tube, j, distance) <= tube.halfwidth[j];
-    });
-  }
-
-  /// How far x at the middle of a ball is from x at any point of it, with what graphs do not know of weighted
-  /// patches: errors of the values. Between the middle and such a point the weight is at least `least`, so
-  /// that |x_u| <= (|X_u| + |X_u4| |x|) / X_4 and |x| <= sqrt 3 / least.
-  double vertex_error(const Vec4& middle, double radius) const {
-    const double reach = radius + kPlaceRounding;
-    const double change = kFastest<K::degree> * reach;
-    if constexpr (K::weighted) {
-      const double weight = expand(pair_.x, middle[0], middle[1])[0][3];
-      const double least = weight - kSlack * (change + pair_.x_total_error);
-      if (!(least > kLeastWeight)) return HUGE_VAL;
-      const double far = 1 + 1 / least;
-      return kSlack * (change * far + kDiagonal * (pair_.x_total_error * far + 4 * kUnit)) / least;
-    } else {
-      return kSlack * change;
-    }
   }
 
   /// (14.23).
@@ -215,7 +177,7 @@ class Branch {
     if (!(rate * end * end < 2 * kMostChords * tolerance)) {
       return std::nullopt;
     }
-    port.vertex_error = vertex_error(point_.centre, 0);
+    port.vertex_error = vertex_error(pair_, point_.centre, 0);
     double last = 0;
     for (double t = 0; t < end;) {
       // rate t (t - last)/2 is a little less than the tolerance.
@@ -233,13 +195,13 @@ class Branch {
       port.chord = larger_bound(port.chord, chord);
       port.approach.push_back(parameters_of(point->ball));
       port.vertex_error =
-          larger_bound(port.vertex_error, vertex_error(port.approach.back(), point->ball.radius));
+          larger_bound(port.vertex_error, vertex_error(pair_, port.approach.back(), point->ball.radius));
       port.ball = point->ball;
       last = point->t - point->error;
     }
     port.approach.pop_back();
-    const bool has_room = port.ball.radius < kRadiusShare * 0.25 * kEndMargin<K::width>;
-    return has_room && port.vertex_error < HUGE_VAL ? std::optional(std::move(port)) : std::nullopt;
+    return has_room(port.ball) && port.vertex_error < HUGE_VAL ? std::optional(std::move(port))
+                                                               : std::nullopt;
   }
 
   /// All of the ball, and of its hull with the centre, is inside the domain and in this arc's part of the

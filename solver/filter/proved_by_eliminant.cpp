@@ -15,8 +15,8 @@ constexpr std::size_t kMostSweeps = 2;
 /// With respect to parameter p.
 template <class K>
 Stations stations_of(const AnalysedTraceOf<K>& curve, const std::vector<BoundaryPointOf<K>>& points,
-                     const std::vector<DoublePointOf<K>>& double_points,
-                     const std::array<std::size_t, 4>& coincident, std::size_t p) {
+                     const std::vector<CentreOf<K>>& centres, const std::array<std::size_t, 4>& coincident,
+                     std::size_t p) {
   const bool open = curve.trace.start >= 0;
   Stations stations{{}, !open};
   const auto add_end = [&](int end) {
@@ -24,7 +24,7 @@ Stations stations_of(const AnalysedTraceOf<K>& curve, const std::vector<Boundary
     const BoundaryPointOf<K>& point = points[static_cast<std::size_t>(end)];
     // From a port to its centre all parameters are monotone.
     stations.at.push_back(point.centre < 0 ? interval(point.ball, p)
-                                           : double_points[static_cast<std::size_t>(point.centre)].box[p]);
+                                           : centres[static_cast<std::size_t>(point.centre)].box[p]);
   };
   add_end(curve.trace.start);
   for (const TurnOf<K>& turn : curve.turns)
@@ -42,6 +42,7 @@ bool has_eliminant(const RationalPatch& x, const RationalPatch& y) {
 template <class K>
 KnownStations known_stations(const std::vector<AnalysedTraceOf<K>>& curves,
                              const std::vector<BoundaryPointOf<K>>& points,
+                             const std::vector<CentreOf<K>>& centres,
                              const std::vector<DoublePointOf<K>>& double_points,
                              const std::vector<DoublePointOf<K>>& on_sides,
                              const std::array<std::size_t, 4>& coincident) {
@@ -55,7 +56,7 @@ KnownStations known_stations(const std::vector<AnalysedTraceOf<K>>& curves,
       if (point.on[p] == 0) known.singular[p].push_back(point.box[p]);
     };
     for (const AnalysedTraceOf<K>& curve : curves)
-      known.curves[p].push_back(stations_of(curve, points, double_points, coincident, p));
+      known.curves[p].push_back(stations_of(curve, points, centres, coincident, p));
     for (const BoundaryPointOf<K>& point : points)
       if (point.isolated) add_isolated(interval(point.ball, p));
     for (const DoublePointOf<K>& point : double_points) add_singular(point);
@@ -92,8 +93,8 @@ bool proved_by_eliminant(const ExactPatch<K>& x, const ExactPatch<K>& y, const P
 #define EXSECT_INSTANTIATE(K)                                                                        \
   template KnownStations known_stations<K>(                                                          \
       const std::vector<AnalysedTraceOf<K>>&, const std::vector<BoundaryPointOf<K>>&,                \
-      const std::vector<DoublePointOf<K>>&, const std::vector<DoublePointOf<K>>&,                    \
-      const std::array<std::size_t, 4>&);                                                            \
+      const std::vector<CentreOf<K>>&, const std::vector<DoublePointOf<K>>&,                         \
+      const std::vector<DoublePointOf<K>>&, const std::array<std::size_t, 4>&);                      \
   template bool proved_by_eliminant<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&, \
                                        const ContactsOf<K>&, const KnownStations&, TreesOf<K>&, long&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)

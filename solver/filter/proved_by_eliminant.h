@@ -23,12 +23,13 @@ struct KnownStations {
   std::array<std::vector<RationalInterval>, 4> singular;
 };
 
-/// Of traced curves with all of their turning points, of isolated boundary points, and of double points:
-/// those with arcs to their ports and others, and those on sides, of which crossings are among the former.
+/// Of traced curves with all of their turning points, which lead to the centres, of isolated boundary points,
+/// and of double points: those that are centres, and those on sides, of which crossings are among the former.
 /// `coincident` as in find_turning_points().
 template <class K>
 KnownStations known_stations(const std::vector<AnalysedTraceOf<K>>& curves,
                              const std::vector<BoundaryPointOf<K>>& points,
+                             const std::vector<CentreOf<K>>& centres,
                              const std::vector<DoublePointOf<K>>& double_points,
                              const std::vector<DoublePointOf<K>>& on_sides,
                              const std::array<std::size_t, 4>& coincident);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "filter/corner_branches.h"
+#include "filter/corner_ports.h"
 #include "filter/line.h"
 #include "filter/lone_corner.h"
 
@@ -13,13 +13,16 @@ namespace {
 
 constexpr std::size_t kMostSidePoints = 16;
 
-/// As lone_reach(), by charts (14.26).
+/// By charts (14.26). Empty if nothing is proved; no ports if the corner is alone.
 template <class K>
-double reach_without_branches(const ExactPatch<K>& x, const ExactPatch<K>& y, const CornerContact& corner) {
-  if (corner.is_pole()) return 0;
-  const auto found =
-      corner_branches(corner_net<K>(x, corner.x, std::nullopt), corner_net<K>(y, corner.y, std::nullopt));
-  return found && found->branches.empty() ? to_double(found->reach) : 0;
+std::optional<CentreOf<K>> centre_by_charts(const ExactPatch<K>& x, const ExactPatch<K>& y,
+                                            const PairOf<K>& pair, CornerContact& corner) {
+  if (corner.is_pole()) return std::nullopt;
+  const CornerNet of_x = corner_net<K>(x, corner.x, std::nullopt);
+  const auto found = corner_branches(of_x, corner_net<K>(y, corner.y, std::nullopt));
+  auto centre = found ? branched_corner<K>(pair, corner, of_x, *found) : std::nullopt;
+  if (centre) corner.lone_reach = to_double(found->reach);
+  return centre;
 }
 
 }  // namespace
@@ -87,16 +90,22 @@ bool add_corner_points(const ExactPatch<K>& x, const ExactPatch<K>& y, const Pai
 }
 
 template <class K>
-bool find_lone_corners([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] const ExactPatch<K>& y,
-                       [[maybe_unused]] ContactsOf<K>& contacts) {
+bool find_corners([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]] const ExactPatch<K>& y,
+                  [[maybe_unused]] const PairOf<K>& pair, [[maybe_unused]] ContactsOf<K>& contacts,
+                  [[maybe_unused]] std::vector<CentreOf<K>>& centres) {
   bool found = false;
   if constexpr (!std::is_same_v<K, Biquadratic>) {  // exact arithmetic is behind these
-    for (CornerContact& corner : contacts.corners) {
-      if (corner.lone_reach > 0) continue;
-      corner.lone_reach = lone_reach<K>(x, y, corner);
-      if (corner.lone_reach == 0) corner.lone_reach = reach_without_branches<K>(x, y, corner);
-      found = found || corner.lone_reach > 0;
+    std::vector<CornerContact> corners;
+    for (CornerContact corner : contacts.corners) {
+      const bool is_known = corner.lone_reach > 0;
+      if (!is_known) corner.lone_reach = lone_reach<K>(x, y, corner);
+      auto centre = corner.lone_reach > 0 ? std::nullopt : centre_by_charts<K>(x, y, pair, corner);
+      found = found || (!is_known && corner.lone_reach > 0);
+      const bool is_branched = centre && !centre->ports.empty();
+      (is_branched ? contacts.branched : corners).push_back(corner);
+      if (is_branched) centres.push_back(*std::move(centre));
     }
+    contacts.corners = std::move(corners);
   }
   return found;
 }
@@ -109,7 +118,8 @@ bool find_lone_corners([[maybe_unused]] const ExactPatch<K>& x, [[maybe_unused]]
                                          const Vec4&, double, ContactsOf<K>&);                               \
   template bool add_corner_points<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&,           \
                                      ContactsOf<K>&);                                                        \
-  template bool find_lone_corners<K>(const ExactPatch<K>&, const ExactPatch<K>&, ContactsOf<K>&);
+  template bool find_corners<K>(const ExactPatch<K>&, const ExactPatch<K>&, const PairOf<K>&,                \
+                                ContactsOf<K>&, std::vector<CentreOf<K>>&);
 EXSECT_FILTER_KINDS(EXSECT_INSTANTIATE)
 #undef EXSECT_INSTANTIATE
 

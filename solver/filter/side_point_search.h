@@ -32,9 +32,10 @@ template <class K>
 bool add_corner_points(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
                        ContactsOf<K>& contacts);
 
-/// Proves of common corners that nothing else is near, (14.14a) and Lemma 14.26. False if of none for the
-/// first time.
+/// Proves of common corners that nothing else is near, (14.14a), or which arcs end there, Lemma 14.26: such a
+/// corner is branched, and appended to the centres. False if of none for the first time.
 template <class K>
-bool find_lone_corners(const ExactPatch<K>& x, const ExactPatch<K>& y, ContactsOf<K>& contacts);
+bool find_corners(const ExactPatch<K>& x, const ExactPatch<K>& y, const PairOf<K>& pair,
+                  ContactsOf<K>& contacts, std::vector<CentreOf<K>>& centres);
 
 }  // namespace exsect::filter
