@@ -266,4 +266,81 @@ std::optional<Factor> factor_of_constants(const ExactMap& equation,
              : std::nullopt;
 }
 
+namespace {
+
+/// The number l with F_i + l F_j = 0 in a rational place where the part vanishes and w_i and w_j are those of
+/// c; nothing if there is none in sight.
+std::optional<Rational> common_slope(const ExactMap& equation, const std::array<std::size_t, 2>& constant,
+                                     Place w, const BivariatePolynomial& part) {
+  const std::size_t a = 1 - constant[0], b = 5 - constant[1];
+  for (const Rational& t : {Rational(0), Rational(1), Rational(1, 2), Rational(1, 3)}) {
+    const Polynomial rest = part.at_r(t);
+    if (rest.degree() != 1) continue;
+    w[a] = t;
+    w[b] = -rest.coefficient(0) / rest.coefficient(1);
+    const ExactMap local = equation.at(w);
+    const Point first = local.slope(constant[0]), second = local.slope(constant[1]);
+    for (std::size_t d = 0; d < 3; ++d)
+      if (second[d] != 0) return -first[d] / second[d];
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Factor> touching_factor_of_constants(const ExactMap& equation,
+                                                   const std::array<std::size_t, 2>& constant, const Place& c,
+                                                   const std::vector<Parameters>& near) {
+  const auto [i, j] = constant;
+  const std::size_t a = 1 - i, b = 5 - j;
+  const auto crossing = factor_of_constants(equation, constant, c, near);
+  if (!crossing || crossing->powers[2] != 1) return std::nullopt;
+  const BivariatePolynomial part = components_in(crossing->map, a, b)[2];
+  const auto slope = common_slope(equation, constant, c, part);
+  if (!slope) return std::nullopt;
+  // z_i = w_i - c_i, z_j = w_j - c_j - slope z_i.
+  Coordinates z;
+  for (const std::size_t n : {a, b}) z.from[n] = z.to[n] = {{variable(n), 1}};
+  z.from[i] = {{Power{}, c[i]}, {variable(i), 1}};
+  z.from[j] = {{Power{}, c[j]}, {variable(i), *slope}, {variable(j), 1}};
+  z.to[i] = {{Power{}, -c[i]}, {variable(i), 1}};
+  z.to[j] = {{Power{}, *slope * c[i] - c[j]}, {variable(i), -*slope}, {variable(j), 1}};
+  Factor result = {{}, {1, 1, 2}, {}};
+  std::array<ExactMap, 2> rest;  // without z_j, the coefficients of 1 and z_i
+  const ExactMap inner = composed(equation, z.from);
+  for (const auto& term : inner.terms()) {
+    Power power = term.power;
+    if (power[j] > 0) {
+      --power[j];
+      result.columns[0].add(power, term.c, 1);
+    } else if (power[i] > 1) {
+      power[i] -= 2;
+      result.columns[2].add(power, term.c, 1);
+    } else {
+      const auto n = static_cast<std::size_t>(power[i]);
+      power[i] = 0;
+      rest[n].add(power, term.c, 1);
+    }
+  }
+  for (std::size_t n = 0; n < 2; ++n) {
+    const std::array<BivariatePolynomial, 3> f = components_in(rest[n], a, b);
+    ExactMap quotient;
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (f[d].is_zero()) continue;
+      if (!(gcd(f[d], part).total_degree() == part.total_degree())) return std::nullopt;
+      add_polynomial(quotient, d, exact_quotient(f[d], part), a, b);
+    }
+    for (const auto& term : quotient.terms()) {
+      Power power = term.power;
+      power[i] = static_cast<int>(n);
+      result.columns[1].add(power, term.c, 1);
+    }
+  }
+  for (ExactMap& column : result.columns) column = composed(column, z.to);
+  for (const auto& [power, q] : z.to[j]) result.map.add(power, {1, 0, 0}, q);
+  add_polynomial(result.map, 1, part, a, b);
+  for (const auto& [power, q] : z.to[i]) result.map.add(power, {0, 0, 1}, q);
+  return result;
+}
+
 }  // namespace exsect::cli

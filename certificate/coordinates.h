@@ -50,4 +50,11 @@ std::optional<checker::Factor> factor_of_constants(const ExactMap& equation,
                                                    const std::array<std::size_t, 2>& constant, const Place& c,
                                                    const std::vector<Parameters>& near);
 
+/// The same where the patches touch: w_j - c_j less a multiple of w_i - c_i, the polynomial, and the square
+/// of w_i - c_i.
+std::optional<checker::Factor> touching_factor_of_constants(const ExactMap& equation,
+                                                            const std::array<std::size_t, 2>& constant,
+                                                            const Place& c,
+                                                            const std::vector<Parameters>& near);
+
 }  // namespace exsect::cli

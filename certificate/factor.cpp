@@ -201,7 +201,8 @@ std::optional<Factor> Factors::of_constants(const Arc& arc, const std::array<boo
   for (const std::size_t i : {0, 1})
     for (const std::size_t j : {2, 3})
       if (constant[i] && constant[j] && c[i] == other[i] && c[j] == other[j])
-        return factor_of_constants(equation_, {i, j}, c, places_of(arc));
+        return touches(arc) ? touching_factor_of_constants(equation_, {i, j}, c, places_of(arc))
+                            : factor_of_constants(equation_, {i, j}, c, places_of(arc));
   return std::nullopt;
 }
 
@@ -224,8 +225,8 @@ int Factors::along(const Arc& arc, const Node& from, const Node& to) {
   std::optional<Factor> found;
   if (!touches(arc) && (any || !inside)) found = on_line(arc, from, to);
   if (!found) found = in_plane(places_of(arc));
-  if (!found && !touches(arc) && any) found = of_constants(arc, constant, from, to);
   if (!found && touches(arc)) found = on_line(arc, from, to);
+  if (!found && any) found = of_constants(arc, constant, from, to);
   if (found) return add(std::move(*found));
   if (touches(arc))
     throw NoCertificate("an arc along which the patches touch and for which no factor is found");

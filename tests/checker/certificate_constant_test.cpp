@@ -99,4 +99,21 @@ TEST_CASE("false factors with constant parameters are rejected") {
   CHECK(rejected_forgeries(truth, {"factors", "tubes", "arcs"}, generator, 30) > 10);
 }
 
+TEST_CASE("patches that touch along a circle around a common axis have certificates") {
+  Generator generator(84);
+  INFO("seed 84");
+  for (int i = 0; i < 6; ++i) {
+    const Rational t = q(random_pairs::integer(generator, -8, 8), 20);
+    const Rational one = 1 + t * t;
+    // A zone with the profile 1 + c (height)^2 for heights from -1 to 1, and the cylinder around it.
+    const Rational c = q(random_pairs::integer(generator, 1, 9), 10);
+    const RationalPatch zone = turned(1, 0, {{1 + c, -1}, {1 - c, 0}, {1 + c, 1}});
+    const RationalPatch cylinder = turned((1 - t * t) / one, 2 * t / one, {{1, q(-3, 5)}, {1, q(9, 10)}});
+    INFO(i << ": " << t << ", " << c);
+    const std::string text = i % 2 == 0 ? certificate(zone, cylinder) : certificate(cylinder, zone);
+    REQUIRE(verdict(text) == "");
+    CHECK(check_certificate(text).summary.tangential == 1);
+  }
+}
+
 }  // namespace exsect::certificate_constant_test
