@@ -108,8 +108,8 @@ IntersectResult intersect_any(const RationalPatch& x, const RationalPatch& y, co
   auto as_polynomials = intersect_as_polynomials(x, y, run);
   if (as_polynomials && as_polynomials->status == Status::complete) return *std::move(as_polynomials);
   if (auto as_curve = intersect_as_curve(x, y, run)) return *std::move(as_curve);
-  if (as_polynomials) return *std::move(as_polynomials);
   if (auto at_pole = intersect_at_pole(x, y, run, intersect_any)) return *std::move(at_pole);
+  if (as_polynomials) return *std::move(as_polynomials);
   if (run.exact()) return result;
   IntersectResult pieces = intersect_rational_pieces(x, y, run);
   if (pieces.status != Status::complete) return result;

@@ -26,6 +26,8 @@ namespace {
 
 /// Of boxes of landmarks: polylines in doubles do not get better beyond.
 Rational vertex_width() { return power_of_two(-200); }
+/// Of the box of a place where tracing ended.
+const Rational kNextToPole = power_of_two(-16);
 
 class Intersection {
  public:
@@ -150,6 +152,19 @@ class Intersection {
     }
   }
 
+  /// All of them end at a common pole, where the tangent of a curve vanishes, in any arithmetic.
+  bool are_in_poles(const std::vector<Incomplete>& problems) const {
+    const auto is_next_to = [](const ParameterBox& box, const Side& side) {
+      const RationalInterval& at = box[index(side.parameter)];
+      return at.width() < kNextToPole && (side.value == 0 ? at.lower <= 0 : at.upper >= 1);
+    };
+    return std::ranges::all_of(problems, [&](const Incomplete& problem) {
+      return std::ranges::any_of(sides_.poles, [&](const CommonPole& pole) {
+        return is_next_to(problem.where, pole.of_x) && is_next_to(problem.where, pole.of_y);
+      });
+    });
+  }
+
   /// One attempt in one arithmetic; false if something is undecided that more
   /// precision may decide and `last` is not set.
   template <class Ball>
@@ -165,7 +180,8 @@ class Intersection {
     cut_short_ = traced.cut_short;
     // What a search has left open in balls of many bits stays open with more.
     const bool searched_in_vain = traced.searched_boxes > 0 && width <= vertex_width();
-    if (!traced.problems.empty() && sweep_.exact && !last && !searched_in_vain) {
+    const bool ends_in_poles = width <= vertex_width() && are_in_poles(traced.problems);
+    if (!traced.problems.empty() && sweep_.exact && !last && !searched_in_vain && !ends_in_poles) {
       return false;
     }
     const long searched_boxes = traced.searched_boxes;

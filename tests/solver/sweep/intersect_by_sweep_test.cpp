@@ -77,4 +77,23 @@ TEST_CASE("intersect by sweep: without time it is incomplete, and says so", "[sw
   CHECK_FALSE(result.incomplete.empty());
 }
 
+TEST_CASE("intersect by sweep: a curve that runs into a common pole is soon left open", "[sweep]") {
+  // (a (1 - t), a t, a^2 (1 - t)^2) and (b (1 - s), b s, b^2 s^2) meet where a = b, t = s = 1/2; tracing ends
+  // at a = 0, in balls of any number of bits.
+  const auto cup = [](std::size_t high) {
+    ControlNet net;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        net[i][j] = {Rational(i * (2 - j), 4), Rational(i * j, 4), i == 2 && j == high ? 1 : 0};
+    return BezierPatch(net);
+  };
+  IntersectOptions options;
+  options.max_seconds = 20;  // twice as much were not enough in 1024 bits
+  const IntersectResult result = swept(cup(0), cup(2), options);
+  REQUIRE(result.incomplete.size() == 1);
+  CHECK(result.incomplete[0].reason == Reason::not_decided);
+  CHECK(result.incomplete[0].where[0].lower == 0);
+  CHECK(result.incomplete[0].where[2].lower == 0);
+}
+
 }  // namespace exsect::intersect_by_sweep_test
