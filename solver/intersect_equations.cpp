@@ -15,6 +15,7 @@
 #include "answer/placement.h"
 #include "answer/run.h"
 #include "curve/short_rational.h"
+#include "filter/round_intersection.h"
 #include "lift/coaxial_tori.h"
 #include "lift/crossing_curve.h"
 #include "lift/crossing_names.h"
@@ -359,6 +360,12 @@ SurfaceIntersection solved_pair(const ImplicitSurface& first, const ImplicitSurf
   const auto tolerance = [&](double extent) { return run.drawn_tolerance(drawable(extent)); };
   run.timed("drawing", [&] { result = ellipse_intersection(first, second, region, tolerance); });
   if (result) return *std::move(result);
+  if (!run.exact() && are_equal(region.all, pair_region(first, second).all))
+    run.timed("filter", [&] { result = round_intersection(first, second, tolerance); });
+  if (result) {
+    run.count("filtered", 1);
+    return *std::move(result);
+  }
   if (first.kind() != SurfaceKind::torus)
     result = lifted(first, second, region, run);
   else if (second.kind() == SurfaceKind::torus)

@@ -22,6 +22,8 @@ inline constexpr Steps kPairSteps = {0.1, 0x1p-40, 0x1p-70, 0.5, 0.25, 0.5, 2000
 inline constexpr Steps kContactSteps = {0.1, 0x1p-30, 0x1p-30, 0.25, 0.3, 0.5, 20000};
 /// Of curves in the charts of one patch; the least step is a small part of w, if that is less.
 inline constexpr Steps kChartSteps = {0x1p-6, 0x1p-24, 0x1p-24, 0.25, 0.25, 0.5, 2000};
+/// Of round surfaces, as lengths in units of their size.
+inline constexpr Steps kRoundSteps = {0x1p-3, 0x1p-24, 0x1p-24, 0.5, 0.3, 0.5, 4000};
 /// Of the filter, whose tubes have error bounds that do not shrink with them.
 inline constexpr Steps kFilterSteps = {0x1p-3, 0x1p-30, 0x1p-30, 0.5, 0.2, 0.32, 2000};
 

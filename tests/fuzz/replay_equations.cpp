@@ -1,8 +1,9 @@
-// replay_equations FIRST COUNT: random pairs of planes, cylinders, cones, spheres and tori with small
+// replay_equations FIRST COUNT [near]: random pairs of planes, cylinders, cones, spheres and tori with small
 // integers, where contact, common lines and circles, and singular points are common (tests/fuzz/README.md).
 // Their images under maps that keep the intersection must have the same topology: the surfaces exchanged,
-// moved, scaled, and given as polynomials without a name; and bounded curves the points on planes that
-// resultants count. Exit status 1 if there is a difference.
+// moved, scaled, given as polynomials without a name, and solved by exact methods alone; and bounded curves
+// the points on planes that resultants count. `near`: the second surface moved by 10^-3 to 10^-20. Exit
+// status 1 if there is a difference.
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -77,10 +78,11 @@ struct Variant {
   std::string name;
   S first;
   S second;
+  bool exact = false;
 };
 
 std::vector<Variant> variants(const S& first, const S& second) {
-  std::vector<Variant> result = {{"exchanged", second, first}};
+  std::vector<Variant> result = {{"exchanged", second, first}, {"exact", first, second, true}};
   for (const auto& [name, motion] : surface_moves::motions())
     result.push_back({name, motion(first), motion(second)});
   // A polynomial has both nappes.
@@ -99,8 +101,9 @@ struct EquationTally {
   Reasons reasons;
 };
 
-SurfaceIntersection solved(const S& first, const S& second) {
+SurfaceIntersection solved(const S& first, const S& second, bool exact = false) {
   IntersectOptions options;
+  options.exact = exact;
   options.tolerance = kTolerance;
   options.max_seconds = 60;
   return intersect(first, second, options);
@@ -123,16 +126,24 @@ void check_planes(Generator& generator, const S& first, const S& second, const S
   }
 }
 
-void check(std::uint64_t seed, EquationTally& tally) {
+/// The surface moved by 10^-3 to 10^-20.
+S moved_a_little(Generator& generator, const S& surface) {
+  Rational length = Rational(1, 1000);
+  for (std::size_t k = generator() % 18; k > 0; --k) length /= 10;
+  return surface.seen_from(length * vector_of(generator, 9), 1);
+}
+
+void check(std::uint64_t seed, bool is_near, EquationTally& tally) {
   Generator generator(seed);
-  const S first = tiny_surface(generator), second = tiny_surface(generator);
+  const S first = tiny_surface(generator), given = tiny_surface(generator);
+  const S second = is_near ? moved_a_little(generator, given) : given;
   const SurfaceIntersection result = solved(first, second);
   const bool complete = result.status == Status::complete;
   if (complete) ++tally.complete;
   if (!complete) tally.reasons.add(result.incomplete.at(0).why, seed);
   if (complete) check_planes(generator, first, second, result, seed, tally);
   for (const Variant& variant : variants(first, second)) {
-    const SurfaceIntersection other = solved(variant.first, variant.second);
+    const SurfaceIntersection other = solved(variant.first, variant.second, variant.exact);
     const bool other_complete = other.status == Status::complete;
     if (complete != other_complete) ++tally.halves;
     if (complete && !other_complete)
@@ -150,13 +161,14 @@ void check(std::uint64_t seed, EquationTally& tally) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 3) {
-    std::cerr << "usage: exsect_replay_equations FIRST COUNT\n";
+  const bool is_near = argc == 4 && std::string(argv[3]) == "near";
+  if (argc != 3 && !is_near) {
+    std::cerr << "usage: exsect_replay_equations FIRST COUNT [near]\n";
     return 2;
   }
   const std::uint64_t first = std::stoull(argv[1]), count = std::stoull(argv[2]);
   EquationTally tally;
-  for (std::uint64_t seed = first; seed < first + count; ++seed) check(seed, tally);
+  for (std::uint64_t seed = first; seed < first + count; ++seed) check(seed, is_near, tally);
   if (count == 1) {
     Generator generator(first);
     const S a = tiny_surface(generator);

@@ -1,0 +1,348 @@
+#include "filter/round_chart.h"
+
+#include <exsect/algebra/binary_order.h>
+#include <exsect/algebra/rounding_bounds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace exsect {
+namespace {
+
+/// The root of a positive number, and of its inverse; NaN for others. The rounded number, its root and the
+/// quotient err by 2^-52 in all.
+DoubleBall root_ball(const Rational& q) {
+  const double root = std::sqrt(to_double(q));
+  return {root, root * 0x1p-50};
+}
+DoubleBall inverse_root_ball(const Rational& q) {
+  const double inverse = 1 / std::sqrt(to_double(q));
+  return {inverse, inverse * 0x1p-50};
+}
+
+/// A positive multiple of a vector other than 0, with the greatest coordinate in [1,2).
+Point with_unit_size(const Point& direction) {
+  Rational greatest = 0;
+  for (const Rational& c : direction) greatest = std::max<Rational>(greatest, abs(c));
+  return power_of_two(-binary_order(greatest)) * direction;
+}
+
+Point unit_point(std::size_t axis) {
+  Point p{0, 0, 0};
+  p[axis] = 1;
+  return p;
+}
+
+/// Of the second coordinate where it is no angle: so sums of such numbers err by less than 2^-46.
+constexpr double kMostRange = 64;
+
+/// A positive upper bound of the distance of its points from its centre; 0 for others than spheres and tori.
+double reach_from_centre(const ImplicitSurface& surface) {
+  if (surface.kind() == SurfaceKind::sphere) return root_ball(surface.data()->squared).upper_magnitude();
+  if (surface.kind() != SurfaceKind::torus) return 0;
+  return (root_ball(surface.data()->squared) + root_ball(surface.data()->minor_squared)).upper_magnitude();
+}
+
+/// The point of the axis of a cylinder next to the centre, or to the axis, of another surface; empty if that
+/// axis is parallel.
+std::optional<Point> foot_on(const SurfaceData& cylinder, const ImplicitSurface& other) {
+  const Point &a = cylinder.axis, &b = other.data()->axis, off = other.data()->point - cylinder.point;
+  Rational bb = 1, ab = 0, bq = 0;
+  if (reach_from_centre(other) == 0) bb = dot(b, b), ab = dot(a, b), bq = dot(b, off);
+  const Rational determinant = dot(a, a) * bb - ab * ab;
+  if (determinant == 0) return std::nullopt;
+  return cylinder.point + (bb * dot(a, off) - ab * bq) / determinant * a;
+}
+
+/// 0: no chart; the greatest one is taken.
+int chart_rank(const ImplicitSurface& surface) {
+  switch (surface.kind()) {
+    case SurfaceKind::torus:
+      return 3;
+    case SurfaceKind::cylinder:
+      return 2;
+    case SurfaceKind::cone:
+      return 1;
+    default:
+      return 0;
+  }
+}
+
+bool is_apex_common(const ImplicitSurface& cone, const ImplicitSurface& other) {
+  return cone.kind() == SurfaceKind::cone && other.equation()(cone.data()->point) == 0;
+}
+
+}  // namespace
+
+RoundCoordinate turned(const RoundCoordinate& v, double x) {
+  // The terms that are left out are below 2^-52 for |x| <= 1, and sums and products err by 2^-51.
+  const double y = x * x;
+  const double c =
+      1 - y / 2 *
+              (1 - y / 12 *
+                       (1 - y / 30 *
+                                (1 - y / 56 * (1 - y / 90 * (1 - y / 132 * (1 - y / 182 * (1 - y / 240)))))));
+  const double s =
+      x *
+      (1 -
+       y / 6 *
+           (1 -
+            y / 20 *
+                (1 - y / 42 * (1 - y / 72 * (1 - y / 110 * (1 - y / 156 * (1 - y / 210 * (1 - y / 272))))))));
+  const double a = v[0] * c - v[1] * s, b = v[0] * s + v[1] * c;
+  const double scale = 1.5 - 0.5 * (a * a + b * b);
+  return {a * scale, b * scale};
+}
+
+std::optional<RoundChart> RoundChart::of(const ImplicitSurface& first, const ImplicitSurface& second) {
+  if (!first.data() || !second.data()) return std::nullopt;
+  if (chart_rank(first) < chart_rank(second)) {
+    std::optional<RoundChart> chart = of(second, first);
+    if (chart) chart->is_of_second_ = true;
+    return chart;
+  }
+  if (chart_rank(first) == 0) return std::nullopt;
+  if (second.kind() == SurfaceKind::plane && first.kind() != SurfaceKind::torus) return std::nullopt;
+  if (is_apex_common(first, second) || is_apex_common(second, first)) return std::nullopt;
+  RoundChart chart;
+  chart.kind_ = first.kind();
+  const SurfaceData &one = *first.data(), &other = *second.data();
+  Point centre = one.point;
+  if (first.kind() == SurfaceKind::cylinder) {
+    const std::optional<Point> foot = foot_on(one, second);
+    if (!foot) return std::nullopt;
+    centre = *foot;
+  }
+  if (first.kind() == SurfaceKind::cone && other.point == centre) return std::nullopt;
+  // Lengths are those of the chart, or of the distance of an apex.
+  const Point apart = other.point - centre;
+  const Rational length = first.kind() == SurfaceKind::cone ? dot(apart, apart) : one.squared;
+  const long order = binary_order(length);
+  const long exponent = (order - (order & 1)) / 2;
+  if (std::labs(exponent) > 400) return std::nullopt;
+  chart.unit_ = std::ldexp(1.0, static_cast<int>(exponent));
+  const Rational inverse_unit = power_of_two(-exponent);
+  const Point a = with_unit_size(one.axis);
+  std::size_t least = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (abs(a[k]) < abs(a[least])) least = k;
+  const Point across = cross(a, unit_point(least));
+  const std::array<Point, 3> raw = {across, cross(a, across), a};
+  const bool has_axis = second.kind() != SurfaceKind::sphere;
+  const Point b = has_axis ? with_unit_size(other.axis) : Point{0, 0, 0};
+  const DoubleBall shorter = has_axis ? inverse_root_ball(dot(b, b)) : DoubleBall(0);
+  const Point off = inverse_unit * apart;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const DoubleBall inverse = inverse_root_ball(dot(raw[i], raw[i]));
+    for (std::size_t k = 0; k < 3; ++k) chart.axes_[i][k] = DoubleBall::enclosing(raw[i][k]) * inverse;
+    chart.offset_[i] = DoubleBall::enclosing(dot(raw[i], off)) * inverse;
+    chart.direction_[i] = DoubleBall::enclosing(dot(raw[i], b)) * inverse * shorter;
+    chart.centre_[i] = DoubleBall::enclosing(centre[i]);
+  }
+  chart.offset_squared_ = DoubleBall::enclosing(dot(off, off));
+  chart.offset_along_ = DoubleBall::enclosing(dot(b, off)) * shorter;
+  chart.set_profile(first);
+  chart.set_equation(second);
+  return chart.set_range(first, second) ? std::optional(chart) : std::nullopt;
+}
+
+void RoundChart::set_profile(const ImplicitSurface& surface) {
+  const DoubleBall inverse(surface.kind() == SurfaceKind::cone ? 1.0 : 1 / unit_);
+  major_ = root_ball(surface.data()->squared) * inverse;
+  minor_ = surface.kind() == SurfaceKind::torus ? root_ball(surface.data()->minor_squared) * inverse
+                                                : DoubleBall(0);
+}
+
+void RoundChart::set_equation(const ImplicitSurface& surface) {
+  const Rational inverse_unit = 1 / (from_double(unit_) * from_double(unit_));
+  const Rational& squared = surface.data()->squared;
+  linear_ = 1;
+  switch (surface.kind()) {
+    case SurfaceKind::plane:
+      linear_ = 0;
+      along_ = 1;
+      return;
+    case SurfaceKind::cylinder:
+      quadratic_ = -1;
+      constant_ = -DoubleBall::enclosing(Rational(squared * inverse_unit));
+      return;
+    case SurfaceKind::cone:
+      quadratic_ = -DoubleBall::enclosing(Rational(1 + squared));
+      has_one_nappe_ = surface.bound().has_value();
+      return;
+    case SurfaceKind::torus:
+      has_square_ = true;
+      shift_ = DoubleBall::enclosing(Rational((squared - surface.data()->minor_squared) * inverse_unit));
+      quadratic_ = DoubleBall::enclosing(Rational(4 * squared * inverse_unit));
+      linear_ = -quadratic_;
+      return;
+    default:
+      constant_ = -DoubleBall::enclosing(Rational(squared * inverse_unit));
+  }
+}
+
+/// In f = A b^2 + B b + C, over an angle, |b| <= |B| / |A| + sqrt(|C| / |A|) at a zero.
+bool RoundChart::set_range(const ImplicitSurface& chart, const ImplicitSurface& other) {
+  if (is_closed()) return true;
+  double reach = 0;
+  if (const double distance = reach_from_centre(other); distance > 0) {
+    // |P - c'| is at most that, and |P - c| at least |b|.
+    reach = (distance / unit_ + std::sqrt(offset_squared_.upper_magnitude())) * kSlack;
+  } else {
+    constexpr int count = 32;
+    RoundPlace place{{RoundCoordinate{1, 0}, RoundCoordinate{0, 0}}};
+    for (int i = 0; i < count; ++i) {
+      const RoundJet f = jet({place, {0x1p-3, 0}});
+      const double least = f.second[2].lower_magnitude() / 2;
+      const double bound =
+          f.first[1].upper_magnitude() / least + std::sqrt(f.value.upper_magnitude() / least);
+      reach = larger_bound(reach, bound * kSlack);
+      place.at[0] = turned(place.at[0], 0.2);
+    }
+  }
+  reach = reach * 1.0001 + 0x1p-30;
+  if (!(reach < kMostRange)) return false;
+  is_half_ = chart.bound().has_value();
+  range_ = {is_half_ ? 0 : -reach, reach};
+  return true;
+}
+
+RoundChart::Circle RoundChart::circle(const RoundCoordinate& v, double reach) {
+  // cos (x + h) = cos x cos h - sin x sin h, |sin h| <= |h|, |cos h - 1| <= h^2 / 2; 2^-49 for the length.
+  const double half_square = reach * reach / 2;
+  return {DoubleBall(v[0], (std::fabs(v[1]) * reach + std::fabs(v[0]) * half_square + 0x1p-49) * kSlack),
+          DoubleBall(v[1], (std::fabs(v[0]) * reach + std::fabs(v[1]) * half_square + 0x1p-49) * kSlack)};
+}
+
+/// (17.33)
+RoundChart::Profile RoundChart::profile(const RoundBox& box) const {
+  const RoundCoordinate& at = box.centre.at[1];
+  if (kind_ == SurfaceKind::torus) {
+    const auto [c, s] = circle(at, box.reach[1]);
+    const DoubleBall x = minor_ * c, y = minor_ * s, two = major_ + major_;
+    return {{major_ + x, -y, -x},
+            {y, x, -y},
+            {major_ * major_ + minor_ * minor_ + two * x, -(two * y), -(two * x)}};
+  }
+  const DoubleBall b = DoubleBall(at[0]).widened(box.reach[1]);
+  if (kind_ == SurfaceKind::cylinder) return {{major_, 0, 0}, {b, 1, 0}, {major_ * major_ + b * b, b + b, 2}};
+  const DoubleBall k = major_ * major_ + 1, two = k + k;
+  return {{major_ * b, major_, 0}, {b, 1, 0}, {k * b * b, two * b, two}};
+}
+
+RoundJet RoundChart::jet(const RoundBox& box) const {
+  const auto [c, s] = circle(box.centre.at[0], box.reach[0]);
+  const Profile p = profile(box);
+  const auto &d = offset_, &b = direction_;
+  const DoubleBall g = d[0] * c + d[1] * s, dg = d[1] * c - d[0] * s;
+  const DoubleBall h = b[0] * c + b[1] * s, dh = b[1] * c - b[0] * s;
+  const DoubleBall two(2);
+  const DoubleBall n = p.square[0] + offset_squared_ - two * (p.rho[0] * g + p.z[0] * d[2]);
+  const DoubleBall t = p.rho[0] * h + p.z[0] * b[2] - offset_along_;
+  const std::array<DoubleBall, 2> n1 = {-(two * p.rho[0] * dg),
+                                        p.square[1] - two * (p.rho[1] * g + p.z[1] * d[2])};
+  const std::array<DoubleBall, 2> t1 = {p.rho[0] * dh, p.rho[1] * h + p.z[1] * b[2]};
+  const std::array<DoubleBall, 3> n2 = {two * p.rho[0] * g, -(two * p.rho[1] * dg),
+                                        p.square[2] - two * (p.rho[2] * g + p.z[2] * d[2])};
+  const std::array<DoubleBall, 3> t2 = {-(p.rho[0] * h), p.rho[1] * dh, p.rho[2] * h + p.z[2] * b[2]};
+  const DoubleBall twice_q = two * quadratic_;
+  DoubleBall by_n = linear_, by_t = twice_q * t + DoubleBall(along_);
+  RoundJet f;
+  f.value = linear_ * n + (quadratic_ * t + DoubleBall(along_)) * t + constant_;
+  if (has_square_) {
+    const DoubleBall shifted = n + shift_;
+    f.value += shifted * shifted;
+    by_n += two * shifted;
+  }
+  for (std::size_t i = 0; i < 2; ++i) f.first[i] = by_n * n1[i] + by_t * t1[i];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = k / 2, j = (k + 1) / 2;
+    f.second[k] = by_n * n2[k] + by_t * t2[k] + twice_q * t1[i] * t1[j];
+    if (has_square_) f.second[k] += two * n1[i] * n1[j];
+  }
+  return f;
+}
+
+DoubleBall RoundChart::value(const RoundPlace& place) const {
+  const auto [c, s] = circle(place.at[0], 0);
+  const Profile p = profile({place, {}});
+  const auto &d = offset_, &b = direction_;
+  const DoubleBall n =
+      p.square[0] + offset_squared_ - DoubleBall(2) * (p.rho[0] * (d[0] * c + d[1] * s) + p.z[0] * d[2]);
+  const DoubleBall t = p.rho[0] * (b[0] * c + b[1] * s) + p.z[0] * b[2] - offset_along_;
+  const DoubleBall f = linear_ * n + (quadratic_ * t + DoubleBall(along_)) * t + constant_;
+  return has_square_ ? f + (n + shift_) * (n + shift_) : f;
+}
+
+/// H of the other surface.
+DoubleBall RoundChart::height(const RoundBox& box) const {
+  const auto [c, s] = circle(box.centre.at[0], box.reach[0]);
+  const Profile p = profile(box);
+  return p.rho[0] * (direction_[0] * c + direction_[1] * s) + p.z[0] * direction_[2] - offset_along_;
+}
+
+bool RoundChart::is_on_other_nappe(const RoundBox& box) const {
+  return has_one_nappe_ && height(box).is_negative();
+}
+
+int RoundChart::side(const RoundBox& box) const {
+  const int on_chart = is_half_ ? DoubleBall(box.centre.at[1][0]).widened(box.reach[1]).certain_sign() : 1;
+  const int on_other = has_one_nappe_ ? height(box).certain_sign() : 1;
+  if (on_chart < 0 || on_other < 0) return -1;
+  return std::min(on_chart, on_other);
+}
+
+std::array<DoubleBall, 3> RoundChart::position(const RoundBox& box) const {
+  const auto [c, s] = circle(box.centre.at[0], box.reach[0]);
+  const Profile p = profile(box);
+  std::array<DoubleBall, 3> at;
+  for (std::size_t k = 0; k < 3; ++k)
+    at[k] = centre_[k] +
+            DoubleBall(unit_) * (p.rho[0] * (c * axes_[0][k] + s * axes_[1][k]) + p.z[0] * axes_[2][k]);
+  return at;
+}
+
+std::array<double, 2> RoundChart::speeds(const RoundBox& box) const {
+  const Profile p = profile(box);
+  const double along = is_closed() ? minor_.upper_magnitude()
+                                   : length_bound(p.rho[1].upper_magnitude(), p.z[1].upper_magnitude(), 0);
+  return {p.rho[0].upper_magnitude() * unit_, along * unit_};
+}
+
+std::array<double, 3> RoundChart::accelerations(const RoundBox& box) const {
+  const Profile p = profile(box);
+  return {p.rho[0].upper_magnitude() * unit_, p.rho[1].upper_magnitude() * unit_,
+          is_closed() ? minor_.upper_magnitude() * unit_ : 0};
+}
+
+DoubleBall RoundChart::difference(std::size_t coordinate, const RoundPlace& a, const RoundPlace& b) const {
+  const RoundCoordinate &p = a.at[coordinate], &q = b.at[coordinate];
+  if (coordinate == 1 && !is_closed()) return DoubleBall(p[0]) - DoubleBall(q[0]);
+  const DoubleBall far(0, std::numeric_limits<double>::infinity());
+  if (!(p[0] * q[0] + p[1] * q[1] > 0.5)) return far;
+  // The sine, of vectors of length 1 within 2^-50, and its inverse by its series: the coefficients that are
+  // left out are below 0.0116, and the sum of the powers below 4 for |x| <= 0.87.
+  const DoubleBall x =
+      (DoubleBall(q[0]) * DoubleBall(p[1]) - DoubleBall(q[1]) * DoubleBall(p[0])).widened(0x1p-48);
+  const DoubleBall y = x * x;
+  DoubleBall sum(0);
+  for (int k = 7; k > 0; --k) {
+    const double ratio = (2.0 * k - 1) * (2.0 * k - 1) / (2.0 * k * (2.0 * k + 1));
+    sum = y * DoubleBall(ratio, ratio * 0x1p-50) * (DoubleBall(1) + sum);
+  }
+  const double most = x.upper_magnitude();
+  const double rest = 0.05 * std::pow(most, 17);
+  return (x + x * sum).widened(rest);
+}
+
+RoundPlace RoundChart::moved(const RoundPlace& from, std::size_t coordinate, double by) const {
+  RoundPlace place = from;
+  if (coordinate == 1 && !is_closed())
+    place.at[1][0] += by;
+  else
+    place.at[coordinate] = turned(place.at[coordinate], by);
+  return place;
+}
+
+}  // namespace exsect

@@ -1,0 +1,111 @@
+// Charts of tori, cylinders and cones by an angle about the axis and one along the profile, and the equation
+// of another round surface on them, in balls. Internal to solver/; docs/method-equations.md, section 17.21.
+#pragma once
+
+#include <exsect/algebra/ball.h>
+#include <exsect/geometry/implicit_surface.h>
+
+#include <array>
+#include <optional>
+
+namespace exsect {
+
+/// An angle, that of the direction (a,b), of a length within 2^-50 of 1, or the number a.
+using RoundCoordinate = std::array<double, 2>;
+
+/// (cos x, sin x) with an error below 2^-49, times v, of about the length 1 again. Requires |x| <= 1.
+RoundCoordinate turned(const RoundCoordinate& v, double x);
+
+/// The angle about the axis and the place along the profile.
+struct RoundPlace {
+  std::array<RoundCoordinate, 2> at;
+};
+/// The places whose coordinates differ from those of `centre` by at most `reach`.
+struct RoundBox {
+  RoundPlace centre;
+  std::array<double, 2> reach{};
+};
+
+/// A function with its first and second derivatives (by the coordinates 00, 01, 11).
+struct RoundJet {
+  DoubleBall value;
+  std::array<DoubleBall, 2> first;
+  std::array<DoubleBall, 3> second;
+};
+
+/// The points c + rho (cos a e1 + sin a e2) + z e3, in units of a power of two, with orthonormal e, and
+///   (rho, z) = (R + r cos b, r sin b) on a torus, (r, b) on a cylinder, (m b, b) on a cone,
+/// and on them f = square (N + shift)^2 + p N + q H^2 + t H + constant, the equation of another surface, in
+/// terms of N = |P - c'|^2 and H = b'.(P - c'), |b'| = 1. Invariant: the places with b in the range are
+/// different points, all that the two surfaces have in common are among them, f has there no zeros but these,
+/// and those where H has the wrong sign, and vanishes neither at the ends of the range nor where f = H = 0 or
+/// rho = 0.
+class RoundChart {
+ public:
+  /// Empty if neither surface has such a chart, the other one is no round surface, the common points are not
+  /// certainly bounded, or an apex is common.
+  static std::optional<RoundChart> of(const ImplicitSurface& first, const ImplicitSurface& second);
+
+  /// The second coordinate is an angle as well.
+  bool is_closed() const { return kind_ == SurfaceKind::torus; }
+  /// Of the second coordinate, if it is no angle.
+  const std::array<double, 2>& range() const { return range_; }
+
+  /// Of f, for all places in the box.
+  RoundJet jet(const RoundBox& box) const;
+  RoundJet jet(const RoundPlace& place) const { return jet({place, {}}); }
+  DoubleBall value(const RoundPlace& place) const;
+  /// All points of the box are on a nappe that does not belong to the other surface.
+  bool is_on_other_nappe(const RoundBox& box) const;
+  /// 1: all points of the box are on the nappes that belong to the surfaces; -1: none are; 0: not known.
+  int side(const RoundBox& box) const;
+
+  /// In space.
+  std::array<DoubleBall, 3> position(const RoundBox& box) const;
+  /// Bounds of the lengths of the first and second derivatives of the position.
+  std::array<double, 2> speeds(const RoundBox& box) const;
+  std::array<double, 3> accelerations(const RoundBox& box) const;
+  double unit() const { return unit_; }
+  /// The chart is of the second one of the surfaces given, and f the equation of the first one.
+  bool is_of_second() const { return is_of_second_; }
+
+  /// a - b by one coordinate; of infinite radius for angles that are not near to each other.
+  DoubleBall difference(std::size_t coordinate, const RoundPlace& a, const RoundPlace& b) const;
+  /// The place with one coordinate changed, with an error below 2^-46; angles by at most 1.
+  RoundPlace moved(const RoundPlace& from, std::size_t coordinate, double by) const;
+
+ private:
+  struct Profile {
+    std::array<DoubleBall, 3> rho, z, square;  // rho^2 + z^2; with derivatives
+  };
+  struct Circle {
+    DoubleBall cosine, sine;
+  };
+
+  RoundChart() = default;
+  void set_profile(const ImplicitSurface& surface);
+  void set_equation(const ImplicitSurface& surface);
+  bool set_range(const ImplicitSurface& chart, const ImplicitSurface& other);
+  static Circle circle(const RoundCoordinate& v, double reach);
+  Profile profile(const RoundBox& box) const;
+  DoubleBall height(const RoundBox& box) const;
+
+  SurfaceKind kind_ = SurfaceKind::torus;
+  DoubleBall major_, minor_;  // of a cylinder, and the slope of a cone: major_
+  double unit_ = 1;
+  std::array<std::array<DoubleBall, 3>, 3> axes_;
+  std::array<DoubleBall, 3> centre_;
+  std::array<double, 2> range_{};
+  // The other surface in the axes.
+  std::array<DoubleBall, 3> offset_;     // c' - c
+  std::array<DoubleBall, 3> direction_;  // b'
+  DoubleBall offset_squared_, offset_along_;
+  bool is_of_second_ = false;
+  bool has_square_ = false;
+  DoubleBall shift_, linear_, quadratic_, constant_;
+  double along_ = 0;
+  bool is_half_ = false;  // the chart's surface is one nappe, with b >= 0
+  bool has_one_nappe_ = false;
+};
+
+}  // namespace exsect

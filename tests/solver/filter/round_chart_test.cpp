@@ -1,0 +1,145 @@
+// Charts of round surfaces against their equations: points, values and derivatives.
+#include "filter/round_chart.h"
+
+#include <cmath>
+#include <random>
+
+#include "support/catch.h"
+
+namespace exsect::round_chart_test {
+namespace {
+
+using S = ImplicitSurface;
+const Point up = {0, 0, 1}, oblique = {1, 2, -2};
+
+const std::vector<S>& charted() {
+  static const std::vector<S> all = {S::torus({1, 0, -1}, {1, 2, 3}, 3, 1),
+                                     S::cylinder({1, 1, 0}, oblique, 2),
+                                     S::cone({Rational(1, 3), 0, 2}, {1, 0, 1}, 1, 2),
+                                     S::torus({0, 0, 0}, up, Length::of_squared(7), Length::of_squared(2))};
+  return all;
+}
+const std::vector<S>& others() {
+  static const std::vector<S> all = {S::sphere({1, 2, 3}, 2),
+                                     S::torus({2, 1, 1}, {0, 1, 1}, 2, Rational(1, 2)),
+                                     S::cylinder({0, 1, 0}, {3, 1, 1}, 1)};
+  return all;
+}
+
+double value_at(const S& surface, const std::array<DoubleBall, 3>& p) {
+  return to_double(surface.equation()({from_double(p[0].approximation()), from_double(p[1].approximation()),
+                                       from_double(p[2].approximation())}));
+}
+
+RoundPlace random_place(const RoundChart& chart, std::mt19937_64& generator) {
+  const auto number = [&] { return std::uniform_real_distribution<double>(-1, 1)(generator); };
+  RoundPlace place{{turned({1, 0}, number()),
+                    chart.is_closed() ? turned({0, 1}, number()) : RoundCoordinate{number(), 0}}};
+  return chart.moved(place, 0, number());
+}
+
+}  // namespace
+
+TEST_CASE("round chart: points are on the surface, and f is the equation of the other one") {
+  std::mt19937_64 generator(7);
+  int charts = 0;
+  for (const S& first : charted())
+    for (const S& second : others()) {
+      const auto chart = RoundChart::of(first, second);
+      if (!chart) continue;
+      ++charts;
+      // Which of both has the chart: the one of the greater rank, or the first.
+      const bool is_swapped =
+          std::fabs(value_at(first, chart->position({random_place(*chart, generator), {}}))) > 1e-6;
+      const S &on = is_swapped ? second : first, &other = is_swapped ? first : second;
+      double ratio = 0;
+      for (int i = 0; i < 20; ++i) {
+        const RoundPlace place = random_place(*chart, generator);
+        const auto p = chart->position({place, {}});
+        CHECK(std::fabs(value_at(on, p)) < 1e-9);
+        const DoubleBall f = chart->jet(place).value;
+        CHECK((chart->value(place) - f).lower_magnitude() == 0);
+        CHECK(f.radius() < 1e-10);
+        const double exact = value_at(other, p);
+        if (i == 0) ratio = exact / f.approximation();
+        CHECK(std::fabs(exact - ratio * f.approximation()) < 1e-7 * std::fabs(ratio));
+      }
+    }
+  CHECK(charts == 12);
+}
+
+TEST_CASE("round chart: boxes contain values and derivatives, which are those of differences") {
+  std::mt19937_64 generator(8);
+  for (const S& first : charted())
+    for (const S& second : others()) {
+      const auto chart = RoundChart::of(first, second);
+      if (!chart) continue;
+      for (int i = 0; i < 20; ++i) {
+        const RoundBox box{random_place(*chart, generator), {0.3, 0.2}};
+        const RoundJet over = chart->jet(box);
+        const auto speeds = chart->speeds(box);
+        const auto unit = [&](double a) { return std::uniform_real_distribution<double>(-a, a)(generator); };
+        const RoundPlace inside = chart->moved(chart->moved(box.centre, 0, unit(0.3)), 1, unit(0.2));
+        const RoundJet at = chart->jet(inside);
+        CHECK((over.value - at.value).lower_magnitude() == 0);
+        for (std::size_t k = 0; k < 3; ++k) CHECK((over.second[k] - at.second[k]).lower_magnitude() == 0);
+        for (std::size_t k = 0; k < 2; ++k) {
+          CHECK((over.first[k] - at.first[k]).lower_magnitude() == 0);
+          const double h = 0x1p-16;
+          const RoundPlace next = chart->moved(inside, k, h), last = chart->moved(inside, k, -h);
+          const RoundJet b = chart->jet(next), a = chart->jet(last);
+          const auto rate = [&](const DoubleBall& y, const DoubleBall& x) {
+            return (y.approximation() - x.approximation()) / (2 * h);
+          };
+          const double scale = 1e-4 * (1 + at.second[0].upper_magnitude() + at.second[2].upper_magnitude());
+          CHECK(std::fabs(rate(b.value, a.value) - at.first[k].approximation()) < scale);
+          CHECK(std::fabs(rate(b.first[0], a.first[0]) - at.second[k].approximation()) < 10 * scale);
+          CHECK(std::fabs(rate(b.first[1], a.first[1]) - at.second[k + 1].approximation()) < 10 * scale);
+          double moved = 0;
+          const auto p = chart->position({next, {}}), q = chart->position({last, {}});
+          for (std::size_t c = 0; c < 3; ++c) moved += std::pow(rate(p[c], q[c]), 2);
+          CHECK(std::sqrt(moved) < speeds[k] * (1 + 1e-6));
+          CHECK((chart->difference(k, next, last) - DoubleBall(2 * h)).upper_magnitude() < 0x1p-45);
+        }
+      }
+    }
+}
+
+TEST_CASE("round chart: differences of angles, and those that are far") {
+  const auto chart = RoundChart::of(charted()[0], others()[0]).value();
+  const RoundPlace zero{{RoundCoordinate{1, 0}, RoundCoordinate{0.6, 0.8}}};
+  for (const double x : {0.0, 1e-9, 0.1, 0.5, -0.75, 1.0})
+    for (const std::size_t k : {0U, 1U}) {
+      const DoubleBall found = chart.difference(k, chart.moved(zero, k, x), zero);
+      CHECK(std::fabs(found.approximation() - x) <= found.radius() + 1e-15);
+      CHECK(found.radius() < (std::fabs(x) < 0.2 ? 1e-12 : 0.06));
+    }
+  CHECK(std::isinf(chart.difference(0, chart.moved(chart.moved(zero, 0, 1), 0, 0.5), zero).radius()));
+}
+
+TEST_CASE("round chart: there is nothing at the ends of the range") {
+  for (const S& second : {S::cylinder({0, 1, 0}, {3, 1, 1}, 1), S::cone({4, 1, 0}, {0, 1, 3}, Rational(1, 3)),
+                          S::sphere({1, 1, 4}, 3)}) {
+    const auto chart = RoundChart::of(S::cylinder({1, 1, 0}, oblique, 2), second).value();
+    for (const double end : chart.range()) {
+      RoundPlace place{{RoundCoordinate{1, 0}, RoundCoordinate{end, 0}}};
+      for (int i = 0; i < 64; ++i, place.at[0] = turned(place.at[0], 0.1))
+        CHECK(chart.value(place).certain_sign() != 0);
+    }
+  }
+}
+
+TEST_CASE("round chart: none for planes and spheres, common apexes and curves that are not bounded") {
+  const S cone = S::cone({0, 0, 0}, up, 1), cylinder = S::cylinder({0, 0, 0}, up, 1);
+  CHECK_FALSE(RoundChart::of(S::plane({0, 0, 0}, up), S::sphere({0, 0, 0}, 1)));
+  CHECK_FALSE(RoundChart::of(S::plane({0, 0, 0}, {0, 1, 1}), cylinder));
+  CHECK_FALSE(RoundChart::of(cone, S::sphere({0, 0, 1}, 1)));
+  CHECK_FALSE(RoundChart::of(cylinder, S::cylinder({1, 0, 0}, {0, 0, -2}, 1)));
+  CHECK_FALSE(
+      RoundChart::of(cylinder, S::cone({5, 0, 0}, {1, 0, 1}, 1)));  // a line of the cone's is parallel
+  CHECK_FALSE(RoundChart::of(cone, S::cone({5, 0, 1}, {1, 0, 0}, 1)));
+  CHECK_FALSE(RoundChart::of(cone, S::polynomial(SpacePolynomial::variable(0))));
+  CHECK(RoundChart::of(cone, S::cone({5, 0, 1}, {0, 0, -1}, 2)));
+}
+
+}  // namespace exsect::round_chart_test
