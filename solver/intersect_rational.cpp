@@ -56,18 +56,18 @@ IntersectResult intersect_in_either_order(const RationalPatch& x, const Rational
 }
 
 /// By an equation on one of them, if the other one has an inverse; empty where that decides nothing. The
-/// curve of less degree first.
+/// curve of less degree first, those that go through a pole of the patch with the inverse last.
 std::optional<IntersectResult> intersect_as_curve(const RationalPatch& x, const RationalPatch& y,
                                                   const Run& run) {
   const std::optional<PatchInverse> of_x = patch_inverse(x), of_y = patch_inverse(y);
-  const auto in_order = [&]() -> std::optional<IntersectResult> {
-    auto result = of_y ? intersect_by_inverse(x, y, *of_y, run) : std::nullopt;
+  const auto in_order = [&](PolesOfInverse poles) -> std::optional<IntersectResult> {
+    auto result = of_y ? intersect_by_inverse(x, y, *of_y, run, poles) : std::nullopt;
     return result && result->status == Status::complete ? std::move(result) : std::nullopt;
   };
-  const auto exchanged = [&]() -> std::optional<IntersectResult> {
+  const auto exchanged = [&](PolesOfInverse poles) -> std::optional<IntersectResult> {
     if (!of_x) return std::nullopt;
     const auto solve = [&](const RationalPatch& first, const RationalPatch& second, const Run& given) {
-      return intersect_by_inverse(first, second, *of_x, given);
+      return intersect_by_inverse(first, second, *of_x, given, poles);
     };
     return in_exchanged_order(x, y, run, solve);
   };
@@ -75,9 +75,12 @@ std::optional<IntersectResult> intersect_as_curve(const RationalPatch& x, const 
     return inverse.equation.degree * (patch.degree_u() + patch.degree_v());
   };
   const bool is_exchanged = of_x && of_y && degrees(y, *of_x) < degrees(x, *of_y);
-  auto result = is_exchanged ? exchanged() : in_order();
-  if (!result) result = is_exchanged ? in_order() : exchanged();
-  return result;
+  for (const PolesOfInverse poles : {PolesOfInverse::left_to_others, PolesOfInverse::allowed}) {
+    auto result = is_exchanged ? exchanged(poles) : in_order(poles);
+    if (!result) result = is_exchanged ? in_order(poles) : exchanged(poles);
+    if (result) return result;
+  }
+  return std::nullopt;
 }
 
 /// By polynomial patches, if x and y are images of some (14.20); empty otherwise.

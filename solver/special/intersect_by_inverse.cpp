@@ -131,16 +131,42 @@ ParameterOnCurve on_curve(const ParameterQuotient& quotient, const VectorPolynom
   return {p, q, quotient.map, slope_along(f, exact_quotient(p, common), exact_quotient(q, common))};
 }
 
-/// The denominators that are positive on y but for poles (17.23) are not 0 in a point of the curve.
-bool has_parameters(const InverseCurve& known, const PatchInverse& inverse) {
+/// The side of y that is this point of x and nothing else, if there is one.
+std::optional<Side> pole_at(const TriangularPoint& at, const VectorPolynomial& x, const RationalPatch& y) {
+  std::optional<Side> found;
+  for (const Parameter p : {Parameter::u, Parameter::v})
+    for (const int value : {0, 1}) {
+      if (!is_pole(y, Side{p, value})) continue;
+      const Point point = p == Parameter::u ? y(value, 0) : y(0, value);
+      bool is_there = true;
+      for (std::size_t k = 0; k < 3 && is_there; ++k) {
+        const BivariatePolynomial off = x[k] - BivariatePolynomial::constant(point[k]) * x[3];
+        is_there = off.is_zero() || sign_at(off.exchanged(), at) == 0;
+      }
+      if (!is_there) continue;
+      if (found) return std::nullopt;
+      found = Side{p == Parameter::u ? Parameter::r : Parameter::s, value};
+    }
+  return found;
+}
+
+/// The denominators that are positive on y but for poles (17.23) are 0 in no point of the curve but these
+/// poles, which are nodes.
+bool has_parameters(InverseCurve& known, const PatchInverse& inverse, const RationalPatch& y) {
   const BivariatePolynomial f = squarefree(known.curve.section);
+  const VectorPolynomial of_x = components(known.x);
   for (const std::size_t i : {0, 1}) {
     if (inverse.parameters[i].bound > 0) continue;
     const BivariatePolynomial& denominator = known.parameters[2 + i].denominator;
     if (!is_constant(gcd(f, denominator))) return false;
     const BivariatePolynomial in_v = denominator.exchanged();
-    for (const CurveNode& node : known.curve.graph.nodes)
-      if (node.exact && sign_at(in_v, *node.exact) == 0) return false;
+    for (std::size_t n = 0; n < known.curve.graph.nodes.size(); ++n) {
+      const std::optional<TriangularPoint>& exact = known.curve.graph.nodes[n].exact;
+      if (!exact || sign_at(in_v, *exact) != 0) continue;
+      const std::optional<Side> pole = pole_at(*exact, of_x, y);
+      if (!pole) return false;
+      known.in_poles.emplace(n, *pole);
+    }
   }
   return true;
 }
@@ -204,9 +230,10 @@ std::optional<InverseCurve> inverse_region(InverseCurve known, const PatchInvers
   return known;
 }
 
-std::optional<InverseCurve> inverse_curve(const RationalPatch& x, const PatchInverse& inverse, double extent,
+std::optional<InverseCurve> inverse_curve(const RationalPatch& x, const RationalPatch& y,
+                                          const PatchInverse& inverse, double extent,
                                           const std::vector<Parameter>& turning) {
-  InverseCurve known{{}, {}, {}, {}, {}, x.reduced(), extent};
+  InverseCurve known{{}, {}, {}, {}, {}, {}, x.reduced(), extent};
   SurfaceCurve& curve = known.curve;
   const VectorPolynomial of_x = components(known.x);
   curve.section = on_patch(inverse.equation, of_x);
@@ -233,7 +260,7 @@ std::optional<InverseCurve> inverse_curve(const RationalPatch& x, const PatchInv
     curve.region.bounds.push_back(zeros);
   }
   curve.graph = curve_graph(curve.section, curve.region);
-  if (!has_parameters(known, inverse)) return std::nullopt;
+  if (!has_parameters(known, inverse, y)) return std::nullopt;
   return known;
 }
 
@@ -247,12 +274,15 @@ IntersectResult drawn(const InverseCurve& known, const Run& run) {
 }  // namespace
 
 std::optional<IntersectResult> intersect_by_inverse(const RationalPatch& x, const RationalPatch& y,
-                                                    const PatchInverse& of_y, const Run& run) {
+                                                    const PatchInverse& of_y, const Run& run,
+                                                    PolesOfInverse poles) {
   std::vector<Point> points = affine_points(x.reduced());
   std::ranges::copy(affine_points(y.reduced()), std::back_inserter(points));
   std::optional<InverseCurve> known;
-  run.timed("curve", [&] { known = inverse_curve(x, of_y, to_double(model_extent(points)), run.turning()); });
+  run.timed("curve",
+            [&] { known = inverse_curve(x, y, of_y, to_double(model_extent(points)), run.turning()); });
   if (!known) return std::nullopt;
+  if (poles == PolesOfInverse::left_to_others && !known->in_poles.empty()) return std::nullopt;
   const auto kept = std::make_shared<const InverseCurve>(*std::move(known));
   return first_drawn([kept](const Run& given) { return std::optional(drawn(*kept, given)); }, run);
 }

@@ -20,6 +20,7 @@ using Ball = ArbBall<256>;
 
 /// Of the parameters of nodes behind a quadratic map.
 constexpr int kParameterBits = 256;
+const Rational kInsideWidth = power_of_two(-80);
 
 Ball value_at(const BivariatePolynomial& f, const Ball& u, const Ball& v) {
   return value_in(f, u, v, [](const Rational& c) { return Ball::enclosing(c); });
@@ -57,8 +58,8 @@ class InverseGraph {
     }
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i) add_node(i, ends[i]);
     for (std::size_t i = 0; i < drawn_.arcs().size(); ++i) {
-      Arc arc = with_parameters(drawn_.arcs()[i]);
       const std::size_t branch = known_.outline ? known_.outline->curves[i] : i;
+      Arc arc = with_parameters(drawn_.arcs()[i], &graph_.arcs[branch].inside);
       const std::vector<Side> sides = sides_along(graph_.arcs[branch]);
       if (std::ranges::any_of(poles_, [&](const Side& pole) { return std::ranges::count(sides, pole) > 0; }))
         continue;
@@ -197,8 +198,10 @@ class InverseGraph {
       result_.add_node(std::move(node));
       return;
     }
+    const auto pole = known_.in_poles.find(i);
     for (const Side& side : sides_at(i)) node.on.push_back(side);
     node.around.reset();
+    if (pole != known_.in_poles.end()) set_pole(pole->second, node);
     place(i, node);
     node.wrt.clear();
     if (ends.size() == 2 && !at.is_singular && node.on.empty())
@@ -207,6 +210,17 @@ class InverseGraph {
     node.kinds = passes(at, node, ends) ? std::vector<NodeKind>{} : kinds(at, node);
     result_.add_node(std::move(node));
   }
+
+  /// The node is all of this side of y.
+  static void set_pole(const Side& pole, Node& node) {
+    std::erase_if(node.on, [](const Side& side) {
+      return side.parameter == Parameter::r || side.parameter == Parameter::s;
+    });
+    node.on.push_back(pole);
+    node.free = {pole.parameter == Parameter::r ? Parameter::s : Parameter::r};
+  }
+
+  static bool is_free(const Node& node, Parameter p) { return std::ranges::count(node.free, p) > 0; }
 
   /// The curve goes on there, along the same sides: a zero of (17.25) that is no extremum.
   static bool passes(const CurveNode& at, const Node& node, const std::vector<ArcEnd>& ends) {
@@ -219,7 +233,7 @@ class InverseGraph {
 
   /// As of two patches: a corner is one of a patch.
   std::vector<NodeKind> kinds(const CurveNode& at, const Node& node) const {
-    if (known_.outline) return kinds_on_rim(node);
+    if (known_.outline || !node.free.empty()) return kinds_on_rim(node);
     std::vector<NodeKind> kinds = kinds_of(at, node);
     if (!is_corner(node)) std::erase(kinds, NodeKind::corner);
     if (at.degree() == 0 && !at.is_singular && is_touched(*at.exact)) kinds.push_back(NodeKind::touch);
@@ -264,7 +278,9 @@ class InverseGraph {
     const Ball u = Ball::enclosing(node.box[0]), v = Ball::enclosing(node.box[1]);
     for (const Parameter p : {Parameter::r, Parameter::s}) {
       RationalInterval& box = node.box[index(p)];
-      if (const Side* side = side_of(node, p)) {
+      if (is_free(node, p)) {
+        box = {0, 1};
+      } else if (const Side* side = side_of(node, p)) {
         box = {side->value, side->value};
       } else {
         const auto at = enclosed(known_.parameters[index(p)], u, v);
@@ -277,20 +293,33 @@ class InverseGraph {
     return true;
   }
 
-  Arc with_parameters(Arc arc) const {
+  /// About the parameter where the curve has this (u,v), which are no pole of y.
+  double parameter_at(std::size_t p, const Ball& u, const Ball& v) const {
+    const auto at = enclosed(known_.parameters[p], u, v);
+    if (!at) throw ProofFailure(whole_domain(), "a vertex of a curve is beyond the square");
+    const double value = std::clamp(to_double(at->midpoint()), 0.0, 1.0);
+    return approximate_preimage(known_.parameters[p].map, value);
+  }
+
+  /// Of an arc with this inner point, or of a rim. An end in a pole of y has the parameter along its side of
+  /// what is next to it.
+  Arc with_parameters(Arc arc, const TriangularPoint* inside = nullptr) const {
     arc.beside.reset();
-    for (PolylineVertex& vertex : arc.polyline) {
-      const Ball u(vertex.parameters[0]), v(vertex.parameters[1]);
-      for (const std::size_t p : {2, 3}) {
-        const auto at = enclosed(known_.parameters[p], u, v);
-        if (!at) throw ProofFailure(whole_domain(), "a vertex of a curve is beyond the square");
-        const double value = std::clamp(to_double(at->midpoint()), 0.0, 1.0);
-        vertex.parameters[p] = approximate_preimage(known_.parameters[p].map, value);
-      }
-    }
+    std::vector<PolylineVertex>& line = arc.polyline;
     for (const std::size_t p : {2, 3}) {
-      arc.polyline.front().parameters[p] = result_.node(arc.from).approx[p];
-      arc.polyline.back().parameters[p] = result_.node(arc.to).approx[p];
+      for (std::size_t i = 1; i + 1 < line.size(); ++i)
+        line[i].parameters[p] = parameter_at(p, Ball(line[i].parameters[0]), Ball(line[i].parameters[1]));
+      const bool is_chord = line.size() == 2;
+      const auto end = [&](const Node& node, const PolylineVertex& next) {
+        if (!is_free(node, all_parameters[p])) return node.approx[p];
+        if (!is_chord || inside == nullptr) return next.parameters[p];
+        const TriangularPoint at = inside->refined_to(kInsideWidth);
+        return parameter_at(p, Ball::enclosing(at.s().interval()), Ball::enclosing(at.r_interval()));
+      };
+      const double first = end(result_.node(arc.from), line[1]),
+                   last = end(result_.node(arc.to), line[line.size() - 2]);
+      line.front().parameters[p] = first;
+      line.back().parameters[p] = last;
     }
     return arc;
   }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct InverseCurve {
   std::optional<RegionOutline> outline;
   std::vector<SideBound> sides;  // of y
   std::vector<Side> poles;       // of a curve: sides of x that are one point of y, no parts of the section
+  std::map<std::size_t, Side> in_poles;  // nodes of a curve that are poles of y, with its side
   RationalPatch x;
   double extent;  // of the model
 };

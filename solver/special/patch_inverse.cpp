@@ -115,8 +115,8 @@ std::vector<Point> combinations(const std::vector<std::vector<Rational>>& denomi
   return result;
 }
 
-/// Of the forms, the combinations with a denominator that is positive if there is one, else not negative and 0
-/// in as few places as possible: at an apex, but not along one of its rulings.
+/// Of the forms, the combinations with a denominator that is positive if there is one, else not negative and
+/// 0 in as few places as possible: at an apex, but not along one of its rulings.
 std::optional<ParameterQuotient> best_combination(const VectorPolynomial& y,
                                                   const std::vector<Candidate>& candidates) {
   const int degree = candidates.front().denominator.degree;

@@ -118,9 +118,9 @@ TEST_CASE("rational exact mode: pieces of one bicubic patch, which has no elimin
 
 TEST_CASE("rational exact mode: poles on the other patch, common ones, and beside it") {
   const Rational third(1, 3);
-  const std::vector<std::vector<Rational>> weights = {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}};
-  // An octant of a sphere: by its pole (0,0,1) with the parameter along this side free.
-  const auto octant = [&](const Rational& radius, const Point& at) {
+  // An octant of a sphere for a weight of 1: by its pole (0,0,1) with the parameter along this side free.
+  const auto bulged = [&](const Rational& radius, const Point& at, const Rational& weight) {
+    const std::vector<std::vector<Rational>> weights = {{1, 1, 2}, {1, weight, 2}, {2, 2, 4}};
     std::vector<std::vector<Point>> net = {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
                                            {{1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
                                            {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
@@ -128,6 +128,7 @@ TEST_CASE("rational exact mode: poles on the other patch, common ones, and besid
       for (Point& p : row) p = radius * p + at;
     return RationalPatch(net, weights);
   };
+  const auto octant = [&](const Rational& radius, const Point& at) { return bulged(radius, at, 1); };
   // With conics for parameter lines, so that it has no inverse: (0,0,height) is its middle.
   const auto plane_through = [&](const Point& normal, const Rational& height) {
     const auto at = [&](const Rational& a, const Rational& b) -> Point {
@@ -140,16 +141,18 @@ TEST_CASE("rational exact mode: poles on the other patch, common ones, and besid
     return std::ranges::any_of(intersect(pair.x, pair.y, exact_mode()).graph.nodes,
                                [](const Node& node) { return !node.free.empty(); });
   };
-  const RationalPatch x = octant(1, {0, 0, 0});
+  RationalPatch x = bulged(1, {0, 0, 0}, Rational(3, 2));  // which has no inverse either
   for (const Point& normal : {Point{1, -1, third}, Point{-3, 1, 2}, Point{0, 0, 1}, Point{1, 1, 3}}) {
-    const Pair pair = {x, plane_through(normal, 1)};
-    CHECK(compared(pair) == 1);
-    CHECK(compared({pair.y, x}) == 1);
+    const bool touches = normal[0] == 0;
+    const Pair pair = {touches ? octant(1, {0, 0, 0}) : x, plane_through(normal, 1)};
+    CHECK(compared(pair, !touches) == 1);
+    CHECK(compared({pair.y, pair.x}, !touches) == 1);
     CHECK(has_pole(pair));
     for (const long bits : {10, 30, 60})
       for (const long sign : {1, -1})
         CHECK_FALSE(has_pole({x, plane_through(normal, 1 + sign * power_of_two(-bits))}));
   }
+  x = octant(1, {0, 0, 0});
   CHECK(compared({x, octant(2, {0, 0, -1})}) == 1);
   CHECK(has_pole({x, octant(2, {0, 0, -1})}));
   for (const long bits : {10, 30, 60}) CHECK_FALSE(has_pole({x, octant(2, {0, 0, power_of_two(-bits) - 1})}));
