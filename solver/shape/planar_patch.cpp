@@ -18,7 +18,10 @@ std::vector<Point> orthogonal_complement(const std::vector<Point>& vectors) {
     normal = is_zero(normal) ? cross(first, p) : normal;
   }
   if (is_zero(normal)) {  // rank 1
-    return {cross(first, Point{1, 0, 0}), cross(first, Point{0, 1, 0}), cross(first, Point{0, 0, 1})};
+    std::vector<Point> normals;
+    for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}})
+      if (const Point p = cross(first, axis); !is_zero(p)) normals.push_back(p);
+    return normals;
   }
   const bool rank2 =
       std::all_of(vectors.begin(), vectors.end(), [&](const Point& p) { return dot(normal, p) == 0; });

@@ -11,7 +11,8 @@
 
 namespace exsect {
 
-/// Spanning vectors of the orthogonal complement of the vectors' span in space; none may be zero.
+/// Vectors other than zero that span the orthogonal complement of the vectors' span in space, of which none
+/// may be zero.
 std::vector<Point> orthogonal_complement(const std::vector<Point>& vectors);
 
 /// The plane of the patch; empty if its control points lie in none, or in more than one.

@@ -140,4 +140,17 @@ TEST_CASE("planar_patch: near a cusp, and near branches that touch") {
   check_near_curve(kBranches, Plane::quadratic);
 }
 
+TEST_CASE("planar patch: the complement of a line is spanned by vectors other than zero") {
+  for (const Point& along :
+       {Point{2, 0, 0}, Point{0, -1, 0}, Point{0, 0, 3}, Point{1, -2, 0}, Point{1, 2, 3}}) {
+    const std::vector<Point> normals = orthogonal_complement({along, -3 * along});
+    REQUIRE(normals.size() >= 2);
+    for (const Point& n : normals) {
+      CHECK_FALSE(is_zero(n));
+      CHECK(dot(n, along) == 0);
+    }
+    CHECK_FALSE(is_zero(cross(normals.front(), normals.back())));
+  }
+}
+
 }  // namespace exsect::planar_patch_test

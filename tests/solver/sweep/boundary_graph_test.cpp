@@ -27,7 +27,10 @@ struct Sides {
     for (const CertifiedPoint& point : lines.points)
       builder.add_node(landmark_node(system, scale.frame, enclose<DoubleBall>(point, power_of_two(-50)),
                                      point.box(), point.sides()));
-    BoundaryGraph<DoubleBall> graph({x, y}, system, scale.frame, lines, {}, {}, builder, undecided);
+    const std::vector<StarNeighbourhood> no_stars;
+    const std::vector<int> no_nodes;
+    BoundaryGraph<DoubleBall> graph({x, y}, system, scale.frame, lines, no_stars, no_nodes, builder,
+                                    undecided);
     graph.add_arcs();
     graph.contract();
     finished = std::move(builder).finish({{}, {}});
