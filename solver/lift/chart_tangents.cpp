@@ -9,8 +9,8 @@
 
 namespace exsect {
 
-EnclosedPolynomial::EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit, int degree_r,
-                                       int degree_s)
+PolynomialInBalls::PolynomialInBalls(const BivariatePolynomial& f, const Rational& unit, int degree_r,
+                                     int degree_s)
     : row_(static_cast<std::size_t>(std::max(f.degree_s(), degree_s)) + 1) {
   for (const DoubleBall& c : enclosed_coefficients<DoubleBall>(f, unit, degree_r, degree_s)) {
     middles_.push_back(c.approximation());
@@ -21,8 +21,8 @@ EnclosedPolynomial::EnclosedPolynomial(const BivariatePolynomial& f, const Ratio
 
 /// Two more roundings, of the product and the sum. What the errors hold for later operations is for
 /// |f| + |c g|.
-EnclosedPolynomial EnclosedPolynomial::plus(double c, const EnclosedPolynomial& g) const {
-  EnclosedPolynomial result = *this;
+PolynomialInBalls PolynomialInBalls::plus(double c, const PolynomialInBalls& g) const {
+  PolynomialInBalls result = *this;
   for (std::size_t i = 0; i < middles_.size(); ++i) {
     const double product = c * g.middles_[i];
     result.middles_[i] += product;
@@ -33,11 +33,11 @@ EnclosedPolynomial EnclosedPolynomial::plus(double c, const EnclosedPolynomial& 
 }
 
 /// Of what the expansion takes: two operations for each step in either direction, and one for each sum.
-double EnclosedPolynomial::relative_error() const {
+double PolynomialInBalls::relative_error() const {
   return static_cast<double>(2 * (middles_.size() / row_ + row_)) * kUnitRoundoff;
 }
 
-DoubleBall EnclosedPolynomial::over(const DoubleBall& u, const DoubleBall& v) const {
+DoubleBall PolynomialInBalls::over(const DoubleBall& u, const DoubleBall& v) const {
   const double x = u.approximation(), y = v.approximation();
   const double reach_u = u.upper_magnitude(), reach_v = v.upper_magnitude();
   std::vector<double> c = middles_;
@@ -69,7 +69,7 @@ ChartTangents::ChartTangents(const BivariatePolynomial& g, const SurfaceChart& c
 
 ChartRates ChartTangents::rates(const DoubleBall& u, const DoubleBall& v, double du, double dv) const {
   const bool is_steep = std::fabs(dv) > std::fabs(du);
-  const EnclosedPolynomial &above = is_steep ? g_v_ : g_u_, &below = is_steep ? g_u_ : g_v_;
+  const PolynomialInBalls &above = is_steep ? g_v_ : g_u_, &below = is_steep ? g_u_ : g_v_;
   const double slope = is_steep ? du / dv : dv / du;
   const DoubleBall rate =  // (17.6c)
       DoubleBall(slope) - above.plus(slope, below).over(u, v) * reciprocal(below.over(u, v));

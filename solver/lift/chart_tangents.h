@@ -11,12 +11,12 @@
 namespace exsect {
 
 /// A polynomial in balls, divided by a number.
-class EnclosedPolynomial {
+class PolynomialInBalls {
  public:
   /// As one of at least these degrees.
-  EnclosedPolynomial(const BivariatePolynomial& f, const Rational& unit, int degree_r = 0, int degree_s = 0);
+  PolynomialInBalls(const BivariatePolynomial& f, const Rational& unit, int degree_r = 0, int degree_s = 0);
   /// f + c g, for one of the same degrees.
-  EnclosedPolynomial plus(double c, const EnclosedPolynomial& g) const;
+  PolynomialInBalls plus(double c, const PolynomialInBalls& g) const;
   /// All values on a rectangle: Taylor's expansion about the middle, of the midpoints of the coefficients
   /// alone, with one bound of the errors (17.3a).
   DoubleBall over(const DoubleBall& u, const DoubleBall& v) const;
@@ -54,7 +54,7 @@ class ChartTangents {
 
  private:
   bool is_planar_;
-  EnclosedPolynomial g_u_, g_v_, y2_u_, y2_v_;
+  PolynomialInBalls g_u_, g_v_, y2_u_, y2_v_;
 };
 
 }  // namespace exsect

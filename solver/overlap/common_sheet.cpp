@@ -18,8 +18,8 @@ double upper(const DoubleBall& b) { return b.upper_magnitude(); }
 double on_grid(double value, double grid) { return grid * std::round(value / grid); }
 
 /// w' = (C y')^-1 C x': with |w'_k| <= width_k m and |E| m as error.
-Sheet sheet_of(const SheetContraction& over) {
-  Sheet result{over.first_derivatives()};
+CommonSheet sheet_of(const SheetContraction& over) {
+  CommonSheet result{over.first_derivatives()};
   for (std::size_t l = 0; l < 2; ++l) {
     const double largest = larger_bound(upper(result.derivative[0][l]) / over.width[0],
                                         upper(result.derivative[1][l]) / over.width[1]);
@@ -64,7 +64,7 @@ bool meets(const SheetContraction& over, const CommonSurface& surface) {
 
 }  // namespace
 
-std::optional<Sheet> CommonSheets::certify(const SearchRegion& region) const {
+std::optional<CommonSheet> CommonSheets::certify(const SearchRegion& region) const {
   SheetContraction attempt(region);
   if (!attempt.find_centre(system_) || !attempt.is_near() || !attempt.contracts()) return std::nullopt;
   if (!attempt.is_regular()) return std::nullopt;

@@ -12,7 +12,7 @@ namespace exsect {
 
 /// Proved: over the first two intervals A of a region there is an analytic local diffeomorphism w with x(u,v)
 /// = y(w(u,v)), and every solution in the region has (r,s) = w(u,v). Both patches are regular at all of them.
-struct Sheet {
+struct CommonSheet {
   /// Enclosures of w's derivatives on A: derivative[k][l] of r (k = 0) or s with respect to u (l = 0) or v.
   std::array<std::array<DoubleBall, 2>, 2> derivative;
 };
@@ -23,7 +23,7 @@ class CommonSheets {
       : system_(x, y, scale.origin, scale.frame.exponent), surface_(std::move(surface)) {}
 
   /// Empty if it could not be proved for this region, which may reach beyond the unit squares.
-  std::optional<Sheet> certify(const SearchRegion& region) const;
+  std::optional<CommonSheet> certify(const SearchRegion& region) const;
   /// True only if the region holds no solutions apart from those of a common sheet.
   bool settles(const SearchRegion& region) const;
 

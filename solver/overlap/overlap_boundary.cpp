@@ -24,7 +24,7 @@ SearchRegion region_around(const CertifiedPoint& point, int bits) {
   return region;
 }
 
-std::optional<Sheet> sheet_through(const CommonSheets& sheets, const CertifiedPoint& point) {
+std::optional<CommonSheet> sheet_through(const CommonSheets& sheets, const CertifiedPoint& point) {
   for (const int bits : {6, 9, 13, 18})
     if (auto sheet = sheets.certify(region_around(point, bits))) return sheet;
   return std::nullopt;

@@ -5,8 +5,8 @@
 
 A module is a header with the source of the same name. Of a library with rooms every include runs down a floor or stays
 in its room; modules of one room include each other in circles of at most three; every source has its header; no two
-sources of a folder, which compile in groups, have a local name in common, and every test has a namespace of the name of
-its file. Exit status 1 if one of these is violated.
+sources of a folder, which compile in groups, have a local name in common, no two files define a type of one name, for
+linkers would take the functions of one for those of the other, and every test has a namespace of the name of its file. Exit status 1 if one of these is violated.
 """
 
 import re
@@ -150,8 +150,23 @@ def local_names(library):
     return {name: files for name, files in where.items() if len(files) > 1}
 
 
+TYPE = re.compile(r"^(?:struct|class|enum class|enum) (\w+)(?: final)?(?: : [^;{]*)?\s*\{", re.M)
+
+
+def type_names():
+    """By qualified name, types that more than one file defines outside of anonymous namespaces."""
+    where = defaultdict(set)
+    for library in COMPILED_IN_GROUPS:
+        for path in sources(library):
+            text = re.sub(r"^namespace \{\n.*?^\}  // namespace$", "", path.read_text(), flags=re.S | re.M)
+            for found in TYPE.finditer(text):
+                opened = re.findall(r"^namespace ([\w:]+) \{", text[: found.start()], re.M)
+                where["::".join(opened[-1:] + [found[1]])].add(str(path.relative_to(ROOT)))
+    return {name: files for name, files in where.items() if len(files) > 1}
+
+
 def violations(found):
-    wrong = []
+    wrong = [f"the type {name} stands in {' '.join(sorted(files))}" for name, files in sorted(type_names().items())]
     for path, header in found:
         library, used = path.parts[0], header.parts[0]
         if library in GUESTS and used == "solver" and f"<exsect/solver/{header.name}>" not in (ROOT / path).read_text():

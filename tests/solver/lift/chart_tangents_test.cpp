@@ -27,7 +27,7 @@ TEST_CASE("polynomials over rectangles contain their exact values", "[lift]") {
     const double u = 2 * number(generator), v = 2 * number(generator);
     const double reach = k % 3 == 0 ? 0 : k % 3 == 1 ? 0x1p-10 : 0.25;
     const RationalInterval all =
-        EnclosedPolynomial(f, Rational(1, 7)).over(DoubleBall(u, reach), DoubleBall(v, reach)).interval();
+        PolynomialInBalls(f, Rational(1, 7)).over(DoubleBall(u, reach), DoubleBall(v, reach)).interval();
     for (const double a : {-reach, reach * 0.3, reach})
       for (const double b : {-reach, reach * 0.7, reach}) {
         const Rational value = 7 * f(from_double(u) + from_double(a), from_double(v) + from_double(b));
@@ -43,9 +43,9 @@ TEST_CASE("polynomials over rectangles: cancellation and overflow prove nothing"
   BivariatePolynomial power = BivariatePolynomial::constant(1);
   for (int k = 0; k < 8; ++k)
     power = power * (BivariatePolynomial::r() - BivariatePolynomial::constant(Rational(1, 3)));
-  CHECK(EnclosedPolynomial(power, 1).over(0.34, 0.0).certain_sign() == 0);
-  CHECK(EnclosedPolynomial(power, 1).over(0.9, 0.0).is_positive());
-  const DoubleBall beyond = EnclosedPolynomial(power, 1).over(1e100, 0.0);
+  CHECK(PolynomialInBalls(power, 1).over(0.34, 0.0).certain_sign() == 0);
+  CHECK(PolynomialInBalls(power, 1).over(0.9, 0.0).is_positive());
+  const DoubleBall beyond = PolynomialInBalls(power, 1).over(1e100, 0.0);
   CHECK(beyond.certain_sign() == 0);
   CHECK(beyond.lower_magnitude() == 0);
 }
