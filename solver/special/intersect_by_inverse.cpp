@@ -131,9 +131,9 @@ ParameterOnCurve on_curve(const ParameterQuotient& quotient, const VectorPolynom
   return {p, q, quotient.map, slope_along(f, exact_quotient(p, common), exact_quotient(q, common))};
 }
 
-/// The side of y that is this point of x and nothing else, if there is one.
+/// The side of y that is this point of x, if no other point of y is: where a denominator is 0, y is on a
+/// side.
 std::optional<Side> pole_at(const TriangularPoint& at, const VectorPolynomial& x, const RationalPatch& y) {
-  std::optional<Side> found;
   for (const Parameter p : {Parameter::u, Parameter::v})
     for (const int value : {0, 1}) {
       if (!is_pole(y, Side{p, value})) continue;
@@ -144,10 +144,10 @@ std::optional<Side> pole_at(const TriangularPoint& at, const VectorPolynomial& x
         is_there = off.is_zero() || sign_at(off.exchanged(), at) == 0;
       }
       if (!is_there) continue;
-      if (found) return std::nullopt;
-      found = Side{p == Parameter::u ? Parameter::r : Parameter::s, value};
+      if (!is_pole_alone(y, Side{p, value})) return std::nullopt;
+      return Side{p == Parameter::u ? Parameter::r : Parameter::s, value};
     }
-  return found;
+  return std::nullopt;
 }
 
 /// The denominators that are positive on y but for poles (17.23) are 0 in no point of the curve but these

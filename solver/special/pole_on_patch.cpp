@@ -1,6 +1,7 @@
 #include "special/pole_on_patch.h"
 
 #include <exsect/algebra/nearest_double.h>
+#include <exsect/algebra/real_algebraic.h>
 #include <exsect/solver/patch_ray.h>
 
 #include <algorithm>
@@ -88,6 +89,23 @@ bool is_pole(const RationalPatch& x) {
 bool is_pole(const RationalPatch& x, const Side& side) {
   const RationalPatch first = side.parameter == Parameter::u ? x : x.transposed();
   return is_pole(side.value == 0 ? first : first.restricted_to(1, 0, 0, 1));
+}
+
+bool is_pole_alone(const RationalPatch& x, const Side& pole) {
+  const PolynomialVector z =
+      coordinates_from(x, pole.parameter == Parameter::u ? x(pole.value, 0) : x(0, pole.value));
+  for (const Parameter p : {Parameter::u, Parameter::v})
+    for (const int value : {0, 1}) {
+      if (pole == Side{p, value}) continue;
+      Polynomial common;
+      for (const BivariatePolynomial& f : z)
+        common = gcd(common, p == Parameter::u ? f.at_r(value) : f.at_s(value));
+      if (common.is_zero()) return false;
+      const bool has_corner = p != pole.parameter;
+      for (const RealAlgebraic& at : real_roots(common, 0, 1))
+        if (!has_corner || at != RealAlgebraic(pole.value)) return false;
+    }
+  return true;
 }
 
 std::optional<PoleOnPatch> pole_on_patch(const RationalPatch& x, const RationalPatch& y) {

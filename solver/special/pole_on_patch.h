@@ -25,6 +25,8 @@ struct PoleOnPatch {
 bool is_pole(const RationalPatch& x);
 /// This side of x, in u or v, is one point.
 bool is_pole(const RationalPatch& x, const Side& side);
+/// The other sides of x are not in this pole but in the corners they have in common with it.
+bool is_pole_alone(const RationalPatch& x, const Side& pole);
 
 /// Empty if the side is no point, or the point is not on y, exactly, or y is singular there.
 std::optional<PoleOnPatch> pole_on_patch(const RationalPatch& x, const RationalPatch& y);

@@ -534,4 +534,24 @@ TEST_CASE("by inverse: a pole inside of an overlap is left to others") {
   CHECK(solved(square(-1, -1), triangle).graph.overlaps.size() == 1);
 }
 
+TEST_CASE("by inverse: a pole of the patch with the inverse that is a corner of it too is left to others") {
+  // y = m (1, s, r) for m = s (1 + gap - s + r): 0 on the side s = 0, and, without a gap, in the corner
+  // (0,1).
+  const auto horn = [](const Rational& gap) {
+    const Rational a(1, 3), b(1, 2), c(1, 6), d(2, 3), g = gap, h = gap / 3, i = gap * d, k = gap / 2;
+    return RationalPatch({{{0, 0, 0}, {a + h, 0, 0}, {a + i, a + h, 0}, {g, g, 0}},
+                          {{0, 0, 0}, {b + h, 0, c + h / 2}, {d + i, b + h, c + i / 2}, {b + g, b + g, k}},
+                          {{0, 0, 0}, {d + h, 0, d + h}, {1 + i, d + h, 1 + i}, {1 + g, 1 + g, 1 + g}}});
+  };
+  // x = 2 z + y z / 8 for y and z in [-1,2].
+  const Rational e(1, 4);
+  const RationalPatch x({{{-2 + e / 2, -1, -1}, {4 - e, -1, 2}}, {{-2 - e, 2, -1}, {4 + 2 * e, 2, 2}}});
+  CHECK_FALSE(by_inverse(x, horn(0)));
+  for (const long bits : {1, 20, 60}) {
+    const IntersectionGraph graph = solved(x, horn(power_of_two(-bits))).graph;
+    CHECK(graph.isolated_points.empty());
+    CHECK(std::ranges::count_if(graph.nodes, [](const Node& n) { return !n.free.empty(); }) == 1);
+  }
+}
+
 }  // namespace exsect::intersect_by_inverse_test
