@@ -13,6 +13,8 @@ constexpr std::size_t kMostCells = 6000;
 constexpr double kInflation = 1.25;  // of a cell, within which a zero is looked for
 constexpr double kLeastCell = 0x1p-30;
 constexpr double kLeastRadius = 0x1p-44;  // above what places err by
+/// Of an enclosure: so that it is apart from a tube whose centre is more than 60 degrees away.
+constexpr double kMostRadius = 0x1p-4;
 /// The circles of a torus; no special place of symmetric pairs.
 constexpr RoundCoordinate kSection = {0.8, 0.6};
 
@@ -140,6 +142,7 @@ class RoundSearch {
     RoundBox box{place, {}};
     for (std::size_t i = 0; i < 2; ++i) box.reach[i] = 2 * rough.step[i].upper_magnitude() + kLeastRadius;
     if (is_fixed) box.reach[1] = 0;
+    if (!(box.reach[0] < kMostRadius && box.reach[1] < kMostRadius)) return std::nullopt;
     const RoundJet over = chart_.jet(box);
     const Jacobian jacobian = jacobian_at(over, is_fixed);
     const Krawczyk image = krawczyk(at, is_fixed, jacobian, box.reach);

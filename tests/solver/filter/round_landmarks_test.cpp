@@ -1,6 +1,7 @@
 // Landmarks of curves on round surfaces whose turning points are known.
 #include "filter/round_landmarks.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/catch.h"
@@ -61,6 +62,20 @@ TEST_CASE("round landmarks: a curve around a torus without turning points, and n
   const S sphere = S::sphere({0, Rational(1, 2), 3}, 1);
   CHECK(landmarks(S::cone({0, 0, 0}, up, Rational(1, 3)), sphere)->size() >= 2);
   CHECK(landmarks(S::cone({0, 0, 0}, {0, 0, -1}, Rational(1, 3)), sphere)->empty());
+}
+
+TEST_CASE("round landmarks: curves that are circles about the axis but for 10^-8 to 10^-16") {
+  Rational tilt = 1;
+  for (int digits = 1; digits <= 16; ++digits) {
+    tilt /= 10;
+    if (digits < 8) continue;
+    // An inner and an outer curve, with two turning points each, at y = 0.
+    const auto found =
+        landmarks(S::torus({0, 0, 0}, up, 3, 1), S::plane({0, 0, Rational(1, 3)}, {tilt, 0, 1}));
+    REQUIRE(found);
+    CHECK(found->size() == 4);
+    for (const RoundBox& box : *found) CHECK(std::max(box.reach[0], box.reach[1]) < 0x1p-40);
+  }
 }
 
 }  // namespace exsect::round_landmarks_test
